@@ -1,0 +1,48 @@
+# Compile options of all our code: warnings are errors (when RIGOR_WERROR), and no contraction of a*b+c,
+# so that every compiler and optimisation level gives the same bits.
+option(RIGOR_WERROR "Treat warnings as errors" ON)
+
+function(rigor_compile_options target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+    -Wno-missing-field-initializers -ffp-contract=off $<$<BOOL:${RIGOR_WERROR}>:-Werror>)
+endfunction()
+
+# Eigen is in nearly every file: one precompiled header serves all layers.
+add_library(rigor_pch STATIC ${CMAKE_CURRENT_LIST_DIR}/pch.cpp)
+target_link_libraries(rigor_pch PUBLIC Eigen3::Eigen)
+target_precompile_headers(rigor_pch PRIVATE <Eigen/Dense> <string> <vector>)
+rigor_compile_options(rigor_pch)
+
+# rigor_layer(name deps...): the static library rigor_<name> of all sources in rigor/<name>/.
+function(rigor_layer name)
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/rigor/${name}/*.cpp)
+  add_library(rigor_${name} STATIC ${sources})
+  add_library(rigor::${name} ALIAS rigor_${name})
+  target_include_directories(rigor_${name} PUBLIC ${PROJECT_SOURCE_DIR})
+  target_link_libraries(rigor_${name} PUBLIC Eigen3::Eigen)
+  foreach(dependency ${ARGN})
+    target_link_libraries(rigor_${name} PUBLIC rigor_${dependency})
+  endforeach()
+  rigor_compile_options(rigor_${name})
+  target_precompile_headers(rigor_${name} REUSE_FROM rigor_pch)
+endfunction()
+
+# rigor_tests(folder layer...): one test program of all tests/<folder>/*_test.cpp.
+function(rigor_tests folder)
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${folder}/*_test.cpp)
+  if(NOT sources)
+    return()
+  endif()
+  set(target rigor_test_${folder})
+  add_executable(${target} ${sources})
+  rigor_compile_options(${target})
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+  target_link_libraries(${target} PRIVATE GTest::gtest_main nlohmann_json::nlohmann_json)
+  foreach(layer ${ARGN})
+    target_link_libraries(${target} PRIVATE rigor_${layer})
+  endforeach()
+  target_compile_definitions(${target} PRIVATE RIGOR_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data"
+    RIGOR_SOURCE_DIR="${PROJECT_SOURCE_DIR}" RIGOR_PROGRAM="${CMAKE_BINARY_DIR}/rigor")
+  target_precompile_headers(${target} REUSE_FROM rigor_pch)
+  gtest_discover_tests(${target} TEST_PREFIX "${folder}: " DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
+endfunction()

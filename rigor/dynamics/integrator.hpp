@@ -1,0 +1,58 @@
+#pragma once
+
+#include "rigor/dynamics/body_phase.hpp"
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace rigor {
+
+/// The integrators of the interface, by name.
+enum class IntegratorName { euler, semi_implicit_euler, midpoint, rk4, dopri5, lie_rk4 };
+
+/// What is integrated for the attitude: the quaternion (13 numbers a body) or the matrix R with Gram-Schmidt after each
+/// step (18 numbers a body).
+enum class OrientationForm { quaternion, matrix };
+
+/// Forces at a given time and given phases of all bodies of the system: fills one wrench a body. Called at every stage.
+using WrenchField = std::function<void(double t, std::span<const BodyPhase> phases, std::span<Wrench> wrenches)>;
+
+/// Motion of one body over a step as polynomials of θ = (t - t0)/h, θ in [0, 1].
+struct DensePhase {
+  static constexpr int max_degree = 5;
+  /// Column k: coefficient of θᵏ of the 13 numbers x, q (w x y z), P, L.
+  Eigen::Matrix<double, 13, max_degree + 1> coefficients = Eigen::Matrix<double, 13, max_degree + 1>::Zero();
+  int degree = 0;
+
+  /// Phase at θ; q normalised.
+  BodyPhase at(double theta) const;
+};
+
+/// One step of a system of bodies.
+struct SystemStep {
+  std::vector<BodyPhase> end;       ///< At t + h; q normalised.
+  std::vector<DensePhase> dense;    ///< One a body; agrees with start and end up to rounding and normalisation.
+  double error;                     ///< Embedded local error estimate relative to the tolerance (dopri5: ≤ 1 is good);
+                                    ///< NaN for methods without one.
+  double quaternion_drift;          ///< Largest | |q| - 1 | before normalisation (matrix form: |RᵀR - 1|).
+};
+
+/// Tolerances of step control: error of each block (x, q, P, L) against absolute + relative |block|.
+struct IntegratorTolerances {
+  double relative = 1e-10;
+  double length_scale = 1;    ///< [m] Size below which positions count as absolute.
+  double momentum_scale = 1;  ///< [kg m/s].
+  double angular_momentum_scale = 1;  ///< [kg m²/s].
+};
+
+/// One step of size h of the named integrator from `start` at t.
+SystemStep integrate_step(IntegratorName name, OrientationForm form, std::span<const BodyInertia> inertias,
+                          std::span<const BodyPhase> start, double t, double h, const WrenchField& wrenches,
+                          const IntegratorTolerances& tolerances);
+
+/// Classical order of the method (1, 1, 2, 4, 5, 4).
+int integrator_order(IntegratorName name);
+
+}  // namespace rigor

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "rigor/geometry/aabb.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace rigor {
+
+/// Dynamic tree of axis-aligned boxes: the broad phase. Insertion by the surface-area heuristic with tree rotations that
+/// keep it balanced; a query visits O(log n + hits) nodes. Results do not depend on anything but the sequence of calls.
+///
+/// Source: Goldsmith and Salmon, Automatic Creation of Object Hierarchies for Ray Tracing, IEEE CG&A 7(5), 1987.
+class AabbTree {
+ public:
+  /// Puts the box of the item in the tree, or replaces the box it had. id ≥ 0, small (used as an index).
+  void set(int id, const Aabb& box);
+  void remove(int id);
+  /// Ids of all items whose box overlaps, in ascending order.
+  std::vector<int> overlapping(const Aabb& box) const;
+  /// The same into a buffer of the caller (cleared first): no allocation once it has grown.
+  void overlapping(const Aabb& box, std::vector<int>& ids) const;
+  int height() const;
+  void clear();
+
+ private:
+  struct Node {
+    Aabb box;
+    int parent = -1, left = -1, right = -1;
+    int id = -1;      ///< ≥ 0 on leaves.
+    int height = 0;   ///< 0 on leaves.
+  };
+  std::vector<Node> nodes_;
+  std::vector<int> free_;
+  std::vector<int> leaf_of_;  ///< Node of each id, or -1.
+  int root_ = -1;
+};
+
+}  // namespace rigor
