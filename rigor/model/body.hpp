@@ -16,6 +16,7 @@ struct BodyShape {
   Shape shape;
   Pose X_BS;            ///< Pose of the shape's frame S in the body frame B.
   int material = 0;     ///< Index into Model::materials().
+  double radius = 0;    ///< Of the ball about the origin of S that holds the shape [m]; infinite for a plane.
   std::string color;    ///< "#rgb" or "#rrggbb", or empty.
 };
 

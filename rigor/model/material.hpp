@@ -20,4 +20,7 @@ struct PairCoefficients {
   double restitution;
 };
 
+/// The combination rule.
+PairCoefficients combined_coefficients(const Material& a, const Material& b);
+
 }  // namespace rigor

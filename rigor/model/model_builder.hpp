@@ -2,7 +2,6 @@
 
 #include "rigor/model/model.hpp"
 
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -51,6 +50,12 @@ struct BodyDescription {
 /// `where` of each add_... is put in front of its messages ("scene.yaml:12:5: "); empty for scenes built in C++.
 class ModelBuilder {
  public:
+  ModelBuilder();
+  ModelBuilder(const ModelBuilder& other);
+  ModelBuilder(ModelBuilder&& other) noexcept;
+  ModelBuilder& operator=(ModelBuilder other) noexcept;
+  ~ModelBuilder();
+
   void set_name(std::string name);
   void set_gravity(const Vec3& g_W, std::string where = {});
   void add_material(Material material, std::string where = {});
@@ -74,10 +79,13 @@ class ModelBuilder {
   /// The Model, or an InputError with every message. Mass properties are computed here (exact closed forms, Mirtich's
   /// integrals for meshes, parallel axes, principal frame).
   std::shared_ptr<const Model> build() const;
+  /// Every message that build() would throw, in the order in which the parts were added; empty if there is none.
+  std::vector<std::string> check() const;
 
  private:
-  struct Implementation;
-  std::shared_ptr<Implementation> parts_;
+  struct Parts;
+  Model assemble(std::vector<std::string>& messages) const;
+  std::unique_ptr<Parts> parts_;
 };
 
 }  // namespace rigor

@@ -38,6 +38,8 @@ struct State {
 
   /// Sets a body's phase at t and anchors it there.
   void set_body(int body, const Vec3& x_new, const Quat& q_new, const Vec3& P_new, const Vec3& L_new);
+  /// Anchors one body at its present phase and time.
+  void anchor_body(int body);
   /// Anchors every body at its present phase and time.
   void anchor_here();
 

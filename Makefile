@@ -1,0 +1,53 @@
+# Rigor in two commands: `make run` and `make test`. Both install what they need (Debian 12), configure and build.
+# Everything else: `make help`.
+JOBS ?= $(shell nproc)
+BUILD := build/release
+RIGOR := $(BUILD)/rigor
+
+.PHONY: run test build check bench setup configure clean help
+
+run: build
+	@$(RIGOR) run scenes/turntable.yaml
+	@echo
+	@$(RIGOR) run scenes/cradle.yaml
+	@echo
+	@echo "What next:"
+	@echo "  $(RIGOR) run scenes/bouncing_ball.yaml -o ball.csv       any scene in scenes/; output as .csv, .h5 or .json"
+	@echo "  $(RIGOR) run scenes/cradle.yaml --set materials.steel.restitution=0.5"
+	@echo "  $(RIGOR) check scenes/*.yaml                             validate scenes only"
+	@echo "  $(RIGOR) methods                                         every method by name, with its source"
+	@echo "  docs/scene.md                                            how to write a scene of your own"
+
+build: configure
+	@cmake --build --preset release -j $(JOBS)
+
+test: build
+	@ctest --preset release -j $(JOBS)
+
+setup:
+	@tools/setup.sh build
+
+configure: setup
+	@[ -f $(BUILD)/build.ninja ] || cmake --preset release
+
+check:
+	@tools/setup.sh check
+	@tools/check.sh $(JOBS)
+
+bench:
+	@tools/setup.sh build
+	@tools/setup.sh bench
+	@cmake --preset bench >/dev/null
+	@cmake --build --preset bench -j $(JOBS)
+	@build/bench/benchmarks/rigor_bench
+
+clean:
+	rm -rf build
+
+help:
+	@echo "make run     build, then run two scenes and show their audits"
+	@echo "make test    build, then all tests"
+	@echo "make build   build only (Release, in $(BUILD))"
+	@echo "make check   formatting, clang++ beside g++ with warnings as errors, the tests under ASan and UBSan"
+	@echo "make bench   error and CPU time of the reference scenes, beside the peer engines that are installed"
+	@echo "make clean   remove build/"

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "rigor/dynamics/body_phase.hpp"
+#include "rigor/geometry/contact_set.hpp"
+#include "rigor/model/model.hpp"
+
+#include <vector>
+
+namespace rigor {
+
+/// A contact between shapes of two bodies, at an instant. The normal points from A to B; impulses λ push B along +n and A
+/// along -n.
+struct Contact {
+  int body_A, body_B;      ///< Indices into the model; at least one is dynamic.
+  int shape_A, shape_B;    ///< Indices into the bodies' shapes.
+  ContactPoint point;
+  double friction;         ///< μ of the pair.
+  double restitution;      ///< e of the pair.
+
+  /// Where impulses act, on both bodies alike so that angular momentum is exact: half way between the witness points [m].
+  Vec3 p_W() const { return 0.5 * (point.p_WA + point.p_WB); }
+};
+
+/// Where a body is, how it moves and how it resists, at an instant; all in W, about the centre of mass.
+struct BodyKinetics {
+  Vec3 x = Vec3::Zero();                   ///< p_WB [m].
+  Mat3 R = Mat3::Identity();               ///< R_WB.
+  Vec3 v = Vec3::Zero();                   ///< [m/s].
+  Vec3 w = Vec3::Zero();                   ///< [rad/s].
+  double inverse_mass = 0;                 ///< [1/kg]; 0 for kinematic and fixed bodies.
+  Mat3 inverse_inertia = Mat3::Zero();     ///< I⁻¹ in W [1/(kg m²)]; 0 as above.
+  Mat3 inertia = Mat3::Zero();             ///< I in W [kg m²]; 0 as above.
+
+  Pose pose() const { return {R, x}; }
+  /// Velocity of the material point at p_WP [m/s].
+  Vec3 velocity_at(const Vec3& p_WP) const { return v + w.cross(p_WP - x); }
+};
+
+/// Kinetics of a dynamic body at a phase.
+BodyKinetics dynamic_kinetics(const Body& body, const BodyPhase& phase);
+/// Kinetics of a kinematic or fixed body at time t.
+BodyKinetics prescribed_kinetics(const Body& body, double t);
+
+/// All contacts of two bodies closer than the tolerance [m], in the order of shapes and features.
+std::vector<Contact> find_contacts(const Model& model, int a, int b, const Pose& X_WA, const Pose& X_WB,
+                                   double tolerance);
+
+}  // namespace rigor

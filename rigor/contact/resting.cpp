@@ -1,0 +1,127 @@
+#include "rigor/contact/resting.hpp"
+
+#include "rigor/contact/contact_kinematics.hpp"
+
+namespace rigor {
+
+namespace {
+
+struct Acceleration {
+  Vec3 linear = Vec3::Zero();
+  Vec3 angular = Vec3::Zero();
+};
+
+/// Newton-Euler: a = f/m, α = I⁻¹(τ - ω × I ω); zero for prescribed bodies (they move at constant velocities).
+Acceleration acceleration(const BodyKinetics& body, const Wrench& wrench) {
+  if (body.inverse_mass == 0) return {};
+  return {body.inverse_mass * wrench.f_W,
+          body.inverse_inertia * (wrench.tau_W - body.w.cross(body.inertia * body.w))};
+}
+
+/// Tangential unit vector of the slip at each contact: from u_t where there is slip, along the old one otherwise.
+Vec2 slip_direction(const Mat3& frame, const Vec3& u, const Vec3& old_slip_W) {
+  const Vec2 u_t = u.head<2>();
+  const Vec2 old = (frame.transpose() * old_slip_W).head<2>();
+  const double speed = u_t.norm();
+  if (speed == 0) return old.norm() > 0 ? Vec2(old.normalized()) : Vec2(Vec2::Zero());
+  // Beyond the end of the slip u_t points back: keep the friction's side.
+  return (u_t.dot(old) < 0 ? -1.0 : 1.0) / speed * u_t;
+}
+
+CoulombProblem problem_of(const ContactSystem& system) {
+  CoulombProblem problem;
+  problem.A = delassus(system);
+  const std::size_t n = system.contacts.size();
+  problem.rows.assign(n, FrictionRow::cone);
+  problem.slips.assign(n, Vec2::Zero());
+  for (const Contact& contact : system.contacts) problem.mu.push_back(contact.friction);
+  return problem;
+}
+
+}  // namespace
+
+VecX free_contact_accelerations(const ContactSystem& system, const std::vector<Wrench>& wrenches) {
+  std::vector<Acceleration> accelerations;
+  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+    accelerations.push_back(acceleration(system.kinetics[b], wrenches[b]));
+  }
+  VecX result(3 * static_cast<Eigen::Index>(system.contacts.size()));
+  for (std::size_t i = 0; i < system.contacts.size(); ++i) {
+    const Contact& contact = system.contacts[i];
+    const std::size_t a = static_cast<std::size_t>(system.local_index(contact.body_A));
+    const std::size_t b = static_cast<std::size_t>(system.local_index(contact.body_B));
+    const BodyKinetics& A = system.kinetics[a];
+    const BodyKinetics& B = system.kinetics[b];
+    const Vec3 p_W = contact.p_W();
+    const Vec3 of_A = accelerations[a].linear + accelerations[a].angular.cross(p_W - A.x);
+    const Vec3 of_B = accelerations[b].linear + accelerations[b].angular.cross(p_W - B.x);
+    result.segment<3>(3 * static_cast<Eigen::Index>(i)) =
+        system.frames[i].transpose() * (of_B - of_A) + acceleration_bias(contact, A, B);
+  }
+  return result;
+}
+
+RestingSolution solve_resting(const ContactSystem& system, const std::vector<Wrench>& wrenches, double slip_tolerance) {
+  CoulombProblem problem = problem_of(system);
+  problem.b = free_contact_accelerations(system, wrenches);
+  const VecX u = relative_velocities(system);
+  for (std::size_t i = 0; i < system.contacts.size(); ++i) {
+    const Vec2 u_t = u.segment<2>(3 * static_cast<Eigen::Index>(i));
+    if (u_t.norm() <= slip_tolerance) continue;
+    problem.rows[i] = FrictionRow::slide;
+    problem.slips[i] = u_t.normalized();
+  }
+
+  RestingSolution solution{solve_coulomb(problem), {}};
+  for (std::size_t i = 0; i < system.contacts.size(); ++i) {
+    ContactState state{solution.forces.modes[i], Vec3::Zero()};
+    Vec2 slip = problem.slips[i];
+    if (state.mode == ContactMode::slide && problem.rows[i] == FrictionRow::cone) {
+      // Slip begins along the tangential acceleration.
+      const Vec2 w_t = solution.forces.w.segment<2>(3 * static_cast<Eigen::Index>(i));
+      slip = w_t.norm() > 0 ? Vec2(w_t.normalized()) : Vec2(Vec2::Zero());
+    }
+    state.slip_W = system.frames[i].leftCols<2>() * slip;
+    solution.states.push_back(state);
+  }
+  return solution;
+}
+
+VecX contact_forces(const ContactSystem& system, const std::vector<ContactState>& states,
+                    const std::vector<Wrench>& wrenches) {
+  CoulombProblem problem = problem_of(system);
+  problem.b = free_contact_accelerations(system, wrenches);
+  const VecX u = relative_velocities(system);
+  std::vector<ContactMode> modes;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    problem.slips[i] =
+        slip_direction(system.frames[i], u.segment<3>(3 * static_cast<Eigen::Index>(i)), states[i].slip_W);
+    modes.push_back(states[i].mode);
+  }
+  return solve_known_modes(problem, modes);
+}
+
+void add_contact_wrenches(const ContactSystem& system, const VecX& lambda, std::vector<Wrench>& wrenches) {
+  for (std::size_t i = 0; i < system.contacts.size(); ++i) {
+    const Contact& contact = system.contacts[i];
+    const Vec3 f_W = world_impulse(system, lambda, static_cast<int>(i));
+    const std::size_t a = static_cast<std::size_t>(system.local_index(contact.body_A));
+    const std::size_t b = static_cast<std::size_t>(system.local_index(contact.body_B));
+    wrenches[a].f_W -= f_W;
+    wrenches[a].tau_W -= (contact.p_W() - system.kinetics[a].x).cross(f_W);
+    wrenches[b].f_W += f_W;
+    wrenches[b].tau_W += (contact.p_W() - system.kinetics[b].x).cross(f_W);
+  }
+}
+
+VecX projection_impulses(const ContactSystem& system, const std::vector<ContactState>& states) {
+  CoulombProblem problem = problem_of(system);
+  problem.b = relative_velocities(system);
+  // Along the slip nothing is corrected: a sliding contact takes part with its normal alone.
+  problem.mu.assign(states.size(), 0.0);
+  std::vector<ContactMode> modes;
+  for (const ContactState& state : states) modes.push_back(state.mode);
+  return solve_known_modes(problem, modes);
+}
+
+}  // namespace rigor

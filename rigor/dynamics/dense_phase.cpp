@@ -1,0 +1,37 @@
+#include "rigor/dynamics/dense_phase.hpp"
+
+namespace rigor {
+
+BodyPhase DensePhase::at(double theta) const {
+  Eigen::Matrix<double, 13, 1> y = coefficients.col(degree);
+  for (int k = degree - 1; k >= 0; --k) y = y * theta + coefficients.col(k);
+  const Vec4 q = y.segment<4>(dense_q_row).normalized();
+  return {y.segment<3>(dense_x_row), Quat(q[0], q[1], q[2], q[3]), y.segment<3>(dense_P_row),
+          y.segment<3>(dense_L_row)};
+}
+
+Eigen::Matrix<double, 4, 6> fit_quaternions(const std::function<Quat(double theta)>& q, const Quat& start) {
+  const Vec4 first(start.w(), start.x(), start.y(), start.z());
+
+  // Differences from the start at θ = k/5, which are small: then the system's condition number costs nothing.
+  Eigen::Matrix<double, 5, 5> powers;
+  Eigen::Matrix<double, 5, 4> differences;
+  Vec4 previous = first;
+  for (int k = 1; k <= 5; ++k) {
+    const double theta = k / 5.0;
+    const Quat sample = q(theta);
+    Vec4 value(sample.w(), sample.x(), sample.y(), sample.z());
+    if (value.dot(previous) < 0) value = -value;
+    previous = value;
+    differences.row(k - 1) = (value - first).transpose();
+    double power = theta;
+    for (int m = 0; m < 5; ++m, power *= theta) powers(k - 1, m) = power;
+  }
+
+  Eigen::Matrix<double, 4, 6> coefficients;
+  coefficients.col(0) = first;
+  coefficients.rightCols<5>() = powers.partialPivLu().solve(differences).transpose();
+  return coefficients;
+}
+
+}  // namespace rigor

@@ -1,0 +1,97 @@
+#pragma once
+
+#include "rigor/dynamics/body_phase.hpp"
+#include "rigor/model/model.hpp"
+
+#include <span>
+#include <vector>
+
+namespace rigor {
+
+/// The forces of a scene other than contact: gravity, constant forces and torques, springs, drag.
+class Environment {
+ public:
+  explicit Environment(const Model& model);
+
+  /// Acceleration of a dynamic body by gravity and by the constant forces at its centre of mass [m/s²]: with nothing else
+  /// acting it flies a parabola.
+  const Vec3& steady_acceleration(int body) const { return steady_accelerations_[static_cast<std::size_t>(body)]; }
+  /// Whether anything else acts on it, so that its motion must be integrated.
+  bool is_forced(int body) const { return is_forced_[static_cast<std::size_t>(body)]; }
+  /// Dynamic bodies joined to this one by springs, ascending.
+  const std::vector<int>& spring_partners(int body) const { return partners_[static_cast<std::size_t>(body)]; }
+
+  /// Position and velocity of a body as the forces need them.
+  struct BodyView {
+    Vec3 x, v, w;
+    Mat3 R;
+    bool is_dynamic;
+  };
+  /// Forces on the listed bodies. `view(body)` must answer for them and for every spring partner that is not dynamic.
+  /// wrenches: one a listed body, overwritten.
+  template <class View>
+  void apply_env_forces(std::span<const int> bodies, const View& view, std::span<Wrench> wrenches) const {
+    for (std::size_t i = 0; i < bodies.size(); ++i) wrenches[i] = force_on(bodies[i], view(bodies[i]), view);
+  }
+
+  /// Power [W] that forces without a potential supply to the body: constant torques, body-fixed forces. Drag and dampers
+  /// only take and are not counted.
+  double supplied_power(int body, const BodyView& view) const;
+  /// Potential energy of gravity and steady forces of a body at x [J].
+  double potential(int body, const Vec3& x) const;
+  /// Energy stored in all springs [J]; view as above, for all bodies.
+  template <class View>
+  double spring_energy(const View& view) const {
+    double energy = 0;
+    for (const Spring& spring : springs_) energy += stored_energy(spring, end_of(spring, true, view), end_of(spring, false, view));
+    return energy;
+  }
+
+ private:
+  struct SpringEnd {
+    Vec3 p_W, v_W;
+  };
+  template <class View>
+  static SpringEnd end_of(const Spring& spring, bool is_A, const View& view) {
+    const int body = is_A ? spring.body_A : spring.body_B;
+    const Vec3& p = is_A ? spring.p_AP : spring.p_BQ;
+    if (body == world_body) return {p, Vec3::Zero()};
+    const BodyView of_body = view(body);
+    const Vec3 arm = of_body.R * p;
+    return {of_body.x + arm, of_body.v + of_body.w.cross(arm)};
+  }
+  static double stored_energy(const Spring& spring, const SpringEnd& A, const SpringEnd& B);
+  static Vec3 force_on_B(const Spring& spring, const SpringEnd& A, const SpringEnd& B);
+  Wrench own_forces(int body, const BodyView& view) const;
+
+  template <class View>
+  Wrench force_on(int body, const BodyView& of_body, const View& view) const {
+    Wrench wrench = own_forces(body, of_body);
+    for (const int index : springs_of_[static_cast<std::size_t>(body)]) {
+      const Spring& spring = springs_[static_cast<std::size_t>(index)];
+      const SpringEnd A = end_of(spring, true, view), B = end_of(spring, false, view);
+      const Vec3 f_W = force_on_B(spring, A, B);
+      if (spring.body_A == body) {
+        wrench.f_W -= f_W;
+        wrench.tau_W -= (A.p_W - of_body.x).cross(f_W);
+      }
+      if (spring.body_B == body) {
+        wrench.f_W += f_W;
+        wrench.tau_W += (B.p_W - of_body.x).cross(f_W);
+      }
+    }
+    return wrench;
+  }
+
+  const Model* model_;
+  std::vector<Vec3> steady_accelerations_;
+  std::vector<bool> is_forced_;
+  std::vector<std::vector<int>> partners_;
+  std::vector<Spring> springs_;
+  std::vector<std::vector<int>> springs_of_;               ///< Springs that touch each body.
+  std::vector<std::vector<ConstantForce>> body_forces_;    ///< Those that do not act steadily at the centre.
+  std::vector<std::vector<ConstantTorque>> torques_;
+  std::vector<double> linear_drag_, angular_drag_;
+};
+
+}  // namespace rigor

@@ -1,0 +1,107 @@
+#include "rigor/dynamics/integrator.hpp"
+
+#include "rigor/core/assert.hpp"
+#include "rigor/dynamics/dense_phase.hpp"
+#include "rigor/dynamics/semi_implicit_euler.hpp"
+#include "rigor/dynamics/system_ode.hpp"
+#include "rigor/solver/runge_kutta.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rigor {
+namespace {
+
+ButcherTableau tableau_of(IntegratorName name) {
+  switch (name) {
+    case IntegratorName::midpoint:
+      return midpoint_tableau();
+    case IntegratorName::rk4:
+    case IntegratorName::lie_rk4:
+      return rk4_tableau();
+    case IntegratorName::dopri5:
+      return dopri5_tableau();
+    case IntegratorName::euler:
+    case IntegratorName::semi_implicit_euler:
+      break;
+  }
+  return explicit_euler_tableau();
+}
+
+AttitudeChart chart_of(IntegratorName name, OrientationForm form) {
+  if (name == IntegratorName::lie_rk4) return AttitudeChart::rotation_vector;
+  return form == OrientationForm::matrix ? AttitudeChart::matrix : AttitudeChart::quaternion;
+}
+
+/// Largest error of a block of a body against its tolerance; 1 is just good.
+double relative_error(const SystemOde& ode, const RungeKuttaStep& step, const IntegratorTolerances& tolerances) {
+  // A rotation by a small angle δ moves q by δ/2 and R by √2 δ.
+  const double attitude_scale = ode.chart() == AttitudeChart::matrix ? 2 * std::sqrt(2.0) : 1;
+  const double scales[3] = {tolerances.length_scale, tolerances.momentum_scale, tolerances.angular_momentum_scale};
+  double largest = 0;
+  for (int i = 0; i < ode.body_count(); ++i) {
+    for (int block = 0; block < 3; ++block) {
+      const int at = ode.offset(i) + 3 * block;
+      const double size = std::max(step.dense.col(0).segment<3>(at).norm(), step.end.segment<3>(at).norm());
+      largest = std::max(largest, step.error.segment<3>(at).norm() / (scales[block] + size));
+    }
+    const double attitude = step.error.segment(ode.offset(i) + 9, ode.attitude_size()).norm();
+    largest = std::max(largest, attitude / attitude_scale);
+  }
+  return step.error.allFinite() ? largest / tolerances.relative : std::numeric_limits<double>::infinity();
+}
+
+DensePhase dense_phase(const SystemOde& ode, const RungeKuttaStep& step, int body, const Quat& start) {
+  const int at = ode.offset(body);
+  const int columns = static_cast<int>(step.dense.cols());
+  DensePhase dense;
+  dense.degree = columns - 1;
+  dense.coefficients.block(dense_x_row, 0, 3, columns) = step.dense.middleRows<3>(at);
+  dense.coefficients.block(dense_P_row, 0, 3, columns) = step.dense.middleRows<3>(at + 3);
+  dense.coefficients.block(dense_L_row, 0, 3, columns) = step.dense.middleRows<3>(at + 6);
+  if (ode.chart() == AttitudeChart::quaternion) {
+    dense.coefficients.block(dense_q_row, 0, 4, columns) = step.dense.middleRows<4>(at + 9);
+  } else {
+    dense.degree = 5;
+    const auto orientation = [&](double theta) { return ode.orientation(step.at(theta), body); };
+    dense.coefficients.middleRows<4>(dense_q_row) = fit_quaternions(orientation, start);
+  }
+  return dense;
+}
+
+}  // namespace
+
+SystemStep integrate_step(IntegratorName name, OrientationForm form, std::span<const BodyInertia> inertias,
+                          std::span<const BodyPhase> start, double t, double h, const WrenchField& wrenches,
+                          const IntegratorTolerances& tolerances) {
+  RIGOR_ASSERT(inertias.size() == start.size());
+  if (name == IntegratorName::semi_implicit_euler) {
+    return semi_implicit_euler_step(form, inertias, start, t, h, wrenches);
+  }
+
+  SystemOde ode(chart_of(name, form), inertias, start, wrenches);
+  const auto f = [&ode](double time, const VecX& y) { return ode.derivative(time, y); };
+  const RungeKuttaStep step = runge_kutta_step(tableau_of(name), f, t, ode.start_vector(), h);
+
+  SystemStep result;
+  const bool has_error = step.error.size() > 0;
+  result.error = has_error ? relative_error(ode, step, tolerances) : std::numeric_limits<double>::quiet_NaN();
+  result.quaternion_drift = 0;
+  for (int i = 0; i < ode.body_count(); ++i) {
+    Quat q = ode.orientation(step.end, i);
+    // A matrix forgets the sign of its quaternion.
+    if (ode.chart() == AttitudeChart::matrix && q.dot(start[i].q) < 0) q.coeffs() = -q.coeffs();
+    const int at = ode.offset(i);
+    result.end.push_back({step.end.segment<3>(at), q, step.end.segment<3>(at + 3), step.end.segment<3>(at + 6)});
+    result.dense.push_back(dense_phase(ode, step, i, start[i].q));
+    result.quaternion_drift = std::max(result.quaternion_drift, ode.attitude_drift(step.end, i));
+  }
+  return result;
+}
+
+int integrator_order(IntegratorName name) {
+  return name == IntegratorName::semi_implicit_euler ? 1 : tableau_of(name).order;
+}
+
+}  // namespace rigor

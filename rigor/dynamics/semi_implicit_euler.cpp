@@ -1,0 +1,67 @@
+#include "rigor/dynamics/semi_implicit_euler.hpp"
+
+#include "rigor/dynamics/dense_phase.hpp"
+#include "rigor/math/rotation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rigor {
+namespace {
+
+struct Turn {
+  Quat q;
+  double drift;
+};
+
+Turn turn_by_euler(OrientationForm form, const Quat& q, const Vec3& h_w) {
+  if (form == OrientationForm::quaternion) {
+    const Quat rate = Quat(0, h_w.x(), h_w.y(), h_w.z()) * q;
+    const Quat moved(Vec4(q.coeffs() + 0.5 * rate.coeffs()));
+    return {moved.normalized(), std::abs(moved.norm() - 1)};
+  }
+  const Mat3 R = rotation_matrix(q);
+  const Mat3 moved = R + skew(h_w) * R;
+  Quat turned = quaternion_of(gram_schmidt(moved));
+  if (turned.dot(q) < 0) turned.coeffs() = -turned.coeffs();
+  return {turned, (moved.transpose() * moved - Mat3::Identity()).norm()};
+}
+
+Eigen::Matrix<double, 13, 1> numbers(const BodyPhase& phase) {
+  Eigen::Matrix<double, 13, 1> y;
+  y << phase.x, phase.q.w(), phase.q.vec(), phase.P, phase.L;
+  return y;
+}
+
+}  // namespace
+
+SystemStep semi_implicit_euler_step(OrientationForm form, std::span<const BodyInertia> inertias,
+                                    std::span<const BodyPhase> start, double t, double h,
+                                    const WrenchField& wrenches) {
+  std::vector<Wrench> forces(start.size());
+  wrenches(t, start, forces);
+
+  SystemStep step;
+  step.error = std::numeric_limits<double>::quiet_NaN();
+  step.quaternion_drift = 0;
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    BodyPhase end = start[i];
+    end.P += h * forces[i].f_W;
+    end.L += h * forces[i].tau_W;
+    end.x += h * (end.P / inertias[i].mass);
+    const Turn turn = turn_by_euler(form, end.q, h * angular_velocity(inertias[i], end.q, end.L));
+    end.q = turn.q;
+    step.quaternion_drift = std::max(step.quaternion_drift, turn.drift);
+
+    DensePhase dense;
+    dense.degree = 1;
+    dense.coefficients.col(0) = numbers(start[i]);
+    dense.coefficients.col(1) = numbers(end) - numbers(start[i]);
+    step.end.push_back(end);
+    step.dense.push_back(dense);
+  }
+  return step;
+}
+
+}  // namespace rigor

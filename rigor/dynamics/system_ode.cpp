@@ -1,0 +1,107 @@
+#include "rigor/dynamics/system_ode.hpp"
+
+#include "rigor/math/rotation.hpp"
+
+#include <cmath>
+
+namespace rigor {
+namespace {
+
+Quat quaternion_at(const VecX& y, int offset) { return Quat(y[offset], y[offset + 1], y[offset + 2], y[offset + 3]); }
+
+Mat3 matrix_at(const VecX& y, int offset) { return Eigen::Map<const Mat3>(y.data() + offset); }
+
+}  // namespace
+
+SystemOde::SystemOde(AttitudeChart chart, std::span<const BodyInertia> inertias, std::span<const BodyPhase> start,
+                     const WrenchField& wrenches)
+    : chart_(chart),
+      inertias_(inertias),
+      start_(start),
+      wrench_field_(wrenches),
+      phases_(start.size()),
+      wrenches_(start.size()) {}
+
+int SystemOde::attitude_size() const {
+  return chart_ == AttitudeChart::quaternion ? 4 : chart_ == AttitudeChart::matrix ? 9 : 3;
+}
+
+VecX SystemOde::start_vector() const {
+  VecX y = VecX::Zero(body_count() * body_size());
+  for (int i = 0; i < body_count(); ++i) {
+    const BodyPhase& phase = start_[i];
+    y.segment<3>(offset(i)) = phase.x;
+    y.segment<3>(offset(i) + 3) = phase.P;
+    y.segment<3>(offset(i) + 6) = phase.L;
+    if (chart_ == AttitudeChart::quaternion) {
+      y.segment<4>(offset(i) + 9) << phase.q.w(), phase.q.x(), phase.q.y(), phase.q.z();
+    } else if (chart_ == AttitudeChart::matrix) {
+      Eigen::Map<Mat3>(y.data() + offset(i) + 9) = rotation_matrix(phase.q);
+    }
+  }
+  return y;
+}
+
+Quat SystemOde::orientation(const VecX& y, int body) const {
+  const int at = offset(body) + 9;
+  switch (chart_) {
+    case AttitudeChart::quaternion:
+      return quaternion_at(y, at).normalized();
+    case AttitudeChart::matrix:
+      return quaternion_of(gram_schmidt(matrix_at(y, at)));
+    case AttitudeChart::rotation_vector:
+      return (rotation_exp(y.segment<3>(at)) * start_[body].q).normalized();
+  }
+  return start_[body].q;
+}
+
+double SystemOde::attitude_drift(const VecX& y, int body) const {
+  const int at = offset(body) + 9;
+  switch (chart_) {
+    case AttitudeChart::quaternion:
+      return std::abs(y.segment<4>(at).norm() - 1);
+    case AttitudeChart::matrix:
+      return (matrix_at(y, at).transpose() * matrix_at(y, at) - Mat3::Identity()).norm();
+    case AttitudeChart::rotation_vector:
+      return std::abs((rotation_exp(y.segment<3>(at)) * start_[body].q).norm() - 1);
+  }
+  return 0;
+}
+
+VecX SystemOde::attitude_rate(const VecX& attitude, const Mat3& R_WB, const Vec3& w_WB) const {
+  if (chart_ == AttitudeChart::quaternion) {
+    const Quat rate = Quat(0, w_WB.x(), w_WB.y(), w_WB.z()) * quaternion_at(attitude, 0);
+    return 0.5 * Vec4(rate.w(), rate.x(), rate.y(), rate.z());
+  }
+  if (chart_ == AttitudeChart::matrix) {
+    const Mat3 rate = skew(w_WB) * R_WB;
+    return Eigen::Map<const VecX>(rate.data(), 9);
+  }
+  // Inverse of the differential of exp, to the order that a method of order four sees.
+  const Vec3 phi = attitude;
+  const Vec3 bracket = phi.cross(w_WB);
+  return w_WB - 0.5 * bracket + phi.cross(bracket) / 12;
+}
+
+VecX SystemOde::derivative(double t, const VecX& y) {
+  for (int i = 0; i < body_count(); ++i) {
+    phases_[i] = {y.segment<3>(offset(i)), orientation(y, i), y.segment<3>(offset(i) + 3), y.segment<3>(offset(i) + 6)};
+    wrenches_[i] = {};
+  }
+  wrench_field_(t, phases_, wrenches_);
+
+  VecX rate(y.size());
+  for (int i = 0; i < body_count(); ++i) {
+    // The matrix form takes R as it stands, so that the right-hand side stays smooth in y.
+    const int at = offset(i) + 9;
+    const Mat3 R_WB = chart_ == AttitudeChart::matrix ? matrix_at(y, at) : rotation_matrix(phases_[i].q);
+    const Vec3 w_B = (R_WB.transpose() * phases_[i].L).cwiseQuotient(inertias_[i].moments);
+    rate.segment<3>(offset(i)) = phases_[i].P / inertias_[i].mass;
+    rate.segment<3>(offset(i) + 3) = wrenches_[i].f_W;
+    rate.segment<3>(offset(i) + 6) = wrenches_[i].tau_W;
+    rate.segment(at, attitude_size()) = attitude_rate(y.segment(at, attitude_size()), R_WB, R_WB * w_B);
+  }
+  return rate;
+}
+
+}  // namespace rigor

@@ -1,0 +1,167 @@
+#include "rigor/model/body_builder.hpp"
+
+#include "rigor/core/quoted.hpp"
+#include "rigor/core/suggestion.hpp"
+#include "rigor/geometry/support.hpp"
+#include "rigor/geometry/triangle_tree.hpp"
+#include "rigor/math/rotation.hpp"
+#include "rigor/model/body_mass.hpp"
+#include "rigor/model/limits.hpp"
+#include "rigor/model/state.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+namespace rigor {
+
+namespace {
+
+std::vector<std::string> names_of(const MaterialTable& materials) {
+  std::vector<std::string> names;
+  for (const auto& [name, index] : materials.index) names.push_back(name);
+  return names;
+}
+
+/// Index of the shape's material; the default one, and a message, if there is none of that name.
+int find_material(const ShapeDescription& shape, const MaterialTable& materials, const std::string& what,
+                  Findings& findings) {
+  if (shape.material.empty()) return 0;
+  const auto found = materials.index.find(shape.material);
+  if (found != materials.index.end()) return found->second;
+  findings.add(what + ": unknown material " + quoted_text(shape.material) +
+               suggestion(shape.material, names_of(materials)));
+  return 0;
+}
+
+/// Whether two successive orientations are so near to half a turn apart that the way between them is not clear.
+bool is_half_turn(const Quat& a, const Quat& b) {
+  return rotation_angle_between(a.normalized(), b.normalized()) > std::numbers::pi - 1e-6;
+}
+
+void check_path(const BodyDescription& body, Findings& findings) {
+  if (body.path.empty()) return;
+  findings.require(body.motion == MotionType::kinematic, "only a kinematic body has a 'path'");
+  const bool has_start = !body.p_WL.isZero(0) || !body.q_WL.isApprox(Quat::Identity(), 0);
+  findings.require(!has_start && body.velocity.isZero(0) && body.angular_velocity.isZero(0),
+                   "its path gives position and velocities, so they may not be given as well");
+  for (std::size_t i = 0; i < body.path.size(); ++i) {
+    const PathPoint& point = body.path[i];
+    const std::string what = "path point " + std::to_string(i);
+    bool is_good = findings.check(what + ": time", point.time, limits::time, "s");
+    is_good &= findings.check(what + ": position", point.p_WL, limits::position, "m");
+    is_good &= findings.check(what + ": orientation", point.q_WL);
+    if (!is_good || i == 0) continue;
+    const PathPoint& before = body.path[i - 1];
+    findings.require(point.time > before.time, what + ": time is " + number_text(point.time) + " s, must be > " +
+                                                   number_text(before.time) + " s, the time of the point before");
+    findings.require(!is_half_turn(before.q_WL, point.q_WL),
+                     what + ": it is half a turn from the point before, which may go either way; put a point between");
+  }
+}
+
+void check_numbers(const BodyDescription& body, Findings& findings) {
+  findings.check("position", body.p_WL, limits::position, "m");
+  findings.check("orientation", body.q_WL);
+  findings.check("velocity", body.velocity, limits::speed, "m/s");
+  findings.check("angular_velocity", body.angular_velocity, limits::angular_speed, "rad/s");
+  findings.check("linear_drag", body.linear_drag, limits::coefficient, "kg/s");
+  findings.check("angular_drag", body.angular_drag, limits::coefficient, "kg m²/s");
+  const bool is_moving = !body.velocity.isZero(0) || !body.angular_velocity.isZero(0);
+  findings.require(body.motion != MotionType::fixed || !is_moving,
+                   "a static body does not move, but a velocity is given; make it kinematic");
+  check_path(body, findings);
+}
+
+/// Shapes on the user's frame, checked; X_BS still is X_LS.
+std::vector<BodyShape> make_shapes(const BodyDescription& body, const MaterialTable& materials, ShapeMemory& memory,
+                                   Findings& findings) {
+  std::vector<BodyShape> shapes;
+  for (const ShapeDescription& shape : body.shapes) {
+    const std::string what =
+        "shape " + std::to_string(shapes.size()) + " (" + shape_type_name(shape.shape) + ")";
+    check_shape(shape.shape, body.motion == MotionType::dynamic, what, memory, findings);
+    findings.check(what + ": position", shape.p_LS, limits::position, "m");
+    findings.check(what + ": orientation", shape.q_LS);
+    findings.require(shape.color.empty() || is_color(shape.color),
+                     what + ": color is " + quoted_text(shape.color) + ", must be '#rgb' or '#rrggbb'");
+    const int material = find_material(shape, materials, what, findings);
+    BodyShape placed;
+    placed.shape = shape.shape;
+    placed.X_BS = {rotation_matrix(shape.q_LS), shape.p_LS};
+    placed.material = material;
+    placed.color = shape.color;
+    shapes.push_back(std::move(placed));
+  }
+  return shapes;
+}
+
+/// Radii about each shape's origin and about the body's, and the trees of meshes that have none yet.
+void complete_shapes(Body& body) {
+  body.bounding_radius = 0;
+  for (BodyShape& shape : body.shapes) {
+    Mesh* const mesh = std::get_if<Mesh>(&shape.shape);
+    if (mesh && !mesh->tree) *mesh = make_mesh(mesh->mesh);
+    shape.radius = radius_about(shape.shape, Vec3::Zero());
+    const Vec3 p_SB = shape.X_BS.inverse().p;
+    body.bounding_radius = std::max(body.bounding_radius, radius_about(shape.shape, p_SB));
+  }
+}
+
+/// Moves everything from the user's frame L to the body frame B.
+void use_body_frame(const BodyMass& mass, const BodyDescription& description, Body& body) {
+  body.mass = mass.mass;
+  body.moments = mass.moments;
+  body.X_BL = mass.X_LB.inverse();
+  for (BodyShape& shape : body.shapes) shape.X_BS = body.X_BL * shape.X_BS;
+  const bool axes_agree = mass.X_LB.R.isIdentity(0);
+  const Quat q_WL = body.q_WB;
+  body.p_WB = description.p_WL + rotation_matrix(q_WL) * mass.X_LB.p;
+  if (!axes_agree) body.q_WB = (q_WL * quaternion_of(mass.X_LB.R)).normalized();
+}
+
+}  // namespace
+
+Body make_body(const BodyDescription& description, const std::string& where, const MaterialTable& materials,
+               ShapeMemory& memory, std::vector<std::string>& messages) {
+  const std::size_t messages_before = messages.size();
+  Findings findings(where, "body " + quoted_text(description.name), messages);
+  findings.check_name(description.name);
+  findings.require(description.name != "world", "the name 'world' means the world itself, choose another");
+  check_numbers(description, findings);
+
+  Body body;
+  body.name = description.name;
+  body.motion = description.motion;
+  body.group = description.group;
+  body.mask = description.mask;
+  body.linear_drag = description.linear_drag;
+  body.angular_drag = description.angular_drag;
+  body.shapes = make_shapes(description, materials, memory, findings);
+  body.p_WB = description.p_WL;
+  body.q_WB = description.q_WL.normalized();
+  body.v_WB = description.velocity;
+  body.w_WB = description.angular_velocity;
+  body.path = description.path;
+  for (PathPoint& point : body.path) point.q_WL.normalize();
+  if (messages.size() > messages_before) return body;
+
+  if (body.motion == MotionType::dynamic) {
+    std::vector<double> densities;
+    for (const BodyShape& shape : body.shapes) {
+      densities.push_back(materials.materials[static_cast<std::size_t>(shape.material)].density);
+    }
+    const std::optional<BodyMass> mass = body_mass(description, densities, memory, findings);
+    if (!mass) return body;
+    use_body_frame(*mass, description, body);
+  } else if (!body.path.empty()) {
+    const PrescribedMotion start = prescribed_motion(body, 0);
+    body.p_WB = start.p_WB;
+    body.q_WB = start.q_WB;
+    body.v_WB = start.v_WB;
+    body.w_WB = start.w_WB;
+  }
+  complete_shapes(body);
+  return body;
+}
+
+}  // namespace rigor

@@ -1,0 +1,111 @@
+#include "rigor/model/force_builder.hpp"
+
+#include "rigor/core/quoted.hpp"
+#include "rigor/core/suggestion.hpp"
+#include "rigor/math/rotation.hpp"
+#include "rigor/model/findings.hpp"
+#include "rigor/model/limits.hpp"
+
+namespace rigor {
+
+namespace {
+
+using Description = ModelBuilder::ForceDescription;
+
+const char* type_name(Description::Type type) {
+  switch (type) {
+    case Description::Type::constant: return "constant force";
+    case Description::Type::torque: return "torque";
+    case Description::Type::spring: return "spring";
+    case Description::Type::drag: return "drag";
+  }
+  return "force";
+}
+
+/// Indices of the bodies, "world" as world_body; nothing if one is unknown or none of them can be moved.
+std::optional<std::vector<int>> find_bodies(const Description& force, const BodyTable& bodies, Findings& findings) {
+  const std::size_t count = force.type == Description::Type::spring ? 2 : 1;
+  if (!findings.require(force.bodies.size() == count,
+                        "it names " + std::to_string(force.bodies.size()) + " bodies, must name " +
+                            std::to_string(count))) {
+    return std::nullopt;
+  }
+  std::vector<int> indices;
+  bool has_dynamic = false, is_good = true;
+  for (const std::string& name : force.bodies) {
+    if (name == "world") {
+      indices.push_back(world_body);
+      continue;
+    }
+    const auto found = bodies.index.find(name);
+    is_good &= findings.require(found != bodies.index.end(), unknown_body(name, bodies));
+    if (found == bodies.index.end()) continue;
+    indices.push_back(found->second);
+    has_dynamic |= bodies.bodies[static_cast<std::size_t>(found->second)].motion == MotionType::dynamic;
+  }
+  if (!is_good) return std::nullopt;
+  if (!findings.require(has_dynamic, "it moves nothing: none of its bodies is dynamic")) return std::nullopt;
+  if (!findings.require(count < 2 || indices[0] != indices[1], "both ends are on the same body")) {
+    return std::nullopt;
+  }
+  return indices;
+}
+
+void check_numbers(const Description& force, Findings& findings) {
+  const bool is_torque = force.type == Description::Type::torque;
+  findings.check(is_torque ? "torque" : "force", force.vector, limits::force, is_torque ? "N m" : "N");
+  for (const Vec3& point : force.points) findings.check("point", point, limits::position, "m");
+  findings.require(force.points.size() <= force.bodies.size(), "it has more points than bodies");
+  findings.check("stiffness", force.stiffness, limits::coefficient, "N/m");
+  findings.check("damping", force.damping, limits::coefficient, "N s/m");
+  findings.check("linear", force.linear, limits::coefficient, "kg/s");
+  findings.check("angular", force.angular, limits::coefficient, "kg m²/s");
+  if (force.length) findings.check("length", *force.length, limits::length, "m");
+}
+
+Spring make_spring(const Description& force, const std::vector<int>& indices, const std::vector<Body>& bodies) {
+  Vec3 points_B[2], points_W[2];
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Vec3 p_L = i < force.points.size() ? force.points[i] : Vec3::Zero();
+    points_B[i] = points_W[i] = p_L;
+    if (indices[i] == world_body) continue;
+    const Body& body = bodies[static_cast<std::size_t>(indices[i])];
+    points_B[i] = body.X_BL * p_L;
+    points_W[i] = rotation_matrix(body.q_WB) * points_B[i] + body.p_WB;
+  }
+  const double length = force.length ? *force.length : (points_W[1] - points_W[0]).norm();
+  return {indices[0], indices[1], points_B[0], points_B[1], force.stiffness, force.damping, length};
+}
+
+}  // namespace
+
+std::string unknown_body(const std::string& name, const BodyTable& bodies) {
+  std::vector<std::string> names;
+  for (const auto& [known, index] : bodies.index) names.push_back(known);
+  return "unknown body " + quoted_text(name) + suggestion(name, names);
+}
+
+std::optional<Force> make_force(const Description& force, const std::string& where, const BodyTable& bodies,
+                                std::vector<std::string>& messages) {
+  const std::size_t messages_before = messages.size();
+  std::string whose = type_name(force.type);
+  if (!force.bodies.empty()) whose += " on " + quoted_text(force.bodies[0]);
+  Findings findings(where, whose, messages);
+  check_numbers(force, findings);
+  const std::optional<std::vector<int>> indices = find_bodies(force, bodies, findings);
+  if (!indices || messages.size() > messages_before) return std::nullopt;
+
+  if (force.type == Description::Type::spring) return make_spring(force, *indices, bodies.bodies);
+  const int index = indices->front();
+  const Pose& X_BL = bodies.bodies[static_cast<std::size_t>(index)].X_BL;
+  const Vec3 vector = force.frame_is_body ? Vec3(X_BL.R * force.vector) : force.vector;
+  switch (force.type) {
+    case Description::Type::torque: return ConstantTorque{index, vector, force.frame_is_body};
+    case Description::Type::drag: return Drag{index, force.linear, force.angular};
+    default: break;
+  }
+  const Vec3 p_BP = force.points.empty() ? Vec3::Zero() : X_BL * force.points[0];
+  return ConstantForce{index, vector, p_BP, force.frame_is_body};
+}
+
+}  // namespace rigor

@@ -1,0 +1,31 @@
+#include "rigor/model/model.hpp"
+
+#include <algorithm>
+
+namespace rigor {
+
+std::optional<int> Model::find_body(const std::string& name) const {
+  const auto found = body_index_.find(name);
+  if (found == body_index_.end()) return std::nullopt;
+  return found->second;
+}
+
+PairCoefficients Model::coefficients(int material_a, int material_b) const {
+  const auto override_of_pair = pair_overrides_.find(std::minmax(material_a, material_b));
+  if (override_of_pair != pair_overrides_.end()) return override_of_pair->second;
+  return combined_coefficients(materials_[static_cast<std::size_t>(material_a)],
+                               materials_[static_cast<std::size_t>(material_b)]);
+}
+
+bool Model::may_collide(int a, int b) const {
+  if (a == b) return false;
+  const Body& A = body(a);
+  const Body& B = body(b);
+  if (A.motion != MotionType::dynamic && B.motion != MotionType::dynamic) return false;
+  if (A.shapes.empty() || B.shapes.empty()) return false;
+  if ((A.group & B.mask) == 0 || (B.group & A.mask) == 0) return false;
+  const std::pair<int, int> pair = std::minmax(a, b);
+  return !std::binary_search(excluded_pairs_.begin(), excluded_pairs_.end(), pair);
+}
+
+}  // namespace rigor

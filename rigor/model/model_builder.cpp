@@ -1,0 +1,218 @@
+#include "rigor/model/model_builder.hpp"
+
+#include "rigor/core/input_error.hpp"
+#include "rigor/core/quoted.hpp"
+#include "rigor/core/suggestion.hpp"
+#include "rigor/model/body_builder.hpp"
+#include "rigor/model/force_builder.hpp"
+#include "rigor/model/limits.hpp"
+#include "rigor/model/mesh_pairs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <set>
+#include <utility>
+
+namespace rigor {
+
+namespace {
+
+template <typename T>
+struct Placed {
+  T value;
+  std::string where;
+};
+
+struct NamedPair {
+  std::string a, b;
+};
+
+struct PairDescription {
+  NamedPair materials;
+  PairCoefficients coefficients;
+};
+
+void check_material(const Material& material, Findings& findings) {
+  findings.check_name(material.name);
+  findings.check("density", material.density, limits::density, "kg/m³");
+  findings.check("friction", material.friction, limits::friction, "");
+  findings.check("restitution", material.restitution, limits::restitution, "");
+  for (const auto& [quantity, value] : {std::pair{"rolling_friction", material.rolling_friction},
+                                        std::pair{"torsional_friction", material.torsional_friction}}) {
+    findings.require(value == 0, fmt::format("{} is {} m, must be 0: it is not available in this version", quantity, value));
+  }
+}
+
+/// The default material at 0, unless the user gives one of that name, then the user's in their order.
+MaterialTable make_materials(const std::vector<Placed<Material>>& parts, std::vector<std::string>& messages) {
+  MaterialTable table{{Material{.name = "default"}}, {{"default", 0}}};
+  std::set<std::string> names;
+  for (const auto& [material, where] : parts) {
+    Findings findings(where, "material " + quoted_text(material.name), messages);
+    check_material(material, findings);
+    if (!findings.require(names.insert(material.name).second, "there is already a material of this name")) continue;
+    if (material.name == "default") {
+      table.materials[0] = material;
+      continue;
+    }
+    table.index[material.name] = static_cast<int>(table.materials.size());
+    table.materials.push_back(material);
+  }
+  return table;
+}
+
+std::map<std::pair<int, int>, PairCoefficients> make_pairs(const std::vector<Placed<PairDescription>>& parts,
+                                                           const MaterialTable& materials,
+                                                           std::vector<std::string>& messages) {
+  std::vector<std::string> names;
+  for (const auto& [name, index] : materials.index) names.push_back(name);
+  std::map<std::pair<int, int>, PairCoefficients> pairs;
+  for (const auto& [pair, where] : parts) {
+    const auto& [a, b] = pair.materials;
+    Findings findings(where, "pair " + quoted_text(a) + ", " + quoted_text(b), messages);
+    findings.check("friction", pair.coefficients.friction, limits::friction, "");
+    findings.check("restitution", pair.coefficients.restitution, limits::restitution, "");
+    bool is_known = true;
+    for (const std::string& name : {a, b}) {
+      is_known &= findings.require(materials.index.count(name) > 0,
+                                   "unknown material " + quoted_text(name) + suggestion(name, names));
+    }
+    if (messages.size() >= limits::message_count) break;
+    if (!is_known) continue;
+    const auto key = std::minmax({materials.index.at(a), materials.index.at(b)});
+    findings.require(pairs.emplace(key, pair.coefficients).second, "this pair is given twice");
+  }
+  return pairs;
+}
+
+std::vector<std::pair<int, int>> make_excluded(const std::vector<Placed<NamedPair>>& parts, const BodyTable& bodies,
+                                               std::vector<std::string>& messages) {
+  std::vector<std::pair<int, int>> excluded;
+  for (const auto& [pair, where] : parts) {
+    Findings findings(where, "exclude " + quoted_text(pair.a) + ", " + quoted_text(pair.b), messages);
+    bool is_known = true;
+    for (const std::string& name : {pair.a, pair.b}) {
+      is_known &= findings.require(bodies.index.count(name) > 0, unknown_body(name, bodies));
+    }
+    if (messages.size() >= limits::message_count) break;
+    if (!is_known || !findings.require(pair.a != pair.b, "a body never collides with itself")) continue;
+    excluded.push_back(std::minmax({bodies.index.at(pair.a), bodies.index.at(pair.b)}));
+  }
+  std::sort(excluded.begin(), excluded.end());
+  excluded.erase(std::unique(excluded.begin(), excluded.end()), excluded.end());
+  return excluded;
+}
+
+double length_scale(const std::vector<Body>& bodies) {
+  double scale = 0;
+  for (const Body& body : bodies) {
+    if (std::isfinite(body.bounding_radius)) scale = std::max(scale, body.bounding_radius);
+  }
+  return scale > 0 ? scale : 1;
+}
+
+}  // namespace
+
+struct ModelBuilder::Parts {
+  std::string name;
+  Placed<Vec3> gravity{Vec3::Zero(), {}};
+  std::vector<Placed<Material>> materials;
+  std::vector<Placed<PairDescription>> pairs;
+  std::vector<Placed<BodyDescription>> bodies;
+  std::vector<Placed<NamedPair>> excluded;
+  std::vector<Placed<ForceDescription>> forces;
+};
+
+ModelBuilder::ModelBuilder() : parts_(std::make_unique<Parts>()) {}
+ModelBuilder::ModelBuilder(const ModelBuilder& other) : parts_(std::make_unique<Parts>(*other.parts_)) {}
+ModelBuilder::ModelBuilder(ModelBuilder&&) noexcept = default;
+ModelBuilder& ModelBuilder::operator=(ModelBuilder other) noexcept {
+  parts_.swap(other.parts_);
+  return *this;
+}
+ModelBuilder::~ModelBuilder() = default;
+
+void ModelBuilder::set_name(std::string name) { parts_->name = std::move(name); }
+
+void ModelBuilder::set_gravity(const Vec3& g_W, std::string where) { parts_->gravity = {g_W, std::move(where)}; }
+
+void ModelBuilder::add_material(Material material, std::string where) {
+  parts_->materials.push_back({std::move(material), std::move(where)});
+}
+
+void ModelBuilder::set_pair(const std::string& material_a, const std::string& material_b,
+                            PairCoefficients coefficients, std::string where) {
+  parts_->pairs.push_back({{{material_a, material_b}, coefficients}, std::move(where)});
+}
+
+void ModelBuilder::add_body(BodyDescription body, std::string where) {
+  parts_->bodies.push_back({std::move(body), std::move(where)});
+}
+
+void ModelBuilder::exclude_pair(const std::string& body_a, const std::string& body_b, std::string where) {
+  parts_->excluded.push_back({{body_a, body_b}, std::move(where)});
+}
+
+void ModelBuilder::add_force(ForceDescription force, std::string where) {
+  parts_->forces.push_back({std::move(force), std::move(where)});
+}
+
+Model ModelBuilder::assemble(std::vector<std::string>& messages) const {
+  Model model;
+  model.name_ = parts_->name;
+  model.g_W_ = parts_->gravity.value;
+  Findings(parts_->gravity.where, "world", messages).check("gravity", model.g_W_, limits::gravity, "m/s²");
+
+  const MaterialTable materials = make_materials(parts_->materials, messages);
+  model.materials_ = materials.materials;
+  model.pair_overrides_ = make_pairs(parts_->pairs, materials, messages);
+
+  if (parts_->bodies.size() > limits::body_count) {
+    messages.push_back("the scene has " + std::to_string(parts_->bodies.size()) + " bodies, must be at most " +
+                       std::to_string(limits::body_count));
+    return model;
+  }
+  ShapeMemory memory;
+  std::vector<std::string> wheres;
+  std::string bad_where;
+  for (const auto& [body, where] : parts_->bodies) {
+    if (!model.body_index_.emplace(body.name, model.body_count()).second) {
+      messages.push_back(where + "body " + quoted_text(body.name) + ": there is already a body of this name");
+    }
+    // Bodies from one place of a file (a repeated body) share their mistakes, which are told once.
+    std::vector<std::string> findings;
+    model.bodies_.push_back(make_body(body, where, materials, memory, findings));
+    wheres.push_back(where);
+    if (!where.empty() && where == bad_where) continue;
+    if (!findings.empty()) bad_where = where;
+    messages.insert(messages.end(), findings.begin(), findings.end());
+    if (messages.size() >= limits::message_count) return model;
+  }
+  model.length_scale_ = length_scale(model.bodies_);
+
+  const BodyTable bodies{model.bodies_, model.body_index_};
+  model.excluded_pairs_ = make_excluded(parts_->excluded, bodies, messages);
+  for (const auto& [description, where] : parts_->forces) {
+    const std::optional<Force> force = make_force(description, where, bodies, messages);
+    if (force) model.forces_.push_back(*force);
+    if (messages.size() >= limits::message_count) return model;
+  }
+  check_mesh_pairs(model, wheres, messages);
+  return model;
+}
+
+std::shared_ptr<const Model> ModelBuilder::build() const {
+  std::vector<std::string> messages;
+  Model model = assemble(messages);
+  if (!messages.empty()) throw InputError(std::move(messages));
+  return std::make_shared<const Model>(std::move(model));
+}
+
+std::vector<std::string> ModelBuilder::check() const {
+  std::vector<std::string> messages;
+  assemble(messages);
+  return messages;
+}
+
+}  // namespace rigor

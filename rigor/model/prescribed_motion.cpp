@@ -1,0 +1,38 @@
+#include "rigor/math/rotation.hpp"
+#include "rigor/model/state.hpp"
+
+#include <algorithm>
+
+namespace rigor {
+
+namespace {
+
+PrescribedMotion at_rest(const PathPoint& point) {
+  return {point.p_WL, point.q_WL, Vec3::Zero(), Vec3::Zero()};
+}
+
+/// On the leg from a to b: positions on the line, turning about one fixed axis of W.
+PrescribedMotion along_leg(const PathPoint& a, const PathPoint& b, double t) {
+  const double duration = b.time - a.time;
+  const double s = (t - a.time) / duration;
+  const Vec3 turn_W = rotation_log(b.q_WL * a.q_WL.conjugate());
+  return {a.p_WL + s * (b.p_WL - a.p_WL), rotation_exp(s * turn_W) * a.q_WL, (b.p_WL - a.p_WL) / duration,
+          turn_W / duration};
+}
+
+}  // namespace
+
+PrescribedMotion prescribed_motion(const Body& body, double t) {
+  if (body.motion == MotionType::fixed) return {body.p_WB, body.q_WB, Vec3::Zero(), Vec3::Zero()};
+  if (body.path.empty()) {
+    return {body.p_WB + t * body.v_WB, rotation_exp(t * body.w_WB) * body.q_WB, body.v_WB, body.w_WB};
+  }
+  const std::vector<PathPoint>& path = body.path;
+  if (t < path.front().time) return at_rest(path.front());
+  if (t >= path.back().time) return at_rest(path.back());
+  const auto is_later = [](double time, const PathPoint& point) { return time < point.time; };
+  const auto next = std::upper_bound(path.begin(), path.end(), t, is_later);
+  return along_leg(*(next - 1), *next, t);
+}
+
+}  // namespace rigor

@@ -1,0 +1,87 @@
+#include "rigor/sim/audit.hpp"
+
+#include "rigor/math/rotation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace rigor {
+
+Auditor::Auditor(std::shared_ptr<const Model> model, const Method& method, const State& start)
+    : model_(std::move(model)), method_(method), environment_(*model_), start_time_(start.t) {
+  initial_ = energy_ = mechanical_energy(*model_, environment_, start);
+  lowest_ = initial_.total();
+  observe(start, {});
+}
+
+void Auditor::observe(const State& state, const AdvanceReport& report) {
+  AdvanceReport without_events = report;
+  without_events.events.clear();
+  sum_.add(without_events);
+  energy_ = mechanical_energy(*model_, environment_, state);
+  const double balance = energy_.total() - sum_.work;
+  max_increase_ = std::max(max_increase_, balance - lowest_);
+  lowest_ = std::min(lowest_, balance);
+  energy_scale_ = std::max({energy_scale_, energy_.kinetic, std::abs(energy_.total() - initial_.total()),
+                            std::abs(energy_.potential - initial_.potential), std::abs(sum_.work)});
+  double momentum = 0, angular_momentum = 0;
+  for (int i = 0; i < model_->body_count(); ++i) {
+    momentum += state.linear_momentum(i).norm();
+    angular_momentum += state.angular_momentum(i).norm() + state.position(i).norm() * state.linear_momentum(i).norm();
+  }
+  momentum_scale_ = std::max(momentum_scale_, momentum);
+  angular_momentum_scale_ = std::max(angular_momentum_scale_, angular_momentum);
+}
+
+Audit Auditor::audit(const State& state) const {
+  Audit audit;
+  audit.scene = model_->name();
+  audit.method = method_;
+  audit.sim_time = state.t - start_time_;
+  audit.report = sum_;
+  audit.initial = initial_;
+  audit.final = energy_;
+  audit.dissipated = initial_.total() + sum_.work - energy_.total();
+  audit.max_increase = max_increase_;
+  audit.linear_momentum_error = sum_.momentum_error.norm();
+  audit.angular_momentum_error = sum_.angular_momentum_error.norm();
+  for (int i = 0; i < model_->body_count(); ++i) {
+    const Body& body = model_->body(i);
+    const Quat q_WB = state.orientation(i);
+    const Pose X_WL = Pose{rotation_matrix(q_WB), state.position(i)} * body.X_BL;
+    audit.bodies.push_back({body.name, X_WL.p, quaternion_of(X_WL.R), linear_velocity(*model_, state, i),
+                            angular_velocity(*model_, state, i)});
+  }
+  judge(audit);
+  return audit;
+}
+
+void Auditor::judge(Audit& audit) const {
+  // Energy and momentum of what is solved exactly hold to rounding; integrated phases to their tolerance. A millionth is
+  // what no method that deserves its name exceeds.
+  constexpr double share = 1e-6;
+  const auto check = [&](const char* what, double value, double bound, const char* unit) {
+    if (value > bound) {
+      audit.violations.push_back(fmt::format("{} is {:.3g} {}, the tolerance is {:.3g} {}", what, value, unit, bound, unit));
+    }
+  };
+  check("unexplained rise of energy", audit.max_increase, share * energy_scale_, "J");
+  check("error of linear momentum", audit.linear_momentum_error, share * momentum_scale_, "kg m/s");
+  check("error of angular momentum", audit.angular_momentum_error, share * angular_momentum_scale_, "kg m²/s");
+  check("penetration", audit.report.max_penetration, method_.contact_tolerance, "m");
+
+  if (audit.report.impact_gain > 1e-12 * energy_scale_) {
+    audit.warnings.push_back(fmt::format(
+        "impacts added {:.3g} J: Newton's law with friction can gain energy, and so can several impacts by `lcp`",
+        audit.report.impact_gain));
+  }
+  if (audit.report.fallbacks > 0) {
+    audit.warnings.push_back(fmt::format("{} contact problems did not reach their tolerance; largest residual {:.3g}",
+                                         audit.report.fallbacks, audit.report.max_residual));
+  }
+}
+
+}  // namespace rigor

@@ -1,0 +1,267 @@
+#include "rigor/sim/cluster.hpp"
+
+#include "rigor/core/assert.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace rigor {
+
+namespace {
+
+std::size_t place_of(const std::vector<int>& ascending, int body) {
+  return static_cast<std::size_t>(std::lower_bound(ascending.begin(), ascending.end(), body) - ascending.begin());
+}
+bool holds(const std::vector<int>& ascending, int body) {
+  return std::binary_search(ascending.begin(), ascending.end(), body);
+}
+
+/// Total momentum and angular momentum about the origin of W, and kinetic energy.
+struct Totals {
+  Vec3 P = Vec3::Zero(), L = Vec3::Zero();
+  double T = 0;
+};
+Totals totals(const Model& model, const Cluster& cluster) {
+  Totals sum;
+  for (std::size_t i = 0; i < cluster.bodies.size(); ++i) {
+    const Body& body = model.body(cluster.bodies[i]);
+    const BodyPhase& phase = cluster.phases[i];
+    sum.P += phase.P;
+    sum.L += phase.L + phase.x.cross(phase.P);
+    sum.T += kinetic_energy(BodyInertia{body.mass, body.moments}, phase);
+  }
+  return sum;
+}
+
+/// Representatives of a partition, with path halving.
+class Partition {
+ public:
+  explicit Partition(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
+  std::size_t find(std::size_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(std::size_t i, std::size_t k) {
+    const std::size_t a = find(i), b = find(k);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
+}  // namespace
+
+BodyPhase& Cluster::phase_of(int body) {
+  const std::size_t place = place_of(bodies, body);
+  RIGOR_ASSERT(place < bodies.size() && bodies[place] == body);
+  return phases[place];
+}
+
+std::vector<Cluster> connected_parts(const Cluster& cluster, const std::vector<Contact>& contacts,
+                                     const Environment& environment) {
+  Partition partition(cluster.bodies.size());
+  for (const Contact& contact : contacts) {
+    if (!holds(cluster.bodies, contact.body_A) || !holds(cluster.bodies, contact.body_B)) continue;
+    partition.join(place_of(cluster.bodies, contact.body_A), place_of(cluster.bodies, contact.body_B));
+  }
+  for (std::size_t i = 0; i < cluster.bodies.size(); ++i) {
+    for (const int partner : environment.spring_partners(cluster.bodies[i])) {
+      if (holds(cluster.bodies, partner)) partition.join(i, place_of(cluster.bodies, partner));
+    }
+  }
+  std::map<std::size_t, Cluster> parts;
+  for (std::size_t i = 0; i < cluster.bodies.size(); ++i) {
+    Cluster& part = parts[partition.find(i)];
+    part.t = cluster.t;
+    part.slip_tolerance = cluster.slip_tolerance;
+    part.bodies.push_back(cluster.bodies[i]);
+    part.phases.push_back(cluster.phases[i]);
+  }
+  for (const Contact& contact : contacts) {
+    const int body = holds(cluster.bodies, contact.body_A) ? contact.body_A : contact.body_B;
+    parts[partition.find(place_of(cluster.bodies, body))].contacts.push_back(contact);
+  }
+  std::vector<Cluster> result;
+  for (auto& [representative, part] : parts) result.push_back(std::move(part));
+  return result;
+}
+
+ContactResolver::ContactResolver(const Model& model, const Environment& environment,
+                                 const IslandIntegrator& integrator, const Method& method)
+    : model_(model),
+      environment_(environment),
+      integrator_(integrator),
+      law_(method.simultaneous == SimultaneousMethod::lcp ? SimultaneousLaw::lcp : SimultaneousLaw::reflections),
+      resting_velocity_(method.resting_velocity) {}
+
+ContactSystem ContactResolver::system_of(const Cluster& cluster, const std::vector<Contact>& contacts) const {
+  std::vector<int> bodies = bodies_of(contacts, cluster.bodies);
+  std::vector<BodyKinetics> kinetics;
+  for (const int body : bodies) {
+    kinetics.push_back(holds(cluster.bodies, body) ? dynamic_kinetics(model_.body(body), cluster.phase_of(body))
+                                                   : prescribed_kinetics(model_.body(body), cluster.t));
+  }
+  return make_contact_system(contacts, std::move(bodies), std::move(kinetics));
+}
+
+/// e of each contact; none for a slow approach under a force that presses the bodies together: there the bounces would form
+/// an infinite series with a finite end, and ending it here leaves the same momentum as the whole series with what the
+/// contact force does until its limit time.
+std::vector<double> ContactResolver::restitutions(const Cluster& cluster, const ContactSystem& system,
+                                                  AdvanceReport& report) const {
+  const VecX u = relative_velocities(system);
+  const VecX a = free_contact_accelerations(system, integrator_.environment_wrenches(system, cluster.t));
+  std::vector<double> result;
+  for (std::size_t i = 0; i < system.contacts.size(); ++i) {
+    const Eigen::Index normal = 3 * static_cast<Eigen::Index>(i) + 2;
+    const Contact& contact = system.contacts[i];
+    const double e = contact.restitution;
+    const bool ends = e < 1 && u[normal] < 0 && u[normal] > -resting_velocity_ && a[normal] < 0;
+    result.push_back(ends ? 0.0 : e);
+    if (!ends || e == 0) continue;
+    // Bounces of speed e|u|, e²|u|, ... each last 2 e^k |u| / |a|.
+    const double limit = cluster.t + 2 * e * u[normal] / (a[normal] * (1 - e));
+    report.events.push_back(
+        {MotionEvent::Kind::rest, limit, contact.body_A, contact.body_B, contact.p_W(), Vec3::Zero()});
+  }
+  return result;
+}
+
+void ContactResolver::add_impulses(const ContactSystem& system, const VecX& lambda, Cluster& cluster,
+                                   AdvanceReport& report) const {
+  const Totals before = totals(model_, cluster);
+  Vec3 impulse = Vec3::Zero(), angular_impulse = Vec3::Zero();
+  const auto push = [&](int body, const Vec3& p_W, const Vec3& j_W) {
+    if (!holds(cluster.bodies, body)) {
+      impulse -= j_W;
+      angular_impulse -= p_W.cross(j_W);
+      return;
+    }
+    BodyPhase& phase = cluster.phase_of(body);
+    phase.P += j_W;
+    phase.L += (p_W - phase.x).cross(j_W);
+  };
+  for (std::size_t i = 0; i < system.contacts.size(); ++i) {
+    const Contact& contact = system.contacts[i];
+    const Vec3 j_W = world_impulse(system, lambda, static_cast<int>(i));
+    push(contact.body_A, contact.p_W(), -j_W);
+    push(contact.body_B, contact.p_W(), j_W);
+  }
+  const Totals after = totals(model_, cluster);
+  report.momentum_error += after.P - before.P - impulse;
+  report.angular_momentum_error += after.L - before.L - angular_impulse;
+  report.work += work_of_prescribed(system, lambda);
+}
+
+bool ContactResolver::apply_impulses(Cluster& cluster, AdvanceReport& report) const {
+  constexpr int most_passes = 20;
+  const double still = 1e-9 * resting_velocity_;
+  double first_approach = 0;
+  for (int pass = 0; pass < most_passes; ++pass) {
+    if (cluster.contacts.empty()) return true;
+    const ContactSystem system = system_of(cluster, cluster.contacts);
+    const VecX u = relative_velocities(system);
+    double approach = 0;
+    for (Eigen::Index row = 2; row < u.size(); row += 3) approach = std::min(approach, u[row]);
+    if (pass == 0) first_approach = approach;
+    if (approach >= -std::max(still, 1e-12 * std::abs(first_approach) * pass)) return true;
+
+    const ImpactSolution impact = solve_impact(system, restitutions(cluster, system, report), law_);
+    report.max_residual = std::max(report.max_residual, impact.residual);
+    report.max_iterations = std::max(report.max_iterations, impact.iterations);
+    if (!impact.converged) ++report.fallbacks;
+
+    const double before = totals(model_, cluster).T;
+    const double work_before = report.work;
+    add_impulses(system, impact.lambda, cluster, report);
+    const double change = totals(model_, cluster).T - before - (report.work - work_before);
+    (change < 0 ? report.impact_loss : report.impact_gain) += std::abs(change);
+
+    // One event a pair of bodies, with its whole impulse.
+    std::map<std::pair<int, int>, MotionEvent> events;
+    for (std::size_t i = 0; i < system.contacts.size(); ++i) {
+      const Contact& contact = system.contacts[i];
+      const Vec3 j_W = world_impulse(system, impact.lambda, static_cast<int>(i));
+      if (j_W.isZero(0)) continue;
+      const auto [place, is_new] = events.try_emplace(
+          {contact.body_A, contact.body_B},
+          MotionEvent{MotionEvent::Kind::impact, cluster.t, contact.body_A, contact.body_B, contact.p_W(), Vec3::Zero()});
+      place->second.j_W += j_W;
+    }
+    for (const auto& [pair, event] : events) {
+      ++report.impacts;
+      report.events.push_back(event);
+    }
+  }
+  return false;
+}
+
+LastingContacts ContactResolver::update_active(Cluster& cluster, AdvanceReport& report) const {
+  // Touching and not parting.
+  const double parting = 1e-3 * resting_velocity_;
+  std::vector<Contact> candidates;
+  if (!cluster.contacts.empty()) {
+    const VecX u = relative_velocities(system_of(cluster, cluster.contacts));
+    for (std::size_t i = 0; i < cluster.contacts.size(); ++i) {
+      if (u[3 * static_cast<Eigen::Index>(i) + 2] <= parting) candidates.push_back(cluster.contacts[i]);
+    }
+  }
+  if (candidates.empty()) return {};
+
+  const ContactSystem touching = system_of(cluster, candidates);
+  const RestingSolution resting =
+      solve_resting(touching, integrator_.environment_wrenches(touching, cluster.t), cluster.slip_tolerance);
+  report.max_residual = std::max(report.max_residual, resting.forces.residual);
+  report.max_iterations = std::max(report.max_iterations, resting.forces.iterations);
+  if (!resting.forces.converged) ++report.fallbacks;
+
+  LastingContacts lasting;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if (resting.states[i].mode == ContactMode::open) continue;
+    lasting.contacts.push_back(candidates[i]);
+    lasting.states.push_back(resting.states[i]);
+  }
+  if (lasting.contacts.empty()) return lasting;
+  const ContactSystem system = system_of(cluster, lasting.contacts);
+  const double before = totals(model_, cluster).T;
+  const double work_before = report.work;
+  add_impulses(system, projection_impulses(system, lasting.states), cluster, report);
+  report.projection_loss += before - totals(model_, cluster).T + (report.work - work_before);
+  return lasting;
+}
+
+bool ContactResolver::is_balanced(const Cluster& cluster, const LastingContacts& lasting) const {
+  const ContactSystem system = system_of(cluster, lasting.contacts);
+  const double still = 1e-6 * resting_velocity_;
+  for (const BodyKinetics& body : system.kinetics) {
+    if (body.inverse_mass == 0 && (!body.v.isZero(0) || !body.w.isZero(0))) return false;
+  }
+  for (const int index : cluster.bodies) {
+    const BodyKinetics& body = system.of(index);
+    const double radius = std::isfinite(model_.body(index).bounding_radius) ? model_.body(index).bounding_radius : 0;
+    if (body.v.norm() > still || body.w.norm() * radius > still) return false;
+  }
+  std::vector<Wrench> wrenches = integrator_.environment_wrenches(system, cluster.t);
+  const std::vector<Wrench> free = wrenches;
+  if (!lasting.contacts.empty()) add_contact_wrenches(system, contact_forces(system, lasting.states, free), wrenches);
+  // What is left is rounding of what was balanced.
+  constexpr double rounding = 1e-11;
+  double largest = 0, left = 0;
+  for (const int index : cluster.bodies) {
+    const std::size_t i = static_cast<std::size_t>(system.local_index(index));
+    const BodyKinetics& body = system.kinetics[i];
+    const double radius = std::isfinite(model_.body(index).bounding_radius) ? model_.body(index).bounding_radius : 0;
+    const auto accelerations = [&](const Wrench& wrench) {
+      return (body.inverse_mass * wrench.f_W).norm() + radius * (body.inverse_inertia * wrench.tau_W).norm();
+    };
+    largest = std::max(largest, accelerations(free[i]));
+    left = std::max(left, accelerations(wrenches[i]));
+  }
+  return left <= rounding * largest;
+}
+
+}  // namespace rigor

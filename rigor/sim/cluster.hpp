@@ -1,0 +1,64 @@
+#pragma once
+
+#include "rigor/contact/impact.hpp"
+#include "rigor/contact/resting.hpp"
+#include "rigor/dynamics/environment.hpp"
+#include "rigor/sim/advance_report.hpp"
+#include "rigor/sim/island.hpp"
+#include "rigor/sim/method.hpp"
+
+#include <vector>
+
+namespace rigor {
+
+/// Dynamic bodies at an instant with all contacts that they have there: what an event is about.
+struct Cluster {
+  double t = 0;                         ///< [s].
+  std::vector<int> bodies;              ///< Dynamic, ascending.
+  std::vector<BodyPhase> phases;        ///< One a body.
+  std::vector<Contact> contacts;        ///< Among these bodies and with prescribed ones.
+  double slip_tolerance = 0;            ///< Slower slip counts as sticking [m/s].
+
+  BodyPhase& phase_of(int body);
+  const BodyPhase& phase_of(int body) const { return const_cast<Cluster*>(this)->phase_of(body); }
+};
+
+/// Parts of a cluster that are joined neither by contacts (of the given list) between dynamic bodies nor by springs, in the
+/// order of their first bodies. Each takes its own contacts along, from the given list.
+std::vector<Cluster> connected_parts(const Cluster& cluster, const std::vector<Contact>& contacts,
+                                     const Environment& environment);
+
+/// What lasts after an event: contacts that hold, with what they do.
+struct LastingContacts {
+  std::vector<Contact> contacts;
+  std::vector<ContactState> states;
+};
+
+/// Decides what happens at an event: who collides, who rests, who parts.
+class ContactResolver {
+ public:
+  ContactResolver(const Model& model, const Environment& environment, const IslandIntegrator& integrator,
+                  const Method& method);
+
+  /// Impulses until no contact approaches; false if some still do. Changes the momenta of the cluster's bodies.
+  bool apply_impulses(Cluster& cluster, AdvanceReport& report) const;
+  /// Which contacts last: those that do not part and carry a force. The momenta are projected on what they allow.
+  LastingContacts update_active(Cluster& cluster, AdvanceReport& report) const;
+  /// Whether bodies with these lasting contacts stand still and stay so: all forces balance.
+  bool is_balanced(const Cluster& cluster, const LastingContacts& lasting) const;
+
+  /// The contacts of the cluster with all bodies that they touch.
+  ContactSystem system_of(const Cluster& cluster, const std::vector<Contact>& contacts) const;
+
+ private:
+  std::vector<double> restitutions(const Cluster& cluster, const ContactSystem& system, AdvanceReport& report) const;
+  void add_impulses(const ContactSystem& system, const VecX& lambda, Cluster& cluster, AdvanceReport& report) const;
+
+  const Model& model_;
+  const Environment& environment_;
+  const IslandIntegrator& integrator_;
+  SimultaneousLaw law_;
+  double resting_velocity_;
+};
+
+}  // namespace rigor

@@ -1,0 +1,88 @@
+#pragma once
+
+#include "rigor/model/state.hpp"
+#include "rigor/sim/cluster.hpp"
+#include "rigor/sim/event_queue.hpp"
+#include "rigor/sim/mode_change.hpp"
+#include "rigor/sim/trajectories.hpp"
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rigor {
+
+/// From event to event: between two events every body moves smoothly (in closed form where nothing but gravity acts); at
+/// an event bodies collide, come to rest against each other, part, stop or start to slip. Nothing overlaps by more than the
+/// contact tolerance, at any speed and any target step.
+///
+/// Time is local: a body's motion is followed from its own last event on, and events wait in one queue, so that each costs
+/// what the bodies concerned cost. The State holds all there is to know: a fresh stepper continues bit for bit.
+class EventDrivenStepper {
+ public:
+  /// target_step H > 0 [s]: the longest step of bodies whose motion has no closed form.
+  EventDrivenStepper(std::shared_ptr<const Model> model, const Method& method, double target_step);
+  EventDrivenStepper(const EventDrivenStepper&) = delete;
+  EventDrivenStepper& operator=(const EventDrivenStepper&) = delete;
+
+  /// Advances the State to t_end ≥ state.t, or to where the report says that it could not go on.
+  AdvanceReport advance(State& state, double t_end);
+
+ private:
+  /// Bodies whose motion is integrated, over the step that they are in.
+  struct RunningIsland {
+    Island island;
+    IslandStep step;
+    double end;                           ///< [s].
+    std::optional<ModeChange> change;     ///< What ends the step.
+  };
+
+  // The loop of the course.
+  void read_state_from_bodies(const State& state);
+  bool compute_time_step();
+  Cluster compute_new_body_states(const std::vector<int>& seeds);
+  void apply_forces(Cluster& cluster);
+  void write_state_to_bodies(State& state);
+
+  std::vector<int> seeds_of(const QueuedEvent& event) const;
+  void handle_event(const std::vector<int>& seeds, std::vector<int> changed);
+  void begin_new_window(int body);
+  void add_body(int body, Cluster& cluster);
+  void finish_island(int number, Cluster& cluster);
+  void find_touching(int body, Cluster& cluster, std::set<std::pair<int, int>>& visited);
+  void move_together(const Cluster& part, const LastingContacts& lasting);
+  void begin_step(Island island);
+  void renew_prescribed(int body);
+  bool time_stands_still(const std::vector<int>& seeds);
+  void note_transitions(const std::set<std::pair<int, int>>& before, const Cluster& cluster);
+  void note_penetration(const std::vector<Contact>& contacts);
+  BodyInertia inertia(int body) const { return {model_->body(body).mass, model_->body(body).moments}; }
+  bool is_dynamic(int body) const { return model_->body(body).motion == MotionType::dynamic; }
+
+  std::shared_ptr<const Model> model_;
+  Method method_;
+  double target_step_;
+  Environment environment_;
+  IslandIntegrator integrator_;
+  ModeChangeSearch mode_changes_;
+  ContactResolver resolver_;
+
+  // Scratch: rebuilt from the State whenever it is not the one left behind.
+  double t_ = 0, t_end_ = 0;
+  QueuedEvent next_{};
+  EventQueue queue_;
+  Trajectories trajectories_;
+  std::map<int, RunningIsland> islands_;
+  std::vector<int> island_of_;                ///< Of each body, or -1.
+  int next_island_ = 0;
+  std::vector<int> crowding_;                 ///< Of each body: events in a row that time could not tell apart.
+  std::vector<double> last_event_;            ///< Of each body [s].
+  State mirror_;                              ///< The State as it was left.
+  AdvanceReport report_;
+};
+
+}  // namespace rigor

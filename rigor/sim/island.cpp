@@ -1,0 +1,190 @@
+#include "rigor/sim/island.hpp"
+
+#include "rigor/contact/contact_kinematics.hpp"
+#include "rigor/math/rotation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rigor {
+
+namespace {
+
+IntegratorName integrator_of(IntegratorMethod method) {
+  switch (method) {
+    case IntegratorMethod::euler: return IntegratorName::euler;
+    case IntegratorMethod::semi_implicit_euler: return IntegratorName::semi_implicit_euler;
+    case IntegratorMethod::midpoint: return IntegratorName::midpoint;
+    case IntegratorMethod::rk4: return IntegratorName::rk4;
+    case IntegratorMethod::lie_rk4: return IntegratorName::lie_rk4;
+    // The closed form is for flight; where forces act its place is taken by the integrator that controls its error.
+    case IntegratorMethod::exact:
+    case IntegratorMethod::dopri5: break;
+  }
+  return IntegratorName::dopri5;
+}
+
+std::size_t place_of(const std::vector<int>& ascending, int body) {
+  return static_cast<std::size_t>(std::lower_bound(ascending.begin(), ascending.end(), body) - ascending.begin());
+}
+bool holds(const std::vector<int>& ascending, int body) {
+  return std::binary_search(ascending.begin(), ascending.end(), body);
+}
+
+Environment::BodyView view_of(const BodyKinetics& body) {
+  return {body.x, body.v, body.w, body.R, body.inverse_mass > 0};
+}
+
+Pose pose_of(const BodyPhase& phase) { return {rotation_matrix(phase.q), phase.x}; }
+
+}  // namespace
+
+std::vector<int> bodies_of(const std::vector<Contact>& contacts, const std::vector<int>& others) {
+  std::vector<int> bodies = others;
+  for (const Contact& contact : contacts) {
+    bodies.push_back(contact.body_A);
+    bodies.push_back(contact.body_B);
+  }
+  std::sort(bodies.begin(), bodies.end());
+  bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+  return bodies;
+}
+
+/// The wrench on each body and, as two bodies more, what the ledger integrates: the external force and torque (about the
+/// origin of W), and the supplied power as the x component of a force.
+struct IslandIntegrator::Load {
+  std::vector<Wrench> wrenches;
+  Wrench external;
+  double power = 0;
+};
+
+IslandIntegrator::IslandIntegrator(const Model& model, const Environment& environment, const Method& method)
+    : model_(model),
+      environment_(environment),
+      integrator_(integrator_of(method.integrator)),
+      orientation_(method.orientation),
+      tolerance_(method.tolerance) {}
+
+ContactSystem IslandIntegrator::contact_system(const Island& island, double t,
+                                               std::span<const BodyPhase> phases) const {
+  const std::vector<int> bodies = bodies_of(island.contacts, island.bodies);
+  std::vector<BodyKinetics> kinetics;
+  for (const int body : bodies) {
+    if (holds(island.bodies, body)) {
+      kinetics.push_back(dynamic_kinetics(model_.body(body), phases[place_of(island.bodies, body)]));
+    } else {
+      kinetics.push_back(prescribed_kinetics(model_.body(body), t));
+    }
+  }
+  std::vector<Contact> contacts = island.contacts;
+  if (t != island.begin) {
+    const auto pose_at_begin = [&](int body) {
+      return holds(island.bodies, body) ? pose_of(island.start[place_of(island.bodies, body)])
+                                        : prescribed_kinetics(model_.body(body), island.begin).pose();
+    };
+    for (Contact& contact : contacts) {
+      contact.point = tracked_contact(model_, contact, pose_at_begin(contact.body_A), pose_at_begin(contact.body_B),
+                                      kinetics[place_of(bodies, contact.body_A)].pose(),
+                                      kinetics[place_of(bodies, contact.body_B)].pose());
+    }
+  }
+  return make_contact_system(std::move(contacts), bodies, std::move(kinetics));
+}
+
+std::vector<Wrench> IslandIntegrator::environment_wrenches(const ContactSystem& system, double t) const {
+  const auto view = [&](int body) {
+    if (holds(system.bodies, body)) return view_of(system.of(body));
+    return view_of(prescribed_kinetics(model_.body(body), t));
+  };
+  std::vector<Wrench> wrenches(system.bodies.size());
+  environment_.apply_env_forces(system.bodies, view, wrenches);
+  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+    if (system.kinetics[b].inverse_mass == 0) wrenches[b] = Wrench{};
+  }
+  return wrenches;
+}
+
+IslandIntegrator::Load IslandIntegrator::load(const Island& island, double t, std::span<const BodyPhase> phases) const {
+  const ContactSystem system = contact_system(island, t, phases);
+  std::vector<Wrench> wrenches = environment_wrenches(system, t);
+  Load load;
+  // What springs do inside the island cancels in the sum; those to prescribed bodies and the world are external.
+  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+    if (system.kinetics[b].inverse_mass == 0) continue;
+    load.external.f_W += wrenches[b].f_W;
+    load.external.tau_W += wrenches[b].tau_W + system.kinetics[b].x.cross(wrenches[b].f_W);
+    load.power += environment_.supplied_power(system.bodies[b], view_of(system.kinetics[b]));
+  }
+  if (!island.contacts.empty()) {
+    const VecX lambda = contact_forces(system, island.states, wrenches);
+    add_contact_wrenches(system, lambda, wrenches);
+    load.power += work_of_prescribed(system, lambda);
+    // Contact forces on prescribed bodies leave the island: their opposites are external to it.
+    for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+      if (system.kinetics[b].inverse_mass != 0) continue;
+      load.external.f_W -= wrenches[b].f_W;
+      load.external.tau_W -= wrenches[b].tau_W + system.kinetics[b].x.cross(wrenches[b].f_W);
+    }
+  }
+  for (const int body : island.bodies) load.wrenches.push_back(wrenches[place_of(system.bodies, body)]);
+  return load;
+}
+
+IntegratorTolerances IslandIntegrator::tolerances(const Island& island) const {
+  IntegratorTolerances result;
+  result.relative = tolerance_;
+  double length = 0, momentum = 0, angular_momentum = 0;
+  for (std::size_t i = 0; i < island.bodies.size(); ++i) {
+    const Body& body = model_.body(island.bodies[i]);
+    const double size = std::isfinite(body.bounding_radius) && body.bounding_radius > 0 ? body.bounding_radius
+                                                                                         : model_.length_scale();
+    const double speed = std::sqrt(size * environment_.steady_acceleration(island.bodies[i]).norm());
+    length = std::max(length, size);
+    momentum = std::max(momentum, std::max(island.start[i].P.norm(), body.mass * speed));
+    angular_momentum = std::max(angular_momentum, std::max(island.start[i].L.norm(), body.mass * speed * size));
+  }
+  if (length > 0) result.length_scale = length;
+  if (momentum > 0) result.momentum_scale = momentum;
+  if (angular_momentum > 0) result.angular_momentum_scale = angular_momentum;
+  return result;
+}
+
+IslandStep IslandIntegrator::step(const Island& island, double h) const {
+  const std::size_t count = island.bodies.size();
+  std::vector<BodyInertia> inertias;
+  for (const int body : island.bodies) inertias.push_back({model_.body(body).mass, model_.body(body).moments});
+  inertias.resize(count + 2);
+  std::vector<BodyPhase> start = island.start;
+  start.resize(count + 2);
+
+  const WrenchField field = [&](double t, std::span<const BodyPhase> phases, std::span<Wrench> wrenches) {
+    const Load now = load(island, t, phases.first(count));
+    std::copy(now.wrenches.begin(), now.wrenches.end(), wrenches.begin());
+    wrenches[count] = now.external;
+    wrenches[count + 1] = {now.power * Vec3::UnitX(), Vec3::Zero()};
+  };
+  SystemStep taken =
+      integrate_step(integrator_, orientation_, inertias, start, island.begin, h, field, tolerances(island));
+
+  IslandStep result{h, {}, {}, taken.error, taken.quaternion_drift};
+  result.impulse = taken.end[count].P;
+  result.angular_impulse = taken.end[count].L;
+  result.work = taken.end[count + 1].P.x();
+  taken.end.resize(count);
+  taken.dense.resize(count);
+  result.end = std::move(taken.end);
+  result.dense = std::move(taken.dense);
+  return result;
+}
+
+IslandStep IslandIntegrator::controlled_step(const Island& island, double h) const {
+  constexpr int most_rejections = 40;
+  IslandStep taken = step(island, h);
+  for (int k = 0; k < most_rejections && taken.error > 1; ++k) {
+    h *= std::clamp(0.9 * std::pow(taken.error, -0.2), 0.1, 0.9);
+    taken = step(island, h);
+  }
+  return taken;
+}
+
+}  // namespace rigor

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "rigor/contact/resting.hpp"
+#include "rigor/dynamics/environment.hpp"
+#include "rigor/dynamics/integrator.hpp"
+#include "rigor/sim/method.hpp"
+
+#include <span>
+#include <vector>
+
+namespace rigor {
+
+/// Dynamic bodies that move together from one event to the next: joined by active contacts and springs, or under forces
+/// that have no closed form.
+struct Island {
+  std::vector<int> bodies;              ///< Ascending.
+  std::vector<BodyPhase> start;         ///< At `begin`, one a body.
+  std::vector<Contact> contacts;        ///< Active ones, found at `begin`.
+  std::vector<ContactState> states;     ///< One a contact.
+  double begin = 0;                     ///< [s].
+};
+
+/// One step of an island.
+struct IslandStep {
+  double h = 0;                         ///< [s].
+  std::vector<BodyPhase> end;           ///< One a body.
+  std::vector<DensePhase> dense;
+  double error = 0;                     ///< Embedded estimate relative to the tolerance; NaN if the method has none.
+  double quaternion_drift = 0;
+  double work = 0;                      ///< Supplied by kinematic bodies, torques, body-fixed forces [J].
+  Vec3 impulse = Vec3::Zero();          ///< Of all forces from outside the island [N s].
+  Vec3 angular_impulse = Vec3::Zero();  ///< The same about the origin of W [N m s].
+};
+
+/// Smooth motion of islands: the contact forces are solved for at every stage of the integrator, so that its order survives
+/// the contacts.
+class IslandIntegrator {
+ public:
+  IslandIntegrator(const Model& model, const Environment& environment, const Method& method);
+
+  /// The contacts with all their bodies at time t, tracked from the island's begin to these phases.
+  ContactSystem contact_system(const Island& island, double t, std::span<const BodyPhase> phases) const;
+  /// Forces of the environment on each body of the system (zero for prescribed ones).
+  std::vector<Wrench> environment_wrenches(const ContactSystem& system, double t) const;
+
+  /// One step of exactly h with the contact modes held fixed.
+  IslandStep step(const Island& island, double h) const;
+  /// A step of at most h, shorter where the error estimate asks for it.
+  IslandStep controlled_step(const Island& island, double h) const;
+
+ private:
+  struct Load;   ///< All wrenches at one stage with their part of the ledger.
+  Load load(const Island& island, double t, std::span<const BodyPhase> phases) const;
+  IntegratorTolerances tolerances(const Island& island) const;
+
+  const Model& model_;
+  const Environment& environment_;
+  IntegratorName integrator_;
+  OrientationForm orientation_;
+  double tolerance_;
+};
+
+/// The island's contact system with given kinetics; `bodies` ascending, holding every body of the contacts.
+std::vector<int> bodies_of(const std::vector<Contact>& contacts, const std::vector<int>& others);
+
+}  // namespace rigor

@@ -1,0 +1,132 @@
+#include "rigor/sim/mode_change.hpp"
+
+#include "rigor/math/roots.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+#include <utility>
+
+namespace rigor {
+
+double slip_tolerance(const Method& method) { return 1e-6 * method.resting_velocity; }
+
+ModeChangeSearch::ModeChangeSearch(const Model& model, const IslandIntegrator& integrator, const Method& method)
+    : model_(model),
+      integrator_(integrator),
+      contact_tolerance_(method.contact_tolerance),
+      time_tolerance_(method.time_tolerance),
+      slip_tolerance_(slip_tolerance(method)) {}
+
+/// The island somewhere in its step.
+struct ModeChangeSearch::Instant {
+  double t;
+  ContactSystem system;
+};
+
+ModeChangeSearch::Instant ModeChangeSearch::at(const Island& island, const IslandStep& step, double theta) const {
+  std::vector<BodyPhase> phases;
+  for (const DensePhase& dense : step.dense) phases.push_back(dense.at(theta));
+  const double t = island.begin + theta * step.h;
+  return {t, integrator_.contact_system(island, t, theta == 1 ? std::span<const BodyPhase>(step.end) : phases)};
+}
+
+/// Smallest speed along its slip of the sliding contacts; below zero one of them has stopped.
+double ModeChangeSearch::slip_margin(const Island& island, const Instant& instant) const {
+  double margin = std::numeric_limits<double>::infinity();
+  const VecX u = relative_velocities(instant.system);
+  for (std::size_t i = 0; i < island.states.size(); ++i) {
+    if (island.states[i].mode != ContactMode::slide || island.states[i].slip_W.isZero(0)) continue;
+    const Vec3 slip = instant.system.frames[i].transpose() * island.states[i].slip_W;
+    const Vec2 direction = slip.head<2>();
+    if (direction.isZero(0)) continue;
+    margin = std::min(margin, u.segment<2>(3 * static_cast<Eigen::Index>(i)).dot(direction));
+  }
+  return margin;
+}
+
+/// Smallest of λ_n (active contacts) and μ λ_n - |λ_t| (sticking ones), relative to the largest force; a little below zero
+/// is allowed for rounding.
+double ModeChangeSearch::force_margin(const Island& island, const Instant& instant) const {
+  constexpr double rounding = 1e-10;
+  const VecX lambda =
+      contact_forces(instant.system, island.states, integrator_.environment_wrenches(instant.system, instant.t));
+  const double scale = lambda.cwiseAbs().maxCoeff();
+  if (scale == 0) return rounding;
+  double margin = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < island.states.size(); ++i) {
+    if (island.states[i].mode == ContactMode::open) continue;
+    const Vec3 force = lambda.segment<3>(3 * static_cast<Eigen::Index>(i)) / scale;
+    margin = std::min(margin, force.z());
+    if (island.states[i].mode == ContactMode::stick) {
+      margin = std::min(margin, island.contacts[i].friction * force.z() - force.head<2>().norm());
+    }
+  }
+  return margin + rounding;
+}
+
+/// Deepest gap of the pairs in contact, above half the tolerance.
+double ModeChangeSearch::overlap_margin(const Island& island, const Instant& instant) const {
+  double margin = std::numeric_limits<double>::infinity();
+  std::set<std::pair<int, int>> pairs;
+  for (const Contact& contact : island.contacts) pairs.insert({contact.body_A, contact.body_B});
+  for (const auto& [a, b] : pairs) {
+    for (const Contact& contact : find_contacts(model_, a, b, instant.system.of(a).pose(), instant.system.of(b).pose(),
+                                                contact_tolerance_)) {
+      margin = std::min(margin, contact.point.gap + 0.5 * contact_tolerance_);
+    }
+  }
+  return margin;
+}
+
+/// Whether the modes are still those of the complementarity problem, whatever the distribution of redundant forces.
+bool ModeChangeSearch::modes_hold(const Island& island, const Instant& instant) const {
+  const RestingSolution now = solve_resting(
+      instant.system, integrator_.environment_wrenches(instant.system, instant.t), slip_tolerance_);
+  for (std::size_t i = 0; i < island.states.size(); ++i) {
+    if (now.states[i].mode == island.states[i].mode) continue;
+    // Contacts without force may count as open or not: only motion tells.
+    const Vec3 w = now.forces.w.segment<3>(3 * static_cast<Eigen::Index>(i));
+    const double scale = now.forces.w.cwiseAbs().maxCoeff();
+    const bool stays = island.states[i].mode == ContactMode::stick ? w.norm() <= 1e-9 * scale : w.z() <= 1e-9 * scale;
+    if (!stays) return false;
+  }
+  return true;
+}
+
+std::optional<ModeChange> ModeChangeSearch::find(const Island& island, const IslandStep& step) const {
+  std::optional<ModeChange> first;
+  const double tolerance = time_tolerance_ / step.h;
+  double end = 1;
+  const auto shorten = [&](ModeChange::Kind kind, double theta) {
+    first = ModeChange{kind, theta * step.h};
+    end = theta;
+  };
+
+  // Slip first: beyond the end of a slip its friction has the wrong direction and nothing else counts.
+  const auto slip = [&](double theta) { return slip_margin(island, at(island, step, theta)); };
+  if (slip(1) < 0 && slip(0) > 0) {
+    const RootBracket root = find_root_itp(slip, 0, 1, tolerance);
+    shorten(ModeChange::Kind::slip_ends, root.hi);
+    first->slip_speed = std::max(0.0, std::max(root.f_lo, -root.f_hi));
+  }
+  const auto overlap = [&](double theta) { return overlap_margin(island, at(island, step, theta)); };
+  for (const double probe : {0.5 * end, end}) {
+    if (overlap(probe) >= 0) continue;
+    if (overlap(0) > 0) shorten(ModeChange::Kind::overlap, find_root_bisection(overlap, 0, probe, tolerance).hi);
+    break;
+  }
+  const auto force = [&](double theta) { return force_margin(island, at(island, step, theta)); };
+  if (force(end) < 0 && !modes_hold(island, at(island, step, end))) {
+    const auto signature = [&](double theta) { return modes_hold(island, at(island, step, theta)) ? 1.0 : -1.0; };
+    const bool is_bracketed = force(0) > 0;
+    if (is_bracketed) {
+      shorten(ModeChange::Kind::force_limit, find_root_itp(force, 0, end, tolerance).hi);
+    } else if (signature(0) > 0) {
+      shorten(ModeChange::Kind::force_limit, find_root_bisection(signature, 0, end, tolerance).hi);
+    }
+  }
+  return first;
+}
+
+}  // namespace rigor

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "rigor/sim/island.hpp"
+
+#include <optional>
+
+namespace rigor {
+
+/// Why a step of an island must end early.
+struct ModeChange {
+  enum class Kind {
+    slip_ends,     ///< A sliding contact comes to a stop.
+    force_limit,   ///< A contact lets go, or a sticking one begins to slip.
+    overlap,       ///< Further points of bodies in contact meet.
+  };
+  Kind kind;
+  double h;                ///< Time since the island's begin [s].
+  double slip_speed = 0;   ///< Kind slip_ends: |u_t| that the stopped contacts still have there [m/s].
+};
+
+/// The first time in the step at which the island's contact modes no longer hold, located on the dense output; nothing if
+/// they hold to the end.
+class ModeChangeSearch {
+ public:
+  ModeChangeSearch(const Model& model, const IslandIntegrator& integrator, const Method& method);
+
+  std::optional<ModeChange> find(const Island& island, const IslandStep& step) const;
+
+ private:
+  struct Instant;
+  Instant at(const Island& island, const IslandStep& step, double theta) const;
+  double slip_margin(const Island& island, const Instant& instant) const;
+  double force_margin(const Island& island, const Instant& instant) const;
+  double overlap_margin(const Island& island, const Instant& instant) const;
+  bool modes_hold(const Island& island, const Instant& instant) const;
+
+  const Model& model_;
+  const IslandIntegrator& integrator_;
+  double contact_tolerance_, time_tolerance_, slip_tolerance_;
+};
+
+/// Slower slip than this counts as sticking [m/s].
+double slip_tolerance(const Method& method);
+
+}  // namespace rigor

@@ -1,0 +1,105 @@
+#include "rigor/contact/contact.hpp"
+#include "rigor/geometry/aabb_tree.hpp"
+#include "rigor/geometry/distance.hpp"
+#include "rigor/math/rotation.hpp"
+#include "rigor/sim/simulation.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace rigor {
+
+namespace {
+
+Pose pose_of(const State& state, int body) { return {rotation_matrix(state.orientation(body)), state.position(body)}; }
+
+/// Deepest overlap of two bodies with its normal from A to B.
+struct Deepest {
+  double depth = -std::numeric_limits<double>::infinity();
+  Vec3 n_W = Vec3::UnitZ();
+};
+Deepest deepest_overlap(const Model& model, const State& state, int a, int b) {
+  Deepest deepest;
+  const Pose X_WA = pose_of(state, a), X_WB = pose_of(state, b);
+  for (const BodyShape& shape_a : model.body(a).shapes) {
+    for (const BodyShape& shape_b : model.body(b).shapes) {
+      const DistanceResult found =
+          signed_distance(shape_a.shape, X_WA * shape_a.X_BS, shape_b.shape, X_WB * shape_b.X_BS);
+      if (-found.distance > deepest.depth) deepest = {-found.distance, found.n_W};
+    }
+  }
+  return deepest;
+}
+
+/// Pairs whose boxes meet and that may collide, lower index first, in order.
+std::vector<std::pair<int, int>> near_pairs(const Model& model, const State& state) {
+  AabbTree tree;
+  std::vector<Aabb> boxes;
+  std::vector<int> unbounded;
+  for (int i = 0; i < model.body_count(); ++i) {
+    Aabb box{Vec3::Constant(std::numeric_limits<double>::infinity()),
+             Vec3::Constant(-std::numeric_limits<double>::infinity())};
+    for (const BodyShape& shape : model.body(i).shapes) {
+      box = box.united(axis_aligned_box(shape.shape, pose_of(state, i) * shape.X_BS));
+    }
+    boxes.push_back(box);
+    if (model.body(i).shapes.empty()) continue;
+    if (std::isfinite(model.body(i).bounding_radius)) {
+      tree.set(i, box);
+    } else {
+      unbounded.push_back(i);
+    }
+  }
+  std::vector<std::pair<int, int>> pairs;
+  std::vector<int> near;
+  for (int i = 0; i < model.body_count(); ++i) {
+    if (model.body(i).shapes.empty() || !std::isfinite(model.body(i).bounding_radius)) continue;
+    tree.overlapping(boxes[static_cast<std::size_t>(i)], near);
+    for (const int other : near) {
+      if (other > i && model.may_collide(i, other)) pairs.push_back({i, other});
+    }
+    for (const int other : unbounded) {
+      if (model.may_collide(i, other)) pairs.push_back(std::minmax(i, other));
+    }
+  }
+  return pairs;
+}
+
+}  // namespace
+
+std::vector<Overlap> find_overlaps(const Model& model, const State& state, double tolerance) {
+  std::vector<Overlap> overlaps;
+  for (const auto& [a, b] : near_pairs(model, state)) {
+    const double depth = deepest_overlap(model, state, a, b).depth;
+    if (depth > tolerance) overlaps.push_back({a, b, depth});
+  }
+  return overlaps;
+}
+
+std::vector<Overlap> apply_separation(const Model& model, double tolerance, State& state) {
+  constexpr int most_rounds = 2000;
+  const auto inverse_mass = [&](int body) {
+    return model.body(body).motion == MotionType::dynamic ? 1 / model.body(body).mass : 0.0;
+  };
+  const auto move = [&](int body, const Vec3& d) {
+    if (model.body(body).motion != MotionType::dynamic) return;
+    state.set_body(body, state.position(body) + d, state.orientation(body), state.linear_momentum(body),
+                   state.angular_momentum(body));
+  };
+  for (int round = 0; round < most_rounds; ++round) {
+    bool is_apart = true;
+    for (const auto& [a, b] : near_pairs(model, state)) {
+      const Deepest deepest = deepest_overlap(model, state, a, b);
+      if (deepest.depth <= 0) continue;
+      is_apart = is_apart && deepest.depth <= 0.5 * tolerance;
+      // A little more than the depth, so that the rounds end.
+      const double share = (deepest.depth + 0.25 * tolerance) / (inverse_mass(a) + inverse_mass(b));
+      move(a, -share * inverse_mass(a) * deepest.n_W);
+      move(b, share * inverse_mass(b) * deepest.n_W);
+    }
+    if (is_apart) break;
+  }
+  return find_overlaps(model, state, tolerance);
+}
+
+}  // namespace rigor

@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# The slower checks: formatting, every header alone, clang++ with warnings as errors, tests under ASan and UBSan.
+# usage: tools/check.sh [jobs]
+set -euo pipefail
+cd "$(dirname "$0")/.."
+jobs=${1:-2}
+
+echo "== clang-format"
+git ls-files '*.cpp' '*.hpp' | xargs clang-format --dry-run --Werror
+
+echo "== clang++: build with warnings as errors, headers alone"
+[ -f build/clang/build.ninja ] || cmake --preset clang >/dev/null
+cmake --build --preset clang -j "$jobs"
+git ls-files 'rigor/*.hpp' | xargs -P "$jobs" -I{} clang++ -std=c++20 -fsyntax-only -Wall -Wextra -Wconversion -Wshadow -Wno-pragma-once-outside-header \
+  -I. -isystem /usr/include/eigen3 {}
+
+echo "== ASan and UBSan: all tests"
+[ -f build/asan/build.ninja ] || cmake --preset asan >/dev/null
+cmake --build --preset asan -j "$jobs"
+ctest --preset asan -j "$jobs"

@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# Installs the Debian packages that building Rigor needs, if any is missing. As root or with sudo; says what and how
+# much first and asks once on a terminal (RIGOR_YES=1, or no terminal: no question). With all packages there it does
+# nothing and needs no network.
+# usage: tools/setup.sh [build|check|bench]
+set -euo pipefail
+
+packages=(g++ make cmake ninja-build git ca-certificates libeigen3-dev libyaml-cpp-dev nlohmann-json3-dev libcli11-dev
+  libfmt-dev libhdf5-dev libqhull-dev libtbb-dev libgtest-dev)
+case "${1:-build}" in
+  build) ;;
+  check) packages+=(clang clang-format) ;;
+  bench) packages+=(libbenchmark-dev) ;;
+  *) echo "usage: tools/setup.sh [build|check|bench]" >&2; exit 2 ;;
+esac
+
+missing=()
+for package in "${packages[@]}"; do
+  dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")
+done
+[ ${#missing[@]} -eq 0 ] && exit 0
+
+if ! command -v apt-get >/dev/null; then
+  echo "Rigor's set-up knows Debian 12; install these packages by hand: ${missing[*]}" >&2
+  exit 5
+fi
+as_root=()
+if [ "$(id -u)" != 0 ]; then
+  command -v sudo >/dev/null || { echo "Not root and no sudo: run as root: apt-get install ${missing[*]}" >&2; exit 5; }
+  as_root=(sudo)
+fi
+
+"${as_root[@]}" apt-get update -qq
+size=$("${as_root[@]}" apt-get install --no-install-recommends --assume-no "${missing[@]}" 2>/dev/null \
+  | grep -E '^(Need to get|After this operation)' || true)
+echo "Rigor needs ${#missing[@]} Debian packages that are not installed: ${missing[*]}"
+[ -n "$size" ] && echo "$size"
+if [ -t 0 ] && [ -z "${RIGOR_YES:-}" ]; then
+  read -r -p "Install them? [Y/n] " answer
+  case "$answer" in [nN]*) echo "Nothing was installed."; exit 5 ;; esac
+fi
+DEBIAN_FRONTEND=noninteractive "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+  apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+echo "Installed."
