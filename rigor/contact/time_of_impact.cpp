@@ -171,18 +171,15 @@ TimeOfImpact ShapePairSearch::find(double t0, double t1) {
 
   constexpr int most_evaluations = 100000;
   double t = t0;
-  double last_apart = t0;
+  std::optional<double> last_apart;
   while (evaluations_ < most_evaluations) {
     const Approach now = approach(t);
     const bool is_approaching = now.rate < -options_.rest_velocity;
     const double finest = std::max(options_.time_tolerance, 4 * epsilon * std::abs(t));
     if (now.gap <= touch(t) && is_approaching) {
       // Overlapping already: the contact lies between the last time apart and now.
-      if (now.gap < -touch(t) && last_apart < t) {
-        const Approach apart = approach(last_apart);
-        if (apart.gap > 0) {
-          if (const std::optional<TimeOfImpact> found = refined(last_apart, apart, t)) return *found;
-        }
+      if (now.gap < -touch(t) && last_apart) {
+        if (const std::optional<TimeOfImpact> found = refined(*last_apart, approach(*last_apart), t)) return *found;
       }
       return {true, t, finest, evaluations_};
     }

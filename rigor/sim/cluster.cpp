@@ -1,6 +1,7 @@
 #include "rigor/sim/cluster.hpp"
 
 #include "rigor/core/assert.hpp"
+#include "rigor/math/rotation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -96,7 +97,8 @@ ContactResolver::ContactResolver(const Model& model, const Environment& environm
       environment_(environment),
       integrator_(integrator),
       law_(method.simultaneous == SimultaneousMethod::lcp ? SimultaneousLaw::lcp : SimultaneousLaw::reflections),
-      resting_velocity_(method.resting_velocity) {}
+      resting_velocity_(method.resting_velocity),
+      contact_tolerance_(method.contact_tolerance) {}
 
 ContactSystem ContactResolver::system_of(const Cluster& cluster, const std::vector<Contact>& contacts) const {
   std::vector<int> bodies = bodies_of(contacts, cluster.bodies);
@@ -106,6 +108,28 @@ ContactSystem ContactResolver::system_of(const Cluster& cluster, const std::vect
                                                    : prescribed_kinetics(model_.body(body), cluster.t));
   }
   return make_contact_system(contacts, std::move(bodies), std::move(kinetics));
+}
+
+bool ContactResolver::project_positions(Cluster& cluster) const {
+  const auto is_deep = [this](const Contact& contact) { return contact.point.gap < -0.2 * contact_tolerance_; };
+  if (std::none_of(cluster.contacts.begin(), cluster.contacts.end(), is_deep)) return false;
+  // 0 ≤ δ ⊥ gap + A δ ≥ 0: displacements obey the same geometry as impulses without friction.
+  ContactSystem system = system_of(cluster, cluster.contacts);
+  const std::size_t count = cluster.contacts.size();
+  CoulombProblem problem{delassus(system), VecX::Zero(3 * static_cast<Eigen::Index>(count)),
+                         std::vector<double>(count, 0.0), std::vector<FrictionRow>(count, FrictionRow::cone),
+                         std::vector<Vec2>(count, Vec2::Zero())};
+  for (std::size_t i = 0; i < count; ++i) {
+    problem.b[3 * static_cast<Eigen::Index>(i) + 2] = cluster.contacts[i].point.gap;
+  }
+  for (BodyKinetics& body : system.kinetics) body.v = body.w = Vec3::Zero();
+  rigor::apply_impulses(solve_coulomb(problem).lambda, system);
+  for (std::size_t i = 0; i < cluster.bodies.size(); ++i) {
+    const BodyKinetics& moved = system.of(cluster.bodies[i]);
+    cluster.phases[i].x += moved.v;
+    cluster.phases[i].q = (rotation_exp(moved.w) * cluster.phases[i].q).normalized();
+  }
+  return true;
 }
 
 /// e of each contact; none for a slow approach under a force that presses the bodies together: there the bounces would form
@@ -247,7 +271,7 @@ bool ContactResolver::is_balanced(const Cluster& cluster, const LastingContacts&
   }
   std::vector<Wrench> wrenches = integrator_.environment_wrenches(system, cluster.t);
   const std::vector<Wrench> free = wrenches;
-  if (!lasting.contacts.empty()) add_contact_wrenches(system, contact_forces(system, lasting.states, free), wrenches);
+  if (!lasting.contacts.empty()) add_contact_wrenches(system, contact_forces(system, lasting.states, free, cluster.slip_tolerance), wrenches);
   // What is left is rounding of what was balanced.
   constexpr double rounding = 1e-11;
   double largest = 0, left = 0;

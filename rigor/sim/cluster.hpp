@@ -40,6 +40,9 @@ class ContactResolver {
   ContactResolver(const Model& model, const Environment& environment, const IslandIntegrator& integrator,
                   const Method& method);
 
+  /// Puts bodies that overlap noticeably back to touching, by the smallest displacement in the metric of the mass matrix;
+  /// the momenta stay. Returns whether anything moved: then the contacts must be found anew.
+  bool project_positions(Cluster& cluster) const;
   /// Impulses until no contact approaches; false if some still do. Changes the momenta of the cluster's bodies.
   bool apply_impulses(Cluster& cluster, AdvanceReport& report) const;
   /// Which contacts last: those that do not part and carry a force. The momenta are projected on what they allow.
@@ -59,6 +62,7 @@ class ContactResolver {
   const IslandIntegrator& integrator_;
   SimultaneousLaw law_;
   double resting_velocity_;
+  double contact_tolerance_;
 };
 
 }  // namespace rigor

@@ -12,6 +12,9 @@ namespace rigor {
 
 namespace {
 
+/// Very short steps in a row before an island goes on at velocity level.
+constexpr int patience = 6;
+
 std::size_t index(int body) { return static_cast<std::size_t>(body); }
 
 ToiOptions toi_options(const Method& method) {
@@ -78,11 +81,12 @@ void EventDrivenStepper::read_state_from_bodies(const State& state) {
   const bool is_continued = state == mirror_;
   std::vector<int> seeds;
   std::vector<int> restored;
+  crowding_.assign(index(model_->body_count()), 0);
   if (!is_continued) {
     queue_.clear();
     islands_.clear();
     island_of_.assign(index(model_->body_count()), -1);
-    crowding_.assign(index(model_->body_count()), 0);
+    repeats_.assign(index(model_->body_count()), 0);
     last_event_.assign(index(model_->body_count()), -std::numeric_limits<double>::infinity());
   }
   for (int body = 0; body < model_->body_count(); ++body) {
@@ -178,10 +182,20 @@ Cluster EventDrivenStepper::compute_new_body_states(const std::vector<int>& seed
       break;
     }
   }
-  std::sort(cluster.contacts.begin(), cluster.contacts.end(), [](const Contact& a, const Contact& b) {
-    return std::tie(a.body_A, a.body_B, a.shape_A, a.shape_B, a.point.feature) <
-           std::tie(b.body_A, b.body_B, b.shape_A, b.shape_B, b.point.feature);
-  });
+  const auto put_in_order = [&cluster] {
+    std::sort(cluster.contacts.begin(), cluster.contacts.end(), [](const Contact& a, const Contact& b) {
+      return std::tie(a.body_A, a.body_B, a.shape_A, a.shape_B, a.point.feature) <
+             std::tie(b.body_A, b.body_B, b.shape_A, b.shape_B, b.point.feature);
+    });
+  };
+  put_in_order();
+  note_penetration(cluster.contacts);
+  if (resolver_.project_positions(cluster)) {
+    cluster.contacts.clear();
+    visited.clear();
+    for (std::size_t i = 0; i < cluster.bodies.size(); ++i) find_touching(cluster.bodies[i], cluster, visited);
+    put_in_order();
+  }
   return cluster;
 }
 
@@ -265,7 +279,6 @@ void EventDrivenStepper::apply_forces(Cluster& cluster) {
     }
   }
   for (const int body : cluster.bodies) trajectories_.clear_lasting_contacts(body);
-  note_penetration(cluster.contacts);
 
   for (Cluster& part : connected_parts(cluster, cluster.contacts, environment_)) {
     if (!resolver_.apply_impulses(part, report_)) {
@@ -273,8 +286,13 @@ void EventDrivenStepper::apply_forces(Cluster& cluster) {
       report_.bodies = part.bodies;
       report_.detail = "an impact left bodies approaching each other";
     }
-    const LastingContacts lasting = resolver_.update_active(part, report_);
-    move_together(part, lasting);
+    if (crowding_of(part.bodies) > patience && !part.contacts.empty()) {
+      // Steps at velocity level take all contacts, whatever they do: their problem decides again.
+      for (const Contact& contact : part.contacts) trajectories_.set_lasting_contact(contact.body_A, contact.body_B);
+      begin_step({part.bodies, part.phases, part.contacts, std::vector<ContactState>(part.contacts.size()), t_});
+    } else {
+      move_together(part, resolver_.update_active(part, report_));
+    }
   }
   note_transitions(lasting_before, cluster);
 }
@@ -314,6 +332,37 @@ void EventDrivenStepper::move_together(const Cluster& part, const LastingContact
   }
 }
 
+int EventDrivenStepper::crowding_of(const std::vector<int>& bodies) const {
+  int crowding = 0;
+  for (const int body : bodies) crowding = std::max(crowding, crowding_[index(body)]);
+  return crowding;
+}
+
+/// The step itself. Where modes end as they begin or slip turns on the spot, each short step in a row must cover more than
+/// the last; when that does not help, steps at velocity level lead out of it. The report counts both.
+void EventDrivenStepper::take_step(double h, RunningIsland& running) {
+  constexpr int implicit_steps = 60;
+  int crowding = crowding_of(running.island.bodies);
+  if (crowding > patience && !running.island.contacts.empty()) {
+    const double resolved = std::max(method_.time_tolerance, 8 * std::numeric_limits<double>::epsilon() * t_);
+    running.step = integrator_.implicit_step(running.island, std::min(h, 1e-2 * target_step_));
+    running.change = mode_changes_.find_overlap(running.island, running.step, 1);
+    if (running.change) running.step = integrator_.implicit_step(running.island, std::max(running.change->h, resolved));
+    ++report_.fallbacks;
+    --crowding;
+  } else {
+    const double resolved = std::max(method_.time_tolerance, 8 * std::numeric_limits<double>::epsilon() * t_);
+    const double least = std::min(h, std::max(resolved, target_step_ * 1e-9 * std::pow(4.0, crowding)));
+    running.step = integrator_.controlled_step(running.island, h, least);
+    running.change = mode_changes_.find(running.island, running.step);
+    if (running.change) running.step = integrator_.step(running.island, std::max(running.change->h, least));
+    if (running.step.error > 1) ++report_.fallbacks;
+    crowding = running.step.h < 1e-2 * std::min(target_step_, h) ? crowding + 1 : 0;
+    if (crowding > patience) crowding += implicit_steps;
+  }
+  for (const int body : running.island.bodies) crowding_[index(body)] = crowding;
+}
+
 /// The next step of an island: as long as the target, the error and the modes of its contacts allow.
 void EventDrivenStepper::begin_step(Island island) {
   double h = std::min(target_step_, t_end_ - t_);
@@ -322,14 +371,8 @@ void EventDrivenStepper::begin_step(Island island) {
       if (!is_dynamic(body)) h = std::min(h, trajectories_.motion(body).end() - t_);
     }
   }
-  const double least = std::max(method_.time_tolerance, 8 * std::numeric_limits<double>::epsilon() * t_);
   RunningIsland running{std::move(island), {}, 0, {}};
-  running.step = integrator_.controlled_step(running.island, std::max(h, least));
-  running.change = mode_changes_.find(running.island, running.step);
-  if (running.change) {
-    // Time goes on by what can be resolved at least, even where a mode ends as it begins.
-    running.step = integrator_.step(running.island, std::max(running.change->h, least));
-  }
+  take_step(h, running);
   running.end = t_ + running.step.h;
   if (!running.change && running.step.h == t_end_ - t_) running.end = t_end_;
 
@@ -353,9 +396,9 @@ bool EventDrivenStepper::time_stands_still(const std::vector<int>& seeds) {
   for (const int body : seeds) {
     const double apart = t_ - last_event_[index(body)];
     const bool is_crowded = apart <= 4 * std::max(method_.time_tolerance, std::numeric_limits<double>::epsilon() * t_);
-    crowding_[index(body)] = is_crowded ? crowding_[index(body)] + 1 : 0;
+    repeats_[index(body)] = is_crowded ? repeats_[index(body)] + 1 : 0;
     last_event_[index(body)] = t_;
-    if (crowding_[index(body)] <= most_events) continue;
+    if (repeats_[index(body)] <= most_events) continue;
     report_.reason = StopReason::events_accumulate;
     report_.bodies = seeds;
     report_.detail = "more than 1000 events at one instant";

@@ -55,6 +55,8 @@ class EventDrivenStepper {
   void finish_island(int number, Cluster& cluster);
   void find_touching(int body, Cluster& cluster, std::set<std::pair<int, int>>& visited);
   void move_together(const Cluster& part, const LastingContacts& lasting);
+  int crowding_of(const std::vector<int>& bodies) const;
+  void take_step(double h, RunningIsland& running);
   void begin_step(Island island);
   void renew_prescribed(int body);
   bool time_stands_still(const std::vector<int>& seeds);
@@ -79,7 +81,8 @@ class EventDrivenStepper {
   std::map<int, RunningIsland> islands_;
   std::vector<int> island_of_;                ///< Of each body, or -1.
   int next_island_ = 0;
-  std::vector<int> crowding_;                 ///< Of each body: events in a row that time could not tell apart.
+  std::vector<int> crowding_;                 ///< Of each body: very short steps in a row.
+  std::vector<int> repeats_;                  ///< Of each body: events in a row that time could not tell apart.
   std::vector<double> last_event_;            ///< Of each body [s].
   State mirror_;                              ///< The State as it was left.
   AdvanceReport report_;

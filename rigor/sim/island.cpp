@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace rigor {
 
@@ -63,7 +64,10 @@ IslandIntegrator::IslandIntegrator(const Model& model, const Environment& enviro
       environment_(environment),
       integrator_(integrator_of(method.integrator)),
       orientation_(method.orientation),
-      tolerance_(method.tolerance) {}
+      tolerance_(method.tolerance),
+      slip_tolerance_(slip_tolerance(method)) {}
+
+double slip_tolerance(const Method& method) { return 1e-6 * method.resting_velocity; }
 
 ContactSystem IslandIntegrator::contact_system(const Island& island, double t,
                                                std::span<const BodyPhase> phases) const {
@@ -116,7 +120,7 @@ IslandIntegrator::Load IslandIntegrator::load(const Island& island, double t, st
     load.power += environment_.supplied_power(system.bodies[b], view_of(system.kinetics[b]));
   }
   if (!island.contacts.empty()) {
-    const VecX lambda = contact_forces(system, island.states, wrenches);
+    const VecX lambda = contact_forces(system, island.states, wrenches, slip_tolerance_);
     add_contact_wrenches(system, lambda, wrenches);
     load.power += work_of_prescribed(system, lambda);
     // Contact forces on prescribed bodies leave the island: their opposites are external to it.
@@ -177,11 +181,85 @@ IslandStep IslandIntegrator::step(const Island& island, double h) const {
   return result;
 }
 
-IslandStep IslandIntegrator::controlled_step(const Island& island, double h) const {
-  constexpr int most_rejections = 40;
+namespace {
+
+/// Motion in a straight line from start to end with the momenta of the end.
+DensePhase straight_phase(const BodyPhase& start, const BodyPhase& end) {
+  DensePhase dense;
+  dense.degree = 1;
+  const auto stacked = [](const BodyPhase& phase) {
+    Eigen::Matrix<double, 13, 1> y;
+    y << phase.x, phase.q.w(), phase.q.x(), phase.q.y(), phase.q.z(), phase.P, phase.L;
+    return y;
+  };
+  BodyPhase from = start;
+  from.P = end.P;
+  from.L = end.L;
+  dense.coefficients.col(0) = stacked(from);
+  dense.coefficients.col(1) = stacked(end) - stacked(from);
+  return dense;
+}
+
+}  // namespace
+
+IslandStep IslandIntegrator::implicit_step(const Island& island, double h) const {
+  // Momenta after the forces of the environment alone.
+  std::vector<BodyPhase> phases = island.start;
+  const ContactSystem at_start = contact_system(island, island.begin, phases);
+  const std::vector<Wrench> wrenches = environment_wrenches(at_start, island.begin);
+  IslandStep result{h, {}, {}, 0, 0};
+  for (std::size_t i = 0; i < island.bodies.size(); ++i) {
+    const Wrench& wrench = wrenches[place_of(at_start.bodies, island.bodies[i])];
+    phases[i].P += h * wrench.f_W;
+    phases[i].L += h * wrench.tau_W;
+    result.impulse += h * wrench.f_W;
+    result.angular_impulse += h * (wrench.tau_W + phases[i].x.cross(wrench.f_W));
+  }
+  // 0 ≤ λ_n ⊥ u_n⁺ + gap/h ≥ 0 with friction against u_t⁺.
+  const ContactSystem system = contact_system(island, island.begin, phases);
+  CoulombProblem problem;
+  problem.A = delassus(system);
+  problem.b = relative_velocities(system);
+  problem.rows.assign(island.contacts.size(), FrictionRow::cone);
+  problem.slips.assign(island.contacts.size(), Vec2::Zero());
+  for (std::size_t i = 0; i < island.contacts.size(); ++i) {
+    problem.mu.push_back(island.contacts[i].friction);
+    problem.b[3 * static_cast<Eigen::Index>(i) + 2] += std::max(0.0, island.contacts[i].point.gap) / h;
+  }
+  const VecX lambda = solve_coulomb(problem).lambda;
+  ContactSystem after = system;
+  apply_impulses(lambda, after);
+  result.work = work_of_prescribed(system, lambda);
+  for (std::size_t i = 0; i < island.contacts.size(); ++i) {
+    const Contact& contact = island.contacts[i];
+    const Vec3 j_W = world_impulse(system, lambda, static_cast<int>(i));
+    for (const auto& [body, sign] : {std::pair{contact.body_A, -1.0}, std::pair{contact.body_B, 1.0}}) {
+      if (!holds(island.bodies, body)) {
+        result.impulse -= sign * j_W;
+        result.angular_impulse -= sign * contact.p_W().cross(j_W);
+        continue;
+      }
+      BodyPhase& phase = phases[place_of(island.bodies, body)];
+      phase.P += sign * j_W;
+      phase.L += sign * (contact.p_W() - phase.x).cross(j_W);
+    }
+  }
+  for (std::size_t i = 0; i < island.bodies.size(); ++i) {
+    const BodyKinetics& moving = after.of(island.bodies[i]);
+    BodyPhase& phase = phases[i];
+    // x × P changes along with x; only v × P = 0 keeps L about the origin.
+    phase.x += h * phase.P / model_.body(island.bodies[i]).mass;
+    phase.q = (rotation_exp(h * moving.w) * phase.q).normalized();
+    result.dense.push_back(straight_phase(island.start[i], phase));
+  }
+  result.end = std::move(phases);
+  return result;
+}
+
+IslandStep IslandIntegrator::controlled_step(const Island& island, double h, double least) const {
   IslandStep taken = step(island, h);
-  for (int k = 0; k < most_rejections && taken.error > 1; ++k) {
-    h *= std::clamp(0.9 * std::pow(taken.error, -0.2), 0.1, 0.9);
+  while (taken.error > 1 && h > least) {
+    h = std::max(least, h * std::clamp(0.9 * std::pow(taken.error, -0.2), 0.1, 0.9));
     taken = step(island, h);
   }
   return taken;

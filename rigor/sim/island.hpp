@@ -45,8 +45,14 @@ class IslandIntegrator {
 
   /// One step of exactly h with the contact modes held fixed.
   IslandStep step(const Island& island, double h) const;
-  /// A step of at most h, shorter where the error estimate asks for it.
-  IslandStep controlled_step(const Island& island, double h) const;
+  /// A step of at most h, shorter where the error estimate asks for it, but not shorter than `least`: there `error` may
+  /// exceed 1.
+  IslandStep controlled_step(const Island& island, double h, double least) const;
+  /// A first-order step at velocity level (Moreau-Jean): impulses of the whole step by one Coulomb problem on all contacts,
+  /// whatever their modes. It never fails where slip directions turn faster than an integrator can follow or where forces
+  /// have no finite value (Painlevé), and takes energy only.
+  /// Source: Moreau, Unilateral Contact and Dry Friction in Finite Freedom Dynamics, CISM 302, 1988.
+  IslandStep implicit_step(const Island& island, double h) const;
 
  private:
   struct Load;   ///< All wrenches at one stage with their part of the ledger.
@@ -58,9 +64,13 @@ class IslandIntegrator {
   IntegratorName integrator_;
   OrientationForm orientation_;
   double tolerance_;
+  double slip_tolerance_;
 };
 
-/// The island's contact system with given kinetics; `bodies` ascending, holding every body of the contacts.
+/// Slower slip than this counts as sticking [m/s].
+double slip_tolerance(const Method& method);
+
+/// The bodies of the contacts and the others, ascending, each once.
 std::vector<int> bodies_of(const std::vector<Contact>& contacts, const std::vector<int>& others);
 
 }  // namespace rigor

@@ -11,8 +11,8 @@ namespace rigor {
 
 namespace {
 
-/// Position of the value among all values of its key: the number of its enumerator. Later versions' keys have no
-/// enumeration yet.
+/// Position of the value among all values of its key: the number of its enumerator. Later versions' keys have
+/// no enumeration yet.
 std::optional<int> value_index(std::string_view key, std::string_view value) {
   int index = 0;
   for (const MethodChoice& choice : method_choices()) {
@@ -47,9 +47,19 @@ std::string joined(const std::vector<std::string>& names) {
 
 std::span<const MethodNumber> method_numbers() {
   static const std::array<MethodNumber, 4> numbers = {{
-      {"contact_tolerance", "m", "1e-6", {1e-15, 1e6}, "pairs closer than this touch", &Method::contact_tolerance},
+      {"contact_tolerance",
+       "m",
+       "1e-6",
+       {1e-15, 1e6},
+       "pairs closer than this touch",
+       &Method::contact_tolerance},
       {"time_tolerance", "s", "1e-12", {1e-18, 1}, "width of a time of impact", &Method::time_tolerance},
-      {"resting_velocity", "m/s", "1e-3", {0, 1e6}, "slower approaches do not bounce", &Method::resting_velocity},
+      {"resting_velocity",
+       "m/s",
+       "1e-3",
+       {0, 1e6},
+       "slower approaches do not bounce",
+       &Method::resting_velocity},
       {"tolerance", "", "1e-10", {1e-14, 0.1}, "relative local error of dopri5", &Method::tolerance},
   }};
   return numbers;
@@ -77,13 +87,15 @@ std::string set_method_choice(std::string_view key, std::string_view value, Meth
   if (!index) {
     const std::vector<std::string> all = method_values(key, false);
     if (all.empty()) return "unknown choice " + quoted_text(key) + suggestion(key, method_choice_keys());
-    return "unknown " + std::string(key) + " " + quoted_text(value) + suggestion(value, available.empty() ? all : available);
+    return "unknown " + std::string(key) + " " + quoted_text(value) +
+           suggestion(value, available.empty() ? all : available);
   }
   if (std::find(available.begin(), available.end(), value) == available.end()) {
     return std::string(key) + " '" + std::string(value) + "' is not available in this version; available: " +
            (available.empty() ? "none, leave '" + std::string(key) + "' out" : joined(available));
   }
-  visit_choice(method, key, [&](auto& choice) { choice = static_cast<std::decay_t<decltype(choice)>>(*index); });
+  visit_choice(method, key,
+               [&](auto& choice) { choice = static_cast<std::decay_t<decltype(choice)>>(*index); });
   return {};
 }
 
@@ -97,11 +109,13 @@ std::string method_choice(const Method& method, std::string_view key) {
 
 std::vector<std::string> check_combination(const Method& method) {
   std::vector<std::string> messages;
-  const bool is_on_group = method.integrator == IntegratorMethod::exact || method.integrator == IntegratorMethod::lie_rk4;
+  const bool is_on_group =
+      method.integrator == IntegratorMethod::exact || method.integrator == IntegratorMethod::lie_rk4;
   if (method.orientation == OrientationForm::matrix && is_on_group) {
-    messages.push_back("orientation 'matrix' does not go with integrator '" + method_choice(method, "integrator") +
-                       "', which turns quaternions; integrators that do: euler, semi-implicit-euler, midpoint, rk4, "
-                       "dopri5");
+    messages.push_back(
+        "orientation 'matrix' does not go with integrator '" + method_choice(method, "integrator") +
+        "', which turns quaternions; integrators that do: euler, semi-implicit-euler, midpoint, rk4, "
+        "dopri5");
   }
   return messages;
 }

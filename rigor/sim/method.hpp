@@ -29,28 +29,28 @@ struct Method {
   ImpactMethod impact = ImpactMethod::newton;
   SimultaneousMethod simultaneous = SimultaneousMethod::reflections;
   RestingMethod resting = RestingMethod::contact_space;
-  double contact_tolerance = 1e-6;   ///< Pairs closer than this touch [m].
-  double time_tolerance = 1e-12;     ///< Of a time of impact [s].
-  double resting_velocity = 1e-3;    ///< Slower approaches do not bounce [m/s].
-  double tolerance = 1e-10;          ///< Relative local error of dopri5.
+  double contact_tolerance = 1e-6;  ///< Pairs closer than this touch [m].
+  double time_tolerance = 1e-12;    ///< Of a time of impact [s].
+  double resting_velocity = 1e-3;   ///< Slower approaches do not bounce [m/s].
+  double tolerance = 1e-10;         ///< Relative local error of dopri5.
 
   bool operator==(const Method& other) const = default;
 };
 
 /// One named value of a choice, as `rigor methods` lists it.
 struct MethodChoice {
-  std::string_view key;        ///< "impact".
-  std::string_view value;      ///< "newton".
-  std::string_view meaning;    ///< One line.
-  std::string_view source;     ///< Where the method is from.
-  bool is_available;           ///< In this version.
+  std::string_view key;      ///< "impact".
+  std::string_view value;    ///< "newton".
+  std::string_view meaning;  ///< One line.
+  std::string_view source;   ///< Where the method is from.
+  bool is_available;         ///< In this version.
 };
 
 /// One number of the method.
 struct MethodNumber {
-  std::string_view key;        ///< "contact_tolerance".
+  std::string_view key;  ///< "contact_tolerance".
   std::string_view unit;
-  std::string_view fallback;   ///< Default as text.
+  std::string_view fallback;  ///< Default as text.
   Range range;
   std::string_view meaning;
   double Method::*member;
@@ -69,8 +69,8 @@ std::vector<std::string> method_values(std::string_view key, bool only_available
 /// "impact 'stronge' is not available in this version; available: newton".
 std::string set_method_choice(std::string_view key, std::string_view value, Method& method);
 
-/// The value's name of a choice that the method has made ("newton"); empty for an unknown key and for choices of later
-/// versions.
+/// The value's name of a choice that the method has made ("newton"); empty for an unknown key and for choices
+/// of later versions.
 std::string method_choice(const Method& method, std::string_view key);
 
 /// What is wrong with the combination, each message naming the values that go together; empty if nothing.

@@ -8,19 +8,23 @@ std::span<const MethodChoice> method_choices() {
   // Within a key, in the order of the enumerators.
   static constexpr std::array choices = {
       MethodChoice{"scheme", "event-driven", "goes from event to event; every impact at its own time",
-                   "Baraff, Analytical Methods for Dynamic Simulation of Non-penetrating Rigid Bodies, 1989", true},
+                   "Baraff, Analytical Methods for Dynamic Simulation of Non-penetrating Rigid Bodies, 1989",
+                   true},
       MethodChoice{"scheme", "time-stepping", "fixed steps, velocities and impulses solved together",
-                   "Stewart and Trinkle, An Implicit Time-Stepping Scheme for Rigid Body Dynamics, 1996", false},
+                   "Stewart and Trinkle, An Implicit Time-Stepping Scheme for Rigid Body Dynamics, 1996",
+                   false},
       MethodChoice{"scheme", "penalty", "contacts are stiff springs and dampers",
-                   "Moore and Wilhelms, Collision Detection and Response for Computer Animation, 1988", false},
+                   "Moore and Wilhelms, Collision Detection and Response for Computer Animation, 1988",
+                   false},
       MethodChoice{"scheme", "impulse-based", "every contact is a train of small impacts",
                    "Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, 1996", false},
       MethodChoice{"scheme", "hybrid", "constraints for lasting contacts, impulses for brief ones",
                    "Mirtich, Hybrid Simulation: Combining Constraints and Impulses, 1995", false},
 
-      MethodChoice{"integrator", "exact", "ballistic arcs and torque-free rotation in closed form",
-                   "van Zon and Schofield, Numerical Implementation of the Exact Dynamics of Free Rigid Bodies, 2007",
-                   true},
+      MethodChoice{
+          "integrator", "exact", "ballistic arcs and torque-free rotation in closed form",
+          "van Zon and Schofield, Numerical Implementation of the Exact Dynamics of Free Rigid Bodies, 2007",
+          true},
       MethodChoice{"integrator", "euler", "explicit Euler, order 1",
                    "Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, 1993", true},
       MethodChoice{"integrator", "semi-implicit-euler", "symplectic Euler, order 1",
@@ -40,7 +44,8 @@ std::span<const MethodChoice> method_choices() {
                    "Baraff, An Introduction to Physically Based Modeling: Rigid Body Simulation, 1997", true},
 
       MethodChoice{"distance", "gjk", "support points and simplices, with bounds",
-                   "Gilbert, Johnson and Keerthi, A Fast Procedure for Computing the Distance Between Complex Objects, "
+                   "Gilbert, Johnson and Keerthi, A Fast Procedure for Computing the Distance Between "
+                   "Complex Objects, "
                    "1988",
                    true},
       MethodChoice{"distance", "lin-canny", "walk over the features of convex polyhedra",
@@ -61,16 +66,19 @@ std::span<const MethodChoice> method_choices() {
                    "Stronge, Rigid Body Collisions with Friction, 1990", false},
 
       MethodChoice{"simultaneous", "reflections", "repeated reflections until nothing approaches",
-                   "Smith, Kaufman, Vouga, Tamstorf and Grinspun, Reflections on Simultaneous Impact, 2012", true},
+                   "Smith, Kaufman, Vouga, Tamstorf and Grinspun, Reflections on Simultaneous Impact, 2012",
+                   true},
       MethodChoice{"simultaneous", "lcp", "all impacts of an instant in one complementarity problem",
-                   "Glocker and Pfeiffer, Multiple Impacts with Friction in Rigid Multibody Systems, 1995", true},
+                   "Glocker and Pfeiffer, Multiple Impacts with Friction in Rigid Multibody Systems, 1995",
+                   true},
       MethodChoice{"simultaneous", "sequential", "one impact after the other",
                    "Hahn, Realistic Animation of Rigid Bodies, 1988", false},
 
       MethodChoice{"resting", "contact-space", "contact forces from a complementarity problem",
                    "Baraff, Fast Contact Force Computation for Nonpenetrating Rigid Bodies, 1994", true},
       MethodChoice{"resting", "motion-space", "nearest admissible accelerations (Gauss)",
-                   "Redon, Kheddar and Coquillart, Gauss' Least Constraints Principle and Rigid Body Simulations, 2002",
+                   "Redon, Kheddar and Coquillart, Gauss' Least Constraints Principle and Rigid Body "
+                   "Simulations, 2002",
                    false},
 
       MethodChoice{"lcp", "dantzig", "pivots that keep solved contacts solved",
@@ -79,15 +87,18 @@ std::span<const MethodChoice> method_choices() {
                    "Lemke, Bimatrix Equilibrium Points and Mathematical Programming, 1965", false},
 
       MethodChoice{"penalty", "local", "a spring at each contact point",
-                   "Moore and Wilhelms, Collision Detection and Response for Computer Animation, 1988", false},
-      MethodChoice{"penalty", "global", "one spring for each pair of bodies",
-                   "Moore and Wilhelms, Collision Detection and Response for Computer Animation, 1988", false},
-
-      MethodChoice{"solver", "exact", "exact Coulomb cone",
-                   "De Saxce and Feng, The Bipotential Method, 1998", false},
-      MethodChoice{"solver", "pgs", "projected Gauss-Seidel",
-                   "Jourdan, Alart and Jean, A Gauss-Seidel Like Algorithm to Solve Frictional Contact Problems, 1998",
+                   "Moore and Wilhelms, Collision Detection and Response for Computer Animation, 1988",
                    false},
+      MethodChoice{"penalty", "global", "one spring for each pair of bodies",
+                   "Moore and Wilhelms, Collision Detection and Response for Computer Animation, 1988",
+                   false},
+
+      MethodChoice{"solver", "exact", "exact Coulomb cone", "De Saxce and Feng, The Bipotential Method, 1998",
+                   false},
+      MethodChoice{
+          "solver", "pgs", "projected Gauss-Seidel",
+          "Jourdan, Alart and Jean, A Gauss-Seidel Like Algorithm to Solve Frictional Contact Problems, 1998",
+          false},
       MethodChoice{"solver", "substep", "many small steps of one iteration",
                    "Macklin et al., Small Steps in Physics Simulation, 2019", false},
   };

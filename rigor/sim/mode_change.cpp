@@ -9,8 +9,6 @@
 
 namespace rigor {
 
-double slip_tolerance(const Method& method) { return 1e-6 * method.resting_velocity; }
-
 ModeChangeSearch::ModeChangeSearch(const Model& model, const IslandIntegrator& integrator, const Method& method)
     : model_(model),
       integrator_(integrator),
@@ -49,8 +47,8 @@ double ModeChangeSearch::slip_margin(const Island& island, const Instant& instan
 /// is allowed for rounding.
 double ModeChangeSearch::force_margin(const Island& island, const Instant& instant) const {
   constexpr double rounding = 1e-10;
-  const VecX lambda =
-      contact_forces(instant.system, island.states, integrator_.environment_wrenches(instant.system, instant.t));
+  const VecX lambda = contact_forces(instant.system, island.states,
+                                     integrator_.environment_wrenches(instant.system, instant.t), slip_tolerance_);
   const double scale = lambda.cwiseAbs().maxCoeff();
   if (scale == 0) return rounding;
   double margin = std::numeric_limits<double>::infinity();
@@ -94,6 +92,18 @@ bool ModeChangeSearch::modes_hold(const Island& island, const Instant& instant) 
   return true;
 }
 
+std::optional<ModeChange> ModeChangeSearch::find_overlap(const Island& island, const IslandStep& step,
+                                                         double end) const {
+  const auto overlap = [&](double theta) { return overlap_margin(island, at(island, step, theta)); };
+  for (const double probe : {0.5 * end, end}) {
+    if (overlap(probe) >= 0) continue;
+    if (overlap(0) <= 0) return std::nullopt;
+    const RootBracket root = find_root_bisection(overlap, 0, probe, time_tolerance_ / step.h);
+    return ModeChange{ModeChange::Kind::overlap, root.hi * step.h};
+  }
+  return std::nullopt;
+}
+
 std::optional<ModeChange> ModeChangeSearch::find(const Island& island, const IslandStep& step) const {
   std::optional<ModeChange> first;
   const double tolerance = time_tolerance_ / step.h;
@@ -110,11 +120,9 @@ std::optional<ModeChange> ModeChangeSearch::find(const Island& island, const Isl
     shorten(ModeChange::Kind::slip_ends, root.hi);
     first->slip_speed = std::max(0.0, std::max(root.f_lo, -root.f_hi));
   }
-  const auto overlap = [&](double theta) { return overlap_margin(island, at(island, step, theta)); };
-  for (const double probe : {0.5 * end, end}) {
-    if (overlap(probe) >= 0) continue;
-    if (overlap(0) > 0) shorten(ModeChange::Kind::overlap, find_root_bisection(overlap, 0, probe, tolerance).hi);
-    break;
+  if (const std::optional<ModeChange> overlap = find_overlap(island, step, end)) {
+    first = overlap;
+    end = overlap->h / step.h;
   }
   const auto force = [&](double theta) { return force_margin(island, at(island, step, theta)); };
   if (force(end) < 0 && !modes_hold(island, at(island, step, end))) {

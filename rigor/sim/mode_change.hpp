@@ -25,6 +25,8 @@ class ModeChangeSearch {
   ModeChangeSearch(const Model& model, const IslandIntegrator& integrator, const Method& method);
 
   std::optional<ModeChange> find(const Island& island, const IslandStep& step) const;
+  /// The first time at which further points of the bodies in contact meet, and nothing else.
+  std::optional<ModeChange> find_overlap(const Island& island, const IslandStep& step, double end) const;
 
  private:
   struct Instant;
@@ -38,8 +40,5 @@ class ModeChangeSearch {
   const IslandIntegrator& integrator_;
   double contact_tolerance_, time_tolerance_, slip_tolerance_;
 };
-
-/// Slower slip than this counts as sticking [m/s].
-double slip_tolerance(const Method& method);
 
 }  // namespace rigor
