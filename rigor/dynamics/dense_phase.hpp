@@ -9,8 +9,8 @@ namespace rigor {
 /// Rows of DensePhase::coefficients.
 inline constexpr int dense_x_row = 0, dense_q_row = 3, dense_P_row = 7, dense_L_row = 10;
 
-/// Coefficients (4 × 6, rows w x y z) of the polynomial of degree 5 in θ through q(0), q(1/5), ..., q(1). Signs of the
-/// quaternions are chosen to be continuous from `start` on.
+/// Coefficients (4 × 6, rows w x y z) of the polynomial of degree 5 in θ through q(0), q(1/5), ..., q(1).
+/// Signs of the quaternions are chosen to be continuous from `start` on.
 Eigen::Matrix<double, 4, 6> fit_quaternions(const std::function<Quat(double theta)>& q, const Quat& start);
 
 }  // namespace rigor

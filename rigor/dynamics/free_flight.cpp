@@ -8,7 +8,8 @@
 
 namespace rigor {
 
-FreeFlight::FreeFlight(const BodyInertia& inertia, const BodyPhase& phase, double t, const Vec3& acceleration_W)
+FreeFlight::FreeFlight(const BodyInertia& inertia, const BodyPhase& phase, double t,
+                       const Vec3& acceleration_W)
     : epoch(t),
       start(phase),
       mass(inertia.mass),
@@ -20,7 +21,9 @@ Vec3 FreeFlight::position(double t) const {
   return start.x + tau * (start.P / mass + (0.5 * tau) * a_W);
 }
 
-Vec3 FreeFlight::velocity(double t) const { return start.P / mass + (t - epoch) * a_W; }
+Vec3 FreeFlight::velocity(double t) const {
+  return start.P / mass + (t - epoch) * a_W;
+}
 
 BodyPhase FreeFlight::at(double t) const {
   const double tau = t - epoch;

@@ -16,7 +16,8 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 /// Covers the roundings of |ω|, so that the bound holds for the motion that is evaluated.
 constexpr double kSpeedMargin = 1 + 16 * kEpsilon;
 
-/// Below this 1 - m the time to pass the intermediate axis exceeds 340/λ, and squares underflow: the separatrix serves.
+/// Below this 1 - m the time to pass the intermediate axis exceeds 340/λ, and squares underflow: the
+/// separatrix serves.
 constexpr double kSmallestComplement = 0x1p-1000;
 
 /// Axes in the order of growing moments; ties keep their order.
@@ -27,10 +28,12 @@ std::array<int, 3> sorted_axes(const Vec3& moments) {
 }
 
 /// Whether two moments agree to four units in the last place.
-bool are_equal(double I, double J) { return std::abs(I - J) <= 4 * kEpsilon * std::max(I, J); }
+bool are_equal(double I, double J) {
+  return std::abs(I - J) <= 4 * kEpsilon * std::max(I, J);
+}
 
-/// Sums of the absolute values of the terms in each entry of the rotation matrix: its rounding errors are relative to them,
-/// and exactly zero where no term is left.
+/// Sums of the absolute values of the terms in each entry of the rotation matrix: its rounding errors are
+/// relative to them, and exactly zero where no term is left.
 Mat3 rotation_matrix_terms(const Quat& q) {
   const double w = std::abs(q.w()), x = std::abs(q.x()), y = std::abs(q.y()), z = std::abs(q.z());
   const double s = 2 / q.squaredNorm();
@@ -48,8 +51,9 @@ Vec3 body_angular_momentum(const Quat& q_WB, const Vec3& L_W) {
   return (L_B.cwiseAbs().array() <= error.array()).select(Vec3::Zero(), L_B);
 }
 
-/// The rotation b with b ẑ = m/|m|, turned first about y (by β, sin β = m_x/|m|) and then about x (by α, tan α = -m_y/m_z).
-/// m_z ≥ 0, so both angles stay in [-π/2, π/2] and b is continuous; half angles by square roots.
+/// The rotation b with b ẑ = m/|m|, turned first about y (by β, sin β = m_x/|m|) and then about x (by α, tan
+/// α = -m_y/m_z). m_z ≥ 0, so both angles stay in [-π/2, π/2] and b is continuous; half angles by square
+/// roots.
 Quat orbit_frame(const Vec3& m) {
   const double rho = std::hypot(m.y(), m.z());
   const double length = std::hypot(m.x(), rho);
@@ -58,6 +62,17 @@ Quat orbit_frame(const Vec3& m) {
   const double cos_a = std::sqrt(0.5 * (1 + m.z() / rho));
   const double sin_a = -m.y() / (2 * rho * cos_a);
   return Quat(cos_a * cos_b, sin_a * cos_b, cos_a * sin_b, sin_a * sin_b);
+}
+
+/// R_BO with x and z along the given axes of B, turned so that m_z ≥ 0 and the component `positive` (x or y)
+/// of m is ≥ 0.
+Mat3 orbit_axes(int axis_x, int axis_z, int positive, const Vec3& m_B) {
+  Mat3 R_BO;
+  R_BO.col(2) = Vec3::Unit(axis_z) * (m_B[axis_z] < 0 ? -1 : 1);
+  R_BO.col(0) = Vec3::Unit(axis_x);
+  R_BO.col(1) = R_BO.col(2).cross(R_BO.col(0));
+  if (R_BO.col(positive).dot(m_B) < 0) R_BO.leftCols<2>() *= -1;
+  return R_BO;
 }
 
 }  // namespace
@@ -96,12 +111,14 @@ void FreeRotation::set_symmetric(const Vec3& moments, int axis, const Vec3& L_B,
   max_angular_speed_ = w_B.norm() * kSpeedMargin;
 }
 
-// The axes of the orbit frame O are axes of B: z the one that M = Rᵀ L circulates around (largest moment if 2 T I2 < |L|²,
-// else smallest; M_z > 0), x the other extreme one, y the intermediate one. With m = M/|L|, r = 1/I and ε = ±1,
+// The axes of the orbit frame O are axes of B: z the one that M = Rᵀ L circulates around (largest moment if 2
+// T I2 < |L|², else smallest; M_z > 0), x the other extreme one, y the intermediate one. With m = M/|L|, r =
+// 1/I and ε = ±1,
 //
 //   ẋ = -ε |L| |r_y - r_z| y z,   ẏ = ε |L| |r_x - r_z| z x,   ż = -ε |L| |r_x - r_y| x y,
 //
-// so x² + δ_d y² = a² and z² + δ_p y² = c² are constant, with δ_d = |r_y - r_z|/|r_x - r_z|, δ_p = 1 - δ_d, a² + c² = 1.
+// so x² + δ_d y² = a² and z² + δ_p y² = c² are constant, with δ_d = |r_y - r_z|/|r_x - r_z|, δ_p = 1 - δ_d,
+// a² + c² = 1.
 void FreeRotation::set_asymmetric(const Vec3& moments, const Vec3& L_B, const Vec3& L_W) {
   const std::array<int, 3> axes = sorted_axes(moments);
   const double I1 = moments[axes[0]], I2 = moments[axes[1]], I3 = moments[axes[2]];
@@ -111,26 +128,19 @@ void FreeRotation::set_asymmetric(const Vec3& moments, const Vec3& L_B, const Ve
   const Vec3 m_B = L_B / L_B.norm();
 
   // The side of the separatrix: the sign of 2 T I2 - |L|², without large terms.
-  const double m1 = m_B[axes[0]], m3 = m_B[axes[2]];
+  const double m1 = m_B[axes[0]], m2 = m_B[axes[1]], m3 = m_B[axes[2]];
   const double side = delta_12 * m1 * m1 - delta_23 * m3 * m3;
   const bool around_largest = side <= 0;
   epsilon_ = around_largest ? 1 : -1;
-  const int axis_z = around_largest ? axes[2] : axes[0];
-  const int axis_x = around_largest ? axes[0] : axes[2];
   const double delta_d = around_largest ? delta_23 : delta_12;
   const double delta_p = around_largest ? delta_12 : delta_23;
-  const double complement = std::abs(side) / (delta_d * (m_B[axis_z] * m_B[axis_z] + delta_p * m_B[axes[1]] * m_B[axes[1]]));
+  const double m_z = around_largest ? m3 : m1;
+  const double complement = std::abs(side) / (delta_d * (m_z * m_z + delta_p * m2 * m2));
   kind_ = complement < kSmallestComplement ? Kind::separatrix : Kind::circulating;
 
-  // z such that m_z > 0; x such that m_y ≥ 0, on the separatrix such that m_x ≥ 0.
-  Mat3 R_BO;
-  R_BO.col(2) = Vec3::Unit(axis_z) * (m_B[axis_z] < 0 ? -1 : 1);
-  R_BO.col(0) = Vec3::Unit(axis_x);
-  R_BO.col(1) = R_BO.col(2).cross(R_BO.col(0));
-  const int positive = kind_ == Kind::separatrix ? 0 : 1;
-  if (R_BO.col(positive).dot(m_B) < 0) R_BO.leftCols<2>() *= -1;
+  const int axis_x = around_largest ? axes[0] : axes[2], axis_z = around_largest ? axes[2] : axes[0];
+  const Mat3 R_BO = orbit_axes(axis_x, axis_z, kind_ == Kind::separatrix ? 0 : 1, m_B);
   const Vec3 m_O = R_BO.transpose() * m_B;
-
   phi_rate_ = length / I2;
   const double rate = length / I1 * ((I3 - I1) / I3);
   if (kind_ == Kind::separatrix) {
@@ -138,11 +148,7 @@ void FreeRotation::set_asymmetric(const Vec3& moments, const Vec3& L_B, const Ve
   } else {
     set_circulating(m_O, delta_d, delta_p, rate);
   }
-  const OrbitPoint start = orbit_point(0);
-  phi0_ = start.phi;
-  const Quat q_BO = quaternion_of(R_BO);
-  q_WN_ = q_WB_ * q_BO * orbit_frame(start.m_O);
-  q_OB_ = q_BO.conjugate();
+  set_frames(quaternion_of(R_BO));
 
   // |ω|² is linear in y² along the orbit: its extremes are at y = 0 and at |y| = b.
   const double r_x = length / moments[axis_x], r_y = phi_rate_, r_z = length / moments[axis_z];
@@ -151,12 +157,19 @@ void FreeRotation::set_asymmetric(const Vec3& moments, const Vec3& L_B, const Ve
   max_angular_speed_ = std::max(at_zero, at_b) * kSpeedMargin;
 }
 
+void FreeRotation::set_frames(const Quat& q_BO) {
+  const OrbitPoint start = orbit_point(0);
+  phi0_ = start.phi;
+  q_WN_ = q_WB_ * q_BO * orbit_frame(start.m_O);
+  q_OB_ = q_BO.conjugate();
+}
+
 // With 1 - m = k'² = (δ_d z² - δ_p x²)/(δ_d c²), v = λ t + v0, λ = |L| |r_x - r_z| √δ_d c:
 //
 //   x = -ε a k' sn/dn,   y = b cn/dn,   z = c k'/dn,   b² = a²/δ_d = 1 - k'² c².
 //
-// v is counted from the passage nearest to the intermediate axis: then the integrand of φ (circulating_point) has one sign
-// and its pole form 1 - b² sn² is a sum of positive terms.
+// v is counted from the passage nearest to the intermediate axis: then the integrand of φ (circulating_point)
+// has one sign and its pole form 1 - b² sn² is a sum of positive terms.
 void FreeRotation::set_circulating(const Vec3& m_O, double delta_d, double delta_p, double rate) {
   const Vec3 squares = m_O.cwiseAbs2();
   const double c2 = squares.z() + delta_p * squares.y();
@@ -205,7 +218,8 @@ FreeRotation::OrbitPoint FreeRotation::orbit_point(double dt) const {
   return kind_ == Kind::separatrix ? separatrix_point(dt) : circulating_point(dt);
 }
 
-// φ̇ = |L| (r_y y² + r_z z²)/(y² + z²) = |L| r_y - ε |L| |r_y - r_z| z²/(y² + z²), and z²/(y² + z²) = k'² c²/(1 - b² sn²):
+// φ̇ = |L| (r_y y² + r_z z²)/(y² + z²) = |L| r_y - ε |L| |r_y - r_z| z²/(y² + z²), and z²/(y² + z²) = k'²
+// c²/(1 - b² sn²):
 //
 //   φ = |L| r_y t - κ Π(b²; v),   κ = ε √δ_d k'² c.
 FreeRotation::OrbitPoint FreeRotation::circulating_point(double dt) const {

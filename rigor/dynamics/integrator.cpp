@@ -35,10 +35,12 @@ AttitudeChart chart_of(IntegratorName name, OrientationForm form) {
 }
 
 /// Largest error of a block of a body against its tolerance; 1 is just good.
-double relative_error(const SystemOde& ode, const RungeKuttaStep& step, const IntegratorTolerances& tolerances) {
+double relative_error(const SystemOde& ode, const RungeKuttaStep& step,
+                      const IntegratorTolerances& tolerances) {
   // A rotation by a small angle δ moves q by δ/2 and R by √2 δ.
   const double attitude_scale = ode.chart() == AttitudeChart::matrix ? 2 * std::sqrt(2.0) : 1;
-  const double scales[3] = {tolerances.length_scale, tolerances.momentum_scale, tolerances.angular_momentum_scale};
+  const double scales[3] = {tolerances.length_scale, tolerances.momentum_scale,
+                            tolerances.angular_momentum_scale};
   double largest = 0;
   for (int i = 0; i < ode.body_count(); ++i) {
     for (int block = 0; block < 3; ++block) {
@@ -91,10 +93,11 @@ SystemStep integrate_step(IntegratorName name, OrientationForm form, std::span<c
   for (int i = 0; i < ode.body_count(); ++i) {
     Quat q = ode.orientation(step.end, i);
     // A matrix forgets the sign of its quaternion.
-    if (ode.chart() == AttitudeChart::matrix && q.dot(start[i].q) < 0) q.coeffs() = -q.coeffs();
+    if (ode.chart() == AttitudeChart::matrix && q.dot(ode.start(i).q) < 0) q.coeffs() = -q.coeffs();
     const int at = ode.offset(i);
-    result.end.push_back({step.end.segment<3>(at), q, step.end.segment<3>(at + 3), step.end.segment<3>(at + 6)});
-    result.dense.push_back(dense_phase(ode, step, i, start[i].q));
+    result.end.push_back(
+        {step.end.segment<3>(at), q, step.end.segment<3>(at + 3), step.end.segment<3>(at + 6)});
+    result.dense.push_back(dense_phase(ode, step, i, ode.start(i).q));
     result.quaternion_drift = std::max(result.quaternion_drift, ode.attitude_drift(step.end, i));
   }
   return result;

@@ -9,22 +9,26 @@
 
 namespace rigor {
 
-/// The integrators of the interface, by name. euler, midpoint, rk4 and dopri5 are explicit Runge-Kutta methods on the 13 or
-/// 18 numbers of a body; semi_implicit_euler kicks the momenta first and moves with the new ones; lie_rk4 is the
-/// Runge-Kutta-Munthe-Kaas method of order 4: RK4 on the rotation vector from the start of the step, q = exp(Φ/2) q₀, so |q|
-/// is kept to rounding and the form of the orientation makes no difference.
+/// The integrators of the interface, by name. euler, midpoint, rk4 and dopri5 are explicit Runge-Kutta
+/// methods on the 13 or 18 numbers of a body; semi_implicit_euler kicks the momenta first and moves with the
+/// new ones; lie_rk4 is the Runge-Kutta-Munthe-Kaas method of order 4: RK4 on the rotation vector from the
+/// start of the step, q = exp(Φ/2) q₀, so |q| is kept to rounding and the form of the orientation makes no
+/// difference.
 enum class IntegratorName { euler, semi_implicit_euler, midpoint, rk4, dopri5, lie_rk4 };
 
-/// What is integrated for the attitude: the quaternion (13 numbers a body) or the matrix R with Gram-Schmidt after each
-/// step (18 numbers a body).
+/// What is integrated for the attitude: the quaternion (13 numbers a body) or the matrix R with Gram-Schmidt
+/// after each step (18 numbers a body).
 enum class OrientationForm { quaternion, matrix };
 
-/// Forces at a given time and given phases of all bodies of the system: fills one wrench a body. Called at every stage.
-using WrenchField = std::function<void(double t, std::span<const BodyPhase> phases, std::span<Wrench> wrenches)>;
+/// Forces at a given time and given phases of all bodies of the system: fills one wrench a body. Called at
+/// every stage.
+using WrenchField =
+    std::function<void(double t, std::span<const BodyPhase> phases, std::span<Wrench> wrenches)>;
 
-/// Motion of one body over a step as polynomials of θ = (t - t0)/h, θ in [0, 1]: the continuous extension of the method
-/// (linear for the Euler methods, of order 2 for midpoint, 3 for rk4 and lie_rk4, 4 for dopri5). Where the attitude is not
-/// integrated as a quaternion, q is a polynomial of degree 5 through six points of the extension.
+/// Motion of one body over a step as polynomials of θ = (t - t0)/h, θ in [0, 1]: the continuous extension of
+/// the method (linear for the Euler methods, of order 2 for midpoint, 3 for rk4 and lie_rk4, 4 for dopri5).
+/// Where the attitude is not integrated as a quaternion, q is a polynomial of degree 5 through six points of
+/// the extension.
 struct DensePhase {
   static constexpr int max_degree = 5;
   /// Column k: coefficient of θᵏ of the 13 numbers x, q (w x y z), P, L.
@@ -37,18 +41,18 @@ struct DensePhase {
 
 /// One step of a system of bodies.
 struct SystemStep {
-  std::vector<BodyPhase> end;       ///< At t + h; q normalised.
-  std::vector<DensePhase> dense;    ///< One a body; agrees with start and end up to rounding and normalisation.
-  double error;                     ///< Embedded local error estimate relative to the tolerance (dopri5: ≤ 1 is good);
-                                    ///< NaN for methods without one.
-  double quaternion_drift;          ///< Largest | |q| - 1 | before normalisation (matrix form: |RᵀR - 1|).
+  std::vector<BodyPhase> end;     ///< At t + h; q normalised.
+  std::vector<DensePhase> dense;  ///< One a body; agrees with start and end up to rounding and normalisation.
+  double error;  ///< Embedded local error estimate relative to the tolerance (dopri5: ≤ 1 is good);
+                 ///< NaN for methods without one.
+  double quaternion_drift;  ///< Largest | |q| - 1 | before normalisation (matrix form: |RᵀR - 1|).
 };
 
 /// Tolerances of step control: error of each block (x, q, P, L) against absolute + relative |block|.
 struct IntegratorTolerances {
   double relative = 1e-10;
-  double length_scale = 1;    ///< [m] Size below which positions count as absolute.
-  double momentum_scale = 1;  ///< [kg m/s].
+  double length_scale = 1;            ///< [m] Size below which positions count as absolute.
+  double momentum_scale = 1;          ///< [kg m/s].
   double angular_momentum_scale = 1;  ///< [kg m²/s].
 };
 

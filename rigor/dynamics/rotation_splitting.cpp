@@ -56,8 +56,8 @@ Quat rotate_by_splitting4(const Vec3& moments, const Quat& q_WB, const Vec3& L_W
   return q;
 }
 
-std::vector<BodyPhase> leapfrog_step(std::span<const BodyInertia> inertias, std::span<const BodyPhase> start, double t,
-                                     double h, const WrenchField& wrenches) {
+std::vector<BodyPhase> leapfrog_step(std::span<const BodyInertia> inertias, std::span<const BodyPhase> start,
+                                     double t, double h, const WrenchField& wrenches) {
   std::vector<BodyPhase> phases(start.begin(), start.end());
   std::vector<Wrench> forces(start.size());
   wrenches(t, phases, forces);
@@ -74,8 +74,8 @@ std::vector<BodyPhase> leapfrog_step(std::span<const BodyInertia> inertias, std:
   return phases;
 }
 
-std::vector<BodyPhase> leapfrog4_step(std::span<const BodyInertia> inertias, std::span<const BodyPhase> start, double t,
-                                      double h, const WrenchField& wrenches) {
+std::vector<BodyPhase> leapfrog4_step(std::span<const BodyInertia> inertias, std::span<const BodyPhase> start,
+                                      double t, double h, const WrenchField& wrenches) {
   std::vector<BodyPhase> phases(start.begin(), start.end());
   for (const double fraction : suzuki_fractions()) {
     phases = leapfrog_step(inertias, phases, t, fraction * h, wrenches);

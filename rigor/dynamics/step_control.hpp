@@ -5,16 +5,17 @@ namespace rigor {
 /// What to do after a step.
 struct StepDecision {
   bool is_accepted;
-  double h_next;      ///< Next step size, after a rejection the one to try again with [s]; has the sign of h.
+  double h_next;  ///< Next step size, after a rejection the one to try again with [s]; has the sign of h.
 };
 
 /// Proportional-integral control of the step size for a method with an error estimate,
 ///
 ///   h ← h clamp(0.9 err^(-0.7/p) err_old^(0.4/p), 0.2, 5),
 ///
-/// err the estimate relative to the tolerance (≤ 1 is accepted), p the order. After a rejection h ← h max(0.2,
-/// 0.9 err^(-1/p)), and the next accepted step does not grow. reset() at every discontinuity (impact, contact change).
-/// Source: E. Hairer and G. Wanner, Solving Ordinary Differential Equations II, 2nd ed. 1996, IV.2 (step control of DOPRI5).
+/// err the estimate relative to the tolerance (≤ 1 is accepted), p the order. After a rejection h ← h
+/// max(0.2, 0.9 err^(-1/p)), and the next accepted step does not grow. reset() at every discontinuity
+/// (impact, contact change). Source: E. Hairer and G. Wanner, Solving Ordinary Differential Equations II, 2nd
+/// ed. 1996, IV.2 (step control of DOPRI5).
 class StepController {
  public:
   explicit StepController(int order) : order_(order) {}

@@ -7,14 +7,18 @@
 namespace rigor {
 namespace {
 
-Quat quaternion_at(const VecX& y, int offset) { return Quat(y[offset], y[offset + 1], y[offset + 2], y[offset + 3]); }
+Quat quaternion_at(const VecX& y, int offset) {
+  return Quat(y[offset], y[offset + 1], y[offset + 2], y[offset + 3]);
+}
 
-Mat3 matrix_at(const VecX& y, int offset) { return Eigen::Map<const Mat3>(y.data() + offset); }
+Mat3 matrix_at(const VecX& y, int offset) {
+  return Eigen::Map<const Mat3>(y.data() + offset);
+}
 
 }  // namespace
 
-SystemOde::SystemOde(AttitudeChart chart, std::span<const BodyInertia> inertias, std::span<const BodyPhase> start,
-                     const WrenchField& wrenches)
+SystemOde::SystemOde(AttitudeChart chart, std::span<const BodyInertia> inertias,
+                     std::span<const BodyPhase> start, const WrenchField& wrenches)
     : chart_(chart),
       inertias_(inertias),
       start_(start),
@@ -29,7 +33,7 @@ int SystemOde::attitude_size() const {
 VecX SystemOde::start_vector() const {
   VecX y = VecX::Zero(body_count() * body_size());
   for (int i = 0; i < body_count(); ++i) {
-    const BodyPhase& phase = start_[i];
+    const BodyPhase& phase = start(i);
     y.segment<3>(offset(i)) = phase.x;
     y.segment<3>(offset(i) + 3) = phase.P;
     y.segment<3>(offset(i) + 6) = phase.L;
@@ -50,9 +54,9 @@ Quat SystemOde::orientation(const VecX& y, int body) const {
     case AttitudeChart::matrix:
       return quaternion_of(gram_schmidt(matrix_at(y, at)));
     case AttitudeChart::rotation_vector:
-      return (rotation_exp(y.segment<3>(at)) * start_[body].q).normalized();
+      return (rotation_exp(y.segment<3>(at)) * start(body).q).normalized();
   }
-  return start_[body].q;
+  return start(body).q;
 }
 
 double SystemOde::attitude_drift(const VecX& y, int body) const {
@@ -63,7 +67,7 @@ double SystemOde::attitude_drift(const VecX& y, int body) const {
     case AttitudeChart::matrix:
       return (matrix_at(y, at).transpose() * matrix_at(y, at) - Mat3::Identity()).norm();
     case AttitudeChart::rotation_vector:
-      return std::abs((rotation_exp(y.segment<3>(at)) * start_[body].q).norm() - 1);
+      return std::abs((rotation_exp(y.segment<3>(at)) * start(body).q).norm() - 1);
   }
   return 0;
 }
@@ -85,21 +89,26 @@ VecX SystemOde::attitude_rate(const VecX& attitude, const Mat3& R_WB, const Vec3
 
 VecX SystemOde::derivative(double t, const VecX& y) {
   for (int i = 0; i < body_count(); ++i) {
-    phases_[i] = {y.segment<3>(offset(i)), orientation(y, i), y.segment<3>(offset(i) + 3), y.segment<3>(offset(i) + 6)};
-    wrenches_[i] = {};
+    const int at = offset(i);
+    phases_[index(i)] = {y.segment<3>(at), orientation(y, i), y.segment<3>(at + 3), y.segment<3>(at + 6)};
+    wrenches_[index(i)] = {};
   }
   wrench_field_(t, phases_, wrenches_);
 
   VecX rate(y.size());
   for (int i = 0; i < body_count(); ++i) {
+    const BodyPhase& phase = phases_[index(i)];
+    const Wrench& wrench = wrenches_[index(i)];
+    const BodyInertia& inertia = inertias_[index(i)];
+    const int at = offset(i);
     // The matrix form takes R as it stands, so that the right-hand side stays smooth in y.
-    const int at = offset(i) + 9;
-    const Mat3 R_WB = chart_ == AttitudeChart::matrix ? matrix_at(y, at) : rotation_matrix(phases_[i].q);
-    const Vec3 w_B = (R_WB.transpose() * phases_[i].L).cwiseQuotient(inertias_[i].moments);
-    rate.segment<3>(offset(i)) = phases_[i].P / inertias_[i].mass;
-    rate.segment<3>(offset(i) + 3) = wrenches_[i].f_W;
-    rate.segment<3>(offset(i) + 6) = wrenches_[i].tau_W;
-    rate.segment(at, attitude_size()) = attitude_rate(y.segment(at, attitude_size()), R_WB, R_WB * w_B);
+    const Mat3 R_WB = chart_ == AttitudeChart::matrix ? matrix_at(y, at + 9) : rotation_matrix(phase.q);
+    const Vec3 w_B = (R_WB.transpose() * phase.L).cwiseQuotient(inertia.moments);
+    rate.segment<3>(at) = phase.P / inertia.mass;
+    rate.segment<3>(at + 3) = wrench.f_W;
+    rate.segment<3>(at + 6) = wrench.tau_W;
+    rate.segment(at + 9, attitude_size()) =
+        attitude_rate(y.segment(at + 9, attitude_size()), R_WB, R_WB * w_B);
   }
   return rate;
 }

@@ -2,16 +2,18 @@
 
 #include "rigor/dynamics/integrator.hpp"
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
 namespace rigor {
 
-/// How an attitude stands in the vector of the differential equation. rotation_vector: Φ with q = exp(Φ/2) q₀, q₀ at the
-/// start of the step.
+/// How an attitude stands in the vector of the differential equation. rotation_vector: Φ with q = exp(Φ/2)
+/// q₀, q₀ at the start of the step.
 enum class AttitudeChart { quaternion, matrix, rotation_vector };
 
-/// The equations of motion of a system of bodies as an ordinary differential equation ẏ = f(t, y) for one step:
+/// The equations of motion of a system of bodies as an ordinary differential equation ẏ = f(t, y) for one
+/// step:
 ///
 ///   ẋ = P/m,   Ṗ = F,   L̇ = τ,   and by chart   q̇ = ½ (0, ω) q,   Ṙ = ω × R,   Φ̇ = ω - ½ Φ×ω + 1/12 Φ×(Φ×ω),
 ///   ω = R I_B⁻¹ Rᵀ L.
@@ -22,6 +24,7 @@ class SystemOde {
   SystemOde(AttitudeChart chart, std::span<const BodyInertia> inertias, std::span<const BodyPhase> start,
             const WrenchField& wrenches);
 
+  const BodyPhase& start(int body) const { return start_[index(body)]; }
   VecX start_vector() const;
   VecX derivative(double t, const VecX& y);
   /// Attitude of a body in a vector y, normalised.
@@ -37,14 +40,15 @@ class SystemOde {
   AttitudeChart chart() const { return chart_; }
 
  private:
+  static std::size_t index(int body) { return static_cast<std::size_t>(body); }
   VecX attitude_rate(const VecX& attitude, const Mat3& R_WB, const Vec3& w_WB) const;
 
   AttitudeChart chart_;
   std::span<const BodyInertia> inertias_;
   std::span<const BodyPhase> start_;
   const WrenchField& wrench_field_;
-  std::vector<BodyPhase> phases_;    // scratch of derivative()
-  std::vector<Wrench> wrenches_;     // scratch of derivative()
+  std::vector<BodyPhase> phases_;  // scratch of derivative()
+  std::vector<Wrench> wrenches_;   // scratch of derivative()
 };
 
 }  // namespace rigor

@@ -2,37 +2,57 @@
 
 #include "rigor/geometry/aabb.hpp"
 
-#include <functional>
 #include <vector>
 
 namespace rigor {
 
-/// Dynamic tree of axis-aligned boxes: the broad phase. Insertion by the surface-area heuristic with tree rotations that
-/// keep it balanced; a query visits O(log n + hits) nodes. Results do not depend on anything but the sequence of calls.
+/// Dynamic tree of axis-aligned boxes: the broad phase. Insertion by the surface-area heuristic with tree
+/// rotations that keep it balanced; a query visits O(log n + hits) nodes. Results do not depend on anything
+/// but the sequence of calls. Unbounded boxes (of planes) are kept in a list beside the tree, since they
+/// would be in every node's way.
 ///
-/// Source: Goldsmith and Salmon, Automatic Creation of Object Hierarchies for Ray Tracing, IEEE CG&A 7(5), 1987.
+/// Source: Goldsmith and Salmon, Automatic Creation of Object Hierarchies for Ray Tracing, IEEE CG&A 7(5),
+/// 1987.
 class AabbTree {
  public:
   /// Puts the box of the item in the tree, or replaces the box it had. id ≥ 0, small (used as an index).
   void set(int id, const Aabb& box);
+  /// Takes the item out; nothing happens if it is not in the tree.
   void remove(int id);
   /// Ids of all items whose box overlaps, in ascending order.
   std::vector<int> overlapping(const Aabb& box) const;
   /// The same into a buffer of the caller (cleared first): no allocation once it has grown.
   void overlapping(const Aabb& box, std::vector<int>& ids) const;
+  /// Longest path from the root to a leaf [edges]; 0 for an empty tree or a single item.
   int height() const;
   void clear();
 
  private:
   struct Node {
-    Aabb box;
+    Aabb box{Vec3::Zero(), Vec3::Zero()};
     int parent = -1, left = -1, right = -1;
-    int id = -1;      ///< ≥ 0 on leaves.
-    int height = 0;   ///< 0 on leaves.
+    int id = -1;     ///< ≥ 0 on leaves.
+    int height = 0;  ///< 0 on leaves.
   };
+  struct Unbounded {
+    int id;
+    Aabb box;
+  };
+
+  int new_node();
+  int find_sibling(const Aabb& box) const;
+  void insert_leaf(int leaf);
+  void remove_leaf(int leaf);
+  void refit(int node);
+  void refit_upwards(int node);
+  void rotate(int node);
+  void swap_subtrees(int child, int grandchild);
+  void replace_child(int parent, int old_child, int new_child);
+
   std::vector<Node> nodes_;
   std::vector<int> free_;
   std::vector<int> leaf_of_;  ///< Node of each id, or -1.
+  std::vector<Unbounded> unbounded_;
   int root_ = -1;
 };
 

@@ -9,22 +9,22 @@
 
 namespace rigor {
 
-/// Convex polyhedron with its full adjacency. Faces are polygons (coplanar triangles merged), counter-clockwise seen
-/// from outside.
+/// Convex polyhedron with its full adjacency. Faces are polygons (coplanar triangles merged),
+/// counter-clockwise seen from outside.
 struct ConvexHull {
   struct Edge {
     int v0, v1;  ///< Vertices; the edge runs v0 -> v1 in the loop of face f0 and v1 -> v0 in that of f1.
     int f0, f1;  ///< The two faces.
   };
-  std::vector<Vec3> vertices;                     ///< Extreme points only [m].
-  std::vector<std::vector<int>> faces;            ///< Vertex loops.
-  std::vector<Vec3> face_normals;                 ///< Outward unit normals, one a face.
-  std::vector<Edge> edges;                        ///< Each undirected edge once.
+  std::vector<Vec3> vertices;                       ///< Extreme points only [m].
+  std::vector<std::vector<int>> faces;              ///< Vertex loops.
+  std::vector<Vec3> face_normals;                   ///< Outward unit normals, one a face.
+  std::vector<Edge> edges;                          ///< Each undirected edge once.
   std::vector<std::vector<int>> vertex_neighbours;  ///< For each vertex the vertices it shares an edge with.
 };
 
-/// Hull of the points by qhull, or the reason why there is none (fewer than 4 points, all in one plane or line,
-/// not finite, ...), ready to be put behind "body 'x': ".
+/// Hull of the points by qhull, or the reason why there is none (fewer than 4 points, all in one plane or
+/// line, not finite, ...), ready to be put behind "body 'x': ".
 std::variant<ConvexHull, std::string> make_convex_hull(const std::vector<Vec3>& points);
 
 /// Box as a hull, vertices in the order of the sign bits (x lowest); never fails for positive half extents.

@@ -15,9 +15,10 @@ struct DistanceResult {
   Vec3 n_W;         ///< Unit normal from A to B.
 };
 
-/// Distance(A,B) of the course, signed. Exact closed forms where they exist, GJK and a penetration algorithm otherwise,
-/// in double and in a frame near both shapes. signed_distance(A,B) and signed_distance(B,A) agree bit for bit in `distance`.
-/// Mesh against convex is the minimum over the triangles. Not for two half-spaces or two meshes (a broken promise).
+/// Distance(A,B) of the course, signed. Exact closed forms where they exist, GJK and a penetration algorithm
+/// otherwise, in double and in a frame near both shapes. signed_distance(A,B) and signed_distance(B,A) agree
+/// bit for bit in `distance`. Mesh against convex is the minimum over the triangles. Not for two half-spaces
+/// or two meshes (a broken promise).
 DistanceResult signed_distance(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB);
 
 }  // namespace rigor

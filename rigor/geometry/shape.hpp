@@ -9,6 +9,7 @@ namespace rigor {
 
 struct ConvexHull;    // rigor/geometry/convex_hull.hpp
 struct TriangleMesh;  // rigor/geometry/triangle_mesh.hpp
+struct TriangleTree;  // rigor/geometry/triangle_tree.hpp
 
 // Every shape lies in its own frame S. Lengths in m. Axes of revolution are z.
 
@@ -49,9 +50,10 @@ struct HalfSpace {
 struct Convex {
   std::shared_ptr<const ConvexHull> hull;
 };
-/// Closed (on dynamic bodies) surface of triangles, not necessarily convex; its vertices are in S.
+/// Closed (on dynamic bodies) surface of triangles, not necessarily convex; its vertices are in S. Made by make_mesh.
 struct Mesh {
   std::shared_ptr<const TriangleMesh> mesh;
+  std::shared_ptr<const TriangleTree> tree;  ///< Of `mesh`; distance and contacts need it.
 };
 
 using Shape = std::variant<Sphere, Box, Capsule, Cylinder, Cone, Ellipsoid, HalfSpace, Convex, Mesh>;

@@ -4,8 +4,8 @@
 
 namespace rigor {
 
-/// A point of the shape farthest along the direction d_S (any length > 0), in S [m]. The shape is convex and bounded
-/// (not a plane); for a mesh the farthest vertex. Deterministic among equals.
+/// A point of the shape farthest along the direction d_S (any length > 0), in S [m]. The shape is convex and
+/// bounded (not a plane); for a mesh the farthest vertex. Deterministic among equals.
 Vec3 support_point(const Shape& shape, const Vec3& d_S);
 
 /// max over the shape of d_S · p = d_S · support_point(d_S).
@@ -13,6 +13,5 @@ double support_value(const Shape& shape, const Vec3& d_S);
 
 /// Radius of the smallest ball about c_S that holds the shape [m]; infinity for a plane.
 double radius_about(const Shape& shape, const Vec3& c_S);
-
 
 }  // namespace rigor

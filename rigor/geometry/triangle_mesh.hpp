@@ -20,4 +20,12 @@ struct TriangleMesh {
   std::vector<std::array<int, 3>> triangles;  ///< Vertex indices.
 };
 
+/// The mesh with each face cut into triangles between its own vertices (no vertex is added, moved or
+/// dropped), in the order of the faces. Indices are valid and coordinates finite; faces need not be quite
+/// planar.
+TriangleMesh triangulated(const PolygonMesh& mesh);
+
+/// The triangles as three-sided polygons.
+PolygonMesh as_polygons(const TriangleMesh& mesh);
+
 }  // namespace rigor

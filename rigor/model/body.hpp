@@ -14,40 +14,42 @@ enum class MotionType { dynamic, kinematic, fixed };  // `static` in scene files
 /// A shape of a body with its place on it.
 struct BodyShape {
   Shape shape;
-  Pose X_BS;            ///< Pose of the shape's frame S in the body frame B.
-  int material = 0;     ///< Index into Model::materials().
-  double radius = 0;    ///< Of the ball about the origin of S that holds the shape [m]; infinite for a plane.
-  std::string color;    ///< "#rgb" or "#rrggbb", or empty.
+  Pose X_BS;          ///< Pose of the shape's frame S in the body frame B.
+  int material = 0;   ///< Index into Model::materials().
+  double radius = 0;  ///< Of the ball about the origin of S that holds the shape [m]; infinite for a plane.
+  std::string color;  ///< "#rgb" or "#rrggbb", or empty.
 };
 
 /// Pose of a kinematic body's user frame L at a time of its path.
 struct PathPoint {
-  double time;          ///< [s].
-  Vec3 p_WL;            ///< [m].
+  double time;  ///< [s].
+  Vec3 p_WL;    ///< [m].
   Quat q_WL;
 };
 
-/// One body as it is built. The body frame B has its origin at the centre of mass and the principal axes of inertia; the
-/// user's frame L (the scene file's `position` and `orientation`) is tied to it by X_BL. For kinematic and fixed bodies B = L.
+/// One body as it is built. The body frame B has its origin at the centre of mass and the principal axes of
+/// inertia; the user's frame L (the scene file's `position` and `orientation`) is tied to it by X_BL. For
+/// kinematic and fixed bodies B = L.
 struct Body {
   std::string name;
   MotionType motion = MotionType::dynamic;
-  double mass = 0;                   ///< [kg]; 0 for kinematic and fixed bodies.
-  Vec3 moments = Vec3::Zero();       ///< Principal moments about the centre of mass [kg m²]; 0 as above.
-  Pose X_BL;                         ///< Pose of the user's frame in B.
+  double mass = 0;              ///< [kg]; 0 for kinematic and fixed bodies.
+  Vec3 moments = Vec3::Zero();  ///< Principal moments about the centre of mass [kg m²]; 0 as above.
+  Pose X_BL;                    ///< Pose of the user's frame in B.
   std::vector<BodyShape> shapes;
-  std::uint32_t group = 1;           ///< Collides with a body whose mask has a bit of this group, and vice versa.
+  std::uint32_t group = 1;  ///< Collides with a body whose mask has a bit of this group, and vice versa.
   std::uint32_t mask = 65535;
-  double linear_drag = 0;            ///< Force -c v [kg/s].
-  double angular_drag = 0;           ///< Torque -c ω [kg m²/s].
-  double bounding_radius = 0;        ///< Of all shapes about the origin of B [m]; infinite with a plane.
+  double linear_drag = 0;      ///< Force -c v [kg/s].
+  double angular_drag = 0;     ///< Torque -c ω [kg m²/s].
+  double bounding_radius = 0;  ///< Of all shapes about the origin of B [m]; infinite with a plane.
 
   // At t = 0.
-  Vec3 p_WB = Vec3::Zero();          ///< [m].
+  Vec3 p_WB = Vec3::Zero();  ///< [m].
   Quat q_WB = Quat::Identity();
-  Vec3 v_WB = Vec3::Zero();          ///< Of the centre of mass [m/s]; constant for kinematic bodies without a path.
-  Vec3 w_WB = Vec3::Zero();          ///< In W [rad/s].
-  std::vector<PathPoint> path;       ///< Kinematic only; times ascend; constant before the first and after the last.
+  Vec3 v_WB = Vec3::Zero();  ///< Of the centre of mass [m/s]; constant for kinematic bodies without a path.
+  Vec3 w_WB = Vec3::Zero();  ///< In W [rad/s].
+  std::vector<PathPoint>
+      path;  ///< Kinematic only; times ascend; constant before the first and after the last.
 };
 
 }  // namespace rigor

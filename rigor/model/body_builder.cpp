@@ -33,7 +33,8 @@ int find_material(const ShapeDescription& shape, const MaterialTable& materials,
   return 0;
 }
 
-/// Whether two successive orientations are so near to half a turn apart that the way between them is not clear.
+/// Whether two successive orientations are so near to half a turn apart that the way between them is not
+/// clear.
 bool is_half_turn(const Quat& a, const Quat& b) {
   return rotation_angle_between(a.normalized(), b.normalized()) > std::numbers::pi - 1e-6;
 }
@@ -52,10 +53,12 @@ void check_path(const BodyDescription& body, Findings& findings) {
     is_good &= findings.check(what + ": orientation", point.q_WL);
     if (!is_good || i == 0) continue;
     const PathPoint& before = body.path[i - 1];
-    findings.require(point.time > before.time, what + ": time is " + number_text(point.time) + " s, must be > " +
-                                                   number_text(before.time) + " s, the time of the point before");
-    findings.require(!is_half_turn(before.q_WL, point.q_WL),
-                     what + ": it is half a turn from the point before, which may go either way; put a point between");
+    findings.require(point.time > before.time, what + ": time is " + number_text(point.time) +
+                                                   " s, must be > " + number_text(before.time) +
+                                                   " s, the time of the point before");
+    findings.require(
+        !is_half_turn(before.q_WL, point.q_WL),
+        what + ": it is half a turn from the point before, which may go either way; put a point between");
   }
 }
 
@@ -73,8 +76,8 @@ void check_numbers(const BodyDescription& body, Findings& findings) {
 }
 
 /// Shapes on the user's frame, checked; X_BS still is X_LS.
-std::vector<BodyShape> make_shapes(const BodyDescription& body, const MaterialTable& materials, ShapeMemory& memory,
-                                   Findings& findings) {
+std::vector<BodyShape> make_shapes(const BodyDescription& body, const MaterialTable& materials,
+                                   ShapeMemory& memory, Findings& findings) {
   std::vector<BodyShape> shapes;
   for (const ShapeDescription& shape : body.shapes) {
     const std::string what =

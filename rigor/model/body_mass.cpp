@@ -74,7 +74,8 @@ std::optional<BodyMass> body_mass(const BodyDescription& body, const std::vector
   const PrincipalAxes axes = principal_axes(properties->inertia);
   const double smallest = axes.moments.minCoeff(), largest = axes.moments.maxCoeff();
   const double rounding = 8 * std::numeric_limits<double>::epsilon() * largest;
-  if (!findings.require(smallest > rounding, "its principal moments of inertia are " + vector_text(axes.moments) +
+  if (!findings.require(smallest > rounding, "its principal moments of inertia are " +
+                                                 vector_text(axes.moments) +
                                                  " kg m², all three must be > 0")) {
     return std::nullopt;
   }

@@ -11,14 +11,14 @@ namespace rigor {
 
 /// Mass of a dynamic body and its body frame B (centre of mass, principal axes) in the user's frame L.
 struct BodyMass {
-  double mass;    ///< [kg].
-  Vec3 moments;   ///< Principal moments [kg m²].
+  double mass;   ///< [kg].
+  Vec3 moments;  ///< Principal moments [kg m²].
   Pose X_LB;
 };
 
-/// Mass properties by the rule of the scene file: the inertia that is given, or that of the shapes with `density` (or each
-/// with its material's, material_densities, one a shape [kg/m³]), scaled to `mass` if that is given. Nothing, and why in
-/// the findings, if the body cannot move so. The shapes are checked.
+/// Mass properties by the rule of the scene file: the inertia that is given, or that of the shapes with
+/// `density` (or each with its material's, material_densities, one a shape [kg/m³]), scaled to `mass` if that
+/// is given. Nothing, and why in the findings, if the body cannot move so. The shapes are checked.
 std::optional<BodyMass> body_mass(const BodyDescription& body, const std::vector<double>& material_densities,
                                   ShapeMemory& memory, Findings& findings);
 

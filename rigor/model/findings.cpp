@@ -3,9 +3,9 @@
 #include "rigor/core/quoted.hpp"
 #include "rigor/model/limits.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 
 namespace rigor {
 
@@ -19,11 +19,12 @@ bool Findings::check(std::string_view quantity, double value, const Range& range
   return require(message.empty(), message);
 }
 
-bool Findings::check(std::string_view quantity, const Vec3& value, const Range& range, std::string_view unit) {
+bool Findings::check(std::string_view quantity, const Vec3& value, const Range& range,
+                     std::string_view unit) {
   for (const double component : value) {
     if (range.contains(component)) continue;
-    add(fmt::format("{} is {}{}{}, each number must be {}", quantity, vector_text(value), unit.empty() ? "" : " ", unit,
-                    range_text(range, unit)));
+    add(fmt::format("{} is {}{}{}, each number must be {}", quantity, vector_text(value),
+                    unit.empty() ? "" : " ", unit, range_text(range, unit)));
     return false;
   }
   return true;
@@ -31,8 +32,9 @@ bool Findings::check(std::string_view quantity, const Vec3& value, const Range& 
 
 bool Findings::check(std::string_view quantity, const Quat& q) {
   const double norm = q.coeffs().stableNorm();
-  return require(std::abs(norm - 1) <= limits::quaternion_error,
-                 fmt::format("{} has norm {}, must be 1 (off by at most {})", quantity, norm, limits::quaternion_error));
+  return require(
+      std::abs(norm - 1) <= limits::quaternion_error,
+      fmt::format("{} has norm {}, must be 1 (off by at most {})", quantity, norm, limits::quaternion_error));
 }
 
 bool Findings::check_name(std::string_view name) {

@@ -9,7 +9,8 @@
 
 namespace rigor {
 
-/// Collects what is wrong with one thing: each message is where + "body 'ball': " + what was found and what is allowed.
+/// Collects what is wrong with one thing: each message is where + "body 'ball': " + what was found and what
+/// is allowed.
 class Findings {
  public:
   /// messages outlives this.

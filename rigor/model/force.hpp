@@ -12,29 +12,30 @@ inline constexpr int world_body = -1;
 /// Constant force on a body at a point fixed on it; with frame_is_body the force turns with the body.
 struct ConstantForce {
   int body;
-  Vec3 f;                      ///< [N] in W (in B with frame_is_body).
-  Vec3 p_BP = Vec3::Zero();    ///< Point of attack in B [m].
+  Vec3 f;                    ///< [N] in W (in B with frame_is_body).
+  Vec3 p_BP = Vec3::Zero();  ///< Point of attack in B [m].
   bool frame_is_body = false;
 };
 /// Constant torque on a body.
 struct ConstantTorque {
   int body;
-  Vec3 tau;                    ///< [N m] in W (in B with frame_is_body).
+  Vec3 tau;  ///< [N m] in W (in B with frame_is_body).
   bool frame_is_body = false;
 };
-/// Linear spring and damper between points of two bodies, along the line that joins them: tension k (d - length) + c ḋ.
+/// Linear spring and damper between points of two bodies, along the line that joins them: tension k (d -
+/// length) + c ḋ.
 struct Spring {
-  int body_A, body_B;          ///< world_body for the world.
-  Vec3 p_AP, p_BQ;             ///< In A and in B [m].
-  double stiffness;            ///< k [N/m], ≥ 0.
-  double damping;              ///< c [N s/m], ≥ 0.
-  double length;               ///< [m], ≥ 0.
+  int body_A, body_B;  ///< world_body for the world.
+  Vec3 p_AP, p_BQ;     ///< In A and in B [m].
+  double stiffness;    ///< k [N/m], ≥ 0.
+  double damping;      ///< c [N s/m], ≥ 0.
+  double length;       ///< [m], ≥ 0.
 };
 /// Force -linear v and torque -angular ω on a body.
 struct Drag {
   int body;
-  double linear;               ///< [kg/s], ≥ 0.
-  double angular;              ///< [kg m²/s], ≥ 0.
+  double linear;   ///< [kg/s], ≥ 0.
+  double angular;  ///< [kg m²/s], ≥ 0.
 };
 
 using Force = std::variant<ConstantForce, ConstantTorque, Spring, Drag>;

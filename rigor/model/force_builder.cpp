@@ -14,20 +14,24 @@ using Description = ModelBuilder::ForceDescription;
 
 const char* type_name(Description::Type type) {
   switch (type) {
-    case Description::Type::constant: return "constant force";
-    case Description::Type::torque: return "torque";
-    case Description::Type::spring: return "spring";
-    case Description::Type::drag: return "drag";
+    case Description::Type::constant:
+      return "constant force";
+    case Description::Type::torque:
+      return "torque";
+    case Description::Type::spring:
+      return "spring";
+    case Description::Type::drag:
+      return "drag";
   }
   return "force";
 }
 
 /// Indices of the bodies, "world" as world_body; nothing if one is unknown or none of them can be moved.
-std::optional<std::vector<int>> find_bodies(const Description& force, const BodyTable& bodies, Findings& findings) {
+std::optional<std::vector<int>> find_bodies(const Description& force, const BodyTable& bodies,
+                                            Findings& findings) {
   const std::size_t count = force.type == Description::Type::spring ? 2 : 1;
-  if (!findings.require(force.bodies.size() == count,
-                        "it names " + std::to_string(force.bodies.size()) + " bodies, must name " +
-                            std::to_string(count))) {
+  if (!findings.require(force.bodies.size() == count, "it names " + std::to_string(force.bodies.size()) +
+                                                          " bodies, must name " + std::to_string(count))) {
     return std::nullopt;
   }
   std::vector<int> indices;
@@ -63,7 +67,8 @@ void check_numbers(const Description& force, Findings& findings) {
   if (force.length) findings.check("length", *force.length, limits::length, "m");
 }
 
-Spring make_spring(const Description& force, const std::vector<int>& indices, const std::vector<Body>& bodies) {
+Spring make_spring(const Description& force, const std::vector<int>& indices,
+                   const std::vector<Body>& bodies) {
   Vec3 points_B[2], points_W[2];
   for (std::size_t i = 0; i < 2; ++i) {
     const Vec3 p_L = i < force.points.size() ? force.points[i] : Vec3::Zero();
@@ -100,9 +105,12 @@ std::optional<Force> make_force(const Description& force, const std::string& whe
   const Pose& X_BL = bodies.bodies[static_cast<std::size_t>(index)].X_BL;
   const Vec3 vector = force.frame_is_body ? Vec3(X_BL.R * force.vector) : force.vector;
   switch (force.type) {
-    case Description::Type::torque: return ConstantTorque{index, vector, force.frame_is_body};
-    case Description::Type::drag: return Drag{index, force.linear, force.angular};
-    default: break;
+    case Description::Type::torque:
+      return ConstantTorque{index, vector, force.frame_is_body};
+    case Description::Type::drag:
+      return Drag{index, force.linear, force.angular};
+    default:
+      break;
   }
   const Vec3 p_BP = force.points.empty() ? Vec3::Zero() : X_BL * force.points[0];
   return ConstantForce{index, vector, p_BP, force.frame_is_body};

@@ -18,8 +18,8 @@ struct BodyTable {
 /// Message about a body that does not exist: "unknown body 'bal'; did you mean 'ball'?".
 std::string unknown_body(const std::string& name, const BodyTable& bodies);
 
-/// The force with its bodies by index and its points and vector in the body frames B; nothing, and why in the messages, if
-/// it makes no sense.
+/// The force with its bodies by index and its points and vector in the body frames B; nothing, and why in the
+/// messages, if it makes no sense.
 std::optional<Force> make_force(const ModelBuilder::ForceDescription& description, const std::string& where,
                                 const BodyTable& bodies, std::vector<std::string>& messages);
 

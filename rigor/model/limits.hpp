@@ -5,27 +5,27 @@
 #include <cstddef>
 #include <limits>
 
-/// What a scene may hold. Beyond these numbers a scene is a mistake (a unit, a sign, an exponent), or double precision
-/// could not tell it from one. docs/scene.md repeats them and a test holds both together.
+/// What a scene may hold. Beyond these numbers a scene is a mistake (a unit, a sign, an exponent), or double
+/// precision could not tell it from one. docs/scene.md repeats them and a test holds both together.
 namespace rigor::limits {
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
-inline constexpr Range position{-1e9, 1e9};              ///< [m], each component.
-inline constexpr Range size{1e-9, 1e9};                  ///< [m], radii and full lengths.
-inline constexpr Range length{0, 1e9};                   ///< [m], lengths that may vanish.
-inline constexpr Range speed{-1e8, 1e8};                 ///< [m/s], each component.
-inline constexpr Range angular_speed{-1e8, 1e8};         ///< [rad/s], each component.
-inline constexpr Range gravity{-1e6, 1e6};               ///< [m/s²], each component.
-inline constexpr Range mass{0, 1e30, true};              ///< [kg].
-inline constexpr Range density{0, 1e12, true};           ///< [kg/m³].
-inline constexpr Range moment{0, 1e40};                  ///< [kg m²].
-inline constexpr Range product{-1e40, 1e40};             ///< [kg m²].
+inline constexpr Range position{-1e9, 1e9};       ///< [m], each component.
+inline constexpr Range size{1e-9, 1e9};           ///< [m], radii and full lengths.
+inline constexpr Range length{0, 1e9};            ///< [m], lengths that may vanish.
+inline constexpr Range speed{-1e8, 1e8};          ///< [m/s], each component.
+inline constexpr Range angular_speed{-1e8, 1e8};  ///< [rad/s], each component.
+inline constexpr Range gravity{-1e6, 1e6};        ///< [m/s²], each component.
+inline constexpr Range mass{0, 1e30, true};       ///< [kg].
+inline constexpr Range density{0, 1e12, true};    ///< [kg/m³].
+inline constexpr Range moment{0, 1e40};           ///< [kg m²].
+inline constexpr Range product{-1e40, 1e40};      ///< [kg m²].
 inline constexpr Range friction{0, 1000};
 inline constexpr Range restitution{0, 1};
-inline constexpr Range force{-1e15, 1e15};               ///< [N] or [N m], each component.
-inline constexpr Range coefficient{0, 1e15};             ///< Stiffness, damping, drag, in their units.
-inline constexpr Range time{-1e9, 1e9};                  ///< [s].
+inline constexpr Range force{-1e15, 1e15};    ///< [N] or [N m], each component.
+inline constexpr Range coefficient{0, 1e15};  ///< Stiffness, damping, drag, in their units.
+inline constexpr Range time{-1e9, 1e9};       ///< [s].
 
 /// Bodies of a scene.
 inline constexpr std::size_t body_count = 100000;

@@ -7,14 +7,15 @@ namespace rigor {
 /// Surface and bulk of a body's shape.
 struct Material {
   std::string name;
-  double density = 1000;           ///< [kg/m³], > 0.
-  double friction = 0.5;           ///< Coulomb μ, ≥ 0.
-  double restitution = 0;          ///< e in [0, 1].
-  double rolling_friction = 0;     ///< [m], ≥ 0.
-  double torsional_friction = 0;   ///< [m], ≥ 0.
+  double density = 1000;          ///< [kg/m³], > 0.
+  double friction = 0.5;          ///< Coulomb μ, ≥ 0.
+  double restitution = 0;         ///< e in [0, 1].
+  double rolling_friction = 0;    ///< [m], ≥ 0.
+  double torsional_friction = 0;  ///< [m], ≥ 0.
 };
 
-/// Coefficients of a pair of materials: friction sqrt(a b), restitution max(a, b), unless a pair overrides them.
+/// Coefficients of a pair of materials: friction sqrt(a b), restitution max(a, b), unless a pair overrides
+/// them.
 struct PairCoefficients {
   double friction;
   double restitution;

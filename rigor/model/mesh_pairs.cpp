@@ -17,9 +17,8 @@ namespace {
 using Kind = std::tuple<bool, std::uint32_t, std::uint32_t>;
 
 bool has_mesh(const Body& body) {
-  return std::any_of(body.shapes.begin(), body.shapes.end(), [](const BodyShape& shape) {
-    return std::holds_alternative<Mesh>(shape.shape);
-  });
+  return std::any_of(body.shapes.begin(), body.shapes.end(),
+                     [](const BodyShape& shape) { return std::holds_alternative<Mesh>(shape.shape); });
 }
 
 bool kinds_collide(const Kind& a, const Kind& b) {
@@ -41,7 +40,8 @@ std::optional<std::pair<int, int>> find_pair(const Model& model, const std::vect
 
 }  // namespace
 
-void check_mesh_pairs(const Model& model, const std::vector<std::string>& wheres, std::vector<std::string>& messages) {
+void check_mesh_pairs(const Model& model, const std::vector<std::string>& wheres,
+                      std::vector<std::string>& messages) {
   std::map<Kind, std::vector<int>> bodies_of_kind;
   for (int i = 0; i < model.body_count(); ++i) {
     const Body& body = model.body(i);
@@ -53,11 +53,12 @@ void check_mesh_pairs(const Model& model, const std::vector<std::string>& wheres
       if (!kinds_collide(a->first, b->first)) continue;
       const std::optional<std::pair<int, int>> pair = find_pair(model, a->second, b->second);
       if (!pair) continue;
-      messages.push_back(wheres[static_cast<std::size_t>(pair->second)] + "body " +
-                         quoted_text(model.body(pair->second).name) + ": it may collide with " +
-                         quoted_text(model.body(pair->first).name) +
-                         ", and contacts between two meshes are not available in this version; use 'convex' shapes, or "
-                         "keep the two apart with 'exclude' or 'group' and 'mask'");
+      messages.push_back(
+          wheres[static_cast<std::size_t>(pair->second)] + "body " +
+          quoted_text(model.body(pair->second).name) + ": it may collide with " +
+          quoted_text(model.body(pair->first).name) +
+          ", and contacts between two meshes are not available in this version; use 'convex' shapes, or "
+          "keep the two apart with 'exclude' or 'group' and 'mask'");
       if (messages.size() >= limits::message_count) return;
     }
   }

@@ -16,7 +16,7 @@ namespace rigor {
 class Model {
  public:
   const std::string& name() const { return name_; }
-  const Vec3& g_W() const { return g_W_; }                             ///< Gravity [m/s²].
+  const Vec3& g_W() const { return g_W_; }  ///< Gravity [m/s²].
   const std::vector<Body>& bodies() const { return bodies_; }
   const Body& body(int i) const { return bodies_[static_cast<std::size_t>(i)]; }
   int body_count() const { return static_cast<int>(bodies_.size()); }
@@ -27,10 +27,11 @@ class Model {
   std::optional<int> find_body(const std::string& name) const;
   /// Coefficients of two materials by index.
   PairCoefficients coefficients(int material_a, int material_b) const;
-  /// Whether two bodies can touch at all: at least one dynamic, groups and masks agree, both have shapes, and nothing
-  /// excludes the pair.
+  /// Whether two bodies can touch at all: at least one dynamic, groups and masks agree, both have shapes, and
+  /// nothing excludes the pair.
   bool may_collide(int a, int b) const;
-  /// Length of the scene [m]: the largest bounding radius of a bounded body, 1 if there is none. Tolerances scale with it.
+  /// Length of the scene [m]: the largest bounding radius of a bounded body, 1 if there is none. Tolerances
+  /// scale with it.
   double length_scale() const { return length_scale_; }
 
  private:
@@ -42,8 +43,8 @@ class Model {
   std::vector<Body> bodies_;
   std::map<std::string, int> body_index_;
   std::vector<Material> materials_;
-  std::map<std::pair<int, int>, PairCoefficients> pair_overrides_;     ///< Key: lower index first.
-  std::vector<std::pair<int, int>> excluded_pairs_;                    ///< Sorted; lower index first.
+  std::map<std::pair<int, int>, PairCoefficients> pair_overrides_;  ///< Key: lower index first.
+  std::vector<std::pair<int, int>> excluded_pairs_;                 ///< Sorted; lower index first.
   std::vector<Force> forces_;
   double length_scale_ = 1;
 };

@@ -8,9 +8,9 @@
 #include "rigor/model/limits.hpp"
 #include "rigor/model/mesh_pairs.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <set>
 #include <utility>
 
@@ -40,7 +40,8 @@ void check_material(const Material& material, Findings& findings) {
   findings.check("restitution", material.restitution, limits::restitution, "");
   for (const auto& [quantity, value] : {std::pair{"rolling_friction", material.rolling_friction},
                                         std::pair{"torsional_friction", material.torsional_friction}}) {
-    findings.require(value == 0, fmt::format("{} is {} m, must be 0: it is not available in this version", quantity, value));
+    findings.require(value == 0, fmt::format("{} is {} m, must be 0: it is not available in this version",
+                                             quantity, value));
   }
 }
 
@@ -51,7 +52,8 @@ MaterialTable make_materials(const std::vector<Placed<Material>>& parts, std::ve
   for (const auto& [material, where] : parts) {
     Findings findings(where, "material " + quoted_text(material.name), messages);
     check_material(material, findings);
-    if (!findings.require(names.insert(material.name).second, "there is already a material of this name")) continue;
+    if (!findings.require(names.insert(material.name).second, "there is already a material of this name"))
+      continue;
     if (material.name == "default") {
       table.materials[0] = material;
       continue;
@@ -86,8 +88,8 @@ std::map<std::pair<int, int>, PairCoefficients> make_pairs(const std::vector<Pla
   return pairs;
 }
 
-std::vector<std::pair<int, int>> make_excluded(const std::vector<Placed<NamedPair>>& parts, const BodyTable& bodies,
-                                               std::vector<std::string>& messages) {
+std::vector<std::pair<int, int>> make_excluded(const std::vector<Placed<NamedPair>>& parts,
+                                               const BodyTable& bodies, std::vector<std::string>& messages) {
   std::vector<std::pair<int, int>> excluded;
   for (const auto& [pair, where] : parts) {
     Findings findings(where, "exclude " + quoted_text(pair.a) + ", " + quoted_text(pair.b), messages);
@@ -133,9 +135,13 @@ ModelBuilder& ModelBuilder::operator=(ModelBuilder other) noexcept {
 }
 ModelBuilder::~ModelBuilder() = default;
 
-void ModelBuilder::set_name(std::string name) { parts_->name = std::move(name); }
+void ModelBuilder::set_name(std::string name) {
+  parts_->name = std::move(name);
+}
 
-void ModelBuilder::set_gravity(const Vec3& g_W, std::string where) { parts_->gravity = {g_W, std::move(where)}; }
+void ModelBuilder::set_gravity(const Vec3& g_W, std::string where) {
+  parts_->gravity = {g_W, std::move(where)};
+}
 
 void ModelBuilder::add_material(Material material, std::string where) {
   parts_->materials.push_back({std::move(material), std::move(where)});
@@ -169,8 +175,8 @@ Model ModelBuilder::assemble(std::vector<std::string>& messages) const {
   model.pair_overrides_ = make_pairs(parts_->pairs, materials, messages);
 
   if (parts_->bodies.size() > limits::body_count) {
-    messages.push_back("the scene has " + std::to_string(parts_->bodies.size()) + " bodies, must be at most " +
-                       std::to_string(limits::body_count));
+    messages.push_back("the scene has " + std::to_string(parts_->bodies.size()) +
+                       " bodies, must be at most " + std::to_string(limits::body_count));
     return model;
   }
   ShapeMemory memory;

@@ -10,10 +10,10 @@ namespace rigor {
 
 /// Mass and inertia given by the user, about the user's frame L.
 struct GivenInertia {
-  double mass;                        ///< [kg].
-  Vec3 center = Vec3::Zero();         ///< Centre of mass in L [m].
-  Vec3 moments = Vec3::Zero();        ///< Ixx, Iyy, Izz about the centre of mass, axes of L [kg m²].
-  Vec3 products = Vec3::Zero();       ///< Ixy, Ixz, Iyz: elements of the tensor (so -∫xy dm) [kg m²].
+  double mass;                   ///< [kg].
+  Vec3 center = Vec3::Zero();    ///< Centre of mass in L [m].
+  Vec3 moments = Vec3::Zero();   ///< Ixx, Iyy, Izz about the centre of mass, axes of L [kg m²].
+  Vec3 products = Vec3::Zero();  ///< Ixy, Ixz, Iyz: elements of the tensor (so -∫xy dm) [kg m²].
 };
 
 /// A shape as the user places it.
@@ -21,7 +21,7 @@ struct ShapeDescription {
   Shape shape;
   Vec3 p_LS = Vec3::Zero();
   Quat q_LS = Quat::Identity();
-  std::string material;               ///< Name; empty: the default material.
+  std::string material;  ///< Name; empty: the default material.
   std::string color;
 };
 
@@ -31,10 +31,10 @@ struct BodyDescription {
   MotionType motion = MotionType::dynamic;
   Vec3 p_WL = Vec3::Zero();
   Quat q_WL = Quat::Identity();
-  Vec3 velocity = Vec3::Zero();             ///< Of the centre of mass, in W [m/s].
-  Vec3 angular_velocity = Vec3::Zero();     ///< In W [rad/s].
-  std::optional<double> mass;               ///< [kg]: shapes' inertia scaled to this mass.
-  std::optional<double> density;            ///< [kg/m³]: for all shapes, instead of the materials'.
+  Vec3 velocity = Vec3::Zero();          ///< Of the centre of mass, in W [m/s].
+  Vec3 angular_velocity = Vec3::Zero();  ///< In W [rad/s].
+  std::optional<double> mass;            ///< [kg]: shapes' inertia scaled to this mass.
+  std::optional<double> density;         ///< [kg/m³]: for all shapes, instead of the materials'.
   std::optional<GivenInertia> inertia;
   std::vector<ShapeDescription> shapes;
   std::uint32_t group = 1;
@@ -44,10 +44,11 @@ struct BodyDescription {
   std::vector<PathPoint> path;
 };
 
-/// Collects the parts of a scene, checks them all and builds the Model. Every add_... takes what the user wrote;
-/// nothing is checked before build(), which reports all errors in one InputError.
+/// Collects the parts of a scene, checks them all and builds the Model. Every add_... takes what the user
+/// wrote; nothing is checked before build(), which reports all errors in one InputError.
 ///
-/// `where` of each add_... is put in front of its messages ("scene.yaml:12:5: "); empty for scenes built in C++.
+/// `where` of each add_... is put in front of its messages ("scene.yaml:12:5: "); empty for scenes built in
+/// C++.
 class ModelBuilder {
  public:
   ModelBuilder();
@@ -66,20 +67,21 @@ class ModelBuilder {
   /// Forces name their bodies; "world" is the world. Points are in the user's frames L of the bodies.
   struct ForceDescription {
     enum class Type { constant, torque, spring, drag } type;
-    std::vector<std::string> bodies;        ///< One, or two for a spring.
-    std::vector<Vec3> points;               ///< In the bodies' frames L [m]; missing ones are the origin of L
-                                            ///< (constant: the centre of mass).
-    Vec3 vector = Vec3::Zero();             ///< Force or torque.
-    bool frame_is_body = false;             ///< vector is given in L and turns with the body.
+    std::vector<std::string> bodies;  ///< One, or two for a spring.
+    std::vector<Vec3> points;         ///< In the bodies' frames L [m]; missing ones are the origin of L
+                                      ///< (constant: the centre of mass).
+    Vec3 vector = Vec3::Zero();       ///< Force or torque.
+    bool frame_is_body = false;       ///< vector is given in L and turns with the body.
     double stiffness = 0, damping = 0, linear = 0, angular = 0;
-    std::optional<double> length;           ///< Missing: the distance at t = 0.
+    std::optional<double> length;  ///< Missing: the distance at t = 0.
   };
   void add_force(ForceDescription force, std::string where = {});
 
-  /// The Model, or an InputError with every message. Mass properties are computed here (exact closed forms, Mirtich's
-  /// integrals for meshes, parallel axes, principal frame).
+  /// The Model, or an InputError with every message. Mass properties are computed here (exact closed forms,
+  /// Mirtich's integrals for meshes, parallel axes, principal frame).
   std::shared_ptr<const Model> build() const;
-  /// Every message that build() would throw, in the order in which the parts were added; empty if there is none.
+  /// Every message that build() would throw, in the order in which the parts were added; empty if there is
+  /// none.
   std::vector<std::string> check() const;
 
  private:

@@ -55,11 +55,12 @@ struct ShapeCheck {
   bool operator()(const Ellipsoid& s) { return findings.check(what + ": radii", s.radii, limits::size, "m"); }
   bool operator()(const HalfSpace& s) {
     if (!findings.check(what + ": offset", s.offset, limits::position, "m")) return false;
-    if (!findings.require(std::abs(s.normal.norm() - 1) <= 1e-9, what + ": normal is " + vector_text(s.normal) +
-                                                                     ", must have length 1")) {
+    if (!findings.require(std::abs(s.normal.norm() - 1) <= 1e-9,
+                          what + ": normal is " + vector_text(s.normal) + ", must have length 1")) {
       return false;
     }
-    return findings.require(!needs_volume, what + ": a plane has no mass; only static and kinematic bodies have one");
+    return findings.require(!needs_volume,
+                            what + ": a plane has no mass; only static and kinematic bodies have one");
   }
   bool operator()(const Convex& s) {
     return findings.require(s.hull && s.hull->vertices.size() >= 4, what + ": it has no hull") &&

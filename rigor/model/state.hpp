@@ -8,22 +8,22 @@
 
 namespace rigor {
 
-/// Everything needed to continue bit for bit: the time and, for each body, Y = (x, q, P, L), as flat arrays. Momenta are
-/// the state; velocities are derived.
+/// Everything needed to continue bit for bit: the time and, for each body, Y = (x, q, P, L), as flat arrays.
+/// Momenta are the state; velocities are derived.
 ///
-/// Each body also has its *anchor*: the epoch and phase at which its present smooth motion began (its last event). A body
-/// in closed-form flight is evaluated from its anchor, never from the last output, so that looking at a trajectory does not
-/// change it and rounding does not accumulate. x, q, P, L are the phases at t; whoever changes them by hand calls
-/// anchor_here() (or uses set_body).
+/// Each body also has its *anchor*: the epoch and phase at which its present smooth motion began (its last
+/// event). A body in closed-form flight is evaluated from its anchor, never from the last output, so that
+/// looking at a trajectory does not change it and rounding does not accumulate. x, q, P, L are the phases at
+/// t; whoever changes them by hand calls anchor_here() (or uses set_body).
 struct State {
-  double t = 0;                    ///< [s].
-  std::vector<double> x;           ///< 3n: p_WB of the centre of mass [m].
-  std::vector<double> q;           ///< 4n: q_WB as w x y z.
-  std::vector<double> P;           ///< 3n: linear momentum in W [kg m/s]; 0 for kinematic and fixed bodies.
-  std::vector<double> L;           ///< 3n: angular momentum about the centre of mass in W [kg m²/s]; 0 as above.
+  double t = 0;           ///< [s].
+  std::vector<double> x;  ///< 3n: p_WB of the centre of mass [m].
+  std::vector<double> q;  ///< 4n: q_WB as w x y z.
+  std::vector<double> P;  ///< 3n: linear momentum in W [kg m/s]; 0 for kinematic and fixed bodies.
+  std::vector<double> L;  ///< 3n: angular momentum about the centre of mass in W [kg m²/s]; 0 as above.
 
-  std::vector<double> epoch;       ///< n: time of each anchor, ≤ t [s].
-  std::vector<double> anchor;      ///< 13n: x, q, P, L of each body at its epoch.
+  std::vector<double> epoch;   ///< n: time of each anchor, ≤ t [s].
+  std::vector<double> anchor;  ///< 13n: x, q, P, L of each body at its epoch.
 
   bool operator==(const State& other) const = default;
 
@@ -55,19 +55,20 @@ Vec3 linear_velocity(const Model& model, const State& state, int body);
 /// Angular velocity of a body in W [rad/s]; that of its prescribed motion for kinematic bodies.
 Vec3 angular_velocity(const Model& model, const State& state, int body);
 
-/// Pose of a kinematic or fixed body at time t: constant velocities from t = 0, or along its path (positions piecewise
-/// linear, orientations turning at constant rate between path points).
+/// Pose of a kinematic or fixed body at time t: constant velocities from t = 0, or along its path (positions
+/// piecewise linear, orientations turning at constant rate between path points).
 struct PrescribedMotion {
   Vec3 p_WB;
   Quat q_WB;
-  Vec3 v_WB;   ///< [m/s]; at a path point the velocity of the leg that begins there.
-  Vec3 w_WB;   ///< [rad/s], in W.
+  Vec3 v_WB;  ///< [m/s]; at a path point the velocity of the leg that begins there.
+  Vec3 w_WB;  ///< [rad/s], in W.
 };
 PrescribedMotion prescribed_motion(const Body& body, double t);
 
 /// Bytes that restore the same State bit for bit (little-endian doubles with a header and a checksum).
 std::vector<unsigned char> serialise(const State& state);
-/// The State of those bytes; an InputError that says what is wrong if they are not from serialise() or damaged.
+/// The State of those bytes; an InputError that says what is wrong if they are not from serialise() or
+/// damaged.
 State deserialise(const std::vector<unsigned char>& bytes);
 
 }  // namespace rigor

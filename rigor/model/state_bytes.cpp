@@ -10,8 +10,9 @@ namespace rigor {
 
 namespace {
 
-// Layout, all little-endian: 8 bytes magic, version (u32), 0 (u32), body count n (u64), then the doubles t, x (3n), q (4n),
-// P (3n), L (3n), epoch (n), anchor (13n), then the FNV-1a checksum (u64) of everything before it.
+// Layout, all little-endian: 8 bytes magic, version (u32), 0 (u32), body count n (u64), then the doubles t, x
+// (3n), q (4n), P (3n), L (3n), epoch (n), anchor (13n), then the FNV-1a checksum (u64) of everything before
+// it.
 constexpr std::array<unsigned char, 8> magic = {'R', 'I', 'G', 'O', 'R', 'S', 'T', 0x1A};
 constexpr std::uint64_t version = 1;
 constexpr std::size_t header_length = 24;
@@ -64,7 +65,8 @@ void check_frame(const Bytes& bytes) {
   if (bytes.size() < header_length + 8 + checksum_length) {
     throw InputError("state: damaged, it has only " + found);
   }
-  if (!std::equal(magic.begin(), magic.end(), bytes.begin())) throw InputError("state: not a saved state of Rigor");
+  if (!std::equal(magic.begin(), magic.end(), bytes.begin()))
+    throw InputError("state: not a saved state of Rigor");
   if (const std::uint64_t number = read_number(bytes, 8, 4); number != version) {
     throw InputError("state: version " + std::to_string(number) + ", this program reads version " +
                      std::to_string(version));
@@ -76,7 +78,8 @@ void check_frame(const Bytes& bytes) {
     throw InputError("state: damaged, " + std::to_string(count) + " bodies do not fit its " + found);
   }
   const std::size_t end = bytes.size() - checksum_length;
-  if (checksum(bytes, end) != read_number(bytes, end, 8)) throw InputError("state: damaged, its checksum is wrong");
+  if (checksum(bytes, end) != read_number(bytes, end, 8))
+    throw InputError("state: damaged, its checksum is wrong");
 }
 
 }  // namespace

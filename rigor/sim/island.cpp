@@ -245,11 +245,11 @@ IslandStep IslandIntegrator::implicit_step(const Island& island, double h) const
     }
   }
   for (std::size_t i = 0; i < island.bodies.size(); ++i) {
-    const BodyKinetics& moving = after.of(island.bodies[i]);
+    // The mean of both velocities: exact where the acceleration is constant, and no contact closes by more than its gap.
+    const BodyKinetics& before = at_start.of(island.bodies[i]);
     BodyPhase& phase = phases[i];
-    // x × P changes along with x; only v × P = 0 keeps L about the origin.
-    phase.x += h * phase.P / model_.body(island.bodies[i]).mass;
-    phase.q = (rotation_exp(h * moving.w) * phase.q).normalized();
+    phase.x += 0.5 * h * (before.v + after.of(island.bodies[i]).v);
+    phase.q = (rotation_exp(0.5 * h * (before.w + after.of(island.bodies[i]).w)) * phase.q).normalized();
     result.dense.push_back(straight_phase(island.start[i], phase));
   }
   result.end = std::move(phases);

@@ -1,0 +1,104 @@
+#include "apps/audit_text.hpp"
+
+#include "apps/terminal.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace rigor {
+
+namespace {
+
+/// Beyond these a list belongs into a file.
+constexpr std::size_t most_bodies = 10;
+
+template <typename... Values>
+void add_line(std::string& text, const char* title, fmt::format_string<const Values&...> format,
+              const Values&... values) {
+  fmt::format_to(std::back_inserter(text), "  {:<14}{}\n", title, fmt::format(format, values...));
+}
+
+std::string method_text(const Method& method) {
+  std::string text;
+  for (const std::string& key : method_choice_keys()) {
+    const std::string value = method_choice(method, key);
+    if (!value.empty()) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", key, value);
+  }
+  return text;
+}
+
+void add_motion(const Audit& audit, std::string& text) {
+  const AdvanceReport& report = audit.report;
+  add_line(text, "events", "{} impacts, {} came to rest, {} separations, {} slip to stick; {} steps",
+           report.impacts, report.resting, report.separations, report.slip_to_stick, report.steps);
+  add_line(text, "energy", "{:.17g} J at the start, {:.17g} J at the end", audit.initial.total(),
+           audit.final.total());
+  add_line(text, "", "{:.17g} J work, {:.17g} J dissipated, {:.3g} J unexplained rise", report.work,
+           audit.dissipated, audit.max_increase);
+  add_line(text, "momentum", "error {:.3g} kg m/s linear, {:.3g} kg m²/s angular",
+           audit.linear_momentum_error, audit.angular_momentum_error);
+  if (report.penetration_A >= 0 && report.penetration_B >= 0) {
+    const auto name = [&](int body) { return audit.bodies[static_cast<std::size_t>(body)].name; };
+    add_line(text, "penetration", "{:.3g} m at most, of {} and {} at {:.6g} s", report.max_penetration,
+             name(report.penetration_A), name(report.penetration_B), report.penetration_time);
+  } else {
+    add_line(text, "penetration", "{:.3g} m at most", report.max_penetration);
+  }
+  add_line(text, "impact times", "known to {:.3g} s", report.toi_bracket);
+  add_line(text, "solver", "largest residual {:.3g}, at most {} iterations, {} fallbacks",
+           report.max_residual, report.max_iterations, report.fallbacks);
+}
+
+void add_bodies(const Audit& audit, std::string& text) {
+  std::size_t shown = 0;
+  for (const Audit::BodyEnd& body : audit.bodies) {
+    if (shown == most_bodies) break;
+    ++shown;
+    const Vec3 &p = body.position, &v = body.velocity, &w = body.angular_velocity;
+    const Quat& q = body.orientation;
+    fmt::format_to(std::back_inserter(text), "  {}\n", body.name);
+    fmt::format_to(std::back_inserter(text), "    position         [{:.17g}, {:.17g}, {:.17g}] m\n", p.x(),
+                   p.y(), p.z());
+    fmt::format_to(std::back_inserter(text), "    orientation      [{:.17g}, {:.17g}, {:.17g}, {:.17g}]\n",
+                   q.w(), q.x(), q.y(), q.z());
+    fmt::format_to(std::back_inserter(text), "    velocity         [{:.17g}, {:.17g}, {:.17g}] m/s\n", v.x(),
+                   v.y(), v.z());
+    fmt::format_to(std::back_inserter(text), "    angular velocity [{:.17g}, {:.17g}, {:.17g}] rad/s\n",
+                   w.x(), w.y(), w.z());
+  }
+  if (audit.bodies.size() > shown) {
+    fmt::format_to(std::back_inserter(text), "  and {} more bodies; --json has them all\n",
+                   audit.bodies.size() - shown);
+  }
+}
+
+void add_verdict(const Audit& audit, std::FILE* stream, std::string& text) {
+  for (const std::string& warning : audit.warnings) {
+    text += fmt::format("  {} {}\n", toned("warning:", Tone::doubtful, stream), warning);
+  }
+  for (const std::string& violation : audit.violations) {
+    text += fmt::format("  {} {}\n", toned("violated:", Tone::bad, stream), violation);
+  }
+  text += audit.violations.empty()
+              ? fmt::format("  {}: energy, momentum and penetration are within their tolerances\n",
+                            toned("audit passed", Tone::good, stream))
+              : fmt::format("  {}\n", toned("audit FAILED", Tone::bad, stream));
+}
+
+}  // namespace
+
+std::string audit_text(const Audit& audit, std::FILE* stream) {
+  const double speed = audit.wall_time > 0 ? audit.sim_time / audit.wall_time : 0;
+  std::string text =
+      fmt::format("{}: {:.6g} s simulated in {:.3g} s ({:.3g} times real time)\n",
+                  toned(audit.scene, Tone::strong, stream), audit.sim_time, audit.wall_time, speed);
+  add_line(text, "method", "{}", method_text(audit.method));
+  add_motion(audit, text);
+  add_bodies(audit, text);
+  add_verdict(audit, stream, text);
+  return text;
+}
+
+}  // namespace rigor

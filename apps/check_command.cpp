@@ -1,0 +1,57 @@
+#include "apps/commands.hpp"
+#include "apps/overlap_text.hpp"
+#include "apps/terminal.hpp"
+#include "rigor/core/input_error.hpp"
+#include "rigor/io/scene_reader.hpp"
+#include "rigor/sim/simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace rigor {
+
+namespace {
+
+/// Throws InputError if the scene cannot be run.
+Scene read_and_check(const std::string& path) {
+  Scene scene = read_scene(path);
+  const double tolerance = scene.method.contact_tolerance;
+  const std::vector<Overlap> overlaps =
+      find_overlaps(*scene.model, make_initial_state(*scene.model), tolerance);
+  if (!overlaps.empty()) throw InputError(overlap_messages(path, *scene.model, overlaps, tolerance));
+  return scene;
+}
+
+std::string summary(const Scene& scene) {
+  const std::vector<Body>& bodies = scene.model->bodies();
+  const auto count = [&](MotionType motion) {
+    return std::count_if(bodies.begin(), bodies.end(),
+                         [motion](const Body& body) { return body.motion == motion; });
+  };
+  std::size_t shapes = 0;
+  for (const Body& body : bodies) shapes += body.shapes.size();
+  return fmt::format("{} {} ({} dynamic, {} kinematic, {} static), {} shapes, {} forces; {:g} s in {}",
+                     bodies.size(), bodies.size() == 1 ? "body" : "bodies", count(MotionType::dynamic),
+                     count(MotionType::kinematic), count(MotionType::fixed), shapes,
+                     scene.model->forces().size(), scene.run.duration, method_choice(scene.method, "scheme"));
+}
+
+}  // namespace
+
+ExitCode execute(const CheckOptions& options) {
+  ExitCode code = exit_done;
+  for (const std::string& path : options.scenes) {
+    try {
+      const Scene scene = read_and_check(path);
+      for (const std::string& warning : scene.warnings) print_warning(warning);
+      fmt::print("{}: {}: {}\n", path, toned("ok", Tone::good, stdout), summary(scene));
+    } catch (const InputError& error) {
+      for (const std::string& message : error.messages()) print_error(message);
+      code = exit_bad_input;
+    }
+  }
+  return code;
+}
+
+}  // namespace rigor

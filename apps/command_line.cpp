@@ -1,0 +1,216 @@
+#include "apps/command_line.hpp"
+
+#include "apps/usage_error.hpp"
+#include "rigor/core/quoted.hpp"
+#include "rigor/core/range.hpp"
+#include "rigor/core/suggestion.hpp"
+#include "rigor/io/trajectory_writer.hpp"
+#include "rigor/io/version.hpp"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <charconv>
+#include <filesystem>
+
+namespace rigor {
+
+namespace {
+
+constexpr Range time_span{0, 1e9, true};  // [s]
+constexpr Range length{0, 1e9};           // [m]
+constexpr Range density{0, 1e12, true};   // [kg/m³]
+constexpr int most_threads = 1024;
+constexpr int fewest_samples = 2, most_samples = 1000000000;
+
+const char* const examples =
+    "Examples:\n"
+    "  rigor run scenes/bouncing_ball.yaml                       run, then print the audit\n"
+    "  rigor run ball.yaml -o ball.h5 -o ball.csv --json audit.json\n"
+    "  rigor run ball.yaml --set method.integrator=dopri5 --set bodies.ball.velocity=\"[1, 0, 0]\"\n"
+    "  rigor run long.yaml --checkpoint long.cp --checkpoint-every 10\n"
+    "  rigor run long.yaml --resume long.cp --duration 1000\n"
+    "  rigor check scenes/*.yaml\n"
+    "  rigor mass part.stl --density 7850\n"
+    "  rigor distance ball.yaml ball floor\n"
+    "Exit codes: 0 done, 1 the audit broke its tolerance, 2 usage, 3 bad scene or input, 4 the simulation "
+    "could not go on,\n"
+    "            5 file or system error, 130 interrupted (files closed).\n";
+
+/// Checks the text of a number: decimal, inside the range.
+CLI::Validator number_in(const Range& range, const std::string& unit) {
+  return CLI::Validator(
+      [range, unit](const std::string& text) -> std::string {
+        double value = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        if (error != std::errc() || end != text.data() + text.size())
+          return quoted_text(text) + " is not a number";
+        return range_error("the value", value, range, unit);
+      },
+      "");
+}
+
+/// Adds an option whose value is the next argument; never more than one.
+template <typename Value>
+CLI::Option* add_value(CLI::App& app, const std::string& name, Value& value, const std::string& what,
+                       const std::string& placeholder) {
+  return app.add_option(name, value, what)->option_text(placeholder)->allow_extra_args(false);
+}
+
+void add_json(CLI::App& app, std::string& json, const std::string& what) {
+  add_value(app, "--json", json, what + " as JSON to a file, or to stdout with -", "FILE|-");
+}
+
+void add_run(CLI::App& app, RunOptions& run) {
+  app.add_option("SCENE", run.scene, "scene file (.yaml or .json)")->required()->option_text(" ");
+  add_value(app, "-o,--output", run.outputs, "trajectory, by suffix: .csv .h5 .json; may be repeated", "OUT");
+  add_value(app, "--set", run.overrides,
+            "override a value of the scene, such as method.integrator=rk4; may be repeated", "KEY=VALUE");
+  add_value(app, "--duration", run.duration, "simulated time at which the run ends [s]", "S")
+      ->check(number_in(time_span, "s"));
+  add_value(app, "--threads", run.threads, "threads; accepted, but this version computes on one", "N")
+      ->check(CLI::Range(1, most_threads));
+  add_json(app, run.json, "the audit");
+  app.add_flag("--quiet", run.is_quiet, "print no audit and no progress");
+  app.add_flag("--separate", run.separate, "push apart what overlaps at t = 0");
+  add_value(app, "--checkpoint", run.checkpoint,
+            "keep a file to resume from: written at the end or when interrupted", "FILE");
+  add_value(app, "--checkpoint-every", run.checkpoint_every, "write it also after each S s of simulated time",
+            "S")
+      ->check(number_in(time_span, "s"));
+  add_value(app, "--resume", run.resume, "go on from a checkpoint of the same scene, bit for bit", "FILE");
+}
+
+void add_mass(CLI::App& app, MassOptions& mass) {
+  app.add_option("MESH|SCENE", mass.file, "mesh (.obj .stl .ply) or scene")->required()->option_text(" ");
+  add_value(app, "--density", mass.density, "[kg/m^3]; default 1000 for a mesh, the materials' for a scene",
+            "D")
+      ->check(number_in(density, "kg/m³"));
+  add_value(app, "--samples", mass.samples, "points a body of the sampled estimate", "N")
+      ->check(CLI::Range(fewest_samples, most_samples));
+  add_json(app, mass.json, "the result");
+}
+
+void add_distance(CLI::App& app, DistanceOptions& distance) {
+  app.add_option("SCENE", distance.scene, "scene file")->required()->option_text(" ");
+  app.add_option("BODY_A", distance.body_A, "name of a body")->required()->option_text(" ");
+  app.add_option("BODY_B", distance.body_B, "name of another")->required()->option_text(" ");
+  add_value(app, "--tolerance", distance.tolerance,
+            "of the contact set [m]; default: the scene's contact_tolerance", "D")
+      ->check(number_in(length, "m"));
+  add_json(app, distance.json, "the result");
+}
+
+std::vector<std::string> option_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* const option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+  }
+  return names;
+}
+
+std::vector<std::string> command_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* const command : app.get_subcommands({})) names.push_back(command->get_name());
+  return names;
+}
+
+/// Refuses what neither the program nor the chosen command knows; options first, as the rest may follow from
+/// them.
+void check_unknown(const CLI::App& app) {
+  const std::vector<CLI::App*> chosen = app.get_subcommands();
+  const CLI::App& command = chosen.empty() ? app : *chosen.front();
+  const std::vector<std::string> unknown = command.remaining();
+  for (const std::string& argument : unknown) {
+    if (argument.size() < 2 || argument[0] != '-') continue;
+    const std::string name = argument.substr(0, argument.find('='));
+    const std::vector<std::string> names = option_names(command);
+    throw UsageError("unknown option " + quoted_text(name) + suggestion(name, names));
+  }
+  if (unknown.empty()) return;
+  if (chosen.empty()) {
+    throw UsageError("unknown command " + quoted_text(unknown[0]) +
+                     suggestion(unknown[0], command_names(app)));
+  }
+  throw UsageError("unexpected argument " + quoted_text(unknown[0]) + "; see 'rigor " + command.get_name() +
+                   " --help'");
+}
+
+bool is_same_file(const std::string& a, const std::string& b) {
+  std::error_code ignored;
+  return std::filesystem::weakly_canonical(a, ignored) == std::filesystem::weakly_canonical(b, ignored);
+}
+
+void check_run(const RunOptions& run) {
+  for (const std::string& output : run.outputs) {
+    const std::string message = check_output_suffix(output);
+    if (!message.empty()) throw UsageError(message);
+  }
+  std::vector<std::string> written = run.outputs;
+  if (!run.json.empty() && run.json != "-") written.push_back(run.json);
+  if (!run.checkpoint.empty()) written.push_back(run.checkpoint);
+  for (std::size_t i = 0; i < written.size(); ++i) {
+    if (is_same_file(written[i], run.scene)) {
+      throw UsageError("output " + quoted_text(written[i]) + " is the scene file; give it another name");
+    }
+    for (std::size_t k = 0; k < i; ++k) {
+      if (is_same_file(written[i], written[k]))
+        throw UsageError("output " + quoted_text(written[i]) + " is given twice");
+    }
+  }
+  if (run.checkpoint_every && run.checkpoint.empty()) {
+    throw UsageError("--checkpoint-every needs --checkpoint FILE");
+  }
+  if (run.separate && !run.resume.empty()) {
+    throw UsageError("--separate does not go with --resume: the bodies are where the checkpoint has them");
+  }
+}
+
+}  // namespace
+
+ParsedCommandLine parse_command_line(int argc, const char* const* argv) {
+  CLI::App app("Rigid-body dynamics whose answers can be trusted.", "rigor");
+  app.set_version_flag("--version", "rigor " + std::string(version));
+  app.footer(examples);
+  RunOptions run;
+  CheckOptions check;
+  MassOptions mass;
+  DistanceOptions distance;
+  CLI::App& run_app = *app.add_subcommand("run", "simulate a scene and print the audit");
+  CLI::App& check_app = *app.add_subcommand("check", "validate scenes without running them");
+  CLI::App& mass_app = *app.add_subcommand("mass", "mass properties of a mesh or a scene, exact and sampled");
+  CLI::App& distance_app =
+      *app.add_subcommand("distance", "signed distance and contacts of two bodies at t = 0");
+  app.add_subcommand("methods", "list every method, with its source");
+  add_run(run_app, run);
+  check_app.add_option("SCENE", check.scenes, "scene files")->required()->option_text("...");
+  add_mass(mass_app, mass);
+  add_distance(distance_app, distance);
+  // What is unknown is told by us, with the nearest name.
+  app.allow_extras();
+  for (CLI::App* const command : app.get_subcommands({})) command->allow_extras();
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help_or_version) {
+    app.exit(help_or_version);
+    return {};
+  } catch (const CLI::ParseError& error) {
+    check_unknown(app);
+    throw UsageError(error.what());
+  }
+  check_unknown(app);
+  if (app.got_subcommand(&run_app)) {
+    check_run(run);
+    return {run};
+  }
+  if (app.got_subcommand(&check_app)) return {check};
+  if (app.got_subcommand(&mass_app)) return {mass};
+  if (app.got_subcommand(&distance_app)) return {distance};
+  if (app.got_subcommand("methods")) return {MethodsOptions{}};
+  fmt::print(stderr, "{}", app.help());
+  return {std::nullopt, exit_usage};
+}
+
+}  // namespace rigor

@@ -1,0 +1,52 @@
+#include "apps/command_line.hpp"
+#include "apps/commands.hpp"
+#include "apps/terminal.hpp"
+#include "apps/usage_error.hpp"
+#include "rigor/core/input_error.hpp"
+#include "rigor/io/file_error.hpp"
+
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <new>
+
+namespace rigor {
+namespace {
+
+/// Runs what the command line asks for; every error ends here, as lines on stderr and an exit code.
+ExitCode run_program(int argc, const char* const* argv) {
+  try {
+    const ParsedCommandLine parsed = parse_command_line(argc, argv);
+    if (!parsed.command) return parsed.exit_code;
+    return std::visit([](const auto& options) { return execute(options); }, *parsed.command);
+  } catch (const UsageError& error) {
+    print_error(error.what());
+    return exit_usage;
+  } catch (const InputError& error) {
+    for (const std::string& message : error.messages()) print_error(message);
+    return exit_bad_input;
+  } catch (const FileError& error) {
+    print_error(error.what());
+    return exit_file_error;
+  } catch (const std::bad_alloc&) {
+    print_error("out of memory");
+    return exit_file_error;
+  } catch (const std::exception& error) {
+    print_error(error.what());
+    return exit_file_error;
+  }
+}
+
+}  // namespace
+}  // namespace rigor
+
+int main(int argc, char** argv) {
+  // A file beyond the allowed size is an error like a full disk, not the end of the process.
+  std::signal(SIGXFSZ, SIG_IGN);
+  const int code = rigor::run_program(argc, argv);
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+    rigor::print_error("cannot write to the standard output");
+    return rigor::exit_file_error;
+  }
+  return code;
+}

@@ -1,0 +1,41 @@
+#include "apps/commands.hpp"
+#include "apps/terminal.hpp"
+#include "rigor/sim/method.hpp"
+
+#include <fmt/format.h>
+
+namespace rigor {
+
+namespace {
+
+void print_choices() {
+  const Method defaults;
+  std::string_view previous;
+  for (const MethodChoice& choice : method_choices()) {
+    if (choice.key != previous) fmt::print("{}\n", toned(choice.key, Tone::strong, stdout));
+    previous = choice.key;
+    const bool is_default = choice.is_available && method_choice(defaults, choice.key) == choice.value;
+    const char* const mark = !choice.is_available ? "later" : is_default ? "default" : "yes";
+    fmt::print("  {:<20} {} {}\n", choice.value,
+               toned(fmt::format("{:<8}", mark), choice.is_available ? Tone::good : Tone::doubtful, stdout),
+               choice.meaning);
+    fmt::print("  {:<20} {:<8} {}\n", "", "", choice.source);
+  }
+}
+
+}  // namespace
+
+ExitCode execute(const MethodsOptions&) {
+  fmt::print(
+      "Choices of 'method' in a scene, or --set method.KEY=VALUE. default, yes: in this version; later: not "
+      "yet.\n\n");
+  print_choices();
+  fmt::print("\n{}\n", toned("numbers", Tone::strong, stdout));
+  for (const MethodNumber& number : method_numbers()) {
+    fmt::print("  {:<20} {:<8} {}; {}\n", number.key, number.fallback, number.meaning,
+               range_text(number.range, number.unit));
+  }
+  return exit_done;
+}
+
+}  // namespace rigor

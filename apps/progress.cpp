@@ -1,0 +1,67 @@
+#include "apps/progress.hpp"
+
+#include "apps/terminal.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rigor {
+
+namespace {
+
+/// "2:05" or "1:02:05", or "-" if it is not known.
+std::string duration_text(double seconds) {
+  constexpr double most = 1e7;
+  if (!(seconds >= 0 && seconds < most)) return "-";
+  const long total = std::lround(seconds);
+  const long hours = total / 3600, minutes = total / 60 % 60, rest = total % 60;
+  return hours > 0 ? fmt::format("{}:{:02}:{:02}", hours, minutes, rest)
+                   : fmt::format("{}:{:02}", minutes, rest);
+}
+
+}  // namespace
+
+std::string progress_text(const Progress& progress, int width) {
+  constexpr int narrowest_bar = 5, widest_bar = 20;
+  const double span = progress.end - progress.start, done = progress.time - progress.start;
+  const double share = span > 0 ? std::clamp(done / span, 0.0, 1.0) : 1.0;
+  const double speed = progress.elapsed > 0 ? done / progress.elapsed : 0;
+  const std::string times = fmt::format("{:.6g}/{:.6g} s ", progress.time, progress.end);
+  const std::string rest =
+      fmt::format("{:.3g}x real time, ETA {}, {} impacts, {} at rest, energy drift {:.1g} J", speed,
+                  duration_text(speed > 0 ? (span - done) / speed : -1), progress.impacts, progress.resting,
+                  progress.energy_drift);
+  // The bar takes the room that the numbers leave.
+  const int room = width - static_cast<int>(times.size() + rest.size()) - 3;
+  const int bar = room < narrowest_bar ? 0 : std::min(room, widest_bar);
+  const int filled = static_cast<int>(share * bar);
+  std::string text = times;
+  if (bar > 0) text += fmt::format("[{:#<{}}{:.<{}}] ", "", filled, "", bar - filled);
+  text += rest;
+  if (static_cast<int>(text.size()) > width) text.resize(static_cast<std::size_t>(std::max(0, width)));
+  return text;
+}
+
+ProgressLine::ProgressLine(bool is_wanted) : is_shown_(is_wanted && is_terminal(stderr)) {}
+
+void ProgressLine::update(const Progress& progress) {
+  if (!is_shown_) return;
+  constexpr std::chrono::milliseconds pause(100);
+  const std::chrono::steady_clock::time_point now = std::chrono::steady_clock::now();
+  if (is_dirty_ && now - last_ < pause) return;
+  last_ = now;
+  is_dirty_ = true;
+  fmt::print(stderr, "\r{}\x1b[K", progress_text(progress, terminal_width(stderr) - 1));
+  std::fflush(stderr);
+}
+
+void ProgressLine::clear() {
+  if (!is_dirty_) return;
+  is_dirty_ = false;
+  fmt::print(stderr, "\r\x1b[K");
+  std::fflush(stderr);
+}
+
+}  // namespace rigor

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+
+namespace rigor {
+
+/// What a progress line tells.
+struct Progress {
+  double time;            ///< Simulated so far [s].
+  double start, end;      ///< Of the run [s].
+  double elapsed;         ///< Real time [s].
+  long impacts, resting;  ///< Events so far.
+  double energy_drift;    ///< Largest unexplained rise of energy [J].
+};
+
+/// One line of plain text, at most `width` characters: simulated and total time, a bar, the real-time factor,
+/// the time that is left, contacts and energy drift.
+std::string progress_text(const Progress& progress, int width);
+
+/// A line on stderr that tells how far a run is, at most ten times a second; nothing unless stderr is a
+/// terminal. Goes with this object.
+class ProgressLine {
+ public:
+  explicit ProgressLine(bool is_wanted);
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+  ~ProgressLine() { clear(); }
+
+  void update(const Progress& progress);
+  void clear();
+
+ private:
+  bool is_shown_;
+  bool is_dirty_ = false;
+  std::chrono::steady_clock::time_point last_{};
+};
+
+}  // namespace rigor

@@ -1,0 +1,120 @@
+#include "apps/run_recorder.hpp"
+
+#include "rigor/io/audit_json.hpp"
+#include "rigor/io/file_error.hpp"
+#include "rigor/io/fingerprint.hpp"
+#include "rigor/io/text_file.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdint>
+
+namespace rigor {
+
+namespace {
+
+constexpr std::uintmax_t most_scene_bytes = std::uintmax_t{32} << 20;
+
+TrajectoryHeader make_header(const RunOptions& options, const Scene& scene) {
+  TrajectoryHeader header{.scene = scene.name,
+                          .scene_text = read_text_file(options.scene, most_scene_bytes),
+                          .overrides = options.overrides,
+                          .method = scene.method,
+                          .run = scene.run};
+  for (const Body& body : scene.model->bodies()) header.bodies.push_back(body.name);
+  return header;
+}
+
+}  // namespace
+
+RunRecorder::RunRecorder(const RunOptions& options, const Scene& scene, double start_time,
+                         std::optional<Audit> earlier)
+    : options_(options),
+      scene_(scene),
+      earlier_(std::move(earlier)),
+      begin_(std::chrono::steady_clock::now()),
+      progress_line_(!options.is_quiet),
+      progress_{.time = start_time, .start = start_time, .end = scene.run.duration} {
+  if (!options.checkpoint.empty()) check_can_write(options.checkpoint);
+  if (!options.json.empty() && options.json != "-") json_ = std::make_unique<OutputFile>(options.json);
+  if (!options.outputs.empty()) {
+    const TrajectoryHeader header = make_header(options, scene);
+    for (const std::string& output : options.outputs)
+      writers_.push_back(make_trajectory_writer(output, header));
+  }
+  if (options.checkpoint_every)
+    checkpoint_count_ = static_cast<long>(std::floor(start_time / *options.checkpoint_every));
+}
+
+double RunRecorder::elapsed() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+}
+
+Audit RunRecorder::whole(Audit audit) const {
+  audit.wall_time = elapsed();
+  return earlier_ ? joined_audit(*earlier_, audit) : audit;
+}
+
+bool RunRecorder::observe(const State& state, const AdvanceReport& since, const Auditor& auditor) {
+  try {
+    record(state, since, auditor);
+  } catch (const FileError& error) {
+    file_error_ = error.what();
+    return false;
+  }
+  show_progress(state, since, auditor);
+  return !interrupt_.is_requested();
+}
+
+void RunRecorder::record(const State& state, const AdvanceReport& since, const Auditor& auditor) {
+  if (!writers_.empty()) {
+    const TrajectorySample sample = make_sample(*scene_.model, state, auditor.energy());
+    for (const auto& writer : writers_) writer->write(sample, since.events);
+  }
+  // What stopped the run would only stop it again.
+  if (!options_.checkpoint_every || since.reason != StopReason::reached_end) return;
+  const long passed = static_cast<long>(std::floor(state.t / *options_.checkpoint_every));
+  if (passed <= checkpoint_count_) return;
+  checkpoint_count_ = passed;
+  write_checkpoint_at(state, whole(auditor.audit(state)));
+}
+
+void RunRecorder::write_checkpoint_at(const State& state, const Audit& audit) {
+  write_checkpoint(options_.checkpoint,
+                   {fingerprint(*scene_.model, scene_.method, scene_.run.step), state, audit});
+}
+
+void RunRecorder::show_progress(const State& state, const AdvanceReport& since, const Auditor& auditor) {
+  progress_.time = state.t;
+  progress_.elapsed = elapsed();
+  progress_.impacts += since.impacts;
+  progress_.resting += since.resting;
+  progress_.energy_drift = auditor.max_increase();
+  progress_line_.update(progress_);
+}
+
+Audit RunRecorder::finish(const RunResult& result, const std::vector<std::string>& warnings) {
+  progress_line_.clear();
+  Audit audit = whole(result.audit);
+  const bool can_go_on = result.audit.report.reason == StopReason::reached_end;
+  const auto attempt = [this](const auto& write) {
+    try {
+      write();
+    } catch (const FileError& error) {
+      if (file_error_.empty()) file_error_ = error.what();
+    }
+  };
+  if (!options_.checkpoint.empty() && can_go_on) attempt([&] { write_checkpoint_at(result.state, audit); });
+  audit.warnings.insert(audit.warnings.begin(), warnings.begin(), warnings.end());
+  for (const auto& writer : writers_) attempt([&] { writer->close(audit); });
+  if (json_) {
+    attempt([&] {
+      json_->append(fmt::format("{}\n", audit_json(audit)));
+      json_->close();
+    });
+  }
+  return audit;
+}
+
+}  // namespace rigor

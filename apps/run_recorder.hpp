@@ -1,0 +1,57 @@
+#pragma once
+
+#include "apps/interrupt.hpp"
+#include "apps/options.hpp"
+#include "apps/progress.hpp"
+#include "rigor/io/checkpoint.hpp"
+#include "rigor/io/output_file.hpp"
+#include "rigor/io/scene_reader.hpp"
+#include "rigor/io/trajectory_writer.hpp"
+#include "rigor/sim/simulation.hpp"
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rigor {
+
+/// Watches a run: writes trajectories and checkpoints, shows the progress, and ends the run when the user
+/// asks for it or a file fails.
+class RunRecorder {
+ public:
+  /// Opens all outputs, so that what cannot be written is known before the run; throws FileError. earlier:
+  /// the books of the run that is resumed.
+  RunRecorder(const RunOptions& options, const Scene& scene, double start_time, std::optional<Audit> earlier);
+
+  /// The observer of the run: whether to go on.
+  bool observe(const State& state, const AdvanceReport& since, const Auditor& auditor);
+  /// Completes and closes all files; returns the books of the whole run.
+  Audit finish(const RunResult& result, const std::vector<std::string>& warnings);
+
+  bool was_interrupted() const { return interrupt_.is_requested(); }
+  /// What went wrong with a file, or empty.
+  const std::string& file_error() const { return file_error_; }
+
+ private:
+  void record(const State& state, const AdvanceReport& since, const Auditor& auditor);
+  void show_progress(const State& state, const AdvanceReport& since, const Auditor& auditor);
+  void write_checkpoint_at(const State& state, const Audit& audit);
+  Audit whole(Audit audit) const;
+  double elapsed() const;
+
+  const RunOptions& options_;
+  const Scene& scene_;
+  std::optional<Audit> earlier_;
+  std::chrono::steady_clock::time_point begin_;
+  InterruptWatch interrupt_;
+  ProgressLine progress_line_;
+  Progress progress_;
+  std::vector<std::unique_ptr<TrajectoryWriter>> writers_;
+  std::unique_ptr<OutputFile> json_;
+  long checkpoint_count_ = 0;  ///< Multiples of the interval that have passed.
+  std::string file_error_;
+};
+
+}  // namespace rigor

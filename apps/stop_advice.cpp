@@ -1,0 +1,56 @@
+#include "apps/stop_advice.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace rigor {
+
+std::string_view stop_reason_name(StopReason reason) {
+  switch (reason) {
+    case StopReason::reached_end:
+      return "reached_end";
+    case StopReason::events_accumulate:
+      return "events_accumulate";
+    case StopReason::impact_unsolved:
+      return "impact_unsolved";
+    case StopReason::not_finite:
+      return "not_finite";
+  }
+  return "";
+}
+
+std::string_view stop_advice(StopReason reason) {
+  switch (reason) {
+    case StopReason::reached_end:
+      return "nothing: the run is complete";
+    case StopReason::events_accumulate:
+      return "raise method.resting_velocity, lower the restitution of the bodies' materials, or look for "
+             "bodies that are "
+             "squeezed between others";
+    case StopReason::impact_unsolved:
+      return "set method.simultaneous to its other choice (reflections, lcp), or look for a body that is "
+             "squeezed between "
+             "two that cannot give way";
+    case StopReason::not_finite:
+      return "look for stiff springs, huge forces or velocities at these bodies; a smaller run.step or "
+             "method.integrator=dopri5 helps with stiff ones";
+  }
+  return "";
+}
+
+std::string stop_text(const AdvanceReport& report, double time, const std::vector<std::string>& bodies) {
+  if (report.reason == StopReason::reached_end) return {};
+  constexpr std::size_t most_names = 10;
+  std::string text = fmt::format("the simulation stopped at t = {:.17g} s ({}): {}", time,
+                                 stop_reason_name(report.reason), report.detail);
+  for (std::size_t i = 0; i < std::min(bodies.size(), most_names); ++i) {
+    text += i == 0 ? "\n  bodies: " : ", ";
+    text += bodies[i];
+  }
+  if (bodies.size() > most_names) text += fmt::format(" and {} more", bodies.size() - most_names);
+  text += fmt::format("\n  what to try: {}", stop_advice(report.reason));
+  return text;
+}
+
+}  // namespace rigor

@@ -1,0 +1,55 @@
+#include "apps/terminal.hpp"
+
+#include "rigor/io/output_file.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+namespace rigor {
+
+bool is_terminal(std::FILE* stream) {
+  const char* const kind = std::getenv("TERM");
+  return ::isatty(::fileno(stream)) == 1 && kind != nullptr && std::string_view(kind) != "dumb";
+}
+
+int terminal_width(std::FILE* stream) {
+  constexpr int usual_width = 80;
+  winsize size{};
+  return ::ioctl(::fileno(stream), TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : usual_width;
+}
+
+std::string toned(std::string_view text, Tone tone, std::FILE* stream) {
+  const char* const no_color = std::getenv("NO_COLOR");
+  const bool has_colors = is_terminal(stream) && (no_color == nullptr || *no_color == 0);
+  if (!has_colors || tone == Tone::plain) return std::string(text);
+  const int code = tone == Tone::strong ? 1 : tone == Tone::good ? 32 : tone == Tone::bad ? 31 : 33;
+  return fmt::format("\x1b[{}m{}\x1b[0m", code, text);
+}
+
+void print_error(std::string_view message) {
+  // Results that were printed before come before.
+  std::fflush(stdout);
+  fmt::print(stderr, "{} {}\n", toned("error:", Tone::bad, stderr), message);
+}
+
+void print_warning(std::string_view message) {
+  std::fflush(stdout);
+  fmt::print(stderr, "{} {}\n", toned("warning:", Tone::doubtful, stderr), message);
+}
+
+void write_text(const std::string& path, std::string_view text) {
+  if (path.empty()) return;
+  if (path == "-") {
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    return;
+  }
+  OutputFile file(path);
+  file.append(text);
+  file.close();
+}
+
+}  // namespace rigor

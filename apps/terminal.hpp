@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdio>
+#include <string>
+#include <string_view>
+
+namespace rigor {
+
+/// Whether the stream is a terminal that moves its cursor as told.
+bool is_terminal(std::FILE* stream);
+/// Columns of the terminal, 80 if it does not say.
+int terminal_width(std::FILE* stream);
+
+enum class Tone { plain, strong, good, bad, doubtful };
+/// The text in a colour if the stream is a terminal and NO_COLOR is not set, else as it is.
+///
+/// Source: https://no-color.org.
+std::string toned(std::string_view text, Tone tone, std::FILE* stream);
+
+/// "error: message" as a line on stderr.
+void print_error(std::string_view message);
+/// "warning: message" as a line on stderr.
+void print_warning(std::string_view message);
+/// Text to stdout, or to the file of that name; nothing if the path is empty. Throws FileError.
+void write_text(const std::string& path, std::string_view text);
+
+}  // namespace rigor

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <stdexcept>
+
+namespace rigor {
+
+/// A command line that makes no sense; the message says what is wrong and what would be right.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace rigor

@@ -1,0 +1,85 @@
+#include "rigor/geometry/contact_set.hpp"
+
+#include "rigor/core/assert.hpp"
+#include "rigor/geometry/contact_mesh.hpp"
+#include "rigor/geometry/contact_pair.hpp"
+#include "rigor/geometry/distance.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace rigor {
+namespace {
+
+bool is_unbounded(const Shape& shape) {
+  return std::holds_alternative<HalfSpace>(shape) || std::holds_alternative<Mesh>(shape);
+}
+
+/// The contacts with the two shapes exchanged.
+std::vector<ContactPoint> exchanged(std::vector<ContactPoint> contacts) {
+  for (ContactPoint& contact : contacts) {
+    std::swap(contact.p_WA, contact.p_WB);
+    std::swap(contact.curvature_A, contact.curvature_B);
+    contact.n_W = -contact.n_W;
+    contact.feature = contact.feature << 32 | contact.feature >> 32;
+  }
+  std::stable_sort(contacts.begin(), contacts.end(),
+                   [](const ContactPoint& x, const ContactPoint& y) { return x.feature < y.feature; });
+  return contacts;
+}
+
+std::vector<ContactPoint> plane_contacts(const HalfSpace& plane, const Pose& X_OA, const ContactShape& a,
+                                         const ContactShape& b, double tolerance) {
+  const Vec3 n = X_OA.R * plane.normal;
+  const FlatFace face{.kind = FlatFace::Kind::plane,
+                      .feature = {Feature::Kind::face, 0},
+                      .normal = n,
+                      .center = X_OA.p + plane.offset * n,
+                      .area = std::numeric_limits<double>::infinity()};
+  const ContactPair pair{a, b, contact_scale(a, b, tolerance)};
+  std::vector<ContactPoint> contacts = face_contacts(pair, face, true).value_or(std::vector<ContactPoint>{});
+  sort_and_merge(pair.scale, contacts);
+  return contacts;
+}
+
+/// All pairs near the origin but those whose unbounded shape comes second.
+std::vector<ContactPoint> local_contacts(const Shape& a, const Pose& X_OA, const Shape& b, const Pose& X_OB,
+                                         double tolerance) {
+  if (const Mesh* mesh = std::get_if<Mesh>(&a)) return mesh_contacts(*mesh, X_OA, b, X_OB, tolerance);
+  const ContactShape shape_A(a, X_OA), shape_B(b, X_OB);
+  if (const HalfSpace* plane = std::get_if<HalfSpace>(&a)) {
+    return plane_contacts(*plane, X_OA, shape_A, shape_B, tolerance);
+  }
+  const DistanceResult distance = signed_distance(a, X_OA, b, X_OB);
+  if (distance.distance > tolerance) return {};
+  const ContactPair pair{shape_A, shape_B, contact_scale(shape_A, shape_B, tolerance)};
+  std::vector<ContactPoint> contacts = convex_contacts(pair, distance);
+  sort_and_merge(pair.scale, contacts);
+  return contacts;
+}
+
+}  // namespace
+
+std::vector<ContactPoint> contact_set(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB,
+                                      double tolerance) {
+  RIGOR_ASSERT(tolerance >= 0);
+  RIGOR_ASSERT(!(is_unbounded(a) && is_unbounded(b)) || a.index() != b.index());
+  // A mesh is treated as A, else a plane, else the shapes as they come.
+  const bool mesh_is_second = std::holds_alternative<Mesh>(b);
+  const bool plane_is_second = std::holds_alternative<HalfSpace>(b) && !std::holds_alternative<Mesh>(a);
+  const bool is_exchanged = mesh_is_second || plane_is_second;
+
+  // Everything happens in a frame at a bounded shape, so that the distance to the origin of W costs no
+  // digits.
+  const Vec3 origin = is_unbounded(a) ? X_WB.p : X_WA.p;
+  const Pose X_OA{X_WA.R, X_WA.p - origin}, X_OB{X_WB.R, X_WB.p - origin};
+  std::vector<ContactPoint> contacts = is_exchanged ? exchanged(local_contacts(b, X_OB, a, X_OA, tolerance))
+                                                    : local_contacts(a, X_OA, b, X_OB, tolerance);
+  for (ContactPoint& contact : contacts) {
+    contact.p_WA += origin;
+    contact.p_WB += origin;
+  }
+  return contacts;
+}
+
+}  // namespace rigor

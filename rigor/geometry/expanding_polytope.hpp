@@ -1,0 +1,64 @@
+#pragma once
+
+#include "rigor/geometry/minkowski.hpp"
+
+#include <array>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace rigor {
+
+/// Polytope of triangles inside the difference B - A that grows point by point towards its boundary. Heights
+/// of facets over the origin are signed, so that the origin may be outside.
+class ExpandingPolytope {
+ public:
+  struct Facet {
+    std::array<int, 3> v;       ///< Points, counter-clockwise seen from outside.
+    std::array<int, 3> across;  ///< Facet across the side v[k] v[k+1].
+    Vec3 m;                     ///< Outward unit normal.
+    double height;              ///< m · w of its plane [m].
+    bool is_removed = false;
+  };
+
+  /// A tetrahedron of points far from each other, the first one lowest along n. If the difference is flat
+  /// there is none, and flat_normal() tells in which direction it has no thickness.
+  ExpandingPolytope(const CorePair& pair, const Vec3& n);
+
+  bool is_flat() const { return facets_.empty(); }
+  const Vec3& flat_normal() const { return flat_normal_; }
+
+  /// Index of the facet with the smallest height.
+  int lowest_facet();
+  const Facet& facet(int i) const { return facets_[static_cast<std::size_t>(i)]; }
+  const DifferencePoint& point(int i) const { return points_[static_cast<std::size_t>(i)]; }
+  std::array<DifferencePoint, 3> corners(int facet) const;
+
+  /// Grows to hold p, which is above the facet. False if rounding allows no closed surface any more: then the
+  /// polytope is of no further use.
+  bool expand(int facet, const DifferencePoint& p);
+
+ private:
+  struct Side {
+    int from, to;  ///< Points.
+    int facet;     ///< The facet that stays, on the other side.
+  };
+  int find_tetrahedron(const Vec3& n, std::array<DifferencePoint, 4>& corners);
+  template <class Directions, class Distance>
+  bool find_corner(const Directions& directions, const Distance& distance, const DifferencePoint& first,
+                   DifferencePoint& corner) const;
+  int add_facet(int i, int j, int k);
+  void remove_seen_facets(int facet, const Vec3& w);
+  bool close(int apex);
+
+  const CorePair& pair_;
+  Vec3 flat_normal_ = Vec3::UnitX();
+  std::vector<DifferencePoint> points_;
+  std::vector<Facet> facets_;
+  std::vector<std::pair<double, int>> queue_;  ///< Heap of heights and facets, smallest first.
+  std::vector<Side> horizon_;
+  std::vector<int> stack_;
+  std::vector<int> facet_from_;  ///< By point: the new facet whose side on the horizon begins there, or -1.
+};
+
+}  // namespace rigor

@@ -1,0 +1,94 @@
+#include "rigor/io/audit_json.hpp"
+
+#include "rigor/io/json_text.hpp"
+#include "rigor/io/version.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace rigor {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const Vec3& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+Json method_json(const Method& method) {
+  Json json = Json::object();
+  for (const std::string& key : method_choice_keys()) {
+    // Choices of later versions have no value yet.
+    const std::string value = method_choice(method, key);
+    if (!value.empty()) json[key] = value;
+  }
+  for (const MethodNumber& number : method_numbers()) json[std::string(number.key)] = method.*number.member;
+  return json;
+}
+
+Json penetration_json(const Audit& audit) {
+  const AdvanceReport& report = audit.report;
+  Json json = {{"max", report.max_penetration}, {"bodies", nullptr}, {"time", nullptr}};
+  if (report.penetration_A < 0 || report.penetration_B < 0) return json;
+  json["bodies"] = {audit.bodies[static_cast<std::size_t>(report.penetration_A)].name,
+                    audit.bodies[static_cast<std::size_t>(report.penetration_B)].name};
+  json["time"] = report.penetration_time;
+  return json;
+}
+
+Json warnings_json(const Audit& audit) {
+  Json json = Json::array();
+  for (const std::string& violation : audit.violations)
+    json.push_back(fmt::format("violated: {}", violation));
+  for (const std::string& warning : audit.warnings) json.push_back(warning);
+  return json;
+}
+
+Json bodies_json(const Audit& audit) {
+  Json json = Json::object();
+  for (const Audit::BodyEnd& body : audit.bodies) {
+    const Quat& q = body.orientation;
+    json[body.name] = {{"position", json_of(body.position)},
+                       {"orientation", {q.w(), q.x(), q.y(), q.z()}},
+                       {"velocity", json_of(body.velocity)},
+                       {"angular_velocity", json_of(body.angular_velocity)}};
+  }
+  return json;
+}
+
+}  // namespace
+
+std::string audit_json(const Audit& audit) {
+  const AdvanceReport& report = audit.report;
+  Json json;
+  json["rigor"] = version;
+  json["scene"] = audit.scene;
+  json["method"] = method_json(audit.method);
+  json["sim_time"] = audit.sim_time;
+  json["wall_time"] = audit.wall_time;
+  json["steps"] = report.steps;
+  json["events"] = {{"impacts", report.impacts},
+                    {"resting", report.resting},
+                    {"separations", report.separations},
+                    {"slip_to_stick", report.slip_to_stick}};
+  json["energy"] = {{"initial", audit.initial.total()},
+                    {"final", audit.final.total()},
+                    {"work", report.work},
+                    {"dissipated", audit.dissipated},
+                    {"max_increase", audit.max_increase}};
+  json["linear_momentum_error"] = audit.linear_momentum_error;
+  json["angular_momentum_error"] = audit.angular_momentum_error;
+  json["penetration"] = penetration_json(audit);
+  // This version has no joints, so none can drift.
+  json["joint_drift"] = {{"max", 0.0}, {"joint", nullptr}};
+  json["toi_bracket"] = report.toi_bracket;
+  json["solver"] = {{"max_residual", report.max_residual},
+                    {"max_iterations", report.max_iterations},
+                    {"fallbacks", report.fallbacks}};
+  json["warnings"] = warnings_json(audit);
+  json["bodies"] = bodies_json(audit);
+  return json_text(json);
+}
+
+}  // namespace rigor

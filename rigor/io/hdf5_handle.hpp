@@ -1,0 +1,53 @@
+#pragma once
+
+#include <hdf5.h>
+
+#include <utility>
+
+namespace rigor {
+
+/// An HDF5 identifier that is closed when it goes. Negative: none.
+class Hdf5Handle {
+ public:
+  using Close = herr_t (*)(hid_t);
+
+  Hdf5Handle() = default;
+  Hdf5Handle(hid_t id, Close close) : id_(id), close_(close) {}
+  Hdf5Handle(Hdf5Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
+  Hdf5Handle& operator=(Hdf5Handle&& other) noexcept {
+    std::swap(id_, other.id_);
+    std::swap(close_, other.close_);
+    return *this;
+  }
+  ~Hdf5Handle() { reset(); }
+
+  operator hid_t() const { return id_; }
+  bool is_open() const { return id_ >= 0; }
+  /// Closes now; false if HDF5 fails.
+  bool reset() {
+    const hid_t id = std::exchange(id_, -1);
+    return id < 0 || close_(id) >= 0;
+  }
+
+ private:
+  hid_t id_ = -1;
+  Close close_ = nullptr;
+};
+
+/// HDF5 prints its errors to stderr; while this lives, it does not.
+class Hdf5Quiet {
+ public:
+  Hdf5Quiet() {
+    H5Eget_auto2(H5E_DEFAULT, &print_, &client_);
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  }
+  Hdf5Quiet(const Hdf5Quiet&) = delete;
+  Hdf5Quiet& operator=(const Hdf5Quiet&) = delete;
+  ~Hdf5Quiet() { H5Eset_auto2(H5E_DEFAULT, print_, client_); }
+
+ private:
+  H5E_auto2_t print_ = nullptr;
+  void* client_ = nullptr;
+};
+
+}  // namespace rigor

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <string>
+
+namespace rigor {
+
+/// JSON text of a value: two spaces an indent, lists of numbers on one line, numbers with 17 significant
+/// digits (whole ones of integer type as they are), infinite and NaN numbers as null, bytes that are not
+/// UTF-8 replaced.
+std::string json_text(const nlohmann::ordered_json& value);
+/// The same on one line.
+std::string json_line(const nlohmann::ordered_json& value);
+
+}  // namespace rigor

@@ -1,0 +1,71 @@
+#include "rigor/io/json_writer.hpp"
+
+#include "rigor/io/audit_json.hpp"
+#include "rigor/io/json_text.hpp"
+#include "rigor/io/version.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace rigor {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t most_pending_bytes = std::size_t{1} << 20;
+
+/// Values as a list of rows.
+Json rows(const std::vector<double>& values, std::size_t width) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < values.size(); i += width) {
+    Json row = Json::array();
+    for (std::size_t k = 0; k < width; ++k) row.push_back(values[i + k]);
+    list.push_back(std::move(row));
+  }
+  return list;
+}
+
+Json events_json(std::span<const MotionEvent> events) {
+  Json list = Json::array();
+  for (const MotionEvent& event : events) {
+    list.push_back({{"time", event.time},
+                    {"kind", event_kind_name(event.kind)},
+                    {"bodies", {event.body_A, event.body_B}},
+                    {"point", {event.p_W.x(), event.p_W.y(), event.p_W.z()}},
+                    {"impulse", {event.j_W.x(), event.j_W.y(), event.j_W.z()}}});
+  }
+  return list;
+}
+
+}  // namespace
+
+JsonWriter::JsonWriter(const std::filesystem::path& path, const TrajectoryHeader& header) : file_(path) {
+  file_.append(fmt::format("{{\n\"rigor\": {},\n\"scene\": {},\n\"bodies\": {},\n\"trajectory\": [",
+                           json_line(version), json_line(header.scene), json_line(header.bodies)));
+  file_.flush();
+}
+
+void JsonWriter::write(const TrajectorySample& sample, std::span<const MotionEvent> events) {
+  const Json energy = {{"kinetic", sample.energy.kinetic},
+                       {"potential", sample.energy.potential},
+                       {"elastic", sample.energy.elastic}};
+  const Json row = {{"time", sample.time},
+                    {"position", rows(sample.position, 3)},
+                    {"orientation", rows(sample.orientation, 4)},
+                    {"velocity", rows(sample.velocity, 3)},
+                    {"angular_velocity", rows(sample.angular_velocity, 3)},
+                    {"energy", energy},
+                    {"events", events_json(events)}};
+  file_.append(is_first_ ? "\n" : ",\n");
+  file_.append(json_line(row));
+  is_first_ = false;
+  if (flush_timer_.is_due() || file_.pending() > most_pending_bytes) file_.flush();
+}
+
+void JsonWriter::close(const Audit& audit) {
+  file_.append(fmt::format("\n],\n\"audit\": {}\n}}\n", audit_json(audit)));
+  file_.close();
+}
+
+}  // namespace rigor

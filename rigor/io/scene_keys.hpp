@@ -1,0 +1,72 @@
+#pragma once
+
+#include "rigor/core/range.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rigor {
+
+/// What the value of a key looks like in a scene file.
+enum class ValueType {
+  number,
+  whole,  ///< Number without fraction.
+  text,
+  choice,        ///< One of Key::choices.
+  angle,         ///< Number in rad, or text such as "30 deg" or "0.5 rad".
+  vector,        ///< 3 numbers.
+  whole_vector,  ///< 3 whole numbers.
+  angles,        ///< 3 angles.
+  quaternion,    ///< 4 numbers w, x, y, z.
+  scale,         ///< Number, or 3 numbers.
+  vectors,       ///< List of vectors.
+  names,         ///< Two names.
+  name_pairs,    ///< List of two names.
+  object,        ///< Mapping with the keys of table Key::object.
+  objects,       ///< List of such mappings.
+};
+
+/// A key of an object of the scene file: all that the reader, the documentation and the JSON Schema know of
+/// it.
+struct Key {
+  std::string name;
+  ValueType type;
+  std::string unit;
+  std::string fallback;  ///< Default as written in a file; "required"; "-" if absence has its own meaning.
+  Range range;           ///< Of a number, or of each number of a list.
+  std::string meaning;
+  std::vector<std::string> choices;  ///< Values that this version offers.
+  std::string object;  ///< Table of the mapping's keys: "inertia"; "shape" and "force" stand for their types.
+  bool is_available = true;  ///< In this version; otherwise only an empty value is allowed.
+  std::string instead;       ///< Unavailable keys: what to do.
+
+  bool is_required() const { return fallback == "required"; }
+};
+
+/// The keys of one kind of object.
+struct KeyTable {
+  std::string object;  ///< "body", "sphere", ...
+  std::string title;   ///< With its article, for messages: "a body".
+  std::string family;  ///< "shape" or "force" for the types of these, else empty.
+  std::vector<Key> keys;
+
+  const Key* find(std::string_view name) const;
+  /// Names of the keys that this version offers.
+  std::vector<std::string> names() const;
+};
+
+/// All tables, in the order of the documentation.
+const std::vector<KeyTable>& key_tables();
+/// The table of an object that exists (a broken promise otherwise).
+const KeyTable& key_table(std::string_view object);
+/// Names of the types of a family: "sphere", "box", ...
+std::vector<std::string> types_of(std::string_view family);
+
+// Parts of key_tables(), one a file.
+std::vector<KeyTable> top_key_tables();
+std::vector<KeyTable> body_key_tables();
+std::vector<KeyTable> shape_key_tables();
+std::vector<KeyTable> force_key_tables();
+
+}  // namespace rigor

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "rigor/geometry/convex_hull.hpp"
+#include "rigor/geometry/shape.hpp"
+#include "rigor/geometry/triangle_mesh.hpp"
+#include "rigor/io/object_reader.hpp"
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+
+namespace rigor {
+
+/// The mesh and hull files of a scene. Each file is read once, each shape made once for each scale. Files lie
+/// in the scene's folder or below: links and ".." that lead out of it are refused.
+class ShapeFiles {
+ public:
+  explicit ShapeFiles(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  /// Surface of the key `file`, scaled by the key `scale`, as triangles; nothing, and why in the errors, if
+  /// it is none.
+  std::optional<Mesh> mesh(const ObjectReader& shape);
+  /// Hull of the vertices of the key `file`, scaled.
+  std::optional<Convex> convex(const ObjectReader& shape);
+
+ private:
+  std::optional<std::filesystem::path> find_file(const ObjectReader& shape, const std::string& file) const;
+  std::optional<PolygonMesh> read_scaled(const ObjectReader& shape, const std::string& file,
+                                         const Vec3& scale);
+
+  using Identity = std::tuple<std::string, double, double, double>;  // file, scale
+  std::filesystem::path folder_;
+  std::map<std::string, std::optional<PolygonMesh>> files_;
+  std::map<Identity, std::optional<Mesh>> meshes_;
+  std::map<Identity, std::optional<Convex>> convexes_;
+};
+
+}  // namespace rigor

@@ -1,0 +1,94 @@
+#include "rigor/io/trajectory_writer.hpp"
+
+#include "rigor/core/assert.hpp"
+#include "rigor/core/quoted.hpp"
+#include "rigor/io/csv_writer.hpp"
+#include "rigor/io/hdf5_writer.hpp"
+#include "rigor/io/json_writer.hpp"
+#include "rigor/math/rotation.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <string_view>
+
+namespace rigor {
+
+namespace {
+
+using MakeWriter = std::unique_ptr<TrajectoryWriter> (*)(const std::filesystem::path&,
+                                                         const TrajectoryHeader&);
+
+template <typename Writer>
+std::unique_ptr<TrajectoryWriter> make_writer(const std::filesystem::path& path,
+                                              const TrajectoryHeader& header) {
+  return std::make_unique<Writer>(path, header);
+}
+
+/// A new format is one more line here.
+struct Format {
+  std::string_view suffix;
+  MakeWriter make;
+};
+constexpr std::array formats = {Format{".csv", make_writer<CsvWriter>},
+                                Format{".h5", make_writer<Hdf5Writer>},
+                                Format{".json", make_writer<JsonWriter>}};
+
+const Format* find_format(const std::filesystem::path& path) {
+  for (const Format& format : formats) {
+    if (path.extension() == format.suffix) return &format;
+  }
+  return nullptr;
+}
+
+void append(const Vec3& v, std::vector<double>& values) {
+  values.insert(values.end(), v.data(), v.data() + 3);
+}
+
+}  // namespace
+
+TrajectorySample make_sample(const Model& model, const State& state, const Energy& energy) {
+  TrajectorySample sample{.time = state.t, .energy = energy};
+  for (int i = 0; i < model.body_count(); ++i) {
+    const Pose X_WB{rotation_matrix(state.orientation(i)), state.position(i)};
+    const Pose X_WL = X_WB * model.body(i).X_BL;
+    const Quat q_WL = quaternion_of(X_WL.R);
+    append(X_WL.p, sample.position);
+    sample.orientation.insert(sample.orientation.end(), {q_WL.w(), q_WL.x(), q_WL.y(), q_WL.z()});
+    append(linear_velocity(model, state, i), sample.velocity);
+    append(angular_velocity(model, state, i), sample.angular_velocity);
+  }
+  return sample;
+}
+
+std::string check_output_suffix(const std::filesystem::path& path) {
+  if (find_format(path)) return {};
+  std::string available;
+  for (const Format& format : formats) available += fmt::format(" {}", format.suffix);
+  const std::string suffix = path.extension().string(), name = quoted_text(path.string());
+  if (suffix.empty()) return fmt::format("output {}: the name has no suffix; available:{}", name, available);
+  return fmt::format("output {}: {} is not available in this version; available:{}", name, suffix, available);
+}
+
+std::unique_ptr<TrajectoryWriter> make_trajectory_writer(const std::filesystem::path& path,
+                                                         const TrajectoryHeader& header) {
+  const Format* const format = find_format(path);
+  RIGOR_ASSERT(format != nullptr);
+  return format->make(path, header);
+}
+
+const char* event_kind_name(MotionEvent::Kind kind) {
+  switch (kind) {
+    case MotionEvent::Kind::impact:
+      return "impact";
+    case MotionEvent::Kind::rest:
+      return "rest";
+    case MotionEvent::Kind::separation:
+      return "separation";
+    case MotionEvent::Kind::slip_to_stick:
+      return "slip_to_stick";
+  }
+  return "";
+}
+
+}  // namespace rigor

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "rigor/sim/audit.hpp"
+#include "rigor/sim/run_settings.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace rigor {
+
+/// What a trajectory file says once, at its start.
+struct TrajectoryHeader {
+  std::string scene;                   ///< Name.
+  std::string scene_text;              ///< The scene file as it was read.
+  std::vector<std::string> overrides;  ///< "key=value", as of --set.
+  Method method;
+  RunSettings run;
+  std::vector<std::string> bodies;  ///< Names in model order, n of them.
+};
+
+/// The motion at one output time, as a user sees it.
+struct TrajectorySample {
+  double time = 0;                       ///< [s].
+  std::vector<double> position;          ///< 3n: origins of the user's frames [m].
+  std::vector<double> orientation;       ///< 4n: of the user's frames, w x y z.
+  std::vector<double> velocity;          ///< 3n: of the centres of mass [m/s].
+  std::vector<double> angular_velocity;  ///< 3n: in W [rad/s].
+  Energy energy;                         ///< [J].
+};
+TrajectorySample make_sample(const Model& model, const State& state, const Energy& energy);
+
+/// A file that a trajectory is written to while it comes about. What has been written survives a kill of the
+/// process, but for the last moment. All functions throw FileError.
+class TrajectoryWriter {
+ public:
+  virtual ~TrajectoryWriter() = default;
+  /// One output time, with what happened since the last one.
+  virtual void write(const TrajectorySample& sample, std::span<const MotionEvent> events) = 0;
+  /// Completes the file.
+  virtual void close(const Audit& audit) = 0;
+};
+
+/// Empty if a trajectory can be written to a file with this suffix (.csv, .h5, .json), or why not: "run.mp4:
+/// .mp4 is not available in this version; available: .csv .h5 .json".
+std::string check_output_suffix(const std::filesystem::path& path);
+
+/// The writer that the suffix asks for; the suffix is one of those. Creates the file.
+std::unique_ptr<TrajectoryWriter> make_trajectory_writer(const std::filesystem::path& path,
+                                                         const TrajectoryHeader& header);
+
+/// Name of an event's kind as files write it: "impact", "rest", "separation", "slip_to_stick".
+const char* event_kind_name(MotionEvent::Kind kind);
+
+}  // namespace rigor

@@ -1,0 +1,249 @@
+#include "rigor/solver/coulomb_problem.hpp"
+
+#include "rigor/core/assert.hpp"
+#include "rigor/solver/coulomb_gauss_seidel.hpp"
+#include "rigor/solver/coulomb_local.hpp"
+#include "rigor/solver/coulomb_polish.hpp"
+#include "rigor/solver/coulomb_proximal.hpp"
+#include "rigor/solver/lcp.hpp"
+#include "rigor/solver/smooth_modes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rigor {
+
+using Eigen::Index;
+
+namespace {
+
+void check_sizes(const CoulombProblem& problem) {
+  const Index n = static_cast<Index>(problem.mu.size());
+  RIGOR_ASSERT(problem.A.rows() == 3 * n && problem.A.cols() == 3 * n && problem.b.size() == 3 * n);
+  RIGOR_ASSERT(problem.rows.size() == problem.mu.size() && problem.slips.size() == problem.mu.size());
+}
+
+bool is_finite(const CoulombProblem& problem) {
+  const auto is_number = [](double mu) { return std::isfinite(mu) && mu >= 0; };
+  return problem.A.allFinite() && problem.b.allFinite() &&
+         std::all_of(problem.mu.begin(), problem.mu.end(), is_number);
+}
+
+bool never_approaches(const CoulombProblem& problem) {
+  for (std::size_t k = 0; k < problem.mu.size(); ++k)
+    if (problem.b(3 * static_cast<Index>(k) + 2) < 0) return false;
+  return true;
+}
+
+// No contact has to find its slip direction: a linear complementarity problem.
+bool is_linear(const CoulombProblem& problem) {
+  for (std::size_t k = 0; k < problem.mu.size(); ++k)
+    if (problem.mu[k] > 0 && problem.rows[k] == FrictionRow::cone) return false;
+  return true;
+}
+
+bool is_frictionless(const CoulombProblem& problem) {
+  return std::all_of(problem.mu.begin(), problem.mu.end(), [](double mu) { return mu == 0; });
+}
+
+int exponent_of(double x) {
+  int exponent = 0;
+  std::frexp(x, &exponent);
+  return exponent;
+}
+
+/// The same problem with the largest |A| and |b| in [½, 1), and the powers of two that lead back.
+struct ScaledProblem {
+  CoulombProblem problem;
+  int A_exponent;
+  int b_exponent;
+};
+
+ScaledProblem scaled(const CoulombProblem& problem) {
+  ScaledProblem result{problem, exponent_of(problem.A.cwiseAbs().maxCoeff()),
+                       exponent_of(problem.b.cwiseAbs().maxCoeff())};
+  result.problem.A *= std::ldexp(1.0, -result.A_exponent);
+  result.problem.b *= std::ldexp(1.0, -result.b_exponent);
+  return result;
+}
+
+void scale_back(const ScaledProblem& scaled, CoulombSolution& solution) {
+  solution.lambda *= std::ldexp(1.0, scaled.b_exponent - scaled.A_exponent);
+  solution.w *= std::ldexp(1.0, scaled.b_exponent);
+}
+
+CoulombSolution labelled(CoulombSolution solution, int iterations, const char* method) {
+  solution.iterations = iterations;
+  solution.method = method;
+  return solution;
+}
+
+// Normal rows alone: w_n = (A_nn - μ A_nt slip) λ_n + b_n.
+CoulombSolution solve_linear(const CoulombProblem& problem, double tolerance) {
+  CoulombGuess guess = open_guess(problem);
+  std::vector<ContactVector> rows, columns;
+  VecX q(static_cast<Index>(problem.mu.size()));
+  for (Index i = 0; i < q.size(); ++i) {
+    const std::size_t k = static_cast<std::size_t>(i);
+    const double mu = problem.mu[k];
+    const Vec2 friction = mu > 0 ? Vec2(-mu * problem.slips[k]) : Vec2::Zero();
+    rows.push_back({i, Vec3::UnitZ()});
+    columns.push_back({i, Vec3(friction(0), friction(1), 1.0)});
+    q(i) = problem.b(3 * i + 2);
+  }
+  const MatX M = reduce(problem.A, rows, columns);
+  const bool symmetric = is_frictionless(problem);
+  const LcpSolution lcp = symmetric ? lcp_dantzig(M, q) : lcp_lemke(M, q);
+  for (Index i = 0; i < q.size(); ++i) {
+    guess.lambda.segment<3>(3 * i) = lcp.z(i) * columns[static_cast<std::size_t>(i)].direction;
+    if (lcp.z(i) > 0) guess.modes.modes[static_cast<std::size_t>(i)] = ContactMode::slide;
+  }
+  return labelled(polish_coulomb(problem, guess, tolerance), lcp.pivots, symmetric ? "dantzig" : "lemke");
+}
+
+CoulombSolution solve_single(const CoulombProblem& problem, double tolerance) {
+  const LocalCoulombSolution local = solve_coulomb_local(problem.A, problem.b, problem.mu[0]);
+  CoulombSolution solution = make_solution(problem, local.lambda, {local.mode}, tolerance);
+  return labelled(std::move(solution), 1, "one contact");
+}
+
+/// Proximal Newton and Gauss–Seidel by turns, each guess polished; keeps the best point so far.
+class Chain {
+ public:
+  Chain(const CoulombProblem& problem, const CoulombOptions& options, CoulombSolution start)
+      : problem_(problem),
+        options_(options),
+        best_(std::move(start)),
+        proximal_(problem, open_guess(problem)),
+        gauss_seidel_(problem, open_guess(problem)) {}
+
+  CoulombSolution run() {
+    // A few proximal steps show the modes of most problems; strong friction may need the other method, or
+    // patience.
+    if (proximal_until(20)) return best_;
+    if (gauss_seidel_until(std::min(256, options_.max_iterations))) return best_;
+    if (proximal_until(100)) return best_;
+    gauss_seidel_until(options_.max_iterations);
+    return best_;
+  }
+
+ private:
+  bool offer(const CoulombGuess& guess, int iterations, const char* method) {
+    if (!guess.lambda.allFinite()) return false;
+    CoulombSolution solution = polish_coulomb(problem_, guess, options_.tolerance);
+    if (solution.residual < best_.residual) best_ = labelled(std::move(solution), iterations, method);
+    return best_.converged;
+  }
+
+  // Polishes when the modes have changed, and at every eighth step.
+  bool proximal_until(int last) {
+    std::vector<ContactMode> offered;
+    while (proximal_steps_ < last) {
+      proximal_.step();
+      ++proximal_steps_;
+      const CoulombGuess& guess = proximal_.guess();
+      if (guess.modes.modes == offered && proximal_steps_ % 8 != 0) continue;
+      offered = guess.modes.modes;
+      if (offer(guess, proximal_steps_, "proximal")) return true;
+    }
+    return false;
+  }
+
+  // Polishes after 1, 2, 4, 8, ... sweeps.
+  bool gauss_seidel_until(int last) {
+    double change = 1;
+    while (sweeps_ < last && change > 0) {
+      change = gauss_seidel_.sweep();
+      ++sweeps_;
+      const bool is_power = (sweeps_ & (sweeps_ - 1)) == 0;
+      if ((is_power || sweeps_ == last || change == 0) &&
+          offer(gauss_seidel_.guess(), sweeps_, "gauss-seidel"))
+        return true;
+      if (!gauss_seidel_.guess().lambda.allFinite()) return false;
+    }
+    return false;
+  }
+
+  const CoulombProblem& problem_;
+  const CoulombOptions& options_;
+  CoulombSolution best_;
+  CoulombProximal proximal_;
+  CoulombGaussSeidel gauss_seidel_;
+  int proximal_steps_ = 0;
+  int sweeps_ = 0;
+};
+
+CoulombSolution solve_scaled(const CoulombProblem& problem, const CoulombOptions& options) {
+  if (is_linear(problem)) return solve_linear(problem, options.tolerance);
+  CoulombSolution start = labelled(make_solution(problem, VecX::Zero(problem.b.size()),
+                                                 open_guess(problem).modes.modes, options.tolerance),
+                                   0, "open");
+  if (problem.mu.size() == 1) {
+    CoulombSolution single = solve_single(problem, options.tolerance);
+    if (single.converged) return single;
+  }
+  return Chain(problem, options, std::move(start)).run();
+}
+
+}  // namespace
+
+CoulombSolution solve_coulomb(const CoulombProblem& problem, const CoulombOptions& options) {
+  check_sizes(problem);
+  const CoulombSolution open{
+      VecX::Zero(problem.b.size()), problem.b, open_guess(problem).modes.modes, 0.0, 0, true, "open"};
+  if (!is_finite(problem)) {
+    CoulombSolution failed = open;
+    failed.converged = false;
+    failed.residual = std::numeric_limits<double>::infinity();
+    return failed;
+  }
+  if (never_approaches(problem)) return open;
+  const ScaledProblem unit = scaled(problem);
+  CoulombSolution solution = solve_scaled(unit.problem, options);
+  scale_back(unit, solution);
+  return solution;
+}
+
+VecX solve_known_modes(const CoulombProblem& problem, const std::vector<ContactMode>& modes) {
+  check_sizes(problem);
+  RIGOR_ASSERT(modes.size() == problem.mu.size());
+  return KnownModesSystem(problem, {modes, problem.slips}).solve();
+}
+
+std::optional<VecX> find_cone_forces(const CoulombProblem& problem, const std::vector<ContactMode>& modes) {
+  check_sizes(problem);
+  RIGOR_ASSERT(modes.size() == problem.mu.size());
+  return KnownModesSystem(problem, {modes, problem.slips}).find_in_cones();
+}
+
+double coulomb_residual(const CoulombProblem& problem, const VecX& lambda, const VecX& w) {
+  const double size = largest_term(problem, lambda);
+  if (!lambda.allFinite() || !w.allFinite()) return std::numeric_limits<double>::infinity();
+  if (!(size > 0)) return 0.0;
+  const double largest = problem.A.diagonal().maxCoeff();
+  double worst = 0;
+  for (std::size_t k = 0; k < problem.mu.size(); ++k) {
+    const Index row = 3 * static_cast<Index>(k);
+    const double trace = problem.A.diagonal().segment<3>(row).sum();
+    const double rho = trace > 0 ? 3 / trace : (largest > 0 ? 1 / largest : 1.0);
+    const Vec3 force = lambda.segment<3>(row);
+    const Vec3 motion = w.segment<3>(row);
+    const double mu = problem.mu[k];
+    const double normal = std::abs(force(2) - std::max(0.0, force(2) - rho * motion(2)));
+    Vec2 target = Vec2::Zero();
+    if (problem.rows[k] == FrictionRow::slide) {
+      if (mu > 0) target = -mu * force(2) * problem.slips[k];
+    } else {
+      target = force.head<2>() - rho * motion.head<2>();
+      const double length = target.norm();
+      const double radius = mu * std::max(0.0, force(2));
+      if (length > radius) target *= radius / length;
+    }
+    const double tangential = (force.head<2>() - target).norm();
+    worst = std::max({worst, normal / rho, tangential / rho});
+  }
+  return worst / size;
+}
+
+}  // namespace rigor

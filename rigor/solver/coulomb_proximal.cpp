@@ -1,0 +1,167 @@
+#include "rigor/solver/coulomb_proximal.hpp"
+
+#include "rigor/solver/cone.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace rigor {
+
+using Eigen::Index;
+
+namespace {
+
+constexpr double kRankTolerance = 1e-14;
+constexpr double kLargestRho = 1e6;
+// Larger coefficients count as this one: hardly any contact slides with more, and the shifts of those that
+// seem to in an early step would throw the others open. The polish uses the true ones.
+constexpr double kLargestMu = 4;
+// The shifts follow at once in most problems; where they have not settled by then, they go half way.
+constexpr int kUndampedSteps = 20;
+constexpr double kDamping = 0.5;
+
+}  // namespace
+
+MatX low_rank_factor(const MatX& A) {
+  const Index n = A.rows();
+  MatX L = MatX::Zero(n, n);
+  VecX diagonal = A.diagonal();
+  const double threshold = n > 0 ? kRankTolerance * diagonal.maxCoeff() : 0.0;
+  Index rank = 0;
+  for (; rank < n; ++rank) {
+    Index pivot = 0;
+    const double largest = diagonal.maxCoeff(&pivot);
+    if (!(largest > threshold)) break;
+    VecX column = A.col(pivot) - L.leftCols(rank) * L.row(pivot).head(rank).transpose();
+    column /= std::sqrt(largest);
+    L.col(rank) = column;
+    diagonal -= column.cwiseAbs2();
+    diagonal(pivot) = 0;
+  }
+  return L.leftCols(rank);
+}
+
+CoulombProximal::CoulombProximal(const CoulombProblem& problem, CoulombGuess start)
+    : problem_(problem), guess_(std::move(start)), L_(low_rank_factor(problem.A)) {
+  const Index count = static_cast<Index>(problem.mu.size());
+  const double largest = problem.A.diagonal().maxCoeff();
+  stiffness_.resize(count);
+  for (Index i = 0; i < count; ++i) {
+    const double mean = problem.A.diagonal().segment<3>(3 * i).mean();
+    stiffness_(i) = 1.0 / (mean > 1e-12 * largest ? mean : largest);
+  }
+  // Without shifts at first: a guess of the slip that is far too fast would open the contacts for good.
+  q_ = problem.b;
+  shift_ = VecX::Zero(count);
+  v_ = L_.transpose() * guess_.lambda;
+}
+
+void CoulombProximal::step() {
+  minimise();
+  update_guess(evaluate(v_));
+  const VecX w = problem_.A * guess_.lambda + problem_.b;
+  ++steps_;
+  update_shift(w, steps_ <= kUndampedSteps ? 1.0 : kDamping);
+  rho_ = std::min(10 * rho_, kLargestRho);
+}
+
+double CoulombProximal::capped_mu(std::size_t contact) const {
+  return std::min(problem_.mu[contact], kLargestMu);
+}
+
+Vec3 CoulombProximal::project(Index contact, const Vec3& x) const {
+  const std::size_t k = static_cast<std::size_t>(contact);
+  if (problem_.rows[k] == FrictionRow::slide) return {0.0, 0.0, std::max(0.0, x(2))};
+  return project_on_cone(x, capped_mu(k));
+}
+
+CoulombProximal::Inner CoulombProximal::evaluate(const VecX& v) const {
+  Inner inner{0.5 * v.squaredNorm(), v, L_ * v + q_, VecX(q_.size())};
+  for (Index i = 0; i < stiffness_.size(); ++i) {
+    const double rho = rho_ * stiffness_(i);
+    const Vec3 x = guess_.lambda.segment<3>(3 * i) - rho * inner.argument.segment<3>(3 * i);
+    const Vec3 force = project(i, x);
+    inner.argument.segment<3>(3 * i) = x;
+    inner.force.segment<3>(3 * i) = force;
+    inner.value += force.squaredNorm() / (2 * rho);
+  }
+  inner.gradient -= L_.transpose() * inner.force;
+  return inner;
+}
+
+MatX CoulombProximal::hessian(const VecX& argument) const {
+  MatX scaled = MatX::Zero(L_.rows(), L_.cols());
+  for (Index i = 0; i < stiffness_.size(); ++i) {
+    const std::size_t k = static_cast<std::size_t>(i);
+    const double rho = rho_ * stiffness_(i);
+    const Vec3 x = argument.segment<3>(3 * i);
+    if (problem_.rows[k] == FrictionRow::slide) {
+      if (x(2) > 0) scaled.row(3 * i + 2) = rho * L_.row(3 * i + 2);
+    } else {
+      scaled.middleRows<3>(3 * i) =
+          (rho * cone_projection_derivative(x, capped_mu(k))) * L_.middleRows<3>(3 * i);
+    }
+  }
+  MatX H = L_.transpose() * scaled;
+  H.diagonal().array() += 1.0;
+  return H;
+}
+
+// Newton with Armijo's line search on a strongly convex, once differentiable function.
+void CoulombProximal::minimise() {
+  constexpr int kMaxSteps = 50;
+  constexpr double kTolerance = 1e-11;
+  Inner inner = evaluate(v_);
+  for (int step = 0; step < kMaxSteps; ++step) {
+    if (inner.gradient.norm() <= kTolerance * (v_.norm() + (L_.transpose() * inner.force).norm())) return;
+    const VecX direction = -hessian(inner.argument).ldlt().solve(inner.gradient);
+    const double slope = inner.gradient.dot(direction);
+    double length = 1;
+    Inner trial = evaluate(v_ + direction);
+    for (int halving = 0; halving < 30 && !(trial.value <= inner.value + 1e-4 * length * slope); ++halving) {
+      length *= 0.5;
+      trial = evaluate(v_ + length * direction);
+    }
+    if (!(trial.value < inner.value)) return;
+    v_ += length * direction;
+    inner = std::move(trial);
+  }
+}
+
+void CoulombProximal::update_guess(const Inner& inner) {
+  for (Index i = 0; i < stiffness_.size(); ++i) {
+    const std::size_t k = static_cast<std::size_t>(i);
+    const Vec3 x = inner.argument.segment<3>(3 * i);
+    Vec3 force = inner.force.segment<3>(3 * i);
+    const double mu = capped_mu(k);
+    ContactMode mode = force(2) > 0 ? ContactMode::slide : ContactMode::open;
+    if (problem_.rows[k] == FrictionRow::slide) {
+      if (mu > 0) force.head<2>() = -problem_.mu[k] * force(2) * problem_.slips[k];
+    } else {
+      const bool inside = mu > 0 && cone_region(x, mu) == ConeRegion::inside;
+      if (mode != ContactMode::open && inside) mode = ContactMode::stick;
+      guess_.modes.slips[k] = slip_of_force(force, guess_.modes.slips[k]);
+    }
+    guess_.modes.modes[k] = mode;
+    guess_.lambda.segment<3>(3 * i) = force;
+  }
+}
+
+// q = b + A (friction of slide rows) + s n; the forces of `evaluate` are then all others. The shift follows μ
+// |w_t|, with damping when it made matters worse.
+void CoulombProximal::update_shift(const VecX& w, double damping) {
+  VecX held = VecX::Zero(w.size());
+  for (Index i = 0; i < shift_.size(); ++i) {
+    const std::size_t k = static_cast<std::size_t>(i);
+    if (problem_.rows[k] == FrictionRow::slide) {
+      held.segment<2>(3 * i) = guess_.lambda.segment<2>(3 * i);
+    } else {
+      shift_(i) += damping * (capped_mu(k) * w.segment<2>(3 * i).norm() - shift_(i));
+    }
+  }
+  q_ = problem_.b + problem_.A * held;
+  for (Index i = 0; i < shift_.size(); ++i) q_(3 * i + 2) += shift_(i);
+  v_ = L_.transpose() * (guess_.lambda - held);
+}
+
+}  // namespace rigor

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "rigor/solver/coulomb_guess.hpp"
+
+#include <optional>
+
+namespace rigor {
+
+/// The solution with the given modes whose forces are of least norm in the cones, if its residual is at most
+/// `accepted`.
+///
+/// Mostly one linear solve. But where redundant contacts slide in different directions, other forces make
+/// other slips: wanted are slips û such that the forces of least norm for û make motions w_t along û. This
+/// fixed point of the map (slip angles → forces → slip angles) is found by Anderson's acceleration from the
+/// slips in `face`. Nothing if it was not found, or a contact stops or turns back on the way.
+std::optional<CoulombSolution> find_least_norm(const CoulombProblem& problem, const ContactModes& face,
+                                               double accepted);
+
+}  // namespace rigor

@@ -1,0 +1,131 @@
+#include "rigor/geometry/gjk.hpp"
+
+#include "geometry/random_pairs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace rigor {
+namespace {
+
+using test::Draw;
+
+/// The optimality condition of the nearest point v of a convex set: p · v ≥ v · v for all its points p.
+void expect_nearest(const std::array<Vec3, 4>& points, int count, const SimplexPoint& nearest,
+                    double tolerance) {
+  Vec3 sum = Vec3::Zero();
+  double weights = 0;
+  for (int i = 0; i < nearest.count; ++i) {
+    const std::size_t k = static_cast<std::size_t>(i);
+    EXPECT_GT(nearest.weight[k], 0);
+    weights += nearest.weight[k];
+    sum += nearest.weight[k] * points[static_cast<std::size_t>(nearest.index[k])];
+  }
+  EXPECT_NEAR(weights, 1, tolerance);
+  EXPECT_LT((sum - nearest.v).norm(), tolerance);
+  for (int i = 0; i < count; ++i) {
+    EXPECT_GE(points[static_cast<std::size_t>(i)].dot(nearest.v), nearest.squared - tolerance);
+  }
+}
+
+TEST(Simplex, NearestPointSatisfiesTheOptimalityCondition) {
+  Draw draw(1);
+  for (int i = 0; i < 2000; ++i) {
+    const int count = 1 + i % 4;
+    const Vec3 offset = draw.uniform(0, 2) * draw.direction();
+    std::array<Vec3, 4> points;
+    for (Vec3& p : points) p = draw.direction() + offset;
+    expect_nearest(points, count, nearest_on_simplex(points, count), 1e-13);
+  }
+}
+
+TEST(Simplex, WithoutAreaOrVolumeItsSidesAnswer) {
+  Draw draw(2);
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3 p = 2 * draw.direction();
+    const Vec3 e = draw.direction();
+    const Vec3 f = draw.direction();
+    // Three points on a line; four points in a plane; a point that comes twice.
+    const std::array<Vec3, 4> line{p, p + e, p + draw.uniform(-2, 2) * e, p};
+    expect_nearest(line, 3, nearest_on_simplex(line, 3), 1e-13);
+    const std::array<Vec3, 4> plane{p, p + e, p + f, p + draw.uniform(-2, 2) * e + draw.uniform(-2, 2) * f};
+    expect_nearest(plane, 4, nearest_on_simplex(plane, 4), 1e-13);
+    const std::array<Vec3, 4> twice{p, p + e, p + f, p + f};
+    expect_nearest(twice, 4, nearest_on_simplex(twice, 4), 1e-13);
+  }
+}
+
+TEST(Simplex, ATetrahedronAroundTheOriginHoldsIt) {
+  const std::array<Vec3, 4> points{Vec3(1, 1, 1), Vec3(-1, -1, 1), Vec3(-1, 1, -1), Vec3(1, -1, -1)};
+  const SimplexPoint nearest = nearest_on_simplex(points, 4);
+  EXPECT_EQ(nearest.count, 4);
+  EXPECT_EQ(nearest.squared, 0);
+  for (const double weight : nearest.weight) EXPECT_DOUBLE_EQ(weight, 0.25);
+}
+
+TEST(Gjk, BoundsEncloseAndMeetForSeparatedShapes) {
+  Draw draw(3);
+  for (int i = 0; i < 5 * 81; ++i) {
+    const Shape a = draw.shape(i % Draw::kKinds);
+    const Shape b = draw.shape(i / Draw::kKinds % Draw::kKinds);
+    const ConvexCore core_a = make_core(a);
+    const ConvexCore core_b = make_core(b);
+    const CorePair pair(core_a, core_b, {draw.rotation(), draw.uniform(2.2, 4) * draw.direction()});
+    GjkState state = start_gjk(pair);
+    double lower = state.separation;
+    double upper = state.upper;
+    for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-8}) {
+      advance_gjk(pair, tolerance, state);
+      EXPECT_GE(state.separation, lower);
+      EXPECT_LE(state.upper, upper);
+      EXPECT_LE(state.separation, state.upper + pair.rounding);
+      EXPECT_LE(state.upper - state.separation, tolerance);
+      EXPECT_EQ(state.outcome, GjkState::Outcome::converged);
+      lower = state.separation;
+      upper = state.upper;
+    }
+    EXPECT_NEAR(state.n.norm(), 1, 1e-15);
+  }
+}
+
+TEST(Gjk, PolytopesNeedFewSteps) {
+  Draw draw(4);
+  int steps = 0;
+  const int pairs = 300;
+  for (int i = 0; i < pairs; ++i) {
+    const Shape a = draw.hull(32);
+    const Shape b = draw.hull(32);
+    const ConvexCore core_a = make_core(a);
+    const ConvexCore core_b = make_core(b);
+    const CorePair pair(core_a, core_b, {draw.rotation(), draw.uniform(1.5, 3) * draw.direction()});
+    GjkState state = start_gjk(pair);
+    advance_gjk(pair, pair.rounding, state);
+    EXPECT_LT(state.iterations, 20);
+    steps += state.iterations;
+  }
+  EXPECT_LT(steps, 6 * pairs);
+}
+
+TEST(Gjk, OverlapIsReportedAsTouching) {
+  Draw draw(5);
+  for (int i = 0; i < 500; ++i) {
+    const Shape a = draw.shape(1 + i % (Draw::kKinds - 1));
+    const Shape b = draw.shape(1 + i / 7 % (Draw::kKinds - 1));
+    const ConvexCore core_a = make_core(a);
+    const ConvexCore core_b = make_core(b);
+    // All but segments and small hulls hold a ball of 0.03 about their origin.
+    const auto is_thick = [](const ConvexCore& core) {
+      return core.kind != ConvexCore::Kind::segment && (core.hull == nullptr || core.points.size() > 8);
+    };
+    if (!is_thick(core_a) || !is_thick(core_b)) continue;
+    const CorePair pair(core_a, core_b, {draw.rotation(), 0.03 * draw.direction()});
+    GjkState state = start_gjk(pair);
+    advance_gjk(pair, pair.rounding, state);
+    EXPECT_EQ(state.outcome, GjkState::Outcome::touching);
+    EXPECT_LE(state.separation, 0);
+  }
+}
+
+}  // namespace
+}  // namespace rigor

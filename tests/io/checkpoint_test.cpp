@@ -1,0 +1,150 @@
+#include "rigor/io/checkpoint.hpp"
+
+#include "io/trajectory_samples.hpp"
+#include "rigor/core/input_error.hpp"
+#include "rigor/io/file_error.hpp"
+#include "rigor/io/fingerprint.hpp"
+#include "rigor/io/scene_reader.hpp"
+#include "rigor/sim/simulation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+
+namespace rigor {
+namespace {
+
+const char* const two_balls = R"(
+rigor: 1
+name: two balls
+run: {duration: 2, output_interval: 0.25}
+materials: [{name: rubber, density: 1000, friction: 0.3, restitution: 0.8}]
+bodies:
+  - {name: floor, motion: static, shapes: [{type: plane, normal: [0, 0, 1], offset: 0, material: rubber}]}
+  - {name: a, position: [0, 0, 1], angular_velocity: [1, 2, 3], shapes: [{type: sphere, radius: 0.1, material: rubber}]}
+  - {name: b, position: [0.05, 0, 2], shapes: [{type: box, size: [0.2, 0.3, 0.4], material: rubber}]}
+)";
+
+Scene scene_of(const std::string& text) {
+  return parse_scene(text, "scene.yaml", ".");
+}
+std::uint64_t fingerprint_of(const Scene& scene) {
+  return fingerprint(*scene.model, scene.method, scene.run.step);
+}
+
+RunResult run(const Scene& scene, double duration, const std::optional<State>& start) {
+  RunSettings settings = scene.run;
+  settings.duration = duration;
+  return run_simulation(scene.model, scene.method, settings, start,
+                        [](const State&, const AdvanceReport&, const Auditor&) { return true; });
+}
+
+Checkpoint sample_checkpoint() {
+  Checkpoint checkpoint{.fingerprint = 42};
+  checkpoint.state = make_initial_state(*scene_of(two_balls).model);
+  checkpoint.audit.sim_time = 1.5;
+  checkpoint.audit.report.impacts = 7;
+  checkpoint.audit.report.penetration_A = -1;
+  checkpoint.audit.report.momentum_error = Vec3(1, 2, 3);
+  checkpoint.audit.warnings = {"one", "two"};
+  return checkpoint;
+}
+
+TEST(Checkpoint, ARunInTwoPartsEndsAsTheRunInOneGoBitForBit) {
+  const TemporaryFolder folder;
+  const Scene scene = scene_of(two_balls);
+  const RunResult whole = run(scene, 2, std::nullopt);
+  const RunResult first = run(scene, 1, std::nullopt);
+  write_checkpoint(folder / "run.cp", {fingerprint_of(scene), first.state, first.audit});
+
+  const Checkpoint checkpoint = read_checkpoint(folder / "run.cp", fingerprint_of(scene));
+  const RunResult second = run(scene_of(two_balls), 2, checkpoint.state);
+  EXPECT_EQ(second.state, whole.state);
+
+  const Audit joined = joined_audit(checkpoint.audit, second.audit);
+  EXPECT_GT(whole.audit.report.impacts, first.audit.report.impacts);
+  EXPECT_EQ(joined.report.impacts, whole.audit.report.impacts);
+  EXPECT_EQ(joined.report.resting, whole.audit.report.resting);
+  EXPECT_EQ(joined.sim_time, 2);
+  EXPECT_EQ(joined.initial.total(), whole.audit.initial.total());
+  EXPECT_EQ(joined.final.total(), whole.audit.final.total());
+  // No work is done here, so that both are the same difference.
+  EXPECT_EQ(joined.dissipated, whole.audit.dissipated);
+}
+
+TEST(Checkpoint, ReadsBackWhatWasWritten) {
+  const TemporaryFolder folder;
+  const Checkpoint written = sample_checkpoint();
+  write_checkpoint(folder / "a.cp", written);
+  const Checkpoint read = read_checkpoint(folder / "a.cp", 42);
+  EXPECT_EQ(read.state, written.state);
+  EXPECT_EQ(read.audit.sim_time, 1.5);
+  EXPECT_EQ(read.audit.report.impacts, 7);
+  EXPECT_EQ(read.audit.report.penetration_A, -1);
+  EXPECT_EQ(read.audit.report.momentum_error, Vec3(1, 2, 3));
+  EXPECT_EQ(read.audit.warnings, (std::vector<std::string>{"one", "two"}));
+}
+
+TEST(Checkpoint, OfAnotherSimulationIsRefused) {
+  const TemporaryFolder folder;
+  write_checkpoint(folder / "a.cp", sample_checkpoint());
+  try {
+    read_checkpoint(folder / "a.cp", 43);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("another simulation"), std::string::npos);
+  }
+}
+
+TEST(Checkpoint, DamageAnywhereIsFound) {
+  const TemporaryFolder folder;
+  write_checkpoint(folder / "a.cp", sample_checkpoint());
+  std::ifstream file(folder / "a.cp", std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  for (std::size_t i = 0; i < bytes.size(); i += 7) {
+    std::string damaged = bytes;
+    damaged[i] = static_cast<char>(damaged[i] ^ 0x10);
+    std::ofstream(folder / "b.cp", std::ios::binary) << damaged;
+    EXPECT_THROW(read_checkpoint(folder / "b.cp", 42), InputError) << i;
+    std::ofstream(folder / "b.cp", std::ios::binary) << bytes.substr(0, i);
+    EXPECT_THROW(read_checkpoint(folder / "b.cp", 42), InputError) << i;
+  }
+  EXPECT_THROW(read_checkpoint(folder / "missing.cp", 42), InputError);
+  EXPECT_THROW(read_checkpoint(folder.path(), 42), InputError);
+}
+
+TEST(Checkpoint, LeavesNoTemporaryFileAndKeepsTheOldOneOnFailure) {
+  const TemporaryFolder folder;
+  write_checkpoint(folder / "a.cp", sample_checkpoint());
+  write_checkpoint(folder / "a.cp", sample_checkpoint());
+  EXPECT_THROW(write_checkpoint(folder / "missing/a.cp", sample_checkpoint()), FileError);
+  std::filesystem::create_directory(folder / "folder");
+  std::ofstream(folder / "folder/file").put('1');
+  EXPECT_THROW(write_checkpoint(folder / "folder", sample_checkpoint()), FileError);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 2);
+}
+
+TEST(Fingerprint, TellsSimulationsApartAndNotTheirSpelling) {
+  const std::string text = two_balls;
+  const auto changed = [&](const std::string& from, const std::string& to) {
+    std::string copy = text;
+    copy.replace(copy.find(from), from.size(), to);
+    return fingerprint_of(scene_of(copy));
+  };
+  const std::uint64_t original = fingerprint_of(scene_of(text));
+  EXPECT_EQ(original, fingerprint_of(scene_of(text + "\n# a comment\n")));
+  EXPECT_EQ(original, changed("duration: 2", "duration: 20"));
+  EXPECT_EQ(original, changed("radius: 0.1", "radius: 0.10"));
+  EXPECT_NE(original, changed("radius: 0.1", "radius: 0.11"));
+  EXPECT_NE(original, changed("restitution: 0.8", "restitution: 0.7"));
+  EXPECT_NE(original, changed("density: 1000", "density: 1001"));
+  EXPECT_NE(original, changed("position: [0, 0, 1]", "position: [0, 0, 1.5]"));
+  EXPECT_NE(original, changed("size: [0.2, 0.3, 0.4]", "size: [0.2, 0.4, 0.3]"));
+  EXPECT_NE(original, changed("name: two balls", "name: two\nmethod: {integrator: rk4}"));
+  EXPECT_NE(original, changed("duration: 2", "duration: 2, step: 0.02"));
+  EXPECT_NE(original, changed("name: two balls", "name: two\nworld: {gravity: [0, 0, -9]}"));
+}
+
+}  // namespace
+}  // namespace rigor

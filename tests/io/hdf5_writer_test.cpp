@@ -1,0 +1,174 @@
+#include "rigor/io/hdf5_writer.hpp"
+
+#include "io/trajectory_samples.hpp"
+#include "rigor/core/input_error.hpp"
+#include "rigor/io/file_error.hpp"
+#include "rigor/io/hdf5_reader.hpp"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <fstream>
+#include <random>
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+
+namespace rigor {
+namespace {
+
+/// Every row that the file holds is the row that was written.
+void expect_rows(const StoredTrajectory& stored, std::size_t body_count) {
+  for (std::size_t k = 0; k < stored.time.size(); ++k) {
+    const TrajectorySample row = sample_row(static_cast<int>(k), body_count);
+    const auto part = [k](const std::vector<double>& values, std::size_t width) {
+      return std::vector<double>(&values[k * width], &values[k * width] + width);
+    };
+    ASSERT_EQ(stored.time[k], row.time);
+    ASSERT_EQ(part(stored.position, 3 * body_count), row.position);
+    ASSERT_EQ(part(stored.orientation, 4 * body_count), row.orientation);
+    ASSERT_EQ(part(stored.velocity, 3 * body_count), row.velocity);
+    ASSERT_EQ(part(stored.angular_velocity, 3 * body_count), row.angular_velocity);
+    ASSERT_EQ(part(stored.energy, 3),
+              (std::vector<double>{row.energy.kinetic, row.energy.potential, row.energy.elastic}));
+  }
+  for (std::size_t k = 0; k < stored.event_time.size(); ++k) {
+    const MotionEvent event = sample_event(static_cast<int>(k));
+    ASSERT_EQ(stored.event_time[k], event.time);
+    ASSERT_EQ(stored.event_kind[k], static_cast<int>(event.kind));
+    ASSERT_EQ(stored.event_bodies[2 * k + 1], event.body_B);
+    ASSERT_EQ(Vec3::Map(&stored.event_point[3 * k]), event.p_W);
+    ASSERT_EQ(Vec3::Map(&stored.event_impulse[3 * k]), event.j_W);
+  }
+}
+
+void write_row(int k, std::size_t body_count, Hdf5Writer& writer) {
+  const MotionEvent event = sample_event(k);
+  writer.write(sample_row(k, body_count), {&event, 1});
+}
+
+TEST(Hdf5Writer, WhatIsReadIsWhatWasWritten) {
+  const TemporaryFolder folder;
+  const std::size_t n = 3;
+  Hdf5Writer writer(folder / "run.h5", sample_header({"a", "ball[0,1]", "größe"}));
+  for (int k = 0; k < 3000; ++k) write_row(k, n, writer);
+  writer.close({});
+
+  const StoredTrajectory stored = read_hdf5_trajectory(folder / "run.h5");
+  EXPECT_EQ(stored.scene, "test");
+  EXPECT_EQ(stored.scene_text, "rigor: 1\n");
+  EXPECT_EQ(stored.bodies, (std::vector<std::string>{"a", "ball[0,1]", "größe"}));
+  ASSERT_EQ(stored.time.size(), 3000u);
+  ASSERT_EQ(stored.event_time.size(), 3000u);
+  expect_rows(stored, n);
+}
+
+TEST(Hdf5Writer, ASceneWithoutBodiesGivesTimesOnly) {
+  const TemporaryFolder folder;
+  Hdf5Writer writer(folder / "run.h5", sample_header({}));
+  writer.write(sample_row(0, 0), {});
+  writer.close({});
+  const StoredTrajectory stored = read_hdf5_trajectory(folder / "run.h5");
+  EXPECT_EQ(stored.time.size(), 1u);
+  EXPECT_TRUE(stored.position.empty());
+}
+
+TEST(Hdf5Writer, AnUnclosedFileCanBeReadAtAnyTime) {
+  const TemporaryFolder folder;
+  Hdf5Writer writer(folder / "run.h5", sample_header({"a"}));
+  for (int k = 0; k < 300; ++k) {
+    write_row(k, 1, writer);
+    writer.flush();
+    // A copy is what another process sees.
+    if (k % 29 != 0) continue;
+    std::filesystem::copy_file(folder / "run.h5", folder / "copy.h5",
+                               std::filesystem::copy_options::overwrite_existing);
+    const StoredTrajectory stored = read_hdf5_trajectory(folder / "copy.h5");
+    ASSERT_EQ(stored.time.size(), static_cast<std::size_t>(k + 1));
+    expect_rows(stored, 1);
+  }
+}
+
+/// Runs a process that writes and flushes row after row without a pause, and kills it after the time [µs].
+void write_and_be_killed(const std::filesystem::path& path, std::size_t body_count, int microseconds) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < body_count; ++i) names.push_back("body" + std::to_string(i));
+  const pid_t child = ::fork();
+  if (child == 0) {
+    Hdf5Writer writer(path, sample_header(names));
+    writer.flush();
+    std::ofstream(path.string() + ".open").put('1');
+    for (int k = 0;; ++k) {
+      write_row(k, body_count, writer);
+      writer.flush();
+    }
+  }
+  while (!std::filesystem::exists(path.string() + ".open")) ::usleep(100);
+  ::usleep(static_cast<useconds_t>(microseconds));
+  ::kill(child, SIGKILL);
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFSIGNALED(status));
+}
+
+TEST(Hdf5Writer, AFileWhoseWriterWasKilledCanBeOpenedAndHoldsWholeRows) {
+  // Nearly all the time of the child goes into flushes, so nearly every kill hits one.
+  std::mt19937 random(1);
+  std::size_t rows = 0;
+  for (int trial = 0; trial < 40; ++trial) {
+    const TemporaryFolder folder;
+    const std::size_t n = trial % 2 == 0 ? 1 : 50;
+    write_and_be_killed(folder / "run.h5", n, static_cast<int>(random() % 20000));
+    const StoredTrajectory stored = read_hdf5_trajectory(folder / "run.h5");
+    ASSERT_EQ(stored.position.size(), stored.time.size() * n * 3);
+    ASSERT_EQ(stored.energy.size(), stored.time.size() * 3);
+    ASSERT_GE(stored.event_time.size(), stored.time.size());
+    expect_rows(stored, n);
+    rows += stored.time.size();
+  }
+  EXPECT_GT(rows, 40u);
+}
+
+TEST(Hdf5Writer, AFullDiskIsToldAndTheFileKeepsWhatItHeld) {
+  const TemporaryFolder folder;
+  const pid_t child = ::fork();
+  if (child == 0) {
+    // A limit of the file's size stands for a full disk.
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit = {400000, 400000};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+    Hdf5Writer writer(folder / "run.h5", sample_header({"a"}));
+    try {
+      for (int k = 0; k < 100000; ++k) {
+        write_row(k, 1, writer);
+        writer.flush();
+      }
+      ::_exit(1);
+    } catch (const FileError& error) {
+      ::_exit(std::string(error.what()).find("File too large") != std::string::npos ? 0 : 2);
+    }
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+  const StoredTrajectory stored = read_hdf5_trajectory(folder / "run.h5");
+  EXPECT_GT(stored.time.size(), 100u);
+  expect_rows(stored, 1);
+}
+
+TEST(Hdf5Writer, APlaceThatCannotBeWrittenIsAFileError) {
+  const TemporaryFolder folder;
+  EXPECT_THROW(Hdf5Writer(folder / "missing/run.h5", sample_header({"a"})), FileError);
+  EXPECT_THROW(Hdf5Writer(folder.path(), sample_header({"a"})), FileError);
+}
+
+TEST(Hdf5Reader, RefusesWhatIsNoTrajectory) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "text.h5") << "not HDF5";
+  EXPECT_THROW(read_hdf5_trajectory(folder / "text.h5"), InputError);
+  EXPECT_THROW(read_hdf5_trajectory(folder / "missing.h5"), InputError);
+}
+
+}  // namespace
+}  // namespace rigor

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "rigor/io/trajectory_writer.hpp"
+
+#include <unistd.h>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+/// Trajectories and folders for tests of writers.
+namespace rigor {
+
+/// An empty folder that goes with this object.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "rigor_test_XXXXXX").string();
+    if (!::mkdtemp(name.data())) std::abort();
+    path_ = name;
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+inline TrajectoryHeader sample_header(std::vector<std::string> bodies) {
+  return {.scene = "test",
+          .scene_text = "rigor: 1\n",
+          .overrides = {"run.duration=2"},
+          .bodies = std::move(bodies)};
+}
+
+/// Row k of a made-up trajectory: every number tells its row and place.
+inline TrajectorySample sample_row(int k, std::size_t body_count) {
+  TrajectorySample sample;
+  const auto fill = [&](std::vector<double>& values, std::size_t width, double base) {
+    for (std::size_t i = 0; i < body_count * width; ++i)
+      values.push_back(base * k + static_cast<double>(i) / 3);
+  };
+  sample.time = 0.1 * k;
+  fill(sample.position, 3, 1);
+  fill(sample.orientation, 4, 2);
+  fill(sample.velocity, 3, 3);
+  fill(sample.angular_velocity, 3, 4);
+  sample.energy = {.kinetic = 5.0 * k, .potential = 6.0 * k, .elastic = 7.0 * k};
+  return sample;
+}
+
+inline MotionEvent sample_event(int k) {
+  return {MotionEvent::Kind::separation, 0.1 * k, k, k + 1, Vec3(k, 0.5, 0.25), Vec3(0.125, k, -1)};
+}
+
+}  // namespace rigor

@@ -1,0 +1,104 @@
+#include "rigor/sim/method.hpp"
+
+#include <gtest/gtest.h>
+#include <algorithm>
+#include <set>
+#include <string>
+
+namespace rigor {
+namespace {
+
+TEST(MethodTable, EachValueOnceWithMeaningAndSource) {
+  std::set<std::string> seen;
+  for (const MethodChoice& choice : method_choices()) {
+    EXPECT_TRUE(seen.insert(std::string(choice.key) + "=" + std::string(choice.value)).second)
+        << choice.value;
+    EXPECT_FALSE(choice.meaning.empty());
+    EXPECT_FALSE(choice.source.empty());
+    EXPECT_EQ(choice.meaning.find('\n'), std::string_view::npos);
+  }
+  // 5 schemes, 7 integrators, 2 orientations, 2 distances, 3 times of impact, 3 laws, 3 and 2 rules, 2 + 2 +
+  // 3 of later versions.
+  EXPECT_EQ(seen.size(), 34u);
+}
+
+TEST(MethodTable, DefaultsAreAvailable) {
+  const Method method;
+  for (const std::string& key : method_choice_keys()) {
+    const std::string value = method_choice(method, key);
+    const std::vector<std::string> available = method_values(key, true);
+    EXPECT_EQ(value.empty(), available.empty()) << key;
+    if (!value.empty()) {
+      EXPECT_NE(std::find(available.begin(), available.end(), value), available.end()) << key;
+    }
+  }
+  EXPECT_TRUE(check_combination(method).empty());
+}
+
+TEST(SetMethodChoice, EveryAvailableValueIsSetAndReadBack) {
+  for (const MethodChoice& choice : method_choices()) {
+    Method method;
+    const std::string error = set_method_choice(choice.key, choice.value, method);
+    EXPECT_EQ(error.empty(), choice.is_available) << error;
+    if (choice.is_available) {
+      EXPECT_EQ(method_choice(method, choice.key), choice.value);
+    } else {
+      EXPECT_EQ(method, Method{});
+    }
+  }
+}
+
+TEST(SetMethodChoice, EnumeratorsAreTheirNames) {
+  Method method;
+  set_method_choice("integrator", "exact", method);
+  EXPECT_EQ(method.integrator, IntegratorMethod::exact);
+  set_method_choice("integrator", "semi-implicit-euler", method);
+  EXPECT_EQ(method.integrator, IntegratorMethod::semi_implicit_euler);
+  set_method_choice("integrator", "lie-rk4", method);
+  EXPECT_EQ(method.integrator, IntegratorMethod::lie_rk4);
+  set_method_choice("orientation", "matrix", method);
+  EXPECT_EQ(method.orientation, OrientationForm::matrix);
+  set_method_choice("toi", "bisection", method);
+  EXPECT_EQ(method.toi, ToiMethod::bisection);
+  set_method_choice("simultaneous", "lcp", method);
+  EXPECT_EQ(method.simultaneous, SimultaneousMethod::lcp);
+}
+
+TEST(SetMethodChoice, TellsWhatIsWrong) {
+  Method method;
+  EXPECT_EQ(set_method_choice("impact", "newtn", method), "unknown impact 'newtn'; did you mean 'newton'?");
+  EXPECT_EQ(set_method_choice("impact", "stronge", method),
+            "impact 'stronge' is not available in this version; available: newton");
+  EXPECT_EQ(set_method_choice("simultaneous", "sequential", method),
+            "simultaneous 'sequential' is not available in this version; available: reflections, lcp");
+  EXPECT_EQ(set_method_choice("lcp", "dantzig", method),
+            "lcp 'dantzig' is not available in this version; available: none, leave 'lcp' out");
+  EXPECT_EQ(set_method_choice("impct", "newton", method), "unknown choice 'impct'; did you mean 'impact'?");
+  EXPECT_EQ(method, Method{});
+}
+
+TEST(CheckCombination, TheMatrixGoesOnlyWithIntegratorsThatUseIt) {
+  Method method;
+  method.orientation = OrientationForm::matrix;
+  for (const IntegratorMethod integrator : {IntegratorMethod::exact, IntegratorMethod::lie_rk4}) {
+    method.integrator = integrator;
+    ASSERT_EQ(check_combination(method).size(), 1u);
+    EXPECT_NE(check_combination(method)[0].find("euler, semi-implicit-euler, midpoint, rk4, dopri5"),
+              std::string::npos);
+  }
+  for (const IntegratorMethod integrator : {IntegratorMethod::euler, IntegratorMethod::dopri5}) {
+    method.integrator = integrator;
+    EXPECT_TRUE(check_combination(method).empty());
+  }
+}
+
+TEST(MethodNumbers, DefaultsAreThoseOfTheStructAndInRange) {
+  const Method method;
+  for (const MethodNumber& number : method_numbers()) {
+    EXPECT_EQ(std::stod(std::string(number.fallback)), method.*number.member) << number.key;
+    EXPECT_TRUE(number.range.contains(method.*number.member)) << number.key;
+  }
+}
+
+}  // namespace
+}  // namespace rigor
