@@ -91,10 +91,8 @@ std::vector<Cluster> connected_parts(const Cluster& cluster, const std::vector<C
   return result;
 }
 
-ContactResolver::ContactResolver(const Model& model, const Environment& environment,
-                                 const IslandIntegrator& integrator, const Method& method)
+ContactResolver::ContactResolver(const Model& model, const IslandIntegrator& integrator, const Method& method)
     : model_(model),
-      environment_(environment),
       integrator_(integrator),
       law_(method.simultaneous == SimultaneousMethod::lcp ? SimultaneousLaw::lcp : SimultaneousLaw::reflections),
       resting_velocity_(method.resting_velocity),

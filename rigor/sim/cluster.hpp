@@ -37,8 +37,7 @@ struct LastingContacts {
 /// Decides what happens at an event: who collides, who rests, who parts.
 class ContactResolver {
  public:
-  ContactResolver(const Model& model, const Environment& environment, const IslandIntegrator& integrator,
-                  const Method& method);
+  ContactResolver(const Model& model, const IslandIntegrator& integrator, const Method& method);
 
   /// Puts bodies that overlap noticeably back to touching, by the smallest displacement in the metric of the mass matrix;
   /// the momenta stay. Returns whether anything moved: then the contacts must be found anew.
@@ -58,7 +57,6 @@ class ContactResolver {
   void add_impulses(const ContactSystem& system, const VecX& lambda, Cluster& cluster, AdvanceReport& report) const;
 
   const Model& model_;
-  const Environment& environment_;
   const IslandIntegrator& integrator_;
   SimultaneousLaw law_;
   double resting_velocity_;

@@ -50,7 +50,7 @@ EventDrivenStepper::EventDrivenStepper(std::shared_ptr<const Model> model, const
       environment_(*model_),
       integrator_(*model_, environment_, method),
       mode_changes_(*model_, integrator_, method),
-      resolver_(*model_, environment_, integrator_, method),
+      resolver_(*model_, integrator_, method),
       trajectories_(*model_, toi_options(method)) {
   RIGOR_ASSERT(target_step > 0);
 }
@@ -58,6 +58,7 @@ EventDrivenStepper::EventDrivenStepper(std::shared_ptr<const Model> model, const
 AdvanceReport EventDrivenStepper::advance(State& state, double t_end) {
   RIGOR_ASSERT(t_end >= state.t && state.body_count() == model_->body_count());
   report_ = {};
+  if (t_end == state.t) return report_;
   t_end_ = t_end;
   const long queries = trajectories_.distance_queries();
 
