@@ -124,9 +124,9 @@ Peer make_peer(const std::string& name, BulletSettings settings) {
 }  // namespace
 
 std::vector<Row> bullet_rows() {
-  const Peer shipped = make_peer("Bullet", BulletSettings::shipped);
-  const Peer tuned = make_peer("Bullet (tuned)", BulletSettings::tuned);
-  const Peer elastic = make_peer("Bullet (tuned, ERP0)", BulletSettings::elastic);
+  const Peer shipped = make_peer("Bullet {}", BulletSettings::shipped);
+  const Peer tuned = make_peer("Bullet {} (tuned)", BulletSettings::tuned);
+  const Peer elastic = make_peer("Bullet {} (ERP0)", BulletSettings::elastic);
   return {free_top(shipped, 1e-3), bounce(shipped, 1e-3), bounce(elastic, 1e-3), bounce(elastic, 1e-4),
           block_sticks(shipped),   block_sticks(tuned),   block_slides(shipped), block_slides(tuned),
           slide_to_roll(shipped),  slide_to_roll(tuned),  gas(shipped),          gas(elastic),

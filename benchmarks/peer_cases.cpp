@@ -26,8 +26,9 @@ PeerBody make_sphere(double radius) {
   return body;
 }
 
+/// "1e-3" for a power of ten.
 std::string with_step(const Peer& peer, double step) {
-  return fmt::format("{} {:.0e}", peer.name, step);
+  return fmt::format(fmt::runtime(peer.name), fmt::format("1e-{:.0f}", -std::log10(step)));
 }
 
 long steps_of(double duration, double step) {
@@ -173,7 +174,8 @@ Row fast_ball(const Peer& peer) {
   const std::unique_ptr<PeerWorld> world = peer.make(scene);
   const double seconds = cpu_seconds([&] { advance(*world, 6); });
   const double passed = world->position(0).x() > 1 ? 1 : 0;
-  return {"ball at 100 m/s, 20 mm plate", peer.name + " 1/60", "passed through (1 = yes)", passed, seconds};
+  return {"ball at 100 m/s, 20 mm plate", fmt::format(fmt::runtime(peer.name), "1/60"),
+          "passed through (1 = yes)", passed, seconds};
 }
 
 }  // namespace rigor::bench

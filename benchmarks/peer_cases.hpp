@@ -56,7 +56,7 @@ class PeerWorld {
   virtual Vec3 velocity(int body) const = 0;
 };
 
-/// An engine with its settings, and the name that the table shows.
+/// An engine with its settings, and the name that the table shows, with {} for the step.
 struct Peer {
   std::string name;
   std::function<std::unique_ptr<PeerWorld>(const PeerScene&)> make;

@@ -113,8 +113,8 @@ Peer make_peer(const std::string& name, MujocoSettings settings) {
 }  // namespace
 
 std::vector<Row> mujoco_rows() {
-  const Peer shipped = make_peer("MuJoCo", MujocoSettings::shipped);
-  const Peer tuned = make_peer("MuJoCo RK4", MujocoSettings::tuned);
+  const Peer shipped = make_peer("MuJoCo {}", MujocoSettings::shipped);
+  const Peer tuned = make_peer("MuJoCo RK4 {}", MujocoSettings::tuned);
   return {free_top(shipped, 1e-3), free_top(tuned, 1e-2),  free_top(tuned, 1e-3), bounce(tuned, 1e-3),
           bounce(tuned, 1e-4),     block_sticks(shipped),  block_sticks(tuned),   block_slides(shipped),
           block_slides(tuned),     slide_to_roll(shipped), slide_to_roll(tuned),  gas(shipped),

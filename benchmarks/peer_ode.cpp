@@ -122,10 +122,10 @@ Peer make_peer(const std::string& name, const OdeSettings& settings) {
 }  // namespace
 
 std::vector<Row> ode_rows() {
-  const Peer shipped = make_peer("ODE dWorldStep", {});
-  const Peer exact = make_peer("ODE dWorldStep ERP0", {.correction = false});
-  const Peer quick = make_peer("ODE QuickStep", {.quick = true});
-  const Peer quick_exact = make_peer("ODE QuickStep ERP0", {.quick = true, .correction = false});
+  const Peer shipped = make_peer("ODE dWorldStep {}", {});
+  const Peer exact = make_peer("ODE dWorldStep {} ERP0", {.correction = false});
+  const Peer quick = make_peer("ODE QuickStep {}", {.quick = true});
+  const Peer quick_exact = make_peer("ODE QuickStep {} ERP0", {.quick = true, .correction = false});
   return {free_top(shipped, 1e-3), bounce(shipped, 1e-3),
           bounce(exact, 1e-3),     bounce(exact, 1e-4),
           block_sticks(shipped),   block_slides(shipped),

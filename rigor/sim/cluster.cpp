@@ -181,7 +181,7 @@ void ContactResolver::add_impulses(const ContactSystem& system, const VecX& lamb
 
 bool ContactResolver::apply_impulses(Cluster& cluster, AdvanceReport& report) const {
   constexpr int most_passes = 20;
-  const double still = 1e-9 * resting_velocity_;
+  const double still = 1e-6 * resting_velocity_;
   double first_approach = 0;
   for (int pass = 0; pass < most_passes; ++pass) {
     if (cluster.contacts.empty()) return true;
@@ -190,7 +190,7 @@ bool ContactResolver::apply_impulses(Cluster& cluster, AdvanceReport& report) co
     double approach = 0;
     for (Eigen::Index row = 2; row < u.size(); row += 3) approach = std::min(approach, u[row]);
     if (pass == 0) first_approach = approach;
-    if (approach >= -std::max(still, 1e-12 * std::abs(first_approach) * pass)) return true;
+    if (approach >= -std::max(still, 1e-9 * std::abs(first_approach))) return true;
 
     const ImpactSolution impact = solve_impact(system, restitutions(cluster, system, report), law_);
     report.max_residual = std::max(report.max_residual, impact.residual);

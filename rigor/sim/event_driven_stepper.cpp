@@ -24,7 +24,7 @@ ToiOptions toi_options(const Method& method) {
                                                             : ToiRefinement::conservative;
   options.contact_tolerance = method.contact_tolerance;
   options.time_tolerance = method.time_tolerance;
-  options.rest_velocity = 1e-9 * method.resting_velocity;
+  options.rest_velocity = 1e-6 * method.resting_velocity;
   return options;
 }
 

@@ -26,7 +26,9 @@ struct ProgramResult {
   std::string error;  ///< stderr.
 };
 
+/// Text of a regular file, else nothing (a device may be endless).
 inline std::string text_of(const std::filesystem::path& path) {
+  if (!std::filesystem::is_regular_file(path)) return {};
   std::ifstream file(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
 }

@@ -1,11 +1,13 @@
 #include "io/scene_documents.hpp"
 
 #include "rigor/io/scene_keys.hpp"
+#include "rigor/io/scene_reader.hpp"
 
 #include <gtest/gtest.h>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 #include <string>
 
@@ -51,6 +53,16 @@ TEST(SceneDocumentation, HasEveryKeyOfTheReaderAndNoOther) {
     }
     EXPECT_EQ(rows, expected) << "in docs/scene.md, section " << table.object;
   }
+}
+
+TEST(SceneDocumentation, ItsExampleIsAScene) {
+  const std::string document = text_of(kRoot / "docs" / "scene.md");
+  const std::string fence = "```yaml\n";
+  const std::size_t start = document.find(fence) + fence.size();
+  const Scene scene =
+      parse_scene(document.substr(start, document.find("```", start) - start), "example.yaml", ".");
+  EXPECT_EQ(scene.model->body_count(), 2);
+  EXPECT_TRUE(scene.warnings.empty());
 }
 
 TEST(KeyTables, RefersOnlyToTablesThatExist) {

@@ -161,5 +161,32 @@ TEST(Scenes, BulletBouncesOffTheThinPlate) {
   EXPECT_LT(run.end_of("rod").position.x(), 1);
 }
 
+TEST(Scenes, DominoesStrikeOneAnotherInTurn) {
+  const SceneRun run = run_scene("dominoes.yaml");
+  expect_trusted(run);
+  double strike = 0;
+  for (const MotionEvent& event : run.events) {
+    if (event.kind == MotionEvent::Kind::impact && strike == 0) strike = event.time;
+  }
+  // A domino that turns about its edge without slip, integrated with a tolerance of 1e-10 a step.
+  EXPECT_NEAR(strike, 0.0770237950567839, 1e-9);
+  EXPECT_GT(run.end_of("domino8").angular_velocity.norm() + std::abs(run.end_of("domino8").orientation.y()), 1e-3);
+}
+
+TEST(Scenes, EllComesToRest) {
+  const SceneRun run = run_scene("l_shape.yaml");
+  expect_trusted(run);
+  EXPECT_LT(run.audit().final.kinetic, 1e-3);
+  EXPECT_LT(run.audit().final.total(), run.audit().initial.total());
+}
+
+TEST(Scenes, RocksFallWithoutOverlap) {
+  const SceneRun run = run_scene("rocks.yaml", {"run.duration=1"});
+  expect_trusted(run);
+  for (const State& state : run.states) {
+    EXPECT_TRUE(find_overlaps(*run.scene.model, state, run.scene.method.contact_tolerance).empty()) << state.t;
+  }
+}
+
 }  // namespace
 }  // namespace rigor::test
