@@ -8,11 +8,11 @@ namespace rigor::bench {
 
 /// One row of the table: an engine on a case.
 struct Row {
-  std::string test;       ///< Name of the case; rows of one case stand together.
-  std::string engine;     ///< With its step or variant.
-  std::string quantity;   ///< What the error is of, with its unit.
-  double error;           ///< NaN where the engine cannot do the case.
-  double cpu_seconds;     ///< Process CPU time of the simulation alone.
+  std::string test;      ///< Name of the case; rows of one case stand together.
+  std::string engine;    ///< With its step or variant.
+  std::string quantity;  ///< What the error is of, with its unit.
+  double error;          ///< NaN where the engine cannot do the case.
+  double cpu_seconds;    ///< Process CPU time of the simulation alone.
 };
 
 /// CPU time of the process that the call uses [s].

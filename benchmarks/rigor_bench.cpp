@@ -1,4 +1,5 @@
-// One table of error and CPU time: Rigor's numbers and, where they are installed, the peers' on the same scenes.
+// One table of error and CPU time: Rigor's numbers and, where they are installed, the peers' on the same
+// scenes.
 
 #include "bench.hpp"
 
@@ -32,7 +33,9 @@ double ramp_distance() {
 int main() {
   using rigor::bench::Row;
   std::vector<Row> rows = rigor::bench::rigor_rows();
-  [[maybe_unused]] const auto add = [&rows](const std::vector<Row>& more) { rows.insert(rows.end(), more.begin(), more.end()); };
+  [[maybe_unused]] const auto add = [&rows](const std::vector<Row>& more) {
+    rows.insert(rows.end(), more.begin(), more.end());
+  };
 #ifdef RIGOR_BENCH_ODE
   add(rigor::bench::ode_rows());
 #endif
@@ -46,11 +49,11 @@ int main() {
   for (const Row& row : rows) {
     if (std::find(order.begin(), order.end(), row.test) == order.end()) order.push_back(row.test);
   }
-  fmt::print("{:<34} {:<24} {:>12}  {:<30} {:>10}\n", "case", "engine", "error", "of", "CPU s");
+  fmt::print("{:<41} {:<25} {:>12}  {:<30} {:>10}\n", "case", "engine", "error", "of", "CPU s");
   for (const std::string& test : order) {
     for (const Row& row : rows) {
       if (row.test != test) continue;
-      fmt::print("{:<34} {:<24} {:>12.3g}  {:<30} {:>10.4f}\n", row.test, row.engine, row.error, row.quantity,
+      fmt::print("{:<41} {:<25} {:>12.3g}  {:<30} {:>10.4f}\n", row.test, row.engine, row.error, row.quantity,
                  row.cpu_seconds);
     }
   }

@@ -62,7 +62,8 @@ std::vector<Contact> find_contacts(const Model& model, int a, int b, const Pose&
       const std::vector<ContactPoint> points =
           contact_set(shape_a.shape, X_WA * shape_a.X_BS, shape_b.shape, X_WB * shape_b.X_BS, tolerance);
       for (const ContactPoint& point : points) {
-        contacts.push_back({a, b, static_cast<int>(i), static_cast<int>(k), point, pair.friction, pair.restitution});
+        contacts.push_back(
+            {a, b, static_cast<int>(i), static_cast<int>(k), point, pair.friction, pair.restitution});
       }
     }
   }

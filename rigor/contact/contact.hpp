@@ -8,28 +8,29 @@
 
 namespace rigor {
 
-/// A contact between shapes of two bodies, at an instant. The normal points from A to B; impulses λ push B along +n and A
-/// along -n.
+/// A contact between shapes of two bodies, at an instant. The normal points from A to B; impulses λ push B
+/// along +n and A along -n.
 struct Contact {
-  int body_A, body_B;      ///< Indices into the model; at least one is dynamic.
-  int shape_A, shape_B;    ///< Indices into the bodies' shapes.
+  int body_A, body_B;    ///< Indices into the model; at least one is dynamic.
+  int shape_A, shape_B;  ///< Indices into the bodies' shapes.
   ContactPoint point;
-  double friction;         ///< μ of the pair.
-  double restitution;      ///< e of the pair.
+  double friction;     ///< μ of the pair.
+  double restitution;  ///< e of the pair.
 
-  /// Where impulses act, on both bodies alike so that angular momentum is exact: half way between the witness points [m].
+  /// Where impulses act, on both bodies alike so that angular momentum is exact: half way between the witness
+  /// points [m].
   Vec3 p_W() const { return 0.5 * (point.p_WA + point.p_WB); }
 };
 
 /// Where a body is, how it moves and how it resists, at an instant; all in W, about the centre of mass.
 struct BodyKinetics {
-  Vec3 x = Vec3::Zero();                   ///< p_WB [m].
-  Mat3 R = Mat3::Identity();               ///< R_WB.
-  Vec3 v = Vec3::Zero();                   ///< [m/s].
-  Vec3 w = Vec3::Zero();                   ///< [rad/s].
-  double inverse_mass = 0;                 ///< [1/kg]; 0 for kinematic and fixed bodies.
-  Mat3 inverse_inertia = Mat3::Zero();     ///< I⁻¹ in W [1/(kg m²)]; 0 as above.
-  Mat3 inertia = Mat3::Zero();             ///< I in W [kg m²]; 0 as above.
+  Vec3 x = Vec3::Zero();                ///< p_WB [m].
+  Mat3 R = Mat3::Identity();            ///< R_WB.
+  Vec3 v = Vec3::Zero();                ///< [m/s].
+  Vec3 w = Vec3::Zero();                ///< [rad/s].
+  double inverse_mass = 0;              ///< [1/kg]; 0 for kinematic and fixed bodies.
+  Mat3 inverse_inertia = Mat3::Zero();  ///< I⁻¹ in W [1/(kg m²)]; 0 as above.
+  Mat3 inertia = Mat3::Zero();          ///< I in W [kg m²]; 0 as above.
 
   Pose pose() const { return {R, x}; }
   /// Velocity of the material point at p_WP [m/s].

@@ -16,7 +16,8 @@ Vec3 relative_velocity(const Contact& contact, const BodyKinetics& A, const Body
 
 namespace {
 
-/// How the contact itself moves: ṅ [rad/s] and the tangential velocities of the witness points on their bodies [m/s].
+/// How the contact itself moves: ṅ [rad/s] and the tangential velocities of the witness points on their
+/// bodies [m/s].
 struct WitnessMotion {
   Vec3 n_rate;
   Vec3 s_A;
@@ -31,8 +32,8 @@ Eigen::Matrix<double, 2, Eigen::Dynamic> flat_directions(const SurfaceCurvature&
   return Eigen::Matrix<double, 2, 0>();
 }
 
-/// The general case: unknowns ṅ (2) and the components α, β along the flat directions, by one small linear system in
-/// units of the length ℓ (so that it does not depend on the unit of length).
+/// The general case: unknowns ṅ (2) and the components α, β along the flat directions, by one small linear
+/// system in units of the length ℓ (so that it does not depend on the unit of length).
 WitnessMotion witness_motion_general(const Contact& contact, const BodyKinetics& A, const BodyKinetics& B,
                                      const Vec3& u_W) {
   const ContactPoint& point = contact.point;
@@ -110,7 +111,8 @@ Vec3 carried_direction(const Pose& before, const Pose& after, const Vec3& d_W) {
   return after.R * (before.R.transpose() * d_W);
 }
 
-/// Radius of a shape whose surface lies at one distance from a core (ball, capsule, side of a cylinder); 0 for others.
+/// Radius of a shape whose surface lies at one distance from a core (ball, capsule, side of a cylinder); 0
+/// for others.
 double round_radius(const Shape& shape) {
   if (const Sphere* sphere = std::get_if<Sphere>(&shape)) return sphere->radius;
   if (const Capsule* capsule = std::get_if<Capsule>(&shape)) return capsule->radius;
@@ -121,7 +123,8 @@ double round_radius(const Shape& shape) {
 /// Whether the surface at the contact is part of such a round surface (not a cylinder's rim or cap).
 bool is_round(const BodyShape& shape, const SurfaceCurvature& surface) {
   if (surface.radius_W.isZero(0)) return false;
-  return !std::holds_alternative<Cylinder>(shape.shape) ? round_radius(shape.shape) > 0 : surface.flat_count == 1;
+  return !std::holds_alternative<Cylinder>(shape.shape) ? round_radius(shape.shape) > 0
+                                                        : surface.flat_count == 1;
 }
 
 /// Where the surface that leans on a face touches now; m_W0 and m_W are its outward normals before and now.
@@ -139,7 +142,8 @@ Vec3 leaning_point(const BodyShape& shape, const SurfaceCurvature& surface, cons
 }
 
 /// Closest points of two lines (points and unit directions), by A's parameter.
-ContactPoint crossed_edges(const ContactPoint& old, const std::pair<Pose, Pose>& A, const std::pair<Pose, Pose>& B) {
+ContactPoint crossed_edges(const ContactPoint& old, const std::pair<Pose, Pose>& A,
+                           const std::pair<Pose, Pose>& B) {
   ContactPoint point = old;
   const Vec3 a = carried_direction(A.first, A.second, old.curvature_A.flat_W);
   const Vec3 b = carried_direction(B.first, B.second, old.curvature_B.flat_W);
@@ -162,10 +166,10 @@ ContactPoint crossed_edges(const ContactPoint& old, const std::pair<Pose, Pose>&
   return point;
 }
 
-/// The curvature at the contact after the body moved: round surfaces look the same along every normal m_W, others are
-/// carried with the body.
-SurfaceCurvature carried_curvature(const BodyShape& shape, const SurfaceCurvature& old, const std::pair<Pose, Pose>& poses,
-                                   const Vec3& m_W) {
+/// The curvature at the contact after the body moved: round surfaces look the same along every normal m_W,
+/// others are carried with the body.
+SurfaceCurvature carried_curvature(const BodyShape& shape, const SurfaceCurvature& old,
+                                   const std::pair<Pose, Pose>& poses, const Vec3& m_W) {
   const auto& [before, after] = poses;
   const Mat3 turn = after.R * before.R.transpose();
   SurfaceCurvature surface{turn * old.radius_W * turn.transpose(), old.flat_count, turn * old.flat_W};

@@ -7,13 +7,13 @@
 
 namespace rigor {
 
-/// A set of contacts at an instant with all bodies they touch: what contact space is built from. Velocities of the n
-/// contacts are stacked as u = (t1, t2, n) of contact 0, of contact 1, ...
+/// A set of contacts at an instant with all bodies they touch: what contact space is built from. Velocities
+/// of the n contacts are stacked as u = (t1, t2, n) of contact 0, of contact 1, ...
 struct ContactSystem {
   std::vector<Contact> contacts;
-  std::vector<int> bodies;               ///< Model indices, ascending; of the contacts' bodies and any others wanted.
-  std::vector<BodyKinetics> kinetics;    ///< One a body of `bodies`.
-  std::vector<Mat3> frames;              ///< C = [t1 t2 n] of each contact.
+  std::vector<int> bodies;  ///< Model indices, ascending; of the contacts' bodies and any others wanted.
+  std::vector<BodyKinetics> kinetics;  ///< One a body of `bodies`.
+  std::vector<Mat3> frames;            ///< C = [t1 t2 n] of each contact.
 
   /// Position of a body in `bodies`, which must hold it.
   int local_index(int body) const;
@@ -40,8 +40,8 @@ Vec3 world_impulse(const ContactSystem& system, const VecX& lambda, int i);
 /// Kinetic energy of the dynamic bodies [J].
 double kinetic_energy(const ContactSystem& system);
 
-/// Work that prescribed bodies (kinematic) do on the others through the impulses λ: Σ λ · (velocity of the prescribed side)
-/// [J]; a power if λ are forces.
+/// Work that prescribed bodies (kinematic) do on the others through the impulses λ: Σ λ · (velocity of the
+/// prescribed side) [J]; a power if λ are forces.
 double work_of_prescribed(const ContactSystem& system, const VecX& lambda);
 
 }  // namespace rigor

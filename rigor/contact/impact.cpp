@@ -10,16 +10,20 @@ namespace {
 
 /// The contacts as one problem in contact space.
 struct ImpactSpace {
-  MatX A;                    ///< Delassus operator, 3n × 3n.
-  VecX u_before;             ///< 3n.
+  MatX A;         ///< Delassus operator, 3n × 3n.
+  VecX u_before;  ///< 3n.
   std::vector<double> mu;
   std::vector<double> e;
 
   std::size_t count() const { return e.size(); }
 };
 
-Eigen::Index row(std::size_t contact, int component) { return 3 * static_cast<Eigen::Index>(contact) + component; }
-double normal_part(const VecX& u, std::size_t contact) { return u[row(contact, 2)]; }
+Eigen::Index row(std::size_t contact, int component) {
+  return 3 * static_cast<Eigen::Index>(contact) + component;
+}
+double normal_part(const VecX& u, std::size_t contact) {
+  return u[row(contact, 2)];
+}
 
 CoulombSolution solve_cone_problem(const MatX& A, const VecX& b, const std::vector<double>& mu) {
   return solve_coulomb({A, b, mu, std::vector<FrictionRow>(mu.size(), FrictionRow::cone),
@@ -62,8 +66,8 @@ std::vector<std::size_t> all_contacts(const ImpactSpace& space) {
   return all;
 }
 
-/// Generalised reflections: reflect the velocity about all constraints it violates until it violates none. Energy and
-/// momentum are conserved at each reflection; finitely many suffice in exact arithmetic.
+/// Generalised reflections: reflect the velocity about all constraints it violates until it violates none.
+/// Energy and momentum are conserved at each reflection; finitely many suffice in exact arithmetic.
 VecX generalised_reflections(const ImpactSpace& space, double tolerance) {
   constexpr int most_reflections = 10000;
   VecX u = space.u_before;
@@ -85,7 +89,8 @@ double energy_change(const ImpactSpace& space, const VecX& lambda) {
   return lambda.dot(space.u_before + 0.5 * (space.A * lambda));
 }
 
-/// Normal impulses λ = e λ_GR + (1 - e) λ_plastic, contact by contact; with one e for all where different e would gain energy.
+/// Normal impulses λ = e λ_GR + (1 - e) λ_plastic, contact by contact; with one e for all where different e
+/// would gain energy.
 VecX blended_normal_impulses(const ImpactSpace& space, double tolerance) {
   const VecX plastic = solve_frictionless(space, space.u_before, all_contacts(space));
   const VecX reflected = generalised_reflections(space, tolerance);
@@ -100,8 +105,8 @@ VecX blended_normal_impulses(const ImpactSpace& space, double tolerance) {
   return lambda;
 }
 
-/// Friction within the disks |λ_t| ≤ μ λ_n of given normal impulses: the tangential impulses that leave the least kinetic
-/// energy, by projected Gauss-Seidel on this convex problem.
+/// Friction within the disks |λ_t| ≤ μ λ_n of given normal impulses: the tangential impulses that leave the
+/// least kinetic energy, by projected Gauss-Seidel on this convex problem.
 void add_friction(const ImpactSpace& space, VecX& lambda) {
   constexpr int sweeps = 200;
   for (int sweep = 0; sweep < sweeps; ++sweep) {
@@ -122,7 +127,8 @@ void add_friction(const ImpactSpace& space, VecX& lambda) {
   }
 }
 
-/// Reflections with restitution, friction within the cones, and a last plastic pass for what friction brought together.
+/// Reflections with restitution, friction within the cones, and a last plastic pass for what friction brought
+/// together.
 ImpactSolution solve_reflections(const ImpactSpace& space) {
   const double tolerance = 1e-13 * space.u_before.cwiseAbs().maxCoeff();
   VecX lambda = blended_normal_impulses(space, tolerance);
@@ -143,10 +149,12 @@ bool is_one_pair(const ContactSystem& system) {
 
 }  // namespace
 
-ImpactSolution solve_impact(const ContactSystem& system, const std::vector<double>& restitutions, SimultaneousLaw law) {
+ImpactSolution solve_impact(const ContactSystem& system, const std::vector<double>& restitutions,
+                            SimultaneousLaw law) {
   ImpactSpace space{delassus(system), relative_velocities(system), {}, restitutions};
   for (const Contact& contact : system.contacts) space.mu.push_back(contact.friction);
-  const bool is_plastic = std::all_of(restitutions.begin(), restitutions.end(), [](double e) { return e == 0; });
+  const bool is_plastic =
+      std::all_of(restitutions.begin(), restitutions.end(), [](double e) { return e == 0; });
   if (law == SimultaneousLaw::lcp || is_plastic || is_one_pair(system)) return solve_newton(space);
   return solve_reflections(space);
 }

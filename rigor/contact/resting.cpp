@@ -11,14 +11,16 @@ struct Acceleration {
   Vec3 angular = Vec3::Zero();
 };
 
-/// Newton-Euler: a = f/m, α = I⁻¹(τ - ω × I ω); zero for prescribed bodies (they move at constant velocities).
+/// Newton-Euler: a = f/m, α = I⁻¹(τ - ω × I ω); zero for prescribed bodies (they move at constant
+/// velocities).
 Acceleration acceleration(const BodyKinetics& body, const Wrench& wrench) {
   if (body.inverse_mass == 0) return {};
   return {body.inverse_mass * wrench.f_W,
           body.inverse_inertia * (wrench.tau_W - body.w.cross(body.inertia * body.w))};
 }
 
-/// Tangential unit vector of the slip at each contact: from u_t where there is slip, along the old one otherwise.
+/// Tangential unit vector of the slip at each contact: from u_t where there is slip, along the old one
+/// otherwise.
 Vec2 slip_direction(const Mat3& frame, const Vec3& u, const Vec3& old_slip_W, double slip_tolerance) {
   const Vec2 u_t = u.head<2>();
   const Vec2 old = (frame.transpose() * old_slip_W).head<2>();
@@ -62,7 +64,8 @@ VecX free_contact_accelerations(const ContactSystem& system, const std::vector<W
   return result;
 }
 
-RestingSolution solve_resting(const ContactSystem& system, const std::vector<Wrench>& wrenches, double slip_tolerance) {
+RestingSolution solve_resting(const ContactSystem& system, const std::vector<Wrench>& wrenches,
+                              double slip_tolerance) {
   CoulombProblem problem = problem_of(system);
   problem.b = free_contact_accelerations(system, wrenches);
   const VecX u = relative_velocities(system);

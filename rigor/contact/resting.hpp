@@ -9,33 +9,37 @@ namespace rigor {
 /// What an active contact does between two events, and the slip direction it had when it was last defined.
 struct ContactState {
   ContactMode mode = ContactMode::stick;
-  Vec3 slip_W = Vec3::Zero();   ///< Unit, tangential: direction of u_t of B against A; zero if it never slipped.
+  Vec3 slip_W =
+      Vec3::Zero();  ///< Unit, tangential: direction of u_t of B against A; zero if it never slipped.
 };
 
-/// Accelerations u̇ of the contacts (3n, contact frames) that the bodies would have under these wrenches without contact
-/// forces: Cᵀ(a_B + α_B × r - a_A - α_A × r) + bias [m/s²]. One wrench a body of the system, ignored for prescribed bodies.
+/// Accelerations u̇ of the contacts (3n, contact frames) that the bodies would have under these wrenches
+/// without contact forces: Cᵀ(a_B + α_B × r - a_A - α_A × r) + bias [m/s²]. One wrench a body of the system,
+/// ignored for prescribed bodies.
 VecX free_contact_accelerations(const ContactSystem& system, const std::vector<Wrench>& wrenches);
 
-/// Which contacts hold, stick and slip: the Coulomb problem of the accelerations. Contacts that already slip faster than
-/// slip_tolerance [m/s] slide along their slip; the others may stick or start to slip.
+/// Which contacts hold, stick and slip: the Coulomb problem of the accelerations. Contacts that already slip
+/// faster than slip_tolerance [m/s] slide along their slip; the others may stick or start to slip.
 struct RestingSolution {
-  CoulombSolution forces;             ///< λ [N] and u̇ [m/s²], 3n.
-  std::vector<ContactState> states;   ///< n.
+  CoulombSolution forces;            ///< λ [N] and u̇ [m/s²], 3n.
+  std::vector<ContactState> states;  ///< n.
 };
-RestingSolution solve_resting(const ContactSystem& system, const std::vector<Wrench>& wrenches, double slip_tolerance);
+RestingSolution solve_resting(const ContactSystem& system, const std::vector<Wrench>& wrenches,
+                              double slip_tolerance);
 
-/// Contact forces λ (3n) [N] for known modes at the system's present positions and velocities: sticking contacts keep
-/// u̇ = 0, sliding ones u̇_n = 0 with friction μ λ_n against the slip, open ones none. The slip direction is that of u_t,
-/// continued through zero by its old direction (so that an integrator's stage may look past the instant where slip ends);
-/// slower slip than slip_tolerance [m/s] keeps the old direction.
+/// Contact forces λ (3n) [N] for known modes at the system's present positions and velocities: sticking
+/// contacts keep u̇ = 0, sliding ones u̇_n = 0 with friction μ λ_n against the slip, open ones none. The slip
+/// direction is that of u_t, continued through zero by its old direction (so that an integrator's stage may
+/// look past the instant where slip ends); slower slip than slip_tolerance [m/s] keeps the old direction.
 VecX contact_forces(const ContactSystem& system, const std::vector<ContactState>& states,
                     const std::vector<Wrench>& wrenches, double slip_tolerance);
 
 /// Adds to the wrenches of the bodies what the contact forces λ do to them.
 void add_contact_wrenches(const ContactSystem& system, const VecX& lambda, std::vector<Wrench>& wrenches);
 
-/// Velocity impulses (3n) [N s] that put the velocities back on what the modes allow (u_n = 0; u_t = 0 where it sticks): the
-/// projection in the metric of the mass matrix, which never adds kinetic energy unless bodies are driven.
+/// Velocity impulses (3n) [N s] that put the velocities back on what the modes allow (u_n = 0; u_t = 0 where
+/// it sticks): the projection in the metric of the mass matrix, which never adds kinetic energy unless bodies
+/// are driven.
 VecX projection_impulses(const ContactSystem& system, const std::vector<ContactState>& states);
 
 }  // namespace rigor

@@ -33,7 +33,8 @@ double SeparationBound::Support::growth(double tau) const {
   return value(direction + tau * turn) - start + quadratic * tau * tau;
 }
 
-SeparationBound::Support SeparationBound::make_support(const MovingShape& moving, const Vec3& outward_W, double t) {
+SeparationBound::Support SeparationBound::make_support(const MovingShape& moving, const Vec3& outward_W,
+                                                       double t) {
   Support support;
   const double radius = turning_radius(*moving.shape);
   if (moving.motion->max_turn_acceleration() == 0 || radius == 0) return support;
@@ -49,8 +50,8 @@ SeparationBound::Support SeparationBound::make_support(const MovingShape& moving
   return support;
 }
 
-SeparationBound::SeparationBound(const MovingShape& A, const MovingShape& B, const Vec3& n_W, double gap, double t,
-                                 double t_end)
+SeparationBound::SeparationBound(const MovingShape& A, const MovingShape& B, const Vec3& n_W, double gap,
+                                 double t, double t_end)
     : gap_(gap),
       rate_(n_W.dot(B.motion->velocity(t) - A.motion->velocity(t))),
       half_acceleration_(0.5 * std::min(0.0, B.motion->min_acceleration_along(n_W, t, t_end) +
@@ -68,7 +69,8 @@ double SeparationBound::safe_step(double tau_max, double level) const {
   double high = tau_max, at_high = at(tau_max) - level;
   if (at_high >= 0) return tau_max;
   if (at_low < 0) return 0;
-  // The chord of a concave function lies below it: its zero is safe. Halving brings down an end that is far off.
+  // The chord of a concave function lies below it: its zero is safe. Halving brings down an end that is far
+  // off.
   for (int k = 0; k < trials; ++k) {
     const double chord = low + (high - low) * (at_low / (at_low - at_high));
     const double middle = k % 2 == 0 ? chord : std::min(0.5 * (low + high), low + 4 * (chord - low));

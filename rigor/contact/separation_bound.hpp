@@ -20,7 +20,8 @@ struct MovingShape {
 class SeparationBound {
  public:
   /// At time t, for times up to t_end: the distance there, its unit normal n_W from A to B.
-  SeparationBound(const MovingShape& A, const MovingShape& B, const Vec3& n_W, double gap, double t, double t_end);
+  SeparationBound(const MovingShape& A, const MovingShape& B, const Vec3& n_W, double gap, double t,
+                  double t_end);
 
   /// The bound at t + tau [m].
   double at(double tau) const;
@@ -29,12 +30,12 @@ class SeparationBound {
 
  private:
   struct Support {
-    const Shape* shape = nullptr;    ///< Null where nothing turns.
+    const Shape* shape = nullptr;  ///< Null where nothing turns.
     Mat3 R_SW = Mat3::Identity();
-    Vec3 offset_W = Vec3::Zero();    ///< From the centre of mass to the shape's frame, in W.
-    Vec3 direction = Vec3::Zero();   ///< Outward, W.
-    Vec3 turn = Vec3::Zero();        ///< direction × ω.
-    double quadratic = 0;            ///< ½ (|α| + |ω|²) ρ.
+    Vec3 offset_W = Vec3::Zero();   ///< From the centre of mass to the shape's frame, in W.
+    Vec3 direction = Vec3::Zero();  ///< Outward, W.
+    Vec3 turn = Vec3::Zero();       ///< direction × ω.
+    double quadratic = 0;           ///< ½ (|α| + |ω|²) ρ.
     double start = 0;
 
     double growth(double tau) const;
@@ -46,8 +47,8 @@ class SeparationBound {
   Support A_, B_;
 };
 
-/// Radius of the ball about the body's centre that holds all points of the shape that its turning moves apart (the core of
-/// round shapes, whose radius does not matter) [m].
+/// Radius of the ball about the body's centre that holds all points of the shape that its turning moves apart
+/// (the core of round shapes, whose radius does not matter) [m].
 double turning_radius(const BodyShape& shape);
 
 }  // namespace rigor

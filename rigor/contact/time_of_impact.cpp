@@ -19,8 +19,8 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 /// Signed distance of two moving shapes at an instant, and its rate.
 struct Approach {
-  double gap = 0;        ///< [m].
-  double rate = 0;       ///< [m/s], negative when approaching.
+  double gap = 0;   ///< [m].
+  double rate = 0;  ///< [m/s], negative when approaching.
   Vec3 n_W;
 };
 
@@ -43,7 +43,8 @@ class ShapePairSearch {
   double advance(double t, const Approach& now, double t1) const;
   /// Distances that rounding cannot tell from contact [m].
   double touch(double t) const {
-    const double far = std::max(A_.motion->position(t).cwiseAbs().maxCoeff(), B_.motion->position(t).cwiseAbs().maxCoeff());
+    const double far =
+        std::max(A_.motion->position(t).cwiseAbs().maxCoeff(), B_.motion->position(t).cwiseAbs().maxCoeff());
     return 32 * epsilon * (size_ + (std::isfinite(far) ? far : 0));
   }
 
@@ -67,7 +68,8 @@ bool ShapePairSearch::can_meet(double t0, double t1) const {
   if (std::isinf(A_.shape->radius) || std::isinf(B_.shape->radius)) return true;
   if (!A_.motion->is_ballistic() || !B_.motion->is_ballistic()) return true;
   const double span = t1 - t0;
-  const double reach = A_.shape->radius + A_.shape->X_BS.p.norm() + B_.shape->radius + B_.shape->X_BS.p.norm();
+  const double reach =
+      A_.shape->radius + A_.shape->X_BS.p.norm() + B_.shape->radius + B_.shape->X_BS.p.norm();
   const double travel = (B_.motion->velocity(t0) - A_.motion->velocity(t0)).norm() * span +
                         0.5 * (B_.motion->acceleration() - A_.motion->acceleration()).norm() * span * span;
   return (B_.motion->position(t0) - A_.motion->position(t0)).norm() <= (reach + travel) * (1 + 8 * epsilon);
@@ -79,7 +81,8 @@ const Sphere* centred_ball(const MovingShape& moving) {
   return sphere != nullptr && moving.shape->X_BS.p.isZero(0) ? sphere : nullptr;
 }
 
-/// Smallest τ in [0, span] at which  c + b τ + a τ²  falls to zero (from c > 0, or from c = 0 outward and back).
+/// Smallest τ in [0, span] at which  c + b τ + a τ²  falls to zero (from c > 0, or from c = 0 outward and
+/// back).
 std::optional<double> first_fall_to_zero(double c, double b, double a, double span, double rest_rate) {
   if (c <= 0 && b < -rest_rate) return 0.0;
   if (c <= 0 && b <= rest_rate && a >= 0) return std::nullopt;
@@ -124,7 +127,8 @@ std::optional<TimeOfImpact> ShapePairSearch::find_in_closed_form(double t0, doub
   return TimeOfImpact{true, t0 + *tau, 4 * epsilon * std::max(std::abs(t0), *tau), 1};
 }
 
-/// How far the motions are safe from t on. Bodies that touch without approaching may overlap by half the tolerance.
+/// How far the motions are safe from t on. Bodies that touch without approaching may overlap by half the
+/// tolerance.
 double ShapePairSearch::advance(double t, const Approach& now, double t1) const {
   const double slack = 0.5 * options_.contact_tolerance;
   const bool is_departing = now.gap <= slack && now.rate >= -options_.rest_velocity;
@@ -134,7 +138,8 @@ double ShapePairSearch::advance(double t, const Approach& now, double t1) const 
   if (!has_mesh) {
     return SeparationBound(A_, B_, now.n_W, now.gap, t, t1).safe_step(t1 - t, level);
   }
-  // A surface that is not convex is not behind the plane through its witness point: bound the speed of all its points.
+  // A surface that is not convex is not behind the plane through its witness point: bound the speed of all
+  // its points.
   const double turning = A_.motion->max_angular_speed() * turning_radius(*A_.shape) +
                          B_.motion->max_angular_speed() * turning_radius(*B_.shape);
   const Vec3 v = B_.motion->velocity(t) - A_.motion->velocity(t);
@@ -142,8 +147,8 @@ double ShapePairSearch::advance(double t, const Approach& now, double t1) const 
   for (int axis = 0; axis < 3; ++axis) {
     for (const double sign : {-1.0, 1.0}) {
       const Vec3 d = sign * Vec3::Unit(axis);
-      acceleration += std::max(0.0, -(B_.motion->min_acceleration_along(d, t, t1) +
-                                      A_.motion->min_acceleration_along(-d, t, t1)));
+      acceleration += std::max(
+          0.0, -(B_.motion->min_acceleration_along(d, t, t1) + A_.motion->min_acceleration_along(-d, t, t1)));
     }
   }
   // gap - (v + Ωρ) τ - ½ a τ² = level, by the root without cancellation.
@@ -157,7 +162,9 @@ double ShapePairSearch::advance(double t, const Approach& now, double t1) const 
 std::optional<TimeOfImpact> ShapePairSearch::refined(double low, const Approach& at_low, double high) {
   const double gap_high = approach(high).gap;
   if (gap_high >= 0) return std::nullopt;
-  const auto gap_at = [&](double t) { return t == low ? at_low.gap : t == high ? gap_high : approach(t).gap; };
+  const auto gap_at = [&](double t) {
+    return t == low ? at_low.gap : t == high ? gap_high : approach(t).gap;
+  };
   const double finest = std::max(options_.time_tolerance, 4 * epsilon * std::abs(high));
   const RootBracket root = options_.refinement == ToiRefinement::bisection
                                ? find_root_bisection(gap_at, low, high, finest)
@@ -179,7 +186,8 @@ TimeOfImpact ShapePairSearch::find(double t0, double t1) {
     if (now.gap <= touch(t) && is_approaching) {
       // Overlapping already: the contact lies between the last time apart and now.
       if (now.gap < -touch(t) && last_apart) {
-        if (const std::optional<TimeOfImpact> found = refined(*last_apart, approach(*last_apart), t)) return *found;
+        if (const std::optional<TimeOfImpact> found = refined(*last_apart, approach(*last_apart), t))
+          return *found;
       }
       return {true, t, finest, evaluations_};
     }
@@ -202,8 +210,8 @@ TimeOfImpact ShapePairSearch::find(double t0, double t1) {
 
 }  // namespace
 
-TimeOfImpact find_time_of_impact(const Body& A, const Motion& of_A, const Body& B, const Motion& of_B, double t0,
-                                 double t1, const ToiOptions& options) {
+TimeOfImpact find_time_of_impact(const Body& A, const Motion& of_A, const Body& B, const Motion& of_B,
+                                 double t0, double t1, const ToiOptions& options) {
   TimeOfImpact first{false, t1, 0, 0};
   for (const BodyShape& a : A.shapes) {
     for (const BodyShape& b : B.shapes) {

@@ -14,30 +14,30 @@ enum class ToiRefinement {
 /// Tolerances of the search; all scale with the scene's units.
 struct ToiOptions {
   ToiRefinement refinement = ToiRefinement::conservative;
-  double contact_tolerance = 1e-6;   ///< Overlap that is never exceeded [m].
-  double time_tolerance = 1e-12;     ///< Width of the bracket [s].
-  double rest_velocity = 1e-12;      ///< Gap rates above minus this are not an approach [m/s].
+  double contact_tolerance = 1e-6;  ///< Overlap that is never exceeded [m].
+  double time_tolerance = 1e-12;    ///< Width of the bracket [s].
+  double rest_velocity = 1e-12;     ///< Gap rates above minus this are not an approach [m/s].
 };
 
 /// Where the search for the first contact of a pair ended.
 struct TimeOfImpact {
-  bool is_contact = false;   ///< Whether the bodies touch and approach at `time`.
-  double time = 0;           ///< Of the contact, or the end of the span that was searched [s].
-  double bracket = 0;        ///< The contact lies in [time - bracket, time + bracket] [s].
-  int evaluations = 0;       ///< Distance queries.
+  bool is_contact = false;  ///< Whether the bodies touch and approach at `time`.
+  double time = 0;          ///< Of the contact, or the end of the span that was searched [s].
+  double bracket = 0;       ///< The contact lies in [time - bracket, time + bracket] [s].
+  int evaluations = 0;      ///< Distance queries.
 };
 
-/// First time in [t0, t1] at which the bodies touch while they approach, or none: proven, not sampled. Each advance is a
-/// step for which a bound on the motion (rotation included) shows that no overlap can occur, so nothing tunnels at any
-/// speed. Bodies that touch at t0 and separate, or slide along one another, are followed with the overlap bounded by half
-/// the contact tolerance.
+/// First time in [t0, t1] at which the bodies touch while they approach, or none: proven, not sampled. Each
+/// advance is a step for which a bound on the motion (rotation included) shows that no overlap can occur, so
+/// nothing tunnels at any speed. Bodies that touch at t0 and separate, or slide along one another, are
+/// followed with the overlap bounded by half the contact tolerance.
 ///
-/// Compute_Time_Step of the course with its defects mended (docs/theory/time_of_impact.md): every trial starts from the
-/// motions themselves, what is tested is the whole span and not its end, and the loop ends when time can no longer be
-/// resolved.
-/// Source: Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, thesis, 1996, ch. 2 (conservative advancement);
-/// here with a second-order bound, so that convergence to the contact is quadratic.
-TimeOfImpact find_time_of_impact(const Body& A, const Motion& of_A, const Body& B, const Motion& of_B, double t0,
-                                 double t1, const ToiOptions& options);
+/// Compute_Time_Step of the course with its defects mended (docs/theory/time_of_impact.md): every trial
+/// starts from the motions themselves, what is tested is the whole span and not its end, and the loop ends
+/// when time can no longer be resolved. Source: Mirtich, Impulse-based Dynamic Simulation of Rigid Body
+/// Systems, thesis, 1996, ch. 2 (conservative advancement); here with a second-order bound, so that
+/// convergence to the contact is quadratic.
+TimeOfImpact find_time_of_impact(const Body& A, const Motion& of_A, const Body& B, const Motion& of_B,
+                                 double t0, double t1, const ToiOptions& options);
 
 }  // namespace rigor

@@ -4,18 +4,19 @@
 
 namespace rigor {
 
-/// State Y of one body: 13 numbers. The body frame B has its origin at the centre of mass and the principal axes.
+/// State Y of one body: 13 numbers. The body frame B has its origin at the centre of mass and the principal
+/// axes.
 struct BodyPhase {
-  Vec3 x = Vec3::Zero();         ///< p_WB, centre of mass [m].
-  Quat q = Quat::Identity();     ///< q_WB.
-  Vec3 P = Vec3::Zero();         ///< Linear momentum in W [kg m/s].
-  Vec3 L = Vec3::Zero();         ///< Angular momentum about the centre of mass, in W [kg m²/s].
+  Vec3 x = Vec3::Zero();      ///< p_WB, centre of mass [m].
+  Quat q = Quat::Identity();  ///< q_WB.
+  Vec3 P = Vec3::Zero();      ///< Linear momentum in W [kg m/s].
+  Vec3 L = Vec3::Zero();      ///< Angular momentum about the centre of mass, in W [kg m²/s].
 };
 
 /// What resists motion; both as in the body frame B.
 struct BodyInertia {
-  double mass = 1;                ///< [kg], > 0.
-  Vec3 moments = Vec3::Ones();    ///< Principal moments I1, I2, I3 about the centre of mass [kg m²].
+  double mass = 1;              ///< [kg], > 0.
+  Vec3 moments = Vec3::Ones();  ///< Principal moments I1, I2, I3 about the centre of mass [kg m²].
 };
 
 /// Force and torque about the centre of mass, both in W [N], [N m].

@@ -6,7 +6,9 @@ namespace rigor {
 
 namespace {
 
-std::size_t index(int body) { return static_cast<std::size_t>(body); }
+std::size_t index(int body) {
+  return static_cast<std::size_t>(body);
+}
 
 }  // namespace
 
@@ -55,15 +57,17 @@ Environment::Environment(const Model& model)
     std::vector<int>& partners = partners_[index(i)];
     std::sort(partners.begin(), partners.end());
     partners.erase(std::unique(partners.begin(), partners.end()), partners.end());
-    is_forced_[index(i)] = model.body(i).motion == MotionType::dynamic &&
-                           (!springs_of_[index(i)].empty() || !body_forces_[index(i)].empty() ||
-                            !torques_[index(i)].empty() || linear_drag_[index(i)] > 0 || angular_drag_[index(i)] > 0);
+    is_forced_[index(i)] =
+        model.body(i).motion == MotionType::dynamic &&
+        (!springs_of_[index(i)].empty() || !body_forces_[index(i)].empty() || !torques_[index(i)].empty() ||
+         linear_drag_[index(i)] > 0 || angular_drag_[index(i)] > 0);
   }
 }
 
 Wrench Environment::own_forces(int body, const BodyView& view) const {
   Wrench wrench;
-  wrench.f_W = model_->body(body).mass * steady_accelerations_[index(body)] - linear_drag_[index(body)] * view.v;
+  wrench.f_W =
+      model_->body(body).mass * steady_accelerations_[index(body)] - linear_drag_[index(body)] * view.v;
   wrench.tau_W = -angular_drag_[index(body)] * view.w;
   for (const ConstantForce& force : body_forces_[index(body)]) {
     const Vec3 f_W = force.frame_is_body ? Vec3(view.R * force.f) : force.f;

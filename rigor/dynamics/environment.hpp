@@ -13,13 +13,17 @@ class Environment {
  public:
   explicit Environment(const Model& model);
 
-  /// Acceleration of a dynamic body by gravity and by the constant forces at its centre of mass [m/s²]: with nothing else
-  /// acting it flies a parabola.
-  const Vec3& steady_acceleration(int body) const { return steady_accelerations_[static_cast<std::size_t>(body)]; }
+  /// Acceleration of a dynamic body by gravity and by the constant forces at its centre of mass [m/s²]: with
+  /// nothing else acting it flies a parabola.
+  const Vec3& steady_acceleration(int body) const {
+    return steady_accelerations_[static_cast<std::size_t>(body)];
+  }
   /// Whether anything else acts on it, so that its motion must be integrated.
   bool is_forced(int body) const { return is_forced_[static_cast<std::size_t>(body)]; }
   /// Dynamic bodies joined to this one by springs, ascending.
-  const std::vector<int>& spring_partners(int body) const { return partners_[static_cast<std::size_t>(body)]; }
+  const std::vector<int>& spring_partners(int body) const {
+    return partners_[static_cast<std::size_t>(body)];
+  }
 
   /// Position and velocity of a body as the forces need them.
   struct BodyView {
@@ -27,15 +31,15 @@ class Environment {
     Mat3 R;
     bool is_dynamic;
   };
-  /// Forces on the listed bodies. `view(body)` must answer for them and for every spring partner that is not dynamic.
-  /// wrenches: one a listed body, overwritten.
+  /// Forces on the listed bodies. `view(body)` must answer for them and for every spring partner that is not
+  /// dynamic. wrenches: one a listed body, overwritten.
   template <class View>
   void apply_env_forces(std::span<const int> bodies, const View& view, std::span<Wrench> wrenches) const {
     for (std::size_t i = 0; i < bodies.size(); ++i) wrenches[i] = force_on(bodies[i], view(bodies[i]), view);
   }
 
-  /// Power [W] that forces without a potential supply to the body: constant torques, body-fixed forces. Drag and dampers
-  /// only take and are not counted.
+  /// Power [W] that forces without a potential supply to the body: constant torques, body-fixed forces. Drag
+  /// and dampers only take and are not counted.
   double supplied_power(int body, const BodyView& view) const;
   /// Potential energy of gravity and steady forces of a body at x [J].
   double potential(int body, const Vec3& x) const;
@@ -43,7 +47,8 @@ class Environment {
   template <class View>
   double spring_energy(const View& view) const {
     double energy = 0;
-    for (const Spring& spring : springs_) energy += stored_energy(spring, end_of(spring, true, view), end_of(spring, false, view));
+    for (const Spring& spring : springs_)
+      energy += stored_energy(spring, end_of(spring, true, view), end_of(spring, false, view));
     return energy;
   }
 
@@ -88,8 +93,8 @@ class Environment {
   std::vector<bool> is_forced_;
   std::vector<std::vector<int>> partners_;
   std::vector<Spring> springs_;
-  std::vector<std::vector<int>> springs_of_;               ///< Springs that touch each body.
-  std::vector<std::vector<ConstantForce>> body_forces_;    ///< Those that do not act steadily at the centre.
+  std::vector<std::vector<int>> springs_of_;             ///< Springs that touch each body.
+  std::vector<std::vector<ConstantForce>> body_forces_;  ///< Those that do not act steadily at the centre.
   std::vector<std::vector<ConstantTorque>> torques_;
   std::vector<double> linear_drag_, angular_drag_;
 };

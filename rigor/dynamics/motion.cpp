@@ -12,8 +12,8 @@ namespace rigor {
 
 namespace {
 
-/// Bound of |α| + |ω|² of a free body with |ω| ≤ speed. By the triangle inequality of the moments |I_j - I_k| ≤ I_i, so
-/// |α_i| ≤ |ω_j ω_k| and |α|² ≤ |ω|⁴ / 3.
+/// Bound of |α| + |ω|² of a free body with |ω| ≤ speed. By the triangle inequality of the moments |I_j - I_k|
+/// ≤ I_i, so |α_i| ≤ |ω_j ω_k| and |α|² ≤ |ω|⁴ / 3.
 double free_turn_acceleration(const Vec3& moments, double speed) {
   const bool is_spherical = moments.x() == moments.y() && moments.y() == moments.z();
   return (is_spherical ? 1.0 : 1.0 + 1 / std::sqrt(3.0)) * speed * speed;
@@ -72,7 +72,8 @@ Motion Motion::step(const DensePhase& dense, const BodyInertia& inertia, double 
   motion.path_ = Step{dense, inertia};
   motion.begin_ = t;
   motion.end_ = t + h;
-  // For a unit quaternion |ω| = 2 |q̇| and |α| ≤ 2 |q̈| + ½ |ω|²; the dense q is a unit quaternion up to the error of the step.
+  // For a unit quaternion |ω| = 2 |q̇| and |α| ≤ 2 |q̈| + ½ |ω|²; the dense q is a unit quaternion up to the
+  // error of the step.
   constexpr double margin = 1.001;
   double rate = 0, second = 0;
   for (int row = 3; row < 7; ++row) {
@@ -104,7 +105,8 @@ Motion::Sample Motion::sample(double t) const {
 Vec3 Motion::position(double t) const {
   if (const Flight* flight = std::get_if<Flight>(&path_)) return flight->flight.position(t);
   if (const Rest* rest = std::get_if<Rest>(&path_)) return rest->phase.x;
-  if (const Prescribed* prescribed = std::get_if<Prescribed>(&path_)) return prescribed_motion(*prescribed->body, t).p_WB;
+  if (const Prescribed* prescribed = std::get_if<Prescribed>(&path_))
+    return prescribed_motion(*prescribed->body, t).p_WB;
   const DensePhase& dense = std::get<Step>(path_).dense;
   const double at = theta(t);
   Vec3 x = Vec3::Zero();
@@ -145,7 +147,8 @@ double Motion::min_acceleration_along(const Vec3& n, double ta, double tb) const
   const double h = end_ - begin_;
   Polynomial along;
   along.degree = dense.degree;
-  for (int k = 0; k <= dense.degree; ++k) along.c[static_cast<std::size_t>(k)] = n.dot(dense.coefficients.col(k).head<3>());
+  for (int k = 0; k <= dense.degree; ++k)
+    along.c[static_cast<std::size_t>(k)] = n.dot(dense.coefficients.col(k).head<3>());
   return polynomial_bounds(along.derivative().derivative(), theta(ta), theta(tb)).min / (h * h);
 }
 

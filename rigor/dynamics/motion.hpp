@@ -12,8 +12,9 @@
 
 namespace rigor {
 
-/// The smooth motion of one body over a span of time, with bounds that hold for all of it: what the search for the next
-/// impact stands on. A body at rest or with a prescribed path, in closed-form flight, or along one step of an integrator.
+/// The smooth motion of one body over a span of time, with bounds that hold for all of it: what the search
+/// for the next impact stands on. A body at rest or with a prescribed path, in closed-form flight, or along
+/// one step of an integrator.
 class Motion {
  public:
   /// Kinematic or fixed body from time t on (to the next point of its path).
@@ -26,32 +27,32 @@ class Motion {
   static Motion step(const DensePhase& dense, const BodyInertia& inertia, double t, double h);
 
   double begin() const { return begin_; }
-  double end() const { return end_; }   ///< Infinite unless the motion is a step or a leg of a path.
+  double end() const { return end_; }  ///< Infinite unless the motion is a step or a leg of a path.
 
   /// Pose and velocities at an instant.
   struct Sample {
     Pose X_WB;
-    Vec3 v;   ///< Of the centre of mass [m/s].
-    Vec3 w;   ///< In W [rad/s].
+    Vec3 v;  ///< Of the centre of mass [m/s].
+    Vec3 w;  ///< In W [rad/s].
 
     Vec3 velocity_at(const Vec3& p_WP) const { return v + w.cross(p_WP - X_WB.p); }
   };
   Sample sample(double t) const;
   Vec3 position(double t) const;
-  Vec3 velocity(double t) const;               ///< Of the centre of mass [m/s].
-  BodyPhase phase(double t) const;             ///< Momenta are zero for prescribed motion.
+  Vec3 velocity(double t) const;    ///< Of the centre of mass [m/s].
+  BodyPhase phase(double t) const;  ///< Momenta are zero for prescribed motion.
 
   bool is_dynamic() const { return !std::holds_alternative<Prescribed>(path_); }
   /// Whether the centre moves with this constant acceleration exactly.
   bool is_ballistic() const { return !std::holds_alternative<Step>(path_); }
-  Vec3 acceleration() const;                   ///< Of a ballistic motion [m/s²].
+  Vec3 acceleration() const;  ///< Of a ballistic motion [m/s²].
 
   /// Lower bound over [ta, tb] of the acceleration of the centre along n [m/s²].
   double min_acceleration_along(const Vec3& n, double ta, double tb) const;
   /// Upper bound over the whole motion of |ω| [rad/s].
   double max_angular_speed() const { return max_angular_speed_; }
-  /// Upper bound over the whole motion of |α| + |ω|² [1/s²]: a point at distance r from the centre accelerates relative
-  /// to it by at most r times this.
+  /// Upper bound over the whole motion of |α| + |ω|² [1/s²]: a point at distance r from the centre
+  /// accelerates relative to it by at most r times this.
   double max_turn_acceleration() const { return max_turn_acceleration_; }
   /// Box that holds the centre over [ta, tb].
   Aabb path_box(double ta, double tb) const;

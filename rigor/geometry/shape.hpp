@@ -31,8 +31,8 @@ struct Cylinder {
   double radius;       ///< > 0.
   double half_length;  ///< > 0.
 };
-/// Cone with its base disk of the given radius at z = -half_length and its apex at z = +half_length (so the origin is at
-/// half height, not at the centre of mass, which lies at z = -half_length/2).
+/// Cone with its base disk of the given radius at z = -half_length and its apex at z = +half_length (so the
+/// origin is at half height, not at the centre of mass, which lies at z = -half_length/2).
 struct Cone {
   double radius;       ///< > 0.
   double half_length;  ///< > 0.
@@ -50,7 +50,8 @@ struct HalfSpace {
 struct Convex {
   std::shared_ptr<const ConvexHull> hull;
 };
-/// Closed (on dynamic bodies) surface of triangles, not necessarily convex; its vertices are in S. Made by make_mesh.
+/// Closed (on dynamic bodies) surface of triangles, not necessarily convex; its vertices are in S. Made by
+/// make_mesh.
 struct Mesh {
   std::shared_ptr<const TriangleMesh> mesh;
   std::shared_ptr<const TriangleTree> tree;  ///< Of `mesh`; distance and contacts need it.
@@ -58,8 +59,8 @@ struct Mesh {
 
 using Shape = std::variant<Sphere, Box, Capsule, Cylinder, Cone, Ellipsoid, HalfSpace, Convex, Mesh>;
 
-/// Name of the shape's type in a scene file: "sphere", "box", "capsule", "cylinder", "cone", "ellipsoid", "plane",
-/// "convex" or "mesh".
+/// Name of the shape's type in a scene file: "sphere", "box", "capsule", "cylinder", "cone", "ellipsoid",
+/// "plane", "convex" or "mesh".
 const char* shape_type_name(const Shape& shape);
 
 }  // namespace rigor

@@ -4,8 +4,8 @@
 
 namespace rigor {
 
-/// Rotation matrix of q by the factor s = 2/|q|²: orthonormal to rounding for any non-zero q, so that the drift of |q|
-/// changes nothing.
+/// Rotation matrix of q by the factor s = 2/|q|²: orthonormal to rounding for any non-zero q, so that the
+/// drift of |q| changes nothing.
 Mat3 rotation_matrix(const Quat& q);
 
 /// Quaternion exp(φ/2) of the rotation vector φ [rad]; Taylor branch of sinc for small |φ|.

@@ -4,8 +4,6 @@
 #include "rigor/math/rotation.hpp"
 #include "rigor/model/limits.hpp"
 
-#include <limits>
-
 namespace rigor {
 
 namespace {
@@ -72,13 +70,6 @@ std::optional<BodyMass> body_mass(const BodyDescription& body, const std::vector
   if (!defects.empty() || !findings.check("mass", properties->mass, limits::mass, "kg")) return std::nullopt;
 
   const PrincipalAxes axes = principal_axes(properties->inertia);
-  const double smallest = axes.moments.minCoeff(), largest = axes.moments.maxCoeff();
-  const double rounding = 8 * std::numeric_limits<double>::epsilon() * largest;
-  if (!findings.require(smallest > rounding, "its principal moments of inertia are " +
-                                                 vector_text(axes.moments) +
-                                                 " kg m², all three must be > 0")) {
-    return std::nullopt;
-  }
   return BodyMass{properties->mass, axes.moments, Pose{axes.R, properties->center}};
 }
 

@@ -10,49 +10,49 @@ namespace rigor {
 
 /// Why a stepper returned.
 enum class StopReason {
-  reached_end,         ///< The end of the span was reached.
-  events_accumulate,   ///< More events at one instant than can be resolved; time stands still.
-  impact_unsolved,     ///< An impact left bodies approaching each other.
-  not_finite,          ///< A state became infinite or NaN.
+  reached_end,        ///< The end of the span was reached.
+  events_accumulate,  ///< More events at one instant than can be resolved; time stands still.
+  impact_unsolved,    ///< An impact left bodies approaching each other.
+  not_finite,         ///< A state became infinite or NaN.
 };
 
 /// Something that happened at an instant.
 struct MotionEvent {
   enum class Kind { impact, rest, separation, slip_to_stick };
   Kind kind;
-  double time;                      ///< [s]; for `rest` the limit of the bounces, which may lie after the last one.
-  int body_A = -1, body_B = -1;     ///< Model indices; body_B is -1 where only one is concerned.
-  Vec3 p_W = Vec3::Zero();          ///< Where (impacts) [m].
-  Vec3 j_W = Vec3::Zero();          ///< Impulse on B (impacts) [N s].
+  double time;  ///< [s]; for `rest` the limit of the bounces, which may lie after the last one.
+  int body_A = -1, body_B = -1;  ///< Model indices; body_B is -1 where only one is concerned.
+  Vec3 p_W = Vec3::Zero();       ///< Where (impacts) [m].
+  Vec3 j_W = Vec3::Zero();       ///< Impulse on B (impacts) [N s].
 };
 
 /// What one call of a stepper did. Never read back.
 struct AdvanceReport {
   StopReason reason = StopReason::reached_end;
-  std::string detail;                      ///< Which bodies, when reason is not reached_end.
-  std::vector<int> bodies;                 ///< Concerned, when reason is not reached_end.
+  std::string detail;       ///< Which bodies, when reason is not reached_end.
+  std::vector<int> bodies;  ///< Concerned, when reason is not reached_end.
 
-  long steps = 0;                          ///< Integrator steps of groups of bodies in contact or under forces.
+  long steps = 0;  ///< Integrator steps of groups of bodies in contact or under forces.
   long impacts = 0, resting = 0, separations = 0, slip_to_stick = 0;
   long distance_queries = 0;
   std::vector<MotionEvent> events;
 
-  double toi_bracket = 0;                  ///< Widest bracket of an event's time [s].
-  double max_penetration = 0;              ///< Deepest overlap seen at an event or step [m].
+  double toi_bracket = 0;      ///< Widest bracket of an event's time [s].
+  double max_penetration = 0;  ///< Deepest overlap seen at an event or step [m].
   int penetration_A = -1, penetration_B = -1;
   double penetration_time = 0;
 
-  double work = 0;                         ///< Supplied by kinematic bodies, torques and body-fixed forces [J].
-  double impact_loss = 0;                  ///< Kinetic energy taken by impacts [J].
-  double impact_gain = 0;                  ///< Energy that impacts added (Newton's law with friction can) [J].
-  double projection_loss = 0;              ///< Kinetic energy taken by the projections on the contacts [J].
-  Vec3 momentum_error = Vec3::Zero();          ///< Σ over events of ΔP minus external impulse [kg m/s].
+  double work = 0;                     ///< Supplied by kinematic bodies, torques and body-fixed forces [J].
+  double impact_loss = 0;              ///< Kinetic energy taken by impacts [J].
+  double impact_gain = 0;              ///< Energy that impacts added (Newton's law with friction can) [J].
+  double projection_loss = 0;          ///< Kinetic energy taken by the projections on the contacts [J].
+  Vec3 momentum_error = Vec3::Zero();  ///< Σ over events of ΔP minus external impulse [kg m/s].
   Vec3 angular_momentum_error = Vec3::Zero();  ///< The same for L about the origin of W [kg m²/s].
 
-  double max_residual = 0;                 ///< Of the contact problems, relative.
+  double max_residual = 0;  ///< Of the contact problems, relative.
   int max_iterations = 0;
-  long fallbacks = 0;                      ///< Problems that did not converge to their tolerance.
-  double quaternion_drift = 0;             ///< Largest | |q| - 1 | before normalisation.
+  long fallbacks = 0;           ///< Problems that did not converge to their tolerance.
+  double quaternion_drift = 0;  ///< Largest | |q| - 1 | before normalisation.
 
   /// Adds what a later call reported; reason, detail and bodies become the later ones.
   void add(const AdvanceReport& later);

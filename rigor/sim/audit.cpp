@@ -30,7 +30,8 @@ void Auditor::observe(const State& state, const AdvanceReport& report) {
   double momentum = 0, angular_momentum = 0;
   for (int i = 0; i < model_->body_count(); ++i) {
     momentum += state.linear_momentum(i).norm();
-    angular_momentum += state.angular_momentum(i).norm() + state.position(i).norm() * state.linear_momentum(i).norm();
+    angular_momentum +=
+        state.angular_momentum(i).norm() + state.position(i).norm() * state.linear_momentum(i).norm();
   }
   momentum_scale_ = std::max(momentum_scale_, momentum);
   angular_momentum_scale_ = std::max(angular_momentum_scale_, angular_momentum);
@@ -60,27 +61,31 @@ Audit Auditor::audit(const State& state) const {
 }
 
 void Auditor::judge(Audit& audit) const {
-  // Energy and momentum of what is solved exactly hold to rounding; integrated phases to their tolerance. A millionth is
-  // what no method that deserves its name exceeds.
+  // Energy and momentum of what is solved exactly hold to rounding; integrated phases to their tolerance. A
+  // millionth is what no method that deserves its name exceeds.
   constexpr double share = 1e-6;
   const auto check = [&](const char* what, double value, double bound, const char* unit) {
     if (value > bound) {
-      audit.violations.push_back(fmt::format("{} is {:.3g} {}, the tolerance is {:.3g} {}", what, value, unit, bound, unit));
+      audit.violations.push_back(
+          fmt::format("{} is {:.3g} {}, the tolerance is {:.3g} {}", what, value, unit, bound, unit));
     }
   };
   check("unexplained rise of energy", audit.max_increase, share * energy_scale_, "J");
   check("error of linear momentum", audit.linear_momentum_error, share * momentum_scale_, "kg m/s");
-  check("error of angular momentum", audit.angular_momentum_error, share * angular_momentum_scale_, "kg m²/s");
+  check("error of angular momentum", audit.angular_momentum_error, share * angular_momentum_scale_,
+        "kg m²/s");
   check("penetration", audit.report.max_penetration, method_.contact_tolerance, "m");
 
   if (audit.report.impact_gain > 1e-12 * energy_scale_) {
-    audit.warnings.push_back(fmt::format(
-        "impacts added {:.3g} J: Newton's law with friction can gain energy, and so can several impacts by `lcp`",
-        audit.report.impact_gain));
+    audit.warnings.push_back(
+        fmt::format("impacts added {:.3g} J: Newton's law with friction can gain energy, and so can several "
+                    "impacts by `lcp`",
+                    audit.report.impact_gain));
   }
   if (audit.report.fallbacks > 0) {
-    audit.warnings.push_back(fmt::format("{} contact problems did not reach their tolerance; largest residual {:.3g}",
-                                         audit.report.fallbacks, audit.report.max_residual));
+    audit.warnings.push_back(
+        fmt::format("{} contact problems did not reach their tolerance; largest residual {:.3g}",
+                    audit.report.fallbacks, audit.report.max_residual));
   }
 }
 

@@ -15,22 +15,22 @@ namespace rigor {
 struct Audit {
   std::string scene;
   Method method;
-  double sim_time = 0;                       ///< Simulated [s].
-  double wall_time = 0;                      ///< [s]; set by whoever has a clock.
-  AdvanceReport report;                      ///< Sums over the whole run; its events are left out.
+  double sim_time = 0;   ///< Simulated [s].
+  double wall_time = 0;  ///< [s]; set by whoever has a clock.
+  AdvanceReport report;  ///< Sums over the whole run; its events are left out.
 
   Energy initial, final;
-  double dissipated = 0;                     ///< E_initial + work - E_final [J].
-  double max_increase = 0;                   ///< Largest rise of E - work above an earlier value [J].
-  double linear_momentum_error = 0;          ///< |Σ (ΔP - external impulse)| [kg m/s].
-  double angular_momentum_error = 0;         ///< The same about the origin of W [kg m²/s].
+  double dissipated = 0;              ///< E_initial + work - E_final [J].
+  double max_increase = 0;            ///< Largest rise of E - work above an earlier value [J].
+  double linear_momentum_error = 0;   ///< |Σ (ΔP - external impulse)| [kg m/s].
+  double angular_momentum_error = 0;  ///< The same about the origin of W [kg m²/s].
 
   struct BodyEnd {
     std::string name;
-    Vec3 position;                           ///< Of the user's frame's origin [m].
-    Quat orientation;                        ///< Of the user's frame.
-    Vec3 velocity;                           ///< Of the centre of mass [m/s].
-    Vec3 angular_velocity;                   ///< In W [rad/s].
+    Vec3 position;          ///< Of the user's frame's origin [m].
+    Quat orientation;       ///< Of the user's frame.
+    Vec3 velocity;          ///< Of the centre of mass [m/s].
+    Vec3 angular_velocity;  ///< In W [rad/s].
   };
   std::vector<BodyEnd> bodies;
   std::vector<std::string> warnings;
@@ -60,8 +60,8 @@ class Auditor {
   double start_time_;
   Energy initial_, energy_;
   AdvanceReport sum_;
-  double lowest_ = 0, max_increase_ = 0;     ///< Of E - work.
-  double energy_scale_ = 0;                  ///< Largest kinetic energy and change of energy seen [J].
+  double lowest_ = 0, max_increase_ = 0;  ///< Of E - work.
+  double energy_scale_ = 0;               ///< Largest kinetic energy and change of energy seen [J].
   double momentum_scale_ = 0, angular_momentum_scale_ = 0;
 };
 

@@ -14,7 +14,8 @@ namespace rigor {
 namespace {
 
 std::size_t place_of(const std::vector<int>& ascending, int body) {
-  return static_cast<std::size_t>(std::lower_bound(ascending.begin(), ascending.end(), body) - ascending.begin());
+  return static_cast<std::size_t>(std::lower_bound(ascending.begin(), ascending.end(), body) -
+                                  ascending.begin());
 }
 bool holds(const std::vector<int>& ascending, int body) {
   return std::binary_search(ascending.begin(), ascending.end(), body);
@@ -40,7 +41,9 @@ Totals totals(const Model& model, const Cluster& cluster) {
 /// Representatives of a partition, with path halving.
 class Partition {
  public:
-  explicit Partition(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
+  explicit Partition(std::size_t size) : parent_(size) {
+    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+  }
   std::size_t find(std::size_t i) {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
@@ -94,7 +97,8 @@ std::vector<Cluster> connected_parts(const Cluster& cluster, const std::vector<C
 ContactResolver::ContactResolver(const Model& model, const IslandIntegrator& integrator, const Method& method)
     : model_(model),
       integrator_(integrator),
-      law_(method.simultaneous == SimultaneousMethod::lcp ? SimultaneousLaw::lcp : SimultaneousLaw::reflections),
+      law_(method.simultaneous == SimultaneousMethod::lcp ? SimultaneousLaw::lcp
+                                                          : SimultaneousLaw::reflections),
       resting_velocity_(method.resting_velocity),
       contact_tolerance_(method.contact_tolerance) {}
 
@@ -102,14 +106,17 @@ ContactSystem ContactResolver::system_of(const Cluster& cluster, const std::vect
   std::vector<int> bodies = bodies_of(contacts, cluster.bodies);
   std::vector<BodyKinetics> kinetics;
   for (const int body : bodies) {
-    kinetics.push_back(holds(cluster.bodies, body) ? dynamic_kinetics(model_.body(body), cluster.phase_of(body))
-                                                   : prescribed_kinetics(model_.body(body), cluster.t));
+    kinetics.push_back(holds(cluster.bodies, body)
+                           ? dynamic_kinetics(model_.body(body), cluster.phase_of(body))
+                           : prescribed_kinetics(model_.body(body), cluster.t));
   }
   return make_contact_system(contacts, std::move(bodies), std::move(kinetics));
 }
 
 bool ContactResolver::project_positions(Cluster& cluster) const {
-  const auto is_deep = [this](const Contact& contact) { return contact.point.gap < -0.2 * contact_tolerance_; };
+  const auto is_deep = [this](const Contact& contact) {
+    return contact.point.gap < -0.2 * contact_tolerance_;
+  };
   if (std::none_of(cluster.contacts.begin(), cluster.contacts.end(), is_deep)) return false;
   // 0 ≤ δ ⊥ gap + A δ ≥ 0: displacements obey the same geometry as impulses without friction.
   ContactSystem system = system_of(cluster, cluster.contacts);
@@ -130,9 +137,9 @@ bool ContactResolver::project_positions(Cluster& cluster) const {
   return true;
 }
 
-/// e of each contact; none for a slow approach under a force that presses the bodies together: there the bounces would form
-/// an infinite series with a finite end, and ending it here leaves the same momentum as the whole series with what the
-/// contact force does until its limit time.
+/// e of each contact; none for a slow approach under a force that presses the bodies together: there the
+/// bounces would form an infinite series with a finite end, and ending it here leaves the same momentum as
+/// the whole series with what the contact force does until its limit time.
 std::vector<double> ContactResolver::restitutions(const Cluster& cluster, const ContactSystem& system,
                                                   AdvanceReport& report) const {
   const VecX u = relative_velocities(system);
@@ -210,8 +217,8 @@ bool ContactResolver::apply_impulses(Cluster& cluster, AdvanceReport& report) co
       const Vec3 j_W = world_impulse(system, impact.lambda, static_cast<int>(i));
       if (j_W.isZero(0)) continue;
       const auto [place, is_new] = events.try_emplace(
-          {contact.body_A, contact.body_B},
-          MotionEvent{MotionEvent::Kind::impact, cluster.t, contact.body_A, contact.body_B, contact.p_W(), Vec3::Zero()});
+          {contact.body_A, contact.body_B}, MotionEvent{MotionEvent::Kind::impact, cluster.t, contact.body_A,
+                                                        contact.body_B, contact.p_W(), Vec3::Zero()});
       place->second.j_W += j_W;
     }
     for (const auto& [pair, event] : events) {
@@ -264,19 +271,23 @@ bool ContactResolver::is_balanced(const Cluster& cluster, const LastingContacts&
   }
   for (const int index : cluster.bodies) {
     const BodyKinetics& body = system.of(index);
-    const double radius = std::isfinite(model_.body(index).bounding_radius) ? model_.body(index).bounding_radius : 0;
+    const double radius =
+        std::isfinite(model_.body(index).bounding_radius) ? model_.body(index).bounding_radius : 0;
     if (body.v.norm() > still || body.w.norm() * radius > still) return false;
   }
   std::vector<Wrench> wrenches = integrator_.environment_wrenches(system, cluster.t);
   const std::vector<Wrench> free = wrenches;
-  if (!lasting.contacts.empty()) add_contact_wrenches(system, contact_forces(system, lasting.states, free, cluster.slip_tolerance), wrenches);
+  if (!lasting.contacts.empty())
+    add_contact_wrenches(system, contact_forces(system, lasting.states, free, cluster.slip_tolerance),
+                         wrenches);
   // What is left is rounding of what was balanced.
   constexpr double rounding = 1e-11;
   double largest = 0, left = 0;
   for (const int index : cluster.bodies) {
     const std::size_t i = static_cast<std::size_t>(system.local_index(index));
     const BodyKinetics& body = system.kinetics[i];
-    const double radius = std::isfinite(model_.body(index).bounding_radius) ? model_.body(index).bounding_radius : 0;
+    const double radius =
+        std::isfinite(model_.body(index).bounding_radius) ? model_.body(index).bounding_radius : 0;
     const auto accelerations = [&](const Wrench& wrench) {
       return (body.inverse_mass * wrench.f_W).norm() + radius * (body.inverse_inertia * wrench.tau_W).norm();
     };

@@ -13,18 +13,18 @@ namespace rigor {
 
 /// Dynamic bodies at an instant with all contacts that they have there: what an event is about.
 struct Cluster {
-  double t = 0;                         ///< [s].
-  std::vector<int> bodies;              ///< Dynamic, ascending.
-  std::vector<BodyPhase> phases;        ///< One a body.
-  std::vector<Contact> contacts;        ///< Among these bodies and with prescribed ones.
-  double slip_tolerance = 0;            ///< Slower slip counts as sticking [m/s].
+  double t = 0;                   ///< [s].
+  std::vector<int> bodies;        ///< Dynamic, ascending.
+  std::vector<BodyPhase> phases;  ///< One a body.
+  std::vector<Contact> contacts;  ///< Among these bodies and with prescribed ones.
+  double slip_tolerance = 0;      ///< Slower slip counts as sticking [m/s].
 
   BodyPhase& phase_of(int body);
   const BodyPhase& phase_of(int body) const { return const_cast<Cluster*>(this)->phase_of(body); }
 };
 
-/// Parts of a cluster that are joined neither by contacts (of the given list) between dynamic bodies nor by springs, in the
-/// order of their first bodies. Each takes its own contacts along, from the given list.
+/// Parts of a cluster that are joined neither by contacts (of the given list) between dynamic bodies nor by
+/// springs, in the order of their first bodies. Each takes its own contacts along, from the given list.
 std::vector<Cluster> connected_parts(const Cluster& cluster, const std::vector<Contact>& contacts,
                                      const Environment& environment);
 
@@ -39,12 +39,14 @@ class ContactResolver {
  public:
   ContactResolver(const Model& model, const IslandIntegrator& integrator, const Method& method);
 
-  /// Puts bodies that overlap noticeably back to touching, by the smallest displacement in the metric of the mass matrix;
-  /// the momenta stay. Returns whether anything moved: then the contacts must be found anew.
+  /// Puts bodies that overlap noticeably back to touching, by the smallest displacement in the metric of the
+  /// mass matrix; the momenta stay. Returns whether anything moved: then the contacts must be found anew.
   bool project_positions(Cluster& cluster) const;
-  /// Impulses until no contact approaches; false if some still do. Changes the momenta of the cluster's bodies.
+  /// Impulses until no contact approaches; false if some still do. Changes the momenta of the cluster's
+  /// bodies.
   bool apply_impulses(Cluster& cluster, AdvanceReport& report) const;
-  /// Which contacts last: those that do not part and carry a force. The momenta are projected on what they allow.
+  /// Which contacts last: those that do not part and carry a force. The momenta are projected on what they
+  /// allow.
   LastingContacts update_active(Cluster& cluster, AdvanceReport& report) const;
   /// Whether bodies with these lasting contacts stand still and stay so: all forces balance.
   bool is_balanced(const Cluster& cluster, const LastingContacts& lasting) const;
@@ -53,8 +55,10 @@ class ContactResolver {
   ContactSystem system_of(const Cluster& cluster, const std::vector<Contact>& contacts) const;
 
  private:
-  std::vector<double> restitutions(const Cluster& cluster, const ContactSystem& system, AdvanceReport& report) const;
-  void add_impulses(const ContactSystem& system, const VecX& lambda, Cluster& cluster, AdvanceReport& report) const;
+  std::vector<double> restitutions(const Cluster& cluster, const ContactSystem& system,
+                                   AdvanceReport& report) const;
+  void add_impulses(const ContactSystem& system, const VecX& lambda, Cluster& cluster,
+                    AdvanceReport& report) const;
 
   const Model& model_;
   const IslandIntegrator& integrator_;

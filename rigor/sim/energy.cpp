@@ -10,13 +10,15 @@ Energy mechanical_energy(const Model& model, const Environment& environment, con
   for (int i = 0; i < model.body_count(); ++i) {
     const Body& body = model.body(i);
     if (body.motion != MotionType::dynamic) continue;
-    const BodyPhase phase{state.position(i), state.orientation(i), state.linear_momentum(i), state.angular_momentum(i)};
+    const BodyPhase phase{state.position(i), state.orientation(i), state.linear_momentum(i),
+                          state.angular_momentum(i)};
     kinetic.add(kinetic_energy(BodyInertia{body.mass, body.moments}, phase));
     potential.add(environment.potential(i, phase.x));
   }
   const auto view = [&](int i) {
-    return Environment::BodyView{state.position(i), linear_velocity(model, state, i), angular_velocity(model, state, i),
-                                 rotation_matrix(state.orientation(i)), model.body(i).motion == MotionType::dynamic};
+    return Environment::BodyView{state.position(i), linear_velocity(model, state, i),
+                                 angular_velocity(model, state, i), rotation_matrix(state.orientation(i)),
+                                 model.body(i).motion == MotionType::dynamic};
   };
   return {kinetic.value(), potential.value(), environment.spring_energy(view)};
 }

@@ -8,8 +8,8 @@ namespace rigor {
 /// Mechanical energy of all dynamic bodies [J].
 struct Energy {
   double kinetic = 0;
-  double potential = 0;   ///< Gravity and steady forces, zero at the origin of W.
-  double elastic = 0;     ///< In springs.
+  double potential = 0;  ///< Gravity and steady forces, zero at the origin of W.
+  double elastic = 0;    ///< In springs.
 
   double total() const { return kinetic + potential + elastic; }
 };

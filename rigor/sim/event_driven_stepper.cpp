@@ -15,7 +15,9 @@ namespace {
 /// Very short steps in a row before an island goes on at velocity level.
 constexpr int patience = 6;
 
-std::size_t index(int body) { return static_cast<std::size_t>(body); }
+std::size_t index(int body) {
+  return static_cast<std::size_t>(body);
+}
 
 ToiOptions toi_options(const Method& method) {
   ToiOptions options;
@@ -29,12 +31,14 @@ ToiOptions toi_options(const Method& method) {
 }
 
 BodyPhase phase_in(const State& state, int body) {
-  return {state.position(body), state.orientation(body), state.linear_momentum(body), state.angular_momentum(body)};
+  return {state.position(body), state.orientation(body), state.linear_momentum(body),
+          state.angular_momentum(body)};
 }
 
 BodyPhase anchor_in(const State& state, int body) {
   const double* y = &state.anchor[13 * index(body)];
-  return {Vec3(y[0], y[1], y[2]), Quat(y[3], y[4], y[5], y[6]), Vec3(y[7], y[8], y[9]), Vec3(y[10], y[11], y[12])};
+  return {Vec3(y[0], y[1], y[2]), Quat(y[3], y[4], y[5], y[6]), Vec3(y[7], y[8], y[9]),
+          Vec3(y[10], y[11], y[12])};
 }
 
 bool is_finite(const BodyPhase& phase) {
@@ -43,7 +47,8 @@ bool is_finite(const BodyPhase& phase) {
 
 }  // namespace
 
-EventDrivenStepper::EventDrivenStepper(std::shared_ptr<const Model> model, const Method& method, double target_step)
+EventDrivenStepper::EventDrivenStepper(std::shared_ptr<const Model> model, const Method& method,
+                                       double target_step)
     : model_(std::move(model)),
       method_(method),
       target_step_(target_step),
@@ -75,8 +80,8 @@ AdvanceReport EventDrivenStepper::advance(State& state, double t_end) {
   return report_;
 }
 
-/// Motions from the anchors. Bodies whose anchor is now have their contacts and forces judged afresh: what an earlier call
-/// knew about them is in the State or it is not known.
+/// Motions from the anchors. Bodies whose anchor is now have their contacts and forces judged afresh: what an
+/// earlier call knew about them is in the State or it is not known.
 void EventDrivenStepper::read_state_from_bodies(const State& state) {
   t_ = state.t;
   const bool is_continued = state == mirror_;
@@ -102,12 +107,12 @@ void EventDrivenStepper::read_state_from_bodies(const State& state) {
       const bool rests = !is_here && now.P.isZero(0) && now.L.isZero(0) && now.x == anchor.x &&
                          now.q.coeffs() == anchor.q.coeffs();
       const double epoch = state.epoch[index(body)];
-      trajectories_.set_motion(
-          body,
-          rests ? Motion::at_rest(anchor, epoch)
-                : Motion::flight(FreeFlight(inertia(body), anchor, epoch, environment_.steady_acceleration(body)),
-                                 inertia(body)),
-          epoch);
+      trajectories_.set_motion(body,
+                               rests ? Motion::at_rest(anchor, epoch)
+                                     : Motion::flight(FreeFlight(inertia(body), anchor, epoch,
+                                                                 environment_.steady_acceleration(body)),
+                                                      inertia(body)),
+                               epoch);
     }
     restored.push_back(body);
   }
@@ -129,9 +134,12 @@ bool EventDrivenStepper::compute_time_step() {
   while (!queue_.is_empty() && queue_.first().time < t_end_) {
     next_ = queue_.first();
     queue_.pop();
-    if (next_.kind == QueuedEvent::Kind::step_end ? !islands_.contains(next_.a) : !trajectories_.is_current(next_)) continue;
+    if (next_.kind == QueuedEvent::Kind::step_end ? !islands_.contains(next_.a)
+                                                  : !trajectories_.is_current(next_))
+      continue;
     t_ = std::max(t_, next_.time);
-    if (next_.kind == QueuedEvent::Kind::contact) report_.toi_bracket = std::max(report_.toi_bracket, next_.bracket);
+    if (next_.kind == QueuedEvent::Kind::contact)
+      report_.toi_bracket = std::max(report_.toi_bracket, next_.bracket);
     return true;
   }
   t_ = t_end_;
@@ -155,7 +163,8 @@ void EventDrivenStepper::handle_event(const std::vector<int>& seeds, std::vector
   trajectories_.predict(changed, t_, queue_);
 }
 
-/// The end of a window changes nothing but the window, unless a path turns there: then what stands on the body notices.
+/// The end of a window changes nothing but the window, unless a path turns there: then what stands on the
+/// body notices.
 void EventDrivenStepper::begin_new_window(int body) {
   if (trajectories_.motion(body).end() > t_) return trajectories_.predict({body}, t_, queue_);
   renew_prescribed(body);
@@ -194,7 +203,8 @@ Cluster EventDrivenStepper::compute_new_body_states(const std::vector<int>& seed
   if (resolver_.project_positions(cluster)) {
     cluster.contacts.clear();
     visited.clear();
-    for (std::size_t i = 0; i < cluster.bodies.size(); ++i) find_touching(cluster.bodies[i], cluster, visited);
+    for (std::size_t i = 0; i < cluster.bodies.size(); ++i)
+      find_touching(cluster.bodies[i], cluster, visited);
     put_in_order();
   }
   return cluster;
@@ -209,7 +219,8 @@ void EventDrivenStepper::add_body(int body, Cluster& cluster) {
   cluster.phases.insert(cluster.phases.begin() + offset, trajectories_.motion(body).phase(t_));
 }
 
-/// All bodies of an island leave it now: at the end of its step, or before, by the same integrator with a shorter step.
+/// All bodies of an island leave it now: at the end of its step, or before, by the same integrator with a
+/// shorter step.
 void EventDrivenStepper::finish_island(int number, Cluster& cluster) {
   const RunningIsland running = std::move(islands_.at(number));
   islands_.erase(number);
@@ -259,7 +270,8 @@ void EventDrivenStepper::find_touching(int body, Cluster& cluster, std::set<std:
   for (const int other : trajectories_.neighbours(body, t_, method_.contact_tolerance)) {
     if (!visited.insert(std::minmax(body, other)).second) continue;
     const auto [a, b] = std::minmax(body, other);
-    std::vector<Contact> found = find_contacts(*model_, a, b, pose_of(a), pose_of(b), method_.contact_tolerance);
+    std::vector<Contact> found =
+        find_contacts(*model_, a, b, pose_of(a), pose_of(b), method_.contact_tolerance);
     if (found.empty()) continue;
     if (is_dynamic(other) && island_of_[index(other)] >= 0) {
       add_body(other, cluster);
@@ -289,8 +301,10 @@ void EventDrivenStepper::apply_forces(Cluster& cluster) {
     }
     if (crowding_of(part.bodies) > patience && !part.contacts.empty()) {
       // Steps at velocity level take all contacts, whatever they do: their problem decides again.
-      for (const Contact& contact : part.contacts) trajectories_.set_lasting_contact(contact.body_A, contact.body_B);
-      begin_step({part.bodies, part.phases, part.contacts, std::vector<ContactState>(part.contacts.size()), t_});
+      for (const Contact& contact : part.contacts)
+        trajectories_.set_lasting_contact(contact.body_A, contact.body_B);
+      begin_step(
+          {part.bodies, part.phases, part.contacts, std::vector<ContactState>(part.contacts.size()), t_});
     } else {
       move_together(part, resolver_.update_active(part, report_));
     }
@@ -298,16 +312,20 @@ void EventDrivenStepper::apply_forces(Cluster& cluster) {
   note_transitions(lasting_before, cluster);
 }
 
-/// Gives the bodies of a part their motion to the next event: at rest, in flight, or by steps with their contacts.
+/// Gives the bodies of a part their motion to the next event: at rest, in flight, or by steps with their
+/// contacts.
 void EventDrivenStepper::move_together(const Cluster& part, const LastingContacts& lasting) {
-  for (const Contact& contact : lasting.contacts) trajectories_.set_lasting_contact(contact.body_A, contact.body_B);
+  for (const Contact& contact : lasting.contacts)
+    trajectories_.set_lasting_contact(contact.body_A, contact.body_B);
   for (const Cluster& group : connected_parts(part, lasting.contacts, environment_)) {
     LastingContacts of_group{group.contacts, {}};
     // Both lists keep the order of the contacts.
     std::size_t next = 0;
     for (const Contact& contact : group.contacts) {
-      while (lasting.contacts[next].body_A != contact.body_A || lasting.contacts[next].body_B != contact.body_B ||
-             lasting.contacts[next].shape_A != contact.shape_A || lasting.contacts[next].shape_B != contact.shape_B ||
+      while (lasting.contacts[next].body_A != contact.body_A ||
+             lasting.contacts[next].body_B != contact.body_B ||
+             lasting.contacts[next].shape_A != contact.shape_A ||
+             lasting.contacts[next].shape_B != contact.shape_B ||
              lasting.contacts[next].point.feature != contact.point.feature) {
         ++next;
       }
@@ -339,8 +357,9 @@ int EventDrivenStepper::crowding_of(const std::vector<int>& bodies) const {
   return crowding;
 }
 
-/// The step itself. Where modes end as they begin or slip turns on the spot, each short step in a row must cover more than
-/// the last; when that does not help, steps at velocity level lead out of it. The report counts both.
+/// The step itself. Where modes end as they begin or slip turns on the spot, each short step in a row must
+/// cover more than the last; when that does not help, steps at velocity level lead out of it. The report
+/// counts both.
 void EventDrivenStepper::take_step(double h, RunningIsland& running) {
   constexpr int implicit_steps = 60;
   int crowding = crowding_of(running.island.bodies);
@@ -348,7 +367,8 @@ void EventDrivenStepper::take_step(double h, RunningIsland& running) {
     const double resolved = std::max(method_.time_tolerance, 8 * std::numeric_limits<double>::epsilon() * t_);
     running.step = integrator_.implicit_step(running.island, std::min(h, 1e-2 * target_step_));
     running.change = mode_changes_.find_overlap(running.island, running.step, 1);
-    if (running.change) running.step = integrator_.implicit_step(running.island, std::max(running.change->h, resolved));
+    if (running.change)
+      running.step = integrator_.implicit_step(running.island, std::max(running.change->h, resolved));
     ++report_.fallbacks;
     --crowding;
   } else {
@@ -381,7 +401,8 @@ void EventDrivenStepper::begin_step(Island island) {
   for (std::size_t i = 0; i < running.island.bodies.size(); ++i) {
     const int body = running.island.bodies[i];
     island_of_[index(body)] = number;
-    trajectories_.set_motion(body, Motion::step(running.step.dense[i], inertia(body), t_, running.end - t_), t_);
+    trajectories_.set_motion(body, Motion::step(running.step.dense[i], inertia(body), t_, running.end - t_),
+                             t_);
     if (!is_finite(running.step.end[i])) {
       report_.reason = StopReason::not_finite;
       report_.bodies = {body};
@@ -396,7 +417,8 @@ bool EventDrivenStepper::time_stands_still(const std::vector<int>& seeds) {
   constexpr int most_events = 1000;
   for (const int body : seeds) {
     const double apart = t_ - last_event_[index(body)];
-    const bool is_crowded = apart <= 4 * std::max(method_.time_tolerance, std::numeric_limits<double>::epsilon() * t_);
+    const bool is_crowded =
+        apart <= 4 * std::max(method_.time_tolerance, std::numeric_limits<double>::epsilon() * t_);
     repeats_[index(body)] = is_crowded ? repeats_[index(body)] + 1 : 0;
     last_event_[index(body)] = t_;
     if (repeats_[index(body)] <= most_events) continue;
@@ -419,7 +441,8 @@ void EventDrivenStepper::note_penetration(const std::vector<Contact>& contacts) 
 }
 
 /// Pairs that came to rest on each other and pairs that parted.
-void EventDrivenStepper::note_transitions(const std::set<std::pair<int, int>>& before, const Cluster& cluster) {
+void EventDrivenStepper::note_transitions(const std::set<std::pair<int, int>>& before,
+                                          const Cluster& cluster) {
   std::set<std::pair<int, int>> pairs;
   for (const Contact& contact : cluster.contacts) pairs.insert({contact.body_A, contact.body_B});
   for (const auto& [a, b] : pairs) {

@@ -16,12 +16,13 @@
 
 namespace rigor {
 
-/// From event to event: between two events every body moves smoothly (in closed form where nothing but gravity acts); at
-/// an event bodies collide, come to rest against each other, part, stop or start to slip. Nothing overlaps by more than the
-/// contact tolerance, at any speed and any target step.
+/// From event to event: between two events every body moves smoothly (in closed form where nothing but
+/// gravity acts); at an event bodies collide, come to rest against each other, part, stop or start to slip.
+/// Nothing overlaps by more than the contact tolerance, at any speed and any target step.
 ///
-/// Time is local: a body's motion is followed from its own last event on, and events wait in one queue, so that each costs
-/// what the bodies concerned cost. The State holds all there is to know: a fresh stepper continues bit for bit.
+/// Time is local: a body's motion is followed from its own last event on, and events wait in one queue, so
+/// that each costs what the bodies concerned cost. The State holds all there is to know: a fresh stepper
+/// continues bit for bit.
 class EventDrivenStepper {
  public:
   /// target_step H > 0 [s]: the longest step of bodies whose motion has no closed form.
@@ -37,8 +38,8 @@ class EventDrivenStepper {
   struct RunningIsland {
     Island island;
     IslandStep step;
-    double end;                           ///< [s].
-    std::optional<ModeChange> change;     ///< What ends the step.
+    double end;                        ///< [s].
+    std::optional<ModeChange> change;  ///< What ends the step.
   };
 
   // The loop of the course.
@@ -79,12 +80,12 @@ class EventDrivenStepper {
   EventQueue queue_;
   Trajectories trajectories_;
   std::map<int, RunningIsland> islands_;
-  std::vector<int> island_of_;                ///< Of each body, or -1.
+  std::vector<int> island_of_;  ///< Of each body, or -1.
   int next_island_ = 0;
-  std::vector<int> crowding_;                 ///< Of each body: very short steps in a row.
-  std::vector<int> repeats_;                  ///< Of each body: events in a row that time could not tell apart.
-  std::vector<double> last_event_;            ///< Of each body [s].
-  State mirror_;                              ///< The State as it was left.
+  std::vector<int> crowding_;       ///< Of each body: very short steps in a row.
+  std::vector<int> repeats_;        ///< Of each body: events in a row that time could not tell apart.
+  std::vector<double> last_event_;  ///< Of each body [s].
+  State mirror_;                    ///< The State as it was left.
   AdvanceReport report_;
 };
 

@@ -7,7 +7,9 @@ namespace rigor {
 namespace {
 
 /// Heap order of the standard library: the largest comes first, so "later" is "larger".
-bool is_later(const QueuedEvent& a, const QueuedEvent& b) { return b.is_before(a); }
+bool is_later(const QueuedEvent& a, const QueuedEvent& b) {
+  return b.is_before(a);
+}
 
 }  // namespace
 
@@ -21,6 +23,8 @@ void EventQueue::pop() {
   heap_.pop_back();
 }
 
-void EventQueue::restore() { std::make_heap(heap_.begin(), heap_.end(), is_later); }
+void EventQueue::restore() {
+  std::make_heap(heap_.begin(), heap_.end(), is_later);
+}
 
 }  // namespace rigor

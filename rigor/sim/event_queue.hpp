@@ -7,16 +7,16 @@
 
 namespace rigor {
 
-/// What is due at a time. Stamps are the versions of the motions it was predicted from: an event whose bodies have moved on
-/// since is stale.
+/// What is due at a time. Stamps are the versions of the motions it was predicted from: an event whose bodies
+/// have moved on since is stale.
 struct QueuedEvent {
   enum class Kind : std::uint8_t { step_end, contact, window_end };
 
   double time;
   Kind kind;
-  int a, b;                        ///< contact: bodies, a < b; window_end: body, -1; step_end: island, -1.
+  int a, b;  ///< contact: bodies, a < b; window_end: body, -1; step_end: island, -1.
   std::uint64_t stamp_a, stamp_b;
-  double bracket;                  ///< contact: half width of the time's bracket [s].
+  double bracket;  ///< contact: half width of the time's bracket [s].
 
   /// A total order, so that what happens first never depends on how the queue was filled.
   bool is_before(const QueuedEvent& other) const {

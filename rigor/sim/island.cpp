@@ -13,20 +13,28 @@ namespace {
 
 IntegratorName integrator_of(IntegratorMethod method) {
   switch (method) {
-    case IntegratorMethod::euler: return IntegratorName::euler;
-    case IntegratorMethod::semi_implicit_euler: return IntegratorName::semi_implicit_euler;
-    case IntegratorMethod::midpoint: return IntegratorName::midpoint;
-    case IntegratorMethod::rk4: return IntegratorName::rk4;
-    case IntegratorMethod::lie_rk4: return IntegratorName::lie_rk4;
-    // The closed form is for flight; where forces act its place is taken by the integrator that controls its error.
+    case IntegratorMethod::euler:
+      return IntegratorName::euler;
+    case IntegratorMethod::semi_implicit_euler:
+      return IntegratorName::semi_implicit_euler;
+    case IntegratorMethod::midpoint:
+      return IntegratorName::midpoint;
+    case IntegratorMethod::rk4:
+      return IntegratorName::rk4;
+    case IntegratorMethod::lie_rk4:
+      return IntegratorName::lie_rk4;
+    // The closed form is for flight; where forces act its place is taken by the integrator that controls its
+    // error.
     case IntegratorMethod::exact:
-    case IntegratorMethod::dopri5: break;
+    case IntegratorMethod::dopri5:
+      break;
   }
   return IntegratorName::dopri5;
 }
 
 std::size_t place_of(const std::vector<int>& ascending, int body) {
-  return static_cast<std::size_t>(std::lower_bound(ascending.begin(), ascending.end(), body) - ascending.begin());
+  return static_cast<std::size_t>(std::lower_bound(ascending.begin(), ascending.end(), body) -
+                                  ascending.begin());
 }
 bool holds(const std::vector<int>& ascending, int body) {
   return std::binary_search(ascending.begin(), ascending.end(), body);
@@ -36,7 +44,9 @@ Environment::BodyView view_of(const BodyKinetics& body) {
   return {body.x, body.v, body.w, body.R, body.inverse_mass > 0};
 }
 
-Pose pose_of(const BodyPhase& phase) { return {rotation_matrix(phase.q), phase.x}; }
+Pose pose_of(const BodyPhase& phase) {
+  return {rotation_matrix(phase.q), phase.x};
+}
 
 }  // namespace
 
@@ -51,8 +61,8 @@ std::vector<int> bodies_of(const std::vector<Contact>& contacts, const std::vect
   return bodies;
 }
 
-/// The wrench on each body and, as two bodies more, what the ledger integrates: the external force and torque (about the
-/// origin of W), and the supplied power as the x component of a force.
+/// The wrench on each body and, as two bodies more, what the ledger integrates: the external force and torque
+/// (about the origin of W), and the supplied power as the x component of a force.
 struct IslandIntegrator::Load {
   std::vector<Wrench> wrenches;
   Wrench external;
@@ -67,7 +77,9 @@ IslandIntegrator::IslandIntegrator(const Model& model, const Environment& enviro
       tolerance_(method.tolerance),
       slip_tolerance_(slip_tolerance(method)) {}
 
-double slip_tolerance(const Method& method) { return 1e-6 * method.resting_velocity; }
+double slip_tolerance(const Method& method) {
+  return 1e-6 * method.resting_velocity;
+}
 
 ContactSystem IslandIntegrator::contact_system(const Island& island, double t,
                                                std::span<const BodyPhase> phases) const {
@@ -87,9 +99,10 @@ ContactSystem IslandIntegrator::contact_system(const Island& island, double t,
                                         : prescribed_kinetics(model_.body(body), island.begin).pose();
     };
     for (Contact& contact : contacts) {
-      contact.point = tracked_contact(model_, contact, pose_at_begin(contact.body_A), pose_at_begin(contact.body_B),
-                                      kinetics[place_of(bodies, contact.body_A)].pose(),
-                                      kinetics[place_of(bodies, contact.body_B)].pose());
+      contact.point =
+          tracked_contact(model_, contact, pose_at_begin(contact.body_A), pose_at_begin(contact.body_B),
+                          kinetics[place_of(bodies, contact.body_A)].pose(),
+                          kinetics[place_of(bodies, contact.body_B)].pose());
     }
   }
   return make_contact_system(std::move(contacts), bodies, std::move(kinetics));
@@ -108,11 +121,13 @@ std::vector<Wrench> IslandIntegrator::environment_wrenches(const ContactSystem& 
   return wrenches;
 }
 
-IslandIntegrator::Load IslandIntegrator::load(const Island& island, double t, std::span<const BodyPhase> phases) const {
+IslandIntegrator::Load IslandIntegrator::load(const Island& island, double t,
+                                              std::span<const BodyPhase> phases) const {
   const ContactSystem system = contact_system(island, t, phases);
   std::vector<Wrench> wrenches = environment_wrenches(system, t);
   Load load;
-  // What springs do inside the island cancels in the sum; those to prescribed bodies and the world are external.
+  // What springs do inside the island cancels in the sum; those to prescribed bodies and the world are
+  // external.
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     if (system.kinetics[b].inverse_mass == 0) continue;
     load.external.f_W += wrenches[b].f_W;
@@ -140,12 +155,14 @@ IntegratorTolerances IslandIntegrator::tolerances(const Island& island) const {
   double length = 0, momentum = 0, angular_momentum = 0;
   for (std::size_t i = 0; i < island.bodies.size(); ++i) {
     const Body& body = model_.body(island.bodies[i]);
-    const double size = std::isfinite(body.bounding_radius) && body.bounding_radius > 0 ? body.bounding_radius
-                                                                                         : model_.length_scale();
+    const double size = std::isfinite(body.bounding_radius) && body.bounding_radius > 0
+                            ? body.bounding_radius
+                            : model_.length_scale();
     const double speed = std::sqrt(size * environment_.steady_acceleration(island.bodies[i]).norm());
     length = std::max(length, size);
     momentum = std::max(momentum, std::max(island.start[i].P.norm(), body.mass * speed));
-    angular_momentum = std::max(angular_momentum, std::max(island.start[i].L.norm(), body.mass * speed * size));
+    angular_momentum =
+        std::max(angular_momentum, std::max(island.start[i].L.norm(), body.mass * speed * size));
   }
   if (length > 0) result.length_scale = length;
   if (momentum > 0) result.momentum_scale = momentum;
@@ -156,7 +173,8 @@ IntegratorTolerances IslandIntegrator::tolerances(const Island& island) const {
 IslandStep IslandIntegrator::step(const Island& island, double h) const {
   const std::size_t count = island.bodies.size();
   std::vector<BodyInertia> inertias;
-  for (const int body : island.bodies) inertias.push_back({model_.body(body).mass, model_.body(body).moments});
+  for (const int body : island.bodies)
+    inertias.push_back({model_.body(body).mass, model_.body(body).moments});
   inertias.resize(count + 2);
   std::vector<BodyPhase> start = island.start;
   start.resize(count + 2);
@@ -245,7 +263,8 @@ IslandStep IslandIntegrator::implicit_step(const Island& island, double h) const
     }
   }
   for (std::size_t i = 0; i < island.bodies.size(); ++i) {
-    // The mean of both velocities: exact where the acceleration is constant, and no contact closes by more than its gap.
+    // The mean of both velocities: exact where the acceleration is constant, and no contact closes by more
+    // than its gap.
     const BodyKinetics& before = at_start.of(island.bodies[i]);
     BodyPhase& phase = phases[i];
     phase.x += 0.5 * h * (before.v + after.of(island.bodies[i]).v);

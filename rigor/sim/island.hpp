@@ -10,30 +10,30 @@
 
 namespace rigor {
 
-/// Dynamic bodies that move together from one event to the next: joined by active contacts and springs, or under forces
-/// that have no closed form.
+/// Dynamic bodies that move together from one event to the next: joined by active contacts and springs, or
+/// under forces that have no closed form.
 struct Island {
-  std::vector<int> bodies;              ///< Ascending.
-  std::vector<BodyPhase> start;         ///< At `begin`, one a body.
-  std::vector<Contact> contacts;        ///< Active ones, found at `begin`.
-  std::vector<ContactState> states;     ///< One a contact.
-  double begin = 0;                     ///< [s].
+  std::vector<int> bodies;           ///< Ascending.
+  std::vector<BodyPhase> start;      ///< At `begin`, one a body.
+  std::vector<Contact> contacts;     ///< Active ones, found at `begin`.
+  std::vector<ContactState> states;  ///< One a contact.
+  double begin = 0;                  ///< [s].
 };
 
 /// One step of an island.
 struct IslandStep {
-  double h = 0;                         ///< [s].
-  std::vector<BodyPhase> end;           ///< One a body.
+  double h = 0;                ///< [s].
+  std::vector<BodyPhase> end;  ///< One a body.
   std::vector<DensePhase> dense;
-  double error = 0;                     ///< Embedded estimate relative to the tolerance; NaN if the method has none.
+  double error = 0;  ///< Embedded estimate relative to the tolerance; NaN if the method has none.
   double quaternion_drift = 0;
   double work = 0;                      ///< Supplied by kinematic bodies, torques, body-fixed forces [J].
   Vec3 impulse = Vec3::Zero();          ///< Of all forces from outside the island [N s].
   Vec3 angular_impulse = Vec3::Zero();  ///< The same about the origin of W [N m s].
 };
 
-/// Smooth motion of islands: the contact forces are solved for at every stage of the integrator, so that its order survives
-/// the contacts.
+/// Smooth motion of islands: the contact forces are solved for at every stage of the integrator, so that its
+/// order survives the contacts.
 class IslandIntegrator {
  public:
   IslandIntegrator(const Model& model, const Environment& environment, const Method& method);
@@ -45,17 +45,17 @@ class IslandIntegrator {
 
   /// One step of exactly h with the contact modes held fixed.
   IslandStep step(const Island& island, double h) const;
-  /// A step of at most h, shorter where the error estimate asks for it, but not shorter than `least`: there `error` may
-  /// exceed 1.
+  /// A step of at most h, shorter where the error estimate asks for it, but not shorter than `least`: there
+  /// `error` may exceed 1.
   IslandStep controlled_step(const Island& island, double h, double least) const;
-  /// A first-order step at velocity level (Moreau-Jean): impulses of the whole step by one Coulomb problem on all contacts,
-  /// whatever their modes. It never fails where slip directions turn faster than an integrator can follow or where forces
-  /// have no finite value (Painlevé), and takes energy only.
-  /// Source: Moreau, Unilateral Contact and Dry Friction in Finite Freedom Dynamics, CISM 302, 1988.
+  /// A first-order step at velocity level (Moreau-Jean): impulses of the whole step by one Coulomb problem on
+  /// all contacts, whatever their modes. It never fails where slip directions turn faster than an integrator
+  /// can follow or where forces have no finite value (Painlevé), and takes energy only. Source: Moreau,
+  /// Unilateral Contact and Dry Friction in Finite Freedom Dynamics, CISM 302, 1988.
   IslandStep implicit_step(const Island& island, double h) const;
 
  private:
-  struct Load;   ///< All wrenches at one stage with their part of the ledger.
+  struct Load;  ///< All wrenches at one stage with their part of the ledger.
   Load load(const Island& island, double t, std::span<const BodyPhase> phases) const;
   IntegratorTolerances tolerances(const Island& island) const;
 

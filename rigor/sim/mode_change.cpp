@@ -9,7 +9,8 @@
 
 namespace rigor {
 
-ModeChangeSearch::ModeChangeSearch(const Model& model, const IslandIntegrator& integrator, const Method& method)
+ModeChangeSearch::ModeChangeSearch(const Model& model, const IslandIntegrator& integrator,
+                                   const Method& method)
     : model_(model),
       integrator_(integrator),
       contact_tolerance_(method.contact_tolerance),
@@ -22,11 +23,13 @@ struct ModeChangeSearch::Instant {
   ContactSystem system;
 };
 
-ModeChangeSearch::Instant ModeChangeSearch::at(const Island& island, const IslandStep& step, double theta) const {
+ModeChangeSearch::Instant ModeChangeSearch::at(const Island& island, const IslandStep& step,
+                                               double theta) const {
   std::vector<BodyPhase> phases;
   for (const DensePhase& dense : step.dense) phases.push_back(dense.at(theta));
   const double t = island.begin + theta * step.h;
-  return {t, integrator_.contact_system(island, t, theta == 1 ? std::span<const BodyPhase>(step.end) : phases)};
+  return {t,
+          integrator_.contact_system(island, t, theta == 1 ? std::span<const BodyPhase>(step.end) : phases)};
 }
 
 /// Smallest speed along its slip of the sliding contacts; below zero one of them has stopped.
@@ -43,12 +46,13 @@ double ModeChangeSearch::slip_margin(const Island& island, const Instant& instan
   return margin;
 }
 
-/// Smallest of λ_n (active contacts) and μ λ_n - |λ_t| (sticking ones), relative to the largest force; a little below zero
-/// is allowed for rounding.
+/// Smallest of λ_n (active contacts) and μ λ_n - |λ_t| (sticking ones), relative to the largest force; a
+/// little below zero is allowed for rounding.
 double ModeChangeSearch::force_margin(const Island& island, const Instant& instant) const {
   constexpr double rounding = 1e-10;
-  const VecX lambda = contact_forces(instant.system, island.states,
-                                     integrator_.environment_wrenches(instant.system, instant.t), slip_tolerance_);
+  const VecX lambda =
+      contact_forces(instant.system, island.states,
+                     integrator_.environment_wrenches(instant.system, instant.t), slip_tolerance_);
   const double scale = lambda.cwiseAbs().maxCoeff();
   if (scale == 0) return rounding;
   double margin = std::numeric_limits<double>::infinity();
@@ -69,15 +73,16 @@ double ModeChangeSearch::overlap_margin(const Island& island, const Instant& ins
   std::set<std::pair<int, int>> pairs;
   for (const Contact& contact : island.contacts) pairs.insert({contact.body_A, contact.body_B});
   for (const auto& [a, b] : pairs) {
-    for (const Contact& contact : find_contacts(model_, a, b, instant.system.of(a).pose(), instant.system.of(b).pose(),
-                                                contact_tolerance_)) {
+    for (const Contact& contact : find_contacts(model_, a, b, instant.system.of(a).pose(),
+                                                instant.system.of(b).pose(), contact_tolerance_)) {
       margin = std::min(margin, contact.point.gap + 0.5 * contact_tolerance_);
     }
   }
   return margin;
 }
 
-/// Whether the modes are still those of the complementarity problem, whatever the distribution of redundant forces.
+/// Whether the modes are still those of the complementarity problem, whatever the distribution of redundant
+/// forces.
 bool ModeChangeSearch::modes_hold(const Island& island, const Instant& instant) const {
   const RestingSolution now = solve_resting(
       instant.system, integrator_.environment_wrenches(instant.system, instant.t), slip_tolerance_);
@@ -86,7 +91,8 @@ bool ModeChangeSearch::modes_hold(const Island& island, const Instant& instant) 
     // Contacts without force may count as open or not: only motion tells.
     const Vec3 w = now.forces.w.segment<3>(3 * static_cast<Eigen::Index>(i));
     const double scale = now.forces.w.cwiseAbs().maxCoeff();
-    const bool stays = island.states[i].mode == ContactMode::stick ? w.norm() <= 1e-9 * scale : w.z() <= 1e-9 * scale;
+    const bool stays =
+        island.states[i].mode == ContactMode::stick ? w.norm() <= 1e-9 * scale : w.z() <= 1e-9 * scale;
     if (!stays) return false;
   }
   return true;
@@ -126,7 +132,9 @@ std::optional<ModeChange> ModeChangeSearch::find(const Island& island, const Isl
   }
   const auto force = [&](double theta) { return force_margin(island, at(island, step, theta)); };
   if (force(end) < 0 && !modes_hold(island, at(island, step, end))) {
-    const auto signature = [&](double theta) { return modes_hold(island, at(island, step, theta)) ? 1.0 : -1.0; };
+    const auto signature = [&](double theta) {
+      return modes_hold(island, at(island, step, theta)) ? 1.0 : -1.0;
+    };
     const bool is_bracketed = force(0) > 0;
     if (is_bracketed) {
       shorten(ModeChange::Kind::force_limit, find_root_itp(force, 0, end, tolerance).hi);

@@ -9,17 +9,17 @@ namespace rigor {
 /// Why a step of an island must end early.
 struct ModeChange {
   enum class Kind {
-    slip_ends,     ///< A sliding contact comes to a stop.
-    force_limit,   ///< A contact lets go, or a sticking one begins to slip.
-    overlap,       ///< Further points of bodies in contact meet.
+    slip_ends,    ///< A sliding contact comes to a stop.
+    force_limit,  ///< A contact lets go, or a sticking one begins to slip.
+    overlap,      ///< Further points of bodies in contact meet.
   };
   Kind kind;
-  double h;                ///< Time since the island's begin [s].
-  double slip_speed = 0;   ///< Kind slip_ends: |u_t| that the stopped contacts still have there [m/s].
+  double h;               ///< Time since the island's begin [s].
+  double slip_speed = 0;  ///< Kind slip_ends: |u_t| that the stopped contacts still have there [m/s].
 };
 
-/// The first time in the step at which the island's contact modes no longer hold, located on the dense output; nothing if
-/// they hold to the end.
+/// The first time in the step at which the island's contact modes no longer hold, located on the dense
+/// output; nothing if they hold to the end.
 class ModeChangeSearch {
  public:
   ModeChangeSearch(const Model& model, const IslandIntegrator& integrator, const Method& method);

@@ -11,7 +11,9 @@ namespace rigor {
 
 namespace {
 
-Pose pose_of(const State& state, int body) { return {rotation_matrix(state.orientation(body)), state.position(body)}; }
+Pose pose_of(const State& state, int body) {
+  return {rotation_matrix(state.orientation(body)), state.position(body)};
+}
 
 /// Deepest overlap of two bodies with its normal from A to B.
 struct Deepest {

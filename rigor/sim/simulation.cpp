@@ -7,8 +7,9 @@
 
 namespace rigor {
 
-RunResult run_simulation(std::shared_ptr<const Model> model, const Method& method, const RunSettings& settings,
-                         const std::optional<State>& start, const Observer& observer) {
+RunResult run_simulation(std::shared_ptr<const Model> model, const Method& method,
+                         const RunSettings& settings, const std::optional<State>& start,
+                         const Observer& observer) {
   RunResult result;
   result.state = start ? *start : make_initial_state(*model);
   State& state = result.state;

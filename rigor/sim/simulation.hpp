@@ -9,32 +9,34 @@
 
 namespace rigor {
 
-/// Called at each output time with the state there and what happened since the last one. Returns whether to go on.
+/// Called at each output time with the state there and what happened since the last one. Returns whether to
+/// go on.
 using Observer = std::function<bool(const State& state, const AdvanceReport& since, const Auditor& auditor)>;
 
 /// How a run ended.
 struct RunResult {
-  State state;                ///< The last one.
+  State state;  ///< The last one.
   Audit audit;
-  bool was_stopped = false;   ///< The observer asked for it.
+  bool was_stopped = false;  ///< The observer asked for it.
 };
 
-/// Runs a scene from the start state (the model's own if none is given) until `settings.duration` after t = 0. The
-/// observer sees the start and every output time k · output_interval; the result does not depend on whether it looks.
-/// Ends early when the stepper cannot go on: see audit.report.reason.
-RunResult run_simulation(std::shared_ptr<const Model> model, const Method& method, const RunSettings& settings,
-                         const std::optional<State>& start, const Observer& observer);
+/// Runs a scene from the start state (the model's own if none is given) until `settings.duration` after t =
+/// 0. The observer sees the start and every output time k · output_interval; the result does not depend on
+/// whether it looks. Ends early when the stepper cannot go on: see audit.report.reason.
+RunResult run_simulation(std::shared_ptr<const Model> model, const Method& method,
+                         const RunSettings& settings, const std::optional<State>& start,
+                         const Observer& observer);
 
 /// Two bodies that overlap by more than the tolerance.
 struct Overlap {
   int body_A, body_B;
-  double depth;   ///< [m].
+  double depth;  ///< [m].
 };
 /// All overlaps deeper than the tolerance, by body indices.
 std::vector<Overlap> find_overlaps(const Model& model, const State& state, double tolerance);
 
-/// Pushes overlapping bodies apart by translations, lighter ones farther, and anchors them there. Returns what still
-/// overlaps by more than the tolerance (empty: done).
+/// Pushes overlapping bodies apart by translations, lighter ones farther, and anchors them there. Returns
+/// what still overlaps by more than the tolerance (empty: done).
 std::vector<Overlap> apply_separation(const Model& model, double tolerance, State& state);
 
 }  // namespace rigor

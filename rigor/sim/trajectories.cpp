@@ -18,7 +18,9 @@ Trajectories::Trajectories(const Model& model, const ToiOptions& options)
   }
 }
 
-bool Trajectories::is_bounded(int body) const { return std::isfinite(model_.body(body).bounding_radius); }
+bool Trajectories::is_bounded(int body) const {
+  return std::isfinite(model_.body(body).bounding_radius);
+}
 
 void Trajectories::set_motion(int body, const Motion& motion, double t) {
   Track& track = tracks_[index(body)];
@@ -28,10 +30,13 @@ void Trajectories::set_motion(int body, const Motion& motion, double t) {
 }
 
 void Trajectories::clear_lasting_contacts(int body) {
-  std::erase_if(lasting_, [body](const std::pair<int, int>& pair) { return pair.first == body || pair.second == body; });
+  std::erase_if(lasting_, [body](const std::pair<int, int>& pair) {
+    return pair.first == body || pair.second == body;
+  });
 }
 
-/// Time in which a body in flight moves by about twice its diameter: long enough to be rare, short enough for a small box.
+/// Time in which a body in flight moves by about twice its diameter: long enough to be rare, short enough for
+/// a small box.
 double Trajectories::window_length(int body, double t) const {
   const Motion& motion = tracks_[index(body)].motion;
   if (!motion.is_ballistic()) return motion.end() - t;
@@ -45,12 +50,14 @@ double Trajectories::window_length(int body, double t) const {
 Aabb Trajectories::box_of(int body, double ta, double tb) const {
   const Motion& motion = tracks_[index(body)].motion;
   const Body& of_body = model_.body(body);
-  if (motion.max_angular_speed() > 0 && turning_radii_[index(body)] > 0) return motion.path_box(ta, tb).grown(of_body.bounding_radius);
+  if (motion.max_angular_speed() > 0 && turning_radii_[index(body)] > 0)
+    return motion.path_box(ta, tb).grown(of_body.bounding_radius);
   // A body that does not turn has a tight box that moves along.
   Aabb tight{Vec3::Constant(std::numeric_limits<double>::infinity()),
              Vec3::Constant(-std::numeric_limits<double>::infinity())};
   const Pose X_WB = motion.sample(ta).X_WB;
-  for (const BodyShape& shape : of_body.shapes) tight = tight.united(axis_aligned_box(shape.shape, X_WB * shape.X_BS));
+  for (const BodyShape& shape : of_body.shapes)
+    tight = tight.united(axis_aligned_box(shape.shape, X_WB * shape.X_BS));
   const Aabb path = motion.path_box(ta, tb);
   return {path.lower + (tight.lower - X_WB.p), path.upper + (tight.upper - X_WB.p)};
 }
@@ -97,7 +104,8 @@ void Trajectories::predict_pair(int a, int b, EventQueue& queue) {
   const double t0 = std::max(A.window_begin, B.window_begin);
   const double t1 = std::min(A.window_end, B.window_end);
   if (!(t1 > t0)) return;
-  const TimeOfImpact found = find_time_of_impact(model_.body(a), A.motion, model_.body(b), B.motion, t0, t1, options_);
+  const TimeOfImpact found =
+      find_time_of_impact(model_.body(a), A.motion, model_.body(b), B.motion, t0, t1, options_);
   distance_queries_ += found.evaluations;
   if (found.is_contact) {
     queue.push({found.time, QueuedEvent::Kind::contact, a, b, A.version, B.version, found.bracket});

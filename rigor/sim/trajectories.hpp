@@ -14,9 +14,10 @@ namespace rigor {
 
 /// The present motion of every body, and for every pair that can meet the time at which it first does.
 ///
-/// Each body is known to stay inside a box over its *window*, a span of time that depends on its motion alone. Pairs whose
-/// boxes overlap are searched for their first contact over the common span of their windows, nothing else; so an event
-/// costs what the bodies concerned cost. What is predicted depends only on the two motions, never on when it was asked.
+/// Each body is known to stay inside a box over its *window*, a span of time that depends on its motion
+/// alone. Pairs whose boxes overlap are searched for their first contact over the common span of their
+/// windows, nothing else; so an event costs what the bodies concerned cost. What is predicted depends only on
+/// the two motions, never on when it was asked.
 class Trajectories {
  public:
   Trajectories(const Model& model, const ToiOptions& options);
@@ -26,7 +27,8 @@ class Trajectories {
   void set_motion(int body, const Motion& motion, double t);
   /// Begins new windows at t for these bodies and queues the contacts and window ends that follow.
   void predict(const std::vector<int>& bodies, double t, EventQueue& queue);
-  /// Windows as they are at t for bodies whose motions have been going on since their begins, and all their predictions.
+  /// Windows as they are at t for bodies whose motions have been going on since their begins, and all their
+  /// predictions.
   void restore(const std::vector<int>& bodies, double t, EventQueue& queue);
   /// Whether the event was predicted from the present motions.
   bool is_current(const QueuedEvent& event) const;
@@ -45,7 +47,7 @@ class Trajectories {
   struct Track {
     Motion motion;
     double window_begin = 0, window_end = 0;
-    Aabb box;                      ///< Holds the body all through its window (bounded bodies).
+    Aabb box;  ///< Holds the body all through its window (bounded bodies).
     std::uint64_t version = 0;
   };
   static std::size_t index(int body) { return static_cast<std::size_t>(body); }
@@ -61,9 +63,9 @@ class Trajectories {
   const Model& model_;
   ToiOptions options_;
   std::vector<Track> tracks_;
-  std::vector<double> turning_radii_;           ///< Of each body's shapes about its centre of mass [m].
-  std::vector<int> unbounded_;                  ///< Bodies with a plane.
-  AabbTree tree_;                               ///< Windows of the others.
+  std::vector<double> turning_radii_;  ///< Of each body's shapes about its centre of mass [m].
+  std::vector<int> unbounded_;         ///< Bodies with a plane.
+  AabbTree tree_;                      ///< Windows of the others.
   std::set<std::pair<int, int>> lasting_;
   long distance_queries_ = 0;
 };

@@ -12,7 +12,9 @@
 namespace rigor {
 namespace {
 
-Vec3 vec3(const nlohmann::json& j) { return Vec3(j[0], j[1], j[2]); }
+Vec3 vec3(const nlohmann::json& j) {
+  return Vec3(j[0], j[1], j[2]);
+}
 
 /// Body with one convex shape that moves at constant velocities.
 Body moving_polytope(const nlohmann::json& j) {
@@ -47,14 +49,16 @@ TEST_P(TimeOfImpactCases, ReferenceMotionsMeetWhenTheyShouldOrNotAtAll) {
         find_time_of_impact(A, Motion::prescribed(A, 0), B, Motion::prescribed(B, 0), 0, t_max, options);
     EXPECT_EQ(found.is_contact, !c["toi"].is_null()) << c["name"];
     if (!found.is_contact || c["toi"].is_null()) continue;
-    // The bracket is the time tolerance; distances carry rounding of some 1e-15 m, divided by the speed of approach.
+    // The bracket is the time tolerance; distances carry rounding of some 1e-15 m, divided by the speed of
+    // approach.
     EXPECT_NEAR(found.time, c["toi"].get<double>(), 2e-12 * std::max(1.0, t_max)) << c["name"];
     EXPECT_LE(found.bracket, 4e-12) << c["name"];
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(AllRefinements, TimeOfImpactCases,
-                         testing::Values(ToiRefinement::conservative, ToiRefinement::ratio, ToiRefinement::bisection));
+                         testing::Values(ToiRefinement::conservative, ToiRefinement::ratio,
+                                         ToiRefinement::bisection));
 
 Body ball(double radius, const Vec3& x, const Vec3& v) {
   Body body;

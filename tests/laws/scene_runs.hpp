@@ -14,7 +14,7 @@ struct SceneRun {
   Scene scene;
   RunResult result;
   std::vector<MotionEvent> events;
-  std::vector<State> states;   ///< At the output times.
+  std::vector<State> states;  ///< At the output times.
 
   const Audit& audit() const { return result.audit; }
   /// End of the named body (a broken test if there is none).

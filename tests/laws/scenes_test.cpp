@@ -41,7 +41,8 @@ TEST(Scenes, ElasticBallKeepsItsHeightAtAnyTargetStep) {
 
 TEST(Scenes, BouncesWithRestitutionEndAtTheLimitTime) {
   // t₀ (1 + e)/(1 - e): the first fall and the geometric series of flights.
-  for (const auto& [file, e] : {std::pair{"bouncing_ball_e05.yaml", 0.5}, std::pair{"bouncing_ball_e09.yaml", 0.9}}) {
+  for (const auto& [file, e] :
+       {std::pair{"bouncing_ball_e05.yaml", 0.5}, std::pair{"bouncing_ball_e09.yaml", 0.9}}) {
     const SceneRun run = run_scene(file);
     expect_trusted(run);
     const double limit = std::sqrt(2 / g) * (1 + e) / (1 - e);
@@ -116,7 +117,8 @@ TEST(Scenes, CradlePassesTheBallOn) {
 TEST(Scenes, TouchingCradlePassesTheBallOnToo) {
   std::vector<std::string> touching;
   for (int i = 2; i <= 5; ++i) {
-    touching.push_back("bodies.ball" + std::to_string(i) + ".position=[" + std::to_string(0.2 * (i - 1)) + ", 0, 0]");
+    touching.push_back("bodies.ball" + std::to_string(i) + ".position=[" + std::to_string(0.2 * (i - 1)) +
+                       ", 0, 0]");
   }
   const SceneRun run = run_scene("cradle.yaml", touching);
   expect_trusted(run);
@@ -170,7 +172,8 @@ TEST(Scenes, DominoesStrikeOneAnotherInTurn) {
   }
   // A domino that turns about its edge without slip, integrated with a tolerance of 1e-10 a step.
   EXPECT_NEAR(strike, 0.0770237950567839, 1e-9);
-  EXPECT_GT(run.end_of("domino8").angular_velocity.norm() + std::abs(run.end_of("domino8").orientation.y()), 1e-3);
+  EXPECT_GT(run.end_of("domino8").angular_velocity.norm() + std::abs(run.end_of("domino8").orientation.y()),
+            1e-3);
 }
 
 TEST(Scenes, EllComesToRest) {
@@ -184,7 +187,8 @@ TEST(Scenes, RocksFallWithoutOverlap) {
   const SceneRun run = run_scene("rocks.yaml", {"run.duration=1"});
   expect_trusted(run);
   for (const State& state : run.states) {
-    EXPECT_TRUE(find_overlaps(*run.scene.model, state, run.scene.method.contact_tolerance).empty()) << state.t;
+    EXPECT_TRUE(find_overlaps(*run.scene.model, state, run.scene.method.contact_tolerance).empty())
+        << state.t;
   }
 }
 

@@ -141,7 +141,8 @@ TEST(EventDrivenStepper, EqualBallsPartAtRightAnglesAfterAnObliqueElasticImpact)
   ModelBuilder builder;
   builder.set_gravity(Vec3::Zero());
   builder.add_material({"m", 1000, 0, 1});
-  BodyDescription a = body_of("a", Sphere{0.1}, Vec3(-1, 0.07, 0)), b = body_of("b", Sphere{0.1}, Vec3::Zero());
+  BodyDescription a = body_of("a", Sphere{0.1}, Vec3(-1, 0.07, 0)),
+                  b = body_of("b", Sphere{0.1}, Vec3::Zero());
   a.velocity = Vec3(2, 0, 0);
   builder.add_body(a);
   builder.add_body(b);
@@ -156,7 +157,8 @@ TEST(EventDrivenStepper, EqualBallsPartAtRightAnglesAfterAnObliqueElasticImpact)
 
 TEST(EventDrivenStepper, StackOfFiveBoxesStandsStill) {
   ModelBuilder builder = builder_with_floor(0, 0.5);
-  for (int k = 0; k < 5; ++k) builder.add_body(body_of("box" + std::to_string(k), Box{Vec3(0.1, 0.1, 0.1)}, Vec3(0, 0, 0.1 + 0.2 * k)));
+  for (int k = 0; k < 5; ++k)
+    builder.add_body(body_of("box" + std::to_string(k), Box{Vec3(0.1, 0.1, 0.1)}, Vec3(0, 0, 0.1 + 0.2 * k)));
   const std::shared_ptr<const Model> model = builder.build();
   State state = make_initial_state(*model);
   const State start = state;
