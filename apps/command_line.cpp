@@ -138,8 +138,12 @@ void check_unknown(const CLI::App& app) {
 }
 
 bool is_same_file(const std::string& a, const std::string& b) {
-  std::error_code ignored;
-  return std::filesystem::weakly_canonical(a, ignored) == std::filesystem::weakly_canonical(b, ignored);
+  // Absolute first: of a relative path to nothing, a leading "./" would stay.
+  const auto whole = [](const std::string& path) {
+    std::error_code ignored;
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored);
+  };
+  return whole(a) == whole(b);
 }
 
 void check_run(const RunOptions& run) {

@@ -225,13 +225,17 @@ IslandStep IslandIntegrator::implicit_step(const Island& island, double h) const
   std::vector<BodyPhase> phases = island.start;
   const ContactSystem at_start = contact_system(island, island.begin, phases);
   const std::vector<Wrench> wrenches = environment_wrenches(at_start, island.begin);
+  // Impulses act half a step on: then angular momentum about any point is exact.
+  const auto middle = [&](std::size_t i) {
+    return Vec3(island.start[i].x + 0.5 * h * at_start.of(island.bodies[i]).v);
+  };
   IslandStep result{h, {}, {}, 0, 0};
   for (std::size_t i = 0; i < island.bodies.size(); ++i) {
     const Wrench& wrench = wrenches[place_of(at_start.bodies, island.bodies[i])];
     phases[i].P += h * wrench.f_W;
     phases[i].L += h * wrench.tau_W;
     result.impulse += h * wrench.f_W;
-    result.angular_impulse += h * (wrench.tau_W + phases[i].x.cross(wrench.f_W));
+    result.angular_impulse += h * (wrench.tau_W + middle(i).cross(wrench.f_W));
   }
   // 0 ≤ λ_n ⊥ u_n⁺ + gap/h ≥ 0 with friction against u_t⁺.
   const ContactSystem system = contact_system(island, island.begin, phases);
@@ -257,9 +261,10 @@ IslandStep IslandIntegrator::implicit_step(const Island& island, double h) const
         result.angular_impulse -= sign * contact.p_W().cross(j_W);
         continue;
       }
-      BodyPhase& phase = phases[place_of(island.bodies, body)];
+      const std::size_t i_body = place_of(island.bodies, body);
+      BodyPhase& phase = phases[i_body];
       phase.P += sign * j_W;
-      phase.L += sign * (contact.p_W() - phase.x).cross(j_W);
+      phase.L += sign * (contact.p_W() - middle(i_body)).cross(j_W);
     }
   }
   for (std::size_t i = 0; i < island.bodies.size(); ++i) {

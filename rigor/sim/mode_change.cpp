@@ -112,6 +112,7 @@ std::optional<ModeChange> ModeChangeSearch::find_overlap(const Island& island, c
 
 std::optional<ModeChange> ModeChangeSearch::find(const Island& island, const IslandStep& step) const {
   std::optional<ModeChange> first;
+  if (island.contacts.empty()) return first;
   const double tolerance = time_tolerance_ / step.h;
   double end = 1;
   const auto shorten = [&](ModeChange::Kind kind, double theta) {

@@ -78,7 +78,6 @@ TEST(CommandLine, ValuesThatMakeNoSenseAreUsageErrors) {
       {"run", "ball.yaml", "--threads", "0"},
       {"run", "ball.yaml", "--checkpoint-every", "1"},
       {"run", "ball.yaml", "--separate", "--resume", "a.cp"},
-      {"run", "ball.yaml", "-o", "a.csv", "-o", "./a.csv"},
       {"run", "ball.yaml", "-o", "a.json", "--json", "a.json"},
       {"mass", "ball.yaml", "--density", "0"},
       {"mass", "ball.yaml", "--samples", "1"},

@@ -146,7 +146,7 @@ double difference(const std::vector<ContactPoint>& first, const std::vector<Cont
 
 TEST(ContactSetLaws, EveryPointLiesOnBothSurfacesAtItsGap) {
   for_all_pairs(
-      1, 40, [](const PosedPair& pair, const std::vector<ContactPoint>& contacts, const std::string& name) {
+      1, 25, [](const PosedPair& pair, const std::vector<ContactPoint>& contacts, const std::string& name) {
         ASSERT_FALSE(contacts.empty()) << name;
         double least = 1;
         for (const ContactPoint& c : contacts) {
@@ -165,7 +165,7 @@ TEST(ContactSetLaws, EveryPointLiesOnBothSurfacesAtItsGap) {
 
 TEST(ContactSetLaws, TheNormalSeparatesTheShapesAsFarAsTheLeastGap) {
   for_all_pairs(
-      2, 40, [](const PosedPair& pair, const std::vector<ContactPoint>& contacts, const std::string& name) {
+      2, 25, [](const PosedPair& pair, const std::vector<ContactPoint>& contacts, const std::string& name) {
         if (std::holds_alternative<HalfSpace>(pair.a)) return;
         for (const ContactPoint& c : contacts) {
           const double top_A =
@@ -180,7 +180,7 @@ TEST(ContactSetLaws, TheNormalSeparatesTheShapesAsFarAsTheLeastGap) {
 
 TEST(ContactSetLaws, ExchangingTheShapesNegatesTheNormals) {
   for_all_pairs(
-      3, 40, [](const PosedPair& pair, const std::vector<ContactPoint>& contacts, const std::string& name) {
+      3, 25, [](const PosedPair& pair, const std::vector<ContactPoint>& contacts, const std::string& name) {
         std::vector<ContactPoint> exchanged = contact_set(pair.b, pair.X_WB, pair.a, pair.X_WA, kTolerance);
         for (ContactPoint& c : exchanged) {
           std::swap(c.p_WA, c.p_WB);
@@ -195,7 +195,7 @@ TEST(ContactSetLaws, ExchangingTheShapesNegatesTheNormals) {
 TEST(ContactSetLaws, ARigidMotionOfThePairMovesTheSet) {
   PairMaker motions(44);
   for_all_pairs(
-      4, 40, [&](const PosedPair& pair, const std::vector<ContactPoint>& contacts, const std::string& name) {
+      4, 25, [&](const PosedPair& pair, const std::vector<ContactPoint>& contacts, const std::string& name) {
         const Pose X{motions.orientation(), Vec3(motions.number(), motions.number(), motions.number())};
         std::vector<ContactPoint> moved = contacts;
         for (ContactPoint& c : moved) {
