@@ -47,7 +47,8 @@ RandomContact random_contact(std::mt19937_64& generator) {
 
 // Reference problems with all their solutions to 20 digits.
 TEST(CoulombLocal, FindsAllSolutionsOfTheReferenceProblems) {
-  for (const nlohmann::json& reference : reference::read("ncp.json")["cases"]) {
+  for (const nlohmann::json file = reference::read("ncp.json");
+       const nlohmann::json& reference : file["cases"]) {
     SCOPED_TRACE(reference["name"]);
     const Mat3 K = reference::matrix(reference["K"]);
     const Vec3 b = reference::vector(reference["b"]);
@@ -114,7 +115,8 @@ TEST(CoulombLocal, AFrictionlessContactStopsTheNormalMotionOnly) {
 
 TEST(CoulombLocal, ASeparatingContactStaysOpenEvenWhereSlidingIsPossibleToo) {
   // The rod at 45 degrees of the reference problems: three solutions, of which λ = 0 continues from μ = 0.
-  for (const nlohmann::json& reference : reference::read("ncp.json")["cases"]) {
+  for (const nlohmann::json file = reference::read("ncp.json");
+       const nlohmann::json& reference : file["cases"]) {
     if (reference["name"] != "NCP_rod45_mu2_multi") continue;
     const LocalCoulombSolution s = solve_coulomb_local(reference::matrix(reference["K"]),
                                                        reference::vector(reference["b"]), reference["mu"]);

@@ -356,7 +356,8 @@ TEST(CoulombProblem, ScalesExactlyByPowersOfTwoAndRepeatsItsBits) {
 }
 
 TEST(CoulombProblem, OneContactAgreesWithTheReferenceProblems) {
-  for (const nlohmann::json& reference : reference::read("ncp.json")["cases"]) {
+  for (const nlohmann::json file = reference::read("ncp.json");
+       const nlohmann::json& reference : file["cases"]) {
     SCOPED_TRACE(reference["name"]);
     CoulombProblem problem{reference::matrix(reference["K"]),
                            reference::vector(reference["b"]),
@@ -374,7 +375,8 @@ TEST(CoulombProblem, OneContactAgreesWithTheReferenceProblems) {
 }
 
 TEST(CoulombProblem, FrictionlessReferenceAccelerationsAreMet) {
-  for (const nlohmann::json& reference : reference::read("lcp.json")["cases"]) {
+  for (const nlohmann::json file = reference::read("lcp.json");
+       const nlohmann::json& reference : file["cases"]) {
     SCOPED_TRACE(reference["name"]);
     const MatX J = reference::matrix(reference["J"]);
     const VecX inverse_mass = reference::vector(reference["M"]).cwiseInverse();

@@ -25,7 +25,8 @@ MatX random_matrix(Eigen::Index rows, Eigen::Index cols, std::mt19937_64& genera
 
 // Rational reference solutions: accelerations and w are unique, λ is where the matrix is regular.
 TEST_P(Lcp, GivesTheReferenceAccelerations) {
-  for (const nlohmann::json& reference : reference::read("lcp.json")["cases"]) {
+  for (const nlohmann::json file = reference::read("lcp.json");
+       const nlohmann::json& reference : file["cases"]) {
     SCOPED_TRACE(reference["name"]);
     const MatX J = reference::matrix(reference["J"]);
     const VecX inverse_mass = reference::vector(reference["M"]).cwiseInverse();
