@@ -12,7 +12,7 @@ echo "== clang++: build with warnings as errors, headers alone"
 [ -f build/clang/build.ninja ] || cmake --preset clang >/dev/null
 cmake --build --preset clang -j "$jobs"
 git ls-files 'rigor/*.hpp' | xargs -P "$jobs" -I{} clang++ -std=c++20 -fsyntax-only -Wall -Wextra -Wconversion -Wshadow -Wno-pragma-once-outside-header \
-  -I. -isystem /usr/include/eigen3 {}
+  -I. -isystem /usr/include/eigen3 -isystem /usr/include/hdf5/serial {}
 
 echo "== ASan and UBSan: all tests"
 [ -f build/asan/build.ninja ] || cmake --preset asan >/dev/null
