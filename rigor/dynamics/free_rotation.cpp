@@ -150,11 +150,9 @@ void FreeRotation::set_asymmetric(const Vec3& moments, const Vec3& L_B, const Ve
   }
   set_frames(quaternion_of(R_BO));
 
-  // |ω|² is linear in y² along the orbit: its extremes are at y = 0 and at |y| = b.
-  const double r_x = length / moments[axis_x], r_y = phi_rate_, r_z = length / moments[axis_z];
-  const double at_zero = std::hypot(r_x * a_, r_z * c_);
-  const double at_b = std::hypot(r_y * b_, r_z * c_ * std::sqrt(jacobi_.complement()));
-  max_angular_speed_ = std::max(at_zero, at_b) * kSpeedMargin;
+  // |ω|² is linear in y² along the orbit, with the slope r_y² - δ_d r_x² - δ_p r_z². That is not positive,
+  // because r_y = δ_d r_x + δ_p r_z and squares are convex: the largest |ω| is at y = 0.
+  max_angular_speed_ = length * std::hypot(a_ / moments[axis_x], c_ / moments[axis_z]) * kSpeedMargin;
 }
 
 void FreeRotation::set_frames(const Quat& q_BO) {

@@ -6,8 +6,9 @@
 namespace rigor {
 namespace {
 
-/// R_C(1, 1 + e) for e > -1: atan(√e)/√e, its continuation for e < 0, or its series.
-double carlson_rc1(double e) {
+/// R_C(1, q) with q = 1 + e > 0: atan(√e)/√e, its continuation for e < 0, or its series. Both e and q are
+/// given because neither follows from the other without loss: q may be tiny, and so may e.
+double carlson_rc1(double e, double q) {
   if (std::abs(e) < 0.02) {
     // Σ (-e)ᵏ/(2k + 1); the first term left out is below 0.02⁹/19 = 3e-17.
     double sum = 1.0 / 17;
@@ -15,7 +16,7 @@ double carlson_rc1(double e) {
     return sum;
   }
   const double root = std::sqrt(std::abs(e));
-  return e > 0 ? std::atan(root) / root : std::atanh(root) / root;
+  return e > 0 ? std::atan(root) / root : std::asinh(root / std::sqrt(q)) / root;
 }
 
 }  // namespace
@@ -51,7 +52,9 @@ double carlson_rj(double x, double y, double z, double p) {
     const double d = (sp + sx) * (sp + sy) * (sp + sz);
     // (p - x)(p - y)(p - z)/d², a product of three numbers between -1 and 1.
     const double e = (p - x) * (p - y) * (p - z) / (d * d);
-    sum += power / d * carlson_rc1(e);
+    // 1 + e, expanded: a sum of positive terms.
+    const double q = 2 * sp * (p + lambda) / d;
+    sum += power / d * carlson_rc1(e, q);
     x = 0.25 * (x + lambda);
     y = 0.25 * (y + lambda);
     z = 0.25 * (z + lambda);
