@@ -175,22 +175,16 @@ void EventDrivenStepper::begin_new_window(int body) {
 Cluster EventDrivenStepper::compute_new_body_states(const std::vector<int>& seeds) {
   Cluster cluster;
   cluster.t = t_;
+  joined_.clear();
   cluster.slip_tolerance = slip_tolerance(method_);
   for (const int body : seeds) {
     if (is_dynamic(body)) add_body(body, cluster);
   }
   std::set<std::pair<int, int>> visited;
-  std::set<int> done;
-  // Bodies that join are put in order, so the next one to look at is the first that has not been.
-  for (bool is_growing = true; is_growing;) {
-    is_growing = false;
-    for (std::size_t i = 0; i < cluster.bodies.size(); ++i) {
-      const int body = cluster.bodies[i];
-      if (!done.insert(body).second) continue;
-      find_touching(body, cluster, visited);
-      is_growing = true;
-      break;
-    }
+  while (!joined_.empty()) {
+    const int body = joined_.back();
+    joined_.pop_back();
+    find_touching(body, cluster, visited);
   }
   const auto put_in_order = [&cluster] {
     std::sort(cluster.contacts.begin(), cluster.contacts.end(), [](const Contact& a, const Contact& b) {
@@ -217,6 +211,7 @@ void EventDrivenStepper::add_body(int body, Cluster& cluster) {
   const std::ptrdiff_t offset = place - cluster.bodies.begin();
   cluster.bodies.insert(place, body);
   cluster.phases.insert(cluster.phases.begin() + offset, trajectories_.motion(body).phase(t_));
+  joined_.push_back(body);
 }
 
 /// All bodies of an island leave it now: at the end of its step, or before, by the same integrator with a
@@ -242,6 +237,7 @@ void EventDrivenStepper::finish_island(int number, Cluster& cluster) {
         std::lower_bound(cluster.bodies.begin(), cluster.bodies.end(), body) - cluster.bodies.begin();
     cluster.bodies.insert(cluster.bodies.begin() + offset, body);
     cluster.phases.insert(cluster.phases.begin() + offset, step.end[i]);
+    joined_.push_back(body);
     const BodyPhase& start = running.island.start[i];
     P += step.end[i].P - start.P;
     L += step.end[i].L + step.end[i].x.cross(step.end[i].P) - start.L - start.x.cross(start.P);
