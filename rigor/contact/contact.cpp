@@ -3,6 +3,7 @@
 #include "rigor/math/rotation.hpp"
 #include "rigor/model/state.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rigor {
@@ -46,6 +47,16 @@ bool is_near(const BodyShape& a, const Pose& X_WA, const BodyShape& b, const Pos
   return (X_WB * b.X_BS.p - X_WA * a.X_BS.p).squaredNorm() <= reach * reach;
 }
 
+/// Whether two contacts are one to any measurement: where shapes of a body share a corner or an edge, each of
+/// them reports it.
+bool is_same(const Contact& a, const Contact& b, double tolerance) {
+  constexpr double same_direction = 1e-9;
+  return a.friction == b.friction && a.restitution == b.restitution &&
+         (a.point.p_WA - b.point.p_WA).norm() <= tolerance &&
+         (a.point.p_WB - b.point.p_WB).norm() <= tolerance &&
+         (a.point.n_W - b.point.n_W).norm() <= same_direction;
+}
+
 }  // namespace
 
 std::vector<Contact> find_contacts(const Model& model, int a, int b, const Pose& X_WA, const Pose& X_WB,
@@ -62,8 +73,13 @@ std::vector<Contact> find_contacts(const Model& model, int a, int b, const Pose&
       const std::vector<ContactPoint> points =
           contact_set(shape_a.shape, X_WA * shape_a.X_BS, shape_b.shape, X_WB * shape_b.X_BS, tolerance);
       for (const ContactPoint& point : points) {
-        contacts.push_back(
-            {a, b, static_cast<int>(i), static_cast<int>(k), point, pair.friction, pair.restitution});
+        const Contact contact{
+            a, b, static_cast<int>(i), static_cast<int>(k), point, pair.friction, pair.restitution};
+        const bool is_known = std::any_of(contacts.begin(), contacts.end(), [&](const Contact& other) {
+          return (other.shape_A != contact.shape_A || other.shape_B != contact.shape_B) &&
+                 is_same(other, contact, tolerance);
+        });
+        if (!is_known) contacts.push_back(contact);
       }
     }
   }

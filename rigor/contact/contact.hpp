@@ -42,7 +42,8 @@ BodyKinetics dynamic_kinetics(const Body& body, const BodyPhase& phase);
 /// Kinetics of a kinematic or fixed body at time t.
 BodyKinetics prescribed_kinetics(const Body& body, double t);
 
-/// All contacts of two bodies closer than the tolerance [m], in the order of shapes and features.
+/// All contacts of two bodies closer than the tolerance [m], in the order of shapes and features. What two
+/// shapes of a body report alike (a corner that they share) is listed once.
 std::vector<Contact> find_contacts(const Model& model, int a, int b, const Pose& X_WA, const Pose& X_WB,
                                    double tolerance);
 

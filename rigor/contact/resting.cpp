@@ -21,11 +21,11 @@ Acceleration acceleration(const BodyKinetics& body, const Wrench& wrench) {
 
 /// Tangential unit vector of the slip at each contact: from u_t where there is slip, along the old one
 /// otherwise.
-Vec2 slip_direction(const Mat3& frame, const Vec3& u, const Vec3& old_slip_W, double slip_tolerance) {
+Vec2 slip_direction(const Mat3& frame, const Vec3& u, const Vec3& old_slip_W, double direction_tolerance) {
   const Vec2 u_t = u.head<2>();
   const Vec2 old = (frame.transpose() * old_slip_W).head<2>();
   const double speed = u_t.norm();
-  if (speed <= slip_tolerance && old.norm() > 0) return old.normalized();
+  if (speed <= direction_tolerance && old.norm() > 0) return old.normalized();
   if (speed == 0) return Vec2::Zero();
   // Beyond the end of the slip u_t points back: keep the friction's side.
   return (u_t.dot(old) < 0 ? -1.0 : 1.0) / speed * u_t;
@@ -92,14 +92,14 @@ RestingSolution solve_resting(const ContactSystem& system, const std::vector<Wre
 }
 
 VecX contact_forces(const ContactSystem& system, const std::vector<ContactState>& states,
-                    const std::vector<Wrench>& wrenches, double slip_tolerance) {
+                    const std::vector<Wrench>& wrenches, double direction_tolerance) {
   CoulombProblem problem = problem_of(system);
   problem.b = free_contact_accelerations(system, wrenches);
   const VecX u = relative_velocities(system);
   std::vector<ContactMode> modes;
   for (std::size_t i = 0; i < states.size(); ++i) {
     problem.slips[i] = slip_direction(system.frames[i], u.segment<3>(3 * static_cast<Eigen::Index>(i)),
-                                      states[i].slip_W, slip_tolerance);
+                                      states[i].slip_W, direction_tolerance);
     modes.push_back(states[i].mode);
   }
   return solve_known_modes(problem, modes);

@@ -30,9 +30,10 @@ RestingSolution solve_resting(const ContactSystem& system, const std::vector<Wre
 /// Contact forces λ (3n) [N] for known modes at the system's present positions and velocities: sticking
 /// contacts keep u̇ = 0, sliding ones u̇_n = 0 with friction μ λ_n against the slip, open ones none. The slip
 /// direction is that of u_t, continued through zero by its old direction (so that an integrator's stage may
-/// look past the instant where slip ends); slower slip than slip_tolerance [m/s] keeps the old direction.
+/// look past the instant where slip ends); slower slip than direction_tolerance [m/s] keeps the old
+/// direction.
 VecX contact_forces(const ContactSystem& system, const std::vector<ContactState>& states,
-                    const std::vector<Wrench>& wrenches, double slip_tolerance);
+                    const std::vector<Wrench>& wrenches, double direction_tolerance);
 
 /// Adds to the wrenches of the bodies what the contact forces λ do to them.
 void add_contact_wrenches(const ContactSystem& system, const VecX& lambda, std::vector<Wrench>& wrenches);

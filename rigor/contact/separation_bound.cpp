@@ -64,25 +64,30 @@ double SeparationBound::at(double tau) const {
 }
 
 double SeparationBound::safe_step(double tau_max, double level) const {
-  constexpr int trials = 8;
-  double low = 0, at_low = gap_ - level;
+  constexpr double factor = 8;
+  constexpr int most_reductions = 25, refinements = 4;
+  if (gap_ < level) return 0;
   double high = tau_max, at_high = at(tau_max) - level;
   if (at_high >= 0) return tau_max;
-  if (at_low < 0) return 0;
-  // The chord of a concave function lies below it: its zero is safe. Halving brings down an end that is far
-  // off.
-  for (int k = 0; k < trials; ++k) {
+  double low = high / factor, at_low = at(low) - level;
+  for (int k = 0; at_low < 0; ++k) {
+    if (k == most_reductions) return 0;
+    high = low;
+    at_high = at_low;
+    low /= factor;
+    at_low = at(low) - level;
+  }
+  // The chord of a concave function lies below it: its zero is safe.
+  for (int k = 0; k < refinements; ++k) {
     const double chord = low + (high - low) * (at_low / (at_low - at_high));
-    const double middle = k % 2 == 0 ? chord : std::min(0.5 * (low + high), low + 4 * (chord - low));
-    if (!(middle > low) || !(middle < high)) break;
-    const double at_middle = at(middle) - level;
-    if (at_middle >= 0) {
-      low = middle;
-      at_low = at_middle;
-    } else {
-      high = middle;
-      at_high = at_middle;
-    }
+    if (!(chord > low) || !(chord < high)) break;
+    const double at_chord = at(chord) - level;
+    if (!(at_chord >= 0)) break;
+    low = chord;
+    at_low = at_chord;
+    const double middle = 0.5 * (low + high), at_middle = at(middle) - level;
+    (at_middle >= 0 ? low : high) = middle;
+    (at_middle >= 0 ? at_low : at_high) = at_middle;
   }
   return low;
 }

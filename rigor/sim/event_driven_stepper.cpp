@@ -12,8 +12,10 @@ namespace rigor {
 
 namespace {
 
-/// Very short steps in a row before an island goes on at velocity level.
-constexpr int patience = 6;
+/// Short steps in a row before an island goes on at velocity level. Slip that turns fast is worth many steps;
+/// one that time can hardly resolve counts as fifty.
+constexpr int patience = 300;
+constexpr int weight_of_tiny_step = 50;
 
 std::size_t index(int body) {
   return static_cast<std::size_t>(body);
@@ -88,6 +90,7 @@ void EventDrivenStepper::read_state_from_bodies(const State& state) {
   std::vector<int> seeds;
   std::vector<int> restored;
   crowding_.assign(index(model_->body_count()), 0);
+  step_size_.assign(index(model_->body_count()), std::numeric_limits<double>::infinity());
   if (!is_continued) {
     queue_.clear();
     islands_.clear();
@@ -186,6 +189,11 @@ Cluster EventDrivenStepper::compute_new_body_states(const std::vector<int>& seed
     joined_.pop_back();
     find_touching(body, cluster, visited);
   }
+  // Where contacts of one body stop one after the other within no time, the last slips stop with the first.
+  cluster.slip_tolerance = std::max(
+      cluster.slip_tolerance,
+      std::min(slip_tolerance(method_) * std::pow(4.0, crowding_of(cluster.bodies) / weight_of_tiny_step),
+               direction_tolerance(method_)));
   const auto put_in_order = [&cluster] {
     std::sort(cluster.contacts.begin(), cluster.contacts.end(), [](const Contact& a, const Contact& b) {
       return std::tie(a.body_A, a.body_B, a.shape_A, a.shape_B, a.point.feature) <
@@ -369,13 +377,22 @@ void EventDrivenStepper::take_step(double h, RunningIsland& running) {
     --crowding;
   } else {
     const double resolved = std::max(method_.time_tolerance, 8 * std::numeric_limits<double>::epsilon() * t_);
-    const double least = std::min(h, std::max(resolved, target_step_ * 1e-9 * std::pow(4.0, crowding)));
-    running.step = integrator_.controlled_step(running.island, h, least);
+    const double least =
+        std::min(h, std::max(resolved, target_step_ * 1e-9 * std::pow(4.0, crowding / weight_of_tiny_step)));
+    double first = h;
+    for (const int body : running.island.bodies) first = std::min(first, step_size_[index(body)]);
+    ControlledStep taken = integrator_.controlled_step(running.island, std::max(first, least), least);
+    running.step = std::move(taken.step);
     running.change = mode_changes_.find(running.island, running.step);
     if (running.change) running.step = integrator_.step(running.island, std::max(running.change->h, least));
     if (running.step.error > 1) ++report_.fallbacks;
-    crowding = running.step.h < 1e-2 * std::min(target_step_, h) ? crowding + 1 : 0;
-    if (crowding > patience) crowding += implicit_steps;
+    const double relative = running.step.h / std::min(target_step_, h);
+    crowding = relative < 1e-6 ? crowding + weight_of_tiny_step : relative < 1e-2 ? crowding + 1 : 0;
+    if (crowding > patience) crowding = patience + implicit_steps;
+    // A change of modes changes the forces: what the error said is of the past.
+    for (const int body : running.island.bodies) {
+      step_size_[index(body)] = running.change ? std::numeric_limits<double>::infinity() : taken.h_next;
+    }
   }
   for (const int body : running.island.bodies) crowding_[index(body)] = crowding;
 }

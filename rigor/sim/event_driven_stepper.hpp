@@ -83,7 +83,8 @@ class EventDrivenStepper {
   std::vector<int> island_of_;  ///< Of each body, or -1.
   int next_island_ = 0;
   std::vector<int> joined_;         ///< Bodies of the cluster whose contacts are still to be found.
-  std::vector<int> crowding_;       ///< Of each body: very short steps in a row.
+  std::vector<int> crowding_;       ///< Of each body: short steps in a row.
+  std::vector<double> step_size_;   ///< Of each body: what the error of its last step suggests [s].
   std::vector<int> repeats_;        ///< Of each body: events in a row that time could not tell apart.
   std::vector<double> last_event_;  ///< Of each body [s].
   State mirror_;                    ///< The State as it was left.

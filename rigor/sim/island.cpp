@@ -1,10 +1,12 @@
 #include "rigor/sim/island.hpp"
 
 #include "rigor/contact/contact_kinematics.hpp"
+#include "rigor/dynamics/step_control.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace rigor {
@@ -75,7 +77,11 @@ IslandIntegrator::IslandIntegrator(const Model& model, const Environment& enviro
       integrator_(integrator_of(method.integrator)),
       orientation_(method.orientation),
       tolerance_(method.tolerance),
-      slip_tolerance_(slip_tolerance(method)) {}
+      direction_tolerance_(direction_tolerance(method)) {}
+
+double direction_tolerance(const Method& method) {
+  return 1e-3 * method.resting_velocity;
+}
 
 double slip_tolerance(const Method& method) {
   return 1e-6 * method.resting_velocity;
@@ -135,7 +141,7 @@ IslandIntegrator::Load IslandIntegrator::load(const Island& island, double t,
     load.power += environment_.supplied_power(system.bodies[b], view_of(system.kinetics[b]));
   }
   if (!island.contacts.empty()) {
-    const VecX lambda = contact_forces(system, island.states, wrenches, slip_tolerance_);
+    const VecX lambda = contact_forces(system, island.states, wrenches, direction_tolerance_);
     add_contact_wrenches(system, lambda, wrenches);
     load.power += work_of_prescribed(system, lambda);
     // Contact forces on prescribed bodies leave the island: their opposites are external to it.
@@ -280,13 +286,16 @@ IslandStep IslandIntegrator::implicit_step(const Island& island, double h) const
   return result;
 }
 
-IslandStep IslandIntegrator::controlled_step(const Island& island, double h, double least) const {
-  IslandStep taken = step(island, h);
-  while (taken.error > 1 && h > least) {
-    h = std::max(least, h * std::clamp(0.9 * std::pow(taken.error, -0.2), 0.1, 0.9));
-    taken = step(island, h);
+ControlledStep IslandIntegrator::controlled_step(const Island& island, double h, double least) const {
+  constexpr int order = 5;
+  StepController controller(order);
+  while (true) {
+    IslandStep taken = step(island, h);
+    if (std::isnan(taken.error)) return {std::move(taken), std::numeric_limits<double>::infinity()};
+    const StepDecision decision = controller.decide(h, taken.error);
+    if (decision.is_accepted || h <= least) return {std::move(taken), decision.h_next};
+    h = std::max(least, decision.h_next);
   }
-  return taken;
 }
 
 }  // namespace rigor

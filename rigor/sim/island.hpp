@@ -32,6 +32,12 @@ struct IslandStep {
   Vec3 angular_impulse = Vec3::Zero();  ///< The same about the origin of W [N m s].
 };
 
+/// A step whose size the error estimate chose, and the size it suggests for the next.
+struct ControlledStep {
+  IslandStep step;
+  double h_next;  ///< [s]; infinite if the method has no estimate.
+};
+
 /// Smooth motion of islands: the contact forces are solved for at every stage of the integrator, so that its
 /// order survives the contacts.
 class IslandIntegrator {
@@ -47,7 +53,7 @@ class IslandIntegrator {
   IslandStep step(const Island& island, double h) const;
   /// A step of at most h, shorter where the error estimate asks for it, but not shorter than `least`: there
   /// `error` may exceed 1.
-  IslandStep controlled_step(const Island& island, double h, double least) const;
+  ControlledStep controlled_step(const Island& island, double h, double least) const;
   /// A first-order step at velocity level (Moreau-Jean): impulses of the whole step by one Coulomb problem on
   /// all contacts, whatever their modes. It never fails where slip directions turn faster than an integrator
   /// can follow or where forces have no finite value (Painlevé), and takes energy only. Source: Moreau,
@@ -64,11 +70,15 @@ class IslandIntegrator {
   IntegratorName integrator_;
   OrientationForm orientation_;
   double tolerance_;
-  double slip_tolerance_;
+  double direction_tolerance_;
 };
 
 /// Slower slip than this counts as sticking [m/s].
 double slip_tolerance(const Method& method);
+/// Slower slip than this keeps, within a step, the direction that it began with [m/s]: towards its end and
+/// after its start the direction of u_t is the quotient of two numbers near zero, and slip runs straight
+/// there.
+double direction_tolerance(const Method& method);
 
 /// The bodies of the contacts and the others, ascending, each once.
 std::vector<int> bodies_of(const std::vector<Contact>& contacts, const std::vector<int>& others);

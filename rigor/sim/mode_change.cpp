@@ -15,7 +15,8 @@ ModeChangeSearch::ModeChangeSearch(const Model& model, const IslandIntegrator& i
       integrator_(integrator),
       contact_tolerance_(method.contact_tolerance),
       time_tolerance_(method.time_tolerance),
-      slip_tolerance_(slip_tolerance(method)) {}
+      slip_tolerance_(slip_tolerance(method)),
+      direction_tolerance_(direction_tolerance(method)) {}
 
 /// The island somewhere in its step.
 struct ModeChangeSearch::Instant {
@@ -52,7 +53,7 @@ double ModeChangeSearch::force_margin(const Island& island, const Instant& insta
   constexpr double rounding = 1e-10;
   const VecX lambda =
       contact_forces(instant.system, island.states,
-                     integrator_.environment_wrenches(instant.system, instant.t), slip_tolerance_);
+                     integrator_.environment_wrenches(instant.system, instant.t), direction_tolerance_);
   const double scale = lambda.cwiseAbs().maxCoeff();
   if (scale == 0) return rounding;
   double margin = std::numeric_limits<double>::infinity();
