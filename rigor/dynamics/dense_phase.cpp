@@ -10,6 +10,26 @@ BodyPhase DensePhase::at(double theta) const {
           y.segment<3>(dense_L_row)};
 }
 
+DensePhase quadratic_dense_phase(const BodyPhase& start, const BodyPhase& end, const Vec3& v, const Vec3& w,
+                                 double h) {
+  const auto stacked = [](const BodyPhase& phase) {
+    Eigen::Matrix<double, 13, 1> y;
+    y << phase.x, phase.q.w(), phase.q.vec(), phase.P, phase.L;
+    return y;
+  };
+  const Quat turning = Quat(0, w.x(), w.y(), w.z()) * start.q;
+  Eigen::Matrix<double, 13, 1> rate = stacked(end) - stacked(start);
+  const Eigen::Matrix<double, 13, 1> change = rate;
+  rate.segment<3>(dense_x_row) = h * v;
+  rate.segment<4>(dense_q_row) = 0.5 * h * Vec4(turning.w(), turning.x(), turning.y(), turning.z());
+  DensePhase dense;
+  dense.degree = 2;
+  dense.coefficients.col(0) = stacked(start);
+  dense.coefficients.col(1) = rate;
+  dense.coefficients.col(2) = change - rate;
+  return dense;
+}
+
 Eigen::Matrix<double, 4, 6> fit_quaternions(const std::function<Quat(double theta)>& q, const Quat& start) {
   const Vec4 first(start.w(), start.x(), start.y(), start.z());
 

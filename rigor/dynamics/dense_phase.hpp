@@ -13,4 +13,10 @@ inline constexpr int dense_x_row = 0, dense_q_row = 3, dense_P_row = 7, dense_L_
 /// Signs of the quaternions are chosen to be continuous from `start` on.
 Eigen::Matrix<double, 4, 6> fit_quaternions(const std::function<Quat(double theta)>& q, const Quat& start);
 
+/// Motion from start to end that leaves with the start's own velocities v [m/s] and w [rad/s]: x and q of
+/// degree 2, P and L of degree 1. For first-order methods that move with the momenta of the end, so that the
+/// path and the momenta agree on whether bodies approach when the step begins.
+DensePhase quadratic_dense_phase(const BodyPhase& start, const BodyPhase& end, const Vec3& v, const Vec3& w,
+                                 double h);
+
 }  // namespace rigor

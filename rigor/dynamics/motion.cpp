@@ -1,6 +1,7 @@
 #include "rigor/dynamics/motion.hpp"
 
 #include "rigor/core/assert.hpp"
+#include "rigor/dynamics/dense_phase.hpp"
 #include "rigor/math/polynomial.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/model/state.hpp"
@@ -66,10 +67,10 @@ Motion Motion::flight(const FreeFlight& flight, const BodyInertia& inertia) {
   return motion;
 }
 
-Motion Motion::step(const DensePhase& dense, const BodyInertia& inertia, double t, double h) {
+Motion Motion::step(const DensePhase& dense, double t, double h) {
   RIGOR_ASSERT(h > 0);
   Motion motion;
-  motion.path_ = Step{dense, inertia};
+  motion.path_ = Step{dense};
   motion.begin_ = t;
   motion.end_ = t + h;
   // For a unit quaternion |ω| = 2 |q̇| and |α| ≤ 2 |q̈| + ½ |ω|²; the dense q is a unit quaternion up to the
@@ -95,11 +96,13 @@ Motion::Sample Motion::sample(double t) const {
     const PrescribedMotion now = prescribed_motion(*prescribed->body, t);
     return {{rotation_matrix(now.q_WB), now.p_WB}, prescribed->v, prescribed->w};
   }
-  const BodyInertia& inertia =
-      std::holds_alternative<Flight>(path_) ? std::get<Flight>(path_).inertia : std::get<Step>(path_).inertia;
   const BodyPhase now = phase(t);
   const Mat3 R = rotation_matrix(now.q);
-  return {{R, now.x}, now.P / inertia.mass, R * (R.transpose() * now.L).cwiseQuotient(inertia.moments)};
+  if (const Flight* flight = std::get_if<Flight>(&path_)) {
+    const BodyInertia& inertia = flight->inertia;
+    return {{R, now.x}, now.P / inertia.mass, R * (R.transpose() * now.L).cwiseQuotient(inertia.moments)};
+  }
+  return {{R, now.x}, velocity(t), step_angular_velocity(t)};
 }
 
 Vec3 Motion::position(double t) const {
@@ -118,11 +121,24 @@ Vec3 Motion::velocity(double t) const {
   if (const Flight* flight = std::get_if<Flight>(&path_)) return flight->flight.velocity(t);
   if (std::holds_alternative<Rest>(path_)) return Vec3::Zero();
   if (const Prescribed* prescribed = std::get_if<Prescribed>(&path_)) return prescribed->v;
-  const Step& step = std::get<Step>(path_);
+  const DensePhase& dense = std::get<Step>(path_).dense;
   const double at = theta(t);
-  Vec3 P = Vec3::Zero();
-  for (int k = step.dense.degree; k >= 0; --k) P = P * at + step.dense.coefficients.col(k).segment<3>(7);
-  return P / step.inertia.mass;
+  Vec3 rate = Vec3::Zero();
+  for (int k = dense.degree; k > 0; --k) rate = rate * at + k * dense.coefficients.col(k).head<3>();
+  return rate / (end_ - begin_);
+}
+
+/// ω = 2 q̇ q⁻¹ of the polynomial.
+Vec3 Motion::step_angular_velocity(double t) const {
+  const DensePhase& dense = std::get<Step>(path_).dense;
+  const double at = theta(t);
+  Vec4 value = Vec4::Zero(), rate = Vec4::Zero();
+  for (int k = dense.degree; k >= 0; --k) {
+    rate = rate * at + value;
+    value = value * at + dense.coefficients.col(k).segment<4>(dense_q_row);
+  }
+  const Quat q(value[0], value[1], value[2], value[3]), q_rate(rate[0], rate[1], rate[2], rate[3]);
+  return 2 / (q.squaredNorm() * (end_ - begin_)) * (q_rate * q.conjugate()).vec();
 }
 
 BodyPhase Motion::phase(double t) const {

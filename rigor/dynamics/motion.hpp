@@ -24,12 +24,13 @@ class Motion {
   /// Dynamic body in closed-form flight.
   static Motion flight(const FreeFlight& flight, const BodyInertia& inertia);
   /// Dynamic body over one integrator step of size h from t.
-  static Motion step(const DensePhase& dense, const BodyInertia& inertia, double t, double h);
+  static Motion step(const DensePhase& dense, double t, double h);
 
   double begin() const { return begin_; }
   double end() const { return end_; }  ///< Infinite unless the motion is a step or a leg of a path.
 
-  /// Pose and velocities at an instant.
+  /// Pose and velocities at an instant. Along a step the velocities are those of the path, the derivatives of
+  /// its polynomials (its momenta agree with them to the order of the method).
   struct Sample {
     Pose X_WB;
     Vec3 v;  ///< Of the centre of mass [m/s].
@@ -71,8 +72,8 @@ class Motion {
   };
   struct Step {
     DensePhase dense;
-    BodyInertia inertia;
   };
+  Vec3 step_angular_velocity(double t) const;
   double theta(double t) const { return (t - begin_) / (end_ - begin_); }
 
   std::variant<Rest, Prescribed, Flight, Step> path_;

@@ -28,12 +28,6 @@ Turn turn_by_euler(OrientationForm form, const Quat& q, const Vec3& h_w) {
   return {turned, (moved.transpose() * moved - Mat3::Identity()).norm()};
 }
 
-Eigen::Matrix<double, 13, 1> numbers(const BodyPhase& phase) {
-  Eigen::Matrix<double, 13, 1> y;
-  y << phase.x, phase.q.w(), phase.q.vec(), phase.P, phase.L;
-  return y;
-}
-
 }  // namespace
 
 SystemStep semi_implicit_euler_step(OrientationForm form, std::span<const BodyInertia> inertias,
@@ -54,12 +48,10 @@ SystemStep semi_implicit_euler_step(OrientationForm form, std::span<const BodyIn
     end.q = turn.q;
     step.quaternion_drift = std::max(step.quaternion_drift, turn.drift);
 
-    DensePhase dense;
-    dense.degree = 1;
-    dense.coefficients.col(0) = numbers(start[i]);
-    dense.coefficients.col(1) = numbers(end) - numbers(start[i]);
+    const Vec3 v = start[i].P / inertias[i].mass;
+    const Vec3 w = angular_velocity(inertias[i], start[i].q, start[i].L);
     step.end.push_back(end);
-    step.dense.push_back(dense);
+    step.dense.push_back(quadratic_dense_phase(start[i], end, v, w, h));
   }
   return step;
 }

@@ -414,8 +414,7 @@ void EventDrivenStepper::begin_step(Island island) {
   for (std::size_t i = 0; i < running.island.bodies.size(); ++i) {
     const int body = running.island.bodies[i];
     island_of_[index(body)] = number;
-    trajectories_.set_motion(body, Motion::step(running.step.dense[i], inertia(body), t_, running.end - t_),
-                             t_);
+    trajectories_.set_motion(body, Motion::step(running.step.dense[i], t_, running.end - t_), t_);
     if (!is_finite(running.step.end[i])) {
       report_.reason = StopReason::not_finite;
       report_.bodies = {body};

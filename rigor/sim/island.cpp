@@ -1,6 +1,7 @@
 #include "rigor/sim/island.hpp"
 
 #include "rigor/contact/contact_kinematics.hpp"
+#include "rigor/dynamics/dense_phase.hpp"
 #include "rigor/dynamics/step_control.hpp"
 #include "rigor/math/rotation.hpp"
 
@@ -205,27 +206,6 @@ IslandStep IslandIntegrator::step(const Island& island, double h) const {
   return result;
 }
 
-namespace {
-
-/// Motion in a straight line from start to end with the momenta of the end.
-DensePhase straight_phase(const BodyPhase& start, const BodyPhase& end) {
-  DensePhase dense;
-  dense.degree = 1;
-  const auto stacked = [](const BodyPhase& phase) {
-    Eigen::Matrix<double, 13, 1> y;
-    y << phase.x, phase.q.w(), phase.q.x(), phase.q.y(), phase.q.z(), phase.P, phase.L;
-    return y;
-  };
-  BodyPhase from = start;
-  from.P = end.P;
-  from.L = end.L;
-  dense.coefficients.col(0) = stacked(from);
-  dense.coefficients.col(1) = stacked(end) - stacked(from);
-  return dense;
-}
-
-}  // namespace
-
 IslandStep IslandIntegrator::implicit_step(const Island& island, double h) const {
   // Momenta after the forces of the environment alone.
   std::vector<BodyPhase> phases = island.start;
@@ -280,7 +260,7 @@ IslandStep IslandIntegrator::implicit_step(const Island& island, double h) const
     BodyPhase& phase = phases[i];
     phase.x += 0.5 * h * (before.v + after.of(island.bodies[i]).v);
     phase.q = (rotation_exp(0.5 * h * (before.w + after.of(island.bodies[i]).w)) * phase.q).normalized();
-    result.dense.push_back(straight_phase(island.start[i], phase));
+    result.dense.push_back(quadratic_dense_phase(island.start[i], phase, before.v, before.w, h));
   }
   result.end = std::move(phases);
   return result;

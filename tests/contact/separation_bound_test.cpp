@@ -1,0 +1,130 @@
+#include "rigor/contact/separation_bound.hpp"
+
+#include "rigor/geometry/distance.hpp"
+#include "rigor/geometry/support.hpp"
+#include "rigor/math/rotation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <random>
+
+namespace rigor {
+namespace {
+
+class Random {
+ public:
+  explicit Random(unsigned seed) : generator_(seed) {}
+  double number() { return uniform_(generator_); }
+  Vec3 vector() {
+    const double x = number(), y = number(), z = number();
+    return {x, y, z};
+  }
+
+ private:
+  std::mt19937 generator_;
+  std::uniform_real_distribution<double> uniform_{-1, 1};
+};
+
+/// A shape with an offset from its body's centre, and a motion through a given place.
+struct Moving {
+  BodyShape shape;
+  Motion motion;
+  MovingShape view() const { return {&shape, &motion}; }
+};
+
+Moving random_moving(Random& random, const Vec3& x, bool is_step) {
+  Moving moving;
+  const int kind = static_cast<int>(4 * (random.number() + 1) / 2);
+  const double size = 0.3 + 0.1 * random.number();
+  moving.shape.shape = kind == 0   ? Shape(Sphere{size})
+                       : kind == 1 ? Shape(Capsule{0.5 * size, size})
+                       : kind == 2 ? Shape(Ellipsoid{Vec3(size, 0.5 * size, 0.7 * size)})
+                                   : Shape(Box{Vec3(size, 0.6 * size, 0.4 * size)});
+  moving.shape.X_BS = Pose{rotation_matrix(rotation_exp(3 * random.vector())), 0.2 * random.vector()};
+  moving.shape.radius = radius_about(moving.shape.shape, Vec3::Zero());
+  const BodyInertia inertia{1, Vec3(0.5, 0.8, 1.1)};
+  const BodyPhase start{x, rotation_exp(3 * random.vector()), 2 * random.vector(), 2 * random.vector()};
+  if (!is_step) {
+    moving.motion = Motion::flight(FreeFlight(inertia, start, 0, Vec3(0, 0, -9.81)), inertia);
+    return moving;
+  }
+  const WrenchField field = [](double, std::span<const BodyPhase> phases, std::span<Wrench> wrenches) {
+    wrenches[0] = {Vec3(0, 0, -9.81) - 4 * phases[0].x, Vec3(1, 0, 2)};
+  };
+  const SystemStep step = integrate_step(IntegratorName::dopri5, OrientationForm::quaternion,
+                                         std::span(&inertia, 1), std::span(&start, 1), 0, 0.2, field, {});
+  moving.motion = Motion::step(step.dense.front(), 0, 0.2);
+  return moving;
+}
+
+/// Extent of the shape beyond the origin along a direction of W.
+double reach(const Moving& moving, const Vec3& n_W, double t) {
+  const Pose X_WS = moving.view().pose(t);
+  return n_W.dot(X_WS.p) + support_value(moving.shape.shape, X_WS.R.transpose() * n_W);
+}
+
+TEST(SeparationBound, NeverExceedsTheGapAlongItsNormal) {
+  Random random(7);
+  int useful = 0;
+  for (int trial = 0; trial < 400; ++trial) {
+    const Moving A = random_moving(random, Vec3::Zero(), trial % 3 == 0);
+    const Moving B = random_moving(random, Vec3(1, 0.4, 0.3) + 0.3 * random.vector(), trial % 2 == 0);
+    const double t = 0.05, end = 0.2;
+    const DistanceResult now =
+        signed_distance(A.shape.shape, A.view().pose(t), B.shape.shape, B.view().pose(t));
+    if (now.distance <= 0.01) continue;
+    const SeparationBound bound(A.view(), B.view(), now.n_W, now.distance, t, end);
+    EXPECT_NEAR(bound.at(0), now.distance, 1e-15);
+    for (int k = 1; k <= 30; ++k) {
+      const double tau = (end - t) * k / 30;
+      const double gap = -reach(B, -now.n_W, t + tau) - reach(A, now.n_W, t + tau);
+      EXPECT_LE(bound.at(tau), gap + 1e-9);
+    }
+    const double safe = bound.safe_step(end - t, 0);
+    EXPECT_GE(bound.at(safe), 0);
+    // Not far from the largest: twice the step breaks the bound, unless the whole span is free.
+    EXPECT_TRUE(safe == end - t || bound.at(2 * safe) < 0) << safe;
+    useful += safe > 0;
+  }
+  EXPECT_GT(useful, 200);
+}
+
+TEST(SeparationBound, FindsStepsOfAnySize) {
+  // Two balls that fall towards each other from a gap of g: the bound is exact, gap - v τ.
+  for (const double gap : {1e-12, 1e-9, 1e-6, 1e-3, 1.0}) {
+    Moving A, B;
+    A.shape.shape = B.shape.shape = Sphere{0.5};
+    A.shape.radius = B.shape.radius = 0.5;
+    const BodyInertia inertia{1, Vec3(0.1, 0.1, 0.1)};
+    const auto flight = [&](double x, double v) {
+      return Motion::flight(
+          FreeFlight(inertia, {Vec3(x, 0, 0), Quat::Identity(), Vec3(v, 0, 0), Vec3::Zero()}, 0,
+                     Vec3::Zero()),
+          inertia);
+    };
+    A.motion = flight(0, 1);
+    B.motion = flight(1 + gap, -1);
+    const SeparationBound bound(A.view(), B.view(), Vec3::UnitX(), gap, 0, 1e9);
+    EXPECT_NEAR(bound.safe_step(1e9, 0), gap / 2, 1e-6 * gap);
+    EXPECT_EQ(bound.safe_step(1e9, 2 * gap), 0);
+  }
+}
+
+TEST(TurningRadius, HoldsWhatTurningMoves) {
+  BodyShape shape;
+  shape.X_BS.p = Vec3(0.3, 0, 0.4);
+  shape.shape = Sphere{2};
+  shape.radius = 2;
+  EXPECT_DOUBLE_EQ(turning_radius(shape), 0.5);
+  shape.shape = Capsule{1, 0.25};
+  shape.radius = 1.25;
+  EXPECT_DOUBLE_EQ(turning_radius(shape), 0.75);
+  shape.shape = Box{Vec3(1, 2, 2)};
+  shape.radius = 3;
+  EXPECT_DOUBLE_EQ(turning_radius(shape), 3.5);
+}
+
+}  // namespace
+}  // namespace rigor
