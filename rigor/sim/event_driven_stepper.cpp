@@ -132,14 +132,24 @@ void EventDrivenStepper::renew_prescribed(int body) {
   trajectories_.set_motion(body, Motion::prescribed(model_->body(body), begin), begin);
 }
 
+bool EventDrivenStepper::is_stale(const QueuedEvent& event) const {
+  if (event.kind == QueuedEvent::Kind::step_end) return !islands_.contains(event.a);
+  return !trajectories_.is_current(event);
+}
+
+/// Stale events go when their time comes; where that is far off, they would pile up.
+void EventDrivenStepper::drop_stale_events() {
+  if (queue_.size() <= most_queued_) return;
+  queue_.drop_if([this](const QueuedEvent& event) { return is_stale(event); });
+  most_queued_ = 2 * queue_.size() + 1024;
+}
+
 /// Time to the next event, whichever bodies it concerns; false if there is none before the end of the span.
 bool EventDrivenStepper::compute_time_step() {
   while (!queue_.is_empty() && queue_.first().time < t_end_) {
     next_ = queue_.first();
     queue_.pop();
-    if (next_.kind == QueuedEvent::Kind::step_end ? !islands_.contains(next_.a)
-                                                  : !trajectories_.is_current(next_))
-      continue;
+    if (is_stale(next_)) continue;
     t_ = std::max(t_, next_.time);
     if (next_.kind == QueuedEvent::Kind::contact)
       report_.toi_bracket = std::max(report_.toi_bracket, next_.bracket);
@@ -164,6 +174,7 @@ void EventDrivenStepper::handle_event(const std::vector<int>& seeds, std::vector
   apply_forces(cluster);
   changed.insert(changed.end(), cluster.bodies.begin(), cluster.bodies.end());
   trajectories_.predict(changed, t_, queue_);
+  drop_stale_events();
 }
 
 /// The end of a window changes nothing but the window, unless a path turns there: then what stands on the

@@ -50,6 +50,8 @@ class EventDrivenStepper {
   void write_state_to_bodies(State& state);
 
   std::vector<int> seeds_of(const QueuedEvent& event) const;
+  bool is_stale(const QueuedEvent& event) const;
+  void drop_stale_events();
   void handle_event(const std::vector<int>& seeds, std::vector<int> changed);
   void begin_new_window(int body);
   void add_body(int body, Cluster& cluster);
@@ -78,6 +80,7 @@ class EventDrivenStepper {
   double t_ = 0, t_end_ = 0;
   QueuedEvent next_{};
   EventQueue queue_;
+  std::size_t most_queued_ = 1024;  ///< Beyond it stale events are dropped.
   Trajectories trajectories_;
   std::map<int, RunningIsland> islands_;
   std::vector<int> island_of_;  ///< Of each body, or -1.

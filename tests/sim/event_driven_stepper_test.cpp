@@ -188,5 +188,137 @@ TEST(EventDrivenStepper, BlockThrownUpARampStopsAndStays) {
   EXPECT_EQ(state.linear_momentum(1).norm(), 0);
 }
 
+// T40: 25 degrees, μ = 0.3: a = g (sin - μ cos) = 1.478621330427401 m/s², x(2 s) = 2.957242660854801 m.
+TEST(EventDrivenStepper, BlockSlidesDownARampFromRest) {
+  const double angle = 25 * M_PI / 180;
+  ModelBuilder builder = builder_with_floor(0, 0.3);
+  builder.set_gravity(g * Vec3(std::sin(angle), 0, -std::cos(angle)));
+  builder.add_body(body_of("block", Box{Vec3(0.2, 0.2, 0.1)}, Vec3(0, 0, 0.1)));
+  const std::shared_ptr<const Model> model = builder.build();
+  State state = make_initial_state(*model);
+  EventDrivenStepper(model, Method{}, 0.01).advance(state, 2);
+  EXPECT_NEAR(state.position(1).x(), 2.957242660854801, 1e-8);
+  EXPECT_NEAR(state.linear_momentum(1).x() / model->body(1).mass, 2 * 1.478621330427401, 1e-8);
+  EXPECT_NEAR(state.position(1).z(), 0.1, 1e-12);
+}
+
+// T34: a ball dropped from h with restitution e rests at √(2h/g) (1 + e)/(1 - e), after infinitely many
+// bounces of which few are worth an event.
+TEST(EventDrivenStepper, BouncesEndAtTheirLimitTime) {
+  struct Drop {
+    double height, restitution, limit;
+  };
+  for (const Drop& drop :
+       {Drop{1, 0.5, 1.354570922957193}, Drop{2, 0.8, 5.746957711326908}, Drop{1, 0.9, 8.578949178728887}}) {
+    ModelBuilder builder = builder_with_floor(drop.restitution, 0);
+    builder.add_body(body_of("ball", Sphere{0.1}, Vec3(0, 0, drop.height + 0.1)));
+    const std::shared_ptr<const Model> model = builder.build();
+    State state = make_initial_state(*model);
+    const AdvanceReport report = EventDrivenStepper(model, Method{}, 0.01).advance(state, 10);
+    double rested = 0;
+    for (const MotionEvent& event : report.events) {
+      if (event.kind == MotionEvent::Kind::rest) rested = event.time;
+    }
+    EXPECT_NEAR(rested, drop.limit, 1e-9);
+    // e^k v₀ falls below 1e-3 m/s: 13, 40 and 81 bounces.
+    const double v0 = std::sqrt(2 * g * drop.height);
+    EXPECT_EQ(report.impacts,
+              static_cast<long>(std::ceil(std::log(1e-3 / v0) / std::log(drop.restitution))) + 1);
+    EXPECT_NEAR(state.position(1).z(), 0.1, 1e-12);
+    EXPECT_EQ(state.linear_momentum(1).norm(), 0);
+    EXPECT_LE(report.max_penetration, 1e-12);
+  }
+}
+
+// Two balls on a spring (reduced mass 1/2, k = 50): a tumbling dumbbell under no other force.
+TEST(EventDrivenStepper, BodiesOnASpringKeepEnergyAndMomentum) {
+  ModelBuilder builder;
+  builder.set_gravity(Vec3::Zero());
+  builder.add_material({"m", 1000, 0, 0});
+  for (const double x : {-1.0, 1.0}) {
+    BodyDescription ball = body_of(x < 0 ? "a" : "b", Sphere{0.1}, Vec3(x, 0, 0));
+    ball.velocity = Vec3(0.3, x, 0.2 * x);
+    builder.add_body(ball);
+  }
+  ModelBuilder::ForceDescription spring{};
+  spring.type = ModelBuilder::ForceDescription::Type::spring;
+  spring.bodies = {"a", "b"};
+  spring.points = {Vec3(0.05, 0, 0), Vec3(0, 0.05, 0)};
+  spring.stiffness = 50;
+  spring.length = 1.5;
+  builder.add_force(spring);
+  const std::shared_ptr<const Model> model = builder.build();
+  State state = make_initial_state(*model);
+  const double before = mechanical_energy(*model, Environment(*model), state).total();
+  const AdvanceReport report = EventDrivenStepper(model, Method{}, 0.01).advance(state, 5);
+  EXPECT_NEAR(mechanical_energy(*model, Environment(*model), state).total(), before, 1e-8 * before);
+  EXPECT_LE((state.linear_momentum(0) + state.linear_momentum(1) - Vec3(0.6, 0, 0)).norm(), 1e-12);
+  EXPECT_EQ(report.impacts, 0);
+  EXPECT_EQ(report.fallbacks, 0);
+}
+
+// What cannot go on says why, and when, and of whom.
+
+TEST(StopReasons, ABallBetweenAWallAndAPistonBouncesEverFaster) {
+  ModelBuilder builder = builder_with_floor(1, 0, 0);
+  BodyDescription piston = body_of("piston", Box{Vec3(1, 1, 0.05)}, Vec3(0, 0, 1));
+  piston.mass.reset();
+  piston.motion = MotionType::kinematic;
+  piston.velocity = Vec3(0, 0, -1);
+  builder.add_body(piston);
+  BodyDescription ball = body_of("ball", Sphere{0.1}, Vec3(0, 0, 0.5));
+  ball.velocity = Vec3(0, 0, 0.1);
+  builder.add_body(ball);
+  const std::shared_ptr<const Model> model = builder.build();
+  State state = make_initial_state(*model);
+  const AdvanceReport report = EventDrivenStepper(model, Method{}, 0.01).advance(state, 2);
+  EXPECT_EQ(report.reason, StopReason::events_accumulate);
+  // The gap closes at 0.75 s.
+  EXPECT_NEAR(state.t, 0.75, 1e-5);
+  EXPECT_LT(state.t, 0.75);
+  ASSERT_EQ(report.bodies.size(), 2u);
+  EXPECT_EQ(report.bodies.back(), 2);
+}
+
+TEST(StopReasons, ABoxUnderAPressHasNoWayOut) {
+  ModelBuilder builder = builder_with_floor(0, 0.3);
+  BodyDescription press = body_of("press", Box{Vec3(1, 1, 0.05)}, Vec3(0, 0, 1));
+  press.mass.reset();
+  press.motion = MotionType::kinematic;
+  press.velocity = Vec3(0, 0, -1);
+  builder.add_body(press);
+  builder.add_body(body_of("box", Box{Vec3(0.1, 0.1, 0.1)}, Vec3(0, 0, 0.1)));
+  const std::shared_ptr<const Model> model = builder.build();
+  State state = make_initial_state(*model);
+  const AdvanceReport report = EventDrivenStepper(model, Method{}, 0.01).advance(state, 2);
+  EXPECT_EQ(report.reason, StopReason::impact_unsolved);
+  EXPECT_NEAR(state.t, 0.75, 1e-9);
+  EXPECT_EQ(report.bodies, std::vector<int>{2});
+}
+
+TEST(StopReasons, AnUnstableIntegratorEndsAtTheFirstStateThatIsNoNumber) {
+  ModelBuilder builder;
+  builder.add_material({"m", 1000, 0, 0});
+  builder.set_gravity(Vec3::Zero());
+  builder.add_body(body_of("ball", Sphere{0.1}, Vec3(1, 0, 0)));
+  ModelBuilder::ForceDescription spring{};
+  spring.type = ModelBuilder::ForceDescription::Type::spring;
+  spring.bodies = {"world", "ball"};
+  spring.points = {Vec3::Zero(), Vec3::Zero()};
+  spring.stiffness = 1e15;
+  spring.length = 0;
+  builder.add_force(spring);
+  const std::shared_ptr<const Model> model = builder.build();
+  State state = make_initial_state(*model);
+  Method method;
+  method.integrator = IntegratorMethod::euler;
+  const AdvanceReport report = EventDrivenStepper(model, method, 0.1).advance(state, 100);
+  EXPECT_EQ(report.reason, StopReason::not_finite);
+  EXPECT_EQ(report.bodies, std::vector<int>{0});
+  EXPECT_LT(state.t, 100);
+  // The state is the last that was one.
+  EXPECT_TRUE(state.position(0).allFinite() && state.linear_momentum(0).allFinite());
+}
+
 }  // namespace
 }  // namespace rigor
