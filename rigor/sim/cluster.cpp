@@ -189,7 +189,8 @@ void ContactResolver::add_impulses(const ContactSystem& system, const VecX& lamb
 bool ContactResolver::apply_impulses(Cluster& cluster, AdvanceReport& report) const {
   constexpr int most_passes = 20;
   const double still = 1e-6 * resting_velocity_;
-  double first_approach = 0;
+  double first_approach = 0, last_approach = 0;
+  int stalls = 0;
   for (int pass = 0; pass < most_passes; ++pass) {
     if (cluster.contacts.empty()) return true;
     const ContactSystem system = system_of(cluster, cluster.contacts);
@@ -198,6 +199,10 @@ bool ContactResolver::apply_impulses(Cluster& cluster, AdvanceReport& report) co
     for (Eigen::Index row = 2; row < u.size(); row += 3) approach = std::min(approach, u[row]);
     if (pass == 0) first_approach = approach;
     if (approach >= -std::max(still, 1e-9 * std::abs(first_approach))) return true;
+    // Bodies squeezed between others that do not give way: no impulse helps.
+    stalls = approach <= 0.99 * last_approach ? stalls + 1 : 0;
+    if (stalls == 3) return false;
+    last_approach = approach;
 
     const ImpactSolution impact = solve_impact(system, restitutions(cluster, system, report), law_);
     report.max_residual = std::max(report.max_residual, impact.residual);
