@@ -47,8 +47,8 @@ void add_motion(const Audit& audit, std::string& text) {
     add_line(text, "penetration", "{:.3g} m at most", report.max_penetration);
   }
   add_line(text, "impact times", "known to {:.3g} s", report.toi_bracket);
-  add_line(text, "solver", "largest residual {:.3g}, at most {} iterations, {} fallbacks",
-           report.max_residual, report.max_iterations, report.fallbacks);
+  add_line(text, "solver", "largest residual {:.3g}, at most {} iterations, {} fallbacks, {} coarse steps",
+           report.max_residual, report.max_iterations, report.fallbacks, report.coarse_steps);
 }
 
 void add_bodies(const Audit& audit, std::string& text) {

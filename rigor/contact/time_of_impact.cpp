@@ -176,7 +176,7 @@ TimeOfImpact ShapePairSearch::find(double t0, double t1) {
   if (!can_meet(t0, t1)) return {false, t1, 0, 0};
   if (const std::optional<TimeOfImpact> found = find_in_closed_form(t0, t1)) return *found;
 
-  constexpr int most_evaluations = 100000;
+  constexpr int most_evaluations = 10000;
   double t = t0;
   std::optional<double> last_apart;
   while (evaluations_ < most_evaluations) {
@@ -204,7 +204,7 @@ TimeOfImpact ShapePairSearch::find(double t0, double t1) {
     }
     t = std::min(t1, t + std::max(advance(t, now, t1), finest));
   }
-  // Only a pair that hovers at the contact for ever comes here; what was passed is proven free.
+  // Only a pair that hovers at the contact for long comes here; what was passed is proven free.
   return {false, t, 0, evaluations_};
 }
 
@@ -221,12 +221,9 @@ TimeOfImpact find_time_of_impact(const Body& A, const Motion& of_A, const Body& 
       ShapePairSearch search(swap ? moving_b : moving_a, swap ? moving_a : moving_b, options);
       const TimeOfImpact found = search.find(t0, first.time);
       const int evaluations = first.evaluations + found.evaluations;
-      // A contact found for an earlier pair of shapes stands unless this one is earlier.
-      if (found.is_contact) {
-        first = found;
-      } else if (!first.is_contact) {
-        first.time = std::min(first.time, found.time);
-      }
+      // A contact found for an earlier pair of shapes stands unless this one is earlier, or its search ended
+      // before.
+      if (found.is_contact || found.time < first.time) first = found;
       first.evaluations = evaluations;
     }
   }

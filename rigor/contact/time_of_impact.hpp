@@ -22,9 +22,11 @@ struct ToiOptions {
 /// Where the search for the first contact of a pair ended.
 struct TimeOfImpact {
   bool is_contact = false;  ///< Whether the bodies touch and approach at `time`.
-  double time = 0;          ///< Of the contact, or the end of the span that was searched [s].
-  double bracket = 0;       ///< The contact lies in [time - bracket, time + bracket] [s].
-  int evaluations = 0;      ///< Distance queries.
+  /// Of the contact, or the end of the span that was searched: t1, or less where bodies hover at the contact
+  /// for thousands of queries [s].
+  double time = 0;
+  double bracket = 0;   ///< The contact lies in [time - bracket, time + bracket] [s].
+  int evaluations = 0;  ///< Distance queries.
 };
 
 /// First time in [t0, t1] at which the bodies touch while they approach, or none: proven, not sampled. Each

@@ -85,7 +85,8 @@ std::string audit_json(const Audit& audit) {
   json["toi_bracket"] = report.toi_bracket;
   json["solver"] = {{"max_residual", report.max_residual},
                     {"max_iterations", report.max_iterations},
-                    {"fallbacks", report.fallbacks}};
+                    {"fallbacks", report.fallbacks},
+                    {"coarse_steps", report.coarse_steps}};
   json["warnings"] = warnings_json(audit);
   json["bodies"] = bodies_json(audit);
   return json_text(json);

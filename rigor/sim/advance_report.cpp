@@ -31,6 +31,7 @@ void AdvanceReport::add(const AdvanceReport& later) {
   max_residual = std::max(max_residual, later.max_residual);
   max_iterations = std::max(max_iterations, later.max_iterations);
   fallbacks += later.fallbacks;
+  coarse_steps += later.coarse_steps;
   quaternion_drift = std::max(quaternion_drift, later.quaternion_drift);
 }
 

@@ -51,7 +51,10 @@ struct AdvanceReport {
 
   double max_residual = 0;  ///< Of the contact problems, relative.
   int max_iterations = 0;
-  long fallbacks = 0;           ///< Problems that did not converge to their tolerance.
+  long fallbacks = 0;  ///< Problems that did not converge to their tolerance.
+  /// Steps at velocity level (first order, where slip or modes change faster than time resolves) or with an
+  /// error estimate above the tolerance.
+  long coarse_steps = 0;
   double quaternion_drift = 0;  ///< Largest | |q| - 1 | before normalisation.
 
   /// Adds what a later call reported; reason, detail and bodies become the later ones.

@@ -87,6 +87,12 @@ void Auditor::judge(Audit& audit) const {
         fmt::format("{} contact problems did not reach their tolerance; largest residual {:.3g}",
                     audit.report.fallbacks, audit.report.max_residual));
   }
+  if (audit.report.coarse_steps > 0) {
+    audit.warnings.push_back(fmt::format(
+        "{} steps were of first order or above their error tolerance: slip or contact modes changed "
+        "faster than time resolves",
+        audit.report.coarse_steps));
+  }
 }
 
 }  // namespace rigor

@@ -384,7 +384,7 @@ void EventDrivenStepper::take_step(double h, RunningIsland& running) {
     running.change = mode_changes_.find_overlap(running.island, running.step, 1);
     if (running.change)
       running.step = integrator_.implicit_step(running.island, std::max(running.change->h, resolved));
-    ++report_.fallbacks;
+    ++report_.coarse_steps;
     --crowding;
   } else {
     const double resolved = std::max(method_.time_tolerance, 8 * std::numeric_limits<double>::epsilon() * t_);
@@ -396,7 +396,7 @@ void EventDrivenStepper::take_step(double h, RunningIsland& running) {
     running.step = std::move(taken.step);
     running.change = mode_changes_.find(running.island, running.step);
     if (running.change) running.step = integrator_.step(running.island, std::max(running.change->h, least));
-    if (running.step.error > 1) ++report_.fallbacks;
+    if (running.step.error > 1) ++report_.coarse_steps;
     const double relative = running.step.h / std::min(target_step_, h);
     crowding = relative < 1e-6 ? crowding + weight_of_tiny_step : relative < 1e-2 ? crowding + 1 : 0;
     if (crowding > patience) crowding = patience + implicit_steps;

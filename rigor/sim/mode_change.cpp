@@ -133,16 +133,18 @@ std::optional<ModeChange> ModeChangeSearch::find(const Island& island, const Isl
     end = overlap->h / step.h;
   }
   const auto force = [&](double theta) { return force_margin(island, at(island, step, theta)); };
-  if (force(end) < 0 && !modes_hold(island, at(island, step, end))) {
-    const auto signature = [&](double theta) {
-      return modes_hold(island, at(island, step, theta)) ? 1.0 : -1.0;
-    };
+  const auto signature = [&](double theta) {
+    return modes_hold(island, at(island, step, theta)) ? 1.0 : -1.0;
+  };
+  for (const double probe : {0.5 * end, end}) {
+    if (force(probe) >= 0 || signature(probe) > 0) continue;
     const bool is_bracketed = force(0) > 0;
     if (is_bracketed) {
-      shorten(ModeChange::Kind::force_limit, find_root_itp(force, 0, end, tolerance).hi);
+      shorten(ModeChange::Kind::force_limit, find_root_itp(force, 0, probe, tolerance).hi);
     } else if (signature(0) > 0) {
-      shorten(ModeChange::Kind::force_limit, find_root_bisection(signature, 0, end, tolerance).hi);
+      shorten(ModeChange::Kind::force_limit, find_root_bisection(signature, 0, probe, tolerance).hi);
     }
+    break;
   }
   return first;
 }

@@ -109,6 +109,9 @@ void Trajectories::predict_pair(int a, int b, EventQueue& queue) {
   distance_queries_ += found.evaluations;
   if (found.is_contact) {
     queue.push({found.time, QueuedEvent::Kind::contact, a, b, A.version, B.version, found.bracket});
+  } else if (found.time < t1) {
+    // The search goes on from there in a new window.
+    queue.push({found.time, QueuedEvent::Kind::window_end, a, -1, A.version, 0, 0});
   }
 }
 

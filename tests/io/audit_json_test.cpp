@@ -73,7 +73,7 @@ TEST(AuditJson, KeysAreThoseOfTheContractInItsOrder) {
   EXPECT_EQ(keys_of(json["penetration"]), (std::vector<std::string>{"max", "bodies", "time"}));
   EXPECT_EQ(keys_of(json["joint_drift"]), (std::vector<std::string>{"max", "joint"}));
   EXPECT_EQ(keys_of(json["solver"]),
-            (std::vector<std::string>{"max_residual", "max_iterations", "fallbacks"}));
+            (std::vector<std::string>{"max_residual", "max_iterations", "fallbacks", "coarse_steps"}));
   EXPECT_EQ(keys_of(json["bodies"]["b"]),
             (std::vector<std::string>{"position", "orientation", "velocity", "angular_velocity"}));
 }

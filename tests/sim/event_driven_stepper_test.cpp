@@ -255,6 +255,7 @@ TEST(EventDrivenStepper, BodiesOnASpringKeepEnergyAndMomentum) {
   EXPECT_LE((state.linear_momentum(0) + state.linear_momentum(1) - Vec3(0.6, 0, 0)).norm(), 1e-12);
   EXPECT_EQ(report.impacts, 0);
   EXPECT_EQ(report.fallbacks, 0);
+  EXPECT_EQ(report.coarse_steps, 0);
 }
 
 // What cannot go on says why, and when, and of whom.
