@@ -16,7 +16,8 @@ namespace rigor {
 /// Source: R. van Zon and J. Schofield, Numerical implementation of the exact dynamics of free rigid bodies,
 /// J. Comput. Phys. 225, 2007; E. Celledoni, F. Fassò, N. Säfström, A. Zanna, The exact computation of the
 /// free rigid body motion and its use in splitting methods, SIAM J. Sci. Comput. 30, 2008. The integral of
-/// the third kind is taken by Carlson's R_J here. Derivation: docs/theory.
+/// the third kind is taken by Carlson's R_J here. Derivation:
+/// docs/theory/free_rotation.md.
 class FreeRotation {
  public:
   FreeRotation() = default;

@@ -1,6 +1,7 @@
 #include "rigor/geometry/point_sampling.hpp"
 
 #include "rigor/core/assert.hpp"
+#include "rigor/math/splitmix64.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,25 +10,6 @@
 namespace rigor {
 
 namespace {
-
-/// splitmix64 (Steele, Lea and Flood, Fast Splittable Pseudorandom Number Generators, OOPSLA 2014): the same
-/// numbers on every machine, unlike the distributions of the standard library.
-class SplitMix64 {
- public:
-  explicit SplitMix64(std::uint64_t seed) : state_(seed) {}
-
-  /// In [0, 1), a multiple of 2⁻⁵³.
-  double uniform() {
-    state_ += 0x9E3779B97F4A7C15u;
-    std::uint64_t z = state_;
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
-    return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-53;
-  }
-
- private:
-  std::uint64_t state_;
-};
 
 /// Integrals of 1 | x y z | xx yy zz | xy yz zx over the solid, in units of the box: p = center + size ∘ u, u
 /// in [-1/2, 1/2].

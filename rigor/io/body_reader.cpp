@@ -2,7 +2,7 @@
 
 #include "rigor/io/pose_reader.hpp"
 #include "rigor/io/shape_reader.hpp"
-#include "rigor/io/splitmix64.hpp"
+#include "rigor/math/splitmix64.hpp"
 #include "rigor/model/limits.hpp"
 
 #include <fmt/format.h>

@@ -114,6 +114,17 @@ TEST(CommandLine, TheSceneIsNeverOverwritten) {
   EXPECT_EQ(folder.read("scene.json"), ball);
 }
 
+TEST(CommandLine, AFileNamedTwiceIsRefusedHoweverItIsSpelt) {
+  const ProgramFolder folder;
+  folder.write("ball.yaml", ball);
+  for (const std::string again : {"a.csv", "./a.csv"}) {
+    const ProgramResult result = folder.run({"run", "ball.yaml", "-o", "a.csv", "-o", again});
+    EXPECT_EQ(result.code, 2);
+    expect_contains(result.error, "is given twice");
+  }
+  EXPECT_FALSE(folder.has("a.csv"));
+}
+
 // Scenes
 
 TEST(CommandLine, BadScenesAreThreeWithTheirPlaces) {

@@ -1,7 +1,7 @@
 #include "rigor/io/scene_reader.hpp"
 #include "rigor/core/input_error.hpp"
-#include "rigor/io/splitmix64.hpp"
 #include "rigor/math/rotation.hpp"
+#include "rigor/math/splitmix64.hpp"
 #include "rigor/model/state.hpp"
 
 #include <gtest/gtest.h>

@@ -4,7 +4,8 @@
 
 namespace rigor {
 
-/// Small generator of 64 random bits a call, the same on every machine.
+/// Small generator of 64 random bits a call, the same on every machine (unlike the distributions of the
+/// standard library).
 ///
 /// Source: Steele, Lea and Flood, Fast Splittable Pseudorandom Number Generators, OOPSLA 2014.
 class SplitMix64 {
@@ -19,6 +20,8 @@ class SplitMix64 {
     return z ^ (z >> 31);
   }
 
+  /// Uniform in [0, 1), a multiple of 2⁻⁵³.
+  double uniform() { return static_cast<double>(next() >> 11) * 0x1p-53; }
   /// Uniform in [-1, 1), a multiple of 2⁻⁵².
   double symmetric() { return static_cast<double>(next() >> 11) * 0x1p-52 - 1; }
 
