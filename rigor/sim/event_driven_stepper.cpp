@@ -12,11 +12,6 @@ namespace rigor {
 
 namespace {
 
-/// Short steps in a row before an island goes on at velocity level. Slip that turns fast is worth many steps;
-/// one that time can hardly resolve counts as fifty.
-constexpr int patience = 300;
-constexpr int weight_of_tiny_step = 50;
-
 std::size_t index(int body) {
   return static_cast<std::size_t>(body);
 }
@@ -56,7 +51,7 @@ EventDrivenStepper::EventDrivenStepper(std::shared_ptr<const Model> model, const
       target_step_(target_step),
       environment_(*model_),
       integrator_(*model_, environment_, method),
-      mode_changes_(*model_, integrator_, method),
+      stepping_(*model_, integrator_, method, target_step),
       resolver_(*model_, integrator_, method),
       trajectories_(*model_, toi_options(method)) {
   RIGOR_ASSERT(target_step > 0);
@@ -89,8 +84,7 @@ void EventDrivenStepper::read_state_from_bodies(const State& state) {
   const bool is_continued = state == mirror_;
   std::vector<int> seeds;
   std::vector<int> restored;
-  crowding_.assign(index(model_->body_count()), 0);
-  step_size_.assign(index(model_->body_count()), std::numeric_limits<double>::infinity());
+  stepping_.restart();
   if (!is_continued) {
     queue_.clear();
     islands_.clear();
@@ -200,11 +194,7 @@ Cluster EventDrivenStepper::compute_new_body_states(const std::vector<int>& seed
     joined_.pop_back();
     find_touching(body, cluster, visited);
   }
-  // Where contacts of one body stop one after the other within no time, the last slips stop with the first.
-  cluster.slip_tolerance = std::max(
-      cluster.slip_tolerance,
-      std::min(slip_tolerance(method_) * std::pow(4.0, crowding_of(cluster.bodies) / weight_of_tiny_step),
-               direction_tolerance(method_)));
+  cluster.slip_tolerance = std::max(cluster.slip_tolerance, stepping_.slip_tolerance_of(cluster.bodies));
   const auto put_in_order = [&cluster] {
     std::sort(cluster.contacts.begin(), cluster.contacts.end(), [](const Contact& a, const Contact& b) {
       return std::tie(a.body_A, a.body_B, a.shape_A, a.shape_B, a.point.feature) <
@@ -314,7 +304,7 @@ void EventDrivenStepper::apply_forces(Cluster& cluster) {
       report_.bodies = part.bodies;
       report_.detail = "an impact left bodies approaching each other";
     }
-    if (crowding_of(part.bodies) > patience && !part.contacts.empty()) {
+    if (stepping_.is_at_velocity_level(part.bodies) && !part.contacts.empty()) {
       // Steps at velocity level take all contacts, whatever they do: their problem decides again.
       for (const Contact& contact : part.contacts)
         trajectories_.set_lasting_contact(contact.body_A, contact.body_B);
@@ -366,49 +356,7 @@ void EventDrivenStepper::move_together(const Cluster& part, const LastingContact
   }
 }
 
-int EventDrivenStepper::crowding_of(const std::vector<int>& bodies) const {
-  int crowding = 0;
-  for (const int body : bodies) crowding = std::max(crowding, crowding_[index(body)]);
-  return crowding;
-}
-
-/// The step itself. Where modes end as they begin or slip turns on the spot, each short step in a row must
-/// cover more than the last; when that does not help, steps at velocity level lead out of it. The report
-/// counts both.
-void EventDrivenStepper::take_step(double h, RunningIsland& running) {
-  constexpr int implicit_steps = 60;
-  int crowding = crowding_of(running.island.bodies);
-  if (crowding > patience && !running.island.contacts.empty()) {
-    const double resolved = std::max(method_.time_tolerance, 8 * std::numeric_limits<double>::epsilon() * t_);
-    running.step = integrator_.implicit_step(running.island, std::min(h, 1e-2 * target_step_));
-    running.change = mode_changes_.find_overlap(running.island, running.step, 1);
-    if (running.change)
-      running.step = integrator_.implicit_step(running.island, std::max(running.change->h, resolved));
-    ++report_.coarse_steps;
-    --crowding;
-  } else {
-    const double resolved = std::max(method_.time_tolerance, 8 * std::numeric_limits<double>::epsilon() * t_);
-    const double least =
-        std::min(h, std::max(resolved, target_step_ * 1e-9 * std::pow(4.0, crowding / weight_of_tiny_step)));
-    double first = h;
-    for (const int body : running.island.bodies) first = std::min(first, step_size_[index(body)]);
-    ControlledStep taken = integrator_.controlled_step(running.island, std::max(first, least), least);
-    running.step = std::move(taken.step);
-    running.change = mode_changes_.find(running.island, running.step);
-    if (running.change) running.step = integrator_.step(running.island, std::max(running.change->h, least));
-    if (running.step.error > 1) ++report_.coarse_steps;
-    const double relative = running.step.h / std::min(target_step_, h);
-    crowding = relative < 1e-6 ? crowding + weight_of_tiny_step : relative < 1e-2 ? crowding + 1 : 0;
-    if (crowding > patience) crowding = patience + implicit_steps;
-    // A change of modes changes the forces: what the error said is of the past.
-    for (const int body : running.island.bodies) {
-      step_size_[index(body)] = running.change ? std::numeric_limits<double>::infinity() : taken.h_next;
-    }
-  }
-  for (const int body : running.island.bodies) crowding_[index(body)] = crowding;
-}
-
-/// The next step of an island: as long as the target, the error and the modes of its contacts allow.
+/// The next step of an island, not beyond where the path of a body under it turns.
 void EventDrivenStepper::begin_step(Island island) {
   double h = std::min(target_step_, t_end_ - t_);
   for (const Contact& contact : island.contacts) {
@@ -416,10 +364,9 @@ void EventDrivenStepper::begin_step(Island island) {
       if (!is_dynamic(body)) h = std::min(h, trajectories_.motion(body).end() - t_);
     }
   }
-  RunningIsland running{std::move(island), {}, 0, {}};
-  take_step(h, running);
-  running.end = t_ + running.step.h;
-  if (!running.change && running.step.h == t_end_ - t_) running.end = t_end_;
+  RunningIsland running = stepping_.take_step(std::move(island), h, report_);
+  const bool is_whole = !running.change && running.step.h == t_end_ - t_;
+  running.end = is_whole ? t_end_ : t_ + running.step.h;
 
   const int number = next_island_++;
   for (std::size_t i = 0; i < running.island.bodies.size(); ++i) {

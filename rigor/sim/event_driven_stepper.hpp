@@ -3,7 +3,7 @@
 #include "rigor/model/state.hpp"
 #include "rigor/sim/cluster.hpp"
 #include "rigor/sim/event_queue.hpp"
-#include "rigor/sim/mode_change.hpp"
+#include "rigor/sim/island_stepping.hpp"
 #include "rigor/sim/trajectories.hpp"
 
 #include <map>
@@ -34,14 +34,6 @@ class EventDrivenStepper {
   AdvanceReport advance(State& state, double t_end);
 
  private:
-  /// Bodies whose motion is integrated, over the step that they are in.
-  struct RunningIsland {
-    Island island;
-    IslandStep step;
-    double end;                        ///< [s].
-    std::optional<ModeChange> change;  ///< What ends the step.
-  };
-
   // The loop of the course.
   void read_state_from_bodies(const State& state);
   bool compute_time_step();
@@ -58,8 +50,6 @@ class EventDrivenStepper {
   void finish_island(int number, Cluster& cluster);
   void find_touching(int body, Cluster& cluster, std::set<std::pair<int, int>>& visited);
   void move_together(const Cluster& part, const LastingContacts& lasting);
-  int crowding_of(const std::vector<int>& bodies) const;
-  void take_step(double h, RunningIsland& running);
   void begin_step(Island island);
   void renew_prescribed(int body);
   bool time_stands_still(const std::vector<int>& seeds);
@@ -73,7 +63,7 @@ class EventDrivenStepper {
   double target_step_;
   Environment environment_;
   IslandIntegrator integrator_;
-  ModeChangeSearch mode_changes_;
+  IslandStepping stepping_;
   ContactResolver resolver_;
 
   // Scratch: rebuilt from the State whenever it is not the one left behind.
@@ -86,8 +76,6 @@ class EventDrivenStepper {
   std::vector<int> island_of_;  ///< Of each body, or -1.
   int next_island_ = 0;
   std::vector<int> joined_;         ///< Bodies of the cluster whose contacts are still to be found.
-  std::vector<int> crowding_;       ///< Of each body: short steps in a row.
-  std::vector<double> step_size_;   ///< Of each body: what the error of its last step suggests [s].
   std::vector<int> repeats_;        ///< Of each body: events in a row that time could not tell apart.
   std::vector<double> last_event_;  ///< Of each body [s].
   State mirror_;                    ///< The State as it was left.

@@ -1,5 +1,6 @@
 #include "rigor/contact/contact_kinematics.hpp"
 
+#include "random_vectors.hpp"
 #include "rigor/contact/contact_system.hpp"
 #include "rigor/geometry/distance.hpp"
 #include "rigor/math/rotation.hpp"
@@ -7,24 +8,10 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
-
 namespace rigor {
 namespace {
 
-class Random {
- public:
-  explicit Random(unsigned seed) : generator_(seed) {}
-  double number() { return uniform_(generator_); }
-  Vec3 vector() {
-    const double x = number(), y = number(), z = number();
-    return {x, y, z};
-  }
-
- private:
-  std::mt19937 generator_;
-  std::uniform_real_distribution<double> uniform_{-1, 1};
-};
+using test::Random;
 
 std::shared_ptr<const Model> pair_of(const Shape& a, const Shape& b) {
   ModelBuilder builder;

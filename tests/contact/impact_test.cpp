@@ -1,29 +1,17 @@
 #include "rigor/contact/impact.hpp"
 
+#include "random_vectors.hpp"
 #include "rigor/contact/contact_system.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <random>
 
 namespace rigor {
 namespace {
 
-class Random {
- public:
-  explicit Random(unsigned seed) : generator_(seed) {}
-  double number() { return uniform_(generator_); }
-  Vec3 vector() {
-    const double x = number(), y = number(), z = number();
-    return {x, y, z};
-  }
-
- private:
-  std::mt19937 generator_;
-  std::uniform_real_distribution<double> uniform_{-1, 1};
-};
+using test::Random;
 
 BodyKinetics body(double mass, const Vec3& x, const Vec3& v, const Vec3& w, const Mat3& inertia) {
   BodyKinetics result;

@@ -1,5 +1,6 @@
 #include "rigor/contact/separation_bound.hpp"
 
+#include "random_vectors.hpp"
 #include "rigor/geometry/distance.hpp"
 #include "rigor/geometry/support.hpp"
 #include "rigor/math/rotation.hpp"
@@ -8,24 +9,11 @@
 
 #include <algorithm>
 #include <limits>
-#include <random>
 
 namespace rigor {
 namespace {
 
-class Random {
- public:
-  explicit Random(unsigned seed) : generator_(seed) {}
-  double number() { return uniform_(generator_); }
-  Vec3 vector() {
-    const double x = number(), y = number(), z = number();
-    return {x, y, z};
-  }
-
- private:
-  std::mt19937 generator_;
-  std::uniform_real_distribution<double> uniform_{-1, 1};
-};
+using test::Random;
 
 /// A shape with an offset from its body's centre, and a motion through a given place.
 struct Moving {

@@ -1,11 +1,11 @@
 #include "rigor/dynamics/motion.hpp"
 
+#include "random_vectors.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 
 namespace rigor {
 namespace {
@@ -14,19 +14,7 @@ constexpr IntegratorName all_integrators[] = {IntegratorName::euler,    Integrat
                                               IntegratorName::midpoint, IntegratorName::rk4,
                                               IntegratorName::dopri5,   IntegratorName::lie_rk4};
 
-class Random {
- public:
-  explicit Random(unsigned seed) : generator_(seed) {}
-  double number() { return uniform_(generator_); }
-  Vec3 vector() {
-    const double x = number(), y = number(), z = number();
-    return {x, y, z};
-  }
-
- private:
-  std::mt19937 generator_;
-  std::uniform_real_distribution<double> uniform_{-1, 1};
-};
+using test::Random;
 
 const BodyInertia inertia{2, Vec3(0.5, 0.8, 1.1)};
 

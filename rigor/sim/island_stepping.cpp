@@ -1,0 +1,106 @@
+#include "rigor/sim/island_stepping.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace rigor {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// Short steps in a row before an island goes on at velocity level. Slip that turns fast is worth many steps;
+/// one that time can hardly resolve counts as fifty.
+constexpr int patience = 300;
+constexpr int weight_of_tiny_step = 50;
+/// How many steps at velocity level are taken then.
+constexpr int implicit_steps = 60;
+
+std::size_t index(int body) {
+  return static_cast<std::size_t>(body);
+}
+
+}  // namespace
+
+IslandStepping::IslandStepping(const Model& model, const IslandIntegrator& integrator, const Method& method,
+                               double target_step)
+    : integrator_(integrator),
+      mode_changes_(model, integrator, method),
+      time_tolerance_(method.time_tolerance),
+      slip_tolerance_(slip_tolerance(method)),
+      direction_tolerance_(direction_tolerance(method)),
+      target_step_(target_step),
+      crowding_(index(model.body_count())),
+      step_size_(index(model.body_count()), infinite) {}
+
+void IslandStepping::restart() {
+  std::fill(crowding_.begin(), crowding_.end(), 0);
+  std::fill(step_size_.begin(), step_size_.end(), infinite);
+}
+
+int IslandStepping::crowding_of(const std::vector<int>& bodies) const {
+  int crowding = 0;
+  for (const int body : bodies) crowding = std::max(crowding, crowding_[index(body)]);
+  return crowding;
+}
+
+bool IslandStepping::is_at_velocity_level(const std::vector<int>& bodies) const {
+  return crowding_of(bodies) > patience;
+}
+
+double IslandStepping::slip_tolerance_of(const std::vector<int>& bodies) const {
+  const int tiny_steps = crowding_of(bodies) / weight_of_tiny_step;
+  return std::min(slip_tolerance_ * std::pow(4.0, tiny_steps), direction_tolerance_);
+}
+
+RunningIsland IslandStepping::take_step(Island island, double h, AdvanceReport& report) {
+  RunningIsland running{std::move(island), {}, 0, {}};
+  const double resolved =
+      std::max(time_tolerance_, 8 * std::numeric_limits<double>::epsilon() * running.island.begin);
+  if (is_at_velocity_level(running.island.bodies) && !running.island.contacts.empty()) {
+    take_implicit_step(h, resolved, running, report);
+  } else {
+    take_accurate_step(h, resolved, running, report);
+  }
+  return running;
+}
+
+void IslandStepping::take_implicit_step(double h, double resolved, RunningIsland& running,
+                                        AdvanceReport& report) {
+  const Island& island = running.island;
+  running.step = integrator_.implicit_step(island, std::min(h, 1e-2 * target_step_));
+  running.change = mode_changes_.find_overlap(island, running.step, 1);
+  if (running.change) running.step = integrator_.implicit_step(island, std::max(running.change->h, resolved));
+  ++report.coarse_steps;
+  const int crowding = crowding_of(island.bodies) - 1;
+  for (const int body : island.bodies) crowding_[index(body)] = crowding;
+}
+
+void IslandStepping::take_accurate_step(double h, double resolved, RunningIsland& running,
+                                        AdvanceReport& report) {
+  const Island& island = running.island;
+  int crowding = crowding_of(island.bodies);
+  const int tiny_steps = crowding / weight_of_tiny_step;
+  const double least = std::min(h, std::max(resolved, target_step_ * 1e-9 * std::pow(4.0, tiny_steps)));
+  double first = h;
+  for (const int body : island.bodies) first = std::min(first, step_size_[index(body)]);
+
+  ControlledStep taken = integrator_.controlled_step(island, std::max(first, least), least);
+  running.step = std::move(taken.step);
+  running.change = mode_changes_.find(island, running.step);
+  if (running.change) running.step = integrator_.step(island, std::max(running.change->h, least));
+  if (running.step.error > 1) ++report.coarse_steps;
+
+  const double relative = running.step.h / std::min(target_step_, h);
+  crowding = relative < 1e-6 ? crowding + weight_of_tiny_step : relative < 1e-2 ? crowding + 1 : 0;
+  if (crowding > patience) crowding = patience + implicit_steps;
+  for (const int body : island.bodies) {
+    crowding_[index(body)] = crowding;
+    // A change of modes changes the forces: what the error said is of the past.
+    step_size_[index(body)] = running.change ? infinite : taken.h_next;
+  }
+}
+
+}  // namespace rigor
