@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace rigor {
 namespace {
@@ -111,9 +112,33 @@ std::optional<ContactPoint> crossing_contact(const ContactPair& pair, const Surf
   return contact;
 }
 
-/// The witness points. At almost no distance they say little about the normal: there a smooth surface knows
-/// better.
-ContactPoint point_contact(const ContactPair& pair, const DistanceResult& distance) {
+/// The crossings along the normal whose smallest gap is the largest.
+std::vector<ContactPoint> with_one_normal(const ContactPair& pair, std::vector<ContactPoint> crossings) {
+  if (crossings.empty()) return crossings;
+  constexpr double same_direction = 1e-9;
+  const auto share_normal = [](const ContactPoint& x, const ContactPoint& y) {
+    return (x.n_W - y.n_W).norm() <= same_direction;
+  };
+  const auto smallest_gap = [&](const ContactPoint& of) {
+    double gap = of.gap;
+    for (const ContactPoint& other : crossings) {
+      if (share_normal(of, other)) gap = std::min(gap, other.gap);
+    }
+    return gap;
+  };
+  const ContactPoint best = *std::max_element(
+      crossings.begin(), crossings.end(),
+      [&](const ContactPoint& x, const ContactPoint& y) { return smallest_gap(x) < smallest_gap(y); });
+  std::erase_if(crossings, [&](const ContactPoint& contact) {
+    return !share_normal(contact, best) || contact.gap > pair.scale.tolerance;
+  });
+  return crossings;
+}
+
+}  // namespace
+
+// At almost no distance the witness points say little about the normal: there a smooth surface knows better.
+ContactPoint witness_contact(const ContactPair& pair, const DistanceResult& distance) {
   Vec3 n = distance.n_W;
   const Feature f_A = pair.a.classify(distance.p_WA, n), f_B = pair.b.classify(distance.p_WB, -n);
   const std::optional<Vec3> m_A = pair.a.surface_normal(f_A, distance.p_WA);
@@ -127,8 +152,6 @@ ContactPoint point_contact(const ContactPair& pair, const DistanceResult& distan
   contact.degenerate = is_sharp(f_A) && is_sharp(f_B);
   return contact;
 }
-
-}  // namespace
 
 std::vector<ContactPoint> line_or_point_contacts(const ContactPair& pair, const DistanceResult& distance) {
   const Vec3& n = distance.n_W;
@@ -146,17 +169,20 @@ std::vector<ContactPoint> line_or_point_contacts(const ContactPair& pair, const 
   }
   if (longest) return parallel_contacts(pair, *longest, n);
 
-  // Else the crossing with the largest gap: the others overlap more along their normals.
-  std::optional<ContactPoint> best;
+  // Else where lines cross. Of several normals that separate equally well the one with the largest gap; but
+  // an edge that lies on a face but for the tolerance crosses two of its borders with one normal, and both
+  // count.
+  std::vector<ContactPoint> crossings;
   for (const SurfaceLine& line_A : lines_A) {
     for (const SurfaceLine& line_B : lines_B) {
       const std::optional<ContactPoint> contact = crossing_contact(pair, line_A, line_B, n);
-      if (contact && (!best || contact->gap > best->gap)) best = contact;
+      if (contact) crossings.push_back(*contact);
     }
   }
-  if (best) return {*best};
+  crossings = with_one_normal(pair, std::move(crossings));
+  if (!crossings.empty()) return crossings;
 
-  return {point_contact(pair, distance)};
+  return {witness_contact(pair, distance)};
 }
 
 }  // namespace rigor

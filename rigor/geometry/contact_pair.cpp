@@ -109,6 +109,15 @@ std::vector<ContactPoint> convex_contacts(const ContactPair& pair, const Distanc
   return *contacts;
 }
 
+void add_witness(const ContactPair& pair, const DistanceResult& distance,
+                 std::vector<ContactPoint>& contacts) {
+  if (distance.distance < -pair.scale.merge) return;
+  const bool touches = std::any_of(contacts.begin(), contacts.end(), [&](const ContactPoint& contact) {
+    return contact.gap <= distance.distance + pair.scale.merge;
+  });
+  if (!touches) contacts.push_back(witness_contact(pair, distance));
+}
+
 void sort_and_merge(const ContactScale& scale, std::vector<ContactPoint>& contacts) {
   std::vector<ContactPoint> kept;
   for (const ContactPoint& contact : contacts) {

@@ -54,6 +54,7 @@ std::vector<ContactPoint> local_contacts(const Shape& a, const Pose& X_OA, const
   if (distance.distance > tolerance) return {};
   const ContactPair pair{shape_A, shape_B, contact_scale(shape_A, shape_B, tolerance)};
   std::vector<ContactPoint> contacts = convex_contacts(pair, distance);
+  add_witness(pair, distance, contacts);
   sort_and_merge(pair.scale, contacts);
   return contacts;
 }
