@@ -76,14 +76,19 @@ RestingSolution solve_resting(const ContactSystem& system, const std::vector<Wre
     problem.slips[i] = u_t.normalized();
   }
 
+  constexpr double rounding = 1e-9;
   RestingSolution solution{solve_coulomb(problem), {}};
   for (std::size_t i = 0; i < system.contacts.size(); ++i) {
     ContactState state{solution.forces.modes[i], Vec3::Zero()};
     Vec2 slip = problem.slips[i];
     if (state.mode == ContactMode::slide && problem.rows[i] == FrictionRow::cone) {
-      // Slip begins along the tangential acceleration.
+      // Slip begins along the tangential acceleration. Without one the force is at the limit and nothing slips.
       const Vec2 w_t = solution.forces.w.segment<2>(3 * static_cast<Eigen::Index>(i));
-      slip = w_t.norm() > 0 ? Vec2(w_t.normalized()) : Vec2(Vec2::Zero());
+      if (w_t.norm() <= rounding * problem.b.cwiseAbs().maxCoeff()) {
+        state.mode = ContactMode::stick;
+      } else {
+        slip = w_t.normalized();
+      }
     }
     state.slip_W = system.frames[i].leftCols<2>() * slip;
     solution.states.push_back(state);

@@ -82,6 +82,7 @@ std::vector<Cluster> connected_parts(const Cluster& cluster, const std::vector<C
     Cluster& part = parts[partition.find(i)];
     part.t = cluster.t;
     part.slip_tolerance = cluster.slip_tolerance;
+    part.least_impact = cluster.least_impact;
     part.bodies.push_back(cluster.bodies[i]);
     part.phases.push_back(cluster.phases[i]);
   }
@@ -186,6 +187,18 @@ void ContactResolver::add_impulses(const ContactSystem& system, const VecX& lamb
   report.work += work_of_prescribed(system, lambda);
 }
 
+void ContactResolver::settle(const ContactSystem& system, const VecX& u, Cluster& cluster,
+                             AdvanceReport& report) const {
+  const std::size_t count = system.contacts.size();
+  const CoulombProblem problem{delassus(system), u, std::vector<double>(count, 0.0),
+                               std::vector<FrictionRow>(count, FrictionRow::cone),
+                               std::vector<Vec2>(count, Vec2::Zero())};
+  const double before = totals(model_, cluster).T;
+  const double work_before = report.work;
+  add_impulses(system, solve_coulomb(problem).lambda, cluster, report);
+  report.projection_loss += before - totals(model_, cluster).T + (report.work - work_before);
+}
+
 bool ContactResolver::apply_impulses(Cluster& cluster, AdvanceReport& report) const {
   constexpr int most_passes = 20;
   const double still = 1e-6 * resting_velocity_;
@@ -203,6 +216,10 @@ bool ContactResolver::apply_impulses(Cluster& cluster, AdvanceReport& report) co
     stalls = approach <= 0.99 * last_approach ? stalls + 1 : 0;
     if (stalls == 3) return false;
     last_approach = approach;
+    if (approach > -cluster.least_impact) {
+      settle(system, u, cluster, report);
+      continue;
+    }
 
     const ImpactSolution impact = solve_impact(system, restitutions(cluster, system, report), law_);
     report.max_residual = std::max(report.max_residual, impact.residual);

@@ -18,6 +18,7 @@ struct Cluster {
   std::vector<BodyPhase> phases;  ///< One a body.
   std::vector<Contact> contacts;  ///< Among these bodies and with prescribed ones.
   double slip_tolerance = 0;      ///< Slower slip counts as sticking [m/s].
+  double least_impact = 0;        ///< Slower approach is ended without an impact [m/s].
 
   BodyPhase& phase_of(int body);
   const BodyPhase& phase_of(int body) const { return const_cast<Cluster*>(this)->phase_of(body); }
@@ -55,6 +56,9 @@ class ContactResolver {
   ContactSystem system_of(const Cluster& cluster, const std::vector<Contact>& contacts) const;
 
  private:
+  /// Ends an approach slower than any impact (what the error of a step leaves at a lasting contact): the nearest
+  /// velocities in the metric of the mass matrix at which nothing approaches.
+  void settle(const ContactSystem& system, const VecX& u, Cluster& cluster, AdvanceReport& report) const;
   std::vector<double> restitutions(const Cluster& cluster, const ContactSystem& system,
                                    AdvanceReport& report) const;
   void add_impulses(const ContactSystem& system, const VecX& lambda, Cluster& cluster,

@@ -299,12 +299,15 @@ void EventDrivenStepper::apply_forces(Cluster& cluster) {
   for (const int body : cluster.bodies) trajectories_.clear_lasting_contacts(body);
 
   for (Cluster& part : connected_parts(cluster, cluster.contacts, environment_)) {
+    const bool is_at_velocity_level = stepping_.is_at_velocity_level(part.bodies) && !part.contacts.empty();
+    // There the approach is what closes the gaps within a step.
+    part.least_impact = (is_at_velocity_level ? 1 : 1e-3) * method_.resting_velocity;
     if (!resolver_.apply_impulses(part, report_)) {
       report_.reason = StopReason::impact_unsolved;
       report_.bodies = part.bodies;
       report_.detail = "an impact left bodies approaching each other";
     }
-    if (stepping_.is_at_velocity_level(part.bodies) && !part.contacts.empty()) {
+    if (is_at_velocity_level) {
       // Steps at velocity level take all contacts, whatever they do: their problem decides again.
       for (const Contact& contact : part.contacts)
         trajectories_.set_lasting_contact(contact.body_A, contact.body_B);
