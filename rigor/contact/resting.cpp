@@ -41,6 +41,12 @@ CoulombProblem problem_of(const ContactSystem& system) {
   return problem;
 }
 
+std::vector<ContactMode> modes_of(const std::vector<ContactState>& states) {
+  std::vector<ContactMode> modes;
+  for (const ContactState& state : states) modes.push_back(state.mode);
+  return modes;
+}
+
 }  // namespace
 
 VecX free_contact_accelerations(const ContactSystem& system, const std::vector<Wrench>& wrenches) {
@@ -82,7 +88,8 @@ RestingSolution solve_resting(const ContactSystem& system, const std::vector<Wre
     ContactState state{solution.forces.modes[i], Vec3::Zero()};
     Vec2 slip = problem.slips[i];
     if (state.mode == ContactMode::slide && problem.rows[i] == FrictionRow::cone) {
-      // Slip begins along the tangential acceleration. Without one the force is at the limit and nothing slips.
+      // Slip begins along the tangential acceleration. Without one the force is at the limit and nothing
+      // slips.
       const Vec2 w_t = solution.forces.w.segment<2>(3 * static_cast<Eigen::Index>(i));
       if (w_t.norm() <= rounding * problem.b.cwiseAbs().maxCoeff()) {
         state.mode = ContactMode::stick;
@@ -96,18 +103,32 @@ RestingSolution solve_resting(const ContactSystem& system, const std::vector<Wre
   return solution;
 }
 
-VecX contact_forces(const ContactSystem& system, const std::vector<ContactState>& states,
-                    const std::vector<Wrench>& wrenches, double direction_tolerance) {
+namespace {
+
+/// Accelerations with the slip directions of modes that are known.
+CoulombProblem problem_of_modes(const ContactSystem& system, const std::vector<ContactState>& states,
+                                const std::vector<Wrench>& wrenches, double direction_tolerance) {
   CoulombProblem problem = problem_of(system);
   problem.b = free_contact_accelerations(system, wrenches);
   const VecX u = relative_velocities(system);
-  std::vector<ContactMode> modes;
   for (std::size_t i = 0; i < states.size(); ++i) {
     problem.slips[i] = slip_direction(system.frames[i], u.segment<3>(3 * static_cast<Eigen::Index>(i)),
                                       states[i].slip_W, direction_tolerance);
-    modes.push_back(states[i].mode);
   }
-  return solve_known_modes(problem, modes);
+  return problem;
+}
+
+}  // namespace
+
+VecX contact_forces(const ContactSystem& system, const std::vector<ContactState>& states,
+                    const std::vector<Wrench>& wrenches, double direction_tolerance) {
+  return solve_known_modes(problem_of_modes(system, states, wrenches, direction_tolerance), modes_of(states));
+}
+
+bool modes_have_forces(const ContactSystem& system, const std::vector<ContactState>& states,
+                       const std::vector<Wrench>& wrenches, double direction_tolerance) {
+  return find_cone_forces(problem_of_modes(system, states, wrenches, direction_tolerance), modes_of(states))
+      .has_value();
 }
 
 void add_contact_wrenches(const ContactSystem& system, const VecX& lambda, std::vector<Wrench>& wrenches) {
@@ -128,9 +149,7 @@ VecX projection_impulses(const ContactSystem& system, const std::vector<ContactS
   problem.b = relative_velocities(system);
   // Along the slip nothing is corrected: a sliding contact takes part with its normal alone.
   problem.mu.assign(states.size(), 0.0);
-  std::vector<ContactMode> modes;
-  for (const ContactState& state : states) modes.push_back(state.mode);
-  return solve_known_modes(problem, modes);
+  return solve_known_modes(problem, modes_of(states));
 }
 
 }  // namespace rigor

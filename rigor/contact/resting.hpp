@@ -35,6 +35,11 @@ RestingSolution solve_resting(const ContactSystem& system, const std::vector<Wre
 VecX contact_forces(const ContactSystem& system, const std::vector<ContactState>& states,
                     const std::vector<Wrench>& wrenches, double direction_tolerance);
 
+/// Whether such forces exist within the cones, |λ_t| ≤ μ λ_n, whatever their distribution among redundant
+/// contacts: else a contact must change its mode. Arguments as above.
+bool modes_have_forces(const ContactSystem& system, const std::vector<ContactState>& states,
+                       const std::vector<Wrench>& wrenches, double direction_tolerance);
+
 /// Adds to the wrenches of the bodies what the contact forces λ do to them.
 void add_contact_wrenches(const ContactSystem& system, const VecX& lambda, std::vector<Wrench>& wrenches);
 

@@ -268,9 +268,12 @@ LastingContacts ContactResolver::update_active(Cluster& cluster, AdvanceReport& 
       solve_resting(touching, integrator_.environment_wrenches(touching, cluster.t), cluster.slip_tolerance);
   report.max_residual = std::max(report.max_residual, resting.forces.residual);
   report.max_iterations = std::max(report.max_iterations, resting.forces.iterations);
-  if (!resting.forces.converged) ++report.fallbacks;
-
   LastingContacts lasting;
+  lasting.have_forces = resting.forces.converged;
+  if (!lasting.have_forces) {
+    ++report.fallbacks;
+    return lasting;
+  }
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     if (resting.states[i].mode == ContactMode::open) continue;
     lasting.contacts.push_back(candidates[i]);

@@ -33,6 +33,9 @@ std::vector<Cluster> connected_parts(const Cluster& cluster, const std::vector<C
 struct LastingContacts {
   std::vector<Contact> contacts;
   std::vector<ContactState> states;
+  /// Whether forces were found that keep them. Where bodies jam there are none (Painlevé): sliding contacts
+  /// can need more force than any.
+  bool have_forces = true;
 };
 
 /// Decides what happens at an event: who collides, who rests, who parts.
@@ -56,8 +59,8 @@ class ContactResolver {
   ContactSystem system_of(const Cluster& cluster, const std::vector<Contact>& contacts) const;
 
  private:
-  /// Ends an approach slower than any impact (what the error of a step leaves at a lasting contact): the nearest
-  /// velocities in the metric of the mass matrix at which nothing approaches.
+  /// Ends an approach slower than any impact (what the error of a step leaves at a lasting contact): the
+  /// nearest velocities in the metric of the mass matrix at which nothing approaches.
   void settle(const ContactSystem& system, const VecX& u, Cluster& cluster, AdvanceReport& report) const;
   std::vector<double> restitutions(const Cluster& cluster, const ContactSystem& system,
                                    AdvanceReport& report) const;

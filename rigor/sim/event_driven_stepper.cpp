@@ -307,14 +307,17 @@ void EventDrivenStepper::apply_forces(Cluster& cluster) {
       report_.bodies = part.bodies;
       report_.detail = "an impact left bodies approaching each other";
     }
-    if (is_at_velocity_level) {
+    LastingContacts lasting;
+    if (!is_at_velocity_level) lasting = resolver_.update_active(part, report_);
+    if (!lasting.have_forces) stepping_.go_to_velocity_level(part.bodies);
+    if (is_at_velocity_level || !lasting.have_forces) {
       // Steps at velocity level take all contacts, whatever they do: their problem decides again.
       for (const Contact& contact : part.contacts)
         trajectories_.set_lasting_contact(contact.body_A, contact.body_B);
       begin_step(
           {part.bodies, part.phases, part.contacts, std::vector<ContactState>(part.contacts.size()), t_});
     } else {
-      move_together(part, resolver_.update_active(part, report_));
+      move_together(part, lasting);
     }
   }
   note_transitions(lasting_before, cluster);

@@ -50,6 +50,10 @@ bool IslandStepping::is_at_velocity_level(const std::vector<int>& bodies) const 
   return crowding_of(bodies) > patience;
 }
 
+void IslandStepping::go_to_velocity_level(const std::vector<int>& bodies) {
+  for (const int body : bodies) crowding_[index(body)] = patience + implicit_steps;
+}
+
 double IslandStepping::slip_tolerance_of(const std::vector<int>& bodies) const {
   const int tiny_steps = crowding_of(bodies) / weight_of_tiny_step;
   return std::min(slip_tolerance_ * std::pow(4.0, tiny_steps), direction_tolerance_);
@@ -70,7 +74,7 @@ RunningIsland IslandStepping::take_step(Island island, double h, AdvanceReport& 
 void IslandStepping::take_implicit_step(double h, double resolved, RunningIsland& running,
                                         AdvanceReport& report) {
   const Island& island = running.island;
-  running.step = integrator_.implicit_step(island, std::min(h, 1e-2 * target_step_));
+  running.step = integrator_.implicit_step(island, std::min(h, 0.1 * target_step_));
   running.change = mode_changes_.find_overlap(island, running.step, 1);
   if (running.change) running.step = integrator_.implicit_step(island, std::max(running.change->h, resolved));
   ++report.coarse_steps;
@@ -95,9 +99,8 @@ void IslandStepping::take_accurate_step(double h, double resolved, RunningIsland
 
   const double relative = running.step.h / std::min(target_step_, h);
   crowding = relative < 1e-6 ? crowding + weight_of_tiny_step : relative < 1e-2 ? crowding + 1 : 0;
-  if (crowding > patience) crowding = patience + implicit_steps;
   for (const int body : island.bodies) {
-    crowding_[index(body)] = crowding;
+    crowding_[index(body)] = crowding > patience ? patience + implicit_steps : crowding;
     // A change of modes changes the forces: what the error said is of the past.
     step_size_[index(body)] = running.change ? infinite : taken.h_next;
   }

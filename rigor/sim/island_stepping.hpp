@@ -32,6 +32,8 @@ class IslandStepping {
   void restart();
   /// Whether the next step of these bodies is one at velocity level, if they touch anything.
   bool is_at_velocity_level(const std::vector<int>& bodies) const;
+  /// Makes the next steps of these bodies such steps.
+  void go_to_velocity_level(const std::vector<int>& bodies);
   /// Slip slower than this counts as none [m/s]. Where contacts of one body stop one after the other within
   /// no time, it grows with each very short step, so that the last slips stop with the first.
   double slip_tolerance_of(const std::vector<int>& bodies) const;

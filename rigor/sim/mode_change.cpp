@@ -15,7 +15,6 @@ ModeChangeSearch::ModeChangeSearch(const Model& model, const IslandIntegrator& i
       integrator_(integrator),
       contact_tolerance_(method.contact_tolerance),
       time_tolerance_(method.time_tolerance),
-      slip_tolerance_(slip_tolerance(method)),
       direction_tolerance_(direction_tolerance(method)) {}
 
 /// The island somewhere in its step.
@@ -82,21 +81,10 @@ double ModeChangeSearch::overlap_margin(const Island& island, const Instant& ins
   return margin;
 }
 
-/// Whether the modes are still those of the complementarity problem, whatever the distribution of redundant
-/// forces.
+/// Whether the modes can still be, whatever the distribution of redundant forces.
 bool ModeChangeSearch::modes_hold(const Island& island, const Instant& instant) const {
-  const RestingSolution now = solve_resting(
-      instant.system, integrator_.environment_wrenches(instant.system, instant.t), slip_tolerance_);
-  for (std::size_t i = 0; i < island.states.size(); ++i) {
-    if (now.states[i].mode == island.states[i].mode) continue;
-    // Contacts without force may count as open or not: only motion tells.
-    const Vec3 w = now.forces.w.segment<3>(3 * static_cast<Eigen::Index>(i));
-    const double scale = now.forces.w.cwiseAbs().maxCoeff();
-    const bool stays =
-        island.states[i].mode == ContactMode::stick ? w.norm() <= 1e-9 * scale : w.z() <= 1e-9 * scale;
-    if (!stays) return false;
-  }
-  return true;
+  return modes_have_forces(instant.system, island.states,
+                           integrator_.environment_wrenches(instant.system, instant.t), direction_tolerance_);
 }
 
 std::optional<ModeChange> ModeChangeSearch::find_overlap(const Island& island, const IslandStep& step,

@@ -38,7 +38,7 @@ class ModeChangeSearch {
 
   const Model& model_;
   const IslandIntegrator& integrator_;
-  double contact_tolerance_, time_tolerance_, slip_tolerance_, direction_tolerance_;
+  double contact_tolerance_, time_tolerance_, direction_tolerance_;
 };
 
 }  // namespace rigor
