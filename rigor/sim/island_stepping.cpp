@@ -11,10 +11,16 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Short steps in a row before an island goes on at velocity level. Slip that turns fast is worth many steps;
-/// one that time can hardly resolve counts as fifty.
+/// Weight of short steps in a row before an island goes on at velocity level. Slip that turns fast is worth
+/// many steps, but one that time can hardly resolve weighs fifty times as much.
 constexpr int patience = 300;
 constexpr int weight_of_tiny_step = 50;
+
+/// Of a step relative to the one that was wanted.
+int weight_of_step(double relative) {
+  return relative < 1e-6 ? weight_of_tiny_step : relative < 1e-4 ? 8 : relative < 1e-2 ? 1 : 0;
+}
+
 /// How many steps at velocity level are taken then.
 constexpr int implicit_steps = 60;
 
@@ -98,7 +104,8 @@ void IslandStepping::take_accurate_step(double h, double resolved, RunningIsland
   if (running.step.error > 1) ++report.coarse_steps;
 
   const double relative = running.step.h / std::min(target_step_, h);
-  crowding = relative < 1e-6 ? crowding + weight_of_tiny_step : relative < 1e-2 ? crowding + 1 : 0;
+  const int weight = weight_of_step(relative);
+  crowding = weight > 0 ? crowding + weight : 0;
   for (const int body : island.bodies) {
     crowding_[index(body)] = crowding > patience ? patience + implicit_steps : crowding;
     // A change of modes changes the forces: what the error said is of the past.
