@@ -230,6 +230,7 @@ void EventDrivenStepper::finish_island(int number, Cluster& cluster) {
   islands_.erase(number);
   const bool is_at_end = t_ >= running.end;
   const bool has_moved = t_ > running.island.begin;
+  stepping_.note_end(running, is_at_end ? running.step.h : t_ - running.island.begin);
   IslandStep step;
   if (is_at_end) {
     step = running.step;

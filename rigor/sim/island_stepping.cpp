@@ -66,7 +66,7 @@ double IslandStepping::slip_tolerance_of(const std::vector<int>& bodies) const {
 }
 
 RunningIsland IslandStepping::take_step(Island island, double h, AdvanceReport& report) {
-  RunningIsland running{std::move(island), {}, 0, {}};
+  RunningIsland running{std::move(island), {}, 0, 0, {}};
   const double resolved =
       std::max(time_tolerance_, 8 * std::numeric_limits<double>::epsilon() * running.island.begin);
   if (is_at_velocity_level(running.island.bodies) && !running.island.contacts.empty()) {
@@ -91,8 +91,7 @@ void IslandStepping::take_implicit_step(double h, double resolved, RunningIsland
 void IslandStepping::take_accurate_step(double h, double resolved, RunningIsland& running,
                                         AdvanceReport& report) {
   const Island& island = running.island;
-  int crowding = crowding_of(island.bodies);
-  const int tiny_steps = crowding / weight_of_tiny_step;
+  const int tiny_steps = crowding_of(island.bodies) / weight_of_tiny_step;
   const double least = std::min(h, std::max(resolved, target_step_ * 1e-9 * std::pow(4.0, tiny_steps)));
   double first = h;
   for (const int body : island.bodies) first = std::min(first, step_size_[index(body)]);
@@ -103,13 +102,17 @@ void IslandStepping::take_accurate_step(double h, double resolved, RunningIsland
   if (running.change) running.step = integrator_.step(island, std::max(running.change->h, least));
   if (running.step.error > 1) ++report.coarse_steps;
 
-  const double relative = running.step.h / std::min(target_step_, h);
-  const int weight = weight_of_step(relative);
-  crowding = weight > 0 ? crowding + weight : 0;
-  for (const int body : island.bodies) {
+  running.wanted = std::min(target_step_, h);
+  // A change of modes changes the forces: what the error said is of the past.
+  for (const int body : island.bodies) step_size_[index(body)] = running.change ? infinite : taken.h_next;
+}
+
+void IslandStepping::note_end(const RunningIsland& running, double elapsed) {
+  if (running.wanted == 0) return;
+  const int weight = weight_of_step(elapsed / running.wanted);
+  const int crowding = weight > 0 ? crowding_of(running.island.bodies) + weight : 0;
+  for (const int body : running.island.bodies) {
     crowding_[index(body)] = crowding > patience ? patience + implicit_steps : crowding;
-    // A change of modes changes the forces: what the error said is of the past.
-    step_size_[index(body)] = running.change ? infinite : taken.h_next;
   }
 }
 

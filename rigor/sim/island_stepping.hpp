@@ -14,6 +14,7 @@ struct RunningIsland {
   Island island;
   IslandStep step;
   double end = 0;                    ///< [s].
+  double wanted = 0;                 ///< How long the step should have been; 0 at velocity level [s].
   std::optional<ModeChange> change;  ///< What ends the step.
 };
 
@@ -39,6 +40,8 @@ class IslandStepping {
   double slip_tolerance_of(const std::vector<int>& bodies) const;
   /// The next step, of at most h ≤ target step [s].
   RunningIsland take_step(Island island, double h, AdvanceReport& report);
+  /// Tells that the step was left after this time, at its end or because of another event [s].
+  void note_end(const RunningIsland& running, double elapsed);
 
  private:
   int crowding_of(const std::vector<int>& bodies) const;

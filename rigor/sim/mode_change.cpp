@@ -67,15 +67,30 @@ double ModeChangeSearch::force_margin(const Island& island, const Instant& insta
   return margin + rounding;
 }
 
-/// Deepest gap of the pairs in contact, above half the tolerance.
-double ModeChangeSearch::overlap_margin(const Island& island, const Instant& instant) const {
+namespace {
+
+bool is_active(const Island& island, const Contact& contact) {
+  return std::any_of(island.contacts.begin(), island.contacts.end(), [&](const Contact& other) {
+    return other.body_A == contact.body_A && other.body_B == contact.body_B &&
+           other.shape_A == contact.shape_A && other.shape_B == contact.shape_B &&
+           other.point.feature == contact.point.feature;
+  });
+}
+
+}  // namespace
+
+/// Least gap of the pairs in contact, above what is allowed: at active contacts half the tolerance, for
+/// errors of the step; elsewhere `allowance` [m].
+double ModeChangeSearch::overlap_margin(const Island& island, const Instant& instant,
+                                        double allowance) const {
   double margin = std::numeric_limits<double>::infinity();
   std::set<std::pair<int, int>> pairs;
   for (const Contact& contact : island.contacts) pairs.insert({contact.body_A, contact.body_B});
   for (const auto& [a, b] : pairs) {
     for (const Contact& contact : find_contacts(model_, a, b, instant.system.of(a).pose(),
                                                 instant.system.of(b).pose(), contact_tolerance_)) {
-      margin = std::min(margin, contact.point.gap + 0.5 * contact_tolerance_);
+      const double allowed = is_active(island, contact) ? 0.5 * contact_tolerance_ : allowance;
+      margin = std::min(margin, contact.point.gap + allowed);
     }
   }
   return margin;
@@ -89,10 +104,16 @@ bool ModeChangeSearch::modes_hold(const Island& island, const Instant& instant) 
 
 std::optional<ModeChange> ModeChangeSearch::find_overlap(const Island& island, const IslandStep& step,
                                                          double end) const {
-  const auto overlap = [&](double theta) { return overlap_margin(island, at(island, step, theta)); };
+  // Further points of the bodies land where they touch, unless they overlap a little from the start.
+  const Instant start = at(island, step, 0);
+  double allowance = 0.01 * contact_tolerance_;
+  if (overlap_margin(island, start, allowance) <= 0) allowance = 0.5 * contact_tolerance_;
+  if (overlap_margin(island, start, allowance) <= 0) return std::nullopt;
+  const auto overlap = [&](double theta) {
+    return overlap_margin(island, at(island, step, theta), allowance);
+  };
   for (const double probe : {0.5 * end, end}) {
     if (overlap(probe) >= 0) continue;
-    if (overlap(0) <= 0) return std::nullopt;
     const RootBracket root = find_root_bisection(overlap, 0, probe, time_tolerance_ / step.h);
     return ModeChange{ModeChange::Kind::overlap, root.hi * step.h};
   }

@@ -33,7 +33,7 @@ class ModeChangeSearch {
   Instant at(const Island& island, const IslandStep& step, double theta) const;
   double slip_margin(const Island& island, const Instant& instant) const;
   double force_margin(const Island& island, const Instant& instant) const;
-  double overlap_margin(const Island& island, const Instant& instant) const;
+  double overlap_margin(const Island& island, const Instant& instant, double allowance) const;
   bool modes_hold(const Island& island, const Instant& instant) const;
 
   const Model& model_;
