@@ -203,7 +203,9 @@ Cluster EventDrivenStepper::compute_new_body_states(const std::vector<int>& seed
   };
   put_in_order();
   note_penetration(cluster.contacts);
-  if (resolver_.project_positions(cluster)) {
+  // Other features may meet where the bodies are moved to.
+  constexpr int most_projections = 4;
+  for (int k = 0; k < most_projections && resolver_.project_positions(cluster); ++k) {
     cluster.contacts.clear();
     visited.clear();
     for (std::size_t i = 0; i < cluster.bodies.size(); ++i)
