@@ -109,7 +109,8 @@ ExitCode execute(const RunOptions& options) {
                                         const Auditor& auditor) {
     return recorder.observe(state, since, auditor);
   };
-  const RunResult result = run_simulation(scene.model, scene.method, scene.run, start.state, observer);
+  const RunResult result = run_simulation(scene.model, scene.method, scene.run, start.state, observer,
+                                          [&recorder] { return recorder.was_interrupted(); });
   const Audit audit = recorder.finish(result, start.warnings);
   print_audit(options, audit);
   return report_end(result, recorder, audit);

@@ -16,6 +16,8 @@ std::string_view stop_reason_name(StopReason reason) {
       return "impact_unsolved";
     case StopReason::not_finite:
       return "not_finite";
+    case StopReason::interrupted:
+      return "interrupted";
   }
   return "";
 }
@@ -35,6 +37,8 @@ std::string_view stop_advice(StopReason reason) {
     case StopReason::not_finite:
       return "look for stiff springs, huge forces or velocities at these bodies; a smaller run.step or "
              "method.integrator=dopri5 helps with stiff ones";
+    case StopReason::interrupted:
+      return "run it again, or go on from the checkpoint with --resume";
   }
   return "";
 }

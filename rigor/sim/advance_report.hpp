@@ -14,6 +14,7 @@ enum class StopReason {
   events_accumulate,  ///< More events at one instant than can be resolved; time stands still.
   impact_unsolved,    ///< An impact left bodies approaching each other.
   not_finite,         ///< A state became infinite or NaN.
+  interrupted,        ///< The caller's interrupt asked for it.
 };
 
 /// Something that happened at an instant.

@@ -66,6 +66,7 @@ AdvanceReport EventDrivenStepper::advance(State& state, double t_end) {
 
   read_state_from_bodies(state);
   while (report_.reason == StopReason::reached_end && compute_time_step()) {
+    if (interrupt_ && interrupt_()) report_.reason = StopReason::interrupted;
     if (next_.kind == QueuedEvent::Kind::window_end) {
       begin_new_window(next_.a);
     } else if (const std::vector<int> seeds = seeds_of(next_); !time_stands_still(seeds)) {

@@ -6,6 +6,7 @@
 #include "rigor/sim/island_stepping.hpp"
 #include "rigor/sim/trajectories.hpp"
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -30,6 +31,8 @@ class EventDrivenStepper {
   EventDrivenStepper(const EventDrivenStepper&) = delete;
   EventDrivenStepper& operator=(const EventDrivenStepper&) = delete;
 
+  /// Asked at every event of advance(): true ends it there.
+  void set_interrupt(std::function<bool()> interrupt) { interrupt_ = std::move(interrupt); }
   /// Advances the State to t_end ≥ state.t, or to where the report says that it could not go on.
   AdvanceReport advance(State& state, double t_end);
 
@@ -61,6 +64,7 @@ class EventDrivenStepper {
   std::shared_ptr<const Model> model_;
   Method method_;
   double target_step_;
+  std::function<bool()> interrupt_;
   Environment environment_;
   IslandIntegrator integrator_;
   IslandStepping stepping_;

@@ -17,15 +17,16 @@ using Observer = std::function<bool(const State& state, const AdvanceReport& sin
 struct RunResult {
   State state;  ///< The last one.
   Audit audit;
-  bool was_stopped = false;  ///< The observer asked for it.
+  bool was_stopped = false;  ///< The observer or the interrupt asked for it.
 };
 
 /// Runs a scene from the start state (the model's own if none is given) until `settings.duration` after t =
 /// 0. The observer sees the start and every output time k · output_interval; the result does not depend on
-/// whether it looks. Ends early when the stepper cannot go on: see audit.report.reason.
+/// whether it looks. Ends early when the stepper cannot go on: see audit.report.reason. The interrupt is
+/// asked at every event; when it says true the run ends as it was at the last output time.
 RunResult run_simulation(std::shared_ptr<const Model> model, const Method& method,
                          const RunSettings& settings, const std::optional<State>& start,
-                         const Observer& observer);
+                         const Observer& observer, const std::function<bool()>& interrupt = {});
 
 /// Two bodies that overlap by more than the tolerance.
 struct Overlap {

@@ -167,6 +167,21 @@ TEST(RunCommand, AnInterruptClosesTheFilesAndIs130) {
   }
 }
 
+// However far off the next output time is.
+TEST(RunCommand, AnInterruptBetweenOutputsEndsAtTheLastOne) {
+  const ProgramFolder folder;
+  folder.write("ball.yaml", ball);
+  const pid_t child = folder.start(
+      {"run", "ball.yaml", "--duration", "1e8", "--set", "run.output_interval=1e8", "-o", "a.csv"});
+  while (!folder.has("a.csv")) ::usleep(1000);
+  ::usleep(100000);
+  ::kill(child, SIGINT);
+  const ProgramResult result = folder.wait(child);
+  EXPECT_EQ(result.code, 130);
+  expect_contains(result.error, "interrupted at t = 0 s");
+  EXPECT_EQ(line_count(folder.read("a.csv")), 2u);
+}
+
 TEST(RunCommand, AKilledRunLeavesFilesThatCanBeRead) {
   const ProgramFolder folder;
   folder.write("ball.yaml", ball);
