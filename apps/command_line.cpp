@@ -6,6 +6,7 @@
 #include "rigor/core/suggestion.hpp"
 #include "rigor/io/trajectory_writer.hpp"
 #include "rigor/io/version.hpp"
+#include "rigor/view/picture_writer.hpp"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -20,7 +21,9 @@ namespace {
 constexpr Range time_span{0, 1e9, true};  // [s]
 constexpr Range length{0, 1e9};           // [m]
 constexpr Range density{0, 1e12, true};   // [kg/m³]
+constexpr Range view_angle{1, 170};       // [degrees]
 constexpr int most_threads = 1024;
+constexpr int most_frames = 100000;
 constexpr int fewest_samples = 2, most_samples = 1000000000;
 
 const char* const examples =
@@ -33,6 +36,8 @@ const char* const examples =
     "  rigor check scenes/*.yaml\n"
     "  rigor mass part.stl --density 7850\n"
     "  rigor distance ball.yaml ball floor\n"
+    "  rigor render ball.h5 --time 0.5 -o ball.png\n"
+    "  rigor plot ball.h5 energy.kinetic energy.total body.ball.position.z -o ball.svg\n"
     "Exit codes: 0 done, 1 the audit broke its tolerance, 2 usage, 3 bad scene or input, 4 the simulation "
     "could not go on,\n"
     "            5 file or system error, 130 interrupted (files closed).\n";
@@ -63,7 +68,8 @@ void add_json(CLI::App& app, std::string& json, const std::string& what) {
 
 void add_run(CLI::App& app, RunOptions& run) {
   app.add_option("SCENE", run.scene, "scene file (.yaml or .json)")->required()->option_text(" ");
-  add_value(app, "-o,--output", run.outputs, "trajectory, by suffix: .csv .h5 .json; may be repeated", "OUT");
+  add_value(app, "-o,--output", run.outputs,
+            "by suffix: trajectory .csv .h5 .json, picture of the key moments .png; may be repeated", "OUT");
   add_value(app, "--set", run.overrides,
             "override a value of the scene, such as method.integrator=rk4; may be repeated", "KEY=VALUE");
   add_value(app, "--duration", run.duration, "simulated time at which the run ends [s]", "S")
@@ -99,6 +105,35 @@ void add_distance(CLI::App& app, DistanceOptions& distance) {
             "of the contact set [m]; default: the scene's contact_tolerance", "D")
       ->check(number_in(length, "m"));
   add_json(app, distance.json, "the result");
+}
+
+void add_render(CLI::App& app, RenderOptions& render) {
+  app.add_option("SCENE|RUN.h5", render.input, "scene, which is simulated first, or trajectory")
+      ->required()
+      ->option_text(" ");
+  add_value(app, "-o,--output", render.output, "picture (.png); default: named after the input", "OUT.png");
+  add_value(app, "--time", render.time, "one picture, of the output time nearest to T [s]", "T");
+  add_value(app, "--frames", render.frames, "N pictures from start to end: OUT_0001.png, ...", "N")
+      ->check(CLI::Range(1, most_frames));
+  app.add_flag("--sheet", render.is_sheet, "the key moments side by side (default)");
+  add_value(app, "--size", render.size, "of each picture [px]", "WxH");
+  add_value(app, "--eye", render.eye, "place of the camera [m]; default: found from the motion", "X,Y,Z");
+  add_value(app, "--target", render.target, "point in the middle of the picture [m]", "X,Y,Z");
+  add_value(app, "--field-of-view", render.field_of_view, "from the upper to the lower edge [degrees]", "A")
+      ->check(number_in(view_angle, "degrees"));
+  add_value(app, "--mp4", render.mp4, "film, if the program ffmpeg is installed; else a sequence of pictures",
+            "OUT.mp4");
+  add_value(app, "--set", render.overrides, "override a value of the scene; may be repeated", "KEY=VALUE");
+}
+
+void add_plot(CLI::App& app, PlotOptions& plot) {
+  app.add_option("RUN.h5", plot.input, "trajectory")->required()->option_text(" ");
+  app.add_option("KEYS", plot.keys,
+                 "energy.kinetic|potential|elastic|total, momentum[.x|y|z], penetration, "
+                 "body.NAME.position|velocity|angular_velocity[.x|y|z], body.NAME.orientation.w|x|y|z")
+      ->required()
+      ->option_text("...");
+  add_value(app, "-o,--output", plot.output, "plot, by suffix: .svg .png", "OUT")->required();
 }
 
 std::vector<std::string> option_names(const CLI::App& app) {
@@ -148,7 +183,7 @@ bool is_same_file(const std::string& a, const std::string& b) {
 
 void check_run(const RunOptions& run) {
   for (const std::string& output : run.outputs) {
-    const std::string message = check_output_suffix(output);
+    const std::string message = check_output_suffix(output, picture_suffixes);
     if (!message.empty()) throw UsageError(message);
   }
   std::vector<std::string> written = run.outputs;
@@ -181,16 +216,22 @@ ParsedCommandLine parse_command_line(int argc, const char* const* argv) {
   CheckOptions check;
   MassOptions mass;
   DistanceOptions distance;
+  RenderOptions render;
+  PlotOptions plot;
   CLI::App& run_app = *app.add_subcommand("run", "simulate a scene and print the audit");
   CLI::App& check_app = *app.add_subcommand("check", "validate scenes without running them");
   CLI::App& mass_app = *app.add_subcommand("mass", "mass properties of a mesh or a scene, exact and sampled");
   CLI::App& distance_app =
       *app.add_subcommand("distance", "signed distance and contacts of two bodies at t = 0");
   app.add_subcommand("methods", "list every method, with its source");
+  CLI::App& render_app = *app.add_subcommand("render", "pictures and films of a scene or a trajectory");
+  CLI::App& plot_app = *app.add_subcommand("plot", "plot quantities of a trajectory over time");
   add_run(run_app, run);
   check_app.add_option("SCENE", check.scenes, "scene files")->required()->option_text("...");
   add_mass(mass_app, mass);
   add_distance(distance_app, distance);
+  add_render(render_app, render);
+  add_plot(plot_app, plot);
   // What is unknown is told by us, with the nearest name.
   app.allow_extras();
   for (CLI::App* const command : app.get_subcommands({})) command->allow_extras();
@@ -212,6 +253,8 @@ ParsedCommandLine parse_command_line(int argc, const char* const* argv) {
   if (app.got_subcommand(&check_app)) return {check};
   if (app.got_subcommand(&mass_app)) return {mass};
   if (app.got_subcommand(&distance_app)) return {distance};
+  if (app.got_subcommand(&render_app)) return {render};
+  if (app.got_subcommand(&plot_app)) return {plot};
   if (app.got_subcommand("methods")) return {MethodsOptions{}};
   fmt::print(stderr, "{}", app.help());
   return {std::nullopt, exit_usage};

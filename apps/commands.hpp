@@ -13,5 +13,7 @@ ExitCode execute(const CheckOptions& options);
 ExitCode execute(const MassOptions& options);
 ExitCode execute(const DistanceOptions& options);
 ExitCode execute(const MethodsOptions& options);
+ExitCode execute(const RenderOptions& options);
+ExitCode execute(const PlotOptions& options);
 
 }  // namespace rigor

@@ -42,6 +42,26 @@ struct DistanceOptions {
 
 struct MethodsOptions {};
 
-using Command = std::variant<RunOptions, CheckOptions, MassOptions, DistanceOptions, MethodsOptions>;
+struct RenderOptions {
+  std::string input;           ///< Scene or trajectory.
+  std::string output;          ///< Empty: named after the input.
+  std::optional<double> time;  ///< [s].
+  std::optional<int> frames;   ///< Pictures of a sequence or a film.
+  bool is_sheet = false;
+  std::string size;                     ///< "1280x720" [px], or empty.
+  std::string eye, target;              ///< "x,y,z" [m], or empty.
+  std::optional<double> field_of_view;  ///< [degrees].
+  std::string mp4;
+  std::vector<std::string> overrides;  ///< "key=value"; scenes only.
+};
+
+struct PlotOptions {
+  std::string input;
+  std::vector<std::string> keys;
+  std::string output;
+};
+
+using Command = std::variant<RunOptions, CheckOptions, MassOptions, DistanceOptions, MethodsOptions,
+                             RenderOptions, PlotOptions>;
 
 }  // namespace rigor

@@ -75,6 +75,13 @@ void print_audit(const RunOptions& options, const Audit& audit) {
   if (!options.is_quiet) fmt::print(stream, "{}", audit_text(audit, stream));
 }
 
+/// Plots in the terminal, for a user who sits before one.
+void print_course(const RunOptions& options, const RunCourse& course) {
+  if (options.is_quiet || !is_terminal(stderr)) return;
+  std::fflush(stdout);
+  fmt::print(stderr, "{}", course.text(terminal_width(stderr), !speaks_utf8()));
+}
+
 /// Says why a run is not what it should be, and tells the caller.
 ExitCode report_end(const RunResult& result, const RunRecorder& recorder, const Audit& audit) {
   if (!recorder.file_error().empty()) {
@@ -113,6 +120,7 @@ ExitCode execute(const RunOptions& options) {
                                           [&recorder] { return recorder.was_interrupted(); });
   const Audit audit = recorder.finish(result, start.warnings);
   print_audit(options, audit);
+  print_course(options, recorder.course());
   return report_end(result, recorder, audit);
 }
 

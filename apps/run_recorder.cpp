@@ -4,6 +4,7 @@
 #include "rigor/io/file_error.hpp"
 #include "rigor/io/fingerprint.hpp"
 #include "rigor/io/text_file.hpp"
+#include "rigor/view/picture_writer.hpp"
 
 #include <fmt/format.h>
 
@@ -19,11 +20,18 @@ constexpr std::uintmax_t most_scene_bytes = std::uintmax_t{32} << 20;
 TrajectoryHeader make_header(const RunOptions& options, const Scene& scene) {
   TrajectoryHeader header{.scene = scene.name,
                           .scene_text = read_text_file(options.scene, most_scene_bytes),
+                          .scene_file = std::filesystem::absolute(options.scene).string(),
                           .overrides = options.overrides,
                           .method = scene.method,
                           .run = scene.run};
   for (const Body& body : scene.model->bodies()) header.bodies.push_back(body.name);
   return header;
+}
+
+std::unique_ptr<TrajectoryWriter> make_output(const std::filesystem::path& path,
+                                              const TrajectoryHeader& header, const Scene& scene) {
+  if (path.extension() == ".png") return std::make_unique<PictureWriter>(path, scene);
+  return make_trajectory_writer(path, header);
 }
 
 }  // namespace
@@ -40,8 +48,7 @@ RunRecorder::RunRecorder(const RunOptions& options, const Scene& scene, double s
   if (!options.json.empty() && options.json != "-") json_ = std::make_unique<OutputFile>(options.json);
   if (!options.outputs.empty()) {
     const TrajectoryHeader header = make_header(options, scene);
-    for (const std::string& output : options.outputs)
-      writers_.push_back(make_trajectory_writer(output, header));
+    for (const std::string& output : options.outputs) writers_.push_back(make_output(output, header, scene));
   }
   if (options.checkpoint_every)
     checkpoint_count_ = static_cast<long>(std::floor(start_time / *options.checkpoint_every));
@@ -69,7 +76,8 @@ bool RunRecorder::observe(const State& state, const AdvanceReport& since, const 
 
 void RunRecorder::record(const State& state, const AdvanceReport& since, const Auditor& auditor) {
   if (!writers_.empty()) {
-    const TrajectorySample sample = make_sample(*scene_.model, state, auditor.energy());
+    TrajectorySample sample = make_sample(*scene_.model, state, auditor.energy());
+    sample.penetration = since.max_penetration;
     for (const auto& writer : writers_) writer->write(sample, since.events);
   }
   // What stopped the run would only stop it again.
@@ -91,6 +99,7 @@ void RunRecorder::show_progress(const State& state, const AdvanceReport& since, 
   progress_.impacts += since.impacts;
   progress_.resting += since.resting;
   progress_.energy_drift = auditor.max_increase();
+  course_.add(auditor.energy().total(), since.max_penetration);
   progress_line_.update(progress_);
 }
 

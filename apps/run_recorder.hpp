@@ -3,6 +3,7 @@
 #include "apps/interrupt.hpp"
 #include "apps/options.hpp"
 #include "apps/progress.hpp"
+#include "apps/run_course.hpp"
 #include "rigor/io/checkpoint.hpp"
 #include "rigor/io/output_file.hpp"
 #include "rigor/io/scene_reader.hpp"
@@ -30,6 +31,8 @@ class RunRecorder {
   /// Completes and closes all files; returns the books of the whole run.
   Audit finish(const RunResult& result, const std::vector<std::string>& warnings);
 
+  /// How energy and penetration went.
+  const RunCourse& course() const { return course_; }
   bool was_interrupted() const { return interrupt_.is_requested(); }
   /// What went wrong with a file, or empty.
   const std::string& file_error() const { return file_error_; }
@@ -48,6 +51,7 @@ class RunRecorder {
   InterruptWatch interrupt_;
   ProgressLine progress_line_;
   Progress progress_;
+  RunCourse course_;
   std::vector<std::unique_ptr<TrajectoryWriter>> writers_;
   std::unique_ptr<OutputFile> json_;
   long checkpoint_count_ = 0;  ///< Multiples of the interval that have passed.

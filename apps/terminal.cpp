@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
 #include <cstdlib>
 
 #include <sys/ioctl.h>
@@ -20,6 +21,19 @@ int terminal_width(std::FILE* stream) {
   constexpr int usual_width = 80;
   winsize size{};
   return ::ioctl(::fileno(stream), TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : usual_width;
+}
+
+bool speaks_utf8() {
+  for (const char* const variable : {"LC_ALL", "LC_CTYPE", "LANG"}) {
+    const char* const value = std::getenv(variable);
+    if (value == nullptr || *value == 0) continue;
+    std::string locale;
+    for (const char c : std::string_view(value)) {
+      if (c != '-') locale += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    return locale.find("utf8") != std::string::npos;
+  }
+  return false;
 }
 
 std::string toned(std::string_view text, Tone tone, std::FILE* stream) {

@@ -11,6 +11,9 @@ bool is_terminal(std::FILE* stream);
 /// Columns of the terminal, 80 if it does not say.
 int terminal_width(std::FILE* stream);
 
+/// Whether the locale of the environment (LC_ALL, LC_CTYPE or LANG) writes UTF-8.
+bool speaks_utf8();
+
 enum class Tone { plain, strong, good, bad, doubtful };
 /// The text in a colour if the stream is a terminal and NO_COLOR is not set, else as it is.
 ///

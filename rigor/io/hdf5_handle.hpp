@@ -43,6 +43,9 @@ class Hdf5Quiet {
   }
   Hdf5Quiet(const Hdf5Quiet&) = delete;
   Hdf5Quiet& operator=(const Hdf5Quiet&) = delete;
+  /// Also when this has gone: HDF5 cannot let go of a file with damaged parts, and would say so at the end of
+  /// the process.
+  void stay() { print_ = nullptr, client_ = nullptr; }
   ~Hdf5Quiet() { H5Eset_auto2(H5E_DEFAULT, print_, client_); }
 
  private:

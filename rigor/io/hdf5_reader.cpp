@@ -2,9 +2,17 @@
 
 #include "rigor/core/input_error.hpp"
 #include "rigor/core/quoted.hpp"
+#include "rigor/io/hdf5_cut_off.hpp"
 #include "rigor/io/hdf5_handle.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <initializer_list>
+#include <sstream>
+#include <utility>
 
 namespace rigor {
 
@@ -13,11 +21,33 @@ namespace {
 /// Reads the parts of one file; what is missing or of another form is an InputError.
 class Reader {
  public:
-  explicit Reader(const std::filesystem::path& path)
+  Reader(const std::filesystem::path& path, Hdf5Quiet& quiet)
       : name_(quoted_text(path.string())),
         file_(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose) {
-    if (!file_.is_open())
-      throw InputError("cannot read " + name_ + ": it is not an HDF5 file that can be opened");
+    if (file_.is_open()) return;
+    quiet.stay();
+    CutOffFile cut_off = open_cut_off_file(path);
+    if (cut_off.whole > cut_off.present)
+      lost_ = fmt::format("{} is cut off: it has {} of {} bytes", name_, cut_off.present, cut_off.whole);
+    present_ = cut_off.present;
+    file_ = std::move(cut_off.file);
+    if (file_.is_open()) return;
+    throw InputError(is_cut_off()
+                         ? fmt::format("cannot read {}, and its first parts are not whole", lost_)
+                         : fmt::format("cannot read {}: it is not an HDF5 file that can be opened", name_));
+  }
+
+  bool is_cut_off() const { return !lost_.empty(); }
+  /// "'run.h5' is cut off: it has 100 of 200 bytes".
+  const std::string& lost() const { return lost_; }
+
+  /// Rows that all the datasets hold: those of the first one, from which the others may not differ unless the
+  /// file is cut off.
+  std::size_t common_rows(std::initializer_list<const char*> names) const {
+    std::size_t rows = row_count(*names.begin());
+    if (!is_cut_off()) return rows;
+    for (const char* const name : names) rows = std::min(rows, row_count(name));
+    return rows;
   }
 
   std::string attribute(const char* name) const {
@@ -31,6 +61,9 @@ class Reader {
     return trimmed(text);
   }
 
+  bool has_attribute(const char* name) const { return H5Aexists(file_, name) > 0; }
+  bool has(const char* name) const { return H5Lexists(file_, name, H5P_DEFAULT) > 0; }
+
   std::vector<std::string> texts(const char* name) const {
     const Hdf5Handle dataset = open(name);
     const Hdf5Handle type(H5Dget_type(dataset), H5Tclose);
@@ -43,40 +76,52 @@ class Reader {
     return texts;
   }
 
-  /// All numbers of a dataset.
-  std::vector<double> numbers(const char* name) const { return values<double>(name, H5T_NATIVE_DOUBLE); }
-  /// The first numbers of a dataset: what comes behind belongs to rows that are not complete, because the
-  /// writer was killed.
-  std::vector<double> numbers(const char* name, std::size_t count) const {
-    return first(count, count > 0 ? numbers(name) : std::vector<double>{}, name);
+  /// The first rows of a dataset, of `width` numbers each: what comes behind belongs to rows that are not
+  /// complete, because the writer was killed or the file is cut off.
+  std::vector<double> numbers(const char* name, std::size_t rows, std::size_t width = 1) const {
+    return values<double>(name, H5T_NATIVE_DOUBLE, rows, width);
   }
-  std::vector<int> integers(const char* name, std::size_t count) const {
-    return first(count, values<int>(name, H5T_NATIVE_INT), name);
+  std::vector<int> integers(const char* name, std::size_t rows, std::size_t width) const {
+    return values<int>(name, H5T_NATIVE_INT, rows, width);
   }
   /// An enumeration's values as numbers.
-  std::vector<int> kinds(const char* name, std::size_t count) const {
+  std::vector<int> kinds(const char* name, std::size_t rows) const {
     const Hdf5Handle dataset = open(name);
     const Hdf5Handle type(H5Dget_type(dataset), H5Tclose);
     check(H5Tget_class(type) == H5T_ENUM && H5Tget_size(type) == 1, name);
-    std::vector<signed char> values(value_count(dataset));
-    check(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0, name);
-    return first(count, std::vector<int>(values.begin(), values.end()), name);
+    const std::vector<signed char> kinds = values<signed char>(name, type, rows, 1);
+    return {kinds.begin(), kinds.end()};
   }
 
  private:
   template <typename Value>
-  std::vector<Value> values(const char* name, hid_t type) const {
+  std::vector<Value> values(const char* name, hid_t type, std::size_t rows, std::size_t width) const {
+    if (rows * width == 0) return {};
     const Hdf5Handle dataset = open(name);
-    std::vector<Value> values(value_count(dataset));
-    check(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0, name);
+    const Hdf5Handle space(H5Dget_space(dataset), H5Sclose);
+    std::vector<hsize_t> shape(static_cast<std::size_t>(std::max(1, H5Sget_simple_extent_ndims(space))), 0);
+    check(H5Sget_simple_extent_dims(space, shape.data(), nullptr) >= 1 && shape[0] >= rows, name);
+    hsize_t row_size = 1;
+    for (std::size_t i = 1; i < shape.size(); ++i) row_size *= shape[i];
+    check(row_size == width, name);
+    shape[0] = rows;
+    const std::vector<hsize_t> start(shape.size(), 0);
+    H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, shape.data(), nullptr);
+    const Hdf5Handle memory(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
+                            H5Sclose);
+    std::vector<Value> values(rows * width);
+    check(H5Dread(dataset, type, memory, space, H5P_DEFAULT, values.data()) >= 0, name);
     return values;
   }
 
-  template <typename Value>
-  std::vector<Value> first(std::size_t count, std::vector<Value> values, const char* name) const {
-    check(values.size() >= count, name);
-    values.resize(count);
-    return values;
+  std::size_t row_count(const char* name) const {
+    const Hdf5Handle dataset = open(name);
+    if (is_cut_off()) return intact_rows(dataset, present_);
+    const Hdf5Handle space(H5Dget_space(dataset), H5Sclose);
+    check(H5Sget_simple_extent_ndims(space) >= 1, name);
+    std::vector<hsize_t> shape(static_cast<std::size_t>(H5Sget_simple_extent_ndims(space)));
+    check(H5Sget_simple_extent_dims(space, shape.data(), nullptr) >= 1, name);
+    return shape[0];
   }
 
   Hdf5Handle open(const char* name) const {
@@ -93,39 +138,63 @@ class Reader {
   static std::string trimmed(std::string text) { return text.erase(std::min(text.find('\0'), text.size())); }
 
   void check(bool is_good, const char* part) const {
-    if (!is_good)
-      throw InputError("cannot read " + name_ + ": '" + part + "' is missing or not as Rigor writes it");
+    if (is_good) return;
+    throw InputError(
+        is_cut_off() ? fmt::format("cannot read {}, and '{}' is not whole", lost_, part)
+                     : fmt::format("cannot read {}: '{}' is missing or not as Rigor writes it", name_, part));
   }
 
-  std::string name_;
+  std::string name_, lost_;
+  std::uint64_t present_ = 0;  ///< Bytes of a file that is cut off.
   Hdf5Handle file_;
 };
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
 
 }  // namespace
 
 StoredTrajectory read_hdf5_trajectory(const std::filesystem::path& path) {
-  const Hdf5Quiet quiet;
-  const Reader reader(path);
+  Hdf5Quiet quiet;
+  const Reader reader(path, quiet);
   StoredTrajectory stored;
   stored.rigor = reader.attribute("rigor");
   stored.scene = reader.attribute("scene");
   stored.scene_text = reader.texts("scene_text").at(0);
+  if (reader.has_attribute("scene_file")) stored.scene_file = reader.attribute("scene_file");
+  stored.overrides = lines_of(reader.attribute("overrides"));
   stored.bodies = reader.texts("bodies/names");
   const std::size_t n = stored.bodies.size();
-  stored.time = reader.numbers("time");
-  const std::size_t rows = stored.time.size();
-  stored.position = reader.numbers("position", 3 * n * rows);
-  stored.orientation = reader.numbers("orientation", 4 * n * rows);
-  stored.velocity = reader.numbers("velocity", 3 * n * rows);
-  stored.angular_velocity = reader.numbers("angular_velocity", 3 * n * rows);
-  stored.energy = reader.numbers("energy", 3 * rows);
+  const std::size_t rows =
+      n > 0
+          ? reader.common_rows({"time", "position", "orientation", "velocity", "angular_velocity", "energy"})
+          : reader.common_rows({"time", "energy"});
+  stored.time = reader.numbers("time", rows);
+  stored.position = reader.numbers("position", rows, 3 * n);
+  stored.orientation = reader.numbers("orientation", rows, 4 * n);
+  stored.velocity = reader.numbers("velocity", rows, 3 * n);
+  stored.angular_velocity = reader.numbers("angular_velocity", rows, 3 * n);
+  stored.energy = reader.numbers("energy", rows, 3);
+  if (reader.has("penetration")) {
+    stored.penetration = reader.numbers("penetration", std::min(rows, reader.common_rows({"penetration"})));
+    stored.penetration.resize(rows, std::nan(""));
+  }
 
-  stored.event_time = reader.numbers("events/time");
-  const std::size_t events = stored.event_time.size();
+  const std::size_t events =
+      reader.common_rows({"events/time", "events/kind", "events/bodies", "events/point", "events/impulse"});
+  stored.event_time = reader.numbers("events/time", events);
   stored.event_kind = reader.kinds("events/kind", events);
-  stored.event_bodies = reader.integers("events/bodies", 2 * events);
-  stored.event_point = reader.numbers("events/point", 3 * events);
-  stored.event_impulse = reader.numbers("events/impulse", 3 * events);
+  stored.event_bodies = reader.integers("events/bodies", events, 2);
+  stored.event_point = reader.numbers("events/point", events, 3);
+  stored.event_impulse = reader.numbers("events/impulse", events, 3);
+  if (!reader.is_cut_off()) return stored;
+  if (rows == 0) throw InputError(fmt::format("cannot read {}, and no output time is whole", reader.lost()));
+  stored.cut_off = fmt::format("{}: the first {} output times are left, to t = {:g} s", reader.lost(), rows,
+                               stored.time.back());
   return stored;
 }
 

@@ -9,23 +9,29 @@ namespace rigor {
 /// A trajectory read back from an HDF5 file: T output times of n bodies, N events; arrays by rows.
 struct StoredTrajectory {
   std::string rigor, scene,
-      scene_text;                   ///< Version of the program that wrote it, name and text of the scene.
-  std::vector<std::string> bodies;  ///< n names.
-  std::vector<double> time;         ///< T [s].
-  std::vector<double> position;     ///< T × n × 3 [m].
-  std::vector<double> orientation;  ///< T × n × 4, w x y z.
-  std::vector<double> velocity;     ///< T × n × 3 [m/s].
+      scene_text;                      ///< Version of the program that wrote it, name and text of the scene.
+  std::string scene_file;              ///< Where the scene was; empty in files of Rigor 0.1.0.
+  std::vector<std::string> overrides;  ///< "key=value", as of --set.
+  std::vector<std::string> bodies;     ///< n names.
+  std::vector<double> time;            ///< T [s].
+  std::vector<double> position;        ///< T × n × 3 [m].
+  std::vector<double> orientation;     ///< T × n × 4, w x y z.
+  std::vector<double> velocity;        ///< T × n × 3 [m/s].
   std::vector<double> angular_velocity;  ///< T × n × 3 [rad/s].
   std::vector<double> energy;            ///< T × 3: kinetic, potential, elastic [J].
+  std::vector<double> penetration;       ///< T [m]: deepest overlap since the row before; empty as above.
   std::vector<double> event_time;        ///< N [s].
   std::vector<int> event_kind;           ///< N, values of MotionEvent::Kind.
   std::vector<int> event_bodies;         ///< N × 2.
   std::vector<double> event_point;       ///< N × 3 [m].
   std::vector<double> event_impulse;     ///< N × 3 [N s].
+  /// Empty, or what is left of a file that lost its end: "'run.h5' is cut off: ...".
+  std::string cut_off;
 };
 
 /// Reads a file that Hdf5Writer wrote, or writes, or was killed while writing: the T output times that the
-/// file holds in full. Throws InputError if it is no such file.
+/// file holds in full. So too of a file that lost its end. Throws InputError if it is no such file, or lost
+/// all output times.
 StoredTrajectory read_hdf5_trajectory(const std::filesystem::path& path);
 
 }  // namespace rigor

@@ -70,6 +70,7 @@ Hdf5Handle event_kind_type() {
 void write_header(hid_t file, const TrajectoryHeader& header) {
   write_attribute(file, "rigor", version);
   write_attribute(file, "scene", header.scene);
+  write_attribute(file, "scene_file", header.scene_file);
   std::string overrides;
   for (const std::string& line : header.overrides) overrides.append(line).append("\n");
   write_attribute(file, "overrides", overrides);
@@ -100,6 +101,10 @@ void describe(const Hdf5Series<Value>& series, const char* unit, const char* col
 Hdf5Handle create_file(const std::filesystem::path& path, const Hdf5FileDriver& driver) {
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST);
+  // A killed process can leave a write half done where it crosses a page of memory: what HDF5 rewrites while
+  // datasets grow (headers of some hundred bytes) is kept from crossing one.
+  constexpr hsize_t smallest_header = 64, block = 1024;
+  H5Pset_alignment(access, smallest_header, block);
   if (!driver.set_in(access)) return {};
   return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose};
 }
@@ -122,7 +127,7 @@ struct Hdf5Writer::File {
   hsize_t body_count;
   // A model without bodies has no motion to store.
   std::optional<Hdf5Series<double>> position, orientation, velocity, angular_velocity;
-  std::optional<Hdf5Series<double>> energy, time;
+  std::optional<Hdf5Series<double>> energy, penetration, time;
   std::optional<Hdf5Series<double>> event_time, event_point, event_impulse;
   std::optional<Hdf5Series<signed char>> event_kind;
   std::optional<Hdf5Series<int>> event_bodies;
@@ -151,6 +156,7 @@ void Hdf5Writer::File::create_series() {
     describe(angular_velocity.emplace(file, "angular_velocity", vectors, real), "rad/s", "x y z");
   }
   describe(energy.emplace(file, "energy", std::vector<hsize_t>{3}, real), "J", "kinetic potential elastic");
+  describe(penetration.emplace(file, "penetration", std::vector<hsize_t>{}, real), "m", "penetration");
   events = Hdf5Handle(H5Gcreate2(file, "events", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
   describe(event_time.emplace(events, "time", std::vector<hsize_t>{}, real), "s", "time");
   event_kind.emplace(events, "kind", std::vector<hsize_t>{}, event_kind_type());
@@ -173,7 +179,7 @@ bool Hdf5Writer::File::write_pending() {
   const auto write_one = [&](auto& series) { is_good = is_good && (!series || series->write_pending()); };
   const auto flush_file = [&] { is_good = is_good && H5Fflush(file, H5F_SCOPE_LOCAL) >= 0; };
   write_one(position), write_one(orientation), write_one(velocity), write_one(angular_velocity),
-      write_one(energy);
+      write_one(energy), write_one(penetration);
   write_one(event_kind), write_one(event_bodies), write_one(event_point), write_one(event_impulse);
   flush_file();
   write_one(event_time);
@@ -199,8 +205,8 @@ void Hdf5Writer::File::append(const MotionEvent& event) {
 
 bool Hdf5Writer::File::close() {
   for (std::optional<Hdf5Series<double>>* series :
-       {&position, &orientation, &velocity, &angular_velocity, &energy, &time, &event_time, &event_point,
-        &event_impulse}) {
+       {&position, &orientation, &velocity, &angular_velocity, &energy, &penetration, &time, &event_time,
+        &event_point, &event_impulse}) {
     series->reset();
   }
   event_kind.reset();
@@ -229,6 +235,7 @@ void Hdf5Writer::write(const TrajectorySample& sample, std::span<const MotionEve
   }
   const double energies[] = {sample.energy.kinetic, sample.energy.potential, sample.energy.elastic};
   file.energy->append(energies, 3);
+  file.penetration->append(sample.penetration);
   file.time->append(sample.time);
   if (file.flush_timer.is_due() || file.pending_bytes() > most_pending_bytes) flush();
 }

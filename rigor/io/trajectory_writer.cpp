@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -61,11 +62,15 @@ TrajectorySample make_sample(const Model& model, const State& state, const Energ
   return sample;
 }
 
-std::string check_output_suffix(const std::filesystem::path& path) {
-  if (find_format(path)) return {};
+std::string check_output_suffix(const std::filesystem::path& path,
+                                std::span<const std::string_view> written_elsewhere) {
+  const std::string suffix = path.extension().string(), name = quoted_text(path.string());
+  const bool is_elsewhere =
+      std::find(written_elsewhere.begin(), written_elsewhere.end(), suffix) != written_elsewhere.end();
+  if (find_format(path) || is_elsewhere) return {};
   std::string available;
   for (const Format& format : formats) available += fmt::format(" {}", format.suffix);
-  const std::string suffix = path.extension().string(), name = quoted_text(path.string());
+  for (const std::string_view other : written_elsewhere) available += fmt::format(" {}", other);
   if (suffix.empty()) return fmt::format("output {}: the name has no suffix; available:{}", name, available);
   return fmt::format("output {}: {} is not available in this version; available:{}", name, suffix, available);
 }

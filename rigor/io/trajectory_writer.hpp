@@ -7,6 +7,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rigor {
@@ -15,6 +16,7 @@ namespace rigor {
 struct TrajectoryHeader {
   std::string scene;                   ///< Name.
   std::string scene_text;              ///< The scene file as it was read.
+  std::string scene_file;              ///< Its full path: mesh files are looked for beside it.
   std::vector<std::string> overrides;  ///< "key=value", as of --set.
   Method method;
   RunSettings run;
@@ -29,6 +31,7 @@ struct TrajectorySample {
   std::vector<double> velocity;          ///< 3n: of the centres of mass [m/s].
   std::vector<double> angular_velocity;  ///< 3n: in W [rad/s].
   Energy energy;                         ///< [J].
+  double penetration = 0;                ///< Deepest overlap since the last output time [m].
 };
 TrajectorySample make_sample(const Model& model, const State& state, const Energy& energy);
 
@@ -43,9 +46,11 @@ class TrajectoryWriter {
   virtual void close(const Audit& audit) = 0;
 };
 
-/// Empty if a trajectory can be written to a file with this suffix (.csv, .h5, .json), or why not: "run.mp4:
-/// .mp4 is not available in this version; available: .csv .h5 .json".
-std::string check_output_suffix(const std::filesystem::path& path);
+/// Empty if a trajectory can be written to a file with this suffix (.csv, .h5, .json, or one of those that
+/// other layers write), or why not: "run.mp4: .mp4 is not available in this version; available: .csv .h5
+/// .json .png".
+std::string check_output_suffix(const std::filesystem::path& path,
+                                std::span<const std::string_view> written_elsewhere = {});
 
 /// The writer that the suffix asks for; the suffix is one of those. Creates the file.
 std::unique_ptr<TrajectoryWriter> make_trajectory_writer(const std::filesystem::path& path,

@@ -9,6 +9,7 @@
 
 #include <csignal>
 #include <fstream>
+#include <iterator>
 #include <random>
 
 #include <sys/resource.h>
@@ -161,6 +162,78 @@ TEST(Hdf5Writer, APlaceThatCannotBeWrittenIsAFileError) {
   const TemporaryFolder folder;
   EXPECT_THROW(Hdf5Writer(folder / "missing/run.h5", sample_header({"a"})), FileError);
   EXPECT_THROW(Hdf5Writer(folder.path(), sample_header({"a"})), FileError);
+}
+
+std::string bytes_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// Reads all beginnings of the file whose lengths are in steps; returns in how many of them there were rows,
+/// and sees that what is read is what was written and that the rest says why not.
+int readable_beginnings(const std::filesystem::path& file, std::uintmax_t step, std::size_t body_count) {
+  const std::filesystem::path cut = file.string() + ".cut";
+  const std::string whole = bytes_of(file);
+  int readable = 0;
+  std::size_t most = 0;
+  for (std::uintmax_t bytes = 0; bytes < whole.size(); bytes += step) {
+    std::ofstream(cut, std::ios::binary).write(whole.data(), static_cast<std::streamsize>(bytes));
+    try {
+      const StoredTrajectory stored = read_hdf5_trajectory(cut);
+      ++readable;
+      EXPECT_NE(stored.cut_off.find("is cut off: it has " + std::to_string(bytes)), std::string::npos);
+      EXPECT_GE(stored.time.size(), most) << "fewer rows of more bytes";
+      EXPECT_EQ(stored.position.size(), 3 * body_count * stored.time.size());
+      most = stored.time.size();
+      expect_rows(stored, body_count);
+    } catch (const InputError& error) {
+      EXPECT_EQ(std::string(error.what()).rfind("cannot read '", 0), 0u) << error.what();
+      EXPECT_EQ(readable, 0) << error.what();
+    }
+  }
+  EXPECT_GT(most, 0u);
+  return readable;
+}
+
+TEST(Hdf5Reader, EveryBeginningOfAFileGivesItsWholeRowsOrSaysWhyNot) {
+  const TemporaryFolder folder;
+  Hdf5Writer writer(folder / "run.h5", sample_header({"a", "b"}));
+  for (int k = 0; k < 600; ++k) {
+    write_row(k, 2, writer);
+    if (k % 50 == 0) writer.flush();
+  }
+  writer.close({});
+  const std::uintmax_t size = std::filesystem::file_size(folder / "run.h5");
+  // All lengths would take long: steps without a common factor with any alignment.
+  EXPECT_GT(readable_beginnings(folder / "run.h5", 1597, 2), static_cast<int>(size / 1597 / 4));
+}
+
+TEST(Hdf5Reader, EveryBeginningOfAnUnclosedFileTooGivesItsWholeRowsOrSaysWhyNot) {
+  const TemporaryFolder folder;
+  Hdf5Writer writer(folder / "run.h5", sample_header({"a"}));
+  for (int k = 0; k < 200; ++k) write_row(k, 1, writer);
+  writer.flush();
+  std::filesystem::copy_file(folder / "run.h5", folder / "copy.h5");
+  const std::uintmax_t size = std::filesystem::file_size(folder / "copy.h5");
+  EXPECT_GT(readable_beginnings(folder / "copy.h5", size / 60 + 1, 1), 0);
+}
+
+TEST(Hdf5Reader, AFileWithoutItsFirstPartsSaysHowMuchIsMissing) {
+  const TemporaryFolder folder;
+  Hdf5Writer writer(folder / "run.h5", sample_header({"a"}));
+  write_row(0, 1, writer);
+  writer.close({});
+  const std::string whole = bytes_of(folder / "run.h5");
+  std::ofstream(folder / "cut.h5", std::ios::binary).write(whole.data(), 60);
+  try {
+    read_hdf5_trajectory(folder / "cut.h5");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(
+        std::string(error.what()).find("is cut off: it has 60 of " + std::to_string(whole.size()) + " bytes"),
+        std::string::npos)
+        << error.what();
+  }
 }
 
 TEST(Hdf5Reader, RefusesWhatIsNoTrajectory) {

@@ -1,0 +1,49 @@
+#include "apps/commands.hpp"
+#include "apps/terminal.hpp"
+#include "apps/usage_error.hpp"
+#include "rigor/core/quoted.hpp"
+#include "rigor/core/suggestion.hpp"
+#include "rigor/io/output_file.hpp"
+#include "rigor/view/plot.hpp"
+#include "rigor/view/png_file.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+namespace rigor {
+
+namespace {
+
+PlotSeries wanted_series(const Recording& recording, const std::string& key) {
+  if (std::optional<PlotSeries> series = find_series(recording, key)) return *std::move(series);
+  if (const std::optional<std::string> body = body_of_key(key)) {
+    throw UsageError(fmt::format("the run has no body {}{}", quoted_text(*body),
+                                 suggestion(*body, recording.motion.bodies)));
+  }
+  throw UsageError(fmt::format("unknown key {}{}", quoted_text(key), suggestion(key, plot_keys(recording))));
+}
+
+}  // namespace
+
+ExitCode execute(const PlotOptions& options) {
+  constexpr double pixels_a_unit = 2;
+  const std::string suffix = std::filesystem::path(options.output).extension().string();
+  if (suffix != ".svg" && suffix != ".png") {
+    throw UsageError(
+        fmt::format("output {}: its name must end in .svg or .png", quoted_text(options.output)));
+  }
+  const Recording recording = read_recording(options.input);
+  if (!recording.motion.cut_off.empty()) print_warning(recording.motion.cut_off);
+  std::vector<PlotSeries> series;
+  for (const std::string& key : options.keys) series.push_back(wanted_series(recording, key));
+  const Drawing plot = make_plot(recording.motion.time, series);
+  if (suffix == ".svg") {
+    write_atomically(options.output, svg_text(plot));
+  } else {
+    write_png(options.output, rasterised(plot, pixels_a_unit));
+  }
+  return exit_done;
+}
+
+}  // namespace rigor

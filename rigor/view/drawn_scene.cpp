@@ -1,0 +1,71 @@
+#include "rigor/view/drawn_scene.hpp"
+
+#include <array>
+#include <map>
+#include <utility>
+
+namespace rigor {
+
+namespace {
+
+/// Numbers that tell the surfaces of one type of shape apart.
+using Numbers = std::array<double, 3>;
+struct NumbersOf {
+  Numbers operator()(const Box& s) const {
+    return {s.half_extents.x(), s.half_extents.y(), s.half_extents.z()};
+  }
+  Numbers operator()(const Ellipsoid& s) const { return {s.radii.x(), s.radii.y(), s.radii.z()}; }
+  Numbers operator()(const Capsule& s) const { return {s.radius, s.half_length}; }
+  Numbers operator()(const Cylinder& s) const { return {s.radius, s.half_length}; }
+  Numbers operator()(const Cone& s) const { return {s.radius, s.half_length}; }
+};
+
+class SurfaceShelf {
+ public:
+  std::shared_ptr<const Surface> surface(const Shape& shape) {
+    return std::visit([&](const auto& s) { return surface_of(s, shape); }, shape);
+  }
+
+ private:
+  std::shared_ptr<const Surface> surface_of(const Sphere&, const Shape&) { return nullptr; }
+  std::shared_ptr<const Surface> surface_of(const HalfSpace&, const Shape&) { return nullptr; }
+  std::shared_ptr<const Surface> surface_of(const Convex& s, const Shape& shape) {
+    return shared(by_data_[s.hull.get()], shape);
+  }
+  std::shared_ptr<const Surface> surface_of(const Mesh& s, const Shape& shape) {
+    return shared(by_data_[s.mesh.get()], shape);
+  }
+  template <typename S>
+  std::shared_ptr<const Surface> surface_of(const S& s, const Shape& shape) {
+    return shared(by_numbers_[{shape.index(), NumbersOf{}(s)}], shape);
+  }
+
+  static std::shared_ptr<const Surface> shared(std::shared_ptr<const Surface>& kept, const Shape& shape) {
+    if (!kept) kept = std::make_shared<const Surface>(make_surface(shape));
+    return kept;
+  }
+
+  std::map<std::pair<std::size_t, Numbers>, std::shared_ptr<const Surface>> by_numbers_;
+  std::map<const void*, std::shared_ptr<const Surface>> by_data_;  ///< Looked up only, never walked through.
+};
+
+}  // namespace
+
+DrawnScene make_drawn_scene(const Model& model) {
+  DrawnScene scene;
+  scene.body_count = model.body_count();
+  if (model.g_W().norm() > 0) scene.up = -model.g_W().normalized();
+  SurfaceShelf shelf;
+  for (int i = 0; i < model.body_count(); ++i) {
+    const Body& body = model.body(i);
+    const Pose X_LB = body.X_BL.inverse();
+    for (const BodyShape& shape : body.shapes) {
+      scene.shapes.push_back({i, body.motion != MotionType::fixed, shape.shape, X_LB * shape.X_BS,
+                              shelf.surface(shape.shape), axis_aligned_box(shape.shape, Pose{}), shape.radius,
+                              shape_color(body, shape, i)});
+    }
+  }
+  return scene;
+}
+
+}  // namespace rigor

@@ -1,0 +1,113 @@
+#include "rigor/view/shadow_map.hpp"
+
+#include "rigor/math/rotation.hpp"
+
+namespace rigor {
+
+void ShadowMap::draw(std::span<const PlacedShape> shapes, const Vec3& sun_W, const Region& region, int size) {
+  size_ = size;
+  texel_ = 2 * region.radius / size;
+  // A grid point is (x, y) / texel; the corner of the map and the plane farthest from the sun are at zero.
+  const Mat3 R_WJ = camera_axes(-sun_W, frame_with_z(sun_W).col(0));
+  X_JW_ = Pose{R_WJ.transpose(), Vec3::Constant(region.radius) - R_WJ.transpose() * region.center};
+  grid_.clear(size, size);
+  for (const PlacedShape& placed : shapes) {
+    if (std::holds_alternative<HalfSpace>(placed.shape->shape)) continue;
+    const Vec3 center = X_JW_ * placed.X_WS.p;
+    if ((center.array() < -placed.shape->radius).any() ||
+        (center.array() > 2 * region.radius + placed.shape->radius).any()) {
+      continue;
+    }
+    if (const Sphere* const sphere = std::get_if<Sphere>(&placed.shape->shape)) {
+      draw_ball(placed, sphere->radius);
+    } else {
+      draw_surface(placed);
+    }
+  }
+  find_bounds();
+}
+
+void ShadowMap::find_bounds() {
+  squares_ = (size_ + square - 1) / square;
+  bounds_.clear();
+  for (int j = 0; j < squares_; ++j) {
+    for (int i = 0; i < squares_; ++i) {
+      const int left = i * square, right = std::min(left + square + block - 1, size_);
+      const int top = j * square, bottom = std::min(top + square + block - 1, size_);
+      Bounds bounds{grid_.nearness(top)[left], grid_.nearness(top)[left]};
+      for (int y = top; y < bottom; ++y) {
+        const float* const row = grid_.nearness(y);
+        for (int x = left; x < right; ++x) {
+          bounds.lowest = row[x] < bounds.lowest ? row[x] : bounds.lowest;
+          bounds.highest = row[x] > bounds.highest ? row[x] : bounds.highest;
+        }
+      }
+      bounds_.push_back(bounds);
+    }
+  }
+}
+
+void ShadowMap::draw_ball(const PlacedShape& placed, double radius) {
+  const Vec3 p = X_JW_ * placed.X_WS.p;
+  grid_.fill(SampleGrid::ParallelBall{p.x() / texel_, p.y() / texel_, radius / texel_, size_ * texel_ - p.z(),
+                                      radius},
+             1);
+}
+
+void ShadowMap::draw_surface(const PlacedShape& placed) {
+  const Surface& surface = *placed.shape->surface;
+  const Pose X_JS = X_JW_ * placed.X_WS;
+  points_.clear();
+  for (const Vec3& vertex : surface.vertices) points_.push_back(X_JS * vertex);
+  const double far = size_ * texel_;
+  for (const Surface::Face& face : surface.faces) {
+    const Vec3 normal = X_JS.R * face.normal;
+    if (normal.z() >= 0) continue;
+    corners_.clear();
+    for (int i = 0; i < face.count; ++i) {
+      const Vec3& p =
+          points_[static_cast<std::size_t>(surface.corners[static_cast<std::size_t>(face.begin + i)])];
+      corners_.push_back({p.x() / texel_, p.y() / texel_});
+    }
+    // n·p = d, solved for the depth z; nearness is far - z.
+    const Vec3& p = points_[static_cast<std::size_t>(surface.corners[static_cast<std::size_t>(face.begin)])];
+    const double d = normal.dot(p);
+    grid_.fill(Outline(corners_),
+               NearnessPlane{far - d / normal.z(), texel_ * normal.x() / normal.z(),
+                             texel_ * normal.y() / normal.z()},
+               1);
+  }
+}
+
+void ShadowMap::set_camera(const Pose& X_KW) {
+  const Pose X_JK = X_JW_ * X_KW.inverse();
+  // To texels along x and y; to nearness along z.
+  const Vec3 scale(1 / texel_, 1 / texel_, -1);
+  R_JK_ = (scale.asDiagonal() * X_JK.R).cast<float>();
+  p_JK_ = (scale.cwiseProduct(X_JK.p) + Vec3(0, 0, size_ * texel_)).cast<float>();
+}
+
+float ShadowMap::light(const Eigen::Vector3f& p_K, const Eigen::Vector3f& normal_K) const {
+  // Looked up a little above the surface, so that it does not shade itself where the map is coarse.
+  constexpr float lift = 1.5F;
+  const float texel = static_cast<float>(texel_);
+  const Eigen::Vector3f p = R_JK_ * (p_K + lift * texel * normal_K) + p_JK_;
+  const float x = p.x() - 2, y = p.y() - 2;
+  if (!(x >= 0 && y >= 0 && x < static_cast<float>(size_ - 4) && y < static_cast<float>(size_ - 4))) return 1;
+  const int column = static_cast<int>(x), row = static_cast<int>(y);
+  const float fx = x - static_cast<float>(column), fy = y - static_cast<float>(row);
+  // Behind the region the map knows of nothing that is farther than its empty texels.
+  const float nearness = std::max(p.z() + texel, 0.0F);
+  const Bounds& bounds = bounds_[static_cast<std::size_t>(row / square * squares_ + column / square)];
+  if (bounds.highest <= nearness) return 1;
+  if (bounds.lowest > nearness) return 0;
+  const float weights_x[4] = {1 - fx, 1, 1, fx}, weights_y[4] = {1 - fy, 1, 1, fy};
+  float sums[4] = {};
+  for (int j = 0; j < 4; ++j) {
+    const float* const map = grid_.nearness(row + j) + column;
+    for (int i = 0; i < 4; ++i) sums[i] += map[i] <= nearness ? weights_y[j] * weights_x[i] : 0.0F;
+  }
+  return (sums[0] + sums[1] + sums[2] + sums[3]) / 9;
+}
+
+}  // namespace rigor

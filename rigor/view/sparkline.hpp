@@ -1,0 +1,13 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+namespace rigor {
+
+/// The course of a quantity as one line of `width` characters: each stands for the mean of its share of the
+/// values, at one of eight heights from the lowest to the highest value (a constant is drawn in the middle).
+/// A space where no value is finite. Blocks ▁▂▃▄▅▆▇█, or with is_ascii the characters _.,-~=*#.
+std::string sparkline(std::span<const double> values, int width, bool is_ascii);
+
+}  // namespace rigor
