@@ -7,12 +7,16 @@ RIGOR := $(BUILD)/rigor
 .PHONY: run test build check bench setup configure clean help
 
 run: build
-	@$(RIGOR) run scenes/turntable.yaml
+	@mkdir -p out
+	@$(RIGOR) run scenes/turntable.yaml -o out/turntable.png
 	@echo
-	@$(RIGOR) run scenes/cradle.yaml
+	@$(RIGOR) run scenes/cradle.yaml -o out/cradle.png
+	@echo
+	@echo "Pictures of both: out/turntable.png, out/cradle.png"
 	@echo
 	@echo "What next:"
-	@echo "  $(RIGOR) run scenes/bouncing_ball.yaml -o ball.csv       any scene in scenes/; output as .csv, .h5 or .json"
+	@echo "  $(RIGOR) run scenes/bouncing_ball.yaml -o ball.csv       any scene in scenes/; output as .csv, .h5, .json or .png"
+	@echo "  $(RIGOR) render scenes/dominoes.yaml -o dominoes.png      pictures of any scene or trajectory"
 	@echo "  $(RIGOR) run scenes/cradle.yaml --set materials.steel.restitution=0.5"
 	@echo "  $(RIGOR) check scenes/*.yaml                             validate scenes only"
 	@echo "  $(RIGOR) methods                                         every method by name, with its source"
@@ -40,14 +44,15 @@ bench:
 	@cmake --preset bench >/dev/null
 	@cmake --build --preset bench -j $(JOBS)
 	@build/bench/benchmarks/rigor_bench
+	@build/bench/benchmarks/rigor_render_bench
 
 clean:
 	rm -rf build
 
 help:
-	@echo "make run     build, then run two scenes and show their audits"
+	@echo "make run     build, then run two scenes, show their audits and write pictures to out/"
 	@echo "make test    build, then all tests"
 	@echo "make build   build only (Release, in $(BUILD))"
 	@echo "make check   formatting, clang++ beside g++ with warnings as errors, the tests under ASan and UBSan"
-	@echo "make bench   error and CPU time of the reference scenes, beside the peer engines that are installed"
+	@echo "make bench   error and CPU time of the reference scenes and of pictures, beside the peer engines that are installed"
 	@echo "make clean   remove build/"

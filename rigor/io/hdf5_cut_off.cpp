@@ -1,8 +1,6 @@
 #include "rigor/io/hdf5_cut_off.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstring>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -47,15 +45,17 @@ Hdf5Handle open_in_memory(std::string& bytes) {
   return {H5Fopen("cut-off file", H5F_ACC_RDONLY, access), H5Fclose};
 }
 
-/// Whether the chunk that begins with the row is where it should be.
-bool is_present(hid_t dataset, hsize_t row, std::size_t rank, std::uint64_t present) {
-  std::vector<hsize_t> place(rank, 0);
+/// Rows of the chunk that begins with the row which are where they should be. Chunks are not compressed: a
+/// row is a part of its bytes.
+hsize_t present_rows(hid_t dataset, hsize_t row, const std::vector<hsize_t>& chunk, std::uint64_t present) {
+  std::vector<hsize_t> place(chunk.size(), 0);
   place[0] = row;
   unsigned filters = 0;
   haddr_t address = HADDR_UNDEF;
   hsize_t size = 0;
-  if (H5Dget_chunk_info_by_coord(dataset, place.data(), &filters, &address, &size) < 0) return false;
-  return address != HADDR_UNDEF && address + size <= present;
+  if (H5Dget_chunk_info_by_coord(dataset, place.data(), &filters, &address, &size) < 0) return 0;
+  if (address == HADDR_UNDEF || address >= present || size < chunk[0]) return 0;
+  return std::min<hsize_t>(chunk[0], (present - address) / (size / chunk[0]));
 }
 
 }  // namespace
@@ -81,7 +81,8 @@ std::uint64_t intact_rows(hid_t dataset, std::uint64_t present) {
   if (H5Sget_simple_extent_dims(space, shape.data(), nullptr) < 0) return 0;
   if (H5Pget_chunk(creation, rank, chunk.data()) < 0 || chunk[0] == 0) return 0;
   hsize_t rows = 0;
-  while (rows < shape[0] && is_present(dataset, rows, dimensions, present)) rows += chunk[0];
+  for (hsize_t found = chunk[0]; rows < shape[0] && found == chunk[0]; rows += found)
+    found = present_rows(dataset, rows, chunk, present);
   return std::min<hsize_t>(rows, shape[0]);
 }
 

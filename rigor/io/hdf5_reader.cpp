@@ -28,17 +28,18 @@ class Reader {
     quiet.stay();
     CutOffFile cut_off = open_cut_off_file(path);
     if (cut_off.whole > cut_off.present)
-      lost_ = fmt::format("{} is cut off: it has {} of {} bytes", name_, cut_off.present, cut_off.whole);
+      lost_ = fmt::format("it is cut off, {} of {} bytes are left", cut_off.present, cut_off.whole);
     present_ = cut_off.present;
     file_ = std::move(cut_off.file);
     if (file_.is_open()) return;
-    throw InputError(is_cut_off()
-                         ? fmt::format("cannot read {}, and its first parts are not whole", lost_)
-                         : fmt::format("cannot read {}: it is not an HDF5 file that can be opened", name_));
+    throw InputError(fmt::format(
+        "cannot read {}: {}", name_,
+        is_cut_off() ? lost_ + ", not even its first parts" : "it is not an HDF5 file that can be opened"));
   }
 
+  const std::string& name() const { return name_; }
   bool is_cut_off() const { return !lost_.empty(); }
-  /// "'run.h5' is cut off: it has 100 of 200 bytes".
+  /// "it is cut off, 100 of 200 bytes are left".
   const std::string& lost() const { return lost_; }
 
   /// Rows that all the datasets hold: those of the first one, from which the others may not differ unless the
@@ -140,7 +141,7 @@ class Reader {
   void check(bool is_good, const char* part) const {
     if (is_good) return;
     throw InputError(
-        is_cut_off() ? fmt::format("cannot read {}, and '{}' is not whole", lost_, part)
+        is_cut_off() ? fmt::format("cannot read {}: {}, and '{}' is not whole", name_, lost_, part)
                      : fmt::format("cannot read {}: '{}' is missing or not as Rigor writes it", name_, part));
   }
 
@@ -192,9 +193,11 @@ StoredTrajectory read_hdf5_trajectory(const std::filesystem::path& path) {
   stored.event_point = reader.numbers("events/point", events, 3);
   stored.event_impulse = reader.numbers("events/impulse", events, 3);
   if (!reader.is_cut_off()) return stored;
-  if (rows == 0) throw InputError(fmt::format("cannot read {}, and no output time is whole", reader.lost()));
-  stored.cut_off = fmt::format("{}: the first {} output times are left, to t = {:g} s", reader.lost(), rows,
-                               stored.time.back());
+  if (rows == 0)
+    throw InputError(
+        fmt::format("cannot read {}: {}, and no output time is whole", reader.name(), reader.lost()));
+  stored.cut_off = fmt::format("{}: {}, with the first {} output times, to t = {:g} s", reader.name(),
+                               reader.lost(), rows, stored.time.back());
   return stored;
 }
 

@@ -25,7 +25,7 @@ struct StoredTrajectory {
   std::vector<int> event_bodies;         ///< N × 2.
   std::vector<double> event_point;       ///< N × 3 [m].
   std::vector<double> event_impulse;     ///< N × 3 [N s].
-  /// Empty, or what is left of a file that lost its end: "'run.h5' is cut off: ...".
+  /// Empty, or what is left of a file that lost its end: "'run.h5': it is cut off, ...".
   std::string cut_off;
 };
 

@@ -49,6 +49,23 @@ class SurfaceShelf {
   std::map<const void*, std::shared_ptr<const Surface>> by_data_;  ///< Looked up only, never walked through.
 };
 
+/// The solid box with these principal moments: I_x = m (b² + c²) / 12 of the sides a, b, c and so on, so that
+/// a² = 6 (I_y + I_z - I_x) / m. A side of no length is drawn as a hundredth of the longest.
+BodyShape inertia_box(const Body& body) {
+  const Vec3& I = body.moments;
+  const Vec3 squares = 6 / body.mass * (Vec3::Constant(I.sum()) - 2 * I);
+  Vec3 half = 0.5 * squares.cwiseMax(0).cwiseSqrt();
+  half = half.cwiseMax(0.01 * half.maxCoeff());
+  return {Box{half}, Pose{}, 0, half.norm(), ""};
+}
+
+/// What is drawn of a body.
+std::vector<BodyShape> drawn_shapes(const Body& body) {
+  if (!body.shapes.empty() || body.motion != MotionType::dynamic || !(body.moments.maxCoeff() > 0))
+    return body.shapes;
+  return {inertia_box(body)};
+}
+
 }  // namespace
 
 DrawnScene make_drawn_scene(const Model& model) {
@@ -59,7 +76,7 @@ DrawnScene make_drawn_scene(const Model& model) {
   for (int i = 0; i < model.body_count(); ++i) {
     const Body& body = model.body(i);
     const Pose X_LB = body.X_BL.inverse();
-    for (const BodyShape& shape : body.shapes) {
+    for (const BodyShape& shape : drawn_shapes(body)) {
       scene.shapes.push_back({i, body.motion != MotionType::fixed, shape.shape, X_LB * shape.X_BS,
                               shelf.surface(shape.shape), axis_aligned_box(shape.shape, Pose{}), shape.radius,
                               shape_color(body, shape, i)});

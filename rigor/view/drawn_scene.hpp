@@ -30,7 +30,8 @@ struct DrawnScene {
   Vec3 up = Vec3::UnitZ();  ///< Against gravity, unit.
 };
 
-/// Equal boxes, cylinders, ... share their surfaces.
+/// Equal boxes, cylinders, ... share their surfaces. A dynamic body without shapes is drawn as the solid box
+/// that has its mass, with the inertia that it has.
 DrawnScene make_drawn_scene(const Model& model);
 
 }  // namespace rigor

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double usual_field_of_view = 30 * M_PI / 180;
 constexpr double margin = 0.07;  ///< Of the picture's half width and height, left free.
-constexpr double flying_off = 4;
+constexpr double flying_off = 4, most_radii = 100;
 
 /// The extent of a drawn shape: a ball, its vertices, or the corners of its box if it has many.
 void add_extent(const DrawnShape& shape, const Pose& X_WL, std::vector<FramedBall>& balls) {
@@ -67,14 +67,20 @@ std::vector<FramedBall> framed_balls(const DrawnScene& scene, std::span<const Po
   if (moving.empty()) return {};
 
   const Vec3 middle = median(starts);
+  double start_reach = 0, largest = 0;
   std::vector<double> reaches;
   for (const DrawnShape* const shape : moving) {
     double reach = 0;
+    largest = std::max(largest, shape->radius);
+    start_reach =
+        std::max(start_reach, (poses[static_cast<std::size_t>(shape->body)] * shape->X_LS.p - middle).norm() +
+                                  shape->radius);
     for (std::size_t i = static_cast<std::size_t>(shape->body); i < poses.size(); i += n)
       reach = std::max(reach, (poses[i] * shape->X_LS.p - middle).norm() + shape->radius);
     reaches.push_back(reach);
   }
-  const double limit = flying_off * median(reaches);
+  const double limit =
+      std::min(flying_off * median(reaches), std::max(1.5 * start_reach, most_radii * largest));
 
   std::vector<FramedBall> balls;
   for (const DrawnShape* const shape : moving) {
@@ -130,7 +136,7 @@ struct Spread {
   double along_first, along_second, upwards;  ///< Standard deviations [m].
 };
 Spread spread_of(const std::vector<FramedBall>& balls, const Vec3& up) {
-  const Vec3 first = camera_axes(up, Vec3::UnitY()).col(0), second = up.cross(first);
+  const Vec3 first = -camera_axes(up, Vec3::UnitY()).col(0), second = up.cross(first);
   Mat3 axes;
   axes << first, second, up;
   const double count = static_cast<double>(balls.size());

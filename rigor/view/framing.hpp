@@ -18,9 +18,10 @@ struct CameraWishes {
 /// covers, with a margin.
 ///
 /// poses: the bodies' user frames at some moments, body_count a moment. All dynamic and kinematic bodies are
-/// in the picture all the time, but for those that fly off: of a body that comes farther than four times as
-/// far from the middle of the start as half of the bodies ever do, only the way up to that distance counts.
-/// Static bodies count if they are not larger than that.
+/// in the picture all the time, but for those that fly off: of a body, only the way counts that it makes
+///   within four times the distance, from the middle of the start, that half of the bodies ever reach,
+///   and within a hundred radii of the largest body, or 1.5 times the distance of the farthest at the start,
+/// because farther off the bodies would be too small to see. Static bodies count if they are within that.
 Camera make_camera(const DrawnScene& scene, std::span<const Pose> poses, const CameraWishes& wishes,
                    double width_to_height);
 

@@ -29,12 +29,13 @@ struct LegendLine {
   Color color;
 };
 /// The bodies that can move and are drawn; none if they are many.
-std::vector<LegendLine> legend(const Model& model) {
+std::vector<LegendLine> legend(const Model& model, const DrawnScene& scene) {
   std::vector<LegendLine> lines;
-  for (int i = 0; i < model.body_count(); ++i) {
-    const Body& body = model.body(i);
-    if (body.motion == MotionType::fixed || body.shapes.empty()) continue;
-    lines.push_back({body.name, shape_color(body, body.shapes[0], i)});
+  int last = -1;
+  for (const DrawnShape& shape : scene.shapes) {
+    if (!shape.can_move || shape.body == last) continue;
+    last = shape.body;
+    lines.push_back({model.body(last).name, shape.color});
     if (lines.size() > most_legend_lines) return {};
   }
   return lines;
@@ -107,7 +108,14 @@ Image Photographer::picture(std::size_t frame) {
               {.size = 1.15 * size, .color = ink()});
   canvas.text(time_text(recording_, frame), size_.width - edge, edge + size,
               {.size = 1.15 * size, .color = ink(), .anchor = Anchor::end});
-  add_legend(legend(*recording_.model), edge, edge + 2.8 * size, size, canvas);
+  const std::vector<LegendLine> lines = legend(*recording_.model, scene_);
+  double widest = 0;
+  for (const LegendLine& line : lines) widest = std::max(widest, text_width(line.name, size));
+  if (!lines.empty()) {
+    const double top = edge + 1.7 * size, height = 1.45 * size * static_cast<double>(lines.size());
+    canvas.fill(edge - 0.5 * size, top, edge + 1.5 * size + widest, top + height + 0.2 * size, paper(), 0.6);
+  }
+  add_legend(lines, edge, edge + 2.8 * size, size, canvas);
   return image;
 }
 
@@ -123,7 +131,7 @@ Image Photographer::sheet(const std::vector<KeyMoment>& moments) {
   canvas.text(fitted_text(recording_.name, 1.2 * size, image.width - 2 * gap), gap, 0.65 * head,
               {.size = 1.2 * size, .color = ink()});
   double x_legend = image.width - gap;
-  const std::vector<LegendLine> lines = legend(*recording_.model);
+  const std::vector<LegendLine> lines = legend(*recording_.model, scene_);
   double legend_width = 0;
   for (const LegendLine& line : lines) legend_width += text_width(line.name, size) + 2.4 * size;
   // The legend stands in the head if it finds room there.

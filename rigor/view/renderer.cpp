@@ -42,6 +42,16 @@ void set_smooth_normal(std::span<const PicturePoint, 3> at, std::span<const Vec3
   thing.along_y = (scale * affine.row(2)).transpose().cast<float>();
 }
 
+/// A box on the picture that holds the ball's outline: that of a cube about it.
+PictureBox box_around(const Vec3& p_K, double radius, const Projection& projection) {
+  const double front = p_K.z() - radius, back = p_K.z() + radius, f = projection.focal_length();
+  if (front <= 0) return {-HUGE_VAL, HUGE_VAL, -HUGE_VAL, HUGE_VAL, HUGE_VAL};
+  const auto low = [&](double x) { return f * std::min((x - radius) / front, (x - radius) / back); };
+  const auto high = [&](double x) { return f * std::max((x + radius) / front, (x + radius) / back); };
+  return {projection.center_x() + low(p_K.x()), projection.center_x() + high(p_K.x()),
+          projection.center_y() + low(p_K.y()), projection.center_y() + high(p_K.y()), 1 / front};
+}
+
 /// 1, 2 or 5 times a power of ten, about the value.
 double round_number(double value) {
   const double power = std::pow(10, std::floor(std::log10(value)));
@@ -68,7 +78,7 @@ Image Renderer::draw(const DrawnScene& scene, std::span<const Pose> X_WL, const 
   // Shadows of all that is in the picture about its middle, and of what stands half as far beside it.
   const double visible = distance * std::tan(0.5 * camera.field_of_view) * std::hypot(width, height) / height;
   const Region region{camera.target, 1.5 * visible};
-  shadows_.draw(placed_, sun_W, region, std::clamp(std::max(width, height) * 4 / 5, 256, 2048));
+  shadows_.draw(placed_, sun_W, region, std::clamp(std::max(width, height) * 4 / 5, 1024, 4096));
   shadows_.set_camera(projection.X_KW());
 
   for (SampleGrid& grid : grids_) grid.clear(width, height);
@@ -96,7 +106,7 @@ void Renderer::see(const Projection& projection, int width, int height) {
   Occlusion occlusion(grids_, width, height);
   for (const PlacedShape& placed : placed_) {
     if (const Sphere* const sphere = std::get_if<Sphere>(&placed.shape->shape)) {
-      see_ball(placed, sphere->radius, projection);
+      see_ball(placed, sphere->radius, projection, occlusion);
     } else if (placed.shape->surface) {
       see_surface(placed, projection, occlusion);
     }
@@ -108,9 +118,13 @@ void Renderer::see(const Projection& projection, int width, int height) {
   }
 }
 
-void Renderer::see_ball(const PlacedShape& placed, double radius, const Projection& projection) {
+void Renderer::see_ball(const PlacedShape& placed, double radius, const Projection& projection,
+                        Occlusion& occlusion) {
   const Vec3 p_K = projection.X_KW() * placed.X_WS.p;
   if (p_K.norm() <= radius + near_ || p_K.z() <= near_) return;
+  const PictureBox box = box_around(p_K, radius, projection);
+  if (occlusion.hides(box)) return;
+  occlusion.add(box);
   const std::uint32_t id = static_cast<std::uint32_t>(things_.size());
   SeenThing& ball = things_.emplace_back();
   ball.kind = SeenThing::Kind::ball;
@@ -219,9 +233,11 @@ void Renderer::develop(const Shader& shader, Image& image) const {
     for (std::size_t s = 0; s < 4; ++s) ids[s] = grids_[s].ids(row), nearness[s] = grids_[s].nearness(row);
     std::uint8_t* out = image.pixel(0, row);
     for (int column = 0; column < image.width; ++column, out += 3) {
-      const std::array<PixelSample, 4> samples = {
-          PixelSample{ids[0][column], nearness[0][column]}, PixelSample{ids[1][column], nearness[1][column]},
-          PixelSample{ids[2][column], nearness[2][column]}, PixelSample{ids[3][column], nearness[3][column]}};
+      std::array<PixelSample, 4> samples;
+      for (std::size_t s = 0; s < 4; ++s) {
+        const float near = nearness[s][column];
+        samples[s] = {near > 0 ? ids[s][column] : 0, near};
+      }
       const Color color = pixel_color(shader, samples, static_cast<float>(column), static_cast<float>(row));
       for (int channel = 0; channel < 3; ++channel) out[channel] = shader.srgb(color[channel]);
     }

@@ -32,7 +32,7 @@ class Renderer {
   void see_surface(const PlacedShape& placed, const Projection& projection, Occlusion& occlusion);
   void see_face(const Surface& surface, const Surface::Face& face, const Pose& X_KS,
                 const Projection& projection);
-  void see_ball(const PlacedShape& placed, double radius, const Projection& projection);
+  void see_ball(const PlacedShape& placed, double radius, const Projection& projection, Occlusion& occlusion);
   void see_plane(const PlacedShape& placed, const HalfSpace& plane, const Projection& projection);
   void fill_all(std::span<const Vec2> corners, const NearnessPlane& plane);
   void develop(const Shader& shader, Image& image) const;

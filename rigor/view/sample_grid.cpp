@@ -56,7 +56,7 @@ void SampleGrid::clear(int width, int height) {
   width_ = width, height_ = height;
   const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   nearness_.assign(count, 0);
-  ids_.assign(count, nothing);
+  ids_.resize(count);  // Of a sample that sees nothing, the id is not looked at.
   begin_.resize(static_cast<std::size_t>(height));
   end_.resize(static_cast<std::size_t>(height));
 }

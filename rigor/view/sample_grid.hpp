@@ -42,8 +42,6 @@ struct SeenBall {
 /// the common edge of two faces belongs to exactly one of them.
 class SampleGrid {
  public:
-  static constexpr std::uint32_t nothing = 0;
-
   /// offset_x, offset_y: place of the sample in its pixel, 0 to 1.
   SampleGrid(double offset_x, double offset_y) : offset_x_(offset_x), offset_y_(offset_y) {}
 
@@ -62,6 +60,7 @@ class SampleGrid {
   double offset_x() const { return offset_x_; }
   double offset_y() const { return offset_y_; }
   const float* nearness(int row) const { return &nearness_[start(row)]; }
+  /// Only where the nearness is positive; elsewhere the sample sees nothing.
   const std::uint32_t* ids(int row) const { return &ids_[start(row)]; }
 
  private:

@@ -11,7 +11,8 @@ void ShadowMap::draw(std::span<const PlacedShape> shapes, const Vec3& sun_W, con
   const Mat3 R_WJ = camera_axes(-sun_W, frame_with_z(sun_W).col(0));
   X_JW_ = Pose{R_WJ.transpose(), Vec3::Constant(region.radius) - R_WJ.transpose() * region.center};
   grid_.clear(size, size);
-  for (const PlacedShape& placed : shapes) {
+  Occlusion occlusion({&grid_, 1}, size, size);
+  for (const PlacedShape& placed : nearest_first(shapes)) {
     if (std::holds_alternative<HalfSpace>(placed.shape->shape)) continue;
     const Vec3 center = X_JW_ * placed.X_WS.p;
     if ((center.array() < -placed.shape->radius).any() ||
@@ -21,7 +22,7 @@ void ShadowMap::draw(std::span<const PlacedShape> shapes, const Vec3& sun_W, con
     if (const Sphere* const sphere = std::get_if<Sphere>(&placed.shape->shape)) {
       draw_ball(placed, sphere->radius);
     } else {
-      draw_surface(placed);
+      draw_surface(placed, occlusion);
     }
   }
   find_bounds();
@@ -30,19 +31,24 @@ void ShadowMap::draw(std::span<const PlacedShape> shapes, const Vec3& sun_W, con
 void ShadowMap::find_bounds() {
   squares_ = (size_ + square - 1) / square;
   bounds_.clear();
+  const std::size_t size = static_cast<std::size_t>(size_);
+  std::vector<float> lowest(size), highest(size);
   for (int j = 0; j < squares_; ++j) {
-    for (int i = 0; i < squares_; ++i) {
-      const int left = i * square, right = std::min(left + square + block - 1, size_);
-      const int top = j * square, bottom = std::min(top + square + block - 1, size_);
-      Bounds bounds{grid_.nearness(top)[left], grid_.nearness(top)[left]};
-      for (int y = top; y < bottom; ++y) {
-        const float* const row = grid_.nearness(y);
-        for (int x = left; x < right; ++x) {
-          bounds.lowest = row[x] < bounds.lowest ? row[x] : bounds.lowest;
-          bounds.highest = row[x] > bounds.highest ? row[x] : bounds.highest;
-        }
+    // First down the columns of a row of squares, then along it.
+    const int top = j * square, bottom = std::min(top + square + block - 1, size_);
+    std::copy_n(grid_.nearness(top), size, lowest.begin());
+    std::copy_n(grid_.nearness(top), size, highest.begin());
+    for (int y = top + 1; y < bottom; ++y) {
+      const float* const row = grid_.nearness(y);
+      for (std::size_t x = 0; x < size; ++x) {
+        lowest[x] = row[x] < lowest[x] ? row[x] : lowest[x];
+        highest[x] = row[x] > highest[x] ? row[x] : highest[x];
       }
-      bounds_.push_back(bounds);
+    }
+    for (int i = 0; i < squares_; ++i) {
+      const long left = long{i} * square, right = std::min<long>(left + square + block - 1, size_);
+      bounds_.push_back({*std::min_element(lowest.begin() + left, lowest.begin() + right),
+                         *std::max_element(highest.begin() + left, highest.begin() + right)});
     }
   }
 }
@@ -54,12 +60,30 @@ void ShadowMap::draw_ball(const PlacedShape& placed, double radius) {
              1);
 }
 
-void ShadowMap::draw_surface(const PlacedShape& placed) {
+std::vector<PlacedShape> ShadowMap::nearest_first(std::span<const PlacedShape> shapes) const {
+  std::vector<std::pair<double, std::size_t>> depths;
+  for (std::size_t i = 0; i < shapes.size(); ++i) depths.push_back({X_JW_.R.row(2).dot(shapes[i].X_WS.p), i});
+  std::sort(depths.begin(), depths.end());
+  std::vector<PlacedShape> sorted;
+  for (const auto& [depth, i] : depths) sorted.push_back(shapes[i]);
+  return sorted;
+}
+
+void ShadowMap::draw_surface(const PlacedShape& placed, Occlusion& occlusion) {
   const Surface& surface = *placed.shape->surface;
   const Pose X_JS = X_JW_ * placed.X_WS;
-  points_.clear();
-  for (const Vec3& vertex : surface.vertices) points_.push_back(X_JS * vertex);
   const double far = size_ * texel_;
+  points_.clear();
+  PictureBox box{HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL, 0};
+  for (const Vec3& vertex : surface.vertices) {
+    const Vec3 p = X_JS * vertex;
+    points_.push_back({p.x() / texel_, p.y() / texel_, p.z()});
+    const Vec3& q = points_.back();
+    box = {std::min(box.left, q.x()), std::max(box.right, q.x()), std::min(box.top, q.y()),
+           std::max(box.bottom, q.y()), std::max(box.nearness, far - q.z())};
+  }
+  if (occlusion.hides(box)) return;
+  occlusion.add(box);
   for (const Surface::Face& face : surface.faces) {
     const Vec3 normal = X_JS.R * face.normal;
     if (normal.z() >= 0) continue;
@@ -67,11 +91,11 @@ void ShadowMap::draw_surface(const PlacedShape& placed) {
     for (int i = 0; i < face.count; ++i) {
       const Vec3& p =
           points_[static_cast<std::size_t>(surface.corners[static_cast<std::size_t>(face.begin + i)])];
-      corners_.push_back({p.x() / texel_, p.y() / texel_});
+      corners_.push_back(p.head<2>());
     }
     // n·p = d, solved for the depth z; nearness is far - z.
     const Vec3& p = points_[static_cast<std::size_t>(surface.corners[static_cast<std::size_t>(face.begin)])];
-    const double d = normal.dot(p);
+    const double d = normal.dot(Vec3(texel_ * p.x(), texel_ * p.y(), p.z()));
     grid_.fill(Outline(corners_),
                NearnessPlane{far - d / normal.z(), texel_ * normal.x() / normal.z(),
                              texel_ * normal.y() / normal.z()},
@@ -89,7 +113,7 @@ void ShadowMap::set_camera(const Pose& X_KW) {
 
 float ShadowMap::light(const Eigen::Vector3f& p_K, const Eigen::Vector3f& normal_K) const {
   // Looked up a little above the surface, so that it does not shade itself where the map is coarse.
-  constexpr float lift = 1.5F;
+  constexpr float lift = 2;
   const float texel = static_cast<float>(texel_);
   const Eigen::Vector3f p = R_JK_ * (p_K + lift * texel * normal_K) + p_JK_;
   const float x = p.x() - 2, y = p.y() - 2;

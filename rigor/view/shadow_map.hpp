@@ -1,6 +1,7 @@
 #pragma once
 
 #include "rigor/view/drawn_scene.hpp"
+#include "rigor/view/occlusion.hpp"
 #include "rigor/view/sample_grid.hpp"
 
 #include <span>
@@ -37,7 +38,8 @@ class ShadowMap {
   float light(const Eigen::Vector3f& p_K, const Eigen::Vector3f& normal_K) const;
 
  private:
-  void draw_surface(const PlacedShape& placed);
+  std::vector<PlacedShape> nearest_first(std::span<const PlacedShape> shapes) const;
+  void draw_surface(const PlacedShape& placed, Occlusion& occlusion);
   void draw_ball(const PlacedShape& placed, double radius);
   void find_bounds();
 
@@ -54,7 +56,7 @@ class ShadowMap {
   Pose X_JW_;         ///< J: x, y along the map [m] from its corner, z against the sun [m].
   Eigen::Matrix3f R_JK_ = Eigen::Matrix3f::Identity();
   Eigen::Vector3f p_JK_ = Eigen::Vector3f::Zero();
-  std::vector<Vec3> points_;  ///< Scratch: vertices in J.
+  std::vector<Vec3> points_;  ///< Scratch: vertices, x and y in texels, z in J.
   std::vector<Vec2> corners_;
 };
 

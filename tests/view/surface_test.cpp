@@ -3,6 +3,7 @@
 #include "rigor/geometry/convex_hull.hpp"
 #include "rigor/geometry/mass_properties.hpp"
 #include "rigor/geometry/triangle_mesh.hpp"
+#include "view/view_scenes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -98,6 +99,30 @@ TEST(Surface, AFaceWithManyCornersIsDrawnInParts) {
   for (const Surface::Face& face : surface.faces) EXPECT_LE(face.count, 48);
   // Area of the regular polygon times the height.
   EXPECT_NEAR(sums_of(surface).volume, 150 * std::sin(2 * M_PI / 300), 1e-9);
+}
+
+TEST(DrawnScene, ABodyWithoutShapesIsTheBoxOfItsInertia) {
+  // A box of the sides 1, 2, 3 m and the mass 12 kg has the moments 4 + 9, 1 + 9, 1 + 4 kg m².
+  const Scene scene = scene_of(
+      "  - {name: r, inertia: {mass: 12, center: [0, 0, 0], moments: [13, 10, 5], products: [0, 0, 0]}}\n");
+  const DrawnScene drawn = make_drawn_scene(*scene.model);
+  ASSERT_EQ(drawn.shapes.size(), 1u);
+  const DrawnShape& shape = drawn.shapes[0];
+  ASSERT_TRUE(std::holds_alternative<Box>(shape.shape));
+  // In the user's frame, whatever the order of the principal axes.
+  const Vec3 sides = 2 * (shape.X_LS.R * std::get<Box>(shape.shape).half_extents).cwiseAbs();
+  EXPECT_LT((sides - Vec3(1, 2, 3)).norm(), 1e-12);
+}
+
+TEST(DrawnScene, EqualShapesShareTheirSurface) {
+  const Scene scene = scene_of(
+      "  - {name: a, mass: 1, shapes: [{type: box, size: [1, 2, 3]}]}\n"
+      "  - {name: b, mass: 1, position: [9, 0, 0], shapes: [{type: box, size: [1, 2, 3]}, {type: box, size: "
+      "[1, 2, 4]}]}\n");
+  const DrawnScene drawn = make_drawn_scene(*scene.model);
+  ASSERT_EQ(drawn.shapes.size(), 3u);
+  EXPECT_EQ(drawn.shapes[0].surface, drawn.shapes[1].surface);
+  EXPECT_NE(drawn.shapes[0].surface, drawn.shapes[2].surface);
 }
 
 }  // namespace
