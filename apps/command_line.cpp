@@ -6,6 +6,7 @@
 #include "rigor/core/suggestion.hpp"
 #include "rigor/io/trajectory_writer.hpp"
 #include "rigor/io/version.hpp"
+#include "rigor/view/page_writer.hpp"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -63,7 +64,8 @@ void add_json(CLI::App& app, std::string& json, const std::string& what) {
 
 void add_run(CLI::App& app, RunOptions& run) {
   app.add_option("SCENE", run.scene, "scene file (.yaml or .json)")->required()->option_text(" ");
-  add_value(app, "-o,--output", run.outputs, "trajectory, by suffix: .csv .h5 .json; may be repeated", "OUT");
+  add_value(app, "-o,--output", run.outputs,
+            "trajectory (.csv .h5 .json) or page with the replay (.html), by suffix; may be repeated", "OUT");
   add_value(app, "--set", run.overrides,
             "override a value of the scene, such as method.integrator=rk4; may be repeated", "KEY=VALUE");
   add_value(app, "--duration", run.duration, "simulated time at which the run ends [s]", "S")
@@ -148,7 +150,7 @@ bool is_same_file(const std::string& a, const std::string& b) {
 
 void check_run(const RunOptions& run) {
   for (const std::string& output : run.outputs) {
-    const std::string message = check_output_suffix(output);
+    const std::string message = check_output_suffix(output, {page_suffix});
     if (!message.empty()) throw UsageError(message);
   }
   std::vector<std::string> written = run.outputs;

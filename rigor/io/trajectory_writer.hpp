@@ -7,6 +7,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rigor {
@@ -43,9 +44,12 @@ class TrajectoryWriter {
   virtual void close(const Audit& audit) = 0;
 };
 
-/// Empty if a trajectory can be written to a file with this suffix (.csv, .h5, .json), or why not: "run.mp4:
-/// .mp4 is not available in this version; available: .csv .h5 .json".
-std::string check_output_suffix(const std::filesystem::path& path);
+/// Whether make_trajectory_writer knows the suffix.
+bool has_trajectory_suffix(const std::filesystem::path& path);
+/// Empty if an output can have this suffix, one of a trajectory (.csv, .h5, .json) or of the others that the
+/// caller writes, or why not: "run.mp4: .mp4 is not available in this version; available: .csv .h5 .json".
+std::string check_output_suffix(const std::filesystem::path& path,
+                                const std::vector<std::string_view>& others = {});
 
 /// The writer that the suffix asks for; the suffix is one of those. Creates the file.
 std::unique_ptr<TrajectoryWriter> make_trajectory_writer(const std::filesystem::path& path,
