@@ -7,12 +7,17 @@ RIGOR := $(BUILD)/rigor
 .PHONY: run test build check bench setup configure clean help
 
 run: build
-	@$(RIGOR) run scenes/turntable.yaml
+	@mkdir -p out
+	@$(RIGOR) run scenes/turntable.yaml -o out/turntable.html
 	@echo
-	@$(RIGOR) run scenes/cradle.yaml
+	@$(RIGOR) run scenes/cradle.yaml -o out/cradle.html
+	@echo
+	@echo "To look at them, open these pages in a browser (no network needed):"
+	@echo "  out/turntable.html"
+	@echo "  out/cradle.html"
 	@echo
 	@echo "What next:"
-	@echo "  $(RIGOR) run scenes/bouncing_ball.yaml -o ball.csv       any scene in scenes/; output as .csv, .h5 or .json"
+	@echo "  $(RIGOR) run scenes/bouncing_ball.yaml -o ball.csv       any scene in scenes/; output as .csv, .h5, .json or .html"
 	@echo "  $(RIGOR) run scenes/cradle.yaml --set materials.steel.restitution=0.5"
 	@echo "  $(RIGOR) check scenes/*.yaml                             validate scenes only"
 	@echo "  $(RIGOR) methods                                         every method by name, with its source"
@@ -30,7 +35,7 @@ setup:
 configure: setup
 	@[ -f $(BUILD)/build.ninja ] || cmake --preset release
 
-check:
+check: build
 	@tools/setup.sh check
 	@tools/check.sh $(JOBS)
 
@@ -45,9 +50,9 @@ clean:
 	rm -rf build
 
 help:
-	@echo "make run     build, then run two scenes and show their audits"
+	@echo "make run     build, then run two scenes, show their audits and leave their replays as pages in out/"
 	@echo "make test    build, then all tests"
 	@echo "make build   build only (Release, in $(BUILD))"
-	@echo "make check   formatting, clang++ beside g++ with warnings as errors, the tests under ASan and UBSan"
+	@echo "make check   formatting, clang++ beside g++ with warnings as errors, the tests under ASan and UBSan, the viewer"
 	@echo "make bench   error and CPU time of the reference scenes, beside the peer engines that are installed"
 	@echo "make clean   remove build/"
