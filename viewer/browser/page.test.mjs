@@ -24,6 +24,15 @@ const state = (page) => page.evaluate(() => ({
 }));
 const settle = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => requestAnimationFrame(done)))));
 
+/** Waits for something to become true in the page (Playwright's own way needs eval, which the page forbids). */
+async function until(page, isTrue) {
+  for (let tries = 0; tries < 500; ++tries) {
+    if (await page.evaluate(isTrue)) return;
+    await page.waitForTimeout(20);
+  }
+  assert.fail(`never true: ${isTrue}`);
+}
+
 test("pages of shipped scenes load without console errors and ask for nothing else", async () => {
   for (const scene of ["turntable", "billiards", "rocks", "tennis_racket"]) {
     const { html } = makePage(scene);
@@ -109,7 +118,7 @@ test("it plays, pauses, changes its speed and loops", async () => {
   const { page } = await openPage(browser, cradle.html);
   await page.selectOption(".transport select", "0.1");
   await page.click("#play");
-  await page.waitForFunction(() => window.rigor.playback.time > 0.02);
+  await until(page, () => window.rigor.playback.time > 0.02);
   await page.click("#play");
   const { time, isPlaying } = await state(page);
   assert.equal(isPlaying, false);
@@ -117,7 +126,7 @@ test("it plays, pauses, changes its speed and loops", async () => {
   assert.equal((await state(page)).time, time);
   await page.keyboard.press("End");
   await page.keyboard.press(" ");
-  await page.waitForFunction(() => window.rigor.playback.isPlaying && window.rigor.playback.time < 0.5);
+  await until(page, () => window.rigor.playback.isPlaying && window.rigor.playback.time < 0.5);
   await page.close();
 });
 

@@ -127,7 +127,7 @@ export class App {
     const choices = [method?.scheme, method?.integrator, method?.impact].filter(Boolean).join(" · ");
     return el("header", {},
       el("h1", { text: header.scene }),
-      el("span", { class: "about", text: `${choices} · ${header.bodies.length} bodies · ${this.source.times.length} frames` }),
+      el("span", { class: "about", text: `${choices} · ${header.bodies.length} ${header.bodies.length === 1 ? "body" : "bodies"} · ${this.source.times.length} frames` }),
       el("span", { class: "tools" },
         button("⌂", "Look at the whole scene again (R)", () => this.home()),
         button("⤓", "Save a picture (S)", () => this.savePicture()),

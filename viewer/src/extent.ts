@@ -1,5 +1,5 @@
 import type { Frames } from "./frames";
-import type { Header, Quat, Vec } from "./header";
+import { shapesOf, type Header, type Quat, type Vec } from "./header";
 import { turned } from "./marks";
 
 /** A box about what is worth looking at, from Header.origin [m]. */
@@ -22,7 +22,7 @@ export function extentOf(header: Header, frames: Frames): Extent {
     frames.orientation(0, i, q, 0);
     return halfExtents(header, body, [q[3], q[0], q[1], q[2]]);
   });
-  const radii = frames.moving.map((body) => header.bodies[body].radius ?? 0).sort((a, b) => a - b);
+  const radii = halves.map((half) => Math.hypot(...half)).sort((a, b) => a - b);
   const middle = radii[n >> 1] ?? 0;
   const start = boxOf(frames, halves, 0, 1);
   const stride = Math.max(1, Math.floor(frames.count / 400));
@@ -35,7 +35,7 @@ export function extentOf(header: Header, frames: Frames): Extent {
 /** Half of a body's extent along the axes of the world when it is turned so, of those shapes that have an end. */
 function halfExtents(header: Header, body: number, q: Quat): Vec {
   const half: Vec = [0, 0, 0];
-  for (const shape of header.looks[header.bodies[body].look]) {
+  for (const shape of shapesOf(header, body)) {
     if (shape.type === "plane") continue;
     const r = shape.radius ?? 0, long = shape.half_length ?? 0;
     const own: Vec = shape.half_extents ?? shape.radii ?? [r, r, shape.type === "capsule" ? r + long : long];

@@ -57,3 +57,18 @@ export interface ShapeHeader {
   material: number;
   color: string;
 }
+
+/**
+ * The shapes to draw a body with. A moving body without any is drawn as the ellipsoid that has its mass and moments:
+ * a² = 5 (I2 + I3 - I1) / 2m for the axis of I1, and so on; no axis thinner than a twentieth of the longest.
+ */
+export function shapesOf(header: Header, body: number): ShapeHeader[] {
+  const { look, mass, moments } = header.bodies[body];
+  const shapes = header.looks[look];
+  if (shapes.length > 0 || mass <= 0) return shapes;
+  const [a, b, c] = moments;
+  const squares = [b + c - a, c + a - b, a + b - c].map((sum) => (2.5 * Math.max(0, sum)) / mass);
+  const longest = Math.sqrt(Math.max(...squares)) || 1;
+  const radii = squares.map((square) => Math.max(Math.sqrt(square), 0.05 * longest)) as Vec;
+  return [{ type: "ellipsoid", radii, p: [0, 0, 0], q: [1, 0, 0, 0], material: 0, color: "" }];
+}

@@ -1,7 +1,7 @@
 import { overlayColors, rgb, type Rgb } from "./colors";
 import type { Contact } from "./contacts";
 import type { Motion } from "./frames";
-import type { Header, Quat, Vec } from "./header";
+import { shapesOf, type Header, type Quat, type Vec } from "./header";
 import { Arrows, Dots, Lines } from "./overlays";
 import type { MotionEvent } from "./run";
 import type { RecordedSource } from "./source";
@@ -40,6 +40,8 @@ export class Marks {
   readonly trails = new Lines();
   readonly springs = new Lines();
   private readonly header: Header;
+  /** About each body's centre of mass, a ball that holds it [m]; Infinity or 0 where there is none. */
+  private readonly sizes: number[];
   private largestSpeed: number;
   private largestForce = 0;
   private largestImpulse: number;
@@ -48,6 +50,7 @@ export class Marks {
     this.arrows = new Arrows(pixel);
     this.dots = new Dots(6.5, ratio);
     this.header = source.header;
+    this.sizes = this.header.bodies.map((body, i) => body.radius || Math.max(0, ...shapesOf(this.header, i).flatMap(({ radii }) => radii ?? [])));
     this.largestSpeed = largestNorm(source.frames.velocity);
     this.largestImpulse = source.events.reduce((most, event) => Math.max(most, Math.hypot(...event.impulse)), 0);
   }
@@ -90,8 +93,8 @@ export class Marks {
   /** The user's frames: red x, green y, blue z in the palette's hues. */
   private addFrames(motion: Motion, selected: number): void {
     for (const body of this.chosen(selected)) {
-      const { frame, radius } = this.header.bodies[body];
-      const size = 1.2 * Math.min(radius ?? this.radius, this.radius);
+      const { frame } = this.header.bodies[body];
+      const size = 1.2 * Math.min(this.sizes[body] || this.radius, this.radius);
       const q = orientationAt(motion, body);
       const start = add(vectorAt(motion.position, body), turned(q, frame.p));
       const [w, x, y, z] = frame.q;
@@ -106,14 +109,14 @@ export class Marks {
   /** Principal axes, each as long as the radius of gyration about it is in proportion to the largest. */
   private addInertia(motion: Motion, selected: number): void {
     for (const body of this.chosen(selected)) {
-      const { moments, mass, radius } = this.header.bodies[body];
+      const { moments, mass } = this.header.bodies[body];
       if (mass <= 0) continue;
       const largest = Math.sqrt(Math.max(...moments));
       const q = orientationAt(motion, body);
       const center = vectorAt(motion.position, body);
       [color.x, color.y, color.z].forEach((hue, axis) => {
         const half: Vec = [0, 0, 0];
-        half[axis] = (1.35 * (radius ?? this.radius) * Math.sqrt(moments[axis])) / largest;
+        half[axis] = (1.35 * (this.sizes[body] || this.radius) * Math.sqrt(moments[axis])) / largest;
         const arm = turned(q, half);
         this.arrows.add(center, arm, hue);
         this.arrows.add(center, arm.map((a) => -a), hue);

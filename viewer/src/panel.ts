@@ -71,9 +71,11 @@ export class Panel {
     const v = vectorAt(motion.velocity, body), w = vectorAt(motion.spin, body);
     const [translation, rotation] = energyNow(this.source, body, motion);
     const g = header.gravity;
+    // What is stored no finer than this is not told any finer.
+    const known = (x: number) => (Math.abs(x) < header.position_error ? 0 : x);
     const rows: [string, string][] = [
-      ["position", `[${format.vector(add(center, turned(q, own.frame.p)))}] m`],
-      ["centre of mass", `[${format.vector(center)}] m`],
+      ["position", `[${format.vector(add(center, turned(q, own.frame.p)).map(known))}] m`],
+      ["centre of mass", `[${format.vector(center.map(known))}] m`],
       ["orientation", `[${format.vector(product(q, own.frame.q))}]`],
       ["velocity", `[${format.vector(v)}] m/s`],
       ["speed", `${format.number(Math.hypot(...v))} m/s`],

@@ -6,7 +6,7 @@ import {
 import { defaultColor, overlayColors, rgb } from "./colors";
 import type { Motion } from "./frames";
 import { drawnShape, makeGeometry } from "./geometry";
-import type { Header, ShapeHeader, Vec } from "./header";
+import { shapesOf, type Header, type ShapeHeader, type Vec } from "./header";
 import type { Mesh as StoredMesh } from "./run";
 import { ballFragment, ballVertex, boxVertex, shadowFragment, shadowVertex, solidFragment, solidVertex, tableWidth } from "./shaders";
 
@@ -52,8 +52,8 @@ export class Shapes {
       uWarning: { value: new Vector3(...rgb(overlayColors.penetration)) },
     };
     const byKey = new Map<string, Item[]>();
-    header.bodies.forEach((body, i) => {
-      for (const shape of header.looks[body.look]) {
+    header.bodies.forEach((_, i) => {
+      for (const shape of shapesOf(header, i)) {
         const { key } = drawnShape(shape);
         if (key === "plane") continue;
         const items = byKey.get(key) ?? [];
