@@ -150,7 +150,7 @@ bool is_same_file(const std::string& a, const std::string& b) {
 
 void check_run(const RunOptions& run) {
   for (const std::string& output : run.outputs) {
-    const std::string message = check_output_suffix(output, {page_suffix});
+    const std::string message = check_output_suffix(output, page_suffixes);
     if (!message.empty()) throw UsageError(message);
   }
   std::vector<std::string> written = run.outputs;

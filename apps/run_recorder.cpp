@@ -41,10 +41,10 @@ RunRecorder::RunRecorder(const RunOptions& options, const Scene& scene, double s
   if (!options.outputs.empty()) {
     const TrajectoryHeader header = make_header(options, scene);
     for (const std::string& output : options.outputs) {
-      if (has_trajectory_suffix(output)) {
-        writers_.push_back(make_trajectory_writer(output, header));
-      } else {
+      if (std::filesystem::path(output).extension() == page_suffixes[0]) {
         pages_.emplace_back(output, scene);
+      } else {
+        writers_.push_back(make_trajectory_writer(output, header));
       }
     }
   }

@@ -62,20 +62,15 @@ TrajectorySample make_sample(const Model& model, const State& state, const Energ
   return sample;
 }
 
-bool has_trajectory_suffix(const std::filesystem::path& path) {
-  return find_format(path) != nullptr;
-}
-
 std::string check_output_suffix(const std::filesystem::path& path,
-                                const std::vector<std::string_view>& others) {
-  if (find_format(path) || std::find(others.begin(), others.end(), path.extension()) != others.end())
-    return {};
-  std::vector<std::string_view> suffixes = others;
-  for (const Format& format : formats) suffixes.push_back(format.suffix);
-  std::sort(suffixes.begin(), suffixes.end());
-  std::string available;
-  for (const std::string_view suffix : suffixes) available += fmt::format(" {}", suffix);
+                                std::span<const std::string_view> written_elsewhere) {
   const std::string suffix = path.extension().string(), name = quoted_text(path.string());
+  const bool is_elsewhere =
+      std::find(written_elsewhere.begin(), written_elsewhere.end(), suffix) != written_elsewhere.end();
+  if (find_format(path) || is_elsewhere) return {};
+  std::string available;
+  for (const Format& format : formats) available += fmt::format(" {}", format.suffix);
+  for (const std::string_view other : written_elsewhere) available += fmt::format(" {}", other);
   if (suffix.empty()) return fmt::format("output {}: the name has no suffix; available:{}", name, available);
   return fmt::format("output {}: {} is not available in this version; available:{}", name, suffix, available);
 }

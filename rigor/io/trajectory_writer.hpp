@@ -44,12 +44,11 @@ class TrajectoryWriter {
   virtual void close(const Audit& audit) = 0;
 };
 
-/// Whether make_trajectory_writer knows the suffix.
-bool has_trajectory_suffix(const std::filesystem::path& path);
-/// Empty if an output can have this suffix, one of a trajectory (.csv, .h5, .json) or of the others that the
-/// caller writes, or why not: "run.mp4: .mp4 is not available in this version; available: .csv .h5 .json".
+/// Empty if a trajectory can be written to a file with this suffix (.csv, .h5, .json, or one of those that
+/// other layers write), or why not: "run.mp4: .mp4 is not available in this version; available: .csv .h5
+/// .json .html".
 std::string check_output_suffix(const std::filesystem::path& path,
-                                const std::vector<std::string_view>& others = {});
+                                std::span<const std::string_view> written_elsewhere = {});
 
 /// The writer that the suffix asks for; the suffix is one of those. Creates the file.
 std::unique_ptr<TrajectoryWriter> make_trajectory_writer(const std::filesystem::path& path,

@@ -2,14 +2,15 @@
 
 #include "rigor/view/page_run.hpp"
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string_view>
 
 namespace rigor {
 
-/// Suffix of the files that PageWriter writes.
-inline constexpr std::string_view page_suffix = ".html";
+/// Suffixes of the files that PageWriter writes.
+inline constexpr std::array<std::string_view, 1> page_suffixes = {".html"};
 
 /// The viewer: one script (viewer/dist/viewer.js) that finds the data blocks of the page it is in.
 std::string_view viewer_script();

@@ -101,7 +101,7 @@ TEST(CommandLine, OutputsOfLaterVersionsAreRefusedWithTheAvailableOnes) {
   for (const std::string name : {"picture.png", "film.mp4"}) {
     const ProgramResult result = folder.run({"run", "ball.yaml", "-o", name});
     EXPECT_EQ(result.code, 2);
-    expect_contains(result.error, "is not available in this version; available: .csv .h5 .html .json");
+    expect_contains(result.error, "is not available in this version; available: .csv .h5 .json .html");
     EXPECT_FALSE(folder.has(name));
   }
 }

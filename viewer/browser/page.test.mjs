@@ -205,6 +205,21 @@ test("contacts, velocities, frames, inertia and trails are drawn when asked for"
   await page.close();
 });
 
+test("the deepest penetration of the run is found, and its bodies are marked", async () => {
+  const rocks = makePage("rocks", "--duration", "0.6");
+  const { page } = await openPage(browser, rocks.html);
+  await page.keyboard.press("Shift+P");
+  await settle(page);
+  const { bodies, time } = rocks.run.audit.penetration;
+  assert.ok(time > 0);
+  near((await state(page)).time, time, 1e-9, "time");
+  const marked = await page.evaluate(() => window.rigor.view.shapes.batches.flatMap(({ items, pose }) => items.flatMap(({ body }, i) => (pose.image.data[8 * i + 3] === 2 ? [body] : []))));
+  // A plane has no shape to mark.
+  const drawn = bodies.map((name) => rocks.run.bodies.indexOf(name)).filter((body) => rocks.run.bodies[body] !== "ground");
+  assert.deepEqual([...new Set(marked)].sort(), drawn.sort());
+  await page.close();
+});
+
 test("a second run is shown as a ghost with its curves", async () => {
   const other = makePage("cradle", "--set", "materials.steel.restitution=0.5");
   const ghostBlocks = other.text.match(/<script type="text\/plain"[^]*?<\/script>\n/g).map((block) => block.replace('data-run="0"', 'data-run="1"'));

@@ -30,6 +30,8 @@ export class App {
   private readonly stage = el("div", { class: "stage" });
   private readonly help: HTMLDialogElement;
   private event: MotionEvent | undefined;
+  /** The bodies of the deepest penetration, while it is looked at. */
+  private flagged: number[] = [];
   private isDirty = true;
   private lastFrame = 0;
   private lastNumbers = 0;
@@ -51,7 +53,7 @@ export class App {
       select: (body) => this.select(body),
       follow: (body) => this.follow(body),
       changed: () => this.invalidate(),
-      seek: (time) => this.seek(time),
+      showDeepest: () => this.showDeepest(),
     });
     this.plots = new Plots(this.source, this.ghost, (time) => this.seek(time));
     this.help = helpDialog();
@@ -80,6 +82,7 @@ export class App {
 
   seek(time: number): void {
     this.setEvent(undefined);
+    this.flagged = [];
     this.playback.seek(time);
     this.invalidate();
   }
@@ -173,7 +176,7 @@ export class App {
 
   private draw(now: number): void {
     const { time, isPlaying } = this.playback;
-    this.view?.draw(time, this.shown, this.selected, this.event);
+    this.view?.draw(time, this.shown, this.selected, this.event, this.flagged);
     this.transport.update();
     if (isPlaying && now - this.lastNumbers < numbersPause) return;
     this.lastNumbers = now;
@@ -215,7 +218,7 @@ export class App {
   /** The scene as a PNG file, in the folder for downloads. */
   private savePicture(): void {
     if (!this.view) return;
-    this.view.draw(this.playback.time, this.shown, this.selected, this.event);
+    this.view.draw(this.playback.time, this.shown, this.selected, this.event, this.flagged);
     this.view.canvas.toBlob((blob) => {
       if (!blob) return;
       const link = el("a", { href: URL.createObjectURL(blob), download: `${this.source.header.scene}-${format.time(this.playback.time, 1e-4)}s.png` });
@@ -224,9 +227,14 @@ export class App {
     });
   }
 
-  private toDeepest(): void {
-    const penetration = this.source.header.audit.penetration as { time: number | null } | undefined;
-    if (penetration?.time != null) this.seek(penetration.time);
+  /** Goes to the deepest penetration of the run and marks its two bodies. */
+  private showDeepest(): void {
+    const { audit, bodies } = this.source.header;
+    const penetration = audit.penetration as { time: number | null; bodies: string[] | null } | undefined;
+    if (penetration?.time == null) return;
+    this.playback.isPlaying = false;
+    this.seek(penetration.time);
+    this.flagged = (penetration.bodies ?? []).map((name) => bodies.findIndex((body) => body.name === name));
   }
 
   private press(event: KeyboardEvent): void {
@@ -254,7 +262,7 @@ export class App {
       r: () => this.home(),
       s: () => this.savePicture(),
       d: () => this.changeTheme(),
-      P: () => this.toDeepest(),
+      P: () => this.showDeepest(),
       "/": () => this.panel.search.focus(),
       "?": () => (this.help.open ? this.help.close() : this.help.showModal()),
       Escape: () => (this.help.open ? this.help.close() : this.select(-1)),

@@ -33,7 +33,7 @@ export const overlayColors = {
   y: palette.green,
   z: palette.blue,
   selected: palette.orange,
-  ghost: palette.blue,
+  ghost: palette.skyBlue,
 } as const;
 
 /** Components in 0..1 of "#rgb" or "#rrggbb"; grey for anything else. */

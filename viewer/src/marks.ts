@@ -4,7 +4,7 @@ import type { Motion } from "./frames";
 import { shapesOf, type Header, type Quat, type Vec } from "./header";
 import { Arrows, Dots, Lines } from "./overlays";
 import type { MotionEvent } from "./run";
-import type { RecordedSource } from "./source";
+import type { FrameSource } from "./source";
 import { lastAtMost } from "./search";
 
 /** What the reader wants to see over the bodies. */
@@ -37,6 +37,8 @@ const trailFrames = 400;
 export class Marks {
   readonly arrows: Arrows;
   readonly dots: Dots;
+  /** A large ring about the deepest overlap. */
+  readonly ring: Dots;
   readonly trails = new Lines();
   readonly springs = new Lines();
   private readonly header: Header;
@@ -46,17 +48,19 @@ export class Marks {
   private largestForce = 0;
   private largestImpulse: number;
 
-  constructor(private readonly source: RecordedSource, private readonly radius: number, pixel: { value: number }, ratio: { value: number }) {
+  constructor(private readonly source: FrameSource, private readonly radius: number, pixel: { value: number }, ratio: { value: number }) {
     this.arrows = new Arrows(pixel);
     this.dots = new Dots(6.5, ratio);
+    this.ring = new Dots(15, ratio);
     this.header = source.header;
     this.sizes = this.header.bodies.map((body, i) => body.radius || Math.max(0, ...shapesOf(this.header, i).flatMap(({ radii }) => radii ?? [])));
-    this.largestSpeed = largestNorm(source.frames.velocity);
+    this.largestSpeed = source.frames ? largestNorm(source.frames.velocity) : 0;
     this.largestImpulse = source.events.reduce((most, event) => Math.max(most, Math.hypot(...event.impulse)), 0);
   }
 
   update(time: number, motion: Motion, contacts: Contact[], shown: Shown, selected: number, event: MotionEvent | undefined): void {
-    for (const part of [this.arrows, this.dots, this.trails, this.springs]) part.clear();
+    const parts = [this.arrows, this.ring, this.dots, this.trails, this.springs];
+    for (const part of parts) part.clear();
     if (shown.contacts) this.addContacts(contacts, shown.arrowScale);
     if (shown.velocities) this.addVelocities(motion, shown.arrowScale);
     if (shown.frames) this.addFrames(motion, selected);
@@ -65,7 +69,8 @@ export class Marks {
     if (shown.trails) this.addTrails(time, selected);
     if (event) this.addEvent(event, shown.arrowScale);
     this.addSprings(motion);
-    for (const part of [this.arrows, this.dots, this.trails, this.springs]) part.commit();
+    if (shown.penetration) this.addDeepest(contacts);
+    for (const part of parts) part.commit();
   }
 
   private addContacts(contacts: Contact[], scale: number): void {
@@ -81,10 +86,18 @@ export class Marks {
     }
   }
 
+  private addDeepest(contacts: Contact[]): void {
+    let deepest: Contact | undefined;
+    for (const contact of contacts) if (contact.gap < (deepest?.gap ?? 0)) deepest = contact;
+    if (deepest) this.ring.add(deepest.point, color.penetration);
+  }
+
   private addVelocities(motion: Motion, scale: number): void {
+    // A live source has only this moment: what is fastest so far sets the scale.
+    this.largestSpeed = Math.max(this.largestSpeed, this.source.frames ? 0 : largestNorm(motion.velocity));
     if (this.largestSpeed === 0) return;
     const length = (0.3 * scale * this.radius) / this.largestSpeed;
-    for (const body of this.source.frames.moving) {
+    for (const body of this.source.moving) {
       const v = vectorAt(motion.velocity, body, length);
       if (Math.hypot(...v) > 1e-3 * this.radius) this.arrows.add(vectorAt(motion.position, body), v, color.velocity);
     }
@@ -135,6 +148,7 @@ export class Marks {
 
   private addTrails(time: number, selected: number): void {
     const { frames, times } = this.source;
+    if (!frames) return;
     const n = frames.moving.length;
     const last = lastAtMost(times, time);
     const first = Math.max(0, last - trailFrames);
@@ -173,7 +187,7 @@ export class Marks {
 
   /** The selected body, or all that move if none is (not so many that nothing could be made out). */
   private chosen(selected: number): number[] {
-    return selected >= 0 ? [selected] : this.source.frames.moving.slice(0, 500);
+    return selected >= 0 ? [selected] : this.source.moving.slice(0, 500);
   }
 }
 

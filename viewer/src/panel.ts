@@ -13,7 +13,7 @@ export interface PanelActions {
   select(body: number): void;
   follow(body: number): void;
   changed(): void;
-  seek(time: number): void;
+  showDeepest(): void;
 }
 
 /** Names found by the search beyond these are counted, not listed. */
@@ -203,6 +203,6 @@ function auditValue(name: string, value: unknown, actions: PanelActions): string
   if (typeof value !== "number") return Array.isArray(value) ? value.join(" ↔ ") : String(value);
   const text = Number.isInteger(value) ? String(value) : format.number(value, 8);
   if (name !== "penetration: time") return text;
-  return el("button", { type: "button", class: "link", title: "Go there", onclick: () => actions.seek(value) }, `${text} s`);
+  return el("button", { type: "button", class: "link", title: "Go there", onclick: () => actions.showDeepest() }, `${text} s`);
 }
 

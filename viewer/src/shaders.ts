@@ -6,11 +6,11 @@ vec3 turn(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w 
 const shade = `
 uniform vec3 uUp;
 vec3 shade(vec3 color, vec3 normal, vec3 toEye) {
-  vec3 light = normalize(uUp * 0.9 + toEye * 0.6 + cross(uUp, toEye) * 0.5);
+  vec3 light = normalize(uUp * 0.8 + toEye * 0.8 + cross(uUp, toEye) * 0.45);
   float sky = 0.5 + 0.5 * dot(normal, uUp);
   float direct = max(dot(normal, light), 0.0);
   float gloss = pow(max(dot(normal, normalize(light + toEye)), 0.0), 40.0);
-  return color * (0.30 + 0.28 * sky + 0.52 * direct) + 0.12 * gloss;
+  return color * (0.36 + 0.24 * sky + 0.50 * direct) + 0.12 * gloss;
 }`;
 
 /** The body's number as a colour (picking), or what is seen; a mark of 1 is the selected body, of 2 an overlapping one. */

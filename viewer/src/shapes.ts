@@ -46,7 +46,7 @@ export class Shapes {
     this.uniforms = {
       uUp: { value: up },
       uPick: { value: 0 },
-      uAlpha: { value: options.isGhost ? 0.35 : 1 },
+      uAlpha: { value: options.isGhost ? 0.4 : 1 },
       uTint: { value: new Vector4(...ghost, options.isGhost ? 0.75 : 0) },
       uSelected: { value: new Vector3(...rgb(overlayColors.selected)) },
       uWarning: { value: new Vector3(...rgb(overlayColors.penetration)) },

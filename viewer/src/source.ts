@@ -1,5 +1,5 @@
 import type { Contact } from "./contacts";
-import type { Motion } from "./frames";
+import type { Frames, Motion } from "./frames";
 import type { Header } from "./header";
 import type { Mesh, MotionEvent, Run } from "./run";
 import { lastAtMost } from "./search";
@@ -16,6 +16,10 @@ export interface FrameSource {
   readonly times: Float64Array;
   readonly series: Map<string, Float64Array>;
   readonly events: MotionEvent[];
+  /** Model indices of the bodies that are not static. */
+  readonly moving: number[];
+  /** The motion of all frames, for trails and plots; a live source keeps none. */
+  readonly frames: Frames | undefined;
   /** Fills in the motion of all bodies at a time [s], held within the times there are. */
   sample(time: number, into: Motion): void;
   /** Contacts of the last frame that is not after the time. */
@@ -62,8 +66,10 @@ export class RecordedSource implements FrameSource {
   get events(): MotionEvent[] {
     return this.run.events;
   }
-  /** Positions of moving bodies in all frames, for trails and for the camera. */
-  get frames() {
+  get moving(): number[] {
+    return this.run.frames.moving;
+  }
+  get frames(): Frames {
     return this.run.frames;
   }
 

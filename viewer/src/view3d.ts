@@ -6,7 +6,7 @@ import { Ground } from "./ground";
 import { Marks, type Shown } from "./marks";
 import type { MotionEvent } from "./run";
 import { Shapes } from "./shapes";
-import type { RecordedSource } from "./source";
+import type { FrameSource } from "./source";
 
 /** More shapes than these throw no shadows: each would be drawn twice. */
 const mostShadows = 3000;
@@ -37,7 +37,7 @@ export class View3D {
   private slowness = 0;
   private quality = 1;
 
-  constructor(container: HTMLElement, private readonly source: RecordedSource, private readonly ghost: RecordedSource | undefined, private readonly extent: Extent) {
+  constructor(container: HTMLElement, private readonly source: FrameSource, private readonly ghost: FrameSource | undefined, private readonly extent: Extent) {
     const { header } = source;
     this.motion = makeMotion(header.bodies.length);
     this.renderer = new WebGLRenderer({ antialias: true, stencil: true, powerPreference: "high-performance" });
@@ -57,7 +57,7 @@ export class View3D {
     this.ground = new Ground(header, center, extent.radius, [0, 0, 0]);
     this.marks = new Marks(source, extent.radius, this.pixel, this.ratio);
     this.scene.add(this.ground.group, this.shapes.group);
-    this.scene.add(this.marks.trails.lines, this.marks.springs.lines, this.marks.arrows.mesh, this.marks.dots.points);
+    this.scene.add(this.marks.trails.lines, this.marks.springs.lines, this.marks.arrows.mesh, this.marks.ring.points, this.marks.dots.points);
     if (ghost) {
       const offset = ghost.header.origin.map((x, c) => x - header.origin[c]) as [number, number, number];
       this.ghostMotion = makeMotion(ghost.header.bodies.length);
@@ -123,15 +123,16 @@ export class View3D {
     this.pixel.value = (2 * Math.tan((this.camera.fov * Math.PI) / 360)) / height;
   }
 
-  /** Draws the moment. */
-  draw(time: number, shown: Shown, selected: number, event: MotionEvent | undefined): void {
+  /** Draws the moment. `flagged` bodies are marked like those that overlap. */
+  draw(time: number, shown: Shown, selected: number, event: MotionEvent | undefined, flagged: number[]): void {
     this.source.sample(time, this.motion);
     this.shapes.update(this.motion);
     this.shapes.hasShadows = this.canShadow && shown.shadows;
     this.ground.update(this.motion);
     const contacts = shown.contacts || shown.penetration ? this.source.contactsAt(time) : [];
     const deep = contacts.filter(({ gap }) => gap < -this.source.header.contact_tolerance);
-    this.shapes.mark(selected, new Set(shown.penetration ? deep.flatMap(({ bodyA, bodyB }) => [bodyA, bodyB]) : []));
+    const overlapping = shown.penetration ? deep.flatMap(({ bodyA, bodyB }) => [bodyA, bodyB]) : [];
+    this.shapes.mark(selected, new Set([...overlapping, ...flagged]));
     this.marks.update(time, this.motion, contacts, shown, selected, event);
     if (this.ghostShapes && this.ghost && this.ghostMotion) {
       this.ghostShapes.group.visible = shown.ghost;
@@ -149,7 +150,7 @@ export class View3D {
     const size = this.renderer.getSize(new Vector2());
     const target = new WebGLRenderTarget(1, 1);
     const background = this.scene.background;
-    const hidden = [this.ground.group, this.marks.trails.lines, this.marks.springs.lines, this.marks.arrows.mesh, this.marks.dots.points, this.ghostShapes?.group];
+    const hidden = [this.ground.group, this.marks.trails.lines, this.marks.springs.lines, this.marks.arrows.mesh, this.marks.ring.points, this.marks.dots.points, this.ghostShapes?.group];
     const visible = hidden.map((object) => object?.visible);
     hidden.forEach((object) => object && (object.visible = false));
     this.shapes.setPicking(true);
