@@ -71,8 +71,8 @@ describe("small things", () => {
   });
 
   test("energy of rotation takes the principal frame", () => {
-    // A quarter turn about z takes the body's x axis to y: there the moment is 2.
-    const q: [number, number, number, number] = [Math.SQRT1_2, 0, 0, Math.SQRT1_2];
+    // A third of a turn about (1, 1, 1) takes the body's x axis to y: there the moment is 2.
+    const q: [number, number, number, number] = [0.5, 0.5, 0.5, 0.5];
     const [translation, rotation] = kineticEnergy(3, [2, 5, 7], [1, 2, 0], [0, 4, 0], q);
     expect(translation).toBeCloseTo(7.5, 12);
     expect(rotation).toBeCloseTo(16, 12);

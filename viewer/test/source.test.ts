@@ -50,6 +50,20 @@ describe("a recorded source", () => {
     expect(motion.position[3]).toBe(3);
   });
 
+  test("takes a body to where it was at the first and at the last of several impacts", async () => {
+    const { runs } = await loadRuns(pageBlocks(), 6, () => {});
+    const impact = runs[0].events[0];
+    runs[0].events = [0.1, 0.2, 0.3].map((time) => ({ ...impact, time }));
+    runs[0].frames.velocity[1] = 1;
+    const source = new RecordedSource(runs[0]);
+    const motion = makeMotion(2);
+    // y leaves 0 at 1 m/s and comes to 0 at rest.
+    for (const [time, y] of [[0.05, 0.05], [0.1, 0.1], [0.2, 0.05], [0.3, 0], [0.4, 0]]) {
+      source.sample(time, motion);
+      expect(motion.position[4]).toBeCloseTo(y, 6);
+    }
+  });
+
   test("goes on between frames with the stored velocities", async () => {
     const source = await sourceOf();
     const motion = makeMotion(2);
