@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <fstream>
 #include <iterator>
 
@@ -132,29 +133,63 @@ TEST(PageWriter, EventsKeepTimesPlacesAndImpulses) {
   EXPECT_TRUE(reader.is_at_end());
 }
 
-TEST(PageWriter, TheContactsOfAFrameAreThoseOfItsSnapshot) {
-  const Scene scene = scene_of("ramp_stick.yaml");
+/// The next frame of a chunk of contacts: bodies and eleven whole numbers of each, given those of the frame
+/// before.
+struct StoredContact {
+  int body_A, body_B, which;
+  std::array<std::int64_t, 11> numbers;
+};
+std::vector<StoredContact> next_contacts(test::BytesReader& reader,
+                                         const std::vector<StoredContact>& before) {
+  std::vector<StoredContact> contacts;
+  const std::int64_t count = reader.varint();
+  int last_A = 0, last_B = -1, which = 0;
+  for (std::int64_t i = 0; i < count; ++i) {
+    const int a = last_A + static_cast<int>(reader.varint()), b = a + static_cast<int>(reader.varint());
+    which = a == last_A && b == last_B ? which + 1 : 0;
+    last_A = a, last_B = b;
+    StoredContact contact{a, b, which, {}};
+    for (const StoredContact& earlier : before) {
+      if (earlier.body_A == a && earlier.body_B == b && earlier.which == which)
+        contact.numbers = earlier.numbers;
+    }
+    for (std::int64_t& number : contact.numbers) number += reader.varint();
+    contacts.push_back(contact);
+  }
+  return contacts;
+}
+
+TEST(PageWriter, TheContactsOfEveryFrameAreThoseOfItsSnapshot) {
+  // Dominoes touch the floor and each other, and their contacts come and go.
+  const Scene scene = scene_of("dominoes.yaml");
   const WrittenPage page = page_of(scene);
   const Json header = page.header();
+  const double position_step = header["position_step"];
   test::BytesReader reader(page.bytes_of("contacts"));
-  const double force_step = reader.take<double>();
-  EXPECT_EQ(reader.take<double>(), scene.method.contact_tolerance / 16);
-  ASSERT_GT(reader.take<std::uint32_t>(), 0u);
-  const std::vector<TouchingPoint> points = contact_snapshot(*scene.model, scene.method, page.states[0]);
-  ASSERT_FALSE(points.empty());
-  ASSERT_EQ(reader.varint(), static_cast<std::int64_t>(points.size()));
-  int last_A = 0;
-  for (const TouchingPoint& point : points) {
-    EXPECT_EQ(reader.varint(), point.body_A - last_A);
-    EXPECT_EQ(reader.varint(), point.body_B - point.body_A);
-    last_A = point.body_A;
-    EXPECT_EQ(reader.varint(), static_cast<std::int64_t>(point.mode));
-    reader.varint();  // The gap.
-    for (int k = 0; k < 6; ++k) reader.varint();
-    for (const double f : point.force_W) {
-      EXPECT_NEAR(static_cast<double>(reader.varint()) * force_step, f, 0.51 * force_step);
+  const double force_step = reader.take<double>(), gap_step = reader.take<double>();
+  EXPECT_EQ(gap_step, scene.method.contact_tolerance / 16);
+  ASSERT_EQ(reader.take<std::uint32_t>(), page.states.size());
+  std::vector<StoredContact> stored;
+  for (const State& state : page.states) {
+    stored = next_contacts(reader, stored);
+    const std::vector<TouchingPoint> points = contact_snapshot(*scene.model, scene.method, state);
+    ASSERT_EQ(stored.size(), points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const auto number = [&](std::size_t k) { return static_cast<double>(stored[i].numbers[k]); };
+      EXPECT_EQ(stored[i].body_A, points[i].body_A);
+      EXPECT_EQ(stored[i].body_B, points[i].body_B);
+      EXPECT_EQ(number(0), static_cast<double>(points[i].mode));
+      EXPECT_NEAR(number(1) * gap_step, points[i].gap, 0.51 * gap_step);
+      for (int c = 0; c < 3; ++c) {
+        const std::size_t place = static_cast<std::size_t>(c);
+        const double origin = header["origin"][place];
+        EXPECT_NEAR(number(2 + place) * position_step + origin, points[i].p_W[c], 0.51 * position_step);
+        EXPECT_NEAR(number(5 + place) / 1024, points[i].n_W[c], 0.51 / 1024);
+        EXPECT_NEAR(number(8 + place) * force_step, points[i].force_W[c], 0.51 * force_step);
+      }
     }
   }
+  EXPECT_TRUE(reader.is_at_end());
 }
 
 TEST(PageWriter, NamesThatLookLikeTagsStayText) {
