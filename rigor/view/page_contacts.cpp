@@ -10,6 +10,9 @@ namespace rigor {
 
 namespace {
 
+/// A chunk is full with so many contacts, or frames: then it takes some MB while it is filled.
+constexpr std::size_t contacts_of_chunk = 50000, frames_of_chunk = 256;
+
 /// Forces are told to 1/1024 of the chunk's largest.
 double force_step_of(const std::vector<std::vector<TouchingPoint>>& frames) {
   double largest = 0;
@@ -26,9 +29,12 @@ double force_step_of(const std::vector<std::vector<TouchingPoint>>& frames) {
 PageContacts::PageContacts(const PageScale& scale, double contact_tolerance)
     : origin_(scale.origin), position_step_(scale.position_step), gap_step_(contact_tolerance / 16) {}
 
-void PageContacts::add(const std::vector<TouchingPoint>& points) {
+std::optional<PageBlock> PageContacts::add(const std::vector<TouchingPoint>& points) {
   const std::size_t count = std::min(points.size(), most_in_frame);
   frames_.emplace_back(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(count));
+  count_ += count;
+  if (count_ >= contacts_of_chunk || frames_.size() == frames_of_chunk) return finish();
+  return std::nullopt;
 }
 
 PageContacts::Numbers PageContacts::numbers_of(const TouchingPoint& point, double force_step) const {
@@ -44,8 +50,8 @@ PageContacts::Numbers PageContacts::numbers_of(const TouchingPoint& point, doubl
   return result;
 }
 
-void PageContacts::close_chunk() {
-  if (frames_.empty()) return;
+std::optional<PageBlock> PageContacts::finish() {
+  if (frames_.empty()) return std::nullopt;
   const double force_step = force_step_of(frames_);
   std::string bytes;
   append_f64(force_step, bytes);
@@ -71,12 +77,8 @@ void PageContacts::close_chunk() {
     before = std::exchange(now, {});
   }
   frames_.clear();
-  chunks_.push_back(make_page_block("contacts", bytes));
-}
-
-std::vector<PageBlock> PageContacts::finish() {
-  close_chunk();
-  return std::move(chunks_);
+  count_ = 0;
+  return make_page_block("contacts", bytes);
 }
 
 }  // namespace rigor

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -26,10 +27,10 @@ class PageContacts {
 
   /// contact_tolerance [m]: gaps are told to a sixteenth of it.
   PageContacts(const PageScale& scale, double contact_tolerance);
-  void add(const std::vector<TouchingPoint>& points);
-  /// Ends the chunk: once for each chunk of frames.
-  void close_chunk();
-  std::vector<PageBlock> finish();
+  /// The contacts of one more frame. Gives a chunk when it is full.
+  std::optional<PageBlock> add(const std::vector<TouchingPoint>& points);
+  /// The frames since the last chunk, if there are any.
+  std::optional<PageBlock> finish();
 
  private:
   static constexpr std::size_t numbers = 11;
@@ -39,8 +40,8 @@ class PageContacts {
 
   Vec3 origin_;
   double position_step_, gap_step_;
-  std::vector<std::vector<TouchingPoint>> frames_;
-  std::vector<PageBlock> chunks_;
+  std::vector<std::vector<TouchingPoint>> frames_;  ///< Of the chunk that is being filled.
+  std::size_t count_ = 0;                           ///< Contacts in them.
 };
 
 }  // namespace rigor

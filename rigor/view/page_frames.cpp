@@ -73,7 +73,7 @@ PageFrames::PageFrames(const Model& model, const PageScale& scale) : model_(mode
   columns_.resize(moving_.size());
 }
 
-void PageFrames::add(const State& state) {
+std::optional<PageBlock> PageFrames::add(const State& state) {
   for (std::size_t i = 0; i < moving_.size(); ++i) {
     const int body = moving_[i];
     BodyColumns& columns = columns_[i];
@@ -90,11 +90,12 @@ void PageFrames::add(const State& state) {
     }
   }
   ++frame_count_;
-  if (++frames_in_chunk_ == chunk_size_) close_chunk();
+  if (++frames_in_chunk_ == chunk_size_) return finish();
+  return std::nullopt;
 }
 
-void PageFrames::close_chunk() {
-  if (frames_in_chunk_ == 0) return;
+std::optional<PageBlock> PageFrames::finish() {
+  if (frames_in_chunk_ == 0) return std::nullopt;
   double speed = 0, spin = 0;
   for (const BodyColumns& columns : columns_) {
     for (std::size_t k = 0; k < 6; ++k) {
@@ -123,13 +124,8 @@ void PageFrames::close_chunk() {
       columns.velocity[k].clear();
     }
   }
-  chunks_.push_back(make_page_block("frames", bytes));
   frames_in_chunk_ = 0;
-}
-
-std::vector<PageBlock> PageFrames::finish() {
-  close_chunk();
-  return std::move(chunks_);
+  return make_page_block("frames", bytes);
 }
 
 }  // namespace rigor

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,28 +37,23 @@ inline constexpr double packing_error = 8e-5;
 class PageFrames {
  public:
   PageFrames(const Model& model, const PageScale& scale);
-  /// One more frame. Keeps a chunk when it is full.
-  void add(const State& state);
-  /// True if the frame that was added last completed a chunk.
-  bool is_at_chunk_end() const { return frames_in_chunk_ == 0; }
+  /// One more frame. Gives a chunk when it is full.
+  std::optional<PageBlock> add(const State& state);
   int frame_count() const { return frame_count_; }
-  /// All chunks; what is not full is closed.
-  std::vector<PageBlock> finish();
+  /// The frames since the last chunk, if there are any.
+  std::optional<PageBlock> finish();
 
  private:
   struct BodyColumns {
     std::array<std::vector<std::int64_t>, 7> pose;
     std::array<std::vector<double>, 6> velocity;  ///< Quantised when the chunk's largest is known.
   };
-  void close_chunk();
-
   const Model& model_;
   PageScale scale_;
   std::vector<int> moving_;  ///< Model indices.
   int chunk_size_;           ///< Frames.
   int frames_in_chunk_ = 0, frame_count_ = 0;
   std::vector<BodyColumns> columns_;
-  std::vector<PageBlock> chunks_;
 };
 
 }  // namespace rigor

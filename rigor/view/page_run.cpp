@@ -117,9 +117,8 @@ PageRun::PageRun(const Scene& scene, const State& start)
       series_(quantities.size()) {}
 
 void PageRun::add(const State& state, const AdvanceReport& since, const Energy& energy) {
-  frames_.add(state);
-  contacts_.add(contact_snapshot(*model_, method_, state));
-  if (frames_.is_at_chunk_end()) contacts_.close_chunk();
+  keep(frames_.add(state));
+  keep(contacts_.add(contact_snapshot(*model_, method_, state)));
   work_ += since.work;
   const Momentum momentum = total_momentum(*model_, state);
   const std::array<double, quantities.size()> row = {state.t,
@@ -165,12 +164,14 @@ std::vector<PageBlock> PageRun::finish(const Audit& audit) {
   std::vector<PageBlock> blocks = {make_page_block("header", json_line(header)),
                                    make_page_block("meshes", geometry.mesh_bytes), series_block(),
                                    events_block()};
-  std::vector<PageBlock> frames = frames_.finish(), contacts = contacts_.finish();
-  for (std::size_t i = 0; i < frames.size(); ++i) {
-    blocks.push_back(std::move(frames[i]));
-    blocks.push_back(std::move(contacts[i]));
-  }
+  keep(frames_.finish());
+  keep(contacts_.finish());
+  for (PageBlock& chunk : chunks_) blocks.push_back(std::move(chunk));
   return blocks;
+}
+
+void PageRun::keep(std::optional<PageBlock> chunk) {
+  if (chunk) chunks_.push_back(std::move(*chunk));
 }
 
 PageBlock PageRun::series_block() const {

@@ -6,6 +6,7 @@
 #include "rigor/view/page_frames.hpp"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,7 @@ class PageRun {
   const std::string& name() const { return name_; }
 
  private:
+  void keep(std::optional<PageBlock> chunk);
   PageBlock events_block() const;
   PageBlock series_block() const;
 
@@ -35,6 +37,7 @@ class PageRun {
   PageScale scale_;
   PageFrames frames_;
   PageContacts contacts_;
+  std::vector<PageBlock> chunks_;            ///< Of frames and contacts, as they were filled.
   std::vector<std::vector<double>> series_;  ///< One column a quantity.
   double work_ = 0;                          ///< Supplied so far [J].
   std::vector<MotionEvent> events_;

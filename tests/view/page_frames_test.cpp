@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <random>
 
 namespace rigor {
@@ -53,6 +54,17 @@ std::vector<State> tumbling(const Model& model, int count) {
     states.push_back(state);
   }
   return states;
+}
+
+/// All chunks of the states.
+std::vector<PageBlock> chunks_of(PageFrames& frames, const std::vector<State>& states) {
+  std::vector<PageBlock> chunks;
+  const auto keep = [&chunks](std::optional<PageBlock> chunk) {
+    if (chunk) chunks.push_back(std::move(*chunk));
+  };
+  for (const State& state : states) keep(frames.add(state));
+  keep(frames.finish());
+  return chunks;
 }
 
 struct ReadFrames {
@@ -104,9 +116,8 @@ TEST(PageFrames, WhatIsReadBackIsTheMotionToTheStatedErrors) {
   const std::vector<State> states = tumbling(*model, 600);
   const PageScale scale = page_scale(*model, states[0]);
   PageFrames frames(*model, scale);
-  for (const State& state : states) frames.add(state);
+  const std::vector<PageBlock> chunks = chunks_of(frames, states);
   EXPECT_EQ(frames.frame_count(), 600);
-  const std::vector<PageBlock> chunks = frames.finish();
   ASSERT_GT(chunks.size(), 1u);
   const ReadFrames read = read_frames(chunks, scale);
   ASSERT_EQ(read.x.size(), states.size());
@@ -192,10 +203,11 @@ TEST(PageFrames, BoxesTumblingAtRandomTakeLessThanTwelveBytesABodyAFrame) {
     w[static_cast<std::size_t>(i)] = 5 * Vec3(normal(random), normal(random), normal(random));
   }
   PageFrames frames(*model, page_scale(*model, state));
+  std::vector<State> states;
   constexpr int count = 300;
   constexpr double h = 0.01;
   for (int k = 0; k < count; ++k) {
-    frames.add(state);
+    states.push_back(state);
     for (int i = 1; i <= 200; ++i) {
       const std::size_t place = static_cast<std::size_t>(i);
       // Every tenth body is struck in every frame.
@@ -212,7 +224,7 @@ TEST(PageFrames, BoxesTumblingAtRandomTakeLessThanTwelveBytesABodyAFrame) {
     }
   }
   double bytes = 0;
-  for (const PageBlock& block : frames.finish())
+  for (const PageBlock& block : chunks_of(frames, states))
     bytes += 4.0 / 3 * static_cast<double>(block.deflated.size());
   EXPECT_LT(bytes / (200.0 * count), 12);
 }
@@ -224,8 +236,7 @@ TEST(PageFrames, StatesThatAreNotFiniteAreStoredAsTheOriginAndDoNotStopThePage) 
   PageFrames frames(*model, scale);
   state.x[3] = std::numeric_limits<double>::quiet_NaN();
   state.P[3] = std::numeric_limits<double>::infinity();
-  frames.add(state);
-  const ReadFrames read = read_frames(frames.finish(), scale);
+  const ReadFrames read = read_frames(chunks_of(frames, {state}), scale);
   EXPECT_EQ(read.x[0][0].x(), scale.origin.x());
 }
 
