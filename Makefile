@@ -8,15 +8,17 @@ RIGOR := $(BUILD)/rigor
 
 run: build
 	@mkdir -p out
-	@$(RIGOR) run scenes/turntable.yaml -o out/turntable.png
+	@$(RIGOR) run scenes/turntable.yaml -o out/turntable.html -o out/turntable.png
 	@echo
-	@$(RIGOR) run scenes/cradle.yaml -o out/cradle.png
+	@$(RIGOR) run scenes/cradle.yaml -o out/cradle.html -o out/cradle.png
 	@echo
-	@echo "Pictures of both: out/turntable.png, out/cradle.png"
+	@echo "To look at them, open these pages in a browser (no network needed), or the pictures:"
+	@echo "  out/turntable.html   out/turntable.png"
+	@echo "  out/cradle.html      out/cradle.png"
 	@echo
 	@echo "What next:"
-	@echo "  $(RIGOR) run scenes/bouncing_ball.yaml -o ball.csv       any scene in scenes/; output as .csv, .h5, .json or .png"
-	@echo "  $(RIGOR) render scenes/dominoes.yaml -o dominoes.png      pictures of any scene or trajectory"
+	@echo "  $(RIGOR) run scenes/bouncing_ball.yaml -o ball.html      any scene in scenes/; output as .html, .png, .csv, .h5 or .json"
+	@echo "  $(RIGOR) render scenes/dominoes.yaml -o dominoes.png     pictures of any scene or trajectory"
 	@echo "  $(RIGOR) run scenes/cradle.yaml --set materials.steel.restitution=0.5"
 	@echo "  $(RIGOR) check scenes/*.yaml                             validate scenes only"
 	@echo "  $(RIGOR) methods                                         every method by name, with its source"
@@ -34,7 +36,7 @@ setup:
 configure: setup
 	@[ -f $(BUILD)/build.ninja ] || cmake --preset release
 
-check:
+check: build
 	@tools/setup.sh check
 	@tools/check.sh $(JOBS)
 
@@ -50,9 +52,9 @@ clean:
 	rm -rf build
 
 help:
-	@echo "make run     build, then run two scenes, show their audits and write pictures to out/"
+	@echo "make run     build, then run two scenes, show their audits and leave their replays as pages and pictures in out/"
 	@echo "make test    build, then all tests"
 	@echo "make build   build only (Release, in $(BUILD))"
-	@echo "make check   formatting, clang++ beside g++ with warnings as errors, the tests under ASan and UBSan"
+	@echo "make check   formatting, clang++ beside g++ with warnings as errors, the tests under ASan and UBSan, the viewer"
 	@echo "make bench   error and CPU time of the reference scenes and of pictures, beside the peer engines that are installed"
 	@echo "make clean   remove build/"

@@ -6,10 +6,12 @@
 #include "rigor/core/suggestion.hpp"
 #include "rigor/io/trajectory_writer.hpp"
 #include "rigor/io/version.hpp"
+#include "rigor/view/page_writer.hpp"
 #include "rigor/view/picture_writer.hpp"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
+#include <array>
 
 #include <charconv>
 #include <filesystem>
@@ -68,8 +70,10 @@ void add_json(CLI::App& app, std::string& json, const std::string& what) {
 
 void add_run(CLI::App& app, RunOptions& run) {
   app.add_option("SCENE", run.scene, "scene file (.yaml or .json)")->required()->option_text(" ");
-  add_value(app, "-o,--output", run.outputs,
-            "by suffix: trajectory .csv .h5 .json, picture of the key moments .png; may be repeated", "OUT");
+  add_value(
+      app, "-o,--output", run.outputs,
+      "by suffix: trajectory .csv .h5 .json, page with the replay .html, key moments .png; may be repeated",
+      "OUT");
   add_value(app, "--set", run.overrides,
             "override a value of the scene, such as method.integrator=rk4; may be repeated", "KEY=VALUE");
   add_value(app, "--duration", run.duration, "simulated time at which the run ends [s]", "S")
@@ -181,9 +185,12 @@ bool is_same_file(const std::string& a, const std::string& b) {
   return whole(a) == whole(b);
 }
 
+/// Of what the view layer draws, beside the trajectories.
+constexpr std::array<std::string_view, 2> drawn_suffixes = {page_suffixes[0], picture_suffixes[0]};
+
 void check_run(const RunOptions& run) {
   for (const std::string& output : run.outputs) {
-    const std::string message = check_output_suffix(output, picture_suffixes);
+    const std::string message = check_output_suffix(output, drawn_suffixes);
     if (!message.empty()) throw UsageError(message);
   }
   std::vector<std::string> written = run.outputs;

@@ -48,7 +48,13 @@ RunRecorder::RunRecorder(const RunOptions& options, const Scene& scene, double s
   if (!options.json.empty() && options.json != "-") json_ = std::make_unique<OutputFile>(options.json);
   if (!options.outputs.empty()) {
     const TrajectoryHeader header = make_header(options, scene);
-    for (const std::string& output : options.outputs) writers_.push_back(make_output(output, header, scene));
+    for (const std::string& output : options.outputs) {
+      if (std::filesystem::path(output).extension() == page_suffixes[0]) {
+        pages_.emplace_back(output, scene);
+      } else {
+        writers_.push_back(make_output(output, header, scene));
+      }
+    }
   }
   if (options.checkpoint_every)
     checkpoint_count_ = static_cast<long>(std::floor(start_time / *options.checkpoint_every));
@@ -80,6 +86,7 @@ void RunRecorder::record(const State& state, const AdvanceReport& since, const A
     sample.penetration = since.max_penetration;
     for (const auto& writer : writers_) writer->write(sample, since.events);
   }
+  for (PageWriter& page : pages_) page.write(state, since, auditor.energy());
   // What stopped the run would only stop it again.
   if (!options_.checkpoint_every || since.reason != StopReason::reached_end) return;
   const long passed = static_cast<long>(std::floor(state.t / *options_.checkpoint_every));
@@ -117,6 +124,7 @@ Audit RunRecorder::finish(const RunResult& result, const std::vector<std::string
   if (!options_.checkpoint.empty() && can_go_on) attempt([&] { write_checkpoint_at(result.state, audit); });
   audit.warnings.insert(audit.warnings.begin(), warnings.begin(), warnings.end());
   for (const auto& writer : writers_) attempt([&] { writer->close(audit); });
+  for (PageWriter& page : pages_) attempt([&] { page.close(audit); });
   if (json_) {
     attempt([&] {
       json_->append(fmt::format("{}\n", audit_json(audit)));

@@ -9,6 +9,7 @@
 #include "rigor/io/scene_reader.hpp"
 #include "rigor/io/trajectory_writer.hpp"
 #include "rigor/sim/simulation.hpp"
+#include "rigor/view/page_writer.hpp"
 
 #include <chrono>
 #include <memory>
@@ -53,6 +54,7 @@ class RunRecorder {
   Progress progress_;
   RunCourse course_;
   std::vector<std::unique_ptr<TrajectoryWriter>> writers_;
+  std::vector<PageWriter> pages_;
   std::unique_ptr<OutputFile> json_;
   long checkpoint_count_ = 0;  ///< Multiples of the interval that have passed.
   std::string file_error_;

@@ -30,6 +30,16 @@ function(rigor_layer name)
   target_precompile_headers(rigor_${name} REUSE_FROM rigor_pch)
 endfunction()
 
+# rigor_embed_text(target file header function): function(), declared in the header, returns the text of the file.
+function(rigor_embed_text target file header function)
+  set(source ${PROJECT_BINARY_DIR}/embedded/${function}.cpp)
+  set(script ${PROJECT_SOURCE_DIR}/cmake/EmbedText.cmake)
+  add_custom_command(OUTPUT ${source} DEPENDS ${PROJECT_SOURCE_DIR}/${file} ${script}
+    COMMAND ${CMAKE_COMMAND} -DINPUT=${PROJECT_SOURCE_DIR}/${file} -DOUTPUT=${source} -DHEADER=${header}
+      -DFUNCTION=${function} -P ${script})
+  target_sources(${target} PRIVATE ${source})
+endfunction()
+
 # rigor_tests(folder layer...): one test program of all tests/<folder>/*_test.cpp.
 function(rigor_tests folder)
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${folder}/*_test.cpp)

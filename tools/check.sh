@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# The slower checks: formatting, every header alone, clang++ with warnings as errors, tests under ASan and UBSan.
+# The slower checks: formatting, every header alone, clang++ with warnings as errors, tests under ASan and UBSan, the
+# viewer (with the program that `make build` leaves).
 # usage: tools/check.sh [jobs]
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -7,6 +8,12 @@ jobs=${1:-2}
 
 echo "== clang-format"
 git ls-files '*.cpp' '*.hpp' | xargs clang-format --dry-run --Werror
+
+if command -v npm >/dev/null; then
+  tools/check_viewer.sh
+else
+  echo "== viewer: not checked, there is no npm"
+fi
 
 echo "== clang++: build with warnings as errors, headers alone"
 [ -f build/clang/build.ninja ] || cmake --preset clang >/dev/null

@@ -6,10 +6,13 @@
 set -euo pipefail
 
 packages=(g++ make cmake ninja-build git ca-certificates libeigen3-dev libyaml-cpp-dev nlohmann-json3-dev libcli11-dev
-  libfmt-dev libhdf5-dev libpng-dev libqhull-dev libgtest-dev)
+  libfmt-dev libhdf5-dev libpng-dev libqhull-dev libgtest-dev zlib1g-dev)
 case "${1:-build}" in
   build) ;;
-  check) packages+=(clang clang-format) ;;
+  check)
+    packages+=(clang clang-format chromium)
+    # Node may have come from elsewhere; Debian's npm would not go with it.
+    command -v npm >/dev/null || packages+=(nodejs npm) ;;
   bench) packages+=(libbenchmark-dev) ;;
   *) echo "usage: tools/setup.sh [build|check|bench]" >&2; exit 2 ;;
 esac

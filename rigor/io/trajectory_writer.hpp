@@ -48,7 +48,7 @@ class TrajectoryWriter {
 
 /// Empty if a trajectory can be written to a file with this suffix (.csv, .h5, .json, or one of those that
 /// other layers write), or why not: "run.mp4: .mp4 is not available in this version; available: .csv .h5
-/// .json .png".
+/// .json .html .png".
 std::string check_output_suffix(const std::filesystem::path& path,
                                 std::span<const std::string_view> written_elsewhere = {});
 

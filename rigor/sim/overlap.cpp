@@ -1,19 +1,12 @@
-#include "rigor/contact/contact.hpp"
-#include "rigor/geometry/aabb_tree.hpp"
 #include "rigor/geometry/distance.hpp"
-#include "rigor/math/rotation.hpp"
+#include "rigor/sim/near_pairs.hpp"
 #include "rigor/sim/simulation.hpp"
 
-#include <cmath>
 #include <limits>
 
 namespace rigor {
 
 namespace {
-
-Pose pose_of(const State& state, int body) {
-  return {rotation_matrix(state.orientation(body)), state.position(body)};
-}
 
 /// Deepest overlap of two bodies with its normal from A to B.
 struct Deepest {
@@ -33,45 +26,11 @@ Deepest deepest_overlap(const Model& model, const State& state, int a, int b) {
   return deepest;
 }
 
-/// Pairs whose boxes meet and that may collide, lower index first, in order.
-std::vector<std::pair<int, int>> near_pairs(const Model& model, const State& state) {
-  AabbTree tree;
-  std::vector<Aabb> boxes;
-  std::vector<int> unbounded;
-  for (int i = 0; i < model.body_count(); ++i) {
-    Aabb box{Vec3::Constant(std::numeric_limits<double>::infinity()),
-             Vec3::Constant(-std::numeric_limits<double>::infinity())};
-    for (const BodyShape& shape : model.body(i).shapes) {
-      box = box.united(axis_aligned_box(shape.shape, pose_of(state, i) * shape.X_BS));
-    }
-    boxes.push_back(box);
-    if (model.body(i).shapes.empty()) continue;
-    if (std::isfinite(model.body(i).bounding_radius)) {
-      tree.set(i, box);
-    } else {
-      unbounded.push_back(i);
-    }
-  }
-  std::vector<std::pair<int, int>> pairs;
-  std::vector<int> near;
-  for (int i = 0; i < model.body_count(); ++i) {
-    if (model.body(i).shapes.empty() || !std::isfinite(model.body(i).bounding_radius)) continue;
-    tree.overlapping(boxes[static_cast<std::size_t>(i)], near);
-    for (const int other : near) {
-      if (other > i && model.may_collide(i, other)) pairs.push_back({i, other});
-    }
-    for (const int other : unbounded) {
-      if (model.may_collide(i, other)) pairs.push_back(std::minmax(i, other));
-    }
-  }
-  return pairs;
-}
-
 }  // namespace
 
 std::vector<Overlap> find_overlaps(const Model& model, const State& state, double tolerance) {
   std::vector<Overlap> overlaps;
-  for (const auto& [a, b] : near_pairs(model, state)) {
+  for (const auto& [a, b] : near_pairs(model, state, 0)) {
     const double depth = deepest_overlap(model, state, a, b).depth;
     if (depth > tolerance) overlaps.push_back({a, b, depth});
   }
@@ -90,7 +49,7 @@ std::vector<Overlap> apply_separation(const Model& model, double tolerance, Stat
   };
   for (int round = 0; round < most_rounds; ++round) {
     bool is_apart = true;
-    for (const auto& [a, b] : near_pairs(model, state)) {
+    for (const auto& [a, b] : near_pairs(model, state, 0)) {
       const Deepest deepest = deepest_overlap(model, state, a, b);
       if (deepest.depth <= 0) continue;
       is_apart = is_apart && deepest.depth <= 0.5 * tolerance;

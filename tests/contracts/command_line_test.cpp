@@ -98,10 +98,10 @@ TEST(CommandLine, ValuesThatMakeNoSenseAreUsageErrors) {
 TEST(CommandLine, OutputsOfLaterVersionsAreRefusedWithTheAvailableOnes) {
   const ProgramFolder folder;
   folder.write("ball.yaml", ball);
-  for (const std::string name : {"page.html", "film.mp4"}) {
+  for (const std::string name : {"film.mp4", "solid.stl"}) {
     const ProgramResult result = folder.run({"run", "ball.yaml", "-o", name});
     EXPECT_EQ(result.code, 2);
-    expect_contains(result.error, "is not available in this version; available: .csv .h5 .json .png");
+    expect_contains(result.error, "is not available in this version; available: .csv .h5 .json .html .png");
     EXPECT_FALSE(folder.has(name));
   }
 }

@@ -146,6 +146,25 @@ TEST(RunCommand, ADiskThatFillsUpIsFiveWithTheAuditSoFar) {
   EXPECT_EQ(line_count(folder.read("a.csv")), 12u);
 }
 
+TEST(RunCommand, APageIsWrittenAtTheEndAndWhenInterrupted) {
+  const ProgramFolder folder;
+  folder.write("ball.yaml", ball);
+  const auto is_whole = [](const std::string& page) {
+    return page.rfind("<!doctype html>", 0) == 0 && page.find("data-kind=\"frames\"") != std::string::npos &&
+           page.ends_with("</html>\n");
+  };
+  EXPECT_EQ(folder.run({"run", "ball.yaml", "-o", "a.html", "--quiet"}).code, 0);
+  EXPECT_TRUE(is_whole(folder.read("a.html")));
+  const pid_t child = folder.start({"run", "ball.yaml", "--duration", "1e8", "-o", "b.html", "-o", "b.csv"});
+  while (line_count(folder.read("b.csv")) < 3) ::usleep(1000);
+  ::kill(child, SIGINT);
+  EXPECT_EQ(folder.wait(child).code, 130);
+  EXPECT_TRUE(is_whole(folder.read("b.html")));
+  const ProgramResult refused = folder.run({"run", "ball.yaml", "-o", "nowhere/c.html"});
+  EXPECT_EQ(refused.code, 5);
+  expect_contains(refused.error, "cannot write 'nowhere/c.html'");
+}
+
 TEST(RunCommand, AnInterruptClosesTheFilesAndIs130) {
   const ProgramFolder folder;
   folder.write("ball.yaml", ball);

@@ -1,0 +1,121 @@
+#include "rigor/sim/contact_snapshot.hpp"
+
+#include "rigor/contact/contact_kinematics.hpp"
+#include "rigor/contact/resting.hpp"
+#include "rigor/sim/cluster.hpp"
+#include "rigor/sim/near_pairs.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+
+namespace rigor {
+
+namespace {
+
+/// The problem of a group is dense: beyond this its cost (a minute) is not worth a picture.
+constexpr std::size_t most_contacts_of_group = 400;
+
+Cluster touching_bodies(const Model& model, const Method& method, const State& state) {
+  Cluster cluster{.t = state.t, .slip_tolerance = slip_tolerance(method)};
+  for (int i = 0; i < model.body_count(); ++i) {
+    if (model.body(i).motion != MotionType::dynamic) continue;
+    cluster.bodies.push_back(i);
+    cluster.phases.push_back(
+        {state.position(i), state.orientation(i), state.linear_momentum(i), state.angular_momentum(i)});
+  }
+  for (const auto& [a, b] : near_pairs(model, state, method.contact_tolerance)) {
+    const std::vector<Contact> found =
+        find_contacts(model, a, b, pose_of(state, a), pose_of(state, b), method.contact_tolerance);
+    cluster.contacts.insert(cluster.contacts.end(), found.begin(), found.end());
+  }
+  return cluster;
+}
+
+ContactSystem system_of(const Model& model, const Cluster& part, const std::vector<Contact>& contacts) {
+  std::vector<int> bodies = bodies_of(contacts, part.bodies);
+  std::vector<BodyKinetics> kinetics;
+  for (const int body : bodies) {
+    kinetics.push_back(model.body(body).motion == MotionType::dynamic
+                           ? dynamic_kinetics(model.body(body), part.phase_of(body))
+                           : prescribed_kinetics(model.body(body), part.t));
+  }
+  return make_contact_system(contacts, std::move(bodies), std::move(kinetics));
+}
+
+TouchingPoint unsolved_point(const ContactSystem& system, std::size_t i) {
+  const Contact& contact = system.contacts[i];
+  const Vec3 u = relative_velocity(contact, system.of(contact.body_A), system.of(contact.body_B));
+  return {.body_A = contact.body_A,
+          .body_B = contact.body_B,
+          .p_W = contact.p_W(),
+          .n_W = contact.point.n_W,
+          .gap = contact.point.gap,
+          .u_W = system.frames[i] * u};
+}
+
+TouchingPoint::Mode mode_of(ContactMode mode) {
+  switch (mode) {
+    case ContactMode::open:
+      return TouchingPoint::Mode::open;
+    case ContactMode::stick:
+      return TouchingPoint::Mode::stick;
+    case ContactMode::slide:
+      return TouchingPoint::Mode::slide;
+  }
+  return TouchingPoint::Mode::unknown;
+}
+
+/// The points of one group of bodies, with forces at those that do not part.
+std::vector<TouchingPoint> points_of(const Model& model, const Method& method,
+                                     const IslandIntegrator& integrator, const Cluster& part) {
+  const ContactSystem touching = system_of(model, part, part.contacts);
+  const double parting = 1e-3 * method.resting_velocity;
+  std::vector<TouchingPoint> points;
+  std::vector<std::size_t> pressed;
+  std::vector<Contact> candidates;
+  for (std::size_t i = 0; i < part.contacts.size(); ++i) {
+    points.push_back(unsolved_point(touching, i));
+    if (points.back().u_W.dot(points.back().n_W) > parting) continue;
+    pressed.push_back(i);
+    candidates.push_back(part.contacts[i]);
+  }
+  if (candidates.size() > most_contacts_of_group) {
+    for (const std::size_t i : pressed) {
+      points[i].mode = TouchingPoint::Mode::unknown;
+      points[i].force_W.setConstant(std::numeric_limits<double>::quiet_NaN());
+    }
+    return points;
+  }
+  if (candidates.empty()) return points;
+
+  const ContactSystem system = system_of(model, part, candidates);
+  const RestingSolution resting =
+      solve_resting(system, integrator.environment_wrenches(system, part.t), part.slip_tolerance);
+  for (std::size_t k = 0; k < pressed.size(); ++k) {
+    TouchingPoint& point = points[pressed[k]];
+    point.mode = mode_of(resting.states[k].mode);
+    point.force_W = world_impulse(system, resting.forces.lambda, static_cast<int>(k));
+  }
+  return points;
+}
+
+}  // namespace
+
+std::vector<TouchingPoint> contact_snapshot(const Model& model, const Method& method, const State& state) {
+  const Environment environment(model);
+  const IslandIntegrator integrator(model, environment, method);
+  const Cluster cluster = touching_bodies(model, method, state);
+  std::vector<TouchingPoint> points;
+  for (const Cluster& part : connected_parts(cluster, cluster.contacts, environment)) {
+    if (part.contacts.empty()) continue;
+    const std::vector<TouchingPoint> of_part = points_of(model, method, integrator, part);
+    points.insert(points.end(), of_part.begin(), of_part.end());
+  }
+  std::stable_sort(points.begin(), points.end(), [](const TouchingPoint& a, const TouchingPoint& b) {
+    return std::tie(a.body_A, a.body_B) < std::tie(b.body_A, b.body_B);
+  });
+  return points;
+}
+
+}  // namespace rigor

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "rigor/model/state.hpp"
+#include "rigor/sim/method.hpp"
+
+#include <vector>
+
+namespace rigor {
+
+/// One point where two bodies touch, as a picture shows it.
+struct TouchingPoint {
+  enum class Mode {
+    open,     ///< Touches without a force: about to part, or just met.
+    stick,    ///< Carries a force and does not slip.
+    slide,    ///< Carries a force and slips.
+    unknown,  ///< In a group of more contacts than are solved for; the force is NaN.
+  };
+  int body_A, body_B;           ///< Model indices, body_A < body_B.
+  Vec3 p_W = Vec3::Zero();      ///< [m].
+  Vec3 n_W = Vec3::UnitZ();     ///< Unit normal from A to B.
+  double gap = 0;               ///< [m], negative when overlapping.
+  Vec3 force_W = Vec3::Zero();  ///< On B [N]: normal part along n_W, friction across it.
+  Vec3 u_W = Vec3::Zero();      ///< Velocity of B against A at the point [m/s].
+  Mode mode = Mode::open;
+};
+
+/// All points closer than the method's contact tolerance, with the forces that rest and friction ask for at
+/// this instant: Coulomb's problem of the accelerations (solve_resting), for each group of bodies that touch
+/// each other by itself. Points that part faster than a thousandth of the resting velocity carry none. In the
+/// order of bodies, shapes and features. A function of its arguments alone: it draws what a stepper did, and
+/// is no part of one.
+std::vector<TouchingPoint> contact_snapshot(const Model& model, const Method& method, const State& state);
+
+}  // namespace rigor

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rigor {
+
+/// A piece of a page's data, compressed, with what is needed to see whether it arrived whole.
+struct PageBlock {
+  std::string kind;        ///< "header", "frames", ...: letters only.
+  std::size_t raw_size;    ///< Bytes before compression.
+  std::string deflated;    ///< zlib format (RFC 1950).
+  std::uint32_t checksum;  ///< CRC-32 (RFC 1952) of `deflated`.
+};
+PageBlock make_page_block(std::string kind, std::string_view bytes);
+
+/// The block as an element of an HTML file that browsers neither run nor show: attributes data-run,
+/// data-kind, data-raw and data-size [bytes before and after compression], data-crc (8 hexadecimal digits);
+/// text: base64.
+std::string block_html(const PageBlock& block, int run);
+
+/// Base64 of the bytes with padding. Source: Josefsson, The Base16, Base32, and Base64 Data Encodings, RFC
+/// 4648, 2006, section 4.
+std::string base64(std::string_view bytes);
+
+// Little-endian numbers, appended to bytes.
+void append_u32(std::uint32_t value, std::string& bytes);
+void append_f32(float value, std::string& bytes);
+void append_f64(double value, std::string& bytes);
+
+/// A whole number in groups of seven bits, the lowest first, each but the last with its high bit set; the
+/// sign is folded in: 0, -1, 1, -2, ... become 0, 1, 2, 3, ...
+void append_varint(std::int64_t value, std::string& bytes);
+
+/// A column of whole numbers as what differs from going on in a straight line: x_0, x_1 - x_0, then x_k -
+/// (2 x_{k-1} - x_{k-2}), each as a varint. Smooth motion gives small numbers, rest gives zeros.
+void append_column(std::span<const std::int64_t> values, std::string& bytes);
+
+/// The multiple of the step [same unit] that is nearest to the value, held within ±2⁵⁰ so that JavaScript's
+/// numbers hold its differences exactly; 0 for what is not finite.
+std::int64_t quantised(double value, double step);
+
+/// The largest power of two that is at most the positive value, so that multiples of it are exact.
+double power_of_two_below(double value);
+
+}  // namespace rigor

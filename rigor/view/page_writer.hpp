@@ -1,0 +1,38 @@
+#pragma once
+
+#include "rigor/view/page_run.hpp"
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+
+namespace rigor {
+
+/// Suffixes of the files that PageWriter writes.
+inline constexpr std::array<std::string_view, 1> page_suffixes = {".html"};
+
+/// The viewer: one script (viewer/dist/viewer.js) that finds the data blocks of the page it is in.
+std::string_view viewer_script();
+
+/// Writes a page that shows these runs, the second one as the ghost of the first: the viewer, then the blocks
+/// of each run. It needs no network and no other file. Throws FileError.
+void write_page(const std::filesystem::path& path, std::string_view title,
+                const std::vector<std::vector<PageBlock>>& runs);
+
+/// Watches a run and leaves it as a page of its own. The page is written when the run ends.
+class PageWriter {
+ public:
+  /// Throws FileError if the file cannot be written.
+  PageWriter(std::filesystem::path path, const Scene& scene);
+  void write(const State& state, const AdvanceReport& since, const Energy& energy);
+  /// Writes the page, with what there is. Throws FileError.
+  void close(const Audit& audit);
+
+ private:
+  std::filesystem::path path_;
+  const Scene& scene_;
+  std::optional<PageRun> run_;  ///< From the first output time on.
+};
+
+}  // namespace rigor

@@ -1,0 +1,244 @@
+#include "rigor/view/page_frames.hpp"
+
+#include "rigor/io/scene_reader.hpp"
+#include "rigor/math/rotation.hpp"
+#include "rigor/model/model_builder.hpp"
+#include "rigor/sim/simulation.hpp"
+#include "rigor/view/page_run.hpp"
+#include "view/page_reading.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <random>
+
+namespace rigor {
+namespace {
+
+BodyDescription body_of(const std::string& name, const Shape& shape, const Vec3& x) {
+  BodyDescription body;
+  body.name = name;
+  body.p_WL = x;
+  body.shapes.push_back({shape, Vec3::Zero(), Quat::Identity(), "", ""});
+  return body;
+}
+
+/// A floor and n boxes that can be put anywhere.
+std::shared_ptr<const Model> boxes(int count) {
+  ModelBuilder builder;
+  BodyDescription floor = body_of("floor", HalfSpace{Vec3::UnitZ(), -1}, Vec3::Zero());
+  floor.motion = MotionType::fixed;
+  builder.add_body(floor);
+  for (int i = 0; i < count; ++i) {
+    builder.add_body(body_of("box" + std::to_string(i), Box{Vec3(0.1, 0.15, 0.2)}, Vec3(0.5 * i, 0, 0)));
+  }
+  return builder.build();
+}
+
+/// Frames with every body in free rotation and translation.
+std::vector<State> tumbling(const Model& model, int count) {
+  std::vector<State> states;
+  for (int k = 0; k < count; ++k) {
+    State state = make_initial_state(model);
+    state.t = 0.01 * k;
+    for (int i = 1; i < model.body_count(); ++i) {
+      const Vec3 v(0.3, -0.2 * i, 1 - 9.81 * state.t), w(4, -3 + i, 2);
+      const Vec3 x = state.position(i) + Vec3(0.3, -0.2 * i, 1 - 4.905 * state.t) * state.t;
+      const Quat q = rotation_exp(w * state.t);
+      const Mat3 R = rotation_matrix(q);
+      const Body& body = model.body(i);
+      state.set_body(i, x, q, body.mass * v, R * body.moments.asDiagonal() * R.transpose() * w);
+    }
+    states.push_back(state);
+  }
+  return states;
+}
+
+/// All chunks of the states.
+std::vector<PageBlock> chunks_of(PageFrames& frames, const std::vector<State>& states) {
+  std::vector<PageBlock> chunks;
+  const auto keep = [&chunks](std::optional<PageBlock> chunk) {
+    if (chunk) chunks.push_back(std::move(*chunk));
+  };
+  for (const State& state : states) keep(frames.add(state));
+  keep(frames.finish());
+  return chunks;
+}
+
+struct ReadFrames {
+  std::vector<std::vector<Vec3>> x, v, w;  ///< By frame, then body.
+  std::vector<std::vector<Quat>> q;
+  double speed_step = 0, spin_step = 0;  ///< The largest of all chunks.
+};
+ReadFrames read_frames(const std::vector<PageBlock>& chunks, const PageScale& scale) {
+  ReadFrames read;
+  for (const PageBlock& chunk : chunks) {
+    test::BytesReader reader(test::inflated(chunk));
+    const double speed_step = reader.take<double>(), spin_step = reader.take<double>();
+    read.speed_step = std::max(read.speed_step, speed_step);
+    read.spin_step = std::max(read.spin_step, spin_step);
+    const std::size_t frames = reader.take<std::uint32_t>(), bodies = reader.take<std::uint32_t>();
+    const std::size_t first = read.x.size();
+    for (std::size_t k = 0; k < frames; ++k) {
+      read.x.emplace_back(bodies), read.v.emplace_back(bodies), read.w.emplace_back(bodies);
+      read.q.emplace_back(bodies);
+    }
+    for (std::size_t i = 0; i < bodies; ++i) {
+      std::vector<std::vector<std::int64_t>> columns;
+      for (int c = 0; c < 13; ++c) columns.push_back(reader.column(frames));
+      for (std::size_t k = 0; k < frames; ++k) {
+        const auto vector = [&](std::size_t from, double step) {
+          return Vec3(step * Vec3(static_cast<double>(columns[from][k]),
+                                  static_cast<double>(columns[from + 1][k]),
+                                  static_cast<double>(columns[from + 2][k])));
+        };
+        read.x[first + k][i] = vector(0, scale.position_step) + scale.origin;
+        const Vec3 others = vector(4, std::sqrt(0.5) / 32767);
+        double all[4];
+        for (int c = 0, place = 0; c < 4; ++c) {
+          all[c] = c == columns[3][k] ? std::sqrt(1 - others.squaredNorm()) : others[place++];
+        }
+        read.q[first + k][i] = Quat(all[0], all[1], all[2], all[3]);
+        read.v[first + k][i] = vector(7, speed_step);
+        read.w[first + k][i] = vector(10, spin_step);
+      }
+    }
+    EXPECT_TRUE(reader.is_at_end());
+  }
+  return read;
+}
+
+TEST(PageFrames, WhatIsReadBackIsTheMotionToTheStatedErrors) {
+  const std::shared_ptr<const Model> model = boxes(3);
+  // More than one chunk.
+  const std::vector<State> states = tumbling(*model, 600);
+  const PageScale scale = page_scale(*model, states[0]);
+  PageFrames frames(*model, scale);
+  const std::vector<PageBlock> chunks = chunks_of(frames, states);
+  EXPECT_EQ(frames.frame_count(), 600);
+  ASSERT_GT(chunks.size(), 1u);
+  const ReadFrames read = read_frames(chunks, scale);
+  ASSERT_EQ(read.x.size(), states.size());
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    for (int i = 1; i < 4; ++i) {
+      const std::size_t place = static_cast<std::size_t>(i - 1);
+      const auto largest = [](const Vec3& v) { return v.cwiseAbs().maxCoeff(); };
+      // Half a step, and the rounding of doubles.
+      EXPECT_LE(largest(read.x[k][place] - states[k].position(i)), 0.5 * scale.position_step * (1 + 1e-9));
+      EXPECT_LE(rotation_angle_between(read.q[k][place], states[k].orientation(i)), packing_error);
+      EXPECT_LE(largest(read.v[k][place] - linear_velocity(*model, states[k], i)), 0.5 * read.speed_step);
+      EXPECT_LE(largest(read.w[k][place] - angular_velocity(*model, states[k], i)), 0.5 * read.spin_step);
+    }
+  }
+}
+
+TEST(PageFrames, ThePositionErrorIsAtMostAHundredThousandthOfTheExtent) {
+  for (const int count : {1, 3, 100}) {
+    const std::shared_ptr<const Model> model = boxes(count);
+    const PageScale scale = page_scale(*model, make_initial_state(*model));
+    // From the first box's far end to the last one's, each as large as the ball around it.
+    const double radius = Vec3(0.1, 0.15, 0.2).norm();
+    EXPECT_NEAR(scale.extent, std::hypot(0.5 * (count - 1) + 2 * radius, 2 * radius, 2 * radius), 1e-12);
+    EXPECT_LE(0.5 * scale.position_step, 1e-5 * scale.extent);
+  }
+}
+
+TEST(PageFrames, AnyOrientationIsPackedWithinItsError) {
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> normal;
+  for (int sample = 0; sample < 20000; ++sample) {
+    // Some near the places where the largest component changes.
+    Quat q(normal(random), normal(random), normal(random), normal(random));
+    if (sample % 4 == 0) q = Quat(0.5, -0.5, 0.5 + 1e-6 * normal(random), 0.5);
+    q.normalize();
+    const PackedQuaternion p = packed(q);
+    double all[4], rest = 1;
+    for (int c = 0, place = 0; c < 4; ++c) {
+      if (c == p.largest) continue;
+      const std::int64_t other = p.others[static_cast<std::size_t>(place++)];
+      EXPECT_LE(std::abs(other), 32767);
+      all[c] = static_cast<double>(other) * std::sqrt(0.5) / 32767;
+      rest -= all[c] * all[c];
+    }
+    all[p.largest] = std::sqrt(std::max(0.0, rest));
+    EXPECT_LE(rotation_angle_between(Quat(all[0], all[1], all[2], all[3]), q), packing_error);
+  }
+}
+
+/// Bytes of a run in a page, as base64, for a moving body and frame.
+double bytes_per_body_frame(const std::string& scene_file, double interval) {
+  Scene scene = read_scene(std::string(RIGOR_SOURCE_DIR) + "/scenes/" + scene_file);
+  scene.run.output_interval = interval;
+  std::optional<PageRun> run;
+  double frames = 0;
+  const RunResult result =
+      run_simulation(scene.model, scene.method, scene.run, std::nullopt,
+                     [&](const State& state, const AdvanceReport& since, const Auditor& auditor) {
+                       if (!run) run.emplace(scene, state);
+                       run->add(state, since, auditor.energy());
+                       ++frames;
+                       return true;
+                     });
+  double bytes = 0, moving = 0;
+  for (const PageBlock& block : run->finish(result.audit))
+    bytes += 4.0 / 3 * static_cast<double>(block.deflated.size());
+  for (const Body& body : scene.model->bodies()) moving += body.motion == MotionType::fixed ? 0 : 1;
+  return bytes / (moving * frames);
+}
+
+TEST(PageFrames, AGasOfBallsWithAllItsImpactsTakesLessThanTwelveBytesABodyAFrame) {
+  EXPECT_LT(bytes_per_body_frame("gas.yaml", 0.02), 12);
+}
+
+TEST(PageFrames, BoxesTumblingAtRandomTakeLessThanTwelveBytesABodyAFrame) {
+  const std::shared_ptr<const Model> model = boxes(200);
+  std::mt19937_64 random(2);
+  std::normal_distribution<double> normal;
+  State state = make_initial_state(*model);
+  std::vector<Vec3> v(201), w(201);
+  for (int i = 1; i <= 200; ++i) {
+    v[static_cast<std::size_t>(i)] = Vec3(normal(random), normal(random), normal(random));
+    w[static_cast<std::size_t>(i)] = 5 * Vec3(normal(random), normal(random), normal(random));
+  }
+  PageFrames frames(*model, page_scale(*model, state));
+  std::vector<State> states;
+  constexpr int count = 300;
+  constexpr double h = 0.01;
+  for (int k = 0; k < count; ++k) {
+    states.push_back(state);
+    for (int i = 1; i <= 200; ++i) {
+      const std::size_t place = static_cast<std::size_t>(i);
+      // Every tenth body is struck in every frame.
+      if ((k + i) % 10 == 0) {
+        v[place] += 0.3 * Vec3(normal(random), normal(random), normal(random));
+        w[place] += 2 * Vec3(normal(random), normal(random), normal(random));
+      }
+      v[place].z() -= 9.81 * h;
+      const Quat q = (rotation_exp(h * w[place]) * state.orientation(i)).normalized();
+      const Mat3 R = rotation_matrix(q);
+      const Body& body = model->body(i);
+      state.set_body(i, state.position(i) + h * v[place], q, body.mass * v[place],
+                     R * body.moments.asDiagonal() * R.transpose() * w[place]);
+    }
+  }
+  double bytes = 0;
+  for (const PageBlock& block : chunks_of(frames, states))
+    bytes += 4.0 / 3 * static_cast<double>(block.deflated.size());
+  EXPECT_LT(bytes / (200.0 * count), 12);
+}
+
+TEST(PageFrames, StatesThatAreNotFiniteAreStoredAsTheOriginAndDoNotStopThePage) {
+  const std::shared_ptr<const Model> model = boxes(1);
+  State state = make_initial_state(*model);
+  const PageScale scale = page_scale(*model, state);
+  PageFrames frames(*model, scale);
+  state.x[3] = std::numeric_limits<double>::quiet_NaN();
+  state.P[3] = std::numeric_limits<double>::infinity();
+  const ReadFrames read = read_frames(chunks_of(frames, {state}), scale);
+  EXPECT_EQ(read.x[0][0].x(), scale.origin.x());
+}
+
+}  // namespace
+}  // namespace rigor

@@ -1,0 +1,224 @@
+#include "rigor/view/page_writer.hpp"
+
+#include "io/trajectory_samples.hpp"
+#include "rigor/io/file_error.hpp"
+#include "rigor/sim/simulation.hpp"
+#include "rigor/view/page_geometry.hpp"
+#include "view/page_reading.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <fstream>
+#include <iterator>
+
+namespace rigor {
+namespace {
+
+using Json = nlohmann::json;
+
+std::string text_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+Scene scene_of(const std::string& file) {
+  return read_scene(std::string(RIGOR_SOURCE_DIR) + "/scenes/" + file);
+}
+
+struct WrittenPage {
+  std::string html;
+  std::vector<test::ReadBlock> blocks;
+  std::vector<State> states;
+  std::vector<MotionEvent> events;
+  std::vector<double> kinetic;
+  Audit audit;
+
+  Json header() const { return Json::parse(blocks.at(0).bytes); }
+  const std::string& bytes_of(const std::string& kind) const {
+    for (const test::ReadBlock& block : blocks) {
+      if (block.kind == kind) return block.bytes;
+    }
+    throw std::out_of_range(kind);
+  }
+};
+
+WrittenPage page_of(const Scene& scene) {
+  const TemporaryFolder folder;
+  WrittenPage page;
+  PageWriter writer(folder / "page.html", scene);
+  const RunResult result =
+      run_simulation(scene.model, scene.method, scene.run, std::nullopt,
+                     [&](const State& state, const AdvanceReport& since, const Auditor& auditor) {
+                       writer.write(state, since, auditor.energy());
+                       page.states.push_back(state);
+                       page.events.insert(page.events.end(), since.events.begin(), since.events.end());
+                       page.kinetic.push_back(auditor.energy().kinetic);
+                       return true;
+                     });
+  writer.close(result.audit);
+  page.audit = result.audit;
+  page.html = text_of(folder / "page.html");
+  page.blocks = test::blocks_of_page(page.html);
+  return page;
+}
+
+TEST(PageWriter, APageHoldsTheViewerAndSoundBlocksOfTheRun) {
+  const WrittenPage page = page_of(scene_of("cradle.yaml"));
+  EXPECT_EQ(page.html.rfind("<!doctype html>", 0), 0u);
+  EXPECT_NE(page.html.find(viewer_script()), std::string::npos);
+  EXPECT_NE(
+      page.html.find("<meta name=\"rigor-blocks\" content=\"" + std::to_string(page.blocks.size()) + "\">"),
+      std::string::npos);
+  for (const test::ReadBlock& block : page.blocks) EXPECT_TRUE(block.is_sound) << block.kind;
+  const Json header = page.header();
+  EXPECT_EQ(header["format"], 1);
+  EXPECT_EQ(header["scene"], "cradle");
+  EXPECT_EQ(header["frames"], page.states.size());
+  EXPECT_EQ(header["bodies"].size(), 5u);
+  EXPECT_EQ(header["bodies"][0]["name"], "ball1");
+  EXPECT_EQ(header["audit"]["events"]["impacts"], page.audit.report.impacts);
+  EXPECT_LE(header["position_error"].get<double>(), 1e-5 * header["extent"].get<double>());
+}
+
+TEST(PageWriter, AFullPageEndsAsAnHtmlFileAndLoadsNothingFromElsewhere) {
+  const WrittenPage page = page_of(scene_of("cradle.yaml"));
+  EXPECT_EQ(page.html.substr(page.html.size() - 8), "</html>\n");
+  for (const char* part : {" src=\"http", " href=\"http", "@import", "import("}) {
+    EXPECT_EQ(page.html.find(part), std::string::npos) << part;
+  }
+}
+
+TEST(PageWriter, TheSeriesIsThatOfTheRunToTheLastBit) {
+  const WrittenPage page = page_of(scene_of("bouncing_ball_e05.yaml"));
+  const Json series = page.header()["series"];
+  ASSERT_EQ(series[0]["name"], "time");
+  ASSERT_EQ(series[1]["name"], "kinetic");
+  test::BytesReader reader(page.bytes_of("series"));
+  for (const State& state : page.states) EXPECT_EQ(reader.take<double>(), state.t);
+  for (const double kinetic : page.kinetic) EXPECT_EQ(reader.take<double>(), kinetic);
+}
+
+TEST(PageWriter, EventsKeepTimesPlacesAndImpulses) {
+  const WrittenPage page = page_of(scene_of("cradle.yaml"));
+  ASSERT_FALSE(page.events.empty());
+  const Json header = page.header();
+  ASSERT_EQ(header["events"], page.events.size());
+  test::BytesReader reader(page.bytes_of("events"));
+  const double time_step = reader.take<double>(), impulse_step = reader.take<double>();
+  EXPECT_LE(time_step, 1e-9 * header["output_interval"].get<double>());
+  const std::vector<std::int64_t> times = reader.column(page.events.size());
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    EXPECT_NEAR(static_cast<double>(times[i]) * time_step, page.events[i].time, 0.51 * time_step);
+  }
+  const double position_step = header["position_step"];
+  for (const MotionEvent& event : page.events) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double origin = header["origin"][c];
+      EXPECT_NEAR(static_cast<double>(reader.varint()) * position_step + origin,
+                  event.p_W[static_cast<Eigen::Index>(c)], 0.51 * position_step);
+    }
+  }
+  for (const MotionEvent& event : page.events) {
+    for (const double j : event.j_W) {
+      EXPECT_NEAR(static_cast<double>(reader.varint()) * impulse_step, j, 0.51 * impulse_step);
+    }
+  }
+  for (const MotionEvent& event : page.events) {
+    EXPECT_EQ(reader.varint(), event.body_A);
+    EXPECT_EQ(reader.varint(), event.body_B);
+    EXPECT_EQ(reader.varint(), static_cast<std::int64_t>(event.kind));
+  }
+  EXPECT_TRUE(reader.is_at_end());
+}
+
+/// The next frame of a chunk of contacts: bodies and eleven whole numbers of each, given those of the frame
+/// before.
+struct StoredContact {
+  int body_A, body_B, which;
+  std::array<std::int64_t, 11> numbers;
+};
+std::vector<StoredContact> next_contacts(test::BytesReader& reader,
+                                         const std::vector<StoredContact>& before) {
+  std::vector<StoredContact> contacts;
+  const std::int64_t count = reader.varint();
+  int last_A = 0, last_B = -1, which = 0;
+  for (std::int64_t i = 0; i < count; ++i) {
+    const int a = last_A + static_cast<int>(reader.varint()), b = a + static_cast<int>(reader.varint());
+    which = a == last_A && b == last_B ? which + 1 : 0;
+    last_A = a, last_B = b;
+    StoredContact contact{a, b, which, {}};
+    for (const StoredContact& earlier : before) {
+      if (earlier.body_A == a && earlier.body_B == b && earlier.which == which)
+        contact.numbers = earlier.numbers;
+    }
+    for (std::int64_t& number : contact.numbers) number += reader.varint();
+    contacts.push_back(contact);
+  }
+  return contacts;
+}
+
+TEST(PageWriter, TheContactsOfEveryFrameAreThoseOfItsSnapshot) {
+  // Dominoes touch the floor and each other, and their contacts come and go.
+  const Scene scene = scene_of("dominoes.yaml");
+  const WrittenPage page = page_of(scene);
+  const Json header = page.header();
+  const double position_step = header["position_step"];
+  test::BytesReader reader(page.bytes_of("contacts"));
+  const double force_step = reader.take<double>(), gap_step = reader.take<double>();
+  EXPECT_EQ(gap_step, scene.method.contact_tolerance / 16);
+  ASSERT_EQ(reader.take<std::uint32_t>(), page.states.size());
+  std::vector<StoredContact> stored;
+  for (const State& state : page.states) {
+    stored = next_contacts(reader, stored);
+    const std::vector<TouchingPoint> points = contact_snapshot(*scene.model, scene.method, state);
+    ASSERT_EQ(stored.size(), points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const auto number = [&](std::size_t k) { return static_cast<double>(stored[i].numbers[k]); };
+      EXPECT_EQ(stored[i].body_A, points[i].body_A);
+      EXPECT_EQ(stored[i].body_B, points[i].body_B);
+      EXPECT_EQ(number(0), static_cast<double>(points[i].mode));
+      EXPECT_NEAR(number(1) * gap_step, points[i].gap, 0.51 * gap_step);
+      for (int c = 0; c < 3; ++c) {
+        const std::size_t place = static_cast<std::size_t>(c);
+        const double origin = header["origin"][place];
+        EXPECT_NEAR(number(2 + place) * position_step + origin, points[i].p_W[c], 0.51 * position_step);
+        EXPECT_NEAR(number(5 + place) / 1024, points[i].n_W[c], 0.51 / 1024);
+        EXPECT_NEAR(number(8 + place) * force_step, points[i].force_W[c], 0.51 * force_step);
+      }
+    }
+  }
+  EXPECT_TRUE(reader.is_at_end());
+}
+
+TEST(PageWriter, NamesThatLookLikeTagsStayText) {
+  const TemporaryFolder folder;
+  write_page(folder / "page.html", "a</title><script>alert(1)</script>", {});
+  const std::string html = text_of(folder / "page.html");
+  EXPECT_EQ(html.find("<script>alert"), std::string::npos);
+  EXPECT_NE(html.find("a&lt;/title&gt;&lt;script&gt;"), std::string::npos);
+}
+
+TEST(PageWriter, AFolderThatIsNotThereIsToldBeforeTheRun) {
+  const Scene scene = scene_of("cradle.yaml");
+  EXPECT_THROW(PageWriter("nowhere/page.html", scene), FileError);
+}
+
+TEST(PageGeometry, BodiesThatLookAlikeShareALookAndPolyhedraAMesh) {
+  const Scene gas = scene_of("gas.yaml");
+  const PageGeometry of_gas = page_geometry(*gas.model);
+  ASSERT_EQ(of_gas.look_of_body.size(), static_cast<std::size_t>(gas.model->body_count()));
+  EXPECT_LE(of_gas.looks.size(), 7u);  // Six walls and the balls.
+  const Scene rocks = scene_of("rocks.yaml");
+  const PageGeometry of_rocks = page_geometry(*rocks.model);
+  std::size_t bytes = 0;
+  for (const auto& mesh : of_rocks.meshes) {
+    bytes += 12 * mesh["vertices"].get<std::size_t>() + 12 * mesh["triangles"].get<std::size_t>();
+  }
+  EXPECT_GT(of_rocks.meshes.size(), 0u);
+  EXPECT_EQ(of_rocks.mesh_bytes.size(), bytes);
+}
+
+}  // namespace
+}  // namespace rigor

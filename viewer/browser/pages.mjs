@@ -1,0 +1,51 @@
+// Makes pages with the program and opens them in a browser without a screen.
+import { execFileSync } from "node:child_process";
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join, resolve } from "node:path";
+import { chromium } from "playwright-core";
+
+const root = resolve(import.meta.dirname ?? new URL(".", import.meta.url).pathname, "../..");
+const program = process.env.RIGOR ?? join(root, "build/release/rigor");
+const folder = mkdtempSync(join(tmpdir(), "rigor-pages-"));
+
+/** The browser: CHROMIUM, or where Debian's package puts it. Drawing is done in software. */
+export async function openBrowser() {
+  const executablePath = process.env.CHROMIUM ?? "/usr/bin/chromium";
+  if (!existsSync(executablePath)) throw new Error(`no browser at ${executablePath}; install chromium or set CHROMIUM`);
+  return chromium.launch({
+    executablePath,
+    args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-dev-shm-usage"],
+  });
+}
+
+/** Runs a shipped scene; gives the page's file, its text and the same run as JSON. */
+export function makePage(scene, ...options) {
+  const name = [scene, ...options].join("_").replace(/[^a-z0-9_]/gi, "");
+  const html = join(folder, `${name}.html`), json = join(folder, `${name}.json`);
+  execFileSync(program, ["run", join(root, "scenes", `${scene}.yaml`), "-o", html, "-o", json, "--quiet", ...options], { stdio: ["ignore", "ignore", "ignore"] });
+  return { html, text: readFileSync(html, "utf8"), run: JSON.parse(readFileSync(json, "utf8")) };
+}
+
+export function writePage(name, text) {
+  const file = join(folder, name);
+  writeFileSync(file, text);
+  return file;
+}
+
+/** Opens a file; every error of the page's console is kept in `errors`. */
+export async function openPage(browser, file, options = {}) {
+  const page = await browser.newPage({ viewport: { width: 1000, height: 700 }, ...options });
+  const errors = [];
+  const requests = [];
+  page.on("console", (message) => message.type() === "error" && errors.push(message.text()));
+  page.on("pageerror", (error) => errors.push(error.message));
+  page.on("request", (request) => requests.push(request.url()));
+  await page.goto(`file://${file}`);
+  await page.waitForSelector(".app, #message h1", { timeout: 60000 });
+  return { page, errors, requests };
+}
+
+export function removePages() {
+  rmSync(folder, { recursive: true, force: true });
+}

@@ -1,0 +1,79 @@
+import type { Frames } from "./frames";
+import { shapesOf, type Header, type Quat, type Vec } from "./header";
+import { turned } from "./marks";
+
+/** A box about what is worth looking at, from Header.origin [m]. */
+export interface Extent {
+  center: Vec;
+  /** Half of its edges. */
+  half: Vec;
+  /** Half of its diagonal. */
+  radius: number;
+}
+
+/**
+ * Where the moving bodies go in all frames, each with its size; but no larger than 60 times the middle body's radius or three
+ * times where they begin, so that bodies stay large enough to be seen.
+ */
+export function extentOf(header: Header, frames: Frames): Extent {
+  const n = frames.moving.length;
+  const halves = frames.moving.map((body, i) => {
+    const q = new Float32Array(4);
+    frames.orientation(0, i, q, 0);
+    return halfExtents(header, body, [q[3], q[0], q[1], q[2]]);
+  });
+  const radii = halves.map((half) => Math.hypot(...half)).sort((a, b) => a - b);
+  const middle = radii[n >> 1] ?? 0;
+  const start = boxOf(frames, halves, 0, 1);
+  const stride = Math.max(1, Math.floor(frames.count / 400));
+  const all = boxOf(frames, halves, 0, frames.count, stride);
+  const most = Math.max(60 * middle, 3 * start.radius);
+  if (n > 0 && all.radius > 0) return all.radius <= most ? all : { center: start.center, half: [most / 2, most / 2, most / 2], radius: most };
+  return standing(header);
+}
+
+/** Half of a body's extent along the axes of the world when it is turned so, of those shapes that have an end. */
+function halfExtents(header: Header, body: number, q: Quat): Vec {
+  const half: Vec = [0, 0, 0];
+  for (const shape of shapesOf(header, body)) {
+    if (shape.type === "plane") continue;
+    const r = shape.radius ?? 0, long = shape.half_length ?? 0;
+    const own: Vec = shape.half_extents ?? shape.radii ?? [r, r, shape.type === "capsule" ? r + long : long];
+    const isBall = shape.type === "sphere" || shape.mesh !== undefined;
+    const size = shape.mesh === undefined ? r : (header.bodies[body].radius ?? 0);
+    const middle = turned(q, shape.p);
+    const axes = [0, 1, 2].map((axis) => turned(q, turned(shape.q, [0, 1, 2].map((c) => (c === axis ? own[c] : 0)) as Vec)));
+    for (let c = 0; c < 3; ++c) {
+      const reach = isBall ? size : Math.abs(axes[0][c]) + Math.abs(axes[1][c]) + Math.abs(axes[2][c]);
+      half[c] = Math.max(half[c], Math.abs(middle[c]) + reach);
+    }
+  }
+  return half;
+}
+
+function boxOf(frames: Frames, halves: Vec[], from: number, to: number, stride = 1): Extent {
+  const lower = [Infinity, Infinity, Infinity];
+  const upper = [-Infinity, -Infinity, -Infinity];
+  const n = frames.moving.length;
+  for (let frame = from; frame < to; frame += stride) {
+    for (let i = 0; i < n; ++i) {
+      for (let c = 0; c < 3; ++c) {
+        const x = frames.position[3 * (frame * n + i) + c];
+        lower[c] = Math.min(lower[c], x - halves[i][c]);
+        upper[c] = Math.max(upper[c], x + halves[i][c]);
+      }
+    }
+  }
+  return {
+    center: [0, 1, 2].map((c) => (lower[c] + upper[c]) / 2) as Vec,
+    half: [0, 1, 2].map((c) => (upper[c] - lower[c]) / 2) as Vec,
+    radius: Math.hypot(...upper.map((x, c) => x - lower[c])) / 2,
+  };
+}
+
+/** Of a scene where nothing moves: about its bodies. */
+function standing(header: Header): Extent {
+  const reach = header.bodies.map((body) => Math.hypot(...body.start.p.map((x, c) => x - header.origin[c])) + (body.radius ?? 0));
+  const radius = Math.max(0, ...reach.filter(Number.isFinite)) || 1;
+  return { center: [0, 0, 0], half: [radius, radius, radius], radius };
+}

@@ -1,0 +1,208 @@
+import { overlayColors } from "./colors";
+import type { Contact } from "./contacts";
+import { el } from "./dom";
+import * as format from "./format";
+import type { Motion } from "./frames";
+import type { Header } from "./header";
+import { add, orientationAt, turned, vectorAt, type Shown } from "./marks";
+import { energyNow } from "./plots";
+import type { MotionEvent } from "./run";
+import type { FrameSource } from "./source";
+
+export interface PanelActions {
+  select(body: number): void;
+  follow(body: number): void;
+  changed(): void;
+  showDeepest(): void;
+}
+
+/** Names found by the search beyond these are counted, not listed. */
+const mostFound = 200;
+
+/** Beside the scene: the chosen body's numbers, the search, what is shown, the audit. */
+export class Panel {
+  readonly element: HTMLElement;
+  readonly search: HTMLInputElement;
+  private readonly found = el("ul", { class: "found", role: "listbox", "aria-label": "Bodies" });
+  private readonly numbers = el("div", { class: "numbers", id: "numbers" });
+  private readonly event = el("div", { class: "event", id: "event", role: "status" });
+  private readonly boxes = new Map<keyof Shown, HTMLInputElement>();
+
+  constructor(private readonly source: FrameSource, private readonly shown: Shown, hasGhost: boolean, private readonly actions: PanelActions) {
+    this.search = el("input", { type: "search", id: "search", placeholder: "Find a body by name (/)", "aria-label": "Find a body by name", oninput: () => this.list() });
+    const tabs: [string, HTMLElement][] = [
+      ["Body", el("div", {}, this.search, this.found, this.numbers)],
+      ["Show", this.showTab(hasGhost)],
+      ["Audit", el("div", {}, auditTable(source.header, actions))],
+    ];
+    this.element = el("aside", { class: "panel" }, this.event, tabBar(tabs), ...tabs.map(([, content]) => content));
+    this.list();
+  }
+
+  /** Puts the boxes to what is shown now. */
+  updateShown(): void {
+    for (const [name, box] of this.boxes) box.checked = Boolean(this.shown[name]);
+  }
+
+  showEvent(event: MotionEvent | undefined): void {
+    this.event.hidden = event === undefined;
+    if (!event) return;
+    const name = (body: number) => this.source.header.bodies[body]?.name ?? "";
+    this.event.replaceChildren(
+      el("h3", {}, el("span", { class: "dot", style: `background:${overlayColors.impulse}` }), `${event.kind} at ${format.number(event.time, 10)} s`),
+      el("p", {}, bodyLink(event.bodyA, name(event.bodyA), this.actions), " ↔ ", bodyLink(event.bodyB, name(event.bodyB), this.actions)),
+      table([
+        ["impulse", `${format.number(Math.hypot(...event.impulse), 6)} N s`],
+        [`on ${name(event.bodyB)}`, `[${format.vector(event.impulse, 5)}] N s`],
+        ["at", `[${format.vector(event.point, 5)}] m`],
+      ]));
+  }
+
+  /** The numbers of the chosen body at this moment. */
+  showBody(body: number, motion: Motion, contacts: Contact[], followed: number): void {
+    if (body < 0) {
+      this.numbers.replaceChildren(el("p", { class: "hint", text: "Click a body in the scene, or choose one here, to see its numbers." }));
+      return;
+    }
+    const { header } = this.source;
+    const own = header.bodies[body];
+    const q = orientationAt(motion, body);
+    const center = add(vectorAt(motion.position, body), header.origin);
+    const v = vectorAt(motion.velocity, body), w = vectorAt(motion.spin, body);
+    const [translation, rotation] = energyNow(this.source, body, motion);
+    const g = header.gravity;
+    // What is stored no finer than this is not told any finer.
+    const known = (x: number) => (Math.abs(x) < header.position_error ? 0 : x);
+    const rows: [string, string][] = [
+      ["position", `[${format.vector(add(center, turned(q, own.frame.p)).map(known))}] m`],
+      ["centre of mass", `[${format.vector(center.map(known))}] m`],
+      ["orientation", `[${format.vector(product(q, own.frame.q))}]`],
+      ["velocity", `[${format.vector(v)}] m/s`],
+      ["speed", `${format.number(Math.hypot(...v))} m/s`],
+      ["angular velocity", `[${format.vector(w)}] rad/s`],
+    ];
+    if (own.mass > 0) {
+      rows.push(
+        ["mass", `${format.number(own.mass)} kg`],
+        ["principal moments", `[${format.vector(own.moments)}] kg m²`],
+        ["kinetic energy", `${format.number(translation + rotation)} J (turning ${format.number(rotation)})`],
+        ["height energy", `${format.number(-own.mass * (g[0] * center[0] + g[1] * center[1] + g[2] * center[2]))} J`]);
+    }
+    const touching = contacts.filter(({ bodyA, bodyB }) => bodyA === body || bodyB === body);
+    rows.push(["contacts", String(touching.length)]);
+    this.numbers.replaceChildren(
+      el("h3", {}, own.name, el("small", { text: ` ${own.motion}` }),
+        el("button", { type: "button", class: followed === body ? "on" : "", title: "The camera goes along (F)", onclick: () => this.actions.follow(body) }, "follow")),
+      table(rows), this.contactTable(body, touching));
+  }
+
+  private contactTable(body: number, contacts: Contact[]): HTMLElement | string {
+    if (contacts.length === 0) return "";
+    const rows = contacts.slice(0, 50).map(({ bodyA, bodyB, force, normal, mode, gap }) => {
+      const other = bodyA === body ? bodyB : bodyA;
+      const along = force[0] * normal[0] + force[1] * normal[1] + force[2] * normal[2];
+      const across = Math.hypot(...force.map((f, c) => f - along * normal[c]));
+      const isKnown = mode !== "unknown";
+      return el("tr", {}, el("td", {}, this.source.header.bodies[other].name), el("td", {}, mode),
+        el("td", {}, isKnown ? format.number(along, 4) : "–"), el("td", {}, isKnown ? format.number(across, 3) : "–"), el("td", {}, format.number(gap, 2)));
+    });
+    const head = ["with", "mode", "normal [N]", "friction [N]", "gap [m]"].map((text) => el("th", { text }));
+    return el("table", { class: "contacts" }, el("tr", {}, ...head), ...rows);
+  }
+
+  private list(): void {
+    const wanted = this.search.value.trim().toLowerCase();
+    const { bodies } = this.source.header;
+    const found = bodies.flatMap((body, i) => (body.name.toLowerCase().includes(wanted) ? [i] : []));
+    this.found.replaceChildren(...found.slice(0, mostFound).map((i) =>
+      el("li", { role: "option" }, el("button", { type: "button", onclick: () => this.actions.select(i) }, bodies[i].name, el("small", { text: ` ${bodies[i].motion}` })))));
+    if (found.length === 0) this.found.append(el("li", { class: "hint", text: "no body has this in its name" }));
+    if (found.length > mostFound) this.found.append(el("li", { class: "hint", text: `and ${found.length - mostFound} more` }));
+  }
+
+  private showTab(hasGhost: boolean): HTMLElement {
+    const { header } = this.source;
+    const entries: [keyof Shown, string, string[], boolean][] = [
+      ["contacts", "Contact points and forces (C)", [overlayColors.normal, overlayColors.stick, overlayColors.slide], true],
+      ["velocities", "Velocities (V)", [overlayColors.velocity], true],
+      ["frames", "Body frames (X)", [overlayColors.x, overlayColors.y, overlayColors.z], true],
+      ["inertia", "Axes of inertia (I)", [overlayColors.x, overlayColors.y, overlayColors.z], true],
+      ["joints", "Joint axes (J)", [overlayColors.impulse], header.joints.length > 0],
+      ["trails", "Trails (T)", [overlayColors.normal], true],
+      ["penetration", "Overlapping bodies (P)", [overlayColors.penetration], true],
+      ["ghost", "Second run as a ghost (G)", [overlayColors.ghost], hasGhost],
+      ["shadows", "Shadows (H)", [], true],
+    ];
+    const lines = entries.filter(([, , , exists]) => exists).map(([name, text, colors]) => {
+      const box = el("input", { type: "checkbox", id: `show-${name}`, onchange: () => {
+        (this.shown[name] as boolean) = box.checked;
+        this.actions.changed();
+      } });
+      this.boxes.set(name, box);
+      return el("label", {}, box, ...colors.map((color) => el("span", { class: "dot", style: `background:${color}` })), text);
+    });
+    const scale = el("input", { type: "range", min: -2, max: 2, step: 0.1, value: 0, "aria-label": "Length of arrows", oninput: () => {
+      this.shown.arrowScale = 2 ** Number(scale.value);
+      this.actions.changed();
+    } });
+    const legend = (text: string, color: string) => el("span", {}, el("span", { class: "dot", style: `background:${color}` }), text);
+    return el("div", { class: "show" }, ...lines, el("label", {}, "Length of arrows ", scale),
+      el("p", { class: "legend" }, legend("normal force", overlayColors.normal), legend("friction, sticks", overlayColors.stick),
+        legend("friction, slides", overlayColors.slide), legend("no force", overlayColors.open), legend("impulse", overlayColors.impulse)),
+      el("p", { class: "hint" }, `Positions are stored to ${format.number(header.position_error, 2)} m, orientations to ${format.number(header.orientation_error, 2)} rad. `
+        + "Between two frames a body follows a smooth curve through both, over an impact two curves that meet there."));
+  }
+}
+
+function product(a: readonly number[], b: readonly number[]): number[] {
+  const [w, x, y, z] = a, [s, p, q, r] = b;
+  return [w * s - x * p - y * q - z * r, w * p + x * s + y * r - z * q, w * q - x * r + y * s + z * p, w * r + x * q - y * p + z * s];
+}
+
+function bodyLink(body: number, name: string, actions: PanelActions): HTMLElement {
+  return el("button", { type: "button", class: "link", onclick: () => actions.select(body) }, name || "–");
+}
+
+function table(rows: [string, string | Node][]): HTMLElement {
+  return el("table", {}, ...rows.map(([name, value]) => el("tr", {}, el("th", { scope: "row", text: name }), el("td", {}, value))));
+}
+
+function tabBar(tabs: [string, HTMLElement][]): HTMLElement {
+  const buttons = tabs.map(([name], i) => el("button", { type: "button", role: "tab", onclick: () => choose(i) }, name));
+  const choose = (chosen: number) => tabs.forEach(([, content], i) => {
+    content.hidden = i !== chosen;
+    buttons[i].setAttribute("aria-selected", String(i === chosen));
+  });
+  for (const [, content] of tabs) content.classList.add("tab");
+  choose(0);
+  return el("div", { class: "tabs", role: "tablist" }, ...buttons);
+}
+
+/** The audit, line by line, what broke its tolerance first. */
+function auditTable(header: Header, actions: PanelActions): HTMLElement {
+  const warnings = (header.audit.warnings as string[] | undefined) ?? [];
+  const isSound = !warnings.some((warning) => warning.startsWith("violated"));
+  const rows: [string, string | Node][] = [];
+  const addRows = (prefix: string, values: Record<string, unknown>) => {
+    for (const [key, value] of Object.entries(values)) {
+      if (prefix === "" && (key === "bodies" || key === "warnings")) continue;
+      const name = prefix ? `${prefix}: ${key.replace(/_/g, " ")}` : key.replace(/_/g, " ");
+      if (value !== null && typeof value === "object" && !Array.isArray(value)) addRows(name, value as Record<string, unknown>);
+      else rows.push([name, auditValue(name, value, actions)]);
+    }
+  };
+  addRows("", header.audit);
+  return el("div", {},
+    el("p", { class: isSound ? "sound" : "broken", text: isSound ? "✓ audit passed" : "✗ audit violated" }),
+    ...warnings.map((warning) => el("p", { class: "warning", text: warning })),
+    table(rows));
+}
+
+function auditValue(name: string, value: unknown, actions: PanelActions): string | Node {
+  if (value === null || value === undefined) return "–";
+  if (typeof value !== "number") return Array.isArray(value) ? value.join(" ↔ ") : String(value);
+  const text = Number.isInteger(value) ? String(value) : format.number(value, 8);
+  if (name !== "penetration: time") return text;
+  return el("button", { type: "button", class: "link", title: "Go there", onclick: () => actions.showDeepest() }, `${text} s`);
+}
+

@@ -1,0 +1,207 @@
+import { Color, PerspectiveCamera, Scene, Vector2, Vector3, WebGLRenderer, WebGLRenderTarget } from "three";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import type { Extent } from "./extent";
+import { makeMotion, type Motion } from "./frames";
+import { Ground } from "./ground";
+import { Marks, type Shown } from "./marks";
+import type { MotionEvent } from "./run";
+import { Shapes } from "./shapes";
+import type { FrameSource } from "./source";
+
+/** More shapes than these throw no shadows: each would be drawn twice. */
+const mostShadows = 3000;
+/** Smallest part of the screen's resolution that is drawn at when drawing is slow. */
+const leastRatio = 0.5;
+
+/** The scene at a moment, and the camera. */
+export class View3D {
+  readonly canvas: HTMLCanvasElement;
+  readonly motion: Motion;
+  /** Body that the camera goes along with, or -1. */
+  followed = -1;
+  onChange: () => void = () => {};
+  private readonly renderer: WebGLRenderer;
+  private readonly scene = new Scene();
+  private readonly camera = new PerspectiveCamera(40, 0, 0.01, 1000);
+  private readonly controls: OrbitControls;
+  private readonly shapes: Shapes;
+  private readonly ghostShapes: Shapes | undefined;
+  private readonly ghostMotion: Motion | undefined;
+  private readonly ground: Ground;
+  private readonly marks: Marks;
+  private readonly pixel = { value: 0.001 };
+  private readonly ratio = { value: 1 };
+  private readonly up: Vector3;
+  private readonly followedAt = new Vector3();
+  private readonly canShadow: boolean;
+  private slowness = 0;
+  private quality = 1;
+
+  constructor(container: HTMLElement, private readonly source: FrameSource, private readonly ghost: FrameSource | undefined, private readonly extent: Extent) {
+    const { header } = source;
+    this.motion = makeMotion(header.bodies.length);
+    this.renderer = new WebGLRenderer({ antialias: true, stencil: true, powerPreference: "high-performance" });
+    this.renderer.outputColorSpace = "srgb-linear";
+    this.canvas = this.renderer.domElement;
+    this.canvas.setAttribute("aria-label", "The scene. Drag to turn, scroll to come closer, click a body to see its numbers.");
+    container.append(this.canvas);
+
+    const g = new Vector3(...header.gravity);
+    this.up = g.length() > 0 ? g.clone().normalize().negate() : new Vector3(0, 0, 1);
+    this.camera.up.copy(this.up);
+    this.controls = new OrbitControls(this.camera, this.canvas);
+    this.controls.addEventListener("change", () => this.onChange());
+
+    this.shapes = new Shapes(header, source.meshes, this.up, { isGhost: false, offset: [0, 0, 0] });
+    const center = new Vector3(...extent.center);
+    this.ground = new Ground(header, center, extent.radius, [0, 0, 0]);
+    this.marks = new Marks(source, extent.radius, this.pixel, this.ratio);
+    this.scene.add(this.ground.group, this.shapes.group);
+    this.scene.add(this.marks.trails.lines, this.marks.springs.lines, this.marks.arrows.mesh, this.marks.ring.points, this.marks.dots.points);
+    if (ghost) {
+      const offset = ghost.header.origin.map((x, c) => x - header.origin[c]) as [number, number, number];
+      this.ghostMotion = makeMotion(ghost.header.bodies.length);
+      this.ghostShapes = new Shapes(ghost.header, ghost.meshes, this.up, { isGhost: true, offset });
+      this.scene.add(this.ghostShapes.group);
+    }
+
+    source.sample(source.times[0], this.motion);
+    this.ground.update(this.motion);
+    const floor = this.ground.floor(header);
+    this.canShadow = floor !== undefined && header.bodies.reduce((sum, body) => sum + header.looks[body.look].length, 0) <= mostShadows;
+    if (floor && this.canShadow) this.shapes.castOn(floor.normal, floor.distance);
+  }
+
+  /** Looks at the whole scene again. */
+  fit(): void {
+    // From the front, or from the side where the scene is much larger in the picture.
+    const front = Math.abs(this.up.z) > 0.7 ? new Vector3(0.35, -1, 0) : new Vector3(0.35, 0.2, 1);
+    const above = (side: Vector3) => side.projectOnPlane(this.up).normalize().addScaledVector(this.up, 0.42).normalize();
+    const directions = [above(front.clone()), above(new Vector3().crossVectors(this.up, front))];
+    const distances = directions.map((candidate) => this.distanceToSeeAll(candidate));
+    const chosen = distances[1] < 0.8 * distances[0] ? 1 : 0;
+    const direction = directions[chosen], distance = distances[chosen];
+    this.controls.target.set(...this.extent.center);
+    this.camera.position.copy(this.controls.target).addScaledVector(direction, distance);
+    this.camera.near = distance / 500;
+    this.camera.far = distance * 60;
+    this.camera.updateProjectionMatrix();
+    this.controls.minDistance = distance / 200;
+    this.controls.maxDistance = distance * 20;
+    this.controls.update();
+  }
+
+  /** How far from the middle, in this direction, all corners of the scene's box are just inside the picture. */
+  private distanceToSeeAll(direction: Vector3): number {
+    const tangent = Math.tan((this.camera.fov * Math.PI) / 360);
+    const side = new Vector3().crossVectors(this.up, direction).normalize();
+    const top = new Vector3().crossVectors(direction, side);
+    let distance = 0;
+    for (let corner = 0; corner < 8; ++corner) {
+      const arm = new Vector3(...this.extent.half.map((h, c) => (corner & (1 << c) ? h : -h)));
+      const wide = Math.abs(arm.dot(side)) / this.camera.aspect, high = Math.abs(arm.dot(top));
+      distance = Math.max(distance, Math.max(wide, high) / tangent + arm.dot(direction));
+    }
+    return 1.12 * distance;
+  }
+
+  setTheme(background: string, ground: string, line: string): void {
+    this.scene.background = new Color().setStyle(background, "");
+    this.ground.setColors(ground, line);
+  }
+
+  /** Fits the drawing to its frame; the first time also the camera to the scene. */
+  resize(width: number, height: number): void {
+    const isFirst = this.camera.aspect === 0;
+    const ratio = Math.min(window.devicePixelRatio, 2) * this.quality;
+    this.ratio.value = ratio;
+    this.renderer.setPixelRatio(ratio);
+    this.renderer.setSize(width, height);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    if (isFirst) this.fit();
+    this.pixel.value = (2 * Math.tan((this.camera.fov * Math.PI) / 360)) / height;
+  }
+
+  /** Draws the moment. `flagged` bodies are marked like those that overlap. */
+  draw(time: number, shown: Shown, selected: number, event: MotionEvent | undefined, flagged: number[]): void {
+    this.source.sample(time, this.motion);
+    this.shapes.update(this.motion);
+    this.shapes.hasShadows = this.canShadow && shown.shadows;
+    this.ground.update(this.motion);
+    const contacts = shown.contacts || shown.penetration ? this.source.contactsAt(time) : [];
+    const deep = contacts.filter(({ gap }) => gap < -this.source.header.contact_tolerance);
+    const overlapping = shown.penetration ? deep.flatMap(({ bodyA, bodyB }) => [bodyA, bodyB]) : [];
+    this.shapes.mark(selected, new Set([...overlapping, ...flagged]));
+    this.marks.update(time, this.motion, contacts, shown, selected, event);
+    if (this.ghostShapes && this.ghost && this.ghostMotion) {
+      this.ghostShapes.group.visible = shown.ghost;
+      if (shown.ghost) {
+        this.ghost.sample(time, this.ghostMotion);
+        this.ghostShapes.update(this.ghostMotion);
+      }
+    }
+    this.follow();
+    this.renderer.render(this.scene, this.camera);
+  }
+
+  /** The body under a point of the canvas (CSS pixels), or -1. */
+  pick(x: number, y: number): number {
+    const size = this.renderer.getSize(new Vector2());
+    const target = new WebGLRenderTarget(1, 1);
+    const background = this.scene.background;
+    const hidden = [this.ground.group, this.marks.trails.lines, this.marks.springs.lines, this.marks.arrows.mesh, this.marks.ring.points, this.marks.dots.points, this.ghostShapes?.group];
+    const visible = hidden.map((object) => object?.visible);
+    hidden.forEach((object) => object && (object.visible = false));
+    this.shapes.setPicking(true);
+    this.scene.background = null;
+    this.camera.setViewOffset(size.x, size.y, x, y, 1, 1);
+    this.renderer.setRenderTarget(target);
+    this.renderer.setClearColor(0x000000, 0);
+    this.renderer.clear();
+    this.renderer.render(this.scene, this.camera);
+    const bytes = new Uint8Array(4);
+    this.renderer.readRenderTargetPixels(target, 0, 0, 1, 1, bytes);
+    this.renderer.setRenderTarget(null);
+    this.camera.clearViewOffset();
+    this.shapes.setPicking(false);
+    this.scene.background = background;
+    hidden.forEach((object, i) => object && (object.visible = visible[i] ?? true));
+    target.dispose();
+    return bytes[3] === 255 ? bytes[0] + 256 * bytes[1] + 65536 * bytes[2] : -1;
+  }
+
+  /** Takes the camera along with a body from now on (-1: leaves it where it is). */
+  startFollowing(body: number): void {
+    this.followed = body;
+    if (body < 0) return;
+    this.followedAt.fromArray(this.motion.position, 3 * body);
+    const shift = this.followedAt.clone().sub(this.controls.target);
+    this.controls.target.add(shift);
+    this.camera.position.add(shift);
+    this.controls.update();
+  }
+
+  /** Takes note of how long a frame took while playing [s]; when it is too long for 30 a second, draws coarser. */
+  noteFrameTime(seconds: number): boolean {
+    this.slowness = seconds > 1 / 30 ? this.slowness + 1 : Math.max(0, this.slowness - 2);
+    if (this.slowness < 12 || this.quality <= leastRatio) return false;
+    this.slowness = 0;
+    this.quality = Math.max(leastRatio, 0.75 * this.quality);
+    return true;
+  }
+
+  get resolution(): number {
+    return this.quality;
+  }
+
+  private follow(): void {
+    if (this.followed < 0) return;
+    const now = new Vector3().fromArray(this.motion.position, 3 * this.followed);
+    const shift = now.clone().sub(this.followedAt);
+    this.controls.target.add(shift);
+    this.camera.position.add(shift);
+    this.followedAt.copy(now);
+    this.camera.lookAt(this.controls.target);
+  }
+}
