@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <tuple>
 
@@ -114,7 +115,14 @@ void EventDrivenStepper::read_state_from_bodies(const State& state) {
     }
     restored.push_back(body);
   }
-  if (!is_continued) trajectories_.restore(restored, t_, queue_);
+  if (!is_continued) {
+    trajectories_.restore(restored, t_, queue_);
+    // The contacts of the others are predicted when they have set out.
+    std::vector<int> under_way;
+    std::set_difference(restored.begin(), restored.end(), seeds.begin(), seeds.end(),
+                        std::back_inserter(under_way));
+    trajectories_.predict_among(under_way, queue_);
+  }
   if (!seeds.empty()) handle_event(seeds, {});
 }
 

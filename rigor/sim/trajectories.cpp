@@ -117,17 +117,8 @@ void Trajectories::predict_pair(int a, int b, EventQueue& queue) {
 
 void Trajectories::predict_pairs(const std::vector<int>& bodies, EventQueue& queue) {
   std::set<std::pair<int, int>> done;
-  std::vector<int> near;
   for (const int body : bodies) {
-    if (model_.body(body).shapes.empty()) continue;
-    if (is_bounded(body)) {
-      tree_.overlapping(tracks_[index(body)].box, near);
-      near.insert(near.end(), unbounded_.begin(), unbounded_.end());
-    } else {
-      near.clear();
-      for (int other = 0; other < model_.body_count(); ++other) near.push_back(other);
-    }
-    for (const int other : near) {
+    for (const int other : candidates(body)) {
       const bool is_shared = bodies.size() > 1 && !done.insert(std::minmax(body, other)).second;
       if (other != body && !is_shared) predict_pair(body, other, queue);
     }
@@ -146,7 +137,29 @@ void Trajectories::restore(const std::vector<int>& bodies, double t, EventQueue&
     for (double end = window_end(body, begin); end < t; end = window_end(body, begin)) begin = end;
     begin_window(body, begin, queue);
   }
-  predict_pairs(bodies, queue);
+}
+
+void Trajectories::predict_among(const std::vector<int>& bodies, EventQueue& queue) {
+  std::vector<bool> is_among(tracks_.size(), false);
+  for (const int body : bodies) is_among[index(body)] = true;
+  for (const int body : bodies) {
+    for (const int other : candidates(body)) {
+      if (other > body && is_among[index(other)]) predict_pair(body, other, queue);
+    }
+  }
+}
+
+/// Bodies whose windows meet that of this one.
+std::vector<int> Trajectories::candidates(int body) const {
+  std::vector<int> near;
+  if (model_.body(body).shapes.empty()) return near;
+  if (is_bounded(body)) {
+    tree_.overlapping(tracks_[index(body)].box, near);
+    near.insert(near.end(), unbounded_.begin(), unbounded_.end());
+  } else {
+    for (int other = 0; other < model_.body_count(); ++other) near.push_back(other);
+  }
+  return near;
 }
 
 bool Trajectories::is_current(const QueuedEvent& event) const {

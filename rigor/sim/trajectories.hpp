@@ -27,9 +27,10 @@ class Trajectories {
   void set_motion(int body, const Motion& motion, double t);
   /// Begins new windows at t for these bodies and queues the contacts and window ends that follow.
   void predict(const std::vector<int>& bodies, double t, EventQueue& queue);
-  /// Windows as they are at t for bodies whose motions have been going on since their begins, and all their
-  /// predictions.
+  /// Windows as they are at t for bodies whose motions have been going on since their begins.
   void restore(const std::vector<int>& bodies, double t, EventQueue& queue);
+  /// The contacts of these bodies with each other, in the windows that they have.
+  void predict_among(const std::vector<int>& bodies, EventQueue& queue);
   /// Whether the event was predicted from the present motions.
   bool is_current(const QueuedEvent& event) const;
 
@@ -56,6 +57,7 @@ class Trajectories {
   Aabb box_of(int body, double ta, double tb) const;
   void begin_window(int body, double t, EventQueue& queue);
   void predict_pairs(const std::vector<int>& bodies, EventQueue& queue);
+  std::vector<int> candidates(int body) const;
   double window_end(int body, double t) const;
   void predict_pair(int a, int b, EventQueue& queue);
   bool can_meet(int a, int b) const;
