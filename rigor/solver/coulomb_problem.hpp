@@ -45,7 +45,7 @@ struct CoulombOptions {
   /// Largest residual that counts as solved (dimensionless): ten thousand roundings of the largest term.
   double tolerance = 1e-12;
   /// Cap on the symmetric Gauss–Seidel sweeps.
-  int max_iterations = 10000;
+  int max_iterations = 2000;
 };
 
 /// Exact Coulomb problem (no polyhedral cone). Never throws: what it could not solve is in `residual` and

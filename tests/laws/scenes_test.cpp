@@ -184,6 +184,19 @@ TEST(Scenes, EllComesToRest) {
   EXPECT_LT(run.audit().final.total(), run.audit().initial.total());
 }
 
+TEST(Scenes, BoxesInAPenComeToRestWithoutGainingEnergy) {
+  const SceneRun run = run_scene("pile.yaml");
+  expect_trusted(run);
+  EXPECT_LE(run.audit().max_increase, 1e-6 * run.audit().initial.total());
+  for (const std::string box : {"box[0,0,0]", "box[0,1,0]", "box[1,0,0]", "box[1,1,0]"}) {
+    EXPECT_LE(run.end_of(box).velocity.norm(), 1e-12) << box;
+  }
+  for (const State& state : run.states) {
+    EXPECT_TRUE(find_overlaps(*run.scene.model, state, run.scene.method.contact_tolerance).empty())
+        << state.t;
+  }
+}
+
 TEST(Scenes, RocksFallWithoutOverlap) {
   const SceneRun run = run_scene("rocks.yaml", {"run.duration=1"});
   expect_trusted(run);
