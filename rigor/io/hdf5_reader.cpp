@@ -5,6 +5,7 @@
 #include "rigor/io/hdf5_handle.hpp"
 
 #include <algorithm>
+#include <sstream>
 
 namespace rigor {
 
@@ -101,6 +102,13 @@ class Reader {
   Hdf5Handle file_;
 };
 
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
 }  // namespace
 
 StoredTrajectory read_hdf5_trajectory(const std::filesystem::path& path) {
@@ -110,6 +118,7 @@ StoredTrajectory read_hdf5_trajectory(const std::filesystem::path& path) {
   stored.rigor = reader.attribute("rigor");
   stored.scene = reader.attribute("scene");
   stored.scene_text = reader.texts("scene_text").at(0);
+  stored.overrides = lines_of(reader.attribute("overrides"));
   stored.bodies = reader.texts("bodies/names");
   const std::size_t n = stored.bodies.size();
   stored.time = reader.numbers("time");

@@ -9,12 +9,13 @@ namespace rigor {
 /// A trajectory read back from an HDF5 file: T output times of n bodies, N events; arrays by rows.
 struct StoredTrajectory {
   std::string rigor, scene,
-      scene_text;                   ///< Version of the program that wrote it, name and text of the scene.
-  std::vector<std::string> bodies;  ///< n names.
-  std::vector<double> time;         ///< T [s].
-  std::vector<double> position;     ///< T × n × 3 [m].
-  std::vector<double> orientation;  ///< T × n × 4, w x y z.
-  std::vector<double> velocity;     ///< T × n × 3 [m/s].
+      scene_text;                      ///< Version of the program that wrote it, name and text of the scene.
+  std::vector<std::string> overrides;  ///< "key=value", as of --set.
+  std::vector<std::string> bodies;     ///< n names.
+  std::vector<double> time;            ///< T [s].
+  std::vector<double> position;        ///< T × n × 3 [m].
+  std::vector<double> orientation;     ///< T × n × 4, w x y z.
+  std::vector<double> velocity;        ///< T × n × 3 [m/s].
   std::vector<double> angular_velocity;  ///< T × n × 3 [rad/s].
   std::vector<double> energy;            ///< T × 3: kinetic, potential, elastic [J].
   std::vector<double> event_time;        ///< N [s].
