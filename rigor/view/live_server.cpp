@@ -147,7 +147,7 @@ class LiveServer::Impl::Socket : public std::enable_shared_from_this<Socket> {
     buffer_.clear();
     stream_.async_read(buffer_, [self = shared_from_this()](error_code error, std::size_t) {
       if (error) return self->end();
-      if (!self->is_within_rate()) return self->refuse("too many messages");
+      if (!self->is_within_rate()) return self->end();
       self->take(beast::buffers_to_string(self->buffer_.data()));
       self->read();
     });
@@ -171,12 +171,6 @@ class LiveServer::Impl::Socket : public std::enable_shared_from_this<Socket> {
       const nlohmann::ordered_json text = {{"type", "error"}, {"messages", error.messages()}};
       reply({number_, true, json_line(text)});
     }
-  }
-
-  void refuse(const char* why) {
-    if (on_its_way_) return end();
-    stream_.async_close({websocket::close_code::policy_error, why},
-                        [self = shared_from_this()](error_code) { self->end(); });
   }
 
   void end() {
@@ -218,6 +212,7 @@ class LiveServer::Impl::Request : public std::enable_shared_from_this<Request> {
   void judge(error_code error) {
     if (error == http::error::header_limit || error == http::error::buffer_overflow)
       return refuse(431, "The header is too long.");
+    if (error == http::error::body_limit) return refuse(413, "Requests with a body are not taken.");
     if (error.category() == http::make_error_code(http::error::bad_method).category() &&
         error != http::error::end_of_stream && error != http::error::partial_message)
       return refuse(400, "This is not HTTP.");

@@ -36,11 +36,11 @@ class LiveServer {
   static constexpr std::size_t most_header_bytes = 8192, most_message_bytes = 4096;
   static constexpr std::size_t most_connections = 32;  ///< That have not shown the token.
   static constexpr std::size_t most_sockets = 8;
-  static constexpr int most_messages = 240;     ///< A second and socket.
-  static constexpr double request_time = 5;     ///< [s] until a request is there.
-  static constexpr double response_time = 60;   ///< [s] until its answer is taken.
-  static constexpr double idle_time = 30;       ///< [s] without a sign of life on a socket.
-  static constexpr double accept_pause = 4e-3;  ///< [s] between connections, after a burst of 32.
+  static constexpr int most_messages = 240;      ///< A second and socket.
+  static constexpr double request_time = 5;      ///< [s] until a request is there.
+  static constexpr double response_time = 60;    ///< [s] until its answer is taken.
+  static constexpr double idle_time = 30;        ///< [s] without a sign of life on a socket.
+  static constexpr double accept_pause = 10e-3;  ///< [s] between connections, after a burst of 32.
 
  private:
   class Impl;
