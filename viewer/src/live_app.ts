@@ -1,6 +1,7 @@
 import { button, el } from "./dom";
 import { extentOf } from "./extent";
 import * as format from "./format";
+import { withPlanes } from "./live_extent";
 import { LiveControl } from "./live_control";
 import { LiveLink } from "./live_link";
 import type { LiveCommand, LiveFile, LiveStatus } from "./live_message";
@@ -151,7 +152,7 @@ export class LiveApp {
 
   private makeView(run: Run): View3D | undefined {
     try {
-      const view = new View3D(this.stage, this.source, undefined, extentOf(run.header, run.frames));
+      const view = new View3D(this.stage, this.source, undefined, withPlanes(run.header, extentOf(run.header, run.frames)));
       view.onChange = () => (this.isDirty = true);
       let down = [0, 0];
       view.canvas.addEventListener("pointerdown", (event) => (down = [event.clientX, event.clientY]));

@@ -1,10 +1,11 @@
 import { describe, expect, test } from "vitest";
 import { makeMotion } from "../src/frames";
 import { readBytes, readText, type LiveCommand, type LiveFrame } from "../src/live_message";
+import { withPlanes } from "../src/live_extent";
 import { LiveSource } from "../src/live_source";
 import { inBody, nearestOnRay, onPlane } from "../src/live_tools";
 import { loadRuns } from "../src/run";
-import { pageBlocks } from "./bytes";
+import { header, pageBlocks } from "./bytes";
 
 /** A frame of one body and one contact, with two values of series. */
 function frameBytes(time: number, series: number[], body: number[], contact?: number[]): ArrayBuffer {
@@ -98,5 +99,15 @@ describe("pulling", () => {
     motion.orientation.set([0, 0, Math.SQRT1_2, Math.SQRT1_2]);
     const point = inBody(motion, 0, [1, 2, 0]);
     [2, 0, 0].forEach((value, c) => expect(point[c]).toBeCloseTo(value, 6));
+  });
+});
+
+describe("what a live page looks at", () => {
+  test("reaches down to a plane below the bodies, not to one far away or above", () => {
+    const plane = (offset: number) => ({ type: "plane" as const, normal: [0, 0, 1] as [number, number, number], offset, p: [0, 0, 0] as [number, number, number], q: [1, 0, 0, 0] as [number, number, number, number], material: 0, color: "" });
+    const level = { ...header, bodies: header.bodies.map((own) => ({ ...own, start: { p: [0, 0, 0] as [number, number, number], q: [1, 0, 0, 0] as [number, number, number, number] } })) };
+    const extent = { center: [0, 0, 5] as [number, number, number], half: [1, 1, 1] as [number, number, number], radius: Math.sqrt(3) };
+    expect(withPlanes({ ...level, looks: [[plane(1)], []] }, extent)).toEqual({ center: [0, 0, 3.5], half: [1, 1, 2.5], radius: Math.hypot(1, 1, 2.5) });
+    for (const offset of [-1000, 6]) expect(withPlanes({ ...level, looks: [[plane(offset)], []] }, extent)).toEqual(extent);
   });
 });
