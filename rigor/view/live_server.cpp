@@ -51,7 +51,7 @@ constexpr std::size_t most_replies = 16;  // that wait for a slow client
 /// All of it runs on the thread that serves; notify() and reply() come from the simulation's.
 class LiveServer::Impl {
  public:
-  explicit Impl(std::uint16_t port);
+  Impl(std::uint16_t port, const LiveLimits& limits);
   void serve(const std::function<bool()>& should_end);
   std::string url() const { return access_.url(); }
 
@@ -73,6 +73,7 @@ class LiveServer::Impl {
   tcp::acceptor acceptor{context};
   asio::steady_timer accept_timer{context}, watch_timer{context};
   Clock::time_point next_accept;
+  const LiveLimits limits;
   LiveAccess access_;
   LiveSimulation* simulation = nullptr;
   std::string title;             ///< Of a page that stands still.
@@ -90,16 +91,16 @@ class LiveServer::Impl {
 class LiveServer::Impl::Socket : public std::enable_shared_from_this<Socket> {
  public:
   Socket(Impl& server, std::uint64_t number, beast::tcp_stream stream)
-      : server_(server), number_(number), stream_(std::move(stream)) {}
+      : server_(server), number_(number), stream_(std::move(stream)), buffer_(server.limits.message_bytes) {}
 
   void begin(const http::request<http::empty_body>& request) {
     beast::get_lowest_layer(stream_).expires_never();
     websocket::stream_base::timeout timeout{};
-    timeout.handshake_timeout = seconds(request_time);
-    timeout.idle_timeout = seconds(idle_time);
+    timeout.handshake_timeout = seconds(server_.limits.request_time);
+    timeout.idle_timeout = seconds(server_.limits.idle_time);
     timeout.keep_alive_pings = true;
     stream_.set_option(timeout);
-    stream_.read_message_max(most_message_bytes);
+    stream_.read_message_max(server_.limits.message_bytes);
     stream_.async_accept(request, [self = shared_from_this()](error_code error) {
       if (error) return self->end();
       self->is_open_ = true;
@@ -114,6 +115,7 @@ class LiveServer::Impl::Socket : public std::enable_shared_from_this<Socket> {
     const LiveSnapshot newest = server_.simulation->newest();
     if (!replies_.empty()) {
       is_text_ = replies_.front().is_text;
+      is_reply_ = true;
       on_its_way_ = std::make_shared<const std::string>(std::move(replies_.front().bytes));
       replies_.pop_front();
     } else if (newest.status != status_) {
@@ -129,6 +131,7 @@ class LiveServer::Impl::Socket : public std::enable_shared_from_this<Socket> {
     stream_.async_write(asio::buffer(*on_its_way_),
                         [self = shared_from_this()](error_code error, std::size_t) {
                           self->on_its_way_.reset();
+                          if (std::exchange(self->is_reply_, false)) self->awaits_file_ = false;
                           if (error) return self->end();
                           self->send();
                         });
@@ -159,13 +162,18 @@ class LiveServer::Impl::Socket : public std::enable_shared_from_this<Socket> {
       second_ = now;
       messages_ = 0;
     }
-    return ++messages_ <= most_messages;
+    return ++messages_ <= server_.limits.messages;
   }
 
   void take(const std::string& message) {
     try {
       if (!stream_.got_text()) throw InputError("commands are texts");
-      if (!server_.simulation->post(number_, parse_live_command(message)))
+      LiveCommand command = parse_live_command(message);
+      const bool wants_file =
+          std::holds_alternative<live::Save>(command) || std::holds_alternative<live::Export>(command);
+      if (wants_file && awaits_file_) throw InputError("a file is still on its way");
+      awaits_file_ |= wants_file;
+      if (!server_.simulation->post(number_, std::move(command)))
         throw InputError("the simulation is busy; the command was not taken");
     } catch (const InputError& error) {
       const nlohmann::ordered_json text = {{"type", "error"}, {"messages", error.messages()}};
@@ -184,8 +192,9 @@ class LiveServer::Impl::Socket : public std::enable_shared_from_this<Socket> {
   Impl& server_;
   std::uint64_t number_;
   websocket::stream<beast::tcp_stream> stream_;
-  beast::flat_buffer buffer_{most_message_bytes};
-  bool is_open_ = false, is_text_ = false;
+  beast::flat_buffer buffer_;
+  bool is_open_ = false, is_text_ = false, is_reply_ = false;  ///< The last two: of what is on its way.
+  bool awaits_file_ = false;
   Text on_its_way_, status_, frame_;  ///< The last two: sent last.
   std::deque<LiveReply> replies_;
   Clock::time_point second_;
@@ -195,13 +204,16 @@ class LiveServer::Impl::Socket : public std::enable_shared_from_this<Socket> {
 class LiveServer::Impl::Request : public std::enable_shared_from_this<Request> {
  public:
   Request(Impl& server, std::uint64_t number, tcp::socket socket)
-      : server_(server), number_(number), stream_(std::move(socket)) {
-    parser_.header_limit(most_header_bytes);
+      : server_(server),
+        number_(number),
+        stream_(std::move(socket)),
+        buffer_(server.limits.header_bytes + 1024) {
+    parser_.header_limit(static_cast<std::uint32_t>(server.limits.header_bytes));
   }
   ~Request() { server_.strangers.erase(number_); }
 
   void begin() {
-    stream_.expires_after(seconds(request_time));
+    stream_.expires_after(seconds(server_.limits.request_time));
     http::async_read_header(
         stream_, buffer_, parser_,
         [self = shared_from_this()](error_code error, std::size_t) { self->judge(error); });
@@ -246,7 +258,7 @@ class LiveServer::Impl::Request : public std::enable_shared_from_this<Request> {
 
   void become_socket() {
     if (!server_.simulation) return refuse(404, "This page stands still.");
-    if (server_.sockets.size() >= most_sockets) return refuse(503, "Too many pages are open.");
+    if (server_.sockets.size() >= server_.limits.sockets) return refuse(503, "Too many pages are open.");
     const auto socket = std::make_shared<Socket>(server_, number_, std::move(stream_));
     server_.strangers.erase(number_);
     server_.sockets[number_] = socket;
@@ -272,7 +284,7 @@ class LiveServer::Impl::Request : public std::enable_shared_from_this<Request> {
     response_.keep_alive(false);
     response_.body() = {body.data(), body.size()};
     response_.prepare_payload();
-    stream_.expires_after(seconds(response_time));
+    stream_.expires_after(seconds(server_.limits.response_time));
     http::async_write(stream_, response_, [self = shared_from_this()](error_code, std::size_t) {
       error_code ignored;
       self->stream_.socket().shutdown(tcp::socket::shutdown_send, ignored);
@@ -282,7 +294,7 @@ class LiveServer::Impl::Request : public std::enable_shared_from_this<Request> {
   Impl& server_;
   std::uint64_t number_;
   beast::tcp_stream stream_;
-  beast::flat_buffer buffer_{most_header_bytes + 1024};
+  beast::flat_buffer buffer_;
   http::request_parser<http::empty_body> parser_;
   http::response<http::span_body<const char>> response_;
   std::string host_, policy_ = "default-src 'none'";
@@ -290,7 +302,7 @@ class LiveServer::Impl::Request : public std::enable_shared_from_this<Request> {
   Text text_;  ///< Holds the body while it is sent.
 };
 
-LiveServer::Impl::Impl(std::uint16_t port) : access_(0, "") {
+LiveServer::Impl::Impl(std::uint16_t port, const LiveLimits& given) : limits(given), access_(0, "") {
   open(port);
   access_ = LiveAccess(acceptor.local_endpoint().port(), make_live_token());
 }
@@ -312,11 +324,10 @@ void LiveServer::Impl::open(std::uint16_t port) {
 /// Connections beyond a burst are taken with a pause between them, so that a flood of them takes little time;
 /// of those that have not shown the token the oldest goes when there are too many.
 void LiveServer::Impl::accept() {
-  static constexpr int burst = 32;
   acceptor.async_accept([this](error_code error, tcp::socket socket) {
     if (error == asio::error::operation_aborted) return;
     if (!error) {
-      if (strangers.size() >= most_connections) {
+      if (strangers.size() >= limits.connections) {
         if (const std::shared_ptr<Request> oldest = strangers.begin()->second.lock()) oldest->close();
         strangers.erase(strangers.begin());
       }
@@ -326,7 +337,8 @@ void LiveServer::Impl::accept() {
       request->begin();
     }
     const Clock::time_point now = Clock::now();
-    next_accept = std::max(next_accept, now - burst * seconds(accept_pause)) + seconds(accept_pause);
+    next_accept = std::max(next_accept, now - limits.burst * seconds(limits.accept_pause)) +
+                  seconds(limits.accept_pause);
     if (next_accept <= now) return accept();
     accept_timer.expires_at(next_accept);
     accept_timer.async_wait([this](error_code stopped) {
@@ -368,7 +380,8 @@ Text LiveServer::Impl::page(std::string_view host) {
   return std::make_shared<const std::string>(page_text(newest.scene + " · Rigor", {*newest.blocks}, served));
 }
 
-LiveServer::LiveServer(std::uint16_t port) : impl_(std::make_unique<Impl>(port)) {}
+LiveServer::LiveServer(std::uint16_t port, const LiveLimits& limits)
+    : impl_(std::make_unique<Impl>(port, limits)) {}
 LiveServer::~LiveServer() = default;
 
 void LiveServer::notify() {

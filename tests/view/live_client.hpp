@@ -18,7 +18,10 @@ namespace rigor::test {
 
 class Connection {
  public:
-  explicit Connection(int port) : descriptor_(::socket(AF_INET, SOCK_STREAM, 0)) {
+  /// receive_buffer [bytes]: what the system keeps for who does not read; 0: as usual.
+  explicit Connection(int port, int receive_buffer = 0) : descriptor_(::socket(AF_INET, SOCK_STREAM, 0)) {
+    if (receive_buffer > 0)
+      ::setsockopt(descriptor_, SOL_SOCKET, SO_RCVBUF, &receive_buffer, sizeof receive_buffer);
     sockaddr_in address{};
     address.sin_family = AF_INET;
     address.sin_port = htons(static_cast<std::uint16_t>(port));
@@ -126,7 +129,8 @@ inline int status_of(const std::string& text) {
 /// section 5.
 class LiveSocket {
  public:
-  explicit LiveSocket(const LiveAddress& address) : connection_(address.port) {
+  explicit LiveSocket(const LiveAddress& address, int receive_buffer = 0)
+      : connection_(address.port, receive_buffer) {
     connection_.send("GET /live?token=" + address.token + " HTTP/1.1\r\nHost: " + address.host() +
                      "\r\nOrigin: http://" + address.host() +
                      "\r\nConnection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\n"

@@ -37,7 +37,7 @@ class LiveServerTest : public testing::Test {
     if (!::mkdtemp(name.data())) std::abort();
     folder = name;
     std::ofstream(folder / "live.yaml") << test::live_ball;
-    server = std::make_unique<LiveServer>(std::uint16_t{0});
+    server = std::make_unique<LiveServer>(std::uint16_t{0}, limits);
     simulation = std::make_unique<LiveSimulation>(
         LiveFile(folder / "live.yaml", {}), [this] { server->notify(); },
         [this](LiveReply reply) { server->reply(std::move(reply)); });
@@ -84,6 +84,8 @@ class LiveServerTest : public testing::Test {
   }
 
   std::filesystem::path folder;
+  // Shorter than usual, so that the test does not take long.
+  const LiveLimits limits{.request_time = 0.6};
   std::unique_ptr<LiveServer> server;
   std::unique_ptr<LiveSimulation> simulation;
   LiveAddress address;
@@ -136,20 +138,20 @@ TEST_F(LiveServerTest, ASlowClientIsDroppedWhenItsTimeIsOver) {
   Connection slow(address.port);
   const auto begin = std::chrono::steady_clock::now();
   bool is_closed = false;
-  for (int i = 0; i < 8 && !is_closed; ++i) {
+  for (int i = 0; i < 30 && !is_closed; ++i) {
     slow.send("G");
-    is_closed = slow.is_closed_within(1);
+    is_closed = slow.is_closed_within(0.1);
   }
   const double waited = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   EXPECT_TRUE(is_closed);
-  EXPECT_GT(waited, LiveServer::request_time - 0.5) << "an honest client has this long";
+  EXPECT_GT(waited, 0.9 * limits.request_time) << "an honest client has this long";
 }
 
 TEST_F(LiveServerTest, AFloodOfConnectionsIsLimitedAndAnHonestClientIsServed) {
   LiveSocket watching(address);
   ASSERT_EQ(watching.status, 101);
   std::deque<Connection> flood;
-  for (std::size_t i = 0; i < 3 * LiveServer::most_connections; ++i) flood.emplace_back(address.port);
+  for (std::size_t i = 0; i < 3 * limits.connections; ++i) flood.emplace_back(address.port);
   EXPECT_EQ(status_of(get(address, "/?token=" + address.token)), 200);
   EXPECT_TRUE(flood.front().is_closed_within(1)) << "the oldest had to go";
   watching.send(R"({"do": "step"})");
@@ -158,7 +160,7 @@ TEST_F(LiveServerTest, AFloodOfConnectionsIsLimitedAndAnHonestClientIsServed) {
 
 TEST_F(LiveServerTest, MoreSocketsThanAllowedAreRefused) {
   std::deque<LiveSocket> sockets;
-  for (std::size_t i = 0; i < LiveServer::most_sockets; ++i) {
+  for (std::size_t i = 0; i < limits.sockets; ++i) {
     sockets.emplace_back(address);
     EXPECT_EQ(sockets.back().status, 101);
   }
@@ -217,18 +219,18 @@ TEST_F(LiveServerTest, TooLongAndTooManyMessagesEndTheConnection) {
   large.send(std::string(5000, ' '));
   EXPECT_TRUE(large.connection().is_closed_within(2));
   LiveSocket many(address);
-  for (int i = 0; i < 2 * LiveServer::most_messages; ++i) many.send(R"({"do": "pause"})");
+  for (int i = 0; i < 2 * limits.messages; ++i) many.send(R"({"do": "pause"})");
   EXPECT_TRUE(many.connection().is_closed_within(2));
   EXPECT_EQ(LiveSocket(address).status, 101);
 }
 
 TEST_F(LiveServerTest, WhoDoesNotReadDoesNotHoldTheSimulationUp) {
-  LiveSocket deaf(address), honest(address);
+  LiveSocket deaf(address, 1024), honest(address);
+  // A page of more than half a megabyte: more than the system keeps for who does not read.
+  deaf.send(R"({"do": "export"})");
+  deaf.send(R"({"do": "export"})");
   honest.send(R"({"do": "run"})");
-  const auto begin = std::chrono::steady_clock::now();
-  EXPECT_GE(time_of(frame_after(honest, 1)), 1);
-  // One simulated second takes one of the clock; three leave room for a busy machine.
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, 3s);
+  EXPECT_GE(time_of(frame_after(honest, 0.5)), 0.5);
 }
 
 TEST_F(LiveServerTest, ALostPullerLetsGo) {
