@@ -234,7 +234,7 @@ TEST_F(LiveServerTest, WhoDoesNotReadDoesNotHoldTheSimulationUp) {
 }
 
 TEST_F(LiveServerTest, ALostPullerLetsGo) {
-  const auto speed_after = [this](LiveSocket& socket, double time) {
+  const auto speed_after = [](LiveSocket& socket, double time) {
     socket.send(R"({"do": "step"})");
     const LiveSocket::Message frame = frame_after(socket, time);
     EXPECT_NEAR(time_of(frame), time + 0.01, 1e-12);
