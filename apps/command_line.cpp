@@ -26,6 +26,7 @@ constexpr Range density{0, 1e12, true};   // [kg/m³]
 constexpr Range view_angle{1, 170};       // [degrees]
 constexpr int most_threads = 1024;
 constexpr int most_frames = 100000;
+constexpr int highest_port = 65535;
 constexpr int fewest_samples = 2, most_samples = 1000000000;
 
 const char* const examples =
@@ -35,6 +36,8 @@ const char* const examples =
     "  rigor run ball.yaml --set method.integrator=dopri5 --set bodies.ball.velocity=\"[1, 0, 0]\"\n"
     "  rigor run long.yaml --checkpoint long.cp --checkpoint-every 10\n"
     "  rigor run long.yaml --resume long.cp --duration 1000\n"
+    "  rigor view ball.yaml --open                               live in the browser: change it while it "
+    "runs\n"
     "  rigor check scenes/*.yaml\n"
     "  rigor mass part.stl --density 7850\n"
     "  rigor distance ball.yaml ball floor\n"
@@ -89,6 +92,16 @@ void add_run(CLI::App& app, RunOptions& run) {
             "S")
       ->check(number_in(time_span, "s"));
   add_value(app, "--resume", run.resume, "go on from a checkpoint of the same scene, bit for bit", "FILE");
+}
+
+void add_view(CLI::App& app, ViewOptions& view) {
+  app.add_option("SCENE|TRAJECTORY", view.file, "scene (live) or trajectory (.h5, replay)")
+      ->required()
+      ->option_text(" ");
+  add_value(app, "--set", view.overrides, "override a value of the scene; may be repeated", "KEY=VALUE");
+  add_value(app, "--port", view.port, "of 127.0.0.1; default: a free one", "P")
+      ->check(CLI::Range(1, highest_port));
+  app.add_flag("--open", view.opens_browser, "open the page in the browser");
 }
 
 void add_mass(CLI::App& app, MassOptions& mass) {
@@ -220,12 +233,15 @@ ParsedCommandLine parse_command_line(int argc, const char* const* argv) {
   app.set_version_flag("--version", "rigor " + std::string(version));
   app.footer(examples);
   RunOptions run;
+  ViewOptions view;
   CheckOptions check;
   MassOptions mass;
   DistanceOptions distance;
   RenderOptions render;
   PlotOptions plot;
   CLI::App& run_app = *app.add_subcommand("run", "simulate a scene and print the audit");
+  CLI::App& view_app =
+      *app.add_subcommand("view", "show a scene live, or a trajectory, in the browser, on this machine only");
   CLI::App& check_app = *app.add_subcommand("check", "validate scenes without running them");
   CLI::App& mass_app = *app.add_subcommand("mass", "mass properties of a mesh or a scene, exact and sampled");
   CLI::App& distance_app =
@@ -234,6 +250,7 @@ ParsedCommandLine parse_command_line(int argc, const char* const* argv) {
   CLI::App& render_app = *app.add_subcommand("render", "pictures and films of a scene or a trajectory");
   CLI::App& plot_app = *app.add_subcommand("plot", "plot quantities of a trajectory over time");
   add_run(run_app, run);
+  add_view(view_app, view);
   check_app.add_option("SCENE", check.scenes, "scene files")->required()->option_text("...");
   add_mass(mass_app, mass);
   add_distance(distance_app, distance);
@@ -257,6 +274,7 @@ ParsedCommandLine parse_command_line(int argc, const char* const* argv) {
     check_run(run);
     return {run};
   }
+  if (app.got_subcommand(&view_app)) return {view};
   if (app.got_subcommand(&check_app)) return {check};
   if (app.got_subcommand(&mass_app)) return {mass};
   if (app.got_subcommand(&distance_app)) return {distance};

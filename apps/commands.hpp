@@ -9,6 +9,7 @@ namespace rigor {
 // UsageError.
 
 ExitCode execute(const RunOptions& options);
+ExitCode execute(const ViewOptions& options);
 ExitCode execute(const CheckOptions& options);
 ExitCode execute(const MassOptions& options);
 ExitCode execute(const DistanceOptions& options);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <variant>
@@ -61,7 +62,14 @@ struct PlotOptions {
   std::string output;
 };
 
-using Command = std::variant<RunOptions, CheckOptions, MassOptions, DistanceOptions, MethodsOptions,
-                             RenderOptions, PlotOptions>;
+struct ViewOptions {
+  std::string file;                    ///< Scene or trajectory (.h5).
+  std::vector<std::string> overrides;  ///< "key=value".
+  std::uint16_t port = 0;              ///< 0: a free one.
+  bool opens_browser = false;
+};
+
+using Command = std::variant<RunOptions, ViewOptions, CheckOptions, MassOptions, DistanceOptions,
+                             MethodsOptions, RenderOptions, PlotOptions>;
 
 }  // namespace rigor

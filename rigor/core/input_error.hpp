@@ -7,7 +7,7 @@
 namespace rigor {
 
 /// Input that makes no sense: a file's or a user's fault. Each message says where (file, line, column, name),
-/// what was found with its unit, and what is allowed. Thrown only by builders, io/ and apps/.
+/// what was found with its unit, and what is allowed. Thrown only by builders, io/, view/ and apps/.
 class InputError : public std::runtime_error {
  public:
   explicit InputError(std::string message);

@@ -119,7 +119,7 @@ std::string_view checked_content(std::string_view bytes, const std::string& name
 
 }  // namespace
 
-void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
+std::string checkpoint_bytes(const Checkpoint& checkpoint) {
   ByteWriter writer;
   writer.write(checkpoint.fingerprint);
   visit_numbers(checkpoint.audit, [&](const auto& value) {
@@ -134,7 +134,11 @@ void write_checkpoint(const std::filesystem::path& path, const Checkpoint& check
   const std::vector<unsigned char> state = serialise(checkpoint.state);
   writer.write_text({reinterpret_cast<const char*>(state.data()), state.size()});
   writer.write(checksum(writer.bytes()));
-  write_atomically(path, writer.bytes());
+  return writer.bytes();
+}
+
+void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
+  write_atomically(path, checkpoint_bytes(checkpoint));
 }
 
 Checkpoint read_checkpoint(const std::filesystem::path& path, std::uint64_t fingerprint) {

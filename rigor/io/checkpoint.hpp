@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 
 namespace rigor {
 
@@ -14,6 +15,8 @@ struct Checkpoint {
   Audit audit;  ///< Without method and bodies, which the scene and the state tell.
 };
 
+/// The bytes of a checkpoint's file.
+std::string checkpoint_bytes(const Checkpoint& checkpoint);
 /// Writes a checkpoint; a file of that name is replaced at one instant, so that there is always a whole one.
 /// FileError.
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint);

@@ -5,12 +5,15 @@
 #include "rigor/model/material.hpp"
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace rigor {
+
+struct ModelChanges;
 
 /// A scene as the engine sees it: checked once, constant while time runs, shared by any number of steppers.
 class Model {
@@ -36,6 +39,7 @@ class Model {
 
  private:
   friend class ModelBuilder;
+  friend std::shared_ptr<const Model> changed_model(const Model& model, const ModelChanges& changes);
   Model() = default;
 
   std::string name_;

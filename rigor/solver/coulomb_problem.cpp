@@ -129,7 +129,8 @@ class Chain {
   }
 
  private:
-  /// The last digits of ill-conditioned problems are not worth thousands of sweeps; the residual tells of them.
+  /// The last digits of ill-conditioned problems are not worth thousands of sweeps; the residual tells of
+  /// them.
   bool is_nearly_solved() const { return best_.residual <= 1000 * options_.tolerance; }
 
   bool offer(const CoulombGuess& guess, int iterations, const char* method) {

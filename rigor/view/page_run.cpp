@@ -108,6 +108,7 @@ Json series_json() {
 
 PageRun::PageRun(const Scene& scene, const State& start)
     : model_(scene.model),
+      latest_model_(scene.model),
       method_(scene.method),
       run_(scene.run),
       name_(scene.name),
@@ -117,10 +118,15 @@ PageRun::PageRun(const Scene& scene, const State& start)
       series_(quantities.size()) {}
 
 void PageRun::add(const State& state, const AdvanceReport& since, const Energy& energy) {
+  add(state, since, energy, contact_snapshot(*model_, method_, state));
+}
+
+void PageRun::add(const State& state, const AdvanceReport& since, const Energy& energy,
+                  const std::vector<TouchingPoint>& contacts) {
   keep(frames_.add(state));
-  keep(contacts_.add(contact_snapshot(*model_, method_, state)));
+  keep(contacts_.add(contacts));
   work_ += since.work;
-  const Momentum momentum = total_momentum(*model_, state);
+  const Momentum momentum = total_momentum(*latest_model_, state);
   const std::array<double, quantities.size()> row = {state.t,
                                                      energy.kinetic,
                                                      energy.potential,
@@ -136,6 +142,12 @@ void PageRun::add(const State& state, const AdvanceReport& since, const Energy& 
   events_.insert(events_.end(), since.events.begin(), since.events.end());
 }
 
+std::vector<double> PageRun::last_row() const {
+  std::vector<double> row;
+  for (const std::vector<double>& column : series_) row.push_back(column.empty() ? 0 : column.back());
+  return row;
+}
+
 std::vector<PageBlock> PageRun::finish(const Audit& audit) {
   const PageGeometry geometry = page_geometry(*model_);
   const Json header = {{"format", 1},
@@ -144,7 +156,7 @@ std::vector<PageBlock> PageRun::finish(const Audit& audit) {
                        {"duration", run_.duration},
                        {"step", run_.step},
                        {"output_interval", run_.output_interval},
-                       {"gravity", json_of(model_->g_W())},
+                       {"gravity", json_of(latest_model_->g_W())},
                        {"origin", json_of(scale_.origin)},
                        {"extent", scale_.extent},
                        {"position_step", scale_.position_step},
@@ -157,8 +169,8 @@ std::vector<PageBlock> PageRun::finish(const Audit& audit) {
                        {"bodies", bodies_json(*model_, geometry)},
                        {"looks", geometry.looks},
                        {"meshes", geometry.meshes},
-                       {"materials", materials_json(*model_)},
-                       {"springs", springs_json(*model_)},
+                       {"materials", materials_json(*latest_model_)},
+                       {"springs", springs_json(*latest_model_)},
                        {"joints", Json::array()},
                        {"audit", Json::parse(audit_json(audit))}};
   std::vector<PageBlock> blocks = {make_page_block("header", json_line(header)),

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace rigor {
@@ -20,6 +21,14 @@ class PageRun {
 
   /// An output time with what happened since the last one.
   void add(const State& state, const AdvanceReport& since, const Energy& energy);
+  /// The same where the contacts at the state are known already.
+  void add(const State& state, const AdvanceReport& since, const Energy& energy,
+           const std::vector<TouchingPoint>& contacts);
+  /// From now on the run is one of this model, which has the same bodies; the header tells of the last one.
+  void continue_with(std::shared_ptr<const Model> model) { latest_model_ = std::move(model); }
+  /// Values of the series at the last output time, in the order of the header's list.
+  std::vector<double> last_row() const;
+  int frame_count() const { return frames_.frame_count(); }
   /// Everything, the header first (docs/page.md gives the format). The run ends with it.
   std::vector<PageBlock> finish(const Audit& audit);
 
@@ -30,7 +39,7 @@ class PageRun {
   PageBlock events_block() const;
   PageBlock series_block() const;
 
-  std::shared_ptr<const Model> model_;
+  std::shared_ptr<const Model> model_, latest_model_;
   Method method_;
   RunSettings run_;
   std::string name_;

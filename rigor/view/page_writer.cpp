@@ -10,7 +10,7 @@ namespace rigor {
 
 namespace {
 
-/// Text as it stands between tags.
+/// Text as it stands between tags and inside quotation marks.
 std::string html_text(std::string_view text) {
   std::string result;
   for (const char c : text) {
@@ -24,6 +24,9 @@ std::string html_text(std::string_view text) {
       case '&':
         result += "&amp;";
         break;
+      case '"':
+        result += "&quot;";
+        break;
       default:
         result += c;
     }
@@ -32,36 +35,64 @@ std::string html_text(std::string_view text) {
 }
 
 // The policy lets the page run what is in it and reach nothing outside.
-constexpr std::string_view head =
-    "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-    "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'unsafe-inline'; "
-    "style-src 'unsafe-inline'; img-src data: blob:\">\n"
-    "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-    "<meta name=\"generator\" content=\"Rigor\">\n";
+constexpr std::string_view policy =
+    "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:";
 constexpr std::string_view no_script =
     "<noscript>This page shows a simulation; it needs JavaScript, and nothing from the network.</noscript>\n";
 
+/// The head up to the viewer's script.
+std::string head(std::string_view title, std::string_view content_policy) {
+  return fmt::format(
+      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<meta name=\"generator\" content=\"Rigor\">\n<title>{}</title>\n",
+      html_text(content_policy), html_text(title));
+}
+
+/// Gives the body, with all blocks, to `append`, piece by piece.
+template <typename Append>
+void append_body(const std::vector<std::vector<PageBlock>>& runs, Append append) {
+  append("<body>\n");
+  append(no_script);
+  // The number of blocks comes first, so that a page that was cut off knows.
+  std::size_t count = 0;
+  for (const std::vector<PageBlock>& blocks : runs) count += blocks.size();
+  append(fmt::format("<meta name=\"rigor-blocks\" content=\"{}\">\n", count));
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    for (const PageBlock& block : runs[i]) append(block_html(block, static_cast<int>(i)));
+  }
+  append("</body>\n</html>\n");
+}
+
 }  // namespace
+
+std::string page_text(std::string_view title, const std::vector<std::vector<PageBlock>>& runs,
+                      const ServedPage& served) {
+  std::string text = head(title, served.policy.empty() ? policy : served.policy);
+  if (!served.mark.empty())
+    text += fmt::format("<meta name=\"rigor-live\" content=\"{}\">\n", html_text(served.mark));
+  if (served.script.empty()) {
+    text.append("<script>\n").append(viewer_script()).append("</script>\n");
+  } else {
+    text += fmt::format("<script src=\"{}\"></script>\n", html_text(served.script));
+  }
+  text += "</head>\n";
+  append_body(runs, [&text](std::string_view part) { text += part; });
+  return text;
+}
 
 void write_page(const std::filesystem::path& path, std::string_view title,
                 const std::vector<std::vector<PageBlock>>& runs) {
   OutputFile file(path);
-  file.append(head);
-  file.append(fmt::format("<title>{}</title>\n<script>\n", html_text(title)));
+  file.append(head(title, policy));
+  file.append("<script>\n");
   file.append(viewer_script());
-  file.append("</script>\n</head>\n<body>\n");
-  file.append(no_script);
-  // The number of blocks comes first, so that a page that was cut off knows.
-  std::size_t count = 0;
-  for (const std::vector<PageBlock>& blocks : runs) count += blocks.size();
-  file.append(fmt::format("<meta name=\"rigor-blocks\" content=\"{}\">\n", count));
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    for (const PageBlock& block : runs[i]) {
-      file.append(block_html(block, static_cast<int>(i)));
-      file.flush();
-    }
-  }
-  file.append("</body>\n</html>\n");
+  file.append("</script>\n</head>\n");
+  append_body(runs, [&file](std::string_view part) {
+    file.append(part);
+    file.flush();
+  });
   file.close();
 }
 

@@ -5,7 +5,9 @@
 #include <array>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace rigor {
 
@@ -19,6 +21,16 @@ std::string_view viewer_script();
 /// of each run. It needs no network and no other file. Throws FileError.
 void write_page(const std::filesystem::path& path, std::string_view title,
                 const std::vector<std::vector<PageBlock>>& runs);
+
+/// What of a page is not as in a file that stands alone; empty: as there.
+struct ServedPage {
+  std::string policy;  ///< Content-Security-Policy.
+  std::string script;  ///< Address of the viewer.
+  std::string mark;    ///< Content of <meta name="rigor-live">; none if empty.
+};
+/// The same page as text.
+std::string page_text(std::string_view title, const std::vector<std::vector<PageBlock>>& runs,
+                      const ServedPage& served);
 
 /// Watches a run and leaves it as a page of its own. The page is written when the run ends.
 class PageWriter {

@@ -1,5 +1,5 @@
 // Makes pages with the program and opens them in a browser without a screen.
-import { execFileSync } from "node:child_process";
+import { execFileSync, spawn } from "node:child_process";
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
@@ -33,15 +33,30 @@ export function writePage(name, text) {
   return file;
 }
 
+/** Starts `rigor view` with a file; gives its address and a function that ends it as Ctrl-C does. */
+export async function serve(file) {
+  const child = spawn(program, ["view", file], { stdio: ["ignore", "pipe", "inherit"] });
+  const ended = new Promise((done) => child.on("exit", done));
+  const url = await new Promise((found, failed) => {
+    child.stdout.on("data", (text) => found(String(text).trim()));
+    child.on("exit", (code) => failed(new Error(`rigor view ended with ${code}`)));
+  });
+  return { url, end: () => (child.kill("SIGINT"), ended) };
+}
+
 /** Opens a file; every error of the page's console is kept in `errors`. */
-export async function openPage(browser, file, options = {}) {
+export function openPage(browser, file, options = {}) {
+  return openAddress(browser, `file://${file}`, options);
+}
+
+export async function openAddress(browser, address, options = {}) {
   const page = await browser.newPage({ viewport: { width: 1000, height: 700 }, ...options });
   const errors = [];
   const requests = [];
   page.on("console", (message) => message.type() === "error" && errors.push(message.text()));
   page.on("pageerror", (error) => errors.push(error.message));
   page.on("request", (request) => requests.push(request.url()));
-  await page.goto(`file://${file}`);
+  await page.goto(address);
   await page.waitForSelector(".app, #message h1", { timeout: 60000 });
   return { page, errors, requests };
 }

@@ -1,6 +1,7 @@
 import { App } from "./app";
 import { DataError, findBlocks } from "./blocks";
 import { el } from "./dom";
+import { LiveApp } from "./live_app";
 import { loadRuns } from "./run";
 import { installStyle } from "./style";
 
@@ -14,7 +15,8 @@ async function start(): Promise<void> {
     const expected = Number(document.querySelector<HTMLMetaElement>('meta[name="rigor-blocks"]')?.content ?? 0);
     const loaded = await loadRuns(findBlocks(document), expected, (part) => (progress.value = part));
     waiting.remove();
-    const app = new App(loaded);
+    const mark = document.querySelector<HTMLMetaElement>('meta[name="rigor-live"]');
+    const app = mark ? new LiveApp(loaded.runs[0], Number(mark.content)) : new App(loaded);
     document.body.append(app.element);
     app.begin();
     Object.assign(window, { rigor: app });

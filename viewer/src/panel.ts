@@ -28,12 +28,14 @@ export class Panel {
   private readonly event = el("div", { class: "event", id: "event", role: "status" });
   private readonly boxes = new Map<keyof Shown, HTMLInputElement>();
 
-  constructor(private readonly source: FrameSource, private readonly shown: Shown, hasGhost: boolean, private readonly actions: PanelActions) {
+  constructor(private readonly source: FrameSource, private readonly shown: Shown, hasGhost: boolean, private readonly actions: PanelActions, control?: HTMLElement) {
     this.search = el("input", { type: "search", id: "search", placeholder: "Find a body by name (/)", "aria-label": "Find a body by name", oninput: () => this.list() });
     const tabs: [string, HTMLElement][] = [
+      // A live run has no audit yet; there one can change the scene.
+      ...(control ? [["Control", control] as [string, HTMLElement]] : []),
       ["Body", el("div", {}, this.search, this.found, this.numbers)],
       ["Show", this.showTab(hasGhost)],
-      ["Audit", el("div", {}, auditTable(source.header, actions))],
+      ...(control ? [] : [["Audit", el("div", {}, auditTable(source.header, actions))] as [string, HTMLElement]]),
     ];
     this.element = el("aside", { class: "panel" }, this.event, tabBar(tabs), ...tabs.map(([, content]) => content));
     this.list();

@@ -5,6 +5,9 @@ import { makeMotion, type Motion } from "./frames";
 import { Ground } from "./ground";
 import { Marks, type Shown } from "./marks";
 import type { MotionEvent } from "./run";
+import { overlayColors, rgb } from "./colors";
+import type { Vec } from "./header";
+import { Lines } from "./overlays";
 import { Shapes } from "./shapes";
 import type { FrameSource } from "./source";
 
@@ -12,6 +15,13 @@ import type { FrameSource } from "./source";
 const mostShadows = 3000;
 /** Smallest part of the screen's resolution that is drawn at when drawing is slow. */
 const leastRatio = 0.5;
+
+export interface Ray {
+  from: Vec;
+  direction: Vec;
+  /** Where the camera looks. */
+  forward: Vec;
+}
 
 /** The scene at a moment, and the camera. */
 export class View3D {
@@ -29,6 +39,7 @@ export class View3D {
   private readonly ghostMotion: Motion | undefined;
   private readonly ground: Ground;
   private readonly marks: Marks;
+  private readonly line = new Lines();
   private readonly pixel = { value: 0.001 };
   private readonly ratio = { value: 1 };
   private readonly up: Vector3;
@@ -58,6 +69,7 @@ export class View3D {
     this.marks = new Marks(source, extent.radius, this.pixel, this.ratio);
     this.scene.add(this.ground.group, this.shapes.group);
     this.scene.add(this.marks.trails.lines, this.marks.springs.lines, this.marks.arrows.mesh, this.marks.ring.points, this.marks.dots.points);
+    this.scene.add(this.line.lines);
     if (ghost) {
       const offset = ghost.header.origin.map((x, c) => x - header.origin[c]) as [number, number, number];
       this.ghostMotion = makeMotion(ghost.header.bodies.length);
@@ -169,6 +181,26 @@ export class View3D {
     hidden.forEach((object, i) => object && (object.visible = visible[i] ?? true));
     target.dispose();
     return bytes[3] === 255 ? bytes[0] + 256 * bytes[1] + 65536 * bytes[2] : -1;
+  }
+
+  /** The line of sight through a point of the canvas (CSS pixels), from Header.origin [m]; direction of length 1. */
+  rayAt(x: number, y: number): Ray {
+    const size = this.renderer.getSize(new Vector2());
+    const to = new Vector3((2 * x) / size.x - 1, 1 - (2 * y) / size.y, 0.5).unproject(this.camera);
+    const from = this.camera.position;
+    return { from: from.toArray(), direction: to.sub(from).normalize().toArray(), forward: this.camera.getWorldDirection(new Vector3()).toArray() };
+  }
+
+  /** Whether dragging turns the camera. */
+  set canTurn(can: boolean) {
+    this.controls.enabled = can;
+  }
+
+  /** A line between two points, from Header.origin; none without them. */
+  showLine(ends: [ArrayLike<number>, ArrayLike<number>] | undefined): void {
+    this.line.clear();
+    if (ends) this.line.add(ends[0], ends[1], rgb(overlayColors.impulse));
+    this.line.commit();
   }
 
   /** Takes the camera along with a body from now on (-1: leaves it where it is). */

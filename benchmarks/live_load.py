@@ -1,0 +1,148 @@
+#!/usr/bin/env python3
+"""How much clients that behave badly slow a live simulation (Linux, Python's standard library only).
+
+usage: benchmarks/live_load.py RIGOR [SCENE] [SECONDS]
+
+Starts `rigor view` as fast as it goes, with one honest page open, and reads for each load how much processor time the
+simulation's thread and the server's took. The simulation is slowed by what the server takes from it: on one processor
+that is at most server / (server + simulation). Also told: simulated seconds a second of the simulation's processor time.
+"""
+import json
+import os
+import socket
+import struct
+import subprocess
+import sys
+import threading
+import time
+
+TICKS = os.sysconf("SC_CLK_TCK")
+
+
+def thread_times(process):
+    """Processor seconds of each thread, the main one (the server) first."""
+    times = {}
+    for task in os.listdir(f"/proc/{process}/task"):
+        with open(f"/proc/{process}/task/{task}/stat") as stat:
+            fields = stat.read().rsplit(")", 1)[1].split()
+        times[int(task)] = (int(fields[11]) + int(fields[12])) / TICKS
+    return [times.pop(process), sum(times.values())]
+
+
+class Page:
+    """An honest WebSocket client that reads what comes and remembers the newest time."""
+
+    def __init__(self, port, token):
+        self.time = 0.0
+        self.socket = socket.create_connection(("127.0.0.1", port))
+        host = f"127.0.0.1:{port}"
+        self.socket.sendall((f"GET /live?token={token} HTTP/1.1\r\nHost: {host}\r\nOrigin: http://{host}\r\n"
+                             "Connection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\n"
+                             "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n").encode())
+        self.stream = self.socket.makefile("rb")
+        while self.stream.readline() != b"\r\n":
+            pass
+        threading.Thread(target=self.read, daemon=True).start()
+
+    def send(self, command):
+        text = json.dumps(command).encode()
+        self.socket.sendall(bytes([0x81, 0x80 | len(text)]) + bytes(4) + text)
+
+    def read(self):
+        try:
+            while True:
+                opcode, size = self.stream.read(2)
+                size &= 127
+                if size > 125:
+                    size = int.from_bytes(self.stream.read(2 if size == 126 else 8), "big")
+                message = self.stream.read(size)
+                if opcode & 15 == 9:  # a ping: the server asks for a sign of life
+                    self.socket.sendall(bytes([0x8A, 0x80 | len(message)]) + bytes(4) + message)
+                if opcode & 15 == 2:
+                    self.time = struct.unpack_from("<d", message, 20)[0]
+        except (OSError, ValueError):
+            pass
+
+
+def connections(port, over):
+    while not over.is_set():
+        try:
+            socket.create_connection(("127.0.0.1", port), timeout=1).close()
+        except OSError:
+            time.sleep(0.001)
+
+
+def slow_clients(port, over):
+    clients = []
+    while not over.is_set():
+        try:
+            while len(clients) < 100:
+                clients.append(socket.create_connection(("127.0.0.1", port), timeout=1))
+            for client in clients:
+                client.send(b"G")
+        except OSError:
+            clients = []
+        over.wait(0.2)
+
+
+def large_requests(port, over):
+    request = b"GET / HTTP/1.1\r\nHost: 127.0.0.1\r\nX: " + 100000 * b"a" + b"\r\n\r\n"
+    while not over.is_set():
+        try:
+            with socket.create_connection(("127.0.0.1", port), timeout=1) as client:
+                client.sendall(request)
+                client.recv(1000)
+        except OSError:
+            time.sleep(0.001)
+
+
+def foreign_requests(port, over):
+    request = f"GET /live?token=0 HTTP/1.1\r\nHost: evil.example:{port}\r\nOrigin: http://evil.example\r\n\r\n".encode()
+    while not over.is_set():
+        try:
+            with socket.create_connection(("127.0.0.1", port), timeout=1) as client:
+                client.sendall(request)
+                client.recv(1000)
+        except OSError:
+            time.sleep(0.001)
+
+
+LOADS = {"an honest page alone": [], "connections without end": 4 * [connections], "100 slow clients": [slow_clients],
+         "requests of 100 kB": 4 * [large_requests], "a malicious page": 4 * [foreign_requests],
+         "all of these": [connections, slow_clients, large_requests, foreign_requests]}
+
+
+def main():
+    program = sys.argv[1]
+    scene = sys.argv[2] if len(sys.argv) > 2 else "scenes/gas.yaml"
+    seconds = float(sys.argv[3]) if len(sys.argv) > 3 else 8
+    view = subprocess.Popen([program, "view", scene], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+    try:
+        url = view.stdout.readline().strip()
+        port, token = int(url.split(":")[2].split("/")[0]), url.split("=")[1]
+        page = Page(port, token)
+        page.send({"do": "speed", "value": 1e6})
+        page.send({"do": "run"})
+        time.sleep(1)
+        print(f"{'load':28} {'server takes':>13} {'simulated s a processor s':>27}")
+        for name, workers in LOADS.items():
+            over = threading.Event()
+            threads = [threading.Thread(target=worker, args=(port, over)) for worker in workers]
+            for thread in threads:
+                thread.start()
+            time.sleep(0.5)
+            (server, simulation), simulated = thread_times(view.pid), page.time
+            time.sleep(seconds)
+            (server_end, simulation_end), simulated_end = thread_times(view.pid), page.time
+            over.set()
+            for thread in threads:
+                thread.join()
+            server, simulation = server_end - server, simulation_end - simulation
+            print(f"{name:28} {100 * server / (server + simulation):11.2f} % {(simulated_end - simulated) / simulation:27.4f}")
+    finally:
+        view.terminate()
+        view.wait()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,137 @@
+// A live simulation as a reader meets it: `rigor view` and its page in Chromium.
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { openAddress, openBrowser, removePages, serve, writePage } from "./pages.mjs";
+
+const scene = (height) => `
+rigor: 1
+name: live
+world: {gravity: [0, 0, -9.81]}
+run: {duration: 1, output_interval: 0.01}
+materials: [{name: rubber, restitution: 0.5, friction: 0.2}]
+bodies:
+  - {name: floor, motion: static, shapes: [{type: plane, normal: [0, 0, 1], offset: 0, material: rubber}]}
+  - {name: ball, position: [0, 0, ${height}], mass: 1, shapes: [{type: sphere, radius: 0.1, material: rubber}]}
+`;
+const ball = 1;
+
+let browser;
+let server;
+before(async () => {
+  browser = await openBrowser();
+  server = await serve(writePage("live.yaml", scene(1)));
+});
+after(async () => {
+  await browser?.close();
+  await server?.end();
+  removePages();
+});
+
+async function until(page, isTrue, argument) {
+  for (let tries = 0; tries < 500; ++tries) {
+    // While the page loads itself again there is nothing to ask.
+    if (await page.evaluate(isTrue, argument).catch(() => false)) return;
+    await page.waitForTimeout(20);
+  }
+  assert.fail(`never true: ${isTrue}`);
+}
+const time = (page) => page.evaluate(() => window.rigor.source.time);
+const place = (page) => page.evaluate((body) => window.rigor.positionOf(body), ball);
+async function open(options) {
+  const opened = await openAddress(browser, server.url, options);
+  await until(opened.page, () => window.rigor?.status !== undefined);
+  return opened;
+}
+async function reset(page) {
+  await page.evaluate(() => window.rigor.send({ do: "pause" }));
+  await page.evaluate(() => window.rigor.send({ do: "reset" }));
+  await until(page, () => !window.rigor.status.running && window.rigor.source.time === 0);
+}
+
+test("the live page runs, pauses and steps, without console errors and without other addresses", async () => {
+  const { page, errors, requests } = await open();
+  await reset(page);
+  await page.click("#run");
+  await until(page, () => window.rigor.source.time > 0.1);
+  await page.click("#run");
+  await until(page, () => !window.rigor.status.running);
+  await page.waitForTimeout(200);
+  const paused = await time(page);
+  await page.waitForTimeout(300);
+  assert.equal(await time(page), paused);
+  await page.keyboard.press("ArrowRight");
+  await until(page, (before) => window.rigor.source.time > before, paused);
+  assert.ok((await time(page)) - paused <= 0.01 + 1e-9);
+  assert.deepEqual(errors, []);
+  const own = new URL(server.url).origin;
+  for (const request of requests) assert.ok(request.startsWith(own) || request.startsWith("blob:"), request);
+  await page.close();
+});
+
+test("the gravity slider lets the ball float", async () => {
+  const { page } = await open();
+  await reset(page);
+  await page.locator("#gravity").fill("0");
+  await until(page, () => window.rigor.status.gravity.every((g) => Math.abs(g) === 0));
+  await page.click("#run");
+  await until(page, () => window.rigor.source.time > 0.2);
+  await page.click("#run");
+  await page.waitForTimeout(200);
+  assert.ok(Math.abs((await place(page))[2] - 1) < 1e-5);
+  await page.locator("#gravity").fill("9.81");
+  await until(page, () => window.rigor.status.gravity[2] < -9.8);
+  await page.close();
+});
+
+test("dragging with Shift pulls the ball, letting go ends the pull", async () => {
+  const { page, errors } = await open();
+  await reset(page);
+  await page.keyboard.press("r");
+  await page.waitForTimeout(300);
+  const canvas = await page.locator(".stage canvas").boundingBox();
+  const [x, y] = await page.evaluate((body) => {
+    const { view } = window.rigor;
+    const at = view.camera.position.clone().fromArray(view.motion.position, 3 * body).project(view.camera);
+    return [(at.x + 1) / 2, (1 - at.y) / 2];
+  }, ball);
+  await page.keyboard.down("Shift");
+  await page.mouse.move(canvas.x + x * canvas.width, canvas.y + y * canvas.height);
+  await page.mouse.down();
+  await page.mouse.move(canvas.x + x * canvas.width + 60, canvas.y + y * canvas.height - 30, { steps: 6 });
+  await page.keyboard.press(" ");
+  // Held up, it goes sideways and does not fall on the floor.
+  await until(page, () => window.rigor.source.time > 1);
+  const held = await place(page);
+  assert.ok(Math.hypot(held[0], held[1]) > 0.01, `went aside: ${held}`);
+  assert.ok(held[2] > 0.5, `is held up: ${held}`);
+  await page.mouse.up();
+  await page.keyboard.up("Shift");
+  await until(page, (body) => window.rigor.positionOf(body)[2] < 0.3, ball);
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("state and page come as files", async () => {
+  const { page } = await open();
+  for (const [name, pattern] of [["Save state", /^live-.*\.checkpoint$/], ["Export page", /^live-.*\.html$/]]) {
+    const [download] = await Promise.all([page.waitForEvent("download"), page.click(`text=${name}`)]);
+    assert.match(download.suggestedFilename(), pattern);
+  }
+  await page.close();
+});
+
+test("a file that is broken gives its messages, one that is mended a new scene", async () => {
+  const { page } = await open();
+  writePage("live.yaml", scene(1).replace("mass: 1", "mass: -1"));
+  await page.locator("#file .warning").waitFor();
+  assert.match(await page.locator("#file").innerText(), /live\.yaml:\d+.*mass/);
+  writePage("live.yaml", scene(3));
+  await until(page, (body) => window.rigor?.status !== undefined && window.rigor.source.header.bodies[body].start.p[2] === 3, ball);
+  await page.close();
+});
+
+test("at the width of a phone nothing is wider than the screen", async () => {
+  const { page } = await open({ viewport: { width: 390, height: 844 } });
+  assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
+  await page.close();
+});
