@@ -3,6 +3,7 @@
 #include "rigor/io/text_file.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 #include <ctime>
 #include <filesystem>
 #include <fstream>
@@ -157,7 +158,10 @@ TEST(YamlDocument, OtherEncodingsAreRefusedWithTheReason) {
 
 class TextFile : public testing::Test {
  protected:
-  TextFile() : path_(std::filesystem::path(testing::TempDir()) / "rigor_text_file_test.txt") {}
+  // Tests of one suite may run at the same time.
+  TextFile()
+      : path_(std::filesystem::path(testing::TempDir()) /
+              ("rigor_text_file_" + std::to_string(::getpid()) + ".txt")) {}
   ~TextFile() override { std::filesystem::remove(path_); }
   void write(const std::string& text) const { std::ofstream(path_, std::ios::binary) << text; }
   std::string message(const std::filesystem::path& path) const {
