@@ -1,5 +1,7 @@
 #include "rigor/view/drawing.hpp"
 
+#include "rigor/view/markup_text.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -10,26 +12,6 @@ namespace rigor {
 namespace {
 
 constexpr std::string_view ink = "#1d2733";
-
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
 
 std::string_view anchor_name(Anchor anchor) {
   return anchor == Anchor::start ? "start" : anchor == Anchor::middle ? "middle" : "end";
@@ -58,7 +40,7 @@ std::string svg_text(const Drawing& drawing) {
     const std::string turn =
         label.is_vertical ? fmt::format(" transform=\"rotate(-90 {:.2f} {:.2f})\"", label.x, label.y) : "";
     fmt::format_to(out, "<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{:g}\" text-anchor=\"{}\"{}>{}</text>\n",
-                   label.x, label.y, label.size, anchor_name(label.anchor), turn, escaped(label.text));
+                   label.x, label.y, label.size, anchor_name(label.anchor), turn, markup_text(label.text));
   }
   return svg += "</svg>\n";
 }

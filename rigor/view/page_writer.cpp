@@ -1,6 +1,7 @@
 #include "rigor/view/page_writer.hpp"
 
 #include "rigor/io/output_file.hpp"
+#include "rigor/view/markup_text.hpp"
 
 #include <fmt/format.h>
 
@@ -9,30 +10,6 @@
 namespace rigor {
 
 namespace {
-
-/// Text as it stands between tags and inside quotation marks.
-std::string html_text(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '&':
-        result += "&amp;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
 
 // The policy lets the page run what is in it and reach nothing outside.
 constexpr std::string_view policy =
@@ -47,7 +24,7 @@ std::string head(std::string_view title, std::string_view content_policy) {
       "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<meta name=\"generator\" content=\"Rigor\">\n<title>{}</title>\n",
-      html_text(content_policy), html_text(title));
+      markup_text(content_policy), markup_text(title));
 }
 
 /// Gives the body, with all blocks, to `append`, piece by piece.
@@ -71,11 +48,11 @@ std::string page_text(std::string_view title, const std::vector<std::vector<Page
                       const ServedPage& served) {
   std::string text = head(title, served.policy.empty() ? policy : served.policy);
   if (!served.mark.empty())
-    text += fmt::format("<meta name=\"rigor-live\" content=\"{}\">\n", html_text(served.mark));
+    text += fmt::format("<meta name=\"rigor-live\" content=\"{}\">\n", markup_text(served.mark));
   if (served.script.empty()) {
     text.append("<script>\n").append(viewer_script()).append("</script>\n");
   } else {
-    text += fmt::format("<script src=\"{}\"></script>\n", html_text(served.script));
+    text += fmt::format("<script src=\"{}\"></script>\n", markup_text(served.script));
   }
   text += "</head>\n";
   append_body(runs, [&text](std::string_view part) { text += part; });
