@@ -47,6 +47,19 @@ std::vector<ContactMode> modes_of(const std::vector<ContactState>& states) {
   return modes;
 }
 
+/// Accelerations with the slip directions of modes that are known.
+CoulombProblem problem_of_modes(const ContactSystem& system, const std::vector<ContactState>& states,
+                                const std::vector<Wrench>& wrenches, double direction_tolerance) {
+  CoulombProblem problem = problem_of(system);
+  problem.b = free_contact_accelerations(system, wrenches);
+  const VecX u = relative_velocities(system);
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    problem.slips[i] = slip_direction(system.frames[i], u.segment<3>(3 * static_cast<Eigen::Index>(i)),
+                                      states[i].slip_W, direction_tolerance);
+  }
+  return problem;
+}
+
 }  // namespace
 
 VecX free_contact_accelerations(const ContactSystem& system, const std::vector<Wrench>& wrenches) {
@@ -102,23 +115,6 @@ RestingSolution solve_resting(const ContactSystem& system, const std::vector<Wre
   }
   return solution;
 }
-
-namespace {
-
-/// Accelerations with the slip directions of modes that are known.
-CoulombProblem problem_of_modes(const ContactSystem& system, const std::vector<ContactState>& states,
-                                const std::vector<Wrench>& wrenches, double direction_tolerance) {
-  CoulombProblem problem = problem_of(system);
-  problem.b = free_contact_accelerations(system, wrenches);
-  const VecX u = relative_velocities(system);
-  for (std::size_t i = 0; i < states.size(); ++i) {
-    problem.slips[i] = slip_direction(system.frames[i], u.segment<3>(3 * static_cast<Eigen::Index>(i)),
-                                      states[i].slip_W, direction_tolerance);
-  }
-  return problem;
-}
-
-}  // namespace
 
 VecX contact_forces(const ContactSystem& system, const std::vector<ContactState>& states,
                     const std::vector<Wrench>& wrenches, double direction_tolerance) {

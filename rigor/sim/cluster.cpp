@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -202,7 +203,7 @@ void ContactResolver::settle(const ContactSystem& system, const VecX& u, Cluster
 bool ContactResolver::apply_impulses(Cluster& cluster, AdvanceReport& report) const {
   constexpr int most_passes = 20;
   const double still = 1e-6 * resting_velocity_;
-  double first_approach = 0, last_approach = 0;
+  double first_approach = 0, last_approach = -std::numeric_limits<double>::infinity();
   int stalls = 0;
   for (int pass = 0; pass < most_passes; ++pass) {
     if (cluster.contacts.empty()) return true;
@@ -212,9 +213,10 @@ bool ContactResolver::apply_impulses(Cluster& cluster, AdvanceReport& report) co
     for (Eigen::Index row = 2; row < u.size(); row += 3) approach = std::min(approach, u[row]);
     if (pass == 0) first_approach = approach;
     if (approach >= -std::max(still, 1e-9 * std::abs(first_approach))) return true;
-    // Bodies squeezed between others that do not give way: no impulse helps.
+    // Bodies squeezed between others that do not give way: no impulse helps. What is slower than any impact
+    // is rounding.
     stalls = approach <= 0.99 * last_approach ? stalls + 1 : 0;
-    if (stalls == 3) return false;
+    if (stalls == 3) return approach > -cluster.least_impact;
     last_approach = approach;
     if (approach > -cluster.least_impact) {
       settle(system, u, cluster, report);

@@ -9,6 +9,19 @@
 
 namespace rigor {
 
+namespace {
+
+/// Whether the contact is one that the island holds.
+bool is_active(const Island& island, const Contact& contact) {
+  return std::any_of(island.contacts.begin(), island.contacts.end(), [&](const Contact& other) {
+    return other.body_A == contact.body_A && other.body_B == contact.body_B &&
+           other.shape_A == contact.shape_A && other.shape_B == contact.shape_B &&
+           other.point.feature == contact.point.feature;
+  });
+}
+
+}  // namespace
+
 ModeChangeSearch::ModeChangeSearch(const Model& model, const IslandIntegrator& integrator,
                                    const Method& method)
     : model_(model),
@@ -66,18 +79,6 @@ double ModeChangeSearch::force_margin(const Island& island, const Instant& insta
   }
   return margin + rounding;
 }
-
-namespace {
-
-bool is_active(const Island& island, const Contact& contact) {
-  return std::any_of(island.contacts.begin(), island.contacts.end(), [&](const Contact& other) {
-    return other.body_A == contact.body_A && other.body_B == contact.body_B &&
-           other.shape_A == contact.shape_A && other.shape_B == contact.shape_B &&
-           other.point.feature == contact.point.feature;
-  });
-}
-
-}  // namespace
 
 /// Least gap of the pairs in contact, above what is allowed: at active contacts half the tolerance, for
 /// errors of the step; elsewhere `allowance` [m].
