@@ -2,6 +2,7 @@
 
 #include "rigor/contact/impact_piece.hpp"
 #include "rigor/contact/slip_series.hpp"
+#include "rigor/contact/slip_tail.hpp"
 #include "rigor/core/assert.hpp"
 #include "rigor/math/roots.hpp"
 
@@ -172,17 +173,31 @@ class ImpactCourse {
 
   Step slide() {
     constexpr double straight = 16 * std::numeric_limits<double>::epsilon();
+    if (flow_.mu == 0) return follow(StraightPiece(flow_, state_));
     const Vec2 direction = state_.slip().normalized();
     if (std::abs(flow_.turning_rate(direction)) <= straight * flow_.rate_bound()) {
       return follow(StraightPiece(flow_, direction, state_));
     }
+    if (const std::optional<double> w = find_tail(direction))
+      return follow(SlipTail(flow_, *tail_, *w, state_));
     return follow(SlipSeries(flow_, state_));
+  }
+
+  /// The place of this direction on the series about the invariant direction that it turns to, if they reach.
+  std::optional<double> find_tail(const Vec2& direction) {
+    const std::optional<Vec2> limit = find_near_attractor(flow_, direction);
+    if (!limit) return std::nullopt;
+    if (!tail_ || (tail_->limit() - *limit).squaredNorm() > 1e-20) tail_.emplace(flow_, *limit);
+    const Vec2 from = tail_->limit();
+    return tail_->find_w(
+        std::atan2(from.x() * direction.y() - from.y() * direction.x(), from.dot(direction)));
   }
 
   /// Without slip: sticks to the end, or starts along the one direction that leads away.
   Step start_or_stick() {
     state_.u.head<2>().setZero();
     if (flow_.drive == 0) {
+      tail_.reset();
       flow_ = SlipFlow(collision_.matrix);
       if (watch_.leave_limit(state_)) return Step::ended;
     }
@@ -226,6 +241,7 @@ class ImpactCourse {
   RestitutionWatch watch_;
   std::vector<CollisionPoint>* path_;
   double still_;
+  std::optional<TailSeries> tail_;
 };
 
 bool is_pressed(const Collision& collision, const Vec3& u) {

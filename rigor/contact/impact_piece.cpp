@@ -77,6 +77,12 @@ StraightPiece::StraightPiece(const StickTest& sticking, const ImpactState& start
   end_ = std::numeric_limits<double>::infinity();
 }
 
+StraightPiece::StraightPiece(const SlipFlow& frictionless, const ImpactState& start) : start_(start) {
+  u_rate_ << frictionless.b, frictionless.kappa;
+  lambda_rate_ << 0, 0, 1;
+  end_ = std::numeric_limits<double>::infinity();
+}
+
 NormalMotion StraightPiece::normal(double z) const {
   const double c = u_rate_.z();
   // Without rate, infinite z must not make NaN.

@@ -53,14 +53,16 @@ class ImpactPiece {
   bool ends_in_stop_ = false;
 };
 
-/// Constant rates: the contact sticks, or slips straight along an invariant direction until it stops or for
-/// ever. z = p - p at the start.
+/// Constant rates: the contact sticks, slips straight along an invariant direction until it stops or for
+/// ever, or slips without friction. z = p - p at the start.
 class StraightPiece final : public ImpactPiece {
  public:
   /// Slips along the invariant direction (unit), which is that of u_t unless u_t is zero.
   StraightPiece(const SlipFlow& flow, const Vec2& direction, const ImpactState& start);
   /// Sticks.
   StraightPiece(const StickTest& sticking, const ImpactState& start);
+  /// Slips without friction (μ = 0), wherever it goes.
+  StraightPiece(const SlipFlow& frictionless, const ImpactState& start);
 
   NormalMotion normal(double z) const override;
   ImpactState state(double z) const override;
