@@ -1,6 +1,7 @@
 #include "rigor/contact/collision.hpp"
 
 #include "rigor/contact/impact_piece.hpp"
+#include "rigor/contact/restitution_watch.hpp"
 #include "rigor/contact/slip_series.hpp"
 #include "rigor/contact/slip_tail.hpp"
 #include "rigor/core/assert.hpp"
@@ -13,108 +14,6 @@
 namespace rigor {
 
 namespace {
-
-/// Follows compression and restitution along the pieces, and finds where the law ends the impact.
-class RestitutionWatch {
- public:
-  RestitutionWatch(RestitutionLaw law, double e, const ImpactState& start)
-      : law_(law), e_(e), u_n_target_(-e * start.u.z()), start_(start) {}
-
-  /// Follows the piece, on which u_n is monotone between a and b. Returns where the impact ends, if it does.
-  std::optional<double> follow(const ImpactPiece& piece, PiecePoint a, const PiecePoint& b) {
-    while (true) {
-      if (is_compressing_) {
-        if (const std::optional<double> end = end_by_impulse(piece, a, b)) return end;
-        if (!(b.at.u_n >= 0)) return std::nullopt;
-        const double z = piece.where(ImpactQuantity::u_n, 0, a, b);
-        begin_restitution(piece, z);
-        if (e_ == 0) return z;
-        if (is_sliding_) phases_ += 'S';
-        a = {z, piece.normal(z)};
-        continue;
-      }
-      // Restitution ends, or u_n falls back to zero first.
-      if (const std::optional<double> end = end_by_impulse(piece, a, b)) return end;
-      PiecePoint limit = b;
-      const bool falls_back = b.at.u_n < 0;
-      if (falls_back) {
-        const double z = piece.where(ImpactQuantity::u_n, 0, a, b);
-        limit = {z, piece.normal(z)};
-      }
-      if (const std::optional<double> end = end_by_motion(piece, a, limit)) return end;
-      if (!falls_back) return std::nullopt;
-      is_compressing_ = true;
-      phases_ += 'r';
-      a = limit;
-    }
-  }
-
-  /// The normal velocity that the law names, without the rounding of the search.
-  void set_end(ImpactState& state) const {
-    if (law_ == RestitutionLaw::newton || e_ == 0) state.u.z() = std::abs(u_n_target_);
-  }
-
-  void note(char phase) {
-    phases_ += phase;
-    is_sliding_ = phase == 'S';
-  }
-  /// In the limit μ → ∞ the contact has come to rest without normal impulse and work. Returns whether the
-  /// impact ends with it.
-  bool leave_limit(ImpactState& state) {
-    state.p = state.work = 0;
-    compression_.work = lowest_work_ = 0;
-    p_compression_ = 0;
-    return !is_compressing_ && law_ != RestitutionLaw::newton;
-  }
-
-  const std::string& phases() const { return phases_; }
-  const CollisionPoint& compression() const { return compression_; }
-
- private:
-  void begin_restitution(const ImpactPiece& piece, double z) {
-    const ImpactState state = piece.state(z);
-    if (!has_compression_) {
-      has_compression_ = true;
-      compression_ = {state.u, state.lambda, state.work};
-      p_compression_ = state.p - start_.p;
-      lowest_work_ = state.work;
-    }
-    // Compressed again: the deepest work counts.
-    lowest_work_ = std::min(lowest_work_, state.work);
-    is_compressing_ = false;
-    phases_ += '|';
-  }
-
-  std::optional<double> end_by_impulse(const ImpactPiece& piece, const PiecePoint& a,
-                                       const PiecePoint& b) const {
-    if (law_ != RestitutionLaw::poisson || !has_compression_) return std::nullopt;
-    const double target = start_.p + (1 + e_) * p_compression_;
-    if (b.at.p < target) return std::nullopt;
-    return piece.where(ImpactQuantity::p, target, a, b);
-  }
-
-  std::optional<double> end_by_motion(const ImpactPiece& piece, const PiecePoint& a,
-                                      const PiecePoint& b) const {
-    if (law_ == RestitutionLaw::poisson) return std::nullopt;
-    const bool is_newton = law_ == RestitutionLaw::newton;
-    const ImpactQuantity quantity = is_newton ? ImpactQuantity::u_n : ImpactQuantity::work;
-    const double target = is_newton ? u_n_target_ : (1 - e_ * e_) * lowest_work_;
-    if (value_of(b.at, quantity) < target) return std::nullopt;
-    return piece.where(quantity, target, a, b);
-  }
-
-  RestitutionLaw law_;
-  double e_;
-  double u_n_target_;
-  ImpactState start_;
-  bool is_sliding_ = false;
-  bool is_compressing_ = true;
-  bool has_compression_ = false;
-  CollisionPoint compression_;
-  double p_compression_ = 0;  ///< p of the first compression.
-  double lowest_work_ = 0;
-  std::string phases_;
-};
 
 /// Where u_n changes its monotony on a piece: sliding enters or leaves the directions that jam, κ < μ b·û.
 /// Ascending; the direction turns in one sense and by less than half a circle.
