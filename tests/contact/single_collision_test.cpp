@@ -105,6 +105,63 @@ TEST(SingleCollision, PatchActsLikeOneContactAtItsCentreOfPressure) {
   EXPECT_LE((a.v - b.v).norm() + (a.w - b.w).norm(), 1e-13);
 }
 
+/// A box on its way to an edge, with both points in contact.
+ContactSystem box_on_edge() {
+  const Mat3 R = rotation_matrix(rotation_exp(0.5 * Vec3::UnitY()));
+  return box_on_floor(Vec3(0.4, 0.2, 0.1), R, Vec3(0.4, 0.2, -1), Vec3(0, 0.5, 0), 0.4, 0.7);
+}
+
+TEST(SingleCollision, PatchMayBeToldFromEitherBody) {
+  const ContactSystem told = box_on_edge();
+  std::vector<Contact> contacts = told.contacts;
+  contacts[1] = contact_at(1, 0, contacts[1].p_W(), -contacts[1].point.n_W, 0.4, 0.7);
+  const ContactSystem retold = make_contact_system(contacts, {0, 1}, told.kinetics);
+  const auto box_after = [](const ContactSystem& system) {
+    return after_impact(system, SimultaneousLaw::reflections, RestitutionLaw::stronge).of(1);
+  };
+  EXPECT_TRUE(find_single_collision(make_impact_problem(retold, {0.7, 0.7}), RestitutionLaw::stronge));
+  EXPECT_LE((box_after(told).v - box_after(retold).v).norm(), 1e-13);
+  EXPECT_LE((box_after(told).w - box_after(retold).w).norm(), 1e-13);
+}
+
+TEST(SingleCollision, PointsOfDifferentMaterialsAreSeveralImpacts) {
+  for (const bool changes_friction : {true, false}) {
+    ContactSystem system = box_on_edge();
+    (changes_friction ? system.contacts[1].friction : system.contacts[1].restitution) += 0.1;
+    EXPECT_FALSE(
+        find_single_collision(make_impact_problem(system, restitutions_of(system)), RestitutionLaw::stronge));
+  }
+}
+
+TEST(SingleCollision, LoneContactCollidesByItsOwnLawUnderEveryLawForSeveral) {
+  const ContactSystem edge = box_on_edge();
+  const ContactSystem corner = make_contact_system({edge.contacts[0]}, {0, 1}, edge.kinetics);
+  for (const RestitutionLaw law : {RestitutionLaw::newton, RestitutionLaw::stronge}) {
+    const CollisionOutcome expected =
+        resolve_collision({{delassus(corner), 0.4}, relative_velocities(corner), 0.7}, law);
+    for (const SimultaneousLaw several :
+         {SimultaneousLaw::reflections, SimultaneousLaw::lcp, SimultaneousLaw::sequential}) {
+      const ImpactSolution found = solve_impact(corner, {0.7}, law, several);
+      EXPECT_EQ(found.lambda, VecX(expected.end.lambda));
+      EXPECT_EQ(found.phases, expected.phases);
+    }
+  }
+}
+
+// An edge that lands in a sequence of impacts is still one collision: beside it a ball meets the floor
+// faster.
+TEST(SingleCollision, EdgeWithinASequenceCollidesOnce) {
+  const ContactSystem alone = box_on_edge();
+  std::vector<Contact> contacts = alone.contacts;
+  contacts.push_back(contact_at(0, 2, Vec3(9, 0, 0), Vec3::UnitZ(), 0.4, 0.7));
+  std::vector<BodyKinetics> kinetics = alone.kinetics;
+  kinetics.push_back(ball(1, Vec3(9, 0, 1), Vec3(0, 0, -5)));
+  const ContactSystem both = make_contact_system(contacts, {0, 1, 2}, kinetics);
+  const BodyKinetics a = after_impact(alone, SimultaneousLaw::sequential, RestitutionLaw::stronge).of(1);
+  const BodyKinetics b = after_impact(both, SimultaneousLaw::sequential, RestitutionLaw::stronge).of(1);
+  EXPECT_LE((a.v - b.v).norm() + (a.w - b.w).norm(), 1e-14);
+}
+
 // One collision knows no friction against spin; the points of a flat face do: they are several impacts.
 TEST(SingleCollision, SpinningBoxThatLandsFlatLosesSpinToFriction) {
   const ContactSystem before =
