@@ -58,6 +58,30 @@ class Partition {
   std::vector<std::size_t> parent_;
 };
 
+RestitutionLaw restitution_law(ImpactMethod method) {
+  switch (method) {
+    case ImpactMethod::newton:
+      return RestitutionLaw::newton;
+    case ImpactMethod::poisson:
+      return RestitutionLaw::poisson;
+    case ImpactMethod::stronge:
+      break;
+  }
+  return RestitutionLaw::stronge;
+}
+
+SimultaneousLaw simultaneous_law(SimultaneousMethod method) {
+  switch (method) {
+    case SimultaneousMethod::reflections:
+      return SimultaneousLaw::reflections;
+    case SimultaneousMethod::lcp:
+      return SimultaneousLaw::lcp;
+    case SimultaneousMethod::sequential:
+      break;
+  }
+  return SimultaneousLaw::sequential;
+}
+
 }  // namespace
 
 BodyPhase& Cluster::phase_of(int body) {
@@ -99,8 +123,8 @@ std::vector<Cluster> connected_parts(const Cluster& cluster, const std::vector<C
 ContactResolver::ContactResolver(const Model& model, const IslandIntegrator& integrator, const Method& method)
     : model_(model),
       integrator_(integrator),
-      law_(method.simultaneous == SimultaneousMethod::lcp ? SimultaneousLaw::lcp
-                                                          : SimultaneousLaw::reflections),
+      collision_law_(restitution_law(method.impact)),
+      law_(simultaneous_law(method.simultaneous)),
       resting_velocity_(method.resting_velocity),
       contact_tolerance_(method.contact_tolerance) {}
 
@@ -223,7 +247,8 @@ bool ContactResolver::apply_impulses(Cluster& cluster, AdvanceReport& report) co
       continue;
     }
 
-    const ImpactSolution impact = solve_impact(system, restitutions(cluster, system, report), law_);
+    const ImpactSolution impact =
+        solve_impact(system, restitutions(cluster, system, report), collision_law_, law_);
     report.max_residual = std::max(report.max_residual, impact.residual);
     report.max_iterations = std::max(report.max_iterations, impact.iterations);
     if (!impact.converged) ++report.fallbacks;

@@ -69,6 +69,7 @@ class ContactResolver {
 
   const Model& model_;
   const IslandIntegrator& integrator_;
+  RestitutionLaw collision_law_;
   SimultaneousLaw law_;
   double resting_velocity_;
   double contact_tolerance_;

@@ -71,8 +71,8 @@ std::span<const MethodChoice> method_choices() {
       MethodChoice{"simultaneous", "lcp", "all impacts of an instant in one complementarity problem",
                    "Glocker and Pfeiffer, Multiple Impacts with Friction in Rigid Multibody Systems, 1995",
                    true},
-      MethodChoice{"simultaneous", "sequential", "one impact after the other",
-                   "Hahn, Realistic Animation of Rigid Bodies, 1988", false},
+      MethodChoice{"simultaneous", "sequential", "one impact after the other, the fastest first",
+                   "Hahn, Realistic Animation of Rigid Bodies, 1988", true},
 
       MethodChoice{"resting", "contact-space", "contact forces from a complementarity problem",
                    "Baraff, Fast Contact Force Computation for Nonpenetrating Rigid Bodies, 1994", true},
