@@ -48,6 +48,14 @@ SlipSeries::SlipSeries(const SlipFlow& flow, const ImpactState& start)
   };
   constexpr double farthest = 7;
   end_ = std::exp(std::min({log_reach(order), log_reach(order - 1), farthest}));
+  // Where the direction hardly turns the series do not see that slip stops.
+  const auto speed_at = [&](double z) {
+    double sum = speed[order];
+    for (std::size_t k = order; k-- > 0;) sum = sum * z + speed[k];
+    return sum;
+  };
+  constexpr double least_speed = 0.1;
+  while (end_ > 1 - least_speed && speed_at(end_) < least_speed) end_ *= 0.7;
 }
 
 NormalMotion SlipSeries::normal(double z) const {

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -127,6 +128,71 @@ TEST(Collision, NeverGainsEnergyUnderStrongeAndPoissonAndKeepsToTheCone) {
   }
   // Newton's law does gain with friction, else this test would prove nothing about the others.
   EXPECT_GT(newton_gains, 0);
+}
+
+/// The impact up to the end of compression or to where slip stops, in small steps of the course's equations
+/// in τ (dp = s dτ) by the classical Runge-Kutta method: θ, ln s, p, u_n, and the impulse of friction.
+struct SlipEnd {
+  bool has_stopped;
+  double p, u_n;
+  Vec2 friction;
+};
+SlipEnd follow_slip(const Collision& collision) {
+  using Course = Eigen::Matrix<double, 6, 1>;
+  const SlipFlow flow(collision.matrix);
+  const auto rate = [&](const Course& y) {
+    const Vec2 d(std::cos(y[0]), std::sin(y[0]));
+    const double s = std::exp(y[1]);
+    return (Course() << flow.turning_rate(d), flow.radial_rate(d), s, s * flow.normal_rate(d),
+            -flow.mu * s * d)
+        .finished();
+  };
+  Course y = Course::Zero();
+  y.head<4>() << std::atan2(collision.u.y(), collision.u.x()), std::log(collision.u.head<2>().norm()), 0,
+      collision.u.z();
+  double h = 0.01 / flow.rate_bound();
+  while (y[1] > -40) {
+    const Course k1 = rate(y), k2 = rate(y + h / 2 * k1), k3 = rate(y + h / 2 * k2), k4 = rate(y + h * k3);
+    const Course next = y + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+    if (next[3] < 0) {
+      y = next;
+      continue;
+    }
+    // The last step is shortened until it ends at u_n = 0.
+    if (next[3] < 1e-14 || h < 1e-18) return {false, next[2], next[3], next.tail<2>()};
+    h *= std::min(0.99, -y[3] / (next[3] - y[3]) * (1 + 1e-9));
+  }
+  return {true, y[2], y[3], y.tail<2>()};
+}
+
+TEST(Collision, SlidesAsTheEquationsSayInSmallSteps) {
+  Random random(57);
+  int stopped = 0;
+  for (int k = 0; k < 150; ++k) {
+    Collision collision = random_collision(random);
+    collision.matrix.K = random_matrix(random, std::pow(10, random.uniform(0, 2)));
+    collision.matrix.mu = random.uniform(0.1, 1.5);
+    collision.restitution = 0;
+    const SlipEnd expected = follow_slip(collision);
+    std::vector<CollisionPoint> path;
+    const CollisionOutcome outcome = resolve_collision(collision, RestitutionLaw::stronge, &path);
+    SCOPED_TRACE(std::to_string(k) + " " + outcome.phases);
+    CollisionPoint end = outcome.end;
+    EXPECT_EQ(outcome.phases == "S|", !expected.has_stopped);
+    if (expected.has_stopped) {
+      ++stopped;
+      const auto stop = std::find_if(path.begin(), path.end(), [&](const CollisionPoint& point) {
+        return point.u.head<2>().norm() < 1e-14 * collision.u.norm();
+      });
+      ASSERT_NE(stop, path.end());
+      end = *stop;
+    }
+    // Steps of a hundredth, order 4: 1e-8 of a global error constant that is far below one.
+    EXPECT_NEAR(end.lambda.z(), expected.p, 1e-8 * expected.p);
+    EXPECT_LT((Vec2(end.lambda.head<2>()) - expected.friction).norm(), 1e-8 * expected.p);
+    EXPECT_NEAR(end.u.z(), expected.u_n, 1e-8 * collision.u.norm());
+  }
+  EXPECT_GT(stopped, 20);
 }
 
 TEST(Collision, EndsByItsLaw) {

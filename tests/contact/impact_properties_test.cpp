@@ -121,8 +121,10 @@ TEST(ImpactSymmetry, NeitherOrderNorNamesNorRotationNorMirrorsMatter) {
     for (const SimultaneousLaw law : kAllLaws) {
       const ContactSystem after = after_impact(before, law, RestitutionLaw::stronge);
       const ContactSystem other = after_impact(retold(before, names, Q), law, RestitutionLaw::stronge);
-      // Speeds are near 1, masses of 0.1 and lever arms make some of them 100: rounding times condition.
-      EXPECT_LE(difference(after, other, names, Q), 1e-12) << trial << " " << static_cast<int>(law);
+      // Speeds are near 1, masses of 0.1 and lever arms make some of them 100: rounding times condition. In a
+      // sequence each impact starts from the rounding of those before.
+      const double tolerance = law == SimultaneousLaw::sequential ? 1e-9 : 1e-12;
+      EXPECT_LE(difference(after, other, names, Q), tolerance) << trial << " " << static_cast<int>(law);
     }
   }
 }

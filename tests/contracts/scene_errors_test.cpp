@@ -128,8 +128,6 @@ TEST(SceneErrors, OfRunAndMethod) {
           {"run: {seed: 1.5}", "s.yaml:3:13: run: seed is 1.5, must be a whole number"},
           {"run: {seed: -1}", "s.yaml:3:13: run: seed is -1, must be from 0 to 9007199254740992"},
           {"method: {impact: newtn}", "s.yaml:3:18: method: unknown impact 'newtn'; did you mean 'newton'?"},
-          {"method: {impact: stronge}",
-           "s.yaml:3:18: method: impact 'stronge' is not available in this version; available: newton"},
           {"method: {scheme: time-stepping}",
            "s.yaml:3:18: method: scheme 'time-stepping' is not available in this version; available: "
            "event-driven"},

@@ -69,8 +69,6 @@ TEST(SetMethodChoice, EnumeratorsAreTheirNames) {
 TEST(SetMethodChoice, TellsWhatIsWrong) {
   Method method;
   EXPECT_EQ(set_method_choice("impact", "newtn", method), "unknown impact 'newtn'; did you mean 'newton'?");
-  EXPECT_EQ(set_method_choice("impact", "stronge", method),
-            "impact 'stronge' is not available in this version; available: newton");
   EXPECT_EQ(set_method_choice("resting", "motion-space", method),
             "resting 'motion-space' is not available in this version; available: contact-space");
   EXPECT_EQ(set_method_choice("lcp", "dantzig", method),
