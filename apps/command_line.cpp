@@ -15,6 +15,7 @@
 
 #include <charconv>
 #include <filesystem>
+#include <memory>
 
 namespace rigor {
 
@@ -226,40 +227,59 @@ void check_run(const RunOptions& run) {
   }
 }
 
+/// The options as the command they make.
+template <typename Options>
+Command checked(const Options& options) {
+  return options;
+}
+Command checked(const RunOptions& run) {
+  check_run(run);
+  return run;
+}
+
+void add_check(CLI::App& app, CheckOptions& check) {
+  app.add_option("SCENE", check.scenes, "scene files")->required()->option_text("...");
+}
+
+void add_methods(CLI::App&, MethodsOptions&) {}
+
+/// A command whose options are kept in `chosen` when it is the one that is asked for.
+template <typename Options>
+void add_command(CLI::App& app, const std::string& name, const std::string& what,
+                 void (*add_options)(CLI::App&, Options&), std::optional<Command>& chosen) {
+  CLI::App& command = *app.add_subcommand(name, what);
+  const std::shared_ptr<Options> options = std::make_shared<Options>();
+  add_options(command, *options);
+  // What is unknown is told by us, with the nearest name; and before what is wrong with the rest.
+  command.allow_extras();
+  command.final_callback([&app, &chosen, options] {
+    check_unknown(app);
+    chosen = checked(*options);
+  });
+}
+
+void add_commands(CLI::App& app, std::optional<Command>& chosen) {
+  add_command(app, "run", "simulate a scene and print the audit", add_run, chosen);
+  add_command(app, "view", "show a scene live, or a trajectory, in the browser, on this machine only",
+              add_view, chosen);
+  add_command(app, "check", "validate scenes without running them", add_check, chosen);
+  add_command(app, "mass", "mass properties of a mesh or a scene, exact and sampled", add_mass, chosen);
+  add_command(app, "distance", "signed distance and contacts of two bodies at t = 0", add_distance, chosen);
+  add_command(app, "methods", "list every method, with its source", add_methods, chosen);
+  add_command(app, "render", "pictures and films of a scene or a trajectory", add_render, chosen);
+  add_command(app, "plot", "plot quantities of a trajectory over time", add_plot, chosen);
+}
+
 }  // namespace
 
 ParsedCommandLine parse_command_line(int argc, const char* const* argv) {
   CLI::App app("Rigid-body dynamics whose answers can be trusted.", "rigor");
   app.set_version_flag("--version", "rigor " + std::string(version));
   app.footer(examples);
-  RunOptions run;
-  ViewOptions view;
-  CheckOptions check;
-  MassOptions mass;
-  DistanceOptions distance;
-  RenderOptions render;
-  PlotOptions plot;
-  CLI::App& run_app = *app.add_subcommand("run", "simulate a scene and print the audit");
-  CLI::App& view_app =
-      *app.add_subcommand("view", "show a scene live, or a trajectory, in the browser, on this machine only");
-  CLI::App& check_app = *app.add_subcommand("check", "validate scenes without running them");
-  CLI::App& mass_app = *app.add_subcommand("mass", "mass properties of a mesh or a scene, exact and sampled");
-  CLI::App& distance_app =
-      *app.add_subcommand("distance", "signed distance and contacts of two bodies at t = 0");
-  app.add_subcommand("methods", "list every method, with its source");
-  CLI::App& render_app = *app.add_subcommand("render", "pictures and films of a scene or a trajectory");
-  CLI::App& plot_app = *app.add_subcommand("plot", "plot quantities of a trajectory over time");
-  add_run(run_app, run);
-  add_view(view_app, view);
-  check_app.add_option("SCENE", check.scenes, "scene files")->required()->option_text("...");
-  add_mass(mass_app, mass);
-  add_distance(distance_app, distance);
-  add_render(render_app, render);
-  add_plot(plot_app, plot);
-  // What is unknown is told by us, with the nearest name.
+  app.require_subcommand(0, 1);
   app.allow_extras();
-  for (CLI::App* const command : app.get_subcommands({})) command->allow_extras();
-
+  std::optional<Command> chosen;
+  add_commands(app, chosen);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help_or_version) {
@@ -269,18 +289,8 @@ ParsedCommandLine parse_command_line(int argc, const char* const* argv) {
     check_unknown(app);
     throw UsageError(error.what());
   }
+  if (chosen) return {chosen};
   check_unknown(app);
-  if (app.got_subcommand(&run_app)) {
-    check_run(run);
-    return {run};
-  }
-  if (app.got_subcommand(&view_app)) return {view};
-  if (app.got_subcommand(&check_app)) return {check};
-  if (app.got_subcommand(&mass_app)) return {mass};
-  if (app.got_subcommand(&distance_app)) return {distance};
-  if (app.got_subcommand(&render_app)) return {render};
-  if (app.got_subcommand(&plot_app)) return {plot};
-  if (app.got_subcommand("methods")) return {MethodsOptions{}};
   fmt::print(stderr, "{}", app.help());
   return {std::nullopt, exit_usage};
 }
