@@ -90,6 +90,19 @@ TEST(PageWriter, AFullPageEndsAsAnHtmlFileAndLoadsNothingFromElsewhere) {
   }
 }
 
+TEST(PageWriter, RunsOfOnePageHaveTheirNamesAndASingleRunHasNone) {
+  const Scene scene = scene_of("cradle.yaml");
+  const auto header_of = [&](PageRun run) {
+    run.add(make_initial_state(*scene.model), {}, {});
+    const TemporaryFolder folder;
+    write_page(folder / "page.html", "title", {run.finish({})});
+    return Json::parse(test::blocks_of_page(text_of(folder / "page.html")).at(0).bytes);
+  };
+  const State start = make_initial_state(*scene.model);
+  EXPECT_EQ(header_of(PageRun(scene, start, "a=1 <b>"))["label"], "a=1 <b>");
+  EXPECT_FALSE(header_of(PageRun(scene, start)).contains("label"));
+}
+
 TEST(PageWriter, TheSeriesIsThatOfTheRunToTheLastBit) {
   const WrittenPage page = page_of(scene_of("bouncing_ball_e05.yaml"));
   const Json series = page.header()["series"];
