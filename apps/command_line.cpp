@@ -1,5 +1,6 @@
 #include "apps/command_line.hpp"
 
+#include "apps/compare_output.hpp"
 #include "apps/usage_error.hpp"
 #include "rigor/core/quoted.hpp"
 #include "rigor/core/range.hpp"
@@ -39,6 +40,7 @@ const char* const examples =
     "  rigor run long.yaml --resume long.cp --duration 1000\n"
     "  rigor view ball.yaml --open                               live in the browser: change it while it "
     "runs\n"
+    "  rigor compare ball.yaml --vary method.toi=conservative,ratio,bisection -o compare.html\n"
     "  rigor check scenes/*.yaml\n"
     "  rigor mass part.stl --density 7850\n"
     "  rigor distance ball.yaml ball floor\n"
@@ -93,6 +95,27 @@ void add_run(CLI::App& app, RunOptions& run) {
             "S")
       ->check(number_in(time_span, "s"));
   add_value(app, "--resume", run.resume, "go on from a checkpoint of the same scene, bit for bit", "FILE");
+}
+
+void add_compare(CLI::App& app, CompareOptions& compare) {
+  app.add_option("SCENE", compare.scene, "scene file (.yaml or .json)")->required()->option_text(" ");
+  add_value(app, "--vary", compare.variations,
+            "a value of the scene and what it takes one after the other, such as method.toi=ratio,bisection; "
+            "repeated: all combinations, 64 runs at most",
+            "KEY=a,b,c")
+      ->required();
+  add_value(
+      app, "-o,--output", compare.outputs,
+      "by suffix: page .html, plot of the energies .svg .png (8 runs at most), table .json .csv; may be "
+      "repeated",
+      "OUT");
+  add_value(app, "--set", compare.overrides, "override a value of the scene in all runs; may be repeated",
+            "KEY=VALUE");
+  add_value(app, "--duration", compare.duration, "simulated time at which the runs end [s]", "S")
+      ->check(number_in(time_span, "s"));
+  add_json(app, compare.json, "the table with all audits");
+  app.add_flag("--quiet", compare.is_quiet, "print no table and no progress");
+  app.add_flag("--separate", compare.separate, "push apart what overlaps at t = 0");
 }
 
 void add_view(CLI::App& app, ViewOptions& view) {
@@ -202,6 +225,19 @@ bool is_same_file(const std::string& a, const std::string& b) {
 /// Of what the view layer draws, beside the trajectories.
 constexpr std::array<std::string_view, 2> drawn_suffixes = {page_suffixes[0], picture_suffixes[0]};
 
+/// Refuses outputs that would overwrite the scene or each other.
+void check_written(const std::string& scene, const std::vector<std::string>& written) {
+  for (std::size_t i = 0; i < written.size(); ++i) {
+    if (is_same_file(written[i], scene)) {
+      throw UsageError("output " + quoted_text(written[i]) + " is the scene file; give it another name");
+    }
+    for (std::size_t k = 0; k < i; ++k) {
+      if (is_same_file(written[i], written[k]))
+        throw UsageError("output " + quoted_text(written[i]) + " is given twice");
+    }
+  }
+}
+
 void check_run(const RunOptions& run) {
   for (const std::string& output : run.outputs) {
     const std::string message = check_output_suffix(output, drawn_suffixes);
@@ -210,21 +246,23 @@ void check_run(const RunOptions& run) {
   std::vector<std::string> written = run.outputs;
   if (!run.json.empty() && run.json != "-") written.push_back(run.json);
   if (!run.checkpoint.empty()) written.push_back(run.checkpoint);
-  for (std::size_t i = 0; i < written.size(); ++i) {
-    if (is_same_file(written[i], run.scene)) {
-      throw UsageError("output " + quoted_text(written[i]) + " is the scene file; give it another name");
-    }
-    for (std::size_t k = 0; k < i; ++k) {
-      if (is_same_file(written[i], written[k]))
-        throw UsageError("output " + quoted_text(written[i]) + " is given twice");
-    }
-  }
+  check_written(run.scene, written);
   if (run.checkpoint_every && run.checkpoint.empty()) {
     throw UsageError("--checkpoint-every needs --checkpoint FILE");
   }
   if (run.separate && !run.resume.empty()) {
     throw UsageError("--separate does not go with --resume: the bodies are where the checkpoint has them");
   }
+}
+
+void check_compare(const CompareOptions& compare) {
+  for (const std::string& output : compare.outputs) {
+    const std::string message = check_compare_output(output);
+    if (!message.empty()) throw UsageError(message);
+  }
+  std::vector<std::string> written = compare.outputs;
+  if (!compare.json.empty() && compare.json != "-") written.push_back(compare.json);
+  check_written(compare.scene, written);
 }
 
 /// The options as the command they make.
@@ -235,6 +273,10 @@ Command checked(const Options& options) {
 Command checked(const RunOptions& run) {
   check_run(run);
   return run;
+}
+Command checked(const CompareOptions& compare) {
+  check_compare(compare);
+  return compare;
 }
 
 void add_check(CLI::App& app, CheckOptions& check) {
@@ -262,6 +304,8 @@ void add_commands(CLI::App& app, std::optional<Command>& chosen) {
   add_command(app, "run", "simulate a scene and print the audit", add_run, chosen);
   add_command(app, "view", "show a scene live, or a trajectory, in the browser, on this machine only",
               add_view, chosen);
+  add_command(app, "compare", "the same scene with several methods or values, side by side", add_compare,
+              chosen);
   add_command(app, "check", "validate scenes without running them", add_check, chosen);
   add_command(app, "mass", "mass properties of a mesh or a scene, exact and sampled", add_mass, chosen);
   add_command(app, "distance", "signed distance and contacts of two bodies at t = 0", add_distance, chosen);

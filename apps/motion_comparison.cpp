@@ -39,7 +39,7 @@ Quat quaternion_at(std::span<const double> values, std::size_t row) {
 }
 
 void keep_larger(double value, const std::string& body, LargestDifference& largest) {
-  if (largest.body.empty() || value > largest.value) largest = {value, body};
+  if (value > largest.value) largest = {value, body};
 }
 
 }  // namespace

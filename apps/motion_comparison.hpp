@@ -11,10 +11,10 @@
 
 namespace rigor {
 
-/// The largest difference of a quantity among the bodies, and whose it is.
+/// The largest difference of a quantity among the bodies, and whose it is; nobody's if there is none.
 struct LargestDifference {
   double value = 0;
-  std::string body;
+  std::string body = {};
 };
 
 /// How far two runs are apart at one instant: over the bodies that are dynamic in both (found by their
