@@ -174,7 +174,10 @@ std::vector<PageBlock> PageRun::finish(const Audit& audit) {
                  {"springs", springs_json(*latest_model_)},
                  {"joints", Json::array()},
                  {"audit", Json::parse(audit_json(audit))}};
-  if (!label_.empty()) header["label"] = label_;
+  if (!label_.empty()) {
+    header["label"] = label_;
+    if (audit.report.reason != StopReason::reached_end) header["stopped"] = audit.report.detail;
+  }
   std::vector<PageBlock> blocks = {make_page_block("header", json_line(header)),
                                    make_page_block("meshes", geometry.mesh_bytes), series_block(),
                                    events_block()};
