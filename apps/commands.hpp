@@ -10,6 +10,7 @@ namespace rigor {
 
 ExitCode execute(const RunOptions& options);
 ExitCode execute(const ViewOptions& options);
+ExitCode execute(const CompareOptions& options);
 ExitCode execute(const CheckOptions& options);
 ExitCode execute(const MassOptions& options);
 ExitCode execute(const DistanceOptions& options);

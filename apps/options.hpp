@@ -24,6 +24,17 @@ struct RunOptions {
   std::string resume;
 };
 
+struct CompareOptions {
+  std::string scene;
+  std::vector<std::string> variations;  ///< "key=a,b,c".
+  std::vector<std::string> outputs;
+  std::vector<std::string> overrides;  ///< "key=value".
+  std::optional<double> duration;      ///< [s].
+  std::string json;
+  bool is_quiet = false;
+  bool separate = false;
+};
+
 struct CheckOptions {
   std::vector<std::string> scenes;
 };
@@ -69,7 +80,7 @@ struct ViewOptions {
   bool opens_browser = false;
 };
 
-using Command = std::variant<RunOptions, ViewOptions, CheckOptions, MassOptions, DistanceOptions,
-                             MethodsOptions, RenderOptions, PlotOptions>;
+using Command = std::variant<RunOptions, ViewOptions, CompareOptions, CheckOptions, MassOptions,
+                             DistanceOptions, MethodsOptions, RenderOptions, PlotOptions>;
 
 }  // namespace rigor

@@ -133,9 +133,11 @@ Scene read_tree(const YamlNode& root, const YamlSources& sources, const std::fil
 }  // namespace
 
 Scene parse_scene(const std::string& text, const std::string& file_name, const std::filesystem::path& folder,
-                  const std::vector<std::string>& overrides) {
+                  const std::vector<std::string>& overrides, std::size_t varied) {
   YamlSources sources{{file_name}};
-  for (const std::string& text_of_override : overrides) sources.names.push_back("--set " + text_of_override);
+  for (std::size_t i = 0; i < overrides.size(); ++i) {
+    sources.names.push_back((i + varied < overrides.size() ? "--set " : "--vary ") + overrides[i]);
+  }
   YamlNode::Pointer root = parse_yaml(text, 0, sources);
   for (std::size_t i = 0; i < overrides.size(); ++i) {
     root = with_override(root, overrides[i], static_cast<int>(i) + 1, sources);
@@ -143,9 +145,10 @@ Scene parse_scene(const std::string& text, const std::string& file_name, const s
   return read_tree(*root, sources, folder);
 }
 
-Scene read_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
+Scene read_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides,
+                 std::size_t varied) {
   const std::string text = read_text_file(path, YamlLimits{}.max_bytes);
-  return parse_scene(text, path.string(), path.parent_path(), overrides);
+  return parse_scene(text, path.string(), path.parent_path(), overrides, varied);
 }
 
 }  // namespace rigor

@@ -132,6 +132,35 @@ Polyline thinned(const Polyline& line, std::size_t columns) {
   return kept;
 }
 
+/// Width of the i-th line of a panel.
+double pen_of(const Panel& panel, std::size_t i) {
+  constexpr double rim = 1.2, widest = 4.2;
+  const double later = static_cast<double>(panel.series.size() - 1 - i);
+  if (panel.series[i]->times.empty() || later == 0) return line_pen;
+  return line_pen + later * std::min(rim, widest / static_cast<double>(panel.series.size() - 1));
+}
+
+/// First and last output time of all lines.
+Extent time_extent(std::span<const double> time, std::span<const PlotSeries> series) {
+  Extent all = extent_of(time);
+  for (const PlotSeries& own : series) {
+    const Extent extent = extent_of(own.times);
+    all = {std::min(all.low, extent.low), std::max(all.high, extent.high)};
+  }
+  return all;
+}
+
+void add_lines(const Panel& panel, std::span<const double> time, const Axes& axes, Drawing& drawing) {
+  constexpr std::size_t columns = 2000;
+  for (std::size_t i = 0; i < panel.series.size(); ++i) {
+    const PlotSeries& series = *panel.series[i];
+    const std::span<const double> own = series.times.empty() ? time : std::span<const double>(series.times);
+    for (Polyline& piece : line_pieces(own, series.values, columns)) {
+      for (Vec2& point : piece) point = {axes.x(point.x()), axes.y(point.y())};
+      drawing.strokes.push_back({std::move(piece), pen_of(panel, i), color_of(panel.colors[i])});
+    }
+  }
+}
 }  // namespace
 
 std::vector<Polyline> line_pieces(std::span<const double> time, std::span<const double> values,
@@ -156,11 +185,10 @@ std::vector<Polyline> line_pieces(std::span<const double> time, std::span<const 
 }
 
 Drawing make_plot(std::span<const double> time, std::span<const PlotSeries> series) {
-  constexpr std::size_t columns = 2000;
   Drawing drawing;
   drawing.width = width;
   const std::vector<Panel> panels = panels_by_quantity(series);
-  const Extent times = extent_of(time);
+  const Extent times = time_extent(time, series);
   double y = top;
   for (const Panel& panel : panels) {
     const bool is_last = &panel == &panels.back();
@@ -168,12 +196,7 @@ Drawing make_plot(std::span<const double> time, std::span<const PlotSeries> seri
     const Axes axes{make_ticks(times.low, times.high, 8, false), value_ticks(panel), y, y + panel_height};
     add_frame(axes, axis_title(panel.series[0]->quantity, panel.series[0]->unit, axes.value.exponent),
               is_last, drawing);
-    for (std::size_t i = 0; i < panel.series.size(); ++i) {
-      for (Polyline& piece : line_pieces(time, panel.series[i]->values, columns)) {
-        for (Vec2& point : piece) point = {axes.x(point.x()), axes.y(point.y())};
-        drawing.strokes.push_back({std::move(piece), line_pen, color_of(panel.colors[i])});
-      }
-    }
+    add_lines(panel, time, axes, drawing);
     y = axes.y_bottom + between;
     if (is_last) {
       drawing.labels.push_back({axis_title("time", "s", axes.time.exponent), 0.5 * (left + width - right),

@@ -356,6 +356,22 @@ TEST(Overrides, TellTheirMistakes) {
   EXPECT_NE(message(deep + "=1").find("the key has too many parts"), std::string::npos);
 }
 
+TEST(Overrides, TheLastOnesMayBeCalledVary) {
+  const auto message = [](std::size_t varied) -> std::string {
+    try {
+      parse_scene(kEverything, "scene.yaml", ".", {"run.duration=-1", "run.step=-2"}, varied);
+    } catch (const InputError& error) {
+      return error.messages()[0] + "\n" + error.messages()[1];
+    }
+    return "";
+  };
+  const std::string duration = "run.duration=-1: run: duration is -1 s, must be > 0 and at most 1e+09 s\n";
+  const std::string step = "run.step=-2: run: step is -2 s, must be from 1e-12 to 1e+09 s";
+  EXPECT_EQ(message(0), "--set " + duration + "--set " + step);
+  EXPECT_EQ(message(1), "--set " + duration + "--vary " + step);
+  EXPECT_EQ(message(2), "--vary " + duration + "--vary " + step);
+}
+
 TEST(Overrides, MistakesOfTheModelNameThePlaceInTheFile) {
   EXPECT_EQ(message_of(with_body(kBall), {"bodies.ball.mass=1", "bodies.ball.density=2"}),
             "scene.yaml:3:5: body 'ball': only one of 'mass', 'density' and 'inertia' may be given");

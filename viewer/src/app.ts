@@ -1,3 +1,5 @@
+import { compareAudits } from "./compare_audits";
+import { ComparePlots } from "./compare_plots";
 import { button, el } from "./dom";
 import { extentOf } from "./extent";
 import * as format from "./format";
@@ -7,6 +9,7 @@ import { Panel } from "./panel";
 import { Playback, steppedTime } from "./playback";
 import { Plots } from "./plots";
 import type { Loaded, MotionEvent } from "./run";
+import { RunChoice, runColor, type Chosen } from "./run_choice";
 import { RecordedSource } from "./source";
 import { Transport } from "./transport";
 import { View3D } from "./view3d";
@@ -14,16 +17,18 @@ import { View3D } from "./view3d";
 /** The numbers beside the scene change at most this often while playing [ms]. */
 const numbersPause = 100;
 
-/** The page: scene, panel, transport, plots, and what happens between them. */
+/** The page of one run or of several: scene, panel, transport, plots, and what happens between them. */
 export class App {
   readonly element: HTMLElement;
   readonly playback: Playback;
-  readonly source: RecordedSource;
-  readonly plots: Plots;
+  /** The run that is looked at, and the one that is its ghost. */
+  source: RecordedSource;
+  ghost: RecordedSource | undefined;
+  readonly plots: Plots | ComparePlots;
   /** None where the browser has no WebGL: then all but the scene works. */
   readonly view: View3D | undefined;
   selected = -1;
-  private readonly ghost: RecordedSource | undefined;
+  private readonly sources: RecordedSource[];
   private readonly shown: Shown = { ...shownAtFirst };
   private readonly panel: Panel;
   private readonly transport: Transport;
@@ -37,12 +42,12 @@ export class App {
   private lastNumbers = 0;
 
   constructor(loaded: Loaded) {
-    const [run, second] = loaded.runs;
-    this.source = new RecordedSource(run);
-    this.ghost = second && new RecordedSource(second);
-    const { times, header } = this.source;
-    this.playback = new Playback(times[0], times[times.length - 1]);
-    this.transport = new Transport(this.playback, this.source.events, header.output_interval, {
+    this.sources = loaded.runs.map((run) => new RecordedSource(run));
+    [this.source, this.ghost] = this.sources;
+    // The time line is that of the longest run: a shorter one stands still at its end.
+    const times = this.sources.map((source) => source.times);
+    this.playback = new Playback(Math.min(...times.map((own) => own[0])), Math.max(...times.map((own) => own[own.length - 1])));
+    this.transport = new Transport(this.playback, this.source.events, this.source.header.output_interval, {
       toggle: () => this.toggle(),
       step: (frames) => this.step(frames),
       seek: (time) => this.seek(time),
@@ -55,11 +60,15 @@ export class App {
       changed: () => this.invalidate(),
       showDeepest: () => this.showDeepest(),
     });
-    this.plots = new Plots(this.source, this.ghost, (time) => this.seek(time));
+    const isComparison = this.sources.length > 1;
+    const seek = (time: number) => this.seek(time);
+    this.plots = isComparison ? new ComparePlots(this.sources, { a: 0, b: 1 }, seek) : new Plots(this.source, seek);
+    const choice = isComparison ? new RunChoice(this.sources, { a: 0, b: 1 }, (chosen) => this.showRuns(chosen)).element : undefined;
     this.help = helpDialog();
     this.view = this.makeView();
-    this.element = el("div", { class: "app" }, this.head(), ...loaded.problems.map((problem) => el("p", { class: "problem", role: "alert", text: problem })),
-      el("div", { class: "middle" }, this.stage, this.panel.element), this.transport.element, this.plots.element, this.help);
+    this.element = el("div", { class: isComparison ? "app comparison" : "app" }, this.head(), choice, ...loaded.problems.map((problem) => el("p", { class: "problem", role: "alert", text: problem })),
+      el("div", { class: "middle" }, this.stage, this.panel.element), this.transport.element, this.plots.element,
+      isComparison ? compareAudits(this.sources) : undefined, this.help);
   }
 
   /** Starts drawing; the element is in the page. */
@@ -118,6 +127,22 @@ export class App {
     this.invalidate();
   }
 
+  /** Draws one run, and another as its ghost; what is chosen and followed stays, if it is in both. */
+  showRuns({ a, b }: Chosen): void {
+    const twinOf = (body: number) => (body < 0 ? -1 : this.sources[a].header.bodies.findIndex(({ name }) => name === this.source.header.bodies[body].name));
+    const selected = twinOf(this.selected), followed = twinOf(this.view?.followed ?? -1);
+    this.source = this.sources[a];
+    this.ghost = this.sources[b];
+    this.setEvent(undefined);
+    this.flagged = [];
+    this.view?.setRuns(this.source, this.ghost, extentOf(this.source.header, this.source.frames), this.playback.time, runColor(b));
+    this.panel.setSource(this.source);
+    this.transport.setEvents(this.source.events);
+    if (this.plots instanceof ComparePlots) this.plots.setRuns({ a, b });
+    this.select(selected);
+    if (followed >= 0) this.follow(followed);
+  }
+
   /** Where a body's centre of mass is drawn now, in the world [m]. */
   positionOf(body: number): number[] {
     if (!this.view) return [];
@@ -127,7 +152,7 @@ export class App {
   private head(): HTMLElement {
     const { header } = this.source;
     const method = header.audit.method as Record<string, string> | undefined;
-    const choices = [method?.scheme, method?.integrator, method?.impact].filter(Boolean).join(" · ");
+    const choices = this.sources.length > 1 ? `${this.sources.length} runs` : [method?.scheme, method?.integrator, method?.impact].filter(Boolean).join(" · ");
     return el("header", {},
       el("h1", { text: header.scene }),
       el("span", { class: "about", text: `${choices} · ${header.bodies.length} ${header.bodies.length === 1 ? "body" : "bodies"} · ${this.source.times.length} frames` }),
@@ -140,7 +165,7 @@ export class App {
 
   private makeView(): View3D | undefined {
     try {
-      const view = new View3D(this.stage, this.source, this.ghost, extentOf(this.source.header, this.source.frames));
+      const view = new View3D(this.stage, this.source, this.ghost, extentOf(this.source.header, this.source.frames), runColor(1));
       view.onChange = () => (this.isDirty = true);
       let down = [0, 0];
       view.canvas.addEventListener("pointerdown", (event) => (down = [event.clientX, event.clientY]));

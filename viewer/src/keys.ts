@@ -17,7 +17,7 @@ export const keyHelp: [string, string][] = [
   ["J", "joint axes (where there are joints)"],
   ["T", "trails"],
   ["P", "overlapping bodies; with Shift: go to the deepest penetration"],
-  ["G", "ghost of the second run (where there is one)"],
+  ["G", "ghost of run B (where there is one)"],
   ["H", "shadows"],
   ["S", "save a picture"],
   ["D", "dark or light"],

@@ -1,26 +1,24 @@
-import uPlot from "uplot";
+import { Charts, powerOf, scaled, unitText, type Curve } from "./chart";
 import { palette } from "./colors";
 import { el } from "./dom";
-import * as format from "./format";
 import type { Motion } from "./frames";
 import { turned, vectorAt } from "./marks";
-import { lastAtMost } from "./search";
 import type { FrameSource, RecordedSource } from "./source";
 
-interface Curve {
-  label: string;
-  color: string;
-  values: ArrayLike<number>;
-}
 interface Plot {
   title: string;
   unit: string;
-  curves: (source: FrameSource) => Curve[];
+  curves: (source: FrameSource) => Omit<Curve, "times">[];
 }
 
-const column = (source: FrameSource, name: string): Float64Array => source.series.get(name) ?? new Float64Array();
-const sum = (...columns: Float64Array[]): Float64Array => columns[0].map((_, i) => columns.reduce((total, values) => total + values[i], 0));
-const isUsed = (curve: Curve): boolean => Array.from(curve.values).some((value) => value !== 0);
+/** A stored series of a run; empty if it has none of that name. */
+export const column = (source: FrameSource, name: string): Float64Array => source.series.get(name) ?? new Float64Array();
+/** Kinetic, potential and elastic energy together. */
+export function totalEnergy(source: FrameSource): Float64Array {
+  const [kinetic, potential, elastic] = ["kinetic", "potential", "elastic"].map((name) => column(source, name));
+  return kinetic.map((value, i) => value + potential[i] + elastic[i]);
+}
+const isUsed = (curve: { values: ArrayLike<number> }): boolean => Array.from(curve.values).some((value) => value !== 0);
 
 const plots: Plot[] = [
   {
@@ -31,7 +29,7 @@ const plots: Plot[] = [
         { label: "kinetic", color: palette.skyBlue, values: kinetic },
         { label: "potential", color: palette.orange, values: potential },
         ...[{ label: "elastic", color: palette.purple, values: elastic }, { label: "work", color: palette.yellow, values: work }].filter(isUsed),
-        { label: "total", color: palette.green, values: sum(kinetic, potential, elastic) },
+        { label: "total", color: palette.green, values: totalEnergy(source) },
       ];
     },
   },
@@ -97,42 +95,38 @@ export function kineticEnergy(mass: number, moments: ArrayLike<number>, v: Array
   ];
 }
 
-/** The plots under the scene: one cursor for all, a line at the replay's time; a click seeks. */
+/** The plots of a run under the scene. */
 export class Plots {
   readonly element = el("div", { class: "plots" });
-  readonly charts: uPlot[] = [];
-  private readonly sync = uPlot.sync("time");
-  private readonly lines: HTMLElement[] = [];
+  private readonly all: Charts;
   private readonly bodyBox: HTMLElement;
   private readonly quantity: HTMLSelectElement;
   private body = -1;
-  private time = 0;
 
-  constructor(private readonly source: RecordedSource, private readonly ghost: RecordedSource | undefined, private readonly seek: (time: number) => void) {
+  constructor(private readonly source: RecordedSource, seek: (time: number) => void) {
+    this.all = new Charts(this.element, seek);
     this.quantity = el("select", { "aria-label": "Quantity of the body", onchange: () => this.showBody(this.body) },
       ...Object.keys(bodyQuantities).map((name) => el("option", { value: name }, name)));
     this.bodyBox = el("section", { class: "plot" });
     for (const plot of plots) {
-      const own = plot.curves(source);
-      const other = ghost ? plot.curves(ghost) : [];
-      const power = powerOf([...own, ...other]);
-      const unit = [power === 0 ? "" : `10${superscript(power)}`, plot.unit].filter(Boolean).join(" ");
-      const box = el("section", { class: "plot" }, el("h3", {}, plot.title, el("small", { text: unit && ` [${unit}]` })));
+      const curves = plot.curves(source).map((curve) => ({ ...curve, times: source.times }));
+      const power = powerOf(curves);
+      const box = el("section", { class: "plot" }, el("h3", {}, plot.title, el("small", { text: unitText(plot.unit, power) })));
       this.element.append(box);
-      this.charts.push(this.chart(box, scaled(own, power), scaled(other, power)));
+      this.all.add(box, scaled(curves, power));
     }
     this.element.append(this.bodyBox);
     this.showBody(-1);
-    new ResizeObserver(() => this.resize()).observe(this.element);
+  }
+
+  get charts() {
+    return this.all.list;
   }
 
   /** Shows a quantity of this body (none: a hint). */
   showBody(body: number): void {
     this.body = body;
-    if (this.charts.length > plots.length) {
-      this.charts.pop()?.destroy();
-      this.lines.pop();
-    }
+    this.all.keep(plots.length);
     const name = this.source.header.bodies[body]?.name;
     const { unit, labels } = bodyQuantities[this.quantity.value];
     this.bodyBox.replaceChildren(el("h3", {}, name ?? "Chosen body", el("small", { text: name ? ` [${unit}]` : "" }), name ? this.quantity : undefined));
@@ -141,88 +135,18 @@ export class Plots {
       return;
     }
     const hues = [palette.vermilion, palette.green, palette.skyBlue];
-    const curvesOf = (source: RecordedSource, index: number): Curve[] =>
-      bodyCurves(source, index, this.quantity.value).map((values, i) => ({ label: labels[i], color: hues[i], values }));
-    const twin = this.ghost?.header.bodies.findIndex((candidate) => candidate.name === name) ?? -1;
-    this.charts.push(this.chart(this.bodyBox, curvesOf(this.source, body), this.ghost && twin >= 0 ? curvesOf(this.ghost, twin) : []));
-    this.resize();
+    this.all.add(this.bodyBox, bodyCurves(this.source, body, this.quantity.value)
+      .map((values, i) => ({ label: labels[i], color: hues[i], times: this.source.times, values })));
+    this.all.resize();
   }
 
   setTime(time: number): void {
-    this.time = time;
-    this.charts.forEach((chart, i) => {
-      const x = chart.valToPos(time, "x");
-      this.lines[i].style.transform = `translateX(${x}px)`;
-      this.lines[i].hidden = !(x >= 0 && x <= chart.over.clientWidth);
-      // Where the pointer is not, the legend tells the values of this moment.
-      if ((chart.cursor.left ?? -1) < 0) chart.setLegend({ idx: lastAtMost(chart.data[0], time) }, false);
-    });
+    this.all.setTime(time);
   }
 
-  /** Colours of axes and grid come from the page's style. */
   redraw(): void {
-    for (const chart of this.charts) chart.redraw(false, true);
+    this.all.redraw();
   }
-
-  private chart(box: HTMLElement, own: Curve[], ghost: Curve[]): uPlot {
-    const table = (source: FrameSource, curves: Curve[]): uPlot.AlignedData => [Array.from(source.times), ...curves.map(({ values }) => Array.from(values))];
-    const data = this.ghost && ghost.length > 0 ? uPlot.join([table(this.source, own), table(this.ghost, ghost)]) : table(this.source, own);
-    const style = (name: string) => () => getComputedStyle(this.element).getPropertyValue(name);
-    const axis = { stroke: style("--text"), grid: { stroke: style("--grid"), width: 1 }, ticks: { stroke: style("--grid"), width: 1 } };
-    const curve = ({ label, color }: Curve, isGhost: boolean): uPlot.Series => ({
-      label: isGhost ? `${label} B` : label, stroke: color, width: isGhost ? 1 : 1.6, dash: isGhost ? [5, 4] : undefined, spanGaps: true,
-      points: { show: false }, value: (_, value) => (value == null ? "–" : format.number(value, 6)),
-    });
-    const line = el("div", { class: "now" });
-    const chart = new uPlot({
-      width: Math.max(200, box.clientWidth), height: 150,
-      cursor: { sync: { key: this.sync.key }, drag: { x: true, y: false }, points: { size: 5 } },
-      scales: { x: { time: false }, y: { range: (_, low, high) => paddedRange(low, high) } },
-      axes: [{ ...axis, size: 28 }, { ...axis, size: 62, values: (_, ticks) => ticks.map((tick) => format.number(tick, 4)) }],
-      series: [{ label: "t", value: (_, value) => (value == null ? "–" : `${format.number(value, 6)} s`) },
-        ...own.map((c) => curve(c, false)), ...ghost.map((c) => curve(c, true))],
-      hooks: { setScale: [() => this.setTime(this.time)] },
-    }, data, box);
-    chart.over.append(line);
-    this.lines.push(line);
-    let downAt = 0;
-    chart.over.addEventListener("pointerdown", (event) => (downAt = event.clientX));
-    chart.over.addEventListener("click", (event) => {
-      if (Math.abs(event.clientX - downAt) < 4) this.seek(chart.posToVal(event.offsetX, "x"));
-    });
-    return chart;
-  }
-
-  private resize(): void {
-    for (const chart of this.charts) {
-      const width = chart.root.parentElement?.clientWidth ?? 0;
-      if (width > 0 && width !== chart.width) chart.setSize({ width, height: 150 });
-    }
-    this.setTime(this.time);
-  }
-}
-
-/** Power of a thousand that makes very small or large values readable: 0 for those between a thousandth and a million. */
-function powerOf(curves: Curve[]): number {
-  let most = 0;
-  for (const { values } of curves) for (let i = 0; i < values.length; ++i) most = Math.max(most, Math.abs(values[i]));
-  return most === 0 || !Number.isFinite(most) || (most >= 1e-3 && most < 1e6) ? 0 : 3 * Math.floor(Math.log10(most) / 3);
-}
-
-function scaled(curves: Curve[], power: number): Curve[] {
-  if (power === 0) return curves;
-  return curves.map((curve) => ({ ...curve, values: Array.from(curve.values, (value) => value / 10 ** power) }));
-}
-
-function superscript(power: number): string {
-  return String(power).replace(/./g, (digit) => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(digit)]);
-}
-
-/** A little room above and below; of a constant some more, of nothing at all from 0 to 1. */
-function paddedRange(low: number | null, high: number | null): [number, number] {
-  if (low == null || high == null || (low === 0 && high === 0)) return [0, 1];
-  const room = 0.06 * (high - low) || 0.1 * Math.abs(high);
-  return [low === 0 ? 0 : low - room, high + room];
 }
 
 /** Kinetic energies of a body at a moment [J]. */

@@ -25,14 +25,12 @@ export class Transport {
   private readonly line: HTMLElement;
   private readonly ticks: HTMLCanvasElement;
   private readonly handle: HTMLElement;
-  private readonly impactTimes: Float64Array;
-  private readonly impacts: number[];
-  private readonly resolution: number;
+  private readonly impactButtons: HTMLButtonElement[];
+  private events: MotionEvent[] = [];
+  private impactTimes = new Float64Array();
+  private impacts: number[] = [];
 
-  constructor(private readonly playback: Playback, private readonly events: MotionEvent[], resolution: number, private readonly actions: TransportActions) {
-    this.resolution = resolution;
-    this.impacts = events.flatMap((event, i) => (event.kind === "impact" ? [i] : []));
-    this.impactTimes = Float64Array.from(this.impacts, (i) => events[i].time);
+  constructor(private readonly playback: Playback, events: MotionEvent[], private readonly resolution: number, private readonly actions: TransportActions) {
     this.play = button("▶", "Play or pause (space)", () => actions.toggle());
     this.play.id = "play";
     this.loop = button("⟳", "Loop (L)", () => {
@@ -52,6 +50,7 @@ export class Transport {
       if (this.line.hasPointerCapture(event.pointerId)) actions.seek(this.timeAt(event.clientX));
       else this.line.title = this.hint(event.clientX);
     });
+    this.impactButtons = [button("⇤ impact", "Previous impact ([)", () => actions.nextImpact(-1)), button("impact ⇥", "Next impact (])", () => actions.nextImpact(1))];
     this.element = el("div", { class: "transport" },
       el("div", { class: "buttons" },
         button("|◂", "First frame (Home)", () => actions.seek(playback.begin)),
@@ -59,12 +58,19 @@ export class Transport {
         this.play,
         button("›", "One frame on (→)", () => actions.step(1)),
         button("▸|", "Last frame (End)", () => actions.seek(playback.end)),
-        this.loop, this.speed,
-        this.impacts.length > 0 ? button("⇤ impact", "Previous impact ([)", () => actions.nextImpact(-1)) : undefined,
-        this.impacts.length > 0 ? button("impact ⇥", "Next impact (])", () => actions.nextImpact(1)) : undefined,
-        this.clock),
+        this.loop, this.speed, ...this.impactButtons, this.clock),
       this.line);
+    this.setEvents(events);
     new ResizeObserver(() => this.drawTicks()).observe(this.line);
+  }
+
+  /** From now on the ticks are those of these events. */
+  setEvents(events: MotionEvent[]): void {
+    this.events = events;
+    this.impacts = events.flatMap((event, i) => (event.kind === "impact" ? [i] : []));
+    this.impactTimes = Float64Array.from(this.impacts, (i) => events[i].time);
+    for (const own of this.impactButtons) own.hidden = this.impacts.length === 0;
+    this.drawTicks();
   }
 
   update(): void {
