@@ -19,7 +19,8 @@ enum class SimultaneousLaw {
 /// restitutions: e of each contact, as it is to be used here. One contact collides by `collision_law`,
 /// whatever the SimultaneousLaw. So does a patch of points of one pair of bodies, or a contact whose
 /// collision makes no other approach (single_collision.hpp), but under `lcp`, which takes all contacts of a
-/// system at once. Else `law` decides (reflections.hpp, newton_impacts.hpp, sequential_impacts.hpp).
+/// system at once. Rolling and torsional friction count where a contact collides alone
+/// (moment_collision.hpp). Else `law` decides (reflections.hpp, newton_impacts.hpp, sequential_impacts.hpp).
 ImpactSolution solve_impact(const ContactSystem& system, const std::vector<double>& restitutions,
                             RestitutionLaw collision_law, SimultaneousLaw law);
 

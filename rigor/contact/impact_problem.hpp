@@ -32,10 +32,12 @@ struct ImpactProblem {
 
 /// Impulses of an impact.
 struct ImpactSolution {
-  VecX lambda;              ///< 3n impulses in the contact frames [N s].
-  double residual = 0;      ///< Of the complementarity problems solved on the way, relative.
-  bool converged = true;    ///< Nothing approaches any more, by the law asked for.
-  int iterations = 0;       ///< Of the solvers, or impacts of a sequence.
+  VecX lambda;            ///< 3n impulses in the contact frames [N s].
+  double residual = 0;    ///< Of the complementarity problems solved on the way, relative.
+  bool converged = true;  ///< Nothing approaches any more, by the law asked for.
+  int iterations = 0;     ///< Of the solvers, or impacts of a sequence.
+  /// Angular impulses in the contact frames, 3n [N m s]; empty: none.
+  VecX moments = {};
   std::string phases = {};  ///< What happened, if it was one collision (CollisionOutcome::phases).
 };
 

@@ -96,7 +96,7 @@ ImpactSolution resolve_lone_contact(const ImpactProblem& problem, RestitutionLaw
   const ImpactContact& contact = problem.contacts[0];
   const CollisionOutcome outcome =
       resolve_collision({{problem.A, contact.mu}, problem.u, contact.restitution}, law);
-  return {outcome.end.lambda, 0, outcome.is_resolved, 1, outcome.phases};
+  return {outcome.end.lambda, 0, outcome.is_resolved, 1, {}, outcome.phases};
 }
 
 std::optional<ImpactSolution> find_single_collision(const ImpactProblem& problem, RestitutionLaw law) {
@@ -113,7 +113,7 @@ std::optional<ImpactSolution> find_single_collision(const ImpactProblem& problem
   const VecX lambda = shares * outcome.end.lambda;
   const VecX u = problem.u + problem.A * lambda;
   if (fastest_approach(u) > still * fastest_approach(problem.u)) return std::nullopt;
-  return ImpactSolution{lambda, 0, true, 1, outcome.phases};
+  return ImpactSolution{lambda, 0, true, 1, {}, outcome.phases};
 }
 
 }  // namespace rigor

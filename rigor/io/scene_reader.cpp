@@ -57,6 +57,8 @@ void read_pairs(const ObjectReader& scene, const Materials& materials, ModelBuil
     const ObjectReader pair(*node, key_table("pair"), "pair " + std::to_string(index++), scene.errors());
     const std::vector<std::string> names = pair.names("between");
     const std::optional<double> friction = pair.number("friction"), restitution = pair.number("restitution");
+    const std::optional<double> rolling = pair.number("rolling_friction"),
+                                torsional = pair.number("torsional_friction");
     if (names.empty()) continue;
     const auto a = materials.find(names[0]), b = materials.find(names[1]);
     PairCoefficients coefficients{0, 0};
@@ -64,6 +66,8 @@ void read_pairs(const ObjectReader& scene, const Materials& materials, ModelBuil
       coefficients = combined_coefficients(a->second, b->second);
     coefficients.friction = friction.value_or(coefficients.friction);
     coefficients.restitution = restitution.value_or(coefficients.restitution);
+    coefficients.rolling_friction = rolling.value_or(coefficients.rolling_friction);
+    coefficients.torsional_friction = torsional.value_or(coefficients.torsional_friction);
     builder.set_pair(names[0], names[1], coefficients, scene.errors().where(*node));
   }
 }

@@ -14,11 +14,13 @@ struct Material {
   double torsional_friction = 0;  ///< [m], ≥ 0.
 };
 
-/// Coefficients of a pair of materials: friction sqrt(a b), restitution max(a, b), unless a pair overrides
+/// Coefficients of a pair of materials: frictions sqrt(a b), restitution max(a, b), unless a pair overrides
 /// them.
 struct PairCoefficients {
   double friction;
   double restitution;
+  double rolling_friction = 0;    ///< [m].
+  double torsional_friction = 0;  ///< [m].
 };
 
 /// The combination rule.

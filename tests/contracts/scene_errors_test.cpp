@@ -102,9 +102,6 @@ TEST(SceneErrors, OfKeysOfLaterVersions) {
            "s.yaml:3:10: key 'lcp' of method is not available in this version; leave it out"},
           {"method: {substeps: 4}",
            "s.yaml:3:10: key 'substeps' of method is not available in this version; leave it out"},
-          {"materials: [{name: m, rolling_friction: 0.1}]",
-           "s.yaml:3:13: material 'm': rolling_friction is 0.1 m, must be 0: it is not available in this "
-           "version"},
       },
       "rigor: 1\nbodies: []\n", "\n");
 }

@@ -28,16 +28,14 @@ TEST(ImpactScenes, ObliqueBoxLeavesAsRouthsConstructionSays) {
   };
   const std::vector<std::string> k0 = {"bodies.box.velocity=[1, 0, -2]", "materials.wood.friction=0.1"};
   const std::vector<std::string> k2 = {"bodies.box.velocity=[-2, 0, -2]", "materials.wood.friction=0.6",
-                                       "bodies.box.axis_angle.angle=45 deg", "bodies.box.position=[0, 0, 0.4]"};
-  const std::vector<Case> cases = {{"newton", k0, {.900278, -1.002781, -4.734566}},
-                                   {"poisson", k0, {.900278, -1.002781, -4.734566}},
-                                   {"stronge", k0, {.900278, -1.002781, -4.734566}},
-                                   {"newton", {}, {-.968310, -1.059412, -4.868439}},
-                                   {"poisson", {}, {-.945009, -1.137081, -4.549434}},
-                                   {"stronge", {}, {-.955022, -1.103704, -4.686519}},
-                                   {"newton", k2, {-1.931310, -.782748, -5.252470}},
-                                   {"poisson", k2, {-1.759024, -1.084617, -4.783913}},
-                                   {"stronge", k2, {-1.815381, -.985871, -4.937186}}};
+                                       "bodies.box.axis_angle.angle=45 deg",
+                                       "bodies.box.position=[0, 0, 0.4]"};
+  const std::vector<Case> cases = {
+      {"newton", k0, {.900278, -1.002781, -4.734566}},   {"poisson", k0, {.900278, -1.002781, -4.734566}},
+      {"stronge", k0, {.900278, -1.002781, -4.734566}},  {"newton", {}, {-.968310, -1.059412, -4.868439}},
+      {"poisson", {}, {-.945009, -1.137081, -4.549434}}, {"stronge", {}, {-.955022, -1.103704, -4.686519}},
+      {"newton", k2, {-1.931310, -.782748, -5.252470}},  {"poisson", k2, {-1.759024, -1.084617, -4.783913}},
+      {"stronge", k2, {-1.815381, -.985871, -4.937186}}};
   for (const Case& each : cases) {
     std::vector<std::string> overrides = each.overrides;
     overrides.push_back(std::string("method.impact=") + each.law);
@@ -58,7 +56,8 @@ TEST(ImpactScenes, DieFallsAsTheReferenceThroughEightImpacts) {
   for (const nlohmann::json& json : reference::read("cube_drop.json")["cases"]) {
     const std::string law = json["law"].get<std::string>();
     SCOPED_TRACE(law);
-    const SceneRun run = run_scene("dice.yaml", {"method.impact=" + law, "run.duration=0.9", "run.output_interval=0.9"});
+    const SceneRun run =
+        run_scene("dice.yaml", {"method.impact=" + law, "run.duration=0.9", "run.output_interval=0.9"});
     const std::vector<MotionEvent> impacts = impacts_of(run);
     ASSERT_GE(impacts.size(), 8u);
     for (std::size_t k = 0; k < 8; ++k) {
