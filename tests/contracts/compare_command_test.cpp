@@ -144,6 +144,34 @@ TEST(CompareCommand, TheNumbersAreThoseOfTheRunsAlone) {
   EXPECT_GT(distance("position"), 0.01);
 }
 
+TEST(CompareCommand, TheEnergyThatAnImpactAddsIsTold) {
+  const CompareFolder folder;
+  // A slanted rod that slips towards its lower end: Newton's law with friction gains energy, without friction
+  // it does not.
+  folder.write(
+      "rod.yaml",
+      "rigor: 1\nname: rod\nworld: {gravity: [0, 0, 0]}\nrun: {duration: 0.4}\nmethod: {impact: newton}\n"
+      "materials: [{name: m, restitution: 0.9, friction: 0}]\nbodies:\n"
+      "  - {name: floor, motion: static, shapes: [{type: plane, normal: [0, 0, 1], offset: 0, material: "
+      "m}]}\n"
+      "  - {name: rod, position: [0, 0, 1], axis_angle: {axis: [0, 1, 0], angle: 30 deg}, velocity: [3, 0, "
+      "-3], "
+      "mass: 1, shapes: [{type: capsule, radius: 0.02, length: 1, material: m}]}\n");
+  const ProgramResult result =
+      folder.compare({"rod.yaml", "--vary", "materials.m.friction=0,0.8", "--json", "a.json"});
+  EXPECT_EQ(result.code, 1);
+  expect_contains(result.out, "materials.m.friction=0.8: warning: impacts added ");
+  const Json runs = Json::parse(folder.read("a.json"))["runs"];
+  EXPECT_EQ(runs[0]["impact_gain"], 0);
+  // Nothing but the one impact changes the energy.
+  const Json run = runs[1], energy = run["audit"]["energy"];
+  EXPECT_EQ(run["impacts"], 1);
+  const double gain = energy["final"].get<double>() - energy["initial"].get<double>();
+  EXPECT_GT(gain, 0.1);
+  // Energies of about 10 J, each a sum of rounded squares.
+  EXPECT_NEAR(run["impact_gain"].get<double>(), gain, 1e-13);
+}
+
 TEST(CompareCommand, SeveralKeysGiveAllCombinationsTheLastFastest) {
   const CompareFolder folder;
   const ProgramResult result =
