@@ -17,10 +17,10 @@ enum class SimultaneousLaw {
 /// Impulses that end the approach of all contacts of a connected system.
 ///
 /// restitutions: e of each contact, as it is to be used here. One contact collides by `collision_law`,
-/// whatever the SimultaneousLaw. So does a patch of points of one pair of bodies, or a contact whose
-/// collision makes no other approach (single_collision.hpp), but under `lcp`, which takes all contacts of a
-/// system at once. Rolling and torsional friction count where a contact collides alone
-/// (moment_collision.hpp). Else `law` decides (reflections.hpp, newton_impacts.hpp, sequential_impacts.hpp).
+/// whatever the law for several (Newton's can gain energy with friction). So does, but under `lcp`, what is
+/// one collision among several contacts (find_single_collision). Else `law` decides: solve_reflections,
+/// solve_newton_impacts, solve_sequential_impacts. Rolling and torsional friction count where a contact is
+/// alone in its system (moment_collision.hpp). docs/theory/simultaneous_impacts.md compares them.
 ImpactSolution solve_impact(const ContactSystem& system, const std::vector<double>& restitutions,
                             RestitutionLaw collision_law, SimultaneousLaw law);
 

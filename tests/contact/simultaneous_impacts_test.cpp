@@ -122,6 +122,40 @@ TEST(SimultaneousImpacts, BallThatFallsOnTwoRestingBallsGoesUpAtElevenTwentyFift
   EXPECT_LE((after.of(1).v - Vec3(-6 * std::sqrt(3.0) / 25, 0, 12.0 / 25)).norm(), 2e-15);
 }
 
+/// A cue ball that meets 15 touching balls in a triangle at 1 m/s: bodies 1, then 2 and 3, ... 11 to 15.
+ContactSystem break_of_fifteen() {
+  std::vector<BodyKinetics> kinetics{ball(1, Vec3(-2, 0, 0), Vec3(1, 0, 0))};
+  for (int row = 0; row < 5; ++row) {
+    for (int k = 0; k <= row; ++k)
+      kinetics.push_back(ball(1, Vec3(row * std::sqrt(3.0), 2 * k - row, 0), Vec3::Zero()));
+  }
+  std::vector<Contact> contacts;
+  std::vector<int> indices;
+  for (int i = 0; i < 16; ++i) {
+    indices.push_back(i);
+    for (int k = 0; k < i; ++k) {
+      const Vec3 &a = kinetics[static_cast<std::size_t>(k)].x, &b = kinetics[static_cast<std::size_t>(i)].x;
+      if ((b - a).norm() < 2.001) contacts.push_back(contact_at(k, i, 0.5 * (a + b), 0.5 * (b - a), 0, 1));
+    }
+  }
+  return make_contact_system(contacts, indices, kinetics);
+}
+
+// The numbers of docs/theory/simultaneous_impacts.md. All laws keep energy and momentum and the symmetry of
+// the break; what the balls do differs.
+TEST(SimultaneousImpacts, BreakOfFifteenBallsKeepsEnergyMomentumAndSymmetry) {
+  const ContactSystem before = break_of_fifteen();
+  const double cue[] = {-1.0 / 5, -27.0 / 35, -1.0 / 5}, corner[] = {0.590947, 0.197949, 0.692820};
+  for (const auto& [name, law] : kLaws) {
+    const ContactSystem after = after_impact(before, law);
+    EXPECT_NEAR(kinetic_energy(after), 0.5, 1e-14) << name;
+    EXPECT_LE((totals(after).P - Vec3(1, 0, 0)).norm(), 1e-14) << name;
+    EXPECT_NEAR(after.of(0).v.x(), cue[static_cast<int>(law)], 1e-14) << name;
+    for (const int side : {11, 15}) EXPECT_NEAR(after.of(side).v.norm(), corner[static_cast<int>(law)], 1e-6);
+    EXPECT_LE((after.of(11).v - Vec3(1, -1, 1).cwiseProduct(after.of(15).v)).norm(), 1e-13) << name;
+  }
+}
+
 // Two touching balls at rest, struck by a third: elastic between the first two and plastic between the last
 // two gives (0, ½, ½). The other way round the only contact that closes is plastic: no energy may come back.
 TEST(SimultaneousImpacts, OnlyWhatAContactTookInCompressionCanComeBackThere) {
