@@ -194,7 +194,8 @@ CompliantOutcome resolve_compliant_collision(const CompliantCollision& compliant
         const double y = motion.y + (next.y - motion.y) * k / points;
         path->push_back(scale.at(phase, course.moved(phase, motion, y)));
       }
-      if (next.slip != motion.slip) outcome.changes.push_back({next.y + quarter, next.slip});
+      if (next.slip != motion.slip)
+        outcome.changes.push_back({next.y + quarter, next.slip, scale.at(phase, next).lambda.z()});
       motion = next;
     }
     outcome.end = scale.at(phase, motion);

@@ -15,6 +15,7 @@ struct CompliantCollision {
 struct SlipChange {
   double phase;   ///< ω_n t from the beginning of contact; compression ends at π/2 [rad].
   int direction;  ///< From then on the contact slips along u_t⁻ (1) or against it (-1), or sticks (0).
+  double lambda_n = 0;  ///< Normal impulse so far [N s].
 };
 
 struct CompliantOutcome {
