@@ -73,6 +73,12 @@ double add_legend(const Panel& panel, double y, Drawing& drawing) {
   return row - y + 8;
 }
 
+/// "angular velocity" of angular_velocity.
+std::string spaced(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
 /// Keeps the lowest and the highest point of each column, in their order.
 Polyline thinned(const Polyline& line, std::size_t columns) {
   const double begin = line.front().x(), span = line.back().x() - begin;
@@ -135,7 +141,7 @@ Drawing make_plot(std::span<const double> time, std::span<const PlotSeries> seri
                         y + panel_height};
     add_axes(axes, {.x = is_last, .y = true}, drawing);
     drawing.labels.push_back(
-        {axis_title(panel.series[0]->quantity, panel.series[0]->unit, axes.y_ticks.exponent), 16,
+        {axis_title(spaced(panel.series[0]->quantity), panel.series[0]->unit, axes.y_ticks.exponent), 16,
          0.5 * (axes.top + axes.bottom), text, Anchor::middle, true});
     for (std::size_t i = 0; i < panel.series.size(); ++i) {
       for (Polyline& piece : line_pieces(time, panel.series[i]->values, columns)) {

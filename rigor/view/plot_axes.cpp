@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace rigor {
 
 namespace style = plot_style;
@@ -30,8 +28,7 @@ void add_axes(const PlotAxes& axes, AxisNumbers numbers, Drawing& drawing) {
                              style::axis_color});
 }
 
-std::string axis_title(std::string quantity, const std::string& unit, int exponent) {
-  std::replace(quantity.begin(), quantity.end(), '_', ' ');
+std::string axis_title(const std::string& quantity, const std::string& unit, int exponent) {
   const std::string with_power = unit_text(unit, exponent);
   return with_power.empty() ? quantity : fmt::format("{} [{}]", quantity, with_power);
 }

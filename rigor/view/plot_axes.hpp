@@ -34,6 +34,6 @@ struct AxisNumbers {
 void add_axes(const PlotAxes& axes, AxisNumbers numbers, Drawing& drawing);
 
 /// "angular velocity [rad/s]", with the power of ten of the marks.
-std::string axis_title(std::string quantity, const std::string& unit, int exponent);
+std::string axis_title(const std::string& quantity, const std::string& unit, int exponent);
 
 }  // namespace rigor
