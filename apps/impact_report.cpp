@@ -21,9 +21,6 @@ std::string vector_text(const Vec3& v) {
   return fmt::format("[{}, {}, {}]", number_text(v.x() + 0.0), number_text(v.y() + 0.0),
                      number_text(v.z() + 0.0));
 }
-std::string matrix_text(const Mat3& K) {
-  return fmt::format("[{}, {}, {}]", vector_text(K.row(0)), vector_text(K.row(1)), vector_text(K.row(2)));
-}
 std::string line(const char* name, const std::string& text) {
   return fmt::format("  {:<12}{}\n", name, text);
 }
@@ -78,7 +75,8 @@ std::string problem_text(const ImpactProblem& problem) {
                     : "impact";
   std::string text = toned(title, Tone::strong, stdout) + "\n";
   if (problem.scene) text += scene_text(*problem.scene);
-  text += line("K", matrix_text(K) + " 1/kg");
+  for (int row = 0; row < 3; ++row)
+    text += line(row == 0 ? "K" : "", vector_text(K.row(row)) + (row == 2 ? " 1/kg" : ""));
   text += line("condition", number_text(condition_number(K)));
   text += line("velocity", vector_text(collision.u) + " m/s before, of B against A");
   text += line("mu, e", number_text(collision.matrix.mu) + ", " + number_text(collision.restitution));
