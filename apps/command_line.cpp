@@ -29,6 +29,7 @@ constexpr Range view_angle{1, 170};       // [degrees]
 constexpr int most_threads = 1024;
 constexpr int most_frames = 100000;
 constexpr int highest_port = 65535;
+constexpr int most_contacts = 1000000;
 constexpr int fewest_samples = 2, most_samples = 1000000000;
 
 const char* const examples =
@@ -46,6 +47,8 @@ const char* const examples =
     "  rigor distance ball.yaml ball floor\n"
     "  rigor render ball.h5 --time 0.5 -o ball.png\n"
     "  rigor plot ball.h5 energy.kinetic energy.total body.ball.position.z -o ball.svg\n"
+    "  rigor impact --K=3.5,0,0,3.5,0,1 --u=2,1,-3 --mu 0.2 --e 0.8 -o paths.svg\n"
+    "  rigor impact scene.yaml floor box --law stronge --path path.csv\n"
     "Exit codes: 0 done, 1 the audit broke its tolerance, 2 usage, 3 bad scene or input, 4 the simulation "
     "could not go on,\n"
     "            5 file or system error, 130 interrupted (files closed).\n";
@@ -175,6 +178,36 @@ void add_plot(CLI::App& app, PlotOptions& plot) {
       ->required()
       ->option_text("...");
   add_value(app, "-o,--output", plot.output, "plot, by suffix: .svg .png", "OUT")->required();
+}
+
+void add_impact(CLI::App& app, ImpactOptions& impact) {
+  app.add_option("SCENE", impact.scene, "scene file; or give --K and --u")->option_text(" ");
+  app.add_option("BODY_A", impact.body_A, "name of a body")->option_text(" ");
+  app.add_option("BODY_B", impact.body_B, "name of another, which touches it at t = 0")->option_text(" ");
+  add_value(app, "--K", impact.K, "collision matrix [1/kg]: K11,K12,K13,K22,K23,K33 or all nine numbers",
+            "K");
+  add_value(app, "--u", impact.u, "velocity of B against A [m/s]: two tangential numbers and the normal one",
+            "X,Y,Z");
+  add_value(app, "--mu", impact.mu, "Coulomb friction; default: the pair's in the scene", "MU|inf");
+  add_value(app, "--e", impact.e, "restitution, from 0 to 1; default: the pair's in the scene", "E");
+  add_value(app, "--law", impact.laws,
+            "newton, poisson, stronge, compliant, chatterjee-ruina, several with commas; all (default): the "
+            "first three",
+            "LAW");
+  add_value(app, "--stiffness-ratio", impact.stiffness_ratio,
+            "tangential over normal stiffness of the contact, for compliant", "R");
+  add_value(app, "--et", impact.tangential_restitution,
+            "tangential restitution, from -1 to 1, for chatterjee-ruina", "ET");
+  add_value(app, "--contact", impact.contact, "which contact point of the two bodies, from 1", "N")
+      ->check(CLI::Range(1, most_contacts));
+  add_value(app, "--tolerance", impact.tolerance,
+            "how near touching bodies are [m]; default: the scene's contact_tolerance", "D")
+      ->check(number_in(length, "m"));
+  add_value(app, "--set", impact.overrides, "override a value of the scene; may be repeated", "KEY=VALUE");
+  add_value(app, "--path", impact.path, "table of what happens during the impact", "FILE.csv");
+  add_json(app, impact.json, "the result");
+  add_value(app, "-o,--output", impact.output, "figure of the paths and the energy lost, .svg or .png",
+            "OUT");
 }
 
 std::vector<std::string> option_names(const CLI::App& app) {
@@ -312,6 +345,7 @@ void add_commands(CLI::App& app, std::optional<Command>& chosen) {
   add_command(app, "methods", "list every method, with its source", add_methods, chosen);
   add_command(app, "render", "pictures and films of a scene or a trajectory", add_render, chosen);
   add_command(app, "plot", "plot quantities of a trajectory over time", add_plot, chosen);
+  add_command(app, "impact", "one frictional impact in detail, under several laws", add_impact, chosen);
 }
 
 }  // namespace

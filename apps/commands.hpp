@@ -17,5 +17,6 @@ ExitCode execute(const DistanceOptions& options);
 ExitCode execute(const MethodsOptions& options);
 ExitCode execute(const RenderOptions& options);
 ExitCode execute(const PlotOptions& options);
+ExitCode execute(const ImpactOptions& options);
 
 }  // namespace rigor
