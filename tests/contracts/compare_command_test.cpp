@@ -63,9 +63,10 @@ std::string line_with(const std::string& text, const std::string& begin) {
   return "";
 }
 
-/// Of a process [s]; fields 14 and 15 of its status, counted after the name in parentheses.
-double processor_time(pid_t process) {
-  std::ifstream file("/proc/" + std::to_string(process) + "/stat");
+/// Processor time of a running program [s]: fields 14 and 15 of its status; the second is its name in
+/// parentheses.
+double processor_time(pid_t child) {
+  std::ifstream file("/proc/" + std::to_string(child) + "/stat");
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   std::istringstream fields(text.substr(text.rfind(')') + 1));
   std::string field;
