@@ -12,9 +12,10 @@ ImpactProblem make_impact_problem(const ContactSystem& system, const std::vector
   for (std::size_t i = 0; i < system.contacts.size(); ++i) {
     const Contact& contact = system.contacts[i];
     const bool is_ascending = contact.body_A < contact.body_B;
-    problem.contacts.push_back(
-        {std::min(contact.body_A, contact.body_B), std::max(contact.body_A, contact.body_B),
-         (is_ascending ? 1.0 : -1.0) * system.frames[i], contact.friction, restitutions[i]});
+    problem.contacts.push_back({std::min(contact.body_A, contact.body_B),
+                                std::max(contact.body_A, contact.body_B),
+                                (is_ascending ? 1.0 : -1.0) * system.frames[i], contact.friction,
+                                restitutions[i], contact.tangential_restitution});
   }
   return problem;
 }

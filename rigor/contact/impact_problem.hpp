@@ -14,7 +14,8 @@ struct ImpactContact {
   /// or -C where that body is the contact's A.
   Mat3 frame;
   double mu;
-  double restitution;  ///< e, as it is to be used here.
+  double restitution;                 ///< e, as it is to be used here.
+  double tangential_restitution = 0;  ///< e_t; 0: none.
 
   /// Unit normal from the lower to the higher body.
   Vec3 n_W() const { return frame.col(2); }

@@ -1,5 +1,6 @@
 #include "rigor/contact/single_collision.hpp"
 
+#include "rigor/contact/algebraic_impact.hpp"
 #include "rigor/core/assert.hpp"
 
 #include <algorithm>
@@ -62,7 +63,8 @@ bool has_one_material(const ImpactProblem& problem, const Patch& patch) {
   const ImpactContact& first = problem.contacts[patch.contacts.front()];
   return std::all_of(patch.contacts.begin(), patch.contacts.end(), [&](std::size_t i) {
     const ImpactContact& contact = problem.contacts[i];
-    return contact.mu == first.mu && contact.restitution == first.restitution;
+    return contact.mu == first.mu && contact.restitution == first.restitution &&
+           contact.tangential_restitution == first.tangential_restitution;
   });
 }
 
@@ -89,14 +91,29 @@ bool slips_as_one(const ImpactProblem& problem, const Patch& patch, const MatX& 
   });
 }
 
+struct Collided {
+  Vec3 lambda;
+  bool is_resolved;
+  std::string phases;
+};
+
+/// With a tangential restitution the algebraic law, else friction integrated over the impact.
+Collided collide(const Mat3& K, const Vec3& u, const ImpactContact& contact, RestitutionLaw law) {
+  const Collision collision{{K, contact.mu}, u, contact.restitution};
+  if (contact.tangential_restitution > 0 && K.llt().info() == Eigen::Success) {
+    return {resolve_algebraic_impact(collision, contact.tangential_restitution).lambda, true, {}};
+  }
+  const CollisionOutcome outcome = resolve_collision(collision, law);
+  return {outcome.end.lambda, outcome.is_resolved, outcome.phases};
+}
+
 }  // namespace
 
 ImpactSolution resolve_lone_contact(const ImpactProblem& problem, RestitutionLaw law) {
   RIGOR_ASSERT(problem.count() == 1);
   const ImpactContact& contact = problem.contacts[0];
-  const CollisionOutcome outcome =
-      resolve_collision({{problem.A, contact.mu}, problem.u, contact.restitution}, law);
-  return {outcome.end.lambda, 0, outcome.is_resolved, 1, {}, outcome.phases};
+  const Collided collided = collide(problem.A, problem.u, contact, law);
+  return {collided.lambda, 0, collided.is_resolved, 1, {}, collided.phases};
 }
 
 std::optional<ImpactSolution> find_single_collision(const ImpactProblem& problem, RestitutionLaw law) {
@@ -107,13 +124,12 @@ std::optional<ImpactSolution> find_single_collision(const ImpactProblem& problem
   const ImpactContact& contact = problem.contacts[patch->contacts.front()];
   Mat3 K = shares.transpose() * problem.A * shares;
   K = 0.5 * (K + K.transpose()).eval();
-  const CollisionOutcome outcome =
-      resolve_collision({{K, contact.mu}, shares.transpose() * problem.u, contact.restitution}, law);
-  if (!outcome.is_resolved) return std::nullopt;
-  const VecX lambda = shares * outcome.end.lambda;
+  const Collided collided = collide(K, shares.transpose() * problem.u, contact, law);
+  if (!collided.is_resolved) return std::nullopt;
+  const VecX lambda = shares * collided.lambda;
   const VecX u = problem.u + problem.A * lambda;
   if (fastest_approach(u) > still * fastest_approach(problem.u)) return std::nullopt;
-  return ImpactSolution{lambda, 0, true, 1, {}, outcome.phases};
+  return ImpactSolution{lambda, 0, true, 1, {}, collided.phases};
 }
 
 }  // namespace rigor

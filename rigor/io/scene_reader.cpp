@@ -41,6 +41,7 @@ Materials read_materials(const ObjectReader& scene, ModelBuilder& builder) {
     material.density = reader.number("density").value_or(material.density);
     material.friction = reader.number("friction").value_or(material.friction);
     material.restitution = reader.number("restitution").value_or(material.restitution);
+    material.tangential_restitution = reader.number("tangential_restitution").value_or(0);
     material.rolling_friction = reader.number("rolling_friction").value_or(0);
     material.torsional_friction = reader.number("torsional_friction").value_or(0);
     if (!name) continue;
@@ -66,6 +67,8 @@ void read_pairs(const ObjectReader& scene, const Materials& materials, ModelBuil
       coefficients = combined_coefficients(a->second, b->second);
     coefficients.friction = friction.value_or(coefficients.friction);
     coefficients.restitution = restitution.value_or(coefficients.restitution);
+    coefficients.tangential_restitution =
+        pair.number("tangential_restitution").value_or(coefficients.tangential_restitution);
     coefficients.rolling_friction = rolling.value_or(coefficients.rolling_friction);
     coefficients.torsional_friction = torsional.value_or(coefficients.torsional_friction);
     builder.set_pair(names[0], names[1], coefficients, scene.errors().where(*node));

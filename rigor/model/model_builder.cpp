@@ -38,6 +38,7 @@ void check_material(const Material& material, Findings& findings) {
   findings.check("density", material.density, limits::density, "kg/m³");
   findings.check("friction", material.friction, limits::friction, "");
   findings.check("restitution", material.restitution, limits::restitution, "");
+  findings.check("tangential_restitution", material.tangential_restitution, limits::restitution, "");
   findings.check("rolling_friction", material.rolling_friction, limits::length, "m");
   findings.check("torsional_friction", material.torsional_friction, limits::length, "m");
 }
@@ -72,6 +73,8 @@ std::map<std::pair<int, int>, PairCoefficients> make_pairs(const std::vector<Pla
     Findings findings(where, "pair " + quoted_text(a) + ", " + quoted_text(b), messages);
     findings.check("friction", pair.coefficients.friction, limits::friction, "");
     findings.check("restitution", pair.coefficients.restitution, limits::restitution, "");
+    findings.check("tangential_restitution", pair.coefficients.tangential_restitution, limits::restitution,
+                   "");
     findings.check("rolling_friction", pair.coefficients.rolling_friction, limits::length, "m");
     findings.check("torsional_friction", pair.coefficients.torsional_friction, limits::length, "m");
     bool is_known = true;
