@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace rigor {
@@ -29,9 +30,10 @@ std::vector<PlaneCurve> curves_of(const LawResult& result) {
   return curves;
 }
 
-CurvePanel panel_of(const LawResult& result, const Collision& collision) {
+CurvePanel panel_of(const LawResult& result, const Collision& collision,
+                    const std::vector<InvariantDirection>& directions) {
   CurvePanel panel{.title = law_title(result.law), .curves = curves_of(result), .markers = {}, .rays = {}};
-  for (const InvariantDirection& direction : invariant_directions_of(collision.matrix)) {
+  for (const InvariantDirection& direction : directions) {
     const bool grows = direction.radial_rate > 0;
     panel.rays.push_back({Vec2::Zero(), Vec2(std::cos(direction.theta), std::sin(direction.theta)), grows,
                           grows ? growing_color : dying_color});
@@ -43,14 +45,18 @@ CurvePanel panel_of(const LawResult& result, const Collision& collision) {
   return panel;
 }
 
-std::vector<LegendEntry> legend() {
-  return {{"before", point_color, true, MarkerShape::cross},
-          {"compression", compression_color, false},
-          {"greatest compression", restitution_color, true, MarkerShape::ring},
-          {"restitution", restitution_color, false},
-          {"after", point_color, true, MarkerShape::dot},
-          {"slip grows along this direction", growing_color, false},
-          {"slip dies along this direction", dying_color, false}};
+std::vector<LegendEntry> legend_of(const std::vector<InvariantDirection>& directions) {
+  std::vector<LegendEntry> legend = {{"before", point_color, true, MarkerShape::cross},
+                                     {"compression", compression_color, false},
+                                     {"greatest compression", restitution_color, true, MarkerShape::ring},
+                                     {"restitution", restitution_color, false},
+                                     {"after", point_color, true, MarkerShape::dot}};
+  const auto grows = [](const InvariantDirection& direction) { return direction.radial_rate > 0; };
+  if (std::any_of(directions.begin(), directions.end(), grows))
+    legend.push_back({"slip grows along this direction", growing_color, false});
+  if (!std::all_of(directions.begin(), directions.end(), grows))
+    legend.push_back({"slip dies along this direction", dying_color, false});
+  return legend;
 }
 
 Bar bar_of(const LawResult& result, double removable) {
@@ -65,11 +71,13 @@ Bar bar_of(const LawResult& result, double removable) {
 
 Drawing impact_figure(const ImpactReport& report) {
   const Collision& collision = report.problem.collision;
-  CurvePlot plot{.panels = {}, .legend = legend(), .x_quantity = "v_x", .y_quantity = "v_y", .unit = "m/s"};
+  const std::vector<InvariantDirection> directions = invariant_directions_of(collision.matrix);
+  CurvePlot plot{
+      .panels = {}, .legend = legend_of(directions), .x_quantity = "v_x", .y_quantity = "v_y", .unit = "m/s"};
   std::vector<Bar> bars;
   const double removable = removable_energy(collision.matrix.K, collision.u);
   for (const LawResult& result : report.results) {
-    plot.panels.push_back(panel_of(result, collision));
+    plot.panels.push_back(panel_of(result, collision, directions));
     bars.push_back(bar_of(result, removable));
   }
   const Drawing paths = make_curve_plot(plot);

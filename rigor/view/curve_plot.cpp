@@ -150,9 +150,12 @@ Drawing make_curve_plot(const CurvePlot& plot) {
   const double y = top + add_legend(plot.legend, drawing.width, drawing) + title_row;
   double height = 0;
   const PlaneExtent shown = fitted_extent(extent_of(plot), panel_width, height);
-  const int x_marks = std::max(2, static_cast<int>(panel_width / 60));
-  const Ticks x_ticks = make_ticks(shown.low.x(), shown.high.x(), x_marks, false);
-  const Ticks y_ticks = make_ticks(shown.low.y(), shown.high.y(), static_cast<int>(height / 45), false);
+  // At least three marks wished for, so that there are two, and with them a scale.
+  const auto marks = [](double length, double apart) {
+    return std::max(3, static_cast<int>(length / apart));
+  };
+  const Ticks x_ticks = make_ticks(shown.low.x(), shown.high.x(), marks(panel_width, 60), false);
+  const Ticks y_ticks = make_ticks(shown.low.y(), shown.high.y(), marks(height, 45), false);
   double x = left;
   for (const CurvePanel& panel : plot.panels) {
     const PlotAxes axes{x_ticks, y_ticks, x, x + panel_width, y, y + height};

@@ -55,6 +55,14 @@ TEST(CurvePlot, HasTheSameScaleAlongBothAxesInAllPanels) {
     EXPECT_LT((lines[0][2] - lines[0][1] - Vec2(0, scale * size.y())).norm(), 1e-9 * scale * size.norm());
     EXPECT_LT((lines[1][1] - lines[1][0] - upright).norm(), 1e-9 * scale * size.norm());
     expect_inside(drawing);
+    // Five panels are narrow, and yet have a scale: two numbers at least on each axis.
+    const Polyline line{Vec2(0, 0), size};
+    const Drawing narrow = make_curve_plot(plot_of({line, line, line, line, line}));
+    const long numbers =
+        std::count_if(narrow.labels.begin(), narrow.labels.end(), [](const Drawing::Label& label) {
+          return label.text.find_first_not_of("−.0123456789") == std::string::npos;
+        });
+    EXPECT_GE(numbers, 2 + 5 * 2);
   }
 }
 
