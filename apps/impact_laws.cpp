@@ -97,6 +97,9 @@ LawResult by_compliance(const Collision& collision, double ratio) {
   if (!wrong.empty()) throw InputError(wrong);
   std::vector<CollisionPoint> path;
   const CompliantOutcome outcome = resolve_compliant_collision(compliant, &path);
+  if (!outcome.is_resolved)
+    throw InputError(
+        fmt::format("the law {} has no answer: it slips and sticks without end", compliant_name));
   return {compliant_name,
           outcome.end,
           outcome.energy_change,

@@ -96,11 +96,13 @@ std::string phase_letters(const CompliantOutcome& outcome) {
 }
 
 std::string phases_in_words(std::string_view phases) {
+  constexpr std::size_t most_words = 24;
   std::string words;
-  for (std::size_t k = 0; k < phases.size(); ++k) {
+  for (std::size_t k = 0; k < std::min(phases.size(), most_words); ++k) {
     if (k > 0) words += ", ";
     words += words_of(phases[k]);
   }
+  if (phases.size() > most_words) words += ", ...";
   return words.empty() ? "nothing: the bodies do not approach" : words;
 }
 

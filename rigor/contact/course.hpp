@@ -27,7 +27,7 @@ std::vector<CoursePoint> course_of(std::span<const CollisionPoint> path, const C
 std::string phase_letters(const CompliantOutcome& outcome);
 
 /// "slides, greatest compression, slides, sticks to the end": the letters of CollisionOutcome::phases and
-/// phase_letters in words.
+/// phase_letters in words, the first 24 of them.
 std::string phases_in_words(std::string_view phases);
 
 /// Largest over smallest eigenvalue of K; infinite where the smallest is not positive beyond rounding.

@@ -14,6 +14,7 @@ namespace rigor {
 namespace {
 
 constexpr double quarter = 0.5 * std::numbers::pi;
+constexpr double fastest = 100;  ///< Tangential by normal frequency: each swing can slip and stick.
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 /// The normal force cos(ν y) of compression or restitution.
@@ -167,12 +168,19 @@ std::string check_compliant_collision(const CompliantCollision& compliant) {
            "K11 = K22 and K12 = 0)";
   }
   if (!(direction.dot(rate) > 0)) return "the compliant law needs K11 and K22 > 0";
+  const double alpha = direction.dot(rate) / K(2, 2);
+  if (!(alpha * compliant.ratio <= fastest * fastest)) {
+    return fmt::format(
+        "the compliant law needs a tangential spring at most {:g} times as fast as the normal one; "
+        "here the square root of M k_t/(K33 k_n) is {:g}",
+        fastest, std::sqrt(alpha * compliant.ratio));
+  }
   return {};
 }
 
 CompliantOutcome resolve_compliant_collision(const CompliantCollision& compliant,
                                              std::vector<CollisionPoint>* path) {
-  constexpr int most_changes = 1000, points = 24;
+  constexpr int most_changes = 10000, points = 24;
   const Collision& collision = compliant.collision;
   const double e = collision.restitution;
   RIGOR_ASSERT(compliant.ratio > 0 && e >= 0 && e <= 1 && collision.matrix.mu >= 0);
@@ -198,6 +206,7 @@ CompliantOutcome resolve_compliant_collision(const CompliantCollision& compliant
         outcome.changes.push_back({next.y + quarter, next.slip, scale.at(phase, next).lambda.z()});
       motion = next;
     }
+    outcome.is_resolved = outcome.is_resolved && motion.y >= phase.end;
     outcome.end = scale.at(phase, motion);
     if (phase.begin < 0) outcome.compression = outcome.end;
   }

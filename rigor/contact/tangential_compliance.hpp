@@ -22,6 +22,8 @@ struct CompliantOutcome {
   CollisionPoint end;
   CollisionPoint compression;  ///< At the end of compression.
   double energy_change = 0;    ///< ½ λ·(u⁻ + u⁺) [J].
+  /// False if slip and stick followed each other too often: the rest means nothing then.
+  bool is_resolved = true;
   /// The first is what the contact begins with. Empty if the bodies do not approach.
   std::vector<SlipChange> changes;
 };

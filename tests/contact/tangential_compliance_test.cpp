@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -91,6 +92,7 @@ TEST(TangentialCompliance, NeverGainsEnergyAndStaysInTheCone) {
     EXPECT_LE(outcome.energy_change, 1e-13 * energy);
     EXPECT_EQ(outcome.end.u.z(), -e * u.z());
     EXPECT_NEAR(outcome.end.work, (1 - e * e) * outcome.compression.work, 1e-14 * energy);
+    EXPECT_TRUE(outcome.is_resolved);
     EXPECT_LT(outcome.changes.size(), 40u);
     for (std::size_t i = 1; i < path.size(); ++i) {
       const Vec3 force = path[i].lambda - path[i - 1].lambda;
@@ -101,14 +103,34 @@ TEST(TangentialCompliance, NeverGainsEnergyAndStaysInTheCone) {
   }
 }
 
+TEST(TangentialCompliance, AFastSpringChattersToTheEnd) {
+  // At the limit of what is allowed, for all kinds of slip and restitution.
+  Random random(9);
+  std::size_t most = 0;
+  for (int k = 0; k < 500; ++k) {
+    const double alpha = random.uniform(0.5, 5);
+    const Vec3 u(std::pow(10, random.uniform(-6, 1)), 0, -1);
+    const CompliantCollision compliant{
+        {{Vec3(alpha, alpha, 1).asDiagonal(), std::pow(10, random.uniform(-3, 1))}, u, random.uniform(0, 1)},
+        0.999e4 / alpha};
+    const CompliantOutcome outcome = resolve_compliant_collision(compliant);
+    ASSERT_TRUE(outcome.is_resolved);
+    EXPECT_LE(outcome.energy_change, 0);
+    EXPECT_LE(outcome.end.u.head<2>().norm(), u.x());
+    most = std::max(most, outcome.changes.size());
+  }
+  EXPECT_GT(most, 20u);
+}
+
 TEST(TangentialCompliance, AVeryStiffTangentIsCoulombsImpact) {
   // k_t → ∞ is a rigid contact that sticks or slips: Stronge's law with K_tn = 0.
   for (const double slip : {0.3, 1.0, 4.0}) {
     const Collision collision{{sphere_matrix(1), 0.2}, {slip, 0, -1}, 0.6};
     const Vec3 rigid = resolve_collision(collision, RestitutionLaw::stronge).end.u;
-    const CompliantOutcome stiff = resolve_compliant_collision({collision, 1e6});
-    // The spring still swings: μ sqrt(α/r) of the approach at most.
-    EXPECT_LT((stiff.end.u - rigid).norm(), 1e-3);
+    const double alpha = 3.5, ratio = 1e4 / alpha;
+    const CompliantOutcome stiff = resolve_compliant_collision({collision, ratio});
+    // The spring still swings: μ sqrt(α/r) of the approach.
+    EXPECT_LT((stiff.end.u - rigid).norm(), 2 * 0.2 * std::sqrt(alpha / ratio));
   }
 }
 
@@ -145,6 +167,8 @@ TEST(TangentialCompliance, RefusesWhatIsCoupledOrNotPlanar) {
   K(0, 0) = 5;
   EXPECT_EQ(check_compliant_collision({{{K, 0.3}, {1, 0, -1}, 1}, 1}), "");
   EXPECT_NE(check_compliant_collision({{{K, 0.3}, {1, 2, -1}, 1}, 1}).find("principal direction"),
+            std::string::npos);
+  EXPECT_NE(check_compliant_collision({{{K, 0.3}, {1, 0, -1}, 1}, 2001}).find("at most 100 times as fast"),
             std::string::npos);
   K(0, 2) = K(2, 0) = 0.1;
   EXPECT_NE(check_compliant_collision({{{K, 0.3}, {1, 0, -1}, 1}, 1}).find("without coupling"),

@@ -461,6 +461,8 @@ TEST(ImpactCommand, BadInputIsToldInOneLine) {
        "the compliant law needs slip along a principal direction", 3},
       {with({"--K", "5,0,1,3.5,0,1", "--law", "compliant", "--stiffness-ratio", "1"}, u, mu_e),
        "the compliant law needs normal and tangential motion without coupling", 3},
+      {with({"--K", "1e9,0,0,1e9,0,1", "--law", "compliant", "--stiffness-ratio", "1"}, u, mu_e),
+       "at most 100 times as fast as the normal one; here the square root of M k_t/(K33 k_n) is 31622.8", 3},
       {with({"--K", "1,0,0,0,0,1", "--law", "chatterjee-ruina", "--et", "0"}, u, mu_e),
        "the law chatterjee-ruina needs K positive definite", 3},
       {with(good, {"--path", "no/folder/a.csv"}), "no/folder/a.csv", 5},
