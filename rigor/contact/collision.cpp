@@ -8,8 +8,10 @@
 #include "rigor/math/roots.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace rigor {
 
@@ -17,12 +19,16 @@ namespace {
 
 /// Where u_n changes its monotony on a piece: sliding enters or leaves the directions that jam, κ < μ b·û.
 /// Ascending; the direction turns in one sense and by less than half a circle.
-std::vector<double> find_jam_borders(const SlipFlow& flow, const ImpactPiece& piece) {
+struct JamBorders {
+  std::size_t count = 0;
+  std::array<double, 2> z = {};
+};
+JamBorders find_jam_borders(const SlipFlow& flow, const ImpactPiece& piece) {
+  JamBorders borders;
   const double size = flow.mu * flow.b.norm(), kappa = flow.drive * flow.kappa;
-  if (kappa >= size || !std::isfinite(piece.end())) return {};
+  if (kappa >= size || !std::isfinite(piece.end())) return borders;
   const Vec2 axis = flow.b.normalized(), across{-axis.y(), axis.x()};
   const double c = kappa / size, s = std::sqrt(1 - c * c);
-  std::vector<double> borders;
   for (const double side : {-1.0, 1.0}) {
     const Vec2 border = c * axis + side * s * across;
     const auto past = [&](double z) {
@@ -30,9 +36,9 @@ std::vector<double> find_jam_borders(const SlipFlow& flow, const ImpactPiece& pi
       return border.x() * d.y() - border.y() * d.x();
     };
     if (border.dot(piece.direction(0)) <= 0 || past(0) * past(piece.end()) >= 0) continue;
-    borders.push_back(find_root_itp(past, 0, piece.end(), 0).best());
+    borders.z[borders.count++] = find_root_itp(past, 0, piece.end(), 0).best();
   }
-  std::sort(borders.begin(), borders.end());
+  if (borders.count == 2 && borders.z[1] < borders.z[0]) std::swap(borders.z[0], borders.z[1]);
   return borders;
 }
 
@@ -72,7 +78,8 @@ class ImpactCourse {
 
   Step slide() {
     constexpr double straight = 16 * std::numeric_limits<double>::epsilon();
-    if (flow_.mu == 0) return follow(StraightPiece(flow_, state_));
+    constexpr double no_friction = 1e-30;
+    if (flow_.mu < no_friction) return follow(StraightPiece(flow_, state_));
     const Vec2 direction = state_.slip().normalized();
     if (std::abs(flow_.turning_rate(direction)) <= straight * flow_.rate_bound()) {
       return follow(StraightPiece(flow_, direction, state_));
@@ -109,9 +116,9 @@ class ImpactCourse {
 
   Step follow(const ImpactPiece& piece) {
     PiecePoint a{0, piece.normal(0)};
-    std::vector<double> cuts = find_jam_borders(flow_, piece);
-    cuts.push_back(piece.end());
-    for (const double cut : cuts) {
+    const JamBorders borders = find_jam_borders(flow_, piece);
+    for (std::size_t k = 0; k <= borders.count; ++k) {
+      const double cut = k < borders.count ? borders.z[k] : piece.end();
       const PiecePoint b{cut, piece.normal(cut)};
       if (const std::optional<double> end = watch_.follow(piece, a, b)) {
         go_to(piece, *end);

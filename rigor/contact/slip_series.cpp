@@ -14,27 +14,33 @@ SlipSeries::SlipSeries(const SlipFlow& flow, const ImpactState& start)
   Coefficients<double> speed;
   slip_[0] = direction_[0] = start.slip() / speed_;
   speed[0] = 1;
-  for (std::size_t k = 0; k < order; ++k) {
+  rate[0] = b - M * direction_[0];
+  slip_[1] = rate[0];
+  speed[1] = direction_[0].dot(rate[0]);
+  direction_[1] = rate[0] - speed[1] * direction_[0];
+  // s' = û·u_t' and s û = u_t, order by order:
+  //   (k + 1) s_{k+1} = Σ û_j·r_{k-j},   û_{k+1} = r_k/(k + 1) - Σ s_j û_{k+1-j} - s_{k+1} û_0,   r_k = -M
+  //   û_k.
+  // Written so that little waits for û_k: its terms in both are those of one constant matrix, and the sum is
+  // symmetric.
+  const Vec2 newest = 2 * rate[0] - b;
+  const Mat2 N = -(M + direction_[0] * newest.transpose());
+  for (std::size_t k = 1; k < order; ++k) {
     rate[k] = -(M * direction_[k]);
-    if (k == 0) rate[k] += b;
-    // Σ û_j·rate_{k-j} and Σ s_j û_{k+1-j}, each in two sums that do not wait for each other.
-    Vec2 even = direction_[0].cwiseProduct(rate[k]), odd = Vec2::Zero();
-    Vec2 turn_even = Vec2::Zero(), turn_odd = Vec2::Zero();
-    std::size_t j = 1;
-    for (; j < k; j += 2) {
-      odd += direction_[j].cwiseProduct(rate[k - j]);
-      even += direction_[j + 1].cwiseProduct(rate[k - j - 1]);
-      turn_odd += speed[j] * direction_[k + 1 - j];
-      turn_even += speed[j + 1] * direction_[k - j];
+    Vec2 half = Vec2::Zero(), even = Vec2::Zero(), odd = speed[1] * direction_[k];
+    for (std::size_t j = 1; 2 * j < k; ++j) half += direction_[j].cwiseProduct(rate[k - j]);
+    double older = 2 * half.sum();
+    if (k % 2 == 0) older += direction_[k / 2].dot(rate[k / 2]);
+    std::size_t j = 2;
+    for (; j + 1 <= k; j += 2) {
+      even += speed[j] * direction_[k + 1 - j];
+      odd += speed[j + 1] * direction_[k - j];
     }
-    if (j == k) {
-      odd += direction_[k].cwiseProduct(rate[0]);
-      turn_odd += speed[k] * direction_[1];
-    }
+    if (j == k) even += speed[k] * direction_[1];
     const double share = 1 / static_cast<double>(k + 1);
     slip_[k + 1] = share * rate[k];
-    speed[k + 1] = share * (even + odd).sum();
-    direction_[k + 1] = slip_[k + 1] - (turn_even + turn_odd) - speed[k + 1] * direction_[0];
+    speed[k + 1] = share * (older + newest.dot(direction_[k]));
+    direction_[k + 1] = share * (N * direction_[k] - older * direction_[0]) - (even + odd);
   }
   u_n_[0] = work_[0] = work_[1] = 0;
   for (std::size_t k = 0; k < order; ++k) {

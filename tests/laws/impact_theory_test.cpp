@@ -30,10 +30,10 @@ Collision random_collision(Random& random) {
   return collision;
 }
 
-/// Slip is looked at down to a hundredth of the velocities: nearer to its end a series can step over it.
+/// Nearer to the end of slip its direction is rounding.
 bool is_clear(const Collision& collision, const CollisionPoint& point) {
   const double slip = point.u.head<2>().norm();
-  return slip == 0 || slip > 1e-2 * collision.u.norm();
+  return slip == 0 || slip > 1e-9 * collision.u.norm();
 }
 
 Vec2 unit(double theta) {
