@@ -85,6 +85,23 @@ TEST(SlipFlow, RatesAreThoseOfTheImpulses) {
   }
 }
 
+TEST(SlipFlow, JamsForARodFromTheFrictionOfPainleveOn) {
+  // Thin rod of mass 1 and length 2 l at the angle θ to the floor: K = [1 + 3 sin², 3 sin cos; ., 1 + 3
+  // cos²]; the tip that slides into the lean is pressed down for μ > (1 + 3 cos² θ)/(3 sin θ cos θ), at least
+  // 4/3 (tan θ = 2).
+  const auto rate = [](double theta, double mu) {
+    const double c = std::cos(theta), s = std::sin(theta);
+    Mat3 K;
+    K << 1 + 3 * s * s, 0, 3 * s * c, 0, 1, 0, 3 * s * c, 0, 1 + 3 * c * c;
+    return SlipFlow({K, mu}).normal_rate(Vec2(1, 0));
+  };
+  EXPECT_NEAR(rate(M_PI / 4, 5.0 / 3), 0, 1e-15);
+  EXPECT_LT(rate(M_PI / 4, 2), 0);
+  const double least = std::atan(2);
+  EXPECT_NEAR(rate(least, 4.0 / 3), 0, 1e-15);
+  for (double theta = 0.05; theta < 1.5; theta += 0.05) EXPECT_GT(rate(theta, 4.0 / 3 - 1e-9), 0);
+}
+
 TEST(SlipFlow, StickingFrictionKeepsTheSlipAtZero) {
   Random random(6);
   for (int k = 0; k < 500; ++k) {

@@ -82,6 +82,26 @@ TEST(Turntable, BallsRunOnClosedCircles) {
   }
 }
 
+TEST(Turntable, TiltedByOneDegreeLetsTheBallDriftAcrossTheSlope) {
+  // Gravity turned instead of the table: drift at (1/k) g sin α/Ω, k = 2/5, at right angles to the slope.
+  const double alpha = M_PI / 180, Omega = 3, drift = 2.5 * g * std::sin(alpha) / Omega;
+  EXPECT_NEAR(drift, 0.1426734226247928, 1e-15);
+  std::ostringstream gravity;
+  gravity.precision(17);
+  gravity << "[" << g * std::sin(alpha) << ", 0, " << -g * std::cos(alpha) << "]";
+  // Two whole turns at 2/7 Ω; by then the ball has moved by the drift alone.
+  const double duration = 2 * 2 * M_PI / (2.0 / 7 * Omega);
+  std::string text =
+      ball_scene("restitution: 0", 0.4, "motion: kinematic, angular_velocity: [0, 0, 3]",
+                 "position: [1, 0, 0.1], velocity: [0, 0.3, 0], angular_velocity: [27, 0, 0]", duration);
+  const std::string old = "[0, 0, -9.81]";
+  text.replace(text.find(old), old.size(), gravity.str());
+  const SceneRun run = run_text(text);
+  const Vec3 moved = run.end_of("ball").position - Vec3(1, 0, 0.1);
+  EXPECT_NEAR(moved.x(), 0, 1e-8);
+  EXPECT_NEAR(std::abs(moved.y()), drift * duration, 1e-8);
+}
+
 TEST(Turntable, OfThePeersComparisonStaysOnItsCircleForTwentySeconds) {
   const SceneRun run = run_scene("turntable.yaml", {"run.duration=20"});
   const int ball = run.body("ball");
