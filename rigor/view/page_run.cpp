@@ -19,9 +19,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// How the values of two intervals make that of both.
+enum class Joined { last, sum, largest };
 struct Quantity {
   const char* name;
   const char* unit;
+  Joined joined = Joined::last;
 };
 /// Columns of the series, in this order.
 constexpr std::array quantities = {Quantity{"time", "s"},
@@ -31,10 +34,10 @@ constexpr std::array quantities = {Quantity{"time", "s"},
                                    Quantity{"work", "J"},
                                    Quantity{"momentum", "kg m/s"},
                                    Quantity{"angular_momentum", "kg m²/s"},
-                                   Quantity{"penetration", "m"},
-                                   Quantity{"steps", ""},
-                                   Quantity{"impacts", ""},
-                                   Quantity{"iterations", ""}};
+                                   Quantity{"penetration", "m", Joined::largest},
+                                   Quantity{"steps", "", Joined::sum},
+                                   Quantity{"impacts", "", Joined::sum},
+                                   Quantity{"iterations", "", Joined::largest}};
 
 Json json_of(const Vec3& v) {
   return {v.x(), v.y(), v.z()};
@@ -220,6 +223,15 @@ PageBlock PageRun::events_block() const {
     append_varint(static_cast<std::int64_t>(event.kind), bytes);
   }
   return make_page_block("events", bytes);
+}
+
+std::vector<double> joined_rows(const std::vector<double>& earlier, const std::vector<double>& later) {
+  std::vector<double> row = later;
+  for (std::size_t i = 0; i < quantities.size(); ++i) {
+    if (quantities[i].joined == Joined::sum) row[i] += earlier[i];
+    if (quantities[i].joined == Joined::largest) row[i] = std::max(row[i], earlier[i]);
+  }
+  return row;
 }
 
 }  // namespace rigor
