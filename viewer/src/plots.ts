@@ -5,7 +5,7 @@ import * as format from "./format";
 import type { Motion } from "./frames";
 import { turned, vectorAt } from "./marks";
 import { lastAtMost } from "./search";
-import type { FrameSource, RecordedSource } from "./source";
+import type { FrameSource } from "./source";
 
 interface Curve {
   label: string;
@@ -65,15 +65,16 @@ export const bodyQuantities: Record<string, { unit: string; labels: string[] }> 
 };
 
 /** The curves of a chosen quantity of a moving body. */
-export function bodyCurves(source: RecordedSource, body: number, quantity: string): number[][] {
+export function bodyCurves(source: FrameSource, body: number, quantity: string): number[][] {
   const i = source.frames.moving.indexOf(body);
   const { labels } = bodyQuantities[quantity];
-  const curves = labels.map(() => new Array<number>(source.times.length));
+  const rows = source.frameTimes.length;
+  const curves = labels.map(() => new Array<number>(rows));
   if (i < 0) return curves.map((curve) => curve.fill(0));
   const n = source.frames.moving.length;
   const { mass, moments } = source.header.bodies[body];
   const q = new Float32Array(4);
-  for (let k = 0; k < source.times.length; ++k) {
+  for (let k = 0; k < rows; ++k) {
     const place = k * n + i;
     let values: number[];
     if (quantity === "position") values = vectorAt(source.frames.position, place).map((x, c) => x + source.header.origin[c]);
@@ -97,66 +98,79 @@ export function kineticEnergy(mass: number, moments: ArrayLike<number>, v: Array
   ];
 }
 
+type TimesOf = (source: FrameSource) => Float64Array;
+const seriesTimes: TimesOf = ({ times }) => times;
+const frameTimes: TimesOf = ({ frameTimes: own }) => own;
+
 /** The plots under the scene: one cursor for all, a line at the replay's time; a click seeks. */
 export class Plots {
   readonly element = el("div", { class: "plots" });
   readonly charts: uPlot[] = [];
   private readonly sync = uPlot.sync("time");
-  private readonly lines: HTMLElement[] = [];
+  private readonly lines = new Map<uPlot, HTMLElement>();
+  private readonly boxes: HTMLElement[] = [];
+  private readonly units: HTMLElement[] = [];
   private readonly bodyBox: HTMLElement;
   private readonly quantity: HTMLSelectElement;
   private body = -1;
   private time = 0;
 
-  constructor(private readonly source: RecordedSource, private readonly ghost: RecordedSource | undefined, private readonly seek: (time: number) => void) {
+  constructor(private readonly source: FrameSource, private readonly ghost: FrameSource | undefined, private readonly seek: (time: number) => void) {
     this.quantity = el("select", { "aria-label": "Quantity of the body", onchange: () => this.showBody(this.body) },
       ...Object.keys(bodyQuantities).map((name) => el("option", { value: name }, name)));
     this.bodyBox = el("section", { class: "plot" });
-    for (const plot of plots) {
-      const own = plot.curves(source);
-      const other = ghost ? plot.curves(ghost) : [];
-      const power = powerOf([...own, ...other]);
-      const unit = [power === 0 ? "" : `10${superscript(power)}`, plot.unit].filter(Boolean).join(" ");
-      const box = el("section", { class: "plot" }, el("h3", {}, plot.title, el("small", { text: unit && ` [${unit}]` })));
-      this.element.append(box);
-      this.charts.push(this.chart(box, scaled(own, power), scaled(other, power)));
-    }
+    plots.forEach((plot, i) => {
+      this.units.push(el("small"));
+      this.boxes.push(el("section", { class: "plot" }, el("h3", {}, plot.title, this.units[i])));
+      this.element.append(this.boxes[i]);
+      this.charts.push(this.chart(this.boxes[i], ...this.curvesOf(i)));
+    });
     this.element.append(this.bodyBox);
     this.showBody(-1);
     new ResizeObserver(() => this.resize()).observe(this.element);
   }
 
+  /** These two take up what a live source has now: of the run, of the chosen body. */
+  refresh(): void {
+    plots.forEach((_, i) => {
+      const [own, other] = this.curvesOf(i);
+      // A curve that was nothing so far has no place in the legend.
+      if (own.length + other.length + 1 !== this.charts[i].series.length) {
+        this.remove(this.charts[i]);
+        this.charts[i] = this.chart(this.boxes[i], own, other);
+      } else {
+        setData(this.charts[i], this.tableOf(own, other, seriesTimes));
+      }
+    });
+  }
+  refreshBody(): void {
+    if (this.charts.length > plots.length) setData(this.charts[plots.length], this.tableOf(...this.bodyCurvesOf(), frameTimes));
+  }
+
   /** Shows a quantity of this body (none: a hint). */
   showBody(body: number): void {
     this.body = body;
-    if (this.charts.length > plots.length) {
-      this.charts.pop()?.destroy();
-      this.lines.pop();
-    }
+    if (this.charts.length > plots.length) this.remove(this.charts.pop());
     const name = this.source.header.bodies[body]?.name;
-    const { unit, labels } = bodyQuantities[this.quantity.value];
+    const { unit } = bodyQuantities[this.quantity.value];
     this.bodyBox.replaceChildren(el("h3", {}, name ?? "Chosen body", el("small", { text: name ? ` [${unit}]` : "" }), name ? this.quantity : undefined));
     if (!name || !this.source.frames.moving.includes(body)) {
       this.bodyBox.append(el("p", { class: "hint", text: name ? "This body stands still." : "Click a body in the scene to plot its motion." }));
       return;
     }
-    const hues = [palette.vermilion, palette.green, palette.skyBlue];
-    const curvesOf = (source: RecordedSource, index: number): Curve[] =>
-      bodyCurves(source, index, this.quantity.value).map((values, i) => ({ label: labels[i], color: hues[i], values }));
-    const twin = this.ghost?.header.bodies.findIndex((candidate) => candidate.name === name) ?? -1;
-    this.charts.push(this.chart(this.bodyBox, curvesOf(this.source, body), this.ghost && twin >= 0 ? curvesOf(this.ghost, twin) : []));
+    this.charts.push(this.chart(this.bodyBox, ...this.bodyCurvesOf(), frameTimes));
     this.resize();
   }
 
   setTime(time: number): void {
     this.time = time;
-    this.charts.forEach((chart, i) => {
+    for (const [chart, line] of this.lines) {
       const x = chart.valToPos(time, "x");
-      this.lines[i].style.transform = `translateX(${x}px)`;
-      this.lines[i].hidden = !(x >= 0 && x <= chart.over.clientWidth);
+      line.style.transform = `translateX(${x}px)`;
+      line.hidden = !(x >= 0 && x <= chart.over.clientWidth);
       // Where the pointer is not, the legend tells the values of this moment.
       if ((chart.cursor.left ?? -1) < 0) chart.setLegend({ idx: lastAtMost(chart.data[0], time) }, false);
-    });
+    }
   }
 
   /** Colours of axes and grid come from the page's style. */
@@ -164,9 +178,41 @@ export class Plots {
     for (const chart of this.charts) chart.redraw(false, true);
   }
 
-  private chart(box: HTMLElement, own: Curve[], ghost: Curve[]): uPlot {
-    const table = (source: FrameSource, curves: Curve[]): uPlot.AlignedData => [Array.from(source.times), ...curves.map(({ values }) => Array.from(values))];
-    const data = this.ghost && ghost.length > 0 ? uPlot.join([table(this.source, own), table(this.ghost, ghost)]) : table(this.source, own);
+  /** Curves of the i-th plot, of the run and of its ghost, in the unit that is told beside its title. */
+  private curvesOf(i: number): [Curve[], Curve[]] {
+    const own = plots[i].curves(this.source);
+    const other = this.ghost ? plots[i].curves(this.ghost) : [];
+    const power = powerOf([...own, ...other]);
+    const unit = [power === 0 ? "" : `10${superscript(power)}`, plots[i].unit].filter(Boolean).join(" ");
+    this.units[i].textContent = unit && ` [${unit}]`;
+    return [scaled(own, power), scaled(other, power)];
+  }
+
+  /** Curves of the chosen body's quantity, of the run and of its ghost. */
+  private bodyCurvesOf(): [Curve[], Curve[]] {
+    const hues = [palette.vermilion, palette.green, palette.skyBlue];
+    const { labels } = bodyQuantities[this.quantity.value];
+    const curvesOf = (source: FrameSource, index: number): Curve[] =>
+      bodyCurves(source, index, this.quantity.value).map((values, i) => ({ label: labels[i], color: hues[i], values }));
+    const name = this.source.header.bodies[this.body]?.name;
+    if (!name) return [[], []];
+    const twin = this.ghost?.header.bodies.findIndex((candidate) => candidate.name === name) ?? -1;
+    return [curvesOf(this.source, this.body), this.ghost && twin >= 0 ? curvesOf(this.ghost, twin) : []];
+  }
+
+  private tableOf(own: Curve[], ghost: Curve[], timesOf: TimesOf): uPlot.AlignedData {
+    const table = (source: FrameSource, curves: Curve[]): uPlot.AlignedData => [Array.from(timesOf(source)), ...curves.map(({ values }) => Array.from(values))];
+    return this.ghost && ghost.length > 0 ? uPlot.join([table(this.source, own), table(this.ghost, ghost)]) : table(this.source, own);
+  }
+
+  private remove(chart: uPlot | undefined): void {
+    if (!chart) return;
+    chart.destroy();
+    this.lines.delete(chart);
+  }
+
+  private chart(box: HTMLElement, own: Curve[], ghost: Curve[], timesOf: TimesOf = seriesTimes): uPlot {
+    const data = this.tableOf(own, ghost, timesOf);
     const style = (name: string) => () => getComputedStyle(this.element).getPropertyValue(name);
     const axis = { stroke: style("--text"), grid: { stroke: style("--grid"), width: 1 }, ticks: { stroke: style("--grid"), width: 1 } };
     const curve = ({ label, color }: Curve, isGhost: boolean): uPlot.Series => ({
@@ -184,7 +230,7 @@ export class Plots {
       hooks: { setScale: [() => this.setTime(this.time)] },
     }, data, box);
     chart.over.append(line);
-    this.lines.push(line);
+    this.lines.set(chart, line);
     let downAt = 0;
     chart.over.addEventListener("pointerdown", (event) => (downAt = event.clientX));
     chart.over.addEventListener("click", (event) => {
@@ -200,6 +246,15 @@ export class Plots {
     }
     this.setTime(this.time);
   }
+}
+
+/** New values; a part that the reader has chosen to look at stays. */
+function setData(chart: uPlot, data: uPlot.AlignedData): void {
+  const [times] = chart.data;
+  const { min, max } = chart.scales.x;
+  const isWhole = min == null || max == null || (min <= times[0] && max >= times[times.length - 1]);
+  chart.setData(data, isWhole);
+  if (!isWhole) chart.redraw();
 }
 
 /** Power of a thousand that makes very small or large values readable: 0 for those between a thousandth and a million. */

@@ -5,7 +5,7 @@ import type { Header, Vec } from "./header";
 import { Reader } from "./reader";
 
 export type EventKind = "impact" | "rest" | "separation" | "slip_to_stick";
-const eventKinds: EventKind[] = ["impact", "rest", "separation", "slip_to_stick"];
+export const eventKinds: EventKind[] = ["impact", "rest", "separation", "slip_to_stick"];
 
 export interface MotionEvent {
   kind: EventKind;
