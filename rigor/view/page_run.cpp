@@ -1,7 +1,6 @@
 #include "rigor/view/page_run.hpp"
 
 #include "rigor/io/audit_json.hpp"
-#include "rigor/io/json_text.hpp"
 #include "rigor/io/version.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/view/page_geometry.hpp"
@@ -153,6 +152,8 @@ std::vector<double> PageRun::last_row() const {
 
 std::vector<PageBlock> PageRun::finish(const Audit& audit) {
   const PageGeometry geometry = page_geometry(*model_);
+  Json audit_of_run = Json::parse(audit_json(audit));
+  audit_of_run.erase("bodies");  // Where they end is in the frames.
   const Json header = {{"format", 1},
                        {"rigor", version},
                        {"scene", name_},
@@ -175,10 +176,10 @@ std::vector<PageBlock> PageRun::finish(const Audit& audit) {
                        {"materials", materials_json(*latest_model_)},
                        {"springs", springs_json(*latest_model_)},
                        {"joints", Json::array()},
-                       {"audit", Json::parse(audit_json(audit))}};
-  std::vector<PageBlock> blocks = {make_page_block("header", json_line(header)),
-                                   make_page_block("meshes", geometry.mesh_bytes), series_block(),
-                                   events_block()};
+                       {"audit", audit_of_run}};
+  std::vector<PageBlock> blocks = {
+      make_page_block("header", header.dump(-1, ' ', false, Json::error_handler_t::replace)),
+      make_page_block("meshes", geometry.mesh_bytes), series_block(), events_block()};
   keep(frames_.finish());
   keep(contacts_.finish());
   for (PageBlock& chunk : chunks_) blocks.push_back(std::move(chunk));
@@ -191,9 +192,7 @@ void PageRun::keep(std::optional<PageBlock> chunk) {
 
 PageBlock PageRun::series_block() const {
   std::string bytes;
-  for (const std::vector<double>& column : series_) {
-    for (const double value : column) append_f64(value, bytes);
-  }
+  for (const std::vector<double>& column : series_) append_exact_column(column, bytes);
   return make_page_block("series", bytes);
 }
 
