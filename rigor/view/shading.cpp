@@ -100,6 +100,8 @@ Color Shader::curved(const SeenThing& thing, const Eigen::Vector3f& normal,
 Color Shader::color(std::uint32_t id, float x, float y, float nearness) const {
   const SeenThing& thing = things_[id];
   if (thing.kind == SeenThing::Kind::nothing) return background(y);
+  // In its own shadow it does not matter where.
+  if (thing.is_flat && thing.sun <= 0) return thing.color * thing.sky;
   const float depth = 1 / nearness, scale = depth * inverse_focal_;
   const Eigen::Vector3f p_K((x - center_x_) * scale, (y - center_y_) * scale, depth);
   if (thing.kind == SeenThing::Kind::plane) return plane(thing, p_K, y);
