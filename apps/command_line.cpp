@@ -1,5 +1,6 @@
 #include "apps/command_line.hpp"
 
+#include "apps/compare_output.hpp"
 #include "apps/usage_error.hpp"
 #include "rigor/core/quoted.hpp"
 #include "rigor/core/range.hpp"
@@ -15,6 +16,7 @@
 
 #include <charconv>
 #include <filesystem>
+#include <memory>
 
 namespace rigor {
 
@@ -27,6 +29,7 @@ constexpr Range view_angle{1, 170};       // [degrees]
 constexpr int most_threads = 1024;
 constexpr int most_frames = 100000;
 constexpr int highest_port = 65535;
+constexpr int most_contacts = 1000000;
 constexpr int fewest_samples = 2, most_samples = 1000000000;
 
 const char* const examples =
@@ -38,11 +41,14 @@ const char* const examples =
     "  rigor run long.yaml --resume long.cp --duration 1000\n"
     "  rigor view ball.yaml --open                               live in the browser: change it while it "
     "runs\n"
+    "  rigor compare ball.yaml --vary method.toi=conservative,ratio,bisection -o compare.html\n"
     "  rigor check scenes/*.yaml\n"
     "  rigor mass part.stl --density 7850\n"
     "  rigor distance ball.yaml ball floor\n"
     "  rigor render ball.h5 --time 0.5 -o ball.png\n"
     "  rigor plot ball.h5 energy.kinetic energy.total body.ball.position.z -o ball.svg\n"
+    "  rigor impact --K=3.5,0,0,3.5,0,1 --u=2,1,-3 --mu 0.2 --e 0.8 -o paths.svg\n"
+    "  rigor impact scene.yaml floor box --law stronge --path path.csv\n"
     "Exit codes: 0 done, 1 the audit broke its tolerance, 2 usage, 3 bad scene or input, 4 the simulation "
     "could not go on,\n"
     "            5 file or system error, 130 interrupted (files closed).\n";
@@ -92,6 +98,27 @@ void add_run(CLI::App& app, RunOptions& run) {
             "S")
       ->check(number_in(time_span, "s"));
   add_value(app, "--resume", run.resume, "go on from a checkpoint of the same scene, bit for bit", "FILE");
+}
+
+void add_compare(CLI::App& app, CompareOptions& compare) {
+  app.add_option("SCENE", compare.scene, "scene file (.yaml or .json)")->required()->option_text(" ");
+  add_value(app, "--vary", compare.variations,
+            "a value of the scene and what it takes one after the other, such as method.toi=ratio,bisection; "
+            "repeated: all combinations, 64 runs at most",
+            "KEY=a,b,c")
+      ->required();
+  add_value(
+      app, "-o,--output", compare.outputs,
+      "by suffix: page .html, plot of the energies .svg .png (8 runs at most), table .json .csv; may be "
+      "repeated",
+      "OUT");
+  add_value(app, "--set", compare.overrides, "override a value of the scene in all runs; may be repeated",
+            "KEY=VALUE");
+  add_value(app, "--duration", compare.duration, "simulated time at which the runs end [s]", "S")
+      ->check(number_in(time_span, "s"));
+  add_json(app, compare.json, "the table with all audits");
+  app.add_flag("--quiet", compare.is_quiet, "print no table and no progress");
+  app.add_flag("--separate", compare.separate, "push apart what overlaps at t = 0");
 }
 
 void add_view(CLI::App& app, ViewOptions& view) {
@@ -153,6 +180,36 @@ void add_plot(CLI::App& app, PlotOptions& plot) {
   add_value(app, "-o,--output", plot.output, "plot, by suffix: .svg .png", "OUT")->required();
 }
 
+void add_impact(CLI::App& app, ImpactOptions& impact) {
+  app.add_option("SCENE", impact.scene, "scene file; or give --K and --u")->option_text(" ");
+  app.add_option("BODY_A", impact.body_A, "name of a body")->option_text(" ");
+  app.add_option("BODY_B", impact.body_B, "name of another, which touches it at t = 0")->option_text(" ");
+  add_value(app, "--K", impact.K, "collision matrix [1/kg]: K11,K12,K13,K22,K23,K33 or all nine numbers",
+            "K");
+  add_value(app, "--u", impact.u, "velocity of B against A [m/s]: two tangential numbers and the normal one",
+            "X,Y,Z");
+  add_value(app, "--mu", impact.mu, "Coulomb friction; default: the pair's in the scene", "MU|inf");
+  add_value(app, "--e", impact.e, "restitution, from 0 to 1; default: the pair's in the scene", "E");
+  add_value(app, "--law", impact.laws,
+            "newton, poisson, stronge, compliant, chatterjee-ruina, several with commas; all (default): the "
+            "first three",
+            "LAW");
+  add_value(app, "--stiffness-ratio", impact.stiffness_ratio,
+            "tangential over normal stiffness of the contact, for compliant", "R");
+  add_value(app, "--et", impact.tangential_restitution,
+            "tangential restitution, from -1 to 1, for chatterjee-ruina", "ET");
+  add_value(app, "--contact", impact.contact, "which contact point of the two bodies, from 1", "N")
+      ->check(CLI::Range(1, most_contacts));
+  add_value(app, "--tolerance", impact.tolerance,
+            "how near touching bodies are [m]; default: the scene's contact_tolerance", "D")
+      ->check(number_in(length, "m"));
+  add_value(app, "--set", impact.overrides, "override a value of the scene; may be repeated", "KEY=VALUE");
+  add_value(app, "--path", impact.path, "table of what happens during the impact", "FILE.csv");
+  add_json(app, impact.json, "the result");
+  add_value(app, "-o,--output", impact.output, "figure of the paths and the energy lost, .svg or .png",
+            "OUT");
+}
+
 std::vector<std::string> option_names(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::Option* const option : app.get_options()) {
@@ -201,6 +258,19 @@ bool is_same_file(const std::string& a, const std::string& b) {
 /// Of what the view layer draws, beside the trajectories.
 constexpr std::array<std::string_view, 2> drawn_suffixes = {page_suffixes[0], picture_suffixes[0]};
 
+/// Refuses outputs that would overwrite the scene or each other.
+void check_written(const std::string& scene, const std::vector<std::string>& written) {
+  for (std::size_t i = 0; i < written.size(); ++i) {
+    if (is_same_file(written[i], scene)) {
+      throw UsageError("output " + quoted_text(written[i]) + " is the scene file; give it another name");
+    }
+    for (std::size_t k = 0; k < i; ++k) {
+      if (is_same_file(written[i], written[k]))
+        throw UsageError("output " + quoted_text(written[i]) + " is given twice");
+    }
+  }
+}
+
 void check_run(const RunOptions& run) {
   for (const std::string& output : run.outputs) {
     const std::string message = check_output_suffix(output, drawn_suffixes);
@@ -209,15 +279,7 @@ void check_run(const RunOptions& run) {
   std::vector<std::string> written = run.outputs;
   if (!run.json.empty() && run.json != "-") written.push_back(run.json);
   if (!run.checkpoint.empty()) written.push_back(run.checkpoint);
-  for (std::size_t i = 0; i < written.size(); ++i) {
-    if (is_same_file(written[i], run.scene)) {
-      throw UsageError("output " + quoted_text(written[i]) + " is the scene file; give it another name");
-    }
-    for (std::size_t k = 0; k < i; ++k) {
-      if (is_same_file(written[i], written[k]))
-        throw UsageError("output " + quoted_text(written[i]) + " is given twice");
-    }
-  }
+  check_written(run.scene, written);
   if (run.checkpoint_every && run.checkpoint.empty()) {
     throw UsageError("--checkpoint-every needs --checkpoint FILE");
   }
@@ -226,40 +288,76 @@ void check_run(const RunOptions& run) {
   }
 }
 
+void check_compare(const CompareOptions& compare) {
+  for (const std::string& output : compare.outputs) {
+    const std::string message = check_compare_output(output);
+    if (!message.empty()) throw UsageError(message);
+  }
+  std::vector<std::string> written = compare.outputs;
+  if (!compare.json.empty() && compare.json != "-") written.push_back(compare.json);
+  check_written(compare.scene, written);
+}
+
+/// The options as the command they make.
+template <typename Options>
+Command checked(const Options& options) {
+  return options;
+}
+Command checked(const RunOptions& run) {
+  check_run(run);
+  return run;
+}
+Command checked(const CompareOptions& compare) {
+  check_compare(compare);
+  return compare;
+}
+
+void add_check(CLI::App& app, CheckOptions& check) {
+  app.add_option("SCENE", check.scenes, "scene files")->required()->option_text("...");
+}
+
+void add_methods(CLI::App&, MethodsOptions&) {}
+
+/// A command whose options are kept in `chosen` when it is the one that is asked for.
+template <typename Options>
+void add_command(CLI::App& app, const std::string& name, const std::string& what,
+                 void (*add_options)(CLI::App&, Options&), std::optional<Command>& chosen) {
+  CLI::App& command = *app.add_subcommand(name, what);
+  const std::shared_ptr<Options> options = std::make_shared<Options>();
+  add_options(command, *options);
+  // What is unknown is told by us, with the nearest name; and before what is wrong with the rest.
+  command.allow_extras();
+  command.final_callback([&app, &chosen, options] {
+    check_unknown(app);
+    chosen = checked(*options);
+  });
+}
+
+void add_commands(CLI::App& app, std::optional<Command>& chosen) {
+  add_command(app, "run", "simulate a scene and print the audit", add_run, chosen);
+  add_command(app, "view", "show a scene live, or a trajectory, in the browser, on this machine only",
+              add_view, chosen);
+  add_command(app, "compare", "the same scene with several methods or values, side by side", add_compare,
+              chosen);
+  add_command(app, "check", "validate scenes without running them", add_check, chosen);
+  add_command(app, "mass", "mass properties of a mesh or a scene, exact and sampled", add_mass, chosen);
+  add_command(app, "distance", "signed distance and contacts of two bodies at t = 0", add_distance, chosen);
+  add_command(app, "methods", "list every method, with its source", add_methods, chosen);
+  add_command(app, "render", "pictures and films of a scene or a trajectory", add_render, chosen);
+  add_command(app, "plot", "plot quantities of a trajectory over time", add_plot, chosen);
+  add_command(app, "impact", "one frictional impact in detail, under several laws", add_impact, chosen);
+}
+
 }  // namespace
 
 ParsedCommandLine parse_command_line(int argc, const char* const* argv) {
   CLI::App app("Rigid-body dynamics whose answers can be trusted.", "rigor");
   app.set_version_flag("--version", "rigor " + std::string(version));
   app.footer(examples);
-  RunOptions run;
-  ViewOptions view;
-  CheckOptions check;
-  MassOptions mass;
-  DistanceOptions distance;
-  RenderOptions render;
-  PlotOptions plot;
-  CLI::App& run_app = *app.add_subcommand("run", "simulate a scene and print the audit");
-  CLI::App& view_app =
-      *app.add_subcommand("view", "show a scene live, or a trajectory, in the browser, on this machine only");
-  CLI::App& check_app = *app.add_subcommand("check", "validate scenes without running them");
-  CLI::App& mass_app = *app.add_subcommand("mass", "mass properties of a mesh or a scene, exact and sampled");
-  CLI::App& distance_app =
-      *app.add_subcommand("distance", "signed distance and contacts of two bodies at t = 0");
-  app.add_subcommand("methods", "list every method, with its source");
-  CLI::App& render_app = *app.add_subcommand("render", "pictures and films of a scene or a trajectory");
-  CLI::App& plot_app = *app.add_subcommand("plot", "plot quantities of a trajectory over time");
-  add_run(run_app, run);
-  add_view(view_app, view);
-  check_app.add_option("SCENE", check.scenes, "scene files")->required()->option_text("...");
-  add_mass(mass_app, mass);
-  add_distance(distance_app, distance);
-  add_render(render_app, render);
-  add_plot(plot_app, plot);
-  // What is unknown is told by us, with the nearest name.
+  app.require_subcommand(0, 1);
   app.allow_extras();
-  for (CLI::App* const command : app.get_subcommands({})) command->allow_extras();
-
+  std::optional<Command> chosen;
+  add_commands(app, chosen);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help_or_version) {
@@ -269,18 +367,8 @@ ParsedCommandLine parse_command_line(int argc, const char* const* argv) {
     check_unknown(app);
     throw UsageError(error.what());
   }
+  if (chosen) return {chosen};
   check_unknown(app);
-  if (app.got_subcommand(&run_app)) {
-    check_run(run);
-    return {run};
-  }
-  if (app.got_subcommand(&view_app)) return {view};
-  if (app.got_subcommand(&check_app)) return {check};
-  if (app.got_subcommand(&mass_app)) return {mass};
-  if (app.got_subcommand(&distance_app)) return {distance};
-  if (app.got_subcommand(&render_app)) return {render};
-  if (app.got_subcommand(&plot_app)) return {plot};
-  if (app.got_subcommand("methods")) return {MethodsOptions{}};
   fmt::print(stderr, "{}", app.help());
   return {std::nullopt, exit_usage};
 }

@@ -10,11 +10,13 @@ namespace rigor {
 
 ExitCode execute(const RunOptions& options);
 ExitCode execute(const ViewOptions& options);
+ExitCode execute(const CompareOptions& options);
 ExitCode execute(const CheckOptions& options);
 ExitCode execute(const MassOptions& options);
 ExitCode execute(const DistanceOptions& options);
 ExitCode execute(const MethodsOptions& options);
 ExitCode execute(const RenderOptions& options);
 ExitCode execute(const PlotOptions& options);
+ExitCode execute(const ImpactOptions& options);
 
 }  // namespace rigor

@@ -24,6 +24,17 @@ struct RunOptions {
   std::string resume;
 };
 
+struct CompareOptions {
+  std::string scene;
+  std::vector<std::string> variations;  ///< "key=a,b,c".
+  std::vector<std::string> outputs;
+  std::vector<std::string> overrides;  ///< "key=value".
+  std::optional<double> duration;      ///< [s].
+  std::string json;
+  bool is_quiet = false;
+  bool separate = false;
+};
+
 struct CheckOptions {
   std::vector<std::string> scenes;
 };
@@ -62,6 +73,19 @@ struct PlotOptions {
   std::string output;
 };
 
+struct ImpactOptions {
+  std::string scene, body_A, body_B;   ///< Empty: K and u are given.
+  std::string K, u;                    ///< Numbers with commas, or empty.
+  std::string mu, e;                   ///< Texts of numbers; empty: those of the scene.
+  std::string laws = "all";            ///< Names with commas.
+  std::string stiffness_ratio;         ///< k_t/k_n; for the law `compliant` only.
+  std::string tangential_restitution;  ///< For the law `chatterjee-ruina` only.
+  std::optional<int> contact;          ///< Which contact point, from 1.
+  std::optional<double> tolerance;     ///< Of touching [m].
+  std::vector<std::string> overrides;  ///< "key=value"; scenes only.
+  std::string path, json, output;      ///< Table .csv; JSON; figure .svg or .png.
+};
+
 struct ViewOptions {
   std::string file;                    ///< Scene or trajectory (.h5).
   std::vector<std::string> overrides;  ///< "key=value".
@@ -69,7 +93,7 @@ struct ViewOptions {
   bool opens_browser = false;
 };
 
-using Command = std::variant<RunOptions, ViewOptions, CheckOptions, MassOptions, DistanceOptions,
-                             MethodsOptions, RenderOptions, PlotOptions>;
+using Command = std::variant<RunOptions, ViewOptions, CompareOptions, CheckOptions, MassOptions,
+                             DistanceOptions, MethodsOptions, RenderOptions, PlotOptions, ImpactOptions>;
 
 }  // namespace rigor

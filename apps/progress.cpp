@@ -28,7 +28,7 @@ std::string progress_text(const Progress& progress, int width) {
   const double span = progress.end - progress.start, done = progress.time - progress.start;
   const double share = span > 0 ? std::clamp(done / span, 0.0, 1.0) : 1.0;
   const double speed = progress.elapsed > 0 ? done / progress.elapsed : 0;
-  const std::string times = fmt::format("{:.6g}/{:.6g} s ", progress.time, progress.end);
+  const std::string times = fmt::format("{}{:.6g}/{:.6g} s ", progress.label, progress.time, progress.end);
   const std::string rest =
       fmt::format("{:.3g}x real time, ETA {}, {} impacts, {} at rest, energy drift {:.1g} J", speed,
                   duration_text(speed > 0 ? (span - done) / speed : -1), progress.impacts, progress.resting,

@@ -7,11 +7,12 @@ namespace rigor {
 
 /// What a progress line tells.
 struct Progress {
-  double time;            ///< Simulated so far [s].
-  double start, end;      ///< Of the run [s].
-  double elapsed;         ///< Real time [s].
-  long impacts, resting;  ///< Events so far.
-  double energy_drift;    ///< Largest unexplained rise of energy [J].
+  double time;             ///< Simulated so far [s].
+  double start, end;       ///< Of the run [s].
+  double elapsed;          ///< Real time [s].
+  long impacts, resting;   ///< Events so far.
+  double energy_drift;     ///< Largest unexplained rise of energy [J].
+  std::string label = {};  ///< Comes first, if there is any.
 };
 
 /// One line of plain text, at most `width` characters: simulated and total time, a bar, the real-time factor,

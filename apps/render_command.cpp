@@ -123,9 +123,7 @@ Shot simulate(const RenderOptions& options) {
                        line.update(progress);
                        return true;
                      });
-  std::vector<std::string> names;
-  for (const int body : result.audit.report.bodies) names.push_back(scene.model->body(body).name);
-  return {keeper.recording(), stop_text(result.audit.report, result.state.t, names)};
+  return {keeper.recording(), stop_text(result.audit, result.state.t)};
 }
 
 /// `count` output times from the first to the last, evenly.

@@ -1,17 +1,16 @@
 #include "apps/audit_text.hpp"
 #include "apps/commands.hpp"
-#include "apps/overlap_text.hpp"
 #include "apps/run_recorder.hpp"
+#include "apps/run_start.hpp"
 #include "apps/stop_advice.hpp"
 #include "apps/terminal.hpp"
 #include "apps/usage_error.hpp"
-#include "rigor/core/input_error.hpp"
 #include "rigor/io/audit_json.hpp"
 #include "rigor/io/fingerprint.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <utility>
 
 namespace rigor {
 
@@ -35,37 +34,9 @@ Start resumed(const RunOptions& options, const Scene& scene) {
   return {checkpoint.state, checkpoint.audit, {}};
 }
 
-/// How far the bodies were pushed, as a warning; none if nothing moved.
-std::vector<std::string> separation_warning(const State& before, const State& after) {
-  int moved = 0;
-  double farthest = 0;
-  for (int i = 0; i < after.body_count(); ++i) {
-    const double distance = (after.position(i) - before.position(i)).norm();
-    if (distance > 0) ++moved;
-    farthest = std::max(farthest, distance);
-  }
-  if (moved == 0) return {};
-  return {
-      fmt::format("bodies overlapped at t = 0: {} were pushed apart, by {:.3g} m at most", moved, farthest)};
-}
-
 Start begun(const RunOptions& options, const Scene& scene) {
-  const double tolerance = scene.method.contact_tolerance;
-  const Model& model = *scene.model;
-  Start start{make_initial_state(model), std::nullopt, {}};
-  std::vector<Overlap> overlaps = find_overlaps(model, start.state, tolerance);
-  if (!overlaps.empty() && options.separate) {
-    const State as_described = start.state;
-    overlaps = apply_separation(model, tolerance, start.state);
-    start.warnings = separation_warning(as_described, start.state);
-  }
-  if (overlaps.empty()) return start;
-  std::vector<std::string> messages = overlap_messages(options.scene, model, overlaps, tolerance);
-  if (options.separate) {
-    messages.back() =
-        fmt::format("{}: --separate could not push these bodies apart; move them", options.scene);
-  }
-  throw InputError(std::move(messages));
+  RunStart start = make_run_start(options.scene, scene, options.separate);
+  return {std::move(start.state), std::nullopt, std::move(start.warnings)};
 }
 
 void print_audit(const RunOptions& options, const Audit& audit) {
@@ -88,11 +59,8 @@ ExitCode report_end(const RunResult& result, const RunRecorder& recorder, const 
     print_error(recorder.file_error());
     return exit_file_error;
   }
-  const AdvanceReport& report = result.audit.report;
-  if (report.reason != StopReason::reached_end) {
-    std::vector<std::string> names;
-    for (const int body : report.bodies) names.push_back(audit.bodies[static_cast<std::size_t>(body)].name);
-    print_error(stop_text(report, result.state.t, names));
+  if (result.audit.report.reason != StopReason::reached_end) {
+    print_error(stop_text(result.audit, result.state.t));
     return exit_stopped;
   }
   if (result.was_stopped && recorder.was_interrupted()) {

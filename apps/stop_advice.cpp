@@ -31,9 +31,9 @@ std::string_view stop_advice(StopReason reason) {
              "bodies that are "
              "squeezed between others";
     case StopReason::impact_unsolved:
-      return "set method.simultaneous to its other choice (reflections, lcp), or look for a body that is "
-             "squeezed between "
-             "two that cannot give way";
+      return "set method.simultaneous to another of its choices (reflections, lcp, sequential), or look for "
+             "a "
+             "body that is squeezed between two that cannot give way";
     case StopReason::not_finite:
       return "look for stiff springs, huge forces or velocities at these bodies; a smaller run.step or "
              "method.integrator=dopri5 helps with stiff ones";
@@ -43,16 +43,18 @@ std::string_view stop_advice(StopReason reason) {
   return "";
 }
 
-std::string stop_text(const AdvanceReport& report, double time, const std::vector<std::string>& bodies) {
+std::string stop_text(const Audit& audit, double time) {
+  const AdvanceReport& report = audit.report;
   if (report.reason == StopReason::reached_end) return {};
   constexpr std::size_t most_names = 10;
+  const std::size_t count = report.bodies.size();
   std::string text = fmt::format("the simulation stopped at t = {:.17g} s ({}): {}", time,
                                  stop_reason_name(report.reason), report.detail);
-  for (std::size_t i = 0; i < std::min(bodies.size(), most_names); ++i) {
+  for (std::size_t i = 0; i < std::min(count, most_names); ++i) {
     text += i == 0 ? "\n  bodies: " : ", ";
-    text += bodies[i];
+    text += audit.bodies[static_cast<std::size_t>(report.bodies[i])].name;
   }
-  if (bodies.size() > most_names) text += fmt::format(" and {} more", bodies.size() - most_names);
+  if (count > most_names) text += fmt::format(" and {} more", count - most_names);
   text += fmt::format("\n  what to try: {}", stop_advice(report.reason));
   return text;
 }

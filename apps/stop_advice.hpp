@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rigor/sim/advance_report.hpp"
+#include "rigor/sim/audit.hpp"
 
 #include <string>
 #include <string_view>
@@ -11,7 +11,8 @@ namespace rigor {
 std::string_view stop_reason_name(StopReason reason);
 /// What a user can try when a run stopped for this reason; one line. docs/errors.md says the same.
 std::string_view stop_advice(StopReason reason);
-/// Why a run stopped, when, which bodies, and what to try; empty if it reached its end.
-std::string stop_text(const AdvanceReport& report, double time, const std::vector<std::string>& bodies);
+/// Why the run with this audit stopped at that time [s], which bodies, and what to try; empty if it reached
+/// its end.
+std::string stop_text(const Audit& audit, double time);
 
 }  // namespace rigor

@@ -11,6 +11,7 @@ class Random {
  public:
   explicit Random(unsigned seed) : generator_(seed) {}
   double number() { return uniform_(generator_); }
+  double uniform(double lo, double hi) { return lo + 0.5 * (number() + 1) * (hi - lo); }
   Vec3 vector() {
     const double x = number(), y = number(), z = number();
     return {x, y, z};

@@ -73,8 +73,16 @@ std::vector<Contact> find_contacts(const Model& model, int a, int b, const Pose&
       const std::vector<ContactPoint> points =
           contact_set(shape_a.shape, X_WA * shape_a.X_BS, shape_b.shape, X_WB * shape_b.X_BS, tolerance);
       for (const ContactPoint& point : points) {
-        const Contact contact{
-            a, b, static_cast<int>(i), static_cast<int>(k), point, pair.friction, pair.restitution};
+        const Contact contact{a,
+                              b,
+                              static_cast<int>(i),
+                              static_cast<int>(k),
+                              point,
+                              pair.friction,
+                              pair.restitution,
+                              pair.rolling_friction,
+                              pair.torsional_friction,
+                              pair.tangential_restitution};
         const bool is_known = std::any_of(contacts.begin(), contacts.end(), [&](const Contact& other) {
           return (other.shape_A != contact.shape_A || other.shape_B != contact.shape_B) &&
                  is_same(other, contact, tolerance);

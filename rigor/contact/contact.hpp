@@ -14,8 +14,11 @@ struct Contact {
   int body_A, body_B;    ///< Indices into the model; at least one is dynamic.
   int shape_A, shape_B;  ///< Indices into the bodies' shapes.
   ContactPoint point;
-  double friction;     ///< μ of the pair.
-  double restitution;  ///< e of the pair.
+  double friction;                    ///< μ of the pair.
+  double restitution;                 ///< e of the pair.
+  double rolling_friction = 0;        ///< ρ of the pair [m].
+  double torsional_friction = 0;      ///< σ of the pair [m].
+  double tangential_restitution = 0;  ///< e_t of the pair; 0: none.
 
   /// Where impulses act, on both bodies alike so that angular momentum is exact: half way between the witness
   /// points [m].

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "rigor/contact/contact_system.hpp"
+#include "rigor/contact/collision.hpp"
+#include "rigor/contact/impact_problem.hpp"
 
 #include <vector>
 
@@ -8,26 +9,19 @@ namespace rigor {
 
 /// How several impacts at one instant are resolved.
 enum class SimultaneousLaw {
-  reflections,  ///< Generalised reflections blended with the plastic solution: symmetric, never gains energy.
+  reflections,  ///< Generalised reflections blended with the plastic impact: symmetric, never gains energy.
   lcp,  ///< Newton's law on all contacts at once: may gain energy and transmits too little through chains.
+  sequential,  ///< One after the other, the fastest first.
 };
 
-/// Outcome of an impact.
-struct ImpactSolution {
-  VecX lambda;      ///< 3n impulses in the contact frames [N s].
-  double residual;  ///< Of the complementarity problem, relative.
-  bool converged;
-  int iterations;
-};
-
-/// Impulses that end the approach of all contacts at once, with Newton's restitution and Coulomb friction.
+/// Impulses that end the approach of all contacts of a connected system.
 ///
-/// restitutions: e of each contact, as it is to be used here. Newton's law with friction for the contacts of
-/// one pair of bodies:  u_n⁺ ≥ -e u_n⁻,  λ in the cone, friction opposing u_t⁺. Several pairs go by `law`.
-/// Source: theory of generalised reflections: Smith, Kaufman, Vouga, Tamstorf, Grinspun, Reflections on
-/// Simultaneous Impact, SIGGRAPH 2012; here blended as V⁺ = e V_GR + (1 - e) V_plastic, and followed by
-/// friction within the cone of the normal impulses.
+/// restitutions: e of each contact, as it is to be used here. One contact collides by `collision_law`,
+/// whatever the law for several (Newton's can gain energy with friction). So does, but under `lcp`, what is
+/// one collision among several contacts (find_single_collision). Else `law` decides: solve_reflections,
+/// solve_newton_impacts, solve_sequential_impacts. Rolling and torsional friction count where a contact is
+/// alone in its system (moment_collision.hpp). docs/theory/simultaneous_impacts.md compares them.
 ImpactSolution solve_impact(const ContactSystem& system, const std::vector<double>& restitutions,
-                            SimultaneousLaw law);
+                            RestitutionLaw collision_law, SimultaneousLaw law);
 
 }  // namespace rigor

@@ -10,18 +10,18 @@ namespace {
 
 constexpr std::size_t most_pending_bytes = std::size_t{1} << 20;
 
+void append_numbers(const double* values, std::size_t count, std::string& row) {
+  for (std::size_t i = 0; i < count; ++i) fmt::format_to(std::back_inserter(row), ",{:.17g}", values[i]);
+}
+
+}  // namespace
+
 std::string csv_field(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string field = "\"";
   for (const char c : text) field.append(c == '"' ? 2 : 1, c);
   return field + '"';
 }
-
-void append_numbers(const double* values, std::size_t count, std::string& row) {
-  for (std::size_t i = 0; i < count; ++i) fmt::format_to(std::back_inserter(row), ",{:.17g}", values[i]);
-}
-
-}  // namespace
 
 std::vector<std::string> csv_columns(const std::vector<std::string>& bodies) {
   std::vector<std::string> columns = {"time [s]"};

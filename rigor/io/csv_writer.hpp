@@ -22,6 +22,9 @@ class CsvWriter : public TrajectoryWriter {
   FlushTimer flush_timer_;
 };
 
+/// A field of a CSV row: in quotes where it has to be.
+std::string csv_field(const std::string& text);
+
 /// The columns' titles, such as "ball.position.x [m]", in their order.
 std::vector<std::string> csv_columns(const std::vector<std::string>& bodies);
 

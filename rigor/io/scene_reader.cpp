@@ -41,6 +41,7 @@ Materials read_materials(const ObjectReader& scene, ModelBuilder& builder) {
     material.density = reader.number("density").value_or(material.density);
     material.friction = reader.number("friction").value_or(material.friction);
     material.restitution = reader.number("restitution").value_or(material.restitution);
+    material.tangential_restitution = reader.number("tangential_restitution").value_or(0);
     material.rolling_friction = reader.number("rolling_friction").value_or(0);
     material.torsional_friction = reader.number("torsional_friction").value_or(0);
     if (!name) continue;
@@ -57,6 +58,8 @@ void read_pairs(const ObjectReader& scene, const Materials& materials, ModelBuil
     const ObjectReader pair(*node, key_table("pair"), "pair " + std::to_string(index++), scene.errors());
     const std::vector<std::string> names = pair.names("between");
     const std::optional<double> friction = pair.number("friction"), restitution = pair.number("restitution");
+    const std::optional<double> rolling = pair.number("rolling_friction"),
+                                torsional = pair.number("torsional_friction");
     if (names.empty()) continue;
     const auto a = materials.find(names[0]), b = materials.find(names[1]);
     PairCoefficients coefficients{0, 0};
@@ -64,6 +67,10 @@ void read_pairs(const ObjectReader& scene, const Materials& materials, ModelBuil
       coefficients = combined_coefficients(a->second, b->second);
     coefficients.friction = friction.value_or(coefficients.friction);
     coefficients.restitution = restitution.value_or(coefficients.restitution);
+    coefficients.tangential_restitution =
+        pair.number("tangential_restitution").value_or(coefficients.tangential_restitution);
+    coefficients.rolling_friction = rolling.value_or(coefficients.rolling_friction);
+    coefficients.torsional_friction = torsional.value_or(coefficients.torsional_friction);
     builder.set_pair(names[0], names[1], coefficients, scene.errors().where(*node));
   }
 }
@@ -133,9 +140,11 @@ Scene read_tree(const YamlNode& root, const YamlSources& sources, const std::fil
 }  // namespace
 
 Scene parse_scene(const std::string& text, const std::string& file_name, const std::filesystem::path& folder,
-                  const std::vector<std::string>& overrides) {
+                  const std::vector<std::string>& overrides, std::size_t varied) {
   YamlSources sources{{file_name}};
-  for (const std::string& text_of_override : overrides) sources.names.push_back("--set " + text_of_override);
+  for (std::size_t i = 0; i < overrides.size(); ++i) {
+    sources.names.push_back((i + varied < overrides.size() ? "--set " : "--vary ") + overrides[i]);
+  }
   YamlNode::Pointer root = parse_yaml(text, 0, sources);
   for (std::size_t i = 0; i < overrides.size(); ++i) {
     root = with_override(root, overrides[i], static_cast<int>(i) + 1, sources);
@@ -143,9 +152,10 @@ Scene parse_scene(const std::string& text, const std::string& file_name, const s
   return read_tree(*root, sources, folder);
 }
 
-Scene read_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
+Scene read_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides,
+                 std::size_t varied) {
   const std::string text = read_text_file(path, YamlLimits{}.max_bytes);
-  return parse_scene(text, path.string(), path.parent_path(), overrides);
+  return parse_scene(text, path.string(), path.parent_path(), overrides, varied);
 }
 
 }  // namespace rigor

@@ -4,6 +4,7 @@
 #include "rigor/sim/method.hpp"
 #include "rigor/sim/run_settings.hpp"
 
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -24,13 +25,15 @@ struct Scene {
 ///
 /// overrides: "key.path=value" as of `--set`: keys joined by points, list entries by their name or index
 /// ("bodies.ball.velocity=[0, 0, 1]"); the value is YAML. Overrides are checked like the file.
+/// The last `varied` of them are called `--vary` in messages.
 ///
 /// Throws InputError with all errors of the file, in the order of its lines.
-Scene read_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
+Scene read_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides = {},
+                 std::size_t varied = 0);
 
 /// The same from text; file_name is what messages show, folder is where mesh files are looked for (and kept
 /// inside).
 Scene parse_scene(const std::string& text, const std::string& file_name, const std::filesystem::path& folder,
-                  const std::vector<std::string>& overrides = {});
+                  const std::vector<std::string>& overrides = {}, std::size_t varied = 0);
 
 }  // namespace rigor

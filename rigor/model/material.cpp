@@ -7,8 +7,10 @@ namespace rigor {
 
 PairCoefficients combined_coefficients(const Material& a, const Material& b) {
   // sqrt(μ²) may differ from μ by rounding: equal coefficients stay as they are.
-  const double friction = a.friction == b.friction ? a.friction : std::sqrt(a.friction * b.friction);
-  return {friction, std::max(a.restitution, b.restitution)};
+  const auto mean = [](double of_a, double of_b) { return of_a == of_b ? of_a : std::sqrt(of_a * of_b); };
+  return {mean(a.friction, b.friction), std::max(a.restitution, b.restitution),
+          mean(a.rolling_friction, b.rolling_friction), mean(a.torsional_friction, b.torsional_friction),
+          std::max(a.tangential_restitution, b.tangential_restitution)};
 }
 
 }  // namespace rigor

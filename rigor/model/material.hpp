@@ -7,18 +7,23 @@ namespace rigor {
 /// Surface and bulk of a body's shape.
 struct Material {
   std::string name;
-  double density = 1000;          ///< [kg/m³], > 0.
-  double friction = 0.5;          ///< Coulomb μ, ≥ 0.
-  double restitution = 0;         ///< e in [0, 1].
+  double density = 1000;   ///< [kg/m³], > 0.
+  double friction = 0.5;   ///< Coulomb μ, ≥ 0.
+  double restitution = 0;  ///< e in [0, 1].
+  /// e_t in [0, 1]; 0: none, the slip during an impact is integrated instead.
+  double tangential_restitution = 0;
   double rolling_friction = 0;    ///< [m], ≥ 0.
   double torsional_friction = 0;  ///< [m], ≥ 0.
 };
 
-/// Coefficients of a pair of materials: friction sqrt(a b), restitution max(a, b), unless a pair overrides
+/// Coefficients of a pair of materials: frictions sqrt(a b), restitutions max(a, b), unless a pair overrides
 /// them.
 struct PairCoefficients {
   double friction;
   double restitution;
+  double rolling_friction = 0;    ///< [m].
+  double torsional_friction = 0;  ///< [m].
+  double tangential_restitution = 0;
 };
 
 /// The combination rule.

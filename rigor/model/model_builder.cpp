@@ -38,11 +38,9 @@ void check_material(const Material& material, Findings& findings) {
   findings.check("density", material.density, limits::density, "kg/m³");
   findings.check("friction", material.friction, limits::friction, "");
   findings.check("restitution", material.restitution, limits::restitution, "");
-  for (const auto& [quantity, value] : {std::pair{"rolling_friction", material.rolling_friction},
-                                        std::pair{"torsional_friction", material.torsional_friction}}) {
-    findings.require(value == 0, fmt::format("{} is {} m, must be 0: it is not available in this version",
-                                             quantity, value));
-  }
+  findings.check("tangential_restitution", material.tangential_restitution, limits::restitution, "");
+  findings.check("rolling_friction", material.rolling_friction, limits::length, "m");
+  findings.check("torsional_friction", material.torsional_friction, limits::length, "m");
 }
 
 /// The default material at 0, unless the user gives one of that name, then the user's in their order.
@@ -75,6 +73,10 @@ std::map<std::pair<int, int>, PairCoefficients> make_pairs(const std::vector<Pla
     Findings findings(where, "pair " + quoted_text(a) + ", " + quoted_text(b), messages);
     findings.check("friction", pair.coefficients.friction, limits::friction, "");
     findings.check("restitution", pair.coefficients.restitution, limits::restitution, "");
+    findings.check("tangential_restitution", pair.coefficients.tangential_restitution, limits::restitution,
+                   "");
+    findings.check("rolling_friction", pair.coefficients.rolling_friction, limits::length, "m");
+    findings.check("torsional_friction", pair.coefficients.torsional_friction, limits::length, "m");
     bool is_known = true;
     for (const std::string& name : {a, b}) {
       is_known &= findings.require(materials.index.count(name) > 0,

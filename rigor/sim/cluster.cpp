@@ -58,6 +58,30 @@ class Partition {
   std::vector<std::size_t> parent_;
 };
 
+RestitutionLaw restitution_law(ImpactMethod method) {
+  switch (method) {
+    case ImpactMethod::newton:
+      return RestitutionLaw::newton;
+    case ImpactMethod::poisson:
+      return RestitutionLaw::poisson;
+    case ImpactMethod::stronge:
+      break;
+  }
+  return RestitutionLaw::stronge;
+}
+
+SimultaneousLaw simultaneous_law(SimultaneousMethod method) {
+  switch (method) {
+    case SimultaneousMethod::reflections:
+      return SimultaneousLaw::reflections;
+    case SimultaneousMethod::lcp:
+      return SimultaneousLaw::lcp;
+    case SimultaneousMethod::sequential:
+      break;
+  }
+  return SimultaneousLaw::sequential;
+}
+
 }  // namespace
 
 BodyPhase& Cluster::phase_of(int body) {
@@ -99,8 +123,8 @@ std::vector<Cluster> connected_parts(const Cluster& cluster, const std::vector<C
 ContactResolver::ContactResolver(const Model& model, const IslandIntegrator& integrator, const Method& method)
     : model_(model),
       integrator_(integrator),
-      law_(method.simultaneous == SimultaneousMethod::lcp ? SimultaneousLaw::lcp
-                                                          : SimultaneousLaw::reflections),
+      collision_law_(restitution_law(method.impact)),
+      law_(simultaneous_law(method.simultaneous)),
       resting_velocity_(method.resting_velocity),
       contact_tolerance_(method.contact_tolerance) {}
 
@@ -162,25 +186,28 @@ std::vector<double> ContactResolver::restitutions(const Cluster& cluster, const 
   return result;
 }
 
-void ContactResolver::add_impulses(const ContactSystem& system, const VecX& lambda, Cluster& cluster,
-                                   AdvanceReport& report) const {
+void ContactResolver::add_impulses(const ContactSystem& system, const VecX& lambda, const VecX& moments,
+                                   Cluster& cluster, AdvanceReport& report) const {
   const Totals before = totals(model_, cluster);
   Vec3 impulse = Vec3::Zero(), angular_impulse = Vec3::Zero();
-  const auto push = [&](int body, const Vec3& p_W, const Vec3& j_W) {
+  const auto push = [&](int body, const Vec3& p_W, const Vec3& j_W, const Vec3& l_W) {
     if (!holds(cluster.bodies, body)) {
       impulse -= j_W;
-      angular_impulse -= p_W.cross(j_W);
+      angular_impulse -= p_W.cross(j_W) + l_W;
+      report.work -= l_W.dot(system.of(body).w);
       return;
     }
     BodyPhase& phase = cluster.phase_of(body);
     phase.P += j_W;
-    phase.L += (p_W - phase.x).cross(j_W);
+    phase.L += (p_W - phase.x).cross(j_W) + l_W;
   };
   for (std::size_t i = 0; i < system.contacts.size(); ++i) {
     const Contact& contact = system.contacts[i];
     const Vec3 j_W = world_impulse(system, lambda, static_cast<int>(i));
-    push(contact.body_A, contact.p_W(), -j_W);
-    push(contact.body_B, contact.p_W(), j_W);
+    Vec3 l_W = Vec3::Zero();
+    if (moments.size() > 0) l_W = world_impulse(system, moments, static_cast<int>(i));
+    push(contact.body_A, contact.p_W(), -j_W, -l_W);
+    push(contact.body_B, contact.p_W(), j_W, l_W);
   }
   const Totals after = totals(model_, cluster);
   report.momentum_error += after.P - before.P - impulse;
@@ -196,7 +223,7 @@ void ContactResolver::settle(const ContactSystem& system, const VecX& u, Cluster
                                std::vector<Vec2>(count, Vec2::Zero())};
   const double before = totals(model_, cluster).T;
   const double work_before = report.work;
-  add_impulses(system, solve_coulomb(problem).lambda, cluster, report);
+  add_impulses(system, solve_coulomb(problem).lambda, {}, cluster, report);
   report.projection_loss += before - totals(model_, cluster).T + (report.work - work_before);
 }
 
@@ -223,14 +250,15 @@ bool ContactResolver::apply_impulses(Cluster& cluster, AdvanceReport& report) co
       continue;
     }
 
-    const ImpactSolution impact = solve_impact(system, restitutions(cluster, system, report), law_);
+    const ImpactSolution impact =
+        solve_impact(system, restitutions(cluster, system, report), collision_law_, law_);
     report.max_residual = std::max(report.max_residual, impact.residual);
     report.max_iterations = std::max(report.max_iterations, impact.iterations);
     if (!impact.converged) ++report.fallbacks;
 
     const double before = totals(model_, cluster).T;
     const double work_before = report.work;
-    add_impulses(system, impact.lambda, cluster, report);
+    add_impulses(system, impact.lambda, impact.moments, cluster, report);
     const double change = totals(model_, cluster).T - before - (report.work - work_before);
     (change < 0 ? report.impact_loss : report.impact_gain) += std::abs(change);
 
@@ -285,7 +313,7 @@ LastingContacts ContactResolver::update_active(Cluster& cluster, AdvanceReport& 
   const ContactSystem system = system_of(cluster, lasting.contacts);
   const double before = totals(model_, cluster).T;
   const double work_before = report.work;
-  add_impulses(system, projection_impulses(system, lasting.states), cluster, report);
+  add_impulses(system, projection_impulses(system, lasting.states), {}, cluster, report);
   report.projection_loss += before - totals(model_, cluster).T + (report.work - work_before);
   return lasting;
 }

@@ -64,11 +64,13 @@ class ContactResolver {
   void settle(const ContactSystem& system, const VecX& u, Cluster& cluster, AdvanceReport& report) const;
   std::vector<double> restitutions(const Cluster& cluster, const ContactSystem& system,
                                    AdvanceReport& report) const;
-  void add_impulses(const ContactSystem& system, const VecX& lambda, Cluster& cluster,
+  /// moments: angular impulses in the contact frames, 3n, or none.
+  void add_impulses(const ContactSystem& system, const VecX& lambda, const VecX& moments, Cluster& cluster,
                     AdvanceReport& report) const;
 
   const Model& model_;
   const IslandIntegrator& integrator_;
+  RestitutionLaw collision_law_;
   SimultaneousLaw law_;
   double resting_velocity_;
   double contact_tolerance_;

@@ -1,6 +1,7 @@
 #include "rigor/sim/island.hpp"
 
 #include "rigor/contact/contact_kinematics.hpp"
+#include "rigor/contact/moment_friction.hpp"
 #include "rigor/dynamics/dense_phase.hpp"
 #include "rigor/dynamics/step_control.hpp"
 #include "rigor/math/rotation.hpp"
@@ -78,7 +79,8 @@ IslandIntegrator::IslandIntegrator(const Model& model, const Environment& enviro
       integrator_(integrator_of(method.integrator)),
       orientation_(method.orientation),
       tolerance_(method.tolerance),
-      direction_tolerance_(direction_tolerance(method)) {}
+      direction_tolerance_(direction_tolerance(method)),
+      resting_velocity_(method.resting_velocity) {}
 
 double direction_tolerance(const Method& method) {
   return 1e-3 * method.resting_velocity;
@@ -128,6 +130,12 @@ std::vector<Wrench> IslandIntegrator::environment_wrenches(const ContactSystem& 
   return wrenches;
 }
 
+std::vector<Wrench> IslandIntegrator::with_moments(const ContactSystem& system,
+                                                   const std::vector<ContactState>& states,
+                                                   std::vector<Wrench> wrenches) const {
+  return with_contact_moments(system, states, std::move(wrenches), direction_tolerance_, resting_velocity_);
+}
+
 IslandIntegrator::Load IslandIntegrator::load(const Island& island, double t,
                                               std::span<const BodyPhase> phases) const {
   const ContactSystem system = contact_system(island, t, phases);
@@ -142,6 +150,9 @@ IslandIntegrator::Load IslandIntegrator::load(const Island& island, double t,
     load.power += environment_.supplied_power(system.bodies[b], view_of(system.kinetics[b]));
   }
   if (!island.contacts.empty()) {
+    std::vector<Wrench> of_environment = wrenches;
+    wrenches = with_moments(system, island.states, std::move(wrenches));
+    load.power += moment_power_of_prescribed(system, of_environment, wrenches);
     const VecX lambda = contact_forces(system, island.states, wrenches, direction_tolerance_);
     add_contact_wrenches(system, lambda, wrenches);
     load.power += work_of_prescribed(system, lambda);

@@ -49,6 +49,10 @@ class IslandIntegrator {
   /// Forces of the environment on each body of the system (zero for prescribed ones).
   std::vector<Wrench> environment_wrenches(const ContactSystem& system, double t) const;
 
+  /// The same with the moments of rolling and torsional friction at contacts of these modes.
+  std::vector<Wrench> with_moments(const ContactSystem& system, const std::vector<ContactState>& states,
+                                   std::vector<Wrench> wrenches) const;
+
   /// One step of exactly h with the contact modes held fixed.
   IslandStep step(const Island& island, double h) const;
   /// A step of at most h, shorter where the error estimate asks for it, but not shorter than `least`: there
@@ -71,6 +75,7 @@ class IslandIntegrator {
   OrientationForm orientation_;
   double tolerance_;
   double direction_tolerance_;
+  double resting_velocity_;
 };
 
 /// Slower slip than this counts as sticking [m/s].

@@ -26,7 +26,7 @@ struct Method {
   OrientationForm orientation = OrientationForm::quaternion;
   DistanceMethod distance = DistanceMethod::gjk;
   ToiMethod toi = ToiMethod::conservative;
-  ImpactMethod impact = ImpactMethod::newton;
+  ImpactMethod impact = ImpactMethod::stronge;
   SimultaneousMethod simultaneous = SimultaneousMethod::reflections;
   RestingMethod resting = RestingMethod::contact_space;
   double contact_tolerance = 1e-6;  ///< Pairs closer than this touch [m].
@@ -66,7 +66,7 @@ std::vector<std::string> method_choice_keys();
 std::vector<std::string> method_values(std::string_view key, bool only_available);
 
 /// Sets the named choice. Empty, or the error: "unknown impact 'newtn'; did you mean 'newton'?" or
-/// "impact 'stronge' is not available in this version; available: newton".
+/// "scheme 'penalty' is not available in this version; available: event-driven".
 std::string set_method_choice(std::string_view key, std::string_view value, Method& method);
 
 /// The value's name of a choice that the method has made ("newton"); empty for an unknown key and for choices

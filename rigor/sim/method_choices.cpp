@@ -61,9 +61,9 @@ std::span<const MethodChoice> method_choices() {
       MethodChoice{"impact", "newton", "relative normal velocity after is -e times before",
                    "Newton, Philosophiae Naturalis Principia Mathematica, 1687", true},
       MethodChoice{"impact", "poisson", "impulse of restitution is e times that of compression",
-                   "Routh, Dynamics of a System of Rigid Bodies, 1905", false},
+                   "Routh, Dynamics of a System of Rigid Bodies, 1905", true},
       MethodChoice{"impact", "stronge", "work of restitution is -e^2 times that of compression",
-                   "Stronge, Rigid Body Collisions with Friction, 1990", false},
+                   "Stronge, Rigid Body Collisions with Friction, 1990", true},
 
       MethodChoice{"simultaneous", "reflections", "repeated reflections until nothing approaches",
                    "Smith, Kaufman, Vouga, Tamstorf and Grinspun, Reflections on Simultaneous Impact, 2012",
@@ -71,8 +71,8 @@ std::span<const MethodChoice> method_choices() {
       MethodChoice{"simultaneous", "lcp", "all impacts of an instant in one complementarity problem",
                    "Glocker and Pfeiffer, Multiple Impacts with Friction in Rigid Multibody Systems, 1995",
                    true},
-      MethodChoice{"simultaneous", "sequential", "one impact after the other",
-                   "Hahn, Realistic Animation of Rigid Bodies, 1988", false},
+      MethodChoice{"simultaneous", "sequential", "one impact after the other, the fastest first",
+                   "Hahn, Realistic Animation of Rigid Bodies, 1988", true},
 
       MethodChoice{"resting", "contact-space", "contact forces from a complementarity problem",
                    "Baraff, Fast Contact Force Computation for Nonpenetrating Rigid Bodies, 1994", true},

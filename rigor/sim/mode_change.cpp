@@ -45,6 +45,11 @@ ModeChangeSearch::Instant ModeChangeSearch::at(const Island& island, const Islan
           integrator_.contact_system(island, t, theta == 1 ? std::span<const BodyPhase>(step.end) : phases)};
 }
 
+std::vector<Wrench> ModeChangeSearch::wrenches(const Island& island, const Instant& instant) const {
+  return integrator_.with_moments(instant.system, island.states,
+                                  integrator_.environment_wrenches(instant.system, instant.t));
+}
+
 /// Smallest speed along its slip of the sliding contacts; below zero one of them has stopped.
 double ModeChangeSearch::slip_margin(const Island& island, const Instant& instant) const {
   double margin = std::numeric_limits<double>::infinity();
@@ -64,8 +69,7 @@ double ModeChangeSearch::slip_margin(const Island& island, const Instant& instan
 double ModeChangeSearch::force_margin(const Island& island, const Instant& instant) const {
   constexpr double rounding = 1e-10;
   const VecX lambda =
-      contact_forces(instant.system, island.states,
-                     integrator_.environment_wrenches(instant.system, instant.t), direction_tolerance_);
+      contact_forces(instant.system, island.states, wrenches(island, instant), direction_tolerance_);
   const double scale = lambda.cwiseAbs().maxCoeff();
   if (scale == 0) return rounding;
   double margin = std::numeric_limits<double>::infinity();
@@ -99,8 +103,7 @@ double ModeChangeSearch::overlap_margin(const Island& island, const Instant& ins
 
 /// Whether the modes can still be, whatever the distribution of redundant forces.
 bool ModeChangeSearch::modes_hold(const Island& island, const Instant& instant) const {
-  return modes_have_forces(instant.system, island.states,
-                           integrator_.environment_wrenches(instant.system, instant.t), direction_tolerance_);
+  return modes_have_forces(instant.system, island.states, wrenches(island, instant), direction_tolerance_);
 }
 
 std::optional<ModeChange> ModeChangeSearch::find_overlap(const Island& island, const IslandStep& step,

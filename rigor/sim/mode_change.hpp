@@ -31,6 +31,7 @@ class ModeChangeSearch {
  private:
   struct Instant;
   Instant at(const Island& island, const IslandStep& step, double theta) const;
+  std::vector<Wrench> wrenches(const Island& island, const Instant& instant) const;
   double slip_margin(const Island& island, const Instant& instant) const;
   double force_margin(const Island& island, const Instant& instant) const;
   double overlap_margin(const Island& island, const Instant& instant, double allowance) const;

@@ -27,6 +27,10 @@ std::string svg_text(const Drawing& drawing) {
                  "viewBox=\"0 0 {0:g} {1:g}\" font-family=\"Helvetica, Arial, sans-serif\" fill=\"{2}\">\n"
                  "<rect width=\"{0:g}\" height=\"{1:g}\" fill=\"#ffffff\"/>\n",
                  drawing.width, drawing.height, ink);
+  for (const Drawing::Box& box : drawing.boxes) {
+    fmt::format_to(out, "<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" fill=\"{}\"/>\n",
+                   box.left, box.top, box.right - box.left, box.bottom - box.top, box.color);
+  }
   for (const Drawing::Stroke& stroke : drawing.strokes) {
     svg += "<path d=\"";
     for (std::size_t i = 0; i < stroke.points.size(); ++i)
@@ -49,6 +53,10 @@ Image rasterised(const Drawing& drawing, double scale) {
   Image image(static_cast<int>(std::lround(drawing.width * scale)),
               static_cast<int>(std::lround(drawing.height * scale)));
   Canvas canvas(image);
+  for (const Drawing::Box& box : drawing.boxes) {
+    canvas.fill(box.left * scale, box.top * scale, box.right * scale, box.bottom * scale,
+                color_from_hex(box.color));
+  }
   for (const Drawing::Stroke& stroke : drawing.strokes) {
     Polyline line = stroke.points;
     for (Vec2& point : line) point *= scale;

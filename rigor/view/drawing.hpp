@@ -7,8 +7,13 @@
 
 namespace rigor {
 
-/// A picture of lines and texts, x right and y down, that can be written as SVG or drawn in pixels.
+/// A picture of boxes, lines and texts, x right and y down, that can be written as SVG or drawn in pixels.
 struct Drawing {
+  /// A filled rectangle, below all lines.
+  struct Box {
+    double left, top, right, bottom;
+    std::string color;  ///< "#rrggbb".
+  };
   struct Stroke {
     Polyline points;
     double width;
@@ -22,6 +27,7 @@ struct Drawing {
     bool is_vertical = false;  ///< Runs upwards.
   };
   double width = 0, height = 0;
+  std::vector<Box> boxes;
   std::vector<Stroke> strokes;
   std::vector<Label> labels;
 };

@@ -108,12 +108,13 @@ Json series_json() {
 
 }  // namespace
 
-PageRun::PageRun(const Scene& scene, const State& start)
+PageRun::PageRun(const Scene& scene, const State& start, std::string label)
     : model_(scene.model),
       latest_model_(scene.model),
       method_(scene.method),
       run_(scene.run),
       name_(scene.name),
+      label_(std::move(label)),
       scale_(page_scale(*scene.model, start)),
       frames_(*model_, scale_),
       contacts_(scale_, scene.method.contact_tolerance),
@@ -154,29 +155,33 @@ std::vector<PageBlock> PageRun::finish(const Audit& audit) {
   const PageGeometry geometry = page_geometry(*model_);
   Json audit_of_run = Json::parse(audit_json(audit));
   audit_of_run.erase("bodies");  // Where they end is in the frames.
-  const Json header = {{"format", 1},
-                       {"rigor", version},
-                       {"scene", name_},
-                       {"duration", run_.duration},
-                       {"step", run_.step},
-                       {"output_interval", run_.output_interval},
-                       {"gravity", json_of(latest_model_->g_W())},
-                       {"origin", json_of(scale_.origin)},
-                       {"extent", scale_.extent},
-                       {"position_step", scale_.position_step},
-                       {"position_error", 0.5 * scale_.position_step},
-                       {"orientation_error", packing_error},
-                       {"contact_tolerance", method_.contact_tolerance},
-                       {"frames", frames_.frame_count()},
-                       {"events", events_.size()},
-                       {"series", series_json()},
-                       {"bodies", bodies_json(*model_, geometry)},
-                       {"looks", geometry.looks},
-                       {"meshes", geometry.meshes},
-                       {"materials", materials_json(*latest_model_)},
-                       {"springs", springs_json(*latest_model_)},
-                       {"joints", Json::array()},
-                       {"audit", audit_of_run}};
+  Json header = {{"format", 1},
+                 {"rigor", version},
+                 {"scene", name_},
+                 {"duration", run_.duration},
+                 {"step", run_.step},
+                 {"output_interval", run_.output_interval},
+                 {"gravity", json_of(latest_model_->g_W())},
+                 {"origin", json_of(scale_.origin)},
+                 {"extent", scale_.extent},
+                 {"position_step", scale_.position_step},
+                 {"position_error", 0.5 * scale_.position_step},
+                 {"orientation_error", packing_error},
+                 {"contact_tolerance", method_.contact_tolerance},
+                 {"frames", frames_.frame_count()},
+                 {"events", events_.size()},
+                 {"series", series_json()},
+                 {"bodies", bodies_json(*model_, geometry)},
+                 {"looks", geometry.looks},
+                 {"meshes", geometry.meshes},
+                 {"materials", materials_json(*latest_model_)},
+                 {"springs", springs_json(*latest_model_)},
+                 {"joints", Json::array()},
+                 {"audit", audit_of_run}};
+  if (!label_.empty()) {
+    header["label"] = label_;
+    if (audit.report.reason != StopReason::reached_end) header["stopped"] = audit.report.detail;
+  }
   std::vector<PageBlock> blocks = {
       make_page_block("header", header.dump(-1, ' ', false, Json::error_handler_t::replace)),
       make_page_block("meshes", geometry.mesh_bytes), series_block(), events_block()};

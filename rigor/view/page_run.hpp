@@ -17,7 +17,8 @@ namespace rigor {
 /// a few bytes a body a frame.
 class PageRun {
  public:
-  PageRun(const Scene& scene, const State& start);
+  /// label: its name on a page with several runs, else empty.
+  PageRun(const Scene& scene, const State& start, std::string label = {});
 
   /// An output time with what happened since the last one.
   void add(const State& state, const AdvanceReport& since, const Energy& energy);
@@ -42,7 +43,7 @@ class PageRun {
   std::shared_ptr<const Model> model_, latest_model_;
   Method method_;
   RunSettings run_;
-  std::string name_;
+  std::string name_, label_;
   PageScale scale_;
   PageFrames frames_;
   PageContacts contacts_;

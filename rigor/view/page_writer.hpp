@@ -17,8 +17,8 @@ inline constexpr std::array<std::string_view, 1> page_suffixes = {".html"};
 /// The viewer: one script (viewer/dist/viewer.js) that finds the data blocks of the page it is in.
 std::string_view viewer_script();
 
-/// Writes a page that shows these runs, the second one as the ghost of the first: the viewer, then the blocks
-/// of each run. It needs no network and no other file. Throws FileError.
+/// Writes a page that shows these runs (at first the second one as the ghost of the first): the viewer, then
+/// the blocks of each run. It needs no network and no other file. Throws FileError.
 void write_page(const std::filesystem::path& path, std::string_view title,
                 const std::vector<std::vector<PageBlock>>& runs);
 

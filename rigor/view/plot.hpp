@@ -9,7 +9,8 @@ namespace rigor {
 
 /// Plot of quantities over time: one panel for each of them (all energies in one), one below the other with a
 /// common time axis, axes with units, a legend above each panel. A value that is not finite breaks the line
-/// there.
+/// there. Lines with output times of their own are of several runs, which may lie on each other: each is
+/// wider than the next, so that all are seen.
 Drawing make_plot(std::span<const double> time, std::span<const PlotSeries> series);
 
 /// Runs of finite values of a line, as points (time, value). A run of one value is a run of two equal points,

@@ -102,9 +102,6 @@ TEST(SceneErrors, OfKeysOfLaterVersions) {
            "s.yaml:3:10: key 'lcp' of method is not available in this version; leave it out"},
           {"method: {substeps: 4}",
            "s.yaml:3:10: key 'substeps' of method is not available in this version; leave it out"},
-          {"materials: [{name: m, rolling_friction: 0.1}]",
-           "s.yaml:3:13: material 'm': rolling_friction is 0.1 m, must be 0: it is not available in this "
-           "version"},
       },
       "rigor: 1\nbodies: []\n", "\n");
 }
@@ -128,8 +125,6 @@ TEST(SceneErrors, OfRunAndMethod) {
           {"run: {seed: 1.5}", "s.yaml:3:13: run: seed is 1.5, must be a whole number"},
           {"run: {seed: -1}", "s.yaml:3:13: run: seed is -1, must be from 0 to 9007199254740992"},
           {"method: {impact: newtn}", "s.yaml:3:18: method: unknown impact 'newtn'; did you mean 'newton'?"},
-          {"method: {impact: stronge}",
-           "s.yaml:3:18: method: impact 'stronge' is not available in this version; available: newton"},
           {"method: {scheme: time-stepping}",
            "s.yaml:3:18: method: scheme 'time-stepping' is not available in this version; available: "
            "event-driven"},

@@ -82,7 +82,7 @@ TEST(AuditJson, ValuesAreThoseOfTheAudit) {
   const Json json = Json::parse(audit_json(sample_audit()));
   EXPECT_EQ(json["rigor"], version);
   EXPECT_EQ(json["scene"], "two \"balls\"");
-  EXPECT_EQ(json["method"]["impact"], "newton");
+  EXPECT_EQ(json["method"]["impact"], "stronge");
   EXPECT_EQ(json["method"]["contact_tolerance"], 1e-6);
   EXPECT_EQ(json["events"]["slip_to_stick"], 7);
   EXPECT_EQ(json["energy"]["initial"], 7.0);

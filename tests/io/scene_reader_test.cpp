@@ -93,6 +93,7 @@ TEST(SceneReader, ReadsEveryKey) {
   method.integrator = IntegratorMethod::dopri5;
   method.orientation = OrientationForm::matrix;
   method.toi = ToiMethod::ratio;
+  method.impact = ImpactMethod::newton;
   method.simultaneous = SimultaneousMethod::lcp;
   method.contact_tolerance = 1e-5;
   method.time_tolerance = 1e-9;
@@ -353,6 +354,22 @@ TEST(Overrides, TellTheirMistakes) {
   std::string deep = "a";
   for (int i = 0; i < 60000; ++i) deep += ".a";
   EXPECT_NE(message(deep + "=1").find("the key has too many parts"), std::string::npos);
+}
+
+TEST(Overrides, TheLastOnesMayBeCalledVary) {
+  const auto message = [](std::size_t varied) -> std::string {
+    try {
+      parse_scene(kEverything, "scene.yaml", ".", {"run.duration=-1", "run.step=-2"}, varied);
+    } catch (const InputError& error) {
+      return error.messages()[0] + "\n" + error.messages()[1];
+    }
+    return "";
+  };
+  const std::string duration = "run.duration=-1: run: duration is -1 s, must be > 0 and at most 1e+09 s\n";
+  const std::string step = "run.step=-2: run: step is -2 s, must be from 1e-12 to 1e+09 s";
+  EXPECT_EQ(message(0), "--set " + duration + "--set " + step);
+  EXPECT_EQ(message(1), "--set " + duration + "--vary " + step);
+  EXPECT_EQ(message(2), "--vary " + duration + "--vary " + step);
 }
 
 TEST(Overrides, MistakesOfTheModelNameThePlaceInTheFile) {

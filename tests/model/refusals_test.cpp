@@ -162,7 +162,7 @@ TEST(Refused, MaterialsAndPairs) {
   ModelBuilder builder;
   builder.add_material({.name = "a", .restitution = 1.5});
   builder.add_material({.name = "a"});
-  builder.add_material({.name = "b", .rolling_friction = 0.1, .torsional_friction = 0.2});
+  builder.add_material({.name = "b", .rolling_friction = -0.1, .torsional_friction = 2e9});
   builder.set_pair("a", "stel", {-1, 0});
   builder.set_pair("a", "b", {0, 0});
   builder.set_pair("b", "a", {0, 2});
@@ -170,8 +170,8 @@ TEST(Refused, MaterialsAndPairs) {
             (std::vector<std::string>{
                 "material 'a': restitution is 1.5, must be from 0 to 1",
                 "material 'a': there is already a material of this name",
-                "material 'b': rolling_friction is 0.1 m, must be 0: it is not available in this version",
-                "material 'b': torsional_friction is 0.2 m, must be 0: it is not available in this version",
+                "material 'b': rolling_friction is -0.1 m, must be from 0 to 1e+09 m",
+                "material 'b': torsional_friction is 2000000000 m, must be from 0 to 1e+09 m",
                 "pair 'a', 'stel': friction is -1, must be from 0 to 1000",
                 "pair 'a', 'stel': unknown material 'stel'; one of: a, b, default",
                 "pair 'b', 'a': restitution is 2, must be from 0 to 1",

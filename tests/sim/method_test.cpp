@@ -62,15 +62,15 @@ TEST(SetMethodChoice, EnumeratorsAreTheirNames) {
   EXPECT_EQ(method.toi, ToiMethod::bisection);
   set_method_choice("simultaneous", "lcp", method);
   EXPECT_EQ(method.simultaneous, SimultaneousMethod::lcp);
+  set_method_choice("simultaneous", "sequential", method);
+  EXPECT_EQ(method.simultaneous, SimultaneousMethod::sequential);
 }
 
 TEST(SetMethodChoice, TellsWhatIsWrong) {
   Method method;
   EXPECT_EQ(set_method_choice("impact", "newtn", method), "unknown impact 'newtn'; did you mean 'newton'?");
-  EXPECT_EQ(set_method_choice("impact", "stronge", method),
-            "impact 'stronge' is not available in this version; available: newton");
-  EXPECT_EQ(set_method_choice("simultaneous", "sequential", method),
-            "simultaneous 'sequential' is not available in this version; available: reflections, lcp");
+  EXPECT_EQ(set_method_choice("resting", "motion-space", method),
+            "resting 'motion-space' is not available in this version; available: contact-space");
   EXPECT_EQ(set_method_choice("lcp", "dantzig", method),
             "lcp 'dantzig' is not available in this version; available: none, leave 'lcp' out");
   EXPECT_EQ(set_method_choice("impct", "newton", method), "unknown choice 'impct'; did you mean 'impact'?");

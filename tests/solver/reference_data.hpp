@@ -3,13 +3,18 @@
 #include "rigor/math/types.hpp"
 
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 
 namespace rigor::reference {
 
-inline nlohmann::json read(const std::string& name) {
-  return nlohmann::json::parse(std::ifstream(std::string(RIGOR_TEST_DATA) + "/" + name));
+/// The file's content, which stays: a loop over read(name)["cases"] would else go over what is gone.
+inline const nlohmann::json& read(const std::string& name) {
+  static std::map<std::string, nlohmann::json> files;
+  const auto [file, is_new] = files.try_emplace(name);
+  if (is_new) file->second = nlohmann::json::parse(std::ifstream(std::string(RIGOR_TEST_DATA) + "/" + name));
+  return file->second;
 }
 
 inline VecX vector(const nlohmann::json& values) {

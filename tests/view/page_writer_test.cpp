@@ -90,6 +90,27 @@ TEST(PageWriter, AFullPageEndsAsAnHtmlFileAndLoadsNothingFromElsewhere) {
   }
 }
 
+TEST(PageWriter, RunsOfOnePageHaveNamesAndEndsAndASingleRunHasNeither) {
+  const Scene scene = scene_of("cradle.yaml");
+  const auto header_of = [&](PageRun run, const Audit& audit) {
+    run.add(make_initial_state(*scene.model), {}, {});
+    const TemporaryFolder folder;
+    write_page(folder / "page.html", "title", {run.finish(audit)});
+    return Json::parse(test::blocks_of_page(text_of(folder / "page.html")).at(0).bytes);
+  };
+  const State start = make_initial_state(*scene.model);
+  Audit stopped;
+  stopped.report.reason = StopReason::impact_unsolved;
+  stopped.report.detail = "bodies approach";
+  const Json named = header_of(PageRun(scene, start, "a=1 <b>"), {});
+  EXPECT_EQ(named["label"], "a=1 <b>");
+  EXPECT_FALSE(named.contains("stopped"));
+  EXPECT_EQ(header_of(PageRun(scene, start, "a=1"), stopped)["stopped"], "bodies approach");
+  const Json alone = header_of(PageRun(scene, start), stopped);
+  EXPECT_FALSE(alone.contains("label"));
+  EXPECT_FALSE(alone.contains("stopped"));
+}
+
 TEST(PageWriter, TheSeriesIsThatOfTheRunToTheLastBit) {
   const WrittenPage page = page_of(scene_of("bouncing_ball_e05.yaml"));
   const Json series = page.header()["series"];

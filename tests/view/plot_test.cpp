@@ -192,6 +192,28 @@ TEST(Plot, NothingLeavesTheDrawing) {
   EXPECT_EQ(image, rasterised(plot, 2));
 }
 
+TEST(Plot, LinesOfSeveralRunsHaveTimesOfTheirOwnAndEachLeavesARimOfTheOneBefore) {
+  const std::vector<PlotSeries> series = {{"whole", "energy", "J", {0, 4, 8}, {0, 2, 4}},
+                                          {"stopped", "energy", "J", {0, 2}, {0, 1}}};
+  const Drawing plot = make_plot({}, series);
+  const auto line_of = [&](const char* color, std::size_t points) {
+    for (const Drawing::Stroke& stroke : plot.strokes) {
+      // The sample in the legend is level.
+      if (stroke.color == color && stroke.points.size() == points &&
+          stroke.points[0].y() != stroke.points[1].y())
+        return stroke;
+    }
+    return Drawing::Stroke{};
+  };
+  const Drawing::Stroke whole = line_of("#0072b2", 3), stopped = line_of("#e69f00", 2);
+  ASSERT_EQ(whole.points.size(), 3u);
+  ASSERT_EQ(stopped.points.size(), 2u);
+  // The second run is a quarter of the first, along the same straight line.
+  EXPECT_NEAR((stopped.points[1] - whole.points[0] - 0.25 * (whole.points[2] - whole.points[0])).norm(), 0,
+              1e-9);
+  EXPECT_GT(whole.width, stopped.width + 0.5);
+}
+
 TEST(Plot, AQuantityThatIsNeverKnownIsAnEmptyPanel) {
   const std::vector<PlotSeries> series = {{"x", "energy", "J", {nan, nan}}};
   EXPECT_FALSE(well_formed_tags(svg_text(make_plot(std::vector<double>{0, 1}, series))).empty());

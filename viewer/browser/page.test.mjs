@@ -1,7 +1,7 @@
 // The page as a reader meets it: opened from disk in Chromium, without a network.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { makePage, openBrowser, openPage, removePages, writePage } from "./pages.mjs";
+import { makePage, openBrowser, openPage, removePages, settle, writePage } from "./pages.mjs";
 
 let browser;
 let cradle;
@@ -22,7 +22,6 @@ const state = (page) => page.evaluate(() => ({
   bodies: window.rigor.source.header.bodies.map((_, i) => window.rigor.positionOf(i)),
   error: window.rigor.source.header.position_error,
 }));
-const settle = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => requestAnimationFrame(done)))));
 
 /** Waits for something to become true in the page (Playwright's own way needs eval, which the page forbids). */
 async function until(page, isTrue) {
@@ -217,21 +216,6 @@ test("the deepest penetration of the run is found, and its bodies are marked", a
   // A plane has no shape to mark.
   const drawn = bodies.map((name) => rocks.run.bodies.indexOf(name)).filter((body) => rocks.run.bodies[body] !== "ground");
   assert.deepEqual([...new Set(marked)].sort(), drawn.sort());
-  await page.close();
-});
-
-test("a second run is shown as a ghost with its curves", async () => {
-  const other = makePage("cradle", "--set", "materials.steel.restitution=0.5");
-  const ghostBlocks = other.text.match(/<script type="text\/plain"[^]*?<\/script>\n/g).map((block) => block.replace('data-run="0"', 'data-run="1"'));
-  const both = cradle.text.replace("</body>", `${ghostBlocks.join("")}</body>`);
-  const { page, errors } = await openPage(browser, writePage("ghost.html", both));
-  await page.keyboard.press("End");
-  await settle(page);
-  const [motion, ghost] = await page.evaluate(() => [window.rigor.view.motion, window.rigor.view.ghostMotion].map((m) => [...m.position]));
-  assert.notDeepEqual(motion, ghost);
-  const labels = await page.evaluate(() => window.rigor.plots.charts[0].series.map((series) => series.label));
-  assert.ok(labels.includes("kinetic B"), labels.join());
-  assert.deepEqual(errors, []);
   await page.close();
 });
 

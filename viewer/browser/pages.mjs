@@ -1,8 +1,8 @@
 // Makes pages with the program and opens them in a browser without a screen.
-import { execFileSync, spawn } from "node:child_process";
+import { execFileSync, spawn, spawnSync } from "node:child_process";
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
-import { join, resolve } from "node:path";
+import { basename, join, resolve } from "node:path";
 import { chromium } from "playwright-core";
 
 const root = resolve(import.meta.dirname ?? new URL(".", import.meta.url).pathname, "../..");
@@ -26,6 +26,19 @@ export function makePage(scene, ...options) {
   execFileSync(program, ["run", join(root, "scenes", `${scene}.yaml`), "-o", html, "-o", json, "--quiet", ...options], { stdio: ["ignore", "ignore", "ignore"] });
   return { html, text: readFileSync(html, "utf8"), run: JSON.parse(readFileSync(json, "utf8")) };
 }
+
+/** Compares runs of a scene; gives the page's file, its text and the comparison with all audits as JSON. */
+export function makeComparison(scene, ...options) {
+  const file = scene.endsWith(".yaml") ? scene : join(root, "scenes", `${scene}.yaml`);
+  const name = `compare_${[basename(file, ".yaml"), ...options].join("_").replace(/[^a-z0-9_]/gi, "")}`;
+  const html = join(folder, `${name}.html`), json = join(folder, `${name}.json`);
+  // A run that stops or breaks its tolerance is worth a page too.
+  spawnSync(program, ["compare", file, "-o", html, "--json", json, "--quiet", ...options], { stdio: "ignore" });
+  return { html, text: readFileSync(html, "utf8"), table: JSON.parse(readFileSync(json, "utf8")) };
+}
+
+/** Waits until the page has drawn what was asked for. */
+export const settle = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => requestAnimationFrame(done)))));
 
 export function writePage(name, text) {
   const file = join(folder, name);

@@ -1,3 +1,5 @@
+import { compareAudits } from "./compare_audits";
+import { ComparePlots } from "./compare_plots";
 import { el } from "./dom";
 import { extentOf } from "./extent";
 import { keyHelp } from "./keys";
@@ -5,6 +7,7 @@ import { Panel } from "./panel";
 import { Playback, steppedTime } from "./playback";
 import { Plots } from "./plots";
 import type { Loaded } from "./run";
+import { RunChoice, runColor, type Chosen } from "./run_choice";
 import { ScenePage } from "./scene_page";
 import { RecordedSource } from "./source";
 import { Transport } from "./transport";
@@ -12,37 +15,44 @@ import { Transport } from "./transport";
 /** The numbers beside the scene change at most this often while playing [ms]. */
 const numbersPause = 100;
 
-/** The page of stored runs: scene, panel, transport, plots, and what happens between them. */
+/** The page of one stored run or of several: scene, panel, transport, plots, and what happens between them. */
 export class App extends ScenePage<RecordedSource> {
   readonly element: HTMLElement;
   readonly playback: Playback;
-  readonly plots: Plots;
+  readonly plots: Plots | ComparePlots;
   protected readonly panel: Panel;
+  private readonly sources: RecordedSource[];
   private readonly transport: Transport;
   private lastFrame = 0;
 
   constructor(loaded: Loaded) {
-    const [run, second] = loaded.runs;
-    const source = new RecordedSource(run), ghost = second && new RecordedSource(second);
+    const sources = loaded.runs.map((run) => new RecordedSource(run));
+    const [source, ghost] = sources;
     super(source, ghost, extentOf(source.header, source.frames), keyHelp);
-    const { times, header } = this.source;
-    this.playback = new Playback(times[0], times[times.length - 1]);
-    this.transport = new Transport(this.playback, this.source.events, header.output_interval, {
+    this.sources = sources;
+    // The time line is that of the longest run: a shorter one stands still at its end.
+    const times = sources.map((own) => own.times);
+    this.playback = new Playback(Math.min(...times.map((own) => own[0])), Math.max(...times.map((own) => own[own.length - 1])));
+    this.transport = new Transport(this.playback, source.events, source.header.output_interval, {
       toggle: () => this.toggle(),
       step: (frames) => this.step(frames),
       seek: (time) => this.seek(time),
       showEvent: (index) => this.showEvent(index),
       nextImpact: (direction) => this.nextImpact(direction),
     });
-    this.panel = new Panel(this.source, this.shown, ghost !== undefined, {
+    this.panel = new Panel(source, this.shown, ghost !== undefined, {
       select: (body) => this.select(body),
       follow: (body) => this.follow(body),
       changed: () => this.invalidate(),
       showDeepest: () => this.showDeepest(),
     });
-    this.plots = new Plots(this.source, ghost, (time) => this.seek(time));
-    this.element = el("div", { class: "app" }, this.head(), ...loaded.problems.map((problem) => el("p", { class: "problem", role: "alert", text: problem })),
-      el("div", { class: "middle" }, this.stage, this.panel.element), this.transport.element, this.plots.element, this.help);
+    const isComparison = sources.length > 1;
+    const seek = (time: number) => this.seek(time);
+    this.plots = isComparison ? new ComparePlots(sources, { a: 0, b: 1 }, seek) : new Plots(source, seek);
+    const choice = isComparison ? new RunChoice(sources, { a: 0, b: 1 }, (chosen) => this.showRuns(chosen)).element : undefined;
+    this.element = el("div", { class: isComparison ? "app comparison" : "app" }, this.head(), choice, ...loaded.problems.map((problem) => el("p", { class: "problem", role: "alert", text: problem })),
+      el("div", { class: "middle" }, this.stage, this.panel.element), this.transport.element, this.plots.element,
+      isComparison ? compareAudits(sources) : undefined, this.help);
   }
 
   toggle(): void {
@@ -77,10 +87,26 @@ export class App extends ScenePage<RecordedSource> {
     if (index !== undefined) this.showEvent(index);
   }
 
+  /** Draws one run, and another as its ghost; what is chosen and followed stays, if it is in both. */
+  showRuns({ a, b }: Chosen): void {
+    const twinOf = (body: number) => (body < 0 ? -1 : this.sources[a].header.bodies.findIndex(({ name }) => name === this.source.header.bodies[body].name));
+    const selected = twinOf(this.selected), followed = twinOf(this.view?.followed ?? -1);
+    this.source = this.sources[a];
+    this.ghost = this.sources[b];
+    this.setEvent(undefined);
+    this.flagged = [];
+    this.view?.setRuns(this.source, this.ghost, extentOf(this.source.header, this.source.frames), this.playback.time, runColor(b));
+    this.panel.setSource(this.source);
+    this.transport.setEvents(this.source.events);
+    if (this.plots instanceof ComparePlots) this.plots.setRuns({ a, b });
+    this.select(selected);
+    if (followed >= 0) this.follow(followed);
+  }
+
   private head(): HTMLElement {
     const { header } = this.source;
     const method = header.audit.method as Record<string, string> | undefined;
-    const choices = [method?.scheme, method?.integrator, method?.impact].filter(Boolean).join(" · ");
+    const choices = this.sources.length > 1 ? `${this.sources.length} runs` : [method?.scheme, method?.integrator, method?.impact].filter(Boolean).join(" · ");
     return el("header", {},
       el("h1", { text: header.scene }),
       el("span", { class: "about", text: `${choices} · ${header.bodies.length} ${header.bodies.length === 1 ? "body" : "bodies"} · ${this.source.times.length} frames` }),

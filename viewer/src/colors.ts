@@ -36,6 +36,11 @@ export const overlayColors = {
   ghost: palette.skyBlue,
 } as const;
 
+/** Colours of runs that are compared, in their order. */
+export const runColors = [
+  palette.skyBlue, palette.orange, palette.green, palette.purple, palette.vermilion, palette.blue, palette.yellow, palette.grey,
+];
+
 /** Components in 0..1 of "#rgb" or "#rrggbb"; grey for anything else. */
 export function rgb(text: string): Rgb {
   const short = /^#([0-9a-f])([0-9a-f])([0-9a-f])$/i.exec(text);

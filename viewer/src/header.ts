@@ -3,6 +3,10 @@ export interface Header {
   format: number;
   rigor: string;
   scene: string;
+  /** Name of the run, on a page with several. */
+  label?: string;
+  /** There, why the run could not go on. */
+  stopped?: string;
   duration: number;
   step: number;
   output_interval: number;

@@ -26,7 +26,7 @@ export const keyHelp: [string, string][] = [
   ["L", "loop"],
   ...sceneHelp,
   ["Shift P", "go to the deepest penetration"],
-  ["G", "ghost of the second run (where there is one)"],
+  ["G", "ghost of run B (where there is one)"],
 ];
 
 /** The same on a live page. */

@@ -46,7 +46,7 @@ export class LiveApp extends ScenePage<LiveSource> {
       changed: () => this.invalidate(),
       showDeepest: () => {},
     }, this.control.element);
-    this.plots = new Plots(source, undefined, () => this.showEvent(undefined));
+    this.plots = new Plots(source, () => this.showEvent(undefined));
     this.line = new TimeLine(this.range, source.events, run.header.output_interval, {
       seek: () => this.showEvent(undefined),
       showEvent: (index) => this.showEvent(index),

@@ -1,3 +1,4 @@
+import { auditRows, auditText, auditWarnings, isSound } from "./audit_rows";
 import { overlayColors } from "./colors";
 import type { Contact } from "./contacts";
 import { el } from "./dom";
@@ -26,18 +27,30 @@ export class Panel {
   private readonly found = el("ul", { class: "found", role: "listbox", "aria-label": "Bodies" });
   private readonly numbers = el("div", { class: "numbers", id: "numbers" });
   private readonly event = el("div", { class: "event", id: "event", role: "status" });
+  private readonly audit = el("div");
+  private readonly precision = el("p", { class: "hint" });
   private readonly boxes = new Map<keyof Shown, HTMLInputElement>();
 
-  constructor(private readonly source: FrameSource, private readonly shown: Shown, hasGhost: boolean, private readonly actions: PanelActions, control?: HTMLElement) {
+  constructor(private source: FrameSource, private readonly shown: Shown, hasGhost: boolean, private readonly actions: PanelActions, control?: HTMLElement) {
     this.search = el("input", { type: "search", id: "search", placeholder: "Find a body by name (/)", "aria-label": "Find a body by name", oninput: () => this.list() });
     const tabs: [string, HTMLElement][] = [
       // A live run has no audit yet; there one can change the scene.
       ...(control ? [["Control", control] as [string, HTMLElement]] : []),
       ["Body", el("div", {}, this.search, this.found, this.numbers)],
       ["Show", this.showTab(hasGhost)],
-      ...(control ? [] : [["Audit", el("div", {}, auditTable(source.header, actions))] as [string, HTMLElement]]),
+      ...(control ? [] : [["Audit", this.audit] as [string, HTMLElement]]),
     ];
     this.element = el("aside", { class: "panel" }, this.event, tabBar(tabs), ...tabs.map(([, content]) => content));
+    this.setSource(source);
+  }
+
+  /** From now on it tells of this run. */
+  setSource(source: FrameSource): void {
+    this.source = source;
+    const { position_error, orientation_error } = source.header;
+    this.precision.textContent = `Positions are stored to ${format.number(position_error, 2)} m, orientations to ${format.number(orientation_error, 2)} rad. `
+      + "Between two frames a body follows a smooth curve through both, over an impact two curves that meet there.";
+    this.audit.replaceChildren(auditTable(source.header, this.actions));
     this.list();
   }
 
@@ -132,7 +145,7 @@ export class Panel {
       ["joints", "Joint axes (J)", [overlayColors.impulse], header.joints.length > 0],
       ["trails", "Trails (T)", [overlayColors.normal], true],
       ["penetration", "Overlapping bodies (P)", [overlayColors.penetration], true],
-      ["ghost", "Second run as a ghost (G)", [overlayColors.ghost], hasGhost],
+      ["ghost", "Run B as a ghost (G)", [], hasGhost],
       ["shadows", "Shadows (H)", [], true],
     ];
     const lines = entries.filter(([, , , exists]) => exists).map(([name, text, colors]) => {
@@ -151,8 +164,7 @@ export class Panel {
     return el("div", { class: "show" }, ...lines, el("label", {}, "Length of arrows ", scale),
       el("p", { class: "legend" }, legend("normal force", overlayColors.normal), legend("friction, sticks", overlayColors.stick),
         legend("friction, slides", overlayColors.slide), legend("no force", overlayColors.open), legend("impulse", overlayColors.impulse)),
-      el("p", { class: "hint" }, `Positions are stored to ${format.number(header.position_error, 2)} m, orientations to ${format.number(header.orientation_error, 2)} rad. `
-        + "Between two frames a body follows a smooth curve through both, over an impact two curves that meet there."));
+      this.precision);
   }
 }
 
@@ -181,30 +193,15 @@ function tabBar(tabs: [string, HTMLElement][]): HTMLElement {
 }
 
 /** The audit, line by line, what broke its tolerance first. */
-function auditTable(header: Header, actions: PanelActions): HTMLElement {
-  const warnings = (header.audit.warnings as string[] | undefined) ?? [];
-  const isSound = !warnings.some((warning) => warning.startsWith("violated"));
-  const rows: [string, string | Node][] = [];
-  const addRows = (prefix: string, values: Record<string, unknown>) => {
-    for (const [key, value] of Object.entries(values)) {
-      if (prefix === "" && (key === "bodies" || key === "warnings")) continue;
-      const name = prefix ? `${prefix}: ${key.replace(/_/g, " ")}` : key.replace(/_/g, " ");
-      if (value !== null && typeof value === "object" && !Array.isArray(value)) addRows(name, value as Record<string, unknown>);
-      else rows.push([name, auditValue(name, value, actions)]);
-    }
-  };
-  addRows("", header.audit);
+function auditTable({ audit }: Header, actions: PanelActions): HTMLElement {
+  const rows = auditRows(audit).map(({ name, value }): [string, string | Node] => [name, auditValue(name, value, actions)]);
   return el("div", {},
-    el("p", { class: isSound ? "sound" : "broken", text: isSound ? "✓ audit passed" : "✗ audit violated" }),
-    ...warnings.map((warning) => el("p", { class: "warning", text: warning })),
+    el("p", { class: isSound(audit) ? "sound" : "broken", text: isSound(audit) ? "✓ audit passed" : "✗ audit violated" }),
+    ...auditWarnings(audit).map((warning) => el("p", { class: "warning", text: warning })),
     table(rows));
 }
 
 function auditValue(name: string, value: unknown, actions: PanelActions): string | Node {
-  if (value === null || value === undefined) return "–";
-  if (typeof value !== "number") return Array.isArray(value) ? value.join(" ↔ ") : String(value);
-  const text = Number.isInteger(value) ? String(value) : format.number(value, 8);
-  if (name !== "penetration: time") return text;
-  return el("button", { type: "button", class: "link", title: "Go there", onclick: () => actions.showDeepest() }, `${text} s`);
+  if (name !== "penetration: time" || typeof value !== "number") return auditText(value);
+  return el("button", { type: "button", class: "link", title: "Go there", onclick: () => actions.showDeepest() }, `${auditText(value)} s`);
 }
-

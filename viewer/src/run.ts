@@ -54,15 +54,17 @@ export async function loadRuns(blocks: BlockText[], expected: number, progress: 
   const numbers = [...new Set(blocks.map((block) => block.run))];
   for (const number of numbers) {
     const own = blocks.filter((block) => block.run === number);
+    const ownProblems: string[] = [];
     try {
-      runs.push(await loadRun(own, problems, (part) => progress((runs.length + part) / numbers.length)));
+      runs.push(await loadRun(own, ownProblems, (part) => progress((runs.length + part) / numbers.length)));
     } catch (error) {
       if (!(error instanceof DataError)) throw error;
-      // The ghost may be missing, the run itself may not.
-      if (runs.length === 0) throw new DataError([...problems, error.message].join("; "));
-      problems.push(error.message);
+      ownProblems.push(error.message);
     }
+    problems.push(...ownProblems.map((problem) => (numbers.length > 1 ? `run ${number + 1}: ${problem}` : problem)));
   }
+  // One run of several may be missing.
+  if (runs.length === 0) throw new DataError(problems.join("; "));
   return { runs, problems };
 }
 

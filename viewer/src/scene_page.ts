@@ -1,3 +1,4 @@
+import type { ComparePlots } from "./compare_plots";
 import { button, el } from "./dom";
 import type { Extent } from "./extent";
 import * as format from "./format";
@@ -5,6 +6,7 @@ import { shownAtFirst, vectorAt, type Shown } from "./marks";
 import type { Panel } from "./panel";
 import type { Plots } from "./plots";
 import type { MotionEvent } from "./run";
+import { runColor } from "./run_choice";
 import type { FrameSource } from "./source";
 import { View3D } from "./view3d";
 
@@ -13,7 +15,7 @@ const toggles: Record<string, keyof Shown> = { c: "contacts", v: "velocities", x
 /** What the page of a stored run and that of a live one share: the scene with its camera, the chosen body and event, keys, dark and light. */
 export abstract class ScenePage<Source extends FrameSource> {
   abstract readonly element: HTMLElement;
-  abstract readonly plots: Plots;
+  abstract readonly plots: Plots | ComparePlots;
   /** None where the browser has no WebGL: then all but the scene works. */
   readonly view: View3D | undefined;
   selected = -1;
@@ -27,8 +29,9 @@ export abstract class ScenePage<Source extends FrameSource> {
   protected isDirty = true;
   protected lastNumbers = 0;
 
-  constructor(readonly source: Source, ghost: FrameSource | undefined, extent: Extent, keyHelp: [string, string][]) {
-    this.view = this.makeView(ghost, extent);
+  /** The run that is looked at, and the one that is its ghost. */
+  constructor(public source: Source, public ghost: Source | undefined, extent: Extent, keyHelp: [string, string][]) {
+    this.view = this.makeView(extent);
     this.help = helpDialog(keyHelp);
   }
 
@@ -98,9 +101,9 @@ export abstract class ScenePage<Source extends FrameSource> {
       button("?", "Keyboard help (?)", () => this.help.showModal()));
   }
 
-  private makeView(ghost: FrameSource | undefined, extent: Extent): View3D | undefined {
+  private makeView(extent: Extent): View3D | undefined {
     try {
-      const view = new View3D(this.stage, this.source, ghost, extent);
+      const view = new View3D(this.stage, this.source, this.ghost, extent, runColor(1));
       view.onChange = () => (this.isDirty = true);
       let down = [0, 0];
       view.canvas.addEventListener("pointerdown", (event) => (down = [event.clientX, event.clientY]));

@@ -26,8 +26,10 @@ interface Batch {
 const mostVertices = 2_000_000;
 
 export interface ShapesOptions {
-  /** Drawn see-through, in the colour of the ghost. */
+  /** Drawn see-through. */
   isGhost: boolean;
+  /** Of a ghost. */
+  tint?: string;
   /** From this run's origin to the one the scene is drawn about [m]. */
   offset: Vec;
 }
@@ -42,7 +44,7 @@ export class Shapes {
   private readonly light = { value: new Vector3(0.2, 0.1, 1).normalize() };
 
   constructor(private readonly header: Header, meshes: StoredMesh[], up: Vector3, private readonly options: ShapesOptions) {
-    const ghost = rgb(overlayColors.ghost);
+    const ghost = rgb(options.tint ?? overlayColors.ghost);
     this.uniforms = {
       uUp: { value: up },
       uPick: { value: 0 },

@@ -18,6 +18,7 @@ export class Transport {
   private readonly loop: HTMLButtonElement;
   private readonly speed: HTMLSelectElement;
   private readonly clock: HTMLElement;
+  private readonly impactButtons: HTMLButtonElement[];
 
   constructor(private readonly playback: Playback, events: MotionEvent[], private readonly resolution: number, actions: TransportActions) {
     this.line = new TimeLine(playback, events, resolution, actions);
@@ -30,6 +31,7 @@ export class Transport {
     this.speed = el("select", { title: "Speed (− and +)", "aria-label": "Speed", onchange: () => (playback.speed = Number(this.speed.value)) },
       ...speeds.map((value) => el("option", { value }, format.speed(value))));
     this.clock = el("span", { class: "clock" });
+    this.impactButtons = [button("⇤ impact", "Previous impact ([)", () => actions.nextImpact(-1)), button("impact ⇥", "Next impact (])", () => actions.nextImpact(1))];
     this.element = el("div", { class: "transport" },
       el("div", { class: "buttons" },
         button("|◂", "First frame (Home)", () => actions.seek(playback.begin)),
@@ -37,11 +39,15 @@ export class Transport {
         this.play,
         button("›", "One frame on (→)", () => actions.step(1)),
         button("▸|", "Last frame (End)", () => actions.seek(playback.end)),
-        this.loop, this.speed,
-        this.line.hasImpacts ? button("⇤ impact", "Previous impact ([)", () => actions.nextImpact(-1)) : undefined,
-        this.line.hasImpacts ? button("impact ⇥", "Next impact (])", () => actions.nextImpact(1)) : undefined,
-        this.clock),
+        this.loop, this.speed, ...this.impactButtons, this.clock),
       this.line.element);
+    this.setEvents(events);
+  }
+
+  /** From now on the ticks are those of these events. */
+  setEvents(events: MotionEvent[]): void {
+    this.line.setEvents(events);
+    for (const own of this.impactButtons) own.hidden = !this.line.hasImpacts;
   }
 
   update(): void {

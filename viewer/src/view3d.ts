@@ -1,5 +1,6 @@
-import { Color, PerspectiveCamera, Scene, Vector2, Vector3, WebGLRenderer, WebGLRenderTarget } from "three";
+import { Color, Group, PerspectiveCamera, Scene, Vector2, Vector3, WebGLRenderer, WebGLRenderTarget } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { dispose } from "./dispose";
 import type { Extent } from "./extent";
 import { makeMotion, type Motion } from "./frames";
 import { Ground } from "./ground";
@@ -26,7 +27,7 @@ export interface Ray {
 /** The scene at a moment, and the camera. */
 export class View3D {
   readonly canvas: HTMLCanvasElement;
-  readonly motion: Motion;
+  motion!: Motion;
   /** Body that the camera goes along with, or -1. */
   followed = -1;
   onChange: () => void = () => {};
@@ -34,51 +35,78 @@ export class View3D {
   private readonly scene = new Scene();
   private readonly camera = new PerspectiveCamera(40, 0, 0.01, 1000);
   private readonly controls: OrbitControls;
-  private readonly shapes: Shapes;
-  private readonly ghostShapes: Shapes | undefined;
-  private readonly ghostMotion: Motion | undefined;
-  private readonly ground: Ground;
-  private readonly marks: Marks;
+  /** What belongs to the runs that are shown. */
+  private content = new Group();
+  private shapes!: Shapes;
+  private ghostShapes: Shapes | undefined;
+  private ghostMotion: Motion | undefined;
+  private ground!: Ground;
+  private marks!: Marks;
+  private theme: [string, string, string] | undefined;
   private readonly line = new Lines();
   private readonly pixel = { value: 0.001 };
   private readonly ratio = { value: 1 };
   private readonly up: Vector3;
   private readonly followedAt = new Vector3();
-  private readonly canShadow: boolean;
+  private canShadow = false;
   private slowness = 0;
   private quality = 1;
 
-  constructor(container: HTMLElement, private readonly source: FrameSource, private readonly ghost: FrameSource | undefined, private readonly extent: Extent) {
-    const { header } = source;
-    this.motion = makeMotion(header.bodies.length);
+  constructor(container: HTMLElement, private source: FrameSource, private ghost: FrameSource | undefined, private extent: Extent, private ghostColor?: string) {
     this.renderer = new WebGLRenderer({ antialias: true, stencil: true, powerPreference: "high-performance" });
     this.renderer.outputColorSpace = "srgb-linear";
     this.canvas = this.renderer.domElement;
     this.canvas.setAttribute("aria-label", "The scene. Drag to turn, scroll to come closer, click a body to see its numbers.");
     container.append(this.canvas);
 
-    const g = new Vector3(...header.gravity);
+    const g = new Vector3(...source.header.gravity);
     this.up = g.length() > 0 ? g.clone().normalize().negate() : new Vector3(0, 0, 1);
     this.camera.up.copy(this.up);
     this.controls = new OrbitControls(this.camera, this.canvas);
     this.controls.addEventListener("change", () => this.onChange());
 
-    this.shapes = new Shapes(header, source.meshes, this.up, { isGhost: false, offset: [0, 0, 0] });
-    const center = new Vector3(...extent.center);
-    this.ground = new Ground(header, center, extent.radius, [0, 0, 0]);
-    this.marks = new Marks(source, extent.radius, this.pixel, this.ratio);
-    this.scene.add(this.ground.group, this.shapes.group);
-    this.scene.add(this.marks.trails.lines, this.marks.springs.lines, this.marks.arrows.mesh, this.marks.ring.points, this.marks.dots.points);
     this.scene.add(this.line.lines);
+    this.build(source.times[0]);
+  }
+
+  /** Shows these runs from now on, at that time [s]; the camera stays where it is in the world. */
+  setRuns(source: FrameSource, ghost: FrameSource | undefined, extent: Extent, time: number, ghostColor: string): void {
+    const shift = new Vector3(...this.source.header.origin).sub(new Vector3(...source.header.origin));
+    this.camera.position.add(shift);
+    this.controls.target.add(shift);
+    this.controls.update();
+    this.followed = -1;
+    this.source = source;
+    this.ghost = ghost;
+    this.extent = extent;
+    this.ghostColor = ghostColor;
+    this.content.removeFromParent();
+    dispose(this.content);
+    this.build(time);
+  }
+
+  private build(time: number): void {
+    const { source, ghost, extent } = this;
+    const { header } = source;
+    this.content = new Group();
+    this.scene.add(this.content);
+    this.motion = makeMotion(header.bodies.length);
+    this.shapes = new Shapes(header, source.meshes, this.up, { isGhost: false, offset: [0, 0, 0] });
+    this.ground = new Ground(header, new Vector3(...extent.center), extent.radius, [0, 0, 0]);
+    this.marks = new Marks(source, extent.radius, this.pixel, this.ratio);
+    this.content.add(this.ground.group, this.shapes.group);
+    this.content.add(this.marks.trails.lines, this.marks.springs.lines, this.marks.arrows.mesh, this.marks.ring.points, this.marks.dots.points);
+    this.ghostShapes = undefined;
     if (ghost) {
       const offset = ghost.header.origin.map((x, c) => x - header.origin[c]) as [number, number, number];
       this.ghostMotion = makeMotion(ghost.header.bodies.length);
-      this.ghostShapes = new Shapes(ghost.header, ghost.meshes, this.up, { isGhost: true, offset });
-      this.scene.add(this.ghostShapes.group);
+      this.ghostShapes = new Shapes(ghost.header, ghost.meshes, this.up, { isGhost: true, offset, tint: this.ghostColor });
+      this.content.add(this.ghostShapes.group);
     }
 
-    source.sample(source.times[0], this.motion);
+    source.sample(time, this.motion);
     this.ground.update(this.motion);
+    if (this.theme) this.setTheme(...this.theme);
     const floor = this.ground.floor(header);
     this.canShadow = floor !== undefined && header.bodies.reduce((sum, body) => sum + header.looks[body.look].length, 0) <= mostShadows;
     if (floor && this.canShadow) this.shapes.castOn(floor.normal, floor.distance);
@@ -118,6 +146,7 @@ export class View3D {
   }
 
   setTheme(background: string, ground: string, line: string): void {
+    this.theme = [background, ground, line];
     this.scene.background = new Color().setStyle(background, "");
     this.ground.setColors(ground, line);
   }

@@ -1,0 +1,113 @@
+#include "apps/commands.hpp"
+#include "apps/compare_output.hpp"
+#include "apps/compare_plan.hpp"
+#include "apps/compare_run.hpp"
+#include "apps/compare_table.hpp"
+#include "apps/stop_advice.hpp"
+#include "apps/terminal.hpp"
+#include "rigor/io/file_error.hpp"
+#include "rigor/io/output_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace rigor {
+
+namespace {
+
+/// What cannot be written is known before the runs; throws FileError.
+void check_files(const CompareOptions& options) {
+  for (const std::string& output : options.outputs) check_can_write(output);
+  if (!options.json.empty() && options.json != "-") check_can_write(options.json);
+}
+
+CompareWishes all_wishes(const CompareOptions& options) {
+  CompareWishes all;
+  for (const std::string& output : options.outputs) {
+    const CompareWishes own = wishes_of(output);
+    all.energies = all.energies || own.energies;
+    all.page = all.page || own.page;
+  }
+  return all;
+}
+
+bool is_interrupted(const Comparison& comparison) {
+  return !comparison.not_run.empty() || comparison.runs.back().end == RunEnd::interrupted;
+}
+
+Comparison run_all(ComparePlan plan, CompareRunner& runner) {
+  Comparison comparison{plan.runs[0].scene.name, plan.keys, {}, {}};
+  for (PlannedRun& planned : plan.runs) {
+    if (runner.was_interrupted()) {
+      comparison.not_run.push_back(planned.label);
+      continue;
+    }
+    comparison.runs.push_back(runner.execute(planned));
+    // The model is not needed any more.
+    planned.scene.model.reset();
+  }
+  return comparison;
+}
+
+void print_comparison(const CompareOptions& options, const Comparison& comparison) {
+  constexpr int file_width = 100;
+  const bool json_takes_stdout = options.json == "-";
+  std::FILE* const stream = json_takes_stdout ? stderr : stdout;
+  if (json_takes_stdout) fmt::print("{}", compare_json(comparison, true));
+  const int width = is_terminal(stream) ? terminal_width(stream) : file_width;
+  if (!options.is_quiet) fmt::print(stream, "{}", compare_table(comparison, width, stream));
+}
+
+/// Writes all files, also after one that cannot be; whether all are written.
+bool write_files(const CompareOptions& options, const Comparison& comparison) {
+  bool is_done = true;
+  const auto attempt = [&](const auto& write) {
+    try {
+      write();
+    } catch (const FileError& error) {
+      print_error(error.what());
+      is_done = false;
+    }
+  };
+  for (const std::string& output : options.outputs) attempt([&] { write_comparison(comparison, output); });
+  if (!options.json.empty() && options.json != "-")
+    attempt([&] { write_text(options.json, compare_json(comparison, true)); });
+  return is_done;
+}
+
+/// Says which runs are not what they should be, and tells the caller.
+ExitCode report_ends(const Comparison& comparison) {
+  bool has_stopped = false, has_failed = false;
+  for (const ComparedRun& run : comparison.runs) {
+    has_stopped = has_stopped || run.end == RunEnd::stopped;
+    has_failed = has_failed || run.end == RunEnd::audit_failed;
+    if (run.end == RunEnd::stopped)
+      print_error(fmt::format("{}: {}", run.label, stop_text(run.audit, run.end_time)));
+  }
+  if (is_interrupted(comparison)) {
+    const ComparedRun& last = comparison.runs.back();
+    print_error(fmt::format("interrupted in run {} of {} ({}) at t = {:.17g} s; the files are closed",
+                            comparison.runs.size(), comparison.runs.size() + comparison.not_run.size(),
+                            last.label, last.end_time));
+    return exit_interrupted;
+  }
+  return has_stopped ? exit_stopped : has_failed ? exit_audit_violated : exit_done;
+}
+
+}  // namespace
+
+ExitCode execute(const CompareOptions& options) {
+  ComparePlan plan = read_compare_plan(options);
+  check_files(options);
+  for (const std::string& warning : plan.warnings) print_warning(warning);
+  // Lives on while the files are written: an interrupt does not leave them half.
+  CompareRunner runner(all_wishes(options), plan.runs.size(), options.is_quiet);
+  const Comparison comparison = run_all(std::move(plan), runner);
+  print_comparison(options, comparison);
+  const bool is_written = write_files(options, comparison);
+  const ExitCode end = report_ends(comparison);
+  return is_written ? end : exit_file_error;
+}
+
+}  // namespace rigor

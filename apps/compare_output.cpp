@@ -1,0 +1,171 @@
+#include "apps/compare_output.hpp"
+
+#include "apps/stop_advice.hpp"
+#include "apps/text_table.hpp"
+#include "rigor/core/quoted.hpp"
+#include "rigor/io/audit_json.hpp"
+#include "rigor/io/csv_writer.hpp"
+#include "rigor/io/json_text.hpp"
+#include "rigor/io/output_file.hpp"
+#include "rigor/io/version.hpp"
+#include "rigor/view/page_writer.hpp"
+#include "rigor/view/plot.hpp"
+#include "rigor/view/png_file.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+namespace rigor {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array<std::string_view, 5> suffixes = {".html", ".json", ".csv", ".svg", ".png"};
+
+std::string suffix_of(const std::string& path) {
+  return std::filesystem::path(path).extension().string();
+}
+
+/// A quantity of MotionDifference.
+struct DifferencePart {
+  const char* name;
+  const char* unit;
+  LargestDifference MotionDifference::*member;
+};
+constexpr std::array difference_parts = {
+    DifferencePart{"position", "m", &MotionDifference::position},
+    DifferencePart{"velocity", "m/s", &MotionDifference::velocity},
+    DifferencePart{"orientation", "rad", &MotionDifference::rotation},
+    DifferencePart{"angular_velocity", "rad/s", &MotionDifference::spin}};
+
+/// Why the run stopped: "events_accumulate"; empty if it did not.
+std::string reason_of(const ComparedRun& run) {
+  return run.end == RunEnd::stopped ? std::string(stop_reason_name(run.audit.report.reason)) : "";
+}
+
+Json difference_json(const std::optional<MotionDifference>& difference) {
+  if (!difference) return nullptr;
+  Json json = {{"time", difference->time}};
+  for (const DifferencePart& part : difference_parts) {
+    const LargestDifference& largest = (*difference).*part.member;
+    json[part.name] = {{"value", largest.value},
+                       {"body", largest.body.empty() ? Json(nullptr) : Json(largest.body)}};
+  }
+  return json;
+}
+
+Json run_json(const Comparison& comparison, const ComparedRun& run, bool with_audit) {
+  const AdvanceReport& report = run.audit.report;
+  const std::string reason = reason_of(run);
+  Json values = Json::object();
+  for (std::size_t i = 0; i < comparison.keys.size(); ++i) values[comparison.keys[i]] = run.values[i];
+  Json json = {{"label", run.label},
+               {"values", values},
+               {"end", run_end_name(run.end)},
+               {"reason", reason.empty() ? Json(nullptr) : Json(reason)},
+               {"end_time", run.end_time},
+               {"impacts", report.impacts},
+               {"resting", report.resting},
+               {"dissipated", run.audit.dissipated},
+               {"max_increase", run.audit.max_increase},
+               {"impact_gain", report.impact_gain},
+               {"max_penetration", report.max_penetration},
+               {"cpu_time", run.cpu_time},
+               {"difference", difference_json(run.difference)}};
+  if (with_audit) json["audit"] = Json::parse(audit_json(run.audit));
+  return json;
+}
+
+std::string joined(const std::vector<std::string>& fields) {
+  std::string row;
+  for (const std::string& field : fields) row += (row.empty() ? "" : ",") + csv_field(field);
+  return row + "\n";
+}
+
+std::vector<std::string> csv_header(const Comparison& comparison) {
+  std::vector<std::string> fields = {"run"};
+  fields.insert(fields.end(), comparison.keys.begin(), comparison.keys.end());
+  fields.insert(fields.end(),
+                {"end", "reason", "end_time [s]", "impacts", "resting", "dissipated [J]", "max_increase [J]",
+                 "impact_gain [J]", "max_penetration [m]", "cpu_time [s]", "compared_at [s]"});
+  for (const DifferencePart& part : difference_parts) {
+    fields.push_back(fmt::format("{}_difference [{}]", part.name, part.unit));
+    fields.push_back(fmt::format("{}_body", part.name));
+  }
+  return fields;
+}
+
+std::vector<std::string> csv_row(const ComparedRun& run, std::size_t number) {
+  const auto exact = [](double value) { return fmt::format("{:.17g}", value); };
+  const AdvanceReport& report = run.audit.report;
+  std::vector<std::string> fields = {std::to_string(number)};
+  fields.insert(fields.end(), run.values.begin(), run.values.end());
+  fields.insert(fields.end(),
+                {std::string(run_end_name(run.end)), reason_of(run), exact(run.end_time),
+                 std::to_string(report.impacts), std::to_string(report.resting), exact(run.audit.dissipated),
+                 exact(run.audit.max_increase), exact(report.impact_gain), exact(report.max_penetration),
+                 exact(run.cpu_time), run.difference ? exact(run.difference->time) : ""});
+  for (const DifferencePart& part : difference_parts) {
+    const LargestDifference* const largest = run.difference ? &((*run.difference).*part.member) : nullptr;
+    fields.push_back(largest ? exact(largest->value) : "");
+    fields.push_back(largest ? largest->body : "");
+  }
+  return fields;
+}
+
+Drawing energy_plot(const Comparison& comparison) {
+  constexpr std::size_t longest_label = 80;  // As much as there is room for.
+  std::vector<PlotSeries> series;
+  for (const ComparedRun& run : comparison.runs)
+    series.push_back({shortened(run.label, longest_label), "total energy", "J", run.energies, run.times});
+  return make_plot({}, series);
+}
+
+}  // namespace
+
+std::string compare_json(const Comparison& comparison, bool with_audits) {
+  Json runs = Json::array();
+  for (const ComparedRun& run : comparison.runs) runs.push_back(run_json(comparison, run, with_audits));
+  return json_text({{"rigor", version},
+                    {"scene", comparison.scene},
+                    {"varied", comparison.keys},
+                    {"runs", runs},
+                    {"not_run", comparison.not_run}}) +
+         "\n";
+}
+
+std::string compare_csv(const Comparison& comparison) {
+  std::string text = joined(csv_header(comparison));
+  for (std::size_t i = 0; i < comparison.runs.size(); ++i) text += joined(csv_row(comparison.runs[i], i + 1));
+  return text;
+}
+
+std::string check_compare_output(const std::string& path) {
+  if (std::find(suffixes.begin(), suffixes.end(), suffix_of(path)) != suffixes.end()) return {};
+  return fmt::format("output {}: a comparison is written to .html, .json, .csv, .svg or .png",
+                     quoted_text(path));
+}
+
+CompareWishes wishes_of(const std::string& path) {
+  const std::string suffix = suffix_of(path);
+  return {.energies = suffix == ".svg" || suffix == ".png", .page = suffix == ".html"};
+}
+
+void write_comparison(const Comparison& comparison, const std::string& path) {
+  constexpr double pixels_a_unit = 2;
+  const std::string suffix = suffix_of(path);
+  if (suffix == ".json") return write_atomically(path, compare_json(comparison, false));
+  if (suffix == ".csv") return write_atomically(path, compare_csv(comparison));
+  if (suffix == ".svg") return write_atomically(path, svg_text(energy_plot(comparison)));
+  if (suffix == ".png") return write_png(path, rasterised(energy_plot(comparison), pixels_a_unit));
+  std::vector<std::vector<PageBlock>> pages;
+  for (const ComparedRun& run : comparison.runs) pages.push_back(run.page);
+  write_page(path, comparison.scene + " · Rigor", pages);
+}
+
+}  // namespace rigor

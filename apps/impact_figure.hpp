@@ -1,0 +1,12 @@
+#pragma once
+
+#include "apps/impact_report.hpp"
+#include "rigor/view/drawing.hpp"
+
+namespace rigor {
+
+/// The paths of the laws in the plane of the tangential velocity beside each other, with the invariant
+/// directions, and below them the energy that each law loses.
+Drawing impact_figure(const ImpactReport& report);
+
+}  // namespace rigor

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "apps/impact_laws.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <string>
+#include <vector>
+
+namespace rigor {
+
+/// What `rigor impact` found.
+struct ImpactReport {
+  GivenImpact problem;
+  std::vector<LawResult> results;
+};
+
+/// For people, on stdout.
+std::string impact_text(const ImpactReport& report);
+nlohmann::ordered_json impact_json(const ImpactReport& report);
+/// The courses as a table, one row a point.
+std::string impact_table(const ImpactReport& report);
+
+/// What is to be told on stderr: laws that gain energy, and impacts that are none.
+std::vector<std::string> impact_warnings(const ImpactReport& report);
+
+/// The invariant directions; with infinite friction those of its limit, where rates are per friction impulse.
+std::vector<InvariantDirection> invariant_directions_of(const CollisionMatrix& matrix);
+
+}  // namespace rigor

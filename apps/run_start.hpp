@@ -1,0 +1,21 @@
+#pragma once
+
+#include "rigor/io/scene_reader.hpp"
+#include "rigor/model/state.hpp"
+
+#include <string>
+#include <vector>
+
+namespace rigor {
+
+/// Where the run of a scene begins.
+struct RunStart {
+  State state;
+  std::vector<std::string> warnings;  ///< How far bodies were pushed apart.
+};
+
+/// The state at t = 0. Bodies that overlap there are pushed apart if `separate`; InputError, which names the
+/// scene's file, if they are not or it fails.
+RunStart make_run_start(const std::string& scene_file, const Scene& scene, bool separate);
+
+}  // namespace rigor

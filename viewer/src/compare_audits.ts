@@ -1,0 +1,50 @@
+import { auditRows, auditText, auditWarnings, isSound } from "./audit_rows";
+import { el } from "./dom";
+import { runColor, runNames, shortNames } from "./run_choice";
+import type { RecordedSource } from "./source";
+
+/** A line of the audits side by side: one value a run. */
+export interface ComparedRow {
+  name: string;
+  values: string[];
+  /** For each run, whether its value is another than that of the first run. */
+  differs: boolean[];
+}
+
+/** Every line of any of the audits, in the order in which they come. */
+export function comparedRows(audits: Record<string, unknown>[]): ComparedRow[] {
+  const all = audits.map((audit) => new Map(auditRows(audit).map(({ name, value }) => [name, value])));
+  const names = [...new Set(all.flatMap((rows) => [...rows.keys()]))];
+  return names.map((name) => {
+    const values = all.map((rows) => rows.get(name));
+    // Exact values are compared: what is shown has fewer digits.
+    return { name, values: values.map(auditText), differs: values.map((value) => JSON.stringify(value) !== JSON.stringify(values[0])) };
+  });
+}
+
+function verdict({ header }: RecordedSource): HTMLElement {
+  if (header.stopped) return el("td", { class: "broken" }, el("p", { text: `✗ stopped: ${header.stopped}` }));
+  return isSound(header.audit) ? el("td", { class: "sound", text: "✓ audit passed" }) : el("td", { class: "broken", text: "✗ audit violated" });
+}
+
+/** The audits of all runs as one table; what is not as in the first run is marked. */
+export function compareAudits(sources: RecordedSource[]): HTMLElement {
+  const names = runNames(sources), short = shortNames(names);
+  const audits = sources.map(({ header }) => header.audit);
+  const head = el("tr", {}, el("td"), ...short.map((name, i) =>
+    el("th", { scope: "col", title: names[i] }, el("span", { class: "dot", style: `background:${runColor(i)}` }), name)));
+  const verdicts = el("tr", {}, el("th", { scope: "row", text: "ended" }), ...sources.map(verdict));
+  const rows = comparedRows(audits).map(({ name, values, differs }) => {
+    const isMarked = differs.includes(true);
+    return el("tr", { class: isMarked ? undefined : "same" }, el("th", { scope: "row", text: isMarked ? `≠ ${name}` : name }),
+      ...values.map((value, i) => el("td", { class: differs[i] ? "differs" : undefined, text: value })));
+  });
+  const hasWarnings = audits.some((audit) => auditWarnings(audit).length > 0);
+  const warnings = el("tr", {}, el("th", { scope: "row", text: "warnings" }), ...audits.map((audit) =>
+    el("td", {}, ...auditWarnings(audit).map((warning) => el("p", { class: "warning", text: warning })))));
+  const table = el("table", {}, el("thead", {}, head), el("tbody", {}, verdicts, ...rows, hasWarnings ? warnings : undefined));
+  const only = el("input", { type: "checkbox", id: "only-differences", onchange: () => table.classList.toggle("only", only.checked) });
+  return el("section", { class: "audits" },
+    el("h3", {}, "Audits", el("small", { text: " ≠: not the same in all runs; marked: other than in the first" })),
+    el("label", {}, only, "only what differs"), el("div", { class: "wide", tabindex: 0, role: "region", "aria-label": "Audits side by side" }, table));
+}
