@@ -58,7 +58,7 @@ class Page:
                 message = self.stream.read(size)
                 if opcode & 15 == 9:  # a ping: the server asks for a sign of life
                     self.socket.sendall(bytes([0x8A, 0x80 | len(message)]) + bytes(4) + message)
-                if opcode & 15 == 2:
+                if opcode & 15 == 2 and message[0] == 1:  # a frame
                     self.time = struct.unpack_from("<d", message, 20)[0]
         except (OSError, ValueError):
             pass

@@ -8,7 +8,6 @@ namespace {
 
 /// Aimed at for a chunk: large against its entry in the index, small against memory.
 constexpr hsize_t chunk_bytes = hsize_t{1} << 15;
-constexpr hsize_t most_chunk_rows = 256;
 
 std::vector<hsize_t> with_rows(hsize_t rows, const std::vector<hsize_t>& row_shape) {
   std::vector<hsize_t> shape = {rows};
@@ -20,7 +19,7 @@ std::vector<hsize_t> with_rows(hsize_t rows, const std::vector<hsize_t>& row_sha
 
 template <typename Value>
 Hdf5Series<Value>::Hdf5Series(hid_t parent, const std::string& name, std::vector<hsize_t> row_shape,
-                              hid_t file_type)
+                              hid_t file_type, hsize_t expected_rows)
     : row_shape_(std::move(row_shape)) {
   for (const hsize_t length : row_shape_) row_size_ *= length;
   const int rank = static_cast<int>(row_shape_.size()) + 1;
@@ -28,8 +27,9 @@ Hdf5Series<Value>::Hdf5Series(hid_t parent, const std::string& name, std::vector
   const Hdf5Handle space(H5Screate_simple(rank, none.data(), most.data()), H5Sclose);
   const Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   const hsize_t row_bytes = std::max<hsize_t>(1, row_size_ * sizeof(Value));
+  const hsize_t most_rows = std::clamp<hsize_t>(expected_rows, 1, most_chunk_rows);
   const std::vector<hsize_t> chunk =
-      with_rows(std::clamp<hsize_t>(chunk_bytes / row_bytes, 1, most_chunk_rows), row_shape_);
+      with_rows(std::clamp<hsize_t>(chunk_bytes / row_bytes, 1, most_rows), row_shape_);
   H5Pset_chunk(creation, rank, chunk.data());
   dataset_ = Hdf5Handle(
       H5Dcreate2(parent, name.c_str(), file_type, space, H5P_DEFAULT, creation, H5P_DEFAULT), H5Dclose);

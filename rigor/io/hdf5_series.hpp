@@ -12,9 +12,12 @@ namespace rigor {
 template <typename Value>
 class Hdf5Series {
  public:
-  /// row_shape: lengths of a row's own axes (none for one value a row); file_type: how values are stored. Not
-  /// open if HDF5 fails.
-  Hdf5Series(hid_t parent, const std::string& name, std::vector<hsize_t> row_shape, hid_t file_type);
+  /// row_shape: lengths of a row's own axes (none for one value a row); file_type: how values are stored;
+  /// expected_rows: chunks have no more rows than this. Not open if HDF5 fails.
+  Hdf5Series(hid_t parent, const std::string& name, std::vector<hsize_t> row_shape, hid_t file_type,
+             hsize_t expected_rows = most_chunk_rows);
+
+  static constexpr hsize_t most_chunk_rows = 256;
 
   bool is_open() const { return dataset_.is_open(); }
   hid_t id() const { return dataset_; }

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace rigor {
@@ -96,14 +97,20 @@ void describe(const Hdf5Series<Value>& series, const char* unit, const char* col
   write_attribute(series.id(), "columns", columns);
 }
 
+/// Output times of a run that goes to its end.
+hsize_t expected_rows(const RunSettings& run) {
+  constexpr double most = Hdf5Series<double>::most_chunk_rows;  // More make no difference.
+  return static_cast<hsize_t>(std::clamp(std::ceil(run.duration / run.output_interval) + 1, 1.0, most));
+}
+
 /// Opens a new file through the driver, in the newest format, as single-writer mode asks; closed if HDF5
 /// fails.
 Hdf5Handle create_file(const std::filesystem::path& path, const Hdf5FileDriver& driver) {
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST);
   // A killed process can leave a write half done where it crosses a page of memory: what HDF5 rewrites while
-  // datasets grow (headers of some hundred bytes) is kept from crossing one.
-  constexpr hsize_t smallest_header = 64, block = 1024;
+  // datasets grow (headers and indices of less than 300 bytes) is kept from crossing one.
+  constexpr hsize_t smallest_header = 64, block = 512;
   H5Pset_alignment(access, smallest_header, block);
   if (!driver.set_in(access)) return {};
   return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose};
@@ -134,29 +141,30 @@ struct Hdf5Writer::File {
   FlushTimer flush_timer;
 
  private:
-  void create_series();
+  void create_series(hsize_t rows);
 };
 
 Hdf5Writer::File::File(const std::filesystem::path& file_path, const TrajectoryHeader& header)
     : path(file_path), driver(status), file(create_file(path, driver)), body_count(header.bodies.size()) {
   check(file.is_open());
   write_header(file, header);
-  create_series();
+  create_series(expected_rows(header.run));
   check(H5Fstart_swmr_write(file) >= 0);
 }
 
-void Hdf5Writer::File::create_series() {
+void Hdf5Writer::File::create_series(hsize_t rows) {
   const hid_t real = H5T_IEEE_F64LE;
-  describe(time.emplace(file, "time", std::vector<hsize_t>{}, real), "s", "time");
+  describe(time.emplace(file, "time", std::vector<hsize_t>{}, real, rows), "s", "time");
   if (body_count > 0) {
     const std::vector<hsize_t> vectors = {body_count, 3}, quaternions = {body_count, 4};
-    describe(position.emplace(file, "position", vectors, real), "m", "x y z");
-    describe(orientation.emplace(file, "orientation", quaternions, real), "1", "w x y z");
-    describe(velocity.emplace(file, "velocity", vectors, real), "m/s", "x y z");
-    describe(angular_velocity.emplace(file, "angular_velocity", vectors, real), "rad/s", "x y z");
+    describe(position.emplace(file, "position", vectors, real, rows), "m", "x y z");
+    describe(orientation.emplace(file, "orientation", quaternions, real, rows), "1", "w x y z");
+    describe(velocity.emplace(file, "velocity", vectors, real, rows), "m/s", "x y z");
+    describe(angular_velocity.emplace(file, "angular_velocity", vectors, real, rows), "rad/s", "x y z");
   }
-  describe(energy.emplace(file, "energy", std::vector<hsize_t>{3}, real), "J", "kinetic potential elastic");
-  describe(penetration.emplace(file, "penetration", std::vector<hsize_t>{}, real), "m", "penetration");
+  describe(energy.emplace(file, "energy", std::vector<hsize_t>{3}, real, rows), "J",
+           "kinetic potential elastic");
+  describe(penetration.emplace(file, "penetration", std::vector<hsize_t>{}, real, rows), "m", "penetration");
   events = Hdf5Handle(H5Gcreate2(file, "events", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
   describe(event_time.emplace(events, "time", std::vector<hsize_t>{}, real), "s", "time");
   event_kind.emplace(events, "kind", std::vector<hsize_t>{}, event_kind_type());

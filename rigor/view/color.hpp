@@ -2,6 +2,7 @@
 
 #include "rigor/model/body.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string_view>
@@ -19,7 +20,7 @@ class SrgbTable {
   SrgbTable();
   /// Value of a channel; light outside 0 to 1 is cut.
   std::uint8_t operator[](float light) const {
-    const float cut = light > 0 ? (light < 1 ? light : 1.0F) : 0.0F;
+    const float cut = std::min(std::max(0.0F, light), 1.0F);
     return bytes_[static_cast<std::size_t>(cut * static_cast<float>(steps) + 0.5F)];
   }
 

@@ -75,7 +75,10 @@ void LiveRun::reset() {
   earlier_.reset();
   auditor_.reset();
   rebuild();
+  history_.clear();
+  unrecorded_ = {};
   begin_recording();
+  record();
 }
 
 void LiveRun::advance(double longest) {
@@ -183,14 +186,13 @@ void LiveRun::begin_books() {
 
 void LiveRun::begin_recording() {
   recording_ = std::make_unique<PageRun>(present(), state_);
-  unrecorded_ = {};
-  record();
 }
 
 void LiveRun::record() {
   const std::size_t bodies = static_cast<std::size_t>(std::max(1, model_->body_count()));
   if (recorded_frames() > 1 && recorded_frames() * bodies >= most_recorded) begin_recording();
   recording_->add(state_, unrecorded_, auditor_->energy(), contacts());
+  history_.add(recording_->last_row(), unrecorded_.events);
   unrecorded_ = {};
 }
 

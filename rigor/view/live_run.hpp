@@ -3,6 +3,7 @@
 #include "rigor/io/scene_reader.hpp"
 #include "rigor/model/model_changes.hpp"
 #include "rigor/sim/event_driven_stepper.hpp"
+#include "rigor/view/live_history.hpp"
 #include "rigor/view/page_run.hpp"
 
 #include <cstdint>
@@ -58,6 +59,10 @@ class LiveRun {
   const std::vector<TouchingPoint>& contacts();
   /// The frame of this moment as docs/live.md gives it. generation: which scene it belongs to.
   std::string frame(std::uint32_t generation);
+  /// What happened since the last reset.
+  const LiveHistory& history() const { return history_; }
+  /// Points in frames and histories are sent from here [m].
+  const Vec3& origin() const { return scale_.origin; }
   /// Format of `rigor run --resume`, of the scene with its changes but without the pull.
   std::string checkpoint() const;
   /// What was recorded since the last reset, as a page of its own. The recording begins anew when it holds
@@ -91,6 +96,7 @@ class LiveRun {
   std::unique_ptr<Auditor> auditor_;
   std::optional<Audit> earlier_;  ///< Books of the models before.
   std::unique_ptr<PageRun> recording_;
+  LiveHistory history_;
   AdvanceReport unrecorded_;  ///< Since the last output time.
   PageScale scale_;
   std::optional<std::vector<TouchingPoint>> contacts_;  ///< Of the state, when they are known.

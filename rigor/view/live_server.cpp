@@ -86,8 +86,8 @@ class LiveServer::Impl {
   void open(std::uint16_t port);
 };
 
-/// Frames, status and answers to a browser; commands from it. What is not yet sent when something newer comes
-/// is left out, so a slow client costs nothing but its own pictures.
+/// Frames, history, status and answers to a browser; commands from it. What is not yet sent when something
+/// newer comes is left out, so a slow client costs nothing but its own pictures.
 class LiveServer::Impl::Socket : public std::enable_shared_from_this<Socket> {
  public:
   Socket(Impl& server, std::uint64_t number, beast::tcp_stream stream)
@@ -121,6 +121,9 @@ class LiveServer::Impl::Socket : public std::enable_shared_from_this<Socket> {
     } else if (newest.status != status_) {
       is_text_ = true;
       on_its_way_ = status_ = newest.status;
+    } else if (newest.history != history_) {
+      is_text_ = false;
+      on_its_way_ = history_ = newest.history;
     } else if (newest.frame != frame_) {
       is_text_ = false;
       on_its_way_ = frame_ = newest.frame;
@@ -195,7 +198,7 @@ class LiveServer::Impl::Socket : public std::enable_shared_from_this<Socket> {
   beast::flat_buffer buffer_;
   bool is_open_ = false, is_text_ = false, is_reply_ = false;  ///< The last two: of what is on its way.
   bool awaits_file_ = false;
-  Text on_its_way_, status_, frame_;  ///< The last two: sent last.
+  Text on_its_way_, status_, history_, frame_;  ///< The last three: sent last.
   std::deque<LiveReply> replies_;
   Clock::time_point second_;
   int messages_ = 0;

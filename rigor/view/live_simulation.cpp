@@ -21,7 +21,7 @@ using Seconds = std::chrono::duration<double>;
 
 constexpr Seconds frame_interval{1.0 / 60};
 constexpr Seconds file_interval{0.5};
-constexpr Seconds rate_interval{0.5}, status_interval{0.25};
+constexpr Seconds rate_interval{0.5}, status_interval{0.25}, history_interval{0.25};
 /// Farther behind the clock than this the simulation does not try to catch up.
 constexpr Seconds most_behind{0.1};
 
@@ -106,6 +106,8 @@ void LiveSimulation::run() {
     look_at_file();
     if (is_running_) go_on();
     if (frame_is_new_ && Clock::now() - published_ >= frame_interval) publish_frame();
+    if (run_->history().revision() != history_revision_ && Clock::now() - remembered_ >= history_interval)
+      publish_history();
     if (status_is_new_ || Clock::now() - told_ >= status_interval) publish_status();
     wait();
   }
@@ -121,6 +123,8 @@ void LiveSimulation::wait() {
   std::unique_lock lock(mutex_);
   const bool was_watched = is_watched_;
   if (frame_is_new_ && was_watched) due = std::min(due, after(published_, frame_interval));
+  const bool history_is_new = run_->history().revision() != history_revision_;
+  if (history_is_new && was_watched) due = std::min(due, after(remembered_, history_interval));
   wake_.wait_until(lock, due, [this, was_watched] {
     return is_ending_ || !requests_.empty() || is_watched_ != was_watched;
   });
@@ -221,6 +225,7 @@ void LiveSimulation::reload() {
     throw;
   }
   ++generation_;
+  history_revision_ = 0;
   status_is_new_ = true;
   pace_anew();
   publish_frame();
@@ -270,6 +275,22 @@ void LiveSimulation::publish_frame() {
     if (blocks) newest_.blocks = std::move(blocks);
     newest_.generation = generation_;
     newest_.scene = run_->scene().name;
+  }
+  notify_();
+}
+
+void LiveSimulation::publish_history() {
+  {
+    const std::lock_guard lock(mutex_);
+    if (!is_watched_) return;
+  }
+  remembered_ = Clock::now();
+  history_revision_ = run_->history().revision();
+  auto history =
+      std::make_shared<const std::string>(live_history_bytes(run_->history(), generation_, run_->origin()));
+  {
+    const std::lock_guard lock(mutex_);
+    newest_.history = std::move(history);
   }
   notify_();
 }

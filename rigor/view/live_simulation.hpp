@@ -20,9 +20,10 @@ namespace rigor {
 
 /// What a live simulation shows of itself: always the newest, shared, never changed afterwards.
 struct LiveSnapshot {
-  std::uint32_t generation = 0;               ///< Counts the scenes: one more with each that is read anew.
-  std::shared_ptr<const std::string> frame;   ///< live_frame_bytes.
-  std::shared_ptr<const std::string> status;  ///< JSON, docs/live.md.
+  std::uint32_t generation = 0;                ///< Counts the scenes: one more with each that is read anew.
+  std::shared_ptr<const std::string> frame;    ///< live_frame_bytes.
+  std::shared_ptr<const std::string> history;  ///< live_history_bytes.
+  std::shared_ptr<const std::string> status;   ///< JSON, docs/live.md.
   std::shared_ptr<const std::vector<PageBlock>> blocks;  ///< Data of the page, of this generation.
   std::string scene;                                     ///< Its name.
 };
@@ -74,6 +75,7 @@ class LiveSimulation {
   void go_on();
   void pace_anew();
   void publish_frame();
+  void publish_history();
   void publish_status();
   std::string status() const;
 
@@ -90,7 +92,8 @@ class LiveSimulation {
   double speed_ = 1;
   std::uint64_t puller_ = 0;  ///< The client whose pull it is.
   std::vector<std::string> file_messages_;
-  Clock::time_point paced_from_, looked_at_file_, published_, told_, rated_from_;
+  Clock::time_point paced_from_, looked_at_file_, published_, remembered_, told_, rated_from_;
+  std::uint64_t history_revision_ = 0;               ///< Of the history that was published last.
   double pace_time_ = 0, rate_time_ = 0, rate_ = 0;  ///< Simulated [s]; simulated seconds a second.
 
   mutable std::mutex mutex_;  ///< Guards what follows.

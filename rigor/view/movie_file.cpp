@@ -24,31 +24,12 @@ namespace {
 std::vector<std::string> arguments(const std::filesystem::path& path, int width, int height) {
   const std::string rate = std::to_string(MovieFile::frames_per_second);
   // "file:" keeps ffmpeg from taking a name with a colon for an address.
-  return {"ffmpeg",
-          "-y",
-          "-loglevel",
-          "error",
-          "-f",
-          "rawvideo",
-          "-pixel_format",
-          "rgb24",
-          "-video_size",
-          fmt::format("{}x{}", width, height),
-          "-framerate",
-          rate,
-          "-i",
-          "-",
-          "-an",
-          "-c:v",
-          "libx264",
-          "-pix_fmt",
-          "yuv420p",
-          "-crf",
-          "18",
-          "-movflags",
-          "+faststart",
-          "-f",
-          "mp4",
+  return {"ffmpeg", "-y", "-loglevel", "error", "-f", "rawvideo", "-pixel_format", "rgb24", "-video_size",
+          fmt::format("{}x{}", width, height), "-framerate", rate, "-i", "-", "-an", "-c:v", "libx264",
+          "-pix_fmt", "yuv420p",
+          // Said in the file, because players guess the colours of large and small films differently.
+          "-vf", "scale=out_color_matrix=bt709", "-colorspace", "bt709", "-color_primaries", "bt709",
+          "-color_trc", "bt709", "-crf", "18", "-movflags", "+faststart", "-f", "mp4",
           "file:" + path.string()};
 }
 

@@ -1,6 +1,8 @@
 #include "rigor/view/occlusion.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace rigor {
 
@@ -29,17 +31,19 @@ float Occlusion::farthest(int column, int row) {
       static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
   if (!is_outdated_[at]) return farthest_[at];
   is_outdated_[at] = 0;
-  const int begin = column * tile, end = std::min(begin + tile, width_);
+  const int begin = column * tile;
+  const std::size_t columns = static_cast<std::size_t>(std::min(tile, width_ - begin));
   const int bottom = std::min((row + 1) * tile, height_);
-  float least = grids_[0].nearness(row * tile)[begin];
+  // The least of each column first: a loop that becomes vector code.
+  std::array<float, tile> least;
+  least.fill(HUGE_VALF);
   for (const SampleGrid& grid : grids_) {
     for (int y = row * tile; y < bottom; ++y) {
-      const float* const nearness = grid.nearness(y);
-      for (int x = begin; x < end; ++x) least = nearness[x] < least ? nearness[x] : least;
+      const float* const nearness = grid.nearness(y) + begin;
+      for (std::size_t x = 0; x < columns; ++x) least[x] = nearness[x] < least[x] ? nearness[x] : least[x];
     }
-    if (least == 0) break;
   }
-  return farthest_[at] = least;
+  return farthest_[at] = *std::min_element(least.begin(), least.end());
 }
 
 bool Occlusion::hides(const PictureBox& box) {

@@ -83,6 +83,22 @@ void append_column(std::span<const std::int64_t> values, std::string& bytes) {
   }
 }
 
+void append_exact_column(std::span<const double> values, std::string& bytes) {
+  std::vector<std::uint64_t> folded;
+  std::uint64_t last = 0, before = 0;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const std::uint64_t bits = std::bit_cast<std::uint64_t>(values[k]);
+    // Wraps around, there and back.
+    const std::uint64_t step = bits - (k < 2 ? last : 2 * last - before);
+    folded.push_back(step << 1 ^ (step >> 63 ? ~std::uint64_t{0} : 0));
+    before = last;
+    last = bits;
+  }
+  for (int shift = 56; shift >= 0; shift -= 8) {
+    for (const std::uint64_t value : folded) bytes += static_cast<char>(value >> shift & 0xff);
+  }
+}
+
 std::int64_t quantised(double value, double step) {
   constexpr double most = 1125899906842624.0;  // 2⁵⁰
   const double multiple = value / step;

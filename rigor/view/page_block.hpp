@@ -39,6 +39,11 @@ void append_varint(std::int64_t value, std::string& bytes);
 /// (2 x_{k-1} - x_{k-2}), each as a varint. Smooth motion gives small numbers, rest gives zeros.
 void append_column(std::span<const std::int64_t> values, std::string& bytes);
 
+/// A column of numbers to the last bit: of their bits as whole numbers what differs from going on in a
+/// straight line (as in append_column), sign folded in; of these first the highest byte of all, then the
+/// next, and so on: numbers that change slowly share their high bytes, which compress.
+void append_exact_column(std::span<const double> values, std::string& bytes);
+
 /// The multiple of the step [same unit] that is nearest to the value, held within ±2⁵⁰ so that JavaScript's
 /// numbers hold its differences exactly; 0 for what is not finite.
 std::int64_t quantised(double value, double step);

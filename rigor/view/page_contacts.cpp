@@ -27,7 +27,7 @@ double force_step_of(const std::vector<std::vector<TouchingPoint>>& frames) {
 }  // namespace
 
 PageContacts::PageContacts(const PageScale& scale, double contact_tolerance)
-    : origin_(scale.origin), position_step_(scale.position_step), gap_step_(contact_tolerance / 16) {}
+    : origin_(scale.origin), place_step_(scale.contact_step), gap_step_(contact_tolerance / 16) {}
 
 std::optional<PageBlock> PageContacts::add(const std::vector<TouchingPoint>& points) {
   const std::size_t count = std::min(points.size(), most_in_frame);
@@ -43,39 +43,48 @@ PageContacts::Numbers PageContacts::numbers_of(const TouchingPoint& point, doubl
   result[1] = quantised(point.gap, gap_step_);
   for (int k = 0; k < 3; ++k) {
     const std::size_t place = static_cast<std::size_t>(k);
-    result[2 + place] = quantised(point.p_W[k] - origin_[k], position_step_);
+    result[2 + place] = quantised(point.p_W[k] - origin_[k], place_step_);
     result[5 + place] = quantised(point.n_W[k], 1.0 / 1024);
     result[8 + place] = quantised(point.force_W[k], force_step);
   }
   return result;
 }
 
+/// What the numbers of a contact would be if it went on as before.
+PageContacts::Numbers PageContacts::expected(const Name& name, const Frame& last, const Frame& before) {
+  const auto newer = last.find(name), older = before.find(name);
+  if (newer == last.end()) return {};
+  Numbers result = newer->second;
+  if (older == before.end()) return result;
+  constexpr std::size_t first_smooth = 2, end_smooth = 8;  // point and normal
+  for (std::size_t k = first_smooth; k < end_smooth; ++k) result[k] += newer->second[k] - older->second[k];
+  return result;
+}
+
 std::optional<PageBlock> PageContacts::finish() {
   if (frames_.empty()) return std::nullopt;
   const double force_step = force_step_of(frames_);
-  std::string bytes;
-  append_f64(force_step, bytes);
-  append_f64(gap_step_, bytes);
-  append_u32(static_cast<std::uint32_t>(frames_.size()), bytes);
-  std::map<Name, Numbers> before, now;
+  std::array<std::string, 3 + numbers> columns;
+  Frame before, last, now;
   for (const std::vector<TouchingPoint>& points : frames_) {
-    append_varint(static_cast<std::int64_t>(points.size()), bytes);
+    append_varint(static_cast<std::int64_t>(points.size()), columns[0]);
     int last_A = 0, last_B = -1, which = 0;
     for (const TouchingPoint& point : points) {
       which = point.body_A == last_A && point.body_B == last_B ? which + 1 : 0;
-      append_varint(point.body_A - last_A, bytes);
-      append_varint(point.body_B - point.body_A, bytes);
+      append_varint(point.body_A - last_A, columns[1]);
+      append_varint(point.body_B - point.body_A, columns[2]);
       last_A = point.body_A, last_B = point.body_B;
       const Name name{last_A, last_B, which};
-      const Numbers values = numbers_of(point, force_step);
-      const auto earlier = before.find(name);
-      for (std::size_t k = 0; k < numbers; ++k) {
-        append_varint(values[k] - (earlier == before.end() ? 0 : earlier->second[k]), bytes);
-      }
+      const Numbers values = numbers_of(point, force_step), guess = expected(name, last, before);
+      for (std::size_t k = 0; k < numbers; ++k) append_varint(values[k] - guess[k], columns[3 + k]);
       now[name] = values;
     }
-    before = std::exchange(now, {});
+    before = std::exchange(last, std::exchange(now, {}));
   }
+  std::string bytes;
+  for (const double step : {force_step, gap_step_, place_step_}) append_f64(step, bytes);
+  append_u32(static_cast<std::uint32_t>(frames_.size()), bytes);
+  for (const std::string& column : columns) bytes += column;
   frames_.clear();
   count_ = 0;
   return make_page_block("contacts", bytes);

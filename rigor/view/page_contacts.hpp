@@ -16,10 +16,12 @@ namespace rigor {
 struct PageScale;
 
 /// Collects the contacts of each frame and packs them in chunks. A chunk stands by itself: f64 force step
-/// [N], f64 gap step [m], u32 frames; then varints: for each frame the number of contacts, and for each
-/// contact the first body less that of the contact before it, the second body less the first, and eleven
-/// numbers: mode (TouchingPoint::Mode), gap, point, normal in 1/1024, force; each less that of the same
-/// contact (the k-th of its pair) in the frame before, where there was one.
+/// [N], f64 gap step [m], f64 place step [m], u32 frames; then columns of varints, one whole after the other:
+/// of each frame the number of contacts; of each contact the first body less that of the contact before it in
+/// the frame, the second body less the first, and eleven numbers: mode (TouchingPoint::Mode), gap, point,
+/// normal in 1/1024, force. Of these numbers there is what differs from the same contact (the k-th of its
+/// pair) in the frame before, where there was one; of point and normal from going on in a straight line,
+/// where it was in the two frames before.
 class PageContacts {
  public:
   /// Of more contacts in a frame the first ones are kept.
@@ -36,10 +38,12 @@ class PageContacts {
   static constexpr std::size_t numbers = 11;
   using Numbers = std::array<std::int64_t, numbers>;
   using Name = std::tuple<int, int, int>;  ///< Bodies and which of their contacts.
+  using Frame = std::map<Name, Numbers>;
   Numbers numbers_of(const TouchingPoint& point, double force_step) const;
+  static Numbers expected(const Name& name, const Frame& last, const Frame& before);
 
   Vec3 origin_;
-  double position_step_, gap_step_;
+  double place_step_, gap_step_;
   std::vector<std::vector<TouchingPoint>> frames_;  ///< Of the chunk that is being filled.
   std::size_t count_ = 0;                           ///< Contacts in them.
 };

@@ -39,11 +39,11 @@ PageScale page_scale(const Model& model, const State& start) {
     if (radius > 0) smallest = std::min(smallest, radius);
   }
   if (!(around.lower.array() <= around.upper.array()).all())
-    return {Vec3::Zero(), 1, power_of_two_below(2e-5)};
+    return {Vec3::Zero(), 1, power_of_two_below(2e-5), power_of_two_below(8e-5)};
   const double diagonal = (around.upper - around.lower).norm();
   const double extent = diagonal > 0 ? diagonal : model.length_scale();
-  return {0.5 * (around.lower + around.upper), extent,
-          power_of_two_below(std::min(2e-5 * extent, 2e-3 * smallest)) / (count <= 64 ? 64 : 1)};
+  const double step = power_of_two_below(std::min(2e-5 * extent, 2e-3 * smallest));
+  return {0.5 * (around.lower + around.upper), extent, step / (count <= 64 ? 64 : 1), 4 * step};
 }
 
 PackedQuaternion packed(const Quat& q) {

@@ -16,9 +16,11 @@ struct PageScale {
   Vec3 origin;    ///< Middle of the bodies that move, at the start [m]; stored positions count from it.
   double extent;  ///< Diagonal of the box around them [m].
   double position_step;  ///< [m]; a stored coordinate is wrong by half of it at most.
+  double contact_step;   ///< [m]; the same for the points of contacts: a dot on the screen.
 };
-/// The step is a power of two, at most 2e-5 of the extent (an error of 1e-5) and 2e-3 of the smallest body
-/// that moves; 64 times finer where at most 64 bodies move, since that costs little there.
+/// The steps are powers of two, at most 2e-5 of the extent (an error of 1e-5) and 2e-3 of the smallest body
+/// that moves; that of positions is 64 times finer where at most 64 bodies move, since that costs little
+/// there; that of contacts is 4 times coarser.
 PageScale page_scale(const Model& model, const State& start);
 
 /// A unit quaternion by its three smaller components, each in ±32767 for ±1/√2.

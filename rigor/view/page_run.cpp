@@ -1,7 +1,6 @@
 #include "rigor/view/page_run.hpp"
 
 #include "rigor/io/audit_json.hpp"
-#include "rigor/io/json_text.hpp"
 #include "rigor/io/version.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/view/page_geometry.hpp"
@@ -19,9 +18,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// How the values of two intervals make that of both.
+enum class Joined { last, sum, largest };
 struct Quantity {
   const char* name;
   const char* unit;
+  Joined joined = Joined::last;
 };
 /// Columns of the series, in this order.
 constexpr std::array quantities = {Quantity{"time", "s"},
@@ -31,10 +33,10 @@ constexpr std::array quantities = {Quantity{"time", "s"},
                                    Quantity{"work", "J"},
                                    Quantity{"momentum", "kg m/s"},
                                    Quantity{"angular_momentum", "kg m²/s"},
-                                   Quantity{"penetration", "m"},
-                                   Quantity{"steps", ""},
-                                   Quantity{"impacts", ""},
-                                   Quantity{"iterations", ""}};
+                                   Quantity{"penetration", "m", Joined::largest},
+                                   Quantity{"steps", "", Joined::sum},
+                                   Quantity{"impacts", "", Joined::sum},
+                                   Quantity{"iterations", "", Joined::largest}};
 
 Json json_of(const Vec3& v) {
   return {v.x(), v.y(), v.z()};
@@ -151,6 +153,8 @@ std::vector<double> PageRun::last_row() const {
 
 std::vector<PageBlock> PageRun::finish(const Audit& audit) {
   const PageGeometry geometry = page_geometry(*model_);
+  Json audit_of_run = Json::parse(audit_json(audit));
+  audit_of_run.erase("bodies");  // Where they end is in the frames.
   Json header = {{"format", 1},
                  {"rigor", version},
                  {"scene", name_},
@@ -173,14 +177,14 @@ std::vector<PageBlock> PageRun::finish(const Audit& audit) {
                  {"materials", materials_json(*latest_model_)},
                  {"springs", springs_json(*latest_model_)},
                  {"joints", Json::array()},
-                 {"audit", Json::parse(audit_json(audit))}};
+                 {"audit", audit_of_run}};
   if (!label_.empty()) {
     header["label"] = label_;
     if (audit.report.reason != StopReason::reached_end) header["stopped"] = audit.report.detail;
   }
-  std::vector<PageBlock> blocks = {make_page_block("header", json_line(header)),
-                                   make_page_block("meshes", geometry.mesh_bytes), series_block(),
-                                   events_block()};
+  std::vector<PageBlock> blocks = {
+      make_page_block("header", header.dump(-1, ' ', false, Json::error_handler_t::replace)),
+      make_page_block("meshes", geometry.mesh_bytes), series_block(), events_block()};
   keep(frames_.finish());
   keep(contacts_.finish());
   for (PageBlock& chunk : chunks_) blocks.push_back(std::move(chunk));
@@ -193,9 +197,7 @@ void PageRun::keep(std::optional<PageBlock> chunk) {
 
 PageBlock PageRun::series_block() const {
   std::string bytes;
-  for (const std::vector<double>& column : series_) {
-    for (const double value : column) append_f64(value, bytes);
-  }
+  for (const std::vector<double>& column : series_) append_exact_column(column, bytes);
   return make_page_block("series", bytes);
 }
 
@@ -225,6 +227,15 @@ PageBlock PageRun::events_block() const {
     append_varint(static_cast<std::int64_t>(event.kind), bytes);
   }
   return make_page_block("events", bytes);
+}
+
+std::vector<double> joined_rows(const std::vector<double>& earlier, const std::vector<double>& later) {
+  std::vector<double> row = later;
+  for (std::size_t i = 0; i < quantities.size(); ++i) {
+    if (quantities[i].joined == Joined::sum) row[i] += earlier[i];
+    if (quantities[i].joined == Joined::largest) row[i] = std::max(row[i], earlier[i]);
+  }
+  return row;
 }
 
 }  // namespace rigor

@@ -53,4 +53,8 @@ class PageRun {
   std::vector<MotionEvent> events_;
 };
 
+/// The row of the series for two intervals that follow each other, from the rows of each: values at its end,
+/// sums of what is counted, the larger of what is the worst.
+std::vector<double> joined_rows(const std::vector<double>& earlier, const std::vector<double>& later);
+
 }  // namespace rigor

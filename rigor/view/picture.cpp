@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace rigor {
 
@@ -54,6 +55,28 @@ void add_legend(const std::vector<LegendLine>& lines, double x, double y, double
   }
 }
 
+/// How much of the box the drawn shapes that can move cover, each as the square about its ball, summed over
+/// all moments [px²].
+double covered(const PictureBox& box, const DrawnScene& scene, const std::vector<Pose>& poses,
+               const Projection& projection) {
+  double sum = 0;
+  const std::size_t count = static_cast<std::size_t>(scene.body_count);
+  for (std::size_t first = 0; first + count <= poses.size(); first += count) {
+    for (const DrawnShape& shape : scene.shapes) {
+      if (!shape.can_move) continue;
+      const Vec3 p_K =
+          projection.X_KW() * (poses[first + static_cast<std::size_t>(shape.body)] * shape.X_LS.p);
+      if (p_K.z() <= 0) continue;
+      const PicturePoint seen = projection.project(p_K);
+      const double r = projection.focal_length() * shape.radius * seen.nearness;
+      const double wide = std::min(box.right, seen.x + r) - std::max(box.left, seen.x - r);
+      const double high = std::min(box.bottom, seen.y + r) - std::max(box.top, seen.y - r);
+      if (wide > 0 && high > 0) sum += wide * high;
+    }
+  }
+  return sum;
+}
+
 /// Moments at which the motion is looked at to frame it: all, or evenly spread if they were too many points.
 std::vector<Pose> sampled_poses(const Recording& recording) {
   constexpr std::size_t most_poses = 20000;
@@ -89,11 +112,30 @@ PictureSize sheet_tile(int sheet_width) {
 }
 
 Photographer::Photographer(const Recording& recording, const CameraWishes& wishes, const PictureSize& size)
-    : recording_(recording),
-      size_(size),
-      scene_(make_drawn_scene(*recording.model)),
-      camera_(make_camera(scene_, sampled_poses(recording), wishes,
-                          static_cast<double>(size.width) / size.height)) {}
+    : recording_(recording), size_(size), scene_(make_drawn_scene(*recording.model)) {
+  const std::vector<Pose> poses = sampled_poses(recording);
+  camera_ = make_camera(scene_, poses, wishes, static_cast<double>(size.width) / size.height);
+  place_legend(poses);
+}
+
+/// Below the scene's name, below the time, or in the lower corners.
+void Photographer::place_legend(const std::vector<Pose>& poses) {
+  const std::vector<LegendLine> lines = legend(*recording_.model, scene_);
+  if (lines.empty()) return;
+  const double size = text_size(size_), edge = 1.2 * size;
+  double widest = 0;
+  for (const LegendLine& line : lines) widest = std::max(widest, text_width(line.name, size));
+  const double width = 2 * size + widest, height = (1.45 * static_cast<double>(lines.size()) + 0.2) * size;
+  const double left = edge - 0.5 * size, right = size_.width - left - width;
+  const double top = edge + 1.7 * size, bottom = size_.height - left - height;
+  const Projection projection(camera_, size_.width, size_.height);
+  double least = HUGE_VAL;
+  for (const auto& [x, y] : {std::pair{left, top}, {right, top}, {left, bottom}, {right, bottom}}) {
+    const PictureBox box{x, x + width, y, y + height, 0};
+    const double hidden = covered(box, scene_, poses, projection);
+    if (hidden < least) least = hidden, legend_ = box;
+  }
+}
 
 Image Photographer::draw(std::size_t frame) {
   return renderer_.draw(scene_, poses_at(recording_, frame), camera_, size_.width, size_.height);
@@ -108,14 +150,11 @@ Image Photographer::picture(std::size_t frame) {
               {.size = 1.15 * size, .color = ink()});
   canvas.text(time_text(recording_, frame), size_.width - edge, edge + size,
               {.size = 1.15 * size, .color = ink(), .anchor = Anchor::end});
-  const std::vector<LegendLine> lines = legend(*recording_.model, scene_);
-  double widest = 0;
-  for (const LegendLine& line : lines) widest = std::max(widest, text_width(line.name, size));
-  if (!lines.empty()) {
-    const double top = edge + 1.7 * size, height = 1.45 * size * static_cast<double>(lines.size());
-    canvas.fill(edge - 0.5 * size, top, edge + 1.5 * size + widest, top + height + 0.2 * size, paper(), 0.6);
+  if (legend_.right > legend_.left) {
+    canvas.fill(legend_.left, legend_.top, legend_.right, legend_.bottom, paper(), 0.6);
+    add_legend(legend(*recording_.model, scene_), legend_.left + 0.5 * size, legend_.top + 1.1 * size, size,
+               canvas);
   }
-  add_legend(lines, edge, edge + 2.8 * size, size, canvas);
   return image;
 }
 

@@ -3,6 +3,7 @@
 #include "rigor/view/framing.hpp"
 #include "rigor/view/image.hpp"
 #include "rigor/view/key_moments.hpp"
+#include "rigor/view/occlusion.hpp"
 #include "rigor/view/renderer.hpp"
 
 namespace rigor {
@@ -22,18 +23,22 @@ class Photographer {
   const Camera& camera() const { return camera_; }
   /// The scene at an output time, without text.
   Image draw(std::size_t frame);
-  /// The same with the scene's name, the time and the names of the moving bodies if they are few.
+  /// The same with the scene's name, the time and the names of the moving bodies if they are few: in that
+  /// corner where they cover the least of the motion, the same in all pictures.
   Image picture(std::size_t frame);
   /// All moments side by side in one picture, each of this photographer's size, with their times and what
   /// they show below them and the scene's name above.
   Image sheet(const std::vector<KeyMoment>& moments);
 
  private:
+  void place_legend(const std::vector<Pose>& poses);
+
   const Recording& recording_;
   PictureSize size_;
   DrawnScene scene_;
   Camera camera_;
   Renderer renderer_;
+  PictureBox legend_{};  ///< Empty: there is none.
 };
 
 /// Columns of a sheet of that many pictures.

@@ -88,6 +88,7 @@ Image Renderer::draw(const DrawnScene& scene, std::span<const Pose> X_WL, const 
   const Mat3& R_KW = projection.X_KW().R;
   const Look look{(R_KW * sun_W).cast<float>(), (R_KW * scene.up).cast<float>(),
                   static_cast<float>(round_number(0.08 * distance)), static_cast<float>(7 * distance)};
+  light_flat_things(look, things_);
   Image image(width, height);
   develop(Shader(projection, things_, shadows_, look), image);
   return image;
@@ -148,6 +149,7 @@ void Renderer::see_plane(const PlacedShape& placed, const HalfSpace& plane, cons
   ground.along_x = axes.col(0).cast<float>();
   ground.along_y = axes.col(1).cast<float>();
   ground.origin = p.cast<float>();
+  ground.height = static_cast<float>(-offset);
   for (SampleGrid& grid : grids_) grid.fill(projection.nearness_of_plane(normal, offset), id);
 }
 
@@ -227,20 +229,28 @@ void Renderer::fill_all(std::span<const Vec2> corners, const NearnessPlane& plan
 }
 
 void Renderer::develop(const Shader& shader, Image& image) const {
+  std::vector<Color> colors(static_cast<std::size_t>(image.width));
+  for (int row = 0; row < image.height; ++row) {
+    color_row(shader, row, colors);
+    std::uint8_t* out = image.pixel(0, row);
+    for (const Color& color : colors) {
+      for (int channel = 0; channel < 3; ++channel) *out++ = shader.srgb(color[channel]);
+    }
+  }
+}
+
+void Renderer::color_row(const Shader& shader, int row, std::span<Color> colors) const {
   std::array<const std::uint32_t*, 4> ids;
   std::array<const float*, 4> nearness;
-  for (int row = 0; row < image.height; ++row) {
-    for (std::size_t s = 0; s < 4; ++s) ids[s] = grids_[s].ids(row), nearness[s] = grids_[s].nearness(row);
-    std::uint8_t* out = image.pixel(0, row);
-    for (int column = 0; column < image.width; ++column, out += 3) {
-      std::array<PixelSample, 4> samples;
-      for (std::size_t s = 0; s < 4; ++s) {
-        const float near = nearness[s][column];
-        samples[s] = {near > 0 ? ids[s][column] : 0, near};
-      }
-      const Color color = pixel_color(shader, samples, static_cast<float>(column), static_cast<float>(row));
-      for (int channel = 0; channel < 3; ++channel) out[channel] = shader.srgb(color[channel]);
+  for (std::size_t s = 0; s < 4; ++s) ids[s] = grids_[s].ids(row), nearness[s] = grids_[s].nearness(row);
+  const float y = static_cast<float>(row);
+  for (std::size_t column = 0; column < colors.size(); ++column) {
+    std::array<PixelSample, 4> samples;
+    for (std::size_t s = 0; s < 4; ++s) {
+      const float near = nearness[s][column];
+      samples[s] = {near > 0 ? ids[s][column] : 0, near};
     }
+    colors[column] = pixel_color(shader, samples, static_cast<float>(column), y);
   }
 }
 

@@ -36,6 +36,7 @@ class Renderer {
   void see_plane(const PlacedShape& placed, const HalfSpace& plane, const Projection& projection);
   void fill_all(std::span<const Vec2> corners, const NearnessPlane& plane);
   void develop(const Shader& shader, Image& image) const;
+  void color_row(const Shader& shader, int row, std::span<Color> colors) const;
   struct PixelSample {
     std::uint32_t id;
     float nearness;

@@ -19,6 +19,8 @@ struct SeenThing {
   Eigen::Vector3f along_x = Eigen::Vector3f::Zero();
   Eigen::Vector3f along_y = Eigen::Vector3f::Zero();
   Eigen::Vector3f origin = Eigen::Vector3f::Zero();  ///< Of a plane's pattern.
+  float height = 0;                                  ///< Of the eye above a plane [m].
+  float sky = 0, sun = 0;  ///< Light on flat faces and planes, see light_flat_things().
 };
 
 /// Light, background and pattern of a picture.
@@ -29,10 +31,15 @@ struct Look {
   float fade_distance;    ///< Where planes fade into the background [m].
 };
 
+/// Sets the light of the sky on flat faces and planes, and that of the sun if nothing is between: the same
+/// all over them.
+void light_flat_things(const Look& look, std::vector<SeenThing>& things);
+
 /// How things look at a place of the picture: light of the sky from above, of the sun with its shadows, and a
 /// faint highlight; the squares of planes fade where they are smaller than pixels.
 class Shader {
  public:
+  /// The things' flat ones are lit already.
   Shader(const Projection& projection, const std::vector<SeenThing>& things, const ShadowMap& shadows,
          const Look& look);
 
@@ -43,13 +50,12 @@ class Shader {
 
  private:
   Color background(float y) const;
-  /// Light of the sky, and of the sun if nothing is between.
-  float sky_on(const Eigen::Vector3f& normal) const;
-  float sun_on(const Eigen::Vector3f& normal) const;
+  /// Light on a flat face or a plane at p_K.
+  float light_on_flat(const SeenThing& thing, const Eigen::Vector3f& p_K) const;
   Color plane(const SeenThing& plane, const Eigen::Vector3f& p_K, float y) const;
   Color curved(const SeenThing& thing, const Eigen::Vector3f& normal, const Eigen::Vector3f& p_K) const;
 
-  float inverse_focal_, center_x_, center_y_;
+  float inverse_focal_, center_x_, center_y_, checks_per_meter_, inverse_square_fade_;
   const std::vector<SeenThing>& things_;
   const ShadowMap& shadows_;
   Look look_;

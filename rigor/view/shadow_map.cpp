@@ -2,6 +2,8 @@
 
 #include "rigor/math/rotation.hpp"
 
+#include <limits>
+
 namespace rigor {
 
 void ShadowMap::draw(std::span<const PlacedShape> shapes, const Vec3& sun_W, const Region& region, int size) {
@@ -105,17 +107,18 @@ void ShadowMap::draw_surface(const PlacedShape& placed, Occlusion& occlusion) {
 
 void ShadowMap::set_camera(const Pose& X_KW) {
   const Pose X_JK = X_JW_ * X_KW.inverse();
-  // To texels along x and y; to nearness along z.
   const Vec3 scale(1 / texel_, 1 / texel_, -1);
-  R_JK_ = (scale.asDiagonal() * X_JK.R).cast<float>();
-  p_JK_ = (scale.cwiseProduct(X_JK.p) + Vec3(0, 0, size_ * texel_)).cast<float>();
+  texels_of_K_.topRows<3>() = (scale.asDiagonal() * X_JK.R).cast<float>();
+  texels_at_K_.head<3>() = (scale.cwiseProduct(X_JK.p) + Vec3(0, 0, size_ * texel_)).cast<float>();
 }
 
 float ShadowMap::light(const Eigen::Vector3f& p_K, const Eigen::Vector3f& normal_K) const {
   // Looked up a little above the surface, so that it does not shade itself where the map is coarse.
   constexpr float lift = 2;
   const float texel = static_cast<float>(texel_);
-  const Eigen::Vector3f p = R_JK_ * (p_K + lift * texel * normal_K) + p_JK_;
+  const Eigen::Vector3f above = p_K + lift * texel * normal_K;
+  const Eigen::Vector4f p = texels_of_K_.col(0) * above.x() + texels_of_K_.col(1) * above.y() +
+                            texels_of_K_.col(2) * above.z() + texels_at_K_;
   const float x = p.x() - 2, y = p.y() - 2;
   if (!(x >= 0 && y >= 0 && x < static_cast<float>(size_ - 4) && y < static_cast<float>(size_ - 4))) return 1;
   const int column = static_cast<int>(x), row = static_cast<int>(y);
@@ -125,13 +128,16 @@ float ShadowMap::light(const Eigen::Vector3f& p_K, const Eigen::Vector3f& normal
   const Bounds& bounds = bounds_[static_cast<std::size_t>(row / square * squares_ + column / square)];
   if (bounds.highest <= nearness) return 1;
   if (bounds.lowest > nearness) return 0;
-  const float weights_x[4] = {1 - fx, 1, 1, fx}, weights_y[4] = {1 - fy, 1, 1, fy};
-  float sums[4] = {};
-  for (int j = 0; j < 4; ++j) {
+  // 1 where the map is nearer, else 0; written so that it becomes vector code.
+  const auto hides = [&](int j) {
+    using Texels = Eigen::Array4f;
     const float* const map = grid_.nearness(row + j) + column;
-    for (int i = 0; i < 4; ++i) sums[i] += map[i] <= nearness ? weights_y[j] * weights_x[i] : 0.0F;
-  }
-  return (sums[0] + sums[1] + sums[2] + sums[3]) / 9;
+    const Texels step = (Eigen::Map<const Texels>(map) - nearness) * std::numeric_limits<float>::max();
+    return Texels(step.max(Texels::Zero()).min(Texels::Ones()));
+  };
+  const Eigen::Array4f down = (1 - fy) * hides(0) + hides(1) + hides(2) + fy * hides(3);
+  const float hidden = (1 - fx) * down[0] + down[1] + down[2] + fx * down[3];
+  return 1 - hidden * (1 / 9.0F);
 }
 
 }  // namespace rigor

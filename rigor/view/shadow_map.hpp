@@ -54,8 +54,9 @@ class ShadowMap {
   int squares_ = 0;   ///< A side.
   double texel_ = 1;  ///< [m].
   Pose X_JW_;         ///< J: x, y along the map [m] from its corner, z against the sun [m].
-  Eigen::Matrix3f R_JK_ = Eigen::Matrix3f::Identity();
-  Eigen::Vector3f p_JK_ = Eigen::Vector3f::Zero();
+  /// From points in K to texels along x and y and to nearness; the fourth row is nothing, for vector code.
+  Eigen::Matrix<float, 4, 3> texels_of_K_ = Eigen::Matrix<float, 4, 3>::Zero();
+  Eigen::Vector4f texels_at_K_ = Eigen::Vector4f::Zero();
   std::vector<Vec3> points_;  ///< Scratch: vertices, x and y in texels, z in J.
   std::vector<Vec2> corners_;
 };

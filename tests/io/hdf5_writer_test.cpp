@@ -7,9 +7,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <csignal>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <random>
 
 #include <sys/resource.h>
@@ -169,14 +171,19 @@ std::string bytes_of(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// Reads all beginnings of the file whose lengths are in steps; returns in how many of them there were rows,
-/// and sees that what is read is what was written and that the rest says why not.
-int readable_beginnings(const std::filesystem::path& file, std::uintmax_t step, std::size_t body_count) {
+/// Lengths of beginnings: from first, in steps, below end.
+struct Lengths {
+  std::uintmax_t step, first = 0, end = std::numeric_limits<std::uintmax_t>::max();
+};
+/// Reads the beginnings of the file of these lengths; returns in how many of them there were rows, and sees
+/// that what is read is what was written and that the rest says why not.
+int readable_beginnings(const std::filesystem::path& file, const Lengths& lengths, std::size_t body_count) {
   const std::filesystem::path cut = file.string() + ".cut";
   const std::string whole = bytes_of(file);
   int readable = 0;
   std::size_t most = 0;
-  for (std::uintmax_t bytes = 0; bytes < whole.size(); bytes += step) {
+  const std::uintmax_t end = std::min<std::uintmax_t>(lengths.end, whole.size());
+  for (std::uintmax_t bytes = lengths.first; bytes < end; bytes += lengths.step) {
     std::ofstream(cut, std::ios::binary).write(whole.data(), static_cast<std::streamsize>(bytes));
     try {
       const StoredTrajectory stored = read_hdf5_trajectory(cut);
@@ -205,7 +212,7 @@ TEST(Hdf5Reader, EveryBeginningOfAFileGivesItsWholeRowsOrSaysWhyNot) {
   writer.close({});
   const std::uintmax_t size = std::filesystem::file_size(folder / "run.h5");
   // All lengths would take long: steps without a common factor with any alignment.
-  EXPECT_GT(readable_beginnings(folder / "run.h5", 1597, 2), static_cast<int>(size / 1597 / 4));
+  EXPECT_GT(readable_beginnings(folder / "run.h5", {1597}, 2), static_cast<int>(size / 1597 / 4));
 }
 
 TEST(Hdf5Reader, EveryBeginningOfAnUnclosedFileTooGivesItsWholeRowsOrSaysWhyNot) {
@@ -215,7 +222,23 @@ TEST(Hdf5Reader, EveryBeginningOfAnUnclosedFileTooGivesItsWholeRowsOrSaysWhyNot)
   writer.flush();
   std::filesystem::copy_file(folder / "run.h5", folder / "copy.h5");
   const std::uintmax_t size = std::filesystem::file_size(folder / "copy.h5");
-  EXPECT_GT(readable_beginnings(folder / "copy.h5", size / 60 + 1, 1), 0);
+  EXPECT_GT(readable_beginnings(folder / "copy.h5", {size / 60 + 1}, 1), 0);
+}
+
+TEST(Hdf5Reader, EveryByteWhereAShortFileBecomesReadableGivesItsRowsOrSaysWhyNot) {
+  const TemporaryFolder folder;
+  TrajectoryHeader header = sample_header({"a"});
+  header.run.duration = 2 * header.run.output_interval;
+  Hdf5Writer writer(folder / "run.h5", header);
+  for (int k = 0; k < 3; ++k) write_row(k, 1, writer);
+  writer.close({});
+  const std::uintmax_t size = std::filesystem::file_size(folder / "run.h5"), step = 401;
+  EXPECT_LT(size, 60000u) << "chunks are no longer than the run";
+  const int readable = readable_beginnings(folder / "run.h5", {step}, 1);
+  // Of the lengths in steps this is the first that could be read.
+  const std::uintmax_t first = ((size - 1) / step - static_cast<std::uintmax_t>(readable) + 1) * step;
+  EXPECT_GT(readable_beginnings(folder / "run.h5", {1, first - step, first + 1}, 1), 0);
+  EXPECT_EQ(readable_beginnings(folder / "run.h5", {1, size - 150}, 1), 150);
 }
 
 TEST(Hdf5Reader, AFileWithoutItsFirstPartsSaysHowMuchIsMissing) {

@@ -54,6 +54,12 @@ class LiveServerTest : public testing::Test {
   static bool is_status(const LiveSocket::Message& message) {
     return message.opcode == 1 && message.bytes.find("\"type\": \"status\"") != std::string::npos;
   }
+  /// Frames are of kind 1, files of 2, histories of 3.
+  static bool is_bytes(const LiveSocket::Message& message, std::uint32_t kind) {
+    std::uint32_t own = 0;
+    if (message.opcode == 2) std::memcpy(&own, message.bytes.data(), sizeof own);
+    return own == kind;
+  }
   static double time_of(const LiveSocket::Message& frame) {
     double time = 0;
     std::memcpy(&time, frame.bytes.data() + 20, sizeof time);
@@ -62,7 +68,7 @@ class LiveServerTest : public testing::Test {
   /// The first frame later than a time.
   static LiveSocket::Message frame_after(LiveSocket& socket, double time) {
     return socket.next([time](const LiveSocket::Message& message) {
-      return message.opcode == 2 && time_of(message) > time;
+      return is_bytes(message, 1) && time_of(message) > time;
     });
   }
   template <typename Predicate>
@@ -182,7 +188,7 @@ TEST_F(LiveServerTest, RunPauseAndStepDoWhatTheySay) {
       << "time stood still between the steps";
   socket.send(R"({"do": "reset"})");
   socket.next(
-      [](const LiveSocket::Message& message) { return message.opcode == 2 && time_of(message) == 0; });
+      [](const LiveSocket::Message& message) { return is_bytes(message, 1) && time_of(message) == 0; });
 }
 
 TEST_F(LiveServerTest, ChangesArriveAndAreTold) {
@@ -233,6 +239,23 @@ TEST_F(LiveServerTest, WhoDoesNotReadDoesNotHoldTheSimulationUp) {
   EXPECT_GE(time_of(frame_after(honest, 0.5)), 0.5);
 }
 
+TEST_F(LiveServerTest, APageThatIsOpenedLaterGetsTheHistory) {
+  {
+    LiveSocket early(address);
+    for (int i = 1; i <= 5; ++i) early.send(R"({"do": "step"})");
+    frame_after(early, 0.045);
+  }
+  LiveSocket late(address);
+  const LiveSocket::Message history = late.next([](const LiveSocket::Message& message) {
+    std::uint32_t rows = 0;
+    if (is_bytes(message, 3)) std::memcpy(&rows, message.bytes.data() + 12, sizeof rows);
+    return rows == 6;
+  });
+  double time = 0;
+  std::memcpy(&time, history.bytes.data() + 28 + 8 * 11 * 5, sizeof time);
+  EXPECT_EQ(time, 0.05) << "the last of six rows of eleven series";
+}
+
 TEST_F(LiveServerTest, ALostPullerLetsGo) {
   const auto speed_after = [](LiveSocket& socket, double time) {
     socket.send(R"({"do": "step"})");
@@ -274,8 +297,8 @@ TEST_F(LiveServerTest, StateAndPageComeAsFiles) {
   LiveSocket socket(address);
   for (const std::string command : {"save", "export"}) {
     socket.send("{\"do\": \"" + command + "\"}");
-    const LiveSocket::Message file = socket.next(
-        [](const LiveSocket::Message& message) { return message.opcode == 2 && message.bytes[0] == 2; });
+    const LiveSocket::Message file =
+        socket.next([](const LiveSocket::Message& message) { return is_bytes(message, 2); });
     const std::string suffix = command == "save" ? ".checkpoint" : ".html";
     EXPECT_EQ(file.bytes.substr(8, 12 + suffix.size()), "live_ball-0s" + suffix);
   }

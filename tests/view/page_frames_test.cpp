@@ -192,6 +192,10 @@ TEST(PageFrames, AGasOfBallsWithAllItsImpactsTakesLessThanTwelveBytesABodyAFrame
   EXPECT_LT(bytes_per_body_frame("gas.yaml", 0.02), 12);
 }
 
+TEST(PageFrames, ASmallSceneWithManyImpactsAndContactsTakesLessThanTwelveBytesABodyAFrame) {
+  EXPECT_LT(bytes_per_body_frame("dominoes.yaml", 0.01), 12);
+}
+
 TEST(PageFrames, BoxesTumblingAtRandomTakeLessThanTwelveBytesABodyAFrame) {
   const std::shared_ptr<const Model> model = boxes(200);
   std::mt19937_64 random(2);

@@ -69,6 +69,19 @@ class BytesReader {
     }
     return values;
   }
+  std::vector<double> exact_column(std::size_t count) {
+    std::vector<std::uint64_t> bits(count);
+    for (int plane = 0; plane < 8; ++plane) {
+      for (std::uint64_t& value : bits) value = value << 8 | take<unsigned char>();
+    }
+    std::vector<double> values(count);
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::uint64_t straight = k == 0 ? 0 : k == 1 ? bits[0] : 2 * bits[k - 1] - bits[k - 2];
+      bits[k] = straight + (bits[k] >> 1 ^ (bits[k] & 1 ? ~std::uint64_t{0} : 0));
+      std::memcpy(&values[k], &bits[k], sizeof values[k]);
+    }
+    return values;
+  }
   bool is_at_end() const { return at_ == bytes_.size(); }
 
  private:

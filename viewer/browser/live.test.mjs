@@ -111,6 +111,84 @@ test("dragging with Shift pulls the ball, letting go ends the pull", async () =>
   await page.close();
 });
 
+test("a hit acts where the body was clicked", async () => {
+  const { page } = await open();
+  await reset(page);
+  await page.keyboard.press("r");
+  await page.waitForTimeout(300);
+  const canvas = await page.locator(".stage canvas").boundingBox();
+  // Half a radius beside the middle; how far from the middle the line of sight passes there.
+  const [x, y, arm] = await page.evaluate(([body, width, height]) => {
+    const { view } = window.rigor;
+    const center = [...view.motion.position.subarray(3 * body, 3 * body + 3)];
+    const place = (shift) => {
+      const right = view.camera.position.clone().setFromMatrixColumn(view.camera.matrixWorld, 0).multiplyScalar(shift);
+      const at = right.add(view.camera.position.clone().fromArray(center)).project(view.camera);
+      return [((at.x + 1) / 2) * width, ((1 - at.y) / 2) * height];
+    };
+    const [px, py] = place(0.05).map(Math.round);
+    const { from, direction: d } = view.rayAt(px, py);
+    const r = center.map((c, i) => c - from[i]);
+    const cross = [r[1] * d[2] - r[2] * d[1], r[2] * d[0] - r[0] * d[2], r[0] * d[1] - r[1] * d[0]];
+    return [px, py, Math.hypot(...cross)];
+  }, [ball, canvas.width, canvas.height]);
+  await page.locator("#gravity").fill("0");
+  await until(page, () => window.rigor.status.gravity.every((g) => Math.abs(g) === 0));
+  await page.mouse.move(canvas.x + x, canvas.y + y);
+  await page.keyboard.down("Alt");
+  await page.mouse.down();
+  await page.mouse.up();
+  await page.keyboard.up("Alt");
+  await page.waitForTimeout(300);
+  const [speed, spin] = await page.evaluate((body) => {
+    const { motion } = window.rigor.view;
+    return [motion.velocity, motion.spin].map((all) => Math.hypot(...all.subarray(3 * body, 3 * body + 3)));
+  }, ball);
+  // 1 kg gets 2 m/s; the ball's moment of inertia is 0.4 m r² with r = 0.1 m.
+  assert.ok(Math.abs(speed - 2) < 1e-3, `speed ${speed}`);
+  assert.ok(arm > 0.02 && arm < 0.08, `arm ${arm}`);
+  assert.ok(Math.abs(spin - (2 * arm) / 0.004) < 1e-3 * spin, `spin ${spin}, arm ${arm}`);
+  await page.locator("#gravity").fill("9.81");
+  await until(page, () => window.rigor.status.gravity[2] < -9.8);
+  await page.close();
+});
+
+test("plots and time line show what happened since the reset, a click on a tick its impulse", async () => {
+  const { page, errors } = await open();
+  await reset(page);
+  await page.evaluate(() => window.rigor.select(1));
+  await page.click("#run");
+  await until(page, () => window.rigor.source.time > 0.8);
+  await page.click("#run");
+  await until(page, () => !window.rigor.status.running);
+  await until(page, () => window.rigor.source.times[window.rigor.source.times.length - 1] > window.rigor.source.time - 0.02);
+  const { titles, data, height } = await page.evaluate(() => ({
+    titles: [...document.querySelectorAll(".plot h3")].map((title) => title.firstChild.textContent),
+    data: window.rigor.plots.charts.map((chart) => chart.data.map((column) => [...column])),
+    height: window.rigor.positionOf(1)[2],
+  }));
+  assert.deepEqual(titles, ["Energy", "Momentum", "Deepest penetration", "Solver effort an interval", "ball"]);
+  const [times, , potential] = data[0];
+  assert.ok(Math.abs(potential[0] - 9.81) < 1e-9, "m g h at the start");
+  assert.ok(times.every((t, k) => Math.abs(t - 0.01 * k) < 1e-9), "each output time once");
+  const [own, , , z] = data[4];
+  assert.ok(own[own.length - 1] > 0.8 && Math.abs(z[z.length - 1] - height) < 1e-6, "the chosen body up to now");
+  // It falls 0.9 m and bounces with 0.5: 1.5 m √(2 g h), at √(2 h / g).
+  const impact = await page.evaluate(() => window.rigor.source.events[0]);
+  assert.ok(Math.abs(impact.time - Math.sqrt(1.8 / 9.81)) < 1e-6);
+  const line = await page.locator("#scrubber").boundingBox();
+  await page.mouse.click(line.x + (line.width * impact.time) / times[times.length - 1], line.y + 15);
+  await page.locator("#event").waitFor();
+  const text = await page.locator("#event").innerText();
+  assert.match(text, /impact at 0\.428/);
+  assert.match(text, new RegExp(`impulse\\s+${(1.5 * Math.sqrt(2 * 9.81 * 0.9)).toFixed(3)}`));
+  await reset(page);
+  await until(page, () => window.rigor.source.events.length === 0 && window.rigor.source.times.length === 1);
+  assert.equal(await page.locator("#event").isVisible(), false, "after a reset there was no impact");
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
 test("state and page come as files", async () => {
   const { page } = await open();
   for (const [name, pattern] of [["Save state", /^live-.*\.checkpoint$/], ["Export page", /^live-.*\.html$/]]) {
@@ -132,6 +210,7 @@ test("a file that is broken gives its messages, one that is mended a new scene",
 
 test("at the width of a phone nothing is wider than the screen", async () => {
   const { page } = await open({ viewport: { width: 390, height: 844 } });
+  await page.evaluate(() => window.rigor.select(1));
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
   await page.close();
 });

@@ -3,7 +3,7 @@ import { el } from "./dom";
 import * as format from "./format";
 import { lastAtMost } from "./search";
 
-/** A line of a chart over the output times of its run. */
+/** A line of a chart over the times of its run. */
 export interface Curve {
   label: string;
   color: string;
@@ -20,7 +20,7 @@ const height = 150;
 export class Charts {
   readonly list: uPlot[] = [];
   private readonly sync = uPlot.sync("time");
-  private readonly lines: HTMLElement[] = [];
+  private readonly lines = new Map<uPlot, HTMLElement>();
   private time = 0;
 
   /** `element` holds the boxes that the charts are put into. */
@@ -29,42 +29,37 @@ export class Charts {
   }
 
   add(box: HTMLElement, curves: Curve[]): void {
-    const style = (name: string) => () => getComputedStyle(this.element).getPropertyValue(name);
-    const axis = { stroke: style("--text"), grid: { stroke: style("--grid"), width: 1 }, ticks: { stroke: style("--grid"), width: 1 } };
-    const line = el("div", { class: "now" });
-    const chart = new uPlot({
-      width: Math.max(200, box.clientWidth), height,
-      cursor: { sync: { key: this.sync.key }, drag: { x: true, y: false }, points: { size: 5 } },
-      scales: { x: { time: false }, y: { range: (_, low, high) => paddedRange(low, high) } },
-      axes: [{ ...axis, size: 28 }, { ...axis, size: 62, values: (_, ticks) => ticks.map((tick) => format.number(tick, 4)) }],
-      series: [{ label: "t", value: (_, value) => (value == null ? "–" : `${format.number(value, 6)} s`) }, ...curves.map(seriesOf)],
-      hooks: { setScale: [() => this.setTime(this.time)] },
-    }, tableOf(curves), box);
-    chart.over.append(line);
-    this.list.push(chart);
-    this.lines.push(line);
-    let downAt = 0;
-    chart.over.addEventListener("pointerdown", (event) => (downAt = event.clientX));
-    chart.over.addEventListener("click", (event) => {
-      if (Math.abs(event.clientX - downAt) < 4) this.seek(chart.posToVal(event.offsetX, "x"));
-    });
+    this.list.push(this.chart(box, curves));
+  }
+
+  /** Gives the i-th chart these curves; a part that the reader has chosen to look at stays. */
+  replace(i: number, curves: Curve[]): void {
+    const chart = this.list[i];
+    const box = chart.root.parentElement;
+    // A curve that was nothing so far has no place in the legend.
+    const isOther = curves.length + 1 !== chart.series.length || curves.some(({ label }, k) => chart.series[k + 1].label !== label);
+    if (box && isOther) {
+      this.remove(chart);
+      this.list[i] = this.chart(box, curves);
+    } else {
+      setData(chart, tableOf(curves));
+    }
   }
 
   /** Removes all charts but the first ones. */
   keep(count: number): void {
-    for (const chart of this.list.splice(count)) chart.destroy();
-    this.lines.splice(count);
+    for (const chart of this.list.splice(count)) this.remove(chart);
   }
 
   setTime(time: number): void {
     this.time = time;
-    this.list.forEach((chart, i) => {
+    for (const [chart, line] of this.lines) {
       const x = chart.valToPos(time, "x");
-      this.lines[i].style.transform = `translateX(${x}px)`;
-      this.lines[i].hidden = !(x >= 0 && x <= chart.over.clientWidth);
+      line.style.transform = `translateX(${x}px)`;
+      line.hidden = !(x >= 0 && x <= chart.over.clientWidth);
       // Where the pointer is not, the legend tells the values of this moment.
       if ((chart.cursor.left ?? -1) < 0) chart.setLegend({ idx: lastAtMost(chart.data[0], time) }, false);
-    });
+    }
   }
 
   /** Colours of axes and grid come from the page's style. */
@@ -79,6 +74,42 @@ export class Charts {
     }
     this.setTime(this.time);
   }
+
+  private remove(chart: uPlot): void {
+    chart.destroy();
+    this.lines.delete(chart);
+  }
+
+  private chart(box: HTMLElement, curves: Curve[]): uPlot {
+    const style = (name: string) => () => getComputedStyle(this.element).getPropertyValue(name);
+    const axis = { stroke: style("--text"), grid: { stroke: style("--grid"), width: 1 }, ticks: { stroke: style("--grid"), width: 1 } };
+    const line = el("div", { class: "now" });
+    const chart = new uPlot({
+      width: Math.max(200, box.clientWidth), height,
+      cursor: { sync: { key: this.sync.key }, drag: { x: true, y: false }, points: { size: 5 } },
+      scales: { x: { time: false }, y: { range: (_, low, high) => paddedRange(low, high) } },
+      axes: [{ ...axis, size: 28 }, { ...axis, size: 62, values: (_, ticks) => ticks.map((tick) => format.number(tick, 4)) }],
+      series: [{ label: "t", value: (_, value) => (value == null ? "–" : `${format.number(value, 6)} s`) }, ...curves.map(seriesOf)],
+      hooks: { setScale: [() => this.setTime(this.time)] },
+    }, tableOf(curves), box);
+    chart.over.append(line);
+    this.lines.set(chart, line);
+    let downAt = 0;
+    chart.over.addEventListener("pointerdown", (event) => (downAt = event.clientX));
+    chart.over.addEventListener("click", (event) => {
+      if (Math.abs(event.clientX - downAt) < 4) this.seek(chart.posToVal(event.offsetX, "x"));
+    });
+    return chart;
+  }
+}
+
+/** New values; all of them are seen if all were before. */
+function setData(chart: uPlot, data: uPlot.AlignedData): void {
+  const [times] = chart.data;
+  const { min, max } = chart.scales.x;
+  const isWhole = min == null || max == null || (min <= times[0] && max >= times[times.length - 1]);
+  chart.setData(data, isWhole);
+  if (!isWhole) chart.redraw();
 }
 
 function seriesOf({ label, color, width, isDashed }: Curve): uPlot.Series {

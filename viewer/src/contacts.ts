@@ -1,4 +1,3 @@
-import type { Header } from "./header";
 import { Reader } from "./reader";
 
 export type ContactMode = "open" | "stick" | "slide" | "unknown";
@@ -23,10 +22,8 @@ export class Contacts {
   private unpacked: { chunk: number; frames: Contact[][] } | undefined;
   private count = 0;
 
-  constructor(private readonly header: Header) {}
-
   addChunk(bytes: Uint8Array): void {
-    const frames = new DataView(bytes.buffer, bytes.byteOffset).getUint32(16, true);
+    const frames = new DataView(bytes.buffer, bytes.byteOffset).getUint32(24, true);
     this.chunks.push({ first: this.count, bytes });
     this.count += frames;
   }
@@ -36,45 +33,48 @@ export class Contacts {
     while (chunk > 0 && this.chunks[chunk].first > frame) --chunk;
     if (chunk < 0) return [];
     if (this.unpacked?.chunk !== chunk) {
-      this.unpacked = { chunk, frames: unpackContacts(this.chunks[chunk].bytes, this.header.position_step) };
+      this.unpacked = { chunk, frames: unpackContacts(this.chunks[chunk].bytes) };
     }
     return this.unpacked.frames[frame - this.chunks[chunk].first] ?? [];
   }
 }
 
+const numbersOfContact = 11;
+/** Point and normal: expected to go on in a straight line. */
+const isSmooth = (k: number): boolean => k >= 2 && k < 8;
+
 /** The frames of a chunk (rigor/view/page_contacts.hpp). */
-export function unpackContacts(bytes: Uint8Array, positionStep: number): Contact[][] {
+export function unpackContacts(bytes: Uint8Array): Contact[][] {
   const reader = new Reader(bytes);
-  const forceStep = reader.f64();
-  const gapStep = reader.f64();
-  const frameCount = reader.u32();
-  const frames: Contact[][] = [];
-  let before = new Map<string, number[]>();
-  for (let frame = 0; frame < frameCount; ++frame) {
+  const forceStep = reader.f64(), gapStep = reader.f64(), placeStep = reader.f64();
+  const column = (count: number) => Array.from({ length: count }, () => reader.varint());
+  const counts = column(reader.u32());
+  const total = counts.reduce((sum, count) => sum + count, 0);
+  const stepsA = column(total), stepsB = column(total);
+  const numbers = Array.from({ length: numbersOfContact }, () => column(total));
+  let before = new Map<string, number[]>(), last = new Map<string, number[]>();
+  let at = 0;
+  return counts.map((count) => {
     const now = new Map<string, number[]>();
-    const contacts: Contact[] = [];
-    const count = reader.varint();
-    let bodyA = 0;
-    let bodyB = -1;
-    let which = 0;
-    for (let i = 0; i < count; ++i) {
-      const a = bodyA + reader.varint();
-      const b = a + reader.varint();
+    let bodyA = 0, bodyB = -1, which = 0;
+    const contacts = Array.from({ length: count }, () => {
+      const a = bodyA + stepsA[at];
+      const b = a + stepsB[at];
       which = a === bodyA && b === bodyB ? which + 1 : 0;
       [bodyA, bodyB] = [a, b];
       const name = `${a} ${b} ${which}`;
-      const earlier = before.get(name);
-      const numbers = Array.from({ length: 11 }, (_, k) => reader.varint() + (earlier ? earlier[k] : 0));
-      now.set(name, numbers);
-      contacts.push(contactOf(a, b, numbers, positionStep, gapStep, forceStep));
-    }
-    before = now;
-    frames.push(contacts);
-  }
-  return frames;
+      const newer = last.get(name), older = before.get(name);
+      const own = numbers.map((values, k) => values[at] + (newer ? newer[k] + (older && isSmooth(k) ? newer[k] - older[k] : 0) : 0));
+      now.set(name, own);
+      ++at;
+      return contactOf(a, b, own, placeStep, gapStep, forceStep);
+    });
+    [before, last] = [last, now];
+    return contacts;
+  });
 }
 
-function contactOf(bodyA: number, bodyB: number, numbers: number[], positionStep: number, gapStep: number, forceStep: number): Contact {
+function contactOf(bodyA: number, bodyB: number, numbers: number[], placeStep: number, gapStep: number, forceStep: number): Contact {
   const vector = (from: number, step: number): [number, number, number] =>
     [numbers[from] * step, numbers[from + 1] * step, numbers[from + 2] * step];
   return {
@@ -82,7 +82,7 @@ function contactOf(bodyA: number, bodyB: number, numbers: number[], positionStep
     bodyB,
     mode: modes[numbers[0]] ?? "unknown",
     gap: numbers[1] * gapStep,
-    point: vector(2, positionStep),
+    point: vector(2, placeStep),
     normal: vector(5, 1 / 1024),
     force: vector(8, forceStep),
   };

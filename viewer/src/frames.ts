@@ -19,8 +19,19 @@ export function makeMotion(bodies: number): Motion {
   };
 }
 
+/** The motion of the bodies that are not static at some times: row by row, body by body. */
+export interface MotionTable {
+  /** Model indices of the bodies. */
+  readonly moving: number[];
+  readonly position: Float32Array;
+  readonly velocity: Float32Array;
+  readonly spin: Float32Array;
+  /** Orientation x y z w of the i-th moving body in a row. */
+  orientation(row: number, i: number, into: Float32Array, at: number): void;
+}
+
 /** The stored motion of the bodies that are not static: frame by frame, body by body. */
-export class Frames {
+export class Frames implements MotionTable {
   /** Model indices of the bodies that are stored. */
   readonly moving: number[];
   /** Frames that have been read. */

@@ -1,11 +1,4 @@
-/** What the keyboard does, in the order of the help. */
-export const keyHelp: [string, string][] = [
-  ["Space", "play, pause"],
-  ["← →", "one frame back, on (with Shift: ten)"],
-  ["Home End", "first, last frame"],
-  ["[ ]", "previous, next impact"],
-  ["− +", "slower, faster"],
-  ["L", "loop"],
+const sceneHelp: [string, string][] = [
   ["F", "follow the chosen body with the camera"],
   ["R", "look at the whole scene again"],
   ["Esc", "choose no body, close this help"],
@@ -16,10 +9,31 @@ export const keyHelp: [string, string][] = [
   ["I", "axes of inertia"],
   ["J", "joint axes (where there are joints)"],
   ["T", "trails"],
-  ["P", "overlapping bodies; with Shift: go to the deepest penetration"],
-  ["G", "ghost of run B (where there is one)"],
+  ["P", "overlapping bodies"],
   ["H", "shadows"],
   ["S", "save a picture"],
   ["D", "dark or light"],
   ["?", "this help"],
+];
+
+/** What the keyboard does on the page of a stored run, in the order of the help. */
+export const keyHelp: [string, string][] = [
+  ["Space", "play, pause"],
+  ["← →", "one frame back, on (with Shift: ten)"],
+  ["Home End", "first, last frame"],
+  ["[ ]", "previous, next impact"],
+  ["− +", "slower, faster"],
+  ["L", "loop"],
+  ...sceneHelp,
+  ["Shift P", "go to the deepest penetration"],
+  ["G", "ghost of run B (where there is one)"],
+];
+
+/** The same on a live page. */
+export const liveKeyHelp: [string, string][] = [
+  ["Space", "run, pause"],
+  ["→", "one output interval on"],
+  ["Home", "back to t = 0"],
+  ["[ ]", "show the previous, next impact"],
+  ...sceneHelp,
 ];

@@ -1,9 +1,11 @@
 import { DataError } from "./blocks";
-import { readBytes, readText, type LiveCommand, type LiveFile, type LiveFrame, type LiveStatus } from "./live_message";
+import type { Vec } from "./header";
+import { readBytes, readText, type LiveCommand, type LiveFile, type LiveFrame, type LiveHistory, type LiveStatus } from "./live_message";
 
 export interface LiveListener {
   status(status: LiveStatus): void;
   frame(frame: LiveFrame): void;
+  history(history: LiveHistory): void;
   file(file: LiveFile): void;
   errors(messages: string[]): void;
   connected(isConnected: boolean): void;
@@ -16,7 +18,7 @@ const retryPause = 1000;
 export class LiveLink {
   private socket: WebSocket | undefined;
 
-  constructor(private readonly listener: LiveListener) {
+  constructor(private readonly origin: Vec, private readonly listener: LiveListener) {
     this.connect();
   }
 
@@ -47,8 +49,9 @@ export class LiveLink {
         else this.listener.errors(message.messages);
         return;
       }
-      const message = readBytes(data);
+      const message = readBytes(data, this.origin);
       if ("name" in message) this.listener.file(message);
+      else if ("columns" in message) this.listener.history(message);
       else this.listener.frame(message);
     } catch (error) {
       if (!(error instanceof DataError)) throw error;

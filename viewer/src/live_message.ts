@@ -1,6 +1,7 @@
 import type { Contact, ContactMode } from "./contacts";
 import { DataError } from "./blocks";
 import type { Vec } from "./header";
+import { eventKinds, type MotionEvent } from "./run";
 
 /** What a live page asks of its simulation (docs/live.md). Points are in the frame of the body, all else in the world; SI. */
 export type LiveCommand =
@@ -47,6 +48,16 @@ export interface LiveFrame {
   bodies: Float32Array;
   contacts: Contact[];
 }
+/** What happened since the last reset (rigor/view/live_history.hpp). */
+export interface LiveHistory {
+  generation: number;
+  /** A column for each series of the header. */
+  columns: Float64Array[];
+  /** In the order of their times; where there were too many, the stronger ones. */
+  events: MotionEvent[];
+  /** So far, also those that are not kept. */
+  eventCount: number;
+}
 export interface LiveFile {
   name: string;
   bytes: Uint8Array;
@@ -62,8 +73,8 @@ export function readText(text: string): LiveStatus | LiveError {
   return message;
 }
 
-/** A frame or a file, as rigor/view/live_frame.cpp packs them. */
-export function readBytes(buffer: ArrayBuffer): LiveFrame | LiveFile {
+/** A frame, a file or a history, as rigor/view/live_frame.cpp and live_history.cpp pack them; origin: Header.origin. */
+export function readBytes(buffer: ArrayBuffer, origin: Vec): LiveFrame | LiveFile | LiveHistory {
   const view = new DataView(buffer);
   const kind = buffer.byteLength >= 8 ? view.getUint32(0, true) : 0;
   if (kind === 1) return readFrame(buffer, view);
@@ -72,7 +83,27 @@ export function readBytes(buffer: ArrayBuffer): LiveFrame | LiveFile {
     if (8 + length > buffer.byteLength) throw new DataError("a file from the server is cut");
     return { name: new TextDecoder().decode(new Uint8Array(buffer, 8, length)), bytes: new Uint8Array(buffer, 8 + length) };
   }
+  if (kind === 3) return readHistory(buffer, view, origin);
   throw new DataError("the server sent bytes of an unknown kind");
+}
+
+function readHistory(buffer: ArrayBuffer, view: DataView, origin: Vec): LiveHistory {
+  const head = 28, eventSize = 44;
+  if (buffer.byteLength < head) throw new DataError("a history is cut");
+  const [generation, series, rows, count] = [4, 8, 12, 16].map((at) => view.getUint32(at, true));
+  const eventsAt = head + 8 * series * rows;
+  if (buffer.byteLength !== eventsAt + eventSize * count) throw new DataError("a history has not the length that it tells");
+  const columns = Array.from({ length: series }, (_, i) => Float64Array.from({ length: rows }, (_row, k) => view.getFloat64(head + 8 * (k * series + i), true)));
+  const events = Array.from({ length: count }, (_, i): MotionEvent => {
+    const at = eventsAt + eventSize * i;
+    const vector = (from: number): Vec => [0, 4, 8].map((step) => view.getFloat32(at + from + step, true)) as Vec;
+    return {
+      time: view.getFloat64(at, true), kind: eventKinds[view.getUint32(at + 8, true)] ?? "impact",
+      bodyA: view.getInt32(at + 12, true), bodyB: view.getInt32(at + 16, true),
+      point: vector(20).map((x, c) => x + origin[c]) as Vec, impulse: vector(32),
+    };
+  });
+  return { generation, columns, events: events.sort((a, b) => a.time - b.time), eventCount: view.getFloat64(20, true) };
 }
 
 function readFrame(buffer: ArrayBuffer, view: DataView): LiveFrame {

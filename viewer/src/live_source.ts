@@ -1,27 +1,29 @@
 import type { Contact } from "./contacts";
 import { makeMotion, type Motion } from "./frames";
 import type { Header } from "./header";
-import { numbersOfBody, type LiveFrame } from "./live_message";
+import { LiveFrames } from "./live_frames";
+import { numbersOfBody, type LiveFrame, type LiveHistory } from "./live_message";
 import type { Mesh, MotionEvent, Run } from "./run";
 import { RecordedSource, type FrameSource } from "./source";
 
-/** Rows of the series that are kept for plots. */
-const mostRows = 2000;
-
-/** The newest frame of a live simulation; until one comes, the moment that the page holds. */
+/** The newest frame and the history of a live simulation; until they come, the moment that the page holds. */
 export class LiveSource implements FrameSource {
   readonly kind = "live";
   readonly header: Header;
   readonly meshes: Mesh[];
-  readonly events: MotionEvent[] = [];
   readonly moving: number[];
-  readonly frames = undefined;
+  readonly frames: LiveFrames;
+  /** Newest time [s]. */
+  time: number;
   times: Float64Array;
-  series = new Map<string, Float64Array>();
+  series: Map<string, Float64Array>;
+  events: MotionEvent[] = [];
+  /** Events so far, also those that are not kept. */
+  eventCount = 0;
   onFrame?: () => void;
+  onHistory?: () => void;
   private readonly newest: Motion;
   private contacts: Contact[];
-  private rows: Float64Array[] = [];
 
   constructor(run: Run) {
     this.header = run.header;
@@ -31,12 +33,15 @@ export class LiveSource implements FrameSource {
     const first = new RecordedSource(run);
     first.sample(run.times[0], this.newest);
     this.contacts = first.contactsAt(run.times[0]);
-    this.times = run.times.slice(0, 1);
+    this.time = run.times[0];
+    this.times = run.times;
+    this.series = run.series;
+    this.frames = new LiveFrames(this.moving);
+    this.frames.add(this.time, Float32Array.from(this.moving.flatMap((body) => this.numbersOf(body))));
   }
 
-  /** Newest time [s]. */
-  get time(): number {
-    return this.times[0];
+  get frameTimes(): Float64Array {
+    return this.frames.times;
   }
 
   take(frame: LiveFrame): void {
@@ -49,9 +54,17 @@ export class LiveSource implements FrameSource {
       spin.set(own.subarray(10, 13), 3 * body);
     });
     this.contacts = frame.contacts;
-    this.times = Float64Array.of(frame.time);
-    this.addRow(frame.series);
+    this.time = frame.time;
+    this.frames.add(frame.time, frame.bodies);
     this.onFrame?.();
+  }
+
+  remember({ columns, events, eventCount }: LiveHistory): void {
+    this.series = new Map(this.header.series.map(({ name }, i) => [name, columns[i] ?? new Float64Array()]));
+    this.times = this.series.get("time") ?? new Float64Array();
+    this.events = events;
+    this.eventCount = eventCount;
+    this.onHistory?.();
   }
 
   sample(_time: number, into: Motion): void {
@@ -65,13 +78,9 @@ export class LiveSource implements FrameSource {
     return this.contacts;
   }
 
-  /** Series of the last output times; after a reset they begin anew. */
-  private addRow(row: Float64Array): void {
-    const last = this.rows[this.rows.length - 1];
-    if (last && row[0] < last[0]) this.rows = [];
-    else if (last && row[0] === last[0]) return;
-    this.rows.push(row);
-    if (this.rows.length > mostRows) this.rows.splice(0, mostRows / 10);
-    this.header.series.forEach(({ name }, i) => this.series.set(name, Float64Array.from(this.rows, (values) => values[i])));
+  private numbersOf(body: number): number[] {
+    const { position, orientation, velocity, spin } = this.newest;
+    const three = (values: Float32Array) => [...values.subarray(3 * body, 3 * body + 3)];
+    return [...three(position), ...orientation.subarray(4 * body, 4 * body + 4), ...three(velocity), ...three(spin)];
   }
 }

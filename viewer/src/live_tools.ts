@@ -1,7 +1,9 @@
 import type { Motion } from "./frames";
-import type { Header, Vec } from "./header";
+import { shapesOf, type Vec } from "./header";
 import type { LiveCommand } from "./live_message";
 import { add, orientationAt, turned, vectorAt } from "./marks";
+import { distanceToShapes } from "./ray_cast";
+import type { FrameSource } from "./source";
 import type { Ray, View3D } from "./view3d";
 
 /** What dragging in the scene does. */
@@ -47,7 +49,7 @@ export class LiveTools {
   private grip: Grip | undefined;
   private isTold = true;
 
-  constructor(private readonly stage: HTMLElement, private readonly view: View3D, private readonly header: Header, private readonly send: (command: LiveCommand) => void) {
+  constructor(private readonly stage: HTMLElement, private readonly view: View3D, private readonly source: FrameSource, private readonly send: (command: LiveCommand) => void) {
     // Before the camera's controls see it.
     stage.addEventListener("pointerdown", (event) => this.press(event), { capture: true });
     stage.addEventListener("pointermove", (event) => this.move(event));
@@ -63,7 +65,7 @@ export class LiveTools {
     this.view.showLine([held, grip.target]);
     if (this.isTold) return;
     this.isTold = true;
-    this.send({ do: "pull", body: grip.body, point: grip.point, target: add(grip.target, this.header.origin) });
+    this.send({ do: "pull", body: grip.body, point: grip.point, target: add(grip.target, this.source.header.origin) });
   }
 
   private press(event: PointerEvent): void {
@@ -72,13 +74,13 @@ export class LiveTools {
     if (tool === "turn") return;
     const [x, y] = this.placeOf(event);
     const body = this.view.pick(x, y);
-    if (body < 0 || this.header.bodies[body].motion !== "dynamic") return;
+    if (body < 0 || this.source.header.bodies[body].motion !== "dynamic") return;
     const ray = this.view.rayAt(x, y);
-    const place = nearestOnRay(ray, vectorAt(this.view.motion.position, body));
+    const place = this.surfacePoint(ray, body);
     const point = inBody(this.view.motion, body, place);
     this.view.canTurn = false;
     if (tool === "hit") {
-      this.send({ do: "push", body, point, impulse: scaled(ray.direction, this.header.bodies[body].mass * this.hitSpeed) });
+      this.send({ do: "push", body, point, impulse: scaled(ray.direction, this.source.header.bodies[body].mass * this.hitSpeed) });
       return;
     }
     this.grip = { body, point, target: place, normal: ray.forward };
@@ -100,6 +102,15 @@ export class LiveTools {
     this.grip = undefined;
     this.view.showLine(undefined);
     this.send({ do: "release" });
+  }
+
+  /** Where a line of sight meets the body; at its very edge, where it may pass, the point of the line nearest to the middle. */
+  private surfacePoint(ray: Ray, body: number): Vec {
+    const { motion } = this.view;
+    const [w, x, y, z] = orientationAt(motion, body);
+    const line = { from: inBody(motion, body, ray.from), direction: turned([w, -x, -y, -z], ray.direction) };
+    const distance = distanceToShapes(line, shapesOf(this.source.header, body), this.source.meshes);
+    return distance === undefined ? nearestOnRay(ray, vectorAt(motion.position, body)) : add(ray.from, scaled(ray.direction, distance));
   }
 
   private placeOf(event: PointerEvent): [number, number] {

@@ -54,8 +54,8 @@ export class Marks {
     this.ring = new Dots(15, ratio);
     this.header = source.header;
     this.sizes = this.header.bodies.map((body, i) => body.radius || Math.max(0, ...shapesOf(this.header, i).flatMap(({ radii }) => radii ?? [])));
-    this.largestSpeed = source.frames ? largestNorm(source.frames.velocity) : 0;
-    this.largestImpulse = source.events.reduce((most, event) => Math.max(most, Math.hypot(...event.impulse)), 0);
+    this.largestSpeed = largestNorm(source.frames.velocity);
+    this.largestImpulse = largestImpulse(source);
   }
 
   update(time: number, motion: Motion, contacts: Contact[], shown: Shown, selected: number, event: MotionEvent | undefined): void {
@@ -93,8 +93,8 @@ export class Marks {
   }
 
   private addVelocities(motion: Motion, scale: number): void {
-    // A live source has only this moment: what is fastest so far sets the scale.
-    this.largestSpeed = Math.max(this.largestSpeed, this.source.frames ? 0 : largestNorm(motion.velocity));
+    // Of a live source what is fastest so far sets the scale.
+    if (this.source.kind === "live") this.largestSpeed = Math.max(this.largestSpeed, largestNorm(motion.velocity));
     if (this.largestSpeed === 0) return;
     const length = (0.3 * scale * this.radius) / this.largestSpeed;
     for (const body of this.source.moving) {
@@ -147,10 +147,9 @@ export class Marks {
   }
 
   private addTrails(time: number, selected: number): void {
-    const { frames, times } = this.source;
-    if (!frames) return;
+    const { frames, frameTimes } = this.source;
     const n = frames.moving.length;
-    const last = lastAtMost(times, time);
+    const last = lastAtMost(frameTimes, time);
     const first = Math.max(0, last - trailFrames);
     const stride = Math.max(1, Math.floor((Math.min(n, mostTrails) * (last - first)) / 40000));
     frames.moving.forEach((body, i) => {
@@ -166,6 +165,7 @@ export class Marks {
   /** The impulse on B from where the bodies met, and the opposite one on A. */
   private addEvent(event: MotionEvent, scale: number): void {
     if (event.kind !== "impact") return;
+    if (this.source.kind === "live") this.largestImpulse = largestImpulse(this.source);
     const place = event.point.map((x, c) => x - this.header.origin[c]);
     const length = this.largestImpulse > 0 ? (0.4 * scale * this.radius) / this.largestImpulse : 0;
     const least = (0.1 * this.radius) / (Math.hypot(...event.impulse) || 1);
@@ -205,6 +205,10 @@ export function add(a: Vec, b: Vec): Vec {
 export function turned([w, x, y, z]: Quat, v: Vec): Vec {
   const tx = 2 * (y * v[2] - z * v[1]), ty = 2 * (z * v[0] - x * v[2]), tz = 2 * (x * v[1] - y * v[0]);
   return [v[0] + w * tx + y * tz - z * ty, v[1] + w * ty + z * tx - x * tz, v[2] + w * tz + x * ty - y * tx];
+}
+
+function largestImpulse({ events }: FrameSource): number {
+  return events.reduce((most, event) => Math.max(most, Math.hypot(...event.impulse)), 0);
 }
 
 function largestNorm(vectors: Float32Array): number {

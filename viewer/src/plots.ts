@@ -3,7 +3,7 @@ import { palette } from "./colors";
 import { el } from "./dom";
 import type { Motion } from "./frames";
 import { turned, vectorAt } from "./marks";
-import type { FrameSource, RecordedSource } from "./source";
+import type { FrameSource } from "./source";
 
 interface Plot {
   title: string;
@@ -63,15 +63,16 @@ export const bodyQuantities: Record<string, { unit: string; labels: string[] }> 
 };
 
 /** The curves of a chosen quantity of a moving body. */
-export function bodyCurves(source: RecordedSource, body: number, quantity: string): number[][] {
+export function bodyCurves(source: FrameSource, body: number, quantity: string): number[][] {
   const i = source.frames.moving.indexOf(body);
   const { labels } = bodyQuantities[quantity];
-  const curves = labels.map(() => new Array<number>(source.times.length));
+  const rows = source.frameTimes.length;
+  const curves = labels.map(() => new Array<number>(rows));
   if (i < 0) return curves.map((curve) => curve.fill(0));
   const n = source.frames.moving.length;
   const { mass, moments } = source.header.bodies[body];
   const q = new Float32Array(4);
-  for (let k = 0; k < source.times.length; ++k) {
+  for (let k = 0; k < rows; ++k) {
     const place = k * n + i;
     let values: number[];
     if (quantity === "position") values = vectorAt(source.frames.position, place).map((x, c) => x + source.header.origin[c]);
@@ -99,22 +100,21 @@ export function kineticEnergy(mass: number, moments: ArrayLike<number>, v: Array
 export class Plots {
   readonly element = el("div", { class: "plots" });
   private readonly all: Charts;
+  private readonly units = plots.map(() => el("small"));
   private readonly bodyBox: HTMLElement;
   private readonly quantity: HTMLSelectElement;
   private body = -1;
 
-  constructor(private readonly source: RecordedSource, seek: (time: number) => void) {
+  constructor(private readonly source: FrameSource, seek: (time: number) => void) {
     this.all = new Charts(this.element, seek);
     this.quantity = el("select", { "aria-label": "Quantity of the body", onchange: () => this.showBody(this.body) },
       ...Object.keys(bodyQuantities).map((name) => el("option", { value: name }, name)));
     this.bodyBox = el("section", { class: "plot" });
-    for (const plot of plots) {
-      const curves = plot.curves(source).map((curve) => ({ ...curve, times: source.times }));
-      const power = powerOf(curves);
-      const box = el("section", { class: "plot" }, el("h3", {}, plot.title, el("small", { text: unitText(plot.unit, power) })));
+    plots.forEach((plot, i) => {
+      const box = el("section", { class: "plot" }, el("h3", {}, plot.title, this.units[i]));
       this.element.append(box);
-      this.all.add(box, scaled(curves, power));
-    }
+      this.all.add(box, this.curvesOf(i));
+    });
     this.element.append(this.bodyBox);
     this.showBody(-1);
   }
@@ -123,20 +123,26 @@ export class Plots {
     return this.all.list;
   }
 
+  /** These two take up what a live source has now: of the run, of the chosen body. */
+  refresh(): void {
+    plots.forEach((_, i) => this.all.replace(i, this.curvesOf(i)));
+  }
+  refreshBody(): void {
+    if (this.charts.length > plots.length) this.all.replace(plots.length, this.bodyCurvesOf());
+  }
+
   /** Shows a quantity of this body (none: a hint). */
   showBody(body: number): void {
     this.body = body;
     this.all.keep(plots.length);
     const name = this.source.header.bodies[body]?.name;
-    const { unit, labels } = bodyQuantities[this.quantity.value];
+    const { unit } = bodyQuantities[this.quantity.value];
     this.bodyBox.replaceChildren(el("h3", {}, name ?? "Chosen body", el("small", { text: name ? ` [${unit}]` : "" }), name ? this.quantity : undefined));
     if (!name || !this.source.frames.moving.includes(body)) {
       this.bodyBox.append(el("p", { class: "hint", text: name ? "This body stands still." : "Click a body in the scene to plot its motion." }));
       return;
     }
-    const hues = [palette.vermilion, palette.green, palette.skyBlue];
-    this.all.add(this.bodyBox, bodyCurves(this.source, body, this.quantity.value)
-      .map((values, i) => ({ label: labels[i], color: hues[i], times: this.source.times, values })));
+    this.all.add(this.bodyBox, this.bodyCurvesOf());
     this.all.resize();
   }
 
@@ -146,6 +152,23 @@ export class Plots {
 
   redraw(): void {
     this.all.redraw();
+  }
+
+  /** Curves of the i-th plot, in the unit that is told beside its title. */
+  private curvesOf(i: number): Curve[] {
+    const { times } = this.source;
+    const curves = plots[i].curves(this.source).map((curve) => ({ ...curve, times }));
+    const power = powerOf(curves);
+    this.units[i].textContent = unitText(plots[i].unit, power);
+    return scaled(curves, power);
+  }
+
+  /** Curves of the chosen body's quantity. */
+  private bodyCurvesOf(): Curve[] {
+    const hues = [palette.vermilion, palette.green, palette.skyBlue];
+    const { labels } = bodyQuantities[this.quantity.value];
+    const times = this.source.frameTimes;
+    return bodyCurves(this.source, this.body, this.quantity.value).map((values, i) => ({ label: labels[i], color: hues[i], times, values }));
   }
 }
 

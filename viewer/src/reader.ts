@@ -22,9 +22,6 @@ export class Reader {
   f64(): number {
     return this.view.getFloat64(this.take(8), true);
   }
-  f64s(count: number): Float64Array {
-    return Float64Array.from({ length: count }, () => this.f64());
-  }
 
   /** Groups of seven bits, the lowest first, with the sign folded in. Exact up to 2⁵². */
   varint(): number {
@@ -53,6 +50,24 @@ export class Reader {
       last = value;
     }
     if (this.at > this.bytes.length) throw new DataError("a block ends before its last number");
+  }
+
+  /** Numbers to the last bit, as append_exact_column writes them. */
+  exactColumn(count: number): Float64Array {
+    const planes = Array.from({ length: 8 }, () => this.take(count));
+    const values = new DataView(new ArrayBuffer(8 * count));
+    let last = 0n;
+    let before = 0n;
+    for (let k = 0; k < count; ++k) {
+      let folded = 0n;
+      for (const plane of planes) folded = (folded << 8n) | BigInt(this.bytes[plane + k]);
+      const step = folded & 1n ? -(folded >> 1n) - 1n : folded >> 1n;
+      const bits = BigInt.asUintN(64, step + (k < 2 ? last : 2n * last - before));
+      values.setBigUint64(8 * k, bits);
+      before = last;
+      last = bits;
+    }
+    return Float64Array.from({ length: count }, (_, k) => values.getFloat64(8 * k));
   }
 
   private take(size: number): number {

@@ -5,7 +5,7 @@ import type { Header, Vec } from "./header";
 import { Reader } from "./reader";
 
 export type EventKind = "impact" | "rest" | "separation" | "slip_to_stick";
-const eventKinds: EventKind[] = ["impact", "rest", "separation", "slip_to_stick"];
+export const eventKinds: EventKind[] = ["impact", "rest", "separation", "slip_to_stick"];
 
 export interface MotionEvent {
   kind: EventKind;
@@ -82,13 +82,13 @@ async function loadRun(blocks: BlockText[], problems: string[], progress: (part:
     times: new Float64Array(),
     events: [],
     frames: new Frames(header),
-    contacts: new Contacts(header),
+    contacts: new Contacts(),
   };
   const series = new Reader(await only("series"));
   run.events = await readEvents(header, problems, only);
   await readChunks(blocks, run, problems, progress);
   if (run.frames.count === 0) throw new DataError([...problems.splice(0), "no frame could be read"].join("; "));
-  for (const { name } of header.series) run.series.set(name, series.f64s(header.frames).slice(0, run.frames.count));
+  for (const { name } of header.series) run.series.set(name, series.exactColumn(header.frames).slice(0, run.frames.count));
   run.times = run.series.get("time") ?? new Float64Array();
   return run;
 }

@@ -1,5 +1,5 @@
 import type { Contact } from "./contacts";
-import type { Frames, Motion } from "./frames";
+import type { Frames, Motion, MotionTable } from "./frames";
 import type { Header } from "./header";
 import type { Mesh, MotionEvent, Run } from "./run";
 import { lastAtMost } from "./search";
@@ -12,14 +12,16 @@ export interface FrameSource {
   readonly kind: "recorded" | "live";
   readonly header: Header;
   readonly meshes: Mesh[];
-  /** Times of the frames there are [s], ascending; a live source only has its newest ones. */
+  /** Times of the series [s], ascending. */
   readonly times: Float64Array;
   readonly series: Map<string, Float64Array>;
   readonly events: MotionEvent[];
   /** Model indices of the bodies that are not static. */
   readonly moving: number[];
-  /** The motion of all frames, for trails and plots; a live source keeps none. */
-  readonly frames: Frames | undefined;
+  /** The motion for trails and plots; a live source keeps what the page has seen, thinned where that is much. */
+  readonly frames: MotionTable;
+  /** Times of `frames` [s]: those of the series, or in a live source its own. */
+  readonly frameTimes: Float64Array;
   /** Fills in the motion of all bodies at a time [s], held within the times there are. */
   sample(time: number, into: Motion): void;
   /** Contacts of the last frame that is not after the time. */
@@ -71,6 +73,9 @@ export class RecordedSource implements FrameSource {
   }
   get frames(): Frames {
     return this.run.frames;
+  }
+  get frameTimes(): Float64Array {
+    return this.run.times;
   }
 
   contactsAt(time: number): Contact[] {

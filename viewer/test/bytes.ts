@@ -24,6 +24,15 @@ export class Writer {
     values.forEach((value, k) => this.varint(value - (k === 0 ? 0 : k === 1 ? values[0] : 2 * values[k - 1] - values[k - 2])));
     return this;
   }
+  exactColumn(values: number[]): this {
+    const bits = [...new BigUint64Array(new Float64Array(values).buffer)];
+    const folded = bits.map((value, k) => {
+      const step = BigInt.asIntN(64, value - (k === 0 ? 0n : k === 1 ? bits[0] : 2n * bits[k - 1] - bits[k - 2]));
+      return step < 0n ? -2n * step - 1n : 2n * step;
+    });
+    for (let shift = 56n; shift >= 0n; shift -= 8n) this.bytes.push(...folded.map((value) => Number((value >> shift) & 255n)));
+    return this;
+  }
   get array(): Uint8Array {
     return Uint8Array.from(this.bytes);
   }
@@ -60,17 +69,15 @@ export function framesChunk(): Uint8Array {
 }
 
 export function pageBlocks(): BlockText[] {
-  const series = new Writer();
-  for (const value of [0, 0.5, 1, 7, 8, 9]) series.f64(value);
+  const series = new Writer().exactColumn([0, 0.5, 1]).exactColumn([7, 8, 9]);
   const events = new Writer().f64(2 ** -20).f64(0.5).column([2 ** 19]);
   for (const value of [1, 2, 3, 0, 0, -6, 0, 1, 0]) events.varint(value);
-  const contacts = new Writer().f64(2).f64(0.25).u32(3);
-  for (let frame = 0; frame < 3; ++frame) {
-    contacts.varint(1).varint(0).varint(1);
-    // Mode, gap, point, normal, force; the same in every frame but for the force.
-    const numbers = frame === 0 ? [1, -2, 8, 0, 4, 0, 0, 1024, 1, 0, 5] : [0, 0, 0, 0, 0, 0, 0, 0, 0, 0, frame];
-    numbers.forEach((value) => contacts.varint(value));
-  }
+  const contacts = new Writer().f64(2).f64(0.25).f64(0.125).u32(3);
+  // One contact a frame, of the bodies 0 and 1; then mode, gap, point, normal, force: the force changes, and the point, which goes
+  // 8, 9, 10 along x: as expected from the third frame on.
+  const columns = [[1, 1, 1], [0, 0, 0], [1, 1, 1], ...[1, -2, 8, 0, 4, 0, 0, 1024, 1, 0].map((value) => [value, 0, 0]), [5, 1, 2]];
+  columns[5][1] = 1;
+  columns.flat().forEach((value) => contacts.varint(value));
   return [
     blockOf("header", new TextEncoder().encode(JSON.stringify(header))), blockOf("meshes", new Uint8Array()),
     blockOf("series", series.array), blockOf("events", events.array), blockOf("frames", framesChunk()), blockOf("contacts", contacts.array),

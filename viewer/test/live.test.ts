@@ -1,11 +1,13 @@
 import { describe, expect, test } from "vitest";
 import { makeMotion } from "../src/frames";
-import { readBytes, readText, type LiveCommand, type LiveFrame } from "../src/live_message";
+import { LiveFrames } from "../src/live_frames";
+import { readBytes, readText, type LiveCommand, type LiveFrame, type LiveHistory } from "../src/live_message";
 import { withPlanes } from "../src/live_extent";
 import { LiveSource } from "../src/live_source";
 import { inBody, nearestOnRay, onPlane } from "../src/live_tools";
+import { bodyCurves } from "../src/plots";
 import { loadRuns } from "../src/run";
-import { header, pageBlocks } from "./bytes";
+import { header, pageBlocks, Writer } from "./bytes";
 
 /** A frame of one body and one contact, with two values of series. */
 function frameBytes(time: number, series: number[], body: number[], contact?: number[]): ArrayBuffer {
@@ -19,11 +21,26 @@ function frameBytes(time: number, series: number[], body: number[], contact?: nu
   contact?.forEach((value, i) => (i < 3 ? view.setUint32(at + 52 + 4 * i, value, true) : view.setFloat32(at + 52 + 4 * i, value, true)));
   return view.buffer;
 }
+const origin: [number, number, number] = [10, 0, 0];
 const body = [1, 2, 3, 0, 0, 0, 1, 4, 5, 6, 7, 8, 9];
+
+/** Two rows of two series; two events, the later one first. */
+function historyBytes(): ArrayBuffer {
+  const writer = new Writer();
+  [3, 7, 2, 2, 2].forEach((value) => writer.u32(value));
+  [9, 0, 3, 0.5, 4].forEach((value) => writer.f64(value));
+  for (const time of [0.25, 0.125]) {
+    writer.f64(time);
+    [0, 0, 1].forEach((value) => writer.u32(value));
+    const floats = new DataView(new Float32Array([1, 2, 3, 0, 0, 5]).buffer);
+    for (let at = 0; at < 24; at += 4) writer.u32(floats.getUint32(at, true));
+  }
+  return writer.array.buffer as ArrayBuffer;
+}
 
 describe("messages of a live simulation", () => {
   test("a frame is read back number by number", () => {
-    const frame = readBytes(frameBytes(0.5, [0.5, 8], body, [0, 1, 2, -0.25, 1, 2, 3, 0, 0, 1, 0, 0, 5])) as LiveFrame;
+    const frame = readBytes(frameBytes(0.5, [0.5, 8], body, [0, 1, 2, -0.25, 1, 2, 3, 0, 0, 1, 0, 0, 5]), origin) as LiveFrame;
     expect(frame.generation).toBe(7);
     expect(frame.time).toBe(0.5);
     expect([...frame.series]).toEqual([0.5, 8]);
@@ -33,15 +50,24 @@ describe("messages of a live simulation", () => {
 
   test("what is cut or of an unknown kind is told", () => {
     const whole = frameBytes(0, [1], body);
-    for (const length of [0, 4, 20, 30, whole.byteLength - 1]) expect(() => readBytes(whole.slice(0, length))).toThrow();
-    expect(() => readBytes(Uint32Array.of(9, 9, 9).buffer)).toThrow("unknown kind");
-    expect(() => readBytes(Uint32Array.of(2, 1000).buffer)).toThrow("cut");
+    for (const length of [0, 4, 20, 30, whole.byteLength - 1]) expect(() => readBytes(whole.slice(0, length), origin)).toThrow();
+    expect(() => readBytes(Uint32Array.of(9, 9, 9).buffer, origin)).toThrow("unknown kind");
+    expect(() => readBytes(Uint32Array.of(2, 1000).buffer, origin)).toThrow("cut");
     expect(() => readText('{"type": "other"}')).toThrow("unknown kind");
+  });
+
+  test("a history is read back, its events in the order of their times and places in the world", () => {
+    const history = readBytes(historyBytes(), origin) as LiveHistory;
+    expect(history.generation).toBe(7);
+    expect(history.columns.map((column) => [...column])).toEqual([[0, 0.5], [3, 4]]);
+    expect(history.events).toEqual([0.125, 0.25].map((time) => ({ kind: "impact", time, bodyA: 0, bodyB: 1, point: [11, 2, 3], impulse: [0, 0, 5] })));
+    expect(() => readBytes(historyBytes().slice(0, -1), origin)).toThrow("length");
+    expect(() => readBytes(historyBytes().slice(0, 20), origin)).toThrow("cut");
   });
 
   test("a file comes with its name", () => {
     const bytes = Uint8Array.of(2, 0, 0, 0, 3, 0, 0, 0, 97, 46, 98, 1, 2);
-    expect(readBytes(bytes.buffer)).toEqual({ name: "a.b", bytes: Uint8Array.of(1, 2) });
+    expect(readBytes(bytes.buffer, origin)).toEqual({ name: "a.b", bytes: Uint8Array.of(1, 2) });
   });
 
   test("commands are the JSON that the server reads", () => {
@@ -52,7 +78,7 @@ describe("messages of a live simulation", () => {
 
 describe("a live source", () => {
   const sourceOf = async () => new LiveSource((await loadRuns(pageBlocks(), 6, () => {})).runs[0]);
-  const frame = (time: number, series: number[]) => readBytes(frameBytes(time, series, body)) as LiveFrame;
+  const frame = (time: number, series: number[]) => readBytes(frameBytes(time, series, body), origin) as LiveFrame;
 
   test("begins with the moment that the page holds, and goes on with the newest frame", async () => {
     const source = await sourceOf();
@@ -70,12 +96,53 @@ describe("a live source", () => {
     expect([...motion.spin.slice(3)]).toEqual([7, 8, 9]);
   });
 
-  test("keeps the series of output times once each, and forgets them at a reset", async () => {
+  test("has the series and events of its history", async () => {
     const source = await sourceOf();
-    for (const time of [0, 0.5, 0.5, 1]) source.take(frame(time, [time, 10 * time]));
-    expect([...(source.series.get("kinetic") ?? [])]).toEqual([0, 5, 10]);
-    source.take(frame(0, [0, 3]));
-    expect([...(source.series.get("kinetic") ?? [])]).toEqual([3]);
+    let told = 0;
+    source.onHistory = () => ++told;
+    source.remember(readBytes(historyBytes(), origin) as LiveHistory);
+    expect(told).toBe(1);
+    expect([...source.times]).toEqual([0, 0.5]);
+    expect([...(source.series.get("kinetic") ?? [])]).toEqual([3, 4]);
+    expect(source.events.map(({ time }) => time)).toEqual([0.125, 0.25]);
+    expect(source.eventCount).toBe(9);
+  });
+
+  test("keeps the motion that it has seen, and forgets it at a reset", async () => {
+    const source = await sourceOf();
+    for (const time of [0.25, 0.5, 0.5]) source.take(frame(time, []));
+    expect([...source.frameTimes]).toEqual([0, 0.25, 0.5]);
+    expect(bodyCurves(source, 1, "position").map((curve) => curve[2])).toEqual([11, 2, 3]);
+    // ½ m v² with 2 kg and (4, 5, 6) m/s; ½ ω · I ω with moments of 1 and (7, 8, 9) rad/s.
+    expect(bodyCurves(source, 1, "kinetic energy").map((curve) => curve[2])).toEqual([77, 97]);
+    source.take(frame(0.125, []));
+    expect([...source.frameTimes]).toEqual([0.125]);
+  });
+});
+
+describe("the motion that a live page keeps", () => {
+  test("is bounded, evenly spaced and ends with the newest", () => {
+    const frames = new LiveFrames([1]);
+    const count = 10000;
+    for (let k = 0; k < count; ++k) frames.add(k, Float32Array.from([k, ...body.slice(1)]));
+    const { times } = frames;
+    expect(times.length).toBeLessThanOrEqual(1024);
+    expect(times.length).toBeGreaterThan(400);
+    expect(times[times.length - 1]).toBe(count - 1);
+    const mean = count / times.length;
+    for (let i = 1; i < times.length - 1; ++i) {
+      expect(times[i] - times[i - 1]).toBeGreaterThan(0.4 * mean);
+      expect(times[i] - times[i - 1]).toBeLessThan(2.5 * mean);
+    }
+    for (let i = 0; i < times.length; ++i) expect(frames.position[3 * i]).toBe(times[i]);
+  });
+
+  test("of many bodies has few rows", () => {
+    const frames = new LiveFrames(Array.from({ length: 100_000 }, (_, i) => i));
+    const bodies = new Float32Array(1_300_000);
+    for (let k = 0; k < 40; ++k) frames.add(k, bodies);
+    expect(frames.times.length).toBeLessThanOrEqual(16);
+    expect(frames.times[frames.times.length - 1]).toBe(39);
   });
 });
 

@@ -32,6 +32,18 @@ describe("reader", () => {
   });
 });
 
+describe("numbers to the last bit", () => {
+  test("come back as they were written, of whatever kind", () => {
+    const values = [0, -0, 1, 1 + 2 ** -52, 0.1, -0.1, 1e300, -1e-300, 5e-324, Infinity, -Infinity, 3, 3, 3];
+    const reader = new Reader(new Writer().f64(7).exactColumn(values).u32(9).array);
+    expect(reader.f64()).toBe(7);
+    const read = reader.exactColumn(values.length);
+    values.forEach((value, k) => expect(Object.is(read[k], value)).toBe(true));
+    expect(reader.u32()).toBe(9);
+    expect(() => new Reader(new Writer().exactColumn([1, 2]).array).exactColumn(3)).toThrow("ends before");
+  });
+});
+
 describe("runs", () => {
   test("a page gives motion, series, events and contacts", async () => {
     const { runs, problems } = await loadRuns(pageBlocks(), 6, quiet);
@@ -51,6 +63,7 @@ describe("runs", () => {
     ]);
     // Differences add up: 5, 5 + 1, 5 + 1 + 2.
     expect(run.contacts.at(2)[0].force).toEqual([2, 0, 16]);
+    expect([0, 1, 2].map((frame) => run.contacts.at(frame)[0].point[0])).toEqual([1, 1.125, 1.25]);
   });
 
   test("without its header there is nothing to show", async () => {
@@ -66,8 +79,7 @@ describe("runs", () => {
     blocks.push({ ...blocks[4], text: "AAAA" + blocks[4].text.slice(4) });
     const text = JSON.stringify({ ...header, frames: 6 });
     blocks[0] = blockOf("header", new TextEncoder().encode(text));
-    const series = new Writer();
-    for (let i = 0; i < 12; ++i) series.f64(i);
+    const series = new Writer().exactColumn([0, 1, 2, 3, 4, 5]).exactColumn([6, 7, 8, 9, 10, 11]);
     blocks[2] = blockOf("series", series.array);
     const { runs, problems } = await loadRuns(blocks, 7, quiet);
     expect(runs[0].frames.count).toBe(3);
