@@ -1,7 +1,6 @@
 // Impacts of whole bodies: from poses and velocities to velocities, through the contact system.
 
-#include "rigor/contact/contact_system.hpp"
-#include "rigor/contact/impact.hpp"
+#include "contact/impact_systems.hpp"
 #include "rigor/math/rotation.hpp"
 #include "solver/reference_data.hpp"
 
@@ -29,20 +28,6 @@ BodyKinetics kinetics_of(const nlohmann::json& json) {
   return body;
 }
 
-struct Totals {
-  Vec3 P = Vec3::Zero(), L = Vec3::Zero();
-};
-Totals totals_of(const ContactSystem& system) {
-  Totals sum;
-  for (const BodyKinetics& body : system.kinetics) {
-    if (body.inverse_mass == 0) continue;
-    const Vec3 P = body.v / body.inverse_mass;
-    sum.P += P;
-    sum.L += body.inertia * body.w + body.x.cross(P);
-  }
-  return sum;
-}
-
 void expect_near(const Vec3& found, const nlohmann::json& expected) {
   const Vec3 reference = reference::vector(expected);
   EXPECT_LT((found - reference).norm(), 1e-13 * (1 + reference.norm()));
@@ -52,12 +37,9 @@ TEST(BodyImpact, GivesTheVelocitiesOfTheReference) {
   constexpr std::array laws = {RestitutionLaw::newton, RestitutionLaw::poisson, RestitutionLaw::stronge};
   constexpr std::array names = {"newton", "poisson", "stronge"};
   for (const nlohmann::json& json : reference::read("body_impact.json")["cases"]) {
-    Contact contact{};
-    contact.body_A = 0, contact.body_B = 1;
-    contact.point.p_WA = contact.point.p_WB = reference::vector(json["point"]);
-    contact.point.n_W = Vec3(reference::vector(json["normal"])).normalized();
-    contact.friction = json["mu"].get<double>();
-    contact.restitution = json["e"].get<double>();
+    const Contact contact = test::contact_at(0, 1, reference::vector(json["point"]),
+                                             Vec3(reference::vector(json["normal"])).normalized(),
+                                             json["mu"].get<double>(), json["e"].get<double>());
     const ContactSystem before =
         make_contact_system({contact}, {0, 1}, {kinetics_of(json["body_A"]), kinetics_of(json["body_B"])});
     for (std::size_t law = 0; law < laws.size(); ++law) {
@@ -76,7 +58,7 @@ TEST(BodyImpact, GivesTheVelocitiesOfTheReference) {
       if (json["body_A"].is_null()) continue;
       expect_near(after.of(0).v, expected["v_A"]);
       expect_near(after.of(0).w, expected["w_A"]);
-      const Totals old_sum = totals_of(before), new_sum = totals_of(after);
+      const test::Totals old_sum = test::totals(before), new_sum = test::totals(after);
       EXPECT_LT((new_sum.P - old_sum.P).norm(), 1e-15 * (1 + old_sum.P.norm()) * 4);
       EXPECT_LT((new_sum.L - old_sum.L).norm(), 1e-15 * (1 + old_sum.L.norm()) * 4);
     }
