@@ -48,7 +48,7 @@ struct Collision {
 ///
 /// Errors are those of rounding, about 1e-14 of the velocities times the condition of the problem: slip is
 /// followed by power series (slip_series.hpp), all else in closed form. If `path` is given, points along the
-/// way are added to it, `points_a_piece` for each piece.
+/// way are added to it: the first, and eight of each piece.
 ///
 /// Source: Routh, Dynamics of a System of Rigid Bodies, 1905; Keller, 1986; Bhatt and Koechling, 1995;
 /// Stronge, Rigid Body Collisions with Friction, Proc. R. Soc. A 431, 1990. Recompression and the jam after

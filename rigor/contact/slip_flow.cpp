@@ -13,10 +13,6 @@ namespace rigor {
 
 namespace {
 
-Vec2 perpendicular(const Vec2& v) {
-  return {-v.y(), v.x()};
-}
-
 /// f_θ (1 + t²)² as a polynomial in t = tan((θ - θ₀)/2), for θ₀ = 0 or π (turned by half a circle, where b
 /// changes its sign).
 Polynomial turning_polynomial(const SlipFlow& flow, double sign) {
@@ -29,8 +25,8 @@ Polynomial turning_polynomial(const SlipFlow& flow, double sign) {
 /// Two steps of Newton's method on f_θ.
 double polished(const SlipFlow& flow, double theta) {
   for (int step = 0; step < 2; ++step) {
-    const Vec2 d{std::cos(theta), std::sin(theta)}, e = perpendicular(d);
-    const double slope = -flow.radial_rate(d) - flow.mu * e.dot(flow.M * e);
+    const Vec2 d{std::cos(theta), std::sin(theta)};
+    const double slope = flow.turning_slope(d);
     if (slope == 0) return theta;
     const double change = flow.turning_rate(d) / slope;
     if (!(std::abs(change) < 1e-6)) return theta;
@@ -49,6 +45,11 @@ SlipFlow::SlipFlow(const CollisionMatrix& collision)
 
 double SlipFlow::turning_rate(const Vec2& direction) const {
   return perpendicular(direction).dot(slip_rate(direction));
+}
+
+double SlipFlow::turning_slope(const Vec2& direction) const {
+  const Vec2 across = perpendicular(direction);
+  return -radial_rate(direction) - mu * across.dot(M * across);
 }
 
 double SlipFlow::rate_bound() const {

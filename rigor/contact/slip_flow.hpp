@@ -13,6 +13,11 @@ struct CollisionMatrix {
   double mu;  ///< Coulomb friction, ≥ 0; may be infinite.
 };
 
+/// v turned by a quarter of a circle: û⊥ of û.
+inline Vec2 perpendicular(const Vec2& v) {
+  return {-v.y(), v.x()};
+}
+
 /// How the velocity of a contact changes with the normal impulse p while it slips along a unit direction û of
 /// the tangent plane: du/dp = K (-μ û, 1). With K = [M b; bᵀ κ] and slip speed s, û = (cos θ, sin θ):
 ///
@@ -40,6 +45,8 @@ struct SlipFlow {
   double normal_rate(const Vec2& direction) const { return drive * kappa - mu * b.dot(direction); }
   double radial_rate(const Vec2& direction) const { return direction.dot(slip_rate(direction)); }
   double turning_rate(const Vec2& direction) const;
+  /// df_θ/dθ = -f_r - μ û⊥ᵀ M û⊥.
+  double turning_slope(const Vec2& direction) const;
   /// Upper bound of |du_t/dp| over all directions.
   double rate_bound() const;
 };

@@ -12,10 +12,6 @@ constexpr std::size_t order = TailSeries::order;
 template <class Value>
 using Coefficients = TailSeries::Coefficients<Value>;
 
-Vec2 perpendicular(const Vec2& v) {
-  return {-v.y(), v.x()};
-}
-
 double product(const Coefficients<double>& a, const Coefficients<double>& b, std::size_t j) {
   double sum = 0;
   for (std::size_t i = 0; i <= j; ++i) sum += a[i] * b[j - i];
@@ -67,7 +63,7 @@ TailSeries::TailSeries(const SlipFlow& flow, const Vec2& limit) {
   const Mat2 M = flow.M * (flow.mu / unit);
   const Vec2 across = perpendicular(limit);
   radial_rate = flow.radial_rate(limit) / unit;
-  slope = -radial_rate - across.dot(M * across);
+  slope = flow.turning_slope(limit) / unit;
   exponent = radial_rate / slope;
   const double sign = radial_rate > 0 ? 1 : -1, mean = 1 / (std::abs(slope) + std::abs(radial_rate));
 
@@ -114,10 +110,6 @@ TailSeries::TailSeries(const SlipFlow& flow, const Vec2& limit) {
   is_usable_ = exponent != 0 && (nearest >= 0 || std::abs(twice - nearest) > resonance);
 }
 
-double TailSeries::angle(double w) const {
-  return value_at(theta, w);
-}
-
 std::optional<double> TailSeries::find_w(double target) const {
   if (!is_usable_ || std::abs(target) > 1.5 * reach_) return std::nullopt;
   double w = target;
@@ -145,13 +137,12 @@ std::optional<Vec2> find_near_attractor(const SlipFlow& flow, const Vec2& direct
   Vec2 d = direction;
   double turned = 0;
   for (int step = 0; step < most_steps; ++step) {
-    const Vec2 across = perpendicular(d);
-    const double slope = -flow.radial_rate(d) - flow.mu * across.dot(flow.M * across);
+    const double slope = flow.turning_slope(d);
     if (slope >= 0) return std::nullopt;
     const double turn = -flow.turning_rate(d) / slope;
     turned += turn;
     if (!(std::abs(turned) < near)) return std::nullopt;
-    d = (d + std::tan(turn) * across).normalized();
+    d = (d + std::tan(turn) * perpendicular(d)).normalized();
     if (std::abs(turn) < 1e-9) {
       // Quadratic convergence: this was the last step that could be seen.
       return std::abs(flow.turning_rate(d)) <= 1e-14 * unit ? std::optional<Vec2>(d) : std::nullopt;

@@ -28,8 +28,6 @@ class TailSeries {
   const Vec2& limit() const { return direction[0]; }
   /// Whether the integrals can be formed: where slip grows, not for α near -1/2, -1, -3/2, ...
   bool is_usable() const { return is_usable_; }
-  /// The angle from the limit that w stands for.
-  double angle(double w) const;
   /// w of this angle, if the series give everything to rounding there.
   std::optional<double> find_w(double angle) const;
 
