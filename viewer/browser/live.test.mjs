@@ -162,6 +162,11 @@ test("plots and time line show what happened since the reset, a click on a tick 
   await page.click("#run");
   await until(page, () => !window.rigor.status.running);
   await until(page, () => window.rigor.source.times[window.rigor.source.times.length - 1] > window.rigor.source.time - 0.02);
+  // The plot of the body follows the newest frame with the other numbers, a moment later.
+  await until(page, () => {
+    const times = window.rigor.plots.charts[4].data[0];
+    return times[times.length - 1] === window.rigor.source.time;
+  });
   const { titles, data, height } = await page.evaluate(() => ({
     titles: [...document.querySelectorAll(".plot h3")].map((title) => title.firstChild.textContent),
     data: window.rigor.plots.charts.map((chart) => chart.data.map((column) => [...column])),
