@@ -2,6 +2,7 @@
 
 #include "rigor/model/body.hpp"
 #include "rigor/model/force.hpp"
+#include "rigor/model/joint.hpp"
 #include "rigor/model/material.hpp"
 
 #include <map>
@@ -25,6 +26,8 @@ class Model {
   int body_count() const { return static_cast<int>(bodies_.size()); }
   const std::vector<Material>& materials() const { return materials_; }
   const std::vector<Force>& forces() const { return forces_; }
+  const std::vector<Joint>& joints() const { return joints_; }
+  const Joint& joint(int i) const { return joints_[static_cast<std::size_t>(i)]; }
 
   /// Index of the named body, or nothing.
   std::optional<int> find_body(const std::string& name) const;
@@ -50,6 +53,7 @@ class Model {
   std::map<std::pair<int, int>, PairCoefficients> pair_overrides_;  ///< Key: lower index first.
   std::vector<std::pair<int, int>> excluded_pairs_;                 ///< Sorted; lower index first.
   std::vector<Force> forces_;
+  std::vector<Joint> joints_;
   double length_scale_ = 1;
 };
 

@@ -126,6 +126,7 @@ struct ModelBuilder::Parts {
   std::vector<Placed<BodyDescription>> bodies;
   std::vector<Placed<NamedPair>> excluded;
   std::vector<Placed<ForceDescription>> forces;
+  std::vector<Placed<JointDescription>> joints;
 };
 
 ModelBuilder::ModelBuilder() : parts_(std::make_unique<Parts>()) {}
@@ -164,6 +165,10 @@ void ModelBuilder::exclude_pair(const std::string& body_a, const std::string& bo
 
 void ModelBuilder::add_force(ForceDescription force, std::string where) {
   parts_->forces.push_back({std::move(force), std::move(where)});
+}
+
+void ModelBuilder::add_joint(JointDescription joint, std::string where) {
+  parts_->joints.push_back({std::move(joint), std::move(where)});
 }
 
 Model ModelBuilder::assemble(std::vector<std::string>& messages) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "rigor/model/joint.hpp"
 #include "rigor/model/model.hpp"
 
 #include <memory>
@@ -76,6 +77,22 @@ class ModelBuilder {
     std::optional<double> length;  ///< Missing: the distance at t = 0.
   };
   void add_force(ForceDescription force, std::string where = {});
+  /// Joints name their bodies ("world" is the world) or, gears, two joints. Anchors and axes are in W at t =
+  /// 0.
+  struct JointDescription {
+    std::string name;
+    JointType type = JointType::fixed;
+    std::vector<std::string> bodies;  ///< A and B; none for a gear.
+    std::vector<Vec3> anchors;        ///< One [m]; two (on A, on B) for a distance joint.
+    Vec3 axis = Vec3::UnitZ();        ///< z of the joint's frame, of any length.
+    std::optional<Vec3> second_axis;  ///< x of it: a universal joint's axis on B; planar: first direction.
+    double pitch = 0;                 ///< Screw [m].
+    std::vector<std::string> joints;  ///< Gear: the first and the second.
+    double ratio = 0;                 ///< Gear.
+    std::vector<JointAxis> axes;      ///< Missing ones are free.
+    bool collide = false;             ///< Whether its bodies can touch each other.
+  };
+  void add_joint(JointDescription joint, std::string where = {});
 
   /// The Model, or an InputError with every message. Mass properties are computed here (exact closed forms,
   /// Mirtich's integrals for meshes, parallel axes, principal frame).
