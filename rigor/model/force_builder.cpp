@@ -1,7 +1,6 @@
 #include "rigor/model/force_builder.hpp"
 
 #include "rigor/core/quoted.hpp"
-#include "rigor/core/suggestion.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/model/findings.hpp"
 #include "rigor/model/limits.hpp"
@@ -24,35 +23,6 @@ const char* type_name(Description::Type type) {
       return "drag";
   }
   return "force";
-}
-
-/// Indices of the bodies, "world" as world_body; nothing if one is unknown or none of them can be moved.
-std::optional<std::vector<int>> find_bodies(const Description& force, const BodyTable& bodies,
-                                            Findings& findings) {
-  const std::size_t count = force.type == Description::Type::spring ? 2 : 1;
-  if (!findings.require(force.bodies.size() == count, "it names " + std::to_string(force.bodies.size()) +
-                                                          " bodies, must name " + std::to_string(count))) {
-    return std::nullopt;
-  }
-  std::vector<int> indices;
-  bool has_dynamic = false, is_good = true;
-  for (const std::string& name : force.bodies) {
-    if (name == "world") {
-      indices.push_back(world_body);
-      continue;
-    }
-    const auto found = bodies.index.find(name);
-    is_good &= findings.require(found != bodies.index.end(), unknown_body(name, bodies));
-    if (found == bodies.index.end()) continue;
-    indices.push_back(found->second);
-    has_dynamic |= bodies.bodies[static_cast<std::size_t>(found->second)].motion == MotionType::dynamic;
-  }
-  if (!is_good) return std::nullopt;
-  if (!findings.require(has_dynamic, "it moves nothing: none of its bodies is dynamic")) return std::nullopt;
-  if (!findings.require(count < 2 || indices[0] != indices[1], "both ends are on the same body")) {
-    return std::nullopt;
-  }
-  return indices;
 }
 
 void check_numbers(const Description& force, Findings& findings) {
@@ -84,12 +54,6 @@ Spring make_spring(const Description& force, const std::vector<int>& indices,
 
 }  // namespace
 
-std::string unknown_body(const std::string& name, const BodyTable& bodies) {
-  std::vector<std::string> names;
-  for (const auto& [known, index] : bodies.index) names.push_back(known);
-  return "unknown body " + quoted_text(name) + suggestion(name, names);
-}
-
 std::optional<Force> make_force(const Description& force, const std::string& where, const BodyTable& bodies,
                                 std::vector<std::string>& messages) {
   const std::size_t messages_before = messages.size();
@@ -97,7 +61,12 @@ std::optional<Force> make_force(const Description& force, const std::string& whe
   if (!force.bodies.empty()) whose += " on " + quoted_text(force.bodies[0]);
   Findings findings(where, whose, messages);
   check_numbers(force, findings);
-  const std::optional<std::vector<int>> indices = find_bodies(force, bodies, findings);
+  const std::size_t count = force.type == Description::Type::spring ? 2 : 1;
+  if (!findings.require(force.bodies.size() == count, "it names " + std::to_string(force.bodies.size()) +
+                                                          " bodies, must name " + std::to_string(count))) {
+    return std::nullopt;
+  }
+  const std::optional<std::vector<int>> indices = find_bodies(force.bodies, bodies, findings);
   if (!indices || messages.size() > messages_before) return std::nullopt;
 
   if (force.type == Description::Type::spring) return make_spring(force, *indices, bodies.bodies);

@@ -1,6 +1,14 @@
 #include "rigor/model/joint.hpp"
 
+#include <cstddef>
+
 namespace rigor {
+
+const char* joint_type_name(JointType type) {
+  static constexpr const char* names[] = {"fixed",       "ball",   "hinge",    "slider", "universal",
+                                          "cylindrical", "planar", "distance", "screw",  "gear"};
+  return names[static_cast<std::size_t>(type)];
+}
 
 int coordinate_count(JointType type) {
   switch (type) {

@@ -45,15 +45,18 @@ struct JointAxis {
 struct Joint {
   std::string name;
   JointType type = JointType::fixed;
-  int body_A = 0, body_B = 0;  ///< Indices into the model, or world_body; at least one is dynamic.
-  Pose X_AJ, X_BK;             ///< In the body frames A and B (W for the world).
-  double pitch = 0;            ///< Screw: displacement along +z a turn [m].
-  double length = 0;           ///< Distance: what is kept [m], unless it has limits.
+  /// Indices into the model, or world_body; at least one is dynamic. A gear's are both world_body.
+  int body_A = 0, body_B = 0;
+  Pose X_AJ, X_BK;                          ///< In the body frames A and B (W for the world).
+  double pitch = 0;                         ///< Screw: displacement along +z a turn [m].
+  double length = 0;                        ///< Distance: what is kept [m], unless it has limits.
   int first_joint = -1, second_joint = -1;  ///< Gear: the joints that it ties, by index.
   double ratio = 0;             ///< Gear: (change of the second's first coordinate) = ratio (of the first's).
   std::vector<JointAxis> axes;  ///< One a coordinate: see coordinate_count().
 };
 
+/// "hinge": the type as it is written in scene files.
+const char* joint_type_name(JointType type);
 /// How many scalar coordinates a joint of this type has: hinge, slider, ball (the angle of the whole
 /// rotation), distance, screw (the angle) 1; cylindrical (displacement, angle) and universal (angle about z
 /// of A, angle about x of B) 2; planar (along x, along y, angle) 3; fixed and gear none.

@@ -26,15 +26,20 @@ inline constexpr Range restitution{0, 1};
 inline constexpr Range force{-1e15, 1e15};    ///< [N] or [N m], each component.
 inline constexpr Range coefficient{0, 1e15};  ///< Stiffness, damping, drag, in their units.
 inline constexpr Range time{-1e9, 1e9};       ///< [s].
+inline constexpr Range ratio{-1e6, 1e6};      ///< Of a gear; not 0.
 
 /// Bodies of a scene.
 inline constexpr std::size_t body_count = 100000;
+/// Joints of a scene.
+inline constexpr std::size_t joint_count = 100000;
 /// Messages after which looking for more mistakes is of no use.
 inline constexpr std::size_t message_count = 100;
 /// Bytes of a name.
 inline constexpr std::size_t name_length = 200;
 /// |q| - 1 of an orientation as written; it is normalised afterwards.
 inline constexpr double quaternion_error = 1e-3;
+/// Cosine of the angle between axes that are meant to be perpendicular; the second is then made so.
+inline constexpr double perpendicular_error = 1e-3;
 /// Relative violation of I1 + I2 ≥ I3 that the rounding of written numbers may cause.
 inline constexpr double triangle_error = 1e-9;
 

@@ -5,6 +5,7 @@
 #include "rigor/core/suggestion.hpp"
 #include "rigor/model/body_builder.hpp"
 #include "rigor/model/force_builder.hpp"
+#include "rigor/model/joint_builder.hpp"
 #include "rigor/model/limits.hpp"
 #include "rigor/model/mesh_pairs.hpp"
 
@@ -103,9 +104,26 @@ std::vector<std::pair<int, int>> make_excluded(const std::vector<Placed<NamedPai
     if (!is_known || !findings.require(pair.a != pair.b, "a body never collides with itself")) continue;
     excluded.push_back(std::minmax({bodies.index.at(pair.a), bodies.index.at(pair.b)}));
   }
-  std::sort(excluded.begin(), excluded.end());
-  excluded.erase(std::unique(excluded.begin(), excluded.end()), excluded.end());
   return excluded;
+}
+
+void sort_pairs(std::vector<std::pair<int, int>>& pairs) {
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+}
+
+JointTable make_joint_table(const std::vector<Placed<ModelBuilder::JointDescription>>& parts,
+                            std::vector<std::string>& messages) {
+  JointTable table;
+  for (const auto& [joint, where] : parts) {
+    const int index = static_cast<int>(table.types.size());
+    table.types.push_back(joint.type);
+    if (!table.index.emplace(joint.name, index).second && messages.size() < limits::message_count) {
+      messages.push_back(where + "joint " + quoted_text(joint.name) +
+                         ": there is already a joint of this name");
+    }
+  }
+  return table;
 }
 
 double length_scale(const std::vector<Body>& bodies) {
@@ -211,8 +229,36 @@ Model ModelBuilder::assemble(std::vector<std::string>& messages) const {
     if (force) model.forces_.push_back(*force);
     if (messages.size() >= limits::message_count) return model;
   }
+  add_joints(bodies, messages, model);
   check_mesh_pairs(model, wheres, messages);
   return model;
+}
+
+void ModelBuilder::add_joints(const BodyTable& bodies, std::vector<std::string>& messages,
+                              Model& model) const {
+  if (parts_->joints.size() > limits::joint_count) {
+    messages.push_back("the scene has " + std::to_string(parts_->joints.size()) +
+                       " joints, must be at most " + std::to_string(limits::joint_count));
+    return;
+  }
+  const JointTable joints = make_joint_table(parts_->joints, messages);
+  std::string bad_where;
+  for (const auto& [description, where] : parts_->joints) {
+    // Joints from one place of a file (a repeated joint) share their mistakes, which are told once.
+    if (!where.empty() && where == bad_where) continue;
+    if (messages.size() >= limits::message_count) return;
+    const std::optional<Joint> joint = make_joint(description, where, bodies, joints, messages);
+    if (!joint) {
+      bad_where = where;
+      continue;
+    }
+    model.joints_.push_back(*joint);
+    const bool has_pair = joint->body_A != world_body && joint->body_B != world_body;
+    if (has_pair && !description.collide) {
+      model.excluded_pairs_.push_back(std::minmax({joint->body_A, joint->body_B}));
+    }
+  }
+  sort_pairs(model.excluded_pairs_);
 }
 
 std::shared_ptr<const Model> ModelBuilder::build() const {

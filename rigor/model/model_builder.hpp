@@ -45,6 +45,8 @@ struct BodyDescription {
   std::vector<PathPoint> path;
 };
 
+struct BodyTable;
+
 /// Collects the parts of a scene, checks them all and builds the Model. Every add_... takes what the user
 /// wrote; nothing is checked before build(), which reports all errors in one InputError.
 ///
@@ -78,12 +80,14 @@ class ModelBuilder {
   };
   void add_force(ForceDescription force, std::string where = {});
   /// Joints name their bodies ("world" is the world) or, gears, two joints. Anchors and axes are in W at t =
-  /// 0.
+  /// 0. The bodies of a joint do not touch each other unless `collide` says so.
   struct JointDescription {
     std::string name;
     JointType type = JointType::fixed;
     std::vector<std::string> bodies;  ///< A and B; none for a gear.
-    std::vector<Vec3> anchors;        ///< One [m]; two (on A, on B) for a distance joint.
+    std::vector<Vec3> anchors;        ///< One [m]; two (on A, on B) for a distance joint. None: fixed,
+                                      ///< slider, planar joints are at the centre of mass of B (of A if B
+                                      ///< is not dynamic).
     Vec3 axis = Vec3::UnitZ();        ///< z of the joint's frame, of any length.
     std::optional<Vec3> second_axis;  ///< x of it: a universal joint's axis on B; planar: first direction.
     double pitch = 0;                 ///< Screw [m].
@@ -104,6 +108,7 @@ class ModelBuilder {
  private:
   struct Parts;
   Model assemble(std::vector<std::string>& messages) const;
+  void add_joints(const BodyTable& bodies, std::vector<std::string>& messages, Model& model) const;
   std::unique_ptr<Parts> parts_;
 };
 

@@ -1,3 +1,5 @@
+#include "model/joint_samples.hpp"
+
 #include "rigor/model/model_changes.hpp"
 
 #include "rigor/core/input_error.hpp"
@@ -31,6 +33,16 @@ TEST(ModelChanges, ReplaceGravityAndSurfacesOfACopy) {
   EXPECT_EQ(changed->forces().size(), 1u);
   EXPECT_EQ(model->g_W(), Vec3(0, 0, -10));
   EXPECT_EQ(model->coefficients(1, 1).friction, 0.25);
+}
+
+TEST(ModelChanges, KeepTheJoints) {
+  ModelBuilder builder = samples::jointed_bodies();
+  builder.add_joint(samples::joint_of(JointType::hinge));
+  const std::shared_ptr<const Model> model = builder.build();
+  const std::shared_ptr<const Model> changed = changed_model(*model, unchanged(*model));
+  ASSERT_EQ(changed->joints().size(), 1u);
+  EXPECT_EQ(changed->joint(0).name, "j");
+  EXPECT_FALSE(changed->may_collide(0, 1));
 }
 
 TEST(ModelChanges, ValuesOutsideTheirLimitsAreRefusedAllAtOnce) {

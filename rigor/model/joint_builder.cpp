@@ -1,0 +1,197 @@
+#include "rigor/model/joint_builder.hpp"
+
+#include "rigor/core/quoted.hpp"
+#include "rigor/core/suggestion.hpp"
+#include "rigor/math/rotation.hpp"
+#include "rigor/model/joint_axis_checks.hpp"
+#include "rigor/model/limits.hpp"
+
+#include <fmt/format.h>
+#include <cmath>
+#include <numbers>
+
+namespace rigor {
+
+namespace {
+
+using Description = ModelBuilder::JointDescription;
+
+bool has_second_axis(JointType type) {
+  return type == JointType::universal || type == JointType::planar;
+}
+
+/// Whether the joint is the same wherever its anchor is, so that none needs to be given.
+bool may_lack_anchor(JointType type) {
+  return type == JointType::fixed || type == JointType::slider || type == JointType::planar;
+}
+
+/// Whether v has a direction; says so if not.
+bool check_direction(const std::string& quantity, const Vec3& v, Findings& findings) {
+  if (!findings.check(quantity, v, limits::position, "")) return false;
+  return findings.require(v.stableNorm() > 0, quantity + " is " + vector_text(v) + ", must have a direction");
+}
+
+void check_axes(const Description& joint, Findings& findings) {
+  if (!check_direction("axis", joint.axis, findings)) return;
+  if (!joint.second_axis) {
+    findings.require(joint.type != JointType::universal,
+                     "second_axis is missing: the axis on the second body, perpendicular to axis");
+    return;
+  }
+  if (!findings.require(has_second_axis(joint.type), "only universal and planar joints have a second_axis")) {
+    return;
+  }
+  if (!check_direction("second_axis", *joint.second_axis, findings)) return;
+  const double cosine = joint.axis.stableNormalized().dot(joint.second_axis->stableNormalized());
+  findings.require(std::abs(cosine) <= limits::perpendicular_error,
+                   fmt::format("second_axis {} is at {:.6g} deg to axis {}, must be perpendicular",
+                               vector_text(*joint.second_axis), std::acos(cosine) * 180 / std::numbers::pi,
+                               vector_text(joint.axis)));
+}
+
+/// Length of the joint's line at t = 0; 0 for all but distance joints.
+double start_of(const Description& joint) {
+  if (joint.type != JointType::distance || joint.anchors.size() != 2) return 0;
+  return (joint.anchors[1] - joint.anchors[0]).stableNorm();
+}
+
+bool check_anchors(const Description& joint, Findings& findings) {
+  const std::size_t count = joint.type == JointType::distance ? 2 : 1;
+  const bool has_anchors =
+      joint.anchors.size() == count || (joint.anchors.empty() && may_lack_anchor(joint.type));
+  bool is_good = findings.require(
+      has_anchors, fmt::format("it has {} anchors, must have {}", joint.anchors.size(), count));
+  for (const Vec3& anchor : joint.anchors) {
+    is_good &= findings.check("anchor", anchor, limits::position, "m");
+  }
+  if (is_good && count == 2) {
+    is_good = findings.check("distance of its anchors", start_of(joint), limits::size, "m");
+  }
+  return is_good;
+}
+
+void check_numbers(const Description& joint, Findings& findings) {
+  findings.check_name(joint.name);
+  if (joint.type == JointType::gear) {
+    check_joint_axes(joint.type, joint.axes, 0, findings);
+    findings.check("ratio", joint.ratio, limits::ratio, "");
+    findings.require(joint.ratio != 0, "ratio is 0, must not be 0");
+    return;
+  }
+  if (check_anchors(joint, findings)) check_joint_axes(joint.type, joint.axes, start_of(joint), findings);
+  check_axes(joint, findings);
+  if (joint.type != JointType::screw) return;
+  findings.check("pitch", joint.pitch, limits::position, "m");
+  findings.require(joint.pitch != 0, "pitch is 0 m, must not be 0; a hinge turns without sliding");
+}
+
+/// Index of a joint that a gear can tie, or nothing.
+std::optional<int> find_geared(const std::string& name, const JointTable& joints, Findings& findings) {
+  const auto found = joints.index.find(name);
+  if (found == joints.index.end()) {
+    std::vector<std::string> names;
+    for (const auto& [known, index] : joints.index) names.push_back(known);
+    findings.add("unknown joint " + quoted_text(name) + suggestion(name, names));
+    return std::nullopt;
+  }
+  const JointType type = joints.types[static_cast<std::size_t>(found->second)];
+  const bool can_be_tied = coordinate_count(type) > 0 && type != JointType::ball;
+  if (!findings.require(can_be_tied, "it ties " + quoted_text(name) + ", but a " + joint_type_name(type) +
+                                         " joint has no coordinate that a gear can tie")) {
+    return std::nullopt;
+  }
+  return found->second;
+}
+
+std::optional<Joint> make_gear(const Description& description, const JointTable& joints, Findings& findings) {
+  const std::size_t count = description.joints.size();
+  if (!findings.require(count == 2, fmt::format("it names {} joints, must name 2", count)))
+    return std::nullopt;
+  const std::optional<int> first = find_geared(description.joints[0], joints, findings);
+  const std::optional<int> second = find_geared(description.joints[1], joints, findings);
+  if (!first || !second) return std::nullopt;
+  if (!findings.require(first != second, "it ties a joint to itself")) return std::nullopt;
+  Joint joint;
+  joint.body_A = joint.body_B = world_body;
+  joint.first_joint = *first;
+  joint.second_joint = *second;
+  joint.ratio = description.ratio;
+  return joint;
+}
+
+/// Axes of the joint's frame in W.
+Mat3 frame_of(const Description& joint) {
+  if (joint.type == JointType::distance) return Mat3::Identity();
+  const Vec3 z = joint.axis.stableNormalized();
+  if (!has_second_axis(joint.type)) return frame_with_z(z);
+  const Vec3 default_x = std::abs(z.x()) < 0.9 ? Vec3::UnitX() : Vec3::UnitY();
+  const Vec3 near_x = joint.second_axis ? joint.second_axis->stableNormalized() : default_x;
+  const Vec3 x = (near_x - near_x.dot(z) * z).normalized();
+  Mat3 R;
+  R << x, z.cross(x), z;
+  return R;
+}
+
+Pose start_pose(int index, const std::vector<Body>& bodies) {
+  if (index == world_body) return {};
+  const Body& body = bodies[static_cast<std::size_t>(index)];
+  return {rotation_matrix(body.q_WB), body.p_WB};
+}
+
+/// Where the joint is if its description does not say: the centre of mass of B, or of A if B is not dynamic.
+Vec3 default_anchor(const std::vector<int>& indices, const std::vector<Body>& bodies) {
+  for (const int index : {indices[1], indices[0]}) {
+    if (index == world_body) continue;
+    const Body& body = bodies[static_cast<std::size_t>(index)];
+    if (body.motion == MotionType::dynamic) return body.p_WB;
+  }
+  return Vec3::Zero();
+}
+
+void place_frames(const Description& description, const std::vector<int>& indices,
+                  const std::vector<Body>& bodies, Joint& joint) {
+  joint.body_A = indices[0];
+  joint.body_B = indices[1];
+  const Mat3 R_WJ = frame_of(description);
+  const Vec3 p_WJ =
+      description.anchors.empty() ? default_anchor(indices, bodies) : description.anchors.front();
+  const Vec3 p_WK = description.type == JointType::distance ? description.anchors[1] : p_WJ;
+  joint.X_AJ = start_pose(joint.body_A, bodies).inverse() * Pose{R_WJ, p_WJ};
+  joint.X_BK = start_pose(joint.body_B, bodies).inverse() * Pose{R_WJ, p_WK};
+}
+
+}  // namespace
+
+std::optional<Joint> make_joint(const Description& description, const std::string& where,
+                                const BodyTable& bodies, const JointTable& joints,
+                                std::vector<std::string>& messages) {
+  const std::size_t messages_before = messages.size();
+  Findings findings(where, "joint " + quoted_text(description.name), messages);
+  check_numbers(description, findings);
+
+  std::optional<Joint> joint;
+  if (description.type == JointType::gear) {
+    findings.require(description.bodies.empty(), "a gear names joints, not bodies");
+    joint = make_gear(description, joints, findings);
+  } else {
+    const std::size_t count = description.bodies.size();
+    if (!findings.require(count == 2, fmt::format("it names {} bodies, must name 2", count)))
+      return std::nullopt;
+    const std::optional<std::vector<int>> indices = find_bodies(description.bodies, bodies, findings);
+    if (messages.size() > messages_before) return std::nullopt;
+    place_frames(description, *indices, bodies.bodies, joint.emplace());
+  }
+  if (messages.size() > messages_before) return std::nullopt;
+
+  joint->name = description.name;
+  joint->type = description.type;
+  joint->pitch = description.pitch;
+  joint->length = start_of(description);
+  joint->axes = description.axes;
+  joint->axes.resize(static_cast<std::size_t>(coordinate_count(joint->type)));
+  // The angle of a ball joint is never negative, so its lower limit is none.
+  if (joint->type == JointType::ball) joint->axes[0].lower = -limits::infinity;
+  return joint;
+}
+
+}  // namespace rigor
