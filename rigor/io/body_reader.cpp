@@ -55,16 +55,6 @@ std::uint64_t hash_of(const std::string& name) {
   return hash;
 }
 
-void warn_of_unused(const ObjectReader& body, const BodyDescription& description) {
-  const bool has_mass = description.mass || description.density || description.inertia;
-  if (description.motion != MotionType::dynamic && has_mass) {
-    body.errors().add_warning(body.node(), body.whose() + ": it is not dynamic, so its mass is not used");
-  }
-  if (description.shapes.empty()) {
-    body.errors().add_warning(body.node(), body.whose() + ": it has no shapes, so it touches nothing");
-  }
-}
-
 }  // namespace
 
 void BodyReader::read(const YamlNode& node, std::size_t index) {
@@ -99,6 +89,16 @@ void BodyReader::read(const YamlNode& node, std::size_t index) {
   }
 }
 
+void BodyReader::warn_of_unused(const ObjectReader& body, const BodyDescription& description) const {
+  const bool has_mass = description.mass || description.density || description.inertia;
+  if (description.motion != MotionType::dynamic && has_mass) {
+    body.errors().add_warning(body.node(), body.whose() + ": it is not dynamic, so its mass is not used");
+  }
+  if (description.shapes.empty() && surroundings_.jointed_names.count(description.name) == 0) {
+    body.errors().add_warning(body.node(), body.whose() + ": it has no shapes, so it touches nothing");
+  }
+}
+
 bool BodyReader::has_room(const ObjectReader& body, double count) {
   body_count_ += count;
   const double most = static_cast<double>(limits::body_count);
@@ -118,7 +118,7 @@ void BodyReader::add_repeated(const ObjectReader& body, const BodyDescription& d
   if (!description.path.empty()) body.fail("repeat", "a body with a path cannot be repeated");
   if (!has_room(body, count.prod())) return;
 
-  SplitMix64 random(seed_ ^ hash_of(description.name));
+  SplitMix64 random(surroundings_.seed ^ hash_of(description.name));
   for (int i = 0; i < static_cast<int>(count.x()); ++i) {
     for (int j = 0; j < static_cast<int>(count.y()); ++j) {
       for (int k = 0; k < static_cast<int>(count.z()); ++k) {

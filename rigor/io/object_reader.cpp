@@ -15,7 +15,7 @@ namespace rigor {
 namespace {
 
 bool is_number_type(ValueType type) {
-  return type != ValueType::angle && type != ValueType::angles;
+  return type != ValueType::angle && type != ValueType::angles && type != ValueType::angle_range;
 }
 
 bool is_whole_type(ValueType type) {
@@ -40,6 +40,12 @@ std::string expected_text(const Key& key) {
       return "3 whole numbers [x, y, z]";
     case ValueType::angles:
       return "3 angles [x, y, z]: numbers (rad) or texts such as 30 deg";
+    case ValueType::range:
+      return with_unit(key, "2 numbers [lowest, highest]");
+    case ValueType::angle_range:
+      return "2 angles [lowest, highest]: numbers (rad) or texts such as 30 deg";
+    case ValueType::flag:
+      return "true or false";
     case ValueType::quaternion:
       return "4 numbers [w, x, y, z]";
     case ValueType::scale:
@@ -70,6 +76,9 @@ std::string unknown_key_hint(const YamlNode::Entry& entry, const KeyTable& table
   const bool is_digits = entry.key.find_first_not_of("0123456789") == std::string::npos;
   if (is_digits && is_empty(*entry.value)) return "; a number is written with a point, such as 1.5";
   if (find_nearest_name(entry.key, names)) return suggestion(entry.key, names);
+  if (table.find("coordinates") && key_table("angle_coordinate").find(entry.key)) {
+    return "; it has several coordinates: write it in 'coordinates', a list of one mapping for each";
+  }
   for (const KeyTable& other : key_tables()) {
     if (other.find(entry.key)) return "; it is a key of " + other.title + suggestion("", names);
   }
@@ -216,6 +225,23 @@ std::optional<std::string> ObjectReader::text(std::string_view name) const {
   if (is_allowed) return value->text;
   fail(name, "unknown " + key.name + " " + quoted_text(value->text) + suggestion(value->text, key.choices));
   return std::nullopt;
+}
+
+std::optional<bool> ObjectReader::flag(std::string_view name) const {
+  const YamlNode* const value = find(name);
+  if (!value) return std::nullopt;
+  const bool is_plain = value->kind == YamlNode::Kind::scalar && !value->is_quoted;
+  if (is_plain && (value->text == "true" || value->text == "false")) return value->text == "true";
+  NumberReader(key_of(name), whose_, errors_).wrong_type(*value);
+  return std::nullopt;
+}
+
+std::optional<std::array<double, 2>> ObjectReader::range(std::string_view name) const {
+  const YamlNode* const value = find(name);
+  if (!value) return std::nullopt;
+  const std::vector<double> ends = NumberReader(key_of(name), whose_, errors_).numbers(*value, 2);
+  if (ends.empty()) return std::nullopt;
+  return std::array<double, 2>{ends[0], ends[1]};
 }
 
 std::optional<Vec3> ObjectReader::vector(std::string_view name) const {

@@ -5,6 +5,7 @@
 #include "rigor/io/yaml_document.hpp"
 #include "rigor/math/types.hpp"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -30,6 +31,9 @@ class ObjectReader {
 
   std::optional<double> number(std::string_view key) const;     ///< number, whole, angle [rad].
   std::optional<std::string> text(std::string_view key) const;  ///< text, choice.
+  std::optional<bool> flag(std::string_view key) const;
+  /// range, angle_range [rad]: lowest and highest as written.
+  std::optional<std::array<double, 2>> range(std::string_view key) const;
   std::optional<Vec3> vector(std::string_view key) const;      ///< vector, whole_vector, angles [rad], scale.
   std::optional<Quat> quaternion(std::string_view key) const;  ///< As written: its norm is near 1.
   std::vector<Vec3> vectors(std::string_view key) const;       ///< Empty if absent or wrong.

@@ -54,8 +54,7 @@ KeyTable scene_table() {
           {"bodies", ValueType::objects, "", "required", {}, "the bodies, by name", {}, "body"},
           {"exclude", ValueType::name_pairs, "", "-", {}, "pairs of bodies that pass through each other"},
           {"forces", ValueType::objects, "", "-", {}, "forces besides gravity and contacts", {}, "force"},
-          later("joints", ValueType::objects, "joints between bodies",
-                "hold bodies together with forces of type 'spring', or put their shapes on one body"),
+          {"joints", ValueType::objects, "", "-", {}, "joints between bodies", {}, "joint"},
           later("sweep", ValueType::object, "settings of ensembles",
                 "run the scene several times with --set KEY=VALUE"),
       }};
@@ -138,7 +137,8 @@ std::vector<KeyTable> top_key_tables() {
 const std::vector<KeyTable>& key_tables() {
   static const std::vector<KeyTable> tables = [] {
     std::vector<KeyTable> all;
-    for (const auto& part : {top_key_tables(), body_key_tables(), shape_key_tables(), force_key_tables()}) {
+    for (const auto& part :
+         {top_key_tables(), body_key_tables(), shape_key_tables(), force_key_tables(), joint_key_tables()}) {
       all.insert(all.end(), part.begin(), part.end());
     }
     return all;

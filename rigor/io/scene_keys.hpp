@@ -13,11 +13,14 @@ enum class ValueType {
   number,
   whole,  ///< Number without fraction.
   text,
+  flag,          ///< true or false.
   choice,        ///< One of Key::choices.
   angle,         ///< Number in rad, or text such as "30 deg" or "0.5 rad".
   vector,        ///< 3 numbers.
   whole_vector,  ///< 3 whole numbers.
   angles,        ///< 3 angles.
+  range,         ///< 2 numbers, lowest and highest.
+  angle_range,   ///< 2 angles, lowest and highest.
   quaternion,    ///< 4 numbers w, x, y, z.
   scale,         ///< Number, or 3 numbers.
   vectors,       ///< List of vectors.
@@ -37,7 +40,7 @@ struct Key {
   Range range;           ///< Of a number, or of each number of a list.
   std::string meaning;
   std::vector<std::string> choices;  ///< Values that this version offers.
-  std::string object;  ///< Table of the mapping's keys: "inertia"; "shape" and "force" stand for their types.
+  std::string object;  ///< Table of the mapping's keys: "inertia"; a family ("shape") stands for its tables.
   bool is_available = true;  ///< In this version; otherwise only an empty value is allowed.
   std::string instead;       ///< Unavailable keys: what to do.
 
@@ -48,7 +51,7 @@ struct Key {
 struct KeyTable {
   std::string object;  ///< "body", "sphere", ...
   std::string title;   ///< With its article, for messages: "a body".
-  std::string family;  ///< "shape" or "force" for the types of these, else empty.
+  std::string family;  ///< "shape", "force" or "joint" for their types, "coordinate", or empty.
   std::vector<Key> keys;
 
   const Key* find(std::string_view name) const;
@@ -68,5 +71,6 @@ std::vector<KeyTable> top_key_tables();
 std::vector<KeyTable> body_key_tables();
 std::vector<KeyTable> shape_key_tables();
 std::vector<KeyTable> force_key_tables();
+std::vector<KeyTable> joint_key_tables();
 
 }  // namespace rigor

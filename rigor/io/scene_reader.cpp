@@ -3,6 +3,7 @@
 #include "rigor/core/input_error.hpp"
 #include "rigor/io/body_reader.hpp"
 #include "rigor/io/force_reader.hpp"
+#include "rigor/io/joint_reader.hpp"
 #include "rigor/io/method_reader.hpp"
 #include "rigor/io/object_reader.hpp"
 #include "rigor/io/scene_overrides.hpp"
@@ -78,7 +79,7 @@ void read_pairs(const ObjectReader& scene, const Materials& materials, ModelBuil
 void read_bodies(const ObjectReader& scene, std::uint64_t seed, const std::filesystem::path& folder,
                  ModelBuilder& builder) {
   ShapeFiles files(folder);
-  BodyReader reader(seed, files, scene.errors(), builder);
+  BodyReader reader({seed, jointed_names(scene)}, files, scene.errors(), builder);
   std::size_t index = 0;
   for (const YamlNode* const node : scene.list("bodies")) {
     if (scene.errors().is_full()) return;
@@ -98,6 +99,15 @@ void read_forces(const ObjectReader& scene, ModelBuilder& builder) {
   for (const YamlNode* const node : scene.list("forces")) {
     if (scene.errors().is_full()) return;
     read_force(*node, index++, scene.errors(), builder);
+  }
+}
+
+void read_joints(const ObjectReader& scene, ModelBuilder& builder) {
+  JointReader reader(scene.errors(), builder);
+  std::size_t index = 0;
+  for (const YamlNode* const node : scene.list("joints")) {
+    if (scene.errors().is_full()) return;
+    reader.read(*node, index++);
   }
 }
 
@@ -126,6 +136,7 @@ Scene read_tree(const YamlNode& root, const YamlSources& sources, const std::fil
   read_bodies(reader, scene.run.seed, folder, builder);
   read_excluded(reader, builder);
   read_forces(reader, builder);
+  read_joints(reader, builder);
   check_all(builder, errors);
   try {
     scene.model = builder.build();

@@ -51,6 +51,12 @@ inline Json value_schema(const Key& key) {
       return {{"enum", key.choices}};
     case ValueType::angle:
       return angle;
+    case ValueType::flag:
+      return {{"type", "boolean"}};
+    case ValueType::range:
+      return list_schema(number, 2);
+    case ValueType::angle_range:
+      return list_schema(angle, 2);
     case ValueType::vector:
     case ValueType::whole_vector:
       return list_schema(number, 3);
@@ -100,10 +106,11 @@ inline Json object_schema(const KeyTable& table) {
 inline Json scene_schema() {
   Json definitions = Json::object();
   for (const KeyTable& table : key_tables()) definitions[table.object] = object_schema(table);
-  for (const char* const family : {"shape", "force"}) {
+  for (const char* const family : {"shape", "force", "joint", "coordinate"}) {
     Json any = Json::array();
     for (const std::string& type : types_of(family)) any.push_back(reference(type));
-    definitions[family] = {{"oneOf", any}};
+    // Joints, shapes and forces differ by their type; the same numbers may stand for either coordinate.
+    definitions[family] = {{family == std::string("coordinate") ? "anyOf" : "oneOf", any}};
   }
   return {{"$schema", "http://json-schema.org/draft-07/schema#"},
           {"title", "Scene of Rigor"},
@@ -112,13 +119,21 @@ inline Json scene_schema() {
 }
 
 inline std::string value_text(const Key& key) {
-  static const std::map<ValueType, std::string> texts = {
-      {ValueType::number, "number"},     {ValueType::whole, "whole number"},
-      {ValueType::text, "text"},         {ValueType::angle, "angle"},
-      {ValueType::vector, "3 numbers"},  {ValueType::whole_vector, "3 whole numbers"},
-      {ValueType::angles, "3 angles"},   {ValueType::quaternion, "4 numbers"},
-      {ValueType::scale, "number or 3"}, {ValueType::vectors, "list of 3 numbers"},
-      {ValueType::names, "2 names"},     {ValueType::name_pairs, "list of 2 names"}};
+  static const std::map<ValueType, std::string> texts = {{ValueType::number, "number"},
+                                                         {ValueType::whole, "whole number"},
+                                                         {ValueType::text, "text"},
+                                                         {ValueType::angle, "angle"},
+                                                         {ValueType::vector, "3 numbers"},
+                                                         {ValueType::whole_vector, "3 whole numbers"},
+                                                         {ValueType::angles, "3 angles"},
+                                                         {ValueType::quaternion, "4 numbers"},
+                                                         {ValueType::scale, "number or 3"},
+                                                         {ValueType::vectors, "list of 3 numbers"},
+                                                         {ValueType::flag, "`true`, `false`"},
+                                                         {ValueType::range, "2 numbers"},
+                                                         {ValueType::angle_range, "2 angles"},
+                                                         {ValueType::names, "2 names"},
+                                                         {ValueType::name_pairs, "list of 2 names"}};
   if (key.type == ValueType::object) return "[" + key.object + "](#" + key.object + ")";
   if (key.type == ValueType::objects) return "list of [" + key.object + "](#" + key.object + ")";
   if (key.type != ValueType::choice) return texts.at(key.type);

@@ -1,7 +1,6 @@
-#include "model/joint_samples.hpp"
-
 #include "rigor/model/model_changes.hpp"
 
+#include "model/joint_samples.hpp"
 #include "rigor/core/input_error.hpp"
 #include "rigor/model/model_builder.hpp"
 
