@@ -31,10 +31,11 @@ std::string summary(const Scene& scene) {
   };
   std::size_t shapes = 0;
   for (const Body& body : bodies) shapes += body.shapes.size();
-  return fmt::format("{} {} ({} dynamic, {} kinematic, {} static), {} shapes, {} forces; {:g} s in {}",
-                     bodies.size(), bodies.size() == 1 ? "body" : "bodies", count(MotionType::dynamic),
-                     count(MotionType::kinematic), count(MotionType::fixed), shapes,
-                     scene.model->forces().size(), scene.run.duration, method_choice(scene.method, "scheme"));
+  return fmt::format(
+      "{} {} ({} dynamic, {} kinematic, {} static), {} shapes, {} joints, {} forces; {:g} s in {}",
+      bodies.size(), bodies.size() == 1 ? "body" : "bodies", count(MotionType::dynamic),
+      count(MotionType::kinematic), count(MotionType::fixed), shapes, scene.model->joints().size(),
+      scene.model->forces().size(), scene.run.duration, method_choice(scene.method, "scheme"));
 }
 
 }  // namespace

@@ -60,6 +60,19 @@ class Hash {
     std::visit([this](const auto& f) { add(f); }, force);
   }
 
+  void add(const JointAxis& axis) {
+    add(axis.lower), add(axis.upper), add(axis.restitution), add(axis.stiffness), add(axis.rest);
+    add(axis.damping), add(axis.friction), add(static_cast<int>(axis.motor.has_value()));
+    if (axis.motor) add(axis.motor->velocity), add(axis.motor->max_force);
+  }
+  void add(const Joint& joint) {
+    add(std::string_view(joint.name)), add(static_cast<int>(joint.type)), add(joint.body_A),
+        add(joint.body_B);
+    add(joint.X_AJ), add(joint.X_BK), add(joint.pitch), add(joint.length);
+    add(joint.first_joint), add(joint.second_joint), add(joint.ratio);
+    for (const JointAxis& axis : joint.axes) add(axis);
+  }
+
   void add(const Body& body) {
     add(std::string_view(body.name)), add(static_cast<int>(body.motion)), add(body.mass), add(body.moments);
     add(body.X_BL);
@@ -90,6 +103,11 @@ std::uint64_t fingerprint(const Model& model, const Method& method, double step)
     }
   }
   for (const Force& force : model.forces()) hash.add(force);
+  for (const Joint& joint : model.joints()) {
+    hash.add(joint);
+    const bool has_pair = joint.body_A != world_body && joint.body_B != world_body;
+    if (has_pair) hash.add(static_cast<int>(model.may_collide(joint.body_A, joint.body_B)));
+  }
   for (const std::string& key : method_choice_keys()) hash.add(std::string_view(method_choice(method, key)));
   for (const MethodNumber& number : method_numbers()) hash.add(method.*number.member);
   hash.add(step);

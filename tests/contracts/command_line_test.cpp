@@ -187,7 +187,9 @@ TEST(CommandLine, CheckTellsOfEveryFile) {
   const ProgramResult good = folder.run({"check", "ball.yaml"});
   EXPECT_EQ(good.code, 0);
   EXPECT_EQ(
-      good.out.rfind("ball.yaml: ok: 2 bodies (1 dynamic, 0 kinematic, 1 static), 2 shapes, 0 forces", 0), 0u)
+      good.out.rfind(
+          "ball.yaml: ok: 2 bodies (1 dynamic, 0 kinematic, 1 static), 2 shapes, 0 joints, 0 forces", 0),
+      0u)
       << good.out;
   const ProgramResult both = folder.run({"check", "bad.yaml", "ball.yaml", "missing.yaml"});
   EXPECT_EQ(both.code, 3);
