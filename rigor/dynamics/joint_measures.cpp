@@ -1,0 +1,182 @@
+#include "rigor/dynamics/joint_measures.hpp"
+
+#include "rigor/math/rotation.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace rigor {
+
+namespace {
+
+/// F(a, b) with its derivatives; `curvature` is F_aa ȧ² + 2 F_ab ȧ ḃ + F_bb ḃ².
+struct Slopes {
+  double value, F_a, F_b, curvature;
+};
+
+JointCoordinate chain(const JointCoordinate& a, const JointCoordinate& b, const Slopes& F) {
+  return {F.value, F.F_a * a.rate + F.F_b * b.rate, F.F_a * a.J_A + F.F_b * b.J_A,
+          F.F_a * a.J_B + F.F_b * b.J_B, F.F_a * a.bias + F.F_b * b.bias + F.curvature};
+}
+
+Vec6 stacked(const Vec3& linear, const Vec3& angular) {
+  Vec6 row;
+  row << linear, angular;
+  return row;
+}
+
+double power(const Vec6& row, const BodyMotion& body) {
+  return row.head<3>().dot(body.v) + row.tail<3>().dot(body.w);
+}
+
+}  // namespace
+
+JointCoordinate operator+(const JointCoordinate& a, const JointCoordinate& b) {
+  return chain(a, b, {a.value + b.value, 1, 1, 0});
+}
+
+JointCoordinate operator-(const JointCoordinate& a, const JointCoordinate& b) {
+  return chain(a, b, {a.value - b.value, 1, -1, 0});
+}
+
+JointCoordinate operator*(const JointCoordinate& a, const JointCoordinate& b) {
+  return chain(a, b, {a.value * b.value, b.value, a.value, 2 * a.rate * b.rate});
+}
+
+JointCoordinate operator/(const JointCoordinate& a, const JointCoordinate& b) {
+  const double value = a.value / b.value;
+  // F = a/b: F_ab = -1/b², F_bb = 2 a/b³.
+  const double curvature = 2 * b.rate * (value * b.rate - a.rate) / (b.value * b.value);
+  return chain(a, b, {value, 1 / b.value, -value / b.value, curvature});
+}
+
+JointCoordinate operator+(const JointCoordinate& a, double c) {
+  JointCoordinate sum = a;
+  sum.value += c;
+  return sum;
+}
+
+JointCoordinate operator*(double c, const JointCoordinate& a) {
+  return {c * a.value, c * a.rate, c * a.J_A, c * a.J_B, c * a.bias};
+}
+
+JointCoordinate angle_of(const JointCoordinate& y, const JointCoordinate& x) {
+  const double square = x.value * x.value + y.value * y.value;
+  if (square == 0) return {};
+  // F = atan2(y, x): F_y = x/r², F_x = -y/r², and with the rates along and across the radius
+  // d²F = -2 (radial rate)(angular rate)/r.
+  const double F_y = x.value / square, F_x = -y.value / square;
+  const double radial = (x.value * x.rate + y.value * y.rate) / square;
+  const double angular = F_y * y.rate + F_x * x.rate;
+  return chain(y, x, {std::atan2(y.value, x.value), F_y, F_x, -2 * radial * angular});
+}
+
+JointCoordinate length_of(std::span<const JointCoordinate> components) {
+  Vec3 value = Vec3::Zero(), rate = Vec3::Zero();
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    value[static_cast<Eigen::Index>(i)] = components[i].value;
+    rate[static_cast<Eigen::Index>(i)] = components[i].rate;
+  }
+  const double length = value.norm(), speed = rate.norm();
+  Vec3 direction = Vec3::Unit(static_cast<Eigen::Index>(components.size()) - 1);
+  if (length > 0) {
+    direction = value / length;
+  } else if (speed > 0) {
+    direction = rate / speed;
+  }
+  JointCoordinate result;
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    result = result + direction[static_cast<Eigen::Index>(i)] * components[i];
+  }
+  result.value = length;
+  // What moves across its direction makes it longer: (|rate|² - ṙ²)/r.
+  if (length > 0) result.bias += (rate - result.rate * direction).squaredNorm() / length;
+  return result;
+}
+
+JointMeasures::JointMeasures(const Joint& joint, const BodyMotion& A, const BodyMotion& B) : A_(A), B_(B) {
+  R_WJ_ = A.R * joint.X_AJ.R;
+  p_AJ_W_ = A.R * joint.X_AJ.p;
+  p_BK_W_ = B.R * joint.X_BK.p;
+  p_AK_W_ = (B.x - A.x) + p_BK_W_;
+  p_JK_W_ = p_AK_W_ - p_AJ_W_;
+  // Equal frames give a symmetric product, so q = 1 without rounding.
+  const Mat3 R_WK = B.R * joint.X_BK.R;
+  q_JK_ = quaternion_of(R_WJ_.transpose() * R_WK);
+  // d/dt R_WJᵀ (ω_B - ω_A) = R_WJᵀ (ω̇_B - ω̇_A - ω_A × (ω_B - ω_A)).
+  w_JK_J_ = R_WJ_.transpose() * (B.w - A.w);
+  alpha_JK_J_ = -(R_WJ_.transpose() * A.w.cross(B.w));
+}
+
+JointCoordinate JointMeasures::displacement(int k) const {
+  const Vec3 n = R_WJ_.col(k);
+  JointCoordinate measure;
+  measure.value = n.dot(p_JK_W_);
+  measure.J_A = stacked(-n, -p_AK_W_.cross(n));
+  measure.J_B = stacked(n, p_BK_W_.cross(n));
+  measure.rate = power(measure.J_A, A_) + power(measure.J_B, B_);
+  // d = p_K - p_J. g̈ = n·d̈ + 2 ṅ·ḋ + n̈·d, with ṅ = ω_A × n.
+  const Vec3 n_rate = A_.w.cross(n);
+  const Vec3 d_rate = (B_.v - A_.v) + B_.w.cross(p_BK_W_) - A_.w.cross(p_AJ_W_);
+  const Vec3 centripetal = B_.w.cross(B_.w.cross(p_BK_W_)) - A_.w.cross(A_.w.cross(p_AJ_W_));
+  measure.bias = n.dot(centripetal) + 2 * n_rate.dot(d_rate) + A_.w.cross(n_rate).dot(p_JK_W_);
+  return measure;
+}
+
+JointCoordinate JointMeasures::quaternion(int i) const {
+  // q̇ = ½ Ω q with Ω = w_JK_J, so that q̈ = ½ Ω̇ q - ¼ |Ω|² q.
+  Vec3 gradient = -0.5 * q_JK_.vec();
+  double value = q_JK_.w();
+  if (i > 0) {
+    const Vec3 axis = Vec3::Unit(i - 1);
+    gradient = 0.5 * (q_JK_.w() * axis + q_JK_.vec().cross(axis));
+    value = q_JK_.vec()[i - 1];
+  }
+  const Vec3 gradient_W = R_WJ_ * gradient;
+  return {value, gradient.dot(w_JK_J_), stacked(Vec3::Zero(), -gradient_W), stacked(Vec3::Zero(), gradient_W),
+          gradient.dot(alpha_JK_J_) - 0.25 * w_JK_J_.squaredNorm() * value};
+}
+
+JointCoordinate twist_angle(const JointMeasures& measures) {
+  return 2 * angle_of(measures.quaternion(3), measures.quaternion(0));
+}
+
+std::pair<JointCoordinate, JointCoordinate> swing(const JointMeasures& measures) {
+  const JointCoordinate w = measures.quaternion(0), x = measures.quaternion(1), y = measures.quaternion(2),
+                        z = measures.quaternion(3);
+  // q = s t with the twist t = (w, 0, 0, z)/c gives the swing s = (c, (w x - y z)/c, (w y + x z)/c, 0),
+  // c = cos θ/2. Where c = 0 any twist will do: t = 1.
+  const JointCoordinate c = length_of(std::array{w, z});
+  constexpr double smallest_cosine = 1e-9;
+  if (c.value < smallest_cosine) return {4 * (x / (w + 1)), 4 * (y / (w + 1))};
+  const JointCoordinate divisor = c * (c + 1);
+  return {4 * ((w * x - y * z) / divisor), 4 * ((w * y + x * z) / divisor)};
+}
+
+JointCoordinate whole_rotation(const JointMeasures& measures, int k) {
+  return 4 * (measures.quaternion(k + 1) / (measures.quaternion(0) + 1));
+}
+
+JointCoordinate whole_angle(const JointMeasures& measures) {
+  std::array sines{measures.quaternion(1), measures.quaternion(2), measures.quaternion(3)};
+  // A vector of the size of rounding has no direction: it counts as zero.
+  constexpr double smallest_sine = 1e-13;
+  if (Vec3(sines[0].value, sines[1].value, sines[2].value).norm() < smallest_sine) {
+    for (JointCoordinate& sine : sines) sine.value = 0;
+  }
+  return 2 * angle_of(length_of(sines), measures.quaternion(0));
+}
+
+JointCoordinate direction_cosine(const JointMeasures& measures, int i, int j) {
+  if (i == j) {
+    // 1 - 2 (the squares of the other two components of the vector).
+    const JointCoordinate a = measures.quaternion((i + 1) % 3 + 1), b = measures.quaternion((i + 2) % 3 + 1);
+    return -2 * (a * a + b * b) + 1;
+  }
+  const int k = 3 - i - j;
+  const double sign = (i + 1) % 3 == j ? -1 : 1;
+  return 2 * (measures.quaternion(i + 1) * measures.quaternion(j + 1) +
+              sign * (measures.quaternion(0) * measures.quaternion(k + 1)));
+}
+
+}  // namespace rigor

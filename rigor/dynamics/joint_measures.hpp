@@ -1,0 +1,59 @@
+#pragma once
+
+#include "rigor/dynamics/joint_rows.hpp"
+
+#include <span>
+#include <utility>
+
+namespace rigor {
+
+/// Arithmetic of functions of the relative pose of two bodies: values with first derivatives and bias. For a
+/// function F(a, b) the chain rule gives
+///
+///   J = F_a J_a + F_b J_b,   bias = F_a bias_a + F_b bias_b + F_aa ȧ² + 2 F_ab ȧ ḃ + F_bb ḃ².
+JointCoordinate operator+(const JointCoordinate& a, const JointCoordinate& b);
+JointCoordinate operator-(const JointCoordinate& a, const JointCoordinate& b);
+JointCoordinate operator*(const JointCoordinate& a, const JointCoordinate& b);
+JointCoordinate operator/(const JointCoordinate& a, const JointCoordinate& b);
+JointCoordinate operator+(const JointCoordinate& a, double c);
+JointCoordinate operator*(double c, const JointCoordinate& a);
+/// Angle of the point (x, y). At the origin it is 0 and does not change.
+JointCoordinate angle_of(const JointCoordinate& y, const JointCoordinate& x);
+/// Length of a vector of one to three components. Where it is 0 it has no direction: that of its rate is
+/// taken, or the last component's if that is 0 too.
+JointCoordinate length_of(std::span<const JointCoordinate> components);
+
+/// The elementary functions of the pose of a joint's frame K on B against its frame J on A; all others are
+/// made of these seven.
+class JointMeasures {
+ public:
+  JointMeasures(const Joint& joint, const BodyMotion& A, const BodyMotion& B);
+
+  /// Component k of the way from J to K, along the axes of J [m].
+  JointCoordinate displacement(int k) const;
+  /// Component i of q_JK: w, x, y, z; w ≥ 0.
+  JointCoordinate quaternion(int i) const;
+
+ private:
+  BodyMotion A_, B_;
+  Mat3 R_WJ_;
+  Vec3 p_AJ_W_, p_BK_W_, p_AK_W_, p_JK_W_;
+  Quat q_JK_;
+  Vec3 w_JK_J_;      ///< Angular velocity of B against A along the axes of J.
+  Vec3 alpha_JK_J_;  ///< Its rate while the angular velocities of both are constant.
+};
+
+/// Angle [rad] by which K is turned about z of J: that of the twist, if the rotation is a twist about z
+/// followed by the smallest rotation (swing) that takes z of J to z of K. In [-π, π].
+JointCoordinate twist_angle(const JointMeasures& measures);
+/// The swing about x and about y of J, 4 tan(θ/4) each unit of its axis, θ in [0, π]: its size is 4 where z
+/// of K points against z of J.
+std::pair<JointCoordinate, JointCoordinate> swing(const JointMeasures& measures);
+/// Component k of 4 tan(θ/4) e, with θ in [0, π] the angle and e the axis of the rotation from J to K.
+JointCoordinate whole_rotation(const JointMeasures& measures, int k);
+/// Angle θ of the whole rotation, in [0, π].
+JointCoordinate whole_angle(const JointMeasures& measures);
+/// Cosine of the angle between axis i of J and axis j of K.
+JointCoordinate direction_cosine(const JointMeasures& measures, int i, int j);
+
+}  // namespace rigor

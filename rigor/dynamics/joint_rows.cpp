@@ -1,0 +1,199 @@
+#include "rigor/dynamics/joint_rows.hpp"
+
+#include "rigor/core/assert.hpp"
+#include "rigor/dynamics/joint_measures.hpp"
+#include "rigor/model/force.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace rigor {
+
+namespace {
+
+constexpr double whole_turn = 2 * std::numbers::pi;
+
+/// Place of the body among the sides; it is added, with rows of zeros, if it is new.
+std::size_t side_of(int body, JointRows& rows) {
+  int side = 0;
+  while (side < rows.side_count && rows.bodies[static_cast<std::size_t>(side)] != body) ++side;
+  const std::size_t place = static_cast<std::size_t>(side);
+  if (side == rows.side_count) {
+    rows.bodies[place] = body;
+    rows.J[place].setZero();
+    ++rows.side_count;
+  }
+  return place;
+}
+
+/// Adds J of the coordinate, times a factor, to the row of that number; the world has no side.
+void add_sides(const Joint& joint, const JointCoordinate& measure, double factor, int row, JointRows& rows) {
+  if (joint.body_A != world_body) {
+    rows.J[side_of(joint.body_A, rows)].row(row) += factor * measure.J_A.transpose();
+  }
+  if (joint.body_B != world_body) {
+    rows.J[side_of(joint.body_B, rows)].row(row) += factor * measure.J_B.transpose();
+  }
+}
+
+void add_row(const Joint& joint, const JointCoordinate& measure, JointRows& rows) {
+  add_sides(joint, measure, 1, rows.size, rows);
+  rows.g[rows.size] = measure.value;
+  rows.bias[rows.size] = measure.bias;
+  ++rows.size;
+}
+
+/// Displacements along the axes of J from `first` to `last`.
+void add_displacements(const Joint& joint, const JointMeasures& measures, int first, int last,
+                       JointRows& rows) {
+  for (int k = first; k <= last; ++k) add_row(joint, measures.displacement(k), rows);
+}
+
+void add_swing(const Joint& joint, const JointMeasures& measures, JointRows& rows) {
+  const auto [about_x, about_y] = swing(measures);
+  add_row(joint, about_x, rows);
+  add_row(joint, about_y, rows);
+}
+
+void add_rotation(const Joint& joint, const JointMeasures& measures, JointRows& rows) {
+  for (int k = 0; k < 3; ++k) add_row(joint, whole_rotation(measures, k), rows);
+}
+
+JointCoordinate distance_of(const JointMeasures& measures) {
+  return length_of(std::array{measures.displacement(0), measures.displacement(1), measures.displacement(2)});
+}
+
+/// The angle γ of R = Rz(α) Ry(γ) Rx(β), in [-π/2, π/2]: a universal joint holds it at zero.
+JointCoordinate middle_angle(const JointMeasures& measures) {
+  const JointCoordinate cosine =
+      length_of(std::array{direction_cosine(measures, 0, 0), direction_cosine(measures, 1, 0)});
+  return angle_of(-1 * direction_cosine(measures, 2, 0), cosine);
+}
+
+/// Displacement less what the angle makes of it; whole turns are what is nearest to the displacement.
+JointCoordinate screw_residual(const Joint& joint, const JointMeasures& measures) {
+  JointCoordinate residual = measures.displacement(2) - joint.pitch / whole_turn * twist_angle(measures);
+  if (joint.pitch != 0) residual.value = std::remainder(residual.value, joint.pitch);
+  return residual;
+}
+
+/// The denominator q of a ratio p/q of whole numbers, q ≤ 1000, that is the given one to rounding; 0 if there
+/// is none. If there is one it is a convergent of the continued fraction.
+int denominator_of(double ratio) {
+  constexpr double most_teeth = 1000;
+  double p = 1, p_before = 0, q = 0, q_before = 1;
+  for (double rest = ratio;;) {
+    const double whole = std::floor(rest);
+    p_before = std::exchange(p, whole * p + p_before);
+    q_before = std::exchange(q, whole * q + q_before);
+    if (!(q <= most_teeth)) return 0;
+    if (std::abs(ratio * q - p) <= 2 * std::numeric_limits<double>::epsilon() * std::abs(p)) {
+      return static_cast<int>(q);
+    }
+    rest = 1 / (rest - whole);
+  }
+}
+
+/// The part of second - ratio · first that whole turns of the angles among the two coordinates cannot make.
+double without_whole_turns(double difference, double ratio, bool first_turns, bool second_turns) {
+  if (first_turns && second_turns) {
+    // Turns change it by 2π (k₂ - (p/q) k₁): by all multiples of 2π/q. For other ratios they come as close to
+    // anything as one likes.
+    const int denominator = denominator_of(ratio);
+    return denominator == 0 ? 0 : std::remainder(difference, whole_turn / denominator);
+  }
+  if (first_turns && ratio != 0) return std::remainder(difference, whole_turn * ratio);
+  return second_turns ? std::remainder(difference, whole_turn) : difference;
+}
+
+}  // namespace
+
+JointRows joint_rows(const Joint& joint, const BodyMotion& A, const BodyMotion& B) {
+  RIGOR_ASSERT(joint.type != JointType::gear);
+  const JointMeasures measures(joint, A, B);
+  JointRows rows;
+  switch (joint.type) {
+    case JointType::fixed:
+      add_displacements(joint, measures, 0, 2, rows);
+      add_rotation(joint, measures, rows);
+      break;
+    case JointType::ball:
+      add_displacements(joint, measures, 0, 2, rows);
+      break;
+    case JointType::hinge:
+      add_displacements(joint, measures, 0, 2, rows);
+      add_swing(joint, measures, rows);
+      break;
+    case JointType::slider:
+      add_displacements(joint, measures, 0, 1, rows);
+      add_rotation(joint, measures, rows);
+      break;
+    case JointType::universal:
+      add_displacements(joint, measures, 0, 2, rows);
+      add_row(joint, middle_angle(measures), rows);
+      break;
+    case JointType::cylindrical:
+      add_displacements(joint, measures, 0, 1, rows);
+      add_swing(joint, measures, rows);
+      break;
+    case JointType::planar:
+      add_displacements(joint, measures, 2, 2, rows);
+      add_swing(joint, measures, rows);
+      break;
+    case JointType::distance:
+      if (joint.axes.empty() || !joint.axes[0].is_limited()) {
+        add_row(joint, distance_of(measures) + -joint.length, rows);
+      }
+      break;
+    case JointType::screw:
+      add_displacements(joint, measures, 0, 1, rows);
+      add_swing(joint, measures, rows);
+      add_row(joint, screw_residual(joint, measures), rows);
+      break;
+    case JointType::gear:
+      break;
+  }
+  return rows;
+}
+
+JointRows gear_rows(const Joint& gear, const Joint& first, const BodyMotion& A1, const BodyMotion& B1,
+                    const Joint& second, const BodyMotion& A2, const BodyMotion& B2) {
+  const JointCoordinate driving = joint_coordinate(first, 0, A1, B1);
+  const JointCoordinate driven = joint_coordinate(second, 0, A2, B2);
+  JointRows rows;
+  add_sides(first, driving, -gear.ratio, 0, rows);
+  add_sides(second, driven, 1, 0, rows);
+  rows.size = 1;
+  rows.g[0] = without_whole_turns(driven.value - gear.ratio * driving.value, gear.ratio,
+                                  is_angle(first.type, 0), is_angle(second.type, 0));
+  rows.bias[0] = driven.bias - gear.ratio * driving.bias;
+  return rows;
+}
+
+JointCoordinate joint_coordinate(const Joint& joint, int k, const BodyMotion& A, const BodyMotion& B) {
+  RIGOR_ASSERT(k >= 0 && k < coordinate_count(joint.type));
+  const JointMeasures measures(joint, A, B);
+  switch (joint.type) {
+    case JointType::ball:
+      return whole_angle(measures);
+    case JointType::distance:
+      return distance_of(measures);
+    case JointType::slider:
+      return measures.displacement(2);
+    case JointType::cylindrical:
+      return k == 0 ? measures.displacement(2) : twist_angle(measures);
+    case JointType::planar:
+      return k < 2 ? measures.displacement(k) : twist_angle(measures);
+    case JointType::universal:
+      // R = Rz(α) Ry(γ) Rx(β): α and β.
+      return k == 0 ? angle_of(direction_cosine(measures, 1, 0), direction_cosine(measures, 0, 0))
+                    : angle_of(direction_cosine(measures, 2, 1), direction_cosine(measures, 2, 2));
+    default:
+      return twist_angle(measures);  // hinge, screw
+  }
+}
+
+}  // namespace rigor
