@@ -1,0 +1,78 @@
+// Chains of bodies: time a body of factor() and solve() by their length, and of forces on single bodies.
+
+#include "rigor/solver/constrained_mass.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <vector>
+
+namespace {
+
+using namespace rigor;
+
+/// Rods of length 1 m along x, each joined to the one before by a hinge about z (5 rows); the first hangs on
+/// the ground.
+struct Chain {
+  explicit Chain(int count) {
+    graph.node_count = count;
+    const Vec6 mass(Vec6::Ones() - Vec6(0, 0, 0, 0.9, 0.9, 0.9));
+    masses.assign(static_cast<std::size_t>(count), mass.asDiagonal());
+    for (int i = 0; i < count; ++i) {
+      graph.links.push_back({5, i == 0 ? std::vector{0} : std::vector{i - 1, i}});
+      if (i > 0) rows.push_back({-hinge(0.5), hinge(-0.5)});
+      if (i == 0) rows.push_back({hinge(-0.5)});
+    }
+    f = VecX::Ones(6 * count);
+    c = VecX::Zero(5 * count);
+  }
+  /// Velocity at the joint, at x from the centre, and turning about x and y.
+  static ConstrainedMass::Rows hinge(double x) {
+    ConstrainedMass::Rows J = ConstrainedMass::Rows::Zero(5, 6);
+    J.leftCols<5>().setIdentity();
+    J(1, 5) = x;
+    J(2, 4) = -x;
+    return J;
+  }
+
+  ConstraintGraph graph;
+  std::vector<Mat6> masses;
+  std::vector<std::vector<ConstrainedMass::Rows>> rows;
+  VecX f, c;
+};
+
+/// Median of the time of a call, of many [s].
+template <typename Call>
+double median_seconds(int calls, const Call& call) {
+  std::vector<double> times;
+  for (int i = 0; i < 21; ++i) {
+    const auto begin = std::chrono::steady_clock::now();
+    for (int k = 0; k < calls; ++k) call();
+    times.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() / calls);
+  }
+  std::nth_element(times.begin(), times.begin() + 10, times.end());
+  return times[10];
+}
+
+}  // namespace
+
+int main() {
+  fmt::print("Chains of hinges on the ground, nanoseconds a body\n");
+  fmt::print("{:>8} {:>10} {:>10} {:>20}\n", "bodies", "factor", "solve", "force on one body");
+  for (const int count : {1, 10, 100, 1000, 10000}) {
+    const Chain chain(count);
+    ConstrainedMass mass(chain.graph);
+    const int calls = std::max(1, 20000 / count);
+    MatX force = MatX::Zero(6 * count, 1);
+    force(6 * (count / 2)) = 1;
+    double sum = 0;
+    const double factor = median_seconds(calls, [&] { mass.factor(chain.masses, chain.rows); });
+    const double solve = median_seconds(calls, [&] { sum += mass.solve(chain.f, chain.c).a[0]; });
+    const double single = median_seconds(calls, [&] { sum += mass.solve(force)(0, 0); });
+    fmt::print("{:>8} {:>10.0f} {:>10.0f} {:>20.0f}\n", count, 1e9 * factor / count, 1e9 * solve / count,
+               1e9 * single / count);
+    if (sum != sum) return 1;
+  }
+  return 0;
+}
