@@ -3,6 +3,7 @@
 #include "apps/terminal.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>
@@ -46,6 +47,14 @@ void add_motion(const Audit& audit, std::string& text) {
   } else {
     add_line(text, "penetration", "{:.3g} m at most", report.max_penetration);
   }
+  if (!audit.joints.empty()) {
+    add_line(text, "joints", "off by {:.3g} at most{}; steps moved them by {:.3g} before they were put back",
+             report.max_joint_drift,
+             static_cast<std::size_t>(report.drift_joint) >= audit.joints.size()
+                 ? std::string()
+                 : " at " + audit.joints[static_cast<std::size_t>(report.drift_joint)].name,
+             report.max_joint_projection);
+  }
   add_line(text, "impact times", "known to {:.3g} s", report.toi_bracket);
   add_line(text, "solver", "largest residual {:.3g}, at most {} iterations, {} fallbacks, {} coarse steps",
            report.max_residual, report.max_iterations, report.fallbacks, report.coarse_steps);
@@ -74,6 +83,31 @@ void add_bodies(const Audit& audit, std::string& text) {
   }
 }
 
+std::string numbers_text(const std::vector<double>& numbers) {
+  return fmt::format("{:.17g}", fmt::join(numbers, ", "));
+}
+
+void add_joints(const Audit& audit, std::string& text) {
+  std::size_t shown = 0;
+  for (const Audit::JointEnd& joint : audit.joints) {
+    if (shown++ == most_bodies) break;
+    fmt::format_to(std::back_inserter(text), "  joint {}\n", joint.name);
+    if (!joint.coordinates.empty()) {
+      fmt::format_to(std::back_inserter(text), "    coordinates      [{}], rates [{}]\n",
+                     numbers_text(joint.coordinates), numbers_text(joint.rates));
+    }
+    const Vec3 &f = joint.force, &m = joint.torque;
+    fmt::format_to(std::back_inserter(text), "    reaction         [{:.17g}, {:.17g}, {:.17g}] N\n", f.x(),
+                   f.y(), f.z());
+    fmt::format_to(std::back_inserter(text), "                     [{:.17g}, {:.17g}, {:.17g}] N m\n", m.x(),
+                   m.y(), m.z());
+  }
+  if (audit.joints.size() > most_bodies) {
+    fmt::format_to(std::back_inserter(text), "  and {} more joints; --json has them all\n",
+                   audit.joints.size() - most_bodies);
+  }
+}
+
 void add_verdict(const Audit& audit, std::FILE* stream, std::string& text) {
   for (const std::string& warning : audit.warnings) {
     text += fmt::format("  {} {}\n", toned("warning:", Tone::doubtful, stream), warning);
@@ -82,7 +116,7 @@ void add_verdict(const Audit& audit, std::FILE* stream, std::string& text) {
     text += fmt::format("  {} {}\n", toned("violated:", Tone::bad, stream), violation);
   }
   text += audit.violations.empty()
-              ? fmt::format("  {}: energy, momentum and penetration are within their tolerances\n",
+              ? fmt::format("  {}: energy, momentum, joints and penetration are within their tolerances\n",
                             toned("audit passed", Tone::good, stream))
               : fmt::format("  {}\n", toned("audit FAILED", Tone::bad, stream));
 }
@@ -97,6 +131,7 @@ std::string audit_text(const Audit& audit, std::FILE* stream) {
   add_line(text, "method", "{}", method_text(audit.method));
   add_motion(audit, text);
   add_bodies(audit, text);
+  add_joints(audit, text);
   add_verdict(audit, stream, text);
   return text;
 }

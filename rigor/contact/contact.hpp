@@ -4,9 +4,23 @@
 #include "rigor/geometry/contact_set.hpp"
 #include "rigor/model/model.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace rigor {
+
+/// A coordinate of a joint that acts like a contact: at a limit, or held by a force that has a largest value.
+struct JointStop {
+  enum class Kind {
+    lower,     ///< The coordinate is at its lower limit: a normal along it.
+    upper,     ///< The same at the upper limit, the other way.
+    friction,  ///< Dry friction holds the rate at zero, with |force| ≤ its largest.
+    motor,     ///< A motor holds the rate at its velocity, with |force| ≤ its largest.
+  };
+  int joint;  ///< Model index.
+  int axis;   ///< Coordinate.
+  Kind kind;
+};
 
 /// A contact between shapes of two bodies, at an instant. The normal points from A to B; impulses λ push B
 /// along +n and A along -n.
@@ -19,6 +33,15 @@ struct Contact {
   double rolling_friction = 0;        ///< ρ of the pair [m].
   double torsional_friction = 0;      ///< σ of the pair [m].
   double tangential_restitution = 0;  ///< e_t of the pair; 0: none.
+  /// Set for a row of a joint's coordinate: there are no shapes then (negative numbers that tell stops
+  /// apart), the frame is that of W, body_A is body_B where the other one is the world, and n (limits) or t1
+  /// (friction, motors) is the coordinate.
+  std::optional<JointStop> stop = std::nullopt;
+
+  /// Whether it is dry friction or a motor: there is nothing that could open or collide.
+  bool is_bounded_force() const {
+    return stop && (stop->kind == JointStop::Kind::friction || stop->kind == JointStop::Kind::motor);
+  }
 
   /// Where impulses act, on both bodies alike so that angular momentum is exact: half way between the witness
   /// points [m].

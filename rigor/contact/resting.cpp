@@ -6,19 +6,6 @@ namespace rigor {
 
 namespace {
 
-struct Acceleration {
-  Vec3 linear = Vec3::Zero();
-  Vec3 angular = Vec3::Zero();
-};
-
-/// Newton-Euler: a = f/m, α = I⁻¹(τ - ω × I ω); zero for prescribed bodies (they move at constant
-/// velocities).
-Acceleration acceleration(const BodyKinetics& body, const Wrench& wrench) {
-  if (body.inverse_mass == 0) return {};
-  return {body.inverse_mass * wrench.f_W,
-          body.inverse_inertia * (wrench.tau_W - body.w.cross(body.inertia * body.w))};
-}
-
 /// Tangential unit vector of the slip at each contact: from u_t where there is slip, along the old one
 /// otherwise.
 Vec2 slip_direction(const Mat3& frame, const Vec3& u, const Vec3& old_slip_W, double direction_tolerance) {
@@ -63,22 +50,17 @@ CoulombProblem problem_of_modes(const ContactSystem& system, const std::vector<C
 }  // namespace
 
 VecX free_contact_accelerations(const ContactSystem& system, const std::vector<Wrench>& wrenches) {
-  std::vector<Acceleration> accelerations;
-  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
-    accelerations.push_back(acceleration(system.kinetics[b], wrenches[b]));
-  }
+  const std::vector<Vec6> of_bodies = accelerations(system, wrenches);
   VecX result(3 * static_cast<Eigen::Index>(system.contacts.size()));
   for (std::size_t i = 0; i < system.contacts.size(); ++i) {
     const Contact& contact = system.contacts[i];
+    const ContactRows& rows = system.rows[i];
     const std::size_t a = static_cast<std::size_t>(system.local_index(contact.body_A));
     const std::size_t b = static_cast<std::size_t>(system.local_index(contact.body_B));
-    const BodyKinetics& A = system.kinetics[a];
-    const BodyKinetics& B = system.kinetics[b];
-    const Vec3 p_W = contact.p_W();
-    const Vec3 of_A = accelerations[a].linear + accelerations[a].angular.cross(p_W - A.x);
-    const Vec3 of_B = accelerations[b].linear + accelerations[b].angular.cross(p_W - B.x);
-    result.segment<3>(3 * static_cast<Eigen::Index>(i)) =
-        system.frames[i].transpose() * (of_B - of_A) + acceleration_bias(contact, A, B);
+    Vec3 u = rows.A * of_bodies[a] + rows.B * of_bodies[b];
+    u += contact.stop ? rows.bias : acceleration_bias(contact, system.kinetics[a], system.kinetics[b]);
+    if (rows.mobility > 0) u[2] = -rows.load * rows.mobility;
+    result.segment<3>(3 * static_cast<Eigen::Index>(i)) = u;
   }
   return result;
 }
@@ -128,15 +110,10 @@ bool modes_have_forces(const ContactSystem& system, const std::vector<ContactSta
 }
 
 void add_contact_wrenches(const ContactSystem& system, const VecX& lambda, std::vector<Wrench>& wrenches) {
-  for (std::size_t i = 0; i < system.contacts.size(); ++i) {
-    const Contact& contact = system.contacts[i];
-    const Vec3 f_W = world_impulse(system, lambda, static_cast<int>(i));
-    const std::size_t a = static_cast<std::size_t>(system.local_index(contact.body_A));
-    const std::size_t b = static_cast<std::size_t>(system.local_index(contact.body_B));
-    wrenches[a].f_W -= f_W;
-    wrenches[a].tau_W -= (contact.p_W() - system.kinetics[a].x).cross(f_W);
-    wrenches[b].f_W += f_W;
-    wrenches[b].tau_W += (contact.p_W() - system.kinetics[b].x).cross(f_W);
+  const std::vector<Wrench> of_contacts = contact_wrenches(system, lambda);
+  for (std::size_t b = 0; b < wrenches.size(); ++b) {
+    wrenches[b].f_W += of_contacts[b].f_W;
+    wrenches[b].tau_W += of_contacts[b].tau_W;
   }
 }
 

@@ -25,6 +25,11 @@ class Environment {
     return partners_[static_cast<std::size_t>(body)];
   }
 
+  /// Dynamic bodies tied to this one by joints, gears through all bodies of theirs, ascending.
+  const std::vector<int>& joint_partners(int body) const {
+    return joint_partners_[static_cast<std::size_t>(body)];
+  }
+
   /// Position and velocity of a body as the forces need them.
   struct BodyView {
     Vec3 x, v, w;
@@ -92,6 +97,7 @@ class Environment {
   std::vector<Vec3> steady_accelerations_;
   std::vector<bool> is_forced_;
   std::vector<std::vector<int>> partners_;
+  std::vector<std::vector<int>> joint_partners_;
   std::vector<Spring> springs_;
   std::vector<std::vector<int>> springs_of_;             ///< Springs that touch each body.
   std::vector<std::vector<ConstantForce>> body_forces_;  ///< Those that do not act steadily at the centre.

@@ -37,6 +37,26 @@ Json penetration_json(const Audit& audit) {
   return json;
 }
 
+Json joint_drift_json(const Audit& audit) {
+  const AdvanceReport& report = audit.report;
+  Json json = {
+      {"max", report.max_joint_drift}, {"joint", nullptr}, {"projected", report.max_joint_projection}};
+  if (report.drift_joint >= 0)
+    json["joint"] = audit.joints[static_cast<std::size_t>(report.drift_joint)].name;
+  return json;
+}
+
+Json joints_json(const Audit& audit) {
+  Json json = Json::object();
+  for (const Audit::JointEnd& joint : audit.joints) {
+    json[joint.name] = {{"coordinates", joint.coordinates},
+                        {"rates", joint.rates},
+                        {"force", json_of(joint.force)},
+                        {"torque", json_of(joint.torque)}};
+  }
+  return json;
+}
+
 Json warnings_json(const Audit& audit) {
   Json json = Json::array();
   for (const std::string& violation : audit.violations)
@@ -80,8 +100,7 @@ std::string audit_json(const Audit& audit) {
   json["linear_momentum_error"] = audit.linear_momentum_error;
   json["angular_momentum_error"] = audit.angular_momentum_error;
   json["penetration"] = penetration_json(audit);
-  // This version has no joints, so none can drift.
-  json["joint_drift"] = {{"max", 0.0}, {"joint", nullptr}};
+  json["joint_drift"] = joint_drift_json(audit);
   json["toi_bracket"] = report.toi_bracket;
   json["solver"] = {{"max_residual", report.max_residual},
                     {"max_iterations", report.max_iterations},
@@ -89,6 +108,7 @@ std::string audit_json(const Audit& audit) {
                     {"coarse_steps", report.coarse_steps}};
   json["warnings"] = warnings_json(audit);
   json["bodies"] = bodies_json(audit);
+  if (!audit.joints.empty()) json["joints"] = joints_json(audit);
   return json_text(json);
 }
 

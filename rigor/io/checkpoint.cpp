@@ -18,7 +18,7 @@ namespace {
 // Layout, all numbers little-endian of 8 bytes: magic, fingerprint, the audit's numbers in the order of
 // visit_numbers, its warnings and violations (count, then length and bytes of each), length and bytes of the
 // serialised State, and the FNV-1a hash of everything before it.
-constexpr std::string_view magic = "RIGORCP\x02";
+constexpr std::string_view magic = "RIGORCP\x03";
 
 std::uint64_t checksum(std::string_view bytes) {
   std::uint64_t hash = 14695981039346656037ull;
@@ -39,7 +39,8 @@ void visit_numbers(Part& audit, Visit visit) {
   visit(report.penetration_time), visit(report.work), visit(report.impact_loss), visit(report.impact_gain);
   visit(report.projection_loss), visit(report.max_residual), visit(report.max_iterations),
       visit(report.fallbacks), visit(report.coarse_steps);
-  visit(report.quaternion_drift);
+  visit(report.quaternion_drift), visit(report.max_joint_drift), visit(report.drift_joint);
+  visit(report.max_joint_projection);
   for (auto* error : {&report.momentum_error, &report.angular_momentum_error}) {
     visit((*error)[0]), visit((*error)[1]), visit((*error)[2]);
   }

@@ -22,6 +22,11 @@ void AdvanceReport::add(const AdvanceReport& later) {
     penetration_B = later.penetration_B;
     penetration_time = later.penetration_time;
   }
+  if (later.max_joint_drift > max_joint_drift) {
+    max_joint_drift = later.max_joint_drift;
+    drift_joint = later.drift_joint;
+  }
+  max_joint_projection = std::max(max_joint_projection, later.max_joint_projection);
   work += later.work;
   impact_loss += later.impact_loss;
   impact_gain += later.impact_gain;

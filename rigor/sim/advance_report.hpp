@@ -43,11 +43,16 @@ struct AdvanceReport {
   int penetration_A = -1, penetration_B = -1;
   double penetration_time = 0;
 
-  double work = 0;                     ///< Supplied by kinematic bodies, torques and body-fixed forces [J].
-  double impact_loss = 0;              ///< Kinetic energy taken by impacts [J].
-  double impact_gain = 0;              ///< Energy that impacts added (Newton's law with friction can) [J].
-  double projection_loss = 0;          ///< Kinetic energy taken by the projections on the contacts [J].
-  Vec3 momentum_error = Vec3::Zero();  ///< Σ over events of ΔP minus external impulse [kg m/s].
+  double max_joint_drift = 0;  ///< Largest |g| of a joint left at the end of a step [m or 1].
+  int drift_joint = -1;        ///< Which joint that was.
+  double max_joint_projection =
+      0;  ///< Largest |g| that a step made, before positions were put back [m or 1].
+
+  double work = 0;             ///< Supplied by kinematic bodies, motors, torques and body-fixed forces [J].
+  double impact_loss = 0;      ///< Kinetic energy taken by impacts [J].
+  double impact_gain = 0;      ///< Energy that impacts added (Newton's law with friction can) [J].
+  double projection_loss = 0;  ///< Kinetic energy taken by the projections on the contacts [J].
+  Vec3 momentum_error = Vec3::Zero();          ///< Σ over events of ΔP minus external impulse [kg m/s].
   Vec3 angular_momentum_error = Vec3::Zero();  ///< The same for L about the origin of W [kg m²/s].
 
   double max_residual = 0;  ///< Of the contact problems, relative.

@@ -1,6 +1,7 @@
 #include "rigor/sim/audit.hpp"
 
 #include "rigor/math/rotation.hpp"
+#include "rigor/sim/contact_snapshot.hpp"
 
 #include <fmt/format.h>
 
@@ -56,6 +57,10 @@ Audit Auditor::audit(const State& state) const {
     audit.bodies.push_back({body.name, X_WL.p, quaternion_of(X_WL.R), linear_velocity(*model_, state, i),
                             angular_velocity(*model_, state, i)});
   }
+  for (const JointForces& forces : joint_snapshot(*model_, method_, state)) {
+    audit.joints.push_back({model_->joint(forces.joint).name, forces.coordinates, forces.rates,
+                            forces.force_W, forces.torque_W});
+  }
   judge(audit);
   return audit;
 }
@@ -74,6 +79,8 @@ void Auditor::judge(Audit& audit) const {
   check("error of linear momentum", audit.linear_momentum_error, share * momentum_scale_, "kg m/s");
   check("error of angular momentum", audit.angular_momentum_error, share * angular_momentum_scale_,
         "kg m²/s");
+  check("drift of joints", audit.report.max_joint_drift, 1e-9 * std::max(1.0, model_->length_scale()),
+        "m or rad");
   check("penetration", audit.report.max_penetration, method_.contact_tolerance, "m");
 
   if (audit.report.impact_gain > 1e-12 * energy_scale_) {

@@ -33,6 +33,13 @@ struct Audit {
     Vec3 angular_velocity;  ///< In W [rad/s].
   };
   std::vector<BodyEnd> bodies;
+  struct JointEnd {
+    std::string name;
+    std::vector<double> coordinates;  ///< [rad] or [m].
+    std::vector<double> rates;        ///< [rad/s] or [m/s].
+    Vec3 force, torque;  ///< Reaction on the second body, about the joint's anchor on it [N], [N m].
+  };
+  std::vector<JointEnd> joints;
   std::vector<std::string> warnings;
   /// What is outside its tolerance, each with its value and the bound; empty: the run can be trusted.
   std::vector<std::string> violations;

@@ -1,10 +1,12 @@
 #include "rigor/sim/cluster.hpp"
 
+#include "rigor/contact/joint_stops.hpp"
 #include "rigor/core/assert.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -98,8 +100,11 @@ std::vector<Cluster> connected_parts(const Cluster& cluster, const std::vector<C
     partition.join(place_of(cluster.bodies, contact.body_A), place_of(cluster.bodies, contact.body_B));
   }
   for (std::size_t i = 0; i < cluster.bodies.size(); ++i) {
-    for (const int partner : environment.spring_partners(cluster.bodies[i])) {
-      if (holds(cluster.bodies, partner)) partition.join(i, place_of(cluster.bodies, partner));
+    for (const std::vector<int>* partners :
+         {&environment.spring_partners(cluster.bodies[i]), &environment.joint_partners(cluster.bodies[i])}) {
+      for (const int partner : *partners) {
+        if (holds(cluster.bodies, partner)) partition.join(i, place_of(cluster.bodies, partner));
+      }
     }
   }
   std::map<std::size_t, Cluster> parts;
@@ -129,14 +134,64 @@ ContactResolver::ContactResolver(const Model& model, const IslandIntegrator& int
       contact_tolerance_(method.contact_tolerance) {}
 
 ContactSystem ContactResolver::system_of(const Cluster& cluster, const std::vector<Contact>& contacts) const {
-  std::vector<int> bodies = bodies_of(contacts, cluster.bodies);
-  std::vector<BodyKinetics> kinetics;
-  for (const int body : bodies) {
-    kinetics.push_back(holds(cluster.bodies, body)
-                           ? dynamic_kinetics(model_.body(body), cluster.phase_of(body))
-                           : prescribed_kinetics(model_.body(body), cluster.t));
+  return integrator_.system_of(cluster.t, cluster.bodies, cluster.phases, contacts);
+}
+
+std::vector<Contact> ContactResolver::stops_of(const Cluster& cluster) const {
+  const std::vector<int> joints = integrator_.joints_of(cluster.bodies);
+  if (joints.empty()) return {};
+  const ContactSystem system = system_of(cluster, {});
+  return joint_stops(model_, joints, system.bodies, system.kinetics, contact_tolerance_);
+}
+
+void ContactResolver::project_joints(double t, const std::vector<int>& bodies, std::vector<BodyPhase>& phases,
+                                     AdvanceReport& report) const {
+  if (integrator_.joints_of(bodies).empty()) return;
+  constexpr int most_iterations = 8;
+  constexpr double rounding = 1e-15;
+  double last = std::numeric_limits<double>::infinity();
+  std::vector<BodyPhase> best = phases;
+  for (int iteration = 0; iteration <= most_iterations; ++iteration) {
+    const ContactSystem system = integrator_.system_of(t, bodies, phases, {});
+    const auto [residual, joint] = system.joints->largest_residual();
+    if (iteration == 0) report.max_joint_projection = std::max(report.max_joint_projection, residual);
+    const bool is_better = residual < last;
+    if (is_better) {
+      last = residual;
+      best = phases;
+    }
+    if (!is_better || residual <= rounding * model_.length_scale() || iteration == most_iterations) {
+      if (last > report.max_joint_drift) {
+        report.max_joint_drift = last;
+        report.drift_joint = joint;
+      }
+      break;
+    }
+    const JointSystem::Response moved = system.joints->respond(
+        std::vector<Vec6>(system.bodies.size(), Vec6::Zero()), -system.joints->residuals());
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      const Vec6& delta = moved.a[static_cast<std::size_t>(system.local_index(bodies[i]))];
+      phases[i].x += delta.head<3>();
+      phases[i].q = (rotation_exp(delta.tail<3>()) * phases[i].q).normalized();
+    }
   }
-  return make_contact_system(contacts, std::move(bodies), std::move(kinetics));
+  phases = std::move(best);
+}
+
+void ContactResolver::project_joint_velocities(Cluster& cluster, AdvanceReport& report) const {
+  if (integrator_.joints_of(cluster.bodies).empty()) return;
+  const ContactSystem system = system_of(cluster, {});
+  const Totals before = totals(model_, cluster);
+  const std::vector<Wrench> none(system.bodies.size());
+  const JointReactions reactions = joint_impulses(system, none, -system.joints->rate_errors());
+  add_to_momenta(system, reactions.wrenches, cluster);
+  const Wrench external = external_wrench(system, VecX(), reactions.lambda);
+  const double work = system.joints->supplied_power(reactions.lambda);
+  const Totals after = totals(model_, cluster);
+  report.work += work;
+  report.projection_loss += before.T - after.T + work;
+  report.momentum_error += after.P - before.P - external.f_W;
+  report.angular_momentum_error += after.L - before.L - external.tau_W;
 }
 
 bool ContactResolver::project_positions(Cluster& cluster) const {
@@ -186,32 +241,46 @@ std::vector<double> ContactResolver::restitutions(const Cluster& cluster, const 
   return result;
 }
 
+void ContactResolver::add_to_momenta(const ContactSystem& system, const std::vector<Wrench>& impulses,
+                                     Cluster& cluster) const {
+  for (std::size_t i = 0; i < cluster.bodies.size(); ++i) {
+    const Wrench& impulse = impulses[static_cast<std::size_t>(system.local_index(cluster.bodies[i]))];
+    cluster.phases[i].P += impulse.f_W;
+    cluster.phases[i].L += impulse.tau_W;
+  }
+}
+
 void ContactResolver::add_impulses(const ContactSystem& system, const VecX& lambda, const VecX& moments,
                                    Cluster& cluster, AdvanceReport& report) const {
   const Totals before = totals(model_, cluster);
-  Vec3 impulse = Vec3::Zero(), angular_impulse = Vec3::Zero();
-  const auto push = [&](int body, const Vec3& p_W, const Vec3& j_W, const Vec3& l_W) {
-    if (!holds(cluster.bodies, body)) {
-      impulse -= j_W;
-      angular_impulse -= p_W.cross(j_W) + l_W;
-      report.work -= l_W.dot(system.of(body).w);
-      return;
+  std::vector<Wrench> impulses = contact_wrenches(system, lambda);
+  Wrench external;
+  for (Eigen::Index i = 0; 3 * i < moments.size(); ++i) {
+    const Contact& contact = system.contacts[static_cast<std::size_t>(i)];
+    const Vec3 l_W = world_impulse(system, moments, static_cast<int>(i));
+    for (const auto& [body, sign] : {std::pair{contact.body_A, -1.0}, std::pair{contact.body_B, 1.0}}) {
+      impulses[static_cast<std::size_t>(system.local_index(body))].tau_W += sign * l_W;
+      if (holds(cluster.bodies, body)) continue;
+      external.tau_W -= sign * l_W;
+      report.work -= sign * l_W.dot(system.of(body).w);
     }
-    BodyPhase& phase = cluster.phase_of(body);
-    phase.P += j_W;
-    phase.L += (p_W - phase.x).cross(j_W) + l_W;
-  };
-  for (std::size_t i = 0; i < system.contacts.size(); ++i) {
-    const Contact& contact = system.contacts[i];
-    const Vec3 j_W = world_impulse(system, lambda, static_cast<int>(i));
-    Vec3 l_W = Vec3::Zero();
-    if (moments.size() > 0) l_W = world_impulse(system, moments, static_cast<int>(i));
-    push(contact.body_A, contact.p_W(), -j_W, -l_W);
-    push(contact.body_B, contact.p_W(), j_W, l_W);
   }
+  VecX joint_lambda;
+  if (system.joints) {
+    const JointReactions reactions =
+        joint_impulses(system, impulses, VecX::Zero(system.joints->residuals().size()));
+    for (std::size_t b = 0; b < impulses.size(); ++b) {
+      impulses[b].f_W += reactions.wrenches[b].f_W;
+      impulses[b].tau_W += reactions.wrenches[b].tau_W;
+    }
+    joint_lambda = reactions.lambda;
+    report.work += system.joints->supplied_power(joint_lambda);
+  }
+  add_to_momenta(system, impulses, cluster);
+  const Wrench of_contacts = external_wrench(system, lambda, joint_lambda);
   const Totals after = totals(model_, cluster);
-  report.momentum_error += after.P - before.P - impulse;
-  report.angular_momentum_error += after.L - before.L - angular_impulse;
+  report.momentum_error += after.P - before.P - external.f_W - of_contacts.f_W;
+  report.angular_momentum_error += after.L - before.L - external.tau_W - of_contacts.tau_W;
   report.work += work_of_prescribed(system, lambda);
 }
 
@@ -232,9 +301,13 @@ bool ContactResolver::apply_impulses(Cluster& cluster, AdvanceReport& report) co
   const double still = 1e-6 * resting_velocity_;
   double first_approach = 0, last_approach = -std::numeric_limits<double>::infinity();
   int stalls = 0;
+  // Forces that have a largest value do nothing in no time.
+  std::vector<Contact> colliding;
+  std::copy_if(cluster.contacts.begin(), cluster.contacts.end(), std::back_inserter(colliding),
+               [](const Contact& contact) { return !contact.is_bounded_force(); });
   for (int pass = 0; pass < most_passes; ++pass) {
-    if (cluster.contacts.empty()) return true;
-    const ContactSystem system = system_of(cluster, cluster.contacts);
+    if (colliding.empty()) return true;
+    const ContactSystem system = system_of(cluster, colliding);
     const VecX u = relative_velocities(system);
     double approach = 0;
     for (Eigen::Index row = 2; row < u.size(); row += 3) approach = std::min(approach, u[row]);
@@ -266,11 +339,14 @@ bool ContactResolver::apply_impulses(Cluster& cluster, AdvanceReport& report) co
     std::map<std::pair<int, int>, MotionEvent> events;
     for (std::size_t i = 0; i < system.contacts.size(); ++i) {
       const Contact& contact = system.contacts[i];
-      const Vec3 j_W = world_impulse(system, impact.lambda, static_cast<int>(i));
-      if (j_W.isZero(0)) continue;
+      const Vec3 own = impact.lambda.segment<3>(3 * static_cast<Eigen::Index>(i));
+      if (own.isZero(0)) continue;
+      const Vec3 j_W = contact.stop ? Vec3(system.rows[i].B.leftCols<3>().transpose() * own)
+                                    : world_impulse(system, impact.lambda, static_cast<int>(i));
+      const int other = contact.body_B == contact.body_A ? -1 : contact.body_B;
       const auto [place, is_new] = events.try_emplace(
-          {contact.body_A, contact.body_B}, MotionEvent{MotionEvent::Kind::impact, cluster.t, contact.body_A,
-                                                        contact.body_B, contact.p_W(), Vec3::Zero()});
+          {contact.body_A, other}, MotionEvent{MotionEvent::Kind::impact, cluster.t, contact.body_A, other,
+                                               contact.p_W(), Vec3::Zero()});
       place->second.j_W += j_W;
     }
     for (const auto& [pair, event] : events) {
@@ -335,6 +411,13 @@ bool ContactResolver::is_balanced(const Cluster& cluster, const LastingContacts&
   if (!lasting.contacts.empty())
     add_contact_wrenches(system, contact_forces(system, lasting.states, free, cluster.slip_tolerance),
                          wrenches);
+  if (system.joints) {
+    const JointReactions reactions = joint_reactions(system, wrenches);
+    for (std::size_t b = 0; b < wrenches.size(); ++b) {
+      wrenches[b].f_W += reactions.wrenches[b].f_W;
+      wrenches[b].tau_W += reactions.wrenches[b].tau_W;
+    }
+  }
   // What is left is rounding of what was balanced.
   constexpr double rounding = 1e-11;
   double largest = 0, left = 0;

@@ -25,7 +25,8 @@ struct Cluster {
 };
 
 /// Parts of a cluster that are joined neither by contacts (of the given list) between dynamic bodies nor by
-/// springs, in the order of their first bodies. Each takes its own contacts along, from the given list.
+/// joints or springs, in the order of their first bodies. Each takes its own contacts along, from the given
+/// list.
 std::vector<Cluster> connected_parts(const Cluster& cluster, const std::vector<Contact>& contacts,
                                      const Environment& environment);
 
@@ -43,6 +44,15 @@ class ContactResolver {
  public:
   ContactResolver(const Model& model, const IslandIntegrator& integrator, const Method& method);
 
+  /// Stops of the joints of the cluster's bodies: limits that are reached, dry friction, motors.
+  std::vector<Contact> stops_of(const Cluster& cluster) const;
+  /// Puts bodies back to where their joints hold, by the smallest displacements in the metric of the mass
+  /// matrix (Newton's method); the momenta stay. One phase a body, of dynamic bodies with all that are
+  /// jointed to them.
+  void project_joints(double t, const std::vector<int>& bodies, std::vector<BodyPhase>& phases,
+                      AdvanceReport& report) const;
+  /// Puts velocities back to what the joints allow: the projection in the metric of the mass matrix.
+  void project_joint_velocities(Cluster& cluster, AdvanceReport& report) const;
   /// Puts bodies that overlap noticeably back to touching, by the smallest displacement in the metric of the
   /// mass matrix; the momenta stay. Returns whether anything moved: then the contacts must be found anew.
   bool project_positions(Cluster& cluster) const;
@@ -59,6 +69,9 @@ class ContactResolver {
   ContactSystem system_of(const Cluster& cluster, const std::vector<Contact>& contacts) const;
 
  private:
+  /// Adds these impulses on the bodies of the system (of prescribed ones none) to the momenta.
+  void add_to_momenta(const ContactSystem& system, const std::vector<Wrench>& impulses,
+                      Cluster& cluster) const;
   /// Ends an approach slower than any impact (what the error of a step leaves at a lasting contact): the
   /// nearest velocities in the metric of the mass matrix at which nothing approaches.
   void settle(const ContactSystem& system, const VecX& u, Cluster& cluster, AdvanceReport& report) const;

@@ -1,6 +1,7 @@
 #include "rigor/sim/contact_snapshot.hpp"
 
 #include "rigor/contact/contact_kinematics.hpp"
+#include "rigor/contact/joint_stops.hpp"
 #include "rigor/contact/resting.hpp"
 #include "rigor/sim/cluster.hpp"
 #include "rigor/sim/near_pairs.hpp"
@@ -32,17 +33,6 @@ Cluster touching_bodies(const Model& model, const Method& method, const State& s
   return cluster;
 }
 
-ContactSystem system_of(const Model& model, const Cluster& part, const std::vector<Contact>& contacts) {
-  std::vector<int> bodies = bodies_of(contacts, part.bodies);
-  std::vector<BodyKinetics> kinetics;
-  for (const int body : bodies) {
-    kinetics.push_back(model.body(body).motion == MotionType::dynamic
-                           ? dynamic_kinetics(model.body(body), part.phase_of(body))
-                           : prescribed_kinetics(model.body(body), part.t));
-  }
-  return make_contact_system(contacts, std::move(bodies), std::move(kinetics));
-}
-
 TouchingPoint unsolved_point(const ContactSystem& system, std::size_t i) {
   const Contact& contact = system.contacts[i];
   const Vec3 u = relative_velocity(contact, system.of(contact.body_A), system.of(contact.body_B));
@@ -67,9 +57,9 @@ TouchingPoint::Mode mode_of(ContactMode mode) {
 }
 
 /// The points of one group of bodies, with forces at those that do not part.
-std::vector<TouchingPoint> points_of(const Model& model, const Method& method,
-                                     const IslandIntegrator& integrator, const Cluster& part) {
-  const ContactSystem touching = system_of(model, part, part.contacts);
+std::vector<TouchingPoint> points_of(const Method& method, const IslandIntegrator& integrator,
+                                     const Cluster& part) {
+  const ContactSystem touching = integrator.system_of(part.t, part.bodies, part.phases, part.contacts);
   const double parting = 1e-3 * method.resting_velocity;
   std::vector<TouchingPoint> points;
   std::vector<std::size_t> pressed;
@@ -89,7 +79,7 @@ std::vector<TouchingPoint> points_of(const Model& model, const Method& method,
   }
   if (candidates.empty()) return points;
 
-  const ContactSystem system = system_of(model, part, candidates);
+  const ContactSystem system = integrator.system_of(part.t, part.bodies, part.phases, candidates);
   const RestingSolution resting =
       solve_resting(system, integrator.environment_wrenches(system, part.t), part.slip_tolerance);
   for (std::size_t k = 0; k < pressed.size(); ++k) {
@@ -100,7 +90,59 @@ std::vector<TouchingPoint> points_of(const Model& model, const Method& method,
   return points;
 }
 
+/// Forces of the joints of one group, with its contacts.
+void add_joint_forces(const Model& model, const Method& method, const IslandIntegrator& integrator,
+                      const Cluster& part, std::vector<JointForces>& result) {
+  constexpr Eigen::Index most_rows = 600;
+  const std::vector<int> joints = integrator.joints_of(part.bodies);
+  if (joints.empty()) return;
+  ContactSystem system = integrator.system_of(part.t, part.bodies, part.phases, part.contacts);
+  const double parting = 1e-3 * method.resting_velocity;
+  const VecX u = relative_velocities(system);
+  std::vector<Contact> lasting =
+      joint_stops(model, joints, system.bodies, system.kinetics, method.contact_tolerance);
+  for (std::size_t i = 0; i < part.contacts.size(); ++i) {
+    if (u[3 * static_cast<Eigen::Index>(i) + 2] <= parting) lasting.push_back(part.contacts[i]);
+  }
+  system = integrator.system_of(part.t, part.bodies, part.phases, lasting);
+  std::vector<Wrench> wrenches = integrator.environment_wrenches(system, part.t);
+  if (!lasting.empty() && lasting.size() <= most_contacts_of_group) {
+    const RestingSolution resting = solve_resting(system, wrenches, part.slip_tolerance);
+    add_contact_wrenches(system, resting.forces.lambda, wrenches);
+  }
+  VecX lambda = joint_reactions(system, wrenches).lambda;
+  if (lambda.size() <= most_rows) lambda = system.joints->least_norm(lambda, model.length_scale());
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const Joint& joint = model.joint(joints[i]);
+    const BodyMotion A = motion_of(joint.body_A, system.bodies, system.kinetics);
+    const BodyMotion B = motion_of(joint.body_B, system.bodies, system.kinetics);
+    JointForces& forces = result[static_cast<std::size_t>(joints[i])];
+    forces.p_W = B.x + B.R * joint.X_BK.p;
+    const Wrench reaction = system.joints->reaction(i, lambda);
+    forces.force_W = reaction.f_W;
+    forces.torque_W = reaction.tau_W;
+    forces.residual = system.joints->residual(i);
+    for (int k = 0; k < static_cast<int>(joint.axes.size()); ++k) {
+      const JointCoordinate coordinate = joint_coordinate(joint, k, A, B);
+      forces.coordinates.push_back(coordinate.value);
+      forces.rates.push_back(coordinate.rate);
+    }
+  }
+}
+
 }  // namespace
+
+std::vector<JointForces> joint_snapshot(const Model& model, const Method& method, const State& state) {
+  std::vector<JointForces> result;
+  for (int j = 0; j < static_cast<int>(model.joints().size()); ++j) result.push_back({.joint = j});
+  if (result.empty()) return result;
+  const Environment environment(model);
+  const IslandIntegrator integrator(model, environment, method);
+  const Cluster cluster = touching_bodies(model, method, state);
+  for (const Cluster& part : connected_parts(cluster, cluster.contacts, environment))
+    add_joint_forces(model, method, integrator, part, result);
+  return result;
+}
 
 std::vector<TouchingPoint> contact_snapshot(const Model& model, const Method& method, const State& state) {
   const Environment environment(model);
@@ -109,7 +151,7 @@ std::vector<TouchingPoint> contact_snapshot(const Model& model, const Method& me
   std::vector<TouchingPoint> points;
   for (const Cluster& part : connected_parts(cluster, cluster.contacts, environment)) {
     if (part.contacts.empty()) continue;
-    const std::vector<TouchingPoint> of_part = points_of(model, method, integrator, part);
+    const std::vector<TouchingPoint> of_part = points_of(method, integrator, part);
     points.insert(points.end(), of_part.begin(), of_part.end());
   }
   std::stable_sort(points.begin(), points.end(), [](const TouchingPoint& a, const TouchingPoint& b) {

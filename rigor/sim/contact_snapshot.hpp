@@ -31,4 +31,19 @@ struct TouchingPoint {
 /// is no part of one.
 std::vector<TouchingPoint> contact_snapshot(const Model& model, const Method& method, const State& state);
 
+/// What a joint does at an instant.
+struct JointForces {
+  int joint;                        ///< Model index.
+  Vec3 p_W = Vec3::Zero();          ///< Its anchor on B [m].
+  Vec3 force_W = Vec3::Zero();      ///< Reaction of its rows on B [N]; of least norm where joints hold twice.
+  Vec3 torque_W = Vec3::Zero();     ///< About the anchor, on B [N m].
+  std::vector<double> coordinates;  ///< [rad] or [m].
+  std::vector<double> rates;        ///< [rad/s] or [m/s].
+  double residual = 0;              ///< Largest |g| [m or 1].
+};
+
+/// All joints of the model, in its order. Groups of more than 600 rows get the forces of the tree that the
+/// solver chose instead of those of least norm. A function of its arguments alone, like contact_snapshot.
+std::vector<JointForces> joint_snapshot(const Model& model, const Method& method, const State& state);
+
 }  // namespace rigor

@@ -210,7 +210,12 @@ Cluster EventDrivenStepper::compute_new_body_states(const std::vector<int>& seed
              std::tie(b.body_A, b.body_B, b.shape_A, b.shape_B, b.point.feature);
     });
   };
-  put_in_order();
+  const auto add_stops = [&] {
+    const std::vector<Contact> stops = resolver_.stops_of(cluster);
+    cluster.contacts.insert(cluster.contacts.end(), stops.begin(), stops.end());
+    put_in_order();
+  };
+  add_stops();
   note_penetration(cluster.contacts);
   // Other features may meet where the bodies are moved to.
   constexpr int most_projections = 4;
@@ -219,7 +224,7 @@ Cluster EventDrivenStepper::compute_new_body_states(const std::vector<int>& seed
     visited.clear();
     for (std::size_t i = 0; i < cluster.bodies.size(); ++i)
       find_touching(cluster.bodies[i], cluster, visited);
-    put_in_order();
+    add_stops();
   }
   return cluster;
 }
@@ -250,6 +255,7 @@ void EventDrivenStepper::finish_island(int number, Cluster& cluster) {
   } else {
     step.end = running.island.start;
   }
+  resolver_.project_joints(t_, running.island.bodies, step.end, report_);
   Vec3 P = Vec3::Zero(), L = Vec3::Zero();
   for (std::size_t i = 0; i < running.island.bodies.size(); ++i) {
     const int body = running.island.bodies[i];
@@ -284,6 +290,7 @@ void EventDrivenStepper::find_touching(int body, Cluster& cluster, std::set<std:
     return {rotation_matrix(phase.q), phase.x};
   };
   for (const int partner : environment_.spring_partners(body)) add_body(partner, cluster);
+  for (const int partner : environment_.joint_partners(body)) add_body(partner, cluster);
   for (const int other : trajectories_.neighbours(body, t_, method_.contact_tolerance)) {
     if (!visited.insert(std::minmax(body, other)).second) continue;
     const auto [a, b] = std::minmax(body, other);
@@ -314,6 +321,7 @@ void EventDrivenStepper::apply_forces(Cluster& cluster) {
     const bool is_at_velocity_level = stepping_.is_at_velocity_level(part.bodies) && !part.contacts.empty();
     // There the approach is what closes the gaps within a step.
     part.least_impact = (is_at_velocity_level ? 1 : 1e-3) * method_.resting_velocity;
+    resolver_.project_joint_velocities(part, report_);
     if (!resolver_.apply_impulses(part, report_)) {
       report_.reason = StopReason::impact_unsolved;
       report_.bodies = part.bodies;
@@ -324,8 +332,9 @@ void EventDrivenStepper::apply_forces(Cluster& cluster) {
     if (!lasting.have_forces) stepping_.go_to_velocity_level(part.bodies);
     if (is_at_velocity_level || !lasting.have_forces) {
       // Steps at velocity level take all contacts, whatever they do: their problem decides again.
-      for (const Contact& contact : part.contacts)
-        trajectories_.set_lasting_contact(contact.body_A, contact.body_B);
+      for (const Contact& contact : part.contacts) {
+        if (!contact.stop) trajectories_.set_lasting_contact(contact.body_A, contact.body_B);
+      }
       begin_step(
           {part.bodies, part.phases, part.contacts, std::vector<ContactState>(part.contacts.size()), t_});
     } else {
@@ -335,11 +344,17 @@ void EventDrivenStepper::apply_forces(Cluster& cluster) {
   note_transitions(lasting_before, cluster);
 }
 
+/// Whether contacts or joints hold the bodies of a group.
+bool EventDrivenStepper::is_held(const Cluster& group, const LastingContacts& lasting) const {
+  return !lasting.contacts.empty() || !integrator_.joints_of(group.bodies).empty();
+}
+
 /// Gives the bodies of a part their motion to the next event: at rest, in flight, or by steps with their
 /// contacts.
 void EventDrivenStepper::move_together(const Cluster& part, const LastingContacts& lasting) {
-  for (const Contact& contact : lasting.contacts)
-    trajectories_.set_lasting_contact(contact.body_A, contact.body_B);
+  for (const Contact& contact : lasting.contacts) {
+    if (!contact.stop) trajectories_.set_lasting_contact(contact.body_A, contact.body_B);
+  }
   for (const Cluster& group : connected_parts(part, lasting.contacts, environment_)) {
     LastingContacts of_group{group.contacts, {}};
     // Both lists keep the order of the contacts.
@@ -363,7 +378,7 @@ void EventDrivenStepper::move_together(const Cluster& part, const LastingContact
                                                          environment_.steady_acceleration(body)),
                                               inertia(body)),
                                t_);
-    } else if (!of_group.contacts.empty() && resolver_.is_balanced(group, of_group)) {
+    } else if (is_held(group, of_group) && resolver_.is_balanced(group, of_group)) {
       for (std::size_t i = 0; i < group.bodies.size(); ++i) {
         const BodyPhase rest{group.phases[i].x, group.phases[i].q, Vec3::Zero(), Vec3::Zero()};
         trajectories_.set_motion(group.bodies[i], Motion::at_rest(rest, t_), t_);
@@ -382,6 +397,9 @@ void EventDrivenStepper::begin_step(Island island) {
       if (!is_dynamic(body)) h = std::min(h, trajectories_.motion(body).end() - t_);
     }
   }
+  for (const int body : integrator_.jointed_prescribed(island.bodies))
+    h = std::min(h, trajectories_.motion(body).end() - t_);
+  integrator_.choose_joint_rows(island);
   RunningIsland running = stepping_.take_step(std::move(island), h, report_);
   const bool is_whole = !running.change && running.step.h == t_end_ - t_;
   running.end = is_whole ? t_end_ : t_ + running.step.h;
@@ -420,7 +438,7 @@ bool EventDrivenStepper::time_stands_still(const std::vector<int>& seeds) {
 
 void EventDrivenStepper::note_penetration(const std::vector<Contact>& contacts) {
   for (const Contact& contact : contacts) {
-    if (-contact.point.gap <= report_.max_penetration) continue;
+    if (contact.stop || -contact.point.gap <= report_.max_penetration) continue;
     report_.max_penetration = -contact.point.gap;
     report_.penetration_A = contact.body_A;
     report_.penetration_B = contact.body_B;
@@ -432,7 +450,9 @@ void EventDrivenStepper::note_penetration(const std::vector<Contact>& contacts) 
 void EventDrivenStepper::note_transitions(const std::set<std::pair<int, int>>& before,
                                           const Cluster& cluster) {
   std::set<std::pair<int, int>> pairs;
-  for (const Contact& contact : cluster.contacts) pairs.insert({contact.body_A, contact.body_B});
+  for (const Contact& contact : cluster.contacts) {
+    if (!contact.stop) pairs.insert({contact.body_A, contact.body_B});
+  }
   for (const auto& [a, b] : pairs) {
     const bool was = before.contains({a, b}), is = trajectories_.has_lasting_contact(a, b);
     if (was == is) continue;

@@ -52,6 +52,7 @@ class EventDrivenStepper {
   void add_body(int body, Cluster& cluster);
   void finish_island(int number, Cluster& cluster);
   void find_touching(int body, Cluster& cluster, std::set<std::pair<int, int>>& visited);
+  bool is_held(const Cluster& group, const LastingContacts& lasting) const;
   void move_together(const Cluster& part, const LastingContacts& lasting);
   void begin_step(Island island);
   void renew_prescribed(int body);

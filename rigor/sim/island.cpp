@@ -76,6 +76,7 @@ struct IslandIntegrator::Load {
 IslandIntegrator::IslandIntegrator(const Model& model, const Environment& environment, const Method& method)
     : model_(model),
       environment_(environment),
+      joints_by_body_(joints_by_body(model)),
       integrator_(integrator_of(method.integrator)),
       orientation_(method.orientation),
       tolerance_(method.tolerance),
@@ -90,17 +91,73 @@ double slip_tolerance(const Method& method) {
   return 1e-6 * method.resting_velocity;
 }
 
-ContactSystem IslandIntegrator::contact_system(const Island& island, double t,
-                                               std::span<const BodyPhase> phases) const {
-  const std::vector<int> bodies = bodies_of(island.contacts, island.bodies);
-  std::vector<BodyKinetics> kinetics;
+std::vector<int> IslandIntegrator::joints_of(const std::vector<int>& bodies) const {
+  std::vector<int> joints;
   for (const int body : bodies) {
-    if (holds(island.bodies, body)) {
-      kinetics.push_back(dynamic_kinetics(model_.body(body), phases[place_of(island.bodies, body)]));
-    } else {
-      kinetics.push_back(prescribed_kinetics(model_.body(body), t));
+    const std::vector<int>& own = joints_by_body_[static_cast<std::size_t>(body)];
+    joints.insert(joints.end(), own.begin(), own.end());
+  }
+  std::sort(joints.begin(), joints.end());
+  joints.erase(std::unique(joints.begin(), joints.end()), joints.end());
+  return joints;
+}
+
+std::vector<int> IslandIntegrator::bodies_of_joints(const std::vector<int>& joints) const {
+  std::vector<int> bodies;
+  for (const int joint : joints) {
+    std::vector<int> sources{joint};
+    if (model_.joint(joint).type == JointType::gear)
+      sources = {model_.joint(joint).first_joint, model_.joint(joint).second_joint};
+    for (const int source : sources) {
+      for (const int body : {model_.joint(source).body_A, model_.joint(source).body_B}) {
+        if (body != world_body) bodies.push_back(body);
+      }
     }
   }
+  std::sort(bodies.begin(), bodies.end());
+  bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+  return bodies;
+}
+
+std::vector<int> IslandIntegrator::jointed_prescribed(const std::vector<int>& bodies) const {
+  std::vector<int> result = bodies_of_joints(joints_of(bodies));
+  std::erase_if(result, [this](int body) { return model_.body(body).motion == MotionType::dynamic; });
+  return result;
+}
+
+IslandIntegrator::Bodies IslandIntegrator::bodies_at(double t, const std::vector<int>& bodies,
+                                                     std::span<const BodyPhase> phases,
+                                                     const std::vector<Contact>& contacts,
+                                                     const std::vector<int>& joints) const {
+  std::vector<int> others = bodies_of_joints(joints);
+  others.insert(others.end(), bodies.begin(), bodies.end());
+  Bodies result{bodies_of(contacts, others), {}};
+  for (const int body : result.indices) {
+    result.kinetics.push_back(holds(bodies, body)
+                                  ? dynamic_kinetics(model_.body(body), phases[place_of(bodies, body)])
+                                  : prescribed_kinetics(model_.body(body), t));
+  }
+  return result;
+}
+
+ContactSystem IslandIntegrator::system_of(double t, const std::vector<int>& bodies,
+                                          std::span<const BodyPhase> phases, std::vector<Contact> contacts,
+                                          const JointSystem::RowChoice* choice) const {
+  std::vector<int> joints = joints_of(bodies);
+  Bodies all = bodies_at(t, bodies, phases, contacts, joints);
+  return make_contact_system(model_, std::move(contacts), std::move(all.indices), std::move(all.kinetics),
+                             std::move(joints), choice);
+}
+
+void IslandIntegrator::choose_joint_rows(Island& island) const {
+  const ContactSystem system = system_of(island.begin, island.bodies, island.start, {});
+  if (system.joints) island.joint_rows = system.joints->choice();
+}
+
+ContactSystem IslandIntegrator::contact_system(const Island& island, double t,
+                                               std::span<const BodyPhase> phases) const {
+  std::vector<int> joints = joints_of(island.bodies);
+  Bodies all = bodies_at(t, island.bodies, phases, island.contacts, joints);
   std::vector<Contact> contacts = island.contacts;
   if (t != island.begin) {
     const auto pose_at_begin = [&](int body) {
@@ -108,13 +165,15 @@ ContactSystem IslandIntegrator::contact_system(const Island& island, double t,
                                         : prescribed_kinetics(model_.body(body), island.begin).pose();
     };
     for (Contact& contact : contacts) {
+      if (contact.stop) continue;
       contact.point =
           tracked_contact(model_, contact, pose_at_begin(contact.body_A), pose_at_begin(contact.body_B),
-                          kinetics[place_of(bodies, contact.body_A)].pose(),
-                          kinetics[place_of(bodies, contact.body_B)].pose());
+                          all.kinetics[place_of(all.indices, contact.body_A)].pose(),
+                          all.kinetics[place_of(all.indices, contact.body_B)].pose());
     }
   }
-  return make_contact_system(std::move(contacts), bodies, std::move(kinetics));
+  return make_contact_system(model_, std::move(contacts), std::move(all.indices), std::move(all.kinetics),
+                             std::move(joints), island.joint_rows ? &*island.joint_rows : nullptr);
 }
 
 std::vector<Wrench> IslandIntegrator::environment_wrenches(const ContactSystem& system, double t) const {
@@ -149,20 +208,31 @@ IslandIntegrator::Load IslandIntegrator::load(const Island& island, double t,
     load.external.tau_W += wrenches[b].tau_W + system.kinetics[b].x.cross(wrenches[b].f_W);
     load.power += environment_.supplied_power(system.bodies[b], view_of(system.kinetics[b]));
   }
+  VecX lambda, joint_lambda;
   if (!island.contacts.empty()) {
-    std::vector<Wrench> of_environment = wrenches;
+    const std::vector<Wrench> of_environment = wrenches;
     wrenches = with_moments(system, island.states, std::move(wrenches));
     load.power += moment_power_of_prescribed(system, of_environment, wrenches);
-    const VecX lambda = contact_forces(system, island.states, wrenches, direction_tolerance_);
+    // Moments on prescribed bodies leave the island: their opposites are external to it.
+    for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+      if (system.kinetics[b].inverse_mass == 0) load.external.tau_W -= wrenches[b].tau_W;
+    }
+    lambda = contact_forces(system, island.states, wrenches, direction_tolerance_);
     add_contact_wrenches(system, lambda, wrenches);
     load.power += work_of_prescribed(system, lambda);
-    // Contact forces on prescribed bodies leave the island: their opposites are external to it.
-    for (std::size_t b = 0; b < system.bodies.size(); ++b) {
-      if (system.kinetics[b].inverse_mass != 0) continue;
-      load.external.f_W -= wrenches[b].f_W;
-      load.external.tau_W -= wrenches[b].tau_W + system.kinetics[b].x.cross(wrenches[b].f_W);
-    }
   }
+  if (system.joints) {
+    const JointReactions reactions = joint_reactions(system, wrenches);
+    for (std::size_t b = 0; b < wrenches.size(); ++b) {
+      wrenches[b].f_W += reactions.wrenches[b].f_W;
+      wrenches[b].tau_W += reactions.wrenches[b].tau_W;
+    }
+    joint_lambda = reactions.lambda;
+    load.power += system.joints->supplied_power(joint_lambda);
+  }
+  const Wrench external = external_wrench(system, lambda, joint_lambda);
+  load.external.f_W += external.f_W;
+  load.external.tau_W += external.tau_W;
   for (const int body : island.bodies) load.wrenches.push_back(wrenches[place_of(system.bodies, body)]);
   return load;
 }
@@ -217,6 +287,35 @@ IslandStep IslandIntegrator::step(const Island& island, double h) const {
   return result;
 }
 
+namespace {
+
+/// 0 ≤ λ_n ⊥ u_n⁺ + gap/h ≥ 0 with friction against u_t⁺; forces with a largest value act all through h.
+CoulombProblem implicit_problem(const ContactSystem& system, double h) {
+  const std::size_t count = system.contacts.size();
+  CoulombProblem problem{delassus(system),
+                         relative_velocities(system),
+                         {},
+                         std::vector<FrictionRow>(count, FrictionRow::cone),
+                         std::vector<Vec2>(count, Vec2::Zero())};
+  for (std::size_t i = 0; i < count; ++i) {
+    const Contact& contact = system.contacts[i];
+    problem.mu.push_back(contact.friction);
+    problem.b[3 * static_cast<Eigen::Index>(i) + 2] +=
+        contact.is_bounded_force() ? -h * system.rows[i].load * system.rows[i].mobility
+                                   : std::max(0.0, contact.point.gap) / h;
+  }
+  return problem;
+}
+
+void add(std::vector<Wrench>& sum, const std::vector<Wrench>& wrenches) {
+  for (std::size_t b = 0; b < sum.size(); ++b) {
+    sum[b].f_W += wrenches[b].f_W;
+    sum[b].tau_W += wrenches[b].tau_W;
+  }
+}
+
+}  // namespace
+
 IslandStep IslandIntegrator::implicit_step(const Island& island, double h) const {
   // Momenta after the forces of the environment alone.
   std::vector<BodyPhase> phases = island.start;
@@ -234,35 +333,39 @@ IslandStep IslandIntegrator::implicit_step(const Island& island, double h) const
     result.impulse += h * wrench.f_W;
     result.angular_impulse += h * (wrench.tau_W + middle(i).cross(wrench.f_W));
   }
-  // 0 ≤ λ_n ⊥ u_n⁺ + gap/h ≥ 0 with friction against u_t⁺.
-  const ContactSystem system = contact_system(island, island.begin, phases);
-  CoulombProblem problem;
-  problem.A = delassus(system);
-  problem.b = relative_velocities(system);
-  problem.rows.assign(island.contacts.size(), FrictionRow::cone);
-  problem.slips.assign(island.contacts.size(), Vec2::Zero());
-  for (std::size_t i = 0; i < island.contacts.size(); ++i) {
-    problem.mu.push_back(island.contacts[i].friction);
-    problem.b[3 * static_cast<Eigen::Index>(i) + 2] += std::max(0.0, island.contacts[i].point.gap) / h;
+  ContactSystem system = contact_system(island, island.begin, phases);
+  std::vector<Wrench> impulses(system.bodies.size());
+  VecX joint_lambda;
+  // What the joints do about those forces, then the contacts with what the joints do about them.
+  if (system.joints) {
+    const JointReactions reactions = joint_impulses(system, impulses, -system.joints->rate_errors());
+    add(impulses, reactions.wrenches);
+    joint_lambda = reactions.lambda;
+    for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+      BodyKinetics& body = system.kinetics[b];
+      body.v += body.inverse_mass * impulses[b].f_W;
+      body.w += body.inverse_inertia * impulses[b].tau_W;
+    }
   }
-  const VecX lambda = solve_coulomb(problem).lambda;
+  const VecX lambda = solve_coulomb(implicit_problem(system, h)).lambda;
+  const std::vector<Wrench> of_contacts = contact_wrenches(system, lambda);
+  add(impulses, of_contacts);
+  if (system.joints) {
+    const JointReactions reactions = joint_impulses(system, of_contacts, VecX::Zero(joint_lambda.size()));
+    add(impulses, reactions.wrenches);
+    joint_lambda += reactions.lambda;
+    result.work += system.joints->supplied_power(joint_lambda);
+  }
   ContactSystem after = system;
   apply_impulses(lambda, after);
-  result.work = work_of_prescribed(system, lambda);
-  for (std::size_t i = 0; i < island.contacts.size(); ++i) {
-    const Contact& contact = island.contacts[i];
-    const Vec3 j_W = world_impulse(system, lambda, static_cast<int>(i));
-    for (const auto& [body, sign] : {std::pair{contact.body_A, -1.0}, std::pair{contact.body_B, 1.0}}) {
-      if (!holds(island.bodies, body)) {
-        result.impulse -= sign * j_W;
-        result.angular_impulse -= sign * contact.p_W().cross(j_W);
-        continue;
-      }
-      const std::size_t i_body = place_of(island.bodies, body);
-      BodyPhase& phase = phases[i_body];
-      phase.P += sign * j_W;
-      phase.L += sign * (contact.p_W() - middle(i_body)).cross(j_W);
-    }
+  result.work += work_of_prescribed(system, lambda);
+  const Wrench external = external_wrench(system, lambda, joint_lambda);
+  result.impulse += external.f_W;
+  result.angular_impulse += external.tau_W;
+  for (std::size_t i = 0; i < island.bodies.size(); ++i) {
+    const Wrench& impulse = impulses[place_of(system.bodies, island.bodies[i])];
+    phases[i].P += impulse.f_W;
+    phases[i].L += impulse.tau_W + (island.start[i].x - middle(i)).cross(impulse.f_W);
   }
   for (std::size_t i = 0; i < island.bodies.size(); ++i) {
     // The mean of both velocities: exact where the acceleration is constant, and no contact closes by more

@@ -5,19 +5,22 @@
 #include "rigor/dynamics/integrator.hpp"
 #include "rigor/sim/method.hpp"
 
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace rigor {
 
-/// Dynamic bodies that move together from one event to the next: joined by active contacts and springs, or
-/// under forces that have no closed form.
+/// Dynamic bodies that move together from one event to the next: joined by active contacts, joints and
+/// springs, or under forces that have no closed form.
 struct Island {
   std::vector<int> bodies;           ///< Ascending.
   std::vector<BodyPhase> start;      ///< At `begin`, one a body.
   std::vector<Contact> contacts;     ///< Active ones, found at `begin`.
   std::vector<ContactState> states;  ///< One a contact.
   double begin = 0;                  ///< [s].
+  /// Which rows of redundant joints count, all through a step; chosen where it begins.
+  std::optional<JointSystem::RowChoice> joint_rows = std::nullopt;
 };
 
 /// One step of an island.
@@ -44,8 +47,19 @@ class IslandIntegrator {
  public:
   IslandIntegrator(const Model& model, const Environment& environment, const Method& method);
 
+  /// Contacts of dynamic bodies (ascending) with all bodies that they touch, and the joints of the dynamic
+  /// ones.
+  ContactSystem system_of(double t, const std::vector<int>& bodies, std::span<const BodyPhase> phases,
+                          std::vector<Contact> contacts,
+                          const JointSystem::RowChoice* choice = nullptr) const;
   /// The contacts with all their bodies at time t, tracked from the island's begin to these phases.
   ContactSystem contact_system(const Island& island, double t, std::span<const BodyPhase> phases) const;
+  /// Joints that hold any of these bodies, ascending.
+  std::vector<int> joints_of(const std::vector<int>& bodies) const;
+  /// Prescribed bodies that joints tie to any of these bodies, ascending.
+  std::vector<int> jointed_prescribed(const std::vector<int>& bodies) const;
+  /// Chooses the rows of the island's joints that count.
+  void choose_joint_rows(Island& island) const;
   /// Forces of the environment on each body of the system (zero for prescribed ones).
   std::vector<Wrench> environment_wrenches(const ContactSystem& system, double t) const;
 
@@ -69,8 +83,18 @@ class IslandIntegrator {
   Load load(const Island& island, double t, std::span<const BodyPhase> phases) const;
   IntegratorTolerances tolerances(const Island& island) const;
 
+  /// The bodies of contacts, joints and others, ascending, with how they move.
+  struct Bodies {
+    std::vector<int> indices;
+    std::vector<BodyKinetics> kinetics;
+  };
+  std::vector<int> bodies_of_joints(const std::vector<int>& joints) const;
+  Bodies bodies_at(double t, const std::vector<int>& bodies, std::span<const BodyPhase> phases,
+                   const std::vector<Contact>& contacts, const std::vector<int>& joints) const;
+
   const Model& model_;
   const Environment& environment_;
+  std::vector<std::vector<int>> joints_by_body_;
   IntegratorName integrator_;
   OrientationForm orientation_;
   double tolerance_;

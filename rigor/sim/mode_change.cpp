@@ -1,5 +1,6 @@
 #include "rigor/sim/mode_change.hpp"
 
+#include "rigor/contact/joint_stops.hpp"
 #include "rigor/math/roots.hpp"
 
 #include <algorithm>
@@ -17,6 +18,13 @@ bool is_active(const Island& island, const Contact& contact) {
     return other.body_A == contact.body_A && other.body_B == contact.body_B &&
            other.shape_A == contact.shape_A && other.shape_B == contact.shape_B &&
            other.point.feature == contact.point.feature;
+  });
+}
+
+bool has_limits(const Model& model, const std::vector<int>& joints) {
+  return std::any_of(joints.begin(), joints.end(), [&](int joint) {
+    const std::vector<JointAxis>& axes = model.joint(joint).axes;
+    return std::any_of(axes.begin(), axes.end(), [](const JointAxis& axis) { return axis.is_limited(); });
   });
 }
 
@@ -84,13 +92,17 @@ double ModeChangeSearch::force_margin(const Island& island, const Instant& insta
   return margin + rounding;
 }
 
-/// Least gap of the pairs in contact, above what is allowed: at active contacts half the tolerance, for
-/// errors of the step; elsewhere `allowance` [m].
+/// Least gap of the pairs in contact and of joints to their limits, above what is allowed: at active contacts
+/// half the tolerance, for errors of the step; elsewhere `allowance` [m].
 double ModeChangeSearch::overlap_margin(const Island& island, const Instant& instant,
                                         double allowance) const {
-  double margin = std::numeric_limits<double>::infinity();
+  double margin =
+      allowance + least_clearance(model_, integrator_.joints_of(island.bodies), instant.system.bodies,
+                                  instant.system.kinetics, island.contacts);
   std::set<std::pair<int, int>> pairs;
-  for (const Contact& contact : island.contacts) pairs.insert({contact.body_A, contact.body_B});
+  for (const Contact& contact : island.contacts) {
+    if (!contact.stop) pairs.insert({contact.body_A, contact.body_B});
+  }
   for (const auto& [a, b] : pairs) {
     for (const Contact& contact : find_contacts(model_, a, b, instant.system.of(a).pose(),
                                                 instant.system.of(b).pose(), contact_tolerance_)) {
@@ -116,7 +128,7 @@ std::optional<ModeChange> ModeChangeSearch::find_overlap(const Island& island, c
   const auto overlap = [&](double theta) {
     return overlap_margin(island, at(island, step, theta), allowance);
   };
-  for (const double probe : {0.5 * end, end}) {
+  for (const double probe : {0.25 * end, 0.5 * end, 0.75 * end, end}) {
     if (overlap(probe) >= 0) continue;
     const RootBracket root = find_root_bisection(overlap, 0, probe, time_tolerance_ / step.h);
     return ModeChange{ModeChange::Kind::overlap, root.hi * step.h};
@@ -126,7 +138,7 @@ std::optional<ModeChange> ModeChangeSearch::find_overlap(const Island& island, c
 
 std::optional<ModeChange> ModeChangeSearch::find(const Island& island, const IslandStep& step) const {
   std::optional<ModeChange> first;
-  if (island.contacts.empty()) return first;
+  if (island.contacts.empty() && !has_limits(model_, integrator_.joints_of(island.bodies))) return first;
   const double tolerance = time_tolerance_ / step.h;
   double end = 1;
   const auto shorten = [&](ModeChange::Kind kind, double theta) {
@@ -134,6 +146,7 @@ std::optional<ModeChange> ModeChangeSearch::find(const Island& island, const Isl
     end = theta;
   };
 
+  if (island.contacts.empty()) return find_overlap(island, step, end);
   // Slip first: beyond the end of a slip its friction has the wrong direction and nothing else counts.
   const auto slip = [&](double theta) { return slip_margin(island, at(island, step, theta)); };
   if (slip(1) < 0 && slip(0) > 0) {
