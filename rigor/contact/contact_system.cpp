@@ -236,14 +236,6 @@ std::vector<Vec6> stacked(const std::vector<Wrench>& wrenches) {
   return result;
 }
 
-JointReactions reactions(const ContactSystem& system, const std::vector<Vec6>& f, const VecX& c) {
-  JointReactions result;
-  result.lambda = system.joints->respond(f, c).lambda;
-  for (const Vec6& wrench : system.joints->wrenches(result.lambda))
-    result.wrenches.push_back({wrench.head<3>(), wrench.tail<3>()});
-  return result;
-}
-
 /// Forces with the gyroscopic torque -ω × I ω.
 std::vector<Vec6> with_gyroscopic(const ContactSystem& system, const std::vector<Wrench>& wrenches) {
   std::vector<Vec6> f = stacked(wrenches);
@@ -285,13 +277,25 @@ std::vector<Vec6> accelerations(const ContactSystem& system, const std::vector<W
   return result;
 }
 
-JointReactions joint_reactions(const ContactSystem& system, const std::vector<Wrench>& wrenches) {
-  return reactions(system, with_gyroscopic(system, wrenches), -system.joints->biases());
+JointReactions with_joint_reactions(const ContactSystem& system, std::vector<Wrench> wrenches) {
+  const JointSystem::Response response =
+      system.joints->respond(with_gyroscopic(system, wrenches), -system.joints->biases());
+  for (const std::size_t b : system.joints->held_bodies()) {
+    const BodyKinetics& body = system.kinetics[b];
+    wrenches[b].f_W = response.a[b].head<3>() / body.inverse_mass;
+    wrenches[b].tau_W = body.inertia * response.a[b].tail<3>() + body.w.cross(body.inertia * body.w);
+  }
+  return {std::move(wrenches), response.lambda};
 }
 
-JointReactions joint_impulses(const ContactSystem& system, const std::vector<Wrench>& impulses,
-                              const VecX& change) {
-  return reactions(system, stacked(impulses), change);
+JointReactions with_joint_impulses(const ContactSystem& system, std::vector<Wrench> impulses,
+                                   const VecX& change) {
+  const JointSystem::Response response = system.joints->respond(stacked(impulses), change);
+  for (const std::size_t b : system.joints->held_bodies()) {
+    const BodyKinetics& body = system.kinetics[b];
+    impulses[b] = {response.a[b].head<3>() / body.inverse_mass, body.inertia * response.a[b].tail<3>()};
+  }
+  return {std::move(impulses), response.lambda};
 }
 
 Wrench external_wrench(const ContactSystem& system, const VecX& lambda, const VecX& joint_lambda) {

@@ -66,15 +66,18 @@ std::vector<Vec6> accelerations(const ContactSystem& system, const std::vector<W
 /// Wrenches Jᵀ λ of the contacts on the bodies, without what joints do about them.
 std::vector<Wrench> contact_wrenches(const ContactSystem& system, const VecX& lambda);
 
-/// Wrenches of all joints on the bodies when these wrenches act besides, and their forces λ.
+/// What acts on the bodies together with the joints, and the forces λ of these.
 struct JointReactions {
-  std::vector<Wrench> wrenches;  ///< One a body of the system, prescribed ones too.
+  /// All together, one a body of the system. For bodies that joints hold they are made of the accelerations:
+  /// a light link's own share would drown in the rounding of what goes through it.
+  std::vector<Wrench> wrenches;
   VecX lambda;
 };
-JointReactions joint_reactions(const ContactSystem& system, const std::vector<Wrench>& wrenches);
+/// When these wrenches act besides. The system must have joints.
+JointReactions with_joint_reactions(const ContactSystem& system, std::vector<Wrench> wrenches);
 /// The same for impulses that change velocities: those of the joints make G ΔV = `change`.
-JointReactions joint_impulses(const ContactSystem& system, const std::vector<Wrench>& impulses,
-                              const VecX& change);
+JointReactions with_joint_impulses(const ContactSystem& system, std::vector<Wrench> impulses,
+                                   const VecX& change);
 
 /// Impulse of contact i in W [N s] (or force, if λ are forces): +on B, -on A. Not for stops of joints.
 Vec3 world_impulse(const ContactSystem& system, const VecX& lambda, int i);

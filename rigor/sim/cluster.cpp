@@ -182,8 +182,8 @@ void ContactResolver::project_joint_velocities(Cluster& cluster, AdvanceReport& 
   if (integrator_.joints_of(cluster.bodies).empty()) return;
   const ContactSystem system = system_of(cluster, {});
   const Totals before = totals(model_, cluster);
-  const std::vector<Wrench> none(system.bodies.size());
-  const JointReactions reactions = joint_impulses(system, none, -system.joints->rate_errors());
+  const JointReactions reactions =
+      with_joint_impulses(system, std::vector<Wrench>(system.bodies.size()), -system.joints->rate_errors());
   add_to_momenta(system, reactions.wrenches, cluster);
   const Wrench external = external_wrench(system, VecX(), reactions.lambda);
   const double work = system.joints->supplied_power(reactions.lambda);
@@ -267,12 +267,9 @@ void ContactResolver::add_impulses(const ContactSystem& system, const VecX& lamb
   }
   VecX joint_lambda;
   if (system.joints) {
-    const JointReactions reactions =
-        joint_impulses(system, impulses, VecX::Zero(system.joints->residuals().size()));
-    for (std::size_t b = 0; b < impulses.size(); ++b) {
-      impulses[b].f_W += reactions.wrenches[b].f_W;
-      impulses[b].tau_W += reactions.wrenches[b].tau_W;
-    }
+    JointReactions reactions =
+        with_joint_impulses(system, std::move(impulses), VecX::Zero(system.joints->residuals().size()));
+    impulses = std::move(reactions.wrenches);
     joint_lambda = reactions.lambda;
     report.work += system.joints->supplied_power(joint_lambda);
   }
@@ -411,13 +408,7 @@ bool ContactResolver::is_balanced(const Cluster& cluster, const LastingContacts&
   if (!lasting.contacts.empty())
     add_contact_wrenches(system, contact_forces(system, lasting.states, free, cluster.slip_tolerance),
                          wrenches);
-  if (system.joints) {
-    const JointReactions reactions = joint_reactions(system, wrenches);
-    for (std::size_t b = 0; b < wrenches.size(); ++b) {
-      wrenches[b].f_W += reactions.wrenches[b].f_W;
-      wrenches[b].tau_W += reactions.wrenches[b].tau_W;
-    }
-  }
+  if (system.joints) wrenches = with_joint_reactions(system, std::move(wrenches)).wrenches;
   // What is left is rounding of what was balanced.
   constexpr double rounding = 1e-11;
   double largest = 0, left = 0;

@@ -110,7 +110,7 @@ void add_joint_forces(const Model& model, const Method& method, const IslandInte
     const RestingSolution resting = solve_resting(system, wrenches, part.slip_tolerance);
     add_contact_wrenches(system, resting.forces.lambda, wrenches);
   }
-  VecX lambda = joint_reactions(system, wrenches).lambda;
+  VecX lambda = with_joint_reactions(system, std::move(wrenches)).lambda;
   if (lambda.size() <= most_rows) lambda = system.joints->least_norm(lambda, model.length_scale());
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const Joint& joint = model.joint(joints[i]);

@@ -222,11 +222,8 @@ IslandIntegrator::Load IslandIntegrator::load(const Island& island, double t,
     load.power += work_of_prescribed(system, lambda);
   }
   if (system.joints) {
-    const JointReactions reactions = joint_reactions(system, wrenches);
-    for (std::size_t b = 0; b < wrenches.size(); ++b) {
-      wrenches[b].f_W += reactions.wrenches[b].f_W;
-      wrenches[b].tau_W += reactions.wrenches[b].tau_W;
-    }
+    JointReactions reactions = with_joint_reactions(system, std::move(wrenches));
+    wrenches = std::move(reactions.wrenches);
     joint_lambda = reactions.lambda;
     load.power += system.joints->supplied_power(joint_lambda);
   }
@@ -338,8 +335,9 @@ IslandStep IslandIntegrator::implicit_step(const Island& island, double h) const
   VecX joint_lambda;
   // What the joints do about those forces, then the contacts with what the joints do about them.
   if (system.joints) {
-    const JointReactions reactions = joint_impulses(system, impulses, -system.joints->rate_errors());
-    add(impulses, reactions.wrenches);
+    const JointReactions reactions =
+        with_joint_impulses(system, std::move(impulses), -system.joints->rate_errors());
+    impulses = reactions.wrenches;
     joint_lambda = reactions.lambda;
     for (std::size_t b = 0; b < system.bodies.size(); ++b) {
       BodyKinetics& body = system.kinetics[b];
@@ -348,14 +346,15 @@ IslandStep IslandIntegrator::implicit_step(const Island& island, double h) const
     }
   }
   const VecX lambda = solve_coulomb(implicit_problem(system, h)).lambda;
-  const std::vector<Wrench> of_contacts = contact_wrenches(system, lambda);
-  add(impulses, of_contacts);
+  std::vector<Wrench> of_contacts = contact_wrenches(system, lambda);
   if (system.joints) {
-    const JointReactions reactions = joint_impulses(system, of_contacts, VecX::Zero(joint_lambda.size()));
-    add(impulses, reactions.wrenches);
+    JointReactions reactions =
+        with_joint_impulses(system, std::move(of_contacts), VecX::Zero(joint_lambda.size()));
+    of_contacts = std::move(reactions.wrenches);
     joint_lambda += reactions.lambda;
     result.work += system.joints->supplied_power(joint_lambda);
   }
+  add(impulses, of_contacts);
   ContactSystem after = system;
   apply_impulses(lambda, after);
   result.work += work_of_prescribed(system, lambda);
