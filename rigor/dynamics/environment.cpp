@@ -1,6 +1,7 @@
 #include "rigor/dynamics/environment.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace rigor {
 
@@ -8,6 +9,26 @@ namespace {
 
 std::size_t index(int body) {
   return static_cast<std::size_t>(body);
+}
+
+void sort_and_unite(std::vector<int>& bodies) {
+  std::sort(bodies.begin(), bodies.end());
+  bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+}
+
+/// Dynamic bodies of a joint, those of both its joints if it is a gear; ascending.
+std::vector<int> dynamic_bodies_of(const Joint& joint, const Model& model) {
+  std::vector<int> bodies = {joint.body_A, joint.body_B};
+  if (joint.type == JointType::gear) {
+    const Joint& first = model.joint(joint.first_joint);
+    const Joint& second = model.joint(joint.second_joint);
+    bodies = {first.body_A, first.body_B, second.body_A, second.body_B};
+  }
+  std::erase_if(bodies, [&model](int body) {
+    return body == world_body || model.body(body).motion != MotionType::dynamic;
+  });
+  sort_and_unite(bodies);
+  return bodies;
 }
 
 }  // namespace
@@ -19,6 +40,7 @@ Environment::Environment(const Model& model)
       partners_(index(model.body_count())),
       joint_partners_(index(model.body_count())),
       springs_of_(index(model.body_count())),
+      joint_springs_of_(index(model.body_count())),
       body_forces_(index(model.body_count())),
       torques_(index(model.body_count())) {
   for (int i = 0; i < model.body_count(); ++i) {
@@ -75,14 +97,27 @@ Environment::Environment(const Model& model)
     partners.erase(std::unique(partners.begin(), partners.end()), partners.end());
   }
   for (int i = 0; i < model.body_count(); ++i) {
-    std::vector<int>& partners = partners_[index(i)];
-    std::sort(partners.begin(), partners.end());
-    partners.erase(std::unique(partners.begin(), partners.end()), partners.end());
+    sort_and_unite(partners_[index(i)]);
     is_forced_[index(i)] =
         model.body(i).motion == MotionType::dynamic &&
         (is_jointed[index(i)] || !springs_of_[index(i)].empty() || !body_forces_[index(i)].empty() ||
          !torques_[index(i)].empty() || linear_drag_[index(i)] > 0 || angular_drag_[index(i)] > 0);
   }
+  add_joints();
+}
+
+void Environment::add_joints() {
+  for (int j = 0; j < static_cast<int>(model_->joints().size()); ++j) {
+    const Joint& joint = model_->joint(j);
+    const std::vector<int> bodies = dynamic_bodies_of(joint, *model_);
+    for (const int body : bodies) {
+      is_forced_[index(body)] = true;
+      std::copy_if(bodies.begin(), bodies.end(), std::back_inserter(joint_partners_[index(body)]),
+                   [body](int other) { return other != body; });
+      if (has_springs(joint)) joint_springs_of_[index(body)].push_back(j);
+    }
+  }
+  for (std::vector<int>& partners : joint_partners_) sort_and_unite(partners);
 }
 
 Wrench Environment::own_forces(int body, const BodyView& view) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "rigor/dynamics/body_phase.hpp"
+#include "rigor/dynamics/joint_forces.hpp"
 #include "rigor/model/model.hpp"
 
 #include <span>
@@ -8,7 +9,8 @@
 
 namespace rigor {
 
-/// The forces of a scene other than contact: gravity, constant forces and torques, springs, drag.
+/// The forces of a scene other than those of contacts and of what joints hold: gravity, constant forces and
+/// torques, springs, springs and dampers of joints, drag.
 class Environment {
  public:
   explicit Environment(const Model& model);
@@ -18,11 +20,15 @@ class Environment {
   const Vec3& steady_acceleration(int body) const {
     return steady_accelerations_[static_cast<std::size_t>(body)];
   }
-  /// Whether anything else acts on it, so that its motion must be integrated.
+  /// Whether anything else acts on it or a joint holds it, so that its motion must be integrated.
   bool is_forced(int body) const { return is_forced_[static_cast<std::size_t>(body)]; }
   /// Dynamic bodies joined to this one by springs, ascending.
   const std::vector<int>& spring_partners(int body) const {
     return partners_[static_cast<std::size_t>(body)];
+  }
+  /// Other dynamic bodies that a joint ties to this one, ascending; a gear ties all bodies of its two joints.
+  const std::vector<int>& joint_partners(int body) const {
+    return joint_partners_[static_cast<std::size_t>(body)];
   }
 
   /// Dynamic bodies tied to this one by joints, gears through all bodies of theirs, ascending.
@@ -36,8 +42,8 @@ class Environment {
     Mat3 R;
     bool is_dynamic;
   };
-  /// Forces on the listed bodies. `view(body)` must answer for them and for every spring partner that is not
-  /// dynamic. wrenches: one a listed body, overwritten.
+  /// Forces on the listed bodies. `view(body)` must answer for them and for all that springs and joints tie
+  /// to them. wrenches: one a listed body, overwritten.
   template <class View>
   void apply_env_forces(std::span<const int> bodies, const View& view, std::span<Wrench> wrenches) const {
     for (std::size_t i = 0; i < bodies.size(); ++i) wrenches[i] = force_on(bodies[i], view(bodies[i]), view);
@@ -48,12 +54,16 @@ class Environment {
   double supplied_power(int body, const BodyView& view) const;
   /// Potential energy of gravity and steady forces of a body at x [J].
   double potential(int body, const Vec3& x) const;
-  /// Energy stored in all springs [J]; view as above, for all bodies.
+  /// Energy stored in all springs, those of joints among them [J]; view as above, for all bodies.
   template <class View>
   double spring_energy(const View& view) const {
     double energy = 0;
     for (const Spring& spring : springs_)
       energy += stored_energy(spring, end_of(spring, true, view), end_of(spring, false, view));
+    for (const Joint& joint : model_->joints()) {
+      if (!has_springs(joint)) continue;
+      energy += rigor::stored_energy(joint, motion_of(joint.body_A, view), motion_of(joint.body_B, view));
+    }
     return energy;
   }
 
@@ -70,8 +80,15 @@ class Environment {
     const Vec3 arm = of_body.R * p;
     return {of_body.x + arm, of_body.v + of_body.w.cross(arm)};
   }
+  template <class View>
+  static BodyMotion motion_of(int body, const View& view) {
+    if (body == world_body) return {};
+    const BodyView of_body = view(body);
+    return {of_body.x, of_body.R, of_body.v, of_body.w};
+  }
   static double stored_energy(const Spring& spring, const SpringEnd& A, const SpringEnd& B);
   static Vec3 force_on_B(const Spring& spring, const SpringEnd& A, const SpringEnd& B);
+  void add_joints();
   Wrench own_forces(int body, const BodyView& view) const;
 
   template <class View>
@@ -90,16 +107,24 @@ class Environment {
         wrench.tau_W += (B.p_W - of_body.x).cross(f_W);
       }
     }
+    for (const int index : joint_springs_of_[static_cast<std::size_t>(body)]) {
+      const Joint& joint = model_->joint(index);
+      const JointForces forces =
+          spring_forces(joint, motion_of(joint.body_A, view), motion_of(joint.body_B, view));
+      const Wrench& of_joint = joint.body_A == body ? forces.on_A : forces.on_B;
+      wrench.f_W += of_joint.f_W;
+      wrench.tau_W += of_joint.tau_W;
+    }
     return wrench;
   }
 
   const Model* model_;
   std::vector<Vec3> steady_accelerations_;
   std::vector<bool> is_forced_;
-  std::vector<std::vector<int>> partners_;
-  std::vector<std::vector<int>> joint_partners_;
+  std::vector<std::vector<int>> partners_, joint_partners_;
   std::vector<Spring> springs_;
   std::vector<std::vector<int>> springs_of_;             ///< Springs that touch each body.
+  std::vector<std::vector<int>> joint_springs_of_;       ///< Joints with springs that hold each body.
   std::vector<std::vector<ConstantForce>> body_forces_;  ///< Those that do not act steadily at the centre.
   std::vector<std::vector<ConstantTorque>> torques_;
   std::vector<double> linear_drag_, angular_drag_;

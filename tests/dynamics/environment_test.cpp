@@ -142,5 +142,75 @@ TEST(Environment, DampersAndDragOnlyTakePower) {
   EXPECT_EQ(environment.supplied_power(0, at(Vec3::Zero(), v, w)), 0);
 }
 
+using JointDescription = ModelBuilder::JointDescription;
+
+JointDescription joint(const std::string& name, JointType type, std::vector<std::string> bodies,
+                       const Vec3& anchor) {
+  JointDescription result;
+  result.name = name;
+  result.type = type;
+  result.bodies = std::move(bodies);
+  result.anchors = {anchor};
+  return result;
+}
+
+TEST(Environment, JointsTieTheirBodiesAndMakeThemForced) {
+  ModelBuilder builder;
+  for (const char* name : {"a", "b", "c", "d", "alone"}) builder.add_body(ball(name, Vec3::Zero()));
+  BodyDescription wall = ball("wall", Vec3::Zero());
+  wall.motion = MotionType::fixed;
+  builder.add_body(wall);
+  builder.add_joint(joint("1", JointType::hinge, {"c", "a"}, Vec3::Zero()));
+  builder.add_joint(joint("2", JointType::fixed, {"a", "b"}, Vec3::Zero()));
+  builder.add_joint(joint("3", JointType::hinge, {"wall", "d"}, Vec3::Zero()));
+  builder.add_joint(joint("4", JointType::slider, {"world", "d"}, Vec3::Zero()));
+  JointDescription gear;
+  gear.name = "5";
+  gear.type = JointType::gear;
+  gear.joints = {"1", "3"};
+  gear.ratio = -1;
+  builder.add_joint(gear);
+  const auto model = builder.build();
+  const Environment environment(*model);
+  EXPECT_EQ(environment.joint_partners(0), (std::vector<int>{1, 2, 3}));
+  EXPECT_EQ(environment.joint_partners(1), (std::vector<int>{0}));
+  EXPECT_EQ(environment.joint_partners(2), (std::vector<int>{0, 3}));
+  EXPECT_EQ(environment.joint_partners(3), (std::vector<int>{0, 2}));
+  EXPECT_TRUE(environment.joint_partners(4).empty());
+  EXPECT_TRUE(environment.joint_partners(5).empty());
+  for (int body = 0; body < 6; ++body) EXPECT_EQ(environment.is_forced(body), body < 4) << body;
+}
+
+TEST(Environment, SpringsOfJointsActOnBothBodiesAndTheirEnergyCounts) {
+  ModelBuilder builder;
+  builder.set_gravity(Vec3::Zero());
+  builder.add_body(ball("a", Vec3::Zero()));
+  builder.add_body(ball("b", Vec3(1, 0, 0)));
+  JointAxis spring;
+  spring.stiffness = 10;
+  spring.damping = 2;
+  JointDescription slider = joint("slider", JointType::slider, {"a", "b"}, Vec3(1, 0, 0));
+  slider.axis = Vec3(1, 0, 0);
+  slider.axes = {spring};
+  builder.add_joint(slider);
+  JointDescription hinge = joint("hinge", JointType::hinge, {"b", "world"}, Vec3(1, 0, 0));
+  hinge.axes = {spring};
+  builder.add_joint(hinge);
+  const auto model = builder.build();
+  const Environment environment(*model);
+  // b is 0.1 m further out at 0.5 m/s, and turned against the world by 0.3 rad at 2 rad/s: of the world
+  // against b the angle is -0.3.
+  const std::vector<Environment::BodyView> views = {
+      at(Vec3::Zero(), Vec3::Zero(), Vec3::Zero()),
+      at(Vec3(1.1, 0, 0), Vec3(0.5, 0, 0), Vec3(0, 0, 2), rotation_matrix(rotation_exp(Vec3(0, 0, 0.3))))};
+  const Wrench on_a = wrench_on(environment, 0, views), on_b = wrench_on(environment, 1, views);
+  EXPECT_LE((on_a.f_W - Vec3(10 * 0.1 + 2 * 0.5, 0, 0)).norm(), 1e-14);
+  EXPECT_LE((on_b.f_W + on_a.f_W).norm(), 1e-14);
+  EXPECT_LE((on_b.tau_W - Vec3(0, 0, -10 * 0.3 - 2 * 2)).norm(), 1e-14);
+  const double energy = environment.spring_energy([&](int i) { return views[static_cast<std::size_t>(i)]; });
+  EXPECT_NEAR(energy, 5 * 0.1 * 0.1 + 5 * 0.3 * 0.3, 1e-15);
+  EXPECT_EQ(environment.supplied_power(1, views[1]), 0);
+}
+
 }  // namespace
 }  // namespace rigor

@@ -1,6 +1,6 @@
 #include "rigor/dynamics/joint_rows.hpp"
 
-#include "joint_samples.hpp"
+#include "dynamics/joint_samples.hpp"
 
 #include <gtest/gtest.h>
 

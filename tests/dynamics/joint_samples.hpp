@@ -90,9 +90,7 @@ inline const std::vector<JointType> kTypesWithRows = {
 namespace rigor {
 
 inline void PrintTo(JointType type, std::ostream* out) {
-  static constexpr const char* names[] = {"fixed",       "ball",   "hinge",    "slider", "universal",
-                                          "cylindrical", "planar", "distance", "screw",  "gear"};
-  *out << names[static_cast<int>(type)];
+  *out << joint_type_name(type);
 }
 
 }  // namespace rigor
