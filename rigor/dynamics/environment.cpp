@@ -76,32 +76,12 @@ Environment::Environment(const Model& model)
       angular_drag_[index(drag->body)] += drag->angular;
     }
   }
-  std::vector<bool> is_jointed(index(model.body_count()), false);
-  for (const Joint& joint : model.joints()) {
-    std::vector<int> tied{joint.body_A, joint.body_B};
-    if (joint.type == JointType::gear) {
-      const Joint &first = model.joint(joint.first_joint), &second = model.joint(joint.second_joint);
-      tied = {first.body_A, first.body_B, second.body_A, second.body_B};
-    }
-    for (const int body : tied) {
-      if (body == world_body) continue;
-      is_jointed[index(body)] = true;
-      for (const int other : tied) {
-        if (other == world_body || other == body || model.body(other).motion != MotionType::dynamic) continue;
-        joint_partners_[index(body)].push_back(other);
-      }
-    }
-  }
-  for (std::vector<int>& partners : joint_partners_) {
-    std::sort(partners.begin(), partners.end());
-    partners.erase(std::unique(partners.begin(), partners.end()), partners.end());
-  }
   for (int i = 0; i < model.body_count(); ++i) {
     sort_and_unite(partners_[index(i)]);
     is_forced_[index(i)] =
         model.body(i).motion == MotionType::dynamic &&
-        (is_jointed[index(i)] || !springs_of_[index(i)].empty() || !body_forces_[index(i)].empty() ||
-         !torques_[index(i)].empty() || linear_drag_[index(i)] > 0 || angular_drag_[index(i)] > 0);
+        (!springs_of_[index(i)].empty() || !body_forces_[index(i)].empty() || !torques_[index(i)].empty() ||
+         linear_drag_[index(i)] > 0 || angular_drag_[index(i)] > 0);
   }
   add_joints();
 }

@@ -31,11 +31,6 @@ class Environment {
     return joint_partners_[static_cast<std::size_t>(body)];
   }
 
-  /// Dynamic bodies tied to this one by joints, gears through all bodies of theirs, ascending.
-  const std::vector<int>& joint_partners(int body) const {
-    return joint_partners_[static_cast<std::size_t>(body)];
-  }
-
   /// Position and velocity of a body as the forces need them.
   struct BodyView {
     Vec3 x, v, w;
