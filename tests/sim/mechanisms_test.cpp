@@ -1,0 +1,135 @@
+#include "rigor/model/model_builder.hpp"
+#include "rigor/sim/contact_snapshot.hpp"
+#include "rigor/sim/energy.hpp"
+#include "rigor/sim/event_driven_stepper.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+
+namespace rigor {
+namespace {
+
+constexpr double g = 9.81;
+using JointDescription = ModelBuilder::JointDescription;
+
+ModelBuilder empty_scene(const Vec3& gravity = Vec3(0, 0, -g)) {
+  ModelBuilder builder;
+  builder.set_gravity(gravity);
+  return builder;
+}
+
+BodyDescription body_of(const std::string& name, const Vec3& x, double mass, const Vec3& moments) {
+  BodyDescription body;
+  body.name = name;
+  body.p_WL = x;
+  body.inertia = GivenInertia{mass, Vec3::Zero(), moments, Vec3::Zero()};
+  return body;
+}
+
+/// A thin rod of length and mass 1 along the direction, with its middle at x.
+BodyDescription rod(const std::string& name, const Vec3& x, const Vec3& direction) {
+  BodyDescription body = body_of(name, x, 1, Vec3(1.0 / 12, 1.0 / 12, 1e-4));
+  body.q_WL = Quat::FromTwoVectors(Vec3::UnitZ(), direction);
+  return body;
+}
+
+JointDescription joint(const std::string& name, JointType type, const std::string& a, const std::string& b,
+                       const Vec3& anchor, const Vec3& axis = Vec3::UnitZ()) {
+  JointDescription description;
+  description.name = name;
+  description.type = type;
+  description.bodies = {a, b};
+  description.anchors = {anchor};
+  description.axis = axis;
+  return description;
+}
+
+struct Outcome {
+  State state;
+  AdvanceReport report;
+};
+
+Outcome simulate(const std::shared_ptr<const Model>& model, double duration, double tolerance, double step) {
+  Method method;
+  method.tolerance = tolerance;
+  EventDrivenStepper stepper(model, method, step);
+  Outcome run{make_initial_state(*model), {}};
+  run.report = stepper.advance(run.state, duration);
+  EXPECT_EQ(run.report.reason, StopReason::reached_end) << run.report.detail;
+  return run;
+}
+
+TEST(Mechanisms, APointPendulumHasItsPeriodAndPlace) {
+  ModelBuilder builder = empty_scene(Vec3(0, -g, 0));
+  // A rod's moment about the pivot, (I + m l²) / (m l) = 1 m: swings like a point on a string of that length.
+  builder.add_body(body_of("bob", Vec3(-0.5, 0, 0), 1, Vec3::Constant(0.25)));
+  builder.add_joint(joint("pivot", JointType::hinge, "world", "bob", Vec3::Zero()));
+  const Outcome run = simulate(builder.build(), 10, 1e-13, 0.1);
+  EXPECT_NEAR(run.state.position(0).x(), 0.5 * -0.27508746257611686, 1e-10);
+  EXPECT_NEAR(run.state.position(0).y(), 0.5 * -0.96141920509912506, 1e-10);
+  EXPECT_LE(run.report.max_joint_drift, 1e-14);
+}
+
+TEST(Mechanisms, ALightBobSwingsLikeAPoint) {
+  ModelBuilder builder = empty_scene(Vec3(0, -g, 0));
+  // A rod's moment about the pivot, (I + m l²) / (m l) = 1 m: swings like a point on a string of that length.
+  builder.add_body(body_of("bob", Vec3(-0.5, 0, 0), 1, Vec3::Constant(0.25)));
+  builder.add_joint(joint("pivot", JointType::hinge, "world", "bob", Vec3::Zero()));
+  const Outcome run = simulate(builder.build(), 10, 1e-12, 0.1);
+  EXPECT_NEAR(run.state.position(0).x(), 0.5 * -0.27508746257611686, 1e-9);
+  EXPECT_NEAR(run.state.position(0).y(), 0.5 * -0.96141920509912506, 1e-9);
+  EXPECT_LE(run.report.max_joint_drift, 1e-14);
+}
+
+TEST(Mechanisms, ALightBobSwingsLikeAPoint) {
+  ModelBuilder builder = empty_scene(Vec3(0, -g, 0));
+  builder.add_body(body_of("bob", Vec3(-1, 0, 0), 1, Vec3::Constant(1e-12)));
+  builder.add_joint(joint("pivot", JointType::hinge, "world", "bob", Vec3::Zero()));
+  const Outcome run = simulate(builder.build(), 10, 1e-12, 0.1);
+  EXPECT_NEAR(run.state.position(0).x(), -0.27508746257611686, 1e-9);
+  EXPECT_NEAR(run.state.position(0).y(), -0.96141920509912506, 1e-9);
+  EXPECT_LE(run.report.max_joint_drift, 1e-14);
+}
+
+TEST(Mechanisms, TheDoublePendulumFollowsItsReference) {
+  ModelBuilder builder = empty_scene(Vec3(0, -g, 0));
+  builder.add_body(rod("upper", Vec3(0.5, 0, 0), Vec3::UnitX()));
+  builder.add_body(rod("lower", Vec3(1.5, 0, 0), Vec3::UnitX()));
+  builder.add_joint(joint("shoulder", JointType::hinge, "world", "upper", Vec3::Zero()));
+  builder.add_joint(joint("elbow", JointType::hinge, "upper", "lower", Vec3(1, 0, 0)));
+  const std::shared_ptr<const Model> model = builder.build();
+  const auto begin = std::chrono::steady_clock::now();
+  const Outcome run = simulate(model, 10, 1e-12, 0.1);
+  std::printf("%f s, %ld steps\n",
+              std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(),
+              run.report.steps);
+  // Angles from the vertical.
+  const double th1 = -0.74440708850904112, th2 = -14.345719734713967;
+  const Vec3 elbow(std::sin(th1), -std::cos(th1), 0);
+  EXPECT_LE((run.state.position(0) - 0.5 * elbow).norm(), 1e-8);
+  EXPECT_LE((run.state.position(1) - elbow - 0.5 * Vec3(std::sin(th2), -std::cos(th2), 0)).norm(), 1e-8);
+  EXPECT_LE(run.report.max_joint_drift, 1e-14);
+}
+
+TEST(Mechanisms, TheHeavyTopFollowsItsReference) {
+  ModelBuilder builder = empty_scene();
+  BodyDescription top = body_of("top", Vec3(0, 1, 0), 15, Vec3(0.234375, 0.46875, 0.234375));
+  top.angular_velocity = Vec3(0, 150, -4.61538);
+  top.velocity = top.angular_velocity.cross(Vec3(0, 1, 0));
+  builder.add_body(top);
+  builder.add_joint(joint("pivot", JointType::ball, "world", "top", Vec3::Zero()));
+  const auto begin = std::chrono::steady_clock::now();
+  const Outcome run = simulate(builder.build(), 2, 1e-12, 0.1);
+  std::printf("%f s, %ld steps\n",
+              std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(),
+              run.report.steps);
+  EXPECT_LE(
+      (run.state.position(0) - Vec3(-0.15041682274564176, -0.72416559163689565, -0.67302226956044410)).norm(),
+      1e-9);
+  EXPECT_LE(run.report.max_joint_drift, 1e-14);
+}
+
+}  // namespace
+}  // namespace rigor
