@@ -57,7 +57,7 @@ Audit Auditor::audit(const State& state) const {
     audit.bodies.push_back({body.name, X_WL.p, quaternion_of(X_WL.R), linear_velocity(*model_, state, i),
                             angular_velocity(*model_, state, i)});
   }
-  for (const JointForces& forces : joint_snapshot(*model_, method_, state)) {
+  for (const JointReaction& forces : joint_snapshot(*model_, method_, state)) {
     audit.joints.push_back({model_->joint(forces.joint).name, forces.coordinates, forces.rates,
                             forces.force_W, forces.torque_W});
   }

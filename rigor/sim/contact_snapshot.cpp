@@ -92,7 +92,7 @@ std::vector<TouchingPoint> points_of(const Method& method, const IslandIntegrato
 
 /// Forces of the joints of one group, with its contacts.
 void add_joint_forces(const Model& model, const Method& method, const IslandIntegrator& integrator,
-                      const Cluster& part, std::vector<JointForces>& result) {
+                      const Cluster& part, std::vector<JointReaction>& result) {
   constexpr Eigen::Index most_rows = 600;
   const std::vector<int> joints = integrator.joints_of(part.bodies);
   if (joints.empty()) return;
@@ -116,7 +116,7 @@ void add_joint_forces(const Model& model, const Method& method, const IslandInte
     const Joint& joint = model.joint(joints[i]);
     const BodyMotion A = motion_of(joint.body_A, system.bodies, system.kinetics);
     const BodyMotion B = motion_of(joint.body_B, system.bodies, system.kinetics);
-    JointForces& forces = result[static_cast<std::size_t>(joints[i])];
+    JointReaction& forces = result[static_cast<std::size_t>(joints[i])];
     forces.p_W = B.x + B.R * joint.X_BK.p;
     const Wrench reaction = system.joints->reaction(i, lambda);
     forces.force_W = reaction.f_W;
@@ -132,8 +132,8 @@ void add_joint_forces(const Model& model, const Method& method, const IslandInte
 
 }  // namespace
 
-std::vector<JointForces> joint_snapshot(const Model& model, const Method& method, const State& state) {
-  std::vector<JointForces> result;
+std::vector<JointReaction> joint_snapshot(const Model& model, const Method& method, const State& state) {
+  std::vector<JointReaction> result;
   for (int j = 0; j < static_cast<int>(model.joints().size()); ++j) result.push_back({.joint = j});
   if (result.empty()) return result;
   const Environment environment(model);

@@ -32,7 +32,7 @@ struct TouchingPoint {
 std::vector<TouchingPoint> contact_snapshot(const Model& model, const Method& method, const State& state);
 
 /// What a joint does at an instant.
-struct JointForces {
+struct JointReaction {
   int joint;                        ///< Model index.
   Vec3 p_W = Vec3::Zero();          ///< Its anchor on B [m].
   Vec3 force_W = Vec3::Zero();      ///< Reaction of its rows on B [N]; of least norm where joints hold twice.
@@ -44,6 +44,6 @@ struct JointForces {
 
 /// All joints of the model, in its order. Groups of more than 600 rows get the forces of the tree that the
 /// solver chose instead of those of least norm. A function of its arguments alone, like contact_snapshot.
-std::vector<JointForces> joint_snapshot(const Model& model, const Method& method, const State& state);
+std::vector<JointReaction> joint_snapshot(const Model& model, const Method& method, const State& state);
 
 }  // namespace rigor

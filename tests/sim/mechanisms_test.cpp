@@ -83,16 +83,6 @@ TEST(Mechanisms, ALightBobSwingsLikeAPoint) {
   EXPECT_LE(run.report.max_joint_drift, 1e-14);
 }
 
-TEST(Mechanisms, ALightBobSwingsLikeAPoint) {
-  ModelBuilder builder = empty_scene(Vec3(0, -g, 0));
-  builder.add_body(body_of("bob", Vec3(-1, 0, 0), 1, Vec3::Constant(1e-12)));
-  builder.add_joint(joint("pivot", JointType::hinge, "world", "bob", Vec3::Zero()));
-  const Outcome run = simulate(builder.build(), 10, 1e-12, 0.1);
-  EXPECT_NEAR(run.state.position(0).x(), -0.27508746257611686, 1e-9);
-  EXPECT_NEAR(run.state.position(0).y(), -0.96141920509912506, 1e-9);
-  EXPECT_LE(run.report.max_joint_drift, 1e-14);
-}
-
 TEST(Mechanisms, TheDoublePendulumFollowsItsReference) {
   ModelBuilder builder = empty_scene(Vec3(0, -g, 0));
   builder.add_body(rod("upper", Vec3(0.5, 0, 0), Vec3::UnitX()));
