@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace rigor {
 
@@ -75,15 +74,17 @@ std::vector<Contact> joint_stops(const Model& model, const std::vector<int>& joi
   return stops;
 }
 
-double least_clearance(const Model& model, const std::vector<int>& joints, const std::vector<int>& bodies,
-                       const std::vector<BodyKinetics>& kinetics, const std::vector<Contact>& without) {
-  double least = std::numeric_limits<double>::infinity();
+std::vector<double> limit_clearances(const Model& model, const std::vector<int>& joints,
+                                     const std::vector<int>& bodies,
+                                     const std::vector<BodyKinetics>& kinetics,
+                                     const std::vector<Contact>& without) {
+  std::vector<double> clearances;
   for (const int index : joints) {
     for_each_limit(model, index, bodies, kinetics, [&](const JointStop& stop, double gap, const Vec3&) {
-      if (!holds(without, stop)) least = std::min(least, gap);
+      if (!holds(without, stop)) clearances.push_back(gap);
     });
   }
-  return least;
+  return clearances;
 }
 
 }  // namespace rigor

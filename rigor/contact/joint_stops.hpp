@@ -13,9 +13,11 @@ std::vector<Contact> joint_stops(const Model& model, const std::vector<int>& joi
                                  const std::vector<int>& bodies, const std::vector<BodyKinetics>& kinetics,
                                  double tolerance);
 
-/// Least distance of the coordinates to their limits ([m] or [rad], negative beyond), those of the listed
-/// stops left out; infinite if nothing is limited.
-double least_clearance(const Model& model, const std::vector<int>& joints, const std::vector<int>& bodies,
-                       const std::vector<BodyKinetics>& kinetics, const std::vector<Contact>& without);
+/// Distances of the coordinates to their limits ([m] or [rad], negative beyond), in the order of joints, axes
+/// and limits; those of the listed stops are left out.
+std::vector<double> limit_clearances(const Model& model, const std::vector<int>& joints,
+                                     const std::vector<int>& bodies,
+                                     const std::vector<BodyKinetics>& kinetics,
+                                     const std::vector<Contact>& without);
 
 }  // namespace rigor

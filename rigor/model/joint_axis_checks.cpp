@@ -49,7 +49,8 @@ void check_limits(const JointAxis& axis, const Coordinate& coordinate, Findings&
     return;
   }
   const double most = half_turn * (1 + rounding);
-  if (!findings.require(!coordinate.is_angle || (axis.lower >= -most && axis.upper <= most),
+  const auto is_turn = [&](double limit) { return std::isinf(limit) || std::abs(limit) <= most; };
+  if (!findings.require(!coordinate.is_angle || (is_turn(axis.lower) && is_turn(axis.upper)),
                         found + ", both must be from -180 deg to 180 deg")) {
     return;
   }

@@ -60,6 +60,12 @@ class Partition {
   std::vector<std::size_t> parent_;
 };
 
+/// How far a body's turning reaches [m]: to the end of its shapes, and if it has none to where its mass is.
+double reach_of(const Body& body) {
+  const double gyration = std::sqrt(body.moments.maxCoeff() / body.mass);
+  return std::isfinite(body.bounding_radius) ? std::max(body.bounding_radius, gyration) : gyration;
+}
+
 RestitutionLaw restitution_law(ImpactMethod method) {
   switch (method) {
     case ImpactMethod::newton:
@@ -399,8 +405,7 @@ bool ContactResolver::is_balanced(const Cluster& cluster, const LastingContacts&
   }
   for (const int index : cluster.bodies) {
     const BodyKinetics& body = system.of(index);
-    const double radius =
-        std::isfinite(model_.body(index).bounding_radius) ? model_.body(index).bounding_radius : 0;
+    const double radius = reach_of(model_.body(index));
     if (body.v.norm() > still || body.w.norm() * radius > still) return false;
   }
   std::vector<Wrench> wrenches = integrator_.environment_wrenches(system, cluster.t);
@@ -415,8 +420,7 @@ bool ContactResolver::is_balanced(const Cluster& cluster, const LastingContacts&
   for (const int index : cluster.bodies) {
     const std::size_t i = static_cast<std::size_t>(system.local_index(index));
     const BodyKinetics& body = system.kinetics[i];
-    const double radius =
-        std::isfinite(model_.body(index).bounding_radius) ? model_.body(index).bounding_radius : 0;
+    const double radius = reach_of(model_.body(index));
     const auto accelerations = [&](const Wrench& wrench) {
       return (body.inverse_mass * wrench.f_W).norm() + radius * (body.inverse_inertia * wrench.tau_W).norm();
     };

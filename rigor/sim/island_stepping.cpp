@@ -81,7 +81,7 @@ void IslandStepping::take_implicit_step(double h, double resolved, RunningIsland
                                         AdvanceReport& report) {
   const Island& island = running.island;
   running.step = integrator_.implicit_step(island, std::min(h, 0.1 * target_step_));
-  running.change = mode_changes_.find_overlap(island, running.step, 1);
+  running.change = mode_changes_.find_meeting(island, running.step);
   if (running.change) running.step = integrator_.implicit_step(island, std::max(running.change->h, resolved));
   ++report.coarse_steps;
   const int crowding = crowding_of(island.bodies) - 1;

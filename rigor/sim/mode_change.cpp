@@ -92,13 +92,11 @@ double ModeChangeSearch::force_margin(const Island& island, const Instant& insta
   return margin + rounding;
 }
 
-/// Least gap of the pairs in contact and of joints to their limits, above what is allowed: at active contacts
-/// half the tolerance, for errors of the step; elsewhere `allowance` [m].
+/// Least gap of the pairs in contact, above what is allowed: at active contacts half the tolerance, for
+/// errors of the step; elsewhere `allowance` [m].
 double ModeChangeSearch::overlap_margin(const Island& island, const Instant& instant,
                                         double allowance) const {
-  double margin =
-      allowance + least_clearance(model_, integrator_.joints_of(island.bodies), instant.system.bodies,
-                                  instant.system.kinetics, island.contacts);
+  double margin = std::numeric_limits<double>::infinity();
   std::set<std::pair<int, int>> pairs;
   for (const Contact& contact : island.contacts) {
     if (!contact.stop) pairs.insert({contact.body_A, contact.body_B});
@@ -111,6 +109,46 @@ double ModeChangeSearch::overlap_margin(const Island& island, const Instant& ins
     }
   }
   return margin;
+}
+
+std::vector<double> ModeChangeSearch::clearances(const Island& island, const Instant& instant) const {
+  return limit_clearances(model_, integrator_.joints_of(island.bodies), instant.system.bodies,
+                          instant.system.kinetics, island.contacts);
+}
+
+std::optional<ModeChange> ModeChangeSearch::find_limit(const Island& island, const IslandStep& step) const {
+  if (!has_limits(model_, integrator_.joints_of(island.bodies))) return std::nullopt;
+  constexpr int probes = 8, most_halvings = 40;
+  const std::vector<double> start = clearances(island, at(island, step, 0));
+  double end = 1;
+  std::optional<ModeChange> first;
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    const auto clearance = [&](double theta) { return clearances(island, at(island, step, theta))[i]; };
+    // What is at a limit or a little beyond it as it leaves has come back when it is as far again.
+    double level = std::min(0.0, start[i]);
+    const double lowest = level - 0.01 * contact_tolerance_;
+    double lo = 0;
+    for (int k = 1; k <= probes; ++k) {
+      const double probe = end * k / probes;
+      if (clearance(probe) >= level) {
+        lo = probe;
+        continue;
+      }
+      if (lo == 0) lo = probe;
+      for (int halvings = 0; halvings < most_halvings && clearance(lo) <= level; ++halvings) lo *= 0.5;
+      if (clearance(lo) <= level) {
+        // It never left: it creeps on by what the velocities are uncertain.
+        if (clearance(probe) >= lowest) break;
+        lo = 0;
+        level = lowest;
+      }
+      const auto above = [&](double theta) { return clearance(theta) - level; };
+      end = find_root_itp(above, lo, probe, time_tolerance_ / step.h).hi;
+      first = ModeChange{ModeChange::Kind::overlap, end * step.h};
+      break;
+    }
+  }
+  return first;
 }
 
 /// Whether the modes can still be, whatever the distribution of redundant forces.
@@ -128,12 +166,18 @@ std::optional<ModeChange> ModeChangeSearch::find_overlap(const Island& island, c
   const auto overlap = [&](double theta) {
     return overlap_margin(island, at(island, step, theta), allowance);
   };
-  for (const double probe : {0.25 * end, 0.5 * end, 0.75 * end, end}) {
+  for (const double probe : {0.5 * end, end}) {
     if (overlap(probe) >= 0) continue;
     const RootBracket root = find_root_bisection(overlap, 0, probe, time_tolerance_ / step.h);
     return ModeChange{ModeChange::Kind::overlap, root.hi * step.h};
   }
   return std::nullopt;
+}
+
+std::optional<ModeChange> ModeChangeSearch::find_meeting(const Island& island, const IslandStep& step) const {
+  const std::optional<ModeChange> limit = find_limit(island, step);
+  const std::optional<ModeChange> overlap = find_overlap(island, step, limit ? limit->h / step.h : 1);
+  return overlap ? overlap : limit;
 }
 
 std::optional<ModeChange> ModeChangeSearch::find(const Island& island, const IslandStep& step) const {
@@ -146,11 +190,15 @@ std::optional<ModeChange> ModeChangeSearch::find(const Island& island, const Isl
     end = theta;
   };
 
-  if (island.contacts.empty()) return find_overlap(island, step, end);
+  if (const std::optional<ModeChange> limit = find_limit(island, step)) {
+    first = limit;
+    end = limit->h / step.h;
+  }
+  if (island.contacts.empty()) return first;
   // Slip first: beyond the end of a slip its friction has the wrong direction and nothing else counts.
   const auto slip = [&](double theta) { return slip_margin(island, at(island, step, theta)); };
-  if (slip(1) < 0 && slip(0) > 0) {
-    const RootBracket root = find_root_itp(slip, 0, 1, tolerance);
+  if (slip(end) < 0 && slip(0) > 0) {
+    const RootBracket root = find_root_itp(slip, 0, end, tolerance);
     shorten(ModeChange::Kind::slip_ends, root.hi);
     first->slip_speed = std::max(0.0, std::max(root.f_lo, -root.f_hi));
   }

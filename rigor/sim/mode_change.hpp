@@ -11,7 +11,7 @@ struct ModeChange {
   enum class Kind {
     slip_ends,    ///< A sliding contact comes to a stop.
     force_limit,  ///< A contact lets go, or a sticking one begins to slip.
-    overlap,      ///< Further points of bodies in contact meet.
+    overlap,      ///< Further points of bodies in contact meet, or a joint meets a limit.
   };
   Kind kind;
   double h;               ///< Time since the island's begin [s].
@@ -25,15 +25,21 @@ class ModeChangeSearch {
   ModeChangeSearch(const Model& model, const IslandIntegrator& integrator, const Method& method);
 
   std::optional<ModeChange> find(const Island& island, const IslandStep& step) const;
-  /// The first time at which further points of the bodies in contact meet, and nothing else.
-  std::optional<ModeChange> find_overlap(const Island& island, const IslandStep& step, double end) const;
+  /// The first time at which further points of the bodies in contact meet or a joint meets a limit, and
+  /// nothing else.
+  std::optional<ModeChange> find_meeting(const Island& island, const IslandStep& step) const;
 
  private:
   struct Instant;
+  /// The first time at which a joint meets a limit.
+  std::optional<ModeChange> find_limit(const Island& island, const IslandStep& step) const;
+  /// The first time before `end` (a part of the step) at which further points of the bodies in contact meet.
+  std::optional<ModeChange> find_overlap(const Island& island, const IslandStep& step, double end) const;
   Instant at(const Island& island, const IslandStep& step, double theta) const;
   std::vector<Wrench> wrenches(const Island& island, const Instant& instant) const;
   double slip_margin(const Island& island, const Instant& instant) const;
   double force_margin(const Island& island, const Instant& instant) const;
+  std::vector<double> clearances(const Island& island, const Instant& instant) const;
   double overlap_margin(const Island& island, const Instant& instant, double allowance) const;
   bool modes_hold(const Island& island, const Instant& instant) const;
 
