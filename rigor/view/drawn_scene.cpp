@@ -1,5 +1,7 @@
 #include "rigor/view/drawn_scene.hpp"
 
+#include "rigor/view/drawn_joints.hpp"
+
 #include <array>
 #include <map>
 #include <utility>
@@ -59,29 +61,43 @@ BodyShape inertia_box(const Body& body) {
   return {Box{half}, Pose{}, 0, half.norm(), ""};
 }
 
-/// What is drawn of a body.
-std::vector<BodyShape> drawn_shapes(const Body& body) {
+/// What is drawn of a body whose joints are as far as `reach` from its centre of mass.
+std::vector<BodyShape> drawn_shapes(const Body& body, double reach) {
+  constexpr double least_part = 0.05;
   if (!body.shapes.empty() || body.motion != MotionType::dynamic || !(body.moments.maxCoeff() > 0))
     return body.shapes;
-  return {inertia_box(body)};
+  const BodyShape box = inertia_box(body);
+  const double least_radius = least_part * reach;
+  if (box.radius >= least_radius) return {box};
+  return {BodyShape{Sphere{least_radius}, Pose{}, 0, least_radius, ""}};
 }
 
 }  // namespace
+
+std::array<Vec3, 2> DrawnLine::ends(std::span<const Pose> X_WL) const {
+  std::array<Vec3, 2> p_W = points;
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (bodies[i] != world_body) p_W[i] = X_WL[static_cast<std::size_t>(bodies[i])] * points[i];
+  }
+  return p_W;
+}
 
 DrawnScene make_drawn_scene(const Model& model) {
   DrawnScene scene;
   scene.body_count = model.body_count();
   if (model.g_W().norm() > 0) scene.up = -model.g_W().normalized();
   SurfaceShelf shelf;
+  const std::vector<double> reaches = joint_reaches(model);
   for (int i = 0; i < model.body_count(); ++i) {
     const Body& body = model.body(i);
     const Pose X_LB = body.X_BL.inverse();
-    for (const BodyShape& shape : drawn_shapes(body)) {
+    for (const BodyShape& shape : drawn_shapes(body, reaches[static_cast<std::size_t>(i)])) {
       scene.shapes.push_back({i, body.motion != MotionType::fixed, shape.shape, X_LB * shape.X_BS,
                               shelf.surface(shape.shape), axis_aligned_box(shape.shape, Pose{}), shape.radius,
                               shape_color(body, shape, i)});
     }
   }
+  add_joints(model, scene);
   return scene;
 }
 

@@ -92,6 +92,13 @@ std::vector<FramedBall> framed_balls(const DrawnScene& scene, std::span<const Po
     const Pose& X_WL = poses[static_cast<std::size_t>(shape->body)];
     if ((X_WL * shape->X_LS.p - middle).norm() + shape->radius <= limit) add_extent(*shape, X_WL, balls);
   }
+  for (const DrawnLine& line : scene.lines) {
+    for (std::size_t first = 0; first + n <= poses.size(); first += n) {
+      for (const Vec3& end : line.ends(poses.subspan(first, n))) {
+        if ((end - middle).norm() <= limit) balls.push_back({end, line.radius});
+      }
+    }
+  }
   return balls;
 }
 

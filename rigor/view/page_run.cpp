@@ -98,6 +98,29 @@ Json springs_json(const Model& model) {
   return springs;
 }
 
+/// Direction of an axis that a joint has on its body A (side 0) or B; null if it has none there.
+Json axis_json(const Joint& joint, std::size_t side) {
+  const bool is_universal = joint.type == JointType::universal;
+  const bool has_axis =
+      joint.type != JointType::fixed && joint.type != JointType::ball && joint.type != JointType::distance;
+  if (side == 0) return has_axis ? json_of(Vec3(joint.X_AJ.R.col(2))) : Json();
+  return is_universal ? json_of(Vec3(joint.X_BK.R.col(0))) : Json();
+}
+
+/// All joints that have a place: gears have none.
+Json joints_json(const Model& model) {
+  Json joints = Json::array();
+  for (const Joint& joint : model.joints()) {
+    if (joint.type == JointType::gear) continue;
+    joints.push_back({{"name", joint.name},
+                      {"type", joint_type_name(joint.type)},
+                      {"bodies", {joint.body_A, joint.body_B}},
+                      {"points", {json_of(joint.X_AJ.p), json_of(joint.X_BK.p)}},
+                      {"axes", {axis_json(joint, 0), axis_json(joint, 1)}}});
+  }
+  return joints;
+}
+
 Json series_json() {
   Json series = Json::array();
   for (const Quantity& quantity : quantities) {
@@ -176,7 +199,7 @@ std::vector<PageBlock> PageRun::finish(const Audit& audit) {
                  {"meshes", geometry.meshes},
                  {"materials", materials_json(*latest_model_)},
                  {"springs", springs_json(*latest_model_)},
-                 {"joints", Json::array()},
+                 {"joints", joints_json(*model_)},
                  {"audit", audit_of_run}};
   if (!label_.empty()) {
     header["label"] = label_;

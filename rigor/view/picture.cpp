@@ -34,7 +34,7 @@ std::vector<LegendLine> legend(const Model& model, const DrawnScene& scene) {
   std::vector<LegendLine> lines;
   int last = -1;
   for (const DrawnShape& shape : scene.shapes) {
-    if (!shape.can_move || shape.body == last) continue;
+    if (!shape.can_move || shape.is_joint || shape.body == last) continue;
     last = shape.body;
     lines.push_back({model.body(last).name, shape.color});
     if (lines.size() > most_legend_lines) return {};

@@ -98,9 +98,29 @@ void Renderer::place(const DrawnScene& scene, std::span<const Pose> X_WL, const 
   placed_.clear();
   for (const DrawnShape& shape : scene.shapes)
     placed_.push_back({&shape, X_WL[static_cast<std::size_t>(shape.body)] * shape.X_LS});
+  place_lines(scene, X_WL);
   const auto depth = [&](const PlacedShape& placed) { return X_KW.R.row(2).dot(placed.X_WS.p); };
   std::stable_sort(placed_.begin(), placed_.end(),
                    [&](const PlacedShape& a, const PlacedShape& b) { return depth(a) < depth(b); });
+}
+
+/// Lines as rods of the lengths that they have now.
+void Renderer::place_lines(const DrawnScene& scene, std::span<const Pose> X_WL) {
+  rods_.clear();
+  rods_.reserve(scene.lines.size());  // The placed shapes point at them.
+  for (const DrawnLine& line : scene.lines) {
+    const auto [from, to] = line.ends(X_WL);
+    const double length = (to - from).norm();
+    if (!(length > 0)) continue;
+    const Cylinder rod{line.radius, length / 2};
+    DrawnShape& shape = rods_.emplace_back();
+    shape.shape = rod;
+    shape.surface = std::make_shared<const Surface>(make_surface(rod));
+    shape.box = axis_aligned_box(rod, Pose{});
+    shape.radius = std::hypot(rod.radius, rod.half_length);
+    shape.color = line.color;
+    placed_.push_back({&shape, Pose{frame_with_z((to - from) / length), 0.5 * (from + to)}});
+  }
 }
 
 void Renderer::see(const Projection& projection, int width, int height) {

@@ -28,6 +28,7 @@ class Renderer {
 
  private:
   void place(const DrawnScene& scene, std::span<const Pose> X_WL, const Pose& X_KW);
+  void place_lines(const DrawnScene& scene, std::span<const Pose> X_WL);
   void see(const Projection& projection, int width, int height);
   void see_surface(const PlacedShape& placed, const Projection& projection, Occlusion& occlusion);
   void see_face(const Surface& surface, const Surface::Face& face, const Pose& X_KS,
@@ -43,6 +44,7 @@ class Renderer {
   };
   Color pixel_color(const Shader& shader, const std::array<PixelSample, 4>& samples, float x, float y) const;
 
+  std::vector<DrawnShape> rods_;     ///< The scene's lines at this moment.
   std::vector<PlacedShape> placed_;  ///< From near to far.
   std::array<SampleGrid, 4> grids_ = {SampleGrid(0.375, 0.125), SampleGrid(0.875, 0.375),
                                       SampleGrid(0.125, 0.625), SampleGrid(0.625, 0.875)};

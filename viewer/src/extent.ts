@@ -1,5 +1,5 @@
 import type { Frames } from "./frames";
-import { shapesOf, type Header, type Quat, type Vec } from "./header";
+import { jointPoints, shapesOf, type Header, type Quat, type Vec } from "./header";
 import { turned } from "./marks";
 
 /** A box about what is worth looking at, from Header.origin [m]. */
@@ -32,7 +32,7 @@ export function extentOf(header: Header, frames: Frames): Extent {
   return standing(header);
 }
 
-/** Half of a body's extent along the axes of the world when it is turned so, of those shapes that have an end. */
+/** Half of a body's extent along the axes of the world when it is turned so, of those shapes that have an end, and to its joints. */
 function halfExtents(header: Header, body: number, q: Quat): Vec {
   const half: Vec = [0, 0, 0];
   for (const shape of shapesOf(header, body)) {
@@ -48,6 +48,7 @@ function halfExtents(header: Header, body: number, q: Quat): Vec {
       half[c] = Math.max(half[c], Math.abs(middle[c]) + reach);
     }
   }
+  for (const point of jointPoints(header, body)) turned(q, point).forEach((x, c) => (half[c] = Math.max(half[c], Math.abs(x))));
   return half;
 }
 

@@ -25,13 +25,21 @@ export interface Header {
   meshes: { vertices: number; triangles: number }[];
   materials: { name: string; density: number; friction: number; restitution: number }[];
   springs: { bodies: [number, number]; points: [Vec, Vec] }[];
-  /** Anchor and axis in the frame of the first body. */
-  joints: { name: string; bodies: [number, number]; anchor: Vec; axis: Vec }[];
+  joints: JointHeader[];
   audit: Record<string, unknown>;
 }
 
 export type Vec = [number, number, number];
 export type Quat = [number, number, number, number];
+
+/** A joint of two bodies (-1: the world). Its place and its axes on each, in the body's frame (of the world: from 0, not from the origin). */
+export interface JointHeader {
+  name: string;
+  type: string;
+  bodies: [number, number];
+  points: [Vec, Vec];
+  axes: [Vec | null, Vec | null];
+}
 
 export interface BodyHeader {
   name: string;
@@ -64,7 +72,8 @@ export interface ShapeHeader {
 
 /**
  * The shapes to draw a body with. A moving body without any is drawn as the ellipsoid that has its mass and moments:
- * a² = 5 (I2 + I3 - I1) / 2m for the axis of I1, and so on; no axis thinner than a twentieth of the longest.
+ * a² = 5 (I2 + I3 - I1) / 2m for the axis of I1, and so on; no axis thinner than a twentieth of the longest, or of the
+ * way to the farthest of its joints.
  */
 export function shapesOf(header: Header, body: number): ShapeHeader[] {
   const { look, mass, moments } = header.bodies[body];
@@ -72,7 +81,26 @@ export function shapesOf(header: Header, body: number): ShapeHeader[] {
   if (shapes.length > 0 || mass <= 0) return shapes;
   const [a, b, c] = moments;
   const squares = [b + c - a, c + a - b, a + b - c].map((sum) => (2.5 * Math.max(0, sum)) / mass);
-  const longest = Math.sqrt(Math.max(...squares)) || 1;
+  const longest = Math.max(Math.sqrt(Math.max(...squares)), ...jointPoints(header, body).map((p) => Math.hypot(...p))) || 1;
   const radii = squares.map((square) => Math.max(Math.sqrt(square), 0.05 * longest)) as Vec;
   return [{ type: "ellipsoid", radii, p: [0, 0, 0], q: [1, 0, 0, 0], material: 0, color: "" }];
+}
+
+const jointPointsOf = new WeakMap<Header, Map<number, Vec[]>>();
+
+/** Where the joints of a body are, in its frame. */
+export function jointPoints(header: Header, body: number): Vec[] {
+  let points = jointPointsOf.get(header);
+  if (!points) {
+    points = new Map();
+    for (const joint of header.joints) {
+      for (const side of [0, 1]) {
+        const ofBody = points.get(joint.bodies[side]);
+        if (ofBody) ofBody.push(joint.points[side]);
+        else points.set(joint.bodies[side], [joint.points[side]]);
+      }
+    }
+    jointPointsOf.set(header, points);
+  }
+  return points.get(body) ?? [];
 }

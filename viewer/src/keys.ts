@@ -7,7 +7,7 @@ const sceneHelp: [string, string][] = [
   ["V", "velocities"],
   ["X", "body frames"],
   ["I", "axes of inertia"],
-  ["J", "joint axes (where there are joints)"],
+  ["J", "joints and their axes (where there are joints)"],
   ["T", "trails"],
   ["P", "overlapping bodies"],
   ["H", "shadows"],

@@ -40,7 +40,8 @@ export class Marks {
   /** A large ring about the deepest overlap. */
   readonly ring: Dots;
   readonly trails = new Lines();
-  readonly springs = new Lines();
+  /** Springs and the rods of joints. */
+  readonly links = new Lines();
   private readonly header: Header;
   /** About each body's centre of mass, a ball that holds it [m]; Infinity or 0 where there is none. */
   private readonly sizes: number[];
@@ -59,7 +60,7 @@ export class Marks {
   }
 
   update(time: number, motion: Motion, contacts: Contact[], shown: Shown, selected: number, event: MotionEvent | undefined): void {
-    const parts = [this.arrows, this.ring, this.dots, this.trails, this.springs];
+    const parts = [this.arrows, this.ring, this.dots, this.trails, this.links];
     for (const part of parts) part.clear();
     if (shown.contacts) this.addContacts(contacts, shown.arrowScale);
     if (shown.velocities) this.addVelocities(motion, shown.arrowScale);
@@ -137,12 +138,22 @@ export class Marks {
     }
   }
 
+  /** A rod from each moving body's centre of mass to the joint, a dot there, its axes; the line of a distance joint. */
   private addJoints(motion: Motion): void {
-    for (const { bodies, anchor, axis } of this.header.joints) {
-      const q = orientationAt(motion, bodies[0]);
-      const place = add(vectorAt(motion.position, bodies[0]), turned(q, anchor));
-      this.arrows.add(place, turned(q, axis).map((x) => 0.2 * this.radius * x), color.impulse);
-      this.dots.add(place, color.impulse);
+    for (const { type, bodies, points, axes } of this.header.joints) {
+      const places = bodies.map((body, side) => this.placeOn(body, points[side], motion)) as [Vec, Vec];
+      if (type === "distance") this.links.add(places[0], places[1], color.impulse);
+      const arms = bodies.map((body, side) => (this.canMove(body) ? Math.hypot(...points[side]) : 0));
+      bodies.forEach((body, side) => {
+        if (arms[side] > 0) this.links.add(vectorAt(motion.position, body), places[side], color.impulse);
+      });
+      if (type !== "fixed") places.slice(0, type === "distance" ? 2 : 1).forEach((place) => this.dots.add(place, color.impulse));
+      const length = Math.min(0.2 * this.radius, Math.max(...arms) || Infinity);
+      axes.forEach((axis, side) => {
+        if (axis === null) return;
+        const direction = bodies[side] < 0 ? axis : turned(orientationAt(motion, bodies[side]), axis);
+        this.arrows.add(places[side], direction.map((x) => length * x), color.impulse);
+      });
     }
   }
 
@@ -177,12 +188,19 @@ export class Marks {
 
   private addSprings(motion: Motion): void {
     for (const { bodies, points } of this.header.springs) {
-      const [from, to] = bodies.map((body, i) =>
-        body < 0
-          ? points[i].map((x, c) => x - this.header.origin[c])
-          : add(vectorAt(motion.position, body), turned(orientationAt(motion, body), points[i])));
-      this.springs.add(from, to, color.velocity);
+      const [from, to] = bodies.map((body, i) => this.placeOn(body, points[i], motion));
+      this.links.add(from, to, color.velocity);
     }
+  }
+
+  /** A point of a body, or of the world (-1), as the picture has it. */
+  private placeOn(body: number, point: Vec, motion: Motion): Vec {
+    if (body < 0) return point.map((x, c) => x - this.header.origin[c]) as Vec;
+    return add(vectorAt(motion.position, body), turned(orientationAt(motion, body), point));
+  }
+
+  private canMove(body: number): boolean {
+    return body >= 0 && this.header.bodies[body].motion !== "static";
   }
 
   /** The selected body, or all that move if none is (not so many that nothing could be made out). */

@@ -104,7 +104,7 @@ export class Dots {
   }
 }
 
-/** Lines: trails, springs. */
+/** Lines: trails, springs, rods of joints. */
 export class Lines {
   readonly lines: LineSegments;
   private readonly geometry = new BufferGeometry();

@@ -142,7 +142,7 @@ export class Panel {
       ["velocities", "Velocities (V)", [overlayColors.velocity], true],
       ["frames", "Body frames (X)", [overlayColors.x, overlayColors.y, overlayColors.z], true],
       ["inertia", "Axes of inertia (I)", [overlayColors.x, overlayColors.y, overlayColors.z], true],
-      ["joints", "Joint axes (J)", [overlayColors.impulse], header.joints.length > 0],
+      ["joints", "Joints and their axes (J)", [overlayColors.impulse], header.joints.length > 0],
       ["trails", "Trails (T)", [overlayColors.normal], true],
       ["penetration", "Overlapping bodies (P)", [overlayColors.penetration], true],
       ["ghost", "Run B as a ghost (G)", [], hasGhost],

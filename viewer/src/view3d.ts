@@ -95,7 +95,7 @@ export class View3D {
     this.ground = new Ground(header, new Vector3(...extent.center), extent.radius, [0, 0, 0]);
     this.marks = new Marks(source, extent.radius, this.pixel, this.ratio);
     this.content.add(this.ground.group, this.shapes.group);
-    this.content.add(this.marks.trails.lines, this.marks.springs.lines, this.marks.arrows.mesh, this.marks.ring.points, this.marks.dots.points);
+    this.content.add(this.marks.trails.lines, this.marks.links.lines, this.marks.arrows.mesh, this.marks.ring.points, this.marks.dots.points);
     this.ghostShapes = undefined;
     if (ghost) {
       const offset = ghost.header.origin.map((x, c) => x - header.origin[c]) as [number, number, number];
@@ -191,7 +191,7 @@ export class View3D {
     const size = this.renderer.getSize(new Vector2());
     const target = new WebGLRenderTarget(1, 1);
     const background = this.scene.background;
-    const hidden = [this.ground.group, this.marks.trails.lines, this.marks.springs.lines, this.marks.arrows.mesh, this.marks.ring.points, this.marks.dots.points, this.ghostShapes?.group];
+    const hidden = [this.ground.group, this.marks.trails.lines, this.marks.links.lines, this.marks.arrows.mesh, this.marks.ring.points, this.marks.dots.points, this.ghostShapes?.group];
     const visible = hidden.map((object) => object?.visible);
     hidden.forEach((object) => object && (object.visible = false));
     this.shapes.setPicking(true);
