@@ -30,27 +30,28 @@ DensePhase quadratic_dense_phase(const BodyPhase& start, const BodyPhase& end, c
   return dense;
 }
 
-Eigen::Matrix<double, 4, 6> fit_quaternions(const std::function<Quat(double theta)>& q, const Quat& start) {
+QuaternionFit fit_quaternions(const std::function<Quat(double theta)>& q, const Quat& start, int n) {
   const Vec4 first(start.w(), start.x(), start.y(), start.z());
 
-  // Differences from the start at θ = k/5, which are small: then the system's condition number costs nothing.
-  Eigen::Matrix<double, 5, 5> powers;
-  Eigen::Matrix<double, 5, 4> differences;
+  // Differences from the start at θ = k/n, which are small: then the system's condition number costs nothing.
+  constexpr int most = DensePhase::max_degree;
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most, most> powers(n, n);
+  Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::ColMajor, most, 4> differences(n, 4);
   Vec4 previous = first;
-  for (int k = 1; k <= 5; ++k) {
-    const double theta = k / 5.0;
+  for (int k = 1; k <= n; ++k) {
+    const double theta = k / static_cast<double>(n);
     const Quat sample = q(theta);
     Vec4 value(sample.w(), sample.x(), sample.y(), sample.z());
     if (value.dot(previous) < 0) value = -value;
     previous = value;
     differences.row(k - 1) = (value - first).transpose();
     double power = theta;
-    for (int m = 0; m < 5; ++m, power *= theta) powers(k - 1, m) = power;
+    for (int m = 0; m < n; ++m, power *= theta) powers(k - 1, m) = power;
   }
 
-  Eigen::Matrix<double, 4, 6> coefficients;
+  QuaternionFit coefficients(4, n + 1);
   coefficients.col(0) = first;
-  coefficients.rightCols<5>() = powers.partialPivLu().solve(differences).transpose();
+  coefficients.rightCols(n) = powers.partialPivLu().solve(differences).transpose();
   return coefficients;
 }
 

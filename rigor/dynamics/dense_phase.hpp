@@ -9,9 +9,11 @@ namespace rigor {
 /// Rows of DensePhase::coefficients.
 inline constexpr int dense_x_row = 0, dense_q_row = 3, dense_P_row = 7, dense_L_row = 10;
 
-/// Coefficients (4 × 6, rows w x y z) of the polynomial of degree 5 in θ through q(0), q(1/5), ..., q(1).
-/// Signs of the quaternions are chosen to be continuous from `start` on.
-Eigen::Matrix<double, 4, 6> fit_quaternions(const std::function<Quat(double theta)>& q, const Quat& start);
+/// Coefficients (4 × (n + 1), rows w x y z) of the polynomial of degree n in θ through q(0), q(1/n), ...,
+/// q(1). Signs of the quaternions are chosen to be continuous from `start` on.
+using QuaternionFit =
+    Eigen::Matrix<double, 4, Eigen::Dynamic, Eigen::ColMajor, 4, DensePhase::max_degree + 1>;
+QuaternionFit fit_quaternions(const std::function<Quat(double theta)>& q, const Quat& start, int n);
 
 /// Motion from start to end that leaves with the start's own velocities v [m/s] and w [rad/s]: x and q of
 /// degree 2, P and L of degree 1. For first-order methods that move with the momenta of the end, so that the

@@ -13,20 +13,24 @@
 namespace rigor {
 namespace {
 
-ButcherTableau tableau_of(IntegratorName name) {
+const ButcherTableau& tableau_of(IntegratorName name) {
+  static const ButcherTableau euler = explicit_euler_tableau(), midpoint = midpoint_tableau(),
+                              rk4 = rk4_tableau(), dopri5 = dopri5_tableau(), dop853 = dop853_tableau();
   switch (name) {
     case IntegratorName::midpoint:
-      return midpoint_tableau();
+      return midpoint;
     case IntegratorName::rk4:
     case IntegratorName::lie_rk4:
-      return rk4_tableau();
+      return rk4;
     case IntegratorName::dopri5:
-      return dopri5_tableau();
+      return dopri5;
+    case IntegratorName::dop853:
+      return dop853;
     case IntegratorName::euler:
     case IntegratorName::semi_implicit_euler:
       break;
   }
-  return explicit_euler_tableau();
+  return euler;
 }
 
 AttitudeChart chart_of(IntegratorName name, OrientationForm form) {
@@ -35,7 +39,7 @@ AttitudeChart chart_of(IntegratorName name, OrientationForm form) {
 }
 
 /// Largest error of a block of a body against its tolerance; 1 is just good.
-double relative_error(const SystemOde& ode, const RungeKuttaStep& step,
+double relative_error(const SystemOde& ode, const RungeKuttaStep& step, const VecX& error,
                       const IntegratorTolerances& tolerances) {
   // A rotation by a small angle δ moves q by δ/2 and R by √2 δ.
   const double attitude_scale = ode.chart() == AttitudeChart::matrix ? 2 * std::sqrt(2.0) : 1;
@@ -46,12 +50,21 @@ double relative_error(const SystemOde& ode, const RungeKuttaStep& step,
     for (int block = 0; block < 3; ++block) {
       const int at = ode.offset(i) + 3 * block;
       const double size = std::max(step.dense.col(0).segment<3>(at).norm(), step.end.segment<3>(at).norm());
-      largest = std::max(largest, step.error.segment<3>(at).norm() / (scales[block] + size));
+      largest = std::max(largest, error.segment<3>(at).norm() / (scales[block] + size));
     }
-    const double attitude = step.error.segment(ode.offset(i) + 9, ode.attitude_size()).norm();
+    const double attitude = error.segment(ode.offset(i) + 9, ode.attitude_size()).norm();
     largest = std::max(largest, attitude / attitude_scale);
   }
-  return step.error.allFinite() ? largest / tolerances.relative : std::numeric_limits<double>::infinity();
+  return error.allFinite() ? largest / tolerances.relative : std::numeric_limits<double>::infinity();
+}
+
+/// The same of the step's estimates together; NaN without one.
+double relative_error(const SystemOde& ode, const RungeKuttaStep& step,
+                      const IntegratorTolerances& tolerances) {
+  if (step.error.size() == 0) return std::numeric_limits<double>::quiet_NaN();
+  const double error = relative_error(ode, step, step.error, tolerances);
+  if (step.coarse_error.size() == 0 || std::isinf(error)) return error;
+  return combined_error(error, relative_error(ode, step, step.coarse_error, tolerances));
 }
 
 DensePhase dense_phase(const SystemOde& ode, const RungeKuttaStep& step, int body, const Quat& start) {
@@ -65,9 +78,10 @@ DensePhase dense_phase(const SystemOde& ode, const RungeKuttaStep& step, int bod
   if (ode.chart() == AttitudeChart::quaternion) {
     dense.coefficients.block(dense_q_row, 0, 4, columns) = step.dense.middleRows<4>(at + 9);
   } else {
-    dense.degree = 5;
+    dense.degree = std::max(5, columns - 1);
     const auto orientation = [&](double theta) { return ode.orientation(step.at(theta), body); };
-    dense.coefficients.middleRows<4>(dense_q_row) = fit_quaternions(orientation, start);
+    dense.coefficients.block(dense_q_row, 0, 4, dense.degree + 1) =
+        fit_quaternions(orientation, start, dense.degree);
   }
   return dense;
 }
@@ -87,8 +101,7 @@ SystemStep integrate_step(IntegratorName name, OrientationForm form, std::span<c
   const RungeKuttaStep step = runge_kutta_step(tableau_of(name), f, t, ode.start_vector(), h);
 
   SystemStep result;
-  const bool has_error = step.error.size() > 0;
-  result.error = has_error ? relative_error(ode, step, tolerances) : std::numeric_limits<double>::quiet_NaN();
+  result.error = relative_error(ode, step, tolerances);
   result.quaternion_drift = 0;
   for (int i = 0; i < ode.body_count(); ++i) {
     Quat q = ode.orientation(step.end, i);

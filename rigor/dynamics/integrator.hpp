@@ -9,12 +9,12 @@
 
 namespace rigor {
 
-/// The integrators of the interface, by name. euler, midpoint, rk4 and dopri5 are explicit Runge-Kutta
-/// methods on the 13 or 18 numbers of a body; semi_implicit_euler kicks the momenta first and moves with the
-/// new ones; lie_rk4 is the Runge-Kutta-Munthe-Kaas method of order 4: RK4 on the rotation vector from the
-/// start of the step, q = exp(Φ/2) q₀, so |q| is kept to rounding and the form of the orientation makes no
-/// difference.
-enum class IntegratorName { euler, semi_implicit_euler, midpoint, rk4, dopri5, lie_rk4 };
+/// The integrators of the interface, by name. euler, midpoint, rk4, dopri5 and dop853 are explicit
+/// Runge-Kutta methods on the 13 or 18 numbers of a body; semi_implicit_euler kicks the momenta first and
+/// moves with the new ones; lie_rk4 is the Runge-Kutta-Munthe-Kaas method of order 4: RK4 on the rotation
+/// vector from the start of the step, q = exp(Φ/2) q₀, so |q| is kept to rounding and the form of the
+/// orientation makes no difference.
+enum class IntegratorName { euler, semi_implicit_euler, midpoint, rk4, dopri5, dop853, lie_rk4 };
 
 /// What is integrated for the attitude: the quaternion (13 numbers a body) or the matrix R with Gram-Schmidt
 /// after each step (18 numbers a body).
@@ -26,11 +26,11 @@ using WrenchField =
     std::function<void(double t, std::span<const BodyPhase> phases, std::span<Wrench> wrenches)>;
 
 /// Motion of one body over a step as polynomials of θ = (t - t0)/h, θ in [0, 1]: the continuous extension of
-/// the method (linear for the Euler methods, of order 2 for midpoint, 3 for rk4 and lie_rk4, 4 for dopri5).
-/// Where the attitude is not integrated as a quaternion, q is a polynomial of degree 5 through six points of
-/// the extension.
+/// the method (linear for the Euler methods, of order 2 for midpoint, 3 for rk4 and lie_rk4, 4 for dopri5,
+/// 7 for dop853). Where the attitude is not integrated as a quaternion, q is a polynomial of degree 5
+/// (dop853: 7) through points of the extension.
 struct DensePhase {
-  static constexpr int max_degree = 5;
+  static constexpr int max_degree = 7;
   /// Column k: coefficient of θᵏ of the 13 numbers x, q (w x y z), P, L.
   Eigen::Matrix<double, 13, max_degree + 1> coefficients = Eigen::Matrix<double, 13, max_degree + 1>::Zero();
   int degree = 0;
@@ -43,7 +43,7 @@ struct DensePhase {
 struct SystemStep {
   std::vector<BodyPhase> end;     ///< At t + h; q normalised.
   std::vector<DensePhase> dense;  ///< One a body; agrees with start and end up to rounding and normalisation.
-  double error;  ///< Embedded local error estimate relative to the tolerance (dopri5: ≤ 1 is good);
+  double error;  ///< Embedded local error estimate relative to the tolerance (dopri5, dop853: ≤ 1 is good);
                  ///< NaN for methods without one.
   double quaternion_drift;  ///< Largest | |q| - 1 | before normalisation (matrix form: |RᵀR - 1|).
 };
@@ -61,7 +61,7 @@ SystemStep integrate_step(IntegratorName name, OrientationForm form, std::span<c
                           std::span<const BodyPhase> start, double t, double h, const WrenchField& wrenches,
                           const IntegratorTolerances& tolerances);
 
-/// Classical order of the method (1, 1, 2, 4, 5, 4).
+/// Classical order of the method (1, 1, 2, 4, 5, 8, 4).
 int integrator_order(IntegratorName name);
 
 }  // namespace rigor

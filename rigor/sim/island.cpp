@@ -27,6 +27,8 @@ IntegratorName integrator_of(IntegratorMethod method) {
       return IntegratorName::rk4;
     case IntegratorMethod::lie_rk4:
       return IntegratorName::lie_rk4;
+    case IntegratorMethod::dop853:
+      return IntegratorName::dop853;
     // The closed form is for flight; where forces act its place is taken by the integrator that controls its
     // error.
     case IntegratorMethod::exact:
@@ -380,8 +382,7 @@ IslandStep IslandIntegrator::implicit_step(const Island& island, double h) const
 }
 
 ControlledStep IslandIntegrator::controlled_step(const Island& island, double h, double least) const {
-  constexpr int order = 5;
-  StepController controller(order);
+  StepController controller(integrator_order(integrator_));
   while (true) {
     IslandStep taken = step(island, h);
     if (std::isnan(taken.error)) return {std::move(taken), std::numeric_limits<double>::infinity()};

@@ -60,7 +60,12 @@ std::span<const MethodNumber> method_numbers() {
        {0, 1e6},
        "slower approaches do not bounce",
        &Method::resting_velocity},
-      {"tolerance", "", "1e-10", {1e-14, 0.1}, "relative local error of dopri5", &Method::tolerance},
+      {"tolerance",
+       "",
+       "1e-10",
+       {1e-14, 0.1},
+       "relative local error of dopri5 and dop853",
+       &Method::tolerance},
   }};
   return numbers;
 }
@@ -115,7 +120,7 @@ std::vector<std::string> check_combination(const Method& method) {
     messages.push_back(
         "orientation 'matrix' does not go with integrator '" + method_choice(method, "integrator") +
         "', which turns quaternions; integrators that do: euler, semi-implicit-euler, midpoint, rk4, "
-        "dopri5");
+        "dopri5, dop853");
   }
   return messages;
 }

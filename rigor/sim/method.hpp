@@ -12,7 +12,7 @@ namespace rigor {
 
 enum class Scheme { event_driven, time_stepping, penalty, impulse_based, hybrid };
 /// `exact` is the closed form (ballistic arcs and torque-free rotation); the others are numerical.
-enum class IntegratorMethod { exact, euler, semi_implicit_euler, midpoint, rk4, dopri5, lie_rk4 };
+enum class IntegratorMethod { exact, euler, semi_implicit_euler, midpoint, rk4, dopri5, dop853, lie_rk4 };
 enum class DistanceMethod { gjk, lin_canny };
 enum class ToiMethod { conservative, ratio, bisection };
 enum class ImpactMethod { newton, poisson, stronge };
@@ -32,7 +32,7 @@ struct Method {
   double contact_tolerance = 1e-6;  ///< Pairs closer than this touch [m].
   double time_tolerance = 1e-12;    ///< Of a time of impact [s].
   double resting_velocity = 1e-3;   ///< Slower approaches do not bounce [m/s].
-  double tolerance = 1e-10;         ///< Relative local error of dopri5.
+  double tolerance = 1e-10;         ///< Relative local error of dopri5 and dop853.
 
   bool operator==(const Method& other) const = default;
 };

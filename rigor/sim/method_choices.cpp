@@ -35,6 +35,8 @@ std::span<const MethodChoice> method_choices() {
                    "Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, 1993", true},
       MethodChoice{"integrator", "dopri5", "embedded Runge-Kutta 5(4) with step control",
                    "Dormand and Prince, A Family of Embedded Runge-Kutta Formulae, 1980", true},
+      MethodChoice{"integrator", "dop853", "embedded Runge-Kutta 8(5,3) with step control",
+                   "Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, 1993", true},
       MethodChoice{"integrator", "lie-rk4", "Runge-Kutta of order 4 on the rotation group",
                    "Munthe-Kaas, High Order Runge-Kutta Methods on Manifolds, 1999", true},
 

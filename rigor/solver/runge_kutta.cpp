@@ -1,29 +1,83 @@
 #include "rigor/solver/runge_kutta.hpp"
 
 #include <algorithm>
-#include <iterator>
+#include <cmath>
 
 namespace rigor {
 namespace {
 
-/// Shampine's extension of Dormand-Prince as powers of θ. With r2 = h Σ bᵢ kᵢ, r3 = h k₁ - r2, r4 = r2 - r3 -
-/// h k₇, r5 = h Σ dᵢ kᵢ:  y = y₀ + θ (r2 + (1-θ)(r3 + θ (r4 + (1-θ) r5))).
-void set_shampine_extension(ButcherTableau& tableau) {
-  constexpr double d[7] = {-12715105075.0 / 11282082432,  0,
-                           87487479700.0 / 32700410799,   -10690763975.0 / 1880347072,
-                           701980252875.0 / 199316789632, -1453857185.0 / 822651844,
-                           69997945.0 / 29380423};
-  for (int i = 0; i < tableau.stages; ++i) {
-    const double r2 = tableau.b[i];
-    const double r3 = (i == 0 ? 1 : 0) - r2;
-    const double r4 = r2 - r3 - (i == 6 ? 1 : 0);
-    const double r5 = d[i];
-    const double powers[] = {0, r2 + r3, r4 + r5 - r3, -r4 - 2 * r5, r5};
-    std::copy(std::begin(powers), std::end(powers), tableau.dense[i]);
+/// The slopes of one step.
+class Stages {
+ public:
+  Stages(const ButcherTableau& tableau, const OdeFunction& f, double t, const VecX& y, double h)
+      : tableau_(tableau), f_(f), t_(t), y_(y), h_(h), k_(y.size(), tableau.stages + tableau.extra_stages) {}
+
+  void evaluate(int first, int end) {
+    for (int i = first; i < end; ++i) {
+      VecX increment = VecX::Zero(y_.size());
+      for (int j = 0; j < i; ++j) increment += tableau_.a[i][j] * k_.col(j);
+      k_.col(i) = f_(t_ + tableau_.c[i] * h_, y_ + h_ * increment);
+    }
   }
+
+  /// h Σ weightsᵢ kᵢ over the first stages, those of the end.
+  VecX increment(const double* weights) const {
+    return h_ * (k_.leftCols(tableau_.stages) * Eigen::Map<const VecX>(weights, tableau_.stages));
+  }
+
+  /// Column m: the coefficient of θᵐ. The weights of a power add up to 0, those of θ to 1. So the differences
+  /// from k₁ are summed, which are small: rounding is not enlarged by weights of some hundreds. What is left
+  /// of it at the end goes to the last power.
+  MatX dense(const VecX& end) const {
+    MatX dense = MatX::Zero(y_.size(), tableau_.dense_degree + 1);
+    dense.col(0) = y_;
+    for (int m = 1; m <= tableau_.dense_degree; ++m) {
+      for (Eigen::Index i = 1; i < k_.cols(); ++i)
+        dense.col(m) += (h_ * tableau_.dense[i][m]) * (k_.col(i) - k_.col(0));
+    }
+    dense.col(1) += h_ * k_.col(0);
+    dense.col(tableau_.dense_degree) += end - dense.rowwise().sum();
+    return dense;
+  }
+
+ private:
+  const ButcherTableau& tableau_;
+  const OdeFunction& f_;
+  double t_;
+  const VecX& y_;
+  double h_;
+  MatX k_;  ///< Column i is the slope of stage i.
+};
+
+RungeKuttaStep end_of_step(const ButcherTableau& tableau, const VecX& y, Stages& stages) {
+  stages.evaluate(0, tableau.stages);
+  RungeKuttaStep step;
+  step.end = y + stages.increment(tableau.b);
+  if (tableau.has_error) step.error = stages.increment(tableau.error);
+  if (tableau.has_coarse_error) step.coarse_error = stages.increment(tableau.coarse_error);
+  return step;
 }
 
 }  // namespace
+
+void set_nested_extension(std::span<const double[ButcherTableau::max_stages]> weights, int end_stage,
+                          ButcherTableau& tableau) {
+  const int count = 3 + static_cast<int>(weights.size());
+  for (int i = 0; i < tableau.stages + tableau.extra_stages; ++i) {
+    double r[ButcherTableau::max_dense_degree] = {tableau.b[i], (i == 0 ? 1 : 0) - tableau.b[i]};
+    r[2] = r[0] - r[1] - (i == end_stage ? 1 : 0);
+    for (int k = 3; k < count; ++k) r[k] = weights[static_cast<std::size_t>(k - 3)][i];
+
+    // From the innermost r outwards, times θ or 1 - θ by turns; the last factor is θ.
+    double* powers = tableau.dense[i];
+    std::fill_n(powers, ButcherTableau::max_dense_degree + 1, 0.0);
+    for (int k = count - 1; k >= 0; --k) {
+      powers[0] += r[k];
+      for (int m = count; m > 0; --m) powers[m] = k % 2 == 0 ? powers[m - 1] : powers[m] - powers[m - 1];
+      if (k % 2 == 0) powers[0] = 0;
+    }
+  }
+}
 
 ButcherTableau explicit_euler_tableau() {
   return {.stages = 1, .order = 1, .b = {1}, .dense_degree = 1, .dense = {{0, 1}}};
@@ -70,7 +124,11 @@ ButcherTableau dopri5_tableau() {
   constexpr double embedded[7] = {5179.0 / 57600, 0,       7571.0 / 16695, 393.0 / 640, -92097.0 / 339200,
                                   187.0 / 2100,   1.0 / 40};
   for (int i = 0; i < tableau.stages; ++i) tableau.error[i] = tableau.b[i] - embedded[i];
-  set_shampine_extension(tableau);
+  // Shampine's r5.
+  constexpr double extension[][ButcherTableau::max_stages] = {
+      {-12715105075.0 / 11282082432, 0, 87487479700.0 / 32700410799, -10690763975.0 / 1880347072,
+       701980252875.0 / 199316789632, -1453857185.0 / 822651844, 69997945.0 / 29380423}};
+  set_nested_extension(extension, 6, tableau);
   return tableau;
 }
 
@@ -82,24 +140,22 @@ VecX RungeKuttaStep::at(double theta) const {
 
 RungeKuttaStep runge_kutta_step(const ButcherTableau& tableau, const OdeFunction& f, double t, const VecX& y,
                                 double h) {
-  MatX k(y.size(), tableau.stages);
-  for (int i = 0; i < tableau.stages; ++i) {
-    VecX increment = VecX::Zero(y.size());
-    for (int j = 0; j < i; ++j) increment += tableau.a[i][j] * k.col(j);
-    k.col(i) = f(t + tableau.c[i] * h, y + h * increment);
-  }
-
-  RungeKuttaStep step;
-  const Eigen::Map<const VecX> b(tableau.b, tableau.stages);
-  step.end = y + h * (k * b);
-  if (tableau.has_error) step.error = h * (k * Eigen::Map<const VecX>(tableau.error, tableau.stages));
-
-  step.dense = MatX::Zero(y.size(), tableau.dense_degree + 1);
-  step.dense.col(0) = y;
-  for (int m = 1; m <= tableau.dense_degree; ++m) {
-    for (int i = 0; i < tableau.stages; ++i) step.dense.col(m) += (h * tableau.dense[i][m]) * k.col(i);
-  }
+  Stages stages(tableau, f, t, y, h);
+  RungeKuttaStep step = end_of_step(tableau, y, stages);
+  stages.evaluate(tableau.stages, tableau.stages + tableau.extra_stages);
+  step.dense = stages.dense(step.end);
   return step;
+}
+
+RungeKuttaStep runge_kutta_end(const ButcherTableau& tableau, const OdeFunction& f, double t, const VecX& y,
+                               double h) {
+  Stages stages(tableau, f, t, y, h);
+  return end_of_step(tableau, y, stages);
+}
+
+double combined_error(double error, double coarse_error) {
+  if (error == 0) return 0;
+  return error * error / std::sqrt(error * error + 0.01 * coarse_error * coarse_error);
 }
 
 }  // namespace rigor

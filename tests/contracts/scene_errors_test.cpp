@@ -128,7 +128,7 @@ TEST(SceneErrors, OfRunAndMethod) {
           {"method: {orientation: matrix}",
            "s.yaml:3:9: method: orientation 'matrix' does not go with integrator 'exact', which turns "
            "quaternions; "
-           "integrators that do: euler, semi-implicit-euler, midpoint, rk4, dopri5"},
+           "integrators that do: euler, semi-implicit-euler, midpoint, rk4, dopri5, dop853"},
           {"method: {contact_tolerance: 0}",
            "s.yaml:3:29: method: contact_tolerance is 0 m, must be from 1e-15 to 1e+06 m"},
           {"method: {impct: newton}", "s.yaml:3:10: unknown key 'impct' in method; did you mean 'impact'?"},

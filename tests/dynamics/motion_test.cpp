@@ -12,7 +12,8 @@ namespace {
 
 constexpr IntegratorName all_integrators[] = {IntegratorName::euler,    IntegratorName::semi_implicit_euler,
                                               IntegratorName::midpoint, IntegratorName::rk4,
-                                              IntegratorName::dopri5,   IntegratorName::lie_rk4};
+                                              IntegratorName::dopri5,   IntegratorName::dop853,
+                                              IntegratorName::lie_rk4};
 
 using test::Random;
 

@@ -17,9 +17,9 @@ TEST(MethodTable, EachValueOnceWithMeaningAndSource) {
     EXPECT_FALSE(choice.source.empty());
     EXPECT_EQ(choice.meaning.find('\n'), std::string_view::npos);
   }
-  // 5 schemes, 7 integrators, 2 orientations, 2 distances, 3 times of impact, 3 laws, 3 and 2 rules, 2 + 2 +
+  // 5 schemes, 8 integrators, 2 orientations, 2 distances, 3 times of impact, 3 laws, 3 and 2 rules, 2 + 2 +
   // 3 of later versions.
-  EXPECT_EQ(seen.size(), 34u);
+  EXPECT_EQ(seen.size(), 35u);
 }
 
 TEST(MethodTable, DefaultsAreAvailable) {
@@ -54,6 +54,8 @@ TEST(SetMethodChoice, EnumeratorsAreTheirNames) {
   EXPECT_EQ(method.integrator, IntegratorMethod::exact);
   set_method_choice("integrator", "semi-implicit-euler", method);
   EXPECT_EQ(method.integrator, IntegratorMethod::semi_implicit_euler);
+  set_method_choice("integrator", "dop853", method);
+  EXPECT_EQ(method.integrator, IntegratorMethod::dop853);
   set_method_choice("integrator", "lie-rk4", method);
   EXPECT_EQ(method.integrator, IntegratorMethod::lie_rk4);
   set_method_choice("orientation", "matrix", method);
@@ -83,10 +85,11 @@ TEST(CheckCombination, TheMatrixGoesOnlyWithIntegratorsThatUseIt) {
   for (const IntegratorMethod integrator : {IntegratorMethod::exact, IntegratorMethod::lie_rk4}) {
     method.integrator = integrator;
     ASSERT_EQ(check_combination(method).size(), 1u);
-    EXPECT_NE(check_combination(method)[0].find("euler, semi-implicit-euler, midpoint, rk4, dopri5"),
+    EXPECT_NE(check_combination(method)[0].find("euler, semi-implicit-euler, midpoint, rk4, dopri5, dop853"),
               std::string::npos);
   }
-  for (const IntegratorMethod integrator : {IntegratorMethod::euler, IntegratorMethod::dopri5}) {
+  for (const IntegratorMethod integrator :
+       {IntegratorMethod::euler, IntegratorMethod::dopri5, IntegratorMethod::dop853}) {
     method.integrator = integrator;
     EXPECT_TRUE(check_combination(method).empty());
   }
