@@ -74,9 +74,10 @@ ContactSystem make_contact_system(std::vector<Contact> contacts, std::vector<int
 }
 
 ContactSystem make_contact_system(const Model& model, std::vector<Contact> contacts, std::vector<int> bodies,
-                                  std::vector<BodyKinetics> kinetics, std::vector<int> joints,
-                                  const JointSystem::RowChoice* choice) {
-  ContactSystem system{std::move(contacts), std::move(bodies), std::move(kinetics), {}, {}, {}};
+                                  std::vector<BodyKinetics> kinetics,
+                                  std::shared_ptr<const JointSystem> joints) {
+  ContactSystem system{std::move(contacts), std::move(bodies), std::move(kinetics), {}, {},
+                       std::move(joints)};
   RIGOR_ASSERT(system.bodies.size() == system.kinetics.size());
   for (const Contact& contact : system.contacts) {
     system.frames.push_back(contact.stop ? Mat3::Identity() : frame_with_z(contact.point.n_W));
@@ -84,10 +85,6 @@ ContactSystem make_contact_system(const Model& model, std::vector<Contact> conta
                               ? rows_of_stop(model, *contact.stop, system)
                               : rows_of_contact(contact, system.frames.back(), system.of(contact.body_A),
                                                 system.of(contact.body_B)));
-  }
-  if (!joints.empty()) {
-    system.joints =
-        std::make_shared<JointSystem>(model, std::move(joints), system.bodies, system.kinetics, choice);
   }
   return system;
 }

@@ -47,8 +47,8 @@ ContactSystem make_contact_system(std::vector<Contact> contacts, std::vector<int
 /// The same with the joints of these bodies (of the model), which must be among them but for the world, and
 /// with the rows of contacts that are stops of joints.
 ContactSystem make_contact_system(const Model& model, std::vector<Contact> contacts, std::vector<int> bodies,
-                                  std::vector<BodyKinetics> kinetics, std::vector<int> joints,
-                                  const JointSystem::RowChoice* choice = nullptr);
+                                  std::vector<BodyKinetics> kinetics,
+                                  std::shared_ptr<const JointSystem> joints);
 
 /// Delassus operator A = J M⁻¹ Jᵀ (3n × 3n): Δu = A λ for impulses λ at the contacts.
 MatX delassus(const ContactSystem& system);

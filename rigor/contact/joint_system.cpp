@@ -66,29 +66,64 @@ BodyMotion motion_of(int body, const std::vector<int>& bodies, const std::vector
 
 JointSystem::JointSystem(const Model& model, std::vector<int> joints, const std::vector<int>& bodies,
                          const std::vector<BodyKinetics>& kinetics, const RowChoice* choice)
-    : joints_(std::move(joints)), node_of_(bodies.size(), -1) {
+    : joints_(std::move(joints)), node_of_(bodies.size(), -1), velocities_(bodies.size()) {
   int rows = 0;
   for (const int joint : joints_) {
     items_.push_back(make_item(model, joint, bodies, kinetics));
     items_.back().first = rows;
     rows += items_.back().rows.size;
-    for (int side = 0; side < items_.back().rows.side_count; ++side) {
-      const std::size_t place = items_.back().places[static_cast<std::size_t>(side)];
+  }
+  residuals_ = rate_errors_ = biases_ = VecX::Zero(rows);
+  find_nodes(kinetics);
+  make_solver();
+  for (std::size_t b = 0; b < bodies.size(); ++b) velocities_[b] << kinetics[b].v, kinetics[b].w;
+  stack();
+  factor(kinetics, choice);
+}
+
+void JointSystem::update(const Model& model, const std::vector<int>& bodies,
+                         const std::vector<BodyKinetics>& kinetics, const RowChoice* choice) {
+  RIGOR_ASSERT(bodies.size() == velocities_.size());
+  for (std::size_t i = 0; i < items_.size(); ++i) {
+    const int first = items_[i].first;
+    items_[i] = make_item(model, joints_[i], bodies, kinetics);
+    items_[i].first = first;
+  }
+  for (std::size_t b = 0; b < bodies.size(); ++b) velocities_[b] << kinetics[b].v, kinetics[b].w;
+  stack();
+  factor(kinetics, choice);
+}
+
+/// The dynamic bodies that joints hold, in the order of the list.
+void JointSystem::find_nodes(const std::vector<BodyKinetics>& kinetics) {
+  for (const Item& item : items_) {
+    for (int side = 0; side < item.rows.side_count; ++side) {
+      const std::size_t place = item.places[static_cast<std::size_t>(side)];
       if (kinetics[place].inverse_mass > 0) node_of_[place] = 0;
     }
   }
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
+  for (std::size_t b = 0; b < node_of_.size(); ++b) {
     if (node_of_[b] < 0) continue;
     node_of_[b] = static_cast<int>(bodies_of_nodes_.size());
     bodies_of_nodes_.push_back(b);
   }
-  for (const BodyKinetics& body : kinetics) {
-    velocities_.emplace_back();
-    velocities_.back() << body.v, body.w;
+}
+
+void JointSystem::make_solver() {
+  ConstraintGraph graph;
+  graph.node_count = static_cast<int>(bodies_of_nodes_.size());
+  for (const Item& item : items_) {
+    if (item.rows.size == 0) continue;
+    ConstraintGraph::Link link{item.rows.size, {}};
+    for (int side = 0; side < item.rows.side_count; ++side) {
+      const int node = node_of_[item.places[static_cast<std::size_t>(side)]];
+      if (node >= 0) link.nodes.push_back(node);
+    }
+    rows_.emplace_back(link.nodes.size());
+    graph.links.push_back(std::move(link));
   }
-  residuals_ = rate_errors_ = biases_ = VecX::Zero(rows);
-  stack(kinetics);
-  factor(kinetics, choice);
+  masses_.resize(bodies_of_nodes_.size());
+  solver_.emplace(std::move(graph));
 }
 
 JointSystem::Item JointSystem::make_item(const Model& model, int index, const std::vector<int>& bodies,
@@ -132,8 +167,7 @@ JointSystem::Item JointSystem::make_item(const Model& model, int index, const st
   return item;
 }
 
-void JointSystem::stack(const std::vector<BodyKinetics>& kinetics) {
-  RIGOR_ASSERT(kinetics.size() == velocities_.size());
+void JointSystem::stack() {
   for (const Item& item : items_) {
     const int size = item.rows.size;
     Vec6 rate = -item.rate;
@@ -148,26 +182,18 @@ void JointSystem::stack(const std::vector<BodyKinetics>& kinetics) {
 }
 
 void JointSystem::factor(const std::vector<BodyKinetics>& kinetics, const RowChoice* choice) {
-  ConstraintGraph graph;
-  graph.node_count = static_cast<int>(bodies_of_nodes_.size());
-  std::vector<std::vector<ConstrainedMass::Rows>> rows;
+  std::size_t link = 0;
   for (const Item& item : items_) {
     if (item.rows.size == 0) continue;
-    ConstraintGraph::Link link{item.rows.size, {}};
-    std::vector<ConstrainedMass::Rows> of_link;
+    std::size_t place = 0;
     for (int side = 0; side < item.rows.side_count; ++side) {
       const std::size_t s = static_cast<std::size_t>(side);
-      if (node_of_[item.places[s]] < 0) continue;
-      link.nodes.push_back(node_of_[item.places[s]]);
-      of_link.push_back(item.rows.J[s].topRows(item.rows.size));
+      if (node_of_[item.places[s]] >= 0) rows_[link][place++] = item.rows.J[s].topRows(item.rows.size);
     }
-    graph.links.push_back(std::move(link));
-    rows.push_back(std::move(of_link));
+    ++link;
   }
-  std::vector<Mat6> masses;
-  for (const std::size_t b : bodies_of_nodes_) masses.push_back(mass_matrix(kinetics[b]));
-  solver_.emplace(std::move(graph));
-  solver_->factor(masses, rows, choice);
+  for (std::size_t n = 0; n < masses_.size(); ++n) masses_[n] = mass_matrix(kinetics[bodies_of_nodes_[n]]);
+  solver_->factor(masses_, rows_, choice);
 }
 
 double JointSystem::residual(std::size_t i) const {

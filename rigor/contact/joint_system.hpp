@@ -29,6 +29,10 @@ class JointSystem {
   JointSystem(const Model& model, std::vector<int> joints, const std::vector<int>& bodies,
               const std::vector<BodyKinetics>& kinetics, const RowChoice* choice = nullptr);
 
+  /// The same joints and bodies where they are now.
+  void update(const Model& model, const std::vector<int>& bodies, const std::vector<BodyKinetics>& kinetics,
+              const RowChoice* choice = nullptr);
+
   const std::vector<int>& joints() const { return joints_; }
   const RowChoice& choice() const { return solver_->choice(); }
   /// Whether the i-th body of the list is dynamic and held by a joint.
@@ -83,7 +87,9 @@ class JointSystem {
   };
   Item make_item(const Model& model, int joint, const std::vector<int>& bodies,
                  const std::vector<BodyKinetics>& kinetics) const;
-  void stack(const std::vector<BodyKinetics>& kinetics);
+  void find_nodes(const std::vector<BodyKinetics>& kinetics);
+  void make_solver();
+  void stack();
   void factor(const std::vector<BodyKinetics>& kinetics, const RowChoice* choice);
 
   std::vector<int> joints_;
@@ -92,6 +98,8 @@ class JointSystem {
   std::vector<std::size_t> bodies_of_nodes_;
   std::vector<Vec6> velocities_;  ///< Of each body of the list.
   std::optional<ConstrainedMass> solver_;
+  std::vector<Mat6> masses_;                              ///< Of the nodes.
+  std::vector<std::vector<ConstrainedMass::Rows>> rows_;  ///< Of the joints that have any.
   VecX residuals_, rate_errors_, biases_;
 };
 

@@ -29,8 +29,6 @@ IntegratorName integrator_of(IntegratorMethod method) {
       return IntegratorName::lie_rk4;
     case IntegratorMethod::dop853:
       return IntegratorName::dop853;
-    // The closed form is for flight; where forces act its place is taken by the integrator that controls its
-    // error.
     case IntegratorMethod::exact:
     case IntegratorMethod::dopri5:
       break;
@@ -79,7 +77,7 @@ IslandIntegrator::IslandIntegrator(const Model& model, const Environment& enviro
     : model_(model),
       environment_(environment),
       joints_by_body_(joints_by_body(model)),
-      integrator_(integrator_of(method.integrator)),
+      integrator_(method.integrator),
       orientation_(method.orientation),
       tolerance_(method.tolerance),
       direction_tolerance_(direction_tolerance(method)),
@@ -147,8 +145,11 @@ ContactSystem IslandIntegrator::system_of(double t, const std::vector<int>& bodi
                                           const JointSystem::RowChoice* choice) const {
   std::vector<int> joints = joints_of(bodies);
   Bodies all = bodies_at(t, bodies, phases, contacts, joints);
+  std::shared_ptr<const JointSystem> of_joints;
+  if (!joints.empty())
+    of_joints = std::make_shared<JointSystem>(model_, std::move(joints), all.indices, all.kinetics, choice);
   return make_contact_system(model_, std::move(contacts), std::move(all.indices), std::move(all.kinetics),
-                             std::move(joints), choice);
+                             std::move(of_joints));
 }
 
 void IslandIntegrator::choose_joint_rows(Island& island) const {
@@ -156,8 +157,16 @@ void IslandIntegrator::choose_joint_rows(Island& island) const {
   if (system.joints) island.joint_rows = system.joints->choice();
 }
 
+/// The closed form is for flight. Where forces act its place is taken by integrators that control their
+/// error: of order 8 where motion is smooth, of order 5 where contacts may end the step early.
+IntegratorName IslandIntegrator::integrator_for(const Island& island) const {
+  if (integrator_ != IntegratorMethod::exact) return integrator_of(integrator_);
+  return island.contacts.empty() ? IntegratorName::dop853 : IntegratorName::dopri5;
+}
+
 ContactSystem IslandIntegrator::contact_system(const Island& island, double t,
-                                               std::span<const BodyPhase> phases) const {
+                                               std::span<const BodyPhase> phases,
+                                               std::shared_ptr<JointSystem>* joint_room) const {
   std::vector<int> joints = joints_of(island.bodies);
   Bodies all = bodies_at(t, island.bodies, phases, island.contacts, joints);
   std::vector<Contact> contacts = island.contacts;
@@ -174,8 +183,16 @@ ContactSystem IslandIntegrator::contact_system(const Island& island, double t,
                           all.kinetics[place_of(all.indices, contact.body_B)].pose());
     }
   }
+  const JointSystem::RowChoice* const choice = island.joint_rows ? &*island.joint_rows : nullptr;
+  std::shared_ptr<JointSystem> of_joints = joint_room ? *joint_room : nullptr;
+  if (of_joints) {
+    of_joints->update(model_, all.indices, all.kinetics, choice);
+  } else if (!joints.empty()) {
+    of_joints = std::make_shared<JointSystem>(model_, std::move(joints), all.indices, all.kinetics, choice);
+    if (joint_room) *joint_room = of_joints;
+  }
   return make_contact_system(model_, std::move(contacts), std::move(all.indices), std::move(all.kinetics),
-                             std::move(joints), island.joint_rows ? &*island.joint_rows : nullptr);
+                             std::move(of_joints));
 }
 
 std::vector<Wrench> IslandIntegrator::environment_wrenches(const ContactSystem& system, double t) const {
@@ -198,8 +215,9 @@ std::vector<Wrench> IslandIntegrator::with_moments(const ContactSystem& system,
 }
 
 IslandIntegrator::Load IslandIntegrator::load(const Island& island, double t,
-                                              std::span<const BodyPhase> phases) const {
-  const ContactSystem system = contact_system(island, t, phases);
+                                              std::span<const BodyPhase> phases,
+                                              std::shared_ptr<JointSystem>& joints) const {
+  const ContactSystem system = contact_system(island, t, phases, &joints);
   std::vector<Wrench> wrenches = environment_wrenches(system, t);
   Load load;
   // What springs do inside the island cancels in the sum; those to prescribed bodies and the world are
@@ -266,14 +284,15 @@ IslandStep IslandIntegrator::step(const Island& island, double h) const {
   std::vector<BodyPhase> start = island.start;
   start.resize(count + 2);
 
+  std::shared_ptr<JointSystem> joints;
   const WrenchField field = [&](double t, std::span<const BodyPhase> phases, std::span<Wrench> wrenches) {
-    const Load now = load(island, t, phases.first(count));
+    const Load now = load(island, t, phases.first(count), joints);
     std::copy(now.wrenches.begin(), now.wrenches.end(), wrenches.begin());
     wrenches[count] = now.external;
     wrenches[count + 1] = {now.power * Vec3::UnitX(), Vec3::Zero()};
   };
-  SystemStep taken =
-      integrate_step(integrator_, orientation_, inertias, start, island.begin, h, field, tolerances(island));
+  SystemStep taken = integrate_step(integrator_for(island), orientation_, inertias, start, island.begin, h,
+                                    field, tolerances(island));
 
   IslandStep result{h, {}, {}, taken.error, taken.quaternion_drift};
   result.impulse = taken.end[count].P;
@@ -382,7 +401,7 @@ IslandStep IslandIntegrator::implicit_step(const Island& island, double h) const
 }
 
 ControlledStep IslandIntegrator::controlled_step(const Island& island, double h, double least) const {
-  StepController controller(integrator_order(integrator_));
+  StepController controller(integrator_order(integrator_for(island)));
   while (true) {
     IslandStep taken = step(island, h);
     if (std::isnan(taken.error)) return {std::move(taken), std::numeric_limits<double>::infinity()};

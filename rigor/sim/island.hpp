@@ -5,6 +5,7 @@
 #include "rigor/dynamics/integrator.hpp"
 #include "rigor/sim/method.hpp"
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -53,7 +54,10 @@ class IslandIntegrator {
                           std::vector<Contact> contacts,
                           const JointSystem::RowChoice* choice = nullptr) const;
   /// The contacts with all their bodies at time t, tracked from the island's begin to these phases.
-  ContactSystem contact_system(const Island& island, double t, std::span<const BodyPhase> phases) const;
+  /// `joints`: room for the island's joints that is filled anew and may be used again once the system is
+  /// gone.
+  ContactSystem contact_system(const Island& island, double t, std::span<const BodyPhase> phases,
+                               std::shared_ptr<JointSystem>* joints = nullptr) const;
   /// Joints that hold any of these bodies, ascending.
   std::vector<int> joints_of(const std::vector<int>& bodies) const;
   /// Prescribed bodies that joints tie to any of these bodies, ascending.
@@ -80,7 +84,9 @@ class IslandIntegrator {
 
  private:
   struct Load;  ///< All wrenches at one stage with their part of the ledger.
-  Load load(const Island& island, double t, std::span<const BodyPhase> phases) const;
+  Load load(const Island& island, double t, std::span<const BodyPhase> phases,
+            std::shared_ptr<JointSystem>& joints) const;
+  IntegratorName integrator_for(const Island& island) const;
   IntegratorTolerances tolerances(const Island& island) const;
 
   /// The bodies of contacts, joints and others, ascending, with how they move.
@@ -95,7 +101,7 @@ class IslandIntegrator {
   const Model& model_;
   const Environment& environment_;
   std::vector<std::vector<int>> joints_by_body_;
-  IntegratorName integrator_;
+  IntegratorMethod integrator_;
   OrientationForm orientation_;
   double tolerance_;
   double direction_tolerance_;
