@@ -99,15 +99,13 @@ std::uint64_t fingerprint(const Model& model, const Method& method, double step)
   for (int a = 0; a < materials; ++a) {
     for (int b = a; b < materials; ++b) {
       const PairCoefficients pair = model.coefficients(a, b);
-      hash.add(pair.friction), hash.add(pair.restitution);
+      hash.add(pair.friction), hash.add(pair.restitution), hash.add(pair.tangential_restitution);
+      hash.add(pair.rolling_friction), hash.add(pair.torsional_friction);
     }
   }
   for (const Force& force : model.forces()) hash.add(force);
-  for (const Joint& joint : model.joints()) {
-    hash.add(joint);
-    const bool has_pair = joint.body_A != world_body && joint.body_B != world_body;
-    if (has_pair) hash.add(static_cast<int>(model.may_collide(joint.body_A, joint.body_B)));
-  }
+  for (const Joint& joint : model.joints()) hash.add(joint);
+  for (const auto& [a, b] : model.excluded_pairs()) hash.add(a), hash.add(b);
   for (const std::string& key : method_choice_keys()) hash.add(std::string_view(method_choice(method, key)));
   for (const MethodNumber& number : method_numbers()) hash.add(method.*number.member);
   hash.add(step);

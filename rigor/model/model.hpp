@@ -36,6 +36,8 @@ class Model {
   /// Whether two bodies can touch at all: at least one dynamic, groups and masks agree, both have shapes, and
   /// nothing excludes the pair.
   bool may_collide(int a, int b) const;
+  /// Pairs that never collide whatever their groups are, by index: sorted, the lower first.
+  const std::vector<std::pair<int, int>>& excluded_pairs() const { return excluded_pairs_; }
   /// Length of the scene [m]: the largest bounding radius of a bounded body, 1 if there is none. Tolerances
   /// scale with it.
   double length_scale() const { return length_scale_; }

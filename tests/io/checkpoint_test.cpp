@@ -138,6 +138,11 @@ TEST(Fingerprint, TellsSimulationsApartAndNotTheirSpelling) {
   EXPECT_EQ(original, changed("radius: 0.1", "radius: 0.10"));
   EXPECT_NE(original, changed("radius: 0.1", "radius: 0.11"));
   EXPECT_NE(original, changed("restitution: 0.8", "restitution: 0.7"));
+  for (const char* const key : {"tangential_restitution", "rolling_friction", "torsional_friction"}) {
+    EXPECT_NE(original, changed("restitution: 0.8", std::string("restitution: 0.8, ") + key + ": 0.1"))
+        << key;
+  }
+  EXPECT_NE(original, changed("name: two balls", "name: two\nexclude: [[a, b]]"));
   EXPECT_NE(original, changed("density: 1000", "density: 1001"));
   EXPECT_NE(original, changed("position: [0, 0, 1]", "position: [0, 0, 1.5]"));
   EXPECT_NE(original, changed("size: [0.2, 0.3, 0.4]", "size: [0.2, 0.4, 0.3]"));

@@ -65,6 +65,19 @@ TEST(SceneDocumentation, ItsExampleIsAScene) {
   EXPECT_TRUE(scene.warnings.empty());
 }
 
+TEST(SceneDocumentation, ItsChainIsAScene) {
+  const std::string document = text_of(kRoot / "docs" / "scene.md");
+  const std::size_t start = document.find("    bodies:\n      - {name: link");
+  ASSERT_NE(start, std::string::npos);
+  std::string text = "rigor: 1\n";
+  std::istringstream lines(document.substr(start));
+  for (std::string line; std::getline(lines, line) && line.starts_with("    ");)
+    text += line.substr(4) + "\n";
+  const Scene scene = parse_scene(text, "chain.yaml", ".");
+  EXPECT_EQ(scene.model->body_count(), 1000);
+  EXPECT_EQ(scene.model->joints().size(), 1000u);
+}
+
 TEST(KeyTables, RefersOnlyToTablesThatExist) {
   for (const KeyTable& table : key_tables()) {
     for (const Key& key : table.keys) {

@@ -154,11 +154,15 @@ TEST(JointBuilder, AGearTiesJointsByTheirPlaceInTheSceneWhateverTheOrder) {
 
 TEST(JointBuilder, TheBodiesOfAJointDoNotCollideUnlessItSaysSo) {
   ModelBuilder builder;
-  for (const char* const name : {"a", "b", "c"}) builder.add_body(body_of(Sphere{1}, name));
+  for (const char* const name : {"a", "b", "c", "d"}) builder.add_body(body_of(Sphere{1}, name));
   JointDescription ball = joint_of(JointType::ball);
+  ball.name = "last_pair";
+  ball.bodies = {"d", "c"};
+  builder.add_joint(ball);
+  ball.name = "first_pair";
   ball.bodies = {"c", "a"};
   builder.add_joint(ball);
-  ball.name = "k";
+  ball.name = "colliding";
   ball.bodies = {"b", "c"};
   ball.collide = true;
   builder.add_joint(ball);
@@ -167,6 +171,7 @@ TEST(JointBuilder, TheBodiesOfAJointDoNotCollideUnlessItSaysSo) {
   EXPECT_FALSE(model->may_collide(0, 2));
   EXPECT_FALSE(model->may_collide(2, 0));
   EXPECT_TRUE(model->may_collide(1, 2));
+  EXPECT_FALSE(model->may_collide(2, 3));
 }
 
 }  // namespace
