@@ -1,3 +1,4 @@
+#include "rigor/geometry/convex_hull.hpp"
 #include "rigor/model/model_builder.hpp"
 #include "rigor/sim/contact_snapshot.hpp"
 #include "rigor/sim/energy.hpp"
@@ -6,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace rigor {
 namespace {
@@ -98,6 +100,59 @@ TEST(Mechanisms, TheDoublePendulumFollowsItsReference) {
   EXPECT_LE((run.state.position(0) - 0.5 * elbow).norm(), 1e-8);
   EXPECT_LE((run.state.position(1) - elbow - 0.5 * Vec3(std::sin(th2), -std::cos(th2), 0)).norm(), 1e-8);
   EXPECT_LE(run.report.max_joint_drift, 1e-14);
+}
+
+/// Kinetic energy after a double pendulum's tip struck a rough floor, against that before.
+double energy_ratio_of_struck_pendulum(ImpactMethod law, double friction, double restitution) {
+  const double angles[] = {20 * std::numbers::pi / 180, 30 * std::numbers::pi / 180};
+  const double rates[] = {-0.1, -0.2};
+  ModelBuilder builder = empty_scene(Vec3::Zero());
+  builder.add_material({"rough", 1000, friction, restitution});
+  Vec3 end = Vec3::Zero(), end_velocity = Vec3::Zero();
+  for (int i = 0; i < 2; ++i) {
+    const Vec3 direction(std::sin(angles[i]), 0, -std::cos(angles[i]));
+    const Vec3 w(0, -rates[i], 0);
+    BodyDescription body = rod(i == 0 ? "upper" : "lower", end + 0.5 * direction, direction);
+    body.angular_velocity = w;
+    body.velocity = end_velocity + w.cross(0.5 * direction);
+    if (i == 1) {
+      // A corner of a slim tetrahedron is the tip.
+      const std::vector<Vec3> corners = {Vec3(0, 0, 0.5), Vec3(0.01, 0, 0.4), Vec3(-0.01, 0.01, 0.4),
+                                         Vec3(-0.01, -0.01, 0.4)};
+      const Convex tip{std::make_shared<const ConvexHull>(std::get<ConvexHull>(make_convex_hull(corners)))};
+      body.shapes.push_back({tip, Vec3::Zero(), Quat::Identity(), "rough", ""});
+    }
+    builder.add_body(body);
+    builder.add_joint(joint(i == 0 ? "top" : "middle", JointType::hinge, i == 0 ? "world" : "upper",
+                            i == 0 ? "upper" : "lower", end, Vec3::UnitY()));
+    end += direction;
+    end_velocity += w.cross(direction);
+  }
+  BodyDescription floor;
+  floor.name = "floor";
+  floor.motion = MotionType::fixed;
+  floor.shapes.push_back({HalfSpace{Vec3::UnitZ(), end.z()}, Vec3::Zero(), Quat::Identity(), "rough", ""});
+  builder.add_body(floor);
+  const std::shared_ptr<const Model> model = builder.build();
+  Method method;
+  method.impact = law;
+  EventDrivenStepper stepper(model, method, 0.01);
+  State state = make_initial_state(*model);
+  const Environment environment(*model);
+  const double before = mechanical_energy(*model, environment, state).kinetic;
+  EXPECT_NEAR(before, 0.023181410863455414, 1e-15);
+  const AdvanceReport report = stepper.advance(state, 1e-9);
+  EXPECT_EQ(report.impacts, 1);
+  return mechanical_energy(*model, environment, state).kinetic / before;
+}
+
+TEST(Mechanisms, AnImpactGoesThroughTheJointsOfKanesPendulum) {
+  // Kane and Levinson's example, the reference in 128 bits: Newton's law gains energy, the others do not.
+  EXPECT_NEAR(energy_ratio_of_struck_pendulum(ImpactMethod::newton, 0.7, 0.7), 3.111489586, 2e-9);
+  EXPECT_NEAR(energy_ratio_of_struck_pendulum(ImpactMethod::poisson, 0.7, 0.7), 0.5385416068, 1e-9);
+  EXPECT_NEAR(energy_ratio_of_struck_pendulum(ImpactMethod::stronge, 0.7, 0.7), 0.5707831253, 1e-9);
+  EXPECT_NEAR(energy_ratio_of_struck_pendulum(ImpactMethod::newton, 0.5, 1), 1.469142335, 2e-9);
+  EXPECT_NEAR(energy_ratio_of_struck_pendulum(ImpactMethod::stronge, 0.5, 1), 0.6907862943, 1e-9);
 }
 
 TEST(Mechanisms, TheHeavyTopFollowsItsReference) {
