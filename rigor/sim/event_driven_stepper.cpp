@@ -466,6 +466,7 @@ void EventDrivenStepper::write_state_to_bodies(State& state) {
   Cluster ended;
   ended.t = t_;
   while (!islands_.empty()) finish_island(islands_.begin()->first, ended);
+  if (!ended.bodies.empty()) resolver_.project_joint_velocities(ended, report_);
   for (std::size_t i = 0; i < ended.bodies.size(); ++i) {
     const BodyPhase& phase = ended.phases[i];
     trajectories_.set_motion(ended.bodies[i], Motion::at_rest(phase, t_), t_);
