@@ -184,6 +184,47 @@ void ContactResolver::project_joints(double t, const std::vector<int>& bodies, s
   phases = std::move(best);
 }
 
+void ContactResolver::restore_momenta(const Island& island, IslandStep& step) const {
+  const std::vector<int> joints = integrator_.joints_of(island.bodies);
+  const auto is_grounded = [this](int joint) {
+    const Joint& description = model_.joint(joint);
+    if (description.type == JointType::gear) return false;  // Those that it ties are in the list.
+    return description.body_A == world_body || description.body_B == world_body;
+  };
+  if (joints.empty() || !island.contacts.empty() || std::any_of(joints.begin(), joints.end(), is_grounded) ||
+      !integrator_.jointed_prescribed(island.bodies).empty())
+    return;
+  const ContactSystem system = integrator_.system_of(island.begin + step.h, island.bodies, step.end, {});
+  double mass = 0;
+  Vec3 centre = Vec3::Zero();
+  for (const BodyKinetics& body : system.kinetics) {
+    mass += 1 / body.inverse_mass;
+    centre += body.x / body.inverse_mass;
+  }
+  centre /= mass;
+  Mat3 inertia = Mat3::Zero();
+  for (const BodyKinetics& body : system.kinetics) {
+    const Vec3 arm = body.x - centre;
+    inertia +=
+        body.inertia + (arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose()) / body.inverse_mass;
+  }
+  // What is missing, as a sum of small differences: rounding relative to the sums themselves would add up.
+  Vec3 P = step.impulse, L = step.angular_impulse;
+  for (std::size_t i = 0; i < island.bodies.size(); ++i) {
+    const BodyPhase &start = island.start[i], &end = step.end[i];
+    const Vec3 dP = end.P - start.P, dx = end.x - start.x;
+    P -= dP;
+    L -= (end.L - start.L) + dx.cross(end.P) + start.x.cross(dP);
+  }
+  L -= centre.cross(P);
+  const Vec3 v = P / mass, w = inertia.ldlt().solve(L);
+  for (std::size_t i = 0; i < island.bodies.size(); ++i) {
+    const BodyKinetics& body = system.of(island.bodies[i]);
+    step.end[i].P += (v + w.cross(body.x - centre)) / body.inverse_mass;
+    step.end[i].L += body.inertia * w;
+  }
+}
+
 void ContactResolver::project_joint_velocities(Cluster& cluster, AdvanceReport& report) const {
   if (integrator_.joints_of(cluster.bodies).empty()) return;
   const ContactSystem system = system_of(cluster, {});

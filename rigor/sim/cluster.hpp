@@ -51,6 +51,10 @@ class ContactResolver {
   /// jointed to them.
   void project_joints(double t, const std::vector<int>& bodies, std::vector<BodyPhase>& phases,
                       AdvanceReport& report) const;
+  /// Gives bodies that joints hold to each other and to nothing else the sums of momenta that the impulses of
+  /// the step say, by a velocity as of one rigid body, which no joint notices: what the integrator and the
+  /// projection of positions leave would else add up. Other islands stay as they are.
+  void restore_momenta(const Island& island, IslandStep& step) const;
   /// Puts velocities back to what the joints allow: the projection in the metric of the mass matrix.
   void project_joint_velocities(Cluster& cluster, AdvanceReport& report) const;
   /// Puts bodies that overlap noticeably back to touching, by the smallest displacement in the metric of the

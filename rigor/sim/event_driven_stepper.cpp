@@ -256,6 +256,7 @@ void EventDrivenStepper::finish_island(int number, Cluster& cluster) {
     step.end = running.island.start;
   }
   resolver_.project_joints(t_, running.island.bodies, step.end, report_);
+  resolver_.restore_momenta(running.island, step);
   Vec3 P = Vec3::Zero(), L = Vec3::Zero();
   for (std::size_t i = 0; i < running.island.bodies.size(); ++i) {
     const int body = running.island.bodies[i];
