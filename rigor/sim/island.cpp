@@ -152,6 +152,12 @@ ContactSystem IslandIntegrator::system_of(double t, const std::vector<int>& bodi
                              std::move(of_joints));
 }
 
+double IslandIntegrator::joint_residual(double t, const std::vector<int>& bodies,
+                                        std::span<const BodyPhase> phases) const {
+  if (joints_of(bodies).empty()) return 0;
+  return system_of(t, bodies, phases, {}).joints->largest_residual().first;
+}
+
 void IslandIntegrator::choose_joint_rows(Island& island) const {
   const ContactSystem system = system_of(island.begin, island.bodies, island.start, {});
   if (system.joints) island.joint_rows = system.joints->choice();

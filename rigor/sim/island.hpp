@@ -58,6 +58,8 @@ class IslandIntegrator {
   /// gone.
   ContactSystem contact_system(const Island& island, double t, std::span<const BodyPhase> phases,
                                std::shared_ptr<JointSystem>* joints = nullptr) const;
+  /// Largest |g| of the joints of these bodies at these phases [m or 1].
+  double joint_residual(double t, const std::vector<int>& bodies, std::span<const BodyPhase> phases) const;
   /// Joints that hold any of these bodies, ascending.
   std::vector<int> joints_of(const std::vector<int>& bodies) const;
   /// Prescribed bodies that joints tie to any of these bodies, ascending.

@@ -23,6 +23,8 @@ int weight_of_step(double relative) {
 
 /// How many steps at velocity level are taken then.
 constexpr int implicit_steps = 60;
+/// How often such a step is halved where joints do not hold over it.
+constexpr int most_halvings = 12;
 
 std::size_t index(int body) {
   return static_cast<std::size_t>(body);
@@ -35,6 +37,7 @@ IslandStepping::IslandStepping(const Model& model, const IslandIntegrator& integ
     : integrator_(integrator),
       mode_changes_(model, integrator, method),
       time_tolerance_(method.time_tolerance),
+      contact_tolerance_(method.contact_tolerance),
       slip_tolerance_(slip_tolerance(method)),
       direction_tolerance_(direction_tolerance(method)),
       target_step_(target_step),
@@ -80,7 +83,16 @@ RunningIsland IslandStepping::take_step(Island island, double h, AdvanceReport& 
 void IslandStepping::take_implicit_step(double h, double resolved, RunningIsland& running,
                                         AdvanceReport& report) {
   const Island& island = running.island;
-  running.step = integrator_.implicit_step(island, std::min(h, 0.1 * target_step_));
+  h = std::min(h, 0.1 * target_step_);
+  running.step = integrator_.implicit_step(island, h);
+  // What the joints are off by then is put back, and must not push bodies into each other.
+  const auto off = [&] {
+    return integrator_.joint_residual(island.begin + running.step.h, island.bodies, running.step.end);
+  };
+  for (int k = 0; k < most_halvings && h > resolved && off() > 0.2 * contact_tolerance_; ++k) {
+    h *= 0.5;
+    running.step = integrator_.implicit_step(island, h);
+  }
   running.change = mode_changes_.find_meeting(island, running.step);
   if (running.change) running.step = integrator_.implicit_step(island, std::max(running.change->h, resolved));
   ++report.coarse_steps;

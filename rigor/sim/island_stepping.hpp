@@ -50,7 +50,7 @@ class IslandStepping {
 
   const IslandIntegrator& integrator_;
   ModeChangeSearch mode_changes_;
-  double time_tolerance_, slip_tolerance_, direction_tolerance_, target_step_;
+  double time_tolerance_, contact_tolerance_, slip_tolerance_, direction_tolerance_, target_step_;
   std::vector<int> crowding_;      ///< Of each body: short steps in a row.
   std::vector<double> step_size_;  ///< Of each body: what the error of its last step suggests [s].
 };
