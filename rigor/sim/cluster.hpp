@@ -74,6 +74,7 @@ class ContactResolver {
   SimultaneousLaw law_;
   double resting_velocity_;
   double contact_tolerance_;
+  RestingChoice resting_;
 };
 
 }  // namespace rigor

@@ -90,8 +90,8 @@ std::vector<TouchingPoint> points_of(const Model& model, const Method& method,
   if (candidates.empty()) return points;
 
   const ContactSystem system = system_of(model, part, candidates);
-  const RestingSolution resting =
-      solve_resting(system, integrator.environment_wrenches(system, part.t), part.slip_tolerance);
+  const RestingSolution resting = solve_resting(system, integrator.environment_wrenches(system, part.t),
+                                                part.slip_tolerance, resting_choice(method));
   for (std::size_t k = 0; k < pressed.size(); ++k) {
     TouchingPoint& point = points[pressed[k]];
     point.mode = mode_of(resting.states[k].mode);

@@ -80,7 +80,13 @@ IslandIntegrator::IslandIntegrator(const Model& model, const Environment& enviro
       orientation_(method.orientation),
       tolerance_(method.tolerance),
       direction_tolerance_(direction_tolerance(method)),
-      resting_velocity_(method.resting_velocity) {}
+      resting_velocity_(method.resting_velocity),
+      resting_(resting_choice(method)) {}
+
+RestingChoice resting_choice(const Method& method) {
+  return {method.resting == RestingMethod::motion_space ? RestingSpace::motion : RestingSpace::contact,
+          method.lcp == LcpMethod::dantzig ? LcpName::dantzig : LcpName::lemke};
+}
 
 double direction_tolerance(const Method& method) {
   return 1e-3 * method.resting_velocity;
@@ -153,7 +159,7 @@ IslandIntegrator::Load IslandIntegrator::load(const Island& island, double t,
     std::vector<Wrench> of_environment = wrenches;
     wrenches = with_moments(system, island.states, std::move(wrenches));
     load.power += moment_power_of_prescribed(system, of_environment, wrenches);
-    const VecX lambda = contact_forces(system, island.states, wrenches, direction_tolerance_);
+    const VecX lambda = contact_forces(system, island.states, wrenches, direction_tolerance_, resting_);
     add_contact_wrenches(system, lambda, wrenches);
     load.power += work_of_prescribed(system, lambda);
     // Contact forces on prescribed bodies leave the island: their opposites are external to it.
