@@ -48,6 +48,7 @@ bench:
 	@build/bench/benchmarks/rigor_bench
 	@build/bench/benchmarks/rigor_render_bench
 	@build/bench/benchmarks/rigor_impact_bench
+	@build/bench/benchmarks/rigor_resting_bench
 
 clean:
 	rm -rf build
@@ -57,5 +58,5 @@ help:
 	@echo "make test    build, then all tests"
 	@echo "make build   build only (Release, in $(BUILD))"
 	@echo "make check   formatting, clang++ beside g++ with warnings as errors, the tests under ASan and UBSan, the viewer"
-	@echo "make bench   error and CPU time of the reference scenes, of pictures and of impacts, beside the peer engines that are installed"
+	@echo "make bench   error and CPU time of the reference scenes, of pictures, of impacts and of resting contact, beside the peer engines that are installed"
 	@echo "make clean   remove build/"
