@@ -49,6 +49,7 @@ bench:
 	@build/bench/benchmarks/rigor_render_bench
 	@build/bench/benchmarks/rigor_impact_bench
 	@build/bench/benchmarks/rigor_constrained_mass_bench
+	@build/bench/benchmarks/rigor_resting_bench
 
 clean:
 	rm -rf build
@@ -58,5 +59,5 @@ help:
 	@echo "make test    build, then all tests"
 	@echo "make build   build only (Release, in $(BUILD))"
 	@echo "make check   formatting, clang++ beside g++ with warnings as errors, the tests under ASan and UBSan, the viewer"
-	@echo "make bench   error and CPU time of the reference scenes, of pictures, impacts and chains, beside the peer engines that are installed"
+	@echo "make bench   error and CPU time of the reference scenes, of pictures, impacts, chains and resting contact, beside the peer engines that are installed"
 	@echo "make clean   remove build/"

@@ -4,6 +4,7 @@
 #include "rigor/geometry/support.hpp"
 #include "rigor/math/rotation.hpp"
 
+#include <optional>
 #include <utility>
 #include <variant>
 
@@ -127,6 +128,21 @@ bool is_round(const BodyShape& shape, const SurfaceCurvature& surface) {
                                                         : surface.flat_count == 1;
 }
 
+/// A cylinder that leans on a face with its rim or with an end of its side's line, seen in W.
+struct LeaningCylinder {
+  Vec3 axis, middle;  ///< Unit; centre of the cylinder.
+  double radius;
+};
+
+/// Such a cylinder, if the contact is one: its normal turns about the axis, so neither a face nor an edge.
+std::optional<LeaningCylinder> leaning_cylinder(const BodyShape& shape, const SurfaceCurvature& surface,
+                                                const Pose& X_WB) {
+  const Cylinder* cylinder = std::get_if<Cylinder>(&shape.shape);
+  if (!cylinder || surface.flat_count > 0 || surface.radius_W.isZero(0)) return std::nullopt;
+  const Pose X_WS = X_WB * shape.X_BS;
+  return LeaningCylinder{X_WS.R.col(2), X_WS.p, cylinder->radius};
+}
+
 /// Where the surface that leans on a face touches now; m_W0 and m_W are its outward normals before and now.
 Vec3 leaning_point(const BodyShape& shape, const SurfaceCurvature& surface, const Vec3& p_W0,
                    const std::pair<Vec3, Vec3>& normals, const std::pair<Pose, Pose>& poses) {
@@ -137,6 +153,12 @@ Vec3 leaning_point(const BodyShape& shape, const SurfaceCurvature& surface, cons
     return carried_point(before, after, p_W0 - radius * m_W0) + radius * m_W;
   }
   if (surface.radius_W.isZero(0) || surface.flat_count > 0) return carried_point(before, after, p_W0);
+  if (const std::optional<LeaningCylinder> now = leaning_cylinder(shape, surface, after)) {
+    // The circle about the axis on which it touched, at the point farthest along the normal.
+    const LeaningCylinder then = *leaning_cylinder(shape, surface, before);
+    const Vec3 outward = m_W - m_W.dot(now->axis) * now->axis;
+    return now->middle + (p_W0 - then.middle).dot(then.axis) * now->axis + now->radius * outward.normalized();
+  }
   const Pose X_WS = after * shape.X_BS;
   return X_WS * support_point(shape.shape, X_WS.R.transpose() * m_W);
 }
@@ -173,6 +195,13 @@ SurfaceCurvature carried_curvature(const BodyShape& shape, const SurfaceCurvatur
   const auto& [before, after] = poses;
   const Mat3 turn = after.R * before.R.transpose();
   SurfaceCurvature surface{turn * old.radius_W * turn.transpose(), old.flat_count, turn * old.flat_W};
+  if (const std::optional<LeaningCylinder> now = leaning_cylinder(shape, old, after)) {
+    // The point of a circle of radius r farthest along m moves by r / |m - (m·a) a| along the circle.
+    const Vec3 outward = m_W - m_W.dot(now->axis) * now->axis;
+    const Vec3 along = now->axis.cross(outward).normalized();
+    surface.radius_W = now->radius / outward.norm() * along * along.transpose();
+    return surface;
+  }
   if (!is_round(shape, old)) return surface;
   const double radius = round_radius(shape.shape);
   if (old.flat_count == 0) {

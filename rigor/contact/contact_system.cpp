@@ -18,9 +18,9 @@ int ContactSystem::local_index(int body) const {
 namespace {
 
 /// u = Cᵀ (v_B + ω_B × r_B - v_A - ω_A × r_A).
-ContactRows rows_of_contact(const Contact& contact, const Mat3& C, const BodyKinetics& A,
-                            const BodyKinetics& B) {
-  ContactRows rows;
+ContactJacobian rows_of_contact(const Contact& contact, const Mat3& C, const BodyKinetics& A,
+                                const BodyKinetics& B) {
+  ContactJacobian rows;
   rows.A.leftCols<3>() = -C.transpose();
   rows.A.rightCols<3>() = C.transpose() * skew(contact.p_W() - A.x);
   rows.B.leftCols<3>() = C.transpose();
@@ -33,7 +33,7 @@ double mobility_along(const BodyKinetics& body, const Vec6& J) {
 }
 
 /// A stop of a joint: its coordinate as normal (limits) or as first tangent.
-ContactRows rows_of_stop(const Model& model, const JointStop& stop, const ContactSystem& system) {
+ContactJacobian rows_of_stop(const Model& model, const JointStop& stop, const ContactSystem& system) {
   const Joint& joint = model.joint(stop.joint);
   const JointAxis& axis = joint.axes[static_cast<std::size_t>(stop.axis)];
   const JointCoordinate coordinate =
@@ -42,7 +42,7 @@ ContactRows rows_of_stop(const Model& model, const JointStop& stop, const Contac
   const bool is_bounded = stop.kind == JointStop::Kind::friction || stop.kind == JointStop::Kind::motor;
   const Eigen::Index row = is_bounded ? 0 : 2;
   const double sign = stop.kind == JointStop::Kind::upper ? -1 : 1;
-  ContactRows rows;
+  ContactJacobian rows;
   // Of a joint to the world the only body takes the side of B, or of A if it is A.
   if (joint.body_A != world_body) rows.A.row(row) = sign * coordinate.J_A.transpose();
   if (joint.body_B != world_body) rows.B.row(row) = sign * coordinate.J_B.transpose();
@@ -190,7 +190,7 @@ VecX relative_velocities(const ContactSystem& system) {
   for (std::size_t i = 0; i < system.contacts.size(); ++i) {
     const Contact& contact = system.contacts[i];
     const BodyKinetics &A = system.of(contact.body_A), &B = system.of(contact.body_B);
-    const ContactRows& rows = system.rows[i];
+    const ContactJacobian& rows = system.rows[i];
     u.segment<3>(3 * static_cast<Eigen::Index>(i)) =
         contact.stop ? Vec3(rows.A * velocity(A) + rows.B * velocity(B) - rows.rate)
                      : relative_velocity(contact, A, B);
@@ -330,7 +330,7 @@ double work_of_prescribed(const ContactSystem& system, const VecX& lambda) {
   double work = 0;
   for (std::size_t i = 0; i < system.contacts.size(); ++i) {
     const Contact& contact = system.contacts[i];
-    const ContactRows& rows = system.rows[i];
+    const ContactJacobian& rows = system.rows[i];
     const Vec3 own = lambda.segment<3>(3 * static_cast<Eigen::Index>(i));
     const BodyKinetics& A = system.of(contact.body_A);
     const BodyKinetics& B = system.of(contact.body_B);

@@ -14,7 +14,7 @@ namespace rigor {
 ///
 /// Dry friction and motors are contacts of coefficient 1 whose normal force is their largest force F whatever
 /// the bodies do: a normal row of its own, A_nn = mobility, b_n = -F mobility.
-struct ContactRows {
+struct ContactJacobian {
   Eigen::Matrix<double, 3, 6> A = Eigen::Matrix<double, 3, 6>::Zero();
   Eigen::Matrix<double, 3, 6> B = Eigen::Matrix<double, 3, 6>::Zero();
   Vec3 rate = Vec3::Zero();  ///< Of a motor along t1.
@@ -31,7 +31,7 @@ struct ContactSystem {
   std::vector<int> bodies;  ///< Model indices, ascending; of the contacts' bodies and any others wanted.
   std::vector<BodyKinetics> kinetics;         ///< One a body of `bodies`.
   std::vector<Mat3> frames;                   ///< C = [t1 t2 n] of each contact.
-  std::vector<ContactRows> rows;              ///< One a contact.
+  std::vector<ContactJacobian> rows;          ///< One a contact.
   std::shared_ptr<const JointSystem> joints;  ///< At this instant; none if no joint holds a body.
 
   /// Position of a body in `bodies`, which must hold it.

@@ -1,6 +1,11 @@
 #include "rigor/contact/resting.hpp"
 
 #include "rigor/contact/contact_kinematics.hpp"
+#include "rigor/contact/motion_rows.hpp"
+#include "rigor/solver/motion_problem.hpp"
+
+#include <algorithm>
+#include <utility>
 
 namespace rigor {
 
@@ -18,9 +23,9 @@ Vec2 slip_direction(const Mat3& frame, const Vec3& u, const Vec3& old_slip_W, do
   return (u_t.dot(old) < 0 ? -1.0 : 1.0) / speed * u_t;
 }
 
-CoulombProblem problem_of(const ContactSystem& system) {
+/// Without A and b.
+CoulombProblem laws_of(const ContactSystem& system) {
   CoulombProblem problem;
-  problem.A = delassus(system);
   const std::size_t n = system.contacts.size();
   problem.rows.assign(n, FrictionRow::cone);
   problem.slips.assign(n, Vec2::Zero());
@@ -34,10 +39,30 @@ std::vector<ContactMode> modes_of(const std::vector<ContactState>& states) {
   return modes;
 }
 
-/// Accelerations with the slip directions of modes that are known.
-CoulombProblem problem_of_modes(const ContactSystem& system, const std::vector<ContactState>& states,
-                                const std::vector<Wrench>& wrenches, double direction_tolerance) {
-  CoulombProblem problem = problem_of(system);
+/// Motion space has rows of bodies alone: contacts that work through joints, and stops of joints, are solved
+/// in contact space.
+bool is_in_motion_space(const ContactSystem& system, const RestingChoice& choice) {
+  return choice.space == RestingSpace::motion && !system.joints &&
+         std::none_of(system.contacts.begin(), system.contacts.end(),
+                      [](const Contact& contact) { return contact.stop.has_value(); });
+}
+
+VecX forces_of_modes(const ContactSystem& system, CoulombProblem laws, const std::vector<ContactMode>& modes,
+                     const RestingChoice& choice) {
+  if (is_in_motion_space(system, choice)) {
+    const MotionProblem problem{motion_rows(system), laws};
+    const MotionModesSystem forces(problem, {modes, laws.slips});
+    if (forces.is_exact()) return forces.least_norm();
+  }
+  // Rows too close to dependent for motion space, or that contradict each other.
+  laws.A = delassus(system);
+  return solve_known_modes(laws, modes);
+}
+
+/// Accelerations with the slip directions of modes that are known; without A.
+CoulombProblem laws_of_modes(const ContactSystem& system, const std::vector<ContactState>& states,
+                             const std::vector<Wrench>& wrenches, double direction_tolerance) {
+  CoulombProblem problem = laws_of(system);
   problem.b = free_contact_accelerations(system, wrenches);
   const VecX u = relative_velocities(system);
   for (std::size_t i = 0; i < states.size(); ++i) {
@@ -54,7 +79,7 @@ VecX free_contact_accelerations(const ContactSystem& system, const std::vector<W
   VecX result(3 * static_cast<Eigen::Index>(system.contacts.size()));
   for (std::size_t i = 0; i < system.contacts.size(); ++i) {
     const Contact& contact = system.contacts[i];
-    const ContactRows& rows = system.rows[i];
+    const ContactJacobian& rows = system.rows[i];
     const std::size_t a = static_cast<std::size_t>(system.local_index(contact.body_A));
     const std::size_t b = static_cast<std::size_t>(system.local_index(contact.body_B));
     Vec3 u = rows.A * of_bodies[a] + rows.B * of_bodies[b];
@@ -65,9 +90,26 @@ VecX free_contact_accelerations(const ContactSystem& system, const std::vector<W
   return result;
 }
 
+namespace {
+
+CoulombSolution solve_laws(const ContactSystem& system, CoulombProblem laws, const RestingChoice& choice,
+                           const std::vector<ContactMode>& start) {
+  if (is_in_motion_space(system, choice)) {
+    const MotionProblem problem{motion_rows(system), laws};
+    if (std::optional<CoulombSolution> solution = solve_in_motion_space(problem, start)) return *solution;
+  }
+  laws.A = delassus(system);
+  CoulombOptions options;
+  if (choice.space == RestingSpace::contact) options.lcp = choice.lcp;
+  return solve_coulomb(laws, options);
+}
+
+}  // namespace
+
 RestingSolution solve_resting(const ContactSystem& system, const std::vector<Wrench>& wrenches,
-                              double slip_tolerance) {
-  CoulombProblem problem = problem_of(system);
+                              double slip_tolerance, const RestingChoice& choice,
+                              const std::vector<ContactMode>& start) {
+  CoulombProblem problem = laws_of(system);
   problem.b = free_contact_accelerations(system, wrenches);
   const VecX u = relative_velocities(system);
   for (std::size_t i = 0; i < system.contacts.size(); ++i) {
@@ -78,7 +120,7 @@ RestingSolution solve_resting(const ContactSystem& system, const std::vector<Wre
   }
 
   constexpr double rounding = 1e-9;
-  RestingSolution solution{solve_coulomb(problem), {}};
+  RestingSolution solution{solve_laws(system, problem, choice, start), {}};
   for (std::size_t i = 0; i < system.contacts.size(); ++i) {
     ContactState state{solution.forces.modes[i], Vec3::Zero()};
     Vec2 slip = problem.slips[i];
@@ -99,14 +141,23 @@ RestingSolution solve_resting(const ContactSystem& system, const std::vector<Wre
 }
 
 VecX contact_forces(const ContactSystem& system, const std::vector<ContactState>& states,
-                    const std::vector<Wrench>& wrenches, double direction_tolerance) {
-  return solve_known_modes(problem_of_modes(system, states, wrenches, direction_tolerance), modes_of(states));
+                    const std::vector<Wrench>& wrenches, double direction_tolerance,
+                    const RestingChoice& choice) {
+  return forces_of_modes(system, laws_of_modes(system, states, wrenches, direction_tolerance),
+                         modes_of(states), choice);
 }
 
 bool modes_have_forces(const ContactSystem& system, const std::vector<ContactState>& states,
-                       const std::vector<Wrench>& wrenches, double direction_tolerance) {
-  return find_cone_forces(problem_of_modes(system, states, wrenches, direction_tolerance), modes_of(states))
-      .has_value();
+                       const std::vector<Wrench>& wrenches, double direction_tolerance,
+                       const RestingChoice& choice) {
+  CoulombProblem laws = laws_of_modes(system, states, wrenches, direction_tolerance);
+  if (is_in_motion_space(system, choice)) {
+    const MotionProblem problem{motion_rows(system), laws};
+    const MotionModesSystem forces(problem, {modes_of(states), laws.slips});
+    if (forces.is_exact()) return forces.find_in_cones().has_value();
+  }
+  laws.A = delassus(system);
+  return find_cone_forces(laws, modes_of(states)).has_value();
 }
 
 void add_contact_wrenches(const ContactSystem& system, const VecX& lambda, std::vector<Wrench>& wrenches) {
@@ -117,12 +168,13 @@ void add_contact_wrenches(const ContactSystem& system, const VecX& lambda, std::
   }
 }
 
-VecX projection_impulses(const ContactSystem& system, const std::vector<ContactState>& states) {
-  CoulombProblem problem = problem_of(system);
-  problem.b = relative_velocities(system);
+VecX projection_impulses(const ContactSystem& system, const std::vector<ContactState>& states,
+                         const RestingChoice& choice) {
+  CoulombProblem laws = laws_of(system);
+  laws.b = relative_velocities(system);
   // Along the slip nothing is corrected: a sliding contact takes part with its normal alone.
-  problem.mu.assign(states.size(), 0.0);
-  return solve_known_modes(problem, modes_of(states));
+  laws.mu.assign(states.size(), 0.0);
+  return forces_of_modes(system, std::move(laws), modes_of(states), choice);
 }
 
 }  // namespace rigor

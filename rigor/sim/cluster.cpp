@@ -137,7 +137,8 @@ ContactResolver::ContactResolver(const Model& model, const IslandIntegrator& int
       collision_law_(restitution_law(method.impact)),
       law_(simultaneous_law(method.simultaneous)),
       resting_velocity_(method.resting_velocity),
-      contact_tolerance_(method.contact_tolerance) {}
+      contact_tolerance_(method.contact_tolerance),
+      resting_(resting_choice(method)) {}
 
 ContactSystem ContactResolver::system_of(const Cluster& cluster, const std::vector<Contact>& contacts) const {
   return integrator_.system_of(cluster.t, cluster.bodies, cluster.phases, contacts);
@@ -414,8 +415,8 @@ LastingContacts ContactResolver::update_active(Cluster& cluster, AdvanceReport& 
   if (candidates.empty()) return {};
 
   const ContactSystem touching = system_of(cluster, candidates);
-  const RestingSolution resting =
-      solve_resting(touching, integrator_.environment_wrenches(touching, cluster.t), cluster.slip_tolerance);
+  const RestingSolution resting = solve_resting(
+      touching, integrator_.environment_wrenches(touching, cluster.t), cluster.slip_tolerance, resting_);
   report.max_residual = std::max(report.max_residual, resting.forces.residual);
   report.max_iterations = std::max(report.max_iterations, resting.forces.iterations);
   LastingContacts lasting;
@@ -433,7 +434,7 @@ LastingContacts ContactResolver::update_active(Cluster& cluster, AdvanceReport& 
   const ContactSystem system = system_of(cluster, lasting.contacts);
   const double before = totals(model_, cluster).T;
   const double work_before = report.work;
-  add_impulses(system, projection_impulses(system, lasting.states), {}, cluster, report);
+  add_impulses(system, projection_impulses(system, lasting.states, resting_), {}, cluster, report);
   report.projection_loss += before - totals(model_, cluster).T + (report.work - work_before);
   return lasting;
 }
@@ -452,8 +453,8 @@ bool ContactResolver::is_balanced(const Cluster& cluster, const LastingContacts&
   std::vector<Wrench> wrenches = integrator_.environment_wrenches(system, cluster.t);
   const std::vector<Wrench> free = wrenches;
   if (!lasting.contacts.empty())
-    add_contact_wrenches(system, contact_forces(system, lasting.states, free, cluster.slip_tolerance),
-                         wrenches);
+    add_contact_wrenches(
+        system, contact_forces(system, lasting.states, free, cluster.slip_tolerance, resting_), wrenches);
   if (system.joints) wrenches = with_joint_reactions(system, std::move(wrenches)).wrenches;
   // What is left is rounding of what was balanced.
   constexpr double rounding = 1e-11;

@@ -91,6 +91,7 @@ class ContactResolver {
   SimultaneousLaw law_;
   double resting_velocity_;
   double contact_tolerance_;
+  RestingChoice resting_;
 };
 
 }  // namespace rigor

@@ -80,8 +80,8 @@ std::vector<TouchingPoint> points_of(const Method& method, const IslandIntegrato
   if (candidates.empty()) return points;
 
   const ContactSystem system = integrator.system_of(part.t, part.bodies, part.phases, candidates);
-  const RestingSolution resting =
-      solve_resting(system, integrator.environment_wrenches(system, part.t), part.slip_tolerance);
+  const RestingSolution resting = solve_resting(system, integrator.environment_wrenches(system, part.t),
+                                                part.slip_tolerance, resting_choice(method));
   for (std::size_t k = 0; k < pressed.size(); ++k) {
     TouchingPoint& point = points[pressed[k]];
     point.mode = mode_of(resting.states[k].mode);
@@ -107,7 +107,8 @@ void add_joint_forces(const Model& model, const Method& method, const IslandInte
   system = integrator.system_of(part.t, part.bodies, part.phases, lasting);
   std::vector<Wrench> wrenches = integrator.environment_wrenches(system, part.t);
   if (!lasting.empty() && lasting.size() <= most_contacts_of_group) {
-    const RestingSolution resting = solve_resting(system, wrenches, part.slip_tolerance);
+    const RestingSolution resting =
+        solve_resting(system, wrenches, part.slip_tolerance, resting_choice(method));
     add_contact_wrenches(system, resting.forces.lambda, wrenches);
   }
   VecX lambda = with_joint_reactions(system, std::move(wrenches)).lambda;

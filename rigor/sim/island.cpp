@@ -81,7 +81,13 @@ IslandIntegrator::IslandIntegrator(const Model& model, const Environment& enviro
       orientation_(method.orientation),
       tolerance_(method.tolerance),
       direction_tolerance_(direction_tolerance(method)),
-      resting_velocity_(method.resting_velocity) {}
+      resting_velocity_(method.resting_velocity),
+      resting_(resting_choice(method)) {}
+
+RestingChoice resting_choice(const Method& method) {
+  return {method.resting == RestingMethod::motion_space ? RestingSpace::motion : RestingSpace::contact,
+          method.lcp == LcpMethod::dantzig ? LcpName::dantzig : LcpName::lemke};
+}
 
 double direction_tolerance(const Method& method) {
   return 1e-3 * method.resting_velocity;
@@ -243,7 +249,7 @@ IslandIntegrator::Load IslandIntegrator::load(const Island& island, double t,
     for (std::size_t b = 0; b < system.bodies.size(); ++b) {
       if (system.kinetics[b].inverse_mass == 0) load.external.tau_W -= wrenches[b].tau_W;
     }
-    lambda = contact_forces(system, island.states, wrenches, direction_tolerance_);
+    lambda = contact_forces(system, island.states, wrenches, direction_tolerance_, resting_);
     add_contact_wrenches(system, lambda, wrenches);
     load.power += work_of_prescribed(system, lambda);
   }

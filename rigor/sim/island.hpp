@@ -108,8 +108,11 @@ class IslandIntegrator {
   double tolerance_;
   double direction_tolerance_;
   double resting_velocity_;
+  RestingChoice resting_;
 };
 
+/// How contact forces are solved for.
+RestingChoice resting_choice(const Method& method);
 /// Slower slip than this counts as sticking [m/s].
 double slip_tolerance(const Method& method);
 /// Slower slip than this keeps, within a step, the direction that it began with [m/s]: towards its end and

@@ -34,6 +34,7 @@ bool visit_choice(MethodType& method, std::string_view key, F f) {
   if (key == "impact") return f(method.impact), true;
   if (key == "simultaneous") return f(method.simultaneous), true;
   if (key == "resting") return f(method.resting), true;
+  if (key == "lcp") return f(method.lcp), true;
   return false;
 }
 

@@ -18,6 +18,8 @@ enum class ToiMethod { conservative, ratio, bisection };
 enum class ImpactMethod { newton, poisson, stronge };
 enum class SimultaneousMethod { reflections, lcp, sequential };
 enum class RestingMethod { contact_space, motion_space };
+/// Of contact space, also where motion space hands over to it.
+enum class LcpMethod { dantzig, lemke };
 
 /// Every choice of how a scene is simulated. The defaults are the best that this version offers.
 struct Method {
@@ -28,7 +30,8 @@ struct Method {
   ToiMethod toi = ToiMethod::conservative;
   ImpactMethod impact = ImpactMethod::stronge;
   SimultaneousMethod simultaneous = SimultaneousMethod::reflections;
-  RestingMethod resting = RestingMethod::contact_space;
+  RestingMethod resting = RestingMethod::motion_space;
+  LcpMethod lcp = LcpMethod::dantzig;
   double contact_tolerance = 1e-6;  ///< Pairs closer than this touch [m].
   double time_tolerance = 1e-12;    ///< Of a time of impact [s].
   double resting_velocity = 1e-3;   ///< Slower approaches do not bounce [m/s].

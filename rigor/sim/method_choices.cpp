@@ -81,12 +81,12 @@ std::span<const MethodChoice> method_choices() {
       MethodChoice{"resting", "motion-space", "nearest admissible accelerations (Gauss)",
                    "Redon, Kheddar and Coquillart, Gauss' Least Constraints Principle and Rigid Body "
                    "Simulations, 2002",
-                   false},
+                   true},
 
       MethodChoice{"lcp", "dantzig", "pivots that keep solved contacts solved",
-                   "Baraff, Fast Contact Force Computation for Nonpenetrating Rigid Bodies, 1994", false},
+                   "Baraff, Fast Contact Force Computation for Nonpenetrating Rigid Bodies, 1994", true},
       MethodChoice{"lcp", "lemke", "complementary pivots with a covering vector",
-                   "Lemke, Bimatrix Equilibrium Points and Mathematical Programming, 1965", false},
+                   "Lemke, Bimatrix Equilibrium Points and Mathematical Programming, 1965", true},
 
       MethodChoice{"penalty", "local", "a spring at each contact point",
                    "Moore and Wilhelms, Collision Detection and Response for Computer Animation, 1988",

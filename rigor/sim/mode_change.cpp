@@ -36,7 +36,8 @@ ModeChangeSearch::ModeChangeSearch(const Model& model, const IslandIntegrator& i
       integrator_(integrator),
       contact_tolerance_(method.contact_tolerance),
       time_tolerance_(method.time_tolerance),
-      direction_tolerance_(direction_tolerance(method)) {}
+      direction_tolerance_(direction_tolerance(method)),
+      resting_(resting_choice(method)) {}
 
 /// The island somewhere in its step.
 struct ModeChangeSearch::Instant {
@@ -76,8 +77,8 @@ double ModeChangeSearch::slip_margin(const Island& island, const Instant& instan
 /// little below zero is allowed for rounding.
 double ModeChangeSearch::force_margin(const Island& island, const Instant& instant) const {
   constexpr double rounding = 1e-10;
-  const VecX lambda =
-      contact_forces(instant.system, island.states, wrenches(island, instant), direction_tolerance_);
+  const VecX lambda = contact_forces(instant.system, island.states, wrenches(island, instant),
+                                     direction_tolerance_, resting_);
   const double scale = lambda.cwiseAbs().maxCoeff();
   if (scale == 0) return rounding;
   double margin = std::numeric_limits<double>::infinity();
@@ -153,7 +154,8 @@ std::optional<ModeChange> ModeChangeSearch::find_limit(const Island& island, con
 
 /// Whether the modes can still be, whatever the distribution of redundant forces.
 bool ModeChangeSearch::modes_hold(const Island& island, const Instant& instant) const {
-  return modes_have_forces(instant.system, island.states, wrenches(island, instant), direction_tolerance_);
+  return modes_have_forces(instant.system, island.states, wrenches(island, instant), direction_tolerance_,
+                           resting_);
 }
 
 std::optional<ModeChange> ModeChangeSearch::find_overlap(const Island& island, const IslandStep& step,

@@ -46,6 +46,7 @@ class ModeChangeSearch {
   const Model& model_;
   const IslandIntegrator& integrator_;
   double contact_tolerance_, time_tolerance_, direction_tolerance_;
+  RestingChoice resting_;
 };
 
 }  // namespace rigor

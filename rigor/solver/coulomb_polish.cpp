@@ -1,5 +1,6 @@
 #include "rigor/solver/coulomb_polish.hpp"
 
+#include "rigor/solver/coulomb_law.hpp"
 #include "rigor/solver/least_norm_slips.hpp"
 #include "rigor/solver/smooth_modes.hpp"
 
@@ -11,8 +12,7 @@ namespace {
 
 using Eigen::Index;
 
-// Part of the largest term below which a w counts as zero, and a sign as undecided.
-constexpr double kZero = 1e-13;
+constexpr double kZero = kZeroMotion;
 constexpr int kMaxMoves = 5;
 
 class Polisher {
@@ -27,7 +27,8 @@ class Polisher {
       const CoulombSolution candidate = solve_modes(guess);
       if (candidate.residual < best.residual) best = candidate;
       if (best.residual <= kZero) break;
-      move_contacts(guess);
+      move_contacts(problem_, problem_.A.diagonal(), problem_.A * guess.lambda + problem_.b,
+                    kZero * largest_term(problem_, guess.lambda), guess);
     }
     return best.converged ? with_least_norm(best) : best;
   }
@@ -67,54 +68,14 @@ class Polisher {
   // The solution with the forces of least norm: every contact with w_n = 0 may push, every one with w = 0 may
   // stick.
   CoulombSolution with_least_norm(const CoulombSolution& solution) const {
-    const ContactModes face = modes_of_motion(solution);
+    const ContactModes face = modes_of_motion(problem_, solution.lambda, solution.w,
+                                              kZero * largest_term(problem_, solution.lambda));
     const double accepted = std::max(kZero, 4 * solution.residual);
     const std::optional<CoulombSolution> least = find_least_norm(problem_, face, accepted);
     if (least) return *least;
     CoulombSolution result = solution;
     result.modes = face.modes;
     return result;
-  }
-
-  // A slip direction is that of the friction force, which is known better than that of a slow w.
-  ContactModes modes_of_motion(const CoulombSolution& solution) const {
-    ContactModes face = open_guess(problem_).modes;
-    const double zero = kZero * largest_term(problem_, solution.lambda);
-    for (std::size_t k = 0; k < face.modes.size(); ++k) {
-      const Vec3 w = solution.w.segment<3>(3 * static_cast<Index>(k));
-      const Vec3 force = solution.lambda.segment<3>(3 * static_cast<Index>(k));
-      if (w(2) > zero) continue;
-      const double speed = w.head<2>().norm();
-      const bool may_stick = problem_.rows[k] == FrictionRow::cone && problem_.mu[k] > 0;
-      face.modes[k] = may_stick && speed <= zero ? ContactMode::stick : ContactMode::slide;
-      if (may_stick && speed > zero) face.slips[k] = slip_of_force(force, w.head<2>() / speed);
-    }
-    return face;
-  }
-
-  // Contacts that pull open; open ones that sink close; backward slides stick; sticks outside the cone slide.
-  void move_contacts(CoulombGuess& guess) const {
-    const VecX w = problem_.A * guess.lambda + problem_.b;
-    const double zero = kZero * largest_term(problem_, guess.lambda);
-    for (std::size_t k = 0; k < problem_.mu.size(); ++k) {
-      const Index row = 3 * static_cast<Index>(k);
-      const Vec3 force = guess.lambda.segment<3>(row);
-      const double mu = problem_.mu[k];
-      const double stiffness = problem_.A.diagonal().segment<3>(row).mean();
-      const bool may_stick = problem_.rows[k] == FrictionRow::cone && mu > 0;
-      ContactMode& mode = guess.modes.modes[k];
-      if (mode == ContactMode::open) {
-        if (w(row + 2) < -zero) mode = may_stick ? ContactMode::stick : ContactMode::slide;
-      } else if (stiffness * force(2) < -zero) {
-        mode = ContactMode::open;
-      } else if (mode == ContactMode::slide) {
-        const bool backward = guess.modes.slips[k].dot(w.segment<2>(row)) < -zero;
-        if (may_stick && backward) mode = ContactMode::stick;
-      } else if (stiffness * (force.head<2>().norm() - mu * force(2)) > zero) {
-        mode = ContactMode::slide;
-        guess.modes.slips[k] = slip_of_force(force, guess.modes.slips[k]);
-      }
-    }
   }
 
   const CoulombProblem& problem_;

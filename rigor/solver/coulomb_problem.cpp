@@ -2,9 +2,11 @@
 
 #include "rigor/core/assert.hpp"
 #include "rigor/solver/coulomb_gauss_seidel.hpp"
+#include "rigor/solver/coulomb_law.hpp"
 #include "rigor/solver/coulomb_local.hpp"
 #include "rigor/solver/coulomb_polish.hpp"
 #include "rigor/solver/coulomb_proximal.hpp"
+#include "rigor/solver/coulomb_seed.hpp"
 #include "rigor/solver/lcp.hpp"
 #include "rigor/solver/smooth_modes.hpp"
 
@@ -79,8 +81,12 @@ CoulombSolution labelled(CoulombSolution solution, int iterations, const char* m
   return solution;
 }
 
+const char* name_of(LcpName name) {
+  return name == LcpName::dantzig ? "dantzig" : "lemke";
+}
+
 // Normal rows alone: w_n = (A_nn - μ A_nt slip) λ_n + b_n.
-CoulombSolution solve_linear(const CoulombProblem& problem, double tolerance) {
+CoulombSolution solve_linear(const CoulombProblem& problem, LcpName name, double tolerance) {
   CoulombGuess guess = open_guess(problem);
   std::vector<ContactVector> rows, columns;
   VecX q(static_cast<Index>(problem.mu.size()));
@@ -93,13 +99,16 @@ CoulombSolution solve_linear(const CoulombProblem& problem, double tolerance) {
     q(i) = problem.b(3 * i + 2);
   }
   const MatX M = reduce(problem.A, rows, columns);
-  const bool symmetric = is_frictionless(problem);
-  const LcpSolution lcp = symmetric ? lcp_dantzig(M, q) : lcp_lemke(M, q);
+  LcpSolution lcp = name == LcpName::dantzig ? lcp_dantzig(M, q) : lcp_lemke(M, q);
+  if (!lcp.converged && name == LcpName::dantzig) {
+    name = LcpName::lemke;
+    lcp = lcp_lemke(M, q);
+  }
   for (Index i = 0; i < q.size(); ++i) {
     guess.lambda.segment<3>(3 * i) = lcp.z(i) * columns[static_cast<std::size_t>(i)].direction;
     if (lcp.z(i) > 0) guess.modes.modes[static_cast<std::size_t>(i)] = ContactMode::slide;
   }
-  return labelled(polish_coulomb(problem, guess, tolerance), lcp.pivots, symmetric ? "dantzig" : "lemke");
+  return labelled(polish_coulomb(problem, guess, tolerance), lcp.pivots, name_of(name));
 }
 
 CoulombSolution solve_single(const CoulombProblem& problem, double tolerance) {
@@ -115,8 +124,15 @@ class Chain {
       : problem_(problem),
         options_(options),
         best_(std::move(start)),
-        proximal_(problem, open_guess(problem)),
+        motion_(problem.A),
+        proximal_(problem, motion_, open_guess(problem)),
         gauss_seidel_(problem, open_guess(problem)) {}
+
+  /// What a few proximal steps find.
+  CoulombSolution run_briefly() {
+    proximal_until(20);
+    return best_;
+  }
 
   CoulombSolution run() {
     // A few proximal steps show the modes of most problems; strong friction may need the other method, or
@@ -172,20 +188,49 @@ class Chain {
   const CoulombProblem& problem_;
   const CoulombOptions& options_;
   CoulombSolution best_;
+  FactoredMotion motion_;
   CoulombProximal proximal_;
   CoulombGaussSeidel gauss_seidel_;
   int proximal_steps_ = 0;
   int sweeps_ = 0;
 };
 
+CoulombSolution solve_seeded(const CoulombProblem& problem, LcpName name, double tolerance) {
+  const LcpSeed seed = seed_by_lcp(problem, name);
+  return labelled(polish_coulomb(problem, seed.guess, tolerance), seed.pivots, name_of(name));
+}
+
+bool holds_all(const CoulombSolution& solution) {
+  return std::all_of(solution.modes.begin(), solution.modes.end(),
+                     [](ContactMode mode) { return mode == ContactMode::stick; });
+}
+
+// Coulomb's law can have several solutions. Pivots may end at one that lacks the symmetry of the problem (of
+// two points of an edge one lets go); the one of less force has it.
+CoulombSolution of_less_force(const CoulombSolution& seeded, const CoulombSolution& other) {
+  constexpr double kSame = 1e-9;
+  return other.converged && other.lambda.norm() < (1 - kSame) * seeded.lambda.norm() ? other : seeded;
+}
+
 CoulombSolution solve_scaled(const CoulombProblem& problem, const CoulombOptions& options) {
-  if (is_linear(problem)) return solve_linear(problem, options.tolerance);
+  if (is_linear(problem)) {
+    const LcpName fitting = is_frictionless(problem) ? LcpName::dantzig : LcpName::lemke;
+    return solve_linear(problem, options.lcp.value_or(fitting), options.tolerance);
+  }
   CoulombSolution start = labelled(make_solution(problem, VecX::Zero(problem.b.size()),
                                                  open_guess(problem).modes.modes, options.tolerance),
                                    0, "open");
   if (problem.mu.size() == 1) {
     CoulombSolution single = solve_single(problem, options.tolerance);
     if (single.converged) return single;
+  }
+  // Lemke's table of the pyramid has 12 columns a contact: beyond this it takes minutes.
+  constexpr std::size_t kMostOfPyramid = 60;
+  if (options.lcp == LcpName::dantzig || (options.lcp && problem.mu.size() <= kMostOfPyramid)) {
+    const CoulombSolution seeded = solve_seeded(problem, *options.lcp, options.tolerance);
+    if (seeded.converged)
+      return holds_all(seeded) ? seeded : of_less_force(seeded, Chain(problem, options, start).run_briefly());
+    if (seeded.residual < start.residual) start = seeded;
   }
   return Chain(problem, options, std::move(start)).run();
 }
@@ -222,32 +267,7 @@ std::optional<VecX> find_cone_forces(const CoulombProblem& problem, const std::v
 }
 
 double coulomb_residual(const CoulombProblem& problem, const VecX& lambda, const VecX& w) {
-  const double size = largest_term(problem, lambda);
-  if (!lambda.allFinite() || !w.allFinite()) return std::numeric_limits<double>::infinity();
-  if (!(size > 0)) return 0.0;
-  const double largest = problem.A.diagonal().maxCoeff();
-  double worst = 0;
-  for (std::size_t k = 0; k < problem.mu.size(); ++k) {
-    const Index row = 3 * static_cast<Index>(k);
-    const double trace = problem.A.diagonal().segment<3>(row).sum();
-    const double rho = trace > 0 ? 3 / trace : (largest > 0 ? 1 / largest : 1.0);
-    const Vec3 force = lambda.segment<3>(row);
-    const Vec3 motion = w.segment<3>(row);
-    const double mu = problem.mu[k];
-    const double normal = std::abs(force(2) - std::max(0.0, force(2) - rho * motion(2)));
-    Vec2 target = Vec2::Zero();
-    if (problem.rows[k] == FrictionRow::slide) {
-      if (mu > 0) target = -mu * force(2) * problem.slips[k];
-    } else {
-      target = force.head<2>() - rho * motion.head<2>();
-      const double length = target.norm();
-      const double radius = mu * std::max(0.0, force(2));
-      if (length > radius) target *= radius / length;
-    }
-    const double tangential = (force.head<2>() - target).norm();
-    worst = std::max({worst, normal / rho, tangential / rho});
-  }
-  return worst / size;
+  return law_residual(problem, problem.A.diagonal(), largest_term(problem, lambda), lambda, w);
 }
 
 }  // namespace rigor

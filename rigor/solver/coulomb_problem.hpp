@@ -1,6 +1,7 @@
 #pragma once
 
 #include "rigor/math/types.hpp"
+#include "rigor/solver/lcp.hpp"
 
 #include <optional>
 #include <string>
@@ -46,6 +47,8 @@ struct CoulombOptions {
   double tolerance = 1e-12;
   /// Cap on the symmetric Gauss–Seidel sweeps.
   int max_iterations = 2000;
+  /// The method that is asked first for what the contacts do (seed_by_lcp); none: the chain alone.
+  std::optional<LcpName> lcp;
 };
 
 /// Exact Coulomb problem (no polyhedral cone). Never throws: what it could not solve is in `residual` and

@@ -11,7 +11,6 @@ using Eigen::Index;
 
 namespace {
 
-constexpr double kRankTolerance = 1e-14;
 constexpr double kLargestRho = 1e6;
 // Larger coefficients count as this one: hardly any contact slides with more, and the shifts of those that
 // seem to in an early step would throw the others open. The polish uses the true ones.
@@ -22,44 +21,26 @@ constexpr double kDamping = 0.5;
 
 }  // namespace
 
-MatX low_rank_factor(const MatX& A) {
-  const Index n = A.rows();
-  MatX L = MatX::Zero(n, n);
-  VecX diagonal = A.diagonal();
-  const double threshold = n > 0 ? kRankTolerance * diagonal.maxCoeff() : 0.0;
-  Index rank = 0;
-  for (; rank < n; ++rank) {
-    Index pivot = 0;
-    const double largest = diagonal.maxCoeff(&pivot);
-    if (!(largest > threshold)) break;
-    VecX column = A.col(pivot) - L.leftCols(rank) * L.row(pivot).head(rank).transpose();
-    column /= std::sqrt(largest);
-    L.col(rank) = column;
-    diagonal -= column.cwiseAbs2();
-    diagonal(pivot) = 0;
-  }
-  return L.leftCols(rank);
-}
-
-CoulombProximal::CoulombProximal(const CoulombProblem& problem, CoulombGuess start)
-    : problem_(problem), guess_(std::move(start)), L_(low_rank_factor(problem.A)) {
+CoulombProximal::CoulombProximal(const CoulombProblem& problem, const ContactMotion& motion,
+                                 CoulombGuess start)
+    : problem_(problem), motion_(motion), guess_(std::move(start)) {
   const Index count = static_cast<Index>(problem.mu.size());
-  const double largest = problem.A.diagonal().maxCoeff();
+  const double largest = motion.diagonal().maxCoeff();
   stiffness_.resize(count);
   for (Index i = 0; i < count; ++i) {
-    const double mean = problem.A.diagonal().segment<3>(3 * i).mean();
+    const double mean = motion.diagonal().segment<3>(3 * i).mean();
     stiffness_(i) = 1.0 / (mean > 1e-12 * largest ? mean : largest);
   }
   // Without shifts at first: a guess of the slip that is far too fast would open the contacts for good.
   q_ = problem.b;
   shift_ = VecX::Zero(count);
-  v_ = L_.transpose() * guess_.lambda;
+  v_ = motion_.lift(motion_.pull(guess_.lambda));
 }
 
 void CoulombProximal::step() {
   minimise();
   update_guess(evaluate(v_));
-  const VecX w = problem_.A * guess_.lambda + problem_.b;
+  const VecX w = moved(guess_.lambda) + problem_.b;
   ++steps_;
   update_shift(w, steps_ <= kUndampedSteps ? 1.0 : kDamping);
   rho_ = std::min(10 * rho_, kLargestRho);
@@ -76,7 +57,8 @@ Vec3 CoulombProximal::project(Index contact, const Vec3& x) const {
 }
 
 CoulombProximal::Inner CoulombProximal::evaluate(const VecX& v) const {
-  Inner inner{0.5 * v.squaredNorm(), v, L_ * v + q_, VecX(q_.size())};
+  const VecX weighed = motion_.weigh(v);
+  Inner inner{0.5 * v.dot(weighed), weighed, motion_.rates(v) + q_, VecX(q_.size())};
   for (Index i = 0; i < stiffness_.size(); ++i) {
     const double rho = rho_ * stiffness_(i);
     const Vec3 x = guess_.lambda.segment<3>(3 * i) - rho * inner.argument.segment<3>(3 * i);
@@ -85,26 +67,29 @@ CoulombProximal::Inner CoulombProximal::evaluate(const VecX& v) const {
     inner.force.segment<3>(3 * i) = force;
     inner.value += force.squaredNorm() / (2 * rho);
   }
-  inner.gradient -= L_.transpose() * inner.force;
+  inner.pulled = motion_.pull(inner.force);
+  inner.gradient -= inner.pulled;
   return inner;
 }
 
-MatX CoulombProximal::hessian(const VecX& argument) const {
-  MatX scaled = MatX::Zero(L_.rows(), L_.cols());
+// The derivatives D of the forces by the motion, one a contact: the Newton matrix is M + Lᵀ D L.
+std::vector<Mat3> CoulombProximal::stiffnesses(const VecX& argument) const {
+  std::vector<Mat3> D(problem_.mu.size(), Mat3::Zero());
   for (Index i = 0; i < stiffness_.size(); ++i) {
     const std::size_t k = static_cast<std::size_t>(i);
     const double rho = rho_ * stiffness_(i);
     const Vec3 x = argument.segment<3>(3 * i);
     if (problem_.rows[k] == FrictionRow::slide) {
-      if (x(2) > 0) scaled.row(3 * i + 2) = rho * L_.row(3 * i + 2);
+      if (x(2) > 0) D[k](2, 2) = rho;
     } else {
-      scaled.middleRows<3>(3 * i) =
-          (rho * cone_projection_derivative(x, capped_mu(k))) * L_.middleRows<3>(3 * i);
+      D[k] = rho * cone_projection_derivative(x, capped_mu(k));
     }
   }
-  MatX H = L_.transpose() * scaled;
-  H.diagonal().array() += 1.0;
-  return H;
+  return D;
+}
+
+VecX CoulombProximal::moved(const VecX& lambda) const {
+  return motion_.rates(motion_.lift(motion_.pull(lambda)));
 }
 
 // Newton with Armijo's line search on a strongly convex, once differentiable function.
@@ -113,8 +98,8 @@ void CoulombProximal::minimise() {
   constexpr double kTolerance = 1e-11;
   Inner inner = evaluate(v_);
   for (int step = 0; step < kMaxSteps; ++step) {
-    if (inner.gradient.norm() <= kTolerance * (v_.norm() + (L_.transpose() * inner.force).norm())) return;
-    const VecX direction = -hessian(inner.argument).ldlt().solve(inner.gradient);
+    if (inner.gradient.norm() <= kTolerance * (motion_.weigh(v_).norm() + inner.pulled.norm())) return;
+    const VecX direction = -motion_.newton_step(stiffnesses(inner.argument), inner.gradient);
     const double slope = inner.gradient.dot(direction);
     double length = 1;
     Inner trial = evaluate(v_ + direction);
@@ -159,9 +144,9 @@ void CoulombProximal::update_shift(const VecX& w, double damping) {
       shift_(i) += damping * (capped_mu(k) * w.segment<2>(3 * i).norm() - shift_(i));
     }
   }
-  q_ = problem_.b + problem_.A * held;
+  q_ = problem_.b + moved(held);
   for (Index i = 0; i < shift_.size(); ++i) q_(3 * i + 2) += shift_(i);
-  v_ = L_.transpose() * (guess_.lambda - held);
+  v_ = motion_.lift(motion_.pull(guess_.lambda - held));
 }
 
 }  // namespace rigor

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "rigor/solver/contact_motion.hpp"
 #include "rigor/solver/coulomb_guess.hpp"
 
 namespace rigor {
@@ -7,19 +8,19 @@ namespace rigor {
 /// Proximal Newton method for a CoulombProblem, for what Gauss–Seidel is too slow for (stacks, large mass
 /// ratios).
 ///
-/// With A = L Lᵀ, De Saxcé's shift s_i = μ_i |w_t,i| held and the friction of slide rows held, the problem is
-/// convex: minimise ½|v|² subject to L v + b + s n in the dual cones. One step is one step of the augmented
-/// Lagrangian method,
-///   v ← argmin ½|v|² + Σ |proj(λ_i - ρ_i (L_i v + b_i + s_i n))|² / (2 ρ_i),   λ_i ← that projection,
-/// (a Newton iteration whose matrix I + Lᵀ D L is always definite, however redundant the contacts), followed
-/// by new shifts from the new w and a larger ρ. Its forces are always in the cones. Holds a reference to the
-/// problem.
+/// With A = L M⁻¹ Lᵀ, De Saxcé's shift s_i = μ_i |w_t,i| held and the friction of slide rows held, the
+/// problem is convex: minimise ½ vᵀM v subject to L v + b + s n in the dual cones. One step is one step of
+/// the augmented Lagrangian method,
+///   v ← argmin ½ vᵀM v + Σ |proj(λ_i - ρ_i (L_i v + b_i + s_i n))|² / (2 ρ_i),   λ_i ← that projection,
+/// (a Newton iteration whose matrix M + Lᵀ D L is always definite, however redundant the contacts), followed
+/// by new shifts from the new w and a larger ρ. Its forces are always in the cones. Holds references to the
+/// problem, of which A is not read, and to the motion.
 ///
 /// Sources: the reformulation is De Saxcé and Feng's; augmented Lagrangian with Newton inside is a standard
 /// method.
 class CoulombProximal {
  public:
-  CoulombProximal(const CoulombProblem& problem, CoulombGuess start);
+  CoulombProximal(const CoulombProblem& problem, const ContactMotion& motion, CoulombGuess start);
 
   /// One outer step.
   void step();
@@ -33,10 +34,12 @@ class CoulombProximal {
     VecX gradient;
     VecX argument;  ///< λ - ρ (L v + q): 3n.
     VecX force;     ///< Its projection: 3n.
+    VecX pulled;    ///< Lᵀ force.
   };
 
   Inner evaluate(const VecX& v) const;
-  MatX hessian(const VecX& argument) const;
+  std::vector<Mat3> stiffnesses(const VecX& argument) const;
+  VecX moved(const VecX& lambda) const;
   void minimise();
   void update_guess(const Inner& inner);
   void update_shift(const VecX& w, double damping);
@@ -44,18 +47,14 @@ class CoulombProximal {
   Vec3 project(Eigen::Index contact, const Vec3& x) const;
 
   const CoulombProblem& problem_;
+  const ContactMotion& motion_;
   CoulombGuess guess_;
-  MatX L_;          ///< 3n × rank.
-  VecX v_;          ///< rank; w = L v + b (without the held friction of slide rows).
+  VecX v_;          ///< w = L v + b (without the held friction of slide rows).
   VecX q_;          ///< b, shift and held friction: 3n.
   VecX shift_;      ///< s: n.
   VecX stiffness_;  ///< 1 / mean diagonal of each contact's block: n.
   double rho_ = 10;
   int steps_ = 0;
 };
-
-/// L (n × rank) with A ≈ L Lᵀ: Cholesky with diagonal pivoting that stops at round-off, 1e-14 of the largest
-/// diagonal.
-MatX low_rank_factor(const MatX& A);
 
 }  // namespace rigor

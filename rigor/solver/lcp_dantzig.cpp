@@ -16,7 +16,12 @@ constexpr double kRounding = 1e-13;
 class Dantzig {
  public:
   Dantzig(const MatX& M, const VecX& q)
-      : M_(M), q_(q), z_(VecX::Zero(q.size())), w_(q), clamped_(static_cast<std::size_t>(q.size()), false) {}
+      : M_(M),
+        q_(q),
+        is_symmetric_(M == M.transpose()),
+        z_(VecX::Zero(q.size())),
+        w_(q),
+        clamped_(static_cast<std::size_t>(q.size()), false) {}
 
   LcpSolution solve() {
     // Every index may be driven again after round-off; twice the usual number of pivots is plenty.
@@ -47,14 +52,18 @@ class Dantzig {
     return indices;
   }
 
+  VecX solve(const MatX& matrix, const VecX& right_side) const {
+    if (is_symmetric_) return matrix.ldlt().solve(right_side);
+    return matrix.partialPivLu().solve(right_side);
+  }
+
   // Change of z that pushes index d by one and keeps w = 0 on the clamped set.
   VecX push_direction(Index d) const {
     VecX direction = VecX::Zero(q_.size());
     direction(d) = 1;
     const std::vector<Index> C = clamped_indices();
     if (C.empty()) return direction;
-    const Eigen::LDLT<MatX> factors(M_(C, C));
-    direction(C) = -factors.solve(M_(C, d).eval());
+    direction(C) = -solve(M_(C, C), M_(C, d));
     return direction;
   }
 
@@ -99,9 +108,9 @@ class Dantzig {
   void solve_clamped() {
     const std::vector<Index> C = clamped_indices();
     if (!C.empty()) {
-      const Eigen::LDLT<MatX> factors(M_(C, C));
-      VecX z = -factors.solve(q_(C).eval());
-      z -= factors.solve(M_(C, C) * z + q_(C));
+      const MatX M_CC = M_(C, C);
+      VecX z = -solve(M_CC, q_(C));
+      z -= solve(M_CC, M_CC * z + q_(C));
       if (z.allFinite() && z.minCoeff() >= -kRounding * z.cwiseAbs().maxCoeff()) {
         z_.setZero();
         z_(C) = z.cwiseMax(0.0);
@@ -113,6 +122,7 @@ class Dantzig {
 
   const MatX& M_;
   const VecX& q_;
+  bool is_symmetric_;
   VecX z_, w_;
   std::vector<bool> clamped_;
   int pivots_ = 0;

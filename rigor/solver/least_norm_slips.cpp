@@ -11,10 +11,11 @@ namespace {
 
 class LeastNormSlips {
  public:
-  LeastNormSlips(const CoulombProblem& problem, const ContactModes& face, double accepted)
-      : problem_(problem), modes_(face), accepted_(accepted) {
+  LeastNormSlips(const CoulombProblem& laws, const ContactModes& face, double accepted,
+                 const ForcesOfModes& forces_of)
+      : forces_of_(forces_of), modes_(face), accepted_(accepted) {
     for (std::size_t k = 0; k < face.modes.size(); ++k)
-      if (face.modes[k] == ContactMode::slide && problem.rows[k] == FrictionRow::cone && problem.mu[k] > 0)
+      if (face.modes[k] == ContactMode::slide && laws.rows[k] == FrictionRow::cone && laws.mu[k] > 0)
         turning_.push_back(k);
   }
 
@@ -48,9 +49,7 @@ class LeastNormSlips {
     for (Index i = 0; i < angles.size(); ++i)
       if (angles(i) != first_(i))
         modes_.slips[turning_[static_cast<std::size_t>(i)]] = Vec2(std::cos(angles(i)), std::sin(angles(i)));
-    const std::optional<VecX> forces = KnownModesSystem(problem_, modes_).find_in_cones();
-    if (!forces) return std::nullopt;
-    return make_solution(problem_, clamp_to_cones(problem_, *forces), modes_.modes, accepted_);
+    return forces_of_(modes_);
   }
 
   // From the assumed slips to those of w.
@@ -91,7 +90,7 @@ class LeastNormSlips {
     return next - (dX + dF) * weights;
   }
 
-  const CoulombProblem& problem_;
+  const ForcesOfModes& forces_of_;
   ContactModes modes_;
   double accepted_;
   std::vector<std::size_t> turning_;
@@ -104,7 +103,17 @@ class LeastNormSlips {
 
 std::optional<CoulombSolution> find_least_norm(const CoulombProblem& problem, const ContactModes& face,
                                                double accepted) {
-  return LeastNormSlips(problem, face, accepted).solve();
+  return find_least_norm(
+      problem, face, accepted, [&](const ContactModes& modes) -> std::optional<CoulombSolution> {
+        const std::optional<VecX> forces = KnownModesSystem(problem, modes).find_in_cones();
+        if (!forces) return std::nullopt;
+        return make_solution(problem, clamp_to_cones(problem, *forces), modes.modes, accepted);
+      });
+}
+
+std::optional<CoulombSolution> find_least_norm(const CoulombProblem& laws, const ContactModes& face,
+                                               double accepted, const ForcesOfModes& forces_of) {
+  return LeastNormSlips(laws, face, accepted, forces_of).solve();
 }
 
 }  // namespace rigor

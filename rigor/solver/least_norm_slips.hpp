@@ -2,6 +2,7 @@
 
 #include "rigor/solver/coulomb_guess.hpp"
 
+#include <functional>
 #include <optional>
 
 namespace rigor {
@@ -15,5 +16,12 @@ namespace rigor {
 /// slips in `face`. Nothing if it was not found, or a contact stops or turns back on the way.
 std::optional<CoulombSolution> find_least_norm(const CoulombProblem& problem, const ContactModes& face,
                                                double accepted);
+
+/// The solution with forces of least norm in the cones for modes with known slips, if there are such forces.
+using ForcesOfModes = std::function<std::optional<CoulombSolution>(const ContactModes&)>;
+
+/// The same with any way to find the forces; of `laws` A is not read.
+std::optional<CoulombSolution> find_least_norm(const CoulombProblem& laws, const ContactModes& face,
+                                               double accepted, const ForcesOfModes& forces_of);
 
 }  // namespace rigor

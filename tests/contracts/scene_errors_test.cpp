@@ -94,8 +94,8 @@ TEST(SceneErrors, OfKeysOfLaterVersions) {
            "s.yaml:3:1: key 'sweep' of the scene is not available in this version; run the scene several "
            "times with --set "
            "KEY=VALUE"},
-          {"method: {lcp: dantzig}",
-           "s.yaml:3:10: key 'lcp' of method is not available in this version; leave it out"},
+          {"method: {penalty: local}",
+           "s.yaml:3:10: key 'penalty' of method is not available in this version; leave it out"},
           {"method: {substeps: 4}",
            "s.yaml:3:10: key 'substeps' of method is not available in this version; leave it out"},
       },

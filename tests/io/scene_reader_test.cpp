@@ -42,7 +42,7 @@ name: turntable
 world: {gravity: [0, 0, -10]}
 run: {duration: 2, step: 0.5, output_interval: 0.25, seed: 7}
 method: {scheme: event-driven, integrator: dopri5, orientation: matrix, distance: gjk, toi: ratio, impact: newton,
-         simultaneous: lcp, resting: contact-space, contact_tolerance: 1e-5, time_tolerance: 1e-9,
+         simultaneous: lcp, resting: contact-space, lcp: lemke, contact_tolerance: 1e-5, time_tolerance: 1e-9,
          resting_velocity: 0.01, tolerance: 1e-8}
 materials:
   - {name: steel, density: 8000, friction: 0.3, restitution: 0.9}
@@ -97,6 +97,8 @@ TEST(SceneReader, ReadsEveryKey) {
   method.simultaneous = SimultaneousMethod::lcp;
   method.contact_tolerance = 1e-5;
   method.time_tolerance = 1e-9;
+  method.resting = RestingMethod::contact_space;
+  method.lcp = LcpMethod::lemke;
   method.resting_velocity = 0.01;
   method.tolerance = 1e-8;
   EXPECT_EQ(scene.method, method);

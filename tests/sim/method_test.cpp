@@ -66,15 +66,19 @@ TEST(SetMethodChoice, EnumeratorsAreTheirNames) {
   EXPECT_EQ(method.simultaneous, SimultaneousMethod::lcp);
   set_method_choice("simultaneous", "sequential", method);
   EXPECT_EQ(method.simultaneous, SimultaneousMethod::sequential);
+  set_method_choice("resting", "contact-space", method);
+  EXPECT_EQ(method.resting, RestingMethod::contact_space);
+  set_method_choice("lcp", "lemke", method);
+  EXPECT_EQ(method.lcp, LcpMethod::lemke);
 }
 
 TEST(SetMethodChoice, TellsWhatIsWrong) {
   Method method;
   EXPECT_EQ(set_method_choice("impact", "newtn", method), "unknown impact 'newtn'; did you mean 'newton'?");
-  EXPECT_EQ(set_method_choice("resting", "motion-space", method),
-            "resting 'motion-space' is not available in this version; available: contact-space");
-  EXPECT_EQ(set_method_choice("lcp", "dantzig", method),
-            "lcp 'dantzig' is not available in this version; available: none, leave 'lcp' out");
+  EXPECT_EQ(set_method_choice("distance", "lin-canny", method),
+            "distance 'lin-canny' is not available in this version; available: gjk");
+  EXPECT_EQ(set_method_choice("penalty", "local", method),
+            "penalty 'local' is not available in this version; available: none, leave 'penalty' out");
   EXPECT_EQ(set_method_choice("impct", "newton", method), "unknown choice 'impct'; did you mean 'impact'?");
   EXPECT_EQ(method, Method{});
 }

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "rigor/contact/contact_system.hpp"
+#include "rigor/solver/contact_rows.hpp"
+
+namespace rigor {
+
+/// J and M of the system's contacts on its dynamic bodies, one node each in the order of `bodies`, in the
+/// contact frames: what A = J M⁻¹ Jᵀ (delassus) is made of.
+ContactRows motion_rows(const ContactSystem& system);
+
+}  // namespace rigor

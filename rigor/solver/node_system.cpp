@@ -1,0 +1,87 @@
+#include "rigor/solver/node_system.hpp"
+
+namespace rigor {
+
+using Eigen::Index;
+
+namespace {
+
+// So few are solved faster without an order.
+constexpr std::size_t kDenseNodes = 6;
+
+/// Calls add(row node, column node, block) for each block of the sum.
+template <typename Add>
+void assemble(const ContactRows& rows, const std::vector<Mat3>& D, double mass_factor, Add add) {
+  for (std::size_t k = 0; k < rows.node_count(); ++k)
+    add(static_cast<int>(k), static_cast<int>(k), Mat6(mass_factor * rows.masses[k]));
+  for (std::size_t i = 0; i < rows.contacts.size(); ++i) {
+    if (D[i].isZero(0)) continue;
+    for (const ContactRows::Side& left : rows.contacts[i]) {
+      if (left.node < 0) continue;
+      const Eigen::Matrix<double, 6, 3> pushed = left.J.transpose() * D[i];
+      for (const ContactRows::Side& right : rows.contacts[i])
+        if (right.node >= 0) add(left.node, right.node, Mat6(pushed * right.J));
+    }
+  }
+}
+
+}  // namespace
+
+NodeSystem::NodeSystem(const ContactRows& rows, const std::vector<Mat3>& D, double mass_factor,
+                       bool is_symmetric) {
+  const Index size = 6 * static_cast<Index>(rows.node_count());
+  if (rows.node_count() <= kDenseNodes) {
+    MatX matrix = MatX::Zero(size, size);
+    assemble(rows, D, mass_factor,
+             [&](int i, int k, const Mat6& block) { matrix.block<6, 6>(6 * i, 6 * k) += block; });
+    factor_dense(matrix, is_symmetric);
+    return;
+  }
+  std::vector<Eigen::Triplet<double>> entries;
+  assemble(rows, D, mass_factor, [&](int i, int k, const Mat6& block) {
+    // Of a symmetric matrix the lower triangle is enough.
+    if (is_symmetric && i < k) return;
+    for (int c = 0; c < 6; ++c)
+      for (int r = 0; r < 6; ++r) entries.emplace_back(6 * i + r, 6 * k + c, block(r, c));
+  });
+  Sparse matrix(size, size);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  factor_sparse(matrix, is_symmetric);
+}
+
+void NodeSystem::factor_dense(const MatX& matrix, bool is_symmetric) {
+  form_ = is_symmetric ? Form::dense_cholesky : Form::dense_lu;
+  if (is_symmetric) {
+    dense_cholesky_.compute(matrix);
+    is_regular_ = dense_cholesky_.info() == Eigen::Success;
+  } else {
+    dense_lu_.compute(matrix);
+  }
+}
+
+void NodeSystem::factor_sparse(const Sparse& matrix, bool is_symmetric) {
+  form_ = is_symmetric ? Form::cholesky : Form::lu;
+  if (is_symmetric) {
+    cholesky_ = std::make_unique<Eigen::SimplicialLLT<Sparse>>(matrix);
+    is_regular_ = cholesky_->info() == Eigen::Success;
+  } else {
+    lu_ = std::make_unique<Eigen::SparseLU<Sparse>>(matrix);
+    is_regular_ = lu_->info() == Eigen::Success;
+  }
+}
+
+VecX NodeSystem::solve(const VecX& c) const {
+  switch (form_) {
+    case Form::dense_cholesky:
+      return dense_cholesky_.solve(c);
+    case Form::dense_lu:
+      return dense_lu_.solve(c);
+    case Form::cholesky:
+      return cholesky_->solve(c);
+    case Form::lu:
+      break;
+  }
+  return lu_->solve(c);
+}
+
+}  // namespace rigor

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "rigor/solver/contact_rows.hpp"
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseLU>
+
+#include <memory>
+#include <vector>
+
+namespace rigor {
+
+/// Linear systems over nodes of six unknowns, with a block wherever two nodes share a contact:
+///
+///   (ε M + Σ_i J_iᵀ D_i J_i) x = c
+///
+/// A few nodes are solved densely; more by a sparse factorisation in an order of little fill, whose time
+/// grows about in proportion to the nodes in stacks and rows.
+class NodeSystem {
+ public:
+  /// One 3 × 3 matrix D a contact. Symmetric: all D are, and are positive semidefinite.
+  NodeSystem(const ContactRows& rows, const std::vector<Mat3>& D, double mass_factor, bool is_symmetric);
+
+  bool is_regular() const { return is_regular_; }
+  VecX solve(const VecX& c) const;
+
+ private:
+  using Sparse = Eigen::SparseMatrix<double>;
+  void factor_dense(const MatX& matrix, bool is_symmetric);
+  void factor_sparse(const Sparse& matrix, bool is_symmetric);
+
+  bool is_regular_ = true;
+  Eigen::LLT<MatX> dense_cholesky_;
+  Eigen::PartialPivLU<MatX> dense_lu_;
+  std::unique_ptr<Eigen::SimplicialLLT<Sparse>> cholesky_;
+  std::unique_ptr<Eigen::SparseLU<Sparse>> lu_;
+  enum class Form { dense_cholesky, dense_lu, cholesky, lu } form_ = Form::dense_cholesky;
+};
+
+}  // namespace rigor
