@@ -49,6 +49,7 @@ bench:
 	@build/bench/benchmarks/rigor_render_bench
 	@build/bench/benchmarks/rigor_impact_bench
 	@build/bench/benchmarks/rigor_constrained_mass_bench
+	@build/bench/benchmarks/rigor_chain_bench
 
 clean:
 	rm -rf build
