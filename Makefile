@@ -50,6 +50,7 @@ bench:
 	@build/bench/benchmarks/rigor_impact_bench
 	@build/bench/benchmarks/rigor_constrained_mass_bench
 	@build/bench/benchmarks/rigor_resting_bench
+	@build/bench/benchmarks/rigor_chain_bench
 
 clean:
 	rm -rf build

@@ -71,11 +71,25 @@ TEST(AuditJson, KeysAreThoseOfTheContractInItsOrder) {
   EXPECT_EQ(keys_of(json["energy"]),
             (std::vector<std::string>{"initial", "final", "work", "dissipated", "max_increase"}));
   EXPECT_EQ(keys_of(json["penetration"]), (std::vector<std::string>{"max", "bodies", "time"}));
-  EXPECT_EQ(keys_of(json["joint_drift"]), (std::vector<std::string>{"max", "joint"}));
+  EXPECT_EQ(keys_of(json["joint_drift"]), (std::vector<std::string>{"max", "joint", "projected"}));
   EXPECT_EQ(keys_of(json["solver"]),
             (std::vector<std::string>{"max_residual", "max_iterations", "fallbacks", "coarse_steps"}));
   EXPECT_EQ(keys_of(json["bodies"]["b"]),
             (std::vector<std::string>{"position", "orientation", "velocity", "angular_velocity"}));
+}
+
+TEST(AuditJson, JointsHaveTheirCoordinatesAndReactions) {
+  Audit audit = sample_audit();
+  audit.joints = {{"elbow", {0.5}, {-2}, Vec3(1, 2, 3), Vec3(4, 5, 6)}};
+  audit.report.max_joint_drift = 1e-15;
+  audit.report.drift_joint = 0;
+  audit.report.max_joint_projection = 1e-9;
+  const Json json = Json::parse(audit_json(audit));
+  EXPECT_EQ(json["joint_drift"], (Json{{"max", 1e-15}, {"joint", "elbow"}, {"projected", 1e-9}}));
+  EXPECT_EQ(json["joints"]["elbow"], (Json{{"coordinates", {0.5}},
+                                           {"rates", {-2.0}},
+                                           {"force", {1.0, 2.0, 3.0}},
+                                           {"torque", {4.0, 5.0, 6.0}}}));
 }
 
 TEST(AuditJson, ValuesAreThoseOfTheAudit) {

@@ -3,6 +3,7 @@
 #include "rigor/io/scene_reader.hpp"
 #include "rigor/sim/simulation.hpp"
 
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -25,6 +26,13 @@ struct SceneRun {
     throw std::out_of_range(name);
   }
   int body(const std::string& name) const { return scene.model->find_body(name).value(); }
+  /// The state at an output time (a broken test if there is none).
+  const State& state_at(double t) const {
+    for (const State& state : states) {
+      if (std::abs(state.t - t) <= 1e-9 * (1 + t)) return state;
+    }
+    throw std::out_of_range("no output at " + std::to_string(t));
+  }
 };
 
 inline SceneRun run_scene(const std::string& file, const std::vector<std::string>& overrides = {}) {
