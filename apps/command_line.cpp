@@ -174,7 +174,8 @@ void add_plot(CLI::App& app, PlotOptions& plot) {
   app.add_option("RUN.h5", plot.input, "trajectory")->required()->option_text(" ");
   app.add_option("KEYS", plot.keys,
                  "energy.kinetic|potential|elastic|total, momentum[.x|y|z], penetration, "
-                 "body.NAME.position|velocity|angular_velocity[.x|y|z], body.NAME.orientation.w|x|y|z")
+                 "body.NAME.position|velocity|angular_velocity[.x|y|z], body.NAME.orientation.w|x|y|z, "
+                 "JOINT.coordinate|rate, JOINT.force|torque[.x|y|z]")
       ->required()
       ->option_text("...");
   add_value(app, "-o,--output", plot.output, "plot, by suffix: .svg .png", "OUT")->required();

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace rigor {
@@ -20,6 +21,12 @@ PlotSeries wanted_series(const Recording& recording, const std::string& key) {
   if (const std::optional<std::string> body = body_of_key(key)) {
     throw UsageError(fmt::format("the run has no body {}{}", quoted_text(*body),
                                  suggestion(*body, recording.motion.bodies)));
+  }
+  const std::vector<std::string>& joints = recording.motion.joints;
+  const std::optional<std::string> joint = joint_of_key(key);
+  if (joint && !joints.empty() && std::find(joints.begin(), joints.end(), *joint) == joints.end()) {
+    throw UsageError(
+        fmt::format("the run has no joint {}{}", quoted_text(*joint), suggestion(*joint, joints)));
   }
   throw UsageError(fmt::format("unknown key {}{}", quoted_text(key), suggestion(key, plot_keys(recording))));
 }

@@ -25,6 +25,8 @@ TrajectoryHeader make_header(const RunOptions& options, const Scene& scene) {
                           .method = scene.method,
                           .run = scene.run};
   for (const Body& body : scene.model->bodies()) header.bodies.push_back(body.name);
+  header.joints = trajectory_joints(*scene.model);
+  header.has_joint_forces = has_joint_forces(*scene.model);
   return header;
 }
 
@@ -53,6 +55,7 @@ RunRecorder::RunRecorder(const RunOptions& options, const Scene& scene, double s
         pages_.emplace_back(output, scene);
       } else {
         writers_.push_back(make_output(output, header, scene));
+        has_trajectory_ = has_trajectory_ || std::filesystem::path(output).extension() != ".png";
       }
     }
   }
@@ -84,6 +87,7 @@ void RunRecorder::record(const State& state, const AdvanceReport& since, const A
   if (!writers_.empty()) {
     TrajectorySample sample = make_sample(*scene_.model, state, auditor.energy());
     sample.penetration = since.max_penetration;
+    if (has_trajectory_) add_joint_motion(*scene_.model, scene_.method, state, sample);
     for (const auto& writer : writers_) writer->write(sample, since.events);
   }
   for (PageWriter& page : pages_) page.write(state, since, auditor.energy());

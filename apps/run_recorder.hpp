@@ -54,6 +54,7 @@ class RunRecorder {
   Progress progress_;
   RunCourse course_;
   std::vector<std::unique_ptr<TrajectoryWriter>> writers_;
+  bool has_trajectory_ = false;  ///< Whether a writer wants the joints; pictures do without.
   std::vector<PageWriter> pages_;
   std::unique_ptr<OutputFile> json_;
   long checkpoint_count_ = 0;  ///< Multiples of the interval that have passed.

@@ -20,12 +20,13 @@ class CsvWriter : public TrajectoryWriter {
  private:
   OutputFile file_;
   FlushTimer flush_timer_;
+  std::vector<std::size_t> coordinate_counts_;  ///< Of each joint.
 };
 
 /// A field of a CSV row: in quotes where it has to be.
 std::string csv_field(const std::string& text);
 
 /// The columns' titles, such as "ball.position.x [m]", in their order.
-std::vector<std::string> csv_columns(const std::vector<std::string>& bodies);
+std::vector<std::string> csv_columns(const TrajectoryHeader& header);
 
 }  // namespace rigor

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <initializer_list>
 #include <sstream>
 #include <utility>
 
@@ -44,8 +43,8 @@ class Reader {
 
   /// Rows that all the datasets hold: those of the first one, from which the others may not differ unless the
   /// file is cut off.
-  std::size_t common_rows(std::initializer_list<const char*> names) const {
-    std::size_t rows = row_count(*names.begin());
+  std::size_t common_rows(const std::vector<const char*>& names) const {
+    std::size_t rows = row_count(names.front());
     if (!is_cut_off()) return rows;
     for (const char* const name : names) rows = std::min(rows, row_count(name));
     return rows;
@@ -63,8 +62,11 @@ class Reader {
   }
 
   bool has_attribute(const char* name) const { return H5Aexists(file_, name) > 0; }
+  /// Whether there is such a dataset, whose group, if it is in one, is there.
   bool has(const char* name) const { return H5Lexists(file_, name, H5P_DEFAULT) > 0; }
 
+  /// Of a dataset that does not grow.
+  std::size_t value_count(const char* name) const { return value_count(open(name)); }
   std::vector<std::string> texts(const char* name) const {
     const Hdf5Handle dataset = open(name);
     const Hdf5Handle type(H5Dget_type(dataset), H5Tclose);
@@ -157,6 +159,32 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
+/// Datasets with a row each output time, the times first, of a file with so many bodies.
+std::vector<const char*> motion_parts(const Reader& reader, std::size_t body_count) {
+  std::vector<const char*> parts = {"time", "energy"};
+  if (body_count > 0) parts.insert(parts.end(), {"position", "orientation", "velocity", "angular_velocity"});
+  if (!reader.has("joints")) return parts;
+  for (const char* const part : {"joints/coordinate", "joints/rate", "joints/force", "joints/torque"}) {
+    if (reader.has(part)) parts.push_back(part);
+  }
+  return parts;
+}
+
+void read_joints(const Reader& reader, std::size_t rows, StoredTrajectory& stored) {
+  stored.joints = reader.texts("joints/names");
+  const std::size_t joints = stored.joints.size();
+  if (reader.has("joints/coordinate")) {
+    const std::size_t coordinates = reader.value_count("joints/coordinate_joint");
+    stored.coordinate_joint = reader.integers("joints/coordinate_joint", coordinates, 1);
+    stored.joint_coordinate = reader.numbers("joints/coordinate", rows, coordinates);
+    stored.joint_rate = reader.numbers("joints/rate", rows, coordinates);
+  }
+  if (reader.has("joints/force")) {
+    stored.joint_force = reader.numbers("joints/force", rows, 3 * joints);
+    stored.joint_torque = reader.numbers("joints/torque", rows, 3 * joints);
+  }
+}
+
 }  // namespace
 
 StoredTrajectory read_hdf5_trajectory(const std::filesystem::path& path) {
@@ -170,16 +198,14 @@ StoredTrajectory read_hdf5_trajectory(const std::filesystem::path& path) {
   stored.overrides = lines_of(reader.attribute("overrides"));
   stored.bodies = reader.texts("bodies/names");
   const std::size_t n = stored.bodies.size();
-  const std::size_t rows =
-      n > 0
-          ? reader.common_rows({"time", "position", "orientation", "velocity", "angular_velocity", "energy"})
-          : reader.common_rows({"time", "energy"});
+  const std::size_t rows = reader.common_rows(motion_parts(reader, n));
   stored.time = reader.numbers("time", rows);
   stored.position = reader.numbers("position", rows, 3 * n);
   stored.orientation = reader.numbers("orientation", rows, 4 * n);
   stored.velocity = reader.numbers("velocity", rows, 3 * n);
   stored.angular_velocity = reader.numbers("angular_velocity", rows, 3 * n);
   stored.energy = reader.numbers("energy", rows, 3);
+  if (reader.has("joints")) read_joints(reader, rows, stored);
   if (reader.has("penetration")) {
     stored.penetration = reader.numbers("penetration", std::min(rows, reader.common_rows({"penetration"})));
     stored.penetration.resize(rows, std::nan(""));

@@ -18,6 +18,12 @@ struct StoredTrajectory {
   std::vector<double> orientation;     ///< T × n × 4, w x y z.
   std::vector<double> velocity;        ///< T × n × 3 [m/s].
   std::vector<double> angular_velocity;  ///< T × n × 3 [rad/s].
+  std::vector<std::string> joints;       ///< J names; empty if there are none, and in files of Rigor 0.1.0.
+  std::vector<int> coordinate_joint;     ///< C: the joint of each of all coordinates.
+  std::vector<double> joint_coordinate;  ///< T × C [rad] or [m].
+  std::vector<double> joint_rate;        ///< T × C [rad/s] or [m/s].
+  std::vector<double> joint_force;       ///< T × J × 3 [N]; empty if the file holds no forces.
+  std::vector<double> joint_torque;      ///< T × J × 3 [N m]; so too.
   std::vector<double> energy;            ///< T × 3: kinetic, potential, elastic [J].
   std::vector<double> penetration;       ///< T [m]: deepest overlap since the row before; empty as above.
   std::vector<double> event_time;        ///< N [s].

@@ -57,6 +57,14 @@ void write_texts(hid_t parent, const char* name, const std::vector<std::string>&
   if (count > 0) H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data());
 }
 
+void write_integers(hid_t parent, const char* name, const std::vector<int>& values) {
+  const hsize_t count = values.size();
+  const Hdf5Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose);
+  const Hdf5Handle dataset(
+      H5Dcreate2(parent, name, H5T_STD_I32LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
+  H5Dwrite(dataset, H5T_NATIVE_INT, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+}
+
 /// The kinds of events as an enumeration, so that a reader sees their names.
 Hdf5Handle event_kind_type() {
   Hdf5Handle type(H5Tenum_create(H5T_STD_I8LE), H5Tclose);
@@ -88,6 +96,31 @@ void write_header(hid_t file, const TrajectoryHeader& header) {
   write_texts(file, "scene_text", {header.scene_text});
   const Hdf5Handle bodies(H5Gcreate2(file, "bodies", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
   write_texts(bodies, "names", header.bodies);
+}
+
+/// Joints and coordinates of all of them.
+struct JointSizes {
+  explicit JointSizes(const TrajectoryHeader& header)
+      : joints(header.joints.size()), has_forces(header.has_joint_forces) {
+    for (const TrajectoryJoint& joint : header.joints) coordinates += joint.units.size();
+  }
+  hsize_t joints, coordinates = 0;
+  bool has_forces;
+};
+
+/// Names of the joints; joint and unit of each coordinate.
+void write_joints(hid_t group, const std::vector<TrajectoryJoint>& joints) {
+  std::vector<std::string> names, units;
+  std::vector<int> owners;
+  for (const TrajectoryJoint& joint : joints) {
+    owners.insert(owners.end(), joint.units.size(), static_cast<int>(names.size()));
+    units.insert(units.end(), joint.units.begin(), joint.units.end());
+    names.push_back(joint.name);
+  }
+  write_texts(group, "names", names);
+  if (owners.empty()) return;
+  write_integers(group, "coordinate_joint", owners);
+  write_texts(group, "coordinate_unit", units);
 }
 
 /// Describes a dataset that was just made.
@@ -130,10 +163,13 @@ struct Hdf5Writer::File {
   std::filesystem::path path;
   Hdf5FileStatus status;
   Hdf5FileDriver driver;
-  Hdf5Handle file, events;
+  Hdf5Handle file, events, joints;
   hsize_t body_count;
+  JointSizes joint_sizes;
   // A model without bodies has no motion to store.
   std::optional<Hdf5Series<double>> position, orientation, velocity, angular_velocity;
+  // The same holds for joints.
+  std::optional<Hdf5Series<double>> joint_coordinate, joint_rate, joint_force, joint_torque;
   std::optional<Hdf5Series<double>> energy, penetration, time;
   std::optional<Hdf5Series<double>> event_time, event_point, event_impulse;
   std::optional<Hdf5Series<signed char>> event_kind;
@@ -142,12 +178,21 @@ struct Hdf5Writer::File {
 
  private:
   void create_series(hsize_t rows);
+  void create_joint_series(hsize_t rows);
 };
 
 Hdf5Writer::File::File(const std::filesystem::path& file_path, const TrajectoryHeader& header)
-    : path(file_path), driver(status), file(create_file(path, driver)), body_count(header.bodies.size()) {
+    : path(file_path),
+      driver(status),
+      file(create_file(path, driver)),
+      body_count(header.bodies.size()),
+      joint_sizes(header) {
   check(file.is_open());
   write_header(file, header);
+  if (joint_sizes.joints > 0) {
+    joints = Hdf5Handle(H5Gcreate2(file, "joints", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
+    write_joints(joints, header.joints);
+  }
   create_series(expected_rows(header.run));
   check(H5Fstart_swmr_write(file) >= 0);
 }
@@ -162,6 +207,7 @@ void Hdf5Writer::File::create_series(hsize_t rows) {
     describe(velocity.emplace(file, "velocity", vectors, real, rows), "m/s", "x y z");
     describe(angular_velocity.emplace(file, "angular_velocity", vectors, real, rows), "rad/s", "x y z");
   }
+  create_joint_series(rows);
   describe(energy.emplace(file, "energy", std::vector<hsize_t>{3}, real, rows), "J",
            "kinetic potential elastic");
   describe(penetration.emplace(file, "penetration", std::vector<hsize_t>{}, real, rows), "m", "penetration");
@@ -172,6 +218,24 @@ void Hdf5Writer::File::create_series(hsize_t rows) {
   describe(event_point.emplace(events, "point", std::vector<hsize_t>{3}, real), "m", "x y z");
   describe(event_impulse.emplace(events, "impulse", std::vector<hsize_t>{3}, real), "N s", "x y z");
   check(event_impulse->is_open() && event_kind->is_open() && energy->is_open());
+}
+
+void Hdf5Writer::File::create_joint_series(hsize_t rows) {
+  const hid_t real = H5T_IEEE_F64LE;
+  if (joint_sizes.coordinates > 0) {
+    const std::vector<hsize_t> numbers = {joint_sizes.coordinates};
+    describe(joint_coordinate.emplace(joints, "coordinate", numbers, real, rows), "rad or m",
+             "as coordinate_joint and coordinate_unit say");
+    describe(joint_rate.emplace(joints, "rate", numbers, real, rows), "rad/s or m/s",
+             "as coordinate_joint and coordinate_unit say");
+    check(joint_rate->is_open());
+  }
+  if (joint_sizes.has_forces) {
+    const std::vector<hsize_t> vectors = {joint_sizes.joints, 3};
+    describe(joint_force.emplace(joints, "force", vectors, real, rows), "N", "x y z");
+    describe(joint_torque.emplace(joints, "torque", vectors, real, rows), "N m", "x y z");
+    check(joint_torque->is_open());
+  }
 }
 
 void Hdf5Writer::File::check(bool is_good) const {
@@ -188,6 +252,7 @@ bool Hdf5Writer::File::write_pending() {
   const auto flush_file = [&] { is_good = is_good && H5Fflush(file, H5F_SCOPE_LOCAL) >= 0; };
   write_one(position), write_one(orientation), write_one(velocity), write_one(angular_velocity),
       write_one(energy), write_one(penetration);
+  write_one(joint_coordinate), write_one(joint_rate), write_one(joint_force), write_one(joint_torque);
   write_one(event_kind), write_one(event_bodies), write_one(event_point), write_one(event_impulse);
   flush_file();
   write_one(event_time);
@@ -199,7 +264,9 @@ bool Hdf5Writer::File::write_pending() {
 
 std::size_t Hdf5Writer::File::pending_bytes() const {
   const std::size_t motion = position ? position->pending_bytes() * 13 / 3 : 0;
-  return motion + energy->pending_bytes() + event_point->pending_bytes() * 3;
+  const std::size_t of_joints = (joint_coordinate ? joint_coordinate->pending_bytes() * 2 : 0) +
+                                (joint_force ? joint_force->pending_bytes() * 2 : 0);
+  return motion + of_joints + energy->pending_bytes() + event_point->pending_bytes() * 3;
 }
 
 void Hdf5Writer::File::append(const MotionEvent& event) {
@@ -213,13 +280,13 @@ void Hdf5Writer::File::append(const MotionEvent& event) {
 
 bool Hdf5Writer::File::close() {
   for (std::optional<Hdf5Series<double>>* series :
-       {&position, &orientation, &velocity, &angular_velocity, &energy, &penetration, &time, &event_time,
-        &event_point, &event_impulse}) {
+       {&position, &orientation, &velocity, &angular_velocity, &joint_coordinate, &joint_rate, &joint_force,
+        &joint_torque, &energy, &penetration, &time, &event_time, &event_point, &event_impulse}) {
     series->reset();
   }
   event_kind.reset();
   event_bodies.reset();
-  return events.reset() && file.reset();
+  return joints.reset() && events.reset() && file.reset();
 }
 
 Hdf5Writer::Hdf5Writer(const std::filesystem::path& path, const TrajectoryHeader& header) {
@@ -240,6 +307,14 @@ void Hdf5Writer::write(const TrajectorySample& sample, std::span<const MotionEve
     file.orientation->append(sample.orientation.data(), sample.orientation.size());
     file.velocity->append(sample.velocity.data(), sample.velocity.size());
     file.angular_velocity->append(sample.angular_velocity.data(), sample.angular_velocity.size());
+  }
+  if (file.joint_coordinate) {
+    file.joint_coordinate->append(sample.joint_coordinate.data(), sample.joint_coordinate.size());
+    file.joint_rate->append(sample.joint_rate.data(), sample.joint_rate.size());
+  }
+  if (file.joint_force) {
+    file.joint_force->append(sample.joint_force.data(), sample.joint_force.size());
+    file.joint_torque->append(sample.joint_torque.data(), sample.joint_torque.size());
   }
   const double energies[] = {sample.energy.kinetic, sample.energy.potential, sample.energy.elastic};
   file.energy->append(energies, 3);

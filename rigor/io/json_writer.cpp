@@ -26,6 +26,27 @@ Json rows(const std::vector<double>& values, std::size_t width) {
   return list;
 }
 
+/// Values as a list of rows of these lengths.
+Json rows(const std::vector<double>& values, const std::vector<std::size_t>& lengths) {
+  Json list = Json::array();
+  auto first = values.begin();
+  for (const std::size_t length : lengths) {
+    const auto end = first + static_cast<std::ptrdiff_t>(length);
+    list.push_back(std::vector<double>(first, end));
+    first = end;
+  }
+  return list;
+}
+
+Json joints_json(const TrajectorySample& sample, const std::vector<std::size_t>& coordinate_counts) {
+  Json joints = {{"coordinate", rows(sample.joint_coordinate, coordinate_counts)},
+                 {"rate", rows(sample.joint_rate, coordinate_counts)}};
+  if (sample.joint_force.empty()) return joints;
+  joints["force"] = rows(sample.joint_force, 3);
+  joints["torque"] = rows(sample.joint_torque, 3);
+  return joints;
+}
+
 Json events_json(std::span<const MotionEvent> events) {
   Json list = Json::array();
   for (const MotionEvent& event : events) {
@@ -41,8 +62,15 @@ Json events_json(std::span<const MotionEvent> events) {
 }  // namespace
 
 JsonWriter::JsonWriter(const std::filesystem::path& path, const TrajectoryHeader& header) : file_(path) {
-  file_.append(fmt::format("{{\n\"rigor\": {},\n\"scene\": {},\n\"bodies\": {},\n\"trajectory\": [",
-                           json_line(version), json_line(header.scene), json_line(header.bodies)));
+  Json joints = Json::array();
+  for (const TrajectoryJoint& joint : header.joints) {
+    joints.push_back(joint.name);
+    coordinate_counts_.push_back(joint.units.size());
+  }
+  file_.append(fmt::format("{{\n\"rigor\": {},\n\"scene\": {},\n\"bodies\": {},\n", json_line(version),
+                           json_line(header.scene), json_line(header.bodies)));
+  if (!joints.empty()) file_.append(fmt::format("\"joints\": {},\n", json_line(joints)));
+  file_.append("\"trajectory\": [");
   file_.flush();
 }
 
@@ -50,13 +78,14 @@ void JsonWriter::write(const TrajectorySample& sample, std::span<const MotionEve
   const Json energy = {{"kinetic", sample.energy.kinetic},
                        {"potential", sample.energy.potential},
                        {"elastic", sample.energy.elastic}};
-  const Json row = {{"time", sample.time},
-                    {"position", rows(sample.position, 3)},
-                    {"orientation", rows(sample.orientation, 4)},
-                    {"velocity", rows(sample.velocity, 3)},
-                    {"angular_velocity", rows(sample.angular_velocity, 3)},
-                    {"energy", energy},
-                    {"events", events_json(events)}};
+  Json row = {{"time", sample.time},
+              {"position", rows(sample.position, 3)},
+              {"orientation", rows(sample.orientation, 4)},
+              {"velocity", rows(sample.velocity, 3)},
+              {"angular_velocity", rows(sample.angular_velocity, 3)}};
+  if (!coordinate_counts_.empty()) row["joints"] = joints_json(sample, coordinate_counts_);
+  row["energy"] = energy;
+  row["events"] = events_json(events);
   file_.append(is_first_ ? "\n" : ",\n");
   file_.append(json_line(row));
   is_first_ = false;

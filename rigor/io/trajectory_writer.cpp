@@ -6,6 +6,7 @@
 #include "rigor/io/hdf5_writer.hpp"
 #include "rigor/io/json_writer.hpp"
 #include "rigor/math/rotation.hpp"
+#include "rigor/sim/contact_snapshot.hpp"
 
 #include <fmt/format.h>
 
@@ -60,6 +61,35 @@ TrajectorySample make_sample(const Model& model, const State& state, const Energ
     append(angular_velocity(model, state, i), sample.angular_velocity);
   }
   return sample;
+}
+
+std::vector<TrajectoryJoint> trajectory_joints(const Model& model) {
+  std::vector<TrajectoryJoint> joints;
+  for (const Joint& joint : model.joints()) {
+    TrajectoryJoint& named = joints.emplace_back(TrajectoryJoint{joint.name, {}});
+    for (int k = 0; k < coordinate_count(joint.type); ++k)
+      named.units.push_back(is_angle(joint.type, k) ? "rad" : "m");
+  }
+  return joints;
+}
+
+bool has_joint_forces(const Model& model) {
+  constexpr std::size_t most_joints = 200;
+  return !model.joints().empty() && model.joints().size() <= most_joints;
+}
+
+void add_joint_motion(const Model& model, const Method& method, const State& state,
+                      TrajectorySample& sample) {
+  const bool has_forces = has_joint_forces(model);
+  for (const JointReaction& joint :
+       has_forces ? joint_snapshot(model, method, state) : joint_motions(model, state)) {
+    sample.joint_coordinate.insert(sample.joint_coordinate.end(), joint.coordinates.begin(),
+                                   joint.coordinates.end());
+    sample.joint_rate.insert(sample.joint_rate.end(), joint.rates.begin(), joint.rates.end());
+    if (!has_forces) continue;
+    append(joint.force_W, sample.joint_force);
+    append(joint.torque_W, sample.joint_torque);
+  }
 }
 
 std::string check_output_suffix(const std::filesystem::path& path,

@@ -12,6 +12,12 @@
 
 namespace rigor {
 
+/// A joint whose motion a trajectory file holds.
+struct TrajectoryJoint {
+  std::string name;
+  std::vector<std::string> units;  ///< Of its coordinates: "rad" or "m".
+};
+
 /// What a trajectory file says once, at its start.
 struct TrajectoryHeader {
   std::string scene;                   ///< Name.
@@ -20,7 +26,9 @@ struct TrajectoryHeader {
   std::vector<std::string> overrides;  ///< "key=value", as of --set.
   Method method;
   RunSettings run;
-  std::vector<std::string> bodies;  ///< Names in model order, n of them.
+  std::vector<std::string> bodies;      ///< Names in model order, n of them.
+  std::vector<TrajectoryJoint> joints;  ///< In model order, J of them with C coordinates in all.
+  bool has_joint_forces = false;        ///< See has_joint_forces(model).
 };
 
 /// The motion at one output time, as a user sees it.
@@ -32,8 +40,21 @@ struct TrajectorySample {
   std::vector<double> angular_velocity;  ///< 3n: in W [rad/s].
   Energy energy;                         ///< [J].
   double penetration = 0;                ///< Deepest overlap since the last output time [m].
+  std::vector<double> joint_coordinate;  ///< C: joint by joint [rad] or [m].
+  std::vector<double> joint_rate;        ///< C [rad/s] or [m/s].
+  std::vector<double> joint_force;       ///< 3J: reaction on B [N]; empty if the header has none.
+  std::vector<double> joint_torque;      ///< 3J: about the anchor, on B [N m]; so too.
 };
+/// The motion of the bodies; that of the joints is left empty.
 TrajectorySample make_sample(const Model& model, const State& state, const Energy& energy);
+
+/// The joints of the model as a header names them.
+std::vector<TrajectoryJoint> trajectory_joints(const Model& model);
+/// Whether trajectories hold the joints' forces: not of more than 200 joints, since they would be solved for
+/// at every output time.
+bool has_joint_forces(const Model& model);
+/// Sets what the joints do; forces and torques only if has_joint_forces(model).
+void add_joint_motion(const Model& model, const Method& method, const State& state, TrajectorySample& sample);
 
 /// A file that a trajectory is written to while it comes about. What has been written survives a kill of the
 /// process, but for the last moment. All functions throw FileError.

@@ -3,6 +3,7 @@
 #include "rigor/contact/contact_kinematics.hpp"
 #include "rigor/contact/joint_stops.hpp"
 #include "rigor/contact/resting.hpp"
+#include "rigor/math/rotation.hpp"
 #include "rigor/sim/cluster.hpp"
 #include "rigor/sim/near_pairs.hpp"
 
@@ -90,6 +91,22 @@ std::vector<TouchingPoint> points_of(const Method& method, const IslandIntegrato
   return points;
 }
 
+BodyMotion motion_at(const Model& model, const State& state, int body) {
+  if (body == world_body) return {};
+  return {state.position(body), rotation_matrix(state.orientation(body)), linear_velocity(model, state, body),
+          angular_velocity(model, state, body)};
+}
+
+/// What the joint does but for its forces.
+void set_motion(const Joint& joint, const BodyMotion& A, const BodyMotion& B, JointReaction& reaction) {
+  reaction.p_W = B.x + B.R * joint.X_BK.p;
+  for (int k = 0; k < static_cast<int>(joint.axes.size()); ++k) {
+    const JointCoordinate coordinate = joint_coordinate(joint, k, A, B);
+    reaction.coordinates.push_back(coordinate.value);
+    reaction.rates.push_back(coordinate.rate);
+  }
+}
+
 /// Forces of the joints of one group, with its contacts.
 void add_joint_forces(const Model& model, const Method& method, const IslandIntegrator& integrator,
                       const Cluster& part, std::vector<JointReaction>& result) {
@@ -118,16 +135,11 @@ void add_joint_forces(const Model& model, const Method& method, const IslandInte
     const BodyMotion A = motion_of(joint.body_A, system.bodies, system.kinetics);
     const BodyMotion B = motion_of(joint.body_B, system.bodies, system.kinetics);
     JointReaction& forces = result[static_cast<std::size_t>(joints[i])];
-    forces.p_W = B.x + B.R * joint.X_BK.p;
+    set_motion(joint, A, B, forces);
     const Wrench reaction = system.joints->reaction(i, lambda);
     forces.force_W = reaction.f_W;
     forces.torque_W = reaction.tau_W;
     forces.residual = system.joints->residual(i);
-    for (int k = 0; k < static_cast<int>(joint.axes.size()); ++k) {
-      const JointCoordinate coordinate = joint_coordinate(joint, k, A, B);
-      forces.coordinates.push_back(coordinate.value);
-      forces.rates.push_back(coordinate.rate);
-    }
   }
 }
 
@@ -142,6 +154,16 @@ std::vector<JointReaction> joint_snapshot(const Model& model, const Method& meth
   const Cluster cluster = touching_bodies(model, method, state);
   for (const Cluster& part : connected_parts(cluster, cluster.contacts, environment))
     add_joint_forces(model, method, integrator, part, result);
+  return result;
+}
+
+std::vector<JointReaction> joint_motions(const Model& model, const State& state) {
+  std::vector<JointReaction> result;
+  for (int j = 0; j < static_cast<int>(model.joints().size()); ++j) {
+    const Joint& joint = model.joint(j);
+    set_motion(joint, motion_at(model, state, joint.body_A), motion_at(model, state, joint.body_B),
+               result.emplace_back(JointReaction{.joint = j}));
+  }
   return result;
 }
 

@@ -46,4 +46,7 @@ struct JointReaction {
 /// solver chose instead of those of least norm. A function of its arguments alone, like contact_snapshot.
 std::vector<JointReaction> joint_snapshot(const Model& model, const Method& method, const State& state);
 
+/// The same without what costs: only anchors, coordinates and rates, as far as the state alone tells them.
+std::vector<JointReaction> joint_motions(const Model& model, const State& state);
+
 }  // namespace rigor

@@ -25,7 +25,7 @@ std::vector<Panel> panels_by_quantity(std::span<const PlotSeries> series) {
   std::vector<Panel> panels;
   for (std::size_t i = 0; i < series.size(); ++i) {
     const auto same = std::find_if(panels.begin(), panels.end(), [&](const Panel& panel) {
-      return panel.series[0]->quantity == series[i].quantity;
+      return panel.series[0]->quantity == series[i].quantity && panel.series[0]->unit == series[i].unit;
     });
     Panel& panel = same == panels.end() ? panels.emplace_back() : *same;
     panel.series.push_back(&series[i]);

@@ -28,6 +28,20 @@ void check_bodies(const Recording& recording, const std::string& path) {
     throw InputError(fmt::format("cannot show {}: its motion is not that of its scene's bodies", path));
 }
 
+/// Files of Rigor 0.1.0 tell nothing of joints, and neither does a motion that was kept in memory.
+void check_joints(const Recording& recording, const std::string& path) {
+  const StoredTrajectory& motion = recording.motion;
+  if (motion.joints.empty()) return;
+  std::vector<std::string> names;
+  std::vector<int> owners;
+  for (const Joint& joint : recording.model->joints()) {
+    owners.insert(owners.end(), joint.axes.size(), static_cast<int>(names.size()));
+    names.push_back(joint.name);
+  }
+  if (names != motion.joints || owners != motion.coordinate_joint)
+    throw InputError(fmt::format("cannot show {}: its motion is not that of its scene's joints", path));
+}
+
 /// Drops every second row of `width` values.
 template <typename Value>
 void drop_odd_rows(std::size_t width, std::vector<Value>& values) {
@@ -59,6 +73,7 @@ Recording read_recording(const std::filesystem::path& path) {
   recording.name = scene.name;
   recording.contact_tolerance = scene.method.contact_tolerance;
   check_bodies(recording, name);
+  check_joints(recording, name);
   return recording;
 }
 

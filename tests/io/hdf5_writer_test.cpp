@@ -21,17 +21,22 @@ namespace rigor {
 namespace {
 
 /// Every row that the file holds is the row that was written.
-void expect_rows(const StoredTrajectory& stored, std::size_t body_count) {
+void expect_rows(const StoredTrajectory& stored, std::size_t body_count, std::size_t joint_count = 0) {
+  ASSERT_EQ(stored.joints.size(), joint_count);
   for (std::size_t k = 0; k < stored.time.size(); ++k) {
-    const TrajectorySample row = sample_row(static_cast<int>(k), body_count);
+    const TrajectorySample row = sample_row(static_cast<int>(k), body_count, joint_count);
     const auto part = [k](const std::vector<double>& values, std::size_t width) {
-      return std::vector<double>(&values[k * width], &values[k * width] + width);
+      return std::vector<double>(values.data() + k * width, values.data() + (k + 1) * width);
     };
     ASSERT_EQ(stored.time[k], row.time);
     ASSERT_EQ(part(stored.position, 3 * body_count), row.position);
     ASSERT_EQ(part(stored.orientation, 4 * body_count), row.orientation);
     ASSERT_EQ(part(stored.velocity, 3 * body_count), row.velocity);
     ASSERT_EQ(part(stored.angular_velocity, 3 * body_count), row.angular_velocity);
+    ASSERT_EQ(part(stored.joint_coordinate, 2 * joint_count), row.joint_coordinate);
+    ASSERT_EQ(part(stored.joint_rate, 2 * joint_count), row.joint_rate);
+    ASSERT_EQ(part(stored.joint_force, 3 * joint_count), row.joint_force);
+    ASSERT_EQ(part(stored.joint_torque, 3 * joint_count), row.joint_torque);
     ASSERT_EQ(part(stored.energy, 3),
               (std::vector<double>{row.energy.kinetic, row.energy.potential, row.energy.elastic}));
   }
@@ -45,9 +50,9 @@ void expect_rows(const StoredTrajectory& stored, std::size_t body_count) {
   }
 }
 
-void write_row(int k, std::size_t body_count, Hdf5Writer& writer) {
+void write_row(int k, std::size_t body_count, Hdf5Writer& writer, std::size_t joint_count = 0) {
   const MotionEvent event = sample_event(k);
-  writer.write(sample_row(k, body_count), {&event, 1});
+  writer.write(sample_row(k, body_count, joint_count), {&event, 1});
 }
 
 TEST(Hdf5Writer, WhatIsReadIsWhatWasWritten) {
@@ -64,6 +69,53 @@ TEST(Hdf5Writer, WhatIsReadIsWhatWasWritten) {
   ASSERT_EQ(stored.time.size(), 3000u);
   ASSERT_EQ(stored.event_time.size(), 3000u);
   expect_rows(stored, n);
+}
+
+TEST(Hdf5Writer, WhatIsReadOfJointsIsWhatWasWritten) {
+  const TemporaryFolder folder;
+  Hdf5Writer writer(folder / "run.h5", jointed_header({"a", "b"}, {"elbow", "pin[0,1]", "höhe"}));
+  for (int k = 0; k < 1000; ++k) write_row(k, 2, writer, 3);
+  writer.close({});
+  const StoredTrajectory stored = read_hdf5_trajectory(folder / "run.h5");
+  EXPECT_EQ(stored.joints, (std::vector<std::string>{"elbow", "pin[0,1]", "höhe"}));
+  EXPECT_EQ(stored.coordinate_joint, (std::vector<int>{0, 0, 1, 1, 2, 2}));
+  ASSERT_EQ(stored.time.size(), 1000u);
+  expect_rows(stored, 2, 3);
+}
+
+TEST(Hdf5Writer, JointsWithoutCoordinatesOrWithoutForcesLeaveThemOut) {
+  const TemporaryFolder folder;
+  TrajectoryHeader header = sample_header({"a"});
+  header.joints = {{"weld", {}}, {"elbow", {"rad"}}};
+  {
+    Hdf5Writer writer(folder / "moves.h5", header);
+    TrajectorySample sample = sample_row(0, 1);
+    sample.joint_coordinate = {0.25};
+    sample.joint_rate = {-2};
+    writer.write(sample, {});
+    writer.close({});
+  }
+  const StoredTrajectory moves = read_hdf5_trajectory(folder / "moves.h5");
+  EXPECT_EQ(moves.coordinate_joint, (std::vector<int>{1}));
+  EXPECT_EQ(moves.joint_coordinate, (std::vector<double>{0.25}));
+  EXPECT_EQ(moves.joint_rate, (std::vector<double>{-2}));
+  EXPECT_TRUE(moves.joint_force.empty());
+
+  header.joints = {{"weld", {}}};
+  header.has_joint_forces = true;
+  {
+    Hdf5Writer writer(folder / "holds.h5", header);
+    TrajectorySample sample = sample_row(0, 1);
+    sample.joint_force = {1, 2, 3};
+    sample.joint_torque = {4, 5, 6};
+    writer.write(sample, {});
+    writer.close({});
+  }
+  const StoredTrajectory holds = read_hdf5_trajectory(folder / "holds.h5");
+  EXPECT_EQ(holds.joints, (std::vector<std::string>{"weld"}));
+  EXPECT_TRUE(holds.joint_coordinate.empty());
+  EXPECT_EQ(holds.joint_force, (std::vector<double>{1, 2, 3}));
+  EXPECT_EQ(holds.joint_torque, (std::vector<double>{4, 5, 6}));
 }
 
 TEST(Hdf5Writer, ASceneWithoutBodiesGivesTimesOnly) {
@@ -177,7 +229,8 @@ struct Lengths {
 };
 /// Reads the beginnings of the file of these lengths; returns in how many of them there were rows, and sees
 /// that what is read is what was written and that the rest says why not.
-int readable_beginnings(const std::filesystem::path& file, const Lengths& lengths, std::size_t body_count) {
+int readable_beginnings(const std::filesystem::path& file, const Lengths& lengths, std::size_t body_count,
+                        std::size_t joint_count = 0) {
   const std::filesystem::path cut = file.string() + ".cut";
   const std::string whole = bytes_of(file);
   int readable = 0;
@@ -192,7 +245,7 @@ int readable_beginnings(const std::filesystem::path& file, const Lengths& length
       EXPECT_GE(stored.time.size(), most) << "fewer rows of more bytes";
       EXPECT_EQ(stored.position.size(), 3 * body_count * stored.time.size());
       most = stored.time.size();
-      expect_rows(stored, body_count);
+      expect_rows(stored, body_count, joint_count);
     } catch (const InputError& error) {
       EXPECT_EQ(std::string(error.what()).rfind("cannot read '", 0), 0u) << error.what();
       EXPECT_EQ(readable, 0) << error.what();
@@ -213,6 +266,18 @@ TEST(Hdf5Reader, EveryBeginningOfAFileGivesItsWholeRowsOrSaysWhyNot) {
   const std::uintmax_t size = std::filesystem::file_size(folder / "run.h5");
   // All lengths would take long: steps without a common factor with any alignment.
   EXPECT_GT(readable_beginnings(folder / "run.h5", {1597}, 2), static_cast<int>(size / 1597 / 4));
+}
+
+TEST(Hdf5Reader, EveryBeginningOfAFileWithJointsGivesItsWholeRowsOrSaysWhyNot) {
+  const TemporaryFolder folder;
+  Hdf5Writer writer(folder / "run.h5", jointed_header({"a"}, {"elbow", "knee", "hip"}));
+  for (int k = 0; k < 600; ++k) {
+    write_row(k, 1, writer, 3);
+    if (k % 50 == 0) writer.flush();
+  }
+  writer.close({});
+  const std::uintmax_t size = std::filesystem::file_size(folder / "run.h5");
+  EXPECT_GT(readable_beginnings(folder / "run.h5", {1597}, 1, 3), static_cast<int>(size / 1597 / 4));
 }
 
 TEST(Hdf5Reader, EveryBeginningOfAnUnclosedFileTooGivesItsWholeRowsOrSaysWhyNot) {

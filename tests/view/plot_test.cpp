@@ -81,6 +81,70 @@ TEST(PlotSeries, EveryListedKeyIsThereAndOthersAreNot) {
   EXPECT_FALSE(body_of_key("body.b.d.posture.x"));
 }
 
+/// Bodies a and b.c on a hinge, a cylindrical joint with a point in its name, and a weld.
+Recording recording_with_joints() {
+  const Scene scene = parse_scene(
+      "rigor: 1\nbodies:\n" + two_balls +
+          "joints:\n"
+          "  - {name: weld, type: fixed, bodies: [world, a]}\n"
+          "  - {name: elbow, type: hinge, bodies: [world, a], anchor: [0, 0, 1], axis: [0, 1, 0]}\n"
+          "  - {name: the.pin, type: cylindrical, bodies: [a, b.c], anchor: [0, 0, 0], "
+          "axis: [1, 0, 0]}\n",
+      "test.yaml", ".");
+  Recording recording = made_up_recording(scene, 2, 0.1);
+  StoredTrajectory& motion = recording.motion;
+  motion.joints = {"weld", "elbow", "the.pin"};
+  motion.coordinate_joint = {1, 2, 2};
+  motion.joint_coordinate = {1, 2, 3, 4, 5, 6};
+  motion.joint_rate = {-1, -2, -3, -4, -5, -6};
+  motion.joint_force = {0, 0, 1, 0, 3, 4, 7, 8, 9, 0, 0, 2, 0, 6, 8, 70, 80, 90};
+  motion.joint_torque = {0, 0, 0, 1, 2, 2, 4, 5, 6, 0, 0, 0, 2, 4, 4, 40, 50, 60};
+  return recording;
+}
+
+TEST(PlotSeries, KeysOfJointsGiveTheStoredNumbersWithTheirUnits) {
+  const Recording recording = recording_with_joints();
+  const auto expect_series = [&](const char* key, const std::vector<double>& values, const char* unit) {
+    const std::optional<PlotSeries> series = find_series(recording, key);
+    ASSERT_TRUE(series) << key;
+    EXPECT_EQ(series->values, values) << key;
+    EXPECT_EQ(series->unit, unit) << key;
+  };
+  expect_series("elbow.coordinate", {1, 4}, "rad");
+  expect_series("elbow.rate", {-1, -4}, "rad/s");
+  expect_series("elbow.force", {5, 10}, "N");
+  expect_series("elbow.force.z", {4, 8}, "N");
+  expect_series("elbow.torque", {3, 6}, "N m");
+  expect_series("weld.force.z", {1, 2}, "N");
+  // Cylindrical: the displacement, then the angle.
+  expect_series("the.pin.coordinate[0]", {2, 5}, "m");
+  expect_series("the.pin.coordinate[1]", {3, 6}, "rad");
+  expect_series("the.pin.rate[0]", {-2, -5}, "m/s");
+  expect_series("the.pin.torque.x", {4, 40}, "N m");
+}
+
+TEST(PlotSeries, EveryListedKeyOfAJointIsThereAndOthersAreNot) {
+  Recording recording = recording_with_joints();
+  const std::vector<std::string> keys = plot_keys(recording);
+  // One coordinate, two of them, and for each joint two vectors of four keys, each with its rate.
+  EXPECT_EQ(keys.size(), plot_keys(made_up_recording(scene_of(two_balls), 2, 0.1)).size() + 2 + 4 + 3 * 8);
+  for (const std::string& key : keys) EXPECT_TRUE(find_series(recording, key)) << key;
+  for (const char* key : {"elbow", "elbow.", "elbow.coordinate[0]", "elbow.coordinate.x", "elbow.force[0]",
+                          "elbow.force.w", "weld.coordinate", "the.pin.coordinate", "the.pin.rate[2]",
+                          "the.pin.coordinate[-1]", "pin.force", ".force", "elbow.forces"}) {
+    EXPECT_FALSE(find_series(recording, key)) << key;
+  }
+  EXPECT_EQ(joint_of_key("the.pin.coordinate[7]"), "the.pin");
+  EXPECT_EQ(joint_of_key("a.force.torque.x"), "a.force");
+  EXPECT_FALSE(joint_of_key("elbow.position"));
+  EXPECT_FALSE(joint_of_key("force"));
+
+  // A trajectory of many joints holds no forces.
+  recording.motion.joint_force.clear();
+  EXPECT_FALSE(find_series(recording, "elbow.force"));
+  EXPECT_TRUE(find_series(recording, "elbow.rate"));
+}
+
 // Lines
 
 TEST(LinePieces, AValueThatIsNotFiniteBreaksTheLine) {
@@ -162,6 +226,15 @@ TEST(Plot, TheSvgIsWellFormedAndItsPathsPassThroughTheData) {
   EXPECT_LT(points[1].y(), points[0].y());
   EXPECT_NEAR(points[1].y(), points[3].y(), 0.011);
   EXPECT_NEAR(points[2].y(), (points[0].y() + points[1].y()) / 2, 0.011);
+}
+
+TEST(Plot, AnglesAndDisplacementsHavePanelsOfTheirOwn) {
+  const Recording recording = recording_with_joints();
+  const std::vector<PlotSeries> series = {*find_series(recording, "elbow.coordinate"),
+                                          *find_series(recording, "the.pin.coordinate[0]")};
+  const std::string svg = svg_text(make_plot(recording.motion.time, series));
+  EXPECT_NE(svg.find("coordinate [rad]"), std::string::npos);
+  EXPECT_NE(svg.find("coordinate [m]"), std::string::npos);
 }
 
 TEST(Plot, NothingLeavesTheDrawing) {

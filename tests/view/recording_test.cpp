@@ -43,6 +43,28 @@ TEST(Recording, AMotionOfOtherBodiesOrWithoutTimesIsRefused) {
   EXPECT_THROW(read_recording(folder / "empty.h5"), InputError);
 }
 
+TEST(Recording, JointsAreThoseOfTheSceneOrNone) {
+  const TemporaryFolder folder;
+  TrajectoryHeader header = sample_header({"a", "b.c"});
+  header.scene_text = "rigor: 1\nbodies:\n" + two_balls +
+                      "joints:\n  - {name: pin, type: cylindrical, bodies: [a, b.c], anchor: [0, 0, 0], "
+                      "axis: [1, 0, 0]}\n";
+  header.has_joint_forces = true;
+  const auto recording_with = [&](const std::vector<TrajectoryJoint>& joints, std::size_t count) {
+    header.joints = joints;
+    Hdf5Writer writer(folder / "a.h5", header);
+    writer.write(sample_row(1, 2, count), {});
+    writer.close({});
+    return read_recording(folder / "a.h5");
+  };
+  EXPECT_EQ(recording_with({{"pin", {"m", "rad"}}}, 1).motion.joint_rate, sample_row(1, 2, 1).joint_rate);
+  EXPECT_THROW(recording_with({{"other", {"m", "rad"}}}, 1), InputError);
+  EXPECT_THROW(recording_with({{"pin", {"m", "rad", "rad", "rad"}}}, 2), InputError);
+  // A file of Rigor 0.1.0.
+  header.has_joint_forces = false;
+  EXPECT_TRUE(recording_with({}, 0).motion.joints.empty());
+}
+
 TEST(Recording, TheNearestOutputTimeIsFound) {
   const Recording recording = made_up_recording(scene_of(two_balls), 11, 0.5);
   EXPECT_EQ(nearest_frame(recording, -3), 0u);
