@@ -18,7 +18,7 @@ namespace {
 // Layout, all numbers little-endian of 8 bytes: magic, fingerprint, the audit's numbers in the order of
 // visit_numbers, its warnings and violations (count, then length and bytes of each), length and bytes of the
 // serialised State, and the FNV-1a hash of everything before it.
-constexpr std::string_view magic = "RIGORCP\x03";
+constexpr std::string_view magic = "RIGORCP\x04";
 
 std::uint64_t checksum(std::string_view bytes) {
   std::uint64_t hash = 14695981039346656037ull;
@@ -41,6 +41,9 @@ void visit_numbers(Part& audit, Visit visit) {
       visit(report.fallbacks), visit(report.coarse_steps);
   visit(report.quaternion_drift), visit(report.max_joint_drift), visit(report.drift_joint);
   visit(report.max_joint_projection);
+  for (auto* paradox : {&report.inconsistent, &report.indeterminate}) {
+    visit(paradox->instants), visit(paradox->body_A), visit(paradox->body_B), visit(paradox->first);
+  }
   for (auto* error : {&report.momentum_error, &report.angular_momentum_error}) {
     visit((*error)[0]), visit((*error)[1]), visit((*error)[2]);
   }

@@ -4,6 +4,14 @@
 
 namespace rigor {
 
+void ParadoxCount::add(const ParadoxCount& later) {
+  if (instants == 0) {
+    *this = later;
+  } else {
+    instants += later.instants;
+  }
+}
+
 void AdvanceReport::add(const AdvanceReport& later) {
   reason = later.reason;
   detail = later.detail;
@@ -37,6 +45,8 @@ void AdvanceReport::add(const AdvanceReport& later) {
   max_iterations = std::max(max_iterations, later.max_iterations);
   fallbacks += later.fallbacks;
   coarse_steps += later.coarse_steps;
+  inconsistent.add(later.inconsistent);
+  indeterminate.add(later.indeterminate);
   quaternion_drift = std::max(quaternion_drift, later.quaternion_drift);
 }
 

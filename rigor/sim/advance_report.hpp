@@ -27,6 +27,15 @@ struct MotionEvent {
   Vec3 j_W = Vec3::Zero();       ///< Impulse on B (impacts) [N s].
 };
 
+/// Instants at which the law of friction did not say which forces act.
+struct ParadoxCount {
+  long instants = 0;
+  int body_A = -1, body_B = -1;  ///< Of the first one.
+  double first = 0;              ///< Its time [s].
+
+  void add(const ParadoxCount& later);
+};
+
 /// What one call of a stepper did. Never read back.
 struct AdvanceReport {
   StopReason reason = StopReason::reached_end;
@@ -61,6 +70,10 @@ struct AdvanceReport {
   /// Steps at velocity level (first order, where slip or modes change faster than time resolves) or with an
   /// error estimate above the tolerance.
   long coarse_steps = 0;
+  /// No finite contact forces exist: impulses of steps at velocity level resolve it (Painlevé).
+  ParadoxCount inconsistent;
+  /// Several forces are possible at a contact that is alone.
+  ParadoxCount indeterminate;
   double quaternion_drift = 0;  ///< Largest | |q| - 1 | before normalisation.
 
   /// Adds what a later call reported; reason, detail and bodies become the later ones.

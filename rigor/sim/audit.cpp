@@ -94,6 +94,16 @@ void Auditor::judge(Audit& audit) const {
         fmt::format("{} contact problems did not reach their tolerance; largest residual {:.3g}",
                     audit.report.fallbacks, audit.report.max_residual));
   }
+  const auto report_paradox = [&](const ParadoxCount& count, const char* what, const char* resolved) {
+    if (count.instants == 0) return;
+    audit.warnings.push_back(fmt::format(
+        "{} at {} and {} at t = {:.6g} s, {}: {} (Painlevé's paradox)", what, model_->body(count.body_A).name,
+        model_->body(count.body_B).name, count.first,
+        count.instants == 1 ? "once" : fmt::format("the first of {} times", count.instants), resolved));
+  };
+  report_paradox(audit.report.inconsistent, "no finite contact force", "impulses resolve it");
+  report_paradox(audit.report.indeterminate, "more than one possible contact force",
+                 "the motion may go on in several ways and one was taken");
   if (audit.report.coarse_steps > 0) {
     audit.warnings.push_back(fmt::format(
         "{} steps were of first order or above their error tolerance: slip or contact modes changed "

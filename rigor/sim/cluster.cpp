@@ -1,6 +1,7 @@
 #include "rigor/sim/cluster.hpp"
 
 #include "rigor/contact/joint_stops.hpp"
+#include "rigor/contact/paradox.hpp"
 #include "rigor/core/assert.hpp"
 #include "rigor/math/rotation.hpp"
 
@@ -88,6 +89,14 @@ SimultaneousLaw simultaneous_law(SimultaneousMethod method) {
       break;
   }
   return SimultaneousLaw::sequential;
+}
+
+void note_paradox(const Paradox& paradox, const ContactSystem& system, double t, AdvanceReport& report) {
+  if (paradox.kind == Paradox::Kind::none) return;
+  const Contact& contact = system.contacts[paradox.contact];
+  ParadoxCount& count =
+      paradox.kind == Paradox::Kind::inconsistent ? report.inconsistent : report.indeterminate;
+  count.add({1, contact.body_A, contact.body_B, t});
 }
 
 }  // namespace
@@ -415,12 +424,19 @@ LastingContacts ContactResolver::update_active(Cluster& cluster, AdvanceReport& 
   if (candidates.empty()) return {};
 
   const ContactSystem touching = system_of(cluster, candidates);
-  const RestingSolution resting = solve_resting(
-      touching, integrator_.environment_wrenches(touching, cluster.t), cluster.slip_tolerance, resting_);
-  report.max_residual = std::max(report.max_residual, resting.forces.residual);
-  report.max_iterations = std::max(report.max_iterations, resting.forces.iterations);
+  const std::vector<Wrench> wrenches = integrator_.environment_wrenches(touching, cluster.t);
+  const RestingSolution resting = solve_resting(touching, wrenches, cluster.slip_tolerance, resting_);
   LastingContacts lasting;
   lasting.have_forces = resting.forces.converged;
+  const Paradox paradox = find_paradox(touching, wrenches, cluster.slip_tolerance, lasting.have_forces);
+  note_paradox(paradox, touching, cluster.t, report);
+  // No solver reaches its tolerance where there is no solution.
+  if (paradox.kind == Paradox::Kind::inconsistent) {
+    lasting.have_forces = false;
+    return lasting;
+  }
+  report.max_residual = std::max(report.max_residual, resting.forces.residual);
+  report.max_iterations = std::max(report.max_iterations, resting.forces.iterations);
   if (!lasting.have_forces) {
     ++report.fallbacks;
     return lasting;

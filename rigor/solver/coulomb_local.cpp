@@ -99,8 +99,7 @@ std::optional<LocalCoulombSolution> find_slide(const Mat3& K, const Vec3& b, dou
                                                double slack) {
   const Vec2 u(std::cos(angle), std::sin(angle));
   const Vec3 direction(-mu * u(0), -mu * u(1), 1.0);
-  const double stiffness = K.row(2).dot(direction);
-  const double normal = -b(2) / stiffness;
+  const double normal = -b(2) / sliding_response(K, mu, u);
   if (!(normal > 0) || !std::isfinite(normal)) return std::nullopt;
   const Vec3 lambda = normal * direction;
   const Vec3 w = K * lambda + b;
@@ -169,6 +168,15 @@ LocalCoulombSolution solve_coulomb_local(const Mat3& K, const Vec3& b, double mu
   // Only round-off leads here (K close to singular): the nearest force of the cone.
   const Vec3 lambda = clamp_to_cone(-K.ldlt().solve(b), mu);
   return {lambda, K * lambda + b, ContactMode::slide};
+}
+
+double sliding_response(const Mat3& K, double mu, const Vec2& slip) {
+  return K(2, 2) - mu * K.block<1, 2>(2, 0).dot(slip);
+}
+
+int count_sliding_solutions(double response, double b_n) {
+  const bool may_part = b_n >= 0, may_press = response != 0 && -b_n / response > 0;
+  return int{may_part} + int{may_press};
 }
 
 }  // namespace rigor

@@ -29,4 +29,12 @@ std::vector<LocalCoulombSolution> solve_coulomb_local_all(const Mat3& K, const V
 LocalCoulombSolution solve_coulomb_local(const Mat3& K, const Vec3& b, double mu,
                                          const std::optional<Vec2>& slip_hint = std::nullopt);
 
+/// w_n that a unit normal force makes, with its friction, at a contact that slips along the unit vector
+/// `slip`: κ - μ k·slip. Where it is not positive pressing does not part the bodies (Painlevé's paradox).
+double sliding_response(const Mat3& K, double mu, const Vec2& slip);
+
+/// How many λ_n solve  0 ≤ λ_n ⊥ response λ_n + b_n ≥ 0,  the problem of a contact whose slip is known: 0
+/// where only an infinite force would do, 2 where it may part or be pressed.
+int count_sliding_solutions(double response, double b_n);
+
 }  // namespace rigor

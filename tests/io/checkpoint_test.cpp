@@ -47,6 +47,7 @@ Checkpoint sample_checkpoint() {
   checkpoint.audit.report.impacts = 7;
   checkpoint.audit.report.penetration_A = -1;
   checkpoint.audit.report.momentum_error = Vec3(1, 2, 3);
+  checkpoint.audit.report.inconsistent = {3, 0, 2, 0.25};
   checkpoint.audit.warnings = {"one", "two"};
   return checkpoint;
 }
@@ -83,6 +84,11 @@ TEST(Checkpoint, ReadsBackWhatWasWritten) {
   EXPECT_EQ(read.audit.report.impacts, 7);
   EXPECT_EQ(read.audit.report.penetration_A, -1);
   EXPECT_EQ(read.audit.report.momentum_error, Vec3(1, 2, 3));
+  EXPECT_EQ(read.audit.report.inconsistent.instants, 3);
+  EXPECT_EQ(read.audit.report.inconsistent.body_B, 2);
+  EXPECT_EQ(read.audit.report.inconsistent.first, 0.25);
+  EXPECT_EQ(read.audit.report.indeterminate.instants, 0);
+  EXPECT_EQ(read.audit.report.indeterminate.body_A, -1);
   EXPECT_EQ(read.audit.warnings, (std::vector<std::string>{"one", "two"}));
 }
 

@@ -124,5 +124,25 @@ TEST(CoulombLocal, ASeparatingContactStaysOpenEvenWhereSlidingIsPossibleToo) {
   }
 }
 
+// 0 ≤ λ ⊥ r λ + b ≥ 0 by the signs of r and b.
+TEST(CoulombLocal, ASlidingContactHasNoneOneOrTwoForces) {
+  EXPECT_EQ(count_sliding_solutions(0.5, -1), 1);
+  EXPECT_EQ(count_sliding_solutions(0.5, 1), 1);
+  EXPECT_EQ(count_sliding_solutions(-0.5, -1), 0);
+  EXPECT_EQ(count_sliding_solutions(-0.5, 1), 2);
+  EXPECT_EQ(count_sliding_solutions(0, -1), 0);
+  EXPECT_EQ(count_sliding_solutions(0, 1), 1);
+  EXPECT_EQ(count_sliding_solutions(-0.5, 0), 1);
+}
+
+// The rod of NCP_rod45_mu2_jam: κ - μ k·û = 5/2 - 2 · 3/2 one way, 5/2 + 2 · 3/2 the other.
+TEST(CoulombLocal, FrictionChangesTheResponseByTheSlipsDirection) {
+  Mat3 K;
+  K << 2.5, 0, -1.5, 0, 1, 0, -1.5, 0, 2.5;
+  EXPECT_EQ(sliding_response(K, 2, -Vec2::UnitX()), -0.5);
+  EXPECT_EQ(sliding_response(K, 2, Vec2::UnitX()), 5.5);
+  EXPECT_EQ(sliding_response(K, 2, Vec2::UnitY()), 2.5);
+}
+
 }  // namespace
 }  // namespace rigor
