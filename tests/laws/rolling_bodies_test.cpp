@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <sstream>
 
 namespace rigor::test {
 namespace {
@@ -105,6 +106,167 @@ TEST(RollingBodies, UprightDiskFallsIfSlowerThanItsCriticalSpeed) {
   expect_leans(
       {"bodies.disk.velocity=[0.54,0,0]", "bodies.disk.angular_velocity=[0,5.4,-5.4e-5]", "run.duration=1.5"},
       0.54);
+}
+
+/// A rattleback that rolls: an ellipsoid with the squared half axes D², its centre of mass d below its
+/// centre. With γ the vertical in the body's frame, the contact at ρ = d ẑ - D² γ/|D γ| from the centre of
+/// mass and v = ρ × ω,
+///   γ' = γ × ω,   (I + m (ρ² - ρ ρᵀ)) ω' = -ω × I ω + m ρ × (ρ' × ω + ω × (ρ × ω) + g γ).
+struct Rattleback {
+  Mat3 squares, inertia;
+  double mass, depth;
+  Vec3 vertical, turning;
+
+  Vec3 contact() const {
+    const double height = std::sqrt(vertical.dot(squares * vertical));
+    return depth * Vec3::UnitZ() - squares * vertical / height;
+  }
+  double spin() const { return vertical.dot(turning); }
+  std::pair<Vec3, Vec3> rate() const {
+    const double height = std::sqrt(vertical.dot(squares * vertical));
+    const Vec3 p = squares * vertical / height, rho = contact(), vertical_rate = vertical.cross(turning);
+    const Vec3 rho_rate = -(squares - p * p.transpose()) * vertical_rate / height;
+    const Mat3 about_contact =
+        inertia + mass * (rho.squaredNorm() * Mat3::Identity() - rho * rho.transpose());
+    const Vec3 push = rho_rate.cross(turning) + turning.cross(rho.cross(turning)) + g * vertical;
+    const Vec3 moment = mass * rho.cross(push) - turning.cross(inertia * turning);
+    return {vertical_rate, about_contact.ldlt().solve(moment)};
+  }
+  Rattleback moved(double h, const std::pair<Vec3, Vec3>& rates) const {
+    Rattleback result = *this;
+    result.vertical += h * rates.first;
+    result.turning += h * rates.second;
+    return result;
+  }
+  /// By the classical Runge-Kutta method.
+  void advance(double duration, int steps) {
+    const double h = duration / steps;
+    for (int i = 0; i < steps; ++i) {
+      const auto k1 = rate(), k2 = moved(h / 2, k1).rate(), k3 = moved(h / 2, k2).rate();
+      const auto k4 = moved(h, k3).rate();
+      *this = moved(h / 6, k1).moved(h / 3, k2).moved(h / 3, k3).moved(h / 6, k4);
+    }
+  }
+};
+
+Rattleback rattleback_of(const Scene& scene, const State& state) {
+  const int stone = scene.model->find_body("stone").value();
+  // The model's bodies turn with their principal axes; here the axes of the surface count.
+  const Mat3 R = rotation_matrix(state.orientation(stone)) * scene.model->body(stone).shapes.front().X_BS.R;
+  const Vec3 half_axes(0.2, 0.03, 0.02);
+  Mat3 inertia = Vec3(0.0002038346732422088, 0.0015961653267577915, 0.0017).asDiagonal();
+  inertia(0, 1) = inertia(1, 0) = -7.316992428735743e-05;
+  return {half_axes.cwiseAbs2().asDiagonal(),
+          inertia,
+          1,
+          0.01,
+          R.transpose() * Vec3::UnitZ(),
+          R.transpose() * angular_velocity(*scene.model, state, stone)};
+}
+
+/// Rate about the vertical at every output, checked against the equation of rolling on the way.
+std::vector<double> spins_of(const SceneRun& run, double tolerance) {
+  std::vector<double> spins;
+  Rattleback expected = rattleback_of(run.scene, run.states.front());
+  for (const State& state : run.states) {
+    if (!spins.empty()) expected.advance(run.scene.run.output_interval, 200);
+    const Rattleback found = rattleback_of(run.scene, state);
+    EXPECT_LE((found.vertical - expected.vertical).norm(), tolerance) << state.t;
+    EXPECT_LE((found.turning - expected.turning).norm(), 10 * tolerance) << state.t;
+    spins.push_back(found.spin());
+  }
+  return spins;
+}
+
+TEST(RollingBodies, RattlebackReversesItsSpin) {
+  const SceneRun run = run_scene("rattleback.yaml");
+  expect_trusted(run);
+  const std::vector<double> spins = spins_of(run, 1e-8);
+  EXPECT_NEAR(spins.front(), -3, 1e-12);
+  EXPECT_GT(spins.back(), 3);
+  // It goes through zero once, where the scene says, as a line between outputs tells it.
+  std::vector<double> reversals;
+  for (std::size_t i = 1; i < spins.size(); ++i) {
+    if ((spins[i] > 0) != (spins[i - 1] > 0)) {
+      const double part = spins[i - 1] / (spins[i - 1] - spins[i]);
+      reversals.push_back(run.states[i - 1].t + part * (run.states[i].t - run.states[i - 1].t));
+    }
+  }
+  ASSERT_EQ(reversals.size(), 1u);
+  EXPECT_NEAR(reversals.front(), 0.846, 0.001);
+  // No slip, so nothing is lost.
+  EXPECT_NEAR(run.audit().final.total() / run.audit().initial.total(), 1, 1e-9);
+}
+
+TEST(RollingBodies, RattlebackReversesAtTheSameInstantWithATighterTolerance) {
+  const SceneRun run = run_scene("rattleback.yaml");
+  const SceneRun tighter = run_scene("rattleback.yaml", {"method.tolerance=1e-13"});
+  ASSERT_EQ(run.states.size(), tighter.states.size());
+  for (std::size_t i = 0; i < run.states.size(); ++i) {
+    EXPECT_NEAR(rattleback_of(run.scene, run.states[i]).spin(),
+                rattleback_of(tighter.scene, tighter.states[i]).spin(), 1e-8);
+  }
+}
+
+TEST(RollingBodies, RattlebackKeepsTheOtherSense) {
+  const SceneRun run = run_scene("rattleback.yaml",
+                                 {"bodies.stone.angular_velocity=[0,0,3]",
+                                  "bodies.stone.velocity=[-0.0003663554619015709,-0.020826406780174556,0]"});
+  expect_trusted(run);
+  for (const double spin : spins_of(run, 1e-8)) EXPECT_GT(spin, 2.9);
+}
+
+/// Angle from the top at which the ball leaves the dome.
+double leaving_angle(const std::vector<std::string>& overrides) {
+  const SceneRun run = run_scene("roll_off.yaml", overrides);
+  expect_trusted(run);
+  for (const MotionEvent& event : run.events) {
+    if (event.kind != MotionEvent::Kind::separation) continue;
+    std::ostringstream until;
+    until.precision(17);
+    until << "run.duration=" << event.time;
+    std::vector<std::string> shorter = overrides;
+    shorter.push_back(until.str());
+    const Vec3 p = run_scene("roll_off.yaml", shorter).end_of("ball").position;
+    return std::atan2(p.x(), p.z());
+  }
+  ADD_FAILURE() << "the ball stays on the dome";
+  return 0;
+}
+
+/// The same with friction μ. Rolling needs friction 2/7 m g sin θ and leaves N = m g (17 cos θ - 10)/7, so at
+/// last it slips, with u = (R + r) θ'²/g from du/dθ = 2 sin θ - 2 μ (cos θ - u) until N = cos θ - u = 0.
+double leaving_angle_with_slip(double mu) {
+  double angle = std::acos(10 * mu / std::hypot(17 * mu, 2)) - std::atan(2 / (17 * mu));
+  double u = 10.0 / 7 * (1 - std::cos(angle)), before = angle;
+  const double h = 1e-4 / mu;
+  const auto rate = [mu](double at, double v) { return 2 * std::sin(at) - 2 * mu * (std::cos(at) - v); };
+  double margin = std::cos(angle) - u, last_margin = margin;
+  while (margin > 0) {
+    before = angle;
+    last_margin = margin;
+    const double k1 = rate(angle, u), k2 = rate(angle + h / 2, u + h / 2 * k1);
+    const double k3 = rate(angle + h / 2, u + h / 2 * k2), k4 = rate(angle + h, u + h * k3);
+    u += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+    angle += h;
+    margin = std::cos(angle) - u;
+  }
+  return before + h * last_margin / (last_margin - margin);
+}
+
+TEST(RollingBodies, BallRollsOffASphereAtItsAngle) {
+  const double rolled = leaving_angle({}), limit = std::acos(10.0 / 17);
+  EXPECT_NEAR(limit * 180 / M_PI, 53.96812092752944, 1e-13);
+  EXPECT_NEAR(rolled, leaving_angle_with_slip(1000), 1e-9);
+  EXPECT_NEAR(rolled, limit, 1e-4);
+}
+
+TEST(RollingBodies, BallSlidesOffASphereAtItsAngle) {
+  const double limit = std::acos(2.0 / 3);
+  EXPECT_NEAR(limit * 180 / M_PI, 48.18968510422140, 1e-13);
+  const double slid = leaving_angle({"materials.rubber.friction=0", "bodies.ball.angular_velocity=[0,0,0]",
+                                     "bodies.ball.velocity=[0.5639080693248623,0,-0.09943220726119271]"});
+  EXPECT_NEAR(slid, limit, 1e-9);
 }
 
 }  // namespace
