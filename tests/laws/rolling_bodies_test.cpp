@@ -269,5 +269,34 @@ TEST(RollingBodies, BallSlidesOffASphereAtItsAngle) {
   EXPECT_NEAR(slid, limit, 1e-9);
 }
 
+/// Rate after each impact of a rimless wheel of 1 kg with spokes of 1 m and moment I about its hub in the
+/// end: an impact keeps η = (cos 45° + I)/(1 + I) of it, a step adds 4 g sin 22.5° sin 5°/(1 + I) to its
+/// square.
+double rimless_rate(double I) {
+  const double kept = (std::cos(M_PI / 4) + I) / (1 + I);
+  const double gain = 4 * g * std::sin(M_PI / 8) * std::sin(M_PI / 36) / (1 + I);
+  return kept * std::sqrt(gain / (1 - kept * kept));
+}
+
+TEST(RollingBodies, RimlessWheelComesToItsLimitCycle) {
+  EXPECT_NEAR(rimless_rate(0), 1.144016619950734, 1e-14);
+  const SceneRun run = run_scene("rimless_wheel.yaml");
+  expect_trusted(run);
+  EXPECT_GE(run.audit().report.impacts, 30);
+  const int wheel = run.body("wheel");
+  int compared = 0;
+  for (const State& state : run.states) {
+    if (state.t < 28) continue;
+    // Back to the last impact by the energy: the hub moves across its spoke, which shows the lean.
+    const Vec3 v = state.linear_momentum(wheel);
+    const double lean = std::atan2(-v.z(), v.x());
+    const double rate = angular_velocity(*run.scene.model, state, wheel).y();
+    const double gained = 2 * g * (std::cos(-M_PI / 8 + M_PI / 36) - std::cos(lean + M_PI / 36)) / 1.01;
+    EXPECT_NEAR(std::sqrt(rate * rate - gained), rimless_rate(0.01), 1e-9) << state.t;
+    ++compared;
+  }
+  EXPECT_GE(compared, 100);
+}
+
 }  // namespace
 }  // namespace rigor::test
