@@ -1,5 +1,6 @@
 #include "rigor/contact/contact_kinematics.hpp"
 
+#include "rigor/geometry/convex_core.hpp"
 #include "rigor/geometry/distance.hpp"
 #include "rigor/geometry/support.hpp"
 #include "rigor/math/rotation.hpp"
@@ -188,8 +189,8 @@ ContactPoint crossed_edges(const ContactPoint& old, const std::pair<Pose, Pose>&
   return point;
 }
 
-/// The curvature at the contact after the body moved: round surfaces look the same along every normal m_W,
-/// others are carried with the body.
+/// The curvature at the contact after the body moved: round surfaces look the same along every normal m_W, an
+/// ellipsoid's is that of the point with this normal, others are carried with the body.
 SurfaceCurvature carried_curvature(const BodyShape& shape, const SurfaceCurvature& old,
                                    const std::pair<Pose, Pose>& poses, const Vec3& m_W) {
   const auto& [before, after] = poses;
@@ -200,6 +201,12 @@ SurfaceCurvature carried_curvature(const BodyShape& shape, const SurfaceCurvatur
     const Vec3 outward = m_W - m_W.dot(now->axis) * now->axis;
     const Vec3 along = now->axis.cross(outward).normalized();
     surface.radius_W = now->radius / outward.norm() * along * along.transpose();
+    return surface;
+  }
+  if (std::holds_alternative<Ellipsoid>(shape.shape)) {
+    const Mat3 R_WS = (after * shape.X_BS).R;
+    surface.radius_W =
+        R_WS * piece_curvature(make_core(shape.shape), 0, R_WS.transpose() * m_W) * R_WS.transpose();
     return surface;
   }
   if (!is_round(shape, old)) return surface;

@@ -124,6 +124,10 @@ TEST(ContactKinematics, TrackedContactsStayTheSamePairOfFeatures) {
         tracked_contact(*model, contacts.front(), A.pose(), B.pose(), A1.pose(), B1.pose());
     EXPECT_NEAR(tracked.gap, gap_of(*model, A1, B1), 1e-12);
     EXPECT_LE((tracked.n_W - A1.R * A.R.transpose() * contacts.front().point.n_W).norm(), 1e-12);
+    // It bends there as the contact that is found anew: the normal has moved over the ellipsoid.
+    const std::vector<Contact> anew = find_contacts(*model, 0, 1, A1.pose(), B1.pose(), 0.01);
+    ASSERT_EQ(anew.size(), 1u);
+    EXPECT_LE((tracked.curvature_B.radius_W - anew.front().point.curvature_B.radius_W).norm(), 1e-10);
   }
 }
 
