@@ -378,7 +378,12 @@ IslandStep IslandIntegrator::implicit_step(const Island& island, double h) const
       body.w += body.inverse_inertia * impulses[b].tau_W;
     }
   }
-  const VecX lambda = solve_coulomb(implicit_problem(system, h)).lambda;
+  // The step is of first order: more digits would be noise.
+  CoulombOptions coarse;
+  coarse.tolerance = 1e-9;
+  coarse.enough = 1e-6;
+  coarse.least_norm = false;
+  const VecX lambda = solve_coulomb(implicit_problem(system, h), coarse).lambda;
   std::vector<Wrench> of_contacts = contact_wrenches(system, lambda);
   if (system.joints) {
     JointReactions reactions =

@@ -137,21 +137,22 @@ class Chain {
   CoulombSolution run() {
     // A few proximal steps show the modes of most problems; strong friction may need the other method, or
     // patience.
-    if (proximal_until(20)) return best_;
-    if (gauss_seidel_until(std::min(256, options_.max_iterations)) || is_nearly_solved()) return best_;
-    if (proximal_until(100) || is_nearly_solved()) return best_;
+    if (proximal_until(20) || is_enough()) return best_;
+    if (gauss_seidel_until(std::min(256, options_.max_iterations)) || is_enough()) return best_;
+    if (proximal_until(100) || is_enough()) return best_;
     gauss_seidel_until(options_.max_iterations);
     return best_;
   }
 
  private:
-  /// The last digits of ill-conditioned problems are not worth thousands of sweeps; the residual tells of
-  /// them.
-  bool is_nearly_solved() const { return best_.residual <= 1000 * options_.tolerance; }
+  bool is_enough() const { return best_.residual <= options_.enough; }
 
   bool offer(const CoulombGuess& guess, int iterations, const char* method) {
     if (!guess.lambda.allFinite()) return false;
-    CoulombSolution solution = polish_coulomb(problem_, guess, options_.tolerance);
+    CoulombSolution solution = options_.least_norm
+                                   ? polish_coulomb(problem_, guess, options_.tolerance)
+                                   : make_solution(problem_, clamp_to_cones(problem_, guess.lambda),
+                                                   guess.modes.modes, options_.tolerance);
     if (solution.residual < best_.residual) best_ = labelled(std::move(solution), iterations, method);
     return best_.converged;
   }

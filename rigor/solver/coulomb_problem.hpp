@@ -45,6 +45,12 @@ struct CoulombSolution {
 struct CoulombOptions {
   /// Largest residual that counts as solved (dimensionless): ten thousand roundings of the largest term.
   double tolerance = 1e-12;
+  /// Residual at which the search ends when its cheap part has not reached the tolerance: the last digits of
+  /// ill-conditioned problems are not worth thousands of sweeps.
+  double enough = 1e-9;
+  /// Whether redundant contacts must share their load by the rule of least norm. Where any share will do, a
+  /// guess that reaches the tolerance is taken as it is.
+  bool least_norm = true;
   /// Cap on the symmetric Gauss–Seidel sweeps.
   int max_iterations = 2000;
   /// The method that is asked first for what the contacts do (seed_by_lcp); none: the chain alone.

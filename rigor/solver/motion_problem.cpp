@@ -150,9 +150,12 @@ class MotionSolver {
     return solution;
   }
 
-  /// Steps of the augmented Lagrangian until what the contacts seem to do is what they do.
+  /// Steps of the augmented Lagrangian until what the contacts seem to do is what they do. Most problems need
+  /// one guess, nearly all of the others fewer than these; contact space solves what is left sooner than more
+  /// of them would.
   std::optional<CoulombSolution> approach() const {
-    constexpr int kMaxSteps = 40;
+    constexpr int kMaxSteps = 40, kMaxGuesses = 10;
+    int guesses = 0;
     CoulombProximal proximal(laws_, motion_, open_guess(laws_));
     std::vector<ContactMode> offered;
     for (int step = 1; step <= kMaxSteps; ++step) {
@@ -161,6 +164,7 @@ class MotionSolver {
       if (!guess.lambda.allFinite()) return std::nullopt;
       if (guess.modes.modes == offered && step % 8 != 0) continue;
       offered = guess.modes.modes;
+      if (++guesses > kMaxGuesses) return std::nullopt;
       if (std::optional<CoulombSolution> solution = settle(guess, kMoves, "proximal motion"))
         return labelled(std::move(*solution), step, "proximal motion");
     }

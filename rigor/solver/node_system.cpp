@@ -7,7 +7,7 @@ using Eigen::Index;
 namespace {
 
 // So few are solved faster without an order.
-constexpr std::size_t kDenseNodes = 6;
+constexpr std::size_t kDenseNodes = 24;
 
 /// Calls add(row node, column node, block) for each block of the sum.
 template <typename Add>

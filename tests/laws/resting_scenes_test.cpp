@@ -41,18 +41,29 @@ const std::array<std::vector<std::string>, 3> kChoices = {
     std::vector<std::string>{"method.resting=contact-space", "method.lcp=dantzig"},
     std::vector<std::string>{"method.resting=contact-space", "method.lcp=lemke"}};
 
+void expect_stack_stands(const SceneRun& run, int count) {
+  expect_trusted(run);
+  EXPECT_EQ(drift(run), 0) << count;
+  EXPECT_LE(run.audit().report.max_penetration, 1e-14);
+  for (const Audit::BodyEnd& body : run.audit().bodies) EXPECT_TRUE(body.velocity.isZero(0)) << body.name;
+  const double weight = 1000 * 0.008 * g;
+  for (int k = 0; k < count; ++k) {
+    const Vec3 force = force_between(run, k, k + 1);
+    EXPECT_LE((force - Vec3(0, 0, (count - k) * weight)).norm(), 1e-12 * (count - k) * weight) << count << k;
+  }
+}
+
 TEST(RestingScenes, StacksStandAndEveryCubeCarriesWhatIsAboveIt) {
   for (const auto& [file, count] :
-       {std::pair{"stack_10.yaml", 10}, std::pair{"stack_20.yaml", 20}, std::pair{"stack_50.yaml", 50}}) {
-    const SceneRun run = run_scene(file);
-    expect_trusted(run);
-    EXPECT_EQ(drift(run), 0) << file;
-    EXPECT_LE(run.audit().report.max_penetration, 1e-14);
-    const double weight = 1000 * 0.008 * g;
-    for (int k = 0; k < count; ++k) {
-      const Vec3 force = force_between(run, k, k + 1);
-      EXPECT_LE((force - Vec3(0, 0, (count - k) * weight)).norm(), 1e-12 * (count - k) * weight) << file << k;
-    }
+       {std::pair{"stack_10.yaml", 10}, std::pair{"stack_20.yaml", 20}, std::pair{"stack_50.yaml", 50}})
+    expect_stack_stands(run_scene(file), count);
+}
+
+TEST(RestingScenes, StacksOfThreeAndOfAHundredCubesStandForAHundredSeconds) {
+  for (const int count : {3, 100}) {
+    const std::string counts = "bodies.cube.repeat.count=[1,1," + std::to_string(count) + "]";
+    expect_stack_stands(run_scene("stack_50.yaml", {counts, "run.duration=100", "run.output_interval=10"}),
+                        count);
   }
 }
 
@@ -169,6 +180,36 @@ TEST(RestingScenes, ABlockOnARampNeitherCreepsNorSticksWhereItMustNot) {
     EXPECT_LE(displacement(1.01).norm(), 1e-12);
     EXPECT_NEAR(displacement(0.99).norm(), 0.5 * 100 * g * 0.01 * std::sin(slope), 1e-9);
   }
+}
+
+TEST(RestingScenes, ABlockDoesNotCreepInAThousandSecondsWhateverTheStep) {
+  // 25 degrees, friction 0.6.
+  const double slope = 25 * M_PI / 180;
+  char gravity[120];
+  std::snprintf(gravity, sizeof gravity, "world.gravity=[%.17g, 0, %.17g]", g * std::sin(slope),
+                -g * std::cos(slope));
+  for (const char* step : {"run.step=0.01", "run.step=1"}) {
+    const SceneRun run = run_scene("ramp_stick.yaml", {gravity, "materials.wood.friction=0.6", step,
+                                                       "run.duration=1000", "run.output_interval=100"});
+    expect_trusted(run);
+    EXPECT_LE(drift(run), 1e-12) << step;
+  }
+}
+
+TEST(RestingScenes, ACardHouseStandsAndItsTopPairSlidesApartBelowTheCriticalFriction) {
+  const SceneRun stands = run_scene("card_house.yaml");
+  expect_trusted(stands);
+  EXPECT_EQ(drift(stands), 0);
+  // All the weight is on the table.
+  double weight = 0, carried = 0;
+  for (int i = 1; i < stands.scene.model->body_count(); ++i) {
+    weight += stands.scene.model->body(i).mass * g;
+    carried += force_between(stands, 0, i).z();
+  }
+  EXPECT_NEAR(carried, weight, 1e-11 * weight);
+  const SceneRun slides =
+      run_scene("card_house.yaml", {"materials.card.friction=0.1267", "run.duration=0.0015"});
+  EXPECT_GT(drift(slides), 1e-9);
 }
 
 TEST(RestingScenes, AWedgeSlidesAwayFromUnderABlock) {
