@@ -201,7 +201,8 @@ void ContactResolver::restore_momenta(const Island& island, IslandStep& step) co
     if (description.type == JointType::gear) return false;  // Those that it ties are in the list.
     return description.body_A == world_body || description.body_B == world_body;
   };
-  if (joints.empty() || !island.contacts.empty() || std::any_of(joints.begin(), joints.end(), is_grounded) ||
+  if (joints.empty() || !(island.contacts.empty() || step.is_implicit) ||
+      std::any_of(joints.begin(), joints.end(), is_grounded) ||
       !integrator_.jointed_prescribed(island.bodies).empty())
     return;
   const ContactSystem system = integrator_.system_of(island.begin + step.h, island.bodies, step.end, {});

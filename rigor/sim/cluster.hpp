@@ -53,7 +53,8 @@ class ContactResolver {
                       AdvanceReport& report) const;
   /// Gives bodies that joints hold to each other and to nothing else the sums of momenta that the impulses of
   /// the step say, by a velocity as of one rigid body, which no joint notices: what the integrator and the
-  /// projection of positions leave would else add up. Other islands stay as they are.
+  /// projection of positions leave would else add up. Other islands stay as they are; so do those with
+  /// contacts after an accurate step.
   void restore_momenta(const Island& island, IslandStep& step) const;
   /// Puts velocities back to what the joints allow: the projection in the metric of the mass matrix.
   void project_joint_velocities(Cluster& cluster, AdvanceReport& report) const;

@@ -356,6 +356,7 @@ IslandStep IslandIntegrator::implicit_step(const Island& island, double h) const
     return Vec3(island.start[i].x + 0.5 * h * at_start.of(island.bodies[i]).v);
   };
   IslandStep result{h, {}, {}, 0, 0};
+  result.is_implicit = true;
   for (std::size_t i = 0; i < island.bodies.size(); ++i) {
     const Wrench& wrench = wrenches[place_of(at_start.bodies, island.bodies[i])];
     phases[i].P += h * wrench.f_W;

@@ -34,6 +34,7 @@ struct IslandStep {
   double work = 0;                      ///< Supplied by kinematic bodies, torques, body-fixed forces [J].
   Vec3 impulse = Vec3::Zero();          ///< Of all forces from outside the island [N s].
   Vec3 angular_impulse = Vec3::Zero();  ///< The same about the origin of W [N m s].
+  bool is_implicit = false;             ///< Of first order: contacts answered with impulses.
 };
 
 /// A step whose size the error estimate chose, and the size it suggests for the next.
