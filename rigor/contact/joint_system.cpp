@@ -47,13 +47,7 @@ Mat6 mass_matrix(const BodyKinetics& body) {
 std::vector<std::vector<int>> joints_by_body(const Model& model) {
   std::vector<std::vector<int>> result(static_cast<std::size_t>(model.body_count()));
   for (int j = 0; j < static_cast<int>(model.joints().size()); ++j) {
-    for (const Joint* source : sources_of(model, j)) {
-      for (const int body : {source->body_A, source->body_B}) {
-        if (body == world_body) continue;
-        std::vector<int>& own = result[static_cast<std::size_t>(body)];
-        if (own.empty() || own.back() != j) own.push_back(j);
-      }
-    }
+    for (const int body : model.bodies_of_joint(j)) result[static_cast<std::size_t>(body)].push_back(j);
   }
   return result;
 }

@@ -16,21 +16,6 @@ void sort_and_unite(std::vector<int>& bodies) {
   bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
 }
 
-/// Dynamic bodies of a joint, those of both its joints if it is a gear; ascending.
-std::vector<int> dynamic_bodies_of(const Joint& joint, const Model& model) {
-  std::vector<int> bodies = {joint.body_A, joint.body_B};
-  if (joint.type == JointType::gear) {
-    const Joint& first = model.joint(joint.first_joint);
-    const Joint& second = model.joint(joint.second_joint);
-    bodies = {first.body_A, first.body_B, second.body_A, second.body_B};
-  }
-  std::erase_if(bodies, [&model](int body) {
-    return body == world_body || model.body(body).motion != MotionType::dynamic;
-  });
-  sort_and_unite(bodies);
-  return bodies;
-}
-
 }  // namespace
 
 Environment::Environment(const Model& model)
@@ -88,13 +73,13 @@ Environment::Environment(const Model& model)
 
 void Environment::add_joints() {
   for (int j = 0; j < static_cast<int>(model_->joints().size()); ++j) {
-    const Joint& joint = model_->joint(j);
-    const std::vector<int> bodies = dynamic_bodies_of(joint, *model_);
+    std::vector<int> bodies = model_->bodies_of_joint(j);
+    std::erase_if(bodies, [this](int body) { return model_->body(body).motion != MotionType::dynamic; });
     for (const int body : bodies) {
       is_forced_[index(body)] = true;
       std::copy_if(bodies.begin(), bodies.end(), std::back_inserter(joint_partners_[index(body)]),
                    [body](int other) { return other != body; });
-      if (has_springs(joint)) joint_springs_of_[index(body)].push_back(j);
+      if (has_springs(model_->joint(j))) joint_springs_of_[index(body)].push_back(j);
     }
   }
   for (std::vector<int>& partners : joint_partners_) sort_and_unite(partners);

@@ -10,6 +10,19 @@ std::optional<int> Model::find_body(const std::string& name) const {
   return found->second;
 }
 
+std::vector<int> Model::bodies_of_joint(int i) const {
+  const Joint& own = joint(i);
+  std::vector<int> bodies = {own.body_A, own.body_B};
+  if (own.type == JointType::gear) {
+    const Joint &first = joint(own.first_joint), &second = joint(own.second_joint);
+    bodies = {first.body_A, first.body_B, second.body_A, second.body_B};
+  }
+  std::erase(bodies, world_body);
+  std::sort(bodies.begin(), bodies.end());
+  bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+  return bodies;
+}
+
 PairCoefficients Model::coefficients(int material_a, int material_b) const {
   const auto override_of_pair = pair_overrides_.find(std::minmax(material_a, material_b));
   if (override_of_pair != pair_overrides_.end()) return override_of_pair->second;

@@ -28,6 +28,8 @@ class Model {
   const std::vector<Force>& forces() const { return forces_; }
   const std::vector<Joint>& joints() const { return joints_; }
   const Joint& joint(int i) const { return joints_[static_cast<std::size_t>(i)]; }
+  /// Bodies that the i-th joint holds, but the world; of a gear those of both its joints. Ascending.
+  std::vector<int> bodies_of_joint(int i) const;
 
   /// Index of the named body, or nothing.
   std::optional<int> find_body(const std::string& name) const;

@@ -5,6 +5,8 @@
 #include "rigor/contact/resting.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/sim/cluster.hpp"
+#include "rigor/sim/island.hpp"
+#include "rigor/sim/method.hpp"
 #include "rigor/sim/near_pairs.hpp"
 
 #include <algorithm>

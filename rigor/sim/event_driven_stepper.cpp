@@ -54,6 +54,7 @@ EventDrivenStepper::EventDrivenStepper(std::shared_ptr<const Model> model, const
       integrator_(*model_, environment_, method),
       stepping_(*model_, integrator_, method, target_step),
       resolver_(*model_, integrator_, method),
+      joints_(*model_, integrator_),
       trajectories_(*model_, toi_options(method)) {
   RIGOR_ASSERT(target_step > 0);
 }
@@ -255,8 +256,8 @@ void EventDrivenStepper::finish_island(int number, Cluster& cluster) {
   } else {
     step.end = running.island.start;
   }
-  resolver_.project_joints(t_, running.island.bodies, step.end, report_);
-  resolver_.restore_momenta(running.island, step);
+  joints_.project_positions(t_, running.island.bodies, step.end, report_);
+  joints_.restore_momenta(running.island, step);
   Vec3 P = Vec3::Zero(), L = Vec3::Zero();
   for (std::size_t i = 0; i < running.island.bodies.size(); ++i) {
     const int body = running.island.bodies[i];
@@ -322,7 +323,7 @@ void EventDrivenStepper::apply_forces(Cluster& cluster) {
     const bool is_at_velocity_level = stepping_.is_at_velocity_level(part.bodies) && !part.contacts.empty();
     // There the approach is what closes the gaps within a step.
     part.least_impact = (is_at_velocity_level ? 1 : 1e-3) * method_.resting_velocity;
-    resolver_.project_joint_velocities(part, report_);
+    joints_.project_velocities(part, report_);
     if (!resolver_.apply_impulses(part, report_)) {
       report_.reason = StopReason::impact_unsolved;
       report_.bodies = part.bodies;
@@ -467,7 +468,7 @@ void EventDrivenStepper::write_state_to_bodies(State& state) {
   Cluster ended;
   ended.t = t_;
   while (!islands_.empty()) finish_island(islands_.begin()->first, ended);
-  if (!ended.bodies.empty()) resolver_.project_joint_velocities(ended, report_);
+  if (!ended.bodies.empty()) joints_.project_velocities(ended, report_);
   for (std::size_t i = 0; i < ended.bodies.size(); ++i) {
     const BodyPhase& phase = ended.phases[i];
     trajectories_.set_motion(ended.bodies[i], Motion::at_rest(phase, t_), t_);

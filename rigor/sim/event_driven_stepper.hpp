@@ -2,8 +2,10 @@
 
 #include "rigor/model/state.hpp"
 #include "rigor/sim/cluster.hpp"
+#include "rigor/sim/contact_resolver.hpp"
 #include "rigor/sim/event_queue.hpp"
 #include "rigor/sim/island_stepping.hpp"
+#include "rigor/sim/joint_projection.hpp"
 #include "rigor/sim/trajectories.hpp"
 
 #include <functional>
@@ -70,6 +72,7 @@ class EventDrivenStepper {
   IslandIntegrator integrator_;
   IslandStepping stepping_;
   ContactResolver resolver_;
+  JointProjection joints_;
 
   // Scratch: rebuilt from the State whenever it is not the one left behind.
   double t_ = 0, t_end_ = 0;

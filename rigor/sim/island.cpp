@@ -111,14 +111,8 @@ std::vector<int> IslandIntegrator::joints_of(const std::vector<int>& bodies) con
 std::vector<int> IslandIntegrator::bodies_of_joints(const std::vector<int>& joints) const {
   std::vector<int> bodies;
   for (const int joint : joints) {
-    std::vector<int> sources{joint};
-    if (model_.joint(joint).type == JointType::gear)
-      sources = {model_.joint(joint).first_joint, model_.joint(joint).second_joint};
-    for (const int source : sources) {
-      for (const int body : {model_.joint(source).body_A, model_.joint(source).body_B}) {
-        if (body != world_body) bodies.push_back(body);
-      }
-    }
+    const std::vector<int> own = model_.bodies_of_joint(joint);
+    bodies.insert(bodies.end(), own.begin(), own.end());
   }
   std::sort(bodies.begin(), bodies.end());
   bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());

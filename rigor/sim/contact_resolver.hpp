@@ -1,0 +1,64 @@
+#pragma once
+
+#include "rigor/contact/impact.hpp"
+#include "rigor/contact/resting.hpp"
+#include "rigor/sim/advance_report.hpp"
+#include "rigor/sim/cluster.hpp"
+#include "rigor/sim/island.hpp"
+#include "rigor/sim/method.hpp"
+
+#include <vector>
+
+namespace rigor {
+
+/// What lasts after an event: contacts that hold, with what they do.
+struct LastingContacts {
+  std::vector<Contact> contacts;
+  std::vector<ContactState> states;
+  /// Whether forces were found that keep them. Where bodies jam there are none (Painlevé): sliding contacts
+  /// can need more force than any.
+  bool have_forces = true;
+};
+
+/// Decides what happens at an event: who collides, who rests, who parts.
+class ContactResolver {
+ public:
+  ContactResolver(const Model& model, const IslandIntegrator& integrator, const Method& method);
+
+  /// Stops of the joints of the cluster's bodies: limits that are reached, dry friction, motors.
+  std::vector<Contact> stops_of(const Cluster& cluster) const;
+  /// Puts bodies that overlap noticeably back to touching, by the smallest displacement in the metric of the
+  /// mass matrix; the momenta stay. Returns whether anything moved: then the contacts must be found anew.
+  bool project_positions(Cluster& cluster) const;
+  /// Impulses until no contact approaches; false if some still do. Changes the momenta of the cluster's
+  /// bodies.
+  bool apply_impulses(Cluster& cluster, AdvanceReport& report) const;
+  /// Which contacts last: those that do not part and carry a force. The momenta are projected on what they
+  /// allow.
+  LastingContacts update_active(Cluster& cluster, AdvanceReport& report) const;
+  /// Whether bodies with these lasting contacts stand still and stay so: all forces balance.
+  bool is_balanced(const Cluster& cluster, const LastingContacts& lasting) const;
+
+  /// The contacts of the cluster with all bodies that they touch.
+  ContactSystem system_of(const Cluster& cluster, const std::vector<Contact>& contacts) const;
+
+ private:
+  /// Ends an approach slower than any impact (what the error of a step leaves at a lasting contact): the
+  /// nearest velocities in the metric of the mass matrix at which nothing approaches.
+  void settle(const ContactSystem& system, const VecX& u, Cluster& cluster, AdvanceReport& report) const;
+  std::vector<double> restitutions(const Cluster& cluster, const ContactSystem& system,
+                                   AdvanceReport& report) const;
+  /// moments: angular impulses in the contact frames, 3n, or none.
+  void add_impulses(const ContactSystem& system, const VecX& lambda, const VecX& moments, Cluster& cluster,
+                    AdvanceReport& report) const;
+
+  const Model& model_;
+  const IslandIntegrator& integrator_;
+  RestitutionLaw collision_law_;
+  SimultaneousLaw law_;
+  double resting_velocity_;
+  double contact_tolerance_;
+  RestingChoice resting_;
+};
+
+}  // namespace rigor
