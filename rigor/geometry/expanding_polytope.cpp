@@ -3,6 +3,7 @@
 #include "rigor/math/rotation.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 
@@ -13,17 +14,36 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
+/// A simplex is begun with if its volume is this part of the cube of its longest edge: flat ones make poor
+/// polytopes.
+constexpr double kLeastVolume = 1e-3;
+
+double volume_of(const std::array<DifferencePoint, 4>& p) {
+  return (p[1].w - p[0].w).cross(p[2].w - p[0].w).dot(p[3].w - p[0].w);
+}
+
+bool has_volume(const std::array<DifferencePoint, 4>& p, double rounding) {
+  double longest = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = 0; j < i; ++j) longest = std::max(longest, (p[i].w - p[j].w).squaredNorm());
+  }
+  return longest > rounding && std::abs(volume_of(p)) > kLeastVolume * longest * std::sqrt(longest);
+}
+
 }  // namespace
 
-ExpandingPolytope::ExpandingPolytope(const CorePair& pair, const Vec3& n) : pair_(pair) {
+ExpandingPolytope::ExpandingPolytope(const CorePair& pair, const Vec3& n,
+                                     std::span<const DifferencePoint> simplex)
+    : pair_(pair) {
   std::array<DifferencePoint, 4> corners;
-  if (find_tetrahedron(n, corners) < 4) return;
+  if (simplex.size() == 4) std::copy(simplex.begin(), simplex.end(), corners.begin());
+  const bool is_good = simplex.size() == 4 && has_volume(corners, 1e6 * pair.rounding);
+  if (!is_good && find_tetrahedron(n, corners) < 4) return;
   points_.reserve(64);
   facets_.reserve(128);
   queue_.reserve(128);
   points_.assign(corners.begin(), corners.end());
-  const Vec3 area = (corners[1].w - corners[0].w).cross(corners[2].w - corners[0].w);
-  if (area.dot(corners[3].w - corners[0].w) > 0) std::swap(points_[1], points_[2]);
+  if (volume_of(corners) > 0) std::swap(points_[1], points_[2]);
   add_facet(0, 1, 2);
   add_facet(0, 3, 1);
   add_facet(1, 3, 2);
@@ -89,17 +109,22 @@ int ExpandingPolytope::add_facet(int i, int j, int k) {
   }
   const int index = static_cast<int>(facets_.size());
   facets_.push_back(facet);
-  queue_.emplace_back(facet.height, index);
-  std::push_heap(queue_.begin(), queue_.end(), std::greater<>{});
+  if (facet.height < limit_) {
+    queue_.emplace_back(facet.height, index);
+    std::push_heap(queue_.begin(), queue_.end(), std::greater<>{});
+  }
   return index;
 }
 
-int ExpandingPolytope::lowest_facet() {
-  while (facet(queue_.front().second).is_removed) {
-    std::pop_heap(queue_.begin(), queue_.end(), std::greater<>{});
-    queue_.pop_back();
-  }
+std::optional<int> ExpandingPolytope::lowest_facet() {
+  while (!queue_.empty() && facet(queue_.front().second).is_removed) set_aside_lowest();
+  if (queue_.empty() || queue_.front().first >= limit_) return std::nullopt;
   return queue_.front().second;
+}
+
+void ExpandingPolytope::set_aside_lowest() {
+  std::pop_heap(queue_.begin(), queue_.end(), std::greater<>{});
+  queue_.pop_back();
 }
 
 std::array<DifferencePoint, 3> ExpandingPolytope::corners(int i) const {

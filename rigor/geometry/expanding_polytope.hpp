@@ -3,7 +3,11 @@
 #include "rigor/geometry/minkowski.hpp"
 
 #include <array>
+#include <cstddef>
+#include <limits>
+#include <memory_resource>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -21,15 +25,22 @@ class ExpandingPolytope {
     bool is_removed = false;
   };
 
-  /// A tetrahedron of points far from each other, the first one lowest along n. If the difference is flat
-  /// there is none, and flat_normal() tells in which direction it has no thickness.
-  ExpandingPolytope(const CorePair& pair, const Vec3& n);
+  /// Begins with the simplex that a search has found, if it has four points and some volume; else with a
+  /// tetrahedron of points far from each other, the first one lowest along n. If the difference is flat there
+  /// is none, and flat_normal() tells in which direction it has no thickness.
+  ExpandingPolytope(const CorePair& pair, const Vec3& n, std::span<const DifferencePoint> simplex = {});
+  ExpandingPolytope(const ExpandingPolytope&) = delete;
+  ExpandingPolytope& operator=(const ExpandingPolytope&) = delete;
 
   bool is_flat() const { return facets_.empty(); }
   const Vec3& flat_normal() const { return flat_normal_; }
 
-  /// Index of the facet with the smallest height.
-  int lowest_facet();
+  /// Index of the facet with the smallest height of those in question; nothing if there is none.
+  std::optional<int> lowest_facet();
+  /// The lowest facet is in question no longer, though it stays.
+  void set_aside_lowest();
+  /// Facets to come are in question below this height only [m].
+  void set_limit(double height) { limit_ = height; }
   const Facet& facet(int i) const { return facets_[static_cast<std::size_t>(i)]; }
   const DifferencePoint& point(int i) const { return points_[static_cast<std::size_t>(i)]; }
   std::array<DifferencePoint, 3> corners(int facet) const;
@@ -52,13 +63,17 @@ class ExpandingPolytope {
   bool close(int apex);
 
   const CorePair& pair_;
+  double limit_ = std::numeric_limits<double>::infinity();
+  alignas(std::max_align_t) std::array<std::byte, 24576> buffer_;  ///< Room for all but the hardest pairs.
+  std::pmr::monotonic_buffer_resource memory_{buffer_.data(), buffer_.size()};
   Vec3 flat_normal_ = Vec3::UnitX();
-  std::vector<DifferencePoint> points_;
-  std::vector<Facet> facets_;
-  std::vector<std::pair<double, int>> queue_;  ///< Heap of heights and facets, smallest first.
-  std::vector<Side> horizon_;
-  std::vector<int> stack_;
-  std::vector<int> facet_from_;  ///< By point: the new facet whose side on the horizon begins there, or -1.
+  std::pmr::vector<DifferencePoint> points_{&memory_};
+  std::pmr::vector<Facet> facets_{&memory_};
+  std::pmr::vector<std::pair<double, int>> queue_{&memory_};  ///< Heap of heights and facets, smallest first.
+  std::pmr::vector<Side> horizon_{&memory_};
+  std::pmr::vector<int> stack_{&memory_};
+  std::pmr::vector<int> facet_from_{
+      &memory_};  ///< By point: the new facet whose side on the horizon begins there, or -1.
 };
 
 }  // namespace rigor
