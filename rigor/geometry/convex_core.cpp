@@ -164,9 +164,13 @@ Mat3 piece_curvature(const ConvexCore& core, int piece, const Vec3& d) {
 namespace {
 
 Vec3 nearest_hull_face_normal(const ConvexHull& hull, const Vec3& d) {
+  const SupportTable& table = hull.support_table;
+  const std::size_t vertex = static_cast<std::size_t>(farthest_vertex(table, d, 0));
   Vec3 best = Vec3::Zero();
   double best_cosine = 0;
-  for (const Vec3& normal : hull.face_normals) {
+  for (int k = table.first_face[vertex]; k < table.first_face[vertex + 1]; ++k) {
+    const Vec3& normal =
+        hull.face_normals[static_cast<std::size_t>(table.faces[static_cast<std::size_t>(k)])];
     const double cosine = normal.dot(d);
     if (cosine > best_cosine) {
       best_cosine = cosine;

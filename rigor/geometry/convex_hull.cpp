@@ -204,7 +204,7 @@ bool complete(ConvexHull& hull) {
     hull.vertex_neighbours[index(edge.from)].push_back(edge.to);
     if (edge.from < edge.to) hull.edges.push_back({edge.from, edge.to, edge.face, reverse->face});
   }
-  hull.support_table = make_support_table(hull.vertices, hull.vertex_neighbours);
+  hull.support_table = make_support_table(hull);
   // Euler: V - E + F = 2.
   return hull.vertices.size() + hull.faces.size() == hull.edges.size() + 2;
 }

@@ -8,7 +8,6 @@
 #include <memory_resource>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace rigor {
@@ -35,12 +34,10 @@ class ExpandingPolytope {
   bool is_flat() const { return facets_.empty(); }
   const Vec3& flat_normal() const { return flat_normal_; }
 
-  /// Index of the facet with the smallest height of those in question; nothing if there is none.
-  std::optional<int> lowest_facet();
-  /// The lowest facet is in question no longer, though it stays.
-  void set_aside_lowest();
-  /// Facets to come are in question below this height only [m].
-  void set_limit(double height) { limit_ = height; }
+  /// Index of the facet with the smallest height of those below the limit [m] and not set aside; nothing if
+  /// there is none.
+  std::optional<int> lowest_facet(double limit = std::numeric_limits<double>::infinity()) const;
+  void set_aside(int facet) { open_heights_[static_cast<std::size_t>(facet)] = kClosed; }
   const Facet& facet(int i) const { return facets_[static_cast<std::size_t>(i)]; }
   const DifferencePoint& point(int i) const { return points_[static_cast<std::size_t>(i)]; }
   std::array<DifferencePoint, 3> corners(int facet) const;
@@ -50,6 +47,7 @@ class ExpandingPolytope {
   bool expand(int facet, const DifferencePoint& p);
 
  private:
+  static constexpr double kClosed = std::numeric_limits<double>::infinity();
   struct Side {
     int from, to;  ///< Points.
     int facet;     ///< The facet that stays, on the other side.
@@ -59,17 +57,19 @@ class ExpandingPolytope {
   bool find_corner(const Directions& directions, const Distance& distance, const DifferencePoint& first,
                    DifferencePoint& corner) const;
   int add_facet(int i, int j, int k);
+  void remove(int facet);
   void remove_seen_facets(int facet, const Vec3& w);
   bool close(int apex);
 
   const CorePair& pair_;
-  double limit_ = std::numeric_limits<double>::infinity();
   alignas(std::max_align_t) std::array<std::byte, 24576> buffer_;  ///< Room for all but the hardest pairs.
   std::pmr::monotonic_buffer_resource memory_{buffer_.data(), buffer_.size()};
   Vec3 flat_normal_ = Vec3::UnitX();
   std::pmr::vector<DifferencePoint> points_{&memory_};
   std::pmr::vector<Facet> facets_{&memory_};
-  std::pmr::vector<std::pair<double, int>> queue_{&memory_};  ///< Heap of heights and facets, smallest first.
+  std::pmr::vector<double> open_heights_{
+      &memory_};                          ///< By facet; kClosed for one that is removed or set aside.
+  std::pmr::vector<int> free_{&memory_};  ///< Removed facets, whose places are taken again.
   std::pmr::vector<Side> horizon_{&memory_};
   std::pmr::vector<int> stack_{&memory_};
   std::pmr::vector<int> facet_from_{

@@ -45,6 +45,7 @@ class Search {
       try_direction(-polytope.flat_normal());
       finish();
     } else {
+      if (!is_polytope_) polish_first();
       expand(polytope);
     }
     return result_;
@@ -65,7 +66,6 @@ class Search {
     double relative_tolerance = is_polytope_ ? 0 : kCurvedTolerance;
     const int limit = is_polytope_ ? kMaxExpansions : kMaxCurvedExpansions;
     for (int i = 0; i < limit; ++i) {
-      polytope.set_limit(-result_.best.value);
       const std::optional<int> lowest = lowest_open_facet(polytope);
       if (!lowest) {
         result_.upper = std::min(result_.upper, result_.best.value);
@@ -98,9 +98,9 @@ class Search {
   /// The lowest facet that is not seen from the origin within a cap where the maximum is known.
   std::optional<int> lowest_open_facet(ExpandingPolytope& polytope) const {
     for (;;) {
-      const std::optional<int> lowest = polytope.lowest_facet();
+      const std::optional<int> lowest = polytope.lowest_facet(-result_.best.value);
       if (!lowest || !is_in_a_cap(polytope, *lowest)) return lowest;
-      polytope.set_aside_lowest();
+      polytope.set_aside(*lowest);
     }
   }
 
@@ -157,7 +157,18 @@ class Search {
       weights[static_cast<std::size_t>(nearest.index[static_cast<std::size_t>(k)])] =
           nearest.weight[static_cast<std::size_t>(k)];
     }
-    const std::optional<Separation> polished = polish_separation(pair_, n, {corners, weights});
+    take_polished(polish_separation(pair_, n, {corners, weights}));
+  }
+
+  /// From the direction that the search for the nearest points ended with: the sooner a maximum is known, the
+  /// fewer facets are in question.
+  void polish_first() {
+    const std::array<DifferencePoint, 1> lowest{pair_.lowest(result_.best.n)};
+    const std::array<double, 1> weights{1};
+    take_polished(polish_separation(pair_, result_.best.n, {lowest, weights}));
+  }
+
+  void take_polished(const std::optional<Separation>& polished) {
     if (!polished) return;
     if (is_exact(*polished)) maxima_.push_back({polished->n, cap_cosine(pair_, *polished)});
     if (polished->value >= result_.best.value) result_.best = *polished;

@@ -1,5 +1,7 @@
 #include "rigor/geometry/support_table.hpp"
 
+#include "rigor/geometry/convex_hull.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -73,11 +75,21 @@ int walk(const SupportTable& table, const Vec3& d, int start) {
   return best;
 }
 
+/// List i goes to row[first[i]] to row[first[i + 1] - 1].
+void put_in_a_row(const std::vector<std::vector<int>>& lists, std::vector<int>& first,
+                  std::vector<int>& row) {
+  for (const std::vector<int>& list : lists) {
+    first.push_back(static_cast<int>(row.size()));
+    row.insert(row.end(), list.begin(), list.end());
+  }
+  first.push_back(static_cast<int>(row.size()));
+}
+
 }  // namespace
 
-SupportTable make_support_table(const std::vector<Vec3>& vertices,
-                                const std::vector<std::vector<int>>& vertex_neighbours) {
+SupportTable make_support_table(const ConvexHull& hull) {
   SupportTable table;
+  const std::vector<Vec3>& vertices = hull.vertices;
   table.count = static_cast<int>(vertices.size());
   for (const Vec3& p : vertices) table.extent = std::max(table.extent, p.norm());
   const std::size_t padded = (vertices.size() + 3) / 4 * 4;
@@ -87,11 +99,12 @@ SupportTable make_support_table(const std::vector<Vec3>& vertices,
     table.y.push_back(p.y());
     table.z.push_back(p.z());
   }
-  for (const std::vector<int>& neighbours : vertex_neighbours) {
-    table.first.push_back(static_cast<int>(table.neighbours.size()));
-    table.neighbours.insert(table.neighbours.end(), neighbours.begin(), neighbours.end());
+  put_in_a_row(hull.vertex_neighbours, table.first, table.neighbours);
+  std::vector<std::vector<int>> vertex_faces(vertices.size());
+  for (std::size_t f = 0; f < hull.faces.size(); ++f) {
+    for (const int v : hull.faces[f]) vertex_faces[at(v)].push_back(static_cast<int>(f));
   }
-  table.first.push_back(static_cast<int>(table.neighbours.size()));
+  put_in_a_row(vertex_faces, table.first_face, table.faces);
   if (table.count <= kLargestScan) return table;
 
   int start = 0;

@@ -7,6 +7,8 @@
 
 namespace rigor {
 
+struct ConvexHull;
+
 /// What makes the search for the farthest vertex of a convex polyhedron fast: the coordinates one by one, the
 /// neighbours in one row, and a vertex to start from for each patch of directions.
 struct SupportTable {
@@ -18,12 +20,13 @@ struct SupportTable {
   double extent = 0;            ///< No vertex is farther from the origin [m].
   std::vector<int> first;  ///< The neighbours of vertex i are neighbours[first[i]] to [first[i + 1] - 1].
   std::vector<int> neighbours;
+  std::vector<int> first_face;  ///< Likewise for the faces that meet at vertex i.
+  std::vector<int> faces;
   std::vector<int> starts;  ///< By patch; empty if the polyhedron is small.
 };
 
-/// The neighbours of each vertex are those that share an edge with it.
-SupportTable make_support_table(const std::vector<Vec3>& vertices,
-                                const std::vector<std::vector<int>>& vertex_neighbours);
+/// From the hull's vertices, faces and neighbours.
+SupportTable make_support_table(const ConvexHull& hull);
 
 /// Index of the vertex farthest along d (any length > 0). Small polyhedra are searched by a scan (the lowest
 /// index of equals), others by a walk from neighbour to neighbour that begins at the patch's vertex or at
