@@ -162,6 +162,20 @@ void print_truth(const std::vector<Truth>& truth) {
   fmt::print("largest gap of the certified reference: {}\n", brief(static_cast<double>(gap)));
 }
 
+/// How wide the bounds are that the first engine returns, and how many do not hold the truth.
+void print_bounds(const std::vector<Truth>& truth, const Column& column) {
+  std::vector<double> widths;
+  int broken = 0;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    const EngineAnswer::Bounds bounds = column.answers[i].value().bounds.value();
+    widths.push_back(bounds.upper - bounds.lower);
+    broken += bounds.lower > truth[i].distance.upper || bounds.upper < truth[i].distance.lower;
+  }
+  fmt::print("rigor's bounds: {} of {} do not hold the truth; width median {}, p99 {}, largest {}\n", broken,
+             widths.size(), brief(percentile(widths, 0.5)), brief(percentile(widths, 0.99)),
+             brief(percentile(widths, 1)));
+}
+
 /// Median times of the pairs of kinds, one table an engine, a row a pair.
 void print_pairs(const std::vector<std::vector<ConvexQuery>>& queries,
                  const std::vector<std::vector<Column>>& columns, const std::vector<ConvexEngine>& engines) {
@@ -220,6 +234,7 @@ void run_bench(const Plan& plan) {
     fmt::print("\n{}: {} queries\n", kRegimeNames[r], some.size());
     print_accuracy(shapes, some, truth, engines, by_engine);
     print_truth(truth);
+    print_bounds(truth, by_engine[0]);
   }
   print_pairs(queries, columns, engines);
 }
@@ -230,7 +245,7 @@ ConvexEngine rigor_engine(const std::vector<Shape>& shapes) {
   return {"rigor", true, [shapes](const ConvexQuery& q) -> std::optional<EngineAnswer> {
             const DistanceResult r = signed_distance(shapes[static_cast<std::size_t>(q.a)], q.X_WA,
                                                      shapes[static_cast<std::size_t>(q.b)], q.X_WB);
-            return EngineAnswer{r.distance, r.n_W};
+            return EngineAnswer{r.distance, r.n_W, EngineAnswer::Bounds{r.lower, r.upper}};
           }};
 }
 

@@ -55,10 +55,15 @@ ReferenceDistance reference_distance(const Shape& a, const Pose& X_WA, const Sha
 long double reference_separation(const Vec3& n, const Shape& a, const Pose& X_WA, const Shape& b,
                                  const Pose& X_WB);
 
-/// What an engine says of a pair; no normal where it gives none.
+/// What an engine says of a pair; no normal and no bounds where it gives none.
 struct EngineAnswer {
+  struct Bounds {
+    double lower;
+    double upper;
+  };
   double distance;
   std::optional<Vec3> n_W;  ///< From A to B.
+  std::optional<Bounds> bounds = std::nullopt;
 };
 
 /// An engine with its own copies of the shapes.

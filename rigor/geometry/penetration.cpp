@@ -110,12 +110,16 @@ class Search {
     });
   }
 
-  bool is_in_a_cap(const ExpandingPolytope& polytope, int facet) const {
+  /// The cones of the facets cover all directions once the origin is inside, where all heights are positive.
+  bool is_in_a_cap(const ExpandingPolytope& polytope, int i) const {
+    const ExpandingPolytope::Facet& facet = polytope.facet(i);
     return std::any_of(maxima_.begin(), maxima_.end(), [&](const Maximum& maximum) {
-      return std::all_of(polytope.facet(facet).v.begin(), polytope.facet(facet).v.end(), [&](int v) {
-        const Vec3& w = polytope.point(v).w;
-        return maximum.cosine < 1 && -maximum.n.dot(w) >= maximum.cosine * w.norm();
-      });
+      if (maximum.cosine == -1) return true;
+      return maximum.cosine < 1 && facet.height > 0 &&
+             std::all_of(facet.v.begin(), facet.v.end(), [&](int v) {
+               const Vec3& w = polytope.point(v).w;
+               return -maximum.n.dot(w) >= maximum.cosine * w.norm();
+             });
     });
   }
 
