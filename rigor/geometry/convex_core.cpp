@@ -9,9 +9,6 @@
 namespace rigor {
 namespace {
 
-/// Hulls with more vertices are searched by walking along edges; below, a scan of all vertices is faster.
-constexpr std::size_t kLargestScan = 24;
-
 struct MakeCore {
   ConvexCore operator()(const Sphere& s) const {
     return {.kind = ConvexCore::Kind::point, .radius = s.radius};
@@ -38,9 +35,10 @@ struct MakeCore {
     return {.kind = ConvexCore::Kind::ellipsoid, .size = s.radii, .extent = s.radii.maxCoeff()};
   }
   ConvexCore operator()(const Convex& s) const {
-    ConvexCore core = make_points_core(s.hull->vertices);
-    core.hull = s.hull.get();
-    return core;
+    return {.kind = ConvexCore::Kind::points,
+            .points = s.hull->vertices,
+            .hull = s.hull.get(),
+            .extent = s.hull->support_table.extent};
   }
   ConvexCore operator()(const HalfSpace&) const { return {}; }
   ConvexCore operator()(const Mesh&) const { return {}; }
@@ -54,24 +52,6 @@ int farthest_by_scan(std::span<const Vec3> points, const Vec3& d) {
     if (height > best_height) {
       best_height = height;
       best = static_cast<int>(i);
-    }
-  }
-  return best;
-}
-
-/// Walks to the highest neighbour until none is higher: on a convex polyhedron that is the highest vertex.
-int farthest_by_walk(const ConvexHull& hull, const Vec3& d, int start) {
-  int best = start;
-  double best_height = d.dot(hull.vertices[static_cast<std::size_t>(best)]);
-  for (bool climbing = true; climbing;) {
-    climbing = false;
-    for (const int i : hull.vertex_neighbours[static_cast<std::size_t>(best)]) {
-      const double height = d.dot(hull.vertices[static_cast<std::size_t>(i)]);
-      if (height > best_height) {
-        best_height = height;
-        best = i;
-        climbing = true;
-      }
     }
   }
   return best;
@@ -123,8 +103,8 @@ CorePoint core_support(const ConvexCore& core, const Vec3& d, int start) {
       piece = (d.x() >= 0 ? 1 : 0) | (d.y() >= 0 ? 2 : 0) | (d.z() >= 0 ? 4 : 0);
       return {box_corner(core.size, piece), piece};
     case ConvexCore::Kind::points:
-      piece = core.hull && core.points.size() > kLargestScan ? farthest_by_walk(*core.hull, d, start)
-                                                             : farthest_by_scan(core.points, d);
+      piece =
+          core.hull ? farthest_vertex(core.hull->support_table, d, start) : farthest_by_scan(core.points, d);
       return {core.points[static_cast<std::size_t>(piece)], piece};
     case ConvexCore::Kind::point:
     case ConvexCore::Kind::ellipsoid:
@@ -184,9 +164,13 @@ Mat3 piece_curvature(const ConvexCore& core, int piece, const Vec3& d) {
 namespace {
 
 Vec3 nearest_hull_face_normal(const ConvexHull& hull, const Vec3& d) {
+  const SupportTable& table = hull.support_table;
+  const std::size_t vertex = static_cast<std::size_t>(farthest_vertex(table, d, 0));
   Vec3 best = Vec3::Zero();
   double best_cosine = 0;
-  for (const Vec3& normal : hull.face_normals) {
+  for (int k = table.first_face[vertex]; k < table.first_face[vertex + 1]; ++k) {
+    const Vec3& normal =
+        hull.face_normals[static_cast<std::size_t>(table.faces[static_cast<std::size_t>(k)])];
     const double cosine = normal.dot(d);
     if (cosine > best_cosine) {
       best_cosine = cosine;

@@ -49,8 +49,8 @@ inline bool is_polytope(const ConvexCore& core) {
   return core.kind <= ConvexCore::Kind::box;
 }
 
-/// Outward unit normal of the flat face of the core that is best aligned with d; zero if there is no flat
-/// face.
+/// Outward unit normal of the flat face of the core that is best aligned with d, of a hull that at the vertex
+/// farthest along d; zero if there is no flat face.
 Vec3 nearest_face_normal(const ConvexCore& core, const Vec3& d);
 
 }  // namespace rigor

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace rigor {
 namespace {
@@ -77,7 +78,8 @@ CoreDistance touching_distance(const CorePair& pair, const GjkState& gjk, CoreDi
     found.best.value = -std::numeric_limits<double>::infinity();
     found.upper = pair.rounding;
   }
-  const Penetration penetration = find_penetration(pair, {found.best, found.upper});
+  const std::span<const DifferencePoint> simplex(gjk.points.data(), gjk.nearest.count == 4 ? 4 : 0);
+  const Penetration penetration = find_penetration(pair, {found.best, found.upper}, simplex);
   return {penetration.best, std::max(penetration.upper, penetration.best.value)};
 }
 

@@ -182,7 +182,7 @@ ConvexHull with_used_points(const std::vector<Vec3>& points, std::vector<std::ve
   return hull;
 }
 
-/// Fills normals, edges and neighbours from the faces. False if the faces do not close.
+/// Fills normals, edges, neighbours and the support table from the faces. False if the faces do not close.
 bool complete(ConvexHull& hull) {
   std::vector<DirectedEdge> edges;
   for (std::size_t f = 0; f < hull.faces.size(); ++f) {
@@ -204,6 +204,7 @@ bool complete(ConvexHull& hull) {
     hull.vertex_neighbours[index(edge.from)].push_back(edge.to);
     if (edge.from < edge.to) hull.edges.push_back({edge.from, edge.to, edge.face, reverse->face});
   }
+  hull.support_table = make_support_table(hull);
   // Euler: V - E + F = 2.
   return hull.vertices.size() + hull.faces.size() == hull.edges.size() + 2;
 }

@@ -3,7 +3,7 @@
 #include "rigor/math/rotation.hpp"
 
 #include <algorithm>
-#include <functional>
+#include <cmath>
 #include <limits>
 
 namespace rigor {
@@ -13,17 +13,36 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
+/// A simplex is begun with if its volume is this part of the cube of its longest edge: flat ones make poor
+/// polytopes.
+constexpr double kLeastVolume = 1e-3;
+
+double volume_of(const std::array<DifferencePoint, 4>& p) {
+  return (p[1].w - p[0].w).cross(p[2].w - p[0].w).dot(p[3].w - p[0].w);
+}
+
+bool has_volume(const std::array<DifferencePoint, 4>& p, double rounding) {
+  double longest = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = 0; j < i; ++j) longest = std::max(longest, (p[i].w - p[j].w).squaredNorm());
+  }
+  return longest > rounding && std::abs(volume_of(p)) > kLeastVolume * longest * std::sqrt(longest);
+}
+
 }  // namespace
 
-ExpandingPolytope::ExpandingPolytope(const CorePair& pair, const Vec3& n) : pair_(pair) {
+ExpandingPolytope::ExpandingPolytope(const CorePair& pair, const Vec3& n,
+                                     std::span<const DifferencePoint> simplex)
+    : pair_(pair) {
   std::array<DifferencePoint, 4> corners;
-  if (find_tetrahedron(n, corners) < 4) return;
+  if (simplex.size() == 4) std::copy(simplex.begin(), simplex.end(), corners.begin());
+  const bool is_good = simplex.size() == 4 && has_volume(corners, 1e6 * pair.rounding);
+  if (!is_good && find_tetrahedron(n, corners) < 4) return;
   points_.reserve(64);
   facets_.reserve(128);
-  queue_.reserve(128);
+  open_heights_.reserve(128);
   points_.assign(corners.begin(), corners.end());
-  const Vec3 area = (corners[1].w - corners[0].w).cross(corners[2].w - corners[0].w);
-  if (area.dot(corners[3].w - corners[0].w) > 0) std::swap(points_[1], points_[2]);
+  if (volume_of(corners) > 0) std::swap(points_[1], points_[2]);
   add_facet(0, 1, 2);
   add_facet(0, 3, 1);
   add_facet(1, 3, 2);
@@ -84,27 +103,41 @@ int ExpandingPolytope::add_facet(int i, int j, int k) {
   const double length = area.norm();
   Facet facet{{i, j, k}, {-1, -1, -1}, Vec3::Zero(), std::numeric_limits<double>::infinity()};
   if (length > 0) {
-    facet.m = area / length;
+    facet.m = 1 / length * area;
     facet.height = std::min({facet.m.dot(p), facet.m.dot(q), facet.m.dot(r)});
   }
-  const int index = static_cast<int>(facets_.size());
-  facets_.push_back(facet);
-  queue_.emplace_back(facet.height, index);
-  std::push_heap(queue_.begin(), queue_.end(), std::greater<>{});
+  if (free_.empty()) {
+    facets_.push_back(facet);
+    open_heights_.push_back(facet.height);
+    return static_cast<int>(facets_.size()) - 1;
+  }
+  const int index = free_.back();
+  free_.pop_back();
+  facets_[at(index)] = facet;
+  open_heights_[at(index)] = facet.height;
   return index;
 }
 
-int ExpandingPolytope::lowest_facet() {
-  while (facet(queue_.front().second).is_removed) {
-    std::pop_heap(queue_.begin(), queue_.end(), std::greater<>{});
-    queue_.pop_back();
+std::optional<int> ExpandingPolytope::lowest_facet(double limit) const {
+  int lowest = -1;
+  for (std::size_t i = 0; i < open_heights_.size(); ++i) {
+    if (!(open_heights_[i] < limit)) continue;
+    limit = open_heights_[i];
+    lowest = static_cast<int>(i);
   }
-  return queue_.front().second;
+  if (lowest < 0) return std::nullopt;
+  return lowest;
 }
 
 std::array<DifferencePoint, 3> ExpandingPolytope::corners(int i) const {
   const Facet& f = facet(i);
   return {point(f.v[0]), point(f.v[1]), point(f.v[2])};
+}
+
+void ExpandingPolytope::remove(int facet) {
+  facets_[at(facet)].is_removed = true;
+  open_heights_[at(facet)] = kClosed;
+  free_.push_back(facet);
 }
 
 /// Removes the facets that w sees, spreading from the given one, and collects the horizon around them. A
@@ -113,7 +146,7 @@ void ExpandingPolytope::remove_seen_facets(int first, const Vec3& w) {
   const double tolerance = 0.5 * pair_.rounding;
   horizon_.clear();
   stack_.assign(1, first);
-  facets_[at(first)].is_removed = true;
+  remove(first);
   while (!stack_.empty()) {
     const Facet seen = facet(stack_.back());
     stack_.pop_back();
@@ -121,7 +154,7 @@ void ExpandingPolytope::remove_seen_facets(int first, const Vec3& w) {
       Facet& next = facets_[at(seen.across[k])];
       if (next.is_removed) continue;
       if (next.m.dot(w) - next.height >= -tolerance) {
-        next.is_removed = true;
+        remove(seen.across[k]);
         stack_.push_back(seen.across[k]);
       } else {
         horizon_.push_back({seen.v[k], seen.v[(k + 1) % 3], seen.across[k]});

@@ -3,8 +3,11 @@
 #include "rigor/geometry/minkowski.hpp"
 
 #include <array>
+#include <cstddef>
+#include <limits>
+#include <memory_resource>
 #include <optional>
-#include <utility>
+#include <span>
 #include <vector>
 
 namespace rigor {
@@ -21,15 +24,20 @@ class ExpandingPolytope {
     bool is_removed = false;
   };
 
-  /// A tetrahedron of points far from each other, the first one lowest along n. If the difference is flat
-  /// there is none, and flat_normal() tells in which direction it has no thickness.
-  ExpandingPolytope(const CorePair& pair, const Vec3& n);
+  /// Begins with the simplex that a search has found, if it has four points and some volume; else with a
+  /// tetrahedron of points far from each other, the first one lowest along n. If the difference is flat there
+  /// is none, and flat_normal() tells in which direction it has no thickness.
+  ExpandingPolytope(const CorePair& pair, const Vec3& n, std::span<const DifferencePoint> simplex = {});
+  ExpandingPolytope(const ExpandingPolytope&) = delete;
+  ExpandingPolytope& operator=(const ExpandingPolytope&) = delete;
 
   bool is_flat() const { return facets_.empty(); }
   const Vec3& flat_normal() const { return flat_normal_; }
 
-  /// Index of the facet with the smallest height.
-  int lowest_facet();
+  /// Index of the facet with the smallest height of those below the limit [m] and not set aside; nothing if
+  /// there is none.
+  std::optional<int> lowest_facet(double limit = std::numeric_limits<double>::infinity()) const;
+  void set_aside(int facet) { open_heights_[static_cast<std::size_t>(facet)] = kClosed; }
   const Facet& facet(int i) const { return facets_[static_cast<std::size_t>(i)]; }
   const DifferencePoint& point(int i) const { return points_[static_cast<std::size_t>(i)]; }
   std::array<DifferencePoint, 3> corners(int facet) const;
@@ -39,6 +47,7 @@ class ExpandingPolytope {
   bool expand(int facet, const DifferencePoint& p);
 
  private:
+  static constexpr double kClosed = std::numeric_limits<double>::infinity();
   struct Side {
     int from, to;  ///< Points.
     int facet;     ///< The facet that stays, on the other side.
@@ -48,17 +57,23 @@ class ExpandingPolytope {
   bool find_corner(const Directions& directions, const Distance& distance, const DifferencePoint& first,
                    DifferencePoint& corner) const;
   int add_facet(int i, int j, int k);
+  void remove(int facet);
   void remove_seen_facets(int facet, const Vec3& w);
   bool close(int apex);
 
   const CorePair& pair_;
+  alignas(std::max_align_t) std::array<std::byte, 24576> buffer_;  ///< Room for all but the hardest pairs.
+  std::pmr::monotonic_buffer_resource memory_{buffer_.data(), buffer_.size()};
   Vec3 flat_normal_ = Vec3::UnitX();
-  std::vector<DifferencePoint> points_;
-  std::vector<Facet> facets_;
-  std::vector<std::pair<double, int>> queue_;  ///< Heap of heights and facets, smallest first.
-  std::vector<Side> horizon_;
-  std::vector<int> stack_;
-  std::vector<int> facet_from_;  ///< By point: the new facet whose side on the horizon begins there, or -1.
+  std::pmr::vector<DifferencePoint> points_{&memory_};
+  std::pmr::vector<Facet> facets_{&memory_};
+  std::pmr::vector<double> open_heights_{
+      &memory_};                          ///< By facet; kClosed for one that is removed or set aside.
+  std::pmr::vector<int> free_{&memory_};  ///< Removed facets, whose places are taken again.
+  std::pmr::vector<Side> horizon_{&memory_};
+  std::pmr::vector<int> stack_{&memory_};
+  std::pmr::vector<int> facet_from_{
+      &memory_};  ///< By point: the new facet whose side on the horizon begins there, or -1.
 };
 
 }  // namespace rigor

@@ -2,6 +2,7 @@
 
 #include "rigor/geometry/expanding_polytope.hpp"
 #include "rigor/geometry/level_face.hpp"
+#include "rigor/geometry/maximum_cap.hpp"
 #include "rigor/geometry/simplex.hpp"
 
 #include <algorithm>
@@ -22,21 +23,29 @@ constexpr double kCurvedTolerance = 1e-6;
 constexpr double kTighter = 1e-2;
 /// Newton's method starts at a facet whose gap to the boundary is this small, relative to the same length.
 constexpr double kPolishGap = 1e-2;
-/// Directions closer than this (cosine) to one that was polished lead to the same maximum.
-constexpr double kSameMaximum = 0.999;
+/// Directions closer than this (cosine) to one that was polished are taken to lead to the same maximum, until
+/// a facet ends the search.
+constexpr double kSameMaximum = 0.95;
+
+/// A local maximum of s and the cap of directions about it in which there is no better one.
+struct Maximum {
+  Vec3 n;
+  double cosine;  ///< Of the cap's half angle; 1: no cap is known.
+};
 
 class Search {
  public:
   Search(const CorePair& pair, const Penetration& touching)
       : pair_(pair), result_(touching), is_polytope_(is_polytope(pair.a) && is_polytope(pair.b)) {}
 
-  Penetration run() {
-    ExpandingPolytope polytope(pair_, result_.best.n);
+  Penetration run(std::span<const DifferencePoint> simplex) {
+    ExpandingPolytope polytope(pair_, result_.best.n, simplex);
     if (polytope.is_flat()) {
       try_direction(polytope.flat_normal());
       try_direction(-polytope.flat_normal());
       finish();
     } else {
+      if (!is_polytope_) polish_first();
       expand(polytope);
     }
     return result_;
@@ -57,26 +66,61 @@ class Search {
     double relative_tolerance = is_polytope_ ? 0 : kCurvedTolerance;
     const int limit = is_polytope_ ? kMaxExpansions : kMaxCurvedExpansions;
     for (int i = 0; i < limit; ++i) {
-      const int lowest = polytope.lowest_facet();
-      const ExpandingPolytope::Facet facet = polytope.facet(lowest);
+      const std::optional<int> lowest = lowest_open_facet(polytope);
+      if (!lowest) {
+        result_.upper = std::min(result_.upper, result_.best.value);
+        finish();
+        return;
+      }
+      const ExpandingPolytope::Facet facet = polytope.facet(*lowest);
       if (facet.height >= 0) result_.upper = std::min(result_.upper, -facet.height);
       const double tolerance = std::max(relative_tolerance * resolution(), pair_.rounding);
       if (-facet.height - result_.best.value <= tolerance) {
-        if (finish(polytope, lowest) || tolerance == pair_.rounding) return;
+        if (finish(polytope, *lowest) || tolerance == pair_.rounding) return;
         relative_tolerance *= kTighter;
       }
 
       const DifferencePoint p = pair_.lowest(-facet.m, &polytope.point(facet.v[0]));
       const double separation = -facet.m.dot(p.w);
-      if (separation >= result_.best.value) take_facet(polytope, lowest, separation);
+      if (separation >= result_.best.value) take_facet(polytope, *lowest, separation);
       const double gap = -facet.height - separation;
-      if (!is_polytope_ && gap < kPolishGap * resolution()) polish(polytope, lowest);
-      if (gap <= pair_.rounding || !polytope.expand(lowest, p)) {
-        finish(polytope, lowest);
+      if (!is_polytope_ && gap < kPolishGap * resolution() && !is_near_a_maximum(-facet.m)) {
+        polish(polytope, *lowest);
+      }
+      if (gap <= pair_.rounding || !polytope.expand(*lowest, p)) {
+        finish(polytope, *lowest);
         return;
       }
     }
     finish();
+  }
+
+  /// The lowest facet that is not seen from the origin within a cap where the maximum is known.
+  std::optional<int> lowest_open_facet(ExpandingPolytope& polytope) const {
+    for (;;) {
+      const std::optional<int> lowest = polytope.lowest_facet(-result_.best.value);
+      if (!lowest || !is_in_a_cap(polytope, *lowest)) return lowest;
+      polytope.set_aside(*lowest);
+    }
+  }
+
+  bool is_near_a_maximum(const Vec3& n) const {
+    return std::any_of(maxima_.begin(), maxima_.end(), [&](const Maximum& maximum) {
+      return maximum.n.dot(n) > std::min(maximum.cosine, kSameMaximum);
+    });
+  }
+
+  /// The cones of the facets cover all directions once the origin is inside, where all heights are positive.
+  bool is_in_a_cap(const ExpandingPolytope& polytope, int i) const {
+    const ExpandingPolytope::Facet& facet = polytope.facet(i);
+    return std::any_of(maxima_.begin(), maxima_.end(), [&](const Maximum& maximum) {
+      if (maximum.cosine == -1) return true;
+      return maximum.cosine < 1 && facet.height > 0 &&
+             std::all_of(facet.v.begin(), facet.v.end(), [&](int v) {
+               const Vec3& w = polytope.point(v).w;
+               return -maximum.n.dot(w) >= maximum.cosine * w.norm();
+             });
+    });
   }
 
   /// Makes the best direction and its witnesses exact; false if they are not yet.
@@ -110,9 +154,6 @@ class Search {
 
   void polish(const ExpandingPolytope& polytope, int i) {
     const Vec3 n = -polytope.facet(i).m;
-    for (const Vec3& seen : polished_) {
-      if (seen.dot(n) > kSameMaximum) return;
-    }
     const std::array<DifferencePoint, 3> corners = polytope.corners(i);
     const SimplexPoint nearest = nearest_on_facet(corners);
     std::array<double, 3> weights{};
@@ -120,9 +161,20 @@ class Search {
       weights[static_cast<std::size_t>(nearest.index[static_cast<std::size_t>(k)])] =
           nearest.weight[static_cast<std::size_t>(k)];
     }
-    const std::optional<Separation> polished = polish_separation(pair_, n, {corners, weights});
+    take_polished(polish_separation(pair_, n, {corners, weights}));
+  }
+
+  /// From the direction that the search for the nearest points ended with: the sooner a maximum is known, the
+  /// fewer facets are in question.
+  void polish_first() {
+    const std::array<DifferencePoint, 1> lowest{pair_.lowest(result_.best.n)};
+    const std::array<double, 1> weights{1};
+    take_polished(polish_separation(pair_, result_.best.n, {lowest, weights}));
+  }
+
+  void take_polished(const std::optional<Separation>& polished) {
     if (!polished) return;
-    if (is_exact(*polished)) polished_.push_back(polished->n);
+    if (is_exact(*polished)) maxima_.push_back({polished->n, cap_cosine(pair_, *polished)});
     if (polished->value >= result_.best.value) result_.best = *polished;
   }
 
@@ -145,13 +197,14 @@ class Search {
   const CorePair& pair_;
   Penetration result_;
   bool is_polytope_;
-  std::vector<Vec3> polished_;
+  std::vector<Maximum> maxima_;
 };
 
 }  // namespace
 
-Penetration find_penetration(const CorePair& pair, const Penetration& touching) {
-  return Search(pair, touching).run();
+Penetration find_penetration(const CorePair& pair, const Penetration& touching,
+                             std::span<const DifferencePoint> simplex) {
+  return Search(pair, touching).run(simplex);
 }
 
 }  // namespace rigor

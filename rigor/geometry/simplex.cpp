@@ -1,6 +1,7 @@
 #include "rigor/geometry/simplex.hpp"
 
 #include "rigor/core/assert.hpp"
+#include "rigor/geometry/double_double.hpp"
 
 #include <cmath>
 #include <limits>
@@ -17,6 +18,47 @@ const Vec3& at(const std::array<Vec3, 4>& points, int i) {
 SimplexPoint vertex(const std::array<Vec3, 4>& points, int i) {
   const Vec3& p = at(points, i);
   return {p, p, p.squaredNorm(), 1, {i}, {1}};
+}
+
+/// The nearest point of a triangle's plane, height · n, and its barycentric weights.
+struct PlanePoint {
+  Vec3 n;
+  double height;
+  std::array<double, 3> weights;
+};
+
+/// Triangles whose area is a smaller part of their longest side's square are computed in pairs of doubles:
+/// the rounding of n is the inverse of that part, and the distance feels its square.
+constexpr double kThin = 1e-6;
+
+/// In pairs of doubles, with sides that are exact.
+PlanePoint nearest_on_thin_plane(const Vec3& p, const Vec3& q, const Vec3& r) {
+  const DoubleDoubleVec3 e = exact_difference(q, p);
+  const DoubleDoubleVec3 f = exact_difference(r, p);
+  const DoubleDoubleVec3 from_origin = exact_difference(p, Vec3::Zero());
+  const DoubleDoubleVec3 n = cross(e, f);
+  const DoubleDouble area = dot(n, n);
+  if (area.high == 0) return {Vec3::Zero(), 0, {-1, -1, -1}};
+  const DoubleDouble weight_j = dot(n, cross(f, from_origin)) / area;
+  const DoubleDouble weight_k = dot(n, cross(from_origin, e)) / area;
+  const DoubleDouble weight_i = DoubleDouble{1, 0} - weight_j - weight_k;
+  const DoubleDouble height = dot(n, from_origin) / area;
+  return {rounded(n), height.high, {weight_i.high, weight_j.high, weight_k.high}};
+}
+
+/// By signed areas of the triangles that the projected origin makes with the sides, over the whole. All
+/// weights are negative where the triangle is a line to rounding.
+PlanePoint nearest_on_plane(const Vec3& p, const Vec3& q, const Vec3& r) {
+  const Vec3 e = q - p;
+  const Vec3 f = r - p;
+  const Vec3 n = e.cross(f);
+  const double area = n.squaredNorm();
+  const double longest = std::max(e.squaredNorm(), f.squaredNorm());
+  if (area <= 64 * kEpsilon * kEpsilon * longest * longest) return {n, 0, {-1, -1, -1}};
+  if (area <= kThin * kThin * longest * longest) return nearest_on_thin_plane(p, q, r);
+  const double weight_j = n.dot(f.cross(p)) / area;
+  const double weight_k = n.dot(p.cross(e)) / area;
+  return {n, n.dot(p) / area, {1 - weight_j - weight_k, weight_j, weight_k}};
 }
 
 const SimplexPoint& nearer(const SimplexPoint& a, const SimplexPoint& b) {
@@ -43,27 +85,16 @@ SimplexPoint nearest_on_segment(const std::array<Vec3, 4>& points, int i, int j)
 }
 
 SimplexPoint nearest_on_triangle(const std::array<Vec3, 4>& points, int i, int j, int k) {
-  const Vec3& p = at(points, i);
-  const Vec3 e = at(points, j) - p;
-  const Vec3 f = at(points, k) - p;
-  const Vec3 n = e.cross(f);
-  const double area = n.squaredNorm();
-  const double longest = std::max(e.squaredNorm(), f.squaredNorm());
-  const bool is_sliver = area <= 64 * kEpsilon * kEpsilon * longest * longest;
-
-  // Signed areas of the triangles that the projected origin makes with the sides, over the whole.
-  double weight_j = -1;
-  double weight_k = -1;
-  double weight_i = -1;
-  if (!is_sliver) {
-    weight_j = n.dot(f.cross(p)) / area;
-    weight_k = n.dot(p.cross(e)) / area;
-    weight_i = 1 - weight_j - weight_k;
-    if (weight_i > 0 && weight_j > 0 && weight_k > 0) {
-      const double height = n.dot(p) / area;
-      const Vec3 direction = height < 0 ? Vec3(-n) : n;
-      return {height * n, direction, height * height * area, 3, {i, j, k}, {weight_i, weight_j, weight_k}};
-    }
+  const PlanePoint inside = nearest_on_plane(at(points, i), at(points, j), at(points, k));
+  const auto& [weight_i, weight_j, weight_k] = inside.weights;
+  if (weight_i > 0 && weight_j > 0 && weight_k > 0) {
+    const Vec3 direction = inside.height < 0 ? Vec3(-inside.n) : inside.n;
+    return {inside.height * inside.n,
+            direction,
+            inside.height * inside.height * inside.n.squaredNorm(),
+            3,
+            {i, j, k},
+            {weight_i, weight_j, weight_k}};
   }
   SimplexPoint best{.squared = std::numeric_limits<double>::infinity()};
   if (weight_k <= 0) best = nearer(best, nearest_on_segment(points, i, j));
@@ -79,11 +110,14 @@ SimplexPoint nearest_on_tetrahedron(const std::array<Vec3, 4>& points) {
   std::array<double, 4> weight{};
   for (const auto& [i, j, k, opposite] : kFaces) {
     const Vec3& p = at(points, i);
-    const Vec3 n = (at(points, j) - p).cross(at(points, k) - p);
+    const Vec3 e = at(points, j) - p;
+    const Vec3 f = at(points, k) - p;
+    const Vec3 n = e.cross(f);
     const double to_origin = -n.dot(p);
     const double volume = n.dot(at(points, opposite) - p);
     weight[static_cast<std::size_t>(opposite)] = to_origin / volume;
-    const double noise = 16 * kEpsilon * n.norm() * (p.norm() + (at(points, opposite) - p).norm());
+    const double size = p.norm() + (at(points, opposite) - p).norm();
+    const double noise = 16 * kEpsilon * std::sqrt(e.squaredNorm() * f.squaredNorm()) * size;
     const bool origin_is_inside = std::abs(volume) > noise && to_origin / volume > 0;
     if (!origin_is_inside) best = nearer(best, nearest_on_triangle(points, i, j, k));
   }

@@ -18,8 +18,9 @@ struct SimplexPoint {
 
 /// Nearest points of a segment, a triangle and a tetrahedron (given by the indices into `points`).
 ///
-/// By signed lengths, areas and volumes, not by Johnson's recursion, which loses digits. What has no length,
-/// area or volume to rounding is answered by its sides.
+/// By signed lengths, areas and volumes, not by Johnson's recursion, which loses digits. Thin triangles are
+/// computed in pairs of doubles; what has no length, area or volume to rounding is answered by its sides,
+/// which are as near to rounding.
 ///
 /// Source: Montanari, Petrinic and Barbieri, Improving the GJK Algorithm for Faster and More Reliable
 /// Distance Queries Between Convex Objects, ACM Trans. Graph. 36(3), 2017: the idea; there areas are

@@ -1,6 +1,7 @@
 #include "rigor/geometry/gjk.hpp"
 
 #include "geometry/random_pairs.hpp"
+#include "rigor/geometry/double_double.hpp"
 
 #include <gtest/gtest.h>
 
@@ -53,6 +54,43 @@ TEST(Simplex, WithoutAreaOrVolumeItsSidesAnswer) {
     expect_nearest(plane, 4, nearest_on_simplex(plane, 4), 1e-13);
     const std::array<Vec3, 4> twice{p, p + e, p + f, p + f};
     expect_nearest(twice, 4, nearest_on_simplex(twice, 4), 1e-13);
+  }
+}
+
+TEST(Simplex, ThinTrianglesAreAsExactAsOthers) {
+  // Nearest point h n in the plane at height h: all corners at this height but for their own rounding, which
+  // tilts the plane by its ratio to the thickness; the distance feels the square of that.
+  Draw draw(4);
+  for (int i = 0; i < 2000; ++i) {
+    const double thickness = std::pow(10, draw.uniform(-12, -7));
+    const Mat3 R = draw.rotation();
+    const double height = draw.uniform(0.5, 1);
+    const std::array<Vec3, 4> points{
+        R * Vec3(-1, -0.3 * thickness, height), R * Vec3(1, -0.3 * thickness, height),
+        R * Vec3(draw.uniform(-0.5, 0.5), 0.7 * thickness, height), Vec3::Zero()};
+    const SimplexPoint nearest = nearest_on_simplex(points, 3);
+    EXPECT_NEAR(nearest.v.norm(), height, 1e-15 + 1e-15 / thickness * 1e-15 / thickness);
+    // It is the point of those three corners that the weights say, and along the normal of their plane.
+    Vec3 sum = Vec3::Zero();
+    for (int k = 0; k < nearest.count; ++k) {
+      sum += nearest.weight[static_cast<std::size_t>(k)] *
+             points[static_cast<std::size_t>(nearest.index[static_cast<std::size_t>(k)])];
+    }
+    EXPECT_LT((sum - nearest.v).norm(), 1e-14);
+    const Vec3 n = nearest.direction.normalized();
+    EXPECT_LT(std::abs(n.dot(points[1] - points[0])), 1e-15);
+  }
+}
+
+TEST(DoubleDouble, KeepsThirtyDigits) {
+  Draw draw(5);
+  for (int i = 0; i < 1000; ++i) {
+    const DoubleDouble a{draw.uniform(1, 2), 0};
+    const DoubleDouble b{draw.uniform(1, 2), 0};
+    // (a / b) b - a and (a + b)(a - b) - (a² - b²) vanish.
+    EXPECT_LT(std::abs((a / b * b - a).high), 1e-30);
+    EXPECT_LT(std::abs(((a + b) * (a - b) - (a * a - b * b)).high), 1e-30);
+    EXPECT_EQ(((a + b) - a - b).high, 0);
   }
 }
 

@@ -242,9 +242,9 @@ TEST(ExpandingPolytope, GrowsTowardsTheBoundaryAndStaysClosed) {
   const CorePair pair(core, core, {});
   ExpandingPolytope polytope(pair, Vec3::UnitX());
   ASSERT_FALSE(polytope.is_flat());
-  double height = polytope.facet(polytope.lowest_facet()).height;
+  double height = polytope.facet(polytope.lowest_facet().value()).height;
   for (int i = 0; i < 100; ++i) {
-    const int lowest = polytope.lowest_facet();
+    const int lowest = polytope.lowest_facet().value();
     const ExpandingPolytope::Facet facet = polytope.facet(lowest);
     EXPECT_GE(facet.height, height - 1e-15);
     height = facet.height;
