@@ -319,6 +319,7 @@ Shape scaled_shape(const Shape& shape, double s) {
     Shape operator()(const Convex& x) const {
       ConvexHull hull = *x.hull;
       for (Vec3& v : hull.vertices) v *= s;
+      hull.extent *= s;
       return Convex{std::make_shared<const ConvexHull>(hull)};
     }
   };
