@@ -1,7 +1,7 @@
 #pragma once
 
 #include "rigor/geometry/distance.hpp"
-#include "rigor/geometry/polytope.hpp"
+#include "rigor/geometry/inner_polytope.hpp"
 
 namespace rigor {
 
@@ -9,10 +9,12 @@ namespace rigor {
 /// knows nothing. Nothing breaks if it comes from other poses: it only costs time. It must not be used for
 /// other shapes (a broken promise, seen only when an index is out of range).
 struct DistanceCache {
-  FeaturePair nearest;    ///< The features that carried the last answer.
-  bool is_known = false;  ///< Whether there was one.
-  int steps = 0;          ///< Pairs of features that the last query visited.
-  int fallbacks = 0;      ///< Queries so far that the walk left to GJK.
+  FeaturePair features;         ///< That carried the last answer.
+  bool is_known = false;        ///< Whether there was one.
+  bool is_overlapping = false;  ///< What it was.
+  CachedProof proof;            ///< Of the depth, if so.
+  int steps = 0;                ///< Pairs of features that the last query visited.
+  int fallbacks = 0;            ///< Queries so far that the walk left to GJK.
 };
 
 /// signed_distance by the feature walk: two boxes or convex polyhedra walk from the features in the cache to

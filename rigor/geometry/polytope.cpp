@@ -23,8 +23,8 @@ Polytope::Polytope(const Box& box)
   }
 }
 
-Polytope::Polytope(const Convex& convex)
-    : graph_(&convex.hull->features), vertices_(convex.hull->vertices.data()), extent_(convex.hull->extent) {}
+Polytope::Polytope(const ConvexHull& hull)
+    : graph_(&hull.features), vertices_(hull.vertices.data()), extent_(hull.extent) {}
 
 int Polytope::climb(const Vec3& d, int start, double& height) const {
   const FeatureGraph& graph = *graph_;

@@ -13,10 +13,12 @@ namespace rigor {
 class Polytope {
  public:
   explicit Polytope(const Box& box);
-  explicit Polytope(const Convex& convex);
+  explicit Polytope(const ConvexHull& hull);
   Polytope(const Polytope&) = delete;
   Polytope& operator=(const Polytope&) = delete;
 
+  /// A box has its corners in the order of the sign bits (x lowest), the last one at its half extents.
+  bool is_box() const { return vertices_ == corners_.data(); }
   const FeatureGraph& graph() const { return *graph_; }
   const Vec3& vertex(int v) const { return vertices_[v]; }
   /// No vertex is farther from the origin of the frame [m].
