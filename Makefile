@@ -52,6 +52,7 @@ bench:
 	@build/bench/benchmarks/rigor_resting_bench
 	@build/bench/benchmarks/rigor_chain_bench
 	@build/bench/benchmarks/rigor_convex_bench
+	@build/bench/benchmarks/rigor_coherent_bench
 
 clean:
 	rm -rf build

@@ -1,7 +1,7 @@
 #include "rigor/contact/time_of_impact.hpp"
 
 #include "rigor/contact/separation_bound.hpp"
-#include "rigor/geometry/distance.hpp"
+#include "rigor/geometry/distance_cache.hpp"
 #include "rigor/math/polynomial.hpp"
 #include "rigor/math/roots.hpp"
 
@@ -52,13 +52,16 @@ class ShapePairSearch {
   ToiOptions options_;
   double size_;
   int evaluations_ = 0;
+  DistanceCache cache_;  ///< Of this search alone: what is found depends on nothing before it.
 };
 
 Approach ShapePairSearch::approach(double t) {
   ++evaluations_;
   const Motion::Sample A = A_.motion->sample(t), B = B_.motion->sample(t);
-  const DistanceResult found =
-      signed_distance(A_.shape->shape, A.X_WB * A_.shape->X_BS, B_.shape->shape, B.X_WB * B_.shape->X_BS);
+  const Pose X_WS = A.X_WB * A_.shape->X_BS, X_WT = B.X_WB * B_.shape->X_BS;
+  const DistanceResult found = options_.distance == ToiDistance::lin_canny
+                                   ? walked_distance(A_.shape->shape, X_WS, B_.shape->shape, X_WT, cache_)
+                                   : signed_distance(A_.shape->shape, X_WS, B_.shape->shape, X_WT);
   const Vec3 p_W = 0.5 * (found.p_WA + found.p_WB);
   return {found.distance, found.n_W.dot(B.velocity_at(p_W) - A.velocity_at(p_W)), found.n_W};
 }

@@ -11,9 +11,16 @@ enum class ToiRefinement {
   bisection,     ///< Halving.
 };
 
-/// Tolerances of the search; all scale with the scene's units.
+/// How the distance of two shapes is computed.
+enum class ToiDistance {
+  gjk,       ///< signed_distance.
+  lin_canny  ///< walked_distance, each query of one search from where the last one ended.
+};
+
+/// Choices and tolerances of the search; the tolerances scale with the scene's units.
 struct ToiOptions {
   ToiRefinement refinement = ToiRefinement::conservative;
+  ToiDistance distance = ToiDistance::gjk;
   double contact_tolerance = 1e-6;  ///< Overlap that is never exceeded [m].
   double time_tolerance = 1e-12;    ///< Width of the bracket [s].
   double rest_velocity = 1e-12;     ///< Gap rates above minus this are not an approach [m/s].

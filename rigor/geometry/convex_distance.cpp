@@ -4,6 +4,7 @@
 #include "rigor/geometry/level_face.hpp"
 #include "rigor/geometry/penetration.hpp"
 #include "rigor/geometry/point_separation.hpp"
+#include "rigor/geometry/polytope_penetration.hpp"
 #include "rigor/geometry/separation.hpp"
 
 #include <algorithm>
@@ -73,6 +74,8 @@ constexpr double kGapFactor = 1e-2;
 
 /// Overlapping, touching, or so near that the nearest points give no sure direction.
 CoreDistance touching_distance(const CorePair& pair, const GjkState& gjk, CoreDistance found) {
+  if (const std::optional<Penetration> exact = find_polytope_penetration(pair, gjk.n))
+    return {exact->best, std::max(exact->upper, exact->best.value)};
   if (gjk.nearest.count == 4) {
     // The origin is inside: the points found are no witnesses.
     found.best.value = -std::numeric_limits<double>::infinity();

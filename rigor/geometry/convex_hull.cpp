@@ -209,6 +209,12 @@ bool complete(ConvexHull& hull) {
   return hull.vertices.size() + hull.faces.size() == hull.edges.size() + 2;
 }
 
+/// Fills what is made from the rest.
+void add_features(ConvexHull& hull) {
+  hull.features = make_feature_graph(hull.vertices, hull.faces, hull.face_normals);
+  for (const Vec3& v : hull.vertices) hull.extent = std::max(hull.extent, v.norm());
+}
+
 /// Why the points have no hull, before qhull sees them.
 std::string obvious_reason(const std::vector<Vec3>& points) {
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -241,7 +247,10 @@ std::variant<ConvexHull, std::string> make_convex_hull(const std::vector<Vec3>& 
   std::optional<std::vector<std::vector<int>>> faces = run.faces(points);
   if (faces) {
     ConvexHull hull = with_used_points(points, std::move(*faces));
-    if (complete(hull)) return hull;
+    if (complete(hull)) {
+      add_features(hull);
+      return hull;
+    }
   }
   return "no convex hull: its faces do not close, the points are too close to each other or to a plane";
 }
@@ -257,6 +266,7 @@ ConvexHull make_box_hull(const Vec3& half_extents) {
   // The normals are known without rounding.
   hull.face_normals = {-Vec3::UnitY(), -Vec3::UnitZ(), -Vec3::UnitX(),
                        Vec3::UnitX(),  Vec3::UnitY(),  Vec3::UnitZ()};
+  add_features(hull);
   return hull;
 }
 

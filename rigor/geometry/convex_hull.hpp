@@ -1,5 +1,6 @@
 #pragma once
 
+#include "rigor/geometry/feature_graph.hpp"
 #include "rigor/geometry/support_table.hpp"
 #include "rigor/math/types.hpp"
 
@@ -23,6 +24,8 @@ struct ConvexHull {
   std::vector<Edge> edges;                          ///< Each undirected edge once.
   std::vector<std::vector<int>> vertex_neighbours;  ///< For each vertex the vertices it shares an edge with.
   SupportTable support_table;                       ///< Of the vertices: made anew when they change.
+  FeatureGraph features;  ///< The same adjacency, in order and in flat arrays, for walks over features.
+  double extent = 0;      ///< No vertex is farther from the origin [m].
 };
 
 /// Hull of the points by qhull, or the reason why there is none (fewer than 4 points, all in one plane or

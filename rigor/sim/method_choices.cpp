@@ -51,7 +51,7 @@ std::span<const MethodChoice> method_choices() {
                    "1988",
                    true},
       MethodChoice{"distance", "lin-canny", "walk over the features of convex polyhedra",
-                   "Lin and Canny, A Fast Algorithm for Incremental Distance Calculation, 1991", false},
+                   "Lin and Canny, A Fast Algorithm for Incremental Distance Calculation, 1991", true},
 
       MethodChoice{"toi", "conservative", "steps that cannot miss a contact, from distance and speed bounds",
                    "Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, 1996", true},

@@ -8,6 +8,7 @@
 
 #include <fstream>
 #include <memory>
+#include <tuple>
 
 namespace rigor {
 namespace {
@@ -35,13 +36,13 @@ Body moving_polytope(const nlohmann::json& j) {
   return body;
 }
 
-class TimeOfImpactCases : public testing::TestWithParam<ToiRefinement> {};
+class TimeOfImpactCases : public testing::TestWithParam<std::tuple<ToiRefinement, ToiDistance>> {};
 
 TEST_P(TimeOfImpactCases, ReferenceMotionsMeetWhenTheyShouldOrNotAtAll) {
   std::ifstream file(std::string(RIGOR_TEST_DATA) + "/toi.json");
   const nlohmann::json cases = nlohmann::json::parse(file);
   ToiOptions options;
-  options.refinement = GetParam();
+  std::tie(options.refinement, options.distance) = GetParam();
   for (const nlohmann::json& c : cases["cases"]) {
     const Body A = moving_polytope(c["A"]), B = moving_polytope(c["B"]);
     const double t_max = c["t_max"];
@@ -57,8 +58,9 @@ TEST_P(TimeOfImpactCases, ReferenceMotionsMeetWhenTheyShouldOrNotAtAll) {
 }
 
 INSTANTIATE_TEST_SUITE_P(AllRefinements, TimeOfImpactCases,
-                         testing::Values(ToiRefinement::conservative, ToiRefinement::ratio,
-                                         ToiRefinement::bisection));
+                         testing::Combine(testing::Values(ToiRefinement::conservative, ToiRefinement::ratio,
+                                                          ToiRefinement::bisection),
+                                          testing::Values(ToiDistance::gjk, ToiDistance::lin_canny)));
 
 Body ball(double radius, const Vec3& x, const Vec3& v) {
   Body body;

@@ -320,6 +320,7 @@ Shape scaled_shape(const Shape& shape, double s) {
       ConvexHull hull = *x.hull;
       for (Vec3& v : hull.vertices) v *= s;
       hull.support_table = make_support_table(hull);
+      hull.extent *= s;
       return Convex{std::make_shared<const ConvexHull>(hull)};
     }
   };

@@ -60,6 +60,8 @@ TEST(SetMethodChoice, EnumeratorsAreTheirNames) {
   EXPECT_EQ(method.integrator, IntegratorMethod::lie_rk4);
   set_method_choice("orientation", "matrix", method);
   EXPECT_EQ(method.orientation, OrientationForm::matrix);
+  set_method_choice("distance", "lin-canny", method);
+  EXPECT_EQ(method.distance, DistanceMethod::lin_canny);
   set_method_choice("toi", "bisection", method);
   EXPECT_EQ(method.toi, ToiMethod::bisection);
   set_method_choice("simultaneous", "lcp", method);
@@ -75,8 +77,8 @@ TEST(SetMethodChoice, EnumeratorsAreTheirNames) {
 TEST(SetMethodChoice, TellsWhatIsWrong) {
   Method method;
   EXPECT_EQ(set_method_choice("impact", "newtn", method), "unknown impact 'newtn'; did you mean 'newton'?");
-  EXPECT_EQ(set_method_choice("distance", "lin-canny", method),
-            "distance 'lin-canny' is not available in this version; available: gjk");
+  EXPECT_EQ(set_method_choice("distance", "lin-cany", method),
+            "unknown distance 'lin-cany'; did you mean 'lin-canny'?");
   EXPECT_EQ(set_method_choice("penalty", "local", method),
             "penalty 'local' is not available in this version; available: none, leave 'penalty' out");
   EXPECT_EQ(set_method_choice("impct", "newton", method), "unknown choice 'impct'; did you mean 'impact'?");
