@@ -1,6 +1,6 @@
 #include "rigor/sim/trajectories.hpp"
 
-#include "rigor/contact/separation_bound.hpp"
+#include "rigor/geometry/separation_bound.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,9 @@ Trajectories::Trajectories(const Model& model, const ToiOptions& options)
     : model_(model), options_(options), tracks_(index(model.body_count())) {
   for (int i = 0; i < model.body_count(); ++i) {
     double turning = 0;
-    for (const BodyShape& shape : model.body(i).shapes) turning = std::max(turning, turning_radius(shape));
+    for (const BodyShape& shape : model.body(i).shapes) {
+      turning = std::max(turning, turning_radius(shape.shape, shape.X_BS, shape.radius));
+    }
     turning_radii_.push_back(turning);
     if (!is_bounded(i) && !model.body(i).shapes.empty()) unbounded_.push_back(i);
   }
