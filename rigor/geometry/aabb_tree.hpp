@@ -2,6 +2,7 @@
 
 #include "rigor/geometry/aabb.hpp"
 
+#include <functional>
 #include <vector>
 
 namespace rigor {
@@ -23,6 +24,10 @@ class AabbTree {
   std::vector<int> overlapping(const Aabb& box) const;
   /// The same into a buffer of the caller (cleared first): no allocation once it has grown.
   void overlapping(const Aabb& box, std::vector<int>& ids) const;
+  /// Visits items, best first: in ascending order of bound(box), items with equal bounds by id, whatever the
+  /// tree looks like. The bound of a box must not exceed that of any box inside it; infinity: the box is out
+  /// of the question. visit(id) returns the bound above which the search ends (infinity: it goes on).
+  void search(const std::function<double(const Aabb&)>& bound, const std::function<double(int)>& visit) const;
   /// Longest path from the root to a leaf [edges]; 0 for an empty tree or a single item.
   int height() const;
   void clear();
