@@ -54,7 +54,7 @@ EventDrivenStepper::EventDrivenStepper(std::shared_ptr<const Model> model, const
       integrator_(*model_, environment_, method),
       stepping_(*model_, integrator_, method, target_step),
       resolver_(*model_, integrator_, method),
-      trajectories_(*model_, toi_options(method)) {
+      trajectories_(*model_, toi_options(method), method.broad_phase) {
   RIGOR_ASSERT(target_step > 0);
 }
 
