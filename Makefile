@@ -53,6 +53,7 @@ bench:
 	@build/bench/benchmarks/rigor_chain_bench
 	@build/bench/benchmarks/rigor_convex_bench
 	@build/bench/benchmarks/rigor_coherent_bench
+	@build/bench/benchmarks/rigor_broad_phase_bench
 
 clean:
 	rm -rf build
@@ -62,5 +63,5 @@ help:
 	@echo "make test    build, then all tests"
 	@echo "make build   build only (Release, in $(BUILD))"
 	@echo "make check   formatting, clang++ beside g++ with warnings as errors, the tests under ASan and UBSan, the viewer"
-	@echo "make bench   error and CPU time of the reference scenes, of pictures, impacts, chains and resting contact, beside the peer engines that are installed"
+	@echo "make bench   error and CPU time of the reference scenes, of pictures, impacts, chains, resting contact and the broad phase, beside the peer engines that are installed"
 	@echo "make clean   remove build/"

@@ -45,6 +45,7 @@ const char* const examples =
     "  rigor check scenes/*.yaml\n"
     "  rigor mass part.stl --density 7850\n"
     "  rigor distance ball.yaml ball floor\n"
+    "  rigor distance pile.yaml --ray=\"0,0,9 0,0,-1\"              what a ray meets\n"
     "  rigor render ball.h5 --time 0.5 -o ball.png\n"
     "  rigor plot ball.h5 energy.kinetic energy.total body.ball.position.z -o ball.svg\n"
     "  rigor impact --K=3.5,0,0,3.5,0,1 --u=2,1,-3 --mu 0.2 --e 0.8 -o paths.svg\n"
@@ -143,11 +144,18 @@ void add_mass(CLI::App& app, MassOptions& mass) {
 
 void add_distance(CLI::App& app, DistanceOptions& distance) {
   app.add_option("SCENE", distance.scene, "scene file")->required()->option_text(" ");
-  app.add_option("BODY_A", distance.body_A, "name of a body")->required()->option_text(" ");
-  app.add_option("BODY_B", distance.body_B, "name of another")->required()->option_text(" ");
+  app.add_option("BODY_A", distance.body_A, "name of a body")->option_text(" ");
+  app.add_option("BODY_B", distance.body_B, "name of another")->option_text(" ");
   add_value(app, "--tolerance", distance.tolerance,
             "of the contact set [m]; default: the scene's contact_tolerance", "D")
       ->check(number_in(length, "m"));
+  add_value(app, "--ray", distance.ray, "instead: what a ray meets, its origin and direction [m]",
+            "\"X,Y,Z DX,DY,DZ\"");
+  add_value(app, "--point", distance.point, "instead: the body closest to a point [m]", "X,Y,Z");
+  add_value(app, "--closest", distance.closest, "instead: the K bodies closest to BODY_A, or to --point", "K")
+      ->check(CLI::Range(1, most_contacts));
+  add_value(app, "--push", distance.push, "instead: what BODY_A first meets when it is pushed so far [m]",
+            "X,Y,Z");
   add_json(app, distance.json, "the result");
 }
 
@@ -342,7 +350,8 @@ void add_commands(CLI::App& app, std::optional<Command>& chosen) {
               chosen);
   add_command(app, "check", "validate scenes without running them", add_check, chosen);
   add_command(app, "mass", "mass properties of a mesh or a scene, exact and sampled", add_mass, chosen);
-  add_command(app, "distance", "signed distance and contacts of two bodies at t = 0", add_distance, chosen);
+  add_command(app, "distance", "signed distance and contacts of two bodies at t = 0; rays, points, pushes",
+              add_distance, chosen);
   add_command(app, "methods", "list every method, with its source", add_methods, chosen);
   add_command(app, "render", "pictures and films of a scene or a trajectory", add_render, chosen);
   add_command(app, "plot", "plot quantities of a trajectory over time", add_plot, chosen);

@@ -1,10 +1,11 @@
 #include "apps/commands.hpp"
+#include "apps/scene_question.hpp"
 #include "apps/terminal.hpp"
 #include "apps/usage_error.hpp"
 #include "rigor/core/input_error.hpp"
 #include "rigor/core/quoted.hpp"
-#include "rigor/core/suggestion.hpp"
 #include "rigor/geometry/contact_set.hpp"
+#include "rigor/geometry/contact_shape.hpp"
 #include "rigor/geometry/distance.hpp"
 #include "rigor/io/json_text.hpp"
 #include "rigor/io/scene_reader.hpp"
@@ -14,8 +15,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <optional>
+#include <array>
+#include <cstddef>
 
 namespace rigor {
 
@@ -31,18 +32,15 @@ struct PairContact {
   ShapePair shapes;
   ContactPoint point;
 };
+struct PairDistance {
+  ShapePair shapes;
+  DistanceResult distance;
+};
 struct BodyDistance {
-  DistanceResult nearest;  ///< Over all pairs of shapes.
-  ShapePair shapes;        ///< Which pair that is.
+  std::vector<PairDistance> pairs;  ///< All pairs of shapes.
+  PairDistance nearest;
   std::vector<PairContact> contacts;
 };
-
-int find_body(const Scene& scene, const std::string& name) {
-  if (const std::optional<int> body = scene.model->find_body(name)) return *body;
-  std::vector<std::string> names;
-  for (const Body& body : scene.model->bodies()) names.push_back(body.name);
-  throw UsageError(fmt::format("the scene has no body {}{}", quoted_text(name), suggestion(name, names)));
-}
 
 /// Throws InputError for a pair of shapes whose distance is not defined here.
 void check_pair(const BodyShape& a, const BodyShape& b) {
@@ -64,15 +62,14 @@ BodyDistance body_distance(const Model& model, int body_A, int body_B, double to
   const Pose X_WA{rotation_matrix(state.orientation(body_A)), state.position(body_A)};
   const Pose X_WB{rotation_matrix(state.orientation(body_B)), state.position(body_B)};
   BodyDistance result{};
-  bool is_first = true;
   for (std::size_t a = 0; a < A.shapes.size(); ++a) {
     for (std::size_t b = 0; b < B.shapes.size(); ++b) {
       check_pair(A.shapes[a], B.shapes[b]);
       const Pose X_WS = X_WA * A.shapes[a].X_BS, X_WT = X_WB * B.shapes[b].X_BS;
       const DistanceResult found = signed_distance(A.shapes[a].shape, X_WS, B.shapes[b].shape, X_WT);
-      if (is_first || found.distance < result.nearest.distance)
-        result.nearest = found, result.shapes = {a, b};
-      is_first = false;
+      const PairDistance pair{{a, b}, found};
+      if (result.pairs.empty() || found.distance < result.nearest.distance.distance) result.nearest = pair;
+      result.pairs.push_back(pair);
       for (const ContactPoint& point :
            contact_set(A.shapes[a].shape, X_WS, B.shapes[b].shape, X_WT, tolerance)) {
         result.contacts.push_back({{a, b}, point});
@@ -82,58 +79,72 @@ BodyDistance body_distance(const Model& model, int body_A, int body_B, double to
   return result;
 }
 
-std::string shape_title(const Body& body, std::size_t shape) {
-  return fmt::format("{}.shapes[{}] ({})", body.name, shape, shape_type_name(body.shapes[shape].shape));
-}
-
-std::string vector_text(const Vec3& v) {
-  return fmt::format("[{:.17g}, {:.17g}, {:.17g}]", v.x(), v.y(), v.z());
-}
-Json json_of(const Vec3& v) {
-  return {v.x(), v.y(), v.z()};
+std::string name_of(const Feature& feature) {
+  static constexpr std::array names = {"vertex", "edge", "face", "side"};
+  const std::string name = fmt::format("{} {}", names[static_cast<std::size_t>(feature.kind)], feature.index);
+  return feature.part == 0 ? name : fmt::format("{}.{}", name, feature.part);
 }
 
 std::string text_of(const BodyDistance& found, const Body& A, const Body& B, double tolerance) {
-  const DistanceResult& d = found.nearest;
+  const DistanceResult& d = found.nearest.distance;
   std::string text = fmt::format("{} to {}: distance {:.17g} m\n", toned(A.name, Tone::strong, stdout),
                                  toned(B.name, Tone::strong, stdout), d.distance);
   text += fmt::format("  proved      from {:.17g} m to {:.17g} m\n", d.lower, d.upper);
-  text += fmt::format("  shapes      {} and {}\n", shape_title(A, found.shapes.a),
-                      shape_title(B, found.shapes.b));
-  text += fmt::format("  on {:<9}{} m\n", "A", vector_text(d.p_WA));
-  text += fmt::format("  on {:<9}{} m\n", "B", vector_text(d.p_WB));
-  text += fmt::format("  normal      {} from A to B\n", vector_text(d.n_W));
+  text += fmt::format("  shapes      {} and {}\n", shape_title(A, found.nearest.shapes.a),
+                      shape_title(B, found.nearest.shapes.b));
+  text += fmt::format("  on {:<9}{} m\n", "A", all_digits(d.p_WA));
+  text += fmt::format("  on {:<9}{} m\n", "B", all_digits(d.p_WB));
+  text += fmt::format("  normal      {} from A to B\n", all_digits(d.n_W));
+  for (const PairDistance& pair : found.pairs) {
+    if (found.pairs.size() == 1) break;
+    text += fmt::format("  pair        {} and {}: {:.17g} m\n", shape_title(A, pair.shapes.a),
+                        shape_title(B, pair.shapes.b), pair.distance.distance);
+  }
   text += fmt::format("  contacts    {} closer than {:g} m\n", found.contacts.size(), tolerance);
   for (const PairContact& contact : found.contacts) {
     const ContactPoint& point = contact.point;
-    text += fmt::format("    gap {:.3g} m at {} m, normal {}, shapes {} and {}, feature {:#x}{}\n", point.gap,
-                        vector_text(point.p_WA), vector_text(point.n_W), contact.shapes.a, contact.shapes.b,
-                        point.feature, point.degenerate ? ", degenerate" : "");
+    text += fmt::format("    gap {:.3g} m at {} m, normal {}, shapes {} and {}, {} on {}{}\n", point.gap,
+                        all_digits(point.p_WA), all_digits(point.n_W), contact.shapes.a, contact.shapes.b,
+                        name_of(first_feature(point.feature)), name_of(second_feature(point.feature)),
+                        point.degenerate ? ", degenerate" : "");
   }
   return text;
 }
 
 Json json_of(const BodyDistance& found, const Body& A, const Body& B, double tolerance) {
-  const DistanceResult& d = found.nearest;
+  const DistanceResult& d = found.nearest.distance;
   Json contacts = Json::array();
   for (const PairContact& contact : found.contacts) {
     const ContactPoint& point = contact.point;
     contacts.push_back({{"gap", point.gap},
-                        {"point_A", json_of(point.p_WA)},
-                        {"point_B", json_of(point.p_WB)},
-                        {"normal", json_of(point.n_W)},
+                        {"point_A", vector_json(point.p_WA)},
+                        {"point_B", vector_json(point.p_WB)},
+                        {"normal", vector_json(point.n_W)},
                         {"shapes", {contact.shapes.a, contact.shapes.b}},
                         {"feature", fmt::format("{:#x}", point.feature)},
+                        {"feature_A", name_of(first_feature(point.feature))},
+                        {"feature_B", name_of(second_feature(point.feature))},
                         {"degenerate", point.degenerate}});
+  }
+  Json pairs = Json::array();
+  for (const PairDistance& pair : found.pairs) {
+    pairs.push_back({{"shapes", {pair.shapes.a, pair.shapes.b}},
+                     {"distance", pair.distance.distance},
+                     {"lower", pair.distance.lower},
+                     {"upper", pair.distance.upper},
+                     {"point_A", vector_json(pair.distance.p_WA)},
+                     {"point_B", vector_json(pair.distance.p_WB)},
+                     {"normal", vector_json(pair.distance.n_W)}});
   }
   return {{"bodies", {A.name, B.name}},
           {"distance", d.distance},
           {"lower", d.lower},
           {"upper", d.upper},
-          {"shapes", {found.shapes.a, found.shapes.b}},
-          {"point_A", json_of(d.p_WA)},
-          {"point_B", json_of(d.p_WB)},
-          {"normal", json_of(d.n_W)},
+          {"shapes", {found.nearest.shapes.a, found.nearest.shapes.b}},
+          {"point_A", vector_json(d.p_WA)},
+          {"point_B", vector_json(d.p_WB)},
+          {"normal", vector_json(d.n_W)},
+          {"pairs", pairs},
           {"tolerance", tolerance},
           {"contacts", contacts}};
 }
@@ -141,8 +152,16 @@ Json json_of(const BodyDistance& found, const Body& A, const Body& B, double tol
 }  // namespace
 
 ExitCode execute(const DistanceOptions& options) {
+  const bool is_question = is_scene_question(options);
   const Scene scene = read_scene(options.scene);
-  const int body_A = find_body(scene, options.body_A), body_B = find_body(scene, options.body_B);
+  if (is_question) {
+    const Answer answer = answer_scene_question(options, scene);
+    if (options.json != "-") fmt::print("{}", answer.text);
+    write_text(options.json, json_text(answer.json).append("\n"));
+    return exit_done;
+  }
+  const int body_A = find_body_or_throw(scene, options.body_A);
+  const int body_B = find_body_or_throw(scene, options.body_B);
   if (body_A == body_B) throw UsageError("BODY_A and BODY_B are the same body; give two");
   const double tolerance = options.tolerance.value_or(scene.method.contact_tolerance);
   const BodyDistance found = body_distance(*scene.model, body_A, body_B, tolerance);

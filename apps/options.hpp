@@ -47,8 +47,11 @@ struct MassOptions {
 };
 
 struct DistanceOptions {
-  std::string scene, body_A, body_B;
-  std::optional<double> tolerance;  ///< Of the contact set [m].
+  std::string scene, body_A, body_B;  ///< A body that is not given is empty.
+  std::optional<double> tolerance;    ///< Of the contact set [m].
+  std::string ray;                    ///< Six numbers, "X,Y,Z DX,DY,DZ" [m], or empty.
+  std::string point, push;            ///< "X,Y,Z" [m], or empty.
+  std::optional<int> closest;         ///< How many bodies.
   std::string json;
 };
 

@@ -1,7 +1,8 @@
 #include "rigor/contact/time_of_impact.hpp"
 
-#include "rigor/contact/separation_bound.hpp"
+#include "rigor/geometry/distance.hpp"
 #include "rigor/geometry/distance_cache.hpp"
+#include "rigor/geometry/separation_bound.hpp"
 #include "rigor/math/polynomial.hpp"
 #include "rigor/math/roots.hpp"
 
@@ -24,11 +25,26 @@ struct Approach {
   Vec3 n_W;
 };
 
+/// One shape of a moving body.
+struct MovingShape {
+  const BodyShape* shape;
+  const Motion* motion;
+
+  Pose pose(double t) const { return motion->sample(t).X_WB * shape->X_BS; }
+  double turning() const { return turning_radius(shape->shape, shape->X_BS, shape->radius); }
+  MovingCore core() const { return make_moving_core(shape->shape, shape->X_BS, shape->radius, *motion); }
+};
+
 /// The search of one pair of shapes.
 class ShapePairSearch {
  public:
   ShapePairSearch(const MovingShape& A, const MovingShape& B, const ToiOptions& options)
-      : A_(A), B_(B), options_(options), size_(finite_radius(A) + finite_radius(B)) {}
+      : A_(A),
+        B_(B),
+        core_A_(A.core()),
+        core_B_(B.core()),
+        options_(options),
+        size_(finite_radius(A) + finite_radius(B)) {}
 
   TimeOfImpact find(double t0, double t1);
 
@@ -49,6 +65,7 @@ class ShapePairSearch {
   }
 
   MovingShape A_, B_;
+  MovingCore core_A_, core_B_;
   ToiOptions options_;
   double size_;
   int evaluations_ = 0;
@@ -139,12 +156,12 @@ double ShapePairSearch::advance(double t, const Approach& now, double t1) const 
   const bool has_mesh =
       std::holds_alternative<Mesh>(A_.shape->shape) || std::holds_alternative<Mesh>(B_.shape->shape);
   if (!has_mesh) {
-    return SeparationBound(A_, B_, now.n_W, now.gap, t, t1).safe_step(t1 - t, level);
+    return SeparationBound(core_A_, core_B_, now.n_W, now.gap, t, t1).safe_step(t1 - t, level);
   }
   // A surface that is not convex is not behind the plane through its witness point: bound the speed of all
   // its points.
-  const double turning = A_.motion->max_angular_speed() * turning_radius(*A_.shape) +
-                         B_.motion->max_angular_speed() * turning_radius(*B_.shape);
+  const double turning =
+      A_.motion->max_angular_speed() * A_.turning() + B_.motion->max_angular_speed() * B_.turning();
   const Vec3 v = B_.motion->velocity(t) - A_.motion->velocity(t);
   double acceleration = 0;
   for (int axis = 0; axis < 3; ++axis) {

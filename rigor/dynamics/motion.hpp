@@ -4,6 +4,7 @@
 #include "rigor/dynamics/free_flight.hpp"
 #include "rigor/dynamics/integrator.hpp"
 #include "rigor/geometry/aabb.hpp"
+#include "rigor/geometry/rigid_motion.hpp"
 #include "rigor/math/pose.hpp"
 #include "rigor/model/model.hpp"
 
@@ -15,7 +16,7 @@ namespace rigor {
 /// The smooth motion of one body over a span of time, with bounds that hold for all of it: what the search
 /// for the next impact stands on. A body at rest or with a prescribed path, in closed-form flight, or along
 /// one step of an integrator.
-class Motion {
+class Motion : public RigidMotion {
  public:
   /// Kinematic or fixed body from time t on (to the next point of its path).
   static Motion prescribed(const Body& body, double t);
@@ -29,19 +30,12 @@ class Motion {
   double begin() const { return begin_; }
   double end() const { return end_; }  ///< Infinite unless the motion is a step or a leg of a path.
 
-  /// Pose and velocities at an instant. Along a step the velocities are those of the path, the derivatives of
-  /// its polynomials (its momenta agree with them to the order of the method).
-  struct Sample {
-    Pose X_WB;
-    Vec3 v;  ///< Of the centre of mass [m/s].
-    Vec3 w;  ///< In W [rad/s].
-
-    Vec3 velocity_at(const Vec3& p_WP) const { return v + w.cross(p_WP - X_WB.p); }
-  };
-  Sample sample(double t) const;
+  /// Along a step the velocities are those of the path, the derivatives of its polynomials (its momenta agree
+  /// with them to the order of the method).
+  Sample sample(double t) const override;
   Vec3 position(double t) const;
-  Vec3 velocity(double t) const;    ///< Of the centre of mass [m/s].
-  BodyPhase phase(double t) const;  ///< Momenta are zero for prescribed motion.
+  Vec3 velocity(double t) const override;  ///< Of the centre of mass [m/s].
+  BodyPhase phase(double t) const;         ///< Momenta are zero for prescribed motion.
 
   bool is_dynamic() const { return !std::holds_alternative<Prescribed>(path_); }
   /// Whether the centre moves with this constant acceleration exactly.
@@ -49,12 +43,12 @@ class Motion {
   Vec3 acceleration() const;  ///< Of a ballistic motion [m/s²].
 
   /// Lower bound over [ta, tb] of the acceleration of the centre along n [m/s²].
-  double min_acceleration_along(const Vec3& n, double ta, double tb) const;
+  double min_acceleration_along(const Vec3& n, double ta, double tb) const override;
   /// Upper bound over the whole motion of |ω| [rad/s].
-  double max_angular_speed() const { return max_angular_speed_; }
+  double max_angular_speed() const override { return max_angular_speed_; }
   /// Upper bound over the whole motion of |α| + |ω|² [1/s²]: a point at distance r from the centre
   /// accelerates relative to it by at most r times this.
-  double max_turn_acceleration() const { return max_turn_acceleration_; }
+  double max_turn_acceleration() const override { return max_turn_acceleration_; }
   /// Box that holds the centre over [ta, tb].
   Aabb path_box(double ta, double tb) const;
 

@@ -3,6 +3,7 @@
 #include "rigor/core/assert.hpp"
 #include "rigor/geometry/convex_hull.hpp"
 #include "rigor/geometry/orientation.hpp"
+#include "rigor/geometry/planar_turns.hpp"
 
 #include <algorithm>
 #include <array>
@@ -16,22 +17,6 @@ std::size_t index(int i) {
   return static_cast<std::size_t>(i);
 }
 
-/// Turns of the triangle's projection on the x-y plane around the point's: -1, 0 or 1. A point on an edge
-/// counts as moved a little to one side, the same for both triangles of the edge, so that the crossings of a
-/// closed surface add up.
-int turns_in_plane(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& p) {
-  const std::array<const Vec2*, 4> corners = {&a, &b, &c, &a};
-  int turns = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vec2 &u = *corners[i], &v = *corners[i + 1];
-    const bool is_upward = u.y() <= p.y() && p.y() < v.y();
-    const bool is_downward = v.y() <= p.y() && p.y() < u.y();
-    if (is_upward && orientation(u, v, p) > 0) ++turns;
-    if (is_downward && orientation(v, u, p) > 0) --turns;
-  }
-  return turns;
-}
-
 /// +1 if the ray from p along +z leaves the solid through the triangle, -1 if it enters, 0 if it does not
 /// meet it.
 int crossing(const TriangleMesh& mesh, int triangle, const Vec3& p) {
@@ -40,7 +25,7 @@ int crossing(const TriangleMesh& mesh, int triangle, const Vec3& p) {
   const Vec3& b = mesh.vertices[index(corners[1])];
   const Vec3& c = mesh.vertices[index(corners[2])];
   if (std::max({a.z(), b.z(), c.z()}) < p.z()) return 0;
-  const int turns = turns_in_plane(a.head<2>(), b.head<2>(), c.head<2>(), p.head<2>());
+  const int turns = turns_about(a.head<2>(), b.head<2>(), c.head<2>(), p.head<2>());
   if (turns == 0) return 0;
   return orientation(a, b, c, p) == -turns ? turns : 0;
 }

@@ -56,7 +56,7 @@ EventDrivenStepper::EventDrivenStepper(std::shared_ptr<const Model> model, const
       stepping_(*model_, integrator_, method, target_step),
       resolver_(*model_, integrator_, method),
       joints_(*model_, integrator_),
-      trajectories_(*model_, toi_options(method)) {
+      trajectories_(*model_, toi_options(method), method.broad_phase) {
   RIGOR_ASSERT(target_step > 0);
 }
 

@@ -29,6 +29,7 @@ bool visit_choice(MethodType& method, std::string_view key, F f) {
   if (key == "scheme") return f(method.scheme), true;
   if (key == "integrator") return f(method.integrator), true;
   if (key == "orientation") return f(method.orientation), true;
+  if (key == "broad_phase") return f(method.broad_phase), true;
   if (key == "distance") return f(method.distance), true;
   if (key == "toi") return f(method.toi), true;
   if (key == "impact") return f(method.impact), true;

@@ -2,6 +2,7 @@
 
 #include "rigor/core/range.hpp"
 #include "rigor/dynamics/integrator.hpp"
+#include "rigor/geometry/broad_phase.hpp"
 
 #include <span>
 #include <string>
@@ -26,6 +27,7 @@ struct Method {
   Scheme scheme = Scheme::event_driven;
   IntegratorMethod integrator = IntegratorMethod::exact;
   OrientationForm orientation = OrientationForm::quaternion;
+  BroadPhaseMethod broad_phase = BroadPhaseMethod::tree;
   DistanceMethod distance = DistanceMethod::gjk;
   ToiMethod toi = ToiMethod::conservative;
   ImpactMethod impact = ImpactMethod::stronge;

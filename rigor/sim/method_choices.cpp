@@ -45,6 +45,14 @@ std::span<const MethodChoice> method_choices() {
       MethodChoice{"orientation", "matrix", "18 numbers a body, Gram-Schmidt after each step",
                    "Baraff, An Introduction to Physically Based Modeling: Rigid Body Simulation, 1997", true},
 
+      MethodChoice{"broad_phase", "tree", "boxes of the bodies in a dynamic tree",
+                   "Goldsmith and Salmon, Automatic Creation of Object Hierarchies for Ray Tracing, 1987",
+                   true},
+      MethodChoice{"broad_phase", "sweep-and-prune", "ends of the boxes in sorted lists",
+                   "Cohen, Lin, Manocha and Ponamgi, I-COLLIDE: An Interactive and Exact Collision Detection "
+                   "System, 1995",
+                   true},
+
       MethodChoice{"distance", "gjk", "support points and simplices, with bounds",
                    "Gilbert, Johnson and Keerthi, A Fast Procedure for Computing the Distance Between "
                    "Complex Objects, "

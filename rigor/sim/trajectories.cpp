@@ -1,6 +1,6 @@
 #include "rigor/sim/trajectories.hpp"
 
-#include "rigor/contact/separation_bound.hpp"
+#include "rigor/geometry/separation_bound.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,11 +8,13 @@
 
 namespace rigor {
 
-Trajectories::Trajectories(const Model& model, const ToiOptions& options)
-    : model_(model), options_(options), tracks_(index(model.body_count())) {
+Trajectories::Trajectories(const Model& model, const ToiOptions& options, BroadPhaseMethod method)
+    : model_(model), options_(options), tracks_(index(model.body_count())), boxes_(make_broad_phase(method)) {
   for (int i = 0; i < model.body_count(); ++i) {
     double turning = 0;
-    for (const BodyShape& shape : model.body(i).shapes) turning = std::max(turning, turning_radius(shape));
+    for (const BodyShape& shape : model.body(i).shapes) {
+      turning = std::max(turning, turning_radius(shape.shape, shape.X_BS, shape.radius));
+    }
     turning_radii_.push_back(turning);
     if (!is_bounded(i) && !model.body(i).shapes.empty()) unbounded_.push_back(i);
   }
@@ -77,7 +79,7 @@ void Trajectories::begin_window(int body, double t, EventQueue& queue) {
     const double rounding = 1e-12 * track.motion.position(t).cwiseAbs().maxCoeff();
     const double box_end = std::isinf(track.window_end) ? t : track.window_end;
     track.box = box_of(body, t, box_end).grown(options_.contact_tolerance + rounding);
-    tree_.set(body, track.box);
+    boxes_->set(body, track.box);
   }
   // The end of a step is its island's event; all other ends are the window's own.
   if (std::isfinite(track.window_end) && track.motion.is_ballistic()) {
@@ -154,7 +156,7 @@ std::vector<int> Trajectories::candidates(int body) const {
   std::vector<int> near;
   if (model_.body(body).shapes.empty()) return near;
   if (is_bounded(body)) {
-    tree_.overlapping(tracks_[index(body)].box, near);
+    boxes_->overlapping(tracks_[index(body)].box, near);
     near.insert(near.end(), unbounded_.begin(), unbounded_.end());
   } else {
     for (int other = 0; other < model_.body_count(); ++other) near.push_back(other);
@@ -172,7 +174,7 @@ std::vector<int> Trajectories::neighbours(int body, double t, double tolerance) 
   std::vector<int> near;
   if (model_.body(body).shapes.empty()) return near;
   if (is_bounded(body)) {
-    tree_.overlapping(box_of(body, t, t).grown(tolerance), near);
+    boxes_->overlapping(box_of(body, t, t).grown(tolerance), near);
     near.insert(near.end(), unbounded_.begin(), unbounded_.end());
     std::sort(near.begin(), near.end());
   } else {

@@ -2,10 +2,11 @@
 
 #include "rigor/contact/time_of_impact.hpp"
 #include "rigor/dynamics/motion.hpp"
-#include "rigor/geometry/aabb_tree.hpp"
+#include "rigor/geometry/broad_phase.hpp"
 #include "rigor/sim/event_queue.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <set>
 #include <utility>
 #include <vector>
@@ -20,7 +21,7 @@ namespace rigor {
 /// the two motions, never on when it was asked.
 class Trajectories {
  public:
-  Trajectories(const Model& model, const ToiOptions& options);
+  Trajectories(const Model& model, const ToiOptions& options, BroadPhaseMethod method);
 
   const Motion& motion(int body) const { return tracks_[index(body)].motion; }
   /// Bodies whose motion changed at t: their old predictions are void; call predict() when all are set.
@@ -67,7 +68,7 @@ class Trajectories {
   std::vector<Track> tracks_;
   std::vector<double> turning_radii_;  ///< Of each body's shapes about its centre of mass [m].
   std::vector<int> unbounded_;         ///< Bodies with a plane.
-  AabbTree tree_;                      ///< Windows of the others.
+  std::unique_ptr<BroadPhase> boxes_;  ///< Windows of the others.
   std::set<std::pair<int, int>> lasting_;
   long distance_queries_ = 0;
 };

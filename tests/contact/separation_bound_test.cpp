@@ -1,6 +1,7 @@
-#include "rigor/contact/separation_bound.hpp"
+#include "rigor/geometry/separation_bound.hpp"
 
 #include "random_vectors.hpp"
+#include "rigor/dynamics/motion.hpp"
 #include "rigor/geometry/distance.hpp"
 #include "rigor/geometry/support.hpp"
 #include "rigor/math/rotation.hpp"
@@ -19,7 +20,8 @@ using test::Random;
 struct Moving {
   BodyShape shape;
   Motion motion;
-  MovingShape view() const { return {&shape, &motion}; }
+  Pose pose(double t) const { return motion.sample(t).X_WB * shape.X_BS; }
+  MovingCore core() const { return make_moving_core(shape.shape, shape.X_BS, shape.radius, motion); }
 };
 
 Moving random_moving(Random& random, const Vec3& x, bool is_step) {
@@ -49,7 +51,7 @@ Moving random_moving(Random& random, const Vec3& x, bool is_step) {
 
 /// Extent of the shape beyond the origin along a direction of W.
 double reach(const Moving& moving, const Vec3& n_W, double t) {
-  const Pose X_WS = moving.view().pose(t);
+  const Pose X_WS = moving.pose(t);
   return n_W.dot(X_WS.p) + support_value(moving.shape.shape, X_WS.R.transpose() * n_W);
 }
 
@@ -60,10 +62,10 @@ TEST(SeparationBound, NeverExceedsTheGapAlongItsNormal) {
     const Moving A = random_moving(random, Vec3::Zero(), trial % 3 == 0);
     const Moving B = random_moving(random, Vec3(1, 0.4, 0.3) + 0.3 * random.vector(), trial % 2 == 0);
     const double t = 0.05, end = 0.2;
-    const DistanceResult now =
-        signed_distance(A.shape.shape, A.view().pose(t), B.shape.shape, B.view().pose(t));
+    const DistanceResult now = signed_distance(A.shape.shape, A.pose(t), B.shape.shape, B.pose(t));
     if (now.distance <= 0.01) continue;
-    const SeparationBound bound(A.view(), B.view(), now.n_W, now.distance, t, end);
+    const MovingCore core_A = A.core(), core_B = B.core();
+    const SeparationBound bound(core_A, core_B, now.n_W, now.distance, t, end);
     EXPECT_NEAR(bound.at(0), now.distance, 1e-15);
     for (int k = 1; k <= 30; ++k) {
       const double tau = (end - t) * k / 30;
@@ -94,7 +96,8 @@ TEST(SeparationBound, FindsStepsOfAnySize) {
     };
     A.motion = flight(0, 1);
     B.motion = flight(1 + gap, -1);
-    const SeparationBound bound(A.view(), B.view(), Vec3::UnitX(), gap, 0, 1e9);
+    const MovingCore core_A = A.core(), core_B = B.core();
+    const SeparationBound bound(core_A, core_B, Vec3::UnitX(), gap, 0, 1e9);
     EXPECT_NEAR(bound.safe_step(1e9, 0), gap / 2, 1e-6 * gap);
     EXPECT_EQ(bound.safe_step(1e9, 2 * gap), 0);
   }
@@ -105,13 +108,13 @@ TEST(TurningRadius, HoldsWhatTurningMoves) {
   shape.X_BS.p = Vec3(0.3, 0, 0.4);
   shape.shape = Sphere{2};
   shape.radius = 2;
-  EXPECT_DOUBLE_EQ(turning_radius(shape), 0.5);
+  EXPECT_DOUBLE_EQ(turning_radius(shape.shape, shape.X_BS, shape.radius), 0.5);
   shape.shape = Capsule{1, 0.25};
   shape.radius = 1.25;
-  EXPECT_DOUBLE_EQ(turning_radius(shape), 0.75);
+  EXPECT_DOUBLE_EQ(turning_radius(shape.shape, shape.X_BS, shape.radius), 0.75);
   shape.shape = Box{Vec3(1, 2, 2)};
   shape.radius = 3;
-  EXPECT_DOUBLE_EQ(turning_radius(shape), 3.5);
+  EXPECT_DOUBLE_EQ(turning_radius(shape.shape, shape.X_BS, shape.radius), 3.5);
 }
 
 }  // namespace

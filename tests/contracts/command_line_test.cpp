@@ -84,6 +84,18 @@ TEST(CommandLine, ValuesThatMakeNoSenseAreUsageErrors) {
       {"distance", "ball.yaml", "ball"},
       {"distance", "ball.yaml", "ball", "ball"},
       {"distance", "ball.yaml", "ball", "flor"},
+      {"distance", "ball.yaml", "--ray", "0,0,1"},
+      {"distance", "ball.yaml", "--ray", "0,0,1 0,0,0"},
+      {"distance", "ball.yaml", "--ray", "0,0,1 0,0,x"},
+      {"distance", "ball.yaml", "--ray", "0,0,1 0,0,nan"},
+      {"distance", "ball.yaml", "--ray", "0,0,1 0,0,1", "--point", "0,0,0"},
+      {"distance", "ball.yaml", "ball", "--ray", "0,0,1 0,0,1"},
+      {"distance", "ball.yaml", "ball", "floor", "--closest", "1"},
+      {"distance", "ball.yaml", "--closest", "1"},
+      {"distance", "ball.yaml", "--point", "0,0,0", "--closest", "0"},
+      {"distance", "ball.yaml", "--push", "0,0,1"},
+      {"distance", "ball.yaml", "ball", "--push", "0,0,0"},
+      {"distance", "ball.yaml", "--point", "0,0,0", "--tolerance", "1"},
       {"check"},
   };
   for (const std::vector<std::string>& arguments : wrong) {
@@ -257,6 +269,42 @@ TEST(CommandLine, DistanceTellsBoundsWitnessesAndContacts) {
       "rigor: 1\nbodies: [{name: a, inertia: {mass: 1, moments: [1, 1, 1]}}, {name: b, position: [1, 0, 0], "
       "inertia: {mass: 1, moments: [1, 1, 1]}}]\n");
   EXPECT_EQ(folder.run({"distance", "none.yaml", "a", "b"}).code, 3);
+}
+
+TEST(CommandLine, DistanceAnswersQuestionsAboutTheScene) {
+  const ProgramFolder folder;
+  folder.write("ball.yaml", ball);
+  const auto answer = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"distance", "ball.yaml"});
+    arguments.insert(arguments.end(), {"--json", "-"});
+    const ProgramResult result = folder.run(arguments);
+    EXPECT_EQ(result.code, 0) << result.error;
+    return Json::parse(result.out);
+  };
+  // The ball's centre is 1 m above the floor, its radius 0.1 m: a ray from 3 m goes in, out, and into the
+  // floor.
+  const Json ray = answer({"--ray", "0,0,3 0,0,-2"});
+  ASSERT_EQ(ray["hits"].size(), 3u);
+  EXPECT_NEAR(ray["hits"][0]["distance"].get<double>(), 1.9, 1e-15);
+  EXPECT_NEAR(ray["hits"][1]["fraction"].get<double>(), 1.05, 1e-15);
+  EXPECT_EQ(ray["hits"][1]["enters"], false);
+  EXPECT_EQ(ray["hits"][2]["body"], "floor");
+  const Json point = answer({"--point", "0.4,0,1", "--closest", "5"});
+  ASSERT_EQ(point["closest"].size(), 2u);
+  EXPECT_NEAR(point["closest"][0]["distance"].get<double>(), 0.3, 1e-15);
+  EXPECT_EQ(point["closest"][1]["body"], "floor");
+  EXPECT_TRUE(point["inside"].empty());
+  EXPECT_EQ(answer({"--point", "0,0,-1"})["inside"], (Json{"floor"}));
+  const Json closest = answer({"floor", "--closest", "1"});
+  EXPECT_EQ(closest["closest"][0]["body"], "ball");
+  EXPECT_NEAR(closest["closest"][0]["distance"].get<double>(), 0.9, 1e-15);
+  const Json push = answer({"ball", "--push", "5,0,-2"});
+  EXPECT_NEAR(push["meets"]["fraction"].get<double>(), 0.45, 2e-12);
+  EXPECT_EQ(push["meets"]["body"], "floor");
+  EXPECT_TRUE(answer({"ball", "--push", "5,0,2"})["meets"].is_null());
+  expect_contains(folder.run({"distance", "ball.yaml", "--ray", "0,0,3 0,0,-2"}).out, "into ball.shapes[0]");
+  const ProgramResult near = folder.run({"distance", "ball.yaml", "floor", "ball", "--tolerance", "1"});
+  expect_contains(near.out, "face 0 on side 0");
 }
 
 TEST(CommandLine, MethodsListsEveryChoiceWithItsSource) {

@@ -17,9 +17,9 @@ TEST(MethodTable, EachValueOnceWithMeaningAndSource) {
     EXPECT_FALSE(choice.source.empty());
     EXPECT_EQ(choice.meaning.find('\n'), std::string_view::npos);
   }
-  // 5 schemes, 8 integrators, 2 orientations, 2 distances, 3 times of impact, 3 laws, 3 and 2 rules, 2 + 2 +
-  // 3 of later versions.
-  EXPECT_EQ(seen.size(), 35u);
+  // 5 schemes, 8 integrators, 2 orientations, 2 broad phases, 2 distances, 3 times of impact, 3 laws, 3 and 2
+  // rules, 2 + 2 + 3 of later versions.
+  EXPECT_EQ(seen.size(), 37u);
 }
 
 TEST(MethodTable, DefaultsAreAvailable) {
@@ -62,6 +62,8 @@ TEST(SetMethodChoice, EnumeratorsAreTheirNames) {
   EXPECT_EQ(method.orientation, OrientationForm::matrix);
   set_method_choice("distance", "lin-canny", method);
   EXPECT_EQ(method.distance, DistanceMethod::lin_canny);
+  set_method_choice("broad_phase", "sweep-and-prune", method);
+  EXPECT_EQ(method.broad_phase, BroadPhaseMethod::sweep_and_prune);
   set_method_choice("toi", "bisection", method);
   EXPECT_EQ(method.toi, ToiMethod::bisection);
   set_method_choice("simultaneous", "lcp", method);

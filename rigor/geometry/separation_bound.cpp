@@ -1,6 +1,6 @@
-#include "rigor/contact/separation_bound.hpp"
+#include "rigor/geometry/separation_bound.hpp"
 
-#include "rigor/geometry/support.hpp"
+#include "rigor/geometry/triangle_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,49 +8,52 @@
 
 namespace rigor {
 
-double turning_radius(const BodyShape& shape) {
-  const double offset = shape.X_BS.p.norm();
-  if (std::holds_alternative<Sphere>(shape.shape)) return offset;
-  if (const Capsule* capsule = std::get_if<Capsule>(&shape.shape)) return offset + capsule->half_length;
-  // A half-space turns about its normal only (the model sees to it): its surface stays.
-  if (std::holds_alternative<HalfSpace>(shape.shape)) return 0;
-  return offset + shape.radius;
+double turning_radius(const Shape& shape, const Pose& X_BS, double radius) {
+  const double offset = X_BS.p.norm();
+  if (std::holds_alternative<Sphere>(shape)) return offset;
+  if (const Capsule* capsule = std::get_if<Capsule>(&shape)) return offset + capsule->half_length;
+  if (std::holds_alternative<HalfSpace>(shape)) return 0;
+  return offset + radius;
+}
+
+MovingCore make_moving_core(const Shape& shape, const Pose& X_BS, double radius, const RigidMotion& motion) {
+  ConvexCore core;
+  if (const Mesh* mesh = std::get_if<Mesh>(&shape)) {
+    core = make_points_core(mesh->mesh->vertices);
+  } else if (!std::holds_alternative<HalfSpace>(shape)) {
+    core = make_core(shape);
+  }
+  return {core, X_BS, turning_radius(shape, X_BS, radius), &motion};
 }
 
 double SeparationBound::Support::value(const Vec3& direction_W) const {
-  const double of_offset = direction_W.dot(offset_W);
-  if (std::holds_alternative<Sphere>(*shape)) return of_offset;
-  const Vec3 direction_S = R_SW * direction_W;
-  // The radius of a capsule adds the same in every direction: its core is enough.
-  if (const Capsule* capsule = std::get_if<Capsule>(shape)) {
-    return of_offset + std::abs(direction_S.z()) * capsule->half_length;
-  }
-  return of_offset + support_value(*shape, direction_S);
+  // The radius of a round core adds the same in every direction.
+  const Vec3 direction_C = R_CW * direction_W;
+  return direction_W.dot(offset_W) + direction_C.dot(core_support(*core, direction_C).p);
 }
 
 double SeparationBound::Support::growth(double tau) const {
-  if (shape == nullptr) return 0;
+  if (core == nullptr) return 0;
   return value(direction + tau * turn) - start + quadratic * tau * tau;
 }
 
-SeparationBound::Support SeparationBound::make_support(const MovingShape& moving, const Vec3& outward_W,
+SeparationBound::Support SeparationBound::make_support(const MovingCore& part, const Vec3& outward_W,
                                                        double t) {
   Support support;
-  const double radius = turning_radius(*moving.shape);
-  if (moving.motion->max_turn_acceleration() == 0 || radius == 0) return support;
-  const Motion::Sample body = moving.motion->sample(t);
-  support.shape = &moving.shape->shape;
-  support.R_SW = (body.X_WB.R * moving.shape->X_BS.R).transpose();
-  support.offset_W = body.X_WB.R * moving.shape->X_BS.p;
+  if (part.motion->max_turn_acceleration() == 0 || part.turning_radius == 0) return support;
+  const RigidMotion::Sample body = part.motion->sample(t);
+  support.core = &part.core;
+  support.R_CW = (body.X_WB.R * part.X_BC.R).transpose();
+  support.offset_W = body.X_WB.R * part.X_BC.p;
   support.direction = outward_W;
   // n · (ω × r) = (n × ω) · r.
   support.turn = outward_W.cross(body.w);
-  support.quadratic = 0.5 * moving.motion->max_turn_acceleration() * radius;
+  support.quadratic = 0.5 * part.motion->max_turn_acceleration() * part.turning_radius;
   support.start = support.value(outward_W);
   return support;
 }
 
-SeparationBound::SeparationBound(const MovingShape& A, const MovingShape& B, const Vec3& n_W, double gap,
+SeparationBound::SeparationBound(const MovingCore& A, const MovingCore& B, const Vec3& n_W, double gap,
                                  double t, double t_end)
     : gap_(gap),
       rate_(n_W.dot(B.motion->velocity(t) - A.motion->velocity(t))),

@@ -1,0 +1,90 @@
+#pragma once
+
+#include "rigor/geometry/aabb_tree.hpp"
+#include "rigor/geometry/ray_cast.hpp"
+#include "rigor/geometry/shape_cast.hpp"
+#include "rigor/model/state.hpp"
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace rigor {
+
+/// A shape of a body, by indices: model.body(body).shapes[shape].
+struct ShapeIndex {
+  int body = -1;
+  int shape = -1;
+
+  bool operator==(const ShapeIndex& other) const = default;
+};
+
+/// Where a ray meets a body.
+struct BodyRayHit {
+  ShapeIndex on;
+  RayHit hit;
+};
+
+/// Where a shape that is pushed along meets a body.
+struct BodyCastHit {
+  ShapeIndex on;
+  ShapeCastHit hit;
+};
+
+/// How far a body is from what was asked about.
+struct NearBody {
+  ShapeIndex on;             ///< Its nearest shape.
+  double distance = 0;       ///< Signed [m]; negative inside or overlapping.
+  Vec3 p_WQ = Vec3::Zero();  ///< Witness point on what was asked about [m].
+  Vec3 p_WB = Vec3::Zero();  ///< Witness point on the body: p_WQ + distance · n_W [m].
+  Vec3 n_W = Vec3::Zero();   ///< Unit, from what was asked about to the body.
+};
+
+/// Questions about where the bodies of a scene are, at one instant: rays, pushed shapes, points, overlaps,
+/// the nearest bodies. All answers are const and do not change anything: one object may be asked by many
+/// threads. Equal questions have equal answers, bit for bit; of equals the lower indices come first.
+/// docs/queries.md.
+class SceneQueries {
+ public:
+  /// Which bodies are asked about; empty: all.
+  using Filter = std::function<bool(int body)>;
+
+  /// The Model must outlive this; the poses are copied from the State.
+  SceneQueries(const Model& model, const State& state);
+  /// Other poses of the same bodies.
+  void update(const State& state);
+
+  const Pose& pose(int body) const { return poses_[static_cast<std::size_t>(body)]; }
+
+  /// The first surface that the ray crosses. A ray that begins inside a body meets it where it comes out.
+  std::optional<BodyRayHit> first_hit(const Ray& ray, const Filter& filter = {}) const;
+  /// All crossings, in the order of their fractions.
+  std::vector<BodyRayHit> all_hits(const Ray& ray, const Filter& filter = {}) const;
+  /// The first body that a shape meets on its way, with the part of the way proven free.
+  std::optional<BodyCastHit> cast(const ShapeCast& cast, const Filter& filter = {}) const;
+
+  /// Up to k bodies nearest to the point, in ascending order of their signed distance.
+  std::vector<NearBody> nearest(const Vec3& p_W, int k = 1, const Filter& filter = {}) const;
+  /// The same for a shape (convex, or a half-space or a mesh where the pair has a distance) at X_WS.
+  std::vector<NearBody> nearest(const Shape& shape, const Pose& X_WS, int k = 1,
+                                const Filter& filter = {}) const;
+
+  /// Bodies whose shapes hold the point, ascending.
+  std::vector<int> containing(const Vec3& p_W, const Filter& filter = {}) const;
+  /// Bodies that a shape at X_WS touches or overlaps, ascending.
+  std::vector<int> overlapping(const Shape& shape, const Pose& X_WS, const Filter& filter = {}) const;
+  /// Bodies that a box along the axes of W touches or overlaps, ascending.
+  std::vector<int> overlapping(const Aabb& box, const Filter& filter = {}) const;
+
+ private:
+  Pose shape_pose(const ShapeIndex& at) const;
+  const Shape& shape(const ShapeIndex& at) const;
+  std::vector<NearBody> nearest(const Aabb& around, int k, const Filter& filter,
+                                const std::function<NearBody(const ShapeIndex&)>& measure) const;
+
+  const Model& model_;
+  std::vector<Pose> poses_;  ///< X_WB of each body.
+  AabbTree tree_;            ///< A box a body that has shapes.
+};
+
+}  // namespace rigor
