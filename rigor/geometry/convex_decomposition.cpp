@@ -46,7 +46,8 @@ class Cutter {
         most_pieces_(static_cast<std::size_t>(std::max(1, options.max_pieces))),
         most_excess_(flatness > 0 ? options.tolerance : std::numeric_limits<double>::infinity()) {}
 
-  /// All notches resolved; nothing if that takes too many pieces.
+  /// All notches resolved; nothing if that takes too many pieces. Excesses are what rounding and flatness may
+  /// add.
   std::optional<ConvexDecomposition> cut_exactly() const;
   /// The cell that stands out most is cut until all are within the tolerance.
   ConvexDecomposition cut_roughly() const;
@@ -160,17 +161,22 @@ ConvexDecomposition Cutter::result(std::vector<SolidPart> parts) const {
   return result;
 }
 
+/// Exact up to rounding, of which nothing is said.
+std::optional<ConvexDecomposition> exact_pieces(const Cutter& cutter) {
+  std::optional<ConvexDecomposition> exact = cutter.cut_exactly();
+  if (!exact) return exact;
+  exact->is_exact = true;
+  exact->error = 0;
+  for (ConvexPiece& piece : exact->pieces) piece.excess = 0;
+  return exact;
+}
+
 }  // namespace
 
 ConvexDecomposition decompose(const Mesh& mesh, const DecompositionOptions& options) {
-  RIGOR_ASSERT(mesh.tree != nullptr && mesh.tree->is_closed);
+  RIGOR_ASSERT(mesh.tree != nullptr && mesh.tree->is_closed && !mesh.mesh->triangles.empty());
   const WindingNumber winding(*mesh.mesh);
-  std::optional<ConvexDecomposition> best = Cutter(mesh, winding, options, 0).cut_exactly();
-  if (best) {
-    best->is_exact = true;
-    best->error = 0;
-    for (ConvexPiece& piece : best->pieces) piece.excess = 0;
-  }
+  std::optional<ConvexDecomposition> best = exact_pieces(Cutter(mesh, winding, options, 0));
   if (best && options.tolerance <= 0) return *best;
   const auto take_if_better = [&](ConvexDecomposition other) {
     const bool is_good = other.error <= options.tolerance;
@@ -187,6 +193,13 @@ ConvexDecomposition decompose(const Mesh& mesh, const DecompositionOptions& opti
   if (best) fewer.max_pieces = static_cast<int>(best->pieces.size()) - 1;
   take_if_better(Cutter(mesh, winding, fewer, 0).cut_roughly());
   return *best;
+}
+
+std::optional<ConvexDecomposition> decompose_exactly(const Mesh& mesh, int max_pieces) {
+  RIGOR_ASSERT(mesh.tree != nullptr && mesh.tree->is_closed && !mesh.mesh->triangles.empty());
+  const WindingNumber winding(*mesh.mesh);
+  const DecompositionOptions options{.max_pieces = max_pieces};
+  return exact_pieces(Cutter(mesh, winding, options, 0));
 }
 
 }  // namespace rigor

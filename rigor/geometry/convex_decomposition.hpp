@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace rigor {
@@ -49,6 +50,9 @@ struct DecompositionOptions {
 /// Computing 13(3), 1984, for notches and cuts. The choice of the cut, its bounds and the joining are ours
 /// (docs/theory/decomposition.md).
 ConvexDecomposition decompose(const Mesh& mesh, const DecompositionOptions& options = {});
+
+/// The exact decomposition, or nothing if it takes more than max_pieces.
+std::optional<ConvexDecomposition> decompose_exactly(const Mesh& mesh, int max_pieces);
 
 /// How well pieces and solid agree; all are zero up to rounding for an exact decomposition.
 struct DecompositionCheck {

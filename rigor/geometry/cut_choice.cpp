@@ -58,6 +58,12 @@ std::size_t fragments_cut(const SolidCell& cell, const CutPlane& plane, double t
   return count;
 }
 
+/// A plane that may be cut along, and how welcome it is among equals: 0 or, half-way between two faces, 1.
+struct Candidate {
+  CutPlane plane;
+  int rank;
+};
+
 void add_plane(const Vec3& normal, const Vec3& through, std::vector<CutPlane>& planes) {
   if (!(normal.norm() > 0)) return;
   const Vec3 unit = normal.normalized();
@@ -65,45 +71,36 @@ void add_plane(const Vec3& normal, const Vec3& through, std::vector<CutPlane>& p
 }
 
 /// Planes that resolve a notch at least.
-std::vector<CutPlane> notch_planes(const SolidCell& cell, const FacePlanes& planes) {
-  std::vector<CutPlane> result;
+std::vector<Candidate> notch_planes(const SolidCell& cell, const FacePlanes& planes) {
+  std::vector<Candidate> result;
   const std::vector<Notch> notches = sampled(cell.notches, kMostSampled);
   for (std::size_t i = 0; i < notches.size(); ++i) {
     const Notch& notch = notches[i];
     const Vec3 along = notch.q - notch.p;
-    for (const int f : notch.face_plane) result.push_back(planes.planes[static_cast<std::size_t>(f)].plane);
-    add_plane(notch.in_face[0] - notch.in_face[1], notch.p, result);
+    for (const int f : notch.face_plane)
+      result.push_back({planes.planes[static_cast<std::size_t>(f)].plane, 0});
+    std::vector<CutPlane> between;
+    add_plane(notch.in_face[0] - notch.in_face[1], notch.p, between);
+    for (const CutPlane& plane : between) result.push_back({plane, 1});
     for (std::size_t k = i + 1; k < notches.size(); ++k) {
       const Notch& other = notches[k];
       const Vec3 to_p = other.p - notch.p, to_q = other.q - notch.p;
+      const bool is_p_farther = to_p.cross(along).norm() > to_q.cross(along).norm();
       std::vector<CutPlane> common;
-      add_plane(along.cross(to_p.cross(along).norm() > to_q.cross(along).norm() ? to_p : to_q), notch.p,
-                common);
+      add_plane(along.cross(is_p_farther ? to_p : to_q), notch.p, common);
       if (common.empty() || !is_in_plane(other, common[0], 4 * planes.tolerance)) continue;
-      if (side_of_faces(notch, common[0]) == 0) result.push_back(common[0]);
+      if (side_of_faces(notch, common[0]) == 0) result.push_back({common[0], 0});
     }
   }
   return result;
 }
 
-/// The planes that leave the fewest notches, best first.
-std::vector<CutPlane> best_planes(const SolidCell& cell, const std::vector<Vec3>& points,
-                                  const FacePlanes& planes) {
-  std::vector<CutPlane> all = notch_planes(cell, planes);
-  if (all.empty()) {
-    for (const int i : sampled(conflict_planes(cell, points, planes), kMostSampled)) {
-      all.push_back(planes.planes[static_cast<std::size_t>(i)].plane);
-    }
-  }
-  std::vector<std::tuple<std::size_t, std::size_t>> order;  // notches left, index
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    order.emplace_back(notches_left(cell, all[i], planes.tolerance), i);
-  }
-  std::sort(order.begin(), order.end());
-  std::vector<CutPlane> result;
-  for (const auto& [left, i] : order) {
-    if (left > std::get<0>(order[0]) || result.size() == kMostCompared) break;
-    result.push_back(all[i]);
+/// Planes along faces that some of the points stand in front of.
+std::vector<Candidate> planes_in_conflict(const SolidCell& cell, const std::vector<Vec3>& points,
+                                          const FacePlanes& planes) {
+  std::vector<Candidate> result;
+  for (const int i : sampled(conflict_planes(cell, points, planes), kMostSampled)) {
+    result.push_back({planes.planes[static_cast<std::size_t>(i)].plane, 0});
   }
   return result;
 }
@@ -135,18 +132,28 @@ double hull_volumes(const SolidCell& cell, const std::vector<Vec3>& points, cons
 }  // namespace
 
 CutPlane choose_exact_cut(const SolidCell& cell, const std::vector<Vec3>& points, const FacePlanes& planes) {
-  const std::vector<CutPlane> candidates = best_planes(cell, points, planes);
+  std::vector<Candidate> candidates = notch_planes(cell, planes);
+  if (candidates.empty()) candidates = planes_in_conflict(cell, points, planes);
   RIGOR_ASSERT(!candidates.empty());
-  std::size_t best = 0, least_left = std::numeric_limits<std::size_t>::max(), least_cut = least_left;
+  std::vector<std::tuple<std::size_t, int, std::size_t>> order;  // notches left, rank, index
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const std::size_t left = notches_left(cell, candidates[i], planes.tolerance);
-    const std::size_t cut = fragments_cut(cell, candidates[i], planes.tolerance);
-    if (std::tie(left, cut) >= std::tie(least_left, least_cut)) continue;
-    least_left = left;
+    const std::size_t left = notches_left(cell, candidates[i].plane, planes.tolerance);
+    order.emplace_back(left, candidates[i].rank, i);
+  }
+  std::sort(order.begin(), order.end());
+
+  // Of those that are as good as the first, the one that cuts the fewest fragments.
+  const auto& [least_left, least_rank, first] = order[0];
+  std::size_t best = first, least_cut = std::numeric_limits<std::size_t>::max();
+  for (std::size_t n = 0; n < std::min(order.size(), kMostCompared); ++n) {
+    const auto& [left, rank, i] = order[n];
+    if (left != least_left || rank != least_rank) break;
+    const std::size_t cut = fragments_cut(cell, candidates[i].plane, planes.tolerance);
+    if (cut >= least_cut) continue;
     least_cut = cut;
     best = i;
   }
-  return candidates[best];
+  return candidates[best].plane;
 }
 
 CutPlane choose_rough_cut(const SolidCell& cell, const std::vector<Vec3>& points, const FacePlanes& planes,

@@ -1,6 +1,7 @@
 #include "rigor/geometry/lipschitz_maximum.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <queue>
 #include <vector>
 
@@ -26,6 +27,9 @@ class Search {
   }
 
   MaximumBounds run() {
+    for (const Vec3& p : function_.starts) {
+      if (function_.beyond(p) <= 0) take(p, function_.value(p));
+    }
     add(function_.box, std::numeric_limits<double>::infinity());
     while (!boxes_.empty()) {
       const BoundedBox top = boxes_.top();
@@ -41,6 +45,12 @@ class Search {
   }
 
  private:
+  void take(const Vec3& p, double value) {
+    if (!(value > result_.lower)) return;
+    result_.lower = value;
+    result_.place = p;
+  }
+
   void halve(const BoundedBox& parent) {
     int axis = 0;
     (parent.box.upper - parent.box.lower).maxCoeff(&axis);
@@ -58,10 +68,7 @@ class Search {
     if (beyond > radius) return;
     ++evaluations_;
     const double value = function_.value(center);
-    if (beyond <= 0 && value > result_.lower) {
-      result_.lower = value;
-      result_.place = center;
-    }
+    if (beyond <= 0) take(center, value);
     const double upper = std::min(value + radius, parent_upper);
     if (upper > result_.lower) boxes_.push({box, upper, evaluations_});
   }

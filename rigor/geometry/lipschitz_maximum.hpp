@@ -3,6 +3,7 @@
 #include "rigor/geometry/aabb.hpp"
 
 #include <functional>
+#include <vector>
 
 namespace rigor {
 
@@ -12,7 +13,8 @@ struct LipschitzFunction {
   std::function<double(const Vec3&)> value;
   /// A lower bound of the distance from the region: 0 in it, and somewhere positive outside.
   std::function<double(const Vec3&)> beyond;
-  Aabb box;  ///< Holds the region; finite.
+  Aabb box;                    ///< Holds the region; finite.
+  std::vector<Vec3> starts{};  ///< Points where a large value may be; those beyond the region are left out.
 };
 
 /// When a search for a maximum may end.
