@@ -7,6 +7,7 @@
 
 namespace rigor {
 
+class MeshSolid;      // rigor/geometry/mesh_solid.hpp
 struct ConvexHull;    // rigor/geometry/convex_hull.hpp
 struct TriangleMesh;  // rigor/geometry/triangle_mesh.hpp
 struct TriangleTree;  // rigor/geometry/triangle_tree.hpp
@@ -55,6 +56,7 @@ struct Convex {
 struct Mesh {
   std::shared_ptr<const TriangleMesh> mesh;
   std::shared_ptr<const TriangleTree> tree;  ///< Of `mesh`; distance and contacts need it.
+  std::shared_ptr<const MeshSolid> solid{};  ///< Its inside, computed when it is needed.
 };
 
 using Shape = std::variant<Sphere, Box, Capsule, Cylinder, Cone, Ellipsoid, HalfSpace, Convex, Mesh>;

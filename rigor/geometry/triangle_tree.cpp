@@ -2,6 +2,7 @@
 
 #include "rigor/core/assert.hpp"
 #include "rigor/geometry/mesh_edges.hpp"
+#include "rigor/geometry/mesh_solid.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -160,7 +161,7 @@ std::shared_ptr<const TriangleTree> make_triangle_tree(const TriangleMesh& mesh)
 Mesh make_mesh(std::shared_ptr<const TriangleMesh> mesh) {
   RIGOR_ASSERT(mesh != nullptr);
   const std::shared_ptr<const TriangleTree> tree = make_triangle_tree(*mesh);
-  return {std::move(mesh), tree};
+  return {mesh, tree, std::make_shared<const MeshSolid>(mesh, tree)};
 }
 
 }  // namespace rigor
