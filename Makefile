@@ -51,6 +51,7 @@ bench:
 	@build/bench/benchmarks/rigor_constrained_mass_bench
 	@build/bench/benchmarks/rigor_resting_bench
 	@build/bench/benchmarks/rigor_chain_bench
+	@build/bench/benchmarks/rigor_mesh_bench
 
 clean:
 	rm -rf build

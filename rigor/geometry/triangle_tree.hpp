@@ -3,6 +3,7 @@
 #include "rigor/geometry/aabb.hpp"
 #include "rigor/geometry/shape.hpp"
 #include "rigor/geometry/triangle_mesh.hpp"
+#include "rigor/geometry/wide_tree.hpp"
 
 #include <array>
 #include <cstdint>
@@ -38,6 +39,7 @@ struct TriangleTree {
     int patch = 0;          ///< Least index of the triangles joined to this one by flat edges.
   };
 
+  WideTree wide;                     ///< For mesh against mesh.
   std::vector<Node> nodes;           ///< Root first; empty for an empty mesh.
   std::vector<int> order;            ///< Triangle indices, leaf by leaf; those without area are left out.
   std::vector<Triangle> triangles;   ///< One a triangle of the mesh.
