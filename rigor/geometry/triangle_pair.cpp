@@ -79,6 +79,11 @@ RIGOR_LANES bool is_one_sided(const Lanes& h, double rounding) {
   return low > rounding || high < -rounding;
 }
 
+RIGOR_LANES double largest_size(const Lanes& h) {
+  const Lanes size = lane_abs(h);
+  return std::max(std::max(size[0], size[1]), size[2]);
+}
+
 /// All squared distances by feature; returns whether the planes leave it open that the triangles meet.
 RIGOR_LANES bool all_distances(const TriangleCorners& a, const TriangleCorners& b, double* squared) {
   const LaneTriangle A = load_triangle(a, a[0]), B = load_triangle(b, a[0]);
@@ -98,7 +103,13 @@ RIGOR_LANES bool all_distances(const TriangleCorners& a, const TriangleCorners& 
   const Lanes total = far.x + far.y + far.z;
   const double size = std::max(std::max(total[0], total[1]), total[2]);
   const double rounding = 64 * std::numeric_limits<double>::epsilon() * size * size * size;
-  return !is_one_sided(over_A.height, rounding) && !is_one_sided(over_B.height, rounding);
+  if (is_one_sided(over_A.height, rounding) || is_one_sided(over_B.height, rounding)) return false;
+  // Triangles in one plane meet only where edges cross or one holds a corner of the other: distances of the
+  // order of the heights.
+  const double flat = 4 * rounding;
+  if (largest_size(over_A.height) > flat) return true;
+  const double least = *std::min_element(squared, squared + 15);
+  return !(least * dot(n_A, n_A)[0] > 16 * flat * flat);
 }
 
 bool distances_portable(const TriangleCorners& a, const TriangleCorners& b, double* squared) {

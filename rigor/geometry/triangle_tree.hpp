@@ -45,6 +45,8 @@ struct TriangleTree {
   std::vector<Triangle> triangles;   ///< One a triangle of the mesh.
   std::vector<Vec3> vertex_normals;  ///< Sums of normals weighted by angle, for the sign of a distance.
   std::vector<std::vector<int>> vertex_triangles;  ///< Triangles about each vertex, ascending.
+  std::vector<double> patch_areas;  ///< Of each flat patch at its least triangle [m²]; 0 elsewhere.
+  std::vector<int> shell_vertices;  ///< One vertex of each part that hangs together by edges.
   std::vector<bool>
       is_crease_corner;  ///< Vertex where creases end or bend: not inside a flat patch or a straight crease.
   bool is_closed =
