@@ -54,6 +54,7 @@ bench:
 	@build/bench/benchmarks/rigor_convex_bench
 	@build/bench/benchmarks/rigor_coherent_bench
 	@build/bench/benchmarks/rigor_broad_phase_bench
+	@build/bench/benchmarks/rigor_mesh_bench
 
 clean:
 	rm -rf build

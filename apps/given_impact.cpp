@@ -133,17 +133,11 @@ std::size_t choose_contact(const std::vector<Contact>& contacts, const std::opti
   return static_cast<std::size_t>(*wanted - 1);
 }
 
-/// Throws InputError for pairs whose contacts are not available.
+/// Throws InputError for a body without shapes.
 void check_shapes(const Body& A, const Body& B) {
   for (const Body* body : {&A, &B}) {
     if (body->shapes.empty()) throw InputError(fmt::format("body {} has no shapes", quoted_text(body->name)));
   }
-  const auto has_mesh = [](const Body& body) {
-    return std::any_of(body.shapes.begin(), body.shapes.end(),
-                       [](const BodyShape& shape) { return std::holds_alternative<Mesh>(shape.shape); });
-  };
-  if (has_mesh(A) && has_mesh(B))
-    throw InputError("contacts between two meshes are not available in this version");
 }
 
 std::vector<Contact> touching_points(const Model& model, int a, int b,

@@ -4,6 +4,8 @@
 #include "rigor/geometry/contact_mesh.hpp"
 #include "rigor/geometry/contact_pair.hpp"
 #include "rigor/geometry/distance.hpp"
+#include "rigor/geometry/mesh_pair_contacts.hpp"
+#include "rigor/geometry/mesh_pair_distance.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -11,8 +13,18 @@
 namespace rigor {
 namespace {
 
-bool is_unbounded(const Shape& shape) {
+/// Planes, and meshes, which may be large.
+bool is_wide(const Shape& shape) {
   return std::holds_alternative<HalfSpace>(shape) || std::holds_alternative<Mesh>(shape);
+}
+
+/// Whether the pair is computed with its shapes exchanged: a mesh is treated as A, else a plane, else the
+/// shapes as they come; of two meshes always the same one.
+bool is_exchanged_pair(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB) {
+  const Mesh* const mesh_a = std::get_if<Mesh>(&a);
+  const Mesh* const mesh_b = std::get_if<Mesh>(&b);
+  if (mesh_a != nullptr && mesh_b != nullptr) return is_mesh_pair_swapped(*mesh_a, X_WA, *mesh_b, X_WB);
+  return mesh_b != nullptr || (std::holds_alternative<HalfSpace>(b) && mesh_a == nullptr);
 }
 
 /// The contacts with the two shapes exchanged.
@@ -45,7 +57,10 @@ std::vector<ContactPoint> plane_contacts(const HalfSpace& plane, const Pose& X_O
 /// All pairs near the origin but those whose unbounded shape comes second.
 std::vector<ContactPoint> local_contacts(const Shape& a, const Pose& X_OA, const Shape& b, const Pose& X_OB,
                                          double tolerance) {
-  if (const Mesh* mesh = std::get_if<Mesh>(&a)) return mesh_contacts(*mesh, X_OA, b, X_OB, tolerance);
+  const Mesh* const mesh = std::get_if<Mesh>(&a);
+  const Mesh* const other = std::get_if<Mesh>(&b);
+  if (mesh != nullptr && other != nullptr) return mesh_pair_contacts(*mesh, X_OA, *other, X_OB, tolerance);
+  if (mesh != nullptr) return mesh_contacts(*mesh, X_OA, b, X_OB, tolerance);
   const ContactShape shape_A(a, X_OA), shape_B(b, X_OB);
   if (const HalfSpace* plane = std::get_if<HalfSpace>(&a)) {
     return plane_contacts(*plane, X_OA, shape_A, shape_B, tolerance);
@@ -64,15 +79,14 @@ std::vector<ContactPoint> local_contacts(const Shape& a, const Pose& X_OA, const
 std::vector<ContactPoint> contact_set(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB,
                                       double tolerance) {
   RIGOR_ASSERT(tolerance >= 0);
-  RIGOR_ASSERT(!(is_unbounded(a) && is_unbounded(b)) || a.index() != b.index());
-  // A mesh is treated as A, else a plane, else the shapes as they come.
-  const bool mesh_is_second = std::holds_alternative<Mesh>(b);
-  const bool plane_is_second = std::holds_alternative<HalfSpace>(b) && !std::holds_alternative<Mesh>(a);
-  const bool is_exchanged = mesh_is_second || plane_is_second;
+  RIGOR_ASSERT(!(std::holds_alternative<HalfSpace>(a) && std::holds_alternative<HalfSpace>(b)));
+  const bool is_exchanged = is_exchanged_pair(a, X_WA, b, X_WB);
 
   // Everything happens in a frame at a bounded shape, so that the distance to the origin of W costs no
   // digits.
-  const Vec3 origin = is_unbounded(a) ? X_WB.p : X_WA.p;
+  const bool are_meshes = std::holds_alternative<Mesh>(a) && std::holds_alternative<Mesh>(b);
+  const bool is_at_b = are_meshes ? !is_exchanged : is_wide(a);
+  const Vec3 origin = is_at_b ? X_WB.p : X_WA.p;
   const Pose X_OA{X_WA.R, X_WA.p - origin}, X_OB{X_WB.R, X_WB.p - origin};
   std::vector<ContactPoint> contacts = is_exchanged ? exchanged(local_contacts(b, X_OB, a, X_OA, tolerance))
                                                     : local_contacts(a, X_OA, b, X_OB, tolerance);

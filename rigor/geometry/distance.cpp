@@ -4,6 +4,7 @@
 #include "rigor/geometry/convex_distance.hpp"
 #include "rigor/geometry/convex_hull.hpp"
 #include "rigor/geometry/mesh_distance.hpp"
+#include "rigor/geometry/mesh_pair_distance.hpp"
 #include "rigor/geometry/support.hpp"
 
 #include <algorithm>
@@ -51,7 +52,7 @@ struct OrderOfSizes {
                  {hull_b.vertices[0].data(), 3 * hull_b.vertices.size()});
   }
   std::partial_ordering operator()(const HalfSpace&) const { return std::partial_ordering::equivalent; }
-  std::partial_ordering operator()(const Mesh&) const { return std::partial_ordering::equivalent; }
+  std::partial_ordering operator()(const Mesh& a) const { return compare_meshes(a, rhs<Mesh>()) <=> 0; }
 
   template <class T>
   std::partial_ordering by_radius_and_length(const T& a) const {
@@ -95,7 +96,10 @@ DistanceResult plane_distance(const HalfSpace& plane, const Pose& X_WA, const Sh
 
 DistanceResult ordered_distance(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB) {
   if (const HalfSpace* const plane = std::get_if<HalfSpace>(&a)) return plane_distance(*plane, X_WA, b, X_WB);
-  if (const Mesh* const mesh = std::get_if<Mesh>(&a)) return mesh_signed_distance(*mesh, X_WA, b, X_WB);
+  const Mesh* const mesh = std::get_if<Mesh>(&a);
+  const Mesh* const other = std::get_if<Mesh>(&b);
+  if (mesh != nullptr && other != nullptr) return mesh_pair_signed_distance(*mesh, X_WA, *other, X_WB);
+  if (mesh != nullptr) return mesh_signed_distance(*mesh, X_WA, b, X_WB);
   return convex_distance(make_core(a), X_WA, make_core(b), X_WB);
 }
 

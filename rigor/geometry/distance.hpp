@@ -17,8 +17,8 @@ struct DistanceResult {
 
 /// Distance(A,B) of the course, signed. Exact closed forms where they exist, GJK and a penetration algorithm
 /// otherwise, in double and in a frame near both shapes. signed_distance(A,B) and signed_distance(B,A) agree
-/// bit for bit in `distance`. Mesh against convex is the minimum over the triangles. Not for two half-spaces
-/// or two meshes (a broken promise).
+/// bit for bit in `distance`. Mesh against convex is the minimum over the triangles; two meshes as in
+/// mesh_pair_distance.hpp. Not for two half-spaces (a broken promise).
 DistanceResult signed_distance(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB);
 
 }  // namespace rigor

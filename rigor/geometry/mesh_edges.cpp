@@ -120,6 +120,37 @@ void find_patches(TriangleTree& tree) {
   }
 }
 
+void find_patch_areas(const TriangleMesh& mesh, TriangleTree& tree) {
+  tree.patch_areas.assign(mesh.triangles.size(), 0.0);
+  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+    const Vec3 n = (corner(mesh, t, 1) - corner(mesh, t, 0)).cross(corner(mesh, t, 2) - corner(mesh, t, 0));
+    const int patch = tree.triangles[static_cast<std::size_t>(t)].patch;
+    tree.patch_areas[static_cast<std::size_t>(patch)] += 0.5 * n.norm();
+  }
+}
+
+/// Walks over all edges from each triangle that was not seen before.
+void find_shell_vertices(const TriangleMesh& mesh, TriangleTree& tree) {
+  tree.shell_vertices.clear();
+  std::vector<bool> is_seen(mesh.triangles.size(), false);
+  std::vector<int> todo;
+  for (int seed = 0; seed < static_cast<int>(mesh.triangles.size()); ++seed) {
+    if (is_seen[static_cast<std::size_t>(seed)]) continue;
+    tree.shell_vertices.push_back(corner_index(mesh, seed, 0));
+    is_seen[static_cast<std::size_t>(seed)] = true;
+    todo.push_back(seed);
+    while (!todo.empty()) {
+      const int t = todo.back();
+      todo.pop_back();
+      for (const int next : tree.triangles[static_cast<std::size_t>(t)].neighbour) {
+        if (next < 0 || is_seen[static_cast<std::size_t>(next)]) continue;
+        is_seen[static_cast<std::size_t>(next)] = true;
+        todo.push_back(next);
+      }
+    }
+  }
+}
+
 /// Do the creases at a vertex, given by their directions away from it, leave a corner? Not if there are none,
 /// or two that make one straight line.
 bool is_corner(const std::vector<Vec3>& creases) {
@@ -195,6 +226,8 @@ void find_mesh_edges(const TriangleMesh& mesh, TriangleTree& tree) {
   }
   find_neighbours(mesh, tree);
   find_patches(tree);
+  find_patch_areas(mesh, tree);
+  find_shell_vertices(mesh, tree);
   find_vertices(mesh, tree);
   find_corners(mesh, tree);
 }

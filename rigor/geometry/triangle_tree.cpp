@@ -152,6 +152,7 @@ std::shared_ptr<const TriangleTree> make_triangle_tree(const TriangleMesh& mesh)
   for (std::size_t t = 0; t < tree->triangles.size(); ++t) {
     if (!tree->triangles[t].normal.isZero(0)) tree->order.push_back(static_cast<int>(t));
   }
+  tree->wide = make_wide_tree(mesh, tree->order);
   if (tree->order.empty()) return tree;
   Builder(mesh, *tree).build(0, static_cast<int>(tree->order.size()));
   tree->size = (tree->nodes.front().box.upper - tree->nodes.front().box.lower).maxCoeff();

@@ -3,6 +3,7 @@
 #include "rigor/geometry/aabb.hpp"
 #include "rigor/geometry/shape.hpp"
 #include "rigor/geometry/triangle_mesh.hpp"
+#include "rigor/geometry/wide_tree.hpp"
 
 #include <array>
 #include <cstdint>
@@ -38,11 +39,14 @@ struct TriangleTree {
     int patch = 0;          ///< Least index of the triangles joined to this one by flat edges.
   };
 
+  WideTree wide;                     ///< For mesh against mesh.
   std::vector<Node> nodes;           ///< Root first; empty for an empty mesh.
   std::vector<int> order;            ///< Triangle indices, leaf by leaf; those without area are left out.
   std::vector<Triangle> triangles;   ///< One a triangle of the mesh.
   std::vector<Vec3> vertex_normals;  ///< Sums of normals weighted by angle, for the sign of a distance.
   std::vector<std::vector<int>> vertex_triangles;  ///< Triangles about each vertex, ascending.
+  std::vector<double> patch_areas;  ///< Of each flat patch at its least triangle [m²]; 0 elsewhere.
+  std::vector<int> shell_vertices;  ///< One vertex of each part that hangs together by edges.
   std::vector<bool>
       is_crease_corner;  ///< Vertex where creases end or bend: not inside a flat patch or a straight crease.
   bool is_closed =

@@ -7,7 +7,6 @@
 #include "rigor/model/force_builder.hpp"
 #include "rigor/model/joint_builder.hpp"
 #include "rigor/model/limits.hpp"
-#include "rigor/model/mesh_pairs.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -205,7 +204,6 @@ Model ModelBuilder::assemble(std::vector<std::string>& messages) const {
     return model;
   }
   ShapeMemory memory;
-  std::vector<std::string> wheres;
   std::string bad_where;
   for (const auto& [body, where] : parts_->bodies) {
     if (!model.body_index_.emplace(body.name, model.body_count()).second) {
@@ -214,7 +212,6 @@ Model ModelBuilder::assemble(std::vector<std::string>& messages) const {
     // Bodies from one place of a file (a repeated body) share their mistakes, which are told once.
     std::vector<std::string> findings;
     model.bodies_.push_back(make_body(body, where, materials, memory, findings));
-    wheres.push_back(where);
     if (!where.empty() && where == bad_where) continue;
     if (!findings.empty()) bad_where = where;
     messages.insert(messages.end(), findings.begin(), findings.end());
@@ -230,7 +227,6 @@ Model ModelBuilder::assemble(std::vector<std::string>& messages) const {
     if (messages.size() >= limits::message_count) return model;
   }
   add_joints(bodies, messages, model);
-  check_mesh_pairs(model, wheres, messages);
   return model;
 }
 

@@ -218,20 +218,6 @@ TEST(Refused, ExclusionsAndForces) {
                              }));
 }
 
-TEST(Refused, TwoMeshesThatMayCollide) {
-  ModelBuilder builder;
-  for (const char* name : {"a", "b", "c"})
-    builder.add_body(body_of(cube_mesh(), name), std::string(name) + ": ");
-  ASSERT_EQ(builder.check().size(), 1u);
-  EXPECT_TRUE(builder.check()[0].starts_with(
-      "b: body 'b': it may collide with 'a', and contacts between two meshes"));
-  builder.exclude_pair("a", "b");
-  builder.exclude_pair("a", "c");
-  EXPECT_TRUE(builder.check()[0].starts_with("c: body 'c': it may collide with 'b'"));
-  builder.exclude_pair("b", "c");
-  EXPECT_TRUE(builder.check().empty());
-}
-
 TEST(Refused, MoreBodiesThanTheLimit) {
   ModelBuilder builder;
   for (std::size_t i = 0; i <= limits::body_count; ++i) builder.add_body({});

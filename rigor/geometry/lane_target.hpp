@@ -1,0 +1,18 @@
+#pragma once
+
+namespace rigor {
+
+/// Which instructions a function with lanes is to use. The answers are the same.
+enum class LaneTarget { portable, avx2 };
+
+/// The best that this processor has.
+inline LaneTarget best_lane_target() {
+#if defined(__x86_64__)
+  static const bool has_avx2 = __builtin_cpu_supports("avx2") != 0;
+  return has_avx2 ? LaneTarget::avx2 : LaneTarget::portable;
+#else
+  return LaneTarget::portable;
+#endif
+}
+
+}  // namespace rigor
