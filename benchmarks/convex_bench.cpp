@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <string_view>
 
@@ -235,6 +236,7 @@ void run_bench(const Plan& plan) {
     print_accuracy(shapes, some, truth, engines, by_engine);
     print_truth(truth);
     print_bounds(truth, by_engine[0]);
+    std::fflush(stdout);
   }
   print_pairs(queries, columns, engines);
 }
