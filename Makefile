@@ -64,5 +64,5 @@ help:
 	@echo "make test    build, then all tests"
 	@echo "make build   build only (Release, in $(BUILD))"
 	@echo "make check   formatting, clang++ beside g++ with warnings as errors, the tests under ASan and UBSan, the viewer"
-	@echo "make bench   error and CPU time of the reference scenes, of pictures, impacts, chains, resting contact and the broad phase, beside the peer engines that are installed"
+	@echo "make bench   error and CPU time of the reference scenes, of pictures, impacts, chains, resting contact, distances and the broad phase, beside the peer engines that are installed"
 	@echo "make clean   remove build/"

@@ -7,6 +7,7 @@
 #include "rigor/geometry/contact_set.hpp"
 #include "rigor/geometry/contact_shape.hpp"
 #include "rigor/geometry/distance.hpp"
+#include "rigor/geometry/distance_cache.hpp"
 #include "rigor/io/json_text.hpp"
 #include "rigor/io/scene_reader.hpp"
 #include "rigor/math/rotation.hpp"
@@ -53,7 +54,15 @@ void check_pair(const BodyShape& a, const BodyShape& b) {
   }
 }
 
-BodyDistance body_distance(const Model& model, int body_A, int body_B, double tolerance) {
+DistanceResult shape_distance(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB,
+                              DistanceMethod method) {
+  DistanceCache cache;
+  return method == DistanceMethod::lin_canny ? walked_distance(a, X_WA, b, X_WB, cache)
+                                             : signed_distance(a, X_WA, b, X_WB);
+}
+
+BodyDistance body_distance(const Scene& scene, int body_A, int body_B, double tolerance) {
+  const Model& model = *scene.model;
   const State state = make_initial_state(model);
   const Body &A = model.body(body_A), &B = model.body(body_B);
   for (const Body* body : {&A, &B}) {
@@ -66,7 +75,8 @@ BodyDistance body_distance(const Model& model, int body_A, int body_B, double to
     for (std::size_t b = 0; b < B.shapes.size(); ++b) {
       check_pair(A.shapes[a], B.shapes[b]);
       const Pose X_WS = X_WA * A.shapes[a].X_BS, X_WT = X_WB * B.shapes[b].X_BS;
-      const DistanceResult found = signed_distance(A.shapes[a].shape, X_WS, B.shapes[b].shape, X_WT);
+      const DistanceResult found =
+          shape_distance(A.shapes[a].shape, X_WS, B.shapes[b].shape, X_WT, scene.method.distance);
       const PairDistance pair{{a, b}, found};
       if (result.pairs.empty() || found.distance < result.nearest.distance.distance) result.nearest = pair;
       result.pairs.push_back(pair);
@@ -164,7 +174,7 @@ ExitCode execute(const DistanceOptions& options) {
   const int body_B = find_body_or_throw(scene, options.body_B);
   if (body_A == body_B) throw UsageError("BODY_A and BODY_B are the same body; give two");
   const double tolerance = options.tolerance.value_or(scene.method.contact_tolerance);
-  const BodyDistance found = body_distance(*scene.model, body_A, body_B, tolerance);
+  const BodyDistance found = body_distance(scene, body_A, body_B, tolerance);
   const Body &A = scene.model->body(body_A), &B = scene.model->body(body_B);
   if (options.json != "-") fmt::print("{}", text_of(found, A, B, tolerance));
   write_text(options.json, json_text(json_of(found, A, B, tolerance)).append("\n"));

@@ -23,7 +23,8 @@ struct DistanceCache {
 ///
 /// distance, lower and upper do not depend on the cache beyond rounding, and all three hold for any cache.
 /// What may depend on it are the last bits; which of equally near points of parallel features are the
-/// witnesses; and the normal where two vertices or a vertex and an edge touch, which have more than one.
+/// witnesses; which of several equally short ways out of an overlap is taken; and the normal where two
+/// vertices or a vertex and an edge touch, which have more than one. (A,B) and (B,A) agree to rounding.
 DistanceResult walked_distance(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB,
                                DistanceCache& cache);
 

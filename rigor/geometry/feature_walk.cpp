@@ -80,7 +80,8 @@ class Walk {
     result_.n = n;
     result_.distance = distance;
     result_.shortfall = shortfall;
-    return end(shortfall <= 4 * rounding_ ? Outcome::apart : Outcome::undecided);
+    const bool is_proved = shortfall <= 4 * rounding_ && std::isfinite(distance);
+    return end(is_proved ? Outcome::apart : Outcome::undecided);
   }
 
   /// The edge at vertex v of side s that goes farthest along d (in the frame of s).

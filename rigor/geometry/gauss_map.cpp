@@ -264,9 +264,9 @@ FeaturePair face_uphill(const PolytopePair& pair, const Vec3& n, const std::arra
   const int t = crossing[0].t <= crossing[1].t ? 0 : 1;
   const FeatureGraph& graph = pair.graph(t);
   if (crossing[t].half_edge < 0) {
-    const int spoke = graph.first_of_vertex(vertex[0]);
-    const int face =
-        pair.graph(0).half_edge(pair.graph(0).spokes[static_cast<std::size_t>(spoke)].half_edge).face;
+    const FeatureGraph& graph_a = pair.graph(0);
+    const std::size_t spoke = static_cast<std::size_t>(graph_a.first_of_vertex(vertex[0]));
+    const int face = graph_a.half_edge(graph_a.spokes[spoke].half_edge).face;
     return {{Kind::face, face}, {Kind::vertex, vertex[1]}};
   }
   const Vec3 here = (1 - crossing[t].t) * n + crossing[t].t * uphill;

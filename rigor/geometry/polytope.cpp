@@ -15,12 +15,12 @@ const FeatureGraph& box_graph() {
 
 }  // namespace
 
-Polytope::Polytope(const Box& box)
-    : graph_(&box_graph()), vertices_(corners_.data()), extent_(box.half_extents.norm()) {
+Polytope::Polytope(const Box& box) : graph_(&box_graph()), extent_(box.half_extents.norm()) {
   const Vec3& h = box.half_extents;
   for (std::size_t i = 0; i < 8; ++i) {
     corners_[i] = Vec3((i & 1) ? h.x() : -h.x(), (i & 2) ? h.y() : -h.y(), (i & 4) ? h.z() : -h.z());
   }
+  vertices_ = corners_.data();
 }
 
 Polytope::Polytope(const ConvexHull& hull)

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <limits>
 
 namespace rigor {
 namespace {
@@ -265,6 +266,20 @@ TEST(WalkedDistance, OfATinyGapFarFromTheOriginIsRight) {
   const Pose X_WB{.p = X_WA.p + Vec3(0, 0, 1 + 0x1p-10)};
   DistanceCache cache;
   EXPECT_EQ(walked_distance(cube, X_WA, cube, X_WB, cache).distance, 0x1p-10);
+}
+
+TEST(FeatureWalk, OfPosesThatAreNoNumbersIsUndecided) {
+  Draw draw(9);
+  const ConvexHull hull = *std::get<Convex>(draw.hull(20)).hull;
+  const Polytope a(hull), b(Box{draw.sizes()});
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    for (const PolytopePair& pair :
+         {PolytopePair(a, b, {.p = Vec3(bad, 0, 0)}), PolytopePair(a, a, {.p = Vec3(0, bad, 0)}),
+          PolytopePair(b, b, {.p = Vec3(0, 0, bad)})}) {
+      EXPECT_EQ(walk_features(pair, facing_vertices(pair), 1e-15).outcome, FeatureWalk::Outcome::undecided);
+    }
+  }
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <numbers>
 
 namespace rigor {
@@ -229,21 +230,32 @@ TEST(FindBoxAxis, IsTheBestOfAllFifteen) {
   }
 }
 
+/// Direction of a face of the difference, in the frame of A.
+Vec3 normal_of(const PolytopePair& pair, const FeaturePair& face) {
+  const FeatureGraph &a = pair.graph(0), &b = pair.graph(1);
+  if (face.a.kind == Feature::Kind::face) return a.normal(face.a.index);
+  if (face.b.kind == Feature::Kind::face) return -(pair.X_AB().R * b.normal(face.b.index));
+  const FeatureGraph::HalfEdge& edge = a.half_edge(face.a.index);
+  const Vec3 n = edge.direction.cross(pair.X_AB().R * b.half_edge(face.b.index).direction).normalized();
+  return n.dot(a.normal(edge.face) + a.normal(a.half_edge(edge.twin).face)) >= 0 ? n : Vec3(-n);
+}
+
 TEST(ClimbGaussMap, EndsAtALocalMaximumFromAnywhere) {
   Draw draw(6);
   for (int i = 0; i < 100; ++i) {
     const ConvexHull a = *std::get<Convex>(draw.hull(20)).hull, b = *std::get<Convex>(draw.hull(20)).hull;
     const Polytope polytope_a(a), polytope_b(b);
     const PolytopePair pair(polytope_a, polytope_b, draw.pose(0.1));
-    const Vec3 n = draw.direction();
-    const FeaturePair start = face_uphill(pair, n, {0, 0});
-    const GaussPoint top = climb_gauss_map(pair, start, 1e-15);
-    ASSERT_TRUE(top.is_maximum);
     const auto separation = [&](const Vec3& d) {
       const Vec3 d_B = pair.X_AB().R.transpose() * -d;
       return d.dot(pair.vertex(1, polytope_b.farthest(d_B, 0)) -
                    polytope_a.vertex(polytope_a.farthest(d, 0)));
     };
+    const Vec3 n = draw.direction();
+    const FeaturePair start = face_uphill(pair, n, {0, 0});
+    EXPECT_GE(separation(normal_of(pair, start)), separation(n) - 1e-15);
+    const GaussPoint top = climb_gauss_map(pair, start, 1e-15);
+    ASSERT_TRUE(top.is_maximum);
     EXPECT_GE(top.separation, separation(n) - 1e-15);
     EXPECT_NEAR(top.separation, separation(top.n), 1e-15);
     EXPECT_LT((top.b - top.a - top.separation * top.n).norm(), 1e-15);
@@ -266,6 +278,19 @@ TEST(InnerPolytope, IsNoProofWhereAFacetHasTheOriginOutside) {
   EXPECT_TRUE(InnerPolytope(deep, 1e-15).begin(proof));
   const PolytopePair apart(a, b, {.p = Vec3(2.1, 0.2, 0.3)});
   EXPECT_FALSE(InnerPolytope(apart, 1e-15).begin(proof));
+}
+
+TEST(PolytopePenetration, OfPosesThatAreNoNumbersEndsWithoutAProof) {
+  Draw draw(7);
+  const ConvexHull hull = *std::get<Convex>(draw.hull(20)).hull;
+  const Polytope a(hull), b(Box{draw.sizes()});
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const PolytopePair sound(a, b, {}), broken(a, b, {.p = Vec3(nan, 0, 0)});
+  CachedProof proof;
+  const FeaturePair start = face_uphill(sound, Vec3::UnitX(), {0, 0});
+  ASSERT_TRUE(find_polytope_penetration(sound, start, 1e-15, proof).has_value());
+  EXPECT_FALSE(find_polytope_penetration(broken, start, 1e-15, proof).has_value());
+  EXPECT_EQ(proof.point_count, 0);
 }
 
 }  // namespace
