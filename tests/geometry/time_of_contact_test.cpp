@@ -206,6 +206,48 @@ TEST(TimeOfContact, OfATorusThroughATorusIsWhereTheirTubesMeet) {
   EXPECT_FALSE(find_time_of_contact({&ring, Pose{}, &still}, {&ring, Pose{}, &turning}, 0, 2).is_contact);
 }
 
+TEST(TimeOfContact, OfAMeshThatIsThrownOnAFloorIsThatOfItsHull) {
+  Draw draw(33);
+  for (int trial = 0; trial < 20; ++trial) {
+    const Vec3 half = draw.sizes();
+    const Shape box = Box{half}, box_mesh = mesh_of(make_box_mesh(-half, half));
+    const Shape floor = HalfSpace{draw.direction(), 0};
+    const Vec3 n = std::get<HalfSpace>(floor).normal;
+    const TwistMotion thrown({draw.rotation(), 3 * n}, draw.direction(), 5 * draw.direction(), -9.81 * n);
+    const TwistMotion still = at_rest();
+    const TimeOfContact solid = find_time_of_contact({&box, Pose{}, &thrown}, {&floor, Pose{}, &still}, 0, 9);
+    const TimeOfContact mesh =
+        find_time_of_contact({&floor, Pose{}, &still}, {&box_mesh, Pose{}, &thrown}, 0, 9);
+    ASSERT_TRUE(solid.is_contact && mesh.is_contact);
+    EXPECT_NEAR(solid.upper, mesh.upper, 2e-12);
+    EXPECT_NEAR((mesh.distance.n_W - n).norm(), 0, 1e-14);
+  }
+}
+
+TEST(TimeOfContact, DoesNotDependOnTheUnitOfLength) {
+  // All lengths times a power of two: the same times, bit for bit.
+  Draw draw(34);
+  int contacts = 0;
+  for (int trial = 0; trial < 20; ++trial) {
+    const Vec3 half = draw.sizes(), half_b = draw.sizes();
+    const Mat3 R_A = draw.rotation(), R_B = draw.rotation();
+    const Vec3 x(3, 0.2, 0), v(-3, draw.uniform(-0.4, 0.4), 0), w = 2 * draw.direction();
+    const auto time = [&](double unit) {
+      const Shape a = Box{unit * half}, b = mesh_of(make_box_mesh(-unit * half_b, unit * half_b));
+      const TwistMotion of_a({R_A, Vec3::Zero()}, Vec3::Zero(), w);
+      const TwistMotion of_b({R_B, unit * x}, unit * v, -w);
+      return find_time_of_contact({&a, Pose{}, &of_a}, {&b, Pose{}, &of_b}, 0, 2);
+    };
+    const TimeOfContact one = time(1);
+    contacts += one.is_contact;
+    for (const double unit : {0x1p-20, 0x1p20}) {
+      EXPECT_EQ(time(unit).lower, one.lower);
+      EXPECT_EQ(time(unit).upper, one.upper);
+    }
+  }
+  EXPECT_GT(contacts, 10);
+}
+
 TEST(TimeOfContact, OfShapesThatOverlapOrLieInAMeshIsTheBeginning) {
   const Shape room = mesh_of(make_box_mesh(Vec3(-2, -2, -2), Vec3(2, 2, 2)));
   const Shape ball = Sphere{0.1}, small = mesh_of(make_box_mesh(Vec3(-0.1, -0.1, -0.1), Vec3(0.1, 0.1, 0.1)));
