@@ -30,6 +30,7 @@ constexpr int most_threads = 1024;
 constexpr int most_frames = 100000;
 constexpr int highest_port = 65535;
 constexpr int most_contacts = 1000000;
+constexpr int most_pieces = 100000;
 constexpr int fewest_samples = 2, most_samples = 1000000000;
 
 const char* const examples =
@@ -46,6 +47,8 @@ const char* const examples =
     "  rigor mass part.stl --density 7850\n"
     "  rigor distance ball.yaml ball floor\n"
     "  rigor distance pile.yaml --ray=\"0,0,9 0,0,-1\"              what a ray meets\n"
+    "  rigor convert gear.stl gear.yaml --exact                  a solid as convex pieces, ready for a "
+    "scene\n"
     "  rigor render ball.h5 --time 0.5 -o ball.png\n"
     "  rigor plot ball.h5 energy.kinetic energy.total body.ball.position.z -o ball.svg\n"
     "  rigor impact --K=3.5,0,0,3.5,0,1 --u=2,1,-3 --mu 0.2 --e 0.8 -o paths.svg\n"
@@ -219,6 +222,22 @@ void add_impact(CLI::App& app, ImpactOptions& impact) {
             "OUT");
 }
 
+void add_convert(CLI::App& app, ConvertOptions& convert) {
+  app.add_option("IN", convert.input, "mesh (.obj .stl .ply), closed for pieces")
+      ->required()
+      ->option_text(" ");
+  app.add_option("OUT", convert.output, "by suffix: convex pieces as a scene .yaml, or mesh .obj")
+      ->required()
+      ->option_text(" ");
+  app.add_flag("--exact", convert.is_exact, "pieces that are the solid, up to rounding, or none");
+  add_value(app, "--max-pieces", convert.max_pieces, "most pieces; default 64", "N")
+      ->check(CLI::Range(1, most_pieces));
+  add_value(app, "--tolerance", convert.tolerance,
+            "how far a piece may stand out of the solid [m]; default: 1 % of its size", "M")
+      ->check(number_in(length, "m"));
+  add_json(app, convert.json, "the result");
+}
+
 std::vector<std::string> option_names(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::Option* const option : app.get_options()) {
@@ -307,6 +326,24 @@ void check_compare(const CompareOptions& compare) {
   check_written(compare.scene, written);
 }
 
+void check_convert(ConvertOptions& convert) {
+  const std::string suffix = std::filesystem::path(convert.output).extension().string();
+  if (suffix != ".yaml" && suffix != ".obj") {
+    throw UsageError("output " + quoted_text(convert.output) +
+                     " is of an unknown kind; available: .yaml (convex pieces) and .obj (mesh)");
+  }
+  convert.is_mesh_output = suffix == ".obj";
+  if (convert.is_exact && convert.tolerance) {
+    throw UsageError("--exact does not go with --tolerance: exact pieces do not stand out");
+  }
+  if (convert.is_mesh_output && (convert.is_exact || convert.tolerance || !convert.json.empty())) {
+    throw UsageError("--exact, --tolerance and --json are for pieces, which need an output .yaml");
+  }
+  std::vector<std::string> written = {convert.output};
+  if (!convert.json.empty() && convert.json != "-") written.push_back(convert.json);
+  check_written(convert.input, written);
+}
+
 /// The options as the command they make.
 template <typename Options>
 Command checked(const Options& options) {
@@ -319,6 +356,11 @@ Command checked(const RunOptions& run) {
 Command checked(const CompareOptions& compare) {
   check_compare(compare);
   return compare;
+}
+
+Command checked(ConvertOptions convert) {
+  check_convert(convert);
+  return convert;
 }
 
 void add_check(CLI::App& app, CheckOptions& check) {
@@ -352,6 +394,7 @@ void add_commands(CLI::App& app, std::optional<Command>& chosen) {
   add_command(app, "mass", "mass properties of a mesh or a scene, exact and sampled", add_mass, chosen);
   add_command(app, "distance", "signed distance and contacts of two bodies at t = 0; rays, points, pushes",
               add_distance, chosen);
+  add_command(app, "convert", "a solid as convex pieces for a scene, or a mesh as .obj", add_convert, chosen);
   add_command(app, "methods", "list every method, with its source", add_methods, chosen);
   add_command(app, "render", "pictures and films of a scene or a trajectory", add_render, chosen);
   add_command(app, "plot", "plot quantities of a trajectory over time", add_plot, chosen);

@@ -18,5 +18,6 @@ ExitCode execute(const MethodsOptions& options);
 ExitCode execute(const RenderOptions& options);
 ExitCode execute(const PlotOptions& options);
 ExitCode execute(const ImpactOptions& options);
+ExitCode execute(const ConvertOptions& options);
 
 }  // namespace rigor

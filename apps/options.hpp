@@ -89,6 +89,16 @@ struct ImpactOptions {
   std::string path, json, output;      ///< Table .csv; JSON; figure .svg or .png.
 };
 
+struct ConvertOptions {
+  std::string input;   ///< Mesh.
+  std::string output;  ///< Pieces as a scene (.yaml) or mesh (.obj).
+  bool is_mesh_output = false;
+  bool is_exact = false;
+  int max_pieces = 64;
+  std::optional<double> tolerance;  ///< Largest distance of a piece's points from the solid [m].
+  std::string json;
+};
+
 struct ViewOptions {
   std::string file;                    ///< Scene or trajectory (.h5).
   std::vector<std::string> overrides;  ///< "key=value".
@@ -96,7 +106,8 @@ struct ViewOptions {
   bool opens_browser = false;
 };
 
-using Command = std::variant<RunOptions, ViewOptions, CompareOptions, CheckOptions, MassOptions,
-                             DistanceOptions, MethodsOptions, RenderOptions, PlotOptions, ImpactOptions>;
+using Command =
+    std::variant<RunOptions, ViewOptions, CompareOptions, CheckOptions, MassOptions, DistanceOptions,
+                 MethodsOptions, RenderOptions, PlotOptions, ImpactOptions, ConvertOptions>;
 
 }  // namespace rigor

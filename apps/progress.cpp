@@ -44,17 +44,40 @@ std::string progress_text(const Progress& progress, int width) {
   return text;
 }
 
+std::string progress_text(const CuttingProgress& progress, int width) {
+  constexpr int widest_bar = 20;
+  const double share = static_cast<double>(progress.pieces) / std::max(1, progress.most_pieces);
+  const int filled = static_cast<int>(std::clamp(share, 0.0, 1.0) * widest_bar);
+  std::string text = fmt::format("{} [{:#<{}}{:.<{}}] {} pieces", progress.label, "", filled, "",
+                                 widest_bar - filled, progress.pieces);
+  if (std::isfinite(progress.excess)) text += fmt::format(", the worst stands out {:.3g} m", progress.excess);
+  if (static_cast<int>(text.size()) > width) text.resize(static_cast<std::size_t>(std::max(0, width)));
+  return text;
+}
+
 ProgressLine::ProgressLine(bool is_wanted) : is_shown_(is_wanted && is_terminal(stderr)) {}
 
-void ProgressLine::update(const Progress& progress) {
-  if (!is_shown_) return;
+bool ProgressLine::is_due() {
+  if (!is_shown_) return false;
   constexpr std::chrono::milliseconds pause(100);
   const std::chrono::steady_clock::time_point now = std::chrono::steady_clock::now();
-  if (is_dirty_ && now - last_ < pause) return;
+  if (is_dirty_ && now - last_ < pause) return false;
   last_ = now;
+  return true;
+}
+
+void ProgressLine::show(const std::string& text) {
   is_dirty_ = true;
-  fmt::print(stderr, "\r{}\x1b[K", progress_text(progress, terminal_width(stderr) - 1));
+  fmt::print(stderr, "\r{}\x1b[K", text);
   std::fflush(stderr);
+}
+
+void ProgressLine::update(const Progress& progress) {
+  if (is_due()) show(progress_text(progress, terminal_width(stderr) - 1));
+}
+
+void ProgressLine::update(const CuttingProgress& progress) {
+  if (is_due()) show(progress_text(progress, terminal_width(stderr) - 1));
 }
 
 void ProgressLine::clear() {

@@ -59,14 +59,14 @@ class Cutter {
   std::optional<OpenCell> opened(SolidCell cell) const;
   void add_cell(SolidCell cell, std::vector<OpenCell>& cells) const;
   MaximumBounds excess_of(const OpenCell& open, MaximumGoal goal) const;
-  ConvexDecomposition result(std::vector<SolidPart> parts) const;
+  ConvexDecomposition result(std::vector<SolidPart> parts, double most_excess) const;
 
   const Mesh& mesh_;
   const WindingNumber& winding_;
   const DecompositionOptions& options_;
   FacePlanes planes_;
   std::size_t most_pieces_;
-  double most_excess_;  ///< Of joined pieces [m].
+  double most_excess_;  ///< Of pieces joined after exact cuts [m].
 };
 
 /// Nothing if there is no solid in the cell, or no more than a film of rounding.
@@ -102,7 +102,7 @@ std::optional<ConvexDecomposition> Cutter::cut_exactly() const {
     }
     if (!goes_on(parts.size(), std::numeric_limits<double>::infinity())) return std::nullopt;
   }
-  ConvexDecomposition exact = result(std::move(parts));
+  ConvexDecomposition exact = result(std::move(parts), most_excess_);
   if (exact.pieces.size() > most_pieces_) return std::nullopt;
   return exact;
 }
@@ -146,13 +146,16 @@ ConvexDecomposition Cutter::cut_roughly() const {
     const double excess = std::min(stated, open.excess.upper);
     parts.push_back({std::move(open.hull), std::move(open.cell.fragments), excess});
   }
-  return result(std::move(parts));
+  // Joining must not make the worst piece worse.
+  double most_excess = options_.tolerance;
+  for (const SolidPart& part : parts) most_excess = std::max(most_excess, part.excess);
+  return result(std::move(parts), most_excess);
 }
 
-ConvexDecomposition Cutter::result(std::vector<SolidPart> parts) const {
+ConvexDecomposition Cutter::result(std::vector<SolidPart> parts, double most_excess) const {
   ConvexDecomposition result;
   result.volume = mass_properties(*mesh_.mesh, 1.0).mass;
-  for (const SolidPart& part : joined_parts(std::move(parts), planes_, most_excess_)) {
+  for (const SolidPart& part : joined_parts(std::move(parts), planes_, most_excess)) {
     result.pieces.push_back(
         {std::make_shared<const ConvexHull>(part.hull), real_shares(part, planes_), part.excess});
     result.pieces_volume += hull_volume(part.hull);
