@@ -21,7 +21,7 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 struct WayOut {
   double depth = std::numeric_limits<double>::infinity();  ///< ≥ 0 [m].
   Vec3 n_A;                                                ///< In which B goes, unit.
-  Vec3 p_AP, p_AQ;                                         ///< Points that part last, on A and B.
+  Vec3 p_AP;                                               ///< The point of A that parts last.
 };
 
 /// The ways out of pairs of triangles of two meshes, both in the frame of A.
@@ -37,7 +37,7 @@ class WaysOut {
   }
 
   WayOut deepest() const {
-    WayOut deepest{-1, Vec3::UnitZ(), Vec3::Zero(), Vec3::Zero()};
+    WayOut deepest{-1, Vec3::UnitZ(), Vec3::Zero()};
     for (const auto& [t, u] : pairs_) {
       const WayOut way = way_out(t, u);
       if (way.depth > deepest.depth) deepest = way;
@@ -58,29 +58,50 @@ class WaysOut {
     const TriangleCorners b = {b_.corner(u, 0), b_.corner(u, 1), b_.corner(u, 2)};
     WayOut best;
     for (const std::size_t other : near) {
-      for (const Vec3& n : directions_[other]) consider(n, a, b, best);
+      for (const Direction& direction : directions_[other]) consider(direction, a, b, best);
     }
     return best;
   }
 
-  static void consider(const Vec3& n, const TriangleCorners& a, const TriangleCorners& b, WayOut& best) {
+  /// A direction, and what decides where along it the bodies part last.
+  struct Direction {
+    Vec3 n;
+    int edge_A = -1, edge_B = -1;  ///< The edges whose common normal it is, or
+    bool is_normal_of_A = false;   ///< the face.
+  };
+
+  void consider(const Direction& direction, const TriangleCorners& a, const TriangleCorners& b,
+                WayOut& best) const {
+    const Vec3& n = direction.n;
     const auto lower = [&n](const Vec3& p, const Vec3& q) { return n.dot(p) < n.dot(q); };
     const Vec3 p = *std::max_element(a.begin(), a.end(), lower);
     const Vec3 q = *std::min_element(b.begin(), b.end(), lower);
     const double depth = n.dot(p - q);
-    if (depth < best.depth) best = {depth, n, p, q};
+    if (depth >= best.depth) return;
+    best = {depth, n, p};
+    if (direction.is_normal_of_A) best.p_AP = q + depth * n;
+    if (direction.edge_A >= 0) best.p_AP = point_on_edge(direction.edge_A, direction.edge_B, n);
+  }
+
+  /// The point of an edge of A that lies over one of B along their common normal.
+  Vec3 point_on_edge(int edge_A, int edge_B, const Vec3& n) const {
+    const Vec3 a = a_.corner(edge_A / 3, edge_A % 3), b = b_.corner(edge_B / 3, edge_B % 3);
+    const Vec3 along_A = a_.corner(edge_A / 3, edge_A % 3 + 1) - a;
+    const Vec3 along_B = b_.corner(edge_B / 3, edge_B % 3 + 1) - b;
+    const double place = (b - a).cross(along_B).dot(n) / along_A.cross(along_B).dot(n);
+    return a + std::clamp(place, 0.0, 1.0) * along_A;
   }
 
   /// The normals of the faces, and those of two edges from which both surfaces bend away.
-  std::vector<Vec3> directions_of(int t, int u) const {
-    std::vector<Vec3> directions = {a_.normal(t), -b_.normal(u)};
+  std::vector<Direction> directions_of(int t, int u) const {
+    std::vector<Direction> directions = {{a_.normal(t), -1, -1, true}, {-b_.normal(u)}};
     for (int i = 0; i < 3; ++i) {
       for (int k = 0; k < 3; ++k) add_directions_of_edges(3 * t + i, 3 * u + k, directions);
     }
     return directions;
   }
 
-  void add_directions_of_edges(int edge_A, int edge_B, std::vector<Vec3>& directions) const {
+  void add_directions_of_edges(int edge_A, int edge_B, std::vector<Direction>& directions) const {
     const int t = edge_A / 3, i = edge_A % 3, u = edge_B / 3, k = edge_B % 3;
     if (!a_.is_edge(t, i) || !b_.is_edge(u, k)) return;
     const Vec3 side_A = a_.corner(t, i + 1) - a_.corner(t, i), side_B = b_.corner(u, k + 1) - b_.corner(u, k);
@@ -88,14 +109,15 @@ class WaysOut {
     if (across.norm() <= 1e-9 * side_A.norm() * side_B.norm()) return;
     for (const double sign : {-1.0, 1.0}) {
       const Vec3 n = sign * across.normalized();
-      if (a_.falls_away_at_edge(edge_A, n) && b_.falls_away_at_edge(edge_B, -n)) directions.push_back(n);
+      if (a_.falls_away_at_edge(edge_A, n) && b_.falls_away_at_edge(edge_B, -n))
+        directions.push_back({n, edge_A, edge_B});
     }
   }
 
   const Pose X_AA_;
   const MeshSide a_, b_;
   const std::vector<std::array<int, 2>> pairs_;
-  std::vector<std::vector<Vec3>> directions_;                           ///< Of each pair.
+  std::vector<std::vector<Direction>> directions_;                      ///< Of each pair.
   std::map<std::pair<int, int>, std::vector<std::size_t>> neighbours_;  ///< Pairs with these vertices.
 };
 

@@ -213,6 +213,19 @@ TEST(DistanceOfTwoMeshes, OfTwoBoxesIsThatOfTheBoxesAndExchangesBitForBit) {
   EXPECT_GE(count, 90);
 }
 
+TEST(DistanceOfTwoMeshes, HasItsWitnessesWhereEdgesCrossInAShallowOverlap) {
+  // An upright edge of one box, turned by 45°, against a level edge of the other: they cross at the origin.
+  const Mesh box = make_box(Vec3(0.5, 0.5, 0.5));
+  const double high = 0.5 * std::sqrt(2.0) - 5e-9;
+  const Pose X_WA = turned(Vec3(std::numbers::pi / 4, 0, 0), Vec3(0.2, 0, -high));
+  const Pose X_WB = turned(Vec3(0, std::numbers::pi / 4, 0), Vec3(0, 0.1, high));
+  const DistanceResult found = signed_distance(box, X_WA, box, X_WB);
+  EXPECT_NEAR(found.distance, -1e-8, kRounding);
+  EXPECT_NEAR((found.n_W - Vec3::UnitZ()).norm(), 0, 1e-12);
+  EXPECT_NEAR(found.p_WA.norm(), 0, 1e-7);
+  EXPECT_NEAR(found.p_WB.norm(), 0, 1e-7);
+}
+
 TEST(DistanceOfTwoMeshes, IsNegativeWhereOneLiesInTheOther) {
   const Mesh outer = make_box(Vec3::Constant(1)), inner = make_box(Vec3::Constant(0.1));
   const Pose X_WB{Mat3::Identity(), Vec3(0.7, 0, 0)};

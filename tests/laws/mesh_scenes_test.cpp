@@ -5,9 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <numbers>
-
 namespace rigor::test {
 namespace {
 
@@ -23,25 +20,18 @@ void expect_apart(const SceneRun& run) {
 }
 
 TEST(MeshScenes, TorusStaysAboutThePeg) {
-  const SceneRun run = run_scene("torus_on_peg.yaml", {"run.duration=0.4"});
+  const SceneRun run = run_scene("torus_on_peg.yaml");
   expect_apart(run);
-  EXPECT_GT(run.result.audit.report.impacts, 0);
+  EXPECT_GT(run.audit().report.impacts, 0);
   const Vec3 place = run.states.back().position(run.body("torus"));
   EXPECT_LT(place.head<2>().norm(), 0.12);  // The radius of the ring.
   EXPECT_LT(place.z(), 0.3);                // Below the top of the peg.
 }
 
-TEST(MeshScenes, RightGearIsTakenAlongByTheLeftOne) {
-  const SceneRun run = run_scene("gear_pair.yaml", {"run.duration=0.6"});
-  expect_apart(run);
-  const Vec3 left = run.end_of("left").angular_velocity, right = run.end_of("right").angular_velocity;
-  EXPECT_GT(left.z(), 0.5);
-  EXPECT_LT(right.z(), -0.5);
-}
-
 TEST(MeshScenes, RocksWithEarsFallWithoutOverlap) {
-  const SceneRun run = run_scene("rock_pile.yaml", {"run.duration=0.3"});
+  const SceneRun run = run_scene("rock_pile.yaml", {"run.duration=0.2"});
   expect_apart(run);
+  EXPECT_GT(run.audit().report.impacts, 0);
 }
 
 }  // namespace
