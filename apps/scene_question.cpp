@@ -136,12 +136,7 @@ Answer answer_closest(const DistanceOptions& options, const Scene& scene, const 
   for (const BodyShape& a : A.shapes) {
     const bool is_plane = std::holds_alternative<HalfSpace>(a.shape);
     const auto others = [&](int body) {
-      if (body == body_A || (is_plane && has_shape(model.body(body), a.shape))) return false;
-      if (std::holds_alternative<Mesh>(a.shape) && has_shape(model.body(body), a.shape)) {
-        throw InputError(fmt::format("bodies {} and {}: the distance of two meshes is not available here",
-                                     quoted_text(A.name), quoted_text(model.body(body).name)));
-      }
-      return true;
+      return body != body_A && !(is_plane && has_shape(model.body(body), a.shape));
     };
     for (const NearBody& found :
          queries.nearest(a.shape, queries.pose(body_A) * a.X_BS, model.body_count(), others)) {

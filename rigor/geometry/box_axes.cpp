@@ -81,7 +81,7 @@ BoxAxis find_box_axis(const PolytopePair& pair, double rounding) {
   if (n.dot(t) < 0) n = -n;
   const Vec3 n_B = -(R.transpose() * n);
   const int corner_a = corner_along(n), corner_b = corner_along(n_B);
-  using Kind = Feature::Kind;
+  using Kind = PolytopeFeature::Kind;
   if (axis_b < 0) return {{{Kind::face, face_along(pair.graph(0), n)}, {Kind::vertex, corner_b}}, best};
   if (axis_a < 0) return {{{Kind::vertex, corner_a}, {Kind::face, face_along(pair.graph(1), n_B)}}, best};
   return {{{Kind::edge, edge_along(pair.graph(0), corner_a, axis_a)},

@@ -21,11 +21,11 @@ Polytope make_polytope(const Shape& shape) {
 
 /// A pair of features for the climb on the Gauss map to begin with, where the walk saw the overlap.
 FeaturePair start_of_climb(const PolytopePair& pair, FeaturePair at) {
-  if (at.a.kind != Feature::Kind::face && at.b.kind != Feature::Kind::face) return at;
+  if (at.a.kind != PolytopeFeature::Kind::face && at.b.kind != PolytopeFeature::Kind::face) return at;
   for (const int s : {0, 1}) {
-    Feature& feature = s == 0 ? at.a : at.b;
-    if (feature.kind != Feature::Kind::edge) continue;
-    feature = {Feature::Kind::vertex, pair.graph(s).half_edge(feature.index).from};
+    PolytopeFeature& feature = s == 0 ? at.a : at.b;
+    if (feature.kind != PolytopeFeature::Kind::edge) continue;
+    feature = {PolytopeFeature::Kind::vertex, pair.graph(s).half_edge(feature.index).from};
   }
   return at;
 }

@@ -10,7 +10,7 @@ namespace {
 using HalfEdge = FeatureGraph::HalfEdge;
 using Spoke = FeatureGraph::Spoke;
 using Outcome = FeatureWalk::Outcome;
-using Kind = Feature::Kind;
+using Kind = PolytopeFeature::Kind;
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 /// Far more pairs than any walk seen has visited.
@@ -361,7 +361,7 @@ class Walk {
 
   const PolytopePair& pair_;
   double rounding_;
-  Feature feature_[2];
+  PolytopeFeature feature_[2];
   FeatureWalk result_;
 };
 

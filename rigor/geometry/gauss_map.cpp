@@ -7,7 +7,7 @@ namespace rigor {
 namespace {
 
 using HalfEdge = FeatureGraph::HalfEdge;
-using Kind = Feature::Kind;
+using Kind = PolytopeFeature::Kind;
 
 /// Direction cosines below this are zero to rounding.
 constexpr double kLevel = 8 * std::numeric_limits<double>::epsilon();
@@ -54,14 +54,15 @@ struct Arc {
 };
 
 /// The face of the difference that the arc meets first while v is the other side's farthest vertex.
-std::array<Feature, 2> face_on_arc(const PolytopePair& pair, const Arc& arc, int v, int skipped = -1) {
+std::array<PolytopeFeature, 2> face_on_arc(const PolytopePair& pair, const Arc& arc, int v,
+                                           int skipped = -1) {
   const Crossing crossing = first_crossing(pair.graph(1 - arc.t), v, arc.from, arc.to, skipped);
-  std::array<Feature, 2> features;
+  std::array<PolytopeFeature, 2> features;
   const bool is_crossed = crossing.half_edge >= 0;
   features[static_cast<std::size_t>(arc.t)] =
-      is_crossed ? Feature{Kind::edge, arc.half_edge} : Feature{Kind::face, arc.face};
+      is_crossed ? PolytopeFeature{Kind::edge, arc.half_edge} : PolytopeFeature{Kind::face, arc.face};
   features[static_cast<std::size_t>(1 - arc.t)] =
-      is_crossed ? Feature{Kind::edge, crossing.half_edge} : Feature{Kind::vertex, v};
+      is_crossed ? PolytopeFeature{Kind::edge, crossing.half_edge} : PolytopeFeature{Kind::vertex, v};
   return features;
 }
 
@@ -150,7 +151,7 @@ class Climb {
   }
 
   void go_along(const Arc& arc, int v, int skipped = -1) {
-    const std::array<Feature, 2> next = face_on_arc(pair_, arc, v, skipped);
+    const std::array<PolytopeFeature, 2> next = face_on_arc(pair_, arc, v, skipped);
     feature_[0] = next[0];
     feature_[1] = next[1];
   }
@@ -242,7 +243,7 @@ class Climb {
 
   const PolytopePair& pair_;
   double rounding_;
-  Feature feature_[2];
+  PolytopeFeature feature_[2];
   GaussPoint here_;
   GaussPoint best_;
   bool is_reseeded_ = false;
@@ -279,7 +280,7 @@ FeaturePair face_uphill(const PolytopePair& pair, const Vec3& n, const std::arra
   const int k = (t == 0 ? rise : -rise) >= 0 ? 0 : 1;
   const Arc arc{t, crossing[t].half_edge, faces[k], t == 0 ? seen_from_other(pair, 0, here) : here,
                 seen_from_other(pair, t, graph.normal(faces[k]))};
-  const std::array<Feature, 2> features = face_on_arc(pair, arc, vertex[1 - t]);
+  const std::array<PolytopeFeature, 2> features = face_on_arc(pair, arc, vertex[1 - t]);
   return {features[0], features[1]};
 }
 

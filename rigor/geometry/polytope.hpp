@@ -40,16 +40,16 @@ class Polytope {
 };
 
 /// A feature of a polytope.
-struct Feature {
+struct PolytopeFeature {
   enum class Kind : std::int8_t { vertex, edge, face };
   Kind kind = Kind::vertex;
   int index = 0;  ///< Vertex, half-edge or face.
-  bool operator==(const Feature& other) const = default;
+  bool operator==(const PolytopeFeature& other) const = default;
 };
 
 /// One feature of each of two polytopes.
 struct FeaturePair {
-  Feature a, b;
+  PolytopeFeature a, b;
   bool operator==(const FeaturePair& other) const = default;
 };
 

@@ -51,8 +51,8 @@ Triangle triangle_of_face(const PolytopePair& pair, const GaussPoint& at, int t,
 
 Triangle triangle_at(const PolytopePair& pair, const GaussPoint& at) {
   const FeaturePair& features = at.features;
-  if (features.a.kind == Feature::Kind::edge) return triangle_of_edges(pair, at);
-  if (features.a.kind == Feature::Kind::face) return triangle_of_face(pair, at, 0, features.b.index);
+  if (features.a.kind == PolytopeFeature::Kind::edge) return triangle_of_edges(pair, at);
+  if (features.a.kind == PolytopeFeature::Kind::face) return triangle_of_face(pair, at, 0, features.b.index);
   return triangle_of_face(pair, at, 1, features.a.index);
 }
 

@@ -19,7 +19,7 @@ namespace {
 using nlohmann::json;
 using test::Draw;
 using test::ExactPolytope;
-using Kind = Feature::Kind;
+using Kind = PolytopeFeature::Kind;
 
 Vec3 vector_of(const json& v) {
   return {v[0].get<double>(), v[1].get<double>(), v[2].get<double>()};
@@ -35,8 +35,8 @@ Shape hull_in(const json& vertices) {
   return hull_of(points);
 }
 
-/// Feature number i of all of a polytope's.
-Feature feature_of(const FeatureGraph& graph, int i) {
+/// PolytopeFeature number i of all of a polytope's.
+PolytopeFeature feature_of(const FeatureGraph& graph, int i) {
   const int vertices = graph.vertex_count(), edges = static_cast<int>(graph.half_edges.size());
   i %= vertices + edges + graph.face_count();
   if (i < vertices) return {Kind::vertex, i};

@@ -233,8 +233,8 @@ TEST(FindBoxAxis, IsTheBestOfAllFifteen) {
 /// Direction of a face of the difference, in the frame of A.
 Vec3 normal_of(const PolytopePair& pair, const FeaturePair& face) {
   const FeatureGraph &a = pair.graph(0), &b = pair.graph(1);
-  if (face.a.kind == Feature::Kind::face) return a.normal(face.a.index);
-  if (face.b.kind == Feature::Kind::face) return -(pair.X_AB().R * b.normal(face.b.index));
+  if (face.a.kind == PolytopeFeature::Kind::face) return a.normal(face.a.index);
+  if (face.b.kind == PolytopeFeature::Kind::face) return -(pair.X_AB().R * b.normal(face.b.index));
   const FeatureGraph::HalfEdge& edge = a.half_edge(face.a.index);
   const Vec3 n = edge.direction.cross(pair.X_AB().R * b.half_edge(face.b.index).direction).normalized();
   return n.dot(a.normal(edge.face) + a.normal(a.half_edge(edge.twin).face)) >= 0 ? n : Vec3(-n);
