@@ -286,15 +286,19 @@ TEST(CoulombProblem, RandomPlasticImpactsAreSolvedAndNeverGainEnergy) {
   EXPECT_EQ(solved, problems);
 }
 
-TEST(CoulombProblem, ForcesAreInTheirCones) {
+TEST(CoulombProblem, ForcesAreInTheirConesAlsoWhereFewDigitsAreAskedFor) {
   std::mt19937_64 generator(17);
+  const CoulombOptions few_digits{.tolerance = 1e-9, .enough = 1e-6, .least_norm = false};
   for (int i = 0; i < 100; ++i) {
     const CoulombProblem problem = scenes::problem_of(random_pile(generator, 1.0));
-    const CoulombSolution s = solve_coulomb(problem);
-    for (std::size_t k = 0; k < problem.mu.size(); ++k) {
-      const Vec3 force = s.lambda.segment<3>(3 * static_cast<Eigen::Index>(k));
-      EXPECT_GE(force(2), 0.0);
-      EXPECT_LE(force.head<2>().norm(), problem.mu[k] * force(2) * (1 + 1e-15));
+    for (const CoulombOptions& options : {CoulombOptions{}, few_digits}) {
+      const CoulombSolution s = solve_coulomb(problem, options);
+      EXPECT_LE(coulomb_residual(problem, s.lambda, s.w), options.least_norm ? 1e-12 : options.enough);
+      for (std::size_t k = 0; k < problem.mu.size(); ++k) {
+        const Vec3 force = s.lambda.segment<3>(3 * static_cast<Eigen::Index>(k));
+        EXPECT_GE(force(2), 0.0);
+        EXPECT_LE(force.head<2>().norm(), problem.mu[k] * force(2) * (1 + 1e-15));
+      }
     }
   }
 }
