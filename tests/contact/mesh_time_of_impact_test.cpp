@@ -4,8 +4,8 @@
 #include "geometry/solid_shapes.hpp"
 #include "random_vectors.hpp"
 #include "rigor/contact/time_of_impact.hpp"
-#include "rigor/geometry/mesh_pair.hpp"
 #include "rigor/geometry/support.hpp"
+#include "rigor/geometry/time_of_contact.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/model/body.hpp"
 
@@ -32,6 +32,7 @@ struct Flier {
     const BodyInertia inertia{1, Vec3::Ones()};
     motion = Motion::flight(FreeFlight(inertia, start, 0, acceleration), inertia);
   }
+  MovingShape part() const { return {&body.shapes[0].shape, body.shapes[0].X_BS, &motion}; }
 };
 
 Mesh cube_mesh(double half) {
@@ -70,6 +71,27 @@ TEST(MeshTimeOfImpact, TumblingBoxesMeetWhenTheirMeshesDo) {
     EXPECT_LE(of_meshes.evaluations, 60) << trial;
   }
   EXPECT_GT(contacts, 15);
+}
+
+TEST(MeshTimeOfImpact, OfTumblingSolidsWithHollowsIsTheirFirstContact) {
+  // find_time_of_contact searches all pairs of boxes and triangles, best first.
+  Random random(12);
+  const Mesh star = as_mesh(test::star_solid(5, 0.4)), angle = as_mesh(test::l_solid());
+  int contacts = 0;
+  for (int trial = 0; trial < 12; ++trial) {
+    const Flier A(star,
+                  {Vec3::Zero(), rotation_exp(3 * random.vector()), Vec3(0, 0, 1), 2 * random.vector()});
+    const Flier B(angle, {Vec3(4, 0, 0) + random.vector(), rotation_exp(3 * random.vector()), Vec3(-3, 0, 1),
+                          2 * random.vector()});
+    const TimeOfContact contact = find_time_of_contact(A.part(), B.part(), 0, 2);
+    ASSERT_TRUE(contact.is_complete) << trial;
+    const TimeOfImpact found = impact_of(A, B, 2);
+    ASSERT_EQ(found.is_contact, contact.is_contact) << trial;
+    if (!found.is_contact) continue;
+    ++contacts;
+    EXPECT_NEAR(found.time, contact.lower, 4e-12) << trial;
+  }
+  EXPECT_GT(contacts, 6);
 }
 
 TEST(MeshTimeOfImpact, CubeThatSlidesOnASlabNeedsFewSteps) {

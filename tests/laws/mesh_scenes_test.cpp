@@ -42,6 +42,8 @@ TEST(MeshScenes, PinionTakesTheWheelAlongToothByTooth) {
   EXPECT_EQ(run.audit().report.reason, StopReason::reached_end) << run.audit().report.detail;
   for (const std::string& violation : run.audit().violations) ADD_FAILURE() << violation;
   EXPECT_GT(run.audit().report.impacts, 1);
+  // 50 outputs of two bodies, and what impacts cut short: rounding of momenta that are zero makes no steps.
+  EXPECT_LT(run.audit().report.steps, 400);
   const auto angle_of = [&](const State& state, const char* name) {
     const Quat q = state.orientation(run.body(name));
     return 2 * std::atan2(q.z(), q.w());
