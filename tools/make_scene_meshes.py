@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the meshes of the scenes in which meshes touch meshes: scenes/meshes/{torus,peg,rabbit_a,rabbit_b}.obj.
+"""Writes the meshes of the scenes in which meshes touch meshes: scenes/meshes/{torus,peg,pinion,wheel,rabbit_a,rabbit_b}.obj.
 
 usage: tools/make_scene_meshes.py [FOLDER]     (default: scenes/meshes)
 """
@@ -43,6 +43,17 @@ def prism(loop, bottom, top):
 def circle(radius, count):
     return [(radius * math.cos(2 * math.pi * i / count), radius * math.sin(2 * math.pi * i / count))
             for i in range(count)]
+
+
+def gear_loop(teeth, root, tip):
+    """Trapezoids: at half height a tooth and a gap are equally wide but for 4 % of play."""
+    pitch = 2 * math.pi / teeth
+    loop = []
+    for k in range(teeth):
+        for radius, place in ((root, -0.34), (tip, -0.12), (tip, 0.12), (root, 0.34)):
+            angle = pitch * (k + place)
+            loop.append((radius * math.cos(angle), radius * math.sin(angle)))
+    return loop
 
 
 def icosphere(levels):
@@ -90,6 +101,10 @@ def main():
     folder = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else "scenes/meshes")
     write_obj(folder / "torus.obj", "Torus about z: ring 0.12 m, tube 0.035 m", *torus(0.12, 0.035, 18, 10))
     write_obj(folder / "peg.obj", "Peg along z: radius 0.05 m, from 0 to 0.3 m", *prism(circle(0.05, 14), 0, 0.3))
+    write_obj(folder / "pinion.obj", "Gear about z: 12 teeth from 0.09 m to 0.11 m, 0.03 m thick",
+              *prism(gear_loop(12, 0.09, 0.11), -0.015, 0.015))
+    write_obj(folder / "wheel.obj", "Gear about z: 18 teeth from 0.14 m to 0.16 m, 0.027 m thick",
+              *prism(gear_loop(18, 0.14, 0.16), -0.0135, 0.0135))
     write_obj(folder / "rabbit_a.obj", "Lumpy rock with two ears, about 0.1 m", *rabbit(0.1, 0.8, 0.5))
     write_obj(folder / "rabbit_b.obj", "Lumpy rock with two ears, about 0.08 m", *rabbit(0.08, 1.0, 0.8))
 

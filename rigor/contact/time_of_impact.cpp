@@ -1,7 +1,9 @@
 #include "rigor/contact/time_of_impact.hpp"
 
+#include "rigor/geometry/contact_set.hpp"
 #include "rigor/geometry/distance.hpp"
 #include "rigor/geometry/distance_cache.hpp"
+#include "rigor/geometry/mesh_advance.hpp"
 #include "rigor/geometry/separation_bound.hpp"
 #include "rigor/math/polynomial.hpp"
 #include "rigor/math/roots.hpp"
@@ -11,6 +13,7 @@
 #include <limits>
 #include <optional>
 #include <variant>
+#include <vector>
 
 namespace rigor {
 
@@ -23,22 +26,26 @@ struct Approach {
   double gap = 0;   ///< [m].
   double rate = 0;  ///< [m/s], negative when approaching.
   Vec3 n_W;
+  std::vector<Vec3> normals_W{};  ///< Of two meshes: those of all contacts there.
 };
 
 /// One shape of a moving body.
-struct MovingShape {
+struct MovingBodyShape {
   const BodyShape* shape;
   const Motion* motion;
 
   Pose pose(double t) const { return motion->sample(t).X_WB * shape->X_BS; }
   double turning() const { return turning_radius(shape->shape, shape->X_BS, shape->radius); }
+  MovingShape part() const { return {&shape->shape, shape->X_BS, motion}; }
+  bool is_mesh() const { return std::holds_alternative<Mesh>(shape->shape); }
+  bool is_half_space() const { return std::holds_alternative<HalfSpace>(shape->shape); }
   MovingCore core() const { return make_moving_core(shape->shape, shape->X_BS, shape->radius, *motion); }
 };
 
 /// The search of one pair of shapes.
 class ShapePairSearch {
  public:
-  ShapePairSearch(const MovingShape& A, const MovingShape& B, const ToiOptions& options)
+  ShapePairSearch(const MovingBodyShape& A, const MovingBodyShape& B, const ToiOptions& options)
       : A_(A),
         B_(B),
         core_A_(A.core()),
@@ -49,10 +56,12 @@ class ShapePairSearch {
   TimeOfImpact find(double t0, double t1);
 
  private:
-  static double finite_radius(const MovingShape& moving) {
+  static double finite_radius(const MovingBodyShape& moving) {
     return std::isinf(moving.shape->radius) ? 0 : moving.shape->radius;
   }
   Approach approach(double t);
+  bool are_meshes() const { return A_.is_mesh() && B_.is_mesh(); }
+  void look_at_contacts(const Pose& X_WS, const Pose& X_WT, double t, Approach& now) const;
   bool can_meet(double t0, double t1) const;
   std::optional<TimeOfImpact> find_in_closed_form(double t0, double t1) const;
   std::optional<TimeOfImpact> refined(double low, const Approach& at_low, double high);
@@ -64,7 +73,7 @@ class ShapePairSearch {
     return 32 * epsilon * (size_ + (std::isfinite(far) ? far : 0));
   }
 
-  MovingShape A_, B_;
+  MovingBodyShape A_, B_;
   MovingCore core_A_, core_B_;
   ToiOptions options_;
   double size_;
@@ -80,7 +89,32 @@ Approach ShapePairSearch::approach(double t) {
                                    ? walked_distance(A_.shape->shape, X_WS, B_.shape->shape, X_WT, cache_)
                                    : signed_distance(A_.shape->shape, X_WS, B_.shape->shape, X_WT);
   const Vec3 p_W = 0.5 * (found.p_WA + found.p_WB);
-  return {found.distance, found.n_W.dot(B.velocity_at(p_W) - A.velocity_at(p_W)), found.n_W};
+  Approach now{found.distance, found.n_W.dot(B.velocity_at(p_W) - A.velocity_at(p_W)), found.n_W};
+  if (are_meshes() && now.gap <= options_.contact_tolerance) look_at_contacts(X_WS, X_WT, t, now);
+  return now;
+}
+
+/// Two meshes that touch do so at several places, and the line through nearest points as near as rounding has
+/// no direction. What counts is the contact that is closed first; if none approaches, nothing does.
+void ShapePairSearch::look_at_contacts(const Pose& X_WS, const Pose& X_WT, double t, Approach& now) const {
+  const std::vector<ContactPoint> contacts =
+      contact_set(A_.shape->shape, X_WS, B_.shape->shape, X_WT, options_.contact_tolerance);
+  if (contacts.empty()) return;
+  const Motion::Sample A = A_.motion->sample(t), B = B_.motion->sample(t);
+  now.rate = 0;
+  double soonest = std::numeric_limits<double>::infinity();
+  for (const ContactPoint& contact : contacts) {
+    now.normals_W.push_back(contact.n_W);
+    const Vec3 p_W = 0.5 * (contact.p_WA + contact.p_WB);
+    const double rate = contact.n_W.dot(B.velocity_at(p_W) - A.velocity_at(p_W));
+    if (rate >= -options_.rest_velocity) continue;
+    const double time = std::max(0.0, contact.gap) / -rate;
+    if (time >= soonest) continue;
+    soonest = time;
+    now.gap = contact.gap;
+    now.rate = rate;
+    now.n_W = contact.n_W;
+  }
 }
 
 /// Whether the bounding balls can meet in the span at all.
@@ -96,7 +130,7 @@ bool ShapePairSearch::can_meet(double t0, double t1) const {
 }
 
 /// Radius and centre's body of a ball whose centre is the centre of mass; such a pair needs no search.
-const Sphere* centred_ball(const MovingShape& moving) {
+const Sphere* centred_ball(const MovingBodyShape& moving) {
   const Sphere* sphere = std::get_if<Sphere>(&moving.shape->shape);
   return sphere != nullptr && moving.shape->X_BS.p.isZero(0) ? sphere : nullptr;
 }
@@ -153,29 +187,24 @@ double ShapePairSearch::advance(double t, const Approach& now, double t1) const 
   const double slack = 0.5 * options_.contact_tolerance;
   const bool is_departing = now.gap <= slack && now.rate >= -options_.rest_velocity;
   const double level = is_departing ? std::min(-slack, now.gap - slack) : 0;
-  const bool has_mesh =
-      std::holds_alternative<Mesh>(A_.shape->shape) || std::holds_alternative<Mesh>(B_.shape->shape);
-  if (!has_mesh) {
+  // A half-space sees of a mesh its hull.
+  const bool is_bounded_by_hulls = B_.is_half_space() || (!A_.is_mesh() && !B_.is_mesh());
+  if (is_bounded_by_hulls) {
     return SeparationBound(core_A_, core_B_, now.n_W, now.gap, t, t1).safe_step(t1 - t, level);
+  }
+  if (are_meshes()) {
+    return safe_mesh_step(A_.part(), B_.part(),
+                          {.t = t,
+                           .t_end = t1,
+                           .distance = now.gap,
+                           .touch = touch(t),
+                           .slack = slack,
+                           .rest_velocity = options_.rest_velocity,
+                           .n_W = now.normals_W});
   }
   // A surface that is not convex is not behind the plane through its witness point: bound the speed of all
   // its points.
-  const double turning =
-      A_.motion->max_angular_speed() * A_.turning() + B_.motion->max_angular_speed() * B_.turning();
-  const Vec3 v = B_.motion->velocity(t) - A_.motion->velocity(t);
-  double acceleration = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    for (const double sign : {-1.0, 1.0}) {
-      const Vec3 d = sign * Vec3::Unit(axis);
-      acceleration += std::max(
-          0.0, -(B_.motion->min_acceleration_along(d, t, t1) + A_.motion->min_acceleration_along(-d, t, t1)));
-    }
-  }
-  // gap - (v + Ωρ) τ - ½ a τ² = level, by the root without cancellation.
-  const double b = v.norm() + turning, c = now.gap - level;
-  if (c <= 0) return 0;
-  const double tau = 2 * c / (b + std::sqrt(b * b + 2 * acceleration * c));
-  return std::min(tau, t1 - t);
+  return std::min(t1 - t, closing_bound(A_.part(), B_.part(), t, t1).time_for(now.gap - level));
 }
 
 /// Refines a contact between low (apart) and high, if the bodies overlap at high; nothing if they do not.
@@ -205,7 +234,7 @@ TimeOfImpact ShapePairSearch::find(double t0, double t1) {
     const double finest = std::max(options_.time_tolerance, 4 * epsilon * std::abs(t));
     if (now.gap <= touch(t) && is_approaching) {
       // Overlapping already: the contact lies between the last time apart and now.
-      if (now.gap < -touch(t) && last_apart) {
+      if (now.gap < -touch(t) && last_apart && !are_meshes()) {
         if (const std::optional<TimeOfImpact> found = refined(*last_apart, approach(*last_apart), t))
           return *found;
       }
@@ -237,7 +266,7 @@ TimeOfImpact find_time_of_impact(const Body& A, const Motion& of_A, const Body& 
     for (const BodyShape& b : B.shapes) {
       // Half-spaces come second.
       const bool swap = std::holds_alternative<HalfSpace>(a.shape);
-      const MovingShape moving_a{&a, &of_A}, moving_b{&b, &of_B};
+      const MovingBodyShape moving_a{&a, &of_A}, moving_b{&b, &of_B};
       ShapePairSearch search(swap ? moving_b : moving_a, swap ? moving_a : moving_b, options);
       const TimeOfImpact found = search.find(t0, first.time);
       const int evaluations = first.evaluations + found.evaluations;

@@ -28,13 +28,18 @@ void Auditor::observe(const State& state, const AdvanceReport& report) {
   lowest_ = std::min(lowest_, balance);
   energy_scale_ = std::max({energy_scale_, energy_.kinetic, std::abs(energy_.total() - initial_.total()),
                             std::abs(energy_.potential - initial_.potential), std::abs(sum_.work)});
-  double momentum = 0, angular_momentum = 0;
+  double momentum = 0, angular_momentum = 0, turning = 0;
   for (int i = 0; i < model_->body_count(); ++i) {
     momentum += state.linear_momentum(i).norm();
     angular_momentum +=
         state.angular_momentum(i).norm() + state.position(i).norm() * state.linear_momentum(i).norm();
+    const double radius = model_->body(i).bounding_radius;
+    turning += state.angular_momentum(i).norm() /
+               (radius > 0 && std::isfinite(radius) ? radius : model_->length_scale());
   }
-  momentum_scale_ = std::max(momentum_scale_, momentum);
+  // Of wheels that only turn, the linear momentum is the rounding of what their parts have.
+  constexpr double rounding_share = 1e-6;
+  momentum_scale_ = std::max({momentum_scale_, momentum, rounding_share * turning});
   angular_momentum_scale_ = std::max(angular_momentum_scale_, angular_momentum);
 }
 

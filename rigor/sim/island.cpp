@@ -263,7 +263,9 @@ IslandIntegrator::Load IslandIntegrator::load(const Island& island, double t,
 IntegratorTolerances IslandIntegrator::tolerances(const Island& island) const {
   IntegratorTolerances result;
   result.relative = tolerance_;
-  double length = 0, momentum = 0, angular_momentum = 0;
+  // A linear momentum below this share of what turning carries is rounding of it, as of a wheel on its axle.
+  constexpr double rounding_share = 1e-4;
+  double length = 0, momentum = 0, angular_momentum = 0, turning = 0;
   for (std::size_t i = 0; i < island.bodies.size(); ++i) {
     const Body& body = model_.body(island.bodies[i]);
     const double size = std::isfinite(body.bounding_radius) && body.bounding_radius > 0
@@ -274,9 +276,10 @@ IntegratorTolerances IslandIntegrator::tolerances(const Island& island) const {
     momentum = std::max(momentum, std::max(island.start[i].P.norm(), body.mass * speed));
     angular_momentum =
         std::max(angular_momentum, std::max(island.start[i].L.norm(), body.mass * speed * size));
+    turning = std::max(turning, island.start[i].L.norm() / size);
   }
   if (length > 0) result.length_scale = length;
-  if (momentum > 0) result.momentum_scale = momentum;
+  if (momentum > 0) result.momentum_scale = std::max(momentum, rounding_share * turning);
   if (angular_momentum > 0) result.angular_momentum_scale = angular_momentum;
   return result;
 }
