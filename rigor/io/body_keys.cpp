@@ -95,6 +95,17 @@ KeyTable force_table(const std::string& type, const std::string& title, const st
   return table;
 }
 
+std::vector<Key> height_field_keys() {
+  return {
+      {"heights", ValueType::rows, "m", "-", limits::position, "z above the grid, row by row; or file"},
+      {"file", ValueType::text, "", "-", {}, "CSV file of the rows, in the scene's folder or below"},
+      {"size", ValueType::vector2, "m", "required", limits::size,
+       "of the grid along x, y, centred at the origin"},
+      {"base", ValueType::number, "m", "a tenth of the longer side", limits::size,
+       "depth of the bottom below the lowest height"},
+  };
+}
+
 }  // namespace
 
 std::vector<KeyTable> body_key_tables() {
@@ -172,6 +183,7 @@ std::vector<KeyTable> shape_key_tables() {
            file,
            scale}),
       shape_table("mesh", "a mesh", {mesh_file, scale}),
+      shape_table("heightfield", "a height field", height_field_keys()),
   };
 }
 

@@ -36,6 +36,8 @@ std::string expected_text(const Key& key) {
       return "an angle: a number (rad) or a text such as 30 deg";
     case ValueType::vector:
       return with_unit(key, "3 numbers [x, y, z]");
+    case ValueType::vector2:
+      return with_unit(key, "2 numbers [x, y]");
     case ValueType::whole_vector:
       return "3 whole numbers [x, y, z]";
     case ValueType::angles:
@@ -52,6 +54,8 @@ std::string expected_text(const Key& key) {
       return "a number or 3 numbers [x, y, z]";
     case ValueType::vectors:
       return with_unit(key, "a list of points [x, y, z]");
+    case ValueType::rows:
+      return with_unit(key, "a list of rows of numbers");
     case ValueType::names:
       return "a list of 2 names";
     case ValueType::objects:
@@ -115,6 +119,28 @@ class NumberReader {
     return values;
   }
 
+  /// As many rows as the list has, each of as many numbers as the first; empty if anything is wrong.
+  std::vector<std::vector<double>> rows(const YamlNode& list) const {
+    std::vector<std::vector<double>> rows;
+    std::size_t count = 0;
+    for (const YamlNode::Entry& entry : list.entries) {
+      const YamlNode& row = *entry.value;
+      if (row.kind != YamlNode::Kind::list || row.entries.empty()) {
+        return fail(row, row_text(rows.size()) + " must be a list of numbers, found " + found_text(row)),
+               std::vector<std::vector<double>>{};
+      }
+      if (rows.empty()) count = row.entries.size();
+      if (row.entries.size() != count) {
+        return fail(row, row_text(rows.size()) + " has " + std::to_string(row.entries.size()) +
+                             " numbers, must have " + std::to_string(count) + " as row 0"),
+               std::vector<std::vector<double>>{};
+      }
+      rows.push_back(numbers(row, count));
+      if (rows.back().empty()) return {};
+    }
+    return rows;
+  }
+
   std::optional<Vec3> vector(const YamlNode& node) const {
     const std::vector<double> values = numbers(node, 3);
     if (values.empty()) return std::nullopt;
@@ -130,6 +156,10 @@ class NumberReader {
   }
 
  private:
+  std::string row_text(std::size_t index) const {
+    return "row " + std::to_string(index) + " of " + key_.name;
+  }
+
   std::optional<double> parsed(const YamlNode& node) const {
     std::string hint;
     if (node.kind == YamlNode::Kind::scalar) {
@@ -244,6 +274,12 @@ std::optional<std::array<double, 2>> ObjectReader::range(std::string_view name) 
   return std::array<double, 2>{ends[0], ends[1]};
 }
 
+std::optional<Vec2> ObjectReader::vector2(std::string_view name) const {
+  const std::optional<std::array<double, 2>> numbers = range(name);
+  if (!numbers) return std::nullopt;
+  return Vec2((*numbers)[0], (*numbers)[1]);
+}
+
 std::optional<Vec3> ObjectReader::vector(std::string_view name) const {
   const YamlNode* const value = find(name);
   if (!value) return std::nullopt;
@@ -283,6 +319,15 @@ std::vector<Vec3> ObjectReader::vectors(std::string_view name) const {
     points.push_back(*point);
   }
   return points;
+}
+
+std::vector<std::vector<double>> ObjectReader::rows(std::string_view name) const {
+  const YamlNode* const value = find(name);
+  if (!value) return {};
+  const NumberReader reader(key_of(name), whose_, errors_);
+  if (value->kind == YamlNode::Kind::list && !value->entries.empty()) return reader.rows(*value);
+  reader.wrong_type(*value);
+  return {};
 }
 
 std::vector<std::string> ObjectReader::names(std::string_view key) const {

@@ -34,10 +34,13 @@ class ObjectReader {
   std::optional<bool> flag(std::string_view key) const;
   /// range, angle_range [rad]: lowest and highest as written.
   std::optional<std::array<double, 2>> range(std::string_view key) const;
+  std::optional<Vec2> vector2(std::string_view key) const;
   std::optional<Vec3> vector(std::string_view key) const;      ///< vector, whole_vector, angles [rad], scale.
   std::optional<Quat> quaternion(std::string_view key) const;  ///< As written: its norm is near 1.
   std::vector<Vec3> vectors(std::string_view key) const;       ///< Empty if absent or wrong.
-  std::vector<std::string> names(std::string_view key) const;  ///< Two names, or none.
+  /// Rows of one length, at least 1 by 1; empty if absent or wrong.
+  std::vector<std::vector<double>> rows(std::string_view key) const;
+  std::vector<std::string> names(std::string_view key) const;     ///< Two names, or none.
   std::vector<const YamlNode*> list(std::string_view key) const;  ///< Of objects or name_pairs.
 
   /// Says "body 'ball': message" at the value of the key, or at the object if it is absent.

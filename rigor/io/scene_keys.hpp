@@ -19,11 +19,13 @@ enum class ValueType {
   vector,        ///< 3 numbers.
   whole_vector,  ///< 3 whole numbers.
   angles,        ///< 3 angles.
+  vector2,       ///< 2 numbers x, y.
   range,         ///< 2 numbers, lowest and highest.
   angle_range,   ///< 2 angles, lowest and highest.
   quaternion,    ///< 4 numbers w, x, y, z.
   scale,         ///< Number, or 3 numbers.
   vectors,       ///< List of vectors.
+  rows,          ///< List of lists of numbers, all of one length.
   names,         ///< Two names.
   name_pairs,    ///< List of two names.
   object,        ///< Mapping with the keys of table Key::object.

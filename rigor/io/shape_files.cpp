@@ -4,6 +4,7 @@
 #include "rigor/core/quoted.hpp"
 #include "rigor/geometry/mesh_check.hpp"
 #include "rigor/geometry/triangle_tree.hpp"
+#include "rigor/io/height_file.hpp"
 #include "rigor/io/mesh_files.hpp"
 
 #include <algorithm>
@@ -49,6 +50,23 @@ bool is_inside(const std::filesystem::path& path, const std::filesystem::path& f
 
 }  // namespace
 
+template <typename Read>
+auto ShapeFiles::read_file(const ObjectReader& shape, const std::string& file, const Read& read) const {
+  std::optional<decltype(read(std::filesystem::path()))> content;
+  const std::optional<std::filesystem::path> path = find_file(shape, file);
+  if (!path) return content;
+  try {
+    content = read(*path);
+  } catch (const InputError& error) {
+    // The message starts with the path where the file was found: shown as the user wrote it.
+    for (std::string message : error.messages()) {
+      if (message.starts_with(path->string())) message.replace(0, path->string().size(), file);
+      shape.fail("file", message);
+    }
+  }
+  return content;
+}
+
 std::optional<Mesh> ShapeFiles::mesh(const ObjectReader& shape) {
   const std::optional<std::string> file = shape.text("file");
   const Vec3 scale = scale_of(shape);
@@ -59,6 +77,14 @@ std::optional<Mesh> ShapeFiles::mesh(const ObjectReader& shape) {
   if (polygons && check_surface(shape, *polygons)) {
     entry->second = make_mesh(std::make_shared<const TriangleMesh>(triangulated(*polygons)));
   }
+  return entry->second;
+}
+
+HeightRows ShapeFiles::heights(const ObjectReader& shape) {
+  const std::optional<std::string> file = shape.text("file");
+  if (!file) return {};
+  const auto [entry, is_new] = heights_.try_emplace(*file);
+  if (is_new) entry->second = read_file(shape, *file, read_heights).value_or(HeightRows{});
   return entry->second;
 }
 
@@ -114,17 +140,7 @@ std::optional<PolygonMesh> ShapeFiles::read_scaled(const ObjectReader& shape, co
                                                    const Vec3& scale) {
   const auto [entry, is_new] = files_.try_emplace(file);
   if (is_new) {
-    const std::optional<std::filesystem::path> path = find_file(shape, file);
-    if (!path) return std::nullopt;
-    try {
-      entry->second = read_mesh(*path);
-    } catch (const InputError& error) {
-      // The message starts with the path where the file was found: shown as the user wrote it.
-      for (std::string message : error.messages()) {
-        if (message.starts_with(path->string())) message.replace(0, path->string().size(), file);
-        shape.fail("file", message);
-      }
-    }
+    entry->second = read_file(shape, file, [](const std::filesystem::path& path) { return read_mesh(path); });
   }
   std::optional<PolygonMesh> scaled = entry->second;
   if (!scaled) return std::nullopt;

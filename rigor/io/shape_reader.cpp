@@ -2,6 +2,7 @@
 
 #include "rigor/core/quoted.hpp"
 #include "rigor/core/suggestion.hpp"
+#include "rigor/io/height_field_reader.hpp"
 #include "rigor/io/pose_reader.hpp"
 #include "rigor/io/scalar_text.hpp"
 
@@ -55,6 +56,7 @@ std::optional<Shape> read_geometry(const std::string& type, const ObjectReader& 
   if (type == "plane") return read_plane(shape);
   if (type == "convex") return read_convex(shape, files);
   if (type == "mesh") return files.mesh(shape);
+  if (type == "heightfield") return read_height_field(shape, files);
   if (type == "sphere") {
     const std::optional<double> radius = shape.number("radius");
     if (radius) return Sphere{*radius};
@@ -87,10 +89,6 @@ const KeyTable* find_typed_table(const YamlNode& node, const std::string& family
     errors.add(type, whose + ": type must be a text, found " + found_text(type));
     return nullptr;
   }
-  if (family == "shape" && type.text == "heightfield") {
-    errors.add(type, whose + ": type 'heightfield' is not available in this version; use 'mesh' or 'convex'");
-    return nullptr;
-  }
   for (const std::string& known : types) {
     if (type.text == known) return &key_table(known);
   }
@@ -107,6 +105,7 @@ ShapeDescription read_shape(const YamlNode& node, std::size_t index, const std::
   const ObjectReader shape(node, *table, number + " (" + table->object + ")" + of_body, errors);
   std::optional<Shape> geometry = read_geometry(table->object, shape, files);
   if (geometry) description.shape = std::move(*geometry);
+  description.type_name = table->object;
   description.p_LS = read_position(shape);
   description.q_LS = read_orientation(shape);
   description.material = shape.text("material").value_or("");

@@ -80,8 +80,8 @@ std::vector<BodyShape> make_shapes(const BodyDescription& body, const MaterialTa
                                    ShapeMemory& memory, Findings& findings) {
   std::vector<BodyShape> shapes;
   for (const ShapeDescription& shape : body.shapes) {
-    const std::string what =
-        "shape " + std::to_string(shapes.size()) + " (" + shape_type_name(shape.shape) + ")";
+    const std::string type = shape.type_name.empty() ? shape_type_name(shape.shape) : shape.type_name;
+    const std::string what = "shape " + std::to_string(shapes.size()) + " (" + type + ")";
     check_shape(shape.shape, body.motion == MotionType::dynamic, what, memory, findings);
     findings.check(what + ": position", shape.p_LS, limits::position, "m");
     findings.check(what + ": orientation", shape.q_LS);

@@ -30,6 +30,8 @@ inline constexpr Range ratio{-1e6, 1e6};      ///< Of a gear; not 0.
 
 /// Bodies of a scene.
 inline constexpr std::size_t body_count = 100000;
+/// Heights of a height field.
+inline constexpr std::size_t height_count = 1000000;
 /// Joints of a scene.
 inline constexpr std::size_t joint_count = 100000;
 /// Messages after which looking for more mistakes is of no use.

@@ -24,6 +24,7 @@ struct ShapeDescription {
   Quat q_LS = Quat::Identity();
   std::string material;  ///< Name; empty: the default material.
   std::string color;
+  std::string type_name{};  ///< For messages, as the user calls the type; empty: shape_type_name.
 };
 
 /// A body as the user describes it; frames: L is the user's frame of the body.

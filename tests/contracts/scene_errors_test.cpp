@@ -271,6 +271,42 @@ TEST(SceneErrors, OfInertia) {
                   .starts_with("s.yaml:2:10: body 'b': inertia: "));
 }
 
+TEST(SceneErrors, OfHeightFields) {
+  const std::string whose = "shape 0 (heightfield) of body 'b': ";
+  expect_each(
+      {
+          {"{type: heightfield, size: [1, 1]}",
+           "s.yaml:3:31: " + whose + "it needs either 'heights' or 'file'"},
+          {"{type: heightfield, heights: [[0, 0], [0, 0]]}",
+           "s.yaml:3:24: " + whose + "the key 'size' is missing: 2 numbers [x, y] (m)"},
+          {"{type: heightfield, size: [1, 0], heights: [[0, 0], [0, 0]]}",
+           "s.yaml:3:54: " + whose + "size is 0 m, must be from 1e-09 to 1e+09 m"},
+          {"{type: heightfield, size: [1, 1, 1], heights: [[0, 0], [0, 0]]}",
+           "s.yaml:3:50: " + whose + "size must be 2 numbers [x, y] (m), found a list of 3"},
+          {"{type: heightfield, size: [1, 1], heights: 3}",
+           "s.yaml:3:67: " + whose + "heights must be a list of rows of numbers (m), found the number '3'"},
+          {"{type: heightfield, size: [1, 1], heights: [0, 1]}",
+           "s.yaml:3:68: " + whose + "row 0 of heights must be a list of numbers, found the number '0'"},
+          {"{type: heightfield, size: [1, 1], heights: [[0, 1], [0, 1, 2]]}",
+           "s.yaml:3:76: " + whose + "row 1 of heights has 3 numbers, must have 2 as row 0"},
+          {"{type: heightfield, size: [1, 1], heights: [[0, 1], [0, nan]]}",
+           "s.yaml:3:80: " + whose + "heights is nan m, must be from -1e+09 to 1e+09 m"},
+          {"{type: heightfield, size: [1, 1], heights: [[0, 1], [0, up]]}",
+           "s.yaml:3:80: " + whose + "heights must be a list of rows of numbers (m), found the text 'up'"},
+          {"{type: heightfield, size: [1, 1], heights: [[0, 1, 2]]}",
+           "s.yaml:3:67: " + whose + "the heights are 1 by 3, must be at least 2 rows of 2"},
+          {"{type: heightfield, size: [1, 1], base: 0, heights: [[0, 1], [0, 1]]}",
+           "s.yaml:3:64: " + whose + "base is 0 m, must be from 1e-09 to 1e+09 m"},
+          {"{type: heightfield, size: [1, 1], base: 1e-9, heights: [[1e9, 1e9], [1e9, 1e9]]}",
+           "s.yaml:3:64: " + whose + "base is 1e-09 m, too small beside heights of 1000000000 m"},
+          {"{type: heightfield, size: [1, 1], file: no.csv}",
+           "s.yaml:3:64: " + whose + "there is no file 'no.csv' in the scene's folder"},
+          {"{type: heightfield, size: [1, 1], heights: [[0, 1], [0, 1]], color: red}",
+           "s.yaml:3:5: body 'b': shape 0 (heightfield): color is 'red', must be '#rgb' or '#rrggbb'"},
+      },
+      "rigor: 1\nbodies:\n  - {name: b, shapes: [", "]}\n");
+}
+
 TEST(SceneErrors, OfShapes) {
   const std::string sphere = "shape 0 (sphere) of body 'b': ", box = "shape 0 (box) of body 'b': ";
   expect_each(
@@ -292,15 +328,11 @@ TEST(SceneErrors, OfShapes) {
                "size must be 3 numbers [x, y, z] (m), found the text '0.1'; write it without quotes"},
           {"{type: shpere, radius: 1}",
            "s.yaml:3:31: shape 0 of body 'b': unknown type 'shpere'; did you mean 'sphere'?"},
-          {"{type: heightfield}",
-           "s.yaml:3:31: shape 0 of body 'b': type 'heightfield' is not available in this version; use "
-           "'mesh' or "
-           "'convex'"},
           {"{type: [box]}", "s.yaml:3:31: shape 0 of body 'b': type must be a text, found a list of 1"},
           {"{radius: 1}",
            "s.yaml:3:24: shape 0 of body 'b': the key 'type' is missing; one of: sphere, box, capsule, "
            "cylinder, cone, "
-           "ellipsoid, plane, convex, mesh"},
+           "ellipsoid, plane, convex, mesh, heightfield"},
           {"box", "s.yaml:3:24: shape 0 of body 'b': must be a mapping of keys, found the text 'box'"},
           {"{type: plane}",
            "s.yaml:3:5: body 'b': shape 0 (plane): a plane has no mass; only static and kinematic bodies "

@@ -53,6 +53,7 @@ inline Json value_schema(const Key& key) {
       return angle;
     case ValueType::flag:
       return {{"type", "boolean"}};
+    case ValueType::vector2:
     case ValueType::range:
       return list_schema(number, 2);
     case ValueType::angle_range:
@@ -68,6 +69,8 @@ inline Json value_schema(const Key& key) {
       return {{"anyOf", {number, list_schema(number, 3)}}};
     case ValueType::vectors:
       return list_schema(list_schema(number, 3), 0);
+    case ValueType::rows:
+      return list_schema(list_schema(number, 0), 0);
     case ValueType::names:
       return list_schema(text, 2);
     case ValueType::name_pairs:
@@ -129,6 +132,8 @@ inline std::string value_text(const Key& key) {
                                                          {ValueType::quaternion, "4 numbers"},
                                                          {ValueType::scale, "number or 3"},
                                                          {ValueType::vectors, "list of 3 numbers"},
+                                                         {ValueType::vector2, "2 numbers"},
+                                                         {ValueType::rows, "list of rows of numbers"},
                                                          {ValueType::flag, "`true`, `false`"},
                                                          {ValueType::range, "2 numbers"},
                                                          {ValueType::angle_range, "2 angles"},
