@@ -143,7 +143,7 @@ ContactPoint witness_contact(const ContactPair& pair, const DistanceResult& dist
   const Feature f_A = pair.a.classify(distance.p_WA, n), f_B = pair.b.classify(distance.p_WB, -n);
   const std::optional<Vec3> m_A = pair.a.surface_normal(f_A, distance.p_WA);
   const std::optional<Vec3> m_B = pair.b.surface_normal(f_B, distance.p_WB);
-  if (m_A || m_B) {
+  if ((m_A || m_B) && !pair.a.is_plane()) {
     const Vec3 of_surfaces = (m_A.value_or(Vec3::Zero()) - m_B.value_or(Vec3::Zero())).normalized();
     if (separation(pair, of_surfaces) >= separation(pair, n) - pair.scale.tie) n = of_surfaces;
   }

@@ -40,18 +40,14 @@ std::vector<ContactPoint> exchanged(std::vector<ContactPoint> contacts) {
   return contacts;
 }
 
-std::vector<ContactPoint> plane_contacts(const HalfSpace& plane, const Pose& X_OA, const ContactShape& a,
-                                         const ContactShape& b, double tolerance) {
+std::vector<ContactPoint> plane_contacts(const HalfSpace& plane, const Pose& X_OA, const ContactPair& pair) {
   const Vec3 n = X_OA.R * plane.normal;
   const FlatFace face{.kind = FlatFace::Kind::plane,
                       .feature = {Feature::Kind::face, 0},
                       .normal = n,
                       .center = X_OA.p + plane.offset * n,
                       .area = std::numeric_limits<double>::infinity()};
-  const ContactPair pair{a, b, contact_scale(a, b, tolerance)};
-  std::vector<ContactPoint> contacts = face_contacts(pair, face, true).value_or(std::vector<ContactPoint>{});
-  sort_and_merge(pair.scale, contacts);
-  return contacts;
+  return face_contacts(pair, face, true).value_or(std::vector<ContactPoint>{});
 }
 
 /// All pairs near the origin but those whose unbounded shape comes second.
@@ -62,13 +58,12 @@ std::vector<ContactPoint> local_contacts(const Shape& a, const Pose& X_OA, const
   if (mesh != nullptr && other != nullptr) return mesh_pair_contacts(*mesh, X_OA, *other, X_OB, tolerance);
   if (mesh != nullptr) return mesh_contacts(*mesh, X_OA, b, X_OB, tolerance);
   const ContactShape shape_A(a, X_OA), shape_B(b, X_OB);
-  if (const HalfSpace* plane = std::get_if<HalfSpace>(&a)) {
-    return plane_contacts(*plane, X_OA, shape_A, shape_B, tolerance);
-  }
   const DistanceResult distance = signed_distance(a, X_OA, b, X_OB);
   if (distance.distance > tolerance) return {};
   const ContactPair pair{shape_A, shape_B, contact_scale(shape_A, shape_B, tolerance)};
-  std::vector<ContactPoint> contacts = convex_contacts(pair, distance);
+  const HalfSpace* const plane = std::get_if<HalfSpace>(&a);
+  std::vector<ContactPoint> contacts =
+      plane != nullptr ? plane_contacts(*plane, X_OA, pair) : convex_contacts(pair, distance);
   add_witness(pair, distance, contacts);
   sort_and_merge(pair.scale, contacts);
   return contacts;

@@ -42,7 +42,8 @@ struct ContactPoint {
 /// body's curvature has no flat direction: the ends of a line or a corner that lies on the face turns with
 /// its own body. A cap of a cylinder or cone that lies flat within the tolerance stands on the four points of
 /// its rim on the x and y axes of its shape, those that lie over the other face, with the points where its
-/// rim crosses that face's border and the corners of that face under it. A mesh is the union over its
+/// rim crosses that face's border and the corners of that face under it; where it is tilted, and does not
+/// overlap, the lowest point of its rim joins them. A mesh is the union over its
 /// triangles near the other shape (two meshes: mesh_pair_contacts.hpp): edges inside flat patches and
 /// concave edges give no contact, and the back of a triangle only if the mesh is open.
 std::vector<ContactPoint> contact_set(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB,

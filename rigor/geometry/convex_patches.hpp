@@ -24,8 +24,9 @@ struct ConvexPatch {
 ///
 /// Every edge has two triangles that run through it in opposite directions, and each triangle an area.
 ///
-/// Source: the kind of decomposition is that of Ehmann and Lin, Accurate and Fast Proximity Queries Between
-/// Polyhedra Using Convex Surface Decomposition, Eurographics 2001. The growing and its tests are ours.
+/// Source: the idea of a surface as convex patches is that of Ehmann and Lin, Accurate and Fast Proximity
+/// Queries Between Polyhedra Using Convex Surface Decomposition, Eurographics 2001 (cited for the idea only).
+/// The growing and its tests are ours.
 std::vector<ConvexPatch> find_convex_patches(const TriangleMesh& mesh);
 
 }  // namespace rigor

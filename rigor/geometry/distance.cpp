@@ -8,6 +8,7 @@
 #include "rigor/geometry/support.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <compare>
 #include <limits>
 #include <span>
@@ -103,9 +104,19 @@ DistanceResult ordered_distance(const Shape& a, const Pose& X_WA, const Shape& b
   return convex_distance(make_core(a), X_WA, make_core(b), X_WB);
 }
 
+bool is_placed(const Pose& X_WA, const Pose& X_WB) {
+  return std::isfinite((X_WB.p - X_WA.p).squaredNorm() + X_WA.R.sum() + X_WB.R.sum());
+}
+
+DistanceResult unknown_distance() {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return {infinity, -infinity, infinity, Vec3::Zero(), Vec3::Zero(), Vec3::UnitZ()};
+}
+
 }  // namespace
 
 DistanceResult signed_distance(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB) {
+  if (!is_placed(X_WA, X_WB)) return unknown_distance();
   if (!is_swapped(a, X_WA, b, X_WB)) return ordered_distance(a, X_WA, b, X_WB);
   DistanceResult result = ordered_distance(b, X_WB, a, X_WA);
   std::swap(result.p_WA, result.p_WB);

@@ -54,12 +54,19 @@ class NearestPair {
   Vec3 direction() const { return n_A_; }
   double squared() const { return squared_; }
   double distance() const { return distance_; }
+  /// Of the nearest pair, if it was met on the walk.
+  int place_A() const { return place_A_; }
+  int place_B() const { return place_B_; }
+  int triangle_A() const { return triangle_A_; }
+  int triangle_B() const { return triangle_B_; }
 
   void pass(int a, int b) {
     if (front_ != nullptr) front_->push_back(apart(search_, a, b, n_A_));
   }
   bool meet(int a, int b) {
+    const double before = squared_;
     try_triangles(search_.triangle_A(a), search_.triangle_B(b));
+    if (squared_ < before) place_A_ = a, place_B_ = b;
     if (front_ != nullptr) front_->push_back(apart(search_, a, b, n_A_));
     return squared_ == 0;
   }
@@ -92,8 +99,21 @@ class NearestPair {
   std::vector<MeshPairCache::Front>* front_;
   double squared_ = kInfinity, distance_ = kInfinity;
   Vec3 n_A_ = Vec3::Zero();  ///< From A to B at the nearest points.
+  int place_A_ = -1, place_B_ = -1;
   int feature_ = -1, triangle_A_ = -1, triangle_B_ = -1;
 };
+
+/// A pair that is near, so that the search from the top has little to open: the leaves that going down at the
+/// nearest child leads to, then the triangle of A nearest to that of B, then that of B nearest to this one.
+void try_near_pair(const Mesh& a, const Mesh& b, MeshPairSearch& search, NearestPair& nearest) {
+  if (a.tree->wide.nodes.empty() || b.tree->wide.nodes.empty()) return;
+  NearestPair start(search, nullptr);
+  const MeshPairSearch::Entry leaves = search.nearest_leaves(start);
+  start.meet(leaves.a, leaves.b);
+  search.walk({0, -1, start.place_B()}, start);
+  search.walk({0, start.place_A(), -1}, start);
+  nearest.try_triangles(start.triangle_A(), start.triangle_B());
+}
 
 /// Opens the parts of the front whose carried gap is too small; false if they are so many that a new front
 /// pays.
@@ -129,6 +149,7 @@ MeshPairDistance mesh_pair_distance(const Mesh& a, const Mesh& b, const Pose& X_
   MeshPairSearch search(a, b, X_AB);
   if (cache == nullptr) {
     NearestPair nearest(search, nullptr);
+    try_near_pair(a, b, search, nearest);
     search.walk({0, -1, -1}, nearest);
     return nearest.result();
   }

@@ -54,6 +54,20 @@ class MeshPairSearch {
   int triangle_A(int place) const { return ~tree_A_.child_at(place); }
   int triangle_B(int place) const { return ~tree_B_.child_at(place); }
 
+  /// The pair of leaves that going down at the nearest child leads to. Both trees have nodes, and the
+  /// visitor's limit is infinite.
+  template <typename Visitor>
+  Entry nearest_leaves(Visitor& visitor) {
+    Entry entry{0, -1, -1};
+    for (;;) {
+      const int child_A = tree_A_.child_at(entry.a), child_B = tree_B_.child_at(entry.b);
+      if (child_A < 0 && child_B < 0) return entry;
+      stack_.clear();
+      open(entry, child_A, child_B, visitor);
+      entry = stack_.back();
+    }
+  }
+
   /// Everything below a pair of places; true if the visitor ended the walk.
   template <typename Visitor>
   bool walk(const Entry& start, Visitor& visitor) {

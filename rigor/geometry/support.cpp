@@ -69,7 +69,7 @@ struct RadiusAbout {
 Vec3 support_point(const Shape& shape, const Vec3& d_S) {
   RIGOR_ASSERT(!std::holds_alternative<HalfSpace>(shape));
   if (const Mesh* const mesh = std::get_if<Mesh>(&shape)) {
-    return core_support(make_points_core(mesh->mesh->vertices), d_S).p;
+    return core_support({.kind = ConvexCore::Kind::points, .points = mesh->mesh->vertices}, d_S).p;
   }
   const ConvexCore core = make_core(shape);
   const Vec3 p = core_support(core, d_S).p;
