@@ -1,17 +1,12 @@
 #include "rigor/geometry/aabb_tree.hpp"
 
 #include "rigor/core/assert.hpp"
+#include "rigor/geometry/box_area.hpp"
 
 #include <algorithm>
 
 namespace rigor {
 namespace {
-
-/// Half the surface of the box: the chance that a random query meets it, but for a constant.
-double half_area(const Aabb& box) {
-  const Vec3 d = box.upper - box.lower;
-  return d.x() * d.y() + d.y() * d.z() + d.z() * d.x();
-}
 
 bool is_bounded(const Aabb& box) {
   return box.lower.allFinite() && box.upper.allFinite();

@@ -1,6 +1,7 @@
 #include "rigor/geometry/aabb_tree.hpp"
 
 #include "rigor/core/assert.hpp"
+#include "rigor/geometry/box_area.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,16 +12,6 @@ namespace rigor {
 namespace {
 
 constexpr std::size_t kBinCount = 16;  ///< Places where the heuristic tries to cut.
-
-Aabb empty_box() {
-  return {Vec3::Constant(std::numeric_limits<double>::infinity()),
-          Vec3::Constant(-std::numeric_limits<double>::infinity())};
-}
-
-double half_area(const Aabb& box) {
-  const Vec3 d = (box.upper - box.lower).cwiseMax(0.0);
-  return d.x() * d.y() + d.y() * d.z() + d.z() * d.x();
-}
 
 struct Bin {
   Aabb box = empty_box();

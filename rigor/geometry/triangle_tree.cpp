@@ -1,6 +1,7 @@
 #include "rigor/geometry/triangle_tree.hpp"
 
 #include "rigor/core/assert.hpp"
+#include "rigor/geometry/box_area.hpp"
 #include "rigor/geometry/mesh_edges.hpp"
 #include "rigor/geometry/mesh_solid.hpp"
 
@@ -13,17 +14,6 @@ namespace {
 
 constexpr int kLeafSize = 4;   ///< Triangles a leaf may hold: fewer cost more boxes than they save.
 constexpr int kBinCount = 16;  ///< Places where the heuristic tries to cut.
-
-/// A box that every box extends.
-Aabb empty_box() {
-  return {Vec3::Constant(std::numeric_limits<double>::infinity()),
-          Vec3::Constant(-std::numeric_limits<double>::infinity())};
-}
-
-double half_area(const Aabb& box) {
-  const Vec3 d = (box.upper - box.lower).cwiseMax(0.0);
-  return d.x() * d.y() + d.y() * d.z() + d.z() * d.x();
-}
 
 /// Recursive top-down build over `order[first, first + count)`.
 class Builder {
