@@ -6,6 +6,7 @@
 #include "rigor/sim/event_queue.hpp"
 #include "rigor/sim/island_stepping.hpp"
 #include "rigor/sim/joint_projection.hpp"
+#include "rigor/sim/stepper.hpp"
 #include "rigor/sim/trajectories.hpp"
 
 #include <functional>
@@ -26,17 +27,15 @@ namespace rigor {
 /// Time is local: a body's motion is followed from its own last event on, and events wait in one queue, so
 /// that each costs what the bodies concerned cost. The State holds all there is to know: a fresh stepper
 /// continues bit for bit.
-class EventDrivenStepper {
+class EventDrivenStepper : public Stepper {
  public:
   /// target_step H > 0 [s]: the longest step of bodies whose motion has no closed form.
   EventDrivenStepper(std::shared_ptr<const Model> model, const Method& method, double target_step);
   EventDrivenStepper(const EventDrivenStepper&) = delete;
   EventDrivenStepper& operator=(const EventDrivenStepper&) = delete;
 
-  /// Asked at every event of advance(): true ends it there.
-  void set_interrupt(std::function<bool()> interrupt) { interrupt_ = std::move(interrupt); }
-  /// Advances the State to t_end ≥ state.t, or to where the report says that it could not go on.
-  AdvanceReport advance(State& state, double t_end);
+  void set_interrupt(std::function<bool()> interrupt) override { interrupt_ = std::move(interrupt); }
+  AdvanceReport advance(State& state, double t_end) override;
 
  private:
   // The loop of the course.

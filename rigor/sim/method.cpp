@@ -11,8 +11,7 @@ namespace rigor {
 
 namespace {
 
-/// Position of the value among all values of its key: the number of its enumerator. Later versions' keys have
-/// no enumeration yet.
+/// Position of the value among all values of its key: the number of its enumerator.
 std::optional<int> value_index(std::string_view key, std::string_view value) {
   int index = 0;
   for (const MethodChoice& choice : method_choices()) {
@@ -36,6 +35,9 @@ bool visit_choice(MethodType& method, std::string_view key, F f) {
   if (key == "simultaneous") return f(method.simultaneous), true;
   if (key == "resting") return f(method.resting), true;
   if (key == "lcp") return f(method.lcp), true;
+  if (key == "penalty") return f(method.penalty), true;
+  if (key == "penalty_law") return f(method.penalty_law), true;
+  if (key == "solver") return f(method.solver), true;
   return false;
 }
 
@@ -108,6 +110,7 @@ std::string set_method_choice(std::string_view key, std::string_view value, Meth
 
 std::string method_choice(const Method& method, std::string_view key) {
   std::string name;
+  if (method_values(key, true).empty()) return name;
   visit_choice(method, key, [&](const auto& choice) {
     name = method_values(key, false)[static_cast<std::size_t>(choice)];
   });

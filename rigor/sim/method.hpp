@@ -21,6 +21,12 @@ enum class SimultaneousMethod { reflections, lcp, sequential };
 enum class RestingMethod { contact_space, motion_space };
 /// Of contact space, also where motion space hands over to it.
 enum class LcpMethod { dantzig, lemke };
+/// Springs at each contact by themselves, or all together in one system.
+enum class PenaltyMethod { local, global };
+/// Normal law of penalty contacts.
+enum class PenaltyLaw { linear, hunt_crossley };
+/// Of time stepping.
+enum class SolverMethod { exact, pgs, substep };
 
 /// Every choice of how a scene is simulated. The defaults are the best that this version offers.
 struct Method {
@@ -34,6 +40,9 @@ struct Method {
   SimultaneousMethod simultaneous = SimultaneousMethod::reflections;
   RestingMethod resting = RestingMethod::motion_space;
   LcpMethod lcp = LcpMethod::dantzig;
+  PenaltyMethod penalty = PenaltyMethod::local;
+  PenaltyLaw penalty_law = PenaltyLaw::linear;
+  SolverMethod solver = SolverMethod::exact;
   double contact_tolerance = 1e-6;  ///< Pairs closer than this touch [m].
   double time_tolerance = 1e-12;    ///< Of a time of impact [s].
   double resting_velocity = 1e-3;   ///< Slower approaches do not bounce [m/s].

@@ -103,6 +103,13 @@ std::span<const MethodChoice> method_choices() {
                    "Moore and Wilhelms, Collision Detection and Response for Computer Animation, 1988",
                    false},
 
+      MethodChoice{"penalty_law", "linear", "force in proportion to depth and its rate",
+                   "Moore and Wilhelms, Collision Detection and Response for Computer Animation, 1988",
+                   false},
+      MethodChoice{
+          "penalty_law", "hunt-crossley", "force as of two balls, damped in proportion to it",
+          "Hunt and Crossley, Coefficient of Restitution Interpreted as Damping in Vibroimpact, 1975", false},
+
       MethodChoice{"solver", "exact", "exact Coulomb cone", "De Saxce and Feng, The Bipotential Method, 1998",
                    false},
       MethodChoice{

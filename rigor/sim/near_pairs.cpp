@@ -13,17 +13,21 @@ Pose pose_of(const State& state, int body) {
   return {rotation_matrix(state.orientation(body)), state.position(body)};
 }
 
+Aabb body_box(const Model& model, const State& state, int body) {
+  Aabb box{Vec3::Constant(std::numeric_limits<double>::infinity()),
+           Vec3::Constant(-std::numeric_limits<double>::infinity())};
+  for (const BodyShape& shape : model.body(body).shapes) {
+    box = box.united(axis_aligned_box(shape.shape, pose_of(state, body) * shape.X_BS));
+  }
+  return box;
+}
+
 std::vector<std::pair<int, int>> near_pairs(const Model& model, const State& state, double margin) {
   AabbTree tree;
   std::vector<Aabb> boxes;
   std::vector<int> unbounded;
   for (int i = 0; i < model.body_count(); ++i) {
-    Aabb box{Vec3::Constant(std::numeric_limits<double>::infinity()),
-             Vec3::Constant(-std::numeric_limits<double>::infinity())};
-    for (const BodyShape& shape : model.body(i).shapes) {
-      box = box.united(axis_aligned_box(shape.shape, pose_of(state, i) * shape.X_BS));
-    }
-    boxes.push_back(box.grown(margin));
+    boxes.push_back(body_box(model, state, i).grown(margin));
     if (model.body(i).shapes.empty()) continue;
     if (std::isfinite(model.body(i).bounding_radius)) {
       tree.set(i, boxes.back());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "rigor/geometry/aabb.hpp"
 #include "rigor/model/state.hpp"
 
 #include <utility>
@@ -9,6 +10,9 @@ namespace rigor {
 
 /// Pose X_WB of a body in a state.
 Pose pose_of(const State& state, int body);
+
+/// Box of all shapes of a body in a state; empty (inverted) without shapes.
+Aabb body_box(const Model& model, const State& state, int body);
 
 /// Pairs of bodies that may collide and whose boxes, each grown by the margin [m], meet; lower index first,
 /// in order.

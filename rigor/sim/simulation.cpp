@@ -1,6 +1,6 @@
 #include "rigor/sim/simulation.hpp"
 
-#include "rigor/sim/event_driven_stepper.hpp"
+#include "rigor/sim/stepper.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -13,8 +13,8 @@ RunResult run_simulation(std::shared_ptr<const Model> model, const Method& metho
   RunResult result;
   result.state = start ? *start : make_initial_state(*model);
   State& state = result.state;
-  EventDrivenStepper stepper(model, method, settings.step);
-  stepper.set_interrupt(interrupt);
+  const std::unique_ptr<Stepper> stepper = make_stepper(model, method, settings.step);
+  stepper->set_interrupt(interrupt);
   Auditor auditor(model, method, state);
 
   bool goes_on = observer(state, {}, auditor);
@@ -24,7 +24,7 @@ RunResult run_simulation(std::shared_ptr<const Model> model, const Method& metho
     while (static_cast<double>(output) * settings.output_interval <= state.t) ++output;
     const double t_next = std::min(static_cast<double>(output) * settings.output_interval, settings.duration);
     const State before = state;
-    const AdvanceReport report = stepper.advance(state, t_next);
+    const AdvanceReport report = stepper->advance(state, t_next);
     if (report.reason == StopReason::interrupted) {
       state = before;
       goes_on = false;

@@ -171,7 +171,7 @@ void LiveRun::rebuild() {
     model_ = changed_model(*scene_.model, with_pull);
   }
   state_.anchor_here();
-  stepper_ = std::make_unique<EventDrivenStepper>(model_, method_, step_);
+  stepper_ = make_stepper(model_, method_, step_);
   if (recording_) recording_->continue_with(free_model_);
   begin_books();
   contacts_.reset();

@@ -2,7 +2,7 @@
 
 #include "rigor/io/scene_reader.hpp"
 #include "rigor/model/model_changes.hpp"
-#include "rigor/sim/event_driven_stepper.hpp"
+#include "rigor/sim/stepper.hpp"
 #include "rigor/view/live_history.hpp"
 #include "rigor/view/page_run.hpp"
 
@@ -92,7 +92,7 @@ class LiveRun {
   std::shared_ptr<const Model> free_model_;  ///< With the changes, without the pull.
   std::shared_ptr<const Model> model_;       ///< That is simulated.
   State state_;
-  std::unique_ptr<EventDrivenStepper> stepper_;
+  std::unique_ptr<Stepper> stepper_;
   std::unique_ptr<Auditor> auditor_;
   std::optional<Audit> earlier_;  ///< Books of the models before.
   std::unique_ptr<PageRun> recording_;

@@ -1,0 +1,14 @@
+#include "rigor/sim/stepper.hpp"
+
+#include "rigor/sim/event_driven_stepper.hpp"
+
+#include <utility>
+
+namespace rigor {
+
+std::unique_ptr<Stepper> make_stepper(std::shared_ptr<const Model> model, const Method& method,
+                                      double target_step) {
+  return std::make_unique<EventDrivenStepper>(std::move(model), method, target_step);
+}
+
+}  // namespace rigor
