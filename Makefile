@@ -63,6 +63,6 @@ help:
 	@echo "make run     build, then run two scenes, show their audits and leave their replays as pages and pictures in out/"
 	@echo "make test    build, then all tests"
 	@echo "make build   build only (Release, in $(BUILD))"
-	@echo "make check   formatting, clang++ beside g++ with warnings as errors, the tests under ASan and UBSan, the viewer"
+	@echo "make check   formatting, headers alone, clang++ with warnings as errors, the tests under its ASan and UBSan, the viewer"
 	@echo "make bench   error and CPU time of the reference scenes, of pictures, impacts, chains, resting contact, distances and the broad phase, beside the peer engines that are installed"
 	@echo "make clean   remove build/"

@@ -56,6 +56,6 @@ function(rigor_tests folder)
   endforeach()
   target_compile_definitions(${target} PRIVATE RIGOR_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data"
     RIGOR_SOURCE_DIR="${PROJECT_SOURCE_DIR}" RIGOR_PROGRAM="${CMAKE_BINARY_DIR}/rigor")
-  target_precompile_headers(${target} REUSE_FROM rigor_pch)
+  target_precompile_headers(${target} REUSE_FROM rigor_test_pch)
   gtest_discover_tests(${target} TEST_PREFIX "${folder}: " DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
 endfunction()
