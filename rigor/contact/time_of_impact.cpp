@@ -21,12 +21,20 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-/// Signed distance of two moving shapes at an instant, and its rate.
+/// Two moving shapes at an instant.
 struct Approach {
-  double gap = 0;   ///< [m].
-  double rate = 0;  ///< [m/s], negative when approaching.
+  double distance = 0;  ///< Signed [m].
+  double gap = 0;       ///< That, or of the contact that is closed first [m].
+  double rate = 0;      ///< Of the gap [m/s], negative when approaching.
   Vec3 n_W;
   std::vector<Vec3> normals_W{};  ///< Of two meshes: those of all contacts there.
+};
+
+/// A span at whose begin the signed distance is above a level and at whose end below it.
+struct Crossing {
+  double low, high;                    ///< [s].
+  double distance_low, distance_high;  ///< [m].
+  double level = 0;                    ///< [m].
 };
 
 /// One shape of a moving body.
@@ -59,13 +67,17 @@ class ShapePairSearch {
   static double finite_radius(const MovingBodyShape& moving) {
     return std::isinf(moving.shape->radius) ? 0 : moving.shape->radius;
   }
+  DistanceResult distance(const Pose& X_WS, const Pose& X_WT);
+  double distance_at(double t) { return distance(A_.pose(t), B_.pose(t)).distance; }
   Approach approach(double t);
   bool are_meshes() const { return A_.is_mesh() && B_.is_mesh(); }
   void look_at_contacts(const Pose& X_WS, const Pose& X_WT, double t, Approach& now) const;
   bool can_meet(double t0, double t1) const;
   std::optional<TimeOfImpact> find_in_closed_form(double t0, double t1) const;
-  std::optional<TimeOfImpact> refined(double low, const Approach& at_low, double high);
+  TimeOfImpact refined(const Crossing& crossing);
+  TimeOfImpact passed_contact(double before, double distance_before, double t, double distance_now);
   double advance(double t, const Approach& now, double t1) const;
+  double finest(double t) const { return std::max(options_.time_tolerance, 4 * epsilon * std::abs(t)); }
   /// Distances that rounding cannot tell from contact [m].
   double touch(double t) const {
     const double far =
@@ -81,15 +93,20 @@ class ShapePairSearch {
   DistanceCache cache_;  ///< Of this search alone: what is found depends on nothing before it.
 };
 
-Approach ShapePairSearch::approach(double t) {
+DistanceResult ShapePairSearch::distance(const Pose& X_WS, const Pose& X_WT) {
   ++evaluations_;
+  return options_.distance == ToiDistance::lin_canny
+             ? walked_distance(A_.shape->shape, X_WS, B_.shape->shape, X_WT, cache_)
+             : signed_distance(A_.shape->shape, X_WS, B_.shape->shape, X_WT);
+}
+
+Approach ShapePairSearch::approach(double t) {
   const Motion::Sample A = A_.motion->sample(t), B = B_.motion->sample(t);
   const Pose X_WS = A.X_WB * A_.shape->X_BS, X_WT = B.X_WB * B_.shape->X_BS;
-  const DistanceResult found = options_.distance == ToiDistance::lin_canny
-                                   ? walked_distance(A_.shape->shape, X_WS, B_.shape->shape, X_WT, cache_)
-                                   : signed_distance(A_.shape->shape, X_WS, B_.shape->shape, X_WT);
+  const DistanceResult found = distance(X_WS, X_WT);
   const Vec3 p_W = 0.5 * (found.p_WA + found.p_WB);
-  Approach now{found.distance, found.n_W.dot(B.velocity_at(p_W) - A.velocity_at(p_W)), found.n_W};
+  Approach now{found.distance, found.distance, found.n_W.dot(B.velocity_at(p_W) - A.velocity_at(p_W)),
+               found.n_W};
   if (are_meshes() && now.gap <= options_.contact_tolerance) look_at_contacts(X_WS, X_WT, t, now);
   return now;
 }
@@ -207,18 +224,42 @@ double ShapePairSearch::advance(double t, const Approach& now, double t1) const 
   return std::min(t1 - t, closing_bound(A_.part(), B_.part(), t, t1).time_for(now.gap - level));
 }
 
-/// Refines a contact between low (apart) and high, if the bodies overlap at high; nothing if they do not.
-std::optional<TimeOfImpact> ShapePairSearch::refined(double low, const Approach& at_low, double high) {
-  const double gap_high = approach(high).gap;
-  if (gap_high >= 0) return std::nullopt;
-  const auto gap_at = [&](double t) {
-    return t == low ? at_low.gap : t == high ? gap_high : approach(t).gap;
+TimeOfImpact ShapePairSearch::refined(const Crossing& crossing) {
+  const auto above = [&](double t) {
+    return (t == crossing.low    ? crossing.distance_low
+            : t == crossing.high ? crossing.distance_high
+                                 : distance_at(t)) -
+           crossing.level;
   };
-  const double finest = std::max(options_.time_tolerance, 4 * epsilon * std::abs(high));
+  const double width = finest(crossing.high);
   const RootBracket root = options_.refinement == ToiRefinement::bisection
-                               ? find_root_bisection(gap_at, low, high, finest)
-                               : find_root_illinois(gap_at, low, high, finest);
-  return TimeOfImpact{true, root.lo, std::max(root.width(), finest), evaluations_};
+                               ? find_root_bisection(above, crossing.low, crossing.high, width)
+                               : find_root_illinois(above, crossing.low, crossing.high, width);
+  return {true, root.lo, std::max(root.width(), width), evaluations_};
+}
+
+/// The contact of bodies that overlap at t, where they approach, and did not touch or did not approach
+/// before: when they came back to where they were then, or to touching.
+TimeOfImpact ShapePairSearch::passed_contact(double before, double distance_before, double t,
+                                             double distance_now) {
+  constexpr int most_halvings = 12;
+  constexpr double allowance = 0.01;  // Of the contact tolerance, for bodies that never parted.
+  Crossing crossing{before, t, distance_before, distance_now, std::min(0.0, distance_before)};
+  if (distance_before <= touch(t)) {
+    const double parted = crossing.level + touch(t);
+    double span = t - before;
+    for (int k = 0; k < most_halvings && crossing.distance_low <= parted; ++k) {
+      span *= 0.5;
+      crossing.low = before + span;
+      crossing.distance_low = distance_at(crossing.low);
+    }
+    if (crossing.distance_low <= parted) {
+      crossing = {before, t, distance_before, distance_now, crossing.level};
+      crossing.level -= allowance * options_.contact_tolerance;
+    }
+  }
+  if (crossing.distance_high >= crossing.level) return {true, t, finest(t), evaluations_};
+  return refined(crossing);
 }
 
 TimeOfImpact ShapePairSearch::find(double t0, double t1) {
@@ -226,32 +267,29 @@ TimeOfImpact ShapePairSearch::find(double t0, double t1) {
   if (const std::optional<TimeOfImpact> found = find_in_closed_form(t0, t1)) return *found;
 
   constexpr int most_evaluations = 10000;
-  double t = t0;
-  std::optional<double> last_apart;
+  double t = t0, before = t0, distance_before = 0;
   while (evaluations_ < most_evaluations) {
     const Approach now = approach(t);
     const bool is_approaching = now.rate < -options_.rest_velocity;
-    const double finest = std::max(options_.time_tolerance, 4 * epsilon * std::abs(t));
     if (now.gap <= touch(t) && is_approaching) {
-      // Overlapping already: the contact lies between the last time apart and now.
-      if (now.gap < -touch(t) && last_apart && !are_meshes()) {
-        if (const std::optional<TimeOfImpact> found = refined(*last_apart, approach(*last_apart), t))
-          return *found;
-      }
-      return {true, t, finest, evaluations_};
+      if (now.gap >= -touch(t) || t == t0) return {true, t, finest(t), evaluations_};
+      return passed_contact(before, distance_before, t, now.distance);
     }
     if (t >= t1) return {false, t1, 0, evaluations_};
-    if (now.gap > touch(t)) last_apart = t;
 
     // Near the contact: a bracket by twice the time that the present rate needs.
     const double estimate = is_approaching ? now.gap / -now.rate : std::numeric_limits<double>::infinity();
-    if (is_approaching && estimate <= finest) return {true, t, std::max(2 * estimate, finest), evaluations_};
+    if (is_approaching && estimate <= finest(t))
+      return {true, t, std::max(2 * estimate, finest(t)), evaluations_};
     const bool may_bracket = options_.refinement != ToiRefinement::conservative && t + 2 * estimate <= t1 &&
-                             now.gap < 0.01 * size_;
+                             now.distance > touch(t) && now.distance < 0.01 * size_;
     if (may_bracket) {
-      if (const std::optional<TimeOfImpact> found = refined(t, now, t + 2 * estimate)) return *found;
+      const Crossing crossing{t, t + 2 * estimate, now.distance, distance_at(t + 2 * estimate)};
+      if (crossing.distance_high < 0) return refined(crossing);
     }
-    t = std::min(t1, t + std::max(advance(t, now, t1), finest));
+    before = t;
+    distance_before = now.distance;
+    t = std::min(t1, t + std::max(advance(t, now, t1), finest(t)));
   }
   // Only a pair that hovers at the contact for long comes here; what was passed is proven free.
   return {false, t, 0, evaluations_};
