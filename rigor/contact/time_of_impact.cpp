@@ -27,7 +27,7 @@ struct Approach {
   double gap = 0;       ///< That, or of the contact that is closed first [m].
   double rate = 0;      ///< Of the gap [m/s], negative when approaching.
   Vec3 n_W;
-  std::vector<Vec3> normals_W{};  ///< Of two meshes: those of all contacts there.
+  std::vector<Vec3> normals_W{};  ///< With meshes: those of all contacts there.
 };
 
 /// A span at whose begin the signed distance is above a level and at whose end below it.
@@ -70,7 +70,8 @@ class ShapePairSearch {
   DistanceResult distance(const Pose& X_WS, const Pose& X_WT);
   double distance_at(double t) { return distance(A_.pose(t), B_.pose(t)).distance; }
   Approach approach(double t);
-  bool are_meshes() const { return A_.is_mesh() && B_.is_mesh(); }
+  /// Whether a surface that is not convex is met: a half-space sees of a mesh its hull.
+  bool has_mesh() const { return A_.is_mesh() && !B_.is_half_space(); }
   void look_at_contacts(const Pose& X_WS, const Pose& X_WT, double t, Approach& now) const;
   bool can_meet(double t0, double t1) const;
   std::optional<TimeOfImpact> find_in_closed_form(double t0, double t1) const;
@@ -107,12 +108,13 @@ Approach ShapePairSearch::approach(double t) {
   const Vec3 p_W = 0.5 * (found.p_WA + found.p_WB);
   Approach now{found.distance, found.distance, found.n_W.dot(B.velocity_at(p_W) - A.velocity_at(p_W)),
                found.n_W};
-  if (are_meshes() && now.gap <= options_.contact_tolerance) look_at_contacts(X_WS, X_WT, t, now);
+  if (has_mesh() && now.gap <= options_.contact_tolerance) look_at_contacts(X_WS, X_WT, t, now);
   return now;
 }
 
-/// Two meshes that touch do so at several places, and the line through nearest points as near as rounding has
-/// no direction. What counts is the contact that is closed first; if none approaches, nothing does.
+/// A mesh and another shape that touch do so at several places, and the line through nearest points as near
+/// as rounding has no direction. What counts is the contact that is closed first; if none approaches, nothing
+/// does.
 void ShapePairSearch::look_at_contacts(const Pose& X_WS, const Pose& X_WT, double t, Approach& now) const {
   const std::vector<ContactPoint> contacts =
       contact_set(A_.shape->shape, X_WS, B_.shape->shape, X_WT, options_.contact_tolerance);
@@ -204,24 +206,15 @@ double ShapePairSearch::advance(double t, const Approach& now, double t1) const 
   const double slack = 0.5 * options_.contact_tolerance;
   const bool is_departing = now.gap <= slack && now.rate >= -options_.rest_velocity;
   const double level = is_departing ? std::min(-slack, now.gap - slack) : 0;
-  // A half-space sees of a mesh its hull.
-  const bool is_bounded_by_hulls = B_.is_half_space() || (!A_.is_mesh() && !B_.is_mesh());
-  if (is_bounded_by_hulls) {
-    return SeparationBound(core_A_, core_B_, now.n_W, now.gap, t, t1).safe_step(t1 - t, level);
-  }
-  if (are_meshes()) {
-    return safe_mesh_step(A_.part(), B_.part(),
-                          {.t = t,
-                           .t_end = t1,
-                           .distance = now.gap,
-                           .touch = touch(t),
-                           .slack = slack,
-                           .rest_velocity = options_.rest_velocity,
-                           .n_W = now.normals_W});
-  }
-  // A surface that is not convex is not behind the plane through its witness point: bound the speed of all
-  // its points.
-  return std::min(t1 - t, closing_bound(A_.part(), B_.part(), t, t1).time_for(now.gap - level));
+  if (!has_mesh()) return SeparationBound(core_A_, core_B_, now.n_W, now.gap, t, t1).safe_step(t1 - t, level);
+  return safe_mesh_step(A_.part(), B_.part(),
+                        {.t = t,
+                         .t_end = t1,
+                         .distance = now.gap,
+                         .touch = touch(t),
+                         .slack = slack,
+                         .rest_velocity = options_.rest_velocity,
+                         .n_W = now.normals_W});
 }
 
 TimeOfImpact ShapePairSearch::refined(const Crossing& crossing) {
@@ -302,9 +295,10 @@ TimeOfImpact find_time_of_impact(const Body& A, const Motion& of_A, const Body& 
   TimeOfImpact first{false, t1, 0, 0};
   for (const BodyShape& a : A.shapes) {
     for (const BodyShape& b : B.shapes) {
-      // Half-spaces come second.
-      const bool swap = std::holds_alternative<HalfSpace>(a.shape);
+      // Half-spaces come second, meshes first.
       const MovingBodyShape moving_a{&a, &of_A}, moving_b{&b, &of_B};
+      const bool swap = moving_a.is_half_space() ||
+                        (moving_b.is_mesh() && !moving_a.is_mesh() && !moving_b.is_half_space());
       ShapePairSearch search(swap ? moving_b : moving_a, swap ? moving_a : moving_b, options);
       const TimeOfImpact found = search.find(t0, first.time);
       const int evaluations = first.evaluations + found.evaluations;

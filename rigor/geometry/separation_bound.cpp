@@ -41,7 +41,7 @@ SeparationBound::Support SeparationBound::make_support(const MovingCore& part, c
                                                        double t) {
   Support support;
   if (part.motion->max_turn_acceleration() == 0 || part.turning_radius == 0) return support;
-  const RigidMotion::Sample body = part.motion->sample(t);
+  const RigidMotion::Sample body = part.sample != nullptr ? *part.sample : part.motion->sample(t);
   support.core = &part.core;
   support.R_CW = (body.X_WB.R * part.X_BC.R).transpose();
   support.offset_W = body.X_WB.R * part.X_BC.p;

@@ -12,6 +12,7 @@ struct MovingCore {
   Pose X_BC;              ///< Place of the core in the frame of the body.
   double turning_radius;  ///< No point that turning moves is farther from the origin of B [m].
   const RigidMotion* motion;
+  const RigidMotion::Sample* sample = nullptr;  ///< Of the motion at the time of the bound, if at hand.
 };
 
 /// Lower bound of the gap of two convex parts along a fixed normal, for all times near the one it was made
