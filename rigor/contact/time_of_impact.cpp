@@ -77,7 +77,8 @@ class ShapePairSearch {
   std::optional<TimeOfImpact> find_in_closed_form(double t0, double t1) const;
   TimeOfImpact refined(const Crossing& crossing);
   TimeOfImpact passed_contact(double before, double distance_before, double t, double distance_now);
-  double advance(double t, const Approach& now, double t1) const;
+  double advance(double t, const Approach& now, double t1);
+  double convex_step(double t, const Approach& now, double t1, double level);
   double finest(double t) const { return std::max(options_.time_tolerance, 4 * epsilon * std::abs(t)); }
   /// Distances that rounding cannot tell from contact [m].
   double touch(double t) const {
@@ -202,11 +203,11 @@ std::optional<TimeOfImpact> ShapePairSearch::find_in_closed_form(double t0, doub
 
 /// How far the motions are safe from t on. Bodies that touch without approaching may overlap by half the
 /// tolerance.
-double ShapePairSearch::advance(double t, const Approach& now, double t1) const {
+double ShapePairSearch::advance(double t, const Approach& now, double t1) {
   const double slack = 0.5 * options_.contact_tolerance;
   const bool is_departing = now.gap <= slack && now.rate >= -options_.rest_velocity;
   const double level = is_departing ? std::min(-slack, now.gap - slack) : 0;
-  if (!has_mesh()) return SeparationBound(core_A_, core_B_, now.n_W, now.gap, t, t1).safe_step(t1 - t, level);
+  if (!has_mesh()) return convex_step(t, now, t1, level);
   return safe_mesh_step(A_.part(), B_.part(),
                         {.t = t,
                          .t_end = t1,
@@ -215,6 +216,30 @@ double ShapePairSearch::advance(double t, const Approach& now, double t1) const 
                          .slack = slack,
                          .rest_velocity = options_.rest_velocity,
                          .n_W = now.normals_W});
+}
+
+/// The longest step that the normal shows, fixed or, where this loses to first order, turning: a face takes
+/// it along, and otherwise it turns as it is seen to do.
+double ShapePairSearch::convex_step(double t, const Approach& now, double t1, double level) {
+  const double span = t1 - t;
+  const SeparationBound fixed(core_A_, core_B_, now.n_W, now.gap, t, t1);
+  double step = fixed.safe_step(span, level);
+  const Vec3 w_A = A_.motion->sample(t).w, w_B = B_.motion->sample(t).w;
+  const double speed = (w_A.norm() + w_B.norm()) * size_;
+  constexpr double equal = 1e-6;
+  if (B_.is_half_space() || step >= span || fixed.rate() >= now.rate - equal * speed) return step;
+
+  const auto try_turn = [&](const Vec3& turn_W) {
+    const SeparationBound bound(core_A_, core_B_, {now.n_W, turn_W}, now.gap, t, t1);
+    step = std::max(step, bound.safe_step(span, level));
+    return bound.rate() >= now.rate - equal * speed;
+  };
+  const bool is_exact = (!w_A.isZero(0) && try_turn(w_A)) || (!w_B.isZero(0) && try_turn(w_B));
+  if (is_exact || step >= span) return step;
+  const double after = std::min(span, 1e-6 * size_ / speed);
+  const Vec3 later_W = distance(A_.pose(t + after), B_.pose(t + after)).n_W;
+  try_turn(now.n_W.cross(later_W - now.n_W) / after);
+  return step;
 }
 
 TimeOfImpact ShapePairSearch::refined(const Crossing& crossing) {

@@ -28,13 +28,7 @@ double safe_triangle_step(const MovingTriangle& a, const MovingTriangle& b, cons
   const bool is_meeting = found.squared <= from.touch * from.touch;
   PartingStep parting(a.part.core(), b.part.core(), from, span);
   const auto try_direction = [&](const Vec3& n_W) {
-    const double gap = b.place(n_W) + a.place(-n_W);
-    // Parts that slide along this direction's plane, and what touches, which the caller says does not
-    // approach.
-    const bool is_held =
-        gap <= from.slack &&
-        (is_meeting || b.velocity(n_W, from.touch) + a.velocity(-n_W, from.touch) >= -from.rest_velocity);
-    parting.try_direction(n_W, gap, is_held);
+    parting.try_direction(n_W, b.place(n_W) + a.place(-n_W), is_meeting);
   };
   if (!is_meeting) {
     const auto [p, q] = nearest_points(a.corners_W, b.corners_W, found.feature);

@@ -14,49 +14,44 @@
 namespace rigor {
 namespace {
 
-/// A convex shape of a moving body at an instant.
-class MovingConvex {
- public:
+/// A convex shape of a moving body at an instant, and where both bodies are a little later.
+struct MovingConvex {
   MovingConvex(const MovingShape& moving, const RigidMotion::Sample& body)
-      : part_(moving, {}, &body), body_(body), X_WS_(body.X_WB * moving.X_BS) {}
-
-  const MovingCore& core() const { return part_.core(); }
-  const Pose& X_WS() const { return X_WS_; }
+      : part(moving, {}, &body), X_WS(body.X_WB * moving.X_BS) {}
 
   /// Where it ends along n_W: least n·p.
-  double place(const Vec3& n_W) const { return n_W.dot(lowest(n_W)) - core().core.radius; }
-
-  /// The least velocity along n_W of what lies there.
-  double velocity(const Vec3& n_W) const {
-    // A direction turned by very little decides between points that are as low: -n·(ω × r) = (ω × n)·r.
-    constexpr double turn = 1e-10;
-    const double spin = body_.w.norm();
-    if (spin == 0) return n_W.dot(body_.v);
-    return n_W.dot(body_.velocity_at(lowest(n_W - turn / spin * body_.w.cross(n_W))));
+  double place(const Vec3& n_W) const {
+    const ConvexCore& core = part.core().core;
+    return n_W.dot(X_WS * core_support(core, X_WS.R.transpose() * -n_W).p) - core.radius;
   }
 
- private:
-  /// Point of the core with the least n·p.
-  Vec3 lowest(const Vec3& n_W) const {
-    return X_WS_ * core_support(core().core, X_WS_.R.transpose() * -n_W).p;
-  }
-
-  MovingPart part_;
-  const RigidMotion::Sample& body_;
-  Pose X_WS_;
+  MovingPart part;
+  Pose X_WS;
 };
 
+/// Both bodies a little later, for the turning of the nearest direction.
+struct Later {
+  double after = 0;  ///< [s].
+  Pose X_WM, X_WS;
+};
+
+DistanceResult distance_of(const TriangleCorners& corners, const Pose& X, const MovingConvex& b,
+                           const Pose& X_WS) {
+  return convex_distance(make_points_core(corners), X, b.part.core().core, X_WS);
+}
+
+/// How fast the direction of the nearest points turns, to first order in the time between.
+Vec3 turning_of(const Vec3& n_W, const Vec3& n_later_W, double after) {
+  return n_W.cross(n_later_W - n_W) / after;
+}
+
 /// How long a triangle and a convex shape near each other are known to go on.
-double safe_triangle_step(const MovingTriangle& a, const MovingConvex& b, const MeshAdvance& from,
-                          double span) {
-  PartingStep parting(a.part.core(), b.core(), from, span);
+double safe_triangle_step(const MovingTriangle& a, const MovingConvex& b, const Later& later,
+                          const MeshAdvance& from, double span) {
+  PartingStep parting(a.part.core(), b.part.core(), from, span);
   bool is_meeting = false;
   const auto try_direction = [&](const Vec3& n_W) {
-    if (parting.is_whole()) return;
-    const double gap = b.place(n_W) + a.place(-n_W);
-    const bool is_held = gap <= from.slack && (is_meeting || b.velocity(n_W) + a.velocity(-n_W, from.touch) >=
-                                                                 -from.rest_velocity);
-    parting.try_direction(n_W, gap, is_held);
+    if (!parting.is_whole()) parting.try_direction(n_W, b.place(n_W) + a.place(-n_W), is_meeting);
   };
   const auto try_all = [&] {
     for (const Vec3& n_W : from.n_W) try_direction(n_W);
@@ -66,11 +61,19 @@ double safe_triangle_step(const MovingTriangle& a, const MovingConvex& b, const 
   try_all();
   if (parting.is_whole()) return parting.step();
 
-  const DistanceResult nearest =
-      convex_distance(make_points_core(a.corners_W), Pose{}, b.core().core, b.X_WS());
+  const DistanceResult nearest = distance_of(a.corners_W, Pose{}, b, b.X_WS);
   is_meeting = nearest.distance <= from.touch;
   is_meeting ? try_all() : try_direction(nearest.n_W);
+  if (parting.is_whole() || !(later.after > 0)) return parting.step();
+
+  const DistanceResult then = distance_of(a.corners_M, later.X_WM, b, later.X_WS);
+  const Vec3 turn_W = turning_of(nearest.n_W, then.n_W, later.after);
+  parting.try_turning({nearest.n_W, turn_W}, b.place(nearest.n_W) + a.place(-nearest.n_W), is_meeting);
   return parting.step();
+}
+
+Later poses_later(const MovingShape& A, const MovingShape& B, double t, double after) {
+  return {after, A.pose(t + after), B.pose(t + after)};
 }
 
 /// Which triangles are farther from a convex shape than it can travel, in the frame of the mesh.
@@ -127,10 +130,11 @@ double safe_mesh_convex_step(const MovingShape& A, const MovingShape& B, const M
   const double travel = step * (closing.speed + 0.5 * closing.acceleration * step) + from.touch;
   const Reach reach(mesh, *B.shape, X_MS, travel);
   const MovingConvex convex(B, body_B);
+  const Later later = poses_later(A, B, from.t, std::min(step, closing.time_for(1e-6 * size)));
   for (const int t : mesh.tree->overlapping(axis_aligned_box(*B.shape, X_MS).grown(travel))) {
     if (step <= 0) break;
     if (reach.holds(t))
-      step = std::min(step, safe_triangle_step(MovingTriangle(A, body_A, t), convex, from, step));
+      step = std::min(step, safe_triangle_step(MovingTriangle(A, body_A, t), convex, later, from, step));
   }
   return step;
 }

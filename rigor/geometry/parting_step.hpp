@@ -5,8 +5,6 @@
 #include "rigor/geometry/separation_bound.hpp"
 #include "rigor/geometry/triangle_pair.hpp"
 
-#include <array>
-
 namespace rigor {
 
 /// How long two convex parts of moving bodies are known not to overlap more than they may: the longest time
@@ -17,9 +15,11 @@ class PartingStep {
   PartingStep(const MovingCore& a, const MovingCore& b, const MeshAdvance& from, double span)
       : a_(a), b_(b), from_(from), span_(span) {}
 
-  /// The parts are `gap` apart along n_W. Held parts do not approach, or the caller knows that they may
-  /// touch: they may come to overlap by the slack.
-  void try_direction(const Vec3& n_W, double gap, bool is_held);
+  /// The parts are `gap` apart along n_W, fixed or turning with either body. Parts that touch by the slack
+  /// and do not approach, or that the caller knows may touch, may come to overlap by the slack.
+  void try_direction(const Vec3& n_W, double gap, bool may_touch);
+  /// The same along one that turns at this rate.
+  void try_turning(const PartingDirection& along, double gap, bool may_touch);
 
   double step() const { return step_; }
   bool is_whole() const { return step_ >= span_; }
@@ -37,14 +37,11 @@ struct MovingTriangle {
   /// `body` is a sample of the motion that must outlive this.
   MovingTriangle(const MovingShape& moving, const RigidMotion::Sample& body, int triangle);
 
-  /// Where it ends along n_W (least n·p), and the least velocity along it of the corners that lie there to
-  /// `tie`.
+  /// Where it ends along n_W: least n·p.
   double place(const Vec3& n_W) const;
-  double velocity(const Vec3& n_W, double tie) const;
 
   MovingPart part;
-  TriangleCorners corners_W;
-  std::array<Vec3, 3> velocities_W;
+  TriangleCorners corners_M, corners_W;
   Vec3 normal_W;
 };
 
