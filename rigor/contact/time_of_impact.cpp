@@ -21,12 +21,20 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-/// Signed distance of two moving shapes at an instant, and its rate.
+/// Two moving shapes at an instant.
 struct Approach {
-  double gap = 0;   ///< [m].
-  double rate = 0;  ///< [m/s], negative when approaching.
+  double distance = 0;  ///< Signed [m].
+  double gap = 0;       ///< That, or of the contact that is closed first [m].
+  double rate = 0;      ///< Of the gap [m/s], negative when approaching.
   Vec3 n_W;
-  std::vector<Vec3> normals_W{};  ///< Of two meshes: those of all contacts there.
+  std::vector<Vec3> normals_W{};  ///< With meshes: those of all contacts there.
+};
+
+/// A span at whose begin the signed distance is above a level and at whose end below it.
+struct Crossing {
+  double low, high;                    ///< [s].
+  double distance_low, distance_high;  ///< [m].
+  double level = 0;                    ///< [m].
 };
 
 /// One shape of a moving body.
@@ -59,13 +67,19 @@ class ShapePairSearch {
   static double finite_radius(const MovingBodyShape& moving) {
     return std::isinf(moving.shape->radius) ? 0 : moving.shape->radius;
   }
+  DistanceResult distance(const Pose& X_WS, const Pose& X_WT);
+  double distance_at(double t) { return distance(A_.pose(t), B_.pose(t)).distance; }
   Approach approach(double t);
-  bool are_meshes() const { return A_.is_mesh() && B_.is_mesh(); }
+  /// Whether a surface that is not convex is met: a half-space sees of a mesh its hull.
+  bool has_mesh() const { return A_.is_mesh() && !B_.is_half_space(); }
   void look_at_contacts(const Pose& X_WS, const Pose& X_WT, double t, Approach& now) const;
   bool can_meet(double t0, double t1) const;
   std::optional<TimeOfImpact> find_in_closed_form(double t0, double t1) const;
-  std::optional<TimeOfImpact> refined(double low, const Approach& at_low, double high);
-  double advance(double t, const Approach& now, double t1) const;
+  TimeOfImpact refined(const Crossing& crossing);
+  TimeOfImpact passed_contact(double before, double distance_before, double t, double distance_now);
+  double advance(double t, const Approach& now, double t1);
+  double convex_step(double t, const Approach& now, double t1, double level);
+  double finest(double t) const { return std::max(options_.time_tolerance, 4 * epsilon * std::abs(t)); }
   /// Distances that rounding cannot tell from contact [m].
   double touch(double t) const {
     const double far =
@@ -81,21 +95,27 @@ class ShapePairSearch {
   DistanceCache cache_;  ///< Of this search alone: what is found depends on nothing before it.
 };
 
-Approach ShapePairSearch::approach(double t) {
+DistanceResult ShapePairSearch::distance(const Pose& X_WS, const Pose& X_WT) {
   ++evaluations_;
+  return options_.distance == ToiDistance::lin_canny
+             ? walked_distance(A_.shape->shape, X_WS, B_.shape->shape, X_WT, cache_)
+             : signed_distance(A_.shape->shape, X_WS, B_.shape->shape, X_WT);
+}
+
+Approach ShapePairSearch::approach(double t) {
   const Motion::Sample A = A_.motion->sample(t), B = B_.motion->sample(t);
   const Pose X_WS = A.X_WB * A_.shape->X_BS, X_WT = B.X_WB * B_.shape->X_BS;
-  const DistanceResult found = options_.distance == ToiDistance::lin_canny
-                                   ? walked_distance(A_.shape->shape, X_WS, B_.shape->shape, X_WT, cache_)
-                                   : signed_distance(A_.shape->shape, X_WS, B_.shape->shape, X_WT);
+  const DistanceResult found = distance(X_WS, X_WT);
   const Vec3 p_W = 0.5 * (found.p_WA + found.p_WB);
-  Approach now{found.distance, found.n_W.dot(B.velocity_at(p_W) - A.velocity_at(p_W)), found.n_W};
-  if (are_meshes() && now.gap <= options_.contact_tolerance) look_at_contacts(X_WS, X_WT, t, now);
+  Approach now{found.distance, found.distance, found.n_W.dot(B.velocity_at(p_W) - A.velocity_at(p_W)),
+               found.n_W};
+  if (has_mesh() && now.gap <= options_.contact_tolerance) look_at_contacts(X_WS, X_WT, t, now);
   return now;
 }
 
-/// Two meshes that touch do so at several places, and the line through nearest points as near as rounding has
-/// no direction. What counts is the contact that is closed first; if none approaches, nothing does.
+/// A mesh and another shape that touch do so at several places, and the line through nearest points as near
+/// as rounding has no direction. What counts is the contact that is closed first; if none approaches, nothing
+/// does.
 void ShapePairSearch::look_at_contacts(const Pose& X_WS, const Pose& X_WT, double t, Approach& now) const {
   const std::vector<ContactPoint> contacts =
       contact_set(A_.shape->shape, X_WS, B_.shape->shape, X_WT, options_.contact_tolerance);
@@ -183,42 +203,81 @@ std::optional<TimeOfImpact> ShapePairSearch::find_in_closed_form(double t0, doub
 
 /// How far the motions are safe from t on. Bodies that touch without approaching may overlap by half the
 /// tolerance.
-double ShapePairSearch::advance(double t, const Approach& now, double t1) const {
+double ShapePairSearch::advance(double t, const Approach& now, double t1) {
   const double slack = 0.5 * options_.contact_tolerance;
   const bool is_departing = now.gap <= slack && now.rate >= -options_.rest_velocity;
   const double level = is_departing ? std::min(-slack, now.gap - slack) : 0;
-  // A half-space sees of a mesh its hull.
-  const bool is_bounded_by_hulls = B_.is_half_space() || (!A_.is_mesh() && !B_.is_mesh());
-  if (is_bounded_by_hulls) {
-    return SeparationBound(core_A_, core_B_, now.n_W, now.gap, t, t1).safe_step(t1 - t, level);
-  }
-  if (are_meshes()) {
-    return safe_mesh_step(A_.part(), B_.part(),
-                          {.t = t,
-                           .t_end = t1,
-                           .distance = now.gap,
-                           .touch = touch(t),
-                           .slack = slack,
-                           .rest_velocity = options_.rest_velocity,
-                           .n_W = now.normals_W});
-  }
-  // A surface that is not convex is not behind the plane through its witness point: bound the speed of all
-  // its points.
-  return std::min(t1 - t, closing_bound(A_.part(), B_.part(), t, t1).time_for(now.gap - level));
+  if (!has_mesh()) return convex_step(t, now, t1, level);
+  return safe_mesh_step(A_.part(), B_.part(),
+                        {.t = t,
+                         .t_end = t1,
+                         .distance = now.gap,
+                         .touch = touch(t),
+                         .slack = slack,
+                         .rest_velocity = options_.rest_velocity,
+                         .n_W = now.normals_W});
 }
 
-/// Refines a contact between low (apart) and high, if the bodies overlap at high; nothing if they do not.
-std::optional<TimeOfImpact> ShapePairSearch::refined(double low, const Approach& at_low, double high) {
-  const double gap_high = approach(high).gap;
-  if (gap_high >= 0) return std::nullopt;
-  const auto gap_at = [&](double t) {
-    return t == low ? at_low.gap : t == high ? gap_high : approach(t).gap;
+/// The longest step that the normal shows, fixed or, where this loses to first order, turning: a face takes
+/// it along, and otherwise it turns as it is seen to do.
+double ShapePairSearch::convex_step(double t, const Approach& now, double t1, double level) {
+  const double span = t1 - t;
+  const SeparationBound fixed(core_A_, core_B_, now.n_W, now.gap, t, t1);
+  double step = fixed.safe_step(span, level);
+  const Vec3 w_A = A_.motion->sample(t).w, w_B = B_.motion->sample(t).w;
+  const double speed = (w_A.norm() + w_B.norm()) * size_;
+  constexpr double equal = 1e-6;
+  if (B_.is_half_space() || step >= span || fixed.rate() >= now.rate - equal * speed) return step;
+
+  const auto try_turn = [&](const Vec3& turn_W) {
+    const SeparationBound bound(core_A_, core_B_, {now.n_W, turn_W}, now.gap, t, t1);
+    step = std::max(step, bound.safe_step(span, level));
+    return bound.rate() >= now.rate - equal * speed;
   };
-  const double finest = std::max(options_.time_tolerance, 4 * epsilon * std::abs(high));
+  const bool is_exact = (!w_A.isZero(0) && try_turn(w_A)) || (!w_B.isZero(0) && try_turn(w_B));
+  if (is_exact || step >= span) return step;
+  const double after = std::min(span, 1e-6 * size_ / speed);
+  const Vec3 later_W = distance(A_.pose(t + after), B_.pose(t + after)).n_W;
+  try_turn(now.n_W.cross(later_W - now.n_W) / after);
+  return step;
+}
+
+TimeOfImpact ShapePairSearch::refined(const Crossing& crossing) {
+  const auto above = [&](double t) {
+    return (t == crossing.low    ? crossing.distance_low
+            : t == crossing.high ? crossing.distance_high
+                                 : distance_at(t)) -
+           crossing.level;
+  };
+  const double width = finest(crossing.high);
   const RootBracket root = options_.refinement == ToiRefinement::bisection
-                               ? find_root_bisection(gap_at, low, high, finest)
-                               : find_root_illinois(gap_at, low, high, finest);
-  return TimeOfImpact{true, root.lo, std::max(root.width(), finest), evaluations_};
+                               ? find_root_bisection(above, crossing.low, crossing.high, width)
+                               : find_root_illinois(above, crossing.low, crossing.high, width);
+  return {true, root.lo, std::max(root.width(), width), evaluations_};
+}
+
+/// The contact of bodies that overlap at t, where they approach, and did not touch or did not approach
+/// before: when they came back to where they were then, or to touching.
+TimeOfImpact ShapePairSearch::passed_contact(double before, double distance_before, double t,
+                                             double distance_now) {
+  constexpr int most_halvings = 12;
+  constexpr double allowance = 0.01;  // Of the contact tolerance, for bodies that never parted.
+  Crossing crossing{before, t, distance_before, distance_now, std::min(0.0, distance_before)};
+  if (distance_before <= touch(t)) {
+    const double parted = crossing.level + touch(t);
+    double span = t - before;
+    for (int k = 0; k < most_halvings && crossing.distance_low <= parted; ++k) {
+      span *= 0.5;
+      crossing.low = before + span;
+      crossing.distance_low = distance_at(crossing.low);
+    }
+    if (crossing.distance_low <= parted) {
+      crossing = {before, t, distance_before, distance_now, crossing.level};
+      crossing.level -= allowance * options_.contact_tolerance;
+    }
+  }
+  if (crossing.distance_high >= crossing.level) return {true, t, finest(t), evaluations_};
+  return refined(crossing);
 }
 
 TimeOfImpact ShapePairSearch::find(double t0, double t1) {
@@ -226,32 +285,29 @@ TimeOfImpact ShapePairSearch::find(double t0, double t1) {
   if (const std::optional<TimeOfImpact> found = find_in_closed_form(t0, t1)) return *found;
 
   constexpr int most_evaluations = 10000;
-  double t = t0;
-  std::optional<double> last_apart;
+  double t = t0, before = t0, distance_before = 0;
   while (evaluations_ < most_evaluations) {
     const Approach now = approach(t);
     const bool is_approaching = now.rate < -options_.rest_velocity;
-    const double finest = std::max(options_.time_tolerance, 4 * epsilon * std::abs(t));
     if (now.gap <= touch(t) && is_approaching) {
-      // Overlapping already: the contact lies between the last time apart and now.
-      if (now.gap < -touch(t) && last_apart && !are_meshes()) {
-        if (const std::optional<TimeOfImpact> found = refined(*last_apart, approach(*last_apart), t))
-          return *found;
-      }
-      return {true, t, finest, evaluations_};
+      if (now.gap >= -touch(t) || t == t0) return {true, t, finest(t), evaluations_};
+      return passed_contact(before, distance_before, t, now.distance);
     }
     if (t >= t1) return {false, t1, 0, evaluations_};
-    if (now.gap > touch(t)) last_apart = t;
 
     // Near the contact: a bracket by twice the time that the present rate needs.
     const double estimate = is_approaching ? now.gap / -now.rate : std::numeric_limits<double>::infinity();
-    if (is_approaching && estimate <= finest) return {true, t, std::max(2 * estimate, finest), evaluations_};
+    if (is_approaching && estimate <= finest(t))
+      return {true, t, std::max(2 * estimate, finest(t)), evaluations_};
     const bool may_bracket = options_.refinement != ToiRefinement::conservative && t + 2 * estimate <= t1 &&
-                             now.gap < 0.01 * size_;
+                             now.distance > touch(t) && now.distance < 0.01 * size_;
     if (may_bracket) {
-      if (const std::optional<TimeOfImpact> found = refined(t, now, t + 2 * estimate)) return *found;
+      const Crossing crossing{t, t + 2 * estimate, now.distance, distance_at(t + 2 * estimate)};
+      if (crossing.distance_high < 0) return refined(crossing);
     }
-    t = std::min(t1, t + std::max(advance(t, now, t1), finest));
+    before = t;
+    distance_before = now.distance;
+    t = std::min(t1, t + std::max(advance(t, now, t1), finest(t)));
   }
   // Only a pair that hovers at the contact for long comes here; what was passed is proven free.
   return {false, t, 0, evaluations_};
@@ -264,9 +320,10 @@ TimeOfImpact find_time_of_impact(const Body& A, const Motion& of_A, const Body& 
   TimeOfImpact first{false, t1, 0, 0};
   for (const BodyShape& a : A.shapes) {
     for (const BodyShape& b : B.shapes) {
-      // Half-spaces come second.
-      const bool swap = std::holds_alternative<HalfSpace>(a.shape);
+      // Half-spaces come second, meshes first.
       const MovingBodyShape moving_a{&a, &of_A}, moving_b{&b, &of_B};
+      const bool swap = moving_a.is_half_space() ||
+                        (moving_b.is_mesh() && !moving_a.is_mesh() && !moving_b.is_half_space());
       ShapePairSearch search(swap ? moving_b : moving_a, swap ? moving_a : moving_b, options);
       const TimeOfImpact found = search.find(t0, first.time);
       const int evaluations = first.evaluations + found.evaluations;

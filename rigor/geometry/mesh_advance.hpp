@@ -6,7 +6,7 @@
 
 namespace rigor {
 
-/// From where, and under which allowances, two meshes are advanced.
+/// From where, and under which allowances, a mesh and another shape are advanced.
 struct MeshAdvance {
   double t = 0, t_end = 0;      ///< The span [s].
   double distance = 0;          ///< Of the surfaces at t [m]; 0 or less where they meet.
@@ -16,13 +16,14 @@ struct MeshAdvance {
   std::span<const Vec3> n_W{};  ///< Normals of the contacts at t, from A to B.
 };
 
-/// A time that two moving meshes can go on from t, at most t_end - t, without a new overlap [s].
+/// A time that a moving mesh A and another one, or a bounded convex shape, can go on from t, at most
+/// t_end - t, without a new overlap [s].
 ///
-/// Pairs of triangles that are farther apart than all points can travel are safe. Each other pair is safe as
-/// long as one direction parts it (SeparationBound, of second order): that of their nearest points, the
-/// normals of the two triangles and those of the contacts are tried. Triangles that slide along each other
-/// are parted by the normal of the contact, so that sliding and rolling cost no small steps. What touches at
-/// t must not approach: the caller has looked at the contacts.
+/// Pairs of triangles (or triangles and the convex shape) that are farther apart than all points can travel
+/// are safe. Each other pair is safe as long as one direction parts it (SeparationBound, of second order):
+/// that of their nearest points, the normals of the two triangles and those of the contacts are tried.
+/// Triangles that slide along each other are parted by the normal of the contact, so that sliding and rolling
+/// cost no small steps. What touches at t must not approach: the caller has looked at the contacts.
 double safe_mesh_step(const MovingShape& A, const MovingShape& B, const MeshAdvance& from);
 
 /// Upper bound of how fast points of A and B can come nearer, at t and as it grows: speed [m/s] and

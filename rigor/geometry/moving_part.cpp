@@ -25,15 +25,17 @@ std::vector<PartName> parts_of_node(const Mesh& mesh, int node) {
   return parts;
 }
 
-MovingPart::MovingPart(const MovingShape& moving, const PartName& name) {
+MovingPart::MovingPart(const MovingShape& moving, const PartName& name, const RigidMotion::Sample* sample) {
   const Shape& shape = *moving.shape;
   if (name.kind == PartName::Kind::whole) {
     core_ = make_moving_core(shape, moving.X_BS, radius_about(shape, Vec3::Zero()), *moving.motion);
+    core_.sample = sample;
     return;
   }
   const Mesh& mesh = *std::get_if<Mesh>(&shape);
   core_.X_BC = moving.X_BS;
   core_.motion = moving.motion;
+  core_.sample = sample;
   if (name.is_node()) {
     const Aabb& box = node_box(*mesh.tree, static_cast<std::size_t>(name.index));
     core_.core = make_core(Box{0.5 * (box.upper - box.lower)});

@@ -27,7 +27,8 @@ std::vector<PartName> parts_of_node(const Mesh& mesh, int node);
 /// A part on its moving body. Stays where it is made: its core refers to it.
 class MovingPart {
  public:
-  MovingPart(const MovingShape& moving, const PartName& name);
+  /// `sample` is of the motion at the time of interest, if at hand; it must outlive this.
+  MovingPart(const MovingShape& moving, const PartName& name, const RigidMotion::Sample* sample = nullptr);
   MovingPart(const MovingPart&) = delete;
   MovingPart& operator=(const MovingPart&) = delete;
 

@@ -37,6 +37,11 @@ void Auditor::observe(const State& state, const AdvanceReport& report) {
     turning += state.angular_momentum(i).norm() /
                (radius > 0 && std::isfinite(radius) ? radius : model_->length_scale());
   }
+  // What moves between the outputs only is seen by its impacts.
+  for (const MotionEvent& event : report.events) {
+    momentum = std::max(momentum, event.j_W.norm());
+    angular_momentum = std::max(angular_momentum, event.p_W.norm() * event.j_W.norm());
+  }
   // Of wheels that only turn, the linear momentum is the rounding of what their parts have.
   constexpr double rounding_share = 1e-6;
   momentum_scale_ = std::max({momentum_scale_, momentum, rounding_share * turning});

@@ -160,17 +160,32 @@ bool ModeChangeSearch::modes_hold(const Island& island, const Instant& instant) 
 
 std::optional<ModeChange> ModeChangeSearch::find_overlap(const Island& island, const IslandStep& step,
                                                          double end) const {
-  // Further points of the bodies land where they touch, unless they overlap a little from the start.
-  const Instant start = at(island, step, 0);
-  double allowance = 0.01 * contact_tolerance_;
-  if (overlap_margin(island, start, allowance) <= 0) allowance = 0.5 * contact_tolerance_;
-  if (overlap_margin(island, start, allowance) <= 0) return std::nullopt;
+  // Further points of the bodies land where they touch; what overlaps a little from the start, where it comes
+  // back to that.
+  const double more = 0.01 * contact_tolerance_, most = 0.5 * contact_tolerance_;
+  double allowance = more;
   const auto overlap = [&](double theta) {
     return overlap_margin(island, at(island, step, theta), allowance);
   };
+  const double margin = overlap(0);
+  const bool overlaps = margin <= 0;
+  if (overlaps) allowance -= margin;
+  if (allowance > most) return std::nullopt;
   for (const double probe : {0.5 * end, end}) {
     if (overlap(probe) >= 0) continue;
-    const RootBracket root = find_root_bisection(overlap, 0, probe, time_tolerance_ / step.h);
+    double lo = 0;
+    if (overlaps) {
+      constexpr int most_halvings = 12;
+      lo = 0.5 * probe;
+      for (int k = 1; k < most_halvings && overlap(lo) <= 0; ++k) lo *= 0.5;
+      if (overlap(lo) <= 0) {
+        // It never left.
+        lo = 0;
+        allowance = std::min(allowance + more, most);
+        if (overlap(probe) >= 0) continue;
+      }
+    }
+    const RootBracket root = find_root_bisection(overlap, lo, probe, time_tolerance_ / step.h);
     return ModeChange{ModeChange::Kind::overlap, root.hi * step.h};
   }
   return std::nullopt;

@@ -86,6 +86,27 @@ TEST(Terrain, BallsAndBoxesFallOnHillsWithoutOverlap) {
   }
 }
 
+TEST(Terrain, ABallBetweenTwoFacesComesToRestAfterFewBounces) {
+  const SceneRun run = run_text(
+      "rigor: 1\nworld: {gravity: [0, 0, -9.81]}\nrun: {duration: 3, step: 0.01, output_interval: 1}\n"
+      "materials: [{name: default, density: 800, friction: 0.5, restitution: 0.2}]\n"
+      "bodies:\n  - {name: valley, motion: static, shapes: [{type: heightfield, size: [2, 2], heights: "
+      "[[0.134, 0, 0.134], [0.134, 0, 0.134], [0.134, 0, 0.134]]}]}\n"
+      "  - {name: ball, position: [0, 0, 0.4], shapes: [{type: sphere, radius: 0.15}]}\n");
+  expect_sound(run);
+  // On slopes ± s the centre is r √(1 + s²) above the line in which they meet.
+  const double r = 0.15, rest = r * std::sqrt(1 + 0.134 * 0.134);
+  const int ball = run.body("ball");
+  const double tolerance = run.scene.method.contact_tolerance;
+  EXPECT_LT((run.states.back().position(ball) - Vec3(0, 0, rest)).norm(), 2 * tolerance);
+  EXPECT_EQ(run.states.back().linear_momentum(ball), Vec3::Zero());
+  // The speeds of the bounces are v0, e v0, e² v0, ... until one is below the resting velocity; each is an
+  // impact on either face at most.
+  const double v0 = std::sqrt(2 * 9.81 * (0.4 - rest));
+  const double bounces = 1 + std::ceil(std::log(run.scene.method.resting_velocity / v0) / std::log(0.2));
+  EXPECT_LE(static_cast<double>(run.audit().report.impacts), 2 * bounces);
+}
+
 // The red ball of the scene alone.
 TEST(Terrain, ABallLiesInItsHollowOnFourPlanarCells) {
   const std::string scenes = std::string(RIGOR_SOURCE_DIR) + "/scenes";
