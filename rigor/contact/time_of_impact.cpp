@@ -190,7 +190,14 @@ double ShapePairSearch::advance(double t, const Approach& now, double t1) const 
   // A half-space sees of a mesh its hull.
   const bool is_bounded_by_hulls = B_.is_half_space() || (!A_.is_mesh() && !B_.is_mesh());
   if (is_bounded_by_hulls) {
-    return SeparationBound(core_A_, core_B_, now.n_W, now.gap, t, t1).safe_step(t1 - t, level);
+    const auto step_with = [&](SeparationBound::NormalOf normal) {
+      return SeparationBound(core_A_, core_B_, now.n_W, now.gap, t, t1, normal).safe_step(t1 - t, level);
+    };
+    const double step = step_with(SeparationBound::NormalOf::world);
+    constexpr double short_step = 0.01;
+    if (step >= short_step * (t1 - t) || B_.is_half_space()) return step;
+    // A body that turns while it hovers at the other: a plane that turns along is better.
+    return std::max({step, step_with(SeparationBound::NormalOf::A), step_with(SeparationBound::NormalOf::B)});
   }
   if (are_meshes()) {
     return safe_mesh_step(A_.part(), B_.part(),

@@ -38,29 +38,78 @@ double SeparationBound::Support::growth(double tau) const {
 }
 
 SeparationBound::Support SeparationBound::make_support(const MovingCore& part, const Vec3& outward_W,
-                                                       double t) {
+                                                       double t, const RigidMotion* normal) {
   Support support;
-  if (part.motion->max_turn_acceleration() == 0 || part.turning_radius == 0) return support;
+  const bool turns = part.motion->max_turn_acceleration() > 0 || normal != nullptr;
+  if (!turns || part.turning_radius == 0 || part.motion == normal) return support;
   const RigidMotion::Sample body = part.motion->sample(t);
+  Vec3 w = body.w;
+  double second = part.motion->max_turn_acceleration();
+  if (normal != nullptr) {
+    w -= normal->sample(t).w;
+    second +=
+        normal->max_turn_acceleration() + 2 * normal->max_angular_speed() * part.motion->max_angular_speed();
+  }
   support.core = &part.core;
   support.R_CW = (body.X_WB.R * part.X_BC.R).transpose();
   support.offset_W = body.X_WB.R * part.X_BC.p;
   support.direction = outward_W;
   // n · (ω × r) = (n × ω) · r.
-  support.turn = outward_W.cross(body.w);
-  support.quadratic = 0.5 * part.motion->max_turn_acceleration() * part.turning_radius;
+  support.turn = outward_W.cross(w);
+  support.quadratic = 0.5 * second * part.turning_radius;
   support.start = support.value(outward_W);
   return support;
 }
 
+namespace {
+
+/// Upper bound of |a| of the origin of the body over [ta, tb].
+double max_acceleration(const RigidMotion& motion, double ta, double tb) {
+  Vec3 largest;
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 e = Vec3::Unit(k);
+    largest[k] = std::max(
+        {0.0, -motion.min_acceleration_along(e, ta, tb), -motion.min_acceleration_along(-e, ta, tb)});
+  }
+  return largest.norm();
+}
+
+/// d = n·D with a normal n that turns and D from A to B: at t its rate, and half a lower bound of its second
+/// derivative n̈·D + 2 ṅ·Ḋ + n·D̈ up to t_end.
+struct Approach {
+  double rate, half_second;
+};
+Approach approach_along(const RigidMotion& A, const RigidMotion& B, const RigidMotion& normal,
+                        const Vec3& n_W, double t, double t_end) {
+  const RigidMotion::Sample a = A.sample(t), b = B.sample(t);
+  const Vec3 D = b.X_WB.p - a.X_WB.p, V = B.velocity(t) - A.velocity(t);
+  const double acceleration = max_acceleration(A, t, t_end) + max_acceleration(B, t, t_end);
+  const double speed = V.norm() + acceleration * (t_end - t);
+  const double distance = D.norm() + speed * (t_end - t);
+  return {n_W.dot(V) + normal.sample(t).w.cross(n_W).dot(D),
+          -0.5 * (normal.max_turn_acceleration() * distance + 2 * normal.max_angular_speed() * speed +
+                  acceleration)};
+}
+
+}  // namespace
+
 SeparationBound::SeparationBound(const MovingCore& A, const MovingCore& B, const Vec3& n_W, double gap,
-                                 double t, double t_end)
-    : gap_(gap),
-      rate_(n_W.dot(B.motion->velocity(t) - A.motion->velocity(t))),
-      half_acceleration_(0.5 * std::min(0.0, B.motion->min_acceleration_along(n_W, t, t_end) +
-                                                 A.motion->min_acceleration_along(-n_W, t, t_end))),
-      A_(make_support(A, n_W, t)),
-      B_(make_support(B, -n_W, t)) {}
+                                 double t, double t_end, NormalOf normal)
+    : gap_(gap) {
+  const RigidMotion* const turning =
+      normal == NormalOf::world ? nullptr : (normal == NormalOf::A ? A : B).motion;
+  A_ = make_support(A, n_W, t, turning);
+  B_ = make_support(B, -n_W, t, turning);
+  if (turning != nullptr) {
+    const Approach approach = approach_along(*A.motion, *B.motion, *turning, n_W, t, t_end);
+    rate_ = approach.rate;
+    half_acceleration_ = approach.half_second;
+    return;
+  }
+  rate_ = n_W.dot(B.motion->velocity(t) - A.motion->velocity(t));
+  half_acceleration_ = 0.5 * std::min(0.0, B.motion->min_acceleration_along(n_W, t, t_end) +
+                                               A.motion->min_acceleration_along(-n_W, t, t_end));
+}
 
 double SeparationBound::at(double tau) const {
   return gap_ + rate_ * tau + half_acceleration_ * tau * tau - A_.growth(tau) - B_.growth(tau);

@@ -20,12 +20,18 @@ struct MovingCore {
 /// where the support of a turning body along n grows to no more than
 ///   s(τ) ≤ max_p (n + τ n × ω)·p + ½ (|α| + |ω|²) ρ τ².
 /// The right side is concave in τ: where it is positive, it is positive at all earlier τ > 0.
+///
+/// Where a face of a turning body faces the other one, a normal that turns with that body is better: the face
+/// stays in its plane (docs/theory/time_of_impact.md).
 class SeparationBound {
  public:
+  /// Bodies with which the normal may turn.
+  enum class NormalOf { world, A, B };
+
   /// At time t, for times up to t_end: the distance there, its unit normal n_W from A to B. The parts must
-  /// outlive this.
+  /// outlive this. With a half-space the normal must be that of the world.
   SeparationBound(const MovingCore& A, const MovingCore& B, const Vec3& n_W, double gap, double t,
-                  double t_end);
+                  double t_end, NormalOf normal = NormalOf::world);
 
   /// The bound at t + tau [m].
   double at(double tau) const;
@@ -38,16 +44,17 @@ class SeparationBound {
     Mat3 R_CW = Mat3::Identity();
     Vec3 offset_W = Vec3::Zero();   ///< From the origin of the body to that of the core, in W.
     Vec3 direction = Vec3::Zero();  ///< Outward, W.
-    Vec3 turn = Vec3::Zero();       ///< direction × ω.
-    double quadratic = 0;           ///< ½ (|α| + |ω|²) ρ.
+    Vec3 turn = Vec3::Zero();       ///< direction × ω, relative to the normal's body.
+    double quadratic = 0;           ///< ½ (|α| + |ω|²) ρ, and what the turning of the normal adds.
     double start = 0;
 
     double growth(double tau) const;
     double value(const Vec3& direction_W) const;
   };
-  static Support make_support(const MovingCore& part, const Vec3& outward_W, double t);
+  static Support make_support(const MovingCore& part, const Vec3& outward_W, double t,
+                              const RigidMotion* normal);
 
-  double gap_, rate_, half_acceleration_;
+  double gap_, rate_ = 0, half_acceleration_ = 0;
   Support A_, B_;
 };
 

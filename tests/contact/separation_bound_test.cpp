@@ -1,6 +1,7 @@
 #include "rigor/geometry/separation_bound.hpp"
 
 #include "random_vectors.hpp"
+#include "rigor/contact/time_of_impact.hpp"
 #include "rigor/dynamics/motion.hpp"
 #include "rigor/geometry/distance.hpp"
 #include "rigor/geometry/support.hpp"
@@ -79,6 +80,58 @@ TEST(SeparationBound, NeverExceedsTheGapAlongItsNormal) {
     useful += safe > 0;
   }
   EXPECT_GT(useful, 200);
+}
+
+TEST(SeparationBound, NeverExceedsTheGapAlongANormalThatTurnsWithABody) {
+  using NormalOf = SeparationBound::NormalOf;
+  Random random(8);
+  for (int trial = 0; trial < 400; ++trial) {
+    const Moving A = random_moving(random, Vec3::Zero(), trial % 3 == 0);
+    const Moving B = random_moving(random, Vec3(1, 0.4, 0.3) + 0.3 * random.vector(), trial % 2 == 0);
+    const double t = 0.05, end = 0.2;
+    const DistanceResult now = signed_distance(A.shape.shape, A.pose(t), B.shape.shape, B.pose(t));
+    if (now.distance <= 0.01) continue;
+    const MovingCore core_A = A.core(), core_B = B.core();
+    for (const NormalOf which : {NormalOf::A, NormalOf::B}) {
+      const Moving& carrier = which == NormalOf::A ? A : B;
+      const Vec3 n_S = carrier.pose(t).R.transpose() * now.n_W;
+      const SeparationBound bound(core_A, core_B, now.n_W, now.distance, t, end, which);
+      EXPECT_NEAR(bound.at(0), now.distance, 1e-15);
+      for (int k = 1; k <= 30; ++k) {
+        const double tau = (end - t) * k / 30;
+        const Vec3 n_W = carrier.pose(t + tau).R * n_S;
+        const double gap = -reach(B, -n_W, t + tau) - reach(A, n_W, t + tau);
+        EXPECT_LE(bound.at(tau), gap + 1e-9);
+      }
+    }
+  }
+}
+
+TEST(SeparationBound, AFaceThatTurnsAlongWithABallNeedsNoTinySteps) {
+  // A ball flies along the face of a spinning box, as fast as the face's points at its place: the face turns
+  // away from it by ½ ω² d τ². In a fixed direction the corners of the face come nearer at ω times their
+  // lever from the start, so that steps would be as short as slack / (ω lever), 2e-7 s.
+  const double spin = 5, half = 0.2, radius = 0.1, start_gap = 1e-11;
+  const auto body_of = [](const Shape& shape) {
+    BodyShape part;
+    part.shape = shape;
+    part.radius = radius_about(shape, Vec3::Zero());
+    Body body;
+    body.shapes.push_back(part);
+    return body;
+  };
+  const Body box = body_of(Box{Vec3::Constant(half)}), ball = body_of(Sphere{radius});
+  const double distance = half + radius + start_gap;
+  const BodyInertia of_box{1, Vec3::Ones()}, of_ball{1, Vec3::Ones()};
+  const BodyPhase box_phase{Vec3::Zero(), Quat::Identity(), Vec3::Zero(), Vec3(0, 0, spin)};
+  const BodyPhase ball_phase{Vec3(distance, 0, 0), Quat::Identity(), Vec3(0, spin * distance, 0),
+                             Vec3::Zero()};
+  const Motion of_A = Motion::flight(FreeFlight(of_box, box_phase, 0, Vec3::Zero()), of_box);
+  const Motion of_B = Motion::flight(FreeFlight(of_ball, ball_phase, 0, Vec3::Zero()), of_ball);
+  const TimeOfImpact found = find_time_of_impact(box, of_A, ball, of_B, 0, 0.01, {});
+  EXPECT_FALSE(found.is_contact);
+  EXPECT_EQ(found.time, 0.01);
+  EXPECT_LT(found.evaluations, 100);
 }
 
 TEST(SeparationBound, FindsStepsOfAnySize) {
