@@ -177,4 +177,12 @@ VecX projection_impulses(const ContactSystem& system, const std::vector<ContactS
   return forces_of_modes(system, std::move(laws), modes_of(states), choice);
 }
 
+VecX normal_impulses(const ContactSystem& system, const VecX& wanted, const std::vector<ContactMode>& modes,
+                     const RestingChoice& choice) {
+  CoulombProblem laws = laws_of(system);
+  laws.b = wanted;
+  laws.mu.assign(modes.size(), 0.0);
+  return forces_of_modes(system, std::move(laws), modes, choice);
+}
+
 }  // namespace rigor

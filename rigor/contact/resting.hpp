@@ -65,4 +65,9 @@ void add_contact_wrenches(const ContactSystem& system, const VecX& lambda, std::
 VecX projection_impulses(const ContactSystem& system, const std::vector<ContactState>& states,
                          const RestingChoice& choice = {});
 
+/// The same for any change of the normal velocities (or displacements): contacts whose mode is not open get
+/// the change -`wanted` of their normal row alone; `wanted` 3n.
+VecX normal_impulses(const ContactSystem& system, const VecX& wanted, const std::vector<ContactMode>& modes,
+                     const RestingChoice& choice = {});
+
 }  // namespace rigor

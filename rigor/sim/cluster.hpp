@@ -33,6 +33,9 @@ struct ClusterTotals {
   double T = 0;           ///< Kinetic energy [J].
 };
 ClusterTotals totals_of(const Model& model, const Cluster& cluster);
+/// The same of bodies with their phases.
+ClusterTotals totals_of_bodies(const Model& model, const std::vector<int>& bodies,
+                               const std::vector<BodyPhase>& phases);
 
 /// Adds impulses, one a body of the system (those of prescribed ones are left out), to the momenta.
 void add_to_momenta(const ContactSystem& system, const std::vector<Wrench>& impulses, Cluster& cluster);

@@ -2,7 +2,6 @@
 
 #include "rigor/contact/joint_stops.hpp"
 #include "rigor/contact/paradox.hpp"
-#include "rigor/math/rotation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -65,6 +64,7 @@ ContactResolver::ContactResolver(const Model& model, const IslandIntegrator& int
       collision_law_(restitution_law(method.impact)),
       law_(simultaneous_law(method.simultaneous)),
       resting_velocity_(method.resting_velocity),
+      still_(1e-6 * method.resting_velocity),
       contact_tolerance_(method.contact_tolerance),
       resting_(resting_choice(method)) {}
 
@@ -77,30 +77,6 @@ std::vector<Contact> ContactResolver::stops_of(const Cluster& cluster) const {
   if (joints.empty()) return {};
   const ContactSystem system = system_of(cluster, {});
   return joint_stops(model_, joints, system.bodies, system.kinetics, contact_tolerance_);
-}
-
-bool ContactResolver::project_positions(Cluster& cluster) const {
-  const auto is_deep = [this](const Contact& contact) {
-    return contact.point.gap < -0.2 * contact_tolerance_;
-  };
-  if (std::none_of(cluster.contacts.begin(), cluster.contacts.end(), is_deep)) return false;
-  // 0 ≤ δ ⊥ gap + A δ ≥ 0: displacements obey the same geometry as impulses without friction.
-  ContactSystem system = system_of(cluster, cluster.contacts);
-  const std::size_t count = cluster.contacts.size();
-  CoulombProblem problem{delassus(system), VecX::Zero(3 * static_cast<Eigen::Index>(count)),
-                         std::vector<double>(count, 0.0), std::vector<FrictionRow>(count, FrictionRow::cone),
-                         std::vector<Vec2>(count, Vec2::Zero())};
-  for (std::size_t i = 0; i < count; ++i) {
-    problem.b[3 * static_cast<Eigen::Index>(i) + 2] = cluster.contacts[i].point.gap;
-  }
-  for (BodyKinetics& body : system.kinetics) body.v = body.w = Vec3::Zero();
-  rigor::apply_impulses(solve_coulomb(problem).lambda, system);
-  for (std::size_t i = 0; i < cluster.bodies.size(); ++i) {
-    const BodyKinetics& moved = system.of(cluster.bodies[i]);
-    cluster.phases[i].x += moved.v;
-    cluster.phases[i].q = (rotation_exp(moved.w) * cluster.phases[i].q).normalized();
-  }
-  return true;
 }
 
 /// e of each contact; none for a slow approach under a force that presses the bodies together: there the
@@ -171,7 +147,6 @@ void ContactResolver::settle(const ContactSystem& system, const VecX& u, Cluster
 
 bool ContactResolver::apply_impulses(Cluster& cluster, AdvanceReport& report) const {
   constexpr int most_passes = 20;
-  const double still = 1e-6 * resting_velocity_;
   double first_approach = 0, last_approach = -std::numeric_limits<double>::infinity();
   int stalls = 0;
   // Forces that have a largest value do nothing in no time.
@@ -185,7 +160,7 @@ bool ContactResolver::apply_impulses(Cluster& cluster, AdvanceReport& report) co
     double approach = 0;
     for (Eigen::Index row = 2; row < u.size(); row += 3) approach = std::min(approach, u[row]);
     if (pass == 0) first_approach = approach;
-    if (approach >= -std::max(still, 1e-9 * std::abs(first_approach))) return true;
+    if (approach >= -std::max(still_, 1e-9 * std::abs(first_approach))) return true;
     // Bodies squeezed between others that do not give way: no impulse helps. What is slower than any impact
     // is rounding.
     stalls = approach <= 0.99 * last_approach ? stalls + 1 : 0;
@@ -230,7 +205,7 @@ bool ContactResolver::apply_impulses(Cluster& cluster, AdvanceReport& report) co
   return false;
 }
 
-LastingContacts ContactResolver::update_active(Cluster& cluster, AdvanceReport& report) const {
+LastingContacts ContactResolver::find_lasting(const Cluster& cluster, AdvanceReport& report) const {
   // Touching and not parting.
   const double parting = 1e-3 * resting_velocity_;
   std::vector<Contact> candidates;
@@ -265,25 +240,58 @@ LastingContacts ContactResolver::update_active(Cluster& cluster, AdvanceReport& 
     lasting.contacts.push_back(candidates[i]);
     lasting.states.push_back(resting.states[i]);
   }
-  if (lasting.contacts.empty()) return lasting;
+  return lasting;
+}
+
+void ContactResolver::project_velocities(const LastingContacts& lasting, Cluster& cluster,
+                                         AdvanceReport& report) const {
   const ContactSystem system = system_of(cluster, lasting.contacts);
   const double before = totals_of(model_, cluster).T;
   const double work_before = report.work;
   add_impulses(system, projection_impulses(system, lasting.states, resting_), {}, cluster, report);
   report.projection_loss += before - totals_of(model_, cluster).T + (report.work - work_before);
+}
+
+bool ContactResolver::agrees_with_velocities(const LastingContacts& lasting, const Cluster& cluster) const {
+  const VecX u = relative_velocities(system_of(cluster, cluster.contacts));
+  for (std::size_t i = 0; i < cluster.contacts.size(); ++i) {
+    if (!cluster.contacts[i].is_bounded_force() && u[3 * static_cast<Eigen::Index>(i) + 2] < -still_)
+      return false;
+  }
+  const ContactSystem system = system_of(cluster, lasting.contacts);
+  const VecX of_lasting = relative_velocities(system);
+  for (std::size_t i = 0; i < lasting.contacts.size(); ++i) {
+    const Vec3 slip = system.frames[i].transpose() * lasting.states[i].slip_W;
+    const Vec2 u_t = of_lasting.segment<2>(3 * static_cast<Eigen::Index>(i));
+    if (lasting.states[i].mode == ContactMode::slide && u_t.dot(slip.head<2>()) < -cluster.slip_tolerance)
+      return false;
+  }
+  return true;
+}
+
+LastingContacts ContactResolver::update_active(Cluster& cluster, AdvanceReport& report) const {
+  // Where contacts are almost redundant, putting one speed right changes others by many times as much: slip
+  // may turn, and open contacts may approach. Then what lasts is asked again.
+  constexpr int most_rounds = 5;
+  LastingContacts lasting = find_lasting(cluster, report);
+  for (int round = 1; !lasting.contacts.empty(); ++round) {
+    project_velocities(lasting, cluster, report);
+    if (round == most_rounds || agrees_with_velocities(lasting, cluster)) break;
+    if (!apply_impulses(cluster, report)) break;
+    lasting = find_lasting(cluster, report);
+  }
   return lasting;
 }
 
 bool ContactResolver::is_balanced(const Cluster& cluster, const LastingContacts& lasting) const {
   const ContactSystem system = system_of(cluster, lasting.contacts);
-  const double still = 1e-6 * resting_velocity_;
   for (const BodyKinetics& body : system.kinetics) {
     if (body.inverse_mass == 0 && (!body.v.isZero(0) || !body.w.isZero(0))) return false;
   }
   for (const int index : cluster.bodies) {
     const BodyKinetics& body = system.of(index);
     const double radius = reach_of(model_.body(index));
-    if (body.v.norm() > still || body.w.norm() * radius > still) return false;
+    if (body.v.norm() > still_ || body.w.norm() * radius > still_) return false;
   }
   std::vector<Wrench> wrenches = integrator_.environment_wrenches(system, cluster.t);
   const std::vector<Wrench> free = wrenches;

@@ -27,9 +27,6 @@ class ContactResolver {
 
   /// Stops of the joints of the cluster's bodies: limits that are reached, dry friction, motors.
   std::vector<Contact> stops_of(const Cluster& cluster) const;
-  /// Puts bodies that overlap noticeably back to touching, by the smallest displacement in the metric of the
-  /// mass matrix; the momenta stay. Returns whether anything moved: then the contacts must be found anew.
-  bool project_positions(Cluster& cluster) const;
   /// Impulses until no contact approaches; false if some still do. Changes the momenta of the cluster's
   /// bodies.
   bool apply_impulses(Cluster& cluster, AdvanceReport& report) const;
@@ -46,6 +43,12 @@ class ContactResolver {
   /// Ends an approach slower than any impact (what the error of a step leaves at a lasting contact): the
   /// nearest velocities in the metric of the mass matrix at which nothing approaches.
   void settle(const ContactSystem& system, const VecX& u, Cluster& cluster, AdvanceReport& report) const;
+  /// Which contacts last, with the velocities as they are.
+  LastingContacts find_lasting(const Cluster& cluster, AdvanceReport& report) const;
+  /// The nearest velocities that the lasting contacts allow.
+  void project_velocities(const LastingContacts& lasting, Cluster& cluster, AdvanceReport& report) const;
+  /// Whether no contact approaches and no lasting one slips against the direction that its friction assumes.
+  bool agrees_with_velocities(const LastingContacts& lasting, const Cluster& cluster) const;
   std::vector<double> restitutions(const Cluster& cluster, const ContactSystem& system,
                                    AdvanceReport& report) const;
   /// moments: angular impulses in the contact frames, 3n, or none.
@@ -57,6 +60,7 @@ class ContactResolver {
   RestitutionLaw collision_law_;
   SimultaneousLaw law_;
   double resting_velocity_;
+  double still_;  ///< Slower is rounding [m/s].
   double contact_tolerance_;
   RestingChoice resting_;
 };

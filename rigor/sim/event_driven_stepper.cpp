@@ -56,6 +56,7 @@ EventDrivenStepper::EventDrivenStepper(std::shared_ptr<const Model> model, const
       stepping_(*model_, integrator_, method, target_step),
       resolver_(*model_, integrator_, method),
       joints_(*model_, integrator_),
+      contacts_(*model_, environment_, integrator_, method_),
       trajectories_(*model_, toi_options(method), method.broad_phase) {
   RIGOR_ASSERT(target_step > 0);
 }
@@ -221,7 +222,7 @@ Cluster EventDrivenStepper::compute_new_body_states(const std::vector<int>& seed
   note_penetration(cluster.contacts);
   // Other features may meet where the bodies are moved to.
   constexpr int most_projections = 4;
-  for (int k = 0; k < most_projections && resolver_.project_positions(cluster); ++k) {
+  for (int k = 0; k < most_projections && contacts_.project_positions(cluster, report_); ++k) {
     cluster.contacts.clear();
     visited.clear();
     for (std::size_t i = 0; i < cluster.bodies.size(); ++i)
@@ -257,6 +258,7 @@ void EventDrivenStepper::finish_island(int number, Cluster& cluster) {
   } else {
     step.end = running.island.start;
   }
+  if (has_moved && !step.is_implicit) contacts_.restore_gaps(running.island, t_, step.end);
   joints_.project_positions(t_, running.island.bodies, step.end, report_);
   joints_.restore_momenta(running.island, step);
   Vec3 P = Vec3::Zero(), L = Vec3::Zero();

@@ -2,6 +2,7 @@
 
 #include "rigor/model/state.hpp"
 #include "rigor/sim/cluster.hpp"
+#include "rigor/sim/contact_projection.hpp"
 #include "rigor/sim/contact_resolver.hpp"
 #include "rigor/sim/event_queue.hpp"
 #include "rigor/sim/island_stepping.hpp"
@@ -72,6 +73,7 @@ class EventDrivenStepper : public Stepper {
   IslandStepping stepping_;
   ContactResolver resolver_;
   JointProjection joints_;
+  ContactProjection contacts_;
 
   // Scratch: rebuilt from the State whenever it is not the one left behind.
   double t_ = 0, t_end_ = 0;

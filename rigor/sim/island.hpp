@@ -43,6 +43,12 @@ struct ControlledStep {
   double h_next;  ///< [s]; infinite if the method has no estimate.
 };
 
+/// Whether the energy of bodies is theirs to account for.
+struct EnergyBalance {
+  bool is_closed = false;  ///< Nothing acts but gravity, steady forces and contacts with what stands still.
+  bool is_free = false;    ///< They touch no prescribed body.
+};
+
 /// Smooth motion of islands: the contact forces are solved for at every stage of the integrator, so that its
 /// order survives the contacts.
 class IslandIntegrator {
@@ -74,6 +80,10 @@ class IslandIntegrator {
   std::vector<Wrench> with_moments(const ContactSystem& system, const std::vector<ContactState>& states,
                                    std::vector<Wrench> wrenches) const;
 
+  /// Of bodies with all their contacts.
+  EnergyBalance energy_balance(double t, const std::vector<int>& bodies,
+                               const std::vector<Contact>& contacts) const;
+
   /// One step of exactly h with the contact modes held fixed.
   IslandStep step(const Island& island, double h) const;
   /// A step of at most h, shorter where the error estimate asks for it, but not shorter than `least`: there
@@ -81,14 +91,17 @@ class IslandIntegrator {
   ControlledStep controlled_step(const Island& island, double h, double least) const;
   /// A first-order step at velocity level (Moreau-Jean): impulses of the whole step by one Coulomb problem on
   /// all contacts, whatever their modes. It never fails where slip directions turn faster than an integrator
-  /// can follow or where forces have no finite value (Painlevé), and takes energy only. Source: Moreau,
-  /// Unilateral Contact and Dry Friction in Finite Freedom Dynamics, CISM 302, 1988.
+  /// can follow or where forces have no finite value (Painlevé). It ends where no contact overlaps, and where
+  /// nothing but gravity and contacts act it takes energy only. Source: Moreau, Unilateral Contact and Dry
+  /// Friction in Finite Freedom Dynamics, CISM 302, 1988.
   IslandStep implicit_step(const Island& island, double h) const;
 
  private:
   struct Load;  ///< All wrenches at one stage with their part of the ledger.
   Load load(const Island& island, double t, std::span<const BodyPhase> phases,
             std::shared_ptr<JointSystem>& joints) const;
+  /// Puts the end of an implicit step on its contacts, without more energy than the step began with.
+  void close_implicit_step(const Island& island, IslandStep& step) const;
   IntegratorName integrator_for(const Island& island) const;
   IntegratorTolerances tolerances(const Island& island) const;
 

@@ -12,13 +12,14 @@ namespace rigor {
 
 namespace {
 
-/// Whether the contact is one that the island holds.
-bool is_active(const Island& island, const Contact& contact) {
-  return std::any_of(island.contacts.begin(), island.contacts.end(), [&](const Contact& other) {
-    return other.body_A == contact.body_A && other.body_B == contact.body_B &&
-           other.shape_A == contact.shape_A && other.shape_B == contact.shape_B &&
-           other.point.feature == contact.point.feature;
-  });
+bool is_same(const Contact& a, const Contact& b) {
+  return a.body_A == b.body_A && a.body_B == b.body_B && a.shape_A == b.shape_A && a.shape_B == b.shape_B &&
+         a.point.feature == b.point.feature;
+}
+
+bool is_among(const Contact& contact, const std::vector<Contact>& others) {
+  return std::any_of(others.begin(), others.end(),
+                     [&](const Contact& other) { return is_same(contact, other); });
 }
 
 bool has_limits(const Model& model, const std::vector<int>& joints) {
@@ -36,6 +37,7 @@ ModeChangeSearch::ModeChangeSearch(const Model& model, const IslandIntegrator& i
       integrator_(integrator),
       contact_tolerance_(method.contact_tolerance),
       time_tolerance_(method.time_tolerance),
+      slip_tolerance_(slip_tolerance(method)),
       direction_tolerance_(direction_tolerance(method)),
       resting_(resting_choice(method)) {}
 
@@ -59,18 +61,39 @@ std::vector<Wrench> ModeChangeSearch::wrenches(const Island& island, const Insta
                                   integrator_.environment_wrenches(instant.system, instant.t));
 }
 
-/// Smallest speed along its slip of the sliding contacts; below zero one of them has stopped.
-double ModeChangeSearch::slip_margin(const Island& island, const Instant& instant) const {
-  double margin = std::numeric_limits<double>::infinity();
+/// Speed along its slip of each sliding contact; infinite for the others.
+std::vector<double> ModeChangeSearch::slip_speeds(const Island& island, const Instant& instant) const {
+  std::vector<double> speeds(island.states.size(), std::numeric_limits<double>::infinity());
   const VecX u = relative_velocities(instant.system);
   for (std::size_t i = 0; i < island.states.size(); ++i) {
     if (island.states[i].mode != ContactMode::slide || island.states[i].slip_W.isZero(0)) continue;
     const Vec3 slip = instant.system.frames[i].transpose() * island.states[i].slip_W;
     const Vec2 direction = slip.head<2>();
     if (direction.isZero(0)) continue;
-    margin = std::min(margin, u.segment<2>(3 * static_cast<Eigen::Index>(i)).dot(direction));
+    speeds[i] = u.segment<2>(3 * static_cast<Eigen::Index>(i)).dot(direction);
   }
-  return margin;
+  return speeds;
+}
+
+std::optional<ModeChange> ModeChangeSearch::find_slip_end(const Island& island, const IslandStep& step,
+                                                          double end) const {
+  // Slip that begins from rest may creep back by what the velocities are uncertain, and no more.
+  std::vector<double> levels = slip_speeds(island, at(island, step, 0));
+  double uncertainty = 0;
+  for (double& level : levels) {
+    level = level > 0 ? 0 : 2 * level - slip_tolerance_;
+    uncertainty = std::max(uncertainty, -level);
+  }
+  const auto margin = [&](double theta) {
+    const std::vector<double> speeds = slip_speeds(island, at(island, step, theta));
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < speeds.size(); ++i) least = std::min(least, speeds[i] - levels[i]);
+    return least;
+  };
+  if (margin(end) >= 0) return std::nullopt;
+  const RootBracket root = find_root_itp(margin, 0, end, time_tolerance_ / step.h);
+  return ModeChange{ModeChange::Kind::slip_ends, root.hi * step.h,
+                    std::max({0.0, root.f_lo, -root.f_hi}) + uncertainty};
 }
 
 /// Smallest of λ_n (active contacts) and μ λ_n - |λ_t| (sticking ones), relative to the largest force; a
@@ -93,21 +116,34 @@ double ModeChangeSearch::force_margin(const Island& island, const Instant& insta
   return margin + rounding;
 }
 
-/// Least gap of the pairs in contact, above what is allowed: at active contacts half the tolerance, for
-/// errors of the step; elsewhere `allowance` [m].
-double ModeChangeSearch::overlap_margin(const Island& island, const Instant& instant,
-                                        double allowance) const {
-  double margin = std::numeric_limits<double>::infinity();
+/// All contacts of the pairs in contact.
+std::vector<Contact> ModeChangeSearch::contacts_of_pairs(const Island& island, const Instant& instant) const {
   std::set<std::pair<int, int>> pairs;
   for (const Contact& contact : island.contacts) {
     if (!contact.stop) pairs.insert({contact.body_A, contact.body_B});
   }
+  std::vector<Contact> contacts;
   for (const auto& [a, b] : pairs) {
-    for (const Contact& contact : find_contacts(model_, a, b, instant.system.of(a).pose(),
-                                                instant.system.of(b).pose(), contact_tolerance_)) {
-      const double allowed = is_active(island, contact) ? 0.5 * contact_tolerance_ : allowance;
-      margin = std::min(margin, contact.point.gap + allowed);
-    }
+    const std::vector<Contact> found = find_contacts(model_, a, b, instant.system.of(a).pose(),
+                                                     instant.system.of(b).pose(), contact_tolerance_);
+    contacts.insert(contacts.end(), found.begin(), found.end());
+  }
+  return contacts;
+}
+
+/// Least gap of the pairs in contact, above the lowest that each may have [m]: at active contacts half the
+/// tolerance below zero, for errors of the step. Further points land a little below zero; where one is there
+/// as the step begins, it has come back when it is as low again.
+double ModeChangeSearch::overlap_margin(const Island& island, const Instant& instant,
+                                        const std::vector<Contact>& at_start) const {
+  const double landing = -0.01 * contact_tolerance_, rounding = 1e-5 * contact_tolerance_;
+  double margin = std::numeric_limits<double>::infinity();
+  for (const Contact& contact : contacts_of_pairs(island, instant)) {
+    double lowest = is_among(contact, island.contacts) ? -0.5 * contact_tolerance_ : landing;
+    const auto before = std::find_if(at_start.begin(), at_start.end(),
+                                     [&](const Contact& other) { return is_same(contact, other); });
+    if (before != at_start.end()) lowest = std::min(lowest, before->point.gap - rounding);
+    margin = std::min(margin, contact.point.gap - lowest);
   }
   return margin;
 }
@@ -160,32 +196,13 @@ bool ModeChangeSearch::modes_hold(const Island& island, const Instant& instant) 
 
 std::optional<ModeChange> ModeChangeSearch::find_overlap(const Island& island, const IslandStep& step,
                                                          double end) const {
-  // Further points of the bodies land where they touch; what overlaps a little from the start, where it comes
-  // back to that.
-  const double more = 0.01 * contact_tolerance_, most = 0.5 * contact_tolerance_;
-  double allowance = more;
+  const std::vector<Contact> at_start = contacts_of_pairs(island, at(island, step, 0));
   const auto overlap = [&](double theta) {
-    return overlap_margin(island, at(island, step, theta), allowance);
+    return overlap_margin(island, at(island, step, theta), at_start);
   };
-  const double margin = overlap(0);
-  const bool overlaps = margin <= 0;
-  if (overlaps) allowance -= margin;
-  if (allowance > most) return std::nullopt;
   for (const double probe : {0.5 * end, end}) {
     if (overlap(probe) >= 0) continue;
-    double lo = 0;
-    if (overlaps) {
-      constexpr int most_halvings = 12;
-      lo = 0.5 * probe;
-      for (int k = 1; k < most_halvings && overlap(lo) <= 0; ++k) lo *= 0.5;
-      if (overlap(lo) <= 0) {
-        // It never left.
-        lo = 0;
-        allowance = std::min(allowance + more, most);
-        if (overlap(probe) >= 0) continue;
-      }
-    }
-    const RootBracket root = find_root_bisection(overlap, lo, probe, time_tolerance_ / step.h);
+    const RootBracket root = find_root_bisection(overlap, 0, probe, time_tolerance_ / step.h);
     return ModeChange{ModeChange::Kind::overlap, root.hi * step.h};
   }
   return std::nullopt;
@@ -213,11 +230,9 @@ std::optional<ModeChange> ModeChangeSearch::find(const Island& island, const Isl
   }
   if (island.contacts.empty()) return first;
   // Slip first: beyond the end of a slip its friction has the wrong direction and nothing else counts.
-  const auto slip = [&](double theta) { return slip_margin(island, at(island, step, theta)); };
-  if (slip(end) < 0 && slip(0) > 0) {
-    const RootBracket root = find_root_itp(slip, 0, end, tolerance);
-    shorten(ModeChange::Kind::slip_ends, root.hi);
-    first->slip_speed = std::max(0.0, std::max(root.f_lo, -root.f_hi));
+  if (const std::optional<ModeChange> slip = find_slip_end(island, step, end)) {
+    first = slip;
+    end = slip->h / step.h;
   }
   if (const std::optional<ModeChange> overlap = find_overlap(island, step, end)) {
     first = overlap;

@@ -3,6 +3,7 @@
 #include "rigor/sim/island.hpp"
 
 #include <optional>
+#include <vector>
 
 namespace rigor {
 
@@ -37,15 +38,19 @@ class ModeChangeSearch {
   std::optional<ModeChange> find_overlap(const Island& island, const IslandStep& step, double end) const;
   Instant at(const Island& island, const IslandStep& step, double theta) const;
   std::vector<Wrench> wrenches(const Island& island, const Instant& instant) const;
-  double slip_margin(const Island& island, const Instant& instant) const;
+  /// The first time before `end` (a part of the step) at which a sliding contact stops.
+  std::optional<ModeChange> find_slip_end(const Island& island, const IslandStep& step, double end) const;
+  std::vector<double> slip_speeds(const Island& island, const Instant& instant) const;
   double force_margin(const Island& island, const Instant& instant) const;
   std::vector<double> clearances(const Island& island, const Instant& instant) const;
-  double overlap_margin(const Island& island, const Instant& instant, double allowance) const;
+  std::vector<Contact> contacts_of_pairs(const Island& island, const Instant& instant) const;
+  double overlap_margin(const Island& island, const Instant& instant,
+                        const std::vector<Contact>& at_start) const;
   bool modes_hold(const Island& island, const Instant& instant) const;
 
   const Model& model_;
   const IslandIntegrator& integrator_;
-  double contact_tolerance_, time_tolerance_, direction_tolerance_;
+  double contact_tolerance_, time_tolerance_, slip_tolerance_, direction_tolerance_;
   RestingChoice resting_;
 };
 

@@ -1,6 +1,7 @@
 #include "rigor/geometry/separation_bound.hpp"
 
 #include "random_vectors.hpp"
+#include "rigor/contact/time_of_impact.hpp"
 #include "rigor/dynamics/motion.hpp"
 #include "rigor/geometry/distance.hpp"
 #include "rigor/geometry/support.hpp"
@@ -140,6 +141,33 @@ TEST(SeparationBound, KeepsTheRateOfACornerUnderAFaceThatTilts) {
   // A point at x of the plate moves by -spin x along z.
   EXPECT_NEAR(fixed.rate(), -spin * 1, 1e-12);
   EXPECT_NEAR(turning.rate(), -spin * place, 1e-12);
+}
+
+TEST(SeparationBound, AFaceThatTurnsAlongWithABallNeedsNoTinySteps) {
+  // A ball flies along the face of a spinning box, as fast as the face's points at its place: the face turns
+  // away from it by ½ ω² d τ². In a fixed direction the corners of the face come nearer at ω times their
+  // lever from the start, so that steps would be as short as slack / (ω lever), 2e-7 s.
+  const double spin = 5, half = 0.2, radius = 0.1, start_gap = 1e-11;
+  const auto body_of = [](const Shape& shape) {
+    BodyShape part;
+    part.shape = shape;
+    part.radius = radius_about(shape, Vec3::Zero());
+    Body body;
+    body.shapes.push_back(part);
+    return body;
+  };
+  const Body box = body_of(Box{Vec3::Constant(half)}), ball = body_of(Sphere{radius});
+  const double distance = half + radius + start_gap;
+  const BodyInertia of_box{1, Vec3::Ones()}, of_ball{1, Vec3::Ones()};
+  const BodyPhase box_phase{Vec3::Zero(), Quat::Identity(), Vec3::Zero(), Vec3(0, 0, spin)};
+  const BodyPhase ball_phase{Vec3(distance, 0, 0), Quat::Identity(), Vec3(0, spin * distance, 0),
+                             Vec3::Zero()};
+  const Motion of_A = Motion::flight(FreeFlight(of_box, box_phase, 0, Vec3::Zero()), of_box);
+  const Motion of_B = Motion::flight(FreeFlight(of_ball, ball_phase, 0, Vec3::Zero()), of_ball);
+  const TimeOfImpact found = find_time_of_impact(box, of_A, ball, of_B, 0, 0.01, {});
+  EXPECT_FALSE(found.is_contact);
+  EXPECT_EQ(found.time, 0.01);
+  EXPECT_LT(found.evaluations, 100);
 }
 
 TEST(SeparationBound, FindsStepsOfAnySize) {

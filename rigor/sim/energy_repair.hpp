@@ -1,0 +1,22 @@
+#pragma once
+
+#include "rigor/dynamics/environment.hpp"
+
+#include <vector>
+
+namespace rigor {
+
+/// Kinetic energy, and potential energy of gravity and steady forces, of some bodies [J].
+double energy_of_bodies(const Model& model, const Environment& environment, const std::vector<int>& bodies,
+                        const std::vector<BodyPhase>& phases);
+
+/// Takes up to `amount` ≥ 0 [J] of kinetic energy: all velocities become shorter by one factor, which keeps
+/// every contact at rest, rolling or sliding as it is. Of a group that is free only the velocities relative
+/// to its motion as a rigid body do, so that its momentum and angular momentum stay. Returns what was taken.
+///
+/// With V = U + W, U of the rigid motion and W the rest, T = T(U) + T(W) since U carries all momentum; then
+/// T(s W) = s² T(W), s² = 1 - amount / T(W).
+double take_kinetic_energy(const Model& model, const std::vector<int>& bodies, double amount, bool is_free,
+                           std::vector<BodyPhase>& phases);
+
+}  // namespace rigor
