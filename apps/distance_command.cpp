@@ -48,8 +48,10 @@ struct BodyDistance {
 
 /// Throws InputError for a pair of shapes whose distance is not defined here.
 void check_pair(const BodyShape& a, const BodyShape& b) {
-  if (std::holds_alternative<HalfSpace>(a.shape) && std::holds_alternative<HalfSpace>(b.shape))
-    throw InputError("two shapes of type 'plane' have no distance: both are half-spaces without an end");
+  if (is_unbounded(a.shape) && is_unbounded(b.shape)) {
+    throw InputError(fmt::format("shapes of type '{}' and '{}' have no distance: both are without an end",
+                                 shape_type_name(a.shape), shape_type_name(b.shape)));
+  }
 }
 
 bool is_solid_mesh(const Shape& shape) {

@@ -116,9 +116,9 @@ Answer answer_point(const DistanceOptions& options, const Model& model, const Sc
   return answer;
 }
 
-bool has_shape(const Body& body, const Shape& like) {
+bool has_unbounded_shape(const Body& body) {
   return std::any_of(body.shapes.begin(), body.shapes.end(),
-                     [&](const BodyShape& s) { return s.shape.index() == like.index(); });
+                     [](const BodyShape& s) { return is_unbounded(s.shape); });
 }
 
 /// Throws InputError for a body that the question cannot be asked of.
@@ -131,12 +131,11 @@ Answer answer_closest(const DistanceOptions& options, const Scene& scene, const 
   const int body_A = find_body_or_throw(scene, options.body_A);
   const Body& A = model.body(body_A);
   check_has_shapes(A);
-  // Of every other body the nearest to any shape of A. Two planes have no distance.
+  // Of every other body the nearest to any shape of A. Two shapes without an end have no distance.
   std::vector<NearBody> near;
   for (const BodyShape& a : A.shapes) {
-    const bool is_plane = std::holds_alternative<HalfSpace>(a.shape);
     const auto others = [&](int body) {
-      return body != body_A && !(is_plane && has_shape(model.body(body), a.shape));
+      return body != body_A && !(is_unbounded(a.shape) && has_unbounded_shape(model.body(body)));
     };
     for (const NearBody& found :
          queries.nearest(a.shape, queries.pose(body_A) * a.X_BS, model.body_count(), others)) {
@@ -174,8 +173,7 @@ Answer answer_push(const DistanceOptions& options, const Scene& scene, const Sce
   std::optional<BodyCastHit> first;
   for (const BodyShape& a : A.shapes) {
     const auto others = [&](int body) {
-      return body != body_A &&
-             !(std::holds_alternative<HalfSpace>(a.shape) && has_shape(model.body(body), a.shape));
+      return body != body_A && !(is_unbounded(a.shape) && has_unbounded_shape(model.body(body)));
     };
     const std::optional<BodyCastHit> hit =
         queries.cast({&a.shape, queries.pose(body_A) * a.X_BS, way}, others);

@@ -1,5 +1,6 @@
 #include "rigor/contact/contact_kinematics.hpp"
 
+#include "rigor/geometry/cavity.hpp"
 #include "rigor/geometry/convex_core.hpp"
 #include "rigor/geometry/distance.hpp"
 #include "rigor/geometry/support.hpp"
@@ -189,6 +190,23 @@ ContactPoint crossed_edges(const ContactPoint& old, const std::pair<Pose, Pose>&
   return point;
 }
 
+/// The contact with its bodies exchanged, but of the same name.
+ContactPoint reversed(ContactPoint point) {
+  std::swap(point.p_WA, point.p_WB);
+  std::swap(point.curvature_A, point.curvature_B);
+  point.n_W = -point.n_W;
+  return point;
+}
+
+/// Of a cavity on A: the same ball of B, whose centre its body carries.
+ContactPoint rolled_in_cavity(const Cavity& cavity, const Pose& X_WS, const ContactPoint& old, double radius,
+                              const std::pair<Pose, Pose>& B) {
+  const Vec3 p_W = carried_point(B.first, B.second, old.p_WB + radius * old.n_W);
+  ContactPoint point = cavity_contact(cavity, X_WS, p_W, radius);
+  point.feature = old.feature;
+  return point;
+}
+
 /// The curvature at the contact after the body moved: round surfaces look the same along every normal m_W, an
 /// ellipsoid's is that of the point with this normal, others are carried with the body.
 SurfaceCurvature carried_curvature(const BodyShape& shape, const SurfaceCurvature& old,
@@ -227,6 +245,12 @@ ContactPoint tracked_contact(const Model& model, const Contact& contact, const P
   const ContactPoint& old = contact.point;
   const BodyShape& shape_A = model.body(contact.body_A).shapes[static_cast<std::size_t>(contact.shape_A)];
   const BodyShape& shape_B = model.body(contact.body_B).shapes[static_cast<std::size_t>(contact.shape_B)];
+  if (const Cavity* cavity = std::get_if<Cavity>(&shape_A.shape))
+    return rolled_in_cavity(*cavity, X_WA * shape_A.X_BS, old, round_radius(shape_B.shape), {X_WB0, X_WB});
+  if (const Cavity* cavity = std::get_if<Cavity>(&shape_B.shape)) {
+    return reversed(rolled_in_cavity(*cavity, X_WB * shape_B.X_BS, reversed(old), round_radius(shape_A.shape),
+                                     {X_WA0, X_WA}));
+  }
   const bool are_edges = old.curvature_A.flat_count == 1 && old.curvature_B.flat_count == 1 &&
                          old.curvature_A.radius_W.isZero(0) && old.curvature_B.radius_W.isZero(0);
   if (are_edges) return crossed_edges(old, {X_WA0, X_WA}, {X_WB0, X_WB});

@@ -1,5 +1,6 @@
 #include "rigor/contact/time_of_impact.hpp"
 
+#include "rigor/geometry/cavity.hpp"
 #include "rigor/geometry/contact_set.hpp"
 #include "rigor/geometry/distance.hpp"
 #include "rigor/geometry/distance_cache.hpp"
@@ -47,6 +48,7 @@ struct MovingBodyShape {
   MovingShape part() const { return {&shape->shape, shape->X_BS, motion}; }
   bool is_mesh() const { return std::holds_alternative<Mesh>(shape->shape); }
   bool is_half_space() const { return std::holds_alternative<HalfSpace>(shape->shape); }
+  bool is_cavity() const { return std::holds_alternative<Cavity>(shape->shape); }
   MovingCore core() const { return make_moving_core(shape->shape, shape->X_BS, shape->radius, *motion); }
 };
 
@@ -65,13 +67,14 @@ class ShapePairSearch {
 
  private:
   static double finite_radius(const MovingBodyShape& moving) {
+    if (const Cavity* cavity = std::get_if<Cavity>(&moving.shape->shape)) return cavity->radius;
     return std::isinf(moving.shape->radius) ? 0 : moving.shape->radius;
   }
   DistanceResult distance(const Pose& X_WS, const Pose& X_WT);
   double distance_at(double t) { return distance(A_.pose(t), B_.pose(t)).distance; }
   Approach approach(double t);
-  /// Whether a surface that is not convex is met: a half-space sees of a mesh its hull.
-  bool has_mesh() const { return A_.is_mesh() && !B_.is_half_space(); }
+  /// Whether a surface that is not convex is met: a half-space or a cavity sees of a mesh its hull.
+  bool has_mesh() const { return A_.is_mesh() && !is_unbounded(B_.shape->shape); }
   void look_at_contacts(const Pose& X_WS, const Pose& X_WT, double t, Approach& now) const;
   bool can_meet(double t0, double t1) const;
   std::optional<TimeOfImpact> find_in_closed_form(double t0, double t1) const;
@@ -207,6 +210,7 @@ double ShapePairSearch::advance(double t, const Approach& now, double t1) {
   const double slack = 0.5 * options_.contact_tolerance;
   const bool is_departing = now.gap <= slack && now.rate >= -options_.rest_velocity;
   const double level = is_departing ? std::min(-slack, now.gap - slack) : 0;
+  if (B_.is_cavity()) return safe_step_in_cavity(B_.part(), A_.part(), t, t1, level);
   if (!has_mesh()) return convex_step(t, now, t1, level);
   return safe_mesh_step(A_.part(), B_.part(),
                         {.t = t,
@@ -320,10 +324,10 @@ TimeOfImpact find_time_of_impact(const Body& A, const Motion& of_A, const Body& 
   TimeOfImpact first{false, t1, 0, 0};
   for (const BodyShape& a : A.shapes) {
     for (const BodyShape& b : B.shapes) {
-      // Half-spaces come second, meshes first.
+      // What is unbounded comes second, meshes first.
       const MovingBodyShape moving_a{&a, &of_A}, moving_b{&b, &of_B};
-      const bool swap = moving_a.is_half_space() ||
-                        (moving_b.is_mesh() && !moving_a.is_mesh() && !moving_b.is_half_space());
+      const bool swap =
+          is_unbounded(a.shape) || (moving_b.is_mesh() && !moving_a.is_mesh() && !is_unbounded(b.shape));
       ShapePairSearch search(swap ? moving_b : moving_a, swap ? moving_a : moving_b, options);
       const TimeOfImpact found = search.find(t0, first.time);
       const int evaluations = first.evaluations + found.evaluations;

@@ -1,6 +1,7 @@
 #include "rigor/geometry/contact_set.hpp"
 
 #include "rigor/core/assert.hpp"
+#include "rigor/geometry/cavity.hpp"
 #include "rigor/geometry/contact_mesh.hpp"
 #include "rigor/geometry/contact_pair.hpp"
 #include "rigor/geometry/distance.hpp"
@@ -13,14 +14,16 @@
 namespace rigor {
 namespace {
 
-/// Planes, and meshes, which may be large.
+/// Planes and cavities, and meshes, which may be large.
 bool is_wide(const Shape& shape) {
-  return std::holds_alternative<HalfSpace>(shape) || std::holds_alternative<Mesh>(shape);
+  return is_unbounded(shape) || std::holds_alternative<Mesh>(shape);
 }
 
-/// Whether the pair is computed with its shapes exchanged: a mesh is treated as A, else a plane, else the
-/// shapes as they come; of two meshes always the same one.
+/// Whether the pair is computed with its shapes exchanged: a cavity is A, else a mesh is treated as A, else a
+/// plane, else the shapes as they come; of two meshes always the same one.
 bool is_exchanged_pair(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB) {
+  if (std::holds_alternative<Cavity>(a) || std::holds_alternative<Cavity>(b))
+    return std::holds_alternative<Cavity>(b);
   const Mesh* const mesh_a = std::get_if<Mesh>(&a);
   const Mesh* const mesh_b = std::get_if<Mesh>(&b);
   if (mesh_a != nullptr && mesh_b != nullptr) return is_mesh_pair_swapped(*mesh_a, X_WA, *mesh_b, X_WB);
@@ -53,6 +56,8 @@ std::vector<ContactPoint> plane_contacts(const HalfSpace& plane, const Pose& X_O
 /// All pairs near the origin but those whose unbounded shape comes second.
 std::vector<ContactPoint> local_contacts(const Shape& a, const Pose& X_OA, const Shape& b, const Pose& X_OB,
                                          double tolerance) {
+  if (const Cavity* const cavity = std::get_if<Cavity>(&a))
+    return cavity_contacts(*cavity, X_OA, b, X_OB, tolerance);
   const Mesh* const mesh = std::get_if<Mesh>(&a);
   const Mesh* const other = std::get_if<Mesh>(&b);
   if (mesh != nullptr && other != nullptr) return mesh_pair_contacts(*mesh, X_OA, *other, X_OB, tolerance);
@@ -74,7 +79,7 @@ std::vector<ContactPoint> local_contacts(const Shape& a, const Pose& X_OA, const
 std::vector<ContactPoint> contact_set(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB,
                                       double tolerance) {
   RIGOR_ASSERT(tolerance >= 0);
-  RIGOR_ASSERT(!(std::holds_alternative<HalfSpace>(a) && std::holds_alternative<HalfSpace>(b)));
+  RIGOR_ASSERT(!(is_unbounded(a) && is_unbounded(b)));
   const bool is_exchanged = is_exchanged_pair(a, X_WA, b, X_WB);
 
   // Everything happens in a frame at a bounded shape, so that the distance to the origin of W costs no

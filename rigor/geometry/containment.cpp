@@ -48,6 +48,7 @@ struct Inside {
   }
   bool operator()(const Ellipsoid& e) const { return p.cwiseQuotient(e.radii).squaredNorm() <= 1; }
   bool operator()(const HalfSpace& h) const { return h.normal.dot(p) <= h.offset; }
+  bool operator()(const Cavity& c) const { return p.squaredNorm() >= c.radius * c.radius; }
   bool operator()(const Convex& c) const {
     for (std::size_t f = 0; f < c.hull->faces.size(); ++f) {
       const Vec3& p0 = c.hull->vertices[index(c.hull->faces[f][0])];

@@ -41,6 +41,7 @@ struct MakeCore {
             .extent = s.hull->support_table.extent};
   }
   ConvexCore operator()(const HalfSpace&) const { return {}; }
+  ConvexCore operator()(const Cavity&) const { return {}; }
   ConvexCore operator()(const Mesh&) const { return {}; }
 };
 
@@ -85,7 +86,7 @@ int upper_circle_is_farther(const ConvexCore& core, const Vec3& d) {
 }  // namespace
 
 ConvexCore make_core(const Shape& shape) {
-  RIGOR_ASSERT(!std::holds_alternative<HalfSpace>(shape) && !std::holds_alternative<Mesh>(shape));
+  RIGOR_ASSERT(!is_unbounded(shape) && !std::holds_alternative<Mesh>(shape));
   return std::visit(MakeCore{}, shape);
 }
 

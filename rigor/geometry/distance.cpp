@@ -1,6 +1,7 @@
 #include "rigor/geometry/distance.hpp"
 
 #include "rigor/core/assert.hpp"
+#include "rigor/geometry/cavity.hpp"
 #include "rigor/geometry/convex_distance.hpp"
 #include "rigor/geometry/convex_hull.hpp"
 #include "rigor/geometry/mesh_distance.hpp"
@@ -53,6 +54,7 @@ struct OrderOfSizes {
                  {hull_b.vertices[0].data(), 3 * hull_b.vertices.size()});
   }
   std::partial_ordering operator()(const HalfSpace&) const { return std::partial_ordering::equivalent; }
+  std::partial_ordering operator()(const Cavity&) const { return std::partial_ordering::equivalent; }
   std::partial_ordering operator()(const Mesh& a) const { return compare_meshes(a, rhs<Mesh>()) <=> 0; }
 
   template <class T>
@@ -62,9 +64,9 @@ struct OrderOfSizes {
   }
 };
 
-/// Planes come first, then meshes, then the others by type.
+/// What is unbounded comes first, then meshes, then the others by type.
 int rank_of(const Shape& shape) {
-  if (std::holds_alternative<HalfSpace>(shape)) return -2;
+  if (is_unbounded(shape)) return -2;
   if (std::holds_alternative<Mesh>(shape)) return -1;
   return static_cast<int>(shape.index());
 }
@@ -82,7 +84,7 @@ bool is_swapped(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_
 
 /// A half-space can be left along its normal only: exact with one support point.
 DistanceResult plane_distance(const HalfSpace& plane, const Pose& X_WA, const Shape& b, const Pose& X_WB) {
-  RIGOR_ASSERT(!std::holds_alternative<HalfSpace>(b));
+  RIGOR_ASSERT(!is_unbounded(b));
   const Mat3 R_AW = X_WA.R.transpose();
   const Pose X_AB{R_AW * X_WB.R, R_AW * (X_WB.p - X_WA.p)};
   const Vec3 p_BP = support_point(b, X_AB.R.transpose() * -plane.normal);
@@ -97,6 +99,7 @@ DistanceResult plane_distance(const HalfSpace& plane, const Pose& X_WA, const Sh
 
 DistanceResult ordered_distance(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB) {
   if (const HalfSpace* const plane = std::get_if<HalfSpace>(&a)) return plane_distance(*plane, X_WA, b, X_WB);
+  if (const Cavity* const cavity = std::get_if<Cavity>(&a)) return cavity_distance(*cavity, X_WA, b, X_WB);
   const Mesh* const mesh = std::get_if<Mesh>(&a);
   const Mesh* const other = std::get_if<Mesh>(&b);
   if (mesh != nullptr && other != nullptr) return mesh_pair_signed_distance(*mesh, X_WA, *other, X_WB);

@@ -69,13 +69,16 @@ struct ClosedForm {
     const Vec3 sums(squares.y() + squares.z(), squares.z() + squares.x(), squares.x() + squares.y());
     return closed_form(mass, Vec3::Zero(), mass / 5 * sums);
   }
-  MassProperties operator()(const HalfSpace&) const {
+  MassProperties operator()(const HalfSpace&) const { return of_unbounded(); }
+  MassProperties operator()(const Cavity&) const { return of_unbounded(); }
+  MassProperties operator()(const Convex& c) const { return mass_properties(*c.hull, density); }
+  MassProperties operator()(const Mesh& m) const { return mass_properties(*m.mesh, density); }
+
+  static MassProperties of_unbounded() {
     const bool shape_is_bounded = false;
     RIGOR_ASSERT(shape_is_bounded);
     return {};
   }
-  MassProperties operator()(const Convex& c) const { return mass_properties(*c.hull, density); }
-  MassProperties operator()(const Mesh& m) const { return mass_properties(*m.mesh, density); }
 };
 
 /// m (|c|² 1 - c cᵀ): inertia of a point mass at c about the origin.

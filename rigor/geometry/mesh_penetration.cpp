@@ -88,7 +88,7 @@ DistanceResult least_distance(const Pieces& a, const Pose& X_WA, const Pieces& b
 }
 
 DistanceResult solid_distance(const Mesh& a, const Pose& X_WA, const Shape& b, const Pose& X_WB) {
-  if (std::holds_alternative<HalfSpace>(b)) return mesh_signed_distance(a, X_WA, b, X_WB);
+  if (is_unbounded(b)) return signed_distance(a, X_WA, b, X_WB);
   const Pieces pieces_a = make_pieces(a, X_WA), pieces_b = make_pieces(b, X_WB);
   if (pieces_a.shapes.empty() || pieces_b.shapes.empty()) return deepest_point(a, X_WA, b, X_WB);
   return least_distance(pieces_a, X_WA, pieces_b, X_WB);

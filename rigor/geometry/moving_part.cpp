@@ -7,8 +7,8 @@
 
 namespace rigor {
 
-PartName first_part(const Shape& shape, bool against_half_space) {
-  if (against_half_space || !std::holds_alternative<Mesh>(shape)) return {};
+PartName first_part(const Shape& shape, bool against_unbounded) {
+  if (against_unbounded || !std::holds_alternative<Mesh>(shape)) return {};
   return {PartName::Kind::node, 0};
 }
 

@@ -20,7 +20,7 @@ struct PartName {
 };
 
 /// The part that a search over the shape begins with. Against a half-space a mesh is as its hull: one part.
-PartName first_part(const Shape& shape, bool against_half_space);
+PartName first_part(const Shape& shape, bool against_unbounded);
 /// The parts that a node is made of.
 std::vector<PartName> parts_of_node(const Mesh& mesh, int node);
 

@@ -82,6 +82,10 @@ struct DistanceOfPoint {
     return from_core(make_core(s), p);
   }
   LocalDistance operator()(const HalfSpace& s) const { return {s.normal.dot(p) - s.offset, s.normal}; }
+  LocalDistance operator()(const Cavity& s) const {
+    const double r = p.norm();
+    return {s.radius - r, r > 0 ? Vec3(-p / r) : Vec3::UnitZ()};
+  }
   LocalDistance operator()(const Ellipsoid& s) const {
     const Vec3 x = nearest_on_ellipsoid(s.radii, p);
     const Vec3 n = x.cwiseQuotient(s.radii).cwiseQuotient(s.radii).normalized();

@@ -169,6 +169,11 @@ struct SpanOf {
     clip(line, s.normal, s.offset, span);
     return span;
   }
+  RaySpan operator()(const Cavity& s) const {
+    const RaySpan free = sphere_span(s.radius, Vec3::Zero(), line);
+    if (free.is_empty()) return {};
+    return {free.out, kInfinity, -free.n_out, Vec3::Zero()};
+  }
   RaySpan operator()(const Convex& s) const {
     RaySpan span;
     for (std::size_t f = 0; f < s.hull->faces.size() && !span.is_empty(); ++f) {

@@ -15,7 +15,7 @@ struct ShapeLine {
   Vec3 at(double s) const { return c + s * u; }
 };
 
-/// The part of a line inside a convex shape, with the outward unit normals at its ends.
+/// The part of a line inside a shape, with the outward unit normals at its ends.
 struct RaySpan {
   double in = -std::numeric_limits<double>::infinity();  ///< [m]; -infinity where the line never enters.
   double out = std::numeric_limits<double>::infinity();  ///< [m]; empty if in > out.
@@ -25,7 +25,8 @@ struct RaySpan {
   bool is_empty() const { return !(in <= out); }
 };
 
-/// What of the line lies inside the shape (not a mesh: a broken promise).
+/// What of the line lies inside the shape (not a mesh: a broken promise). Of a cavity's two parts the one
+/// behind the far wall: what a ray from within meets.
 RaySpan ray_span(const Shape& shape, const ShapeLine& line);
 
 }  // namespace rigor

@@ -2,7 +2,20 @@
 
 #include "rigor/math/rotation.hpp"
 
+#include <algorithm>
+
 namespace rigor {
+
+double largest_acceleration(const RigidMotion& motion, double ta, double tb) {
+  Vec3 along_axes = Vec3::Zero();
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double sign : {-1.0, 1.0}) {
+      along_axes[axis] =
+          std::max(along_axes[axis], -motion.min_acceleration_along(sign * Vec3::Unit(axis), ta, tb));
+    }
+  }
+  return along_axes.norm();
+}
 
 RigidMotion::Sample TwistMotion::sample(double t) const {
   const double tau = t - t_;

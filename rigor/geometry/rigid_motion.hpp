@@ -30,6 +30,9 @@ class RigidMotion {
   virtual double max_turn_acceleration() const = 0;
 };
 
+/// Upper bound over [ta, tb] of the acceleration of the origin of B in any direction [m/s²].
+double largest_acceleration(const RigidMotion& motion, double ta, double tb);
+
 /// The origin of B flies on a parabola while B turns at a constant angular velocity: at rest, at constant
 /// velocities, thrown, or along a screw.
 class TwistMotion : public RigidMotion {

@@ -1,5 +1,6 @@
 #include "rigor/geometry/separation_bound.hpp"
 
+#include "rigor/geometry/concave_step.hpp"
 #include "rigor/geometry/triangle_mesh.hpp"
 
 #include <algorithm>
@@ -12,7 +13,7 @@ double turning_radius(const Shape& shape, const Pose& X_BS, double radius) {
   const double offset = X_BS.p.norm();
   if (std::holds_alternative<Sphere>(shape)) return offset;
   if (const Capsule* capsule = std::get_if<Capsule>(&shape)) return offset + capsule->half_length;
-  if (std::holds_alternative<HalfSpace>(shape)) return 0;
+  if (is_unbounded(shape)) return 0;
   return offset + radius;
 }
 
@@ -20,7 +21,7 @@ MovingCore make_moving_core(const Shape& shape, const Pose& X_BS, double radius,
   ConvexCore core;
   if (const Mesh* mesh = std::get_if<Mesh>(&shape)) {
     core = make_points_core(mesh->mesh->vertices);
-  } else if (!std::holds_alternative<HalfSpace>(shape)) {
+  } else if (!is_unbounded(shape)) {
     core = make_core(shape);
   }
   return {core, X_BS, turning_radius(shape, X_BS, radius), &motion};
@@ -30,18 +31,6 @@ namespace {
 
 RigidMotion::Sample sample_of(const MovingCore& part, double t) {
   return part.sample != nullptr ? *part.sample : part.motion->sample(t);
-}
-
-/// Upper bound of the acceleration of the origin of the body, in any direction [m/s²].
-double largest_acceleration(const RigidMotion& motion, double t, double t_end) {
-  Vec3 along_axes = Vec3::Zero();
-  for (int axis = 0; axis < 3; ++axis) {
-    for (const double sign : {-1.0, 1.0}) {
-      along_axes[axis] =
-          std::max(along_axes[axis], -motion.min_acceleration_along(sign * Vec3::Unit(axis), t, t_end));
-    }
-  }
-  return along_axes.norm();
 }
 
 }  // namespace
@@ -122,32 +111,8 @@ double SeparationBound::at(double tau) const {
 }
 
 double SeparationBound::safe_step(double tau_max, double level) const {
-  constexpr double factor = 8;
-  constexpr int most_reductions = 25, refinements = 4;
   if (gap_ < level) return 0;
-  double high = tau_max, at_high = at(tau_max) - level;
-  if (at_high >= 0) return tau_max;
-  double low = high / factor, at_low = at(low) - level;
-  for (int k = 0; at_low < 0; ++k) {
-    if (k == most_reductions) return 0;
-    high = low;
-    at_high = at_low;
-    low /= factor;
-    at_low = at(low) - level;
-  }
-  // The chord of a concave function lies below it: its zero is safe.
-  for (int k = 0; k < refinements; ++k) {
-    const double chord = low + (high - low) * (at_low / (at_low - at_high));
-    if (!(chord > low) || !(chord < high)) break;
-    const double at_chord = at(chord) - level;
-    if (!(at_chord >= 0)) break;
-    low = chord;
-    at_low = at_chord;
-    const double middle = 0.5 * (low + high), at_middle = at(middle) - level;
-    (at_middle >= 0 ? low : high) = middle;
-    (at_middle >= 0 ? at_low : at_high) = at_middle;
-  }
-  return low;
+  return safe_step_of_concave([&](double tau) { return at(tau) - level; }, tau_max);
 }
 
 }  // namespace rigor

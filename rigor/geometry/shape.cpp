@@ -11,10 +11,15 @@ const char* shape_type_name(const Shape& shape) {
     const char* operator()(const Cone&) const { return "cone"; }
     const char* operator()(const Ellipsoid&) const { return "ellipsoid"; }
     const char* operator()(const HalfSpace&) const { return "plane"; }
+    const char* operator()(const Cavity&) const { return "cavity"; }
     const char* operator()(const Convex&) const { return "convex"; }
     const char* operator()(const Mesh&) const { return "mesh"; }
   };
   return std::visit(Name{}, shape);
+}
+
+bool is_unbounded(const Shape& shape) {
+  return std::holds_alternative<HalfSpace>(shape) || std::holds_alternative<Cavity>(shape);
 }
 
 }  // namespace rigor

@@ -47,6 +47,11 @@ struct HalfSpace {
   Vec3 normal;    ///< Unit, pointing out of the solid.
   double offset;  ///< [m].
 };
+/// Everything outside the ball of this radius about the origin: bodies are inside it. Unbounded, only on
+/// static or kinematic bodies; goes with shapes that have corner balls (cavity.hpp).
+struct Cavity {
+  double radius;  ///< > 0.
+};
 /// Convex polyhedron; its vertices are in S.
 struct Convex {
   std::shared_ptr<const ConvexHull> hull;
@@ -59,10 +64,13 @@ struct Mesh {
   std::shared_ptr<const MeshSolid> solid{};  ///< Its inside, computed when it is needed.
 };
 
-using Shape = std::variant<Sphere, Box, Capsule, Cylinder, Cone, Ellipsoid, HalfSpace, Convex, Mesh>;
+using Shape = std::variant<Sphere, Box, Capsule, Cylinder, Cone, Ellipsoid, HalfSpace, Convex, Mesh, Cavity>;
 
 /// Name of the shape's type in a scene file: "sphere", "box", "capsule", "cylinder", "cone", "ellipsoid",
-/// "plane", "convex" or "mesh".
+/// "plane", "convex", "mesh" or "cavity".
 const char* shape_type_name(const Shape& shape);
+
+/// Half-spaces and cavities: solids without an end.
+bool is_unbounded(const Shape& shape);
 
 }  // namespace rigor

@@ -14,4 +14,8 @@ double support_value(const Shape& shape, const Vec3& d_S);
 /// Radius of the smallest ball about c_S that holds the shape [m]; infinity for a plane.
 double radius_about(const Shape& shape, const Vec3& c_S);
 
+/// A point of the shape that lies on that ball: farthest from c_S. The shape is bounded. Deterministic among
+/// equals.
+Vec3 farthest_point(const Shape& shape, const Vec3& c_S);
+
 }  // namespace rigor

@@ -1,6 +1,7 @@
 #include "rigor/geometry/time_of_contact.hpp"
 
 #include "rigor/core/assert.hpp"
+#include "rigor/geometry/cavity.hpp"
 #include "rigor/geometry/containment.hpp"
 #include "rigor/geometry/convex_distance.hpp"
 #include "rigor/geometry/moving_part.hpp"
@@ -30,8 +31,11 @@ struct PartPair {
   }
 };
 
-bool is_half_space(const MovingShape& moving) {
-  return std::holds_alternative<HalfSpace>(*moving.shape);
+bool is_unbounded(const MovingShape& moving) {
+  return is_unbounded(*moving.shape);
+}
+bool is_cavity(const MovingShape& moving) {
+  return std::holds_alternative<Cavity>(*moving.shape);
 }
 
 /// A part pair with what is known of it at an instant.
@@ -68,9 +72,9 @@ class Search {
 
   void begin(double t0, int a, int b) {
     PartPair pair{t0, 0, a, b, {}, {}};
-    RIGOR_ASSERT(!is_half_space(A(pair)) || !is_half_space(B(pair)));
-    pair.a = first_part(*A(pair).shape, is_half_space(B(pair)));
-    pair.b = first_part(*B(pair).shape, is_half_space(A(pair)));
+    RIGOR_ASSERT(!is_unbounded(A(pair)) || !is_unbounded(B(pair)));
+    pair.a = first_part(*A(pair).shape, is_unbounded(B(pair)));
+    pair.b = first_part(*B(pair).shape, is_unbounded(A(pair)));
     const bool is_inside = holds_a_point_of(A(pair), B(pair), t0) || holds_a_point_of(B(pair), A(pair), t0);
     if (is_inside && !result_.is_contact) {
       // A surface within a closed mesh overlaps it without touching its triangles.
@@ -84,7 +88,7 @@ class Search {
   /// Whether the solid of a closed mesh holds one point of the other shape (then all, or the surfaces meet).
   static bool holds_a_point_of(const MovingShape& mesh, const MovingShape& other, double t) {
     const Mesh* of = std::get_if<Mesh>(mesh.shape);
-    if (of == nullptr || !of->tree->is_closed || is_half_space(other)) return false;
+    if (of == nullptr || !of->tree->is_closed || is_unbounded(other)) return false;
     const Vec3 p_W = other.pose(t) * support_point(*other.shape, Vec3::UnitZ());
     return contains(*mesh.shape, mesh.pose(t).inverse() * p_W);
   }
@@ -98,7 +102,7 @@ class Search {
     ++result_.evaluations;
     const RigidMotion::Sample in_A = A(pair).motion->sample(t), in_B = B(pair).motion->sample(t);
     Approach now;
-    if (is_half_space(A(pair)) || is_half_space(B(pair))) {
+    if (is_unbounded(A(pair)) || is_unbounded(B(pair))) {
       now.distance =
           signed_distance(*A(pair).shape, in_A.X_WB * A(pair).X_BS, *B(pair).shape, in_B.X_WB * B(pair).X_BS);
     } else {
@@ -129,7 +133,10 @@ class Search {
     // The certified lower bound of the distance, unless the parts have boxes that overlap.
     const double gap = std::min(now.distance.lower, now.distance.distance);
     double step = 0;
-    if (gap > 0) {
+    if (gap > 0 && (is_cavity(A(pair)) || is_cavity(B(pair)))) {
+      const bool is_A = is_cavity(A(pair));
+      step = safe_step_in_cavity(is_A ? A(pair) : B(pair), is_A ? B(pair) : A(pair), pair.time, end_, 0);
+    } else if (gap > 0) {
       const SeparationBound bound(a.core(), b.core(), now.distance.n_W, gap, pair.time, end_);
       step = bound.safe_step(end_ - pair.time, 0);
     }

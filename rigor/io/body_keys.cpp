@@ -177,6 +177,7 @@ std::vector<KeyTable> shape_key_tables() {
             {-1e9, 1e9},
             "out of the solid; any length but zero"},
            {"offset", ValueType::number, "m", "0", limits::position, "of the surface, along the normal"}}),
+      shape_table("cavity", "a cavity", {radius}),
       shape_table(
           "convex", "a convex shape",
           {{"vertices", ValueType::vectors, "m", "-", limits::position, "points whose hull it is; or file"},

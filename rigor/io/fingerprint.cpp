@@ -35,6 +35,7 @@ class Hash {
   void add(const Cone& s) { add(s.radius), add(s.half_length); }
   void add(const Ellipsoid& s) { add(s.radii); }
   void add(const HalfSpace& s) { add(s.normal), add(s.offset); }
+  void add(const Cavity& s) { add(s.radius); }
   void add(const Convex& s) {
     for (const Vec3& v : s.hull->vertices) add(v);
   }

@@ -60,6 +60,9 @@ std::optional<Shape> read_geometry(const std::string& type, const ObjectReader& 
   if (type == "sphere") {
     const std::optional<double> radius = shape.number("radius");
     if (radius) return Sphere{*radius};
+  } else if (type == "cavity") {
+    const std::optional<double> radius = shape.number("radius");
+    if (radius) return Cavity{*radius};
   } else if (type == "box") {
     const std::optional<Vec3> size = shape.vector("size");
     if (size) return Box{*size / 2};

@@ -3,6 +3,7 @@
 #include "rigor/core/input_error.hpp"
 #include "rigor/core/quoted.hpp"
 #include "rigor/core/suggestion.hpp"
+#include "rigor/geometry/cavity.hpp"
 #include "rigor/model/body_builder.hpp"
 #include "rigor/model/force_builder.hpp"
 #include "rigor/model/joint_builder.hpp"
@@ -125,6 +126,29 @@ JointTable make_joint_table(const std::vector<Placed<ModelBuilder::JointDescript
   return table;
 }
 
+/// Bodies with cavities may meet only bodies whose distance from a cavity is known.
+void check_cavities(const Model& model, const std::vector<std::string>& wheres,
+                    std::vector<std::string>& messages) {
+  const auto has_cavity = [](const Body& body) {
+    return std::any_of(body.shapes.begin(), body.shapes.end(),
+                       [](const BodyShape& s) { return std::holds_alternative<Cavity>(s.shape); });
+  };
+  for (int i = 0; i < model.body_count(); ++i) {
+    if (model.body(i).motion == MotionType::dynamic || !has_cavity(model.body(i))) continue;
+    for (int k = 0; k < model.body_count(); ++k) {
+      if (!model.may_collide(i, k) || messages.size() >= limits::message_count) continue;
+      for (const BodyShape& shape : model.body(k).shapes) {
+        if (has_corner_balls(shape.shape)) continue;
+        messages.push_back(wheres[static_cast<std::size_t>(k)] + "body " + quoted_text(model.body(k).name) +
+                           ": a " + shape_type_name(shape.shape) +
+                           " cannot collide with the cavity of body " + quoted_text(model.body(i).name) +
+                           "; spheres, capsules, boxes, convex shapes and meshes can");
+        break;
+      }
+    }
+  }
+}
+
 double length_scale(const std::vector<Body>& bodies) {
   double scale = 0;
   for (const Body& body : bodies) {
@@ -227,6 +251,9 @@ Model ModelBuilder::assemble(std::vector<std::string>& messages) const {
     if (messages.size() >= limits::message_count) return model;
   }
   add_joints(bodies, messages, model);
+  std::vector<std::string> wheres;
+  for (const auto& [body, where] : parts_->bodies) wheres.push_back(where);
+  check_cavities(model, wheres, messages);
   return model;
 }
 

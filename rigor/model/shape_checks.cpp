@@ -62,6 +62,11 @@ struct ShapeCheck {
     return findings.require(!needs_volume,
                             what + ": a plane has no mass; only static and kinematic bodies have one");
   }
+  bool operator()(const Cavity& s) {
+    return size("radius", s.radius) &&
+           findings.require(!needs_volume,
+                            what + ": a cavity has no mass; only static and kinematic bodies have one");
+  }
   bool operator()(const Convex& s) {
     return findings.require(s.hull && s.hull->vertices.size() >= 4, what + ": it has no hull") &&
            vertices_in_range(s.hull->vertices);

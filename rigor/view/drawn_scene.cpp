@@ -1,5 +1,7 @@
 #include "rigor/view/drawn_scene.hpp"
 
+#include "rigor/geometry/support.hpp"
+#include "rigor/view/bowl.hpp"
 #include "rigor/view/drawn_joints.hpp"
 
 #include <array>
@@ -31,6 +33,7 @@ class SurfaceShelf {
  private:
   std::shared_ptr<const Surface> surface_of(const Sphere&, const Shape&) { return nullptr; }
   std::shared_ptr<const Surface> surface_of(const HalfSpace&, const Shape&) { return nullptr; }
+  std::shared_ptr<const Surface> surface_of(const Cavity&, const Shape&) { return nullptr; }
   std::shared_ptr<const Surface> surface_of(const Convex& s, const Shape& shape) {
     return shared(by_data_[s.hull.get()], shape);
   }
@@ -82,6 +85,11 @@ std::array<Vec3, 2> DrawnLine::ends(std::span<const Pose> X_WL) const {
   return p_W;
 }
 
+/// Of the ball about the origin of S that holds what is drawn [m].
+double form_radius(const BodyShape& shape, const Shape& form) {
+  return std::holds_alternative<Cavity>(shape.shape) ? radius_about(form, Vec3::Zero()) : shape.radius;
+}
+
 DrawnScene make_drawn_scene(const Model& model) {
   DrawnScene scene;
   scene.body_count = model.body_count();
@@ -92,8 +100,9 @@ DrawnScene make_drawn_scene(const Model& model) {
     const Body& body = model.body(i);
     const Pose X_LB = body.X_BL.inverse();
     for (const BodyShape& shape : drawn_shapes(body, reaches[static_cast<std::size_t>(i)])) {
-      scene.shapes.push_back({i, body.motion != MotionType::fixed, shape.shape, X_LB * shape.X_BS,
-                              shelf.surface(shape.shape), axis_aligned_box(shape.shape, Pose{}), shape.radius,
+      const Shape form = drawn_form(shape.shape);
+      scene.shapes.push_back({i, body.motion != MotionType::fixed, form, X_LB * shape.X_BS,
+                              shelf.surface(form), axis_aligned_box(form, Pose{}), form_radius(shape, form),
                               shape_color(body, shape, i)});
     }
   }

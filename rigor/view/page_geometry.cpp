@@ -4,6 +4,7 @@
 #include "rigor/geometry/triangle_mesh.hpp"
 #include "rigor/io/json_text.hpp"
 #include "rigor/math/rotation.hpp"
+#include "rigor/view/bowl.hpp"
 #include "rigor/view/page_block.hpp"
 
 #include <map>
@@ -59,6 +60,8 @@ struct Dimensions {
   Json operator()(const Cone& c) const { return round(c.radius, c.half_length); }
   Json operator()(const Ellipsoid& e) const { return {{"radii", json_of(e.radii)}}; }
   Json operator()(const HalfSpace& h) const { return {{"normal", json_of(h.normal)}, {"offset", h.offset}}; }
+  /// Drawn as a mesh (drawn_form).
+  Json operator()(const Cavity&) const { return Json::object(); }
   Json operator()(const Convex& c) const {
     return {{"mesh", meshes.index_of(triangulated({c.hull->vertices, c.hull->faces}))}};
   }
@@ -73,8 +76,9 @@ struct Dimensions {
 Json look_of(const Body& body, MeshTable& meshes) {
   Json look = Json::array();
   for (const BodyShape& shape : body.shapes) {
-    Json json = {{"type", shape_type_name(shape.shape)}};
-    json.update(std::visit(Dimensions{meshes}, shape.shape));
+    const Shape form = drawn_form(shape.shape);
+    Json json = {{"type", shape_type_name(form)}};
+    json.update(std::visit(Dimensions{meshes}, form));
     const Quat q = quaternion_of(shape.X_BS.R);
     json["p"] = json_of(shape.X_BS.p);
     json["q"] = {q.w(), q.x(), q.y(), q.z()};

@@ -113,6 +113,11 @@ Surface surface_of(const HalfSpace&) {
   return {};
 }
 
+/// Drawn as a mesh (drawn_form).
+Surface surface_of(const Cavity&) {
+  return {};
+}
+
 Surface surface_of(const ConvexHull& hull) {
   Surface surface;
   surface.vertices = hull.vertices;
