@@ -51,6 +51,7 @@ ImpulseStep::ImpulseStep(const Model& model, const Environment& environment,
 
 /// Motion space has rows of bodies alone: what works through joints, and stops, is solved in contact space.
 CoulombSolution ImpulseStep::solve(const ContactSystem& system, CoulombProblem laws) const {
+  constexpr double tolerance = 1e-10;  // The last two digits of slip that turns take most of the time.
   const bool has_stops = std::any_of(system.contacts.begin(), system.contacts.end(),
                                      [](const Contact& contact) { return contact.stop.has_value(); });
   if (resting_.space == RestingSpace::motion && !system.joints && !has_stops) {
@@ -59,6 +60,7 @@ CoulombSolution ImpulseStep::solve(const ContactSystem& system, CoulombProblem l
   }
   laws.A = delassus(system);
   CoulombOptions options;
+  options.tolerance = options.enough = tolerance;
   if (resting_.space == RestingSpace::contact) options.lcp = resting_.lcp;
   return solve_coulomb(laws, options);
 }

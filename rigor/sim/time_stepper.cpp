@@ -145,10 +145,17 @@ double TimeStepper::take_step(double h, State& state) {
 /// Halved where the contacts at the begin do not tell those at the end.
 TimeStepper::Trial TimeStepper::try_step(double h, double theta, const State& state) {
   constexpr int most_halvings = 6;
+  constexpr double noticeable = 10;
   std::vector<double> reaches(index(model_->body_count()), 0.0);
   grow_reaches(h, cluster_in(state), reaches);
+  bool takes_all = false;
   for (int k = 0;; ++k) {
-    Trial trial = try_with_reaches(h, theta, state, reaches);
+    Trial trial = try_with_reaches(h, theta, takes_all, state, reaches);
+    // Bodies were pushed where they did not go by themselves.
+    if (!takes_all && trial.correction > noticeable * method_.contact_tolerance) {
+      takes_all = true;
+      continue;
+    }
     double thinnest = model_->length_scale();
     for (const int body : trial.end.bodies) thinnest = std::min(thinnest, thickness_[index(body)]);
     if (k == most_halvings || trial.correction <= 0.05 * thinnest) return trial;
@@ -156,7 +163,7 @@ TimeStepper::Trial TimeStepper::try_step(double h, double theta, const State& st
   }
 }
 
-TimeStepper::Trial TimeStepper::try_with_reaches(double h, double theta, const State& state,
+TimeStepper::Trial TimeStepper::try_with_reaches(double h, double theta, bool takes_all, const State& state,
                                                  std::vector<double>& reaches) {
   constexpr int most_tries = 12;
   const Cluster start = cluster_in(state);
@@ -181,7 +188,8 @@ TimeStepper::Trial TimeStepper::try_with_reaches(double h, double theta, const S
     std::erase_if(contacts, [&](const Contact& contact) {
       return std::binary_search(far.begin(), far.end(), std::pair{contact.body_A, contact.body_B});
     });
-    contacts = acting_contacts(h, start, std::move(contacts));
+    if (!takes_all) contacts = acting_contacts(h, start, std::move(contacts));
+    add_stops(start, contacts);
 
     trial.end.bodies.clear();
     trial.end.phases.clear();
@@ -253,7 +261,7 @@ bool TimeStepper::moves_far(int a, int b, const std::vector<double>& reaches) co
 }
 
 /// Contacts that may act: they touch or could close within twice the step, at the velocities of its begin or
-/// of its end without contacts. With the stops of joints.
+/// of its end without contacts.
 std::vector<Contact> TimeStepper::acting_contacts(double h, const Cluster& start,
                                                   std::vector<Contact> found) const {
   std::vector<Contact> contacts;
@@ -273,15 +281,16 @@ std::vector<Contact> TimeStepper::acting_contacts(double h, const Cluster& start
     if (contact.point.gap <= method_.contact_tolerance || contact.point.gap + 2 * h * rate < 0)
       contacts.push_back(contact);
   }
-  const std::vector<int> joints = integrator_.joints_of(start.bodies);
-  if (!joints.empty()) {
-    Cluster bare = start;
-    bare.contacts.clear();
-    const ContactSystem system = resolver_.system_of(bare, {});
-    const std::vector<Contact> stops = joint_stops(*model_, joints, system.bodies, system.kinetics, infinite);
-    contacts.insert(contacts.end(), stops.begin(), stops.end());
-  }
   return contacts;
+}
+
+/// Stops of all joints, limits at any distance.
+void TimeStepper::add_stops(const Cluster& start, std::vector<Contact>& contacts) const {
+  const std::vector<int> joints = integrator_.joints_of(start.bodies);
+  if (joints.empty()) return;
+  const ContactSystem system = resolver_.system_of(start, {});
+  const std::vector<Contact> stops = joint_stops(*model_, joints, system.bodies, system.kinetics, infinite);
+  contacts.insert(contacts.end(), stops.begin(), stops.end());
 }
 
 /// When the first of these pairs meets on the way from `start`, or h.
@@ -326,16 +335,19 @@ void TimeStepper::hold_joints(Cluster& part, AdvanceReport& report) const {
 /// moment of momentum about the origin.
 double TimeStepper::correct_overlaps(const State& state, Cluster& end, AdvanceReport& report) {
   constexpr int most_passes = 8;
-  const std::vector<double> none(index(model_->body_count()), 0.0);
+  std::vector<double> reaches(index(model_->body_count()), 0.0);
   double largest = 0;
   State moved = state;
   for (int pass = 0; pass < most_passes; ++pass) {
     write(end, moved);
-    const std::vector<Contact> contacts = finder_.find(moved, none, method_.contact_tolerance);
+    const std::vector<Contact> contacts = finder_.find(moved, reaches, method_.contact_tolerance);
     double deepest = 0;
     for (const Contact& contact : contacts) deepest = std::max(deepest, -contact.point.gap);
     largest = std::max(largest, deepest);
     if (deepest <= 0.2 * method_.contact_tolerance) break;
+    // What is near may be in the way.
+    for (const int body : end.bodies) reaches[index(body)] = 2 * largest;
+    if (pass == 0 && deepest > method_.contact_tolerance) continue;
     for (Cluster& part : connected_parts(end, contacts, environment_)) {
       const std::vector<BodyPhase> before = part.phases;
       if (!resolver_.project_positions(part)) continue;

@@ -38,9 +38,11 @@ class TimeStepper : public Stepper {
   Cluster cluster_in(const State& state) const;
   double take_step(double h, State& state);
   Trial try_step(double h, double theta, const State& state);
-  Trial try_with_reaches(double h, double theta, const State& state, std::vector<double>& reaches);
+  Trial try_with_reaches(double h, double theta, bool takes_all, const State& state,
+                         std::vector<double>& reaches);
   void grow_reaches(double h, const Cluster& cluster, std::vector<double>& reaches) const;
   std::vector<Contact> acting_contacts(double h, const Cluster& start, std::vector<Contact> found) const;
+  void add_stops(const Cluster& start, std::vector<Contact>& contacts) const;
   bool moves_far(int a, int b, const std::vector<double>& reaches) const;
   double first_meeting(double h, const Cluster& start, const Trial& trial,
                        const std::vector<std::pair<int, int>>& pairs) const;
