@@ -36,6 +36,10 @@ class ContactResolver {
   /// Whether bodies with these lasting contacts stand still and stay so: all forces balance.
   bool is_balanced(const Cluster& cluster, const LastingContacts& lasting) const;
 
+  /// Adds impulses λ (3n) with what joints do about them to the momenta, and to the books of the report.
+  /// moments: angular impulses in the contact frames, 3n, or none.
+  void add_impulses(const ContactSystem& system, const VecX& lambda, const VecX& moments, Cluster& cluster,
+                    AdvanceReport& report) const;
   /// The contacts of the cluster with all bodies that they touch.
   ContactSystem system_of(const Cluster& cluster, const std::vector<Contact>& contacts) const;
 
@@ -51,9 +55,6 @@ class ContactResolver {
   bool agrees_with_velocities(const LastingContacts& lasting, const Cluster& cluster) const;
   std::vector<double> restitutions(const Cluster& cluster, const ContactSystem& system,
                                    AdvanceReport& report) const;
-  /// moments: angular impulses in the contact frames, 3n, or none.
-  void add_impulses(const ContactSystem& system, const VecX& lambda, const VecX& moments, Cluster& cluster,
-                    AdvanceReport& report) const;
 
   const Model& model_;
   const IslandIntegrator& integrator_;

@@ -12,7 +12,7 @@ std::span<const MethodChoice> method_choices() {
                    true},
       MethodChoice{"scheme", "time-stepping", "fixed steps, velocities and impulses solved together",
                    "Stewart and Trinkle, An Implicit Time-Stepping Scheme for Rigid Body Dynamics, 1996",
-                   false},
+                   true},
       MethodChoice{"scheme", "penalty", "contacts are stiff springs and dampers",
                    "Moore and Wilhelms, Collision Detection and Response for Computer Animation, 1988",
                    false},
@@ -111,7 +111,7 @@ std::span<const MethodChoice> method_choices() {
           "Hunt and Crossley, Coefficient of Restitution Interpreted as Damping in Vibroimpact, 1975", false},
 
       MethodChoice{"solver", "exact", "exact Coulomb cone", "De Saxce and Feng, The Bipotential Method, 1998",
-                   false},
+                   true},
       MethodChoice{
           "solver", "pgs", "projected Gauss-Seidel",
           "Jourdan, Alart and Jean, A Gauss-Seidel Like Algorithm to Solve Frictional Contact Problems, 1998",

@@ -1,0 +1,273 @@
+#include "rigor/sim/impulse_step.hpp"
+
+#include "rigor/contact/contact_kinematics.hpp"
+#include "rigor/contact/motion_rows.hpp"
+#include "rigor/dynamics/free_flight.hpp"
+#include "rigor/math/rotation.hpp"
+#include "rigor/solver/motion_problem.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace rigor {
+
+namespace {
+
+Eigen::Index normal_row(std::size_t contact) {
+  return 3 * static_cast<Eigen::Index>(contact) + 2;
+}
+
+/// The cones of these contacts, without A.
+CoulombProblem laws_of(const ContactSystem& system, VecX b) {
+  const std::size_t count = system.contacts.size();
+  CoulombProblem laws{{},
+                      std::move(b),
+                      {},
+                      std::vector<FrictionRow>(count, FrictionRow::cone),
+                      std::vector<Vec2>(count, Vec2::Zero())};
+  for (const Contact& contact : system.contacts) laws.mu.push_back(contact.friction);
+  return laws;
+}
+
+std::size_t place_of(const std::vector<int>& ascending, int body) {
+  return static_cast<std::size_t>(std::lower_bound(ascending.begin(), ascending.end(), body) -
+                                  ascending.begin());
+}
+
+}  // namespace
+
+ImpulseStep::ImpulseStep(const Model& model, const Environment& environment,
+                         const IslandIntegrator& integrator, const ContactResolver& resolver,
+                         const JointProjection& joints, const Method& method)
+    : model_(model),
+      environment_(environment),
+      integrator_(integrator),
+      resolver_(resolver),
+      joints_(joints),
+      resting_(resting_choice(method)),
+      contact_tolerance_(method.contact_tolerance),
+      resting_velocity_(method.resting_velocity) {}
+
+/// Motion space has rows of bodies alone: what works through joints, and stops, is solved in contact space.
+CoulombSolution ImpulseStep::solve(const ContactSystem& system, CoulombProblem laws) const {
+  constexpr double tolerance = 1e-10;  // The last two digits of slip that turns take most of the time.
+  const bool has_stops = std::any_of(system.contacts.begin(), system.contacts.end(),
+                                     [](const Contact& contact) { return contact.stop.has_value(); });
+  if (resting_.space == RestingSpace::motion && !system.joints && !has_stops) {
+    const MotionProblem problem{motion_rows(system), laws};
+    if (std::optional<CoulombSolution> solution = solve_in_motion_space(problem)) return *solution;
+  }
+  laws.A = delassus(system);
+  CoulombOptions options;
+  options.tolerance = options.enough = tolerance;
+  if (resting_.space == RestingSpace::contact) options.lcp = resting_.lcp;
+  return solve_coulomb(laws, options);
+}
+
+void ImpulseStep::note(const CoulombSolution& solution, AdvanceReport& report) const {
+  report.max_residual = std::max(report.max_residual, solution.residual);
+  report.max_iterations = std::max(report.max_iterations, solution.iterations);
+  if (!solution.converged) ++report.fallbacks;
+}
+
+void ImpulseStep::strike(double h, Cluster& part, AdvanceReport& report) const {
+  constexpr int most_passes = 8;
+  constexpr double rounding = 1e-4;  // Of the contact tolerance: closing by less is left to the step.
+  if (part.contacts.empty()) return;
+  for (int pass = 0; pass < most_passes; ++pass) {
+    const ContactSystem system = resolver_.system_of(part, part.contacts);
+    const VecX u = relative_velocities(system);
+    VecX b = u;
+    bool closes = false, bounces = false;
+    std::vector<Contact> colliding;
+    for (std::size_t i = 0; i < system.contacts.size(); ++i) {
+      const Contact& contact = system.contacts[i];
+      if (contact.is_bounded_force()) continue;
+      const double u_n = u[normal_row(i)];
+      b[normal_row(i)] += std::max(0.0, contact.point.gap) / h;
+      const bool closes_now = h * b[normal_row(i)] < -rounding * contact_tolerance_;
+      closes |= closes_now;
+      bounces |=
+          closes_now && contact.restitution > 0 && (u_n < -resting_velocity_ || contact.restitution == 1);
+      if (closes_now || contact.point.gap <= contact_tolerance_) colliding.push_back(contact);
+    }
+    if (!closes) return;
+    if (bounces && pass + 1 < most_passes) {
+      std::swap(part.contacts, colliding);
+      resolver_.apply_impulses(part, report);
+      std::swap(part.contacts, colliding);
+      continue;
+    }
+    // A plastic impact: nothing closes within h any more. Forces that have a largest value do nothing at an
+    // instant.
+    CoulombProblem laws = laws_of(system, std::move(b));
+    for (std::size_t i = 0; i < system.contacts.size(); ++i) {
+      if (!system.contacts[i].is_bounded_force()) continue;
+      laws.b.segment<3>(normal_row(i) - 2).setZero();
+      laws.mu[i] = 0;
+    }
+    const CoulombSolution solution = solve(system, std::move(laws));
+    note(solution, report);
+    const double before = totals_of(model_, part).T, work_before = report.work;
+    resolver_.add_impulses(system, solution.lambda, {}, part, report);
+    report.impact_loss += before - totals_of(model_, part).T + (report.work - work_before);
+    return;
+  }
+}
+
+/// Where the part is after h without contacts.
+struct ImpulseStep::FreeEnd {
+  std::vector<BodyPhase> phases;
+  Vec3 impulse = Vec3::Zero();          ///< Of all forces from outside [N s].
+  Vec3 angular_impulse = Vec3::Zero();  ///< About the origin of W [N m s].
+  double work = 0;                      ///< [J].
+};
+
+ImpulseStep::FreeEnd ImpulseStep::fly(double h, const Cluster& part, AdvanceReport& report) const {
+  FreeEnd result;
+  const bool is_forced = std::any_of(part.bodies.begin(), part.bodies.end(),
+                                     [this](int body) { return environment_.is_forced(body); });
+  if (!is_forced) {
+    for (std::size_t i = 0; i < part.bodies.size(); ++i) {
+      const Body& body = model_.body(part.bodies[i]);
+      const BodyPhase& start = part.phases[i];
+      const FreeFlight flight(BodyInertia{body.mass, body.moments}, start, 0,
+                              environment_.steady_acceleration(part.bodies[i]));
+      const BodyPhase end = flight.at(h);
+      result.impulse += end.P - start.P;
+      result.angular_impulse += end.x.cross(end.P) - start.x.cross(start.P);
+      result.phases.push_back(end);
+    }
+    return result;
+  }
+  constexpr double least_share = 1e-9;
+  Island island{part.bodies, part.phases, {}, {}, part.t};
+  double left = h, wanted = h;
+  while (left > 0) {
+    integrator_.choose_joint_rows(island);
+    const ControlledStep taken =
+        integrator_.controlled_step(island, std::min(left, wanted), std::min(left, least_share * h));
+    ++report.steps;
+    if (taken.step.error > 1) ++report.coarse_steps;
+    report.quaternion_drift = std::max(report.quaternion_drift, taken.step.quaternion_drift);
+    IslandStep step = taken.step;
+    island.begin += step.h;
+    joints_.project_positions(island.begin, island.bodies, step.end, report);
+    result.impulse += step.impulse;
+    result.angular_impulse += step.angular_impulse;
+    result.work += step.work;
+    island.start = std::move(step.end);
+    left = step.h < left ? left - step.h : 0;
+    wanted = std::max(taken.h_next, least_share * h);
+  }
+  result.phases = std::move(island.start);
+  return result;
+}
+
+std::vector<Contact> ImpulseStep::contacts_at(double t, const Cluster& part,
+                                              const std::vector<BodyPhase>& phases) const {
+  const auto pose = [&](int body, double time, const std::vector<BodyPhase>& at) {
+    if (model_.body(body).motion != MotionType::dynamic)
+      return prescribed_kinetics(model_.body(body), time).pose();
+    const BodyPhase& phase = at[place_of(part.bodies, body)];
+    return Pose{rotation_matrix(phase.q), phase.x};
+  };
+  std::vector<Contact> contacts = part.contacts;
+  for (Contact& contact : contacts) {
+    if (contact.stop) continue;
+    contact.point = tracked_contact(model_, contact, pose(contact.body_A, part.t, part.phases),
+                                    pose(contact.body_B, part.t, part.phases),
+                                    pose(contact.body_A, t, phases), pose(contact.body_B, t, phases));
+  }
+  return contacts;
+}
+
+/// Whether no contact acts in the step: nothing touches before and nothing closes on the way without them.
+bool ImpulseStep::stays_clear(double h, const Cluster& part, const FreeEnd& free) const {
+  const auto touches = [this](const Contact& contact) {
+    return contact.is_bounded_force() || contact.point.gap <= contact_tolerance_;
+  };
+  if (std::any_of(part.contacts.begin(), part.contacts.end(), touches)) return false;
+  std::vector<Contact> at_end = contacts_at(part.t + h, part, free.phases);
+  Cluster end = part;
+  end.t += h;
+  end.phases = free.phases;
+  for (const Contact& stop : resolver_.stops_of(end)) at_end.push_back(stop);
+  return std::none_of(at_end.begin(), at_end.end(), touches);
+}
+
+void ImpulseStep::move(double h, double theta, Cluster& part, AdvanceReport& report) const {
+  const FreeEnd free = fly(h, part, report);
+  const ClusterTotals before = totals_of(model_, part);
+  Vec3 impulse = free.impulse, angular_impulse = free.angular_impulse;
+  report.work += free.work;
+  std::vector<BodyPhase> end = free.phases;
+  if (!part.contacts.empty() && !stays_clear(h, part, free)) {
+    // Rows and arms half way: then momenta balance exactly and smooth motion is of second order.
+    std::vector<BodyPhase> middle = part.phases;
+    for (std::size_t i = 0; i < part.bodies.size(); ++i) {
+      const Body& body = model_.body(part.bodies[i]);
+      const BodyInertia inertia{body.mass, body.moments};
+      BodyPhase& phase = middle[i];
+      const Vec3 w = angular_velocity(inertia, phase.q, phase.L);
+      phase.x += 0.5 * h / body.mass * phase.P;
+      phase.q = (rotation_exp(0.5 * h * w) * phase.q).normalized();
+    }
+    std::vector<Contact> contacts = contacts_at(part.t + 0.5 * h, part, middle);
+    for (std::size_t i = 0; i < part.bodies.size(); ++i) {
+      const Body& body = model_.body(part.bodies[i]);
+      const Vec3 w = angular_velocity({body.mass, body.moments}, end[i].q, end[i].L);
+      const Mat3 R = rotation_matrix(middle[i].q);
+      middle[i].P = end[i].P;
+      middle[i].L = R * body.moments.cwiseProduct(R.transpose() * w);
+    }
+    const ContactSystem system =
+        integrator_.system_of(part.t + 0.5 * h, part.bodies, middle, std::move(contacts));
+    CoulombProblem laws = laws_of(system, relative_velocities(system));
+    for (std::size_t i = 0; i < system.contacts.size(); ++i) {
+      laws.b[normal_row(i)] += system.contacts[i].is_bounded_force()
+                                   ? -h * system.rows[i].load * system.rows[i].mobility
+                                   : std::max(0.0, part.contacts[i].point.gap) / h;
+    }
+    const CoulombSolution solution = solve(system, std::move(laws));
+    note(solution, report);
+    ++report.steps;
+    std::vector<Wrench> impulses = contact_wrenches(system, solution.lambda);
+    VecX joint_lambda;
+    if (system.joints) {
+      JointReactions reactions =
+          with_joint_impulses(system, std::move(impulses), VecX::Zero(system.joints->residuals().size()));
+      impulses = std::move(reactions.wrenches);
+      joint_lambda = reactions.lambda;
+      report.work += system.joints->supplied_power(joint_lambda);
+    }
+    report.work += work_of_prescribed(system, solution.lambda);
+    const Wrench external = external_wrench(system, solution.lambda, joint_lambda);
+    impulse += external.f_W;
+    angular_impulse += external.tau_W;
+    for (std::size_t i = 0; i < part.bodies.size(); ++i) {
+      const std::size_t local = static_cast<std::size_t>(system.local_index(part.bodies[i]));
+      const Wrench& on_body = impulses[local];
+      const BodyKinetics& kinetics = system.kinetics[local];
+      BodyPhase& phase = end[i];
+      const Vec3 P_free = phase.P, x_free = phase.x;
+      if (!on_body.f_W.isZero(0) || !on_body.tau_W.isZero(0)) {
+        const Vec3 of_forces = phase.P - part.phases[i].P;
+        phase.x += h * kinetics.inverse_mass * ((theta - 0.5) * of_forces + theta * on_body.f_W);
+      }
+      phase.q = (rotation_exp(theta * h * (kinetics.inverse_inertia * on_body.tau_W)) * phase.q).normalized();
+      phase.P += on_body.f_W;
+      // The moment of momentum that moving the body changes, beyond what the impulse says about the origin.
+      const Vec3 surplus = (phase.x - x_free).cross(P_free) + (phase.x - kinetics.x).cross(on_body.f_W);
+      phase.L += on_body.tau_W - surplus;
+    }
+  }
+  part.phases = std::move(end);
+  part.t += h;
+  const ClusterTotals after = totals_of(model_, part);
+  report.momentum_error += after.P - before.P - impulse;
+  report.angular_momentum_error += after.L - before.L - angular_impulse;
+}
+
+}  // namespace rigor

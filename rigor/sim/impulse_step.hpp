@@ -1,0 +1,47 @@
+#pragma once
+
+#include "rigor/sim/contact_resolver.hpp"
+#include "rigor/sim/joint_projection.hpp"
+
+#include <vector>
+
+namespace rigor {
+
+/// One step of connected bodies at the level of velocities and impulses (Moreau and Jean; Stewart and
+/// Trinkle): the smooth motion without contacts, exact in flight and integrated where joints and springs act,
+/// and on top of it the impulses of the whole step from one Coulomb problem. Derivation:
+/// docs/theory/time_stepping.md.
+///
+/// Sources: Jean and Moreau, Unilaterality and Dry Friction in the Dynamics of Rigid Body Collections, 1992;
+/// Stewart and Trinkle, An Implicit Time-Stepping Scheme for Rigid Body Dynamics, 1996.
+class ImpulseStep {
+ public:
+  ImpulseStep(const Model& model, const Environment& environment, const IslandIntegrator& integrator,
+              const ContactResolver& resolver, const JointProjection& joints, const Method& method);
+
+  /// The impacts of the step, at its begin: contacts that would close within h [s] collide there. Changes the
+  /// momenta of the part; its contacts may be apart by their gaps.
+  void strike(double h, Cluster& part, AdvanceReport& report) const;
+  /// Moves the part by h with the impulses of all its contacts. `theta` in [1/2, 1]: the share of the step at
+  /// which the impulses act on the positions; 1/2 is of second order, at 1 energy never grows.
+  void move(double h, double theta, Cluster& part, AdvanceReport& report) const;
+
+ private:
+  struct FreeEnd;
+  FreeEnd fly(double h, const Cluster& part, AdvanceReport& report) const;
+  bool stays_clear(double h, const Cluster& part, const FreeEnd& free) const;
+  std::vector<Contact> contacts_at(double t, const Cluster& part, const std::vector<BodyPhase>& phases) const;
+  CoulombSolution solve(const ContactSystem& system, CoulombProblem laws) const;
+  void note(const CoulombSolution& solution, AdvanceReport& report) const;
+
+  const Model& model_;
+  const Environment& environment_;
+  const IslandIntegrator& integrator_;
+  const ContactResolver& resolver_;
+  const JointProjection& joints_;
+  RestingChoice resting_;
+  double contact_tolerance_;
+  double resting_velocity_;
+};
+
+}  // namespace rigor

@@ -1,0 +1,363 @@
+#include "rigor/sim/time_stepper.hpp"
+
+#include "rigor/contact/joint_stops.hpp"
+#include "rigor/contact/time_of_impact.hpp"
+#include "rigor/core/assert.hpp"
+#include "rigor/dynamics/dense_phase.hpp"
+#include "rigor/geometry/aabb.hpp"
+#include "rigor/math/rotation.hpp"
+#include "rigor/sim/fixed_steps.hpp"
+#include "rigor/sim/near_pairs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <set>
+
+namespace rigor {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+std::size_t index(int body) {
+  return static_cast<std::size_t>(body);
+}
+
+/// Half the smallest width of a shape, less where it may be hollow or pointed [m].
+double thickness_of(const Shape& shape) {
+  if (std::holds_alternative<HalfSpace>(shape)) return infinite;
+  const Aabb box = axis_aligned_box(shape, Pose{Mat3::Identity(), Vec3::Zero()});
+  const double half_width = 0.5 * (box.upper - box.lower).minCoeff();
+  if (std::holds_alternative<Mesh>(shape)) return 0.02 * half_width;
+  if (std::holds_alternative<Convex>(shape) || std::holds_alternative<Cone>(shape)) return 0.25 * half_width;
+  return half_width;
+}
+
+bool is_finite(const BodyPhase& phase) {
+  return phase.x.allFinite() && phase.q.coeffs().allFinite() && phase.P.allFinite() && phase.L.allFinite();
+}
+
+}  // namespace
+
+TimeStepper::TimeStepper(std::shared_ptr<const Model> model, const Method& method, double target_step)
+    : model_(std::move(model)),
+      method_(method),
+      target_step_(target_step),
+      environment_(*model_),
+      integrator_(*model_, environment_, method),
+      resolver_(*model_, integrator_, method),
+      joints_(*model_, integrator_),
+      impulses_(*model_, environment_, integrator_, resolver_, joints_, method),
+      finder_(*model_, method.broad_phase) {
+  RIGOR_ASSERT(target_step > 0);
+  for (const Body& body : model_->bodies()) {
+    double thickness = infinite;
+    for (const BodyShape& shape : body.shapes) thickness = std::min(thickness, thickness_of(shape.shape));
+    thickness_.push_back(thickness);
+  }
+}
+
+AdvanceReport TimeStepper::advance(State& state, double t_end) {
+  RIGOR_ASSERT(t_end >= state.t && state.body_count() == model_->body_count());
+  report_ = {};
+  if (t_end == state.t) return report_;
+  const FixedSteps steps(state.t, t_end, target_step_);
+  for (long k = 0; k < steps.count() && report_.reason == StopReason::reached_end; ++k) {
+    while (state.t < steps.end(k) && report_.reason == StopReason::reached_end) {
+      if (interrupt_ && interrupt_()) {
+        report_.reason = StopReason::interrupted;
+        break;
+      }
+      const double left = steps.end(k) - state.t;
+      const double h = take_step(left, state);
+      // The end of a whole step is exact, and a rest that time cannot resolve is none.
+      if (h >= left || state.t + h == state.t) state.t = steps.end(k);
+    }
+  }
+  state.anchor_here();
+  return report_;
+}
+
+Cluster TimeStepper::cluster_in(const State& state) const {
+  Cluster cluster;
+  cluster.t = state.t;
+  for (int i = 0; i < model_->body_count(); ++i) {
+    if (model_->body(i).motion != MotionType::dynamic) continue;
+    cluster.bodies.push_back(i);
+    cluster.phases.push_back(
+        {state.position(i), state.orientation(i), state.linear_momentum(i), state.angular_momentum(i)});
+  }
+  return cluster;
+}
+
+void TimeStepper::write(const Cluster& cluster, State& state) const {
+  state.t = cluster.t;
+  for (std::size_t i = 0; i < cluster.bodies.size(); ++i) {
+    const BodyPhase& phase = cluster.phases[i];
+    state.set_body(cluster.bodies[i], phase.x, phase.q, phase.P, phase.L);
+  }
+  for (int i = 0; i < model_->body_count(); ++i) {
+    const Body& body = model_->body(i);
+    if (body.motion == MotionType::dynamic) continue;
+    const PrescribedMotion motion = prescribed_motion(body, state.t);
+    state.set_body(i, motion.p_WB, motion.q_WB, Vec3::Zero(), Vec3::Zero());
+  }
+}
+
+/// One step of at most h: what it was. Where the error of the second order adds energy, the step is taken
+/// with the form that cannot.
+double TimeStepper::take_step(double h, State& state) {
+  constexpr double rounding = 1e-13;
+  const double before = mechanical_energy(*model_, environment_, state).total();
+  const auto gain = [&](const Trial& trial) {
+    State end = state;
+    write(trial.end, end);
+    const Energy energy = mechanical_energy(*model_, environment_, end);
+    const double scale = energy.kinetic + std::abs(energy.potential) + energy.elastic + std::abs(before);
+    return energy.total() - before - trial.report.work - rounding * scale;
+  };
+  Trial trial = try_step(h, 0.5, state);
+  if (const double first = gain(trial); trial.report.impact_gain == 0 && first > 0) {
+    Trial safe = try_step(trial.h, 1, state);
+    const double least = gain(safe);
+    // In between, where energy stays as it is.
+    if (least < 0 && safe.h == trial.h) {
+      Trial level = try_step(trial.h, 0.5 + 0.5 * first / (first - least), state);
+      if (gain(level) <= 0) safe = std::move(level);
+    }
+    if (gain(safe) < first) trial = std::move(safe);
+  }
+  for (std::size_t i = 0; i < trial.end.bodies.size(); ++i) {
+    if (is_finite(trial.end.phases[i])) continue;
+    report_.reason = StopReason::not_finite;
+    report_.detail = "body '" + model_->body(trial.end.bodies[i]).name + "'";
+    report_.bodies = {trial.end.bodies[i]};
+    return trial.h;
+  }
+  trial.report.reason = report_.reason;
+  report_.add(trial.report);
+  write(trial.end, state);
+  return trial.h;
+}
+
+/// Halved where the contacts at the begin do not tell those at the end.
+TimeStepper::Trial TimeStepper::try_step(double h, double theta, const State& state) {
+  constexpr int most_halvings = 6;
+  constexpr double noticeable = 10;
+  std::vector<double> reaches(index(model_->body_count()), 0.0);
+  grow_reaches(h, cluster_in(state), reaches);
+  bool takes_all = false;
+  for (int k = 0;; ++k) {
+    Trial trial = try_with_reaches(h, theta, takes_all, state, reaches);
+    // Bodies were pushed where they did not go by themselves.
+    if (!takes_all && trial.correction > noticeable * method_.contact_tolerance) {
+      takes_all = true;
+      continue;
+    }
+    double thinnest = model_->length_scale();
+    for (const int body : trial.end.bodies) thinnest = std::min(thinnest, thickness_[index(body)]);
+    if (k == most_halvings || trial.correction <= 0.05 * thinnest) return trial;
+    h = 0.5 * trial.h;
+  }
+}
+
+TimeStepper::Trial TimeStepper::try_with_reaches(double h, double theta, bool takes_all, const State& state,
+                                                 std::vector<double>& reaches) {
+  constexpr int most_tries = 12;
+  const Cluster start = cluster_in(state);
+  std::set<std::pair<int, int>> met;
+  for (int k = 0;; ++k) {
+    Trial trial{start, {}, {}, h, 0};
+    std::vector<Contact> contacts = finder_.find(state, reaches, method_.contact_tolerance);
+    std::set<std::pair<int, int>> touching = met;
+    for (const Contact& contact : contacts) {
+      if (contact.point.gap <= method_.contact_tolerance) touching.insert({contact.body_A, contact.body_B});
+      if (-contact.point.gap > trial.report.max_penetration) {
+        trial.report.max_penetration = -contact.point.gap;
+        trial.report.penetration_A = contact.body_A;
+        trial.report.penetration_B = contact.body_B;
+        trial.report.penetration_time = state.t;
+      }
+    }
+    std::vector<std::pair<int, int>> far;
+    for (const auto& pair : finder_.near_pairs(state, reaches)) {
+      if (!touching.contains(pair) && moves_far(pair.first, pair.second, reaches)) far.push_back(pair);
+    }
+    std::erase_if(contacts, [&](const Contact& contact) {
+      return std::binary_search(far.begin(), far.end(), std::pair{contact.body_A, contact.body_B});
+    });
+    if (!takes_all) contacts = acting_contacts(h, start, std::move(contacts));
+    add_stops(start, contacts);
+
+    trial.end.bodies.clear();
+    trial.end.phases.clear();
+    trial.end.t = start.t + h;
+    trial.reaches = reaches;
+    Cluster struck = start;
+    for (Cluster& part : connected_parts(start, contacts, environment_)) {
+      impulses_.strike(h, part, trial.report);
+      for (std::size_t i = 0; i < part.bodies.size(); ++i) struck.phase_of(part.bodies[i]) = part.phases[i];
+      grow_reaches(h, part, trial.reaches);
+      impulses_.move(h, theta, part, trial.report);
+      hold_joints(part, trial.report);
+      grow_reaches(h, part, trial.reaches);
+      for (std::size_t i = 0; i < part.bodies.size(); ++i) {
+        const std::ptrdiff_t place =
+            std::lower_bound(trial.end.bodies.begin(), trial.end.bodies.end(), part.bodies[i]) -
+            trial.end.bodies.begin();
+        trial.end.bodies.insert(trial.end.bodies.begin() + place, part.bodies[i]);
+        trial.end.phases.insert(trial.end.phases.begin() + place, part.phases[i]);
+      }
+    }
+    const bool is_last = k + 1 == most_tries;
+    if (trial.reaches != reaches && !is_last) {
+      reaches = trial.reaches;
+      continue;
+    }
+    const double until = far.empty() || is_last ? h : first_meeting(h, struck, trial, far);
+    if (until < h) {
+      // What meets at once is held by its rows.
+      constexpr double at_once = 1e-9;
+      if (until <= at_once * h) {
+        for (const auto& pair : far) met.insert(pair);
+      } else {
+        h = until;
+      }
+      continue;
+    }
+    trial.correction = correct_overlaps(state, trial.end, trial.report);
+    return trial;
+  }
+}
+
+void TimeStepper::grow_reaches(double h, const Cluster& cluster, std::vector<double>& reaches) const {
+  constexpr double margin = 1.25;
+  for (std::size_t i = 0; i < cluster.bodies.size(); ++i) {
+    const Body& body = model_->body(cluster.bodies[i]);
+    const BodyPhase& phase = cluster.phases[i];
+    const double w = angular_velocity(BodyInertia{body.mass, body.moments}, phase.q, phase.L).norm();
+    const double reach =
+        h * (phase.P.norm() / body.mass +
+             0.5 * h * environment_.steady_acceleration(cluster.bodies[i]).norm() + w * body.bounding_radius);
+    double& known = reaches[index(cluster.bodies[i])];
+    if (reach > known) known = margin * reach;
+  }
+  for (int i = 0; i < model_->body_count(); ++i) {
+    const Body& body = model_->body(i);
+    if (body.motion == MotionType::dynamic) continue;
+    const PrescribedMotion motion = prescribed_motion(body, cluster.t);
+    if (motion.v_WB.isZero(0) && motion.w_WB.isZero(0)) continue;
+    const double radius = std::isfinite(body.bounding_radius) ? body.bounding_radius : 0;
+    const double reach = h * (motion.v_WB.norm() + motion.w_WB.norm() * radius);
+    if (reach > reaches[index(i)]) reaches[index(i)] = margin * reach;
+  }
+}
+
+bool TimeStepper::moves_far(int a, int b, const std::vector<double>& reaches) const {
+  constexpr double share = 0.5;
+  return reaches[index(a)] + reaches[index(b)] > share * std::min(thickness_[index(a)], thickness_[index(b)]);
+}
+
+/// Contacts that may act: they touch or could close within twice the step, at the velocities of its begin or
+/// of its end without contacts.
+std::vector<Contact> TimeStepper::acting_contacts(double h, const Cluster& start,
+                                                  std::vector<Contact> found) const {
+  std::vector<Contact> contacts;
+  for (const Contact& contact : found) {
+    const auto kinetics = [&](int body) {
+      return model_->body(body).motion == MotionType::dynamic
+                 ? dynamic_kinetics(model_->body(body), start.phase_of(body))
+                 : prescribed_kinetics(model_->body(body), start.t);
+    };
+    const BodyKinetics A = kinetics(contact.body_A), B = kinetics(contact.body_B);
+    const Vec3 u = B.velocity_at(contact.p_W()) - A.velocity_at(contact.p_W());
+    double rate = std::min(0.0, contact.point.n_W.dot(u));
+    for (const int body : {contact.body_A, contact.body_B}) {
+      if (model_->body(body).motion == MotionType::dynamic)
+        rate -= h * environment_.steady_acceleration(body).norm();
+    }
+    if (contact.point.gap <= method_.contact_tolerance || contact.point.gap + 2 * h * rate < 0)
+      contacts.push_back(contact);
+  }
+  return contacts;
+}
+
+/// Stops of all joints, limits at any distance.
+void TimeStepper::add_stops(const Cluster& start, std::vector<Contact>& contacts) const {
+  const std::vector<int> joints = integrator_.joints_of(start.bodies);
+  if (joints.empty()) return;
+  const ContactSystem system = resolver_.system_of(start, {});
+  const std::vector<Contact> stops = joint_stops(*model_, joints, system.bodies, system.kinetics, infinite);
+  contacts.insert(contacts.end(), stops.begin(), stops.end());
+}
+
+/// When the first of these pairs meets on the way from `start`, or h.
+double TimeStepper::first_meeting(double h, const Cluster& start, const Trial& trial,
+                                  const std::vector<std::pair<int, int>>& pairs) const {
+  ToiOptions options;
+  options.contact_tolerance = method_.contact_tolerance;
+  options.time_tolerance = method_.time_tolerance;
+  options.rest_velocity = 1e-6 * method_.resting_velocity;
+  const auto motion = [&](int i) {
+    const Body& body = model_->body(i);
+    if (body.motion != MotionType::dynamic) return Motion::prescribed(body, start.t);
+    const BodyPhase &begin = start.phase_of(i), &end = trial.end.phase_of(i);
+    const BodyInertia inertia{body.mass, body.moments};
+    const FreeFlight flight(inertia, begin, start.t, environment_.steady_acceleration(i));
+    const BodyPhase free = flight.at(start.t + h);
+    if (free.P == end.P && free.L == end.L) return Motion::flight(flight, inertia);
+    return Motion::step(quadratic_dense_phase(begin, end, begin.P / body.mass,
+                                              angular_velocity(inertia, begin.q, begin.L), h),
+                        start.t, h);
+  };
+  double first = h;
+  for (const auto& [a, b] : pairs) {
+    const TimeOfImpact found = find_time_of_impact(model_->body(a), motion(a), model_->body(b), motion(b),
+                                                   start.t, start.t + first, options);
+    if (found.is_contact) first = std::min(first, found.time - start.t);
+  }
+  return first;
+}
+
+/// Positions and velocities of joints are put back, in the metric of the masses.
+void TimeStepper::hold_joints(Cluster& part, AdvanceReport& report) const {
+  if (integrator_.joints_of(part.bodies).empty()) return;
+  const std::vector<BodyPhase> before = part.phases;
+  joints_.project_positions(part.t, part.bodies, part.phases, report);
+  for (std::size_t i = 0; i < part.bodies.size(); ++i)
+    part.phases[i].L -= (part.phases[i].x - before[i].x).cross(part.phases[i].P);
+  joints_.project_velocities(part, report);
+}
+
+/// Bodies that overlap are put back to touching by the smallest displacements; momenta stay, and so does the
+/// moment of momentum about the origin.
+double TimeStepper::correct_overlaps(const State& state, Cluster& end, AdvanceReport& report) {
+  constexpr int most_passes = 8;
+  std::vector<double> reaches(index(model_->body_count()), 0.0);
+  double largest = 0;
+  State moved = state;
+  for (int pass = 0; pass < most_passes; ++pass) {
+    write(end, moved);
+    const std::vector<Contact> contacts = finder_.find(moved, reaches, method_.contact_tolerance);
+    double deepest = 0;
+    for (const Contact& contact : contacts) deepest = std::max(deepest, -contact.point.gap);
+    largest = std::max(largest, deepest);
+    if (deepest <= 0.2 * method_.contact_tolerance) break;
+    // What is near may be in the way.
+    for (const int body : end.bodies) reaches[index(body)] = 2 * largest;
+    if (pass == 0 && deepest > method_.contact_tolerance) continue;
+    for (Cluster& part : connected_parts(end, contacts, environment_)) {
+      const std::vector<BodyPhase> before = part.phases;
+      if (!resolver_.project_positions(part)) continue;
+      for (std::size_t i = 0; i < part.bodies.size(); ++i)
+        part.phases[i].L -= (part.phases[i].x - before[i].x).cross(part.phases[i].P);
+      hold_joints(part, report);
+      for (std::size_t i = 0; i < part.bodies.size(); ++i) end.phase_of(part.bodies[i]) = part.phases[i];
+    }
+  }
+  return largest;
+}
+
+}  // namespace rigor

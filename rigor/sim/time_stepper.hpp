@@ -1,0 +1,67 @@
+#pragma once
+
+#include "rigor/sim/contact_finder.hpp"
+#include "rigor/sim/energy.hpp"
+#include "rigor/sim/impulse_step.hpp"
+#include "rigor/sim/stepper.hpp"
+
+#include <functional>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace rigor {
+
+/// Time stepping on velocities and impulses: equal steps, whatever happens in them. Impacts of a step happen
+/// at its begin, all contact forces of a step are one impulse (ImpulseStep). A step is split only where
+/// bodies move so far that their contacts cannot be foreseen from its begin: there the next step begins at
+/// their first contact, so that nothing tunnels. docs/theory/time_stepping.md.
+class TimeStepper : public Stepper {
+ public:
+  /// target_step H > 0 [s]: the longest step.
+  TimeStepper(std::shared_ptr<const Model> model, const Method& method, double target_step);
+  TimeStepper(const TimeStepper&) = delete;
+  TimeStepper& operator=(const TimeStepper&) = delete;
+
+  void set_interrupt(std::function<bool()> interrupt) override { interrupt_ = std::move(interrupt); }
+  AdvanceReport advance(State& state, double t_end) override;
+
+ private:
+  /// A step that was tried: what became of the bodies, and how far it holds.
+  struct Trial {
+    Cluster end;
+    AdvanceReport report;
+    std::vector<double> reaches;  ///< How far the points of each body may have come [m].
+    double h = 0;                 ///< Shorter than asked for where bodies that move far meet [s].
+    double correction = 0;        ///< Largest overlap that was put right [m].
+  };
+  Cluster cluster_in(const State& state) const;
+  double take_step(double h, State& state);
+  Trial try_step(double h, double theta, const State& state);
+  Trial try_with_reaches(double h, double theta, bool takes_all, const State& state,
+                         std::vector<double>& reaches);
+  void grow_reaches(double h, const Cluster& cluster, std::vector<double>& reaches) const;
+  std::vector<Contact> acting_contacts(double h, const Cluster& start, std::vector<Contact> found) const;
+  void add_stops(const Cluster& start, std::vector<Contact>& contacts) const;
+  bool moves_far(int a, int b, const std::vector<double>& reaches) const;
+  double first_meeting(double h, const Cluster& start, const Trial& trial,
+                       const std::vector<std::pair<int, int>>& pairs) const;
+  void hold_joints(Cluster& part, AdvanceReport& report) const;
+  double correct_overlaps(const State& state, Cluster& end, AdvanceReport& report);
+  void write(const Cluster& cluster, State& state) const;
+
+  std::shared_ptr<const Model> model_;
+  Method method_;
+  double target_step_;
+  std::function<bool()> interrupt_;
+  Environment environment_;
+  IslandIntegrator integrator_;
+  ContactResolver resolver_;
+  JointProjection joints_;
+  ImpulseStep impulses_;
+  ContactFinder finder_;
+  std::vector<double> thickness_;  ///< Of each body: its points lie no deeper [m].
+  AdvanceReport report_;
+};
+
+}  // namespace rigor

@@ -1,0 +1,97 @@
+#include "rigor/sim/time_stepper.hpp"
+
+#include "sim/time_stepping_scenes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace rigor {
+namespace {
+
+constexpr double g = 9.81;
+
+Method stepping() {
+  Method method;
+  method.scheme = Scheme::time_stepping;
+  return method;
+}
+
+/// A block on a plane of 20 degrees whose friction is `share` of its tangent; the fall line is 30 degrees off
+/// the block's axes.
+std::shared_ptr<const Model> ramp(double share) {
+  const double alpha = 20 * M_PI / 180, beta = 30 * M_PI / 180;
+  const Vec3 down(std::sin(alpha) * std::cos(beta), std::sin(alpha) * std::sin(beta), -std::cos(alpha));
+  ModelBuilder builder = test::stepping_builder(0, share * std::tan(alpha), g * down);
+  builder.add_body(test::stepping_body("block", Box{Vec3(0.2, 0.2, 0.1)}, Vec3(0, 0, 0.1)));
+  return builder.build();
+}
+
+TEST(TimeStepper, BlockOnARampWithEnoughFrictionDoesNotCreepAtAnyStep) {
+  for (const double h : {0.1, 1e-2, 1e-3}) {
+    const std::shared_ptr<const Model> model = ramp(1.01);
+    State state = make_initial_state(*model);
+    TimeStepper(model, stepping(), h).advance(state, h == 1e-3 ? 1 : 10);
+    EXPECT_LT((state.position(1) - Vec3(0, 0, 0.1)).norm(), 1e-13) << h;
+  }
+}
+
+TEST(TimeStepper, BlockSlidesDownARampAlongTheFallLineAtAnyStep) {
+  // a = g (sin α - μ cos α) with μ = 0.99 tan α.
+  const double a = g * std::sin(20 * M_PI / 180) * 0.01, t = 10;
+  for (const double h : {0.1, 1e-2}) {
+    const std::shared_ptr<const Model> model = ramp(0.99);
+    State state = make_initial_state(*model);
+    TimeStepper(model, stepping(), h).advance(state, t);
+    const Vec3 way = state.position(1) - Vec3(0, 0, 0.1);
+    const double beta = 30 * M_PI / 180;
+    EXPECT_LT((way - 0.5 * a * t * t * Vec3(std::cos(beta), std::sin(beta), 0)).norm(), 1e-9) << h;
+  }
+}
+
+TEST(TimeStepper, ElasticBallKeepsItsEnergyToRounding) {
+  ModelBuilder builder = test::stepping_builder(1, 0, Vec3(0, 0, -g));
+  builder.add_body(test::stepping_body("ball", Sphere{0.1}, Vec3(0, 0, 1.1)));
+  const std::shared_ptr<const Model> model = builder.build();
+  State state = make_initial_state(*model);
+  const AdvanceReport report = TimeStepper(model, stepping(), 0.01).advance(state, 10);
+  // The 11th bounce is at (2 · 11 - 1) √(2 h / g) = 9.48 s.
+  EXPECT_EQ(report.impacts, 11);
+  EXPECT_NEAR(0.5 * state.linear_momentum(1).squaredNorm() + g * state.position(1).z(), g * 1.1, 1e-12);
+}
+
+TEST(TimeStepper, FreshStepperContinuesBitForBit) {
+  const std::shared_ptr<const Model> model = test::stepping_cube(1, 1);
+  State state = make_initial_state(*model);
+  TimeStepper stepper(model, stepping(), 0.01);
+  for (int k = 1; k <= 40; ++k) {
+    State copy = state;
+    TimeStepper fresh(model, stepping(), 0.01);
+    fresh.advance(copy, 0.05 * k);
+    EXPECT_EQ(stepper.advance(state, 0.05 * k).reason, StopReason::reached_end);
+    ASSERT_EQ(state, copy) << "at t = " << state.t;
+  }
+}
+
+TEST(TimeStepper, ScenesScaledByPowersOfTwoGiveScaledBits) {
+  const double length = std::ldexp(1.0, 20), time = std::ldexp(1.0, 10);
+  const std::shared_ptr<const Model> small = test::stepping_cube(1, 1),
+                                     large = test::stepping_cube(length, time);
+  Method method = stepping(), scaled = method;
+  scaled.contact_tolerance = length * method.contact_tolerance;
+  scaled.time_tolerance = time * method.time_tolerance;
+  scaled.resting_velocity = length / time * method.resting_velocity;
+  State a = make_initial_state(*small), b = make_initial_state(*large);
+  TimeStepper of_small(small, method, 0.01), of_large(large, scaled, 0.01 * time);
+  // Until the cube lies: motion space weighs lengths against turns by rounding that does not scale.
+  for (int k = 1; k <= 6; ++k) {
+    of_small.advance(a, 0.125 * k);
+    of_large.advance(b, 0.125 * k * time);
+    EXPECT_EQ(Vec3(length * a.position(1)), b.position(1)) << k;
+    EXPECT_EQ(a.orientation(1).coeffs(), b.orientation(1).coeffs()) << k;
+    EXPECT_EQ(Vec3(length / time * a.linear_momentum(1)), b.linear_momentum(1)) << k;
+  }
+}
+
+}  // namespace
+}  // namespace rigor
