@@ -65,6 +65,7 @@ class ShapePairSearch {
   bool can_meet(double t0, double t1) const;
   std::optional<TimeOfImpact> find_in_closed_form(double t0, double t1) const;
   std::optional<TimeOfImpact> refined(double low, const Approach& at_low, double high);
+  std::optional<double> find_time_apart(double low, double high);
   double advance(double t, const Approach& now, double t1) const;
   /// Distances that rounding cannot tell from contact [m].
   double touch(double t) const {
@@ -89,7 +90,8 @@ Approach ShapePairSearch::approach(double t) {
                                    ? walked_distance(A_.shape->shape, X_WS, B_.shape->shape, X_WT, cache_)
                                    : signed_distance(A_.shape->shape, X_WS, B_.shape->shape, X_WT);
   const Vec3 p_W = 0.5 * (found.p_WA + found.p_WB);
-  Approach now{found.distance, found.n_W.dot(B.velocity_at(p_W) - A.velocity_at(p_W)), found.n_W};
+  const double gap = found.distance - (are_meshes() ? 0 : options_.contact_gap);
+  Approach now{gap, found.n_W.dot(B.velocity_at(p_W) - A.velocity_at(p_W)), found.n_W};
   if (are_meshes() && now.gap <= options_.contact_tolerance) look_at_contacts(X_WS, X_WT, t, now);
   return now;
 }
@@ -140,6 +142,11 @@ const Sphere* centred_ball(const MovingBodyShape& moving) {
 std::optional<double> first_fall_to_zero(double c, double b, double a, double span, double rest_rate) {
   if (c <= 0 && b < -rest_rate) return 0.0;
   if (c <= 0 && b <= rest_rate && a >= 0) return std::nullopt;
+  // Pressed together from rest: a contact as soon as they approach.
+  if (c <= 0 && b <= 0) {
+    const double tau = (2 * rest_rate + b) / (-2 * a);
+    return tau <= span ? std::optional<double>(tau) : std::nullopt;
+  }
   if (c <= 0) c = 0;
   const QuadraticRoots roots = find_quadratic_roots(a, b, c);
   for (int k = 0; k < roots.count; ++k) {
@@ -164,12 +171,12 @@ std::optional<TimeOfImpact> ShapePairSearch::find_in_closed_form(double t0, doub
     // gap = n·(x_A - x_plane) - offset - r along the plane's normal.
     const Pose X_WS = B_.pose(t0);
     const Vec3 n = X_WS.R * plane->normal;
-    double gap = n.dot(A_.motion->position(t0) - X_WS.p) - plane->offset - a->radius;
+    double gap = n.dot(A_.motion->position(t0) - X_WS.p) - plane->offset - a->radius - options_.contact_gap;
     if (std::abs(gap) <= touching) gap = 0;
     tau = first_fall_to_zero(gap, -n.dot(dv), -0.5 * n.dot(da), t1 - t0, options_.rest_velocity);
   } else if (a != nullptr && b != nullptr && da.isZero(0)) {
     // |dx + dv τ|² = r²,  with |dx|² - r² = gap (|dx| + r).
-    const double r = a->radius + b->radius;
+    const double r = a->radius + b->radius + options_.contact_gap;
     double gap = dx.norm() - r;
     if (std::abs(gap) <= touching) gap = 0;
     tau = first_fall_to_zero(gap * (dx.norm() + r), 2 * dx.dot(dv), dv.squaredNorm(), t1 - t0,
@@ -221,19 +228,33 @@ std::optional<TimeOfImpact> ShapePairSearch::refined(double low, const Approach&
   return TimeOfImpact{true, root.lo, std::max(root.width(), finest), evaluations_};
 }
 
+/// A time between low, at which the pair departs, and high, at which it overlaps and approaches, when it is
+/// apart, if there is one: near the top of the short flight in between.
+std::optional<double> ShapePairSearch::find_time_apart(double low, double high) {
+  const double finest = std::max(options_.time_tolerance, 4 * epsilon * std::abs(high));
+  while (high - low > 2 * finest) {
+    const double middle = 0.5 * (low + high);
+    const Approach there = approach(middle);
+    if (there.gap > touch(middle)) return middle;
+    (there.rate > 0 ? low : high) = middle;
+  }
+  return std::nullopt;
+}
+
 TimeOfImpact ShapePairSearch::find(double t0, double t1) {
   if (!can_meet(t0, t1)) return {false, t1, 0, 0};
   if (const std::optional<TimeOfImpact> found = find_in_closed_form(t0, t1)) return *found;
 
   constexpr int most_evaluations = 10000;
   double t = t0;
-  std::optional<double> last_apart;
+  std::optional<double> last_apart, departure;
   while (evaluations_ < most_evaluations) {
     const Approach now = approach(t);
     const bool is_approaching = now.rate < -options_.rest_velocity;
     const double finest = std::max(options_.time_tolerance, 4 * epsilon * std::abs(t));
     if (now.gap <= touch(t) && is_approaching) {
       // Overlapping already: the contact lies between the last time apart and now.
+      if (now.gap < -touch(t) && !last_apart && departure) last_apart = find_time_apart(*departure, t);
       if (now.gap < -touch(t) && last_apart && !are_meshes()) {
         if (const std::optional<TimeOfImpact> found = refined(*last_apart, approach(*last_apart), t))
           return *found;
@@ -242,6 +263,7 @@ TimeOfImpact ShapePairSearch::find(double t0, double t1) {
     }
     if (t >= t1) return {false, t1, 0, evaluations_};
     if (now.gap > touch(t)) last_apart = t;
+    if (options_.finds_short_flights && now.rate > 0 && !are_meshes()) departure = t;
 
     // Near the contact: a bracket by twice the time that the present rate needs.
     const double estimate = is_approaching ? now.gap / -now.rate : std::numeric_limits<double>::infinity();

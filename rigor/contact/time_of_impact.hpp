@@ -24,6 +24,11 @@ struct ToiOptions {
   double contact_tolerance = 1e-6;  ///< Overlap that is never exceeded [m].
   double time_tolerance = 1e-12;    ///< Width of the bracket [s].
   double rest_velocity = 1e-12;     ///< Gap rates above minus this are not an approach [m/s].
+  /// Gap at which bodies count as touching [m]: that of a collision envelope. Two meshes touch at 0.
+  double contact_gap = 0;
+  /// Bodies that part and come together again in one step of the search are found where they touch, not up
+  /// to half the contact tolerance beyond.
+  bool finds_short_flights = false;
 };
 
 /// Where the search for the first contact of a pair ended.
