@@ -65,7 +65,7 @@ class ShapePairSearch {
   bool can_meet(double t0, double t1) const;
   std::optional<TimeOfImpact> find_in_closed_form(double t0, double t1) const;
   std::optional<TimeOfImpact> refined(double low, const Approach& at_low, double high);
-  std::optional<double> find_time_apart(double low, double high);
+  TimeOfImpact find_return(double low, double high);
   double advance(double t, const Approach& now, double t1) const;
   /// Distances that rounding cannot tell from contact [m].
   double touch(double t) const {
@@ -228,42 +228,43 @@ std::optional<TimeOfImpact> ShapePairSearch::refined(double low, const Approach&
   return TimeOfImpact{true, root.lo, std::max(root.width(), finest), evaluations_};
 }
 
-/// A time between low, at which the pair departs, and high, at which it overlaps and approaches, when it is
-/// apart, if there is one: near the top of the short flight in between.
-std::optional<double> ShapePairSearch::find_time_apart(double low, double high) {
-  const double finest = std::max(options_.time_tolerance, 4 * epsilon * std::abs(high));
-  while (high - low > 2 * finest) {
+/// Contact of a pair that touches at low without approaching and overlaps and approaches at high: where it
+/// comes back from being apart in between, or else where its approach begins.
+TimeOfImpact ShapePairSearch::find_return(double low, double high) {
+  constexpr int most_halvings = 10;
+  for (int k = 0; k < most_halvings; ++k) {
     const double middle = 0.5 * (low + high);
     const Approach there = approach(middle);
-    if (there.gap > touch(middle)) return middle;
-    (there.rate > 0 ? low : high) = middle;
+    if (there.gap > touch(middle)) {
+      if (const std::optional<TimeOfImpact> found = refined(middle, there, high)) return *found;
+    }
+    (there.rate < -options_.rest_velocity ? high : low) = middle;
   }
-  return std::nullopt;
+  return {true, high, high - low, evaluations_};
 }
 
 TimeOfImpact ShapePairSearch::find(double t0, double t1) {
   if (!can_meet(t0, t1)) return {false, t1, 0, 0};
   if (const std::optional<TimeOfImpact> found = find_in_closed_form(t0, t1)) return *found;
 
-  constexpr int most_evaluations = 10000;
   double t = t0;
-  std::optional<double> last_apart, departure;
-  while (evaluations_ < most_evaluations) {
+  std::optional<double> last_apart, last_free;
+  while (evaluations_ < options_.most_evaluations) {
     const Approach now = approach(t);
     const bool is_approaching = now.rate < -options_.rest_velocity;
     const double finest = std::max(options_.time_tolerance, 4 * epsilon * std::abs(t));
     if (now.gap <= touch(t) && is_approaching) {
       // Overlapping already: the contact lies between the last time apart and now.
-      if (now.gap < -touch(t) && !last_apart && departure) last_apart = find_time_apart(*departure, t);
       if (now.gap < -touch(t) && last_apart && !are_meshes()) {
         if (const std::optional<TimeOfImpact> found = refined(*last_apart, approach(*last_apart), t))
           return *found;
       }
+      if (now.gap < -touch(t) && !last_apart && last_free) return find_return(*last_free, t);
       return {true, t, finest, evaluations_};
     }
     if (t >= t1) return {false, t1, 0, evaluations_};
     if (now.gap > touch(t)) last_apart = t;
-    if (options_.finds_short_flights && now.rate > 0 && !are_meshes()) departure = t;
+    if (options_.finds_short_flights && !are_meshes()) last_free = t;
 
     // Near the contact: a bracket by twice the time that the present rate needs.
     const double estimate = is_approaching ? now.gap / -now.rate : std::numeric_limits<double>::infinity();

@@ -26,16 +26,17 @@ struct ToiOptions {
   double rest_velocity = 1e-12;     ///< Gap rates above minus this are not an approach [m/s].
   /// Gap at which bodies count as touching [m]: that of a collision envelope. Two meshes touch at 0.
   double contact_gap = 0;
-  /// Bodies that part and come together again in one step of the search are found where they touch, not up
-  /// to half the contact tolerance beyond.
+  /// Bodies that touch without approaching are in contact again where they come back or begin to approach,
+  /// not up to half the contact tolerance beyond.
   bool finds_short_flights = false;
+  int most_evaluations = 10000;  ///< Distance queries of two shapes after which the search leaves off.
 };
 
 /// Where the search for the first contact of a pair ended.
 struct TimeOfImpact {
   bool is_contact = false;  ///< Whether the bodies touch and approach at `time`.
   /// Of the contact, or the end of the span that was searched: t1, or less where bodies hover at the contact
-  /// for thousands of queries [s].
+  /// for more queries than allowed [s].
   double time = 0;
   double bracket = 0;   ///< The contact lies in [time - bracket, time + bracket] [s].
   int evaluations = 0;  ///< Distance queries.

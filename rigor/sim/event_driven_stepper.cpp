@@ -65,6 +65,8 @@ AdvanceReport EventDrivenStepper::advance(State& state, double t_end) {
     if (interrupt_ && interrupt_()) report_.reason = StopReason::interrupted;
     if (next_.kind == QueuedEvent::Kind::window_end) {
       begin_new_window(next_.a);
+    } else if (next_.kind == QueuedEvent::Kind::search) {
+      trajectories_.continue_search(next_, queue_);
     } else if (const std::vector<int> seeds = seeds_of(next_); !time_stands_still(seeds)) {
       handle_event(seeds, {});
     }

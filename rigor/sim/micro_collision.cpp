@@ -27,6 +27,8 @@ MicroCollision::MicroCollision(const IslandIntegrator& integrator, const Contact
       reverses_(reverses) {}
 
 double MicroCollision::slow_speed(const ContactSystem& system, double t) const {
+  // Several contacts of a body exchange their bounces: what one of them gets is not lost to it.
+  constexpr double margin = 4;
   const std::vector<Wrench> wrenches = integrator_.environment_wrenches(system, t);
   const Contact& contact = system.contacts.front();
   double fastest = 0;
@@ -34,7 +36,7 @@ double MicroCollision::slow_speed(const ContactSystem& system, double t) const {
     const std::size_t i = static_cast<std::size_t>(system.local_index(body));
     fastest = std::max(fastest, system.kinetics[i].inverse_mass * wrenches[i].f_W.norm());
   }
-  return std::sqrt(fastest * envelope_);
+  return margin * std::sqrt(fastest * envelope_);
 }
 
 void MicroCollision::collide(Cluster& cluster, AdvanceReport& report) const {
