@@ -36,6 +36,9 @@ class ContactResolver {
   /// Impulses until no contact approaches; false if some still do. Changes the momenta of the cluster's
   /// bodies.
   bool apply_impulses(Cluster& cluster, AdvanceReport& report) const;
+  /// e of each contact of the system; 0 where it ends a series of bounces (docs/theory/events.md).
+  std::vector<double> restitutions(const Cluster& cluster, const ContactSystem& system,
+                                   AdvanceReport& report) const;
   /// Adds the impulses of an impact to the momenta, and to the report what they did.
   void apply_impact(const ContactSystem& system, const ImpactSolution& impact, Cluster& cluster,
                     AdvanceReport& report) const;
@@ -52,8 +55,6 @@ class ContactResolver {
   /// Ends an approach slower than any impact (what the error of a step leaves at a lasting contact): the
   /// nearest velocities in the metric of the mass matrix at which nothing approaches.
   void settle(const ContactSystem& system, const VecX& u, Cluster& cluster, AdvanceReport& report) const;
-  std::vector<double> restitutions(const Cluster& cluster, const ContactSystem& system,
-                                   AdvanceReport& report) const;
   /// moments: angular impulses in the contact frames, 3n, or none.
   void add_impulses(const ContactSystem& system, const VecX& lambda, const VecX& moments, Cluster& cluster,
                     AdvanceReport& report) const;

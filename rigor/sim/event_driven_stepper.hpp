@@ -49,6 +49,11 @@ class EventDrivenStepper : public Stepper {
   virtual bool apply_impulses(Cluster& part) { return resolver_.apply_impulses(part, report_); }
 
   const QueuedEvent& present_event() const { return next_; }
+  /// Whether bodies that touch stay in contact until something happens to them: by a force, or at rest.
+  bool is_lasting(int a, int b) const {
+    return trajectories_.has_lasting_contact(a, b) ||
+           (trajectories_.is_still(a) && trajectories_.is_still(b));
+  }
   const ContactResolver& resolver() const { return resolver_; }
   const IslandIntegrator& integrator() const { return integrator_; }
   AdvanceReport& report() { return report_; }

@@ -19,7 +19,7 @@ std::span<const MethodChoice> method_choices() {
       MethodChoice{"scheme", "impulse-based", "every contact is a train of small impacts",
                    "Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, 1996", true},
       MethodChoice{"scheme", "hybrid", "constraints for lasting contacts, impulses for brief ones",
-                   "Mirtich, Hybrid Simulation: Combining Constraints and Impulses, 1995", false},
+                   "Mirtich, Hybrid Simulation: Combining Constraints and Impulses, 1995", true},
 
       MethodChoice{
           "integrator", "exact", "ballistic arcs and torque-free rotation in closed form",

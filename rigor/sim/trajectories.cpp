@@ -87,15 +87,16 @@ void Trajectories::begin_window(int body, double t, EventQueue& queue) {
   }
 }
 
+bool Trajectories::is_still(int body) const {
+  const Track& track = tracks_[index(body)];
+  const Motion& motion = track.motion;
+  return motion.is_ballistic() && motion.max_angular_speed() == 0 && motion.acceleration().isZero(0) &&
+         motion.velocity(track.window_begin).isZero(0);
+}
+
 bool Trajectories::can_meet(int a, int b) const {
   if (!model_.may_collide(a, b) || has_lasting_contact(a, b)) return false;
-  const Motion& A = tracks_[index(a)].motion;
-  const Motion& B = tracks_[index(b)].motion;
-  const auto is_still = [](const Motion& motion, double t) {
-    return motion.is_ballistic() && motion.max_angular_speed() == 0 && motion.acceleration().isZero(0) &&
-           motion.velocity(t).isZero(0);
-  };
-  return !(is_still(A, tracks_[index(a)].window_begin) && is_still(B, tracks_[index(b)].window_begin));
+  return !(is_still(a) && is_still(b));
 }
 
 void Trajectories::predict_pair(int a, int b, double from, EventQueue& queue) {

@@ -43,6 +43,8 @@ class Trajectories {
   void set_lasting_contact(int a, int b) { lasting_.insert(std::minmax(a, b)); }
   void clear_lasting_contacts(int body);
   bool has_lasting_contact(int a, int b) const { return lasting_.contains(std::minmax(a, b)); }
+  /// Whether the body does not move at all.
+  bool is_still(int body) const;
 
   /// Bodies that may be within the tolerance of this one at time t (which lies in its window), ascending.
   std::vector<int> neighbours(int body, double t, double tolerance) const;
