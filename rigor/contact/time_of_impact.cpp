@@ -70,6 +70,9 @@ class ShapePairSearch {
     if (const Cavity* cavity = std::get_if<Cavity>(&moving.shape->shape)) return cavity->radius;
     return std::isinf(moving.shape->radius) ? 0 : moving.shape->radius;
   }
+  /// Gap at which this pair counts as touching: surfaces that are not convex have no envelope.
+  double envelope() const { return has_mesh() ? 0 : options_.contact_gap; }
+  /// Its distance is that of the envelopes.
   DistanceResult distance(const Pose& X_WS, const Pose& X_WT);
   double distance_at(double t) { return distance(A_.pose(t), B_.pose(t)).distance; }
   Approach approach(double t);
@@ -100,9 +103,11 @@ class ShapePairSearch {
 
 DistanceResult ShapePairSearch::distance(const Pose& X_WS, const Pose& X_WT) {
   ++evaluations_;
-  return options_.distance == ToiDistance::lin_canny
-             ? walked_distance(A_.shape->shape, X_WS, B_.shape->shape, X_WT, cache_)
-             : signed_distance(A_.shape->shape, X_WS, B_.shape->shape, X_WT);
+  DistanceResult found = options_.distance == ToiDistance::lin_canny
+                             ? walked_distance(A_.shape->shape, X_WS, B_.shape->shape, X_WT, cache_)
+                             : signed_distance(A_.shape->shape, X_WS, B_.shape->shape, X_WT);
+  found.distance -= envelope();
+  return found;
 }
 
 Approach ShapePairSearch::approach(double t) {
@@ -163,6 +168,11 @@ const Sphere* centred_ball(const MovingBodyShape& moving) {
 std::optional<double> first_fall_to_zero(double c, double b, double a, double span, double rest_rate) {
   if (c <= 0 && b < -rest_rate) return 0.0;
   if (c <= 0 && b <= rest_rate && a >= 0) return std::nullopt;
+  // Pressed together from rest: a contact as soon as they approach.
+  if (c <= 0 && b <= 0) {
+    const double tau = (2 * rest_rate + b) / (-2 * a);
+    return tau <= span ? std::optional<double>(tau) : std::nullopt;
+  }
   if (c <= 0) c = 0;
   const QuadraticRoots roots = find_quadratic_roots(a, b, c);
   for (int k = 0; k < roots.count; ++k) {
@@ -187,12 +197,12 @@ std::optional<TimeOfImpact> ShapePairSearch::find_in_closed_form(double t0, doub
     // gap = n·(x_A - x_plane) - offset - r along the plane's normal.
     const Pose X_WS = B_.pose(t0);
     const Vec3 n = X_WS.R * plane->normal;
-    double gap = n.dot(A_.motion->position(t0) - X_WS.p) - plane->offset - a->radius;
+    double gap = n.dot(A_.motion->position(t0) - X_WS.p) - plane->offset - a->radius - options_.contact_gap;
     if (std::abs(gap) <= touching) gap = 0;
     tau = first_fall_to_zero(gap, -n.dot(dv), -0.5 * n.dot(da), t1 - t0, options_.rest_velocity);
   } else if (a != nullptr && b != nullptr && da.isZero(0)) {
     // |dx + dv τ|² = r²,  with |dx|² - r² = gap (|dx| + r).
-    const double r = a->radius + b->radius;
+    const double r = a->radius + b->radius + options_.contact_gap;
     double gap = dx.norm() - r;
     if (std::abs(gap) <= touching) gap = 0;
     tau = first_fall_to_zero(gap * (dx.norm() + r), 2 * dx.dot(dv), dv.squaredNorm(), t1 - t0,
@@ -210,7 +220,7 @@ double ShapePairSearch::advance(double t, const Approach& now, double t1) {
   const double slack = 0.5 * options_.contact_tolerance;
   const bool is_departing = now.gap <= slack && now.rate >= -options_.rest_velocity;
   const double level = is_departing ? std::min(-slack, now.gap - slack) : 0;
-  if (B_.is_cavity()) return safe_step_in_cavity(B_.part(), A_.part(), t, t1, level);
+  if (B_.is_cavity()) return safe_step_in_cavity(B_.part(), A_.part(), t, t1, level + envelope());
   if (!has_mesh()) return convex_step(t, now, t1, level);
   return safe_mesh_step(A_.part(), B_.part(),
                         {.t = t,
@@ -288,9 +298,8 @@ TimeOfImpact ShapePairSearch::find(double t0, double t1) {
   if (!can_meet(t0, t1)) return {false, t1, 0, 0};
   if (const std::optional<TimeOfImpact> found = find_in_closed_form(t0, t1)) return *found;
 
-  constexpr int most_evaluations = 10000;
   double t = t0, before = t0, distance_before = 0;
-  while (evaluations_ < most_evaluations) {
+  while (evaluations_ < options_.most_evaluations) {
     const Approach now = approach(t);
     const bool is_approaching = now.rate < -options_.rest_velocity;
     if (now.gap <= touch(t) && is_approaching) {

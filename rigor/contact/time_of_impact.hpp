@@ -24,13 +24,16 @@ struct ToiOptions {
   double contact_tolerance = 1e-6;  ///< Overlap that is never exceeded [m].
   double time_tolerance = 1e-12;    ///< Width of the bracket [s].
   double rest_velocity = 1e-12;     ///< Gap rates above minus this are not an approach [m/s].
+  /// Gap at which bodies count as touching [m]: that of a collision envelope. Meshes touch at 0.
+  double contact_gap = 0;
+  int most_evaluations = 10000;  ///< Distance queries of two shapes after which the search leaves off.
 };
 
 /// Where the search for the first contact of a pair ended.
 struct TimeOfImpact {
   bool is_contact = false;  ///< Whether the bodies touch and approach at `time`.
   /// Of the contact, or the end of the span that was searched: t1, or less where bodies hover at the contact
-  /// for thousands of queries [s].
+  /// for more queries than allowed [s].
   double time = 0;
   double bracket = 0;   ///< The contact lies in [time - bracket, time + bracket] [s].
   int evaluations = 0;  ///< Distance queries.

@@ -24,18 +24,6 @@ double reach_of(const Body& body) {
   return std::isfinite(body.bounding_radius) ? std::max(body.bounding_radius, gyration) : gyration;
 }
 
-RestitutionLaw restitution_law(ImpactMethod method) {
-  switch (method) {
-    case ImpactMethod::newton:
-      return RestitutionLaw::newton;
-    case ImpactMethod::poisson:
-      return RestitutionLaw::poisson;
-    case ImpactMethod::stronge:
-      break;
-  }
-  return RestitutionLaw::stronge;
-}
-
 SimultaneousLaw simultaneous_law(SimultaneousMethod method) {
   switch (method) {
     case SimultaneousMethod::reflections:
@@ -57,6 +45,18 @@ void note_paradox(const Paradox& paradox, const ContactSystem& system, double t,
 }
 
 }  // namespace
+
+RestitutionLaw restitution_law(ImpactMethod method) {
+  switch (method) {
+    case ImpactMethod::newton:
+      return RestitutionLaw::newton;
+    case ImpactMethod::poisson:
+      return RestitutionLaw::poisson;
+    case ImpactMethod::stronge:
+      break;
+  }
+  return RestitutionLaw::stronge;
+}
 
 ContactResolver::ContactResolver(const Model& model, const IslandIntegrator& integrator, const Method& method)
     : model_(model),
@@ -145,6 +145,38 @@ void ContactResolver::settle(const ContactSystem& system, const VecX& u, Cluster
   report.projection_loss += before - totals_of(model_, cluster).T + (report.work - work_before);
 }
 
+void ContactResolver::apply_impact(const ContactSystem& system, const ImpactSolution& impact,
+                                   Cluster& cluster, AdvanceReport& report) const {
+  report.max_residual = std::max(report.max_residual, impact.residual);
+  report.max_iterations = std::max(report.max_iterations, impact.iterations);
+  if (!impact.converged) ++report.fallbacks;
+
+  const double before = totals_of(model_, cluster).T;
+  const double work_before = report.work;
+  add_impulses(system, impact.lambda, impact.moments, cluster, report);
+  const double change = totals_of(model_, cluster).T - before - (report.work - work_before);
+  (change < 0 ? report.impact_loss : report.impact_gain) += std::abs(change);
+
+  // One event a pair of bodies, with its whole impulse.
+  std::map<std::pair<int, int>, MotionEvent> events;
+  for (std::size_t i = 0; i < system.contacts.size(); ++i) {
+    const Contact& contact = system.contacts[i];
+    const Vec3 own = impact.lambda.segment<3>(3 * static_cast<Eigen::Index>(i));
+    if (own.isZero(0)) continue;
+    const Vec3 j_W = contact.stop ? Vec3(system.rows[i].B.leftCols<3>().transpose() * own)
+                                  : world_impulse(system, impact.lambda, static_cast<int>(i));
+    const int other = contact.body_B == contact.body_A ? -1 : contact.body_B;
+    const auto [place, is_new] = events.try_emplace(
+        {contact.body_A, other}, MotionEvent{MotionEvent::Kind::impact, cluster.t, contact.body_A, other,
+                                             contact.p_W(), Vec3::Zero()});
+    place->second.j_W += j_W;
+  }
+  for (const auto& [pair, event] : events) {
+    ++report.impacts;
+    report.events.push_back(event);
+  }
+}
+
 bool ContactResolver::apply_impulses(Cluster& cluster, AdvanceReport& report) const {
   constexpr int most_passes = 20;
   double first_approach = 0, last_approach = -std::numeric_limits<double>::infinity();
@@ -173,34 +205,7 @@ bool ContactResolver::apply_impulses(Cluster& cluster, AdvanceReport& report) co
 
     const ImpactSolution impact =
         solve_impact(system, restitutions(cluster, system, report), collision_law_, law_);
-    report.max_residual = std::max(report.max_residual, impact.residual);
-    report.max_iterations = std::max(report.max_iterations, impact.iterations);
-    if (!impact.converged) ++report.fallbacks;
-
-    const double before = totals_of(model_, cluster).T;
-    const double work_before = report.work;
-    add_impulses(system, impact.lambda, impact.moments, cluster, report);
-    const double change = totals_of(model_, cluster).T - before - (report.work - work_before);
-    (change < 0 ? report.impact_loss : report.impact_gain) += std::abs(change);
-
-    // One event a pair of bodies, with its whole impulse.
-    std::map<std::pair<int, int>, MotionEvent> events;
-    for (std::size_t i = 0; i < system.contacts.size(); ++i) {
-      const Contact& contact = system.contacts[i];
-      const Vec3 own = impact.lambda.segment<3>(3 * static_cast<Eigen::Index>(i));
-      if (own.isZero(0)) continue;
-      const Vec3 j_W = contact.stop ? Vec3(system.rows[i].B.leftCols<3>().transpose() * own)
-                                    : world_impulse(system, impact.lambda, static_cast<int>(i));
-      const int other = contact.body_B == contact.body_A ? -1 : contact.body_B;
-      const auto [place, is_new] = events.try_emplace(
-          {contact.body_A, other}, MotionEvent{MotionEvent::Kind::impact, cluster.t, contact.body_A, other,
-                                               contact.p_W(), Vec3::Zero()});
-      place->second.j_W += j_W;
-    }
-    for (const auto& [pair, event] : events) {
-      ++report.impacts;
-      report.events.push_back(event);
-    }
+    apply_impact(system, impact, cluster, report);
   }
   return false;
 }

@@ -20,6 +20,9 @@ struct LastingContacts {
   bool have_forces = true;
 };
 
+/// The law of a single collision that the method names.
+RestitutionLaw restitution_law(ImpactMethod method);
+
 /// Decides what happens at an event: who collides, who rests, who parts.
 class ContactResolver {
  public:
@@ -30,6 +33,12 @@ class ContactResolver {
   /// Impulses until no contact approaches; false if some still do. Changes the momenta of the cluster's
   /// bodies.
   bool apply_impulses(Cluster& cluster, AdvanceReport& report) const;
+  /// e of each contact of the system; 0 where it ends a series of bounces (docs/theory/events.md).
+  std::vector<double> restitutions(const Cluster& cluster, const ContactSystem& system,
+                                   AdvanceReport& report) const;
+  /// Adds the impulses of an impact to the momenta, and to the report what they did.
+  void apply_impact(const ContactSystem& system, const ImpactSolution& impact, Cluster& cluster,
+                    AdvanceReport& report) const;
   /// Which contacts last: those that do not part and carry a force. The momenta are projected on what they
   /// allow.
   LastingContacts update_active(Cluster& cluster, AdvanceReport& report) const;

@@ -2,6 +2,7 @@
 
 #include "rigor/core/assert.hpp"
 #include "rigor/math/rotation.hpp"
+#include "rigor/sim/toi_choice.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,18 +16,6 @@ namespace {
 
 std::size_t index(int body) {
   return static_cast<std::size_t>(body);
-}
-
-ToiOptions toi_options(const Method& method) {
-  ToiOptions options;
-  options.refinement = method.toi == ToiMethod::ratio       ? ToiRefinement::ratio
-                       : method.toi == ToiMethod::bisection ? ToiRefinement::bisection
-                                                            : ToiRefinement::conservative;
-  options.distance = method.distance == DistanceMethod::lin_canny ? ToiDistance::lin_canny : ToiDistance::gjk;
-  options.contact_tolerance = method.contact_tolerance;
-  options.time_tolerance = method.time_tolerance;
-  options.rest_velocity = 1e-6 * method.resting_velocity;
-  return options;
 }
 
 BodyPhase phase_in(const State& state, int body) {
@@ -48,6 +37,10 @@ bool is_finite(const BodyPhase& phase) {
 
 EventDrivenStepper::EventDrivenStepper(std::shared_ptr<const Model> model, const Method& method,
                                        double target_step)
+    : EventDrivenStepper(std::move(model), method, target_step, toi_choice(method)) {}
+
+EventDrivenStepper::EventDrivenStepper(std::shared_ptr<const Model> model, const Method& method,
+                                       double target_step, const ToiOptions& toi)
     : model_(std::move(model)),
       method_(method),
       target_step_(target_step),
@@ -57,7 +50,7 @@ EventDrivenStepper::EventDrivenStepper(std::shared_ptr<const Model> model, const
       resolver_(*model_, integrator_, method),
       joints_(*model_, integrator_),
       contacts_(*model_, environment_, integrator_, method_),
-      trajectories_(*model_, toi_options(method), method.broad_phase) {
+      trajectories_(*model_, toi, method.broad_phase) {
   RIGOR_ASSERT(target_step > 0);
 }
 
@@ -73,6 +66,8 @@ AdvanceReport EventDrivenStepper::advance(State& state, double t_end) {
     if (interrupt_ && interrupt_()) report_.reason = StopReason::interrupted;
     if (next_.kind == QueuedEvent::Kind::window_end) {
       begin_new_window(next_.a);
+    } else if (next_.kind == QueuedEvent::Kind::search) {
+      trajectories_.continue_search(next_, queue_);
     } else if (const std::vector<int> seeds = seeds_of(next_); !time_stands_still(seeds)) {
       handle_event(seeds, {});
     }
@@ -126,6 +121,7 @@ void EventDrivenStepper::read_state_from_bodies(const State& state) {
                         std::back_inserter(under_way));
     trajectories_.predict_among(under_way, queue_);
   }
+  next_ = {t_, QueuedEvent::Kind::window_end, -1, -1, 0, 0, 0};
   if (!seeds.empty()) handle_event(seeds, {});
 }
 
@@ -222,7 +218,8 @@ Cluster EventDrivenStepper::compute_new_body_states(const std::vector<int>& seed
   note_penetration(cluster.contacts);
   // Other features may meet where the bodies are moved to.
   constexpr int most_projections = 4;
-  for (int k = 0; k < most_projections && contacts_.project_positions(cluster, report_); ++k) {
+  for (int k = 0; k < most_projections && keeps_contacts() && contacts_.project_positions(cluster, report_);
+       ++k) {
     cluster.contacts.clear();
     visited.clear();
     for (std::size_t i = 0; i < cluster.bodies.size(); ++i)
@@ -297,7 +294,7 @@ void EventDrivenStepper::find_touching(int body, Cluster& cluster, std::set<std:
   for (const int partner : environment_.spring_partners(body)) add_body(partner, cluster);
   for (const int partner : environment_.joint_partners(body)) add_body(partner, cluster);
   for (const int other : trajectories_.neighbours(body, t_, method_.contact_tolerance)) {
-    if (!visited.insert(std::minmax(body, other)).second) continue;
+    if (!takes_part(body, other) || !visited.insert(std::minmax(body, other)).second) continue;
     const auto [a, b] = std::minmax(body, other);
     std::vector<Contact> found =
         find_contacts(*model_, a, b, pose_of(a), pose_of(b), method_.contact_tolerance);
@@ -323,15 +320,17 @@ void EventDrivenStepper::apply_forces(Cluster& cluster) {
   for (const int body : cluster.bodies) trajectories_.clear_lasting_contacts(body);
 
   for (Cluster& part : connected_parts(cluster, cluster.contacts, environment_)) {
-    const bool is_at_velocity_level = stepping_.is_at_velocity_level(part.bodies) && !part.contacts.empty();
+    const bool is_at_velocity_level =
+        keeps_contacts() && stepping_.is_at_velocity_level(part.bodies) && !part.contacts.empty();
     // There the approach is what closes the gaps within a step.
     part.least_impact = (is_at_velocity_level ? 1 : 1e-3) * method_.resting_velocity;
     joints_.project_velocities(part, report_);
-    if (!resolver_.apply_impulses(part, report_)) {
+    if (!apply_impulses(part)) {
       report_.reason = StopReason::impact_unsolved;
       report_.bodies = part.bodies;
       report_.detail = "an impact left bodies approaching each other";
     }
+    if (!keeps_contacts()) std::erase_if(part.contacts, [](const Contact& c) { return !c.stop; });
     LastingContacts lasting;
     if (!is_at_velocity_level) lasting = resolver_.update_active(part, report_);
     if (!lasting.have_forces) stepping_.go_to_velocity_level(part.bodies);

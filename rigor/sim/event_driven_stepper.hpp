@@ -38,6 +38,27 @@ class EventDrivenStepper : public Stepper {
   void set_interrupt(std::function<bool()> interrupt) override { interrupt_ = std::move(interrupt); }
   AdvanceReport advance(State& state, double t_end) override;
 
+ protected:
+  /// For schemes that go from event to event too, but treat contacts otherwise.
+  EventDrivenStepper(std::shared_ptr<const Model> model, const Method& method, double target_step,
+                     const ToiOptions& toi);
+  /// Whether contacts may last: if not, they have impacts only, and positions are never put back.
+  virtual bool keeps_contacts() const { return true; }
+  /// Whether the contacts of these bodies are looked at in the present event.
+  virtual bool takes_part([[maybe_unused]] int a, [[maybe_unused]] int b) const { return true; }
+  /// Impulses until no contact of the part approaches; false if some still do.
+  virtual bool apply_impulses(Cluster& part) { return resolver_.apply_impulses(part, report_); }
+
+  const QueuedEvent& present_event() const { return next_; }
+  /// Whether bodies that touch stay in contact until something happens to them: by a force, or at rest.
+  bool is_lasting(int a, int b) const {
+    return trajectories_.has_lasting_contact(a, b) ||
+           (trajectories_.is_still(a) && trajectories_.is_still(b));
+  }
+  const ContactResolver& resolver() const { return resolver_; }
+  const IslandIntegrator& integrator() const { return integrator_; }
+  AdvanceReport& report() { return report_; }
+
  private:
   // The loop of the course.
   void read_state_from_bodies(const State& state);

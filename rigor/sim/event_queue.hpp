@@ -10,11 +10,11 @@ namespace rigor {
 /// What is due at a time. Stamps are the versions of the motions it was predicted from: an event whose bodies
 /// have moved on since is stale.
 struct QueuedEvent {
-  enum class Kind : std::uint8_t { step_end, contact, window_end };
+  enum class Kind : std::uint8_t { step_end, contact, window_end, search };
 
   double time;
   Kind kind;
-  int a, b;  ///< contact: bodies, a < b; window_end: body, -1; step_end: island, -1.
+  int a, b;  ///< contact, search: bodies, a < b; window_end: body, -1; step_end: island, -1.
   std::uint64_t stamp_a, stamp_b;
   double bracket;  ///< contact: half width of the time's bracket [s].
 

@@ -17,9 +17,9 @@ std::span<const MethodChoice> method_choices() {
                    "Moore and Wilhelms, Collision Detection and Response for Computer Animation, 1988",
                    false},
       MethodChoice{"scheme", "impulse-based", "every contact is a train of small impacts",
-                   "Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, 1996", false},
+                   "Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, 1996", true},
       MethodChoice{"scheme", "hybrid", "constraints for lasting contacts, impulses for brief ones",
-                   "Mirtich, Hybrid Simulation: Combining Constraints and Impulses, 1995", false},
+                   "Mirtich, Hybrid Simulation: Combining Constraints and Impulses, 1995", true},
 
       MethodChoice{
           "integrator", "exact", "ballistic arcs and torque-free rotation in closed form",

@@ -1,6 +1,8 @@
 #include "rigor/sim/stepper.hpp"
 
 #include "rigor/sim/event_driven_stepper.hpp"
+#include "rigor/sim/hybrid_stepper.hpp"
+#include "rigor/sim/impulse_based_stepper.hpp"
 #include "rigor/sim/time_stepper.hpp"
 
 #include <utility>
@@ -11,6 +13,10 @@ std::unique_ptr<Stepper> make_stepper(std::shared_ptr<const Model> model, const 
                                       double target_step) {
   if (method.scheme == Scheme::time_stepping)
     return std::make_unique<TimeStepper>(std::move(model), method, target_step);
+  if (method.scheme == Scheme::impulse_based)
+    return std::make_unique<ImpulseBasedStepper>(std::move(model), method, target_step);
+  if (method.scheme == Scheme::hybrid)
+    return std::make_unique<HybridStepper>(std::move(model), method, target_step);
   return std::make_unique<EventDrivenStepper>(std::move(model), method, target_step);
 }
 

@@ -87,23 +87,24 @@ void Trajectories::begin_window(int body, double t, EventQueue& queue) {
   }
 }
 
-bool Trajectories::can_meet(int a, int b) const {
-  if (!model_.may_collide(a, b) || has_lasting_contact(a, b)) return false;
-  const Motion& A = tracks_[index(a)].motion;
-  const Motion& B = tracks_[index(b)].motion;
-  const auto is_still = [](const Motion& motion, double t) {
-    return motion.is_ballistic() && motion.max_angular_speed() == 0 && motion.acceleration().isZero(0) &&
-           motion.velocity(t).isZero(0);
-  };
-  return !(is_still(A, tracks_[index(a)].window_begin) && is_still(B, tracks_[index(b)].window_begin));
+bool Trajectories::is_still(int body) const {
+  const Track& track = tracks_[index(body)];
+  const Motion& motion = track.motion;
+  return motion.is_ballistic() && motion.max_angular_speed() == 0 && motion.acceleration().isZero(0) &&
+         motion.velocity(track.window_begin).isZero(0);
 }
 
-void Trajectories::predict_pair(int a, int b, EventQueue& queue) {
+bool Trajectories::can_meet(int a, int b) const {
+  if (!model_.may_collide(a, b) || has_lasting_contact(a, b)) return false;
+  return !(is_still(a) && is_still(b));
+}
+
+void Trajectories::predict_pair(int a, int b, double from, EventQueue& queue) {
   if (a > b) std::swap(a, b);
   if (!can_meet(a, b)) return;
   const Track& A = tracks_[index(a)];
   const Track& B = tracks_[index(b)];
-  const double t0 = std::max(A.window_begin, B.window_begin);
+  const double t0 = std::max({A.window_begin, B.window_begin, from});
   const double t1 = std::min(A.window_end, B.window_end);
   if (!(t1 > t0)) return;
   const TimeOfImpact found =
@@ -112,8 +113,7 @@ void Trajectories::predict_pair(int a, int b, EventQueue& queue) {
   if (found.is_contact) {
     queue.push({found.time, QueuedEvent::Kind::contact, a, b, A.version, B.version, found.bracket});
   } else if (found.time < t1) {
-    // The search goes on from there in a new window.
-    queue.push({found.time, QueuedEvent::Kind::window_end, a, -1, A.version, 0, 0});
+    queue.push({found.time, QueuedEvent::Kind::search, a, b, A.version, B.version, 0});
   }
 }
 
@@ -122,7 +122,7 @@ void Trajectories::predict_pairs(const std::vector<int>& bodies, EventQueue& que
   for (const int body : bodies) {
     for (const int other : candidates(body)) {
       const bool is_shared = bodies.size() > 1 && !done.insert(std::minmax(body, other)).second;
-      if (other != body && !is_shared) predict_pair(body, other, queue);
+      if (other != body && !is_shared) predict_pair(body, other, tracks_[index(body)].window_begin, queue);
     }
   }
 }
@@ -146,7 +146,8 @@ void Trajectories::predict_among(const std::vector<int>& bodies, EventQueue& que
   for (const int body : bodies) is_among[index(body)] = true;
   for (const int body : bodies) {
     for (const int other : candidates(body)) {
-      if (other > body && is_among[index(other)]) predict_pair(body, other, queue);
+      if (other > body && is_among[index(other)])
+        predict_pair(body, other, tracks_[index(body)].window_begin, queue);
     }
   }
 }

@@ -32,6 +32,10 @@ class Trajectories {
   void restore(const std::vector<int>& bodies, double t, EventQueue& queue);
   /// The contacts of these bodies with each other, in the windows that they have.
   void predict_among(const std::vector<int>& bodies, EventQueue& queue);
+  /// Goes on where the search of a pair left off: until then it is proven free.
+  void continue_search(const QueuedEvent& event, EventQueue& queue) {
+    predict_pair(event.a, event.b, event.time, queue);
+  }
   /// Whether the event was predicted from the present motions.
   bool is_current(const QueuedEvent& event) const;
 
@@ -39,6 +43,8 @@ class Trajectories {
   void set_lasting_contact(int a, int b) { lasting_.insert(std::minmax(a, b)); }
   void clear_lasting_contacts(int body);
   bool has_lasting_contact(int a, int b) const { return lasting_.contains(std::minmax(a, b)); }
+  /// Whether the body does not move at all.
+  bool is_still(int body) const;
 
   /// Bodies that may be within the tolerance of this one at time t (which lies in its window), ascending.
   std::vector<int> neighbours(int body, double t, double tolerance) const;
@@ -60,7 +66,7 @@ class Trajectories {
   void predict_pairs(const std::vector<int>& bodies, EventQueue& queue);
   std::vector<int> candidates(int body) const;
   double window_end(int body, double t) const;
-  void predict_pair(int a, int b, EventQueue& queue);
+  void predict_pair(int a, int b, double from, EventQueue& queue);
   bool can_meet(int a, int b) const;
 
   const Model& model_;

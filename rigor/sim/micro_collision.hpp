@@ -1,0 +1,44 @@
+#pragma once
+
+#include "rigor/contact/impact_problem.hpp"
+#include "rigor/sim/contact_resolver.hpp"
+
+#include <optional>
+
+namespace rigor {
+
+/// One collision of the trains that stand for contact in the impulse-based scheme.
+///
+/// A collision is slow if it approaches no faster than a fall through the envelope of the contact tolerance
+/// ε, √(a ε), where a is the larger free acceleration of the two bodies. Restitution rises to 1 there, e' =
+/// max(e, min(1, √(a ε) / |u_n|)), so that a body that is held up neither sinks nor comes to rest, and no
+/// collision adds energy. Source: Mirtich and Canny, Impulse-based Simulation of Rigid Bodies, Symposium on
+/// Interactive 3D Graphics, 1995; the speed at which e' rises is ours (docs/theory/impulse_based.md).
+class MicroCollision {
+ public:
+  /// Holds references to both. `reverses`: slow collisions reverse the whole relative velocity where
+  /// the cones of friction allow it.
+  MicroCollision(const IslandIntegrator& integrator, const ContactResolver& resolver, const Method& method,
+                 bool reverses);
+
+  /// The contacts of the cluster that are no stops of joints, all of one pair of bodies, collide once, if
+  /// they approach.
+  void collide(Cluster& cluster, AdvanceReport& report) const;
+
+ private:
+  double slow_speed(const ContactSystem& system, double t) const;
+
+  const IslandIntegrator& integrator_;
+  const ContactResolver& resolver_;
+  RestitutionLaw law_;
+  double envelope_;
+  bool reverses_;
+};
+
+/// The impulses -2 A⁺ u that reverse the relative velocities of all contacts that press, if they lie in the
+/// cones: twice the plastic impact where everything sticks. The kinetic energy stays. For one contact
+/// λ = -2 K⁻¹ u. Source: Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, thesis, 1996
+/// (static contact).
+std::optional<ImpactSolution> find_reversal(const ImpactProblem& problem);
+
+}  // namespace rigor
