@@ -129,6 +129,7 @@ std::string audit_text(const Audit& audit, std::FILE* stream) {
       fmt::format("{}: {:.6g} s simulated in {:.3g} s ({:.3g} times real time)\n",
                   toned(audit.scene, Tone::strong, stream), audit.sim_time, audit.wall_time, speed);
   add_line(text, "method", "{}", method_text(audit.method));
+  if (!audit.scheme_reason.empty()) add_line(text, "scheme: auto", "{}", audit.scheme_reason);
   add_motion(audit, text);
   add_bodies(audit, text);
   add_joints(audit, text);

@@ -3,6 +3,7 @@
 #include "apps/terminal.hpp"
 #include "rigor/core/input_error.hpp"
 #include "rigor/io/scene_reader.hpp"
+#include "rigor/sim/scheme_choice.hpp"
 #include "rigor/sim/simulation.hpp"
 
 #include <fmt/format.h>
@@ -35,7 +36,14 @@ std::string summary(const Scene& scene) {
       "{} {} ({} dynamic, {} kinematic, {} static), {} shapes, {} joints, {} forces; {:g} s in {}",
       bodies.size(), bodies.size() == 1 ? "body" : "bodies", count(MotionType::dynamic),
       count(MotionType::kinematic), count(MotionType::fixed), shapes, scene.model->joints().size(),
-      scene.model->forces().size(), scene.run.duration, method_choice(scene.method, "scheme"));
+      scene.model->forces().size(), scene.run.duration,
+      method_choice(resolve_scheme(*scene.model, scene.method).method, "scheme"));
+}
+
+/// Which scheme `auto` chooses, and why, as a line; nothing if the scene names one.
+std::string choice_line(const Scene& scene) {
+  const std::string reason = resolve_scheme(*scene.model, scene.method).scheme_reason;
+  return reason.empty() ? "" : fmt::format("  scheme auto: {}\n", reason);
 }
 
 }  // namespace
@@ -46,7 +54,7 @@ ExitCode execute(const CheckOptions& options) {
     try {
       const Scene scene = read_and_check(path);
       for (const std::string& warning : scene.warnings) print_warning(warning);
-      fmt::print("{}: {}: {}\n", path, toned("ok", Tone::good, stdout), summary(scene));
+      fmt::print("{}: {}: {}\n{}", path, toned("ok", Tone::good, stdout), summary(scene), choice_line(scene));
     } catch (const InputError& error) {
       for (const std::string& message : error.messages()) print_error(message);
       code = exit_bad_input;

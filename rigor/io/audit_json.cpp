@@ -85,6 +85,7 @@ std::string audit_json(const Audit& audit) {
   json["rigor"] = version;
   json["scene"] = audit.scene;
   json["method"] = method_json(audit.method);
+  if (!audit.scheme_reason.empty()) json["scheme_reason"] = audit.scheme_reason;
   json["sim_time"] = audit.sim_time;
   json["wall_time"] = audit.wall_time;
   json["steps"] = report.steps;

@@ -55,6 +55,7 @@ KeyTable scene_table() {
           {"exclude", ValueType::name_pairs, "", "-", {}, "pairs of bodies that pass through each other"},
           {"forces", ValueType::objects, "", "-", {}, "forces besides gravity and contacts", {}, "force"},
           {"joints", ValueType::objects, "", "-", {}, "joints between bodies", {}, "joint"},
+          {"expect", ValueType::objects, "", "-", {}, "known places, for `rigor compare`", {}, "expectation"},
           later("sweep", ValueType::object, "settings of ensembles",
                 "run the scene several times with --set KEY=VALUE"),
       }};
@@ -130,6 +131,16 @@ std::vector<KeyTable> top_key_tables() {
             "instead of the materials'"},
            {"torsional_friction", ValueType::number, "m", "√(a b)", limits::length,
             "instead of the materials'"},
+       }},
+      {"expectation",
+       "an expectation",
+       "",
+       {
+           {"body", ValueType::text, "", "required", {}, "name of the body"},
+           {"time", ValueType::number, "s", "required", {0, 1e9}, "when it is there"},
+           {"position", ValueType::vector, "m", "-", limits::position, "of the body's origin then"},
+           {"orientation", ValueType::quaternion, "", "-", {}, "of the body's frame then"},
+           {"error", ValueType::number, "m", "0", limits::length, "how far `position` may be wrong itself"},
        }},
   };
 }

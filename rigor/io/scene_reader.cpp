@@ -2,6 +2,7 @@
 
 #include "rigor/core/input_error.hpp"
 #include "rigor/io/body_reader.hpp"
+#include "rigor/io/expectation_reader.hpp"
 #include "rigor/io/force_reader.hpp"
 #include "rigor/io/joint_reader.hpp"
 #include "rigor/io/method_reader.hpp"
@@ -137,6 +138,7 @@ Scene read_tree(const YamlNode& root, const YamlSources& sources, const std::fil
   read_excluded(reader, builder);
   read_forces(reader, builder);
   read_joints(reader, builder);
+  scene.expected = read_expectations(reader);
   check_all(builder, errors);
   try {
     scene.model = builder.build();
@@ -144,6 +146,8 @@ Scene read_tree(const YamlNode& root, const YamlSources& sources, const std::fil
     for (const std::string& message : error.messages()) errors.add_text(message);
     throw InputError(errors.sorted_messages());
   }
+  check_expectations(reader, scene.expected, *scene.model);
+  if (errors.count() > 0) throw InputError(errors.sorted_messages());
   scene.warnings = errors.warnings();
   return scene;
 }

@@ -7,10 +7,20 @@
 #include <cstddef>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace rigor {
+
+/// Where a body is at a time, known from elsewhere: a closed form, or a reference of many digits.
+struct ExpectedPlace {
+  std::string body;
+  double time = 0;                  ///< [s].
+  std::optional<Vec3> position;     ///< Of the user's frame's origin [m].
+  std::optional<Quat> orientation;  ///< Of the user's frame.
+  double error = 0;                 ///< How far the position may be wrong itself [m].
+};
 
 /// What a scene file says: what is simulated, how, and for how long.
 struct Scene {
@@ -18,7 +28,8 @@ struct Scene {
   Method method;
   RunSettings run;
   std::string name;
-  std::vector<std::string> warnings;  ///< What is allowed but probably not meant, each with its place.
+  std::vector<ExpectedPlace> expected;  ///< What `rigor compare` measures errors against.
+  std::vector<std::string> warnings;    ///< What is allowed but probably not meant, each with its place.
 };
 
 /// Reads a scene file (strict YAML; JSON is the same thing). docs/scene.md lists every key.

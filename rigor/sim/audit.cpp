@@ -2,6 +2,7 @@
 
 #include "rigor/math/rotation.hpp"
 #include "rigor/sim/contact_snapshot.hpp"
+#include "rigor/sim/scheme_choice.hpp"
 
 #include <fmt/format.h>
 
@@ -12,7 +13,10 @@
 namespace rigor {
 
 Auditor::Auditor(std::shared_ptr<const Model> model, const Method& method, const State& start)
-    : model_(std::move(model)), method_(method), environment_(*model_), start_time_(start.t) {
+    : model_(std::move(model)), environment_(*model_), start_time_(start.t) {
+  ResolvedMethod resolved = resolve_scheme(*model_, method);
+  method_ = resolved.method;
+  scheme_reason_ = std::move(resolved.scheme_reason);
   initial_ = energy_ = mechanical_energy(*model_, environment_, start);
   lowest_ = initial_.total();
   observe(start, {});
@@ -52,6 +56,7 @@ Audit Auditor::audit(const State& state) const {
   Audit audit;
   audit.scene = model_->name();
   audit.method = method_;
+  audit.scheme_reason = scheme_reason_;
   audit.sim_time = state.t - start_time_;
   audit.report = sum_;
   audit.initial = initial_;

@@ -14,10 +14,11 @@ namespace rigor {
 /// How far a run can be trusted: everything is balanced against what caused it.
 struct Audit {
   std::string scene;
-  Method method;
-  double sim_time = 0;   ///< Simulated [s].
-  double wall_time = 0;  ///< [s]; set by whoever has a clock.
-  AdvanceReport report;  ///< Sums over the whole run; its events are left out.
+  Method method;              ///< With the scheme that was at work.
+  std::string scheme_reason;  ///< Which scheme `auto` chose, and why; empty if the scene names one.
+  double sim_time = 0;        ///< Simulated [s].
+  double wall_time = 0;       ///< [s]; set by whoever has a clock.
+  AdvanceReport report;       ///< Sums over the whole run; its events are left out.
 
   Energy initial, final;
   double dissipated = 0;              ///< E_initial + work - E_final [J].
@@ -63,6 +64,7 @@ class Auditor {
 
   std::shared_ptr<const Model> model_;
   Method method_;
+  std::string scheme_reason_;
   Environment environment_;
   double start_time_;
   Energy initial_, energy_;

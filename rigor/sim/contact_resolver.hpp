@@ -62,8 +62,6 @@ class ContactResolver {
   void project_velocities(const LastingContacts& lasting, Cluster& cluster, AdvanceReport& report) const;
   /// Whether no contact approaches and no lasting one slips against the direction that its friction assumes.
   bool agrees_with_velocities(const LastingContacts& lasting, const Cluster& cluster) const;
-  std::vector<double> restitutions(const Cluster& cluster, const ContactSystem& system,
-                                   AdvanceReport& report) const;
 
   const Model& model_;
   const IslandIntegrator& integrator_;

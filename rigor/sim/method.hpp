@@ -11,7 +11,8 @@
 
 namespace rigor {
 
-enum class Scheme { event_driven, time_stepping, penalty, impulse_based, hybrid };
+/// `automatic` ("auto") stands for the one that the scene's rule gives (scheme_choice.hpp).
+enum class Scheme { event_driven, time_stepping, penalty, impulse_based, hybrid, automatic };
 /// `exact` is the closed form (ballistic arcs and torque-free rotation); the others are numerical.
 enum class IntegratorMethod { exact, euler, semi_implicit_euler, midpoint, rk4, dopri5, dop853, lie_rk4 };
 enum class DistanceMethod { gjk, lin_canny };

@@ -20,6 +20,8 @@ std::span<const MethodChoice> method_choices() {
                    "Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, 1996", true},
       MethodChoice{"scheme", "hybrid", "constraints for lasting contacts, impulses for brief ones",
                    "Mirtich, Hybrid Simulation: Combining Constraints and Impulses, 1995", true},
+      MethodChoice{"scheme", "auto", "the one that suits the scene; the audit says which and why",
+                   "the table of docs/choosing.md", true},
 
       MethodChoice{
           "integrator", "exact", "ballistic arcs and torque-free rotation in closed form",

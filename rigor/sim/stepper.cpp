@@ -3,6 +3,7 @@
 #include "rigor/sim/event_driven_stepper.hpp"
 #include "rigor/sim/hybrid_stepper.hpp"
 #include "rigor/sim/impulse_based_stepper.hpp"
+#include "rigor/sim/scheme_choice.hpp"
 #include "rigor/sim/time_stepper.hpp"
 
 #include <utility>
@@ -11,13 +12,14 @@ namespace rigor {
 
 std::unique_ptr<Stepper> make_stepper(std::shared_ptr<const Model> model, const Method& method,
                                       double target_step) {
-  if (method.scheme == Scheme::time_stepping)
-    return std::make_unique<TimeStepper>(std::move(model), method, target_step);
-  if (method.scheme == Scheme::impulse_based)
-    return std::make_unique<ImpulseBasedStepper>(std::move(model), method, target_step);
-  if (method.scheme == Scheme::hybrid)
-    return std::make_unique<HybridStepper>(std::move(model), method, target_step);
-  return std::make_unique<EventDrivenStepper>(std::move(model), method, target_step);
+  const Method resolved = resolve_scheme(*model, method).method;
+  if (resolved.scheme == Scheme::time_stepping)
+    return std::make_unique<TimeStepper>(std::move(model), resolved, target_step);
+  if (resolved.scheme == Scheme::impulse_based)
+    return std::make_unique<ImpulseBasedStepper>(std::move(model), resolved, target_step);
+  if (resolved.scheme == Scheme::hybrid)
+    return std::make_unique<HybridStepper>(std::move(model), resolved, target_step);
+  return std::make_unique<EventDrivenStepper>(std::move(model), resolved, target_step);
 }
 
 }  // namespace rigor

@@ -20,7 +20,8 @@ class Stepper {
   virtual AdvanceReport advance(State& state, double t_end) = 0;
 };
 
-/// The stepper of the method's scheme. target_step H > 0 [s]: the longest step.
+/// The stepper of the method's scheme, or of the one that `auto` stands for. target_step H > 0 [s]: the
+/// longest step.
 std::unique_ptr<Stepper> make_stepper(std::shared_ptr<const Model> model, const Method& method,
                                       double target_step);
 

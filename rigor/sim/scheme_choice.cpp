@@ -1,0 +1,196 @@
+#include "rigor/sim/scheme_choice.hpp"
+
+#include "rigor/geometry/distance.hpp"
+#include "rigor/sim/near_pairs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <set>
+#include <tuple>
+
+namespace rigor {
+
+namespace {
+
+/// Up to here an event costs less than the step that a scheme of fixed steps would need to be as exact.
+constexpr int few_bodies = 200;
+
+/// Bodies that the filters do not tell apart: group, mask, whether they are dynamic.
+using FilterClass = std::tuple<std::uint32_t, std::uint32_t, bool>;
+
+FilterClass filter_class(const Body& body) {
+  return {body.group, body.mask, body.motion == MotionType::dynamic};
+}
+
+/// Whether any body of the classes passes the filters of this one.
+bool has_partner_class(const Body& body, const std::set<FilterClass>& classes) {
+  return std::any_of(classes.begin(), classes.end(), [&](const FilterClass& other) {
+    const auto& [group, mask, is_dynamic] = other;
+    return (body.group & mask) != 0 && (body.mask & group) != 0;
+  });
+}
+
+/// Dynamic bodies that may touch any other.
+std::vector<int> colliding_bodies(const Model& model) {
+  std::set<FilterClass> classes;
+  for (const Body& body : model.bodies()) {
+    if (!body.shapes.empty()) classes.insert(filter_class(body));
+  }
+  std::vector<int> colliding;
+  for (int i = 0; i < model.body_count(); ++i) {
+    const Body& body = model.body(i);
+    if (body.motion != MotionType::dynamic || body.shapes.empty() || !has_partner_class(body, classes))
+      continue;
+    for (int k = 0; k < model.body_count(); ++k) {
+      if (k == i || !model.may_collide(i, k)) continue;
+      colliding.push_back(i);
+      break;
+    }
+  }
+  return colliding;
+}
+
+void add_restitutions(const Model& model, const std::vector<int>& colliding, SchemeFacts& facts) {
+  if (colliding.empty()) return;
+  std::set<int> own, all;
+  for (const int i : colliding) {
+    for (const BodyShape& shape : model.body(i).shapes) own.insert(shape.material);
+  }
+  for (const Body& body : model.bodies()) {
+    for (const BodyShape& shape : body.shapes) all.insert(shape.material);
+  }
+  facts.lowest_restitution = std::numeric_limits<double>::infinity();
+  for (const int a : own) {
+    for (const int b : all) {
+      const double e = model.coefficients(a, b).restitution;
+      facts.lowest_restitution = std::min(facts.lowest_restitution, e);
+      facts.highest_restitution = std::max(facts.highest_restitution, e);
+    }
+  }
+}
+
+bool is_touching(const Model& model, const State& state, int a, int b, double tolerance) {
+  const Pose X_WA = pose_of(state, a), X_WB = pose_of(state, b);
+  for (const BodyShape& of_A : model.body(a).shapes) {
+    for (const BodyShape& of_B : model.body(b).shapes) {
+      if (signed_distance(of_A.shape, X_WA * of_A.X_BS, of_B.shape, X_WB * of_B.X_BS).distance <= tolerance)
+        return true;
+    }
+  }
+  return false;
+}
+
+int touching_pair_count(const Model& model, double tolerance) {
+  const State state = make_initial_state(model);
+  int count = 0;
+  for (const auto& [a, b] : near_pairs(model, state, tolerance)) {
+    if (is_touching(model, state, a, b, tolerance)) ++count;
+  }
+  return count;
+}
+
+bool has_drag(const Body& body) {
+  return body.motion == MotionType::dynamic && (body.linear_drag > 0 || body.angular_drag > 0);
+}
+
+std::string scheme_name(Scheme scheme) {
+  Method method;
+  method.scheme = scheme;
+  return method_choice(method, "scheme");
+}
+
+}  // namespace
+
+SchemeFacts scheme_facts(const Model& model, double contact_tolerance) {
+  SchemeFacts facts;
+  const std::vector<Body>& bodies = model.bodies();
+  facts.dynamic_bodies = static_cast<int>(std::count_if(
+      bodies.begin(), bodies.end(), [](const Body& body) { return body.motion == MotionType::dynamic; }));
+  const std::vector<int> colliding = colliding_bodies(model);
+  facts.colliding_bodies = static_cast<int>(colliding.size());
+  facts.touching_pairs = touching_pair_count(model, contact_tolerance);
+  facts.joints = static_cast<int>(model.joints().size());
+  facts.has_closed_form = model.joints().empty() && model.forces().empty() &&
+                          std::none_of(bodies.begin(), bodies.end(), has_drag);
+  add_restitutions(model, colliding, facts);
+  return facts;
+}
+
+std::span<const SchemeRule> scheme_rules() {
+  static const std::array<SchemeRule, 6> rules = {{
+      {"nothing collides and only gravity acts",
+       [](const SchemeFacts& facts) { return facts.colliding_bodies == 0 && facts.has_closed_form; },
+       {Scheme::event_driven},
+       "the motion is known in closed form, and no sub-problem is ever solved"},
+      {"nothing collides",
+       [](const SchemeFacts& facts) { return facts.colliding_bodies == 0; },
+       {Scheme::event_driven},
+       "the sub-problems are solved at the stages of the integrator, whose order event-driven keeps"},
+      {"only gravity acts, nothing touches at t = 0 and no impact takes energy (restitution 1)",
+       [](const SchemeFacts& facts) {
+         return facts.has_closed_form && facts.touching_pairs == 0 && facts.lowest_restitution == 1;
+       },
+       {Scheme::event_driven},
+       "nothing comes to rest: one sub-problem an impact, and closed forms in between"},
+      {"at most 200 bodies collide",
+       [](const SchemeFacts& facts) { return facts.colliding_bodies <= few_bodies; },
+       {Scheme::event_driven},
+       "few bodies have few events, and each is located and solved by itself"},
+      {"more bodies collide, and some impacts bounce",
+       [](const SchemeFacts& facts) { return facts.highest_restitution > 0; },
+       {Scheme::hybrid, Scheme::time_stepping, Scheme::event_driven},
+       "many bounce and many rest: an impulse for each brief contact, constraints for the lasting ones"},
+      {"more bodies collide, and none bounces",
+       [](const SchemeFacts&) { return true; },
+       {Scheme::time_stepping, Scheme::hybrid, Scheme::event_driven},
+       "contacts last: one sub-problem a step for all of them, however many events there are"},
+  }};
+  return rules;
+}
+
+SchemeChoice choose_scheme(const SchemeFacts& facts, std::span<const Scheme> available) {
+  const auto is_available = [&](Scheme scheme) {
+    return std::find(available.begin(), available.end(), scheme) != available.end();
+  };
+  const std::span<const SchemeRule> rules = scheme_rules();
+  const SchemeRule& rule =
+      *std::find_if(rules.begin(), rules.end(), [&](const SchemeRule& each) { return each.applies(facts); });
+  const auto chosen = std::find_if(rule.schemes.begin(), rule.schemes.end(), is_available);
+  const Scheme scheme = chosen == rule.schemes.end() ? Scheme::event_driven : *chosen;
+  std::string reason = fmt::format(
+      "{}, since {}: {} ({} dynamic {}, {} may collide; {} {} at t = 0; {} {}; restitution {}{})",
+      scheme_name(scheme), rule.when, rule.why, facts.dynamic_bodies,
+      facts.dynamic_bodies == 1 ? "body" : "bodies", facts.colliding_bodies, facts.touching_pairs,
+      facts.touching_pairs == 1 ? "pair touches" : "pairs touch", facts.joints,
+      facts.joints == 1 ? "joint" : "joints", facts.lowest_restitution,
+      facts.highest_restitution > facts.lowest_restitution ? fmt::format(" to {}", facts.highest_restitution)
+                                                           : "");
+  if (scheme != rule.schemes.front())
+    reason += fmt::format("; {} would be the first choice and is not available in this version",
+                          scheme_name(rule.schemes.front()));
+  return {scheme, std::move(reason)};
+}
+
+std::vector<Scheme> available_schemes() {
+  std::vector<Scheme> schemes;
+  for (const std::string& name : method_values("scheme", true)) {
+    Method method;
+    set_method_choice("scheme", name, method);
+    if (method.scheme != Scheme::automatic) schemes.push_back(method.scheme);
+  }
+  return schemes;
+}
+
+ResolvedMethod resolve_scheme(const Model& model, const Method& method) {
+  if (method.scheme != Scheme::automatic) return {method, {}};
+  SchemeChoice choice = choose_scheme(scheme_facts(model, method.contact_tolerance), available_schemes());
+  ResolvedMethod resolved{method, std::move(choice.reason)};
+  resolved.method.scheme = choice.scheme;
+  return resolved;
+}
+
+}  // namespace rigor
