@@ -54,35 +54,12 @@ void check_pair(const BodyShape& a, const BodyShape& b) {
   }
 }
 
-bool is_solid_mesh(const Shape& shape) {
-  const Mesh* const mesh = std::get_if<Mesh>(&shape);
-  return mesh != nullptr && mesh->tree->is_closed;
-}
-
-DistanceResult reversed(DistanceResult result) {
-  std::swap(result.p_WA, result.p_WB);
-  result.n_W = -result.n_W;
-  return result;
-}
-
-/// Of shapes that overlap, one of them at least a closed mesh: how deep, as solids.
-DistanceResult solid_distance(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB) {
-  if (!is_solid_mesh(a)) return reversed(mesh_penetration(std::get<Mesh>(b), X_WB, a, X_WA));
-  if (!is_solid_mesh(b)) return mesh_penetration(std::get<Mesh>(a), X_WA, b, X_WB);
-  return mesh_penetration(std::get<Mesh>(a), X_WA, std::get<Mesh>(b), X_WB);
-}
-
-bool is_open_mesh(const Shape& shape) {
-  return std::holds_alternative<Mesh>(shape) && !is_solid_mesh(shape);
-}
-
 DistanceResult shape_distance(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB,
                               DistanceMethod method) {
   DistanceCache cache;
   const DistanceResult found = method == DistanceMethod::lin_canny ? walked_distance(a, X_WA, b, X_WB, cache)
                                                                    : signed_distance(a, X_WA, b, X_WB);
-  const bool are_solids = (is_solid_mesh(a) || is_solid_mesh(b)) && !is_open_mesh(a) && !is_open_mesh(b);
-  return found.distance < 0 && are_solids ? solid_distance(a, X_WA, b, X_WB) : found;
+  return found.distance < 0 && are_solid(a, b) ? solid_distance(a, X_WA, b, X_WB) : found;
 }
 
 BodyDistance body_distance(const Scene& scene, int body_A, int body_B, double tolerance) {

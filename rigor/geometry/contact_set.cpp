@@ -2,6 +2,7 @@
 
 #include "rigor/core/assert.hpp"
 #include "rigor/geometry/cavity.hpp"
+#include "rigor/geometry/contact_enclosed.hpp"
 #include "rigor/geometry/contact_mesh.hpp"
 #include "rigor/geometry/contact_pair.hpp"
 #include "rigor/geometry/distance.hpp"
@@ -60,8 +61,14 @@ std::vector<ContactPoint> local_contacts(const Shape& a, const Pose& X_OA, const
     return cavity_contacts(*cavity, X_OA, b, X_OB, tolerance);
   const Mesh* const mesh = std::get_if<Mesh>(&a);
   const Mesh* const other = std::get_if<Mesh>(&b);
-  if (mesh != nullptr && other != nullptr) return mesh_pair_contacts(*mesh, X_OA, *other, X_OB, tolerance);
-  if (mesh != nullptr) return mesh_contacts(*mesh, X_OA, b, X_OB, tolerance);
+  if (mesh != nullptr) {
+    std::vector<ContactPoint> contacts = other != nullptr
+                                             ? mesh_pair_contacts(*mesh, X_OA, *other, X_OB, tolerance)
+                                             : mesh_contacts(*mesh, X_OA, b, X_OB, tolerance);
+    if (!contacts.empty() || std::holds_alternative<HalfSpace>(b)) return contacts;
+    if (const auto enclosed = find_enclosed_contact(a, X_OA, b, X_OB)) contacts.push_back(*enclosed);
+    return contacts;
+  }
   const ContactShape shape_A(a, X_OA), shape_B(b, X_OB);
   const DistanceResult distance = signed_distance(a, X_OA, b, X_OB);
   if (distance.distance > tolerance) return {};

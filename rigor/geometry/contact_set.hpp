@@ -45,7 +45,9 @@ struct ContactPoint {
 /// rim crosses that face's border and the corners of that face under it; where it is tilted, and does not
 /// overlap, the lowest point of its rim joins them. A mesh is the union over its
 /// triangles near the other shape (two meshes: mesh_pair_contacts.hpp): edges inside flat patches and
-/// concave edges give no contact, and the back of a triangle only if the mesh is open.
+/// concave edges give no contact, and the back of a triangle only if the mesh is open. What lies wholly
+/// inside a closed mesh, or a mesh inside the other shape, gives the way out as one contact, marked
+/// degenerate.
 std::vector<ContactPoint> contact_set(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB,
                                       double tolerance);
 

@@ -3,6 +3,7 @@
 #include "rigor/core/assert.hpp"
 #include "rigor/geometry/aabb.hpp"
 #include "rigor/geometry/mesh_distance.hpp"
+#include "rigor/geometry/mesh_point.hpp"
 #include "rigor/geometry/mesh_solid.hpp"
 #include "rigor/geometry/point_depth.hpp"
 #include "rigor/geometry/triangle_tree.hpp"
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace rigor {
 namespace {
@@ -87,11 +89,45 @@ DistanceResult least_distance(const Pieces& a, const Pose& X_WA, const Pieces& b
   return best;
 }
 
-DistanceResult solid_distance(const Mesh& a, const Pose& X_WA, const Shape& b, const Pose& X_WB) {
+DistanceResult mesh_solid_distance(const Mesh& a, const Pose& X_WA, const Shape& b, const Pose& X_WB) {
   if (is_unbounded(b)) return signed_distance(a, X_WA, b, X_WB);
   const Pieces pieces_a = make_pieces(a, X_WA), pieces_b = make_pieces(b, X_WB);
   if (pieces_a.shapes.empty() || pieces_b.shapes.empty()) return deepest_point(a, X_WA, b, X_WB);
   return least_distance(pieces_a, X_WA, pieces_b, X_WB);
+}
+
+bool is_closed_mesh(const Shape& shape) {
+  const Mesh* const mesh = std::get_if<Mesh>(&shape);
+  return mesh != nullptr && mesh->tree != nullptr && mesh->tree->is_closed;
+}
+
+bool is_open_mesh(const Shape& shape) {
+  return std::holds_alternative<Mesh>(shape) && !is_closed_mesh(shape);
+}
+
+/// Whether the solid holds a ball of that radius about the point.
+bool holds_ball(const Shape& solid, const Vec3& p_S, double radius) {
+  const Mesh* const mesh = std::get_if<Mesh>(&solid);
+  if (mesh == nullptr) {
+    return signed_distance(Sphere{radius}, Pose{Mat3::Identity(), p_S}, solid, Pose{}).distance <=
+           -2 * radius;
+  }
+  const MeshPoint nearest = nearest_mesh_point(*mesh, p_S);
+  return nearest.distance >= radius && (p_S - nearest.p_M).dot(nearest.normal_M) < 0;
+}
+
+bool has_triangle_over(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB, double depth) {
+  const Mesh* const mesh = std::get_if<Mesh>(&a);
+  if (mesh == nullptr) return false;
+  const Pose X_BA = X_WB.inverse() * X_WA;
+  for (std::size_t t = 0; t < mesh->mesh->triangles.size(); ++t) {
+    Vec3 middle = Vec3::Zero();
+    for (const int v : mesh->mesh->triangles[t])
+      middle += mesh->mesh->vertices[static_cast<std::size_t>(v)] / 3;
+    const Vec3 p_A = middle - 2 * depth * mesh->tree->triangles[t].normal;
+    if (holds_ball(b, X_BA * p_A, depth) && holds_ball(a, p_A, depth)) return true;
+  }
+  return false;
 }
 
 /// Sets of overlapping pairs that are joined.
@@ -119,11 +155,27 @@ bool is_same_or_touching(const Pieces& pieces, std::size_t i, std::size_t k) {
 }  // namespace
 
 DistanceResult mesh_penetration(const Mesh& a, const Pose& X_WA, const Mesh& b, const Pose& X_WB) {
-  return solid_distance(a, X_WA, b, X_WB);
+  return mesh_solid_distance(a, X_WA, b, X_WB);
 }
 
 DistanceResult mesh_penetration(const Mesh& a, const Pose& X_WA, const Shape& b, const Pose& X_WB) {
-  return solid_distance(a, X_WA, b, X_WB);
+  return mesh_solid_distance(a, X_WA, b, X_WB);
+}
+
+bool are_solid(const Shape& a, const Shape& b) {
+  return (is_closed_mesh(a) || is_closed_mesh(b)) && !is_open_mesh(a) && !is_open_mesh(b);
+}
+
+DistanceResult solid_distance(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB) {
+  if (is_closed_mesh(a)) return mesh_solid_distance(std::get<Mesh>(a), X_WA, b, X_WB);
+  DistanceResult result = mesh_solid_distance(std::get<Mesh>(b), X_WB, a, X_WA);
+  std::swap(result.p_WA, result.p_WB);
+  result.n_W = -result.n_W;
+  return result;
+}
+
+bool share_inside(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB, double depth) {
+  return has_triangle_over(a, X_WA, b, X_WB, depth) || has_triangle_over(b, X_WB, a, X_WA, depth);
 }
 
 std::vector<OverlapRegion> find_overlap_regions(const Mesh& a, const Pose& X_WA, const Shape& b,

@@ -24,6 +24,17 @@ DistanceResult mesh_penetration(const Mesh& a, const Pose& X_WA, const Mesh& b, 
 /// over the vertices.
 DistanceResult mesh_penetration(const Mesh& a, const Pose& X_WA, const Shape& b, const Pose& X_WB);
 
+/// Whether there is a closed mesh among the two shapes, and no open one: then mesh_penetration knows how deep
+/// they overlap.
+bool are_solid(const Shape& a, const Shape& b);
+/// mesh_penetration of two such shapes.
+DistanceResult solid_distance(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB);
+
+/// Whether two closed meshes, of which one may be a convex shape, are seen to overlap by more than the depth
+/// [m] although their surfaces only touch, as those of equal meshes at equal poses: a point that far inside
+/// one, under the middle of a triangle, lies as far inside the other.
+bool share_inside(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB, double depth);
+
 /// A part of space where two solids overlap, not joined to the others.
 struct OverlapRegion {
   DistanceResult deepest;  ///< Of the two pieces that penetrate each other most.

@@ -1,4 +1,5 @@
 #include "rigor/geometry/distance.hpp"
+#include "rigor/geometry/mesh_penetration.hpp"
 #include "rigor/sim/near_pairs.hpp"
 #include "rigor/sim/simulation.hpp"
 
@@ -13,13 +14,26 @@ struct Deepest {
   double depth = -std::numeric_limits<double>::infinity();
   Vec3 n_W = Vec3::UnitZ();
 };
-Deepest deepest_overlap(const Model& model, const State& state, int a, int b) {
+
+/// Signed distance, of overlapping solids with all of their insides. Meshes that touch within the tolerance
+/// are not cut into pieces for it.
+DistanceResult overlap_of(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB,
+                          double tolerance) {
+  const DistanceResult found = signed_distance(a, X_WA, b, X_WB);
+  if (found.distance > 0 || !are_solid(a, b)) return found;
+  const bool is_deep = found.distance < -tolerance || share_inside(a, X_WA, b, X_WB, tolerance);
+  return is_deep ? solid_distance(a, X_WA, b, X_WB) : found;
+}
+
+Deepest deepest_overlap(const Model& model, const State& state, std::pair<int, int> bodies,
+                        double tolerance) {
+  const auto [a, b] = bodies;
   Deepest deepest;
   const Pose X_WA = pose_of(state, a), X_WB = pose_of(state, b);
   for (const BodyShape& shape_a : model.body(a).shapes) {
     for (const BodyShape& shape_b : model.body(b).shapes) {
       const DistanceResult found =
-          signed_distance(shape_a.shape, X_WA * shape_a.X_BS, shape_b.shape, X_WB * shape_b.X_BS);
+          overlap_of(shape_a.shape, X_WA * shape_a.X_BS, shape_b.shape, X_WB * shape_b.X_BS, tolerance);
       if (-found.distance > deepest.depth) deepest = {-found.distance, found.n_W};
     }
   }
@@ -31,7 +45,7 @@ Deepest deepest_overlap(const Model& model, const State& state, int a, int b) {
 std::vector<Overlap> find_overlaps(const Model& model, const State& state, double tolerance) {
   std::vector<Overlap> overlaps;
   for (const auto& [a, b] : near_pairs(model, state, 0)) {
-    const double depth = deepest_overlap(model, state, a, b).depth;
+    const double depth = deepest_overlap(model, state, {a, b}, tolerance).depth;
     if (depth > tolerance) overlaps.push_back({a, b, depth});
   }
   return overlaps;
@@ -50,7 +64,7 @@ std::vector<Overlap> apply_separation(const Model& model, double tolerance, Stat
   for (int round = 0; round < most_rounds; ++round) {
     bool is_apart = true;
     for (const auto& [a, b] : near_pairs(model, state, 0)) {
-      const Deepest deepest = deepest_overlap(model, state, a, b);
+      const Deepest deepest = deepest_overlap(model, state, {a, b}, tolerance);
       if (deepest.depth <= 0) continue;
       is_apart = is_apart && deepest.depth <= 0.5 * tolerance;
       // A little more than the depth, so that the rounds end.
