@@ -65,6 +65,7 @@ class ShapePairSearch {
   bool can_meet(double t0, double t1) const;
   std::optional<TimeOfImpact> find_in_closed_form(double t0, double t1) const;
   std::optional<TimeOfImpact> refined(double low, const Approach& at_low, double high);
+  std::optional<TimeOfImpact> found_sinking(double low, double gap_low, double high, double gap_high);
   double advance(double t, const Approach& now, double t1) const;
   /// Distances that rounding cannot tell from contact [m].
   double touch(double t) const {
@@ -228,12 +229,27 @@ std::optional<TimeOfImpact> ShapePairSearch::refined(double low, const Approach&
   return TimeOfImpact{true, root.lo, std::max(root.width(), finest), evaluations_};
 }
 
+/// A pair that touched at `low`, departed and came back deeper at `high`, all in one step: where it is as
+/// deep again and a little more.
+std::optional<TimeOfImpact> ShapePairSearch::found_sinking(double low, double gap_low, double high,
+                                                           double gap_high) {
+  const double level = std::min(0.0, gap_low) - 5e-4 * options_.contact_tolerance;
+  if (are_meshes() || low == high || gap_high >= level) return std::nullopt;
+  const auto above = [&](double t) {
+    return (t == low ? gap_low : t == high ? gap_high : approach(t).gap) - level;
+  };
+  const double finest = std::max(options_.time_tolerance, 4 * epsilon * std::abs(high));
+  const RootBracket root = find_root_illinois(above, low, high, finest);
+  return TimeOfImpact{true, root.lo, std::max(root.width(), finest), evaluations_};
+}
+
 TimeOfImpact ShapePairSearch::find(double t0, double t1) {
   if (!can_meet(t0, t1)) return {false, t1, 0, 0};
   if (const std::optional<TimeOfImpact> found = find_in_closed_form(t0, t1)) return *found;
 
   constexpr int most_evaluations = 10000;
   double t = t0;
+  double before = t0, gap_before = 0;
   std::optional<double> last_apart;
   while (evaluations_ < most_evaluations) {
     const Approach now = approach(t);
@@ -245,8 +261,12 @@ TimeOfImpact ShapePairSearch::find(double t0, double t1) {
         if (const std::optional<TimeOfImpact> found = refined(*last_apart, approach(*last_apart), t))
           return *found;
       }
+      if (const std::optional<TimeOfImpact> found = found_sinking(before, gap_before, t, now.gap))
+        return *found;
       return {true, t, finest, evaluations_};
     }
+    before = t;
+    gap_before = now.gap;
     if (t >= t1) return {false, t1, 0, evaluations_};
     if (now.gap > touch(t)) last_apart = t;
 
