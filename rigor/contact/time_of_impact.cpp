@@ -275,7 +275,7 @@ TimeOfImpact ShapePairSearch::refined(const Crossing& crossing) {
 TimeOfImpact ShapePairSearch::passed_contact(double before, double distance_before, double t,
                                              double distance_now) {
   constexpr int most_halvings = 12;
-  constexpr double allowance = 0.01;  // Of the contact tolerance, for bodies that never parted.
+  constexpr double allowance = 5e-4;  // Of the contact tolerance, for bodies that never parted.
   Crossing crossing{before, t, distance_before, distance_now, std::min(0.0, distance_before)};
   if (distance_before <= touch(t)) {
     const double parted = crossing.level + touch(t);

@@ -16,9 +16,9 @@ ContactProjection::ContactProjection(const Model& model, const Environment& envi
       contact_tolerance_(method.contact_tolerance),
       resting_(resting_choice(method)) {}
 
-void ContactProjection::restore_gaps(const Island& island, double t, std::vector<BodyPhase>& end) const {
+void ContactProjection::restore_gaps(const Island& island, double t, IslandStep& step) const {
   if (island.contacts.empty()) return;
-  const ContactSystem system = integrator_.contact_system(island, t, end);
+  const ContactSystem system = integrator_.contact_system(island, t, step.end);
   VecX drift = VecX::Zero(3 * static_cast<Eigen::Index>(island.contacts.size()));
   std::vector<ContactMode> modes;
   for (std::size_t i = 0; i < island.contacts.size(); ++i) {
@@ -32,7 +32,24 @@ void ContactProjection::restore_gaps(const Island& island, double t, std::vector
   // A contact that is found on other features than before is not the one that drifted.
   const double largest = drift.cwiseAbs().maxCoeff();
   if (largest <= rounding * model_.length_scale() || largest > 0.1 * contact_tolerance_) return;
-  apply_displacement(normal_impulses(system, drift, modes, resting_), system, island.bodies, end);
+  const std::vector<BodyPhase> drifted = step.end;
+  apply_displacement(normal_impulses(system, drift, modes, resting_), system, island.bodies, step.end);
+  const EnergyBalance balance = integrator_.energy_balance(t, island.bodies, island.contacts);
+  if (!balance.is_closed) return;
+  const auto energy = [&](const std::vector<BodyPhase>& phases) {
+    return energy_of_bodies(model_, environment_, island.bodies, phases);
+  };
+  const double gained = energy(step.end) - std::max(energy(drifted), energy(island.start));
+  if (gained <= 0) return;
+  const ClusterTotals before = totals_of_bodies(model_, island.bodies, step.end);
+  if (take_kinetic_energy(model_, island.bodies, gained, balance.is_free, step.end) < gained) {
+    step.end = drifted;
+    return;
+  }
+  if (balance.is_free) return;
+  const ClusterTotals after = totals_of_bodies(model_, island.bodies, step.end);
+  step.impulse += after.P - before.P;
+  step.angular_impulse += after.L - before.L;
 }
 
 bool ContactProjection::project_positions(Cluster& cluster, AdvanceReport& report) const {
@@ -42,7 +59,8 @@ bool ContactProjection::project_positions(Cluster& cluster, AdvanceReport& repor
   const std::vector<BodyPhase> before = cluster.phases;
   const ContactSystem system =
       integrator_.system_of(cluster.t, cluster.bodies, cluster.phases, cluster.contacts);
-  apply_displacement(separating_impulses(system), system, cluster.bodies, cluster.phases);
+  apply_displacement(separating_impulses(system, std::vector<double>(cluster.contacts.size(), 0.0)), system,
+                     cluster.bodies, cluster.phases);
   const EnergyBalance balance = integrator_.energy_balance(cluster.t, cluster.bodies, cluster.contacts);
   if (!balance.is_closed) return true;
   const double gained = energy_of_bodies(model_, environment_, cluster.bodies, cluster.phases) -

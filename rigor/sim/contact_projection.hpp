@@ -17,8 +17,9 @@ class ContactProjection {
                     const Method& method);
 
   /// Lasting contacts keep their gaps: what the integrator's error has added to them by the end of a step is
-  /// taken back, by the smallest displacement in the metric of the mass matrix.
-  void restore_gaps(const Island& island, double t, std::vector<BodyPhase>& end) const;
+  /// taken back, by the smallest displacement in the metric of the mass matrix. It adds no energy: what it
+  /// would add is taken from the motion, and bodies that cannot pay stay where the step has left them.
+  void restore_gaps(const Island& island, double t, IslandStep& step) const;
   /// Puts bodies that overlap noticeably back to touching, by the smallest displacement in the metric of the
   /// mass matrix; the momenta stay, but for what pays for the lift. Returns whether anything moved: then the
   /// contacts must be found anew.

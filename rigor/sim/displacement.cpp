@@ -6,7 +6,7 @@
 
 namespace rigor {
 
-VecX separating_impulses(const ContactSystem& system) {
+VecX separating_impulses(const ContactSystem& system, const std::vector<double>& lowest) {
   const std::size_t count = system.contacts.size();
   CoulombProblem problem{delassus(system), VecX::Zero(3 * static_cast<Eigen::Index>(count)),
                          std::vector<double>(count, 0.0), std::vector<FrictionRow>(count, FrictionRow::cone),
@@ -14,7 +14,7 @@ VecX separating_impulses(const ContactSystem& system) {
   for (std::size_t i = 0; i < count; ++i) {
     const Contact& contact = system.contacts[i];
     problem.b[3 * static_cast<Eigen::Index>(i) + 2] =
-        contact.stop ? std::max(0.0, contact.point.gap) : contact.point.gap;
+        contact.stop ? std::max(0.0, contact.point.gap) : contact.point.gap - lowest[i];
   }
   return solve_coulomb(problem).lambda;
 }

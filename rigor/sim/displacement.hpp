@@ -7,8 +7,9 @@
 namespace rigor {
 
 /// Impulses δ (3n, normal rows alone) whose displacements M⁻¹ Jᵀ δ are the smallest, in the metric of the
-/// mass matrix, at which nothing overlaps: 0 ≤ δ ⊥ gap + A δ ≥ 0. Stops of joints stay where they are.
-VecX separating_impulses(const ContactSystem& system);
+/// mass matrix, at which no gap is below its lowest value: 0 ≤ δ ⊥ gap - lowest + A δ ≥ 0. Stops of joints
+/// stay where they are.
+VecX separating_impulses(const ContactSystem& system, const std::vector<double>& lowest);
 
 /// Moves bodies of the system by M⁻¹ Jᵀ δ. Each keeps its momentum, and its angular momentum about the origin
 /// of W.

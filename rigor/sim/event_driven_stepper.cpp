@@ -251,11 +251,13 @@ void EventDrivenStepper::finish_island(int number, Cluster& cluster) {
   if (is_at_end) {
     step = running.step;
   } else if (has_moved) {
-    step = integrator_.step(running.island, t_ - running.island.begin);
+    const double h = t_ - running.island.begin;
+    step = running.step.is_implicit ? integrator_.implicit_step(running.island, h)
+                                    : integrator_.step(running.island, h);
   } else {
     step.end = running.island.start;
   }
-  if (has_moved && !step.is_implicit) contacts_.restore_gaps(running.island, t_, step.end);
+  if (has_moved && !step.is_implicit) contacts_.restore_gaps(running.island, t_, step);
   joints_.project_positions(t_, running.island.bodies, step.end, report_);
   joints_.restore_momenta(running.island, step);
   Vec3 P = Vec3::Zero(), L = Vec3::Zero();

@@ -289,7 +289,9 @@ IslandStep IslandIntegrator::step(const Island& island, double h) const {
   std::vector<BodyInertia> inertias;
   for (const int body : island.bodies)
     inertias.push_back({model_.body(body).mass, model_.body(body).moments});
-  inertias.resize(count + 2);
+  // The books do not move: their paths would only disturb the estimate of the error.
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  inertias.resize(count + 2, {infinite, Vec3::Constant(infinite)});
   std::vector<BodyPhase> start = island.start;
   start.resize(count + 2);
 

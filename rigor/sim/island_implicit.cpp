@@ -132,14 +132,17 @@ IslandStep IslandIntegrator::implicit_step(const Island& island, double h) const
 void IslandIntegrator::close_implicit_step(const Island& island, IslandStep& step) const {
   const EnergyBalance balance = energy_balance(island.begin, island.bodies, island.contacts);
   const ClusterTotals before = totals_of_bodies(model_, island.bodies, step.end);
-  // The contacts have turned while they were taken as straight.
+  // The contacts have turned while they were taken as straight. What overlapped before may stay.
   constexpr double rounding = 1e-12;
   const ContactSystem at_end = contact_system(island, island.begin + step.h, step.end);
-  const bool overlaps =
-      std::any_of(at_end.contacts.begin(), at_end.contacts.end(), [&](const Contact& contact) {
-        return !contact.stop && contact.point.gap < -rounding * model_.length_scale();
-      });
-  if (overlaps) apply_displacement(separating_impulses(at_end), at_end, island.bodies, step.end);
+  std::vector<double> lowest;
+  bool overlaps = false;
+  for (std::size_t i = 0; i < island.contacts.size(); ++i) {
+    lowest.push_back(std::min(0.0, island.contacts[i].point.gap));
+    overlaps = overlaps || (!island.contacts[i].stop &&
+                            at_end.contacts[i].point.gap < lowest[i] - rounding * model_.length_scale());
+  }
+  if (overlaps) apply_displacement(separating_impulses(at_end, lowest), at_end, island.bodies, step.end);
   if (balance.is_closed) {
     const double gained = energy_of_bodies(model_, environment_, island.bodies, step.end) -
                           energy_of_bodies(model_, environment_, island.bodies, island.start) - step.work;

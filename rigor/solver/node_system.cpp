@@ -1,5 +1,7 @@
 #include "rigor/solver/node_system.hpp"
 
+#include <cmath>
+
 namespace rigor {
 
 using Eigen::Index;
@@ -25,15 +27,38 @@ void assemble(const ContactRows& rows, const std::vector<Mat3>& D, double mass_f
   }
 }
 
+/// A power of two near 1/√x, so that scaling with it rounds nothing.
+double power_near_inverse_root(double x) {
+  return std::ldexp(1.0, -static_cast<int>(std::floor(0.5 * std::ilogb(x))));
+}
+
+/// For each unknown, so that those of translations and rotations have one unit: pivots compare them.
+VecX unknown_scales(const ContactRows& rows) {
+  VecX scales(6 * static_cast<Index>(rows.node_count()));
+  for (std::size_t k = 0; k < rows.node_count(); ++k) {
+    const Mat6& mass = rows.masses[k];
+    const Index first = 6 * static_cast<Index>(k);
+    scales.segment<3>(first).setConstant(power_near_inverse_root(mass(0, 0)));
+    scales.segment<3>(first + 3).setConstant(
+        power_near_inverse_root(mass.bottomRightCorner<3, 3>().diagonal().maxCoeff()));
+  }
+  return scales;
+}
+
 }  // namespace
 
 NodeSystem::NodeSystem(const ContactRows& rows, const std::vector<Mat3>& D, double mass_factor,
-                       bool is_symmetric) {
+                       bool is_symmetric)
+    : scales_(unknown_scales(rows)) {
+  const auto scaled = [this](int i, int k, const Mat6& block) {
+    return Mat6(scales_.segment<6>(6 * i).asDiagonal() * block * scales_.segment<6>(6 * k).asDiagonal());
+  };
   const Index size = 6 * static_cast<Index>(rows.node_count());
   if (rows.node_count() <= kDenseNodes) {
     MatX matrix = MatX::Zero(size, size);
-    assemble(rows, D, mass_factor,
-             [&](int i, int k, const Mat6& block) { matrix.block<6, 6>(6 * i, 6 * k) += block; });
+    assemble(rows, D, mass_factor, [&](int i, int k, const Mat6& block) {
+      matrix.block<6, 6>(6 * i, 6 * k) += scaled(i, k, block);
+    });
     factor_dense(matrix, is_symmetric);
     return;
   }
@@ -41,8 +66,9 @@ NodeSystem::NodeSystem(const ContactRows& rows, const std::vector<Mat3>& D, doub
   assemble(rows, D, mass_factor, [&](int i, int k, const Mat6& block) {
     // Of a symmetric matrix the lower triangle is enough.
     if (is_symmetric && i < k) return;
+    const Mat6 entry = scaled(i, k, block);
     for (int c = 0; c < 6; ++c)
-      for (int r = 0; r < 6; ++r) entries.emplace_back(6 * i + r, 6 * k + c, block(r, c));
+      for (int r = 0; r < 6; ++r) entries.emplace_back(6 * i + r, 6 * k + c, entry(r, c));
   });
   Sparse matrix(size, size);
   matrix.setFromTriplets(entries.begin(), entries.end());
@@ -71,6 +97,10 @@ void NodeSystem::factor_sparse(const Sparse& matrix, bool is_symmetric) {
 }
 
 VecX NodeSystem::solve(const VecX& c) const {
+  return scales_.cwiseProduct(solve_scaled(scales_.cwiseProduct(c)));
+}
+
+VecX NodeSystem::solve_scaled(const VecX& c) const {
   switch (form_) {
     case Form::dense_cholesky:
       return dense_cholesky_.solve(c);

@@ -25,10 +25,12 @@ class NodeSystem {
   VecX solve(const VecX& c) const;
 
  private:
+  VecX solve_scaled(const VecX& c) const;
   using Sparse = Eigen::SparseMatrix<double>;
   void factor_dense(const MatX& matrix, bool is_symmetric);
   void factor_sparse(const Sparse& matrix, bool is_symmetric);
 
+  VecX scales_;  ///< Of the unknowns.
   bool is_regular_ = true;
   Eigen::LLT<MatX> dense_cholesky_;
   Eigen::PartialPivLU<MatX> dense_lu_;
