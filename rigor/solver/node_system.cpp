@@ -7,7 +7,7 @@ using Eigen::Index;
 namespace {
 
 // So few are solved faster without an order.
-constexpr std::size_t kDenseNodes = 24;
+constexpr Index kDenseUnknowns = 144;
 
 /// Calls add(row node, column node, block) for each block of the sum.
 template <typename Add>
@@ -29,11 +29,18 @@ void assemble(const ContactRows& rows, const std::vector<Mat3>& D, double mass_f
 
 NodeSystem::NodeSystem(const ContactRows& rows, const std::vector<Mat3>& D, double mass_factor,
                        bool is_symmetric) {
-  const Index size = 6 * static_cast<Index>(rows.node_count());
-  if (rows.node_count() <= kDenseNodes) {
-    MatX matrix = MatX::Zero(size, size);
+  const Index free = 6 * static_cast<Index>(rows.node_count());
+  size_ = free + for_each_joint_row(rows, [](Index, int, const Vec6&) {});
+  // The bordered matrix is symmetric, but not definite.
+  is_symmetric = is_symmetric && size_ == free;
+  if (size_ <= kDenseUnknowns) {
+    MatX matrix = MatX::Zero(size_, size_);
     assemble(rows, D, mass_factor,
              [&](int i, int k, const Mat6& block) { matrix.block<6, 6>(6 * i, 6 * k) += block; });
+    for_each_joint_row(rows, [&](Index row, int node, const Vec6& coefficients) {
+      matrix.block<1, 6>(free + row, 6 * node) = coefficients.transpose();
+      matrix.block<6, 1>(6 * node, free + row) = coefficients;
+    });
     factor_dense(matrix, is_symmetric);
     return;
   }
@@ -44,7 +51,13 @@ NodeSystem::NodeSystem(const ContactRows& rows, const std::vector<Mat3>& D, doub
     for (int c = 0; c < 6; ++c)
       for (int r = 0; r < 6; ++r) entries.emplace_back(6 * i + r, 6 * k + c, block(r, c));
   });
-  Sparse matrix(size, size);
+  for_each_joint_row(rows, [&](Index row, int node, const Vec6& coefficients) {
+    for (int c = 0; c < 6; ++c) {
+      entries.emplace_back(free + row, 6 * node + c, coefficients(c));
+      entries.emplace_back(6 * node + c, free + row, coefficients(c));
+    }
+  });
+  Sparse matrix(size_, size_);
   matrix.setFromTriplets(entries.begin(), entries.end());
   factor_sparse(matrix, is_symmetric);
 }
@@ -71,6 +84,13 @@ void NodeSystem::factor_sparse(const Sparse& matrix, bool is_symmetric) {
 }
 
 VecX NodeSystem::solve(const VecX& c) const {
+  if (size_ == c.size()) return solve_bordered(c);
+  VecX bordered = VecX::Zero(size_);
+  bordered.head(c.size()) = c;
+  return solve_bordered(bordered).head(c.size());
+}
+
+VecX NodeSystem::solve_bordered(const VecX& c) const {
   switch (form_) {
     case Form::dense_cholesky:
       return dense_cholesky_.solve(c);
