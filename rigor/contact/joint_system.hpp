@@ -40,6 +40,9 @@ class JointSystem {
   /// Number of bodies that it holds, and the place of each in the list.
   const std::vector<std::size_t>& held_bodies() const { return bodies_of_nodes_; }
 
+  /// The equations on the held bodies.
+  const ConstrainedMass& equations() const { return *solver_; }
+
   /// Residuals g of the positions [m or none]; zero for motors.
   const VecX& residuals() const { return residuals_; }
   /// G V - rate [m/s or 1/s].

@@ -1,7 +1,5 @@
 #include "rigor/contact/motion_rows.hpp"
 
-#include "rigor/math/rotation.hpp"
-
 #include <tuple>
 
 namespace rigor {
@@ -15,6 +13,12 @@ Mat6 block_diagonal(double linear, const Mat3& angular) {
   return block;
 }
 
+int add_node(const Mat6& mass, const Mat6& inverse_mass, ContactRows& rows) {
+  rows.masses.push_back(mass);
+  rows.inverse_masses.push_back(inverse_mass);
+  return static_cast<int>(rows.masses.size()) - 1;
+}
+
 }  // namespace
 
 ContactRows motion_rows(const ContactSystem& system) {
@@ -22,26 +26,30 @@ ContactRows motion_rows(const ContactSystem& system) {
   std::vector<int> nodes;
   for (const BodyKinetics& body : system.kinetics) {
     const bool gives_way = body.inverse_mass > 0;
-    nodes.push_back(gives_way ? static_cast<int>(rows.masses.size()) : -1);
-    if (!gives_way) continue;
-    rows.masses.push_back(block_diagonal(1 / body.inverse_mass, body.inertia));
-    rows.inverse_masses.push_back(block_diagonal(body.inverse_mass, body.inverse_inertia));
+    nodes.push_back(gives_way ? add_node(block_diagonal(1 / body.inverse_mass, body.inertia),
+                                         block_diagonal(body.inverse_mass, body.inverse_inertia), rows)
+                              : -1);
   }
   for (std::size_t i = 0; i < system.contacts.size(); ++i) {
     const Contact& contact = system.contacts[i];
-    std::array<ContactRows::Side, 2> sides;
-    for (const auto& [k, body, sign] :
-         {std::tuple{0, contact.body_A, -1.0}, std::tuple{1, contact.body_B, 1.0}}) {
-      const std::size_t local = static_cast<std::size_t>(system.local_index(body));
+    const ContactJacobian& jacobian = system.rows[i];
+    ContactRows::Sides sides;
+    for (const auto& [k, body, J] :
+         {std::tuple{0, contact.body_A, &jacobian.A}, std::tuple{1, contact.body_B, &jacobian.B}}) {
       ContactRows::Side& side = sides[static_cast<std::size_t>(k)];
-      side.node = nodes[local];
-      if (side.node < 0) continue;
-      // The velocity of the contact's point is v + ω × r.
-      const Mat3 axes = sign * system.frames[i].transpose();
-      side.J << axes, -axes * skew(contact.p_W() - system.kinetics[local].x);
+      side.node = nodes[static_cast<std::size_t>(system.local_index(body))];
+      if (side.node >= 0) side.J = *J;
+    }
+    if (jacobian.mobility > 0) {
+      sides[2].node =
+          add_node(Mat6::Identity() / jacobian.mobility, jacobian.mobility * Mat6::Identity(), rows);
+      sides[2].J(2, 0) = 1;
     }
     rows.contacts.push_back(sides);
   }
+  if (!system.joints || system.joints->held_bodies().empty()) return rows;
+  rows.joints = std::shared_ptr<const ConstrainedMass>(system.joints, &system.joints->equations());
+  for (const std::size_t body : system.joints->held_bodies()) rows.joint_nodes.push_back(nodes[body]);
   return rows;
 }
 

@@ -5,8 +5,9 @@
 
 namespace rigor {
 
-/// J and M of the system's contacts on its dynamic bodies, one node each in the order of `bodies`, in the
-/// contact frames: what A = J M⁻¹ Jᵀ (delassus) is made of.
+/// J and M of the system's contacts and its joints on its dynamic bodies, one node each in the order of
+/// `bodies`, in the contact frames: what A = J M⁻¹ Jᵀ (delassus) is made of. Dry friction and motors have a
+/// node more, for their load.
 ContactRows motion_rows(const ContactSystem& system);
 
 }  // namespace rigor

@@ -4,7 +4,6 @@
 #include "rigor/contact/motion_rows.hpp"
 #include "rigor/solver/motion_problem.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace rigor {
@@ -39,17 +38,9 @@ std::vector<ContactMode> modes_of(const std::vector<ContactState>& states) {
   return modes;
 }
 
-/// Motion space has rows of bodies alone: contacts that work through joints, and stops of joints, are solved
-/// in contact space.
-bool is_in_motion_space(const ContactSystem& system, const RestingChoice& choice) {
-  return choice.space == RestingSpace::motion && !system.joints &&
-         std::none_of(system.contacts.begin(), system.contacts.end(),
-                      [](const Contact& contact) { return contact.stop.has_value(); });
-}
-
 VecX forces_of_modes(const ContactSystem& system, CoulombProblem laws, const std::vector<ContactMode>& modes,
                      const RestingChoice& choice) {
-  if (is_in_motion_space(system, choice)) {
+  if (choice.space == RestingSpace::motion) {
     const MotionProblem problem{motion_rows(system), laws};
     const MotionModesSystem forces(problem, {modes, laws.slips});
     if (forces.is_exact()) return forces.least_norm();
@@ -94,7 +85,7 @@ namespace {
 
 CoulombSolution solve_laws(const ContactSystem& system, CoulombProblem laws, const RestingChoice& choice,
                            const std::vector<ContactMode>& start) {
-  if (is_in_motion_space(system, choice)) {
+  if (choice.space == RestingSpace::motion) {
     const MotionProblem problem{motion_rows(system), laws};
     if (std::optional<CoulombSolution> solution = solve_in_motion_space(problem, start)) return *solution;
   }
@@ -151,7 +142,7 @@ bool modes_have_forces(const ContactSystem& system, const std::vector<ContactSta
                        const std::vector<Wrench>& wrenches, double direction_tolerance,
                        const RestingChoice& choice) {
   CoulombProblem laws = laws_of_modes(system, states, wrenches, direction_tolerance);
-  if (is_in_motion_space(system, choice)) {
+  if (choice.space == RestingSpace::motion) {
     const MotionProblem problem{motion_rows(system), laws};
     const MotionModesSystem forces(problem, {modes_of(states), laws.slips});
     if (forces.is_exact()) return forces.find_in_cones().has_value();

@@ -46,6 +46,11 @@ class ConstrainedMass {
   /// The a for c = 0 and each column f of F (6 nodes × k). Blocks of zeros in a column cost little.
   MatX solve(const MatX& F) const;
 
+  const ConstraintGraph& graph() const { return graph_; }
+  /// Coefficients of a link's rows on the k-th of its nodes; unused rows are 0.
+  const Mat6& block(int link, std::size_t k) const {
+    return blocks_[first_blocks_[static_cast<std::size_t>(link)] + k];
+  }
   int row_count() const { return row_count_; }
   /// First row of a link.
   int first_row(int link) const { return first_rows_[static_cast<std::size_t>(link)]; }
@@ -93,10 +98,6 @@ class ConstrainedMass {
   void store(const Vec6& values, int link, Eigen::Ref<VecX> x) const;
   std::size_t link_of(const SpanningForest::Node& node) const { return static_cast<std::size_t>(node.link); }
   int rows_of(int link) const { return graph_.links[static_cast<std::size_t>(link)].rows; }
-  /// Coefficients of a link's rows on the k-th of its nodes; unused rows are 0.
-  const Mat6& block(int link, std::size_t k) const {
-    return blocks_[first_blocks_[static_cast<std::size_t>(link)] + k];
-  }
 
   ConstraintGraph graph_;
   SpanningForest forest_;

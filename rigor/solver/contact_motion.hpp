@@ -12,11 +12,12 @@ class ContactMotion {
  public:
   virtual ~ContactMotion() = default;
   virtual VecX rates(const VecX& v) const = 0;      ///< L v (3n).
-  virtual VecX pull(const VecX& lambda) const = 0;  ///< Lᵀ λ.
+  virtual VecX pull(const VecX& lambda) const = 0;  ///< Lᵀ λ, with what joints do about it.
   virtual VecX weigh(const VecX& v) const = 0;      ///< M v.
   virtual VecX lift(const VecX& p) const = 0;       ///< M⁻¹ p.
   virtual const VecX& diagonal() const = 0;         ///< Of A (3n).
-  /// (M + Lᵀ D L)⁻¹ g, with one positive semidefinite 3 × 3 matrix D a contact.
+  /// (M + Lᵀ D L)⁻¹ g, with one positive semidefinite 3 × 3 matrix D a contact; of the motions that joints
+  /// allow the one that solves it on them.
   virtual VecX newton_step(const std::vector<Mat3>& D, const VecX& g) const = 0;
 };
 
@@ -43,7 +44,7 @@ class SparseMotion : public ContactMotion {
   /// Holds a reference to the rows.
   explicit SparseMotion(const ContactRows& rows) : rows_(rows), diagonal_(contact_diagonal(rows)) {}
   VecX rates(const VecX& v) const override { return contact_rates(rows_, v); }
-  VecX pull(const VecX& lambda) const override { return contact_wrenches(rows_, lambda); }
+  VecX pull(const VecX& lambda) const override { return with_joints(rows_, contact_wrenches(rows_, lambda)); }
   VecX weigh(const VecX& v) const override { return node_wrenches(rows_, v); }
   VecX lift(const VecX& p) const override { return node_accelerations(rows_, p); }
   const VecX& diagonal() const override { return diagonal_; }

@@ -1,5 +1,7 @@
 #include "rigor/solver/contact_rows.hpp"
 
+#include <algorithm>
+
 namespace rigor {
 
 using Eigen::Index;
@@ -22,6 +24,42 @@ VecX contact_wrenches(const ContactRows& rows, const VecX& lambda) {
   return wrenches;
 }
 
+Index for_each_joint_row(const ContactRows& rows, const std::function<void(Index, int, const Vec6&)>& add) {
+  if (!rows.joints) return 0;
+  const ConstrainedMass& joints = *rows.joints;
+  const ConstrainedMass::RowChoice& left_out = joints.choice();
+  auto next_left_out = left_out.begin();
+  Index count = 0;
+  for (int link = 0; link < static_cast<int>(joints.graph().links.size()); ++link) {
+    const ConstraintGraph::Link& equations = joints.graph().links[static_cast<std::size_t>(link)];
+    for (int row = 0; row < equations.rows; ++row) {
+      if (next_left_out != left_out.end() && *next_left_out == joints.first_row(link) + row) {
+        ++next_left_out;
+        continue;
+      }
+      for (std::size_t k = 0; k < equations.nodes.size(); ++k)
+        add(count, rows.joint_nodes[static_cast<std::size_t>(equations.nodes[k])],
+            joints.block(link, k).row(row).transpose());
+      ++count;
+    }
+  }
+  return count;
+}
+
+VecX with_joints(const ContactRows& rows, const VecX& p) {
+  if (!rows.joints) return p;
+  const Index count = static_cast<Index>(rows.joint_nodes.size());
+  VecX held(6 * count), result = p;
+  for (Index n = 0; n < count; ++n)
+    held.segment<6>(6 * n) = p.segment<6>(6 * rows.joint_nodes[static_cast<std::size_t>(n)]);
+  const VecX a = rows.joints->solve(held, VecX::Zero(rows.joints->row_count())).a;
+  for (Index n = 0; n < count; ++n) {
+    const int node = rows.joint_nodes[static_cast<std::size_t>(n)];
+    result.segment<6>(6 * node) = rows.masses[static_cast<std::size_t>(node)] * a.segment<6>(6 * n);
+  }
+  return result;
+}
+
 VecX node_accelerations(const ContactRows& rows, const VecX& p) {
   VecX a(p.size());
   for (std::size_t k = 0; k < rows.node_count(); ++k) {
@@ -40,13 +78,44 @@ VecX node_wrenches(const ContactRows& rows, const VecX& V) {
   return p;
 }
 
-VecX contact_diagonal(const ContactRows& rows) {
+VecX free_diagonal(const ContactRows& rows) {
   VecX diagonal = VecX::Zero(3 * static_cast<Index>(rows.contacts.size()));
   for (std::size_t i = 0; i < rows.contacts.size(); ++i) {
     for (const ContactRows::Side& side : rows.contacts[i]) {
       if (side.node < 0) continue;
       const ContactRows::Block moved = side.J * rows.inverse_masses[static_cast<std::size_t>(side.node)];
       diagonal.segment<3>(3 * static_cast<Index>(i)) += moved.cwiseProduct(side.J).rowwise().sum();
+    }
+  }
+  return diagonal;
+}
+
+MatX contact_response(const ContactRows& rows) {
+  const Index size = 3 * static_cast<Index>(rows.contacts.size());
+  MatX A(size, size);
+  for (Index column = 0; column < size; ++column) {
+    const VecX p = with_joints(rows, contact_wrenches(rows, VecX::Unit(size, column)));
+    A.col(column) = contact_rates(rows, node_accelerations(rows, p));
+  }
+  return 0.5 * (A + A.transpose());
+}
+
+VecX contact_diagonal(const ContactRows& rows) {
+  VecX diagonal = free_diagonal(rows);
+  if (!rows.joints) return diagonal;
+  std::vector<bool> is_held(rows.node_count(), false);
+  for (const int node : rows.joint_nodes) is_held[static_cast<std::size_t>(node)] = true;
+  VecX lambda = VecX::Zero(diagonal.size());
+  for (std::size_t i = 0; i < rows.contacts.size(); ++i) {
+    const bool touches = std::any_of(rows.contacts[i].begin(), rows.contacts[i].end(), [&](const auto& side) {
+      return side.node >= 0 && is_held[static_cast<std::size_t>(side.node)];
+    });
+    for (Index row = 3 * static_cast<Index>(i); touches && row < 3 * static_cast<Index>(i) + 3; ++row) {
+      lambda(row) = 1;
+      const VecX p = with_joints(rows, contact_wrenches(rows, lambda));
+      // λᵀ A λ = Vᵀ M V: never below zero.
+      diagonal(row) = std::max(0.0, p.dot(node_accelerations(rows, p)));
+      lambda(row) = 0;
     }
   }
   return diagonal;

@@ -22,8 +22,8 @@ constexpr double kDamping = 0.5;
 }  // namespace
 
 CoulombProximal::CoulombProximal(const CoulombProblem& problem, const ContactMotion& motion,
-                                 CoulombGuess start)
-    : problem_(problem), motion_(motion), guess_(std::move(start)) {
+                                 CoulombGuess start, NormalShift normal_shift)
+    : problem_(problem), motion_(motion), normal_shift_(normal_shift), guess_(std::move(start)) {
   const Index count = static_cast<Index>(problem.mu.size());
   const double largest = motion.diagonal().maxCoeff();
   stiffness_.resize(count);
@@ -47,7 +47,8 @@ void CoulombProximal::step() {
 }
 
 double CoulombProximal::capped_mu(std::size_t contact) const {
-  return std::min(problem_.mu[contact], kLargestMu);
+  const double mu = problem_.mu[contact];
+  return normal_shift_ == NormalShift::none ? mu : std::min(mu, kLargestMu);
 }
 
 Vec3 CoulombProximal::project(Index contact, const Vec3& x) const {
@@ -140,7 +141,7 @@ void CoulombProximal::update_shift(const VecX& w, double damping) {
     const std::size_t k = static_cast<std::size_t>(i);
     if (problem_.rows[k] == FrictionRow::slide) {
       held.segment<2>(3 * i) = guess_.lambda.segment<2>(3 * i);
-    } else {
+    } else if (normal_shift_ == NormalShift::de_saxce) {
       shift_(i) += damping * (capped_mu(k) * w.segment<2>(3 * i).norm() - shift_(i));
     }
   }

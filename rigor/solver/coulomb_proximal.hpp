@@ -5,6 +5,10 @@
 
 namespace rigor {
 
+/// What is added to the normal rates of cones so that their problem is Coulomb's: μ |w_t|. Without it the
+/// problem is convex and another one (convex_cone.hpp).
+enum class NormalShift { de_saxce, none };
+
 /// Proximal Newton method for a CoulombProblem, for what Gauss–Seidel is too slow for (stacks, large mass
 /// ratios).
 ///
@@ -20,7 +24,8 @@ namespace rigor {
 /// method.
 class CoulombProximal {
  public:
-  CoulombProximal(const CoulombProblem& problem, const ContactMotion& motion, CoulombGuess start);
+  CoulombProximal(const CoulombProblem& problem, const ContactMotion& motion, CoulombGuess start,
+                  NormalShift normal_shift = NormalShift::de_saxce);
 
   /// One outer step.
   void step();
@@ -48,6 +53,7 @@ class CoulombProximal {
 
   const CoulombProblem& problem_;
   const ContactMotion& motion_;
+  NormalShift normal_shift_;
   CoulombGuess guess_;
   VecX v_;          ///< w = L v + b (without the held friction of slide rows).
   VecX q_;          ///< b, shift and held friction: 3n.

@@ -32,7 +32,7 @@ MotionModesSystem::MotionModesSystem(const MotionProblem& problem, const Contact
       generators_(modes.modes.size(), Vec3::Zero()),
       lambda_(VecX::Zero(problem.laws.b.size())),
       z_(VecX::Zero(6 * static_cast<Index>(problem.rows.node_count()))) {
-  const VecX diagonal = contact_diagonal(problem.rows);
+  const VecX diagonal = free_diagonal(problem.rows);
   for (std::size_t k = 0; k < modes_.size(); ++k) {
     if (modes_[k] == ContactMode::slide) generators_[k] = generator_of(problem.laws.mu[k], modes.slips[k]);
     if (modes_[k] != ContactMode::open)
@@ -106,8 +106,8 @@ void MotionModesSystem::refine(const NodeSystem& to_motion, const NodeSystem& to
   const ContactRows& rows = problem_.rows;
   VecX lambda = lambda_, z = z_;
   for (int round = 0; round < kMaxRounds; ++round) {
-    const VecX w =
-        contact_rates(rows, node_accelerations(rows, contact_wrenches(rows, lambda))) + problem_.laws.b;
+    const VecX p = with_joints(rows, contact_wrenches(rows, lambda));
+    const VecX w = contact_rates(rows, node_accelerations(rows, p)) + problem_.laws.b;
     const VecX misses = restrict_to_equations(-w);
     const double miss = misses.cwiseAbs().maxCoeff() / size_of_terms(lambda);
     if (round > 0 && !(miss < 0.7 * miss_)) return;
@@ -149,7 +149,7 @@ std::vector<Mat3> MotionModesSystem::projection_weights(const VecX& lambda) cons
 
 MotionModesSystem::Dual MotionModesSystem::evaluate(const VecX& z, const VecX& p) const {
   Dual dual{z, project(restrict_to_forces(contact_rates(problem_.rows, z))), VecX(), 0.0};
-  dual.gradient = contact_wrenches(problem_.rows, dual.lambda) - p;
+  dual.gradient = with_joints(problem_.rows, contact_wrenches(problem_.rows, dual.lambda)) - p;
   dual.value = 0.5 * dual.lambda.squaredNorm() - p.dot(z);
   return dual;
 }
@@ -164,7 +164,7 @@ std::optional<VecX> MotionModesSystem::find_in_cones() const {
   const VecX nearest = project(lambda_);
   if ((nearest - lambda_).norm() <= 2 * kEpsilon * lambda_.norm()) return nearest;
   const ContactRows& rows = problem_.rows;
-  const VecX p = contact_wrenches(rows, lambda_);
+  const VecX p = with_joints(rows, contact_wrenches(rows, lambda_));
   const double size = size_of_terms(lambda_);
   const auto error_of = [&](const Dual& dual) {
     return contact_rates(rows, node_accelerations(rows, dual.gradient)).cwiseAbs().maxCoeff() / size;

@@ -23,7 +23,9 @@ struct MotionProblem {
 ///
 /// Each round solves (ε M + E R) a = E r for the accelerations that the misses r ask for and (ε M + E Eᵀ) z =
 /// M a for forces Eᵀ z that make them; the sum of the rounds is the least-norm solution, because every Eᵀ z
-/// is in the span of Eᵀ. Both matrices have a block for each two bodies in contact and no more.
+/// is in the span of Eᵀ. Both matrices have a block for each two bodies in contact and no more. With
+/// joints a and z are of the motions that these allow (NodeSystem), and so λ alone is of least norm, whatever
+/// the joints bear.
 class MotionModesSystem {
  public:
   MotionModesSystem(const MotionProblem& problem, const ContactModes& modes);
@@ -56,7 +58,7 @@ class MotionModesSystem {
   const MotionProblem& problem_;
   std::vector<ContactMode> modes_;
   std::vector<Vec3> generators_;  ///< Of the contacts that slide: unit.
-  double scale_ = 0;              ///< Largest diagonal entry of A.
+  double scale_ = 0;              ///< Largest diagonal entry of A without joints.
   double miss_ = 0;               ///< |c - R M⁻¹ E x| relative to the largest term.
   VecX lambda_, z_;               ///< λ_ is about the part of J z_ along the forces.
 };

@@ -30,7 +30,8 @@ class MotionSolver {
         forces_of_([this](const ContactModes& modes) { return forces_of(modes); }) {}
 
   std::optional<CoulombSolution> run(const std::vector<ContactMode>& start) {
-    if (is_frictionless()) return settle(guess_of(least_constraint_modes()), kMoves, "least constraint");
+    if (is_frictionless() && is_dense_enough())
+      return settle(guess_of(least_constraint_modes()), kMoves, "least constraint");
     if (!start.empty()) {
       if (std::optional<CoulombSolution> solution = settle(guess_of(start), 1, "motion")) return solution;
     }
@@ -57,29 +58,46 @@ class MotionSolver {
     return guess;
   }
 
+  /// The dense search for the nearest point takes the rows of joints as equations, one by one: of long chains
+  /// they are too many.
+  bool is_dense_enough() const {
+    constexpr std::size_t kMostHeldNodes = 40;
+    return problem_.rows.joint_nodes.size() <= kMostHeldNodes;
+  }
+
+  /// The nearest point with G = J M^(-½): joints first, as equations, then the normals of contacts.
+  LeastConstraintProblem nearest_point() const {
+    const ContactRows& rows = problem_.rows;
+    const Index count = static_cast<Index>(laws_.mu.size());
+    const Index equations = for_each_joint_row(rows, [](Index, int, const Vec6&) {});
+    const Index size = 6 * static_cast<Index>(rows.node_count());
+    LeastConstraintProblem nearest{MatX::Zero(equations + count, size), VecX::Zero(equations + count),
+                                   equations};
+    const auto add = [&](Index row, int node, const Vec6& J) {
+      // With M = C Cᵀ: the row Cᵀ⁻¹ needs.
+      const Eigen::LLT<Mat6> root(rows.masses[static_cast<std::size_t>(node)]);
+      nearest.G.row(row).segment<6>(6 * node) += root.matrixL().solve(J).transpose();
+    };
+    for_each_joint_row(rows, add);
+    for (Index i = 0; i < count; ++i) {
+      nearest.d(equations + i) = -laws_.b(3 * i + 2);
+      for (const ContactRows::Side& side : rows.contacts[static_cast<std::size_t>(i)])
+        if (side.node >= 0) add(equations + i, side.node, side.J.row(2).transpose());
+    }
+    return nearest;
+  }
+
   /// Which contacts push when there is no friction: the active rows of the nearest point.
   std::vector<ContactMode> least_constraint_modes() {
     const std::size_t count = laws_.mu.size();
-    const Index size = 6 * static_cast<Index>(problem_.rows.node_count());
-    LeastConstraintProblem nearest{MatX::Zero(static_cast<Index>(count), size), VecX(count), 0};
-    for (std::size_t i = 0; i < count; ++i) {
-      const Index row = static_cast<Index>(i);
-      nearest.d(row) = -laws_.b(3 * row + 2);
-      for (const ContactRows::Side& side : problem_.rows.contacts[i]) {
-        if (side.node < 0) continue;
-        // G = J M^(-½), with M = C Cᵀ: the row Cᵀ⁻¹ needs.
-        const Eigen::LLT<Mat6> root(problem_.rows.masses[static_cast<std::size_t>(side.node)]);
-        nearest.G.row(row).segment<6>(6 * side.node) +=
-            root.matrixL().solve(side.J.row(2).transpose()).transpose();
-      }
-    }
+    const LeastConstraintProblem nearest = nearest_point();
     const LeastConstraintSolution solution = solve_least_constraint(nearest);
     pivots_ = solution.iterations;
     std::vector<ContactMode> modes(count, ContactMode::open);
     const VecX slack = nearest.G * solution.y - nearest.d;
     for (std::size_t i = 0; i < count; ++i) {
       // Redundant contacts hold too, though the active rows do without them.
-      const Index row = static_cast<Index>(i);
+      const Index row = nearest.equalities + static_cast<Index>(i);
       const double size_of_row = std::abs(nearest.d(row)) + nearest.G.row(row).norm() * solution.y.norm();
       if (slack(row) <= 1e-12 * size_of_row) modes[i] = ContactMode::slide;
     }

@@ -9,7 +9,7 @@ using Eigen::Index;
 namespace {
 
 // So few are solved faster without an order.
-constexpr std::size_t kDenseNodes = 24;
+constexpr Index kDenseUnknowns = 144;
 
 /// Calls add(row node, column node, block) for each block of the sum.
 template <typename Add>
@@ -53,11 +53,22 @@ NodeSystem::NodeSystem(const ContactRows& rows, const std::vector<Mat3>& D, doub
   const auto scaled = [this](int i, int k, const Mat6& block) {
     return Mat6(scales_.segment<6>(6 * i).asDiagonal() * block * scales_.segment<6>(6 * k).asDiagonal());
   };
-  const Index size = 6 * static_cast<Index>(rows.node_count());
-  if (rows.node_count() <= kDenseNodes) {
-    MatX matrix = MatX::Zero(size, size);
+  const auto scaled_row = [this](int node, const Vec6& coefficients) {
+    return Vec6(coefficients.cwiseProduct(scales_.segment<6>(6 * node)));
+  };
+  const Index free = 6 * static_cast<Index>(rows.node_count());
+  size_ = free + for_each_joint_row(rows, [](Index, int, const Vec6&) {});
+  // The bordered matrix is symmetric, but not definite.
+  is_symmetric = is_symmetric && size_ == free;
+  if (size_ <= kDenseUnknowns) {
+    MatX matrix = MatX::Zero(size_, size_);
     assemble(rows, D, mass_factor, [&](int i, int k, const Mat6& block) {
       matrix.block<6, 6>(6 * i, 6 * k) += scaled(i, k, block);
+    });
+    for_each_joint_row(rows, [&](Index row, int node, const Vec6& coefficients) {
+      const Vec6 entry = scaled_row(node, coefficients);
+      matrix.block<1, 6>(free + row, 6 * node) = entry.transpose();
+      matrix.block<6, 1>(6 * node, free + row) = entry;
     });
     factor_dense(matrix, is_symmetric);
     return;
@@ -70,7 +81,14 @@ NodeSystem::NodeSystem(const ContactRows& rows, const std::vector<Mat3>& D, doub
     for (int c = 0; c < 6; ++c)
       for (int r = 0; r < 6; ++r) entries.emplace_back(6 * i + r, 6 * k + c, entry(r, c));
   });
-  Sparse matrix(size, size);
+  for_each_joint_row(rows, [&](Index row, int node, const Vec6& coefficients) {
+    const Vec6 entry = scaled_row(node, coefficients);
+    for (int c = 0; c < 6; ++c) {
+      entries.emplace_back(free + row, 6 * node + c, entry(c));
+      entries.emplace_back(6 * node + c, free + row, entry(c));
+    }
+  });
+  Sparse matrix(size_, size_);
   matrix.setFromTriplets(entries.begin(), entries.end());
   factor_sparse(matrix, is_symmetric);
 }
@@ -97,7 +115,11 @@ void NodeSystem::factor_sparse(const Sparse& matrix, bool is_symmetric) {
 }
 
 VecX NodeSystem::solve(const VecX& c) const {
-  return scales_.cwiseProduct(solve_scaled(scales_.cwiseProduct(c)));
+  const VecX balanced = scales_.cwiseProduct(c);
+  if (size_ == c.size()) return scales_.cwiseProduct(solve_scaled(balanced));
+  VecX bordered = VecX::Zero(size_);
+  bordered.head(c.size()) = balanced;
+  return scales_.cwiseProduct(solve_scaled(bordered).head(c.size()));
 }
 
 VecX NodeSystem::solve_scaled(const VecX& c) const {

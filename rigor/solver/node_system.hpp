@@ -14,6 +14,9 @@ namespace rigor {
 ///
 ///   (ε M + Σ_i J_iᵀ D_i J_i) x = c
 ///
+/// and, where joints hold nodes, the x that they allow (G x = 0) which solves this but for a reaction Gᵀ ν:
+/// the joints' independent rows (those that ConstrainedMass has chosen) border the matrix.
+///
 /// A few nodes are solved densely; more by a sparse factorisation in an order of little fill, whose time
 /// grows about in proportion to the nodes in stacks and rows.
 class NodeSystem {
@@ -32,6 +35,7 @@ class NodeSystem {
 
   VecX scales_;  ///< Of the unknowns.
   bool is_regular_ = true;
+  Eigen::Index size_ = 0;  ///< Six a node, and the rows of joints.
   Eigen::LLT<MatX> dense_cholesky_;
   Eigen::PartialPivLU<MatX> dense_lu_;
   std::unique_ptr<Eigen::SimplicialLLT<Sparse>> cholesky_;

@@ -24,7 +24,7 @@ MotionProblem motion_problem_of(const Scene& scene) {
     problem.rows.masses.push_back(inverse.inverse());
   }
   for (std::size_t i = 0; i < scene.contacts.size(); ++i) {
-    std::array<ContactRows::Side, 2> sides;
+    ContactRows::Sides sides;
     sides[0].node = scene.contacts[i].body_A;
     sides[1].node = scene.contacts[i].body_B;
     for (ContactRows::Side& side : sides)
@@ -79,7 +79,7 @@ TEST(MotionSpace, GivesTheReferenceAccelerationsOfRestingContact) {
     problem.laws.b = VecX::Zero(3 * J.rows());
     const VecX b = J * a0 - reference::vector(json["c"]);
     for (Eigen::Index i = 0; i < J.rows(); ++i) {
-      std::array<ContactRows::Side, 2> sides;
+      ContactRows::Sides sides;
       sides[0].node = 0;
       sides[0].J.row(2).head(masses.size()) = J.row(i);
       problem.rows.contacts.push_back(sides);
