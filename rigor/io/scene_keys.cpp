@@ -32,7 +32,7 @@ KeyTable method_table() {
     table.keys.push_back({std::string(number.key), ValueType::number, std::string(number.unit),
                           std::string(number.fallback), number.range, std::string(number.meaning)});
   }
-  for (const char* name : {"stiffness", "damping", "substeps", "iterations"}) {
+  for (const char* name : {"iterations"}) {
     table.keys.push_back(later(name, ValueType::number, "of schemes of later versions", "leave it out"));
   }
   return table;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "rigor/math/types.hpp"
+#include "rigor/model/contact_memory.hpp"
 #include "rigor/model/model.hpp"
 
 #include <cstddef>
@@ -24,6 +25,9 @@ struct State {
 
   std::vector<double> epoch;   ///< n: time of each anchor, ≤ t [s].
   std::vector<double> anchor;  ///< 13n: x, q, P, L of each body at its epoch.
+
+  /// Of schemes that remember contacts from step to step; in the order of their keys.
+  std::vector<ContactMemory> contacts;
 
   bool operator==(const State& other) const = default;
 

@@ -38,6 +38,8 @@ void AdvanceReport::add(const AdvanceReport& later) {
   work += later.work;
   impact_loss += later.impact_loss;
   impact_gain += later.impact_gain;
+  damping_loss += later.damping_loss;
+  friction_loss += later.friction_loss;
   projection_loss += later.projection_loss;
   momentum_error += later.momentum_error;
   angular_momentum_error += later.angular_momentum_error;

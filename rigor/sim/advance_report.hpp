@@ -60,6 +60,8 @@ struct AdvanceReport {
   double work = 0;             ///< Supplied by kinematic bodies, motors, torques and body-fixed forces [J].
   double impact_loss = 0;      ///< Kinetic energy taken by impacts [J].
   double impact_gain = 0;      ///< Energy that impacts added (Newton's law with friction can) [J].
+  double damping_loss = 0;     ///< Taken by the dampers of penalty contacts [J].
+  double friction_loss = 0;    ///< Taken by the sliders of penalty contacts [J].
   double projection_loss = 0;  ///< Kinetic energy taken by the projections on the contacts [J].
   Vec3 momentum_error = Vec3::Zero();          ///< Σ over events of ΔP minus external impulse [kg m/s].
   Vec3 angular_momentum_error = Vec3::Zero();  ///< The same for L about the origin of W [kg m²/s].

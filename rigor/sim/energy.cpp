@@ -20,7 +20,10 @@ Energy mechanical_energy(const Model& model, const Environment& environment, con
                                  angular_velocity(model, state, i), rotation_matrix(state.orientation(i)),
                                  model.body(i).motion == MotionType::dynamic};
   };
-  return {kinetic.value(), potential.value(), environment.spring_energy(view)};
+  CompensatedSum elastic;
+  elastic.add(environment.spring_energy(view));
+  for (const ContactMemory& contact : state.contacts) elastic.add(contact.energy);
+  return {kinetic.value(), potential.value(), elastic.value()};
 }
 
 Momentum total_momentum(const Model& model, const State& state) {

@@ -58,6 +58,7 @@ AdvanceReport EventDrivenStepper::advance(State& state, double t_end) {
   RIGOR_ASSERT(t_end >= state.t && state.body_count() == model_->body_count());
   report_ = {};
   if (t_end == state.t) return report_;
+  state.contacts.clear();  // Only schemes with springs or solvers that begin from the last step have any.
   t_end_ = t_end;
   const long queries = trajectories_.distance_queries();
 

@@ -50,7 +50,7 @@ std::string joined(const std::vector<std::string>& names) {
 }  // namespace
 
 std::span<const MethodNumber> method_numbers() {
-  static const std::array<MethodNumber, 4> numbers = {{
+  static const std::array<MethodNumber, 8> numbers = {{
       {"contact_tolerance",
        "m",
        "1e-6",
@@ -70,6 +70,25 @@ std::span<const MethodNumber> method_numbers() {
        {1e-14, 0.1},
        "relative local error of dopri5 and dop853",
        &Method::tolerance},
+      {"penalty_depth",
+       "m",
+       "1e-4",
+       {1e-12, 1e3},
+       "how deep an impact presses a penalty contact",
+       &Method::penalty_depth},
+      {"stiffness",
+       "N/m",
+       "0",
+       {0, 1e15},
+       "of penalty contacts; 0: from `penalty_depth`",
+       &Method::stiffness},
+      {"damping",
+       "N s/m",
+       "0",
+       {0, 1e15},
+       "of penalty contacts; 0: from the pair's restitution",
+       &Method::damping},
+      {"substeps", "", "1", {1, 1e6}, "least number in a step of the penalty scheme", &Method::substeps},
   }};
   return numbers;
 }

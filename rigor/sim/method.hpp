@@ -48,6 +48,10 @@ struct Method {
   double time_tolerance = 1e-12;    ///< Of a time of impact [s].
   double resting_velocity = 1e-3;   ///< Slower approaches do not bounce [m/s].
   double tolerance = 1e-10;         ///< Relative local error of dopri5 and dop853.
+  double penalty_depth = 1e-4;      ///< How deep an impact presses a penalty contact [m].
+  double stiffness = 0;             ///< Of penalty contacts [N/m]; 0: from penalty_depth.
+  double damping = 0;               ///< Of penalty contacts [N s/m]; 0: from the restitution of the pair.
+  double substeps = 1;              ///< At least as many in each step of the penalty scheme.
 
   bool operator==(const Method& other) const = default;
 };

@@ -94,10 +94,10 @@ TEST(SceneErrors, OfKeysOfLaterVersions) {
            "s.yaml:3:1: key 'sweep' of the scene is not available in this version; run the scene several "
            "times with --set "
            "KEY=VALUE"},
-          {"method: {penalty: local}",
-           "s.yaml:3:10: key 'penalty' of method is not available in this version; leave it out"},
-          {"method: {substeps: 4}",
-           "s.yaml:3:10: key 'substeps' of method is not available in this version; leave it out"},
+          {"method: {solver: pgs}",
+           "s.yaml:3:10: key 'solver' of method is not available in this version; leave it out"},
+          {"method: {iterations: 4}",
+           "s.yaml:3:10: key 'iterations' of method is not available in this version; leave it out"},
       },
       "rigor: 1\nbodies: []\n", "\n");
 }

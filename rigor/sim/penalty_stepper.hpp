@@ -1,0 +1,60 @@
+#pragma once
+
+#include "rigor/sim/joint_projection.hpp"
+#include "rigor/sim/penalty_touching.hpp"
+#include "rigor/sim/stepper.hpp"
+
+namespace rigor {
+
+/// `method.scheme: penalty` with springs by themselves: contacts are springs and dampers
+/// (penalty_contact.hpp) that may overlap a little, integrated in sub-steps that resolve the stiffest of
+/// them.
+///
+/// A sub-step is a kick by all forces over its first half, the free motion of each body over all of it, and a
+/// kick over its second half (velocity Verlet; the second kick is implicit in the velocities, by fixed-point
+/// iteration): order 2 while contacts last. With `integrator: semi-implicit-euler` one kick and the free
+/// motion: order 1. Joints hold accelerations in the first kick and velocities in the second, and positions
+/// are put back in between. Sub-steps are at most 0.2/ω, ω² a bound of the spectrum of M⁻¹ K. Source of the
+/// step: Verlet, Computer "Experiments" on Classical Fluids, Phys. Rev. 159, 1967. Derivation:
+/// docs/theory/penalty.md.
+class PenaltyStepper : public Stepper {
+ public:
+  PenaltyStepper(std::shared_ptr<const Model> model, const Method& method, double target_step);
+
+  void set_interrupt(std::function<bool()> interrupt) override { interrupt_ = std::move(interrupt); }
+  /// report.steps counts sub-steps.
+  AdvanceReport advance(State& state, double t_end) override;
+
+ private:
+  struct Kick;  ///< Impulses of all that acts over a span.
+  enum class KickForm { explicit_kick, implicit_kick };
+
+  void advance_to(double t_end, State& state);
+  double end_of_step(double t, double t_end) const;
+  double horizon(const State& state, double t_end) const;
+  void take_step(double t_next, State& state);
+  /// Forces at the velocities that the contacts know over h. rate_errors: of the joints at the velocities
+  /// that the impulses change; without them joints hold accelerations.
+  Kick kick_at(double t, double h, const VecX* rate_errors) const;
+  void apply_kick(double t, double h, KickForm form);
+  void note_kick(const Kick& kick, const std::vector<BodyPhase>& before, const VecX& u);
+  void drift(double h, double t_next);
+  void write_state(double t, State& state) const;
+  void observe_contacts(double t);
+  bool note_not_finite();
+
+  std::shared_ptr<const Model> model_;
+  Method method_;
+  double target_step_;
+  Environment environment_;
+  IslandIntegrator integrator_;
+  JointProjection joints_;
+  PenaltyTouching contacts_;
+  std::function<bool()> interrupt_;
+
+  Touching touching_;
+  std::vector<BodyPhase> phases_;
+  AdvanceReport report_;
+};
+
+}  // namespace rigor

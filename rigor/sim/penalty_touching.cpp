@@ -1,0 +1,277 @@
+#include "rigor/sim/penalty_touching.hpp"
+
+#include "rigor/contact/joint_stops.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace rigor {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+/// How many times the weight of a body presses its contact by the depth: room for what lies on it.
+constexpr double weights_on_top = 100;
+/// Share of 1/ω by which a step may miss the instant at which a contact begins or ends: it costs a share of
+/// ½ (0.02)² of the energy of the impact.
+constexpr double miss_share = 0.02;
+
+PenaltyChoice choice_of(const Method& method) {
+  PenaltyChoice choice;
+  choice.law =
+      method.penalty_law == PenaltyLaw::linear ? PenaltyNormalLaw::linear : PenaltyNormalLaw::hunt_crossley;
+  choice.depth = method.penalty_depth;
+  if (method.stiffness > 0) choice.stiffness = method.stiffness;
+  if (method.damping > 0) choice.damping = method.damping;
+  return choice;
+}
+
+ContactMemory empty_memory(const Contact& contact) {
+  return {.body_A = contact.body_A,
+          .body_B = contact.body_B,
+          .shape_A = contact.shape_A,
+          .shape_B = contact.shape_B,
+          .feature = contact.point.feature};
+}
+
+/// What the State remembers, given out once each: to the contact of the same key, or of the same shapes where
+/// features changed.
+class MemoryShelf {
+ public:
+  explicit MemoryShelf(const std::vector<ContactMemory>& memories) {
+    for (const ContactMemory& memory : memories) shelf_[memory.key()].push_back(&memory);
+  }
+  const ContactMemory* take(const ContactMemory& wanted) {
+    const auto found = shelf_.find(wanted.key());
+    return found == shelf_.end() ? nullptr : take_first(found);
+  }
+  const ContactMemory* take_of_same_shapes(ContactMemory wanted) {
+    wanted.feature = 0;
+    const auto found = shelf_.lower_bound(wanted.key());
+    if (found == shelf_.end()) return nullptr;
+    const auto& [a, b, i, k, feature] = found->first;
+    const bool is_same =
+        a == wanted.body_A && b == wanted.body_B && i == wanted.shape_A && k == wanted.shape_B;
+    return is_same ? take_first(found) : nullptr;
+  }
+  /// Number and energy of those that nobody took.
+  std::pair<long, double> rest() const {
+    std::pair<long, double> rest{0, 0};
+    for (const auto& [key, memories] : shelf_) {
+      for (const ContactMemory* memory : memories) ++rest.first, rest.second += memory->energy;
+    }
+    return rest;
+  }
+
+ private:
+  using Shelf = std::map<decltype(std::declval<ContactMemory>().key()), std::vector<const ContactMemory*>>;
+  const ContactMemory* take_first(Shelf::iterator place) {
+    const ContactMemory* const memory = place->second.front();
+    place->second.erase(place->second.begin());
+    if (place->second.empty()) shelf_.erase(place);
+    return memory;
+  }
+  Shelf shelf_;
+};
+
+}  // namespace
+
+PenaltyTouching::PenaltyTouching(const Model& model, const Environment& environment,
+                                 const IslandIntegrator& integrator, const Method& method)
+    : model_(model),
+      environment_(environment),
+      integrator_(integrator),
+      contact_tolerance_(method.contact_tolerance),
+      resting_velocity_(method.resting_velocity),
+      choice_(choice_of(method)),
+      finder_(model, method.broad_phase) {
+  for (int i = 0; i < model.body_count(); ++i) {
+    if (model.body(i).motion == MotionType::dynamic) bodies_.push_back(i);
+  }
+}
+
+std::vector<BodyPhase> PenaltyTouching::phases(const State& state) const {
+  std::vector<BodyPhase> phases;
+  for (const int i : bodies_) {
+    phases.push_back(
+        {state.position(i), state.orientation(i), state.linear_momentum(i), state.angular_momentum(i)});
+  }
+  return phases;
+}
+
+double PenaltyTouching::least_speed(const Contact& contact) const {
+  const double a = std::max(environment_.steady_acceleration(contact.body_A).norm(),
+                            environment_.steady_acceleration(contact.body_B).norm());
+  // k d = 100 m a with k = m v²/d².
+  return std::max(resting_velocity_, std::sqrt(weights_on_top * a * choice_.depth));
+}
+
+std::vector<double> PenaltyTouching::reaches(const State& state, double horizon) const {
+  std::vector<double> reaches;
+  for (int i = 0; i < model_.body_count(); ++i) {
+    const Body& body = model_.body(i);
+    const double radius = std::isfinite(body.bounding_radius) ? body.bounding_radius : 0;
+    const double speed = linear_velocity(model_, state, i).norm() +
+                         angular_velocity(model_, state, i).norm() * radius +
+                         0.5 * horizon * environment_.steady_acceleration(i).norm();
+    reaches.push_back(horizon * speed);
+  }
+  return reaches;
+}
+
+double PenaltyTouching::time_to_touch(const ContactSystem& system, std::size_t contact, double u,
+                                      double lag) const {
+  const Contact& geometry = system.contacts[contact];
+  double a = 0;
+  for (const int body : {geometry.body_A, geometry.body_B}) {
+    const BodyKinetics& of_body = system.of(body);
+    a += environment_.steady_acceleration(body).norm() +
+         of_body.w.squaredNorm() * (geometry.p_W() - of_body.x).norm();
+  }
+  // gap = u t + ½ a t², u: speed of approach; the form without cancellation.
+  u += a * lag;
+  const double gap = std::max(0.0, geometry.point.gap);
+  const double root = std::sqrt(u * u + 2 * a * gap);
+  const double until_touch =
+      u > 0 ? (u + root > 0 ? 2 * gap / (u + root) : infinite) : (a > 0 ? (root - u) / a : infinite);
+  const ContactMobility mobility = contact_mobility(system, contact);
+  if (!(mobility.normal > 0)) return infinite;
+  const double speed = std::max(root, least_speed(geometry));
+  const double stretch = geometry.friction > 0 ? std::max(1.0, mobility.tangential / mobility.normal) : 1;
+  double frequency = speed / choice_.depth * std::sqrt(stretch);
+  if (choice_.stiffness) frequency = std::sqrt(*choice_.stiffness * mobility.normal * stretch);
+  return until_touch + miss_share / frequency;
+}
+
+double PenaltyTouching::time_to_part(const Touching& touching, std::size_t contact, double u) const {
+  const PenaltyContact& spring = touching.springs[contact];
+  const double depth = pressed_depth(spring, touching.system.contacts[contact].point.gap);
+  if (!(u > resting_velocity_) || !(depth > 0)) return infinite;
+  return depth / u + miss_share * choice_.depth / spring.speed;
+}
+
+Touching PenaltyTouching::find(const State& state, double horizon, double lag) {
+  Touching touching;
+  touching.free_time = horizon;
+  const std::vector<BodyPhase> now = phases(state);
+  std::vector<Contact> near = finder_.find(state, reaches(state, horizon), contact_tolerance_);
+  const std::vector<int> joints = integrator_.joints_of(bodies_);
+  if (!joints.empty()) {
+    const ContactSystem held = integrator_.system_of(state.t, bodies_, now, {});
+    const std::vector<Contact> stops = joint_stops(model_, joints, held.bodies, held.kinetics, infinite);
+    near.insert(near.end(), stops.begin(), stops.end());
+  }
+  const ContactSystem all = integrator_.system_of(state.t, bodies_, now, near);
+  const VecX u = relative_velocities(all);
+  std::vector<Contact> active;
+  for (std::size_t i = 0; i < all.contacts.size(); ++i) {
+    if (all.contacts[i].point.gap <= 0) {
+      active.push_back(all.contacts[i]);
+    } else {
+      const double approach = -u[3 * static_cast<Eigen::Index>(i) + 2];
+      touching.free_time = std::min(touching.free_time, time_to_touch(all, i, approach, lag));
+    }
+  }
+  touching.system = active.size() == all.contacts.size()
+                        ? all
+                        : integrator_.system_of(state.t, bodies_, now, std::move(active));
+  add_springs(state, touching);
+  const VecX u_active = relative_velocities(touching.system);
+  for (std::size_t i = 0; i < touching.springs.size(); ++i) {
+    if (touching.system.contacts[i].is_bounded_force()) continue;
+    const double parting = u_active[3 * static_cast<Eigen::Index>(i) + 2];
+    touching.free_time = std::min(touching.free_time, time_to_part(touching, i, parting));
+  }
+  return touching;
+}
+
+void PenaltyTouching::add_springs(const State& state, Touching& touching) const {
+  const ContactSystem& system = touching.system;
+  const std::size_t n = system.contacts.size();
+  const VecX u = relative_velocities(system);
+  MemoryShelf shelf(state.contacts);
+  touching.springs.resize(n);
+  std::vector<std::size_t> unknown;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (const ContactMemory* const memory = shelf.take(empty_memory(system.contacts[i]))) {
+      touching.springs[i] = penalty_contact(choice_.law, *memory);
+    } else {
+      unknown.push_back(i);
+    }
+  }
+  MatX response;
+  for (const std::size_t i : unknown) {
+    const Contact& contact = system.contacts[i];
+    if (const ContactMemory* const memory = shelf.take_of_same_shapes(empty_memory(contact))) {
+      touching.springs[i] = penalty_contact(choice_.law, *memory);
+      continue;
+    }
+    ContactMobility mobility = contact_mobility(system, i);
+    if (system.joints) {
+      if (response.size() == 0) response = delassus(system);
+      const Eigen::Index k = 3 * static_cast<Eigen::Index>(i);
+      mobility = {response(k + 2, k + 2), std::max(response(k, k), response(k + 1, k + 1))};
+    }
+    PenaltyChoice choice = choice_;
+    choice.least_speed = least_speed(contact);
+    const double approach = std::max(0.0, -u[3 * static_cast<Eigen::Index>(i) + 2]);
+    if (!contact.is_bounded_force() && approach > resting_velocity_) ++touching.fresh;
+    touching.springs[i] = make_penalty_contact(contact, mobility, choice, approach, -contact.point.gap);
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    PenaltyContact& spring = touching.springs[i];
+    spring.offset = std::min(spring.offset, std::max(0.0, -system.contacts[i].point.gap));
+  }
+  std::tie(touching.lost, touching.lost_energy) = shelf.rest();
+}
+
+void PenaltyTouching::update_velocities(double t, const std::vector<BodyPhase>& phases,
+                                        Touching& touching) const {
+  if (touching.system.joints) {
+    touching.system = integrator_.system_of(t, bodies_, phases, touching.system.contacts);
+    return;
+  }
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    BodyKinetics& kinetics = touching.system.of(bodies_[i]);
+    kinetics.v = phases[i].P * kinetics.inverse_mass;
+    kinetics.w = kinetics.inverse_inertia * phases[i].L;
+  }
+}
+
+void PenaltyTouching::soften(double h, Touching& touching) const {
+  if (choice_.stiffness) return;
+  // What is left of the impact, as a share of its energy, and the time of softening in 1/ω.
+  constexpr double calm = 0.01, slowness = 50;
+  const VecX u = relative_velocities(touching.system);
+  for (std::size_t i = 0; i < touching.springs.size(); ++i) {
+    PenaltyContact& spring = touching.springs[i];
+    const Contact& contact = touching.system.contacts[i];
+    const double least = least_speed(contact);
+    if (contact.is_bounded_force() || spring.speed <= least) continue;
+    const double pressed = pressed_depth(spring, contact.point.gap) / choice_.depth;
+    const double moving = u[3 * static_cast<Eigen::Index>(i) + 2] / spring.speed;
+    if (pressed * pressed + moving * moving > calm) continue;
+    const double share = h * spring.speed / (slowness * choice_.depth);
+    spring = made_for_speed(spring, std::max(least, spring.speed / (1 + share)));
+  }
+}
+
+std::vector<ContactMemory> PenaltyTouching::memories(const Touching& touching) const {
+  std::vector<ContactMemory> memories;
+  for (std::size_t i = 0; i < touching.springs.size(); ++i) {
+    const Contact& contact = touching.system.contacts[i];
+    ContactMemory memory = empty_memory(contact);
+    remember(touching.springs[i], memory);
+    memory.energy =
+        normal_energy(touching.springs[i], contact.point.gap) + bristle_energy(contact, touching.springs[i]);
+    memories.push_back(memory);
+  }
+  std::stable_sort(memories.begin(), memories.end(),
+                   [](const ContactMemory& a, const ContactMemory& b) { return a.key() < b.key(); });
+  return memories;
+}
+
+}  // namespace rigor

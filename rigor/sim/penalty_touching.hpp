@@ -1,0 +1,64 @@
+#pragma once
+
+#include "rigor/contact/penalty_contact.hpp"
+#include "rigor/model/state.hpp"
+#include "rigor/sim/contact_finder.hpp"
+#include "rigor/sim/island.hpp"
+
+#include <vector>
+
+namespace rigor {
+
+/// All penalty contacts of a State with their springs.
+struct Touching {
+  ContactSystem system;                 ///< Of all dynamic bodies, with what touches.
+  std::vector<PenaltyContact> springs;  ///< One a contact of the system.
+  long fresh = 0;                       ///< Contacts that nothing was remembered of and that approach fast.
+  long lost = 0;                        ///< Remembered contacts that touch no more.
+  /// Energy of springs whose contacts touch no more [J].
+  double lost_energy = 0;
+  /// How long bodies may move before a contact begins or ends [s]: the step in which it does is short.
+  double free_time = 0;
+};
+
+/// Finds contacts for penalty schemes and ties them to what the State remembers of them.
+class PenaltyTouching {
+ public:
+  /// Holds references.
+  PenaltyTouching(const Model& model, const Environment& environment, const IslandIntegrator& integrator,
+                  const Method& method);
+
+  const PenaltyChoice& choice() const { return choice_; }
+  const std::vector<int>& dynamic_bodies() const { return bodies_; }
+  std::vector<BodyPhase> phases(const State& state) const;
+
+  /// What touches at the State, and how long others may go on, looking ahead by at most `horizon` [s]. The
+  /// velocities may lack what steady forces do in a time `lag` [s].
+  Touching find(const State& state, double horizon, double lag);
+  /// The same contacts with the velocities of these phases.
+  void update_velocities(double t, const std::vector<BodyPhase>& phases, Touching& touching) const;
+  /// Softens springs that were made for a fast impact and have calmed down, slowly against their own period,
+  /// to those of a body that lies there: later steps need not resolve them. Takes energy only.
+  void soften(double h, Touching& touching) const;
+  /// What the State must remember of the contacts.
+  std::vector<ContactMemory> memories(const Touching& touching) const;
+  /// Slowest approach that a spring of these bodies is made for [m/s]: so stiff that a hundred times the
+  /// weight presses by the depth.
+  double least_speed(const Contact& contact) const;
+
+ private:
+  std::vector<double> reaches(const State& state, double horizon) const;
+  double time_to_touch(const ContactSystem& system, std::size_t contact, double u, double lag) const;
+  double time_to_part(const Touching& touching, std::size_t contact, double u) const;
+  void add_springs(const State& state, Touching& touching) const;
+
+  const Model& model_;
+  const Environment& environment_;
+  const IslandIntegrator& integrator_;
+  double contact_tolerance_, resting_velocity_;
+  PenaltyChoice choice_;
+  std::vector<int> bodies_;
+  ContactFinder finder_;
+};
+
+}  // namespace rigor
