@@ -316,6 +316,7 @@ Shape scaled_shape(const Shape& shape, double s) {
     Shape operator()(const Cone& x) const { return Cone{s * x.radius, s * x.half_length}; }
     Shape operator()(const Ellipsoid& x) const { return Ellipsoid{s * x.radii}; }
     Shape operator()(const HalfSpace& x) const { return HalfSpace{x.normal, s * x.offset}; }
+    Shape operator()(const Cavity& x) const { return Cavity{s * x.radius}; }
     Shape operator()(const Mesh& x) const { return x; }
     Shape operator()(const Convex& x) const {
       ConvexHull hull = *x.hull;
