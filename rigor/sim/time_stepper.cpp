@@ -146,11 +146,15 @@ TimeStepper::Trial TimeStepper::try_calmly(double h, const Energy& before, const
   Trial trial = with_gain(try_step(h, 0.5, state));
   if (trial.gain <= 0 || trial.report.impact_gain > 0) return trial;
   Trial safe = with_gain(try_step(trial.h, 1, state));
-  // In between, where energy stays as it is.
-  if (safe.gain < 0 && safe.h == trial.h) {
-    const double theta = 0.5 + 0.5 * trial.gain / (trial.gain - safe.gain);
-    Trial level = with_gain(try_step(trial.h, theta, state));
-    if (level.gain <= 0) safe = std::move(level);
+  // In between, where energy stays as it is or falls by a little: false position, from the side that gains.
+  constexpr int most_trials = 4;
+  constexpr double beyond = 1.05;
+  double low = 0.5, gain = trial.gain;
+  for (int k = 0; k < most_trials && gain > 0 && safe.gain < 0 && safe.h == trial.h; ++k) {
+    low = std::min(1.0, low + beyond * (1 - low) * gain / (gain - safe.gain));
+    Trial level = with_gain(try_step(trial.h, low, state));
+    gain = level.gain;
+    if (gain <= 0 && level.h == trial.h) return level;
   }
   return safe.gain < trial.gain ? safe : trial;
 }
