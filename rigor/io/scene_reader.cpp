@@ -11,6 +11,7 @@
 #include "rigor/io/shape_files.hpp"
 #include "rigor/io/text_file.hpp"
 #include "rigor/io/yaml_document.hpp"
+#include "rigor/sim/scheme_check.hpp"
 
 #include <map>
 #include <utility>
@@ -148,6 +149,12 @@ Scene read_tree(const YamlNode& root, const YamlSources& sources, const std::fil
   }
   check_expectations(reader, scene.expected, *scene.model);
   if (errors.count() > 0) throw InputError(errors.sorted_messages());
+  const std::vector<std::string> refusals = check_scheme(*scene.model, scene.method);
+  if (!refusals.empty()) {
+    const YamlNode* const method = reader.find("method");
+    for (const std::string& message : refusals) errors.add(method ? *method : root, message);
+    throw InputError(errors.sorted_messages());
+  }
   scene.warnings = errors.warnings();
   return scene;
 }

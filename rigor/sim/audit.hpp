@@ -66,7 +66,7 @@ class Auditor {
   Method method_;
   std::string scheme_reason_;
   Environment environment_;
-  double start_time_;
+  double start_time_, time_;  ///< Of the first and the last observation [s].
   Energy initial_, energy_;
   AdvanceReport sum_;
   double lowest_ = 0, max_increase_ = 0;  ///< Of E - work.

@@ -73,35 +73,19 @@ void ImpulseStep::note(const CoulombSolution& solution, AdvanceReport& report) c
 
 void ImpulseStep::strike(double h, Cluster& part, AdvanceReport& report) const {
   constexpr int most_passes = 8;
-  constexpr double rounding = 1e-4;  // Of the contact tolerance: closing by less is left to the step.
-  if (part.contacts.empty()) return;
-  for (int pass = 0; pass < most_passes; ++pass) {
+  for (int pass = 0; pass < most_passes && !part.contacts.empty(); ++pass) {
     const ContactSystem system = resolver_.system_of(part, part.contacts);
-    const VecX u = relative_velocities(system);
-    VecX b = u;
-    bool closes = false, bounces = false;
-    std::vector<Contact> colliding;
-    for (std::size_t i = 0; i < system.contacts.size(); ++i) {
-      const Contact& contact = system.contacts[i];
-      if (contact.is_bounded_force()) continue;
-      const double u_n = u[normal_row(i)];
-      b[normal_row(i)] += std::max(0.0, contact.point.gap) / h;
-      const bool closes_now = h * b[normal_row(i)] < -rounding * contact_tolerance_;
-      closes |= closes_now;
-      bounces |=
-          closes_now && contact.restitution > 0 && (u_n < -resting_velocity_ || contact.restitution == 1);
-      if (closes_now || contact.point.gap <= contact_tolerance_) colliding.push_back(contact);
-    }
-    if (!closes) return;
-    if (bounces && pass + 1 < most_passes) {
-      std::swap(part.contacts, colliding);
+    Closing closing = find_closing(h, system);
+    if (!closing.closes) return;
+    if (closing.bounces && pass + 1 < most_passes) {
+      std::swap(part.contacts, closing.contacts);
       resolver_.apply_impulses(part, report);
-      std::swap(part.contacts, colliding);
+      std::swap(part.contacts, closing.contacts);
       continue;
     }
     // A plastic impact: nothing closes within h any more. Forces that have a largest value do nothing at an
     // instant.
-    CoulombProblem laws = laws_of(system, std::move(b));
+    CoulombProblem laws = laws_of(system, std::move(closing.b));
     for (std::size_t i = 0; i < system.contacts.size(); ++i) {
       if (!system.contacts[i].is_bounded_force()) continue;
       laws.b.segment<3>(normal_row(i) - 2).setZero();
@@ -114,6 +98,25 @@ void ImpulseStep::strike(double h, Cluster& part, AdvanceReport& report) const {
     report.impact_loss += before - totals_of(model_, part).T + (report.work - work_before);
     return;
   }
+}
+
+ImpulseStep::Closing ImpulseStep::find_closing(double h, const ContactSystem& system) const {
+  constexpr double rounding = 1e-4;  // Of the contact tolerance: closing by less is left to the step.
+  const VecX u = relative_velocities(system);
+  Closing closing{u, {}, false, false};
+  for (std::size_t i = 0; i < system.contacts.size(); ++i) {
+    const Contact& contact = system.contacts[i];
+    if (contact.is_bounded_force()) continue;
+    const double u_n = u[normal_row(i)];
+    double& rate = closing.b[normal_row(i)];
+    rate += std::max(0.0, contact.point.gap) / h;
+    const bool closes = h * rate < -rounding * contact_tolerance_;
+    closing.closes |= closes;
+    closing.bounces |=
+        closes && contact.restitution > 0 && (u_n < -resting_velocity_ || contact.restitution == 1);
+    if (closes || contact.point.gap <= contact_tolerance_) closing.contacts.push_back(contact);
+  }
+  return closing;
 }
 
 /// Where the part is after h without contacts.
@@ -197,77 +200,96 @@ bool ImpulseStep::stays_clear(double h, const Cluster& part, const FreeEnd& free
   return std::none_of(at_end.begin(), at_end.end(), touches);
 }
 
-void ImpulseStep::move(double h, double theta, Cluster& part, AdvanceReport& report) const {
-  const FreeEnd free = fly(h, part, report);
-  const ClusterTotals before = totals_of(model_, part);
-  Vec3 impulse = free.impulse, angular_impulse = free.angular_impulse;
-  report.work += free.work;
-  std::vector<BodyPhase> end = free.phases;
-  if (!part.contacts.empty() && !stays_clear(h, part, free)) {
-    // Rows and arms half way: then momenta balance exactly and smooth motion is of second order.
-    std::vector<BodyPhase> middle = part.phases;
-    for (std::size_t i = 0; i < part.bodies.size(); ++i) {
-      const Body& body = model_.body(part.bodies[i]);
-      const BodyInertia inertia{body.mass, body.moments};
-      BodyPhase& phase = middle[i];
-      const Vec3 w = angular_velocity(inertia, phase.q, phase.L);
-      phase.x += 0.5 * h / body.mass * phase.P;
-      phase.q = (rotation_exp(0.5 * h * w) * phase.q).normalized();
-    }
-    std::vector<Contact> contacts = contacts_at(part.t + 0.5 * h, part, middle);
-    for (std::size_t i = 0; i < part.bodies.size(); ++i) {
-      const Body& body = model_.body(part.bodies[i]);
-      const Vec3 w = angular_velocity({body.mass, body.moments}, end[i].q, end[i].L);
-      const Mat3 R = rotation_matrix(middle[i].q);
-      middle[i].P = end[i].P;
-      middle[i].L = R * body.moments.cwiseProduct(R.transpose() * w);
-    }
-    const ContactSystem system =
-        integrator_.system_of(part.t + 0.5 * h, part.bodies, middle, std::move(contacts));
-    CoulombProblem laws = laws_of(system, relative_velocities(system));
-    for (std::size_t i = 0; i < system.contacts.size(); ++i) {
-      laws.b[normal_row(i)] += system.contacts[i].is_bounded_force()
-                                   ? -h * system.rows[i].load * system.rows[i].mobility
-                                   : std::max(0.0, part.contacts[i].point.gap) / h;
-    }
-    const CoulombSolution solution = solve(system, std::move(laws));
-    note(solution, report);
-    ++report.steps;
-    std::vector<Wrench> impulses = contact_wrenches(system, solution.lambda);
-    VecX joint_lambda;
-    if (system.joints) {
-      JointReactions reactions =
-          with_joint_impulses(system, std::move(impulses), VecX::Zero(system.joints->residuals().size()));
-      impulses = std::move(reactions.wrenches);
-      joint_lambda = reactions.lambda;
-      report.work += system.joints->supplied_power(joint_lambda);
-    }
-    report.work += work_of_prescribed(system, solution.lambda);
-    const Wrench external = external_wrench(system, solution.lambda, joint_lambda);
-    impulse += external.f_W;
-    angular_impulse += external.tau_W;
-    for (std::size_t i = 0; i < part.bodies.size(); ++i) {
-      const std::size_t local = static_cast<std::size_t>(system.local_index(part.bodies[i]));
-      const Wrench& on_body = impulses[local];
-      const BodyKinetics& kinetics = system.kinetics[local];
-      BodyPhase& phase = end[i];
-      const Vec3 P_free = phase.P, x_free = phase.x;
-      if (!on_body.f_W.isZero(0) || !on_body.tau_W.isZero(0)) {
-        const Vec3 of_forces = phase.P - part.phases[i].P;
-        phase.x += h * kinetics.inverse_mass * ((theta - 0.5) * of_forces + theta * on_body.f_W);
-      }
-      phase.q = (rotation_exp(theta * h * (kinetics.inverse_inertia * on_body.tau_W)) * phase.q).normalized();
-      phase.P += on_body.f_W;
-      // The moment of momentum that moving the body changes, beyond what the impulse says about the origin.
-      const Vec3 surplus = (phase.x - x_free).cross(P_free) + (phase.x - kinetics.x).cross(on_body.f_W);
-      phase.L += on_body.tau_W - surplus;
+/// The contacts half way through the step, with the velocities that the bodies would have at its end without
+/// them: rows and arms there balance the momenta exactly and make smooth motion of second order.
+ContactSystem ImpulseStep::middle_system(double h, const Cluster& part, const FreeEnd& free) const {
+  std::vector<BodyPhase> middle = part.phases;
+  for (std::size_t i = 0; i < part.bodies.size(); ++i) {
+    const Body& body = model_.body(part.bodies[i]);
+    BodyPhase& phase = middle[i];
+    const Vec3 w = angular_velocity({body.mass, body.moments}, phase.q, phase.L);
+    phase.x += 0.5 * h / body.mass * phase.P;
+    phase.q = (rotation_exp(0.5 * h * w) * phase.q).normalized();
+  }
+  std::vector<Contact> contacts = contacts_at(part.t + 0.5 * h, part, middle);
+  for (std::size_t i = 0; i < part.bodies.size(); ++i) {
+    const Body& body = model_.body(part.bodies[i]);
+    const BodyPhase& end = free.phases[i];
+    const Vec3 w = angular_velocity({body.mass, body.moments}, end.q, end.L);
+    const Mat3 R = rotation_matrix(middle[i].q);
+    middle[i].P = end.P;
+    middle[i].L = R * body.moments.cwiseProduct(R.transpose() * w);
+  }
+  return integrator_.system_of(part.t + 0.5 * h, part.bodies, middle, std::move(contacts));
+}
+
+/// 0 ≤ λ_n ⊥ u_n⁺ + gap/h ≥ 0 with friction against u_t⁺; forces with a largest value act all through h.
+CoulombProblem ImpulseStep::step_laws(double h, const Cluster& part, const ContactSystem& system) const {
+  CoulombProblem laws = laws_of(system, relative_velocities(system));
+  for (std::size_t i = 0; i < system.contacts.size(); ++i) {
+    const Contact& contact = system.contacts[i];
+    // The rows turn until the end: the velocities there count, at which the next step begins.
+    const Vec3 bias = contact.stop
+                          ? system.rows[i].bias
+                          : acceleration_bias(contact, system.of(contact.body_A), system.of(contact.body_B));
+    laws.b.segment<3>(normal_row(i) - 2) += 0.5 * h * bias;
+    if (contact.is_bounded_force()) {
+      laws.b[normal_row(i)] = -h * system.rows[i].load * system.rows[i].mobility;
+    } else {
+      laws.b[normal_row(i)] += std::max(0.0, part.contacts[i].point.gap) / h;
     }
   }
-  part.phases = std::move(end);
+  return laws;
+}
+
+/// Adds the impulses to the free end of the step and to the books.
+void ImpulseStep::push(double h, double theta, const Cluster& part, const ContactSystem& system,
+                       const VecX& lambda, FreeEnd& end) const {
+  std::vector<Wrench> impulses = contact_wrenches(system, lambda);
+  VecX joint_lambda;
+  if (system.joints) {
+    JointReactions reactions =
+        with_joint_impulses(system, std::move(impulses), VecX::Zero(system.joints->residuals().size()));
+    impulses = std::move(reactions.wrenches);
+    joint_lambda = reactions.lambda;
+    end.work += system.joints->supplied_power(joint_lambda);
+  }
+  end.work += work_of_prescribed(system, lambda);
+  const Wrench external = external_wrench(system, lambda, joint_lambda);
+  end.impulse += external.f_W;
+  end.angular_impulse += external.tau_W;
+  for (std::size_t i = 0; i < part.bodies.size(); ++i) {
+    const std::size_t local = static_cast<std::size_t>(system.local_index(part.bodies[i]));
+    const Wrench& on_body = impulses[local];
+    if (on_body.f_W.isZero(0) && on_body.tau_W.isZero(0)) continue;
+    const BodyKinetics& kinetics = system.kinetics[local];
+    BodyPhase& phase = end.phases[i];
+    const Vec3 P_free = phase.P, x_free = phase.x, of_forces = P_free - part.phases[i].P;
+    phase.x += h * kinetics.inverse_mass * ((theta - 0.5) * of_forces + theta * on_body.f_W);
+    phase.q = (rotation_exp(theta * h * (kinetics.inverse_inertia * on_body.tau_W)) * phase.q).normalized();
+    phase.P += on_body.f_W;
+    // The moment of momentum that moving the body changes, beyond what the impulse says about the origin.
+    const Vec3 surplus = (phase.x - x_free).cross(P_free) + (phase.x - kinetics.x).cross(on_body.f_W);
+    phase.L += on_body.tau_W - surplus;
+  }
+}
+
+void ImpulseStep::move(double h, double theta, Cluster& part, AdvanceReport& report) const {
+  FreeEnd end = fly(h, part, report);
+  if (!part.contacts.empty() && !stays_clear(h, part, end)) {
+    const ContactSystem system = middle_system(h, part, end);
+    const CoulombSolution solution = solve(system, step_laws(h, part, system));
+    note(solution, report);
+    ++report.steps;
+    push(h, theta, part, system, solution.lambda, end);
+  }
+  const ClusterTotals before = totals_of(model_, part);
+  part.phases = std::move(end.phases);
   part.t += h;
   const ClusterTotals after = totals_of(model_, part);
-  report.momentum_error += after.P - before.P - impulse;
-  report.angular_momentum_error += after.L - before.L - angular_impulse;
+  report.work += end.work;
+  report.momentum_error += after.P - before.P - end.impulse;
+  report.angular_momentum_error += after.L - before.L - end.angular_impulse;
 }
 
 }  // namespace rigor

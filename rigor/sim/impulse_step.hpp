@@ -28,9 +28,20 @@ class ImpulseStep {
 
  private:
   struct FreeEnd;
+  /// Contacts that close within a step, and those that touch.
+  struct Closing {
+    VecX b;  ///< Velocities (3n), the normal ones with gap / h added [m/s].
+    std::vector<Contact> contacts;
+    bool closes, bounces;  ///< Whether any does.
+  };
+  Closing find_closing(double h, const ContactSystem& system) const;
   FreeEnd fly(double h, const Cluster& part, AdvanceReport& report) const;
   bool stays_clear(double h, const Cluster& part, const FreeEnd& free) const;
   std::vector<Contact> contacts_at(double t, const Cluster& part, const std::vector<BodyPhase>& phases) const;
+  ContactSystem middle_system(double h, const Cluster& part, const FreeEnd& free) const;
+  CoulombProblem step_laws(double h, const Cluster& part, const ContactSystem& system) const;
+  void push(double h, double theta, const Cluster& part, const ContactSystem& system, const VecX& lambda,
+            FreeEnd& end) const;
   CoulombSolution solve(const ContactSystem& system, CoulombProblem laws) const;
   void note(const CoulombSolution& solution, AdvanceReport& report) const;
 

@@ -6,6 +6,7 @@
 #include "rigor/dynamics/dense_phase.hpp"
 #include "rigor/geometry/aabb.hpp"
 #include "rigor/math/rotation.hpp"
+#include "rigor/sim/displacement.hpp"
 #include "rigor/sim/fixed_steps.hpp"
 #include "rigor/sim/near_pairs.hpp"
 
@@ -13,6 +14,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <set>
 
 namespace rigor {
@@ -106,59 +108,72 @@ void TimeStepper::write(const Cluster& cluster, State& state) const {
   }
 }
 
-/// One step of at most h: what it was. Where the error of the second order adds energy, the step is taken
-/// with the form that cannot.
+/// One step of at most h: what it was. Where what the step leaves out adds energy, it is taken with the form
+/// that adds least, and with halves if that does not help.
 double TimeStepper::take_step(double h, State& state) {
+  constexpr int most_halvings = 5;
+  constexpr double tolerable = 1e-10;  // Of the kinetic energy.
+  const Energy before = mechanical_energy(*model_, environment_, state);
+  std::optional<Trial> trial;
+  for (int k = 0; k <= most_halvings; ++k) {
+    trial = try_calmly(h, before, state);
+    if (trial->gain <= tolerable * before.kinetic || trial->report.impact_gain > 0) break;
+    h = 0.5 * trial->h;
+  }
+  for (std::size_t i = 0; i < trial->end.bodies.size(); ++i) {
+    if (is_finite(trial->end.phases[i])) continue;
+    report_.reason = StopReason::not_finite;
+    report_.detail = "body '" + model_->body(trial->end.bodies[i]).name + "'";
+    report_.bodies = {trial->end.bodies[i]};
+    return trial->h;
+  }
+  report_.add(trial->report);
+  write(trial->end, state);
+  return trial->h;
+}
+
+/// A trial that adds no energy if one of the forms of a step does not.
+TimeStepper::Trial TimeStepper::try_calmly(double h, const Energy& before, const State& state) {
   constexpr double rounding = 1e-13;
-  const double before = mechanical_energy(*model_, environment_, state).total();
-  const auto gain = [&](const Trial& trial) {
+  const auto with_gain = [&](Trial trial) {
     State end = state;
     write(trial.end, end);
     const Energy energy = mechanical_energy(*model_, environment_, end);
-    const double scale = energy.kinetic + std::abs(energy.potential) + energy.elastic + std::abs(before);
-    return energy.total() - before - trial.report.work - rounding * scale;
+    const double scale = energy.kinetic + std::abs(energy.potential) + energy.elastic +
+                         std::abs(before.potential) + before.elastic + before.kinetic;
+    trial.gain = energy.total() - before.total() - trial.report.work - rounding * scale;
+    return trial;
   };
-  Trial trial = try_step(h, 0.5, state);
-  if (const double first = gain(trial); trial.report.impact_gain == 0 && first > 0) {
-    Trial safe = try_step(trial.h, 1, state);
-    const double least = gain(safe);
-    // In between, where energy stays as it is.
-    if (least < 0 && safe.h == trial.h) {
-      Trial level = try_step(trial.h, 0.5 + 0.5 * first / (first - least), state);
-      if (gain(level) <= 0) safe = std::move(level);
-    }
-    if (gain(safe) < first) trial = std::move(safe);
+  Trial trial = with_gain(try_step(h, 0.5, state));
+  if (trial.gain <= 0 || trial.report.impact_gain > 0) return trial;
+  Trial safe = with_gain(try_step(trial.h, 1, state));
+  // In between, where energy stays as it is or falls by a little: false position, from the side that gains.
+  constexpr int most_trials = 4;
+  constexpr double beyond = 1.05;
+  double low = 0.5, gain = trial.gain;
+  for (int k = 0; k < most_trials && gain > 0 && safe.gain < 0 && safe.h == trial.h; ++k) {
+    low = std::min(1.0, low + beyond * (1 - low) * gain / (gain - safe.gain));
+    Trial level = with_gain(try_step(trial.h, low, state));
+    gain = level.gain;
+    if (gain <= 0 && level.h == trial.h) return level;
   }
-  for (std::size_t i = 0; i < trial.end.bodies.size(); ++i) {
-    if (is_finite(trial.end.phases[i])) continue;
-    report_.reason = StopReason::not_finite;
-    report_.detail = "body '" + model_->body(trial.end.bodies[i]).name + "'";
-    report_.bodies = {trial.end.bodies[i]};
-    return trial.h;
-  }
-  trial.report.reason = report_.reason;
-  report_.add(trial.report);
-  write(trial.end, state);
-  return trial.h;
+  return safe.gain < trial.gain ? safe : trial;
 }
 
 /// Halved where the contacts at the begin do not tell those at the end.
 TimeStepper::Trial TimeStepper::try_step(double h, double theta, const State& state) {
   constexpr int most_halvings = 6;
-  constexpr double noticeable = 10;
   std::vector<double> reaches(index(model_->body_count()), 0.0);
   grow_reaches(h, cluster_in(state), reaches);
   bool takes_all = false;
   for (int k = 0;; ++k) {
     Trial trial = try_with_reaches(h, theta, takes_all, state, reaches);
     // Bodies were pushed where they did not go by themselves.
-    if (!takes_all && trial.correction > noticeable * method_.contact_tolerance) {
+    if (!takes_all && trial.misjudgement > 0) {
       takes_all = true;
       continue;
     }
-    double thinnest = model_->length_scale();
-    for (const int body : trial.end.bodies) thinnest = std::min(thinnest, thickness_[index(body)]);
-    if (k == most_halvings || trial.correction <= 0.05 * thinnest) return trial;
+    if (k >= most_halvings || trial.misjudgement <= 1) return trial;
     h = 0.5 * trial.h;
   }
 }
@@ -227,7 +242,7 @@ TimeStepper::Trial TimeStepper::try_with_reaches(double h, double theta, bool ta
       }
       continue;
     }
-    trial.correction = correct_overlaps(state, trial.end, trial.report);
+    trial.misjudgement = correct_overlaps(state, trial.end, trial.report);
     return trial;
   }
 }
@@ -336,28 +351,48 @@ void TimeStepper::hold_joints(Cluster& part, AdvanceReport& report) const {
 double TimeStepper::correct_overlaps(const State& state, Cluster& end, AdvanceReport& report) {
   constexpr int most_passes = 8;
   std::vector<double> reaches(index(model_->body_count()), 0.0);
-  double largest = 0;
+  double largest = 0, misjudgement = 0;
   State moved = state;
   for (int pass = 0; pass < most_passes; ++pass) {
     write(end, moved);
     const std::vector<Contact> contacts = finder_.find(moved, reaches, method_.contact_tolerance);
     double deepest = 0;
-    for (const Contact& contact : contacts) deepest = std::max(deepest, -contact.point.gap);
+    for (const Contact& contact : contacts) {
+      deepest = std::max(deepest, -contact.point.gap);
+      if (pass == 0) misjudgement = std::max(misjudgement, misjudgement_of(contact));
+    }
     largest = std::max(largest, deepest);
     if (deepest <= 0.2 * method_.contact_tolerance) break;
     // What is near may be in the way.
     for (const int body : end.bodies) reaches[index(body)] = 2 * largest;
     if (pass == 0 && deepest > method_.contact_tolerance) continue;
     for (Cluster& part : connected_parts(end, contacts, environment_)) {
-      const std::vector<BodyPhase> before = part.phases;
-      if (!resolver_.project_positions(part)) continue;
-      for (std::size_t i = 0; i < part.bodies.size(); ++i)
-        part.phases[i].L -= (part.phases[i].x - before[i].x).cross(part.phases[i].P);
+      double of_part = 0;
+      for (const Contact& contact : part.contacts) of_part = std::max(of_part, -contact.point.gap);
+      if (of_part <= 0.2 * method_.contact_tolerance) continue;
+      const ContactSystem system = integrator_.system_of(part.t, part.bodies, part.phases, part.contacts);
+      const std::vector<double> lowest(part.contacts.size(), 0.0);
+      apply_displacement(separating_impulses(system, lowest), system, part.bodies, part.phases);
       hold_joints(part, report);
       for (std::size_t i = 0; i < part.bodies.size(); ++i) end.phase_of(part.bodies[i]) = part.phases[i];
     }
   }
-  return largest;
+  return misjudgement;
+}
+
+/// Overlap at the end of a step, as a share of what can be put right without a doubt about the side from
+/// which the bodies came, and with a small turn; 0 if it is a few tolerances.
+double TimeStepper::misjudgement_of(const Contact& contact) const {
+  constexpr double noticeable = 10, share_of_thickness = 0.05, share_of_radius = 0.02;
+  const double depth = -contact.point.gap;
+  if (depth <= noticeable * method_.contact_tolerance) return 0;
+  double right =
+      share_of_thickness * std::max(thickness_[index(contact.body_A)], thickness_[index(contact.body_B)]);
+  for (const int body : {contact.body_A, contact.body_B}) {
+    const double radius = model_->body(body).bounding_radius;
+    if (std::isfinite(radius)) right = std::min(right, share_of_radius * radius);
+  }
+  return depth / std::max(right, noticeable * method_.contact_tolerance);
 }
 
 }  // namespace rigor

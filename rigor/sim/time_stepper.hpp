@@ -33,10 +33,12 @@ class TimeStepper : public Stepper {
     AdvanceReport report;
     std::vector<double> reaches;  ///< How far the points of each body may have come [m].
     double h = 0;                 ///< Shorter than asked for where bodies that move far meet [s].
-    double correction = 0;        ///< Largest overlap that was put right [m].
+    double gain = 0;              ///< Of energy, beyond work and rounding [J].
+    double misjudgement = 0;      ///< Of the overlap at its end: beyond 1 the step was too long.
   };
   Cluster cluster_in(const State& state) const;
   double take_step(double h, State& state);
+  Trial try_calmly(double h, const Energy& before, const State& state);
   Trial try_step(double h, double theta, const State& state);
   Trial try_with_reaches(double h, double theta, bool takes_all, const State& state,
                          std::vector<double>& reaches);
@@ -48,6 +50,7 @@ class TimeStepper : public Stepper {
                        const std::vector<std::pair<int, int>>& pairs) const;
   void hold_joints(Cluster& part, AdvanceReport& report) const;
   double correct_overlaps(const State& state, Cluster& end, AdvanceReport& report);
+  double misjudgement_of(const Contact& contact) const;
   void write(const Cluster& cluster, State& state) const;
 
   std::shared_ptr<const Model> model_;

@@ -6,6 +6,7 @@
 #include "rigor/io/fingerprint.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/model/limits.hpp"
+#include "rigor/sim/scheme_check.hpp"
 #include "rigor/sim/simulation.hpp"
 #include "rigor/view/live_frame.hpp"
 #include "rigor/view/page_writer.hpp"
@@ -129,6 +130,7 @@ void LiveRun::set_method(const std::string& key, const std::string& value) {
   const std::string message = set_method_choice(key, value, method);
   if (!message.empty()) throw InputError(message);
   std::vector<std::string> messages = check_combination(method);
+  for (std::string& refusal : check_scheme(*model_, method)) messages.push_back(std::move(refusal));
   if (!messages.empty()) throw InputError(std::move(messages));
   method_ = method;
   rebuild();
