@@ -1,6 +1,7 @@
 #include "rigor/contact/motion_rows.hpp"
 
 #include <tuple>
+#include <utility>
 
 namespace rigor {
 
@@ -30,6 +31,7 @@ ContactRows motion_rows(const ContactSystem& system) {
                                          block_diagonal(body.inverse_mass, body.inverse_inertia), rows)
                               : -1);
   }
+  int loads = 0, load_node = -1;
   for (std::size_t i = 0; i < system.contacts.size(); ++i) {
     const Contact& contact = system.contacts[i];
     const ContactJacobian& jacobian = system.rows[i];
@@ -41,15 +43,21 @@ ContactRows motion_rows(const ContactSystem& system) {
       if (side.node >= 0) side.J = *J;
     }
     if (jacobian.mobility > 0) {
-      sides[2].node =
-          add_node(Mat6::Identity() / jacobian.mobility, jacobian.mobility * Mat6::Identity(), rows);
-      sides[2].J(2, 0) = 1;
+      // Loads share nodes, a velocity each.
+      const int velocity = loads++ % 6;
+      if (velocity == 0) load_node = add_node(Mat6::Identity(), Mat6::Identity(), rows);
+      rows.masses.back()(velocity, velocity) = 1 / jacobian.mobility;
+      rows.inverse_masses.back()(velocity, velocity) = jacobian.mobility;
+      sides[2].node = load_node;
+      sides[2].J(2, velocity) = 1;
     }
     rows.contacts.push_back(sides);
   }
   if (!system.joints || system.joints->held_bodies().empty()) return rows;
-  rows.joints = std::shared_ptr<const ConstrainedMass>(system.joints, &system.joints->equations());
-  for (const std::size_t body : system.joints->held_bodies()) rows.joint_nodes.push_back(nodes[body]);
+  std::vector<int> held;
+  for (const std::size_t body : system.joints->held_bodies()) held.push_back(nodes[body]);
+  hold_nodes(std::shared_ptr<const ConstrainedMass>(system.joints, &system.joints->equations()),
+             std::move(held), rows);
   return rows;
 }
 

@@ -6,8 +6,8 @@
 namespace rigor {
 
 /// J and M of the system's contacts and its joints on its dynamic bodies, one node each in the order of
-/// `bodies`, in the contact frames: what A = J M⁻¹ Jᵀ (delassus) is made of. Dry friction and motors have a
-/// node more, for their load.
+/// `bodies`, in the contact frames: what A = J M⁻¹ Jᵀ (delassus) is made of. The loads of dry friction and
+/// motors are velocities of further nodes, six a node.
 ContactRows motion_rows(const ContactSystem& system);
 
 }  // namespace rigor

@@ -1,6 +1,7 @@
 #include "rigor/solver/contact_rows.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace rigor {
 
@@ -46,13 +47,52 @@ Index for_each_joint_row(const ContactRows& rows, const std::function<void(Index
   return count;
 }
 
+namespace {
+
+// The base is dense: of more nodes its making takes longer than the sparse factors of their equations.
+constexpr std::size_t kMostNodesWithBase = 30;
+
+/// Nullspace of G M^(-½) with M = C Cᵀ, by orthogonal factors of C⁻¹ Gᵀ; N = C⁻ᵀ times that.
+MatX motions_of(const ContactRows& rows) {
+  const Index size = 6 * static_cast<Index>(rows.joint_nodes.size());
+  std::vector<Eigen::LLT<Mat6>> roots;
+  std::vector<Index> places(rows.node_count(), 0);
+  for (const int node : rows.joint_nodes) {
+    places[static_cast<std::size_t>(node)] = 6 * static_cast<Index>(roots.size());
+    roots.emplace_back(rows.masses[static_cast<std::size_t>(node)]);
+  }
+  const Index count = for_each_joint_row(rows, [](Index, int, const Vec6&) {});
+  MatX G = MatX::Zero(size, count);
+  for_each_joint_row(rows, [&](Index row, int node, const Vec6& J) {
+    const Index place = places[static_cast<std::size_t>(node)];
+    G.col(row).segment<6>(place) = roots[static_cast<std::size_t>(place / 6)].matrixL().solve(J);
+  });
+  MatX N = MatX::Zero(size, size - count);
+  N.bottomRows(size - count).setIdentity();
+  N.applyOnTheLeft(Eigen::HouseholderQR<MatX>(G).householderQ());
+  for (std::size_t n = 0; n < roots.size(); ++n) {
+    const Index row = 6 * static_cast<Index>(n);
+    N.middleRows<6>(row) = roots[n].matrixU().solve(N.middleRows<6>(row)).eval();
+  }
+  return N;
+}
+
+}  // namespace
+
+void hold_nodes(std::shared_ptr<const ConstrainedMass> joints, std::vector<int> nodes, ContactRows& rows) {
+  rows.joints = std::move(joints);
+  rows.joint_nodes = std::move(nodes);
+  if (rows.joint_nodes.size() <= kMostNodesWithBase) rows.held_motions = motions_of(rows);
+}
+
 VecX with_joints(const ContactRows& rows, const VecX& p) {
   if (!rows.joints) return p;
   const Index count = static_cast<Index>(rows.joint_nodes.size());
   VecX held(6 * count), result = p;
   for (Index n = 0; n < count; ++n)
     held.segment<6>(6 * n) = p.segment<6>(6 * rows.joint_nodes[static_cast<std::size_t>(n)]);
-  const VecX a = rows.joints->solve(held, VecX::Zero(rows.joints->row_count())).a;
+  const VecX a = rows.has_held_motions() ? VecX(rows.held_motions * (rows.held_motions.transpose() * held))
+                                         : rows.joints->solve(held, VecX::Zero(rows.joints->row_count())).a;
   for (Index n = 0; n < count; ++n) {
     const int node = rows.joint_nodes[static_cast<std::size_t>(n)];
     result.segment<6>(6 * node) = rows.masses[static_cast<std::size_t>(node)] * a.segment<6>(6 * n);

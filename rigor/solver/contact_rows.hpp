@@ -28,9 +28,16 @@ struct ContactRows {
   std::vector<Sides> contacts;
   std::shared_ptr<const ConstrainedMass> joints;  ///< Factored with these masses; none if no node is held.
   std::vector<int> joint_nodes;                   ///< The node of each node of `joints`.
+  /// Columns N: a base of the motions of the joint nodes (6 rows each) that the joints allow, with G N = 0
+  /// and Nᵀ M N = 1. Empty where these nodes are many: then their equations are worked with.
+  MatX held_motions;
 
   std::size_t node_count() const { return masses.size(); }
+  bool has_held_motions() const { return held_motions.rows() > 0; }
 };
+
+/// Gives the rows these joints on these of its nodes, factored with their masses.
+void hold_nodes(std::shared_ptr<const ConstrainedMass> joints, std::vector<int> nodes, ContactRows& rows);
 
 /// J V (3n).
 VecX contact_rates(const ContactRows& rows, const VecX& V);

@@ -49,7 +49,15 @@ VecX unknown_scales(const ContactRows& rows) {
 
 NodeSystem::NodeSystem(const ContactRows& rows, const std::vector<Mat3>& D, double mass_factor,
                        bool is_symmetric)
-    : scales_(unknown_scales(rows)) {
+    : rows_(rows), scales_(unknown_scales(rows)) {
+  if (rows.has_held_motions()) {
+    find_places();
+    if (size_ <= kDenseUnknowns) {
+      factor_on_motions(D, mass_factor, is_symmetric);
+      return;
+    }
+    places_.clear();
+  }
   const auto scaled = [this](int i, int k, const Mat6& block) {
     return Mat6(scales_.segment<6>(6 * i).asDiagonal() * block * scales_.segment<6>(6 * k).asDiagonal());
   };
@@ -114,15 +122,83 @@ void NodeSystem::factor_sparse(const Sparse& matrix, bool is_symmetric) {
   }
 }
 
-VecX NodeSystem::solve(const VecX& c) const {
-  const VecX balanced = scales_.cwiseProduct(c);
-  if (size_ == c.size()) return scales_.cwiseProduct(solve_scaled(balanced));
-  VecX bordered = VecX::Zero(size_);
-  bordered.head(c.size()) = balanced;
-  return scales_.cwiseProduct(solve_scaled(bordered).head(c.size()));
+void NodeSystem::find_places() {
+  is_held_.assign(rows_.node_count(), false);
+  places_.assign(rows_.node_count(), 0);
+  Index row = 0;
+  for (const int node : rows_.joint_nodes) {
+    is_held_[static_cast<std::size_t>(node)] = true;
+    places_[static_cast<std::size_t>(node)] = row;
+    row += 6;
+  }
+  free_ = 0;
+  for (std::size_t k = 0; k < rows_.node_count(); ++k) {
+    if (is_held_[k]) continue;
+    places_[k] = free_;
+    free_ += 6;
+  }
+  size_ = free_ + rows_.held_motions.cols();
 }
 
-VecX NodeSystem::solve_scaled(const VecX& c) const {
+// With V = (free nodes, N y) of all nodes: contact i has the rows L = J V, and N y the mass 1.
+void NodeSystem::factor_on_motions(const std::vector<Mat3>& D, double mass_factor, bool is_symmetric) {
+  const Index held = rows_.held_motions.cols();
+  MatX matrix = MatX::Zero(size_, size_);
+  for (std::size_t k = 0; k < rows_.node_count(); ++k)
+    if (!is_held_[k]) matrix.block<6, 6>(places_[k], places_[k]) = mass_factor * rows_.masses[k];
+  matrix.diagonal().tail(held).setConstant(mass_factor);
+  for (std::size_t i = 0; i < rows_.contacts.size(); ++i) {
+    if (D[i].isZero(0)) continue;
+    Eigen::Matrix<double, 3, Eigen::Dynamic> on_motions(3, held);
+    on_motions.setZero();
+    bool touches_held = false;
+    for (const ContactRows::Side& side : rows_.contacts[i]) {
+      const std::size_t k = static_cast<std::size_t>(side.node);
+      if (side.node < 0 || !is_held_[k]) continue;
+      touches_held = true;
+      on_motions += side.J * rows_.held_motions.middleRows<6>(places_[k]);
+    }
+    if (touches_held) matrix.bottomRightCorner(held, held) += on_motions.transpose() * (D[i] * on_motions);
+    for (const ContactRows::Side& left : rows_.contacts[i]) {
+      if (left.node < 0 || is_held_[static_cast<std::size_t>(left.node)]) continue;
+      const Index place = places_[static_cast<std::size_t>(left.node)];
+      for (const ContactRows::Side& right : rows_.contacts[i]) {
+        if (right.node < 0 || is_held_[static_cast<std::size_t>(right.node)]) continue;
+        matrix.block<6, 6>(place, places_[static_cast<std::size_t>(right.node)]) +=
+            left.J.transpose() * D[i] * right.J;
+      }
+      if (!touches_held) continue;
+      matrix.block(place, free_, 6, held) += left.J.transpose() * (D[i] * on_motions);
+      matrix.block(free_, place, held, 6) += on_motions.transpose() * (D[i] * left.J);
+    }
+  }
+  factor_dense(matrix, is_symmetric);
+}
+
+VecX NodeSystem::solve(const VecX& c) const {
+  if (places_.empty()) {
+    VecX bordered = VecX::Zero(size_);
+    bordered.head(c.size()) = scales_.cwiseProduct(c);
+    return scales_.cwiseProduct(solve_factored(bordered).head(c.size()));
+  }
+  const auto for_each_node = [&](auto on_free, auto on_held) {
+    for (std::size_t k = 0; k < rows_.node_count(); ++k)
+      is_held_[k] ? on_held(6 * static_cast<Index>(k), places_[k])
+                  : on_free(6 * static_cast<Index>(k), places_[k]);
+  };
+  VecX reduced(size_), held(rows_.held_motions.rows()), x(c.size());
+  for_each_node([&](Index row, Index place) { reduced.segment<6>(place) = c.segment<6>(row); },
+                [&](Index row, Index place) { held.segment<6>(place) = c.segment<6>(row); });
+  reduced.tail(size_ - free_) = rows_.held_motions.transpose() * held;
+  const VecX y = solve_factored(reduced);
+  held = rows_.held_motions * y.tail(size_ - free_);
+  for_each_node([&](Index row, Index place) { x.segment<6>(row) = y.segment<6>(place); },
+                [&](Index row, Index place) { x.segment<6>(row) = held.segment<6>(place); });
+  return x;
+}
+
+VecX NodeSystem::solve_factored(const VecX& c) const {
+  if (c.size() == 0) return c;
   switch (form_) {
     case Form::dense_cholesky:
       return dense_cholesky_.solve(c);

@@ -15,27 +15,36 @@ namespace rigor {
 ///   (ε M + Σ_i J_iᵀ D_i J_i) x = c
 ///
 /// and, where joints hold nodes, the x that they allow (G x = 0) which solves this but for a reaction Gᵀ ν:
-/// the joints' independent rows (those that ConstrainedMass has chosen) border the matrix.
+/// on the base of these motions if the rows have one, else with the joints' independent rows (those that
+/// ConstrainedMass has chosen) as a border of the matrix.
 ///
 /// A few nodes are solved densely; more by a sparse factorisation in an order of little fill, whose time
 /// grows about in proportion to the nodes in stacks and rows.
 class NodeSystem {
  public:
-  /// One 3 × 3 matrix D a contact. Symmetric: all D are, and are positive semidefinite.
+  /// One 3 × 3 matrix D a contact. Symmetric: all D are, and are positive semidefinite. Holds a reference to
+  /// the rows.
   NodeSystem(const ContactRows& rows, const std::vector<Mat3>& D, double mass_factor, bool is_symmetric);
 
   bool is_regular() const { return is_regular_; }
   VecX solve(const VecX& c) const;
 
  private:
-  VecX solve_scaled(const VecX& c) const;
   using Sparse = Eigen::SparseMatrix<double>;
   void factor_dense(const MatX& matrix, bool is_symmetric);
   void factor_sparse(const Sparse& matrix, bool is_symmetric);
+  void factor_on_motions(const std::vector<Mat3>& D, double mass_factor, bool is_symmetric);
+  void find_places();
+  VecX solve_factored(const VecX& c) const;
 
-  VecX scales_;  ///< Of the unknowns.
+  const ContactRows& rows_;
+  VecX scales_;  ///< Of the nodes' unknowns.
   bool is_regular_ = true;
-  Eigen::Index size_ = 0;  ///< Six a node, and the rows of joints.
+  /// First unknown of each node if there is a base of held motions; of held nodes their first row in it.
+  std::vector<Eigen::Index> places_;
+  std::vector<bool> is_held_;
+  Eigen::Index free_ = 0;  ///< Unknowns of nodes that are not held; those of the base follow.
+  Eigen::Index size_ = 0;  ///< Unknowns, with the rows of joints if they border the matrix.
   Eigen::LLT<MatX> dense_cholesky_;
   Eigen::PartialPivLU<MatX> dense_lu_;
   std::unique_ptr<Eigen::SimplicialLLT<Sparse>> cholesky_;

@@ -38,11 +38,12 @@ inline ConstrainedMass::Rows joint_block(const JointOfScene& joint, const Body& 
 inline MotionProblem motion_problem_of(const JointedScene& scene) {
   MotionProblem problem;
   const MatX J = contact_jacobian(scene), W = inverse_mass(scene);
+  std::vector<int> nodes;
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
     const Mat6 inverse = W.block<6, 6>(6 * static_cast<Eigen::Index>(k), 6 * static_cast<Eigen::Index>(k));
     problem.rows.inverse_masses.push_back(inverse);
     problem.rows.masses.push_back(inverse.inverse());
-    problem.rows.joint_nodes.push_back(static_cast<int>(k));
+    nodes.push_back(static_cast<int>(k));
   }
   for (std::size_t i = 0; i < scene.contacts.size(); ++i) {
     ContactRows::Sides sides;
@@ -67,7 +68,7 @@ inline MotionProblem motion_problem_of(const JointedScene& scene) {
   }
   const auto joints = std::make_shared<ConstrainedMass>(graph);
   joints->factor(problem.rows.masses, blocks);
-  problem.rows.joints = joints;
+  hold_nodes(joints, nodes, problem.rows);
   problem.laws = problem_of(scene);
   problem.laws.A.resize(0, 0);
   const VecX p = with_joints(problem.rows, node_wrenches(problem.rows, free_motion(scene)));
