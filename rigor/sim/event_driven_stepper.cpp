@@ -301,7 +301,7 @@ void EventDrivenStepper::find_touching(int body, Cluster& cluster, std::set<std:
     const auto [a, b] = std::minmax(body, other);
     std::vector<Contact> found =
         find_contacts(*model_, a, b, pose_of(a), pose_of(b), method_.contact_tolerance);
-    if (found.empty()) continue;
+    if (found.empty() || is_in_transition(found)) continue;
     if (is_dynamic(other) && island_of_[index(other)] >= 0) {
       add_body(other, cluster);
       found = find_contacts(*model_, a, b, pose_of(a), pose_of(b), method_.contact_tolerance);

@@ -46,6 +46,8 @@ class EventDrivenStepper : public Stepper {
   virtual bool keeps_contacts() const { return true; }
   /// Whether the contacts of these bodies are looked at in the present event.
   virtual bool takes_part([[maybe_unused]] int a, [[maybe_unused]] int b) const { return true; }
+  /// Whether these contacts of a pair that takes part are left to an event of their own.
+  virtual bool is_in_transition([[maybe_unused]] const std::vector<Contact>& contacts) const { return false; }
   /// Impulses until no contact of the part approaches; false if some still do.
   virtual bool apply_impulses(Cluster& part) { return resolver_.apply_impulses(part, report_); }
 
@@ -55,6 +57,7 @@ class EventDrivenStepper : public Stepper {
     return trajectories_.has_lasting_contact(a, b) ||
            (trajectories_.is_still(a) && trajectories_.is_still(b));
   }
+  const Motion& motion(int body) const { return trajectories_.motion(body); }
   const ContactResolver& resolver() const { return resolver_; }
   const IslandIntegrator& integrator() const { return integrator_; }
   AdvanceReport& report() { return report_; }

@@ -3,60 +3,51 @@
 #include "rigor/contact/impact_problem.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
-#include <set>
 
 namespace rigor {
 
 HybridStepper::HybridStepper(std::shared_ptr<const Model> model, const Method& method, double target_step)
     : EventDrivenStepper(std::move(model), method, target_step),
       law_(restitution_law(method.impact)),
-      still_(1e-3 * method.resting_velocity) {}
+      resting_velocity_(method.resting_velocity) {}
 
-/// At a contact the two bodies with all that lasts on them; where all is judged afresh (at the start, and
-/// where the path of a body turns) all that touches.
-bool HybridStepper::takes_part(int a, int b) const {
+/// The bodies bounce off each other and have not yet come near rest; what lasts and what the event is about
+/// never is. Where all is judged afresh (at the start, and where the path of a body turns) nothing is.
+bool HybridStepper::is_in_transition(const std::vector<Contact>& contacts) const {
   const QueuedEvent& event = present_event();
-  if (event.kind == QueuedEvent::Kind::window_end) return true;
+  const int a = contacts.front().body_A, b = contacts.front().body_B;
+  if (event.kind == QueuedEvent::Kind::window_end || is_lasting(a, b)) return false;
   if (event.kind == QueuedEvent::Kind::contact && std::minmax(a, b) == std::minmax(event.a, event.b))
-    return true;
-  return is_lasting(a, b);
+    return false;
+  const Motion::Sample A = motion(a).sample(event.time), B = motion(b).sample(event.time);
+  return std::all_of(contacts.begin(), contacts.end(), [&](const Contact& contact) {
+    const Vec3 u_W = B.velocity_at(contact.p_W()) - A.velocity_at(contact.p_W());
+    return std::abs(contact.point.n_W.dot(u_W)) > resting_velocity_;
+  });
 }
 
-/// One collision after the other, each of one pair; what still approaches after a few rounds goes together.
+/// The collision of the event's pair by itself; what it does to the lasting contacts of the two, all
+/// together.
 bool HybridStepper::apply_impulses(Cluster& part) {
-  constexpr std::size_t most_rounds = 4;
-  std::vector<Contact> contacts;
-  std::set<std::pair<int, int>> pairs;
-  for (const Contact& contact : part.contacts) {
-    if (contact.stop) continue;
-    contacts.push_back(contact);
-    pairs.insert({contact.body_A, contact.body_B});
-  }
-  for (std::size_t k = 0; k < most_rounds * pairs.size(); ++k) {
-    if (!collide_fastest(part, contacts)) break;
-  }
+  const QueuedEvent& event = present_event();
+  if (event.kind == QueuedEvent::Kind::contact) collide(std::minmax(event.a, event.b), part);
   return resolver().apply_impulses(part, report());
 }
 
-/// The pair of the contact that closes fastest collides by itself; false if none closes.
-bool HybridStepper::collide_fastest(Cluster& part, const std::vector<Contact>& contacts) {
-  const VecX u = relative_velocities(resolver().system_of(part, contacts));
-  std::size_t fastest = 0;
-  for (std::size_t i = 1; i < contacts.size(); ++i) {
-    if (normal_velocity(u, i) < normal_velocity(u, fastest)) fastest = i;
-  }
-  if (normal_velocity(u, fastest) >= -std::max(still_, part.least_impact)) return false;
-  const Contact& first = contacts[fastest];
-  std::vector<Contact> of_pair;
-  std::copy_if(contacts.begin(), contacts.end(), std::back_inserter(of_pair), [&](const Contact& contact) {
-    return contact.body_A == first.body_A && contact.body_B == first.body_B;
-  });
-  const ContactSystem system = resolver().system_of(part, of_pair);
+void HybridStepper::collide(const std::pair<int, int>& pair, Cluster& part) {
+  std::vector<Contact> contacts;
+  std::copy_if(part.contacts.begin(), part.contacts.end(), std::back_inserter(contacts),
+               [&](const Contact& contact) {
+                 return !contact.stop && std::pair(contact.body_A, contact.body_B) == pair;
+               });
+  if (contacts.empty() || contacts.size() == part.contacts.size()) return;
+  const ContactSystem system = resolver().system_of(part, contacts);
+  if (fastest_approach(relative_velocities(system)) <= part.least_impact) return;
   const ImpactSolution impact = solve_impact(system, resolver().restitutions(part, system, report()), law_,
                                              SimultaneousLaw::sequential);
   resolver().apply_impact(system, impact, part, report());
-  return true;
 }
 
 }  // namespace rigor

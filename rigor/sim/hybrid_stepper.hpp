@@ -22,14 +22,14 @@ class HybridStepper : public EventDrivenStepper {
   HybridStepper(std::shared_ptr<const Model> model, const Method& method, double target_step);
 
  protected:
-  bool takes_part(int a, int b) const override;
+  bool is_in_transition(const std::vector<Contact>& contacts) const override;
   bool apply_impulses(Cluster& part) override;
 
  private:
-  bool collide_fastest(Cluster& part, const std::vector<Contact>& contacts);
+  void collide(const std::pair<int, int>& pair, Cluster& part);
 
   RestitutionLaw law_;
-  double still_;  ///< Slower approach is rounding [m/s].
+  double resting_velocity_;
 };
 
 }  // namespace rigor
