@@ -32,6 +32,11 @@ std::size_t index(int body) {
   return static_cast<std::size_t>(body);
 }
 
+/// Place of a body in the ascending list that holds it.
+std::size_t place_of(const std::vector<int>& bodies, int body) {
+  return index(static_cast<int>(std::lower_bound(bodies.begin(), bodies.end(), body) - bodies.begin()));
+}
+
 void add(const std::vector<Wrench>& more, std::vector<Wrench>& wrenches) {
   for (std::size_t b = 0; b < more.size(); ++b) {
     wrenches[b].f_W += more[b].f_W;
@@ -222,11 +227,23 @@ void PenaltyStepper::drift(double h, double t_next) {
     phase.q = FreeRotation(inertia.moments, phase.q, phase.L).orientation(h);
     phase.x += h / inertia.mass * phase.P;
   }
-  if (!touching_.system.joints) return;
-  const std::vector<BodyPhase> before = phases_;
-  joints_.project_positions(t_next, contacts_.dynamic_bodies(), phases_, report_);
-  for (std::size_t i = 0; i < phases_.size(); ++i)
-    report_.angular_momentum_error += (phases_[i].x - before[i].x).cross(phases_[i].P);
+  if (touching_.system.joints) put_joints_back(t_next);
+}
+
+/// Positions back to where joints hold. What the shift makes of the angular momentum of groups that nothing
+/// outside holds is put back too.
+void PenaltyStepper::put_joints_back(double t) {
+  const std::vector<int>& bodies = contacts_.dynamic_bodies();
+  const Cluster before{.t = t, .bodies = bodies, .phases = phases_};
+  joints_.project_positions(t, bodies, phases_, report_);
+  for (const Cluster& group : connected_parts(before, {}, environment_)) {
+    IslandStep step;
+    step.is_implicit = true;
+    for (const int body : group.bodies) step.end.push_back(phases_[place_of(bodies, body)]);
+    joints_.restore_momenta({.bodies = group.bodies, .start = group.phases, .begin = t}, step);
+    for (std::size_t i = 0; i < group.bodies.size(); ++i)
+      phases_[place_of(bodies, group.bodies[i])] = step.end[i];
+  }
 }
 
 /// Puts the phases into the State, with those of prescribed bodies.

@@ -39,6 +39,7 @@ class PenaltyStepper : public Stepper {
   void apply_kick(double t, double h, KickForm form);
   void note_kick(const Kick& kick, const std::vector<BodyPhase>& before, const VecX& u);
   void drift(double h, double t_next);
+  void put_joints_back(double t);
   void write_state(double t, State& state) const;
   void observe_contacts(double t);
   bool note_not_finite();

@@ -15,9 +15,9 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 /// How many times the weight of a body presses its contact by the depth: room for what lies on it.
 constexpr double weights_on_top = 100;
-/// Share of 1/ω by which a step may miss the instant at which a contact begins or ends: it costs a share of
-/// ½ (0.02)² of the energy of the impact.
-constexpr double miss_share = 0.02;
+/// Share of 1/ω by which a step may miss the instant at which a contact begins or ends: of an impact it costs
+/// a share of ½ (0.02)² of the energy. What lies still may miss it by a whole step.
+constexpr double miss_share = 0.02, resting_share = 0.2;
 
 PenaltyChoice choice_of(const Method& method) {
   PenaltyChoice choice;
@@ -143,13 +143,14 @@ double PenaltyTouching::time_to_touch(const ContactSystem& system, std::size_t c
   const double stretch = geometry.friction > 0 ? std::max(1.0, mobility.tangential / mobility.normal) : 1;
   double frequency = speed / choice_.depth * std::sqrt(stretch);
   if (choice_.stiffness) frequency = std::sqrt(*choice_.stiffness * mobility.normal * stretch);
-  return until_touch + miss_share / frequency;
+  const bool is_impact = root > least_speed(geometry);
+  return is_impact ? until_touch + miss_share / frequency : std::max(until_touch, resting_share / frequency);
 }
 
 double PenaltyTouching::time_to_part(const Touching& touching, std::size_t contact, double u) const {
   const PenaltyContact& spring = touching.springs[contact];
   const double depth = pressed_depth(spring, touching.system.contacts[contact].point.gap);
-  if (!(u > resting_velocity_) || !(depth > 0)) return infinite;
+  if (!(u > least_speed(touching.system.contacts[contact])) || !(depth > 0)) return infinite;
   return depth / u + miss_share * choice_.depth / spring.speed;
 }
 
@@ -243,17 +244,18 @@ void PenaltyTouching::update_velocities(double t, const std::vector<BodyPhase>& 
 
 void PenaltyTouching::soften(double h, Touching& touching) const {
   if (choice_.stiffness) return;
-  // What is left of the impact, as a share of its energy, and the time of softening in 1/ω.
-  constexpr double calm = 0.01, slowness = 50;
+  constexpr double slowness = 50;  // Time of softening in 1/ω.
   const VecX u = relative_velocities(touching.system);
   for (std::size_t i = 0; i < touching.springs.size(); ++i) {
     PenaltyContact& spring = touching.springs[i];
     const Contact& contact = touching.system.contacts[i];
     const double least = least_speed(contact);
-    if (contact.is_bounded_force() || spring.speed <= least) continue;
+    if (contact.is_bounded_force() || !(spring.speed > 0)) continue;
     const double pressed = pressed_depth(spring, contact.point.gap) / choice_.depth;
     const double moving = u[3 * static_cast<Eigen::Index>(i) + 2] / spring.speed;
-    if (pressed * pressed + moving * moving > calm) continue;
+    if (pressed * pressed + moving * moving > calm_share * calm_share) continue;
+    if (!choice_.damping) spring = damped_for_rest(spring, choice_.depth);
+    if (spring.speed <= least) continue;
     const double share = h * spring.speed / (slowness * choice_.depth);
     spring = made_for_speed(spring, std::max(least, spring.speed / (1 + share)));
   }
