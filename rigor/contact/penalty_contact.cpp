@@ -58,6 +58,7 @@ PenaltyContact make_penalty_contact(const Contact& contact, const ContactMobilit
     result.spring.stiffness *= ratio;
     if (choice.law == PenaltyNormalLaw::linear) result.spring.damping *= std::sqrt(ratio);
   }
+  if (speed <= calm_share * choice.least_speed) result = damped_for_rest(result, choice.depth);
   if (choice.damping) {
     result.spring.damping = choice.law == PenaltyNormalLaw::linear
                                 ? *choice.damping
@@ -81,6 +82,16 @@ PenaltyContact made_for_speed(PenaltyContact contact, double speed) {
   contact.bristle_stiffness *= ratio * ratio;
   contact.bristle_damping *= ratio;
   contact.speed = speed;
+  return contact;
+}
+
+PenaltyContact damped_for_rest(PenaltyContact contact, double depth) {
+  if (!(contact.speed > 0)) return contact;
+  // Linear: c = 2 ζ √(k m) = 2 ζ k / ω, ω = speed / depth.
+  constexpr double ratio = 0.5, restitution = 0.3;
+  contact.spring.damping = contact.spring.law == PenaltyNormalLaw::linear
+                               ? 2 * ratio * contact.spring.stiffness * depth / contact.speed
+                               : hunt_crossley_damping(restitution) / contact.speed;
   return contact;
 }
 

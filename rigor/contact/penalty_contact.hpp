@@ -45,11 +45,18 @@ struct ContactMobility {
 };
 ContactMobility contact_mobility(const ContactSystem& system, std::size_t contact);
 
+/// A contact that moves and is pressed less than this share of what its spring is made for lies still.
+inline constexpr double calm_share = 0.1;
+
 /// A fresh contact that approaches at `speed` [m/s] (separating ones: 0) and is seen at `depth` [m].
 PenaltyContact make_penalty_contact(const Contact& contact, const ContactMobility& mobility,
                                     const PenaltyChoice& choice, double speed, double depth);
 /// The same spring made for another speed: stiffnesses go with its square, dampers keep their ratios.
 PenaltyContact made_for_speed(PenaltyContact contact, double speed);
+
+/// The same spring with the dampers of a contact that lies still, whatever its restitution is: half of the
+/// critical damping [linear], or a restitution of 0.3.
+PenaltyContact damped_for_rest(PenaltyContact contact, double depth);
 
 /// Overlap that counts [m]; 0 for dry friction and motors.
 double pressed_depth(const PenaltyContact& contact, double gap);

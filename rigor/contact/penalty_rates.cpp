@@ -1,68 +1,74 @@
 #include "rigor/contact/penalty_rates.hpp"
 
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace rigor {
 
 namespace {
 
-double largest_row_sum(const Mat3& K) {
-  return K.cwiseAbs().rowwise().sum().maxCoeff();
-}
-
-/// |J_ib| of the rows that have springs, with the turning that rolling and torsional friction resist.
-double row_norm(const Contact& contact, const BodyKinetics& body, const Eigen::Matrix<double, 3, 6>& J) {
-  Mat3 K = body.inverse_mass * J.leftCols<3>() * J.leftCols<3>().transpose() +
-           J.rightCols<3>() * body.inverse_inertia * J.rightCols<3>().transpose();
-  const bool has_bristle = contact.friction > 0;
-  const double arm = std::max(contact.rolling_friction, contact.torsional_friction);
-  const double turning = arm > 0 ? arm * arm * largest_row_sum(body.inverse_inertia) : 0;
-  return std::sqrt((has_bristle ? largest_row_sum(K) : K(2, 2)) + turning);
-}
-
-struct SpringRoots {
-  double stiffness, damping;
+/// Σ s k Jᵀ J and Σ s c Jᵀ J of a body's contacts.
+struct BodySprings {
+  Mat6 K = Mat6::Zero(), C = Mat6::Zero();
+  bool has_any = false;
 };
 
-SpringRoots roots_of(const Contact& contact, const PenaltyContact& spring, double depth) {
+/// Stiffness and damping of the three rows of a contact.
+struct RowSprings {
+  Vec3 k, c;
+};
+
+RowSprings rows_of(const Contact& contact, const PenaltyContact& spring, double depth) {
+  RowSprings rows{Vec3::Constant(spring.bristle_stiffness), Vec3::Constant(spring.bristle_damping)};
   const double counted = std::max(depth, pressed_depth(spring, contact.point.gap));
-  const bool has_normal = !contact.is_bounded_force();
-  return {
-      std::sqrt(std::max(spring.bristle_stiffness, has_normal ? stiffness_at(spring.spring, counted) : 0)),
-      std::sqrt(std::max(spring.bristle_damping, has_normal ? damping_at(spring.spring, counted) : 0))};
+  rows.k.z() = contact.is_bounded_force() ? 0 : stiffness_at(spring.spring, counted);
+  rows.c.z() = contact.is_bounded_force() ? 0 : damping_at(spring.spring, counted);
+  return rows;
+}
+
+void add_contact(const Contact& contact, const PenaltyContact& spring, const RowSprings& rows,
+                 const Eigen::Matrix<double, 3, 6>& J, double share, BodySprings& body) {
+  body.has_any = true;
+  body.K += share * (J.transpose() * rows.k.asDiagonal() * J);
+  body.C += share * (J.transpose() * rows.c.asDiagonal() * J);
+  const double arm = std::max(contact.rolling_friction, contact.torsional_friction);
+  body.K.bottomRightCorner<3, 3>().diagonal().array() += share * arm * arm * spring.bristle_stiffness;
+  body.C.bottomRightCorner<3, 3>().diagonal().array() += share * arm * arm * spring.bristle_damping;
+}
+
+/// Largest eigenvalue of M⁻¹ K: that of Lᵀ K L, M⁻¹ = L Lᵀ.
+double largest_rate(const BodyKinetics& body, const Mat6& K) {
+  Mat6 L = Mat6::Zero();
+  L.topLeftCorner<3, 3>() = std::sqrt(body.inverse_mass) * Mat3::Identity();
+  L.bottomRightCorner<3, 3>() = Mat3(body.inverse_inertia.llt().matrixL());
+  const Mat6 scaled = L.transpose() * K * L;
+  const Eigen::SelfAdjointEigenSolver<Mat6> solver(scaled, Eigen::EigenvaluesOnly);
+  return std::max(0.0, solver.eigenvalues()[5]);
 }
 
 }  // namespace
 
 PenaltyRates penalty_rates(const ContactSystem& system, const std::vector<PenaltyContact>& springs,
                            double depth) {
-  const std::size_t n = system.contacts.size();
-  std::vector<std::array<double, 2>> norms(n);
-  std::vector<SpringRoots> roots(n), sums(system.bodies.size(), {0, 0});
-  const auto sides = [&](std::size_t i) {
-    return std::array{static_cast<std::size_t>(system.local_index(system.contacts[i].body_A)),
-                      static_cast<std::size_t>(system.local_index(system.contacts[i].body_B))};
-  };
-  for (std::size_t i = 0; i < n; ++i) {
-    const auto [a, b] = sides(i);
-    norms[i] = {row_norm(system.contacts[i], system.kinetics[a], system.rows[i].A),
-                row_norm(system.contacts[i], system.kinetics[b], system.rows[i].B)};
-    roots[i] = roots_of(system.contacts[i], springs[i], depth);
-    for (const auto& [body, norm] : {std::pair{a, norms[i][0]}, std::pair{b, norms[i][1]}}) {
-      sums[body].stiffness += norm * roots[i].stiffness;
-      sums[body].damping += norm * roots[i].damping;
-    }
+  std::vector<BodySprings> bodies(system.bodies.size());
+  for (std::size_t i = 0; i < springs.size(); ++i) {
+    const Contact& contact = system.contacts[i];
+    const std::size_t a = static_cast<std::size_t>(system.local_index(contact.body_A));
+    const std::size_t b = static_cast<std::size_t>(system.local_index(contact.body_B));
+    const bool are_dynamic = system.kinetics[a].inverse_mass > 0 && system.kinetics[b].inverse_mass > 0;
+    const double share = are_dynamic && a != b ? 2 : 1;
+    const RowSprings rows = rows_of(contact, springs[i], depth);
+    add_contact(contact, springs[i], rows, system.rows[i].A, share, bodies[a]);
+    add_contact(contact, springs[i], rows, system.rows[i].B, share, bodies[b]);
   }
   PenaltyRates rates;
   double square = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    const auto [a, b] = sides(i);
-    const double K = norms[i][0] * sums[a].stiffness + norms[i][1] * sums[b].stiffness;
-    const double C = norms[i][0] * sums[a].damping + norms[i][1] * sums[b].damping;
-    square = std::max(square, roots[i].stiffness * K);
-    rates.damping = std::max(rates.damping, roots[i].damping * C);
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    if (!bodies[b].has_any || system.kinetics[b].inverse_mass == 0) continue;
+    square = std::max(square, largest_rate(system.kinetics[b], bodies[b].K));
+    rates.damping = std::max(rates.damping, largest_rate(system.kinetics[b], bodies[b].C));
   }
   rates.frequency = std::sqrt(square);
   return rates;

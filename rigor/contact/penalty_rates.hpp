@@ -12,12 +12,13 @@ struct PenaltyRates {
   double damping = 0;    ///< Bound of the spectrum of M⁻¹ C, C = Jᵀ c J [1/s].
 };
 
-/// Of all springs and dampers together. The spectrum of M⁻¹ Jᵀ k J is that of √k J M⁻¹ Jᵀ √k, whose rows give
+/// Of all springs and dampers together. A contact of two dynamic bodies gives Vᵀ K V the share
+/// k |J_A V_A + J_B V_B|² ≤ 2 k (|J_A V_A|² + |J_B V_B|²), so that
 ///
-///   λ ≤ max_i √k_i Σ_b |J_ib| Σ_j |J_jb| √k_j,     |J_ib| = ‖J_ib M_b⁻¹ J_ibᵀ‖^½,
+///   λ ≤ max_b λ_max(M_b⁻¹ Σ_i s_i k_i J_ibᵀ J_ib),   s = 2, or 1 against a body that nothing moves,
 ///
-/// b: the bodies of contact i, j: all contacts of b. Exact for one contact of one body. Joints only lower it.
-/// Springs whose stiffness grows with the depth count as pressed by at least `depth` [m].
+/// i: the contacts of body b. Exact for one body on others that nothing moves. Joints only lower the
+/// spectrum. Springs whose stiffness grows with the depth count as pressed by at least `depth` [m].
 PenaltyRates penalty_rates(const ContactSystem& system, const std::vector<PenaltyContact>& springs,
                            double depth);
 

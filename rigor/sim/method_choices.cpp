@@ -100,8 +100,7 @@ std::span<const MethodChoice> method_choices() {
       MethodChoice{"penalty", "local", "a spring and a damper at each contact by itself, in sub-steps",
                    "Moore and Wilhelms, Collision Detection and Response for Computer Animation, 1988", true},
       MethodChoice{"penalty", "global", "all springs solved together, implicitly",
-                   "Moore and Wilhelms, Collision Detection and Response for Computer Animation, 1988",
-                   false},
+                   "Moore and Wilhelms, Collision Detection and Response for Computer Animation, 1988", true},
 
       MethodChoice{"penalty_law", "linear", "force in proportion to depth and its rate",
                    "Moore and Wilhelms, Collision Detection and Response for Computer Animation, 1988", true},

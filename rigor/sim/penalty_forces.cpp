@@ -67,7 +67,11 @@ VecX penalty_forces(const Touching& touching) {
   return forces;
 }
 
-PenaltyMoments penalty_moments(const Touching& touching, const VecX& forces) {
+namespace {
+
+/// Moments of all contacts that resist turning; `on_B(i, w)`: that of the i-th on B at relative turning w.
+template <class OnB>
+PenaltyMoments summed_moments(const Touching& touching, const OnB& on_B) {
   const ContactSystem& system = touching.system;
   PenaltyMoments moments;
   for (std::size_t i = 0; i < touching.springs.size(); ++i) {
@@ -75,7 +79,7 @@ PenaltyMoments penalty_moments(const Touching& touching, const VecX& forces) {
     if (!resists_turning(contact)) continue;
     moments.wrenches.resize(system.bodies.size());
     const Vec3 w = relative_turning_W(system, contact);
-    const Vec3 tau = moment_on_B(contact, touching.springs[i], w, velocity_at(forces, i).z());
+    const Vec3 tau = on_B(i, w);
     moments.power_taken -= tau.dot(w);
     for (const auto& [body, sign] : {std::pair{contact.body_A, -1.0}, std::pair{contact.body_B, 1.0}}) {
       const BodyKinetics& kinetics = system.of(body);
@@ -89,6 +93,36 @@ PenaltyMoments penalty_moments(const Touching& touching, const VecX& forces) {
     }
   }
   return moments;
+}
+
+}  // namespace
+
+PenaltyMoments penalty_moments(const Touching& touching, const VecX& forces) {
+  return summed_moments(touching, [&](std::size_t i, const Vec3& w) {
+    return moment_on_B(touching.system.contacts[i], touching.springs[i], w, velocity_at(forces, i).z());
+  });
+}
+
+PenaltyMoments stopping_moments(const Touching& touching, const VecX& forces, double h) {
+  const ContactSystem& system = touching.system;
+  // Several contacts of a body share what stops it.
+  std::vector<double> sharers(system.bodies.size(), 0);
+  for (const Contact& contact : system.contacts) {
+    if (!resists_turning(contact)) continue;
+    for (const int body : {contact.body_A, contact.body_B})
+      sharers[static_cast<std::size_t>(system.local_index(body))] += 1;
+  }
+  return summed_moments(touching, [&](std::size_t i, const Vec3& w) {
+    const Contact& contact = system.contacts[i];
+    double mobility = 0;
+    for (const int body : {contact.body_A, contact.body_B})
+      mobility += sharers[static_cast<std::size_t>(system.local_index(body))] *
+                  system.of(body).inverse_inertia.trace();
+    const Parts parts = parts_of(w / (h * mobility), contact.point.n_W);
+    const double f_n = velocity_at(forces, i).z();
+    return Vec3(-shortened(parts.across, contact.rolling_friction * f_n) -
+                shortened(parts.along, contact.torsional_friction * f_n));
+  });
 }
 
 void move_bristles(double h, Touching& touching) {

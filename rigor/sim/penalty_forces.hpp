@@ -18,6 +18,10 @@ struct PenaltyMoments {
 };
 PenaltyMoments penalty_moments(const Touching& touching, const VecX& forces);
 
+/// Those of steps that do not resolve bristles of angles: what stops the turning within h [s], up to the same
+/// limits at these forces. A body that something turns all the time creeps.
+PenaltyMoments stopping_moments(const Touching& touching, const VecX& forces, double h);
+
 /// Moves the bristles with the contacts for a time h [s].
 void move_bristles(double h, Touching& touching);
 /// Lets the sliders slip as far as the forces at the present velocities ask for.

@@ -32,6 +32,11 @@ std::size_t index(int body) {
   return static_cast<std::size_t>(body);
 }
 
+/// Place of a body in the ascending list that holds it.
+std::size_t place_of(const std::vector<int>& bodies, int body) {
+  return index(static_cast<int>(std::lower_bound(bodies.begin(), bodies.end(), body) - bodies.begin()));
+}
+
 void add(const std::vector<Wrench>& more, std::vector<Wrench>& wrenches) {
   for (std::size_t b = 0; b < more.size(); ++b) {
     wrenches[b].f_W += more[b].f_W;
@@ -41,23 +46,18 @@ void add(const std::vector<Wrench>& more, std::vector<Wrench>& wrenches) {
 
 }  // namespace
 
-/// Impulses on all bodies of the system, joints included, and their part of the ledger.
-struct PenaltyStepper::Kick {
-  std::vector<Wrench> impulses;
-  VecX lambda;              ///< Of the contacts, 3 each.
-  double work = 0;          ///< Supplied from outside [J].
-  double turning_work = 0;  ///< Taken by rolling and torsional friction [J].
-  Wrench external;          ///< Impulse from outside and its moment about the origin of W.
-};
-
 PenaltyStepper::PenaltyStepper(std::shared_ptr<const Model> model, const Method& method, double target_step)
+    : PenaltyStepper(std::move(model), method, target_step, TouchingForm::overlapping) {}
+
+PenaltyStepper::PenaltyStepper(std::shared_ptr<const Model> model, const Method& method, double target_step,
+                               TouchingForm form)
     : model_(std::move(model)),
       method_(method),
       target_step_(target_step),
       environment_(*model_),
       integrator_(*model_, environment_, method),
       joints_(*model_, integrator_),
-      contacts_(*model_, environment_, integrator_, method) {
+      contacts_(*model_, environment_, integrator_, method, form) {
   RIGOR_ASSERT(target_step > 0);
 }
 
@@ -104,7 +104,10 @@ double PenaltyStepper::end_of_step(double t, double t_end) const {
   double longest = std::min(t_end - t, touching_.free_time);
   if (rates.frequency > 0) longest = std::min(longest, step_share / rates.frequency);
   if (rates.damping > 0) longest = std::min(longest, damping_share / rates.damping);
-  // What is left goes in equal parts: no tiny last one.
+  return equal_part(t, t_end, longest);
+}
+
+double PenaltyStepper::equal_part(double t, double t_end, double longest) {
   constexpr double rounding = 1e-12;
   const double parts = std::ceil((t_end - t) / longest * (1 - rounding));
   return parts > 1 ? t + (t_end - t) / parts : t_end;
@@ -125,12 +128,20 @@ void PenaltyStepper::take_step(double t_next, State& state) {
   slide_bristles(touching_);
   contacts_.soften(h, touching_);
   if (note_not_finite()) return;
+  end_step(before, t_next, state);
+}
+
+void PenaltyStepper::end_step(const ElasticEnergies& before, double t, State& state) {
   const ElasticEnergies after = elastic_energies(touching_);
   report_.damping_loss += before.normal - after.normal;
   report_.friction_loss += before.bristles - after.bristles;
   ++report_.steps;
-  write_state(t_next, state);
+  write_state(t, state);
   state.contacts = contacts_.memories(touching_);
+}
+
+VecX PenaltyStepper::contact_forces() const {
+  return penalty_forces(touching_);
 }
 
 PenaltyStepper::Kick PenaltyStepper::kick_at(double t, double h, const VecX* rate_errors) const {
@@ -144,7 +155,7 @@ PenaltyStepper::Kick PenaltyStepper::kick_at(double t, double h, const VecX* rat
     kick.external.tau_W += h * (wrenches[b].tau_W + body.x.cross(wrenches[b].f_W));
     kick.work += h * environment_.supplied_power(system.bodies[b], {body.x, body.v, body.w, body.R, true});
   }
-  const VecX forces = penalty_forces(touching_);
+  const VecX forces = contact_forces();
   add(contact_wrenches(system, forces), wrenches);
   kick.lambda = h * forces;
   kick.work += work_of_prescribed(system, kick.lambda);
@@ -186,23 +197,32 @@ void PenaltyStepper::apply_kick(double t, double h, KickForm form) {
     // The implicit kick: the forces are those at the velocities after it.
     kick = kick_at(t, h, is_implicit ? &rate_errors : nullptr);
     phases_ = before;
-    for (std::size_t i = 0; i < phases_.size(); ++i) {
-      const int body = contacts_.dynamic_bodies()[i];
-      const Wrench& impulse = kick.impulses[index(touching_.system.local_index(body))];
-      phases_[i].P += impulse.f_W;
-      phases_[i].L += impulse.tau_W;
-    }
+    add_impulses(kick);
     contacts_.update_velocities(t, phases_, touching_);
   }
   note_kick(kick, before, 0.5 * (u_before + relative_velocities(touching_.system)));
 }
 
-/// Books of a kick; u: mean of the velocities of the contacts before and after it.
-void PenaltyStepper::note_kick(const Kick& kick, const std::vector<BodyPhase>& before, const VecX& u) {
+void PenaltyStepper::add_impulses(const Kick& kick) {
+  for (std::size_t i = 0; i < phases_.size(); ++i) {
+    const int body = contacts_.dynamic_bodies()[i];
+    const Wrench& impulse = kick.impulses[index(touching_.system.local_index(body))];
+    phases_[i].P += impulse.f_W;
+    phases_[i].L += impulse.tau_W;
+  }
+}
+
+/// What impulses take through the springs; u: mean of the velocities of the contacts before and after.
+void PenaltyStepper::note_contact_work(const VecX& lambda, const VecX& u) {
   for (Eigen::Index k = 0; k < u.size(); ++k) {
     double& loss = k % 3 == 2 ? report_.damping_loss : report_.friction_loss;
-    loss -= kick.lambda[k] * u[k];
+    loss -= lambda[k] * u[k];
   }
+}
+
+/// Books of a kick; u as above.
+void PenaltyStepper::note_kick(const Kick& kick, const std::vector<BodyPhase>& before, const VecX& u) {
+  note_contact_work(kick.lambda, u);
   report_.friction_loss += kick.turning_work;
   report_.work += kick.work;
   Vec3 P = -kick.external.f_W, L = -kick.external.tau_W;
@@ -222,11 +242,23 @@ void PenaltyStepper::drift(double h, double t_next) {
     phase.q = FreeRotation(inertia.moments, phase.q, phase.L).orientation(h);
     phase.x += h / inertia.mass * phase.P;
   }
-  if (!touching_.system.joints) return;
-  const std::vector<BodyPhase> before = phases_;
-  joints_.project_positions(t_next, contacts_.dynamic_bodies(), phases_, report_);
-  for (std::size_t i = 0; i < phases_.size(); ++i)
-    report_.angular_momentum_error += (phases_[i].x - before[i].x).cross(phases_[i].P);
+  if (touching_.system.joints) put_joints_back(t_next);
+}
+
+/// Positions back to where joints hold. What the shift makes of the angular momentum of groups that nothing
+/// outside holds is put back too.
+void PenaltyStepper::put_joints_back(double t) {
+  const std::vector<int>& bodies = contacts_.dynamic_bodies();
+  const Cluster before{.t = t, .bodies = bodies, .phases = phases_};
+  joints_.project_positions(t, bodies, phases_, report_);
+  for (const Cluster& group : connected_parts(before, {}, environment_)) {
+    IslandStep step;
+    step.is_implicit = true;
+    for (const int body : group.bodies) step.end.push_back(phases_[place_of(bodies, body)]);
+    joints_.restore_momenta({.bodies = group.bodies, .start = group.phases, .begin = t}, step);
+    for (std::size_t i = 0; i < group.bodies.size(); ++i)
+      phases_[place_of(bodies, group.bodies[i])] = step.end[i];
+  }
 }
 
 /// Puts the phases into the State, with those of prescribed bodies.

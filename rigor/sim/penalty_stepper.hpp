@@ -1,7 +1,7 @@
 #pragma once
 
 #include "rigor/sim/joint_projection.hpp"
-#include "rigor/sim/penalty_touching.hpp"
+#include "rigor/sim/penalty_forces.hpp"
 #include "rigor/sim/stepper.hpp"
 
 namespace rigor {
@@ -25,23 +25,42 @@ class PenaltyStepper : public Stepper {
   /// report.steps counts sub-steps.
   AdvanceReport advance(State& state, double t_end) override;
 
- private:
-  struct Kick;  ///< Impulses of all that acts over a span.
+ protected:
+  PenaltyStepper(std::shared_ptr<const Model> model, const Method& method, double target_step,
+                 TouchingForm form);
+
+  /// Impulses on all bodies of the system, joints included, and their part of the ledger.
+  struct Kick {
+    std::vector<Wrench> impulses;
+    VecX lambda;              ///< Of the contacts, 3 each.
+    double work = 0;          ///< Supplied from outside [J].
+    double turning_work = 0;  ///< Taken by rolling and torsional friction [J].
+    Wrench external;          ///< Impulse from outside and its moment about the origin of W.
+  };
   enum class KickForm { explicit_kick, implicit_kick };
 
-  void advance_to(double t_end, State& state);
-  double end_of_step(double t, double t_end) const;
-  double horizon(const State& state, double t_end) const;
-  void take_step(double t_next, State& state);
+  /// End of the step that begins at t, at most t_end [s].
+  virtual double end_of_step(double t, double t_end) const;
+  virtual void take_step(double t_next, State& state);
+  /// Forces of contacts in kicks [N].
+  virtual VecX contact_forces() const;
+
+  /// End of the first of the fewest equal parts of t to t_end that are not longer than this.
+  static double equal_part(double t, double t_end, double longest);
   /// Forces at the velocities that the contacts know over h. rate_errors: of the joints at the velocities
   /// that the impulses change; without them joints hold accelerations.
   Kick kick_at(double t, double h, const VecX* rate_errors) const;
   void apply_kick(double t, double h, KickForm form);
+  void add_impulses(const Kick& kick);
+  void note_contact_work(const VecX& lambda, const VecX& u);
   void note_kick(const Kick& kick, const std::vector<BodyPhase>& before, const VecX& u);
   void drift(double h, double t_next);
+  void put_joints_back(double t);
   void write_state(double t, State& state) const;
   void observe_contacts(double t);
   bool note_not_finite();
+  /// Books of the springs, and all into the State.
+  void end_step(const ElasticEnergies& before, double t, State& state);
 
   std::shared_ptr<const Model> model_;
   Method method_;
@@ -50,11 +69,16 @@ class PenaltyStepper : public Stepper {
   IslandIntegrator integrator_;
   JointProjection joints_;
   PenaltyTouching contacts_;
-  std::function<bool()> interrupt_;
 
   Touching touching_;
   std::vector<BodyPhase> phases_;
   AdvanceReport report_;
+
+ private:
+  void advance_to(double t_end, State& state);
+  double horizon(const State& state, double t_end) const;
+
+  std::function<bool()> interrupt_;
 };
 
 }  // namespace rigor

@@ -15,9 +15,9 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 /// How many times the weight of a body presses its contact by the depth: room for what lies on it.
 constexpr double weights_on_top = 100;
-/// Share of 1/ω by which a step may miss the instant at which a contact begins or ends: it costs a share of
-/// ½ (0.02)² of the energy of the impact.
-constexpr double miss_share = 0.02;
+/// Share of 1/ω by which a step may miss the instant at which a contact begins or ends: of an impact it costs
+/// a share of ½ (0.02)² of the energy. What lies still may miss it by a whole step.
+constexpr double miss_share = 0.02, resting_share = 0.2;
 
 PenaltyChoice choice_of(const Method& method) {
   PenaltyChoice choice;
@@ -80,13 +80,14 @@ class MemoryShelf {
 }  // namespace
 
 PenaltyTouching::PenaltyTouching(const Model& model, const Environment& environment,
-                                 const IslandIntegrator& integrator, const Method& method)
+                                 const IslandIntegrator& integrator, const Method& method, TouchingForm form)
     : model_(model),
       environment_(environment),
       integrator_(integrator),
       contact_tolerance_(method.contact_tolerance),
       resting_velocity_(method.resting_velocity),
       choice_(choice_of(method)),
+      form_(form),
       finder_(model, method.broad_phase) {
   for (int i = 0; i < model.body_count(); ++i) {
     if (model.body(i).motion == MotionType::dynamic) bodies_.push_back(i);
@@ -143,13 +144,19 @@ double PenaltyTouching::time_to_touch(const ContactSystem& system, std::size_t c
   const double stretch = geometry.friction > 0 ? std::max(1.0, mobility.tangential / mobility.normal) : 1;
   double frequency = speed / choice_.depth * std::sqrt(stretch);
   if (choice_.stiffness) frequency = std::sqrt(*choice_.stiffness * mobility.normal * stretch);
-  return until_touch + miss_share / frequency;
+  const bool is_impact = root > least_speed(geometry);
+  return is_impact ? until_touch + miss_share / frequency : std::max(until_touch, resting_share / frequency);
+}
+
+bool PenaltyTouching::asks_for_steps(const Contact& contact, double approach) const {
+  if (form_ == TouchingForm::overlapping) return true;
+  return contact.restitution > 0 && approach > calm_share * least_speed(contact);
 }
 
 double PenaltyTouching::time_to_part(const Touching& touching, std::size_t contact, double u) const {
   const PenaltyContact& spring = touching.springs[contact];
   const double depth = pressed_depth(spring, touching.system.contacts[contact].point.gap);
-  if (!(u > resting_velocity_) || !(depth > 0)) return infinite;
+  if (!(u > least_speed(touching.system.contacts[contact])) || !(depth > 0)) return infinite;
   return depth / u + miss_share * choice_.depth / spring.speed;
 }
 
@@ -168,12 +175,11 @@ Touching PenaltyTouching::find(const State& state, double horizon, double lag) {
   const VecX u = relative_velocities(all);
   std::vector<Contact> active;
   for (std::size_t i = 0; i < all.contacts.size(); ++i) {
-    if (all.contacts[i].point.gap <= 0) {
-      active.push_back(all.contacts[i]);
-    } else {
-      const double approach = -u[3 * static_cast<Eigen::Index>(i) + 2];
-      touching.free_time = std::min(touching.free_time, time_to_touch(all, i, approach, lag));
-    }
+    const bool overlaps = all.contacts[i].point.gap <= 0;
+    if (overlaps || form_ == TouchingForm::reachable) active.push_back(all.contacts[i]);
+    const double approach = -u[3 * static_cast<Eigen::Index>(i) + 2];
+    if (overlaps || !asks_for_steps(all.contacts[i], approach)) continue;
+    touching.free_time = std::min(touching.free_time, time_to_touch(all, i, approach, lag));
   }
   touching.system = active.size() == all.contacts.size()
                         ? all
@@ -182,6 +188,7 @@ Touching PenaltyTouching::find(const State& state, double horizon, double lag) {
   const VecX u_active = relative_velocities(touching.system);
   for (std::size_t i = 0; i < touching.springs.size(); ++i) {
     if (touching.system.contacts[i].is_bounded_force()) continue;
+    if (!asks_for_steps(touching.system.contacts[i], touching.springs[i].speed)) continue;
     const double parting = u_active[3 * static_cast<Eigen::Index>(i) + 2];
     touching.free_time = std::min(touching.free_time, time_to_part(touching, i, parting));
   }
@@ -218,7 +225,9 @@ void PenaltyTouching::add_springs(const State& state, Touching& touching) const 
     PenaltyChoice choice = choice_;
     choice.least_speed = least_speed(contact);
     const double approach = std::max(0.0, -u[3 * static_cast<Eigen::Index>(i) + 2]);
-    if (!contact.is_bounded_force() && approach > resting_velocity_) ++touching.fresh;
+    const bool is_fresh_impact =
+        !contact.is_bounded_force() && contact.point.gap <= 0 && approach > resting_velocity_;
+    if (is_fresh_impact) ++touching.fresh;
     touching.springs[i] = make_penalty_contact(contact, mobility, choice, approach, -contact.point.gap);
   }
   for (std::size_t i = 0; i < n; ++i) {
@@ -243,17 +252,18 @@ void PenaltyTouching::update_velocities(double t, const std::vector<BodyPhase>& 
 
 void PenaltyTouching::soften(double h, Touching& touching) const {
   if (choice_.stiffness) return;
-  // What is left of the impact, as a share of its energy, and the time of softening in 1/ω.
-  constexpr double calm = 0.01, slowness = 50;
+  constexpr double slowness = 50;  // Time of softening in 1/ω.
   const VecX u = relative_velocities(touching.system);
   for (std::size_t i = 0; i < touching.springs.size(); ++i) {
     PenaltyContact& spring = touching.springs[i];
     const Contact& contact = touching.system.contacts[i];
     const double least = least_speed(contact);
-    if (contact.is_bounded_force() || spring.speed <= least) continue;
+    if (contact.is_bounded_force() || contact.point.gap > 0 || !(spring.speed > 0)) continue;
     const double pressed = pressed_depth(spring, contact.point.gap) / choice_.depth;
     const double moving = u[3 * static_cast<Eigen::Index>(i) + 2] / spring.speed;
-    if (pressed * pressed + moving * moving > calm) continue;
+    if (pressed * pressed + moving * moving > calm_share * calm_share) continue;
+    if (!choice_.damping) spring = damped_for_rest(spring, choice_.depth);
+    if (spring.speed <= least) continue;
     const double share = h * spring.speed / (slowness * choice_.depth);
     spring = made_for_speed(spring, std::max(least, spring.speed / (1 + share)));
   }
@@ -263,6 +273,7 @@ std::vector<ContactMemory> PenaltyTouching::memories(const Touching& touching) c
   std::vector<ContactMemory> memories;
   for (std::size_t i = 0; i < touching.springs.size(); ++i) {
     const Contact& contact = touching.system.contacts[i];
+    if (contact.point.gap > 0) continue;
     ContactMemory memory = empty_memory(contact);
     remember(touching.springs[i], memory);
     memory.energy =

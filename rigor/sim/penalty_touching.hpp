@@ -21,12 +21,19 @@ struct Touching {
   double free_time = 0;
 };
 
+/// Which contacts count.
+enum class TouchingForm {
+  overlapping,  ///< Those that overlap: explicit steps are short enough to meet the others in time.
+  reachable,  ///< Those too that the step may reach: implicit steps catch them. Only impacts that bounce ask
+              ///< for short steps.
+};
+
 /// Finds contacts for penalty schemes and ties them to what the State remembers of them.
 class PenaltyTouching {
  public:
   /// Holds references.
   PenaltyTouching(const Model& model, const Environment& environment, const IslandIntegrator& integrator,
-                  const Method& method);
+                  const Method& method, TouchingForm form);
 
   const PenaltyChoice& choice() const { return choice_; }
   const std::vector<int>& dynamic_bodies() const { return bodies_; }
@@ -47,6 +54,7 @@ class PenaltyTouching {
   double least_speed(const Contact& contact) const;
 
  private:
+  bool asks_for_steps(const Contact& contact, double approach) const;
   std::vector<double> reaches(const State& state, double horizon) const;
   double time_to_touch(const ContactSystem& system, std::size_t contact, double u, double lag) const;
   double time_to_part(const Touching& touching, std::size_t contact, double u) const;
@@ -57,6 +65,7 @@ class PenaltyTouching {
   const IslandIntegrator& integrator_;
   double contact_tolerance_, resting_velocity_;
   PenaltyChoice choice_;
+  TouchingForm form_;
   std::vector<int> bodies_;
   ContactFinder finder_;
 };

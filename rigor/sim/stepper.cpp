@@ -3,6 +3,7 @@
 #include "rigor/sim/event_driven_stepper.hpp"
 #include "rigor/sim/hybrid_stepper.hpp"
 #include "rigor/sim/impulse_based_stepper.hpp"
+#include "rigor/sim/penalty_global_stepper.hpp"
 #include "rigor/sim/penalty_stepper.hpp"
 #include "rigor/sim/scheme_choice.hpp"
 #include "rigor/sim/time_stepper.hpp"
@@ -16,6 +17,8 @@ std::unique_ptr<Stepper> make_stepper(std::shared_ptr<const Model> model, const 
   const Method resolved = resolve_scheme(*model, method).method;
   if (resolved.scheme == Scheme::time_stepping)
     return std::make_unique<TimeStepper>(std::move(model), resolved, target_step);
+  if (resolved.scheme == Scheme::penalty && resolved.penalty == PenaltyMethod::global)
+    return std::make_unique<GlobalPenaltyStepper>(std::move(model), resolved, target_step);
   if (resolved.scheme == Scheme::penalty)
     return std::make_unique<PenaltyStepper>(std::move(model), resolved, target_step);
   if (resolved.scheme == Scheme::impulse_based)
