@@ -1,5 +1,6 @@
 #include "rigor/geometry/convex_distance.hpp"
 
+#include "rigor/geometry/ellipsoid_penetration.hpp"
 #include "rigor/geometry/gjk.hpp"
 #include "rigor/geometry/level_face.hpp"
 #include "rigor/geometry/penetration.hpp"
@@ -76,6 +77,8 @@ constexpr double kGapFactor = 1e-2;
 CoreDistance touching_distance(const CorePair& pair, const GjkState& gjk, CoreDistance found) {
   if (const std::optional<Penetration> exact = find_polytope_penetration(pair, gjk.n))
     return {exact->best, std::max(exact->upper, exact->best.value)};
+  if (const std::optional<Penetration> proved = find_ellipsoid_penetration(pair, gjk.n))
+    return {proved->best, proved->upper};
   if (gjk.nearest.count == 4) {
     // The origin is inside: the points found are no witnesses.
     found.best.value = -std::numeric_limits<double>::infinity();
