@@ -43,6 +43,8 @@ const char* const examples =
     "  rigor view ball.yaml --open                               live in the browser: change it while it "
     "runs\n"
     "  rigor compare ball.yaml --vary method.toi=conservative,ratio,bisection -o compare.html\n"
+    "  rigor compare ball.yaml --vary run.step=0.01,0.005,0.0025 -o compare.csv    error and CPU time by "
+    "step\n"
     "  rigor check scenes/*.yaml\n"
     "  rigor mass part.stl --density 7850\n"
     "  rigor distance ball.yaml ball floor\n"
@@ -107,17 +109,31 @@ void add_run(CLI::App& app, RunOptions& run) {
 void add_compare(CLI::App& app, CompareOptions& compare) {
   app.add_option("SCENE", compare.scene, "scene file (.yaml or .json)")->required()->option_text(" ");
   add_value(app, "--vary", compare.variations,
-            "a value of the scene and what it takes one after the other, such as method.toi=ratio,bisection; "
-            "repeated: all combinations, 64 runs at most",
+            "a value of the scene and what it takes one after the other, such as "
+            "method.scheme=event-driven,hybrid or run.step=0.01,0.005; repeated: all combinations, 64 runs "
+            "at most",
             "KEY=a,b,c")
       ->required();
   add_value(
       app, "-o,--output", compare.outputs,
-      "by suffix: page .html, plot of the energies .svg .png (8 runs at most), table .json .csv; may be "
+      "by suffix: page .html (motion of the first 8 runs), plot of the energies .svg .png (8 runs at most), "
+      "table .json .csv; may be "
       "repeated",
       "OUT");
   add_value(app, "--set", compare.overrides, "override a value of the scene in all runs; may be repeated",
             "KEY=VALUE");
+  add_value(
+      app, "--reference", compare.references,
+      "a value of the run that errors are measured against, such as method.integrator=dop853; repeated: "
+      "several values; none: no errors. Default: what the scene expects, else a converged event-driven "
+      "run",
+      "KEY=VALUE");
+  add_value(app, "--bound", compare.error_bound,
+            "error up to which a motion is good [m]; default: 1 % of the largest radius of a moving body",
+            "M")
+      ->check(number_in(length, "m"));
+  add_value(app, "--cpu-limit", compare.cpu_limit, "processor time after which a run is ended [s]", "S")
+      ->check(number_in(time_span, "s"));
   add_value(app, "--duration", compare.duration, "simulated time at which the runs end [s]", "S")
       ->check(number_in(time_span, "s"));
   add_json(app, compare.json, "the table with all audits");
@@ -388,8 +404,8 @@ void add_commands(CLI::App& app, std::optional<Command>& chosen) {
   add_command(app, "run", "simulate a scene and print the audit", add_run, chosen);
   add_command(app, "view", "show a scene live, or a trajectory, in the browser, on this machine only",
               add_view, chosen);
-  add_command(app, "compare", "the same scene with several methods or values, side by side", add_compare,
-              chosen);
+  add_command(app, "compare", "the same scene with several methods or values: errors, energy, CPU time",
+              add_compare, chosen);
   add_command(app, "check", "validate scenes without running them", add_check, chosen);
   add_command(app, "mass", "mass properties of a mesh or a scene, exact and sampled", add_mass, chosen);
   add_command(app, "distance", "signed distance and contacts of two bodies at t = 0; rays, points, pushes",

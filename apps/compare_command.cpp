@@ -33,11 +33,21 @@ CompareWishes all_wishes(const CompareOptions& options) {
 }
 
 bool is_interrupted(const Comparison& comparison) {
-  return !comparison.not_run.empty() || comparison.runs.back().end == RunEnd::interrupted;
+  return comparison.runs.empty() || !comparison.not_run.empty() ||
+         comparison.runs.back().end == RunEnd::interrupted;
+}
+
+std::string scene_name(const ComparePlan& plan) {
+  const auto run = std::find_if(plan.runs.begin(), plan.runs.end(),
+                                [](const PlannedRun& each) { return !each.is_refused(); });
+  return run->scene.name;
 }
 
 Comparison run_all(ComparePlan plan, CompareRunner& runner) {
-  Comparison comparison{plan.runs[0].scene.name, plan.keys, {}, {}};
+  Comparison comparison{scene_name(plan), plan.keys, {}, {}, {}};
+  for (const PlannedReference& planned : plan.references) {
+    if (!runner.was_interrupted()) comparison.references.push_back(runner.execute(planned));
+  }
   for (PlannedRun& planned : plan.runs) {
     if (runner.was_interrupted()) {
       comparison.not_run.push_back(planned.label);
@@ -78,12 +88,18 @@ bool write_files(const CompareOptions& options, const Comparison& comparison) {
 
 /// Says which runs are not what they should be, and tells the caller.
 ExitCode report_ends(const Comparison& comparison) {
-  bool has_stopped = false, has_failed = false;
+  bool has_stopped = false, has_failed = false, has_refused = false;
   for (const ComparedRun& run : comparison.runs) {
-    has_stopped = has_stopped || run.end == RunEnd::stopped;
+    has_refused = has_refused || run.end == RunEnd::refused;
+    if (run.end == RunEnd::refused) print_error(fmt::format("{}: refused: {}", run.label, run.refusal));
+    has_stopped = has_stopped || run.end == RunEnd::stopped || run.end == RunEnd::out_of_time;
     has_failed = has_failed || run.end == RunEnd::audit_failed;
     if (run.end == RunEnd::stopped)
       print_error(fmt::format("{}: {}", run.label, stop_text(run.audit, run.end_time)));
+  }
+  if (comparison.runs.empty()) {
+    print_error("interrupted before the first run");
+    return exit_interrupted;
   }
   if (is_interrupted(comparison)) {
     const ComparedRun& last = comparison.runs.back();
@@ -92,7 +108,9 @@ ExitCode report_ends(const Comparison& comparison) {
                             last.label, last.end_time));
     return exit_interrupted;
   }
-  return has_stopped ? exit_stopped : has_failed ? exit_audit_violated : exit_done;
+  if (has_stopped) return exit_stopped;
+  if (has_refused) return exit_bad_input;
+  return has_failed ? exit_audit_violated : exit_done;
 }
 
 }  // namespace
@@ -102,8 +120,9 @@ ExitCode execute(const CompareOptions& options) {
   check_files(options);
   for (const std::string& warning : plan.warnings) print_warning(warning);
   // Lives on while the files are written: an interrupt does not leave them half.
-  CompareRunner runner(all_wishes(options), plan.runs.size(), options.is_quiet);
+  CompareRunner runner(all_wishes(options), plan, {options.error_bound, options.cpu_limit}, options.is_quiet);
   const Comparison comparison = run_all(std::move(plan), runner);
+  if (comparison.runs.empty()) return report_ends(comparison);
   print_comparison(options, comparison);
   const bool is_written = write_files(options, comparison);
   const ExitCode end = report_ends(comparison);

@@ -76,41 +76,125 @@ void check_drawn(const std::vector<std::string>& outputs, std::size_t run_count)
   if (run_count <= most_drawn_runs) return;
   for (const std::string& output : outputs) {
     const std::string suffix = std::filesystem::path(output).extension().string();
-    if (suffix == ".json" || suffix == ".csv") continue;
+    // A page holds the motion of the first ones, and the numbers of all.
+    if (suffix == ".json" || suffix == ".csv" || suffix == ".html") continue;
     throw UsageError(
-        fmt::format("output {} shows at most {} runs, and these are {}; .json and .csv take them all",
+        fmt::format("output {} shows at most {} runs, and these are {}; .json, .csv and .html take them all",
                     quoted_text(output), most_drawn_runs, run_count));
   }
 }
 
-PlannedRun planned_run(const CompareOptions& options, const std::vector<Variation>& variations,
-                       const Combination& values) {
+/// "key=value" of the values whose keys are wanted.
+template <typename IsWanted>
+std::vector<std::string> varied_overrides(const std::vector<Variation>& variations, const Combination& values,
+                                          IsWanted is_wanted) {
+  std::vector<std::string> overrides;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (is_wanted(variations[i].key)) overrides.push_back(variations[i].key + "=" + values[i]);
+  }
+  return overrides;
+}
+
+/// The scene with these values, and its start.
+void read_run(const CompareOptions& options, const std::vector<std::string>& varied, PlannedRun& run) {
   std::vector<std::string> overrides = options.overrides;
-  for (std::size_t i = 0; i < values.size(); ++i) overrides.push_back(variations[i].key + "=" + values[i]);
-  PlannedRun run{
-      values, combination_label(variations, values), read_scene(options.scene, overrides, values.size()), {}};
+  overrides.insert(overrides.end(), varied.begin(), varied.end());
+  run.scene = read_scene(options.scene, overrides, varied.size());
   if (options.duration) run.scene.run.duration = *options.duration;
   run.start = make_run_start(options.scene, run.scene, options.separate);
-  return run;
+}
+
+/// All values of a choice such as "method.scheme", also of later versions; none for any other key.
+std::vector<std::string> choice_values(const std::string& key) {
+  constexpr std::string_view method = "method.";
+  if (!key.starts_with(method)) return {};
+  return method_values(key.substr(method.size()), false);
+}
+
+/// Whether all values of choices exist, in this version or another.
+bool has_known_choices(const std::vector<Variation>& variations, const Combination& values) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const std::vector<std::string> known = choice_values(variations[i].key);
+    if (!known.empty() && std::find(known.begin(), known.end(), values[i]) == known.end()) return false;
+  }
+  return true;
+}
+
+/// A combination that is wrong, with what was found.
+struct WrongRun {
+  std::size_t run;
+  std::vector<std::string> messages;
+};
+
+/// Whether a combination is wrong by choices of its method alone: they exist, and with other choices it is
+/// not wrong. What would be a mistake in a scene is an answer then.
+bool is_refusal(const std::vector<Variation>& variations, const std::vector<PlannedRun>& runs,
+                const PlannedRun& wrong) {
+  const auto others = [&](const Combination& values) {
+    return varied_overrides(variations, values,
+                            [](const std::string& key) { return choice_values(key).empty(); });
+  };
+  if (!has_known_choices(variations, wrong.values)) return false;
+  return std::any_of(runs.begin(), runs.end(), [&](const PlannedRun& run) {
+    return run.scene.model && others(run.values) == others(wrong.values);
+  });
+}
+
+/// What is wrong, without the place in the command line, which the run's label tells.
+std::string refusal_text(const std::vector<std::string>& messages) {
+  const std::string& first = messages.front();
+  const std::size_t place = first.starts_with("--vary ") ? first.find(": ") : std::string::npos;
+  const std::string reason = place == std::string::npos ? first : first.substr(place + 2);
+  return messages.size() == 1 ? reason : fmt::format("{} (and {} more)", reason, messages.size() - 1);
+}
+
+/// Gives each run the reference of its values that are not numerical.
+void plan_references(const CompareOptions& options, const std::vector<Variation>& variations,
+                     ComparePlan& plan) {
+  if (!wants_reference(options, plan.keys)) return;
+  std::vector<std::vector<std::string>> groups;
+  for (PlannedRun& run : plan.runs) {
+    const std::vector<std::string> group = varied_overrides(
+        variations, run.values, [](const std::string& key) { return !is_numerical_key(key); });
+    const auto known = std::find(groups.begin(), groups.end(), group);
+    run.reference = static_cast<std::size_t>(known - groups.begin());
+    if (known != groups.end()) continue;
+    groups.push_back(group);
+    plan.references.push_back(plan_reference(options, group));
+  }
 }
 
 }  // namespace
 
 ComparePlan read_compare_plan(const CompareOptions& options) {
+  check_reference_options(options);
   const std::vector<Variation> variations = read_variations(options);
   const std::vector<Combination> all = combinations(variations, most_compared_runs);
   check_drawn(options.outputs, all.size());
   ComparePlan plan;
   for (const Variation& variation : variations) plan.keys.push_back(variation.key);
-  PlanErrors errors;
+  std::vector<WrongRun> wrong;
   for (const Combination& values : all) {
+    PlannedRun run{.values = values, .label = combination_label(variations, values)};
     try {
-      plan.runs.push_back(planned_run(options, variations, values));
+      read_run(options, varied_overrides(variations, values, [](const std::string&) { return true; }), run);
     } catch (const InputError& error) {
-      errors.add(combination_label(variations, values), error.messages());
+      run = {.values = values, .label = run.label};
+      wrong.push_back({plan.runs.size(), error.messages()});
+    }
+    plan.runs.push_back(std::move(run));
+  }
+  PlanErrors mistakes;
+  for (const auto& [number, messages] : wrong) {
+    PlannedRun& run = plan.runs[number];
+    if (is_refusal(variations, plan.runs, run)) {
+      run.refusal = refusal_text(messages);
+    } else {
+      mistakes.add(run.label, messages);
     }
   }
-  errors.check(all.size());
+  mistakes.check(all.size());
+  plan_references(options, variations, plan);
   for (const PlannedRun& run : plan.runs) {
     for (const std::string& warning : run.scene.warnings) {
       if (std::find(plan.warnings.begin(), plan.warnings.end(), warning) == plan.warnings.end())

@@ -1,11 +1,15 @@
 #include "apps/compare_run.hpp"
 
-#include "rigor/sim/simulation.hpp"
+#include "rigor/core/input_error.hpp"
+#include "rigor/sim/fixed_steps.hpp"
 #include "rigor/view/page_run.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <limits>
 
 #include <time.h>
 
@@ -13,27 +17,47 @@ namespace rigor {
 
 namespace {
 
-/// Processor time of this thread [s].
-double thread_time() {
+/// Processor time of the program, on all its threads [s].
+double process_time() {
   timespec time{};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
 /// Real and processor time since it began, less the processor time of pauses.
 class RunClock {
  public:
-  void pause() { paused_at_ = thread_time(); }
-  void go_on() { cpu_begin_ += thread_time() - paused_at_; }
-  double cpu_time() const { return thread_time() - cpu_begin_; }
+  void pause() { paused_at_ = process_time(); }
+  void go_on() { cpu_begin_ += process_time() - paused_at_; }
+  double cpu_time() const { return process_time() - cpu_begin_; }
   double wall_time() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
   }
 
  private:
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-  double cpu_begin_ = thread_time(), paused_at_ = 0;
+  double cpu_begin_ = process_time(), paused_at_ = 0;
 };
+
+/// What the energy of a run is compared with: the largest kinetic energy and change of energy.
+class EnergyScale {
+ public:
+  void add(const Energy& energy) {
+    if (!first_) first_ = energy;
+    value_ = std::max({value_, energy.kinetic, std::abs(energy.total() - first_->total()),
+                       std::abs(energy.potential - first_->potential)});
+  }
+  double value() const { return value_; }
+
+ private:
+  std::optional<Energy> first_;
+  double value_ = 0;
+};
+
+/// The longest step: the target step, or what makes equal steps from output to output that are not longer.
+double step_of(const RunSettings& run) {
+  return run.output_interval / static_cast<double>(FixedSteps(0, run.output_interval, run.step).count());
+}
 
 RunEnd end_of(const RunResult& result, const RunSettings& settings) {
   if (result.audit.report.reason != StopReason::reached_end) return RunEnd::stopped;
@@ -53,43 +77,143 @@ std::string_view run_end_name(RunEnd end) {
       return "stopped";
     case RunEnd::interrupted:
       return "interrupted";
+    case RunEnd::out_of_time:
+      return "out of time";
+    case RunEnd::refused:
+      return "refused";
   }
   return "";
 }
 
-ComparedRun CompareRunner::execute(const PlannedRun& planned) {
-  const Scene& scene = planned.scene;
-  ComparedRun run{.values = planned.values, .label = planned.label};
-  ++number_;
-  progress_ = {.time = 0,
-               .start = 0,
-               .end = scene.run.duration,
-               .label = fmt::format("run {} of {} ({}): ", number_, run_count_, run.label)};
-  motion_.begin(scene);
-  std::optional<PageRun> page;
-  if (wishes_.page) page.emplace(scene, planned.start.state, run.label);
+std::size_t base_run(const Comparison& comparison) {
+  const auto base = std::find_if(comparison.runs.begin(), comparison.runs.end(),
+                                 [](const ComparedRun& run) { return run.end != RunEnd::refused; });
+  return static_cast<std::size_t>(base - comparison.runs.begin());
+}
+
+CompareRunner::CompareRunner(const CompareWishes& wishes, const ComparePlan& plan,
+                             const CompareLimits& limits, bool is_quiet)
+    : wishes_(wishes),
+      run_count_(plan.runs.size()),
+      most_reference_bytes_(MotionComparison::usual_most_bytes /
+                            std::max<std::size_t>(1, plan.references.size())),
+      limits_(limits),
+      progress_line_(!is_quiet) {}
+
+CompareRunner::Course CompareRunner::simulate(const Scene& scene, const RunStart& start,
+                                              const std::string& label, const Watch& watch) {
+  progress_ = {.time = 0, .start = 0, .end = scene.run.duration, .label = label};
+  Course course;
+  EnergyScale scale;
   RunClock clock;
   const Observer observer = [&](const State& state, const AdvanceReport& since, const Auditor& auditor) {
     clock.pause();
-    motion_.observe(state, auditor.energy());
-    if (page) page->add(state, since, auditor.energy());
-    if (wishes_.energies) run.times.push_back(state.t), run.energies.push_back(auditor.energy().total());
+    scale.add(auditor.energy());
+    watch(state, since, auditor.energy());
     progress_.elapsed = clock.wall_time();
     show_progress(state, since, auditor);
     clock.go_on();
     return !interrupt_.is_requested();
   };
-  const RunResult result = run_simulation(scene.model, scene.method, scene.run, planned.start.state, observer,
-                                          [this] { return interrupt_.is_requested(); });
+  bool is_out_of_time = false;
+  const auto interrupt = [&] {
+    is_out_of_time = is_out_of_time || (limits_.cpu_time && clock.cpu_time() > *limits_.cpu_time);
+    return is_out_of_time || interrupt_.is_requested();
+  };
+  course.result = run_simulation(scene.model, scene.method, scene.run, start.state, observer, interrupt);
   progress_line_.clear();
-  run.cpu_time = clock.cpu_time();
-  run.end = end_of(result, scene.run);
-  run.end_time = result.state.t;
-  run.audit = result.audit;
-  run.audit.wall_time = clock.wall_time();
+  course.cpu_time = clock.cpu_time();
+  course.wall_time = clock.wall_time();
+  course.end = end_of(course.result, scene.run);
+  if (course.end == RunEnd::interrupted && is_out_of_time) course.end = RunEnd::out_of_time;
+  course.energy_scale = std::max(scale.value(), std::abs(course.result.audit.report.work));
+  return course;
+}
+
+ComparedReference CompareRunner::execute(const PlannedReference& planned) {
+  ComparedReference told{.name = planned.name, .is_run = planned.scene.has_value()};
+  Reference reference{.places = planned.places, .horizon = std::numeric_limits<double>::infinity()};
+  if (!planned.scene) {
+    told.own.emplace();
+    for (const ExpectedPlace& place : planned.places)
+      told.own->position.value = std::max(told.own->position.value, place.error);
+    references_.push_back(std::move(reference));
+    return told;
+  }
+  const Scene& scene = *planned.scene;
+  told.bound = reference.bound = limits_.error_bound.value_or(default_error_bound(*scene.model));
+  reference.motion = std::make_unique<MotionKeeper>(scene, most_reference_bytes_);
+  const Course course =
+      simulate(scene, planned.start,
+               "reference: ", [&](const State& state, const AdvanceReport&, const Energy& energy) {
+                 reference.motion->write(make_sample(*scene.model, state, energy), {});
+               });
+  told.cpu_time = course.cpu_time;
+  told.end = course.end;
+  if (!was_interrupted()) {
+    ErrorOverTime own(planned.rougher->model, reference.motion->recording(), reference.bound,
+                      reference.horizon);
+    simulate(*planned.rougher, planned.start,
+             "error of the reference: ", [&](const State& state, const AdvanceReport&, const Energy& energy) {
+               own.observe(state, energy);
+             });
+    told.own = own.error();
+    if (told.own && !told.own->is_good_throughout) reference.horizon = told.own->good_until;
+  }
+  references_.push_back(std::move(reference));
+  return told;
+}
+
+std::unique_ptr<ErrorMeasure> CompareRunner::measure_for(const PlannedRun& planned) const {
+  if (!planned.reference) return nullptr;
+  const Reference& reference = references_[*planned.reference];
+  const std::shared_ptr<const Model>& model = planned.scene.model;
+  const double bound = limits_.error_bound.value_or(default_error_bound(*model));
+  if (!reference.places.empty()) return std::make_unique<ErrorAtPlaces>(model, reference.places, bound);
+  return std::make_unique<ErrorOverTime>(model, reference.motion->recording(), bound, reference.horizon);
+}
+
+ComparedRun CompareRunner::execute(const PlannedRun& planned) {
+  ComparedRun run{.values = planned.values,
+                  .label = planned.label,
+                  .refusal = planned.refusal,
+                  .reference = planned.reference};
+  ++number_;
+  if (planned.is_refused()) {
+    run.end = RunEnd::refused;
+    return run;
+  }
+  const Scene& scene = planned.scene;
+  run.step = step_of(scene.run);
+  motion_.begin(scene);
+  const std::unique_ptr<ErrorMeasure> measure = measure_for(planned);
+  std::optional<PageRun> page;
+  if (wishes_.page && number_ <= most_drawn_runs) page.emplace(scene, planned.start.state, run.label);
+  const Watch watch = [&](const State& state, const AdvanceReport& since, const Energy& energy) {
+    motion_.observe(state, energy);
+    if (measure) measure->observe(state, energy);
+    if (page) page->add(state, since, energy);
+    if (wishes_.energies) run.times.push_back(state.t), run.energies.push_back(energy.total());
+  };
+  Course course;
+  try {
+    course = simulate(scene, planned.start,
+                      fmt::format("run {} of {} ({}): ", number_, run_count_, run.label), watch);
+  } catch (const InputError& error) {
+    run.end = RunEnd::refused;
+    run.refusal = error.messages().front();
+    return run;
+  }
+  run.cpu_time = course.cpu_time;
+  run.end = course.end;
+  run.end_time = course.result.state.t;
+  run.audit = std::move(course.result.audit);
+  run.audit.wall_time = course.wall_time;
   run.audit.warnings.insert(run.audit.warnings.begin(), planned.start.warnings.begin(),
                             planned.start.warnings.end());
+  if (course.energy_scale > 0) run.relative_rise = run.audit.max_increase / course.energy_scale;
   run.difference = motion_.finish();
+  if (measure) run.error = measure->error();
   if (page) run.page = page->finish(run.audit);
   return run;
 }

@@ -9,26 +9,6 @@ namespace rigor {
 
 namespace {
 
-/// Whether two output times are the same. Each is a multiple of an interval that was read from decimals: two
-/// roundings each.
-bool is_same_time(double a, double b) {
-  constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
-  return std::abs(a - b) <= rounding * std::max(std::abs(a), std::abs(b));
-}
-
-std::map<int, int> common_bodies(const Model& model, const Model& reference) {
-  std::map<std::string, int> by_name;
-  for (int i = 0; i < reference.body_count(); ++i) {
-    if (reference.body(i).motion == MotionType::dynamic) by_name[reference.body(i).name] = i;
-  }
-  std::map<int, int> common;
-  for (int i = 0; i < model.body_count(); ++i) {
-    const auto twin = by_name.find(model.body(i).name);
-    if (model.body(i).motion == MotionType::dynamic && twin != by_name.end()) common[i] = twin->second;
-  }
-  return common;
-}
-
 Vec3 vector_at(std::span<const double> values, std::size_t row) {
   return Vec3::Map(&values[3 * row]);
 }
@@ -44,6 +24,24 @@ void keep_larger(double value, const std::string& body, LargestDifference& large
 
 }  // namespace
 
+bool is_same_output_time(double a, double b) {
+  constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
+  return std::abs(a - b) <= rounding * std::max(std::abs(a), std::abs(b));
+}
+
+std::map<int, int> common_dynamic_bodies(const Model& model, const Model& reference) {
+  std::map<std::string, int> by_name;
+  for (int i = 0; i < reference.body_count(); ++i) {
+    if (reference.body(i).motion == MotionType::dynamic) by_name[reference.body(i).name] = i;
+  }
+  std::map<int, int> common;
+  for (int i = 0; i < model.body_count(); ++i) {
+    const auto twin = by_name.find(model.body(i).name);
+    if (model.body(i).motion == MotionType::dynamic && twin != by_name.end()) common[i] = twin->second;
+  }
+  return common;
+}
+
 double rotation_angle(const Quat& from, const Quat& to) {
   const Quat turn = from.conjugate() * to;
   return 2 * std::atan2(turn.vec().norm(), std::abs(turn.w()));
@@ -57,7 +55,7 @@ void MotionComparison::begin(const Scene& scene) {
   if (is_first()) {
     reference_.emplace(scene, most_bytes_);
   } else {
-    reference_body_ = common_bodies(*model_, *reference_->recording().model);
+    reference_body_ = common_dynamic_bodies(*model_, *reference_->recording().model);
   }
 }
 
@@ -67,8 +65,9 @@ void MotionComparison::observe(const State& state, const Energy& energy) {
     return;
   }
   const std::vector<double>& times = reference_->recording().motion.time;
-  while (next_ < times.size() && times[next_] < state.t && !is_same_time(times[next_], state.t)) ++next_;
-  if (next_ == times.size() || !is_same_time(times[next_], state.t)) return;
+  while (next_ < times.size() && times[next_] < state.t && !is_same_output_time(times[next_], state.t))
+    ++next_;
+  if (next_ == times.size() || !is_same_output_time(times[next_], state.t)) return;
   common_ = next_;
   sample_ = make_sample(*model_, state, energy);
 }

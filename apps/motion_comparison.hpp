@@ -30,6 +30,13 @@ struct MotionDifference {
 /// Angle of the rotation from one unit quaternion to another, from 0 to π [rad]; exact for small ones.
 double rotation_angle(const Quat& from, const Quat& to);
 
+/// Whether two output times are the same. Each is a multiple of an interval that was read from decimals: two
+/// roundings each.
+bool is_same_output_time(double a, double b);
+
+/// Of each body that is dynamic in both models, found by its name, the index in the reference.
+std::map<int, int> common_dynamic_bodies(const Model& model, const Model& reference);
+
 /// Compares runs with the first of them, at the last output time that both have. Only the first run's motion
 /// is kept, and of that at most so many bytes: then every second output time is left out, as often as needed,
 /// but never the last one. Of the others the newest comparable moment is kept.

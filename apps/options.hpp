@@ -28,8 +28,11 @@ struct CompareOptions {
   std::string scene;
   std::vector<std::string> variations;  ///< "key=a,b,c".
   std::vector<std::string> outputs;
-  std::vector<std::string> overrides;  ///< "key=value".
-  std::optional<double> duration;      ///< [s].
+  std::vector<std::string> overrides;   ///< "key=value".
+  std::vector<std::string> references;  ///< "key=value" of the reference run; "none" alone: no errors.
+  std::optional<double> error_bound;    ///< [m].
+  std::optional<double> cpu_limit;      ///< Of each run [s].
+  std::optional<double> duration;       ///< [s].
   std::string json;
   bool is_quiet = false;
   bool separate = false;

@@ -95,6 +95,26 @@ std::string block_text(const Block& block, std::FILE* stream) {
 
 }  // namespace
 
+std::string wrapped_text(std::string_view text, std::size_t indent, int width) {
+  const std::size_t most = static_cast<std::size_t>(std::max(width, 1));
+  std::string lines, line(indent, ' ');
+  bool is_empty = true;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    const std::string_view word = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (!is_empty && text_length(line) + 1 + text_length(word) > most) {
+      lines += line + "\n";
+      line.assign(indent + 2, ' ');
+      is_empty = true;
+    }
+    if (!is_empty) line += ' ';
+    line += word;
+    is_empty = false;
+  }
+  return lines + line + "\n";
+}
+
 std::size_t text_length(std::string_view text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), begins_character));
 }

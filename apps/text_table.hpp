@@ -30,6 +30,11 @@ struct TableColumn {
 std::string table_text(const std::vector<TableColumn>& columns, std::size_t key_count, int width,
                        std::FILE* stream);
 
+/// The text in lines of at most `width` characters, broken at spaces; the first line after `indent` blanks,
+/// the others after two more. A word that is longer than a line stands there alone. Each line ends with a
+/// newline.
+std::string wrapped_text(std::string_view text, std::size_t indent, int width);
+
 /// Characters of UTF-8 text.
 std::size_t text_length(std::string_view text);
 /// The text, or so many of its characters that there are `most` with the "…" that stands for the rest.

@@ -74,5 +74,14 @@ TEST(TextTable, TextsAreCutByCharacters) {
   EXPECT_EQ(shortened("abc", 1), "…");
 }
 
+TEST(TextTable, WrappedTextBreaksAtSpacesAndNowhereElse) {
+  EXPECT_EQ(wrapped_text("one two three four", 2, 11), "  one two\n    three\n    four\n");
+  EXPECT_EQ(wrapped_text("one two", 0, 7), "one two\n");
+  EXPECT_EQ(wrapped_text("one two", 0, 6), "one\n  two\n");
+  // Δ is one character; a word that is too long stands alone.
+  EXPECT_EQ(wrapped_text("ΔΔΔ bb unbreakable c", 0, 6), "ΔΔΔ bb\n  unbreakable\n  c\n");
+  EXPECT_EQ(wrapped_text("", 2, 9), "  \n");
+}
+
 }  // namespace
 }  // namespace rigor

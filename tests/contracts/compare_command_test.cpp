@@ -206,7 +206,9 @@ TEST(CompareCommand, TheTableAsCsvHasARowARun) {
   EXPECT_EQ(
       lines[0],
       "run,bodies.ball.velocity,end,reason,end_time [s],impacts,resting,dissipated [J],max_increase [J],"
-      "impact_gain [J],max_penetration [m],cpu_time [s],compared_at [s],position_difference "
+      "impact_gain [J],max_penetration [m],cpu_time [s],step [s],error [m],error_body,error_time [s],"
+      "angle_error [rad],good_until [s],reference,reference_error [m],order,cpu_ratio,relative_rise,"
+      "max_joint_drift,steps,compared_at [s],position_difference "
       "[m],position_body,"
       "velocity_difference [m/s],velocity_body,orientation_difference [rad],orientation_body,"
       "angular_velocity_difference [rad/s],angular_velocity_body");
@@ -362,8 +364,8 @@ TEST(CompareCommand, CommandLinesThatMakeNoSenseAreTwo) {
        "--set run.seed=2 has no effect beside --vary run.seed; leave one of them out"},
       {{"--vary", "run.duration=1", "--duration", "2"},
        "--duration does not go with --vary run.duration; leave one of them out"},
-      {{"--vary", "run.seed=1,2,3,4,5,6,7,8,9", "-o", "a.html"},
-       "output 'a.html' shows at most 8 runs, and these are 9; .json and .csv take them all"},
+      {{"--vary", "run.seed=1,2,3,4,5,6,7,8,9", "-o", "a.svg"},
+       "output 'a.svg' shows at most 8 runs, and these are 9; .json, .csv and .html take them all"},
       {{"--vary", "run.seed=1", "-o", "a.h5"},
        "output 'a.h5': a comparison is written to .html, .json, .csv, .svg or .png"},
       {{"--vary", "run.seed=1", "-o", "a.json", "--json", "./a.json"}, "output './a.json' is given twice"},

@@ -76,7 +76,7 @@ TEST(SceneErrors, OfTheTopLevel) {
           {"rigor: 1\nbodies: []\nfriction: 1",
            "s.yaml:3:1: unknown key 'friction' in the scene; it is a key of a material; one of: rigor, name, "
            "world, run, "
-           "method, materials, pairs, bodies, exclude, forces, joints"},
+           "method, materials, pairs, bodies, exclude, forces, joints, expect"},
           {"rigor: 1\nbodies: []\nworld: {gravity: [0, 0, .nan]}",
            "s.yaml:3:25: world: gravity is nan m/s², must be from -1e+06 to 1e+06 m/s²"},
           {"rigor: 1\nbodies: []\nworld: {gravity: -9.81}",
@@ -123,7 +123,7 @@ TEST(SceneErrors, OfRunAndMethod) {
           {"method: {impact: newtn}", "s.yaml:3:18: method: unknown impact 'newtn'; did you mean 'newton'?"},
           {"method: {scheme: time-stepping}",
            "s.yaml:3:18: method: scheme 'time-stepping' is not available in this version; available: "
-           "event-driven"},
+           "event-driven, auto"},
           {"method: {scheme: [a]}", "s.yaml:3:18: method: scheme must be a text, found a list of 1"},
           {"method: {orientation: matrix}",
            "s.yaml:3:9: method: orientation 'matrix' does not go with integrator 'exact', which turns "

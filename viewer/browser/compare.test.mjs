@@ -218,3 +218,27 @@ test("at the width of a phone nothing is wider than the screen, dark and light",
     await page.close();
   }
 });
+
+test("runs of several steps are plotted as work and precision, on logarithmic axes", async () => {
+  const pendulum = makeComparison("pendulum", "--vary", "method.integrator=rk4,midpoint", "--vary", "run.step=0.01,0.005,0.0025", "--duration", "1");
+  const { page, errors } = await openPage(browser, pendulum.html);
+  await settle(page);
+  assert.deepEqual(errors, []);
+  const plots = page.locator(".precision svg");
+  assert.equal(await plots.count(), 2);
+  assert.deepEqual(await page.locator(".precision .plot h3").allInnerTexts(), ["Error over CPU time", "Error over step"]);
+  assert.deepEqual(await page.locator(".precision .legend > span").allInnerTexts(), ["method.integrator=rk4", "method.integrator=midpoint"]);
+  assert.match(await page.locator(".precision > h3").innerText(), /event-driven, integrator exact, step 0.05 s/);
+  const circles = await plots.nth(1).locator("circle").evaluateAll((all) => all.map((circle) => ({
+    x: Number(circle.getAttribute("cx")), y: Number(circle.getAttribute("cy")), text: circle.textContent })));
+  assert.equal(circles.length, 6);
+  // Half the step is the same way to the left each time, and a smaller error is lower down, by the order of the method.
+  const [a, b, c] = circles;
+  near(a.x - b.x, b.x - c.x, 1e-6, "a halving");
+  assert.ok(a.y < b.y && b.y < c.y, "errors of rk4 fall");
+  near((c.y - b.y) / (circles[5].y - circles[4].y), 2, 0.2, "order 4 over order 2");
+  assert.match(b.text, /run.step=0.005: error .* m, step 0.005 s, CPU time .* s, observed order /);
+  const words = await plots.nth(0).locator("text").allTextContents();
+  for (const word of ["CPU time [s]", "error [m]"]) assert.ok(words.includes(word), word);
+  await page.close();
+});

@@ -6,6 +6,7 @@ import { keyHelp } from "./keys";
 import { Panel } from "./panel";
 import { Playback, steppedTime } from "./playback";
 import { Plots } from "./plots";
+import { precisionPlots } from "./precision_plots";
 import type { Loaded } from "./run";
 import { RunChoice, runColor, type Chosen } from "./run_choice";
 import { ScenePage } from "./scene_page";
@@ -52,7 +53,7 @@ export class App extends ScenePage<RecordedSource> {
     const choice = isComparison ? new RunChoice(sources, { a: 0, b: 1 }, (chosen) => this.showRuns(chosen)).element : undefined;
     this.element = el("div", { class: isComparison ? "app comparison" : "app" }, this.head(), choice, ...loaded.problems.map((problem) => el("p", { class: "problem", role: "alert", text: problem })),
       el("div", { class: "middle" }, this.stage, this.panel.element), this.transport.element, this.plots.element,
-      isComparison ? compareAudits(sources) : undefined, this.help);
+      loaded.precision ? precisionPlots(loaded.precision) : undefined, isComparison ? compareAudits(sources) : undefined, this.help);
   }
 
   toggle(): void {

@@ -2,6 +2,7 @@ import { DataError, readBlock, type BlockText } from "./blocks";
 import { Contacts } from "./contacts";
 import { Frames } from "./frames";
 import type { Header, Vec } from "./header";
+import type { Precision } from "./precision";
 import { Reader } from "./reader";
 
 export type EventKind = "impact" | "rest" | "separation" | "slip_to_stick";
@@ -39,6 +40,8 @@ export interface Run {
 
 export interface Loaded {
   runs: Run[];
+  /** Of a comparison whose errors are known. */
+  precision?: Precision;
   /** What is not as it should be, for the reader; the runs hold what could be read. */
   problems: string[];
 }
@@ -65,7 +68,20 @@ export async function loadRuns(blocks: BlockText[], expected: number, progress: 
   }
   // One run of several may be missing.
   if (runs.length === 0) throw new DataError(problems.join("; "));
-  return { runs, problems };
+  return { runs, precision: await readPrecision(blocks, problems), problems };
+}
+
+/** What the page tells of work and precision; nothing if it does not, or if that did not arrive whole. */
+async function readPrecision(blocks: BlockText[], problems: string[]): Promise<Precision | undefined> {
+  const block = blocks.find(({ kind }) => kind === "precision");
+  if (!block) return undefined;
+  try {
+    return JSON.parse(new TextDecoder().decode(await readBlock(block))) as Precision;
+  } catch (error) {
+    if (!(error instanceof DataError)) throw error;
+    problems.push(`${error.message}; the plots of work and precision are left out`);
+    return undefined;
+  }
 }
 
 async function loadRun(blocks: BlockText[], problems: string[], progress: (part: number) => void): Promise<Run> {

@@ -1,0 +1,123 @@
+#include "apps/work_precision.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rigor {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const std::string step_key = "run.step";
+
+/// The values of a run but its step.
+std::vector<std::string> other_values(const Comparison& comparison, const ComparedRun& run) {
+  std::vector<std::string> others;
+  for (std::size_t k = 0; k < comparison.keys.size(); ++k) {
+    if (comparison.keys[k] != step_key) others.push_back(run.values[k]);
+  }
+  return others;
+}
+
+std::string label_of(const Comparison& comparison, const ComparedRun& run) {
+  std::string label;
+  for (std::size_t k = 0; k < comparison.keys.size(); ++k) {
+    if (comparison.keys[k] == step_key) continue;
+    label += fmt::format("{}{}={}", label.empty() ? "" : ", ", comparison.keys[k], run.values[k]);
+  }
+  return label;
+}
+
+/// Error of a whole run that is not the reference's own.
+std::optional<double> sound_error(const Comparison& comparison, const ComparedRun& run) {
+  constexpr double margin = 10;
+  const bool is_whole = run.end == RunEnd::passed || run.end == RunEnd::audit_failed;
+  if (!is_whole || !run.error || !run.reference) return std::nullopt;
+  const std::optional<MotionError>& own = comparison.references[*run.reference].own;
+  const double value = run.error->position.value;
+  if (!(value > 0) || (own && value < margin * own->position.value)) return std::nullopt;
+  return value;
+}
+
+std::optional<double> order_between(const Comparison& comparison, const ComparedRun& run,
+                                    const ComparedRun& before) {
+  const std::optional<double> error = sound_error(comparison, run), other = sound_error(comparison, before);
+  if (!error || !other || run.step == before.step) return std::nullopt;
+  return std::log(*error / *other) / std::log(run.step / before.step);
+}
+
+Json number_or_null(const std::optional<double>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+}  // namespace
+
+std::vector<std::optional<double>> observed_orders(const Comparison& comparison) {
+  std::vector<std::optional<double>> orders(comparison.runs.size());
+  for (const PrecisionCurve& curve : precision_curves(comparison)) {
+    for (std::size_t i = 1; i < curve.runs.size(); ++i)
+      orders[curve.runs[i]] =
+          order_between(comparison, comparison.runs[curve.runs[i]], comparison.runs[curve.runs[i - 1]]);
+  }
+  return orders;
+}
+
+std::vector<std::optional<double>> cpu_ratios(const Comparison& comparison) {
+  std::vector<std::optional<double>> ratios(comparison.runs.size());
+  const std::size_t base = base_run(comparison);
+  if (base == comparison.runs.size() || !(comparison.runs[base].cpu_time > 0)) return ratios;
+  for (std::size_t i = 0; i < ratios.size(); ++i) {
+    if (comparison.runs[i].end != RunEnd::refused)
+      ratios[i] = comparison.runs[i].cpu_time / comparison.runs[base].cpu_time;
+  }
+  return ratios;
+}
+
+std::vector<PrecisionCurve> precision_curves(const Comparison& comparison) {
+  std::vector<PrecisionCurve> curves;
+  std::vector<std::vector<std::string>> known;
+  for (std::size_t i = 0; i < comparison.runs.size(); ++i) {
+    const ComparedRun& run = comparison.runs[i];
+    const std::vector<std::string> others = other_values(comparison, run);
+    const auto found = std::find(known.begin(), known.end(), others);
+    const std::size_t curve = static_cast<std::size_t>(found - known.begin());
+    if (found == known.end()) {
+      known.push_back(others);
+      curves.push_back({label_of(comparison, run), {}});
+    }
+    curves[curve].runs.push_back(i);
+  }
+  return curves;
+}
+
+std::string precision_json(const Comparison& comparison) {
+  const std::vector<std::optional<double>> orders = observed_orders(comparison);
+  const auto has_error = [](const ComparedRun& run) { return run.error.has_value(); };
+  if (std::none_of(comparison.runs.begin(), comparison.runs.end(), has_error)) return {};
+  Json curves = Json::array();
+  for (const PrecisionCurve& curve : precision_curves(comparison)) {
+    Json points = Json::array();
+    for (const std::size_t i : curve.runs) {
+      const ComparedRun& run = comparison.runs[i];
+      if (!run.error) continue;
+      points.push_back({{"label", run.label},
+                        {"step", run.step},
+                        {"cpu_time", run.cpu_time},
+                        {"error", run.error->position.value},
+                        {"order", number_or_null(orders[i])}});
+    }
+    if (!points.empty()) curves.push_back({{"label", curve.label}, {"points", points}});
+  }
+  Json references = Json::array();
+  for (const ComparedReference& reference : comparison.references) {
+    references.push_back({{"name", reference.name},
+                          {"error", reference.own ? Json(reference.own->position.value) : Json(nullptr)}});
+  }
+  return Json{{"references", references}, {"curves", curves}}.dump();
+}
+
+}  // namespace rigor

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "apps/compare_run.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rigor {
+
+/// Observed order of each run against the one before it that differs in run.step alone:
+///
+///   p = ln(e / e') / ln(h / h'),
+///
+/// with the errors e of positions and the steps h. Nothing for runs without such a neighbour, with the same
+/// step, and where an error is not well above what the reference itself is wrong by.
+std::vector<std::optional<double>> observed_orders(const Comparison& comparison);
+
+/// CPU time of each run over that of the one that all are compared with; nothing if it is refused, or took no
+/// measurable time.
+std::vector<std::optional<double>> cpu_ratios(const Comparison& comparison);
+
+/// Runs that differ in run.step alone, as one curve of a plot of error over work.
+struct PrecisionCurve {
+  std::string label;              ///< Of the other values; empty if nothing else is varied.
+  std::vector<std::size_t> runs;  ///< Indices, in the order of the comparison.
+};
+std::vector<PrecisionCurve> precision_curves(const Comparison& comparison);
+
+/// The comparison as JSON for its page (docs/page.md, block `precision`); empty if no run has an error.
+std::string precision_json(const Comparison& comparison);
+
+}  // namespace rigor

@@ -1,0 +1,196 @@
+#!/usr/bin/env python3
+"""Runs scenes with all schemes and several steps through `rigor compare`, and makes the table of docs/choosing.md.
+
+Each scene is run with each scheme that the program offers and with each step: the scene's own run.step times the factors. Output
+times are the longest step apart, so that no step is shortened by them. A run is ended after --cpu-limit seconds of processor
+time. One line a run is added to the CSV file as soon as a scene and a scheme are done, and what the file holds is not run
+again: stop the tool and start it again at any time. Each scene and scheme is a process of its own.
+
+usage: tools/compare_schemes.py [--rigor PROGRAM] [--csv FILE] [--docs FILE] [--cpu-limit S] [--duration S]
+                                [--schemes a,b] [--factors 4,2,1] [SCENE...]
+"""
+import argparse
+import csv
+import json
+import math
+import pathlib
+import re
+import statistics
+import subprocess
+import sys
+
+FIELDS = ["scene", "scheme", "factor", "step", "end", "reason", "end_time", "error", "angle", "good_until",
+          "compared_until", "reference", "reference_error", "order", "relative_rise", "max_penetration",
+          "max_joint_drift", "impacts", "steps", "cpu_time"]
+BEGIN, END = "<!-- measured: begin -->", "<!-- measured: end -->"
+WHOLE = ("ok", "audit failed")  # Ends of runs that went to their end.
+SLACK = 60  # [s] of real time that a process may take beyond what its runs may.
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("scenes", nargs="*", metavar="SCENE", help="default: scenes/*.yaml")
+    parser.add_argument("--rigor", default="build/release/rigor", help="the program")
+    parser.add_argument("--csv", default="out/schemes.csv", help="results, kept from one start to the next")
+    parser.add_argument("--docs", help="file whose table between the marks is replaced, such as docs/choosing.md")
+    parser.add_argument("--cpu-limit", type=float, default=20, help="processor time of a run [s]")
+    parser.add_argument("--duration", type=float, default=5, help="longest simulated time [s]")
+    parser.add_argument("--schemes", help="names with commas; default: all that the program offers, but auto")
+    parser.add_argument("--factors", default="4,2,1,0.5,0.25,0.125", help="steps in units of the scene's run.step")
+    return parser.parse_args()
+
+
+def available_schemes(rigor):
+    """Names of the schemes that `rigor methods` offers."""
+    names, is_scheme = [], False
+    for line in subprocess.run([rigor, "methods"], capture_output=True, text=True, check=True).stdout.splitlines():
+        if line and not line.startswith(" "):
+            is_scheme = line.strip() == "scheme"
+        found = re.match(r"  (\S+) +(default|yes) ", line)
+        if is_scheme and found and found.group(1) != "auto":
+            names.append(found.group(1))
+    return names
+
+
+def run_setting(path, key, fallback):
+    """A number of the scene's line `run: {...}`, or what the scene format has as its default."""
+    found = re.search(rf"^run:.*\b{key}: *([-+.\deE]+)", path.read_text(), re.MULTILINE)
+    return float(found.group(1)) if found else fallback
+
+
+def known_rows(path):
+    if not path.exists():
+        return []
+    with path.open(newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def rows_of(table, scene, scheme, factors):
+    reference = table["references"][0] if table["references"] else None
+    own = reference and reference["own_error"]
+    for run, factor in zip(table["runs"], factors):
+        error = run["error"]
+        yield {
+            "scene": scene, "scheme": scheme, "factor": f"{factor:g}", "step": repr(run["step"]), "end": run["end"],
+            "reason": run["reason"] or "", "end_time": repr(run["end_time"]),
+            "error": repr(error["position"]["value"]) if error else "",
+            "angle": repr(error["angle"]["value"]) if error else "",
+            "good_until": repr(error["good_until"]) if error else "",
+            "compared_until": repr(error["compared_until"]) if error else "",
+            "reference": reference["name"] if reference else "",
+            "reference_error": repr(own["position"]["value"]) if own else "",
+            "order": "" if run["order"] is None else repr(run["order"]),
+            "relative_rise": repr(run["relative_rise"]), "max_penetration": repr(run["max_penetration"]),
+            "max_joint_drift": repr(run["max_joint_drift"]), "impacts": run["impacts"], "steps": run["steps"],
+            "cpu_time": repr(run["cpu_time"])}
+
+
+def compare(options, path, scheme, factors):
+    """The rows of one scene and scheme. A process that fails or hangs gives rows that say so."""
+    step = run_setting(path, "step", 0.01)
+    steps = [factor * step for factor in factors]
+    duration = min(options.duration, run_setting(path, "duration", 10))
+    command = [options.rigor, "compare", str(path), "--vary", f"method.scheme={scheme}", "--vary",
+               "run.step=" + ",".join(f"{h:.17g}" for h in steps), "--set", f"run.output_interval={max(steps):.17g}",
+               "--duration", f"{duration:.17g}", "--cpu-limit", f"{options.cpu_limit:g}", "--json", "-", "--quiet"]
+    limit = 2 * options.cpu_limit * (len(factors) + 2) + SLACK
+    try:
+        done = subprocess.run(command, capture_output=True, text=True, timeout=limit)
+        return list(rows_of(json.loads(done.stdout), path.stem, scheme, factors))
+    except subprocess.TimeoutExpired:
+        end, reason = "hangs", f"no answer after {limit:g} s"
+    except json.JSONDecodeError:
+        # All its runs are refused, or the program has ended in a way that it should not.
+        end = "refused" if done.returncode == 3 else f"exit {done.returncode}"
+        reason = done.stderr.strip().splitlines()[0] if done.stderr.strip() else ""
+    return [dict.fromkeys(FIELDS, "") | {"scene": path.stem, "scheme": scheme, "factor": f"{factor:g}", "end": end,
+                                         "reason": reason} for factor in factors]
+
+
+def number(text):
+    """The number, or nothing where there is none."""
+    value = float(text) if text not in ("", None) else math.nan
+    return value if math.isfinite(value) else None
+
+
+def numbers(rows, key):
+    return [value for value in (number(row[key]) for row in rows) if value is not None]
+
+
+def cell(values, pick):
+    return f"{pick(values):.2g}" if values else "-"
+
+
+def ratios(rows, base):
+    """CPU time of each whole run over that of the event-driven one of the same scene at the scene's own step."""
+    found = []
+    for row in rows:
+        mine, other = number(row["cpu_time"]), base.get(row["scene"])
+        if mine and other:
+            found.append(mine / other)
+    return found
+
+
+def markdown(rows):
+    base = {row["scene"]: number(row["cpu_time"])
+            for row in rows if row["end"] in WHOLE and row["scheme"] == "event-driven" and row["factor"] == "1"}
+    schemes = list(dict.fromkeys(row["scheme"] for row in rows))
+    lines = ["| scheme | step | scenes | whole | refused | ended early | error, median [m] | order, median | rise of energy, "
+             "largest | penetration, largest [m] | CPU time over event-driven, median |",
+             "|---|---|---|---|---|---|---|---|---|---|---|"]
+    for scheme in schemes:
+        own = [row for row in rows if row["scheme"] == scheme]
+        for factor in sorted({row["factor"] for row in own}, key=float, reverse=True):
+            here = [row for row in own if row["factor"] == factor]
+            good = [row for row in here if row["end"] in WHOLE]
+            refused = sum(row["end"] == "refused" for row in here)
+            lines.append(
+                f"| {scheme} | {factor} | {len(here)} | {len(good)} | {refused} | {len(here) - len(good) - refused} | "
+                f"{cell(numbers(good, 'error'), statistics.median)} | {cell(numbers(good, 'order'), statistics.median)} | "
+                f"{cell(numbers(good, 'relative_rise'), max)} | {cell(numbers(good, 'max_penetration'), max)} | "
+                f"{cell(ratios(good, base), statistics.median)} |")
+    return "\n".join(lines) + "\n"
+
+
+def write_docs(path, table):
+    text = path.read_text()
+    if text.count(BEGIN) != 1 or text.count(END) != 1:
+        sys.exit(f"{path}: must have the lines {BEGIN} and {END}, once each")
+    head, rest = text.split(BEGIN)
+    path.write_text(head + BEGIN + "\n" + table + END + rest.split(END)[1])
+
+
+def main():
+    options = arguments()
+    scenes = [pathlib.Path(name) for name in options.scenes] or sorted(pathlib.Path("scenes").glob("*.yaml"))
+    schemes = options.schemes.split(",") if options.schemes else available_schemes(options.rigor)
+    factors = [float(text) for text in options.factors.split(",")]
+    results = pathlib.Path(options.csv)
+    results.parent.mkdir(parents=True, exist_ok=True)
+    rows = known_rows(results)
+    done = {(row["scene"], row["scheme"], row["factor"]) for row in rows}
+    with results.open("a", newline="") as file:
+        writer = csv.DictWriter(file, FIELDS)
+        if not rows:
+            writer.writeheader()
+        for path in scenes:
+            for scheme in schemes:
+                missing = [factor for factor in factors if (path.stem, scheme, f"{factor:g}") not in done]
+                if not missing:
+                    continue
+                # All factors again: the order of a run is told against its neighbour.
+                new = [row for row in compare(options, path, scheme, factors) if float(row["factor"]) in missing]
+                writer.writerows(new)
+                file.flush()
+                rows += new
+                print(f"{path.stem} {scheme}: " + ", ".join(row["end"] for row in new), file=sys.stderr)
+    rows = known_rows(results)
+    table = markdown(rows)
+    if options.docs:
+        write_docs(pathlib.Path(options.docs), table)
+    else:
+        print(table, end="")
+
+
+if __name__ == "__main__":
+    main()
