@@ -140,7 +140,7 @@ void check_cavities(const Model& model, const std::vector<std::string>& wheres,
       for (const BodyShape& shape : model.body(k).shapes) {
         if (has_corner_balls(shape.shape)) continue;
         messages.push_back(wheres[static_cast<std::size_t>(k)] + "body " + quoted_text(model.body(k).name) +
-                           ": a " + shape_type_name(shape.shape) +
+                           ": its " + shape_type_name(shape.shape) +
                            " cannot collide with the cavity of body " + quoted_text(model.body(i).name) +
                            "; spheres, capsules, boxes, convex shapes and meshes can");
         break;

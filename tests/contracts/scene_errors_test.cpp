@@ -95,7 +95,7 @@ TEST(SceneErrors, OfKeysOfLaterVersions) {
            "times with --set "
            "KEY=VALUE"},
           {"method: {solver: pgs}",
-           "s.yaml:3:10: key 'solver' of method is not available in this version; leave it out"},
+           "s.yaml:3:18: method: solver 'pgs' is not available in this version; available: exact"},
           {"method: {iterations: 4}",
            "s.yaml:3:10: key 'iterations' of method is not available in this version; leave it out"},
       },
@@ -121,9 +121,8 @@ TEST(SceneErrors, OfRunAndMethod) {
           {"run: {seed: 1.5}", "s.yaml:3:13: run: seed is 1.5, must be a whole number"},
           {"run: {seed: -1}", "s.yaml:3:13: run: seed is -1, must be from 0 to 9007199254740992"},
           {"method: {impact: newtn}", "s.yaml:3:18: method: unknown impact 'newtn'; did you mean 'newton'?"},
-          {"method: {scheme: time-stepping}",
-           "s.yaml:3:18: method: scheme 'time-stepping' is not available in this version; available: "
-           "event-driven, auto"},
+          {"method: {scheme: time-steping}",
+           "s.yaml:3:18: method: unknown scheme 'time-steping'; did you mean 'time-stepping'?"},
           {"method: {scheme: [a]}", "s.yaml:3:18: method: scheme must be a text, found a list of 1"},
           {"method: {orientation: matrix}",
            "s.yaml:3:9: method: orientation 'matrix' does not go with integrator 'exact', which turns "
@@ -332,7 +331,7 @@ TEST(SceneErrors, OfShapes) {
           {"{radius: 1}",
            "s.yaml:3:24: shape 0 of body 'b': the key 'type' is missing; one of: sphere, box, capsule, "
            "cylinder, cone, "
-           "ellipsoid, plane, convex, mesh, heightfield"},
+           "ellipsoid, plane, cavity, convex, mesh, heightfield"},
           {"box", "s.yaml:3:24: shape 0 of body 'b': must be a mapping of keys, found the text 'box'"},
           {"{type: plane}",
            "s.yaml:3:5: body 'b': shape 0 (plane): a plane has no mass; only static and kinematic bodies "

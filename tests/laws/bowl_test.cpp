@@ -50,11 +50,11 @@ TEST(Bowl, ARollingBallIsAtTheBottomAfterFiveQuarters) {
     const double angle = degrees * std::numbers::pi / 180;
     const SceneRun run = run_bowl(angle, 1, 1.25 * pendulum_period(1.26, angle));
     const Audit::BodyEnd& ball = run.end_of("ball");
-    EXPECT_NEAR(ball.position.x(), 0, 1e-9 * angle / (40 * std::numbers::pi / 180)) << degrees;
+    EXPECT_NEAR(ball.position.x() / ball.velocity.x(), 0, 1e-9) << degrees << ": time off [s]";
     EXPECT_NEAR(ball.position.z(), -0.9, 1e-9) << degrees;
     EXPECT_TRUE(run.audit().violations.empty());
     // Energy: the height has become motion, v² (1 + 2/5) = 2 g h.
-    EXPECT_NEAR(ball.velocity.x(), std::sqrt(2 * g * 0.9 * (1 - std::cos(angle)) / 1.4), 1e-9) << degrees;
+    EXPECT_NEAR(-ball.velocity.x(), std::sqrt(2 * g * 0.9 * (1 - std::cos(angle)) / 1.4), 1e-9) << degrees;
   }
 }
 
@@ -62,7 +62,7 @@ TEST(Bowl, ASlidingBallDoesNotTurnAndSwingsFaster) {
   const double angle = 40 * std::numbers::pi / 180;
   const SceneRun run = run_bowl(angle, 0, 1.25 * pendulum_period(0.9, angle));
   EXPECT_NEAR(run.end_of("ball").position.x(), 0, 1e-9);
-  EXPECT_TRUE(run.end_of("ball").angular_velocity.isZero(0));
+  EXPECT_LE(run.end_of("ball").angular_velocity.norm(), 1e-12);
 }
 
 TEST(Bowl, TheSceneEndsWhereItBegan) {
@@ -99,9 +99,9 @@ run: {duration: 6, output_interval: 1}
 materials: [{name: m, friction: 0.6, restitution: 0.3}]
 bodies:
   - {name: room, motion: static, shapes: [{type: cavity, radius: 1, material: m}]}
-  - {name: box, position: [0.2, 0.1, -0.4], orientation: [0.9, 0.3, 0.1, 0.2], mass: 1,
+  - {name: box, position: [0.2, 0.1, -0.4], rpy: [0.6, 0.3, 0.4], mass: 1,
      shapes: [{type: box, size: [0.3, 0.4, 0.2], material: m}]}
-  - {name: rod, position: [-0.3, 0, -0.2], orientation: [0.8, 0.1, 0.5, 0.2], mass: 1,
+  - {name: rod, position: [-0.3, 0, -0.2], rpy: [0.2, 1.0, 0.4], mass: 1,
      shapes: [{type: capsule, radius: 0.05, length: 0.5, material: m}]}
 )";
   SceneRun run;

@@ -82,7 +82,7 @@ TEST(SetMethodChoice, TellsWhatIsWrong) {
   EXPECT_EQ(set_method_choice("distance", "lin-cany", method),
             "unknown distance 'lin-cany'; did you mean 'lin-canny'?");
   EXPECT_EQ(set_method_choice("solver", "pgs", method),
-            "solver 'pgs' is not available in this version; available: none, leave 'solver' out");
+            "solver 'pgs' is not available in this version; available: exact");
   EXPECT_EQ(set_method_choice("impct", "newton", method), "unknown choice 'impct'; did you mean 'impact'?");
   EXPECT_EQ(method, Method{});
 }
