@@ -121,9 +121,9 @@ TEST(SceneErrors, OfRunAndMethod) {
           {"run: {seed: 1.5}", "s.yaml:3:13: run: seed is 1.5, must be a whole number"},
           {"run: {seed: -1}", "s.yaml:3:13: run: seed is -1, must be from 0 to 9007199254740992"},
           {"method: {impact: newtn}", "s.yaml:3:18: method: unknown impact 'newtn'; did you mean 'newton'?"},
-          {"method: {scheme: time-stepping}",
-           "s.yaml:3:18: method: scheme 'time-stepping' is not available in this version; available: "
-           "event-driven"},
+          {"method: {scheme: hybrid}",
+           "s.yaml:3:18: method: scheme 'hybrid' is not available in this version; available: "
+           "event-driven, time-stepping"},
           {"method: {scheme: [a]}", "s.yaml:3:18: method: scheme must be a text, found a list of 1"},
           {"method: {orientation: matrix}",
            "s.yaml:3:9: method: orientation 'matrix' does not go with integrator 'exact', which turns "
