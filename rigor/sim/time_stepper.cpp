@@ -54,7 +54,10 @@ TimeStepper::TimeStepper(std::shared_ptr<const Model> model, const Method& metho
       impulses_(*model_, environment_, integrator_, resolver_, joints_, method),
       finder_(*model_, method.broad_phase) {
   RIGOR_ASSERT(target_step > 0);
-  for (const Body& body : model_->bodies()) {
+  for (int i = 0; i < model_->body_count(); ++i) {
+    const Body& body = model_->body(i);
+    if (body.motion == MotionType::dynamic)
+      lift_ += body.mass * environment_.steady_acceleration(i).norm() * model_->length_scale();
     double thickness = infinite;
     for (const BodyShape& shape : body.shapes) thickness = std::min(thickness, thickness_of(shape.shape));
     thickness_.push_back(thickness);
@@ -111,13 +114,13 @@ void TimeStepper::write(const Cluster& cluster, State& state) const {
 /// One step of at most h: what it was. Where what the step leaves out adds energy, it is taken with the form
 /// that adds least, and with halves if that does not help.
 double TimeStepper::take_step(double h, State& state) {
-  constexpr int most_halvings = 5;
-  constexpr double tolerable = 1e-10;  // Of the kinetic energy.
+  constexpr int most_halvings = 3;
+  constexpr double tolerable = 1e-10;
   const Energy before = mechanical_energy(*model_, environment_, state);
   std::optional<Trial> trial;
   for (int k = 0; k <= most_halvings; ++k) {
     trial = try_calmly(h, before, state);
-    if (trial->gain <= tolerable * before.kinetic || trial->report.impact_gain > 0) break;
+    if (trial->gain <= tolerable * (before.kinetic + lift_) || trial->report.impact_gain > 0) break;
     h = 0.5 * trial->h;
   }
   for (std::size_t i = 0; i < trial->end.bodies.size(); ++i) {
@@ -134,7 +137,7 @@ double TimeStepper::take_step(double h, State& state) {
 
 /// A trial that adds no energy if one of the forms of a step does not.
 TimeStepper::Trial TimeStepper::try_calmly(double h, const Energy& before, const State& state) {
-  constexpr double rounding = 1e-13;
+  constexpr double rounding = 1e-13, negligible = 1e-12;
   const auto with_gain = [&](Trial trial) {
     State end = state;
     write(trial.end, end);
@@ -145,10 +148,10 @@ TimeStepper::Trial TimeStepper::try_calmly(double h, const Energy& before, const
     return trial;
   };
   Trial trial = with_gain(try_step(h, 0.5, state));
-  if (trial.gain <= 0 || trial.report.impact_gain > 0) return trial;
+  if (trial.gain <= negligible * (before.kinetic + lift_) || trial.report.impact_gain > 0) return trial;
   Trial safe = with_gain(try_step(trial.h, 1, state));
   // In between, where energy stays as it is or falls by a little: false position, from the side that gains.
-  constexpr int most_trials = 4;
+  constexpr int most_trials = 3;
   constexpr double beyond = 1.05;
   double low = 0.5, gain = trial.gain;
   for (int k = 0; k < most_trials && gain > 0 && safe.gain < 0 && safe.h == trial.h; ++k) {

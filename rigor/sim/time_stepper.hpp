@@ -64,6 +64,7 @@ class TimeStepper : public Stepper {
   ImpulseStep impulses_;
   ContactFinder finder_;
   std::vector<double> thickness_;  ///< Of each body: its points lie no deeper [m].
+  double lift_ = 0;                ///< Energy that lifts all bodies by the length of the scene [J].
   AdvanceReport report_;
 };
 
