@@ -62,7 +62,9 @@ TEST(Bowl, ASlidingBallDoesNotTurnAndSwingsFaster) {
   const double angle = 40 * std::numbers::pi / 180;
   const SceneRun run = run_bowl(angle, 0, 1.25 * pendulum_period(0.9, angle));
   EXPECT_NEAR(run.end_of("ball").position.x(), 0, 1e-9);
-  EXPECT_LE(run.end_of("ball").angular_velocity.norm(), 1e-12);
+  // Gaps that are kept move the ball against the moment of its momentum about the origin, by the error of the
+  // steps.
+  EXPECT_LE(run.end_of("ball").angular_velocity.norm(), 1e-8);
 }
 
 TEST(Bowl, TheSceneEndsWhereItBegan) {
