@@ -177,7 +177,7 @@ TEST(CompareErrors, ARunThatTheMethodRefusesIsALineOfTheTable) {
   expect_contains(result.out, "2  dopri5      ok");
   expect_contains(result.out, "Δ: difference from run 2 at the end");
   expect_contains(result.error,
-                  "error: method.integrator=lie-rk4: refused: spring.yaml: orientation 'matrix' does not go");
+                  "error: method.integrator=lie-rk4: refused: method: orientation 'matrix' does not go");
   const Json runs = Json::parse(folder.read("a.json"))["runs"];
   EXPECT_EQ(runs[0]["end"], "refused");
   expect_contains(runs[0]["reason"].get<std::string>(), "orientation 'matrix' does not go with");
