@@ -34,12 +34,13 @@ std::string label_of(const Comparison& comparison, const ComparedRun& run) {
 
 /// Error of a whole run that is not the reference's own.
 std::optional<double> sound_error(const Comparison& comparison, const ComparedRun& run) {
-  constexpr double margin = 10;
+  constexpr double margin = 10, rounding = 1e-9;
   const bool is_whole = run.end == RunEnd::passed || run.end == RunEnd::audit_failed;
   if (!is_whole || !run.error || !run.reference) return std::nullopt;
-  const std::optional<MotionError>& own = comparison.references[*run.reference].own;
+  const ComparedReference& reference = comparison.references[*run.reference];
+  const double own = reference.own ? reference.own->position.value : 0;
   const double value = run.error->position.value;
-  if (!(value > 0) || (own && value < margin * own->position.value)) return std::nullopt;
+  if (!(value > 0) || value < std::max(margin * own, rounding * reference.bound)) return std::nullopt;
   return value;
 }
 

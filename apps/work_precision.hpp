@@ -13,7 +13,8 @@ namespace rigor {
 ///   p = ln(e / e') / ln(h / h'),
 ///
 /// with the errors e of positions and the steps h. Nothing for runs without such a neighbour, with the same
-/// step, and where an error is not well above what the reference itself is wrong by.
+/// step, and where an error is not well above what the reference itself is wrong by, or of the size of
+/// rounding: below a billionth of the bound of a motion that is good.
 std::vector<std::optional<double>> observed_orders(const Comparison& comparison);
 
 /// CPU time of each run over that of the one that all are compared with; nothing if it is refused, or took no

@@ -49,6 +49,15 @@ TEST(ObservedOrders, AreNotToldWhereTheReferenceIsNoBetter) {
   for (const std::size_t i : {2, 4, 5}) EXPECT_FALSE(orders[i]) << i;
 }
 
+TEST(ObservedOrders, AreNotToldOfRounding) {
+  Comparison comparison = two_orders();
+  // Below 1e-4 are the errors of the finest run of the second curve alone.
+  comparison.references[0].bound = 1e5;
+  const std::vector<std::optional<double>> orders = observed_orders(comparison);
+  for (const std::size_t i : {1, 2, 4}) EXPECT_TRUE(orders[i]) << i;
+  EXPECT_FALSE(orders[5]);
+}
+
 TEST(ObservedOrders, NeedTwoStepsAndTwoErrors) {
   Comparison comparison = two_orders();
   comparison.runs[1].error.reset();
