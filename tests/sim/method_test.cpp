@@ -17,8 +17,8 @@ TEST(MethodTable, EachValueOnceWithMeaningAndSource) {
     EXPECT_FALSE(choice.source.empty());
     EXPECT_EQ(choice.meaning.find('\n'), std::string_view::npos);
   }
-  // 5 schemes and `auto`, 8 integrators, 2 orientations, 2 broad phases, 2 distances, 3 times of impact, 3 laws, 3 and 2
-  // rules, 2 + 2 + 2 + 3 of later versions.
+  // 5 schemes and `auto`, 8 integrators, 2 orientations, 2 broad phases, 2 distances, 3 times of impact, 3
+  // laws, 3 and 2 rules, 2 + 2 + 2 + 3 of later versions.
   EXPECT_EQ(seen.size(), 40u);
 }
 
