@@ -86,10 +86,12 @@ IslandStep IslandIntegrator::implicit_step(const Island& island, double h) const
       body.w += body.inverse_inertia * impulses[b].tau_W;
     }
   }
-  // The step is of first order: more digits would be noise.
+  // The step is of first order: more digits would be noise. What they leave of approach the end of the step
+  // puts right.
   CoulombOptions coarse;
-  coarse.tolerance = 1e-9;
-  coarse.enough = 1e-6;
+  coarse.tolerance = 1e-7;
+  coarse.enough = 1e-4;
+  coarse.max_iterations = 256;
   coarse.least_norm = false;
   const VecX lambda = solve_coulomb(implicit_problem(system, h), coarse).lambda;
   std::vector<Wrench> of_contacts = contact_wrenches(system, lambda);

@@ -138,7 +138,9 @@ class Chain {
     // A few proximal steps show the modes of most problems; strong friction may need the other method, or
     // patience.
     if (proximal_until(20) || is_enough()) return best_;
-    if (gauss_seidel_until(std::min(256, options_.max_iterations)) || is_enough()) return best_;
+    constexpr int kFewSweeps = 256;
+    if (gauss_seidel_until(std::min(kFewSweeps, options_.max_iterations)) || is_enough()) return best_;
+    if (options_.max_iterations <= kFewSweeps) return best_;
     if (proximal_until(100) || is_enough()) return best_;
     gauss_seidel_until(options_.max_iterations);
     return best_;

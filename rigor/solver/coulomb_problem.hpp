@@ -51,7 +51,7 @@ struct CoulombOptions {
   /// Whether redundant contacts must share their load by the rule of least norm. Where any share will do, a
   /// guess that reaches the tolerance is taken as it is.
   bool least_norm = true;
-  /// Cap on the symmetric Gauss–Seidel sweeps.
+  /// Cap on the symmetric Gauss–Seidel sweeps. At 256 or less nothing is tried after them.
   int max_iterations = 2000;
   /// The method that is asked first for what the contacts do (seed_by_lcp); none: the chain alone.
   std::optional<LcpName> lcp;
