@@ -184,20 +184,17 @@ TimeStepper::Trial TimeStepper::try_step(double h, double theta, const State& st
 TimeStepper::Trial TimeStepper::try_with_reaches(double h, double theta, bool takes_all, const State& state,
                                                  std::vector<double>& reaches) {
   constexpr int most_tries = 12;
+  constexpr double at_once = 1e-9;
   const Cluster start = cluster_in(state);
   std::set<std::pair<int, int>> met;
   for (int k = 0;; ++k) {
-    Trial trial{start, {}, {}, h, 0};
+    const bool is_last = k + 1 == most_tries;
+    Trial trial{start, {}, reaches, h};
     std::vector<Contact> contacts = finder_.find(state, reaches, method_.contact_tolerance);
+    note_penetration(state.t, contacts, trial.report);
     std::set<std::pair<int, int>> touching = met;
     for (const Contact& contact : contacts) {
       if (contact.point.gap <= method_.contact_tolerance) touching.insert({contact.body_A, contact.body_B});
-      if (-contact.point.gap > trial.report.max_penetration) {
-        trial.report.max_penetration = -contact.point.gap;
-        trial.report.penetration_A = contact.body_A;
-        trial.report.penetration_B = contact.body_B;
-        trial.report.penetration_time = state.t;
-      }
     }
     std::vector<std::pair<int, int>> far;
     for (const auto& pair : finder_.near_pairs(state, reaches)) {
@@ -209,44 +206,51 @@ TimeStepper::Trial TimeStepper::try_with_reaches(double h, double theta, bool ta
     if (!takes_all) contacts = acting_contacts(h, start, std::move(contacts));
     add_stops(start, contacts);
 
-    trial.end.bodies.clear();
-    trial.end.phases.clear();
-    trial.end.t = start.t + h;
-    trial.reaches = reaches;
-    Cluster struck = start;
-    for (Cluster& part : connected_parts(start, contacts, environment_)) {
-      impulses_.strike(h, part, trial.report);
-      for (std::size_t i = 0; i < part.bodies.size(); ++i) struck.phase_of(part.bodies[i]) = part.phases[i];
-      grow_reaches(h, part, trial.reaches);
-      impulses_.move(h, theta, part, trial.report);
-      hold_joints(part, trial.report);
-      grow_reaches(h, part, trial.reaches);
-      for (std::size_t i = 0; i < part.bodies.size(); ++i) {
-        const std::ptrdiff_t place =
-            std::lower_bound(trial.end.bodies.begin(), trial.end.bodies.end(), part.bodies[i]) -
-            trial.end.bodies.begin();
-        trial.end.bodies.insert(trial.end.bodies.begin() + place, part.bodies[i]);
-        trial.end.phases.insert(trial.end.phases.begin() + place, part.phases[i]);
-      }
-    }
-    const bool is_last = k + 1 == most_tries;
+    const Cluster struck = move_parts(theta, start, contacts, trial);
     if (trial.reaches != reaches && !is_last) {
       reaches = trial.reaches;
       continue;
     }
     const double until = far.empty() || is_last ? h : first_meeting(h, struck, trial, far);
-    if (until < h) {
-      // What meets at once is held by its rows.
-      constexpr double at_once = 1e-9;
-      if (until <= at_once * h) {
-        for (const auto& pair : far) met.insert(pair);
-      } else {
-        h = until;
-      }
-      continue;
+    if (until == h) {
+      trial.misjudgement = correct_overlaps(state, trial.end, trial.report);
+      return trial;
     }
-    trial.misjudgement = correct_overlaps(state, trial.end, trial.report);
-    return trial;
+    // What meets at once is held by its rows.
+    if (until <= at_once * h) {
+      met.insert(far.begin(), far.end());
+    } else {
+      h = until;
+    }
+  }
+}
+
+/// The parts that these contacts join, each by itself. Returns them as they are after the impacts at the
+/// begin.
+Cluster TimeStepper::move_parts(double theta, const Cluster& start, const std::vector<Contact>& contacts,
+                                Trial& trial) const {
+  Cluster struck = start;
+  trial.end.t = start.t + trial.h;
+  for (Cluster& part : connected_parts(start, contacts, environment_)) {
+    impulses_.strike(trial.h, part, trial.report);
+    for (std::size_t i = 0; i < part.bodies.size(); ++i) struck.phase_of(part.bodies[i]) = part.phases[i];
+    grow_reaches(trial.h, part, trial.reaches);
+    impulses_.move(trial.h, theta, part, trial.report);
+    hold_joints(part, trial.report);
+    grow_reaches(trial.h, part, trial.reaches);
+    for (std::size_t i = 0; i < part.bodies.size(); ++i) trial.end.phase_of(part.bodies[i]) = part.phases[i];
+  }
+  return struck;
+}
+
+void TimeStepper::note_penetration(double t, const std::vector<Contact>& contacts,
+                                   AdvanceReport& report) const {
+  for (const Contact& contact : contacts) {
+    if (-contact.point.gap <= report.max_penetration) continue;
+    report.max_penetration = -contact.point.gap;
+    report.penetration_A = contact.body_A;
+    report.penetration_B = contact.body_B;
+    report.penetration_time = t;
   }
 }
 

@@ -42,6 +42,9 @@ class TimeStepper : public Stepper {
   Trial try_step(double h, double theta, const State& state);
   Trial try_with_reaches(double h, double theta, bool takes_all, const State& state,
                          std::vector<double>& reaches);
+  Cluster move_parts(double theta, const Cluster& start, const std::vector<Contact>& contacts,
+                     Trial& trial) const;
+  void note_penetration(double t, const std::vector<Contact>& contacts, AdvanceReport& report) const;
   void grow_reaches(double h, const Cluster& cluster, std::vector<double>& reaches) const;
   std::vector<Contact> acting_contacts(double h, const Cluster& start, std::vector<Contact> found) const;
   void add_stops(const Cluster& start, std::vector<Contact>& contacts) const;
