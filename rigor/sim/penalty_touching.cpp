@@ -159,7 +159,8 @@ double PenaltyTouching::time_to_part(const Touching& touching, std::size_t conta
   const PenaltyContact& spring = touching.springs[contact];
   const double depth = pressed_depth(spring, touching.system.contacts[contact].point.gap);
   if (!(u > least_speed(touching.system.contacts[contact])) || !(depth > 0)) return infinite;
-  return depth / u + miss_share * choice_.depth / spring.speed;
+  const double until_part = depth / u, miss = miss_share * choice_.depth / spring.speed;
+  return until_part > miss ? until_part - 0.5 * miss : miss;
 }
 
 Touching PenaltyTouching::find(const State& state, double horizon, double lag) {
