@@ -64,7 +64,7 @@ PenaltyContact make_penalty_contact(const Contact& contact, const ContactMobilit
                                 ? *choice.damping
                                 : *choice.damping / (result.spring.stiffness * std::pow(choice.depth, 1.5));
   }
-  result.offset = std::max(0.0, depth - choice.depth);
+  result.offset = depth > choice.depth ? depth : 0;
   const bool has_bristle = contact.friction > 0 && mobility.tangential > 0;
   if (!has_bristle) return result;
   result.bristle_stiffness = stiffness_at(result.spring, choice.depth);

@@ -104,9 +104,16 @@ void Auditor::judge(Audit& audit) const {
     }
   };
   check("unexplained rise of energy", audit.max_increase, energy_share * energy_scale_, "J");
-  check("error of linear momentum", audit.linear_momentum_error, share * momentum_scale_, "kg m/s");
-  check("error of angular momentum", audit.angular_momentum_error, share * angular_momentum_scale_,
-        "kg m²/s");
+  // Springs carry the weights of bodies at rest in many small impulses: their roundings add up.
+  double carried = 0, carried_moment = 0;
+  for (std::size_t i = 0; is_penalty && i < audit.bodies.size(); ++i) {
+    const double impulse = model_->body(static_cast<int>(i)).mass * model_->g_W().norm() * audit.sim_time;
+    carried += 1e-12 * impulse;
+    carried_moment += 1e-12 * impulse * (audit.bodies[i].position.norm() + model_->length_scale());
+  }
+  check("error of linear momentum", audit.linear_momentum_error, share * momentum_scale_ + carried, "kg m/s");
+  check("error of angular momentum", audit.angular_momentum_error,
+        share * angular_momentum_scale_ + carried_moment, "kg m²/s");
   check("drift of joints", audit.report.max_joint_drift, 1e-9 * std::max(1.0, model_->length_scale()),
         "m or rad");
   // Several impacts at once press deeper than the one that a spring is made for; of a spring of given

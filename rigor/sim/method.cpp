@@ -146,6 +146,24 @@ std::vector<std::string> check_combination(const Method& method) {
         "', which turns quaternions; integrators that do: euler, semi-implicit-euler, midpoint, rk4, "
         "dopri5, dop853");
   }
+  if (method.scheme == Scheme::penalty) {
+    const bool is_local = method.penalty == PenaltyMethod::local;
+    const bool is_known = method.integrator == IntegratorMethod::exact ||
+                          (is_local && method.integrator == IntegratorMethod::semi_implicit_euler);
+    if (!is_known) {
+      std::string message = "scheme 'penalty' with penalty '";
+      message += method_choice(method, "penalty");
+      message += "' does not go with integrator '";
+      message += method_choice(method, "integrator");
+      message += "'; integrators that do: exact";
+      if (is_local) message += ", semi-implicit-euler";
+      messages.push_back(message);
+    } else if (method.orientation == OrientationForm::matrix && !is_on_group) {
+      std::string message = "scheme 'penalty' turns quaternions; it does not go with";
+      message += " orientation 'matrix'";
+      messages.push_back(message);
+    }
+  }
   return messages;
 }
 

@@ -145,7 +145,9 @@ double PenaltyTouching::time_to_touch(const ContactSystem& system, std::size_t c
   double frequency = speed / choice_.depth * std::sqrt(stretch);
   if (choice_.stiffness) frequency = std::sqrt(*choice_.stiffness * mobility.normal * stretch);
   const bool is_impact = root > least_speed(geometry);
-  return is_impact ? until_touch + miss_share / frequency : std::max(until_touch, resting_share / frequency);
+  // Flights end before the contact begins: half of their length would be a kick by its first force.
+  const double miss = (is_impact ? miss_share : resting_share) / frequency;
+  return until_touch > miss ? until_touch - 0.5 * miss : miss;
 }
 
 bool PenaltyTouching::asks_for_steps(const Contact& contact, double approach) const {
@@ -157,7 +159,8 @@ double PenaltyTouching::time_to_part(const Touching& touching, std::size_t conta
   const PenaltyContact& spring = touching.springs[contact];
   const double depth = pressed_depth(spring, touching.system.contacts[contact].point.gap);
   if (!(u > least_speed(touching.system.contacts[contact])) || !(depth > 0)) return infinite;
-  return depth / u + miss_share * choice_.depth / spring.speed;
+  const double until_part = depth / u, miss = miss_share * choice_.depth / spring.speed;
+  return until_part > miss ? until_part - 0.5 * miss : miss;
 }
 
 Touching PenaltyTouching::find(const State& state, double horizon, double lag) {
