@@ -123,7 +123,7 @@ TEST(SceneErrors, OfRunAndMethod) {
           {"method: {impact: newtn}", "s.yaml:3:18: method: unknown impact 'newtn'; did you mean 'newton'?"},
           {"method: {scheme: time-stepping}",
            "s.yaml:3:18: method: scheme 'time-stepping' is not available in this version; available: "
-           "event-driven"},
+           "event-driven, impulse-based, hybrid"},
           {"method: {scheme: [a]}", "s.yaml:3:18: method: scheme must be a text, found a list of 1"},
           {"method: {orientation: matrix}",
            "s.yaml:3:9: method: orientation 'matrix' does not go with integrator 'exact', which turns "
