@@ -86,12 +86,12 @@ void EventDrivenStepper::read_state_from_bodies(const State& state) {
   std::vector<int> seeds;
   std::vector<int> restored;
   stepping_.restart();
+  repeats_.assign(index(model_->body_count()), 0);
+  last_event_.assign(index(model_->body_count()), -std::numeric_limits<double>::infinity());
   if (!is_continued) {
     queue_.clear();
     islands_.clear();
     island_of_.assign(index(model_->body_count()), -1);
-    repeats_.assign(index(model_->body_count()), 0);
-    last_event_.assign(index(model_->body_count()), -std::numeric_limits<double>::infinity());
   }
   for (int body = 0; body < model_->body_count(); ++body) {
     const bool is_here = is_dynamic(body) && state.epoch[index(body)] == t_;

@@ -57,6 +57,8 @@ class EventDrivenStepper : public Stepper {
     return trajectories_.has_lasting_contact(a, b) ||
            (trajectories_.is_still(a) && trajectories_.is_still(b));
   }
+  /// Events of the body in a row that time could not tell apart.
+  int repeats(int body) const { return repeats_[static_cast<std::size_t>(body)]; }
   const Motion& motion(int body) const { return trajectories_.motion(body); }
   const ContactResolver& resolver() const { return resolver_; }
   const IslandIntegrator& integrator() const { return integrator_; }

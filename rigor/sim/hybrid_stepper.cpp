@@ -14,17 +14,20 @@ HybridStepper::HybridStepper(std::shared_ptr<const Model> model, const Method& m
       resting_velocity_(method.resting_velocity) {}
 
 /// The bodies bounce off each other and have not yet come near rest; what lasts and what the event is about
-/// never is. Where all is judged afresh (at the start, and where the path of a body turns) nothing is.
+/// never is. Nothing is where all is judged afresh (at the start, and where the path of a body turns), and
+/// where one collision after the other does not lead on from an instant.
 bool HybridStepper::is_in_transition(const std::vector<Contact>& contacts) const {
   const QueuedEvent& event = present_event();
   const int a = contacts.front().body_A, b = contacts.front().body_B;
+  constexpr int most_repeats = 8;
   if (event.kind == QueuedEvent::Kind::window_end || is_lasting(a, b)) return false;
+  if (std::max(repeats(a), repeats(b)) > most_repeats) return false;
   if (event.kind == QueuedEvent::Kind::contact && std::minmax(a, b) == std::minmax(event.a, event.b))
     return false;
   const Motion::Sample A = motion(a).sample(event.time), B = motion(b).sample(event.time);
   return std::all_of(contacts.begin(), contacts.end(), [&](const Contact& contact) {
     const Vec3 u_W = B.velocity_at(contact.p_W()) - A.velocity_at(contact.p_W());
-    return std::abs(contact.point.n_W.dot(u_W)) > resting_velocity_;
+    return contact.restitution > 0 && std::abs(contact.point.n_W.dot(u_W)) > resting_velocity_;
   });
 }
 
@@ -45,8 +48,12 @@ void HybridStepper::collide(const std::pair<int, int>& pair, Cluster& part) {
   if (contacts.empty() || contacts.size() == part.contacts.size()) return;
   const ContactSystem system = resolver().system_of(part, contacts);
   if (fastest_approach(relative_velocities(system)) <= part.least_impact) return;
-  const ImpactSolution impact = solve_impact(system, resolver().restitutions(part, system, report()), law_,
-                                             SimultaneousLaw::sequential);
+  AdvanceReport ends;
+  const std::vector<double> restitutions = resolver().restitutions(part, system, ends);
+  const bool bounces = std::any_of(restitutions.begin(), restitutions.end(), [](double e) { return e > 0; });
+  if (!bounces) return;
+  report().events.insert(report().events.end(), ends.events.begin(), ends.events.end());
+  const ImpactSolution impact = solve_impact(system, restitutions, law_, SimultaneousLaw::sequential);
   resolver().apply_impact(system, impact, part, report());
 }
 

@@ -51,7 +51,10 @@ void MicroCollision::collide(Cluster& cluster, AdvanceReport& report) const {
   std::vector<double> restitutions;
   for (const Contact& contact : contacts)
     restitutions.push_back(std::max(contact.restitution, std::min(1.0, slow / approach)));
-  if (reverses_ && approach <= slow) {
+  const bool resists_turning = std::any_of(contacts.begin(), contacts.end(), [](const Contact& contact) {
+    return contact.rolling_friction > 0 || contact.torsional_friction > 0;
+  });
+  if (reverses_ && approach <= slow && !resists_turning) {
     if (const auto reversal = find_reversal(make_impact_problem(system, restitutions)))
       return resolver_.apply_impact(system, *reversal, cluster, report);
   }

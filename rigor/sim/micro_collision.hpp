@@ -16,8 +16,8 @@ namespace rigor {
 /// Interactive 3D Graphics, 1995; the speed at which e' rises is ours (docs/theory/impulse_based.md).
 class MicroCollision {
  public:
-  /// Holds references to both. `reverses`: slow collisions reverse the whole relative velocity where
-  /// the cones of friction allow it.
+  /// Holds references to both. `reverses`: slow collisions without rolling or torsional friction
+  /// reverse the whole relative velocity where the cones of friction allow it.
   MicroCollision(const IslandIntegrator& integrator, const ContactResolver& resolver, const Method& method,
                  bool reverses);
 

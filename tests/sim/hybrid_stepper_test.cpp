@@ -1,0 +1,122 @@
+#include "rigor/sim/hybrid_stepper.hpp"
+
+#include "rigor/model/model_builder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace rigor {
+namespace {
+
+constexpr double g = 9.81;
+
+ModelBuilder builder_on(const Vec3& gravity, double friction, double restitution) {
+  ModelBuilder builder;
+  builder.set_gravity(gravity);
+  builder.add_material({"m", 1000, friction, restitution});
+  BodyDescription floor;
+  floor.name = "floor";
+  floor.motion = MotionType::fixed;
+  floor.shapes.push_back({HalfSpace{Vec3::UnitZ(), 0}, Vec3::Zero(), Quat::Identity(), "m", ""});
+  builder.add_body(floor);
+  return builder;
+}
+
+BodyDescription body_of(const std::string& name, const Shape& shape, const Vec3& x) {
+  BodyDescription body;
+  body.name = name;
+  body.p_WL = x;
+  body.mass = 1;
+  body.shapes.push_back({shape, Vec3::Zero(), Quat::Identity(), "m", ""});
+  return body;
+}
+
+void add_stack(int cubes, ModelBuilder& builder) {
+  for (int k = 0; k < cubes; ++k)
+    builder.add_body(
+        body_of("cube" + std::to_string(k), Box{Vec3(0.1, 0.1, 0.1)}, Vec3(0, 0, 0.1 + 0.2 * k)));
+}
+
+/// Largest displacement of a body since the start [m].
+double largest_drift(const Model& model, const State& state) {
+  const State start = make_initial_state(model);
+  double drift = 0;
+  for (int i = 0; i < model.body_count(); ++i)
+    drift = std::max(drift, (state.position(i) - start.position(i)).norm());
+  return drift;
+}
+
+TEST(HybridStepper, BlockOnASlopeDoesNotCreep) {
+  const double angle = 20 * std::acos(-1.0) / 180;
+  ModelBuilder builder =
+      builder_on(g * Vec3(std::sin(angle), 0, -std::cos(angle)), 1.01 * std::tan(angle), 0);
+  builder.add_body(body_of("block", Box{Vec3(0.2, 0.2, 0.1)}, Vec3(0, 0, 0.1)));
+  const std::shared_ptr<const Model> model = builder.build();
+  HybridStepper stepper(model, Method{}, 0.01);
+  State state = make_initial_state(*model);
+  EXPECT_EQ(stepper.advance(state, 1000).reason, StopReason::reached_end);
+  EXPECT_LE(largest_drift(*model, state), 1e-12);
+}
+
+TEST(HybridStepper, StacksStand) {
+  for (const int cubes : {10, 20, 50}) {
+    ModelBuilder builder = builder_on(Vec3(0, 0, -g), 0.5, 0);
+    add_stack(cubes, builder);
+    const std::shared_ptr<const Model> model = builder.build();
+    HybridStepper stepper(model, Method{}, 1.0 / 60);
+    State state = make_initial_state(*model);
+    EXPECT_EQ(stepper.advance(state, 10).reason, StopReason::reached_end);
+    EXPECT_LE(largest_drift(*model, state), 1e-9) << cubes << " cubes";
+  }
+}
+
+TEST(HybridStepper, BallThatBouncesOnAStackLeavesItStanding) {
+  ModelBuilder builder = builder_on(Vec3(0, 0, -g), 0.5, 0.5);
+  add_stack(2, builder);
+  builder.add_body(body_of("ball", Sphere{0.1}, Vec3(0, 0, 1)));
+  const std::shared_ptr<const Model> model = builder.build();
+  HybridStepper stepper(model, Method{}, 0.01);
+  State state = make_initial_state(*model);
+  const AdvanceReport report = stepper.advance(state, 4);
+  EXPECT_EQ(report.reason, StopReason::reached_end);
+  EXPECT_EQ(report.impact_gain, 0);
+  EXPECT_LE(report.momentum_error.norm(), 1e-11);
+  // All came to rest, one on top of the other.
+  for (int i = 1; i <= 2; ++i) EXPECT_NEAR(state.position(i).z(), 0.1 + 0.2 * (i - 1), 1e-6);
+  EXPECT_NEAR(state.position(3).z(), 0.5, 1e-6);
+  EXPECT_LE(state.linear_momentum(3).norm(), 1e-5);
+}
+
+TEST(HybridStepper, FreshStepperContinuesBitForBit) {
+  ModelBuilder builder = builder_on(Vec3(0, 0, -g), 0.4, 0.3);
+  add_stack(2, builder);
+  BodyDescription cube = body_of("falling", Box{Vec3(0.1, 0.1, 0.1)}, Vec3(0.05, 0.02, 0.7));
+  cube.q_WL = Quat(0.9, 0.3, -0.2, 0.1).normalized();
+  builder.add_body(cube);
+  const std::shared_ptr<const Model> model = builder.build();
+  State state = make_initial_state(*model);
+  HybridStepper stepper(model, Method{}, 0.01);
+  for (int k = 1; k <= 6; ++k) {
+    State copy = state;
+    HybridStepper fresh(model, Method{}, 0.01);
+    fresh.advance(copy, 0.05 * k);
+    EXPECT_EQ(stepper.advance(state, 0.05 * k).reason, StopReason::reached_end);
+    ASSERT_EQ(state, copy) << "at t = " << state.t;
+  }
+}
+
+TEST(HybridStepper, SlidingBlockStopsWhereFrictionStopsIt) {
+  ModelBuilder builder = builder_on(Vec3(0, 0, -g), 0.3, 0);
+  BodyDescription block = body_of("block", Box{Vec3(0.2, 0.2, 0.05)}, Vec3(0, 0, 0.05));
+  block.velocity = Vec3(2, 0, 0);
+  builder.add_body(block);
+  const std::shared_ptr<const Model> model = builder.build();
+  HybridStepper stepper(model, Method{}, 0.01);
+  State state = make_initial_state(*model);
+  stepper.advance(state, 2);
+  EXPECT_NEAR(state.position(1).x(), 2 * 2 / (2 * 0.3 * g), 1e-9);
+}
+
+}  // namespace
+}  // namespace rigor
