@@ -61,4 +61,22 @@ ContactRows motion_rows(const ContactSystem& system) {
   return rows;
 }
 
+ContactRows moment_rows(const ContactSystem& system) {
+  ContactRows rows = motion_rows(system);
+  std::vector<ContactRows::Sides> entries;
+  for (std::size_t i = 0; i < rows.contacts.size(); ++i) {
+    ContactRows::Sides moments = rows.contacts[i];
+    for (ContactRows::Side& side : moments) {
+      // The axes that forces have on a body's velocity, moments have on its turning.
+      const Mat3 axes = side.J.leftCols<3>();
+      side.J.setZero();
+      if (!system.contacts[i].stop) side.J.rightCols<3>() = axes;
+    }
+    entries.push_back(rows.contacts[i]);
+    entries.push_back(moments);
+  }
+  rows.contacts = std::move(entries);
+  return rows;
+}
+
 }  // namespace rigor

@@ -10,4 +10,9 @@ namespace rigor {
 /// motors are velocities of further nodes, six a node.
 ContactRows motion_rows(const ContactSystem& system);
 
+/// The same with two entries a contact, forces and moments about the same axes: contact_response of it is the
+/// A of a MomentProblem (rows: two tangents, normal, rolling about the two tangents, spinning about the
+/// normal). Stops of joints have no moments.
+ContactRows moment_rows(const ContactSystem& system);
+
 }  // namespace rigor

@@ -40,7 +40,8 @@ CoulombSolution solve_on(const CoulombProblem& laws, const ContactMotion& motion
                          const std::function<double(const VecX&)>& largest_term_of) {
   constexpr int kMaxSteps = 100, kPatience = 10;
   constexpr double kRoundOff = 1e-14;
-  CoulombProximal proximal(laws, motion, open_guess(laws), NormalShift::none);
+  CoulombProximal proximal(laws, motion, open_guess(laws),
+                           {.normal_shift = NormalShift::none, .makes_digits = true});
   CoulombSolution best{
       VecX::Zero(laws.b.size()), laws.b, open_guess(laws).modes.modes, 0.0, 0, false, "convex"};
   best.residual = convex_residual(laws, motion.diagonal(), largest_term_of(best.lambda), best.lambda, best.w);

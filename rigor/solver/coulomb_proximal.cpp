@@ -12,6 +12,9 @@ using Eigen::Index;
 namespace {
 
 constexpr double kLargestRho = 1e6;
+// Longer steps multiply the rounding of the motion into the forces.
+constexpr double kLargestRhoOfDigits = 1e5;
+constexpr double kWarmRho = 1e3;
 // Larger coefficients count as this one: hardly any contact slides with more, and the shifts of those that
 // seem to in an early step would throw the others open. The polish uses the true ones.
 constexpr double kLargestMu = 4;
@@ -22,8 +25,8 @@ constexpr double kDamping = 0.5;
 }  // namespace
 
 CoulombProximal::CoulombProximal(const CoulombProblem& problem, const ContactMotion& motion,
-                                 CoulombGuess start, NormalShift normal_shift)
-    : problem_(problem), motion_(motion), normal_shift_(normal_shift), guess_(std::move(start)) {
+                                 CoulombGuess start, ProximalOptions options)
+    : problem_(problem), motion_(motion), options_(options), guess_(std::move(start)) {
   const Index count = static_cast<Index>(problem.mu.size());
   const double largest = motion.diagonal().maxCoeff();
   stiffness_.resize(count);
@@ -35,6 +38,9 @@ CoulombProximal::CoulombProximal(const CoulombProblem& problem, const ContactMot
   q_ = problem.b;
   shift_ = VecX::Zero(count);
   v_ = motion_.lift(motion_.pull(guess_.lambda));
+  if (!options_.is_warm) return;
+  rho_ = kWarmRho;
+  update_shift(moved(guess_.lambda) + problem_.b, 1.0);
 }
 
 void CoulombProximal::step() {
@@ -43,12 +49,12 @@ void CoulombProximal::step() {
   const VecX w = moved(guess_.lambda) + problem_.b;
   ++steps_;
   update_shift(w, steps_ <= kUndampedSteps ? 1.0 : kDamping);
-  rho_ = std::min(10 * rho_, kLargestRho);
+  rho_ = std::min(10 * rho_, options_.makes_digits ? kLargestRhoOfDigits : kLargestRho);
 }
 
 double CoulombProximal::capped_mu(std::size_t contact) const {
   const double mu = problem_.mu[contact];
-  return normal_shift_ == NormalShift::none ? mu : std::min(mu, kLargestMu);
+  return options_.normal_shift == NormalShift::none ? mu : std::min(mu, kLargestMu);
 }
 
 Vec3 CoulombProximal::project(Index contact, const Vec3& x) const {
@@ -96,19 +102,23 @@ VecX CoulombProximal::moved(const VecX& lambda) const {
 // Newton with Armijo's line search on a strongly convex, once differentiable function.
 void CoulombProximal::minimise() {
   constexpr int kMaxSteps = 50;
-  constexpr double kTolerance = 1e-11;
+  const double tolerance = options_.makes_digits ? 1e-14 : 1e-11;
   Inner inner = evaluate(v_);
   for (int step = 0; step < kMaxSteps; ++step) {
-    if (inner.gradient.norm() <= kTolerance * (motion_.weigh(v_).norm() + inner.pulled.norm())) return;
+    const double error = inner.gradient.norm();
+    if (error <= tolerance * (motion_.weigh(v_).norm() + inner.pulled.norm())) return;
     const VecX direction = -motion_.newton_step(stiffnesses(inner.argument), inner.gradient);
     const double slope = inner.gradient.dot(direction);
     double length = 1;
     Inner trial = evaluate(v_ + direction);
-    for (int halving = 0; halving < 30 && !(trial.value <= inner.value + 1e-4 * length * slope); ++halving) {
+    // Near the end the values differ by rounding alone; then the gradients tell.
+    const auto is_flatter = [&] { return options_.makes_digits && trial.gradient.norm() <= 0.5 * error; };
+    for (int halving = 0;
+         halving < 30 && !(trial.value <= inner.value + 1e-4 * length * slope) && !is_flatter(); ++halving) {
       length *= 0.5;
       trial = evaluate(v_ + length * direction);
     }
-    if (!(trial.value < inner.value)) return;
+    if (!(trial.value < inner.value) && !is_flatter()) return;
     v_ += length * direction;
     inner = std::move(trial);
   }
@@ -141,7 +151,7 @@ void CoulombProximal::update_shift(const VecX& w, double damping) {
     const std::size_t k = static_cast<std::size_t>(i);
     if (problem_.rows[k] == FrictionRow::slide) {
       held.segment<2>(3 * i) = guess_.lambda.segment<2>(3 * i);
-    } else if (normal_shift_ == NormalShift::de_saxce) {
+    } else if (options_.normal_shift == NormalShift::de_saxce) {
       shift_(i) += damping * (capped_mu(k) * w.segment<2>(3 * i).norm() - shift_(i));
     }
   }

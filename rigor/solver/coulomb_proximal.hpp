@@ -9,6 +9,16 @@ namespace rigor {
 /// problem is convex and another one (convex_cone.hpp).
 enum class NormalShift { de_saxce, none };
 
+struct ProximalOptions {
+  NormalShift normal_shift = NormalShift::de_saxce;
+  /// Whether the forces themselves are wanted to round-off, not only what the contacts do: each step is then
+  /// solved as far as it goes.
+  bool makes_digits = false;
+  /// Whether the start is near the solution: the shifts begin with its motion, and the steps are long at
+  /// once.
+  bool is_warm = false;
+};
+
 /// Proximal Newton method for a CoulombProblem, for what Gauss–Seidel is too slow for (stacks, large mass
 /// ratios).
 ///
@@ -25,7 +35,7 @@ enum class NormalShift { de_saxce, none };
 class CoulombProximal {
  public:
   CoulombProximal(const CoulombProblem& problem, const ContactMotion& motion, CoulombGuess start,
-                  NormalShift normal_shift = NormalShift::de_saxce);
+                  ProximalOptions options = {});
 
   /// One outer step.
   void step();
@@ -53,7 +63,7 @@ class CoulombProximal {
 
   const CoulombProblem& problem_;
   const ContactMotion& motion_;
-  NormalShift normal_shift_;
+  ProximalOptions options_;
   CoulombGuess guess_;
   VecX v_;          ///< w = L v + b (without the held friction of slide rows).
   VecX q_;          ///< b, shift and held friction: 3n.

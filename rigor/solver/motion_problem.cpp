@@ -22,22 +22,24 @@ constexpr int kMoves = 5;
 
 class MotionSolver {
  public:
-  MotionSolver(const MotionProblem& problem, const CoulombOptions& options)
+  MotionSolver(const MotionProblem& problem, const CoulombOptions& options, const VecX& forces)
       : problem_(problem),
         laws_(problem.laws),
         options_(options),
+        start_(forces),
         motion_(problem.rows),
         forces_of_([this](const ContactModes& modes) { return forces_of(modes); }) {}
 
   std::optional<CoulombSolution> run(const std::vector<ContactMode>& start) {
     if (is_frictionless() && is_dense_enough())
       return settle(guess_of(least_constraint_modes()), kMoves, "least constraint");
+    if (start_.size() > 0 && !options_.least_norm) return share_somehow();
     if (!start.empty()) {
       if (std::optional<CoulombSolution> solution = settle(guess_of(start), 1, "motion")) return solution;
     }
     const std::vector<ContactMode> holding(laws_.mu.size(), ContactMode::stick);
     if (std::optional<CoulombSolution> solution = settle(guess_of(holding), 1, "motion")) return solution;
-    return approach();
+    return options_.least_norm ? approach() : share_somehow();
   }
 
  private:
@@ -146,7 +148,9 @@ class MotionSolver {
           if (auto turned = find_least_norm(laws_, guess.modes, kZeroMotion, forces_of_))
             solution = std::move(*turned);
         }
-        if (solution.converged) return labelled(with_least_norm(std::move(solution)), move + 1, method);
+        if (solution.converged)
+          return labelled(options_.least_norm ? with_least_norm(std::move(solution)) : std::move(solution),
+                          move + 1, method);
       }
       guess.lambda = system.least_norm();
       move_contacts(laws_, motion_.diagonal(), motion_of(guess.lambda),
@@ -189,6 +193,23 @@ class MotionSolver {
     return std::nullopt;
   }
 
+  /// Steps of the augmented Lagrangian until its own forces solve the problem.
+  std::optional<CoulombSolution> share_somehow() const {
+    constexpr int kMaxSteps = 60;
+    CoulombGuess guess = open_guess(laws_);
+    const bool is_warm = start_.size() > 0;
+    if (is_warm) guess.lambda = clamp_to_cones(laws_, start_);
+    CoulombProximal proximal(laws_, motion_, guess, {.makes_digits = true, .is_warm = is_warm});
+    for (int step = 1; step <= kMaxSteps; ++step) {
+      proximal.step();
+      const CoulombGuess& reached = proximal.guess();
+      if (!reached.lambda.allFinite()) return std::nullopt;
+      CoulombSolution solution = solution_of(reached.lambda, reached.modes.modes);
+      if (solution.converged) return labelled(std::move(solution), step, "proximal motion");
+    }
+    return std::nullopt;
+  }
+
   CoulombSolution labelled(CoulombSolution solution, int iterations, const char* method) const {
     solution.iterations = std::max(iterations, pivots_);
     solution.method = method;
@@ -198,6 +219,7 @@ class MotionSolver {
   const MotionProblem& problem_;
   const CoulombProblem& laws_;
   const CoulombOptions& options_;
+  const VecX& start_;
   SparseMotion motion_;
   ForcesOfModes forces_of_;
   int pivots_ = 0;
@@ -213,17 +235,18 @@ bool is_finite(const MotionProblem& problem) {
 
 std::optional<CoulombSolution> solve_in_motion_space(const MotionProblem& problem,
                                                      const std::vector<ContactMode>& start,
-                                                     const CoulombOptions& options) {
+                                                     const CoulombOptions& options, const VecX& forces) {
   const CoulombProblem& laws = problem.laws;
   RIGOR_ASSERT(laws.b.size() == 3 * static_cast<Index>(problem.rows.contacts.size()));
   RIGOR_ASSERT(start.empty() || start.size() == laws.mu.size());
+  RIGOR_ASSERT(forces.size() == 0 || forces.size() == laws.b.size());
   if (!is_finite(problem)) return std::nullopt;
   bool approaches = false;
   for (Index i = 2; i < laws.b.size(); i += 3) approaches = approaches || laws.b(i) < 0;
   if (!approaches)
     return CoulombSolution{
         VecX::Zero(laws.b.size()), laws.b, open_guess(laws).modes.modes, 0.0, 0, true, "open"};
-  return MotionSolver(problem, options).run(start);
+  return MotionSolver(problem, options, forces).run(start);
 }
 
 }  // namespace rigor

@@ -19,10 +19,15 @@ namespace rigor {
 /// a similar problem before, is checked first, and without one that every contact holds: most problems are
 /// solved by that.
 ///
-/// λ is of least norm as with solve_coulomb, and so are the accelerations the same. Nothing if it was not
-/// solved to options.tolerance: slip that turns and jams are left to contact space.
+/// λ is of least norm as with solve_coulomb, and so are the accelerations the same. Without
+/// options.least_norm redundant contacts share as they come, and the augmented Lagrangian makes the digits
+/// itself, beginning with `forces` (3n, of a similar problem; or nothing): for piles of a hundred bodies and
+/// more, whose contacts are nearly all redundant, and the steps of a time-stepping scheme; a tolerance of
+/// 1e-10 is soon reached then. Nothing if it was not solved to options.tolerance: slip that turns and jams
+/// are left to contact space.
 std::optional<CoulombSolution> solve_in_motion_space(const MotionProblem& problem,
                                                      const std::vector<ContactMode>& start = {},
-                                                     const CoulombOptions& options = {});
+                                                     const CoulombOptions& options = {},
+                                                     const VecX& forces = VecX());
 
 }  // namespace rigor

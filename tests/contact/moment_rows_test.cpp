@@ -1,0 +1,55 @@
+#include "rigor/contact/moment_friction.hpp"
+#include "rigor/contact/motion_rows.hpp"
+#include "rigor/model/model_builder.hpp"
+#include "rigor/solver/moment_problem.hpp"
+
+#include <gtest/gtest.h>
+
+namespace rigor {
+namespace {
+
+/// A ball of radius 0.1 m on the floor, the floor second, so that the normal points down.
+ContactSystem ball_on_floor(const Vec3& v, const Vec3& omega) {
+  ModelBuilder builder;
+  builder.add_material({"m", 1000, 0.3, 0});
+  BodyDescription ball;
+  ball.name = "ball";
+  ball.p_WL = Vec3(0, 0, 0.1);
+  ball.shapes.push_back({Sphere{0.1}, Vec3::Zero(), Quat::Identity(), "m", ""});
+  builder.add_body(ball);
+  BodyDescription floor;
+  floor.name = "floor";
+  floor.motion = MotionType::fixed;
+  floor.shapes.push_back({HalfSpace{Vec3::UnitZ(), 0}, Vec3::Zero(), Quat::Identity(), "m", ""});
+  builder.add_body(floor);
+  const std::shared_ptr<const Model> model = builder.build();
+  const Body& body = model->body(0);
+  std::vector<BodyKinetics> kinetics = {
+      dynamic_kinetics(body, BodyPhase{Vec3(0, 0, 0.1), body.q_WB, Vec3::Zero(), Vec3::Zero()}),
+      BodyKinetics{}};
+  kinetics[0].v = v;
+  kinetics[0].w = omega;
+  return make_contact_system(find_contacts(*model, 0, 1, kinetics[0].pose(), kinetics[1].pose(), 1e-6),
+                             {0, 1}, kinetics);
+}
+
+TEST(MomentRows, FormTheResponseOfForcesAndMoments) {
+  const ContactSystem system = ball_on_floor(Vec3::Zero(), Vec3::Zero());
+  ASSERT_EQ(system.contacts.size(), 1u);
+  const MatX A = contact_response(moment_rows(system));
+  EXPECT_LE((A - moment_response(system, 0)).norm(), 1e-13 * A.norm());
+}
+
+// 5/7 ρ g h / R, whichever of the two bodies comes first.
+TEST(MomentRows, ARollingBallIsBrakedByRollingFriction) {
+  const double g = 9.81, h = 0.01, rho = 1e-3, v = 0.5, R = 0.1;
+  const ContactSystem system = ball_on_floor(Vec3(v, 0, -g * h), Vec3(0, v / R, 0));
+  MomentProblem problem{contact_response(moment_rows(system)), VecX(6), {0.3}, {rho}, {0}};
+  problem.b << relative_velocities(system), relative_turning(system, 0);
+  const MomentSolution solution = solve_moments(problem);
+  ASSERT_TRUE(solution.converged);
+  EXPECT_NEAR(solution.w.segment<2>(3).norm(), (v - 5.0 / 7 * rho * g * h / R) / R, 1e-12);
+}
+
+}  // namespace
+}  // namespace rigor
