@@ -482,8 +482,8 @@ void EventDrivenStepper::write_state_to_bodies(State& state) {
   for (int body = 0; body < model_->body_count(); ++body) {
     const Motion& motion = trajectories_.motion(body);
     const BodyPhase now = motion.phase(t_);
-    const bool is_anchored = is_dynamic(body) && state.epoch[index(body)] != motion.begin();
-    if (is_anchored) {
+    // Also where the epoch is the old one: a motion may end and the next begin at one instant.
+    if (is_dynamic(body)) {
       const BodyPhase anchor = motion.phase(motion.begin());
       state.t = motion.begin();
       state.set_body(body, anchor.x, anchor.q, anchor.P, anchor.L);
