@@ -65,6 +65,14 @@ RunEnd end_of(const RunResult& result, const RunSettings& settings) {
   return result.audit.violations.empty() ? RunEnd::passed : RunEnd::audit_failed;
 }
 
+/// Rise of the energy over its scale; none where it is below the rounding of the energies themselves, as of
+/// bodies that rest.
+double relative_rise(const Audit& audit, double scale) {
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  const double largest = std::max(std::abs(audit.initial.total()), std::abs(audit.final.total()));
+  return scale > 0 && audit.max_increase > 16 * epsilon * largest ? audit.max_increase / scale : 0;
+}
+
 }  // namespace
 
 std::string_view run_end_name(RunEnd end) {
@@ -211,7 +219,7 @@ ComparedRun CompareRunner::execute(const PlannedRun& planned) {
   run.audit.wall_time = course.wall_time;
   run.audit.warnings.insert(run.audit.warnings.begin(), planned.start.warnings.begin(),
                             planned.start.warnings.end());
-  if (course.energy_scale > 0) run.relative_rise = run.audit.max_increase / course.energy_scale;
+  run.relative_rise = relative_rise(run.audit, course.energy_scale);
   run.difference = motion_.finish();
   if (measure) run.error = measure->error();
   if (page) run.page = page->finish(run.audit);
