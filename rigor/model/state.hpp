@@ -2,6 +2,7 @@
 
 #include "rigor/math/types.hpp"
 #include "rigor/model/contact_memory.hpp"
+#include "rigor/model/manifold_memory.hpp"
 #include "rigor/model/model.hpp"
 
 #include <cstddef>
@@ -28,6 +29,9 @@ struct State {
 
   /// Of schemes that remember contacts from step to step; in the order of their keys.
   std::vector<ContactMemory> contacts;
+  /// The same of the many-body path.
+  std::vector<ManifoldMemory> manifolds;
+  std::vector<float> joint_impulses;  ///< Of its joints, in the order of the model's.
 
   bool operator==(const State& other) const = default;
 

@@ -1,0 +1,83 @@
+#include "rigor/bulk/bulk_bodies.hpp"
+
+#include "rigor/math/rotation.hpp"
+
+#include <cstddef>
+
+namespace rigor {
+
+namespace {
+
+void set_floats(const Vec3& a, float* p) {
+  for (int k = 0; k < 3; ++k) p[k] = static_cast<float>(a[k]);
+}
+
+Vec3 vector_of(const float* p) {
+  return Vec3(p[0], p[1], p[2]);
+}
+
+}  // namespace
+
+BulkBodies read_bulk_bodies(const Model& model, const State& state) {
+  const std::size_t count = static_cast<std::size_t>(model.body_count());
+  BulkBodies bodies;
+  bodies.x.resize(count);
+  bodies.q.resize(count);
+  bodies.motion.resize(count);
+  bodies.inertia.resize(count);
+  for (int i = 0; i < model.body_count(); ++i) {
+    const std::size_t k = static_cast<std::size_t>(i);
+    bodies.x[k] = state.position(i);
+    bodies.q[k] = state.orientation(i);
+    set_floats(linear_velocity(model, state, i), bodies.motion[k].v);
+    set_floats(angular_velocity(model, state, i), bodies.motion[k].w);
+    if (model.body(i).motion != MotionType::dynamic) continue;
+    bodies.motion[k].inv_mass = static_cast<float>(1 / model.body(i).mass);
+    bodies.inertia[k].inv_mass = bodies.motion[k].inv_mass;
+  }
+  return bodies;
+}
+
+void write_bulk_bodies(const Model& model, const BulkBodies& bodies, State& state) {
+  for (int i = 0; i < model.body_count(); ++i) {
+    const std::size_t k = static_cast<std::size_t>(i);
+    const Body& body = model.body(i);
+    Vec3 P = Vec3::Zero();
+    Vec3 L = Vec3::Zero();
+    if (body.motion == MotionType::dynamic) {
+      const Quat& q_WB = bodies.q[k];
+      const Vec3 w_B = q_WB.conjugate() * vector_of(bodies.motion[k].w);
+      P = body.mass * vector_of(bodies.motion[k].v);
+      L = q_WB * Vec3(body.moments.cwiseProduct(w_B));
+    }
+    state.set_body(i, bodies.x[k], bodies.q[k], P, L);
+  }
+}
+
+void begin_bulk_step(const Model& model, BulkBodies& bodies) {
+  for (int i = 0; i < model.body_count(); ++i) {
+    const std::size_t k = static_cast<std::size_t>(i);
+    set_floats(Vec3::Zero(), bodies.motion[k].dp);
+    set_floats(Vec3::Zero(), bodies.motion[k].dr);
+    const Body& body = model.body(i);
+    if (body.motion != MotionType::dynamic) continue;
+    const Mat3 R_WB = bodies.q[k].toRotationMatrix();
+    const Mat3 inverse_W = R_WB * body.moments.cwiseInverse().asDiagonal() * R_WB.transpose();
+    BodyInertia& inertia = bodies.inertia[k];
+    inertia.xx = static_cast<float>(inverse_W(0, 0));
+    inertia.yy = static_cast<float>(inverse_W(1, 1));
+    inertia.zz = static_cast<float>(inverse_W(2, 2));
+    inertia.xy = static_cast<float>(inverse_W(0, 1));
+    inertia.xz = static_cast<float>(inverse_W(0, 2));
+    inertia.yz = static_cast<float>(inverse_W(1, 2));
+  }
+}
+
+void end_bulk_step(BulkBodies& bodies) {
+  for (std::size_t k = 0; k < bodies.x.size(); ++k) {
+    bodies.x[k] += vector_of(bodies.motion[k].dp);
+    bodies.q[k] = (rotation_exp(vector_of(bodies.motion[k].dr)) * bodies.q[k]).normalized();
+  }
+}
+
+}  // namespace rigor

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "rigor/model/model.hpp"
+#include "rigor/model/state.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace rigor {
+
+/// What the solver reads and changes of a body: one line of the cache, so that eight bodies are gathered into
+/// lanes by two squares of eight floats each. Along W's axes.
+struct alignas(64) BodyMotion {
+  float v[3] = {};     ///< Of the centre of mass [m/s].
+  float inv_mass = 0;  ///< [1/kg]; 0 for kinematic and fixed bodies.
+  float w[3] = {};     ///< [rad/s].
+  float pad_w = 0;
+  float dp[3] = {};  ///< Displacement since the begin of the step [m].
+  float pad_dp = 0;
+  float dr[3] = {};  ///< Rotation vector since the begin of the step [rad].
+  float pad_dr = 0;
+};
+
+/// Inverse inertia about the centre of mass in W at the begin of the step [1/(kg m^2)]; 0 for kinematic and
+/// fixed bodies.
+struct alignas(32) BodyInertia {
+  float xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
+  float inv_mass = 0;  ///< [1/kg].
+  float pad = 0;
+};
+
+/// The bodies of a Model as arrays, by model index: 64-bit positions, 32-bit velocities.
+struct BulkBodies {
+  std::vector<Vec3> x;  ///< p_WB of the centre of mass [m].
+  std::vector<Quat> q;  ///< q_WB.
+  std::vector<BodyMotion> motion;
+  std::vector<BodyInertia> inertia;
+
+  int count() const { return static_cast<int>(x.size()); }
+  bool is_dynamic(int body) const { return inertia[static_cast<std::size_t>(body)].inv_mass > 0; }
+};
+
+/// Of the State: velocities are rounded to 32 bits; writing them and reading them again gives the same bits.
+BulkBodies read_bulk_bodies(const Model& model, const State& state);
+/// Into the State (all bodies, momenta of the dynamic ones), anchored at its time.
+void write_bulk_bodies(const Model& model, const BulkBodies& bodies, State& state);
+
+/// Begins a step: inertia in W, no displacement.
+void begin_bulk_step(const Model& model, BulkBodies& bodies);
+/// Ends it: positions and orientations are what the displacements made of them.
+void end_bulk_step(BulkBodies& bodies);
+
+}  // namespace rigor

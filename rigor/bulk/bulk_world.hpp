@@ -1,0 +1,57 @@
+#pragma once
+
+#include "rigor/bulk/bulk_bodies.hpp"
+#include "rigor/bulk/executor.hpp"
+#include "rigor/bulk/manifold.hpp"
+#include "rigor/model/manifold_memory.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace rigor {
+
+struct BulkSettings {
+  int substeps = 4;  ///< >= 1, of equal length.
+  int threads = 1;   ///< >= 1. The answer does not depend on it.
+};
+
+/// What a step did.
+struct BulkStepReport {
+  int pair_count = 0;      ///< Of shapes whose boxes overlap.
+  int manifold_count = 0;  ///< Of those with points.
+  int point_count = 0;
+  double max_overlap = 0;              ///< At the begin of the step [m].
+  int overlap_A = -1, overlap_B = -1;  ///< Its bodies.
+};
+
+/// Many bodies at work: the path for thousands of them (docs/theory/bulk.md). Bodies and what their contacts
+/// remember; read from a State and written back to it.
+class BulkWorld {
+ public:
+  BulkWorld(std::shared_ptr<const Model> model, const BulkSettings& settings);
+  ~BulkWorld();
+  BulkWorld(const BulkWorld&) = delete;
+  BulkWorld& operator=(const BulkWorld&) = delete;
+
+  void read(const State& state);
+  void write(State& state) const;
+  /// One step of h > 0 [s].
+  BulkStepReport step(double h);
+
+  double time() const { return t_; }
+  const BulkBodies& bodies() const { return bodies_; }
+  /// Of the contacts at the end of the last step, in the order of their keys.
+  const std::vector<ManifoldMemory>& memory() const { return memory_; }
+
+ private:
+  struct Scratch;
+
+  std::shared_ptr<const Model> model_;
+  BulkSettings settings_;
+  double t_ = 0;  ///< [s].
+  BulkBodies bodies_;
+  std::vector<ManifoldMemory> memory_;
+  std::unique_ptr<Scratch> scratch_;
+};
+
+}  // namespace rigor
