@@ -10,7 +10,7 @@ namespace rigor {
 
 /// What the solver reads and changes of a body: one line of the cache, so that eight bodies are gathered into
 /// lanes by two squares of eight floats each. Along W's axes.
-struct alignas(64) BodyMotion {
+struct alignas(64) MotionRecord {
   float v[3] = {};     ///< Of the centre of mass [m/s].
   float inv_mass = 0;  ///< [1/kg]; 0 for kinematic and fixed bodies.
   float w[3] = {};     ///< [rad/s].
@@ -33,7 +33,7 @@ struct alignas(32) InverseInertia {
 struct BulkBodies {
   std::vector<Vec3> x;  ///< p_WB of the centre of mass [m].
   std::vector<Quat> q;  ///< q_WB.
-  std::vector<BodyMotion> motion;
+  std::vector<MotionRecord> motion;
   std::vector<InverseInertia> inertia;
 
   int count() const { return static_cast<int>(x.size()); }
@@ -47,7 +47,8 @@ void write_bulk_bodies(const Model& model, const BulkBodies& bodies, State& stat
 
 /// Begins a step: inertia in W, no displacement.
 void begin_bulk_step(const Model& model, BulkBodies& bodies);
-/// Ends it: positions and orientations are what the displacements made of them.
-void end_bulk_step(BulkBodies& bodies);
+/// Ends it: positions and orientations are what the displacements made of them, and bodies that are not round
+/// turn on as their angular momentum wants it.
+void end_bulk_step(const Model& model, BulkBodies& bodies);
 
 }  // namespace rigor
