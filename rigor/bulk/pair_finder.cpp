@@ -47,8 +47,7 @@ struct PairFinder::Tables {
   FloatBox update_body(const Step& step, int body);
   void search_blocks(const Step& step, int begin, int end, Part& part) const;
   void add_pairs(const Step& step, int a, int b, std::vector<ShapePair>& pairs) const;
-  void add_pair(const Step& step, const ShapePair& ends, const ShapePlace& A, const ShapePlace& B,
-                std::vector<ShapePair>& pairs) const;
+  void add_pair(const Step& step, const ShapePair& pair, std::vector<ShapePair>& pairs) const;
   void add_unbounded(const Step& step, int begin, int end, std::vector<ShapePair>& pairs) const;
 
   PairFilter filter;
@@ -138,22 +137,22 @@ void PairFinder::Tables::add_pairs(const Step& step, int a, int b, std::vector<S
   if (a > b) std::swap(a, b);
   const int begin_A = shape_begin[at(a)], end_A = shape_begin[at(a) + 1];
   const int begin_B = shape_begin[at(b)], end_B = shape_begin[at(b) + 1];
-  const bool is_single = end_A - begin_A == 1 && end_B - begin_B == 1;
+  if (end_A - begin_A == 1 && end_B - begin_B == 1) return add_pair(step, {a, b, begin_A, begin_B, 0}, pairs);
   for (int i = begin_A; i < end_A; ++i) {
     for (int j = begin_B; j < end_B; ++j) {
-      if (!is_single && !shape_boxes[at(i)].overlaps(shape_boxes[at(j)])) continue;
-      add_pair(step, {a, b, shapes[at(i)].shape, shapes[at(j)].shape, 0}, places[at(i)], places[at(j)],
-               pairs);
+      if (shape_boxes[at(i)].overlaps(shape_boxes[at(j)])) add_pair(step, {a, b, i, j, 0}, pairs);
     }
   }
 }
 
-void PairFinder::Tables::add_pair(const Step& step, const ShapePair& ends, const ShapePlace& A,
-                                  const ShapePlace& B, std::vector<ShapePair>& pairs) const {
+/// `pair` has the numbers of its shapes among all shapes.
+void PairFinder::Tables::add_pair(const Step& step, const ShapePair& pair,
+                                  std::vector<ShapePair>& pairs) const {
+  const ShapePlace &A = places[at(pair.shape_A)], &B = places[at(pair.shape_B)];
   const float margin = step.margin + approach_bound(A, B, step.h);
   if (!may_be_within(A, B, margin)) return;
-  pairs.push_back(ends);
-  pairs.back().margin = margin;
+  pairs.push_back(
+      {pair.body_A, pair.body_B, shapes[at(pair.shape_A)].shape, shapes[at(pair.shape_B)].shape, margin});
 }
 
 /// Bodies of this range of the moving ones against all shapes without an end.

@@ -148,6 +148,8 @@ bool may_be_within(const ShapePlace& a, const ShapePlace& b, float margin) {
   const float near = small.reach + small.radius + large.radius + margin + a.slack + b.slack;
   const float far = near + large.reach;
   if (squared(d) > far * far) return false;
+  // Of shapes of one size the box of the one tells little more than its ball.
+  if (large.reach < 2 * (small.reach + small.radius)) return true;
   const Float3 local = turned_back(large.R_WS, d);
   const Float3 outside{std::max(std::abs(local.x) - large.half[0], 0.0f),
                        std::max(std::abs(local.y) - large.half[1], 0.0f),
