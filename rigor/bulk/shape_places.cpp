@@ -89,7 +89,7 @@ ShapeBound make_shape_bound(const BodyShape& shape) {
 
 ShapePlace place_of(const ShapeBound& bound, const BulkBodies& bodies, int body, const Vec3& origin) {
   const std::size_t k = static_cast<std::size_t>(body);
-  const BodyMotion& motion = bodies.motion[k];
+  const MotionRecord& motion = bodies.motion[k];
   ShapePlace place;
   set_rotation(bodies.q[k], place.R_WS);
   const Float3 arm = turned(place.R_WS, load(bound.center_B)), w = load(motion.w);
@@ -114,7 +114,7 @@ ShapePlace place_of(const ShapeBound& bound, const BulkBodies& bodies, int body,
   return place;
 }
 
-FloatBox swept_box(const ShapePlace& place, const ShapeBound& bound, const BodyMotion& motion, float h,
+FloatBox swept_box(const ShapePlace& place, const ShapeBound& bound, const MotionRecord& motion, float h,
                    float margin) {
   // A point at r from the axis goes at most r times the angle, and never farther than 2 r.
   const float angle = std::min(norm(load(place.w)) * h, 2.0f);

@@ -37,7 +37,7 @@ ShapePlace place_of(const ShapeBound& bound, const BulkBodies& bodies, int body,
 
 /// Box from the origin that holds the shape until h [s] from now, at its velocities of now, and `margin` [m]
 /// around it.
-FloatBox swept_box(const ShapePlace& place, const ShapeBound& bound, const BodyMotion& motion, float h,
+FloatBox swept_box(const ShapePlace& place, const ShapeBound& bound, const MotionRecord& motion, float h,
                    float margin);
 
 /// How far the two shapes can come to each other within h [s] at the velocities of now, to first order in h

@@ -107,7 +107,7 @@ std::vector<ShapePair> pairs_of(const Model& model, const BulkBodies& bodies, in
 /// Pose at a time from now, at the velocities of now.
 Pose pose_after(double t, const BulkBodies& bodies, int body, const BodyShape& shape) {
   const std::size_t k = static_cast<std::size_t>(body);
-  const BodyMotion& motion = bodies.motion[k];
+  const MotionRecord& motion = bodies.motion[k];
   const Vec3 v(motion.v[0], motion.v[1], motion.v[2]), w(motion.w[0], motion.w[1], motion.w[2]);
   const Quat q = rotation_exp(t * w) * bodies.q[k];
   return Pose{q.toRotationMatrix(), bodies.x[k] + t * v} * shape.X_BS;
