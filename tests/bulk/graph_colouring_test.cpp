@@ -1,0 +1,95 @@
+#include "rigor/bulk/graph_colouring.hpp"
+
+#include "random_vectors.hpp"
+
+#include <gtest/gtest.h>
+#include <set>
+#include <vector>
+
+namespace rigor {
+namespace {
+
+std::vector<ConstraintEdge> random_edges(int count, int body_count, unsigned seed) {
+  std::mt19937 engine(seed);
+  std::uniform_int_distribution<int> body(-1, body_count - 1);
+  std::vector<ConstraintEdge> edges;
+  while (static_cast<int>(edges.size()) < count) {
+    const int a = body(engine), b = body(engine);
+    if (a != b) edges.push_back({a, b});
+  }
+  return edges;
+}
+
+/// All edges of the colouring, in the order of its blocks.
+std::vector<int> listed(const GraphColouring& colouring) {
+  std::vector<int> edges;
+  for (const auto& block : colouring.blocks) {
+    for (const std::int32_t edge : block) {
+      if (edge >= 0) edges.push_back(edge);
+    }
+  }
+  return edges;
+}
+
+void expect_no_shared_body(const std::vector<ConstraintEdge>& edges, const GraphColouring& colouring,
+                           int colour) {
+  std::set<int> bodies;
+  for (int k = colouring.colour_begin[static_cast<std::size_t>(colour)];
+       k < colouring.colour_begin[static_cast<std::size_t>(colour) + 1]; ++k) {
+    for (const std::int32_t edge : colouring.blocks[static_cast<std::size_t>(k)]) {
+      if (edge < 0) continue;
+      const auto [a, b] = edges[static_cast<std::size_t>(edge)];
+      for (const int body : {a, b}) {
+        EXPECT_TRUE(body < 0 || bodies.insert(body).second) << "colour " << colour << ", body " << body;
+      }
+    }
+  }
+}
+
+TEST(GraphColouring, ListsEveryEdgeOnceAndNoBodyTwiceInAColour) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    const std::vector<ConstraintEdge> edges = random_edges(400, 60, seed);
+    GraphColouring colouring;
+    colour_graph(edges, 60, colouring);
+    const std::vector<int> order = listed(colouring);
+    EXPECT_EQ(std::set<int>(order.begin(), order.end()).size(), edges.size());
+    EXPECT_EQ(order.size(), edges.size());
+    ASSERT_LE(colouring.colour_count(), serial_colour);
+    for (int c = 0; c < colouring.colour_count(); ++c) expect_no_shared_body(edges, colouring, c);
+  }
+}
+
+TEST(GraphColouring, OfAChainNeedsTwoColours) {
+  std::vector<ConstraintEdge> edges;
+  for (int i = 0; i < 100; ++i) edges.push_back({i, i + 1});
+  GraphColouring colouring;
+  colour_graph(edges, 101, colouring);
+  EXPECT_EQ(colouring.colour_count(), 2);
+  EXPECT_EQ(colouring.blocks.size(), 14u);  // 50 edges of each colour, eight in a block.
+}
+
+TEST(GraphColouring, OfAHubPutsWhatFindsNoColourIntoBlocksOfOne) {
+  std::vector<ConstraintEdge> edges;
+  for (int i = 1; i <= 100; ++i) edges.push_back({0, i});
+  GraphColouring colouring;
+  colour_graph(edges, 101, colouring);
+  ASSERT_EQ(colouring.colour_count(), serial_colour + 1);
+  EXPECT_EQ(listed(colouring).size(), 100u);
+  for (int c = 0; c < serial_colour; ++c) expect_no_shared_body(edges, colouring, c);
+  const int first = colouring.colour_begin[serial_colour];
+  EXPECT_EQ(colouring.colour_begin[serial_colour + 1] - first, 100 - serial_colour);
+  for (std::size_t k = static_cast<std::size_t>(first); k < colouring.blocks.size(); ++k) {
+    EXPECT_GE(colouring.blocks[k][0], 0);
+    for (std::size_t i = 1; i < kLaneCount; ++i) EXPECT_EQ(colouring.blocks[k][i], -1);
+  }
+}
+
+TEST(GraphColouring, OfNoEdgesIsEmpty) {
+  GraphColouring colouring;
+  colour_graph({}, 5, colouring);
+  EXPECT_TRUE(colouring.blocks.empty());
+  EXPECT_TRUE(listed(colouring).empty());
+}
+
+}  // namespace
+}  // namespace rigor
