@@ -8,7 +8,7 @@ namespace rigor {
 namespace {
 
 /// Of a contact of dynamic bodies: at most this, and an eighth of the rate of substeps [Hz].
-constexpr double contact_frequency = 30;
+constexpr double contact_frequency = 60;
 constexpr double contact_damping = 5;
 
 ManifoldSurface surface_of(const PairCoefficients& pair) {

@@ -11,7 +11,7 @@
 namespace rigor {
 
 struct BulkSettings {
-  int substeps = 4;  ///< >= 1, of equal length.
+  int substeps = 8;  ///< >= 1, of equal length.
   int threads = 1;   ///< >= 1. The answer does not depend on it.
 };
 

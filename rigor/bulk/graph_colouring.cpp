@@ -1,5 +1,6 @@
 #include "rigor/bulk/graph_colouring.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 
@@ -9,16 +10,21 @@ void colour_graph(const std::vector<ConstraintEdge>& edges, int body_count, Grap
   std::vector<std::uint64_t> used(static_cast<std::size_t>(body_count), 0);
   std::vector<std::uint8_t> colours(edges.size());
   std::array<int, serial_colour + 1> counts{};
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    const auto [a, b] = edges[i];
-    const std::uint64_t taken =
-        (a < 0 ? 0 : used[static_cast<std::size_t>(a)]) | (b < 0 ? 0 : used[static_cast<std::size_t>(b)]);
-    const int colour = std::min(std::countr_one(taken), serial_colour);
-    colours[i] = static_cast<std::uint8_t>(colour);
-    ++counts[static_cast<std::size_t>(colour)];
-    if (colour == serial_colour) continue;
-    if (a >= 0) used[static_cast<std::size_t>(a)] |= std::uint64_t{1} << colour;
-    if (b >= 0) used[static_cast<std::size_t>(b)] |= std::uint64_t{1} << colour;
+  std::uint64_t of_pairs = 0;  // Colours that edges of two dynamic bodies have.
+  for (const bool is_pair : {true, false}) {
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      const auto [a, b] = edges[i];
+      if ((a >= 0 && b >= 0) != is_pair) continue;
+      const std::uint64_t taken = (is_pair ? 0 : of_pairs) | (a < 0 ? 0 : used[static_cast<std::size_t>(a)]) |
+                                  (b < 0 ? 0 : used[static_cast<std::size_t>(b)]);
+      const int colour = std::min(std::countr_one(taken), serial_colour);
+      colours[i] = static_cast<std::uint8_t>(colour);
+      ++counts[static_cast<std::size_t>(colour)];
+      if (colour == serial_colour) continue;
+      if (a >= 0) used[static_cast<std::size_t>(a)] |= std::uint64_t{1} << colour;
+      if (b >= 0) used[static_cast<std::size_t>(b)] |= std::uint64_t{1} << colour;
+      if (is_pair) of_pairs |= std::uint64_t{1} << colour;
+    }
   }
 
   colouring.colour_begin.assign(1, 0);

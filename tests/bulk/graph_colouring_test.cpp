@@ -59,6 +59,18 @@ TEST(GraphColouring, ListsEveryEdgeOnceAndNoBodyTwiceInAColour) {
   }
 }
 
+TEST(GraphColouring, PutsEdgesOfOneBodyAfterAllOthers) {
+  const std::vector<ConstraintEdge> edges = random_edges(300, 60, 7);
+  GraphColouring colouring;
+  colour_graph(edges, 60, colouring);
+  bool alone = false;
+  for (const int edge : listed(colouring)) {
+    const auto [a, b] = edges[static_cast<std::size_t>(edge)];
+    if (alone) EXPECT_TRUE(a < 0 || b < 0);
+    alone = alone || a < 0 || b < 0;
+  }
+}
+
 TEST(GraphColouring, OfAChainNeedsTwoColours) {
   std::vector<ConstraintEdge> edges;
   for (int i = 0; i < 100; ++i) edges.push_back({i, i + 1});
