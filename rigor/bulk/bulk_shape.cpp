@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 namespace rigor {
 
@@ -74,6 +76,24 @@ void add_fans(FloatHull& hull) {
   hull.fan_begin.push_back(static_cast<int>(hull.fan.size()));
 }
 
+/// Numbers the edges of a box by axis and then by their vertices: 4 axis + the sign bits but for the axis.
+void number_box_edges(FloatHull& hull) {
+  std::vector<int> order(hull.edges.size()), number(hull.edges.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto key = [&](int e) {
+    const FloatHull::Edge& edge = hull.edges[at(e)];
+    return std::pair(edge.v0 ^ edge.v1, std::min(edge.v0, edge.v1));
+  };
+  std::sort(order.begin(), order.end(), [&](int d, int e) { return key(d) < key(e); });
+  std::vector<FloatHull::Edge> edges;
+  for (const int e : order) {
+    number[at(e)] = static_cast<int>(edges.size());
+    edges.push_back(hull.edges[at(e)]);
+  }
+  hull.edges = edges;
+  for (int& e : hull.loop_edges) e = number[at(e)];
+}
+
 }  // namespace
 
 FloatHull make_float_hull(const FeatureGraph& graph, const std::vector<Vec3>& vertices) {
@@ -102,7 +122,9 @@ FloatHull make_float_hull(const FeatureGraph& graph, const std::vector<Vec3>& ve
 
 FloatHulls::FloatHulls() {
   const ConvexHull unit_box = make_box_hull(Vec3::Ones());
-  box = std::make_shared<const FloatHull>(make_float_hull(unit_box.features, unit_box.vertices));
+  FloatHull numbered = make_float_hull(unit_box.features, unit_box.vertices);
+  number_box_edges(numbered);
+  box = std::make_shared<const FloatHull>(numbered);
   segment = std::make_shared<const FloatHull>(make_line({-Vec3::UnitZ(), Vec3::UnitZ()}));
   point = std::make_shared<const FloatHull>(make_line({Vec3::Zero()}));
 }

@@ -50,7 +50,8 @@ struct BulkShape {
 /// The hulls that shapes share.
 struct FloatHulls {
   FloatHulls();
-  std::shared_ptr<const FloatHull> box;      ///< |x|, |y|, |z| <= 1.
+  /// |x|, |y|, |z| <= 1; edge 4 axis + the sign bits of its vertices but for the axis.
+  std::shared_ptr<const FloatHull> box;
   std::shared_ptr<const FloatHull> segment;  ///< |z| <= 1 on the axis.
   std::shared_ptr<const FloatHull> point;    ///< The origin.
   std::vector<std::pair<const ConvexHull*, std::shared_ptr<const FloatHull>>> convex;
