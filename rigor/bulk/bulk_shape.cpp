@@ -55,7 +55,9 @@ void add_faces(const FeatureGraph& graph, FloatHull& hull) {
       edge_of[h] = edge_of[at(half.twin)];
     } else {
       edge_of[h] = static_cast<int>(hull.edges.size());
-      hull.edges.push_back({half.from, half.to, half.face, graph.half_edge(half.twin).face});
+      const int face = graph.half_edge(half.twin).face;
+      const float cosine = static_cast<float>(graph.normal(half.face).dot(graph.normal(face)));
+      hull.edges.push_back({half.from, half.to, half.face, face, cosine});
     }
     hull.loop.push_back(half.from);
     hull.loop_edges.push_back(edge_of[h]);

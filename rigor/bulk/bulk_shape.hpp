@@ -16,8 +16,9 @@ using Mat3f = Eigen::Matrix<float, 3, 3, Eigen::RowMajor>;
 /// without length) are polyhedra without faces. Columns are padded to whole lanes with their last entry.
 struct FloatHull {
   struct Edge {
-    int v0, v1;  ///< The edge runs v0 -> v1 in the loop of face f0 and v1 -> v0 in that of f1.
-    int f0, f1;  ///< -1 where there are no faces.
+    int v0, v1;        ///< The edge runs v0 -> v1 in the loop of face f0 and v1 -> v0 in that of f1.
+    int f0, f1;        ///< -1 where there are no faces.
+    float cosine = 1;  ///< Of the angle between their normals.
   };
   int vertex_count = 0, face_count = 0;
   std::vector<float> x, y, z;         ///< Vertices [m].

@@ -126,8 +126,11 @@ void NarrowPhase::Tables::find_pair(const BulkBodies& bodies, const ShapePair& p
   if (a.kind == Kind::round && b.kind == Kind::round) {
     n = find_round_candidates(a, placed[at(i)], b, placed[at(j)], d, pair.margin, scratch.candidates);
   } else {
-    place_polytope(a, placed[at(i)], Vec3f::Zero(), scratch.a);
-    place_polytope(b, placed[at(j)], d, scratch.b);
+    place_vertices(a, placed[at(i)], Vec3f::Zero(), scratch.a);
+    place_vertices(b, placed[at(j)], d, scratch.b);
+    if (are_soon_parted(scratch, pair.margin + a.radius + b.radius)) return;
+    place_faces(a, placed[at(i)], Vec3f::Zero(), scratch.a);
+    place_faces(b, placed[at(j)], d, scratch.b);
     n = find_polytope_candidates(scratch, pair.margin, rounding);
   }
   if (n && !scratch.candidates.empty())
