@@ -21,16 +21,17 @@ struct FloatHull {
     float cosine = 1;  ///< Of the angle between their normals.
   };
   int vertex_count = 0, face_count = 0;
-  std::vector<float> x, y, z;         ///< Vertices [m].
-  std::vector<float> nx, ny, nz;      ///< Outward unit normals of the faces.
-  std::vector<float> offset;          ///< Of the faces: n · v of their vertices [m].
-  std::vector<Edge> edges;            ///< Each once.
-  std::vector<int> loop_begin;        ///< First place of each face in the loops, and their length.
-  std::vector<int> loop, loop_edges;  ///< Vertices counter-clockwise, and the edge to the next one.
-  std::vector<int> fan_begin, fan;    ///< The faces around each vertex.
-  Vec3f center = Vec3f::Zero();       ///< Of a ball inside [m].
-  float inner = 0;                    ///< Its radius [m].
-  float extent = 0;                   ///< No vertex is farther from the origin [m].
+  std::vector<float> x, y, z;            ///< Vertices [m].
+  std::vector<float> nx, ny, nz;         ///< Outward unit normals of the faces.
+  std::vector<float> offset;             ///< Of the faces: n · v of their vertices [m].
+  std::vector<Edge> edges;               ///< Each once.
+  std::vector<int> loop_begin;           ///< First place of each face in the loops, and their length.
+  std::vector<int> loop, loop_edges;     ///< Vertices counter-clockwise, and the edge to the next one.
+  std::vector<int> fan_begin, fan;       ///< The faces around each vertex.
+  std::vector<int> spoke_begin, spokes;  ///< The edges around each vertex.
+  Vec3f center = Vec3f::Zero();          ///< Of a ball inside [m].
+  float inner = 0;                       ///< Its radius [m].
+  float extent = 0;                      ///< No vertex is farther from the origin [m].
 };
 
 FloatHull make_float_hull(const FeatureGraph& graph, const std::vector<Vec3>& vertices);
