@@ -262,8 +262,9 @@ SeparatingAxis find_separating_axis(PolytopeScratch& pair, float limit, float ro
   };
   if (is_proved(best)) return best;
 
-  // The face of A is kept unless that of B is clearly better.
-  best = {};
+  // The face of A is kept unless that of B is clearly better. The guess is found again, if it is the best.
+  best.kind = SeparatingAxis::Kind::none;
+  best.separation -= 2 * rounding;
   try_faces(faces_A, bound.balls, best);
   if (best.separation > limit) return best;
   SeparatingAxis other;
