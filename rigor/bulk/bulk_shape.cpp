@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 namespace rigor {
 
@@ -33,6 +35,17 @@ void pad_columns(FloatHull& hull) {
     pad(*column);
 }
 
+void add_spokes(FloatHull& hull) {
+  hull.spoke_begin.clear();
+  hull.spokes.clear();
+  for (int v = 0; v < hull.vertex_count; ++v) {
+    hull.spoke_begin.push_back(static_cast<int>(hull.spokes.size()));
+    for (std::size_t e = 0; e < hull.edges.size(); ++e)
+      if (hull.edges[e].v0 == v || hull.edges[e].v1 == v) hull.spokes.push_back(static_cast<int>(e));
+  }
+  hull.spoke_begin.push_back(static_cast<int>(hull.spokes.size()));
+}
+
 /// A hull without faces and with one edge between its first and its last vertex.
 FloatHull make_line(const std::vector<Vec3>& vertices) {
   FloatHull hull;
@@ -40,6 +53,7 @@ FloatHull make_line(const std::vector<Vec3>& vertices) {
   hull.edges.push_back({0, hull.vertex_count - 1, -1, -1});
   hull.loop_begin.push_back(0);
   hull.fan_begin.assign(vertices.size() + 1, 0);
+  add_spokes(hull);
   pad_columns(hull);
   return hull;
 }
@@ -53,7 +67,9 @@ void add_faces(const FeatureGraph& graph, FloatHull& hull) {
       edge_of[h] = edge_of[at(half.twin)];
     } else {
       edge_of[h] = static_cast<int>(hull.edges.size());
-      hull.edges.push_back({half.from, half.to, half.face, graph.half_edge(half.twin).face});
+      const int face = graph.half_edge(half.twin).face;
+      const float cosine = static_cast<float>(graph.normal(half.face).dot(graph.normal(face)));
+      hull.edges.push_back({half.from, half.to, half.face, face, cosine});
     }
     hull.loop.push_back(half.from);
     hull.loop_edges.push_back(edge_of[h]);
@@ -74,6 +90,25 @@ void add_fans(FloatHull& hull) {
   hull.fan_begin.push_back(static_cast<int>(hull.fan.size()));
 }
 
+/// Numbers the edges of a box by axis and then by their vertices: 4 axis + the sign bits but for the axis.
+void number_box_edges(FloatHull& hull) {
+  std::vector<int> order(hull.edges.size()), number(hull.edges.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto key = [&](int e) {
+    const FloatHull::Edge& edge = hull.edges[at(e)];
+    return std::pair(edge.v0 ^ edge.v1, std::min(edge.v0, edge.v1));
+  };
+  std::sort(order.begin(), order.end(), [&](int d, int e) { return key(d) < key(e); });
+  std::vector<FloatHull::Edge> edges;
+  for (const int e : order) {
+    number[at(e)] = static_cast<int>(edges.size());
+    edges.push_back(hull.edges[at(e)]);
+  }
+  hull.edges = edges;
+  for (int& e : hull.loop_edges) e = number[at(e)];
+  add_spokes(hull);
+}
+
 }  // namespace
 
 FloatHull make_float_hull(const FeatureGraph& graph, const std::vector<Vec3>& vertices) {
@@ -83,6 +118,7 @@ FloatHull make_float_hull(const FeatureGraph& graph, const std::vector<Vec3>& ve
   center /= static_cast<double>(vertices.size());
   add_faces(graph, hull);
   add_fans(hull);
+  add_spokes(hull);
   double inner = hull.extent;
   for (int f = 0; f < hull.face_count; ++f) {
     const Vec3& n = graph.normal(f);
@@ -102,7 +138,9 @@ FloatHull make_float_hull(const FeatureGraph& graph, const std::vector<Vec3>& ve
 
 FloatHulls::FloatHulls() {
   const ConvexHull unit_box = make_box_hull(Vec3::Ones());
-  box = std::make_shared<const FloatHull>(make_float_hull(unit_box.features, unit_box.vertices));
+  FloatHull numbered = make_float_hull(unit_box.features, unit_box.vertices);
+  number_box_edges(numbered);
+  box = std::make_shared<const FloatHull>(numbered);
   segment = std::make_shared<const FloatHull>(make_line({-Vec3::UnitZ(), Vec3::UnitZ()}));
   point = std::make_shared<const FloatHull>(make_line({Vec3::Zero()}));
 }

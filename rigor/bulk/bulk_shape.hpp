@@ -16,20 +16,22 @@ using Mat3f = Eigen::Matrix<float, 3, 3, Eigen::RowMajor>;
 /// without length) are polyhedra without faces. Columns are padded to whole lanes with their last entry.
 struct FloatHull {
   struct Edge {
-    int v0, v1;  ///< The edge runs v0 -> v1 in the loop of face f0 and v1 -> v0 in that of f1.
-    int f0, f1;  ///< -1 where there are no faces.
+    int v0, v1;        ///< The edge runs v0 -> v1 in the loop of face f0 and v1 -> v0 in that of f1.
+    int f0, f1;        ///< -1 where there are no faces.
+    float cosine = 1;  ///< Of the angle between their normals.
   };
   int vertex_count = 0, face_count = 0;
-  std::vector<float> x, y, z;         ///< Vertices [m].
-  std::vector<float> nx, ny, nz;      ///< Outward unit normals of the faces.
-  std::vector<float> offset;          ///< Of the faces: n · v of their vertices [m].
-  std::vector<Edge> edges;            ///< Each once.
-  std::vector<int> loop_begin;        ///< First place of each face in the loops, and their length.
-  std::vector<int> loop, loop_edges;  ///< Vertices counter-clockwise, and the edge to the next one.
-  std::vector<int> fan_begin, fan;    ///< The faces around each vertex.
-  Vec3f center = Vec3f::Zero();       ///< Of a ball inside [m].
-  float inner = 0;                    ///< Its radius [m].
-  float extent = 0;                   ///< No vertex is farther from the origin [m].
+  std::vector<float> x, y, z;            ///< Vertices [m].
+  std::vector<float> nx, ny, nz;         ///< Outward unit normals of the faces.
+  std::vector<float> offset;             ///< Of the faces: n · v of their vertices [m].
+  std::vector<Edge> edges;               ///< Each once.
+  std::vector<int> loop_begin;           ///< First place of each face in the loops, and their length.
+  std::vector<int> loop, loop_edges;     ///< Vertices counter-clockwise, and the edge to the next one.
+  std::vector<int> fan_begin, fan;       ///< The faces around each vertex.
+  std::vector<int> spoke_begin, spokes;  ///< The edges around each vertex.
+  Vec3f center = Vec3f::Zero();          ///< Of a ball inside [m].
+  float inner = 0;                       ///< Its radius [m].
+  float extent = 0;                      ///< No vertex is farther from the origin [m].
 };
 
 FloatHull make_float_hull(const FeatureGraph& graph, const std::vector<Vec3>& vertices);
@@ -50,7 +52,8 @@ struct BulkShape {
 /// The hulls that shapes share.
 struct FloatHulls {
   FloatHulls();
-  std::shared_ptr<const FloatHull> box;      ///< |x|, |y|, |z| <= 1.
+  /// |x|, |y|, |z| <= 1; edge 4 axis + the sign bits of its vertices but for the axis.
+  std::shared_ptr<const FloatHull> box;
   std::shared_ptr<const FloatHull> segment;  ///< |z| <= 1 on the axis.
   std::shared_ptr<const FloatHull> point;    ///< The origin.
   std::vector<std::pair<const ConvexHull*, std::shared_ptr<const FloatHull>>> convex;

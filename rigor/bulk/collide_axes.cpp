@@ -1,8 +1,10 @@
 #include "rigor/bulk/collide_polytopes.hpp"
 
 #include "rigor/bulk/float_lanes.hpp"
+#include "rigor/bulk/hull_lanes.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -14,65 +16,68 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-/// min n · v over the vertices.
-RIGOR_FLOAT_LANES float lowest_height(const PlacedPolytope& polytope, const Vec3f& n) {
-  const FloatLanes nx = float_lanes(n.x()), ny = float_lanes(n.y()), nz = float_lanes(n.z());
-  FloatLanes lowest = float_lanes(std::numeric_limits<float>::infinity());
-  for (std::size_t k = 0; k < polytope.x.size(); k += kLaneCount)
-    lowest = float_min(lowest, nx * load_floats(&polytope.x[k]) + ny * load_floats(&polytope.y[k]) +
-                                   nz * load_floats(&polytope.z[k]));
-  float result = lowest[0];
-  for (int i = 1; i < kLaneCount; ++i) result = std::min(result, lowest[i]);
-  return result;
-}
-
 /// No direction n parts the cores by more than n · between - balls.
 struct BallBound {
   Vec3f between;  ///< From the ball inside A to that inside B [m].
   float balls;    ///< Sum of their radii [m].
 };
 
-/// Tries the faces of one core, the most promising first. sign is 1 for A, whose normals point to B.
-void try_faces(const PlacedPolytope& own, const PlacedPolytope& other, float sign, const BallBound& bound,
-               SeparatingAxis& best) {
-  const int count = own.hull->face_count;
-  int first = 0;
-  float most = -std::numeric_limits<float>::infinity();
-  for (int f = 0; f < count; ++f) {
-    const float along = sign * own.normal(f).dot(bound.between);
-    if (along > most) most = along, first = f;
+/// The faces of one core as directions. `along` are the parts of the bound that turn with the normals; sign
+/// is 1 for A, whose normals point to B.
+struct FaceDirections {
+  const PlacedPolytope& own;
+  const PlacedPolytope& other;
+  float sign;
+  const std::vector<float>& along;
+};
+
+void try_face(const FaceDirections& faces, int f, float balls, SeparatingAxis& best) {
+  if (faces.along[at(f)] - balls <= best.separation) return;
+  const Vec3f m = faces.own.normal(f);
+  const float separation =
+      find_lowest(faces.other.vertices(), m, best_lane_target()) - faces.own.offset[at(f)];
+  if (separation <= best.separation) return;
+  best.separation = separation;
+  best.n = faces.sign * m;
+  best.kind = faces.sign > 0 ? SeparatingAxis::Kind::face_of_A : SeparatingAxis::Kind::face_of_B;
+  (faces.sign > 0 ? best.a : best.b) = f;
+}
+
+/// The face with the largest bound.
+void try_first_face(const FaceDirections& faces, float balls, SeparatingAxis& best) {
+  const int count = faces.own.hull->face_count;
+  if (count == 0) return;
+  const auto most = std::max_element(faces.along.begin(), faces.along.begin() + count);
+  try_face(faces, static_cast<int>(most - faces.along.begin()), balls, best);
+}
+
+void try_faces(const FaceDirections& faces, float balls, SeparatingAxis& best) {
+  for (int f = 0; f < faces.own.hull->face_count; ++f) try_face(faces, f, balls, best);
+}
+
+/// Arcs of the edges that may have a direction n with n · d > least. `along` are n · d of the faces; on the
+/// arc between x and y at the angle of cosine c the most is (x² + y² - 2 x y c) / (1 - c²), if it is inside.
+void list_arcs(const PlacedPolytope& polytope, const std::vector<float>& along, float square_of_d,
+               float least, PolytopeScratch& pair, ArcColumns& arcs) {
+  const std::vector<FloatHull::Edge>& edges = polytope.hull->edges;
+  const float square = least * least, rounding = 1e-6f * square_of_d;
+  pair.edges_A.resize(edges.size());
+  std::size_t count = 0;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const float x = along[at(edges[e].f0)], y = along[at(edges[e].f1)], c = edges[e].cosine;
+    const bool is_inside = bool(x > c * y) & bool(y > c * x);
+    const bool is_high = x * x + y * y - 2 * x * y * c + rounding > square * (1 - c * c);
+    // No branches: which edges are kept follows no pattern.
+    pair.edges_A[count] = static_cast<int>(e);
+    count += bool(std::max(x, y) > least) | bool(least <= 0) | (is_inside & is_high) ? 1u : 0u;
   }
-  const auto try_face = [&](int f) {
-    const Vec3f m = own.normal(f);
-    if (sign * m.dot(bound.between) - bound.balls <= best.separation) return;
-    const float separation = lowest_height(other, m) - own.offset[at(f)];
-    if (separation <= best.separation) return;
-    best.separation = separation;
-    best.n = sign * m;
-    best.kind = sign > 0 ? SeparatingAxis::Kind::face_of_A : SeparatingAxis::Kind::face_of_B;
-    (sign > 0 ? best.a : best.b) = f;
-  };
-  if (count > 0) try_face(first);
-  for (int f = 0; f < count; ++f)
-    if (f != first) try_face(f);
-}
-
-/// The most that n · d can be for the normals n of an edge, which are the arc between those of its faces.
-float most_along_arc(const PlacedPolytope& polytope, int e, const Vec3f& d) {
-  const FloatHull::Edge& edge = polytope.edge(e);
-  if (edge.f0 < 0) return d.norm();  // All normals of a segment: the arc is a circle.
-  const Vec3f n0 = polytope.normal(edge.f0), n1 = polytope.normal(edge.f1);
-  const float x = n0.dot(d), y = n1.dot(d), c = n0.dot(n1);
-  if (x - c * y <= 0 || y - c * x <= 0) return std::max(x, y);
-  // Of flat edges both terms are lost in rounding; d itself bounds them.
-  const float square = (x * x + y * y - 2 * x * y * c) / (1 - c * c);
-  return square < d.squaredNorm() ? std::sqrt(square) : d.norm();
-}
-
-void list_edges(const PlacedPolytope& polytope, const Vec3f& d, float least, std::vector<int>& edges) {
-  edges.clear();
-  for (int e = 0; e < static_cast<int>(polytope.hull->edges.size()); ++e)
-    if (most_along_arc(polytope, e, d) > least) edges.push_back(e);
+  arcs.clear();
+  for (std::size_t k = 0; k < count; ++k) {
+    const int e = pair.edges_A[k];
+    const FloatHull::Edge& edge = edges[at(e)];
+    arcs.add(e, polytope.edge_vector(e), polytope.normal(edge.f0), polytope.normal(edge.f1));
+  }
+  arcs.pad();
 }
 
 /// Whether the arcs of two edges cross on the Gauss map, that of B reversed. The circle of a segment crosses
@@ -103,41 +108,174 @@ std::optional<Vec3f> edge_normal(const PlacedPolytope& a, const FloatHull::Edge&
   return outward >= 0 ? n : Vec3f(-n);
 }
 
-void try_edges(PolytopeScratch& pair, const BallBound& bound, float least, SeparatingAxis& best) {
-  const PlacedPolytope &a = pair.a, &b = pair.b;
-  list_edges(a, bound.between, least + bound.balls, pair.edges_A);
-  list_edges(b, -bound.between, least + bound.balls, pair.edges_B);
-  for (const int i : pair.edges_A) {
-    const FloatHull::Edge& edge_A = a.edge(i);
-    const Vec3f u = a.edge_vector(i);
-    for (const int j : pair.edges_B) {
-      const FloatHull::Edge& edge_B = b.edge(j);
-      const Vec3f v = b.edge_vector(j);
-      if (!arcs_cross(a, edge_A, u, b, edge_B, v)) continue;
-      const std::optional<Vec3f> n = edge_normal(a, edge_A, u, b, edge_B, v);
-      if (!n) continue;
-      const float separation = n->dot(b.vertex(edge_B.v0) - a.vertex(edge_A.v0));
-      if (separation <= least) continue;
-      least = separation;
-      best = {SeparatingAxis::Kind::edges, i, j, *n, separation};
+/// The pair of edges, if it parts the cores better than `least`, which becomes the separation.
+void try_edge_pair(const PolytopeScratch& pair, int i, int j, float& least, SeparatingAxis& best) {
+  const FloatHull::Edge &edge_A = pair.a.edge(i), &edge_B = pair.b.edge(j);
+  const Vec3f u = pair.a.edge_vector(i), v = pair.b.edge_vector(j);
+  const std::optional<Vec3f> n = edge_normal(pair.a, edge_A, u, pair.b, edge_B, v);
+  if (!n) return;
+  const float separation = n->dot(pair.b.vertex(edge_B.v0) - pair.a.vertex(edge_A.v0));
+  if (separation <= least) return;
+  least = separation;
+  best = {SeparatingAxis::Kind::edges, i, j, *n, separation};
+}
+
+/// Where one of the cores is a segment.
+void try_segment_edges(const PolytopeScratch& pair, float least, SeparatingAxis& best) {
+  for (int i = 0; i < static_cast<int>(pair.a.hull->edges.size()); ++i) {
+    for (int j = 0; j < static_cast<int>(pair.b.hull->edges.size()); ++j) {
+      if (arcs_cross(pair.a, pair.a.edge(i), pair.a.edge_vector(i), pair.b, pair.b.edge(j),
+                     pair.b.edge_vector(j)))
+        try_edge_pair(pair, i, j, least, best);
     }
   }
 }
 
+void try_edges(PolytopeScratch& pair, const BallBound& bound, float least, SeparatingAxis& best) {
+  if (pair.a.hull->face_count == 0 || pair.b.hull->face_count == 0)
+    return try_segment_edges(pair, least, best);
+  const float square = bound.between.squaredNorm();
+  list_arcs(pair.a, pair.along_A, square, least + bound.balls, pair, pair.arcs_A);
+  list_arcs(pair.b, pair.along_B, square, least + bound.balls, pair, pair.arcs_B);
+  for (std::size_t i = 0; i < pair.arcs_A.edge.size(); ++i) {
+    for (std::size_t first = 0; first < pair.arcs_B.edge.size(); first += kLaneCount) {
+      unsigned mask = find_crossing_arcs(pair.arcs_A, i, pair.arcs_B, first, best_lane_target());
+      for (; mask != 0; mask &= mask - 1) {
+        const std::size_t j = first + static_cast<std::size_t>(std::countr_zero(mask));
+        try_edge_pair(pair, pair.arcs_A.edge[i], pair.arcs_B.edge[j], least, best);
+      }
+    }
+  }
+}
+
+int lowest_vertex(const PlacedPolytope& polytope, const Vec3f& n) {
+  int lowest = 0;
+  float least = std::numeric_limits<float>::infinity();
+  for (int v = 0; v < polytope.hull->vertex_count; ++v) {
+    const float height = n.dot(polytope.vertex(v));
+    if (height < least) least = height, lowest = v;
+  }
+  return lowest;
+}
+
+/// Index of the vertex farthest along n.
+int farthest_vertex(const PlacedPolytope& polytope, const Vec3f& n, std::vector<float>& heights) {
+  heights.resize(polytope.x.size());
+  find_heights(polytope.vertices(), n, best_lane_target(), heights.data());
+  return static_cast<int>(std::max_element(heights.begin(), heights.begin() + polytope.hull->vertex_count) -
+                          heights.begin());
+}
+
+/// The edges of the face of the axis and those around the lowest vertex over it.
+void try_edges_nearby(const PolytopeScratch& pair, float least, SeparatingAxis& best) {
+  const bool is_of_A = best.kind == SeparatingAxis::Kind::face_of_A;
+  const PlacedPolytope &own = is_of_A ? pair.a : pair.b, &other = is_of_A ? pair.b : pair.a;
+  const int face = is_of_A ? best.a : best.b;
+  const int vertex = lowest_vertex(other, own.normal(face));
+  const FloatHull &hull = *own.hull, &around = *other.hull;
+  for (int k = hull.loop_begin[at(face)]; k < hull.loop_begin[at(face + 1)]; ++k) {
+    for (int l = around.spoke_begin[at(vertex)]; l < around.spoke_begin[at(vertex + 1)]; ++l) {
+      const int i = is_of_A ? hull.loop_edges[at(k)] : around.spokes[at(l)];
+      const int j = is_of_A ? around.spokes[at(l)] : hull.loop_edges[at(k)];
+      if (arcs_cross(pair.a, pair.a.edge(i), pair.a.edge_vector(i), pair.b, pair.b.edge(j),
+                     pair.b.edge_vector(j)))
+        try_edge_pair(pair, i, j, least, best);
+    }
+  }
+}
+
+/// Where the nearest points of two crossing edges are between their ends, the radius of the foot below.
+float crossing_radius(const PolytopeScratch& pair, const SeparatingAxis& axis) {
+  const Vec3f u = pair.a.edge_vector(axis.a), v = pair.b.edge_vector(axis.b);
+  const Vec3f p = pair.a.vertex(pair.a.edge(axis.a).v0), q = pair.b.vertex(pair.b.edge(axis.b).v0);
+  const SegmentPoints points = nearest_on_segments(p, u, q, v);
+  const float area = u.cross(v).norm();
+  const float inside_u = std::min(points.s, 1 - points.s), inside_v = std::min(points.t, 1 - points.t);
+  return area * std::min(inside_u / v.norm(), inside_v / u.norm());
+}
+
+/// Differences b - a of points of the cores, laid flat along the axis n, hold a disk of this radius about the
+/// origin, and lie `separation` high over it; negative if they do not. Then no direction at the angle t from
+/// n parts the cores by more than separation cos t - radius sin t: at t <= 90 degrees no more than n does, if
+/// the separation is not negative or not less than -radius.
+float foot_radius(const PolytopeScratch& pair, const SeparatingAxis& axis) {
+  if (axis.kind == SeparatingAxis::Kind::none) return -1;
+  if (axis.kind == SeparatingAxis::Kind::edges) return crossing_radius(pair, axis);
+  const bool is_of_A = axis.kind == SeparatingAxis::Kind::face_of_A;
+  const PlacedPolytope &own = is_of_A ? pair.a : pair.b, &other = is_of_A ? pair.b : pair.a;
+  const int face = is_of_A ? axis.a : axis.b;
+  const Vec3f m = own.normal(face);
+  const Vec3f p = other.vertex(lowest_vertex(other, m));
+  const FloatHull& hull = *own.hull;
+  const int begin = hull.loop_begin[at(face)], end = hull.loop_begin[at(face + 1)];
+  float radius = std::numeric_limits<float>::infinity();
+  for (int k = begin; k < end; ++k) {
+    const Vec3f corner = own.vertex(hull.loop[at(k)]);
+    const Vec3f inward = m.cross(own.vertex(hull.loop[at(k + 1 == end ? begin : k + 1)]) - corner);
+    radius = std::min(radius, inward.dot(p - corner) / inward.norm());
+  }
+  return radius;
+}
+
 }  // namespace
+
+bool are_soon_parted(PolytopeScratch& pair, float limit) {
+  constexpr int max_steps = 4;
+  Vec3f n = pair.b.center - pair.a.center;
+  for (int step = 0; step < max_steps; ++step) {
+    const float square = n.squaredNorm();
+    if (!(square > 0)) return false;
+    n /= std::sqrt(square);
+    const Vec3f high_A = pair.a.vertex(farthest_vertex(pair.a, n, pair.heights));
+    const Vec3f low_B = pair.b.vertex(farthest_vertex(pair.b, -n, pair.heights));
+    const Vec3f w = low_B - high_A;
+    const float separation = n.dot(w);
+    if (separation > limit) return true;
+    if (separation >= 0) return false;
+    n -= 2 * separation / w.squaredNorm() * w;
+  }
+  return false;
+}
 
 SeparatingAxis find_separating_axis(PolytopeScratch& pair, float limit, float rounding) {
   const BallBound bound{pair.b.center - pair.a.center, pair.a.inner + pair.b.inner};
+  pair.along_A.resize(pair.a.nx.size());
+  pair.along_B.resize(pair.b.nx.size());
+  find_heights(pair.a.normals(), bound.between, best_lane_target(), pair.along_A.data());
+  find_heights(pair.b.normals(), -bound.between, best_lane_target(), pair.along_B.data());
+  const FaceDirections faces_A{pair.a, pair.b, 1, pair.along_A}, faces_B{pair.b, pair.a, -1, pair.along_B};
+
+  // A guess that proves itself ends the search.
   SeparatingAxis best;
-  try_faces(pair.a, pair.b, 1, bound, best);
+  try_first_face(faces_A, bound.balls, best);
+  try_first_face(faces_B, bound.balls, best);
+  if (best.separation > limit) return best;
+  const float least_radius = 4 * rounding;
+  const float beyond = bound.between.squaredNorm();
+  const auto is_proved = [&](const SeparatingAxis& axis) {
+    const float along = axis.n.dot(bound.between);
+    const float across = std::sqrt(std::max(0.0f, beyond - along * along));
+    const float radius = foot_radius(pair, axis);
+    if (radius < least_radius) return false;
+    return axis.separation >= 0 ||
+           (radius >= -axis.separation && along >= 0 && across - bound.balls <= axis.separation);
+  };
+  if (is_proved(best)) return best;
+
+  // The face of A is kept unless that of B is clearly better. The guess is found again, if it is the best.
+  best.kind = SeparatingAxis::Kind::none;
+  best.separation -= 2 * rounding;
+  try_faces(faces_A, bound.balls, best);
   if (best.separation > limit) return best;
   SeparatingAxis other;
   other.separation = best.separation;
-  // The face of A is kept unless that of B is clearly better.
   if (best.kind != SeparatingAxis::Kind::none) other.separation += rounding;
-  try_faces(pair.b, pair.a, -1, bound, other);
+  try_faces(faces_B, bound.balls, other);
   if (other.kind != SeparatingAxis::Kind::none) best = other;
-  if (best.separation > limit) return best;
+  if (best.separation > limit || is_proved(best)) return best;
+  SeparatingAxis guess = best;
+  try_edges_nearby(pair, best.separation + rounding, guess);
+  if (guess.kind == SeparatingAxis::Kind::edges && is_proved(guess)) return guess;
   try_edges(pair, bound, best.separation + rounding, best);
   return best;
 }

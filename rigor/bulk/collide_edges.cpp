@@ -57,6 +57,26 @@ void add_middle(const Vec3f& p_A, const Vec3f& p_B, const Vec3f& n, std::uint32_
   pair.candidates.push_back({middle, gap, feature});
 }
 
+/// The shortest way from a listed edge of A to one of B; pair.heights become the lengths of all of them.
+struct EdgeWay {
+  Vec3f way = Vec3f::Zero();
+  float length = std::numeric_limits<float>::infinity();
+};
+EdgeWay find_nearest_way(PolytopeScratch& pair) {
+  EdgeWay nearest;
+  pair.heights.clear();
+  for (const int i : pair.edges_A) {
+    for (const int j : pair.edges_B) {
+      const EdgePoints points = nearest_on_edges(pair, i, j);
+      const Vec3f way = points.p_B - points.p_A;
+      const float length = way.norm();
+      pair.heights.push_back(length);
+      if (length < nearest.length) nearest = {way, length};
+    }
+  }
+  return nearest;
+}
+
 }  // namespace
 
 SegmentPoints nearest_on_segments(const Vec3f& p0, const Vec3f& u, const Vec3f& q0, const Vec3f& v) {
@@ -90,34 +110,29 @@ bool cross_edges(const SeparatingAxis& axis, float slack, PolytopeScratch& pair)
 
 std::optional<Vec3f> join_nearest_edges(const SeparatingAxis& axis, float margin, float slack,
                                         PolytopeScratch& pair) {
-  // Along n the nearest points are no farther from the planes that part the cores than what a distance has
-  // more than the separation.
+  // Along n the nearest points are no farther from the planes that part the cores than what their distance
+  // has more than the separation. The edges close to these planes give a first distance.
   const Vec3f& n = axis.n;
-  const Vec3f high_A = pair.a.vertex(highest_vertex(pair.a, n));
-  const Vec3f low_B = pair.b.vertex(highest_vertex(pair.b, -n));
-  const float excess = (low_B - high_A).norm() - axis.separation + slack;
-  list_high_edges(pair.a, n, n.dot(high_A) - excess, pair.edges_A);
-  list_high_edges(pair.b, -n, -n.dot(low_B) - excess, pair.edges_B);
-
-  float least = std::numeric_limits<float>::infinity();
-  Vec3f way = n;
-  for (const int i : pair.edges_A) {
-    for (const int j : pair.edges_B) {
-      const EdgePoints nearest = nearest_on_edges(pair, i, j);
-      const float distance = (nearest.p_B - nearest.p_A).norm();
-      if (distance >= least) continue;
-      least = distance;
-      way = nearest.p_B - nearest.p_A;
-    }
+  const float high_A = n.dot(pair.a.vertex(highest_vertex(pair.a, n)));
+  const float low_B = n.dot(pair.b.vertex(highest_vertex(pair.b, -n)));
+  EdgeWay nearest;
+  for (float excess = slack + 0.25f * axis.separation;;) {
+    list_high_edges(pair.a, n, high_A - excess, pair.edges_A);
+    list_high_edges(pair.b, -n, -low_B - excess, pair.edges_B);
+    nearest = find_nearest_way(pair);
+    const float needed = nearest.length - axis.separation + slack;
+    if (!(needed > excess)) break;
+    excess = needed;
   }
-  if (least - pair.a.radius - pair.b.radius > margin) return std::nullopt;
+  if (nearest.length - pair.a.radius - pair.b.radius > margin) return std::nullopt;
   // The direction between points that touch is lost in rounding.
-  const Vec3f normal = least > 0.25f * slack ? Vec3f(way / least) : n;
+  const Vec3f normal = nearest.length > 0.25f * slack ? Vec3f(nearest.way / nearest.length) : n;
+  std::size_t k = 0;
   for (const int i : pair.edges_A) {
     for (const int j : pair.edges_B) {
-      const EdgePoints nearest = nearest_on_edges(pair, i, j);
-      if ((nearest.p_B - nearest.p_A).norm() <= least + slack)
-        add_middle(nearest.p_A, nearest.p_B, normal, nearest.feature, pair);
+      if (pair.heights[k++] > nearest.length + slack) continue;
+      const EdgePoints points = nearest_on_edges(pair, i, j);
+      add_middle(points.p_A, points.p_B, normal, points.feature, pair);
     }
   }
   return normal;

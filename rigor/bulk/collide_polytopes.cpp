@@ -1,5 +1,7 @@
 #include "rigor/bulk/collide_polytopes.hpp"
 
+#include "rigor/bulk/hull_lanes.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -152,38 +154,40 @@ void add_lowest(const SeparatingAxis& axis, float margin, PolytopeScratch& pair)
 
 }  // namespace
 
-void place_polytope(const BulkShape& shape, const PlacedShape& placed, const Vec3f& p_OB,
+void place_vertices(const BulkShape& shape, const PlacedShape& placed, const Vec3f& p_OB,
                     PlacedPolytope& polytope) {
   const FloatHull& hull = *shape.hull;
   const Mat3f R = placed.rotation();
   const Vec3f p = p_OB + placed.position();
-  const Mat3f stretched = R * shape.scale.asDiagonal();
   polytope.hull = &hull;
-  const std::size_t vertices = hull.x.size(), faces = hull.nx.size();
-  for (std::vector<float>* column : {&polytope.x, &polytope.y, &polytope.z}) column->resize(vertices);
-  for (std::vector<float>* column : {&polytope.nx, &polytope.ny, &polytope.nz, &polytope.offset})
-    column->resize(faces);
-  for (std::size_t k = 0; k < vertices; ++k) {
-    const float x = hull.x[k], y = hull.y[k], z = hull.z[k];
-    polytope.x[k] = stretched(0, 0) * x + stretched(0, 1) * y + stretched(0, 2) * z + p.x();
-    polytope.y[k] = stretched(1, 0) * x + stretched(1, 1) * y + stretched(1, 2) * z + p.y();
-    polytope.z[k] = stretched(2, 0) * x + stretched(2, 1) * y + stretched(2, 2) * z + p.z();
-  }
-  // A scale other than 1 is that of a box, whose normals are along the axes.
-  for (std::size_t k = 0; k < faces; ++k) {
-    const float x = hull.nx[k], y = hull.ny[k], z = hull.nz[k];
-    const float nx = R(0, 0) * x + R(0, 1) * y + R(0, 2) * z, ny = R(1, 0) * x + R(1, 1) * y + R(1, 2) * z,
-                nz = R(2, 0) * x + R(2, 1) * y + R(2, 2) * z;
-    const float stretch = Vec3f(shape.scale.x() * x, shape.scale.y() * y, shape.scale.z() * z).norm();
-    polytope.nx[k] = nx;
-    polytope.ny[k] = ny;
-    polytope.nz[k] = nz;
-    polytope.offset[k] = stretch * hull.offset[k] + nx * p.x() + ny * p.y() + nz * p.z();
-  }
+  for (std::vector<float>* column : {&polytope.x, &polytope.y, &polytope.z}) column->resize(hull.x.size());
+  float* const columns[] = {polytope.x.data(), polytope.y.data(), polytope.z.data()};
+  map_columns({hull.x.data(), hull.y.data(), hull.z.data(), hull.x.size()}, R * shape.scale.asDiagonal(), p,
+              best_lane_target(), columns);
   polytope.center = R * hull.center + p;
   polytope.inner = hull.inner * shape.scale.minCoeff();
   polytope.radius = shape.radius;
-  polytope.reach = p.norm() + shape.extent;
+}
+
+void place_faces(const BulkShape& shape, const PlacedShape& placed, const Vec3f& p_OB,
+                 PlacedPolytope& polytope) {
+  const FloatHull& hull = *shape.hull;
+  const Vec3f p = p_OB + placed.position();
+  const std::size_t count = hull.nx.size();
+  for (std::vector<float>* column : {&polytope.nx, &polytope.ny, &polytope.nz, &polytope.offset})
+    column->resize(count);
+  float* const columns[] = {polytope.nx.data(), polytope.ny.data(), polytope.nz.data()};
+  map_columns({hull.nx.data(), hull.ny.data(), hull.nz.data(), count}, placed.rotation(), Vec3f::Zero(),
+              best_lane_target(), columns);
+  find_heights(polytope.normals(), p, best_lane_target(), polytope.offset.data());
+  if (shape.kind != BulkShape::Kind::box) {
+    for (std::size_t k = 0; k < count; ++k) polytope.offset[k] += hull.offset[k];
+    return;
+  }
+  // A scale other than 1 is that of a box, whose normals are along the axes.
+  for (std::size_t k = 0; k < count; ++k)
+    polytope.offset[k] += std::abs(hull.nx[k]) * shape.scale.x() + std::abs(hull.ny[k]) * shape.scale.y() +
+                          std::abs(hull.nz[k]) * shape.scale.z();
 }
 
 float clip_on_face(const SeparatingAxis& axis, float margin, float slack, PolytopeScratch& pair) {

@@ -9,6 +9,23 @@
 
 namespace rigor {
 
+/// Points or directions in columns of whole lanes.
+struct LaneColumns {
+  const float *x, *y, *z;
+  std::size_t count;
+};
+
+/// Edges with the normals of their faces, in columns, for the test of their arcs on the Gauss map. Padded
+/// with edges that cross nothing. A segment, whose arc is a circle, has no place here.
+struct ArcColumns {
+  static constexpr int column_count = 9;  ///< Edge vector, first and second normal.
+  std::vector<float> column[column_count];
+  std::vector<int> edge;
+  void clear();
+  void add(int e, const Vec3f& u, const Vec3f& n0, const Vec3f& n1);
+  void pad();
+};
+
 /// A core placed in a frame O: the centre of body A, axes of W. Columns as in FloatHull.
 struct PlacedPolytope {
   const FloatHull* hull = nullptr;
@@ -17,8 +34,9 @@ struct PlacedPolytope {
   Vec3f center;      ///< Of a ball inside.
   float inner = 0;   ///< Its radius [m].
   float radius = 0;  ///< Of the ball added to the core [m].
-  float reach = 0;   ///< Coordinates are not larger [m]: their rounding is in proportion.
 
+  LaneColumns vertices() const { return {x.data(), y.data(), z.data(), x.size()}; }
+  LaneColumns normals() const { return {nx.data(), ny.data(), nz.data(), nx.size()}; }
   Vec3f vertex(int v) const {
     const std::size_t k = static_cast<std::size_t>(v);
     return Vec3f(x[k], y[k], z[k]);
@@ -31,9 +49,12 @@ struct PlacedPolytope {
   Vec3f edge_vector(int e) const { return vertex(edge(e).v1) - vertex(edge(e).v0); }
 };
 
-/// p_OB: the centre of the shape's body.
-void place_polytope(const BulkShape& shape, const PlacedShape& placed, const Vec3f& p_OB,
+/// Places the vertices; p_OB: the centre of the shape's body.
+void place_vertices(const BulkShape& shape, const PlacedShape& placed, const Vec3f& p_OB,
                     PlacedPolytope& polytope);
+/// Places the planes of the faces, after that.
+void place_faces(const BulkShape& shape, const PlacedShape& placed, const Vec3f& p_OB,
+                 PlacedPolytope& polytope);
 
 /// The direction that parts two cores best, of the normals of faces and of pairs of edges.
 struct SeparatingAxis {
@@ -47,9 +68,18 @@ struct SeparatingAxis {
 /// Where the search keeps its lists, to be used again.
 struct PolytopeScratch {
   PlacedPolytope a, b;
+  std::vector<float> heights, along_A, along_B;
+  ArcColumns arcs_A, arcs_B;
   std::vector<int> edges_A, edges_B;
   std::vector<ManifoldCandidate> candidates;
 };
+
+/// Whether a few steps of a search find a direction along which the cores are farther apart than `limit`: its
+/// vertices suffice. False is no proof of the contrary.
+///
+/// Source: Chung and Wang, Quick Collision Detection of Polytopes in Virtual Environments, ACM VRST 1996: a
+/// direction that does not part the support vertices is reflected at the plane across their difference.
+bool are_soon_parted(PolytopeScratch& pair, float limit);
 
 /// The axis, or one beyond `limit` as soon as one is found. A face is taken where an edge pair is better by
 /// less than `rounding`.

@@ -1,11 +1,13 @@
 #include "rigor/bulk/narrow_phase.hpp"
 
 #include "rigor/bulk/bulk_shape.hpp"
+#include "rigor/bulk/collide_boxes.hpp"
 #include "rigor/bulk/collide_exactly.hpp"
 #include "rigor/bulk/collide_polytopes.hpp"
 #include "rigor/bulk/collide_round.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace rigor {
@@ -15,13 +17,21 @@ namespace {
 using Kind = BulkShape::Kind;
 
 constexpr int kBlock = 256;        ///< Pairs that one thread takes at a time.
+constexpr int kBoxBlock = 128;     ///< Pairs of which those of boxes are put into lanes.
 constexpr int kPlaceGrain = 1024;  ///< Shapes.
-/// Separations are rounded by no more than this part of the coordinates.
-constexpr float kRounding = 1e-6f;
+constexpr float kRounding = kCollisionRounding;
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
+
+/// The box pairs of a block in lanes.
+struct BoxBlock {
+  int count = 0;
+  std::array<int, kBoxBlock> pairs;  ///< Their numbers.
+  std::array<BoxPairs, kBoxBlock / kLaneCount> lanes;
+  std::array<BoxContacts, kBoxBlock / kLaneCount> contacts;
+};
 
 }  // namespace
 
@@ -33,6 +43,11 @@ struct NarrowPhase::Tables {
   /// Of the pairs [begin, end), added in their order.
   void find(const BulkBodies& bodies, const std::vector<ShapePair>& pairs, int begin, int end,
             std::vector<PairManifold>& manifolds) const;
+  void collide_block(const BulkBodies& bodies, const std::vector<ShapePair>& pairs, int begin, int end,
+                     BoxBlock& boxes) const;
+  /// Of a pair of boxes; false if lanes do not tell.
+  bool add_box_manifold(const BoxBlock& boxes, int place, int number,
+                        std::vector<PairManifold>& manifolds) const;
   void find_pair(const BulkBodies& bodies, const ShapePair& pair, int number, PolytopeScratch& scratch,
                  std::vector<PairManifold>& manifolds) const;
 
@@ -111,18 +126,79 @@ void NarrowPhase::Tables::find_pair(const BulkBodies& bodies, const ShapePair& p
   if (a.kind == Kind::round && b.kind == Kind::round) {
     n = find_round_candidates(a, placed[at(i)], b, placed[at(j)], d, pair.margin, scratch.candidates);
   } else {
-    place_polytope(a, placed[at(i)], Vec3f::Zero(), scratch.a);
-    place_polytope(b, placed[at(j)], d, scratch.b);
+    place_vertices(a, placed[at(i)], Vec3f::Zero(), scratch.a);
+    place_vertices(b, placed[at(j)], d, scratch.b);
+    if (are_soon_parted(scratch, pair.margin + a.radius + b.radius)) return;
+    place_faces(a, placed[at(i)], Vec3f::Zero(), scratch.a);
+    place_faces(b, placed[at(j)], d, scratch.b);
     n = find_polytope_candidates(scratch, pair.margin, rounding);
   }
   if (n && !scratch.candidates.empty())
     manifolds.push_back({number, 0, make_manifold(*n, rounding, scratch.candidates)});
 }
 
+void NarrowPhase::Tables::collide_block(const BulkBodies& bodies, const std::vector<ShapePair>& pairs,
+                                        int begin, int end, BoxBlock& boxes) const {
+  boxes.count = 0;
+  for (int k = begin; k < end; ++k) {
+    const ShapePair& pair = pairs[at(k)];
+    const int i = index(pair.body_A, pair.shape_A), j = index(pair.body_B, pair.shape_B);
+    if (shapes[at(i)].kind != Kind::box || shapes[at(j)].kind != Kind::box) continue;
+    const int lane = boxes.count % kLaneCount;
+    BoxPairs& lanes = boxes.lanes[at(boxes.count / kLaneCount)];
+    lanes.a[lane] = &placed[at(i)];
+    lanes.b[lane] = &placed[at(j)];
+    const Vec3 p_OB = bodies.x[at(pair.body_B)] - bodies.x[at(pair.body_A)];
+    for (int c = 0; c < 3; ++c) lanes.d[c][lane] = static_cast<float>(p_OB[c]);
+    lanes.margin[lane] = pair.margin;
+    boxes.pairs[at(boxes.count++)] = k;
+  }
+  // Lanes that are left over repeat the last pair.
+  for (int k = boxes.count; k % kLaneCount != 0; ++k) {
+    BoxPairs& lanes = boxes.lanes[at(k / kLaneCount)];
+    const int lane = k % kLaneCount;
+    lanes.a[lane] = lanes.a[lane - 1];
+    lanes.b[lane] = lanes.b[lane - 1];
+    for (int c = 0; c < 3; ++c) lanes.d[c][lane] = lanes.d[c][lane - 1];
+    lanes.margin[lane] = lanes.margin[lane - 1];
+  }
+  for (int k = 0; k < boxes.count; k += kLaneCount)
+    collide_boxes(boxes.lanes[at(k / kLaneCount)], best_lane_target(), boxes.contacts[at(k / kLaneCount)]);
+}
+
+bool NarrowPhase::Tables::add_box_manifold(const BoxBlock& boxes, int place, int number,
+                                           std::vector<PairManifold>& manifolds) const {
+  const BoxPairs& lanes = boxes.lanes[at(place / kLaneCount)];
+  const BoxContacts& contacts = boxes.contacts[at(place / kLaneCount)];
+  const int lane = place % kLaneCount;
+  if (contacts.outcome[lane] == BoxContacts::apart) return true;
+  if (contacts.outcome[lane] == BoxContacts::near_edge) return false;
+  manifolds.emplace_back().pair = number;
+  PairManifold& found = manifolds.back();
+  found.part = 0;
+  if (contacts.outcome[lane] == BoxContacts::region) {
+    if (!read_box_region(contacts, lane, lanes.margin[lane], found.manifold)) manifolds.pop_back();
+    return true;
+  }
+  if (cross_box_edges(lanes, contacts, lane, found.manifold)) return true;
+  manifolds.pop_back();
+  return false;
+}
+
 void NarrowPhase::Tables::find(const BulkBodies& bodies, const std::vector<ShapePair>& pairs, int begin,
                                int end, std::vector<PairManifold>& manifolds) const {
   PolytopeScratch scratch;
-  for (int k = begin; k < end; ++k) find_pair(bodies, pairs[at(k)], k, scratch, manifolds);
+  const std::unique_ptr<BoxBlock> boxes = std::make_unique<BoxBlock>();
+  for (int first = begin; first < end; first += kBoxBlock) {
+    const int last = std::min(end, first + kBoxBlock);
+    collide_block(bodies, pairs, first, last, *boxes);
+    int place = 0;
+    for (int k = first; k < last; ++k) {
+      const bool is_in_lanes = place < boxes->count && boxes->pairs[at(place)] == k;
+      if (is_in_lanes && add_box_manifold(*boxes, place++, k, manifolds)) continue;
+      find_pair(bodies, pairs[at(k)], k, scratch, manifolds);
+    }
+  }
 }
 
 NarrowPhase::NarrowPhase(const Model& model) : tables_(std::make_unique<Tables>(model)) {}

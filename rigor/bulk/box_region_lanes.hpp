@@ -1,0 +1,276 @@
+#pragma once
+
+// The region of one box over a face of another, for eight pairs, in lanes: its corners, and the four of them
+// that make the manifold.
+
+#include "rigor/bulk/collide_boxes.hpp"
+
+#include <limits>
+
+namespace rigor {
+
+RIGOR_FLOAT_LANES IntLanes int_lanes(std::int32_t i) {
+  return IntLanes{i, i, i, i, i, i, i, i};
+}
+RIGOR_FLOAT_LANES void store_ints(const IntLanes& x, std::int32_t* p) {
+  std::memcpy(p, &x, sizeof x);
+}
+RIGOR_FLOAT_LANES FloatLanes float_abs(const FloatLanes& x) {
+  return float_max(x, -x);
+}
+RIGOR_FLOAT_LANES bool all_lanes(const IntLanes& mask) {
+  std::int32_t all = -1;
+  for (int i = 0; i < kLaneCount; ++i) all &= mask[i];
+  return all != 0;
+}
+/// The k-th of three.
+RIGOR_FLOAT_LANES FloatLanes pick(const IntLanes& k, const FloatLanes& x0, const FloatLanes& x1,
+                                  const FloatLanes& x2) {
+  const FloatLanes x = k == int_lanes(1) ? x1 : x0;
+  return k == int_lanes(2) ? x2 : x;
+}
+RIGOR_FLOAT_LANES FloatVec3 pick(const IntLanes& k, const FloatVec3& a0, const FloatVec3& a1,
+                                 const FloatVec3& a2) {
+  return {pick(k, a0.x, a1.x, a2.x), pick(k, a0.y, a1.y, a2.y), pick(k, a0.z, a1.z, a2.z)};
+}
+RIGOR_FLOAT_LANES FloatVec3 pick(const IntLanes& mask, const FloatVec3& if_true, const FloatVec3& if_false) {
+  return {mask ? if_true.x : if_false.x, mask ? if_true.y : if_false.y, mask ? if_true.z : if_false.z};
+}
+/// -1 where negative, else 1.
+RIGOR_FLOAT_LANES FloatLanes sign_of(const FloatLanes& x) {
+  return x < float_lanes(0) ? float_lanes(-1) : float_lanes(1);
+}
+
+/// A face of one box and that of the other which is turned to it. Coordinates of the face: x and y along the
+/// next axes of its box, z outwards, from the face's middle.
+struct BoxFace {
+  FloatLanes slack, separation;
+  IntLanes axis, other_axis;
+  FloatLanes sign, other_sign;   ///< -1 on the negative side of its box.
+  FloatLanes hx, hy, hz;         ///< Half extents of the box of the face.
+  FloatLanes hu, hv;             ///< Of the other face.
+  FloatVec3 other[3];            ///< Half axes of the other box, in the coordinates of its own box's axes.
+  FloatVec3 c, u, v;             ///< The other face: middle and half sides.
+  FloatVec3 middle, ex, ey, ez;  ///< The coordinates in O.
+  FloatLanes to_B;               ///< 1 if the face is A's, else -1.
+  IntLanes is_explained;         ///< The least gap of the region is the separation.
+};
+
+/// The face and its axes: cosines of the other box's axes along those of its own, in turn from the face's.
+RIGOR_FLOAT_LANES void choose_face(const FloatLanes* half_A, const FloatLanes* half_B,
+                                   const FloatLanes (*C)[3], const IntLanes& axis_A, const IntLanes& axis_B,
+                                   const IntLanes& is_B, BoxFace& face) {
+  face.axis = is_B ? axis_B : axis_A;
+  face.to_B = is_B ? float_lanes(-1) : float_lanes(1);
+  FloatLanes own[3], other[3];
+  for (int k = 0; k < 3; ++k) {
+    own[k] = is_B ? half_B[k] : half_A[k];
+    other[k] = is_B ? half_A[k] : half_B[k];
+  }
+  face.hz = pick(face.axis, own[0], own[1], own[2]);
+  face.hx = pick(face.axis, own[1], own[2], own[0]);
+  face.hy = pick(face.axis, own[2], own[0], own[1]);
+  for (int j = 0; j < 3; ++j) {
+    FloatLanes along[3];
+    for (int i = 0; i < 3; ++i) along[i] = is_B ? C[j][i] : C[i][j];
+    face.other[j].z = other[j] * pick(face.axis, along[0], along[1], along[2]);
+    face.other[j].x = other[j] * pick(face.axis, along[1], along[2], along[0]);
+    face.other[j].y = other[j] * pick(face.axis, along[2], along[0], along[1]);
+  }
+  // The axis of the other box's face is the one most along the normal.
+  FloatLanes most = float_lanes(-1);
+  face.other_axis = int_lanes(0);
+  for (int j = 0; j < 3; ++j) {
+    const FloatLanes cosine = float_abs(face.other[j].z) / other[j];
+    const IntLanes is_more = cosine > most;
+    most = is_more ? cosine : most;
+    face.other_axis = is_more ? int_lanes(j) : face.other_axis;
+  }
+  face.hu = pick(face.other_axis, other[1], other[2], other[0]);
+  face.hv = pick(face.other_axis, other[2], other[0], other[1]);
+}
+
+/// The other face in the coordinates of the face; t are the coordinates of B's centre along A's axes and
+/// along B's own.
+RIGOR_FLOAT_LANES void place_face(const FloatLanes* t_A, const FloatLanes* t_B, const IntLanes& is_B,
+                                  BoxFace& face) {
+  FloatLanes t[3];
+  for (int k = 0; k < 3; ++k) t[k] = is_B ? -t_B[k] : t_A[k];
+  face.c.z = pick(face.axis, t[0], t[1], t[2]);
+  face.c.x = pick(face.axis, t[1], t[2], t[0]);
+  face.c.y = pick(face.axis, t[2], t[0], t[1]);
+  face.sign = sign_of(face.c.z);
+  face.c.z = face.sign * face.c.z - face.hz;
+  for (int j = 0; j < 3; ++j) face.other[j].z = face.sign * face.other[j].z;
+  const FloatVec3* f = face.other;
+  const FloatVec3 w = pick(face.other_axis, f[0], f[1], f[2]);
+  face.u = pick(face.other_axis, f[1], f[2], f[0]);
+  face.v = pick(face.other_axis, f[2], f[0], f[1]);
+  face.other_sign = -sign_of(w.z);
+  face.c = face.c + face.other_sign * w;
+}
+
+RIGOR_FLOAT_LANES void orient_face(const FloatVec3* axis_A, const FloatVec3* axis_B, const FloatVec3& p_A,
+                                   const FloatVec3& p_B, const IntLanes& is_B, BoxFace& face) {
+  FloatVec3 axis[3];
+  for (int k = 0; k < 3; ++k) axis[k] = pick(is_B, axis_B[k], axis_A[k]);
+  face.ez = face.sign * pick(face.axis, axis[0], axis[1], axis[2]);
+  face.ex = pick(face.axis, axis[1], axis[2], axis[0]);
+  face.ey = pick(face.axis, axis[2], axis[0], axis[1]);
+  face.middle = pick(is_B, p_B, p_A) + face.hz * face.ez;
+}
+
+/// Corners of the region; z is infinite where there is none.
+struct RegionCorners {
+  FloatLanes x[BoxContacts::class_count], y[BoxContacts::class_count], z[BoxContacts::class_count];
+};
+
+RIGOR_FLOAT_LANES FloatLanes or_none(const IntLanes& is_there, const FloatLanes& z) {
+  return is_there ? z : float_lanes(std::numeric_limits<float>::infinity());
+}
+
+/// The four corners of either face that lie over the other one, but for the slack.
+RIGOR_FLOAT_LANES void find_region_corners(const BoxFace& face, RegionCorners& corners) {
+  const FloatLanes one = float_lanes(1), reach_x = face.hx + face.slack, reach_y = face.hy + face.slack;
+  const FloatLanes reach_u = one + float_lanes(2) * face.slack / face.hu;
+  const FloatLanes reach_v = one + float_lanes(2) * face.slack / face.hv;
+  const FloatLanes scale = one / (face.u.x * face.v.y - face.u.y * face.v.x);
+  for (int k = 0; k < 4; ++k) {
+    const FloatLanes su = float_lanes(k & 1 ? 1.0f : -1.0f), sv = float_lanes(k & 2 ? 1.0f : -1.0f);
+    const FloatVec3 p = face.c + su * face.u + sv * face.v;
+    const int other = BoxContacts::corner_of_other + k, own = BoxContacts::corner_of_face + k;
+    corners.x[other] = p.x;
+    corners.y[other] = p.y;
+    corners.z[other] = or_none((float_abs(p.x) <= reach_x) & (float_abs(p.y) <= reach_y), p.z);
+    // The corner of the face is c + s u + t v, seen along z.
+    const FloatLanes x = su * face.hx, y = sv * face.hy;
+    const FloatLanes dx = x - face.c.x, dy = y - face.c.y;
+    const FloatLanes s = (dx * face.v.y - dy * face.v.x) * scale, t = (face.u.x * dy - face.u.y * dx) * scale;
+    corners.x[own] = x;
+    corners.y[own] = y;
+    corners.z[own] = or_none((float_abs(s) <= reach_u) & (float_abs(t) <= reach_v),
+                             face.c.z + s * face.u.z + t * face.v.z);
+  }
+}
+
+/// Where the side from p - u to p + u crosses the lines x = +-hx; with x and y exchanged the others.
+RIGOR_FLOAT_LANES void cross_side(const BoxFace& face, const FloatVec3& p, const FloatVec3& u,
+                                  const FloatLanes& half_length, bool is_along_x, int place,
+                                  RegionCorners& corners) {
+  const FloatLanes one = float_lanes(1);
+  const FloatLanes start = is_along_x ? p.x : p.y, step = is_along_x ? u.x : u.y;
+  const FloatLanes across = is_along_x ? p.y : p.x, slope = is_along_x ? u.y : u.x;
+  const FloatLanes line = is_along_x ? face.hx : face.hy;
+  const FloatLanes reach = (is_along_x ? face.hy : face.hx) - face.slack;
+  const FloatLanes inverse = one / step, reach_t = one - face.slack / half_length;
+  const IntLanes is_steep = float_abs(step) > face.slack;
+  for (int k = 0; k < 2; ++k) {
+    const FloatLanes at_line = k == 0 ? -line : line;
+    const FloatLanes t = (at_line - start) * inverse, at = across + t * slope;
+    corners.x[place + k] = is_along_x ? at_line : at;
+    corners.y[place + k] = is_along_x ? at : at_line;
+    corners.z[place + k] =
+        or_none(is_steep & (float_abs(t) < reach_t) & (float_abs(at) < reach), p.z + t * u.z);
+  }
+}
+
+RIGOR_FLOAT_LANES void find_region_crossings(const BoxFace& face, RegionCorners& corners) {
+  for (int k = 0; k < 2; ++k) {
+    const FloatLanes s = float_lanes(k == 0 ? -1.0f : 1.0f);
+    const int place = BoxContacts::crossing + 8 * k;
+    const FloatVec3 along_u = face.c + s * face.v, along_v = face.c + s * face.u;
+    cross_side(face, along_u, face.u, face.hu, true, place, corners);
+    cross_side(face, along_u, face.u, face.hu, false, place + 2, corners);
+    cross_side(face, along_v, face.v, face.hv, true, place + 4, corners);
+    cross_side(face, along_v, face.v, face.hv, false, place + 6, corners);
+  }
+}
+
+/// One of the corners in each lane, and the measure by which it was chosen.
+struct ChosenCorner {
+  FloatLanes x, y, z, measure;
+  IntLanes place;
+};
+RIGOR_FLOAT_LANES void choose_clearly(const FloatLanes& measure, const FloatLanes& margin,
+                                      const RegionCorners& corners, int k, ChosenCorner& best) {
+  const IntLanes is_better = (corners.z[k] <= margin) & (measure > float_lanes(1.0001f) * best.measure);
+  best.x = is_better ? corners.x[k] : best.x;
+  best.y = is_better ? corners.y[k] : best.y;
+  best.z = is_better ? corners.z[k] : best.z;
+  best.measure = is_better ? measure : best.measure;
+  best.place = is_better ? int_lanes(k) : best.place;
+}
+
+/// Twice the area of the triangle of a, b and corner k, positive to the left of a -> b.
+RIGOR_FLOAT_LANES FloatLanes area_with(const ChosenCorner& a, const ChosenCorner& b,
+                                       const RegionCorners& corners, int k) {
+  return (b.x - a.x) * (corners.y[k] - a.y) - (b.y - a.y) * (corners.x[k] - a.x);
+}
+
+RIGOR_FLOAT_LANES void store_chosen(const BoxFace& face, const ChosenCorner& chosen, int k,
+                                    BoxContacts& contacts) {
+  const FloatVec3 p =
+      face.middle + chosen.x * face.ex + chosen.y * face.ey + (float_lanes(0.5f) * chosen.z) * face.ez;
+  store_floats(p.x, contacts.p[k][0]);
+  store_floats(p.y, contacts.p[k][1]);
+  store_floats(p.z, contacts.p[k][2]);
+  store_floats(chosen.z, contacts.gap[k]);
+  store_ints(chosen.place, contacts.place[k]);
+}
+
+/// A deepest corner, the farthest from it, and two that span the largest area with them. What is closer than
+/// the slack to those chosen is no corner of its own.
+RIGOR_FLOAT_LANES void choose_corners(const BoxFace& face, const FloatLanes& least, const FloatLanes& margin,
+                                      const RegionCorners& corners, BoxContacts& contacts) {
+  const FloatLanes zero = float_lanes(0), equal = least + float_lanes(0.25f) * face.slack;
+  ChosenCorner a{zero, zero, zero, zero, int_lanes(-1)};
+  for (int k = BoxContacts::class_count - 1; k >= 0; --k) {
+    const IntLanes is_deepest = corners.z[k] <= equal;
+    a.x = is_deepest ? corners.x[k] : a.x;
+    a.y = is_deepest ? corners.y[k] : a.y;
+    a.z = is_deepest ? corners.z[k] : a.z;
+    a.place = is_deepest ? int_lanes(k) : a.place;
+  }
+  ChosenCorner b{a.x, a.y, a.z, face.slack * face.slack, int_lanes(-1)};
+  for (int k = 0; k < BoxContacts::class_count; ++k) {
+    const FloatLanes dx = corners.x[k] - a.x, dy = corners.y[k] - a.y;
+    choose_clearly(dx * dx + dy * dy, margin, corners, k, b);
+  }
+  const FloatLanes dx = b.x - a.x, dy = b.y - a.y;
+  const FloatLanes least_area = face.slack * (float_abs(dx) + float_abs(dy));
+  ChosenCorner c{a.x, a.y, a.z, least_area, int_lanes(-1)};
+  for (int k = 0; k < BoxContacts::class_count; ++k)
+    choose_clearly(float_abs(area_with(a, b, corners, k)), margin, corners, k, c);
+  const FloatLanes turn = sign_of((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
+  ChosenCorner d{a.x, a.y, a.z, least_area, int_lanes(-1)};
+  for (int k = 0; k < BoxContacts::class_count; ++k) {
+    const FloatLanes beyond =
+        float_max(float_max(-turn * area_with(a, b, corners, k), -turn * area_with(b, c, corners, k)),
+                  -turn * area_with(c, a, corners, k));
+    choose_clearly(beyond, margin, corners, k, d);
+  }
+  store_chosen(face, a, 0, contacts);
+  store_chosen(face, b, 1, contacts);
+  store_chosen(face, c, 2, contacts);
+  store_chosen(face, d, 3, contacts);
+}
+
+RIGOR_FLOAT_LANES void clip_boxes(BoxFace& face, const FloatLanes& margin, BoxContacts& contacts) {
+  RegionCorners corners;
+  find_region_corners(face, corners);
+  find_region_crossings(face, corners);
+  FloatLanes least = corners.z[0];
+  for (int k = 1; k < BoxContacts::class_count; ++k) least = float_min(least, corners.z[k]);
+  face.is_explained = least <= face.separation + face.slack;
+  choose_corners(face, least, margin, corners, contacts);
+  const FloatVec3 normal = face.to_B * face.ez;
+  store_floats(normal.x, contacts.normal[0]);
+  store_floats(normal.y, contacts.normal[1]);
+  store_floats(normal.z, contacts.normal[2]);
+  const IntLanes zero = int_lanes(0);
+  store_ints((face.sign < float_lanes(0) ? int_lanes(1) : zero) |
+                 (face.other_sign < float_lanes(0) ? int_lanes(2) : zero),
+             contacts.signs);
+}
+
+}  // namespace rigor

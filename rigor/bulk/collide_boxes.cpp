@@ -1,0 +1,135 @@
+#include "rigor/bulk/collide_boxes.hpp"
+
+#include "rigor/bulk/box_lanes.hpp"
+#include "rigor/bulk/collide_points.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace rigor {
+
+namespace {
+
+void collide_portable(const BoxPairs& pairs, BoxContacts& contacts) {
+  collide_box_lanes(pairs, contacts);
+}
+
+#if defined(__x86_64__)
+[[gnu::target("avx2")]] void collide_avx2(const BoxPairs& pairs, BoxContacts& contacts) {
+  collide_box_lanes(pairs, contacts);
+}
+#endif
+
+constexpr std::size_t kEdgeCount = 12;
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// Number of the edge along an axis through a vertex (sign bits, x lowest): as in FloatHulls::box.
+int box_edge(int axis, int vertex) {
+  const int low = vertex & ((1 << axis) - 1), high = vertex >> (axis + 1);
+  return 4 * axis + (high << axis | low);
+}
+
+int bit_if(bool is_set, int axis) {
+  return is_set ? 1 << axis : 0;
+}
+
+/// Feature of a corner of the region of pair `lane`, by the order in which clip_boxes finds them.
+std::uint32_t region_feature(const BoxContacts& contacts, int lane, int place) {
+  const bool is_B = contacts.face[lane] >= 3;
+  const int z = is_B ? contacts.face[lane] - 3 : contacts.face[lane], x = (z + 1) % 3, y = (z + 2) % 3;
+  const int w = contacts.other[lane], u = (w + 1) % 3, v = (w + 2) % 3;
+  const int own_face = bit_if((contacts.signs[lane] & 1) == 0, z);
+  const int other_face = bit_if((contacts.signs[lane] & 2) == 0, w);
+  const bool first = (place & 1) != 0, second = (place & 2) != 0;
+  if (place < BoxContacts::corner_of_face) {
+    const int vertex = other_face | bit_if(first, u) | bit_if(second, v);
+    return is_B ? vertex_A_feature(vertex) : vertex_B_feature(vertex);
+  }
+  if (place < BoxContacts::crossing) {
+    const int vertex = own_face | bit_if(first, x) | bit_if(second, y);
+    return is_B ? vertex_B_feature(vertex) : vertex_A_feature(vertex);
+  }
+  // Place: side of the other face (8), which of its sides (4), lines along y or x (2), which of these (1).
+  const int code = place - BoxContacts::crossing;
+  const bool is_along_v = (code & 4) != 0, is_far = (code & 8) != 0;
+  const int other_edge = box_edge(is_along_v ? v : u, other_face | bit_if(is_far, is_along_v ? u : v));
+  const int own_edge = box_edge(second ? x : y, own_face | bit_if(first, second ? y : x));
+  return is_B ? crossing_feature(other_edge, own_edge, kEdgeCount)
+              : crossing_feature(own_edge, other_edge, kEdgeCount);
+}
+
+Vec3f axis_of(const PlacedShape& box, int k) {
+  return Vec3f(box.R[k], box.R[3 + k], box.R[6 + k]);
+}
+
+/// The edge of a box along one of its axes that is farthest along n: its middle, and a vertex of it.
+struct BoxEdge {
+  Vec3f middle;
+  int vertex = 0;
+};
+BoxEdge farthest_edge(const PlacedShape& box, const Vec3f& p, const Vec3f& n, int axis) {
+  BoxEdge edge{p};
+  for (int k = 0; k < 3; ++k) {
+    if (k == axis) continue;
+    const Vec3f a = axis_of(box, k);
+    const bool is_positive = n.dot(a) > 0;
+    edge.middle += (is_positive ? box.half[k] : -box.half[k]) * a;
+    edge.vertex |= bit_if(is_positive, k);
+  }
+  return edge;
+}
+
+}  // namespace
+
+bool read_box_region(const BoxContacts& contacts, int lane, float margin, Manifold& manifold) {
+  for (int k = 0; k < 3; ++k) manifold.normal[k] = contacts.normal[k][lane];
+  manifold.point_count = 0;
+  for (int k = 0; k < Manifold::max_points; ++k) {
+    const float gap = contacts.gap[k][lane];
+    if (contacts.place[k][lane] < 0 || !(gap <= margin)) continue;
+    const std::uint32_t feature = region_feature(contacts, lane, contacts.place[k][lane]);
+    // Put where the order of features wants it.
+    int i = manifold.point_count++;
+    for (; i > 0 && manifold.points[at(i - 1)].feature > feature; --i)
+      manifold.points[at(i)] = manifold.points[at(i - 1)];
+    const float(*const p)[kLaneCount] = contacts.p[k];
+    manifold.points[at(i)] = {{p[0][lane], p[1][lane], p[2][lane]}, gap, feature};
+  }
+  return manifold.point_count > 0;
+}
+
+bool cross_box_edges(const BoxPairs& pairs, const BoxContacts& contacts, int lane, Manifold& manifold) {
+  const PlacedShape &a = *pairs.a[lane], &b = *pairs.b[lane];
+  const Vec3f bodies(pairs.d[0][lane], pairs.d[1][lane], pairs.d[2][lane]);
+  const Vec3f p_B = bodies + b.position();
+  const int i = contacts.face[lane], j = contacts.other[lane];
+  const Vec3f u = axis_of(a, i), v = axis_of(b, j);
+  Vec3f n = u.cross(v).normalized();
+  if (n.dot(p_B - a.position()) < 0) n = -n;
+  const BoxEdge edge_A = farthest_edge(a, a.position(), n, i), edge_B = farthest_edge(b, p_B, -n, j);
+  // On the lines: s - t uv = uw, s uv - t = vw.
+  const Vec3f w = edge_B.middle - edge_A.middle;
+  const float uv = u.dot(v), uw = u.dot(w), vw = v.dot(w), square = u.cross(v).squaredNorm();
+  const float s = (uw - vw * uv) / square, t = (uw * uv - vw) / square;
+  const float slack = 4 * kCollisionRounding * (a.extent + b.extent + bodies.norm());
+  if (!(std::abs(s) <= a.half[i] + slack && std::abs(t) <= b.half[j] + slack)) return false;
+  const Vec3f middle = 0.5f * (edge_A.middle + s * u + edge_B.middle + t * v);
+  const std::uint32_t feature =
+      crossing_feature(box_edge(i, edge_A.vertex), box_edge(j, edge_B.vertex), kEdgeCount);
+  for (int k = 0; k < 3; ++k) manifold.normal[k] = n[k];
+  manifold.point_count = 1;
+  manifold.points[0] = {{middle.x(), middle.y(), middle.z()}, contacts.separation[lane], feature};
+  return true;
+}
+
+void collide_boxes(const BoxPairs& pairs, [[maybe_unused]] LaneTarget target, BoxContacts& contacts) {
+#if defined(__x86_64__)
+  if (target == LaneTarget::avx2) return collide_avx2(pairs, contacts);
+#endif
+  collide_portable(pairs, contacts);
+}
+
+}  // namespace rigor

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "rigor/bulk/bulk_shape.hpp"
+#include "rigor/bulk/float_lanes.hpp"
+#include "rigor/bulk/manifold.hpp"
+#include "rigor/geometry/lane_target.hpp"
+
+#include <cstdint>
+
+namespace rigor {
+
+/// Eight pairs of boxes, in the frame of body A's centre with axes of W.
+struct BoxPairs {
+  const PlacedShape* a[kLaneCount];
+  const PlacedShape* b[kLaneCount];
+  alignas(32) float d[3][kLaneCount];  ///< From the centre of body A to that of body B [m].
+  alignas(32) float margin[kLaneCount];
+};
+
+/// Where the eight pairs touch.
+struct BoxContacts {
+  enum Outcome : std::int32_t {
+    apart,     ///< By more than the margin.
+    region,    ///< Over a face: the points are here.
+    edges,     ///< An edge pair parts the boxes best.
+    near_edge  ///< The boxes are apart and nearest at an edge or corner of both.
+  };
+  /// Corners of the region, by the classes in which they were found.
+  enum Class : std::int32_t { corner_of_other = 0, corner_of_face = 4, crossing = 8, class_count = 24 };
+
+  alignas(32) std::int32_t outcome[kLaneCount];
+  alignas(32) float separation[kLaneCount];
+  alignas(32) float normal[3][kLaneCount];     ///< From A to B; of a region.
+  alignas(32) std::int32_t face[kLaneCount];   ///< Axis of the face; + 3 if it is B's; or of edges: of A.
+  alignas(32) std::int32_t other[kLaneCount];  ///< Axis of the other box's face; of edges: of B.
+  alignas(32) std::int32_t signs[kLaneCount];  ///< Bit 0: the face is on the negative side; 1: the other.
+  alignas(32) float p[4][3][kLaneCount];       ///< As in a Manifold.
+  alignas(32) float gap[4][kLaneCount];
+  alignas(32) std::int32_t place[4][kLaneCount];  ///< Which corner of the region, or -1 for none.
+};
+
+/// Parts of separations that rounding may take, of the lengths in a pair.
+constexpr float kCollisionRounding = 1e-6f;
+
+/// The separating axis test of two boxes (Gottschalk, Lin and Manocha, OBBTree, SIGGRAPH 1996), and where a
+/// face parts them best, the region over it, reduced to four points as in make_manifold.
+void collide_boxes(const BoxPairs& pairs, LaneTarget target, BoxContacts& contacts);
+
+/// The manifold of pair `lane`, whose outcome is a region; false if no point is within the margin.
+bool read_box_region(const BoxContacts& contacts, int lane, float margin, Manifold& manifold);
+
+/// The manifold of pair `lane`, whose outcome is edges; false if these do not cross between their ends.
+bool cross_box_edges(const BoxPairs& pairs, const BoxContacts& contacts, int lane, Manifold& manifold);
+
+}  // namespace rigor
