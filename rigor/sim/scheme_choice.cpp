@@ -17,9 +17,9 @@ namespace rigor {
 
 namespace {
 
-/// A heap of so many bouncing balls takes the event-driven engine some seconds a simulated second
+/// A heap of so many bouncing balls takes the event-driven engine ten seconds a simulated second
 /// (docs/choosing.md).
-constexpr int few_bodies = 50;
+constexpr int few_bodies = 40;
 
 /// Bodies that the filters do not tell apart: group, mask, whether they are dynamic.
 using FilterClass = std::tuple<std::uint32_t, std::uint32_t, bool>;
@@ -156,7 +156,7 @@ std::span<const SchemeRule> scheme_rules() {
        },
        {Scheme::event_driven},
        "nothing comes to rest: one sub-problem an impact, and closed forms in between"},
-      {"at most 50 bodies collide",
+      {"at most 40 bodies collide",
        [](const SchemeFacts& facts) { return facts.colliding_bodies <= few_bodies; },
        {Scheme::event_driven},
        "few bodies have few events, and each is located and solved by itself"},

@@ -27,7 +27,7 @@ SchemeFacts scheme_facts(const Model& model, double contact_tolerance);
 /// One line of the table by which `scheme: auto` chooses: the first that applies decides. docs/choosing.md
 /// shows the same table.
 struct SchemeRule {
-  std::string_view when;  ///< "at most 50 bodies collide".
+  std::string_view when;  ///< "at most 40 bodies collide".
   bool (*applies)(const SchemeFacts& facts);
   std::vector<Scheme> schemes;  ///< The first one that is available is taken.
   std::string_view why;
