@@ -1,6 +1,7 @@
 #include "apps/audit_text.hpp"
 
 #include "apps/terminal.hpp"
+#include "rigor/sim/method_use.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -21,9 +22,11 @@ void add_line(std::string& text, const char* title, fmt::format_string<const Val
   fmt::format_to(std::back_inserter(text), "  {:<14}{}\n", title, fmt::format(format, values...));
 }
 
+/// The choices that the scheme looks at.
 std::string method_text(const Method& method) {
   std::string text;
   for (const std::string& key : method_choice_keys()) {
+    if (!uses_choice(method, key)) continue;
     const std::string value = method_choice(method, key);
     if (!value.empty()) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", key, value);
   }

@@ -34,7 +34,7 @@ TableCell end_cell(const ComparedRun& run) {
       return {fmt::format("{}: {}", name, stop_reason_name(run.audit.report.reason)), Tone::bad};
     case RunEnd::interrupted:
     case RunEnd::out_of_time:
-      return {name, Tone::doubtful};
+      return {fmt::format("{} at {:.3g} s", name, run.end_time), Tone::doubtful};
     case RunEnd::refused:
       return {name, Tone::bad};
   }

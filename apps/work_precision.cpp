@@ -71,9 +71,16 @@ std::vector<std::optional<double>> cpu_ratios(const Comparison& comparison) {
   std::vector<std::optional<double>> ratios(comparison.runs.size());
   const std::size_t base = base_run(comparison);
   if (base == comparison.runs.size() || !(comparison.runs[base].cpu_time > 0)) return ratios;
+  const ComparedRun& first = comparison.runs[base];
   for (std::size_t i = 0; i < ratios.size(); ++i) {
-    if (comparison.runs[i].end != RunEnd::refused)
-      ratios[i] = comparison.runs[i].cpu_time / comparison.runs[base].cpu_time;
+    const ComparedRun& run = comparison.runs[i];
+    if (run.end == RunEnd::refused) continue;
+    const double ratio = run.cpu_time / first.cpu_time;
+    if (run.end_time == first.end_time) {
+      ratios[i] = ratio;
+    } else if (run.end_time > 0 && first.end_time > 0) {
+      ratios[i] = ratio * first.end_time / run.end_time;
+    }
   }
   return ratios;
 }

@@ -3,8 +3,8 @@
 
 Each scene is run with each scheme that the program offers and with each step: the scene's own run.step times the factors. Output
 times are the longest step apart, so that no step is shortened by them. A run is ended after --cpu-limit seconds of processor
-time. One line a run is added to the CSV file as soon as a scene and a scheme are done, and what the file holds is not run
-again: stop the tool and start it again at any time. Each scene and scheme is a process of its own.
+time. One line a run is added to the CSV file as soon as a scene is done, and what the file holds is not run again: stop the
+tool and start it again at any time. Each scene is a process of its own, and if that fails each of its schemes is.
 
 usage: tools/compare_schemes.py [--rigor PROGRAM] [--csv FILE] [--docs FILE] [--cpu-limit S] [--duration S]
                                 [--schemes a,b] [--factors 4,2,1] [SCENE...]
@@ -15,6 +15,8 @@ import json
 import math
 import pathlib
 import re
+import resource
+import signal
 import statistics
 import subprocess
 import sys
@@ -24,7 +26,8 @@ FIELDS = ["scene", "scheme", "factor", "step", "end", "reason", "end_time", "err
           "max_joint_drift", "impacts", "steps", "cpu_time"]
 BEGIN, END = "<!-- measured: begin -->", "<!-- measured: end -->"
 WHOLE = ("ok", "audit failed")  # Ends of runs that went to their end.
-SLACK = 60  # [s] of real time that a process may take beyond what its runs may.
+TOO_SLOW = ("out of time", "hangs")
+SLACK = 20  # [s] of processor time that a process may take beyond what its runs may.
 
 
 def arguments():
@@ -65,14 +68,22 @@ def known_rows(path):
         return list(csv.DictReader(file))
 
 
-def rows_of(table, scene, scheme, factors):
+def broken_bounds(run):
+    """What of the run's audit broke its tolerance."""
+    mark = "violated: "
+    warnings = run["audit"]["warnings"] if run.get("audit") else []
+    return "; ".join(text.removeprefix(mark) for text in warnings if text.startswith(mark))
+
+
+def rows_of(table, scene, pairs):
+    """A row a run; pairs: scheme and factor of each, in the order of the runs."""
     reference = table["references"][0] if table["references"] else None
     own = reference and reference["own_error"]
-    for run, factor in zip(table["runs"], factors):
+    for run, (scheme, factor) in zip(table["runs"], pairs, strict=True):
         error = run["error"]
         yield {
             "scene": scene, "scheme": scheme, "factor": f"{factor:g}", "step": repr(run["step"]), "end": run["end"],
-            "reason": run["reason"] or "", "end_time": repr(run["end_time"]),
+            "reason": run["reason"] or broken_bounds(run), "end_time": repr(run["end_time"]),
             "error": repr(error["position"]["value"]) if error else "",
             "angle": repr(error["angle"]["value"]) if error else "",
             "good_until": repr(error["good_until"]) if error else "",
@@ -85,25 +96,40 @@ def rows_of(table, scene, scheme, factors):
             "cpu_time": repr(run["cpu_time"])}
 
 
-def compare(options, path, scheme, factors):
-    """The rows of one scene and scheme. A process that fails or hangs gives rows that say so."""
+def compare_once(options, path, schemes, factors):
+    """The rows of one scene with all these schemes, by one process; and, if there are none, what happened to it."""
+    pairs = [(scheme, factor) for scheme in schemes for factor in factors]
     step = run_setting(path, "step", 0.01)
     steps = [factor * step for factor in factors]
     duration = min(options.duration, run_setting(path, "duration", 10))
-    command = [options.rigor, "compare", str(path), "--vary", f"method.scheme={scheme}", "--vary",
+    command = [options.rigor, "compare", str(path), "--vary", "method.scheme=" + ",".join(schemes), "--vary",
                "run.step=" + ",".join(f"{h:.17g}" for h in steps), "--set", f"run.output_interval={max(steps):.17g}",
                "--duration", f"{duration:.17g}", "--cpu-limit", f"{options.cpu_limit:g}", "--json", "-", "--quiet"]
-    limit = 2 * options.cpu_limit * (len(factors) + 2) + SLACK
+    limit = int(options.cpu_limit * (len(pairs) + 4)) + SLACK
+
+    def bound_processor_time():
+        resource.setrlimit(resource.RLIMIT_CPU, (limit, limit + SLACK))
+
+    done = subprocess.run(command, capture_output=True, text=True, preexec_fn=bound_processor_time)
     try:
-        done = subprocess.run(command, capture_output=True, text=True, timeout=limit)
-        return list(rows_of(json.loads(done.stdout), path.stem, scheme, factors))
-    except subprocess.TimeoutExpired:
-        end, reason = "hangs", f"no answer after {limit:g} s"
+        return list(rows_of(json.loads(done.stdout), path.stem, pairs)), None
     except json.JSONDecodeError:
         # All its runs are refused, or the program has ended in a way that it should not.
-        end = "refused" if done.returncode == 3 else f"exit {done.returncode}"
-        reason = done.stderr.strip().splitlines()[0] if done.stderr.strip() else ""
-    return [dict.fromkeys(FIELDS, "") | {"scene": path.stem, "scheme": scheme, "factor": f"{factor:g}", "end": end,
+        said = done.stderr.strip().splitlines()
+        if done.returncode == -signal.SIGXCPU:
+            return [], ("hangs", f"no answer after {limit} s")
+        return [], ("refused" if done.returncode == 3 else f"exit {done.returncode}", said[0] if said else "")
+
+
+def compare(options, path, schemes, factors):
+    """The rows of one scene; where a process of all schemes gives none, one process a scheme tells which is to blame."""
+    rows, trouble = compare_once(options, path, schemes, factors)
+    if rows:
+        return rows
+    if len(schemes) > 1:
+        return [row for scheme in schemes for row in compare(options, path, [scheme], factors)]
+    end, reason = trouble
+    return [dict.fromkeys(FIELDS, "") | {"scene": path.stem, "scheme": schemes[0], "factor": f"{factor:g}", "end": end,
                                          "reason": reason} for factor in factors]
 
 
@@ -131,14 +157,44 @@ def ratios(rows, base):
     return found
 
 
-def markdown(rows):
-    base = {row["scene"]: number(row["cpu_time"])
-            for row in rows if row["end"] in WHOLE and row["scheme"] == "event-driven" and row["factor"] == "1"}
-    schemes = list(dict.fromkeys(row["scheme"] for row in rows))
+def rates(rows, key):
+    """Of each run, how many a simulated second."""
+    pairs = [(number(row[key]), number(row["end_time"])) for row in rows]
+    return [count / end for count, end in pairs if count is not None and end]
+
+
+def outcome(row):
+    """What came of a run, in a word."""
+    if row["end"] in TOO_SLOW:
+        return "too slow"
+    return {"ok": "runs", "audit failed": "audit", "refused": "refuses"}.get(row["end"], "stops")
+
+
+def summary(rows, base):
+    """A line a scheme: how its runs ended, and how often it solves the sub-problems of the dynamics."""
+    lines = ["| scheme | runs | whole | audit failed | refused | too slow | stopped | impacts a second | steps a second | "
+             "CPU time over event-driven |", "|---|---|---|---|---|---|---|---|---|---|"]
+    for scheme in dict.fromkeys(row["scheme"] for row in rows):
+        own = [row for row in rows if row["scheme"] == scheme]
+        ends = [outcome(row) for row in own]
+        good = [row for row in own if row["end"] in WHOLE and row["factor"] == "1"]
+        lines.append(f"| {scheme} | {len(own)} | {ends.count('runs')} | {ends.count('audit')} | {ends.count('refuses')} | "
+                     f"{ends.count('too slow')} | {ends.count('stops')} | {spread(rates(good, 'impacts'))} | "
+                     f"{spread(rates(good, 'steps'))} | {spread(ratios(good, base))} |")
+    return "\n".join(lines) + "\n"
+
+
+def spread(values):
+    """Median, and the largest."""
+    return f"{statistics.median(values):.3g}, {max(values):.2g}" if values else "-"
+
+
+def by_step(rows, base):
+    """A line a scheme and step: errors, energy, penetration, CPU time of the runs that went to their end."""
     lines = ["| scheme | step | scenes | whole | refused | ended early | error, median [m] | order, median | rise of energy, "
              "largest | penetration, largest [m] | CPU time over event-driven, median |",
              "|---|---|---|---|---|---|---|---|---|---|---|"]
-    for scheme in schemes:
+    for scheme in dict.fromkeys(row["scheme"] for row in rows):
         own = [row for row in rows if row["scheme"] == scheme]
         for factor in sorted({row["factor"] for row in own}, key=float, reverse=True):
             here = [row for row in own if row["factor"] == factor]
@@ -150,6 +206,39 @@ def markdown(rows):
                 f"{cell(numbers(good, 'relative_rise'), max)} | {cell(numbers(good, 'max_penetration'), max)} | "
                 f"{cell(ratios(good, base), statistics.median)} |")
     return "\n".join(lines) + "\n"
+
+
+def matrix(rows):
+    """A line a scene: what came of each scheme at the scene's own step; the reasons stand below."""
+    schemes = list(dict.fromkeys(row["scheme"] for row in rows))
+    own = {(row["scene"], row["scheme"]): row for row in rows if row["factor"] == "1"}
+    reasons = []
+
+    def entry(row):
+        if row is None:
+            return "-"
+        word = outcome(row)
+        if word in ("runs", "too slow") or not row["reason"]:
+            return word
+        # Where the scene says so is left out, and so are the numbers of an audit.
+        reason = re.sub(r"^\S+\.yaml:\d+:\d+: ", "", row["reason"])
+        reason = "; ".join(part.split(" is ")[0] for part in reason.split("; ")) if word == "audit" else reason
+        if reason not in reasons:
+            reasons.append(reason)
+        return f"{word} ({reasons.index(reason) + 1})"
+
+    lines = ["| scene | " + " | ".join(schemes) + " |", "|---" * (len(schemes) + 1) + "|"]
+    for scene in dict.fromkeys(row["scene"] for row in rows):
+        lines.append(f"| {scene} | " + " | ".join(entry(own.get((scene, scheme))) for scheme in schemes) + " |")
+    return "\n".join(lines) + "\n\n" + "".join(f"{i}. {reason}\n" for i, reason in enumerate(reasons, 1))
+
+
+def markdown(rows):
+    base = {row["scene"]: number(row["cpu_time"])
+            for row in rows if row["end"] in WHOLE and row["scheme"] == "event-driven" and row["factor"] == "1"}
+    text = (summary(rows, base) + "\nBy step:\n\n" + by_step(rows, base) +
+            "\nBy scene, at its own step:\n\n" + matrix(rows))
+    return text.rstrip("\n") + "\n"
 
 
 def write_docs(path, table):
@@ -174,16 +263,18 @@ def main():
         if not rows:
             writer.writeheader()
         for path in scenes:
-            for scheme in schemes:
-                missing = [factor for factor in factors if (path.stem, scheme, f"{factor:g}") not in done]
-                if not missing:
-                    continue
-                # All factors again: the order of a run is told against its neighbour.
-                new = [row for row in compare(options, path, scheme, factors) if float(row["factor"]) in missing]
-                writer.writerows(new)
-                file.flush()
-                rows += new
-                print(f"{path.stem} {scheme}: " + ", ".join(row["end"] for row in new), file=sys.stderr)
+            missing = [scheme for scheme in schemes
+                       if any((path.stem, scheme, f"{factor:g}") not in done for factor in factors)]
+            if not missing:
+                continue
+            # All factors again: the order of a run is told against its neighbour.
+            new = [row for row in compare(options, path, missing, factors)
+                   if (row["scene"], row["scheme"], row["factor"]) not in done]
+            writer.writerows(new)
+            file.flush()
+            for scheme in missing:
+                print(f"{path.stem} {scheme}: " + ", ".join(row["end"] for row in new if row["scheme"] == scheme),
+                      file=sys.stderr)
     rows = known_rows(results)
     table = markdown(rows)
     if options.docs:

@@ -111,7 +111,12 @@ std::vector<ContactPoint> convex_contacts(const ContactPair& pair, const Distanc
 
 void add_witness(const ContactPair& pair, const DistanceResult& distance,
                  std::vector<ContactPoint>& contacts) {
-  if (distance.distance < -pair.scale.merge) return;
+  // The shortest way out of an overlap may be another than that of the contacts.
+  const bool is_their_way =
+      !contacts.empty() && std::ranges::all_of(contacts, [&](const ContactPoint& contact) {
+        return (contact.n_W - distance.n_W).norm() <= kSameNormal;
+      });
+  if (distance.distance < -pair.scale.merge && !is_their_way) return;
   const bool touches = std::any_of(contacts.begin(), contacts.end(), [&](const ContactPoint& contact) {
     return contact.gap <= distance.distance + pair.scale.merge;
   });

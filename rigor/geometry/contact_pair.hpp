@@ -40,8 +40,9 @@ std::vector<ContactPoint> line_or_point_contacts(const ContactPair& pair, const 
 /// The contact at the witness points of the distance.
 ContactPoint witness_contact(const ContactPair& pair, const DistanceResult& distance);
 
-/// Adds the witness points of shapes that do not overlap, if no contact has the distance as its gap: a rim
-/// that is tilted against a face by less than the tolerance touches between the points that stand for it.
+/// Adds the witness points of the distance if no contact has it as its gap: a rim that is tilted against a
+/// face by less than the tolerance touches between the points that stand for it. Of shapes that overlap only
+/// if they have the normal of the contacts.
 void add_witness(const ContactPair& pair, const DistanceResult& distance,
                  std::vector<ContactPoint>& contacts);
 

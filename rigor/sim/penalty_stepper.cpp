@@ -4,6 +4,7 @@
 #include "rigor/core/assert.hpp"
 #include "rigor/dynamics/free_rotation.hpp"
 #include "rigor/sim/fixed_steps.hpp"
+#include "rigor/sim/force_rates.hpp"
 #include "rigor/sim/penalty_forces.hpp"
 
 #include <algorithm>
@@ -59,6 +60,12 @@ PenaltyStepper::PenaltyStepper(std::shared_ptr<const Model> model, const Method&
       joints_(*model_, integrator_),
       contacts_(*model_, environment_, integrator_, method, form) {
   RIGOR_ASSERT(target_step > 0);
+  // The forces of the scene are kicks: what they make swing asks for short steps as contacts do, and shorter
+  // ones, since it swings on: its energy is off by (ω h)²/4.
+  constexpr double swing_share = 0.05;
+  const PenaltyRates rates = rates_of_forces(*model_);
+  if (rates.frequency > 0) target_step_ = std::min(target_step_, swing_share / rates.frequency);
+  if (rates.damping > 0) target_step_ = std::min(target_step_, damping_share / rates.damping);
 }
 
 AdvanceReport PenaltyStepper::advance(State& state, double t_end) {

@@ -2,6 +2,7 @@
 
 #include "rigor/geometry/distance.hpp"
 #include "rigor/sim/near_pairs.hpp"
+#include "rigor/sim/scheme_check.hpp"
 
 #include <fmt/format.h>
 
@@ -16,9 +17,9 @@ namespace rigor {
 
 namespace {
 
-/// A heap of so many bouncing balls takes the event-driven engine some seconds a simulated second
+/// A heap of so many bouncing balls takes the event-driven engine ten seconds a simulated second
 /// (docs/choosing.md).
-constexpr int few_bodies = 50;
+constexpr int few_bodies = 40;
 
 /// Bodies that the filters do not tell apart: group, mask, whether they are dynamic.
 using FilterClass = std::tuple<std::uint32_t, std::uint32_t, bool>;
@@ -104,6 +105,24 @@ std::string scheme_name(Scheme scheme) {
   return method_choice(method, "scheme");
 }
 
+const SchemeRefusal* refusal_of(Scheme scheme, std::span<const SchemeRefusal> refusals) {
+  const auto found = std::find_if(refusals.begin(), refusals.end(),
+                                  [&](const SchemeRefusal& each) { return each.scheme == scheme; });
+  return found == refusals.end() ? nullptr : &*found;
+}
+
+/// "3 dynamic bodies, 2 may collide; 1 pair touches at t = 0; 0 joints; restitution 0.5".
+std::string facts_text(const SchemeFacts& facts) {
+  std::string text =
+      fmt::format("{} dynamic {}, {} may collide; {} {} at t = 0; {} {}; restitution {}",
+                  facts.dynamic_bodies, facts.dynamic_bodies == 1 ? "body" : "bodies", facts.colliding_bodies,
+                  facts.touching_pairs, facts.touching_pairs == 1 ? "pair touches" : "pairs touch",
+                  facts.joints, facts.joints == 1 ? "joint" : "joints", facts.lowest_restitution);
+  if (facts.highest_restitution > facts.lowest_restitution)
+    text += fmt::format(" to {}", facts.highest_restitution);
+  return text;
+}
+
 }  // namespace
 
 SchemeFacts scheme_facts(const Model& model, double contact_tolerance) {
@@ -137,7 +156,7 @@ std::span<const SchemeRule> scheme_rules() {
        },
        {Scheme::event_driven},
        "nothing comes to rest: one sub-problem an impact, and closed forms in between"},
-      {"at most 50 bodies collide",
+      {"at most 40 bodies collide",
        [](const SchemeFacts& facts) { return facts.colliding_bodies <= few_bodies; },
        {Scheme::event_driven},
        "few bodies have few events, and each is located and solved by itself"},
@@ -153,26 +172,41 @@ std::span<const SchemeRule> scheme_rules() {
   return rules;
 }
 
-SchemeChoice choose_scheme(const SchemeFacts& facts, std::span<const Scheme> available) {
-  const auto is_available = [&](Scheme scheme) {
-    return std::find(available.begin(), available.end(), scheme) != available.end();
+std::vector<SchemeRefusal> scheme_refusals(const Model& model, const Method& method,
+                                           std::span<const Scheme> available) {
+  std::vector<SchemeRefusal> refusals;
+  for (const Scheme scheme : available) {
+    Method candidate = method;
+    candidate.scheme = scheme;
+    std::vector<std::string> reasons = check_scheme(model, candidate);
+    if (reasons.empty()) reasons = check_combination(candidate);
+    if (!reasons.empty()) refusals.push_back({scheme, std::move(reasons.front())});
+  }
+  return refusals;
+}
+
+SchemeChoice choose_scheme(const SchemeFacts& facts, std::span<const Scheme> available,
+                           std::span<const SchemeRefusal> refusals) {
+  const auto is_possible = [&](Scheme scheme) {
+    return std::find(available.begin(), available.end(), scheme) != available.end() &&
+           !refusal_of(scheme, refusals);
   };
   const std::span<const SchemeRule> rules = scheme_rules();
   const SchemeRule& rule =
       *std::find_if(rules.begin(), rules.end(), [&](const SchemeRule& each) { return each.applies(facts); });
-  const auto chosen = std::find_if(rule.schemes.begin(), rule.schemes.end(), is_available);
-  const Scheme scheme = chosen == rule.schemes.end() ? Scheme::event_driven : *chosen;
-  std::string reason = fmt::format(
-      "{}, since {}: {} ({} dynamic {}, {} may collide; {} {} at t = 0; {} {}; restitution {}{})",
-      scheme_name(scheme), rule.when, rule.why, facts.dynamic_bodies,
-      facts.dynamic_bodies == 1 ? "body" : "bodies", facts.colliding_bodies, facts.touching_pairs,
-      facts.touching_pairs == 1 ? "pair touches" : "pairs touch", facts.joints,
-      facts.joints == 1 ? "joint" : "joints", facts.lowest_restitution,
-      facts.highest_restitution > facts.lowest_restitution ? fmt::format(" to {}", facts.highest_restitution)
-                                                           : "");
-  if (scheme != rule.schemes.front())
-    reason += fmt::format("; {} would be the first choice and is not available in this version",
-                          scheme_name(rule.schemes.front()));
+  std::vector<Scheme> candidates = rule.schemes;
+  candidates.insert(candidates.end(), available.begin(), available.end());
+  const auto chosen = std::find_if(candidates.begin(), candidates.end(), is_possible);
+  const Scheme scheme = chosen == candidates.end() ? Scheme::event_driven : *chosen;
+  std::string reason =
+      fmt::format("{}, since {}: {} ({})", scheme_name(scheme), rule.when, rule.why, facts_text(facts));
+  for (const Scheme better : rule.schemes) {
+    if (better == scheme) break;
+    const SchemeRefusal* const refusal = refusal_of(better, refusals);
+    reason +=
+        fmt::format("; {} would come before it and {}", scheme_name(better),
+                    refusal ? "refuses the scene: " + refusal->reason : "is not available in this version");
+  }
   return {scheme, std::move(reason)};
 }
 
@@ -188,7 +222,9 @@ std::vector<Scheme> available_schemes() {
 
 ResolvedMethod resolve_scheme(const Model& model, const Method& method) {
   if (method.scheme != Scheme::automatic) return {method, {}};
-  SchemeChoice choice = choose_scheme(scheme_facts(model, method.contact_tolerance), available_schemes());
+  const std::vector<Scheme> available = available_schemes();
+  SchemeChoice choice = choose_scheme(scheme_facts(model, method.contact_tolerance), available,
+                                      scheme_refusals(model, method, available));
   ResolvedMethod resolved{method, std::move(choice.reason)};
   resolved.method.scheme = choice.scheme;
   return resolved;

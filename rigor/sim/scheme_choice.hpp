@@ -27,7 +27,7 @@ SchemeFacts scheme_facts(const Model& model, double contact_tolerance);
 /// One line of the table by which `scheme: auto` chooses: the first that applies decides. docs/choosing.md
 /// shows the same table.
 struct SchemeRule {
-  std::string_view when;  ///< "at most 50 bodies collide".
+  std::string_view when;  ///< "at most 40 bodies collide".
   bool (*applies)(const SchemeFacts& facts);
   std::vector<Scheme> schemes;  ///< The first one that is available is taken.
   std::string_view why;
@@ -42,8 +42,20 @@ struct SchemeChoice {
   std::string reason;
 };
 
-/// The scheme of the first rule that applies, among those available.
-SchemeChoice choose_scheme(const SchemeFacts& facts, std::span<const Scheme> available);
+/// A scheme that cannot run the scene.
+struct SchemeRefusal {
+  Scheme scheme;
+  std::string reason;  ///< As check_scheme and check_combination say it.
+};
+
+/// The schemes among those available that the model, or the rest of the method, does not go with.
+std::vector<SchemeRefusal> scheme_refusals(const Model& model, const Method& method,
+                                           std::span<const Scheme> available);
+
+/// The scheme of the first rule that applies, among those available that do not refuse the scene; where the
+/// rule has none, the first one available that does not. Event-driven if all refuse.
+SchemeChoice choose_scheme(const SchemeFacts& facts, std::span<const Scheme> available,
+                           std::span<const SchemeRefusal> refusals = {});
 
 /// The schemes that this version offers; `auto` is none of them.
 std::vector<Scheme> available_schemes();

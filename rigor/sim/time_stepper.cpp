@@ -68,6 +68,7 @@ AdvanceReport TimeStepper::advance(State& state, double t_end) {
   RIGOR_ASSERT(t_end >= state.t && state.body_count() == model_->body_count());
   report_ = {};
   if (t_end == state.t) return report_;
+  admit_velocities(state);
   const FixedSteps steps(state.t, t_end, target_step_);
   for (long k = 0; k < steps.count() && report_.reason == StopReason::reached_end; ++k) {
     while (state.t < steps.end(k) && report_.reason == StopReason::reached_end) {
@@ -341,6 +342,23 @@ double TimeStepper::first_meeting(double h, const Cluster& start, const Trial& t
     if (found.is_contact) first = std::min(first, found.time - start.t);
   }
   return first;
+}
+
+/// Velocities that joints do not allow, as a scene may give them at its start, are put right before the first
+/// step: those that a step leaves take no noticeable part of the energy.
+void TimeStepper::admit_velocities(State& state) {
+  constexpr double noticeable = 1e-12;
+  if (model_->joints().empty()) return;
+  Cluster all = cluster_in(state);
+  for (Cluster& part : connected_parts(all, {}, environment_)) {
+    AdvanceReport projection;
+    const double energy = totals_of(*model_, part).T;
+    joints_.project_velocities(part, projection);
+    if (projection.projection_loss <= noticeable * energy) continue;
+    report_.add(projection);
+    for (std::size_t i = 0; i < part.bodies.size(); ++i) all.phase_of(part.bodies[i]) = part.phases[i];
+  }
+  write(all, state);
 }
 
 /// Positions and velocities of joints are put back, in the metric of the masses.

@@ -52,6 +52,7 @@ class TimeStepper : public Stepper {
   double first_meeting(double h, const Cluster& start, const Trial& trial,
                        const std::vector<std::pair<int, int>>& pairs) const;
   void hold_joints(Cluster& part, AdvanceReport& report) const;
+  void admit_velocities(State& state);
   double correct_overlaps(const State& state, Cluster& end, AdvanceReport& report);
   double misjudgement_of(const Contact& contact) const;
   void write(const Cluster& cluster, State& state) const;

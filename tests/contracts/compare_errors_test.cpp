@@ -204,12 +204,18 @@ TEST(CompareErrors, ARunThatTakesTooLongIsEndedAndTheOthersGoOn) {
   const ProgramResult result =
       folder.compare({"ball.yaml", "--vary", "run.duration=1e6,0.5", "--cpu-limit", "0.05", "-o", "a.json"});
   EXPECT_EQ(result.code, 4);
-  expect_contains(result.out, "1  1e6       out of time");
+  expect_contains(result.out, "1  1e6       out of time at ");
   const Json runs = Json::parse(folder.read("a.json"))["runs"];
   EXPECT_EQ(runs[0]["end"], "out of time");
   EXPECT_LT(runs[0]["cpu_time"], 1);
   EXPECT_GT(runs[0]["end_time"], 0);
   EXPECT_EQ(runs[1]["end"], "ok");
+  // What a simulated second costs, though the runs are not of one length.
+  const auto cost = [](const Json& run) {
+    return run["cpu_time"].get<double>() / run["end_time"].get<double>();
+  };
+  EXPECT_NEAR(runs[1]["cpu_ratio"].get<double>(), cost(runs[1]) / cost(runs[0]),
+              1e-9 * cost(runs[1]) / cost(runs[0]));
 }
 
 TEST(CompareErrors, WorkAndPrecisionAreInTheCsvAndOnThePage) {
@@ -230,12 +236,18 @@ TEST(CompareErrors, ShippedScenesMeetWhatTheyExpect) {
   const ErrorFolder folder;
   const std::string scenes = std::string(RIGOR_SOURCE_DIR) + "/scenes/";
   // Numerical: to the tolerance of the integrator along the run.
-  for (const char* name : {"bouncing_ball", "bouncing_ball_e05", "ramp_slide", "ramp_stick", "slide_to_roll",
-                           "turntable", "wedge", "pendulum"}) {
+  for (const char* name :
+       {"bouncing_ball", "bouncing_ball_e05", "ramp_slide", "ramp_stick", "slide_to_roll", "turntable",
+        "wedge", "pendulum", "double_pendulum", "slider_crank", "andrews", "four_bar", "heavy_top"}) {
     const Json table = folder.table({scenes + name + ".yaml", "--vary", "method.scheme=event-driven"});
     EXPECT_EQ(table["references"][0]["is_run"], false) << name;
     EXPECT_LT(error_of(table["runs"][0]), 1e-9) << name;
+    EXPECT_LT(table["runs"][0]["error"]["angle"]["value"], 1e-9) << name;
   }
+  // Its own tolerance is 1e-9, and the bars pass the line ten times.
+  const Json linkages = folder.table({scenes + "n_four_bar.yaml", "--vary", "method.scheme=event-driven"});
+  EXPECT_EQ(linkages["references"][0]["is_run"], false);
+  EXPECT_LT(error_of(linkages["runs"][0]), 1e-6);
 }
 
 TEST(CheckCommand, TellsWhatAutoChoosesAndWhy) {
@@ -244,7 +256,7 @@ TEST(CheckCommand, TellsWhatAutoChoosesAndWhy) {
   const ProgramResult result = folder.run({"check", "auto.yaml"});
   EXPECT_EQ(result.code, 0);
   expect_contains(result.out,
-                  " in event-driven\n  scheme auto: event-driven, since at most 50 bodies collide: ");
+                  " in event-driven\n  scheme auto: event-driven, since at most 40 bodies collide: ");
   folder.run({"run", "auto.yaml", "--json", "audit.json"});
   const Json audit = Json::parse(folder.read("audit.json"));
   EXPECT_EQ(audit["method"]["scheme"], "event-driven");

@@ -73,6 +73,21 @@ TEST(CompareSchemes, ASchemeThatIsRefusedIsALineThatSaysWhy) {
       << folder.read("error.txt");
   expect_contains(folder.read("rows.csv"), "ball,no-such-scheme,2,,refused,");
   expect_contains(folder.read("rows.csv"), "unknown scheme 'no-such-scheme'");
+  expect_contains(folder.read("out.txt"), "| no-such-scheme | 2 | 0 | 0 | 2 | 0 | 0 |");
+  expect_contains(folder.read("out.txt"), "| ball | refuses (1) |\n\n1. ");
+}
+
+TEST(CompareSchemes, ARunThatTakesTooLongIsCountedAsTooSlow) {
+  const SchemesFolder folder;
+  if (std::system("python3 --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "no python3";
+  std::string endless = spring;
+  endless.replace(endless.find("duration: 0.4"), 13, "duration: 1e6");
+  folder.write("endless.yaml", endless);
+  ASSERT_EQ(folder.compare("--schemes event-driven --factors 1 --duration 1e6 --cpu-limit 0.05 endless.yaml"),
+            0)
+      << folder.read("error.txt");
+  expect_contains(folder.read("out.txt"), "| event-driven | 1 | 0 | 0 | 0 | 1 | 0 |");
+  expect_contains(folder.read("out.txt"), "| endless | too slow |");
 }
 
 }  // namespace
