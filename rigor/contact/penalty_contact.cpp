@@ -95,6 +95,13 @@ PenaltyContact damped_for_rest(PenaltyContact contact, double depth) {
   return contact;
 }
 
+PenaltyContact pressed_by(PenaltyContact contact, const Vec3& force, const Mat3& frame, double gap) {
+  contact.offset = -gap - depth_under(contact.spring, force.z());
+  if (contact.bristle_stiffness > 0)
+    contact.slip_W = frame.leftCols<2>() * (-1 / contact.bristle_stiffness * force.head<2>());
+  return contact;
+}
+
 double pressed_depth(const PenaltyContact& contact, double gap) {
   return std::max(0.0, -gap - contact.offset);
 }

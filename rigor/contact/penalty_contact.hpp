@@ -23,7 +23,8 @@ struct PenaltyChoice {
 /// friction. Dry friction and motors of joints are bristles whose slider has a constant limit.
 ///
 /// A contact that is first seen deeper than an impact presses counts its depth from `offset` on, so that
-/// bodies which begin inside each other are held where they are and not thrown apart.
+/// bodies which begin inside each other are held where they are and not thrown apart. One that begins at rest
+/// and carries a force counts it from before the touch (a negative offset), so that it need not sink first.
 struct PenaltyContact {
   PenaltySpring spring;
   double speed = 0;              ///< Approach that the spring is made for [m/s].
@@ -57,6 +58,10 @@ PenaltyContact made_for_speed(PenaltyContact contact, double speed);
 /// The same spring with the dampers of a contact that lies still, whatever its restitution is: half of the
 /// critical damping [linear], or a restitution of 0.3.
 PenaltyContact damped_for_rest(PenaltyContact contact, double depth);
+
+/// A contact that stands at this gap [m] and carries this force on B (contact frame) [N], which lies in the
+/// cone: its springs are pressed as far as that asks.
+PenaltyContact pressed_by(PenaltyContact contact, const Vec3& force, const Mat3& frame, double gap);
 
 /// Overlap that counts [m]; 0 for dry friction and motors.
 double pressed_depth(const PenaltyContact& contact, double gap);

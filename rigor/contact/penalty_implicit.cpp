@@ -1,5 +1,7 @@
 #include "rigor/contact/penalty_implicit.hpp"
 
+#include "rigor/solver/node_system.hpp"
+
 #include <algorithm>
 #include <limits>
 
@@ -41,13 +43,18 @@ Allowed allowed(const ImplicitSpring& spring, const Vec3& asked, double h) {
 
 class SpringRows {
  public:
-  SpringRows(const MatX& A, const VecX& u_free, const std::vector<ImplicitSpring>& springs, double h,
-             double theta)
-      : A_(A), u_free_(u_free), springs_(springs), h_(h), theta_(theta) {}
+  SpringRows(const ContactRows& rows, const VecX& u_free, const std::vector<ImplicitSpring>& springs,
+             double h, double theta)
+      : rows_(rows),
+        diagonal_(free_diagonal(rows)),
+        u_free_(u_free),
+        springs_(springs),
+        h_(h),
+        theta_(theta) {}
 
   /// j - allowed(h (f - S u_θ)).
   VecX residual(const VecX& j) const {
-    const VecX u = u_free_ + theta_ * (A_ * j);
+    const VecX u = velocities(j);
     VecX F(j.size());
     for (std::size_t i = 0; i < springs_.size(); ++i) {
       const Eigen::Index k = 3 * static_cast<Eigen::Index>(i);
@@ -82,20 +89,34 @@ class SpringRows {
     return result;
   }
 
-  /// Derivative of the residual: 1 + slope h θ S A.
-  MatX slope(const VecX& j) const {
-    const VecX u = u_free_ + theta_ * (A_ * j);
-    MatX result = MatX::Identity(j.size(), j.size());
+  /// x with (1 + W A) x = -F, the derivative of the residual F at j, W = h θ (slope of allowed) S: with
+  /// z = M⁻¹ Jᵀ x it is (M + Jᵀ W J) z = -Jᵀ F, x = -F - W J z. Not finite where that is singular.
+  VecX newton_step(const VecX& j, const VecX& F) const {
+    const VecX u = velocities(j);
+    std::vector<Mat3> W;
     for (std::size_t i = 0; i < springs_.size(); ++i) {
-      const Eigen::Index k = 3 * static_cast<Eigen::Index>(i);
-      const Mat3 D = allowed(springs_[i], asked(i, u), h_).slope;
-      const Mat3 DS = h_ * theta_ * D * springs_[i].resistance.asDiagonal();
-      result.middleRows<3>(k) += DS * A_.middleRows<3>(k);
+      const Mat3 slope = allowed(springs_[i], asked(i, u), h_).slope;
+      W.push_back(h_ * theta_ * slope * springs_[i].resistance.asDiagonal());
     }
-    return result;
+    constexpr bool is_symmetric = false;  // What slides is not.
+    const NodeSystem nodes(rows_, W, 1, is_symmetric);
+    if (!nodes.is_regular()) return VecX::Constant(F.size(), std::numeric_limits<double>::quiet_NaN());
+    const VecX turned = contact_rates(rows_, nodes.solve(contact_wrenches(rows_, -F)));
+    VecX x = -F;
+    for (std::size_t i = 0; i < W.size(); ++i) {
+      const Eigen::Index k = 3 * static_cast<Eigen::Index>(i);
+      x.segment<3>(k) -= W[i] * turned.segment<3>(k);
+    }
+    return x;
   }
 
  private:
+  /// u_θ = u_free + θ A j.
+  VecX velocities(const VecX& j) const {
+    const VecX wrenches = with_joints(rows_, contact_wrenches(rows_, j));
+    return u_free_ + theta_ * contact_rates(rows_, node_accelerations(rows_, wrenches));
+  }
+
   Vec3 asked(std::size_t i, const VecX& u) const {
     const Vec3 own = u.segment<3>(3 * static_cast<Eigen::Index>(i));
     return h_ * (springs_[i].force - springs_[i].resistance.cwiseProduct(own));
@@ -108,14 +129,15 @@ class SpringRows {
     for (std::size_t i = 0; i < springs_.size(); ++i) {
       for (Eigen::Index k = 0; k < 3; ++k) {
         const Eigen::Index row = 3 * static_cast<Eigen::Index>(i) + k;
-        const double scaled = F[row] / (1 + h_ * theta_ * springs_[i].resistance[k] * A_(row, row));
-        sum += scaled * scaled * A_(row, row);
+        const double scaled = F[row] / (1 + h_ * theta_ * springs_[i].resistance[k] * diagonal_[row]);
+        sum += scaled * scaled * diagonal_[row];
       }
     }
     return sum;
   }
 
-  const MatX& A_;
+  const ContactRows& rows_;
+  VecX diagonal_;  ///< Of A, without joints.
   const VecX& u_free_;
   const std::vector<ImplicitSpring>& springs_;
   double h_, theta_;
@@ -123,10 +145,10 @@ class SpringRows {
 
 }  // namespace
 
-ImplicitSpringSolution solve_implicit_springs(const MatX& A, const VecX& u_free,
+ImplicitSpringSolution solve_implicit_springs(const ContactRows& contacts, const VecX& u_free,
                                               const std::vector<ImplicitSpring>& springs, double h,
                                               double theta) {
-  const SpringRows rows(A, u_free, springs, h, theta);
+  const SpringRows rows(contacts, u_free, springs, h, theta);
   ImplicitSpringSolution best;
   VecX j = VecX::Zero(u_free.size());
   best.impulses = j;
@@ -142,7 +164,7 @@ ImplicitSpringSolution solve_implicit_springs(const MatX& A, const VecX& u_free,
     best.iterations = iteration;
     best.converged = best.residual <= tolerance;
     if (best.converged || iteration == most_iterations) break;
-    const VecX step = rows.slope(j).partialPivLu().solve(-F);
+    const VecX step = rows.newton_step(j, F);
     if (!step.allFinite()) break;
     j = rows.best_along(j, step);
   }

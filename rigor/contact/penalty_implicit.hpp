@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rigor/math/types.hpp"
+#include "rigor/solver/contact_rows.hpp"
 
 #include <vector>
 
@@ -30,11 +30,12 @@ struct ImplicitSpringSolution {
 };
 
 /// Solves by Newton's method on the piecewise smooth rows (open, sticking, sliding): an active set that no
-/// spring pulls in, one linear solve an iteration. A (3n × 3n): Delassus operator, u_free (3n).
+/// spring pulls in, one linear solve an iteration, of a sparse matrix with six unknowns a body
+/// (M + Jᵀ W J). rows: J and M, of A = J M⁻¹ Jᵀ; u_free (3n).
 /// Source of the method: Alart and Curnier, A Mixed Formulation for Frictional Contact Problems Prone to
 /// Newton Like Solution Methods, 1991. There the rows are those of rigid contact; here they are those of
 /// springs.
-ImplicitSpringSolution solve_implicit_springs(const MatX& A, const VecX& u_free,
+ImplicitSpringSolution solve_implicit_springs(const ContactRows& rows, const VecX& u_free,
                                               const std::vector<ImplicitSpring>& springs, double h,
                                               double theta);
 

@@ -19,6 +19,11 @@ double stored_energy(const PenaltySpring& spring, double depth) {
   return 0.4 * spring.stiffness * depth * depth * std::sqrt(depth);
 }
 
+double depth_under(const PenaltySpring& spring, double force) {
+  const double ratio = force / spring.stiffness;
+  return spring.law == PenaltyNormalLaw::linear ? ratio : std::cbrt(ratio * ratio);
+}
+
 double stiffness_at(const PenaltySpring& spring, double depth) {
   if (spring.law == PenaltyNormalLaw::linear) return spring.stiffness;
   return 1.5 * spring.stiffness * std::sqrt(std::max(0.0, depth));

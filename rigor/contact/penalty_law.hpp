@@ -24,6 +24,8 @@ struct PenaltySpring {
 double normal_force(const PenaltySpring& spring, double depth, double depth_rate);
 /// Energy in the spring [J]: ½ k δ² or (2/5) k δ^(5/2); 0 if δ ≤ 0.
 double stored_energy(const PenaltySpring& spring, double depth);
+/// Depth at which the spring at rest pushes by this force [N], ≥ 0 [m].
+double depth_under(const PenaltySpring& spring, double force);
 /// ∂f/∂δ [N/m] and ∂f/∂δ̇ [N s/m] where the spring pushes, at this depth and rest.
 double stiffness_at(const PenaltySpring& spring, double depth);
 double damping_at(const PenaltySpring& spring, double depth);

@@ -4,11 +4,17 @@
 #include "rigor/contact/motion_rows.hpp"
 #include "rigor/solver/motion_problem.hpp"
 
+#include <Eigen/Cholesky>
+#include <optional>
 #include <utility>
 
 namespace rigor {
 
 namespace {
+
+/// Of so few contacts without joints the dense problem in contact space costs less than the rounds of motion
+/// space; forces of least norm are the same.
+constexpr std::size_t few_contacts = 4;
 
 /// Tangential unit vector of the slip at each contact: from u_t where there is slip, along the old one
 /// otherwise.
@@ -38,9 +44,33 @@ std::vector<ContactMode> modes_of(const std::vector<ContactState>& states) {
   return modes;
 }
 
+/// The force of known mode at a contact that is alone between bodies that no joint holds, from its own three
+/// rows; nothing elsewhere, and where these are too close to dependent.
+std::optional<VecX> force_alone(const ContactSystem& system, const CoulombProblem& laws,
+                                const std::vector<ContactMode>& modes) {
+  constexpr double least_ratio = 1e-6;
+  if (modes.size() != 1 || system.joints) return std::nullopt;
+  if (modes.front() == ContactMode::open) return Vec3::Zero();
+  const Mat3 A = delassus(system);
+  const Vec3 b = laws.b;
+  if (modes.front() == ContactMode::slide) {
+    const Vec2 friction = -laws.mu.front() * laws.slips.front();
+    const Vec3 direction(friction.x(), friction.y(), 1);
+    const double response = A.row(2).dot(direction);
+    if (!(response > least_ratio * A(2, 2))) return std::nullopt;
+    return Vec3(-b.z() / response * direction);
+  }
+  const Eigen::LLT<Mat3> factors(A);
+  if (factors.info() != Eigen::Success || !(factors.rcond() > least_ratio)) return std::nullopt;
+  const Vec3 lambda = factors.solve(-b);
+  return Vec3(lambda - factors.solve(A * lambda + b));
+}
+
 VecX forces_of_modes(const ContactSystem& system, CoulombProblem laws, const std::vector<ContactMode>& modes,
                      const RestingChoice& choice) {
-  if (choice.space == RestingSpace::motion) {
+  if (const std::optional<VecX> force = force_alone(system, laws, modes)) return *force;
+  const bool is_small = modes.size() <= few_contacts && !system.joints;
+  if (choice.space == RestingSpace::motion && !is_small) {
     const MotionProblem problem{motion_rows(system), laws};
     const MotionModesSystem forces(problem, {modes, laws.slips});
     if (forces.is_exact()) return forces.least_norm();

@@ -8,6 +8,7 @@
 #include "rigor/sim/island.hpp"
 #include "rigor/sim/method.hpp"
 #include "rigor/sim/near_pairs.hpp"
+#include "rigor/sim/penalty_forces.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -93,6 +94,32 @@ std::vector<TouchingPoint> points_of(const Method& method, const IslandIntegrato
   return points;
 }
 
+/// What the springs that the State remembers do.
+std::vector<TouchingPoint> points_of_springs(const Model& model, const Method& method, const State& state,
+                                             const IslandIntegrator& integrator,
+                                             const Environment& environment) {
+  constexpr double rounding = 1e-9;
+  const Touching touching =
+      PenaltyTouching(model, environment, integrator, method, TouchingForm::reachable).find(state, 0, 0);
+  const VecX forces = penalty_forces(touching);
+  std::vector<TouchingPoint> points;
+  for (std::size_t i = 0; i < touching.springs.size(); ++i) {
+    const Contact& contact = touching.system.contacts[i];
+    const Vec3 force = forces.segment<3>(3 * static_cast<Eigen::Index>(i));
+    const bool presses = force.z() > 0;
+    if (contact.stop || (!presses && contact.point.gap > method.contact_tolerance)) continue;
+    TouchingPoint& point = points.emplace_back(unsolved_point(touching.system, i));
+    if (!presses) continue;
+    point.force_W = world_impulse(touching.system, forces, static_cast<int>(i));
+    const double limit = friction_limit(contact, touching.system.rows[i], force.z());
+    const Vec3 slip_W = point.u_W - point.u_W.dot(point.n_W) * point.n_W;
+    const bool slides =
+        force.head<2>().norm() >= (1 - rounding) * limit && slip_W.norm() > slip_tolerance(method);
+    point.mode = slides ? TouchingPoint::Mode::slide : TouchingPoint::Mode::stick;
+  }
+  return points;
+}
+
 BodyMotion motion_at(const Model& model, const State& state, int body) {
   if (body == world_body) return {};
   return {state.position(body), rotation_matrix(state.orientation(body)), linear_velocity(model, state, body),
@@ -172,6 +199,8 @@ std::vector<JointReaction> joint_motions(const Model& model, const State& state)
 std::vector<TouchingPoint> contact_snapshot(const Model& model, const Method& method, const State& state) {
   const Environment environment(model);
   const IslandIntegrator integrator(model, environment, method);
+  if (method.scheme == Scheme::penalty && !state.contacts.empty())
+    return points_of_springs(model, method, state, integrator, environment);
   const Cluster cluster = touching_bodies(model, method, state);
   std::vector<TouchingPoint> points;
   for (const Cluster& part : connected_parts(cluster, cluster.contacts, environment)) {

@@ -26,8 +26,9 @@ struct TouchingPoint {
 
 /// All points closer than the method's contact tolerance, with the forces that rest and friction ask for at
 /// this instant: Coulomb's problem of the accelerations (solve_resting), for each group of bodies that touch
-/// each other by itself. Points that part faster than a thousandth of the resting velocity carry none. In the
-/// order of bodies, shapes and features. A function of its arguments alone: it draws what a stepper did, and
+/// each other by itself. Points that part faster than a thousandth of the resting velocity carry none. Under
+/// `method.scheme: penalty`, where the State remembers springs, the forces of these. In the order of bodies,
+/// shapes and features. A function of its arguments alone: it draws what a stepper did, and
 /// is no part of one.
 std::vector<TouchingPoint> contact_snapshot(const Model& model, const Method& method, const State& state);
 

@@ -7,14 +7,8 @@
 namespace rigor {
 
 std::optional<ImpactSolution> find_reversal(const ImpactProblem& problem) {
-  constexpr double rounding = 1e-9;
   const CoulombSolution plastic = solve_cones(problem.A, problem.u, frictions(problem));
   if (!plastic.converged) return std::nullopt;
-  const double still = rounding * problem.u.cwiseAbs().maxCoeff();
-  for (std::size_t i = 0; i < problem.count(); ++i) {
-    if (plastic.lambda[row_of(i) + 2] <= 0) continue;
-    if (plastic.w.segment<3>(row_of(i)).norm() > still) return std::nullopt;
-  }
   return ImpactSolution{2 * plastic.lambda, plastic.residual, true, plastic.iterations};
 }
 

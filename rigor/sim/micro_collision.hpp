@@ -17,7 +17,7 @@ namespace rigor {
 class MicroCollision {
  public:
   /// Holds references to both. `reverses`: slow collisions without rolling or torsional friction
-  /// reverse the whole relative velocity where the cones of friction allow it.
+  /// double the plastic impact (find_reversal).
   MicroCollision(const IslandIntegrator& integrator, const ContactResolver& resolver, const Method& method,
                  bool reverses);
 
@@ -35,10 +35,13 @@ class MicroCollision {
   bool reverses_;
 };
 
-/// The impulses -2 A⁺ u that reverse the relative velocities of all contacts that press, if they lie in the
-/// cones: twice the plastic impact where everything sticks. The kinetic energy stays. For one contact
-/// λ = -2 K⁻¹ u. Source: Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, thesis, 1996
-/// (static contact).
+/// Twice the plastic impact λ. Where everything sticks in that one it is -2 A⁺ u, which reverses the relative
+/// velocities of all contacts that press and keeps the kinetic energy; for one contact -2 K⁻¹ u. A contact
+/// that slides in it gets the friction μ λ_n of its whole normal impulse, also where that turns its slip
+/// round. The energy changes by 2 λ·w = -2 Σ μ λ_n |w_t|, w the velocities after the plastic impact. Nothing
+/// if the plastic impact is not found. Source: Mirtich, Impulse-based Dynamic Simulation of Rigid Body
+/// Systems, thesis, 1996 (static contact); that sliding contacts double it too is ours
+/// (docs/theory/impulse_based.md).
 std::optional<ImpactSolution> find_reversal(const ImpactProblem& problem);
 
 }  // namespace rigor

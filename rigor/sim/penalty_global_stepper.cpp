@@ -1,5 +1,6 @@
 #include "rigor/sim/penalty_global_stepper.hpp"
 
+#include "rigor/contact/motion_rows.hpp"
 #include "rigor/contact/penalty_rates.hpp"
 #include "rigor/dynamics/free_rotation.hpp"
 #include "rigor/sim/penalty_forces.hpp"
@@ -18,6 +19,26 @@ constexpr double step_share = 0.2;
 constexpr double midpoint_share = 1;
 /// Steps whose springs could not be solved for are halved down to this share of the target step.
 constexpr double least_share = 1e-3;
+
+/// The straight line that stands for a spring in a step: its value at the step's begin [N], and its slope
+/// [N/m].
+struct Line {
+  double force, slope;
+};
+
+/// Linear springs are one; of others the chord to the depth that would be reached without them.
+Line line_of(const PenaltySpring& spring, double depth, double reached) {
+  if (spring.law == PenaltyNormalLaw::linear) return {spring.stiffness * depth, spring.stiffness};
+  if (!(depth > 0)) {
+    // From the touch on.
+    const double slope = reached > 0 ? normal_force(spring, reached, 0) / reached : 0;
+    return {slope * depth, slope};
+  }
+  constexpr double least_growth = 1e-3;  // Shorter chords are all rounding.
+  const double force = normal_force(spring, depth, 0);
+  if (!(reached > (1 + least_growth) * depth)) return {force, stiffness_at(spring, depth)};
+  return {force, (normal_force(spring, reached, 0) - force) / (reached - depth)};
+}
 
 Eigen::Index row_of(std::size_t contact) {
   return 3 * static_cast<Eigen::Index>(contact);
@@ -92,17 +113,12 @@ std::vector<ImplicitSpring> GlobalPenaltyStepper::springs(const VecX& u_free, do
     const Contact& contact = system.contacts[i];
     const PenaltyContact& spring = touching_.springs[i];
     const double depth = -contact.point.gap - spring.offset;
-    double k = spring.spring.stiffness;
-    if (spring.spring.law == PenaltyNormalLaw::hunt_crossley) {
-      // The secant to where the spring will be pressed.
-      const double reached = depth - h * u_free[row_of(i) + 2];
-      k *= std::sqrt(std::max({depth, reached, 1e-3 * method_.penalty_depth}));
-    }
+    const Line normal = line_of(spring.spring, depth, depth - h * u_free[row_of(i) + 2]);
     const double c = depth > 0 ? damping_at(spring.spring, depth) : 0;
     const Vec2 slip = (system.frames[i].transpose() * spring.slip_W).head<2>();
     const double k_t = spring.bristle_stiffness, S_t = theta * h * k_t + spring.bristle_damping;
-    rows.push_back({.force = Vec3(-k_t * slip.x(), -k_t * slip.y(), k * depth),
-                    .resistance = Vec3(S_t, S_t, theta * h * k + c),
+    rows.push_back({.force = Vec3(-k_t * slip.x(), -k_t * slip.y(), normal.force),
+                    .resistance = Vec3(S_t, S_t, theta * h * normal.slope + c),
                     .friction = contact.friction,
                     .limit = system.rows[i].load,
                     .has_normal = !contact.is_bounded_force()});
@@ -115,7 +131,7 @@ std::optional<VecX> GlobalPenaltyStepper::solve_contacts(const VecX& u_before, c
   if (u_before.size() == 0) return VecX();
   const VecX u_theta = (1 - theta) * u_before + theta * u_free;
   const ImplicitSpringSolution solution =
-      solve_implicit_springs(delassus(touching_.system), u_theta, springs(u_theta, h, theta), h, theta);
+      solve_implicit_springs(motion_rows(touching_.system), u_theta, springs(u_theta, h, theta), h, theta);
   if (!solution.converged && h > least_share * target_step_) return std::nullopt;
   report_.max_residual = std::max(report_.max_residual, solution.residual);
   report_.max_iterations = std::max(report_.max_iterations, solution.iterations);

@@ -75,6 +75,10 @@ AdvanceReport PenaltyStepper::advance(State& state, double t_end) {
   const FixedSteps steps(state.t, t_end, target_step_ / method_.substeps);
   // What was known at the end of the last call is forgotten: the State says it all.
   phases_ = contacts_.phases(state);
+  if (state.contacts.empty()) {
+    state.contacts = contacts_.pressed_at_rest(state);
+    for (const ContactMemory& pressed : state.contacts) report_.work += pressed.energy;
+  }
   touching_ = contacts_.find(state, horizon(state, steps.end(0)), 0);
   for (long k = 0; k < steps.count() && report_.reason == StopReason::reached_end; ++k)
     advance_to(steps.end(k), state);
@@ -283,7 +287,7 @@ void PenaltyStepper::write_state(double t, State& state) const {
 }
 
 void PenaltyStepper::observe_contacts(double t) {
-  report_.impacts += touching_.fresh;
+  note_impacts(t);
   report_.separations += touching_.lost;
   for (const Contact& contact : touching_.system.contacts) {
     if (contact.stop || -contact.point.gap <= report_.max_penetration) continue;
@@ -291,6 +295,19 @@ void PenaltyStepper::observe_contacts(double t) {
     report_.penetration_A = contact.body_A;
     report_.penetration_B = contact.body_B;
     report_.penetration_time = t;
+  }
+}
+
+/// Impacts that begin, one a pair of bodies, with their first point in the order of the contacts.
+void PenaltyStepper::note_impacts(double t) {
+  std::pair<int, int> last{-1, -1};
+  for (const std::size_t i : touching_.begun) {
+    const Contact& contact = touching_.system.contacts[i];
+    if (std::exchange(last, {contact.body_A, contact.body_B}) == last) continue;
+    const int other = contact.body_B == contact.body_A ? -1 : contact.body_B;
+    report_.events.push_back(
+        {MotionEvent::Kind::impact, t, contact.body_A, other, contact.p_W(), Vec3::Zero()});
+    ++report_.impacts;
   }
 }
 

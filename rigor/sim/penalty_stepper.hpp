@@ -22,7 +22,8 @@ class PenaltyStepper : public Stepper {
   PenaltyStepper(std::shared_ptr<const Model> model, const Method& method, double target_step);
 
   void set_interrupt(std::function<bool()> interrupt) override { interrupt_ = std::move(interrupt); }
-  /// report.steps counts sub-steps.
+  /// report.steps counts sub-steps. Its impacts are where and when contacts begin that approach faster than
+  /// at rest, one a pair of bodies; they take time, and their impulse is not known then: it is told as zero.
   AdvanceReport advance(State& state, double t_end) override;
 
  protected:
@@ -58,6 +59,7 @@ class PenaltyStepper : public Stepper {
   void put_joints_back(double t);
   void write_state(double t, State& state) const;
   void observe_contacts(double t);
+  void note_impacts(double t);
   bool note_not_finite();
   /// Books of the springs, and all into the State.
   void end_step(const ElasticEnergies& before, double t, State& state);

@@ -37,6 +37,27 @@ ContactMemory empty_memory(const Contact& contact) {
           .feature = contact.point.feature};
 }
 
+/// The gap at which a contact begins to press [m]: 0, or more where it began pressed.
+double first_force(const PenaltyContact& spring) {
+  return std::max(0.0, -spring.offset);
+}
+
+/// The same for what the State remembers of a contact.
+double first_force(const State& state, PenaltyNormalLaw law, const Contact& contact) {
+  const auto key = empty_memory(contact).key();
+  double gap = 0;
+  for (auto place = std::partition_point(state.contacts.begin(), state.contacts.end(),
+                                         [&](const ContactMemory& memory) { return memory.key() < key; });
+       place != state.contacts.end() && place->key() == key; ++place)
+    gap = std::max(gap, first_force(penalty_contact(law, *place)));
+  return gap;
+}
+
+void put_in_order(std::vector<ContactMemory>& memories) {
+  std::stable_sort(memories.begin(), memories.end(),
+                   [](const ContactMemory& a, const ContactMemory& b) { return a.key() < b.key(); });
+}
+
 /// What the State remembers, given out once each: to the contact of the same key, or of the same shapes where
 /// features changed.
 class MemoryShelf {
@@ -86,6 +107,8 @@ PenaltyTouching::PenaltyTouching(const Model& model, const Environment& environm
       integrator_(integrator),
       contact_tolerance_(method.contact_tolerance),
       resting_velocity_(method.resting_velocity),
+      slip_tolerance_(slip_tolerance(method)),
+      resting_(resting_choice(method)),
       choice_(choice_of(method)),
       form_(form),
       finder_(model, method.broad_phase) {
@@ -118,7 +141,8 @@ std::vector<double> PenaltyTouching::reaches(const State& state, double horizon)
     const double speed = linear_velocity(model_, state, i).norm() +
                          angular_velocity(model_, state, i).norm() * radius +
                          0.5 * horizon * environment_.steady_acceleration(i).norm();
-    reaches.push_back(horizon * speed);
+    // Also of bodies at rest boxes meet that touch by less than the tolerance.
+    reaches.push_back(contact_tolerance_ + horizon * speed);
   }
   return reaches;
 }
@@ -178,7 +202,7 @@ Touching PenaltyTouching::find(const State& state, double horizon, double lag) {
   const VecX u = relative_velocities(all);
   std::vector<Contact> active;
   for (std::size_t i = 0; i < all.contacts.size(); ++i) {
-    const bool overlaps = all.contacts[i].point.gap <= 0;
+    const bool overlaps = all.contacts[i].point.gap <= first_force(state, choice_.law, all.contacts[i]);
     if (overlaps || form_ == TouchingForm::reachable) active.push_back(all.contacts[i]);
     const double approach = -u[3 * static_cast<Eigen::Index>(i) + 2];
     if (overlaps || !asks_for_steps(all.contacts[i], approach)) continue;
@@ -230,7 +254,7 @@ void PenaltyTouching::add_springs(const State& state, Touching& touching) const 
     const double approach = std::max(0.0, -u[3 * static_cast<Eigen::Index>(i) + 2]);
     const bool is_fresh_impact =
         !contact.is_bounded_force() && contact.point.gap <= 0 && approach > resting_velocity_;
-    if (is_fresh_impact) ++touching.fresh;
+    if (is_fresh_impact) touching.begun.push_back(i);
     touching.springs[i] = make_penalty_contact(contact, mobility, choice, approach, -contact.point.gap);
   }
   for (std::size_t i = 0; i < n; ++i) {
@@ -276,16 +300,59 @@ std::vector<ContactMemory> PenaltyTouching::memories(const Touching& touching) c
   std::vector<ContactMemory> memories;
   for (std::size_t i = 0; i < touching.springs.size(); ++i) {
     const Contact& contact = touching.system.contacts[i];
-    if (contact.point.gap > 0) continue;
+    if (contact.point.gap > first_force(touching.springs[i])) continue;
     ContactMemory memory = empty_memory(contact);
     remember(touching.springs[i], memory);
     memory.energy =
         normal_energy(touching.springs[i], contact.point.gap) + bristle_energy(contact, touching.springs[i]);
     memories.push_back(memory);
   }
-  std::stable_sort(memories.begin(), memories.end(),
-                   [](const ContactMemory& a, const ContactMemory& b) { return a.key() < b.key(); });
+  put_in_order(memories);
   return memories;
+}
+
+std::vector<ContactMemory> PenaltyTouching::pressed_at_rest(const State& state) {
+  Cluster cluster{.t = state.t, .bodies = bodies_, .phases = phases(state)};
+  cluster.contacts = finder_.find(state, reaches(state, 0), contact_tolerance_);
+  std::erase_if(cluster.contacts,
+                [this](const Contact& contact) { return std::abs(contact.point.gap) > contact_tolerance_; });
+  std::vector<ContactMemory> memories;
+  for (const Cluster& part : connected_parts(cluster, cluster.contacts, environment_)) {
+    if (!part.contacts.empty() && integrator_.joints_of(part.bodies).empty()) add_pressed(part, memories);
+  }
+  put_in_order(memories);
+  return memories;
+}
+
+void PenaltyTouching::add_pressed(const Cluster& part, std::vector<ContactMemory>& memories) const {
+  constexpr std::size_t most_contacts = 400;
+  constexpr double still_share = 1e-6;
+  if (part.contacts.size() > most_contacts) return;
+  const ContactSystem touching = integrator_.system_of(part.t, part.bodies, part.phases, part.contacts);
+  const VecX u = relative_velocities(touching);
+  std::vector<Contact> pressed;
+  for (std::size_t i = 0; i < part.contacts.size(); ++i) {
+    const double u_n = u[3 * static_cast<Eigen::Index>(i) + 2];
+    if (std::abs(u_n) <= still_share * resting_velocity_) pressed.push_back(part.contacts[i]);
+  }
+  if (pressed.empty()) return;
+  const ContactSystem system = integrator_.system_of(part.t, part.bodies, part.phases, std::move(pressed));
+  const CoulombSolution forces =
+      solve_resting(system, integrator_.environment_wrenches(system, part.t), slip_tolerance_, resting_)
+          .forces;
+  if (!forces.converged) return;
+  for (std::size_t i = 0; i < system.contacts.size(); ++i) {
+    const Contact& contact = system.contacts[i];
+    const Vec3 force = forces.lambda.segment<3>(3 * static_cast<Eigen::Index>(i));
+    PenaltyChoice choice = choice_;
+    choice.least_speed = least_speed(contact);
+    const PenaltyContact fresh = make_penalty_contact(contact, contact_mobility(system, i), choice, 0, 0);
+    if (!(force.z() > 0) || !(fresh.spring.stiffness > 0)) continue;
+    const PenaltyContact spring = pressed_by(fresh, force, system.frames[i], contact.point.gap);
+    ContactMemory& memory = memories.emplace_back(empty_memory(contact));
+    remember(spring, memory);
+    memory.energy = normal_energy(spring, contact.point.gap) + bristle_energy(contact, spring);
+  }
 }
 
 }  // namespace rigor

@@ -1,7 +1,9 @@
 #pragma once
 
 #include "rigor/contact/penalty_contact.hpp"
+#include "rigor/contact/resting.hpp"
 #include "rigor/model/state.hpp"
+#include "rigor/sim/cluster.hpp"
 #include "rigor/sim/contact_finder.hpp"
 #include "rigor/sim/island.hpp"
 
@@ -13,8 +15,9 @@ namespace rigor {
 struct Touching {
   ContactSystem system;                 ///< Of all dynamic bodies, with what touches.
   std::vector<PenaltyContact> springs;  ///< One a contact of the system.
-  long fresh = 0;                       ///< Contacts that nothing was remembered of and that approach fast.
-  long lost = 0;                        ///< Remembered contacts that touch no more.
+  /// Contacts that nothing was remembered of and that approach faster than at rest: impacts begin there.
+  std::vector<std::size_t> begun;
+  long lost = 0;  ///< Remembered contacts that touch no more.
   /// Energy of springs whose contacts touch no more [J].
   double lost_energy = 0;
   /// How long bodies may move before a contact begins or ends [s]: the step in which it does is short.
@@ -39,6 +42,11 @@ class PenaltyTouching {
   const std::vector<int>& dynamic_bodies() const { return bodies_; }
   std::vector<BodyPhase> phases(const State& state) const;
 
+  /// Springs for the contacts at which bodies of a State that remembers none neither approach nor part:
+  /// pressed as the forces of rigid contact ask, so that what is at rest stays where it is and has not to
+  /// sink first. Their energy is supplied from outside. None for bodies in joints and for groups of more than
+  /// 400 contacts.
+  std::vector<ContactMemory> pressed_at_rest(const State& state);
   /// What touches at the State, and how long others may go on, looking ahead by at most `horizon` [s]. The
   /// velocities may lack what steady forces do in a time `lag` [s].
   Touching find(const State& state, double horizon, double lag);
@@ -59,11 +67,13 @@ class PenaltyTouching {
   double time_to_touch(const ContactSystem& system, std::size_t contact, double u, double lag) const;
   double time_to_part(const Touching& touching, std::size_t contact, double u) const;
   void add_springs(const State& state, Touching& touching) const;
+  void add_pressed(const Cluster& part, std::vector<ContactMemory>& memories) const;
 
   const Model& model_;
   const Environment& environment_;
   const IslandIntegrator& integrator_;
-  double contact_tolerance_, resting_velocity_;
+  double contact_tolerance_, resting_velocity_, slip_tolerance_;
+  RestingChoice resting_;
   PenaltyChoice choice_;
   TouchingForm form_;
   std::vector<int> bodies_;

@@ -121,6 +121,20 @@ TEST(ImpulseBasedStepper, ReversedSlowCollisionsDoNotCreepButBouncesDo) {
   EXPECT_GE(creep_in(Slow::bounces, 0.2), 2e-6);
 }
 
+TEST(ImpulseBasedStepper, SlidingBlockKeepsTheAccelerationOfCoulombsLaw) {
+  // 0.99 times the friction that holds it: a = g (sin α - μ cos α), a hundredth of the pull.
+  const double angle = 20 * std::acos(-1.0) / 180, mu = 0.99 * std::tan(angle), duration = 0.5;
+  ModelBuilder builder = builder_on(g * Vec3(std::sin(angle), 0, -std::cos(angle)), mu, 0);
+  builder.add_body(body_of("block", Box{Vec3(0.2, 0.2, 0.1)}, Vec3(0, 0, 0.1)));
+  const std::shared_ptr<const Model> model = builder.build();
+  ImpulseBasedStepper stepper(model, Method{}, 0.01);
+  State state = make_initial_state(*model);
+  EXPECT_EQ(stepper.advance(state, duration).reason, StopReason::reached_end);
+  const double expected = 0.5 * g * (std::sin(angle) - mu * std::cos(angle)) * duration * duration;
+  // No friction is left unused; what remains is the way within one bounce and tilt, of the envelope's size.
+  EXPECT_NEAR(state.position(1).x(), expected, 5e-6);
+}
+
 TEST(ImpulseBasedStepper, StacksNeedMoreImpactsForEachCubeTheHigherTheyAre) {
   const long one = impacts_of_stack(1, 0.1), four = impacts_of_stack(4, 0.1);
   EXPECT_GT(one, 100);
@@ -178,8 +192,22 @@ TEST(FindReversal, TurnsTheWholeVelocityRoundIfTheImpulseLiesInTheCone) {
   const Vec3 expected = -2 * K.inverse() * Vec3(problem.u);
   EXPECT_LE((reversal->lambda - expected).norm(), 1e-12);
   EXPECT_NEAR(energy_change(problem, reversal->lambda), 0, 1e-13);
-  problem.u = Vec3(3, 0, -1);
-  EXPECT_FALSE(find_reversal(problem));
+}
+
+TEST(FindReversal, SlidingContactsGetTheFrictionOfTheirWholeNormalImpulseAndAddNoEnergy) {
+  ImpactProblem problem;
+  problem.contacts.push_back({0, 1, Mat3::Identity(), 0.5, 0, 0});
+  problem.A = Mat3::Identity();
+  // The normal velocity turns round by an impulse of 2; friction of up to 1 slows a slip of 3 and turns one
+  // of 0.8 round, where an impact that ends its friction with the slip would leave none.
+  for (const double slip : {3.0, 0.8}) {
+    problem.u = Vec3(slip, 0, -1);
+    const std::optional<ImpactSolution> reversal = find_reversal(problem);
+    ASSERT_TRUE(reversal);
+    EXPECT_LE((reversal->lambda - Vec3(-1, 0, 2)).norm(), 1e-12);
+    // -2 μ λ_n |w_t|, with the plastic impact's λ_n = 1 and w_t = slip - 1/2.
+    EXPECT_NEAR(energy_change(problem, reversal->lambda), -(slip - 0.5), 1e-12);
+  }
 }
 
 }  // namespace
