@@ -63,7 +63,7 @@ void begin_bulk_step(const Model& model, BulkBodies& bodies) {
     if (body.motion != MotionType::dynamic) continue;
     const Mat3 R_WB = bodies.q[k].toRotationMatrix();
     const Mat3 inverse_W = R_WB * body.moments.cwiseInverse().asDiagonal() * R_WB.transpose();
-    BodyInertia& inertia = bodies.inertia[k];
+    InverseInertia& inertia = bodies.inertia[k];
     inertia.xx = static_cast<float>(inverse_W(0, 0));
     inertia.yy = static_cast<float>(inverse_W(1, 1));
     inertia.zz = static_cast<float>(inverse_W(2, 2));

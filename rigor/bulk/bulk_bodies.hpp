@@ -23,7 +23,7 @@ struct alignas(64) BodyMotion {
 
 /// Inverse inertia about the centre of mass in W at the begin of the step [1/(kg m^2)]; 0 for kinematic and
 /// fixed bodies.
-struct alignas(32) BodyInertia {
+struct alignas(32) InverseInertia {
   float xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
   float inv_mass = 0;  ///< [1/kg].
   float pad = 0;
@@ -34,7 +34,7 @@ struct BulkBodies {
   std::vector<Vec3> x;  ///< p_WB of the centre of mass [m].
   std::vector<Quat> q;  ///< q_WB.
   std::vector<BodyMotion> motion;
-  std::vector<BodyInertia> inertia;
+  std::vector<InverseInertia> inertia;
 
   int count() const { return static_cast<int>(x.size()); }
   bool is_dynamic(int body) const { return inertia[static_cast<std::size_t>(body)].inv_mass > 0; }
