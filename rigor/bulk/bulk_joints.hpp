@@ -2,40 +2,46 @@
 
 #include "rigor/bulk/bulk_bodies.hpp"
 #include "rigor/bulk/executor.hpp"
+#include "rigor/geometry/lane_target.hpp"
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace rigor {
 
 /// The joints of the many-body path, eight at a time: what they hold, their limits, motors, springs, dampers
-/// and dry friction.
+/// and dry friction. Trees of joints are solved at once, in a time that grows with their number; joints that
+/// close loops of them take turns with the trees. Derivation: docs/theory/bulk_joints.md.
+///
+/// A step is prepare(), then for each substep: forces on the velocities, solve(true), displacements
+/// (dp += h v, dr += h ω), solve(false). Nothing is remembered from substep to substep or from step to step,
+/// and nothing of what joints have done to velocities may be done again in the next substep: joints turn.
 class BulkJoints {
  public:
-  explicit BulkJoints(const Model& model);
+  explicit BulkJoints(const Model& model, LaneTarget target = best_lane_target());
   ~BulkJoints();
   BulkJoints(const BulkJoints&) = delete;
   BulkJoints& operator=(const BulkJoints&) = delete;
 
-  /// At the begin of a step of substeps of h [s]; impulses are where the search begins (empty: from zero), as
-  /// from impulses().
-  void prepare(const BulkBodies& bodies, double h, const std::vector<float>& impulses,
-               const Executor& executor);
-  /// Applies the impulses that are known; once, in the first substep (the later ones begin with what the
-  /// substep before has changed).
-  void warm_start(BulkBodies& bodies, const Executor& executor);
-  /// One sweep over all joints. with_bias: positions are put back where the joints want them, at the rate of
-  /// a stiff, damped spring; else velocities alone are put right.
-  void solve(bool with_bias, BulkBodies& bodies, const Executor& executor);
-  /// Of the last substep, in the order of the Model's joints: State::joint_impulses.
+  /// At the begin of a step of substeps of h > 0 [s]; after begin_bulk_step().
+  void prepare(const BulkBodies& bodies, double h, const Executor& executor);
+  /// Changes velocities so that joints hold after the time h (before displacements: true), or that their
+  /// rates are what joints allow, after impacts at limits too (after displacements: false).
+  void solve(bool before_displacements, BulkBodies& bodies, const Executor& executor);
+  /// For callers that have repeated, as a guess, what all constraints changed in the substep before: takes
+  /// back what of it was of the joints.
+  void take_back_change(BulkBodies& bodies) const;
+  /// Of the last substep [N s] and [N m s]: six a joint, in the order of the Model's joints: of its rows in
+  /// their order, on body B.
   std::vector<float> impulses() const;
-  /// How far the worst joint is off [m] (lever arms of the bodies' size make angles lengths), and which it is
-  /// (-1: none).
+  /// How far the worst joint is off [m] (angles count at a lever of the larger arm, at least the length scale
+  /// of the model) at the begin of a step, and which it is (-1: none).
   std::pair<double, int> worst_error(const BulkBodies& bodies) const;
 
  private:
-  struct Rows;
-  std::unique_ptr<Rows> rows_;
+  struct Blocks;
+  std::unique_ptr<Blocks> blocks_;
 };
 
 }  // namespace rigor

@@ -32,7 +32,7 @@ struct BulkWorld::Scratch {
         narrow_phase(model),
         contacts(model),
         joints(model),
-        environment(model) {}
+        environment(model, false) {}
 
   Executor executor;
   PairFinder pair_finder;
@@ -77,7 +77,7 @@ BulkStepReport BulkWorld::step(double h) {
   const BulkStepReport report = describe_contacts();
   begin_bulk_step(*model_, bodies_);
   compute_accelerations();
-  s.joints.prepare(bodies_, substep, s.joint_impulses, s.executor);
+  s.joints.prepare(bodies_, substep, s.executor);
   s.contacts.prepare(bodies_, substep, s.pairs, s.manifolds, memory_, s.executor);
   for (int k = 0; k < settings_.substeps; ++k) take_substep(k == 0, static_cast<float>(substep));
   if (s.contacts.has_restitution()) {
@@ -94,8 +94,9 @@ void BulkWorld::take_substep(bool is_first, float h) {
   Scratch& s = *scratch_;
   integrate_velocities(is_first, h);
   if (is_first) {
-    s.joints.warm_start(bodies_, s.executor);
     s.contacts.warm_start(bodies_, s.executor);
+  } else {
+    s.joints.take_back_change(bodies_);
   }
   s.joints.solve(true, bodies_, s.executor);
   s.contacts.solve(BlockPass::push, h, bodies_, s.executor);

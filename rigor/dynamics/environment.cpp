@@ -18,7 +18,7 @@ void sort_and_unite(std::vector<int>& bodies) {
 
 }  // namespace
 
-Environment::Environment(const Model& model)
+Environment::Environment(const Model& model, bool with_joints)
     : model_(&model),
       steady_accelerations_(index(model.body_count()), Vec3::Zero()),
       is_forced_(index(model.body_count()), false),
@@ -68,7 +68,7 @@ Environment::Environment(const Model& model)
         (!springs_of_[index(i)].empty() || !body_forces_[index(i)].empty() || !torques_[index(i)].empty() ||
          linear_drag_[index(i)] > 0 || angular_drag_[index(i)] > 0);
   }
-  add_joints();
+  if (with_joints) add_joints();
 }
 
 void Environment::add_joints() {

@@ -13,7 +13,8 @@ namespace rigor {
 /// torques, springs, springs and dampers of joints, drag.
 class Environment {
  public:
-  explicit Environment(const Model& model);
+  /// with_joints: false where joints, their springs and dampers too, are somebody else's.
+  explicit Environment(const Model& model, bool with_joints = true);
 
   /// Acceleration of a dynamic body by gravity and by the constant forces at its centre of mass [m/s²]: with
   /// nothing else acting it flies a parabola.

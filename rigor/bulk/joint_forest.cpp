@@ -1,0 +1,204 @@
+#include "rigor/bulk/joint_forest.hpp"
+
+#include "rigor/model/force.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+namespace rigor {
+
+namespace {
+
+bool is_free(const Model& model, int body) {
+  return body != world_body && model.body(body).motion == MotionType::dynamic;
+}
+
+/// Sets of bodies that are held together.
+class BodySets {
+ public:
+  explicit BodySets(int count) : above_(static_cast<std::size_t>(count)) {
+    std::iota(above_.begin(), above_.end(), 0);
+  }
+  int top(int body) {
+    int& above = above_[static_cast<std::size_t>(body)];
+    while (above != above_[static_cast<std::size_t>(above)]) above = above_[static_cast<std::size_t>(above)];
+    return above;
+  }
+  void join(int a, int b) { above_[static_cast<std::size_t>(top(a))] = top(b); }
+
+ private:
+  std::vector<int> above_;
+};
+
+/// The joints of the trees by body, and the others.
+struct Branches {
+  std::vector<std::vector<int>> joints;  ///< Of each body those to other bodies.
+  std::vector<int> holds;                ///< Of each body the joint that holds it to the ground; -1.
+  std::vector<int> closing;
+};
+
+Branches choose_branches(const Model& model) {
+  const std::size_t count = static_cast<std::size_t>(model.body_count());
+  Branches branches{std::vector<std::vector<int>>(count), std::vector<int>(count, -1), {}};
+  BodySets sets(model.body_count());
+  std::vector<bool> is_held(count);
+  for (int j = 0; j < static_cast<int>(model.joints().size()); ++j) {
+    const Joint& joint = model.joint(j);
+    const bool is_gear = joint.type == JointType::gear;
+    const bool moves_A = !is_gear && is_free(model, joint.body_A);
+    const bool moves_B = !is_gear && is_free(model, joint.body_B);
+    if (moves_A && moves_B) {
+      const std::size_t a = static_cast<std::size_t>(sets.top(joint.body_A));
+      const std::size_t b = static_cast<std::size_t>(sets.top(joint.body_B));
+      if (a != b && !(is_held[a] && is_held[b])) {
+        is_held[b] = is_held[a] || is_held[b];
+        sets.join(joint.body_A, joint.body_B);
+        branches.joints[static_cast<std::size_t>(joint.body_A)].push_back(j);
+        branches.joints[static_cast<std::size_t>(joint.body_B)].push_back(j);
+        continue;
+      }
+    } else if (moves_A || moves_B) {
+      const int body = moves_A ? joint.body_A : joint.body_B;
+      const std::size_t set = static_cast<std::size_t>(sets.top(body));
+      if (!is_held[set]) {
+        is_held[set] = true;
+        branches.holds[static_cast<std::size_t>(body)] = j;
+        continue;
+      }
+    }
+    branches.closing.push_back(j);
+  }
+  return branches;
+}
+
+/// One tree: in the order of its links.
+struct Tree {
+  std::vector<int> bodies, joints, parents;  ///< Parents: their place in `bodies`; -1: none.
+};
+
+Tree grow(const Model& model, const Branches& branches, int root) {
+  Tree tree{{root}, {branches.holds[static_cast<std::size_t>(root)]}, {-1}};
+  for (std::size_t i = 0; i < tree.bodies.size(); ++i) {
+    for (const int j : branches.joints[static_cast<std::size_t>(tree.bodies[i])]) {
+      if (j == tree.joints[i]) continue;
+      const Joint& joint = model.joint(j);
+      tree.bodies.push_back(joint.body_A == tree.bodies[i] ? joint.body_B : joint.body_A);
+      tree.joints.push_back(j);
+      tree.parents.push_back(static_cast<int>(i));
+    }
+  }
+  std::reverse(tree.bodies.begin(), tree.bodies.end());
+  std::reverse(tree.joints.begin(), tree.joints.end());
+  std::reverse(tree.parents.begin(), tree.parents.end());
+  for (int& parent : tree.parents) {
+    if (parent >= 0) parent = static_cast<int>(tree.bodies.size()) - 1 - parent;
+  }
+  return tree;
+}
+
+std::vector<Tree> find_trees(const Model& model, const Branches& branches) {
+  BodySets sets(model.body_count());
+  std::vector<int> roots(static_cast<std::size_t>(model.body_count()), -1);
+  for (std::size_t b = 0; b < branches.joints.size(); ++b) {
+    for (const int j : branches.joints[b]) sets.join(model.joint(j).body_A, model.joint(j).body_B);
+  }
+  for (int b = 0; b < model.body_count(); ++b) {
+    int& root = roots[static_cast<std::size_t>(sets.top(b))];
+    const bool is_held = branches.holds[static_cast<std::size_t>(b)] >= 0;
+    if (is_held || (root < 0 && !branches.joints[static_cast<std::size_t>(b)].empty())) root = b;
+  }
+  std::vector<Tree> trees;
+  for (int b = 0; b < model.body_count(); ++b) {
+    const int root = roots[static_cast<std::size_t>(sets.top(b))];
+    if (root == b) trees.push_back(grow(model, branches, root));
+  }
+  return trees;
+}
+
+/// What of a tree must be alike to share lanes.
+std::vector<int> signature(const Model& model, const Tree& tree) {
+  std::vector<int> signs;
+  for (std::size_t i = 0; i < tree.bodies.size(); ++i) {
+    signs.push_back(tree.parents[i]);
+    if (tree.joints[i] < 0) {
+      signs.push_back(-1);
+      continue;
+    }
+    const Joint& joint = model.joint(tree.joints[i]);
+    signs.push_back(static_cast<int>(joint.type));
+    signs.push_back(joint.body_B == tree.bodies[i] ? 1 : 0);
+    signs.push_back(has_axis_laws(joint) ? 1 : 0);
+  }
+  return signs;
+}
+
+JointTrees begin_trees(const Model& model, const Tree& tree) {
+  JointTrees trees;
+  std::array<int, 8> none;
+  none.fill(-1);
+  trees.bodies.assign(tree.bodies.size(), none);
+  for (std::size_t i = 0; i < tree.bodies.size(); ++i) {
+    JointLink link;
+    link.joints = none;
+    link.has_joint = tree.joints[i] >= 0;
+    if (link.has_joint) {
+      const Joint& joint = model.joint(tree.joints[i]);
+      link.type = joint.type;
+      link.child_is_B = joint.body_B == tree.bodies[i];
+      link.has_laws = has_axis_laws(joint);
+      link.parent_is_free = tree.parents[i] >= 0;
+      link.parent = tree.parents[i];
+      if (!link.parent_is_free) {
+        link.parent = static_cast<int>(trees.bodies.size());
+        trees.bodies.push_back(none);
+      }
+    }
+    trees.links.push_back(link);
+  }
+  return trees;
+}
+
+void add_lane(const Model& model, const Tree& tree, std::size_t lane, JointTrees& trees) {
+  for (std::size_t i = 0; i < tree.bodies.size(); ++i) {
+    JointLink& link = trees.links[i];
+    trees.bodies[i][lane] = tree.bodies[i];
+    link.joints[lane] = tree.joints[i];
+    if (!link.has_joint || link.parent_is_free) continue;
+    const Joint& joint = model.joint(tree.joints[i]);
+    trees.bodies[static_cast<std::size_t>(link.parent)][lane] = link.child_is_B ? joint.body_A : joint.body_B;
+  }
+}
+
+bool acts(const JointAxis& axis) {
+  return axis.is_limited() || axis.motor || axis.stiffness > 0 || axis.damping > 0 || axis.friction > 0;
+}
+
+}  // namespace
+
+bool has_axis_laws(const Joint& joint) {
+  // What keeps its distance has no coordinate for a spring to act on.
+  if (joint.type == JointType::distance) return !joint.axes.empty() && joint.axes[0].is_limited();
+  return std::any_of(joint.axes.begin(), joint.axes.end(), acts);
+}
+
+JointForest make_joint_forest(const Model& model) {
+  const Branches branches = choose_branches(model);
+  JointForest forest;
+  forest.closing = branches.closing;
+  /// Where the next tree of a signature goes: which trees, which lane.
+  std::map<std::vector<int>, std::pair<std::size_t, std::size_t>> places;
+  for (const Tree& tree : find_trees(model, branches)) {
+    const auto [place, is_new] = places.try_emplace(signature(model, tree), 0, 8);
+    auto& [block, lane] = place->second;
+    if (lane == 8) {
+      block = forest.trees.size();
+      lane = 0;
+      forest.trees.push_back(begin_trees(model, tree));
+    }
+    add_lane(model, tree, lane++, forest.trees[block]);
+  }
+  return forest;
+}
+
+}  // namespace rigor

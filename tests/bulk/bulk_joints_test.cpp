@@ -1,0 +1,71 @@
+#include "rigor/bulk/bulk_joints.hpp"
+
+#include "bulk/joint_scenes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace rigor {
+namespace {
+
+using tests::JointRun;
+
+constexpr double kStep = 1.0 / 60;
+const Vec3 kGravity(0, 0, -9.81);
+
+struct ChainFigures {
+  double joint_error = 0;   ///< Largest [m].
+  double energy_error = 0;  ///< Largest, of the energy that its fall can release.
+};
+
+/// A chain of ten rods falls from level.
+ChainFigures swing(int substeps) {
+  JointRun chain(tests::rod_chain(10, kGravity));
+  const double released = 10 * 9.81 * 2.5, before = chain.energy();
+  ChainFigures figures;
+  for (int i = 0; i < 180; ++i) {
+    chain.step(kStep, substeps);
+    figures.joint_error = std::max(figures.joint_error, chain.error());
+    figures.energy_error = std::max(figures.energy_error, std::abs(chain.energy() - before) / released);
+  }
+  return figures;
+}
+
+TEST(BulkJoints, ASwingingChainKeepsItsJointsAndItsEnergy) {
+  const ChainFigures figures = swing(4);
+  EXPECT_LE(figures.joint_error, 1e-3);
+  EXPECT_LE(figures.energy_error, 0.05);
+}
+
+TEST(BulkJoints, ErrorsOfASwingingChainFallWithItsSubsteps) {
+  // The kick of the weight in front makes the energy of first order in h, turning makes the joints' errors of
+  // at least second order.
+  const ChainFigures coarse = swing(8), fine = swing(32);
+  EXPECT_LE(fine.energy_error, 0.5 * coarse.energy_error);
+  EXPECT_LE(fine.joint_error, 0.25 * coarse.joint_error + 2e-6);  // Rounding of lengths of 5 m: 32 bits.
+}
+
+TEST(BulkJoints, BothTargetsOfLanesGiveTheSameBits) {
+  JointRun portable(tests::rod_chain(5, kGravity, 11), LaneTarget::portable);
+  JointRun best(tests::rod_chain(5, kGravity, 11));
+  portable.run(0.5, kStep, 4);
+  best.run(0.5, kStep, 4);
+  EXPECT_EQ(std::memcmp(portable.bodies.motion.data(), best.bodies.motion.data(),
+                        portable.bodies.motion.size() * sizeof(portable.bodies.motion[0])),
+            0);
+}
+
+TEST(BulkJoints, AChainMovesTheSameWhicheverLaneItIsIn) {
+  JointRun one(tests::rod_chain(5, kGravity)), many(tests::rod_chain(5, kGravity, 11));
+  one.run(0.5, kStep, 4);
+  many.run(0.5, kStep, 4);
+  for (int chain = 0; chain < 11; ++chain) {
+    for (int i = 0; i < 5; ++i) EXPECT_EQ(one.velocity(i), many.velocity(5 * chain + i));
+  }
+}
+
+}  // namespace
+}  // namespace rigor

@@ -1,0 +1,111 @@
+#pragma once
+
+#include "rigor/bulk/bulk_joints.hpp"
+#include "rigor/math/rotation.hpp"
+#include "rigor/model/model_builder.hpp"
+
+#include "random_vectors.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace rigor::tests {
+
+/// A body of the given mass and moments.
+inline BodyDescription bulk_body(const std::string& name, const Vec3& p_WL, double mass,
+                                 const Vec3& moments) {
+  BodyDescription body;
+  body.name = name;
+  body.p_WL = p_WL;
+  body.inertia = GivenInertia{.mass = mass, .moments = moments};
+  return body;
+}
+
+/// Rods of 1 kg and 0.5 m, end to end along x from the origin, where ball joints hold the first to the world
+/// and each to the next.
+inline std::shared_ptr<const Model> rod_chain(int count, const Vec3& g_W, int chains = 1) {
+  ModelBuilder builder;
+  builder.set_gravity(g_W);
+  for (int c = 0; c < chains; ++c) {
+    for (int i = 0; i < count; ++i) {
+      const std::string name = std::to_string(c) + "_" + std::to_string(i);
+      const Vec3 center(0.25 + 0.5 * i, c, 0);
+      builder.add_body(bulk_body(name, center, 1, Vec3(0.001, 0.0208333, 0.0208333)));
+      ModelBuilder::JointDescription joint;
+      joint.name = "j" + name;
+      joint.type = JointType::ball;
+      joint.bodies = {i == 0 ? "world" : std::to_string(c) + "_" + std::to_string(i - 1), name};
+      joint.anchors = {Vec3(0.5 * i, c, 0)};
+      builder.add_joint(joint);
+    }
+  }
+  return builder.build();
+}
+
+/// Joints at work without contacts.
+struct JointRun {
+  explicit JointRun(std::shared_ptr<const Model> scene, LaneTarget target = best_lane_target())
+      : model(std::move(scene)),
+        bodies(read_bulk_bodies(*model, make_initial_state(*model))),
+        joints(*model, target) {}
+
+  void step(double H, int substeps) {
+    const Executor executor(1);
+    const double h = H / substeps;
+    begin_bulk_step(*model, bodies);
+    joints.prepare(bodies, h, executor);
+    for (int s = 0; s < substeps; ++s) {
+      for (int i = 0; i < bodies.count(); ++i) {
+        for (int k = 0; bodies.is_dynamic(i) && k < 3; ++k) {
+          bodies.motion[static_cast<std::size_t>(i)].v[k] += static_cast<float>(h * model->g_W()[k]);
+        }
+      }
+      joints.solve(true, bodies, executor);
+      for (auto& motion : bodies.motion) {
+        for (int k = 0; k < 3; ++k) {
+          motion.dp[k] += static_cast<float>(h) * motion.v[k];
+          motion.dr[k] += static_cast<float>(h) * motion.w[k];
+        }
+      }
+      joints.solve(false, bodies, executor);
+    }
+    end_bulk_step(bodies);
+  }
+  void run(double time, double H, int substeps) {
+    for (int i = 0; i < std::lround(time / H); ++i) step(H, substeps);
+  }
+
+  Vec3 velocity(int body) const { return vector(bodies.motion[static_cast<std::size_t>(body)].v); }
+  Vec3 spin(int body) const { return vector(bodies.motion[static_cast<std::size_t>(body)].w); }
+  void set(int body, const Vec3& v, const Vec3& w) {
+    for (int k = 0; k < 3; ++k) {
+      bodies.motion[static_cast<std::size_t>(body)].v[k] = static_cast<float>(v[k]);
+      bodies.motion[static_cast<std::size_t>(body)].w[k] = static_cast<float>(w[k]);
+    }
+  }
+  double error() const { return joints.worst_error(bodies).first; }
+
+  /// Kinetic energy and that of the weight [J].
+  double energy() const {
+    double sum = 0;
+    for (int i = 0; i < bodies.count(); ++i) {
+      const Body& body = model->body(i);
+      if (body.motion != MotionType::dynamic) continue;
+      const Vec3 w_B = bodies.q[static_cast<std::size_t>(i)].conjugate() * spin(i);
+      sum += 0.5 * body.mass * velocity(i).squaredNorm() +
+             0.5 * w_B.dot(Vec3(body.moments.cwiseProduct(w_B))) -
+             body.mass * model->g_W().dot(bodies.x[static_cast<std::size_t>(i)]);
+    }
+    return sum;
+  }
+
+  std::shared_ptr<const Model> model;
+  BulkBodies bodies;
+  BulkJoints joints;
+
+ private:
+  static Vec3 vector(const float* p) { return Vec3(p[0], p[1], p[2]); }
+};
+
+}  // namespace rigor::tests
