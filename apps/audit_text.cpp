@@ -24,6 +24,7 @@ void add_line(std::string& text, const char* title, fmt::format_string<const Val
 std::string method_text(const Method& method) {
   std::string text;
   for (const std::string& key : method_choice_keys()) {
+    if (!reads_choice(method, key)) continue;
     const std::string value = method_choice(method, key);
     if (!value.empty()) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", key, value);
   }

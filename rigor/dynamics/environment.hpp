@@ -9,11 +9,14 @@
 
 namespace rigor {
 
+/// Whether the springs between points of bodies act, or are left to who treats them implicitly.
+enum class PointSprings { act, left_out };
+
 /// The forces of a scene other than those of contacts and of what joints hold: gravity, constant forces and
 /// torques, springs, springs and dampers of joints, drag.
 class Environment {
  public:
-  explicit Environment(const Model& model);
+  explicit Environment(const Model& model, PointSprings springs = PointSprings::act);
 
   /// Acceleration of a dynamic body by gravity and by the constant forces at its centre of mass [m/s²]: with
   /// nothing else acting it flies a parabola.

@@ -2,6 +2,7 @@
 
 #include "rigor/geometry/distance.hpp"
 #include "rigor/sim/near_pairs.hpp"
+#include "rigor/sim/scheme_check.hpp"
 
 #include <fmt/format.h>
 
@@ -161,7 +162,9 @@ SchemeChoice choose_scheme(const SchemeFacts& facts, std::span<const Scheme> ava
   const SchemeRule& rule =
       *std::find_if(rules.begin(), rules.end(), [&](const SchemeRule& each) { return each.applies(facts); });
   const auto chosen = std::find_if(rule.schemes.begin(), rule.schemes.end(), is_available);
-  const Scheme scheme = chosen == rule.schemes.end() ? Scheme::event_driven : *chosen;
+  const Scheme scheme = chosen != rule.schemes.end()                              ? *chosen
+                        : is_available(Scheme::event_driven) || available.empty() ? Scheme::event_driven
+                                                                                  : available.front();
   std::string reason = fmt::format(
       "{}, since {}: {} ({} dynamic {}, {} may collide; {} {} at t = 0; {} {}; restitution {}{})",
       scheme_name(scheme), rule.when, rule.why, facts.dynamic_bodies,
@@ -171,7 +174,7 @@ SchemeChoice choose_scheme(const SchemeFacts& facts, std::span<const Scheme> ava
       facts.highest_restitution > facts.lowest_restitution ? fmt::format(" to {}", facts.highest_restitution)
                                                            : "");
   if (scheme != rule.schemes.front())
-    reason += fmt::format("; {} would be the first choice and is not available in this version",
+    reason += fmt::format("; {} would be the first choice and is not available for this scene",
                           scheme_name(rule.schemes.front()));
   return {scheme, std::move(reason)};
 }
@@ -188,7 +191,13 @@ std::vector<Scheme> available_schemes() {
 
 ResolvedMethod resolve_scheme(const Model& model, const Method& method) {
   if (method.scheme != Scheme::automatic) return {method, {}};
-  SchemeChoice choice = choose_scheme(scheme_facts(model, method.contact_tolerance), available_schemes());
+  std::vector<Scheme> able;
+  for (const Scheme scheme : available_schemes()) {
+    Method tried = method;
+    tried.scheme = scheme;
+    if (check_scheme(model, tried).empty()) able.push_back(scheme);
+  }
+  SchemeChoice choice = choose_scheme(scheme_facts(model, method.contact_tolerance), able);
   ResolvedMethod resolved{method, std::move(choice.reason)};
   resolved.method.scheme = choice.scheme;
   return resolved;
