@@ -32,7 +32,7 @@ struct BulkWorld::Scratch {
         narrow_phase(model),
         contacts(model),
         joints(model),
-        environment(model, false) {}
+        environment(model, PointSprings::act, false) {}
 
   Executor executor;
   PairFinder pair_finder;

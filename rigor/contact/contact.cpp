@@ -82,7 +82,8 @@ std::vector<Contact> find_contacts(const Model& model, int a, int b, const Pose&
                               pair.restitution,
                               pair.rolling_friction,
                               pair.torsional_friction,
-                              pair.tangential_restitution};
+                              pair.tangential_restitution,
+                              pair.sticking_friction()};
         const bool is_known = std::any_of(contacts.begin(), contacts.end(), [&](const Contact& other) {
           return (other.shape_A != contact.shape_A || other.shape_B != contact.shape_B) &&
                  is_same(other, contact, tolerance);

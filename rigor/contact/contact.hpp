@@ -33,6 +33,7 @@ struct Contact {
   double rolling_friction = 0;        ///< ρ of the pair [m].
   double torsional_friction = 0;      ///< σ of the pair [m].
   double tangential_restitution = 0;  ///< e_t of the pair; 0: none.
+  double static_friction = 0;         ///< μ_s of the pair; less than μ: as μ.
   /// Set for a row of a joint's coordinate: there are no shapes then (negative numbers that tell stops
   /// apart), the frame is that of W, body_A is body_B where the other one is the world, and n (limits) or t1
   /// (friction, motors) is the coordinate.
@@ -42,6 +43,9 @@ struct Contact {
   bool is_bounded_force() const {
     return stop && (stop->kind == JointStop::Kind::friction || stop->kind == JointStop::Kind::motor);
   }
+
+  /// Whether what sticks is held by more than μ λ_n.
+  bool has_static_friction() const { return !stop && static_friction > friction; }
 
   /// Where impulses act, on both bodies alike so that angular momentum is exact: half way between the witness
   /// points [m].

@@ -18,7 +18,7 @@ void sort_and_unite(std::vector<int>& bodies) {
 
 }  // namespace
 
-Environment::Environment(const Model& model, bool with_joints)
+Environment::Environment(const Model& model, PointSprings springs, bool with_joints)
     : model_(&model),
       steady_accelerations_(index(model.body_count()), Vec3::Zero()),
       is_forced_(index(model.body_count()), false),
@@ -46,6 +46,7 @@ Environment::Environment(const Model& model, bool with_joints)
     } else if (const ConstantTorque* torque = std::get_if<ConstantTorque>(&force)) {
       torques_[index(torque->body)].push_back(*torque);
     } else if (const Spring* spring = std::get_if<Spring>(&force)) {
+      if (springs == PointSprings::left_out) continue;
       const int number = static_cast<int>(springs_.size());
       springs_.push_back(*spring);
       for (const int body : {spring->body_A, spring->body_B}) {

@@ -9,12 +9,15 @@
 
 namespace rigor {
 
+/// Whether the springs between points of bodies act, or are left to who treats them implicitly.
+enum class PointSprings { act, left_out };
+
 /// The forces of a scene other than those of contacts and of what joints hold: gravity, constant forces and
 /// torques, springs, springs and dampers of joints, drag.
 class Environment {
  public:
   /// with_joints: false where joints, their springs and dampers too, are somebody else's.
-  explicit Environment(const Model& model, bool with_joints = true);
+  explicit Environment(const Model& model, PointSprings springs = PointSprings::act, bool with_joints = true);
 
   /// Acceleration of a dynamic body by gravity and by the constant forces at its centre of mass [m/s²]: with
   /// nothing else acting it flies a parabola.

@@ -19,6 +19,7 @@ Json json_of(const Vec3& v) {
 Json method_json(const Method& method) {
   Json json = Json::object();
   for (const std::string& key : method_choice_keys()) {
+    if (!uses_choice(method, key)) continue;
     // Choices of later versions have no value yet.
     const std::string value = method_choice(method, key);
     if (!value.empty()) json[key] = value;

@@ -102,6 +102,7 @@ std::uint64_t fingerprint(const Model& model, const Method& method, double step)
       const PairCoefficients pair = model.coefficients(a, b);
       hash.add(pair.friction), hash.add(pair.restitution), hash.add(pair.tangential_restitution);
       hash.add(pair.rolling_friction), hash.add(pair.torsional_friction);
+      hash.add(pair.sticking_friction());
     }
   }
   for (const Force& force : model.forces()) hash.add(force);

@@ -32,9 +32,6 @@ KeyTable method_table() {
     table.keys.push_back({std::string(number.key), ValueType::number, std::string(number.unit),
                           std::string(number.fallback), number.range, std::string(number.meaning)});
   }
-  for (const char* name : {"iterations"}) {
-    table.keys.push_back(later(name, ValueType::number, "of schemes of later versions", "leave it out"));
-  }
   return table;
 }
 
@@ -116,6 +113,8 @@ std::vector<KeyTable> top_key_tables() {
             "arm of the moment that resists rolling"},
            {"torsional_friction", ValueType::number, "m", "0", limits::length,
             "arm of the moment that resists spinning"},
+           {"static_friction", ValueType::number, "", "`friction`", limits::friction,
+            "of what sticks, until it breaks loose; at least `friction`"},
        }},
       {"pair",
        "a pair",
@@ -131,6 +130,8 @@ std::vector<KeyTable> top_key_tables() {
             "instead of the materials'"},
            {"torsional_friction", ValueType::number, "m", "√(a b)", limits::length,
             "instead of the materials'"},
+           {"static_friction", ValueType::number, "", "√(a b)", limits::friction,
+            "instead of the materials'; where `friction` is given, as that"},
        }},
       {"expectation",
        "an expectation",

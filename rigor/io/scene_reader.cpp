@@ -47,6 +47,7 @@ Materials read_materials(const ObjectReader& scene, ModelBuilder& builder) {
     material.tangential_restitution = reader.number("tangential_restitution").value_or(0);
     material.rolling_friction = reader.number("rolling_friction").value_or(0);
     material.torsional_friction = reader.number("torsional_friction").value_or(0);
+    material.static_friction = reader.number("static_friction");
     if (!name) continue;
     material.name = *name;
     materials[material.name] = material;
@@ -74,6 +75,9 @@ void read_pairs(const ObjectReader& scene, const Materials& materials, ModelBuil
         pair.number("tangential_restitution").value_or(coefficients.tangential_restitution);
     coefficients.rolling_friction = rolling.value_or(coefficients.rolling_friction);
     coefficients.torsional_friction = torsional.value_or(coefficients.torsional_friction);
+    // That of the materials belongs to their own friction.
+    if (friction || pair.has("static_friction"))
+      coefficients.static_friction = pair.number("static_friction");
     builder.set_pair(names[0], names[1], coefficients, scene.errors().where(*node));
   }
 }

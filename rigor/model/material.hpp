@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 namespace rigor {
@@ -14,6 +15,10 @@ struct Material {
   double tangential_restitution = 0;
   double rolling_friction = 0;    ///< [m], ≥ 0.
   double torsional_friction = 0;  ///< [m], ≥ 0.
+  /// μ_s of what sticks, ≥ friction; none: as friction.
+  std::optional<double> static_friction = std::nullopt;
+
+  double sticking_friction() const { return static_friction.value_or(friction); }
 };
 
 /// Coefficients of a pair of materials: frictions sqrt(a b), restitutions max(a, b), unless a pair overrides
@@ -24,6 +29,9 @@ struct PairCoefficients {
   double rolling_friction = 0;    ///< [m].
   double torsional_friction = 0;  ///< [m].
   double tangential_restitution = 0;
+  std::optional<double> static_friction = std::nullopt;  ///< μ_s ≥ friction; none: as friction.
+
+  double sticking_friction() const { return static_friction.value_or(friction); }
 };
 
 /// The combination rule.

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -34,6 +35,14 @@ struct PairDescription {
   PairCoefficients coefficients;
 };
 
+void check_static_friction(double friction, std::optional<double> static_friction, Findings& findings) {
+  if (!static_friction) return;
+  findings.check("static_friction", *static_friction, limits::friction, "");
+  findings.require(!(*static_friction < friction), "static_friction is " + number_text(*static_friction) +
+                                                       ", must be at least friction, " +
+                                                       number_text(friction));
+}
+
 void check_material(const Material& material, Findings& findings) {
   findings.check_name(material.name);
   findings.check("density", material.density, limits::density, "kg/m³");
@@ -42,6 +51,7 @@ void check_material(const Material& material, Findings& findings) {
   findings.check("tangential_restitution", material.tangential_restitution, limits::restitution, "");
   findings.check("rolling_friction", material.rolling_friction, limits::length, "m");
   findings.check("torsional_friction", material.torsional_friction, limits::length, "m");
+  check_static_friction(material.friction, material.static_friction, findings);
 }
 
 /// The default material at 0, unless the user gives one of that name, then the user's in their order.
@@ -78,6 +88,7 @@ std::map<std::pair<int, int>, PairCoefficients> make_pairs(const std::vector<Pla
                    "");
     findings.check("rolling_friction", pair.coefficients.rolling_friction, limits::length, "m");
     findings.check("torsional_friction", pair.coefficients.torsional_friction, limits::length, "m");
+    check_static_friction(pair.coefficients.friction, pair.coefficients.static_friction, findings);
     bool is_known = true;
     for (const std::string& name : {a, b}) {
       is_known &= findings.require(materials.index.count(name) > 0,

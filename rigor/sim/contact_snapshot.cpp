@@ -60,6 +60,14 @@ TouchingPoint::Mode mode_of(ContactMode mode) {
   return TouchingPoint::Mode::unknown;
 }
 
+/// The contact with the coefficient that holds it: that of sticking if it slips by u_t no faster than what
+/// sticks.
+Contact with_own_friction(const Method& method, Contact contact, const Vec2& u_t) {
+  if (contact.has_static_friction() && u_t.norm() <= direction_tolerance(method))
+    contact.friction = contact.static_friction;
+  return contact;
+}
+
 /// The points of one group of bodies, with forces at those that do not part.
 std::vector<TouchingPoint> points_of(const Method& method, const IslandIntegrator& integrator,
                                      const Cluster& part) {
@@ -72,7 +80,8 @@ std::vector<TouchingPoint> points_of(const Method& method, const IslandIntegrato
     points.push_back(unsolved_point(touching, i));
     if (points.back().u_W.dot(points.back().n_W) > parting) continue;
     pressed.push_back(i);
-    candidates.push_back(part.contacts[i]);
+    const Vec3 u = touching.frames[i].transpose() * points.back().u_W;
+    candidates.push_back(with_own_friction(method, part.contacts[i], u.head<2>()));
   }
   if (candidates.size() > most_contacts_of_group) {
     for (const std::size_t i : pressed) {
@@ -148,7 +157,8 @@ void add_joint_forces(const Model& model, const Method& method, const IslandInte
   std::vector<Contact> lasting =
       joint_stops(model, joints, system.bodies, system.kinetics, method.contact_tolerance);
   for (std::size_t i = 0; i < part.contacts.size(); ++i) {
-    if (u[3 * static_cast<Eigen::Index>(i) + 2] <= parting) lasting.push_back(part.contacts[i]);
+    const Vec3 own = u.segment<3>(3 * static_cast<Eigen::Index>(i));
+    if (own.z() <= parting) lasting.push_back(with_own_friction(method, part.contacts[i], own.head<2>()));
   }
   system = integrator.system_of(part.t, part.bodies, part.phases, lasting);
   std::vector<Wrench> wrenches = integrator.environment_wrenches(system, part.t);

@@ -4,7 +4,6 @@
 #include "rigor/contact/motion_rows.hpp"
 #include "rigor/dynamics/free_flight.hpp"
 #include "rigor/math/rotation.hpp"
-#include "rigor/solver/motion_problem.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -16,18 +15,6 @@ namespace {
 
 Eigen::Index normal_row(std::size_t contact) {
   return 3 * static_cast<Eigen::Index>(contact) + 2;
-}
-
-/// The cones of these contacts, without A.
-CoulombProblem laws_of(const ContactSystem& system, VecX b) {
-  const std::size_t count = system.contacts.size();
-  CoulombProblem laws{{},
-                      std::move(b),
-                      {},
-                      std::vector<FrictionRow>(count, FrictionRow::cone),
-                      std::vector<Vec2>(count, Vec2::Zero())};
-  for (const Contact& contact : system.contacts) laws.mu.push_back(contact.friction);
-  return laws;
 }
 
 std::size_t place_of(const std::vector<int>& ascending, int body) {
@@ -45,27 +32,17 @@ ImpulseStep::ImpulseStep(const Model& model, const Environment& environment,
       integrator_(integrator),
       resolver_(resolver),
       joints_(joints),
-      resting_(resting_choice(method)),
+      solver_(method),
+      springs_(model),
+      without_springs_(model, PointSprings::left_out),
+      integrator_without_springs_(model, without_springs_, method),
+      has_implicit_springs_(method.solver == SolverMethod::exact && springs_.has_any()),
+      pushes_at_distance_(method.cone == ConeMethod::convex),
       contact_tolerance_(method.contact_tolerance),
-      resting_velocity_(method.resting_velocity) {}
+      resting_velocity_(method.resting_velocity),
+      still_(direction_tolerance(method)) {}
 
-/// Motion space has rows of bodies alone: what works through joints, and stops, is solved in contact space.
-CoulombSolution ImpulseStep::solve(const ContactSystem& system, CoulombProblem laws) const {
-  constexpr double tolerance = 1e-10;  // The last two digits of slip that turns take most of the time.
-  const bool has_stops = std::any_of(system.contacts.begin(), system.contacts.end(),
-                                     [](const Contact& contact) { return contact.stop.has_value(); });
-  if (resting_.space == RestingSpace::motion && !system.joints && !has_stops) {
-    const MotionProblem problem{motion_rows(system), laws};
-    if (std::optional<CoulombSolution> solution = solve_in_motion_space(problem)) return *solution;
-  }
-  laws.A = delassus(system);
-  CoulombOptions options;
-  options.tolerance = options.enough = tolerance;
-  if (resting_.space == RestingSpace::contact) options.lcp = resting_.lcp;
-  return solve_coulomb(laws, options);
-}
-
-void ImpulseStep::note(const CoulombSolution& solution, AdvanceReport& report) const {
+void ImpulseStep::note(const StepImpulses& solution, AdvanceReport& report) const {
   report.max_residual = std::max(report.max_residual, solution.residual);
   report.max_iterations = std::max(report.max_iterations, solution.iterations);
   if (!solution.converged) ++report.fallbacks;
@@ -85,16 +62,18 @@ void ImpulseStep::strike(double h, Cluster& part, AdvanceReport& report) const {
     }
     // A plastic impact: nothing closes within h any more. Forces that have a largest value do nothing at an
     // instant.
-    CoulombProblem laws = laws_of(system, std::move(closing.b));
+    StepLaws laws = step_laws_of(system, still_);
+    laws.contacts.b = std::move(closing.b);
     for (std::size_t i = 0; i < system.contacts.size(); ++i) {
       if (!system.contacts[i].is_bounded_force()) continue;
-      laws.b.segment<3>(normal_row(i) - 2).setZero();
-      laws.mu[i] = 0;
+      laws.contacts.b.segment<3>(normal_row(i) - 2).setZero();
+      laws.contacts.mu[i] = 0;
+      if (!laws.sticks.empty()) laws.sticks[i] = false;
     }
-    const CoulombSolution solution = solve(system, std::move(laws));
+    const StepImpulses solution = solver_.solve(system, std::move(laws));
     note(solution, report);
     const double before = totals_of(model_, part).T, work_before = report.work;
-    resolver_.add_impulses(system, solution.lambda, {}, part, report);
+    resolver_.add_impulses(system, solution.lambda, solution.moments, part, report);
     report.impact_loss += before - totals_of(model_, part).T + (report.work - work_before);
     return;
   }
@@ -127,16 +106,35 @@ struct ImpulseStep::FreeEnd {
   double work = 0;                      ///< [J].
 };
 
+bool ImpulseStep::touches(const Contact& contact) const {
+  return contact.is_bounded_force() || contact.point.gap <= contact_tolerance_;
+}
+
+/// Whether springs act implicitly: where they are stiff and contacts answer to them.
+bool ImpulseStep::holds_springs(const StepSpan& span, const Cluster& part) const {
+  if (!has_implicit_springs_) return false;
+  const bool is_touching = std::any_of(part.contacts.begin(), part.contacts.end(),
+                                       [this](const Contact& contact) { return touches(contact); });
+  return is_touching && springs_.are_stiff(span, part.bodies, resolver_.system_of(part, part.contacts));
+}
+
 ImpulseStep::FreeEnd ImpulseStep::fly(double h, const Cluster& part, AdvanceReport& report) const {
+  return fly_among(environment_, integrator_, h, part, report);
+}
+
+/// Without contacts, under the forces of this environment.
+ImpulseStep::FreeEnd ImpulseStep::fly_among(const Environment& environment,
+                                            const IslandIntegrator& integrator, double h, const Cluster& part,
+                                            AdvanceReport& report) const {
   FreeEnd result;
   const bool is_forced = std::any_of(part.bodies.begin(), part.bodies.end(),
-                                     [this](int body) { return environment_.is_forced(body); });
+                                     [&](int body) { return environment.is_forced(body); });
   if (!is_forced) {
     for (std::size_t i = 0; i < part.bodies.size(); ++i) {
       const Body& body = model_.body(part.bodies[i]);
       const BodyPhase& start = part.phases[i];
       const FreeFlight flight(BodyInertia{body.mass, body.moments}, start, 0,
-                              environment_.steady_acceleration(part.bodies[i]));
+                              environment.steady_acceleration(part.bodies[i]));
       const BodyPhase end = flight.at(h);
       result.impulse += end.P - start.P;
       result.angular_impulse += end.x.cross(end.P) - start.x.cross(start.P);
@@ -148,9 +146,9 @@ ImpulseStep::FreeEnd ImpulseStep::fly(double h, const Cluster& part, AdvanceRepo
   Island island{part.bodies, part.phases, {}, {}, part.t};
   double left = h, wanted = h;
   while (left > 0) {
-    integrator_.choose_joint_rows(island);
+    integrator.choose_joint_rows(island);
     const ControlledStep taken =
-        integrator_.controlled_step(island, std::min(left, wanted), std::min(left, least_share * h));
+        integrator.controlled_step(island, std::min(left, wanted), std::min(left, least_share * h));
     ++report.steps;
     if (taken.step.error > 1) ++report.coarse_steps;
     report.quaternion_drift = std::max(report.quaternion_drift, taken.step.quaternion_drift);
@@ -188,16 +186,15 @@ std::vector<Contact> ImpulseStep::contacts_at(double t, const Cluster& part,
 
 /// Whether no contact acts in the step: nothing touches before and nothing closes on the way without them.
 bool ImpulseStep::stays_clear(double h, const Cluster& part, const FreeEnd& free) const {
-  const auto touches = [this](const Contact& contact) {
-    return contact.is_bounded_force() || contact.point.gap <= contact_tolerance_;
-  };
-  if (std::any_of(part.contacts.begin(), part.contacts.end(), touches)) return false;
+  if (pushes_at_distance_) return false;
+  const auto is_touching = [this](const Contact& contact) { return touches(contact); };
+  if (std::any_of(part.contacts.begin(), part.contacts.end(), is_touching)) return false;
   std::vector<Contact> at_end = contacts_at(part.t + h, part, free.phases);
   Cluster end = part;
   end.t += h;
   end.phases = free.phases;
   for (const Contact& stop : resolver_.stops_of(end)) at_end.push_back(stop);
-  return std::none_of(at_end.begin(), at_end.end(), touches);
+  return std::none_of(at_end.begin(), at_end.end(), is_touching);
 }
 
 /// The contacts half way through the step, with the velocities that the bodies would have at its end without
@@ -224,28 +221,56 @@ ContactSystem ImpulseStep::middle_system(double h, const Cluster& part, const Fr
 }
 
 /// 0 ≤ λ_n ⊥ u_n⁺ + gap/h ≥ 0 with friction against u_t⁺; forces with a largest value act all through h.
-CoulombProblem ImpulseStep::step_laws(double h, const Cluster& part, const ContactSystem& system) const {
-  CoulombProblem laws = laws_of(system, relative_velocities(system));
+StepLaws ImpulseStep::step_laws(double h, const Cluster& part, const ContactSystem& system) const {
+  StepLaws laws = step_laws_of(system, still_);
+  VecX& b = laws.contacts.b;
   for (std::size_t i = 0; i < system.contacts.size(); ++i) {
     const Contact& contact = system.contacts[i];
     // The rows turn until the end: the velocities there count, at which the next step begins.
     const Vec3 bias = contact.stop
                           ? system.rows[i].bias
                           : acceleration_bias(contact, system.of(contact.body_A), system.of(contact.body_B));
-    laws.b.segment<3>(normal_row(i) - 2) += 0.5 * h * bias;
+    b.segment<3>(normal_row(i) - 2) += 0.5 * h * bias;
     if (contact.is_bounded_force()) {
-      laws.b[normal_row(i)] = -h * system.rows[i].load * system.rows[i].mobility;
+      b[normal_row(i)] = -h * system.rows[i].load * system.rows[i].mobility;
     } else {
-      laws.b[normal_row(i)] += std::max(0.0, part.contacts[i].point.gap) / h;
+      b[normal_row(i)] += std::max(0.0, part.contacts[i].point.gap) / h;
+    }
+  }
+  // What stuck is what touches and is still at the begin.
+  if (!laws.sticks.empty()) {
+    laws.sticks = step_laws_of(resolver_.system_of(part, part.contacts), still_).sticks;
+    for (std::size_t i = 0; i < laws.sticks.size(); ++i) {
+      if (part.contacts[i].point.gap > contact_tolerance_) laws.sticks[i] = false;
     }
   }
   return laws;
 }
 
-/// Adds the impulses to the free end of the step and to the books.
-void ImpulseStep::push(double h, double theta, const Cluster& part, const ContactSystem& system,
-                       const VecX& lambda, FreeEnd& end) const {
-  std::vector<Wrench> impulses = contact_wrenches(system, lambda);
+/// Adds moments (3n or none) to the impulses of all bodies, and those of prescribed bodies to the books.
+void ImpulseStep::add_moments(const ContactSystem& system, const VecX& moments, std::vector<Wrench>& impulses,
+                              FreeEnd& end) {
+  for (std::size_t i = 0; moments.size() > 0 && i < system.contacts.size(); ++i) {
+    const Contact& contact = system.contacts[i];
+    if (contact.stop) continue;
+    const Vec3 l_W = world_impulse(system, moments, static_cast<int>(i));
+    for (const auto& [body, sign] : {std::pair{contact.body_A, -1.0}, std::pair{contact.body_B, 1.0}}) {
+      impulses[static_cast<std::size_t>(system.local_index(body))].tau_W += sign * l_W;
+      const BodyKinetics& kinetics = system.of(body);
+      if (kinetics.inverse_mass > 0) continue;
+      end.angular_impulse -= sign * l_W;
+      end.work -= sign * l_W.dot(kinetics.w);
+    }
+  }
+}
+
+/// The impulses of contacts, springs and joints on the bodies of the system; what of them comes from outside
+/// goes into the books.
+std::vector<Wrench> ImpulseStep::enter_impulses(const ContactSystem& system, const StepImpulses& solution,
+                                                const SpringRows& springs, FreeEnd& end) {
+  std::vector<Wrench> impulses = contact_wrenches(system, solution.lambda);
+  add_moments(system, solution.moments, impulses, end);
+  const OutsideImpulse of_springs = add_spring_impulses(springs, solution.springs, system, impulses);
   VecX joint_lambda;
   if (system.joints) {
     JointReactions reactions =
@@ -254,10 +279,17 @@ void ImpulseStep::push(double h, double theta, const Cluster& part, const Contac
     joint_lambda = reactions.lambda;
     end.work += system.joints->supplied_power(joint_lambda);
   }
-  end.work += work_of_prescribed(system, lambda);
-  const Wrench external = external_wrench(system, lambda, joint_lambda);
-  end.impulse += external.f_W;
-  end.angular_impulse += external.tau_W;
+  const Wrench of_contacts = external_wrench(system, solution.lambda, joint_lambda);
+  end.impulse += of_contacts.f_W + of_springs.impulse.f_W;
+  end.angular_impulse += of_contacts.tau_W + of_springs.impulse.tau_W;
+  end.work += work_of_prescribed(system, solution.lambda) + of_springs.work;
+  return impulses;
+}
+
+/// Moves the bodies on from the free end of the step by these impulses.
+void ImpulseStep::push(const StepSpan& span, const Cluster& part, const ContactSystem& system,
+                       const std::vector<Wrench>& impulses, FreeEnd& end) const {
+  const double h = span.h, theta = span.theta;
   for (std::size_t i = 0; i < part.bodies.size(); ++i) {
     const std::size_t local = static_cast<std::size_t>(system.local_index(part.bodies[i]));
     const Wrench& on_body = impulses[local];
@@ -275,13 +307,20 @@ void ImpulseStep::push(double h, double theta, const Cluster& part, const Contac
 }
 
 void ImpulseStep::move(double h, double theta, Cluster& part, AdvanceReport& report) const {
-  FreeEnd end = fly(h, part, report);
-  if (!part.contacts.empty() && !stays_clear(h, part, end)) {
+  const StepSpan span{part.t, h, theta};
+  const bool has_springs = holds_springs(span, part);
+  FreeEnd end = has_springs ? fly_among(without_springs_, integrator_without_springs_, h, part, report)
+                            : fly(h, part, report);
+  if (has_springs || (!part.contacts.empty() && !stays_clear(h, part, end))) {
     const ContactSystem system = middle_system(h, part, end);
-    const CoulombSolution solution = solve(system, step_laws(h, part, system));
+    StepLaws laws = step_laws(h, part, system);
+    if (has_springs)
+      laws.springs = springs_.rows(span, part.bodies, resolver_.system_of(part, part.contacts), system);
+    const SpringRows springs = laws.springs.value_or(SpringRows{});
+    const StepImpulses solution = solver_.solve(system, std::move(laws));
     note(solution, report);
     ++report.steps;
-    push(h, theta, part, system, solution.lambda, end);
+    push(span, part, system, enter_impulses(system, solution, springs, end), end);
   }
   const ClusterTotals before = totals_of(model_, part);
   part.phases = std::move(end.phases);

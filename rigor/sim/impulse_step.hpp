@@ -2,6 +2,7 @@
 
 #include "rigor/sim/contact_resolver.hpp"
 #include "rigor/sim/joint_projection.hpp"
+#include "rigor/sim/step_solver.hpp"
 
 #include <vector>
 
@@ -35,24 +36,37 @@ class ImpulseStep {
     bool closes, bounces;  ///< Whether any does.
   };
   Closing find_closing(double h, const ContactSystem& system) const;
+  bool touches(const Contact& contact) const;
+  bool holds_springs(const StepSpan& span, const Cluster& part) const;
   FreeEnd fly(double h, const Cluster& part, AdvanceReport& report) const;
+  FreeEnd fly_among(const Environment& environment, const IslandIntegrator& integrator, double h,
+                    const Cluster& part, AdvanceReport& report) const;
   bool stays_clear(double h, const Cluster& part, const FreeEnd& free) const;
   std::vector<Contact> contacts_at(double t, const Cluster& part, const std::vector<BodyPhase>& phases) const;
   ContactSystem middle_system(double h, const Cluster& part, const FreeEnd& free) const;
-  CoulombProblem step_laws(double h, const Cluster& part, const ContactSystem& system) const;
-  void push(double h, double theta, const Cluster& part, const ContactSystem& system, const VecX& lambda,
-            FreeEnd& end) const;
-  CoulombSolution solve(const ContactSystem& system, CoulombProblem laws) const;
-  void note(const CoulombSolution& solution, AdvanceReport& report) const;
+  StepLaws step_laws(double h, const Cluster& part, const ContactSystem& system) const;
+  static void add_moments(const ContactSystem& system, const VecX& moments, std::vector<Wrench>& impulses,
+                          FreeEnd& end);
+  static std::vector<Wrench> enter_impulses(const ContactSystem& system, const StepImpulses& solution,
+                                            const SpringRows& springs, FreeEnd& end);
+  void push(const StepSpan& span, const Cluster& part, const ContactSystem& system,
+            const std::vector<Wrench>& impulses, FreeEnd& end) const;
+  void note(const StepImpulses& solution, AdvanceReport& report) const;
 
   const Model& model_;
   const Environment& environment_;
   const IslandIntegrator& integrator_;
   const ContactResolver& resolver_;
   const JointProjection& joints_;
-  RestingChoice resting_;
+  StepSolver solver_;
+  ImplicitSprings springs_;
+  Environment without_springs_;
+  IslandIntegrator integrator_without_springs_;
+  bool has_implicit_springs_;
+  bool pushes_at_distance_;  ///< The convex cone holds what slides at the distance h μ |u_t|.
   double contact_tolerance_;
   double resting_velocity_;
+  double still_;  ///< Slower slip sticks [m/s].
 };
 
 }  // namespace rigor

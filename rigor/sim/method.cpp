@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 
 namespace rigor {
@@ -38,6 +39,7 @@ bool visit_choice(MethodType& method, std::string_view key, F f) {
   if (key == "penalty") return f(method.penalty), true;
   if (key == "penalty_law") return f(method.penalty_law), true;
   if (key == "solver") return f(method.solver), true;
+  if (key == "cone") return f(method.cone), true;
   return false;
 }
 
@@ -50,7 +52,7 @@ std::string joined(const std::vector<std::string>& names) {
 }  // namespace
 
 std::span<const MethodNumber> method_numbers() {
-  static const std::array<MethodNumber, 8> numbers = {{
+  static const std::array<MethodNumber, 9> numbers = {{
       {"contact_tolerance",
        "m",
        "1e-6",
@@ -89,6 +91,12 @@ std::span<const MethodNumber> method_numbers() {
        "of penalty contacts; 0: from the pair's restitution",
        &Method::damping},
       {"substeps", "", "1", {1, 1e6}, "least number in a step of the penalty scheme", &Method::substeps},
+      {"iterations",
+       "",
+       "50",
+       {1, 1e6},
+       "sweeps of `solver: pgs` in each contact problem",
+       &Method::iterations},
   }};
   return numbers;
 }
@@ -163,6 +171,12 @@ std::vector<std::string> check_combination(const Method& method) {
       message += " orientation 'matrix'";
       messages.push_back(message);
     }
+  }
+  if (method.iterations != std::floor(method.iterations))
+    messages.push_back("iterations is " + number_text(method.iterations) + ", must be a whole number");
+  if (method.solver == SolverMethod::pgs && method.cone != ConeMethod::exact) {
+    messages.push_back("solver 'pgs' does not go with cone '" + method_choice(method, "cone") +
+                       "'; cones that do: exact");
   }
   return messages;
 }

@@ -28,6 +28,8 @@ enum class PenaltyMethod { local, global };
 enum class PenaltyLaw { linear, hunt_crossley };
 /// Of time stepping.
 enum class SolverMethod { exact, pgs, substep };
+/// What stands for Coulomb's cone in time stepping.
+enum class ConeMethod { exact, convex, pyramid };
 
 /// Every choice of how a scene is simulated. The defaults are the best that this version offers.
 struct Method {
@@ -44,6 +46,7 @@ struct Method {
   PenaltyMethod penalty = PenaltyMethod::local;
   PenaltyLaw penalty_law = PenaltyLaw::linear;
   SolverMethod solver = SolverMethod::exact;
+  ConeMethod cone = ConeMethod::exact;
   double contact_tolerance = 1e-6;  ///< Pairs closer than this touch [m].
   double time_tolerance = 1e-12;    ///< Of a time of impact [s].
   double resting_velocity = 1e-3;   ///< Slower approaches do not bounce [m/s].
@@ -52,6 +55,7 @@ struct Method {
   double stiffness = 0;             ///< Of penalty contacts [N/m]; 0: from penalty_depth.
   double damping = 0;               ///< Of penalty contacts [N s/m]; 0: from the restitution of the pair.
   double substeps = 1;              ///< At least as many in each step of the penalty scheme.
+  double iterations = 50;           ///< Sweeps of solver pgs in each contact problem, a whole number.
 
   bool operator==(const Method& other) const = default;
 };

@@ -113,9 +113,18 @@ std::span<const MethodChoice> method_choices() {
       MethodChoice{
           "solver", "pgs", "projected Gauss-Seidel",
           "Jourdan, Alart and Jean, A Gauss-Seidel Like Algorithm to Solve Frictional Contact Problems, 1998",
-          false},
+          true},
       MethodChoice{"solver", "substep", "many small steps of one iteration",
                    "Macklin et al., Small Steps in Physics Simulation, 2019", false},
+
+      MethodChoice{"cone", "exact", "Coulomb's cone, friction against the slip",
+                   "De Saxce and Feng, The Bipotential Method, 1998", true},
+      MethodChoice{"cone", "convex", "a convex problem; what slides lifts off by h mu |u_t|",
+                   "Anitescu, Optimization-based Simulation of Nonsmooth Rigid Multibody Dynamics, 2006",
+                   true},
+      MethodChoice{"cone", "pyramid", "friction in the directions of a frame, wrong in between",
+                   "Stewart and Trinkle, An Implicit Time-Stepping Scheme for Rigid Body Dynamics, 1996",
+                   true},
   };
   return choices;
 }

@@ -1,5 +1,8 @@
 #include "rigor/sim/scheme_check.hpp"
 
+#include <functional>
+#include <optional>
+
 namespace rigor {
 
 namespace {
@@ -8,22 +11,47 @@ bool has_moments(const PairCoefficients& pair) {
   return pair.rolling_friction > 0 || pair.torsional_friction > 0;
 }
 
-}  // namespace
+bool has_static_friction(const PairCoefficients& pair) {
+  return pair.sticking_friction() > pair.friction;
+}
 
-std::vector<std::string> check_scheme(const Model& model, const Method& method) {
-  if (method.scheme != Scheme::time_stepping) return {};
+/// The first pair of materials of this kind: "materials 'a' and 'b'".
+std::optional<std::string> find_pair(const Model& model,
+                                     const std::function<bool(const PairCoefficients&)>& is_of_kind) {
   const int count = static_cast<int>(model.materials().size());
   for (int a = 0; a < count; ++a) {
     for (int b = a; b < count; ++b) {
-      if (!has_moments(model.coefficients(a, b))) continue;
+      if (!is_of_kind(model.coefficients(a, b))) continue;
       const auto name = [&](int i) {
         return "'" + model.materials()[static_cast<std::size_t>(i)].name + "'";
       };
-      return {"scheme 'time-stepping' has no rolling or torsional friction in this version (materials " +
-              name(a) + " and " + name(b) + "); schemes that have it: event-driven"};
+      return "materials " + name(a) + " and " + name(b);
     }
   }
-  return {};
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<std::string> check_scheme(const Model& model, const Method& method) {
+  std::vector<std::string> messages;
+  if (method.scheme == Scheme::automatic) return messages;
+  const std::string scheme = "scheme '" + method_choice(method, "scheme") + "'";
+  if (method.scheme != Scheme::time_stepping) {
+    if (const std::optional<std::string> pair = find_pair(model, has_static_friction))
+      messages.push_back(scheme + " has one coefficient of friction, no static_friction above it (" + *pair +
+                         "); schemes that have it: time-stepping");
+    return messages;
+  }
+  const bool is_exact = method.solver == SolverMethod::exact && method.cone == ConeMethod::exact;
+  if (is_exact) return messages;
+  if (const std::optional<std::string> pair = find_pair(model, has_moments)) {
+    const std::string key = method.cone == ConeMethod::exact ? "solver" : "cone";
+    messages.push_back(scheme + " with " + key + " '" + method_choice(method, key) +
+                       "' has no rolling or torsional friction (" + *pair + "); " + key +
+                       "s that have it: exact");
+  }
+  return messages;
 }
 
 }  // namespace rigor

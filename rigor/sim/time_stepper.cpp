@@ -297,6 +297,8 @@ std::vector<Contact> TimeStepper::acting_contacts(double h, const Cluster& start
     const BodyKinetics A = kinetics(contact.body_A), B = kinetics(contact.body_B);
     const Vec3 u = B.velocity_at(contact.p_W()) - A.velocity_at(contact.p_W());
     double rate = std::min(0.0, contact.point.n_W.dot(u));
+    // The convex cone holds what slides at a distance.
+    if (method_.cone == ConeMethod::convex) rate -= contact.friction * (u - rate * contact.point.n_W).norm();
     for (const int body : {contact.body_A, contact.body_B}) {
       if (model_->body(body).motion == MotionType::dynamic)
         rate -= h * environment_.steady_acceleration(body).norm();

@@ -18,8 +18,8 @@ TEST(MethodTable, EachValueOnceWithMeaningAndSource) {
     EXPECT_EQ(choice.meaning.find('\n'), std::string_view::npos);
   }
   // 5 schemes and `auto`, 8 integrators, 2 orientations, 2 broad phases, 2 distances, 3 times of impact, 3
-  // laws, 3 and 2 rules, 2 + 2 + 2 + 3 of later versions.
-  EXPECT_EQ(seen.size(), 40u);
+  // laws, 3 and 2 rules, 2 + 2 + 2 + 3 + 3 of time stepping and penalty.
+  EXPECT_EQ(seen.size(), 43u);
 }
 
 TEST(MethodTable, DefaultsAreAvailable) {
@@ -81,8 +81,8 @@ TEST(SetMethodChoice, TellsWhatIsWrong) {
   EXPECT_EQ(set_method_choice("impact", "newtn", method), "unknown impact 'newtn'; did you mean 'newton'?");
   EXPECT_EQ(set_method_choice("distance", "lin-cany", method),
             "unknown distance 'lin-cany'; did you mean 'lin-canny'?");
-  EXPECT_EQ(set_method_choice("solver", "pgs", method),
-            "solver 'pgs' is not available in this version; available: exact");
+  EXPECT_EQ(set_method_choice("solver", "substep", method),
+            "solver 'substep' is not available in this version; available: exact, pgs");
   EXPECT_EQ(set_method_choice("impct", "newton", method), "unknown choice 'impct'; did you mean 'impact'?");
   EXPECT_EQ(method, Method{});
 }
@@ -101,6 +101,18 @@ TEST(CheckCombination, TheMatrixGoesOnlyWithIntegratorsThatUseIt) {
     method.integrator = integrator;
     EXPECT_TRUE(check_combination(method).empty());
   }
+}
+
+TEST(CheckCombination, SweepsAreWholeAndHaveTheExactCone) {
+  Method method;
+  method.iterations = 2.5;
+  EXPECT_EQ(check_combination(method), std::vector<std::string>{"iterations is 2.5, must be a whole number"});
+  method = Method{};
+  method.solver = SolverMethod::pgs;
+  EXPECT_TRUE(check_combination(method).empty());
+  method.cone = ConeMethod::convex;
+  EXPECT_EQ(check_combination(method),
+            std::vector<std::string>{"solver 'pgs' does not go with cone 'convex'; cones that do: exact"});
 }
 
 TEST(MethodNumbers, DefaultsAreThoseOfTheStructAndInRange) {
