@@ -88,7 +88,12 @@ std::span<const MethodNumber> method_numbers() {
        {0, 1e15},
        "of penalty contacts; 0: from the pair's restitution",
        &Method::damping},
-      {"substeps", "", "1", {1, 1e6}, "least number in a step of the penalty scheme", &Method::substeps},
+      {"substeps",
+       "",
+       "0",
+       {0, 1e6},
+       "in a step: least number of the penalty scheme, number of solver substep; 0: 1 or 4",
+       &Method::substeps},
   }};
   return numbers;
 }
