@@ -93,7 +93,8 @@ void add_run(CLI::App& app, RunOptions& run) {
             "override a value of the scene, such as method.integrator=rk4; may be repeated", "KEY=VALUE");
   add_value(app, "--duration", run.duration, "simulated time at which the run ends [s]", "S")
       ->check(number_in(time_span, "s"));
-  add_value(app, "--threads", run.threads, "threads; accepted, but this version computes on one", "N")
+  add_value(app, "--threads", run.threads,
+            "threads that method.solver=substep computes on; the answer does not depend on it", "N")
       ->check(CLI::Range(1, most_threads));
   add_json(app, run.json, "the audit");
   app.add_flag("--quiet", run.is_quiet, "print no audit and no progress");

@@ -75,6 +75,7 @@ ExitCode report_end(const RunResult& result, const RunRecorder& recorder, const 
 ExitCode execute(const RunOptions& options) {
   Scene scene = read_scene(options.scene, options.overrides);
   if (options.duration) scene.run.duration = *options.duration;
+  scene.run.threads = options.threads;
   for (const std::string& warning : scene.warnings) print_warning(warning);
   const Start start = options.resume.empty() ? begun(options, scene) : resumed(options, scene);
   for (const std::string& warning : start.warnings) print_warning(warning);

@@ -5,11 +5,13 @@
 #include "rigor/bulk/float_lanes.hpp"
 #include "rigor/bulk/narrow_phase.hpp"
 #include "rigor/bulk/pair_finder.hpp"
+#include "rigor/bulk/prescribed_bodies.hpp"
 #include "rigor/dynamics/environment.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <tuple>
 #include <utility>
 
 namespace rigor {
@@ -32,6 +34,7 @@ struct BulkWorld::Scratch {
         narrow_phase(model),
         contacts(model),
         joints(model),
+        prescribed(model),
         environment(model, PointSprings::act, false) {}
 
   Executor executor;
@@ -39,6 +42,7 @@ struct BulkWorld::Scratch {
   NarrowPhase narrow_phase;
   BulkContacts contacts;
   BulkJoints joints;
+  PrescribedBodies prescribed;
   Environment environment;
   std::vector<ShapePair> pairs;
   std::vector<PairManifold> manifolds;
@@ -53,6 +57,10 @@ BulkWorld::BulkWorld(std::shared_ptr<const Model> model, const BulkSettings& set
       scratch_(std::make_unique<Scratch>(*model_, settings.threads)) {}
 
 BulkWorld::~BulkWorld() = default;
+
+void BulkWorld::set_contact_filter(std::function<bool(int, int)> may_touch) {
+  scratch_->pair_finder.set_contact_filter(std::move(may_touch));
+}
 
 void BulkWorld::read(const State& state) {
   t_ = state.t;
@@ -71,10 +79,11 @@ void BulkWorld::write(State& state) const {
 BulkStepReport BulkWorld::step(double h) {
   Scratch& s = *scratch_;
   const double substep = h / settings_.substeps;
+  s.prescribed.place(*model_, t_, h, bodies_);
   const double margin = 0.5 * model_->g_W().norm() * (margin_steps * h) * (margin_steps * h);
   s.pair_finder.find_pairs(bodies_, h, margin, s.executor, s.pairs);
   s.narrow_phase.find_manifolds(bodies_, s.pairs, s.executor, s.manifolds);
-  const BulkStepReport report = describe_contacts();
+  BulkStepReport report = describe_contacts();
   begin_bulk_step(*model_, bodies_);
   compute_accelerations();
   s.joints.prepare(bodies_, substep, s.executor);
@@ -86,6 +95,7 @@ BulkStepReport BulkWorld::step(double h) {
   end_bulk_step(*model_, bodies_);
   s.contacts.remember(memory_);
   s.joint_impulses = s.joints.impulses();
+  std::tie(report.max_joint_error, report.worst_joint) = s.joints.worst_error(bodies_);
   t_ += h;
   return report;
 }

@@ -5,6 +5,7 @@
 #include "rigor/bulk/manifold.hpp"
 #include "rigor/model/manifold_memory.hpp"
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -22,6 +23,8 @@ struct BulkStepReport {
   int point_count = 0;
   double max_overlap = 0;              ///< At the begin of the step [m].
   int overlap_A = -1, overlap_B = -1;  ///< Its bodies.
+  double max_joint_error = 0;          ///< At the end of the step [m]: BulkJoints::worst_error.
+  int worst_joint = -1;                ///< Which joint that was.
 };
 
 /// Many bodies at work: the path for thousands of them (docs/theory/bulk.md). Bodies and what their contacts
@@ -33,6 +36,8 @@ class BulkWorld {
   BulkWorld(const BulkWorld&) = delete;
   BulkWorld& operator=(const BulkWorld&) = delete;
 
+  /// See PairFinder::set_contact_filter.
+  void set_contact_filter(std::function<bool(int, int)> may_touch);
   void read(const State& state);
   void write(State& state) const;
   /// One step of h > 0 [s].

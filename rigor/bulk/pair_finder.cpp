@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace rigor {
 
@@ -51,8 +52,9 @@ struct PairFinder::Tables {
   void add_unbounded(const Step& step, int begin, int end, std::vector<ShapePair>& pairs) const;
 
   PairFilter filter;
-  std::vector<BoundedShape> shapes;  ///< Of all bodies.
-  std::vector<int> shape_begin;      ///< Of each body, and the end.
+  std::function<bool(int, int)> may_touch;  ///< The caller's, or none.
+  std::vector<BoundedShape> shapes;         ///< Of all bodies.
+  std::vector<int> shape_begin;             ///< Of each body, and the end.
   std::vector<UnboundedShape> unbounded;
   Side moving, standing;  ///< Dynamic bodies; kinematic and fixed ones.
   float cell = 1;         ///< Mean size of the dynamic bodies [m].
@@ -135,6 +137,7 @@ void PairFinder::Tables::search_blocks(const Step& step, int begin, int end, Par
 void PairFinder::Tables::add_pairs(const Step& step, int a, int b, std::vector<ShapePair>& pairs) const {
   if (!filter.may_collide(a, b)) return;
   if (a > b) std::swap(a, b);
+  if (may_touch && !may_touch(a, b)) return;
   const int begin_A = shape_begin[at(a)], end_A = shape_begin[at(a) + 1];
   const int begin_B = shape_begin[at(b)], end_B = shape_begin[at(b) + 1];
   if (end_A - begin_A == 1 && end_B - begin_B == 1) return add_pair(step, {a, b, begin_A, begin_B, 0}, pairs);
@@ -163,6 +166,7 @@ void PairFinder::Tables::add_unbounded(const Step& step, int begin, int end,
     for (int i = begin; i < end; ++i) {
       const int body = moving.bodies[at(i)];
       if (!filter.may_collide(other.body, body)) continue;
+      if (may_touch && !may_touch(std::min(other.body, body), std::max(other.body, body))) continue;
       for (int s = shape_begin[at(body)]; s < shape_begin[at(body) + 1]; ++s) {
         const float margin = step.margin + approach_bound(place, places[at(s)], step.h);
         if (!may_be_within(other, place, places[at(s)], margin)) continue;
@@ -178,6 +182,10 @@ void PairFinder::Tables::add_unbounded(const Step& step, int begin, int end,
 
 PairFinder::PairFinder(const Model& model) : tables_(std::make_unique<Tables>(model)) {}
 PairFinder::~PairFinder() = default;
+
+void PairFinder::set_contact_filter(std::function<bool(int, int)> may_touch) {
+  tables_->may_touch = std::move(may_touch);
+}
 
 void PairFinder::find_pairs(const BulkBodies& bodies, double h, double margin, const Executor& executor,
                             std::vector<ShapePair>& pairs) {

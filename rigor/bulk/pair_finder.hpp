@@ -4,6 +4,7 @@
 #include "rigor/bulk/executor.hpp"
 #include "rigor/bulk/narrow_phase.hpp"
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -17,6 +18,11 @@ class PairFinder {
   ~PairFinder();
   PairFinder(const PairFinder&) = delete;
   PairFinder& operator=(const PairFinder&) = delete;
+
+  /// From now on two bodies collide only if the filter says so too: may_touch(a, b), a < b, model indices. It
+  /// is asked in each search, of bodies that are near each other and may collide by the Model; from several
+  /// threads at once, in no particular order, so it must be a function of its arguments. None: all do.
+  void set_contact_filter(std::function<bool(int, int)> may_touch);
 
   /// All pairs that may touch within h [s] from now, at the velocities of now, or come closer than `margin`
   /// [m], as far as the Model lets them collide: in the order (body_A, body_B, shape_A, shape_B); at least

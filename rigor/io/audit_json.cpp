@@ -2,6 +2,7 @@
 
 #include "rigor/io/json_text.hpp"
 #include "rigor/io/version.hpp"
+#include "rigor/sim/method_use.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

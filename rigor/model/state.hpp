@@ -32,6 +32,8 @@ struct State {
   /// The same of the many-body path.
   std::vector<ManifoldMemory> manifolds;
   std::vector<float> joint_impulses;  ///< Of its joints, in the order of the model's.
+  /// How long each body has been slow [s], infinite if it sleeps; empty if none may sleep.
+  std::vector<float> quiet_time;
 
   bool operator==(const State& other) const = default;
 

@@ -5,21 +5,26 @@
 #include <bit>
 #include <cstdint>
 #include <string>
+#include <type_traits>
+#include <utility>
 
 namespace rigor {
 
 namespace {
 
-// Layout, all little-endian: 8 bytes magic, version (u32), 0 (u32), body count n (u64), count m of remembered
-// contacts (u64), then the doubles t, x (3n), q (4n), P (3n), L (3n), epoch (n), anchor (13n), then m times
-// body_A, body_B, shape_A, shape_B, feature (8 bytes each), values (12 doubles) and energy, then the FNV-1a
-// checksum (u64) of everything before it.
+// Layout, all little-endian: 8 bytes magic, version (u32), 0 (u32), the counts (u64 each) n of bodies, m of
+// remembered contacts, of remembered manifolds, of joint impulses and of quiet times, then the doubles t,
+// x (3n), q (4n), P (3n), L (3n), epoch (n), anchor (13n), then m times body_A, body_B, shape_A, shape_B,
+// feature (8 bytes each), values (12 doubles) and energy, then the manifolds (18 numbers of 4 bytes each),
+// the joint impulses and the quiet times (floats, two to 8 bytes), then the FNV-1a checksum (u64) of
+// everything before it.
 constexpr std::array<unsigned char, 8> magic = {'R', 'I', 'G', 'O', 'R', 'S', 'T', 0x1A};
-constexpr std::uint64_t version = 2;
-constexpr std::size_t header_length = 32;
+constexpr std::uint64_t version = 3;
+constexpr std::size_t header_length = 56;
 constexpr std::size_t checksum_length = 8;
 constexpr std::size_t doubles_of_a_body = 27;
 constexpr std::size_t words_of_a_contact = 6 + ContactMemory::value_count;
+constexpr std::size_t words_of_a_manifold = 9;
 
 using Bytes = std::vector<unsigned char>;
 
@@ -66,6 +71,31 @@ std::uint64_t checksum(const Bytes& bytes, std::size_t length) {
   return hash;
 }
 
+/// How many of each kind there are, as the header says.
+struct Counts {
+  std::uint64_t bodies, contacts, manifolds, joint_impulses, quiet_times;
+};
+
+Counts read_counts(const Bytes& bytes) {
+  return {read_number(bytes, 16, 8), read_number(bytes, 24, 8), read_number(bytes, 32, 8),
+          read_number(bytes, 40, 8), read_number(bytes, 48, 8)};
+}
+
+/// Whether these many take exactly `words` numbers of 8 bytes; no sum overflows.
+bool do_fit(const Counts& counts, std::uint64_t words) {
+  const std::pair<std::uint64_t, std::uint64_t> parts[] = {
+      {counts.bodies, doubles_of_a_body},
+      {counts.contacts, words_of_a_contact},
+      {counts.manifolds, words_of_a_manifold},
+      {counts.joint_impulses / 2 + counts.joint_impulses % 2, 1},
+      {counts.quiet_times / 2 + counts.quiet_times % 2, 1}};
+  for (const auto& [count, size] : parts) {
+    if (count > words / size) return false;
+    words -= count * size;
+  }
+  return words == 0;
+}
+
 void check_frame(const Bytes& bytes) {
   const std::string found = std::to_string(bytes.size()) + " bytes";
   if (bytes.size() < header_length + 8 + checksum_length) {
@@ -78,13 +108,13 @@ void check_frame(const Bytes& bytes) {
                      std::to_string(version));
   }
   // The counts are compared with what the bytes can hold before anything is computed from them.
-  const std::uint64_t count = read_number(bytes, 16, 8), contact_count = read_number(bytes, 24, 8);
-  const std::size_t payload = bytes.size() - header_length - 8 - checksum_length, words = payload / 8;
-  const bool can_fit = count <= words / doubles_of_a_body && contact_count <= words / words_of_a_contact;
-  if (payload % 8 != 0 || !can_fit ||
-      count * doubles_of_a_body + contact_count * words_of_a_contact != words) {
-    throw InputError("state: damaged, " + std::to_string(count) + " bodies and " +
-                     std::to_string(contact_count) + " contacts do not fit its " + found);
+  const Counts counts = read_counts(bytes);
+  const std::size_t payload = bytes.size() - header_length - 8 - checksum_length;
+  if (payload % 8 != 0 || !do_fit(counts, payload / 8)) {
+    throw InputError("state: damaged, " + std::to_string(counts.bodies) + " bodies, " +
+                     std::to_string(counts.contacts) + " contacts, " + std::to_string(counts.manifolds) +
+                     " manifolds, " + std::to_string(counts.joint_impulses) + " joint impulses and " +
+                     std::to_string(counts.quiet_times) + " quiet times do not fit its " + found);
   }
   const std::size_t end = bytes.size() - checksum_length;
   if (checksum(bytes, end) != read_number(bytes, end, 8))
@@ -109,29 +139,97 @@ ContactMemory read_contact(WordReader& reader) {
   return contact;
 }
 
+/// Numbers of 4 bytes, two to a word.
+std::uint64_t joined_halves(std::uint32_t low, std::uint32_t high) {
+  return low | static_cast<std::uint64_t>(high) << 32;
+}
+std::uint32_t low_half(std::uint64_t word) {
+  return static_cast<std::uint32_t>(word);
+}
+std::uint32_t high_half(std::uint64_t word) {
+  return static_cast<std::uint32_t>(word >> 32);
+}
+
+void append(const std::vector<float>& values, Bytes& bytes) {
+  const auto half = [&](std::size_t i) {
+    return i < values.size() ? std::bit_cast<std::uint32_t>(values[i]) : 0u;
+  };
+  for (std::size_t i = 0; i < values.size(); i += 2) append(joined_halves(half(i), half(i + 1)), 8, bytes);
+}
+
+std::vector<float> read_floats(std::size_t count, WordReader& reader) {
+  std::vector<float> values(count);
+  for (std::size_t i = 0; i < count; i += 2) {
+    const std::uint64_t word = reader.next_word();
+    values[i] = std::bit_cast<float>(low_half(word));
+    if (i + 1 < count) values[i + 1] = std::bit_cast<float>(high_half(word));
+  }
+  return values;
+}
+
+/// Calls f with each number of a manifold, in the order of the layout.
+template <typename Memory, typename F>
+void visit_numbers_of(Memory& manifold, F f) {
+  for (auto* index : {&manifold.body_A, &manifold.body_B, &manifold.shape_A, &manifold.shape_B,
+                      &manifold.part, &manifold.point_count})
+    f(*index);
+  for (auto& feature : manifold.feature) f(feature);
+  for (auto& impulse : manifold.normal_impulse) f(impulse);
+  for (auto& impulse : manifold.friction_impulse_W) f(impulse);
+  f(manifold.twist_impulse);
+}
+
+void append(const ManifoldMemory& manifold, Bytes& bytes) {
+  visit_numbers_of(manifold,
+                   [&](const auto& number) { append(std::bit_cast<std::uint32_t>(number), 4, bytes); });
+}
+
+ManifoldMemory read_manifold(WordReader& reader) {
+  ManifoldMemory manifold;
+  std::uint64_t word = 0;
+  bool is_second = false;
+  visit_numbers_of(manifold, [&](auto& number) {
+    if (!is_second) word = reader.next_word();
+    number = std::bit_cast<std::decay_t<decltype(number)>>(is_second ? high_half(word) : low_half(word));
+    is_second = !is_second;
+  });
+  // What indexes arrays is checked here, whoever wrote the bytes.
+  if (manifold.point_count < 0 || manifold.point_count > ManifoldMemory::max_points)
+    throw InputError("state: damaged, a manifold has " + std::to_string(manifold.point_count) + " points");
+  return manifold;
+}
+
 }  // namespace
 
 std::vector<unsigned char> serialise(const State& state) {
   const std::size_t n = state.epoch.size();
   Bytes bytes(magic.begin(), magic.end());
   const std::size_t m = state.contacts.size();
-  bytes.reserve(header_length + 8 * (1 + doubles_of_a_body * n + words_of_a_contact * m) + checksum_length);
+  bytes.reserve(header_length +
+                8 * (1 + doubles_of_a_body * n + words_of_a_contact * m +
+                     words_of_a_manifold * state.manifolds.size() + state.joint_impulses.size() +
+                     state.quiet_time.size()) +
+                checksum_length);
   append(version, 8, bytes);
-  append(n, 8, bytes);
-  append(m, 8, bytes);
+  for (const std::size_t count :
+       {n, m, state.manifolds.size(), state.joint_impulses.size(), state.quiet_time.size()})
+    append(count, 8, bytes);
   append(std::bit_cast<std::uint64_t>(state.t), 8, bytes);
   for (const auto* array : {&state.x, &state.q, &state.P, &state.L, &state.epoch, &state.anchor}) {
     append(*array, bytes);
   }
   for (const ContactMemory& contact : state.contacts) append(contact, bytes);
+  for (const ManifoldMemory& manifold : state.manifolds) append(manifold, bytes);
+  append(state.joint_impulses, bytes);
+  append(state.quiet_time, bytes);
   append(checksum(bytes, bytes.size()), 8, bytes);
   return bytes;
 }
 
 State deserialise(const std::vector<unsigned char>& bytes) {
   check_frame(bytes);
-  const std::size_t n = static_cast<std::size_t>(read_number(bytes, 16, 8));
-  const std::size_t m = static_cast<std::size_t>(read_number(bytes, 24, 8));
+  const Counts counts = read_counts(bytes);
+  const std::size_t n = static_cast<std::size_t>(counts.bodies);
   WordReader reader(bytes);
   State state;
   state.t = reader.next_double();
@@ -141,7 +239,10 @@ State deserialise(const std::vector<unsigned char>& bytes) {
   state.L = reader.next(3 * n);
   state.epoch = reader.next(n);
   state.anchor = reader.next(13 * n);
-  for (std::size_t i = 0; i < m; ++i) state.contacts.push_back(read_contact(reader));
+  for (std::uint64_t i = 0; i < counts.contacts; ++i) state.contacts.push_back(read_contact(reader));
+  for (std::uint64_t i = 0; i < counts.manifolds; ++i) state.manifolds.push_back(read_manifold(reader));
+  state.joint_impulses = read_floats(static_cast<std::size_t>(counts.joint_impulses), reader);
+  state.quiet_time = read_floats(static_cast<std::size_t>(counts.quiet_times), reader);
   return state;
 }
 

@@ -90,7 +90,12 @@ std::span<const MethodNumber> method_numbers() {
        {0, 1e15},
        "of penalty contacts; 0: from the pair's restitution",
        &Method::damping},
-      {"substeps", "", "1", {1, 1e6}, "least number in a step of the penalty scheme", &Method::substeps},
+      {"substeps",
+       "",
+       "0",
+       {0, 1e6},
+       "in a step: least number of the penalty scheme, number of solver substep; 0: 1 or 8",
+       &Method::substeps},
       {"iterations",
        "",
        "50",
@@ -174,9 +179,9 @@ std::vector<std::string> check_combination(const Method& method) {
   }
   if (method.iterations != std::floor(method.iterations))
     messages.push_back("iterations is " + number_text(method.iterations) + ", must be a whole number");
-  if (method.solver == SolverMethod::pgs && method.cone != ConeMethod::exact) {
-    messages.push_back("solver 'pgs' does not go with cone '" + method_choice(method, "cone") +
-                       "'; cones that do: exact");
+  if (method.solver != SolverMethod::exact && method.cone != ConeMethod::exact) {
+    messages.push_back("solver '" + method_choice(method, "solver") + "' does not go with cone '" +
+                       method_choice(method, "cone") + "'; cones that do: exact");
   }
   return messages;
 }

@@ -115,7 +115,7 @@ std::span<const MethodChoice> method_choices() {
           "Jourdan, Alart and Jean, A Gauss-Seidel Like Algorithm to Solve Frictional Contact Problems, 1998",
           true},
       MethodChoice{"solver", "substep", "many small steps of one iteration",
-                   "Macklin et al., Small Steps in Physics Simulation, 2019", false},
+                   "Macklin et al., Small Steps in Physics Simulation, 2019", true},
 
       MethodChoice{"cone", "exact", "Coulomb's cone, friction against the slip",
                    "De Saxce and Feng, The Bipotential Method, 1998", true},

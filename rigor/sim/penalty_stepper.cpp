@@ -72,7 +72,7 @@ AdvanceReport PenaltyStepper::advance(State& state, double t_end) {
   RIGOR_ASSERT(t_end >= state.t && state.body_count() == model_->body_count());
   report_ = {};
   if (t_end == state.t) return report_;
-  const FixedSteps steps(state.t, t_end, target_step_ / method_.substeps);
+  const FixedSteps steps(state.t, t_end, target_step_ / std::max(method_.substeps, 1.0));
   // What was known at the end of the last call is forgotten: the State says it all.
   phases_ = contacts_.phases(state);
   if (state.contacts.empty()) {

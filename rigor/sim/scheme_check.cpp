@@ -1,5 +1,8 @@
 #include "rigor/sim/scheme_check.hpp"
 
+#include "rigor/core/range.hpp"
+
+#include <cmath>
 #include <functional>
 #include <optional>
 
@@ -9,6 +12,14 @@ namespace {
 
 bool has_moments(const PairCoefficients& pair) {
   return pair.rolling_friction > 0 || pair.torsional_friction > 0;
+}
+
+/// What the many-body path cannot do.
+std::vector<std::string> check_substep(const Method& method) {
+  constexpr double most_substeps = 1000;
+  if (method.substeps <= most_substeps && method.substeps == std::floor(method.substeps)) return {};
+  return {"substeps is " + number_text(method.substeps) +
+          ", must be a whole number up to 1000 with solver 'substep'"};
 }
 
 bool has_static_friction(const PairCoefficients& pair) {
@@ -41,6 +52,13 @@ std::vector<std::string> check_scheme(const Model& model, const Method& method) 
     if (const std::optional<std::string> pair = find_pair(model, has_static_friction))
       messages.push_back(scheme + " has one coefficient of friction, no static_friction above it (" + *pair +
                          "); schemes that have it: time-stepping");
+    return messages;
+  }
+  if (method.solver == SolverMethod::substep) {
+    messages = check_substep(method);
+    if (const std::optional<std::string> pair = find_pair(model, has_static_friction))
+      messages.push_back(scheme + " with solver 'substep' has no static_friction above friction (" + *pair +
+                         "); solvers that have it: exact, pgs");
     return messages;
   }
   const bool is_exact = method.solver == SolverMethod::exact && method.cone == ConeMethod::exact;

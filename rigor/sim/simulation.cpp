@@ -13,7 +13,7 @@ RunResult run_simulation(std::shared_ptr<const Model> model, const Method& metho
   RunResult result;
   result.state = start ? *start : make_initial_state(*model);
   State& state = result.state;
-  const std::unique_ptr<Stepper> stepper = make_stepper(model, method, settings.step);
+  const std::unique_ptr<Stepper> stepper = make_stepper(model, method, settings.step, settings.threads);
   stepper->set_interrupt(interrupt);
   Auditor auditor(model, method, state);
 

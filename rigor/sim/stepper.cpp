@@ -1,5 +1,6 @@
 #include "rigor/sim/stepper.hpp"
 
+#include "rigor/sim/bulk_stepper.hpp"
 #include "rigor/sim/event_driven_stepper.hpp"
 #include "rigor/sim/hybrid_stepper.hpp"
 #include "rigor/sim/impulse_based_stepper.hpp"
@@ -13,8 +14,10 @@
 namespace rigor {
 
 std::unique_ptr<Stepper> make_stepper(std::shared_ptr<const Model> model, const Method& method,
-                                      double target_step) {
+                                      double target_step, int threads) {
   const Method resolved = resolve_scheme(*model, method).method;
+  if (resolved.scheme == Scheme::time_stepping && resolved.solver == SolverMethod::substep)
+    return std::make_unique<BulkStepper>(std::move(model), resolved, target_step, threads);
   if (resolved.scheme == Scheme::time_stepping)
     return std::make_unique<TimeStepper>(std::move(model), resolved, target_step);
   if (resolved.scheme == Scheme::penalty && resolved.penalty == PenaltyMethod::global)

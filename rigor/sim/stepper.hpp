@@ -21,8 +21,8 @@ class Stepper {
 };
 
 /// The stepper of the method's scheme, or of the one that `auto` stands for. target_step H > 0 [s]: the
-/// longest step.
+/// longest step. threads >= 1: of schemes that use several; the answer does not depend on it.
 std::unique_ptr<Stepper> make_stepper(std::shared_ptr<const Model> model, const Method& method,
-                                      double target_step);
+                                      double target_step, int threads = 1);
 
 }  // namespace rigor

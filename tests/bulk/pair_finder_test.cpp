@@ -234,6 +234,23 @@ TEST(PairFinder, CountsTheContactsOfAPyramid) {
   }
 }
 
+TEST(PairFinder, FilterOfTheCallerTakesPairsAway) {
+  const std::shared_ptr<const Model> model = random_scene(6, 200);
+  const BulkBodies bodies = read_bulk_bodies(*model, make_initial_state(*model));
+  std::vector<ShapePair> all = pairs_of(*model, bodies), filtered;
+  PairFinder finder(*model);
+  finder.set_contact_filter([](int a, int b) {
+    EXPECT_LT(a, b);
+    return (a + b) % 3 != 0;
+  });
+  finder.find_pairs(bodies, kStep, kMargin, Executor(2), filtered);
+  const std::size_t count = all.size();
+  std::erase_if(all, [](const ShapePair& pair) { return (pair.body_A + pair.body_B) % 3 == 0; });
+  EXPECT_LT(all.size(), count);
+  ASSERT_EQ(filtered.size(), all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) EXPECT_EQ(key_of(filtered[i]), key_of(all[i]));
+}
+
 TEST(PairFinder, FastBodyMeetsWhatIsOnItsWayOnly) {
   ModelBuilder builder;
   const Shape ball = Sphere{0.1};

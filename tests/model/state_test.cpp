@@ -155,6 +155,32 @@ TEST(Serialise, RememberedContactsComeBack) {
   EXPECT_NE(other, state);
 }
 
+TEST(Serialise, WhatTheManyBodyPathRemembersComesBack) {
+  State state = make_initial_state(*two_bodies());
+  for (int i = 0; i < 3; ++i) {
+    ManifoldMemory manifold;
+    manifold.body_A = i;
+    manifold.body_B = i + 7;
+    manifold.shape_A = -i;
+    manifold.shape_B = 2 * i;
+    manifold.part = i + 1;
+    manifold.point_count = i + 2;
+    manifold.feature = {1u, 0xffffffffu, 3u, static_cast<std::uint32_t>(i)};
+    manifold.normal_impulse = {0.1f, 0.2f, 0.3f, 1e-30f};
+    manifold.friction_impulse_W = {-1, 2, -3};
+    manifold.twist_impulse = 0.5f;
+    state.manifolds.push_back(manifold);
+  }
+  for (std::size_t count = 0; count < 4; ++count) {
+    state.joint_impulses.assign(count, 0.1f);
+    state.quiet_time.assign(3 - count, std::numeric_limits<float>::infinity());
+    EXPECT_EQ(deserialise(serialise(state)), state) << count;
+  }
+  State other = state;
+  other.manifolds[2].twist_impulse = -0.5f;
+  EXPECT_NE(other, state);
+}
+
 TEST(Serialise, TheEmptyStateComesBack) {
   EXPECT_EQ(deserialise(serialise(State{})), State{});
 }
@@ -164,13 +190,16 @@ TEST(Serialise, IsLittleEndianWithAMagic) {
   state.t = 1;  // 0x3FF0000000000000
   const std::vector<unsigned char> bytes = serialise(state);
   EXPECT_EQ(std::string(bytes.begin(), bytes.begin() + 7), "RIGORST");
-  EXPECT_EQ(bytes[32 + 7], 0x3F);
-  EXPECT_EQ(bytes[32 + 6], 0xF0);
+  EXPECT_EQ(bytes[56 + 7], 0x3F);
+  EXPECT_EQ(bytes[56 + 6], 0xF0);
 }
 
 TEST(Deserialise, EveryFlippedBitIsFound) {
   State state = make_initial_state(*two_bodies());
   state.contacts.resize(1);
+  state.manifolds.resize(1);
+  state.joint_impulses = {1, 2, 3};
+  state.quiet_time = {0.5f};
   const std::vector<unsigned char> good = serialise(state);
   for (std::size_t i = 0; i < good.size(); ++i) {
     std::vector<unsigned char> bad = good;
@@ -202,13 +231,15 @@ TEST(Deserialise, SaysWhatIsWrong) {
   bytes[0] = 'X';
   EXPECT_EQ(message_of(bytes), "state: not a saved state of Rigor");
   bytes = serialise(State{});
-  bytes[8] = 1;
-  EXPECT_EQ(message_of(bytes), "state: version 1, this program reads version 2");
+  bytes[8] = 2;
+  EXPECT_EQ(message_of(bytes), "state: version 2, this program reads version 3");
   bytes = serialise(State{});
   // A count whose product with the size of a body would overflow.
   for (std::size_t i = 16; i < 24; ++i) bytes[i] = 0xFF;
-  EXPECT_EQ(message_of(bytes),
-            "state: damaged, 18446744073709551615 bodies and 0 contacts do not fit its 48 bytes");
+  EXPECT_EQ(
+      message_of(bytes),
+      "state: damaged, 18446744073709551615 bodies, 0 contacts, 0 manifolds, 0 joint impulses and 0 quiet "
+      "times do not fit its 72 bytes");
   bytes = serialise(State{});
   bytes.back() ^= 1;
   EXPECT_EQ(message_of(bytes), "state: damaged, its checksum is wrong");
