@@ -16,6 +16,17 @@ Vec3 vector_of(const float* p) {
   return Vec3(p[0], p[1], p[2]);
 }
 
+/// Whether its moments of inertia are equal: then its angular velocity stays while it turns.
+bool is_round(const Body& body) {
+  return body.moments[0] == body.moments[1] && body.moments[1] == body.moments[2];
+}
+
+/// In W [kg m²/s].
+Vec3 angular_momentum(const Body& body, const Quat& q_WB, const Vec3& w_W) {
+  const Vec3 w_B = q_WB.conjugate() * w_W;
+  return q_WB * Vec3(body.moments.cwiseProduct(w_B));
+}
+
 }  // namespace
 
 BulkBodies read_bulk_bodies(const Model& model, const State& state) {
@@ -45,10 +56,8 @@ void write_bulk_bodies(const Model& model, const BulkBodies& bodies, State& stat
     Vec3 P = Vec3::Zero();
     Vec3 L = Vec3::Zero();
     if (body.motion == MotionType::dynamic) {
-      const Quat& q_WB = bodies.q[k];
-      const Vec3 w_B = q_WB.conjugate() * vector_of(bodies.motion[k].w);
       P = body.mass * vector_of(bodies.motion[k].v);
-      L = q_WB * Vec3(body.moments.cwiseProduct(w_B));
+      L = angular_momentum(body, bodies.q[k], vector_of(bodies.motion[k].w));
     }
     state.set_body(i, bodies.x[k], bodies.q[k], P, L);
   }
@@ -63,7 +72,7 @@ void begin_bulk_step(const Model& model, BulkBodies& bodies) {
     if (body.motion != MotionType::dynamic) continue;
     const Mat3 R_WB = bodies.q[k].toRotationMatrix();
     const Mat3 inverse_W = R_WB * body.moments.cwiseInverse().asDiagonal() * R_WB.transpose();
-    BodyInertia& inertia = bodies.inertia[k];
+    InverseInertia& inertia = bodies.inertia[k];
     inertia.xx = static_cast<float>(inverse_W(0, 0));
     inertia.yy = static_cast<float>(inverse_W(1, 1));
     inertia.zz = static_cast<float>(inverse_W(2, 2));
@@ -73,10 +82,19 @@ void begin_bulk_step(const Model& model, BulkBodies& bodies) {
   }
 }
 
-void end_bulk_step(BulkBodies& bodies) {
-  for (std::size_t k = 0; k < bodies.x.size(); ++k) {
+void end_bulk_step(const Model& model, BulkBodies& bodies) {
+  for (int i = 0; i < model.body_count(); ++i) {
+    const std::size_t k = static_cast<std::size_t>(i);
+    const Body& body = model.body(i);
+    if (body.motion == MotionType::fixed) continue;
+    const Quat q_begin = bodies.q[k];
     bodies.x[k] += vector_of(bodies.motion[k].dp);
-    bodies.q[k] = (rotation_exp(vector_of(bodies.motion[k].dr)) * bodies.q[k]).normalized();
+    bodies.q[k] = (rotation_exp(vector_of(bodies.motion[k].dr)) * q_begin).normalized();
+    if (body.motion != MotionType::dynamic || is_round(body)) continue;
+    // L = R I Rᵀ ω is kept while R turns: ω turns.
+    const Vec3 L = angular_momentum(body, q_begin, vector_of(bodies.motion[k].w));
+    const Vec3 L_B = bodies.q[k].conjugate() * L;
+    set_floats(bodies.q[k] * Vec3(L_B.cwiseQuotient(body.moments)), bodies.motion[k].w);
   }
 }
 

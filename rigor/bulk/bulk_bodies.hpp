@@ -10,7 +10,7 @@ namespace rigor {
 
 /// What the solver reads and changes of a body: one line of the cache, so that eight bodies are gathered into
 /// lanes by two squares of eight floats each. Along W's axes.
-struct alignas(64) BodyMotion {
+struct alignas(64) MotionRecord {
   float v[3] = {};     ///< Of the centre of mass [m/s].
   float inv_mass = 0;  ///< [1/kg]; 0 for kinematic and fixed bodies.
   float w[3] = {};     ///< [rad/s].
@@ -23,7 +23,7 @@ struct alignas(64) BodyMotion {
 
 /// Inverse inertia about the centre of mass in W at the begin of the step [1/(kg m^2)]; 0 for kinematic and
 /// fixed bodies.
-struct alignas(32) BodyInertia {
+struct alignas(32) InverseInertia {
   float xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
   float inv_mass = 0;  ///< [1/kg].
   float pad = 0;
@@ -33,8 +33,8 @@ struct alignas(32) BodyInertia {
 struct BulkBodies {
   std::vector<Vec3> x;  ///< p_WB of the centre of mass [m].
   std::vector<Quat> q;  ///< q_WB.
-  std::vector<BodyMotion> motion;
-  std::vector<BodyInertia> inertia;
+  std::vector<MotionRecord> motion;
+  std::vector<InverseInertia> inertia;
 
   int count() const { return static_cast<int>(x.size()); }
   bool is_dynamic(int body) const { return inertia[static_cast<std::size_t>(body)].inv_mass > 0; }
@@ -47,7 +47,8 @@ void write_bulk_bodies(const Model& model, const BulkBodies& bodies, State& stat
 
 /// Begins a step: inertia in W, no displacement.
 void begin_bulk_step(const Model& model, BulkBodies& bodies);
-/// Ends it: positions and orientations are what the displacements made of them.
-void end_bulk_step(BulkBodies& bodies);
+/// Ends it: positions and orientations are what the displacements made of them, and bodies that are not round
+/// turn on as their angular momentum wants it.
+void end_bulk_step(const Model& model, BulkBodies& bodies);
 
 }  // namespace rigor

@@ -45,6 +45,11 @@ class BulkWorld {
 
  private:
   struct Scratch;
+  void compute_accelerations();
+  void take_substep(bool is_first, float h);
+  void integrate_velocities(bool is_first, float h);
+  void integrate_positions(float h);
+  BulkStepReport describe_contacts() const;
 
   std::shared_ptr<const Model> model_;
   BulkSettings settings_;

@@ -10,12 +10,12 @@ namespace rigor {
 
 /// The joints of the many-body path, eight at a time: what they hold, their limits, motors, springs, dampers
 /// and dry friction.
-class JointRows {
+class BulkJoints {
  public:
-  explicit JointRows(const Model& model);
-  ~JointRows();
-  JointRows(const JointRows&) = delete;
-  JointRows& operator=(const JointRows&) = delete;
+  explicit BulkJoints(const Model& model);
+  ~BulkJoints();
+  BulkJoints(const BulkJoints&) = delete;
+  BulkJoints& operator=(const BulkJoints&) = delete;
 
   /// At the begin of a step of substeps of h [s]; impulses are where the search begins (empty: from zero), as
   /// from impulses().

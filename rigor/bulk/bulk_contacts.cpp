@@ -1,0 +1,122 @@
+#include "rigor/bulk/bulk_contacts.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace rigor {
+
+namespace {
+
+/// Of a contact of dynamic bodies: at most this, and an eighth of the rate of substeps [Hz].
+constexpr double contact_frequency = 30;
+constexpr double contact_damping = 10;
+
+ManifoldSurface surface_of(const PairCoefficients& pair) {
+  return {static_cast<float>(pair.friction), static_cast<float>(pair.restitution),
+          static_cast<float>(pair.torsional_friction), static_cast<float>(pair.rolling_friction)};
+}
+
+ManifoldMemory key_of(const ShapePair& pair, const PairManifold& found) {
+  ManifoldMemory key;
+  key.body_A = pair.body_A;
+  key.body_B = pair.body_B;
+  key.shape_A = pair.shape_A;
+  key.shape_B = pair.shape_B;
+  key.part = found.part;
+  key.point_count = found.manifold.point_count;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(key.point_count); ++i) {
+    key.feature[i] = found.manifold.points[i].feature;
+  }
+  return key;
+}
+
+}  // namespace
+
+BulkContacts::BulkContacts(const Model& model) : model_(&model) {
+  const int count = static_cast<int>(model.materials().size());
+  for (int a = 0; a < count; ++a) {
+    for (int b = 0; b < count; ++b) surfaces_.push_back(surface_of(model.coefficients(a, b)));
+  }
+}
+
+void BulkContacts::prepare(const BulkBodies& bodies, double h, const std::vector<ShapePair>& pairs,
+                           const std::vector<PairManifold>& manifolds,
+                           const std::vector<ManifoldMemory>& memory, const Executor& executor) {
+  const std::size_t count = manifolds.size();
+  keys_.resize(count);
+  edges_.resize(count);
+  found_.assign(count, nullptr);
+  std::size_t next = 0;  // Both lists are in the order of keys.
+  for (std::size_t i = 0; i < count; ++i) {
+    const ShapePair& pair = pairs[static_cast<std::size_t>(manifolds[i].pair)];
+    keys_[i] = key_of(pair, manifolds[i]);
+    edges_[i] = {bodies.is_dynamic(pair.body_A) ? pair.body_A : -1,
+                 bodies.is_dynamic(pair.body_B) ? pair.body_B : -1};
+    const std::array<int, 5> key = keys_[i].key();
+    while (next < memory.size() && memory[next].key() < key) ++next;
+    if (next < memory.size() && memory[next].key() == key) found_[i] = &memory[next];
+  }
+  colour_graph(edges_, bodies.count(), colouring_);
+
+  const double frequency = std::min(contact_frequency, 0.125 / h);
+  const Softness between_moving = make_softness(frequency, contact_damping, h);
+  const Softness on_ground = make_softness(2 * frequency, contact_damping, h);
+  const int materials = static_cast<int>(model_->materials().size());
+  blocks_.resize(colouring_.blocks.size());
+  executor.for_ranges(static_cast<int>(blocks_.size()), 16, [&](int begin, int end) {
+    for (int k = begin; k < end; ++k) {
+      ManifoldBlock& block = blocks_[static_cast<std::size_t>(k)];
+      clear_block(block);
+      for (int lane = 0; lane < kLaneCount; ++lane) {
+        const int edge = colouring_.blocks[static_cast<std::size_t>(k)][static_cast<std::size_t>(lane)];
+        if (edge < 0) continue;
+        const std::size_t e = static_cast<std::size_t>(edge);
+        const ShapePair& pair = pairs[static_cast<std::size_t>(manifolds[e].pair)];
+        const int a = model_->body(pair.body_A).shapes[static_cast<std::size_t>(pair.shape_A)].material;
+        const int b = model_->body(pair.body_B).shapes[static_cast<std::size_t>(pair.shape_B)].material;
+        const bool both_move = edges_[e].a >= 0 && edges_[e].b >= 0;
+        fill_lane(manifolds[e].manifold, surfaces_[static_cast<std::size_t>(a * materials + b)],
+                  both_move ? between_moving : on_ground, pair.body_A, pair.body_B, edge, found_[e], bodies,
+                  lane, block);
+      }
+      complete_block(target_, bodies, block);
+    }
+  });
+  has_restitution_ = std::any_of(blocks_.begin(), blocks_.end(),
+                                 [](const ManifoldBlock& block) { return block.has_restitution; });
+}
+
+template <class Work>
+void BulkContacts::for_blocks(const Executor& executor, const Work& work) {
+  for (int colour = 0; colour < colouring_.colour_count(); ++colour) {
+    const int first = colouring_.colour_begin[static_cast<std::size_t>(colour)];
+    const int count = colouring_.colour_begin[static_cast<std::size_t>(colour) + 1] - first;
+    const int grain = colour == serial_colour ? count : 16;
+    executor.for_ranges(count, std::max(grain, 1), [&](int begin, int end) {
+      for (int k = begin; k < end; ++k) work(blocks_[static_cast<std::size_t>(first + k)]);
+    });
+  }
+}
+
+void BulkContacts::warm_start(BulkBodies& bodies, const Executor& executor) {
+  for_blocks(executor, [&](ManifoldBlock& block) { warm_start_block(target_, block, bodies); });
+}
+
+void BulkContacts::solve(BlockPass pass, float h, BulkBodies& bodies, const Executor& executor) {
+  for_blocks(executor, [&](ManifoldBlock& block) {
+    if (pass == BlockPass::restitution && !block.has_restitution) return;
+    solve_block(target_, pass, h, block, bodies);
+  });
+}
+
+void BulkContacts::remember(std::vector<ManifoldMemory>& memory) const {
+  memory = keys_;
+  for (const ManifoldBlock& block : blocks_) {
+    for (int lane = 0; lane < kLaneCount; ++lane) {
+      const int number = block.manifold[static_cast<std::size_t>(lane)];
+      if (number >= 0) read_lane(block, lane, memory[static_cast<std::size_t>(number)]);
+    }
+  }
+}
+
+}  // namespace rigor

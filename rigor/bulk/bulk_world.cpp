@@ -1,0 +1,187 @@
+#include "rigor/bulk/bulk_world.hpp"
+
+#include "rigor/bulk/bulk_contacts.hpp"
+#include "rigor/bulk/bulk_joints.hpp"
+#include "rigor/bulk/float_lanes.hpp"
+#include "rigor/bulk/narrow_phase.hpp"
+#include "rigor/bulk/pair_finder.hpp"
+#include "rigor/dynamics/environment.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+
+namespace rigor {
+
+namespace {
+
+/// Points this far apart are found before they touch, of the length of the scene.
+constexpr double relative_margin = 0.005;
+
+/// Of a body along W's axes, as the velocities stand in MotionRecord: what forces change a second, or a
+/// velocity.
+using MotionRow = std::array<float, kLaneCount>;
+
+}  // namespace
+
+struct BulkWorld::Scratch {
+  Scratch(const Model& model, int threads)
+      : executor(threads),
+        pair_finder(model),
+        narrow_phase(model),
+        contacts(model),
+        joints(model),
+        environment(model) {}
+
+  Executor executor;
+  PairFinder pair_finder;
+  NarrowPhase narrow_phase;
+  BulkContacts contacts;
+  BulkJoints joints;
+  Environment environment;
+  std::vector<ShapePair> pairs;
+  std::vector<PairManifold> manifolds;
+  std::vector<float> joint_impulses;
+  std::vector<MotionRow> accelerations;  ///< By forces of the environment.
+  std::vector<MotionRow> unconstrained;  ///< Velocities of a substep before its constraints.
+};
+
+BulkWorld::BulkWorld(std::shared_ptr<const Model> model, const BulkSettings& settings)
+    : model_(std::move(model)),
+      settings_(settings),
+      scratch_(std::make_unique<Scratch>(*model_, settings.threads)) {}
+
+BulkWorld::~BulkWorld() = default;
+
+void BulkWorld::read(const State& state) {
+  t_ = state.t;
+  bodies_ = read_bulk_bodies(*model_, state);
+  memory_ = state.manifolds;
+  scratch_->joint_impulses = state.joint_impulses;
+}
+
+void BulkWorld::write(State& state) const {
+  state.t = t_;
+  write_bulk_bodies(*model_, bodies_, state);
+  state.manifolds = memory_;
+  state.joint_impulses = scratch_->joint_impulses;
+}
+
+BulkStepReport BulkWorld::step(double h) {
+  Scratch& s = *scratch_;
+  const double substep = h / settings_.substeps;
+  s.pair_finder.find_pairs(bodies_, h, relative_margin * model_->length_scale(), s.executor, s.pairs);
+  s.narrow_phase.find_manifolds(bodies_, s.pairs, s.executor, s.manifolds);
+  const BulkStepReport report = describe_contacts();
+  begin_bulk_step(*model_, bodies_);
+  compute_accelerations();
+  s.joints.prepare(bodies_, substep, s.joint_impulses, s.executor);
+  s.contacts.prepare(bodies_, substep, s.pairs, s.manifolds, memory_, s.executor);
+  for (int k = 0; k < settings_.substeps; ++k) take_substep(k == 0, static_cast<float>(substep));
+  if (s.contacts.has_restitution()) {
+    s.contacts.solve(BlockPass::restitution, static_cast<float>(substep), bodies_, s.executor);
+  }
+  end_bulk_step(*model_, bodies_);
+  s.contacts.remember(memory_);
+  s.joint_impulses = s.joints.impulses();
+  t_ += h;
+  return report;
+}
+
+void BulkWorld::take_substep(bool is_first, float h) {
+  Scratch& s = *scratch_;
+  integrate_velocities(is_first, h);
+  if (is_first) {
+    s.joints.warm_start(bodies_, s.executor);
+    s.contacts.warm_start(bodies_, s.executor);
+  }
+  s.joints.solve(true, bodies_, s.executor);
+  s.contacts.solve(BlockPass::push, h, bodies_, s.executor);
+  integrate_positions(h);
+  s.joints.solve(false, bodies_, s.executor);
+  s.contacts.solve(BlockPass::relax, h, bodies_, s.executor);
+}
+
+void BulkWorld::compute_accelerations() {
+  Scratch& s = *scratch_;
+  const std::size_t count = bodies_.x.size();
+  s.accelerations.resize(count);
+  s.unconstrained.resize(count);
+  const auto view = [&](int body) {
+    const std::size_t k = static_cast<std::size_t>(body);
+    const MotionRecord& m = bodies_.motion[k];
+    return Environment::BodyView{bodies_.x[k], Vec3(m.v[0], m.v[1], m.v[2]), Vec3(m.w[0], m.w[1], m.w[2]),
+                                 bodies_.q[k].toRotationMatrix(), bodies_.is_dynamic(body)};
+  };
+  s.executor.for_ranges(bodies_.count(), 256, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      MotionRow& row = s.accelerations[static_cast<std::size_t>(i)];
+      row = {};
+      if (!bodies_.is_dynamic(i)) continue;
+      Vec3 a = s.environment.steady_acceleration(i), alpha = Vec3::Zero();
+      if (s.environment.is_forced(i)) {
+        Wrench wrench;
+        s.environment.apply_env_forces(std::span(&i, 1), view, std::span(&wrench, 1));
+        a = wrench.f_W / model_->body(i).mass;
+        const InverseInertia& I = bodies_.inertia[static_cast<std::size_t>(i)];
+        Mat3 inverse;
+        inverse << I.xx, I.xy, I.xz, I.xy, I.yy, I.yz, I.xz, I.yz, I.zz;
+        alpha = inverse * wrench.tau_W;
+      }
+      for (std::size_t k = 0; k < 3; ++k) {
+        row[k] = static_cast<float>(a[static_cast<Eigen::Index>(k)]);
+        row[4 + k] = static_cast<float>(alpha[static_cast<Eigen::Index>(k)]);
+      }
+    }
+  });
+}
+
+void BulkWorld::integrate_velocities(bool is_first, float h) {
+  Scratch& s = *scratch_;
+  s.executor.for_ranges(bodies_.count(), 1024, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      const std::size_t k = static_cast<std::size_t>(i);
+      float* v = bodies_.motion[k].v;
+      MotionRow& free = s.unconstrained[k];
+      for (std::size_t j = 0; j < kLaneCount; ++j) {
+        // What the constraints changed in the substep before is what they begin with in this one.
+        const float change = is_first ? 0 : v[j] - free[j];
+        free[j] = v[j] + h * s.accelerations[k][j];
+        v[j] = free[j] + change;
+      }
+    }
+  });
+}
+
+void BulkWorld::integrate_positions(float h) {
+  scratch_->executor.for_ranges(bodies_.count(), 1024, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      MotionRecord& motion = bodies_.motion[static_cast<std::size_t>(i)];
+      for (int j = 0; j < 3; ++j) {
+        motion.dp[j] += h * motion.v[j];
+        motion.dr[j] += h * motion.w[j];
+      }
+    }
+  });
+}
+
+BulkStepReport BulkWorld::describe_contacts() const {
+  BulkStepReport report;
+  report.pair_count = static_cast<int>(scratch_->pairs.size());
+  report.manifold_count = static_cast<int>(scratch_->manifolds.size());
+  for (const PairManifold& found : scratch_->manifolds) {
+    report.point_count += found.manifold.point_count;
+    for (int i = 0; i < found.manifold.point_count; ++i) {
+      const double overlap = -found.manifold.points[static_cast<std::size_t>(i)].gap;
+      if (overlap <= report.max_overlap) continue;
+      const ShapePair& pair = scratch_->pairs[static_cast<std::size_t>(found.pair)];
+      report.max_overlap = overlap;
+      report.overlap_A = pair.body_A;
+      report.overlap_B = pair.body_B;
+    }
+  }
+  return report;
+}
+
+}  // namespace rigor

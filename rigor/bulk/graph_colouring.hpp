@@ -1,0 +1,34 @@
+#pragma once
+
+#include "rigor/bulk/float_lanes.hpp"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace rigor {
+
+/// An edge of the graph of constraints: the two dynamic bodies that it ties; -1 for one that is not dynamic.
+struct ConstraintEdge {
+  int a, b;
+};
+
+/// Edges in colours: within a colour no two share a body, so that they can be solved at once, eight in the
+/// lanes of a block and blocks on several threads, with the answer of one after the other.
+struct GraphColouring {
+  /// Edges of each block, -1 for an empty lane; blocks of one colour in a row.
+  std::vector<std::array<std::int32_t, kLaneCount>> blocks;
+  std::vector<int> colour_begin;  ///< First block of each colour, and their count at the end.
+
+  int colour_count() const { return static_cast<int>(colour_begin.size()) - 1; }
+};
+
+/// Each edge in turn takes the first colour that neither of its bodies has; those that find none among 63
+/// share the last one, a block each, which must be solved in order (serial_colour). body_count: bodies are
+/// less than it.
+void colour_graph(const std::vector<ConstraintEdge>& edges, int body_count, GraphColouring& colouring);
+
+/// The colour whose blocks may share bodies.
+constexpr int serial_colour = 63;
+
+}  // namespace rigor

@@ -1,0 +1,94 @@
+#pragma once
+
+#include "rigor/bulk/bulk_bodies.hpp"
+#include "rigor/bulk/float_lanes.hpp"
+#include "rigor/bulk/manifold.hpp"
+#include "rigor/geometry/lane_target.hpp"
+#include "rigor/model/manifold_memory.hpp"
+
+#include <array>
+#include <cstdint>
+
+namespace rigor {
+
+/// Eight floats, one a lane.
+using LaneArray = std::array<float, kLaneCount>;
+
+/// Contact as a stiff, strongly damped spring of the overlap (docs/theory/bulk.md, section 3).
+struct Softness {
+  float bias_rate = 0;      ///< Speed by which an overlap is put back, a metre [1/s].
+  float mass_scale = 1;     ///< Of the impulse that meets the speed.
+  float impulse_scale = 0;  ///< Part of the impulse that the spring gives way.
+};
+/// frequency [Hz], damping_ratio (1: critical), h [s] of a substep.
+Softness make_softness(double frequency, double damping_ratio, double h);
+
+/// The point of one corner of eight manifolds.
+struct alignas(32) BlockPoints {
+  LaneArray p1, p2;   ///< From the centre of the manifold, along t1 and t2 [m].
+  LaneArray gap;      ///< At the begin of the step [m].
+  LaneArray mass;     ///< Inverse of the response of u_n to its own impulse [kg]; 0: there is no such point.
+  LaneArray impulse;  ///< Of the normal, of the last substep [N s].
+  LaneArray max_impulse;  ///< Over the substeps [N s].
+  LaneArray first_speed;  ///< Normal velocity at the begin of the step [m/s].
+};
+
+/// Eight manifolds of which no two share a dynamic body: solved together, one a lane. Each has a frame (t1,
+/// t2, n) at its centre c. Its normal velocities are a linear function of u = (n.V, t1.W, t2.W), V and W
+/// being the velocity of B against A at c and their relative angular velocity: at the point (p1, p2) it is u0
+/// + p2 u1 - p1 u2. Impulses of all its points change u by the symmetric matrix K, so that the points of a
+/// manifold are solved as a block in three numbers.
+struct alignas(64) ManifoldBlock {
+  std::array<std::int32_t, kLaneCount> body_A, body_B;  ///< -1: empty lane.
+  std::array<std::int32_t, kLaneCount> manifold;        ///< Whose it is; -1: empty lane.
+  std::uint8_t moves_A = 0, moves_B = 0;                ///< Bits of lanes whose body is dynamic.
+  bool has_restitution = false, has_moments = false;
+  int point_count = 0;  ///< The most of any lane.
+
+  LaneArray n[3], t1[3];
+  LaneArray rA[3], rB[3];  ///< Centre of the manifold from the centres of the bodies [m].
+  LaneArray mA, mB;        ///< Inverse masses [1/kg].
+  LaneArray IA[6], IB[6];  ///< Inverse inertias xx yy zz xy xz yz [1/(kg m^2)].
+  LaneArray K[6];          ///< 00 11 22 01 02 12.
+  std::array<BlockPoints, Manifold::max_points> points;
+
+  LaneArray friction;                   ///< Coulomb's coefficient.
+  LaneArray tangent_mass[3];            ///< Inverse of the response at c along t1, t2: 11 22 12 [kg].
+  LaneArray tangent_impulse[2];         ///< Along t1, t2, on B [N s].
+  LaneArray twist_mass, twist_impulse;  ///< About n [kg m^2], [N m s].
+  LaneArray torsional_friction, rolling_friction;  ///< [m].
+  LaneArray roll_mass[3];                          ///< Inverse of the response to moments along t1, t2.
+  LaneArray roll_impulse[2];                       ///< [N m s].
+  LaneArray restitution;
+  LaneArray bias_rate, mass_scale, impulse_scale;  ///< Softness.
+};
+
+/// What a manifold needs besides its points.
+struct ManifoldSurface {
+  float friction = 0, restitution = 0;
+  float torsional_friction = 0, rolling_friction = 0;  ///< [m].
+};
+
+/// All lanes empty.
+void clear_block(ManifoldBlock& block);
+/// Puts a manifold into a lane. memory: where its impulses begin (nullptr: from zero).
+void fill_lane(const Manifold& manifold, const ManifoldSurface& surface, const Softness& softness, int body_A,
+               int body_B, int number, const ManifoldMemory* memory, const BulkBodies& bodies, int lane,
+               ManifoldBlock& block);
+/// Impulses of a lane, features aside.
+void read_lane(const ManifoldBlock& block, int lane, ManifoldMemory& memory);
+
+/// Computes what follows from frames, points and inertias, and the velocities at the begin of the step.
+void complete_block(LaneTarget target, const BulkBodies& bodies, ManifoldBlock& block);
+/// Applies the impulses that the block begins with.
+void warm_start_block(LaneTarget target, ManifoldBlock& block, BulkBodies& bodies);
+
+enum class BlockPass {
+  push,        ///< Overlaps are put back; normal impulses only.
+  relax,       ///< Velocities alone, without the spring; friction too.
+  restitution  ///< Points that were pressed part at e times the speed at which they met.
+};
+/// One sweep over a block. h [s]: of the substep.
+void solve_block(LaneTarget target, BlockPass pass, float h, ManifoldBlock& block, BulkBodies& bodies);
+
+}  // namespace rigor
