@@ -58,7 +58,7 @@ bench:
 
 bench-bulk:
 	@tools/setup.sh build
-	@tools/setup.sh bench
+	@tools/setup.sh bench-bulk
 	@cmake --preset bench >/dev/null
 	@cmake --build --preset bench -j $(JOBS) --target rigor_bulk_bench
 	@build/bench/benchmarks/rigor_bulk_bench
