@@ -9,7 +9,7 @@ namespace {
 
 /// Of a contact of dynamic bodies: at most this, and an eighth of the rate of substeps [Hz].
 constexpr double contact_frequency = 30;
-constexpr double contact_damping = 10;
+constexpr double contact_damping = 5;
 
 ManifoldSurface surface_of(const PairCoefficients& pair) {
   return {static_cast<float>(pair.friction), static_cast<float>(pair.restitution),

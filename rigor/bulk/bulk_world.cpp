@@ -16,8 +16,8 @@ namespace rigor {
 
 namespace {
 
-/// Points this far apart are found before they touch, of the length of the scene.
-constexpr double relative_margin = 0.005;
+/// Points are found before they touch if a body that is let fall from rest comes that far in this many steps.
+constexpr double margin_steps = 2;
 
 /// Of a body along W's axes, as the velocities stand in MotionRecord: what forces change a second, or a
 /// velocity.
@@ -71,7 +71,8 @@ void BulkWorld::write(State& state) const {
 BulkStepReport BulkWorld::step(double h) {
   Scratch& s = *scratch_;
   const double substep = h / settings_.substeps;
-  s.pair_finder.find_pairs(bodies_, h, relative_margin * model_->length_scale(), s.executor, s.pairs);
+  const double margin = 0.5 * model_->g_W().norm() * (margin_steps * h) * (margin_steps * h);
+  s.pair_finder.find_pairs(bodies_, h, margin, s.executor, s.pairs);
   s.narrow_phase.find_manifolds(bodies_, s.pairs, s.executor, s.manifolds);
   const BulkStepReport report = describe_contacts();
   begin_bulk_step(*model_, bodies_);

@@ -1,9 +1,45 @@
 #include "rigor/bulk/executor.hpp"
 
+#include "rigor/core/assert.hpp"
+
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/partitioner.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <algorithm>
+#include <cstdint>
+
 namespace rigor {
 
-void Executor::for_ranges(int count, int /*grain*/, const std::function<void(int, int)>& body) const {
-  if (count > 0) body(0, count);
+struct Executor::Pool {
+  explicit Pool(int threads) : arena(std::min(threads, tbb::info::default_concurrency())) {}
+
+  tbb::task_arena arena;
+};
+
+Executor::Executor(int threads) : threads_(threads) {
+  RIGOR_ASSERT(threads >= 1);
+  if (threads > 1) pool_ = std::make_unique<Pool>(threads);
+}
+
+Executor::~Executor() = default;
+Executor::Executor(Executor&& other) noexcept = default;
+Executor& Executor::operator=(Executor&& other) noexcept = default;
+
+void Executor::for_ranges(int count, int grain, const std::function<void(int, int)>& body) const {
+  // More ranges than threads: a thread that the machine takes away for a while holds up a part of its share.
+  constexpr int ranges_of_a_thread = 4;
+  if (count <= 0) return;
+  const int ranges = std::min(count / std::max(grain, 1), ranges_of_a_thread * threads_);
+  if (!pool_ || ranges <= 1) return body(0, count);
+  const auto begin_of = [&](int k) {
+    return static_cast<int>(static_cast<std::int64_t>(count) * k / ranges);
+  };
+  pool_->arena.execute([&] {
+    tbb::parallel_for(
+        0, ranges, [&](int k) { body(begin_of(k), begin_of(k + 1)); }, tbb::simple_partitioner());
+  });
 }
 
 }  // namespace rigor

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 
 namespace rigor {
 
@@ -8,16 +9,24 @@ namespace rigor {
 /// runs which round: nothing is added up across rounds, no round writes what another reads.
 class Executor {
  public:
-  /// threads >= 1.
-  explicit Executor(int threads) : threads_(threads) {}
+  /// threads >= 1. One means the caller's own thread: nothing else is started. There are never more than the
+  /// machine has processors.
+  explicit Executor(int threads);
+  ~Executor();
+  Executor(Executor&& other) noexcept;
+  Executor& operator=(Executor&& other) noexcept;
 
   int threads() const { return threads_; }
   /// body(begin, end) over ranges that make up [0, count); ranges of less than `grain` rounds are not split
-  /// off.
+  /// off. With one thread, or less than two grains, it is one range. Returns when all are done; what a body
+  /// throws comes out here.
   void for_ranges(int count, int grain, const std::function<void(int, int)>& body) const;
 
  private:
+  struct Pool;
+
   int threads_;
+  std::unique_ptr<Pool> pool_;  ///< None for one thread.
 };
 
 }  // namespace rigor

@@ -11,6 +11,8 @@ namespace {
 
 /// Fastest at which overlaps are put back [m/s]: a deep one is not an explosion.
 constexpr float max_push_speed = 3;
+/// The points of a manifold are solved this often one after the other: near enough to a block.
+constexpr int block_sweeps = 3;
 /// A contact that meets more slowly does not bounce [m/s].
 constexpr float bounce_speed = 1e-2f;
 
@@ -132,8 +134,8 @@ RIGOR_FLOAT_LANES NormalMotion solve_normals(float h, const NormalMotion& moved,
   const FloatLanes one = float_lanes(1);
   const FloatLanes per_h = float_lanes(1 / h);
   NormalMotion wrench{zero, zero, zero};
-  for (int i = 0; i < block.point_count; ++i) {
-    BlockPoints& point = block.points[static_cast<std::size_t>(i)];
+  for (int k = 0; k < block_sweeps * block.point_count; ++k) {
+    BlockPoints& point = block.points[static_cast<std::size_t>(k % block.point_count)];
     const FloatLanes p1 = lane(point.p1), p2 = lane(point.p2);
     const FloatLanes old = lane(point.impulse);
     const FloatLanes speed = at_point(u, p1, p2);
@@ -228,9 +230,10 @@ RIGOR_FLOAT_LANES void solve_pass(float h, ManifoldBlock& block, BulkBodies& bod
     gather_displacements(block.body_B, bodies, dB);
     moved = normal_motion(f, dA, dB);
   }
+  // Friction first: that bodies do not enter each other matters more.
+  if constexpr (pass != BlockPass::restitution) solve_friction(f, block, A, B);
   const NormalMotion wrench = solve_normals<pass>(h, moved, normal_motion(f, A, B), block);
   apply_wrench(block, f, wrench.u0 * f.n, wrench.u1 * f.t1 + wrench.u2 * f.t2, A, B);
-  if constexpr (pass == BlockPass::relax) solve_friction(f, block, A, B);
   scatter_velocities(block.body_A, block.moves_A, block.mA, A, bodies);
   scatter_velocities(block.body_B, block.moves_B, block.mB, B, bodies);
 }

@@ -84,8 +84,8 @@ void complete_block(LaneTarget target, const BulkBodies& bodies, ManifoldBlock& 
 void warm_start_block(LaneTarget target, ManifoldBlock& block, BulkBodies& bodies);
 
 enum class BlockPass {
-  push,        ///< Overlaps are put back; normal impulses only.
-  relax,       ///< Velocities alone, without the spring; friction too.
+  push,        ///< Overlaps are put back, as fast as the spring does.
+  relax,       ///< Velocities alone, without the spring.
   restitution  ///< Points that were pressed part at e times the speed at which they met.
 };
 /// One sweep over a block. h [s]: of the substep.

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace rigor {
+
+/// Box along the axes of W, from an origin of the caller's [m].
+struct FloatBox {
+  float lower[3];
+  float upper[3];
+
+  bool overlaps(const FloatBox& other) const {
+    for (int k = 0; k < 3; ++k) {
+      if (lower[k] > other.upper[k] || other.lower[k] > upper[k]) return false;
+    }
+    return true;
+  }
+};
+
+/// Boxes by number that overlap or touch, in 32 bits. Built anew each time: the boxes are sorted along a
+/// space-filling curve, eight neighbours make a block and eight blocks a block of the level above, so that
+/// one box is compared with eight at once.
+class BoxTree {
+ public:
+  static constexpr int width = 8;
+
+  struct Pair {
+    int a, b;
+  };
+
+  /// `cell` [m], > 0: about the size of a box; boxes are sorted by the cells that their centres are in.
+  void build(const std::vector<FloatBox>& boxes, float cell);
+  /// Blocks that the pairs are asked for.
+  int block_count() const { return static_cast<int>(unions_.size()); }
+  /// Adds the pairs of different boxes of which the one is in this block and the other in it or in a later
+  /// one: each pair is in one block. In no particular order.
+  void find_own_pairs(int block, std::vector<Pair>& pairs) const;
+  /// Adds the pairs of a box a of this block and a box b of the other tree.
+  void find_pairs_with(const BoxTree& other, int block, std::vector<Pair>& pairs) const;
+
+  /// Eight boxes in lanes; lanes without a box overlap nothing.
+  struct alignas(32) Block {
+    float lower[3][width];
+    float upper[3][width];
+  };
+  struct Entry {
+    std::uint64_t key;
+    int box;
+  };
+
+ private:
+  friend struct BoxTreeSearch;
+
+  void sort_by_cells(const std::vector<FloatBox>& boxes, float cell);
+  void fill_blocks(const std::vector<FloatBox>& boxes);
+
+  std::vector<Entry> order_, sorting_;
+  std::vector<std::vector<Block>> levels_;  ///< The boxes themselves first, one block last.
+  std::vector<FloatBox> unions_;            ///< Of each block of the first level.
+  std::vector<int> numbers_;                ///< Of the boxes in the lanes of the first level.
+};
+
+}  // namespace rigor

@@ -1,0 +1,160 @@
+#include "rigor/bulk/bulk_shape.hpp"
+
+#include "rigor/bulk/float_lanes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rigor {
+
+namespace {
+
+/// Edges are numbered in one half of the features that name crossings: sqrt(2^30).
+constexpr std::size_t kMaxEdges = 32768;
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+void pad(std::vector<float>& column) {
+  while (!column.empty() && column.size() % kLaneCount != 0) column.push_back(column.back());
+}
+
+void add_vertex(const Vec3& v, FloatHull& hull) {
+  hull.x.push_back(static_cast<float>(v.x()));
+  hull.y.push_back(static_cast<float>(v.y()));
+  hull.z.push_back(static_cast<float>(v.z()));
+  hull.extent = std::max(hull.extent, static_cast<float>(v.norm()));
+  ++hull.vertex_count;
+}
+
+void pad_columns(FloatHull& hull) {
+  for (std::vector<float>* column : {&hull.x, &hull.y, &hull.z, &hull.nx, &hull.ny, &hull.nz, &hull.offset})
+    pad(*column);
+}
+
+/// A hull without faces and with one edge between its first and its last vertex.
+FloatHull make_line(const std::vector<Vec3>& vertices) {
+  FloatHull hull;
+  for (const Vec3& v : vertices) add_vertex(v, hull);
+  hull.edges.push_back({0, hull.vertex_count - 1, -1, -1});
+  hull.loop_begin.push_back(0);
+  hull.fan_begin.assign(vertices.size() + 1, 0);
+  pad_columns(hull);
+  return hull;
+}
+
+/// Faces and their loops; edges in the order of the half-edges that stand first.
+void add_faces(const FeatureGraph& graph, FloatHull& hull) {
+  std::vector<int> edge_of(graph.half_edges.size(), -1);
+  for (std::size_t h = 0; h < graph.half_edges.size(); ++h) {
+    const FeatureGraph::HalfEdge& half = graph.half_edges[h];
+    if (edge_of[at(half.twin)] >= 0) {
+      edge_of[h] = edge_of[at(half.twin)];
+    } else {
+      edge_of[h] = static_cast<int>(hull.edges.size());
+      hull.edges.push_back({half.from, half.to, half.face, graph.half_edge(half.twin).face});
+    }
+    hull.loop.push_back(half.from);
+    hull.loop_edges.push_back(edge_of[h]);
+  }
+  hull.loop_begin = graph.face_begin;
+  hull.face_count = graph.face_count();
+}
+
+void add_fans(FloatHull& hull) {
+  std::vector<std::vector<int>> faces(at(hull.vertex_count));
+  for (int f = 0; f < hull.face_count; ++f)
+    for (int k = hull.loop_begin[at(f)]; k < hull.loop_begin[at(f + 1)]; ++k)
+      faces[at(hull.loop[at(k)])].push_back(f);
+  for (const std::vector<int>& fan : faces) {
+    hull.fan_begin.push_back(static_cast<int>(hull.fan.size()));
+    hull.fan.insert(hull.fan.end(), fan.begin(), fan.end());
+  }
+  hull.fan_begin.push_back(static_cast<int>(hull.fan.size()));
+}
+
+}  // namespace
+
+FloatHull make_float_hull(const FeatureGraph& graph, const std::vector<Vec3>& vertices) {
+  FloatHull hull;
+  Vec3 center = Vec3::Zero();
+  for (const Vec3& v : vertices) add_vertex(v, hull), center += v;
+  center /= static_cast<double>(vertices.size());
+  add_faces(graph, hull);
+  add_fans(hull);
+  double inner = hull.extent;
+  for (int f = 0; f < hull.face_count; ++f) {
+    const Vec3& n = graph.normal(f);
+    const double offset = n.dot(vertices[at(hull.loop[at(hull.loop_begin[at(f)])])]);
+    hull.nx.push_back(static_cast<float>(n.x()));
+    hull.ny.push_back(static_cast<float>(n.y()));
+    hull.nz.push_back(static_cast<float>(n.z()));
+    hull.offset.push_back(static_cast<float>(offset));
+    inner = std::min(inner, offset - n.dot(center));
+  }
+  hull.center = center.cast<float>();
+  // Rounding must not make the ball larger than it is.
+  hull.inner = std::max(0.0f, static_cast<float>(inner) - 1e-5f * hull.extent);
+  pad_columns(hull);
+  return hull;
+}
+
+FloatHulls::FloatHulls() {
+  const ConvexHull unit_box = make_box_hull(Vec3::Ones());
+  box = std::make_shared<const FloatHull>(make_float_hull(unit_box.features, unit_box.vertices));
+  segment = std::make_shared<const FloatHull>(make_line({-Vec3::UnitZ(), Vec3::UnitZ()}));
+  point = std::make_shared<const FloatHull>(make_line({Vec3::Zero()}));
+}
+
+BulkShape make_bulk_shape(const BodyShape& shape, FloatHulls& hulls) {
+  BulkShape bulk{.shape = &shape.shape, .X_BS = shape.X_BS};
+  if (const Sphere* const sphere = std::get_if<Sphere>(&shape.shape)) {
+    bulk.kind = BulkShape::Kind::round;
+    bulk.hull = hulls.point;
+    bulk.radius = static_cast<float>(sphere->radius);
+  } else if (const Capsule* const capsule = std::get_if<Capsule>(&shape.shape)) {
+    bulk.kind = BulkShape::Kind::round;
+    bulk.hull = hulls.segment;
+    bulk.radius = static_cast<float>(capsule->radius);
+    bulk.extent = static_cast<float>(capsule->half_length);
+    bulk.scale.z() = bulk.extent;
+  } else if (const Box* const box = std::get_if<Box>(&shape.shape)) {
+    bulk.kind = BulkShape::Kind::box;
+    bulk.hull = hulls.box;
+    bulk.scale = box->half_extents.cast<float>();
+    bulk.extent = bulk.scale.norm();
+  } else if (std::holds_alternative<HalfSpace>(shape.shape)) {
+    bulk.kind = BulkShape::Kind::plane;
+  } else if (const Convex* const convex = std::get_if<Convex>(&shape.shape);
+             convex != nullptr && convex->hull->edges.size() < kMaxEdges) {
+    bulk.kind = BulkShape::Kind::hull;
+    const auto known = std::find_if(hulls.convex.begin(), hulls.convex.end(),
+                                    [&](const auto& entry) { return entry.first == convex->hull.get(); });
+    if (known != hulls.convex.end()) {
+      bulk.hull = known->second;
+    } else {
+      bulk.hull =
+          std::make_shared<const FloatHull>(make_float_hull(convex->hull->features, convex->hull->vertices));
+      hulls.convex.emplace_back(convex->hull.get(), bulk.hull);
+    }
+    bulk.extent = bulk.hull->extent;
+  }
+  return bulk;
+}
+
+PlacedShape place_shape(const BulkShape& shape, const Quat& q_WB) {
+  const Mat3 R_WB = q_WB.toRotationMatrix();
+  const Mat3 R_WS = R_WB * shape.X_BS.R;
+  const Vec3 p = R_WB * shape.X_BS.p;
+  PlacedShape placed;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) placed.R[3 * i + j] = static_cast<float>(R_WS(i, j));
+    placed.p[i] = static_cast<float>(p[i]);
+    placed.half[i] = shape.scale[i];
+  }
+  placed.extent = shape.extent;
+  return placed;
+}
+
+}  // namespace rigor

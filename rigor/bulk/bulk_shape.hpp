@@ -1,0 +1,76 @@
+#pragma once
+
+#include "rigor/bulk/bulk_bodies.hpp"
+#include "rigor/geometry/convex_hull.hpp"
+#include "rigor/model/body.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace rigor {
+
+using Vec3f = Eigen::Vector3f;
+using Mat3f = Eigen::Matrix<float, 3, 3, Eigen::RowMajor>;
+
+/// A convex polyhedron in 32 bits. A segment (two vertices, one edge) and a point (one vertex, an edge
+/// without length) are polyhedra without faces. Columns are padded to whole lanes with their last entry.
+struct FloatHull {
+  struct Edge {
+    int v0, v1;  ///< The edge runs v0 -> v1 in the loop of face f0 and v1 -> v0 in that of f1.
+    int f0, f1;  ///< -1 where there are no faces.
+  };
+  int vertex_count = 0, face_count = 0;
+  std::vector<float> x, y, z;         ///< Vertices [m].
+  std::vector<float> nx, ny, nz;      ///< Outward unit normals of the faces.
+  std::vector<float> offset;          ///< Of the faces: n · v of their vertices [m].
+  std::vector<Edge> edges;            ///< Each once.
+  std::vector<int> loop_begin;        ///< First place of each face in the loops, and their length.
+  std::vector<int> loop, loop_edges;  ///< Vertices counter-clockwise, and the edge to the next one.
+  std::vector<int> fan_begin, fan;    ///< The faces around each vertex.
+  Vec3f center = Vec3f::Zero();       ///< Of a ball inside [m].
+  float inner = 0;                    ///< Its radius [m].
+  float extent = 0;                   ///< No vertex is farther from the origin [m].
+};
+
+FloatHull make_float_hull(const FeatureGraph& graph, const std::vector<Vec3>& vertices);
+
+/// What the narrow phase knows of a shape: a core of vertices, which is `hull` stretched by `scale` along its
+/// axes, grown by `radius`; or a half-space; or something that only double precision treats.
+struct BulkShape {
+  enum class Kind : std::int8_t { round, box, hull, plane, other };
+  Kind kind = Kind::other;
+  const Shape* shape = nullptr;
+  Pose X_BS;
+  std::shared_ptr<const FloatHull> hull;
+  Vec3f scale = Vec3f::Ones();  ///< Half extents of a box; (1, 1, half length) of a segment [m].
+  float radius = 0;             ///< [m].
+  float extent = 0;             ///< No point of the core is farther from the origin of S [m].
+};
+
+/// The hulls that shapes share.
+struct FloatHulls {
+  FloatHulls();
+  std::shared_ptr<const FloatHull> box;      ///< |x|, |y|, |z| <= 1.
+  std::shared_ptr<const FloatHull> segment;  ///< |z| <= 1 on the axis.
+  std::shared_ptr<const FloatHull> point;    ///< The origin.
+  std::vector<std::pair<const ConvexHull*, std::shared_ptr<const FloatHull>>> convex;
+};
+
+/// The shape must outlive the answer.
+BulkShape make_bulk_shape(const BodyShape& shape, FloatHulls& hulls);
+
+/// Where a shape's frame S is, relative to the centre of its body along W's axes, with what box pairs need
+/// besides: one line of the cache.
+struct alignas(64) PlacedShape {
+  float R[9];     ///< R_WS, row by row.
+  float p[3];     ///< [m].
+  float half[3];  ///< Half extents of a box [m].
+  float extent;   ///< As of the BulkShape [m].
+
+  Mat3f rotation() const { return Eigen::Map<const Mat3f>(R); }
+  Vec3f position() const { return Vec3f(p[0], p[1], p[2]); }
+};
+
+PlacedShape place_shape(const BulkShape& shape, const Quat& q_WB);
+
+}  // namespace rigor

@@ -1,0 +1,160 @@
+#include "rigor/bulk/shape_places.hpp"
+
+#include "rigor/geometry/aabb.hpp"
+#include "rigor/geometry/support.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rigor {
+
+namespace {
+
+struct Float3 {
+  float x, y, z;
+};
+
+Float3 load(const float* p) {
+  return {p[0], p[1], p[2]};
+}
+Float3 operator-(const Float3& a, const Float3& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+Float3 operator+(const Float3& a, const Float3& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+Float3 cross(const Float3& a, const Float3& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+float squared(const Float3& a) {
+  return a.x * a.x + a.y * a.y + a.z * a.z;
+}
+float norm(const Float3& a) {
+  return std::sqrt(squared(a));
+}
+void store(const Float3& a, float* p) {
+  p[0] = a.x;
+  p[1] = a.y;
+  p[2] = a.z;
+}
+Float3 turned(const float* R, const Float3& a) {
+  return {R[0] * a.x + R[1] * a.y + R[2] * a.z, R[3] * a.x + R[4] * a.y + R[5] * a.z,
+          R[6] * a.x + R[7] * a.y + R[8] * a.z};
+}
+Float3 turned_back(const float* R, const Float3& a) {
+  return {R[0] * a.x + R[3] * a.y + R[6] * a.z, R[1] * a.x + R[4] * a.y + R[7] * a.z,
+          R[2] * a.x + R[5] * a.y + R[8] * a.z};
+}
+
+/// Rows of the matrix of a unit quaternion.
+void set_rotation(const Quat& q_WB, float* R) {
+  const float w = static_cast<float>(q_WB.w()), x = static_cast<float>(q_WB.x()),
+              y = static_cast<float>(q_WB.y()), z = static_cast<float>(q_WB.z());
+  R[0] = 1 - 2 * (y * y + z * z), R[1] = 2 * (x * y - w * z), R[2] = 2 * (x * z + w * y);
+  R[3] = 2 * (x * y + w * z), R[4] = 1 - 2 * (x * x + z * z), R[5] = 2 * (y * z - w * x);
+  R[6] = 2 * (x * z - w * y), R[7] = 2 * (y * z + w * x), R[8] = 1 - 2 * (x * x + y * y);
+}
+
+/// Radius of the round part of a shape that is a core and all near it [m].
+double round_radius(const Shape& shape) {
+  if (const Sphere* sphere = std::get_if<Sphere>(&shape)) return sphere->radius;
+  if (const Capsule* capsule = std::get_if<Capsule>(&shape)) return capsule->radius;
+  return 0;
+}
+
+/// A little more, so that rounding to 32 bits takes nothing away.
+float rounded_up(double x) {
+  return static_cast<float>(x * (1 + 1e-6));
+}
+
+}  // namespace
+
+ShapeBound make_shape_bound(const BodyShape& shape) {
+  const Aabb box = axis_aligned_box(shape.shape, Pose{});
+  const Vec3 center_S = 0.5 * (box.lower + box.upper);
+  const double radius = round_radius(shape.shape);
+  const Vec3 half = 0.5 * (box.upper - box.lower) - Vec3::Constant(radius);
+  const Vec3 center_B = shape.X_BS * center_S;
+  ShapeBound bound{};
+  bound.is_turned = !shape.X_BS.R.isIdentity(0);
+  for (int k = 0; k < 3; ++k) {
+    bound.center_B[k] = static_cast<float>(center_B[k]);
+    bound.half[k] = rounded_up(std::max(half[k], 0.0));
+    for (int j = 0; j < 3; ++j) bound.R_BS[3 * k + j] = static_cast<float>(shape.X_BS.R(k, j));
+  }
+  bound.radius = rounded_up(radius);
+  bound.reach = rounded_up(std::max(radius_about(shape.shape, center_S) - radius, 0.0));
+  return bound;
+}
+
+ShapePlace place_of(const ShapeBound& bound, const BulkBodies& bodies, int body, const Vec3& origin) {
+  const std::size_t k = static_cast<std::size_t>(body);
+  const MotionRecord& motion = bodies.motion[k];
+  ShapePlace place;
+  set_rotation(bodies.q[k], place.R_WS);
+  const Float3 arm = turned(place.R_WS, load(bound.center_B)), w = load(motion.w);
+  const Vec3 x = bodies.x[k] - origin;
+  const Float3 center =
+      Float3{static_cast<float>(x[0]), static_cast<float>(x[1]), static_cast<float>(x[2])} + arm;
+  store(center, place.center);
+  store(load(motion.v) + cross(w, arm), place.u);
+  store(w, place.w);
+  if (bound.is_turned) {
+    float R_WB[9];
+    std::copy_n(place.R_WS, 9, R_WB);
+    for (int row = 0; row < 3; ++row)
+      store(turned_back(bound.R_BS, load(R_WB + 3 * row)), place.R_WS + 3 * row);
+  }
+  std::copy_n(bound.half, 3, place.half);
+  place.reach = bound.reach;
+  place.radius = bound.radius;
+  constexpr float roundings = 1e-6f;
+  place.slack = roundings * (std::abs(center.x) + std::abs(center.y) + std::abs(center.z) + bound.reach +
+                             bound.radius + norm(load(bound.center_B)));
+  return place;
+}
+
+FloatBox swept_box(const ShapePlace& place, const ShapeBound& bound, const MotionRecord& motion, float h,
+                   float margin) {
+  // A point at r from the axis goes at most r times the angle, and never farther than 2 r.
+  const float angle = std::min(norm(load(place.w)) * h, 2.0f);
+  const float turn = angle * (norm(load(bound.center_B)) + place.reach);
+  FloatBox box;
+  for (int k = 0; k < 3; ++k) {
+    const float* row = place.R_WS + 3 * k;
+    const float extent = std::abs(row[0]) * place.half[0] + std::abs(row[1]) * place.half[1] +
+                         std::abs(row[2]) * place.half[2];
+    const float half = std::min(extent, place.reach) + place.radius + turn + margin + 2 * place.slack;
+    const float way = motion.v[k] * h;
+    box.lower[k] = place.center[k] - half + std::min(way, 0.0f);
+    box.upper[k] = place.center[k] + half + std::max(way, 0.0f);
+  }
+  return box;
+}
+
+/// The distance of the cores changes as fast as their witness points P and Q move along the line n between
+/// them. With c the centre of the core of b: velocity_b(Q) - velocity_a(P) = [u_b - velocity_a(c)] +
+/// (w_b - w_a) × (Q - c) + w_a × (Q - P), and the last term has no part along n.
+float approach_bound(const ShapePlace& a, const ShapePlace& b, float h) {
+  const ShapePlace &small = b.reach <= a.reach ? b : a, &large = b.reach <= a.reach ? a : b;
+  const Float3 d = load(small.center) - load(large.center);
+  const Float3 u = load(small.u) - load(large.u) - cross(load(large.w), d);
+  return h * (norm(u) + norm(load(small.w) - load(large.w)) * small.reach);
+}
+
+bool may_be_within(const ShapePlace& a, const ShapePlace& b, float margin) {
+  const ShapePlace &small = b.reach <= a.reach ? b : a, &large = b.reach <= a.reach ? a : b;
+  const Float3 d = load(small.center) - load(large.center);
+  const float near = small.reach + small.radius + large.radius + margin + a.slack + b.slack;
+  const float far = near + large.reach;
+  if (squared(d) > far * far) return false;
+  // Of shapes of one size the box of the one tells little more than its ball.
+  if (large.reach < 2 * (small.reach + small.radius)) return true;
+  const Float3 local = turned_back(large.R_WS, d);
+  const Float3 outside{std::max(std::abs(local.x) - large.half[0], 0.0f),
+                       std::max(std::abs(local.y) - large.half[1], 0.0f),
+                       std::max(std::abs(local.z) - large.half[2], 0.0f)};
+  return squared(outside) <= near * near;
+}
+
+}  // namespace rigor

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "rigor/bulk/box_tree.hpp"
+#include "rigor/bulk/bulk_bodies.hpp"
+
+#include <vector>
+
+namespace rigor {
+
+/// A bounded shape as the broad phase sees it: all points within `radius` of a core, which is inside a box
+/// and inside a ball, both about its centre.
+struct ShapeBound {
+  float center_B[3];  ///< In the body's frame [m].
+  float half[3];      ///< Of the box [m], along the axes of the shape's frame.
+  float reach;        ///< Radius of the ball [m].
+  float radius;       ///< [m].
+  float R_BS[9];      ///< Rows.
+  bool is_turned;     ///< R_BS is not the identity.
+};
+
+/// Where it is and how it moves: its centre from an origin, the axes of its box (rows of R_WS), the velocity
+/// of its centre and its angular velocity. Along W's axes.
+struct ShapePlace {
+  float center[3];  ///< [m].
+  float u[3];       ///< [m/s].
+  float w[3];       ///< [rad/s].
+  float R_WS[9];
+  float half[3], reach, radius;  ///< As above.
+  float slack;                   ///< More than the rounding of all that [m].
+};
+
+/// The bound of a bounded shape of a body.
+ShapeBound make_shape_bound(const BodyShape& shape);
+
+/// Its place now.
+ShapePlace place_of(const ShapeBound& bound, const BulkBodies& bodies, int body, const Vec3& origin);
+
+/// Box from the origin that holds the shape until h [s] from now, at its velocities of now, and `margin` [m]
+/// around it.
+FloatBox swept_box(const ShapePlace& place, const ShapeBound& bound, const MotionRecord& motion, float h,
+                   float margin);
+
+/// How far the two shapes can come to each other within h [s] at the velocities of now, to first order in h
+/// [m]: the farther ends of a turning shape count, its roundness does not.
+float approach_bound(const ShapePlace& a, const ShapePlace& b, float h);
+
+/// False only if they are farther apart than `margin` [m].
+bool may_be_within(const ShapePlace& a, const ShapePlace& b, float margin);
+
+}  // namespace rigor

@@ -1,0 +1,101 @@
+#include "rigor/bulk/executor.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <mutex>
+#include <stdexcept>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace rigor {
+namespace {
+
+/// The ranges of a loop, ascending.
+std::vector<std::pair<int, int>> ranges_of(const Executor& executor, int count, int grain) {
+  std::mutex mutex;
+  std::vector<std::pair<int, int>> ranges;
+  executor.for_ranges(count, grain, [&](int begin, int end) {
+    const std::lock_guard<std::mutex> lock(mutex);
+    ranges.emplace_back(begin, end);
+  });
+  std::sort(ranges.begin(), ranges.end());
+  return ranges;
+}
+
+TEST(Executor, RangesMakeUpTheLoopAndHaveAtLeastAGrain) {
+  for (const int threads : {1, 2, 3, 8}) {
+    const Executor executor(threads);
+    for (const int count : {0, 1, 7, 64, 1000, 100003}) {
+      for (const int grain : {1, 10, 64}) {
+        int end = 0;
+        for (const auto& [begin, range_end] : ranges_of(executor, count, grain)) {
+          EXPECT_EQ(begin, end);
+          EXPECT_GE(range_end - begin, std::min(grain, count));
+          end = range_end;
+        }
+        EXPECT_EQ(end, count) << threads << " threads, grain " << grain;
+      }
+    }
+  }
+}
+
+TEST(Executor, OneThreadIsTheCallersAndOneRange) {
+  const Executor executor(1);
+  const std::thread::id own = std::this_thread::get_id();
+  int calls = 0;
+  executor.for_ranges(1000, 1, [&](int begin, int end) {
+    EXPECT_EQ(std::this_thread::get_id(), own);
+    EXPECT_EQ(end - begin, 1000);
+    ++calls;
+  });
+  EXPECT_EQ(calls, 1);
+}
+
+TEST(Executor, ResultsAreTheSameForAnyNumberOfThreads) {
+  const auto results = [](int threads) {
+    const Executor executor(threads);
+    std::vector<float> values(20000);
+    for (int pass = 0; pass < 20; ++pass) {
+      executor.for_ranges(static_cast<int>(values.size()), 16, [&](int begin, int end) {
+        for (int i = begin; i < end; ++i) {
+          float& value = values[static_cast<std::size_t>(i)];
+          value = std::sin(value + static_cast<float>(i + pass));
+        }
+      });
+    }
+    return values;
+  };
+  const std::vector<float> alone = results(1);
+  for (const int threads : {2, 3, 8}) EXPECT_EQ(results(threads), alone) << threads;
+}
+
+TEST(Executor, TwoThreadsWorkAtOnce) {
+  if (std::thread::hardware_concurrency() < 2) GTEST_SKIP() << "one processor";
+  const Executor executor(2);
+  // Each range waits until another one has begun: alone, the first would wait to the deadline.
+  std::atomic<int> begun = 0;
+  std::atomic<bool> met = false;
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  executor.for_ranges(2, 1, [&](int, int) {
+    ++begun;
+    while (begun < 2 && std::chrono::steady_clock::now() < deadline) std::this_thread::yield();
+    if (begun >= 2) met = true;
+  });
+  EXPECT_TRUE(met);
+}
+
+TEST(Executor, WhatABodyThrowsComesOut) {
+  for (const int threads : {1, 3}) {
+    const Executor executor(threads);
+    EXPECT_THROW(executor.for_ranges(100, 1, [](int, int) { throw std::runtime_error("broken"); }),
+                 std::runtime_error);
+  }
+}
+
+}  // namespace
+}  // namespace rigor
