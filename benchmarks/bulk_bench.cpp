@@ -19,6 +19,7 @@ struct BenchOptions {
   std::vector<std::string> scenes;
   BulkRunOptions run;
   int substeps = 4;
+  std::vector<int> threads = {1, 2};
   bool has_exact = false;  ///< Our exact solver too.
   bool has_peers = true;
   double soak_seconds = 0;  ///< Instead of the table.
@@ -31,7 +32,7 @@ std::vector<BulkContender> contenders_of(const BenchOptions& options) {
   if (options.has_peers) contenders.push_back({"Bullet", make_bullet_engine});
 #endif
 #ifdef RIGOR_BENCH_BULK_WORLD
-  for (const int threads : {1, 2}) {
+  for (const int threads : options.threads) {
     const BulkEngineOptions with = {threads, options.substeps};
     contenders.push_back({fmt::format("Rigor, {} thread{}", threads, threads == 1 ? "" : "s"),
                           [with](std::shared_ptr<const Model> model) {
@@ -73,6 +74,16 @@ void print_row(const std::string& scene, const Model& model, const BulkRow& row,
       fate);
 }
 
+/// What our last step worked on; the same with any number of threads.
+void print_counts(const std::vector<BulkRow>& rows) {
+  for (const BulkRow& row : rows) {
+    if (row.counts.pairs == 0) continue;
+    fmt::print("{:<20} at the end {} pairs of shapes, {} manifolds, {} points\n", "", row.counts.pairs,
+               row.counts.manifolds, row.counts.points);
+    return;
+  }
+}
+
 void print_table(const BenchOptions& options) {
   fmt::print("{} steps of 1/60 s, {} substeps, no sleeping; times are means from step {} on\n",
              options.run.steps, options.substeps, options.run.first_timed);
@@ -84,6 +95,7 @@ void print_table(const BenchOptions& options) {
     const auto peer =
         std::find_if(rows.begin(), rows.end(), [](const BulkRow& row) { return row.engine == "Bullet"; });
     for (const BulkRow& row : rows) print_row(scene, *model, row, peer == rows.end() ? 0 : peer->cpu_ms);
+    print_counts(rows);
     std::fflush(stdout);
   }
 }
@@ -97,6 +109,7 @@ int main(int argc, char** argv) {
       ->check(CLI::IsMember(bulk_scene_names()));
   app.add_option("--steps", options.run.steps, "steps of 1/60 s")->check(CLI::Range(2, 1000000));
   app.add_option("--substeps", options.substeps, "substeps of a step")->check(CLI::Range(1, 1000));
+  app.add_option("--threads", options.threads, "numbers of threads of ours")->check(CLI::Range(1, 64));
   app.add_option("--sample", options.run.sample_interval, "steps between two looks at the quality")
       ->check(CLI::Range(1, 1000000));
   app.add_flag("--exact", options.has_exact, "time stepping with the exact solver too (small scenes)");

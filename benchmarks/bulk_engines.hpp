@@ -8,6 +8,13 @@
 
 namespace rigor::bench {
 
+/// What the last step of the many-body path worked on.
+struct BulkCounts {
+  int pairs = 0;      ///< Of shapes that the broad phase found.
+  int manifolds = 0;  ///< Of those with points.
+  int points = 0;
+};
+
 /// An engine at work on a scene of many bodies, from its State at t = 0.
 class BulkEngine {
  public:
@@ -19,6 +26,8 @@ class BulkEngine {
   virtual void step(double h) = 0;
   /// Poses and momenta of now.
   virtual State state() const = 0;
+  /// Of the many-body path; zero for the others.
+  virtual BulkCounts counts() const { return {}; }
 };
 
 struct BulkEngineOptions {

@@ -14,15 +14,19 @@ class BulkWorldEngine : public BulkEngine {
       : start_(make_initial_state(*model)), world_(std::move(model), settings) {
     world_.read(start_);
   }
-  void step(double h) override { world_.step(h); }
+  void step(double h) override { report_ = world_.step(h); }
   State state() const override {
     State state = start_;
     world_.write(state);
     return state;
   }
+  BulkCounts counts() const override {
+    return {report_.pair_count, report_.manifold_count, report_.point_count};
+  }
 
  private:
   State start_;
+  BulkStepReport report_;
   BulkWorld world_;
 };
 

@@ -65,7 +65,7 @@ std::vector<BulkRow> run_bulk_scene(std::shared_ptr<const Model> model,
   std::vector<BulkRow> rows;
   for (std::size_t i = 0; i < lanes.size(); ++i) {
     rows.push_back({contenders[i].name, 1e3 * lanes[i].cpu / timed, 1e3 * lanes[i].wall / timed,
-                    lanes[i].judge.quality()});
+                    lanes[i].judge.quality(), lanes[i].engine->counts()});
   }
   return rows;
 }

@@ -28,6 +28,7 @@ struct BulkRow {
   double cpu_ms = 0;   ///< CPU time of the process a step [ms].
   double wall_ms = 0;  ///< [ms].
   BulkQuality quality;
+  BulkCounts counts;  ///< Of the last step.
 };
 
 /// Runs all engines on a scene, a few steps of one and then of the next, so that what else the machine does
