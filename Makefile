@@ -4,7 +4,7 @@ JOBS ?= $(shell nproc)
 BUILD := build/release
 RIGOR := $(BUILD)/rigor
 
-.PHONY: run test build check bench setup configure clean help
+.PHONY: run test build check bench bench-bulk setup configure clean help
 
 run: build
 	@mkdir -p out
@@ -56,6 +56,13 @@ bench:
 	@build/bench/benchmarks/rigor_broad_phase_bench
 	@build/bench/benchmarks/rigor_mesh_bench
 
+bench-bulk:
+	@tools/setup.sh build
+	@tools/setup.sh bench-bulk
+	@cmake --preset bench >/dev/null
+	@cmake --build --preset bench -j $(JOBS) --target rigor_bulk_bench
+	@build/bench/benchmarks/rigor_bulk_bench
+
 clean:
 	rm -rf build
 
@@ -65,4 +72,5 @@ help:
 	@echo "make build   build only (Release, in $(BUILD))"
 	@echo "make check   formatting, headers alone, clang++ with warnings as errors, the tests under its ASan and UBSan, the viewer"
 	@echo "make bench   error and CPU time of the reference scenes, of pictures, impacts, chains, resting contact, distances and the broad phase, beside the peer engines that are installed"
+	@echo "make bench-bulk  scenes of many bodies: time a step with one and two threads and quality, beside Bullet"
 	@echo "make clean   remove build/"

@@ -2,7 +2,7 @@
 # Installs the Debian packages that building Rigor needs, if any is missing. As root or with sudo; says what and how
 # much first and asks once on a terminal (RIGOR_YES=1, or no terminal: no question). With all packages there it does
 # nothing and needs no network.
-# usage: tools/setup.sh [build|check|bench]
+# usage: tools/setup.sh [build|check|bench|bench-bulk]
 set -euo pipefail
 
 packages=(g++ make cmake ninja-build git ca-certificates libeigen3-dev libyaml-cpp-dev nlohmann-json3-dev libcli11-dev
@@ -14,7 +14,8 @@ case "${1:-build}" in
     # Node may have come from elsewhere; Debian's npm would not go with it.
     command -v npm >/dev/null || packages+=(nodejs npm) ;;
   bench) packages+=(libbenchmark-dev) ;;
-  *) echo "usage: tools/setup.sh [build|check|bench]" >&2; exit 2 ;;
+  bench-bulk) packages+=(libbullet-dev pkg-config) ;;
+  *) echo "usage: tools/setup.sh [build|check|bench|bench-bulk]" >&2; exit 2 ;;
 esac
 
 missing=()

@@ -1,0 +1,139 @@
+// `make bench-bulk`: time and quality of scenes of many bodies, ours beside Bullet's in the same run.
+
+#include "bulk_runs.hpp"
+#include "bulk_scenes.hpp"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace {
+
+using namespace rigor;
+using namespace rigor::bench;
+
+struct BenchOptions {
+  std::vector<std::string> scenes;
+  BulkRunOptions run;
+  int substeps = 4;
+  std::vector<int> threads = {1, 2};
+  bool has_exact = false;  ///< Our exact solver too.
+  bool has_peers = true;
+  double soak_seconds = 0;  ///< Instead of the table.
+  int scale = 0;            ///< Largest number of grains, instead of the table.
+};
+
+std::vector<BulkContender> contenders_of(const BenchOptions& options) {
+  std::vector<BulkContender> contenders;
+#ifdef RIGOR_BENCH_BULLET
+  if (options.has_peers) contenders.push_back({"Bullet", make_bullet_engine});
+#endif
+#ifdef RIGOR_BENCH_BULK_WORLD
+  for (const int threads : options.threads) {
+    const BulkEngineOptions with = {threads, options.substeps};
+    contenders.push_back({fmt::format("Rigor, {} thread{}", threads, threads == 1 ? "" : "s"),
+                          [with](std::shared_ptr<const Model> model) {
+                            return make_bulk_world_engine(std::move(model), with);
+                          }});
+  }
+#endif
+  if (options.has_exact) contenders.push_back({"Rigor, exact", make_time_stepping_engine});
+  return contenders;
+}
+
+void print_head() {
+  fmt::print(
+      "{:<13} {:>6} {:<16} {:>8} {:>8} {:>7} | {:>7} {:>7} {:>6} {:>6} | {:>8} {:>7} {:>7} | {:>7} {:>7} "
+      "{:>12}\n",
+      "scene", "bodies", "engine", "CPU ms", "wall ms", "Bullet/", "worst", "end", "mean", ">1 cm", "rms m/s",
+      "across", "down", "joint", "energy", "free");
+  fmt::print("{:<13} {:>6} {:<16} {:>8} {:>8} {:>7} | {:>29} | {:>8} {:>15} | {:>7} {:>7} {:>12}\n", "", "",
+             "", "a step", "a step", "CPU", "overlap [mm], pairs", "", "drift [m]", "[mm]", "[%]", "[%]");
+}
+
+std::string joints_of(const Model& model, const BulkQuality& quality) {
+  if (model.joints().empty()) return "";
+  return fmt::format("{:>7.2f} {:>7.2f} {:>5.2f} @{:>4.2f} s", 1e3 * quality.max_joint_error,
+                     100 * quality.energy_change, 100 * quality.free_energy_change, quality.free_time);
+}
+
+void print_row(const std::string& scene, const Model& model, const BulkRow& row, double peer_ms) {
+  const BulkQuality& quality = row.quality;
+  const std::string faster = peer_ms > 0 ? fmt::format("{:.2f}", peer_ms / row.cpu_ms) : "-";
+  const bool is_pile = scene.find("pyr") != std::string::npos || scene == "e_towers";
+  const char* fate = !quality.is_finite ? "NOT FINITE" : !is_pile ? "" : quality.stands ? "stands" : "fell";
+  fmt::print(
+      "{:<13} {:>6} {:<16} {:>8.3f} {:>8.3f} {:>7} | {:>7.2f} {:>7.2f} {:>6.2f} {:>6} | {:>8.5f} {:>7.4f} "
+      "{:>7.4f} | {} {}\n",
+      scene, model.body_count(), row.engine, row.cpu_ms, row.wall_ms, faster, 1e3 * quality.max_overlap,
+      1e3 * quality.end.max_overlap, 1e3 * quality.end.mean_overlap, quality.end.deep_pairs,
+      quality.end.rms_speed, quality.end.drift_across, quality.end.drift_down, joints_of(model, quality),
+      fate);
+}
+
+/// What our last step worked on; the same with any number of threads.
+void print_counts(const std::vector<BulkRow>& rows) {
+  for (const BulkRow& row : rows) {
+    if (row.counts.pairs == 0) continue;
+    fmt::print("{:<20} at the end {} pairs of shapes, {} manifolds, {} points\n", "", row.counts.pairs,
+               row.counts.manifolds, row.counts.points);
+    return;
+  }
+}
+
+void print_table(const BenchOptions& options) {
+  fmt::print("{} steps of 1/60 s, {} substeps, no sleeping; times are means from step {} on\n",
+             options.run.steps, options.substeps, options.run.first_timed);
+  print_head();
+  const std::vector<BulkContender> contenders = contenders_of(options);
+  for (const std::string& scene : options.scenes) {
+    const std::shared_ptr<const Model> model = make_bulk_scene(scene);
+    const std::vector<BulkRow> rows = run_bulk_scene(model, contenders, options.run);
+    const auto peer =
+        std::find_if(rows.begin(), rows.end(), [](const BulkRow& row) { return row.engine == "Bullet"; });
+    for (const BulkRow& row : rows) print_row(scene, *model, row, peer == rows.end() ? 0 : peer->cpu_ms);
+    print_counts(rows);
+    std::fflush(stdout);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  BenchOptions options;
+  CLI::App app("Time and quality of scenes of many bodies, ours beside Bullet's.");
+  app.add_option("scenes", options.scenes, "scenes of the table; all if none is named")
+      ->check(CLI::IsMember(bulk_scene_names()));
+  app.add_option("--steps", options.run.steps, "steps of 1/60 s")->check(CLI::Range(2, 1000000));
+  app.add_option("--substeps", options.substeps, "substeps of a step")->check(CLI::Range(1, 1000));
+  app.add_option("--threads", options.threads, "numbers of threads of ours")->check(CLI::Range(1, 64));
+  app.add_option("--sample", options.run.sample_interval, "steps between two looks at the quality")
+      ->check(CLI::Range(1, 1000000));
+  app.add_flag("--exact", options.has_exact, "time stepping with the exact solver too (small scenes)");
+  app.add_flag("!--no-peers", options.has_peers, "ours alone");
+  app.add_option("--soak", options.soak_seconds, "instead: run each scene for so many seconds of its time")
+      ->check(CLI::Range(1.0, 1e6));
+  app.add_option("--scale", options.scale, "instead: grains in a hopper, 1000 up to so many")
+      ->check(CLI::Range(1000, 1000000));
+  CLI11_PARSE(app, argc, argv);
+  if (options.scenes.empty()) options.scenes = bulk_scene_names();
+  options.run.first_timed = std::min(options.run.first_timed, options.run.steps / 2);
+#ifdef RIGOR_BENCH_BULK_WORLD
+  if (options.soak_seconds > 0) {
+    bool is_sound = true;
+    for (const std::string& scene : options.scenes) {
+      is_sound = soak(scene, options.soak_seconds, options.substeps) && is_sound;
+    }
+    return is_sound ? 0 : 1;
+  }
+  if (options.scale > 0) {
+    print_scale(options.substeps, options.scale);
+    return 0;
+  }
+#endif
+  print_table(options);
+  return 0;
+}

@@ -1,0 +1,192 @@
+// Bullet on the scenes of many bodies: its world made of the Model, with its own defaults (sequential
+// impulses, 10 iterations, margins of 4 cm about hulls), but never sleeping.
+
+#include "bulk_engines.hpp"
+
+#include "rigor/geometry/convex_hull.hpp"
+#include "rigor/math/rotation.hpp"
+
+#include <btBulletDynamicsCommon.h>
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <vector>
+
+namespace rigor::bench {
+
+namespace {
+
+btVector3 to_bullet(const Vec3& v) {
+  return {static_cast<btScalar>(v.x()), static_cast<btScalar>(v.y()), static_cast<btScalar>(v.z())};
+}
+Vec3 from_bullet(const btVector3& v) {
+  return {v.x(), v.y(), v.z()};
+}
+btQuaternion to_bullet(const Quat& q) {
+  return {static_cast<btScalar>(q.x()), static_cast<btScalar>(q.y()), static_cast<btScalar>(q.z()),
+          static_cast<btScalar>(q.w())};
+}
+btTransform to_bullet(const Pose& X) {
+  return btTransform(to_bullet(quaternion_of(X.R)), to_bullet(X.p));
+}
+
+class BulletBulkEngine : public BulkEngine {
+ public:
+  explicit BulletBulkEngine(std::shared_ptr<const Model> model);
+  ~BulletBulkEngine() override;
+  void step(double h) override;
+  State state() const override;
+
+ private:
+  btRigidBody& at(int body) const { return *bodies_[static_cast<std::size_t>(body)]; }
+  btCollisionShape* shape_of(const Shape& shape);
+  btCollisionShape* shape_of(const Body& body);
+  void add_body(const Body& body);
+  void add_joint(const Joint& joint);
+
+  std::shared_ptr<const Model> model_;
+  State start_;
+  double t_ = 0;
+  btDefaultCollisionConfiguration configuration_;
+  btCollisionDispatcher dispatcher_{&configuration_};
+  btDbvtBroadphase broadphase_;
+  btSequentialImpulseConstraintSolver solver_;
+  btDiscreteDynamicsWorld world_{&dispatcher_, &broadphase_, &solver_, &configuration_};
+  /// Equal shapes are one: type, numbers.
+  std::map<std::array<double, 4>, btCollisionShape*> equal_shapes_;
+  std::map<const ConvexHull*, btCollisionShape*> hull_shapes_;
+  std::vector<std::unique_ptr<btCollisionShape>> shapes_;
+  std::vector<std::unique_ptr<btRigidBody>> bodies_;
+  std::vector<std::unique_ptr<btTypedConstraint>> joints_;
+};
+
+BulletBulkEngine::BulletBulkEngine(std::shared_ptr<const Model> model)
+    : model_(std::move(model)), start_(make_initial_state(*model_)) {
+  world_.setGravity(to_bullet(model_->g_W()));
+  for (const Body& body : model_->bodies()) add_body(body);
+  for (const Joint& joint : model_->joints()) add_joint(joint);
+}
+
+BulletBulkEngine::~BulletBulkEngine() {
+  for (const std::unique_ptr<btTypedConstraint>& joint : joints_) world_.removeConstraint(joint.get());
+  for (const std::unique_ptr<btRigidBody>& body : bodies_) world_.removeRigidBody(body.get());
+}
+
+std::unique_ptr<btCollisionShape> new_shape(const Shape& shape) {
+  if (const Sphere* sphere = std::get_if<Sphere>(&shape)) {
+    return std::make_unique<btSphereShape>(static_cast<btScalar>(sphere->radius));
+  }
+  if (const Box* box = std::get_if<Box>(&shape)) {
+    return std::make_unique<btBoxShape>(to_bullet(box->half_extents));
+  }
+  if (const Capsule* capsule = std::get_if<Capsule>(&shape)) {
+    return std::make_unique<btCapsuleShapeZ>(static_cast<btScalar>(capsule->radius),
+                                             static_cast<btScalar>(2 * capsule->half_length));
+  }
+  std::unique_ptr<btConvexHullShape> hull = std::make_unique<btConvexHullShape>();
+  for (const Vec3& vertex : std::get<Convex>(shape).hull->vertices) hull->addPoint(to_bullet(vertex), false);
+  hull->recalcLocalAabb();
+  return hull;
+}
+
+btCollisionShape* BulletBulkEngine::shape_of(const Shape& shape) {
+  std::array<double, 4> key = {static_cast<double>(shape.index()), 0, 0, 0};
+  if (const Sphere* sphere = std::get_if<Sphere>(&shape)) key[1] = sphere->radius;
+  if (const Capsule* capsule = std::get_if<Capsule>(&shape)) {
+    key[1] = capsule->radius;
+    key[2] = capsule->half_length;
+  }
+  if (const Box* box = std::get_if<Box>(&shape)) {
+    for (std::size_t k = 0; k < 3; ++k) key[k + 1] = box->half_extents[static_cast<Eigen::Index>(k)];
+  }
+  const Convex* convex = std::get_if<Convex>(&shape);
+  btCollisionShape*& found = convex ? hull_shapes_[convex->hull.get()] : equal_shapes_[key];
+  if (!found) {
+    shapes_.push_back(new_shape(shape));
+    found = shapes_.back().get();
+  }
+  return found;
+}
+
+/// In the body frame B. Shapes that are not at its origin, and several of them, make a compound.
+btCollisionShape* BulletBulkEngine::shape_of(const Body& body) {
+  const Pose& first = body.shapes.front().X_BS;
+  if (body.shapes.size() == 1 && first.R.isIdentity(0) && first.p.isZero(0)) {
+    return shape_of(body.shapes.front().shape);
+  }
+  std::unique_ptr<btCompoundShape> compound = std::make_unique<btCompoundShape>();
+  for (const BodyShape& part : body.shapes) {
+    compound->addChildShape(to_bullet(part.X_BS), shape_of(part.shape));
+  }
+  shapes_.push_back(std::move(compound));
+  return shapes_.back().get();
+}
+
+/// A pair has the product of its bodies' coefficients.
+void BulletBulkEngine::add_body(const Body& body) {
+  const Material& material = model_->materials()[static_cast<std::size_t>(body.shapes.front().material)];
+  const bool is_dynamic = body.motion == MotionType::dynamic;
+  btRigidBody::btRigidBodyConstructionInfo info(static_cast<btScalar>(body.mass), nullptr, shape_of(body),
+                                                to_bullet(body.moments));
+  info.m_startWorldTransform = btTransform(to_bullet(body.q_WB), to_bullet(body.p_WB));
+  info.m_friction = static_cast<btScalar>(std::sqrt(material.friction));
+  info.m_restitution = static_cast<btScalar>(std::sqrt(material.restitution));
+  bodies_.push_back(std::make_unique<btRigidBody>(info));
+  btRigidBody& added = *bodies_.back();
+  if (body.motion != MotionType::fixed) added.setActivationState(DISABLE_DEACTIVATION);
+  if (is_dynamic) {
+    added.setLinearVelocity(to_bullet(body.v_WB));
+    added.setAngularVelocity(to_bullet(body.w_WB));
+  }
+  if (body.motion == MotionType::kinematic) {
+    added.setCollisionFlags(added.getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
+  }
+  world_.addRigidBody(&added);
+}
+
+/// Ball joints; their bodies do not collide.
+void BulletBulkEngine::add_joint(const Joint& joint) {
+  joints_.push_back(std::make_unique<btPoint2PointConstraint>(
+      at(joint.body_A), at(joint.body_B), to_bullet(joint.X_AJ.p), to_bullet(joint.X_BK.p)));
+  world_.addConstraint(joints_.back().get(), true);
+}
+
+/// Bullet finds the velocity of a kinematic body from the poses that it is given.
+void BulletBulkEngine::step(double h) {
+  t_ += h;
+  for (int i = 0; i < model_->body_count(); ++i) {
+    const Body& body = model_->body(i);
+    if (body.motion != MotionType::kinematic) continue;
+    const PrescribedMotion motion = prescribed_motion(body, t_);
+    at(i).setWorldTransform(btTransform(to_bullet(motion.q_WB), to_bullet(motion.p_WB)));
+  }
+  world_.stepSimulation(static_cast<btScalar>(h), 0);
+}
+
+State BulletBulkEngine::state() const {
+  State state = start_;
+  state.t = t_;
+  for (int i = 0; i < model_->body_count(); ++i) {
+    const Body& body = model_->body(i);
+    const btTransform& X_WB = at(i).getWorldTransform();
+    const btQuaternion turn = X_WB.getRotation();
+    const Quat q_WB = Quat(turn.w(), turn.x(), turn.y(), turn.z()).normalized();
+    Vec3 P = Vec3::Zero(), L = Vec3::Zero();
+    if (body.motion == MotionType::dynamic) {
+      const Vec3 w_B = q_WB.conjugate() * from_bullet(at(i).getAngularVelocity());
+      P = body.mass * from_bullet(at(i).getLinearVelocity());
+      L = q_WB * Vec3(body.moments.cwiseProduct(w_B));
+    }
+    state.set_body(i, from_bullet(X_WB.getOrigin()), q_WB, P, L);
+  }
+  return state;
+}
+
+}  // namespace
+
+std::unique_ptr<BulkEngine> make_bullet_engine(std::shared_ptr<const Model> model) {
+  return std::make_unique<BulletBulkEngine>(std::move(model));
+}
+
+}  // namespace rigor::bench

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "rigor/model/model.hpp"
+#include "rigor/model/state.hpp"
+
+namespace rigor::bench {
+
+/// What can be said of a scene of many bodies at one instant, in double precision from poses and momenta
+/// alone: nothing that an engine says of itself goes in.
+struct BulkFigures {
+  bool is_finite = true;    ///< If not, the rest says nothing.
+  int touching_pairs = 0;   ///< Bodies that overlap, by however little.
+  int deep_pairs = 0;       ///< Those by more than 1 cm.
+  double max_overlap = 0;   ///< [m].
+  double mean_overlap = 0;  ///< Of the touching pairs [m].
+  double rms_speed = 0;     ///< Of the centres of mass of dynamic bodies [m/s].
+  double drift_across = 0;  ///< Farthest from where a body began, across gravity [m].
+  double drift_down = 0;    ///< Farthest down or up [m].
+  double joint_error = 0;   ///< Farthest apart of the two anchors of a ball joint [m].
+  double energy = 0;        ///< Kinetic and of gravity [J].
+};
+
+/// Figures of `state` against the State at t = 0. Overlaps are signed distances of geometry/.
+BulkFigures bulk_figures(const Model& model, const State& start, const State& state);
+
+/// Figures of a run, from those of its samples.
+struct BulkQuality {
+  BulkFigures end;             ///< Of the last sample.
+  double max_overlap = 0;      ///< Of all samples [m].
+  double max_joint_error = 0;  ///< Of all samples [m].
+  bool is_finite = true;       ///< In all samples.
+  /// Change of the energy since the start by all dynamic bodies' weight times 5 m, the drop to compare with:
+  /// in the last sample, and in the last before anything touched.
+  double energy_change = 0;
+  double free_energy_change = 0;
+  double free_time = 0;  ///< Of that sample [s].
+  bool stands = true;    ///< Nothing has come down by 1 m.
+};
+
+/// Collects the figures of a run.
+class BulkJudge {
+ public:
+  /// `model` must outlive this.
+  explicit BulkJudge(const Model& model);
+  void look(const State& state);
+  const BulkQuality& quality() const { return quality_; }
+
+ private:
+  const Model& model_;
+  State start_;
+  double start_energy_ = 0, reference_energy_ = 0;  ///< [J].
+  bool has_touched_ = false;
+  BulkQuality quality_;
+};
+
+}  // namespace rigor::bench

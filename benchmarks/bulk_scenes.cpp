@@ -1,0 +1,294 @@
+// The scenes of many bodies, made of the same numbers for every engine.
+
+#include "bulk_scenes.hpp"
+
+#include "rigor/geometry/convex_hull.hpp"
+#include "rigor/math/rotation.hpp"
+#include "rigor/model/model_builder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+namespace rigor::bench {
+
+namespace {
+
+/// A builder with the one material of all scenes.
+ModelBuilder scene_builder(const std::string& name) {
+  ModelBuilder builder;
+  builder.set_name(name);
+  builder.set_gravity(Vec3(0, -9.81, 0));
+  builder.add_material({"m", 1000, 0.5, 0});
+  return builder;
+}
+
+ShapeDescription shape_at(const Shape& shape, const Vec3& p_LS) {
+  return {shape, p_LS, Quat::Identity(), "m", ""};
+}
+
+void add_body(const std::string& name, const Shape& shape, const Vec3& p_W, const Quat& q_W,
+              ModelBuilder& builder) {
+  BodyDescription body;
+  body.name = name;
+  body.p_WL = p_W;
+  body.q_WL = q_W;
+  body.shapes.push_back(shape_at(shape, Vec3::Zero()));
+  builder.add_body(body);
+}
+
+void add_fixed(const std::string& name, const Shape& shape, const Vec3& p_W, const Quat& q_W,
+               ModelBuilder& builder) {
+  BodyDescription body;
+  body.name = name;
+  body.motion = MotionType::fixed;
+  body.p_WL = p_W;
+  body.q_WL = q_W;
+  body.shapes.push_back(shape_at(shape, Vec3::Zero()));
+  builder.add_body(body);
+}
+
+void add_ground(ModelBuilder& builder) {
+  add_fixed("ground", Box{Vec3(200, 1, 200)}, Vec3(0, -1, 0), Quat::Identity(), builder);
+}
+
+/// Four walls around |x|, |z| < half_width, up to y = height.
+void add_walls(double half_width, double height, ModelBuilder& builder) {
+  constexpr double t = 0.5;
+  const double middle = half_width + t;
+  const auto add = [&](const char* name, const Vec3& half, double x, double z) {
+    add_fixed(name, Box{half}, Vec3(x, height / 2, z), Quat::Identity(), builder);
+  };
+  const Vec3 across(t, height / 2, half_width + 2 * t), along(half_width, height / 2, t);
+  add("wall+x", across, middle, 0);
+  add("wall-x", across, -middle, 0);
+  add("wall+z", along, 0, middle);
+  add("wall-z", along, 0, -middle);
+}
+
+/// Uniform over all rotations: Shoemake, Uniform Random Rotations, Graphics Gems III, 1992.
+Quat draw_rotation(SceneDraws& draws) {
+  const double a = draws.unit();
+  const double b = 2 * M_PI * draws.unit();
+  const double c = 2 * M_PI * draws.unit();
+  const double s = std::sqrt(1 - a), r = std::sqrt(a);
+  return Quat(r * std::cos(c), s * std::sin(b), s * std::cos(b), r * std::sin(c));
+}
+
+std::shared_ptr<const Model> make_pyramid(int rows, double pitch) {
+  ModelBuilder builder = scene_builder("pyramid");
+  add_ground(builder);
+  for (int i = 0; i < rows; ++i) {
+    for (int j = 0; j < rows - i; ++j) {
+      const Vec3 p_W(pitch * (j - 0.5 * (rows - i - 1)), 0.5 + i, 0);
+      add_body(fmt::format("box{},{}", i, j), Box{Vec3(0.5, 0.5, 0.5)}, p_W, Quat::Identity(), builder);
+    }
+  }
+  return builder.build();
+}
+
+std::shared_ptr<const Model> make_spheres() {
+  ModelBuilder builder = scene_builder("spheres");
+  SceneDraws draws;
+  add_ground(builder);
+  add_walls(6, 20, builder);
+  for (int n = 0; n < 1000; ++n) {
+    const int i = n % 10, j = n / 10 % 10, k = n / 100;
+    const double x = draws.between(-0.02, 0.02);
+    const double z = draws.between(-0.02, 0.02);
+    const Vec3 p_W(1.05 * (i - 4.5) + x, 1 + 1.05 * k, 1.05 * (j - 4.5) + z);
+    add_body(fmt::format("ball{}", n), Sphere{0.5}, p_W, Quat::Identity(), builder);
+  }
+  return builder.build();
+}
+
+std::shared_ptr<const Model> make_rain() {
+  ModelBuilder builder = scene_builder("rain");
+  SceneDraws draws;
+  add_ground(builder);
+  add_walls(18, 16, builder);
+  const std::array<Vec3, 3> halves = {Vec3(0.5, 0.5, 0.5), Vec3(0.6, 0.3, 0.4), Vec3(0.3, 0.3, 0.7)};
+  for (int n = 0; n < 8000; ++n) {
+    const int i = n % 20, j = n / 20 % 20, k = n / 400;
+    const double x = draws.between(-0.1, 0.1);
+    const double z = draws.between(-0.1, 0.1);
+    const Quat q_W = draw_rotation(draws);
+    const Vec3 p_W(1.7 * (i - 9.5) + x, 1 + 1.7 * k, 1.7 * (j - 9.5) + z);
+    add_body(fmt::format("box{}", n), Box{halves[static_cast<std::size_t>(n % 3)]}, p_W, q_W, builder);
+  }
+  return builder.build();
+}
+
+std::shared_ptr<const Model> make_towers() {
+  ModelBuilder builder = scene_builder("towers");
+  add_ground(builder);
+  for (int t = 0; t < 20; ++t) {
+    for (int i = 0; i < 10; ++i) {
+      const int row = t / 5;
+      const Vec3 p_W(4.0 * (t % 5 - 2), 0.5 + i, 4 * (row - 1.5));
+      add_body(fmt::format("box{},{}", t, i), Box{Vec3(0.5, 0.5, 0.5)}, p_W, Quat::Identity(), builder);
+    }
+  }
+  return builder.build();
+}
+
+std::shared_ptr<const Model> make_chains() {
+  ModelBuilder builder = scene_builder("chains");
+  SceneDraws draws;
+  add_ground(builder);
+  for (int c = 0; c < 100; ++c) {
+    const double angle = draws.between(-0.05, 0.05);
+    const Vec3 along(std::cos(angle), 0, std::sin(angle)), start(0, 12, c - 49.5);
+    const Quat q_W = Quat::FromTwoVectors(Vec3::UnitZ(), along);
+    std::string previous = fmt::format("anchor{}", c);
+    add_fixed(previous, Sphere{0.05}, start, Quat::Identity(), builder);
+    for (int i = 0; i < 20; ++i) {
+      const std::string name = fmt::format("link{},{}", c, i);
+      add_body(name, Capsule{0.1, 0.2}, start + (0.25 + 0.5 * i) * along, q_W, builder);
+      ModelBuilder::JointDescription joint;
+      joint.name = fmt::format("joint{},{}", c, i);
+      joint.type = JointType::ball;
+      joint.bodies = {previous, name};
+      joint.anchors = {start + 0.5 * i * along};
+      builder.add_joint(joint);
+      previous = name;
+    }
+  }
+  return builder.build();
+}
+
+/// Hull of points at `radius` from the origin, in random directions.
+Convex draw_hull(int points, double radius, SceneDraws& draws) {
+  std::vector<Vec3> vertices;
+  while (static_cast<int>(vertices.size()) < points) {
+    const double x = draws.between(-1, 1), y = draws.between(-1, 1), z = draws.between(-1, 1);
+    const Vec3 p(x, y, z);
+    if (p.squaredNorm() > 1 || p.squaredNorm() < 0.01) continue;
+    vertices.push_back(radius * p.normalized());
+  }
+  return {std::make_shared<const ConvexHull>(std::get<ConvexHull>(make_convex_hull(vertices)))};
+}
+
+/// Of 20 to 30 points each.
+std::vector<Convex> draw_hulls(double radius, SceneDraws& draws) {
+  std::vector<Convex> hulls;
+  for (int k = 0; k <= 10; ++k) hulls.push_back(draw_hull(20 + k, radius, draws));
+  return hulls;
+}
+
+/// A hollow cube of half width 7 m that turns about z.
+void add_drum(ModelBuilder& builder) {
+  constexpr double w = 7, t = 0.5;
+  BodyDescription drum;
+  drum.name = "drum";
+  drum.motion = MotionType::kinematic;
+  drum.p_WL = Vec3(0, 8, 0);
+  drum.angular_velocity = Vec3(0, 0, 0.6);
+  for (const double sign : {1.0, -1.0}) {
+    drum.shapes.push_back(shape_at(Box{Vec3(t, w + 2 * t, w + 2 * t)}, Vec3(sign * (w + t), 0, 0)));
+    drum.shapes.push_back(shape_at(Box{Vec3(w, t, w + 2 * t)}, Vec3(0, sign * (w + t), 0)));
+    drum.shapes.push_back(shape_at(Box{Vec3(w, w, t)}, Vec3(0, 0, sign * (w + t))));
+  }
+  builder.add_body(drum);
+}
+
+std::shared_ptr<const Model> make_hulls() {
+  ModelBuilder builder = scene_builder("hulls");
+  SceneDraws draws;
+  const std::vector<Convex> hulls = draw_hulls(0.5, draws);
+  add_drum(builder);
+  for (int n = 0; n < 1000; ++n) {
+    const int i = n % 10, j = n / 10 % 10, k = n / 100;
+    BodyDescription body;
+    body.name = fmt::format("hull{}", n);
+    body.p_WL = Vec3(1.1 * (i - 4.5), 8 + 1.1 * (k - 4.5), 1.1 * (j - 4.5));
+    body.q_WL = draw_rotation(draws);
+    const double wx = draws.between(-5, 5), wy = draws.between(-5, 5), wz = draws.between(-5, 5);
+    body.angular_velocity = Vec3(wx, wy, wz);
+    body.shapes.push_back(shape_at(hulls[static_cast<std::size_t>(n) % hulls.size()], Vec3::Zero()));
+    builder.add_body(body);
+  }
+  return builder.build();
+}
+
+struct NamedScene {
+  const char* name;
+  std::function<std::shared_ptr<const Model>()> make;
+};
+
+const std::vector<NamedScene>& bulk_scenes() {
+  static const std::vector<NamedScene> scenes = {{"a_pyr20", [] { return make_pyramid(20, 1); }},
+                                                 {"a2_pyr20gap", [] { return make_pyramid(20, 1.05); }},
+                                                 {"b_pyr100", [] { return make_pyramid(100, 1); }},
+                                                 {"b2_pyr100gap", [] { return make_pyramid(100, 1.05); }},
+                                                 {"c_spheres", make_spheres},
+                                                 {"d_rain8000", make_rain},
+                                                 {"e_towers", make_towers},
+                                                 {"f_chains", make_chains},
+                                                 {"g_hulls", make_hulls}};
+  return scenes;
+}
+
+/// Walls of half thickness 1/2 m around the silo and under it, and a floor as far below as the silo is wide.
+void add_hopper(double half_width, double half_opening, double height, ModelBuilder& builder) {
+  const double w = half_width, slope = std::sqrt(0.5) * (w - half_opening);
+  add_fixed("floor", Box{Vec3(10 * w, 1, 10 * w)}, Vec3(0, -2 * w - 1, 0), Quat::Identity(), builder);
+  for (int side = 0; side < 4; ++side) {
+    const Quat turn(Eigen::AngleAxisd(0.5 * M_PI * side, Vec3::UnitY()));
+    const Quat tilt(Eigen::AngleAxisd(0.25 * M_PI, Vec3::UnitZ()));
+    const double middle = 0.5 * (w + half_opening);
+    const Vec3 on_slope(middle, middle - half_opening, 0);
+    const Vec3 p_W = turn * (on_slope - tilt * Vec3(0, 0.5, 0));
+    add_fixed(fmt::format("slope{}", side), Box{Vec3(slope, 0.5, w + 1)}, p_W, turn * tilt, builder);
+    const Vec3 wall(w + 0.5, w - half_opening + 0.5 * height, 0);
+    add_fixed(fmt::format("wall{}", side), Box{Vec3(0.5, 0.5 * height, w + 1)}, turn * wall, turn, builder);
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> bulk_scene_names() {
+  std::vector<std::string> names;
+  for (const NamedScene& scene : bulk_scenes()) names.push_back(scene.name);
+  return names;
+}
+
+std::shared_ptr<const Model> make_bulk_scene(const std::string& name) {
+  for (const NamedScene& scene : bulk_scenes()) {
+    if (scene.name == name) return scene.make();
+  }
+  return nullptr;
+}
+
+std::shared_ptr<const Model> make_hopper(int count, Grain grain) {
+  constexpr double radius = 0.25, pitch = 0.51, jitter = 0.004;
+  ModelBuilder builder = scene_builder("hopper");
+  SceneDraws draws;
+  const std::vector<Convex> hulls = draw_hulls(radius, draws);
+  const double half_width = 0.5 * pitch * std::cbrt(count) + 1;
+  const double half_opening = half_width / 3;
+  add_hopper(half_width, half_opening, 4 * half_width, builder);
+  // A grain whose centre is this far from a slope, along x, does not touch it.
+  const double clearance = std::sqrt(2.0) * (radius + jitter);
+  int made = 0;
+  for (int layer = 0; made < count; ++layer) {
+    const double y = radius + pitch * layer;
+    const double reach = std::min(half_opening + y, half_width) - clearance;
+    const int n = static_cast<int>(std::floor(2 * reach / pitch)) + 1;
+    for (int cell = 0; cell < n * n; ++cell, ++made) {
+      const double x = pitch * (cell % n - 0.5 * (n - 1)) + draws.between(-jitter, jitter);
+      const double z = pitch * (cell / n - 0.5 * (n - 1)) + draws.between(-jitter, jitter);
+      const bool is_ball = grain == Grain::sphere;
+      const Shape shape =
+          is_ball ? Shape(Sphere{radius}) : Shape(hulls[static_cast<std::size_t>(made) % hulls.size()]);
+      const Quat q_W = is_ball ? Quat::Identity() : draw_rotation(draws);
+      add_body(fmt::format("g{}", made), shape, Vec3(x, y, z), q_W, builder);
+    }
+  }
+  return builder.build();
+}
+
+}  // namespace rigor::bench

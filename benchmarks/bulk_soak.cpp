@@ -1,0 +1,111 @@
+// Long runs of the many-body path, and how it grows with the number of bodies.
+
+#include "bulk_runs.hpp"
+#include "bulk_scenes.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace rigor::bench {
+
+namespace {
+
+constexpr double mebi = 1024.0 * 1024.0;
+
+/// Grows by allocation: what the first tenth of a run has touched is not counted.
+bool is_flat(double begin, double end) {
+  return end <= 1.05 * begin + 2 * mebi;
+}
+
+struct ScaleRow {
+  double build = 0, start = 0;  ///< Of the Model, of the world [s].
+  double model_bytes = 0;       ///< A body.
+  double world_bytes = 0;       ///< A body, State included, after the last step.
+  double ms = 0;                ///< CPU time a step.
+  int bodies = 0;
+};
+
+/// Timed from a fifth of the steps on.
+ScaleRow measure_scale(int count, Grain grain, int steps, const BulkEngineOptions& options) {
+  ScaleRow row;
+  const double before = allocated_bytes();
+  double begin = bulk_cpu_seconds();
+  const std::shared_ptr<const Model> model = make_hopper(count, grain);
+  row.build = bulk_cpu_seconds() - begin;
+  const double with_model = allocated_bytes();
+  begin = bulk_cpu_seconds();
+  const std::unique_ptr<BulkEngine> engine = make_bulk_world_engine(model, options);
+  row.start = bulk_cpu_seconds() - begin;
+  const int untimed = steps / 5;
+  for (int k = 0; k < steps; ++k) {
+    if (k == untimed) begin = bulk_cpu_seconds();
+    engine->step(1.0 / 60);
+  }
+  row.ms = 1e3 * (bulk_cpu_seconds() - begin) / (steps - untimed);
+  row.bodies = model->body_count();
+  row.model_bytes = (with_model - before) / row.bodies;
+  row.world_bytes = (allocated_bytes() - with_model) / row.bodies;
+  return row;
+}
+
+}  // namespace
+
+bool soak(const std::string& scene, double seconds, int substeps) {
+  const std::shared_ptr<const Model> model = make_bulk_scene(scene);
+  const State start = make_initial_state(*model);
+  std::array<std::unique_ptr<BulkEngine>, 2> engines;
+  for (int i = 0; i < 2; ++i) {
+    engines[static_cast<std::size_t>(i)] = make_bulk_world_engine(model, {i + 1, substeps});
+  }
+  const int rounds = std::max(1, static_cast<int>(std::lround(seconds)));
+  double memory = 0, differs_at = -1;
+  bool finite = true;
+  const double wall = bulk_wall_seconds();
+  for (int round = 1; round <= rounds && finite; ++round) {
+    std::array<std::uint64_t, 2> hashes{};
+    for (std::size_t i = 0; i < 2; ++i) {
+      for (int k = 0; k < 60; ++k) engines[i]->step(1.0 / 60);
+      const State state = engines[i]->state();
+      hashes[i] = state_hash(state);
+      finite = finite && VecX::Map(state.x.data(), static_cast<Eigen::Index>(state.x.size())).allFinite() &&
+               VecX::Map(state.P.data(), static_cast<Eigen::Index>(state.P.size())).allFinite();
+    }
+    if (hashes[0] != hashes[1] && differs_at < 0) differs_at = round;
+    if (round == (rounds + 9) / 10) memory = resident_bytes();
+  }
+  const double end_memory = resident_bytes();
+  const State state = engines[0]->state();
+  const BulkFigures figures = bulk_figures(*model, start, state);
+  const bool flat = is_flat(memory, end_memory);
+  fmt::print(
+      "{:<13} {:>6.0f} s  finite {:<3}  same bits {:<12}  memory {:>6.1f} -> {:>6.1f} MiB  overlap {:>6.2f} "
+      "mm"
+      "  speed {:>8.5f} m/s  hash {:016x}  took {:.0f} s\n",
+      scene, state.t, finite ? "yes" : "NO", differs_at < 0 ? "yes" : fmt::format("NO ({} s)", differs_at),
+      memory / mebi, end_memory / mebi, 1e3 * figures.max_overlap, figures.rms_speed, state_hash(state),
+      bulk_wall_seconds() - wall);
+  std::fflush(stdout);
+  return finite && flat && differs_at < 0;
+}
+
+void print_scale(int substeps, int most_grains) {
+  fmt::print("\nGrains of 0.25 m in a hopper, one thread\n");
+  fmt::print("{:<8} {:>8} {:>10} {:>10} {:>12} {:>12} {:>10} {:>12}\n", "grain", "bodies", "build s",
+             "start s", "model B/body", "world B/body", "ms a step", "us step+body");
+  for (const Grain grain : {Grain::sphere, Grain::hull}) {
+    for (const int count : {1000, 10000, 100000, 1000000}) {
+      if (count > most_grains || (count == 1000000 && grain == Grain::hull)) continue;
+      const int steps = count == 1000000 ? 5 : 50;
+      const ScaleRow row = measure_scale(count, grain, steps, {1, substeps});
+      fmt::print("{:<8} {:>8} {:>10.2f} {:>10.3f} {:>12.0f} {:>12.0f} {:>10.3f} {:>12.3f}\n",
+                 grain == Grain::sphere ? "spheres" : "hulls", row.bodies, row.build, row.start,
+                 row.model_bytes, row.world_bytes, row.ms, 1e3 * row.ms / row.bodies);
+      std::fflush(stdout);
+    }
+  }
+}
+
+}  // namespace rigor::bench
