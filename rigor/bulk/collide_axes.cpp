@@ -52,7 +52,8 @@ void try_first_face(const FaceDirections& faces, float balls, SeparatingAxis& be
 }
 
 void try_faces(const FaceDirections& faces, float balls, SeparatingAxis& best) {
-  for (int f = 0; f < faces.own.hull->face_count; ++f) try_face(faces, f, balls, best);
+  for (int f = 0; f < faces.own.hull->face_count; ++f)
+    if (faces.along[at(f)] - balls > best.separation) try_face(faces, f, balls, best);
 }
 
 /// Arcs of the edges that may have a direction n with n · d > least. `along` are n · d of the faces; on the
@@ -217,6 +218,28 @@ float foot_radius(const PolytopeScratch& pair, const SeparatingAxis& axis) {
   return radius;
 }
 
+/// Whether no direction parts the cores better, by the radius of its foot and the balls inside.
+bool is_proved(const PolytopeScratch& pair, const BallBound& bound, const SeparatingAxis& axis,
+               float rounding) {
+  const float radius = foot_radius(pair, axis);
+  if (!(radius >= 4 * rounding)) return false;
+  if (axis.separation >= 0) return true;
+  const float along = axis.n.dot(bound.between);
+  const float across = (bound.between - along * axis.n).norm();
+  return radius >= -axis.separation && along >= 0 && across - bound.balls <= axis.separation;
+}
+
+/// Edges near the face that are better and proved.
+std::optional<SeparatingAxis> find_proved_edges(const PolytopeScratch& pair, const BallBound& bound,
+                                                const SeparatingAxis& face, float rounding) {
+  if (face.kind == SeparatingAxis::Kind::none) return std::nullopt;
+  SeparatingAxis guess = face;
+  try_edges_nearby(pair, face.separation + rounding, guess);
+  if (guess.kind != SeparatingAxis::Kind::edges || !is_proved(pair, bound, guess, rounding))
+    return std::nullopt;
+  return guess;
+}
+
 }  // namespace
 
 bool are_soon_parted(PolytopeScratch& pair, float limit) {
@@ -249,18 +272,8 @@ SeparatingAxis find_separating_axis(PolytopeScratch& pair, float limit, float ro
   SeparatingAxis best;
   try_first_face(faces_A, bound.balls, best);
   try_first_face(faces_B, bound.balls, best);
-  if (best.separation > limit) return best;
-  const float least_radius = 4 * rounding;
-  const float beyond = bound.between.squaredNorm();
-  const auto is_proved = [&](const SeparatingAxis& axis) {
-    const float along = axis.n.dot(bound.between);
-    const float across = std::sqrt(std::max(0.0f, beyond - along * along));
-    const float radius = foot_radius(pair, axis);
-    if (radius < least_radius) return false;
-    return axis.separation >= 0 ||
-           (radius >= -axis.separation && along >= 0 && across - bound.balls <= axis.separation);
-  };
-  if (is_proved(best)) return best;
+  if (best.separation > limit || is_proved(pair, bound, best, rounding)) return best;
+  if (const auto edges = find_proved_edges(pair, bound, best, rounding)) return *edges;
 
   // The face of A is kept unless that of B is clearly better. The guess is found again, if it is the best.
   best.kind = SeparatingAxis::Kind::none;
@@ -272,10 +285,8 @@ SeparatingAxis find_separating_axis(PolytopeScratch& pair, float limit, float ro
   if (best.kind != SeparatingAxis::Kind::none) other.separation += rounding;
   try_faces(faces_B, bound.balls, other);
   if (other.kind != SeparatingAxis::Kind::none) best = other;
-  if (best.separation > limit || is_proved(best)) return best;
-  SeparatingAxis guess = best;
-  try_edges_nearby(pair, best.separation + rounding, guess);
-  if (guess.kind == SeparatingAxis::Kind::edges && is_proved(guess)) return guess;
+  if (best.separation > limit || is_proved(pair, bound, best, rounding)) return best;
+  if (const auto edges = find_proved_edges(pair, bound, best, rounding)) return *edges;
   try_edges(pair, bound, best.separation + rounding, best);
   return best;
 }
