@@ -14,6 +14,21 @@ bool is_free(const Model& model, int body) {
   return body != world_body && model.body(body).motion == MotionType::dynamic;
 }
 
+bool acts(const JointAxis& axis) {
+  return axis.is_limited() || axis.motor || axis.stiffness > 0 || axis.damping > 0 || axis.friction > 0;
+}
+
+bool has_coordinate_rows(const Model& model, int index) {
+  const Joint& joint = model.joint(index);
+  // What keeps its distance has no coordinate for a spring to act on.
+  if (joint.type == JointType::distance) return !joint.axes.empty() && joint.axes[0].is_limited();
+  const auto turns = [&](const Joint& gear) {
+    return gear.type == JointType::gear && (gear.first_joint == index || gear.second_joint == index);
+  };
+  return std::any_of(joint.axes.begin(), joint.axes.end(), acts) ||
+         std::any_of(model.joints().begin(), model.joints().end(), turns);
+}
+
 /// Sets of bodies that are held together.
 class BodySets {
  public:
@@ -128,7 +143,7 @@ std::vector<int> signature(const Model& model, const Tree& tree) {
     const Joint& joint = model.joint(tree.joints[i]);
     signs.push_back(static_cast<int>(joint.type));
     signs.push_back(joint.body_B == tree.bodies[i] ? 1 : 0);
-    signs.push_back(has_axis_laws(joint) ? 1 : 0);
+    signs.push_back(has_coordinate_rows(model, tree.joints[i]) ? 1 : 0);
   }
   return signs;
 }
@@ -146,7 +161,7 @@ JointTrees begin_trees(const Model& model, const Tree& tree) {
       const Joint& joint = model.joint(tree.joints[i]);
       link.type = joint.type;
       link.child_is_B = joint.body_B == tree.bodies[i];
-      link.has_laws = has_axis_laws(joint);
+      link.has_laws = has_coordinate_rows(model, tree.joints[i]);
       link.parent_is_free = tree.parents[i] >= 0;
       link.parent = tree.parents[i];
       if (!link.parent_is_free) {
@@ -170,17 +185,7 @@ void add_lane(const Model& model, const Tree& tree, std::size_t lane, JointTrees
   }
 }
 
-bool acts(const JointAxis& axis) {
-  return axis.is_limited() || axis.motor || axis.stiffness > 0 || axis.damping > 0 || axis.friction > 0;
-}
-
 }  // namespace
-
-bool has_axis_laws(const Joint& joint) {
-  // What keeps its distance has no coordinate for a spring to act on.
-  if (joint.type == JointType::distance) return !joint.axes.empty() && joint.axes[0].is_limited();
-  return std::any_of(joint.axes.begin(), joint.axes.end(), acts);
-}
 
 JointForest make_joint_forest(const Model& model) {
   const Branches branches = choose_branches(model);
@@ -199,6 +204,32 @@ JointForest make_joint_forest(const Model& model) {
     add_lane(model, tree, lane++, forest.trees[block]);
   }
   return forest;
+}
+
+JointTrees single_joint_tree(const Model& model, int index) {
+  const Joint& joint = model.joint(index);
+  std::array<int, 8> none;
+  none.fill(-1);
+  JointLink link;
+  link.joints = none;
+  link.joints[0] = index;
+  link.type = joint.type;
+  link.has_laws = has_coordinate_rows(model, index);
+  link.child_is_B = is_free(model, joint.body_B);
+  link.parent = 1;
+  const int child = link.child_is_B ? joint.body_B : joint.body_A;
+  const int parent = link.child_is_B ? joint.body_A : joint.body_B;
+  link.parent_is_free = is_free(model, parent);
+  JointTrees trees{{link}, {none, none}};
+  trees.bodies[0][0] = child;
+  trees.bodies[1][0] = parent;
+  if (link.parent_is_free) {
+    JointLink root;
+    root.joints = none;
+    root.has_joint = false;
+    trees.links.push_back(root);
+  }
+  return trees;
 }
 
 }  // namespace rigor

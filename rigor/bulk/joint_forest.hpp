@@ -34,7 +34,7 @@ struct JointForest {
 };
 JointForest make_joint_forest(const Model& model);
 
-/// Whether a force acts along a coordinate of the joint, or a limit bounds it.
-bool has_axis_laws(const Joint& joint);
+/// A joint of any type but a gear as a tree of its own, in the first lane.
+JointTrees single_joint_tree(const Model& model, int joint);
 
 }  // namespace rigor

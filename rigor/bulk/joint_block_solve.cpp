@@ -1,0 +1,182 @@
+#include "rigor/bulk/joint_block.hpp"
+
+#include <algorithm>
+
+namespace rigor {
+
+void keep_joint_velocities(BulkJointBlock& block) {
+  for (std::size_t i = 0; i < block.before.size(); ++i) {
+    block.before[i] = {block.lanes.slots[i].v, block.lanes.slots[i].w};
+  }
+}
+
+void add_joint_change(BulkJointBlock& block) {
+  for (std::size_t i = 0; i < block.before.size(); ++i) {
+    block.made[i].v = block.made[i].v + (block.lanes.slots[i].v - block.before[i].v);
+    block.made[i].w = block.made[i].w + (block.lanes.slots[i].w - block.before[i].w);
+  }
+}
+
+namespace {
+
+using Block = BulkJointBlock;
+
+LaneArray read_lanes(const FloatLanes& lanes) {
+  LaneArray values;
+  store_floats(lanes, values.data());
+  return values;
+}
+
+/// Times that a solve is repeated, against what turning makes of velocities.
+constexpr int kCorrections = 2;
+/// Changes of pieces of laws within a solve.
+constexpr int kPieceChanges = 6;
+
+/// Impulses and rates from which the laws of a substep begin.
+void begin_laws(Block& block) {
+  for (Block::Law& law : block.laws) {
+    const JointLanes& joint = block.lanes.joints[static_cast<std::size_t>(law.link)];
+    law.prior = read_lanes(joint.impulse[law.row]);
+    if (block.is_new_substep) law.rate = read_lanes(joint.rate[law.row]);
+  }
+}
+
+/// The piece of a law in which the coordinate is; nothing of empty lanes.
+LawPiece find_piece(const Model& model, const Block& block, const Block::Law& law, int lane, double h) {
+  const JointLink& link = block.lanes.trees.links[static_cast<std::size_t>(law.link)];
+  const JointLanes& lanes = block.lanes.joints[static_cast<std::size_t>(law.link)];
+  const int index = link.joints[static_cast<std::size_t>(lane)];
+  if (index < 0) return {};
+  if (std::max(law.axis, 0) >= static_cast<int>(model.joint(index).axes.size())) return {};
+  const Joint& joint = model.joint(index);
+  if (law.axis < 0) {
+    const double damping = joint.axes[0].damping;
+    return damping > 0 ? LawPiece{true, 0, 1 / (h * damping), 0, 0} : LawPiece{};
+  }
+  const CoordinateMotion motion{lanes.coordinate[law.row][lane], lanes.rate[law.row][lane],
+                                lanes.mobility[law.row][lane], lanes.impulse[law.row][lane]};
+  return CoordinateLaw(joint, law.axis, motion, h).piece_at(motion.rate, motion.impulse);
+}
+
+bool is_same(const LawPiece& a, const LawPiece& b) {
+  return a.is_held == b.is_held && a.target == b.target && a.softness == b.softness && a.impulse == b.impulse;
+}
+
+/// Writes the pieces of all laws into the rows; whether one has changed.
+bool choose_pieces(const Model& model, double h, Block& block) {
+  bool has_changed = false;
+  for (Block::Law& law : block.laws) {
+    for (int lane = 0; lane < kLaneCount; ++lane) {
+      const LawPiece piece = find_piece(model, block, law, lane, h);
+      LawPiece& old = law.pieces[static_cast<std::size_t>(lane)];
+      has_changed = has_changed || !is_same(piece, old);
+      old = piece;
+    }
+  }
+  for (Block::Law& law : block.laws) {
+    JointLanes& joint = block.lanes.joints[static_cast<std::size_t>(law.link)];
+    for (int lane = 0; lane < kLaneCount; ++lane) {
+      const LawPiece& piece = law.pieces[static_cast<std::size_t>(lane)];
+      const float prior = law.prior[static_cast<std::size_t>(lane)];
+      const float impulse = static_cast<float>(piece.impulse);
+      joint.on[law.row][lane] = piece.is_held ? 1 : 0;
+      joint.softness[law.row][lane] = piece.is_held ? static_cast<float>(piece.softness) : 1;
+      joint.target[law.row][lane] = static_cast<float>(piece.target);
+      joint.given[law.row][lane] = piece.is_held ? 0 : impulse - prior;
+      joint.impulse[law.row][lane] = piece.is_held ? prior : impulse;
+    }
+  }
+  return has_changed;
+}
+
+/// After the displacements only limits act at which a coordinate has been stopped: it leaves as the impact
+/// lets it.
+void choose_rebounds(const Model& model, Block& block) {
+  for (Block::Law& law : block.laws) {
+    JointLanes& joint = block.lanes.joints[static_cast<std::size_t>(law.link)];
+    const JointLink& link = block.lanes.trees.links[static_cast<std::size_t>(law.link)];
+    for (int lane = 0; lane < kLaneCount; ++lane) {
+      const std::size_t k = static_cast<std::size_t>(lane);
+      const LawPiece& piece = law.pieces[k];
+      const bool stands = piece.is_held && piece.limit != 0;
+      joint.on[law.row][lane] = stands ? 1 : 0;
+      joint.softness[law.row][lane] = stands ? 0 : 1;
+      joint.given[law.row][lane] = 0;
+      joint.target[law.row][lane] = 0;
+      if (!stands) continue;
+      const double e = model.joint(link.joints[k]).axes[static_cast<std::size_t>(law.axis)].restitution;
+      const double approach = std::max(0.0, piece.limit * static_cast<double>(law.rate[k]));
+      joint.target[law.row][lane] = static_cast<float>(-piece.limit * e * approach);
+    }
+  }
+}
+
+void restore_velocities(Block& block) {
+  for (std::size_t i = 0; i < block.before.size(); ++i) {
+    block.lanes.slots[i].v = block.before[i].v;
+    block.lanes.slots[i].w = block.before[i].w;
+  }
+}
+
+void begin_substep(Block& block) {
+  if (!block.is_new_substep) return;
+  for (Block::Made& made : block.made) made = Block::Made{};
+  for (JointLanes& joint : block.lanes.joints) {
+    for (FloatLanes& impulse : joint.impulse) impulse = float_lanes(0);
+  }
+}
+
+void correct(float h, LaneTarget target, Block& block) {
+  for (int k = 0; k < kCorrections; ++k) {
+    run_stage(JointStage::miss, h, target, block.lanes);
+    run_stage(JointStage::solve, h, target, block.lanes);
+  }
+}
+
+void solve_laws(const JointEffort& effort, Block& block) {
+  const auto& [model, h, target] = effort;
+  run_stage(JointStage::rates, h, target, block.lanes);
+  begin_laws(block);
+  choose_pieces(model, h, block);
+  for (int k = 0; k < kPieceChanges; ++k) {
+    if (k > 0) restore_velocities(block);
+    run_stage(JointStage::factor, h, target, block.lanes);
+    block.lanes.gives = true;
+    correct(h, target, block);
+    run_stage(JointStage::rates, h, target, block.lanes);
+    if (k + 1 < kPieceChanges && !choose_pieces(model, h, block)) break;
+  }
+}
+
+}  // namespace
+
+void solve_before_displacements(const JointEffort& effort, BulkJointBlock& block) {
+  const auto& [model, h, target] = effort;
+  begin_substep(block);
+  load_slots(block.records, target, block.lanes);
+  keep_joint_velocities(block);
+  if (block.lanes.has_laws) {
+    solve_laws(effort, block);
+  } else {
+    correct(h, target, block);
+  }
+  block.is_new_substep = false;
+  add_joint_change(block);
+  store_slots(block.records, target, block.lanes);
+}
+
+void solve_after_displacements(const JointEffort& effort, BulkJointBlock& block) {
+  const auto& [model, h, target] = effort;
+  load_slots(block.records, target, block.lanes);
+  keep_joint_velocities(block);
+  run_stage(JointStage::aim, h, target, block.lanes);
+  choose_rebounds(model, block);
+  run_stage(JointStage::factor, h, target, block.lanes);
+  run_stage(JointStage::drift, h, target, block.lanes);
+  run_stage(JointStage::solve, h, target, block.lanes);
+  block.is_new_substep = true;
+  add_joint_change(block);
+  store_slots(block.records, target, block.lanes);
+}
+
+}  // namespace rigor
