@@ -1,5 +1,7 @@
 #include "rigor/contact/penalty_implicit.hpp"
 
+#include "rigor/math/dense.hpp"
+
 #include <algorithm>
 #include <limits>
 
@@ -142,7 +144,7 @@ ImplicitSpringSolution solve_implicit_springs(const MatX& A, const VecX& u_free,
     best.iterations = iteration;
     best.converged = best.residual <= tolerance;
     if (best.converged || iteration == most_iterations) break;
-    const VecX step = rows.slope(j).partialPivLu().solve(-F);
+    const VecX step = square_solution(rows.slope(j), -F);
     if (!step.allFinite()) break;
     j = rows.best_along(j, step);
   }
