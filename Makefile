@@ -4,7 +4,7 @@ JOBS ?= $(shell nproc)
 BUILD := build/release
 RIGOR := $(BUILD)/rigor
 
-.PHONY: run test build check bench bench-bulk setup configure clean help
+.PHONY: run test build check check-all bench bench-bulk setup configure clean help
 
 run: build
 	@mkdir -p out
@@ -40,6 +40,10 @@ check: build
 	@tools/setup.sh check
 	@tools/check.sh $(JOBS)
 
+check-all: build
+	@tools/setup.sh check
+	@tools/check.sh $(JOBS) all
+
 bench:
 	@tools/setup.sh build
 	@tools/setup.sh bench
@@ -70,7 +74,8 @@ help:
 	@echo "make run     build, then run two scenes, show their audits and leave their replays as pages and pictures in out/"
 	@echo "make test    build, then all tests"
 	@echo "make build   build only (Release, in $(BUILD))"
-	@echo "make check   formatting, headers alone, clang++ with warnings as errors, the tests under its ASan and UBSan, the viewer"
+	@echo "make check   formatting, headers alone, clang++ with warnings as errors, its ASan and UBSan under the program and some tests, the viewer"
+	@echo "make check-all  the same with the tests of all layers under ASan and UBSan"
 	@echo "make bench   error and CPU time of the reference scenes, of pictures, impacts, chains, resting contact, distances and the broad phase, beside the peer engines that are installed"
 	@echo "make bench-bulk  scenes of many bodies: time a step with one and two threads and quality, beside Bullet"
 	@echo "make clean   remove build/"

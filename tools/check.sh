@@ -1,19 +1,25 @@
 #!/usr/bin/env bash
-# The slower checks: formatting, headers alone, clang++ with warnings as errors and its sanitizers under the tests, the
-# viewer (with the program that `make build` leaves).
-# usage: tools/check.sh [jobs]
+# The slower checks: formatting, headers alone, the viewer (with the program that `make build` leaves), clang++ with warnings
+# as errors and its sanitizers under the program and some tests; with `all` under the tests of all layers.
+# usage: tools/check.sh [jobs [all]]
 set -euo pipefail
 cd "$(dirname "$0")/.."
 jobs=${1:-2}
+scope=${2:-some}
 
 echo "== clang-format"
 git ls-files '*.cpp' '*.hpp' | xargs clang-format --dry-run --Werror
 
+# The viewer's checks wait for a browser much of the time: they go on beside the rest, which gives way to them.
+viewer_log=$(mktemp)
+viewer=
 if command -v npm >/dev/null; then
-  tools/check_viewer.sh
+  tools/check_viewer.sh >"$viewer_log" 2>&1 &
+  viewer=$!
 else
   echo "== viewer: not checked, there is no npm"
 fi
+trap '[ -z "$viewer" ] || kill "$viewer" 2>/dev/null; rm -f "$viewer_log"' EXIT
 
 echo "== headers stand alone"
 # A source includes its own header first, so building the source tries it; headers without one are compiled by themselves.
@@ -25,13 +31,26 @@ for header in $(git ls-files 'rigor/*.hpp' 'apps/*.hpp'); do
     echo "$source: include \"$header\" first, so that it is tried alone" >&2
     exit 1
   fi
-done | xargs -P "$jobs" -I{} clang++ -std=c++20 -fsyntax-only -Wall -Wextra -Wconversion -Wshadow \
+done | nice -n 19 xargs -P "$jobs" -I{} clang++ -std=c++20 -fsyntax-only -Wall -Wextra -Wconversion -Wshadow \
   -Wno-pragma-once-outside-header -I. -isystem /usr/include/eigen3 -isystem /usr/include/hdf5/serial {}
 
-echo "== clang++ with warnings as errors, ASan and UBSan: the program, and all tests of the layers"
+echo "== clang++ with warnings as errors, ASan and UBSan: the program on all scenes and on broken inputs, and tests"
 # UBSan without its checks of null, alignment, object size and vptr: ASan sees such accesses, and they double the build.
 [ -f build/asan/build.ninja ] || cmake --preset asan >/dev/null
-# Whole scenes and the program itself run in Release (make test): under the sanitizers they take too long.
-layers=$(git ls-files tests | sed -En 's|^tests/([a-z]+)/[^/]+_test.cpp$|\1|p' | sort -u | grep -vE '^(laws|contracts|apps)$')
-cmake --build --preset asan -j "$jobs" --target rigor_apps $(printf 'rigor_test_%s ' $layers)
+# Tests take most of the time of this build, and the program runs the same sources: here those that feed the readers of
+# files; the others with `all`. Whole scenes and the program's texts are tested in Release: the sanitizers slow them too much.
+layers=$(printf '%s\n' core io)
+if [ "$scope" = all ]; then
+  layers=$(git ls-files tests | sed -En 's|^tests/([a-z]+)/[^/]+_test.cpp$|\1|p' | sort -u | grep -vE '^(laws|contracts|apps|golden)$')
+fi
+nice -n 19 cmake --build --preset asan -j "$jobs" --target rigor $(printf 'rigor_test_%s ' $layers)
+nice -n 19 tools/check_program.sh build/asan/rigor "$jobs"
 LSAN_OPTIONS=suppressions=$PWD/tools/leaks.txt:print_suppressions=0 ctest --preset asan -j "$jobs" --no-tests=error -R "^($(paste -sd'|' <<<"$layers")):"
+
+if [ -n "$viewer" ]; then
+  viewer_code=0
+  wait "$viewer" || viewer_code=$?
+  viewer=
+  cat "$viewer_log"
+  exit "$viewer_code"
+fi

@@ -1,6 +1,7 @@
 #include "rigor/contact/algebraic_impact.hpp"
 
 #include "rigor/core/assert.hpp"
+#include "rigor/math/dense.hpp"
 
 #include <cmath>
 
@@ -14,11 +15,10 @@ AlgebraicOutcome resolve_algebraic_impact(const Collision& collision, double tan
   AlgebraicOutcome outcome;
   outcome.u = u;
   if (u.z() >= 0) return outcome;
-  const Eigen::LLT<Mat3> cholesky(K);
-  RIGOR_ASSERT(cholesky.info() == Eigen::Success);
+  RIGOR_ASSERT(is_positive_definite(K));
 
-  const Vec3 plastic(0, 0, -u.z() / K(2, 2));  // P_I
-  const Vec3 sticking = cholesky.solve(-u);    // P_II
+  const Vec3 plastic(0, 0, -u.z() / K(2, 2));               // P_I
+  const Vec3 sticking = positive_definite_solution(K, -u);  // P_II
   const Vec3 change = sticking - plastic;
   double share = 1 + tangential_restitution;
   const Vec3 wished = (1 + e) * plastic + share * change;

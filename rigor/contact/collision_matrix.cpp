@@ -1,6 +1,7 @@
 #include "rigor/contact/collision_matrix.hpp"
 
 #include "rigor/core/assert.hpp"
+#include "rigor/math/dense.hpp"
 
 #include <fmt/format.h>
 
@@ -43,7 +44,7 @@ std::string check_collision_matrix(const Mat3& K) {
   }
   if (!(K(2, 2) > 0))
     return fmt::format("K[2][2] is {:g}, must be > 0: the normal direction would be rigid", K(2, 2));
-  const Vec3 eigenvalues = Eigen::SelfAdjointEigenSolver<Mat3>(K, Eigen::EigenvaluesOnly).eigenvalues();
+  const Vec3 eigenvalues = symmetric_eigenvalues(K);
   if (eigenvalues[0] < -rounding * size) {
     return fmt::format("K must be positive semidefinite; its smallest eigenvalue is {:g}", eigenvalues[0]);
   }

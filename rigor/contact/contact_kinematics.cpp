@@ -4,6 +4,7 @@
 #include "rigor/geometry/convex_core.hpp"
 #include "rigor/geometry/distance.hpp"
 #include "rigor/geometry/support.hpp"
+#include "rigor/math/dense.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <optional>
@@ -63,7 +64,7 @@ WitnessMotion witness_motion_general(const Contact& contact, const BodyKinetics&
   system.block(2 + flats_A, 0, flats_B, 2) = D_B.transpose();
   right << -u_t - H_A * turn_A - H_B * turn_B, D_A.transpose() * turn_A, D_B.transpose() * turn_B;
 
-  const VecX solution = system.completeOrthogonalDecomposition().solve(right);
+  const VecX solution = least_norm_solution(system, right);
   const Vec2 n_rate = solution.head<2>();
   const Vec2 s_A = unit * (H_A * (n_rate - turn_A) + D_A * solution.segment(2, flats_A));
   const Vec2 s_B = unit * (-H_B * (n_rate - turn_B) + D_B * solution.tail(flats_B));

@@ -1,5 +1,7 @@
 #include "rigor/contact/course.hpp"
 
+#include "rigor/math/dense.hpp"
+
 #include <algorithm>
 #include <limits>
 #include <numbers>
@@ -55,7 +57,7 @@ std::string_view words_of(char phase) {
 /// Eigenvalues, ascending; what is rounding of the largest counts as zero.
 Vec3 principal_values(const Mat3& K) {
   constexpr double rounding = 1e-14;
-  Vec3 values = Eigen::SelfAdjointEigenSolver<Mat3>(K, Eigen::EigenvaluesOnly).eigenvalues();
+  Vec3 values = symmetric_eigenvalues(K);
   for (double& value : values) {
     if (value <= rounding * values[2]) value = 0;
   }
@@ -113,7 +115,7 @@ double condition_number(const Mat3& K) {
 
 double removable_energy(const Mat3& K, const Vec3& u) {
   if (!(principal_values(K)[0] > 0)) return std::numeric_limits<double>::infinity();
-  return 0.5 * u.dot(K.ldlt().solve(u));
+  return 0.5 * u.dot(symmetric_solution(K, u));
 }
 
 }  // namespace rigor

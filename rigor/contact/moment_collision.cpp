@@ -2,6 +2,7 @@
 
 #include "rigor/contact/restitution_watch.hpp"
 #include "rigor/core/assert.hpp"
+#include "rigor/math/dense.hpp"
 #include "rigor/math/roots.hpp"
 #include "rigor/solver/runge_kutta.hpp"
 
@@ -137,7 +138,7 @@ class MomentCourse {
     }
     if (held.empty()) return f;
     const MatX K = K_;
-    const VecX hold = MatX(K(held, held)).completeOrthogonalDecomposition().solve(-VecX((K * f)(held)));
+    const VecX hold = least_norm_solution(K(held, held), -VecX((K * f)(held)));
     for (std::size_t i = 0; i < held.size(); ++i) f[held[i]] = hold[static_cast<Eigen::Index>(i)];
     return f;
   }

@@ -1,6 +1,7 @@
 #include "rigor/contact/penalty_rates.hpp"
 
-#include <Eigen/Cholesky>
+#include "rigor/math/dense.hpp"
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -42,7 +43,7 @@ void add_contact(const Contact& contact, const PenaltyContact& spring, const Row
 double largest_rate(const BodyKinetics& body, const Mat6& K) {
   Mat6 L = Mat6::Zero();
   L.topLeftCorner<3, 3>() = std::sqrt(body.inverse_mass) * Mat3::Identity();
-  L.bottomRightCorner<3, 3>() = Mat3(body.inverse_inertia.llt().matrixL());
+  L.bottomRightCorner<3, 3>() = cholesky_factor(body.inverse_inertia);
   const Mat6 scaled = L.transpose() * K * L;
   const Eigen::SelfAdjointEigenSolver<Mat6> solver(scaled, Eigen::EigenvaluesOnly);
   return std::max(0.0, solver.eigenvalues()[5]);

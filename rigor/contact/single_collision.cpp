@@ -2,6 +2,7 @@
 
 #include "rigor/contact/algebraic_impact.hpp"
 #include "rigor/core/assert.hpp"
+#include "rigor/math/dense.hpp"
 
 #include <algorithm>
 
@@ -100,7 +101,7 @@ struct Collided {
 /// With a tangential restitution the algebraic law, else friction integrated over the impact.
 Collided collide(const Mat3& K, const Vec3& u, const ImpactContact& contact, RestitutionLaw law) {
   const Collision collision{{K, contact.mu}, u, contact.restitution};
-  if (contact.tangential_restitution > 0 && K.llt().info() == Eigen::Success) {
+  if (contact.tangential_restitution > 0 && is_positive_definite(K)) {
     return {resolve_algebraic_impact(collision, contact.tangential_restitution).lambda, true, {}};
   }
   const CollisionOutcome outcome = resolve_collision(collision, law);

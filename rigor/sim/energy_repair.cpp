@@ -1,5 +1,6 @@
 #include "rigor/sim/energy_repair.hpp"
 
+#include "rigor/math/dense.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <algorithm>
@@ -51,7 +52,7 @@ struct Group {
                  body(i).mass * (arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose());
     }
     motion.v = P / mass;
-    motion.w = inertia.ldlt().solve(L);
+    motion.w = symmetric_solution(inertia, L);
     return motion;
   }
   /// Momenta that body i has in the rigid motion.

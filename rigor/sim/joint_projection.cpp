@@ -1,5 +1,6 @@
 #include "rigor/sim/joint_projection.hpp"
 
+#include "rigor/math/dense.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <algorithm>
@@ -76,7 +77,7 @@ void JointProjection::restore_momenta(const Island& island, IslandStep& step) co
     L -= (end.L - start.L) + dx.cross(end.P) + start.x.cross(dP);
   }
   L -= centre.cross(P);
-  const Vec3 v = P / mass, w = inertia.ldlt().solve(L);
+  const Vec3 v = P / mass, w = symmetric_solution(inertia, L);
   for (std::size_t i = 0; i < island.bodies.size(); ++i) {
     const BodyKinetics& body = system.of(island.bodies[i]);
     step.end[i].P += (v + w.cross(body.x - centre)) / body.inverse_mass;

@@ -1,5 +1,6 @@
 #include "rigor/solver/contact_motion.hpp"
 
+#include "rigor/math/dense.hpp"
 #include "rigor/solver/node_system.hpp"
 
 #include <cmath>
@@ -44,7 +45,7 @@ VecX FactoredMotion::newton_step(const std::vector<Mat3>& D, const VecX& g) cons
   }
   MatX H = L_.transpose() * scaled;
   H.diagonal().array() += 1.0;
-  return H.ldlt().solve(g);
+  return symmetric_solution(H, g);
 }
 
 VecX SparseMotion::newton_step(const std::vector<Mat3>& D, const VecX& g) const {

@@ -1,5 +1,6 @@
 #include "rigor/solver/coulomb_gauss_seidel.hpp"
 
+#include "rigor/math/dense.hpp"
 #include "rigor/solver/coulomb_local.hpp"
 
 #include <utility>
@@ -22,7 +23,7 @@ CoulombGaussSeidel::CoulombGaussSeidel(const CoulombProblem& problem, CoulombGue
   for (Index i = 0; i < static_cast<Index>(problem.mu.size()); ++i) {
     Mat3 K = problem.A.block<3, 3>(3 * i, 3 * i);
     const double trace = K.trace();
-    const double proximal = K.ldlt().vectorD().minCoeff() > kSingular * trace ? 0.0 : kProximal * trace;
+    const double proximal = least_symmetric_pivot(K) > kSingular * trace ? 0.0 : kProximal * trace;
     K.diagonal().array() += proximal;
     blocks_.push_back({K, proximal});
   }

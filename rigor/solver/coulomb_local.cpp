@@ -1,5 +1,6 @@
 #include "rigor/solver/coulomb_local.hpp"
 
+#include "rigor/math/dense.hpp"
 #include "rigor/solver/cone.hpp"
 
 #include <algorithm>
@@ -108,9 +109,7 @@ std::optional<LocalCoulombSolution> find_slide(const Mat3& K, const Vec3& b, dou
 }
 
 std::optional<LocalCoulombSolution> find_stick(const Mat3& K, const Vec3& b, double mu) {
-  const Eigen::LDLT<Mat3> factors(K);
-  Vec3 lambda = -factors.solve(b);
-  lambda -= factors.solve(K * lambda + b);
+  const Vec3 lambda = -refined_symmetric_solution(K, b);
   if (!(lambda(2) > 0)) return std::nullopt;
   if (!(lambda.head<2>().norm() <= mu * lambda(2) * (1 + kRounding))) return std::nullopt;
   return LocalCoulombSolution{clamp_to_cone(lambda, mu), Vec3::Zero(), ContactMode::stick};
@@ -166,7 +165,7 @@ LocalCoulombSolution solve_coulomb_local(const Mat3& K, const Vec3& b, double mu
   const std::vector<LocalCoulombSolution> slides = find_slides(K, b, mu, false);
   if (!slides.empty()) return slides.front();
   // Only round-off leads here (K close to singular): the nearest force of the cone.
-  const Vec3 lambda = clamp_to_cone(-K.ldlt().solve(b), mu);
+  const Vec3 lambda = clamp_to_cone(-symmetric_solution(K, b), mu);
   return {lambda, K * lambda + b, ContactMode::slide};
 }
 

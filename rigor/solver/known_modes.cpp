@@ -1,6 +1,7 @@
 #include "rigor/solver/known_modes.hpp"
 
 #include "rigor/core/assert.hpp"
+#include "rigor/math/dense.hpp"
 #include "rigor/solver/cone.hpp"
 
 #include <cmath>
@@ -145,7 +146,7 @@ std::optional<VecX> KnownModesSystem::find_in_cones() const {
     if (error <= tolerance) return expand(at.x);
     MatX H = project_derivative(Z * at.y, Z);
     H.diagonal().array() += 1e-3 * std::min(1e-3, error / size) + kEpsilon;
-    const VecX direction = -H.ldlt().solve(at.gradient);
+    const VecX direction = -symmetric_solution(H, at.gradient);
     const double slope = at.gradient.dot(direction);
     double length = 1;
     const auto is_better = [&](const DualPoint& trial) {

@@ -1,4 +1,5 @@
 #include "rigor/core/assert.hpp"
+#include "rigor/math/dense.hpp"
 #include "rigor/solver/lcp.hpp"
 #include "rigor/solver/lcp_residual.hpp"
 
@@ -53,8 +54,8 @@ class Dantzig {
   }
 
   VecX solve(const MatX& matrix, const VecX& right_side) const {
-    if (is_symmetric_) return matrix.ldlt().solve(right_side);
-    return matrix.partialPivLu().solve(right_side);
+    if (is_symmetric_) return symmetric_solution(matrix, right_side);
+    return square_solution(matrix, right_side);
   }
 
   // Change of z that pushes index d by one and keeps w = 0 on the clamped set.

@@ -1,5 +1,7 @@
 #include "rigor/solver/least_norm_slips.hpp"
 
+#include "rigor/math/dense.hpp"
+
 #include <cmath>
 #include <deque>
 
@@ -86,7 +88,7 @@ class LeastNormSlips {
       dF.col(j) = change_differences_[static_cast<std::size_t>(j)];
       dX.col(j) = angle_differences_[static_cast<std::size_t>(j)];
     }
-    const VecX weights = dF.completeOrthogonalDecomposition().solve(change);
+    const VecX weights = least_norm_solution(dF, change);
     return next - (dX + dF) * weights;
   }
 

@@ -1,8 +1,7 @@
 #include "rigor/solver/moment_problem.hpp"
 
 #include "rigor/core/assert.hpp"
-
-#include <Eigen/QR>
+#include "rigor/math/dense.hpp"
 
 #include <algorithm>
 #include <array>
@@ -190,7 +189,7 @@ class MomentSolver {
     for (int step = 0; step < kMaxSteps; ++step) {
       if (F.cwiseAbs().maxCoeff() <= zero) return true;
       ++iterations_;
-      const VecX change = -Eigen::CompleteOrthogonalDecomposition<MatX>(derivative).solve(F);
+      const VecX change = -least_norm_solution(derivative, F);
       if (!change.allFinite()) return false;
       double length = 1;
       VecX trial = natural_map(lambda_ + change, nullptr);

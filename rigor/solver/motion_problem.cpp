@@ -1,6 +1,7 @@
 #include "rigor/solver/motion_problem.hpp"
 
 #include "rigor/core/assert.hpp"
+#include "rigor/math/dense.hpp"
 #include "rigor/solver/coulomb_law.hpp"
 #include "rigor/solver/coulomb_proximal.hpp"
 #include "rigor/solver/least_constraint.hpp"
@@ -77,8 +78,8 @@ class MotionSolver {
                                    equations};
     const auto add = [&](Index row, int node, const Vec6& J) {
       // With M = C Cᵀ: the row Cᵀ⁻¹ needs.
-      const Eigen::LLT<Mat6> root(rows.masses[static_cast<std::size_t>(node)]);
-      nearest.G.row(row).segment<6>(6 * node) += root.matrixL().solve(J).transpose();
+      const Mat6 root = cholesky_factor(rows.masses[static_cast<std::size_t>(node)]);
+      nearest.G.row(row).segment<6>(6 * node) += root.triangularView<Eigen::Lower>().solve(J).transpose();
     };
     for_each_joint_row(rows, add);
     for (Index i = 0; i < count; ++i) {

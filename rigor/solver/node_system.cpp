@@ -1,5 +1,8 @@
 #include "rigor/solver/node_system.hpp"
 
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseLU>
+
 #include <cmath>
 
 namespace rigor {
@@ -47,9 +50,58 @@ VecX unknown_scales(const ContactRows& rows) {
 
 }  // namespace
 
+/// Factors of the matrix, and whether they were found.
+struct NodeSystem::Factors {
+  using Sparse = Eigen::SparseMatrix<double>;
+
+  bool factor_dense(const MatX& matrix, bool is_symmetric) {
+    form = is_symmetric ? Form::dense_cholesky : Form::dense_lu;
+    if (is_symmetric) {
+      dense_cholesky.compute(matrix);
+      return dense_cholesky.info() == Eigen::Success;
+    }
+    dense_lu.compute(matrix);
+    return true;
+  }
+
+  bool factor_sparse(const Sparse& matrix, bool is_symmetric) {
+    form = is_symmetric ? Form::cholesky : Form::lu;
+    if (is_symmetric) {
+      cholesky = std::make_unique<Eigen::SimplicialLLT<Sparse>>(matrix);
+      return cholesky->info() == Eigen::Success;
+    }
+    lu = std::make_unique<Eigen::SparseLU<Sparse>>(matrix);
+    return lu->info() == Eigen::Success;
+  }
+
+  VecX solve(const VecX& c) const {
+    if (c.size() == 0) return c;
+    switch (form) {
+      case Form::dense_cholesky:
+        return dense_cholesky.solve(c);
+      case Form::dense_lu:
+        return dense_lu.solve(c);
+      case Form::cholesky:
+        return cholesky->solve(c);
+      case Form::lu:
+        break;
+    }
+    return lu->solve(c);
+  }
+
+  Eigen::LLT<MatX> dense_cholesky;
+  Eigen::PartialPivLU<MatX> dense_lu;
+  std::unique_ptr<Eigen::SimplicialLLT<Sparse>> cholesky;
+  std::unique_ptr<Eigen::SparseLU<Sparse>> lu;
+  enum class Form { dense_cholesky, dense_lu, cholesky, lu } form = Form::dense_cholesky;
+};
+
+NodeSystem::NodeSystem(NodeSystem&& other) noexcept = default;
+NodeSystem::~NodeSystem() = default;
+
 NodeSystem::NodeSystem(const ContactRows& rows, const std::vector<Mat3>& D, double mass_factor,
                        bool is_symmetric)
-    : rows_(rows), scales_(unknown_scales(rows)) {
+    : rows_(rows), scales_(unknown_scales(rows)), factors_(std::make_unique<Factors>()) {
   if (rows.has_held_motions()) {
     find_places();
     if (size_ <= kDenseUnknowns) {
@@ -78,7 +130,7 @@ NodeSystem::NodeSystem(const ContactRows& rows, const std::vector<Mat3>& D, doub
       matrix.block<1, 6>(free + row, 6 * node) = entry.transpose();
       matrix.block<6, 1>(6 * node, free + row) = entry;
     });
-    factor_dense(matrix, is_symmetric);
+    is_regular_ = factors_->factor_dense(matrix, is_symmetric);
     return;
   }
   std::vector<Eigen::Triplet<double>> entries;
@@ -96,30 +148,9 @@ NodeSystem::NodeSystem(const ContactRows& rows, const std::vector<Mat3>& D, doub
       entries.emplace_back(6 * node + c, free + row, entry(c));
     }
   });
-  Sparse matrix(size_, size_);
+  Factors::Sparse matrix(size_, size_);
   matrix.setFromTriplets(entries.begin(), entries.end());
-  factor_sparse(matrix, is_symmetric);
-}
-
-void NodeSystem::factor_dense(const MatX& matrix, bool is_symmetric) {
-  form_ = is_symmetric ? Form::dense_cholesky : Form::dense_lu;
-  if (is_symmetric) {
-    dense_cholesky_.compute(matrix);
-    is_regular_ = dense_cholesky_.info() == Eigen::Success;
-  } else {
-    dense_lu_.compute(matrix);
-  }
-}
-
-void NodeSystem::factor_sparse(const Sparse& matrix, bool is_symmetric) {
-  form_ = is_symmetric ? Form::cholesky : Form::lu;
-  if (is_symmetric) {
-    cholesky_ = std::make_unique<Eigen::SimplicialLLT<Sparse>>(matrix);
-    is_regular_ = cholesky_->info() == Eigen::Success;
-  } else {
-    lu_ = std::make_unique<Eigen::SparseLU<Sparse>>(matrix);
-    is_regular_ = lu_->info() == Eigen::Success;
-  }
+  is_regular_ = factors_->factor_sparse(matrix, is_symmetric);
 }
 
 void NodeSystem::find_places() {
@@ -172,14 +203,14 @@ void NodeSystem::factor_on_motions(const std::vector<Mat3>& D, double mass_facto
       matrix.block(free_, place, held, 6) += on_motions.transpose() * (D[i] * left.J);
     }
   }
-  factor_dense(matrix, is_symmetric);
+  is_regular_ = factors_->factor_dense(matrix, is_symmetric);
 }
 
 VecX NodeSystem::solve(const VecX& c) const {
   if (places_.empty()) {
     VecX bordered = VecX::Zero(size_);
     bordered.head(c.size()) = scales_.cwiseProduct(c);
-    return scales_.cwiseProduct(solve_factored(bordered).head(c.size()));
+    return scales_.cwiseProduct(factors_->solve(bordered).head(c.size()));
   }
   const auto for_each_node = [&](auto on_free, auto on_held) {
     for (std::size_t k = 0; k < rows_.node_count(); ++k)
@@ -190,26 +221,11 @@ VecX NodeSystem::solve(const VecX& c) const {
   for_each_node([&](Index row, Index place) { reduced.segment<6>(place) = c.segment<6>(row); },
                 [&](Index row, Index place) { held.segment<6>(place) = c.segment<6>(row); });
   reduced.tail(size_ - free_) = rows_.held_motions.transpose() * held;
-  const VecX y = solve_factored(reduced);
+  const VecX y = factors_->solve(reduced);
   held = rows_.held_motions * y.tail(size_ - free_);
   for_each_node([&](Index row, Index place) { x.segment<6>(row) = y.segment<6>(place); },
                 [&](Index row, Index place) { x.segment<6>(row) = held.segment<6>(place); });
   return x;
-}
-
-VecX NodeSystem::solve_factored(const VecX& c) const {
-  if (c.size() == 0) return c;
-  switch (form_) {
-    case Form::dense_cholesky:
-      return dense_cholesky_.solve(c);
-    case Form::dense_lu:
-      return dense_lu_.solve(c);
-    case Form::cholesky:
-      return cholesky_->solve(c);
-    case Form::lu:
-      break;
-  }
-  return lu_->solve(c);
 }
 
 }  // namespace rigor

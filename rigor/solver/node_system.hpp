@@ -2,9 +2,6 @@
 
 #include "rigor/solver/contact_rows.hpp"
 
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseLU>
-
 #include <memory>
 #include <vector>
 
@@ -25,17 +22,16 @@ class NodeSystem {
   /// One 3 × 3 matrix D a contact. Symmetric: all D are, and are positive semidefinite. Holds a reference to
   /// the rows.
   NodeSystem(const ContactRows& rows, const std::vector<Mat3>& D, double mass_factor, bool is_symmetric);
+  NodeSystem(NodeSystem&& other) noexcept;
+  ~NodeSystem();
 
   bool is_regular() const { return is_regular_; }
   VecX solve(const VecX& c) const;
 
  private:
-  using Sparse = Eigen::SparseMatrix<double>;
-  void factor_dense(const MatX& matrix, bool is_symmetric);
-  void factor_sparse(const Sparse& matrix, bool is_symmetric);
+  struct Factors;  ///< Of the matrix: kept apart, for Eigen's sparse templates take long to compile.
   void factor_on_motions(const std::vector<Mat3>& D, double mass_factor, bool is_symmetric);
   void find_places();
-  VecX solve_factored(const VecX& c) const;
 
   const ContactRows& rows_;
   VecX scales_;  ///< Of the nodes' unknowns.
@@ -45,11 +41,7 @@ class NodeSystem {
   std::vector<bool> is_held_;
   Eigen::Index free_ = 0;  ///< Unknowns of nodes that are not held; those of the base follow.
   Eigen::Index size_ = 0;  ///< Unknowns, with the rows of joints if they border the matrix.
-  Eigen::LLT<MatX> dense_cholesky_;
-  Eigen::PartialPivLU<MatX> dense_lu_;
-  std::unique_ptr<Eigen::SimplicialLLT<Sparse>> cholesky_;
-  std::unique_ptr<Eigen::SparseLU<Sparse>> lu_;
-  enum class Form { dense_cholesky, dense_lu, cholesky, lu } form_ = Form::dense_cholesky;
+  std::unique_ptr<Factors> factors_;
 };
 
 }  // namespace rigor
