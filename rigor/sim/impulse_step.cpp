@@ -5,8 +5,11 @@
 #include "rigor/dynamics/free_flight.hpp"
 #include "rigor/math/rotation.hpp"
 
+#include <Eigen/QR>
+
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <utility>
 
 namespace rigor {
@@ -15,6 +18,50 @@ namespace {
 
 Eigen::Index normal_row(std::size_t contact) {
   return 3 * static_cast<Eigen::Index>(contact) + 2;
+}
+
+/// Replaces the accelerations at several contacts of one pair of bodies by the nearest that a rigid motion
+/// can have. The rest is of second order, and contacts that hold could not all obey it.
+void make_rigid(const ContactSystem& system, const std::vector<std::size_t>& contacts, VecX& accelerations) {
+  constexpr double dependent = 1e-9;
+  Vec3 centre = Vec3::Zero();
+  for (const std::size_t i : contacts)
+    centre += system.contacts[i].p_W() / static_cast<double>(contacts.size());
+  double radius = 0;
+  for (const std::size_t i : contacts) radius = std::max(radius, (system.contacts[i].p_W() - centre).norm());
+  if (!(radius > 0)) radius = 1;
+  MatX motions(3 * static_cast<Eigen::Index>(contacts.size()), 6);
+  VecX wanted(motions.rows());
+  for (Eigen::Index k = 0; 3 * k < wanted.size(); ++k) {
+    const std::size_t i = contacts[static_cast<std::size_t>(k)];
+    motions.block<3, 3>(3 * k, 0).setIdentity();
+    motions.block<3, 3>(3 * k, 3) = -skew((system.contacts[i].p_W() - centre) / radius);
+    wanted.segment<3>(3 * k) = system.frames[i] * accelerations.segment<3>(normal_row(i) - 2);
+  }
+  Eigen::CompleteOrthogonalDecomposition<MatX> decomposition;
+  decomposition.setThreshold(dependent);
+  const VecX rigid = motions * decomposition.compute(motions).solve(wanted);
+  for (Eigen::Index k = 0; 3 * k < wanted.size(); ++k) {
+    const std::size_t i = contacts[static_cast<std::size_t>(k)];
+    accelerations.segment<3>(normal_row(i) - 2) = system.frames[i].transpose() * rigid.segment<3>(3 * k);
+  }
+}
+
+/// J̇ V of all contacts (3n), of one pair of bodies as of a rigid motion.
+VecX turning_biases(const ContactSystem& system) {
+  VecX biases(3 * static_cast<Eigen::Index>(system.contacts.size()));
+  std::map<std::pair<int, int>, std::vector<std::size_t>> pairs;
+  for (std::size_t i = 0; i < system.contacts.size(); ++i) {
+    const Contact& contact = system.contacts[i];
+    biases.segment<3>(normal_row(i) - 2) =
+        contact.stop ? system.rows[i].bias
+                     : acceleration_bias(contact, system.of(contact.body_A), system.of(contact.body_B));
+    if (!contact.stop) pairs[{contact.body_A, contact.body_B}].push_back(i);
+  }
+  for (const auto& [pair, contacts] : pairs) {
+    if (contacts.size() > 1) make_rigid(system, contacts, biases);
+  }
+  return biases;
 }
 
 std::size_t place_of(const std::vector<int>& ascending, int body) {
@@ -49,11 +96,11 @@ void ImpulseStep::note(const StepImpulses& solution, AdvanceReport& report) cons
 }
 
 void ImpulseStep::strike(double h, Cluster& part, AdvanceReport& report) const {
-  constexpr int most_passes = 8;
+  constexpr int most_passes = 50;
   for (int pass = 0; pass < most_passes && !part.contacts.empty(); ++pass) {
     const ContactSystem system = resolver_.system_of(part, part.contacts);
     Closing closing = find_closing(h, system);
-    if (!closing.closes) return;
+    if (!closing.closes && !closing.bounces) return;
     if (closing.bounces && pass + 1 < most_passes) {
       std::swap(part.contacts, closing.contacts);
       resolver_.apply_impulses(part, report);
@@ -91,11 +138,24 @@ ImpulseStep::Closing ImpulseStep::find_closing(double h, const ContactSystem& sy
     rate += std::max(0.0, contact.point.gap) / h;
     const bool closes = h * rate < -rounding * contact_tolerance_;
     closing.closes |= closes;
-    closing.bounces |=
-        closes && contact.restitution > 0 && (u_n < -resting_velocity_ || contact.restitution == 1);
-    if (closes || contact.point.gap <= contact_tolerance_) closing.contacts.push_back(contact);
+    // What closes by its weight only at the end of the step bounces now too: the step would stop it.
+    const bool meets = h * (rate + h * closing_acceleration(contact)) < -rounding * contact_tolerance_;
+    const bool bounces =
+        meets && contact.restitution > 0 && u_n < (contact.restitution == 1 ? 0 : -resting_velocity_);
+    closing.bounces |= bounces;
+    if (closes || bounces || contact.point.gap <= contact_tolerance_) closing.contacts.push_back(contact);
   }
   return closing;
+}
+
+/// Steady acceleration of B against A along the normal, where it closes the contact [m/s²].
+double ImpulseStep::closing_acceleration(const Contact& contact) const {
+  if (contact.stop) return 0;
+  const auto acceleration = [this](int body) {
+    return model_.body(body).motion == MotionType::dynamic ? environment_.steady_acceleration(body)
+                                                           : Vec3(Vec3::Zero());
+  };
+  return std::min(0.0, contact.point.n_W.dot(acceleration(contact.body_B) - acceleration(contact.body_A)));
 }
 
 /// Where the part is after h without contacts.
@@ -224,13 +284,10 @@ ContactSystem ImpulseStep::middle_system(double h, const Cluster& part, const Fr
 StepLaws ImpulseStep::step_laws(double h, const Cluster& part, const ContactSystem& system) const {
   StepLaws laws = step_laws_of(system, still_);
   VecX& b = laws.contacts.b;
+  // The rows turn until the end: the velocities there count, at which the next step begins.
+  b += 0.5 * h * turning_biases(system);
   for (std::size_t i = 0; i < system.contacts.size(); ++i) {
     const Contact& contact = system.contacts[i];
-    // The rows turn until the end: the velocities there count, at which the next step begins.
-    const Vec3 bias = contact.stop
-                          ? system.rows[i].bias
-                          : acceleration_bias(contact, system.of(contact.body_A), system.of(contact.body_B));
-    b.segment<3>(normal_row(i) - 2) += 0.5 * h * bias;
     if (contact.is_bounded_force()) {
       b[normal_row(i)] = -h * system.rows[i].load * system.rows[i].mobility;
     } else {

@@ -131,6 +131,7 @@ double TimeStepper::take_step(double h, State& state) {
     report_.bodies = {trial->end.bodies[i]};
     return trial->h;
   }
+  note_lasting(cluster_in(state), *trial);
   report_.add(trial->report);
   write(trial->end, state);
   return trial->h;
@@ -193,10 +194,9 @@ TimeStepper::Trial TimeStepper::try_with_reaches(double h, double theta, bool ta
     Trial trial{start, {}, reaches, h};
     std::vector<Contact> contacts = finder_.find(state, reaches, method_.contact_tolerance);
     note_penetration(state.t, contacts, trial.report);
+    std::vector<Contact> touching_before = touching_of(contacts);
     std::set<std::pair<int, int>> touching = met;
-    for (const Contact& contact : contacts) {
-      if (contact.point.gap <= method_.contact_tolerance) touching.insert({contact.body_A, contact.body_B});
-    }
+    for (const Contact& contact : touching_before) touching.insert({contact.body_A, contact.body_B});
     std::vector<std::pair<int, int>> far;
     for (const auto& pair : finder_.near_pairs(state, reaches)) {
       if (!touching.contains(pair) && moves_far(pair.first, pair.second, reaches)) far.push_back(pair);
@@ -214,7 +214,8 @@ TimeStepper::Trial TimeStepper::try_with_reaches(double h, double theta, bool ta
     }
     const double until = far.empty() || is_last ? h : first_meeting(h, struck, trial, far);
     if (until == h) {
-      trial.misjudgement = correct_overlaps(state, trial.end, trial.report);
+      trial.touching_before = std::move(touching_before);
+      correct_overlaps(state, trial);
       return trial;
     }
     // What meets at once is held by its rows.
@@ -375,10 +376,11 @@ void TimeStepper::hold_joints(Cluster& part, AdvanceReport& report) const {
 
 /// Bodies that overlap are put back to touching by the smallest displacements; momenta stay, and so does the
 /// moment of momentum about the origin.
-double TimeStepper::correct_overlaps(const State& state, Cluster& end, AdvanceReport& report) {
+void TimeStepper::correct_overlaps(const State& state, Trial& trial) {
   constexpr int most_passes = 8;
   std::vector<double> reaches(index(model_->body_count()), 0.0);
-  double largest = 0, misjudgement = 0;
+  double largest = 0;
+  Cluster& end = trial.end;
   State moved = state;
   for (int pass = 0; pass < most_passes; ++pass) {
     write(end, moved);
@@ -386,8 +388,9 @@ double TimeStepper::correct_overlaps(const State& state, Cluster& end, AdvanceRe
     double deepest = 0;
     for (const Contact& contact : contacts) {
       deepest = std::max(deepest, -contact.point.gap);
-      if (pass == 0) misjudgement = std::max(misjudgement, misjudgement_of(contact));
+      if (pass == 0) trial.misjudgement = std::max(trial.misjudgement, misjudgement_of(contact));
     }
+    trial.touching_after = touching_of(contacts);
     largest = std::max(largest, deepest);
     if (deepest <= 0.2 * method_.contact_tolerance) break;
     // What is near may be in the way.
@@ -400,11 +403,53 @@ double TimeStepper::correct_overlaps(const State& state, Cluster& end, AdvanceRe
       const ContactSystem system = integrator_.system_of(part.t, part.bodies, part.phases, part.contacts);
       const std::vector<double> lowest(part.contacts.size(), 0.0);
       apply_displacement(separating_impulses(system, lowest), system, part.bodies, part.phases);
-      hold_joints(part, report);
+      hold_joints(part, trial.report);
       for (std::size_t i = 0; i < part.bodies.size(); ++i) end.phase_of(part.bodies[i]) = part.phases[i];
     }
   }
-  return misjudgement;
+}
+
+std::vector<Contact> TimeStepper::touching_of(const std::vector<Contact>& contacts) const {
+  std::vector<Contact> touching;
+  std::copy_if(contacts.begin(), contacts.end(), std::back_inserter(touching),
+               [this](const Contact& contact) { return contact.point.gap <= method_.contact_tolerance; });
+  return touching;
+}
+
+/// Pairs that touch and neither close nor part faster than `resting_velocity` anywhere.
+std::set<std::pair<int, int>> TimeStepper::lasting_pairs(const Cluster& cluster,
+                                                         const std::vector<Contact>& touching) const {
+  std::set<std::pair<int, int>> lasting, moving;
+  const auto kinetics = [&](int body) {
+    return model_->body(body).motion == MotionType::dynamic
+               ? dynamic_kinetics(model_->body(body), cluster.phase_of(body))
+               : prescribed_kinetics(model_->body(body), cluster.t);
+  };
+  for (const Contact& contact : touching) {
+    const Vec3 u = kinetics(contact.body_B).velocity_at(contact.p_W()) -
+                   kinetics(contact.body_A).velocity_at(contact.p_W());
+    const bool is_slow = std::abs(contact.point.n_W.dot(u)) <= method_.resting_velocity;
+    (is_slow ? lasting : moving).insert({contact.body_A, contact.body_B});
+  }
+  for (const auto& pair : moving) lasting.erase(pair);
+  return lasting;
+}
+
+/// Pairs whose contact begins to last in the step come to rest on each other; pairs whose contact lasted
+/// before and does not any more separate. Both are known to the step only, at its end.
+void TimeStepper::note_lasting(const Cluster& start, Trial& trial) const {
+  const std::set<std::pair<int, int>> before = lasting_pairs(start, trial.touching_before),
+                                      after = lasting_pairs(trial.end, trial.touching_after);
+  for (const auto& pair : after) {
+    if (before.contains(pair)) continue;
+    ++trial.report.resting;
+    trial.report.events.push_back({MotionEvent::Kind::rest, trial.end.t, pair.first, pair.second});
+  }
+  for (const auto& pair : before) {
+    if (after.contains(pair)) continue;
+    ++trial.report.separations;
+    trial.report.events.push_back({MotionEvent::Kind::separation, trial.end.t, pair.first, pair.second});
+  }
 }
 
 /// Overlap at the end of a step, as a share of what can be put right without a doubt about the side from

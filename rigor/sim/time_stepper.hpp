@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <memory>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -35,6 +36,7 @@ class TimeStepper : public Stepper {
     double h = 0;                 ///< Shorter than asked for where bodies that move far meet [s].
     double gain = 0;              ///< Of energy, beyond work and rounding [J].
     double misjudgement = 0;      ///< Of the overlap at its end: beyond 1 the step was too long.
+    std::vector<Contact> touching_before = {}, touching_after = {};  ///< Within the contact tolerance.
   };
   Cluster cluster_in(const State& state) const;
   double take_step(double h, State& state);
@@ -53,7 +55,11 @@ class TimeStepper : public Stepper {
                        const std::vector<std::pair<int, int>>& pairs) const;
   void hold_joints(Cluster& part, AdvanceReport& report) const;
   void admit_velocities(State& state);
-  double correct_overlaps(const State& state, Cluster& end, AdvanceReport& report);
+  void correct_overlaps(const State& state, Trial& trial);
+  std::vector<Contact> touching_of(const std::vector<Contact>& contacts) const;
+  std::set<std::pair<int, int>> lasting_pairs(const Cluster& cluster,
+                                              const std::vector<Contact>& touching) const;
+  void note_lasting(const Cluster& start, Trial& trial) const;
   double misjudgement_of(const Contact& contact) const;
   void write(const Cluster& cluster, State& state) const;
 

@@ -23,17 +23,48 @@ class Polisher {
     CoulombSolution best =
         make_solution(problem_, clamp_to_cones(problem_, guess.lambda), guess.modes.modes, tolerance_);
     std::set<std::vector<ContactMode>> visited;
+    std::size_t loosened = 0;
     for (int move = 0; move < kMaxMoves && visited.insert(guess.modes.modes).second; ++move) {
       const CoulombSolution candidate = solve_modes(guess);
       if (candidate.residual < best.residual) best = candidate;
       if (best.residual <= kZero) break;
-      move_contacts(problem_, problem_.A.diagonal(), problem_.A * guess.lambda + problem_.b,
-                    kZero * largest_term(problem_, guess.lambda), guess);
+      const std::vector<ContactMode> before = guess.modes.modes;
+      const VecX w = problem_.A * guess.lambda + problem_.b;
+      const double zero = kZero * largest_term(problem_, guess.lambda);
+      move_contacts(problem_, problem_.A.diagonal(), w, zero, guess);
+      if (guess.modes.modes == before && loosened < problem_.mu.size() && loosen(w, zero, guess)) {
+        ++loosened;
+        --move;
+      }
     }
     return best.converged ? with_least_norm(best) : best;
   }
 
  private:
+  /// Redundant contacts whose equations contradict each other by a little cannot all hold: the one that
+  /// misses its equation most lets go. False if all equations hold.
+  bool loosen(const VecX& w, double zero, CoulombGuess& guess) const {
+    std::vector<ContactMode>& modes = guess.modes.modes;
+    double opening = zero, slipping = zero;
+    std::size_t opens = modes.size(), slips = modes.size();
+    for (std::size_t k = 0; k < modes.size(); ++k) {
+      if (modes[k] == ContactMode::open) continue;
+      const Vec3 motion = w.segment<3>(3 * static_cast<Index>(k));
+      const double slip = modes[k] == ContactMode::stick ? motion.head<2>().norm() : 0;
+      if (motion.z() > opening) opening = motion.z(), opens = k;
+      if (slip > slipping) slipping = slip, slips = k;
+    }
+    if (opens < modes.size() && opening >= slipping) {
+      modes[opens] = ContactMode::open;
+    } else if (slips < modes.size()) {
+      modes[slips] = ContactMode::slide;
+      guess.modes.slips[slips] = w.segment<2>(3 * static_cast<Index>(slips)) / slipping;
+    } else {
+      return false;
+    }
+    return true;
+  }
+
   bool has_turning_slips(const CoulombGuess& guess) const {
     for (std::size_t k = 0; k < problem_.mu.size(); ++k)
       if (guess.modes.modes[k] == ContactMode::slide && problem_.rows[k] == FrictionRow::cone &&

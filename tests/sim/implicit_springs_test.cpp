@@ -19,8 +19,10 @@ Method stepping() {
   return method;
 }
 
-BodyDescription block(const std::string& name, double z, const Vec3& v = Vec3::Zero()) {
-  BodyDescription body = test::stepping_body(name, Box{Vec3(0.2, 0.2, 0.1)}, Vec3(0, 0, z));
+const Shape kBlock = Box{Vec3(0.2, 0.2, 0.1)};
+
+BodyDescription block(const char* name, double z, const Vec3& v = Vec3::Zero()) {
+  BodyDescription body = test::stepping_body(name, kBlock, Vec3(0, 0, z));
   body.velocity = v;
   return body;
 }

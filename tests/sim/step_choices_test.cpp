@@ -203,5 +203,50 @@ TEST(StepChoices, ProjectedGaussSeidelTellsWhatItHasNotSolved) {
   EXPECT_EQ(report.max_iterations, 1);
 }
 
+TEST(StepChoices, ElasticBallsKeepTheirEnergyWhereverTheirStepsFall) {
+  // One ball in a hundred is so near the floor that only its weight brings it there within the step.
+  ModelBuilder builder = test::stepping_builder(1, 0, Vec3(0, 0, -g));
+  const int count = 200;
+  for (int i = 0; i < count; ++i) {
+    BodyDescription body = ball(0, 0);
+    body.name += std::to_string(i);
+    body.p_WL = Vec3(i, 0, 1 + 0.001 * i);
+    builder.add_body(body);
+  }
+  const std::shared_ptr<const Model> model = builder.build();
+  const State state = run(model, stepping(), 0.01, 1.2);
+  for (int i = 0; i < count; ++i) {
+    const double height = state.position(1 + i).z(), speed = state.linear_momentum(1 + i).norm();
+    EXPECT_NEAR(0.5 * speed * speed + g * height, g * (1 + 0.001 * i), 1e-11) << i;
+  }
+}
+
+TEST(StepChoices, ReportTellsContactsThatEndAndBeginToLast) {
+  // A ball rolls off a table, faster than it could roll over the edge (v² > g R), and lands on the floor.
+  const double height = 0.5, way = 0.2, v = 1, h = 0.01;
+  ModelBuilder builder = test::stepping_builder(0, 0.5, Vec3(0, 0, -g));
+  BodyDescription table = test::stepping_body("table", Box{Vec3(0.5, 0.5, 0.25)}, Vec3(-0.5, 0, 0.25));
+  table.motion = MotionType::fixed;
+  table.mass.reset();
+  builder.add_body(table);
+  BodyDescription rolling = ball(v, 0);
+  rolling.p_WL = Vec3(-way, 0, height + radius);
+  builder.add_body(rolling);
+  const std::shared_ptr<const Model> model = builder.build();
+  State state = make_initial_state(*model);
+  const AdvanceReport report = TimeStepper(model, stepping(), h).advance(state, 1);
+  EXPECT_EQ(report.separations, 1);
+  EXPECT_EQ(report.resting, 1);
+  std::vector<MotionEvent> events = report.events;
+  std::erase_if(events, [](const MotionEvent& event) { return event.kind == MotionEvent::Kind::impact; });
+  ASSERT_EQ(events.size(), 2u);
+  EXPECT_EQ(events[0].kind, MotionEvent::Kind::separation);
+  EXPECT_EQ(std::pair(events[0].body_A, events[0].body_B), std::pair(1, 2));
+  EXPECT_NEAR(events[0].time, way / v, 2 * h);
+  EXPECT_EQ(events[1].kind, MotionEvent::Kind::rest);
+  EXPECT_EQ(std::pair(events[1].body_A, events[1].body_B), std::pair(0, 2));
+  EXPECT_NEAR(events[1].time, way / v + std::sqrt(2 * height / g), 2 * h);
+}
+
 }  // namespace
 }  // namespace rigor
