@@ -46,7 +46,8 @@ BulkJoints::BulkJoints(const Model& model, LaneTarget target) : blocks_(std::mak
     if (model.joint(joint).type == JointType::gear) {
       gears.push_back(joint);
     } else {
-      blocks_->closing.push_back(make_joint_block(single_joint_tree(model, joint)));
+      blocks_->closing.push_back(make_joint_block(
+          single_joint_tree(model, joint, forest.has_coordinates[static_cast<std::size_t>(joint)])));
     }
   }
   std::vector<Block*> all;

@@ -18,15 +18,24 @@ bool acts(const JointAxis& axis) {
   return axis.is_limited() || axis.motor || axis.stiffness > 0 || axis.damping > 0 || axis.friction > 0;
 }
 
-bool has_coordinate_rows(const Model& model, int index) {
-  const Joint& joint = model.joint(index);
-  // What keeps its distance has no coordinate for a spring to act on.
-  if (joint.type == JointType::distance) return !joint.axes.empty() && joint.axes[0].is_limited();
-  const auto turns = [&](const Joint& gear) {
-    return gear.type == JointType::gear && (gear.first_joint == index || gear.second_joint == index);
-  };
-  return std::any_of(joint.axes.begin(), joint.axes.end(), acts) ||
-         std::any_of(model.joints().begin(), model.joints().end(), turns);
+/// What keeps its distance has no coordinate for a spring to act on.
+bool keeps_distance(const Joint& joint) {
+  return joint.type == JointType::distance && (joint.axes.empty() || !joint.axes[0].is_limited());
+}
+
+/// Of each joint, whether its coordinates count.
+std::vector<bool> coordinate_users(const Model& model) {
+  std::vector<bool> users;
+  for (const Joint& joint : model.joints()) {
+    users.push_back(!keeps_distance(joint) && std::any_of(joint.axes.begin(), joint.axes.end(), acts));
+  }
+  for (const Joint& joint : model.joints()) {
+    if (joint.type != JointType::gear) continue;
+    for (const int wheel : {joint.first_joint, joint.second_joint}) {
+      if (!keeps_distance(model.joint(wheel))) users[static_cast<std::size_t>(wheel)] = true;
+    }
+  }
+  return users;
 }
 
 /// Sets of bodies that are held together.
@@ -132,7 +141,7 @@ std::vector<Tree> find_trees(const Model& model, const Branches& branches) {
 }
 
 /// What of a tree must be alike to share lanes.
-std::vector<int> signature(const Model& model, const Tree& tree) {
+std::vector<int> signature(const Model& model, const std::vector<bool>& has_coordinates, const Tree& tree) {
   std::vector<int> signs;
   for (std::size_t i = 0; i < tree.bodies.size(); ++i) {
     signs.push_back(tree.parents[i]);
@@ -143,12 +152,12 @@ std::vector<int> signature(const Model& model, const Tree& tree) {
     const Joint& joint = model.joint(tree.joints[i]);
     signs.push_back(static_cast<int>(joint.type));
     signs.push_back(joint.body_B == tree.bodies[i] ? 1 : 0);
-    signs.push_back(has_coordinate_rows(model, tree.joints[i]) ? 1 : 0);
+    signs.push_back(has_coordinates[static_cast<std::size_t>(tree.joints[i])] ? 1 : 0);
   }
   return signs;
 }
 
-JointTrees begin_trees(const Model& model, const Tree& tree) {
+JointTrees begin_trees(const Model& model, const std::vector<bool>& has_coordinates, const Tree& tree) {
   JointTrees trees;
   std::array<int, 8> none;
   none.fill(-1);
@@ -161,7 +170,7 @@ JointTrees begin_trees(const Model& model, const Tree& tree) {
       const Joint& joint = model.joint(tree.joints[i]);
       link.type = joint.type;
       link.child_is_B = joint.body_B == tree.bodies[i];
-      link.has_laws = has_coordinate_rows(model, tree.joints[i]);
+      link.has_laws = has_coordinates[static_cast<std::size_t>(tree.joints[i])];
       link.parent_is_free = tree.parents[i] >= 0;
       link.parent = tree.parents[i];
       if (!link.parent_is_free) {
@@ -191,22 +200,23 @@ JointForest make_joint_forest(const Model& model) {
   const Branches branches = choose_branches(model);
   JointForest forest;
   forest.closing = branches.closing;
-  /// Where the next tree of a signature goes: which trees, which lane.
+  forest.has_coordinates = coordinate_users(model);
+  // Where the next tree of a signature goes: which trees, which lane.
   std::map<std::vector<int>, std::pair<std::size_t, std::size_t>> places;
   for (const Tree& tree : find_trees(model, branches)) {
-    const auto [place, is_new] = places.try_emplace(signature(model, tree), 0, 8);
+    const auto [place, is_new] = places.try_emplace(signature(model, forest.has_coordinates, tree), 0, 8);
     auto& [block, lane] = place->second;
     if (lane == 8) {
       block = forest.trees.size();
       lane = 0;
-      forest.trees.push_back(begin_trees(model, tree));
+      forest.trees.push_back(begin_trees(model, forest.has_coordinates, tree));
     }
     add_lane(model, tree, lane++, forest.trees[block]);
   }
   return forest;
 }
 
-JointTrees single_joint_tree(const Model& model, int index) {
+JointTrees single_joint_tree(const Model& model, int index, bool has_coordinates) {
   const Joint& joint = model.joint(index);
   std::array<int, 8> none;
   none.fill(-1);
@@ -214,7 +224,7 @@ JointTrees single_joint_tree(const Model& model, int index) {
   link.joints = none;
   link.joints[0] = index;
   link.type = joint.type;
-  link.has_laws = has_coordinate_rows(model, index);
+  link.has_laws = has_coordinates;
   link.child_is_B = is_free(model, joint.body_B);
   link.parent = 1;
   const int child = link.child_is_B ? joint.body_B : joint.body_A;

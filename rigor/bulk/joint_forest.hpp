@@ -30,11 +30,12 @@ struct JointTrees {
 /// (gears among them).
 struct JointForest {
   std::vector<JointTrees> trees;
-  std::vector<int> closing;  ///< By model index, ascending.
+  std::vector<int> closing;           ///< By model index, ascending.
+  std::vector<bool> has_coordinates;  ///< Of each joint, whether something acts along its coordinates.
 };
 JointForest make_joint_forest(const Model& model);
 
 /// A joint of any type but a gear as a tree of its own, in the first lane.
-JointTrees single_joint_tree(const Model& model, int joint);
+JointTrees single_joint_tree(const Model& model, int joint, bool has_coordinates);
 
 }  // namespace rigor
