@@ -70,7 +70,7 @@ struct JointRun {
       }
       joints.solve(false, bodies, executor);
     }
-    end_bulk_step(bodies);
+    end_bulk_step(*model, bodies);
   }
   void run(double time, double H, int substeps) {
     for (int i = 0; i < std::lround(time / H); ++i) step(H, substeps);

@@ -171,9 +171,9 @@ TEST(BodyMass, SharedHullGivesTheSameMassEachTime) {
 TEST(BodyMass, ScalesByPowersOfTwoBitForBit) {
   // Lengths × 2, densities kept: mass × 8, inertia × 32.
   BodyDescription small = body_of(Cylinder{0.3, 0.7});
-  small.shapes.push_back({Box{Vec3(0.1, 0.2, 0.3)}, Vec3(1, 0.1, -0.4), rotation_exp(Vec3(0.1, 0.2, 0.3))});
+  small.shapes.emplace_back(Box{Vec3(0.1, 0.2, 0.3)}, Vec3(1, 0.1, -0.4), rotation_exp(Vec3(0.1, 0.2, 0.3)));
   BodyDescription large = body_of(Cylinder{0.6, 1.4});
-  large.shapes.push_back({Box{Vec3(0.2, 0.4, 0.6)}, Vec3(2, 0.2, -0.8), small.shapes[1].q_LS});
+  large.shapes.emplace_back(Box{Vec3(0.2, 0.4, 0.6)}, Vec3(2, 0.2, -0.8), small.shapes[1].q_LS);
   const Body a = model_of(small)->body(0), b = model_of(large)->body(0);
   EXPECT_EQ(b.mass, 8 * a.mass);
   EXPECT_EQ(b.moments, 32 * a.moments);
