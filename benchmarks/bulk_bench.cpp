@@ -18,7 +18,7 @@ using namespace rigor::bench;
 struct BenchOptions {
   std::vector<std::string> scenes;
   BulkRunOptions run;
-  int substeps = 4;
+  int substeps = 0;  ///< 0: the default.
   std::vector<int> threads = {1, 2};
   bool has_exact = false;  ///< Our exact solver too.
   bool has_peers = true;
@@ -85,8 +85,8 @@ void print_counts(const std::vector<BulkRow>& rows) {
 }
 
 void print_table(const BenchOptions& options) {
-  fmt::print("{} steps of 1/60 s, {} substeps, no sleeping; times are means from step {} on\n",
-             options.run.steps, options.substeps, options.run.first_timed);
+  fmt::print("{} steps of 1/60 s, no sleeping; times are means from step {} on\n", options.run.steps,
+             options.run.first_timed);
   print_head();
   const std::vector<BulkContender> contenders = contenders_of(options);
   for (const std::string& scene : options.scenes) {
@@ -108,7 +108,8 @@ int main(int argc, char** argv) {
   app.add_option("scenes", options.scenes, "scenes of the table; all if none is named")
       ->check(CLI::IsMember(bulk_scene_names()));
   app.add_option("--steps", options.run.steps, "steps of 1/60 s")->check(CLI::Range(2, 1000000));
-  app.add_option("--substeps", options.substeps, "substeps of a step")->check(CLI::Range(1, 1000));
+  app.add_option("--substeps", options.substeps, "substeps of a step, instead of the default")
+      ->check(CLI::Range(1, 1000));
   app.add_option("--threads", options.threads, "numbers of threads of ours")->check(CLI::Range(1, 64));
   app.add_option("--sample", options.run.sample_interval, "steps between two looks at the quality")
       ->check(CLI::Range(1, 1000000));

@@ -32,7 +32,7 @@ class BulkEngine {
 
 struct BulkEngineOptions {
   int threads = 1;
-  int substeps = 4;  ///< Of a step; of the many-body path only.
+  int substeps = 0;  ///< Of a step of the many-body path; 0: as many as it takes by default.
 };
 
 #ifdef RIGOR_BENCH_BULK_WORLD

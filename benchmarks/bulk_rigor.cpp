@@ -34,7 +34,10 @@ class BulkWorldEngine : public BulkEngine {
 
 std::unique_ptr<BulkEngine> make_bulk_world_engine(std::shared_ptr<const Model> model,
                                                    const BulkEngineOptions& options) {
-  return std::make_unique<BulkWorldEngine>(std::move(model), BulkSettings{options.substeps, options.threads});
+  BulkSettings settings;
+  settings.threads = options.threads;
+  if (options.substeps > 0) settings.substeps = options.substeps;
+  return std::make_unique<BulkWorldEngine>(std::move(model), settings);
 }
 
 }  // namespace rigor::bench

@@ -273,12 +273,13 @@ std::shared_ptr<const Model> make_hopper(int count, Grain grain) {
   add_hopper(half_width, half_opening, 4 * half_width, builder);
   // A grain whose centre is this far from a slope, along x, does not touch it.
   const double clearance = std::sqrt(2.0) * (radius + jitter);
+  const int grains = count - 9;  // All but the floor, the slopes and the walls.
   int made = 0;
-  for (int layer = 0; made < count; ++layer) {
+  for (int layer = 0; made < grains; ++layer) {
     const double y = radius + pitch * layer;
     const double reach = std::min(half_opening + y, half_width) - clearance;
     const int n = static_cast<int>(std::floor(2 * reach / pitch)) + 1;
-    for (int cell = 0; cell < n * n; ++cell, ++made) {
+    for (int cell = 0; cell < n * n && made < grains; ++cell, ++made) {
       const double x = pitch * (cell % n - 0.5 * (n - 1)) + draws.between(-jitter, jitter);
       const double z = pitch * (cell / n - 0.5 * (n - 1)) + draws.between(-jitter, jitter);
       const bool is_ball = grain == Grain::sphere;

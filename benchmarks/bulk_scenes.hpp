@@ -16,8 +16,9 @@ std::vector<std::string> bulk_scene_names();
 std::shared_ptr<const Model> make_bulk_scene(const std::string& name);
 
 enum class Grain { sphere, hull };
-/// At least `count` grains of 0.25 m radius that fill a hopper over a floor, nearly touching: a square silo
-/// whose slopes of 45 degrees leave a third of its width open.
+/// A scene of so many bodies, > 9: grains of 0.25 m radius that fill a hopper over a floor, nearly touching;
+/// a square silo whose slopes of 45 degrees leave a third of its width open. An InputError if these are more
+/// than a Model may have.
 std::shared_ptr<const Model> make_hopper(int count, Grain grain);
 
 /// The linear congruential generator that the scenes are defined with.

@@ -3,6 +3,8 @@
 #include "bulk_runs.hpp"
 #include "bulk_scenes.hpp"
 
+#include "rigor/core/input_error.hpp"
+
 #include <fmt/format.h>
 
 #include <array>
@@ -49,6 +51,12 @@ ScaleRow measure_scale(int count, Grain grain, int steps, const BulkEngineOption
   row.model_bytes = (with_model - before) / row.bodies;
   row.world_bytes = (allocated_bytes() - with_model) / row.bodies;
   return row;
+}
+
+void print_scale_row(Grain grain, const ScaleRow& row) {
+  fmt::print("{:<8} {:>8} {:>10.2f} {:>10.3f} {:>12.0f} {:>12.0f} {:>10.3f} {:>12.3f}\n",
+             grain == Grain::sphere ? "spheres" : "hulls", row.bodies, row.build, row.start, row.model_bytes,
+             row.world_bytes, row.ms, 1e3 * row.ms / row.bodies);
 }
 
 }  // namespace
@@ -99,10 +107,11 @@ void print_scale(int substeps, int most_grains) {
     for (const int count : {1000, 10000, 100000, 1000000}) {
       if (count > most_grains || (count == 1000000 && grain == Grain::hull)) continue;
       const int steps = count == 1000000 ? 5 : 50;
-      const ScaleRow row = measure_scale(count, grain, steps, {1, substeps});
-      fmt::print("{:<8} {:>8} {:>10.2f} {:>10.3f} {:>12.0f} {:>12.0f} {:>10.3f} {:>12.3f}\n",
-                 grain == Grain::sphere ? "spheres" : "hulls", row.bodies, row.build, row.start,
-                 row.model_bytes, row.world_bytes, row.ms, 1e3 * row.ms / row.bodies);
+      try {
+        print_scale_row(grain, measure_scale(count, grain, steps, {1, substeps}));
+      } catch (const InputError& error) {
+        fmt::print("{} bodies: {}\n", count, error.what());
+      }
       std::fflush(stdout);
     }
   }
