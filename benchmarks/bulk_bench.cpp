@@ -31,7 +31,6 @@ std::vector<BulkContender> contenders_of(const BenchOptions& options) {
 #ifdef RIGOR_BENCH_BULLET
   if (options.has_peers) contenders.push_back({"Bullet", make_bullet_engine});
 #endif
-#ifdef RIGOR_BENCH_BULK_WORLD
   for (const int threads : options.threads) {
     const BulkEngineOptions with = {threads, options.substeps};
     contenders.push_back({fmt::format("Rigor, {} thread{}", threads, threads == 1 ? "" : "s"),
@@ -39,7 +38,6 @@ std::vector<BulkContender> contenders_of(const BenchOptions& options) {
                             return make_bulk_world_engine(std::move(model), with);
                           }});
   }
-#endif
   if (options.has_exact) contenders.push_back({"Rigor, exact", make_time_stepping_engine});
   return contenders;
 }
@@ -122,7 +120,6 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   if (options.scenes.empty()) options.scenes = bulk_scene_names();
   options.run.first_timed = std::min(options.run.first_timed, options.run.steps / 2);
-#ifdef RIGOR_BENCH_BULK_WORLD
   if (options.soak_seconds > 0) {
     bool is_sound = true;
     for (const std::string& scene : options.scenes) {
@@ -134,7 +131,6 @@ int main(int argc, char** argv) {
     print_scale(options.substeps, options.scale);
     return 0;
   }
-#endif
   print_table(options);
   return 0;
 }

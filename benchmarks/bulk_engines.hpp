@@ -35,11 +35,9 @@ struct BulkEngineOptions {
   int substeps = 0;  ///< Of a step of the many-body path; 0: as many as it takes by default.
 };
 
-#ifdef RIGOR_BENCH_BULK_WORLD
 /// The many-body path.
 std::unique_ptr<BulkEngine> make_bulk_world_engine(std::shared_ptr<const Model> model,
                                                    const BulkEngineOptions& options);
-#endif
 /// Time stepping with the exact solver, on one thread.
 std::unique_ptr<BulkEngine> make_time_stepping_engine(std::shared_ptr<const Model> model);
 #ifdef RIGOR_BENCH_BULLET

@@ -48,12 +48,10 @@ double allocated_bytes();
 /// Of all bits of the State.
 std::uint64_t state_hash(const State& state);
 
-#ifdef RIGOR_BENCH_BULK_WORLD
 /// Runs the scene for so long with one thread and with two; whether it stayed finite, the same bits with both
 /// and flat in memory. Prints a line.
 bool soak(const std::string& scene, double seconds, int substeps);
 /// Prints how memory and time grow with the number of grains in a hopper.
 void print_scale(int substeps, int most_grains);
-#endif
 
 }  // namespace rigor::bench

@@ -94,8 +94,6 @@ TEST(SceneErrors, OfKeysOfLaterVersions) {
            "s.yaml:3:1: key 'sweep' of the scene is not available in this version; run the scene several "
            "times with --set "
            "KEY=VALUE"},
-          {"method: {solver: substep}",
-           "s.yaml:3:18: method: solver 'substep' is not available in this version; available: exact, pgs"},
       },
       "rigor: 1\nbodies: []\n", "\n");
 }

@@ -81,8 +81,8 @@ TEST(SetMethodChoice, TellsWhatIsWrong) {
   EXPECT_EQ(set_method_choice("impact", "newtn", method), "unknown impact 'newtn'; did you mean 'newton'?");
   EXPECT_EQ(set_method_choice("distance", "lin-cany", method),
             "unknown distance 'lin-cany'; did you mean 'lin-canny'?");
-  EXPECT_EQ(set_method_choice("solver", "substep", method),
-            "solver 'substep' is not available in this version; available: exact, pgs");
+  EXPECT_EQ(set_method_choice("solver", "substeps", method),
+            "unknown solver 'substeps'; did you mean 'substep'?");
   EXPECT_EQ(set_method_choice("impct", "newton", method), "unknown choice 'impct'; did you mean 'impact'?");
   EXPECT_EQ(method, Method{});
 }
