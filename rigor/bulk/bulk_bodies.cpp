@@ -16,11 +16,6 @@ Vec3 vector_of(const float* p) {
   return Vec3(p[0], p[1], p[2]);
 }
 
-/// Whether its moments of inertia are equal: then its angular velocity stays while it turns.
-bool is_round(const Body& body) {
-  return body.moments[0] == body.moments[1] && body.moments[1] == body.moments[2];
-}
-
 /// In W [kg m²/s].
 Vec3 angular_momentum(const Body& body, const Quat& q_WB, const Vec3& w_W) {
   const Vec3 w_B = q_WB.conjugate() * w_W;
@@ -87,14 +82,8 @@ void end_bulk_step(const Model& model, BulkBodies& bodies) {
     const std::size_t k = static_cast<std::size_t>(i);
     const Body& body = model.body(i);
     if (body.motion == MotionType::fixed) continue;
-    const Quat q_begin = bodies.q[k];
     bodies.x[k] += vector_of(bodies.motion[k].dp);
-    bodies.q[k] = (rotation_exp(vector_of(bodies.motion[k].dr)) * q_begin).normalized();
-    if (body.motion != MotionType::dynamic || is_round(body)) continue;
-    // L = R I Rᵀ ω is kept while R turns: ω turns.
-    const Vec3 L = angular_momentum(body, q_begin, vector_of(bodies.motion[k].w));
-    const Vec3 L_B = bodies.q[k].conjugate() * L;
-    set_floats(bodies.q[k] * Vec3(L_B.cwiseQuotient(body.moments)), bodies.motion[k].w);
+    bodies.q[k] = (rotation_exp(vector_of(bodies.motion[k].dr)) * bodies.q[k]).normalized();
   }
 }
 

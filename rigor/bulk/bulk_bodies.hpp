@@ -47,8 +47,7 @@ void write_bulk_bodies(const Model& model, const BulkBodies& bodies, State& stat
 
 /// Begins a step: inertia in W, no displacement.
 void begin_bulk_step(const Model& model, BulkBodies& bodies);
-/// Ends it: positions and orientations are what the displacements made of them, and bodies that are not round
-/// turn on as their angular momentum wants it.
+/// Ends it: positions and orientations are what the displacements made of them.
 void end_bulk_step(const Model& model, BulkBodies& bodies);
 
 }  // namespace rigor

@@ -3,6 +3,7 @@
 #include "rigor/bulk/bulk_contacts.hpp"
 #include "rigor/bulk/bulk_joints.hpp"
 #include "rigor/bulk/float_lanes.hpp"
+#include "rigor/bulk/gyration.hpp"
 #include "rigor/bulk/narrow_phase.hpp"
 #include "rigor/bulk/pair_finder.hpp"
 #include "rigor/bulk/prescribed_bodies.hpp"
@@ -48,6 +49,7 @@ struct BulkWorld::Scratch {
   std::vector<PairManifold> manifolds;
   std::vector<float> joint_impulses;
   std::vector<MotionRow> accelerations;  ///< By forces of the environment.
+  std::vector<BodyGyration> gyrations;   ///< Of bodies that are not round.
   std::vector<MotionRow> unconstrained;  ///< Velocities of a substep before its constraints.
 };
 
@@ -120,6 +122,7 @@ void BulkWorld::compute_accelerations() {
   const std::size_t count = bodies_.x.size();
   s.accelerations.resize(count);
   s.unconstrained.resize(count);
+  s.gyrations.resize(count);
   const auto view = [&](int body) {
     const std::size_t k = static_cast<std::size_t>(body);
     const MotionRecord& m = bodies_.motion[k];
@@ -131,6 +134,10 @@ void BulkWorld::compute_accelerations() {
       MotionRow& row = s.accelerations[static_cast<std::size_t>(i)];
       row = {};
       if (!bodies_.is_dynamic(i)) continue;
+      if (!is_round(model_->body(i))) {
+        s.gyrations[static_cast<std::size_t>(i)] =
+            gyration_of(model_->body(i), bodies_.q[static_cast<std::size_t>(i)]);
+      }
       Vec3 a = s.environment.steady_acceleration(i), alpha = Vec3::Zero();
       if (s.environment.is_forced(i)) {
         Wrench wrench;
@@ -156,10 +163,14 @@ void BulkWorld::integrate_velocities(bool is_first, float h) {
       const std::size_t k = static_cast<std::size_t>(i);
       float* v = bodies_.motion[k].v;
       MotionRow& free = s.unconstrained[k];
+      std::array<float, 3> turn{};
+      if (bodies_.is_dynamic(i) && !is_round(model_->body(i))) {
+        gyroscopic_change(s.gyrations[k], bodies_.motion[k].w, h, turn.data());
+      }
       for (std::size_t j = 0; j < kLaneCount; ++j) {
         // What the constraints changed in the substep before is what they begin with in this one.
         const float change = is_first ? 0 : v[j] - free[j];
-        free[j] = v[j] + h * s.accelerations[k][j];
+        free[j] = v[j] + h * s.accelerations[k][j] + (j >= 4 && j < 7 ? turn[j - 4] : 0);
         v[j] = free[j] + change;
       }
     }
