@@ -2,6 +2,8 @@
 
 #include "rigor/math/rotation.hpp"
 
+#include <cmath>
+
 namespace rigor {
 
 BodyGyration gyration_of(const Body& body, const Quat& q_WB) {
@@ -38,7 +40,16 @@ void gyroscopic_change(const BodyGyration& body, const float* w, float h, float*
       (f[0] * c00 + f[1] * (m02 * m21 - m01 * I[2]) + f[2] * (m01 * m12 - m02 * I[1])) / determinant,
       (f[0] * c01 + f[1] * (I[0] * I[2] - m02 * m20) + f[2] * (m02 * m10 - I[0] * m12)) / determinant,
       (f[0] * c02 + f[1] * (m01 * m20 - I[0] * m21) + f[2] * (I[0] * I[1] - m01 * m10)) / determinant};
-  for (int i = 0; i < 3; ++i) change[i] = -(R[3 * i] * x[0] + R[3 * i + 1] * x[1] + R[3 * i + 2] * x[2]);
+  // One Newton step is not the solution: at several radians a step its energy may be more.
+  float before = 0, after = 0, y[3];
+  for (int j = 0; j < 3; ++j) {
+    y[j] = b[j] - x[j];
+    before += I[j] * b[j] * b[j];
+    after += I[j] * y[j] * y[j];
+  }
+  const float scale = after > before ? std::sqrt(before / after) : 1;
+  for (int j = 0; j < 3; ++j) y[j] = scale * y[j] - b[j];
+  for (int i = 0; i < 3; ++i) change[i] = R[3 * i] * y[0] + R[3 * i + 1] * y[1] + R[3 * i + 2] * y[2];
 }
 
 }  // namespace rigor

@@ -16,7 +16,7 @@ BodyGyration gyration_of(const Body& body, const Quat& q_WB);
 bool is_round(const Body& body);
 
 /// What the gyroscopic torque -ω × I ω changes of the angular velocity w [rad/s], in W, within h [s]: one
-/// Newton step of the implicit equation, which gains no energy at any speed.
+/// Newton step of the implicit equation, shortened where it would gain energy.
 ///
 /// Source: Catto, Numerical Methods, Game Developers Conference 2015.
 void gyroscopic_change(const BodyGyration& body, const float* w, float h, float* change);
