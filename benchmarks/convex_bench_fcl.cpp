@@ -33,6 +33,7 @@ struct MakeFcl {
     return std::make_shared<fcl::Convexd>(vertices, static_cast<int>(s.hull->faces.size()), faces);
   }
   Result operator()(const HalfSpace&) const { return nullptr; }
+  Result operator()(const Cavity&) const { return nullptr; }
   Result operator()(const Mesh&) const { return nullptr; }
 };
 

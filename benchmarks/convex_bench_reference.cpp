@@ -60,6 +60,7 @@ struct SupportOf {
     return best;
   }
   Vec3L operator()(const HalfSpace&) const { return Vec3L::Zero(); }
+  Vec3L operator()(const Cavity&) const { return Vec3L::Zero(); }
   Vec3L operator()(const Mesh&) const { return Vec3L::Zero(); }
 };
 
