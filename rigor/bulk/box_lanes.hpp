@@ -82,6 +82,17 @@ RIGOR_FLOAT_LANES void find_best_edges(const FloatLanes* t, const FloatLanes (*C
   }
 }
 
+/// How much better than the best face a pair of edges has to part the boxes [m]. A face gives up to four
+/// points at once, edges give one, and boxes that lie flat on each other would turn about it from step to
+/// step.
+RIGOR_FLOAT_LANES FloatLanes face_preference(const BoxLanes& a, const BoxLanes& b,
+                                             const FloatLanes& face_separation) {
+  FloatLanes thinnest = float_min(a.half[0], b.half[0]);
+  for (int k = 1; k < 3; ++k) thinnest = float_min(thinnest, float_min(a.half[k], b.half[k]));
+  const FloatLanes overlap = float_max(-face_separation, float_lanes(0));
+  return float_lanes(kFacePreferenceOfOverlap) * overlap + float_lanes(kFacePreferenceOfSize) * thinnest;
+}
+
 RIGOR_FLOAT_LANES void collide_box_lanes(const BoxPairs& pairs, BoxContacts& contacts) {
   BoxLanes a, b;
   load_boxes(pairs.a, a);
@@ -108,7 +119,8 @@ RIGOR_FLOAT_LANES void collide_box_lanes(const BoxPairs& pairs, BoxContacts& con
     for (int i = 0; i < kLaneCount; ++i) contacts.outcome[i] = BoxContacts::apart;
     return;
   }
-  FloatLanes separation = face_separation + rounding;
+  const FloatLanes preference = rounding + face_preference(a, b, face_separation);
+  FloatLanes separation = face_separation + preference;
   IntLanes edge_code;
   find_best_edges(t_A, C, a.half, b.half, separation, edge_code);
   const IntLanes is_edge = edge_code >= int_lanes(0);
@@ -117,21 +129,27 @@ RIGOR_FLOAT_LANES void collide_box_lanes(const BoxPairs& pairs, BoxContacts& con
 
   BoxFace face;
   face.slack = float_lanes(4) * rounding;
+  face.preference = preference;
   face.separation = face_separation;
   choose_face(a.half, b.half, C, face_A.axis, face_B.axis, is_B, face);
   place_face(t_A, t_B, is_B, face);
   orient_face(a.axis, b.axis, a.p, p_B, is_B, face);
   clip_boxes(face, margin, contacts);
 
+  // Bodies that come together fast may turn about the one point of their edges onto a face within the step.
+  const IntLanes soon_flat = is_edge & (separation < face_separation + margin) & face.is_near;
   IntLanes outcome = face.is_explained ? int_lanes(BoxContacts::region) : int_lanes(BoxContacts::near_edge);
   outcome = is_edge ? int_lanes(BoxContacts::edges) : outcome;
+  outcome = soon_flat ? int_lanes(BoxContacts::edges_and_region) : outcome;
   outcome = separation > margin ? int_lanes(BoxContacts::apart) : outcome;
   store_ints(outcome, contacts.outcome);
   const IntLanes edge_A = (edge_code >= int_lanes(6))   ? int_lanes(2)
                           : (edge_code >= int_lanes(3)) ? int_lanes(1)
                                                         : int_lanes(0);
-  store_ints(is_edge ? edge_A : face.axis + (is_B ? int_lanes(3) : int_lanes(0)), contacts.face);
-  store_ints(is_edge ? edge_code - int_lanes(3) * edge_A : face.other_axis, contacts.other);
+  store_ints(edge_A, contacts.edge_A);
+  store_ints(edge_code - int_lanes(3) * edge_A, contacts.edge_B);
+  store_ints(face.axis + (is_B ? int_lanes(3) : int_lanes(0)), contacts.face);
+  store_ints(face.other_axis, contacts.other);
 }
 
 }  // namespace rigor

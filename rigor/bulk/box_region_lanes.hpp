@@ -45,6 +45,7 @@ RIGOR_FLOAT_LANES FloatLanes sign_of(const FloatLanes& x) {
 /// next axes of its box, z outwards, from the face's middle.
 struct BoxFace {
   FloatLanes slack, separation;
+  FloatLanes preference;  ///< For a face instead of edges [m].
   IntLanes axis, other_axis;
   FloatLanes sign, other_sign;   ///< -1 on the negative side of its box.
   FloatLanes hx, hy, hz;         ///< Half extents of the box of the face.
@@ -53,7 +54,8 @@ struct BoxFace {
   FloatVec3 c, u, v;             ///< The other face: middle and half sides.
   FloatVec3 middle, ex, ey, ez;  ///< The coordinates in O.
   FloatLanes to_B;               ///< 1 if the face is A's, else -1.
-  IntLanes is_explained;         ///< The least gap of the region is the separation.
+  IntLanes is_explained;         ///< The least gap of the region is the separation, but for the preference.
+  IntLanes is_near;              ///< The region has a point within the margin.
 };
 
 /// The face and its axes: cosines of the other box's axes along those of its own, in turn from the face's.
@@ -261,7 +263,8 @@ RIGOR_FLOAT_LANES void clip_boxes(BoxFace& face, const FloatLanes& margin, BoxCo
   find_region_crossings(face, corners);
   FloatLanes least = corners.z[0];
   for (int k = 1; k < BoxContacts::class_count; ++k) least = float_min(least, corners.z[k]);
-  face.is_explained = least <= face.separation + face.slack;
+  face.is_near = least <= margin;
+  face.is_explained = least <= face.separation + face.preference + face.slack;
   choose_corners(face, least, margin, corners, contacts);
   const FloatVec3 normal = face.to_B * face.ez;
   store_floats(normal.x, contacts.normal[0]);

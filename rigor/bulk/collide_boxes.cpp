@@ -105,7 +105,7 @@ bool cross_box_edges(const BoxPairs& pairs, const BoxContacts& contacts, int lan
   const PlacedShape &a = *pairs.a[lane], &b = *pairs.b[lane];
   const Vec3f bodies(pairs.d[0][lane], pairs.d[1][lane], pairs.d[2][lane]);
   const Vec3f p_B = bodies + b.position();
-  const int i = contacts.face[lane], j = contacts.other[lane];
+  const int i = contacts.edge_A[lane], j = contacts.edge_B[lane];
   const Vec3f u = axis_of(a, i), v = axis_of(b, j);
   Vec3f n = u.cross(v).normalized();
   if (n.dot(p_B - a.position()) < 0) n = -n;

@@ -20,19 +20,22 @@ struct BoxPairs {
 /// Where the eight pairs touch.
 struct BoxContacts {
   enum Outcome : std::int32_t {
-    apart,     ///< By more than the margin.
-    region,    ///< Over a face: the points are here.
-    edges,     ///< An edge pair parts the boxes best.
-    near_edge  ///< The boxes are apart and nearest at an edge or corner of both.
+    apart,             ///< By more than the margin.
+    region,            ///< Over a face: the points are here.
+    edges,             ///< An edge pair parts the boxes best.
+    edges_and_region,  ///< As edges; but in the step boxes may come to lie on a face: the points are here
+                       ///< too.
+    near_edge          ///< The boxes are apart and nearest at an edge or corner of both.
   };
   /// Corners of the region, by the classes in which they were found.
   enum Class : std::int32_t { corner_of_other = 0, corner_of_face = 4, crossing = 8, class_count = 24 };
 
   alignas(32) std::int32_t outcome[kLaneCount];
   alignas(32) float separation[kLaneCount];
-  alignas(32) float normal[3][kLaneCount];     ///< From A to B; of a region.
-  alignas(32) std::int32_t face[kLaneCount];   ///< Axis of the face; + 3 if it is B's; or of edges: of A.
-  alignas(32) std::int32_t other[kLaneCount];  ///< Axis of the other box's face; of edges: of B.
+  alignas(32) float normal[3][kLaneCount];                          ///< From A to B; of a region.
+  alignas(32) std::int32_t face[kLaneCount];                        ///< Axis of the face; + 3 if it is B's.
+  alignas(32) std::int32_t other[kLaneCount];                       ///< Axis of the other box's face.
+  alignas(32) std::int32_t edge_A[kLaneCount], edge_B[kLaneCount];  ///< Axes of the edges.
   alignas(32) std::int32_t signs[kLaneCount];  ///< Bit 0: the face is on the negative side; 1: the other.
   alignas(32) float p[4][3][kLaneCount];       ///< As in a Manifold.
   alignas(32) float gap[4][kLaneCount];
@@ -41,6 +44,9 @@ struct BoxContacts {
 
 /// Parts of separations that rounding may take, of the lengths in a pair.
 constexpr float kCollisionRounding = 1e-6f;
+/// A face is kept where edges part two cores better by less than this part of their overlap and this part of
+/// their thinnest half: it gives up to four points, edges give one.
+constexpr float kFacePreferenceOfOverlap = 0.1f, kFacePreferenceOfSize = 0.02f;
 
 /// The separating axis test of two boxes (Gottschalk, Lin and Manocha, OBBTree, SIGGRAPH 1996), and where a
 /// face parts them best, the region over it, reduced to four points as in make_manifold.

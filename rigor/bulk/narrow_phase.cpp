@@ -173,16 +173,22 @@ bool NarrowPhase::Tables::add_box_manifold(const BoxBlock& boxes, int place, int
   const int lane = place % kLaneCount;
   if (contacts.outcome[lane] == BoxContacts::apart) return true;
   if (contacts.outcome[lane] == BoxContacts::near_edge) return false;
-  manifolds.emplace_back().pair = number;
-  PairManifold& found = manifolds.back();
-  found.part = 0;
-  if (contacts.outcome[lane] == BoxContacts::region) {
-    if (!read_box_region(contacts, lane, lanes.margin[lane], found.manifold)) manifolds.pop_back();
-    return true;
+  if (contacts.outcome[lane] != BoxContacts::region) {
+    PairManifold& crossing = manifolds.emplace_back();
+    crossing.pair = number;
+    crossing.part = 0;
+    if (!cross_box_edges(lanes, contacts, lane, crossing.manifold)) {
+      manifolds.pop_back();
+      return false;
+    }
   }
-  if (cross_box_edges(lanes, contacts, lane, found.manifold)) return true;
-  manifolds.pop_back();
-  return false;
+  if (contacts.outcome[lane] != BoxContacts::edges) {
+    PairManifold& region = manifolds.emplace_back();
+    region.pair = number;
+    region.part = contacts.outcome[lane] == BoxContacts::region ? 0 : 1;
+    if (!read_box_region(contacts, lane, lanes.margin[lane], region.manifold)) manifolds.pop_back();
+  }
+  return true;
 }
 
 void NarrowPhase::Tables::find(const BulkBodies& bodies, const std::vector<ShapePair>& pairs, int begin,
