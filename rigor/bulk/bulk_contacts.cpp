@@ -39,29 +39,43 @@ BulkContacts::BulkContacts(const Model& model) : model_(&model) {
   }
 }
 
-void BulkContacts::prepare(const BulkBodies& bodies, double h, const std::vector<ShapePair>& pairs,
-                           const std::vector<PairManifold>& manifolds,
-                           const std::vector<ManifoldMemory>& memory, const Executor& executor) {
+void BulkContacts::match(const std::vector<ShapePair>& pairs, const std::vector<PairManifold>& manifolds,
+                         const std::vector<ManifoldMemory>& memory) {
   const std::size_t count = manifolds.size();
+  const std::size_t materials = model_->materials().size();
   keys_.resize(count);
-  edges_.resize(count);
-  found_.assign(count, nullptr);
+  manifolds_.resize(count);
   std::size_t next = 0;  // Both lists are in the order of keys.
   for (std::size_t i = 0; i < count; ++i) {
     const ShapePair& pair = pairs[static_cast<std::size_t>(manifolds[i].pair)];
     keys_[i] = key_of(pair, manifolds[i]);
-    edges_[i] = {bodies.is_dynamic(pair.body_A) ? pair.body_A : -1,
-                 bodies.is_dynamic(pair.body_B) ? pair.body_B : -1};
+    const std::size_t a = material_of(pair.body_A, pair.shape_A), b = material_of(pair.body_B, pair.shape_B);
+    manifolds_[i] = {&manifolds[i].manifold, &keys_[i], nullptr, &surfaces_[a * materials + b]};
     const std::array<int, 5> key = keys_[i].key();
     while (next < memory.size() && memory[next].key() < key) ++next;
-    if (next < memory.size() && memory[next].key() == key) found_[i] = &memory[next];
+    if (next < memory.size() && memory[next].key() == key) manifolds_[i].memory = &memory[next];
+  }
+}
+
+std::size_t BulkContacts::material_of(int body, int shape) const {
+  return static_cast<std::size_t>(model_->body(body).shapes[static_cast<std::size_t>(shape)].material);
+}
+
+void BulkContacts::prepare(const BulkBodies& bodies, double h, const DirectIslands& direct,
+                           const Executor& executor) {
+  swept_.clear();
+  edges_.clear();
+  for (std::size_t i = 0; i < manifolds_.size(); ++i) {
+    const int a = keys_[i].body_A, b = keys_[i].body_B;
+    if (direct.holds(a) || direct.holds(b)) continue;
+    swept_.push_back(static_cast<int>(i));
+    edges_.push_back({bodies.is_dynamic(a) ? a : -1, bodies.is_dynamic(b) ? b : -1});
   }
   colour_graph(edges_, bodies.count(), colouring_);
 
   const double frequency = std::min(contact_frequency, 0.125 / h);
   const Softness between_moving = make_softness(frequency, contact_damping, h);
   const Softness on_ground = make_softness(2 * frequency, contact_damping, h);
-  const int materials = static_cast<int>(model_->materials().size());
   blocks_.resize(colouring_.blocks.size());
   executor.for_ranges(static_cast<int>(blocks_.size()), 16, [&](int begin, int end) {
     for (int k = begin; k < end; ++k) {
@@ -71,13 +85,11 @@ void BulkContacts::prepare(const BulkBodies& bodies, double h, const std::vector
         const int edge = colouring_.blocks[static_cast<std::size_t>(k)][static_cast<std::size_t>(lane)];
         if (edge < 0) continue;
         const std::size_t e = static_cast<std::size_t>(edge);
-        const ShapePair& pair = pairs[static_cast<std::size_t>(manifolds[e].pair)];
-        const int a = model_->body(pair.body_A).shapes[static_cast<std::size_t>(pair.shape_A)].material;
-        const int b = model_->body(pair.body_B).shapes[static_cast<std::size_t>(pair.shape_B)].material;
+        const int number = swept_[e];
+        const StepManifold& found = manifolds_[static_cast<std::size_t>(number)];
         const bool both_move = edges_[e].a >= 0 && edges_[e].b >= 0;
-        fill_lane(manifolds[e].manifold, surfaces_[static_cast<std::size_t>(a * materials + b)],
-                  both_move ? between_moving : on_ground, pair.body_A, pair.body_B, edge, found_[e], bodies,
-                  lane, block);
+        fill_lane(*found.manifold, *found.surface, both_move ? between_moving : on_ground, found.key->body_A,
+                  found.key->body_B, number, found.memory, bodies, lane, block);
       }
       complete_block(target_, bodies, block);
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "rigor/bulk/bulk_bodies.hpp"
+#include "rigor/bulk/direct_islands.hpp"
 #include "rigor/bulk/executor.hpp"
 #include "rigor/bulk/graph_colouring.hpp"
 #include "rigor/bulk/manifold_blocks.hpp"
@@ -16,11 +17,14 @@ class BulkContacts {
  public:
   explicit BulkContacts(const Model& model);
 
-  /// At the begin of a step of substeps of h [s]. memory: of the contacts of the step before, in the order of
-  /// keys.
-  void prepare(const BulkBodies& bodies, double h, const std::vector<ShapePair>& pairs,
-               const std::vector<PairManifold>& manifolds, const std::vector<ManifoldMemory>& memory,
-               const Executor& executor);
+  /// At the begin of a step: which manifolds there are and what is remembered of them. memory: of the
+  /// contacts of the step before, in the order of keys. All three are held until remember().
+  void match(const std::vector<ShapePair>& pairs, const std::vector<PairManifold>& manifolds,
+             const std::vector<ManifoldMemory>& memory);
+  const std::vector<StepManifold>& manifolds() const { return manifolds_; }
+  /// Then: blocks of the manifolds, but for those of the islands that were solved directly. h [s]: of the
+  /// substeps.
+  void prepare(const BulkBodies& bodies, double h, const DirectIslands& direct, const Executor& executor);
   /// Applies the impulses that the blocks begin with; once, in the first substep.
   void warm_start(BulkBodies& bodies, const Executor& executor);
   /// One sweep over all colours. h [s]: of the substep.
@@ -30,6 +34,7 @@ class BulkContacts {
   void remember(std::vector<ManifoldMemory>& memory) const;
 
  private:
+  std::size_t material_of(int body, int shape) const;
   template <class Work>
   void for_blocks(const Executor& executor, const Work& work);
 
@@ -39,8 +44,9 @@ class BulkContacts {
   GraphColouring colouring_;
   std::vector<ManifoldBlock> blocks_;
   std::vector<ManifoldMemory> keys_;  ///< Of the manifolds of this step; their impulses are in the blocks.
-  std::vector<ConstraintEdge> edges_;
-  std::vector<const ManifoldMemory*> found_;
+  std::vector<StepManifold> manifolds_;
+  std::vector<int> swept_;             ///< Which of them are in blocks.
+  std::vector<ConstraintEdge> edges_;  ///< Of those.
   bool has_restitution_ = false;
 };
 

@@ -2,6 +2,7 @@
 
 #include "rigor/bulk/bulk_contacts.hpp"
 #include "rigor/bulk/bulk_joints.hpp"
+#include "rigor/bulk/direct_islands.hpp"
 #include "rigor/bulk/float_lanes.hpp"
 #include "rigor/bulk/gyration.hpp"
 #include "rigor/bulk/narrow_phase.hpp"
@@ -22,10 +23,6 @@ namespace {
 /// Points are found before they touch if a body that is let fall from rest comes that far in this many steps.
 constexpr double margin_steps = 2;
 
-/// Of a body along W's axes, as the velocities stand in MotionRecord: what forces change a second, or a
-/// velocity.
-using MotionRow = std::array<float, kLaneCount>;
-
 }  // namespace
 
 struct BulkWorld::Scratch {
@@ -34,6 +31,7 @@ struct BulkWorld::Scratch {
         pair_finder(model),
         narrow_phase(model),
         contacts(model),
+        direct(model),
         joints(model),
         prescribed(model),
         environment(model, PointSprings::act, false) {}
@@ -42,6 +40,7 @@ struct BulkWorld::Scratch {
   PairFinder pair_finder;
   NarrowPhase narrow_phase;
   BulkContacts contacts;
+  DirectIslands direct;
   BulkJoints joints;
   PrescribedBodies prescribed;
   Environment environment;
@@ -89,13 +88,20 @@ BulkStepReport BulkWorld::step(double h) {
   begin_bulk_step(*model_, bodies_);
   compute_accelerations();
   s.joints.prepare(bodies_, substep, s.executor);
-  s.contacts.prepare(bodies_, substep, s.pairs, s.manifolds, memory_, s.executor);
+  s.contacts.match(s.pairs, s.manifolds, memory_);
+  s.direct.solve({h, settings_.substeps, s.contacts.manifolds(),
+                  [&](int body) { return free_change(body, static_cast<float>(h)); }},
+                 bodies_);
+  report.direct_islands = s.direct.island_count();
+  s.contacts.prepare(bodies_, substep, s.direct, s.executor);
   for (int k = 0; k < settings_.substeps; ++k) take_substep(k == 0, static_cast<float>(substep));
   if (s.contacts.has_restitution()) {
     s.contacts.solve(BlockPass::restitution, static_cast<float>(substep), bodies_, s.executor);
   }
   end_bulk_step(*model_, bodies_);
+  s.direct.finish(bodies_);
   s.contacts.remember(memory_);
+  s.direct.remember(memory_);
   s.joint_impulses = s.joints.impulses();
   std::tie(report.max_joint_error, report.worst_joint) = s.joints.worst_error(bodies_);
   t_ += h;
@@ -156,21 +162,32 @@ void BulkWorld::compute_accelerations() {
   });
 }
 
+/// Of a velocity within h, by forces and by turning.
+MotionRow BulkWorld::free_change(int body, float h) const {
+  const std::size_t k = static_cast<std::size_t>(body);
+  MotionRow change = scratch_->accelerations[k];
+  for (float& part : change) part *= h;
+  if (bodies_.is_dynamic(body) && !is_round(model_->body(body))) {
+    std::array<float, 3> turn{};
+    gyroscopic_change(scratch_->gyrations[k], bodies_.motion[k].w, h, turn.data());
+    for (std::size_t j = 0; j < 3; ++j) change[4 + j] += turn[j];
+  }
+  return change;
+}
+
 void BulkWorld::integrate_velocities(bool is_first, float h) {
   Scratch& s = *scratch_;
   s.executor.for_ranges(bodies_.count(), 1024, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       const std::size_t k = static_cast<std::size_t>(i);
+      if (s.direct.holds(i)) continue;
       float* v = bodies_.motion[k].v;
       MotionRow& free = s.unconstrained[k];
-      std::array<float, 3> turn{};
-      if (bodies_.is_dynamic(i) && !is_round(model_->body(i))) {
-        gyroscopic_change(s.gyrations[k], bodies_.motion[k].w, h, turn.data());
-      }
+      const MotionRow of_forces = free_change(i, h);
       for (std::size_t j = 0; j < kLaneCount; ++j) {
         // What the constraints changed in the substep before is what they begin with in this one.
         const float change = is_first ? 0 : v[j] - free[j];
-        free[j] = v[j] + h * s.accelerations[k][j] + (j >= 4 && j < 7 ? turn[j - 4] : 0);
+        free[j] = v[j] + of_forces[j];
         v[j] = free[j] + change;
       }
     }

@@ -21,6 +21,7 @@ struct BulkStepReport {
   int pair_count = 0;      ///< Of shapes whose boxes overlap.
   int manifold_count = 0;  ///< Of those with points.
   int point_count = 0;
+  int direct_islands = 0;              ///< Islands whose contacts were solved directly.
   double max_overlap = 0;              ///< At the begin of the step [m].
   int overlap_A = -1, overlap_B = -1;  ///< Its bodies.
   double max_joint_error = 0;          ///< At the end of the step [m]: BulkJoints::worst_error.
@@ -52,6 +53,7 @@ class BulkWorld {
   struct Scratch;
   void compute_accelerations();
   void take_substep(bool is_first, float h);
+  MotionRow free_change(int body, float h) const;
   void integrate_velocities(bool is_first, float h);
   void integrate_positions(float h);
   BulkStepReport describe_contacts() const;

@@ -44,15 +44,14 @@ float dot3(const float* a, const float* b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// The impulse that the memory has of a feature.
-float remembered(const ManifoldMemory& memory, std::uint32_t feature) {
+}  // namespace
+
+float remembered_impulse(const ManifoldMemory& memory, std::uint32_t feature) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(memory.point_count); ++i) {
     if (memory.feature[i] == feature) return memory.normal_impulse[i];
   }
   return 0;
 }
-
-}  // namespace
 
 Softness make_softness(double frequency, double damping_ratio, double h) {
   const double omega = 2 * std::numbers::pi * frequency;
@@ -107,7 +106,7 @@ void fill_lane(const Manifold& manifold, const ManifoldSurface& surface, const S
     point.p2[i] = dot3(t2, arm);
     point.gap[i] = found.gap;
     point.mass[i] = 1;
-    point.impulse[i] = memory == nullptr ? 0 : remembered(*memory, found.feature);
+    point.impulse[i] = memory == nullptr ? 0 : remembered_impulse(*memory, found.feature);
   }
   if (memory != nullptr) {
     block.tangent_impulse[0][i] = dot3(t1, memory->friction_impulse_W.data());

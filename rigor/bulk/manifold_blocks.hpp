@@ -69,6 +69,9 @@ struct ManifoldSurface {
   float torsional_friction = 0, rolling_friction = 0;  ///< [m].
 };
 
+/// The normal impulse that the memory has of a feature [N s]; 0 if it has none.
+float remembered_impulse(const ManifoldMemory& memory, std::uint32_t feature);
+
 /// All lanes empty.
 void clear_block(ManifoldBlock& block);
 /// Puts a manifold into a lane. memory: where its impulses begin (nullptr: from zero).

@@ -227,10 +227,12 @@ RIGOR_FLOAT_LANES void solve_pass(float h, ManifoldBlock& block, BulkBodies& bod
     gather_displacements(block.body_B, bodies, dB);
     moved = normal_motion(f, dA, dB);
   }
-  // Friction first: that bodies do not enter each other matters more.
-  if constexpr (pass != BlockPass::restitution) solve_friction(f, block, A, B);
+  // Friction first: that bodies do not enter each other matters more. Last where its bound is that of the
+  // impulse that remains: the spring gives way before, and takes a part of the pressure with it.
+  if constexpr (pass == BlockPass::push) solve_friction(f, block, A, B);
   const NormalMotion wrench = solve_normals<pass>(h, moved, normal_motion(f, A, B), block);
   apply_wrench(block, f, wrench.u0 * f.n, wrench.u1 * f.t1 + wrench.u2 * f.t2, A, B);
+  if constexpr (pass == BlockPass::relax) solve_friction(f, block, A, B);
   scatter_velocities(block.body_A, block.moves_A, block.mA, A, bodies);
   scatter_velocities(block.body_B, block.moves_B, block.mB, B, bodies);
 }

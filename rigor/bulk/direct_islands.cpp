@@ -1,0 +1,310 @@
+#include "rigor/bulk/direct_islands.hpp"
+
+#include "rigor/solver/motion_problem.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <variant>
+
+namespace rigor {
+
+using Eigen::Index;
+
+namespace {
+
+constexpr int most_bodies = 64;
+constexpr double least_mass_ratio = 10;
+/// Slower approaches do not bounce, as in the sweeps [m/s].
+constexpr double bounce_speed = 1e-2;
+/// Of an overlap that is put back in a step.
+constexpr double put_back = 0.2;
+/// Of the length scale of the Model: overlaps that stay.
+constexpr double tolerated_overlap = 1e-5;
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+Vec3 vector_of(const float* p) {
+  return Vec3(p[0], p[1], p[2]);
+}
+
+void set_floats(const Vec3& a, float* p) {
+  for (int k = 0; k < 3; ++k) p[k] = static_cast<float>(a[k]);
+}
+
+/// Rows: two tangents and the normal.
+Mat3 contact_frame(const Vec3& n) {
+  Mat3 frame;
+  const Vec3 t1 = n.unitOrthogonal();
+  frame << t1.transpose(), n.cross(t1).transpose(), n.transpose();
+  return frame;
+}
+
+Mat6 block_diagonal(double linear, const Mat3& angular) {
+  Mat6 block = Mat6::Zero();
+  block.diagonal().head<3>().setConstant(linear);
+  block.bottomRightCorner<3, 3>() = angular;
+  return block;
+}
+
+ContactRows::Block rows_of(const Mat3& frame, const Vec3& r, double sign) {
+  ContactRows::Block J;
+  for (Index k = 0; k < 3; ++k) {
+    const Vec3 axis = sign * frame.row(k).transpose();
+    J.row(k) << axis.transpose(), r.cross(axis).transpose();
+  }
+  return J;
+}
+
+/// Velocity of a body at r from its centre.
+Vec3 velocity_at(const BulkBodies& bodies, int body, const Vec3& r) {
+  const MotionRecord& m = bodies.motion[at(body)];
+  return vector_of(m.v) + vector_of(m.w).cross(r);
+}
+
+void append(const Vec3& part, VecX& whole) {
+  whole.conservativeResize(whole.size() + 3);
+  whole.tail<3>() = part;
+}
+
+/// Of the points of a manifold over the whole step, in the frame; the friction is shared as the normal
+/// impulses are.
+std::vector<Vec3> remembered_impulses(const StepManifold& manifold, const Mat3& frame, int substeps) {
+  std::vector<Vec3> impulses(at(manifold.manifold->point_count), Vec3::Zero());
+  if (manifold.memory == nullptr) return impulses;
+  double pressed = 0;
+  for (std::size_t k = 0; k < impulses.size(); ++k) {
+    impulses[k].z() = substeps * static_cast<double>(remembered_impulse(
+                                     *manifold.memory, manifold.manifold->points[k].feature));
+    pressed += impulses[k].z();
+  }
+  if (!(pressed > 0)) return impulses;
+  const Vec3 friction = substeps * (frame * vector_of(manifold.memory->friction_impulse_W.data()));
+  for (Vec3& impulse : impulses) impulse.head<2>() = impulse.z() / pressed * friction.head<2>();
+  return impulses;
+}
+
+/// Nothing if it was not solved to 1e-9 of its terms.
+std::optional<VecX> solve_impulses(const MotionProblem& problem, const VecX& start) {
+  CoulombOptions options;
+  options.tolerance = 1e-9;
+  options.least_norm = false;
+  const std::optional<CoulombSolution> solution = solve_in_motion_space(problem, {}, options, start);
+  if (!solution || !solution->lambda.allFinite()) return std::nullopt;
+  return solution->lambda;
+}
+
+}  // namespace
+
+DirectIslands::DirectIslands(const Model& model)
+    : model_(&model), is_tied_(at(model.body_count()), false), islands_(model) {
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  for (const Body& body : model.bodies()) {
+    if (body.motion != MotionType::dynamic) continue;
+    least = std::min(least, body.mass);
+    most = std::max(most, body.mass);
+  }
+  may_be_needed_ = most >= least_mass_ratio * least;
+  for (int i = 0; i < static_cast<int>(model.joints().size()); ++i) {
+    for (const int body : model.bodies_of_joint(i)) is_tied_[at(body)] = true;
+  }
+  for (const Force& force : model.forces()) {
+    const Spring* const spring = std::get_if<Spring>(&force);
+    if (spring == nullptr) continue;
+    for (const int body : {spring->body_A, spring->body_B}) {
+      if (body != world_body) is_tied_[at(body)] = true;
+    }
+  }
+}
+
+std::vector<DirectIslands::Island> DirectIslands::find_islands(const DirectStep& step,
+                                                               const BulkBodies& bodies) {
+  std::vector<ManifoldMemory> keys;
+  for (const StepManifold& manifold : step.manifolds) keys.push_back(*manifold.key);
+  islands_.build(keys);
+  std::map<int, Island> by_lowest;
+  for (int i = 0; i < bodies.count(); ++i) {
+    if (bodies.is_dynamic(i)) by_lowest[islands_.island_of(i)].bodies.push_back(i);
+  }
+  for (int i = 0; i < static_cast<int>(keys.size()); ++i) {
+    const int body = bodies.is_dynamic(keys[at(i)].body_A) ? keys[at(i)].body_A : keys[at(i)].body_B;
+    by_lowest[islands_.island_of(body)].manifolds.push_back(i);
+  }
+  std::vector<Island> found;
+  for (auto& [lowest, island] : by_lowest) found.push_back(std::move(island));
+  return found;
+}
+
+bool DirectIslands::is_taken(const DirectStep& step, const Island& island, const BulkBodies& bodies) const {
+  if (island.manifolds.empty() || static_cast<int>(island.bodies.size()) > most_bodies) return false;
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  for (const int body : island.bodies) {
+    if (is_tied_[at(body)]) return false;
+    least = std::min(least, model_->body(body).mass);
+    most = std::max(most, model_->body(body).mass);
+  }
+  if (most < least_mass_ratio * least) return false;
+  return std::none_of(island.manifolds.begin(), island.manifolds.end(), [&](int i) {
+    const StepManifold& manifold = step.manifolds[at(i)];
+    return manifold.surface->rolling_friction > 0 || manifold.surface->torsional_friction > 0 ||
+           bounces(manifold, bodies);
+  });
+}
+
+bool DirectIslands::bounces(const StepManifold& manifold, const BulkBodies& bodies) const {
+  if (!(manifold.surface->restitution > 0)) return false;
+  const int a = manifold.key->body_A, b = manifold.key->body_B;
+  const Vec3 between = bodies.x[at(b)] - bodies.x[at(a)];
+  for (int k = 0; k < manifold.manifold->point_count; ++k) {
+    const Vec3 p = vector_of(manifold.manifold->points[at(k)].p);
+    const Vec3 u = velocity_at(bodies, b, p - between) - velocity_at(bodies, a, p);
+    if (vector_of(manifold.manifold->normal).dot(u) < -bounce_speed) return true;
+  }
+  return false;
+}
+
+void DirectIslands::solve(const DirectStep& step, BulkBodies& bodies) {
+  is_held_.clear();
+  island_count_ = 0;
+  ends_.clear();
+  impulses_.clear();
+  if (!may_be_needed_ || step.manifolds.empty()) return;
+  for (const Island& island : find_islands(step, bodies)) {
+    if (!is_taken(step, island, bodies) || !solve_island(step, island, bodies)) continue;
+    ++island_count_;
+    is_held_.resize(at(bodies.count()), false);
+    for (const int body : island.bodies) is_held_[at(body)] = true;
+  }
+}
+
+/// An island as a problem of its points, three rows each.
+struct DirectIslands::Problem {
+  MotionProblem motion;  ///< Without b.
+  VecX V;                ///< Velocities at the end of the step without contacts, six a body.
+  VecX given;            ///< Relative velocities by bodies that are not dynamic.
+  std::vector<Mat3> frames;
+  std::vector<double> gaps;  ///< [m].
+  VecX start;                ///< Impulses of the step before [N s].
+
+  void add_point(const Mat3& frame, double gap, double friction, const ContactRows::Sides& sides,
+                 const Vec3& prescribed, const Vec3& impulse) {
+    frames.push_back(frame);
+    gaps.push_back(gap);
+    motion.rows.contacts.push_back(sides);
+    motion.laws.mu.push_back(friction);
+    motion.laws.rows.push_back(FrictionRow::cone);
+    motion.laws.slips.push_back(Vec2::Zero());
+    append(prescribed, given);
+    append(impulse, start);
+  }
+  /// Relative velocities at these of the bodies, with what gaps allow: of an overlap this share is put back.
+  VecX rates(const VecX& V_bodies, double h, double share) const {
+    VecX b = contact_rates(motion.rows, V_bodies) + given;
+    for (std::size_t i = 0; i < gaps.size(); ++i)
+      b[3 * static_cast<Index>(i) + 2] += (gaps[i] > 0 ? gaps[i] : share * gaps[i]) / h;
+    return b;
+  }
+  VecX velocities_after(const VecX& V_bodies, const VecX& lambda) const {
+    return V_bodies + node_accelerations(motion.rows, contact_wrenches(motion.rows, lambda));
+  }
+};
+
+DirectIslands::Problem DirectIslands::problem_of(const DirectStep& step, const Island& island,
+                                                 const BulkBodies& bodies) const {
+  Problem problem;
+  for (const int i : island.bodies) {
+    const Body& body = model_->body(i);
+    const Mat3 R_WB = bodies.q[at(i)].toRotationMatrix();
+    problem.motion.rows.masses.push_back(
+        block_diagonal(body.mass, R_WB * body.moments.asDiagonal() * R_WB.transpose()));
+    problem.motion.rows.inverse_masses.push_back(
+        block_diagonal(1 / body.mass, R_WB * body.moments.cwiseInverse().asDiagonal() * R_WB.transpose()));
+    const MotionRow change = step.free_change(i);
+    append(vector_of(bodies.motion[at(i)].v) + vector_of(change.data()), problem.V);
+    append(vector_of(bodies.motion[at(i)].w) + vector_of(change.data() + 4), problem.V);
+  }
+  for (const int i : island.manifolds) {
+    const StepManifold& manifold = step.manifolds[at(i)];
+    const int a = manifold.key->body_A, b = manifold.key->body_B;
+    const Mat3 frame = contact_frame(vector_of(manifold.manifold->normal).normalized());
+    const Vec3 between = bodies.x[at(b)] - bodies.x[at(a)];
+    const std::vector<Vec3> start = remembered_impulses(manifold, frame, step.substeps);
+    for (int k = 0; k < manifold.manifold->point_count; ++k) {
+      const ManifoldPoint& point = manifold.manifold->points[at(k)];
+      ContactRows::Sides sides;
+      Vec3 prescribed = Vec3::Zero();
+      for (const bool is_A : {true, false}) {
+        const int body = is_A ? a : b;
+        const Vec3 r = is_A ? vector_of(point.p) : Vec3(vector_of(point.p) - between);
+        const double sign = is_A ? -1 : 1;
+        ContactRows::Side& side = sides[is_A ? 0 : 1];
+        if (bodies.is_dynamic(body)) {
+          const auto found = std::lower_bound(island.bodies.begin(), island.bodies.end(), body);
+          side.node = static_cast<int>(found - island.bodies.begin());
+          side.J = rows_of(frame, r, sign);
+        } else {
+          prescribed += sign * frame * velocity_at(bodies, body, r);
+        }
+      }
+      problem.add_point(frame, static_cast<double>(point.gap),
+                        static_cast<double>(manifold.surface->friction), sides, prescribed, start[at(k)]);
+    }
+  }
+  return problem;
+}
+
+bool DirectIslands::solve_island(const DirectStep& step, const Island& island, BulkBodies& bodies) {
+  Problem problem = problem_of(step, island, bodies);
+  problem.motion.laws.b = problem.rates(problem.V, step.h, 0);
+  const std::optional<VecX> lambda = solve_impulses(problem.motion, problem.start);
+  if (!lambda) return false;
+  const VecX V_end = problem.velocities_after(problem.V, *lambda);
+  VecX V_moved = V_end;
+  // Overlaps are put back by displacements alone.
+  if (*std::min_element(problem.gaps.begin(), problem.gaps.end()) <
+      -tolerated_overlap * model_->length_scale()) {
+    problem.motion.laws.mu.assign(problem.gaps.size(), 0.0);
+    problem.motion.laws.b = problem.rates(V_end, step.h, put_back);
+    if (const std::optional<VecX> push = solve_impulses(problem.motion, VecX()))
+      V_moved = problem.velocities_after(V_end, *push);
+  }
+  for (std::size_t k = 0; k < island.bodies.size(); ++k) {
+    const Index six = 6 * static_cast<Index>(k);
+    EndVelocity& end = ends_.emplace_back();
+    end.body = island.bodies[k];
+    set_floats(V_end.segment<3>(six), end.v);
+    set_floats(V_end.segment<3>(six + 3), end.w);
+    MotionRecord& motion = bodies.motion[at(end.body)];
+    set_floats(V_moved.segment<3>(six), motion.v);
+    set_floats(V_moved.segment<3>(six + 3), motion.w);
+  }
+  Index point = 0;
+  for (const int i : island.manifolds) {
+    Impulses& impulses = impulses_.emplace_back(i, *step.manifolds[at(i)].key);
+    Vec3 friction = Vec3::Zero();
+    for (int k = 0; k < impulses.memory.point_count; ++k, ++point) {
+      const Vec3 of_substep = lambda->segment<3>(3 * point) / step.substeps;
+      impulses.memory.normal_impulse[at(k)] = static_cast<float>(of_substep.z());
+      friction += problem.frames[at(static_cast<int>(point))].topRows<2>().transpose() * of_substep.head<2>();
+    }
+    set_floats(friction, impulses.memory.friction_impulse_W.data());
+  }
+  return true;
+}
+
+void DirectIslands::finish(BulkBodies& bodies) const {
+  for (const EndVelocity& end : ends_) {
+    MotionRecord& motion = bodies.motion[at(end.body)];
+    std::copy_n(end.v, 3, motion.v);
+    std::copy_n(end.w, 3, motion.w);
+  }
+}
+
+void DirectIslands::remember(std::vector<ManifoldMemory>& memory) const {
+  for (const Impulses& impulses : impulses_) memory[at(impulses.manifold)] = impulses.memory;
+}
+
+}  // namespace rigor

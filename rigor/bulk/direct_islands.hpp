@@ -1,0 +1,83 @@
+#pragma once
+
+#include "rigor/bulk/bulk_bodies.hpp"
+#include "rigor/bulk/islands.hpp"
+#include "rigor/bulk/manifold.hpp"
+#include "rigor/bulk/manifold_blocks.hpp"
+#include "rigor/model/manifold_memory.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace rigor {
+
+/// A manifold of a step, with what belongs to it.
+struct StepManifold {
+  const Manifold* manifold = nullptr;
+  const ManifoldMemory* key = nullptr;     ///< Whose it is.
+  const ManifoldMemory* memory = nullptr;  ///< Of the step before; or nullptr.
+  const ManifoldSurface* surface = nullptr;
+};
+
+/// What DirectIslands are given.
+struct DirectStep {
+  double h;                                    ///< Of the whole step [s].
+  int substeps;                                ///< What is remembered is of one of them.
+  const std::vector<StepManifold>& manifolds;  ///< In the order of keys.
+  std::function<MotionRow(int)> free_change;   ///< Of a body's velocity within the step, without contacts.
+};
+
+/// Islands that sweeps do not carry: where heavy bodies rest on light ones, sweeps bring the weight to the
+/// ground only after about (height × ratio) of them, and the stack comes down meanwhile. The contacts of such
+/// an island are solved exactly, in 64 bits, once a step: velocities that Coulomb's law allows at its end
+/// (Moreau's step, docs/theory/bulk.md, section 6), and displacements with them.
+///
+/// Taken are islands of at most 64 bodies with masses that differ by a factor of ten, without joints,
+/// springs, rolling and torsional friction and without a bounce in this step.
+class DirectIslands {
+ public:
+  explicit DirectIslands(const Model& model);
+
+  /// Solves the islands that are to be and can be solved: their bodies get the velocities that their
+  /// displacements in the step have.
+  void solve(const DirectStep& step, BulkBodies& bodies);
+  /// Whether a body was in a solved island: then nothing else may change its velocity in this step.
+  bool holds(int body) const { return !is_held_.empty() && is_held_[static_cast<std::size_t>(body)]; }
+  /// That were solved.
+  int island_count() const { return island_count_; }
+  /// Gives the bodies their velocities at the end of the step.
+  void finish(BulkBodies& bodies) const;
+  /// Impulses of the manifolds of solved islands, for the memory (same order as in solve()).
+  void remember(std::vector<ManifoldMemory>& memory) const;
+
+ private:
+  struct Island {
+    std::vector<int> bodies;     ///< Dynamic ones, ascending.
+    std::vector<int> manifolds;  ///< Ascending.
+  };
+  struct Problem;
+  std::vector<Island> find_islands(const DirectStep& step, const BulkBodies& bodies);
+  bool is_taken(const DirectStep& step, const Island& island, const BulkBodies& bodies) const;
+  bool bounces(const StepManifold& manifold, const BulkBodies& bodies) const;
+  Problem problem_of(const DirectStep& step, const Island& island, const BulkBodies& bodies) const;
+  bool solve_island(const DirectStep& step, const Island& island, BulkBodies& bodies);
+
+  const Model* model_;
+  bool may_be_needed_ = false;
+  std::vector<bool> is_tied_;  ///< Bodies with joints or springs.
+  BulkIslands islands_;
+  std::vector<bool> is_held_;
+  int island_count_ = 0;
+  struct EndVelocity {
+    int body;
+    float v[3], w[3];
+  };
+  std::vector<EndVelocity> ends_;
+  struct Impulses {
+    int manifold;
+    ManifoldMemory memory;
+  };
+  std::vector<Impulses> impulses_;
+};
+
+}  // namespace rigor
