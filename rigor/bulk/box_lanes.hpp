@@ -82,6 +82,11 @@ RIGOR_FLOAT_LANES void find_best_edges(const FloatLanes* t, const FloatLanes (*C
   }
 }
 
+/// Normal from A to B of the k-th faces; t are the coordinates of B's centre from A's.
+RIGOR_FLOAT_LANES FloatVec3 face_normal(const FloatLanes* t, const FloatVec3* axis, const IntLanes& k) {
+  return sign_of(pick(k, t[0], t[1], t[2])) * pick(k, axis[0], axis[1], axis[2]);
+}
+
 RIGOR_FLOAT_LANES void collide_box_lanes(const BoxPairs& pairs, BoxContacts& contacts) {
   BoxLanes a, b;
   load_boxes(pairs.a, a);
@@ -105,7 +110,11 @@ RIGOR_FLOAT_LANES void collide_box_lanes(const BoxPairs& pairs, BoxContacts& con
   const IntLanes is_B = face_B.separation > face_A.separation + rounding;
   const FloatLanes face_separation = is_B ? face_B.separation : face_A.separation;
   if (all_lanes(face_separation > margin)) {
-    for (int i = 0; i < kLaneCount; ++i) contacts.outcome[i] = BoxContacts::apart;
+    const FloatVec3 normal =
+        pick(is_B, face_normal(t_B, b.axis, face_B.axis), face_normal(t_A, a.axis, face_A.axis));
+    store_vector(normal, contacts.normal);
+    store_ints(int_lanes(BoxContacts::apart), contacts.outcome);
+    store_ints(int_lanes(0), contacts.is_edge);
     return;
   }
   FloatLanes separation = face_separation + rounding;
@@ -114,6 +123,7 @@ RIGOR_FLOAT_LANES void collide_box_lanes(const BoxPairs& pairs, BoxContacts& con
   const IntLanes is_edge = edge_code >= int_lanes(0);
   separation = is_edge ? separation : face_separation;
   store_floats(separation, contacts.separation);
+  store_ints(is_edge, contacts.is_edge);
 
   BoxFace face;
   face.slack = float_lanes(4) * rounding;

@@ -1,5 +1,5 @@
 #include "rigor/bulk/box_tree.hpp"
-#include "rigor/bulk/float_lanes.hpp"
+#include "rigor/bulk/lane_bits.hpp"
 #include "rigor/geometry/lane_target.hpp"
 
 #include <array>
@@ -9,19 +9,6 @@
 namespace rigor {
 
 namespace {
-
-/// One bit for each lane whose mask is set.
-RIGOR_FLOAT_LANES unsigned lane_bits(const IntLanes& mask) {
-#if defined(__SSE__)
-  __m128 half[2];
-  std::memcpy(half, &mask, sizeof half);
-  return static_cast<unsigned>(_mm_movemask_ps(half[0]) | _mm_movemask_ps(half[1]) << 4);
-#else
-  unsigned bits = 0;
-  for (int i = 0; i < kLaneCount; ++i) bits |= (mask[i] != 0 ? 1u : 0u) << i;
-  return bits;
-#endif
-}
 
 RIGOR_FLOAT_LANES unsigned overlap_bits(const FloatBox& box, const BoxTree::Block& block) {
   const IntLanes x = (load_floats(block.lower[0]) <= float_lanes(box.upper[0])) &

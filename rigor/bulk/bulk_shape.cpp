@@ -31,8 +31,7 @@ void add_vertex(const Vec3& v, FloatHull& hull) {
 }
 
 void pad_columns(FloatHull& hull) {
-  for (std::vector<float>* column : {&hull.x, &hull.y, &hull.z, &hull.nx, &hull.ny, &hull.nz, &hull.offset})
-    pad(*column);
+  for (std::vector<float>* column : {&hull.x, &hull.y, &hull.z, &hull.nx, &hull.ny, &hull.nz}) pad(*column);
 }
 
 void add_spokes(FloatHull& hull) {
@@ -90,6 +89,14 @@ void add_fans(FloatHull& hull) {
   hull.fan_begin.push_back(static_cast<int>(hull.fan.size()));
 }
 
+void find_lone_faces(FloatHull& hull) {
+  const float cosine = std::cos(0.02f);
+  hull.is_lone.assign(at(hull.face_count), 1);
+  for (int f = 0; f < hull.face_count; ++f)
+    for (int g = 0; g < f; ++g)
+      if (hull.normal(f).dot(hull.normal(g)) > cosine) hull.is_lone[at(f)] = hull.is_lone[at(g)] = 0;
+}
+
 /// Numbers the edges of a box by axis and then by their vertices: 4 axis + the sign bits but for the axis.
 void number_box_edges(FloatHull& hull) {
   std::vector<int> order(hull.edges.size()), number(hull.edges.size());
@@ -126,10 +133,10 @@ FloatHull make_float_hull(const FeatureGraph& graph, const std::vector<Vec3>& ve
     hull.nx.push_back(static_cast<float>(n.x()));
     hull.ny.push_back(static_cast<float>(n.y()));
     hull.nz.push_back(static_cast<float>(n.z()));
-    hull.offset.push_back(static_cast<float>(offset));
     inner = std::min(inner, offset - n.dot(center));
   }
   hull.center = center.cast<float>();
+  find_lone_faces(hull);
   // Rounding must not make the ball larger than it is.
   hull.inner = std::max(0.0f, static_cast<float>(inner) - 1e-5f * hull.extent);
   pad_columns(hull);
@@ -157,11 +164,13 @@ BulkShape make_bulk_shape(const BodyShape& shape, FloatHulls& hulls) {
     bulk.radius = static_cast<float>(capsule->radius);
     bulk.extent = static_cast<float>(capsule->half_length);
     bulk.scale.z() = bulk.extent;
+    bulk.ball_way.z() = bulk.extent;
   } else if (const Box* const box = std::get_if<Box>(&shape.shape)) {
     bulk.kind = BulkShape::Kind::box;
     bulk.hull = hulls.box;
     bulk.scale = box->half_extents.cast<float>();
     bulk.extent = bulk.scale.norm();
+    bulk.ball_way = bulk.scale - Vec3f::Constant(bulk.hull->inner * bulk.scale.minCoeff());
   } else if (std::holds_alternative<HalfSpace>(shape.shape)) {
     bulk.kind = BulkShape::Kind::plane;
   } else if (const Convex* const convex = std::get_if<Convex>(&shape.shape);

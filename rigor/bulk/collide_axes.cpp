@@ -1,91 +1,92 @@
 #include "rigor/bulk/collide_polytopes.hpp"
 
 #include "rigor/bulk/float_lanes.hpp"
-#include "rigor/bulk/hull_lanes.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
+#include <span>
 
 namespace rigor {
 
 namespace {
 
+constexpr unsigned kEdgeBits = 15;  // As many edges as FloatHull has at most.
+
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-/// No direction n parts the cores by more than n · between - balls.
-struct BallBound {
-  Vec3f between;  ///< From the ball inside A to that inside B [m].
-  float balls;    ///< Sum of their radii [m].
-};
-
-/// The faces of one core as directions. `along` are the parts of the bound that turn with the normals; sign
-/// is 1 for A, whose normals point to B.
+/// The faces of one core as directions: `along` are the parts of the ball bound that turn with the normals.
 struct FaceDirections {
-  const PlacedPolytope& own;
-  const PlacedPolytope& other;
-  float sign;
+  const PolytopePair& pair;
+  bool is_of_A;
   const std::vector<float>& along;
+
+  int count() const { return (is_of_A ? pair.a : pair.b).hull->face_count; }
 };
 
 void try_face(const FaceDirections& faces, int f, float balls, SeparatingAxis& best) {
   if (faces.along[at(f)] - balls <= best.separation) return;
-  const Vec3f m = faces.own.normal(f);
-  const float separation =
-      find_lowest(faces.other.vertices(), m, best_lane_target()) - faces.own.offset[at(f)];
-  if (separation <= best.separation) return;
-  best.separation = separation;
-  best.n = faces.sign * m;
-  best.kind = faces.sign > 0 ? SeparatingAxis::Kind::face_of_A : SeparatingAxis::Kind::face_of_B;
-  (faces.sign > 0 ? best.a : best.b) = f;
+  const SeparatingAxis axis = face_axis(faces.pair, faces.is_of_A, f);
+  if (axis.separation > best.separation) best = axis;
 }
 
 /// The face with the largest bound.
 void try_first_face(const FaceDirections& faces, float balls, SeparatingAxis& best) {
-  const int count = faces.own.hull->face_count;
-  if (count == 0) return;
-  const auto most = std::max_element(faces.along.begin(), faces.along.begin() + count);
+  if (faces.count() == 0) return;
+  const auto most = std::max_element(faces.along.begin(), faces.along.begin() + faces.count());
   try_face(faces, static_cast<int>(most - faces.along.begin()), balls, best);
 }
 
-void try_faces(const FaceDirections& faces, float balls, SeparatingAxis& best) {
-  for (int f = 0; f < faces.own.hull->face_count; ++f)
-    if (faces.along[at(f)] - balls > best.separation) try_face(faces, f, balls, best);
+/// The best face, if it is better than `least`.
+SeparatingAxis find_best_face(const FaceDirections& faces, float balls, float least) {
+  SeparatingAxis best;
+  best.separation = least;
+  for (int f = 0; f < faces.count(); ++f) try_face(faces, f, balls, best);
+  return best;
+}
+
+/// Arcs of these edges.
+void place_arcs(const PlacedPolytope& polytope, std::span<const int> edges, ArcColumns& arcs) {
+  arcs.resize(edges.size());
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    const FloatHull::Edge& edge = polytope.edge(edges[k]);
+    const Vec3f from = polytope.vertex(edge.v0);
+    arcs.set_edge(k, edges[k]);
+    arcs.set(k, ArcColumns::along, polytope.vertex(edge.v1) - from);
+    arcs.set(k, ArcColumns::normal_0, polytope.normal(edge.f0));
+    arcs.set(k, ArcColumns::normal_1, polytope.normal(edge.f1));
+    arcs.set(k, ArcColumns::point, from);
+  }
 }
 
 /// Arcs of the edges that may have a direction n with n · d > least. `along` are n · d of the faces; on the
 /// arc between x and y at the angle of cosine c the most is (x² + y² - 2 x y c) / (1 - c²), if it is inside.
-void list_arcs(const PlacedPolytope& polytope, const std::vector<float>& along, float square_of_d,
-               float least, PolytopeScratch& pair, ArcColumns& arcs) {
+void place_high_arcs(const PlacedPolytope& polytope, const std::vector<float>& along, float square_of_d,
+                     float least, std::vector<int>& listed, ArcColumns& arcs) {
   const std::vector<FloatHull::Edge>& edges = polytope.hull->edges;
   const float square = least * least, rounding = 1e-6f * square_of_d;
-  pair.edges_A.resize(edges.size());
+  listed.resize(edges.size());
   std::size_t count = 0;
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const float x = along[at(edges[e].f0)], y = along[at(edges[e].f1)], c = edges[e].cosine;
     const bool is_inside = bool(x > c * y) & bool(y > c * x);
     const bool is_high = x * x + y * y - 2 * x * y * c + rounding > square * (1 - c * c);
     // No branches: which edges are kept follows no pattern.
-    pair.edges_A[count] = static_cast<int>(e);
+    listed[count] = static_cast<int>(e);
     count += bool(std::max(x, y) > least) | bool(least <= 0) | (is_inside & is_high) ? 1u : 0u;
   }
-  arcs.clear();
-  for (std::size_t k = 0; k < count; ++k) {
-    const int e = pair.edges_A[k];
-    const FloatHull::Edge& edge = edges[at(e)];
-    arcs.add(e, polytope.edge_vector(e), polytope.normal(edge.f0), polytope.normal(edge.f1));
-  }
-  arcs.pad();
+  place_arcs(polytope, std::span(listed).first(count), arcs);
 }
 
 /// Whether the arcs of two edges cross on the Gauss map, that of B reversed. The circle of a segment crosses
 /// an arc whose ends are on both its sides, and always the circle of another.
-bool arcs_cross(const PlacedPolytope& a, const FloatHull::Edge& edge_A, const Vec3f& u,
-                const PlacedPolytope& b, const FloatHull::Edge& edge_B, const Vec3f& v) {
+bool arcs_cross(const PolytopePair& pair, int i, int j) {
+  const PlacedPolytope &a = pair.a, &b = pair.b;
+  const FloatHull::Edge &edge_A = a.edge(i), &edge_B = b.edge(j);
   const bool has_arc_A = edge_A.f0 >= 0, has_arc_B = edge_B.f0 >= 0;
+  const Vec3f u = a.edge_vector(i), v = b.edge_vector(j);
   const float a0 = has_arc_A ? a.normal(edge_A.f0).dot(v) : -1,
               a1 = has_arc_A ? a.normal(edge_A.f1).dot(v) : 1;
   if (a0 * a1 >= 0) return false;
@@ -95,199 +96,233 @@ bool arcs_cross(const PlacedPolytope& a, const FloatHull::Edge& edge_A, const Ve
   return !has_arc_A || !has_arc_B || b0 * a1 < 0;
 }
 
-/// Unit normal of two edges from A to B, or nothing if they are parallel.
-std::optional<Vec3f> edge_normal(const PlacedPolytope& a, const FloatHull::Edge& edge_A, const Vec3f& u,
-                                 const PlacedPolytope& b, const FloatHull::Edge& edge_B, const Vec3f& v) {
-  constexpr float least_square_sine = 1e-8f;
-  const Vec3f w = u.cross(v);
-  const float square = w.squaredNorm();
-  if (square <= least_square_sine * u.squaredNorm() * v.squaredNorm()) return std::nullopt;
-  const Vec3f n = w / std::sqrt(square);
-  float outward = 0;
-  if (edge_A.f0 >= 0) outward += n.dot(a.normal(edge_A.f0) + a.normal(edge_A.f1));
-  if (edge_B.f0 >= 0) outward -= n.dot(b.normal(edge_B.f0) + b.normal(edge_B.f1));
-  return outward >= 0 ? n : Vec3f(-n);
-}
-
 /// The pair of edges, if it parts the cores better than `least`, which becomes the separation.
-void try_edge_pair(const PolytopeScratch& pair, int i, int j, float& least, SeparatingAxis& best) {
-  const FloatHull::Edge &edge_A = pair.a.edge(i), &edge_B = pair.b.edge(j);
-  const Vec3f u = pair.a.edge_vector(i), v = pair.b.edge_vector(j);
-  const std::optional<Vec3f> n = edge_normal(pair.a, edge_A, u, pair.b, edge_B, v);
-  if (!n) return;
-  const float separation = n->dot(pair.b.vertex(edge_B.v0) - pair.a.vertex(edge_A.v0));
-  if (separation <= least) return;
-  least = separation;
-  best = {SeparatingAxis::Kind::edges, i, j, *n, separation};
+void try_edge_pair(const PolytopePair& pair, int i, int j, float& least, SeparatingAxis& best) {
+  const SeparatingAxis axis = edge_axis(pair, i, j);
+  if (!(axis.separation > least)) return;
+  least = axis.separation;
+  best = axis;
 }
 
 /// Where one of the cores is a segment.
-void try_segment_edges(const PolytopeScratch& pair, float least, SeparatingAxis& best) {
+void try_segment_edges(const PolytopePair& pair, float least, SeparatingAxis& best) {
   for (int i = 0; i < static_cast<int>(pair.a.hull->edges.size()); ++i) {
     for (int j = 0; j < static_cast<int>(pair.b.hull->edges.size()); ++j) {
-      if (arcs_cross(pair.a, pair.a.edge(i), pair.a.edge_vector(i), pair.b, pair.b.edge(j),
-                     pair.b.edge_vector(j)))
-        try_edge_pair(pair, i, j, least, best);
+      if (arcs_cross(pair, i, j)) try_edge_pair(pair, i, j, least, best);
     }
   }
 }
 
-void try_edges(PolytopeScratch& pair, const BallBound& bound, float least, SeparatingAxis& best) {
-  if (pair.a.hull->face_count == 0 || pair.b.hull->face_count == 0)
-    return try_segment_edges(pair, least, best);
-  const float square = bound.between.squaredNorm();
-  list_arcs(pair.a, pair.along_A, square, least + bound.balls, pair, pair.arcs_A);
-  list_arcs(pair.b, pair.along_B, square, least + bound.balls, pair, pair.arcs_B);
-  for (std::size_t i = 0; i < pair.arcs_A.edge.size(); ++i) {
-    for (std::size_t first = 0; first < pair.arcs_B.edge.size(); first += kLaneCount) {
-      unsigned mask = find_crossing_arcs(pair.arcs_A, i, pair.arcs_B, first, best_lane_target());
+/// Of the arcs that are placed.
+void try_crossing_arcs(const PolytopePair& pair, float least, SeparatingAxis& best) {
+  int a = -1, b = -1;
+  float separations[kLaneCount];
+  for (std::size_t i = 0; i < pair.arcs_A.count(); ++i) {
+    for (std::size_t first = 0; first < pair.arcs_B.count(); first += kLaneCount) {
+      unsigned mask =
+          find_parting_edges(pair.arcs_A, i, pair.arcs_B, first, least, best_lane_target(), separations);
       for (; mask != 0; mask &= mask - 1) {
-        const std::size_t j = first + static_cast<std::size_t>(std::countr_zero(mask));
-        try_edge_pair(pair, pair.arcs_A.edge[i], pair.arcs_B.edge[j], least, best);
+        const std::size_t lane = static_cast<std::size_t>(std::countr_zero(mask));
+        if (!(separations[lane] > least)) continue;
+        least = separations[lane];
+        a = pair.arcs_A.edge(i);
+        b = pair.arcs_B.edge(first + lane);
       }
     }
   }
+  if (a >= 0) best = edge_axis(pair, a, b);
 }
 
-int lowest_vertex(const PlacedPolytope& polytope, const Vec3f& n) {
-  int lowest = 0;
-  float least = std::numeric_limits<float>::infinity();
-  for (int v = 0; v < polytope.hull->vertex_count; ++v) {
-    const float height = n.dot(polytope.vertex(v));
-    if (height < least) least = height, lowest = v;
+void try_edges(PolytopePair& pair, const BallBound& bound, float least, SeparatingAxis& best) {
+  if (pair.a.hull->face_count == 0 || pair.b.hull->face_count == 0)
+    return try_segment_edges(pair, least, best);
+  const float square = bound.between.squaredNorm();
+  place_high_arcs(pair.a, pair.along_A, square, least + bound.balls, pair.edges_A, pair.arcs_A);
+  place_high_arcs(pair.b, pair.along_B, square, least + bound.balls, pair.edges_B, pair.arcs_B);
+  try_crossing_arcs(pair, least, best);
+}
+
+/// Of these edges of A and of B.
+void try_edge_lists(PolytopePair& pair, std::span<const int> of_A, std::span<const int> of_B, float least,
+                    SeparatingAxis& best) {
+  if (pair.a.hull->face_count > 0 && pair.b.hull->face_count > 0) {
+    place_arcs(pair.a, of_A, pair.arcs_A);
+    place_arcs(pair.b, of_B, pair.arcs_B);
+    return try_crossing_arcs(pair, least, best);
   }
-  return lowest;
-}
-
-/// Index of the vertex farthest along n.
-int farthest_vertex(const PlacedPolytope& polytope, const Vec3f& n, std::vector<float>& heights) {
-  heights.resize(polytope.x.size());
-  find_heights(polytope.vertices(), n, best_lane_target(), heights.data());
-  return static_cast<int>(std::max_element(heights.begin(), heights.begin() + polytope.hull->vertex_count) -
-                          heights.begin());
-}
-
-/// The edges of the face of the axis and those around the lowest vertex over it.
-void try_edges_nearby(const PolytopeScratch& pair, float least, SeparatingAxis& best) {
-  const bool is_of_A = best.kind == SeparatingAxis::Kind::face_of_A;
-  const PlacedPolytope &own = is_of_A ? pair.a : pair.b, &other = is_of_A ? pair.b : pair.a;
-  const int face = is_of_A ? best.a : best.b;
-  const int vertex = lowest_vertex(other, own.normal(face));
-  const FloatHull &hull = *own.hull, &around = *other.hull;
-  for (int k = hull.loop_begin[at(face)]; k < hull.loop_begin[at(face + 1)]; ++k) {
-    for (int l = around.spoke_begin[at(vertex)]; l < around.spoke_begin[at(vertex + 1)]; ++l) {
-      const int i = is_of_A ? hull.loop_edges[at(k)] : around.spokes[at(l)];
-      const int j = is_of_A ? around.spokes[at(l)] : hull.loop_edges[at(k)];
-      if (arcs_cross(pair.a, pair.a.edge(i), pair.a.edge_vector(i), pair.b, pair.b.edge(j),
-                     pair.b.edge_vector(j)))
-        try_edge_pair(pair, i, j, least, best);
+  for (const int i : of_A) {
+    for (const int j : of_B) {
+      if (arcs_cross(pair, i, j)) try_edge_pair(pair, i, j, least, best);
     }
   }
 }
 
-/// Where the nearest points of two crossing edges are between their ends, the radius of the foot below.
-float crossing_radius(const PolytopeScratch& pair, const SeparatingAxis& axis) {
-  const Vec3f u = pair.a.edge_vector(axis.a), v = pair.b.edge_vector(axis.b);
-  const Vec3f p = pair.a.vertex(pair.a.edge(axis.a).v0), q = pair.b.vertex(pair.b.edge(axis.b).v0);
-  const SegmentPoints points = nearest_on_segments(p, u, q, v);
-  const float area = u.cross(v).norm();
-  const float inside_u = std::min(points.s, 1 - points.s), inside_v = std::min(points.t, 1 - points.t);
-  return area * std::min(inside_u / v.norm(), inside_v / u.norm());
-}
-
-/// Differences b - a of points of the cores, laid flat along the axis n, hold a disk of this radius about the
-/// origin, and lie `separation` high over it; negative if they do not. Then no direction at the angle t from
-/// n parts the cores by more than separation cos t - radius sin t: at t <= 90 degrees no more than n does, if
-/// the separation is not negative or not less than -radius.
-float foot_radius(const PolytopeScratch& pair, const SeparatingAxis& axis) {
-  if (axis.kind == SeparatingAxis::Kind::none) return -1;
-  if (axis.kind == SeparatingAxis::Kind::edges) return crossing_radius(pair, axis);
-  const bool is_of_A = axis.kind == SeparatingAxis::Kind::face_of_A;
+/// The edges of the face and those around the lowest vertex over it, if they are better and tell the answer.
+std::optional<SeparatingAxis> settle_edges(PolytopePair& pair, const BallBound& bound,
+                                           const SeparatingAxis& face) {
+  const bool is_of_A = face.kind == SeparatingAxis::Kind::face_of_A;
   const PlacedPolytope &own = is_of_A ? pair.a : pair.b, &other = is_of_A ? pair.b : pair.a;
-  const int face = is_of_A ? axis.a : axis.b;
-  const Vec3f m = own.normal(face);
-  const Vec3f p = other.vertex(lowest_vertex(other, m));
-  const FloatHull& hull = *own.hull;
-  const int begin = hull.loop_begin[at(face)], end = hull.loop_begin[at(face + 1)];
-  float radius = std::numeric_limits<float>::infinity();
-  for (int k = begin; k < end; ++k) {
-    const Vec3f corner = own.vertex(hull.loop[at(k)]);
-    const Vec3f inward = m.cross(own.vertex(hull.loop[at(k + 1 == end ? begin : k + 1)]) - corner);
-    radius = std::min(radius, inward.dot(p - corner) / inward.norm());
+  const std::span<const int> border = own.hull->border_edges(is_of_A ? face.a : face.b);
+  const std::span<const int> spokes = other.hull->spokes_of(is_of_A ? face.b : face.a);
+  SeparatingAxis edges;
+  try_edge_lists(pair, is_of_A ? border : spokes, is_of_A ? spokes : border, face.separation + pair.rounding,
+                 edges);
+  return settle(pair, bound, edges);
+}
+
+/// The best of the faces and edges around the vertices that are highest along n.
+SeparatingAxis best_around(PolytopePair& pair, const BallBound& bound, const Vec3f& n) {
+  const int on_A = pair.a.farthest(n), on_B = pair.b.farthest(-n);
+  SeparatingAxis best;
+  const auto try_faces_around = [&](bool is_of_A, int vertex) {
+    const PlacedPolytope& own = is_of_A ? pair.a : pair.b;
+    for (const int f : own.hull->faces_around(vertex)) {
+      const float along = own.normal(f).dot(bound.between);
+      if ((is_of_A ? along : -along) - bound.balls <= best.separation) continue;
+      const SeparatingAxis axis = face_axis(pair, is_of_A, f);
+      if (axis.separation > best.separation) best = axis;
+    }
+  };
+  try_faces_around(true, on_A);
+  try_faces_around(false, on_B);
+  try_edge_lists(pair, pair.a.hull->spokes_of(on_A), pair.b.hull->spokes_of(on_B),
+                 best.separation + pair.rounding, best);
+  return best;
+}
+
+/// A few steps from one direction to the best around it.
+std::optional<SeparatingAxis> settle_by_steps(PolytopePair& pair, const BallBound& bound, const Vec3f& from) {
+  constexpr int max_steps = 3;
+  AxisCode last = 0;
+  Vec3f n = from;
+  for (int step = 0; step < max_steps; ++step) {
+    const SeparatingAxis axis = best_around(pair, bound, n);
+    if (axis.kind == SeparatingAxis::Kind::none || code_of(axis) == last) break;
+    if (const auto settled = settle(pair, bound, axis)) return settled;
+    last = code_of(axis);
+    n = axis.n;
   }
-  return radius;
-}
-
-/// Whether no direction parts the cores better, by the radius of its foot and the balls inside.
-bool is_proved(const PolytopeScratch& pair, const BallBound& bound, const SeparatingAxis& axis,
-               float rounding) {
-  const float radius = foot_radius(pair, axis);
-  if (!(radius >= 4 * rounding)) return false;
-  if (axis.separation >= 0) return true;
-  const float along = axis.n.dot(bound.between);
-  const float across = (bound.between - along * axis.n).norm();
-  return radius >= -axis.separation && along >= 0 && across - bound.balls <= axis.separation;
-}
-
-/// Edges near the face that are better and proved.
-std::optional<SeparatingAxis> find_proved_edges(const PolytopeScratch& pair, const BallBound& bound,
-                                                const SeparatingAxis& face, float rounding) {
-  if (face.kind == SeparatingAxis::Kind::none) return std::nullopt;
-  SeparatingAxis guess = face;
-  try_edges_nearby(pair, face.separation + rounding, guess);
-  if (guess.kind != SeparatingAxis::Kind::edges || !is_proved(pair, bound, guess, rounding))
-    return std::nullopt;
-  return guess;
+  return std::nullopt;
 }
 
 }  // namespace
 
-bool are_soon_parted(PolytopeScratch& pair, float limit) {
-  constexpr int max_steps = 4;
-  Vec3f n = pair.b.center - pair.a.center;
-  for (int step = 0; step < max_steps; ++step) {
-    const float square = n.squaredNorm();
-    if (!(square > 0)) return false;
-    n /= std::sqrt(square);
-    const Vec3f high_A = pair.a.vertex(farthest_vertex(pair.a, n, pair.heights));
-    const Vec3f low_B = pair.b.vertex(farthest_vertex(pair.b, -n, pair.heights));
-    const Vec3f w = low_B - high_A;
-    const float separation = n.dot(w);
-    if (separation > limit) return true;
-    if (separation >= 0) return false;
-    n -= 2 * separation / w.squaredNorm() * w;
+AxisCode code_of(const SeparatingAxis& axis) {
+  const AxisCode kind = static_cast<AxisCode>(axis.kind) << (2 * kEdgeBits);
+  switch (axis.kind) {
+    case SeparatingAxis::Kind::face_of_A:
+      return kind | static_cast<AxisCode>(axis.a);
+    case SeparatingAxis::Kind::face_of_B:
+      return kind | static_cast<AxisCode>(axis.b);
+    case SeparatingAxis::Kind::edges:
+      return kind | static_cast<AxisCode>(axis.b) << kEdgeBits | static_cast<AxisCode>(axis.a);
+    case SeparatingAxis::Kind::none:
+      break;
   }
-  return false;
+  return 0;
 }
 
-SeparatingAxis find_separating_axis(PolytopeScratch& pair, float limit, float rounding) {
-  const BallBound bound{pair.b.center - pair.a.center, pair.a.inner + pair.b.inner};
-  pair.along_A.resize(pair.a.nx.size());
-  pair.along_B.resize(pair.b.nx.size());
-  find_heights(pair.a.normals(), bound.between, best_lane_target(), pair.along_A.data());
-  find_heights(pair.b.normals(), -bound.between, best_lane_target(), pair.along_B.data());
-  const FaceDirections faces_A{pair.a, pair.b, 1, pair.along_A}, faces_B{pair.b, pair.a, -1, pair.along_B};
+namespace {
 
-  // A guess that proves itself ends the search.
-  SeparatingAxis best;
+/// The axis of a code.
+SeparatingAxis axis_of(const PolytopePair& pair, AxisCode code) {
+  const int first = static_cast<int>(code & ((1u << kEdgeBits) - 1)),
+            second = static_cast<int>(code >> kEdgeBits & ((1u << kEdgeBits) - 1));
+  switch (static_cast<SeparatingAxis::Kind>(code >> (2 * kEdgeBits))) {
+    case SeparatingAxis::Kind::face_of_A:
+      return face_axis(pair, true, first);
+    case SeparatingAxis::Kind::face_of_B:
+      return face_axis(pair, false, first);
+    case SeparatingAxis::Kind::edges:
+      return edge_axis(pair, first, second);
+    case SeparatingAxis::Kind::none:
+      break;
+  }
+  return {};
+}
+
+}  // namespace
+
+SeparatingAxis face_axis(const PolytopePair& pair, bool is_of_A, int face) {
+  const PlacedPolytope &own = is_of_A ? pair.a : pair.b, &other = is_of_A ? pair.b : pair.a;
+  const Vec3f m = own.normal(face);
+  const int lowest = other.farthest(-m);
+  const Vec3f corner = own.vertex(own.hull->loop[at(own.hull->loop_begin[at(face)])]);
+  const float separation = m.dot(other.vertex(lowest) - corner);
+  if (is_of_A) return {SeparatingAxis::Kind::face_of_A, face, lowest, m, separation};
+  return {SeparatingAxis::Kind::face_of_B, lowest, face, -m, separation};
+}
+
+SeparatingAxis edge_axis(const PolytopePair& pair, int i, int j) {
+  constexpr float least_square_sine = 1e-8f;
+  const FloatHull::Edge &edge_A = pair.a.edge(i), &edge_B = pair.b.edge(j);
+  const Vec3f u = pair.a.edge_vector(i), v = pair.b.edge_vector(j);
+  const Vec3f w = u.cross(v);
+  const float square = w.squaredNorm();
+  if (!(square > least_square_sine * u.squaredNorm() * v.squaredNorm())) return {};
+  Vec3f n = w / std::sqrt(square);
+  float outward = 0;
+  if (edge_A.f0 >= 0) outward += n.dot(pair.a.normal(edge_A.f0) + pair.a.normal(edge_A.f1));
+  if (edge_B.f0 >= 0) outward -= n.dot(pair.b.normal(edge_B.f0) + pair.b.normal(edge_B.f1));
+  if (outward < 0) n = -n;
+  const float separation = n.dot(pair.b.vertex(edge_B.v0) - pair.a.vertex(edge_A.v0));
+  return {SeparatingAxis::Kind::edges, i, j, n, separation};
+}
+
+BallBound ball_bound(const PolytopePair& pair) {
+  return {pair.b.center - pair.a.center, pair.a.inner + pair.b.inner};
+}
+
+std::optional<Vec3f> find_parting_direction(const PolytopePair& pair, const Vec3f& start, float limit) {
+  constexpr int max_steps = 4;
+  Vec3f n = start;
+  for (int step = 0; step < max_steps; ++step) {
+    const float square = n.squaredNorm();
+    if (!(square > 0)) return std::nullopt;
+    n /= std::sqrt(square);
+    const Vec3f w = pair.b.vertex(pair.b.farthest(-n)) - pair.a.vertex(pair.a.farthest(n));
+    const float separation = n.dot(w);
+    if (separation > limit) return n;
+    if (separation >= 0) return std::nullopt;
+    n -= 2 * separation / w.squaredNorm() * w;
+  }
+  return std::nullopt;
+}
+
+SeparatingAxis find_separating_axis(PolytopePair& pair, float limit, AxisCode guess) {
+  const BallBound bound = ball_bound(pair);
+  const float far = limit + parting_slack(pair.rounding);
+  SeparatingAxis best = axis_of(pair, guess);
+  // The separation along a face's normal is real; two edges may be no more what is nearest.
+  if (best.kind != SeparatingAxis::Kind::edges && best.separation > far) return best;
+  if (const auto settled = settle(pair, bound, best)) return *settled;
+  if (best.kind != SeparatingAxis::Kind::none)
+    if (const auto settled = settle_by_steps(pair, bound, best.n)) return *settled;
+
+  // The faces that look best, and the edges near them.
+  pair.along_A.resize(pair.a.hull->nx.size());
+  pair.along_B.resize(pair.b.hull->nx.size());
+  find_heights(pair.a.hull->normals(), pair.a.R.transpose() * bound.between, best_lane_target(),
+               pair.along_A.data());
+  find_heights(pair.b.hull->normals(), pair.b.R.transpose() * -bound.between, best_lane_target(),
+               pair.along_B.data());
+  const FaceDirections faces_A{pair, true, pair.along_A}, faces_B{pair, false, pair.along_B};
+  best = {};
   try_first_face(faces_A, bound.balls, best);
   try_first_face(faces_B, bound.balls, best);
-  if (best.separation > limit || is_proved(pair, bound, best, rounding)) return best;
-  if (const auto edges = find_proved_edges(pair, bound, best, rounding)) return *edges;
+  if (best.separation > far) return best;
+  if (const auto settled = settle(pair, bound, best)) return *settled;
+  if (const auto settled = settle_edges(pair, bound, best)) return *settled;
 
-  // The face of A is kept unless that of B is clearly better. The guess is found again, if it is the best.
-  best.kind = SeparatingAxis::Kind::none;
-  best.separation -= 2 * rounding;
-  try_faces(faces_A, bound.balls, best);
-  if (best.separation > limit) return best;
-  SeparatingAxis other;
-  other.separation = best.separation;
-  if (best.kind != SeparatingAxis::Kind::none) other.separation += rounding;
-  try_faces(faces_B, bound.balls, other);
-  if (other.kind != SeparatingAxis::Kind::none) best = other;
-  if (best.separation > limit || is_proved(pair, bound, best, rounding)) return best;
-  if (const auto edges = find_proved_edges(pair, bound, best, rounding)) return *edges;
-  try_edges(pair, bound, best.separation + rounding, best);
+  // All of them. The face of A is kept unless that of B is clearly better.
+  const float least = best.separation - 2 * pair.rounding;
+  best = find_best_face(faces_A, bound.balls, least);
+  const SeparatingAxis of_B = find_best_face(faces_B, bound.balls, least);
+  if (best.kind == SeparatingAxis::Kind::none || of_B.separation > best.separation + pair.rounding)
+    best = of_B;
+  if (best.separation > far || is_best(pair, bound, best)) return best;
+  if (const auto settled = settle_edges(pair, bound, best)) return *settled;
+  try_edges(pair, bound, best.separation + pair.rounding, best);
   return best;
 }
 

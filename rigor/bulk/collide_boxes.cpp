@@ -101,14 +101,21 @@ bool read_box_region(const BoxContacts& contacts, int lane, float margin, Manifo
   return manifold.point_count > 0;
 }
 
+Vec3f box_axis(const BoxPairs& pairs, const BoxContacts& contacts, int lane) {
+  if (contacts.is_edge[lane] == 0)
+    return Vec3f(contacts.normal[0][lane], contacts.normal[1][lane], contacts.normal[2][lane]);
+  const PlacedShape &a = *pairs.a[lane], &b = *pairs.b[lane];
+  const Vec3f d = Vec3f(pairs.d[0][lane], pairs.d[1][lane], pairs.d[2][lane]) + b.position() - a.position();
+  const Vec3f n = axis_of(a, contacts.face[lane]).cross(axis_of(b, contacts.other[lane])).normalized();
+  return n.dot(d) < 0 ? Vec3f(-n) : n;
+}
+
 bool cross_box_edges(const BoxPairs& pairs, const BoxContacts& contacts, int lane, Manifold& manifold) {
   const PlacedShape &a = *pairs.a[lane], &b = *pairs.b[lane];
   const Vec3f bodies(pairs.d[0][lane], pairs.d[1][lane], pairs.d[2][lane]);
   const Vec3f p_B = bodies + b.position();
   const int i = contacts.face[lane], j = contacts.other[lane];
-  const Vec3f u = axis_of(a, i), v = axis_of(b, j);
-  Vec3f n = u.cross(v).normalized();
-  if (n.dot(p_B - a.position()) < 0) n = -n;
+  const Vec3f u = axis_of(a, i), v = axis_of(b, j), n = box_axis(pairs, contacts, lane);
   const BoxEdge edge_A = farthest_edge(a, a.position(), n, i), edge_B = farthest_edge(b, p_B, -n, j);
   // On the lines: s - t uv = uw, s uv - t = vw.
   const Vec3f w = edge_B.middle - edge_A.middle;

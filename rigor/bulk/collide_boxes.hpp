@@ -30,17 +30,16 @@ struct BoxContacts {
 
   alignas(32) std::int32_t outcome[kLaneCount];
   alignas(32) float separation[kLaneCount];
-  alignas(32) float normal[3][kLaneCount];     ///< From A to B; of a region.
+  alignas(32) float normal[3][kLaneCount];     ///< From A to B; of the face.
   alignas(32) std::int32_t face[kLaneCount];   ///< Axis of the face; + 3 if it is B's; or of edges: of A.
   alignas(32) std::int32_t other[kLaneCount];  ///< Axis of the other box's face; of edges: of B.
+  alignas(
+      32) std::int32_t is_edge[kLaneCount];  ///< Not 0 if an edge pair parts the boxes best, touching or not.
   alignas(32) std::int32_t signs[kLaneCount];  ///< Bit 0: the face is on the negative side; 1: the other.
   alignas(32) float p[4][3][kLaneCount];       ///< As in a Manifold.
   alignas(32) float gap[4][kLaneCount];
   alignas(32) std::int32_t place[4][kLaneCount];  ///< Which corner of the region, or -1 for none.
 };
-
-/// Parts of separations that rounding may take, of the lengths in a pair.
-constexpr float kCollisionRounding = 1e-6f;
 
 /// The separating axis test of two boxes (Gottschalk, Lin and Manocha, OBBTree, SIGGRAPH 1996), and where a
 /// face parts them best, the region over it, reduced to four points as in make_manifold.
@@ -48,6 +47,9 @@ void collide_boxes(const BoxPairs& pairs, LaneTarget target, BoxContacts& contac
 
 /// The manifold of pair `lane`, whose outcome is a region; false if no point is within the margin.
 bool read_box_region(const BoxContacts& contacts, int lane, float margin, Manifold& manifold);
+
+/// The axis that parts the boxes of pair `lane` best: unit, from A to B.
+Vec3f box_axis(const BoxPairs& pairs, const BoxContacts& contacts, int lane);
 
 /// The manifold of pair `lane`, whose outcome is edges; false if these do not cross between their ends.
 bool cross_box_edges(const BoxPairs& pairs, const BoxContacts& contacts, int lane, Manifold& manifold);
