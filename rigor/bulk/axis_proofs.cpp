@@ -88,6 +88,13 @@ std::optional<SeparatingAxis> choose_face(const PolytopePair& pair, const Separa
 
 }  // namespace
 
+bool is_well_conditioned(const PolytopePair& pair, const SeparatingAxis& axis) {
+  constexpr float least_square_sine = 0.01f;
+  if (axis.kind != SeparatingAxis::Kind::edges) return true;
+  const Vec3f u = pair.a.edge_vector(axis.a), v = pair.b.edge_vector(axis.b);
+  return u.cross(v).squaredNorm() > least_square_sine * u.squaredNorm() * v.squaredNorm();
+}
+
 bool is_best(const PolytopePair& pair, const BallBound& bound, const SeparatingAxis& axis) {
   if (axis.kind == SeparatingAxis::Kind::none) return false;
   const float radius = foot_radius(pair, axis);
@@ -107,7 +114,7 @@ std::optional<SeparatingAxis> settle(const PolytopePair& pair, const BallBound& 
   if (axis.kind == SeparatingAxis::Kind::face_of_B)
     return pair.b.hull->is_lone[at(axis.b)] ? choose_face(pair, axis) : std::nullopt;
   const float near = clearly / half_radius;
-  return is_edge_alone(pair.a, axis.a, axis.n, near, pair.rounding) &&
+  return is_well_conditioned(pair, axis) && is_edge_alone(pair.a, axis.a, axis.n, near, pair.rounding) &&
                  is_edge_alone(pair.b, axis.b, -axis.n, near, pair.rounding)
              ? std::optional(axis)
              : std::nullopt;

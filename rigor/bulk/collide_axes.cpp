@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <span>
 
 namespace rigor {
@@ -157,52 +158,89 @@ void try_edge_lists(PolytopePair& pair, std::span<const int> of_A, std::span<con
   }
 }
 
-/// The edges of the face and those around the lowest vertex over it, if they are better and tell the answer.
-std::optional<SeparatingAxis> settle_edges(PolytopePair& pair, const BallBound& bound,
-                                           const SeparatingAxis& face) {
-  const bool is_of_A = face.kind == SeparatingAxis::Kind::face_of_A;
-  const PlacedPolytope &own = is_of_A ? pair.a : pair.b, &other = is_of_A ? pair.b : pair.a;
-  const std::span<const int> border = own.hull->border_edges(is_of_A ? face.a : face.b);
-  const std::span<const int> spokes = other.hull->spokes_of(is_of_A ? face.b : face.a);
-  SeparatingAxis edges;
-  try_edge_lists(pair, is_of_A ? border : spokes, is_of_A ? spokes : border, face.separation + pair.rounding,
-                 edges);
-  return settle(pair, bound, edges);
+/// The face around the vertex of its core that parts the cores best, if it is better than `best`. With w the
+/// way from a vertex of A to one of B, no face of these vertices parts the cores by more than n · w.
+void try_faces_around(const PolytopePair& pair, bool is_of_A, int vertex, const Vec3f& w,
+                      SeparatingAxis& best) {
+  const PlacedPolytope& own = is_of_A ? pair.a : pair.b;
+  const Vec3f local = own.R.transpose() * (is_of_A ? w : Vec3f(-w));
+  const std::span<const int> faces = own.hull->faces_around(vertex);
+  const auto bound = [&](int f) { return local.dot(own.hull->normal(f)); };
+  int first = -1;
+  float most = best.separation;
+  for (const int f : faces)
+    if (bound(f) > most) most = bound(f), first = f;
+  const auto try_one = [&](int f) {
+    const SeparatingAxis axis = face_axis(pair, is_of_A, f);
+    if (axis.separation > best.separation) best = axis;
+  };
+  if (first >= 0) try_one(first);
+  for (const int f : faces)
+    if (f != first && bound(f) > best.separation) try_one(f);
 }
 
 /// The best of the faces and edges around the vertices that are highest along n.
-SeparatingAxis best_around(PolytopePair& pair, const BallBound& bound, const Vec3f& n) {
+SeparatingAxis best_around(PolytopePair& pair, const Vec3f& n) {
   const int on_A = pair.a.farthest(n), on_B = pair.b.farthest(-n);
+  const Vec3f w = pair.b.vertex(on_B) - pair.a.vertex(on_A);
   SeparatingAxis best;
-  const auto try_faces_around = [&](bool is_of_A, int vertex) {
-    const PlacedPolytope& own = is_of_A ? pair.a : pair.b;
-    for (const int f : own.hull->faces_around(vertex)) {
-      const float along = own.normal(f).dot(bound.between);
-      if ((is_of_A ? along : -along) - bound.balls <= best.separation) continue;
-      const SeparatingAxis axis = face_axis(pair, is_of_A, f);
-      if (axis.separation > best.separation) best = axis;
-    }
-  };
-  try_faces_around(true, on_A);
-  try_faces_around(false, on_B);
+  try_faces_around(pair, true, on_A, w, best);
+  try_faces_around(pair, false, on_B, w, best);
   try_edge_lists(pair, pair.a.hull->spokes_of(on_A), pair.b.hull->spokes_of(on_B),
                  best.separation + pair.rounding, best);
   return best;
 }
 
-/// A few steps from one direction to the best around it.
-std::optional<SeparatingAxis> settle_by_steps(PolytopePair& pair, const BallBound& bound, const Vec3f& from) {
+/// What the best axis parts the cores by at least, as far as rounding lets this one tell.
+float sure_separation(const PolytopePair& pair, const SeparatingAxis& axis) {
+  constexpr float roundings = 8;
+  if (axis.kind == SeparatingAxis::Kind::none || !is_well_conditioned(pair, axis))
+    return -std::numeric_limits<float>::infinity();
+  return axis.separation - roundings * pair.rounding;
+}
+
+/// A few steps from one direction to the best around it. `least` becomes what the best of all parts the cores
+/// by at least.
+std::optional<SeparatingAxis> settle_by_steps(PolytopePair& pair, const BallBound& bound, const Vec3f& from,
+                                              float& least) {
   constexpr int max_steps = 3;
   AxisCode last = 0;
   Vec3f n = from;
   for (int step = 0; step < max_steps; ++step) {
-    const SeparatingAxis axis = best_around(pair, bound, n);
+    const SeparatingAxis axis = best_around(pair, n);
     if (axis.kind == SeparatingAxis::Kind::none || code_of(axis) == last) break;
     if (const auto settled = settle(pair, bound, axis)) return settled;
+    least = std::max(least, sure_separation(pair, axis));
     last = code_of(axis);
     n = axis.n;
   }
   return std::nullopt;
+}
+
+/// All faces and edges that may part the cores by more than `least`, which the best does.
+SeparatingAxis search_all(PolytopePair& pair, const BallBound& bound, float far, float least) {
+  pair.along_A.resize(pair.a.hull->nx.size());
+  pair.along_B.resize(pair.b.hull->nx.size());
+  find_heights(pair.a.hull->normals(), pair.a.R.transpose() * bound.between, best_lane_target(),
+               pair.along_A.data());
+  find_heights(pair.b.hull->normals(), pair.b.R.transpose() * -bound.between, best_lane_target(),
+               pair.along_B.data());
+  const FaceDirections faces_A{pair, true, pair.along_A}, faces_B{pair, false, pair.along_B};
+  SeparatingAxis first;
+  first.separation = least;
+  try_first_face(faces_A, bound.balls, first);
+  try_first_face(faces_B, bound.balls, first);
+  if (first.separation > far) return first;
+
+  // The face of A is kept unless that of B is clearly better. The first is found again, if it is the best.
+  const float below = first.separation - 2 * pair.rounding;
+  SeparatingAxis best = find_best_face(faces_A, bound.balls, below);
+  const SeparatingAxis of_B = find_best_face(faces_B, bound.balls, below);
+  if (best.kind == SeparatingAxis::Kind::none || of_B.separation > best.separation + pair.rounding)
+    best = of_B;
+  if (best.separation > far || is_best(pair, bound, best)) return best;
+  try_edges(pair, bound, best.separation + pair.rounding, best);
+  return best;
 }
 
 }  // namespace
@@ -265,7 +303,9 @@ SeparatingAxis edge_axis(const PolytopePair& pair, int i, int j) {
   if (edge_A.f0 >= 0) outward += n.dot(pair.a.normal(edge_A.f0) + pair.a.normal(edge_A.f1));
   if (edge_B.f0 >= 0) outward -= n.dot(pair.b.normal(edge_B.f0) + pair.b.normal(edge_B.f1));
   if (outward < 0) n = -n;
-  const float separation = n.dot(pair.b.vertex(edge_B.v0) - pair.a.vertex(edge_A.v0));
+  // Nearly parallel edges give an axis that is a little off, never a separation that is too large.
+  const float height = n.dot(pair.b.vertex(edge_B.v0) - pair.a.vertex(edge_A.v0));
+  const float separation = height + std::min(n.dot(v), 0.0f) - std::max(n.dot(u), 0.0f);
   return {SeparatingAxis::Kind::edges, i, j, n, separation};
 }
 
@@ -273,57 +313,31 @@ BallBound ball_bound(const PolytopePair& pair) {
   return {pair.b.center - pair.a.center, pair.a.inner + pair.b.inner};
 }
 
-std::optional<Vec3f> find_parting_direction(const PolytopePair& pair, const Vec3f& start, float limit) {
+bool find_parting_direction(const PolytopePair& pair, float limit, Vec3f& n) {
   constexpr int max_steps = 4;
-  Vec3f n = start;
   for (int step = 0; step < max_steps; ++step) {
     const float square = n.squaredNorm();
-    if (!(square > 0)) return std::nullopt;
+    if (!(square > 0)) return false;
     n /= std::sqrt(square);
     const Vec3f w = pair.b.vertex(pair.b.farthest(-n)) - pair.a.vertex(pair.a.farthest(n));
     const float separation = n.dot(w);
-    if (separation > limit) return n;
-    if (separation >= 0) return std::nullopt;
+    if (separation > limit) return true;
+    if (separation >= 0) return false;
     n -= 2 * separation / w.squaredNorm() * w;
   }
-  return std::nullopt;
+  return false;
 }
 
-SeparatingAxis find_separating_axis(PolytopePair& pair, float limit, AxisCode guess) {
+SeparatingAxis find_separating_axis(PolytopePair& pair, float limit, const AxisGuess& guess) {
   const BallBound bound = ball_bound(pair);
   const float far = limit + parting_slack(pair.rounding);
-  SeparatingAxis best = axis_of(pair, guess);
+  const SeparatingAxis axis = axis_of(pair, guess.axis);
   // The separation along a face's normal is real; two edges may be no more what is nearest.
-  if (best.kind != SeparatingAxis::Kind::edges && best.separation > far) return best;
-  if (const auto settled = settle(pair, bound, best)) return *settled;
-  if (best.kind != SeparatingAxis::Kind::none)
-    if (const auto settled = settle_by_steps(pair, bound, best.n)) return *settled;
-
-  // The faces that look best, and the edges near them.
-  pair.along_A.resize(pair.a.hull->nx.size());
-  pair.along_B.resize(pair.b.hull->nx.size());
-  find_heights(pair.a.hull->normals(), pair.a.R.transpose() * bound.between, best_lane_target(),
-               pair.along_A.data());
-  find_heights(pair.b.hull->normals(), pair.b.R.transpose() * -bound.between, best_lane_target(),
-               pair.along_B.data());
-  const FaceDirections faces_A{pair, true, pair.along_A}, faces_B{pair, false, pair.along_B};
-  best = {};
-  try_first_face(faces_A, bound.balls, best);
-  try_first_face(faces_B, bound.balls, best);
-  if (best.separation > far) return best;
-  if (const auto settled = settle(pair, bound, best)) return *settled;
-  if (const auto settled = settle_edges(pair, bound, best)) return *settled;
-
-  // All of them. The face of A is kept unless that of B is clearly better.
-  const float least = best.separation - 2 * pair.rounding;
-  best = find_best_face(faces_A, bound.balls, least);
-  const SeparatingAxis of_B = find_best_face(faces_B, bound.balls, least);
-  if (best.kind == SeparatingAxis::Kind::none || of_B.separation > best.separation + pair.rounding)
-    best = of_B;
-  if (best.separation > far || is_best(pair, bound, best)) return best;
-  if (const auto settled = settle_edges(pair, bound, best)) return *settled;
-  try_edges(pair, bound, best.separation + pair.rounding, best);
-  return best;
+  if (axis.kind != SeparatingAxis::Kind::edges && axis.separation > far) return axis;
+  if (const auto settled = settle(pair, bound, axis)) return *settled;
+  float least = -std::numeric_limits<float>::infinity();
+  if (const auto settled = settle_by_steps(pair, bound, guess.n, least)) return *settled;
+  return search_all(pair, bound, far, least);
 }
 
 }  // namespace rigor

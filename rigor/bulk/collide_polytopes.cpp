@@ -206,7 +206,7 @@ float clip_on_face(const SeparatingAxis& axis, float margin, PolytopePair& pair)
   return face < 0 ? least : std::min(least, add_corners(view, face, margin, pair));
 }
 
-std::optional<Vec3f> find_polytope_candidates(PolytopePair& pair, float margin, AxisCode guess,
+std::optional<Vec3f> find_polytope_candidates(PolytopePair& pair, float margin, const AxisGuess& guess,
                                               SeparatingAxis& axis) {
   pair.candidates.clear();
   const float radii = pair.a.radius + pair.b.radius;

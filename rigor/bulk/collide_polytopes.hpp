@@ -73,18 +73,24 @@ inline float parting_slack(float rounding) {
   return 64 * rounding;
 }
 
-/// A direction along which the cores are farther apart than `limit`, if a few steps of a search from n find
-/// one. None is no proof of the contrary.
+/// Whether a few steps of a search from n, not 0, find a direction along which the cores are farther apart
+/// than `limit`. False is no proof of the contrary. n becomes the last direction.
 ///
 /// Source: Chung and Wang, Quick Collision Detection of Polytopes in Virtual Environments, ACM VRST 1996: a
 /// direction that does not part the support vertices is reflected at the plane across their difference.
-std::optional<Vec3f> find_parting_direction(const PolytopePair& pair, const Vec3f& n, float limit);
+bool find_parting_direction(const PolytopePair& pair, float limit, Vec3f& n);
+
+/// Where to look first.
+struct AxisGuess {
+  Vec3f n;            ///< A direction, not 0.
+  AxisCode axis = 0;  ///< Of these cores; 0 if there is none.
+};
 
 /// The axis of the whole search, whatever the guess: the best face (of A, unless that of B is better by more
 /// than the rounding), or the best edge pair if that is better than it by more than the rounding. Where the
-/// cores are farther apart than `limit`, any axis that shows it. The guess is tried first: where it proves
-/// itself, nothing else is.
-SeparatingAxis find_separating_axis(PolytopePair& pair, float limit, AxisCode guess);
+/// cores are farther apart than `limit`, any axis that shows it. The axis of the guess is tried first, then
+/// those around it: where one of them proves itself, no other is.
+SeparatingAxis find_separating_axis(PolytopePair& pair, float limit, const AxisGuess& guess);
 
 /// Contacts of two cores with their balls, in pair.candidates; nothing beyond the margin. Returns their
 /// normal. `axis` becomes the axis found.
@@ -94,7 +100,7 @@ SeparatingAxis find_separating_axis(PolytopePair& pair, float limit, AxisCode gu
 /// more separation than there is already, and none besides an axis that proves itself
 /// (docs/theory/narrow_phase.md); where cores are apart and the axis joins no two points of them, the nearest
 /// points of their edges take its place, so that gaps are distances.
-std::optional<Vec3f> find_polytope_candidates(PolytopePair& pair, float margin, AxisCode guess,
+std::optional<Vec3f> find_polytope_candidates(PolytopePair& pair, float margin, const AxisGuess& guess,
                                               SeparatingAxis& axis);
 
 // The parts of this.
@@ -118,6 +124,9 @@ struct BallBound {
 };
 BallBound ball_bound(const PolytopePair& pair);
 
+/// Whether rounding changes the separation of the axis by no more than pair.rounding: not of edges that are
+/// nearly parallel.
+bool is_well_conditioned(const PolytopePair& pair, const SeparatingAxis& axis);
 /// Whether no direction parts the cores better than the axis by more than the rounding: false is no proof of
 /// the contrary.
 bool is_best(const PolytopePair& pair, const BallBound& bound, const SeparatingAxis& axis);

@@ -115,9 +115,13 @@ RIGOR_FLOAT_LANES unsigned edges_kernel(const ArcColumns& a, std::size_t i, cons
   if (lane_bits(cross_each_other) == 0) return 0;
   const FloatVec3 w = cross(u, v);
   const FloatLanes square = dot(w, w), outward = dot(w, n_A0 + n_A1) - dot(w, n_B0 + n_B1);
+  // Of all four ends: nearly parallel edges give an axis that is a little off, never too much separation.
   const FloatLanes height =
       dot(w, load_part(b, ArcColumns::point, first) - spread_part(a, ArcColumns::point, i));
-  const FloatLanes separation = (outward < zero ? -height : height) / float_sqrt(square);
+  const FloatLanes sign = outward < zero ? float_lanes(-1) : float_lanes(1);
+  const FloatLanes lowest =
+      sign * height + float_min(sign * dot(w, v), zero) - float_max(sign * dot(w, u), zero);
+  const FloatLanes separation = lowest / float_sqrt(square);
   store_floats(separation, separations);
   return lane_bits(cross_each_other & (separation > float_lanes(least)) &
                    (square > float_lanes(least_square_sine) * dot(u, u) * dot(v, v)));

@@ -186,16 +186,15 @@ void NarrowPhase::Tables::find_polytopes(const PairPlace& place, int number, flo
   const BulkShape &a = shapes[at(place.i)], &b = shapes[at(place.j)];
   PairHint& hint = hints.of(number);
   place_polytopes(a, placed[at(place.i)], b, placed[at(place.j)], place.d, polytopes);
-  if (hint.axis == 0) {
-    const Vec3f start = hint.n.isZero(0) ? Vec3f(polytopes.b.center - polytopes.a.center) : hint.n;
-    const float limit = margin + a.radius + b.radius + parting_slack(polytopes.rounding);
-    if (const auto n = find_parting_direction(polytopes, start, limit)) {
-      hint.n = *n;
-      return;
-    }
+  AxisGuess guess{hint.n, hint.axis};
+  if (guess.n.isZero(0)) guess.n = polytopes.b.center - polytopes.a.center;
+  const float limit = margin + a.radius + b.radius + parting_slack(polytopes.rounding);
+  if (guess.axis == 0 && find_parting_direction(polytopes, limit, guess.n)) {
+    hint.n = guess.n;
+    return;
   }
   SeparatingAxis axis;
-  const std::optional<Vec3f> n = find_polytope_candidates(polytopes, margin, hint.axis, axis);
+  const std::optional<Vec3f> n = find_polytope_candidates(polytopes, margin, guess, axis);
   const bool is_touching = add_manifold(n, number, polytopes, manifolds);
   hint = {axis.n, is_touching ? code_of(axis) : 0};
 }
@@ -295,8 +294,9 @@ void NarrowPhase::Tables::find_boxes(const PairPlace& place, int lane_place, int
   hint = {box_axis(lanes, contacts, lane), 0};
   SeparatingAxis axis;
   const float separation = contacts.separation[lane];
-  const std::optional<Vec3f> n = separation > 0 ? join_nearest_edges(hint.n, separation, margin, polytopes)
-                                                : find_polytope_candidates(polytopes, margin, 0, axis);
+  const std::optional<Vec3f> n = separation > 0
+                                     ? join_nearest_edges(hint.n, separation, margin, polytopes)
+                                     : find_polytope_candidates(polytopes, margin, {hint.n, 0}, axis);
   if (add_manifold(n, number, polytopes, manifolds)) hint.axis = 1;
 }
 
