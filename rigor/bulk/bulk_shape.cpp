@@ -89,6 +89,20 @@ void add_fans(FloatHull& hull) {
   hull.fan_begin.push_back(static_cast<int>(hull.fan.size()));
 }
 
+void add_arcs(FloatHull& hull) {
+  hull.arcs.clear();
+  for (const FloatHull::Edge& edge : hull.edges) {
+    FloatHull::ArcRecord& arc = hull.arcs.emplace_back();
+    const Vec3f from = hull.vertex(edge.v0), along = hull.vertex(edge.v1) - from;
+    for (int k = 0; k < 3; ++k) {
+      arc.along[k] = along[k];
+      arc.normal_0[k] = hull.normal(edge.f0)[k];
+      arc.normal_1[k] = hull.normal(edge.f1)[k];
+      arc.point[k] = from[k];
+    }
+  }
+}
+
 void find_lone_faces(FloatHull& hull) {
   const float cosine = std::cos(0.02f);
   hull.is_lone.assign(at(hull.face_count), 1);
@@ -114,6 +128,7 @@ void number_box_edges(FloatHull& hull) {
   hull.edges = edges;
   for (int& e : hull.loop_edges) e = number[at(e)];
   add_spokes(hull);
+  add_arcs(hull);
 }
 
 }  // namespace
@@ -137,6 +152,7 @@ FloatHull make_float_hull(const FeatureGraph& graph, const std::vector<Vec3>& ve
   }
   hull.center = center.cast<float>();
   find_lone_faces(hull);
+  add_arcs(hull);
   // Rounding must not make the ball larger than it is.
   hull.inner = std::max(0.0f, static_cast<float>(inner) - 1e-5f * hull.extent);
   pad_columns(hull);

@@ -30,11 +30,17 @@ struct FloatHull {
     int f0, f1;        ///< -1 where there are no faces.
     float cosine = 1;  ///< Of the angle between their normals.
   };
+  /// An edge and its arc on the Gauss map, in two rows of lanes.
+  struct alignas(64) ArcRecord {
+    float along[3], normal_0[3], normal_1[3], point[3];
+    float pad[4];
+  };
   int vertex_count = 0, face_count = 0;
   std::vector<float> x, y, z;            ///< Vertices [m].
   std::vector<float> nx, ny, nz;         ///< Outward unit normals of the faces.
   std::vector<char> is_lone;             ///< Of the faces: no other normal is within 0.02 rad of theirs.
   std::vector<Edge> edges;               ///< Each once.
+  std::vector<ArcRecord> arcs;           ///< Of the edges; none without faces.
   std::vector<int> loop_begin;           ///< First place of each face in the loops, and their length.
   std::vector<int> loop, loop_edges;     ///< Vertices counter-clockwise, and the edge to the next one.
   std::vector<int> fan_begin, fan;       ///< The faces around each vertex.

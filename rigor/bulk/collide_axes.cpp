@@ -1,9 +1,6 @@
 #include "rigor/bulk/collide_polytopes.hpp"
 
-#include "rigor/bulk/float_lanes.hpp"
-
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -48,24 +45,14 @@ SeparatingAxis find_best_face(const FaceDirections& faces, float balls, float le
   return best;
 }
 
-/// Arcs of these edges.
-void place_arcs(const PlacedPolytope& polytope, std::span<const int> edges, ArcColumns& arcs) {
-  arcs.resize(edges.size());
-  for (std::size_t k = 0; k < edges.size(); ++k) {
-    const FloatHull::Edge& edge = polytope.edge(edges[k]);
-    const Vec3f from = polytope.vertex(edge.v0);
-    arcs.set_edge(k, edges[k]);
-    arcs.set(k, ArcColumns::along, polytope.vertex(edge.v1) - from);
-    arcs.set(k, ArcColumns::normal_0, polytope.normal(edge.f0));
-    arcs.set(k, ArcColumns::normal_1, polytope.normal(edge.f1));
-    arcs.set(k, ArcColumns::point, from);
-  }
+void place_arcs(const PlacedPolytope& core, std::span<const int> edges, ArcBlocks& arcs) {
+  arcs.place(*core.hull, edges, {core.M, core.R, core.p}, best_lane_target());
 }
 
 /// Arcs of the edges that may have a direction n with n · d > least. `along` are n · d of the faces; on the
 /// arc between x and y at the angle of cosine c the most is (x² + y² - 2 x y c) / (1 - c²), if it is inside.
 void place_high_arcs(const PlacedPolytope& polytope, const std::vector<float>& along, float square_of_d,
-                     float least, std::vector<int>& listed, ArcColumns& arcs) {
+                     float least, std::vector<int>& listed, ArcBlocks& arcs) {
   const std::vector<FloatHull::Edge>& edges = polytope.hull->edges;
   const float square = least * least, rounding = 1e-6f * square_of_d;
   listed.resize(edges.size());
@@ -116,22 +103,10 @@ void try_segment_edges(const PolytopePair& pair, float least, SeparatingAxis& be
 
 /// Of the arcs that are placed.
 void try_crossing_arcs(const PolytopePair& pair, float least, SeparatingAxis& best) {
-  int a = -1, b = -1;
-  float separations[kLaneCount];
-  for (std::size_t i = 0; i < pair.arcs_A.count(); ++i) {
-    for (std::size_t first = 0; first < pair.arcs_B.count(); first += kLaneCount) {
-      unsigned mask =
-          find_parting_edges(pair.arcs_A, i, pair.arcs_B, first, least, best_lane_target(), separations);
-      for (; mask != 0; mask &= mask - 1) {
-        const std::size_t lane = static_cast<std::size_t>(std::countr_zero(mask));
-        if (!(separations[lane] > least)) continue;
-        least = separations[lane];
-        a = pair.arcs_A.edge(i);
-        b = pair.arcs_B.edge(first + lane);
-      }
-    }
-  }
-  if (a >= 0) best = edge_axis(pair, a, b);
+  const EdgeChoice choice = find_best_edges(pair.arcs_A, pair.arcs_B, least, best_lane_target());
+  if (choice.a < 0) return;
+  best = edge_axis(pair, pair.arcs_A.edge(static_cast<std::size_t>(choice.a)),
+                   pair.arcs_B.edge(static_cast<std::size_t>(choice.b)));
 }
 
 void try_edges(PolytopePair& pair, const BallBound& bound, float least, SeparatingAxis& best) {
@@ -179,16 +154,17 @@ void try_faces_around(const PolytopePair& pair, bool is_of_A, int vertex, const 
     if (f != first && bound(f) > best.separation) try_one(f);
 }
 
-/// The best of the faces and edges around the vertices that are highest along n.
-SeparatingAxis best_around(PolytopePair& pair, const Vec3f& n) {
-  const int on_A = pair.a.farthest(n), on_B = pair.b.farthest(-n);
-  const Vec3f w = pair.b.vertex(on_B) - pair.a.vertex(on_A);
-  SeparatingAxis best;
-  try_faces_around(pair, true, on_A, w, best);
-  try_faces_around(pair, false, on_B, w, best);
-  try_edge_lists(pair, pair.a.hull->spokes_of(on_A), pair.b.hull->spokes_of(on_B),
-                 best.separation + pair.rounding, best);
-  return best;
+/// The vertices that are highest along n, and the best of the faces around them.
+struct Neighbourhood {
+  int on_A, on_B;
+  SeparatingAxis face;
+};
+Neighbourhood neighbourhood_of(const PolytopePair& pair, const Vec3f& n) {
+  Neighbourhood around{pair.a.farthest(n), pair.b.farthest(-n), {}};
+  const Vec3f w = pair.b.vertex(around.on_B) - pair.a.vertex(around.on_A);
+  try_faces_around(pair, true, around.on_A, w, around.face);
+  try_faces_around(pair, false, around.on_B, w, around.face);
+  return around;
 }
 
 /// What the best axis parts the cores by at least, as far as rounding lets this one tell.
@@ -207,9 +183,14 @@ std::optional<SeparatingAxis> settle_by_steps(PolytopePair& pair, const BallBoun
   AxisCode last = 0;
   Vec3f n = from;
   for (int step = 0; step < max_steps; ++step) {
-    const SeparatingAxis axis = best_around(pair, n);
-    if (axis.kind == SeparatingAxis::Kind::none || code_of(axis) == last) break;
+    const Neighbourhood around = neighbourhood_of(pair, n);
+    SeparatingAxis axis = around.face;
     if (const auto settled = settle(pair, bound, axis)) return settled;
+    try_edge_lists(pair, pair.a.hull->spokes_of(around.on_A), pair.b.hull->spokes_of(around.on_B),
+                   axis.separation + pair.rounding, axis);
+    if (axis.kind == SeparatingAxis::Kind::none || code_of(axis) == last) break;
+    if (axis.kind == SeparatingAxis::Kind::edges)
+      if (const auto settled = settle(pair, bound, axis)) return settled;
     least = std::max(least, sure_separation(pair, axis));
     last = code_of(axis);
     n = axis.n;

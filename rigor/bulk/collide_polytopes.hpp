@@ -55,7 +55,7 @@ struct PolytopePair {
   PlacedPolytope a, b;
   float rounding = 0;  ///< Of separations: kCollisionRounding of the lengths in the pair [m].
   std::vector<float> heights, along_A, along_B;
-  ArcColumns arcs_A, arcs_B;
+  ArcBlocks arcs_A, arcs_B;
   std::vector<int> edges_A, edges_B;
   std::vector<SegmentLanes> segments;
   std::vector<FaceBorder> borders;

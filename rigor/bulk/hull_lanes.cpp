@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstddef>
 #include <limits>
 
 namespace rigor {
@@ -91,40 +90,94 @@ RIGOR_FLOAT_LANES float separation_kernel(const SupportCore& a, const SupportCor
   return d.x() * x + d.y() * y + d.z() * z - reach_of(a, x, y, z) - reach_of(b, -x, -y, -z);
 }
 
-RIGOR_FLOAT_LANES FloatVec3 spread_part(const ArcColumns& arcs, ArcColumns::Part part, std::size_t k) {
-  return {float_lanes(arcs.column(part)[k]), float_lanes(arcs.column(part + 1)[k]),
-          float_lanes(arcs.column(part + 2)[k])};
-}
-RIGOR_FLOAT_LANES FloatVec3 load_part(const ArcColumns& arcs, ArcColumns::Part part, std::size_t k) {
-  return {load_floats(arcs.column(part) + k), load_floats(arcs.column(part + 1) + k),
-          load_floats(arcs.column(part + 2) + k)};
+RIGOR_FLOAT_LANES void place_part(const FloatLanes* from, const Mat3f& M, const Vec3f& t,
+                                  float (*to)[kLaneCount]) {
+  for (int row = 0; row < 3; ++row)
+    store_floats(float_lanes(M(row, 0)) * from[0] + float_lanes(M(row, 1)) * from[1] +
+                     float_lanes(M(row, 2)) * from[2] + float_lanes(t[row]),
+                 to[row]);
 }
 
+/// Up to eight of the edges.
+RIGOR_FLOAT_LANES void arcs_kernel(const FloatHull& hull, std::span<const int> edges, const CorePlace& place,
+                                   ArcBlocks::Block& block) {
+  static constexpr FloatHull::ArcRecord nothing{};
+  FloatSquare first, second;
+  for (std::size_t k = 0; k < kLaneCount; ++k) {
+    const FloatHull::ArcRecord& arc =
+        k < edges.size() ? hull.arcs[static_cast<std::size_t>(edges[k])] : nothing;
+    first.row[k] = load_floats(arc.along);
+    second.row[k] = load_floats(arc.along + 8);
+  }
+  first = transpose(first);
+  second = transpose(second);
+  FloatLanes local[ArcBlocks::part_count];
+  for (int k = 0; k < ArcBlocks::part_count; ++k) local[k] = k < 8 ? first.row[k] : second.row[k - 8];
+  const Vec3f none = Vec3f::Zero();
+  place_part(local + ArcBlocks::along, place.M, none, block.part + ArcBlocks::along);
+  place_part(local + ArcBlocks::normal_0, place.R, none, block.part + ArcBlocks::normal_0);
+  place_part(local + ArcBlocks::normal_1, place.R, none, block.part + ArcBlocks::normal_1);
+  place_part(local + ArcBlocks::point, place.M, place.t, block.part + ArcBlocks::point);
+}
+
+RIGOR_FLOAT_LANES FloatVec3 spread_part(const ArcBlocks::Block& block, ArcBlocks::Part part,
+                                        std::size_t lane) {
+  return {float_lanes(block.part[part][lane]), float_lanes(block.part[part + 1][lane]),
+          float_lanes(block.part[part + 2][lane])};
+}
+RIGOR_FLOAT_LANES FloatVec3 load_part(const ArcBlocks::Block& block, ArcBlocks::Part part) {
+  return {load_floats(block.part[part]), load_floats(block.part[part + 1]),
+          load_floats(block.part[part + 2])};
+}
+
+/// One edge of A.
+struct ArcLanes {
+  FloatVec3 u, n0, n1, p;
+};
+
+/// Which of the edges of the block cross it with more separation than `least`, and these separations.
+///
 /// Source: Gregorius, The Separating Axis Test between Convex Polyhedra, GDC 2013.
-RIGOR_FLOAT_LANES unsigned edges_kernel(const ArcColumns& a, std::size_t i, const ArcColumns& b,
-                                        std::size_t first, float least, float* separations) {
+RIGOR_FLOAT_LANES unsigned cross_block(const ArcLanes& a, const ArcBlocks::Block& b, float least,
+                                       float* separations) {
   constexpr float least_square_sine = 1e-8f;
-  const FloatVec3 u = spread_part(a, ArcColumns::along, i), v = load_part(b, ArcColumns::along, first);
-  const FloatVec3 n_A0 = spread_part(a, ArcColumns::normal_0, i),
-                  n_A1 = spread_part(a, ArcColumns::normal_1, i);
-  const FloatVec3 n_B0 = load_part(b, ArcColumns::normal_0, first),
-                  n_B1 = load_part(b, ArcColumns::normal_1, first);
-  const FloatLanes a0 = dot(n_A0, v), a1 = dot(n_A1, v), b0 = dot(n_B0, u), b1 = dot(n_B1, u);
+  const FloatVec3 v = load_part(b, ArcBlocks::along);
+  const FloatVec3 n_B0 = load_part(b, ArcBlocks::normal_0), n_B1 = load_part(b, ArcBlocks::normal_1);
+  const FloatLanes a0 = dot(a.n0, v), a1 = dot(a.n1, v), b0 = dot(n_B0, a.u), b1 = dot(n_B1, a.u);
   const FloatLanes zero = float_lanes(0);
-  const IntLanes cross_each_other = (a0 * a1 < zero) & (b0 * b1 < zero) & (b0 * a1 < zero);
-  if (lane_bits(cross_each_other) == 0) return 0;
-  const FloatVec3 w = cross(u, v);
-  const FloatLanes square = dot(w, w), outward = dot(w, n_A0 + n_A1) - dot(w, n_B0 + n_B1);
+  const IntLanes is_crossing = (a0 * a1 < zero) & (b0 * b1 < zero) & (b0 * a1 < zero);
+  if (lane_bits(is_crossing) == 0) return 0;
+  const FloatVec3 w = cross(a.u, v);
+  const FloatLanes square = dot(w, w), outward = dot(w, a.n0 + a.n1) - dot(w, n_B0 + n_B1);
   // Of all four ends: nearly parallel edges give an axis that is a little off, never too much separation.
-  const FloatLanes height =
-      dot(w, load_part(b, ArcColumns::point, first) - spread_part(a, ArcColumns::point, i));
   const FloatLanes sign = outward < zero ? float_lanes(-1) : float_lanes(1);
-  const FloatLanes lowest =
-      sign * height + float_min(sign * dot(w, v), zero) - float_max(sign * dot(w, u), zero);
-  const FloatLanes separation = lowest / float_sqrt(square);
+  const FloatLanes height = sign * dot(w, load_part(b, ArcBlocks::point) - a.p) +
+                            float_min(sign * dot(w, v), zero) - float_max(sign * dot(w, a.u), zero);
+  const FloatLanes separation = height / float_sqrt(square);
   store_floats(separation, separations);
-  return lane_bits(cross_each_other & (separation > float_lanes(least)) &
-                   (square > float_lanes(least_square_sine) * dot(u, u) * dot(v, v)));
+  return lane_bits(is_crossing & (separation > float_lanes(least)) &
+                   (square > float_lanes(least_square_sine) * dot(a.u, a.u) * dot(v, v)));
+}
+
+RIGOR_FLOAT_LANES EdgeChoice edges_kernel(const ArcBlocks& a, const ArcBlocks& b, float least) {
+  EdgeChoice best{-1, -1, least};
+  float separations[kLaneCount];
+  for (std::size_t i = 0; i < a.count(); ++i) {
+    const ArcBlocks::Block& block = a.blocks()[i / kLaneCount];
+    const std::size_t own = i % kLaneCount;
+    const ArcLanes arc{
+        spread_part(block, ArcBlocks::along, own), spread_part(block, ArcBlocks::normal_0, own),
+        spread_part(block, ArcBlocks::normal_1, own), spread_part(block, ArcBlocks::point, own)};
+    for (std::size_t k = 0; k < b.blocks().size(); ++k) {
+      unsigned bits = cross_block(arc, b.blocks()[k], best.separation, separations);
+      for (; bits != 0; bits &= bits - 1) {
+        const int lane = std::countr_zero(bits);
+        if (!(separations[lane] > best.separation)) continue;
+        best = {static_cast<int>(i), static_cast<int>(k) * kLaneCount + lane, separations[lane]};
+      }
+    }
+  }
+  return best;
 }
 
 /// As nearest_on_segments.
@@ -171,9 +224,12 @@ RIGOR_AVX2 void heights_avx2(const LaneColumns& points, const Vec3f& n, float* h
 RIGOR_AVX2 float separation_avx2(const SupportCore& a, const SupportCore& b, const Vec3f& d, const Vec3f& n) {
   return separation_kernel(a, b, d, n);
 }
-RIGOR_AVX2 unsigned edges_avx2(const ArcColumns& a, std::size_t i, const ArcColumns& b, std::size_t first,
-                               float least, float* separations) {
-  return edges_kernel(a, i, b, first, least, separations);
+RIGOR_AVX2 void arcs_avx2(const FloatHull& hull, std::span<const int> edges, const CorePlace& place,
+                          ArcBlocks::Block& block) {
+  arcs_kernel(hull, edges, place, block);
+}
+RIGOR_AVX2 EdgeChoice edges_avx2(const ArcBlocks& a, const ArcBlocks& b, float least) {
+  return edges_kernel(a, b, least);
 }
 RIGOR_AVX2 void distances_avx2(const Vec3f& p, const Vec3f& u, const SegmentLanes& segments, float* squares) {
   distances_kernel(p, u, segments, squares);
@@ -199,19 +255,21 @@ float find_separation(const SupportCore& a, const SupportCore& b, const Vec3f& d
   return target == LaneTarget::avx2 ? separation_avx2(a, b, d, n) : separation_kernel(a, b, d, n);
 }
 
-void ArcColumns::resize(std::size_t count) {
-  stride_ = (count + kLaneCount - 1) / kLaneCount * kLaneCount;
-  edges_.resize(count);
-  values_.resize(column_count * stride_);
-  for (std::size_t c = 0; c < column_count; ++c)
-    std::fill(values_.begin() + static_cast<std::ptrdiff_t>(c * stride_ + count),
-              values_.begin() + static_cast<std::ptrdiff_t>((c + 1) * stride_), 0.0f);
+void ArcBlocks::place(const FloatHull& hull, std::span<const int> edges, const CorePlace& place,
+                      LaneTarget target) {
+  edges_.assign(edges.begin(), edges.end());
+  blocks_.resize((edges.size() + kLaneCount - 1) / kLaneCount);
+  for (std::size_t k = 0; k < blocks_.size(); ++k) {
+    const std::size_t first = k * kLaneCount;
+    const std::span<const int> part =
+        edges.subspan(first, std::min<std::size_t>(kLaneCount, edges.size() - first));
+    target == LaneTarget::avx2 ? arcs_avx2(hull, part, place, blocks_[k])
+                               : arcs_kernel(hull, part, place, blocks_[k]);
+  }
 }
 
-unsigned find_parting_edges(const ArcColumns& a, std::size_t i, const ArcColumns& b, std::size_t first,
-                            float least, LaneTarget target, float* separations) {
-  return target == LaneTarget::avx2 ? edges_avx2(a, i, b, first, least, separations)
-                                    : edges_kernel(a, i, b, first, least, separations);
+EdgeChoice find_best_edges(const ArcBlocks& a, const ArcBlocks& b, float least, LaneTarget target) {
+  return target == LaneTarget::avx2 ? edges_avx2(a, b, least) : edges_kernel(a, b, least);
 }
 
 void find_square_distances(const Vec3f& p, const Vec3f& u, const SegmentLanes& segments, LaneTarget target,

@@ -4,6 +4,7 @@
 #include "rigor/bulk/float_lanes.hpp"
 #include "rigor/geometry/lane_target.hpp"
 
+#include <span>
 #include <vector>
 
 namespace rigor {
@@ -38,33 +39,39 @@ struct SupportCore {
 float find_separation(const SupportCore& a, const SupportCore& b, const Vec3f& d, const Vec3f& n,
                       LaneTarget target);
 
-/// Edges with the normals of their faces, in columns of whole lanes, for the test of their arcs on the Gauss
-/// map. What pads them crosses nothing. A segment, whose arc is a circle, has no place here.
-class ArcColumns {
+/// How a core is placed: its vertices by p -> M p + t, its normals by R.
+struct CorePlace {
+  Mat3f M, R;
+  Vec3f t;
+};
+/// Edges of a core with the normals of their faces, placed, in blocks of eight, for the test of their arcs on
+/// the Gauss map. What fills the last block crosses nothing.
+class ArcBlocks {
  public:
-  /// Edge vector, first and second normal, a point of the edge: three columns each.
-  enum Part { along = 0, normal_0 = 3, normal_1 = 6, point = 9, column_count = 12 };
+  /// Edge vector, first and second normal, a point of the edge: three coordinates each.
+  enum Part { along = 0, normal_0 = 3, normal_1 = 6, point = 9, part_count = 12 };
+  struct Block {
+    alignas(32) float part[part_count][kLaneCount];
+  };
 
-  void resize(std::size_t count);
+  void place(const FloatHull& hull, std::span<const int> edges, const CorePlace& place, LaneTarget target);
   std::size_t count() const { return edges_.size(); }
   int edge(std::size_t k) const { return edges_[k]; }
-  const float* column(int c) const { return values_.data() + static_cast<std::size_t>(c) * stride_; }
-  void set_edge(std::size_t k, int e) { edges_[k] = e; }
-  void set(std::size_t k, Part part, const Vec3f& a) {
-    for (int c = 0; c < 3; ++c) values_[static_cast<std::size_t>(part + c) * stride_ + k] = a[c];
-  }
+  const std::vector<Block>& blocks() const { return blocks_; }
 
  private:
-  std::size_t stride_ = 0;
-  std::vector<float> values_;
   std::vector<int> edges_;
+  std::vector<Block> blocks_;
 };
 
-/// Which of the arcs of B, of eight from number `first` on, cross arc i of A and belong to edges that part
-/// the cores by more than `least`: a mask of bits, and these separations. B's normals are those of its faces,
-/// its arcs on the Gauss map the opposite.
-unsigned find_parting_edges(const ArcColumns& a, std::size_t i, const ArcColumns& b, std::size_t first,
-                            float least, LaneTarget target, float* separations);
+/// The pair of edges of A and B whose arcs cross and that parts the cores best, if it does by more than
+/// `least`: numbers among the arcs, -1 if there is none. B's normals are those of its faces, its arcs on the
+/// Gauss map the opposite. Of equally good ones the first is taken.
+struct EdgeChoice {
+  int a = -1, b = -1;
+  float separation;
+};
+EdgeChoice find_best_edges(const ArcBlocks& a, const ArcBlocks& b, float least, LaneTarget target);
 
 /// Eight segments from q along v, in lanes.
 struct SegmentLanes {
