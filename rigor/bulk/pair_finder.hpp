@@ -10,8 +10,8 @@
 
 namespace rigor {
 
-/// The broad phase of the many-body path: pairs of shapes whose bodies may touch within a step. The boxes of
-/// all bodies are sorted anew in each call (BoxTree); no call remembers another.
+/// The broad phase of the many-body path: pairs of shapes whose bodies may touch within a step. Which bodies
+/// are near each other is kept from call to call (NearBodies); no answer depends on the calls before.
 class PairFinder {
  public:
   explicit PairFinder(const Model& model);
