@@ -135,11 +135,11 @@ void PairFinder::Tables::add_pairs(const Step& step, int a, int b, std::vector<S
 /// `pair` has the numbers of its shapes among all shapes.
 void PairFinder::Tables::add_pair(const Step& step, const ShapePair& pair,
                                   std::vector<ShapePair>& pairs) const {
-  const ShapePlace &A = places[at(pair.shape_A)], &B = places[at(pair.shape_B)];
-  const float margin = step.margin + approach_bound(A, B, step.h);
-  if (!may_be_within(A, B, margin)) return;
+  const std::optional<float> margin =
+      find_pair_margin(places[at(pair.shape_A)], places[at(pair.shape_B)], step.h, step.margin);
+  if (!margin) return;
   pairs.push_back(
-      {pair.body_A, pair.body_B, shapes[at(pair.shape_A)].shape, shapes[at(pair.shape_B)].shape, margin});
+      {pair.body_A, pair.body_B, shapes[at(pair.shape_A)].shape, shapes[at(pair.shape_B)].shape, *margin});
 }
 
 /// Dynamic bodies against all shapes without an end.

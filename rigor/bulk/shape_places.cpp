@@ -170,35 +170,39 @@ float approach_speed(const Float3& d, const Float3& u, float balls) {
   return std::max(towards * cosine + across * std::sqrt(1 - cosine * cosine), 0.0f);
 }
 
-}  // namespace
-
+/// How far the shapes can come to each other; d: from the centre of the large one to that of the small one.
+///
 /// The distance of the cores changes as fast as their witness points P and Q move along the line n between
 /// them. With c the centre of the core of b: velocity_b(Q) - velocity_a(P) = [u_b - velocity_a(c)] +
 /// (w_b - w_a) × (Q - c) + w_a × (Q - P), and the last term has no part along n. Balls inside about the
 /// centres leave n · d >= r_a + r_b where the shapes do not overlap.
-float approach_bound(const ShapePlace& a, const ShapePlace& b, float h) {
+float approach_bound(const ShapePlace& small, const ShapePlace& large, const Float3& d, float h) {
   constexpr float share = 0.9f, worthwhile = 0.01f;  // Slow shapes come so near only if they are near.
-  const ShapePlace &small = b.reach <= a.reach ? b : a, &large = b.reach <= a.reach ? a : b;
-  const Float3 d = load(small.center) - load(large.center);
   const Float3 u = load(small.u) - load(large.u) - cross(load(large.w), d);
-  const float balls = a.inner > 0 && b.inner > 0 ? share * (a.inner + b.inner) : 0;
-  const float speed = norm(u), turning = norm(load(small.w) - load(large.w)) * small.reach;
+  const float balls = small.inner > 0 && large.inner > 0 ? share * (small.inner + large.inner) : 0;
+  const float speed = norm(u);
+  const float turning = small.reach > 0 ? norm(load(small.w) - load(large.w)) * small.reach : 0;
   return h * ((h * speed > worthwhile * balls ? approach_speed(d, u, balls) : speed) + turning);
 }
 
-bool may_be_within(const ShapePlace& a, const ShapePlace& b, float margin) {
-  const ShapePlace &small = b.reach <= a.reach ? b : a, &large = b.reach <= a.reach ? a : b;
+}  // namespace
+
+std::optional<float> find_pair_margin(const ShapePlace& a, const ShapePlace& b, float h, float margin) {
+  const bool is_a_large = b.reach <= a.reach;
+  const ShapePlace &small = is_a_large ? b : a, &large = is_a_large ? a : b;
   const Float3 d = load(small.center) - load(large.center);
-  const float near = small.reach + small.radius + large.radius + margin + a.slack + b.slack;
+  const float pair_margin = margin + approach_bound(small, large, d, h);
+  const float near = small.reach + small.radius + large.radius + pair_margin + a.slack + b.slack;
   const float far = near + large.reach;
-  if (squared(d) > far * far) return false;
+  if (squared(d) > far * far) return std::nullopt;
   // Of shapes of one size the box of the one tells little more than its ball.
-  if (large.reach < 2 * (small.reach + small.radius)) return true;
+  if (large.reach < 2 * (small.reach + small.radius)) return pair_margin;
   const Float3 local = turned_back(large.R_WS, d);
   const Float3 outside{std::max(std::abs(local.x) - large.half[0], 0.0f),
                        std::max(std::abs(local.y) - large.half[1], 0.0f),
                        std::max(std::abs(local.z) - large.half[2], 0.0f)};
-  return squared(outside) <= near * near;
+  if (squared(outside) > near * near) return std::nullopt;
+  return pair_margin;
 }
 
 }  // namespace rigor

@@ -3,7 +3,7 @@
 #include "rigor/bulk/box_tree.hpp"
 #include "rigor/bulk/bulk_bodies.hpp"
 
-#include <vector>
+#include <optional>
 
 namespace rigor {
 
@@ -41,13 +41,10 @@ ShapePlace place_of(const ShapeBound& bound, const BulkBodies& bodies, int body,
 FloatBox swept_box(const ShapePlace& place, const ShapeBound& bound, const MotionRecord& motion, float h,
                    float margin);
 
-/// How far the two shapes can come to each other within h [s] at the velocities of now, to first order in h
-/// [m]: the farther ends of a turning shape count, its roundness does not. Of convex shapes only the
-/// directions count along which they can be nearest, unless they overlap by more than a tenth of the balls
-/// inside.
-float approach_bound(const ShapePlace& a, const ShapePlace& b, float h);
-
-/// False only if they are farther apart than `margin` [m].
-bool may_be_within(const ShapePlace& a, const ShapePlace& b, float margin);
+/// The margin of a pair [m]: `margin` and how far the two shapes can come to each other within h [s] at the
+/// velocities of now, to first order in h: the farther ends of a turning shape count, its roundness does not.
+/// Of convex shapes only the directions count along which they can be nearest, unless they overlap by more
+/// than a tenth of the balls inside. Nothing if their boxes and balls are farther apart than that.
+std::optional<float> find_pair_margin(const ShapePlace& a, const ShapePlace& b, float h, float margin);
 
 }  // namespace rigor
