@@ -5,6 +5,7 @@
 
 #include "rigor/bulk/box_region_lanes.hpp"
 #include "rigor/bulk/collide_boxes.hpp"
+#include "rigor/bulk/lane_bits.hpp"
 
 #include <limits>
 
@@ -74,8 +75,13 @@ RIGOR_FLOAT_LANES void find_best_edges(const FloatLanes* t, const FloatLanes (*C
       const FloatLanes reach = own[i1] * float_abs(c2) + own[i2] * float_abs(c1) +
                                other[j1] * float_abs(c1 * C[i2][j1] - c2 * C[i1][j1]) +
                                other[j2] * float_abs(c1 * C[i2][j2] - c2 * C[i1][j2]);
-      const FloatLanes separation = (center - reach) / float_sqrt(square);
-      const IntLanes is_better = (square > float_lanes(least_square_sine)) & (separation > least);
+      // The axis has a length of no more than 1: what it parts by is no more than this, if that is negative.
+      const FloatLanes height = center - reach;
+      const IntLanes may_be_better =
+          (square > float_lanes(least_square_sine)) & ((height > least) | (height > float_lanes(0)));
+      if (lane_bits(may_be_better) == 0) continue;
+      const FloatLanes separation = height / float_sqrt(square);
+      const IntLanes is_better = may_be_better & (separation > least);
       least = is_better ? separation : least;
       code = is_better ? int_lanes(3 * i + j) : code;
     }

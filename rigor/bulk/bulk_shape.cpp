@@ -148,6 +148,7 @@ FloatHull make_float_hull(const FeatureGraph& graph, const std::vector<Vec3>& ve
     hull.nx.push_back(static_cast<float>(n.x()));
     hull.ny.push_back(static_cast<float>(n.y()));
     hull.nz.push_back(static_cast<float>(n.z()));
+    hull.offset.push_back(static_cast<float>(offset));
     inner = std::min(inner, offset - n.dot(center));
   }
   hull.center = center.cast<float>();

@@ -38,6 +38,7 @@ struct FloatHull {
   int vertex_count = 0, face_count = 0;
   std::vector<float> x, y, z;            ///< Vertices [m].
   std::vector<float> nx, ny, nz;         ///< Outward unit normals of the faces.
+  std::vector<float> offset;             ///< Of the faces: n · v of their vertices [m].
   std::vector<char> is_lone;             ///< Of the faces: no other normal is within 0.02 rad of theirs.
   std::vector<Edge> edges;               ///< Each once.
   std::vector<ArcRecord> arcs;           ///< Of the edges; none without faces.

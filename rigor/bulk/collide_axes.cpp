@@ -15,33 +15,40 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-/// The faces of one core as directions: `along` are the parts of the ball bound that turn with the normals.
-struct FaceDirections {
+/// What bounds the separation along the normals m of the faces of one core: m · `between` - `balls` by the
+/// balls inside, and the height of one vertex of the other core over each face.
+struct DirectionBounds {
   const PolytopePair& pair;
   bool is_of_A;
+  float balls;
   const std::vector<float>& along;
+  const std::vector<float>& heights;
 
-  int count() const { return (is_of_A ? pair.a : pair.b).hull->face_count; }
+  const PlacedPolytope& core() const { return is_of_A ? pair.a : pair.b; }
+  float of_face(int f) const { return std::min(along[at(f)] - balls, heights[at(f)]); }
 };
 
-void try_face(const FaceDirections& faces, int f, float balls, SeparatingAxis& best) {
-  if (faces.along[at(f)] - balls <= best.separation) return;
-  const SeparatingAxis axis = face_axis(faces.pair, faces.is_of_A, f);
+void find_bounds(const PlacedPolytope& core, const Vec3f& between, const Vec3f& vertex,
+                 std::vector<float>& along, std::vector<float>& heights) {
+  const LaneColumns normals = core.hull->normals();
+  along.resize(normals.count);
+  heights.resize(normals.count);
+  find_heights(normals, core.R.transpose() * between, best_lane_target(), along.data());
+  find_heights(normals, core.R.transpose() * (vertex - core.p), best_lane_target(), heights.data());
+  for (int f = 0; f < core.hull->face_count; ++f) heights[at(f)] -= core.offset(f);
+}
+
+void try_face(const DirectionBounds& bounds, int f, SeparatingAxis& best) {
+  if (bounds.of_face(f) <= best.separation - 4 * bounds.pair.rounding) return;
+  const SeparatingAxis axis = face_axis(bounds.pair, bounds.is_of_A, f);
   if (axis.separation > best.separation) best = axis;
 }
 
-/// The face with the largest bound.
-void try_first_face(const FaceDirections& faces, float balls, SeparatingAxis& best) {
-  if (faces.count() == 0) return;
-  const auto most = std::max_element(faces.along.begin(), faces.along.begin() + faces.count());
-  try_face(faces, static_cast<int>(most - faces.along.begin()), balls, best);
-}
-
 /// The best face, if it is better than `least`.
-SeparatingAxis find_best_face(const FaceDirections& faces, float balls, float least) {
+SeparatingAxis find_best_face(const DirectionBounds& bounds, float least) {
   SeparatingAxis best;
   best.separation = least;
-  for (int f = 0; f < faces.count(); ++f) try_face(faces, f, balls, best);
+  for (int f = 0; f < bounds.core().hull->face_count; ++f) try_face(bounds, f, best);
   return best;
 }
 
@@ -49,23 +56,31 @@ void place_arcs(const PlacedPolytope& core, std::span<const int> edges, ArcBlock
   arcs.place(*core.hull, edges, {core.M, core.R, core.p}, best_lane_target());
 }
 
-/// Arcs of the edges that may have a direction n with n · d > least. `along` are n · d of the faces; on the
-/// arc between x and y at the angle of cosine c the most is (x² + y² - 2 x y c) / (1 - c²), if it is inside.
-void place_high_arcs(const PlacedPolytope& polytope, const std::vector<float>& along, float square_of_d,
-                     float least, std::vector<int>& listed, ArcBlocks& arcs) {
-  const std::vector<FloatHull::Edge>& edges = polytope.hull->edges;
-  const float square = least * least, rounding = 1e-6f * square_of_d;
+/// Whether an arc may have a direction n with n · d > least; x and y are n · d at its ends and c is the
+/// cosine between these. The most is sqrt((x² + y² - 2 x y c) / (1 - c²)), if that is inside. No branches:
+/// which arcs may follows no pattern.
+bool may_exceed(float x, float y, float c, float least) {
+  const bool is_inside = bool(x > c * y) & bool(y > c * x);
+  const bool is_high = bool(least <= 0) | bool(x * x + y * y - 2 * x * y * c > least * least * (1 - c * c));
+  return bool(std::max(x, y) > least) | (is_inside & is_high);
+}
+
+/// Arcs of the edges that may part the cores by more than `least`.
+void place_high_arcs(const DirectionBounds& bounds, float least, std::vector<int>& listed, ArcBlocks& arcs) {
+  const std::vector<FloatHull::Edge>& edges = bounds.core().hull->edges;
+  const float below = least - 4 * bounds.pair.rounding;
   listed.resize(edges.size());
   std::size_t count = 0;
   for (std::size_t e = 0; e < edges.size(); ++e) {
-    const float x = along[at(edges[e].f0)], y = along[at(edges[e].f1)], c = edges[e].cosine;
-    const bool is_inside = bool(x > c * y) & bool(y > c * x);
-    const bool is_high = x * x + y * y - 2 * x * y * c + rounding > square * (1 - c * c);
-    // No branches: which edges are kept follows no pattern.
+    const std::size_t f = at(edges[e].f0), g = at(edges[e].f1);
+    const float c = edges[e].cosine;
     listed[count] = static_cast<int>(e);
-    count += bool(std::max(x, y) > least) | bool(least <= 0) | (is_inside & is_high) ? 1u : 0u;
+    count += may_exceed(bounds.along[f], bounds.along[g], c, below + bounds.balls) &
+                     may_exceed(bounds.heights[f], bounds.heights[g], c, below)
+                 ? 1u
+                 : 0u;
   }
-  place_arcs(polytope, std::span(listed).first(count), arcs);
+  place_arcs(bounds.core(), std::span(listed).first(count), arcs);
 }
 
 /// Whether the arcs of two edges cross on the Gauss map, that of B reversed. The circle of a segment crosses
@@ -109,12 +124,12 @@ void try_crossing_arcs(const PolytopePair& pair, float least, SeparatingAxis& be
                    pair.arcs_B.edge(static_cast<std::size_t>(choice.b)));
 }
 
-void try_edges(PolytopePair& pair, const BallBound& bound, float least, SeparatingAxis& best) {
+void try_edges(PolytopePair& pair, const DirectionBounds& bounds_A, const DirectionBounds& bounds_B,
+               float least, SeparatingAxis& best) {
   if (pair.a.hull->face_count == 0 || pair.b.hull->face_count == 0)
     return try_segment_edges(pair, least, best);
-  const float square = bound.between.squaredNorm();
-  place_high_arcs(pair.a, pair.along_A, square, least + bound.balls, pair.edges_A, pair.arcs_A);
-  place_high_arcs(pair.b, pair.along_B, square, least + bound.balls, pair.edges_B, pair.arcs_B);
+  place_high_arcs(bounds_A, least, pair.edges_A, pair.arcs_A);
+  place_high_arcs(bounds_B, least, pair.edges_B, pair.arcs_B);
   try_crossing_arcs(pair, least, best);
 }
 
@@ -175,15 +190,19 @@ float sure_separation(const PolytopePair& pair, const SeparatingAxis& axis) {
   return axis.separation - roundings * pair.rounding;
 }
 
-/// A few steps from one direction to the best around it. `least` becomes what the best of all parts the cores
-/// by at least.
-std::optional<SeparatingAxis> settle_by_steps(PolytopePair& pair, const BallBound& bound, const Vec3f& from,
-                                              float& least) {
+/// A direction, and what the best of all parts the cores by at least.
+struct SearchStart {
+  Vec3f n;
+  float least = -std::numeric_limits<float>::infinity();
+};
+
+/// A few steps from one direction to the best around it, which `start` becomes.
+std::optional<SeparatingAxis> settle_by_steps(PolytopePair& pair, const BallBound& bound,
+                                              SearchStart& start) {
   constexpr int max_steps = 3;
   AxisCode last = 0;
-  Vec3f n = from;
   for (int step = 0; step < max_steps; ++step) {
-    const Neighbourhood around = neighbourhood_of(pair, n);
+    const Neighbourhood around = neighbourhood_of(pair, start.n);
     SeparatingAxis axis = around.face;
     if (const auto settled = settle(pair, bound, axis)) return settled;
     try_edge_lists(pair, pair.a.hull->spokes_of(around.on_A), pair.b.hull->spokes_of(around.on_B),
@@ -191,36 +210,30 @@ std::optional<SeparatingAxis> settle_by_steps(PolytopePair& pair, const BallBoun
     if (axis.kind == SeparatingAxis::Kind::none || code_of(axis) == last) break;
     if (axis.kind == SeparatingAxis::Kind::edges)
       if (const auto settled = settle(pair, bound, axis)) return settled;
-    least = std::max(least, sure_separation(pair, axis));
+    start.least = std::max(start.least, sure_separation(pair, axis));
     last = code_of(axis);
-    n = axis.n;
+    start.n = axis.n;
   }
   return std::nullopt;
 }
 
-/// All faces and edges that may part the cores by more than `least`, which the best does.
-SeparatingAxis search_all(PolytopePair& pair, const BallBound& bound, float far, float least) {
-  pair.along_A.resize(pair.a.hull->nx.size());
-  pair.along_B.resize(pair.b.hull->nx.size());
-  find_heights(pair.a.hull->normals(), pair.a.R.transpose() * bound.between, best_lane_target(),
-               pair.along_A.data());
-  find_heights(pair.b.hull->normals(), pair.b.R.transpose() * -bound.between, best_lane_target(),
-               pair.along_B.data());
-  const FaceDirections faces_A{pair, true, pair.along_A}, faces_B{pair, false, pair.along_B};
-  SeparatingAxis first;
-  first.separation = least;
-  try_first_face(faces_A, bound.balls, first);
-  try_first_face(faces_B, bound.balls, first);
-  if (first.separation > far) return first;
+/// All faces and edges that may part the cores by more than the start tells that the best does.
+SeparatingAxis search_all(PolytopePair& pair, const BallBound& bound, float far, const SearchStart& start) {
+  const Vec3f high_A = pair.a.vertex(pair.a.farthest(start.n)),
+              low_B = pair.b.vertex(pair.b.farthest(-start.n));
+  find_bounds(pair.a, bound.between, low_B, pair.along_A, pair.heights_A);
+  find_bounds(pair.b, -bound.between, high_A, pair.along_B, pair.heights_B);
+  const DirectionBounds bounds_A{pair, true, bound.balls, pair.along_A, pair.heights_A},
+      bounds_B{pair, false, bound.balls, pair.along_B, pair.heights_B};
 
-  // The face of A is kept unless that of B is clearly better. The first is found again, if it is the best.
-  const float below = first.separation - 2 * pair.rounding;
-  SeparatingAxis best = find_best_face(faces_A, bound.balls, below);
-  const SeparatingAxis of_B = find_best_face(faces_B, bound.balls, below);
+  // The face of A is kept unless that of B is clearly better.
+  SeparatingAxis best = find_best_face(bounds_A, start.least);
+  if (best.separation > far) return best;
+  const SeparatingAxis of_B = find_best_face(bounds_B, best.separation - 2 * pair.rounding);
   if (best.kind == SeparatingAxis::Kind::none || of_B.separation > best.separation + pair.rounding)
     best = of_B;
   if (best.separation > far || is_best(pair, bound, best)) return best;
-  try_edges(pair, bound, best.separation + pair.rounding, best);
+  try_edges(pair, bounds_A, bounds_B, best.separation + pair.rounding, best);
   return best;
 }
 
@@ -316,9 +329,9 @@ SeparatingAxis find_separating_axis(PolytopePair& pair, float limit, const AxisG
   // The separation along a face's normal is real; two edges may be no more what is nearest.
   if (axis.kind != SeparatingAxis::Kind::edges && axis.separation > far) return axis;
   if (const auto settled = settle(pair, bound, axis)) return *settled;
-  float least = -std::numeric_limits<float>::infinity();
-  if (const auto settled = settle_by_steps(pair, bound, guess.n, least)) return *settled;
-  return search_all(pair, bound, far, least);
+  SearchStart start{guess.n};
+  if (const auto settled = settle_by_steps(pair, bound, start)) return *settled;
+  return search_all(pair, bound, far, start);
 }
 
 }  // namespace rigor

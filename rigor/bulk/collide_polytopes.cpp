@@ -153,7 +153,8 @@ PlacedPolytope place_polytope(const BulkShape& shape, const PlacedShape& placed,
           R * hull.center + p,
           hull.inner * shape.scale.minCoeff(),
           shape.radius,
-          shape.extent};
+          shape.extent,
+          shape.kind == BulkShape::Kind::box ? shape.scale : Vec3f(Vec3f::Zero())};
 }
 
 /// Moves the ball inside a core as near to a point as it goes.

@@ -22,9 +22,15 @@ struct PlacedPolytope {
   float inner = 0;   ///< Its radius [m].
   float radius = 0;  ///< Of the ball added to the core [m].
   float extent = 0;  ///< No vertex is farther from p [m].
+  Vec3f box;         ///< Half extents of a box, 0 of others [m].
 
   Vec3f vertex(int v) const { return M * hull->vertex(v) + p; }
   Vec3f normal(int f) const { return R * hull->normal(f); }
+  /// Of a face's plane from p [m].
+  float offset(int f) const {
+    if (box.x() > 0) return hull->normal(f).cwiseAbs().dot(box);
+    return hull->offset[static_cast<std::size_t>(f)];
+  }
   const FloatHull::Edge& edge(int e) const { return hull->edges[static_cast<std::size_t>(e)]; }
   Vec3f edge_vector(int e) const { return vertex(edge(e).v1) - vertex(edge(e).v0); }
   /// The vertex farthest along n (of equal ones the first).
@@ -54,7 +60,7 @@ struct FaceBorder {
 struct PolytopePair {
   PlacedPolytope a, b;
   float rounding = 0;  ///< Of separations: kCollisionRounding of the lengths in the pair [m].
-  std::vector<float> heights, along_A, along_B;
+  std::vector<float> heights, along_A, along_B, heights_A, heights_B;
   ArcBlocks arcs_A, arcs_B;
   std::vector<int> edges_A, edges_B;
   std::vector<SegmentLanes> segments;
