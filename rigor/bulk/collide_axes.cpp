@@ -69,18 +69,16 @@ bool may_exceed(float x, float y, float c, float least) {
 void place_high_arcs(const DirectionBounds& bounds, float least, std::vector<int>& listed, ArcBlocks& arcs) {
   const std::vector<FloatHull::Edge>& edges = bounds.core().hull->edges;
   const float below = least - 4 * bounds.pair.rounding;
-  listed.resize(edges.size());
-  std::size_t count = 0;
+  listed.clear();
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const std::size_t f = at(edges[e].f0), g = at(edges[e].f1);
     const float c = edges[e].cosine;
-    listed[count] = static_cast<int>(e);
-    count += may_exceed(bounds.along[f], bounds.along[g], c, below + bounds.balls) &
-                     may_exceed(bounds.heights[f], bounds.heights[g], c, below)
-                 ? 1u
-                 : 0u;
+    // Few edges are near the vertex that the heights are of.
+    if (!may_exceed(bounds.heights[f], bounds.heights[g], c, below)) continue;
+    if (may_exceed(bounds.along[f], bounds.along[g], c, below + bounds.balls))
+      listed.push_back(static_cast<int>(e));
   }
-  place_arcs(bounds.core(), std::span(listed).first(count), arcs);
+  place_arcs(bounds.core(), listed, arcs);
 }
 
 /// Whether the arcs of two edges cross on the Gauss map, that of B reversed. The circle of a segment crosses
