@@ -194,23 +194,25 @@ struct SearchStart {
   float least = -std::numeric_limits<float>::infinity();
 };
 
-/// A few steps from one direction to the best around it, which `start` becomes.
-std::optional<SeparatingAxis> settle_by_steps(PolytopePair& pair, const BallBound& bound,
+/// A few steps from one direction to the best around it, which `start` becomes. `tried`: an axis that did not
+/// tell the answer.
+std::optional<SeparatingAxis> settle_by_steps(PolytopePair& pair, const BallBound& bound, AxisCode tried,
                                               SearchStart& start) {
   constexpr int max_steps = 3;
-  AxisCode last = 0;
   for (int step = 0; step < max_steps; ++step) {
     const Neighbourhood around = neighbourhood_of(pair, start.n);
     SeparatingAxis axis = around.face;
-    if (const auto settled = settle(pair, bound, axis)) return settled;
+    if (code_of(axis) != tried)
+      if (const auto settled = settle(pair, bound, axis)) return settled;
     try_edge_lists(pair, pair.a.hull->spokes_of(around.on_A), pair.b.hull->spokes_of(around.on_B),
                    axis.separation + pair.rounding, axis);
-    if (axis.kind == SeparatingAxis::Kind::none || code_of(axis) == last) break;
+    if (axis.kind == SeparatingAxis::Kind::none) break;
+    start.n = axis.n;
+    start.least = std::max(start.least, sure_separation(pair, axis));
+    if (code_of(axis) == tried) break;
     if (axis.kind == SeparatingAxis::Kind::edges)
       if (const auto settled = settle(pair, bound, axis)) return settled;
-    start.least = std::max(start.least, sure_separation(pair, axis));
-    last = code_of(axis);
-    start.n = axis.n;
+    tried = code_of(axis);
   }
   return std::nullopt;
 }
@@ -328,7 +330,7 @@ SeparatingAxis find_separating_axis(PolytopePair& pair, float limit, const AxisG
   if (axis.kind != SeparatingAxis::Kind::edges && axis.separation > far) return axis;
   if (const auto settled = settle(pair, bound, axis)) return *settled;
   SearchStart start{guess.n};
-  if (const auto settled = settle_by_steps(pair, bound, start)) return *settled;
+  if (const auto settled = settle_by_steps(pair, bound, guess.axis, start)) return *settled;
   return search_all(pair, bound, far, start);
 }
 
