@@ -281,7 +281,7 @@ void NarrowPhase::Tables::find_boxes(const PairPlace& place, int lane_place, int
   if (is_region ? read_box_region(contacts, lane, margin, found.manifold)
                 : contacts.outcome[lane] == BoxContacts::edges &&
                       cross_box_edges(lanes, contacts, lane, found.manifold)) {
-    hint = {Vec3f(found.manifold.normal[0], found.manifold.normal[1], found.manifold.normal[2]), 1};
+    if (hint.axis == 0) hint.axis = 1;  // What is not written need not be brought back to memory.
     return;
   }
   manifolds.pop_back();
@@ -333,7 +333,7 @@ void NarrowPhase::find_manifolds(const BulkBodies& bodies, const std::vector<Sha
   Tables& tables = *tables_;
   tables.place(bodies, executor);
   const int count = static_cast<int>(pairs.size());
-  tables.hints.begin(count);
+  tables.hints.begin(pairs);
   const int most = executor.threads() == 1 ? 1 : parts_of_a_thread * executor.threads();
   const int part_count = std::clamp(count / kPartGrain, 1, most);
   while (tables.parts.size() < at(part_count)) tables.parts.push_back(std::make_unique<Part>());

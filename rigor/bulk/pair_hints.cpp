@@ -12,14 +12,17 @@ PairHints::Key PairHints::key_of(const ShapePair& pair) {
   return {both(pair.body_A, pair.body_B), both(pair.shape_A, pair.shape_B)};
 }
 
-void PairHints::begin(int count) {
+void PairHints::begin(const std::vector<ShapePair>& pairs) {
+  is_same_ = std::equal(pairs.begin(), pairs.end(), now_.keys.begin(), now_.keys.end(),
+                        [](const ShapePair& pair, const Key& key) { return key_of(pair) == key; });
+  if (is_same_) return;
   std::swap(now_, before_);
-  now_.keys.resize(static_cast<std::size_t>(count));
-  now_.hints.resize(static_cast<std::size_t>(count));
+  now_.keys.resize(pairs.size());
+  now_.hints.resize(pairs.size());
 }
 
 void PairHints::take_over(const std::vector<ShapePair>& pairs, int begin, int end) {
-  if (begin == end) return;
+  if (is_same_ || begin == end) return;
   const std::size_t first = static_cast<std::size_t>(begin), last = static_cast<std::size_t>(end);
   auto old = std::lower_bound(before_.keys.begin(), before_.keys.end(), key_of(pairs[first]));
   for (std::size_t k = first; k < last; ++k) {

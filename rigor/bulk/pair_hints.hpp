@@ -20,9 +20,10 @@ struct PairHint {
 /// (body_A, body_B, shape_A, shape_B).
 class PairHints {
  public:
-  /// Begins a list of so many pairs; what was is the list before it.
-  void begin(int count);
-  /// Takes over the hints of the pairs [begin, end); of disjoint ranges from several threads at once.
+  /// Begins a list of pairs; what was is the list before it.
+  void begin(const std::vector<ShapePair>& pairs);
+  /// Takes over the hints of the pairs [begin, end); of disjoint ranges from several threads at once. If the
+  /// list is the one before, they are there.
   void take_over(const std::vector<ShapePair>& pairs, int begin, int end);
   PairHint& of(int pair) { return now_.hints[static_cast<std::size_t>(pair)]; }
 
@@ -38,6 +39,7 @@ class PairHints {
   static Key key_of(const ShapePair& pair);
 
   List now_, before_;
+  bool is_same_ = false;
 };
 
 }  // namespace rigor
