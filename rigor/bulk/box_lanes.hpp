@@ -5,6 +5,7 @@
 
 #include "rigor/bulk/box_region_lanes.hpp"
 #include "rigor/bulk/collide_boxes.hpp"
+#include "rigor/bulk/lane_bits.hpp"
 
 #include <limits>
 
@@ -74,8 +75,13 @@ RIGOR_FLOAT_LANES void find_best_edges(const FloatLanes* t, const FloatLanes (*C
       const FloatLanes reach = own[i1] * float_abs(c2) + own[i2] * float_abs(c1) +
                                other[j1] * float_abs(c1 * C[i2][j1] - c2 * C[i1][j1]) +
                                other[j2] * float_abs(c1 * C[i2][j2] - c2 * C[i1][j2]);
-      const FloatLanes separation = (center - reach) / float_sqrt(square);
-      const IntLanes is_better = (square > float_lanes(least_square_sine)) & (separation > least);
+      // The axis has a length of no more than 1: what it parts by is no more than this, if that is negative.
+      const FloatLanes height = center - reach;
+      const IntLanes may_be_better =
+          (square > float_lanes(least_square_sine)) & ((height > least) | (height > float_lanes(0)));
+      if (lane_bits(may_be_better) == 0) continue;
+      const FloatLanes separation = height / float_sqrt(square);
+      const IntLanes is_better = may_be_better & (separation > least);
       least = is_better ? separation : least;
       code = is_better ? int_lanes(3 * i + j) : code;
     }
@@ -91,6 +97,11 @@ RIGOR_FLOAT_LANES FloatLanes face_preference(const BoxLanes& a, const BoxLanes& 
   for (int k = 1; k < 3; ++k) thinnest = float_min(thinnest, float_min(a.half[k], b.half[k]));
   const FloatLanes overlap = float_max(-face_separation, float_lanes(0));
   return float_lanes(kFacePreferenceOfOverlap) * overlap + float_lanes(kFacePreferenceOfSize) * thinnest;
+}
+
+/// Normal from A to B of the k-th faces; t are the coordinates of B's centre from A's.
+RIGOR_FLOAT_LANES FloatVec3 face_normal(const FloatLanes* t, const FloatVec3* axis, const IntLanes& k) {
+  return sign_of(pick(k, t[0], t[1], t[2])) * pick(k, axis[0], axis[1], axis[2]);
 }
 
 RIGOR_FLOAT_LANES void collide_box_lanes(const BoxPairs& pairs, BoxContacts& contacts) {
@@ -116,31 +127,37 @@ RIGOR_FLOAT_LANES void collide_box_lanes(const BoxPairs& pairs, BoxContacts& con
   const IntLanes is_B = face_B.separation > face_A.separation + rounding;
   const FloatLanes face_separation = is_B ? face_B.separation : face_A.separation;
   if (all_lanes(face_separation > margin)) {
-    for (int i = 0; i < kLaneCount; ++i) contacts.outcome[i] = BoxContacts::apart;
+    const FloatVec3 normal =
+        pick(is_B, face_normal(t_B, b.axis, face_B.axis), face_normal(t_A, a.axis, face_A.axis));
+    store_vector(normal, contacts.normal);
+    store_ints(int_lanes(BoxContacts::apart), contacts.outcome);
+    store_ints(int_lanes(0), contacts.is_edge);
     return;
   }
-  const FloatLanes preference = rounding + face_preference(a, b, face_separation);
-  FloatLanes separation = face_separation + preference;
+  FloatLanes separation = face_separation + rounding;
   IntLanes edge_code;
   find_best_edges(t_A, C, a.half, b.half, separation, edge_code);
   const IntLanes is_edge = edge_code >= int_lanes(0);
   separation = is_edge ? separation : face_separation;
   store_floats(separation, contacts.separation);
+  store_ints(is_edge, contacts.is_edge);
 
   BoxFace face;
   face.slack = float_lanes(4) * rounding;
-  face.preference = preference;
+  face.preference = rounding + face_preference(a, b, face_separation);
   face.separation = face_separation;
   choose_face(a.half, b.half, C, face_A.axis, face_B.axis, is_B, face);
   place_face(t_A, t_B, is_B, face);
   orient_face(a.axis, b.axis, a.p, p_B, is_B, face);
   clip_boxes(face, margin, contacts);
 
+  const IntLanes is_crossing =
+      is_edge & (~face.is_explained | (separation > face_separation + face.preference));
   // Bodies that come together fast may turn about the one point of their edges onto a face within the step.
-  const IntLanes soon_flat = is_edge & (separation < face_separation + margin) & face.is_near;
+  const IntLanes is_soon_flat = face.is_near & (separation < face_separation + margin);
   IntLanes outcome = face.is_explained ? int_lanes(BoxContacts::region) : int_lanes(BoxContacts::near_edge);
-  outcome = is_edge ? int_lanes(BoxContacts::edges) : outcome;
-  outcome = soon_flat ? int_lanes(BoxContacts::edges_and_region) : outcome;
+  outcome = is_crossing ? int_lanes(BoxContacts::edges) : outcome;
+  outcome = is_crossing & is_soon_flat ? int_lanes(BoxContacts::edges_and_region) : outcome;
   outcome = separation > margin ? int_lanes(BoxContacts::apart) : outcome;
   store_ints(outcome, contacts.outcome);
   const IntLanes edge_A = (edge_code >= int_lanes(6))   ? int_lanes(2)

@@ -15,6 +15,11 @@ RIGOR_FLOAT_LANES IntLanes int_lanes(std::int32_t i) {
 RIGOR_FLOAT_LANES void store_ints(const IntLanes& x, std::int32_t* p) {
   std::memcpy(p, &x, sizeof x);
 }
+RIGOR_FLOAT_LANES void store_vector(const FloatVec3& a, float (*p)[kLaneCount]) {
+  store_floats(a.x, p[0]);
+  store_floats(a.y, p[1]);
+  store_floats(a.z, p[2]);
+}
 RIGOR_FLOAT_LANES FloatLanes float_abs(const FloatLanes& x) {
   return float_max(x, -x);
 }
@@ -267,9 +272,7 @@ RIGOR_FLOAT_LANES void clip_boxes(BoxFace& face, const FloatLanes& margin, BoxCo
   face.is_explained = least <= face.separation + face.preference + face.slack;
   choose_corners(face, least, margin, corners, contacts);
   const FloatVec3 normal = face.to_B * face.ez;
-  store_floats(normal.x, contacts.normal[0]);
-  store_floats(normal.y, contacts.normal[1]);
-  store_floats(normal.z, contacts.normal[2]);
+  store_vector(normal, contacts.normal);
   const IntLanes zero = int_lanes(0);
   store_ints((face.sign < float_lanes(0) ? int_lanes(1) : zero) |
                  (face.other_sign < float_lanes(0) ? int_lanes(2) : zero),

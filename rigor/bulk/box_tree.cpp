@@ -109,6 +109,8 @@ void BoxTree::fill_blocks(const std::vector<FloatBox>& boxes) {
     set_lane(i < boxes.size() ? boxes[at(numbers_[i])] : nothing(), static_cast<int>(i % width),
              first[i / width]);
   }
+  places_.resize(boxes.size());
+  for (std::size_t i = 0; i < boxes.size(); ++i) places_[at(numbers_[i])] = static_cast<int>(i);
   for (std::size_t i = 0; i < first.size(); ++i) unions_[i] = union_of(first[i]);
   for (std::size_t count = unions_.size(); count > 1; count = blocks_for(count)) {
     level_of(count);
@@ -119,6 +121,17 @@ void BoxTree::fill_blocks(const std::vector<FloatBox>& boxes) {
     }
   }
   levels_.resize(depth);
+}
+
+void BoxTree::replace(int number, const FloatBox& box) {
+  std::size_t place = at(places_[at(number)]);
+  set_lane(box, static_cast<int>(place % width), levels_[0][place / width]);
+  unions_[place / width] = union_of(levels_[0][place / width]);
+  for (std::size_t depth = 1; depth < levels_.size(); ++depth) {
+    place /= width;
+    set_lane(union_of(levels_[depth - 1][place]), static_cast<int>(place % width),
+             levels_[depth][place / width]);
+  }
 }
 
 }  // namespace rigor

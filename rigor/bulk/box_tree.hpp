@@ -18,9 +18,9 @@ struct FloatBox {
   }
 };
 
-/// Boxes by number that overlap or touch, in 32 bits. Built anew each time: the boxes are sorted along a
-/// space-filling curve, eight neighbours make a block and eight blocks a block of the level above, so that
-/// one box is compared with eight at once.
+/// Boxes by number that overlap or touch, in 32 bits. The boxes are sorted along a space-filling curve when
+/// it is built, eight neighbours make a block and eight blocks a block of the level above, so that one box is
+/// compared with eight at once.
 class BoxTree {
  public:
   static constexpr int width = 8;
@@ -39,6 +39,11 @@ class BoxTree {
   /// Adds the pairs of a box a of this block and a box b of the other tree.
   void find_pairs_with(const BoxTree& other, int block, std::vector<Pair>& pairs) const;
 
+  /// Another box of a number, in its old place: what is far from the old one makes the search slower.
+  void replace(int number, const FloatBox& box);
+  /// Adds the numbers of all boxes that overlap this one.
+  void find_overlaps(const FloatBox& box, std::vector<int>& numbers) const;
+
   /// Eight boxes in lanes; lanes without a box overlap nothing.
   struct alignas(32) Block {
     float lower[3][width];
@@ -51,6 +56,7 @@ class BoxTree {
 
  private:
   friend struct BoxTreeSearch;
+  friend struct BoxSearch;
 
   void sort_by_cells(const std::vector<FloatBox>& boxes, float cell);
   void fill_blocks(const std::vector<FloatBox>& boxes);
@@ -59,6 +65,7 @@ class BoxTree {
   std::vector<std::vector<Block>> levels_;  ///< The boxes themselves first, one block last.
   std::vector<FloatBox> unions_;            ///< Of each block of the first level.
   std::vector<int> numbers_;                ///< Of the boxes in the lanes of the first level.
+  std::vector<int> places_;                 ///< Of the boxes by number: where in the first level they are.
 };
 
 }  // namespace rigor

@@ -1,5 +1,5 @@
 #include "rigor/bulk/box_tree.hpp"
-#include "rigor/bulk/float_lanes.hpp"
+#include "rigor/bulk/lane_bits.hpp"
 #include "rigor/geometry/lane_target.hpp"
 
 #include <array>
@@ -9,19 +9,6 @@
 namespace rigor {
 
 namespace {
-
-/// One bit for each lane whose mask is set.
-RIGOR_FLOAT_LANES unsigned lane_bits(const IntLanes& mask) {
-#if defined(__SSE__)
-  __m128 half[2];
-  std::memcpy(half, &mask, sizeof half);
-  return static_cast<unsigned>(_mm_movemask_ps(half[0]) | _mm_movemask_ps(half[1]) << 4);
-#else
-  unsigned bits = 0;
-  for (int i = 0; i < kLaneCount; ++i) bits |= (mask[i] != 0 ? 1u : 0u) << i;
-  return bits;
-#endif
-}
 
 RIGOR_FLOAT_LANES unsigned overlap_bits(const FloatBox& box, const BoxTree::Block& block) {
   const IntLanes x = (load_floats(block.lower[0]) <= float_lanes(box.upper[0])) &
@@ -99,9 +86,40 @@ struct BoxTreeSearch {
   }
 };
 
+/// One box against all of a tree.
+struct BoxSearch {
+  const BoxTree& tree;
+
+  RIGOR_FLOAT_LANES void run(const FloatBox& box, std::vector<int>& numbers) const {
+    struct Place {
+      unsigned level, block;
+    };
+    std::array<Place, 96> waiting;  // As above.
+    std::size_t count = 0;
+    if (tree.unions_.empty()) return;
+    waiting[count++] = {static_cast<unsigned>(tree.levels_.size()) - 1, 0};
+    while (count > 0) {
+      const Place place = waiting[--count];
+      unsigned lanes = overlap_bits(box, tree.levels_[place.level][place.block]);
+      while (lanes != 0) {
+        const unsigned child = place.block * BoxTree::width + take_lowest(lanes);
+        if (place.level == 0) {
+          numbers.push_back(tree.numbers_[child]);
+        } else {
+          waiting[count++] = {place.level - 1, child};
+        }
+      }
+    }
+  }
+};
+
 namespace {
 
 #if defined(__x86_64__)
+[[gnu::target("avx2")]] void search_avx2(const BoxSearch& search, const FloatBox& box,
+                                         std::vector<int>& numbers) {
+  search.run(box, numbers);
+}
 [[gnu::target("avx2")]] void search_avx2(const BoxTreeSearch& search, unsigned block,
                                          std::vector<BoxTree::Pair>& pairs) {
   search.run(block, pairs);
@@ -123,6 +141,14 @@ void BoxTree::find_own_pairs(int block, std::vector<Pair>& pairs) const {
 
 void BoxTree::find_pairs_with(const BoxTree& other, int block, std::vector<Pair>& pairs) const {
   search_block({*this, other, false}, block, pairs);
+}
+
+void BoxTree::find_overlaps(const FloatBox& box, std::vector<int>& numbers) const {
+  const BoxSearch search{*this};
+#if defined(__x86_64__)
+  if (best_lane_target() == LaneTarget::avx2) return search_avx2(search, box, numbers);
+#endif
+  search.run(box, numbers);
 }
 
 }  // namespace rigor

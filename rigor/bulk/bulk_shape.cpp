@@ -31,8 +31,7 @@ void add_vertex(const Vec3& v, FloatHull& hull) {
 }
 
 void pad_columns(FloatHull& hull) {
-  for (std::vector<float>* column : {&hull.x, &hull.y, &hull.z, &hull.nx, &hull.ny, &hull.nz, &hull.offset})
-    pad(*column);
+  for (std::vector<float>* column : {&hull.x, &hull.y, &hull.z, &hull.nx, &hull.ny, &hull.nz}) pad(*column);
 }
 
 void add_spokes(FloatHull& hull) {
@@ -90,6 +89,28 @@ void add_fans(FloatHull& hull) {
   hull.fan_begin.push_back(static_cast<int>(hull.fan.size()));
 }
 
+void add_arcs(FloatHull& hull) {
+  hull.arcs.clear();
+  for (const FloatHull::Edge& edge : hull.edges) {
+    FloatHull::ArcRecord& arc = hull.arcs.emplace_back();
+    const Vec3f from = hull.vertex(edge.v0), along = hull.vertex(edge.v1) - from;
+    for (int k = 0; k < 3; ++k) {
+      arc.along[k] = along[k];
+      arc.normal_0[k] = hull.normal(edge.f0)[k];
+      arc.normal_1[k] = hull.normal(edge.f1)[k];
+      arc.point[k] = from[k];
+    }
+  }
+}
+
+void find_lone_faces(FloatHull& hull) {
+  const float cosine = std::cos(0.02f);
+  hull.is_lone.assign(at(hull.face_count), 1);
+  for (int f = 0; f < hull.face_count; ++f)
+    for (int g = 0; g < f; ++g)
+      if (hull.normal(f).dot(hull.normal(g)) > cosine) hull.is_lone[at(f)] = hull.is_lone[at(g)] = 0;
+}
+
 /// Numbers the edges of a box by axis and then by their vertices: 4 axis + the sign bits but for the axis.
 void number_box_edges(FloatHull& hull) {
   std::vector<int> order(hull.edges.size()), number(hull.edges.size());
@@ -107,6 +128,7 @@ void number_box_edges(FloatHull& hull) {
   hull.edges = edges;
   for (int& e : hull.loop_edges) e = number[at(e)];
   add_spokes(hull);
+  add_arcs(hull);
 }
 
 }  // namespace
@@ -130,6 +152,8 @@ FloatHull make_float_hull(const FeatureGraph& graph, const std::vector<Vec3>& ve
     inner = std::min(inner, offset - n.dot(center));
   }
   hull.center = center.cast<float>();
+  find_lone_faces(hull);
+  add_arcs(hull);
   // Rounding must not make the ball larger than it is.
   hull.inner = std::max(0.0f, static_cast<float>(inner) - 1e-5f * hull.extent);
   pad_columns(hull);
@@ -157,11 +181,13 @@ BulkShape make_bulk_shape(const BodyShape& shape, FloatHulls& hulls) {
     bulk.radius = static_cast<float>(capsule->radius);
     bulk.extent = static_cast<float>(capsule->half_length);
     bulk.scale.z() = bulk.extent;
+    bulk.ball_way.z() = bulk.extent;
   } else if (const Box* const box = std::get_if<Box>(&shape.shape)) {
     bulk.kind = BulkShape::Kind::box;
     bulk.hull = hulls.box;
     bulk.scale = box->half_extents.cast<float>();
     bulk.extent = bulk.scale.norm();
+    bulk.ball_way = bulk.scale - Vec3f::Constant(bulk.hull->inner * bulk.scale.minCoeff());
   } else if (std::holds_alternative<HalfSpace>(shape.shape)) {
     bulk.kind = BulkShape::Kind::plane;
   } else if (const Convex* const convex = std::get_if<Convex>(&shape.shape);

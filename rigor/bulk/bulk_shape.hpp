@@ -5,12 +5,22 @@
 #include "rigor/model/body.hpp"
 
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace rigor {
 
 using Vec3f = Eigen::Vector3f;
 using Mat3f = Eigen::Matrix<float, 3, 3, Eigen::RowMajor>;
+
+/// Parts of separations that rounding may take, of the lengths in a pair.
+constexpr float kCollisionRounding = 1e-6f;
+
+/// Points or directions in columns of whole lanes.
+struct LaneColumns {
+  const float *x, *y, *z;
+  std::size_t count;
+};
 
 /// A convex polyhedron in 32 bits. A segment (two vertices, one edge) and a point (one vertex, an edge
 /// without length) are polyhedra without faces. Columns are padded to whole lanes with their last entry.
@@ -20,11 +30,18 @@ struct FloatHull {
     int f0, f1;        ///< -1 where there are no faces.
     float cosine = 1;  ///< Of the angle between their normals.
   };
+  /// An edge and its arc on the Gauss map, in two rows of lanes.
+  struct alignas(64) ArcRecord {
+    float along[3], normal_0[3], normal_1[3], point[3];
+    float pad[4];
+  };
   int vertex_count = 0, face_count = 0;
   std::vector<float> x, y, z;            ///< Vertices [m].
   std::vector<float> nx, ny, nz;         ///< Outward unit normals of the faces.
   std::vector<float> offset;             ///< Of the faces: n · v of their vertices [m].
+  std::vector<char> is_lone;             ///< Of the faces: no other normal is within 0.02 rad of theirs.
   std::vector<Edge> edges;               ///< Each once.
+  std::vector<ArcRecord> arcs;           ///< Of the edges; none without faces.
   std::vector<int> loop_begin;           ///< First place of each face in the loops, and their length.
   std::vector<int> loop, loop_edges;     ///< Vertices counter-clockwise, and the edge to the next one.
   std::vector<int> fan_begin, fan;       ///< The faces around each vertex.
@@ -32,6 +49,27 @@ struct FloatHull {
   Vec3f center = Vec3f::Zero();          ///< Of a ball inside [m].
   float inner = 0;                       ///< Its radius [m].
   float extent = 0;                      ///< No vertex is farther from the origin [m].
+
+  LaneColumns vertices() const { return {x.data(), y.data(), z.data(), x.size()}; }
+  LaneColumns normals() const { return {nx.data(), ny.data(), nz.data(), nx.size()}; }
+  Vec3f vertex(int v) const {
+    const std::size_t k = static_cast<std::size_t>(v);
+    return Vec3f(x[k], y[k], z[k]);
+  }
+  Vec3f normal(int f) const {
+    const std::size_t k = static_cast<std::size_t>(f);
+    return Vec3f(nx[k], ny[k], nz[k]);
+  }
+  std::span<const int> border_vertices(int face) const { return part(loop, loop_begin, face); }
+  std::span<const int> border_edges(int face) const { return part(loop_edges, loop_begin, face); }
+  std::span<const int> faces_around(int vertex) const { return part(fan, fan_begin, vertex); }
+  std::span<const int> spokes_of(int vertex) const { return part(spokes, spoke_begin, vertex); }
+
+ private:
+  static std::span<const int> part(const std::vector<int>& all, const std::vector<int>& begin, int i) {
+    const std::size_t k = static_cast<std::size_t>(i), first = static_cast<std::size_t>(begin[k]);
+    return std::span(all).subspan(first, static_cast<std::size_t>(begin[k + 1]) - first);
+  }
 };
 
 FloatHull make_float_hull(const FeatureGraph& graph, const std::vector<Vec3>& vertices);
@@ -47,6 +85,8 @@ struct BulkShape {
   Vec3f scale = Vec3f::Ones();  ///< Half extents of a box; (1, 1, half length) of a segment [m].
   float radius = 0;             ///< [m].
   float extent = 0;             ///< No point of the core is farther from the origin of S [m].
+  /// How far the ball inside the core can be moved along the axes of S, both ways [m].
+  Vec3f ball_way = Vec3f::Zero();
 };
 
 /// The hulls that shapes share.

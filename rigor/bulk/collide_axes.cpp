@@ -1,91 +1,93 @@
 #include "rigor/bulk/collide_polytopes.hpp"
 
-#include "rigor/bulk/float_lanes.hpp"
-#include "rigor/bulk/hull_lanes.hpp"
-
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace rigor {
 
 namespace {
 
+constexpr unsigned kEdgeBits = 15;  // As many edges as FloatHull has at most.
+
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-/// No direction n parts the cores by more than n · between - balls.
-struct BallBound {
-  Vec3f between;  ///< From the ball inside A to that inside B [m].
-  float balls;    ///< Sum of their radii [m].
-};
-
-/// The faces of one core as directions. `along` are the parts of the bound that turn with the normals; sign
-/// is 1 for A, whose normals point to B.
-struct FaceDirections {
-  const PlacedPolytope& own;
-  const PlacedPolytope& other;
-  float sign;
+/// What bounds the separation along the normals m of the faces of one core: m · `between` - `balls` by the
+/// balls inside, and the height of one vertex of the other core over each face.
+struct DirectionBounds {
+  const PolytopePair& pair;
+  bool is_of_A;
+  float balls;
   const std::vector<float>& along;
+  const std::vector<float>& heights;
+
+  const PlacedPolytope& core() const { return is_of_A ? pair.a : pair.b; }
+  float of_face(int f) const { return std::min(along[at(f)] - balls, heights[at(f)]); }
 };
 
-void try_face(const FaceDirections& faces, int f, float balls, SeparatingAxis& best) {
-  if (faces.along[at(f)] - balls <= best.separation) return;
-  const Vec3f m = faces.own.normal(f);
-  const float separation =
-      find_lowest(faces.other.vertices(), m, best_lane_target()) - faces.own.offset[at(f)];
-  if (separation <= best.separation) return;
-  best.separation = separation;
-  best.n = faces.sign * m;
-  best.kind = faces.sign > 0 ? SeparatingAxis::Kind::face_of_A : SeparatingAxis::Kind::face_of_B;
-  (faces.sign > 0 ? best.a : best.b) = f;
+void find_bounds(const PlacedPolytope& core, const Vec3f& between, const Vec3f& vertex,
+                 std::vector<float>& along, std::vector<float>& heights) {
+  const LaneColumns normals = core.hull->normals();
+  along.resize(normals.count);
+  heights.resize(normals.count);
+  find_heights(normals, core.R.transpose() * between, best_lane_target(), along.data());
+  find_heights(normals, core.R.transpose() * (vertex - core.p), best_lane_target(), heights.data());
+  for (int f = 0; f < core.hull->face_count; ++f) heights[at(f)] -= core.offset(f);
 }
 
-/// The face with the largest bound.
-void try_first_face(const FaceDirections& faces, float balls, SeparatingAxis& best) {
-  const int count = faces.own.hull->face_count;
-  if (count == 0) return;
-  const auto most = std::max_element(faces.along.begin(), faces.along.begin() + count);
-  try_face(faces, static_cast<int>(most - faces.along.begin()), balls, best);
+void try_face(const DirectionBounds& bounds, int f, SeparatingAxis& best) {
+  if (bounds.of_face(f) <= best.separation - 4 * bounds.pair.rounding) return;
+  const SeparatingAxis axis = face_axis(bounds.pair, bounds.is_of_A, f);
+  if (axis.separation > best.separation) best = axis;
 }
 
-void try_faces(const FaceDirections& faces, float balls, SeparatingAxis& best) {
-  for (int f = 0; f < faces.own.hull->face_count; ++f)
-    if (faces.along[at(f)] - balls > best.separation) try_face(faces, f, balls, best);
+/// The best face, if it is better than `least`.
+SeparatingAxis find_best_face(const DirectionBounds& bounds, float least) {
+  SeparatingAxis best;
+  best.separation = least;
+  for (int f = 0; f < bounds.core().hull->face_count; ++f) try_face(bounds, f, best);
+  return best;
 }
 
-/// Arcs of the edges that may have a direction n with n · d > least. `along` are n · d of the faces; on the
-/// arc between x and y at the angle of cosine c the most is (x² + y² - 2 x y c) / (1 - c²), if it is inside.
-void list_arcs(const PlacedPolytope& polytope, const std::vector<float>& along, float square_of_d,
-               float least, PolytopeScratch& pair, ArcColumns& arcs) {
-  const std::vector<FloatHull::Edge>& edges = polytope.hull->edges;
-  const float square = least * least, rounding = 1e-6f * square_of_d;
-  pair.edges_A.resize(edges.size());
-  std::size_t count = 0;
+void place_arcs(const PlacedPolytope& core, std::span<const int> edges, ArcBlocks& arcs) {
+  arcs.place(*core.hull, edges, {core.M, core.R, core.p}, best_lane_target());
+}
+
+/// Whether an arc may have a direction n with n · d > least; x and y are n · d at its ends and c is the
+/// cosine between these. The most is sqrt((x² + y² - 2 x y c) / (1 - c²)), if that is inside. No branches:
+/// which arcs may follows no pattern.
+bool may_exceed(float x, float y, float c, float least) {
+  const bool is_inside = bool(x > c * y) & bool(y > c * x);
+  const bool is_high = bool(least <= 0) | bool(x * x + y * y - 2 * x * y * c > least * least * (1 - c * c));
+  return bool(std::max(x, y) > least) | (is_inside & is_high);
+}
+
+/// Arcs of the edges that may part the cores by more than `least`.
+void place_high_arcs(const DirectionBounds& bounds, float least, std::vector<int>& listed, ArcBlocks& arcs) {
+  const std::vector<FloatHull::Edge>& edges = bounds.core().hull->edges;
+  const float below = least - 4 * bounds.pair.rounding;
+  listed.clear();
   for (std::size_t e = 0; e < edges.size(); ++e) {
-    const float x = along[at(edges[e].f0)], y = along[at(edges[e].f1)], c = edges[e].cosine;
-    const bool is_inside = bool(x > c * y) & bool(y > c * x);
-    const bool is_high = x * x + y * y - 2 * x * y * c + rounding > square * (1 - c * c);
-    // No branches: which edges are kept follows no pattern.
-    pair.edges_A[count] = static_cast<int>(e);
-    count += bool(std::max(x, y) > least) | bool(least <= 0) | (is_inside & is_high) ? 1u : 0u;
+    const std::size_t f = at(edges[e].f0), g = at(edges[e].f1);
+    const float c = edges[e].cosine;
+    // Few edges are near the vertex that the heights are of.
+    if (!may_exceed(bounds.heights[f], bounds.heights[g], c, below)) continue;
+    if (may_exceed(bounds.along[f], bounds.along[g], c, below + bounds.balls))
+      listed.push_back(static_cast<int>(e));
   }
-  arcs.clear();
-  for (std::size_t k = 0; k < count; ++k) {
-    const int e = pair.edges_A[k];
-    const FloatHull::Edge& edge = edges[at(e)];
-    arcs.add(e, polytope.edge_vector(e), polytope.normal(edge.f0), polytope.normal(edge.f1));
-  }
-  arcs.pad();
+  place_arcs(bounds.core(), listed, arcs);
 }
 
 /// Whether the arcs of two edges cross on the Gauss map, that of B reversed. The circle of a segment crosses
 /// an arc whose ends are on both its sides, and always the circle of another.
-bool arcs_cross(const PlacedPolytope& a, const FloatHull::Edge& edge_A, const Vec3f& u,
-                const PlacedPolytope& b, const FloatHull::Edge& edge_B, const Vec3f& v) {
+bool arcs_cross(const PolytopePair& pair, int i, int j) {
+  const PlacedPolytope &a = pair.a, &b = pair.b;
+  const FloatHull::Edge &edge_A = a.edge(i), &edge_B = b.edge(j);
   const bool has_arc_A = edge_A.f0 >= 0, has_arc_B = edge_B.f0 >= 0;
+  const Vec3f u = a.edge_vector(i), v = b.edge_vector(j);
   const float a0 = has_arc_A ? a.normal(edge_A.f0).dot(v) : -1,
               a1 = has_arc_A ? a.normal(edge_A.f1).dot(v) : 1;
   if (a0 * a1 >= 0) return false;
@@ -95,163 +97,223 @@ bool arcs_cross(const PlacedPolytope& a, const FloatHull::Edge& edge_A, const Ve
   return !has_arc_A || !has_arc_B || b0 * a1 < 0;
 }
 
-/// Unit normal of two edges from A to B, or nothing if they are parallel.
-std::optional<Vec3f> edge_normal(const PlacedPolytope& a, const FloatHull::Edge& edge_A, const Vec3f& u,
-                                 const PlacedPolytope& b, const FloatHull::Edge& edge_B, const Vec3f& v) {
-  constexpr float least_square_sine = 1e-8f;
-  const Vec3f w = u.cross(v);
-  const float square = w.squaredNorm();
-  if (square <= least_square_sine * u.squaredNorm() * v.squaredNorm()) return std::nullopt;
-  const Vec3f n = w / std::sqrt(square);
-  float outward = 0;
-  if (edge_A.f0 >= 0) outward += n.dot(a.normal(edge_A.f0) + a.normal(edge_A.f1));
-  if (edge_B.f0 >= 0) outward -= n.dot(b.normal(edge_B.f0) + b.normal(edge_B.f1));
-  return outward >= 0 ? n : Vec3f(-n);
-}
-
 /// The pair of edges, if it parts the cores better than `least`, which becomes the separation.
-void try_edge_pair(const PolytopeScratch& pair, int i, int j, float& least, SeparatingAxis& best) {
-  const FloatHull::Edge &edge_A = pair.a.edge(i), &edge_B = pair.b.edge(j);
-  const Vec3f u = pair.a.edge_vector(i), v = pair.b.edge_vector(j);
-  const std::optional<Vec3f> n = edge_normal(pair.a, edge_A, u, pair.b, edge_B, v);
-  if (!n) return;
-  const float separation = n->dot(pair.b.vertex(edge_B.v0) - pair.a.vertex(edge_A.v0));
-  if (separation <= least) return;
-  least = separation;
-  best = {SeparatingAxis::Kind::edges, i, j, *n, separation};
+void try_edge_pair(const PolytopePair& pair, int i, int j, float& least, SeparatingAxis& best) {
+  const SeparatingAxis axis = edge_axis(pair, i, j);
+  if (!(axis.separation > least)) return;
+  least = axis.separation;
+  best = axis;
 }
 
 /// Where one of the cores is a segment.
-void try_segment_edges(const PolytopeScratch& pair, float least, SeparatingAxis& best) {
+void try_segment_edges(const PolytopePair& pair, float least, SeparatingAxis& best) {
   for (int i = 0; i < static_cast<int>(pair.a.hull->edges.size()); ++i) {
     for (int j = 0; j < static_cast<int>(pair.b.hull->edges.size()); ++j) {
-      if (arcs_cross(pair.a, pair.a.edge(i), pair.a.edge_vector(i), pair.b, pair.b.edge(j),
-                     pair.b.edge_vector(j)))
-        try_edge_pair(pair, i, j, least, best);
+      if (arcs_cross(pair, i, j)) try_edge_pair(pair, i, j, least, best);
     }
   }
 }
 
-void try_edges(PolytopeScratch& pair, const BallBound& bound, float least, SeparatingAxis& best) {
+/// Of the arcs that are placed.
+void try_crossing_arcs(const PolytopePair& pair, float least, SeparatingAxis& best) {
+  const EdgeChoice choice = find_best_edges(pair.arcs_A, pair.arcs_B, least, best_lane_target());
+  if (choice.a < 0) return;
+  best = edge_axis(pair, pair.arcs_A.edge(static_cast<std::size_t>(choice.a)),
+                   pair.arcs_B.edge(static_cast<std::size_t>(choice.b)));
+}
+
+void try_edges(PolytopePair& pair, const DirectionBounds& bounds_A, const DirectionBounds& bounds_B,
+               float least, SeparatingAxis& best) {
   if (pair.a.hull->face_count == 0 || pair.b.hull->face_count == 0)
     return try_segment_edges(pair, least, best);
-  const float square = bound.between.squaredNorm();
-  list_arcs(pair.a, pair.along_A, square, least + bound.balls, pair, pair.arcs_A);
-  list_arcs(pair.b, pair.along_B, square, least + bound.balls, pair, pair.arcs_B);
-  for (std::size_t i = 0; i < pair.arcs_A.edge.size(); ++i) {
-    for (std::size_t first = 0; first < pair.arcs_B.edge.size(); first += kLaneCount) {
-      unsigned mask = find_crossing_arcs(pair.arcs_A, i, pair.arcs_B, first, best_lane_target());
-      for (; mask != 0; mask &= mask - 1) {
-        const std::size_t j = first + static_cast<std::size_t>(std::countr_zero(mask));
-        try_edge_pair(pair, pair.arcs_A.edge[i], pair.arcs_B.edge[j], least, best);
-      }
+  place_high_arcs(bounds_A, least, pair.edges_A, pair.arcs_A);
+  place_high_arcs(bounds_B, least, pair.edges_B, pair.arcs_B);
+  try_crossing_arcs(pair, least, best);
+}
+
+/// Of these edges of A and of B.
+void try_edge_lists(PolytopePair& pair, std::span<const int> of_A, std::span<const int> of_B, float least,
+                    SeparatingAxis& best) {
+  if (pair.a.hull->face_count > 0 && pair.b.hull->face_count > 0) {
+    place_arcs(pair.a, of_A, pair.arcs_A);
+    place_arcs(pair.b, of_B, pair.arcs_B);
+    return try_crossing_arcs(pair, least, best);
+  }
+  for (const int i : of_A) {
+    for (const int j : of_B) {
+      if (arcs_cross(pair, i, j)) try_edge_pair(pair, i, j, least, best);
     }
   }
 }
 
-int lowest_vertex(const PlacedPolytope& polytope, const Vec3f& n) {
-  int lowest = 0;
-  float least = std::numeric_limits<float>::infinity();
-  for (int v = 0; v < polytope.hull->vertex_count; ++v) {
-    const float height = n.dot(polytope.vertex(v));
-    if (height < least) least = height, lowest = v;
+/// The face around the vertex of its core that parts the cores best, if it is better than `best`. With w the
+/// way from a vertex of A to one of B, no face of these vertices parts the cores by more than n · w.
+void try_faces_around(const PolytopePair& pair, bool is_of_A, int vertex, const Vec3f& w,
+                      SeparatingAxis& best) {
+  const PlacedPolytope& own = is_of_A ? pair.a : pair.b;
+  const Vec3f local = own.R.transpose() * (is_of_A ? w : Vec3f(-w));
+  const std::span<const int> faces = own.hull->faces_around(vertex);
+  const auto bound = [&](int f) { return local.dot(own.hull->normal(f)); };
+  int first = -1;
+  float most = best.separation;
+  for (const int f : faces)
+    if (bound(f) > most) most = bound(f), first = f;
+  const auto try_one = [&](int f) {
+    const SeparatingAxis axis = face_axis(pair, is_of_A, f);
+    if (axis.separation > best.separation) best = axis;
+  };
+  if (first >= 0) try_one(first);
+  for (const int f : faces)
+    if (f != first && bound(f) > best.separation) try_one(f);
+}
+
+/// The vertices that are highest along n, and the best of the faces around them.
+struct Neighbourhood {
+  int on_A, on_B;
+  SeparatingAxis face;
+};
+Neighbourhood neighbourhood_of(const PolytopePair& pair, const Vec3f& n) {
+  Neighbourhood around{pair.a.farthest(n), pair.b.farthest(-n), {}};
+  const Vec3f w = pair.b.vertex(around.on_B) - pair.a.vertex(around.on_A);
+  try_faces_around(pair, true, around.on_A, w, around.face);
+  try_faces_around(pair, false, around.on_B, w, around.face);
+  return around;
+}
+
+/// What the best axis parts the cores by at least, as far as rounding lets this one tell.
+float sure_separation(const PolytopePair& pair, const SeparatingAxis& axis) {
+  constexpr float roundings = 8;
+  if (axis.kind == SeparatingAxis::Kind::none || !is_well_conditioned(pair, axis))
+    return -std::numeric_limits<float>::infinity();
+  return axis.separation - roundings * pair.rounding;
+}
+
+/// A direction, and what the best of all parts the cores by at least.
+struct SearchStart {
+  Vec3f n;
+  float least = -std::numeric_limits<float>::infinity();
+};
+
+/// A few steps from one direction to the best around it, which `start` becomes. `tried`: an axis that did not
+/// tell the answer.
+std::optional<SeparatingAxis> settle_by_steps(PolytopePair& pair, const BallBound& bound, AxisCode tried,
+                                              SearchStart& start) {
+  constexpr int max_steps = 3;
+  for (int step = 0; step < max_steps; ++step) {
+    const Neighbourhood around = neighbourhood_of(pair, start.n);
+    SeparatingAxis axis = around.face;
+    if (code_of(axis) != tried)
+      if (const auto settled = settle(pair, bound, axis)) return settled;
+    try_edge_lists(pair, pair.a.hull->spokes_of(around.on_A), pair.b.hull->spokes_of(around.on_B),
+                   axis.separation + pair.rounding, axis);
+    if (axis.kind == SeparatingAxis::Kind::none) break;
+    start.n = axis.n;
+    start.least = std::max(start.least, sure_separation(pair, axis));
+    if (code_of(axis) == tried) break;
+    if (axis.kind == SeparatingAxis::Kind::edges)
+      if (const auto settled = settle(pair, bound, axis)) return settled;
+    tried = code_of(axis);
   }
-  return lowest;
+  return std::nullopt;
 }
 
-/// Index of the vertex farthest along n.
-int farthest_vertex(const PlacedPolytope& polytope, const Vec3f& n, std::vector<float>& heights) {
-  heights.resize(polytope.x.size());
-  find_heights(polytope.vertices(), n, best_lane_target(), heights.data());
-  return static_cast<int>(std::max_element(heights.begin(), heights.begin() + polytope.hull->vertex_count) -
-                          heights.begin());
-}
+/// All faces and edges that may part the cores by more than the start tells that the best does.
+SeparatingAxis search_all(PolytopePair& pair, const BallBound& bound, float far, const SearchStart& start) {
+  const Vec3f high_A = pair.a.vertex(pair.a.farthest(start.n)),
+              low_B = pair.b.vertex(pair.b.farthest(-start.n));
+  find_bounds(pair.a, bound.between, low_B, pair.along_A, pair.heights_A);
+  find_bounds(pair.b, -bound.between, high_A, pair.along_B, pair.heights_B);
+  const DirectionBounds bounds_A{pair, true, bound.balls, pair.along_A, pair.heights_A},
+      bounds_B{pair, false, bound.balls, pair.along_B, pair.heights_B};
 
-/// The edges of the face of the axis and those around the lowest vertex over it.
-void try_edges_nearby(const PolytopeScratch& pair, float least, SeparatingAxis& best) {
-  const bool is_of_A = best.kind == SeparatingAxis::Kind::face_of_A;
-  const PlacedPolytope &own = is_of_A ? pair.a : pair.b, &other = is_of_A ? pair.b : pair.a;
-  const int face = is_of_A ? best.a : best.b;
-  const int vertex = lowest_vertex(other, own.normal(face));
-  const FloatHull &hull = *own.hull, &around = *other.hull;
-  for (int k = hull.loop_begin[at(face)]; k < hull.loop_begin[at(face + 1)]; ++k) {
-    for (int l = around.spoke_begin[at(vertex)]; l < around.spoke_begin[at(vertex + 1)]; ++l) {
-      const int i = is_of_A ? hull.loop_edges[at(k)] : around.spokes[at(l)];
-      const int j = is_of_A ? around.spokes[at(l)] : hull.loop_edges[at(k)];
-      if (arcs_cross(pair.a, pair.a.edge(i), pair.a.edge_vector(i), pair.b, pair.b.edge(j),
-                     pair.b.edge_vector(j)))
-        try_edge_pair(pair, i, j, least, best);
-    }
-  }
-}
-
-/// Where the nearest points of two crossing edges are between their ends, the radius of the foot below.
-float crossing_radius(const PolytopeScratch& pair, const SeparatingAxis& axis) {
-  const Vec3f u = pair.a.edge_vector(axis.a), v = pair.b.edge_vector(axis.b);
-  const Vec3f p = pair.a.vertex(pair.a.edge(axis.a).v0), q = pair.b.vertex(pair.b.edge(axis.b).v0);
-  const SegmentPoints points = nearest_on_segments(p, u, q, v);
-  const float area = u.cross(v).norm();
-  const float inside_u = std::min(points.s, 1 - points.s), inside_v = std::min(points.t, 1 - points.t);
-  return area * std::min(inside_u / v.norm(), inside_v / u.norm());
-}
-
-/// Differences b - a of points of the cores, laid flat along the axis n, hold a disk of this radius about the
-/// origin, and lie `separation` high over it; negative if they do not. Then no direction at the angle t from
-/// n parts the cores by more than separation cos t - radius sin t: at t <= 90 degrees no more than n does, if
-/// the separation is not negative or not less than -radius.
-float foot_radius(const PolytopeScratch& pair, const SeparatingAxis& axis) {
-  if (axis.kind == SeparatingAxis::Kind::none) return -1;
-  if (axis.kind == SeparatingAxis::Kind::edges) return crossing_radius(pair, axis);
-  const bool is_of_A = axis.kind == SeparatingAxis::Kind::face_of_A;
-  const PlacedPolytope &own = is_of_A ? pair.a : pair.b, &other = is_of_A ? pair.b : pair.a;
-  const int face = is_of_A ? axis.a : axis.b;
-  const Vec3f m = own.normal(face);
-  const Vec3f p = other.vertex(lowest_vertex(other, m));
-  const FloatHull& hull = *own.hull;
-  const int begin = hull.loop_begin[at(face)], end = hull.loop_begin[at(face + 1)];
-  float radius = std::numeric_limits<float>::infinity();
-  for (int k = begin; k < end; ++k) {
-    const Vec3f corner = own.vertex(hull.loop[at(k)]);
-    const Vec3f inward = m.cross(own.vertex(hull.loop[at(k + 1 == end ? begin : k + 1)]) - corner);
-    radius = std::min(radius, inward.dot(p - corner) / inward.norm());
-  }
-  return radius;
-}
-
-/// Whether no direction parts the cores better, by the radius of its foot and the balls inside.
-bool is_proved(const PolytopeScratch& pair, const BallBound& bound, const SeparatingAxis& axis,
-               float rounding) {
-  const float radius = foot_radius(pair, axis);
-  if (!(radius >= 4 * rounding)) return false;
-  if (axis.separation >= 0) return true;
-  const float along = axis.n.dot(bound.between);
-  const float across = (bound.between - along * axis.n).norm();
-  return radius >= -axis.separation && along >= 0 && across - bound.balls <= axis.separation;
-}
-
-/// Edges near the face that are better and proved.
-std::optional<SeparatingAxis> find_proved_edges(const PolytopeScratch& pair, const BallBound& bound,
-                                                const SeparatingAxis& face, float rounding) {
-  if (face.kind == SeparatingAxis::Kind::none) return std::nullopt;
-  SeparatingAxis guess = face;
-  try_edges_nearby(pair, face.separation + rounding, guess);
-  if (guess.kind != SeparatingAxis::Kind::edges || !is_proved(pair, bound, guess, rounding))
-    return std::nullopt;
-  return guess;
+  // The face of A is kept unless that of B is clearly better.
+  SeparatingAxis best = find_best_face(bounds_A, start.least);
+  if (best.separation > far) return best;
+  const SeparatingAxis of_B = find_best_face(bounds_B, best.separation - 2 * pair.rounding);
+  if (best.kind == SeparatingAxis::Kind::none || of_B.separation > best.separation + pair.rounding)
+    best = of_B;
+  if (best.separation > far || is_best(pair, bound, best)) return best;
+  try_edges(pair, bounds_A, bounds_B, best.separation + pair.rounding, best);
+  return best;
 }
 
 }  // namespace
 
-bool are_soon_parted(PolytopeScratch& pair, float limit) {
+AxisCode code_of(const SeparatingAxis& axis) {
+  const AxisCode kind = static_cast<AxisCode>(axis.kind) << (2 * kEdgeBits);
+  switch (axis.kind) {
+    case SeparatingAxis::Kind::face_of_A:
+      return kind | static_cast<AxisCode>(axis.a);
+    case SeparatingAxis::Kind::face_of_B:
+      return kind | static_cast<AxisCode>(axis.b);
+    case SeparatingAxis::Kind::edges:
+      return kind | static_cast<AxisCode>(axis.b) << kEdgeBits | static_cast<AxisCode>(axis.a);
+    case SeparatingAxis::Kind::none:
+      break;
+  }
+  return 0;
+}
+
+namespace {
+
+/// The axis of a code.
+SeparatingAxis axis_of(const PolytopePair& pair, AxisCode code) {
+  const int first = static_cast<int>(code & ((1u << kEdgeBits) - 1)),
+            second = static_cast<int>(code >> kEdgeBits & ((1u << kEdgeBits) - 1));
+  switch (static_cast<SeparatingAxis::Kind>(code >> (2 * kEdgeBits))) {
+    case SeparatingAxis::Kind::face_of_A:
+      return face_axis(pair, true, first);
+    case SeparatingAxis::Kind::face_of_B:
+      return face_axis(pair, false, first);
+    case SeparatingAxis::Kind::edges:
+      return edge_axis(pair, first, second);
+    case SeparatingAxis::Kind::none:
+      break;
+  }
+  return {};
+}
+
+}  // namespace
+
+SeparatingAxis face_axis(const PolytopePair& pair, bool is_of_A, int face) {
+  const PlacedPolytope &own = is_of_A ? pair.a : pair.b, &other = is_of_A ? pair.b : pair.a;
+  const Vec3f m = own.normal(face);
+  const int lowest = other.farthest(-m);
+  const Vec3f corner = own.vertex(own.hull->loop[at(own.hull->loop_begin[at(face)])]);
+  const float separation = m.dot(other.vertex(lowest) - corner);
+  if (is_of_A) return {SeparatingAxis::Kind::face_of_A, face, lowest, m, separation};
+  return {SeparatingAxis::Kind::face_of_B, lowest, face, -m, separation};
+}
+
+SeparatingAxis edge_axis(const PolytopePair& pair, int i, int j) {
+  constexpr float least_square_sine = 1e-8f;
+  const FloatHull::Edge &edge_A = pair.a.edge(i), &edge_B = pair.b.edge(j);
+  const Vec3f u = pair.a.edge_vector(i), v = pair.b.edge_vector(j);
+  const Vec3f w = u.cross(v);
+  const float square = w.squaredNorm();
+  if (!(square > least_square_sine * u.squaredNorm() * v.squaredNorm())) return {};
+  Vec3f n = w / std::sqrt(square);
+  float outward = 0;
+  if (edge_A.f0 >= 0) outward += n.dot(pair.a.normal(edge_A.f0) + pair.a.normal(edge_A.f1));
+  if (edge_B.f0 >= 0) outward -= n.dot(pair.b.normal(edge_B.f0) + pair.b.normal(edge_B.f1));
+  if (outward < 0) n = -n;
+  // Nearly parallel edges give an axis that is a little off, never a separation that is too large.
+  const float height = n.dot(pair.b.vertex(edge_B.v0) - pair.a.vertex(edge_A.v0));
+  const float separation = height + std::min(n.dot(v), 0.0f) - std::max(n.dot(u), 0.0f);
+  return {SeparatingAxis::Kind::edges, i, j, n, separation};
+}
+
+BallBound ball_bound(const PolytopePair& pair) {
+  return {pair.b.center - pair.a.center, pair.a.inner + pair.b.inner};
+}
+
+bool find_parting_direction(const PolytopePair& pair, float limit, Vec3f& n) {
   constexpr int max_steps = 4;
-  Vec3f n = pair.b.center - pair.a.center;
   for (int step = 0; step < max_steps; ++step) {
     const float square = n.squaredNorm();
     if (!(square > 0)) return false;
     n /= std::sqrt(square);
-    const Vec3f high_A = pair.a.vertex(farthest_vertex(pair.a, n, pair.heights));
-    const Vec3f low_B = pair.b.vertex(farthest_vertex(pair.b, -n, pair.heights));
-    const Vec3f w = low_B - high_A;
+    const Vec3f w = pair.b.vertex(pair.b.farthest(-n)) - pair.a.vertex(pair.a.farthest(n));
     const float separation = n.dot(w);
     if (separation > limit) return true;
     if (separation >= 0) return false;
@@ -260,35 +322,16 @@ bool are_soon_parted(PolytopeScratch& pair, float limit) {
   return false;
 }
 
-SeparatingAxis find_separating_axis(PolytopeScratch& pair, float limit, float rounding) {
-  const BallBound bound{pair.b.center - pair.a.center, pair.a.inner + pair.b.inner};
-  pair.along_A.resize(pair.a.nx.size());
-  pair.along_B.resize(pair.b.nx.size());
-  find_heights(pair.a.normals(), bound.between, best_lane_target(), pair.along_A.data());
-  find_heights(pair.b.normals(), -bound.between, best_lane_target(), pair.along_B.data());
-  const FaceDirections faces_A{pair.a, pair.b, 1, pair.along_A}, faces_B{pair.b, pair.a, -1, pair.along_B};
-
-  // A guess that proves itself ends the search.
-  SeparatingAxis best;
-  try_first_face(faces_A, bound.balls, best);
-  try_first_face(faces_B, bound.balls, best);
-  if (best.separation > limit || is_proved(pair, bound, best, rounding)) return best;
-  if (const auto edges = find_proved_edges(pair, bound, best, rounding)) return *edges;
-
-  // The face of A is kept unless that of B is clearly better. The guess is found again, if it is the best.
-  best.kind = SeparatingAxis::Kind::none;
-  best.separation -= 2 * rounding;
-  try_faces(faces_A, bound.balls, best);
-  if (best.separation > limit) return best;
-  SeparatingAxis other;
-  other.separation = best.separation;
-  if (best.kind != SeparatingAxis::Kind::none) other.separation += rounding;
-  try_faces(faces_B, bound.balls, other);
-  if (other.kind != SeparatingAxis::Kind::none) best = other;
-  if (best.separation > limit || is_proved(pair, bound, best, rounding)) return best;
-  if (const auto edges = find_proved_edges(pair, bound, best, rounding)) return *edges;
-  try_edges(pair, bound, best.separation + rounding, best);
-  return best;
+SeparatingAxis find_separating_axis(PolytopePair& pair, float limit, const AxisGuess& guess) {
+  const BallBound bound = ball_bound(pair);
+  const float far = limit + parting_slack(pair.rounding);
+  const SeparatingAxis axis = axis_of(pair, guess.axis);
+  // The separation along a face's normal is real; two edges may be no more what is nearest.
+  if (axis.kind != SeparatingAxis::Kind::edges && axis.separation > far) return axis;
+  if (const auto settled = settle(pair, bound, axis)) return *settled;
+  SearchStart start{guess.n};
+  if (const auto settled = settle_by_steps(pair, bound, guess.axis, start)) return *settled;
+  return search_all(pair, bound, far, start);
 }
 
 }  // namespace rigor

@@ -32,18 +32,18 @@ struct BoxContacts {
 
   alignas(32) std::int32_t outcome[kLaneCount];
   alignas(32) float separation[kLaneCount];
-  alignas(32) float normal[3][kLaneCount];                          ///< From A to B; of a region.
+  alignas(32) float normal[3][kLaneCount];                          ///< From A to B; of the face.
   alignas(32) std::int32_t face[kLaneCount];                        ///< Axis of the face; + 3 if it is B's.
   alignas(32) std::int32_t other[kLaneCount];                       ///< Axis of the other box's face.
   alignas(32) std::int32_t edge_A[kLaneCount], edge_B[kLaneCount];  ///< Axes of the edges.
+  alignas(
+      32) std::int32_t is_edge[kLaneCount];  ///< Not 0 if an edge pair parts the boxes best, touching or not.
   alignas(32) std::int32_t signs[kLaneCount];  ///< Bit 0: the face is on the negative side; 1: the other.
   alignas(32) float p[4][3][kLaneCount];       ///< As in a Manifold.
   alignas(32) float gap[4][kLaneCount];
   alignas(32) std::int32_t place[4][kLaneCount];  ///< Which corner of the region, or -1 for none.
 };
 
-/// Parts of separations that rounding may take, of the lengths in a pair.
-constexpr float kCollisionRounding = 1e-6f;
 /// A face is kept where edges part two cores better by less than this part of their overlap and this part of
 /// their thinnest half: it gives up to four points, edges give one.
 constexpr float kFacePreferenceOfOverlap = 0.1f, kFacePreferenceOfSize = 0.02f;
@@ -54,6 +54,9 @@ void collide_boxes(const BoxPairs& pairs, LaneTarget target, BoxContacts& contac
 
 /// The manifold of pair `lane`, whose outcome is a region; false if no point is within the margin.
 bool read_box_region(const BoxContacts& contacts, int lane, float margin, Manifold& manifold);
+
+/// The axis that parts the boxes of pair `lane` best: unit, from A to B.
+Vec3f box_axis(const BoxPairs& pairs, const BoxContacts& contacts, int lane);
 
 /// The manifold of pair `lane`, whose outcome is edges; false if these do not cross between their ends.
 bool cross_box_edges(const BoxPairs& pairs, const BoxContacts& contacts, int lane, Manifold& manifold);

@@ -8,13 +8,17 @@ namespace rigor {
 
 namespace {
 
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
 /// Nearest points of two edges.
 struct EdgePoints {
   Vec3f p_A, p_B;
   std::uint32_t feature;
 };
 
-EdgePoints nearest_on_edges(const PolytopeScratch& pair, int i, int j) {
+EdgePoints nearest_on_edges(const PolytopePair& pair, int i, int j) {
   const FloatHull::Edge &edge_A = pair.a.edge(i), &edge_B = pair.b.edge(j);
   const Vec3f p0 = pair.a.vertex(edge_A.v0), q0 = pair.b.vertex(edge_B.v0);
   const Vec3f u = pair.a.edge_vector(i), v = pair.b.edge_vector(j);
@@ -33,48 +37,54 @@ EdgePoints nearest_on_edges(const PolytopeScratch& pair, int i, int j) {
   return nearest;
 }
 
-/// Edges with a point at least this high along n.
-void list_high_edges(const PlacedPolytope& polytope, const Vec3f& n, float least, std::vector<int>& edges) {
+/// Heights of the vertices of a core along n.
+void find_vertex_heights(const PlacedPolytope& core, const Vec3f& n, std::vector<float>& heights) {
+  heights.resize(core.hull->x.size());
+  find_heights(core.hull->vertices(), core.M.transpose() * n, best_lane_target(), heights.data());
+}
+
+/// Edges with a vertex no more than `drop` below the highest.
+void list_high_edges(const PlacedPolytope& core, const std::vector<float>& heights, float drop,
+                     std::vector<int>& edges) {
+  const float least = *std::max_element(heights.begin(), heights.end()) - drop;
   edges.clear();
-  for (int e = 0; e < static_cast<int>(polytope.hull->edges.size()); ++e) {
-    const FloatHull::Edge& edge = polytope.edge(e);
-    if (std::max(n.dot(polytope.vertex(edge.v0)), n.dot(polytope.vertex(edge.v1))) >= least)
-      edges.push_back(e);
+  for (int e = 0; e < static_cast<int>(core.hull->edges.size()); ++e) {
+    const FloatHull::Edge& edge = core.edge(e);
+    if (std::max(heights[at(edge.v0)], heights[at(edge.v1)]) >= least) edges.push_back(e);
   }
 }
 
-int highest_vertex(const PlacedPolytope& polytope, const Vec3f& n) {
-  int highest = 0;
-  for (int v = 1; v < polytope.hull->vertex_count; ++v)
-    if (n.dot(polytope.vertex(v)) > n.dot(polytope.vertex(highest))) highest = v;
-  return highest;
-}
-
 void add_middle(const Vec3f& p_A, const Vec3f& p_B, const Vec3f& n, std::uint32_t feature,
-                PolytopeScratch& pair) {
+                PolytopePair& pair) {
   const float gap = n.dot(p_B - p_A) - pair.a.radius - pair.b.radius;
   const Vec3f middle = 0.5f * (p_A + p_B) + 0.5f * (pair.a.radius - pair.b.radius) * n;
   pair.candidates.push_back({middle, gap, feature});
 }
 
-/// The shortest way from a listed edge of A to one of B; pair.heights become the lengths of all of them.
-struct EdgeWay {
-  Vec3f way = Vec3f::Zero();
-  float length = std::numeric_limits<float>::infinity();
-};
-EdgeWay find_nearest_way(PolytopeScratch& pair) {
-  EdgeWay nearest;
-  pair.heights.clear();
-  for (const int i : pair.edges_A) {
-    for (const int j : pair.edges_B) {
-      const EdgePoints points = nearest_on_edges(pair, i, j);
-      const Vec3f way = points.p_B - points.p_A;
-      const float length = way.norm();
-      pair.heights.push_back(length);
-      if (length < nearest.length) nearest = {way, length};
+/// Squared distances of all listed edges of A from all of B, row by row of whole lanes, in pair.heights;
+/// returns the least.
+float find_edge_distances(PolytopePair& pair) {
+  const std::size_t count = pair.edges_B.size(), blocks = (count + kLaneCount - 1) / kLaneCount;
+  pair.segments.resize(blocks);
+  for (std::size_t k = 0; k < blocks * kLaneCount; ++k) {
+    const int e = pair.edges_B[std::min(k, count - 1)];  // Lanes that are left over repeat the last edge.
+    const Vec3f q = pair.b.vertex(pair.b.edge(e).v0), v = pair.b.vertex(pair.b.edge(e).v1) - q;
+    SegmentLanes& lanes = pair.segments[k / kLaneCount];
+    for (int c = 0; c < 3; ++c) {
+      lanes.q[c][k % kLaneCount] = q[c];
+      lanes.v[c][k % kLaneCount] = v[c];
     }
   }
-  return nearest;
+  pair.heights.resize(pair.edges_A.size() * blocks * kLaneCount);
+  float* row = pair.heights.data();
+  for (const int i : pair.edges_A) {
+    const Vec3f p = pair.a.vertex(pair.a.edge(i).v0), u = pair.a.vertex(pair.a.edge(i).v1) - p;
+    for (const SegmentLanes& lanes : pair.segments) {
+      find_square_distances(p, u, lanes, best_lane_target(), row);
+      row += kLaneCount;
+    }
+  }
+  return *std::min_element(pair.heights.begin(), pair.heights.end());
 }
 
 }  // namespace
@@ -95,46 +105,53 @@ SegmentPoints nearest_on_segments(const Vec3f& p0, const Vec3f& u, const Vec3f& 
   return {s, t};
 }
 
-bool cross_edges(const SeparatingAxis& axis, float slack, PolytopeScratch& pair) {
+bool cross_edges(const SeparatingAxis& axis, PolytopePair& pair) {
   const FloatHull::Edge &edge_A = pair.a.edge(axis.a), &edge_B = pair.b.edge(axis.b);
   const Vec3f p0 = pair.a.vertex(edge_A.v0), q0 = pair.b.vertex(edge_B.v0);
   const Vec3f u = pair.a.edge_vector(axis.a), v = pair.b.edge_vector(axis.b);
   const SegmentPoints points = nearest_on_segments(p0, u, q0, v);
   const Vec3f p_A = p0 + points.s * u, p_B = q0 + points.t * v;
   const Vec3f beside = p_B - p_A - axis.separation * axis.n;
-  if (axis.separation > 0 && beside.norm() > slack) return false;
+  if (axis.separation > 0 && beside.norm() > 4 * pair.rounding) return false;
   add_middle(p_A, p_B, axis.n, crossing_feature(axis.a, axis.b, pair.b.hull->edges.size()), pair);
   pair.candidates.back().gap = axis.separation - pair.a.radius - pair.b.radius;
   return true;
 }
 
-std::optional<Vec3f> join_nearest_edges(const SeparatingAxis& axis, float margin, float slack,
-                                        PolytopeScratch& pair) {
+std::optional<Vec3f> join_nearest_edges(const Vec3f& n, float separation, float margin, PolytopePair& pair) {
   // Along n the nearest points are no farther from the planes that part the cores than what their distance
   // has more than the separation. The edges close to these planes give a first distance.
-  const Vec3f& n = axis.n;
-  const float high_A = n.dot(pair.a.vertex(highest_vertex(pair.a, n)));
-  const float low_B = n.dot(pair.b.vertex(highest_vertex(pair.b, -n)));
-  EdgeWay nearest;
-  for (float excess = slack + 0.25f * axis.separation;;) {
-    list_high_edges(pair.a, n, high_A - excess, pair.edges_A);
-    list_high_edges(pair.b, -n, -low_B - excess, pair.edges_B);
-    nearest = find_nearest_way(pair);
-    const float needed = nearest.length - axis.separation + slack;
+  const float slack = 4 * pair.rounding;
+  find_vertex_heights(pair.a, n, pair.along_A);
+  find_vertex_heights(pair.b, -n, pair.along_B);
+  float square = 0, distance = 0;
+  for (float excess = slack + 0.25f * separation;;) {
+    list_high_edges(pair.a, pair.along_A, excess, pair.edges_A);
+    list_high_edges(pair.b, pair.along_B, excess, pair.edges_B);
+    square = find_edge_distances(pair);
+    distance = std::sqrt(square);
+    const float needed = distance - separation + 2 * slack;
     if (!(needed > excess)) break;
     excess = needed;
   }
-  if (nearest.length - pair.a.radius - pair.b.radius > margin) return std::nullopt;
+  if (distance - pair.a.radius - pair.b.radius > margin) return std::nullopt;
+  const float far = (distance + slack) * (distance + slack);
+  const std::size_t stride = pair.heights.size() / pair.edges_A.size();
+  const auto for_nearest = [&](float most, const auto& visit) {
+    for (std::size_t i = 0; i < pair.edges_A.size(); ++i)
+      for (std::size_t j = 0; j < pair.edges_B.size(); ++j)
+        if (pair.heights[i * stride + j] <= most)
+          visit(nearest_on_edges(pair, pair.edges_A[i], pair.edges_B[j]));
+  };
   // The direction between points that touch is lost in rounding.
-  const Vec3f normal = nearest.length > 0.25f * slack ? Vec3f(nearest.way / nearest.length) : n;
-  std::size_t k = 0;
-  for (const int i : pair.edges_A) {
-    for (const int j : pair.edges_B) {
-      if (pair.heights[k++] > nearest.length + slack) continue;
-      const EdgePoints points = nearest_on_edges(pair, i, j);
-      add_middle(points.p_A, points.p_B, normal, points.feature, pair);
-    }
-  }
+  std::optional<Vec3f> normal;
+  if (distance <= 0.25f * slack) normal = n;
+  for_nearest(square, [&](const EdgePoints& points) {
+    if (!normal) normal = (points.p_B - points.p_A).normalized();
+  });
+  for_nearest(far, [&](const EdgePoints& points) {
+    add_middle(points.p_A, points.p_B, *normal, points.feature, pair);
+  });
   return normal;
 }
 

@@ -19,19 +19,19 @@ struct ManifoldCandidate {
 // they stay while two parallel faces take turns.
 
 /// An edge of A crosses one of B, which has edge_count_B of them.
-inline std::uint32_t crossing_feature(int edge_A, int edge_B, std::size_t edge_count_B) {
+constexpr std::uint32_t crossing_feature(int edge_A, int edge_B, std::size_t edge_count_B) {
   return static_cast<std::uint32_t>(edge_A) * static_cast<std::uint32_t>(edge_count_B) +
          static_cast<std::uint32_t>(edge_B);
 }
 /// A vertex of A lies over a face or an edge of B.
-inline std::uint32_t vertex_A_feature(int vertex) {
+constexpr std::uint32_t vertex_A_feature(int vertex) {
   return 1u << 30 | static_cast<std::uint32_t>(vertex);
 }
-inline std::uint32_t vertex_B_feature(int vertex) {
+constexpr std::uint32_t vertex_B_feature(int vertex) {
   return 2u << 30 | static_cast<std::uint32_t>(vertex);
 }
 /// Two vertices meet.
-inline std::uint32_t vertices_feature(int vertex_A, int vertex_B, int vertex_count_B) {
+constexpr std::uint32_t vertices_feature(int vertex_A, int vertex_B, int vertex_count_B) {
   return 3u << 30 | (static_cast<std::uint32_t>(vertex_A) * static_cast<std::uint32_t>(vertex_count_B) +
                      static_cast<std::uint32_t>(vertex_B));
 }

@@ -1,10 +1,9 @@
 #include "rigor/bulk/collide_polytopes.hpp"
 
-#include "rigor/bulk/hull_lanes.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace rigor {
 
@@ -16,36 +15,45 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-/// One core over a face of another.
+/// One core over a face of another; the borders of the face are those of the pair.
 struct FaceView {
   const PlacedPolytope& owner;  ///< Of the face.
   const PlacedPolytope& other;
   int face;
+  int lowest;  ///< Vertex of the other core.
   bool is_of_A;
   Vec3f m;  ///< Outward normal of the face.
+  float offset;
 
-  float height(const Vec3f& p) const { return m.dot(p) - owner.offset[at(face)]; }
-  int begin() const { return owner.hull->loop_begin[at(face)]; }
-  int end() const { return owner.hull->loop_begin[at(face + 1)]; }
-  Vec3f corner(int k) const { return owner.vertex(owner.hull->loop[at(k == end() ? begin() : k)]); }
+  float height(const Vec3f& p) const { return m.dot(p) - offset; }
 };
 
-/// The border of the face between two corners.
-struct Border {
-  Vec3f corner, along, inward;  ///< Unit vectors.
-  float length;
-};
+FaceView view_of(const SeparatingAxis& axis, const PolytopePair& pair) {
+  const bool is_of_A = axis.kind == SeparatingAxis::Kind::face_of_A;
+  const PlacedPolytope &owner = is_of_A ? pair.a : pair.b, &other = is_of_A ? pair.b : pair.a;
+  const int face = is_of_A ? axis.a : axis.b, lowest = is_of_A ? axis.b : axis.a;
+  const Vec3f m = is_of_A ? axis.n : Vec3f(-axis.n);
+  return {owner, other, face, lowest, is_of_A, m, m.dot(other.vertex(lowest)) - axis.separation};
+}
 
-Border border_of(const FaceView& view, int k) {
-  const Vec3f corner = view.corner(k), side = view.corner(k + 1) - corner;
-  const float length = side.norm();
-  const Vec3f along = side / length;
-  return {corner, along, view.m.cross(along), length};
+void list_borders(const FaceView& view, std::vector<FaceBorder>& borders) {
+  borders.clear();
+  const std::span<const int> loop = view.owner.hull->border_vertices(view.face);
+  const Vec3f first = view.owner.vertex(loop.front());
+  Vec3f corner = first;
+  for (std::size_t k = 0; k < loop.size(); ++k) {
+    const Vec3f next = k + 1 == loop.size() ? first : view.owner.vertex(loop[k + 1]);
+    const Vec3f side = next - corner;
+    const float length = side.norm();
+    const Vec3f along = side / length;
+    borders.push_back({corner, along, view.m.cross(along), length});
+    corner = next;
+  }
 }
 
 /// Adds the point of the other core, which is `height` above its foot on the face.
 float add_above(const FaceView& view, const Vec3f& p, float height, std::uint32_t feature, float margin,
-                PolytopeScratch& pair) {
+                PolytopePair& pair) {
   const float gap = height - pair.a.radius - pair.b.radius;
   if (gap > margin) return gap;
   // The middle of the cores' points, moved to the middle of the surfaces'.
@@ -53,16 +61,6 @@ float add_above(const FaceView& view, const Vec3f& p, float height, std::uint32_
   const Vec3f middle = p - 0.5f * height * view.m + (view.is_of_A ? shift : -shift) * view.m;
   pair.candidates.push_back({middle, gap, feature});
   return gap;
-}
-
-int lowest_vertex(const FaceView& view) {
-  int lowest = 0;
-  float least = kInfinity;
-  for (int v = 0; v < view.other.hull->vertex_count; ++v) {
-    const float height = view.m.dot(view.other.vertex(v));
-    if (height < least) least = height, lowest = v;
-  }
-  return lowest;
 }
 
 /// The face around the vertex that is turned to the view most; -1 if there are none.
@@ -81,27 +79,26 @@ std::uint32_t vertex_feature(bool is_of_A, int vertex) {
   return is_of_A ? vertex_A_feature(vertex) : vertex_B_feature(vertex);
 }
 
-bool lies_over_face(const FaceView& view, const Vec3f& p, float slack) {
-  for (int k = view.begin(); k < view.end(); ++k) {
-    const Border border = border_of(view, k);
+bool lies_over_face(const PolytopePair& pair, const Vec3f& p, float slack) {
+  for (const FaceBorder& border : pair.borders)
     if (border.inward.dot(p - border.corner) < -slack) return false;
-  }
   return true;
 }
 
-/// Where the edge of the other core crosses the border of the face; grazing does not count.
-float add_crossings(const FaceView& view, int edge, float margin, float slack, PolytopeScratch& pair) {
-  const FloatHull::Edge& line = view.other.edge(edge);
-  const Vec3f p0 = view.other.vertex(line.v0), p1 = view.other.vertex(line.v1);
+/// Where the edge of the other core from p0 to p1 crosses the border of the face; grazing does not count.
+float add_crossings(const FaceView& view, int edge, const Vec3f& p0, const Vec3f& p1, float margin,
+                    PolytopePair& pair) {
+  const float slack = 4 * pair.rounding;
+  const std::span<const int> own_edges = view.owner.hull->border_edges(view.face);
   float least = kInfinity;
-  for (int k = view.begin(); k < view.end(); ++k) {
-    const Border border = border_of(view, k);
+  for (std::size_t k = 0; k < own_edges.size(); ++k) {
+    const FaceBorder& border = pair.borders[k];
     const float d0 = border.inward.dot(p0 - border.corner), d1 = border.inward.dot(p1 - border.corner);
     if (std::min(d0, d1) >= -slack || std::max(d0, d1) <= slack) continue;
     const Vec3f p = p0 + d0 / (d0 - d1) * (p1 - p0);
     const float along = border.along.dot(p - border.corner);
     if (along <= slack || along >= border.length - slack) continue;
-    const int own = view.owner.hull->loop_edges[at(k)];
+    const int own = own_edges[k];
     const std::uint32_t feature = view.is_of_A ? crossing_feature(own, edge, view.other.hull->edges.size())
                                                : crossing_feature(edge, own, view.owner.hull->edges.size());
     least = std::min(least, add_above(view, p, view.height(p), feature, margin, pair));
@@ -109,125 +106,123 @@ float add_crossings(const FaceView& view, int edge, float margin, float slack, P
   return least;
 }
 
-/// Whether the face of the other core covers p, seen along the normal of the view.
-bool is_covered(const FaceView& view, int face, const Vec3f& p, float slack) {
-  const FloatHull& hull = *view.other.hull;
-  const int begin = hull.loop_begin[at(face)], end = hull.loop_begin[at(face + 1)];
-  for (int k = begin; k < end; ++k) {
-    const Vec3f corner = view.other.vertex(hull.loop[at(k)]);
-    const Vec3f next = view.other.vertex(hull.loop[at(k + 1 == end ? begin : k + 1)]);
+/// Whether the face with the corners of the pair covers p, seen along the normal of the view.
+bool is_covered(const FaceView& view, const PolytopePair& pair, const Vec3f& p, float slack) {
+  for (std::size_t k = 0; k < pair.corners.size(); ++k) {
+    const Vec3f &corner = pair.corners[k], &next = pair.corners[k + 1 == pair.corners.size() ? 0 : k + 1];
     const Vec3f outward = view.m.cross(next - corner);
-    if (outward.dot(p - corner) > slack * outward.norm()) return false;
+    const float beyond = outward.dot(p - corner);
+    if (beyond > 0 && beyond * beyond > slack * slack * outward.squaredNorm()) return false;
   }
   return true;
 }
 
 /// Corners of the face of the view that the face of the other core covers.
-float add_corners(const FaceView& view, int face, float margin, float slack, PolytopeScratch& pair) {
+float add_corners(const FaceView& view, int face, float margin, PolytopePair& pair) {
   constexpr float least_slope = 0.05f;  // Heights above steeper faces are lost in rounding.
   const Vec3f normal = view.other.normal(face);
-  const float slope = -normal.dot(view.m);
+  const float slope = -normal.dot(view.m), slack = 4 * pair.rounding;
   float least = kInfinity;
   if (slope < least_slope) return least;
-  for (int k = view.begin(); k < view.end(); ++k) {
-    const Vec3f corner = view.corner(k);
-    if (!is_covered(view, face, corner, slack)) continue;
-    const float height = (normal.dot(corner) - view.other.offset[at(face)]) / slope;
-    const std::uint32_t feature = vertex_feature(view.is_of_A, view.owner.hull->loop[at(k)]);
-    least = std::min(least, add_above(view, corner + height * view.m, height, feature, margin, pair));
+  const std::span<const int> loop = view.owner.hull->border_vertices(view.face);
+  for (std::size_t k = 0; k < loop.size(); ++k) {
+    const Vec3f corner = pair.borders[k].corner;
+    if (!is_covered(view, pair, corner, slack)) continue;
+    const float height = normal.dot(corner - pair.corners[0]) / slope;
+    least = std::min(least, add_above(view, corner + height * view.m, height,
+                                      vertex_feature(view.is_of_A, loop[k]), margin, pair));
   }
   return least;
 }
 
-FaceView view_of(const SeparatingAxis& axis, const PolytopeScratch& pair) {
-  if (axis.kind == SeparatingAxis::Kind::face_of_A) return {pair.a, pair.b, axis.a, true, axis.n};
-  return {pair.b, pair.a, axis.b, false, -axis.n};
+/// The lowest point of the other core, wherever it is.
+void add_lowest(const SeparatingAxis& axis, float margin, PolytopePair& pair) {
+  const FaceView view = view_of(axis, pair);
+  add_above(view, view.other.vertex(view.lowest), axis.separation, vertex_feature(!view.is_of_A, view.lowest),
+            margin, pair);
 }
 
-/// The lowest point of the other core, wherever it is.
-void add_lowest(const SeparatingAxis& axis, float margin, PolytopeScratch& pair) {
-  const FaceView view = view_of(axis, pair);
-  const int vertex = lowest_vertex(view);
-  add_above(view, view.other.vertex(vertex), axis.separation, vertex_feature(!view.is_of_A, vertex), margin,
-            pair);
+PlacedPolytope place_polytope(const BulkShape& shape, const PlacedShape& placed, const Vec3f& p_OB) {
+  const FloatHull& hull = *shape.hull;
+  const Mat3f R = placed.rotation();
+  const Vec3f p = p_OB + placed.position();
+  return {&hull,
+          R,
+          R * shape.scale.asDiagonal(),
+          p,
+          R * hull.center + p,
+          hull.inner * shape.scale.minCoeff(),
+          shape.radius,
+          shape.extent,
+          shape.kind == BulkShape::Kind::box ? shape.scale : Vec3f(Vec3f::Zero())};
+}
+
+/// Moves the ball inside a core as near to a point as it goes.
+void move_ball(const BulkShape& shape, const Vec3f& to, PlacedPolytope& core) {
+  if (shape.ball_way.isZero(0)) return;
+  const Vec3f local = core.R.transpose() * (to - core.p);
+  core.center = core.R * local.cwiseMax(-shape.ball_way).cwiseMin(shape.ball_way) + core.p;
 }
 
 }  // namespace
 
-void place_vertices(const BulkShape& shape, const PlacedShape& placed, const Vec3f& p_OB,
-                    PlacedPolytope& polytope) {
-  const FloatHull& hull = *shape.hull;
-  const Mat3f R = placed.rotation();
-  const Vec3f p = p_OB + placed.position();
-  polytope.hull = &hull;
-  for (std::vector<float>* column : {&polytope.x, &polytope.y, &polytope.z}) column->resize(hull.x.size());
-  float* const columns[] = {polytope.x.data(), polytope.y.data(), polytope.z.data()};
-  map_columns({hull.x.data(), hull.y.data(), hull.z.data(), hull.x.size()}, R * shape.scale.asDiagonal(), p,
-              best_lane_target(), columns);
-  polytope.center = R * hull.center + p;
-  polytope.inner = hull.inner * shape.scale.minCoeff();
-  polytope.radius = shape.radius;
+int PlacedPolytope::farthest(const Vec3f& n) const {
+  return find_support(hull->vertices(), M.transpose() * n, best_lane_target()).index;
 }
 
-void place_faces(const BulkShape& shape, const PlacedShape& placed, const Vec3f& p_OB,
-                 PlacedPolytope& polytope) {
-  const FloatHull& hull = *shape.hull;
-  const Vec3f p = p_OB + placed.position();
-  const std::size_t count = hull.nx.size();
-  for (std::vector<float>* column : {&polytope.nx, &polytope.ny, &polytope.nz, &polytope.offset})
-    column->resize(count);
-  float* const columns[] = {polytope.nx.data(), polytope.ny.data(), polytope.nz.data()};
-  map_columns({hull.nx.data(), hull.ny.data(), hull.nz.data(), count}, placed.rotation(), Vec3f::Zero(),
-              best_lane_target(), columns);
-  find_heights(polytope.normals(), p, best_lane_target(), polytope.offset.data());
-  if (shape.kind != BulkShape::Kind::box) {
-    for (std::size_t k = 0; k < count; ++k) polytope.offset[k] += hull.offset[k];
-    return;
-  }
-  // A scale other than 1 is that of a box, whose normals are along the axes.
-  for (std::size_t k = 0; k < count; ++k)
-    polytope.offset[k] += std::abs(hull.nx[k]) * shape.scale.x() + std::abs(hull.ny[k]) * shape.scale.y() +
-                          std::abs(hull.nz[k]) * shape.scale.z();
+void place_polytopes(const BulkShape& a, const PlacedShape& placed_A, const BulkShape& b,
+                     const PlacedShape& placed_B, const Vec3f& d, PolytopePair& pair) {
+  pair.a = place_polytope(a, placed_A, Vec3f::Zero());
+  pair.b = place_polytope(b, placed_B, d);
+  pair.rounding = kCollisionRounding * (a.extent + b.extent + d.norm());
+  move_ball(a, pair.b.center, pair.a);
+  move_ball(b, pair.a.center, pair.b);
 }
 
-float clip_on_face(const SeparatingAxis& axis, float margin, float slack, PolytopeScratch& pair) {
+float clip_on_face(const SeparatingAxis& axis, float margin, PolytopePair& pair) {
   const FaceView view = view_of(axis, pair);
+  const float slack = 4 * pair.rounding;
+  list_borders(view, pair.borders);
+  // The points of the other core that count: of its face that is turned to this one, or of the segment.
   const FloatHull& hull = *view.other.hull;
-  const int face = facing_face(view, lowest_vertex(view));
+  const int face = facing_face(view, view.lowest);
+  constexpr int segment_edges[] = {0};
+  const int segment_ends[] = {hull.edges[0].v0, hull.edges[0].v1};
+  const std::span<const int> loop = face < 0
+                                        ? std::span<const int>(segment_ends, hull.vertex_count == 1 ? 1u : 2u)
+                                        : hull.border_vertices(face);
+  const std::span<const int> edges = face < 0 ? std::span<const int>(segment_edges) : hull.border_edges(face);
+  pair.corners.clear();
+  for (const int v : loop) pair.corners.push_back(view.other.vertex(v));
   float least = kInfinity;
-  const auto add_vertex = [&](int v) {
-    const Vec3f p = view.other.vertex(v);
-    if (!lies_over_face(view, p, slack)) return;
-    least =
-        std::min(least, add_above(view, p, view.height(p), vertex_feature(!view.is_of_A, v), margin, pair));
-  };
-  if (face < 0) {
-    for (int v = 0; v < hull.vertex_count; ++v) add_vertex(v);
-    return std::min(least, add_crossings(view, 0, margin, slack, pair));
+  for (std::size_t k = 0; k < loop.size(); ++k) {
+    const Vec3f p = pair.corners[k];
+    if (lies_over_face(pair, p, slack))
+      least = std::min(
+          least, add_above(view, p, view.height(p), vertex_feature(!view.is_of_A, loop[k]), margin, pair));
+    if (k >= edges.size() || loop.size() == 1) continue;
+    least = std::min(least, add_crossings(view, edges[k], p, pair.corners[k + 1 == loop.size() ? 0 : k + 1],
+                                          margin, pair));
   }
-  for (int k = hull.loop_begin[at(face)]; k < hull.loop_begin[at(face + 1)]; ++k) {
-    add_vertex(hull.loop[at(k)]);
-    least = std::min(least, add_crossings(view, hull.loop_edges[at(k)], margin, slack, pair));
-  }
-  return std::min(least, add_corners(view, face, margin, slack, pair));
+  return face < 0 ? least : std::min(least, add_corners(view, face, margin, pair));
 }
 
-std::optional<Vec3f> find_polytope_candidates(PolytopeScratch& pair, float margin, float rounding) {
+std::optional<Vec3f> find_polytope_candidates(PolytopePair& pair, float margin, const AxisGuess& guess,
+                                              SeparatingAxis& axis) {
   pair.candidates.clear();
-  const float slack = 4 * rounding;
   const float radii = pair.a.radius + pair.b.radius;
-  const SeparatingAxis axis = find_separating_axis(pair, margin + radii, rounding);
+  axis = find_separating_axis(pair, margin + radii, guess);
   if (!(axis.separation <= margin + radii)) return std::nullopt;
   const bool is_apart = axis.separation > 0;
   if (axis.kind == SeparatingAxis::Kind::edges) {
-    if (cross_edges(axis, slack, pair)) return axis.n;
-    return join_nearest_edges(axis, margin, slack, pair);
+    if (cross_edges(axis, pair)) return axis.n;
+    return join_nearest_edges(axis.n, axis.separation, margin, pair);
   }
-  const float least = clip_on_face(axis, margin, slack, pair);
-  if (least <= axis.separation - radii + slack) return axis.n;
+  const float least = clip_on_face(axis, margin, pair);
+  if (least <= axis.separation - radii + 4 * pair.rounding) return axis.n;
   if (is_apart) {
     pair.candidates.clear();
-    return join_nearest_edges(axis, margin, slack, pair);
+    return join_nearest_edges(axis.n, axis.separation, margin, pair);
   }
   add_lowest(axis, margin, pair);
   return axis.n;

@@ -2,107 +2,144 @@
 
 #include "rigor/bulk/bulk_shape.hpp"
 #include "rigor/bulk/collide_points.hpp"
+#include "rigor/bulk/hull_lanes.hpp"
 
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <vector>
 
 namespace rigor {
 
-/// Points or directions in columns of whole lanes.
-struct LaneColumns {
-  const float *x, *y, *z;
-  std::size_t count;
-};
-
-/// Edges with the normals of their faces, in columns, for the test of their arcs on the Gauss map. Padded
-/// with edges that cross nothing. A segment, whose arc is a circle, has no place here.
-struct ArcColumns {
-  static constexpr int column_count = 9;  ///< Edge vector, first and second normal.
-  std::vector<float> column[column_count];
-  std::vector<int> edge;
-  void clear();
-  void add(int e, const Vec3f& u, const Vec3f& n0, const Vec3f& n1);
-  void pad();
-};
-
-/// A core placed in a frame O: the centre of body A, axes of W. Columns as in FloatHull.
+/// A core in a frame O: the centre of body A, axes of W. Vertices and normals are placed as they are asked
+/// for.
 struct PlacedPolytope {
   const FloatHull* hull = nullptr;
-  std::vector<float> x, y, z;
-  std::vector<float> nx, ny, nz, offset;
+  Mat3f R;           ///< Of normals.
+  Mat3f M;           ///< Of vertices: R and the scale of the shape.
+  Vec3f p;           ///< Origin of the shape.
   Vec3f center;      ///< Of a ball inside.
   float inner = 0;   ///< Its radius [m].
   float radius = 0;  ///< Of the ball added to the core [m].
+  float extent = 0;  ///< No vertex is farther from p [m].
+  Vec3f box;         ///< Half extents of a box, 0 of others [m].
 
-  LaneColumns vertices() const { return {x.data(), y.data(), z.data(), x.size()}; }
-  LaneColumns normals() const { return {nx.data(), ny.data(), nz.data(), nx.size()}; }
-  Vec3f vertex(int v) const {
-    const std::size_t k = static_cast<std::size_t>(v);
-    return Vec3f(x[k], y[k], z[k]);
-  }
-  Vec3f normal(int f) const {
-    const std::size_t k = static_cast<std::size_t>(f);
-    return Vec3f(nx[k], ny[k], nz[k]);
+  Vec3f vertex(int v) const { return M * hull->vertex(v) + p; }
+  Vec3f normal(int f) const { return R * hull->normal(f); }
+  /// Of a face's plane from p [m].
+  float offset(int f) const {
+    if (box.x() > 0) return hull->normal(f).cwiseAbs().dot(box);
+    return hull->offset[static_cast<std::size_t>(f)];
   }
   const FloatHull::Edge& edge(int e) const { return hull->edges[static_cast<std::size_t>(e)]; }
   Vec3f edge_vector(int e) const { return vertex(edge(e).v1) - vertex(edge(e).v0); }
+  /// The vertex farthest along n (of equal ones the first).
+  int farthest(const Vec3f& n) const;
 };
-
-/// Places the vertices; p_OB: the centre of the shape's body.
-void place_vertices(const BulkShape& shape, const PlacedShape& placed, const Vec3f& p_OB,
-                    PlacedPolytope& polytope);
-/// Places the planes of the faces, after that.
-void place_faces(const BulkShape& shape, const PlacedShape& placed, const Vec3f& p_OB,
-                 PlacedPolytope& polytope);
 
 /// The direction that parts two cores best, of the normals of faces and of pairs of edges.
 struct SeparatingAxis {
-  enum class Kind { none, face_of_A, face_of_B, edges };
+  enum class Kind : std::int8_t { none, face_of_A, face_of_B, edges };
   Kind kind = Kind::none;
-  int a = -1, b = -1;                                          ///< Face, or edges.
+  int a = -1, b = -1;  ///< A face and the vertex of the other core that is lowest over it; or two edges.
   Vec3f n = Vec3f::UnitZ();                                    ///< Unit, from A to B.
   float separation = -std::numeric_limits<float>::infinity();  ///< min n · b - max n · a [m].
 };
 
-/// Where the search keeps its lists, to be used again.
-struct PolytopeScratch {
+/// Which of the axes of two cores it is, in 32 bits, to be tried again in the next step.
+using AxisCode = std::uint32_t;
+AxisCode code_of(const SeparatingAxis& axis);  ///< 0 of none.
+
+/// The border of a face between two corners.
+struct FaceBorder {
+  Vec3f corner, along, inward;  ///< Unit vectors.
+  float length;
+};
+
+/// Two cores, and where the search keeps its lists, to be used again.
+struct PolytopePair {
   PlacedPolytope a, b;
-  std::vector<float> heights, along_A, along_B;
-  ArcColumns arcs_A, arcs_B;
+  float rounding = 0;  ///< Of separations: kCollisionRounding of the lengths in the pair [m].
+  std::vector<float> heights, along_A, along_B, heights_A, heights_B;
+  ArcBlocks arcs_A, arcs_B;
   std::vector<int> edges_A, edges_B;
+  std::vector<SegmentLanes> segments;
+  std::vector<FaceBorder> borders;
+  std::vector<Vec3f> corners;
   std::vector<ManifoldCandidate> candidates;
 };
 
-/// Whether a few steps of a search find a direction along which the cores are farther apart than `limit`: its
-/// vertices suffice. False is no proof of the contrary.
+/// Places both cores; d: from the centre of body A to that of body B.
+void place_polytopes(const BulkShape& a, const PlacedShape& placed_A, const BulkShape& b,
+                     const PlacedShape& placed_B, const Vec3f& d, PolytopePair& pair);
+
+/// Beyond this the exact rounding of any way to measure them does not matter: cores that are parted by so
+/// much more than a limit along some direction are farther apart than it in every answer [m].
+inline float parting_slack(float rounding) {
+  return 64 * rounding;
+}
+
+/// Whether a few steps of a search from n, not 0, find a direction along which the cores are farther apart
+/// than `limit`. False is no proof of the contrary. n becomes the last direction.
 ///
 /// Source: Chung and Wang, Quick Collision Detection of Polytopes in Virtual Environments, ACM VRST 1996: a
 /// direction that does not part the support vertices is reflected at the plane across their difference.
-bool are_soon_parted(PolytopeScratch& pair, float limit);
+bool find_parting_direction(const PolytopePair& pair, float limit, Vec3f& n);
 
-/// The axis, or one beyond `limit` as soon as one is found. A face is taken where an edge pair is better by
-/// less than `rounding`.
-SeparatingAxis find_separating_axis(PolytopeScratch& pair, float limit, float rounding);
+/// Where to look first.
+struct AxisGuess {
+  Vec3f n;            ///< A direction, not 0.
+  AxisCode axis = 0;  ///< Of these cores; 0 if there is none.
+};
 
-/// Contacts of two cores with their balls, in pair.candidates; nothing beyond the margin. Returns the normal.
+/// The axis of the whole search, whatever the guess: the best face (of A, unless that of B is better by more
+/// than the rounding), or the best edge pair if that is better than it by more than the rounding. Where the
+/// cores are farther apart than `limit`, any axis that shows it. The axis of the guess is tried first, then
+/// those around it: where one of them proves itself, no other is.
+SeparatingAxis find_separating_axis(PolytopePair& pair, float limit, const AxisGuess& guess);
+
+/// Contacts of two cores with their balls, in pair.candidates; nothing beyond the margin. Returns their
+/// normal. `axis` becomes the axis found.
 ///
 /// Source: Gregorius, The Separating Axis Test between Convex Polyhedra, GDC 2013: faces, and the edges whose
 /// arcs cross on the Gauss map. Ours: only directions are tried for which the balls inside the cores leave
-/// more separation than there is already; where cores are apart and the axis joins no two points of them,
-/// the nearest points of their edges take its place, so that gaps are distances.
-std::optional<Vec3f> find_polytope_candidates(PolytopeScratch& pair, float margin, float rounding);
+/// more separation than there is already, and none besides an axis that proves itself
+/// (docs/theory/narrow_phase.md); where cores are apart and the axis joins no two points of them, the nearest
+/// points of their edges take its place, so that gaps are distances.
+std::optional<Vec3f> find_polytope_candidates(PolytopePair& pair, float margin, const AxisGuess& guess,
+                                              SeparatingAxis& axis);
 
-// The parts of this, each of which fills pair.candidates.
+// The parts of this.
 
+/// The face of one core and the vertex of the other that is lowest over it.
+SeparatingAxis face_axis(const PolytopePair& pair, bool is_of_A, int face);
+/// Two edges; none if they are parallel.
+SeparatingAxis edge_axis(const PolytopePair& pair, int i, int j);
 /// The region in which the cores lie over the face of the axis; returns its least gap (infinite: empty).
-float clip_on_face(const SeparatingAxis& axis, float margin, float slack, PolytopeScratch& pair);
+float clip_on_face(const SeparatingAxis& axis, float margin, PolytopePair& pair);
 /// Where two edges cross; false if the cores are apart and it is beyond their ends.
-bool cross_edges(const SeparatingAxis& axis, float slack, PolytopeScratch& pair);
-/// The nearest points of two cores that are apart, both of them on edges. Returns the normal, or nothing
-/// beyond the margin.
-std::optional<Vec3f> join_nearest_edges(const SeparatingAxis& axis, float margin, float slack,
-                                        PolytopeScratch& pair);
+bool cross_edges(const SeparatingAxis& axis, PolytopePair& pair);
+/// The nearest points of two cores that are parted along n, both of them on edges. Returns the normal, or
+/// nothing beyond the margin. The answer does not depend on n, unless the cores touch to rounding.
+std::optional<Vec3f> join_nearest_edges(const Vec3f& n, float separation, float margin, PolytopePair& pair);
+
+/// No direction n parts the cores by more than n · between - balls.
+struct BallBound {
+  Vec3f between;  ///< From the ball inside A to that inside B [m].
+  float balls;    ///< Sum of their radii [m].
+};
+BallBound ball_bound(const PolytopePair& pair);
+
+/// Whether rounding changes the separation of the axis by no more than pair.rounding: not of edges that are
+/// nearly parallel.
+bool is_well_conditioned(const PolytopePair& pair, const SeparatingAxis& axis);
+/// Whether no direction parts the cores better than the axis by more than the rounding: false is no proof of
+/// the contrary.
+bool is_best(const PolytopePair& pair, const BallBound& bound, const SeparatingAxis& axis);
+/// The axis of the whole search, if the given one tells it: a proof like that, with some room, and no other
+/// feature that is as good.
+std::optional<SeparatingAxis> settle(const PolytopePair& pair, const BallBound& bound,
+                                     const SeparatingAxis& axis);
 
 /// Nearest points of two segments: parameters in [0, 1] from their first ends; of parallel ones at an end.
 struct SegmentPoints {

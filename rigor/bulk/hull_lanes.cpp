@@ -1,134 +1,281 @@
 #include "rigor/bulk/hull_lanes.hpp"
 
 #include "rigor/bulk/float_lanes.hpp"
+#include "rigor/bulk/lane_bits.hpp"
 
+#include <algorithm>
+#include <bit>
 #include <limits>
 
 namespace rigor {
 
 namespace {
 
-RIGOR_FLOAT_LANES void map_kernel(const LaneColumns& from, const Mat3f& M, const Vec3f& t, float* const* to) {
-  for (int row = 0; row < 3; ++row) {
-    const FloatLanes mx = float_lanes(M(row, 0)), my = float_lanes(M(row, 1)), mz = float_lanes(M(row, 2));
-    const FloatLanes shift = float_lanes(t[row]);
-    for (std::size_t k = 0; k < from.count; k += kLaneCount)
-      store_floats(
-          mx * load_floats(from.x + k) + my * load_floats(from.y + k) + mz * load_floats(from.z + k) + shift,
-          to[row] + k);
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+/// The direction in lanes.
+RIGOR_FLOAT_LANES FloatVec3 spread(const Vec3f& n) {
+  return {float_lanes(n.x()), float_lanes(n.y()), float_lanes(n.z())};
+}
+RIGOR_FLOAT_LANES FloatLanes heights_at(const LaneColumns& points, const FloatVec3& n, std::size_t k) {
+  return n.x * load_floats(points.x + k) + n.y * load_floats(points.y + k) + n.z * load_floats(points.z + k);
+}
+
+RIGOR_FLOAT_LANES Support support_kernel(const LaneColumns& points, const Vec3f& n) {
+  const FloatVec3 direction = spread(n);
+  FloatLanes highest = float_lanes(-kInfinity);
+  IntLanes first{}, place{};
+  const IntLanes step = {kLaneCount, kLaneCount, kLaneCount, kLaneCount,
+                         kLaneCount, kLaneCount, kLaneCount, kLaneCount};
+  for (std::size_t k = 0; k < points.count; k += kLaneCount) {
+    const FloatLanes height = heights_at(points, direction, k);
+    const IntLanes is_higher = height > highest;
+    highest = is_higher ? height : highest;
+    first = is_higher ? place : first;
+    place += step;
   }
+  // Of the lanes that are highest, the one whose point is the first.
+  const FloatLanes top = spread_max(highest);
+  unsigned bits = lane_bits(highest == top);
+  Support support{0, top[0]};
+  int least = std::numeric_limits<int>::max();
+  std::int32_t begins[kLaneCount];
+  std::memcpy(begins, &first, sizeof begins);
+  for (; bits != 0; bits &= bits - 1) {
+    const int lane = std::countr_zero(bits);
+    const int index = begins[lane] + lane;
+    if (index < least) support.index = least = index;
+  }
+  return support;
+}
+
+RIGOR_FLOAT_LANES Summit summit_kernel(const LaneColumns& points, int count, const Vec3f& n, float drop) {
+  const FloatVec3 direction = spread(n);
+  FloatLanes highest = heights_at(points, direction, 0);
+  for (std::size_t k = kLaneCount; k < points.count; k += kLaneCount)
+    highest = float_max(highest, heights_at(points, direction, k));
+  const FloatLanes top = spread_max(highest), least = top - float_lanes(drop);
+  Summit summit{top[0], 0};
+  for (std::size_t k = 0; k < points.count; k += kLaneCount) {
+    unsigned bits = lane_bits(heights_at(points, direction, k) >= least);
+    // What pads the columns does not count.
+    const int left = count - static_cast<int>(k);
+    if (left < kLaneCount) bits &= (1u << left) - 1;
+    summit.count += std::popcount(bits);
+  }
+  return summit;
 }
 
 RIGOR_FLOAT_LANES void heights_kernel(const LaneColumns& points, const Vec3f& n, float* heights) {
-  const FloatLanes nx = float_lanes(n.x()), ny = float_lanes(n.y()), nz = float_lanes(n.z());
+  const FloatVec3 direction = spread(n);
   for (std::size_t k = 0; k < points.count; k += kLaneCount)
-    store_floats(
-        nx * load_floats(points.x + k) + ny * load_floats(points.y + k) + nz * load_floats(points.z + k),
-        heights + k);
+    store_floats(heights_at(points, direction, k), heights + k);
 }
 
-RIGOR_FLOAT_LANES float lowest_kernel(const LaneColumns& points, const Vec3f& n) {
-  const FloatLanes nx = float_lanes(n.x()), ny = float_lanes(n.y()), nz = float_lanes(n.z());
-  FloatLanes lowest = float_lanes(std::numeric_limits<float>::infinity());
-  for (std::size_t k = 0; k < points.count; k += kLaneCount)
-    lowest = float_min(lowest, nx * load_floats(points.x + k) + ny * load_floats(points.y + k) +
-                                   nz * load_floats(points.z + k));
-  float lanes[kLaneCount];
-  store_floats(lowest, lanes);
-  float least = lanes[0];
-  for (int i = 1; i < kLaneCount; ++i) least = lanes[i] < least ? lanes[i] : least;
-  return least;
+/// How far a core reaches along n from the origin of its frame.
+RIGOR_FLOAT_LANES float reach_of(const SupportCore& core, float x, float y, float z) {
+  const float* R = core.placed->R;
+  const FloatVec3 direction{float_lanes((R[0] * x + R[3] * y + R[6] * z) * core.scale.x()),
+                            float_lanes((R[1] * x + R[4] * y + R[7] * z) * core.scale.y()),
+                            float_lanes((R[2] * x + R[5] * y + R[8] * z) * core.scale.z())};
+  FloatLanes highest = heights_at(core.vertices, direction, 0);
+  for (std::size_t k = kLaneCount; k < core.vertices.count; k += kLaneCount)
+    highest = float_max(highest, heights_at(core.vertices, direction, k));
+  return spread_max(highest)[0];
 }
 
-/// Source: Gregorius, The Separating Axis Test between Convex Polyhedra, GDC 2013.
-RIGOR_FLOAT_LANES unsigned arcs_kernel(const ArcColumns& a, std::size_t i, const ArcColumns& b,
-                                       std::size_t first) {
-  FloatLanes own[ArcColumns::column_count], other[ArcColumns::column_count];
-  for (int c = 0; c < ArcColumns::column_count; ++c) {
-    own[c] = float_lanes(a.column[c][i]);
-    other[c] = load_floats(&b.column[c][first]);
+RIGOR_FLOAT_LANES float separation_kernel(const SupportCore& a, const SupportCore& b, const Vec3f& d,
+                                          const Vec3f& n) {
+  const float x = n.x(), y = n.y(), z = n.z();
+  return d.x() * x + d.y() * y + d.z() * z - reach_of(a, x, y, z) - reach_of(b, -x, -y, -z);
+}
+
+RIGOR_FLOAT_LANES void place_part(const FloatLanes* from, const Mat3f& M, const Vec3f& t,
+                                  float (*to)[kLaneCount]) {
+  for (int row = 0; row < 3; ++row)
+    store_floats(float_lanes(M(row, 0)) * from[0] + float_lanes(M(row, 1)) * from[1] +
+                     float_lanes(M(row, 2)) * from[2] + float_lanes(t[row]),
+                 to[row]);
+}
+
+/// Up to eight of the edges.
+RIGOR_FLOAT_LANES void arcs_kernel(const FloatHull& hull, std::span<const int> edges, const CorePlace& place,
+                                   ArcBlocks::Block& block) {
+  static constexpr FloatHull::ArcRecord nothing{};
+  FloatSquare first, second;
+  for (std::size_t k = 0; k < kLaneCount; ++k) {
+    const FloatHull::ArcRecord& arc =
+        k < edges.size() ? hull.arcs[static_cast<std::size_t>(edges[k])] : nothing;
+    first.row[k] = load_floats(arc.along);
+    second.row[k] = load_floats(arc.along + 8);
   }
-  const FloatVec3 u{own[0], own[1], own[2]}, v{other[0], other[1], other[2]};
-  const FloatLanes a0 = dot(FloatVec3{own[3], own[4], own[5]}, v);
-  const FloatLanes a1 = dot(FloatVec3{own[6], own[7], own[8]}, v);
-  const FloatLanes b0 = dot(FloatVec3{other[3], other[4], other[5]}, u);
-  const FloatLanes b1 = dot(FloatVec3{other[6], other[7], other[8]}, u);
+  first = transpose(first);
+  second = transpose(second);
+  FloatLanes local[ArcBlocks::part_count];
+  for (int k = 0; k < ArcBlocks::part_count; ++k) local[k] = k < 8 ? first.row[k] : second.row[k - 8];
+  const Vec3f none = Vec3f::Zero();
+  place_part(local + ArcBlocks::along, place.M, none, block.part + ArcBlocks::along);
+  place_part(local + ArcBlocks::normal_0, place.R, none, block.part + ArcBlocks::normal_0);
+  place_part(local + ArcBlocks::normal_1, place.R, none, block.part + ArcBlocks::normal_1);
+  place_part(local + ArcBlocks::point, place.M, place.t, block.part + ArcBlocks::point);
+}
+
+RIGOR_FLOAT_LANES FloatVec3 spread_part(const ArcBlocks::Block& block, ArcBlocks::Part part,
+                                        std::size_t lane) {
+  return {float_lanes(block.part[part][lane]), float_lanes(block.part[part + 1][lane]),
+          float_lanes(block.part[part + 2][lane])};
+}
+RIGOR_FLOAT_LANES FloatVec3 load_part(const ArcBlocks::Block& block, ArcBlocks::Part part) {
+  return {load_floats(block.part[part]), load_floats(block.part[part + 1]),
+          load_floats(block.part[part + 2])};
+}
+
+/// One edge of A.
+struct ArcLanes {
+  FloatVec3 u, n0, n1, p;
+};
+
+/// Which of the edges of the block cross it with more separation than `least`, and these separations.
+///
+/// Source: Gregorius, The Separating Axis Test between Convex Polyhedra, GDC 2013.
+RIGOR_FLOAT_LANES unsigned cross_block(const ArcLanes& a, const ArcBlocks::Block& b, float least,
+                                       float* separations) {
+  constexpr float least_square_sine = 1e-8f;
+  const FloatVec3 v = load_part(b, ArcBlocks::along);
+  const FloatVec3 n_B0 = load_part(b, ArcBlocks::normal_0), n_B1 = load_part(b, ArcBlocks::normal_1);
+  const FloatLanes a0 = dot(a.n0, v), a1 = dot(a.n1, v), b0 = dot(n_B0, a.u), b1 = dot(n_B1, a.u);
   const FloatLanes zero = float_lanes(0);
-  const IntLanes cross = (a0 * a1 < zero) & (b0 * b1 < zero) & (b0 * a1 < zero);
-  std::int32_t lanes[kLaneCount];
-  std::memcpy(lanes, &cross, sizeof lanes);
-  unsigned mask = 0;
-  for (unsigned k = 0; k < kLaneCount; ++k) mask |= lanes[k] != 0 ? 1u << k : 0u;
-  return mask;
+  const IntLanes is_crossing = (a0 * a1 < zero) & (b0 * b1 < zero) & (b0 * a1 < zero);
+  if (lane_bits(is_crossing) == 0) return 0;
+  const FloatVec3 w = cross(a.u, v);
+  const FloatLanes square = dot(w, w), outward = dot(w, a.n0 + a.n1) - dot(w, n_B0 + n_B1);
+  // Of all four ends: nearly parallel edges give an axis that is a little off, never too much separation.
+  const FloatLanes sign = outward < zero ? float_lanes(-1) : float_lanes(1);
+  const FloatLanes height = sign * dot(w, load_part(b, ArcBlocks::point) - a.p) +
+                            float_min(sign * dot(w, v), zero) - float_max(sign * dot(w, a.u), zero);
+  const FloatLanes separation = height / float_sqrt(square);
+  store_floats(separation, separations);
+  return lane_bits(is_crossing & (separation > float_lanes(least)) &
+                   (square > float_lanes(least_square_sine) * dot(a.u, a.u) * dot(v, v)));
+}
+
+RIGOR_FLOAT_LANES EdgeChoice edges_kernel(const ArcBlocks& a, const ArcBlocks& b, float least) {
+  EdgeChoice best{-1, -1, least};
+  float separations[kLaneCount];
+  for (std::size_t i = 0; i < a.count(); ++i) {
+    const ArcBlocks::Block& block = a.blocks()[i / kLaneCount];
+    const std::size_t own = i % kLaneCount;
+    const ArcLanes arc{
+        spread_part(block, ArcBlocks::along, own), spread_part(block, ArcBlocks::normal_0, own),
+        spread_part(block, ArcBlocks::normal_1, own), spread_part(block, ArcBlocks::point, own)};
+    for (std::size_t k = 0; k < b.blocks().size(); ++k) {
+      unsigned bits = cross_block(arc, b.blocks()[k], best.separation, separations);
+      for (; bits != 0; bits &= bits - 1) {
+        const int lane = std::countr_zero(bits);
+        if (!(separations[lane] > best.separation)) continue;
+        best = {static_cast<int>(i), static_cast<int>(k) * kLaneCount + lane, separations[lane]};
+      }
+    }
+  }
+  return best;
+}
+
+/// As nearest_on_segments.
+RIGOR_FLOAT_LANES void distances_kernel(const Vec3f& p, const Vec3f& along, const SegmentLanes& segments,
+                                        float* squares) {
+  constexpr float least_square_sine = 1e-6f;
+  const FloatLanes zero = float_lanes(0), one = float_lanes(1);
+  const FloatVec3 u = spread(along);
+  const FloatVec3 v{load_floats(segments.v[0]), load_floats(segments.v[1]), load_floats(segments.v[2])};
+  const FloatVec3 w =
+      FloatVec3{load_floats(segments.q[0]), load_floats(segments.q[1]), load_floats(segments.q[2])} -
+      spread(p);
+  const FloatLanes uu = dot(u, u), vv = dot(v, v), uv = dot(u, v), uw = dot(u, w), vw = dot(v, w);
+  const FloatVec3 across = cross(u, v);
+  const FloatLanes determinant = dot(across, across);
+  const FloatLanes inverse_uu = uu > zero ? one / uu : zero, inverse_vv = vv > zero ? one / vv : zero;
+  const auto clamp = [&](const FloatLanes& x) __attribute__((always_inline)) {
+    return float_min(one, float_max(zero, x));
+  };
+  const IntLanes is_oblique = determinant > float_lanes(least_square_sine) * uu * vv;
+  FloatLanes s = is_oblique ? clamp((uw * vv - vw * uv) / determinant) : zero;
+  FloatLanes t = clamp((s * uv - vw) * inverse_vv);
+  s = clamp((t * uv + uw) * inverse_uu);
+  t = clamp((s * uv - vw) * inverse_vv);
+  const FloatVec3 way = w + t * v - s * u;
+  store_floats(dot(way, way), squares);
 }
 
 #if defined(__x86_64__)
-[[gnu::target("avx2")]] void map_avx2(const LaneColumns& from, const Mat3f& M, const Vec3f& t,
-                                      float* const* to) {
-  map_kernel(from, M, t, to);
-}
-[[gnu::target("avx2")]] void heights_avx2(const LaneColumns& points, const Vec3f& n, float* heights) {
-  heights_kernel(points, n, heights);
-}
-[[gnu::target("avx2")]] float lowest_avx2(const LaneColumns& points, const Vec3f& n) {
-  return lowest_kernel(points, n);
-}
-[[gnu::target("avx2")]] unsigned arcs_avx2(const ArcColumns& a, std::size_t i, const ArcColumns& b,
-                                           std::size_t first) {
-  return arcs_kernel(a, i, b, first);
-}
+#define RIGOR_AVX2 [[gnu::target("avx2")]]
 #else
-void map_avx2(const LaneColumns& from, const Mat3f& M, const Vec3f& t, float* const* to) {
-  map_kernel(from, M, t, to);
+#define RIGOR_AVX2
+#endif
+
+RIGOR_AVX2 Support support_avx2(const LaneColumns& points, const Vec3f& n) {
+  return support_kernel(points, n);
 }
-void heights_avx2(const LaneColumns& points, const Vec3f& n, float* heights) {
+RIGOR_AVX2 Summit summit_avx2(const LaneColumns& points, int count, const Vec3f& n, float drop) {
+  return summit_kernel(points, count, n, drop);
+}
+RIGOR_AVX2 void heights_avx2(const LaneColumns& points, const Vec3f& n, float* heights) {
   heights_kernel(points, n, heights);
 }
-float lowest_avx2(const LaneColumns& points, const Vec3f& n) {
-  return lowest_kernel(points, n);
+RIGOR_AVX2 float separation_avx2(const SupportCore& a, const SupportCore& b, const Vec3f& d, const Vec3f& n) {
+  return separation_kernel(a, b, d, n);
 }
-unsigned arcs_avx2(const ArcColumns& a, std::size_t i, const ArcColumns& b, std::size_t first) {
-  return arcs_kernel(a, i, b, first);
+RIGOR_AVX2 void arcs_avx2(const FloatHull& hull, std::span<const int> edges, const CorePlace& place,
+                          ArcBlocks::Block& block) {
+  arcs_kernel(hull, edges, place, block);
 }
-#endif
+RIGOR_AVX2 EdgeChoice edges_avx2(const ArcBlocks& a, const ArcBlocks& b, float least) {
+  return edges_kernel(a, b, least);
+}
+RIGOR_AVX2 void distances_avx2(const Vec3f& p, const Vec3f& u, const SegmentLanes& segments, float* squares) {
+  distances_kernel(p, u, segments, squares);
+}
 
 }  // namespace
 
-void map_columns(const LaneColumns& from, const Mat3f& M, const Vec3f& t, LaneTarget target,
-                 float* const* to) {
-  target == LaneTarget::avx2 ? map_avx2(from, M, t, to) : map_kernel(from, M, t, to);
+Support find_support(const LaneColumns& points, const Vec3f& n, LaneTarget target) {
+  return target == LaneTarget::avx2 ? support_avx2(points, n) : support_kernel(points, n);
+}
+
+Summit find_summit(const LaneColumns& points, int count, const Vec3f& n, float drop, LaneTarget target) {
+  return target == LaneTarget::avx2 ? summit_avx2(points, count, n, drop)
+                                    : summit_kernel(points, count, n, drop);
 }
 
 void find_heights(const LaneColumns& points, const Vec3f& n, LaneTarget target, float* heights) {
   target == LaneTarget::avx2 ? heights_avx2(points, n, heights) : heights_kernel(points, n, heights);
 }
 
-float find_lowest(const LaneColumns& points, const Vec3f& n, LaneTarget target) {
-  return target == LaneTarget::avx2 ? lowest_avx2(points, n) : lowest_kernel(points, n);
+float find_separation(const SupportCore& a, const SupportCore& b, const Vec3f& d, const Vec3f& n,
+                      LaneTarget target) {
+  return target == LaneTarget::avx2 ? separation_avx2(a, b, d, n) : separation_kernel(a, b, d, n);
 }
 
-void ArcColumns::clear() {
-  for (std::vector<float>& values : column) values.clear();
-  edge.clear();
-}
-
-void ArcColumns::add(int e, const Vec3f& u, const Vec3f& n0, const Vec3f& n1) {
-  for (int k = 0; k < 3; ++k) {
-    column[k].push_back(u[k]);
-    column[3 + k].push_back(n0[k]);
-    column[6 + k].push_back(n1[k]);
+void ArcBlocks::place(const FloatHull& hull, std::span<const int> edges, const CorePlace& place,
+                      LaneTarget target) {
+  edges_.assign(edges.begin(), edges.end());
+  blocks_.resize((edges.size() + kLaneCount - 1) / kLaneCount);
+  for (std::size_t k = 0; k < blocks_.size(); ++k) {
+    const std::size_t first = k * kLaneCount;
+    const std::span<const int> part =
+        edges.subspan(first, std::min<std::size_t>(kLaneCount, edges.size() - first));
+    target == LaneTarget::avx2 ? arcs_avx2(hull, part, place, blocks_[k])
+                               : arcs_kernel(hull, part, place, blocks_[k]);
   }
-  edge.push_back(e);
 }
 
-void ArcColumns::pad() {
-  for (std::vector<float>& values : column)
-    values.resize((values.size() + kLaneCount - 1) / kLaneCount * kLaneCount, 0.0f);
+EdgeChoice find_best_edges(const ArcBlocks& a, const ArcBlocks& b, float least, LaneTarget target) {
+  return target == LaneTarget::avx2 ? edges_avx2(a, b, least) : edges_kernel(a, b, least);
 }
 
-unsigned find_crossing_arcs(const ArcColumns& a, std::size_t i, const ArcColumns& b, std::size_t first,
-                            LaneTarget target) {
-  return target == LaneTarget::avx2 ? arcs_avx2(a, i, b, first) : arcs_kernel(a, i, b, first);
+void find_square_distances(const Vec3f& p, const Vec3f& u, const SegmentLanes& segments, LaneTarget target,
+                           float* squares) {
+  target == LaneTarget::avx2 ? distances_avx2(p, u, segments, squares)
+                             : distances_kernel(p, u, segments, squares);
 }
 
 }  // namespace rigor

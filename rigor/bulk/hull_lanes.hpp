@@ -1,24 +1,85 @@
 #pragma once
 
-#include "rigor/bulk/collide_polytopes.hpp"
+#include "rigor/bulk/bulk_shape.hpp"
+#include "rigor/bulk/float_lanes.hpp"
 #include "rigor/geometry/lane_target.hpp"
+
+#include <span>
+#include <vector>
 
 namespace rigor {
 
 // The loops over vertices, faces and edges of hulls, eight at a time, for either target.
 
-/// q = M p + t of all of them.
-void map_columns(const LaneColumns& from, const Mat3f& M, const Vec3f& t, LaneTarget target,
-                 float* const* to);
+/// The point that is farthest along a direction (of equal ones the first), and how far that is.
+struct Support {
+  int index;
+  float height;
+};
+Support find_support(const LaneColumns& points, const Vec3f& n, LaneTarget target);
+
+/// How far the farthest of `count` points is along a direction, and how many are lower by no more than
+/// `drop`.
+struct Summit {
+  float height;
+  int count;
+};
+Summit find_summit(const LaneColumns& points, int count, const Vec3f& n, float drop, LaneTarget target);
 
 /// n · p of all of them.
 void find_heights(const LaneColumns& points, const Vec3f& n, LaneTarget target, float* heights);
-/// The least of them.
-float find_lowest(const LaneColumns& points, const Vec3f& n, LaneTarget target);
 
-/// Which of the arcs of B cross arc i of A, of eight from number `first` on: a mask of bits. B's normals are
-/// those of its faces, its arcs on the Gauss map the opposite.
-unsigned find_crossing_arcs(const ArcColumns& a, std::size_t i, const ArcColumns& b, std::size_t first,
-                            LaneTarget target);
+/// A core as the search for parting directions sees it.
+struct SupportCore {
+  LaneColumns vertices;
+  const PlacedShape* placed;
+  Vec3f scale;
+};
+/// min n · b - max n · a of two cores; d: from the origin of a's frame to that of b's.
+float find_separation(const SupportCore& a, const SupportCore& b, const Vec3f& d, const Vec3f& n,
+                      LaneTarget target);
+
+/// How a core is placed: its vertices by p -> M p + t, its normals by R.
+struct CorePlace {
+  Mat3f M, R;
+  Vec3f t;
+};
+/// Edges of a core with the normals of their faces, placed, in blocks of eight, for the test of their arcs on
+/// the Gauss map. What fills the last block crosses nothing.
+class ArcBlocks {
+ public:
+  /// Edge vector, first and second normal, a point of the edge: three coordinates each.
+  enum Part { along = 0, normal_0 = 3, normal_1 = 6, point = 9, part_count = 12 };
+  struct Block {
+    alignas(32) float part[part_count][kLaneCount];
+  };
+
+  void place(const FloatHull& hull, std::span<const int> edges, const CorePlace& place, LaneTarget target);
+  std::size_t count() const { return edges_.size(); }
+  int edge(std::size_t k) const { return edges_[k]; }
+  const std::vector<Block>& blocks() const { return blocks_; }
+
+ private:
+  std::vector<int> edges_;
+  std::vector<Block> blocks_;
+};
+
+/// The pair of edges of A and B whose arcs cross and that parts the cores best, if it does by more than
+/// `least`: numbers among the arcs, -1 if there is none. B's normals are those of its faces, its arcs on the
+/// Gauss map the opposite. Of equally good ones the first is taken.
+struct EdgeChoice {
+  int a = -1, b = -1;
+  float separation;
+};
+EdgeChoice find_best_edges(const ArcBlocks& a, const ArcBlocks& b, float least, LaneTarget target);
+
+/// Eight segments from q along v, in lanes.
+struct SegmentLanes {
+  alignas(32) float q[3][kLaneCount];
+  alignas(32) float v[3][kLaneCount];
+};
+/// The squared distances of these from the segment from p along u.
+void find_square_distances(const Vec3f& p, const Vec3f& u, const SegmentLanes& segments, LaneTarget target,
+                           float* squares);
 
 }  // namespace rigor

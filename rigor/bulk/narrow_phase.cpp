@@ -1,14 +1,16 @@
 #include "rigor/bulk/narrow_phase.hpp"
 
 #include "rigor/bulk/bulk_shape.hpp"
+#include "rigor/bulk/collide_balls.hpp"
 #include "rigor/bulk/collide_boxes.hpp"
 #include "rigor/bulk/collide_exactly.hpp"
 #include "rigor/bulk/collide_polytopes.hpp"
 #include "rigor/bulk/collide_round.hpp"
+#include "rigor/bulk/pair_hints.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <cstdint>
 
 namespace rigor {
 
@@ -16,8 +18,8 @@ namespace {
 
 using Kind = BulkShape::Kind;
 
-constexpr int kBlock = 256;        ///< Pairs that one thread takes at a time.
-constexpr int kBoxBlock = 128;     ///< Pairs of which those of boxes are put into lanes.
+constexpr int kBlock = 128;        ///< Pairs that are put into lanes together.
+constexpr int kPartGrain = 256;    ///< Pairs; a part of them has its own lists.
 constexpr int kPlaceGrain = 1024;  ///< Shapes.
 constexpr float kRounding = kCollisionRounding;
 
@@ -25,12 +27,38 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-/// The box pairs of a block in lanes.
-struct BoxBlock {
+/// A pair of shapes by their numbers.
+struct PairPlace {
+  int i, j;
+  Vec3f d;  ///< From the centre of body A to that of body B [m].
+};
+
+/// Pairs of one kind in lanes.
+template <class Pairs, class Contacts>
+struct LaneList {
   int count = 0;
-  std::array<int, kBoxBlock> pairs;  ///< Their numbers.
-  std::array<BoxPairs, kBoxBlock / kLaneCount> lanes;
-  std::array<BoxContacts, kBoxBlock / kLaneCount> contacts;
+  std::array<int, kBlock> pairs;  ///< Their numbers.
+  std::array<Pairs, kBlock / kLaneCount> lanes;
+  std::array<Contacts, kBlock / kLaneCount> contacts;
+
+  int block_count() const { return (count + kLaneCount - 1) / kLaneCount; }
+  bool is_next(int place, int pair) const { return place < count && pairs[at(place)] == pair; }
+};
+
+/// What one thread works with: a block of pairs at a time.
+struct BlockScratch {
+  std::array<PairPlace, kBlock> places;
+  std::array<bool, kBlock> is_parted;
+  LaneList<BoxPairs, BoxContacts> boxes;
+  LaneList<BallPairs, BallContacts> balls;
+  PolytopePair polytopes;
+};
+
+/// A part of the pairs, and what was found of it.
+struct alignas(64) Part {
+  BlockScratch scratch;
+  std::vector<PairManifold> manifolds;
+  int begin = 0;  ///< Of these among all.
 };
 
 }  // namespace
@@ -39,24 +67,33 @@ struct NarrowPhase::Tables {
   explicit Tables(const Model& model);
 
   int index(int body, int shape) const { return first_shape[at(body)] + shape; }
+  bool is_ball(int i) const { return shapes[at(i)].kind == Kind::round && shapes[at(i)].extent == 0; }
   void place(const BulkBodies& bodies, const Executor& executor);
   /// Of the pairs [begin, end), added in their order.
   void find(const BulkBodies& bodies, const std::vector<ShapePair>& pairs, int begin, int end,
-            std::vector<PairManifold>& manifolds) const;
-  void collide_block(const BulkBodies& bodies, const std::vector<ShapePair>& pairs, int begin, int end,
-                     BoxBlock& boxes) const;
-  /// Of a pair of boxes; false if lanes do not tell.
-  bool add_box_manifold(const BoxBlock& boxes, int place, int number,
-                        std::vector<PairManifold>& manifolds) const;
-  void find_pair(const BulkBodies& bodies, const ShapePair& pair, int number, PolytopeScratch& scratch,
-                 std::vector<PairManifold>& manifolds) const;
+            BlockScratch& scratch, std::vector<PairManifold>& manifolds);
+  void sort_block(const BulkBodies& bodies, const std::vector<ShapePair>& pairs, int begin, int end,
+                  BlockScratch& scratch);
+  /// Whether the direction of the pair's hint still parts it.
+  bool is_parted(const PairPlace& place, const PairHint& hint, float margin) const;
+  void add_boxes(const PairPlace& place, int number, float margin,
+                 LaneList<BoxPairs, BoxContacts>& boxes) const;
+  void add_balls(const PairPlace& place, int number, LaneList<BallPairs, BallContacts>& balls) const;
+  void find_boxes(const PairPlace& place, int lane_place, int number, float margin, BlockScratch& scratch,
+                  std::vector<PairManifold>& manifolds);
+  void find_pair(const BulkBodies& bodies, const ShapePair& pair, const PairPlace& place, int number,
+                 PolytopePair& polytopes, std::vector<PairManifold>& manifolds);
+  void find_polytopes(const PairPlace& place, int number, float margin, PolytopePair& polytopes,
+                      std::vector<PairManifold>& manifolds);
 
   FloatHulls hulls;
   std::vector<int> first_shape;  ///< Of each body.
   std::vector<int> body_of;      ///< Of each shape.
   std::vector<BulkShape> shapes;
   std::vector<PlacedShape> placed;
-  std::vector<std::vector<PairManifold>> blocks;
+  std::vector<SupportCore> cores;
+  PairHints hints;
+  std::vector<std::unique_ptr<Part>> parts;
 };
 
 NarrowPhase::Tables::Tables(const Model& model) {
@@ -67,13 +104,19 @@ NarrowPhase::Tables::Tables(const Model& model) {
       body_of.push_back(i);
     }
   }
-  placed.resize(shapes.size());
+  for (const BulkShape& shape : shapes) placed.push_back(place_shape(shape, Quat::Identity()));
+  for (std::size_t k = 0; k < shapes.size(); ++k) {
+    const LaneColumns vertices = shapes[k].hull ? shapes[k].hull->vertices() : LaneColumns{};
+    cores.push_back({vertices, &placed[k], shapes[k].scale});
+  }
 }
 
 void NarrowPhase::Tables::place(const BulkBodies& bodies, const Executor& executor) {
   executor.for_ranges(static_cast<int>(shapes.size()), kPlaceGrain, [&](int begin, int end) {
-    for (int k = begin; k < end; ++k)
+    for (int k = begin; k < end; ++k) {
+      if (is_ball(k) && shapes[at(k)].X_BS.p.isZero(0)) continue;  // Turning does not move it.
       placed[at(k)] = place_shape(shapes[at(k)], bodies.q[at(body_of[at(k)])]);
+    }
   });
 }
 
@@ -99,110 +142,185 @@ void add_plane_manifold(const BulkShape& plane, const Pose& X_OP, const BulkShap
   manifolds.push_back({number, 0, make_manifold(n, rounding, candidates)});
 }
 
+/// False if there are no points.
+bool add_manifold(const std::optional<Vec3f>& n, int number, PolytopePair& pair,
+                  std::vector<PairManifold>& manifolds) {
+  if (!n || pair.candidates.empty()) return false;
+  manifolds.push_back({number, 0, make_manifold(*n, pair.rounding, pair.candidates)});
+  return true;
+}
+
 }  // namespace
 
-void NarrowPhase::Tables::find_pair(const BulkBodies& bodies, const ShapePair& pair, int number,
-                                    PolytopeScratch& scratch, std::vector<PairManifold>& manifolds) const {
-  const int i = index(pair.body_A, pair.shape_A), j = index(pair.body_B, pair.shape_B);
-  const BulkShape &a = shapes[at(i)], &b = shapes[at(j)];
-  const Vec3 p_OB = bodies.x[at(pair.body_B)] - bodies.x[at(pair.body_A)];
+/// Any two shapes that are not in lanes.
+void NarrowPhase::Tables::find_pair(const BulkBodies& bodies, const ShapePair& pair, const PairPlace& place,
+                                    int number, PolytopePair& polytopes,
+                                    std::vector<PairManifold>& manifolds) {
+  const BulkShape &a = shapes[at(place.i)], &b = shapes[at(place.j)];
+  const PlacedShape &placed_A = placed[at(place.i)], &placed_B = placed[at(place.j)];
   const bool is_other = a.kind == Kind::other || b.kind == Kind::other;
   const bool has_plane = a.kind == Kind::plane || b.kind == Kind::plane;
-  scratch.candidates.clear();
+  polytopes.candidates.clear();
   if (is_other || has_plane) {
+    const Vec3 p_OB = bodies.x[at(pair.body_B)] - bodies.x[at(pair.body_A)];
     const Pose X_OA = pose_of(a, bodies.q[at(pair.body_A)], Vec3::Zero());
     const Pose X_OB = pose_of(b, bodies.q[at(pair.body_B)], p_OB);
     if (is_other)
       add_exact_manifolds(*a.shape, X_OA, *b.shape, X_OB, pair.margin, number, manifolds);
     else if (a.kind == Kind::plane)
-      add_plane_manifold(a, X_OA, b, placed[at(j)], p_OB, true, pair, number, scratch.candidates, manifolds);
+      add_plane_manifold(a, X_OA, b, placed_B, p_OB, true, pair, number, polytopes.candidates, manifolds);
     else
-      add_plane_manifold(b, X_OB, a, placed[at(i)], p_OB, false, pair, number, scratch.candidates, manifolds);
+      add_plane_manifold(b, X_OB, a, placed_A, p_OB, false, pair, number, polytopes.candidates, manifolds);
     return;
   }
-  const Vec3f d = p_OB.cast<float>();
-  const float rounding = kRounding * (a.extent + b.extent + d.norm());
-  std::optional<Vec3f> n;
-  if (a.kind == Kind::round && b.kind == Kind::round) {
-    n = find_round_candidates(a, placed[at(i)], b, placed[at(j)], d, pair.margin, scratch.candidates);
-  } else {
-    place_vertices(a, placed[at(i)], Vec3f::Zero(), scratch.a);
-    place_vertices(b, placed[at(j)], d, scratch.b);
-    if (are_soon_parted(scratch, pair.margin + a.radius + b.radius)) return;
-    place_faces(a, placed[at(i)], Vec3f::Zero(), scratch.a);
-    place_faces(b, placed[at(j)], d, scratch.b);
-    n = find_polytope_candidates(scratch, pair.margin, rounding);
-  }
-  if (n && !scratch.candidates.empty())
-    manifolds.push_back({number, 0, make_manifold(*n, rounding, scratch.candidates)});
+  if (a.kind != Kind::round || b.kind != Kind::round)
+    return find_polytopes(place, number, pair.margin, polytopes, manifolds);
+  const std::optional<Vec3f> n =
+      find_round_candidates(a, placed_A, b, placed_B, place.d, pair.margin, polytopes.candidates);
+  polytopes.rounding = kRounding * (a.extent + b.extent + place.d.norm());
+  add_manifold(n, number, polytopes, manifolds);
 }
 
-void NarrowPhase::Tables::collide_block(const BulkBodies& bodies, const std::vector<ShapePair>& pairs,
-                                        int begin, int end, BoxBlock& boxes) const {
-  boxes.count = 0;
+void NarrowPhase::Tables::find_polytopes(const PairPlace& place, int number, float margin,
+                                         PolytopePair& polytopes, std::vector<PairManifold>& manifolds) {
+  const BulkShape &a = shapes[at(place.i)], &b = shapes[at(place.j)];
+  PairHint& hint = hints.of(number);
+  place_polytopes(a, placed[at(place.i)], b, placed[at(place.j)], place.d, polytopes);
+  AxisGuess guess{hint.n, hint.axis};
+  if (guess.n.isZero(0)) guess.n = polytopes.b.center - polytopes.a.center;
+  const float limit = margin + a.radius + b.radius + parting_slack(polytopes.rounding);
+  if (guess.axis == 0 && find_parting_direction(polytopes, limit, guess.n)) {
+    hint.n = guess.n;
+    return;
+  }
+  SeparatingAxis axis;
+  const std::optional<Vec3f> n = find_polytope_candidates(polytopes, margin, guess, axis);
+  const bool is_touching = add_manifold(n, number, polytopes, manifolds);
+  hint = {axis.n, is_touching ? code_of(axis) : 0};
+}
+
+bool NarrowPhase::Tables::is_parted(const PairPlace& place, const PairHint& hint, float margin) const {
+  if (hint.axis != 0 || hint.n.isZero(0)) return false;
+  const BulkShape &a = shapes[at(place.i)], &b = shapes[at(place.j)];
+  const float rounding = kRounding * (a.extent + b.extent + place.d.lpNorm<1>());
+  const Vec3f d = place.d + placed[at(place.j)].position() - placed[at(place.i)].position();
+  return find_separation(cores[at(place.i)], cores[at(place.j)], d, hint.n, best_lane_target()) >
+         margin + a.radius + b.radius + parting_slack(rounding);
+}
+
+void NarrowPhase::Tables::add_boxes(const PairPlace& place, int number, float margin,
+                                    LaneList<BoxPairs, BoxContacts>& boxes) const {
+  const int lane = boxes.count % kLaneCount;
+  BoxPairs& lanes = boxes.lanes[at(boxes.count / kLaneCount)];
+  boxes.pairs[at(boxes.count++)] = number;
+  // Lanes that are left over hold the first pair.
+  for (int k = lane; k < (lane == 0 ? kLaneCount : lane + 1); ++k) {
+    lanes.a[k] = &placed[at(place.i)];
+    lanes.b[k] = &placed[at(place.j)];
+    for (int c = 0; c < 3; ++c) lanes.d[c][k] = place.d[c];
+    lanes.margin[k] = margin;
+  }
+}
+
+void NarrowPhase::Tables::add_balls(const PairPlace& place, int number,
+                                    LaneList<BallPairs, BallContacts>& balls) const {
+  const int lane = balls.count % kLaneCount;
+  BallPairs& lanes = balls.lanes[at(balls.count / kLaneCount)];
+  balls.pairs[at(balls.count++)] = number;
+  const PlacedShape &a = placed[at(place.i)], &b = placed[at(place.j)];
+  for (int k = lane; k < (lane == 0 ? kLaneCount : lane + 1); ++k) {
+    for (int c = 0; c < 3; ++c) {
+      lanes.p[c][k] = a.p[c];
+      lanes.d[c][k] = place.d[c] + b.p[c] - a.p[c];
+    }
+    lanes.radius_A[k] = shapes[at(place.i)].radius;
+    lanes.radius_B[k] = shapes[at(place.j)].radius;
+  }
+}
+
+/// Parts what is known to be apart, and puts boxes and balls into lanes.
+void NarrowPhase::Tables::sort_block(const BulkBodies& bodies, const std::vector<ShapePair>& pairs, int begin,
+                                     int end, BlockScratch& scratch) {
+  hints.take_over(pairs, begin, end);
+  scratch.boxes.count = scratch.balls.count = 0;
   for (int k = begin; k < end; ++k) {
     const ShapePair& pair = pairs[at(k)];
-    const int i = index(pair.body_A, pair.shape_A), j = index(pair.body_B, pair.shape_B);
-    if (shapes[at(i)].kind != Kind::box || shapes[at(j)].kind != Kind::box) continue;
-    const int lane = boxes.count % kLaneCount;
-    BoxPairs& lanes = boxes.lanes[at(boxes.count / kLaneCount)];
-    lanes.a[lane] = &placed[at(i)];
-    lanes.b[lane] = &placed[at(j)];
     const Vec3 p_OB = bodies.x[at(pair.body_B)] - bodies.x[at(pair.body_A)];
-    for (int c = 0; c < 3; ++c) lanes.d[c][lane] = static_cast<float>(p_OB[c]);
-    lanes.margin[lane] = pair.margin;
-    boxes.pairs[at(boxes.count++)] = k;
-  }
-  // Lanes that are left over repeat the last pair.
-  for (int k = boxes.count; k % kLaneCount != 0; ++k) {
-    BoxPairs& lanes = boxes.lanes[at(k / kLaneCount)];
-    const int lane = k % kLaneCount;
-    lanes.a[lane] = lanes.a[lane - 1];
-    lanes.b[lane] = lanes.b[lane - 1];
-    for (int c = 0; c < 3; ++c) lanes.d[c][lane] = lanes.d[c][lane - 1];
-    lanes.margin[lane] = lanes.margin[lane - 1];
-  }
-  for (int k = 0; k < boxes.count; k += kLaneCount)
-    collide_boxes(boxes.lanes[at(k / kLaneCount)], best_lane_target(), boxes.contacts[at(k / kLaneCount)]);
-}
-
-bool NarrowPhase::Tables::add_box_manifold(const BoxBlock& boxes, int place, int number,
-                                           std::vector<PairManifold>& manifolds) const {
-  const BoxPairs& lanes = boxes.lanes[at(place / kLaneCount)];
-  const BoxContacts& contacts = boxes.contacts[at(place / kLaneCount)];
-  const int lane = place % kLaneCount;
-  if (contacts.outcome[lane] == BoxContacts::apart) return true;
-  if (contacts.outcome[lane] == BoxContacts::near_edge) return false;
-  if (contacts.outcome[lane] != BoxContacts::region) {
-    PairManifold& crossing = manifolds.emplace_back();
-    crossing.pair = number;
-    crossing.part = 0;
-    if (!cross_box_edges(lanes, contacts, lane, crossing.manifold)) {
-      manifolds.pop_back();
-      return false;
+    const PairPlace place{index(pair.body_A, pair.shape_A), index(pair.body_B, pair.shape_B),
+                          p_OB.cast<float>()};
+    scratch.places[at(k - begin)] = place;
+    scratch.is_parted[at(k - begin)] = is_parted(place, hints.of(k), pair.margin);
+    if (scratch.is_parted[at(k - begin)]) continue;
+    if (is_ball(place.i) && is_ball(place.j)) {
+      add_balls(place, k, scratch.balls);
+    } else if (shapes[at(place.i)].kind == Kind::box && shapes[at(place.j)].kind == Kind::box) {
+      add_boxes(place, k, pair.margin, scratch.boxes);
     }
   }
-  if (contacts.outcome[lane] != BoxContacts::edges) {
-    PairManifold& region = manifolds.emplace_back();
-    region.pair = number;
-    region.part = contacts.outcome[lane] == BoxContacts::region ? 0 : 1;
-    if (!read_box_region(contacts, lane, lanes.margin[lane], region.manifold)) manifolds.pop_back();
+  for (int k = 0; k < scratch.boxes.block_count(); ++k)
+    collide_boxes(scratch.boxes.lanes[at(k)], best_lane_target(), scratch.boxes.contacts[at(k)]);
+  for (int k = 0; k < scratch.balls.block_count(); ++k)
+    collide_balls(scratch.balls.lanes[at(k)], best_lane_target(), scratch.balls.contacts[at(k)]);
+}
+
+/// A pair of boxes that is at a place of the lanes.
+void NarrowPhase::Tables::find_boxes(const PairPlace& place, int lane_place, int number, float margin,
+                                     BlockScratch& scratch, std::vector<PairManifold>& manifolds) {
+  const BoxPairs& lanes = scratch.boxes.lanes[at(lane_place / kLaneCount)];
+  const BoxContacts& contacts = scratch.boxes.contacts[at(lane_place / kLaneCount)];
+  const int lane = lane_place % kLaneCount;
+  PairHint& hint = hints.of(number);
+  if (contacts.outcome[lane] == BoxContacts::apart) {
+    hint = {box_axis(lanes, contacts, lane), 0};
+    return;
   }
-  return true;
+  const std::int32_t outcome = contacts.outcome[lane];
+  const bool has_crossing = outcome == BoxContacts::edges || outcome == BoxContacts::edges_and_region;
+  const bool has_region = outcome == BoxContacts::region || outcome == BoxContacts::edges_and_region;
+  const std::size_t count = manifolds.size();
+  Manifold manifold;
+  const bool crosses = has_crossing && cross_box_edges(lanes, contacts, lane, manifold);
+  if (crosses) manifolds.push_back({number, 0, manifold});
+  if (has_region && (crosses || !has_crossing) && read_box_region(contacts, lane, margin, manifold))
+    manifolds.push_back({number, crosses ? 1 : 0, manifold});
+  if (manifolds.size() > count) {
+    if (hint.axis == 0) hint.axis = 1;  // What is not written need not be brought back to memory.
+    return;
+  }
+  if (outcome == BoxContacts::region) return;
+  // Nearest at an edge or a corner of both.
+  PolytopePair& polytopes = scratch.polytopes;
+  const BulkShape &a = shapes[at(place.i)], &b = shapes[at(place.j)];
+  place_polytopes(a, placed[at(place.i)], b, placed[at(place.j)], place.d, polytopes);
+  polytopes.candidates.clear();
+  hint = {box_axis(lanes, contacts, lane), 0};
+  SeparatingAxis axis;
+  const float separation = contacts.separation[lane];
+  const std::optional<Vec3f> n = separation > 0
+                                     ? join_nearest_edges(hint.n, separation, margin, polytopes)
+                                     : find_polytope_candidates(polytopes, margin, {hint.n, 0}, axis);
+  if (add_manifold(n, number, polytopes, manifolds)) hint.axis = 1;
 }
 
 void NarrowPhase::Tables::find(const BulkBodies& bodies, const std::vector<ShapePair>& pairs, int begin,
-                               int end, std::vector<PairManifold>& manifolds) const {
-  PolytopeScratch scratch;
-  const std::unique_ptr<BoxBlock> boxes = std::make_unique<BoxBlock>();
-  for (int first = begin; first < end; first += kBoxBlock) {
-    const int last = std::min(end, first + kBoxBlock);
-    collide_block(bodies, pairs, first, last, *boxes);
-    int place = 0;
+                               int end, BlockScratch& scratch, std::vector<PairManifold>& manifolds) {
+  for (int first = begin; first < end; first += kBlock) {
+    const int last = std::min(end, first + kBlock);
+    sort_block(bodies, pairs, first, last, scratch);
+    int box = 0, ball = 0;
     for (int k = first; k < last; ++k) {
-      const bool is_in_lanes = place < boxes->count && boxes->pairs[at(place)] == k;
-      if (is_in_lanes && add_box_manifold(*boxes, place++, k, manifolds)) continue;
-      find_pair(bodies, pairs[at(k)], k, scratch, manifolds);
+      const ShapePair& pair = pairs[at(k)];
+      const PairPlace& place = scratch.places[at(k - first)];
+      if (scratch.is_parted[at(k - first)]) continue;
+      if (scratch.boxes.is_next(box, k)) {
+        find_boxes(place, box++, k, pair.margin, scratch, manifolds);
+      } else if (scratch.balls.is_next(ball, k)) {
+        const BallContacts& contacts = scratch.balls.contacts[at(ball / kLaneCount)];
+        const int lane = ball++ % kLaneCount;
+        if (contacts.gap[lane] <= pair.margin) manifolds.push_back({k, 0, ball_manifold(contacts, lane)});
+      } else {
+        find_pair(bodies, pair, place, k, scratch.polytopes, manifolds);
+      }
     }
   }
 }
@@ -212,25 +330,40 @@ NarrowPhase::~NarrowPhase() = default;
 
 void NarrowPhase::find_manifolds(const BulkBodies& bodies, const std::vector<ShapePair>& pairs,
                                  const Executor& executor, std::vector<PairManifold>& manifolds) {
+  // More parts than threads: pairs that touch take longer than others.
+  constexpr int parts_of_a_thread = 8;
   Tables& tables = *tables_;
-  manifolds.clear();
   tables.place(bodies, executor);
   const int count = static_cast<int>(pairs.size());
-  if (executor.threads() == 1) {
-    tables.find(bodies, pairs, 0, count, manifolds);
+  tables.hints.begin(pairs);
+  const int most = executor.threads() == 1 ? 1 : parts_of_a_thread * executor.threads();
+  const int part_count = std::clamp(count / kPartGrain, 1, most);
+  while (tables.parts.size() < at(part_count)) tables.parts.push_back(std::make_unique<Part>());
+  const auto begin_of = [&](int k) { return static_cast<int>(std::int64_t{count} * k / part_count); };
+  if (part_count == 1) {
+    manifolds.clear();
+    tables.find(bodies, pairs, 0, count, tables.parts[0]->scratch, manifolds);
     return;
   }
-  // Each block of pairs has its own list; the lists are put one behind the other.
-  const int block_count = (count + kBlock - 1) / kBlock;
-  if (tables.blocks.size() < at(block_count)) tables.blocks.resize(at(block_count));
-  executor.for_ranges(block_count, 1, [&](int begin, int end) {
+  executor.for_ranges(part_count, 1, [&](int begin, int end) {
     for (int k = begin; k < end; ++k) {
-      tables.blocks[at(k)].clear();
-      tables.find(bodies, pairs, k * kBlock, std::min(count, (k + 1) * kBlock), tables.blocks[at(k)]);
+      Part& part = *tables.parts[at(k)];
+      part.manifolds.clear();
+      tables.find(bodies, pairs, begin_of(k), begin_of(k + 1), part.scratch, part.manifolds);
     }
   });
-  for (int k = 0; k < block_count; ++k)
-    manifolds.insert(manifolds.end(), tables.blocks[at(k)].begin(), tables.blocks[at(k)].end());
+  int total = 0;
+  for (int k = 0; k < part_count; ++k) {
+    tables.parts[at(k)]->begin = total;
+    total += static_cast<int>(tables.parts[at(k)]->manifolds.size());
+  }
+  manifolds.resize(at(total));
+  executor.for_ranges(part_count, 1, [&](int begin, int end) {
+    for (int k = begin; k < end; ++k) {
+      const Part& part = *tables.parts[at(k)];
+      std::copy(part.manifolds.begin(), part.manifolds.end(), manifolds.begin() + part.begin);
+    }
+  });
 }
 
 }  // namespace rigor

@@ -1,12 +1,13 @@
 #include "rigor/bulk/pair_finder.hpp"
 
+#include "rigor/bulk/near_bodies.hpp"
 #include "rigor/bulk/pair_filter.hpp"
-#include "rigor/bulk/pair_order.hpp"
 #include "rigor/bulk/shape_places.hpp"
 #include "rigor/bulk/unbounded_shapes.hpp"
 
 #include <algorithm>
 #include <cstddef>
+#include <tuple>
 #include <utility>
 
 namespace rigor {
@@ -27,17 +28,6 @@ struct BoundedShape {
 
 /// What of the Model it needs, and room to work.
 struct PairFinder::Tables {
-  /// Bodies of one kind by number, their boxes, and those in a tree.
-  struct Side {
-    std::vector<int> bodies;
-    std::vector<FloatBox> boxes;
-    BoxTree tree;
-  };
-  /// What is found by whom does not matter: each part of the blocks has its own list.
-  struct Part {
-    std::vector<BoxTree::Pair> candidates;
-    std::vector<ShapePair> pairs;
-  };
   struct Step {
     const BulkBodies& bodies;
     float h, margin;
@@ -46,28 +36,29 @@ struct PairFinder::Tables {
   explicit Tables(const Model& model);
   void update(const Step& step, const Executor& executor);
   FloatBox update_body(const Step& step, int body);
-  void search_blocks(const Step& step, int begin, int end, Part& part) const;
   void add_pairs(const Step& step, int a, int b, std::vector<ShapePair>& pairs) const;
   void add_pair(const Step& step, const ShapePair& pair, std::vector<ShapePair>& pairs) const;
-  void add_unbounded(const Step& step, int begin, int end, std::vector<ShapePair>& pairs) const;
+  void add_unbounded(const Step& step, std::vector<ShapePair>& pairs) const;
 
   PairFilter filter;
   std::function<bool(int, int)> may_touch;  ///< The caller's, or none.
   std::vector<BoundedShape> shapes;         ///< Of all bodies.
   std::vector<int> shape_begin;             ///< Of each body, and the end.
   std::vector<UnboundedShape> unbounded;
-  Side moving, standing;  ///< Dynamic bodies; kinematic and fixed ones.
-  float cell = 1;         ///< Mean size of the dynamic bodies [m].
+  std::vector<int> moving, bounded;  ///< Dynamic bodies with bounded shapes, and all bodies with some.
+  std::unique_ptr<NearBodies> near_bodies;
 
   Vec3 origin = Vec3::Zero();  ///< Of what is in 32 bits: a body's place, so that far scenes lose nothing.
   std::vector<ShapePlace> places;
-  std::vector<FloatBox> shape_boxes;  ///< Used of bodies with several shapes.
-  std::vector<Part> parts;
-  PairOrder order;
+  std::vector<FloatBox> shape_boxes, body_boxes;
+  std::vector<float> ways;  ///< Of bodies within the step, three each [m].
+  std::vector<std::vector<ShapePair>> parts;
+  std::vector<ShapePair> at_unbounded, merged;
 };
 
 PairFinder::Tables::Tables(const Model& model) : filter(model) {
   double size = 0;
+  std::vector<int> standing;
   for (int i = 0; i < model.body_count(); ++i) {
     const Body& body = model.body(i);
     shape_begin.push_back(static_cast<int>(shapes.size()));
@@ -81,26 +72,32 @@ PairFinder::Tables::Tables(const Model& model) : filter(model) {
     }
     if (shape_begin.back() == static_cast<int>(shapes.size())) continue;
     const bool is_dynamic = body.motion == MotionType::dynamic;
-    (is_dynamic ? moving : standing).bodies.push_back(i);
+    (is_dynamic ? moving : standing).push_back(i);
+    bounded.push_back(i);
     if (is_dynamic) size += 2 * body.bounding_radius;
   }
   shape_begin.push_back(static_cast<int>(shapes.size()));
-  if (!moving.bodies.empty()) cell = static_cast<float>(size / static_cast<double>(moving.bodies.size()));
+  // The mean size of the dynamic bodies.
+  const float cell = moving.empty() ? 1.0f : static_cast<float>(size / static_cast<double>(moving.size()));
+  near_bodies = std::make_unique<NearBodies>(moving, standing, model.body_count(), cell);
   places.resize(shapes.size());
   shape_boxes.resize(shapes.size());
+  body_boxes.resize(at(model.body_count()));
+  ways.resize(3 * at(model.body_count()));
 }
 
-/// Places and boxes of all shapes, and the trees.
+/// Places and boxes of all shapes, and which bodies are near.
 void PairFinder::Tables::update(const Step& step, const Executor& executor) {
   constexpr int grain = 64;
-  if (!moving.bodies.empty()) origin = step.bodies.x[at(moving.bodies[moving.bodies.size() / 2])];
-  for (Side* side : {&moving, &standing}) {
-    side->boxes.resize(side->bodies.size());
-    executor.for_ranges(static_cast<int>(side->bodies.size()), grain, [&](int begin, int end) {
-      for (int i = begin; i < end; ++i) side->boxes[at(i)] = update_body(step, side->bodies[at(i)]);
-    });
-    side->tree.build(side->boxes, cell);
-  }
+  if (!moving.empty()) origin = step.bodies.x[at(moving[moving.size() / 2])];
+  executor.for_ranges(static_cast<int>(bounded.size()), grain, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      const int body = bounded[at(i)];
+      body_boxes[at(body)] = update_body(step, body);
+      for (int k = 0; k < 3; ++k) ways[3 * at(body) + at(k)] = step.h * step.bodies.motion[at(body)].v[k];
+    }
+  });
+  near_bodies->update({body_boxes, ways, origin}, filter, executor);
 }
 
 /// Returns the box of all its bounded shapes.
@@ -121,22 +118,9 @@ FloatBox PairFinder::Tables::update_body(const Step& step, int body) {
   return all;
 }
 
-void PairFinder::Tables::search_blocks(const Step& step, int begin, int end, Part& part) const {
-  part.candidates.clear();
-  for (int block = begin; block < end; ++block) moving.tree.find_own_pairs(block, part.candidates);
-  for (const BoxTree::Pair& pair : part.candidates)
-    add_pairs(step, moving.bodies[at(pair.a)], moving.bodies[at(pair.b)], part.pairs);
-  part.candidates.clear();
-  for (int block = begin; block < end; ++block)
-    moving.tree.find_pairs_with(standing.tree, block, part.candidates);
-  for (const BoxTree::Pair& pair : part.candidates)
-    add_pairs(step, moving.bodies[at(pair.a)], standing.bodies[at(pair.b)], part.pairs);
-}
-
-/// Of two bodies whose boxes overlap.
+/// Of two bodies, a < b.
 void PairFinder::Tables::add_pairs(const Step& step, int a, int b, std::vector<ShapePair>& pairs) const {
-  if (!filter.may_collide(a, b)) return;
-  if (a > b) std::swap(a, b);
+  if (!body_boxes[at(a)].overlaps(body_boxes[at(b)])) return;
   if (may_touch && !may_touch(a, b)) return;
   const int begin_A = shape_begin[at(a)], end_A = shape_begin[at(a) + 1];
   const int begin_B = shape_begin[at(b)], end_B = shape_begin[at(b) + 1];
@@ -151,20 +135,18 @@ void PairFinder::Tables::add_pairs(const Step& step, int a, int b, std::vector<S
 /// `pair` has the numbers of its shapes among all shapes.
 void PairFinder::Tables::add_pair(const Step& step, const ShapePair& pair,
                                   std::vector<ShapePair>& pairs) const {
-  const ShapePlace &A = places[at(pair.shape_A)], &B = places[at(pair.shape_B)];
-  const float margin = step.margin + approach_bound(A, B, step.h);
-  if (!may_be_within(A, B, margin)) return;
+  const std::optional<float> margin =
+      find_pair_margin(places[at(pair.shape_A)], places[at(pair.shape_B)], step.h, step.margin);
+  if (!margin) return;
   pairs.push_back(
-      {pair.body_A, pair.body_B, shapes[at(pair.shape_A)].shape, shapes[at(pair.shape_B)].shape, margin});
+      {pair.body_A, pair.body_B, shapes[at(pair.shape_A)].shape, shapes[at(pair.shape_B)].shape, *margin});
 }
 
-/// Bodies of this range of the moving ones against all shapes without an end.
-void PairFinder::Tables::add_unbounded(const Step& step, int begin, int end,
-                                       std::vector<ShapePair>& pairs) const {
+/// Dynamic bodies against all shapes without an end.
+void PairFinder::Tables::add_unbounded(const Step& step, std::vector<ShapePair>& pairs) const {
   for (const UnboundedShape& other : unbounded) {
     const UnboundedPlace place = place_of(other, step.bodies, origin);
-    for (int i = begin; i < end; ++i) {
-      const int body = moving.bodies[at(i)];
+    for (const int body : moving) {
       if (!filter.may_collide(other.body, body)) continue;
       if (may_touch && !may_touch(std::min(other.body, body), std::max(other.body, body))) continue;
       for (int s = shape_begin[at(body)]; s < shape_begin[at(body) + 1]; ++s) {
@@ -180,6 +162,15 @@ void PairFinder::Tables::add_unbounded(const Step& step, int begin, int end,
   }
 }
 
+namespace {
+
+bool is_before(const ShapePair& p, const ShapePair& q) {
+  return std::tie(p.body_A, p.body_B, p.shape_A, p.shape_B) <
+         std::tie(q.body_A, q.body_B, q.shape_A, q.shape_B);
+}
+
+}  // namespace
+
 PairFinder::PairFinder(const Model& model) : tables_(std::make_unique<Tables>(model)) {}
 PairFinder::~PairFinder() = default;
 
@@ -189,27 +180,37 @@ void PairFinder::set_contact_filter(std::function<bool(int, int)> may_touch) {
 
 void PairFinder::find_pairs(const BulkBodies& bodies, double h, double margin, const Executor& executor,
                             std::vector<ShapePair>& pairs) {
-  constexpr int blocks_of_a_part = 16, bodies_of_a_part = blocks_of_a_part * BoxTree::width;
+  constexpr int pairs_of_a_part = 512;
   Tables& tables = *tables_;
   const Tables::Step step{bodies, static_cast<float>(h), static_cast<float>(margin)};
   tables.update(step, executor);
-  const int block_count = tables.moving.tree.block_count();
-  const int body_count = static_cast<int>(tables.moving.bodies.size());
-  const int part_count = (block_count + blocks_of_a_part - 1) / blocks_of_a_part;
-  tables.parts.resize(at(part_count));
+  // Each part has its own list; one behind the other they are in order.
+  const std::vector<NearBodies::Pair>& near = tables.near_bodies->pairs();
+  const int near_count = static_cast<int>(near.size());
+  const int part_count = (near_count + pairs_of_a_part - 1) / pairs_of_a_part;
+  if (tables.parts.size() < at(part_count)) tables.parts.resize(at(part_count));
   executor.for_ranges(part_count, 1, [&](int begin, int end) {
     for (int k = begin; k < end; ++k) {
-      Tables::Part& part = tables.parts[at(k)];
-      part.pairs.clear();
-      tables.search_blocks(step, k * blocks_of_a_part, std::min((k + 1) * blocks_of_a_part, block_count),
-                           part);
-      tables.add_unbounded(step, k * bodies_of_a_part, std::min((k + 1) * bodies_of_a_part, body_count),
-                           part.pairs);
+      std::vector<ShapePair> found;
+      found.swap(tables.parts[at(k)]);  // Heads of lists side by side are in one line of the cache.
+      found.clear();
+      const int last = std::min((k + 1) * pairs_of_a_part, near_count);
+      for (int i = k * pairs_of_a_part; i < last; ++i)
+        tables.add_pairs(step, near[at(i)].a, near[at(i)].b, found);
+      found.swap(tables.parts[at(k)]);
     }
   });
-  tables.order.clear(bodies.count());
-  for (const Tables::Part& part : tables.parts) tables.order.add(part.pairs);
-  tables.order.write(pairs);
+  pairs.clear();
+  for (int k = 0; k < part_count; ++k)
+    pairs.insert(pairs.end(), tables.parts[at(k)].begin(), tables.parts[at(k)].end());
+  if (tables.unbounded.empty()) return;
+  tables.at_unbounded.clear();
+  tables.add_unbounded(step, tables.at_unbounded);
+  std::sort(tables.at_unbounded.begin(), tables.at_unbounded.end(), is_before);
+  tables.merged.resize(pairs.size() + tables.at_unbounded.size());
+  std::merge(pairs.begin(), pairs.end(), tables.at_unbounded.begin(), tables.at_unbounded.end(),
+             tables.merged.begin(), is_before);
+  pairs.swap(tables.merged);
 }
 
 }  // namespace rigor

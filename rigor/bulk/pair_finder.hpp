@@ -10,8 +10,8 @@
 
 namespace rigor {
 
-/// The broad phase of the many-body path: pairs of shapes whose bodies may touch within a step. The boxes of
-/// all bodies are sorted anew in each call (BoxTree); no call remembers another.
+/// The broad phase of the many-body path: pairs of shapes whose bodies may touch within a step. Which bodies
+/// are near each other is kept from call to call (NearBodies); no answer depends on the calls before.
 class PairFinder {
  public:
   explicit PairFinder(const Model& model);
@@ -27,7 +27,7 @@ class PairFinder {
   /// All pairs that may touch within h [s] from now, at the velocities of now, or come closer than `margin`
   /// [m], as far as the Model lets them collide: in the order (body_A, body_B, shape_A, shape_B); at least
   /// one body is dynamic (the buffer is cleared first). A pair's margin is `margin` and how far its points
-  /// can come to each other within h (to first order: approach_bound). The answer depends on the bodies
+  /// can come to each other within h (to first order: find_pair_margin). The answer depends on the bodies
   /// alone, not on earlier calls or threads. Nothing is promised for bodies that are not finite.
   void find_pairs(const BulkBodies& bodies, double h, double margin, const Executor& executor,
                   std::vector<ShapePair>& pairs);

@@ -46,6 +46,30 @@ Pairs expected_own_pairs(const std::vector<FloatBox>& boxes) {
   return pairs;
 }
 
+TEST(BoxTree, FindsWhatOverlapsABoxAlsoWhenBoxesWereReplaced) {
+  test::Random random(7);
+  BoxTree tree;
+  for (const int count : {0, 1, 8, 9, 65, 513}) {
+    std::vector<FloatBox> boxes = random_boxes(random, count, 1);
+    tree.build(boxes, 1);
+    for (int round = 0; round < 4; ++round) {
+      for (const FloatBox& box : random_boxes(random, 20, 1)) {
+        std::vector<int> found, expected;
+        tree.find_overlaps(box, found);
+        for (int i = 0; i < count; ++i)
+          if (boxes[static_cast<std::size_t>(i)].overlaps(box)) expected.push_back(i);
+        std::sort(found.begin(), found.end());
+        EXPECT_EQ(found, expected) << count << " boxes, round " << round;
+      }
+      for (int i = round; i < count; i += 5) {
+        boxes[static_cast<std::size_t>(i)] = random_boxes(random, 1, 1)[0];
+        tree.replace(i, boxes[static_cast<std::size_t>(i)]);
+      }
+      EXPECT_EQ(own_pairs(tree), expected_own_pairs(boxes)) << count << " boxes, round " << round;
+    }
+  }
+}
+
 TEST(BoxTree, FindsAllPairsOfRandomBoxesOnce) {
   test::Random random(3);
   BoxTree tree;

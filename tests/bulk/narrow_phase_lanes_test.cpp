@@ -134,12 +134,21 @@ TEST(NarrowPhaseLanes, BothTargetsGiveTheSameBitsOfColumns) {
   const LaneColumns points{columns[0].data(), columns[1].data(), columns[2].data(), 64};
   for (int round = 0; round < 20; ++round) {
     const Vec3f n = draw.direction().cast<float>();
-    EXPECT_EQ(find_lowest(points, n, LaneTarget::portable), find_lowest(points, n, LaneTarget::avx2));
+    const Support farthest = find_support(points, n, LaneTarget::avx2);
+    EXPECT_EQ(farthest.index, find_support(points, n, LaneTarget::portable).index);
+    EXPECT_EQ(farthest.height, find_support(points, n, LaneTarget::portable).height);
     std::vector<float> portable(64), avx2(64);
     find_heights(points, n, LaneTarget::portable, portable.data());
     find_heights(points, n, LaneTarget::avx2, avx2.data());
     EXPECT_EQ(portable, avx2);
-    EXPECT_EQ(*std::min_element(avx2.begin(), avx2.end()), find_lowest(points, n, LaneTarget::avx2));
+    const auto highest = std::max_element(avx2.begin(), avx2.end());
+    EXPECT_EQ(*highest, farthest.height);
+    EXPECT_EQ(highest - avx2.begin(), farthest.index);
+    const Summit summit = find_summit(points, 60, n, 0.5f, LaneTarget::avx2);
+    EXPECT_EQ(summit.height, farthest.height);
+    EXPECT_EQ(summit.count, std::count_if(avx2.begin(), avx2.begin() + 60,
+                                          [&](float height) { return height >= *highest - 0.5f; }));
+    EXPECT_EQ(summit.count, find_summit(points, 60, n, 0.5f, LaneTarget::portable).count);
   }
 }
 

@@ -1,0 +1,180 @@
+#include "rigor/bulk/near_bodies.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace rigor {
+
+namespace {
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+bool is_before(const NearBodies::Pair& p, const NearBodies::Pair& q) {
+  return p.a != q.a ? p.a < q.a : p.b < q.b;
+}
+
+/// The box as seen from another origin, a little larger than rounding can make that.
+FloatBox shifted(const FloatBox& box, const float* shift) {
+  constexpr float rounding = 1e-6f;
+  FloatBox moved;
+  for (int k = 0; k < 3; ++k) {
+    const float slack =
+        rounding * (std::max(std::abs(box.lower[k]), std::abs(box.upper[k])) + std::abs(shift[k]));
+    moved.lower[k] = box.lower[k] + shift[k] - slack;
+    moved.upper[k] = box.upper[k] + shift[k] + slack;
+  }
+  return moved;
+}
+
+bool holds(const FloatBox& wide, const FloatBox& box) {
+  bool is_inside = true;
+  for (int k = 0; k < 3; ++k)
+    is_inside &= bool(wide.lower[k] <= box.lower[k]) & bool(box.upper[k] <= wide.upper[k]);
+  return is_inside;
+}
+
+}  // namespace
+
+NearBodies::NearBodies(std::vector<int> moving, std::vector<int> standing, int body_count, float cell)
+    : cell_(cell) {
+  moving_.bodies = std::move(moving);
+  standing_.bodies = std::move(standing);
+  is_out_.resize(at(body_count));
+  slot_.resize(at(body_count));
+  for (std::size_t i = 0; i < moving_.bodies.size(); ++i) slot_[at(moving_.bodies[i])] = static_cast<int>(i);
+  for (std::size_t i = 0; i < standing_.bodies.size(); ++i)
+    slot_[at(standing_.bodies[i])] = -1 - static_cast<int>(i);
+}
+
+/// The box with some room on all sides, and more where it goes.
+FloatBox NearBodies::wide_box(const Boxes& boxes, int body) const {
+  constexpr float room = 0.04f, steps = 2;
+  const Vec3 d = boxes.origin - origin_;
+  const float shift[] = {static_cast<float>(d.x()), static_cast<float>(d.y()), static_cast<float>(d.z())};
+  FloatBox wide = shifted(boxes.box[at(body)], shift);
+  for (int k = 0; k < 3; ++k) {
+    const float way = steps * boxes.way[3 * at(body) + at(k)];
+    wide.lower[k] += std::min(way, 0.0f) - room * cell_;
+    wide.upper[k] += std::max(way, 0.0f) + room * cell_;
+  }
+  return wide;
+}
+
+void NearBodies::find_escaped(const Boxes& boxes, const Executor& executor) {
+  constexpr int grain = 512;
+  const Vec3 d = boxes.origin - origin_;
+  const float shift[] = {static_cast<float>(d.x()), static_cast<float>(d.y()), static_cast<float>(d.z())};
+  escaped_.clear();
+  for (Side* side : {&moving_, &standing_}) {
+    executor.for_ranges(static_cast<int>(side->bodies.size()), grain, [&](int begin, int end) {
+      for (int i = begin; i < end; ++i) {
+        const int body = side->bodies[at(i)];
+        is_out_[at(body)] = !holds(side->wide[at(i)], shifted(boxes.box[at(body)], shift));
+      }
+    });
+    for (const int body : side->bodies)
+      if (is_out_[at(body)]) escaped_.push_back(body);
+  }
+}
+
+void NearBodies::update(const Boxes& boxes, const PairFilter& filter, const Executor& executor) {
+  if (is_built_) {
+    find_escaped(boxes, executor);
+    if (escaped_.empty()) return;
+    // Boxes that were replaced make the tree worse.
+    replaced_ += escaped_.size();
+    if (4 * replaced_ < moving_.bodies.size()) return replace(boxes, filter);
+  }
+  build(boxes, filter, executor);
+}
+
+void NearBodies::build(const Boxes& boxes, const PairFilter& filter, const Executor& executor) {
+  constexpr int blocks_of_a_part = 16;
+  is_built_ = true;
+  replaced_ = 0;
+  origin_ = boxes.origin;
+  for (Side* side : {&moving_, &standing_}) {
+    side->wide.resize(side->bodies.size());
+    for (std::size_t i = 0; i < side->bodies.size(); ++i) side->wide[i] = wide_box(boxes, side->bodies[i]);
+    side->tree.build(side->wide, cell_);
+  }
+  const int block_count = moving_.tree.block_count();
+  const int part_count = (block_count + blocks_of_a_part - 1) / blocks_of_a_part;
+  parts_.resize(at(part_count));
+  executor.for_ranges(part_count, 1, [&](int begin, int end) {
+    for (int k = begin; k < end; ++k) {
+      parts_[at(k)].clear();
+      search_blocks(k * blocks_of_a_part, std::min((k + 1) * blocks_of_a_part, block_count), filter,
+                    parts_[at(k)]);
+    }
+  });
+  order_.clear(static_cast<int>(slot_.size()));
+  for (const std::vector<ShapePair>& part : parts_) order_.add(part);
+  order_.write(ordered_);
+  pairs_.clear();
+  for (const ShapePair& pair : ordered_) pairs_.push_back({pair.body_A, pair.body_B});
+}
+
+void NearBodies::search_blocks(int begin, int end, const PairFilter& filter,
+                               std::vector<ShapePair>& found) const {
+  std::vector<BoxTree::Pair> own, other;
+  for (int block = begin; block < end; ++block) {
+    moving_.tree.find_own_pairs(block, own);
+    moving_.tree.find_pairs_with(standing_.tree, block, other);
+  }
+  const auto add = [&](int a, int b) {
+    if (filter.may_collide(a, b)) found.push_back({std::min(a, b), std::max(a, b), 0, 0, 0});
+  };
+  for (const BoxTree::Pair& pair : own) add(moving_.bodies[at(pair.a)], moving_.bodies[at(pair.b)]);
+  for (const BoxTree::Pair& pair : other) add(moving_.bodies[at(pair.a)], standing_.bodies[at(pair.b)]);
+}
+
+/// New wide boxes for those that have left theirs, and their pairs.
+void NearBodies::replace(const Boxes& boxes, const PairFilter& filter) {
+  for (const int body : escaped_) {
+    const bool is_moving = slot_[at(body)] >= 0;
+    Side& side = is_moving ? moving_ : standing_;
+    const int slot = is_moving ? slot_[at(body)] : -1 - slot_[at(body)];
+    side.wide[at(slot)] = wide_box(boxes, body);
+    side.tree.replace(slot, side.wide[at(slot)]);
+  }
+  found_.clear();
+  const auto add_overlaps = [&](int body, const FloatBox& wide, const Side& side) {
+    touched_.clear();
+    side.tree.find_overlaps(wide, touched_);
+    for (const int slot : touched_) {
+      const int other = side.bodies[at(slot)];
+      // A pair of two that have escaped is found twice.
+      if (other == body || (is_out_[at(other)] && other < body) || !filter.may_collide(body, other)) continue;
+      found_.push_back({std::min(body, other), std::max(body, other)});
+    }
+  };
+  for (const int body : escaped_) {
+    const bool is_moving = slot_[at(body)] >= 0;
+    const FloatBox& wide =
+        is_moving ? moving_.wide[at(slot_[at(body)])] : standing_.wide[at(-1 - slot_[at(body)])];
+    add_overlaps(body, wide, moving_);
+    if (is_moving) add_overlaps(body, wide, standing_);
+  }
+  merge_found();
+}
+
+/// Of the pairs before, those of escaped bodies are forgotten.
+void NearBodies::merge_found() {
+  std::sort(found_.begin(), found_.end(), is_before);
+  merged_.clear();
+  auto next = found_.begin();
+  for (const Pair& pair : pairs_) {
+    if (is_out_[at(pair.a)] || is_out_[at(pair.b)]) continue;
+    while (next != found_.end() && is_before(*next, pair)) merged_.push_back(*next++);
+    merged_.push_back(pair);
+  }
+  merged_.insert(merged_.end(), next, found_.end());
+  pairs_.swap(merged_);
+}
+
+}  // namespace rigor
