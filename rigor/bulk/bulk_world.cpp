@@ -35,6 +35,7 @@ struct BulkWorld::Scratch {
         narrow_phase(model),
         contacts(model),
         joints(model),
+        gyrations(model),
         prescribed(model),
         environment(model, PointSprings::act, false) {}
 
@@ -43,13 +44,14 @@ struct BulkWorld::Scratch {
   NarrowPhase narrow_phase;
   BulkContacts contacts;
   BulkJoints joints;
+  Gyrations gyrations;
   PrescribedBodies prescribed;
   Environment environment;
   std::vector<ShapePair> pairs;
   std::vector<PairManifold> manifolds;
   std::vector<float> joint_impulses;
   std::vector<MotionRow> accelerations;  ///< By forces of the environment.
-  std::vector<BodyGyration> gyrations;   ///< Of bodies that are not round.
+  std::vector<MotionRow> turns;          ///< What turning changes of angular velocities.
   std::vector<MotionRow> unconstrained;  ///< Velocities of a substep before its constraints.
 };
 
@@ -88,6 +90,7 @@ BulkStepReport BulkWorld::step(double h) {
   BulkStepReport report = describe_contacts();
   begin_bulk_step(*model_, bodies_);
   compute_accelerations();
+  s.gyrations.prepare(bodies_);
   s.joints.prepare(bodies_, substep, s.executor);
   s.contacts.prepare(bodies_, substep, s.pairs, s.manifolds, memory_, s.executor);
   for (int k = 0; k < settings_.substeps; ++k) take_substep(k == 0, static_cast<float>(substep));
@@ -107,13 +110,13 @@ void BulkWorld::take_substep(bool is_first, float h) {
   integrate_velocities(is_first, h);
   if (is_first) {
     s.contacts.warm_start(bodies_, s.executor);
-  } else {
-    s.joints.take_back_change(bodies_);
+    // So that contacts meet bodies that are held, as in the other substeps.
+    if (!s.manifolds.empty()) s.joints.solve(JointPass::places, s.executor);
   }
-  s.joints.solve(true, bodies_, s.executor);
   s.contacts.solve(BlockPass::push, h, bodies_, s.executor);
+  s.joints.solve(JointPass::places_anew, s.executor);
   integrate_positions(h);
-  s.joints.solve(false, bodies_, s.executor);
+  s.joints.solve(JointPass::rates, s.executor);
   s.contacts.solve(BlockPass::relax, h, bodies_, s.executor);
 }
 
@@ -122,7 +125,6 @@ void BulkWorld::compute_accelerations() {
   const std::size_t count = bodies_.x.size();
   s.accelerations.resize(count);
   s.unconstrained.resize(count);
-  s.gyrations.resize(count);
   const auto view = [&](int body) {
     const std::size_t k = static_cast<std::size_t>(body);
     const MotionRecord& m = bodies_.motion[k];
@@ -134,10 +136,6 @@ void BulkWorld::compute_accelerations() {
       MotionRow& row = s.accelerations[static_cast<std::size_t>(i)];
       row = {};
       if (!bodies_.is_dynamic(i)) continue;
-      if (!is_round(model_->body(i))) {
-        s.gyrations[static_cast<std::size_t>(i)] =
-            gyration_of(model_->body(i), bodies_.q[static_cast<std::size_t>(i)]);
-      }
       Vec3 a = s.environment.steady_acceleration(i), alpha = Vec3::Zero();
       if (s.environment.is_forced(i)) {
         Wrench wrench;
@@ -158,21 +156,19 @@ void BulkWorld::compute_accelerations() {
 
 void BulkWorld::integrate_velocities(bool is_first, float h) {
   Scratch& s = *scratch_;
+  s.gyrations.find_changes(h, bodies_, s.executor, s.turns);
   s.executor.for_ranges(bodies_.count(), 1024, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       const std::size_t k = static_cast<std::size_t>(i);
       float* v = bodies_.motion[k].v;
       MotionRow& free = s.unconstrained[k];
-      std::array<float, 3> turn{};
-      if (bodies_.is_dynamic(i) && !is_round(model_->body(i))) {
-        gyroscopic_change(s.gyrations[k], bodies_.motion[k].w, h, turn.data());
-      }
-      for (std::size_t j = 0; j < kLaneCount; ++j) {
-        // What the constraints changed in the substep before is what they begin with in this one.
-        const float change = is_first ? 0 : v[j] - free[j];
-        free[j] = v[j] + h * s.accelerations[k][j] + (j >= 4 && j < 7 ? turn[j - 4] : 0);
-        v[j] = free[j] + change;
-      }
+      // What the constraints changed in the substep before is what they begin with in this one.
+      const FloatLanes now = load_floats(v),
+                       change = is_first ? float_lanes(0) : now - load_floats(free.data());
+      const FloatLanes next =
+          now + h * load_floats(s.accelerations[k].data()) + load_floats(s.turns[k].data());
+      store_floats(next, free.data());
+      store_floats(next + change, v);
     }
   });
 }
@@ -181,10 +177,8 @@ void BulkWorld::integrate_positions(float h) {
   scratch_->executor.for_ranges(bodies_.count(), 1024, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       MotionRecord& motion = bodies_.motion[static_cast<std::size_t>(i)];
-      for (int j = 0; j < 3; ++j) {
-        motion.dp[j] += h * motion.v[j];
-        motion.dr[j] += h * motion.w[j];
-      }
+      for (int j = 0; j < 3; ++j) motion.dp[j] += h * motion.v[j];
+      turn_further(h, motion);
     }
   });
 }
