@@ -34,6 +34,16 @@ struct alignas(32) InverseInertia {
   float pad = 0;
 };
 
+/// Turns a body by h ω: the rotation vector dr of exp(h ω) exp(dr), to first order in h ω and third in dr
+/// (Baker, Campbell, Hausdorff).
+inline void turn_further(float h, MotionRecord& motion) {
+  const float* r = motion.dr;
+  const float s[3] = {h * motion.w[0], h * motion.w[1], h * motion.w[2]};
+  const float c[3] = {r[1] * s[2] - r[2] * s[1], r[2] * s[0] - r[0] * s[2], r[0] * s[1] - r[1] * s[0]};
+  const float cc[3] = {r[1] * c[2] - r[2] * c[1], r[2] * c[0] - r[0] * c[2], r[0] * c[1] - r[1] * c[0]};
+  for (int k = 0; k < 3; ++k) motion.dr[k] += s[k] + ((1.0F / 12) * cc[k] - 0.5F * c[k]);
+}
+
 /// The bodies of a Model as arrays, by model index: 64-bit positions, 32-bit velocities.
 struct BulkBodies {
   std::vector<Vec3> x;  ///< p_WB of the centre of mass [m].

@@ -10,13 +10,23 @@
 
 namespace rigor {
 
-/// The joints of the many-body path, eight at a time: what they hold, their limits, motors, springs, dampers
-/// and dry friction. Trees of joints are solved at once, in a time that grows with their number; joints that
-/// close loops of them take turns with the trees. Derivation: docs/theory/bulk_joints.md.
+/// What the joints do within a substep of length h.
+enum class JointPass {
+  places,       ///< Before the displacements: joints hold after the time h.
+  places_anew,  ///< The same for callers that have repeated, as a guess, what all constraints changed in the
+                ///< substep before, or have gone on from a first call: what of it was of the joints is taken
+                ///< back.
+  rates,        ///< After the displacements: rates are what joints allow, after impacts at limits too.
+};
+
+/// The joints of the many-body path, eight systems at a time: what they hold, their limits, motors, springs,
+/// dampers and dry friction. Trees of joints are solved in a time that grows with their number; systems with
+/// loops or gears by a sparse factorisation. Derivation: docs/theory/bulk_joints.md.
 ///
-/// A step is prepare(), then for each substep: forces on the velocities, solve(true), displacements
-/// (dp += h v, dr += h ω), solve(false). Nothing is remembered from substep to substep or from step to step,
-/// and nothing of what joints have done to velocities may be done again in the next substep: joints turn.
+/// A step is prepare(), then for each substep: forces on the velocities, solve(places), displacements
+/// (dp += h v, turn_further()), solve(rates). Nothing is remembered from substep to substep or from step to
+/// step, and nothing of what joints have done to velocities may be done again in the next substep: joints
+/// turn.
 class BulkJoints {
  public:
   explicit BulkJoints(const Model& model, LaneTarget target = best_lane_target());
@@ -24,14 +34,10 @@ class BulkJoints {
   BulkJoints(const BulkJoints&) = delete;
   BulkJoints& operator=(const BulkJoints&) = delete;
 
-  /// At the begin of a step of substeps of h > 0 [s]; after begin_bulk_step().
-  void prepare(const BulkBodies& bodies, double h, const Executor& executor);
-  /// Changes velocities so that joints hold after the time h (before displacements: true), or that their
-  /// rates are what joints allow, after impacts at limits too (after displacements: false).
-  void solve(bool before_displacements, BulkBodies& bodies, const Executor& executor);
-  /// For callers that have repeated, as a guess, what all constraints changed in the substep before: takes
-  /// back what of it was of the joints.
-  void take_back_change(BulkBodies& bodies) const;
+  /// At the begin of a step of substeps of h > 0 [s]; after begin_bulk_step(). The bodies stay where they are
+  /// in memory until its end.
+  void prepare(BulkBodies& bodies, double h, const Executor& executor);
+  void solve(JointPass pass, const Executor& executor);
   /// Of the last substep [N s] and [N m s]: six a joint, in the order of the Model's joints: of its rows in
   /// their order, on body B.
   std::vector<float> impulses() const;

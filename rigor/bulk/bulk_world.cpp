@@ -33,6 +33,7 @@ struct BulkWorld::Scratch {
         contacts(model),
         direct(model),
         joints(model),
+        gyrations(model),
         prescribed(model),
         environment(model, PointSprings::act, false) {}
 
@@ -42,13 +43,14 @@ struct BulkWorld::Scratch {
   BulkContacts contacts;
   DirectIslands direct;
   BulkJoints joints;
+  Gyrations gyrations;
   PrescribedBodies prescribed;
   Environment environment;
   std::vector<ShapePair> pairs;
   std::vector<PairManifold> manifolds;
   std::vector<float> joint_impulses;
   std::vector<MotionRow> accelerations;  ///< By forces of the environment.
-  std::vector<BodyGyration> gyrations;   ///< Of bodies that are not round.
+  std::vector<MotionRow> turns;          ///< What turning changes of angular velocities.
   std::vector<MotionRow> unconstrained;  ///< Velocities of a substep before its constraints.
 };
 
@@ -87,12 +89,10 @@ BulkStepReport BulkWorld::step(double h) {
   BulkStepReport report = describe_contacts();
   begin_bulk_step(*model_, bodies_);
   compute_accelerations();
+  s.gyrations.prepare(bodies_);
   s.joints.prepare(bodies_, substep, s.executor);
   s.contacts.match(s.pairs, s.manifolds, memory_);
-  s.direct.solve({h, settings_.substeps, s.contacts.manifolds(),
-                  [&](int body) { return free_change(body, static_cast<float>(h)); }},
-                 bodies_);
-  report.direct_islands = s.direct.island_count();
+  report.direct_islands = solve_directly(h);
   s.contacts.prepare(bodies_, substep, s.direct, s.executor);
   for (int k = 0; k < settings_.substeps; ++k) take_substep(k == 0, static_cast<float>(substep));
   if (s.contacts.has_restitution()) {
@@ -113,14 +113,30 @@ void BulkWorld::take_substep(bool is_first, float h) {
   integrate_velocities(is_first, h);
   if (is_first) {
     s.contacts.warm_start(bodies_, s.executor);
-  } else {
-    s.joints.take_back_change(bodies_);
+    // So that contacts meet bodies that are held, as in the other substeps.
+    if (!s.manifolds.empty()) s.joints.solve(JointPass::places, s.executor);
   }
-  s.joints.solve(true, bodies_, s.executor);
   s.contacts.solve(BlockPass::push, h, bodies_, s.executor);
+  s.joints.solve(JointPass::places_anew, s.executor);
   integrate_positions(h);
-  s.joints.solve(false, bodies_, s.executor);
+  s.joints.solve(JointPass::rates, s.executor);
   s.contacts.solve(BlockPass::relax, h, bodies_, s.executor);
+}
+
+/// Islands of heavy bodies on light ones; their number.
+int BulkWorld::solve_directly(double h) {
+  Scratch& s = *scratch_;
+  if (!s.direct.may_be_needed()) return 0;
+  const float step = static_cast<float>(h);
+  s.gyrations.find_changes(step, bodies_, s.executor, s.turns);
+  const auto free_change = [&](int body) {
+    const std::size_t k = static_cast<std::size_t>(body);
+    MotionRow change = s.turns[k];
+    for (std::size_t j = 0; j < change.size(); ++j) change[j] += step * s.accelerations[k][j];
+    return change;
+  };
+  s.direct.solve({h, settings_.substeps, s.contacts.manifolds(), free_change}, bodies_);
+  return s.direct.island_count();
 }
 
 void BulkWorld::compute_accelerations() {
@@ -128,7 +144,6 @@ void BulkWorld::compute_accelerations() {
   const std::size_t count = bodies_.x.size();
   s.accelerations.resize(count);
   s.unconstrained.resize(count);
-  s.gyrations.resize(count);
   const auto view = [&](int body) {
     const std::size_t k = static_cast<std::size_t>(body);
     const MotionRecord& m = bodies_.motion[k];
@@ -140,10 +155,6 @@ void BulkWorld::compute_accelerations() {
       MotionRow& row = s.accelerations[static_cast<std::size_t>(i)];
       row = {};
       if (!bodies_.is_dynamic(i)) continue;
-      if (!is_round(model_->body(i))) {
-        s.gyrations[static_cast<std::size_t>(i)] =
-            gyration_of(model_->body(i), bodies_.q[static_cast<std::size_t>(i)]);
-      }
       Vec3 a = s.environment.steady_acceleration(i), alpha = Vec3::Zero();
       if (s.environment.is_forced(i)) {
         Wrench wrench;
@@ -162,34 +173,22 @@ void BulkWorld::compute_accelerations() {
   });
 }
 
-/// Of a velocity within h, by forces and by turning.
-MotionRow BulkWorld::free_change(int body, float h) const {
-  const std::size_t k = static_cast<std::size_t>(body);
-  MotionRow change = scratch_->accelerations[k];
-  for (float& part : change) part *= h;
-  if (bodies_.is_dynamic(body) && !is_round(model_->body(body))) {
-    std::array<float, 3> turn{};
-    gyroscopic_change(scratch_->gyrations[k], bodies_.motion[k].w, h, turn.data());
-    for (std::size_t j = 0; j < 3; ++j) change[4 + j] += turn[j];
-  }
-  return change;
-}
-
 void BulkWorld::integrate_velocities(bool is_first, float h) {
   Scratch& s = *scratch_;
+  s.gyrations.find_changes(h, bodies_, s.executor, s.turns);
   s.executor.for_ranges(bodies_.count(), 1024, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       const std::size_t k = static_cast<std::size_t>(i);
       if (s.direct.holds(i)) continue;
       float* v = bodies_.motion[k].v;
       MotionRow& free = s.unconstrained[k];
-      const MotionRow of_forces = free_change(i, h);
-      for (std::size_t j = 0; j < kLaneCount; ++j) {
-        // What the constraints changed in the substep before is what they begin with in this one.
-        const float change = is_first ? 0 : v[j] - free[j];
-        free[j] = v[j] + of_forces[j];
-        v[j] = free[j] + change;
-      }
+      // What the constraints changed in the substep before is what they begin with in this one.
+      const FloatLanes now = load_floats(v),
+                       change = is_first ? float_lanes(0) : now - load_floats(free.data());
+      const FloatLanes next =
+          now + h * load_floats(s.accelerations[k].data()) + load_floats(s.turns[k].data());
+      store_floats(next, free.data());
+      store_floats(next + change, v);
     }
   });
 }
@@ -198,10 +197,8 @@ void BulkWorld::integrate_positions(float h) {
   scratch_->executor.for_ranges(bodies_.count(), 1024, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       MotionRecord& motion = bodies_.motion[static_cast<std::size_t>(i)];
-      for (int j = 0; j < 3; ++j) {
-        motion.dp[j] += h * motion.v[j];
-        motion.dr[j] += h * motion.w[j];
-      }
+      for (int j = 0; j < 3; ++j) motion.dp[j] += h * motion.v[j];
+      turn_further(h, motion);
     }
   });
 }

@@ -53,7 +53,7 @@ class BulkWorld {
   struct Scratch;
   void compute_accelerations();
   void take_substep(bool is_first, float h);
-  MotionRow free_change(int body, float h) const;
+  int solve_directly(double h);
   void integrate_velocities(bool is_first, float h);
   void integrate_positions(float h);
   BulkStepReport describe_contacts() const;

@@ -38,6 +38,8 @@ class DirectIslands {
  public:
   explicit DirectIslands(const Model& model);
 
+  /// Whether masses differ so much that islands may be taken.
+  bool may_be_needed() const { return may_be_needed_; }
   /// Solves the islands that are to be and can be solved: their bodies get the velocities that their
   /// displacements in the step have.
   void solve(const DirectStep& step, BulkBodies& bodies);

@@ -1,16 +1,14 @@
 #include "rigor/bulk/joint_block.hpp"
 
-#include "rigor/math/rotation.hpp"
-#include "rigor/model/force.hpp"
-
 #include <numbers>
+#include "rigor/bulk/joint_gears.hpp"
+#include "rigor/math/rotation.hpp"
 
 namespace rigor {
 
-Pose bulk_pose(const BulkBodies& bodies, int body) {
+BodyPlace place_of(const BulkBodies& bodies, int body) {
   if (body == world_body) return {};
-  return {rotation_matrix(bodies.q[static_cast<std::size_t>(body)]),
-          bodies.x[static_cast<std::size_t>(body)]};
+  return {bodies.x[static_cast<std::size_t>(body)], bodies.q[static_cast<std::size_t>(body)]};
 }
 
 namespace {
@@ -21,14 +19,14 @@ struct JointStart {
   Quat J = Quat::Identity(), K = Quat::Identity();  ///< Where rows need them.
 };
 JointStart start_of(const Joint& joint, bool has_laws, const BulkBodies& bodies) {
-  const Pose X_WA = bulk_pose(bodies, joint.body_A), X_WB = bulk_pose(bodies, joint.body_B);
+  const BodyPlace A = place_of(bodies, joint.body_A), B = place_of(bodies, joint.body_B);
   JointStart start;
-  start.arm_A = X_WA.R * joint.X_AJ.p;
-  start.arm_B = X_WB.R * joint.X_BK.p;
-  start.offset = (X_WB.p - X_WA.p) + start.arm_B - start.arm_A;
+  start.arm_A = A.q * joint.X_AJ.p;
+  start.arm_B = B.q * joint.X_BK.p;
+  start.offset = (B.x - A.x) + start.arm_B - start.arm_A;
   if (joint.type != JointType::distance && (has_laws || joint.type != JointType::ball)) {
-    start.J = quaternion_of(X_WA.R * joint.X_AJ.R);
-    start.K = quaternion_of(X_WB.R * joint.X_BK.R);
+    start.J = A.q * quaternion_of(joint.X_AJ.R);
+    start.K = B.q * quaternion_of(joint.X_BK.R);
   }
   return start;
 }
@@ -42,15 +40,6 @@ void set_lane(const Quat& q, int lane, FloatQuat& to) {
   to.w[lane] = static_cast<float>(q.w());
   set_lane(Vec3(q.vec()), lane, to.v);
 }
-void set_lane(const Mat3& m, int lane, FloatSym3& to) {
-  to.xx[lane] = static_cast<float>(m(0, 0));
-  to.yy[lane] = static_cast<float>(m(1, 1));
-  to.zz[lane] = static_cast<float>(m(2, 2));
-  to.xy[lane] = static_cast<float>(m(0, 1));
-  to.xz[lane] = static_cast<float>(m(0, 2));
-  to.yz[lane] = static_cast<float>(m(1, 2));
-}
-
 void set_lane(const Joint& joint, const JointStart& start, int lane, JointLanes& to) {
   set_lane(start.arm_A, lane, to.arm_A);
   set_lane(start.arm_B, lane, to.arm_B);
@@ -61,70 +50,64 @@ void set_lane(const Joint& joint, const JointStart& start, int lane, JointLanes&
   to.lead[lane] = static_cast<float>(joint.pitch / (2 * std::numbers::pi));
 }
 
-/// A lane without a body: of unit mass, at rest.
-void set_empty_lane(int lane, JointSlot& slot) {
-  slot.mass[lane] = slot.inverse_mass[lane] = 1;
-  set_lane(Mat3(Mat3::Identity()), lane, slot.inertia);
-  set_lane(Mat3(Mat3::Identity()), lane, slot.inverse_inertia);
+/// Mass and moments of a body that joints move, if it is dynamic; else it does not give way, and its
+/// resistance is not asked for. Lanes without a body: of unit mass.
+void set_masses(const Body* body, bool gives_way, int lane, JointSlot& slot) {
+  slot.mass[lane] = body == nullptr || !gives_way ? 1 : static_cast<float>(body->mass);
+  slot.inverse_mass[lane] = gives_way ? 1 / slot.mass[lane] : 0;
+  for (int k = 0; k < 3; ++k) {
+    slot.moments[k][lane] = body == nullptr || !gives_way ? 1 : static_cast<float>(body->moments[k]);
+    slot.inverse_moments[k][lane] = gives_way ? 1 / slot.moments[k][lane] : 0;
+  }
 }
 
-void set_lane(const InverseInertia& inverse, int lane, JointSlot& slot) {
-  Mat3 I;
-  I << inverse.xx, inverse.xy, inverse.xz, inverse.xy, inverse.yy, inverse.yz, inverse.xz, inverse.yz,
-      inverse.zz;
-  slot.inverse_mass[lane] = inverse.inv_mass;
-  set_lane(I, lane, slot.inverse_inertia);
-  // What does not give way is a parent only: its resistance is not asked for.
-  const bool gives_way = inverse.inv_mass > 0;
-  slot.mass[lane] = gives_way ? 1 / inverse.inv_mass : 1;
-  set_lane(gives_way ? Mat3(I.inverse()) : Mat3(Mat3::Identity()), lane, slot.inertia);
-}
-
-}  // namespace
-
-BulkJointBlock make_joint_block(JointTrees trees) {
-  BulkJointBlock block;
-  block.lanes.trees = std::move(trees);
-  block.lanes.slots.resize(block.lanes.trees.bodies.size(), JointSlot{});
-  block.lanes.joints.resize(block.lanes.trees.links.size(), JointLanes{});
-  block.records.resize(block.lanes.slots.size());
-  block.before.resize(block.lanes.trees.links.size(), BulkJointBlock::Made{});
-  block.made = block.before;
-  for (std::size_t i = 0; i < block.lanes.trees.links.size(); ++i) {
-    const JointLink& link = block.lanes.trees.links[i];
-    if (!link.has_joint || !link.has_laws) continue;
-    block.lanes.has_laws = true;
-    const int held = held_row_count(link.type, true);
-    for (int r = held; r < row_count(link); ++r) {
-      const int axis = r - held < coordinate_count(link.type) ? r - held : -1;
-      block.laws.push_back({static_cast<int>(i), r, axis});
+void set_all_masses(const Model& model, JointBlock& block) {
+  for (std::size_t s = 0; s < block.slots.size(); ++s) {
+    for (int lane = 0; lane < kLaneCount; ++lane) {
+      const int index = block.systems.bodies[s][static_cast<std::size_t>(lane)];
+      const Body* body = index < 0 ? nullptr : &model.body(index);
+      set_masses(body, s < block.systems.moved, lane, block.slots[s]);
     }
   }
-  return block;
 }
 
-void prepare_joint_block(const JointEffort& effort, const BulkBodies& bodies, BulkJointBlock& block) {
-  const Model& model = effort.model;
-  for (std::size_t s = 0; s < block.lanes.slots.size(); ++s) {
-    for (int lane = 0; lane < kLaneCount; ++lane) {
-      const int body = block.lanes.trees.bodies[s][static_cast<std::size_t>(lane)];
-      if (body < 0) {
-        // The world is an inertia of zeros.
-        const bool is_world = s >= block.lanes.trees.links.size();
-        is_world ? set_lane(InverseInertia{}, lane, block.lanes.slots[s])
-                 : set_empty_lane(lane, block.lanes.slots[s]);
-      } else {
-        set_lane(bodies.inertia[static_cast<std::size_t>(body)], lane, block.lanes.slots[s]);
+void find_records(BulkBodies& bodies, BulkJointBlock& block) {
+  for (std::size_t s = 0; s < block.records.size(); ++s) {
+    for (std::size_t lane = 0; lane < 8; ++lane) {
+      const int body = block.lanes.systems.bodies[s][lane];
+      float* record = block.nothing.data();
+      if (body >= 0) {
+        static_assert(sizeof(bodies.motion[0]) == 16 * sizeof(float));
+        record = bodies.motion[static_cast<std::size_t>(body)].v;
+      } else if (s < block.lanes.systems.moved) {
+        record = block.empty[lane].data();
       }
+      block.records[s][lane] = record;
     }
   }
-  for (std::size_t i = 0; i < block.lanes.joints.size(); ++i) {
-    JointLanes& joint = block.lanes.joints[i];
+}
+
+void place_axes(const BulkBodies& bodies, JointBlock& block) {
+  for (std::size_t s = 0; s < block.slots.size(); ++s) {
+    JointSlot& slot = block.slots[s];
     for (int lane = 0; lane < kLaneCount; ++lane) {
-      const int index = block.lanes.trees.links[i].joints[static_cast<std::size_t>(lane)];
+      const int body = block.systems.bodies[s][static_cast<std::size_t>(lane)];
+      const Mat3 R = body < 0 ? Mat3(Mat3::Identity()) : place_of(bodies, body).q.toRotationMatrix();
+      set_lane(Vec3(R.col(0)), lane, slot.axis0);
+      set_lane(Vec3(R.col(1)), lane, slot.axis1);
+    }
+    slot.dp = slot.dr = slot.made_v = slot.made_w = FloatVec3{};
+  }
+}
+
+void place_joints(const Model& model, const BulkBodies& bodies, JointBlock& block) {
+  for (std::size_t i = 0; i < block.joints.size(); ++i) {
+    JointLanes& joint = block.joints[i];
+    for (int lane = 0; lane < kLaneCount; ++lane) {
+      const int index = block.systems.links[i].joints[static_cast<std::size_t>(lane)];
       if (index >= 0) {
-        set_lane(model.joint(index),
-                 start_of(model.joint(index), block.lanes.trees.links[i].has_laws, bodies), lane, joint);
+        set_lane(model.joint(index), start_of(model.joint(index), block.systems.links[i].has_laws, bodies),
+                 lane, joint);
       } else {
         joint.J.w[lane] = joint.K.w[lane] = 1;
       }
@@ -134,26 +117,45 @@ void prepare_joint_block(const JointEffort& effort, const BulkBodies& bodies, Bu
       joint.on[r] = joint.given[r] = joint.impulse[r] = float_lanes(0);
     }
   }
-  for (JointSlot& slot : block.lanes.slots) slot.dp = slot.dr = FloatVec3{};
-  run_stage(JointStage::aim, effort.h, effort.target, block.lanes);
-  run_stage(JointStage::factor, effort.h, effort.target, block.lanes);
-  block.is_new_substep = true;
 }
 
-void find_joint_records(BulkBodies& bodies, BulkJointBlock& block) {
-  for (std::size_t s = 0; s < block.records.size(); ++s) {
-    for (std::size_t lane = 0; lane < 8; ++lane) {
-      const int body = block.lanes.trees.bodies[s][lane];
-      float* record = block.nothing.data();
-      if (body >= 0) {
-        static_assert(sizeof(bodies.motion[0]) == 16 * sizeof(float));
-        record = bodies.motion[static_cast<std::size_t>(body)].v;
-      } else if (s < block.lanes.trees.links.size()) {
-        record = block.empty[lane].data();
-      }
-      block.records[s][lane] = record;
+}  // namespace
+
+BulkJointBlock make_joint_block(const Model& model, JointSystems systems) {
+  BulkJointBlock block;
+  block.lanes.slots.resize(systems.bodies.size(), JointSlot{});
+  block.lanes.joints.resize(systems.links.size(), JointLanes{});
+  block.lanes.gears = make_gears(model, systems);
+  if (systems.has_loops) {
+    block.lanes.loops = std::make_unique<LoopSolver>(systems);
+  } else {
+    block.lanes.balls.resize(systems.links.size(), BallLanes{});
+  }
+  block.records.resize(systems.bodies.size());
+  block.lanes.is_of_balls = !systems.has_loops;
+  for (std::size_t i = 0; i < systems.links.size(); ++i) {
+    const JointLink& link = systems.links[i];
+    if (link.has_joint && !link.is_plain_ball()) block.lanes.is_of_balls = false;
+    if (!link.has_joint || !link.has_laws) continue;
+    block.lanes.has_laws = true;
+    const int held = held_row_count(link.type, true);
+    for (int r = held; r < row_count(link); ++r) {
+      const int axis = r - held < coordinate_count(link.type) ? r - held : -1;
+      block.laws.push_back({static_cast<int>(i), r, axis});
     }
   }
+  if (block.lanes.has_laws) block.before.resize(systems.moved, BulkJointBlock::Velocities{});
+  block.lanes.systems = std::move(systems);
+  set_all_masses(model, block.lanes);
+  return block;
+}
+
+void prepare_joint_block(const JointEffort& effort, BulkBodies& bodies, BulkJointBlock& block) {
+  find_records(bodies, block);
+  place_axes(bodies, block.lanes);
+  place_joints(effort.model, bodies, block.lanes);
+  run_stage(JointStage::aim, effort.h, effort.target, block.lanes);
+  run_stage(JointStage::factor, effort.h, effort.target, block.lanes);
 }
 
 }  // namespace rigor

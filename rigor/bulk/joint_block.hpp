@@ -11,8 +11,12 @@ namespace rigor {
 
 using LaneArray = std::array<float, kLaneCount>;
 
-/// The pose of a body, or of the world.
-Pose bulk_pose(const BulkBodies& bodies, int body);
+/// Where a body, or the world, is at the begin of a step.
+struct BodyPlace {
+  Vec3 x = Vec3::Zero();      ///< p_WB [m].
+  Quat q = Quat::Identity();  ///< q_WB.
+};
+BodyPlace place_of(const BulkBodies& bodies, int body);
 
 /// A block with the bodies that it stands for.
 struct BulkJointBlock {
@@ -20,23 +24,20 @@ struct BulkJointBlock {
   std::vector<JointRecords> records;
   alignas(64) std::array<float, 16> nothing{};                        ///< The world.
   alignas(64) std::array<std::array<float, 16>, kLaneCount> empty{};  ///< Of lanes without a body.
-  struct alignas(32) Made {
+  struct alignas(32) Velocities {
     FloatVec3 v, w;
   };
-  std::vector<Made> before;  ///< Velocities at the begin of a solve.
-  std::vector<Made> made;    ///< What this substep has changed.
-  bool is_new_substep = true;
+  std::vector<Velocities> before;  ///< At the begin of a solve, of bodies that joints with laws move.
   /// Of rows of laws, in the order of links, rows and lanes: what limits do after the displacements.
   struct Law {
     int link = 0, row = 0, axis = -1;  ///< Axis -1: a ball's damper across its axis.
     std::array<LawPiece, kLaneCount> pieces{};
-    LaneArray prior{};  ///< Impulses of earlier turns of this substep.
-    LaneArray rate{};   ///< At its begin.
+    LaneArray rate{};  ///< At the begin of the substep.
   };
   std::vector<Law> laws;
 };
 
-BulkJointBlock make_joint_block(JointTrees trees);
+BulkJointBlock make_joint_block(const Model& model, JointSystems systems);
 
 /// How a block is worked on.
 struct JointEffort {
@@ -45,15 +46,11 @@ struct JointEffort {
   LaneTarget target = LaneTarget::portable;
 };
 
-/// At the begin of a step.
-void prepare_joint_block(const JointEffort& effort, const BulkBodies& bodies, BulkJointBlock& block);
-/// Where the bodies are; their vector may have moved since the last call.
-void find_joint_records(BulkBodies& bodies, BulkJointBlock& block);
-/// Velocities from which changes are counted, and the count of what has been changed since.
-void keep_joint_velocities(BulkJointBlock& block);
-void add_joint_change(BulkJointBlock& block);
-/// What is solved before the displacements of a substep, and after them. Several turns may be taken.
-void solve_before_displacements(const JointEffort& effort, BulkJointBlock& block);
+/// At the begin of a step; the bodies stay where they are until its end.
+void prepare_joint_block(const JointEffort& effort, BulkBodies& bodies, BulkJointBlock& block);
+/// What is solved before the displacements of a substep, and after them. `anew`: takes back first what joints
+/// have changed since the call of the same name before.
+void solve_before_displacements(const JointEffort& effort, bool anew, BulkJointBlock& block);
 void solve_after_displacements(const JointEffort& effort, BulkJointBlock& block);
 
 }  // namespace rigor

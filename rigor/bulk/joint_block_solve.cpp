@@ -1,21 +1,10 @@
 #include "rigor/bulk/joint_block.hpp"
 
+#include "rigor/bulk/joint_ball_trees.hpp"
+
 #include <algorithm>
 
 namespace rigor {
-
-void keep_joint_velocities(BulkJointBlock& block) {
-  for (std::size_t i = 0; i < block.before.size(); ++i) {
-    block.before[i] = {block.lanes.slots[i].v, block.lanes.slots[i].w};
-  }
-}
-
-void add_joint_change(BulkJointBlock& block) {
-  for (std::size_t i = 0; i < block.before.size(); ++i) {
-    block.made[i].v = block.made[i].v + (block.lanes.slots[i].v - block.before[i].v);
-    block.made[i].w = block.made[i].w + (block.lanes.slots[i].w - block.before[i].w);
-  }
-}
 
 namespace {
 
@@ -32,18 +21,22 @@ constexpr int kCorrections = 2;
 /// Changes of pieces of laws within a solve.
 constexpr int kPieceChanges = 6;
 
-/// Impulses and rates from which the laws of a substep begin.
+void keep_velocities(Block& block) {
+  for (std::size_t i = 0; i < block.before.size(); ++i) {
+    block.before[i] = {block.lanes.slots[i].v, block.lanes.slots[i].w};
+  }
+}
+
+/// Rates from which the laws of a substep begin.
 void begin_laws(Block& block) {
   for (Block::Law& law : block.laws) {
-    const JointLanes& joint = block.lanes.joints[static_cast<std::size_t>(law.link)];
-    law.prior = read_lanes(joint.impulse[law.row]);
-    if (block.is_new_substep) law.rate = read_lanes(joint.rate[law.row]);
+    law.rate = read_lanes(block.lanes.joints[static_cast<std::size_t>(law.link)].rate[law.row]);
   }
 }
 
 /// The piece of a law in which the coordinate is; nothing of empty lanes.
 LawPiece find_piece(const Model& model, const Block& block, const Block::Law& law, int lane, double h) {
-  const JointLink& link = block.lanes.trees.links[static_cast<std::size_t>(law.link)];
+  const JointLink& link = block.lanes.systems.links[static_cast<std::size_t>(law.link)];
   const JointLanes& lanes = block.lanes.joints[static_cast<std::size_t>(law.link)];
   const int index = link.joints[static_cast<std::size_t>(lane)];
   if (index < 0) return {};
@@ -77,13 +70,10 @@ bool choose_pieces(const Model& model, double h, Block& block) {
     JointLanes& joint = block.lanes.joints[static_cast<std::size_t>(law.link)];
     for (int lane = 0; lane < kLaneCount; ++lane) {
       const LawPiece& piece = law.pieces[static_cast<std::size_t>(lane)];
-      const float prior = law.prior[static_cast<std::size_t>(lane)];
-      const float impulse = static_cast<float>(piece.impulse);
       joint.on[law.row][lane] = piece.is_held ? 1 : 0;
       joint.softness[law.row][lane] = piece.is_held ? static_cast<float>(piece.softness) : 1;
       joint.target[law.row][lane] = static_cast<float>(piece.target);
-      joint.given[law.row][lane] = piece.is_held ? 0 : impulse - prior;
-      joint.impulse[law.row][lane] = piece.is_held ? prior : impulse;
+      joint.given[law.row][lane] = piece.is_held ? 0 : static_cast<float>(piece.impulse);
     }
   }
   return has_changed;
@@ -94,7 +84,7 @@ bool choose_pieces(const Model& model, double h, Block& block) {
 void choose_rebounds(const Model& model, Block& block) {
   for (Block::Law& law : block.laws) {
     JointLanes& joint = block.lanes.joints[static_cast<std::size_t>(law.link)];
-    const JointLink& link = block.lanes.trees.links[static_cast<std::size_t>(law.link)];
+    const JointLink& link = block.lanes.systems.links[static_cast<std::size_t>(law.link)];
     for (int lane = 0; lane < kLaneCount; ++lane) {
       const std::size_t k = static_cast<std::size_t>(lane);
       const LawPiece& piece = law.pieces[k];
@@ -111,22 +101,39 @@ void choose_rebounds(const Model& model, Block& block) {
   }
 }
 
-void restore_velocities(Block& block) {
+/// Back to the begin of a solve, where the laws' given impulses are all there is.
+void restore(Block& block) {
   for (std::size_t i = 0; i < block.before.size(); ++i) {
-    block.lanes.slots[i].v = block.before[i].v;
-    block.lanes.slots[i].w = block.before[i].w;
+    JointSlot& slot = block.lanes.slots[i];
+    slot.v = block.before[i].v;
+    slot.w = block.before[i].w;
+    slot.made_v = slot.made_w = FloatVec3{};
+  }
+  for (JointLanes& joint : block.lanes.joints) {
+    for (int r = 0; r < kMostJointRows; ++r) joint.impulse[r] = joint.given[r];
   }
 }
 
-void begin_substep(Block& block) {
-  if (!block.is_new_substep) return;
-  for (Block::Made& made : block.made) made = Block::Made{};
+/// Takes back what joints have changed; nothing is changed yet.
+void begin_substep(bool anew, Block& block) {
+  for (std::size_t i = 0; i < block.lanes.systems.moved; ++i) {
+    JointSlot& slot = block.lanes.slots[i];
+    if (anew) {
+      slot.v = slot.v - slot.made_v;
+      slot.w = slot.w - slot.made_w;
+    }
+    slot.made_v = slot.made_w = FloatVec3{};
+  }
   for (JointLanes& joint : block.lanes.joints) {
     for (FloatLanes& impulse : joint.impulse) impulse = float_lanes(0);
   }
 }
 
 void correct(float h, LaneTarget target, Block& block) {
+  if (block.lanes.loops) {
+    run_stage(JointStage::drift, h, target, block.lanes);
+    run_stage(JointStage::solve, h, target, block.lanes);
+  }
   for (int k = 0; k < kCorrections; ++k) {
     run_stage(JointStage::miss, h, target, block.lanes);
     run_stage(JointStage::solve, h, target, block.lanes);
@@ -139,7 +146,7 @@ void solve_laws(const JointEffort& effort, Block& block) {
   begin_laws(block);
   choose_pieces(model, h, block);
   for (int k = 0; k < kPieceChanges; ++k) {
-    if (k > 0) restore_velocities(block);
+    restore(block);
     run_stage(JointStage::factor, h, target, block.lanes);
     block.lanes.gives = true;
     correct(h, target, block);
@@ -150,32 +157,33 @@ void solve_laws(const JointEffort& effort, Block& block) {
 
 }  // namespace
 
-void solve_before_displacements(const JointEffort& effort, BulkJointBlock& block) {
+void solve_before_displacements(const JointEffort& effort, bool anew, BulkJointBlock& block) {
   const auto& [model, h, target] = effort;
-  begin_substep(block);
   load_slots(block.records, target, block.lanes);
-  keep_joint_velocities(block);
+  begin_substep(anew, block);
+  if (block.lanes.has_laws) keep_velocities(block);
   if (block.lanes.has_laws) {
     solve_laws(effort, block);
+  } else if (block.lanes.is_of_balls) {
+    hold_balls(h, target, block.lanes);
   } else {
     correct(h, target, block);
   }
-  block.is_new_substep = false;
-  add_joint_change(block);
   store_slots(block.records, target, block.lanes);
 }
 
 void solve_after_displacements(const JointEffort& effort, BulkJointBlock& block) {
   const auto& [model, h, target] = effort;
   load_slots(block.records, target, block.lanes);
-  keep_joint_velocities(block);
-  run_stage(JointStage::aim, h, target, block.lanes);
-  choose_rebounds(model, block);
-  run_stage(JointStage::factor, h, target, block.lanes);
-  run_stage(JointStage::drift, h, target, block.lanes);
-  run_stage(JointStage::solve, h, target, block.lanes);
-  block.is_new_substep = true;
-  add_joint_change(block);
+  if (block.lanes.is_of_balls) {
+    slow_balls(target, block.lanes);
+  } else {
+    run_stage(JointStage::aim, h, target, block.lanes);
+    choose_rebounds(model, block);
+    run_stage(JointStage::factor, h, target, block.lanes);
+    run_stage(JointStage::drift, h, target, block.lanes);
+    run_stage(JointStage::solve, h, target, block.lanes);
+  }
   store_slots(block.records, target, block.lanes);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rigor/bulk/joint_lanes.hpp"
+#include "rigor/bulk/joint_turn.hpp"
 
 namespace rigor {
 
@@ -52,6 +52,32 @@ RIGOR_FLOAT_LANES void set_resistance(JointSlot& slot) {
   slot.resistance[lower(5, 5)] = I.zz;
 }
 
+/// Inertia in W where the body is: of principal axes e and moments I, with E the identity,
+///
+///   I_2 E + (I_0 - I_2) e_0 e_0ᵀ + (I_1 - I_2) e_1 e_1ᵀ.
+RIGOR_FLOAT_LANES FloatSym3 turned_moments(const JointSlot& slot, const FloatLanes* I) {
+  const FloatVec3 e0 = rotate(slot.turn, slot.axis0), e1 = rotate(slot.turn, slot.axis1);
+  const FloatVec3 a = (I[0] - I[2]) * e0, b = (I[1] - I[2]) * e1;
+  return {I[2] + a.x * e0.x + b.x * e1.x, I[2] + a.y * e0.y + b.y * e1.y, I[2] + a.z * e0.z + b.z * e1.z,
+          a.x * e0.y + b.x * e1.y,        a.x * e0.z + b.x * e1.z,        a.y * e0.z + b.y * e1.z};
+}
+RIGOR_FLOAT_LANES void turn_inertia(JointSlot& slot) {
+  slot.inertia = turned_moments(slot, slot.moments);
+}
+RIGOR_FLOAT_LANES void turn_inverse_inertia(JointSlot& slot) {
+  slot.inverse_inertia = turned_moments(slot, slot.inverse_moments);
+}
+
+/// Gives the body what the last solve has found.
+RIGOR_FLOAT_LANES void add_change(JointSlot& slot) {
+  const FloatVec3 v{slot.change[0], slot.change[1], slot.change[2]};
+  const FloatVec3 w{slot.change[3], slot.change[4], slot.change[5]};
+  slot.v = slot.v + v;
+  slot.w = slot.w + w;
+  slot.made_v = slot.made_v + v;
+  slot.made_w = slot.made_w + w;
+}
+
 /// How many rows a joint has, and how many of them it holds.
 struct JointSize {
   int rows, held;
@@ -101,6 +127,20 @@ RIGOR_FLOAT_LANES void factor_joint(const JointLink& link, JointSize count, Join
       parent.resistance[lower(i, k)] = e;
     }
   }
+}
+
+/// The root of a tree that floats.
+RIGOR_FLOAT_LANES void factor_root(const JointSlot& slot, JointLanes& root) {
+  for (int k = 0; k < 21; ++k) root.L[k] = slot.resistance[k];
+  factor_lower(6, root.L);
+}
+RIGOR_FLOAT_LANES void gather_root(const JointSlot& slot, JointLanes& root) {
+  for (int k = 0; k < 6; ++k) root.t[k] = slot.push[k];
+  solve_lower(6, root.L, root.t);
+}
+RIGOR_FLOAT_LANES void spread_root(const JointLanes& root, JointSlot& slot) {
+  for (int k = 0; k < 6; ++k) slot.change[k] = root.t[k];
+  solve_upper(6, root.L, slot.change);
 }
 
 /// On the way to the root: what the child's push and the residuals make the parent feel.

@@ -1,5 +1,7 @@
 #include "rigor/bulk/joint_forest.hpp"
 
+#include "rigor/bulk/joint_loops.hpp"
+
 #include "rigor/model/force.hpp"
 
 #include <algorithm>
@@ -157,14 +159,16 @@ std::vector<int> signature(const Model& model, const std::vector<bool>& has_coor
   return signs;
 }
 
-JointTrees begin_trees(const Model& model, const std::vector<bool>& has_coordinates, const Tree& tree) {
-  JointTrees trees;
+JointSystems begin_trees(const Model& model, const std::vector<bool>& has_coordinates, const Tree& tree) {
+  JointSystems trees;
   std::array<int, 8> none;
   none.fill(-1);
   trees.bodies.assign(tree.bodies.size(), none);
+  trees.moved = tree.bodies.size();
   for (std::size_t i = 0; i < tree.bodies.size(); ++i) {
     JointLink link;
     link.joints = none;
+    link.child = static_cast<int>(i);
     link.has_joint = tree.joints[i] >= 0;
     if (link.has_joint) {
       const Joint& joint = model.joint(tree.joints[i]);
@@ -183,7 +187,7 @@ JointTrees begin_trees(const Model& model, const std::vector<bool>& has_coordina
   return trees;
 }
 
-void add_lane(const Model& model, const Tree& tree, std::size_t lane, JointTrees& trees) {
+void add_lane(const Model& model, const Tree& tree, std::size_t lane, JointSystems& trees) {
   for (std::size_t i = 0; i < tree.bodies.size(); ++i) {
     JointLink& link = trees.links[i];
     trees.bodies[i][lane] = tree.bodies[i];
@@ -194,52 +198,92 @@ void add_lane(const Model& model, const Tree& tree, std::size_t lane, JointTrees
   }
 }
 
+/// Of each joint the system that it belongs to: the lowest joint of it.
+std::vector<int> systems_of(const Model& model) {
+  const int count = static_cast<int>(model.joints().size());
+  BodySets sets(count + model.body_count());  // Joints, then bodies.
+  for (int j = 0; j < count; ++j) {
+    const Joint& joint = model.joint(j);
+    for (const int body : {joint.body_A, joint.body_B}) {
+      if (is_free(model, body)) sets.join(j, count + body);
+    }
+    if (joint.type != JointType::gear) continue;
+    sets.join(j, joint.first_joint);
+    sets.join(j, joint.second_joint);
+  }
+  std::vector<int> lowest(static_cast<std::size_t>(count + model.body_count()), -1), systems;
+  for (int j = 0; j < count; ++j) {
+    int& first = lowest[static_cast<std::size_t>(sets.top(j))];
+    if (first < 0) first = j;
+    systems.push_back(first);
+  }
+  return systems;
+}
+
+/// The joints of each system with loops, ascending.
+std::vector<std::vector<int>> find_loops(const std::vector<int>& closing, const std::vector<int>& systems) {
+  std::map<int, std::vector<int>> loops;
+  for (const int joint : closing) loops[systems[static_cast<std::size_t>(joint)]];
+  for (std::size_t j = 0; j < systems.size(); ++j) {
+    const auto found = loops.find(systems[j]);
+    if (found != loops.end()) found->second.push_back(static_cast<int>(j));
+  }
+  std::vector<std::vector<int>> joints;
+  for (auto& [first, members] : loops) joints.push_back(std::move(members));
+  return joints;
+}
+
+/// Puts systems that are alike into lanes: begin() makes the first of eight, add(lane, systems) the others.
+class LaneFiller {
+ public:
+  explicit LaneFiller(std::vector<JointSystems>& systems) : systems_(systems) {}
+
+  template <class Begin, class Add>
+  void put(const std::vector<int>& signature, const Begin& begin, const Add& add) {
+    const auto [place, is_new] = places_.try_emplace(signature, 0, 8);
+    auto& [block, lane] = place->second;
+    if (lane == 8) {
+      block = systems_.size();
+      lane = 0;
+      systems_.push_back(begin());
+    }
+    add(lane++, systems_[block]);
+  }
+
+ private:
+  std::vector<JointSystems>& systems_;
+  /// Where the next system of a signature goes: which eight, which lane.
+  std::map<std::vector<int>, std::pair<std::size_t, std::size_t>> places_;
+};
+
 }  // namespace
 
 JointForest make_joint_forest(const Model& model) {
   const Branches branches = choose_branches(model);
+  const std::vector<std::vector<int>> loops = find_loops(branches.closing, systems_of(model));
+  std::vector<bool> is_in_loops(model.joints().size());
+  for (const std::vector<int>& joints : loops) {
+    for (const int j : joints) is_in_loops[static_cast<std::size_t>(j)] = true;
+  }
   JointForest forest;
-  forest.closing = branches.closing;
   forest.has_coordinates = coordinate_users(model);
-  // Where the next tree of a signature goes: which trees, which lane.
-  std::map<std::vector<int>, std::pair<std::size_t, std::size_t>> places;
+  LaneFiller trees(forest.systems);
   for (const Tree& tree : find_trees(model, branches)) {
-    const auto [place, is_new] = places.try_emplace(signature(model, forest.has_coordinates, tree), 0, 8);
-    auto& [block, lane] = place->second;
-    if (lane == 8) {
-      block = forest.trees.size();
-      lane = 0;
-      forest.trees.push_back(begin_trees(model, forest.has_coordinates, tree));
-    }
-    add_lane(model, tree, lane++, forest.trees[block]);
+    const int any_joint = *std::max_element(tree.joints.begin(), tree.joints.end());
+    if (is_in_loops[static_cast<std::size_t>(any_joint)]) continue;
+    trees.put(
+        signature(model, forest.has_coordinates, tree),
+        [&] { return begin_trees(model, forest.has_coordinates, tree); },
+        [&](std::size_t lane, JointSystems& systems) { add_lane(model, tree, lane, systems); });
+  }
+  LaneFiller others(forest.systems);
+  for (const std::vector<int>& joints : loops) {
+    const JointLoops system(model, forest.has_coordinates, joints);
+    others.put(
+        system.signature(), [&] { return system.begin(); },
+        [&](std::size_t lane, JointSystems& systems) { system.add_lane(lane, systems); });
   }
   return forest;
-}
-
-JointTrees single_joint_tree(const Model& model, int index, bool has_coordinates) {
-  const Joint& joint = model.joint(index);
-  std::array<int, 8> none;
-  none.fill(-1);
-  JointLink link;
-  link.joints = none;
-  link.joints[0] = index;
-  link.type = joint.type;
-  link.has_laws = has_coordinates;
-  link.child_is_B = is_free(model, joint.body_B);
-  link.parent = 1;
-  const int child = link.child_is_B ? joint.body_B : joint.body_A;
-  const int parent = link.child_is_B ? joint.body_A : joint.body_B;
-  link.parent_is_free = is_free(model, parent);
-  JointTrees trees{{link}, {none, none}};
-  trees.bodies[0][0] = child;
-  trees.bodies[1][0] = parent;
-  if (link.parent_is_free) {
-    JointLink root;
-    root.joints = none;
-    root.has_joint = false;
-    trees.links.push_back(root);
-  }
-  return trees;
 }
 
 }  // namespace rigor

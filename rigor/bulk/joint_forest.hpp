@@ -7,35 +7,42 @@
 
 namespace rigor {
 
-/// A joint on its way from a body up to the next one. Slots number the bodies of a tree.
+/// A joint of a system. Slots number the bodies of a system. In a tree a joint is on the way from its child
+/// up to the next body.
 struct JointLink {
-  std::array<int, 8> joints{};  ///< By model index, one a lane; -1 in lanes without a tree.
+  std::array<int, 8> joints{};  ///< By model index, one a lane; -1 in lanes without a system.
   JointType type = JointType::ball;
   bool has_joint = true;  ///< Not the root of a tree that floats.
   bool child_is_B = true;
   bool has_laws = false;        ///< Whether a coordinate has limits, a motor, a spring, a damper, friction.
-  bool parent_is_free = false;  ///< Whether the parent is a dynamic body, of the same tree.
+  bool parent_is_free = false;  ///< Whether the parent is a dynamic body, of the same system.
+  int child = 0;                ///< Its slot.
   int parent = 0;               ///< Its slot.
+
+  bool is_plain_ball() const { return has_joint && type == JointType::ball && !has_laws; }
 };
 
-/// Up to eight trees of joints that are alike, one a lane. The links are in an order in which all children
-/// of a body come before it; the child of link i has slot i, bodies that are not moved by joints have the
-/// slots behind.
-struct JointTrees {
+/// A gear between the first coordinates of two joints.
+struct GearLink {
+  std::array<int, 8> joints{};  ///< The gears, by model index, one a lane; -1: none.
+  int first = 0, second = 0;    ///< Links of the joints that it ties.
+};
+
+/// Up to eight systems of joints that are alike, one a lane. Bodies that joints move have the first slots.
+struct JointSystems {
+  /// In a tree all children of a body come before it, and the child of link i has slot i.
   std::vector<JointLink> links;
-  std::vector<std::array<int, 8>> bodies;  ///< Of each slot; the world and lanes without a tree: -1.
+  std::vector<GearLink> gears;
+  std::vector<std::array<int, 8>> bodies;  ///< Of each slot; the world and lanes without a system: -1.
+  std::size_t moved = 0;                   ///< How many slots joints move.
+  bool has_loops = false;                  ///< Or gears: no tree.
 };
 
-/// All joints of a model: trees, whose joints are held together at once, and joints that close loops of them
-/// (gears among them).
+/// All joints of a model: those that hang together, whether by bodies or by gears, are one system.
 struct JointForest {
-  std::vector<JointTrees> trees;
-  std::vector<int> closing;           ///< By model index, ascending.
+  std::vector<JointSystems> systems;  ///< Trees first.
   std::vector<bool> has_coordinates;  ///< Of each joint, whether something acts along its coordinates.
 };
 JointForest make_joint_forest(const Model& model);
-
-/// A joint of any type but a gear as a tree of its own, in the first lane.
-JointTrees single_joint_tree(const Model& model, int joint, bool has_coordinates);
 
 }  // namespace rigor

@@ -25,127 +25,86 @@ double turn_period(double ratio, bool first_turns, bool second_turns) {
   return second_turns ? whole_turn : std::numeric_limits<double>::infinity();
 }
 
-GearWheel find_wheel(int joint, const std::vector<BulkJointBlock*>& blocks) {
-  for (BulkJointBlock* block : blocks) {
-    for (std::size_t i = 0; i < block->lanes.trees.links.size(); ++i) {
-      const JointLink& link = block->lanes.trees.links[i];
-      for (int lane = 0; link.has_joint && lane < kLaneCount; ++lane) {
-        if (link.joints[static_cast<std::size_t>(lane)] != joint) continue;
-        return {block, i, held_row_count(link.type, true), lane};
-      }
-    }
-  }
-  return {};
-}
-
 double dot_lane(const FloatVec3& a, const FloatVec3& b, int lane) {
   return static_cast<double>(a.x[lane]) * b.x[lane] + static_cast<double>(a.y[lane]) * b.y[lane] +
          static_cast<double>(a.z[lane]) * b.z[lane];
 }
 
-/// Slots of the two bodies of a wheel.
-struct WheelSides {
-  JointSlot &A, &B;
-};
-WheelSides sides_of(const GearWheel& wheel) {
-  JointBlock& lanes = wheel.block->lanes;
-  const JointLink& link = lanes.trees.links[wheel.link];
-  JointSlot& child = lanes.slots[wheel.link];
-  JointSlot& parent = lanes.slots[static_cast<std::size_t>(link.parent)];
-  return link.child_is_B ? WheelSides{parent, child} : WheelSides{child, parent};
+/// The row of the first coordinate of a wheel.
+int wheel_row(const JointLink& wheel) {
+  return held_row_count(wheel.type, true);
 }
 
-double wheel_rate(const GearWheel& wheel) {
-  const JointLanes& joint = wheel.block->lanes.joints[wheel.link];
-  const auto [A, B] = sides_of(wheel);
-  const int r = wheel.row, lane = wheel.lane;
+double wheel_rate(const JointBlock& block, int index, int lane) {
+  const JointLink& wheel = block.systems.links[static_cast<std::size_t>(index)];
+  const JointLanes& joint = block.joints[static_cast<std::size_t>(index)];
+  const JointSlot& child = block.slots[static_cast<std::size_t>(wheel.child)];
+  const JointSlot& parent = block.slots[static_cast<std::size_t>(wheel.parent)];
+  const JointSlot &A = wheel.child_is_B ? parent : child, &B = wheel.child_is_B ? child : parent;
+  const int r = wheel_row(wheel);
   return dot_lane(joint.n[r], B.v, lane) - dot_lane(joint.n[r], A.v, lane) +
          dot_lane(joint.a_B[r], B.w, lane) - dot_lane(joint.a_A[r], A.w, lane);
 }
 
-/// How the last solve has changed the rate.
-double wheel_response(const GearWheel& wheel) {
-  const JointLanes& joint = wheel.block->lanes.joints[wheel.link];
-  const JointLink& link = wheel.block->lanes.trees.links[wheel.link];
-  const auto [A, B] = sides_of(wheel);
-  const int r = wheel.row, lane = wheel.lane;
-  const auto rate_of = [&](const JointSlot& slot, const FloatVec3& a) {
-    const FloatLanes* c = slot.change;
-    return dot_lane(joint.n[r], {c[0], c[1], c[2]}, lane) + dot_lane(a, {c[3], c[4], c[5]}, lane);
-  };
-  const bool moves_A = link.child_is_B ? link.parent_is_free : true;
-  const bool moves_B = link.child_is_B ? true : link.parent_is_free;
-  return (moves_B ? rate_of(B, joint.a_B[r]) : 0) - (moves_A ? rate_of(A, joint.a_A[r]) : 0);
+double wheel_coordinate(const JointBlock& block, int index, int lane) {
+  const int r = wheel_row(block.systems.links[static_cast<std::size_t>(index)]);
+  return block.joints[static_cast<std::size_t>(index)].coordinate[r][lane];
 }
 
-void push_wheel(const GearWheel& wheel, double impulse) {
-  const JointLanes& joint = wheel.block->lanes.joints[wheel.link];
-  const auto [A, B] = sides_of(wheel);
-  const int lane = wheel.lane;
-  const FloatVec3 &n = joint.n[wheel.row], &a_A = joint.a_A[wheel.row], &a_B = joint.a_B[wheel.row];
-  const auto push = [&](const FloatVec3& direction, double amount, FloatLanes* to) {
-    to[0][lane] += static_cast<float>(amount * direction.x[lane]);
-    to[1][lane] += static_cast<float>(amount * direction.y[lane]);
-    to[2][lane] += static_cast<float>(amount * direction.z[lane]);
-  };
-  push(n, impulse, B.push);
-  push(a_B, impulse, B.push + 3);
-  push(n, -impulse, A.push);
-  push(a_A, -impulse, A.push + 3);
+double gear_rate(const JointBlock& block, std::size_t g, std::size_t lane) {
+  const GearLink& link = block.systems.gears[g];
+  const int l = static_cast<int>(lane);
+  return wheel_rate(block, link.second, l) - block.gears[g].ratio[lane] * wheel_rate(block, link.first, l);
 }
 
-/// What an impulse of the gear does to the blocks, with all their joints held.
-void apply(const JointEffort& effort, double impulse, BulkGear& gear) {
-  const bool is_one_block = gear.first.block == gear.second.block;
-  for (BulkJointBlock* block : {gear.first.block, gear.second.block}) {
-    for (JointSlot& slot : block->lanes.slots) {
-      for (FloatLanes& push : slot.push) push = float_lanes(0);
-    }
-    for (JointLanes& joint : block->lanes.joints) {
-      for (FloatLanes& residual : joint.residual) residual = float_lanes(0);
+/// By how much it is off where the bodies are.
+double gear_offset(const JointBlock& block, std::size_t g, std::size_t lane) {
+  const GearLink& link = block.systems.gears[g];
+  const GearLanes& gear = block.gears[g];
+  if (gear.period[lane] == 0) return 0;
+  const int l = static_cast<int>(lane);
+  const double off =
+      wheel_coordinate(block, link.second, l) - gear.ratio[lane] * wheel_coordinate(block, link.first, l);
+  return std::remainder(off, gear.period[lane]);
+}
+
+/// Calls residual(gear, lane) for all gears.
+template <class Residual>
+void set_residuals(JointBlock& block, const Residual& residual) {
+  for (std::size_t g = 0; g < block.gears.size(); ++g) {
+    for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
+      if (block.systems.gears[g].joints[lane] < 0) continue;
+      block.gears[g].residual[lane] = static_cast<float>(residual(g, lane));
     }
   }
-  push_wheel(gear.second, impulse);
-  push_wheel(gear.first, -gear.ratio * impulse);
-  run_stage(JointStage::solve, effort.h, effort.target, gear.first.block->lanes);
-  if (!is_one_block) run_stage(JointStage::solve, effort.h, effort.target, gear.second.block->lanes);
-}
-
-double wheel_coordinate(const GearWheel& wheel) {
-  return wheel.block->lanes.joints[wheel.link].coordinate[wheel.row][wheel.lane];
 }
 
 }  // namespace
 
-BulkGear make_bulk_gear(const Model& model, int gear, const std::vector<BulkJointBlock*>& blocks) {
-  const Joint& joint = model.joint(gear);
-  const auto turns = [&](int index) { return is_angle(model.joint(index).type, 0); };
-  return {find_wheel(joint.first_joint, blocks), find_wheel(joint.second_joint, blocks), joint.ratio,
-          turn_period(joint.ratio, turns(joint.first_joint), turns(joint.second_joint))};
+std::vector<GearLanes> make_gears(const Model& model, const JointSystems& systems) {
+  std::vector<GearLanes> gears;
+  const auto turns = [&](int joint) { return is_angle(model.joint(joint).type, 0); };
+  for (const GearLink& link : systems.gears) {
+    GearLanes gear{};
+    for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
+      if (link.joints[lane] < 0) continue;
+      const Joint& joint = model.joint(link.joints[lane]);
+      gear.ratio[lane] = joint.ratio;
+      gear.period[lane] = turn_period(joint.ratio, turns(joint.first_joint), turns(joint.second_joint));
+    }
+    gears.push_back(gear);
+  }
+  return gears;
 }
 
-void solve_gear(const JointEffort& effort, bool before_displacements, BulkGear& gear) {
-  const bool is_one_block = gear.first.block == gear.second.block;
-  std::vector<BulkJointBlock*> blocks{gear.first.block};
-  if (!is_one_block) blocks.push_back(gear.second.block);
-  for (BulkJointBlock* block : blocks) {
-    load_slots(block->records, effort.target, block->lanes);
-    keep_joint_velocities(*block);
-  }
-  double residual = wheel_rate(gear.second) - gear.ratio * wheel_rate(gear.first);
-  if (before_displacements && gear.period > 0) {
-    const double off = wheel_coordinate(gear.second) - gear.ratio * wheel_coordinate(gear.first);
-    residual += std::remainder(off, gear.period) / effort.h;
-  }
-  // A first impulse of 1 tells how the gear gives way, the second is the rest.
-  apply(effort, 1, gear);
-  const double mobility = wheel_response(gear.second) - gear.ratio * wheel_response(gear.first);
-  const double rest = mobility > 0 ? -residual / mobility - 1 : -1;
-  apply(effort, rest, gear);
-  for (BulkJointBlock* block : blocks) {
-    add_joint_change(*block);
-    store_slots(block->records, effort.target, block->lanes);
-  }
+void set_gear_misses(float h, JointBlock& block) {
+  set_residuals(block, [&](std::size_t g, std::size_t lane) {
+    return gear_rate(block, g, lane) + gear_offset(block, g, lane) / h;
+  });
+}
+
+void set_gear_drifts(JointBlock& block) {
+  set_residuals(block, [&](std::size_t g, std::size_t lane) { return gear_rate(block, g, lane); });
 }
 
 }  // namespace rigor

@@ -2,7 +2,10 @@
 
 #include "rigor/bulk/float_lanes.hpp"
 #include "rigor/bulk/joint_forest.hpp"
+#include "rigor/bulk/joint_loop_solver.hpp"
 
+#include <array>
+#include <memory>
 #include <vector>
 
 namespace rigor {
@@ -17,12 +20,15 @@ struct FloatQuat {
 struct alignas(32) JointSlot {
   FloatVec3 v, w, dp, dr;
   FloatLanes inverse_mass, mass;
-  FloatSym3 inertia, inverse_inertia;
-  FloatQuat turn;             ///< Since the begin of the step.
-  FloatQuat next_turn;        ///< The same at the end of the substep, if velocities stay.
+  FloatLanes moments[3], inverse_moments[3];  ///< About the principal axes.
+  FloatVec3 axis0, axis1;                     ///< The first two of them at the begin of the step.
+  FloatSym3 inertia, inverse_inertia;         ///< Where the body is.
+  FloatQuat turn;                             ///< Since the begin of the step.
+  FloatQuat next_turn;                        ///< The same at the end of the substep, if velocities stay.
   FloatLanes resistance[21];  ///< To a push: of the body and of all that hangs on it; lower triangle.
   FloatLanes push[6];         ///< Impulse that is to be taken up.
-  FloatLanes change[6];       ///< Of v and w.
+  FloatLanes change[6];       ///< Of v and w, by the last solve.
+  FloatVec3 made_v, made_w;   ///< All of the changes in this substep.
 };
 
 constexpr int kMostJointRows = 6;
@@ -57,13 +63,38 @@ struct alignas(32) JointLanes {
   FloatLanes t[6], z[6];
 };
 
-/// Eight alike trees at work.
+/// A ball joint without laws in lanes, on its way from the child up (docs/theory/bulk_joints.md, §2).
+struct alignas(32) BallLanes {
+  FloatVec3 arm_child, arm_parent;  ///< From the centres to the anchor [m].
+  FloatVec3 wanted;  ///< Change of the anchor's velocity on the child against that on the parent.
+  // Factors. Resistance of the child to velocities u of its anchor and turning ω: (S, H; Hᵀ, L D Lᵀ).
+  FloatLanes inverse_D[3], L[3];  ///< L: elements 10, 20, 21.
+  FloatVec3 G[3];                 ///< Rows of H (L D Lᵀ)⁻¹.
+  FloatSym3 S;                    ///< Resistance of the anchor to u if the child turns freely.
+  FloatVec3 turning, pull;  ///< Of the child, if its anchor is held: its change of ω, what it takes up.
+};
+
+/// Gears in lanes.
+struct GearLanes {
+  std::array<double, kLaneCount> ratio{};
+  /// What whole turns add to the coordinates' difference is a multiple of this; 0: anything, so that only
+  /// rates are held.
+  std::array<double, kLaneCount> period{};
+  FloatLanes residual;
+};
+
+/// Eight alike systems at work.
 struct JointBlock {
-  JointTrees trees;
+  JointSystems systems;
   std::vector<JointSlot> slots;
   std::vector<JointLanes> joints;  ///< Of each link.
+  std::vector<BallLanes> balls;    ///< Of each link of a tree.
+  std::vector<GearLanes> gears;
+  std::unique_ptr<LoopSolver> loops;  ///< Of systems that are no trees.
   bool has_laws = false;
-  bool gives = false;  ///< Whether the next solve begins with the given impulses.
+  bool is_of_balls = false;  ///< Trees of ball joints without laws.
+  bool misses = false;       ///< Whether the residuals are those of places, not of rates.
+  bool gives = false;        ///< Whether the next solve begins with the given impulses.
 };
 
 /// Rows that a joint of this type holds, and those of its coordinates.

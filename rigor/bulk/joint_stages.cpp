@@ -1,7 +1,9 @@
 #include "rigor/bulk/joint_stages.hpp"
 
 #include "rigor/bulk/joint_aims.hpp"
+#include "rigor/bulk/joint_balls.hpp"
 #include "rigor/bulk/joint_factors.hpp"
+#include "rigor/bulk/joint_gears.hpp"
 
 namespace rigor {
 
@@ -29,7 +31,7 @@ RIGOR_FLOAT_LANES void load_all(const std::vector<JointRecords>& records, JointB
 }
 
 RIGOR_FLOAT_LANES void store_all(const std::vector<JointRecords>& records, const JointBlock& block) {
-  for (std::size_t s = 0; s < block.trees.links.size(); ++s) {
+  for (std::size_t s = 0; s < block.systems.moved; ++s) {
     const JointSlot& slot = block.slots[s];
     const FloatSquare square = transpose(
         {{slot.v.x, slot.v.y, slot.v.z, slot.inverse_mass, slot.w.x, slot.w.y, slot.w.z, float_lanes(0)}});
@@ -56,7 +58,7 @@ RIGOR_FLOAT_LANES void add_push(const FloatVec3& n, const FloatVec3& a, const Fl
 
 RIGOR_FLOAT_LANES void give(const JointLink& link, std::size_t i, int r, JointBlock& block) {
   const JointLanes& joint = block.joints[i];
-  JointSlot& child = block.slots[i];
+  JointSlot& child = block.slots[static_cast<std::size_t>(link.child)];
   JointSlot& parent = block.slots[static_cast<std::size_t>(link.parent)];
   JointSlot& A = link.child_is_B ? parent : child;
   JointSlot& B = link.child_is_B ? child : parent;
@@ -128,7 +130,7 @@ RIGOR_FLOAT_LANES void run_by_type(JointStage stage, float h, const JointLink& l
 
 /// The other stages, for a joint with so many rows.
 RIGOR_FLOAT_LANES void run_rows(JointStage stage, JointSize count, std::size_t i, JointBlock& block) {
-  const JointLink& link = block.trees.links[i];
+  const JointLink& link = block.systems.links[i];
   JointLanes& joint = block.joints[i];
   JointSlot& child = block.slots[i];
   JointSlot& parent = block.slots[static_cast<std::size_t>(link.parent)];
@@ -136,10 +138,32 @@ RIGOR_FLOAT_LANES void run_rows(JointStage stage, JointSize count, std::size_t i
   if (stage == JointStage::solve) gather_push(link, count.rows, child, parent, joint);
 }
 
-RIGOR_FLOAT_LANES void run_joint(JointStage stage, float h, std::size_t i, JointBlock& block) {
-  const JointLink& link = block.trees.links[i];
+RIGOR_FLOAT_LANES void run_ball(JointStage stage, float h, std::size_t i, JointBlock& block) {
+  const JointLink& link = block.systems.links[i];
   JointLanes& joint = block.joints[i];
+  BallLanes& ball = block.balls[i];
   const JointSlot& child = block.slots[i];
+  JointSlot& parent = block.slots[static_cast<std::size_t>(link.parent)];
+  switch (stage) {
+    case JointStage::aim:
+      return aim_ball(link, child, parent, joint, ball);
+    case JointStage::factor:
+      return factor_ball(link, child, parent, ball);
+    case JointStage::miss:
+      return miss_ball(link, h, child, parent, joint, ball);
+    case JointStage::drift:
+      return drift_ball(child, parent, ball);
+    case JointStage::solve:
+      return gather_ball(link, child, parent, ball);
+    case JointStage::rates:
+      return;
+  }
+}
+
+RIGOR_FLOAT_LANES void run_joint(JointStage stage, float h, std::size_t i, JointBlock& block) {
+  const JointLink& link = block.systems.links[i];
+  JointLanes& joint = block.joints[i];
+  const JointSlot& child = block.slots[static_cast<std::size_t>(link.child)];
   const JointSlot& parent = block.slots[static_cast<std::size_t>(link.parent)];
   const JointSides sides = link.child_is_B ? JointSides{parent, child} : JointSides{child, parent};
   const JointSize count{row_count(link), held_row_count(link.type, link.has_laws)};
@@ -151,47 +175,41 @@ RIGOR_FLOAT_LANES void run_joint(JointStage stage, float h, std::size_t i, Joint
   if (stage == JointStage::miss || stage == JointStage::drift) set_law_residuals(sides, count, joint);
   for (int r = count.held; stage == JointStage::miss && block.gives && r < count.rows; ++r)
     give(link, i, r, block);
-  if (stage != JointStage::factor && stage != JointStage::solve) return;
-  if (count.rows == 3 && count.held == 3) {
-    run_rows(stage, {3, 3}, i, block);
-  } else {
+  if (!block.loops && (stage == JointStage::factor || stage == JointStage::solve)) {
     run_rows(stage, count, i, block);
   }
 }
 
 RIGOR_FLOAT_LANES void run_root(JointStage stage, std::size_t i, JointBlock& block) {
-  JointLanes& joint = block.joints[i];
-  const JointSlot& slot = block.slots[i];
-  if (stage == JointStage::factor) {
-    for (int k = 0; k < 21; ++k) joint.L[k] = slot.resistance[k];
-    factor_lower(6, joint.L);
-  } else if (stage == JointStage::solve) {
-    for (int k = 0; k < 6; ++k) joint.t[k] = slot.push[k];
-    solve_lower(6, joint.L, joint.t);
-  }
+  if (stage == JointStage::factor) factor_root(block.slots[i], block.joints[i]);
+  if (stage == JointStage::solve) gather_root(block.slots[i], block.joints[i]);
 }
 
 RIGOR_FLOAT_LANES void spread(std::size_t i, JointBlock& block) {
-  const JointLink& link = block.trees.links[i];
+  const JointLink& link = block.systems.links[i];
   JointLanes& joint = block.joints[i];
   JointSlot& child = block.slots[i];
   const JointSlot& parent = block.slots[static_cast<std::size_t>(link.parent)];
-  const int size = row_count(link);
-  if (size == 0) {
-    for (int k = 0; k < 6; ++k) child.change[k] = joint.t[k];
-    solve_upper(6, joint.L, child.change);
-  } else if (size == 3) {
-    spread_change(link, 3, parent, child, joint);
+  if (!link.has_joint) {
+    spread_root(joint, child);
+  } else if (link.is_plain_ball()) {
+    spread_ball(link, parent, child, joint, block.balls[i]);
   } else {
-    spread_change(link, size, parent, child, joint);
+    spread_change(link, row_count(link), parent, child, joint);
   }
 }
 
 RIGOR_FLOAT_LANES void begin_stage(JointStage stage, float h, JointBlock& block) {
   for (JointSlot& slot : block.slots) {
-    if (stage == JointStage::aim) slot.turn = lane_turn(slot.dr);
-    if (stage == JointStage::factor) set_resistance(slot);
-    if (stage == JointStage::miss) slot.next_turn = lane_turn(slot.dr + float_lanes(h) * slot.w);
+    if (stage == JointStage::aim) {
+      slot.turn = lane_turn(slot.dr);
+      turn_inertia(slot);
+      turn_inverse_inertia(slot);
+    }
+    if (stage == JointStage::factor && !block.loops) set_resistance(slot);
+    if (stage == JointStage::miss) {
+      slot.next_turn = lane_turn(lane_turned(slot.dr, float_lanes(h) * slot.w));
+    }
     if (stage == JointStage::miss || stage == JointStage::drift) {
       for (FloatLanes& e : slot.push) e = float_lanes(0);
     }
@@ -200,22 +218,25 @@ RIGOR_FLOAT_LANES void begin_stage(JointStage stage, float h, JointBlock& block)
 
 RIGOR_FLOAT_LANES void run_stage_in_lanes(JointStage stage, float h, JointBlock& block) {
   begin_stage(stage, h, block);
-  const std::size_t count = block.trees.links.size();
+  const std::size_t count = block.systems.links.size();
   for (std::size_t i = 0; i < count; ++i) {
-    if (!block.trees.links[i].has_joint) {
+    const JointLink& link = block.systems.links[i];
+    if (!link.has_joint) {
       run_root(stage, i, block);
-    } else if (stage != JointStage::rates || block.trees.links[i].has_laws) {
+    } else if (link.is_plain_ball() && !block.loops) {
+      run_ball(stage, h, i, block);
+    } else if (stage != JointStage::rates || link.has_laws) {
       run_joint(stage, h, i, block);
     }
   }
   if (stage == JointStage::miss) block.gives = false;
-  if (stage != JointStage::solve) return;
-  for (std::size_t i = count; i-- > 0;) {
-    spread(i, block);
-    JointSlot& slot = block.slots[i];
-    slot.v = slot.v + FloatVec3{slot.change[0], slot.change[1], slot.change[2]};
-    slot.w = slot.w + FloatVec3{slot.change[3], slot.change[4], slot.change[5]};
+  if (stage == JointStage::solve && !block.loops) {
+    for (std::size_t i = count; i-- > 0;) spread(i, block);
   }
+}
+
+RIGOR_FLOAT_LANES void add_changes(JointBlock& block) {
+  for (std::size_t s = 0; s < block.systems.moved; ++s) add_change(block.slots[s]);
 }
 
 #if defined(__x86_64__)
@@ -261,6 +282,12 @@ void store_slots(const std::vector<JointRecords>& records, LaneTarget target, co
 
 void run_stage(JointStage stage, float h, LaneTarget target, JointBlock& block) {
   target == LaneTarget::avx2 ? run_avx2(stage, h, block) : run_portable(stage, h, block);
+  if (stage == JointStage::miss || stage == JointStage::drift) block.misses = stage == JointStage::miss;
+  if (stage == JointStage::miss) set_gear_misses(h, block);
+  if (stage == JointStage::drift) set_gear_drifts(block);
+  if (block.loops && stage == JointStage::factor) block.loops->factor(block);
+  if (block.loops && stage == JointStage::solve) block.loops->solve(block);
+  if (stage == JointStage::solve) add_changes(block);
 }
 
 }  // namespace rigor

@@ -32,6 +32,12 @@ RIGOR_FLOAT_LANES FloatVec3 axis_of(const FloatQuat& q, int k) {
   return rotate(q, k == 0 ? FloatVec3{one, zero, zero}
                           : (k == 1 ? FloatVec3{zero, one, zero} : FloatVec3{zero, zero, one}));
 }
+/// Rotation vector of a turn by a small s [rad] after one by r: log(exp(s) exp(r)) to first order in s and
+/// third in r (Baker, Campbell, Hausdorff).
+RIGOR_FLOAT_LANES FloatVec3 lane_turned(const FloatVec3& r, const FloatVec3& s) {
+  const FloatVec3 across = cross(r, s);
+  return r + (s + (float_lanes(1.0F / 12) * cross(r, across) - float_lanes(0.5F) * across));
+}
 RIGOR_FLOAT_LANES FloatVec3 unit_or(const FloatVec3& a, const FloatVec3& instead) {
   const FloatLanes length = float_sqrt(dot(a, a));
   const FloatLanes inverse = 1.0F / length;

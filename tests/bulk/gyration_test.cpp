@@ -2,7 +2,7 @@
 
 #include "rigor/math/rotation.hpp"
 
-#include "random_vectors.hpp"
+#include "bulk/joint_scenes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,19 +11,30 @@ namespace {
 
 using test::Random;
 
-Body body_of(const Vec3& moments) {
-  Body body;
-  body.moments = moments;
-  return body;
-}
+/// A body that turns freely.
+struct Turner {
+  explicit Turner(const Vec3& moments) {
+    ModelBuilder builder;
+    builder.add_body(tests::bulk_body("b", Vec3::Zero(), 1, moments));
+    model = builder.build();
+    bodies = read_bulk_bodies(*model, make_initial_state(*model));
+  }
 
-/// ω after h by the step under test.
-Vec3 turned(const Body& body, const Quat& q_WB, const Vec3& w_W, float h) {
-  const float w[3] = {static_cast<float>(w_W.x()), static_cast<float>(w_W.y()), static_cast<float>(w_W.z())};
-  float change[3];
-  gyroscopic_change(gyration_of(body, q_WB), w, h, change);
-  return w_W + Vec3(change[0], change[1], change[2]);
-}
+  /// ω after h by the change under test.
+  Vec3 turned(const Quat& q_WB, const Vec3& w_W, float h) {
+    bodies.q[0] = q_WB;
+    for (int k = 0; k < 3; ++k) bodies.motion[0].w[k] = static_cast<float>(w_W[k]);
+    Gyrations gyrations(*model);
+    gyrations.prepare(bodies);
+    std::vector<std::array<float, kLaneCount>> turns;
+    gyrations.find_changes(h, bodies, Executor(1), turns);
+    return w_W + Vec3(turns[0][4], turns[0][5], turns[0][6]);
+  }
+
+  const Body& body() const { return model->body(0); }
+  std::shared_ptr<const Model> model;
+  BulkBodies bodies;
+};
 
 Vec3 angular_acceleration(const Body& body, const Quat& q_WB, const Vec3& w_W) {
   const Vec3 w_B = q_WB.conjugate() * w_W;
@@ -39,35 +50,46 @@ double energy(const Body& body, const Quat& q_WB, const Vec3& w_W) {
 TEST(Gyration, IsEulersEquationToFirstOrder) {
   Random random(1);
   for (int trial = 0; trial < 50; ++trial) {
-    const Body body = body_of(Vec3(1, 2, 2.5));
+    Turner turner(Vec3(1, 2, 2.5));
     const Quat q_WB = rotation_exp(3 * random.vector());
     const Vec3 w = 2 * random.vector();
     const float h = 1e-3f;
-    const Vec3 expected = w + h * angular_acceleration(body, q_WB, w);
+    const Vec3 expected = w + h * angular_acceleration(turner.body(), q_WB, w);
     // Second order in h ω = 3e-3, and 32 bits.
-    EXPECT_LT((turned(body, q_WB, w, h) - expected).norm(), 20 * h * h * w.squaredNorm() + 1e-6);
+    EXPECT_LT((turner.turned(q_WB, w, h) - expected).norm(), 20 * h * h * w.squaredNorm() + 1e-6);
   }
 }
 
 TEST(Gyration, GainsNoEnergyAtAnySpeed) {
   Random random(2);
   for (int trial = 0; trial < 200; ++trial) {
-    const Body body = body_of(Vec3(0.1, 1, 1.05));
+    Turner turner(Vec3(0.1, 1, 1.05));
     const Quat q_WB = rotation_exp(3 * random.vector());
     Vec3 w = 300 * random.vector();
-    const double before = energy(body, q_WB, w);
-    for (int k = 0; k < 20; ++k) w = turned(body, q_WB, w, 1.0f / 60);
-    EXPECT_LE(energy(body, q_WB, w), before * (1 + 1e-5));
+    const double before = energy(turner.body(), q_WB, w);
+    for (int k = 0; k < 20; ++k) w = turner.turned(q_WB, w, 1.0f / 60);
+    EXPECT_LE(energy(turner.body(), q_WB, w), before * (1 + 1e-5));
   }
 }
 
 TEST(Gyration, OfSpinAboutAPrincipalAxisIsNone) {
-  const Body body = body_of(Vec3(1, 2, 2.5));
+  Turner turner(Vec3(1, 2, 2.5));
   const Quat q_WB = rotation_exp(Vec3(0.3, -0.4, 1));
   for (int k = 0; k < 3; ++k) {
     const Vec3 w = q_WB * Vec3(50 * Vec3::Unit(k));
-    EXPECT_LT((turned(body, q_WB, w, 1.0f / 60) - w).norm(), 1e-4);  // 32 bits of 50 rad/s.
+    EXPECT_LT((turner.turned(q_WB, w, 1.0f / 60) - w).norm(), 1e-4);  // 32 bits of 50 rad/s.
   }
+}
+
+TEST(Gyration, TurnsWithTheBodyWithinAStep) {
+  // A body that has turned by 0.8 rad since the begin of the step changes like one that stands so.
+  Turner start(Vec3(1, 2, 2.5)), turned(Vec3(1, 2, 2.5));
+  const Quat q_WB = rotation_exp(Vec3(0.3, -0.4, 1));
+  const Vec3 turn(0.5, -0.6, 0.2), w(3, 5, -4);
+  for (int k = 0; k < 3; ++k) start.bodies.motion[0].dr[k] = static_cast<float>(turn[k]);
+  const Vec3 expected = turned.turned(rotation_exp(turn) * q_WB, w, 1e-2F);
+  EXPECT_LT((start.turned(q_WB, w, 1e-2F) - expected).norm(), 2e-6);  // 32 bits of 7 rad/s.
+  EXPECT_GT((expected - w).norm(), 0.01);
 }
 
 }  // namespace

@@ -1,11 +1,13 @@
 #pragma once
 
 #include "rigor/bulk/bulk_joints.hpp"
+#include "rigor/bulk/gyration.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/model/model_builder.hpp"
 
 #include "random_vectors.hpp"
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -48,27 +50,30 @@ struct JointRun {
   explicit JointRun(std::shared_ptr<const Model> scene, LaneTarget target = best_lane_target())
       : model(std::move(scene)),
         bodies(read_bulk_bodies(*model, make_initial_state(*model))),
-        joints(*model, target) {}
+        joints(*model, target),
+        gyrations(*model, target) {}
 
   void step(double H, int substeps) {
     const Executor executor(1);
     const double h = H / substeps;
     begin_bulk_step(*model, bodies);
     joints.prepare(bodies, h, executor);
+    gyrations.prepare(bodies);
     for (int s = 0; s < substeps; ++s) {
+      gyrations.find_changes(static_cast<float>(h), bodies, executor, turns);
       for (int i = 0; i < bodies.count(); ++i) {
+        MotionRecord& motion = bodies.motion[static_cast<std::size_t>(i)];
         for (int k = 0; bodies.is_dynamic(i) && k < 3; ++k) {
-          bodies.motion[static_cast<std::size_t>(i)].v[k] += static_cast<float>(h * model->g_W()[k]);
+          motion.v[k] += static_cast<float>(h * model->g_W()[k]);
+          motion.w[k] += turns[static_cast<std::size_t>(i)][static_cast<std::size_t>(4 + k)];
         }
       }
-      joints.solve(true, bodies, executor);
-      for (auto& motion : bodies.motion) {
-        for (int k = 0; k < 3; ++k) {
-          motion.dp[k] += static_cast<float>(h) * motion.v[k];
-          motion.dr[k] += static_cast<float>(h) * motion.w[k];
-        }
+      joints.solve(JointPass::places, executor);
+      for (MotionRecord& motion : bodies.motion) {
+        for (int k = 0; k < 3; ++k) motion.dp[k] += static_cast<float>(h) * motion.v[k];
+        turn_further(static_cast<float>(h), motion);
       }
-      joints.solve(false, bodies, executor);
+      joints.solve(JointPass::rates, executor);
     }
     end_bulk_step(*model, bodies);
   }
@@ -103,6 +108,8 @@ struct JointRun {
   std::shared_ptr<const Model> model;
   BulkBodies bodies;
   BulkJoints joints;
+  Gyrations gyrations;
+  std::vector<std::array<float, kLaneCount>> turns;
 
  private:
   static Vec3 vector(const float* p) { return Vec3(p[0], p[1], p[2]); }
