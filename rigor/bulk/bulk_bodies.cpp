@@ -58,13 +58,20 @@ void write_bulk_bodies(const Model& model, const BulkBodies& bodies, State& stat
   }
 }
 
+void set_standing(const Model& model, int body, bool stands, BulkBodies& bodies) {
+  const std::size_t k = static_cast<std::size_t>(body);
+  bodies.inertia[k] = InverseInertia{};
+  bodies.motion[k].inv_mass = stands ? 0 : static_cast<float>(1 / model.body(body).mass);
+  bodies.inertia[k].inv_mass = bodies.motion[k].inv_mass;
+}
+
 void begin_bulk_step(const Model& model, BulkBodies& bodies) {
   for (int i = 0; i < model.body_count(); ++i) {
     const std::size_t k = static_cast<std::size_t>(i);
     set_floats(Vec3::Zero(), bodies.motion[k].dp);
     set_floats(Vec3::Zero(), bodies.motion[k].dr);
+    if (!bodies.is_dynamic(i)) continue;
     const Body& body = model.body(i);
-    if (body.motion != MotionType::dynamic) continue;
     const Mat3 R_WB = bodies.q[k].toRotationMatrix();
     const Mat3 inverse_W = R_WB * body.moments.cwiseInverse().asDiagonal() * R_WB.transpose();
     InverseInertia& inertia = bodies.inertia[k];
@@ -80,8 +87,7 @@ void begin_bulk_step(const Model& model, BulkBodies& bodies) {
 void end_bulk_step(const Model& model, BulkBodies& bodies) {
   for (int i = 0; i < model.body_count(); ++i) {
     const std::size_t k = static_cast<std::size_t>(i);
-    const Body& body = model.body(i);
-    if (body.motion == MotionType::fixed) continue;
+    if (!bodies.stirs(i)) continue;
     bodies.x[k] += vector_of(bodies.motion[k].dp);
     bodies.q[k] = (rotation_exp(vector_of(bodies.motion[k].dr)) * bodies.q[k]).normalized();
   }

@@ -27,6 +27,7 @@ struct BulkJoints::Blocks {
   JointEffort effort() const { return {*model, h, target}; }
 
   void solve(bool before_displacements, BulkBodies& bodies, Block& block) const {
+    if (!block.stirs) return;
     find_joint_records(bodies, block);
     if (before_displacements) {
       solve_before_displacements(effort(), block);
@@ -88,11 +89,12 @@ void BulkJoints::solve(bool before_displacements, BulkBodies& bodies, const Exec
 void BulkJoints::take_back_change(BulkBodies& bodies) const {
   for (const std::vector<Block>* blocks : {&blocks_->trees, &blocks_->closing}) {
     for (const Block& block : *blocks) {
+      if (!block.stirs) continue;
       for (std::size_t i = 0; i < block.made.size(); ++i) {
         const Block::Made& made = block.made[i];
         for (int lane = 0; lane < kLaneCount; ++lane) {
           const int body = block.lanes.trees.bodies[i][static_cast<std::size_t>(lane)];
-          if (body < 0) continue;
+          if (body < 0 || !bodies.is_dynamic(body)) continue;
           float* record = bodies.motion[static_cast<std::size_t>(body)].v;
           record[0] -= made.v.x[lane];
           record[1] -= made.v.y[lane];
@@ -106,22 +108,23 @@ void BulkJoints::take_back_change(BulkBodies& bodies) const {
   }
 }
 
-std::vector<float> BulkJoints::impulses() const {
-  std::vector<float> result(6 * blocks_->model->joints().size());
+void BulkJoints::read_impulses(const BulkBodies& bodies, std::vector<float>& impulses) const {
+  impulses.resize(6 * blocks_->model->joints().size(), 0);
   for (const std::vector<Block>* blocks : {&blocks_->trees, &blocks_->closing}) {
     for (const Block& block : *blocks) {
       for (std::size_t i = 0; i < block.lanes.joints.size(); ++i) {
         const JointLink& link = block.lanes.trees.links[i];
         for (int lane = 0; lane < kLaneCount; ++lane) {
           const int joint = link.joints[static_cast<std::size_t>(lane)];
-          for (int r = 0; joint >= 0 && r < row_count(link); ++r) {
-            result[static_cast<std::size_t>(6 * joint + r)] = block.lanes.joints[i].impulse[r][lane];
+          if (joint < 0 || !bodies.is_dynamic(block.lanes.trees.bodies[i][static_cast<std::size_t>(lane)]))
+            continue;
+          for (int r = 0; r < row_count(link); ++r) {
+            impulses[static_cast<std::size_t>(6 * joint + r)] = block.lanes.joints[i].impulse[r][lane];
           }
         }
       }
     }
   }
-  return result;
 }
 
 std::pair<double, int> BulkJoints::worst_error(const BulkBodies& bodies) const {

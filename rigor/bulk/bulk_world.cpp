@@ -7,11 +7,13 @@
 #include "rigor/bulk/narrow_phase.hpp"
 #include "rigor/bulk/pair_finder.hpp"
 #include "rigor/bulk/prescribed_bodies.hpp"
+#include "rigor/bulk/sleepers.hpp"
 #include "rigor/dynamics/environment.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -45,6 +47,7 @@ struct BulkWorld::Scratch {
   BulkJoints joints;
   PrescribedBodies prescribed;
   Environment environment;
+  std::optional<Sleepers> sleepers;  ///< If bodies may sleep.
   std::vector<ShapePair> pairs;
   std::vector<PairManifold> manifolds;
   std::vector<float> joint_impulses;
@@ -56,7 +59,9 @@ struct BulkWorld::Scratch {
 BulkWorld::BulkWorld(std::shared_ptr<const Model> model, const BulkSettings& settings)
     : model_(std::move(model)),
       settings_(settings),
-      scratch_(std::make_unique<Scratch>(*model_, settings.threads)) {}
+      scratch_(std::make_unique<Scratch>(*model_, settings.threads)) {
+  if (settings.sleeping) scratch_->sleepers.emplace(*model_, settings.sleep_rules);
+}
 
 BulkWorld::~BulkWorld() = default;
 
@@ -69,6 +74,7 @@ void BulkWorld::read(const State& state) {
   bodies_ = read_bulk_bodies(*model_, state);
   memory_ = state.manifolds;
   scratch_->joint_impulses = state.joint_impulses;
+  if (scratch_->sleepers) scratch_->sleepers->read(state.quiet_time, bodies_);
 }
 
 void BulkWorld::write(State& state) const {
@@ -76,15 +82,22 @@ void BulkWorld::write(State& state) const {
   write_bulk_bodies(*model_, bodies_, state);
   state.manifolds = memory_;
   state.joint_impulses = scratch_->joint_impulses;
+  state.quiet_time = scratch_->sleepers ? scratch_->sleepers->quiet_time() : std::vector<float>{};
+}
+
+bool BulkWorld::is_asleep(int body) const {
+  return scratch_->sleepers && scratch_->sleepers->is_asleep(body);
+}
+
+void BulkWorld::wake(int body) {
+  if (scratch_->sleepers) scratch_->sleepers->disturb(body);
 }
 
 BulkStepReport BulkWorld::step(double h) {
   Scratch& s = *scratch_;
   const double substep = h / settings_.substeps;
   s.prescribed.place(*model_, t_, h, bodies_);
-  const double margin = 0.5 * model_->g_W().norm() * (margin_steps * h) * (margin_steps * h);
-  s.pair_finder.find_pairs(bodies_, h, margin, s.executor, s.pairs);
-  s.narrow_phase.find_manifolds(bodies_, s.pairs, s.executor, s.manifolds);
+  find_contacts(h);
   BulkStepReport report = describe_contacts();
   begin_bulk_step(*model_, bodies_);
   compute_accelerations();
@@ -96,10 +109,28 @@ BulkStepReport BulkWorld::step(double h) {
   }
   end_bulk_step(*model_, bodies_);
   s.contacts.remember(memory_);
-  s.joint_impulses = s.joints.impulses();
+  s.joints.read_impulses(bodies_, s.joint_impulses);
   std::tie(report.max_joint_error, report.worst_joint) = s.joints.worst_error(bodies_);
+  if (s.sleepers) {
+    s.sleepers->settle(h, bodies_, memory_);
+    report.sleeping_count = s.sleepers->count();
+  }
   t_ += h;
   return report;
+}
+
+/// Pairs and manifolds of all that moves. Whoever is disturbed by them wakes, and then what it touches is
+/// looked for too.
+void BulkWorld::find_contacts(double h) {
+  Scratch& s = *scratch_;
+  const double margin = 0.5 * model_->g_W().norm() * (margin_steps * h) * (margin_steps * h);
+  bool is_done = false;
+  while (!is_done) {
+    if (s.sleepers) s.sleepers->lay_down(bodies_);
+    s.pair_finder.find_pairs(bodies_, h, margin, s.executor, s.pairs);
+    s.narrow_phase.find_manifolds(bodies_, s.pairs, s.executor, s.manifolds);
+    is_done = !s.sleepers || !s.sleepers->wake(bodies_, memory_, s.pairs, s.manifolds);
+  }
 }
 
 void BulkWorld::take_substep(bool is_first, float h) {

@@ -3,6 +3,7 @@
 #include "rigor/bulk/bulk_bodies.hpp"
 #include "rigor/bulk/executor.hpp"
 #include "rigor/bulk/manifold.hpp"
+#include "rigor/bulk/sleep.hpp"
 #include "rigor/model/manifold_memory.hpp"
 
 #include <functional>
@@ -14,6 +15,8 @@ namespace rigor {
 struct BulkSettings {
   int substeps = 8;  ///< >= 1, of equal length.
   int threads = 1;   ///< >= 1. The answer does not depend on it.
+  bool sleeping = false;  ///< Whether bodies at rest are left alone (Sleepers).
+  SleepRules sleep_rules;
 };
 
 /// What a step did.
@@ -21,6 +24,7 @@ struct BulkStepReport {
   int pair_count = 0;      ///< Of shapes whose boxes overlap.
   int manifold_count = 0;  ///< Of those with points.
   int point_count = 0;
+  int sleeping_count = 0;  ///< Bodies that sleep at the end of the step.
   double max_overlap = 0;              ///< At the begin of the step [m].
   int overlap_A = -1, overlap_B = -1;  ///< Its bodies.
   double max_joint_error = 0;          ///< At the end of the step [m]: BulkJoints::worst_error.
@@ -45,11 +49,15 @@ class BulkWorld {
 
   double time() const { return t_; }
   const BulkBodies& bodies() const { return bodies_; }
+  bool is_asleep(int body) const;
+  /// Is awake in the next step, and all that it touches.
+  void wake(int body);
   /// Of the contacts at the end of the last step, in the order of their keys.
   const std::vector<ManifoldMemory>& memory() const { return memory_; }
 
  private:
   struct Scratch;
+  void find_contacts(double h);
   void compute_accelerations();
   void take_substep(bool is_first, float h);
   void integrate_velocities(bool is_first, float h);

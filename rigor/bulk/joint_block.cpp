@@ -61,6 +61,13 @@ void set_lane(const Joint& joint, const JointStart& start, int lane, JointLanes&
   to.lead[lane] = static_cast<float>(joint.pitch / (2 * std::numbers::pi));
 }
 
+/// Whether a slot has no body that joints move in this lane: none at all, or one that sleeps.
+bool is_empty(const BulkJointBlock& block, std::size_t slot, int lane, const BulkBodies& bodies) {
+  if (slot >= block.lanes.trees.links.size()) return false;
+  const int body = block.lanes.trees.bodies[slot][static_cast<std::size_t>(lane)];
+  return body < 0 || !bodies.is_dynamic(body);
+}
+
 /// A lane without a body: of unit mass, at rest.
 void set_empty_lane(int lane, JointSlot& slot) {
   slot.mass[lane] = slot.inverse_mass[lane] = 1;
@@ -105,14 +112,20 @@ BulkJointBlock make_joint_block(JointTrees trees) {
 
 void prepare_joint_block(const JointEffort& effort, const BulkBodies& bodies, BulkJointBlock& block) {
   const Model& model = effort.model;
+  block.stirs = false;
+  for (const std::array<int, 8>& slot : block.lanes.trees.bodies) {
+    for (const int body : slot) block.stirs = block.stirs || (body >= 0 && bodies.is_dynamic(body));
+  }
+  if (!block.stirs) return;
+  block.empty = {};
   for (std::size_t s = 0; s < block.lanes.slots.size(); ++s) {
     for (int lane = 0; lane < kLaneCount; ++lane) {
       const int body = block.lanes.trees.bodies[s][static_cast<std::size_t>(lane)];
-      if (body < 0) {
+      if (is_empty(block, s, lane, bodies)) {
+        set_empty_lane(lane, block.lanes.slots[s]);
+      } else if (body < 0) {
         // The world is an inertia of zeros.
-        const bool is_world = s >= block.lanes.trees.links.size();
-        is_world ? set_lane(InverseInertia{}, lane, block.lanes.slots[s])
-                 : set_empty_lane(lane, block.lanes.slots[s]);
+        set_lane(InverseInertia{}, lane, block.lanes.slots[s]);
       } else {
         set_lane(bodies.inertia[static_cast<std::size_t>(body)], lane, block.lanes.slots[s]);
       }
@@ -145,11 +158,11 @@ void find_joint_records(BulkBodies& bodies, BulkJointBlock& block) {
     for (std::size_t lane = 0; lane < 8; ++lane) {
       const int body = block.lanes.trees.bodies[s][lane];
       float* record = block.nothing.data();
-      if (body >= 0) {
+      if (is_empty(block, s, static_cast<int>(lane), bodies)) {
+        record = block.empty[lane].data();
+      } else if (body >= 0) {
         static_assert(sizeof(bodies.motion[0]) == 16 * sizeof(float));
         record = bodies.motion[static_cast<std::size_t>(body)].v;
-      } else if (s < block.lanes.trees.links.size()) {
-        record = block.empty[lane].data();
       }
       block.records[s][lane] = record;
     }

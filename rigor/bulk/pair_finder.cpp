@@ -44,20 +44,26 @@ struct PairFinder::Tables {
   };
 
   explicit Tables(const Model& model);
+  void choose_sides(const BulkBodies& bodies);
   void update(const Step& step, const Executor& executor);
   FloatBox update_body(const Step& step, int body);
   void search_blocks(const Step& step, int begin, int end, Part& part) const;
   void add_pairs(const Step& step, int a, int b, std::vector<ShapePair>& pairs) const;
   void add_pair(const Step& step, const ShapePair& pair, std::vector<ShapePair>& pairs) const;
-  void add_unbounded(const Step& step, int begin, int end, std::vector<ShapePair>& pairs) const;
+  void add_unbounded(const Step& step, const Side& side, int begin, int end,
+                     std::vector<ShapePair>& pairs) const;
 
   PairFilter filter;
   std::function<bool(int, int)> may_touch;  ///< The caller's, or none.
   std::vector<BoundedShape> shapes;         ///< Of all bodies.
   std::vector<int> shape_begin;             ///< Of each body, and the end.
   std::vector<UnboundedShape> unbounded;
-  Side moving, standing;  ///< Dynamic bodies; kinematic and fixed ones.
-  float cell = 1;         ///< Mean size of the dynamic bodies [m].
+  std::vector<int> bounded_bodies;  ///< Those with bounded shapes.
+  std::vector<bool> may_move;       ///< Of each body: it is dynamic, asleep or not.
+  Side moving, standing;            ///< Bodies that look for others; those that are found by them.
+  bool has_sleepers = false;
+  int middle_body = 0;  ///< A dynamic body in the middle of the list, if there is one.
+  float cell = 1;       ///< Mean size of the dynamic bodies [m].
 
   Vec3 origin = Vec3::Zero();  ///< Of what is in 32 bits: a body's place, so that far scenes lose nothing.
   std::vector<ShapePlace> places;
@@ -68,8 +74,10 @@ struct PairFinder::Tables {
 
 PairFinder::Tables::Tables(const Model& model) : filter(model) {
   double size = 0;
+  std::vector<int> dynamic;
   for (int i = 0; i < model.body_count(); ++i) {
     const Body& body = model.body(i);
+    may_move.push_back(body.motion == MotionType::dynamic);
     shape_begin.push_back(static_cast<int>(shapes.size()));
     for (std::size_t s = 0; s < body.shapes.size(); ++s) {
       const BodyShape& shape = body.shapes[s];
@@ -80,20 +88,38 @@ PairFinder::Tables::Tables(const Model& model) : filter(model) {
       }
     }
     if (shape_begin.back() == static_cast<int>(shapes.size())) continue;
-    const bool is_dynamic = body.motion == MotionType::dynamic;
-    (is_dynamic ? moving : standing).bodies.push_back(i);
-    if (is_dynamic) size += 2 * body.bounding_radius;
+    bounded_bodies.push_back(i);
+    if (!may_move.back()) continue;
+    size += 2 * body.bounding_radius;
+    dynamic.push_back(i);
   }
   shape_begin.push_back(static_cast<int>(shapes.size()));
-  if (!moving.bodies.empty()) cell = static_cast<float>(size / static_cast<double>(moving.bodies.size()));
+  if (!dynamic.empty()) {
+    cell = static_cast<float>(size / static_cast<double>(dynamic.size()));
+    middle_body = dynamic[dynamic.size() / 2];
+  }
   places.resize(shapes.size());
   shape_boxes.resize(shapes.size());
+}
+
+/// Those that sleep stand with the others; kinematic bodies that move look for them too, to wake them.
+void PairFinder::Tables::choose_sides(const BulkBodies& bodies) {
+  moving.bodies.clear();
+  standing.bodies.clear();
+  has_sleepers = false;
+  for (const int body : bounded_bodies)
+    has_sleepers = has_sleepers || (may_move[at(body)] && !bodies.is_dynamic(body));
+  for (const int body : bounded_bodies) {
+    const bool looks = has_sleepers ? bodies.stirs(body) : may_move[at(body)];
+    (looks ? moving : standing).bodies.push_back(body);
+  }
 }
 
 /// Places and boxes of all shapes, and the trees.
 void PairFinder::Tables::update(const Step& step, const Executor& executor) {
   constexpr int grain = 64;
-  if (!moving.bodies.empty()) origin = step.bodies.x[at(moving.bodies[moving.bodies.size() / 2])];
+  choose_sides(step.bodies);
+  origin = step.bodies.x[at(middle_body)];
   for (Side* side : {&moving, &standing}) {
     side->boxes.resize(side->bodies.size());
     executor.for_ranges(static_cast<int>(side->bodies.size()), grain, [&](int begin, int end) {
@@ -135,6 +161,7 @@ void PairFinder::Tables::search_blocks(const Step& step, int begin, int end, Par
 
 /// Of two bodies whose boxes overlap.
 void PairFinder::Tables::add_pairs(const Step& step, int a, int b, std::vector<ShapePair>& pairs) const {
+  if (!may_move[at(a)] && !may_move[at(b)]) return;
   if (!filter.may_collide(a, b)) return;
   if (a > b) std::swap(a, b);
   if (may_touch && !may_touch(a, b)) return;
@@ -158,13 +185,16 @@ void PairFinder::Tables::add_pair(const Step& step, const ShapePair& pair,
       {pair.body_A, pair.body_B, shapes[at(pair.shape_A)].shape, shapes[at(pair.shape_B)].shape, margin});
 }
 
-/// Bodies of this range of the moving ones against all shapes without an end.
-void PairFinder::Tables::add_unbounded(const Step& step, int begin, int end,
+/// Bodies of this range of a side against all shapes without an end; of those that stand the sleeping ones
+/// against those that move.
+void PairFinder::Tables::add_unbounded(const Step& step, const Side& side, int begin, int end,
                                        std::vector<ShapePair>& pairs) const {
   for (const UnboundedShape& other : unbounded) {
+    if (&side == &standing && !step.bodies.has_velocity(other.body)) continue;
     const UnboundedPlace place = place_of(other, step.bodies, origin);
     for (int i = begin; i < end; ++i) {
-      const int body = moving.bodies[at(i)];
+      const int body = side.bodies[at(i)];
+      if (!may_move[at(body)]) continue;
       if (!filter.may_collide(other.body, body)) continue;
       if (may_touch && !may_touch(std::min(other.body, body), std::max(other.body, body))) continue;
       for (int s = shape_begin[at(body)]; s < shape_begin[at(body) + 1]; ++s) {
@@ -203,10 +233,15 @@ void PairFinder::find_pairs(const BulkBodies& bodies, double h, double margin, c
       part.pairs.clear();
       tables.search_blocks(step, k * blocks_of_a_part, std::min((k + 1) * blocks_of_a_part, block_count),
                            part);
-      tables.add_unbounded(step, k * bodies_of_a_part, std::min((k + 1) * bodies_of_a_part, body_count),
-                           part.pairs);
+      tables.add_unbounded(step, tables.moving, k * bodies_of_a_part,
+                           std::min((k + 1) * bodies_of_a_part, body_count), part.pairs);
     }
   });
+  if (tables.has_sleepers) {
+    Tables::Part& part = tables.parts.emplace_back();
+    tables.add_unbounded(step, tables.standing, 0, static_cast<int>(tables.standing.bodies.size()),
+                         part.pairs);
+  }
   tables.order.clear(bodies.count());
   for (const Tables::Part& part : tables.parts) tables.order.add(part.pairs);
   tables.order.write(pairs);

@@ -1,5 +1,6 @@
 #include "rigor/sim/audit.hpp"
 
+#include "rigor/bulk/sleep.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/sim/contact_snapshot.hpp"
 #include "rigor/sim/scheme_choice.hpp"
@@ -109,6 +110,8 @@ Audit Auditor::audit(const State& state) const {
     audit.joints.push_back({model_->joint(forces.joint).name, forces.coordinates, forces.rates,
                             forces.force_W, forces.torque_W});
   }
+  audit.sleeping_count =
+      static_cast<int>(std::count(state.quiet_time.begin(), state.quiet_time.end(), asleep));
   judge(audit);
   return audit;
 }

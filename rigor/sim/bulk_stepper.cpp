@@ -14,6 +14,7 @@ BulkSettings settings_of(const Method& method, int threads) {
   BulkSettings settings;
   if (method.substeps > 0) settings.substeps = static_cast<int>(std::ceil(method.substeps));
   settings.threads = threads;
+  settings.sleeping = method.sleeping;
   return settings;
 }
 
