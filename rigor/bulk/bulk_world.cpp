@@ -3,6 +3,7 @@
 #include "rigor/bulk/bulk_contacts.hpp"
 #include "rigor/bulk/bulk_joints.hpp"
 #include "rigor/bulk/float_lanes.hpp"
+#include "rigor/bulk/drag.hpp"
 #include "rigor/bulk/gyration.hpp"
 #include "rigor/bulk/narrow_phase.hpp"
 #include "rigor/bulk/pair_finder.hpp"
@@ -100,7 +101,7 @@ BulkStepReport BulkWorld::step(double h) {
   find_contacts(h);
   BulkStepReport report = describe_contacts();
   begin_bulk_step(*model_, bodies_);
-  compute_accelerations();
+  compute_accelerations(h);
   s.joints.prepare(bodies_, substep, s.executor);
   s.contacts.prepare(bodies_, substep, s.pairs, s.manifolds, memory_, s.executor);
   for (int k = 0; k < settings_.substeps; ++k) take_substep(k == 0, static_cast<float>(substep));
@@ -148,7 +149,7 @@ void BulkWorld::take_substep(bool is_first, float h) {
   s.contacts.solve(BlockPass::relax, h, bodies_, s.executor);
 }
 
-void BulkWorld::compute_accelerations() {
+void BulkWorld::compute_accelerations(double h) {
   Scratch& s = *scratch_;
   const std::size_t count = bodies_.x.size();
   s.accelerations.resize(count);
@@ -173,11 +174,10 @@ void BulkWorld::compute_accelerations() {
       if (s.environment.is_forced(i)) {
         Wrench wrench;
         s.environment.apply_env_forces(std::span(&i, 1), view, std::span(&wrench, 1));
-        a = wrench.f_W / model_->body(i).mass;
-        const InverseInertia& I = bodies_.inertia[static_cast<std::size_t>(i)];
-        Mat3 inverse;
-        inverse << I.xx, I.xy, I.xz, I.xy, I.yy, I.yz, I.xz, I.yz, I.zz;
-        alpha = inverse * wrench.tau_W;
+        const MeanAcceleration mean = mean_acceleration(
+            model_->body(i), s.environment.drag(i), view(i).R, wrench, h);
+        a = mean.a;
+        alpha = mean.alpha;
       }
       for (std::size_t k = 0; k < 3; ++k) {
         row[k] = static_cast<float>(a[static_cast<Eigen::Index>(k)]);

@@ -58,7 +58,7 @@ class BulkWorld {
  private:
   struct Scratch;
   void find_contacts(double h);
-  void compute_accelerations();
+  void compute_accelerations(double h);
   void take_substep(bool is_first, float h);
   void integrate_velocities(bool is_first, float h);
   void integrate_positions(float h);

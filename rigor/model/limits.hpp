@@ -25,6 +25,7 @@ inline constexpr Range friction{0, 1000};
 inline constexpr Range restitution{0, 1};
 inline constexpr Range force{-1e15, 1e15};    ///< [N] or [N m], each component.
 inline constexpr Range coefficient{0, 1e15};  ///< Stiffness, damping, drag, in their units.
+inline constexpr Range gravity_scale{-1e3, 1e3};
 inline constexpr Range time{-1e9, 1e9};       ///< [s].
 inline constexpr Range ratio{-1e6, 1e6};      ///< Of a gear; not 0.
 

@@ -43,6 +43,9 @@ struct BodyDescription {
   std::uint32_t mask = 65535;
   double linear_drag = 0;
   double angular_drag = 0;
+  double gravity_scale = 1;    ///< Times gravity.
+  double linear_damping = 0;   ///< Rate at which momentum decays [1/s].
+  double angular_damping = 0;  ///< The same of angular momentum [1/s].
   std::vector<PathPoint> path;
 };
 
