@@ -3,6 +3,7 @@
 #include "rigor/model/model.hpp"
 #include "rigor/model/state.hpp"
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -20,6 +21,10 @@ struct alignas(64) MotionRecord {
   float dr[3] = {};  ///< Rotation vector since the begin of the step [rad].
   float pad_dr = 0;
 };
+
+/// Of a body along W's axes, as the velocities stand in MotionRecord: what forces change a second, or a
+/// velocity.
+using MotionRow = std::array<float, 8>;
 
 /// Inverse inertia about the centre of mass in W at the begin of the step [1/(kg m^2)]; 0 for bodies that
 /// stand.

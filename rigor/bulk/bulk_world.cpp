@@ -9,6 +9,7 @@
 #include "rigor/bulk/pair_finder.hpp"
 #include "rigor/bulk/prescribed_bodies.hpp"
 #include "rigor/bulk/sleepers.hpp"
+#include "rigor/bulk/step_books.hpp"
 #include "rigor/dynamics/environment.hpp"
 
 #include <algorithm>
@@ -25,10 +26,6 @@ namespace {
 /// Points are found before they touch if a body that is let fall from rest comes that far in this many steps.
 constexpr double margin_steps = 2;
 
-/// Of a body along W's axes, as the velocities stand in MotionRecord: what forces change a second, or a
-/// velocity.
-using MotionRow = std::array<float, kLaneCount>;
-
 }  // namespace
 
 struct BulkWorld::Scratch {
@@ -39,6 +36,7 @@ struct BulkWorld::Scratch {
         contacts(model),
         joints(model),
         prescribed(model),
+        books(model),
         environment(model, PointSprings::act, false) {}
 
   Executor executor;
@@ -47,6 +45,7 @@ struct BulkWorld::Scratch {
   BulkContacts contacts;
   BulkJoints joints;
   PrescribedBodies prescribed;
+  StepBooks books;
   Environment environment;
   std::optional<Sleepers> sleepers;  ///< If bodies may sleep.
   std::vector<ShapePair> pairs;
@@ -104,12 +103,21 @@ BulkStepReport BulkWorld::step(double h) {
   compute_accelerations(h);
   s.joints.prepare(bodies_, substep, s.executor);
   s.contacts.prepare(bodies_, substep, s.pairs, s.manifolds, memory_, s.executor);
-  for (int k = 0; k < settings_.substeps; ++k) take_substep(k == 0, static_cast<float>(substep));
+  if (settings_.measures) s.books.begin(bodies_);
+  for (int k = 0; k < settings_.substeps; ++k) {
+    if (settings_.measures && k > 0) s.contacts.add_up(s.executor);
+    take_substep(k == 0, static_cast<float>(substep));
+  }
   if (s.contacts.has_restitution()) {
     s.contacts.solve(BlockPass::restitution, static_cast<float>(substep), bodies_, s.executor);
   }
+  if (settings_.measures) {
+    s.contacts.add_up(s.executor);
+    s.books.end(bodies_, s.accelerations, h, s.contacts, report);
+    report.work += work_of_forces();
+  }
   end_bulk_step(*model_, bodies_);
-  s.contacts.remember(memory_);
+  s.contacts.remember(bodies_, substep, memory_);
   s.joints.read_impulses(bodies_, s.joint_impulses);
   std::tie(report.max_joint_error, report.worst_joint) = s.joints.worst_error(bodies_);
   if (s.sleepers) {
@@ -185,6 +193,21 @@ void BulkWorld::compute_accelerations(double h) {
       }
     }
   });
+}
+
+/// Of forces that have no potential, over the displacements of the step: they are those of its begin.
+double BulkWorld::work_of_forces() const {
+  const Scratch& s = *scratch_;
+  double work = 0;
+  for (int i = 0; i < bodies_.count(); ++i) {
+    if (!bodies_.is_dynamic(i) || !s.environment.is_forced(i)) continue;
+    const std::size_t k = static_cast<std::size_t>(i);
+    const MotionRecord& m = bodies_.motion[k];
+    work += s.environment.supplied_power(i, {bodies_.x[k], Vec3(m.dp[0], m.dp[1], m.dp[2]),
+                                             Vec3(m.dr[0], m.dr[1], m.dr[2]),
+                                             bodies_.q[k].toRotationMatrix(), true});
+  }
+  return work;
 }
 
 void BulkWorld::integrate_velocities(bool is_first, float h) {

@@ -15,6 +15,7 @@ namespace rigor {
 struct BulkSettings {
   int substeps = 8;  ///< >= 1, of equal length.
   int threads = 1;   ///< >= 1. The answer does not depend on it.
+  bool measures = false;  ///< Whether a step tells its impacts, work and error of momentum, and its contacts.
   bool sleeping = false;  ///< Whether bodies at rest are left alone (Sleepers).
   SleepRules sleep_rules;
 };
@@ -25,6 +26,9 @@ struct BulkStepReport {
   int manifold_count = 0;  ///< Of those with points.
   int point_count = 0;
   int sleeping_count = 0;  ///< Bodies that sleep at the end of the step.
+  int impact_count = 0;  ///< Pairs of shapes that began to press, faster than they may rest.
+  Vec3 momentum_error = Vec3::Zero();  ///< Of StepBooks [kg m/s].
+  double work = 0;                     ///< By kinematic bodies, torques and forces fixed in bodies [J].
   double max_overlap = 0;              ///< At the begin of the step [m].
   int overlap_A = -1, overlap_B = -1;  ///< Its bodies.
   double max_joint_error = 0;          ///< At the end of the step [m]: BulkJoints::worst_error.
@@ -59,6 +63,7 @@ class BulkWorld {
   struct Scratch;
   void find_contacts(double h);
   void compute_accelerations(double h);
+  double work_of_forces() const;
   void take_substep(bool is_first, float h);
   void integrate_velocities(bool is_first, float h);
   void integrate_positions(float h);

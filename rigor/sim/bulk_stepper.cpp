@@ -14,6 +14,7 @@ BulkSettings settings_of(const Method& method, int threads) {
   BulkSettings settings;
   if (method.substeps > 0) settings.substeps = static_cast<int>(std::ceil(method.substeps));
   settings.threads = threads;
+  settings.measures = true;
   settings.sleeping = method.sleeping;
   return settings;
 }
@@ -22,7 +23,10 @@ BulkSettings settings_of(const Method& method, int threads) {
 
 BulkStepper::BulkStepper(std::shared_ptr<const Model> model, const Method& method, double target_step,
                          int threads)
-    : model_(std::move(model)), target_step_(target_step), world_(model_, settings_of(method, threads)) {
+    : model_(std::move(model)),
+      target_step_(target_step),
+      settings_(settings_of(method, threads)),
+      world_(model_, settings_) {
   RIGOR_ASSERT(target_step > 0 && threads >= 1);
 }
 
@@ -63,6 +67,10 @@ AdvanceReport BulkStepper::advance(State& state, double t_end) {
 void BulkStepper::note(const BulkStepReport& step, double t, AdvanceReport& report) const {
   ++report.steps;
   report.distance_queries += step.pair_count;
+  report.impacts += step.impact_count;
+  report.momentum_error += step.momentum_error;
+  report.work += step.work;
+  report.max_iterations = 2 * settings_.substeps;  // Sweeps: with the springs and without.
   if (step.max_overlap > report.max_penetration) {
     report.max_penetration = step.max_overlap;
     report.penetration_A = step.overlap_A;

@@ -169,6 +169,7 @@ TEST(Serialise, WhatTheManyBodyPathRemembersComesBack) {
     manifold.normal_impulse = {0.1f, 0.2f, 0.3f, 1e-30f};
     manifold.friction_impulse_W = {-1, 2, -3};
     manifold.twist_impulse = 0.5f;
+    manifold.energy = 0.25f;
     state.manifolds.push_back(manifold);
   }
   for (std::size_t count = 0; count < 4; ++count) {
