@@ -40,6 +40,9 @@ struct BulkBodies {
   std::vector<Quat> q;  ///< q_WB.
   std::vector<MotionRecord> motion;
   std::vector<InverseInertia> inertia;
+  /// Angular momenta [kg m²/s] between two steps. A State has these: angular velocities follow from them by a
+  /// rounding that is not undone when they are computed back.
+  std::vector<Vec3> L;
 
   int count() const { return static_cast<int>(x.size()); }
   /// Whether impulses move it: it is dynamic and does not sleep. The others stand, or move as they must.
@@ -52,10 +55,14 @@ struct BulkBodies {
   bool stirs(int body) const { return is_dynamic(body) || has_velocity(body); }
 };
 
-/// Of the State: velocities are rounded to 32 bits; writing them and reading them again gives the same bits.
+/// Of the State: velocities are rounded to 32 bits; what is written and read again has the same bits.
 BulkBodies read_bulk_bodies(const Model& model, const State& state);
 /// Into the State (all bodies, momenta of the dynamic ones), anchored at its time.
 void write_bulk_bodies(const Model& model, const BulkBodies& bodies, State& state);
+
+/// After velocities have been changed: the angular momentum of a dynamic body, and its angular velocity as it
+/// would be read from a State.
+void set_momentum(const Model& model, int body, BulkBodies& bodies);
 
 /// Lets a dynamic body stand as if it were fixed (it sleeps), or move again from the next begin of a step on.
 void set_standing(const Model& model, int body, bool stands, BulkBodies& bodies);

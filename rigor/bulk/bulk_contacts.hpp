@@ -33,8 +33,8 @@ class BulkContacts {
   /// What the contacts remember, in the order of keys. h [s]: of a substep.
   void remember(const BulkBodies& bodies, double h, std::vector<ManifoldMemory>& memory) const;
 
-  /// Calls visit(contact, key, is_new) for each manifold of the step, in the order of blocks. is_new: it had no
-  /// impulse at the end of the step before.
+  /// Calls visit(contact, key, is_new) for each manifold of the step, in the order of blocks. is_new: it had
+  /// no impulse at the end of the step before.
   struct Contact {
     const ManifoldBlock& block;
     const BlockTotals& totals;

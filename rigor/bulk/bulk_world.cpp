@@ -2,15 +2,17 @@
 
 #include "rigor/bulk/bulk_contacts.hpp"
 #include "rigor/bulk/bulk_joints.hpp"
-#include "rigor/bulk/float_lanes.hpp"
 #include "rigor/bulk/drag.hpp"
+#include "rigor/bulk/float_lanes.hpp"
 #include "rigor/bulk/gyration.hpp"
 #include "rigor/bulk/narrow_phase.hpp"
 #include "rigor/bulk/pair_finder.hpp"
 #include "rigor/bulk/prescribed_bodies.hpp"
 #include "rigor/bulk/sleepers.hpp"
 #include "rigor/bulk/step_books.hpp"
+#include "rigor/core/assert.hpp"
 #include "rigor/dynamics/environment.hpp"
+#include "rigor/math/rotation.hpp"
 
 #include <algorithm>
 #include <array>
@@ -51,6 +53,11 @@ struct BulkWorld::Scratch {
   std::vector<ShapePair> pairs;
   std::vector<PairManifold> manifolds;
   std::vector<float> joint_impulses;
+  struct GivenWrench {
+    int body;
+    Wrench wrench;
+  };
+  std::vector<GivenWrench> given;        ///< For the next step, in the order of the calls.
   std::vector<MotionRow> accelerations;  ///< By forces of the environment.
   std::vector<BodyGyration> gyrations;   ///< Of bodies that are not round.
   std::vector<MotionRow> unconstrained;  ///< Velocities of a substep before its constraints.
@@ -65,11 +72,72 @@ BulkWorld::BulkWorld(std::shared_ptr<const Model> model, const BulkSettings& set
 
 BulkWorld::~BulkWorld() = default;
 
+void BulkWorld::add_wrench(int body, const Wrench& wrench) {
+  RIGOR_ASSERT(model_->body(body).motion == MotionType::dynamic);
+  scratch_->given.push_back({body, wrench});
+  wake(body);
+}
+
+void BulkWorld::add_impulse(int body, const Wrench& impulse) {
+  const Body& own = model_->body(body);
+  RIGOR_ASSERT(own.motion == MotionType::dynamic);
+  const Quat& q_WB = bodies_.q[static_cast<std::size_t>(body)];
+  MotionRecord& motion = bodies_.motion[static_cast<std::size_t>(body)];
+  const Vec3 dv = impulse.f_W / own.mass;
+  const Vec3 dw = q_WB * (q_WB.conjugate() * impulse.tau_W).cwiseQuotient(own.moments);
+  for (int k = 0; k < 3; ++k) {
+    motion.v[k] += static_cast<float>(dv[k]);
+    motion.w[k] += static_cast<float>(dw[k]);
+  }
+  set_momentum(*model_, body, bodies_);
+  wake(body);
+}
+
+void BulkWorld::set_pose(int body, const Pose& X_WB) {
+  bodies_.x[static_cast<std::size_t>(body)] = X_WB.p;
+  bodies_.q[static_cast<std::size_t>(body)] = quaternion_of(X_WB.R);
+  if (model_->body(body).motion == MotionType::dynamic) set_momentum(*model_, body, bodies_);
+  // What it leaves loses a contact; what it meets is found by it, if it moves by itself.
+  if (model_->body(body).motion == MotionType::dynamic) {
+    wake(body);
+  } else {
+    wake_all();
+  }
+}
+
+void BulkWorld::wake_all() {
+  for (int i = 0; i < bodies_.count(); ++i) wake(i);
+}
+
+void BulkWorld::set_velocity(int body, const Vec3& v_W, const Vec3& w_W) {
+  MotionRecord& motion = bodies_.motion[static_cast<std::size_t>(body)];
+  for (int k = 0; k < 3; ++k) {
+    motion.v[k] = static_cast<float>(v_W[k]);
+    motion.w[k] = static_cast<float>(w_W[k]);
+  }
+  set_momentum(*model_, body, bodies_);
+  wake(body);
+}
+
+void BulkWorld::set_target(int body, const Vec3& x, const Quat& q) {
+  RIGOR_ASSERT(PrescribedBodies::is_free(model_->body(body)));
+  scratch_->prescribed.set_target(body, x, q);
+}
+
+std::vector<BulkContact> BulkWorld::contacts() const {
+  std::vector<BulkContact> contacts = read_contacts(scratch_->contacts, bodies_);
+  std::sort(contacts.begin(), contacts.end(),
+            [](const BulkContact& a, const BulkContact& b) { return a.key() < b.key(); });
+  return contacts;
+}
+
 void BulkWorld::set_contact_filter(std::function<bool(int, int)> may_touch) {
   scratch_->pair_finder.set_contact_filter(std::move(may_touch));
+  wake_all();
 }
 
 void BulkWorld::read(const State& state) {
+  scratch_->given.clear();
   t_ = state.t;
   bodies_ = read_bulk_bodies(*model_, state);
   memory_ = state.manifolds;
@@ -101,6 +169,7 @@ BulkStepReport BulkWorld::step(double h) {
   BulkStepReport report = describe_contacts();
   begin_bulk_step(*model_, bodies_);
   compute_accelerations(h);
+  add_given_wrenches();
   s.joints.prepare(bodies_, substep, s.executor);
   s.contacts.prepare(bodies_, substep, s.pairs, s.manifolds, memory_, s.executor);
   if (settings_.measures) s.books.begin(bodies_);
@@ -116,7 +185,9 @@ BulkStepReport BulkWorld::step(double h) {
     s.books.end(bodies_, s.accelerations, h, s.contacts, report);
     report.work += work_of_forces();
   }
+  s.given.clear();
   end_bulk_step(*model_, bodies_);
+  s.prescribed.arrive(bodies_);
   s.contacts.remember(bodies_, substep, memory_);
   s.joints.read_impulses(bodies_, s.joint_impulses);
   std::tie(report.max_joint_error, report.worst_joint) = s.joints.worst_error(bodies_);
@@ -124,6 +195,11 @@ BulkStepReport BulkWorld::step(double h) {
     s.sleepers->settle(h, bodies_, memory_);
     report.sleeping_count = s.sleepers->count();
   }
+  s.executor.for_ranges(bodies_.count(), 256, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      if (bodies_.is_dynamic(i)) set_momentum(*model_, i, bodies_);
+    }
+  });
   t_ += h;
   return report;
 }
@@ -182,8 +258,8 @@ void BulkWorld::compute_accelerations(double h) {
       if (s.environment.is_forced(i)) {
         Wrench wrench;
         s.environment.apply_env_forces(std::span(&i, 1), view, std::span(&wrench, 1));
-        const MeanAcceleration mean = mean_acceleration(
-            model_->body(i), s.environment.drag(i), view(i).R, wrench, h);
+        const MeanAcceleration mean =
+            mean_acceleration(model_->body(i), s.environment.drag(i), view(i).R, wrench, h);
         a = mean.a;
         alpha = mean.alpha;
       }
@@ -195,17 +271,37 @@ void BulkWorld::compute_accelerations(double h) {
   });
 }
 
+void BulkWorld::add_given_wrenches() {
+  Scratch& s = *scratch_;
+  for (const Scratch::GivenWrench& given : s.given) {
+    const Body& body = model_->body(given.body);
+    const Quat& q_WB = bodies_.q[static_cast<std::size_t>(given.body)];
+    const Vec3 a = given.wrench.f_W / body.mass;
+    const Vec3 alpha = q_WB * (q_WB.conjugate() * given.wrench.tau_W).cwiseQuotient(body.moments);
+    MotionRow& row = s.accelerations[static_cast<std::size_t>(given.body)];
+    for (std::size_t k = 0; k < 3; ++k) {
+      row[k] += static_cast<float>(a[static_cast<Eigen::Index>(k)]);
+      row[4 + k] += static_cast<float>(alpha[static_cast<Eigen::Index>(k)]);
+    }
+  }
+}
+
 /// Of forces that have no potential, over the displacements of the step: they are those of its begin.
 double BulkWorld::work_of_forces() const {
   const Scratch& s = *scratch_;
   double work = 0;
+  for (const Scratch::GivenWrench& given : s.given) {
+    const MotionRecord& m = bodies_.motion[static_cast<std::size_t>(given.body)];
+    work += given.wrench.f_W.dot(Vec3(m.dp[0], m.dp[1], m.dp[2])) +
+            given.wrench.tau_W.dot(Vec3(m.dr[0], m.dr[1], m.dr[2]));
+  }
   for (int i = 0; i < bodies_.count(); ++i) {
     if (!bodies_.is_dynamic(i) || !s.environment.is_forced(i)) continue;
     const std::size_t k = static_cast<std::size_t>(i);
     const MotionRecord& m = bodies_.motion[k];
-    work += s.environment.supplied_power(i, {bodies_.x[k], Vec3(m.dp[0], m.dp[1], m.dp[2]),
-                                             Vec3(m.dr[0], m.dr[1], m.dr[2]),
-                                             bodies_.q[k].toRotationMatrix(), true});
+    work += s.environment.supplied_power(
+        i, {bodies_.x[k], Vec3(m.dp[0], m.dp[1], m.dp[2]), Vec3(m.dr[0], m.dr[1], m.dr[2]),
+            bodies_.q[k].toRotationMatrix(), true});
   }
   return work;
 }

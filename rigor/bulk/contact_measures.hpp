@@ -24,8 +24,8 @@ struct ManifoldFrame {
 };
 ManifoldFrame manifold_frame(const ManifoldBlock& block, int lane);
 
-/// All that a manifold did to body B in a step: the impulse at its centre [N s] and the moment of it about the
-/// centre [N m s], in W. Body A has got the opposite.
+/// All that a manifold did to body B in a step: the impulse at its centre [N s] and the moment of it about
+/// the centre [N m s], in W. Body A has got the opposite.
 struct ManifoldWrench {
   Vec3 impulse, moment;
 };
@@ -36,8 +36,8 @@ ManifoldWrench total_wrench(const ManifoldBlock& block, const BlockTotals& total
 /// is the force of a spring of stiffness k = m ω².
 double spring_energy(const ManifoldBlock& block, int lane, const BulkBodies& bodies, double h);
 
-/// The fastest approach of its points at the begin of the step [m/s], >= 0, of points that were pressed in it;
-/// 0 if none was.
+/// The fastest approach of its points at the begin of the step [m/s], >= 0, of points that were pressed in
+/// it; 0 if none was.
 double approach_speed(const ManifoldBlock& block, int lane);
 
 }  // namespace rigor

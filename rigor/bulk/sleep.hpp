@@ -11,7 +11,7 @@ namespace rigor {
 
 /// When bodies may sleep.
 struct SleepRules {
-  double speed = 0.01;  ///< Slower bodies are quiet: of the fastest point [m/s].
+  double speed = 0.05;  ///< Slower bodies are quiet: of the fastest point [m/s].
   double delay = 0.5;   ///< So long all of an island must have been [s].
 };
 
@@ -25,9 +25,9 @@ inline constexpr float asleep = std::numeric_limits<float>::infinity();
 
 /// Sleep as a function of what is in the State: quiet_time (State::quiet_time; n numbers) says for each body
 /// how long it has been quiet [s], infinite if it sleeps. An island sleeps as a whole or not at all: as soon
-/// as one of its bodies is not quiet, or touches a kinematic body that moves, or is tied to one by a joint or a
-/// spring, or was disturbed, all of it is awake. So a chain of bodies wakes in one step, however long it is.
-/// Joints with motors that drive never sleep.
+/// as one of its bodies is not quiet, or touches a kinematic body that moves, or is tied to one by a joint or
+/// a spring, or was disturbed, all of it is awake. So a chain of bodies wakes in one step, however long it
+/// is. Joints with motors that drive never sleep.
 class SleepKeeper {
  public:
   SleepKeeper(const Model& model, const SleepRules& rules);

@@ -8,8 +8,8 @@
 
 namespace rigor {
 
-/// The sleeping bodies of a world of many. They stand as if they were fixed: nothing is computed of them or of
-/// contacts between them, whose memories are kept, so that they wake with the impulses that they had. Who
+/// The sleeping bodies of a world of many. They stand as if they were fixed: nothing is computed of them or
+/// of contacts between them, whose memories are kept, so that they wake with the impulses that they had. Who
 /// sleeps is in the State (State::quiet_time); all else follows from it.
 class Sleepers {
  public:

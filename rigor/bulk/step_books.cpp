@@ -45,7 +45,8 @@ StepBooks::StepBooks(const Model& model) {
   for (int j = 0; j < static_cast<int>(model.joints().size()); ++j) {
     const std::vector<int> bodies = model.bodies_of_joint(j);
     const Joint& joint = model.joint(j);
-    bool is_tied = joint.type != JointType::gear && (joint.body_A == world_body || joint.body_B == world_body);
+    bool is_tied =
+        joint.type != JointType::gear && (joint.body_A == world_body || joint.body_B == world_body);
     for (const int body : bodies) is_tied = is_tied || islands.island_of(body) < 0;
     for (const int body : bodies) {
       if (is_tied && islands.island_of(body) >= 0) is_grounded[at(islands.island_of(body))] = true;

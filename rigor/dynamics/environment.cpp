@@ -30,7 +30,8 @@ Environment::Environment(const Model& model, PointSprings springs, bool with_joi
       torques_(index(model.body_count())) {
   for (int i = 0; i < model.body_count(); ++i) {
     const Body& body = model.body(i);
-    if (body.motion == MotionType::dynamic) steady_accelerations_[index(i)] = body.gravity_scale * model.g_W();
+    if (body.motion == MotionType::dynamic)
+      steady_accelerations_[index(i)] = body.gravity_scale * model.g_W();
     linear_drag_.push_back(body.linear_drag + body.mass * body.linear_damping);
     angular_drag_.push_back(body.angular_drag);
   }

@@ -16,8 +16,8 @@ namespace {
 // remembered contacts, of remembered manifolds, of joint impulses and of quiet times, then the doubles t,
 // x (3n), q (4n), P (3n), L (3n), epoch (n), anchor (13n), then m times body_A, body_B, shape_A, shape_B,
 // feature (8 bytes each), values (12 doubles) and energy, then the manifolds (19 numbers of 4 bytes and a
-// zero each), the joint impulses and the quiet times (floats, two to 8 bytes), then the FNV-1a checksum (u64) of
-// everything before it.
+// zero each), the joint impulses and the quiet times (floats, two to 8 bytes), then the FNV-1a checksum (u64)
+// of everything before it.
 constexpr std::array<unsigned char, 8> magic = {'R', 'I', 'G', 'O', 'R', 'S', 'T', 0x1A};
 constexpr std::uint64_t version = 4;
 constexpr std::size_t header_length = 56;

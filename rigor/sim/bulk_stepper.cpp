@@ -1,5 +1,6 @@
 #include "rigor/sim/bulk_stepper.hpp"
 
+#include "rigor/bulk/prescribed_bodies.hpp"
 #include "rigor/core/assert.hpp"
 #include "rigor/sim/fixed_steps.hpp"
 
@@ -55,8 +56,9 @@ AdvanceReport BulkStepper::advance(State& state, double t_end) {
   world_.write(state);
   state.t = t;
   for (int i = 0; i < model_->body_count(); ++i) {
-    if (model_->body(i).motion != MotionType::kinematic) continue;
-    const PrescribedMotion motion = prescribed_motion(model_->body(i), t);
+    const Body& body = model_->body(i);
+    if (body.motion != MotionType::kinematic || PrescribedBodies::is_free(body)) continue;
+    const PrescribedMotion motion = prescribed_motion(body, t);
     state.set_body(i, motion.p_WB, motion.q_WB, Vec3::Zero(), Vec3::Zero());
   }
   state.anchor_here();

@@ -128,7 +128,8 @@ std::span<const MethodChoice> method_choices() {
 
       MethodChoice{"sleeping", "false", "solver substep moves all bodies in every step",
                    "docs/theory/bulk.md, section 7", true},
-      MethodChoice{"sleeping", "true", "groups of bodies that have come to rest are left alone until disturbed",
+      MethodChoice{"sleeping", "true",
+                   "groups of bodies that have come to rest are left alone until disturbed",
                    "docs/theory/bulk.md, section 7", true},
   };
   return choices;

@@ -233,7 +233,7 @@ TEST(Deserialise, SaysWhatIsWrong) {
   EXPECT_EQ(message_of(bytes), "state: not a saved state of Rigor");
   bytes = serialise(State{});
   bytes[8] = 2;
-  EXPECT_EQ(message_of(bytes), "state: version 2, this program reads version 3");
+  EXPECT_EQ(message_of(bytes), "state: version 2, this program reads version 4");
   bytes = serialise(State{});
   // A count whose product with the size of a body would overflow.
   for (std::size_t i = 16; i < 24; ++i) bytes[i] = 0xFF;

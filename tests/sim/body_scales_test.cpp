@@ -64,14 +64,13 @@ TEST_P(ScaledBodies, DampedMomentaDecayExponentially) {
 
 // Time-stepping and its kin take forces in steps of second order; 32-bit velocities are off by 1e-6 after the
 // roundings of 400 substeps. Impulse-based flights are integrated to 1e-10.
-INSTANTIATE_TEST_SUITE_P(
-    Schemes, ScaledBodies,
-    testing::Values(MethodCase{Scheme::event_driven, SolverMethod::exact, 1e-9},
-                    MethodCase{Scheme::time_stepping, SolverMethod::exact, 1e-4},
-                    MethodCase{Scheme::time_stepping, SolverMethod::substep, 1e-5},
-                    MethodCase{Scheme::penalty, SolverMethod::exact, 1e-4},
-                    MethodCase{Scheme::impulse_based, SolverMethod::exact, 1e-4},
-                    MethodCase{Scheme::hybrid, SolverMethod::exact, 1e-4}));
+INSTANTIATE_TEST_SUITE_P(Schemes, ScaledBodies,
+                         testing::Values(MethodCase{Scheme::event_driven, SolverMethod::exact, 1e-9},
+                                         MethodCase{Scheme::time_stepping, SolverMethod::exact, 1e-4},
+                                         MethodCase{Scheme::time_stepping, SolverMethod::substep, 1e-5},
+                                         MethodCase{Scheme::penalty, SolverMethod::exact, 1e-4},
+                                         MethodCase{Scheme::impulse_based, SolverMethod::exact, 1e-4},
+                                         MethodCase{Scheme::hybrid, SolverMethod::exact, 1e-4}));
 
 TEST(BulkDrag, NoDragIsTooStrongForAStep) {
   // 1000/s at steps of 1/60 s: it falls at g/c, its velocity having no time to be another.
