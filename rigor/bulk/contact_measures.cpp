@@ -76,7 +76,8 @@ double spring_energy(const ManifoldBlock& block, int lane, const BulkBodies& bod
     const double gap = static_cast<double>(point.gap[i]) + u0 + static_cast<double>(point.p2[i]) * u1 -
                        static_cast<double>(point.p1[i]) * u2;
     const double overlap = std::max(0.0, -gap);
-    energy += 0.5 * static_cast<double>(point.mass[i]) * stiffness_of_mass * overlap * overlap;
+    const double of_spring = static_cast<double>(point.mass[i]) * stiffness_of_mass * overlap;
+    energy += 0.5 * overlap * std::min(of_spring, 2 * point.impulse[i] / h);
   }
   return energy;
 }
