@@ -29,7 +29,7 @@ inline constexpr Range gravity_scale{-1e3, 1e3};
 inline constexpr Range time{-1e9, 1e9};   ///< [s].
 inline constexpr Range ratio{-1e6, 1e6};  ///< Of a gear; not 0.
 
-/// Bodies of a scene.
+/// Bodies of a scene file; what is built in C++ may have as many as there is memory for.
 inline constexpr std::size_t body_count = 100000;
 /// Heights of a height field.
 inline constexpr std::size_t height_count = 1000000;

@@ -255,11 +255,7 @@ Model ModelBuilder::assemble(std::vector<std::string>& messages) const {
   model.materials_ = materials.materials;
   model.pair_overrides_ = make_pairs(parts_->pairs, materials, messages);
 
-  if (parts_->bodies.size() > limits::body_count) {
-    messages.push_back("the scene has " + std::to_string(parts_->bodies.size()) +
-                       " bodies, must be at most " + std::to_string(limits::body_count));
-    return model;
-  }
+  model.bodies_.reserve(parts_->bodies.size());
   ShapeMemory memory;
   std::string bad_where;
   for (const auto& [body, where] : parts_->bodies) {
