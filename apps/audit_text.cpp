@@ -58,6 +58,8 @@ void add_motion(const Audit& audit, std::string& text) {
                  : " at " + audit.joints[static_cast<std::size_t>(report.drift_joint)].name,
              report.max_joint_projection);
   }
+  if (uses_choice(audit.method, "sleeping") && audit.method.sleeping)
+    add_line(text, "sleeping", "{} bodies at the end", audit.sleeping_count);
   add_line(text, "impact times", "known to {:.3g} s", report.toi_bracket);
   add_line(text, "solver", "largest residual {:.3g}, at most {} iterations, {} fallbacks, {} coarse steps",
            report.max_residual, report.max_iterations, report.fallbacks, report.coarse_steps);

@@ -16,12 +16,6 @@ Vec3 vector_of(const float* p) {
   return Vec3(p[0], p[1], p[2]);
 }
 
-/// In W [kg m²/s].
-Vec3 angular_momentum(const Body& body, const Quat& q_WB, const Vec3& w_W) {
-  const Vec3 w_B = q_WB.conjugate() * w_W;
-  return q_WB * Vec3(body.moments.cwiseProduct(w_B));
-}
-
 }  // namespace
 
 BulkBodies read_bulk_bodies(const Model& model, const State& state) {
@@ -31,6 +25,7 @@ BulkBodies read_bulk_bodies(const Model& model, const State& state) {
   bodies.q.resize(count);
   bodies.motion.resize(count);
   bodies.inertia.resize(count);
+  bodies.L.resize(count, Vec3::Zero());
   for (int i = 0; i < model.body_count(); ++i) {
     const std::size_t k = static_cast<std::size_t>(i);
     bodies.x[k] = state.position(i);
@@ -38,6 +33,7 @@ BulkBodies read_bulk_bodies(const Model& model, const State& state) {
     set_floats(linear_velocity(model, state, i), bodies.motion[k].v);
     set_floats(angular_velocity(model, state, i), bodies.motion[k].w);
     if (model.body(i).motion != MotionType::dynamic) continue;
+    bodies.L[k] = state.angular_momentum(i);
     bodies.motion[k].inv_mass = static_cast<float>(1 / model.body(i).mass);
     bodies.inertia[k].inv_mass = bodies.motion[k].inv_mass;
   }
@@ -48,14 +44,26 @@ void write_bulk_bodies(const Model& model, const BulkBodies& bodies, State& stat
   for (int i = 0; i < model.body_count(); ++i) {
     const std::size_t k = static_cast<std::size_t>(i);
     const Body& body = model.body(i);
-    Vec3 P = Vec3::Zero();
-    Vec3 L = Vec3::Zero();
-    if (body.motion == MotionType::dynamic) {
-      P = body.mass * vector_of(bodies.motion[k].v);
-      L = angular_momentum(body, bodies.q[k], vector_of(bodies.motion[k].w));
-    }
-    state.set_body(i, bodies.x[k], bodies.q[k], P, L);
+    const bool is_dynamic = body.motion == MotionType::dynamic;
+    const Vec3 P = is_dynamic ? Vec3(body.mass * vector_of(bodies.motion[k].v)) : Vec3(Vec3::Zero());
+    state.set_body(i, bodies.x[k], bodies.q[k], P, bodies.L[k]);
   }
+}
+
+void set_momentum(const Model& model, int body, BulkBodies& bodies) {
+  const std::size_t k = static_cast<std::size_t>(body);
+  const Vec3& moments = model.body(body).moments;
+  const Mat3 R_WB = rotation_matrix(bodies.q[k]);
+  bodies.L[k] = R_WB * moments.cwiseProduct(R_WB.transpose() * vector_of(bodies.motion[k].w));
+  // As angular_velocity() of a State, to the last bit.
+  set_floats(R_WB * (R_WB.transpose() * bodies.L[k]).cwiseQuotient(moments), bodies.motion[k].w);
+}
+
+void set_standing(const Model& model, int body, bool stands, BulkBodies& bodies) {
+  const std::size_t k = static_cast<std::size_t>(body);
+  bodies.inertia[k] = InverseInertia{};
+  bodies.motion[k].inv_mass = stands ? 0 : static_cast<float>(1 / model.body(body).mass);
+  bodies.inertia[k].inv_mass = bodies.motion[k].inv_mass;
 }
 
 void begin_bulk_step(const Model& model, BulkBodies& bodies) {
@@ -63,8 +71,8 @@ void begin_bulk_step(const Model& model, BulkBodies& bodies) {
     const std::size_t k = static_cast<std::size_t>(i);
     set_floats(Vec3::Zero(), bodies.motion[k].dp);
     set_floats(Vec3::Zero(), bodies.motion[k].dr);
+    if (!bodies.is_dynamic(i)) continue;
     const Body& body = model.body(i);
-    if (body.motion != MotionType::dynamic) continue;
     const Mat3 R_WB = bodies.q[k].toRotationMatrix();
     const Mat3 inverse_W = R_WB * body.moments.cwiseInverse().asDiagonal() * R_WB.transpose();
     InverseInertia& inertia = bodies.inertia[k];
@@ -80,8 +88,7 @@ void begin_bulk_step(const Model& model, BulkBodies& bodies) {
 void end_bulk_step(const Model& model, BulkBodies& bodies) {
   for (int i = 0; i < model.body_count(); ++i) {
     const std::size_t k = static_cast<std::size_t>(i);
-    const Body& body = model.body(i);
-    if (body.motion == MotionType::fixed) continue;
+    if (!bodies.stirs(i)) continue;
     bodies.x[k] += vector_of(bodies.motion[k].dp);
     bodies.q[k] = (rotation_exp(vector_of(bodies.motion[k].dr)) * bodies.q[k]).normalized();
   }

@@ -13,7 +13,7 @@ namespace rigor {
 /// lanes by two squares of eight floats each. Along W's axes.
 struct alignas(64) MotionRecord {
   float v[3] = {};     ///< Of the centre of mass [m/s].
-  float inv_mass = 0;  ///< [1/kg]; 0 for kinematic and fixed bodies.
+  float inv_mass = 0;  ///< [1/kg]; 0 for bodies that stand.
   float w[3] = {};     ///< [rad/s].
   float pad_w = 0;
   float dp[3] = {};  ///< Displacement since the begin of the step [m].
@@ -26,8 +26,8 @@ struct alignas(64) MotionRecord {
 /// velocity.
 using MotionRow = std::array<float, 8>;
 
-/// Inverse inertia about the centre of mass in W at the begin of the step [1/(kg m^2)]; 0 for kinematic and
-/// fixed bodies.
+/// Inverse inertia about the centre of mass in W at the begin of the step [1/(kg m^2)]; 0 for bodies that
+/// stand.
 struct alignas(32) InverseInertia {
   float xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
   float inv_mass = 0;  ///< [1/kg].
@@ -50,15 +50,32 @@ struct BulkBodies {
   std::vector<Quat> q;  ///< q_WB.
   std::vector<MotionRecord> motion;
   std::vector<InverseInertia> inertia;
+  /// Angular momenta [kg m²/s] between two steps. A State has these: angular velocities follow from them by a
+  /// rounding that is not undone when they are computed back.
+  std::vector<Vec3> L;
 
   int count() const { return static_cast<int>(x.size()); }
+  /// Whether impulses move it: it is dynamic and does not sleep. The others stand, or move as they must.
   bool is_dynamic(int body) const { return inertia[static_cast<std::size_t>(body)].inv_mass > 0; }
+  bool has_velocity(int body) const {
+    const MotionRecord& m = motion[static_cast<std::size_t>(body)];
+    return m.v[0] != 0 || m.v[1] != 0 || m.v[2] != 0 || m.w[0] != 0 || m.w[1] != 0 || m.w[2] != 0;
+  }
+  /// Whether contacts with it may change in a step.
+  bool stirs(int body) const { return is_dynamic(body) || has_velocity(body); }
 };
 
-/// Of the State: velocities are rounded to 32 bits; writing them and reading them again gives the same bits.
+/// Of the State: velocities are rounded to 32 bits; what is written and read again has the same bits.
 BulkBodies read_bulk_bodies(const Model& model, const State& state);
 /// Into the State (all bodies, momenta of the dynamic ones), anchored at its time.
 void write_bulk_bodies(const Model& model, const BulkBodies& bodies, State& state);
+
+/// After velocities have been changed: the angular momentum of a dynamic body, and its angular velocity as it
+/// would be read from a State.
+void set_momentum(const Model& model, int body, BulkBodies& bodies);
+
+/// Lets a dynamic body stand as if it were fixed (it sleeps), or move again from the next begin of a step on.
+void set_standing(const Model& model, int body, bool stands, BulkBodies& bodies);
 
 /// Begins a step: inertia in W, no displacement.
 void begin_bulk_step(const Model& model, BulkBodies& bodies);

@@ -16,6 +16,11 @@ ManifoldSurface surface_of(const PairCoefficients& pair) {
           static_cast<float>(pair.torsional_friction), static_cast<float>(pair.rolling_friction)};
 }
 
+bool does_press(const ManifoldMemory& memory) {
+  const auto end = memory.normal_impulse.begin() + memory.point_count;
+  return std::any_of(memory.normal_impulse.begin(), end, [](float impulse) { return impulse > 0; });
+}
+
 ManifoldMemory key_of(const ShapePair& pair, const PairManifold& found) {
   ManifoldMemory key;
   key.body_A = pair.body_A;
@@ -45,6 +50,8 @@ void BulkContacts::match(const std::vector<ShapePair>& pairs, const std::vector<
   const std::size_t materials = model_->materials().size();
   keys_.resize(count);
   manifolds_.resize(count);
+  is_new_.resize(count);
+  totals_.clear();
   std::size_t next = 0;  // Both lists are in the order of keys.
   for (std::size_t i = 0; i < count; ++i) {
     const ShapePair& pair = pairs[static_cast<std::size_t>(manifolds[i].pair)];
@@ -54,6 +61,7 @@ void BulkContacts::match(const std::vector<ShapePair>& pairs, const std::vector<
     const std::array<int, 5> key = keys_[i].key();
     while (next < memory.size() && memory[next].key() < key) ++next;
     if (next < memory.size() && memory[next].key() == key) manifolds_[i].memory = &memory[next];
+    is_new_[i] = manifolds_[i].memory == nullptr || !does_press(*manifolds_[i].memory);
   }
 }
 
@@ -121,12 +129,23 @@ void BulkContacts::solve(BlockPass pass, float h, BulkBodies& bodies, const Exec
   });
 }
 
-void BulkContacts::remember(std::vector<ManifoldMemory>& memory) const {
+void BulkContacts::add_up(const Executor& executor) {
+  totals_.resize(blocks_.size());
+  executor.for_ranges(static_cast<int>(blocks_.size()), 64, [&](int begin, int end) {
+    for (int k = begin; k < end; ++k)
+      totals_[static_cast<std::size_t>(k)].add(blocks_[static_cast<std::size_t>(k)]);
+  });
+}
+
+void BulkContacts::remember(const BulkBodies& bodies, double h, std::vector<ManifoldMemory>& memory) const {
   memory = keys_;
   for (const ManifoldBlock& block : blocks_) {
     for (int lane = 0; lane < kLaneCount; ++lane) {
       const int number = block.manifold[static_cast<std::size_t>(lane)];
-      if (number >= 0) read_lane(block, lane, memory[static_cast<std::size_t>(number)]);
+      if (number < 0) continue;
+      ManifoldMemory& remembered = memory[static_cast<std::size_t>(number)];
+      read_lane(block, lane, remembered);
+      remembered.energy = static_cast<float>(spring_energy(block, lane, bodies, h));
     }
   }
 }

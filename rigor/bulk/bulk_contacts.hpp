@@ -1,6 +1,7 @@
 #pragma once
 
 #include "rigor/bulk/bulk_bodies.hpp"
+#include "rigor/bulk/contact_measures.hpp"
 #include "rigor/bulk/direct_islands.hpp"
 #include "rigor/bulk/executor.hpp"
 #include "rigor/bulk/graph_colouring.hpp"
@@ -30,8 +31,30 @@ class BulkContacts {
   /// One sweep over all colours. h [s]: of the substep.
   void solve(BlockPass pass, float h, BulkBodies& bodies, const Executor& executor);
   bool has_restitution() const { return has_restitution_; }
-  /// What the contacts remember, in the order of keys.
-  void remember(std::vector<ManifoldMemory>& memory) const;
+  /// Adds the impulses of a substep to those of the step; after the last sweep of each substep, if the totals
+  /// are wanted.
+  void add_up(const Executor& executor);
+  /// What the contacts remember, in the order of keys. h [s]: of a substep.
+  void remember(const BulkBodies& bodies, double h, std::vector<ManifoldMemory>& memory) const;
+
+  /// Calls visit(contact, key, is_new) for each manifold of the step, in the order of blocks. is_new: it had
+  /// no impulse at the end of the step before.
+  struct Contact {
+    const ManifoldBlock& block;
+    const BlockTotals& totals;
+    int lane;
+  };
+  template <class Visit>
+  void for_contacts(const Visit& visit) const {
+    for (std::size_t k = 0; k < totals_.size(); ++k) {
+      for (int lane = 0; lane < kLaneCount; ++lane) {
+        const int number = blocks_[k].manifold[static_cast<std::size_t>(lane)];
+        if (number < 0) continue;
+        const std::size_t i = static_cast<std::size_t>(number);
+        visit(Contact{blocks_[k], totals_[k], lane}, keys_[i], is_new_[i]);
+      }
+    }
+  }
 
  private:
   std::size_t material_of(int body, int shape) const;
@@ -47,6 +70,8 @@ class BulkContacts {
   std::vector<StepManifold> manifolds_;
   std::vector<int> swept_;             ///< Which of them are in blocks.
   std::vector<ConstraintEdge> edges_;  ///< Of those.
+  std::vector<bool> is_new_;
+  std::vector<BlockTotals> totals_;  ///< Of each block, if they are wanted.
   bool has_restitution_ = false;
 };
 

@@ -1,5 +1,7 @@
 #include "rigor/bulk/bulk_events.hpp"
 
+#include "rigor/bulk/bulk_contacts.hpp"
+
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
@@ -53,10 +55,55 @@ std::vector<ContactEvent> contact_events(const std::vector<ManifoldMemory>& befo
   return events;
 }
 
-std::vector<ContactEvent> find_hits(const std::vector<ContactEvent>& events, float least_impulse) {
-  std::vector<ContactEvent> hits;
-  std::copy_if(events.begin(), events.end(), std::back_inserter(hits), [&](const ContactEvent& event) {
-    return event.kind == ContactEvent::Kind::begin && event.normal_impulse >= least_impulse;
+double BulkContact::normal_impulse() const {
+  double sum = 0;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(point_count); ++k) sum += points[k].normal_impulse;
+  return sum;
+}
+
+namespace {
+
+BulkContact read_contact(const BulkContacts::Contact& from, const ManifoldMemory& key,
+                         const BulkBodies& bodies) {
+  const auto& [block, totals, lane] = from;
+  const std::size_t i = static_cast<std::size_t>(lane), a = static_cast<std::size_t>(key.body_A);
+  const ManifoldFrame frame = manifold_frame(block, lane);
+  const float* moved = bodies.motion[a].dp;
+  BulkContact contact;
+  contact.body_A = key.body_A, contact.body_B = key.body_B;
+  contact.shape_A = key.shape_A, contact.shape_B = key.shape_B;
+  contact.part = key.part;
+  contact.n_W = frame.n;
+  contact.center_W = bodies.x[a] - Vec3(moved[0], moved[1], moved[2]) + frame.rA;
+  contact.point_count = key.point_count;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(key.point_count); ++k) {
+    const BlockPoints& point = block.points[k];
+    const double p1 = point.p1[i], p2 = point.p2[i];
+    contact.points[k] = {contact.center_W + p1 * frame.t1 + p2 * frame.t2, point.gap[i], totals.normal[k][i]};
+  }
+  const double f1 = totals.tangent[0][i], f2 = totals.tangent[1][i], twist = totals.twist[i];
+  contact.friction_impulse_W = f1 * frame.t1 + f2 * frame.t2;
+  const double r1 = totals.roll[0][i], r2 = totals.roll[1][i];
+  contact.friction_moment_W = twist * frame.n + r1 * frame.t1 + r2 * frame.t2;
+  contact.approach_speed = approach_speed(block, lane);
+  return contact;
+}
+
+}  // namespace
+
+std::vector<BulkContact> read_contacts(const BulkContacts& contacts, const BulkBodies& bodies) {
+  std::vector<BulkContact> all;
+  contacts.for_contacts([&](const BulkContacts::Contact& contact, const ManifoldMemory& key, bool is_new) {
+    all.push_back(read_contact(contact, key, bodies));
+    all.back().is_new = is_new;
+  });
+  return all;
+}
+
+std::vector<BulkContact> find_hits(const std::vector<BulkContact>& contacts, double least_speed) {
+  std::vector<BulkContact> hits;
+  std::copy_if(contacts.begin(), contacts.end(), std::back_inserter(hits), [&](const BulkContact& contact) {
+    return contact.is_new && contact.normal_impulse() > 0 && contact.approach_speed >= least_speed;
   });
   return hits;
 }

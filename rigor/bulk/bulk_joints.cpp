@@ -13,6 +13,7 @@ struct BulkJoints::Blocks {
   LaneTarget target = LaneTarget::portable;
   float h = 0;
   std::vector<BulkJointBlock> blocks;
+  std::vector<int> moved;  ///< A dynamic body of each joint.
 
   JointEffort effort() const { return {*model, h, target}; }
 
@@ -27,6 +28,12 @@ struct BulkJoints::Blocks {
 BulkJoints::BulkJoints(const Model& model, LaneTarget target) : blocks_(std::make_unique<Blocks>()) {
   blocks_->model = &model;
   blocks_->target = target;
+  for (int joint = 0; joint < static_cast<int>(model.joints().size()); ++joint) {
+    const std::vector<int> bodies = model.bodies_of_joint(joint);
+    const auto is_dynamic = [&](int body) { return model.body(body).motion == MotionType::dynamic; };
+    const auto found = std::find_if(bodies.begin(), bodies.end(), is_dynamic);
+    blocks_->moved.push_back(found == bodies.end() ? bodies.front() : *found);
+  }
   JointForest forest = make_joint_forest(model);
   for (JointSystems& systems : forest.systems) {
     blocks_->blocks.push_back(make_joint_block(model, std::move(systems)));
@@ -43,6 +50,7 @@ void BulkJoints::prepare(BulkBodies& bodies, double h, const Executor& executor)
 
 void BulkJoints::solve(JointPass pass, const Executor& executor) {
   blocks_->for_each(executor, [&](BulkJointBlock& block) {
+    if (!block.stirs) return;
     if (pass == JointPass::rates) {
       solve_after_displacements(blocks_->effort(), block);
     } else {
@@ -51,20 +59,20 @@ void BulkJoints::solve(JointPass pass, const Executor& executor) {
   });
 }
 
-std::vector<float> BulkJoints::impulses() const {
-  std::vector<float> result(6 * blocks_->model->joints().size());
+void BulkJoints::read_impulses(const BulkBodies& bodies, std::vector<float>& impulses) const {
+  impulses.resize(6 * blocks_->model->joints().size(), 0);
   for (const BulkJointBlock& block : blocks_->blocks) {
     for (std::size_t i = 0; i < block.lanes.joints.size(); ++i) {
       const JointLink& link = block.lanes.systems.links[i];
       for (int lane = 0; lane < kLaneCount; ++lane) {
         const int joint = link.joints[static_cast<std::size_t>(lane)];
-        for (int r = 0; joint >= 0 && r < row_count(link); ++r) {
-          result[static_cast<std::size_t>(6 * joint + r)] = block.lanes.joints[i].impulse[r][lane];
+        if (joint < 0 || !bodies.is_dynamic(blocks_->moved[static_cast<std::size_t>(joint)])) continue;
+        for (int r = 0; r < row_count(link); ++r) {
+          impulses[static_cast<std::size_t>(6 * joint + r)] = block.lanes.joints[i].impulse[r][lane];
         }
       }
     }
   }
-  return result;
 }
 
 std::pair<double, int> BulkJoints::worst_error(const BulkBodies& bodies) const {

@@ -39,8 +39,8 @@ class BulkJoints {
   void prepare(BulkBodies& bodies, double h, const Executor& executor);
   void solve(JointPass pass, const Executor& executor);
   /// Of the last substep [N s] and [N m s]: six a joint, in the order of the Model's joints: of its rows in
-  /// their order, on body B.
-  std::vector<float> impulses() const;
+  /// their order, on body B. Joints of bodies that sleep keep what they have there.
+  void read_impulses(const BulkBodies& bodies, std::vector<float>& impulses) const;
   /// How far the worst joint is off [m] (angles count at a lever of the larger arm, at least the length scale
   /// of the model) at the begin of a step, and which it is (-1: none).
   std::pair<double, int> worst_error(const BulkBodies& bodies) const;

@@ -3,16 +3,22 @@
 #include "rigor/bulk/bulk_contacts.hpp"
 #include "rigor/bulk/bulk_joints.hpp"
 #include "rigor/bulk/direct_islands.hpp"
+#include "rigor/bulk/drag.hpp"
 #include "rigor/bulk/float_lanes.hpp"
 #include "rigor/bulk/gyration.hpp"
 #include "rigor/bulk/narrow_phase.hpp"
 #include "rigor/bulk/pair_finder.hpp"
 #include "rigor/bulk/prescribed_bodies.hpp"
+#include "rigor/bulk/sleepers.hpp"
+#include "rigor/bulk/step_books.hpp"
+#include "rigor/core/assert.hpp"
 #include "rigor/dynamics/environment.hpp"
+#include "rigor/math/rotation.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -35,6 +41,7 @@ struct BulkWorld::Scratch {
         joints(model),
         gyrations(model),
         prescribed(model),
+        books(model),
         environment(model, PointSprings::act, false) {}
 
   Executor executor;
@@ -45,10 +52,17 @@ struct BulkWorld::Scratch {
   BulkJoints joints;
   Gyrations gyrations;
   PrescribedBodies prescribed;
+  StepBooks books;
   Environment environment;
+  std::optional<Sleepers> sleepers;  ///< If bodies may sleep.
   std::vector<ShapePair> pairs;
   std::vector<PairManifold> manifolds;
   std::vector<float> joint_impulses;
+  struct GivenWrench {
+    int body;
+    Wrench wrench;
+  };
+  std::vector<GivenWrench> given;        ///< For the next step, in the order of the calls.
   std::vector<MotionRow> accelerations;  ///< By forces of the environment.
   std::vector<MotionRow> turns;          ///< What turning changes of angular velocities.
   std::vector<MotionRow> unconstrained;  ///< Velocities of a substep before its constraints.
@@ -57,19 +71,83 @@ struct BulkWorld::Scratch {
 BulkWorld::BulkWorld(std::shared_ptr<const Model> model, const BulkSettings& settings)
     : model_(std::move(model)),
       settings_(settings),
-      scratch_(std::make_unique<Scratch>(*model_, settings.threads)) {}
+      scratch_(std::make_unique<Scratch>(*model_, settings.threads)) {
+  if (settings.sleeping) scratch_->sleepers.emplace(*model_, settings.sleep_rules);
+}
 
 BulkWorld::~BulkWorld() = default;
 
+void BulkWorld::add_wrench(int body, const Wrench& wrench) {
+  RIGOR_ASSERT(model_->body(body).motion == MotionType::dynamic);
+  scratch_->given.push_back({body, wrench});
+  wake(body);
+}
+
+void BulkWorld::add_impulse(int body, const Wrench& impulse) {
+  const Body& own = model_->body(body);
+  RIGOR_ASSERT(own.motion == MotionType::dynamic);
+  const Quat& q_WB = bodies_.q[static_cast<std::size_t>(body)];
+  MotionRecord& motion = bodies_.motion[static_cast<std::size_t>(body)];
+  const Vec3 dv = impulse.f_W / own.mass;
+  const Vec3 dw = q_WB * (q_WB.conjugate() * impulse.tau_W).cwiseQuotient(own.moments);
+  for (int k = 0; k < 3; ++k) {
+    motion.v[k] += static_cast<float>(dv[k]);
+    motion.w[k] += static_cast<float>(dw[k]);
+  }
+  set_momentum(*model_, body, bodies_);
+  wake(body);
+}
+
+void BulkWorld::set_pose(int body, const Pose& X_WB) {
+  bodies_.x[static_cast<std::size_t>(body)] = X_WB.p;
+  bodies_.q[static_cast<std::size_t>(body)] = quaternion_of(X_WB.R);
+  if (model_->body(body).motion == MotionType::dynamic) set_momentum(*model_, body, bodies_);
+  // What it leaves loses a contact; what it meets is found by it, if it moves by itself.
+  if (model_->body(body).motion == MotionType::dynamic) {
+    wake(body);
+  } else {
+    wake_all();
+  }
+}
+
+void BulkWorld::wake_all() {
+  for (int i = 0; i < bodies_.count(); ++i) wake(i);
+}
+
+void BulkWorld::set_velocity(int body, const Vec3& v_W, const Vec3& w_W) {
+  MotionRecord& motion = bodies_.motion[static_cast<std::size_t>(body)];
+  for (int k = 0; k < 3; ++k) {
+    motion.v[k] = static_cast<float>(v_W[k]);
+    motion.w[k] = static_cast<float>(w_W[k]);
+  }
+  set_momentum(*model_, body, bodies_);
+  wake(body);
+}
+
+void BulkWorld::set_target(int body, const Vec3& x, const Quat& q) {
+  RIGOR_ASSERT(PrescribedBodies::is_free(model_->body(body)));
+  scratch_->prescribed.set_target(body, x, q);
+}
+
+std::vector<BulkContact> BulkWorld::contacts() const {
+  std::vector<BulkContact> contacts = read_contacts(scratch_->contacts, bodies_);
+  std::sort(contacts.begin(), contacts.end(),
+            [](const BulkContact& a, const BulkContact& b) { return a.key() < b.key(); });
+  return contacts;
+}
+
 void BulkWorld::set_contact_filter(std::function<bool(int, int)> may_touch) {
   scratch_->pair_finder.set_contact_filter(std::move(may_touch));
+  wake_all();
 }
 
 void BulkWorld::read(const State& state) {
+  scratch_->given.clear();
   t_ = state.t;
   bodies_ = read_bulk_bodies(*model_, state);
   memory_ = state.manifolds;
   scratch_->joint_impulses = state.joint_impulses;
+  if (scratch_->sleepers) scratch_->sleepers->read(state.quiet_time, bodies_);
 }
 
 void BulkWorld::write(State& state) const {
@@ -77,35 +155,77 @@ void BulkWorld::write(State& state) const {
   write_bulk_bodies(*model_, bodies_, state);
   state.manifolds = memory_;
   state.joint_impulses = scratch_->joint_impulses;
+  state.quiet_time = scratch_->sleepers ? scratch_->sleepers->quiet_time() : std::vector<float>{};
+}
+
+bool BulkWorld::is_asleep(int body) const {
+  return scratch_->sleepers && scratch_->sleepers->is_asleep(body);
+}
+
+void BulkWorld::wake(int body) {
+  if (scratch_->sleepers) scratch_->sleepers->disturb(body);
 }
 
 BulkStepReport BulkWorld::step(double h) {
   Scratch& s = *scratch_;
   const double substep = h / settings_.substeps;
   s.prescribed.place(*model_, t_, h, bodies_);
-  const double margin = 0.5 * model_->g_W().norm() * (margin_steps * h) * (margin_steps * h);
-  s.pair_finder.find_pairs(bodies_, h, margin, s.executor, s.pairs);
-  s.narrow_phase.find_manifolds(bodies_, s.pairs, s.executor, s.manifolds);
+  find_contacts(h);
   BulkStepReport report = describe_contacts();
   begin_bulk_step(*model_, bodies_);
-  compute_accelerations();
+  compute_accelerations(h);
+  add_given_wrenches();
   s.gyrations.prepare(bodies_);
   s.joints.prepare(bodies_, substep, s.executor);
   s.contacts.match(s.pairs, s.manifolds, memory_);
   report.direct_islands = solve_directly(h);
+  if (settings_.measures) s.books.begin(bodies_, s.direct);
   s.contacts.prepare(bodies_, substep, s.direct, s.executor);
-  for (int k = 0; k < settings_.substeps; ++k) take_substep(k == 0, static_cast<float>(substep));
+  for (int k = 0; k < settings_.substeps; ++k) {
+    if (settings_.measures && k > 0) s.contacts.add_up(s.executor);
+    take_substep(k == 0, static_cast<float>(substep));
+  }
   if (s.contacts.has_restitution()) {
     s.contacts.solve(BlockPass::restitution, static_cast<float>(substep), bodies_, s.executor);
   }
+  if (settings_.measures) {
+    s.contacts.add_up(s.executor);
+    s.books.end(bodies_, s.accelerations, h, s.contacts, report);
+    report.work += work_of_forces();
+  }
+  s.given.clear();
   end_bulk_step(*model_, bodies_);
   s.direct.finish(bodies_);
-  s.contacts.remember(memory_);
+  s.prescribed.arrive(bodies_);
+  s.contacts.remember(bodies_, substep, memory_);
   s.direct.remember(memory_);
-  s.joint_impulses = s.joints.impulses();
+  s.joints.read_impulses(bodies_, s.joint_impulses);
   std::tie(report.max_joint_error, report.worst_joint) = s.joints.worst_error(bodies_);
+  if (s.sleepers) {
+    s.sleepers->settle(h, bodies_, memory_);
+    report.sleeping_count = s.sleepers->count();
+  }
+  s.executor.for_ranges(bodies_.count(), 256, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      if (bodies_.is_dynamic(i)) set_momentum(*model_, i, bodies_);
+    }
+  });
   t_ += h;
   return report;
+}
+
+/// Pairs and manifolds of all that moves. Whoever is disturbed by them wakes, and then what it touches is
+/// looked for too.
+void BulkWorld::find_contacts(double h) {
+  Scratch& s = *scratch_;
+  const double margin = 0.5 * model_->g_W().norm() * (margin_steps * h) * (margin_steps * h);
+  bool is_done = false;
+  while (!is_done) {
+    if (s.sleepers) s.sleepers->lay_down(bodies_);
+    s.pair_finder.find_pairs(bodies_, h, margin, s.executor, s.pairs);
+    s.narrow_phase.find_manifolds(bodies_, s.pairs, s.executor, s.manifolds);
+    is_done = !s.sleepers || !s.sleepers->wake(bodies_, memory_, s.pairs, s.manifolds);
+  }
 }
 
 void BulkWorld::take_substep(bool is_first, float h) {
@@ -139,7 +259,7 @@ int BulkWorld::solve_directly(double h) {
   return s.direct.island_count();
 }
 
-void BulkWorld::compute_accelerations() {
+void BulkWorld::compute_accelerations(double h) {
   Scratch& s = *scratch_;
   const std::size_t count = bodies_.x.size();
   s.accelerations.resize(count);
@@ -159,11 +279,10 @@ void BulkWorld::compute_accelerations() {
       if (s.environment.is_forced(i)) {
         Wrench wrench;
         s.environment.apply_env_forces(std::span(&i, 1), view, std::span(&wrench, 1));
-        a = wrench.f_W / model_->body(i).mass;
-        const InverseInertia& I = bodies_.inertia[static_cast<std::size_t>(i)];
-        Mat3 inverse;
-        inverse << I.xx, I.xy, I.xz, I.xy, I.yy, I.yz, I.xz, I.yz, I.zz;
-        alpha = inverse * wrench.tau_W;
+        const MeanAcceleration mean =
+            mean_acceleration(model_->body(i), s.environment.drag(i), view(i).R, wrench, h);
+        a = mean.a;
+        alpha = mean.alpha;
       }
       for (std::size_t k = 0; k < 3; ++k) {
         row[k] = static_cast<float>(a[static_cast<Eigen::Index>(k)]);
@@ -171,6 +290,41 @@ void BulkWorld::compute_accelerations() {
       }
     }
   });
+}
+
+void BulkWorld::add_given_wrenches() {
+  Scratch& s = *scratch_;
+  for (const Scratch::GivenWrench& given : s.given) {
+    const Body& body = model_->body(given.body);
+    const Quat& q_WB = bodies_.q[static_cast<std::size_t>(given.body)];
+    const Vec3 a = given.wrench.f_W / body.mass;
+    const Vec3 alpha = q_WB * (q_WB.conjugate() * given.wrench.tau_W).cwiseQuotient(body.moments);
+    MotionRow& row = s.accelerations[static_cast<std::size_t>(given.body)];
+    for (std::size_t k = 0; k < 3; ++k) {
+      row[k] += static_cast<float>(a[static_cast<Eigen::Index>(k)]);
+      row[4 + k] += static_cast<float>(alpha[static_cast<Eigen::Index>(k)]);
+    }
+  }
+}
+
+/// Of forces that have no potential, over the displacements of the step: they are those of its begin.
+double BulkWorld::work_of_forces() const {
+  const Scratch& s = *scratch_;
+  double work = 0;
+  for (const Scratch::GivenWrench& given : s.given) {
+    const MotionRecord& m = bodies_.motion[static_cast<std::size_t>(given.body)];
+    work += given.wrench.f_W.dot(Vec3(m.dp[0], m.dp[1], m.dp[2])) +
+            given.wrench.tau_W.dot(Vec3(m.dr[0], m.dr[1], m.dr[2]));
+  }
+  for (int i = 0; i < bodies_.count(); ++i) {
+    if (!bodies_.is_dynamic(i) || !s.environment.is_forced(i)) continue;
+    const std::size_t k = static_cast<std::size_t>(i);
+    const MotionRecord& m = bodies_.motion[k];
+    work += s.environment.supplied_power(
+        i, {bodies_.x[k], Vec3(m.dp[0], m.dp[1], m.dp[2]), Vec3(m.dr[0], m.dr[1], m.dr[2]),
+            bodies_.q[k].toRotationMatrix(), true});
+  }
+  return work;
 }
 
 void BulkWorld::integrate_velocities(bool is_first, float h) {

@@ -1,8 +1,11 @@
 #pragma once
 
 #include "rigor/bulk/bulk_bodies.hpp"
+#include "rigor/bulk/bulk_events.hpp"
 #include "rigor/bulk/executor.hpp"
 #include "rigor/bulk/manifold.hpp"
+#include "rigor/bulk/sleep.hpp"
+#include "rigor/dynamics/body_phase.hpp"
 #include "rigor/model/manifold_memory.hpp"
 
 #include <functional>
@@ -12,8 +15,11 @@
 namespace rigor {
 
 struct BulkSettings {
-  int substeps = 8;  ///< >= 1, of equal length.
-  int threads = 1;   ///< >= 1. The answer does not depend on it.
+  int substeps = 8;       ///< >= 1, of equal length.
+  int threads = 1;        ///< >= 1. The answer does not depend on it.
+  bool measures = false;  ///< Whether a step tells its impacts, work and error of momentum, and its contacts.
+  bool sleeping = false;  ///< Whether bodies at rest are left alone (Sleepers).
+  SleepRules sleep_rules;
 };
 
 /// What a step did.
@@ -22,6 +28,10 @@ struct BulkStepReport {
   int manifold_count = 0;  ///< Of those with points.
   int point_count = 0;
   int direct_islands = 0;              ///< Islands whose contacts were solved directly.
+  int sleeping_count = 0;              ///< Bodies that sleep at the end of the step.
+  int impact_count = 0;                ///< Pairs of shapes that began to press, faster than they may rest.
+  Vec3 momentum_error = Vec3::Zero();  ///< Of StepBooks [kg m/s].
+  double work = 0;                     ///< By kinematic bodies, torques and forces fixed in bodies [J].
   double max_overlap = 0;              ///< At the begin of the step [m].
   int overlap_A = -1, overlap_B = -1;  ///< Its bodies.
   double max_joint_error = 0;          ///< At the end of the step [m]: BulkJoints::worst_error.
@@ -37,6 +47,20 @@ class BulkWorld {
   BulkWorld(const BulkWorld&) = delete;
   BulkWorld& operator=(const BulkWorld&) = delete;
 
+  /// Force [N] and torque about the centre of mass [N m] on a dynamic body during the next step, in W; added
+  /// to what it has been given before. Wakes it.
+  void add_wrench(int body, const Wrench& wrench);
+  /// Impulse [N s] and angular impulse about the centre of mass [N m s] on a dynamic body, in W, at once.
+  /// Wakes it.
+  void add_impulse(int body, const Wrench& impulse);
+  /// Puts a body somewhere else between two steps: its body frame, with the velocities that it has. Wakes it
+  /// and what it touched; a kinematic body wakes all.
+  void set_pose(int body, const Pose& X_WB);
+  /// Other velocities of a dynamic body, in W. Wakes it.
+  void set_velocity(int body, const Vec3& v_W, const Vec3& w_W);
+  /// Where a kinematic body without velocity and path (PrescribedBodies::is_free) is to be at the end of the
+  /// next step: centre p_WB [m], orientation q_WB. It moves there at a constant velocity and stays.
+  void set_target(int body, const Vec3& x, const Quat& q);
   /// See PairFinder::set_contact_filter.
   void set_contact_filter(std::function<bool(int, int)> may_touch);
   void read(const State& state);
@@ -46,12 +70,22 @@ class BulkWorld {
 
   double time() const { return t_; }
   const BulkBodies& bodies() const { return bodies_; }
+  bool is_asleep(int body) const;
+  /// Is awake in the next step, and all that it touches.
+  void wake(int body);
+  /// All manifolds of the last step in the order of their keys, if it was measured; those of sleeping bodies,
+  /// of which nothing was computed, are not among them.
+  std::vector<BulkContact> contacts() const;
   /// Of the contacts at the end of the last step, in the order of their keys.
   const std::vector<ManifoldMemory>& memory() const { return memory_; }
 
  private:
   struct Scratch;
-  void compute_accelerations();
+  void find_contacts(double h);
+  void compute_accelerations(double h);
+  void wake_all();
+  void add_given_wrenches();
+  double work_of_forces() const;
   void take_substep(bool is_first, float h);
   int solve_directly(double h);
   void integrate_velocities(bool is_first, float h);

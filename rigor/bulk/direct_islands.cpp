@@ -150,8 +150,16 @@ bool DirectIslands::is_taken(const DirectStep& step, const Island& island, const
   return std::none_of(island.manifolds.begin(), island.manifolds.end(), [&](int i) {
     const StepManifold& manifold = step.manifolds[at(i)];
     return manifold.surface->rolling_friction > 0 || manifold.surface->torsional_friction > 0 ||
-           bounces(manifold, bodies);
+           is_driven(manifold, bodies) || bounces(manifold, bodies);
   });
+}
+
+/// Whether one of the bodies moves as it must: its work is not known here.
+bool DirectIslands::is_driven(const StepManifold& manifold, const BulkBodies& bodies) const {
+  for (const int body : {manifold.key->body_A, manifold.key->body_B}) {
+    if (!bodies.is_dynamic(body) && bodies.has_velocity(body)) return true;
+  }
+  return false;
 }
 
 bool DirectIslands::bounces(const StepManifold& manifold, const BulkBodies& bodies) const {

@@ -33,7 +33,7 @@ struct DirectStep {
 /// (Moreau's step, docs/theory/bulk.md, section 6), and displacements with them.
 ///
 /// Taken are islands of at most 64 bodies with masses that differ by a factor of ten, without joints,
-/// springs, rolling and torsional friction and without a bounce in this step.
+/// springs, rolling and torsional friction, moving kinematic bodies and without a bounce in this step.
 class DirectIslands {
  public:
   explicit DirectIslands(const Model& model);
@@ -60,6 +60,7 @@ class DirectIslands {
   struct Problem;
   std::vector<Island> find_islands(const DirectStep& step, const BulkBodies& bodies);
   bool is_taken(const DirectStep& step, const Island& island, const BulkBodies& bodies) const;
+  bool is_driven(const StepManifold& manifold, const BulkBodies& bodies) const;
   bool bounces(const StepManifold& manifold, const BulkBodies& bodies) const;
   Problem problem_of(const DirectStep& step, const Island& island, const BulkBodies& bodies) const;
   bool solve_island(const DirectStep& step, const Island& island, BulkBodies& bodies);

@@ -71,16 +71,21 @@ void set_all_masses(const Model& model, JointBlock& block) {
   }
 }
 
+/// Lanes of systems that sleep have records of their own: what is done to them is not done to bodies.
 void find_records(BulkBodies& bodies, BulkJointBlock& block) {
+  block.stirs = false;
+  block.empty = {};
   for (std::size_t s = 0; s < block.records.size(); ++s) {
+    const bool is_moved = s < block.lanes.systems.moved;
     for (std::size_t lane = 0; lane < 8; ++lane) {
       const int body = block.lanes.systems.bodies[s][lane];
       float* record = block.nothing.data();
-      if (body >= 0) {
+      if (is_moved && (body < 0 || !bodies.is_dynamic(body))) {
+        record = block.empty[lane].data();
+      } else if (body >= 0) {
         static_assert(sizeof(bodies.motion[0]) == 16 * sizeof(float));
         record = bodies.motion[static_cast<std::size_t>(body)].v;
-      } else if (s < block.lanes.systems.moved) {
-        record = block.empty[lane].data();
+        block.stirs = block.stirs || is_moved;
       }
       block.records[s][lane] = record;
     }
@@ -152,6 +157,7 @@ BulkJointBlock make_joint_block(const Model& model, JointSystems systems) {
 
 void prepare_joint_block(const JointEffort& effort, BulkBodies& bodies, BulkJointBlock& block) {
   find_records(bodies, block);
+  if (!block.stirs) return;
   place_axes(bodies, block.lanes);
   place_joints(effort.model, bodies, block.lanes);
   run_stage(JointStage::aim, effort.h, effort.target, block.lanes);

@@ -23,11 +23,12 @@ struct BulkJointBlock {
   JointBlock lanes;
   std::vector<JointRecords> records;
   alignas(64) std::array<float, 16> nothing{};                        ///< The world.
-  alignas(64) std::array<std::array<float, 16>, kLaneCount> empty{};  ///< Of lanes without a body.
+  alignas(64) std::array<std::array<float, 16>, kLaneCount> empty{};  ///< Of lanes whose bodies do not move.
   struct alignas(32) Velocities {
     FloatVec3 v, w;
   };
   std::vector<Velocities> before;  ///< At the begin of a solve, of bodies that joints with laws move.
+  bool stirs = true;               ///< Whether one of its bodies moves in this step: not all of them sleep.
   /// Of rows of laws, in the order of links, rows and lanes: what limits do after the displacements.
   struct Law {
     int link = 0, row = 0, axis = -1;  ///< Axis -1: a ball's damper across its axis.

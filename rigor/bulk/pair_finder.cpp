@@ -121,6 +121,7 @@ FloatBox PairFinder::Tables::update_body(const Step& step, int body) {
 /// Of two bodies, a < b.
 void PairFinder::Tables::add_pairs(const Step& step, int a, int b, std::vector<ShapePair>& pairs) const {
   if (!body_boxes[at(a)].overlaps(body_boxes[at(b)])) return;
+  if (!step.bodies.stirs(a) && !step.bodies.stirs(b)) return;
   if (may_touch && !may_touch(a, b)) return;
   const int begin_A = shape_begin[at(a)], end_A = shape_begin[at(a) + 1];
   const int begin_B = shape_begin[at(b)], end_B = shape_begin[at(b) + 1];
@@ -147,6 +148,7 @@ void PairFinder::Tables::add_unbounded(const Step& step, std::vector<ShapePair>&
   for (const UnboundedShape& other : unbounded) {
     const UnboundedPlace place = place_of(other, step.bodies, origin);
     for (const int body : moving) {
+      if (!step.bodies.stirs(other.body) && !step.bodies.stirs(body)) continue;
       if (!filter.may_collide(other.body, body)) continue;
       if (may_touch && !may_touch(std::min(other.body, body), std::max(other.body, body))) continue;
       for (int s = shape_begin[at(body)]; s < shape_begin[at(body) + 1]; ++s) {

@@ -26,9 +26,10 @@ class PairFinder {
 
   /// All pairs that may touch within h [s] from now, at the velocities of now, or come closer than `margin`
   /// [m], as far as the Model lets them collide: in the order (body_A, body_B, shape_A, shape_B); at least
-  /// one body is dynamic (the buffer is cleared first). A pair's margin is `margin` and how far its points
-  /// can come to each other within h (to first order: find_pair_margin). The answer depends on the bodies
-  /// alone, not on earlier calls or threads. Nothing is promised for bodies that are not finite.
+  /// one body is dynamic and awake, or one moves as it must and the other sleeps (the buffer is cleared
+  /// first). A pair's margin is `margin` and how far its points can come to each other within h (to first
+  /// order: find_pair_margin). The answer depends on the bodies alone, not on earlier calls or threads.
+  /// Nothing is promised for bodies that are not finite.
   void find_pairs(const BulkBodies& bodies, double h, double margin, const Executor& executor,
                   std::vector<ShapePair>& pairs);
 

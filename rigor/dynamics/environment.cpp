@@ -30,8 +30,9 @@ Environment::Environment(const Model& model, PointSprings springs, bool with_joi
       torques_(index(model.body_count())) {
   for (int i = 0; i < model.body_count(); ++i) {
     const Body& body = model.body(i);
-    if (body.motion == MotionType::dynamic) steady_accelerations_[index(i)] = model.g_W();
-    linear_drag_.push_back(body.linear_drag);
+    if (body.motion == MotionType::dynamic)
+      steady_accelerations_[index(i)] = body.gravity_scale * model.g_W();
+    linear_drag_.push_back(body.linear_drag + body.mass * body.linear_damping);
     angular_drag_.push_back(body.angular_drag);
   }
   for (const Force& force : model.forces()) {
@@ -67,7 +68,7 @@ Environment::Environment(const Model& model, PointSprings springs, bool with_joi
     is_forced_[index(i)] =
         model.body(i).motion == MotionType::dynamic &&
         (!springs_of_[index(i)].empty() || !body_forces_[index(i)].empty() || !torques_[index(i)].empty() ||
-         linear_drag_[index(i)] > 0 || angular_drag_[index(i)] > 0);
+         linear_drag_[index(i)] > 0 || angular_drag_[index(i)] > 0 || model.body(i).angular_damping > 0);
   }
   if (with_joints) add_joints();
 }
@@ -87,10 +88,14 @@ void Environment::add_joints() {
 }
 
 Wrench Environment::own_forces(int body, const BodyView& view) const {
+  const Body& own = model_->body(body);
   Wrench wrench;
-  wrench.f_W =
-      model_->body(body).mass * steady_accelerations_[index(body)] - linear_drag_[index(body)] * view.v;
+  wrench.f_W = own.mass * steady_accelerations_[index(body)] - linear_drag_[index(body)] * view.v;
   wrench.tau_W = -angular_drag_[index(body)] * view.w;
+  if (own.angular_damping > 0) {
+    const Vec3 L_B = own.moments.cwiseProduct(view.R.transpose() * view.w);
+    wrench.tau_W -= own.angular_damping * (view.R * L_B);
+  }
   for (const ConstantForce& force : body_forces_[index(body)]) {
     const Vec3 f_W = force.frame_is_body ? Vec3(view.R * force.f) : force.f;
     wrench.f_W += f_W;

@@ -26,6 +26,15 @@ class Environment {
   }
   /// Whether anything else acts on it or a joint holds it, so that its motion must be integrated.
   bool is_forced(int body) const { return is_forced_[static_cast<std::size_t>(body)]; }
+  /// Force per velocity [kg/s] and torque per angular velocity [kg m²/s] that the body meets, and the rate at
+  /// which its angular momentum is damped [1/s]; damping of the momentum is in the first.
+  struct DragRates {
+    double linear, angular, angular_damping;
+  };
+  DragRates drag(int body) const {
+    return {linear_drag_[static_cast<std::size_t>(body)], angular_drag_[static_cast<std::size_t>(body)],
+            model_->body(body).angular_damping};
+  }
   /// Dynamic bodies joined to this one by springs, ascending.
   const std::vector<int>& spring_partners(int body) const {
     return partners_[static_cast<std::size_t>(body)];
@@ -126,7 +135,7 @@ class Environment {
   std::vector<std::vector<int>> joint_springs_of_;       ///< Joints with springs that hold each body.
   std::vector<std::vector<ConstantForce>> body_forces_;  ///< Those that do not act steadily at the centre.
   std::vector<std::vector<ConstantTorque>> torques_;
-  std::vector<double> linear_drag_, angular_drag_;
+  std::vector<double> linear_drag_, angular_drag_;  ///< Damping of the momentum is in the first.
 };
 
 }  // namespace rigor

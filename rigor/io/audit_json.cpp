@@ -104,6 +104,7 @@ std::string audit_json(const Audit& audit) {
   json["angular_momentum_error"] = audit.angular_momentum_error;
   json["penetration"] = penetration_json(audit);
   json["joint_drift"] = joint_drift_json(audit);
+  if (audit.method.sleeping) json["sleeping"] = audit.sleeping_count;
   json["toi_bracket"] = report.toi_bracket;
   json["solver"] = {{"max_residual", report.max_residual},
                     {"max_iterations", report.max_iterations},

@@ -77,6 +77,9 @@ void BodyReader::read(const YamlNode& node, std::size_t index) {
   description.mask = static_cast<std::uint32_t>(body.number("mask").value_or(description.mask));
   description.linear_drag = body.number("linear_drag").value_or(0);
   description.angular_drag = body.number("angular_drag").value_or(0);
+  description.gravity_scale = body.number("gravity_scale").value_or(1);
+  description.linear_damping = body.number("linear_damping").value_or(0);
+  description.angular_damping = body.number("angular_damping").value_or(0);
   description.path = read_path(body);
   warn_of_unused(body, description);
 

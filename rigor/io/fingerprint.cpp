@@ -80,6 +80,7 @@ class Hash {
     for (const BodyShape& shape : body.shapes) add(shape.shape), add(shape.X_BS), add(shape.material);
     add(std::uint64_t{body.group}), add(std::uint64_t{body.mask}), add(body.linear_drag),
         add(body.angular_drag);
+    add(body.gravity_scale), add(body.linear_damping), add(body.angular_damping);
     add(body.p_WB), add(body.q_WB), add(body.v_WB), add(body.w_WB);
     for (const PathPoint& point : body.path) add(point.time), add(point.p_WL), add(point.q_WL);
   }

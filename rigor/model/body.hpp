@@ -41,6 +41,9 @@ struct Body {
   std::uint32_t mask = 65535;
   double linear_drag = 0;      ///< Force -c v [kg/s].
   double angular_drag = 0;     ///< Torque -c ω [kg m²/s].
+  double gravity_scale = 1;    ///< Times gravity; 0: it floats.
+  double linear_damping = 0;   ///< Force -c P: the rate at which its momentum decays [1/s].
+  double angular_damping = 0;  ///< Torque -c L, the same of its angular momentum [1/s].
   double bounding_radius = 0;  ///< Of all shapes about the origin of B [m]; infinite with a plane.
 
   // At t = 0.

@@ -69,6 +69,9 @@ void check_numbers(const BodyDescription& body, Findings& findings) {
   findings.check("angular_velocity", body.angular_velocity, limits::angular_speed, "rad/s");
   findings.check("linear_drag", body.linear_drag, limits::coefficient, "kg/s");
   findings.check("angular_drag", body.angular_drag, limits::coefficient, "kg m²/s");
+  findings.check("gravity_scale", body.gravity_scale, limits::gravity_scale, "");
+  findings.check("linear_damping", body.linear_damping, limits::coefficient, "1/s");
+  findings.check("angular_damping", body.angular_damping, limits::coefficient, "1/s");
   const bool is_moving = !body.velocity.isZero(0) || !body.angular_velocity.isZero(0);
   findings.require(body.motion != MotionType::fixed || !is_moving,
                    "a static body does not move, but a velocity is given; make it kinematic");
@@ -139,6 +142,9 @@ Body make_body(const BodyDescription& description, const std::string& where, con
   body.mask = description.mask;
   body.linear_drag = description.linear_drag;
   body.angular_drag = description.angular_drag;
+  body.gravity_scale = description.gravity_scale;
+  body.linear_damping = description.linear_damping;
+  body.angular_damping = description.angular_damping;
   body.shapes = make_shapes(description, materials, memory, findings);
   body.p_WB = description.p_WL;
   body.q_WB = description.q_WL.normalized();

@@ -25,10 +25,11 @@ inline constexpr Range friction{0, 1000};
 inline constexpr Range restitution{0, 1};
 inline constexpr Range force{-1e15, 1e15};    ///< [N] or [N m], each component.
 inline constexpr Range coefficient{0, 1e15};  ///< Stiffness, damping, drag, in their units.
-inline constexpr Range time{-1e9, 1e9};       ///< [s].
-inline constexpr Range ratio{-1e6, 1e6};      ///< Of a gear; not 0.
+inline constexpr Range gravity_scale{-1e3, 1e3};
+inline constexpr Range time{-1e9, 1e9};   ///< [s].
+inline constexpr Range ratio{-1e6, 1e6};  ///< Of a gear; not 0.
 
-/// Bodies of a scene.
+/// Bodies of a scene file; what is built in C++ may have as many as there is memory for.
 inline constexpr std::size_t body_count = 100000;
 /// Heights of a height field.
 inline constexpr std::size_t height_count = 1000000;

@@ -18,6 +18,7 @@ struct ManifoldMemory {
   std::array<float, max_points> normal_impulse{};  ///< Of the last substep [N s], >= 0.
   std::array<float, 3> friction_impulse_W{};       ///< On B, of the last substep [N s].
   float twist_impulse = 0;                         ///< About the normal, on B [N m s].
+  float energy = 0;                                ///< That its springs hold [J].
 
   bool operator==(const ManifoldMemory& other) const = default;
   std::array<int, 5> key() const { return {body_A, body_B, shape_A, shape_B, part}; }

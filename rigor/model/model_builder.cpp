@@ -211,6 +211,28 @@ void ModelBuilder::add_body(BodyDescription body, std::string where) {
   parts_->bodies.push_back({std::move(body), std::move(where)});
 }
 
+bool ModelBuilder::remove_body(const std::string& name) {
+  const auto holds = [&name](const std::vector<std::string>& names) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  if (std::erase_if(parts_->bodies, [&](const auto& part) { return part.value.name == name; }) == 0)
+    return false;
+  std::erase_if(parts_->excluded,
+                [&](const auto& part) { return part.value.a == name || part.value.b == name; });
+  std::erase_if(parts_->forces, [&](const auto& part) { return holds(part.value.bodies); });
+  std::set<std::string> gone;
+  for (const auto& [joint, where] : parts_->joints) {
+    if (holds(joint.bodies)) gone.insert(joint.name);
+  }
+  std::erase_if(parts_->joints, [&](const auto& part) {
+    const std::vector<std::string>& of_gear = part.value.joints;
+    return gone.count(part.value.name) > 0 ||
+           std::any_of(of_gear.begin(), of_gear.end(),
+                       [&](const std::string& joint) { return gone.count(joint) > 0; });
+  });
+  return true;
+}
+
 void ModelBuilder::exclude_pair(const std::string& body_a, const std::string& body_b, std::string where) {
   parts_->excluded.push_back({{body_a, body_b}, std::move(where)});
 }
@@ -233,11 +255,7 @@ Model ModelBuilder::assemble(std::vector<std::string>& messages) const {
   model.materials_ = materials.materials;
   model.pair_overrides_ = make_pairs(parts_->pairs, materials, messages);
 
-  if (parts_->bodies.size() > limits::body_count) {
-    messages.push_back("the scene has " + std::to_string(parts_->bodies.size()) +
-                       " bodies, must be at most " + std::to_string(limits::body_count));
-    return model;
-  }
+  model.bodies_.reserve(parts_->bodies.size());
   ShapeMemory memory;
   std::string bad_where;
   for (const auto& [body, where] : parts_->bodies) {

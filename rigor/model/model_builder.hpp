@@ -43,6 +43,9 @@ struct BodyDescription {
   std::uint32_t mask = 65535;
   double linear_drag = 0;
   double angular_drag = 0;
+  double gravity_scale = 1;    ///< Times gravity.
+  double linear_damping = 0;   ///< Rate at which momentum decays [1/s].
+  double angular_damping = 0;  ///< The same of angular momentum [1/s].
   std::vector<PathPoint> path;
 };
 
@@ -67,6 +70,9 @@ class ModelBuilder {
   void set_pair(const std::string& material_a, const std::string& material_b, PairCoefficients coefficients,
                 std::string where = {});
   void add_body(BodyDescription body, std::string where = {});
+  /// Takes a body out again, with the joints, gears of these joints, forces and exclusions that name it.
+  /// False if there is none of that name.
+  bool remove_body(const std::string& name);
   void exclude_pair(const std::string& body_a, const std::string& body_b, std::string where = {});
   /// Forces name their bodies; "world" is the world. Points are in the user's frames L of the bodies.
   struct ForceDescription {

@@ -48,14 +48,30 @@ SceneQueries::SceneQueries(const Model& model, const State& state) : model_(mode
 
 void SceneQueries::update(const State& state) {
   RIGOR_ASSERT(state.body_count() == model_.body_count());
-  poses_.clear();
+  constexpr int updates_of_a_tree = 64;
+  const bool is_anew = updates_++ % updates_of_a_tree == 0;
+  poses_.resize(model_.bodies().size());
+  boxes_.resize(model_.bodies().size());
+  std::vector<BoxItem> items;
   for (int body = 0; body < model_.body_count(); ++body) {
-    poses_.push_back({rotation_matrix(state.orientation(body)), state.position(body)});
+    const std::size_t i = static_cast<std::size_t>(body);
+    poses_[i] = {rotation_matrix(state.orientation(body)), state.position(body)};
     const std::vector<BodyShape>& shapes = model_.body(body).shapes;
     if (shapes.empty()) continue;
     Aabb box{Vec3::Constant(kInfinity), Vec3::Constant(-kInfinity)};
-    for (const BodyShape& s : shapes) box = box.united(axis_aligned_box(s.shape, poses_.back() * s.X_BS));
-    tree_.set(body, with_rounding(box));
+    for (const BodyShape& s : shapes) box = box.united(axis_aligned_box(s.shape, poses_[i] * s.X_BS));
+    boxes_[i] = with_rounding(box);
+    const bool is_bounded = (boxes_[i].upper - boxes_[i].lower).allFinite();
+    if (is_anew) {
+      items.push_back({body, boxes_[i]});
+    } else if (!is_bounded) {
+      tree_.set(body, boxes_[i]);
+    }
+  }
+  if (is_anew) {
+    tree_.build(items);
+  } else {
+    tree_.refit(boxes_);
   }
 }
 

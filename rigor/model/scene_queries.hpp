@@ -51,7 +51,7 @@ class SceneQueries {
 
   /// The Model must outlive this; the poses are copied from the State.
   SceneQueries(const Model& model, const State& state);
-  /// Other poses of the same bodies.
+  /// Other poses of the same bodies. O(n) but for each 64th time, when the tree is made anew.
   void update(const State& state);
 
   const Pose& pose(int body) const { return poses_[static_cast<std::size_t>(body)]; }
@@ -84,7 +84,9 @@ class SceneQueries {
 
   const Model& model_;
   std::vector<Pose> poses_;  ///< X_WB of each body.
-  AabbTree tree_;            ///< A box a body that has shapes.
+  std::vector<Aabb> boxes_;  ///< Of each body that has shapes.
+  AabbTree tree_;            ///< Of those boxes.
+  int updates_ = 0;
 };
 
 }  // namespace rigor

@@ -41,6 +41,7 @@ struct Audit {
     Vec3 force, torque;  ///< Reaction on the second body, about the joint's anchor on it [N], [N m].
   };
   std::vector<JointEnd> joints;
+  int sleeping_count = 0;  ///< Bodies that sleep at the end.
   std::vector<std::string> warnings;
   /// What is outside its tolerance, each with its value and the bound; empty: the run can be trusted.
   std::vector<std::string> violations;

@@ -1,5 +1,6 @@
 #include "rigor/sim/bulk_stepper.hpp"
 
+#include "rigor/bulk/prescribed_bodies.hpp"
 #include "rigor/core/assert.hpp"
 #include "rigor/sim/fixed_steps.hpp"
 
@@ -14,6 +15,8 @@ BulkSettings settings_of(const Method& method, int threads) {
   BulkSettings settings;
   if (method.substeps > 0) settings.substeps = static_cast<int>(std::ceil(method.substeps));
   settings.threads = threads;
+  settings.measures = true;
+  settings.sleeping = method.sleeping;
   return settings;
 }
 
@@ -21,7 +24,10 @@ BulkSettings settings_of(const Method& method, int threads) {
 
 BulkStepper::BulkStepper(std::shared_ptr<const Model> model, const Method& method, double target_step,
                          int threads)
-    : model_(std::move(model)), target_step_(target_step), world_(model_, settings_of(method, threads)) {
+    : model_(std::move(model)),
+      target_step_(target_step),
+      settings_(settings_of(method, threads)),
+      world_(model_, settings_) {
   RIGOR_ASSERT(target_step > 0 && threads >= 1);
 }
 
@@ -50,8 +56,9 @@ AdvanceReport BulkStepper::advance(State& state, double t_end) {
   world_.write(state);
   state.t = t;
   for (int i = 0; i < model_->body_count(); ++i) {
-    if (model_->body(i).motion != MotionType::kinematic) continue;
-    const PrescribedMotion motion = prescribed_motion(model_->body(i), t);
+    const Body& body = model_->body(i);
+    if (body.motion != MotionType::kinematic || PrescribedBodies::is_free(body)) continue;
+    const PrescribedMotion motion = prescribed_motion(body, t);
     state.set_body(i, motion.p_WB, motion.q_WB, Vec3::Zero(), Vec3::Zero());
   }
   state.anchor_here();
@@ -62,6 +69,10 @@ AdvanceReport BulkStepper::advance(State& state, double t_end) {
 void BulkStepper::note(const BulkStepReport& step, double t, AdvanceReport& report) const {
   ++report.steps;
   report.distance_queries += step.pair_count;
+  report.impacts += step.impact_count;
+  report.momentum_error += step.momentum_error;
+  report.work += step.work;
+  report.max_iterations = 2 * settings_.substeps;  // Sweeps: with the springs and without.
   if (step.max_overlap > report.max_penetration) {
     report.max_penetration = step.max_overlap;
     report.penetration_A = step.overlap_A;

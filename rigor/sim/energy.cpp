@@ -23,6 +23,7 @@ Energy mechanical_energy(const Model& model, const Environment& environment, con
   CompensatedSum elastic;
   elastic.add(environment.spring_energy(view));
   for (const ContactMemory& contact : state.contacts) elastic.add(contact.energy);
+  for (const ManifoldMemory& manifold : state.manifolds) elastic.add(manifold.energy);
   return {kinetic.value(), potential.value(), elastic.value()};
 }
 

@@ -9,7 +9,7 @@ namespace rigor {
 struct Energy {
   double kinetic = 0;
   double potential = 0;  ///< Gravity and steady forces, zero at the origin of W.
-  double elastic = 0;    ///< In springs, those of penalty contacts among them.
+  double elastic = 0;    ///< In springs, those of soft contacts among them.
 
   double total() const { return kinetic + potential + elastic; }
 };

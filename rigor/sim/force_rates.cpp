@@ -34,7 +34,8 @@ PenaltyRates rates_of_forces(const Model& model) {
   PenaltyRates bound{};
   for (const Body& body : model.bodies()) {
     if (body.motion == MotionType::dynamic)
-      bound.damping = std::max(bound.damping, of_drag(body, body.linear_drag, body.angular_drag));
+      bound.damping = std::max({bound.damping, of_drag(body, body.linear_drag, body.angular_drag),
+                                body.linear_damping, body.angular_damping});
   }
   for (const Force& force : model.forces()) {
     if (const Spring* const spring = std::get_if<Spring>(&force)) {

@@ -47,6 +47,7 @@ struct Method {
   PenaltyLaw penalty_law = PenaltyLaw::linear;
   SolverMethod solver = SolverMethod::exact;
   ConeMethod cone = ConeMethod::exact;
+  bool sleeping = false;            ///< Of solver substep: bodies at rest are left alone.
   double contact_tolerance = 1e-6;  ///< Pairs closer than this touch [m].
   double time_tolerance = 1e-12;    ///< Of a time of impact [s].
   double resting_velocity = 1e-3;   ///< Slower approaches do not bounce [m/s].

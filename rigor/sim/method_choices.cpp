@@ -125,6 +125,12 @@ std::span<const MethodChoice> method_choices() {
       MethodChoice{"cone", "pyramid", "friction in the directions of a frame, wrong in between",
                    "Stewart and Trinkle, An Implicit Time-Stepping Scheme for Rigid Body Dynamics, 1996",
                    true},
+
+      MethodChoice{"sleeping", "false", "solver substep moves all bodies in every step",
+                   "docs/theory/bulk.md, section 7", true},
+      MethodChoice{"sleeping", "true",
+                   "groups of bodies that have come to rest are left alone until disturbed",
+                   "docs/theory/bulk.md, section 7", true},
   };
   return choices;
 }

@@ -29,6 +29,8 @@ constexpr std::array<ChoiceUse, 10> choice_uses = {{
 }  // namespace
 
 bool uses_choice(const Method& method, std::string_view key) {
+  if (key == "sleeping" && method.scheme != Scheme::automatic)
+    return method.scheme == Scheme::time_stepping && method.solver == SolverMethod::substep;
   const auto use = std::find_if(choice_uses.begin(), choice_uses.end(),
                                 [&](const ChoiceUse& each) { return each.key == key; });
   if (use == choice_uses.end() || method.scheme == Scheme::automatic) return true;

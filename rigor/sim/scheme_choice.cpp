@@ -96,7 +96,8 @@ int touching_pair_count(const Model& model, double tolerance) {
 }
 
 bool has_drag(const Body& body) {
-  return body.motion == MotionType::dynamic && (body.linear_drag > 0 || body.angular_drag > 0);
+  return body.motion == MotionType::dynamic && (body.linear_drag > 0 || body.angular_drag > 0 ||
+                                                body.linear_damping > 0 || body.angular_damping > 0);
 }
 
 std::string scheme_name(Scheme scheme) {

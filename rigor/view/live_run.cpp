@@ -173,6 +173,7 @@ void LiveRun::rebuild() {
     model_ = changed_model(*scene_.model, with_pull);
   }
   state_.anchor_here();
+  state_.quiet_time.clear();  // Whatever was changed may move what sleeps.
   stepper_ = make_stepper(model_, method_, step_);
   if (recording_) recording_->continue_with(free_model_);
   begin_books();

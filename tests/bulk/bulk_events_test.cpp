@@ -43,13 +43,19 @@ TEST(ContactEvents, ManifoldsOfAPairCountTogether) {
   EXPECT_EQ(events[0].normal_impulse, 3);
 }
 
-TEST(ContactEvents, HitsBeganWithAtLeastTheImpulse) {
-  const std::vector<ContactEvent> events =
-      contact_events({manifold(0, 9, 50)}, {manifold(0, 1, 1), manifold(0, 2, 2), manifold(0, 3, 3)});
-  const std::vector<ContactEvent> hits = find_hits(events, 2);
-  ASSERT_EQ(hits.size(), 2u);
-  EXPECT_EQ(hits[0].body_B, 2);
-  EXPECT_EQ(hits[1].body_B, 3);
+TEST(ContactEvents, HitsAreNewAndFastEnoughAndPress) {
+  std::vector<BulkContact> contacts(4);
+  for (int i = 0; i < 4; ++i) {
+    BulkContact& contact = contacts[static_cast<std::size_t>(i)];
+    contact.body_B = i;
+    contact.point_count = 1;
+    contact.points[0].normal_impulse = i == 2 ? 0 : 1;
+    contact.approach_speed = i;
+    contact.is_new = i != 3;
+  }
+  const std::vector<BulkContact> hits = find_hits(contacts, 1);
+  ASSERT_EQ(hits.size(), 1u);
+  EXPECT_EQ(hits[0].body_B, 1);
 }
 
 }  // namespace

@@ -169,6 +169,7 @@ TEST(Serialise, WhatTheManyBodyPathRemembersComesBack) {
     manifold.normal_impulse = {0.1f, 0.2f, 0.3f, 1e-30f};
     manifold.friction_impulse_W = {-1, 2, -3};
     manifold.twist_impulse = 0.5f;
+    manifold.energy = 0.25f;
     state.manifolds.push_back(manifold);
   }
   for (std::size_t count = 0; count < 4; ++count) {
@@ -232,7 +233,7 @@ TEST(Deserialise, SaysWhatIsWrong) {
   EXPECT_EQ(message_of(bytes), "state: not a saved state of Rigor");
   bytes = serialise(State{});
   bytes[8] = 2;
-  EXPECT_EQ(message_of(bytes), "state: version 2, this program reads version 3");
+  EXPECT_EQ(message_of(bytes), "state: version 2, this program reads version 4");
   bytes = serialise(State{});
   // A count whose product with the size of a body would overflow.
   for (std::size_t i = 16; i < 24; ++i) bytes[i] = 0xFF;

@@ -18,8 +18,8 @@ TEST(MethodTable, EachValueOnceWithMeaningAndSource) {
     EXPECT_EQ(choice.meaning.find('\n'), std::string_view::npos);
   }
   // 5 schemes and `auto`, 8 integrators, 2 orientations, 2 broad phases, 2 distances, 3 times of impact, 3
-  // laws, 3 and 2 rules, 2 + 2 + 2 + 3 + 3 of time stepping and penalty.
-  EXPECT_EQ(seen.size(), 43u);
+  // laws, 3 and 2 rules, 2 + 2 + 2 + 3 + 3 of time stepping and penalty, 2 of sleep.
+  EXPECT_EQ(seen.size(), 45u);
 }
 
 TEST(MethodTable, DefaultsAreAvailable) {

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "rigor/bulk/bulk_bodies.hpp"
+#include "rigor/bulk/manifold_blocks.hpp"
+
+#include <array>
+
+namespace rigor {
+
+/// Impulses of eight manifolds, added up over the substeps of a step: each substep ends with all that its
+/// contacts have done in it.
+struct alignas(32) BlockTotals {
+  std::array<LaneArray, Manifold::max_points> normal{};  ///< [N s].
+  LaneArray tangent[2]{};                                ///< Along t1, t2, on B [N s].
+  LaneArray twist{}, roll[2]{};                          ///< About n, t1, t2 [N m s].
+
+  void add(const ManifoldBlock& block);
+};
+
+/// The frame of a manifold at its centre, in W.
+struct ManifoldFrame {
+  Vec3 n, t1, t2;
+  Vec3 rA, rB;  ///< The centre from those of the bodies [m].
+};
+ManifoldFrame manifold_frame(const ManifoldBlock& block, int lane);
+
+/// All that a manifold did to body B in a step: the impulse at its centre [N s] and the moment of it about
+/// the centre [N m s], in W. Body A has got the opposite.
+struct ManifoldWrench {
+  Vec3 impulse, moment;
+};
+ManifoldWrench total_wrench(const ManifoldBlock& block, const BlockTotals& totals, int lane);
+
+/// Energy that the springs of a manifold hold at the end of a step of substeps of h [s]: Σ ½ s min(k s, 2
+/// λ/h) over its points that overlap by s, in J. What the soft constraint of section 3 of docs/theory/bulk.md
+/// does at rest is the force of a spring of stiffness k = m ω², which then is λ/h. Overlaps that an impact
+/// has made are not what a spring has stored: nothing presses on them by even half of its force.
+double spring_energy(const ManifoldBlock& block, int lane, const BulkBodies& bodies, double h);
+
+/// The fastest approach of its points at the begin of the step [m/s], >= 0, of points that were pressed in
+/// it; 0 if none was.
+double approach_speed(const ManifoldBlock& block, int lane);
+
+}  // namespace rigor

@@ -1,0 +1,91 @@
+#include "rigor/bulk/step_books.hpp"
+
+#include "rigor/bulk/bulk_world.hpp"
+#include "rigor/bulk/islands.hpp"
+#include "rigor/model/force.hpp"
+
+#include <cstddef>
+
+namespace rigor {
+
+namespace {
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+Vec3 vector_of(const float* p) {
+  return Vec3(p[0], p[1], p[2]);
+}
+
+/// Contacts that begin more slowly are no impacts [m/s]: the speed from which the solver lets them bounce.
+constexpr double impact_speed = 1e-2;
+
+/// Work of a manifold on the dynamic one of its bodies, if the other moves as it must [J]: velocities and
+/// arms of a step are constant.
+double work_of(const BulkContacts::Contact& contact, const ManifoldWrench& on_B, const BulkBodies& bodies) {
+  const std::size_t i = at(contact.lane);
+  const int a = contact.block.body_A[i], b = contact.block.body_B[i];
+  if (bodies.is_dynamic(a) == bodies.is_dynamic(b)) return 0;
+  const bool a_moves_it = bodies.is_dynamic(b);
+  const int mover = a_moves_it ? a : b;
+  if (!bodies.has_velocity(mover)) return 0;
+  const MotionRecord& motion = bodies.motion[at(mover)];
+  const ManifoldFrame frame = manifold_frame(contact.block, contact.lane);
+  const Vec3 w = vector_of(motion.w), v = vector_of(motion.v) + w.cross(a_moves_it ? frame.rA : frame.rB);
+  const double on_b = on_B.impulse.dot(v) + on_B.moment.dot(w);
+  return a_moves_it ? on_b : -on_b;
+}
+
+}  // namespace
+
+StepBooks::StepBooks(const Model& model) {
+  BulkIslands islands(model);
+  std::vector<bool> is_grounded(at(model.body_count()), false);
+  for (int j = 0; j < static_cast<int>(model.joints().size()); ++j) {
+    const std::vector<int> bodies = model.bodies_of_joint(j);
+    const Joint& joint = model.joint(j);
+    bool is_tied =
+        joint.type != JointType::gear && (joint.body_A == world_body || joint.body_B == world_body);
+    for (const int body : bodies) is_tied = is_tied || islands.island_of(body) < 0;
+    for (const int body : bodies) {
+      if (is_tied && islands.island_of(body) >= 0) is_grounded[at(islands.island_of(body))] = true;
+    }
+  }
+  for (int i = 0; i < model.body_count(); ++i) {
+    const int island = islands.island_of(i);
+    masses_.push_back(model.body(i).mass);
+    is_free_.push_back(island >= 0 && !is_grounded[at(island)]);
+  }
+}
+
+void StepBooks::begin(const BulkBodies& bodies, const DirectIslands& direct) {
+  direct_ = &direct;
+  begin_ = momentum(bodies);
+}
+
+Vec3 StepBooks::momentum(const BulkBodies& bodies) const {
+  Vec3 sum = Vec3::Zero();
+  for (int i = 0; i < bodies.count(); ++i) {
+    if (is_booked(bodies, i)) sum += masses_[at(i)] * vector_of(bodies.motion[at(i)].v);
+  }
+  return sum;
+}
+
+void StepBooks::end(const BulkBodies& bodies, const std::vector<MotionRow>& accelerations, double h,
+                    const BulkContacts& contacts, BulkStepReport& report) const {
+  Vec3 given = Vec3::Zero();
+  for (int i = 0; i < bodies.count(); ++i) {
+    if (is_booked(bodies, i)) given += h * masses_[at(i)] * vector_of(accelerations[at(i)].data());
+  }
+  contacts.for_contacts([&](const BulkContacts::Contact& contact, const ManifoldMemory& key, bool is_new) {
+    const ManifoldWrench on_B = total_wrench(contact.block, contact.totals, contact.lane);
+    if (is_new && approach_speed(contact.block, contact.lane) > impact_speed) ++report.impact_count;
+    if (is_booked(bodies, key.body_B) && !is_booked(bodies, key.body_A)) given += on_B.impulse;
+    if (is_booked(bodies, key.body_A) && !is_booked(bodies, key.body_B)) given -= on_B.impulse;
+    report.work += work_of(contact, on_B, bodies);
+  });
+  report.momentum_error = momentum(bodies) - begin_ - given;
+}
+
+}  // namespace rigor

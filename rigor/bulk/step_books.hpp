@@ -1,0 +1,38 @@
+#pragma once
+
+#include "rigor/bulk/bulk_contacts.hpp"
+#include "rigor/bulk/direct_islands.hpp"
+
+#include <vector>
+
+namespace rigor {
+
+struct BulkStepReport;
+
+/// What a step was given and what it made of it: impacts, work, linear momentum. Momentum is balanced over
+/// the dynamic bodies that joints do not tie to bodies of other kinds or to the world: its change is the
+/// impulse of forces and of contacts with all other bodies, or there is an error (of rounding, or in the
+/// solver). Islands that are solved directly are left out.
+class StepBooks {
+ public:
+  explicit StepBooks(const Model& model);
+
+  /// Before the first substep. direct: of this step, until its end.
+  void begin(const BulkBodies& bodies, const DirectIslands& direct);
+  /// After the last one, before bodies are moved. accelerations: of forces in a step of h [s].
+  void end(const BulkBodies& bodies, const std::vector<MotionRow>& accelerations, double h,
+           const BulkContacts& contacts, BulkStepReport& report) const;
+
+ private:
+  bool is_booked(const BulkBodies& bodies, int body) const {
+    return is_free_[static_cast<std::size_t>(body)] && bodies.is_dynamic(body) && !direct_->holds(body);
+  }
+  Vec3 momentum(const BulkBodies& bodies) const;
+
+  std::vector<double> masses_;  ///< [kg].
+  std::vector<bool> is_free_;
+  const DirectIslands* direct_ = nullptr;
+  Vec3 begin_ = Vec3::Zero();  ///< Momentum at the begin [kg m/s].
+};
+
+}  // namespace rigor
