@@ -1,12 +1,10 @@
 #include "rigor/bulk/shape_places.hpp"
 
 #include "rigor/geometry/aabb.hpp"
-#include "rigor/geometry/convex_hull.hpp"
 #include "rigor/geometry/support.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace rigor {
 
@@ -30,9 +28,6 @@ Float3 cross(const Float3& a, const Float3& b) {
 }
 float squared(const Float3& a) {
   return a.x * a.x + a.y * a.y + a.z * a.z;
-}
-float dot(const Float3& a, const Float3& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 float norm(const Float3& a) {
   return std::sqrt(squared(a));
@@ -67,24 +62,6 @@ double round_radius(const Shape& shape) {
   return 0;
 }
 
-/// Radius of a ball about a point inside a convex shape, 0 of others [m].
-double radius_inside(const Shape& shape, const Vec3& center) {
-  if (const Sphere* sphere = std::get_if<Sphere>(&shape)) return sphere->radius;
-  if (const Box* box = std::get_if<Box>(&shape)) return box->half_extents.minCoeff();
-  if (const Capsule* capsule = std::get_if<Capsule>(&shape)) return capsule->radius;
-  if (const Cylinder* cylinder = std::get_if<Cylinder>(&shape))
-    return std::min(cylinder->radius, cylinder->half_length);
-  if (const Ellipsoid* ellipsoid = std::get_if<Ellipsoid>(&shape)) return ellipsoid->radii.minCoeff();
-  const Convex* convex = std::get_if<Convex>(&shape);
-  if (convex == nullptr) return 0;
-  double radius = std::numeric_limits<double>::infinity();
-  for (std::size_t f = 0; f < convex->hull->faces.size(); ++f) {
-    const std::size_t corner = static_cast<std::size_t>(convex->hull->faces[f][0]);
-    radius = std::min(radius, convex->hull->face_normals[f].dot(convex->hull->vertices[corner] - center));
-  }
-  return std::max(radius, 0.0);
-}
-
 /// A little more, so that rounding to 32 bits takes nothing away.
 float rounded_up(double x) {
   return static_cast<float>(x * (1 + 1e-6));
@@ -106,7 +83,6 @@ ShapeBound make_shape_bound(const BodyShape& shape) {
     for (int j = 0; j < 3; ++j) bound.R_BS[3 * k + j] = static_cast<float>(shape.X_BS.R(k, j));
   }
   bound.radius = rounded_up(radius);
-  bound.inner = static_cast<float>(radius_inside(shape.shape, center_S));
   bound.reach = rounded_up(std::max(radius_about(shape.shape, center_S) - radius, 0.0));
   return bound;
 }
@@ -132,7 +108,6 @@ ShapePlace place_of(const ShapeBound& bound, const BulkBodies& bodies, int body,
   std::copy_n(bound.half, 3, place.half);
   place.reach = bound.reach;
   place.radius = bound.radius;
-  place.inner = bound.inner;
   constexpr float roundings = 1e-6f;
   place.slack = roundings * (std::abs(center.x) + std::abs(center.y) + std::abs(center.z) + bound.reach +
                              bound.radius + norm(load(bound.center_B)));
@@ -159,30 +134,16 @@ FloatBox swept_box(const ShapePlace& place, const ShapeBound& bound, const Motio
 
 namespace {
 
-/// The most that -n · u can be of unit vectors n with n · d >= balls, and not less than 0. The shapes of
-/// these balls are apart along no other n.
-float approach_speed(const Float3& d, const Float3& u, float balls) {
-  const float speed = norm(u), distance = norm(d);
-  if (!(balls < distance)) return balls > 0 ? std::max(-dot(u, d) / distance, 0.0f) : speed;
-  const float cosine = balls / distance, towards = -dot(u, d) / distance;
-  if (balls <= 0 || towards >= cosine * speed) return speed;
-  const float across = std::sqrt(std::max(speed * speed - towards * towards, 0.0f));
-  return std::max(towards * cosine + across * std::sqrt(1 - cosine * cosine), 0.0f);
-}
-
 /// How far the shapes can come to each other; d: from the centre of the large one to that of the small one.
 ///
 /// The distance of the cores changes as fast as their witness points P and Q move along the line n between
 /// them. With c the centre of the core of b: velocity_b(Q) - velocity_a(P) = [u_b - velocity_a(c)] +
-/// (w_b - w_a) × (Q - c) + w_a × (Q - P), and the last term has no part along n. Balls inside about the
-/// centres leave n · d >= r_a + r_b where the shapes do not overlap.
+/// (w_b - w_a) × (Q - c) + w_a × (Q - P), and the last term has no part along n. All n count, also those
+/// along which the shapes part: what turns a body within the step finds its contacts there.
 float approach_bound(const ShapePlace& small, const ShapePlace& large, const Float3& d, float h) {
-  constexpr float share = 0.9f, worthwhile = 0.01f;  // Slow shapes come so near only if they are near.
   const Float3 u = load(small.u) - load(large.u) - cross(load(large.w), d);
-  const float balls = small.inner > 0 && large.inner > 0 ? share * (small.inner + large.inner) : 0;
-  const float speed = norm(u);
   const float turning = small.reach > 0 ? norm(load(small.w) - load(large.w)) * small.reach : 0;
-  return h * ((h * speed > worthwhile * balls ? approach_speed(d, u, balls) : speed) + turning);
+  return h * (norm(u) + turning);
 }
 
 }  // namespace

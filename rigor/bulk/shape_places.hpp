@@ -14,7 +14,6 @@ struct ShapeBound {
   float half[3];      ///< Of the box [m], along the axes of the shape's frame.
   float reach;        ///< Radius of the ball [m].
   float radius;       ///< [m].
-  float inner;        ///< Radius of a ball about the centre inside a convex shape, or 0 [m].
   float R_BS[9];      ///< Rows.
   bool is_turned;     ///< R_BS is not the identity.
 };
@@ -26,8 +25,8 @@ struct ShapePlace {
   float u[3];       ///< [m/s].
   float w[3];       ///< [rad/s].
   float R_WS[9];
-  float half[3], reach, radius, inner;  ///< As above.
-  float slack;                          ///< More than the rounding of all that [m].
+  float half[3], reach, radius;  ///< As above.
+  float slack;                   ///< More than the rounding of all that [m].
 };
 
 /// The bound of a bounded shape of a body.
@@ -43,8 +42,7 @@ FloatBox swept_box(const ShapePlace& place, const ShapeBound& bound, const Motio
 
 /// The margin of a pair [m]: `margin` and how far the two shapes can come to each other within h [s] at the
 /// velocities of now, to first order in h: the farther ends of a turning shape count, its roundness does not.
-/// Of convex shapes only the directions count along which they can be nearest, unless they overlap by more
-/// than a tenth of the balls inside. Nothing if their boxes and balls are farther apart than that.
+/// Nothing if their boxes and balls are farther apart than that.
 std::optional<float> find_pair_margin(const ShapePlace& a, const ShapePlace& b, float h, float margin);
 
 }  // namespace rigor
