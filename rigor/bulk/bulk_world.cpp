@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -39,7 +40,10 @@ struct BulkWorld::Scratch {
         joints(model),
         prescribed(model),
         books(model),
-        environment(model, PointSprings::act, false) {}
+        environment(model, PointSprings::act, false) {
+    for (const Body& body : model.bodies())
+      is_turned.push_back(body.motion == MotionType::dynamic && !is_round(body) ? 1 : 0);
+  }
 
   Executor executor;
   PairFinder pair_finder;
@@ -59,6 +63,9 @@ struct BulkWorld::Scratch {
   };
   std::vector<GivenWrench> given;        ///< For the next step, in the order of the calls.
   std::vector<MotionRow> accelerations;  ///< By forces of the environment.
+  /// Of each body, whether it is dynamic and not round: the substeps ask, and the Model's bodies are far
+  /// apart.
+  std::vector<std::uint8_t> is_turned;
   std::vector<BodyGyration> gyrations;   ///< Of bodies that are not round.
   std::vector<MotionRow> unconstrained;  ///< Velocities of a substep before its constraints.
 };
@@ -250,7 +257,7 @@ void BulkWorld::compute_accelerations(double h) {
       MotionRow& row = s.accelerations[static_cast<std::size_t>(i)];
       row = {};
       if (!bodies_.is_dynamic(i)) continue;
-      if (!is_round(model_->body(i))) {
+      if (s.is_turned[static_cast<std::size_t>(i)] != 0) {
         s.gyrations[static_cast<std::size_t>(i)] =
             gyration_of(model_->body(i), bodies_.q[static_cast<std::size_t>(i)]);
       }
@@ -314,7 +321,7 @@ void BulkWorld::integrate_velocities(bool is_first, float h) {
       float* v = bodies_.motion[k].v;
       MotionRow& free = s.unconstrained[k];
       std::array<float, 3> turn{};
-      if (bodies_.is_dynamic(i) && !is_round(model_->body(i))) {
+      if (s.is_turned[k] != 0 && bodies_.is_dynamic(i)) {
         gyroscopic_change(s.gyrations[k], bodies_.motion[k].w, h, turn.data());
       }
       for (std::size_t j = 0; j < kLaneCount; ++j) {
