@@ -195,7 +195,7 @@ BulkStepReport BulkWorld::step(double h) {
   s.given.clear();
   end_bulk_step(*model_, bodies_);
   s.prescribed.arrive(bodies_);
-  s.contacts.remember(bodies_, substep, memory_);
+  s.contacts.remember(bodies_, substep, settings_.substeps, memory_);
   s.joints.read_impulses(bodies_, s.joint_impulses);
   std::tie(report.max_joint_error, report.worst_joint) = s.joints.worst_error(bodies_);
   if (s.sleepers) {
