@@ -51,6 +51,7 @@ void BulkContacts::match(const std::vector<ShapePair>& pairs, const std::vector<
   keys_.resize(count);
   manifolds_.resize(count);
   is_new_.resize(count);
+  held_.resize(count);
   totals_.clear();
   std::size_t next = 0;  // Both lists are in the order of keys.
   for (std::size_t i = 0; i < count; ++i) {
@@ -62,6 +63,7 @@ void BulkContacts::match(const std::vector<ShapePair>& pairs, const std::vector<
     while (next < memory.size() && memory[next].key() < key) ++next;
     if (next < memory.size() && memory[next].key() == key) manifolds_[i].memory = &memory[next];
     is_new_[i] = manifolds_[i].memory == nullptr || !does_press(*manifolds_[i].memory);
+    held_[i] = manifolds_[i].memory ? manifolds_[i].memory->energy : 0;
   }
 }
 
@@ -137,15 +139,20 @@ void BulkContacts::add_up(const Executor& executor) {
   });
 }
 
-void BulkContacts::remember(const BulkBodies& bodies, double h, std::vector<ManifoldMemory>& memory) const {
+void BulkContacts::remember(const BulkBodies& bodies, double h, int substeps,
+                            std::vector<ManifoldMemory>& memory) const {
   memory = keys_;
-  for (const ManifoldBlock& block : blocks_) {
+  for (std::size_t k = 0; k < blocks_.size(); ++k) {
+    const ManifoldBlock& block = blocks_[k];
     for (int lane = 0; lane < kLaneCount; ++lane) {
       const int number = block.manifold[static_cast<std::size_t>(lane)];
       if (number < 0) continue;
       ManifoldMemory& remembered = memory[static_cast<std::size_t>(number)];
       read_lane(block, lane, remembered);
-      remembered.energy = static_cast<float>(spring_energy(block, lane, bodies, h));
+      if (totals_.empty()) continue;
+      const double held = held_[static_cast<std::size_t>(number)];
+      remembered.energy =
+          static_cast<float>(spring_energy(block, totals_[k], lane, bodies, h, substeps, held));
     }
   }
 }

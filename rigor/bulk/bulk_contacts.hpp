@@ -34,8 +34,9 @@ class BulkContacts {
   /// Adds the impulses of a substep to those of the step; after the last sweep of each substep, if the totals
   /// are wanted.
   void add_up(const Executor& executor);
-  /// What the contacts remember, in the order of keys. h [s]: of a substep.
-  void remember(const BulkBodies& bodies, double h, std::vector<ManifoldMemory>& memory) const;
+  /// What the contacts remember, in the order of keys; the energy of their springs if the impulses were added
+  /// up. h [s]: of a substep.
+  void remember(const BulkBodies& bodies, double h, int substeps, std::vector<ManifoldMemory>& memory) const;
 
   /// Calls visit(contact, key, is_new) for each manifold of the step, in the order of blocks. is_new: it had
   /// no impulse at the end of the step before.
@@ -71,6 +72,7 @@ class BulkContacts {
   std::vector<int> swept_;             ///< Which of them are in blocks.
   std::vector<ConstraintEdge> edges_;  ///< Of those.
   std::vector<bool> is_new_;
+  std::vector<float> held_;          ///< Energy of the springs at the begin of the step [J].
   std::vector<BlockTotals> totals_;  ///< Of each block, if they are wanted.
   bool has_restitution_ = false;
 };

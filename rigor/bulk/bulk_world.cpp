@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -197,7 +198,7 @@ BulkStepReport BulkWorld::step(double h) {
   end_bulk_step(*model_, bodies_);
   s.direct.finish(bodies_);
   s.prescribed.arrive(bodies_);
-  s.contacts.remember(bodies_, substep, memory_);
+  s.contacts.remember(bodies_, substep, settings_.substeps, memory_);
   s.direct.remember(memory_);
   s.joints.read_impulses(bodies_, s.joint_impulses);
   std::tie(report.max_joint_error, report.worst_joint) = s.joints.worst_error(bodies_);

@@ -59,7 +59,8 @@ ManifoldWrench total_wrench(const ManifoldBlock& block, const BlockTotals& total
   return wrench;
 }
 
-double spring_energy(const ManifoldBlock& block, int lane, const BulkBodies& bodies, double h) {
+double spring_energy(const ManifoldBlock& block, const BlockTotals& totals, int lane,
+                     const BulkBodies& bodies, double h, int substeps, double held) {
   const std::size_t i = static_cast<std::size_t>(lane);
   const ManifoldFrame f = manifold_frame(block, lane);
   const MotionRecord& A = bodies.motion[static_cast<std::size_t>(block.body_A[i])];
@@ -70,16 +71,17 @@ double spring_energy(const ManifoldBlock& block, int lane, const BulkBodies& bod
   // At rest λ = -(mass_scale / impulse_scale) m bias_rate s, an impulse of h k |s|.
   const double stiffness_of_mass =
       static_cast<double>(block.mass_scale[i]) / block.impulse_scale[i] * block.bias_rate[i] / h;
-  double energy = 0;
+  double energy = 0, work = 0;
   for (std::size_t k = 0; k < static_cast<std::size_t>(block.point_count); ++k) {
     const BlockPoints& point = block.points[k];
     const double gap = static_cast<double>(point.gap[i]) + u0 + static_cast<double>(point.p2[i]) * u1 -
                        static_cast<double>(point.p1[i]) * u2;
     const double overlap = std::max(0.0, -gap);
-    const double of_spring = static_cast<double>(point.mass[i]) * stiffness_of_mass * overlap;
-    energy += 0.5 * overlap * std::min(of_spring, 2 * point.impulse[i] / h);
+    const double before = std::max(0.0, -static_cast<double>(point.gap[i]));
+    energy += 0.5 * static_cast<double>(point.mass[i]) * stiffness_of_mass * overlap * overlap;
+    work += totals.normal[k][i] / (h * substeps) * std::max(0.0, overlap - before);
   }
-  return energy;
+  return std::min(energy, held + work);
 }
 
 double approach_speed(const ManifoldBlock& block, int lane) {

@@ -31,11 +31,12 @@ struct ManifoldWrench {
 };
 ManifoldWrench total_wrench(const ManifoldBlock& block, const BlockTotals& totals, int lane);
 
-/// Energy that the springs of a manifold hold at the end of a step of substeps of h [s]: Σ ½ s min(k s, 2
-/// λ/h) over its points that overlap by s, in J. What the soft constraint of section 3 of docs/theory/bulk.md
-/// does at rest is the force of a spring of stiffness k = m ω², which then is λ/h. Overlaps that an impact
-/// has made are not what a spring has stored: nothing presses on them by even half of its force.
-double spring_energy(const ManifoldBlock& block, int lane, const BulkBodies& bodies, double h);
+/// Energy that the springs of a manifold hold at the end of a step of substeps of h [s], in J: Σ ½ k s² over
+/// its points that overlap by s, but not more than they held before (`held`) and the work that has pressed
+/// them in the step: overlaps that an impact makes are not paid for by it. What the soft constraint of
+/// section 3 of docs/theory/bulk.md does at rest is the force of a spring of stiffness k = m ω².
+double spring_energy(const ManifoldBlock& block, const BlockTotals& totals, int lane,
+                     const BulkBodies& bodies, double h, int substeps, double held);
 
 /// The fastest approach of its points at the begin of the step [m/s], >= 0, of points that were pressed in
 /// it; 0 if none was.

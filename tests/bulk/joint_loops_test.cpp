@@ -147,7 +147,7 @@ TEST(BulkLoops, ATableOnFourBallsSharesItsWeightEvenly) {
   }
   JointRun run(builder.build());
   run.run(1, kStep, 4);
-  const std::vector<float> impulses = run.joints.impulses();
+  const std::vector<float> impulses = run.impulses();
   const double weight = 4 * 9.81 * kStep / 4;
   for (std::size_t j = 0; j < 4; ++j) {
     // The softness that shares the impulses of redundant rows is 1e-8 of them; 32 bits of velocities.
@@ -194,7 +194,7 @@ TEST(BulkLoops, ABridgeOfPlanksHoldsAndItsRopesShareTheLoad) {
     run.step(kStep, 8);
     worst = std::max(worst, run.error());
     rise = std::max(rise, run.energy() - before);
-    const std::vector<float> impulses = run.joints.impulses();
+    const std::vector<float> impulses = run.impulses();
     double largest = 0, uneven = 0;
     for (std::size_t k = 0; k < impulses.size(); k += 12) {
       const auto at = [&](std::size_t j) { return Vec3(impulses[j], impulses[j + 1], impulses[j + 2]); };

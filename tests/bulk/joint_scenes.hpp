@@ -53,6 +53,12 @@ struct JointRun {
         joints(*model, target),
         gyrations(*model, target) {}
 
+  std::vector<float> impulses() const {
+    std::vector<float> result;
+    joints.read_impulses(bodies, result);
+    return result;
+  }
+
   void step(double H, int substeps) {
     const Executor executor(1);
     const double h = H / substeps;
