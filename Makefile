@@ -4,9 +4,9 @@ JOBS ?= $(shell nproc)
 BUILD := build/release
 RIGOR := $(BUILD)/rigor
 
-.PHONY: run test build check check-all bench bench-bulk setup configure clean help
+.PHONY: run test build program check check-all bench bench-bulk setup configure clean help
 
-run: build
+run: program
 	@mkdir -p out
 	@$(RIGOR) run scenes/turntable.yaml -o out/turntable.html -o out/turntable.png
 	@echo
@@ -27,6 +27,9 @@ run: build
 build: configure
 	@cmake --build --preset release -j $(JOBS)
 
+program: configure
+	@cmake --build --preset release -j $(JOBS) --target rigor
+
 test: build
 	@ctest --preset release -j $(JOBS)
 
@@ -36,11 +39,11 @@ setup:
 configure: setup
 	@[ -f $(BUILD)/build.ninja ] || cmake --preset release
 
-check: build
+check: program
 	@tools/setup.sh check
 	@tools/check.sh $(JOBS)
 
-check-all: build
+check-all: program
 	@tools/setup.sh check
 	@tools/check.sh $(JOBS) all
 
@@ -71,9 +74,10 @@ clean:
 	rm -rf build
 
 help:
-	@echo "make run     build, then run two scenes, show their audits and leave their replays as pages and pictures in out/"
+	@echo "make run     build the program, then run two scenes, show their audits and leave their replays as pages and pictures in out/"
 	@echo "make test    build, then all tests"
-	@echo "make build   build only (Release, in $(BUILD))"
+	@echo "make build   build all, the program and its tests (Release, in $(BUILD))"
+	@echo "make program  build only the program, $(RIGOR)"
 	@echo "make check   formatting, headers alone, clang++ with warnings as errors, its ASan and UBSan under the program and some tests, the viewer"
 	@echo "make check-all  the same with the tests of all layers under ASan and UBSan"
 	@echo "make bench   error and CPU time of the reference scenes, of pictures, impacts, chains, resting contact, distances and the broad phase, beside the peer engines that are installed"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The slower checks: formatting, headers alone, the viewer (with the program that `make build` leaves), clang++ with warnings
+# The slower checks: formatting, headers alone, the viewer (with the program that `make program` leaves), clang++ with warnings
 # as errors and its sanitizers under the program and some tests; with `all` under the tests of all layers.
 # usage: tools/check.sh [jobs [all]]
 set -euo pipefail
