@@ -15,7 +15,7 @@ namespace {
 MatX constrained_response(const MatX& inverse_mass, const MatX& G) {
   if (G.rows() == 0) return inverse_mass;
   const MatX through = inverse_mass * G.transpose();
-  return inverse_mass - through * (G * through).completeOrthogonalDecomposition().solve(through.transpose());
+  return inverse_mass - through * least_norm_solutions(G * through, through.transpose());
 }
 
 }  // namespace

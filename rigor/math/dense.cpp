@@ -2,8 +2,10 @@
 
 namespace rigor {
 
-VecX least_norm_solution(const MatX& A, const VecX& b) {
-  return A.completeOrthogonalDecomposition().solve(b);
+VecX least_norm_solution(const MatX& A, const VecX& b, std::optional<double> rank_tolerance) {
+  Eigen::CompleteOrthogonalDecomposition<MatX> factors;
+  if (rank_tolerance) factors.setThreshold(*rank_tolerance);
+  return factors.compute(A).solve(b);
 }
 
 MatX least_norm_solutions(const MatX& A, const MatX& B) {

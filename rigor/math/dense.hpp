@@ -2,13 +2,19 @@
 
 #include "rigor/math/types.hpp"
 
+#include <optional>
+
 namespace rigor {
 
 // Linear systems of dense matrices, by Eigen's factorisations. They stand here so that each is compiled once:
 // in every file that calls one of Eigen's by itself it costs seconds.
 
 /// The x of least norm among those of least |A x - b|, A of any rank: complete orthogonal decomposition.
-VecX least_norm_solution(const MatX& A, const VecX& b);
+/// Pivots below `rank_tolerance` times the largest count as zero; without it, those of rounding.
+VecX least_norm_solution(const MatX& A, const VecX& b, std::optional<double> rank_tolerance = std::nullopt);
+
+/// The same of each column of B.
+MatX least_norm_solutions(const MatX& A, const MatX& B);
 
 /// x with A x = b for a symmetric A (its lower half is read): L D Lᵀ with pivots. An A without inverse gives
 /// an x of the equations that its pivots hold.
@@ -34,6 +40,7 @@ bool is_positive_definite(const Mat3& A);
 
 /// x with A x = b for a symmetric positive definite A, by Cholesky's factorisation.
 Vec3 positive_definite_solution(const Mat3& A, const Vec3& b);
+VecX positive_definite_solution(const MatX& A, const VecX& b);
 
 /// Eigenvalues of a symmetric matrix (its lower half is read), ascending.
 Vec3 symmetric_eigenvalues(const Mat3& A);

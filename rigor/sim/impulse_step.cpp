@@ -3,9 +3,8 @@
 #include "rigor/contact/contact_kinematics.hpp"
 #include "rigor/contact/motion_rows.hpp"
 #include "rigor/dynamics/free_flight.hpp"
+#include "rigor/math/dense.hpp"
 #include "rigor/math/rotation.hpp"
-
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <iterator>
@@ -38,9 +37,7 @@ void make_rigid(const ContactSystem& system, const std::vector<std::size_t>& con
     motions.block<3, 3>(3 * k, 3) = -skew((system.contacts[i].p_W() - centre) / radius);
     wanted.segment<3>(3 * k) = system.frames[i] * accelerations.segment<3>(normal_row(i) - 2);
   }
-  Eigen::CompleteOrthogonalDecomposition<MatX> decomposition;
-  decomposition.setThreshold(dependent);
-  const VecX rigid = motions * decomposition.compute(motions).solve(wanted);
+  const VecX rigid = motions * least_norm_solution(motions, wanted, dependent);
   for (Eigen::Index k = 0; 3 * k < wanted.size(); ++k) {
     const std::size_t i = contacts[static_cast<std::size_t>(k)];
     accelerations.segment<3>(normal_row(i) - 2) = system.frames[i].transpose() * rigid.segment<3>(3 * k);

@@ -15,6 +15,14 @@ TEST(Dense, TheLeastNormSolutionSharesWhatEqualUnknownsCarry) {
   // x1 + x2 = 1 and x1 + x2 = 3: least squares ask for the sum 2, the least norm for halves.
   const VecX x = least_norm_solution(MatX::Ones(2, 2), Vec2(1, 3));
   EXPECT_LE((x - Vec2(1, 1)).norm(), kRounding);
+  const MatX X = least_norm_solutions(MatX::Ones(2, 2), MatX{{1, 4}, {3, 0}});
+  EXPECT_LE((X - MatX::Ones(2, 2)).norm(), kRounding);
+}
+
+TEST(Dense, WhatThePivotsToleranceLeavesOutCountsAsZero) {
+  const MatX A = Vec2(1, 1e-6).asDiagonal();
+  EXPECT_LE((least_norm_solution(A, Vec2(1, 1)) - Vec2(1, 1e6)).norm(), 1e6 * kRounding);
+  EXPECT_LE((least_norm_solution(A, Vec2(1, 1), 1e-5) - Vec2(1, 0)).norm(), kRounding);
 }
 
 TEST(Dense, SolutionsOfAnIndefiniteMatrixAreThoseOfItsInverse) {
@@ -49,6 +57,7 @@ TEST(Dense, TheFactorOfCholeskyIsLowerAndMakesTheMatrix) {
   EXPECT_EQ(cholesky_factor(six), Mat6(Vec6(1, 2, 3, 4, 5, 6).asDiagonal()));
   const Vec3 x(1, 2, 3);
   EXPECT_LE((positive_definite_solution(A, A * x) - x).norm(), kRounding);
+  EXPECT_LE((positive_definite_solution(MatX(A), A * x) - x).norm(), kRounding);
 }
 
 TEST(Dense, AMatrixWithANegativeEigenvalueIsNotPositiveDefinite) {
