@@ -40,9 +40,9 @@ function(rigor_embed_text target file header function)
   target_sources(${target} PRIVATE ${source})
 endfunction()
 
-# rigor_tests(folder layer...): one test program of all tests/<folder>/*_test.cpp.
+# rigor_tests(folder layer...): one test program of all tests/<folder>/*.cpp.
 function(rigor_tests folder)
-  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${folder}/*_test.cpp)
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${folder}/*.cpp)
   if(NOT sources)
     return()
   endif()
