@@ -123,7 +123,7 @@ TEST(ContactSetOfMeshes, OfABoxOnATessellatedFloorIsThatOfABoxOnABox) {
 TEST(ContactSetOfMeshes, OfEdgesCornersAndRoundShapesOnATessellatedFloorHasNoGhosts) {
   const Mesh floor = make(flat_floor());
   const double quarter = kPi / 4;
-  const Mat3 on_corner = Quat::FromTwoVectors(Vec3(1, 1, 1).normalized(), Vec3::UnitZ()).toRotationMatrix();
+  const Mat3 on_corner = frame_with_z(Vec3(1, 1, 1).normalized()).transpose();
   const Mat3 lying = rotation_matrix(rotation_exp(Vec3(0, kPi / 2, 0)));
   struct Case {
     Shape shape;
@@ -252,7 +252,7 @@ TEST(ContactSetOfMeshes, OfATessellatedBoxIsThatOfTheBox) {
 TEST(ContactSetOfMeshes, OfTwoCornersWithoutDistanceIsNotEmpty) {
   // A box stands with its corner on the corner of the mesh, tilted more each step.
   const Mesh mesh = make(tessellated_box(Vec3::Constant(0.5), 3));
-  const Mat3 R = Quat::FromTwoVectors(Vec3(-1, -1, -1).normalized(), -Vec3::UnitZ()).toRotationMatrix();
+  const Mat3 R = frame_with_z(Vec3(1, 1, 1).normalized()).transpose();
   for (int step = 0; step < 7; ++step) {
     const Mat3 tilt = rotation_matrix(rotation_exp(0.1 * step * Vec3(0.3, 0.5, 0.1)));
     const Pose X_WB{tilt * R, Vec3::Constant(0.5) - tilt * R * Vec3::Constant(-0.5)};

@@ -113,8 +113,7 @@ TEST(ContactSet, OfABoxOnAFourLegTableKeepsItsFeaturesOverAHundredSteps) {
   // A table of point feet, one box a foot, on a large floor: the four contacts of the course's example.
   const Box foot_tip{Vec3(0.02, 0.02, 0.02)};
   const double standing_on_corner = 0.02 * std::sqrt(3.0);
-  const Mat3 on_corner =
-      Quat::FromTwoVectors(Vec3(-1, -1, -1).normalized(), -Vec3::UnitZ()).toRotationMatrix();
+  const Mat3 on_corner = frame_with_z(Vec3(1, 1, 1).normalized()).transpose();
   int count = 0;
   for (const Vec3& foot : feet) {
     const std::vector<ContactPoint> contacts =
@@ -213,7 +212,7 @@ TEST(ContactSet, OfATiltedBoxHoldsOnlyTheCornersWithinTheTolerance) {
 TEST(ContactSet, OfAPolyhedronAndAPlaneIsItsLowestFeature) {
   const HalfSpace plane{Vec3::UnitZ(), 0};
   const double edge_height = std::sqrt(0.5), corner_height = std::sqrt(0.75);
-  const Mat3 on_corner = Quat::FromTwoVectors(Vec3(1, 1, 1).normalized(), Vec3::UnitZ()).toRotationMatrix();
+  const Mat3 on_corner = frame_with_z(Vec3(1, 1, 1).normalized()).transpose();
   EXPECT_EQ(contact_set(plane, Pose{}, kUnitCube, at(3, 4, 0.5), kTolerance).size(), 4u);
   EXPECT_EQ(contact_set(plane, Pose{}, kUnitCube,
                         turned(Vec3::UnitX(), std::numbers::pi / 4, Vec3(3, 4, edge_height)), kTolerance)
@@ -229,7 +228,7 @@ TEST(ContactSet, OfAPolyhedronAndAPlaneIsItsLowestFeature) {
 }
 
 TEST(ContactSet, OfTwoCornersIsOneDegeneratePoint) {
-  const Mat3 R = Quat::FromTwoVectors(Vec3(1, 1, 1).normalized(), Vec3::UnitZ()).toRotationMatrix();
+  const Mat3 R = frame_with_z(Vec3(1, 1, 1).normalized()).transpose();
   const double height = std::sqrt(0.75);
   const std::vector<ContactPoint> contacts =
       contact_set(kUnitCube, {R, Vec3(0, 0, -height)}, kUnitCube, {R, Vec3(0, 0, height + 5e-7)}, kTolerance);

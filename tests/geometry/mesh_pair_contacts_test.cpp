@@ -152,8 +152,7 @@ TEST(ContactSetOfTwoMeshes, OfABoxInAGrooveIsItsTwoLowerFaces) {
   // A V-shaped groove along y, its walls at 45°, holds a box turned by 45°: each wall a rectangle of contact.
   const Mesh groove = make_prism_mesh({Vec2(-2, -1), Vec2(2, -1), Vec2(2, 2), Vec2(0, 0), Vec2(-2, 2)}, 6);
   const Mesh box = make_box(Vec3(0.3, 0.3, 0.5));
-  const Mat3 upright = Quat::FromTwoVectors(Vec3::UnitX(), Vec3::UnitX()).toRotationMatrix();
-  const Pose X_WB{upright * turned(Vec3(0, 0, std::numbers::pi / 4), Vec3::Zero()).R,
+  const Pose X_WB{turned(Vec3(0, 0, std::numbers::pi / 4), Vec3::Zero()).R,
                   Vec3(0, 0.3 * std::sqrt(2.0) + 3e-7, 3)};
   const std::vector<ContactPoint> contacts = contact_set(groove, Pose{}, box, X_WB, kTolerance);
   ASSERT_EQ(contacts.size(), 8u);
@@ -167,7 +166,7 @@ TEST(ContactSetOfTwoMeshes, OfABoxInAGrooveIsItsTwoLowerFaces) {
 
 TEST(ContactSetOfTwoMeshes, OfACornerOnAnEdgeOrACornerIsOnePointBetweenTheFaces) {
   const Mesh cube = make_box(Vec3::Constant(0.5));
-  const Mat3 on_corner = Quat::FromTwoVectors(Vec3(1, 1, 1).normalized(), Vec3::UnitZ()).toRotationMatrix();
+  const Mat3 on_corner = frame_with_z(Vec3(1, 1, 1).normalized()).transpose();
   const double high = 0.5 * std::sqrt(3.0);
   // Corner above corner, and corner on the middle of an edge turned upwards.
   const Mat3 on_edge = rotation_matrix(rotation_exp(Vec3(std::numbers::pi / 4, 0, 0)));
