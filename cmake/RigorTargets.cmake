@@ -10,7 +10,7 @@ function(rigor_compile_options target)
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict;-Wno-array-bounds;-Wno-stringop-overflow>)
 endfunction()
 
-# Eigen is in nearly every file: one precompiled header serves all layers.
+# Eigen is in nearly every file: one precompiled header serves all layers and the program.
 add_library(rigor_pch STATIC ${CMAKE_CURRENT_LIST_DIR}/pch.cpp)
 target_link_libraries(rigor_pch PUBLIC Eigen3::Eigen)
 target_precompile_headers(rigor_pch PRIVATE <Eigen/Dense> <string> <vector>)

@@ -194,7 +194,7 @@ class LiveServer::Impl::Socket : public std::enable_shared_from_this<Socket> {
 
   Impl& server_;
   std::uint64_t number_;
-  websocket::stream<beast::tcp_stream> stream_;
+  websocket::stream<beast::tcp_stream, false> stream_;  ///< Without compression.
   beast::flat_buffer buffer_;
   bool is_open_ = false, is_text_ = false, is_reply_ = false;  ///< The last two: of what is on its way.
   bool awaits_file_ = false;

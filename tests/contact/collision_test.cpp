@@ -2,6 +2,7 @@
 
 #include "random_vectors.hpp"
 #include "rigor/contact/collision_matrix.hpp"
+#include "rigor/math/dense.hpp"
 #include "solver/reference_data.hpp"
 
 #include <gtest/gtest.h>
@@ -34,7 +35,7 @@ double relative_error(const VecX& found, const nlohmann::json& expected) {
 
 /// Kinetic energy of the relative motion that an impact can change.
 double energy_scale(const Collision& collision) {
-  return 0.5 * collision.u.dot(collision.matrix.K.ldlt().solve(collision.u));
+  return 0.5 * collision.u.dot(symmetric_solution(collision.matrix.K, collision.u));
 }
 
 /// A rotation of random direction; K of random principal values with the given condition.

@@ -2,9 +2,12 @@
 
 #include "contact/impact_systems.hpp"
 #include "rigor/contact/sequential_impacts.hpp"
+#include "rigor/math/rotation.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace rigor::test {

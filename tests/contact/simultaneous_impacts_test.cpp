@@ -4,10 +4,12 @@
 #include "rigor/contact/newton_impacts.hpp"
 #include "rigor/contact/reflections.hpp"
 #include "rigor/contact/sequential_impacts.hpp"
+#include "rigor/math/rotation.hpp"
 #include "solver/reference_data.hpp"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <string>
 

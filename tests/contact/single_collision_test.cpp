@@ -1,6 +1,7 @@
 #include "rigor/contact/single_collision.hpp"
 
 #include "contact/impact_systems.hpp"
+#include "rigor/math/rotation.hpp"
 
 #include <gtest/gtest.h>
 

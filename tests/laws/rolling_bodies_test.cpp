@@ -2,6 +2,7 @@
 
 #include "laws/scene_runs.hpp"
 
+#include "rigor/math/dense.hpp"
 #include "rigor/math/rotation.hpp"
 #include "solver/reference_data.hpp"
 
@@ -130,7 +131,7 @@ struct Rattleback {
         inertia + mass * (rho.squaredNorm() * Mat3::Identity() - rho * rho.transpose());
     const Vec3 push = rho_rate.cross(turning) + turning.cross(rho.cross(turning)) + g * vertical;
     const Vec3 moment = mass * rho.cross(push) - turning.cross(inertia * turning);
-    return {vertical_rate, about_contact.ldlt().solve(moment)};
+    return {vertical_rate, positive_definite_solution(about_contact, moment)};
   }
   Rattleback moved(double h, const std::pair<Vec3, Vec3>& rates) const {
     Rattleback result = *this;

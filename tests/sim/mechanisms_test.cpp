@@ -1,4 +1,5 @@
 #include "rigor/geometry/convex_hull.hpp"
+#include "rigor/math/rotation.hpp"
 #include "rigor/model/model_builder.hpp"
 #include "rigor/sim/energy.hpp"
 #include "rigor/sim/event_driven_stepper.hpp"
@@ -31,7 +32,7 @@ BodyDescription body_of(const std::string& name, const Vec3& x, double mass, con
 /// A thin rod of length and mass 1 along the direction, with its middle at x.
 BodyDescription rod(const std::string& name, const Vec3& x, const Vec3& direction) {
   BodyDescription body = body_of(name, x, 1, Vec3(1.0 / 12, 1.0 / 12, 1e-4));
-  body.q_WL = Quat::FromTwoVectors(Vec3::UnitZ(), direction);
+  body.q_WL = quaternion_of(frame_with_z(direction));
   return body;
 }
 
