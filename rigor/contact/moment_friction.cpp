@@ -1,5 +1,6 @@
 #include "rigor/contact/moment_friction.hpp"
 
+#include "rigor/contact/motion_rows.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <algorithm>
@@ -32,6 +33,11 @@ Vec3 moment_arm(const ContactSystem& system, std::size_t i, double still) {
 }  // namespace
 
 Mat6 moment_response(const ContactSystem& system, std::size_t i) {
+  if (system.joints) {
+    // What joints do about an impulse is part of the response.
+    const Eigen::Index row = 6 * static_cast<Eigen::Index>(i);
+    return contact_response(moment_rows(system)).block<6, 6>(row, row);
+  }
   const Contact& contact = system.contacts[i];
   const Mat3& C = system.frames[i];
   Mat6 K = Mat6::Zero();

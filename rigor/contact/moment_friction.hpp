@@ -7,7 +7,7 @@
 namespace rigor {
 
 /// Response of a contact's relative motion (u, ω), in the contact frame, to an impulse and an angular impulse
-/// (λ, l) on B: the matrix of MomentCollision.
+/// (λ, l) on B, joints included: the matrix of MomentCollision.
 Mat6 moment_response(const ContactSystem& system, std::size_t contact);
 /// Relative angular velocity ω of B against A at the contact, in the contact frame [rad/s].
 Vec3 relative_turning(const ContactSystem& system, std::size_t contact);

@@ -12,9 +12,9 @@ constexpr double bristle_damping_ratio = 0.5;
 
 }  // namespace
 
-PenaltyContact penalty_contact(PenaltyNormalLaw law, const ContactMemory& memory) {
+PenaltyContact penalty_contact(const PenaltyChoice& choice, const ContactMemory& memory) {
   const auto& v = memory.values;
-  return {.spring = {law, v[0], v[1]},
+  return {.spring = {choice.law, v[0], v[1], choice.limit()},
           .speed = v[2],
           .offset = v[3],
           .bristle_stiffness = v[4],
@@ -51,6 +51,7 @@ PenaltyContact make_penalty_contact(const Contact& contact, const ContactMobilit
   result.speed = std::max(speed, choice.least_speed);
   result.spring =
       spring_for_impact(choice.law, contact.restitution, 1 / response, result.speed, choice.depth);
+  result.spring.limit = choice.limit();
   if (choice.stiffness) {
     // Of the law of Hunt and Crossley: the secant to the stated depth.
     const double scale = choice.law == PenaltyNormalLaw::linear ? 1 : 1 / std::sqrt(choice.depth);

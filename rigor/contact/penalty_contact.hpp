@@ -4,6 +4,7 @@
 #include "rigor/contact/penalty_law.hpp"
 #include "rigor/model/contact_memory.hpp"
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -16,6 +17,10 @@ struct PenaltyChoice {
   double least_speed = 1e-3;             ///< Slower approaches count as this fast [m/s].
   std::optional<double> stiffness = {};  ///< Instead of what the depth asks for [N/m].
   std::optional<double> damping = {};    ///< Instead of what the restitution asks for [N s/m].
+  bool hardens = false;                  ///< Beyond the depth, with room for the error of a sub-step.
+
+  /// PenaltySpring::limit [m].
+  double limit() const { return hardens ? 1.25 * depth : std::numeric_limits<double>::infinity(); }
 };
 
 /// The springs and dampers of one contact: a normal spring and, with friction, a bristle across it that a
@@ -36,7 +41,7 @@ struct PenaltyContact {
 };
 
 /// What `memory.values` say, and the other way round.
-PenaltyContact penalty_contact(PenaltyNormalLaw law, const ContactMemory& memory);
+PenaltyContact penalty_contact(const PenaltyChoice& choice, const ContactMemory& memory);
 void remember(const PenaltyContact& contact, ContactMemory& memory);
 
 /// Response of a contact alone: 1/m_eff along its normal and across it (the larger) [1/kg].

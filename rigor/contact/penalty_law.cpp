@@ -5,34 +5,88 @@
 
 namespace rigor {
 
+namespace {
+
+/// Law up to the limit: force at rest [N], energy [J], slope [N/m].
+double force_within(const PenaltySpring& spring, double depth) {
+  return spring.law == PenaltyNormalLaw::linear ? spring.stiffness * depth
+                                                : spring.stiffness * depth * std::sqrt(depth);
+}
+
+double energy_within(const PenaltySpring& spring, double depth) {
+  const double share = spring.law == PenaltyNormalLaw::linear ? 0.5 : 0.4;
+  return share * depth * force_within(spring, depth);
+}
+
+double slope_within(const PenaltySpring& spring, double depth) {
+  return spring.law == PenaltyNormalLaw::linear ? spring.stiffness
+                                                : 1.5 * spring.stiffness * std::sqrt(depth);
+}
+
+/// Beyond this x the force grows along the tangent: no overlap makes it infinite.
+constexpr double straight_from = 40;
+
+/// e^x with its integral from 0 and its derivative.
+struct Growth {
+  double value, integral, slope;
+};
+Growth growth(double x) {
+  const double curved = std::min(x, straight_from), straight = x - curved, power = std::exp(curved);
+  return {power * (1 + straight), power - 1 + power * straight * (1 + 0.5 * straight), power};
+}
+
+/// x at this depth beyond the limit.
+double excess(const PenaltySpring& spring, double depth) {
+  return (depth - spring.limit) / hardening_length(spring);
+}
+
+}  // namespace
+
+double hardening_length(const PenaltySpring& spring) {
+  return 0.05 * spring.limit;
+}
+
 double normal_force(const PenaltySpring& spring, double depth, double depth_rate) {
   if (!(depth > 0)) return 0;
-  const double force = spring.law == PenaltyNormalLaw::linear
-                           ? spring.stiffness * depth + spring.damping * depth_rate
-                           : spring.stiffness * depth * std::sqrt(depth) * (1 + spring.damping * depth_rate);
+  double force = force_within(spring, depth);
+  const double closing = spring.law == PenaltyNormalLaw::linear ? spring.damping * depth_rate
+                                                                : force * spring.damping * depth_rate;
+  force += closing;
+  if (depth > spring.limit) {
+    const double hardened = force_within(spring, spring.limit) * growth(excess(spring, depth)).value;
+    force *= hardened / force_within(spring, depth);
+  }
   return std::max(0.0, force);
 }
 
 double stored_energy(const PenaltySpring& spring, double depth) {
   if (!(depth > 0)) return 0;
-  if (spring.law == PenaltyNormalLaw::linear) return 0.5 * spring.stiffness * depth * depth;
-  return 0.4 * spring.stiffness * depth * depth * std::sqrt(depth);
+  if (depth <= spring.limit) return energy_within(spring, depth);
+  return energy_within(spring, spring.limit) + force_within(spring, spring.limit) * hardening_length(spring) *
+                                                   growth(excess(spring, depth)).integral;
 }
 
 double depth_under(const PenaltySpring& spring, double force) {
   const double ratio = force / spring.stiffness;
-  return spring.law == PenaltyNormalLaw::linear ? ratio : std::cbrt(ratio * ratio);
+  const double within = spring.law == PenaltyNormalLaw::linear ? ratio : std::cbrt(ratio * ratio);
+  if (within <= spring.limit) return within;
+  const double x = std::log(force / force_within(spring, spring.limit));
+  const double straight = x > straight_from ? std::expm1(x - straight_from) : 0;
+  return spring.limit + hardening_length(spring) * (std::min(x, straight_from) + straight);
 }
 
 double stiffness_at(const PenaltySpring& spring, double depth) {
-  if (spring.law == PenaltyNormalLaw::linear) return spring.stiffness;
-  return 1.5 * spring.stiffness * std::sqrt(std::max(0.0, depth));
+  const double positive = std::max(0.0, depth);
+  if (positive <= spring.limit) return slope_within(spring, positive);
+  return force_within(spring, spring.limit) * growth(excess(spring, positive)).slope /
+         hardening_length(spring);
 }
 
 double damping_at(const PenaltySpring& spring, double depth) {
-  if (spring.law == PenaltyNormalLaw::linear) return spring.damping;
-  const double positive = std::max(0.0, depth);
-  return spring.damping * spring.stiffness * positive * std::sqrt(positive);
+  const double positive = std::max(0.0, depth), force = force_within(spring, positive);
+  const double damping = spring.law == PenaltyNormalLaw::linear ? spring.damping : spring.damping * force;
+  if (positive <= spring.limit) return damping;
+  return damping * force_within(spring, spring.limit) * growth(excess(spring, positive)).value / force;
 }
 
 namespace {
@@ -72,7 +126,7 @@ double hunt_crossley_damping(double restitution) {
 
 PenaltySpring spring_for_impact(PenaltyNormalLaw law, double restitution, double mass, double speed,
                                 double depth) {
-  PenaltySpring spring{law, 0, 0};
+  PenaltySpring spring{law};
   if (law == PenaltyNormalLaw::linear) {
     // ½ k d² = ½ m v².
     spring.stiffness = mass * (speed / depth) * (speed / depth);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 namespace rigor {
 
 enum class PenaltyNormalLaw { linear, hunt_crossley };
@@ -10,19 +12,29 @@ enum class PenaltyNormalLaw { linear, hunt_crossley };
 ///   linear          f = k δ + c δ̇
 ///   hunt_crossley   f = k δ^(3/2) (1 + a δ̇)
 ///
-/// where this is positive and δ > 0, and not at all elsewhere: it never pulls.
+/// where this is positive and δ > 0, and not at all elsewhere: it never pulls. Beyond `limit` d it hardens:
+/// what is pressed deeper than its spring was made for, by more mass or speed than it could know of, is held
+/// there.
+///
+///   f(δ) = f(d) e^x,  x = 20 (δ - d)/d,
+///
+/// the damper growing with the spring.
 ///
 /// Source: Hunt and Crossley, Coefficient of Restitution Interpreted as Damping in Vibroimpact, J. Appl.
 /// Mech. 42, 1975. Derivation: docs/theory/penalty.md.
 struct PenaltySpring {
   PenaltyNormalLaw law = PenaltyNormalLaw::linear;
-  double stiffness = 0;  ///< k [N/m] or [N/m^(3/2)].
-  double damping = 0;    ///< c [N s/m] or a [s/m].
+  double stiffness = 0;                                    ///< k [N/m] or [N/m^(3/2)].
+  double damping = 0;                                      ///< c [N s/m] or a [s/m].
+  double limit = std::numeric_limits<double>::infinity();  ///< d [m].
 };
+
+/// Depth over which a spring beyond its limit gets e times as strong [m]; infinite without a limit.
+double hardening_length(const PenaltySpring& spring);
 
 /// f ≥ 0 [N].
 double normal_force(const PenaltySpring& spring, double depth, double depth_rate);
-/// Energy in the spring [J]: ½ k δ² or (2/5) k δ^(5/2); 0 if δ ≤ 0.
+/// Energy in the spring [J]: ½ k δ² or (2/5) k δ^(5/2) up to its limit; 0 if δ ≤ 0.
 double stored_energy(const PenaltySpring& spring, double depth);
 /// Depth at which the spring at rest pushes by this force [N], ≥ 0 [m].
 double depth_under(const PenaltySpring& spring, double force);

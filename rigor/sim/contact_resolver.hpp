@@ -42,6 +42,8 @@ class ContactResolver {
   /// Which contacts last: those that do not part and carry a force. The momenta are projected on what they
   /// allow.
   LastingContacts update_active(Cluster& cluster, AdvanceReport& report) const;
+  /// The same with the velocities as they are, which are left alone.
+  LastingContacts find_lasting(const Cluster& cluster, AdvanceReport& report) const;
   /// Whether bodies with these lasting contacts stand still and stay so: all forces balance.
   bool is_balanced(const Cluster& cluster, const LastingContacts& lasting) const;
 
@@ -56,8 +58,6 @@ class ContactResolver {
   /// Ends an approach slower than any impact (what the error of a step leaves at a lasting contact): the
   /// nearest velocities in the metric of the mass matrix at which nothing approaches.
   void settle(const ContactSystem& system, const VecX& u, Cluster& cluster, AdvanceReport& report) const;
-  /// Which contacts last, with the velocities as they are.
-  LastingContacts find_lasting(const Cluster& cluster, AdvanceReport& report) const;
   /// The nearest velocities that the lasting contacts allow.
   void project_velocities(const LastingContacts& lasting, Cluster& cluster, AdvanceReport& report) const;
   /// Whether no contact approaches and no lasting one slips against the direction that its friction assumes.

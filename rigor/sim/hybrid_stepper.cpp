@@ -8,6 +8,20 @@
 
 namespace rigor {
 
+namespace {
+
+bool is_same(const Contact& a, const Contact& b) {
+  return a.body_A == b.body_A && a.body_B == b.body_B && a.shape_A == b.shape_A && a.shape_B == b.shape_B &&
+         a.point.feature == b.point.feature;
+}
+
+/// Whether it may bounce, and may be kept from it.
+bool is_bouncy(const Contact& contact) {
+  return !contact.stop && contact.restitution > 0 && contact.restitution < 1;
+}
+
+}  // namespace
+
 HybridStepper::HybridStepper(std::shared_ptr<const Model> model, const Method& method, double target_step)
     : EventDrivenStepper(std::move(model), method, target_step),
       law_(restitution_law(method.impact)),
@@ -35,8 +49,38 @@ bool HybridStepper::is_in_transition(const std::vector<Contact>& contacts) const
 /// together.
 bool HybridStepper::apply_impulses(Cluster& part) {
   const QueuedEvent& event = present_event();
-  if (event.kind == QueuedEvent::Kind::contact) collide(std::minmax(event.a, event.b), part);
+  if (event.kind == QueuedEvent::Kind::contact) {
+    const std::pair<int, int> pair = std::minmax(event.a, event.b);
+    hold_lasting(pair, part);
+    collide(pair, part);
+  }
   return resolver().apply_impulses(part, report());
+}
+
+/// Contacts that do not move and are pressed as the impact comes do not bounce in it. What lasts follows from
+/// the motions at the event alone, so that a fresh stepper finds the same.
+void HybridStepper::hold_lasting(const std::pair<int, int>& pair, Cluster& part) {
+  const auto is_of_pair = [&](const Contact& contact) {
+    return std::pair(contact.body_A, contact.body_B) == pair;
+  };
+  if (std::none_of(part.contacts.begin(), part.contacts.end(),
+                   [&](const Contact& contact) { return is_bouncy(contact) && !is_of_pair(contact); }))
+    return;
+  const double still = 1e-3 * resting_velocity_;
+  const VecX u = relative_velocities(resolver().system_of(part, part.contacts));
+  Cluster calm = part;
+  calm.contacts.clear();
+  for (std::size_t i = 0; i < part.contacts.size(); ++i) {
+    const bool moves = std::abs(u[3 * static_cast<Eigen::Index>(i) + 2]) > still;
+    if (!moves && !is_of_pair(part.contacts[i])) calm.contacts.push_back(part.contacts[i]);
+  }
+  AdvanceReport unused;
+  const LastingContacts lasting = resolver().find_lasting(calm, unused);
+  for (Contact& contact : part.contacts) {
+    if (is_bouncy(contact) && std::any_of(lasting.contacts.begin(), lasting.contacts.end(),
+                                          [&](const Contact& other) { return is_same(contact, other); }))
+      contact.restitution = 0;
+  }
 }
 
 void HybridStepper::collide(const std::pair<int, int>& pair, Cluster& part) {

@@ -11,7 +11,8 @@ namespace rigor {
 /// lasts from the impact on that ends its bounces (docs/theory/events.md), if the acceleration problem with
 /// the contact active finds a force that presses; then it is a constraint with the others of its group, as in
 /// the event-driven scheme, until its force ends. What an impact reaches is the group of lasting contacts of
-/// the two bodies; bodies that only pass by are not in it.
+/// the two bodies; bodies that only pass by are not in it. In that impact contacts that last are constraints
+/// as joints are: they do not bounce, unless their restitution is 1.
 ///
 /// Source: Mirtich, Hybrid Simulation: Combining Constraints and Impulses, First Workshop on Simulation and
 /// Interaction in Virtual Environments, 1995; the admission by forces and the end of the bounces are ours
@@ -26,6 +27,7 @@ class HybridStepper : public EventDrivenStepper {
   bool apply_impulses(Cluster& part) override;
 
  private:
+  void hold_lasting(const std::pair<int, int>& pair, Cluster& part);
   void collide(const std::pair<int, int>& pair, Cluster& part);
 
   RestitutionLaw law_;

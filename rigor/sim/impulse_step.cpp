@@ -61,6 +61,29 @@ VecX turning_biases(const ContactSystem& system) {
   return biases;
 }
 
+/// g⁺/h of these contacts, as velocities at the contacts of the system (3n), of one pair of bodies as a rigid
+/// motion closes them where that changes no rate by more than `resolution` [m/s]: the points of a face would
+/// ask for motions that contradict each other a little.
+VecX closing_rates(const std::vector<Contact>& contacts, const ContactSystem& system, double h,
+                   double resolution) {
+  VecX rates = VecX::Zero(3 * static_cast<Eigen::Index>(contacts.size()));
+  std::map<std::pair<int, int>, std::vector<std::size_t>> pairs;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    if (contacts[i].is_bounded_force()) continue;
+    rates[normal_row(i)] = std::max(0.0, contacts[i].point.gap) / h;
+    if (!contacts[i].stop) pairs[{contacts[i].body_A, contacts[i].body_B}].push_back(i);
+  }
+  for (const auto& [pair, of_pair] : pairs) {
+    const bool is_apart =
+        std::any_of(of_pair.begin(), of_pair.end(), [&](std::size_t i) { return rates[normal_row(i)] > 0; });
+    if (of_pair.size() < 2 || !is_apart) continue;
+    VecX rigid = rates;
+    make_rigid(system, of_pair, rigid);
+    if ((rigid - rates).cwiseAbs().maxCoeff() <= resolution) rates = rigid;
+  }
+  return rates;
+}
+
 std::size_t place_of(const std::vector<int>& ascending, int body) {
   return static_cast<std::size_t>(std::lower_bound(ascending.begin(), ascending.end(), body) -
                                   ascending.begin());
@@ -108,6 +131,7 @@ void ImpulseStep::strike(double h, Cluster& part, AdvanceReport& report) const {
     // instant.
     StepLaws laws = step_laws_of(system, still_);
     laws.contacts.b = std::move(closing.b);
+    laws.resolution = resolution(h);
     for (std::size_t i = 0; i < system.contacts.size(); ++i) {
       if (!system.contacts[i].is_bounded_force()) continue;
       laws.contacts.b.segment<3>(normal_row(i) - 2).setZero();
@@ -126,13 +150,12 @@ void ImpulseStep::strike(double h, Cluster& part, AdvanceReport& report) const {
 ImpulseStep::Closing ImpulseStep::find_closing(double h, const ContactSystem& system) const {
   constexpr double rounding = 1e-4;  // Of the contact tolerance: closing by less is left to the step.
   const VecX u = relative_velocities(system);
-  Closing closing{u, {}, false, false};
+  Closing closing{u + closing_rates(system.contacts, system, h, resolution(h)), {}, false, false};
   for (std::size_t i = 0; i < system.contacts.size(); ++i) {
     const Contact& contact = system.contacts[i];
     if (contact.is_bounded_force()) continue;
     const double u_n = u[normal_row(i)];
-    double& rate = closing.b[normal_row(i)];
-    rate += std::max(0.0, contact.point.gap) / h;
+    const double rate = closing.b[normal_row(i)];
     const bool closes = h * rate < -rounding * contact_tolerance_;
     closing.closes |= closes;
     // What closes by its weight only at the end of the step bounces now too: the step would stop it.
@@ -143,6 +166,12 @@ ImpulseStep::Closing ImpulseStep::find_closing(double h, const ContactSystem& sy
     if (closes || bounces || contact.point.gap <= contact_tolerance_) closing.contacts.push_back(contact);
   }
   return closing;
+}
+
+/// Speed that moves contacts by less over h than lengths are told apart [m/s].
+double ImpulseStep::resolution(double h) const {
+  constexpr double negligible = 1e-2;  // Of the contact tolerance.
+  return negligible * contact_tolerance_ / h;
 }
 
 /// Steady acceleration of B against A along the normal, where it closes the contact [m/s²].
@@ -280,16 +309,14 @@ ContactSystem ImpulseStep::middle_system(double h, const Cluster& part, const Fr
 /// 0 ≤ λ_n ⊥ u_n⁺ + gap/h ≥ 0 with friction against u_t⁺; forces with a largest value act all through h.
 StepLaws ImpulseStep::step_laws(double h, const Cluster& part, const ContactSystem& system) const {
   StepLaws laws = step_laws_of(system, still_);
+  laws.resolution = resolution(h);
   VecX& b = laws.contacts.b;
   // The rows turn until the end: the velocities there count, at which the next step begins.
   b += 0.5 * h * turning_biases(system);
+  b += closing_rates(part.contacts, system, h, resolution(h));
   for (std::size_t i = 0; i < system.contacts.size(); ++i) {
-    const Contact& contact = system.contacts[i];
-    if (contact.is_bounded_force()) {
+    if (system.contacts[i].is_bounded_force())
       b[normal_row(i)] = -h * system.rows[i].load * system.rows[i].mobility;
-    } else {
-      b[normal_row(i)] += std::max(0.0, part.contacts[i].point.gap) / h;
-    }
   }
   // What stuck is what touches and is still at the begin.
   if (!laws.sticks.empty()) {

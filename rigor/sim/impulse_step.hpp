@@ -35,6 +35,7 @@ class ImpulseStep {
     std::vector<Contact> contacts;
     bool closes, bounces;  ///< Whether any does.
   };
+  double resolution(double h) const;
   double closing_acceleration(const Contact& contact) const;
   Closing find_closing(double h, const ContactSystem& system) const;
   bool touches(const Contact& contact) const;

@@ -104,7 +104,7 @@ void PenaltyStepper::advance_to(double t_end, State& state) {
 double PenaltyStepper::horizon(const State& state, double t_end) const {
   double horizon = t_end - state.t;
   for (const ContactMemory& memory : state.contacts) {
-    const double speed = penalty_contact(contacts_.choice().law, memory).speed;
+    const double speed = penalty_contact(contacts_.choice(), memory).speed;
     if (speed > 0) horizon = std::min(horizon, steps_ahead * step_share * method_.penalty_depth / speed);
   }
   return horizon;

@@ -19,13 +19,15 @@ constexpr double weights_on_top = 100;
 /// a share of ½ (0.02)² of the energy. What lies still may miss it by a whole step.
 constexpr double miss_share = 0.02, resting_share = 0.2;
 
-PenaltyChoice choice_of(const Method& method) {
+/// Springs whose stiffness follows from the depth harden beyond it; implicit steps take each as one line.
+PenaltyChoice choice_of(const Method& method, TouchingForm form) {
   PenaltyChoice choice;
   choice.law =
       method.penalty_law == PenaltyLaw::linear ? PenaltyNormalLaw::linear : PenaltyNormalLaw::hunt_crossley;
   choice.depth = method.penalty_depth;
   if (method.stiffness > 0) choice.stiffness = method.stiffness;
   if (method.damping > 0) choice.damping = method.damping;
+  choice.hardens = method.stiffness == 0 && form == TouchingForm::overlapping;
   return choice;
 }
 
@@ -43,13 +45,13 @@ double first_force(const PenaltyContact& spring) {
 }
 
 /// The same for what the State remembers of a contact.
-double first_force(const State& state, PenaltyNormalLaw law, const Contact& contact) {
+double first_force(const State& state, const PenaltyChoice& choice, const Contact& contact) {
   const auto key = empty_memory(contact).key();
   double gap = 0;
   for (auto place = std::partition_point(state.contacts.begin(), state.contacts.end(),
                                          [&](const ContactMemory& memory) { return memory.key() < key; });
        place != state.contacts.end() && place->key() == key; ++place)
-    gap = std::max(gap, first_force(penalty_contact(law, *place)));
+    gap = std::max(gap, first_force(penalty_contact(choice, *place)));
   return gap;
 }
 
@@ -109,7 +111,7 @@ PenaltyTouching::PenaltyTouching(const Model& model, const Environment& environm
       resting_velocity_(method.resting_velocity),
       slip_tolerance_(slip_tolerance(method)),
       resting_(resting_choice(method)),
-      choice_(choice_of(method)),
+      choice_(choice_of(method, form)),
       form_(form),
       finder_(model, method.broad_phase) {
   for (int i = 0; i < model.body_count(); ++i) {
@@ -187,6 +189,16 @@ double PenaltyTouching::time_to_part(const Touching& touching, std::size_t conta
   return until_part > miss ? until_part - 0.5 * miss : miss;
 }
 
+/// Until the contact has come a fifth of its hardening length further into where it hardens: there its force
+/// grows by more than sub-steps of its present frequency resolve.
+double PenaltyTouching::time_to_harden(const Touching& touching, std::size_t contact, double u) {
+  constexpr double share = 0.2;
+  const PenaltyContact& spring = touching.springs[contact];
+  if (!(u > 0)) return infinite;
+  const double depth = pressed_depth(spring, touching.system.contacts[contact].point.gap);
+  return (std::max(0.0, spring.spring.limit - depth) + share * hardening_length(spring.spring)) / u;
+}
+
 Touching PenaltyTouching::find(const State& state, double horizon, double lag) {
   Touching touching;
   touching.free_time = horizon;
@@ -202,7 +214,7 @@ Touching PenaltyTouching::find(const State& state, double horizon, double lag) {
   const VecX u = relative_velocities(all);
   std::vector<Contact> active;
   for (std::size_t i = 0; i < all.contacts.size(); ++i) {
-    const bool overlaps = all.contacts[i].point.gap <= first_force(state, choice_.law, all.contacts[i]);
+    const bool overlaps = all.contacts[i].point.gap <= first_force(state, choice_, all.contacts[i]);
     if (overlaps || form_ == TouchingForm::reachable) active.push_back(all.contacts[i]);
     const double approach = -u[3 * static_cast<Eigen::Index>(i) + 2];
     if (overlaps || !asks_for_steps(all.contacts[i], approach)) continue;
@@ -217,7 +229,8 @@ Touching PenaltyTouching::find(const State& state, double horizon, double lag) {
     if (touching.system.contacts[i].is_bounded_force()) continue;
     if (!asks_for_steps(touching.system.contacts[i], touching.springs[i].speed)) continue;
     const double parting = u_active[3 * static_cast<Eigen::Index>(i) + 2];
-    touching.free_time = std::min(touching.free_time, time_to_part(touching, i, parting));
+    touching.free_time = std::min(
+        {touching.free_time, time_to_part(touching, i, parting), time_to_harden(touching, i, -parting)});
   }
   return touching;
 }
@@ -231,7 +244,7 @@ void PenaltyTouching::add_springs(const State& state, Touching& touching) const 
   std::vector<std::size_t> unknown;
   for (std::size_t i = 0; i < n; ++i) {
     if (const ContactMemory* const memory = shelf.take(empty_memory(system.contacts[i]))) {
-      touching.springs[i] = penalty_contact(choice_.law, *memory);
+      touching.springs[i] = penalty_contact(choice_, *memory);
     } else {
       unknown.push_back(i);
     }
@@ -240,7 +253,7 @@ void PenaltyTouching::add_springs(const State& state, Touching& touching) const 
   for (const std::size_t i : unknown) {
     const Contact& contact = system.contacts[i];
     if (const ContactMemory* const memory = shelf.take_of_same_shapes(empty_memory(contact))) {
-      touching.springs[i] = penalty_contact(choice_.law, *memory);
+      touching.springs[i] = penalty_contact(choice_, *memory);
       continue;
     }
     ContactMobility mobility = contact_mobility(system, i);

@@ -66,6 +66,7 @@ class PenaltyTouching {
   std::vector<double> reaches(const State& state, double horizon) const;
   double time_to_touch(const ContactSystem& system, std::size_t contact, double u, double lag) const;
   double time_to_part(const Touching& touching, std::size_t contact, double u) const;
+  static double time_to_harden(const Touching& touching, std::size_t contact, double u);
   void add_springs(const State& state, Touching& touching) const;
   void add_pressed(const Cluster& part, std::vector<ContactMemory>& memories) const;
 

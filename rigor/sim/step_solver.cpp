@@ -6,6 +6,7 @@
 #include "rigor/solver/convex_cone.hpp"
 #include "rigor/solver/moment_problem.hpp"
 #include "rigor/solver/motion_problem.hpp"
+#include "rigor/solver/possible_rates.hpp"
 #include "rigor/solver/projected_gauss_seidel.hpp"
 #include "rigor/solver/pyramid_cone.hpp"
 #include "rigor/solver/static_friction.hpp"
@@ -181,7 +182,7 @@ StepImpulses StepSolver::solve_cones(const ContactSystem& system, const StepLaws
     const SpringResponse response(motion_rows(system), problem.b, *laws.springs, system);
     problem.A = response.A;
     problem.b = response.b;
-    StepImpulses impulses = solve_dense(std::move(problem));
+    StepImpulses impulses = solve_dense(problem, laws.resolution);
     impulses.springs = response.impulses(impulses.lambda);
     return impulses;
   }
@@ -194,16 +195,26 @@ StepImpulses StepSolver::solve_cones(const ContactSystem& system, const StepLaws
       return impulses_of(std::move(*solution));
   }
   problem.A = delassus(system);
-  return solve_dense(std::move(problem));
+  return solve_dense(problem, laws.resolution);
 }
 
-StepImpulses StepSolver::solve_dense(CoulombProblem problem) const {
+StepImpulses StepSolver::solve_dense(const CoulombProblem& problem, double resolution) const {
   if (cone_ == ConeMethod::convex) return impulses_of(solve_convex_cones(problem));
   if (cone_ == ConeMethod::pyramid) return impulses_of(solve_pyramids(problem));
-  CoulombOptions options;
-  options.tolerance = options.enough = solved;
-  if (resting_.space == RestingSpace::contact) options.lcp = resting_.lcp;
-  return impulses_of(solve_coulomb(problem, options));
+  constexpr int few_sweeps = 64, most_changes = 3;
+  CoulombOptions patient;
+  patient.tolerance = patient.enough = solved;
+  if (resting_.space == RestingSpace::contact) patient.lcp = resting_.lcp;
+  CoulombOptions brief = patient;
+  brief.max_iterations = few_sweeps;
+  CoulombSolution solution = solve_coulomb(problem, brief);
+  for (int change = 0; change < most_changes && solution.residual > solved; ++change) {
+    const std::optional<CoulombProblem> possible = with_possible_rates(problem, solution, resolution);
+    if (!possible) break;
+    solution = solve_coulomb(*possible, brief);
+  }
+  if (solution.residual > solved) solution = solve_coulomb(problem, patient);
+  return impulses_of(std::move(solution));
 }
 
 /// Sliding, rolling and spinning together.

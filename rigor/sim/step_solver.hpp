@@ -20,6 +20,8 @@ struct StepLaws {
   std::vector<double> sticking_friction;  ///< μ_s ≥ μ, one a contact; or none: as μ.
   std::vector<bool> sticks;               ///< Whether a contact stuck at the begin: as above.
   std::optional<SpringRows> springs;      ///< Those that act implicitly (not with solver pgs).
+  /// What b is known to [m/s]: contacts that contradict each other by less may hold together.
+  double resolution = 0;
 };
 
 /// The laws of the system's contacts at its velocities, with b = u. What slips no faster than `still` [m/s]
@@ -48,7 +50,7 @@ class StepSolver {
  private:
   StepImpulses solve_with(const ContactSystem& system, const StepLaws& laws) const;
   StepImpulses solve_cones(const ContactSystem& system, const StepLaws& laws) const;
-  StepImpulses solve_dense(CoulombProblem problem) const;
+  StepImpulses solve_dense(const CoulombProblem& problem, double resolution) const;
   StepImpulses solve_frictions(const ContactSystem& system, const StepLaws& laws) const;
   StepImpulses sweep(const ContactSystem& system, const CoulombProblem& laws) const;
 

@@ -40,6 +40,61 @@ TEST(MomentRows, FormTheResponseOfForcesAndMoments) {
   EXPECT_LE((A - moment_response(system, 0)).norm(), 1e-13 * A.norm());
 }
 
+/// A rod whose lower end, a ball, touches the floor, hinged to the world by its upper end.
+std::shared_ptr<const Model> hinged_rod() {
+  ModelBuilder builder;
+  builder.add_material(
+      {.name = "m", .friction = 1.2, .restitution = 0, .rolling_friction = 0.01, .torsional_friction = 0.02});
+  BodyDescription rod;
+  rod.name = "rod";
+  rod.p_WL = Vec3(0, 0, 0.6);
+  rod.mass = 2;
+  rod.shapes.push_back({Capsule{0.1, 0.5}, Vec3::Zero(), Quat::Identity(), "m", ""});
+  builder.add_body(rod);
+  BodyDescription floor;
+  floor.name = "floor";
+  floor.motion = MotionType::fixed;
+  floor.shapes.push_back({HalfSpace{Vec3::UnitZ(), 0}, Vec3::Zero(), Quat::Identity(), "m", ""});
+  builder.add_body(floor);
+  ModelBuilder::JointDescription hinge;
+  hinge.name = "hinge";
+  hinge.type = JointType::hinge;
+  hinge.bodies = {"world", "rod"};
+  hinge.anchors = {Vec3(0.4, 0, 1.1)};
+  hinge.axis = Vec3(0, 1, 0.3);
+  builder.add_joint(hinge);
+  return builder.build();
+}
+
+// An impact through a joint ends in one go: the response that it was solved with is the one that it has.
+TEST(MomentRows, ResponseOfOneContactHasWhatJointsDo) {
+  const std::shared_ptr<const Model> model = hinged_rod();
+  const std::vector<int> bodies = {0, 1};
+  BodyKinetics rod = dynamic_kinetics(
+      model->body(0), BodyPhase{Vec3(0, 0, 0.6), model->body(0).q_WB, Vec3::Zero(), Vec3::Zero()});
+  const std::vector<BodyKinetics> kinetics = {rod, BodyKinetics{}};
+  ContactSystem system = make_contact_system(
+      *model, find_contacts(*model, 0, 1, kinetics[0].pose(), kinetics[1].pose(), 1e-6), bodies, kinetics,
+      std::make_shared<JointSystem>(*model, std::vector<int>{0}, bodies, kinetics));
+  ASSERT_EQ(system.contacts.size(), 1u);
+  const Mat6 K = moment_response(system, 0);
+  for (int column = 0; column < 6; ++column) {
+    Vec6 unit = Vec6::Zero();
+    unit[column] = 1;
+    std::vector<Wrench> impulses = contact_wrenches(system, unit.head<3>());
+    // The rod is the contact's A.
+    impulses[0].tau_W -= system.frames[0] * unit.tail<3>();
+    const JointReactions total =
+        with_joint_impulses(system, impulses, VecX::Zero(system.joints->residuals().size()));
+    ContactSystem moved = system;
+    moved.kinetics[0].v = rod.inverse_mass * total.wrenches[0].f_W;
+    moved.kinetics[0].w = rod.inverse_inertia * total.wrenches[0].tau_W;
+    Vec6 change;
+    change << relative_velocities(moved), relative_turning(moved, 0);
+    EXPECT_LE((change - K.col(column)).norm(), 1e-12 * K.norm()) << column;
+  }
+}
+
 // 5/7 ρ g h / R, whichever of the two bodies comes first.
 TEST(MomentRows, ARollingBallIsBrakedByRollingFriction) {
   const double g = 9.81, h = 0.01, rho = 1e-3, v = 0.5, R = 0.1;

@@ -88,6 +88,47 @@ TEST(PenaltyLaw, NeverPullsAndNeverPushesFromAfar) {
   }
 }
 
+TEST(PenaltyLaw, HardensBeyondItsLimitAndKeepsItsEnergyThere) {
+  for (const PenaltyNormalLaw law : {PenaltyNormalLaw::linear, PenaltyNormalLaw::hunt_crossley}) {
+    PenaltySpring spring = spring_for_impact(law, 1, 2, 3, 1e-3);
+    const double force = normal_force(spring, 1e-3, 0), energy = stored_energy(spring, 1e-3);
+    spring.limit = 1e-3;
+    EXPECT_EQ(normal_force(spring, 1e-3, 0), force);
+    EXPECT_EQ(stored_energy(spring, 1e-3), energy);
+    // e times as strong over a twentieth of the limit.
+    EXPECT_NEAR(normal_force(spring, 1.05e-3, 0) / force, std::exp(1), 1e-12);
+    // The last one is where the curve has gone over into its tangent.
+    for (const double x : {1.02e-3, 1.7e-3, 3.5e-3}) {
+      const double d = 1e-9, f = normal_force(spring, x, 0);
+      EXPECT_NEAR((stored_energy(spring, x + d) - stored_energy(spring, x - d)) / (2 * d * f), 1, 1e-6);
+      EXPECT_NEAR((normal_force(spring, x + d, 0) - normal_force(spring, x - d, 0)) /
+                      (2 * d * stiffness_at(spring, x)),
+                  1, 1e-6);
+      EXPECT_NEAR(depth_under(spring, f), x, 1e-12 * x);
+    }
+  }
+}
+
+TEST(PenaltyLaw, DampersHardenWithTheirSprings) {
+  for (const PenaltyNormalLaw law : {PenaltyNormalLaw::linear, PenaltyNormalLaw::hunt_crossley}) {
+    PenaltySpring spring = spring_for_impact(law, 0.5, 1, 2, 1e-3);
+    spring.limit = 1e-3;
+    const double x = 1.3e-3, w = 1e-3;
+    const double rate = (normal_force(spring, x, w) - normal_force(spring, x, -w)) / (2 * w);
+    EXPECT_NEAR(damping_at(spring, x) / rate, 1, 1e-9);
+  }
+}
+
+TEST(PenaltyLaw, AMillionTimesTheEnergyPressesTwiceAsDeep) {
+  PenaltySpring spring = spring_for_impact(PenaltyNormalLaw::linear, 1, 2, 3, 1e-3);
+  spring.limit = 1e-3;
+  const double energy = 1e6 * 9;
+  // ½ m v² of the spring is k d²/2 = 9 J, beyond it k d ℓ (e^x - 1).
+  const double expected = 1e-3 + 5e-5 * std::log1p((energy - 9) / (18 / 1e-3 * 5e-5));
+  EXPECT_NEAR(stored_energy(spring, expected), energy, 1e-9 * energy);
+  EXPECT_LE(expected, 2e-3);
+}
+
 TEST(PenaltyLaw, TangentsAreDerivatives) {
   for (const PenaltyNormalLaw law : {PenaltyNormalLaw::linear, PenaltyNormalLaw::hunt_crossley}) {
     const PenaltySpring spring = spring_for_impact(law, 0.5, 1, 2, 1e-3);

@@ -1,6 +1,7 @@
 #include "rigor/sim/hybrid_stepper.hpp"
 
 #include "rigor/model/model_builder.hpp"
+#include "rigor/sim/audit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -86,6 +87,56 @@ TEST(HybridStepper, BallThatBouncesOnAStackLeavesItStanding) {
   for (int i = 1; i <= 2; ++i) EXPECT_NEAR(state.position(i).z(), 0.1 + 0.2 * (i - 1), 1e-6);
   EXPECT_NEAR(state.position(3).z(), 0.5, 1e-6);
   EXPECT_LE(state.linear_momentum(3).norm(), 1e-5);
+}
+
+/// Three balls of restitution 0.9 above a stack of slabs that bounce by 0.5 themselves.
+std::shared_ptr<const Model> hail_on_slabs() {
+  ModelBuilder builder = builder_on(Vec3(0, 0, -g), 0.6, 0.5);
+  builder.add_material({"rubber", 1000, 0.2, 0.9});
+  builder.set_pair("rubber", "m", {.friction = 0.2, .restitution = 0.9});
+  for (int k = 0; k < 4; ++k) {
+    BodyDescription slab =
+        body_of("slab" + std::to_string(k), Box{Vec3(0.15, 0.15, 0.05)}, Vec3(0, 0, 0.05 + 0.1 * k));
+    slab.mass = 18;
+    builder.add_body(slab);
+  }
+  for (int k = 0; k < 3; ++k) {
+    BodyDescription ball =
+        body_of("ball" + std::to_string(k), Sphere{0.04}, Vec3(0.1 * (k - 1), 0.02 * k, 0.6 + 0.1 * k));
+    ball.mass = 0.24;
+    ball.shapes[0].material = "rubber";
+    builder.add_body(ball);
+  }
+  return builder.build();
+}
+
+TEST(HybridStepper, ContactsThatLastDoNotBounceInTheImpactsOfOthers) {
+  const std::shared_ptr<const Model> model = hail_on_slabs();
+  HybridStepper stepper(model, Method{}, 0.01);
+  State state = make_initial_state(*model);
+  Auditor auditor(model, Method{}, state);
+  for (int k = 1; k <= 50; ++k) auditor.observe(state, stepper.advance(state, 0.01 * k));
+  const Audit audit = auditor.audit(state);
+  EXPECT_EQ(audit.report.reason, StopReason::reached_end);
+  EXPECT_LE(audit.max_increase, 1e-9 * audit.initial.total());
+  // Some two bounces a ball, each with what it does to the four slabs: not a train of bounces of the slabs.
+  EXPECT_GE(audit.report.impacts, 5);
+  EXPECT_LE(audit.report.impacts, 60);
+  for (int i = 1; i <= 4; ++i)
+    EXPECT_LE((state.position(i) - make_initial_state(*model).position(i)).norm(), 1e-6) << i;
+}
+
+TEST(HybridStepper, FreshStepperContinuesBitForBitThroughHail) {
+  const std::shared_ptr<const Model> model = hail_on_slabs();
+  State state = make_initial_state(*model);
+  HybridStepper stepper(model, Method{}, 0.01);
+  for (int k = 1; k <= 10; ++k) {
+    State copy = state;
+    HybridStepper fresh(model, Method{}, 0.01);
+    fresh.advance(copy, 0.05 * k);
+    EXPECT_EQ(stepper.advance(state, 0.05 * k).reason, StopReason::reached_end);
+    ASSERT_EQ(state, copy) << "at t = " << state.t;
+  }
 }
 
 TEST(HybridStepper, FreshStepperContinuesBitForBit) {

@@ -244,6 +244,38 @@ TEST(PenaltyStepper, BodiesThatBeginInsideEachOtherAreNotThrownApart) {
   }
 }
 
+// What lies under another body's impact has springs that were made for its own weight.
+TEST(PenaltyStepper, ALightBallUnderAHeavyOneIsNotPressedThroughTheFloor) {
+  for (const PenaltyLaw law : {PenaltyLaw::linear, PenaltyLaw::hunt_crossley}) {
+    ModelBuilder builder;
+    builder.set_gravity(Vec3(0, 0, -g));
+    builder.add_material({"m", 1000, 0.5, 0});
+    BodyDescription floor;
+    floor.name = "floor";
+    floor.motion = MotionType::fixed;
+    floor.shapes.push_back({HalfSpace{Vec3::UnitZ(), 0}, Vec3::Zero(), Quat::Identity(), "m", ""});
+    builder.add_body(floor);
+    const auto add_ball = [&](const char* name, double mass, double radius, double z, double v_z) {
+      BodyDescription ball;
+      ball.name = name;
+      ball.mass = mass;
+      ball.p_WL = Vec3(0, 0, z);
+      ball.velocity = Vec3(0, 0, v_z);
+      ball.shapes.push_back({Sphere{radius}, Vec3::Zero(), Quat::Identity(), "m", ""});
+      builder.add_body(ball);
+    };
+    add_ball("light", 1, 0.05, 0.05, 0);
+    add_ball("heavy", 300, 0.2, 0.4, -3);
+    const PenaltyRun run =
+        run_penalty(builder.build(), penalty_method(PenaltyMethod::local, law), 0.1, 0.01, 0.01);
+    // 2,700 times the kinetic energy that the light ball's spring is made for presses by √2700 d without
+    // hardening.
+    EXPECT_LE(run.audit.report.max_penetration, 2 * Method{}.penalty_depth);
+    EXPECT_GT(run.audit.report.max_penetration, Method{}.penalty_depth);
+    EXPECT_EQ(run.audit.violations, std::vector<std::string>{});
+  }
+}
+
 TEST(PenaltyStepper, OtherIntegratorsAreRefused) {
   Method method = penalty_method(PenaltyMethod::local);
   EXPECT_TRUE(check_combination(method).empty());
