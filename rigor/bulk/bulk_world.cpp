@@ -132,6 +132,8 @@ void BulkWorld::set_target(int body, const Vec3& x, const Quat& q) {
 
 std::vector<BulkContact> BulkWorld::contacts() const {
   std::vector<BulkContact> contacts = read_contacts(scratch_->contacts, bodies_);
+  const std::vector<BulkContact>& direct = scratch_->direct.contacts();
+  contacts.insert(contacts.end(), direct.begin(), direct.end());
   std::sort(contacts.begin(), contacts.end(),
             [](const BulkContact& a, const BulkContact& b) { return a.key() < b.key(); });
   return contacts;
@@ -179,8 +181,8 @@ BulkStepReport BulkWorld::step(double h) {
   s.gyrations.prepare(bodies_);
   s.joints.prepare(bodies_, substep, s.executor);
   s.contacts.match(s.pairs, s.manifolds, memory_);
+  if (settings_.measures) s.books.begin(bodies_);
   report.direct_islands = solve_directly(h);
-  if (settings_.measures) s.books.begin(bodies_, s.direct);
   s.contacts.prepare(bodies_, substep, s.direct, s.executor);
   for (int k = 0; k < settings_.substeps; ++k) {
     if (settings_.measures && k > 0) s.contacts.add_up(s.executor);
@@ -189,17 +191,17 @@ BulkStepReport BulkWorld::step(double h) {
   if (s.contacts.has_restitution()) {
     s.contacts.solve(BlockPass::restitution, static_cast<float>(substep), bodies_, s.executor);
   }
+  s.direct.finish(bodies_);
   if (settings_.measures) {
     s.contacts.add_up(s.executor);
-    s.books.end(bodies_, s.accelerations, h, s.contacts, report);
+    s.books.end(bodies_, s.accelerations, h, s.contacts, s.direct, report);
     report.work += work_of_forces();
   }
   s.given.clear();
   end_bulk_step(*model_, bodies_);
-  s.direct.finish(bodies_);
   s.prescribed.arrive(bodies_);
   s.contacts.remember(bodies_, substep, settings_.substeps, memory_);
-  s.direct.remember(memory_);
+  s.direct.remember(settings_.substeps, memory_);
   s.joints.read_impulses(bodies_, s.joint_impulses);
   std::tie(report.max_joint_error, report.worst_joint) = s.joints.worst_error(bodies_);
   if (s.sleepers) {

@@ -20,7 +20,7 @@ constexpr double least_mass_ratio = 10;
 constexpr double bounce_speed = 1e-2;
 /// Of an overlap that is put back in a step.
 constexpr double put_back = 0.2;
-/// Of the length scale of the Model: overlaps that stay.
+/// Of the size of the smallest body: overlaps that stay.
 constexpr double tolerated_overlap = 1e-5;
 
 std::size_t at(int i) {
@@ -85,6 +85,48 @@ std::vector<Vec3> remembered_impulses(const StepManifold& manifold, const Mat3& 
   const Vec3 friction = substeps * (frame * vector_of(manifold.memory->friction_impulse_W.data()));
   for (Vec3& impulse : impulses) impulse.head<2>() = impulse.z() / pressed * friction.head<2>();
   return impulses;
+}
+
+/// Without impulses, at the velocities of the bodies.
+BulkContact contact_of(const StepManifold& manifold, const BulkBodies& bodies) {
+  const ManifoldMemory& key = *manifold.key;
+  BulkContact contact;
+  contact.body_A = key.body_A, contact.body_B = key.body_B;
+  contact.shape_A = key.shape_A, contact.shape_B = key.shape_B;
+  contact.part = key.part;
+  contact.n_W = vector_of(manifold.manifold->normal);
+  contact.point_count = key.point_count;
+  contact.center_W = contact.friction_impulse_W = contact.friction_moment_W = Vec3::Zero();
+  const Vec3& x_A = bodies.x[at(key.body_A)];
+  const Vec3& x_B = bodies.x[at(key.body_B)];
+  contact.approach_speed = 0;
+  for (int k = 0; k < contact.point_count; ++k) {
+    const ManifoldPoint& point = manifold.manifold->points[at(k)];
+    const Vec3 p_W = x_A + vector_of(point.p);
+    contact.points[at(k)] = {p_W, static_cast<double>(point.gap), 0};
+    contact.center_W += p_W / contact.point_count;
+    const Vec3 u = velocity_at(bodies, key.body_B, p_W - x_B) - velocity_at(bodies, key.body_A, p_W - x_A);
+    contact.approach_speed = std::max(contact.approach_speed, -contact.n_W.dot(u));
+  }
+  contact.is_new = manifold.memory == nullptr ||
+                   std::all_of(manifold.memory->normal_impulse.begin(),
+                               manifold.memory->normal_impulse.begin() + manifold.memory->point_count,
+                               [](float impulse) { return impulse == 0; });
+  return contact;
+}
+
+/// Impulses of its points, three each along the rows of the frame.
+void set_impulses(const VecX& lambda, const Mat3& frame, BulkContact& contact) {
+  bool is_pressed = false;
+  for (int k = 0; k < contact.point_count; ++k) {
+    const Vec3 of_point = lambda.segment<3>(3 * static_cast<Index>(k));
+    const Vec3 friction = frame.topRows<2>().transpose() * of_point.head<2>();
+    contact.points[at(k)].normal_impulse = of_point.z();
+    contact.friction_impulse_W += friction;
+    contact.friction_moment_W += (contact.points[at(k)].p_W - contact.center_W).cross(friction);
+    is_pressed = is_pressed || of_point.z() > 0;
+  }
+  if (!is_pressed) contact.approach_speed = 0;
 }
 
 /// Nothing if it was not solved to 1e-9 of its terms.
@@ -178,7 +220,8 @@ void DirectIslands::solve(const DirectStep& step, BulkBodies& bodies) {
   is_held_.clear();
   island_count_ = 0;
   ends_.clear();
-  impulses_.clear();
+  solved_.clear();
+  contacts_.clear();
   if (!may_be_needed_ || step.manifolds.empty()) return;
   for (const Island& island : find_islands(step, bodies)) {
     if (!is_taken(step, island, bodies) || !solve_island(step, island, bodies)) continue;
@@ -264,16 +307,24 @@ DirectIslands::Problem DirectIslands::problem_of(const DirectStep& step, const I
   return problem;
 }
 
+/// Least radius of its bodies about their centres [m].
+double DirectIslands::size_of(const Island& island) const {
+  double size = std::numeric_limits<double>::infinity();
+  for (const int body : island.bodies) size = std::min(size, model_->body(body).bounding_radius);
+  return size;
+}
+
 bool DirectIslands::solve_island(const DirectStep& step, const Island& island, BulkBodies& bodies) {
   Problem problem = problem_of(step, island, bodies);
+  std::vector<BulkContact> contacts;  // As they are at the velocities of the begin.
+  for (const int i : island.manifolds) contacts.push_back(contact_of(step.manifolds[at(i)], bodies));
   problem.motion.laws.b = problem.rates(problem.V, step.h, 0);
   const std::optional<VecX> lambda = solve_impulses(problem.motion, problem.start);
   if (!lambda) return false;
   const VecX V_end = problem.velocities_after(problem.V, *lambda);
   VecX V_moved = V_end;
   // Overlaps are put back by displacements alone.
-  if (*std::min_element(problem.gaps.begin(), problem.gaps.end()) <
-      -tolerated_overlap * model_->length_scale()) {
+  if (*std::min_element(problem.gaps.begin(), problem.gaps.end()) < -tolerated_overlap * size_of(island)) {
     problem.motion.laws.mu.assign(problem.gaps.size(), 0.0);
     problem.motion.laws.b = problem.rates(V_end, step.h, put_back);
     if (const std::optional<VecX> push = solve_impulses(problem.motion, VecX()))
@@ -289,17 +340,14 @@ bool DirectIslands::solve_island(const DirectStep& step, const Island& island, B
     set_floats(V_moved.segment<3>(six), motion.v);
     set_floats(V_moved.segment<3>(six + 3), motion.w);
   }
-  Index point = 0;
-  for (const int i : island.manifolds) {
-    Impulses& impulses = impulses_.emplace_back(i, *step.manifolds[at(i)].key);
-    Vec3 friction = Vec3::Zero();
-    for (int k = 0; k < impulses.memory.point_count; ++k, ++point) {
-      const Vec3 of_substep = lambda->segment<3>(3 * point) / step.substeps;
-      impulses.memory.normal_impulse[at(k)] = static_cast<float>(of_substep.z());
-      friction += problem.frames[at(static_cast<int>(point))].topRows<2>().transpose() * of_substep.head<2>();
-    }
-    set_floats(friction, impulses.memory.friction_impulse_W.data());
+  Index first = 0;
+  for (std::size_t k = 0; k < island.manifolds.size(); ++k) {
+    const Index rows = 3 * static_cast<Index>(contacts[k].point_count);
+    set_impulses(lambda->segment(first, rows), problem.frames[at(static_cast<int>(first / 3))], contacts[k]);
+    first += rows;
+    solved_.push_back(island.manifolds[k]);
   }
+  contacts_.insert(contacts_.end(), contacts.begin(), contacts.end());
   return true;
 }
 
@@ -311,8 +359,13 @@ void DirectIslands::finish(BulkBodies& bodies) const {
   }
 }
 
-void DirectIslands::remember(std::vector<ManifoldMemory>& memory) const {
-  for (const Impulses& impulses : impulses_) memory[at(impulses.manifold)] = impulses.memory;
+void DirectIslands::remember(int substeps, std::vector<ManifoldMemory>& memory) const {
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    ManifoldMemory& remembered = memory[at(solved_[i])];
+    for (std::size_t k = 0; k < at(remembered.point_count); ++k)
+      remembered.normal_impulse[k] = static_cast<float>(contacts_[i].points[k].normal_impulse / substeps);
+    set_floats(contacts_[i].friction_impulse_W / substeps, remembered.friction_impulse_W.data());
+  }
 }
 
 }  // namespace rigor

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "rigor/bulk/bulk_bodies.hpp"
+#include "rigor/bulk/bulk_events.hpp"
 #include "rigor/bulk/islands.hpp"
 #include "rigor/bulk/manifold.hpp"
 #include "rigor/bulk/manifold_blocks.hpp"
@@ -49,8 +50,10 @@ class DirectIslands {
   int island_count() const { return island_count_; }
   /// Gives the bodies their velocities at the end of the step.
   void finish(BulkBodies& bodies) const;
-  /// Impulses of the manifolds of solved islands, for the memory (same order as in solve()).
-  void remember(std::vector<ManifoldMemory>& memory) const;
+  /// What acted in the solved islands.
+  const std::vector<BulkContact>& contacts() const { return contacts_; }
+  /// Impulses of one of the substeps into the memories of their manifolds (all, in the order of solve()).
+  void remember(int substeps, std::vector<ManifoldMemory>& memory) const;
 
  private:
   struct Island {
@@ -63,6 +66,7 @@ class DirectIslands {
   bool is_driven(const StepManifold& manifold, const BulkBodies& bodies) const;
   bool bounces(const StepManifold& manifold, const BulkBodies& bodies) const;
   Problem problem_of(const DirectStep& step, const Island& island, const BulkBodies& bodies) const;
+  double size_of(const Island& island) const;
   bool solve_island(const DirectStep& step, const Island& island, BulkBodies& bodies);
 
   const Model* model_;
@@ -76,11 +80,8 @@ class DirectIslands {
     float v[3], w[3];
   };
   std::vector<EndVelocity> ends_;
-  struct Impulses {
-    int manifold;
-    ManifoldMemory memory;
-  };
-  std::vector<Impulses> impulses_;
+  std::vector<int> solved_;            ///< Numbers of the manifolds of solved islands.
+  std::vector<BulkContact> contacts_;  ///< Of those.
 };
 
 }  // namespace rigor

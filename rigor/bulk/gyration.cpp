@@ -43,13 +43,14 @@ RIGOR_FLOAT_LANES FloatVec3 change_in_lanes(const BodyGyration& bodies, const Fl
   return y[0] * e[0] + (y[1] * e[1] + y[2] * e[2]);
 }
 
-/// Whether any lane's change may be worth finding.
-RIGOR_FLOAT_LANES bool turns_fast(const FloatVec3& w, float h) {
-  float size[kLaneCount];
-  store_floats(h * dot(w, w), size);
-  bool is_fast = false;
-  for (const float s : size) is_fast = is_fast || !(s < kLeastChange);
-  return is_fast;
+/// Lanes whose change is not worth finding.
+RIGOR_FLOAT_LANES IntLanes turn_slowly(const FloatVec3& w, float h) {
+  return h * dot(w, w) < float_lanes(kLeastChange);
+}
+RIGOR_FLOAT_LANES bool are_all(const IntLanes& mask) {
+  bool all = true;
+  for (int i = 0; i < kLaneCount; ++i) all = all && mask[i] != 0;
+  return all;
 }
 
 /// Records of eight bodies, and where their changes go.
@@ -64,7 +65,8 @@ RIGOR_FLOAT_LANES void find_group_in_lanes(const BodyGyration& start, float h, c
   square = transpose(square);
   const FloatVec3 w{square.row[4], square.row[5], square.row[6]};
   FloatVec3 change{};
-  if (turns_fast(w, h)) {
+  const IntLanes is_slow = turn_slowly(w, h);
+  if (!are_all(is_slow)) {
     for (int i = 0; i < kLaneCount; ++i) square.row[i] = load_floats(at.records[i] + kLaneCount);
     square = transpose(square);
     const FloatQuat turn = lane_turn({square.row[4], square.row[5], square.row[6]});
@@ -72,6 +74,9 @@ RIGOR_FLOAT_LANES void find_group_in_lanes(const BodyGyration& start, float h, c
     now.axis0 = rotate(turn, start.axis0);
     now.axis1 = rotate(turn, start.axis1);
     change = change_in_lanes(now, w, h);
+    // What a body gets does not depend on who shares its lanes.
+    const FloatLanes zero = float_lanes(0);
+    change = {is_slow ? zero : change.x, is_slow ? zero : change.y, is_slow ? zero : change.z};
   }
   for (int i = 0; i < kLaneCount; ++i) {
     at.changes[i][4] = change.x[i];

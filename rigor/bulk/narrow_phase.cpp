@@ -278,7 +278,7 @@ void NarrowPhase::Tables::find_boxes(const PairPlace& place, int lane_place, int
   const bool has_crossing = outcome == BoxContacts::edges || outcome == BoxContacts::edges_and_region;
   const bool has_region = outcome == BoxContacts::region || outcome == BoxContacts::edges_and_region;
   const std::size_t count = manifolds.size();
-  Manifold manifold;
+  Manifold manifold{};
   const bool crosses = has_crossing && cross_box_edges(lanes, contacts, lane, manifold);
   if (crosses) manifolds.push_back({number, 0, manifold});
   if (has_region && (crosses || !has_crossing) && read_box_region(contacts, lane, margin, manifold))

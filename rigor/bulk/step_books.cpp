@@ -59,8 +59,7 @@ StepBooks::StepBooks(const Model& model) {
   }
 }
 
-void StepBooks::begin(const BulkBodies& bodies, const DirectIslands& direct) {
-  direct_ = &direct;
+void StepBooks::begin(const BulkBodies& bodies) {
   begin_ = momentum(bodies);
 }
 
@@ -72,8 +71,14 @@ Vec3 StepBooks::momentum(const BulkBodies& bodies) const {
   return sum;
 }
 
+void StepBooks::book(const BulkBodies& bodies, int body_A, int body_B, const Vec3& impulse,
+                     Vec3& given) const {
+  if (is_booked(bodies, body_B) && !is_booked(bodies, body_A)) given += impulse;
+  if (is_booked(bodies, body_A) && !is_booked(bodies, body_B)) given -= impulse;
+}
+
 void StepBooks::end(const BulkBodies& bodies, const std::vector<MotionRow>& accelerations, double h,
-                    const BulkContacts& contacts, BulkStepReport& report) const {
+                    const BulkContacts& contacts, const DirectIslands& direct, BulkStepReport& report) const {
   Vec3 given = Vec3::Zero();
   for (int i = 0; i < bodies.count(); ++i) {
     if (is_booked(bodies, i)) given += h * masses_[at(i)] * vector_of(accelerations[at(i)].data());
@@ -81,10 +86,13 @@ void StepBooks::end(const BulkBodies& bodies, const std::vector<MotionRow>& acce
   contacts.for_contacts([&](const BulkContacts::Contact& contact, const ManifoldMemory& key, bool is_new) {
     const ManifoldWrench on_B = total_wrench(contact.block, contact.totals, contact.lane);
     if (is_new && approach_speed(contact.block, contact.lane) > impact_speed) ++report.impact_count;
-    if (is_booked(bodies, key.body_B) && !is_booked(bodies, key.body_A)) given += on_B.impulse;
-    if (is_booked(bodies, key.body_A) && !is_booked(bodies, key.body_B)) given -= on_B.impulse;
+    book(bodies, key.body_A, key.body_B, on_B.impulse, given);
     report.work += work_of(contact, on_B, bodies);
   });
+  for (const BulkContact& contact : direct.contacts()) {
+    if (contact.is_new && contact.approach_speed > impact_speed) ++report.impact_count;
+    book(bodies, contact.body_A, contact.body_B, contact.impulse_W(), given);
+  }
   report.momentum_error = momentum(bodies) - begin_ - given;
 }
 
