@@ -16,7 +16,6 @@ namespace {
 using nlohmann::json;
 using test::Draw;
 using test::separation_along;
-
 Pose moved(double x, double y, double z) {
   return {.p = Vec3(x, y, z)};
 }
