@@ -16,7 +16,7 @@ std::size_t at(int i) {
 }
 
 /// Where the nearest points of two crossing edges are between their ends, the radius of the foot below.
-float crossing_radius(const PolytopePair& pair, const SeparatingAxis& axis) {
+float crossing_radius(const PlacedPolytopes& pair, const SeparatingAxis& axis) {
   const Vec3f u = pair.a.edge_vector(axis.a), v = pair.b.edge_vector(axis.b);
   const Vec3f p = pair.a.vertex(pair.a.edge(axis.a).v0), q = pair.b.vertex(pair.b.edge(axis.b).v0);
   const SegmentPoints points = nearest_on_segments(p, u, q, v);
@@ -27,7 +27,7 @@ float crossing_radius(const PolytopePair& pair, const SeparatingAxis& axis) {
 
 /// Differences b - a of points of the cores, laid flat along the axis n, hold a disk of this radius about the
 /// origin, and lie `separation` high over it; negative if they do not.
-float foot_radius(const PolytopePair& pair, const SeparatingAxis& axis) {
+float foot_radius(const PlacedPolytopes& pair, const SeparatingAxis& axis) {
   if (axis.kind == SeparatingAxis::Kind::edges) return crossing_radius(pair, axis);
   const bool is_of_A = axis.kind == SeparatingAxis::Kind::face_of_A;
   const PlacedPolytope &own = is_of_A ? pair.a : pair.b, &other = is_of_A ? pair.b : pair.a;
@@ -75,7 +75,7 @@ bool is_edge_alone(const PlacedPolytope& core, int e, const Vec3f& n, float near
 
 /// Of the best face of B and the face of A that is nearly parallel to it, if there is one, the one that the
 /// whole search takes.
-std::optional<SeparatingAxis> choose_face(const PolytopePair& pair, const SeparatingAxis& axis) {
+std::optional<SeparatingAxis> choose_face(const PlacedPolytopes& pair, const SeparatingAxis& axis) {
   const float cosine = std::cos(kNear);
   if (pair.a.hull->face_count == 0) return axis;
   const Vec3f local = pair.a.R.transpose() * axis.n;
@@ -88,21 +88,21 @@ std::optional<SeparatingAxis> choose_face(const PolytopePair& pair, const Separa
 
 }  // namespace
 
-bool is_well_conditioned(const PolytopePair& pair, const SeparatingAxis& axis) {
+bool is_well_conditioned(const PlacedPolytopes& pair, const SeparatingAxis& axis) {
   constexpr float least_square_sine = 0.01f;
   if (axis.kind != SeparatingAxis::Kind::edges) return true;
   const Vec3f u = pair.a.edge_vector(axis.a), v = pair.b.edge_vector(axis.b);
   return u.cross(v).squaredNorm() > least_square_sine * u.squaredNorm() * v.squaredNorm();
 }
 
-bool is_best(const PolytopePair& pair, const BallBound& bound, const SeparatingAxis& axis) {
+bool is_best(const PlacedPolytopes& pair, const BallBound& bound, const SeparatingAxis& axis) {
   if (axis.kind == SeparatingAxis::Kind::none) return false;
   const float radius = foot_radius(pair, axis);
   if (!(radius >= 4 * pair.rounding)) return false;
   return axis.separation >= 0 || is_best_by(radius, 0, bound, axis);
 }
 
-std::optional<SeparatingAxis> settle(const PolytopePair& pair, const BallBound& bound,
+std::optional<SeparatingAxis> settle(const PlacedPolytopes& pair, const BallBound& bound,
                                      const SeparatingAxis& axis) {
   if (axis.kind == SeparatingAxis::Kind::none) return std::nullopt;
   // With half the radius to spare, directions beyond the angle `near` are worse by the other half.

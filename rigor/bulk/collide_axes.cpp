@@ -18,7 +18,7 @@ std::size_t at(int i) {
 /// What bounds the separation along the normals m of the faces of one core: m · `between` - `balls` by the
 /// balls inside, and the height of one vertex of the other core over each face.
 struct DirectionBounds {
-  const PolytopePair& pair;
+  const PlacedPolytopes& pair;
   bool is_of_A;
   float balls;
   const std::vector<float>& along;
@@ -83,7 +83,7 @@ void place_high_arcs(const DirectionBounds& bounds, float least, std::vector<int
 
 /// Whether the arcs of two edges cross on the Gauss map, that of B reversed. The circle of a segment crosses
 /// an arc whose ends are on both its sides, and always the circle of another.
-bool arcs_cross(const PolytopePair& pair, int i, int j) {
+bool arcs_cross(const PlacedPolytopes& pair, int i, int j) {
   const PlacedPolytope &a = pair.a, &b = pair.b;
   const FloatHull::Edge &edge_A = a.edge(i), &edge_B = b.edge(j);
   const bool has_arc_A = edge_A.f0 >= 0, has_arc_B = edge_B.f0 >= 0;
@@ -98,7 +98,7 @@ bool arcs_cross(const PolytopePair& pair, int i, int j) {
 }
 
 /// The pair of edges, if it parts the cores better than `least`, which becomes the separation.
-void try_edge_pair(const PolytopePair& pair, int i, int j, float& least, SeparatingAxis& best) {
+void try_edge_pair(const PlacedPolytopes& pair, int i, int j, float& least, SeparatingAxis& best) {
   const SeparatingAxis axis = edge_axis(pair, i, j);
   if (!(axis.separation > least)) return;
   least = axis.separation;
@@ -106,7 +106,7 @@ void try_edge_pair(const PolytopePair& pair, int i, int j, float& least, Separat
 }
 
 /// Where one of the cores is a segment.
-void try_segment_edges(const PolytopePair& pair, float least, SeparatingAxis& best) {
+void try_segment_edges(const PlacedPolytopes& pair, float least, SeparatingAxis& best) {
   for (int i = 0; i < static_cast<int>(pair.a.hull->edges.size()); ++i) {
     for (int j = 0; j < static_cast<int>(pair.b.hull->edges.size()); ++j) {
       if (arcs_cross(pair, i, j)) try_edge_pair(pair, i, j, least, best);
@@ -115,14 +115,14 @@ void try_segment_edges(const PolytopePair& pair, float least, SeparatingAxis& be
 }
 
 /// Of the arcs that are placed.
-void try_crossing_arcs(const PolytopePair& pair, float least, SeparatingAxis& best) {
+void try_crossing_arcs(const PlacedPolytopes& pair, float least, SeparatingAxis& best) {
   const EdgeChoice choice = find_best_edges(pair.arcs_A, pair.arcs_B, least, best_lane_target());
   if (choice.a < 0) return;
   best = edge_axis(pair, pair.arcs_A.edge(static_cast<std::size_t>(choice.a)),
                    pair.arcs_B.edge(static_cast<std::size_t>(choice.b)));
 }
 
-void try_edges(PolytopePair& pair, const DirectionBounds& bounds_A, const DirectionBounds& bounds_B,
+void try_edges(PlacedPolytopes& pair, const DirectionBounds& bounds_A, const DirectionBounds& bounds_B,
                float least, SeparatingAxis& best) {
   if (pair.a.hull->face_count == 0 || pair.b.hull->face_count == 0)
     return try_segment_edges(pair, least, best);
@@ -132,7 +132,7 @@ void try_edges(PolytopePair& pair, const DirectionBounds& bounds_A, const Direct
 }
 
 /// Of these edges of A and of B.
-void try_edge_lists(PolytopePair& pair, std::span<const int> of_A, std::span<const int> of_B, float least,
+void try_edge_lists(PlacedPolytopes& pair, std::span<const int> of_A, std::span<const int> of_B, float least,
                     SeparatingAxis& best) {
   if (pair.a.hull->face_count > 0 && pair.b.hull->face_count > 0) {
     place_arcs(pair.a, of_A, pair.arcs_A);
@@ -148,7 +148,7 @@ void try_edge_lists(PolytopePair& pair, std::span<const int> of_A, std::span<con
 
 /// The face around the vertex of its core that parts the cores best, if it is better than `best`. With w the
 /// way from a vertex of A to one of B, no face of these vertices parts the cores by more than n · w.
-void try_faces_around(const PolytopePair& pair, bool is_of_A, int vertex, const Vec3f& w,
+void try_faces_around(const PlacedPolytopes& pair, bool is_of_A, int vertex, const Vec3f& w,
                       SeparatingAxis& best) {
   const PlacedPolytope& own = is_of_A ? pair.a : pair.b;
   const Vec3f local = own.R.transpose() * (is_of_A ? w : Vec3f(-w));
@@ -172,7 +172,7 @@ struct Neighbourhood {
   int on_A, on_B;
   SeparatingAxis face;
 };
-Neighbourhood neighbourhood_of(const PolytopePair& pair, const Vec3f& n) {
+Neighbourhood neighbourhood_of(const PlacedPolytopes& pair, const Vec3f& n) {
   Neighbourhood around{pair.a.farthest(n), pair.b.farthest(-n), {}};
   const Vec3f w = pair.b.vertex(around.on_B) - pair.a.vertex(around.on_A);
   try_faces_around(pair, true, around.on_A, w, around.face);
@@ -181,7 +181,7 @@ Neighbourhood neighbourhood_of(const PolytopePair& pair, const Vec3f& n) {
 }
 
 /// What the best axis parts the cores by at least, as far as rounding lets this one tell.
-float sure_separation(const PolytopePair& pair, const SeparatingAxis& axis) {
+float sure_separation(const PlacedPolytopes& pair, const SeparatingAxis& axis) {
   constexpr float roundings = 8;
   if (axis.kind == SeparatingAxis::Kind::none || !is_well_conditioned(pair, axis))
     return -std::numeric_limits<float>::infinity();
@@ -196,7 +196,7 @@ struct SearchStart {
 
 /// A few steps from one direction to the best around it, which `start` becomes. `tried`: an axis that did not
 /// tell the answer.
-std::optional<SeparatingAxis> settle_by_steps(PolytopePair& pair, const BallBound& bound, AxisCode tried,
+std::optional<SeparatingAxis> settle_by_steps(PlacedPolytopes& pair, const BallBound& bound, AxisCode tried,
                                               SearchStart& start) {
   constexpr int max_steps = 3;
   for (int step = 0; step < max_steps; ++step) {
@@ -218,7 +218,8 @@ std::optional<SeparatingAxis> settle_by_steps(PolytopePair& pair, const BallBoun
 }
 
 /// All faces and edges that may part the cores by more than the start tells that the best does.
-SeparatingAxis search_all(PolytopePair& pair, const BallBound& bound, float far, const SearchStart& start) {
+SeparatingAxis search_all(PlacedPolytopes& pair, const BallBound& bound, float far,
+                          const SearchStart& start) {
   const Vec3f high_A = pair.a.vertex(pair.a.farthest(start.n)),
               low_B = pair.b.vertex(pair.b.farthest(-start.n));
   find_bounds(pair.a, bound.between, low_B, pair.along_A, pair.heights_A);
@@ -257,7 +258,7 @@ AxisCode code_of(const SeparatingAxis& axis) {
 namespace {
 
 /// The axis of a code.
-SeparatingAxis axis_of(const PolytopePair& pair, AxisCode code) {
+SeparatingAxis axis_of(const PlacedPolytopes& pair, AxisCode code) {
   const int first = static_cast<int>(code & ((1u << kEdgeBits) - 1)),
             second = static_cast<int>(code >> kEdgeBits & ((1u << kEdgeBits) - 1));
   switch (static_cast<SeparatingAxis::Kind>(code >> (2 * kEdgeBits))) {
@@ -275,7 +276,7 @@ SeparatingAxis axis_of(const PolytopePair& pair, AxisCode code) {
 
 }  // namespace
 
-SeparatingAxis face_axis(const PolytopePair& pair, bool is_of_A, int face) {
+SeparatingAxis face_axis(const PlacedPolytopes& pair, bool is_of_A, int face) {
   const PlacedPolytope &own = is_of_A ? pair.a : pair.b, &other = is_of_A ? pair.b : pair.a;
   const Vec3f m = own.normal(face);
   const int lowest = other.farthest(-m);
@@ -285,7 +286,7 @@ SeparatingAxis face_axis(const PolytopePair& pair, bool is_of_A, int face) {
   return {SeparatingAxis::Kind::face_of_B, lowest, face, -m, separation};
 }
 
-SeparatingAxis edge_axis(const PolytopePair& pair, int i, int j) {
+SeparatingAxis edge_axis(const PlacedPolytopes& pair, int i, int j) {
   constexpr float least_square_sine = 1e-8f;
   const FloatHull::Edge &edge_A = pair.a.edge(i), &edge_B = pair.b.edge(j);
   const Vec3f u = pair.a.edge_vector(i), v = pair.b.edge_vector(j);
@@ -303,11 +304,11 @@ SeparatingAxis edge_axis(const PolytopePair& pair, int i, int j) {
   return {SeparatingAxis::Kind::edges, i, j, n, separation};
 }
 
-BallBound ball_bound(const PolytopePair& pair) {
+BallBound ball_bound(const PlacedPolytopes& pair) {
   return {pair.b.center - pair.a.center, pair.a.inner + pair.b.inner};
 }
 
-bool find_parting_direction(const PolytopePair& pair, float limit, Vec3f& n) {
+bool find_parting_direction(const PlacedPolytopes& pair, float limit, Vec3f& n) {
   constexpr int max_steps = 4;
   for (int step = 0; step < max_steps; ++step) {
     const float square = n.squaredNorm();
@@ -322,7 +323,7 @@ bool find_parting_direction(const PolytopePair& pair, float limit, Vec3f& n) {
   return false;
 }
 
-SeparatingAxis find_separating_axis(PolytopePair& pair, float limit, const AxisGuess& guess) {
+SeparatingAxis find_separating_axis(PlacedPolytopes& pair, float limit, const AxisGuess& guess) {
   const BallBound bound = ball_bound(pair);
   const float far = limit + parting_slack(pair.rounding);
   const SeparatingAxis axis = axis_of(pair, guess.axis);

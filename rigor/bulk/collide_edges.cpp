@@ -18,7 +18,7 @@ struct EdgePoints {
   std::uint32_t feature;
 };
 
-EdgePoints nearest_on_edges(const PolytopePair& pair, int i, int j) {
+EdgePoints nearest_on_edges(const PlacedPolytopes& pair, int i, int j) {
   const FloatHull::Edge &edge_A = pair.a.edge(i), &edge_B = pair.b.edge(j);
   const Vec3f p0 = pair.a.vertex(edge_A.v0), q0 = pair.b.vertex(edge_B.v0);
   const Vec3f u = pair.a.edge_vector(i), v = pair.b.edge_vector(j);
@@ -55,7 +55,7 @@ void list_high_edges(const PlacedPolytope& core, const std::vector<float>& heigh
 }
 
 void add_middle(const Vec3f& p_A, const Vec3f& p_B, const Vec3f& n, std::uint32_t feature,
-                PolytopePair& pair) {
+                PlacedPolytopes& pair) {
   const float gap = n.dot(p_B - p_A) - pair.a.radius - pair.b.radius;
   const Vec3f middle = 0.5f * (p_A + p_B) + 0.5f * (pair.a.radius - pair.b.radius) * n;
   pair.candidates.push_back({middle, gap, feature});
@@ -63,7 +63,7 @@ void add_middle(const Vec3f& p_A, const Vec3f& p_B, const Vec3f& n, std::uint32_
 
 /// Squared distances of all listed edges of A from all of B, row by row of whole lanes, in pair.heights;
 /// returns the least.
-float find_edge_distances(PolytopePair& pair) {
+float find_edge_distances(PlacedPolytopes& pair) {
   const std::size_t count = pair.edges_B.size(), blocks = (count + kLaneCount - 1) / kLaneCount;
   pair.segments.resize(blocks);
   for (std::size_t k = 0; k < blocks * kLaneCount; ++k) {
@@ -105,7 +105,7 @@ SegmentPoints nearest_on_segments(const Vec3f& p0, const Vec3f& u, const Vec3f& 
   return {s, t};
 }
 
-bool cross_edges(const SeparatingAxis& axis, PolytopePair& pair) {
+bool cross_edges(const SeparatingAxis& axis, PlacedPolytopes& pair) {
   const FloatHull::Edge &edge_A = pair.a.edge(axis.a), &edge_B = pair.b.edge(axis.b);
   const Vec3f p0 = pair.a.vertex(edge_A.v0), q0 = pair.b.vertex(edge_B.v0);
   const Vec3f u = pair.a.edge_vector(axis.a), v = pair.b.edge_vector(axis.b);
@@ -118,7 +118,8 @@ bool cross_edges(const SeparatingAxis& axis, PolytopePair& pair) {
   return true;
 }
 
-std::optional<Vec3f> join_nearest_edges(const Vec3f& n, float separation, float margin, PolytopePair& pair) {
+std::optional<Vec3f> join_nearest_edges(const Vec3f& n, float separation, float margin,
+                                        PlacedPolytopes& pair) {
   // Along n the nearest points are no farther from the planes that part the cores than what their distance
   // has more than the separation. The edges close to these planes give a first distance.
   const float slack = 4 * pair.rounding;

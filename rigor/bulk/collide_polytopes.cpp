@@ -28,7 +28,7 @@ struct FaceView {
   float height(const Vec3f& p) const { return m.dot(p) - offset; }
 };
 
-FaceView view_of(const SeparatingAxis& axis, const PolytopePair& pair) {
+FaceView view_of(const SeparatingAxis& axis, const PlacedPolytopes& pair) {
   const bool is_of_A = axis.kind == SeparatingAxis::Kind::face_of_A;
   const PlacedPolytope &owner = is_of_A ? pair.a : pair.b, &other = is_of_A ? pair.b : pair.a;
   const int face = is_of_A ? axis.a : axis.b, lowest = is_of_A ? axis.b : axis.a;
@@ -53,7 +53,7 @@ void list_borders(const FaceView& view, std::vector<FaceBorder>& borders) {
 
 /// Adds the point of the other core, which is `height` above its foot on the face.
 float add_above(const FaceView& view, const Vec3f& p, float height, std::uint32_t feature, float margin,
-                PolytopePair& pair) {
+                PlacedPolytopes& pair) {
   const float gap = height - pair.a.radius - pair.b.radius;
   if (gap > margin) return gap;
   // The middle of the cores' points, moved to the middle of the surfaces'.
@@ -79,7 +79,7 @@ std::uint32_t vertex_feature(bool is_of_A, int vertex) {
   return is_of_A ? vertex_A_feature(vertex) : vertex_B_feature(vertex);
 }
 
-bool lies_over_face(const PolytopePair& pair, const Vec3f& p, float slack) {
+bool lies_over_face(const PlacedPolytopes& pair, const Vec3f& p, float slack) {
   for (const FaceBorder& border : pair.borders)
     if (border.inward.dot(p - border.corner) < -slack) return false;
   return true;
@@ -87,7 +87,7 @@ bool lies_over_face(const PolytopePair& pair, const Vec3f& p, float slack) {
 
 /// Where the edge of the other core from p0 to p1 crosses the border of the face; grazing does not count.
 float add_crossings(const FaceView& view, int edge, const Vec3f& p0, const Vec3f& p1, float margin,
-                    PolytopePair& pair) {
+                    PlacedPolytopes& pair) {
   const float slack = 4 * pair.rounding;
   const std::span<const int> own_edges = view.owner.hull->border_edges(view.face);
   float least = kInfinity;
@@ -107,7 +107,7 @@ float add_crossings(const FaceView& view, int edge, const Vec3f& p0, const Vec3f
 }
 
 /// Whether the face with the corners of the pair covers p, seen along the normal of the view.
-bool is_covered(const FaceView& view, const PolytopePair& pair, const Vec3f& p, float slack) {
+bool is_covered(const FaceView& view, const PlacedPolytopes& pair, const Vec3f& p, float slack) {
   for (std::size_t k = 0; k < pair.corners.size(); ++k) {
     const Vec3f &corner = pair.corners[k], &next = pair.corners[k + 1 == pair.corners.size() ? 0 : k + 1];
     const Vec3f outward = view.m.cross(next - corner);
@@ -118,7 +118,7 @@ bool is_covered(const FaceView& view, const PolytopePair& pair, const Vec3f& p, 
 }
 
 /// Corners of the face of the view that the face of the other core covers.
-float add_corners(const FaceView& view, int face, float margin, PolytopePair& pair) {
+float add_corners(const FaceView& view, int face, float margin, PlacedPolytopes& pair) {
   constexpr float least_slope = 0.05f;  // Heights above steeper faces are lost in rounding.
   const Vec3f normal = view.other.normal(face);
   const float slope = -normal.dot(view.m), slack = 4 * pair.rounding;
@@ -136,7 +136,7 @@ float add_corners(const FaceView& view, int face, float margin, PolytopePair& pa
 }
 
 /// The lowest point of the other core, wherever it is.
-void add_lowest(const SeparatingAxis& axis, float margin, PolytopePair& pair) {
+void add_lowest(const SeparatingAxis& axis, float margin, PlacedPolytopes& pair) {
   const FaceView view = view_of(axis, pair);
   add_above(view, view.other.vertex(view.lowest), axis.separation, vertex_feature(!view.is_of_A, view.lowest),
             margin, pair);
@@ -171,7 +171,7 @@ int PlacedPolytope::farthest(const Vec3f& n) const {
 }
 
 void place_polytopes(const BulkShape& a, const PlacedShape& placed_A, const BulkShape& b,
-                     const PlacedShape& placed_B, const Vec3f& d, PolytopePair& pair) {
+                     const PlacedShape& placed_B, const Vec3f& d, PlacedPolytopes& pair) {
   pair.a = place_polytope(a, placed_A, Vec3f::Zero());
   pair.b = place_polytope(b, placed_B, d);
   pair.rounding = kCollisionRounding * (a.extent + b.extent + d.norm());
@@ -179,7 +179,7 @@ void place_polytopes(const BulkShape& a, const PlacedShape& placed_A, const Bulk
   move_ball(b, pair.a.center, pair.b);
 }
 
-float clip_on_face(const SeparatingAxis& axis, float margin, PolytopePair& pair) {
+float clip_on_face(const SeparatingAxis& axis, float margin, PlacedPolytopes& pair) {
   const FaceView view = view_of(axis, pair);
   const float slack = 4 * pair.rounding;
   list_borders(view, pair.borders);
@@ -207,7 +207,7 @@ float clip_on_face(const SeparatingAxis& axis, float margin, PolytopePair& pair)
   return face < 0 ? least : std::min(least, add_corners(view, face, margin, pair));
 }
 
-std::optional<Vec3f> find_polytope_candidates(PolytopePair& pair, float margin, const AxisGuess& guess,
+std::optional<Vec3f> find_polytope_candidates(PlacedPolytopes& pair, float margin, const AxisGuess& guess,
                                               SeparatingAxis& axis) {
   pair.candidates.clear();
   const float radii = pair.a.radius + pair.b.radius;

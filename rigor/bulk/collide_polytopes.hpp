@@ -57,7 +57,7 @@ struct FaceBorder {
 };
 
 /// Two cores, and where the search keeps its lists, to be used again.
-struct PolytopePair {
+struct PlacedPolytopes {
   PlacedPolytope a, b;
   float rounding = 0;  ///< Of separations: kCollisionRounding of the lengths in the pair [m].
   std::vector<float> heights, along_A, along_B, heights_A, heights_B;
@@ -71,7 +71,7 @@ struct PolytopePair {
 
 /// Places both cores; d: from the centre of body A to that of body B.
 void place_polytopes(const BulkShape& a, const PlacedShape& placed_A, const BulkShape& b,
-                     const PlacedShape& placed_B, const Vec3f& d, PolytopePair& pair);
+                     const PlacedShape& placed_B, const Vec3f& d, PlacedPolytopes& pair);
 
 /// Beyond this the exact rounding of any way to measure them does not matter: cores that are parted by so
 /// much more than a limit along some direction are farther apart than it in every answer [m].
@@ -84,7 +84,7 @@ inline float parting_slack(float rounding) {
 ///
 /// Source: Chung and Wang, Quick Collision Detection of Polytopes in Virtual Environments, ACM VRST 1996: a
 /// direction that does not part the support vertices is reflected at the plane across their difference.
-bool find_parting_direction(const PolytopePair& pair, float limit, Vec3f& n);
+bool find_parting_direction(const PlacedPolytopes& pair, float limit, Vec3f& n);
 
 /// Where to look first.
 struct AxisGuess {
@@ -96,7 +96,7 @@ struct AxisGuess {
 /// than the rounding), or the best edge pair if that is better than it by more than the rounding. Where the
 /// cores are farther apart than `limit`, any axis that shows it. The axis of the guess is tried first, then
 /// those around it: where one of them proves itself, no other is.
-SeparatingAxis find_separating_axis(PolytopePair& pair, float limit, const AxisGuess& guess);
+SeparatingAxis find_separating_axis(PlacedPolytopes& pair, float limit, const AxisGuess& guess);
 
 /// Contacts of two cores with their balls, in pair.candidates; nothing beyond the margin. Returns their
 /// normal. `axis` becomes the axis found.
@@ -106,39 +106,40 @@ SeparatingAxis find_separating_axis(PolytopePair& pair, float limit, const AxisG
 /// more separation than there is already, and none besides an axis that proves itself
 /// (docs/theory/narrow_phase.md); where cores are apart and the axis joins no two points of them, the nearest
 /// points of their edges take its place, so that gaps are distances.
-std::optional<Vec3f> find_polytope_candidates(PolytopePair& pair, float margin, const AxisGuess& guess,
+std::optional<Vec3f> find_polytope_candidates(PlacedPolytopes& pair, float margin, const AxisGuess& guess,
                                               SeparatingAxis& axis);
 
 // The parts of this.
 
 /// The face of one core and the vertex of the other that is lowest over it.
-SeparatingAxis face_axis(const PolytopePair& pair, bool is_of_A, int face);
+SeparatingAxis face_axis(const PlacedPolytopes& pair, bool is_of_A, int face);
 /// Two edges; none if they are parallel.
-SeparatingAxis edge_axis(const PolytopePair& pair, int i, int j);
+SeparatingAxis edge_axis(const PlacedPolytopes& pair, int i, int j);
 /// The region in which the cores lie over the face of the axis; returns its least gap (infinite: empty).
-float clip_on_face(const SeparatingAxis& axis, float margin, PolytopePair& pair);
+float clip_on_face(const SeparatingAxis& axis, float margin, PlacedPolytopes& pair);
 /// Where two edges cross; false if the cores are apart and it is beyond their ends.
-bool cross_edges(const SeparatingAxis& axis, PolytopePair& pair);
+bool cross_edges(const SeparatingAxis& axis, PlacedPolytopes& pair);
 /// The nearest points of two cores that are parted along n, both of them on edges. Returns the normal, or
 /// nothing beyond the margin. The answer does not depend on n, unless the cores touch to rounding.
-std::optional<Vec3f> join_nearest_edges(const Vec3f& n, float separation, float margin, PolytopePair& pair);
+std::optional<Vec3f> join_nearest_edges(const Vec3f& n, float separation, float margin,
+                                        PlacedPolytopes& pair);
 
 /// No direction n parts the cores by more than n · between - balls.
 struct BallBound {
   Vec3f between;  ///< From the ball inside A to that inside B [m].
   float balls;    ///< Sum of their radii [m].
 };
-BallBound ball_bound(const PolytopePair& pair);
+BallBound ball_bound(const PlacedPolytopes& pair);
 
 /// Whether rounding changes the separation of the axis by no more than pair.rounding: not of edges that are
 /// nearly parallel.
-bool is_well_conditioned(const PolytopePair& pair, const SeparatingAxis& axis);
+bool is_well_conditioned(const PlacedPolytopes& pair, const SeparatingAxis& axis);
 /// Whether no direction parts the cores better than the axis by more than the rounding: false is no proof of
 /// the contrary.
-bool is_best(const PolytopePair& pair, const BallBound& bound, const SeparatingAxis& axis);
+bool is_best(const PlacedPolytopes& pair, const BallBound& bound, const SeparatingAxis& axis);
 /// The axis of the whole search, if the given one tells it: a proof like that, with some room, and no other
 /// feature that is as good.
-std::optional<SeparatingAxis> settle(const PolytopePair& pair, const BallBound& bound,
+std::optional<SeparatingAxis> settle(const PlacedPolytopes& pair, const BallBound& bound,
                                      const SeparatingAxis& axis);
 
 /// Nearest points of two segments: parameters in [0, 1] from their first ends; of parallel ones at an end.

@@ -51,7 +51,7 @@ struct BlockScratch {
   std::array<bool, kBlock> is_parted;
   LaneList<BoxPairs, BoxContacts> boxes;
   LaneList<BallPairs, BallContacts> balls;
-  PolytopePair polytopes;
+  PlacedPolytopes polytopes;
 };
 
 /// A part of the pairs, and what was found of it.
@@ -82,8 +82,8 @@ struct NarrowPhase::Tables {
   void find_boxes(const PairPlace& place, int lane_place, int number, float margin, BlockScratch& scratch,
                   std::vector<PairManifold>& manifolds);
   void find_pair(const BulkBodies& bodies, const ShapePair& pair, const PairPlace& place, int number,
-                 PolytopePair& polytopes, std::vector<PairManifold>& manifolds);
-  void find_polytopes(const PairPlace& place, int number, float margin, PolytopePair& polytopes,
+                 PlacedPolytopes& polytopes, std::vector<PairManifold>& manifolds);
+  void find_polytopes(const PairPlace& place, int number, float margin, PlacedPolytopes& polytopes,
                       std::vector<PairManifold>& manifolds);
 
   FloatHulls hulls;
@@ -143,7 +143,7 @@ void add_plane_manifold(const BulkShape& plane, const Pose& X_OP, const BulkShap
 }
 
 /// False if there are no points.
-bool add_manifold(const std::optional<Vec3f>& n, int number, PolytopePair& pair,
+bool add_manifold(const std::optional<Vec3f>& n, int number, PlacedPolytopes& pair,
                   std::vector<PairManifold>& manifolds) {
   if (!n || pair.candidates.empty()) return false;
   manifolds.push_back({number, 0, make_manifold(*n, pair.rounding, pair.candidates)});
@@ -154,7 +154,7 @@ bool add_manifold(const std::optional<Vec3f>& n, int number, PolytopePair& pair,
 
 /// Any two shapes that are not in lanes.
 void NarrowPhase::Tables::find_pair(const BulkBodies& bodies, const ShapePair& pair, const PairPlace& place,
-                                    int number, PolytopePair& polytopes,
+                                    int number, PlacedPolytopes& polytopes,
                                     std::vector<PairManifold>& manifolds) {
   const BulkShape &a = shapes[at(place.i)], &b = shapes[at(place.j)];
   const PlacedShape &placed_A = placed[at(place.i)], &placed_B = placed[at(place.j)];
@@ -182,7 +182,7 @@ void NarrowPhase::Tables::find_pair(const BulkBodies& bodies, const ShapePair& p
 }
 
 void NarrowPhase::Tables::find_polytopes(const PairPlace& place, int number, float margin,
-                                         PolytopePair& polytopes, std::vector<PairManifold>& manifolds) {
+                                         PlacedPolytopes& polytopes, std::vector<PairManifold>& manifolds) {
   const BulkShape &a = shapes[at(place.i)], &b = shapes[at(place.j)];
   PairHint& hint = hints.of(number);
   place_polytopes(a, placed[at(place.i)], b, placed[at(place.j)], place.d, polytopes);
@@ -289,7 +289,7 @@ void NarrowPhase::Tables::find_boxes(const PairPlace& place, int lane_place, int
   }
   if (outcome == BoxContacts::region) return;
   // Nearest at an edge or a corner of both.
-  PolytopePair& polytopes = scratch.polytopes;
+  PlacedPolytopes& polytopes = scratch.polytopes;
   const BulkShape &a = shapes[at(place.i)], &b = shapes[at(place.j)];
   place_polytopes(a, placed[at(place.i)], b, placed[at(place.j)], place.d, polytopes);
   polytopes.candidates.clear();

@@ -99,9 +99,9 @@ void Renderer::place(const DrawnScene& scene, std::span<const Pose> X_WL, const 
   for (const DrawnShape& shape : scene.shapes)
     placed_.push_back({&shape, X_WL[static_cast<std::size_t>(shape.body)] * shape.X_LS});
   place_lines(scene, X_WL);
-  const auto depth = [&](const PlacedShape& placed) { return X_KW.R.row(2).dot(placed.X_WS.p); };
+  const auto depth = [&](const ShownShape& placed) { return X_KW.R.row(2).dot(placed.X_WS.p); };
   std::stable_sort(placed_.begin(), placed_.end(),
-                   [&](const PlacedShape& a, const PlacedShape& b) { return depth(a) < depth(b); });
+                   [&](const ShownShape& a, const ShownShape& b) { return depth(a) < depth(b); });
 }
 
 /// Lines as rods of the lengths that they have now.
@@ -125,7 +125,7 @@ void Renderer::place_lines(const DrawnScene& scene, std::span<const Pose> X_WL) 
 
 void Renderer::see(const Projection& projection, int width, int height) {
   Occlusion occlusion(grids_, width, height);
-  for (const PlacedShape& placed : placed_) {
+  for (const ShownShape& placed : placed_) {
     if (const Sphere* const sphere = std::get_if<Sphere>(&placed.shape->shape)) {
       see_ball(placed, sphere->radius, projection, occlusion);
     } else if (placed.shape->surface) {
@@ -133,13 +133,13 @@ void Renderer::see(const Projection& projection, int width, int height) {
     }
   }
   // Planes last: most of their samples are hidden.
-  for (const PlacedShape& placed : placed_) {
+  for (const ShownShape& placed : placed_) {
     if (const HalfSpace* const plane = std::get_if<HalfSpace>(&placed.shape->shape))
       see_plane(placed, *plane, projection);
   }
 }
 
-void Renderer::see_ball(const PlacedShape& placed, double radius, const Projection& projection,
+void Renderer::see_ball(const ShownShape& placed, double radius, const Projection& projection,
                         Occlusion& occlusion) {
   const Vec3 p_K = projection.X_KW() * placed.X_WS.p;
   if (p_K.norm() <= radius + near_ || p_K.z() <= near_) return;
@@ -154,7 +154,7 @@ void Renderer::see_ball(const PlacedShape& placed, double radius, const Projecti
   for (SampleGrid& grid : grids_) grid.fill(SeenBall{p_K, radius}, projection, id);
 }
 
-void Renderer::see_plane(const PlacedShape& placed, const HalfSpace& plane, const Projection& projection) {
+void Renderer::see_plane(const ShownShape& placed, const HalfSpace& plane, const Projection& projection) {
   const Pose X_KS = projection.X_KW() * placed.X_WS;
   const Vec3 normal = X_KS.R * plane.normal;
   const Vec3 p = X_KS * (plane.offset * plane.normal);
@@ -173,7 +173,7 @@ void Renderer::see_plane(const PlacedShape& placed, const HalfSpace& plane, cons
   for (SampleGrid& grid : grids_) grid.fill(projection.nearness_of_plane(normal, offset), id);
 }
 
-void Renderer::see_surface(const PlacedShape& placed, const Projection& projection, Occlusion& occlusion) {
+void Renderer::see_surface(const ShownShape& placed, const Projection& projection, Occlusion& occlusion) {
   const Surface& surface = *placed.shape->surface;
   const Pose X_KS = projection.X_KW() * placed.X_WS;
   if (X_KS.p.z() <= -placed.shape->radius) return;

@@ -30,11 +30,11 @@ class Renderer {
   void place(const DrawnScene& scene, std::span<const Pose> X_WL, const Pose& X_KW);
   void place_lines(const DrawnScene& scene, std::span<const Pose> X_WL);
   void see(const Projection& projection, int width, int height);
-  void see_surface(const PlacedShape& placed, const Projection& projection, Occlusion& occlusion);
+  void see_surface(const ShownShape& placed, const Projection& projection, Occlusion& occlusion);
   void see_face(const Surface& surface, const Surface::Face& face, const Pose& X_KS,
                 const Projection& projection);
-  void see_ball(const PlacedShape& placed, double radius, const Projection& projection, Occlusion& occlusion);
-  void see_plane(const PlacedShape& placed, const HalfSpace& plane, const Projection& projection);
+  void see_ball(const ShownShape& placed, double radius, const Projection& projection, Occlusion& occlusion);
+  void see_plane(const ShownShape& placed, const HalfSpace& plane, const Projection& projection);
   void fill_all(std::span<const Vec2> corners, const NearnessPlane& plane);
   void develop(const Shader& shader, Image& image) const;
   void color_row(const Shader& shader, int row, std::span<Color> colors) const;
@@ -44,8 +44,8 @@ class Renderer {
   };
   Color pixel_color(const Shader& shader, const std::array<PixelSample, 4>& samples, float x, float y) const;
 
-  std::vector<DrawnShape> rods_;     ///< The scene's lines at this moment.
-  std::vector<PlacedShape> placed_;  ///< From near to far.
+  std::vector<DrawnShape> rods_;    ///< The scene's lines at this moment.
+  std::vector<ShownShape> placed_;  ///< From near to far.
   std::array<SampleGrid, 4> grids_ = {SampleGrid(0.375, 0.125), SampleGrid(0.875, 0.375),
                                       SampleGrid(0.125, 0.625), SampleGrid(0.625, 0.875)};
   std::vector<SeenThing> things_;  ///< By id; the first is nothing.

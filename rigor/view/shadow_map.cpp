@@ -6,7 +6,7 @@
 
 namespace rigor {
 
-void ShadowMap::draw(std::span<const PlacedShape> shapes, const Vec3& sun_W, const Region& region, int size) {
+void ShadowMap::draw(std::span<const ShownShape> shapes, const Vec3& sun_W, const Region& region, int size) {
   size_ = size;
   texel_ = 2 * region.radius / size;
   // A grid point is (x, y) / texel; the corner of the map and the plane farthest from the sun are at zero.
@@ -14,7 +14,7 @@ void ShadowMap::draw(std::span<const PlacedShape> shapes, const Vec3& sun_W, con
   X_JW_ = Pose{R_WJ.transpose(), Vec3::Constant(region.radius) - R_WJ.transpose() * region.center};
   grid_.clear(size, size);
   Occlusion occlusion({&grid_, 1}, size, size);
-  for (const PlacedShape& placed : nearest_first(shapes)) {
+  for (const ShownShape& placed : nearest_first(shapes)) {
     if (std::holds_alternative<HalfSpace>(placed.shape->shape)) continue;
     const Vec3 center = X_JW_ * placed.X_WS.p;
     if ((center.array() < -placed.shape->radius).any() ||
@@ -55,23 +55,23 @@ void ShadowMap::find_bounds() {
   }
 }
 
-void ShadowMap::draw_ball(const PlacedShape& placed, double radius) {
+void ShadowMap::draw_ball(const ShownShape& placed, double radius) {
   const Vec3 p = X_JW_ * placed.X_WS.p;
   grid_.fill(SampleGrid::ParallelBall{p.x() / texel_, p.y() / texel_, radius / texel_, size_ * texel_ - p.z(),
                                       radius},
              1);
 }
 
-std::vector<PlacedShape> ShadowMap::nearest_first(std::span<const PlacedShape> shapes) const {
+std::vector<ShownShape> ShadowMap::nearest_first(std::span<const ShownShape> shapes) const {
   std::vector<std::pair<double, std::size_t>> depths;
   for (std::size_t i = 0; i < shapes.size(); ++i) depths.push_back({X_JW_.R.row(2).dot(shapes[i].X_WS.p), i});
   std::sort(depths.begin(), depths.end());
-  std::vector<PlacedShape> sorted;
+  std::vector<ShownShape> sorted;
   for (const auto& [depth, i] : depths) sorted.push_back(shapes[i]);
   return sorted;
 }
 
-void ShadowMap::draw_surface(const PlacedShape& placed, Occlusion& occlusion) {
+void ShadowMap::draw_surface(const ShownShape& placed, Occlusion& occlusion) {
   const Surface& surface = *placed.shape->surface;
   const Pose X_JS = X_JW_ * placed.X_WS;
   const double far = size_ * texel_;

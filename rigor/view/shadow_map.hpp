@@ -9,7 +9,7 @@
 namespace rigor {
 
 /// A drawn shape at its place in the picture's moment.
-struct PlacedShape {
+struct ShownShape {
   const DrawnShape* shape;
   Pose X_WS;
 };
@@ -30,7 +30,7 @@ class ShadowMap {
  public:
   /// Draws the shapes as seen against `sun_W` (unit, towards the sun), with `size` texels a side. Planes
   /// throw no shadow, nor does what lies outside the region.
-  void draw(std::span<const PlacedShape> shapes, const Vec3& sun_W, const Region& region, int size);
+  void draw(std::span<const ShownShape> shapes, const Vec3& sun_W, const Region& region, int size);
 
   /// Frame of the map from that of the camera, so that light() takes points as the camera sees them.
   void set_camera(const Pose& X_KW);
@@ -38,9 +38,9 @@ class ShadowMap {
   float light(const Eigen::Vector3f& p_K, const Eigen::Vector3f& normal_K) const;
 
  private:
-  std::vector<PlacedShape> nearest_first(std::span<const PlacedShape> shapes) const;
-  void draw_surface(const PlacedShape& placed, Occlusion& occlusion);
-  void draw_ball(const PlacedShape& placed, double radius);
+  std::vector<ShownShape> nearest_first(std::span<const ShownShape> shapes) const;
+  void draw_surface(const ShownShape& placed, Occlusion& occlusion);
+  void draw_ball(const ShownShape& placed, double radius);
   void find_bounds();
 
   SampleGrid grid_{0.5, 0.5};

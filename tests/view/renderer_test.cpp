@@ -125,7 +125,7 @@ TEST(ShadowMap, LightIsNothingBehindABallAllBesideItAndHalfAtItsEdge) {
   const Scene scene =
       scene_of("  - {name: b, position: [0, 0, 2], mass: 1, shapes: [{type: sphere, radius: 0.5}]}\n");
   const DrawnScene drawn_scene = make_drawn_scene(*scene.model);
-  const std::vector<PlacedShape> placed = {{&drawn_scene.shapes[0], Pose{Mat3::Identity(), Vec3(0, 0, 2)}}};
+  const std::vector<ShownShape> placed = {{&drawn_scene.shapes[0], Pose{Mat3::Identity(), Vec3(0, 0, 2)}}};
   ShadowMap map;
   map.draw(placed, Vec3::UnitZ(), {Vec3(0, 0, 1), 4}, 512);
   map.set_camera(Pose{});
