@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Holds the layers of docs/architecture.md: a folder of rigor/ includes itself and the layers below it, nothing
-# up or across. Prints each offending line and fails.
+# up or across; and that no two headers define a type of the same name. Prints each offence and fails.
 set -euo pipefail
 cd "${1:-.}"
 
@@ -36,5 +36,13 @@ for folder in rigor/*/; do
     echo "rigor/$layer: include paths start at the repository root: \"rigor/...\""; bad=1
   fi
 done
+# The linker merges what has the same name: a type of namespace rigor is defined in one header only.
+twice=$(find rigor -name '*.hpp' -exec awk '
+  /^namespace [a-z:]+ \{/ { inner = $2 != "rigor" }
+  /^}  \/\/ namespace/ { inner = 0 }
+  !inner && /^(struct|class) .*[{:]/ { print $2 ~ /^alignas/ ? $3 : $2 }' {} + | sort | uniq -d)
+if [ -n "$twice" ]; then
+  echo "types with two definitions: $twice"; bad=1
+fi
 [ $bad = 0 ] && echo "layers: every include goes down"
 exit $bad
