@@ -50,7 +50,6 @@ void BulkContacts::match(const std::vector<ShapePair>& pairs, const std::vector<
   const std::size_t materials = model_->materials().size();
   keys_.resize(count);
   manifolds_.resize(count);
-  is_new_.resize(count);
   held_.resize(count);
   totals_.clear();
   std::size_t next = 0;  // Both lists are in the order of keys.
@@ -58,11 +57,11 @@ void BulkContacts::match(const std::vector<ShapePair>& pairs, const std::vector<
     const ShapePair& pair = pairs[static_cast<std::size_t>(manifolds[i].pair)];
     keys_[i] = key_of(pair, manifolds[i]);
     const std::size_t a = material_of(pair.body_A, pair.shape_A), b = material_of(pair.body_B, pair.shape_B);
-    manifolds_[i] = {&manifolds[i].manifold, &keys_[i], nullptr, &surfaces_[a * materials + b]};
+    manifolds_[i] = {&manifolds[i].manifold, &keys_[i], nullptr, &surfaces_[a * materials + b], true};
     const std::array<int, 5> key = keys_[i].key();
     while (next < memory.size() && memory[next].key() < key) ++next;
     if (next < memory.size() && memory[next].key() == key) manifolds_[i].memory = &memory[next];
-    is_new_[i] = manifolds_[i].memory == nullptr || !does_press(*manifolds_[i].memory);
+    manifolds_[i].is_new = manifolds_[i].memory == nullptr || !does_press(*manifolds_[i].memory);
     held_[i] = manifolds_[i].memory ? manifolds_[i].memory->energy : 0;
   }
 }

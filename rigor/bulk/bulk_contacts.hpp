@@ -52,7 +52,7 @@ class BulkContacts {
         const int number = blocks_[k].manifold[static_cast<std::size_t>(lane)];
         if (number < 0) continue;
         const std::size_t i = static_cast<std::size_t>(number);
-        visit(Contact{blocks_[k], totals_[k], lane}, keys_[i], is_new_[i]);
+        visit(Contact{blocks_[k], totals_[k], lane}, keys_[i], manifolds_[i].is_new);
       }
     }
   }
@@ -71,9 +71,8 @@ class BulkContacts {
   std::vector<StepManifold> manifolds_;
   std::vector<int> swept_;             ///< Which of them are in blocks.
   std::vector<ConstraintEdge> edges_;  ///< Of those.
-  std::vector<bool> is_new_;
-  std::vector<float> held_;          ///< Energy of the springs at the begin of the step [J].
-  std::vector<BlockTotals> totals_;  ///< Of each block, if they are wanted.
+  std::vector<float> held_;            ///< Energy of the springs at the begin of the step [J].
+  std::vector<BlockTotals> totals_;    ///< Of each block, if they are wanted.
   bool has_restitution_ = false;
 };
 

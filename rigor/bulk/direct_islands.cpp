@@ -108,10 +108,7 @@ BulkContact contact_of(const StepManifold& manifold, const BulkBodies& bodies) {
     const Vec3 u = velocity_at(bodies, key.body_B, p_W - x_B) - velocity_at(bodies, key.body_A, p_W - x_A);
     contact.approach_speed = std::max(contact.approach_speed, -contact.n_W.dot(u));
   }
-  contact.is_new = manifold.memory == nullptr ||
-                   std::all_of(manifold.memory->normal_impulse.begin(),
-                               manifold.memory->normal_impulse.begin() + manifold.memory->point_count,
-                               [](float impulse) { return impulse == 0; });
+  contact.is_new = manifold.is_new;
   return contact;
 }
 

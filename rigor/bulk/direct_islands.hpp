@@ -18,6 +18,7 @@ struct StepManifold {
   const ManifoldMemory* key = nullptr;     ///< Whose it is.
   const ManifoldMemory* memory = nullptr;  ///< Of the step before; or nullptr.
   const ManifoldSurface* surface = nullptr;
+  bool is_new = true;  ///< It did not press at the end of the step before.
 };
 
 /// What DirectIslands are given.

@@ -1,3 +1,4 @@
+#include "bulk/same_bits.hpp"
 #include "geometry/random_pairs.hpp"
 #include "rigor/bulk/narrow_phase.hpp"
 #include "rigor/model/model_builder.hpp"
@@ -14,6 +15,7 @@
 namespace rigor {
 namespace {
 
+using test::are_same_bits;
 using test::Draw;
 
 /// Bodies of one shape each that move.
@@ -45,13 +47,6 @@ struct Crowd {
     return pairs;
   }
 };
-
-bool are_same_bits(const PairManifold& a, const PairManifold& b) {
-  if (a.pair != b.pair || a.part != b.part || a.manifold.point_count != b.manifold.point_count) return false;
-  if (std::memcmp(a.manifold.normal, b.manifold.normal, sizeof a.manifold.normal) != 0) return false;
-  const std::size_t count = static_cast<std::size_t>(a.manifold.point_count);
-  return std::memcmp(a.manifold.points.data(), b.manifold.points.data(), count * sizeof(ManifoldPoint)) == 0;
-}
 
 /// One that has seen all steps before answers as one that sees this one first. Returns how many manifolds
 /// there were.

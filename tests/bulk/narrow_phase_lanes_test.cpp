@@ -1,4 +1,5 @@
 #include "bulk/face_preference.hpp"
+#include "bulk/same_bits.hpp"
 #include "geometry/random_pairs.hpp"
 #include "rigor/bulk/collide_boxes.hpp"
 #include "rigor/bulk/hull_lanes.hpp"
@@ -17,6 +18,7 @@
 namespace rigor {
 namespace {
 
+using test::are_same_bits;
 using test::Draw;
 using test::face_preference;
 
@@ -56,13 +58,6 @@ std::vector<PairManifold> manifolds_of(NarrowPhase& narrow_phase, const Crowd& c
   std::vector<PairManifold> found;
   narrow_phase.find_manifolds(crowd.bodies, pairs, Executor(threads), found);
   return found;
-}
-
-bool are_same_bits(const PairManifold& a, const PairManifold& b) {
-  if (a.pair != b.pair || a.part != b.part || a.manifold.point_count != b.manifold.point_count) return false;
-  if (std::memcmp(a.manifold.normal, b.manifold.normal, sizeof a.manifold.normal) != 0) return false;
-  const std::size_t count = static_cast<std::size_t>(a.manifold.point_count);
-  return std::memcmp(a.manifold.points.data(), b.manifold.points.data(), count * sizeof(ManifoldPoint)) == 0;
 }
 
 /// Boxes, hulls, spheres and capsules in a small room.
