@@ -89,7 +89,7 @@ double approach_speed(const ManifoldBlock& block, int lane) {
   double speed = 0;
   for (std::size_t k = 0; k < static_cast<std::size_t>(block.point_count); ++k) {
     const BlockPoints& point = block.points[k];
-    if (point.max_impulse[i] > 0) speed = std::max(speed, -static_cast<double>(point.first_speed[i]));
+    if (block.pressed[i] >> k & 1) speed = std::max(speed, -static_cast<double>(point.first_speed[i]));
   }
   return speed;
 }

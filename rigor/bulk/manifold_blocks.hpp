@@ -29,19 +29,20 @@ struct alignas(32) BlockPoints {
   LaneArray gap;      ///< At the begin of the step [m].
   LaneArray mass;     ///< Inverse of the response of u_n to its own impulse [kg]; 0: there is no such point.
   LaneArray impulse;  ///< Of the normal, of the last substep [N s].
-  LaneArray max_impulse;  ///< Over the substeps [N s].
+  LaneArray arm;      ///< Distance from the centre of the manifold [m].
   LaneArray first_speed;  ///< Normal velocity at the begin of the step [m/s].
 };
 
 /// Eight manifolds of which no two share a dynamic body: solved together, one a lane. Each has a frame (t1,
-/// t2, n) at its centre c. Its normal velocities are a linear function of u = (n.V, t1.W, t2.W), V and W
-/// being the velocity of B against A at c and their relative angular velocity: at the point (p1, p2) it is u0
-/// + p2 u1 - p1 u2. Impulses of all its points change u by the symmetric matrix K, so that the points of a
-/// manifold are solved as a block in three numbers.
+/// t2, n) at its centre c. V and W being the velocity of B against A at c and their relative angular velocity
+/// along n, t1, t2, the normal velocity at the point (p1, p2) is V_n + p2 W_t1 - p1 W_t2. An impulse at c and
+/// a moment change (V, W) by the symmetric 6 x 6 matrix K, so that a whole sweep needs the bodies at its
+/// begin and at its end only.
 struct alignas(64) ManifoldBlock {
   std::array<std::int32_t, kLaneCount> body_A, body_B;  ///< -1: empty lane.
   std::array<std::int32_t, kLaneCount> manifold;        ///< Whose it is; -1: empty lane.
-  std::uint8_t moves_A = 0, moves_B = 0;                ///< Bits of lanes whose body is dynamic.
+  std::array<std::int32_t, kLaneCount> pressed;  ///< Bits of the points that had an impulse in this step.
+  std::uint8_t moves_A = 0, moves_B = 0;         ///< Bits of lanes whose body is dynamic.
   bool has_restitution = false, has_moments = false;
   int point_count = 0;  ///< The most of any lane.
 
@@ -49,7 +50,10 @@ struct alignas(64) ManifoldBlock {
   LaneArray rA[3], rB[3];  ///< Centre of the manifold from the centres of the bodies [m].
   LaneArray mA, mB;        ///< Inverse masses [1/kg].
   LaneArray IA[6], IB[6];  ///< Inverse inertias xx yy zz xy xz yz [1/(kg m^2)].
-  LaneArray K[6];          ///< 00 11 22 01 02 12.
+  LaneArray Kvv[6],
+      Kww[6];           ///< K, along n, t1, t2: xx yy zz xy xz yz of V by impulses [1/kg], of W by moments.
+  LaneArray Kvw[3][3];  ///< V (first) by moments, W (second) by impulses [1/(kg m)].
+  LaneArray moved[3];   ///< Displacements that change the gaps: along n [m], about t1, t2 [rad].
   std::array<BlockPoints, Manifold::max_points> points;
 
   LaneArray friction;                   ///< Coulomb's coefficient.

@@ -1,0 +1,414 @@
+// Sweeps over blocks of manifolds (docs/theory/bulk.md, section 2). Included once for each target, inside its
+// namespace and after fused_lanes.inl.
+
+RIGOR_FLOAT_LANES FloatLanes lane(const LaneArray& a) {
+  return load_floats(a.data());
+}
+RIGOR_FLOAT_LANES FloatVec3 lane(const LaneArray (&a)[3]) {
+  return {lane(a[0]), lane(a[1]), lane(a[2])};
+}
+RIGOR_FLOAT_LANES FloatSym3 lane(const LaneArray (&a)[6]) {
+  return {lane(a[0]), lane(a[1]), lane(a[2]), lane(a[3]), lane(a[4]), lane(a[5])};
+}
+RIGOR_FLOAT_LANES void put(const FloatLanes& x, LaneArray& a) {
+  store_floats(x, a.data());
+}
+RIGOR_FLOAT_LANES void put(const FloatSym3& m, LaneArray (&a)[6]) {
+  put(m.xx, a[0]);
+  put(m.yy, a[1]);
+  put(m.zz, a[2]);
+  put(m.xy, a[3]);
+  put(m.xz, a[4]);
+  put(m.yz, a[5]);
+}
+
+/// Velocities (displacements, impulses and moments) of eight bodies along W's axes, or of B against A along
+/// the axes n, t1, t2 of the manifolds.
+struct LaneTwists {
+  FloatVec3 v, w;
+};
+
+alignas(64) constexpr MotionRecord no_motion{};
+
+RIGOR_FLOAT_LANES const MotionRecord& motion_of(const BulkBodies& bodies, std::int32_t body) {
+  return body < 0 ? no_motion : bodies.motion[static_cast<std::size_t>(body)];
+}
+
+RIGOR_FLOAT_LANES LaneTwists twists_of(const FloatSquare& rows) {
+  const FloatSquare columns = transpose(rows);
+  return {{columns.row[0], columns.row[1], columns.row[2]}, {columns.row[4], columns.row[5], columns.row[6]}};
+}
+RIGOR_FLOAT_LANES LaneTwists gather_velocities(const std::array<std::int32_t, kLaneCount>& who,
+                                               const BulkBodies& bodies) {
+  FloatSquare rows;
+  for (std::size_t i = 0; i < kLaneCount; ++i) rows.row[i] = load_floats(motion_of(bodies, who[i]).v);
+  return twists_of(rows);
+}
+RIGOR_FLOAT_LANES LaneTwists gather_displacements(const std::array<std::int32_t, kLaneCount>& who,
+                                                  const BulkBodies& bodies) {
+  FloatSquare rows;
+  for (std::size_t i = 0; i < kLaneCount; ++i) rows.row[i] = load_floats(motion_of(bodies, who[i]).dp);
+  return twists_of(rows);
+}
+
+/// Velocities of the lanes whose body is dynamic; the inverse mass stands between them and stays.
+RIGOR_FLOAT_LANES void scatter_velocities(const std::array<std::int32_t, kLaneCount>& who, std::uint8_t moves,
+                                          const LaneArray& inv_mass, const LaneTwists& twists,
+                                          BulkBodies& bodies) {
+  const FloatLanes zero = float_lanes(0);
+  const FloatSquare columns{
+      {twists.v.x, twists.v.y, twists.v.z, lane(inv_mass), twists.w.x, twists.w.y, twists.w.z, zero}};
+  const FloatSquare rows = transpose(columns);
+  for (std::size_t i = 0; i < kLaneCount; ++i) {
+    if (moves >> i & 1) store_floats(rows.row[i], bodies.motion[static_cast<std::size_t>(who[i])].v);
+  }
+}
+
+/// Frame and arms of a block.
+struct BlockFrame {
+  FloatVec3 n, t1, t2, rA, rB;
+};
+RIGOR_FLOAT_LANES BlockFrame frame_of(const ManifoldBlock& block) {
+  BlockFrame frame;
+  frame.n = lane(block.n);
+  frame.t1 = lane(block.t1);
+  frame.t2 = fused_cross(frame.n, frame.t1);
+  frame.rA = lane(block.rA);
+  frame.rB = lane(block.rB);
+  return frame;
+}
+
+RIGOR_FLOAT_LANES FloatVec3 along_axes(const BlockFrame& f, const FloatVec3& a_W) {
+  return {fused_dot(f.n, a_W), fused_dot(f.t1, a_W), fused_dot(f.t2, a_W)};
+}
+RIGOR_FLOAT_LANES FloatVec3 along_W(const BlockFrame& f, const FloatVec3& a) {
+  return fused(a.z, f.t2, fused(a.y, f.t1, a.x * f.n));
+}
+
+/// Velocity (or displacement) of B against A at the centre of the manifold, along W's axes.
+RIGOR_FLOAT_LANES FloatVec3 relative_motion(const BlockFrame& f, const LaneTwists& A, const LaneTwists& B) {
+  return fused_cross(B.w, f.rB, B.v) - fused_cross(A.w, f.rA, A.v);
+}
+
+/// An impulse at the centre and a moment on B (their opposites on A), along the axes of the manifold.
+RIGOR_FLOAT_LANES void apply_wrench(const ManifoldBlock& block, const BlockFrame& f, const LaneTwists& wrench,
+                                    LaneTwists& A, LaneTwists& B) {
+  const FloatVec3 impulse = along_W(f, wrench.v), moment = along_W(f, wrench.w);
+  A.v = fused(-lane(block.mA), impulse, A.v);
+  A.w = A.w - fused_product(lane(block.IA), fused_cross(f.rA, impulse, moment));
+  B.v = fused(lane(block.mB), impulse, B.v);
+  B.w = B.w + fused_product(lane(block.IB), fused_cross(f.rB, impulse, moment));
+}
+
+/// u = (n.V, t1.W, t2.W): what the normal velocities of the points are made of; also the wrench (F, T1, T2)
+/// of their impulses.
+struct NormalMotion {
+  FloatLanes u0, u1, u2;
+};
+RIGOR_FLOAT_LANES FloatLanes at_point(const NormalMotion& u, const FloatLanes& p1, const FloatLanes& p2) {
+  return fused(-p1, u.u2, fused(p2, u.u1, u.u0));
+}
+/// How u answers to an impulse at a point.
+RIGOR_FLOAT_LANES NormalMotion response_to(const ManifoldBlock& block, const FloatLanes& p1,
+                                           const FloatLanes& p2) {
+  const FloatLanes k01 = lane(block.Kvw[0][1]), k02 = lane(block.Kvw[0][2]);
+  const FloatLanes k11 = lane(block.Kww[1]), k22 = lane(block.Kww[2]), k12 = lane(block.Kww[5]);
+  return {fused(-p1, k02, fused(p2, k01, lane(block.Kvv[0]))), fused(-p1, k12, fused(p2, k11, k01)),
+          fused(-p1, k22, fused(p2, k12, k02))};
+}
+
+/// Displacements of B against A that change the gaps of the points.
+RIGOR_FLOAT_LANES NormalMotion find_displacements(const BlockFrame& f, const ManifoldBlock& block,
+                                                  const BulkBodies& bodies) {
+  const LaneTwists A = gather_displacements(block.body_A, bodies);
+  const LaneTwists B = gather_displacements(block.body_B, bodies);
+  const FloatVec3 turn = B.w - A.w;
+  return {fused_dot(f.n, relative_motion(f, A, B)), fused_dot(f.t1, turn), fused_dot(f.t2, turn)};
+}
+
+/// The impulse of a point is to become max(keep old - (meet u_n + shift), 0).
+struct PointRule {
+  FloatLanes keep, meet, shift;
+};
+template <BlockPass pass>
+RIGOR_FLOAT_LANES PointRule rule_of(float h, const NormalMotion& moved, const ManifoldBlock& block,
+                                    const BlockPoints& point, int bit) {
+  const FloatLanes zero = float_lanes(0), one = float_lanes(1);
+  const FloatLanes mass = lane(point.mass);
+  if constexpr (pass == BlockPass::restitution) {
+    const FloatLanes first = lane(point.first_speed);
+    IntLanes pressed;
+    std::memcpy(&pressed, block.pressed.data(), sizeof pressed);
+    const IntLanes bounces = (first < float_lanes(-bounce_speed)) & ((pressed & bit) != 0);
+    return {one, bounces ? mass : zero, bounces ? mass * lane(block.restitution) * first : zero};
+  }
+  const FloatLanes gap = lane(point.gap) + at_point(moved, lane(point.p1), lane(point.p2));
+  const FloatLanes closing = mass * float_max(gap, zero) * float_lanes(1 / h);
+  if constexpr (pass == BlockPass::relax) return {one, mass, closing};
+  const IntLanes is_apart = gap > zero;
+  const FloatLanes soft_mass = mass * lane(block.mass_scale);
+  const FloatLanes back = float_max(lane(block.bias_rate) * gap, float_lanes(-max_push_speed));
+  return {is_apart ? one : one - lane(block.impulse_scale), is_apart ? mass : soft_mass,
+          is_apart ? closing : soft_mass * back};
+}
+
+/// Normal impulses of all points, one after the other by what each does to the others; their wrench.
+template <BlockPass pass, int count>
+RIGOR_FLOAT_LANES NormalMotion solve_normals(float h, const NormalMotion& moved, const NormalMotion& u,
+                                             ManifoldBlock& block) {
+  const FloatLanes zero = float_lanes(0);
+  PointRule rule[count];
+  FloatLanes p1[count], p2[count], old[count], impulse[count], speed[count], response[count][count];
+  for (int k = 0; k < count; ++k) {
+    const BlockPoints& point = block.points[static_cast<std::size_t>(k)];
+    p1[k] = lane(point.p1);
+    p2[k] = lane(point.p2);
+    rule[k] = rule_of<pass>(h, moved, block, point, 1 << k);
+    old[k] = impulse[k] = lane(point.impulse);
+    speed[k] = at_point(u, p1[k], p2[k]);
+    const NormalMotion answer = response_to(block, p1[k], p2[k]);
+    for (int j = 0; j <= k; ++j) response[j][k] = response[k][j] = at_point(answer, p1[j], p2[j]);
+  }
+  // One point alone is solved by one sweep: what it does to itself is the inverse of its mass.
+  for (int sweep = 0; sweep < (count == 1 ? 1 : block_sweeps); ++sweep) {
+    for (int k = 0; k < count; ++k) {
+      const FloatLanes kept = fused(rule[k].keep, impulse[k], -rule[k].shift);
+      const FloatLanes next = float_max(fused(-rule[k].meet, speed[k], kept), zero);
+      const FloatLanes change = next - impulse[k];
+      impulse[k] = next;
+      for (int j = 0; j < count; ++j) speed[j] = fused(response[j][k], change, speed[j]);
+    }
+  }
+  NormalMotion wrench{zero, zero, zero};
+  IntLanes pressed;
+  std::memcpy(&pressed, block.pressed.data(), sizeof pressed);
+  for (int k = 0; k < count; ++k) {
+    const FloatLanes change = impulse[k] - old[k];
+    wrench = {wrench.u0 + change, fused(p2[k], change, wrench.u1), fused(-p1[k], change, wrench.u2)};
+    pressed |= (impulse[k] > zero) & (1 << k);
+    put(impulse[k], block.points[static_cast<std::size_t>(k)].impulse);
+  }
+  std::memcpy(block.pressed.data(), &pressed, sizeof pressed);
+  return wrench;
+}
+
+/// Keeps (x, y) within a disc.
+RIGOR_FLOAT_LANES void clamp_to_disc(const FloatLanes& radius, FloatLanes& x, FloatLanes& y) {
+  const FloatLanes one = float_lanes(1);
+  const FloatLanes length = root(fused(x, x, y * y));
+  const FloatLanes scale = length > radius ? radius / length : one;
+  x = x * scale;
+  y = y * scale;
+}
+
+/// Coulomb friction of the manifold at its centre, on the disc of all its normal impulses, and of its patch
+/// against turning about n. u: B against A, changed by it but for the slip itself; wrench: its impulses are
+/// added.
+template <int count>
+RIGOR_FLOAT_LANES void solve_friction(ManifoldBlock& block, LaneTwists& u, LaneTwists& wrench) {
+  FloatLanes pressed = float_lanes(0), spread = float_lanes(0);
+  for (std::size_t i = 0; i < count; ++i) {
+    const FloatLanes impulse = lane(block.points[i].impulse);
+    pressed = pressed + impulse;
+    spread = fused(impulse, lane(block.points[i].arm), spread);
+  }
+  const FloatLanes friction = lane(block.friction);
+  const FloatLanes old_twist = lane(block.twist_impulse);
+  const FloatLanes twist_limit = fused(friction, spread, lane(block.torsional_friction) * pressed);
+  const FloatLanes free_twist = fused(-lane(block.twist_mass), u.w.x, old_twist);
+  const FloatLanes twist = float_min(float_max(free_twist, -twist_limit), twist_limit);
+  const FloatLanes turn = twist - old_twist;
+  put(twist, block.twist_impulse);
+  wrench.w.x = wrench.w.x + turn;
+  u.v = fused(turn, {lane(block.Kvw[0][0]), lane(block.Kvw[1][0]), lane(block.Kvw[2][0])}, u.v);
+  u.w = fused(turn, {lane(block.Kww[0]), lane(block.Kww[3]), lane(block.Kww[4])}, u.w);
+
+  const FloatLanes old1 = lane(block.tangent_impulse[0]), old2 = lane(block.tangent_impulse[1]);
+  const FloatLanes m11 = lane(block.tangent_mass[0]), m22 = lane(block.tangent_mass[1]),
+                   m12 = lane(block.tangent_mass[2]);
+  FloatLanes f1 = fused(-m12, u.v.z, fused(-m11, u.v.y, old1));
+  FloatLanes f2 = fused(-m22, u.v.z, fused(-m12, u.v.y, old2));
+  clamp_to_disc(friction * pressed, f1, f2);
+  put(f1, block.tangent_impulse[0]);
+  put(f2, block.tangent_impulse[1]);
+  f1 = f1 - old1;
+  f2 = f2 - old2;
+  wrench.v.y = wrench.v.y + f1;
+  wrench.v.z = wrench.v.z + f2;
+  u.v.x = fused(lane(block.Kvv[4]), f2, fused(lane(block.Kvv[3]), f1, u.v.x));
+  u.w = fused(f2, lane(block.Kvw[2]), fused(f1, lane(block.Kvw[1]), u.w));
+
+  if (!block.has_moments) return;
+  const FloatLanes was1 = lane(block.roll_impulse[0]), was2 = lane(block.roll_impulse[1]);
+  const FloatLanes r11 = lane(block.roll_mass[0]), r22 = lane(block.roll_mass[1]),
+                   r12 = lane(block.roll_mass[2]);
+  FloatLanes m1 = fused(-r12, u.w.z, fused(-r11, u.w.y, was1));
+  FloatLanes m2 = fused(-r22, u.w.z, fused(-r12, u.w.y, was2));
+  clamp_to_disc(lane(block.rolling_friction) * pressed, m1, m2);
+  put(m1, block.roll_impulse[0]);
+  put(m2, block.roll_impulse[1]);
+  m1 = m1 - was1;
+  m2 = m2 - was2;
+  wrench.w.y = wrench.w.y + m1;
+  wrench.w.z = wrench.w.z + m2;
+  u.v.x = fused(lane(block.Kvw[0][2]), m2, fused(lane(block.Kvw[0][1]), m1, u.v.x));
+  u.w.y = fused(lane(block.Kww[5]), m2, fused(lane(block.Kww[1]), m1, u.w.y));
+  u.w.z = fused(lane(block.Kww[2]), m2, fused(lane(block.Kww[5]), m1, u.w.z));
+}
+
+/// What normal impulses change of the rest of the motion.
+RIGOR_FLOAT_LANES void add_normals(const ManifoldBlock& block, const NormalMotion& change, LaneTwists& u) {
+  u.v.y = fused(lane(block.Kvv[3]), change.u0, u.v.y);
+  u.v.z = fused(lane(block.Kvv[4]), change.u0, u.v.z);
+  u.v.y = fused(lane(block.Kvw[1][2]), change.u2, fused(lane(block.Kvw[1][1]), change.u1, u.v.y));
+  u.v.z = fused(lane(block.Kvw[2][2]), change.u2, fused(lane(block.Kvw[2][1]), change.u1, u.v.z));
+  u.w = fused(change.u0, lane(block.Kvw[0]), u.w);
+  u.w = fused(change.u1, {lane(block.Kww[3]), lane(block.Kww[1]), lane(block.Kww[5])}, u.w);
+  u.w = fused(change.u2, {lane(block.Kww[4]), lane(block.Kww[5]), lane(block.Kww[2])}, u.w);
+}
+
+template <BlockPass pass, int count>
+void solve_pass(float h, ManifoldBlock& block, BulkBodies& bodies) {
+  const FloatLanes zero = float_lanes(0);
+  const BlockFrame f = frame_of(block);
+  LaneTwists A = gather_velocities(block.body_A, bodies);
+  LaneTwists B = gather_velocities(block.body_B, bodies);
+  LaneTwists u = {along_axes(f, relative_motion(f, A, B)), along_axes(f, B.w - A.w)};
+  LaneTwists wrench = {{zero, zero, zero}, {zero, zero, zero}};
+  // Bodies stay where they are between the second sweep of a substep and the first of the next.
+  NormalMotion moved{lane(block.moved[0]), lane(block.moved[1]), lane(block.moved[2])};
+  if constexpr (pass == BlockPass::relax) {
+    moved = find_displacements(f, block, bodies);
+    put(moved.u0, block.moved[0]);
+    put(moved.u1, block.moved[1]);
+    put(moved.u2, block.moved[2]);
+  }
+  // Friction first: that bodies do not enter each other matters more. Last where its bound is that of the
+  // impulse that remains: the spring gives way before, and takes a part of the pressure with it.
+  if constexpr (pass == BlockPass::push) solve_friction<count>(block, u, wrench);
+  const NormalMotion normals = solve_normals<pass, count>(h, moved, {u.v.x, u.w.y, u.w.z}, block);
+  wrench.v.x = normals.u0;
+  wrench.w.y = wrench.w.y + normals.u1;
+  wrench.w.z = wrench.w.z + normals.u2;
+  if constexpr (pass == BlockPass::relax) {
+    add_normals(block, normals, u);
+    solve_friction<count>(block, u, wrench);
+  }
+  apply_wrench(block, f, wrench, A, B);
+  scatter_velocities(block.body_A, block.moves_A, block.mA, A, bodies);
+  scatter_velocities(block.body_B, block.moves_B, block.mB, B, bodies);
+}
+
+template <BlockPass pass>
+void solve_points(float h, ManifoldBlock& block, BulkBodies& bodies) {
+  switch (block.point_count) {
+    case 1:
+      return solve_pass<pass, 1>(h, block, bodies);
+    case 2:
+      return solve_pass<pass, 2>(h, block, bodies);
+    case 3:
+      return solve_pass<pass, 3>(h, block, bodies);
+    default:
+      return solve_pass<pass, 4>(h, block, bodies);
+  }
+}
+
+void solve(BlockPass pass, float h, ManifoldBlock& block, BulkBodies& bodies) {
+  switch (pass) {
+    case BlockPass::push:
+      return solve_points<BlockPass::push>(h, block, bodies);
+    case BlockPass::relax:
+      return solve_points<BlockPass::relax>(h, block, bodies);
+    case BlockPass::restitution:
+      return solve_points<BlockPass::restitution>(h, block, bodies);
+  }
+}
+
+void warm_start(ManifoldBlock& block, BulkBodies& bodies) {
+  const BlockFrame f = frame_of(block);
+  LaneTwists A = gather_velocities(block.body_A, bodies);
+  LaneTwists B = gather_velocities(block.body_B, bodies);
+  const FloatLanes zero = float_lanes(0);
+  LaneTwists wrench = {{zero, lane(block.tangent_impulse[0]), lane(block.tangent_impulse[1])},
+                       {lane(block.twist_impulse), lane(block.roll_impulse[0]), lane(block.roll_impulse[1])}};
+  for (std::size_t i = 0; i < static_cast<std::size_t>(block.point_count); ++i) {
+    const FloatLanes impulse = lane(block.points[i].impulse);
+    wrench.v.x = wrench.v.x + impulse;
+    wrench.w.y = fused(lane(block.points[i].p2), impulse, wrench.w.y);
+    wrench.w.z = fused(-lane(block.points[i].p1), impulse, wrench.w.z);
+  }
+  apply_wrench(block, f, wrench, A, B);
+  scatter_velocities(block.body_A, block.moves_A, block.mA, A, bodies);
+  scatter_velocities(block.body_B, block.moves_B, block.mB, B, bodies);
+}
+
+/// Inverse of the matrix ((a, c), (c, b)); zero where it is singular (nothing moves).
+RIGOR_FLOAT_LANES void invert(const FloatLanes& a, const FloatLanes& b, const FloatLanes& c,
+                              LaneArray (&inverse)[3]) {
+  const FloatLanes zero = float_lanes(0);
+  const FloatLanes determinant = fused(a, b, -(c * c));
+  const FloatLanes per = determinant > zero ? float_lanes(1) / determinant : zero;
+  put(b * per, inverse[0]);
+  put(a * per, inverse[1]);
+  put(-(c * per), inverse[2]);
+}
+
+RIGOR_FLOAT_LANES FloatLanes inverse_or_zero(const FloatLanes& x) {
+  const FloatLanes zero = float_lanes(0);
+  return x > zero ? float_lanes(1) / x : zero;
+}
+
+/// Adds to K what the turning of one body makes of impulses at the centre and moments: r is the centre from
+/// that of the body, I its inverse inertia.
+RIGOR_FLOAT_LANES void add_turning(const BlockFrame& f, const FloatVec3& r, const FloatSym3& I, FloatSym3& vv,
+                                   FloatSym3& ww, FloatLanes (&vw)[3][3]) {
+  const FloatVec3 axes[3] = {f.n, f.t1, f.t2};
+  FloatVec3 arm[3], by_impulse[3], by_moment[3];
+  for (int i = 0; i < 3; ++i) {
+    arm[i] = fused_cross(r, axes[i]);
+    by_impulse[i] = fused_product(I, arm[i]);
+    by_moment[i] = fused_product(I, axes[i]);
+  }
+  vv = {vv.xx + fused_dot(arm[0], by_impulse[0]), vv.yy + fused_dot(arm[1], by_impulse[1]),
+        vv.zz + fused_dot(arm[2], by_impulse[2]), vv.xy + fused_dot(arm[0], by_impulse[1]),
+        vv.xz + fused_dot(arm[0], by_impulse[2]), vv.yz + fused_dot(arm[1], by_impulse[2])};
+  ww = {ww.xx + fused_dot(axes[0], by_moment[0]), ww.yy + fused_dot(axes[1], by_moment[1]),
+        ww.zz + fused_dot(axes[2], by_moment[2]), ww.xy + fused_dot(axes[0], by_moment[1]),
+        ww.xz + fused_dot(axes[0], by_moment[2]), ww.yz + fused_dot(axes[1], by_moment[2])};
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) vw[i][j] = vw[i][j] + fused_dot(arm[i], by_moment[j]);
+  }
+}
+
+void complete(const BulkBodies& bodies, ManifoldBlock& block) {
+  const BlockFrame f = frame_of(block);
+  const FloatLanes zero = float_lanes(0);
+  const FloatLanes m = lane(block.mA) + lane(block.mB);
+  FloatSym3 vv = {m, m, m, zero, zero, zero}, ww = {zero, zero, zero, zero, zero, zero};
+  FloatLanes vw[3][3] = {{zero, zero, zero}, {zero, zero, zero}, {zero, zero, zero}};
+  add_turning(f, f.rA, lane(block.IA), vv, ww, vw);
+  add_turning(f, f.rB, lane(block.IB), vv, ww, vw);
+  put(vv, block.Kvv);
+  put(ww, block.Kww);
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) put(vw[i][j], block.Kvw[i][j]);
+  }
+  invert(ww.yy, ww.zz, ww.yz, block.roll_mass);
+  put(inverse_or_zero(ww.xx), block.twist_mass);
+  invert(vv.yy, vv.zz, vv.yz, block.tangent_mass);
+
+  const LaneTwists A = gather_velocities(block.body_A, bodies);
+  const LaneTwists B = gather_velocities(block.body_B, bodies);
+  const FloatVec3 turn = B.w - A.w;
+  const NormalMotion u = {fused_dot(f.n, relative_motion(f, A, B)), fused_dot(f.t1, turn),
+                          fused_dot(f.t2, turn)};
+  for (std::size_t i = 0; i < static_cast<std::size_t>(block.point_count); ++i) {
+    BlockPoints& point = block.points[i];
+    const FloatLanes p1 = lane(point.p1), p2 = lane(point.p2);
+    const FloatLanes response = at_point(response_to(block, p1, p2), p1, p2);
+    // The mask of the points that there are stands in `mass` until now.
+    put(lane(point.mass) > zero ? inverse_or_zero(response) : zero, point.mass);
+    put(root(fused(p1, p1, p2 * p2)), point.arm);
+    put(at_point(u, p1, p2), point.first_speed);
+  }
+}
