@@ -2,6 +2,14 @@
 // by the mathematics library: both give the same bits. Included once for each target, inside its namespace
 // and, for AVX2, its pragma; RIGOR_LANES_HAVE_FMA tells which.
 
+/// (Of float_lanes(), which is compiled for any processor, g++ 12 makes insertions, lane by lane.)
+RIGOR_FLOAT_LANES FloatLanes splat(float x) {
+#if RIGOR_LANES_HAVE_FMA
+  return FloatLanes(_mm256_set1_ps(x));
+#else
+  return float_lanes(x);
+#endif
+}
 /// a b + c.
 RIGOR_FLOAT_LANES FloatLanes fused(const FloatLanes& a, const FloatLanes& b, const FloatLanes& c) {
 #if RIGOR_LANES_HAVE_FMA
@@ -18,6 +26,39 @@ RIGOR_FLOAT_LANES FloatLanes root(const FloatLanes& x) {
 #else
   return float_sqrt(x);
 #endif
+}
+RIGOR_FLOAT_LANES FloatLanes larger(const FloatLanes& a, const FloatLanes& b) {
+#if RIGOR_LANES_HAVE_FMA
+  return FloatLanes(_mm256_max_ps(__m256(a), __m256(b)));
+#else
+  return float_max(a, b);
+#endif
+}
+
+/// Four floats at `low` and four at `high`.
+RIGOR_FLOAT_LANES FloatLanes load_halves(const float* low, const float* high) {
+#if RIGOR_LANES_HAVE_FMA
+  return FloatLanes(_mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(low)), _mm_loadu_ps(high), 1));
+#else
+  FloatLanes x;
+  std::memcpy(&x, low, sizeof x / 2);
+  std::memcpy(reinterpret_cast<char*>(&x) + sizeof x / 2, high, sizeof x / 2);
+  return x;
+#endif
+}
+/// The four rows of two 4 x 4 matrices, one in the lower lanes and one in the upper: both transposed.
+struct TwoSquares {
+  FloatLanes a, b, c, d;
+};
+RIGOR_FLOAT_LANES TwoSquares transpose(const TwoSquares& m) {
+  const FloatLanes ab_low = __builtin_shufflevector(m.a, m.b, 0, 8, 1, 9, 4, 12, 5, 13);
+  const FloatLanes ab_high = __builtin_shufflevector(m.a, m.b, 2, 10, 3, 11, 6, 14, 7, 15);
+  const FloatLanes cd_low = __builtin_shufflevector(m.c, m.d, 0, 8, 1, 9, 4, 12, 5, 13);
+  const FloatLanes cd_high = __builtin_shufflevector(m.c, m.d, 2, 10, 3, 11, 6, 14, 7, 15);
+  return {__builtin_shufflevector(ab_low, cd_low, 0, 1, 8, 9, 4, 5, 12, 13),
+          __builtin_shufflevector(ab_low, cd_low, 2, 3, 10, 11, 6, 7, 14, 15),
+          __builtin_shufflevector(ab_high, cd_high, 0, 1, 8, 9, 4, 5, 12, 13),
+          __builtin_shufflevector(ab_high, cd_high, 2, 3, 10, 11, 6, 7, 14, 15)};
 }
 
 /// s a + b.

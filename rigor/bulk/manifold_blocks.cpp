@@ -63,8 +63,6 @@ Softness make_softness(double frequency, double damping_ratio, double h) {
 
 void clear_block(ManifoldBlock& block) {
   block = ManifoldBlock{};
-  block.body_A.fill(-1);
-  block.body_B.fill(-1);
   block.manifold.fill(-1);
   // A frame in empty lanes too, so that nothing there is infinite.
   block.n[2].fill(1);
@@ -77,6 +75,10 @@ void fill_lane(const Manifold& manifold, const ManifoldSurface& surface, const S
   const std::size_t i = static_cast<std::size_t>(lane_index);
   const std::size_t count = static_cast<std::size_t>(manifold.point_count);
   const std::size_t a = static_cast<std::size_t>(body_A), b = static_cast<std::size_t>(body_B);
+  if (lane_index == 0) {
+    block.body_A.fill(body_A);
+    block.body_B.fill(body_B);
+  }
   block.body_A[i] = body_A;
   block.body_B[i] = body_B;
   block.manifold[i] = number;

@@ -39,7 +39,7 @@ struct alignas(32) BlockPoints {
 /// a moment change (V, W) by the symmetric 6 x 6 matrix K, so that a whole sweep needs the bodies at its
 /// begin and at its end only.
 struct alignas(64) ManifoldBlock {
-  std::array<std::int32_t, kLaneCount> body_A, body_B;  ///< -1: empty lane.
+  std::array<std::int32_t, kLaneCount> body_A, body_B;  ///< Empty lanes: those of the first.
   std::array<std::int32_t, kLaneCount> manifold;        ///< Whose it is; -1: empty lane.
   std::array<std::int32_t, kLaneCount> pressed;  ///< Bits of the points that had an impulse in this step.
   std::uint8_t moves_A = 0, moves_B = 0;         ///< Bits of lanes whose body is dynamic.
@@ -78,7 +78,7 @@ float remembered_impulse(const ManifoldMemory& memory, std::uint32_t feature);
 
 /// All lanes empty.
 void clear_block(ManifoldBlock& block);
-/// Puts a manifold into a lane. memory: where its impulses begin (nullptr: from zero).
+/// Puts a manifold into a lane; into lane 0 first. memory: where its impulses begin (nullptr: from zero).
 void fill_lane(const Manifold& manifold, const ManifoldSurface& surface, const Softness& softness, int body_A,
                int body_B, int number, const ManifoldMemory* memory, const BulkBodies& bodies, int lane,
                ManifoldBlock& block);

@@ -28,39 +28,45 @@ struct LaneTwists {
   FloatVec3 v, w;
 };
 
-alignas(64) constexpr MotionRecord no_motion{};
-
-RIGOR_FLOAT_LANES const MotionRecord& motion_of(const BulkBodies& bodies, std::int32_t body) {
-  return body < 0 ? no_motion : bodies.motion[static_cast<std::size_t>(body)];
-}
-
-RIGOR_FLOAT_LANES LaneTwists twists_of(const FloatSquare& rows) {
-  const FloatSquare columns = transpose(rows);
-  return {{columns.row[0], columns.row[1], columns.row[2]}, {columns.row[4], columns.row[5], columns.row[6]}};
+/// Three floats of each of eight records; `at` floats behind their begin.
+RIGOR_FLOAT_LANES FloatVec3 gather(const std::array<std::int32_t, kLaneCount>& who, const BulkBodies& bodies,
+                                   std::size_t at) {
+  const float* motion = bodies.motion.data()->v + at;
+  constexpr std::int64_t size = sizeof(MotionRecord) / sizeof(float);
+  const TwoSquares columns = transpose({load_halves(motion + size * who[0], motion + size * who[4]),
+                                        load_halves(motion + size * who[1], motion + size * who[5]),
+                                        load_halves(motion + size * who[2], motion + size * who[6]),
+                                        load_halves(motion + size * who[3], motion + size * who[7])});
+  return {columns.a, columns.b, columns.c};
 }
 RIGOR_FLOAT_LANES LaneTwists gather_velocities(const std::array<std::int32_t, kLaneCount>& who,
                                                const BulkBodies& bodies) {
-  FloatSquare rows;
-  for (std::size_t i = 0; i < kLaneCount; ++i) rows.row[i] = load_floats(motion_of(bodies, who[i]).v);
-  return twists_of(rows);
+  return {gather(who, bodies, 0), gather(who, bodies, offsetof(MotionRecord, w) / sizeof(float))};
 }
 RIGOR_FLOAT_LANES LaneTwists gather_displacements(const std::array<std::int32_t, kLaneCount>& who,
                                                   const BulkBodies& bodies) {
-  FloatSquare rows;
-  for (std::size_t i = 0; i < kLaneCount; ++i) rows.row[i] = load_floats(motion_of(bodies, who[i]).dp);
-  return twists_of(rows);
+  return {gather(who, bodies, offsetof(MotionRecord, dp) / sizeof(float)),
+          gather(who, bodies, offsetof(MotionRecord, dr) / sizeof(float))};
 }
 
 /// Velocities of the lanes whose body is dynamic; the inverse mass stands between them and stays.
 RIGOR_FLOAT_LANES void scatter_velocities(const std::array<std::int32_t, kLaneCount>& who, std::uint8_t moves,
                                           const LaneArray& inv_mass, const LaneTwists& twists,
                                           BulkBodies& bodies) {
-  const FloatLanes zero = float_lanes(0);
-  const FloatSquare columns{
-      {twists.v.x, twists.v.y, twists.v.z, lane(inv_mass), twists.w.x, twists.w.y, twists.w.z, zero}};
-  const FloatSquare rows = transpose(columns);
+  const TwoSquares v = transpose({twists.v.x, twists.v.y, twists.v.z, lane(inv_mass)});
+  const TwoSquares w = transpose({twists.w.x, twists.w.y, twists.w.z, splat(0)});
+  const FloatSquare rows = {{FloatLanes(__builtin_shufflevector(v.a, w.a, 0, 1, 2, 3, 8, 9, 10, 11)),
+                             FloatLanes(__builtin_shufflevector(v.b, w.b, 0, 1, 2, 3, 8, 9, 10, 11)),
+                             FloatLanes(__builtin_shufflevector(v.c, w.c, 0, 1, 2, 3, 8, 9, 10, 11)),
+                             FloatLanes(__builtin_shufflevector(v.d, w.d, 0, 1, 2, 3, 8, 9, 10, 11)),
+                             FloatLanes(__builtin_shufflevector(v.a, w.a, 4, 5, 6, 7, 12, 13, 14, 15)),
+                             FloatLanes(__builtin_shufflevector(v.b, w.b, 4, 5, 6, 7, 12, 13, 14, 15)),
+                             FloatLanes(__builtin_shufflevector(v.c, w.c, 4, 5, 6, 7, 12, 13, 14, 15)),
+                             FloatLanes(__builtin_shufflevector(v.d, w.d, 4, 5, 6, 7, 12, 13, 14, 15))}};
+  MotionRecord* motion = bodies.motion.data();
+#pragma GCC unroll 8
   for (std::size_t i = 0; i < kLaneCount; ++i) {
-    if (moves >> i & 1) store_floats(rows.row[i], bodies.motion[static_cast<std::size_t>(who[i])].v);
+    if (moves >> i & 1) store_floats(rows.row[i], motion[who[i]].v);
   }
 }
 
@@ -133,21 +139,21 @@ struct PointRule {
 template <BlockPass pass>
 RIGOR_FLOAT_LANES PointRule rule_of(float h, const NormalMotion& moved, const ManifoldBlock& block,
                                     const BlockPoints& point, int bit) {
-  const FloatLanes zero = float_lanes(0), one = float_lanes(1);
+  const FloatLanes zero = splat(0), one = splat(1);
   const FloatLanes mass = lane(point.mass);
   if constexpr (pass == BlockPass::restitution) {
     const FloatLanes first = lane(point.first_speed);
     IntLanes pressed;
     std::memcpy(&pressed, block.pressed.data(), sizeof pressed);
-    const IntLanes bounces = (first < float_lanes(-bounce_speed)) & ((pressed & bit) != 0);
+    const IntLanes bounces = (first < splat(-bounce_speed)) & ((pressed & bit) != 0);
     return {one, bounces ? mass : zero, bounces ? mass * lane(block.restitution) * first : zero};
   }
   const FloatLanes gap = lane(point.gap) + at_point(moved, lane(point.p1), lane(point.p2));
-  const FloatLanes closing = mass * float_max(gap, zero) * float_lanes(1 / h);
+  const FloatLanes closing = mass * larger(gap, zero) * splat(1 / h);
   if constexpr (pass == BlockPass::relax) return {one, mass, closing};
   const IntLanes is_apart = gap > zero;
   const FloatLanes soft_mass = mass * lane(block.mass_scale);
-  const FloatLanes back = float_max(lane(block.bias_rate) * gap, float_lanes(-max_push_speed));
+  const FloatLanes back = larger(lane(block.bias_rate) * gap, splat(-max_push_speed));
   return {is_apart ? one : one - lane(block.impulse_scale), is_apart ? mass : soft_mass,
           is_apart ? closing : soft_mass * back};
 }
@@ -156,9 +162,10 @@ RIGOR_FLOAT_LANES PointRule rule_of(float h, const NormalMotion& moved, const Ma
 template <BlockPass pass, int count>
 RIGOR_FLOAT_LANES NormalMotion solve_normals(float h, const NormalMotion& moved, const NormalMotion& u,
                                              ManifoldBlock& block) {
-  const FloatLanes zero = float_lanes(0);
+  const FloatLanes zero = splat(0);
   PointRule rule[count];
   FloatLanes p1[count], p2[count], old[count], impulse[count], speed[count], response[count][count];
+#pragma GCC unroll 4
   for (int k = 0; k < count; ++k) {
     const BlockPoints& point = block.points[static_cast<std::size_t>(k)];
     p1[k] = lane(point.p1);
@@ -167,21 +174,25 @@ RIGOR_FLOAT_LANES NormalMotion solve_normals(float h, const NormalMotion& moved,
     old[k] = impulse[k] = lane(point.impulse);
     speed[k] = at_point(u, p1[k], p2[k]);
     const NormalMotion answer = response_to(block, p1[k], p2[k]);
+#pragma GCC unroll 4
     for (int j = 0; j <= k; ++j) response[j][k] = response[k][j] = at_point(answer, p1[j], p2[j]);
   }
   // One point alone is solved by one sweep: what it does to itself is the inverse of its mass.
   for (int sweep = 0; sweep < (count == 1 ? 1 : block_sweeps); ++sweep) {
+#pragma GCC unroll 4
     for (int k = 0; k < count; ++k) {
       const FloatLanes kept = fused(rule[k].keep, impulse[k], -rule[k].shift);
-      const FloatLanes next = float_max(fused(-rule[k].meet, speed[k], kept), zero);
+      const FloatLanes next = larger(fused(-rule[k].meet, speed[k], kept), zero);
       const FloatLanes change = next - impulse[k];
       impulse[k] = next;
+#pragma GCC unroll 4
       for (int j = 0; j < count; ++j) speed[j] = fused(response[j][k], change, speed[j]);
     }
   }
   NormalMotion wrench{zero, zero, zero};
   IntLanes pressed;
   std::memcpy(&pressed, block.pressed.data(), sizeof pressed);
+#pragma GCC unroll 4
   for (int k = 0; k < count; ++k) {
     const FloatLanes change = impulse[k] - old[k];
     wrench = {wrench.u0 + change, fused(p2[k], change, wrench.u1), fused(-p1[k], change, wrench.u2)};
@@ -194,7 +205,7 @@ RIGOR_FLOAT_LANES NormalMotion solve_normals(float h, const NormalMotion& moved,
 
 /// Keeps (x, y) within a disc.
 RIGOR_FLOAT_LANES void clamp_to_disc(const FloatLanes& radius, FloatLanes& x, FloatLanes& y) {
-  const FloatLanes one = float_lanes(1);
+  const FloatLanes one = splat(1);
   const FloatLanes length = root(fused(x, x, y * y));
   const FloatLanes scale = length > radius ? radius / length : one;
   x = x * scale;
@@ -206,7 +217,7 @@ RIGOR_FLOAT_LANES void clamp_to_disc(const FloatLanes& radius, FloatLanes& x, Fl
 /// added.
 template <int count>
 RIGOR_FLOAT_LANES void solve_friction(ManifoldBlock& block, LaneTwists& u, LaneTwists& wrench) {
-  FloatLanes pressed = float_lanes(0), spread = float_lanes(0);
+  FloatLanes pressed = splat(0), spread = splat(0);
   for (std::size_t i = 0; i < count; ++i) {
     const FloatLanes impulse = lane(block.points[i].impulse);
     pressed = pressed + impulse;
@@ -216,7 +227,7 @@ RIGOR_FLOAT_LANES void solve_friction(ManifoldBlock& block, LaneTwists& u, LaneT
   const FloatLanes old_twist = lane(block.twist_impulse);
   const FloatLanes twist_limit = fused(friction, spread, lane(block.torsional_friction) * pressed);
   const FloatLanes free_twist = fused(-lane(block.twist_mass), u.w.x, old_twist);
-  const FloatLanes twist = float_min(float_max(free_twist, -twist_limit), twist_limit);
+  const FloatLanes twist = float_min(larger(free_twist, -twist_limit), twist_limit);
   const FloatLanes turn = twist - old_twist;
   put(twist, block.twist_impulse);
   wrench.w.x = wrench.w.x + turn;
@@ -269,7 +280,7 @@ RIGOR_FLOAT_LANES void add_normals(const ManifoldBlock& block, const NormalMotio
 
 template <BlockPass pass, int count>
 void solve_pass(float h, ManifoldBlock& block, BulkBodies& bodies) {
-  const FloatLanes zero = float_lanes(0);
+  const FloatLanes zero = splat(0);
   const BlockFrame f = frame_of(block);
   LaneTwists A = gather_velocities(block.body_A, bodies);
   LaneTwists B = gather_velocities(block.body_B, bodies);
@@ -306,9 +317,7 @@ void solve_points(float h, ManifoldBlock& block, BulkBodies& bodies) {
       return solve_pass<pass, 1>(h, block, bodies);
     case 2:
       return solve_pass<pass, 2>(h, block, bodies);
-    case 3:
-      return solve_pass<pass, 3>(h, block, bodies);
-    default:
+    default:  // Points that are not there have no mass.
       return solve_pass<pass, 4>(h, block, bodies);
   }
 }
@@ -320,7 +329,7 @@ void solve(BlockPass pass, float h, ManifoldBlock& block, BulkBodies& bodies) {
     case BlockPass::relax:
       return solve_points<BlockPass::relax>(h, block, bodies);
     case BlockPass::restitution:
-      return solve_points<BlockPass::restitution>(h, block, bodies);
+      return solve_pass<BlockPass::restitution, 4>(h, block, bodies);
   }
 }
 
@@ -328,7 +337,7 @@ void warm_start(ManifoldBlock& block, BulkBodies& bodies) {
   const BlockFrame f = frame_of(block);
   LaneTwists A = gather_velocities(block.body_A, bodies);
   LaneTwists B = gather_velocities(block.body_B, bodies);
-  const FloatLanes zero = float_lanes(0);
+  const FloatLanes zero = splat(0);
   LaneTwists wrench = {{zero, lane(block.tangent_impulse[0]), lane(block.tangent_impulse[1])},
                        {lane(block.twist_impulse), lane(block.roll_impulse[0]), lane(block.roll_impulse[1])}};
   for (std::size_t i = 0; i < static_cast<std::size_t>(block.point_count); ++i) {
@@ -345,17 +354,17 @@ void warm_start(ManifoldBlock& block, BulkBodies& bodies) {
 /// Inverse of the matrix ((a, c), (c, b)); zero where it is singular (nothing moves).
 RIGOR_FLOAT_LANES void invert(const FloatLanes& a, const FloatLanes& b, const FloatLanes& c,
                               LaneArray (&inverse)[3]) {
-  const FloatLanes zero = float_lanes(0);
+  const FloatLanes zero = splat(0);
   const FloatLanes determinant = fused(a, b, -(c * c));
-  const FloatLanes per = determinant > zero ? float_lanes(1) / determinant : zero;
+  const FloatLanes per = determinant > zero ? splat(1) / determinant : zero;
   put(b * per, inverse[0]);
   put(a * per, inverse[1]);
   put(-(c * per), inverse[2]);
 }
 
 RIGOR_FLOAT_LANES FloatLanes inverse_or_zero(const FloatLanes& x) {
-  const FloatLanes zero = float_lanes(0);
-  return x > zero ? float_lanes(1) / x : zero;
+  const FloatLanes zero = splat(0);
+  return x > zero ? splat(1) / x : zero;
 }
 
 /// Adds to K what the turning of one body makes of impulses at the centre and moments: r is the centre from
@@ -382,7 +391,7 @@ RIGOR_FLOAT_LANES void add_turning(const BlockFrame& f, const FloatVec3& r, cons
 
 void complete(const BulkBodies& bodies, ManifoldBlock& block) {
   const BlockFrame f = frame_of(block);
-  const FloatLanes zero = float_lanes(0);
+  const FloatLanes zero = splat(0);
   const FloatLanes m = lane(block.mA) + lane(block.mB);
   FloatSym3 vv = {m, m, m, zero, zero, zero}, ww = {zero, zero, zero, zero, zero, zero};
   FloatLanes vw[3][3] = {{zero, zero, zero}, {zero, zero, zero}, {zero, zero, zero}};
