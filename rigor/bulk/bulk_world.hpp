@@ -15,7 +15,7 @@
 namespace rigor {
 
 struct BulkSettings {
-  int substeps = 8;       ///< >= 1, of equal length.
+  int substeps = 6;       ///< >= 1, of equal length.
   int threads = 1;        ///< >= 1. The answer does not depend on it.
   bool measures = false;  ///< Whether a step tells its impacts, work and error of momentum, and its contacts.
   bool sleeping = false;  ///< Whether bodies at rest are left alone (Sleepers).

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 namespace rigor {
 
@@ -19,6 +20,7 @@ struct Softness {
   float bias_rate = 0;      ///< Speed by which an overlap is put back, a metre [1/s].
   float mass_scale = 1;     ///< Of the impulse that meets the speed.
   float impulse_scale = 0;  ///< Part of the impulse that the spring gives way.
+  float pad = 0;            ///< To four floats, which are loaded at once.
 };
 /// frequency [Hz], damping_ratio (1: critical), h [s] of a substep.
 Softness make_softness(double frequency, double damping_ratio, double h);
@@ -73,20 +75,29 @@ struct ManifoldSurface {
   float torsional_friction = 0, rolling_friction = 0;  ///< [m].
 };
 
+/// One manifold of a block.
+struct BlockLane {
+  const Manifold* manifold = nullptr;
+  const ManifoldSurface* surface = nullptr;
+  const Softness* softness = nullptr;
+  const ManifoldMemory* memory = nullptr;  ///< Where its impulses begin; nullptr: from zero.
+  int body_A = -1, body_B = -1;
+  int number = -1;
+};
+
 /// The normal impulse that the memory has of a feature [N s]; 0 if it has none.
 float remembered_impulse(const ManifoldMemory& memory, std::uint32_t feature);
+/// Of each point of a manifold.
+std::array<float, Manifold::max_points> remembered_impulses(const ManifoldMemory& memory,
+                                                            const Manifold& manifold);
 
-/// All lanes empty.
-void clear_block(ManifoldBlock& block);
-/// Puts a manifold into a lane; into lane 0 first. memory: where its impulses begin (nullptr: from zero).
-void fill_lane(const Manifold& manifold, const ManifoldSurface& surface, const Softness& softness, int body_A,
-               int body_B, int number, const ManifoldMemory* memory, const BulkBodies& bodies, int lane,
-               ManifoldBlock& block);
+/// Makes a block of one to eight manifolds: frames, points and responses, and the velocities at the begin of
+/// the step.
+void fill_block(LaneTarget target, std::span<const BlockLane> lanes, const BulkBodies& bodies,
+                ManifoldBlock& block);
 /// Impulses of a lane, features aside.
 void read_lane(const ManifoldBlock& block, int lane, ManifoldMemory& memory);
 
-/// Computes what follows from frames, points and inertias, and the velocities at the begin of the step.
-void complete_block(LaneTarget target, const BulkBodies& bodies, ManifoldBlock& block);
 /// Applies the impulses that the block begins with.
 void warm_start_block(LaneTarget target, ManifoldBlock& block, BulkBodies& bodies);
 

@@ -13,6 +13,11 @@ RIGOR_FLOAT_LANES FloatSym3 lane(const LaneArray (&a)[6]) {
 RIGOR_FLOAT_LANES void put(const FloatLanes& x, LaneArray& a) {
   store_floats(x, a.data());
 }
+RIGOR_FLOAT_LANES void put(const FloatVec3& v, LaneArray (&a)[3]) {
+  put(v.x, a[0]);
+  put(v.y, a[1]);
+  put(v.z, a[2]);
+}
 RIGOR_FLOAT_LANES void put(const FloatSym3& m, LaneArray (&a)[6]) {
   put(m.xx, a[0]);
   put(m.yy, a[1]);
@@ -290,9 +295,7 @@ void solve_pass(float h, ManifoldBlock& block, BulkBodies& bodies) {
   NormalMotion moved{lane(block.moved[0]), lane(block.moved[1]), lane(block.moved[2])};
   if constexpr (pass == BlockPass::relax) {
     moved = find_displacements(f, block, bodies);
-    put(moved.u0, block.moved[0]);
-    put(moved.u1, block.moved[1]);
-    put(moved.u2, block.moved[2]);
+    put({moved.u0, moved.u1, moved.u2}, block.moved);
   }
   // Friction first: that bodies do not enter each other matters more. Last where its bound is that of the
   // impulse that remains: the spring gives way before, and takes a part of the pressure with it.
@@ -349,75 +352,4 @@ void warm_start(ManifoldBlock& block, BulkBodies& bodies) {
   apply_wrench(block, f, wrench, A, B);
   scatter_velocities(block.body_A, block.moves_A, block.mA, A, bodies);
   scatter_velocities(block.body_B, block.moves_B, block.mB, B, bodies);
-}
-
-/// Inverse of the matrix ((a, c), (c, b)); zero where it is singular (nothing moves).
-RIGOR_FLOAT_LANES void invert(const FloatLanes& a, const FloatLanes& b, const FloatLanes& c,
-                              LaneArray (&inverse)[3]) {
-  const FloatLanes zero = splat(0);
-  const FloatLanes determinant = fused(a, b, -(c * c));
-  const FloatLanes per = determinant > zero ? splat(1) / determinant : zero;
-  put(b * per, inverse[0]);
-  put(a * per, inverse[1]);
-  put(-(c * per), inverse[2]);
-}
-
-RIGOR_FLOAT_LANES FloatLanes inverse_or_zero(const FloatLanes& x) {
-  const FloatLanes zero = splat(0);
-  return x > zero ? splat(1) / x : zero;
-}
-
-/// Adds to K what the turning of one body makes of impulses at the centre and moments: r is the centre from
-/// that of the body, I its inverse inertia.
-RIGOR_FLOAT_LANES void add_turning(const BlockFrame& f, const FloatVec3& r, const FloatSym3& I, FloatSym3& vv,
-                                   FloatSym3& ww, FloatLanes (&vw)[3][3]) {
-  const FloatVec3 axes[3] = {f.n, f.t1, f.t2};
-  FloatVec3 arm[3], by_impulse[3], by_moment[3];
-  for (int i = 0; i < 3; ++i) {
-    arm[i] = fused_cross(r, axes[i]);
-    by_impulse[i] = fused_product(I, arm[i]);
-    by_moment[i] = fused_product(I, axes[i]);
-  }
-  vv = {vv.xx + fused_dot(arm[0], by_impulse[0]), vv.yy + fused_dot(arm[1], by_impulse[1]),
-        vv.zz + fused_dot(arm[2], by_impulse[2]), vv.xy + fused_dot(arm[0], by_impulse[1]),
-        vv.xz + fused_dot(arm[0], by_impulse[2]), vv.yz + fused_dot(arm[1], by_impulse[2])};
-  ww = {ww.xx + fused_dot(axes[0], by_moment[0]), ww.yy + fused_dot(axes[1], by_moment[1]),
-        ww.zz + fused_dot(axes[2], by_moment[2]), ww.xy + fused_dot(axes[0], by_moment[1]),
-        ww.xz + fused_dot(axes[0], by_moment[2]), ww.yz + fused_dot(axes[1], by_moment[2])};
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) vw[i][j] = vw[i][j] + fused_dot(arm[i], by_moment[j]);
-  }
-}
-
-void complete(const BulkBodies& bodies, ManifoldBlock& block) {
-  const BlockFrame f = frame_of(block);
-  const FloatLanes zero = splat(0);
-  const FloatLanes m = lane(block.mA) + lane(block.mB);
-  FloatSym3 vv = {m, m, m, zero, zero, zero}, ww = {zero, zero, zero, zero, zero, zero};
-  FloatLanes vw[3][3] = {{zero, zero, zero}, {zero, zero, zero}, {zero, zero, zero}};
-  add_turning(f, f.rA, lane(block.IA), vv, ww, vw);
-  add_turning(f, f.rB, lane(block.IB), vv, ww, vw);
-  put(vv, block.Kvv);
-  put(ww, block.Kww);
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) put(vw[i][j], block.Kvw[i][j]);
-  }
-  invert(ww.yy, ww.zz, ww.yz, block.roll_mass);
-  put(inverse_or_zero(ww.xx), block.twist_mass);
-  invert(vv.yy, vv.zz, vv.yz, block.tangent_mass);
-
-  const LaneTwists A = gather_velocities(block.body_A, bodies);
-  const LaneTwists B = gather_velocities(block.body_B, bodies);
-  const FloatVec3 turn = B.w - A.w;
-  const NormalMotion u = {fused_dot(f.n, relative_motion(f, A, B)), fused_dot(f.t1, turn),
-                          fused_dot(f.t2, turn)};
-  for (std::size_t i = 0; i < static_cast<std::size_t>(block.point_count); ++i) {
-    BlockPoints& point = block.points[i];
-    const FloatLanes p1 = lane(point.p1), p2 = lane(point.p2);
-    const FloatLanes response = at_point(response_to(block, p1, p2), p1, p2);
-    // The mask of the points that there are stands in `mass` until now.
-    put(lane(point.mass) > zero ? inverse_or_zero(response) : zero, point.mass);
-    put(root(fused(p1, p1, p2 * p2)), point.arm);
-    put(at_point(u, p1, p2), point.first_speed);
-  }
 }

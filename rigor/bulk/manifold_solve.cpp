@@ -2,9 +2,11 @@
 
 #include "rigor/bulk/manifold_blocks.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <span>
 
 #if defined(__x86_64__)
 #include <immintrin.h>
@@ -24,7 +26,10 @@ constexpr float bounce_speed = 1e-2f;
 namespace portable_lanes {
 #define RIGOR_LANES_HAVE_FMA 0
 #include "rigor/bulk/fused_lanes.inl"
+
 #include "rigor/bulk/manifold_kernels.inl"
+
+#include "rigor/bulk/manifold_fill.inl"
 #undef RIGOR_LANES_HAVE_FMA
 }  // namespace portable_lanes
 
@@ -38,7 +43,10 @@ namespace portable_lanes {
 namespace avx2_lanes {
 #define RIGOR_LANES_HAVE_FMA 1
 #include "rigor/bulk/fused_lanes.inl"
+
 #include "rigor/bulk/manifold_kernels.inl"
+
+#include "rigor/bulk/manifold_fill.inl"
 #undef RIGOR_LANES_HAVE_FMA
 }  // namespace avx2_lanes
 #if defined(__clang__)
@@ -52,8 +60,10 @@ namespace avx2_lanes = portable_lanes;
 
 }  // namespace
 
-void complete_block(LaneTarget target, const BulkBodies& bodies, ManifoldBlock& block) {
-  target == LaneTarget::avx2 ? avx2_lanes::complete(bodies, block) : portable_lanes::complete(bodies, block);
+void fill_block(LaneTarget target, std::span<const BlockLane> lanes, const BulkBodies& bodies,
+                ManifoldBlock& block) {
+  target == LaneTarget::avx2 ? avx2_lanes::fill(lanes, bodies, block)
+                             : portable_lanes::fill(lanes, bodies, block);
 }
 void warm_start_block(LaneTarget target, ManifoldBlock& block, BulkBodies& bodies) {
   target == LaneTarget::avx2 ? avx2_lanes::warm_start(block, bodies)

@@ -21,7 +21,7 @@ class BulkSimulation {
  public:
   struct Options {
     double step = 1.0 / 60;  ///< Of each step [s], > 0.
-    int substeps = 8;        ///< Of a step, >= 1.
+    int substeps = 6;        ///< Of a step, >= 1.
     int threads = 1;         ///< >= 1.
     bool sleeping = true;    ///< Whether bodies at rest are left alone.
   };

@@ -95,7 +95,7 @@ std::span<const MethodNumber> method_numbers() {
        "",
        "0",
        {0, 1e6},
-       "in a step: least number of the penalty scheme, number of solver substep; 0: 1 or 8",
+       "in a step: least number of the penalty scheme, number of solver substep; 0: 1 or 6",
        &Method::substeps},
       {"iterations",
        "",

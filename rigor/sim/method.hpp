@@ -55,7 +55,7 @@ struct Method {
   double penalty_depth = 1e-4;      ///< How deep an impact presses a penalty contact [m].
   double stiffness = 0;             ///< Of penalty contacts [N/m]; 0: from penalty_depth.
   double damping = 0;               ///< Of penalty contacts [N s/m]; 0: from the restitution of the pair.
-  double substeps = 0;     ///< In a step: at least of the penalty scheme, of solver substep; 0: 1 or 8.
+  double substeps = 0;     ///< In a step: at least of the penalty scheme, of solver substep; 0: 1 or 6.
   double iterations = 50;  ///< Sweeps of solver pgs in each contact problem, a whole number.
 
   bool operator==(const Method& other) const = default;

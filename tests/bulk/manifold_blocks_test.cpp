@@ -107,13 +107,16 @@ struct BlockScene {
 BlockScene random_scene(const ManifoldSurface& surface, LaneTarget target, unsigned seed) {
   Random random(seed);
   BlockScene scene{random_bodies(12, random), {}, {}};
-  clear_block(scene.block);
   for (int i = 0; i < 6; ++i) {
     scene.manifolds.push_back(random_manifold(scene.bodies, 2 * i, 2 * i + 1, random));
-    fill_lane(scene.manifolds.back(), surface, Softness{}, 2 * i, 2 * i + 1, i, nullptr, scene.bodies, i,
-              scene.block);
   }
-  complete_block(target, scene.bodies, scene.block);
+  const Softness softness;
+  std::vector<BlockLane> lanes;
+  for (int i = 0; i < 6; ++i) {
+    const Manifold& manifold = scene.manifolds[static_cast<std::size_t>(i)];
+    lanes.push_back({&manifold, &surface, &softness, nullptr, 2 * i, 2 * i + 1, i});
+  }
+  fill_block(target, lanes, scene.bodies, scene.block);
   return scene;
 }
 
@@ -218,9 +221,10 @@ TEST(ManifoldBlocks, APointThatWasPressedPartsAtItsRestitution) {
   manifold.point_count = 1;
   manifold.points[0] = {{0, 0, 0.5f}, 0, 7};
   ManifoldBlock block;
-  clear_block(block);
-  fill_lane(manifold, {.friction = 0, .restitution = 0.6f}, Softness{}, 0, 1, 0, nullptr, bodies, 0, block);
-  complete_block(best_lane_target(), bodies, block);
+  const ManifoldSurface surface = {.friction = 0, .restitution = 0.6f};
+  const Softness softness;
+  const BlockLane own = {&manifold, &surface, &softness, nullptr, 0, 1, 0};
+  fill_block(best_lane_target(), std::span(&own, 1), bodies, block);
   solve_block(best_lane_target(), BlockPass::relax, kH, block, bodies);
   EXPECT_NEAR(bodies.motion[1].v[2] - bodies.motion[0].v[2], 0, 1e-6);
   solve_block(best_lane_target(), BlockPass::restitution, kH, block, bodies);
@@ -240,9 +244,10 @@ TEST(ManifoldBlocks, APointThatIsApartMayCloseItsGapInASubstep) {
   manifold.point_count = 1;
   manifold.points[0] = {{0, 0, 0.5f}, 0.005f, 7};
   ManifoldBlock block;
-  clear_block(block);
-  fill_lane(manifold, {}, Softness{}, 0, 1, 0, nullptr, bodies, 0, block);
-  complete_block(best_lane_target(), bodies, block);
+  const ManifoldSurface surface;
+  const Softness softness;
+  const BlockLane own = {&manifold, &surface, &softness, nullptr, 0, 1, 0};
+  fill_block(best_lane_target(), std::span(&own, 1), bodies, block);
   solve_block(best_lane_target(), BlockPass::push, kH, block, bodies);
   EXPECT_NEAR(bodies.motion[1].v[2] - bodies.motion[0].v[2], -0.005 / kH, 1e-5);
 }

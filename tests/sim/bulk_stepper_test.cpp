@@ -46,7 +46,7 @@ TEST(BulkStepper, BodyInFreeFlightFallsAsItsSubstepsSay) {
     EXPECT_EQ(report.reason, StopReason::reached_end);
     EXPECT_EQ(report.steps, 120);
     EXPECT_EQ(state.t, 2);
-    const double tau = kStep / (substeps > 0 ? substeps : 8);
+    const double tau = kStep / (substeps > 0 ? substeps : 6);
     // Each substep rounds velocities below 32 m/s to half of 2⁻¹⁹.
     const double rounding = 2 / tau * std::ldexp(1, -20);
     EXPECT_NEAR(state.position(1).z(), 100 - 0.5 * g * 2 * (2 + tau), 2 * rounding);

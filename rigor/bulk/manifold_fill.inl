@@ -1,0 +1,240 @@
+// Makes blocks of manifolds (docs/theory/bulk.md, section 2). Included once for each target, after
+// manifold_kernels.inl.
+
+/// Inverse of the matrix ((a, c), (c, b)); zero where it is singular (nothing moves).
+RIGOR_FLOAT_LANES void invert(const FloatLanes& a, const FloatLanes& b, const FloatLanes& c,
+                              LaneArray (&inverse)[3]) {
+  const FloatLanes zero = splat(0);
+  const FloatLanes determinant = fused(a, b, -(c * c));
+  const FloatLanes per = determinant > zero ? splat(1) / determinant : zero;
+  put(b * per, inverse[0]);
+  put(a * per, inverse[1]);
+  put(-(c * per), inverse[2]);
+}
+
+RIGOR_FLOAT_LANES FloatLanes inverse_or_zero(const FloatLanes& x) {
+  const FloatLanes zero = splat(0);
+  return x > zero ? splat(1) / x : zero;
+}
+
+/// Four floats of each of eight places, transposed.
+RIGOR_FLOAT_LANES TwoSquares gather_fours(const std::array<const float*, kLaneCount>& from) {
+  return transpose({load_halves(from[0], from[4]), load_halves(from[1], from[5]),
+                    load_halves(from[2], from[6]), load_halves(from[3], from[7])});
+}
+
+/// Adds to K what the turning of one body makes of impulses at the centre and moments: r is the centre from
+/// that of the body, I its inverse inertia.
+RIGOR_FLOAT_LANES void add_turning(const BlockFrame& f, const FloatVec3& r, const FloatSym3& I, FloatSym3& vv,
+                                   FloatSym3& ww, FloatLanes (&vw)[3][3]) {
+  const FloatVec3 axes[3] = {f.n, f.t1, f.t2};
+  FloatVec3 arm[3], by_impulse[3], by_moment[3];
+  for (int i = 0; i < 3; ++i) {
+    arm[i] = fused_cross(r, axes[i]);
+    by_impulse[i] = fused_product(I, arm[i]);
+    by_moment[i] = fused_product(I, axes[i]);
+  }
+  vv = {vv.xx + fused_dot(arm[0], by_impulse[0]), vv.yy + fused_dot(arm[1], by_impulse[1]),
+        vv.zz + fused_dot(arm[2], by_impulse[2]), vv.xy + fused_dot(arm[0], by_impulse[1]),
+        vv.xz + fused_dot(arm[0], by_impulse[2]), vv.yz + fused_dot(arm[1], by_impulse[2])};
+  ww = {ww.xx + fused_dot(axes[0], by_moment[0]), ww.yy + fused_dot(axes[1], by_moment[1]),
+        ww.zz + fused_dot(axes[2], by_moment[2]), ww.xy + fused_dot(axes[0], by_moment[1]),
+        ww.xz + fused_dot(axes[0], by_moment[2]), ww.yz + fused_dot(axes[1], by_moment[2])};
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) vw[i][j] = vw[i][j] + fused_dot(arm[i], by_moment[j]);
+  }
+}
+
+/// K, and the inverses that friction needs.
+RIGOR_FLOAT_LANES void find_responses(const BlockFrame& f, ManifoldBlock& block) {
+  const FloatLanes zero = splat(0);
+  const FloatLanes m = lane(block.mA) + lane(block.mB);
+  FloatSym3 vv = {m, m, m, zero, zero, zero}, ww = {zero, zero, zero, zero, zero, zero};
+  FloatLanes vw[3][3] = {{zero, zero, zero}, {zero, zero, zero}, {zero, zero, zero}};
+  add_turning(f, f.rA, lane(block.IA), vv, ww, vw);
+  add_turning(f, f.rB, lane(block.IB), vv, ww, vw);
+  put(vv, block.Kvv);
+  put(ww, block.Kww);
+#pragma GCC unroll 3
+  for (int i = 0; i < 3; ++i) put({vw[i][0], vw[i][1], vw[i][2]}, block.Kvw[i]);
+  invert(ww.yy, ww.zz, ww.yz, block.roll_mass);
+  put(inverse_or_zero(ww.xx), block.twist_mass);
+  invert(vv.yy, vv.zz, vv.yz, block.tangent_mass);
+}
+
+/// Two unit vectors that make a right-handed frame with the unit vector n; the first of them.
+///
+/// Source: Duff et al., Building an Orthonormal Basis, Revisited, J. Computer Graphics Techniques 6(1), 2017,
+/// listing 3.
+RIGOR_FLOAT_LANES FloatVec3 tangent(const FloatVec3& n) {
+  const FloatLanes one = splat(1);
+  IntLanes bits;
+  std::memcpy(&bits, &n.z, sizeof bits);
+  const FloatLanes sign = bits < 0 ? -one : one;
+  const FloatLanes a = -one / (sign + n.z);
+  return {fused(sign * n.x, n.x * a, one), sign * (n.x * n.y * a), -(sign * n.x)};
+}
+
+RIGOR_FLOAT_LANES void fill_inertia(const std::array<std::int32_t, kLaneCount>& who, const BulkBodies& bodies,
+                                    const IntLanes& is_there, LaneArray (&I)[6], LaneArray& m) {
+  std::array<const float*, kLaneCount> from;
+  for (std::size_t i = 0; i < kLaneCount; ++i) from[i] = &bodies.inertia.data()[who[i]].xx;
+  const TwoSquares first = gather_fours(from);
+  for (std::size_t i = 0; i < kLaneCount; ++i) from[i] += 4;
+  const TwoSquares second = gather_fours(from);
+  const FloatLanes zero = splat(0);
+  put(is_there ? first.a : zero, I[0]);
+  put(is_there ? first.b : zero, I[1]);
+  put(is_there ? first.c : zero, I[2]);
+  put(is_there ? first.d : zero, I[3]);
+  put(is_there ? second.a : zero, I[4]);
+  put(is_there ? second.b : zero, I[5]);
+  put(is_there ? second.c : zero, m);
+}
+
+/// Normals, points and arms. x_BA [m]: from the centres of the bodies A to those of the bodies B.
+RIGOR_FLOAT_LANES BlockFrame fill_geometry(std::span<const BlockLane> lanes, const FloatVec3& x_BA,
+                                           const IntLanes& is_there, ManifoldBlock& block) {
+  const FloatLanes zero = splat(0), one = splat(1);
+  std::array<const float*, kLaneCount> from;
+  std::array<std::int32_t, kLaneCount> counts;
+  const std::size_t count = block.point_count > 2 ? 4 : static_cast<std::size_t>(block.point_count);
+  for (std::size_t i = 0; i < kLaneCount; ++i) {
+    const Manifold& manifold = *lanes[i < lanes.size() ? i : 0].manifold;
+    from[i] = manifold.normal;
+    counts[i] = manifold.point_count;
+  }
+  IntLanes point_counts;
+  std::memcpy(&point_counts, counts.data(), sizeof point_counts);
+  const TwoSquares normals = gather_fours(from);
+  BlockFrame f;
+  f.n = {normals.a, normals.b, normals.c};
+  f.t1 = tangent(f.n);
+  f.t2 = fused_cross(f.n, f.t1);
+  put(f.n, block.n);
+  put(f.t1, block.t1);
+
+  FloatVec3 p[Manifold::max_points];
+  FloatVec3 sum = {zero, zero, zero};
+  for (std::size_t k = 0; k < count; ++k) {
+    for (std::size_t i = 0; i < kLaneCount; ++i) {
+      const Manifold& manifold = *lanes[i < lanes.size() ? i : 0].manifold;
+      from[i] = manifold.points[k < static_cast<std::size_t>(counts[i]) ? k : 0].p;
+    }
+    const TwoSquares point = gather_fours(from);
+    const IntLanes is_point = is_there & (point_counts > static_cast<std::int32_t>(k));
+    p[k] = {point.a, point.b, point.c};
+    sum = fused(is_point ? one : zero, p[k], sum);
+    put(is_point ? point.d : zero, block.points[k].gap);
+    put(is_point ? one : zero, block.points[k].mass);
+  }
+  const FloatLanes per_count = one / __builtin_convertvector(point_counts, FloatLanes);
+  f.rA = per_count * sum;
+  f.rB = f.rA - x_BA;
+  put(f.rA, block.rA);
+  put(f.rB, block.rB);
+  for (std::size_t k = 0; k < count; ++k) {
+    const FloatVec3 arm = p[k] - f.rA;
+    const IntLanes is_point = lane(block.points[k].mass) > zero;
+    put(is_point ? fused_dot(f.t1, arm) : zero, block.points[k].p1);
+    put(is_point ? fused_dot(f.t2, arm) : zero, block.points[k].p2);
+  }
+  return f;
+}
+
+/// Impulses that the points and their friction begin with.
+RIGOR_FLOAT_LANES void fill_impulses(std::span<const BlockLane> lanes, const BlockFrame& f,
+                                     ManifoldBlock& block) {
+  static constexpr ManifoldMemory nothing{};
+  std::array<std::array<float, Manifold::max_points>, kLaneCount> normal;
+  std::array<const float*, kLaneCount> from, friction;
+  for (std::size_t i = 0; i < kLaneCount; ++i) {
+    const ManifoldMemory* memory = i < lanes.size() ? lanes[i].memory : nullptr;
+    friction[i] = (memory == nullptr ? nothing : *memory).friction_impulse_W.data();
+    normal[i] = memory == nullptr ? nothing.normal_impulse : remembered_impulses(*memory, *lanes[i].manifold);
+    from[i] = normal[i].data();
+  }
+  const TwoSquares normals = gather_fours(from);
+  put(normals.a, block.points[0].impulse);
+  put(normals.b, block.points[1].impulse);
+  put(normals.c, block.points[2].impulse);
+  put(normals.d, block.points[3].impulse);
+  static_assert(offsetof(ManifoldMemory, twist_impulse) ==
+                offsetof(ManifoldMemory, friction_impulse_W) + 3 * sizeof(float));
+  const TwoSquares tangential = gather_fours(friction);
+  const FloatVec3 friction_W = {tangential.a, tangential.b, tangential.c};
+  put(fused_dot(f.t1, friction_W), block.tangent_impulse[0]);
+  put(fused_dot(f.t2, friction_W), block.tangent_impulse[1]);
+  put(tangential.d, block.twist_impulse);
+  put(splat(0), block.roll_impulse[0]);
+  put(splat(0), block.roll_impulse[1]);
+}
+
+RIGOR_FLOAT_LANES void fill_laws(std::span<const BlockLane> lanes, ManifoldBlock& block) {
+  std::array<const float*, kLaneCount> surfaces, springs;
+  for (std::size_t i = 0; i < kLaneCount; ++i) {
+    const BlockLane& own = lanes[i < lanes.size() ? i : 0];
+    surfaces[i] = &own.surface->friction;
+    springs[i] = &own.softness->bias_rate;
+  }
+  const TwoSquares surface = gather_fours(surfaces), spring = gather_fours(springs);
+  put(surface.a, block.friction);
+  put(surface.b, block.restitution);
+  put(surface.c, block.torsional_friction);
+  put(surface.d, block.rolling_friction);
+  put(spring.a, block.bias_rate);
+  put(spring.b, block.mass_scale);
+  put(spring.c, block.impulse_scale);
+}
+
+void fill(std::span<const BlockLane> lanes, const BulkBodies& bodies, ManifoldBlock& block) {
+  std::array<std::int32_t, kLaneCount> there{};
+  float x_BA[3][kLaneCount];
+  block.moves_A = block.moves_B = 0;
+  block.has_restitution = block.has_moments = false;
+  block.point_count = 0;
+  for (std::size_t i = 0; i < kLaneCount; ++i) {
+    const BlockLane& own = lanes[i < lanes.size() ? i : 0];
+    block.body_A[i] = own.body_A;
+    block.body_B[i] = own.body_B;
+    block.manifold[i] = i < lanes.size() ? own.number : -1;
+    const std::size_t a = static_cast<std::size_t>(own.body_A), b = static_cast<std::size_t>(own.body_B);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Eigen::Index axis = static_cast<Eigen::Index>(k);
+      x_BA[k][i] = static_cast<float>(bodies.x[b][axis] - bodies.x[a][axis]);
+    }
+    if (i >= lanes.size()) continue;
+    there[i] = -1;
+    if (bodies.is_dynamic(own.body_A)) block.moves_A = static_cast<std::uint8_t>(block.moves_A | 1u << i);
+    if (bodies.is_dynamic(own.body_B)) block.moves_B = static_cast<std::uint8_t>(block.moves_B | 1u << i);
+    block.has_restitution = block.has_restitution || own.surface->restitution > 0;
+    block.has_moments = block.has_moments || own.surface->rolling_friction > 0;
+    block.point_count = std::max(block.point_count, own.manifold->point_count);
+  }
+  IntLanes is_there;
+  std::memcpy(&is_there, there.data(), sizeof is_there);
+  block.pressed.fill(0);
+  put({splat(0), splat(0), splat(0)}, block.moved);
+  fill_inertia(block.body_A, bodies, is_there, block.IA, block.mA);
+  fill_inertia(block.body_B, bodies, is_there, block.IB, block.mB);
+  const FloatVec3 apart = {load_floats(x_BA[0]), load_floats(x_BA[1]), load_floats(x_BA[2])};
+  const BlockFrame f = fill_geometry(lanes, apart, is_there, block);
+  fill_impulses(lanes, f, block);
+  fill_laws(lanes, block);
+  find_responses(f, block);
+
+  const LaneTwists A = gather_velocities(block.body_A, bodies);
+  const LaneTwists B = gather_velocities(block.body_B, bodies);
+  const FloatVec3 turn = B.w - A.w;
+  const NormalMotion u = {fused_dot(f.n, relative_motion(f, A, B)), fused_dot(f.t1, turn),
+                          fused_dot(f.t2, turn)};
+  const std::size_t count = block.point_count > 2 ? 4 : static_cast<std::size_t>(block.point_count);
+  for (std::size_t k = 0; k < count; ++k) {
+    BlockPoints& point = block.points[k];
+    const FloatLanes p1 = lane(point.p1), p2 = lane(point.p2), zero = splat(0);
+    const FloatLanes response = at_point(response_to(block, p1, p2), p1, p2);
+    put(lane(point.mass) > zero ? inverse_or_zero(response) : zero, point.mass);
+    put(root(fused(p1, p1, p2 * p2)), point.arm);
+    put(at_point(u, p1, p2), point.first_speed);
+  }
+}
