@@ -6,7 +6,6 @@
 #include "rigor/solver/convex_cone.hpp"
 #include "rigor/solver/moment_problem.hpp"
 #include "rigor/solver/motion_problem.hpp"
-#include "rigor/solver/possible_rates.hpp"
 #include "rigor/solver/projected_gauss_seidel.hpp"
 #include "rigor/solver/pyramid_cone.hpp"
 #include "rigor/solver/static_friction.hpp"
@@ -36,6 +35,14 @@ StepImpulses impulses_of(CoulombSolution solution) {
   impulses.iterations = solution.iterations;
   impulses.converged = solution.residual <= solved;
   return impulses;
+}
+
+/// Of problems whose b is known to the resolution.
+CoulombOptions options_for(double resolution) {
+  CoulombOptions options;
+  options.enough = solved;
+  options.resolution = resolution;
+  return options;
 }
 
 /// What contacts with these forces do: friction at its bound slides.
@@ -190,8 +197,8 @@ StepImpulses StepSolver::solve_cones(const ContactSystem& system, const StepLaws
   if (cone_ == ConeMethod::convex && is_sparse)
     return impulses_of(solve_convex_cones(MotionProblem{motion_rows(system), problem}));
   if (cone_ == ConeMethod::exact && resting_.space == RestingSpace::motion && is_sparse) {
-    if (std::optional<CoulombSolution> solution =
-            solve_in_motion_space(MotionProblem{motion_rows(system), problem}))
+    if (std::optional<CoulombSolution> solution = solve_in_motion_space(
+            MotionProblem{motion_rows(system), problem}, {}, options_for(laws.resolution)))
       return impulses_of(std::move(*solution));
   }
   problem.A = delassus(system);
@@ -201,20 +208,10 @@ StepImpulses StepSolver::solve_cones(const ContactSystem& system, const StepLaws
 StepImpulses StepSolver::solve_dense(const CoulombProblem& problem, double resolution) const {
   if (cone_ == ConeMethod::convex) return impulses_of(solve_convex_cones(problem));
   if (cone_ == ConeMethod::pyramid) return impulses_of(solve_pyramids(problem));
-  constexpr int few_sweeps = 64, most_changes = 3;
-  CoulombOptions patient;
-  patient.tolerance = patient.enough = solved;
-  if (resting_.space == RestingSpace::contact) patient.lcp = resting_.lcp;
-  CoulombOptions brief = patient;
-  brief.max_iterations = few_sweeps;
-  CoulombSolution solution = solve_coulomb(problem, brief);
-  for (int change = 0; change < most_changes && solution.residual > solved; ++change) {
-    const std::optional<CoulombProblem> possible = with_possible_rates(problem, solution, resolution);
-    if (!possible) break;
-    solution = solve_coulomb(*possible, brief);
-  }
-  if (solution.residual > solved) solution = solve_coulomb(problem, patient);
-  return impulses_of(std::move(solution));
+  CoulombOptions options = options_for(resolution);
+  options.tolerance = solved;
+  if (resting_.space == RestingSpace::contact) options.lcp = resting_.lcp;
+  return impulses_of(solve_coulomb(problem, options));
 }
 
 /// Sliding, rolling and spinning together.

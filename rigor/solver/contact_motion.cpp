@@ -37,7 +37,7 @@ MatX low_rank_factor(const MatX& A) {
 
 FactoredMotion::FactoredMotion(const MatX& A) : L_(low_rank_factor(A)), diagonal_(A.diagonal()) {}
 
-VecX FactoredMotion::newton_step(const std::vector<Mat3>& D, const VecX& g) const {
+VecX FactoredMotion::newton_step(const std::vector<Mat3>& D, const VecX& g, Symmetry symmetry) const {
   MatX scaled = MatX::Zero(L_.rows(), L_.cols());
   for (std::size_t k = 0; k < D.size(); ++k) {
     const Index row = 3 * static_cast<Index>(k);
@@ -45,11 +45,11 @@ VecX FactoredMotion::newton_step(const std::vector<Mat3>& D, const VecX& g) cons
   }
   MatX H = L_.transpose() * scaled;
   H.diagonal().array() += 1.0;
-  return symmetric_solution(H, g);
+  return symmetry == Symmetry::positive ? symmetric_solution(H, g) : square_solution(H, g);
 }
 
-VecX SparseMotion::newton_step(const std::vector<Mat3>& D, const VecX& g) const {
-  return NodeSystem(rows_, D, 1.0, true).solve(g);
+VecX SparseMotion::newton_step(const std::vector<Mat3>& D, const VecX& g, Symmetry symmetry) const {
+  return NodeSystem(rows_, D, 1.0, symmetry == Symmetry::positive).solve(g);
 }
 
 }  // namespace rigor

@@ -6,6 +6,9 @@
 
 namespace rigor {
 
+/// Of the matrices D of a Newton step.
+enum class Symmetry { positive, none };
+
 /// Contacts as a map from motions v to contact velocities L v, with a metric M for v, such that
 /// A = L M⁻¹ Lᵀ. What CoulombProximal works with.
 class ContactMotion {
@@ -16,9 +19,9 @@ class ContactMotion {
   virtual VecX weigh(const VecX& v) const = 0;      ///< M v.
   virtual VecX lift(const VecX& p) const = 0;       ///< M⁻¹ p.
   virtual const VecX& diagonal() const = 0;         ///< Of A (3n).
-  /// (M + Lᵀ D L)⁻¹ g, with one positive semidefinite 3 × 3 matrix D a contact; of the motions that joints
-  /// allow the one that solves it on them.
-  virtual VecX newton_step(const std::vector<Mat3>& D, const VecX& g) const = 0;
+  /// (M + Lᵀ D L)⁻¹ g, with one 3 × 3 matrix D a contact, positive semidefinite or any; of the motions that
+  /// joints allow the one that solves it on them.
+  virtual VecX newton_step(const std::vector<Mat3>& D, const VecX& g, Symmetry symmetry) const = 0;
 };
 
 /// Of a matrix A: L is its Cholesky factor with diagonal pivoting, which stops at round-off (1e-14 of the
@@ -31,7 +34,7 @@ class FactoredMotion : public ContactMotion {
   VecX weigh(const VecX& v) const override { return v; }
   VecX lift(const VecX& p) const override { return p; }
   const VecX& diagonal() const override { return diagonal_; }
-  VecX newton_step(const std::vector<Mat3>& D, const VecX& g) const override;
+  VecX newton_step(const std::vector<Mat3>& D, const VecX& g, Symmetry symmetry) const override;
 
  private:
   MatX L_;  ///< 3n × rank.
@@ -48,7 +51,7 @@ class SparseMotion : public ContactMotion {
   VecX weigh(const VecX& v) const override { return node_wrenches(rows_, v); }
   VecX lift(const VecX& p) const override { return node_accelerations(rows_, p); }
   const VecX& diagonal() const override { return diagonal_; }
-  VecX newton_step(const std::vector<Mat3>& D, const VecX& g) const override;
+  VecX newton_step(const std::vector<Mat3>& D, const VecX& g, Symmetry symmetry) const override;
 
  private:
   const ContactRows& rows_;

@@ -8,6 +8,7 @@
 #include "rigor/solver/coulomb_proximal.hpp"
 #include "rigor/solver/coulomb_seed.hpp"
 #include "rigor/solver/lcp.hpp"
+#include "rigor/solver/proximal_points.hpp"
 #include "rigor/solver/smooth_modes.hpp"
 
 #include <algorithm>
@@ -215,10 +216,47 @@ CoulombSolution of_less_force(const CoulombSolution& seeded, const CoulombSoluti
   return other.converged && other.lambda.norm() < (1 - kSame) * seeded.lambda.norm() ? other : seeded;
 }
 
+/// That every contact holds, where it does: with the forces of least norm.
+CoulombSolution try_holding(const CoulombProblem& problem, double tolerance) {
+  CoulombGuess guess = open_guess(problem);
+  for (std::size_t k = 0; k < problem.mu.size(); ++k) {
+    const bool may_stick = problem.rows[k] == FrictionRow::cone && problem.mu[k] > 0;
+    guess.modes.modes[k] = may_stick ? ContactMode::stick : ContactMode::slide;
+  }
+  const VecX forces = KnownModesSystem(problem, guess.modes).solve();
+  return labelled(make_solution(problem, clamp_to_cones(problem, forces), guess.modes.modes, tolerance), 0,
+                  "holding");
+}
+
+/// By proximal points; where the equations of what the contacts do hold beyond the resolution, with their
+/// digits.
+std::optional<CoulombSolution> solve_to_resolution(const CoulombProblem& problem,
+                                                   const CoulombOptions& options) {
+  std::optional<CoulombSolution> solution = solve_by_proximal_points(
+      problem, FactoredMotion(problem.A), [&](const VecX& lambda) { return largest_term(problem, lambda); },
+      {.enough = options.enough, .resolution = *options.resolution});
+  if (!solution) return std::nullopt;
+  CoulombGuess guess = open_guess(problem);
+  guess.lambda = solution->lambda;
+  guess.modes.modes = solution->modes;
+  for (std::size_t k = 0; k < problem.mu.size(); ++k) {
+    if (problem.rows[k] == FrictionRow::slide) continue;
+    const Vec3 force = guess.lambda.segment<3>(3 * static_cast<Index>(k));
+    guess.modes.slips[k] = slip_of_force(force, guess.modes.slips[k]);
+  }
+  guess = solve_smooth_modes(problem, std::move(guess));
+  CoulombSolution exact =
+      make_solution(problem, clamp_to_cones(problem, guess.lambda), solution->modes, options.enough);
+  if (!(exact.residual < solution->residual)) return solution;
+  return labelled(std::move(exact), solution->iterations, "proximal points");
+}
+
 CoulombSolution solve_scaled(const CoulombProblem& problem, const CoulombOptions& options) {
   if (is_linear(problem)) {
     const LcpName fitting = is_frictionless(problem) ? LcpName::dantzig : LcpName::lemke;
-    return solve_linear(problem, options.lcp.value_or(fitting), options.tolerance);
+    CoulombSolution linear = solve_linear(problem, options.lcp.value_or(fitting), options.tolerance);
+    if (linear.converged || !options.resolution) return linear;
+    return solve_to_resolution(problem, options).value_or(std::move(linear));
   }
   CoulombSolution start = labelled(make_solution(problem, VecX::Zero(problem.b.size()),
                                                  open_guess(problem).modes.modes, options.tolerance),
@@ -234,6 +272,12 @@ CoulombSolution solve_scaled(const CoulombProblem& problem, const CoulombOptions
     if (seeded.converged)
       return holds_all(seeded) ? seeded : of_less_force(seeded, Chain(problem, options, start).run_briefly());
     if (seeded.residual < start.residual) start = seeded;
+  }
+  if (options.resolution) {
+    const CoulombSolution holding = try_holding(problem, options.tolerance);
+    if (holding.converged) return holding;
+    if (std::optional<CoulombSolution> solution = solve_to_resolution(problem, options))
+      return std::move(*solution);
   }
   return Chain(problem, options, std::move(start)).run();
 }
@@ -252,7 +296,9 @@ CoulombSolution solve_coulomb(const CoulombProblem& problem, const CoulombOption
   }
   if (never_approaches(problem)) return open;
   const ScaledProblem unit = scaled(problem);
-  CoulombSolution solution = solve_scaled(unit.problem, options);
+  CoulombOptions unit_options = options;
+  if (options.resolution) unit_options.resolution = std::ldexp(*options.resolution, -unit.b_exponent);
+  CoulombSolution solution = solve_scaled(unit.problem, unit_options);
   scale_back(unit, solution);
   return solution;
 }

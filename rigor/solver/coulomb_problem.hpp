@@ -51,6 +51,9 @@ struct CoulombOptions {
   /// Whether redundant contacts must share their load by the rule of least norm. Where any share will do, a
   /// guess that reaches the tolerance is taken as it is.
   bool least_norm = true;
+  /// What b is known to [its unit], of problems in which any share of redundant contacts will do: they are
+  /// solved by proximal points, and contacts that contradict each other by less may hold together.
+  std::optional<double> resolution;
   /// Cap on the symmetric Gauss–Seidel sweeps. At 256 or less nothing is tried after them.
   int max_iterations = 2000;
   /// The method that is asked first for what the contacts do (seed_by_lcp); none: the chain alone.
@@ -69,6 +72,7 @@ struct CoulombOptions {
 ///
 /// A chain of methods, cheapest first; each only guesses what the contacts do, polish_coulomb makes the
 /// digits: pivoting (no friction, or known slips), one contact exactly, proximal Newton, block Gauss–Seidel.
+/// With a resolution, proximal points (proximal_points.hpp) before the last two.
 CoulombSolution solve_coulomb(const CoulombProblem& problem, const CoulombOptions& options = {});
 
 /// Forces for modes that are already known: stick rows get w = 0, slide rows w_n = 0 with λ_t = -μ λ_n slip

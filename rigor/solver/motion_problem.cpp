@@ -6,6 +6,7 @@
 #include "rigor/solver/coulomb_proximal.hpp"
 #include "rigor/solver/least_constraint.hpp"
 #include "rigor/solver/least_norm_slips.hpp"
+#include "rigor/solver/proximal_points.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -40,6 +41,7 @@ class MotionSolver {
     }
     const std::vector<ContactMode> holding(laws_.mu.size(), ContactMode::stick);
     if (std::optional<CoulombSolution> solution = settle(guess_of(holding), 1, "motion")) return solution;
+    if (options_.resolution) return solve_to_resolution();
     return options_.least_norm ? approach() : share_somehow();
   }
 
@@ -209,6 +211,12 @@ class MotionSolver {
       if (solution.converged) return labelled(std::move(solution), step, "proximal motion");
     }
     return std::nullopt;
+  }
+
+  std::optional<CoulombSolution> solve_to_resolution() const {
+    return solve_by_proximal_points(
+        laws_, motion_, [this](const VecX& lambda) { return largest_of(lambda); },
+        {.enough = options_.enough, .resolution = *options_.resolution, .start = start_});
   }
 
   CoulombSolution labelled(CoulombSolution solution, int iterations, const char* method) const {

@@ -1,0 +1,165 @@
+#include "rigor/solver/proximal_points.hpp"
+#include "rigor/solver/coulomb_problem.hpp"
+#include "rigor/solver/smooth_modes.hpp"
+
+#include "solver/reference_data.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace rigor {
+namespace {
+
+using Eigen::Index;
+
+constexpr double kSolved = 1e-10;
+
+CoulombProblem problem_of(const MatX& A, const VecX& b, const std::vector<double>& mu) {
+  return {A, b, mu, std::vector<FrictionRow>(mu.size(), FrictionRow::cone),
+          std::vector<Vec2>(mu.size(), Vec2::Zero())};
+}
+
+std::optional<CoulombSolution> solve(const CoulombProblem& problem, double resolution,
+                                     const VecX& start = VecX()) {
+  return solve_by_proximal_points(problem, FactoredMotion(problem.A),
+                                  [&](const VecX& lambda) { return largest_term(problem, lambda); },
+                                  {.resolution = resolution, .start = start});
+}
+
+/// A block of mass 1 that lies on its four lower corners (half sides 1, 0.5, 0.2), pressed by its weight over
+/// a step; the corners' rates are those of a rigid motion but for `error` at one of them.
+CoulombProblem block_on_its_corners(double error) {
+  const Vec3 half(1, 0.5, 0.2);
+  Mat6 inverse_mass = Mat6::Identity();
+  inverse_mass.bottomRightCorner<3, 3>() = Vec3(3, 2, 1).asDiagonal();
+  MatX J(12, 6);
+  for (int i = 0; i < 4; ++i) {
+    const Vec3 p(i & 1 ? half.x() : -half.x(), i & 2 ? half.y() : -half.y(), -half.z());
+    Mat3 cross;
+    cross << 0, -p.z(), p.y(), p.z(), 0, -p.x(), -p.y(), p.x(), 0;
+    J.middleRows<3>(3 * i) << Mat3::Identity(), -cross;
+  }
+  Vec6 V;
+  V << 0.001, 0, -0.02, 0.001, 0, 0;
+  CoulombProblem problem = problem_of(J * inverse_mass * J.transpose(), J * V, std::vector<double>(4, 0.5));
+  problem.b[3] += error;
+  return problem;
+}
+
+/// Contact problems of steps of random piles that the other methods leave unsolved (tests/data).
+struct HardProblem {
+  std::string name;
+  CoulombProblem problem;
+  double resolution;
+};
+
+std::vector<HardProblem> hard_problems() {
+  std::vector<HardProblem> problems;
+  for (const auto& record : reference::read("hard_contacts.json")["problems"]) {
+    const VecX b = reference::vector(record["b"]), lower = reference::vector(record["A"]);
+    MatX A(b.size(), b.size());
+    for (Index row = 0, entry = 0; row < b.size(); ++row)
+      for (Index column = 0; column <= row; ++column) A(row, column) = A(column, row) = lower[entry++];
+    problems.push_back(
+        {record["name"], problem_of(A, b, record["mu"].get<std::vector<double>>()), record["resolution"]});
+  }
+  return problems;
+}
+
+/// How far forces are from the law of the problem with the b nearest to its own, within the resolution, for
+/// which its sticking contacts stand still: what contradictions leave is in the range that A cannot reach.
+double largest_miss(const HardProblem& hard, const CoulombSolution& solution) {
+  const VecX w = hard.problem.A * solution.lambda + hard.problem.b;
+  double worst = 0;
+  for (std::size_t k = 0; k < hard.problem.mu.size(); ++k) {
+    const Index row = 3 * static_cast<Index>(k);
+    const Vec3 force = solution.lambda.segment<3>(row), motion = w.segment<3>(row);
+    const double mu = hard.problem.mu[k], friction = force.head<2>().norm();
+    EXPECT_GE(force.z(), 0);
+    EXPECT_LE(friction, mu * force.z() * (1 + 1e-12));
+    worst = std::max(worst, -motion.z());
+    if (force.z() == 0) continue;
+    worst = std::max(worst, motion.z());
+    // Friction below its bound: no slip. At its bound: none across it, none along with it.
+    const Vec2 along = friction > 0 ? Vec2(force.head<2>() / friction) : Vec2::Zero();
+    const Vec2 across(-along.y(), along.x());
+    const bool slides = friction > (1 - 1e-9) * mu * force.z();
+    worst =
+        std::max(worst, slides ? std::max(std::abs(across.dot(motion.head<2>())), along.dot(motion.head<2>()))
+                               : motion.head<2>().norm());
+  }
+  return worst;
+}
+
+TEST(ProximalPoints, SolveWhatTheOtherMethodsLeave) {
+  for (const HardProblem& hard : hard_problems()) {
+    const std::optional<CoulombSolution> solution = solve(hard.problem, hard.resolution);
+    ASSERT_TRUE(solution) << hard.name;
+    EXPECT_LE(solution->residual, kSolved) << hard.name;
+    EXPECT_LE(largest_miss(hard, *solution), hard.resolution) << hard.name;
+    EXPECT_LT(solution->iterations, 30) << hard.name;
+    // The augmented Lagrangian and 256 sweeps do not.
+    CoulombOptions others;
+    others.tolerance = others.enough = kSolved;
+    others.max_iterations = 256;
+    EXPECT_GT(solve_coulomb(hard.problem, others).residual, kSolved) << hard.name;
+  }
+}
+
+TEST(ProximalPoints, AreTriedByTheChainWhereAResolutionIsGiven) {
+  for (const HardProblem& hard : hard_problems()) {
+    CoulombOptions options;
+    options.enough = kSolved;
+    options.resolution = hard.resolution;
+    const CoulombSolution solution = solve_coulomb(hard.problem, options);
+    EXPECT_EQ(solution.method, "proximal points") << hard.name;
+    // In other units: multiplied by powers of two the digits stay.
+    HardProblem scaled = hard;
+    scaled.problem.A *= 8;
+    scaled.problem.b *= 0.25;
+    options.resolution = 0.25 * hard.resolution;
+    const CoulombSolution same = solve_coulomb(scaled.problem, options);
+    EXPECT_EQ(same.lambda, solution.lambda / 32) << hard.name;
+  }
+}
+
+TEST(ProximalPoints, ContactsThatContradictEachOtherByLessThanTheResolutionHoldTogether) {
+  const double error = 1e-9;
+  const CoulombProblem problem = block_on_its_corners(error);
+  const std::optional<CoulombSolution> solution = solve(problem, 1e-6);
+  ASSERT_TRUE(solution);
+  EXPECT_LE(solution->residual, kSolved);
+  // What is left of the rates is no more than the error that was put in, and the forces carry the weight.
+  EXPECT_LE(solution->w.cwiseAbs().maxCoeff(), error);
+  double weight = 0;
+  for (Index row = 2; row < 12; row += 3) weight += solution->lambda[row];
+  EXPECT_NEAR(weight, 0.02, 2 * error);
+}
+
+TEST(ProximalPoints, WithoutAResolutionTheLawItselfHoldsOrNothingComesBack) {
+  const CoulombProblem problem = block_on_its_corners(1e-6);
+  const std::optional<CoulombSolution> solution = solve(problem, 0);
+  if (solution) {
+    EXPECT_LE(coulomb_residual(problem, solution->lambda, solution->w), kSolved);
+  }
+  // With one that is finer than the contradiction contacts must slip: the law is missed by no more than it.
+  const double fine = 1e-9;
+  const std::optional<CoulombSolution> slipping = solve(problem, fine);
+  if (slipping) {
+    const double miss = coulomb_residual(problem, slipping->lambda, slipping->w);
+    EXPECT_LE(miss * largest_term(problem, slipping->lambda), 2 * fine);
+  }
+}
+
+TEST(ProximalPoints, FromItsOwnForcesThereIsLittleToDo) {
+  const CoulombProblem problem = block_on_its_corners(0);
+  const std::optional<CoulombSolution> cold = solve(problem, 0);
+  ASSERT_TRUE(cold);
+  const std::optional<CoulombSolution> warm = solve(problem, 0, cold->lambda);
+  ASSERT_TRUE(warm);
+  EXPECT_EQ(warm->iterations, 1);
+}
+
+}  // namespace
+}  // namespace rigor
