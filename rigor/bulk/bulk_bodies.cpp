@@ -85,12 +85,24 @@ void begin_bulk_step(const Model& model, BulkBodies& bodies) {
   }
 }
 
+Quat orientation_now(int body, const BulkBodies& bodies) {
+  const std::size_t k = static_cast<std::size_t>(body);
+  return (rotation_exp(vector_of(bodies.motion[k].dr)) * bodies.q[k]).normalized();
+}
+
+double kinetic_energy_now(const Model& model, int body, const BulkBodies& bodies) {
+  const MotionRecord& motion = bodies.motion[static_cast<std::size_t>(body)];
+  const Vec3 w_B = orientation_now(body, bodies).conjugate() * vector_of(motion.w);
+  const double linear = model.body(body).mass * vector_of(motion.v).squaredNorm();
+  return 0.5 * (linear + model.body(body).moments.dot(w_B.cwiseAbs2()));
+}
+
 void end_bulk_step(const Model& model, BulkBodies& bodies) {
   for (int i = 0; i < model.body_count(); ++i) {
     const std::size_t k = static_cast<std::size_t>(i);
     if (!bodies.stirs(i)) continue;
     bodies.x[k] += vector_of(bodies.motion[k].dp);
-    bodies.q[k] = (rotation_exp(vector_of(bodies.motion[k].dr)) * bodies.q[k]).normalized();
+    bodies.q[k] = orientation_now(i, bodies);
   }
 }
 

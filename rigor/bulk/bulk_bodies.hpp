@@ -79,6 +79,10 @@ void set_standing(const Model& model, int body, bool stands, BulkBodies& bodies)
 
 /// Begins a step: inertia in W, no displacement.
 void begin_bulk_step(const Model& model, BulkBodies& bodies);
+/// Within a step, as displacements have turned the body: its orientation, and the kinetic energy of a dynamic
+/// body [J].
+Quat orientation_now(int body, const BulkBodies& bodies);
+double kinetic_energy_now(const Model& model, int body, const BulkBodies& bodies);
 /// Ends it: positions and orientations are what the displacements made of them.
 void end_bulk_step(const Model& model, BulkBodies& bodies);
 

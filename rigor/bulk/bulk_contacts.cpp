@@ -1,5 +1,7 @@
 #include "rigor/bulk/bulk_contacts.hpp"
 
+#include "rigor/bulk/manifold_bounce.hpp"
+
 #include <algorithm>
 #include <cstddef>
 #include <span>
@@ -125,9 +127,34 @@ void BulkContacts::warm_start(BulkBodies& bodies, const Executor& executor) {
 }
 
 void BulkContacts::solve(BlockPass pass, float h, BulkBodies& bodies, const Executor& executor) {
+  for_blocks(executor, [&](ManifoldBlock& block) { solve_block(target_, pass, h, block, bodies); });
+}
+
+bool BulkContacts::find_bounces(const BulkBodies& bodies, const Executor& executor) {
+  bounces_.resize(blocks_.size());
+  executor.for_ranges(static_cast<int>(blocks_.size()), 64, [&](int begin, int end) {
+    for (std::size_t k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
+      const ManifoldBlock& block = blocks_[k];
+      bounces_[k].does_any = false;
+      for (int lane = 0; block.has_restitution && lane < kLaneCount; ++lane) {
+        const std::size_t i = static_cast<std::size_t>(lane);
+        const bool does = bounces(block, totals_[k], lane);
+        const double e = block.restitution[i];
+        bounces_[k].most[i] = does ? e * e * energy_taken(block, totals_[k], lane, bodies) : 0;
+        bounces_[k].does_any = bounces_[k].does_any || does;
+      }
+    }
+  });
+  return std::any_of(bounces_.begin(), bounces_.end(), [](const BlockBounces& b) { return b.does_any; });
+}
+
+void BulkContacts::bounce_apart(BulkBodies& bodies, const Executor& executor) {
   for_blocks(executor, [&](ManifoldBlock& block) {
-    if (pass == BlockPass::restitution && !block.has_restitution) return;
-    solve_block(target_, pass, h, block, bodies);
+    const std::size_t k = static_cast<std::size_t>(&block - blocks_.data());
+    for (int lane = 0; bounces_[k].does_any && lane < kLaneCount; ++lane) {
+      const double most = bounces_[k].most[static_cast<std::size_t>(lane)];
+      if (most > 0) bounce(*model_, block, lane, most, totals_[k], bodies);
+    }
   });
 }
 

@@ -9,6 +9,8 @@
 #include "rigor/bulk/narrow_phase.hpp"
 #include "rigor/model/manifold_memory.hpp"
 
+#include <array>
+#include <cstddef>
 #include <vector>
 
 namespace rigor {
@@ -23,6 +25,7 @@ class BulkContacts {
   void match(const std::vector<ShapePair>& pairs, const std::vector<PairManifold>& manifolds,
              const std::vector<ManifoldMemory>& memory);
   const std::vector<StepManifold>& manifolds() const { return manifolds_; }
+  const std::vector<ManifoldMemory>& keys() const { return keys_; }  ///< Of the same.
   /// Then: blocks of the manifolds, but for those of the islands that were solved directly. h [s]: of the
   /// substeps.
   void prepare(const BulkBodies& bodies, double h, const DirectIslands& direct, const Executor& executor);
@@ -34,6 +37,11 @@ class BulkContacts {
   /// Adds the impulses of a substep to those of the step; after the last sweep of each substep, if the totals
   /// are wanted.
   void add_up(const Executor& executor);
+  /// After the last substep, if has_restitution() and the impulses were added up: which contacts bounce, and
+  /// how much energy each may give back; whether there are any.
+  bool find_bounces(const BulkBodies& bodies, const Executor& executor);
+  /// Then lets them bounce (manifold_bounce.hpp).
+  void bounce_apart(BulkBodies& bodies, const Executor& executor);
   /// What the contacts remember, in the order of keys; the energy of their springs if the impulses were added
   /// up. h [s]: of a substep.
   void remember(const BulkBodies& bodies, double h, int substeps, std::vector<ManifoldMemory>& memory) const;
@@ -56,8 +64,23 @@ class BulkContacts {
       }
     }
   }
+  /// Calls visit(contact, most) for each manifold that bounces, in the order of blocks. most: the energy that
+  /// it may give back [J], which may be changed.
+  template <class Visit>
+  void for_bounces(const Visit& visit) {
+    for (std::size_t k = 0; k < bounces_.size(); ++k) {
+      for (int lane = 0; bounces_[k].does_any && lane < kLaneCount; ++lane) {
+        double& most = bounces_[k].most[static_cast<std::size_t>(lane)];
+        if (most > 0) visit(Contact{blocks_[k], totals_[k], lane}, most);
+      }
+    }
+  }
 
  private:
+  struct BlockBounces {
+    bool does_any = false;
+    std::array<double, kLaneCount> most{};  ///< Of each lane [J].
+  };
   std::size_t material_of(int body, int shape) const;
   template <class Work>
   void for_blocks(const Executor& executor, const Work& work);
@@ -73,6 +96,7 @@ class BulkContacts {
   std::vector<ConstraintEdge> edges_;  ///< Of those.
   std::vector<float> held_;            ///< Energy of the springs at the begin of the step [J].
   std::vector<BlockTotals> totals_;    ///< Of each block, if they are wanted.
+  std::vector<BlockBounces> bounces_;  ///< Of each block, after find_bounces().
   bool has_restitution_ = false;
 };
 

@@ -1,5 +1,6 @@
 #include "rigor/bulk/bulk_world.hpp"
 
+#include "rigor/bulk/bounce_limits.hpp"
 #include "rigor/bulk/bulk_contacts.hpp"
 #include "rigor/bulk/bulk_joints.hpp"
 #include "rigor/bulk/direct_islands.hpp"
@@ -42,6 +43,7 @@ struct BulkWorld::Scratch {
         joints(model),
         gyrations(model),
         prescribed(model),
+        bounce_limits(model),
         books(model),
         environment(model, PointSprings::act, false) {}
 
@@ -53,6 +55,7 @@ struct BulkWorld::Scratch {
   BulkJoints joints;
   Gyrations gyrations;
   PrescribedBodies prescribed;
+  BounceLimits bounce_limits;
   StepBooks books;
   Environment environment;
   std::optional<Sleepers> sleepers;  ///< If bodies may sleep.
@@ -184,16 +187,15 @@ BulkStepReport BulkWorld::step(double h) {
   if (settings_.measures) s.books.begin(bodies_);
   report.direct_islands = solve_directly(h);
   s.contacts.prepare(bodies_, substep, s.direct, s.executor);
+  if (s.contacts.has_restitution()) s.bounce_limits.begin(bodies_, s.executor);
+  const bool adds_up = settings_.measures || s.contacts.has_restitution();
   for (int k = 0; k < settings_.substeps; ++k) {
-    if (settings_.measures && k > 0) s.contacts.add_up(s.executor);
     take_substep(k == 0, static_cast<float>(substep));
+    if (adds_up) s.contacts.add_up(s.executor);
   }
-  if (s.contacts.has_restitution()) {
-    s.contacts.solve(BlockPass::restitution, static_cast<float>(substep), bodies_, s.executor);
-  }
+  if (s.contacts.has_restitution()) bounce_apart();
   s.direct.finish(bodies_);
   if (settings_.measures) {
-    s.contacts.add_up(s.executor);
     s.books.end(bodies_, s.accelerations, h, s.contacts, s.direct, report);
     report.work += work_of_forces();
   }
@@ -244,6 +246,14 @@ void BulkWorld::take_substep(bool is_first, float h) {
   integrate_positions(h);
   s.joints.solve(JointPass::rates, s.executor);
   s.contacts.solve(BlockPass::relax, h, bodies_, s.executor);
+}
+
+/// What met fast in the step parts again.
+void BulkWorld::bounce_apart() {
+  Scratch& s = *scratch_;
+  if (!s.contacts.find_bounces(bodies_, s.executor)) return;
+  s.bounce_limits.limit(bodies_, s.accelerations, s.executor, s.contacts);
+  s.contacts.bounce_apart(bodies_, s.executor);
 }
 
 /// Islands of heavy bodies on light ones; their number.

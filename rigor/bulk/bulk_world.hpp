@@ -88,6 +88,7 @@ class BulkWorld {
   double work_of_forces() const;
   void take_substep(bool is_first, float h);
   int solve_directly(double h);
+  void bounce_apart();
   void integrate_velocities(bool is_first, float h);
   void integrate_positions(float h);
   BulkStepReport describe_contacts() const;

@@ -59,6 +59,22 @@ ManifoldWrench total_wrench(const ManifoldBlock& block, const BlockTotals& total
   return wrench;
 }
 
+double work_of_mover(const ManifoldBlock& block, const BlockTotals& totals, int lane,
+                     const BulkBodies& bodies) {
+  const std::size_t i = static_cast<std::size_t>(lane);
+  const int a = block.body_A[i], b = block.body_B[i];
+  if (bodies.is_dynamic(a) == bodies.is_dynamic(b)) return 0;
+  const bool a_moves_it = bodies.is_dynamic(b);
+  const int mover = a_moves_it ? a : b;
+  if (!bodies.has_velocity(mover)) return 0;
+  const ManifoldWrench on_B = total_wrench(block, totals, lane);
+  const MotionRecord& motion = bodies.motion[static_cast<std::size_t>(mover)];
+  const ManifoldFrame frame = manifold_frame(block, lane);
+  const Vec3 w = vector_of(motion.w), v = vector_of(motion.v) + w.cross(a_moves_it ? frame.rA : frame.rB);
+  const double on_b = on_B.impulse.dot(v) + on_B.moment.dot(w);
+  return a_moves_it ? on_b : -on_b;
+}
+
 double spring_energy(const ManifoldBlock& block, const BlockTotals& totals, int lane,
                      const BulkBodies& bodies, double h, int substeps, double held) {
   const std::size_t i = static_cast<std::size_t>(lane);

@@ -31,6 +31,11 @@ struct ManifoldWrench {
 };
 ManifoldWrench total_wrench(const ManifoldBlock& block, const BlockTotals& totals, int lane);
 
+/// Work of a manifold on the dynamic one of its bodies, if the other moves as it must [J]; else 0. Velocities
+/// of that and arms are constant in a step.
+double work_of_mover(const ManifoldBlock& block, const BlockTotals& totals, int lane,
+                     const BulkBodies& bodies);
+
 /// Energy that the springs of a manifold hold at the end of a step of substeps of h [s], in J: Σ ½ k s² over
 /// its points that overlap by s, but not more than they held before (`held`) and the work that has pressed
 /// them in the step: overlaps that an impact makes are not paid for by it. What the soft constraint of

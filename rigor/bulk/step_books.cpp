@@ -21,22 +21,6 @@ Vec3 vector_of(const float* p) {
 /// Contacts that begin more slowly are no impacts [m/s]: the speed from which the solver lets them bounce.
 constexpr double impact_speed = 1e-2;
 
-/// Work of a manifold on the dynamic one of its bodies, if the other moves as it must [J]: velocities and
-/// arms of a step are constant.
-double work_of(const BulkContacts::Contact& contact, const ManifoldWrench& on_B, const BulkBodies& bodies) {
-  const std::size_t i = at(contact.lane);
-  const int a = contact.block.body_A[i], b = contact.block.body_B[i];
-  if (bodies.is_dynamic(a) == bodies.is_dynamic(b)) return 0;
-  const bool a_moves_it = bodies.is_dynamic(b);
-  const int mover = a_moves_it ? a : b;
-  if (!bodies.has_velocity(mover)) return 0;
-  const MotionRecord& motion = bodies.motion[at(mover)];
-  const ManifoldFrame frame = manifold_frame(contact.block, contact.lane);
-  const Vec3 w = vector_of(motion.w), v = vector_of(motion.v) + w.cross(a_moves_it ? frame.rA : frame.rB);
-  const double on_b = on_B.impulse.dot(v) + on_B.moment.dot(w);
-  return a_moves_it ? on_b : -on_b;
-}
-
 }  // namespace
 
 StepBooks::StepBooks(const Model& model) {
@@ -87,7 +71,7 @@ void StepBooks::end(const BulkBodies& bodies, const std::vector<MotionRow>& acce
     const ManifoldWrench on_B = total_wrench(contact.block, contact.totals, contact.lane);
     if (is_new && approach_speed(contact.block, contact.lane) > impact_speed) ++report.impact_count;
     book(bodies, key.body_A, key.body_B, on_B.impulse, given);
-    report.work += work_of(contact, on_B, bodies);
+    report.work += work_of_mover(contact.block, contact.totals, contact.lane, bodies);
   });
   for (const BulkContact& contact : direct.contacts()) {
     if (contact.is_new && contact.approach_speed > impact_speed) ++report.impact_count;

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "rigor/bulk/bulk_bodies.hpp"
+#include "rigor/bulk/contact_measures.hpp"
+#include "rigor/bulk/manifold_blocks.hpp"
+
+namespace rigor {
+
+/// Whether a manifold has points that bounce: they met in the step faster than they may rest, and were
+/// pressed.
+bool bounces(const ManifoldBlock& block, const BlockTotals& totals, int lane);
+
+/// Energy that the normal impulses of a manifold took from its bodies in a step, at least 0 [J]:
+///
+///   -½ Σ λ (u⁻ + u)
+///
+/// λ: impulses of the step, u⁻ and u: normal velocities of the points at its begin and now. Arms and normals
+/// stay for the whole step, so that ½ Σ λ (u⁻ + u) over all that acts is the change of the kinetic energy.
+double energy_taken(const ManifoldBlock& block, const BlockTotals& totals, int lane,
+                    const BulkBodies& bodies);
+
+/// Lets the points of a manifold that bounce part: at not more than e times the speed at which they met
+/// (Newton), by not more than e times the impulse that pressed them (Poisson), all together with not more
+/// than the energy `most` [J]. The energy is that of the bodies as they are turned now, less the work
+/// of one that moves as it must. Changes velocities of its bodies and adds to the totals.
+///
+/// Source: Pfeiffer and Glocker, Multibody Dynamics with Unilateral Contacts, 1996, chapter 8, for the laws
+/// of Newton and Poisson; the bound of the energy is ours.
+void bounce(const Model& model, const ManifoldBlock& block, int lane, double most, BlockTotals& totals,
+            BulkBodies& bodies);
+
+}  // namespace rigor
