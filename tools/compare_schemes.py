@@ -1,71 +1,73 @@
 #!/usr/bin/env python3
 """Runs scenes with all schemes and several steps through `rigor compare`, and makes the table of docs/choosing.md.
 
-Each scene is run with each scheme that the program offers and with each step: the scene's own run.step times the factors. Output
-times are the longest step apart, so that no step is shortened by them. A run is ended after --cpu-limit seconds of processor
-time. One line a run is added to the CSV file as soon as a scene is done, and what the file holds is not run again: stop the
-tool and start it again at any time. Each scene is a process of its own, and if that fails each of its schemes is.
+Each scene is run with each scheme and with each step: the scene's own run.step times the factors. Output times are the longest
+step apart, so that no step is shortened by them. A run is ended after --cpu-limit seconds of processor time. Scenes of more than
+--most-bodies dynamic bodies are run by time stepping only (with the solver that they name), and without a reference: every
+other scheme is too slow for them at once.
 
-usage: tools/compare_schemes.py [--rigor PROGRAM] [--csv FILE] [--docs FILE] [--cpu-limit S] [--duration S]
-                                [--schemes a,b] [--factors 4,2,1] [SCENE...]
+A scene with a scheme is a process of its own, --jobs of them side by side. Its rows are added to the CSV file as soon as it is
+done, and what the file holds is not run again: stop or kill the tool and start it again at any time. The file and the table are
+in the order of scenes, schemes and factors, whatever the number of jobs. CPU times are a little longer where cores share
+caches: measure with as many jobs as there are cores of their own, or one. --table runs nothing and needs no program.
+
+usage: tools/compare_schemes.py [--program RIGOR] [--jobs N] [--csv FILE] [--docs FILE] [--cpu-limit S] [--duration S]
+                                [--schemes a,b] [--factors 4,2,1] [--most-bodies N] [--table] [SCENE...]
 """
 import argparse
-import csv
 import json
 import math
 import pathlib
 import re
-import resource
 import signal
 import statistics
-import subprocess
 import sys
+
+from measured_runs import ROOT, Runs, keep_rows, known_rows
 
 FIELDS = ["scene", "scheme", "factor", "step", "end", "reason", "end_time", "error", "angle", "good_until",
           "compared_until", "reference", "reference_error", "order", "relative_rise", "max_penetration",
           "max_joint_drift", "impacts", "steps", "cpu_time"]
+SCHEMES = ["event-driven", "time-stepping", "penalty", "impulse-based", "hybrid"]  # In the order of the tables.
 BEGIN, END = "<!-- measured: begin -->", "<!-- measured: end -->"
 WHOLE = ("ok", "audit failed")  # Ends of runs that went to their end.
-TOO_SLOW = ("out of time", "hangs")
+TOO_SLOW = ("out of time", "hangs", "not tried")
 SLACK = 20  # [s] of processor time that a process may take beyond what its runs may.
 
 
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("scenes", nargs="*", metavar="SCENE", help="default: scenes/*.yaml")
-    parser.add_argument("--rigor", default="build/release/rigor", help="the program")
-    parser.add_argument("--csv", default="out/schemes.csv", help="results, kept from one start to the next")
-    parser.add_argument("--docs", help="file whose table between the marks is replaced, such as docs/choosing.md")
+    parser.add_argument("scenes", nargs="*", metavar="SCENE", type=pathlib.Path, help="default: all of scenes/")
+    parser.add_argument("--program", "--rigor", default=str(ROOT / "build/release/rigor"), help="rigor, wherever it lies")
+    parser.add_argument("--jobs", type=int, default=1, help="processes side by side; 1 where CPU times must be exact")
+    parser.add_argument("--csv", default="out/schemes.csv", type=pathlib.Path,
+                        help="results, kept from one start to the next")
+    parser.add_argument("--docs", type=pathlib.Path,
+                        help="file whose table between the marks is replaced, such as docs/choosing.md")
     parser.add_argument("--cpu-limit", type=float, default=20, help="processor time of a run [s]")
     parser.add_argument("--duration", type=float, default=5, help="longest simulated time [s]")
-    parser.add_argument("--schemes", help="names with commas; default: all that the program offers, but auto")
+    parser.add_argument("--schemes", default=",".join(SCHEMES), help="names with commas")
     parser.add_argument("--factors", default="4,2,1,0.5,0.25,0.125", help="steps in units of the scene's run.step")
-    return parser.parse_args()
+    parser.add_argument("--most-bodies", type=int, default=1000,
+                        help="dynamic bodies beyond which only time stepping is tried")
+    parser.add_argument("--table", action="store_true", help="run nothing: the table of what the CSV file holds")
+    options = parser.parse_args()
+    options.scenes = options.scenes or sorted((ROOT / "scenes").glob("*.yaml"))
+    options.schemes = options.schemes.split(",")
+    options.factors = [float(text) for text in options.factors.split(",")]
+    return options
 
 
-def available_schemes(rigor):
-    """Names of the schemes that `rigor methods` offers."""
-    names, is_scheme = [], False
-    for line in subprocess.run([rigor, "methods"], capture_output=True, text=True, check=True).stdout.splitlines():
-        if line and not line.startswith(" "):
-            is_scheme = line.strip() == "scheme"
-        found = re.match(r"  (\S+) +(default|yes) ", line)
-        if is_scheme and found and found.group(1) != "auto":
-            names.append(found.group(1))
-    return names
+def in_order(row):
+    """Where a row stands in the file and in the tables."""
+    scheme = row["scheme"]
+    return row["scene"], SCHEMES.index(scheme) if scheme in SCHEMES else len(SCHEMES), scheme, -float(row["factor"])
 
 
 def run_setting(path, key, fallback):
     """A number of the scene's line `run: {...}`, or what the scene format has as its default."""
     found = re.search(rf"^run:.*\b{key}: *([-+.\deE]+)", path.read_text(), re.MULTILINE)
     return float(found.group(1)) if found else fallback
-
-
-def known_rows(path):
-    if not path.exists():
-        return []
-    with path.open(newline="") as file:
-        return list(csv.DictReader(file))
 
 
 def broken_bounds(run):
@@ -75,11 +77,11 @@ def broken_bounds(run):
     return "; ".join(text.removeprefix(mark) for text in warnings if text.startswith(mark))
 
 
-def rows_of(table, scene, pairs):
-    """A row a run; pairs: scheme and factor of each, in the order of the runs."""
+def rows_of(table, scene, scheme, factors):
+    """A row a run, one of each factor."""
     reference = table["references"][0] if table["references"] else None
     own = reference and reference["own_error"]
-    for run, (scheme, factor) in zip(table["runs"], pairs, strict=True):
+    for run, factor in zip(table["runs"], factors, strict=True):
         error = run["error"]
         yield {
             "scene": scene, "scheme": scheme, "factor": f"{factor:g}", "step": repr(run["step"]), "end": run["end"],
@@ -96,41 +98,57 @@ def rows_of(table, scene, pairs):
             "cpu_time": repr(run["cpu_time"])}
 
 
-def compare_once(options, path, schemes, factors):
-    """The rows of one scene with all these schemes, by one process; and, if there are none, what happened to it."""
-    pairs = [(scheme, factor) for scheme in schemes for factor in factors]
+def without_runs(options, scene, scheme, end, reason):
+    """The rows of a scene with a scheme, where no run can tell anything."""
+    return [dict.fromkeys(FIELDS, "") | {"scene": scene, "scheme": scheme, "factor": f"{factor:g}", "end": end,
+                                         "reason": reason} for factor in options.factors]
+
+
+def dynamic_bodies(runs, options, path):
+    """How many there are; 0 of a scene that is refused, for `rigor compare` tells why."""
+    found = re.search(r"\((\d+) dynamic", runs.call([options.program, "check", path]).stdout)
+    return int(found.group(1)) if found else 0
+
+
+def compare(runs, options, path, scheme):
+    """The rows of one scene with one scheme, by one process."""
+    bodies = dynamic_bodies(runs, options, path)
+    is_large = bodies > options.most_bodies
+    if is_large and scheme != "time-stepping":
+        return without_runs(options, path.stem, scheme, "not tried", f"not tried with {bodies} dynamic bodies")
     step = run_setting(path, "step", 0.01)
-    steps = [factor * step for factor in factors]
+    steps = [factor * step for factor in options.factors]
     duration = min(options.duration, run_setting(path, "duration", 10))
-    command = [options.rigor, "compare", str(path), "--vary", "method.scheme=" + ",".join(schemes), "--vary",
+    command = [options.program, "compare", path, "--vary", f"method.scheme={scheme}", "--vary",
                "run.step=" + ",".join(f"{h:.17g}" for h in steps), "--set", f"run.output_interval={max(steps):.17g}",
                "--duration", f"{duration:.17g}", "--cpu-limit", f"{options.cpu_limit:g}", "--json", "-", "--quiet"]
-    limit = int(options.cpu_limit * (len(pairs) + 4)) + SLACK
-
-    def bound_processor_time():
-        resource.setrlimit(resource.RLIMIT_CPU, (limit, limit + SLACK))
-
-    done = subprocess.run(command, capture_output=True, text=True, preexec_fn=bound_processor_time)
+    if is_large:
+        command += ["--reference", "none"]
+    limit = int(options.cpu_limit * (len(steps) + 4)) + SLACK
+    done = runs.call(command, limit)
     try:
-        return list(rows_of(json.loads(done.stdout), path.stem, pairs)), None
+        return list(rows_of(json.loads(done.stdout), path.stem, scheme, options.factors))
     except json.JSONDecodeError:
         # All its runs are refused, or the program has ended in a way that it should not.
         said = done.stderr.strip().splitlines()
         if done.returncode == -signal.SIGXCPU:
-            return [], ("hangs", f"no answer after {limit} s")
-        return [], ("refused" if done.returncode == 3 else f"exit {done.returncode}", said[0] if said else "")
+            return without_runs(options, path.stem, scheme, "hangs", f"no answer after {limit} s")
+        end = "refused" if done.returncode == 3 else f"exit {done.returncode}"
+        return without_runs(options, path.stem, scheme, end, said[0] if said else "")
 
 
-def compare(options, path, schemes, factors):
-    """The rows of one scene; where a process of all schemes gives none, one process a scheme tells which is to blame."""
-    rows, trouble = compare_once(options, path, schemes, factors)
-    if rows:
-        return rows
-    if len(schemes) > 1:
-        return [row for scheme in schemes for row in compare(options, path, [scheme], factors)]
-    end, reason = trouble
-    return [dict.fromkeys(FIELDS, "") | {"scene": path.stem, "scheme": schemes[0], "factor": f"{factor:g}", "end": end,
-                                         "reason": reason} for factor in factors]
+def add_missing(options, rows):
+    """Runs what the rows lack, and keeps the file up to date."""
+    known = {(row["scene"], row["scheme"], row["factor"]) for row in rows}
+    missing = [(path, scheme) for path in options.scenes for scheme in options.schemes
+               if any((path.stem, scheme, f"{factor:g}") not in known for factor in options.factors)]
+    runs = Runs(options.jobs)
+    for (path, scheme), made in runs.results(lambda item: compare(runs, options, *item), missing):
+        # All factors were run: the order of a run is told against its neighbour.
+        new = [row for row in made if (row["scene"], row["scheme"], row["factor"]) not in known]
+        rows += new
+        keep_rows(options.csv, FIELDS, sorted(rows, key=in_order))
+        print(f"{path.stem} {scheme}: " + ", ".join(row["end"] for row in new), file=sys.stderr, flush=True)
 
 
 def number(text):
@@ -251,34 +269,12 @@ def write_docs(path, table):
 
 def main():
     options = arguments()
-    scenes = [pathlib.Path(name) for name in options.scenes] or sorted(pathlib.Path("scenes").glob("*.yaml"))
-    schemes = options.schemes.split(",") if options.schemes else available_schemes(options.rigor)
-    factors = [float(text) for text in options.factors.split(",")]
-    results = pathlib.Path(options.csv)
-    results.parent.mkdir(parents=True, exist_ok=True)
-    rows = known_rows(results)
-    done = {(row["scene"], row["scheme"], row["factor"]) for row in rows}
-    with results.open("a", newline="") as file:
-        writer = csv.DictWriter(file, FIELDS)
-        if not rows:
-            writer.writeheader()
-        for path in scenes:
-            missing = [scheme for scheme in schemes
-                       if any((path.stem, scheme, f"{factor:g}") not in done for factor in factors)]
-            if not missing:
-                continue
-            # All factors again: the order of a run is told against its neighbour.
-            new = [row for row in compare(options, path, missing, factors)
-                   if (row["scene"], row["scheme"], row["factor"]) not in done]
-            writer.writerows(new)
-            file.flush()
-            for scheme in missing:
-                print(f"{path.stem} {scheme}: " + ", ".join(row["end"] for row in new if row["scheme"] == scheme),
-                      file=sys.stderr)
-    rows = known_rows(results)
-    table = markdown(rows)
+    rows = known_rows(options.csv)
+    if not options.table:
+        add_missing(options, rows)
+    table = markdown(sorted(rows, key=in_order))
     if options.docs:
-        write_docs(pathlib.Path(options.docs), table)
+        write_docs(options.docs, table)
     else:
         print(table, end="")
 

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <set>
 #include <tuple>
 
@@ -56,43 +55,74 @@ std::vector<int> colliding_bodies(const Model& model) {
   return colliding;
 }
 
-void add_restitutions(const Model& model, const std::vector<int>& colliding, SchemeFacts& facts) {
-  if (colliding.empty()) return;
-  std::set<int> own, all;
-  for (const int i : colliding) {
-    for (const BodyShape& shape : model.body(i).shapes) own.insert(shape.material);
+/// All restitutions between shapes of the body and shapes of these materials.
+std::set<double> restitutions_of(const Model& model, int i, const std::set<int>& materials) {
+  std::set<double> restitutions;
+  for (const BodyShape& shape : model.body(i).shapes) {
+    for (const int other : materials)
+      restitutions.insert(model.coefficients(shape.material, other).restitution);
   }
-  for (const Body& body : model.bodies()) {
-    for (const BodyShape& shape : body.shapes) all.insert(shape.material);
-  }
-  facts.lowest_restitution = std::numeric_limits<double>::infinity();
-  for (const int a : own) {
-    for (const int b : all) {
-      const double e = model.coefficients(a, b).restitution;
-      facts.lowest_restitution = std::min(facts.lowest_restitution, e);
-      facts.highest_restitution = std::max(facts.highest_restitution, e);
-    }
-  }
+  return restitutions;
 }
 
-bool is_touching(const Model& model, const State& state, int a, int b, double tolerance) {
+std::set<int> materials_of_shapes(const Model& model) {
+  std::set<int> materials;
+  for (const Body& body : model.bodies()) {
+    for (const BodyShape& shape : body.shapes) materials.insert(shape.material);
+  }
+  return materials;
+}
+
+/// What touches at t = 0.
+struct Touching {
+  int pairs = 0;
+  int bouncing_pairs = 0;  ///< Those of them whose restitution is between 0 and 1.
+  std::set<int> bodies;
+};
+
+bool is_between_0_and_1(double restitution) {
+  return restitution > 0 && restitution < 1;
+}
+
+/// Adds the pair of bodies if shapes of theirs touch.
+void add_pair(const Model& model, const State& state, int a, int b, double tolerance, Touching& touching) {
   const Pose X_WA = pose_of(state, a), X_WB = pose_of(state, b);
+  bool is_touching = false, bounces = false;
   for (const BodyShape& of_A : model.body(a).shapes) {
     for (const BodyShape& of_B : model.body(b).shapes) {
-      if (signed_distance(of_A.shape, X_WA * of_A.X_BS, of_B.shape, X_WB * of_B.X_BS).distance <= tolerance)
-        return true;
+      if (signed_distance(of_A.shape, X_WA * of_A.X_BS, of_B.shape, X_WB * of_B.X_BS).distance > tolerance)
+        continue;
+      is_touching = true;
+      bounces |= is_between_0_and_1(model.coefficients(of_A.material, of_B.material).restitution);
     }
   }
-  return false;
+  if (!is_touching) return;
+  ++touching.pairs;
+  if (bounces) ++touching.bouncing_pairs;
+  touching.bodies.insert({a, b});
 }
 
-int touching_pair_count(const Model& model, double tolerance) {
+Touching find_touching(const Model& model, double tolerance) {
   const State state = make_initial_state(model);
-  int count = 0;
-  for (const auto& [a, b] : near_pairs(model, state, tolerance)) {
-    if (is_touching(model, state, a, b, tolerance)) ++count;
+  Touching touching;
+  for (const auto& [a, b] : near_pairs(model, state, tolerance))
+    add_pair(model, state, a, b, tolerance, touching);
+  return touching;
+}
+
+void add_restitutions(const Model& model, const std::vector<int>& colliding, const std::set<int>& touching,
+                      SchemeFacts& facts) {
+  const std::set<int> materials = materials_of_shapes(model);
+  std::set<double> all;
+  for (const int i : colliding) {
+    const std::set<double> own = restitutions_of(model, i, materials);
+    all.insert(own.begin(), own.end());
+    if (!touching.contains(i) && std::any_of(own.begin(), own.end(), is_between_0_and_1))
+      ++facts.bouncing_apart;
   }
-  return count;
+  if (all.empty()) return;
+  facts.lowest_restitution = *all.begin();
+  facts.highest_restitution = *all.rbegin();
 }
 
 bool has_drag(const Body& body) {
@@ -133,16 +163,18 @@ SchemeFacts scheme_facts(const Model& model, double contact_tolerance) {
       bodies.begin(), bodies.end(), [](const Body& body) { return body.motion == MotionType::dynamic; }));
   const std::vector<int> colliding = colliding_bodies(model);
   facts.colliding_bodies = static_cast<int>(colliding.size());
-  facts.touching_pairs = touching_pair_count(model, contact_tolerance);
+  const Touching touching = find_touching(model, contact_tolerance);
+  facts.touching_pairs = touching.pairs;
+  facts.bouncing_pairs = touching.bouncing_pairs;
   facts.joints = static_cast<int>(model.joints().size());
   facts.has_closed_form = model.joints().empty() && model.forces().empty() &&
                           std::none_of(bodies.begin(), bodies.end(), has_drag);
-  add_restitutions(model, colliding, facts);
+  add_restitutions(model, colliding, touching.bodies, facts);
   return facts;
 }
 
 std::span<const SchemeRule> scheme_rules() {
-  static const std::array<SchemeRule, 6> rules = {{
+  static const std::array<SchemeRule, 7> rules = {{
       {"nothing collides and only gravity acts",
        [](const SchemeFacts& facts) { return facts.colliding_bodies == 0 && facts.has_closed_form; },
        {Scheme::event_driven},
@@ -157,6 +189,13 @@ std::span<const SchemeRule> scheme_rules() {
        },
        {Scheme::event_driven},
        "nothing comes to rest: one sub-problem an impact, and closed forms in between"},
+      {"at most 40 bodies collide, some touch at t = 0 and some are apart, all with restitutions between 0 "
+       "and 1",
+       [](const SchemeFacts& facts) {
+         return facts.colliding_bodies <= few_bodies && facts.bouncing_pairs > 0 && facts.bouncing_apart > 0;
+       },
+       {Scheme::hybrid, Scheme::event_driven},
+       "what bounces falls on what rests, which must not bounce in each of its impacts"},
       {"at most 40 bodies collide",
        [](const SchemeFacts& facts) { return facts.colliding_bodies <= few_bodies; },
        {Scheme::event_driven},

@@ -15,6 +15,9 @@ struct SchemeFacts {
   int dynamic_bodies = 0;
   int colliding_bodies = 0;  ///< Dynamic bodies that may touch any other body.
   int touching_pairs = 0;    ///< Pairs of bodies that touch at t = 0.
+  int bouncing_pairs = 0;    ///< Those of them whose restitution is between 0 and 1.
+  int bouncing_apart =
+      0;  ///< Colliding bodies that touch nothing at t = 0, with a restitution between 0 and 1.
   int joints = 0;
   bool has_closed_form = false;    ///< Nothing but gravity acts between contacts.
   double lowest_restitution = 0;   ///< Of the materials of bodies that may touch; 0 if none may.

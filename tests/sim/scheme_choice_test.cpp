@@ -67,6 +67,16 @@ TEST(SchemeFacts, CountWhatMayTouchAndWhatDoes) {
   // The lower ball touches the floor; between the balls is a millimetre.
   EXPECT_EQ(facts.touching_pairs, 1);
   EXPECT_EQ(scheme_facts(*two_balls(0.25), 2e-3).touching_pairs, 2);
+  // It bounces, and so does the upper ball, which is apart, until both touch something; not with restitution
+  // 0 or 1.
+  EXPECT_EQ(facts.bouncing_pairs, 1);
+  EXPECT_EQ(facts.bouncing_apart, 1);
+  EXPECT_EQ(scheme_facts(*two_balls(0.25), 2e-3).bouncing_pairs, 2);
+  EXPECT_EQ(scheme_facts(*two_balls(0.25), 2e-3).bouncing_apart, 0);
+  for (const double e : {0.0, 1.0}) {
+    EXPECT_EQ(scheme_facts(*two_balls(e), 1e-6).bouncing_pairs, 0);
+    EXPECT_EQ(scheme_facts(*two_balls(e), 1e-6).bouncing_apart, 0);
+  }
   EXPECT_EQ(facts.joints, 0);
   EXPECT_TRUE(facts.has_closed_form);
   EXPECT_EQ(facts.lowest_restitution, 0.25);
@@ -100,7 +110,13 @@ TEST(SchemeRules, TheFirstThatAppliesDecides) {
   EXPECT_EQ(chosen({.dynamic_bodies = 1000, .has_closed_form = true}), Scheme::event_driven);
   EXPECT_EQ(chosen({.dynamic_bodies = 1000, .joints = 999}), Scheme::event_driven);
   EXPECT_EQ(chosen(many_bodies(1)), Scheme::event_driven);
+  SchemeFacts hail{.dynamic_bodies = 40, .colliding_bodies = 40, .bouncing_pairs = 1, .bouncing_apart = 1};
+  EXPECT_EQ(chosen(hail), Scheme::hybrid);
   EXPECT_EQ(chosen({.dynamic_bodies = 40, .colliding_bodies = 40}), Scheme::event_driven);
+  hail.bouncing_apart = 0;
+  EXPECT_EQ(chosen(hail), Scheme::event_driven);
+  hail.bouncing_pairs = 0, hail.bouncing_apart = 1;
+  EXPECT_EQ(chosen(hail), Scheme::event_driven);
   EXPECT_EQ(chosen({.dynamic_bodies = 41, .colliding_bodies = 41, .highest_restitution = 0.1}),
             Scheme::hybrid);
   EXPECT_EQ(chosen(many_bodies(0.5)), Scheme::hybrid);
@@ -161,17 +177,19 @@ TEST(AutomaticScheme, RunsAsTheSchemeThatItStandsForAndTheAuditSaysWhy) {
   Method method, by_name;
   method.scheme = Scheme::automatic;
   by_name.scheme = resolve_scheme(*model, method).method.scheme;
-  EXPECT_EQ(by_name.scheme, Scheme::event_driven);
+  EXPECT_EQ(by_name.scheme, Scheme::hybrid);
   const RunSettings settings{.duration = 0.5};
   const Observer watch = [](const State&, const AdvanceReport&, const Auditor&) { return true; };
   const RunResult chosen_run = run_simulation(model, method, settings, std::nullopt, watch);
   const RunResult named_run = run_simulation(model, by_name, settings, std::nullopt, watch);
   EXPECT_EQ(chosen_run.state, named_run.state);
-  EXPECT_EQ(chosen_run.audit.method.scheme, Scheme::event_driven);
-  EXPECT_EQ(chosen_run.audit.scheme_reason,
-            "event-driven, since at most 40 bodies collide: few bodies have few events, and each is located "
-            "and solved by itself (3 dynamic bodies, 2 may collide; 1 pair touches at t = 0; 0 joints; "
-            "restitution 0.5)");
+  EXPECT_EQ(chosen_run.audit.method.scheme, Scheme::hybrid);
+  EXPECT_EQ(
+      chosen_run.audit.scheme_reason,
+      "hybrid, since at most 40 bodies collide, some touch at t = 0 and some are apart, all with "
+      "restitutions "
+      "between 0 and 1: what bounces falls on what rests, which must not bounce in each of its impacts (3 "
+      "dynamic bodies, 2 may collide; 1 pair touches at t = 0; 0 joints; restitution 0.5)");
   EXPECT_EQ(named_run.audit.scheme_reason, "");
 }
 
