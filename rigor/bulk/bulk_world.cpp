@@ -258,7 +258,8 @@ int BulkWorld::solve_directly(double h) {
     for (std::size_t j = 0; j < change.size(); ++j) change[j] += step * s.accelerations[k][j];
     return change;
   };
-  s.direct.solve({h, settings_.substeps, s.contacts.manifolds(), free_change}, bodies_);
+  const std::vector<StepManifold> manifolds = s.contacts.manifolds();
+  s.direct.solve({h, settings_.substeps, manifolds, free_change}, bodies_);
   return s.direct.island_count();
 }
 
