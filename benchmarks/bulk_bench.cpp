@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 
 namespace {
 
@@ -23,7 +24,7 @@ struct BenchOptions {
   bool has_exact = false;  ///< Our exact solver too.
   bool has_peers = true;
   double soak_seconds = 0;  ///< Instead of the table.
-  int scale = 0;            ///< Largest number of grains, instead of the table.
+  ScaleOptions scale;       ///< Instead of the table, if any grains are asked for.
 };
 
 std::vector<BulkContender> contenders_of(const BenchOptions& options) {
@@ -115,9 +116,19 @@ int main(int argc, char** argv) {
   app.add_flag("!--no-peers", options.has_peers, "ours alone");
   app.add_option("--soak", options.soak_seconds, "instead: run each scene for so many seconds of its time")
       ->check(CLI::Range(1.0, 1e6));
-  app.add_option("--scale", options.scale, "instead: grains in a hopper, 1000 up to so many")
+  app.add_option("--scale", options.scale.most, "instead: grains in a hopper, 1000 up to so many")
       ->check(CLI::Range(1000, 1000000));
+  app.add_option("--scale-from", options.scale.least, "or so many up to that")
+      ->check(CLI::Range(1000, 1000000));
+  const std::map<std::string, Grain> grains = {{"spheres", Grain::sphere}, {"hulls", Grain::hull}};
+  app.add_option("--grains", options.scale.grains, "which of them: spheres, hulls")
+      ->transform(CLI::CheckedTransformer(grains));
   CLI11_PARSE(app, argc, argv);
+  options.scale.substeps = options.substeps;
+  if (app.count("--steps") > 0) {
+    options.scale.steps = options.run.steps;
+    options.scale.first_timed = options.run.steps / 5;
+  }
   if (options.scenes.empty()) options.scenes = bulk_scene_names();
   options.run.first_timed = std::min(options.run.first_timed, options.run.steps / 2);
   if (options.soak_seconds > 0) {
@@ -127,8 +138,8 @@ int main(int argc, char** argv) {
     }
     return is_sound ? 0 : 1;
   }
-  if (options.scale > 0) {
-    print_scale(options.substeps, options.scale);
+  if (options.scale.most > 0) {
+    print_scale(options.scale);
     return 0;
   }
   print_table(options);

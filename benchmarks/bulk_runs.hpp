@@ -2,6 +2,7 @@
 
 #include "bulk_engines.hpp"
 #include "bulk_quality.hpp"
+#include "bulk_scenes.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -51,7 +52,14 @@ std::uint64_t state_hash(const State& state);
 /// Runs the scene for so long with one thread and with two; whether it stayed finite, the same bits with both
 /// and flat in memory. Prints a line.
 bool soak(const std::string& scene, double seconds, int substeps);
-/// Prints how memory and time grow with the number of grains in a hopper.
-void print_scale(int substeps, int most_grains);
+/// Grains in a hopper: powers of ten from `least` up to `most`.
+struct ScaleOptions {
+  int substeps = 0;  ///< 0: the default.
+  int least = 1000, most = 0;
+  std::vector<Grain> grains = {Grain::sphere, Grain::hull};
+  int first_timed = 10, steps = 50;
+};
+/// Prints how memory and time grow with the number of grains.
+void print_scale(const ScaleOptions& options);
 
 }  // namespace rigor::bench

@@ -28,10 +28,12 @@ struct ScaleRow {
   double world_bytes = 0;       ///< A body, State included, after the last step.
   double ms = 0;                ///< CPU time a step.
   int bodies = 0;
+  double pairs = 0, manifolds = 0;  ///< A body, in the last step.
+  std::uint64_t hash = 0;           ///< Of the State at the end.
 };
 
-/// Timed from a fifth of the steps on.
-ScaleRow measure_scale(int count, Grain grain, int steps, const BulkEngineOptions& options) {
+/// Timed from `untimed` steps on.
+ScaleRow measure_scale(int count, Grain grain, int untimed, int steps, const BulkEngineOptions& options) {
   ScaleRow row;
   const double before = allocated_bytes();
   double begin = bulk_cpu_seconds();
@@ -41,7 +43,6 @@ ScaleRow measure_scale(int count, Grain grain, int steps, const BulkEngineOption
   begin = bulk_cpu_seconds();
   const std::unique_ptr<BulkEngine> engine = make_bulk_world_engine(model, options);
   row.start = bulk_cpu_seconds() - begin;
-  const int untimed = steps / 5;
   for (int k = 0; k < steps; ++k) {
     if (k == untimed) begin = bulk_cpu_seconds();
     engine->step(1.0 / 60);
@@ -50,13 +51,17 @@ ScaleRow measure_scale(int count, Grain grain, int steps, const BulkEngineOption
   row.bodies = model->body_count();
   row.model_bytes = (with_model - before) / row.bodies;
   row.world_bytes = (allocated_bytes() - with_model) / row.bodies;
+  row.pairs = static_cast<double>(engine->counts().pairs) / row.bodies;
+  row.manifolds = static_cast<double>(engine->counts().manifolds) / row.bodies;
+  row.hash = state_hash(engine->state());
   return row;
 }
 
 void print_scale_row(Grain grain, const ScaleRow& row) {
-  fmt::print("{:<8} {:>8} {:>10.2f} {:>10.3f} {:>12.0f} {:>12.0f} {:>10.3f} {:>12.3f}\n",
-             grain == Grain::sphere ? "spheres" : "hulls", row.bodies, row.build, row.start, row.model_bytes,
-             row.world_bytes, row.ms, 1e3 * row.ms / row.bodies);
+  fmt::print(
+      "{:<8} {:>8} {:>8.2f} {:>8.3f} {:>6.2f} {:>9.2f} {:>12.0f} {:>12.0f} {:>10.3f} {:>12.3f}  {:016x}\n",
+      grain == Grain::sphere ? "spheres" : "hulls", row.bodies, row.build, row.start, row.pairs,
+      row.manifolds, row.model_bytes, row.world_bytes, row.ms, 1e3 * row.ms / row.bodies, row.hash);
 }
 
 }  // namespace
@@ -99,16 +104,18 @@ bool soak(const std::string& scene, double seconds, int substeps) {
   return finite && flat && differs_at < 0;
 }
 
-void print_scale(int substeps, int most_grains) {
-  fmt::print("\nGrains of 0.25 m in a hopper, one thread\n");
-  fmt::print("{:<8} {:>8} {:>10} {:>10} {:>12} {:>12} {:>10} {:>12}\n", "grain", "bodies", "build s",
-             "start s", "model B/body", "world B/body", "ms a step", "us step+body");
-  for (const Grain grain : {Grain::sphere, Grain::hull}) {
+void print_scale(const ScaleOptions& options) {
+  fmt::print("\nGrains of 0.25 m in a hopper, one thread, steps {} to {}\n", options.first_timed,
+             options.steps);
+  fmt::print("{:<8} {:>8} {:>8} {:>8} {:>6} {:>9} {:>12} {:>12} {:>10} {:>12}  {}\n", "grain", "bodies",
+             "build s", "start s", "pairs", "manifolds", "model B/body", "world B/body", "ms a step",
+             "us step+body", "hash");
+  for (const Grain grain : options.grains) {
     for (const int count : {1000, 10000, 100000, 1000000}) {
-      if (count > most_grains || (count == 1000000 && grain == Grain::hull)) continue;
-      const int steps = count == 1000000 ? 5 : 50;
+      if (count < options.least || count > options.most) continue;
       try {
-        print_scale_row(grain, measure_scale(count, grain, steps, {1, substeps}));
+        print_scale_row(
+            grain, measure_scale(count, grain, options.first_timed, options.steps, {1, options.substeps}));
       } catch (const InputError& error) {
         fmt::print("{} bodies: {}\n", count, error.what());
       }

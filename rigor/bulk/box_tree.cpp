@@ -57,22 +57,18 @@ void set_lane(const FloatBox& box, int lane, BoxTree::Block& block) {
 
 }  // namespace
 
-void BoxTree::build(const std::vector<FloatBox>& boxes, float cell) {
-  sort_by_cells(boxes, cell);
-  fill_blocks(boxes);
-}
+namespace {
 
 /// By the interleaved bits of the cells' numbers (Morton's order), least significant byte first. Bytes that
 /// are equal in all keys are passed over.
 ///
 /// Source: Morton, A Computer Oriented Geodetic Data Base and a New Technique in File Sequencing, IBM, 1966.
-void BoxTree::sort_by_cells(const std::vector<FloatBox>& boxes, float cell) {
+std::vector<BoxTree::Entry> sorted_by_cells(const std::vector<FloatBox>& boxes, float cell) {
   std::array<float, 3> low = {infinite, infinite, infinite};
   for (const FloatBox& box : boxes) {
     for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], box.lower[k]);
   }
-  order_.resize(boxes.size());
-  sorting_.resize(boxes.size());
+  std::vector<BoxTree::Entry> order(boxes.size()), sorting(boxes.size());
   std::uint64_t differing = 0;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     std::uint64_t key = 0;
@@ -80,20 +76,27 @@ void BoxTree::sort_by_cells(const std::vector<FloatBox>& boxes, float cell) {
       const float center = 0.5f * (boxes[i].lower[k] + boxes[i].upper[k]);
       key |= spread_bits(cell_number((center - low[k]) / cell)) << k;
     }
-    order_[i] = {key, static_cast<int>(i)};
-    differing |= key ^ order_[0].key;
+    order[i] = {key, static_cast<int>(i)};
+    differing |= key ^ order[0].key;
   }
   for (int shift = 0; shift < 64; shift += 8) {
     if ((differing >> shift & 0xff) == 0) continue;
     std::array<std::uint32_t, 257> begin{};
-    for (const Entry& entry : order_) ++begin[(entry.key >> shift & 0xff) + 1];
+    for (const BoxTree::Entry& entry : order) ++begin[(entry.key >> shift & 0xff) + 1];
     for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
-    for (const Entry& entry : order_) sorting_[begin[entry.key >> shift & 0xff]++] = entry;
-    order_.swap(sorting_);
+    for (const BoxTree::Entry& entry : order) sorting[begin[entry.key >> shift & 0xff]++] = entry;
+    order.swap(sorting);
   }
+  return order;
 }
 
-void BoxTree::fill_blocks(const std::vector<FloatBox>& boxes) {
+}  // namespace
+
+void BoxTree::build(const std::vector<FloatBox>& boxes, float cell) {
+  fill_blocks(boxes, sorted_by_cells(boxes, cell));
+}
+
+void BoxTree::fill_blocks(const std::vector<FloatBox>& boxes, const std::vector<Entry>& order) {
   const auto blocks_for = [](std::size_t count) { return (count + width - 1) / width; };
   std::size_t depth = 0;
   const auto level_of = [&](std::size_t count) -> std::vector<Block>& {
@@ -105,7 +108,7 @@ void BoxTree::fill_blocks(const std::vector<FloatBox>& boxes) {
   unions_.resize(blocks_for(boxes.size()));
   std::vector<Block>& first = level_of(boxes.size());
   for (std::size_t i = 0; i < numbers_.size(); ++i) {
-    numbers_[i] = i < boxes.size() ? order_[i].box : -1;
+    numbers_[i] = i < boxes.size() ? order[i].box : -1;
     set_lane(i < boxes.size() ? boxes[at(numbers_[i])] : nothing(), static_cast<int>(i % width),
              first[i / width]);
   }

@@ -58,10 +58,8 @@ class BoxTree {
   friend struct BoxTreeSearch;
   friend struct BoxSearch;
 
-  void sort_by_cells(const std::vector<FloatBox>& boxes, float cell);
-  void fill_blocks(const std::vector<FloatBox>& boxes);
+  void fill_blocks(const std::vector<FloatBox>& boxes, const std::vector<Entry>& order);
 
-  std::vector<Entry> order_, sorting_;
   std::vector<std::vector<Block>> levels_;  ///< The boxes themselves first, one block last.
   std::vector<FloatBox> unions_;            ///< Of each block of the first level.
   std::vector<int> numbers_;                ///< Of the boxes in the lanes of the first level.

@@ -1,8 +1,10 @@
 #include "rigor/bulk/bulk_contacts.hpp"
 
+#include "rigor/bulk/list_room.hpp"
 #include "rigor/bulk/manifold_bounce.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <span>
 
@@ -24,7 +26,68 @@ bool does_press(const ManifoldMemory& memory) {
   return std::any_of(memory.normal_impulse.begin(), end, [](float impulse) { return impulse > 0; });
 }
 
-ManifoldMemory key_of(const ShapePair& pair, const PairManifold& found) {
+}  // namespace
+
+BulkContacts::BulkContacts(const Model& model) : material_count_(model.materials().size()) {
+  const int count = static_cast<int>(material_count_);
+  for (int a = 0; a < count; ++a) {
+    for (int b = 0; b < count; ++b) surfaces_.push_back(surface_of(model.coefficients(a, b)));
+  }
+  first_shape_.reserve(model.bodies().size());
+  materials_.reserve(model.bodies().size());
+  for (const Body& body : model.bodies()) {
+    first_shape_.push_back(static_cast<int>(materials_.size()));
+    for (const BodyShape& shape : body.shapes) materials_.push_back(shape.material);
+  }
+}
+
+void BulkContacts::match(const std::vector<ShapePair>& pairs, const std::vector<PairManifold>& manifolds,
+                         const std::vector<ManifoldMemory>& memory) {
+  pairs_ = &pairs;
+  manifolds_ = &manifolds;
+  memory_ = &memory;
+  totals_.clear();
+  renew(manifolds.size(), matches_);
+  std::size_t next = 0;  // Both lists are in the order of keys.
+  for (std::size_t i = 0; i < manifolds.size(); ++i) {
+    const ShapePair& pair = pairs[static_cast<std::size_t>(manifolds[i].pair)];
+    const std::array<int, 5> key = {pair.body_A, pair.body_B, pair.shape_A, pair.shape_B, manifolds[i].part};
+    while (next < memory.size() && memory[next].key() < key) ++next;
+    Match& match = matches_[i];
+    match = {.surface = material_of(pair.body_A, pair.shape_A) * static_cast<int>(material_count_) +
+                        material_of(pair.body_B, pair.shape_B)};
+    if (next == memory.size() || memory[next].key() != key) continue;
+    match.memory = static_cast<int>(next);
+    match.energy = memory[next].energy;
+    match.is_new = !does_press(memory[next]);
+  }
+}
+
+int BulkContacts::material_of(int body, int shape) const {
+  return materials_[static_cast<std::size_t>(first_shape_[static_cast<std::size_t>(body)] + shape)];
+}
+
+StepManifold BulkContacts::manifold_at(std::size_t i) const {
+  const PairManifold& found = (*manifolds_)[i];
+  const Match& match = matches_[i];
+  return {&found.manifold,
+          &(*pairs_)[static_cast<std::size_t>(found.pair)],
+          found.part,
+          match.memory < 0 ? nullptr : &(*memory_)[static_cast<std::size_t>(match.memory)],
+          &surfaces_[static_cast<std::size_t>(match.surface)],
+          match.is_new};
+}
+
+std::vector<StepManifold> BulkContacts::manifolds() const {
+  std::vector<StepManifold> all;
+  all.reserve(matches_.size());
+  for (std::size_t i = 0; i < matches_.size(); ++i) all.push_back(manifold_at(i));
+  return all;
+}
+
+ManifoldMemory BulkContacts::key_of(std::size_t i) const {
+  const PairManifold& found = (*manifolds_)[i];
+  const ShapePair& pair = (*pairs_)[static_cast<std::size_t>(found.pair)];
   ManifoldMemory key;
   key.body_A = pair.body_A;
   key.body_B = pair.body_B;
@@ -32,53 +95,20 @@ ManifoldMemory key_of(const ShapePair& pair, const PairManifold& found) {
   key.shape_B = pair.shape_B;
   key.part = found.part;
   key.point_count = found.manifold.point_count;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(key.point_count); ++i) {
-    key.feature[i] = found.manifold.points[i].feature;
-  }
+  for (std::size_t k = 0; k < static_cast<std::size_t>(key.point_count); ++k)
+    key.feature[k] = found.manifold.points[k].feature;
   return key;
-}
-
-}  // namespace
-
-BulkContacts::BulkContacts(const Model& model) : model_(&model) {
-  const int count = static_cast<int>(model.materials().size());
-  for (int a = 0; a < count; ++a) {
-    for (int b = 0; b < count; ++b) surfaces_.push_back(surface_of(model.coefficients(a, b)));
-  }
-}
-
-void BulkContacts::match(const std::vector<ShapePair>& pairs, const std::vector<PairManifold>& manifolds,
-                         const std::vector<ManifoldMemory>& memory) {
-  const std::size_t count = manifolds.size();
-  const std::size_t materials = model_->materials().size();
-  keys_.resize(count);
-  manifolds_.resize(count);
-  held_.resize(count);
-  totals_.clear();
-  std::size_t next = 0;  // Both lists are in the order of keys.
-  for (std::size_t i = 0; i < count; ++i) {
-    const ShapePair& pair = pairs[static_cast<std::size_t>(manifolds[i].pair)];
-    keys_[i] = key_of(pair, manifolds[i]);
-    const std::size_t a = material_of(pair.body_A, pair.shape_A), b = material_of(pair.body_B, pair.shape_B);
-    manifolds_[i] = {&manifolds[i].manifold, &keys_[i], nullptr, &surfaces_[a * materials + b], true};
-    const std::array<int, 5> key = keys_[i].key();
-    while (next < memory.size() && memory[next].key() < key) ++next;
-    if (next < memory.size() && memory[next].key() == key) manifolds_[i].memory = &memory[next];
-    manifolds_[i].is_new = manifolds_[i].memory == nullptr || !does_press(*manifolds_[i].memory);
-    held_[i] = manifolds_[i].memory ? manifolds_[i].memory->energy : 0;
-  }
-}
-
-std::size_t BulkContacts::material_of(int body, int shape) const {
-  return static_cast<std::size_t>(model_->body(body).shapes[static_cast<std::size_t>(shape)].material);
 }
 
 void BulkContacts::prepare(const BulkBodies& bodies, double h, const DirectIslands& direct,
                            const Executor& executor) {
   swept_.clear();
   edges_.clear();
-  for (std::size_t i = 0; i < manifolds_.size(); ++i) {
-    const int a = keys_[i].body_A, b = keys_[i].body_B;
+  make_room(matches_.size(), swept_);
+  make_room(matches_.size(), edges_);
+  for (std::size_t i = 0; i < matches_.size(); ++i) {
+    const ShapePair& pair = (*pairs_)[static_cast<std::size_t>((*manifolds_)[i].pair)];
+    const int a = pair.body_A, b = pair.body_B;
     if (direct.holds(a) || direct.holds(b)) continue;
     swept_.push_back(static_cast<int>(i));
     edges_.push_back({bodies.is_dynamic(a) ? a : -1, bodies.is_dynamic(b) ? b : -1});
@@ -88,7 +118,7 @@ void BulkContacts::prepare(const BulkBodies& bodies, double h, const DirectIslan
   const double frequency = std::min(contact_frequency, 1 / (6 * h));
   const Softness between_moving = make_softness(frequency, contact_damping, h);
   const Softness on_ground = make_softness(2 * frequency, contact_damping, h);
-  blocks_.resize(colouring_.blocks.size());
+  renew(colouring_.blocks.size(), blocks_);
   executor.for_ranges(static_cast<int>(blocks_.size()), 16, [&](int begin, int end) {
     for (int k = begin; k < end; ++k) {
       std::array<BlockLane, kLaneCount> lanes;
@@ -97,7 +127,7 @@ void BulkContacts::prepare(const BulkBodies& bodies, double h, const DirectIslan
         if (edge < 0) break;
         const std::size_t e = static_cast<std::size_t>(edge);
         const int number = swept_[e];
-        const StepManifold& found = manifolds_[static_cast<std::size_t>(number)];
+        const StepManifold found = manifold_at(static_cast<std::size_t>(number));
         const bool both_move = edges_[e].a >= 0 && edges_[e].b >= 0;
         lanes[count++] = {found.manifold, found.surface,     both_move ? &between_moving : &on_ground,
                           found.memory,   found.key->body_A, found.key->body_B,
@@ -148,17 +178,24 @@ bool BulkContacts::find_bounces(const BulkBodies& bodies, const Executor& execut
   return std::any_of(bounces_.begin(), bounces_.end(), [](const BlockBounces& b) { return b.does_any; });
 }
 
-void BulkContacts::bounce_apart(BulkBodies& bodies, const Executor& executor) {
+void BulkContacts::bounce_apart(const Model& model, BulkBodies& bodies, const Executor& executor) {
   for_blocks(executor, [&](ManifoldBlock& block) {
     const std::size_t k = static_cast<std::size_t>(&block - blocks_.data());
     for (int lane = 0; bounces_[k].does_any && lane < kLaneCount; ++lane) {
       const double most = bounces_[k].most[static_cast<std::size_t>(lane)];
-      if (most > 0) bounce(*model_, block, lane, most, totals_[k], bodies);
+      if (most > 0) bounce(model, block, lane, most, totals_[k], bodies);
     }
   });
 }
 
+std::vector<ManifoldMemory> BulkContacts::keys() const {
+  std::vector<ManifoldMemory> keys;
+  for (std::size_t i = 0; i < matches_.size(); ++i) keys.push_back(key_of(i));
+  return keys;
+}
+
 void BulkContacts::add_up(const Executor& executor) {
+  make_room(blocks_.size(), totals_);
   totals_.resize(blocks_.size());
   executor.for_ranges(static_cast<int>(blocks_.size()), 64, [&](int begin, int end) {
     for (int k = begin; k < end; ++k)
@@ -168,7 +205,8 @@ void BulkContacts::add_up(const Executor& executor) {
 
 void BulkContacts::remember(const BulkBodies& bodies, double h, int substeps,
                             std::vector<ManifoldMemory>& memory) const {
-  memory = keys_;
+  renew(matches_.size(), memory);
+  for (std::size_t i = 0; i < matches_.size(); ++i) memory[i] = key_of(i);
   for (std::size_t k = 0; k < blocks_.size(); ++k) {
     const ManifoldBlock& block = blocks_[k];
     for (int lane = 0; lane < kLaneCount; ++lane) {
@@ -177,7 +215,7 @@ void BulkContacts::remember(const BulkBodies& bodies, double h, int substeps,
       ManifoldMemory& remembered = memory[static_cast<std::size_t>(number)];
       read_lane(block, lane, remembered);
       if (totals_.empty()) continue;
-      const double held = held_[static_cast<std::size_t>(number)];
+      const double held = matches_[static_cast<std::size_t>(number)].energy;
       remembered.energy =
           static_cast<float>(spring_energy(block, totals_[k], lane, bodies, h, substeps, held));
     }

@@ -21,11 +21,14 @@ class BulkContacts {
   explicit BulkContacts(const Model& model);
 
   /// At the begin of a step: which manifolds there are and what is remembered of them. memory: of the
-  /// contacts of the step before, in the order of keys. All three are held until remember().
+  /// contacts of the step before, in the order of keys; it is held until prepare(), the others until the next
+  /// step.
   void match(const std::vector<ShapePair>& pairs, const std::vector<PairManifold>& manifolds,
              const std::vector<ManifoldMemory>& memory);
-  const std::vector<StepManifold>& manifolds() const { return manifolds_; }
-  const std::vector<ManifoldMemory>& keys() const { return keys_; }  ///< Of the same.
+  /// All of them, until prepare().
+  std::vector<StepManifold> manifolds() const;
+  /// Whose they are, without impulses; until the next step.
+  std::vector<ManifoldMemory> keys() const;
   /// Then: blocks of the manifolds, but for those of the islands that were solved directly. h [s]: of the
   /// substeps.
   void prepare(const BulkBodies& bodies, double h, const DirectIslands& direct, const Executor& executor);
@@ -41,7 +44,7 @@ class BulkContacts {
   /// how much energy each may give back; whether there are any.
   bool find_bounces(const BulkBodies& bodies, const Executor& executor);
   /// Then lets them bounce (manifold_bounce.hpp).
-  void bounce_apart(BulkBodies& bodies, const Executor& executor);
+  void bounce_apart(const Model& model, BulkBodies& bodies, const Executor& executor);
   /// What the contacts remember, in the order of keys; the energy of their springs if the impulses were added
   /// up. h [s]: of a substep.
   void remember(const BulkBodies& bodies, double h, int substeps, std::vector<ManifoldMemory>& memory) const;
@@ -60,7 +63,7 @@ class BulkContacts {
         const int number = blocks_[k].manifold[static_cast<std::size_t>(lane)];
         if (number < 0) continue;
         const std::size_t i = static_cast<std::size_t>(number);
-        visit(Contact{blocks_[k], totals_[k], lane}, keys_[i], manifolds_[i].is_new);
+        visit(Contact{blocks_[k], totals_[k], lane}, key_of(i), matches_[i].is_new);
       }
     }
   }
@@ -81,22 +84,35 @@ class BulkContacts {
     bool does_any = false;
     std::array<double, kLaneCount> most{};  ///< Of each lane [J].
   };
-  std::size_t material_of(int body, int shape) const;
+  /// What is known of a manifold at the begin of a step.
+  struct Match {
+    int memory = -1;   ///< Its number among those of the step before; -1: none.
+    int surface = 0;   ///< Its number among the surfaces.
+    float energy = 0;  ///< Of its springs [J].
+    bool is_new = true;
+  };
+  int material_of(int body, int shape) const;
+  StepManifold manifold_at(std::size_t i) const;
+  /// Of a manifold; no impulses.
+  ManifoldMemory key_of(std::size_t i) const;
   template <class Work>
   void for_blocks(const Executor& executor, const Work& work);
 
-  const Model* model_;
+  std::vector<int> first_shape_;  ///< Of each body.
+  std::vector<int> materials_;    ///< Of each shape of all bodies.
+  std::size_t material_count_;
   LaneTarget target_ = best_lane_target();
   std::vector<ManifoldSurface> surfaces_;  ///< Of two materials, by first * count + second.
   GraphColouring colouring_;
   std::vector<ManifoldBlock> blocks_;
-  std::vector<ManifoldMemory> keys_;  ///< Of the manifolds of this step; their impulses are in the blocks.
-  std::vector<StepManifold> manifolds_;
-  std::vector<int> swept_;             ///< Which of them are in blocks.
-  std::vector<ConstraintEdge> edges_;  ///< Of those.
-  std::vector<float> held_;            ///< Energy of the springs at the begin of the step [J].
-  std::vector<BlockTotals> totals_;    ///< Of each block, if they are wanted.
-  std::vector<BlockBounces> bounces_;  ///< Of each block, after find_bounces().
+  const std::vector<ShapePair>* pairs_ = nullptr;
+  const std::vector<PairManifold>* manifolds_ = nullptr;
+  const std::vector<ManifoldMemory>* memory_ = nullptr;  ///< Of the step before.
+  std::vector<Match> matches_;                           ///< Of the manifolds.
+  std::vector<int> swept_;                               ///< Which of them are in blocks.
+  std::vector<ConstraintEdge> edges_;                    ///< Of those.
+  std::vector<BlockTotals> totals_;                      ///< Of each block, if they are wanted.
+  std::vector<BlockBounces> bounces_;                    ///< Of each block, after find_bounces().
   bool has_restitution_ = false;
 };
 

@@ -253,7 +253,7 @@ void BulkWorld::bounce_apart() {
   Scratch& s = *scratch_;
   if (!s.contacts.find_bounces(bodies_, s.executor)) return;
   s.bounce_limits.limit(bodies_, s.accelerations, s.executor, s.contacts);
-  s.contacts.bounce_apart(bodies_, s.executor);
+  s.contacts.bounce_apart(*model_, bodies_, s.executor);
 }
 
 /// Islands of heavy bodies on light ones; their number.
@@ -268,7 +268,8 @@ int BulkWorld::solve_directly(double h) {
     for (std::size_t j = 0; j < change.size(); ++j) change[j] += step * s.accelerations[k][j];
     return change;
   };
-  s.direct.solve({h, settings_.substeps, s.contacts.manifolds(), free_change}, bodies_);
+  const std::vector<StepManifold> manifolds = s.contacts.manifolds();
+  s.direct.solve({h, settings_.substeps, manifolds, free_change}, bodies_);
   return s.direct.island_count();
 }
 

@@ -89,13 +89,13 @@ std::vector<Vec3> remembered_impulses(const StepManifold& manifold, const Mat3& 
 
 /// Without impulses, at the velocities of the bodies.
 BulkContact contact_of(const StepManifold& manifold, const BulkBodies& bodies) {
-  const ManifoldMemory& key = *manifold.key;
+  const ShapePair& key = *manifold.key;
   BulkContact contact;
   contact.body_A = key.body_A, contact.body_B = key.body_B;
   contact.shape_A = key.shape_A, contact.shape_B = key.shape_B;
-  contact.part = key.part;
+  contact.part = manifold.part;
   contact.n_W = vector_of(manifold.manifold->normal);
-  contact.point_count = key.point_count;
+  contact.point_count = manifold.manifold->point_count;
   contact.center_W = contact.friction_impulse_W = contact.friction_moment_W = Vec3::Zero();
   const Vec3& x_A = bodies.x[at(key.body_A)];
   const Vec3& x_B = bodies.x[at(key.body_B)];
@@ -161,8 +161,11 @@ DirectIslands::DirectIslands(const Model& model)
 
 std::vector<DirectIslands::Island> DirectIslands::find_islands(const DirectStep& step,
                                                                const BulkBodies& bodies) {
-  std::vector<ManifoldMemory> keys;
-  for (const StepManifold& manifold : step.manifolds) keys.push_back(*manifold.key);
+  std::vector<ManifoldMemory> keys(step.manifolds.size());
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    keys[i].body_A = step.manifolds[i].key->body_A;
+    keys[i].body_B = step.manifolds[i].key->body_B;
+  }
   islands_.build(keys);
   std::map<int, Island> by_lowest;
   for (int i = 0; i < bodies.count(); ++i) {

@@ -5,6 +5,7 @@
 #include "rigor/bulk/islands.hpp"
 #include "rigor/bulk/manifold.hpp"
 #include "rigor/bulk/manifold_blocks.hpp"
+#include "rigor/bulk/narrow_phase.hpp"
 #include "rigor/model/manifold_memory.hpp"
 
 #include <functional>
@@ -15,7 +16,8 @@ namespace rigor {
 /// A manifold of a step, with what belongs to it.
 struct StepManifold {
   const Manifold* manifold = nullptr;
-  const ManifoldMemory* key = nullptr;     ///< Whose it is.
+  const ShapePair* key = nullptr;          ///< Whose it is.
+  int part = 0;                            ///< Which one of the pair.
   const ManifoldMemory* memory = nullptr;  ///< Of the step before; or nullptr.
   const ManifoldSurface* surface = nullptr;
   bool is_new = true;  ///< It did not press at the end of the step before.

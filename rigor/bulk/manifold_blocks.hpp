@@ -102,9 +102,8 @@ void read_lane(const ManifoldBlock& block, int lane, ManifoldMemory& memory);
 void warm_start_block(LaneTarget target, ManifoldBlock& block, BulkBodies& bodies);
 
 enum class BlockPass {
-  push,        ///< Overlaps are put back, as fast as the spring does.
-  relax,       ///< Velocities alone, without the spring.
-  restitution  ///< Points that were pressed part at e times the speed at which they met.
+  push,  ///< Overlaps are put back, as fast as the spring does.
+  relax  ///< Velocities alone, without the spring.
 };
 /// One sweep over a block. h [s]: of the substep.
 void solve_block(LaneTarget target, BlockPass pass, float h, ManifoldBlock& block, BulkBodies& bodies);

@@ -143,16 +143,9 @@ struct PointRule {
 };
 template <BlockPass pass>
 RIGOR_FLOAT_LANES PointRule rule_of(float h, const NormalMotion& moved, const ManifoldBlock& block,
-                                    const BlockPoints& point, int bit) {
+                                    const BlockPoints& point) {
   const FloatLanes zero = splat(0), one = splat(1);
   const FloatLanes mass = lane(point.mass);
-  if constexpr (pass == BlockPass::restitution) {
-    const FloatLanes first = lane(point.first_speed);
-    IntLanes pressed;
-    std::memcpy(&pressed, block.pressed.data(), sizeof pressed);
-    const IntLanes bounces = (first < splat(-bounce_speed)) & ((pressed & bit) != 0);
-    return {one, bounces ? mass : zero, bounces ? mass * lane(block.restitution) * first : zero};
-  }
   const FloatLanes gap = lane(point.gap) + at_point(moved, lane(point.p1), lane(point.p2));
   const FloatLanes closing = mass * larger(gap, zero) * splat(1 / h);
   if constexpr (pass == BlockPass::relax) return {one, mass, closing};
@@ -175,7 +168,7 @@ RIGOR_FLOAT_LANES NormalMotion solve_normals(float h, const NormalMotion& moved,
     const BlockPoints& point = block.points[static_cast<std::size_t>(k)];
     p1[k] = lane(point.p1);
     p2[k] = lane(point.p2);
-    rule[k] = rule_of<pass>(h, moved, block, point, 1 << k);
+    rule[k] = rule_of<pass>(h, moved, block, point);
     old[k] = impulse[k] = lane(point.impulse);
     speed[k] = at_point(u, p1[k], p2[k]);
     const NormalMotion answer = response_to(block, p1[k], p2[k]);
@@ -331,8 +324,6 @@ void solve(BlockPass pass, float h, ManifoldBlock& block, BulkBodies& bodies) {
       return solve_points<BlockPass::push>(h, block, bodies);
     case BlockPass::relax:
       return solve_points<BlockPass::relax>(h, block, bodies);
-    case BlockPass::restitution:
-      return solve_pass<BlockPass::restitution, 4>(h, block, bodies);
   }
 }
 

@@ -20,8 +20,6 @@ namespace {
 constexpr float max_push_speed = 3;
 /// The points of a manifold are solved this often one after the other: near enough to a block.
 constexpr int block_sweeps = 3;
-/// A contact that meets more slowly does not bounce [m/s].
-constexpr float bounce_speed = 1e-2f;
 
 namespace portable_lanes {
 #define RIGOR_LANES_HAVE_FMA 0

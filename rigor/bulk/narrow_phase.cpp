@@ -6,11 +6,13 @@
 #include "rigor/bulk/collide_exactly.hpp"
 #include "rigor/bulk/collide_polytopes.hpp"
 #include "rigor/bulk/collide_round.hpp"
+#include "rigor/bulk/list_room.hpp"
 #include "rigor/bulk/pair_hints.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <unordered_map>
 
 namespace rigor {
 
@@ -18,19 +20,27 @@ namespace {
 
 using Kind = BulkShape::Kind;
 
-constexpr int kBlock = 128;        ///< Pairs that are put into lanes together.
-constexpr int kPartGrain = 256;    ///< Pairs; a part of them has its own lists.
-constexpr int kPlaceGrain = 1024;  ///< Shapes.
+constexpr int kBlock = PairHints::block;  ///< Pairs that are put into lanes together.
+constexpr int kPartGrain = 256;           ///< Pairs; a part of them has its own lists.
+constexpr int kPlaceGrain = 1024;         ///< Shapes.
 constexpr float kRounding = kCollisionRounding;
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-/// A pair of shapes by their numbers.
+/// A shape of a body: its form and its place, by their numbers. Balls about the centres of their bodies share
+/// a place, which is the same for ever.
+struct PlacedForm {
+  int form;
+  int place;
+};
+
+/// A pair of shapes.
 struct PairPlace {
-  int i, j;
-  Vec3f d;  ///< From the centre of body A to that of body B [m].
+  PlacedForm a, b;
+  Vec3f d;                   ///< From the centre of body A to that of body B [m].
+  PairHint* hint = nullptr;  ///< If it has one.
 };
 
 /// Pairs of one kind in lanes.
@@ -63,11 +73,32 @@ struct alignas(64) Part {
 
 }  // namespace
 
+namespace {
+
+/// Turning does not move it.
+bool is_centred_ball(const BulkShape& shape) {
+  return shape.kind == Kind::round && shape.extent == 0 && shape.X_BS.p.isZero(0);
+}
+
+SupportCore core_of(const BulkShape& shape, const PlacedShape& placed) {
+  return {shape.hull ? shape.hull->vertices() : LaneColumns{}, &placed, shape.scale};
+}
+
+}  // namespace
+
 struct NarrowPhase::Tables {
   explicit Tables(const Model& model);
 
-  int index(int body, int shape) const { return first_shape[at(body)] + shape; }
-  bool is_ball(int i) const { return shapes[at(i)].kind == Kind::round && shapes[at(i)].extent == 0; }
+  const PlacedForm& placed_form(int body, int shape) const {
+    return shapes[at(first_shape[at(body)] + shape)];
+  }
+  const BulkShape& form(const PlacedForm& shape) const { return forms[at(shape.form)]; }
+  const PlacedShape& place_of(const PlacedForm& shape) const { return placed[at(shape.place)]; }
+  bool is_ball(const PlacedForm& shape) const {
+    return form(shape).kind == Kind::round && form(shape).extent == 0;
+  }
+  /// Whether the search of the pair's contacts begins where it ended.
+  bool needs_hint(const ShapePair& pair) const;
   void place(const BulkBodies& bodies, const Executor& executor);
   /// Of the pairs [begin, end), added in their order.
   void find(const BulkBodies& bodies, const std::vector<ShapePair>& pairs, int begin, int end,
@@ -75,7 +106,7 @@ struct NarrowPhase::Tables {
   void sort_block(const BulkBodies& bodies, const std::vector<ShapePair>& pairs, int begin, int end,
                   BlockScratch& scratch);
   /// Whether the direction of the pair's hint still parts it.
-  bool is_parted(const PairPlace& place, const PairHint& hint, float margin) const;
+  bool is_parted(const PairPlace& place, float margin) const;
   void add_boxes(const PairPlace& place, int number, float margin,
                  LaneList<BoxPairs, BoxContacts>& boxes) const;
   void add_balls(const PairPlace& place, int number, LaneList<BallPairs, BallContacts>& balls) const;
@@ -87,37 +118,56 @@ struct NarrowPhase::Tables {
                       std::vector<PairManifold>& manifolds);
 
   FloatHulls hulls;
-  std::vector<int> first_shape;  ///< Of each body.
-  std::vector<int> body_of;      ///< Of each shape.
-  std::vector<BulkShape> shapes;
+  std::vector<BulkShape> forms;  ///< Bodies that share their shapes share these.
+  std::unordered_map<const BodyShape*, PlacedForm> known_forms;  ///< With the places of balls at centres.
+  std::vector<int> first_shape;                                  ///< Of each body, and the end.
+  std::vector<PlacedForm> shapes;
   std::vector<PlacedShape> placed;
-  std::vector<SupportCore> cores;
   PairHints hints;
   std::vector<std::unique_ptr<Part>> parts;
 };
 
 NarrowPhase::Tables::Tables(const Model& model) {
+  constexpr int no_place = -1;
+  shapes.reserve(at(model.body_count()));
+  first_shape.reserve(at(model.body_count()) + 1);
   for (int i = 0; i < model.body_count(); ++i) {
     first_shape.push_back(static_cast<int>(shapes.size()));
     for (const BodyShape& shape : model.body(i).shapes) {
-      shapes.push_back(make_bulk_shape(shape, hulls));
-      body_of.push_back(i);
+      const auto [known, is_new] =
+          known_forms.emplace(&shape, PlacedForm{static_cast<int>(forms.size()), no_place});
+      if (is_new) forms.push_back(make_bulk_shape(shape, hulls));
+      PlacedForm own = known->second;
+      if (own.place == no_place) {
+        own.place = static_cast<int>(placed.size());
+        make_room(placed.size() + 1, placed);
+        placed.push_back(place_shape(form(own), Quat::Identity()));
+        if (is_centred_ball(form(own))) known->second = own;
+      }
+      shapes.push_back(own);
     }
   }
-  for (const BulkShape& shape : shapes) placed.push_back(place_shape(shape, Quat::Identity()));
-  for (std::size_t k = 0; k < shapes.size(); ++k) {
-    const LaneColumns vertices = shapes[k].hull ? shapes[k].hull->vertices() : LaneColumns{};
-    cores.push_back({vertices, &placed[k], shapes[k].scale});
-  }
+  first_shape.push_back(static_cast<int>(shapes.size()));
 }
 
 void NarrowPhase::Tables::place(const BulkBodies& bodies, const Executor& executor) {
-  executor.for_ranges(static_cast<int>(shapes.size()), kPlaceGrain, [&](int begin, int end) {
-    for (int k = begin; k < end; ++k) {
-      if (is_ball(k) && shapes[at(k)].X_BS.p.isZero(0)) continue;  // Turning does not move it.
-      placed[at(k)] = place_shape(shapes[at(k)], bodies.q[at(body_of[at(k)])]);
+  executor.for_ranges(bodies.count(), kPlaceGrain, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      for (int k = first_shape[at(i)]; k < first_shape[at(i) + 1]; ++k) {
+        const PlacedForm& shape = shapes[at(k)];
+        if (!is_centred_ball(form(shape)))
+          placed[at(shape.place)] = place_shape(form(shape), bodies.q[at(i)]);
+      }
     }
   });
+}
+
+bool NarrowPhase::Tables::needs_hint(const ShapePair& pair) const {
+  const PlacedForm &a = placed_form(pair.body_A, pair.shape_A), &b = placed_form(pair.body_B, pair.shape_B);
+  const auto has_core = [&](const PlacedForm& shape) {
+    return form(shape).kind != Kind::plane && form(shape).kind != Kind::other;
+  };
+  return (form(a).kind != Kind::round || form(b).kind != Kind::round) && has_core(a) && has_core(b);
 }
 
 namespace {
@@ -156,8 +206,8 @@ bool add_manifold(const std::optional<Vec3f>& n, int number, PlacedPolytopes& pa
 void NarrowPhase::Tables::find_pair(const BulkBodies& bodies, const ShapePair& pair, const PairPlace& place,
                                     int number, PlacedPolytopes& polytopes,
                                     std::vector<PairManifold>& manifolds) {
-  const BulkShape &a = shapes[at(place.i)], &b = shapes[at(place.j)];
-  const PlacedShape &placed_A = placed[at(place.i)], &placed_B = placed[at(place.j)];
+  const BulkShape &a = form(place.a), &b = form(place.b);
+  const PlacedShape &placed_A = place_of(place.a), &placed_B = place_of(place.b);
   const bool is_other = a.kind == Kind::other || b.kind == Kind::other;
   const bool has_plane = a.kind == Kind::plane || b.kind == Kind::plane;
   polytopes.candidates.clear();
@@ -183,9 +233,9 @@ void NarrowPhase::Tables::find_pair(const BulkBodies& bodies, const ShapePair& p
 
 void NarrowPhase::Tables::find_polytopes(const PairPlace& place, int number, float margin,
                                          PlacedPolytopes& polytopes, std::vector<PairManifold>& manifolds) {
-  const BulkShape &a = shapes[at(place.i)], &b = shapes[at(place.j)];
-  PairHint& hint = hints.of(number);
-  place_polytopes(a, placed[at(place.i)], b, placed[at(place.j)], place.d, polytopes);
+  const BulkShape &a = form(place.a), &b = form(place.b);
+  PairHint& hint = *place.hint;
+  place_polytopes(a, place_of(place.a), b, place_of(place.b), place.d, polytopes);
   AxisGuess guess{hint.n, hint.axis};
   if (guess.n.isZero(0)) guess.n = polytopes.b.center - polytopes.a.center;
   const float limit = margin + a.radius + b.radius + parting_slack(polytopes.rounding);
@@ -199,13 +249,13 @@ void NarrowPhase::Tables::find_polytopes(const PairPlace& place, int number, flo
   hint = {axis.n, is_touching ? code_of(axis) : 0};
 }
 
-bool NarrowPhase::Tables::is_parted(const PairPlace& place, const PairHint& hint, float margin) const {
-  if (hint.axis != 0 || hint.n.isZero(0)) return false;
-  const BulkShape &a = shapes[at(place.i)], &b = shapes[at(place.j)];
+bool NarrowPhase::Tables::is_parted(const PairPlace& place, float margin) const {
+  if (!place.hint || place.hint->axis != 0 || place.hint->n.isZero(0)) return false;
+  const BulkShape &a = form(place.a), &b = form(place.b);
   const float rounding = kRounding * (a.extent + b.extent + place.d.lpNorm<1>());
-  const Vec3f d = place.d + placed[at(place.j)].position() - placed[at(place.i)].position();
-  return find_separation(cores[at(place.i)], cores[at(place.j)], d, hint.n, best_lane_target()) >
-         margin + a.radius + b.radius + parting_slack(rounding);
+  const Vec3f d = place.d + place_of(place.b).position() - place_of(place.a).position();
+  return find_separation(core_of(a, place_of(place.a)), core_of(b, place_of(place.b)), d, place.hint->n,
+                         best_lane_target()) > margin + a.radius + b.radius + parting_slack(rounding);
 }
 
 void NarrowPhase::Tables::add_boxes(const PairPlace& place, int number, float margin,
@@ -215,8 +265,8 @@ void NarrowPhase::Tables::add_boxes(const PairPlace& place, int number, float ma
   boxes.pairs[at(boxes.count++)] = number;
   // Lanes that are left over hold the first pair.
   for (int k = lane; k < (lane == 0 ? kLaneCount : lane + 1); ++k) {
-    lanes.a[k] = &placed[at(place.i)];
-    lanes.b[k] = &placed[at(place.j)];
+    lanes.a[k] = &place_of(place.a);
+    lanes.b[k] = &place_of(place.b);
     for (int c = 0; c < 3; ++c) lanes.d[c][k] = place.d[c];
     lanes.margin[k] = margin;
   }
@@ -227,33 +277,36 @@ void NarrowPhase::Tables::add_balls(const PairPlace& place, int number,
   const int lane = balls.count % kLaneCount;
   BallPairs& lanes = balls.lanes[at(balls.count / kLaneCount)];
   balls.pairs[at(balls.count++)] = number;
-  const PlacedShape &a = placed[at(place.i)], &b = placed[at(place.j)];
+  const PlacedShape &a = place_of(place.a), &b = place_of(place.b);
   for (int k = lane; k < (lane == 0 ? kLaneCount : lane + 1); ++k) {
     for (int c = 0; c < 3; ++c) {
       lanes.p[c][k] = a.p[c];
       lanes.d[c][k] = place.d[c] + b.p[c] - a.p[c];
     }
-    lanes.radius_A[k] = shapes[at(place.i)].radius;
-    lanes.radius_B[k] = shapes[at(place.j)].radius;
+    lanes.radius_A[k] = form(place.a).radius;
+    lanes.radius_B[k] = form(place.b).radius;
   }
 }
 
 /// Parts what is known to be apart, and puts boxes and balls into lanes.
 void NarrowPhase::Tables::sort_block(const BulkBodies& bodies, const std::vector<ShapePair>& pairs, int begin,
                                      int end, BlockScratch& scratch) {
-  hints.take_over(pairs, begin, end);
+  int number = hints.first_of(begin / kBlock);
+  const int last_number = hints.first_of(begin / kBlock + 1);
+  std::size_t before = hints.find_before(pairs[at(begin)]);
   scratch.boxes.count = scratch.balls.count = 0;
   for (int k = begin; k < end; ++k) {
     const ShapePair& pair = pairs[at(k)];
     const Vec3 p_OB = bodies.x[at(pair.body_B)] - bodies.x[at(pair.body_A)];
-    const PairPlace place{index(pair.body_A, pair.shape_A), index(pair.body_B, pair.shape_B),
-                          p_OB.cast<float>()};
-    scratch.places[at(k - begin)] = place;
-    scratch.is_parted[at(k - begin)] = is_parted(place, hints.of(k), pair.margin);
+    PairPlace& place = scratch.places[at(k - begin)];
+    place = {placed_form(pair.body_A, pair.shape_A), placed_form(pair.body_B, pair.shape_B),
+             p_OB.cast<float>(), nullptr};
+    if (number < last_number && needs_hint(pair)) place.hint = &hints.take_over(pair, number++, before);
+    scratch.is_parted[at(k - begin)] = is_parted(place, pair.margin);
     if (scratch.is_parted[at(k - begin)]) continue;
-    if (is_ball(place.i) && is_ball(place.j)) {
+    if (is_ball(place.a) && is_ball(place.b)) {
       add_balls(place, k, scratch.balls);
-    } else if (shapes[at(place.i)].kind == Kind::box && shapes[at(place.j)].kind == Kind::box) {
+    } else if (form(place.a).kind == Kind::box && form(place.b).kind == Kind::box) {
       add_boxes(place, k, pair.margin, scratch.boxes);
     }
   }
@@ -269,7 +322,7 @@ void NarrowPhase::Tables::find_boxes(const PairPlace& place, int lane_place, int
   const BoxPairs& lanes = scratch.boxes.lanes[at(lane_place / kLaneCount)];
   const BoxContacts& contacts = scratch.boxes.contacts[at(lane_place / kLaneCount)];
   const int lane = lane_place % kLaneCount;
-  PairHint& hint = hints.of(number);
+  PairHint& hint = *place.hint;
   if (contacts.outcome[lane] == BoxContacts::apart) {
     hint = {box_axis(lanes, contacts, lane), 0};
     return;
@@ -290,8 +343,8 @@ void NarrowPhase::Tables::find_boxes(const PairPlace& place, int lane_place, int
   if (outcome == BoxContacts::region) return;
   // Nearest at an edge or a corner of both.
   PlacedPolytopes& polytopes = scratch.polytopes;
-  const BulkShape &a = shapes[at(place.i)], &b = shapes[at(place.j)];
-  place_polytopes(a, placed[at(place.i)], b, placed[at(place.j)], place.d, polytopes);
+  const BulkShape &a = form(place.a), &b = form(place.b);
+  place_polytopes(a, place_of(place.a), b, place_of(place.b), place.d, polytopes);
   polytopes.candidates.clear();
   hint = {box_axis(lanes, contacts, lane), 0};
   SeparatingAxis axis;
@@ -306,6 +359,7 @@ void NarrowPhase::Tables::find(const BulkBodies& bodies, const std::vector<Shape
                                int end, BlockScratch& scratch, std::vector<PairManifold>& manifolds) {
   for (int first = begin; first < end; first += kBlock) {
     const int last = std::min(end, first + kBlock);
+    make_room(manifolds.size() + kBlock, manifolds);
     sort_block(bodies, pairs, first, last, scratch);
     int box = 0, ball = 0;
     for (int k = first; k < last; ++k) {
@@ -335,11 +389,15 @@ void NarrowPhase::find_manifolds(const BulkBodies& bodies, const std::vector<Sha
   Tables& tables = *tables_;
   tables.place(bodies, executor);
   const int count = static_cast<int>(pairs.size());
-  tables.hints.begin(pairs);
+  tables.hints.begin(pairs, [&](const ShapePair& pair) { return tables.needs_hint(pair); });
   const int most = executor.threads() == 1 ? 1 : parts_of_a_thread * executor.threads();
   const int part_count = std::clamp(count / kPartGrain, 1, most);
   while (tables.parts.size() < at(part_count)) tables.parts.push_back(std::make_unique<Part>());
-  const auto begin_of = [&](int k) { return static_cast<int>(std::int64_t{count} * k / part_count); };
+  // Whole blocks.
+  const int block_count = (count + kBlock - 1) / kBlock;
+  const auto begin_of = [&](int k) {
+    return std::min(count, kBlock * static_cast<int>(std::int64_t{block_count} * k / part_count));
+  };
   if (part_count == 1) {
     manifolds.clear();
     tables.find(bodies, pairs, 0, count, tables.parts[0]->scratch, manifolds);
@@ -357,7 +415,7 @@ void NarrowPhase::find_manifolds(const BulkBodies& bodies, const std::vector<Sha
     tables.parts[at(k)]->begin = total;
     total += static_cast<int>(tables.parts[at(k)]->manifolds.size());
   }
-  manifolds.resize(at(total));
+  renew(at(total), manifolds);
   executor.for_ranges(part_count, 1, [&](int begin, int end) {
     for (int k = begin; k < end; ++k) {
       const Part& part = *tables.parts[at(k)];

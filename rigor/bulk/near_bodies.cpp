@@ -1,5 +1,7 @@
 #include "rigor/bulk/near_bodies.hpp"
 
+#include "rigor/bulk/list_room.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -39,12 +41,13 @@ bool holds(const FloatBox& wide, const FloatBox& box) {
 
 }  // namespace
 
-NearBodies::NearBodies(std::vector<int> moving, std::vector<int> standing, int body_count, float cell)
-    : cell_(cell) {
+NearBodies::NearBodies(std::vector<int> moving, std::vector<int> standing, std::vector<float> radii,
+                       float cell)
+    : radii_(std::move(radii)), cell_(cell) {
   moving_.bodies = std::move(moving);
   standing_.bodies = std::move(standing);
-  is_out_.resize(at(body_count));
-  slot_.resize(at(body_count));
+  is_out_.resize(radii_.size());
+  slot_.resize(radii_.size());
   for (std::size_t i = 0; i < moving_.bodies.size(); ++i) slot_[at(moving_.bodies[i])] = static_cast<int>(i);
   for (std::size_t i = 0; i < standing_.bodies.size(); ++i)
     slot_[at(standing_.bodies[i])] = -1 - static_cast<int>(i);
@@ -57,7 +60,7 @@ FloatBox NearBodies::wide_box(const Boxes& boxes, int body) const {
   const float shift[] = {static_cast<float>(d.x()), static_cast<float>(d.y()), static_cast<float>(d.z())};
   FloatBox wide = shifted(boxes.box[at(body)], shift);
   for (int k = 0; k < 3; ++k) {
-    const float way = steps * boxes.way[3 * at(body) + at(k)];
+    const float way = steps * (boxes.h * boxes.motion[at(body)].v[k]);
     wide.lower[k] += std::min(way, 0.0f) - room * cell_;
     wide.upper[k] += std::max(way, 0.0f) + room * cell_;
   }
@@ -103,34 +106,54 @@ void NearBodies::build(const Boxes& boxes, const PairFilter& filter, const Execu
     side->tree.build(side->wide, cell_);
   }
   const int block_count = moving_.tree.block_count();
-  const int part_count = (block_count + blocks_of_a_part - 1) / blocks_of_a_part;
-  parts_.resize(at(part_count));
-  executor.for_ranges(part_count, 1, [&](int begin, int end) {
-    for (int k = begin; k < end; ++k) {
-      parts_[at(k)].clear();
+  std::vector<std::vector<Pair>> parts(at((block_count + blocks_of_a_part - 1) / blocks_of_a_part));
+  executor.for_ranges(static_cast<int>(parts.size()), 1, [&](int begin, int end) {
+    for (int k = begin; k < end; ++k)
       search_blocks(k * blocks_of_a_part, std::min((k + 1) * blocks_of_a_part, block_count), filter,
-                    parts_[at(k)]);
-    }
+                    parts[at(k)]);
   });
-  order_.clear(static_cast<int>(slot_.size()));
-  for (const std::vector<ShapePair>& part : parts_) order_.add(part);
-  order_.write(ordered_);
-  pairs_.clear();
-  for (const ShapePair& pair : ordered_) pairs_.push_back({pair.body_A, pair.body_B});
+  put_in_order(parts);
 }
 
-void NearBodies::search_blocks(int begin, int end, const PairFilter& filter,
-                               std::vector<ShapePair>& found) const {
+void NearBodies::search_blocks(int begin, int end, const PairFilter& filter, std::vector<Pair>& found) const {
   std::vector<BoxTree::Pair> own, other;
   for (int block = begin; block < end; ++block) {
     moving_.tree.find_own_pairs(block, own);
     moving_.tree.find_pairs_with(standing_.tree, block, other);
   }
   const auto add = [&](int a, int b) {
-    if (filter.may_collide(a, b)) found.push_back({std::min(a, b), std::max(a, b), 0, 0, 0});
+    if (may_meet(a, b, filter)) found.push_back({std::min(a, b), std::max(a, b)});
   };
   for (const BoxTree::Pair& pair : own) add(moving_.bodies[at(pair.a)], moving_.bodies[at(pair.b)]);
   for (const BoxTree::Pair& pair : other) add(moving_.bodies[at(pair.a)], standing_.bodies[at(pair.b)]);
+}
+
+/// Of two bodies whose wide boxes overlap.
+bool NearBodies::may_meet(int a, int b, const PairFilter& filter) const {
+  return rounded_boxes_touch(wide_of(a), radius(a), wide_of(b), radius(b)) && filter.may_collide(a, b);
+}
+
+const FloatBox& NearBodies::wide_of(int body) const {
+  const int slot = slot_[at(body)];
+  return slot >= 0 ? moving_.wide[at(slot)] : standing_.wide[at(-1 - slot)];
+}
+
+/// Each pair goes to the part of the list that its first body has, in the order of the second ones there.
+void NearBodies::put_in_order(const std::vector<std::vector<Pair>>& parts) {
+  std::vector<int> begin(slot_.size() + 1, 0);
+  for (const std::vector<Pair>& part : parts)
+    for (const Pair& pair : part) ++begin[at(pair.a) + 1];
+  for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
+  renew(at(begin.back()), pairs_);
+  for (const std::vector<Pair>& part : parts)
+    for (const Pair& pair : part) pairs_[at(begin[at(pair.a)]++)] = pair;
+  auto first = pairs_.begin();
+  for (const int end : begin) {  // Each is the next one's first place by now.
+    const auto last = pairs_.begin() + end;
+    if (last <= first) continue;
+    std::sort(first, last, is_before);
+    first = last;
+  }
 }
 
 /// New wide boxes for those that have left theirs, and their pairs.
@@ -149,16 +172,14 @@ void NearBodies::replace(const Boxes& boxes, const PairFilter& filter) {
     for (const int slot : touched_) {
       const int other = side.bodies[at(slot)];
       // A pair of two that have escaped is found twice.
-      if (other == body || (is_out_[at(other)] && other < body) || !filter.may_collide(body, other)) continue;
+      if (other == body || (is_out_[at(other)] && other < body) || !may_meet(body, other, filter)) continue;
       found_.push_back({std::min(body, other), std::max(body, other)});
     }
   };
   for (const int body : escaped_) {
     const bool is_moving = slot_[at(body)] >= 0;
-    const FloatBox& wide =
-        is_moving ? moving_.wide[at(slot_[at(body)])] : standing_.wide[at(-1 - slot_[at(body)])];
-    add_overlaps(body, wide, moving_);
-    if (is_moving) add_overlaps(body, wide, standing_);
+    add_overlaps(body, wide_of(body), moving_);
+    if (is_moving) add_overlaps(body, wide_of(body), standing_);
   }
   merge_found();
 }
@@ -166,15 +187,8 @@ void NearBodies::replace(const Boxes& boxes, const PairFilter& filter) {
 /// Of the pairs before, those of escaped bodies are forgotten.
 void NearBodies::merge_found() {
   std::sort(found_.begin(), found_.end(), is_before);
-  merged_.clear();
-  auto next = found_.begin();
-  for (const Pair& pair : pairs_) {
-    if (is_out_[at(pair.a)] || is_out_[at(pair.b)]) continue;
-    while (next != found_.end() && is_before(*next, pair)) merged_.push_back(*next++);
-    merged_.push_back(pair);
-  }
-  merged_.insert(merged_.end(), next, found_.end());
-  pairs_.swap(merged_);
+  std::erase_if(pairs_, [&](const Pair& pair) { return is_out_[at(pair.a)] || is_out_[at(pair.b)]; });
+  merge_into(found_, is_before, pairs_);
 }
 
 }  // namespace rigor

@@ -1,5 +1,6 @@
 #include "rigor/bulk/pair_finder.hpp"
 
+#include "rigor/bulk/list_room.hpp"
 #include "rigor/bulk/near_bodies.hpp"
 #include "rigor/bulk/pair_filter.hpp"
 #include "rigor/bulk/shape_places.hpp"
@@ -7,7 +8,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <tuple>
+#include <unordered_map>
 #include <utility>
 
 namespace rigor {
@@ -21,7 +24,8 @@ std::size_t at(int i) {
 /// A shape with an end, of a body.
 struct BoundedShape {
   int shape;  ///< Of the body.
-  ShapeBound bound;
+  int bound;  ///< Its number among the bounds.
+  int box;    ///< Its number among the boxes; -1: it is the box of the body.
 };
 
 }  // namespace
@@ -34,8 +38,11 @@ struct PairFinder::Tables {
   };
 
   explicit Tables(const Model& model);
+  float add_body(const Body& body);
+  int bound_of(const BodyShape& shape);
   void update(const Step& step, const Executor& executor);
   FloatBox update_body(const Step& step, int body);
+  void add_near(const Step& step, int begin, int end, std::vector<ShapePair>& pairs) const;
   void add_pairs(const Step& step, int a, int b, std::vector<ShapePair>& pairs) const;
   void add_pair(const Step& step, const ShapePair& pair, std::vector<ShapePair>& pairs) const;
   void add_unbounded(const Step& step, std::vector<ShapePair>& pairs) const;
@@ -44,71 +51,90 @@ struct PairFinder::Tables {
   std::function<bool(int, int)> may_touch;  ///< The caller's, or none.
   std::vector<BoundedShape> shapes;         ///< Of all bodies.
   std::vector<int> shape_begin;             ///< Of each body, and the end.
+  std::vector<ShapeBound> bounds;           ///< Bodies that share their shapes share these.
+  std::unordered_map<const BodyShape*, int> bound_numbers;
   std::vector<UnboundedShape> unbounded;
-  std::vector<int> moving, bounded;  ///< Dynamic bodies with bounded shapes, and all bodies with some.
   std::unique_ptr<NearBodies> near_bodies;
 
   Vec3 origin = Vec3::Zero();  ///< Of what is in 32 bits: a body's place, so that far scenes lose nothing.
   std::vector<ShapePlace> places;
   std::vector<FloatBox> shape_boxes, body_boxes;
-  std::vector<float> ways;  ///< Of bodies within the step, three each [m].
-  std::vector<std::vector<ShapePair>> parts;
-  std::vector<ShapePair> at_unbounded, merged;
+  std::vector<std::vector<ShapePair>> parts;  ///< Of several threads.
+  std::vector<ShapePair> at_unbounded;
 };
 
 PairFinder::Tables::Tables(const Model& model) : filter(model) {
   double size = 0;
-  std::vector<int> standing;
+  std::vector<int> moving, standing;
+  std::vector<float> radii(at(model.body_count()), 0);
+  shapes.reserve(at(model.body_count()));
+  shape_begin.reserve(at(model.body_count()) + 1);
   for (int i = 0; i < model.body_count(); ++i) {
     const Body& body = model.body(i);
     shape_begin.push_back(static_cast<int>(shapes.size()));
-    for (std::size_t s = 0; s < body.shapes.size(); ++s) {
-      const BodyShape& shape = body.shapes[s];
-      if (is_unbounded(shape.shape)) {
-        unbounded.push_back(make_unbounded_shape(i, static_cast<int>(s), shape));
-      } else {
-        shapes.push_back({static_cast<int>(s), make_shape_bound(shape)});
-      }
-    }
+    for (std::size_t s = 0; s < body.shapes.size(); ++s)
+      if (is_unbounded(body.shapes[s].shape))
+        unbounded.push_back(make_unbounded_shape(i, static_cast<int>(s), body.shapes[s]));
+    radii[at(i)] = add_body(body);
     if (shape_begin.back() == static_cast<int>(shapes.size())) continue;
     const bool is_dynamic = body.motion == MotionType::dynamic;
     (is_dynamic ? moving : standing).push_back(i);
-    bounded.push_back(i);
     if (is_dynamic) size += 2 * body.bounding_radius;
   }
   shape_begin.push_back(static_cast<int>(shapes.size()));
   // The mean size of the dynamic bodies.
   const float cell = moving.empty() ? 1.0f : static_cast<float>(size / static_cast<double>(moving.size()));
-  near_bodies = std::make_unique<NearBodies>(moving, standing, model.body_count(), cell);
+  near_bodies = std::make_unique<NearBodies>(std::move(moving), std::move(standing), std::move(radii), cell);
   places.resize(shapes.size());
-  shape_boxes.resize(shapes.size());
   body_boxes.resize(at(model.body_count()));
-  ways.resize(3 * at(model.body_count()));
+}
+
+/// Its bounded shapes; returns the radius of the edges of the box around them all.
+float PairFinder::Tables::add_body(const Body& body) {
+  const std::size_t first = shapes.size();
+  float radius = std::numeric_limits<float>::infinity();
+  for (std::size_t s = 0; s < body.shapes.size(); ++s) {
+    if (is_unbounded(body.shapes[s].shape)) continue;
+    const int bound = bound_of(body.shapes[s]);
+    shapes.push_back({static_cast<int>(s), bound, -1});
+    radius = std::min(radius, bounds[at(bound)].radius);
+  }
+  const std::size_t count = shapes.size() - first;
+  for (std::size_t k = first; k < shapes.size() && count > 1; ++k) {
+    shapes[k].box = static_cast<int>(shape_boxes.size());
+    shape_boxes.emplace_back();
+  }
+  return count == 0 ? 0 : radius;
+}
+
+int PairFinder::Tables::bound_of(const BodyShape& shape) {
+  const auto [known, is_new] = bound_numbers.emplace(&shape, static_cast<int>(bounds.size()));
+  if (is_new) bounds.push_back(make_shape_bound(shape));
+  return known->second;
 }
 
 /// Places and boxes of all shapes, and which bodies are near.
 void PairFinder::Tables::update(const Step& step, const Executor& executor) {
   constexpr int grain = 64;
+  const std::vector<int>& moving = near_bodies->moving();
   if (!moving.empty()) origin = step.bodies.x[at(moving[moving.size() / 2])];
-  executor.for_ranges(static_cast<int>(bounded.size()), grain, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) {
-      const int body = bounded[at(i)];
-      body_boxes[at(body)] = update_body(step, body);
-      for (int k = 0; k < 3; ++k) ways[3 * at(body) + at(k)] = step.h * step.bodies.motion[at(body)].v[k];
-    }
+  executor.for_ranges(step.bodies.count(), grain, [&](int begin, int end) {
+    for (int body = begin; body < end; ++body)
+      if (shape_begin[at(body)] < shape_begin[at(body) + 1]) body_boxes[at(body)] = update_body(step, body);
   });
-  near_bodies->update({body_boxes, ways, origin}, filter, executor);
+  near_bodies->update({body_boxes, step.bodies.motion, step.h, origin}, filter, executor);
 }
 
 /// Returns the box of all its bounded shapes.
 FloatBox PairFinder::Tables::update_body(const Step& step, int body) {
   FloatBox all{};
   for (int s = shape_begin[at(body)]; s < shape_begin[at(body) + 1]; ++s) {
-    const ShapeBound& bound = shapes[at(s)].bound;
-    places[at(s)] = place_of(bound, step.bodies, body, origin);
-    const FloatBox box =
-        swept_box(places[at(s)], bound, step.bodies.motion[at(body)], step.h, 0.5f * step.margin);
-    shape_boxes[at(s)] = box;
+    const BoundedShape& shape = shapes[at(s)];
+    const auto [place, box] =
+        sweep_shape(bounds[at(shape.bound)], step.bodies, body, origin, step.h, 0.5f * step.margin);
+    places[at(s)] = place;
+    if (shape.box < 0) return box;
+    shape_boxes[at(shape.box)] = box;
     const bool is_first = s == shape_begin[at(body)];
     for (int k = 0; k < 3; ++k) {
       all.lower[k] = is_first ? box.lower[k] : std::min(all.lower[k], box.lower[k]);
@@ -118,9 +144,17 @@ FloatBox PairFinder::Tables::update_body(const Step& step, int body) {
   return all;
 }
 
+/// Of a range of the pairs of bodies that are near each other.
+void PairFinder::Tables::add_near(const Step& step, int begin, int end, std::vector<ShapePair>& pairs) const {
+  const std::vector<NearBodies::Pair>& near = near_bodies->pairs();
+  make_room(pairs.size() + at(end - begin), pairs);
+  for (int i = begin; i < end; ++i) add_pairs(step, near[at(i)].a, near[at(i)].b, pairs);
+}
+
 /// Of two bodies, a < b.
 void PairFinder::Tables::add_pairs(const Step& step, int a, int b, std::vector<ShapePair>& pairs) const {
-  if (!body_boxes[at(a)].overlaps(body_boxes[at(b)])) return;
+  const float radius_A = near_bodies->radius(a), radius_B = near_bodies->radius(b);
+  if (!rounded_boxes_touch(body_boxes[at(a)], radius_A, body_boxes[at(b)], radius_B)) return;
   if (!step.bodies.stirs(a) && !step.bodies.stirs(b)) return;
   if (may_touch && !may_touch(a, b)) return;
   const int begin_A = shape_begin[at(a)], end_A = shape_begin[at(a) + 1];
@@ -128,7 +162,10 @@ void PairFinder::Tables::add_pairs(const Step& step, int a, int b, std::vector<S
   if (end_A - begin_A == 1 && end_B - begin_B == 1) return add_pair(step, {a, b, begin_A, begin_B, 0}, pairs);
   for (int i = begin_A; i < end_A; ++i) {
     for (int j = begin_B; j < end_B; ++j) {
-      if (shape_boxes[at(i)].overlaps(shape_boxes[at(j)])) add_pair(step, {a, b, i, j, 0}, pairs);
+      const int box_A = shapes[at(i)].box, box_B = shapes[at(j)].box;
+      if ((box_A < 0 ? body_boxes[at(a)] : shape_boxes[at(box_A)])
+              .overlaps(box_B < 0 ? body_boxes[at(b)] : shape_boxes[at(box_B)]))
+        add_pair(step, {a, b, i, j, 0}, pairs);
     }
   }
 }
@@ -136,8 +173,10 @@ void PairFinder::Tables::add_pairs(const Step& step, int a, int b, std::vector<S
 /// `pair` has the numbers of its shapes among all shapes.
 void PairFinder::Tables::add_pair(const Step& step, const ShapePair& pair,
                                   std::vector<ShapePair>& pairs) const {
-  const std::optional<float> margin =
-      find_pair_margin(places[at(pair.shape_A)], places[at(pair.shape_B)], step.h, step.margin);
+  const std::vector<Quat>& q = step.bodies.q;
+  const PairPlaces both{places[at(pair.shape_A)], places[at(pair.shape_B)], q[at(pair.body_A)],
+                        q[at(pair.body_B)]};
+  const std::optional<float> margin = find_pair_margin(both, step.h, step.margin);
   if (!margin) return;
   pairs.push_back(
       {pair.body_A, pair.body_B, shapes[at(pair.shape_A)].shape, shapes[at(pair.shape_B)].shape, *margin});
@@ -147,13 +186,13 @@ void PairFinder::Tables::add_pair(const Step& step, const ShapePair& pair,
 void PairFinder::Tables::add_unbounded(const Step& step, std::vector<ShapePair>& pairs) const {
   for (const UnboundedShape& other : unbounded) {
     const UnboundedPlace place = place_of(other, step.bodies, origin);
-    for (const int body : moving) {
+    for (const int body : near_bodies->moving()) {
       if (!step.bodies.stirs(other.body) && !step.bodies.stirs(body)) continue;
       if (!filter.may_collide(other.body, body)) continue;
       if (may_touch && !may_touch(std::min(other.body, body), std::max(other.body, body))) continue;
       for (int s = shape_begin[at(body)]; s < shape_begin[at(body) + 1]; ++s) {
         const float margin = step.margin + approach_bound(place, places[at(s)], step.h);
-        if (!may_be_within(other, place, places[at(s)], margin)) continue;
+        if (!may_be_within(other, place, places[at(s)], step.bodies.q[at(body)], margin)) continue;
         if (other.body < body) {
           pairs.push_back({other.body, body, other.shape, shapes[at(s)].shape, margin});
         } else {
@@ -186,33 +225,36 @@ void PairFinder::find_pairs(const BulkBodies& bodies, double h, double margin, c
   Tables& tables = *tables_;
   const Tables::Step step{bodies, static_cast<float>(h), static_cast<float>(margin)};
   tables.update(step, executor);
-  // Each part has its own list; one behind the other they are in order.
-  const std::vector<NearBodies::Pair>& near = tables.near_bodies->pairs();
-  const int near_count = static_cast<int>(near.size());
+  const int near_count = static_cast<int>(tables.near_bodies->pairs().size());
   const int part_count = (near_count + pairs_of_a_part - 1) / pairs_of_a_part;
-  if (tables.parts.size() < at(part_count)) tables.parts.resize(at(part_count));
-  executor.for_ranges(part_count, 1, [&](int begin, int end) {
-    for (int k = begin; k < end; ++k) {
-      std::vector<ShapePair> found;
-      found.swap(tables.parts[at(k)]);  // Heads of lists side by side are in one line of the cache.
-      found.clear();
-      const int last = std::min((k + 1) * pairs_of_a_part, near_count);
-      for (int i = k * pairs_of_a_part; i < last; ++i)
-        tables.add_pairs(step, near[at(i)].a, near[at(i)].b, found);
-      found.swap(tables.parts[at(k)]);
-    }
-  });
+  const auto add_part = [&](int k, std::vector<ShapePair>& found) {
+    tables.add_near(step, k * pairs_of_a_part, std::min((k + 1) * pairs_of_a_part, near_count), found);
+  };
   pairs.clear();
-  for (int k = 0; k < part_count; ++k)
-    pairs.insert(pairs.end(), tables.parts[at(k)].begin(), tables.parts[at(k)].end());
+  if (executor.threads() == 1) {
+    for (int k = 0; k < part_count; ++k) add_part(k, pairs);
+  } else {
+    // Each part has its own list; one behind the other they are in order.
+    if (tables.parts.size() < at(part_count)) tables.parts.resize(at(part_count));
+    executor.for_ranges(part_count, 1, [&](int begin, int end) {
+      for (int k = begin; k < end; ++k) {
+        std::vector<ShapePair> found;
+        found.swap(tables.parts[at(k)]);  // Heads of lists side by side are in one line of the cache.
+        found.clear();
+        add_part(k, found);
+        found.swap(tables.parts[at(k)]);
+      }
+    });
+    for (int k = 0; k < part_count; ++k) {
+      make_room(pairs.size() + tables.parts[at(k)].size(), pairs);
+      pairs.insert(pairs.end(), tables.parts[at(k)].begin(), tables.parts[at(k)].end());
+    }
+  }
   if (tables.unbounded.empty()) return;
   tables.at_unbounded.clear();
   tables.add_unbounded(step, tables.at_unbounded);
   std::sort(tables.at_unbounded.begin(), tables.at_unbounded.end(), is_before);
-  tables.merged.resize(pairs.size() + tables.at_unbounded.size());
-  std::merge(pairs.begin(), pairs.end(), tables.at_unbounded.begin(), tables.at_unbounded.end(),
-             tables.merged.begin(), is_before);
-  pairs.swap(tables.merged);
+  merge_into(tables.at_unbounded, is_before, pairs);
 }
 
 }  // namespace rigor

@@ -84,52 +84,84 @@ ShapeBound make_shape_bound(const BodyShape& shape) {
   }
   bound.radius = rounded_up(radius);
   bound.reach = rounded_up(std::max(radius_about(shape.shape, center_S) - radius, 0.0));
+  bound.is_centred_ball = std::holds_alternative<Sphere>(shape.shape) && center_B.isZero(0);
   return bound;
 }
 
-ShapePlace place_of(const ShapeBound& bound, const BulkBodies& bodies, int body, const Vec3& origin) {
-  const std::size_t k = static_cast<std::size_t>(body);
-  const MotionRecord& motion = bodies.motion[k];
-  ShapePlace place;
-  set_rotation(bodies.q[k], place.R_WS);
-  const Float3 arm = turned(place.R_WS, load(bound.center_B)), w = load(motion.w);
-  const Vec3 x = bodies.x[k] - origin;
-  const Float3 center =
-      Float3{static_cast<float>(x[0]), static_cast<float>(x[1]), static_cast<float>(x[2])} + arm;
-  store(center, place.center);
-  store(load(motion.v) + cross(w, arm), place.u);
-  store(w, place.w);
+BoxAxes axes_of(const ShapeBound& bound, const Quat& q_WB) {
+  BoxAxes axes;
+  set_rotation(q_WB, axes.row);
   if (bound.is_turned) {
-    float R_WB[9];
-    std::copy_n(place.R_WS, 9, R_WB);
+    const BoxAxes of_body = axes;
     for (int row = 0; row < 3; ++row)
-      store(turned_back(bound.R_BS, load(R_WB + 3 * row)), place.R_WS + 3 * row);
+      store(turned_back(bound.R_BS, load(of_body.row + 3 * row)), axes.row + 3 * row);
   }
-  std::copy_n(bound.half, 3, place.half);
-  place.reach = bound.reach;
-  place.radius = bound.radius;
+  return axes;
+}
+
+namespace {
+
+/// arm_W: of its centre from that of the body.
+ShapePlace place_of(const ShapeBound& bound, const BulkBodies& bodies, std::size_t body, const Vec3& origin,
+                    const Float3& arm_W) {
+  const MotionRecord& motion = bodies.motion[body];
+  const Float3 w = load(motion.w);
+  const Vec3 x = bodies.x[body] - origin;
+  const Float3 center =
+      Float3{static_cast<float>(x[0]), static_cast<float>(x[1]), static_cast<float>(x[2])} + arm_W;
+  ShapePlace place;
+  store(center, place.center);
+  store(load(motion.v) + cross(w, arm_W), place.u);
+  store(w, place.w);
   constexpr float roundings = 1e-6f;
   place.slack = roundings * (std::abs(center.x) + std::abs(center.y) + std::abs(center.z) + bound.reach +
                              bound.radius + norm(load(bound.center_B)));
+  place.bound = &bound;
   return place;
 }
 
-FloatBox swept_box(const ShapePlace& place, const ShapeBound& bound, const MotionRecord& motion, float h,
+/// extent: half of the box along W's axes.
+FloatBox swept_box(const ShapePlace& place, const Float3& extent, const MotionRecord& motion, float h,
                    float margin) {
+  const ShapeBound& bound = *place.bound;
   // A point at r from the axis goes at most r times the angle, and never farther than 2 r.
   const float angle = std::min(norm(load(place.w)) * h, 2.0f);
-  const float turn = angle * (norm(load(bound.center_B)) + place.reach);
+  const float turn = angle * (norm(load(bound.center_B)) + bound.reach);
+  const float extents[3] = {extent.x, extent.y, extent.z};
   FloatBox box;
   for (int k = 0; k < 3; ++k) {
-    const float* row = place.R_WS + 3 * k;
-    const float extent = std::abs(row[0]) * place.half[0] + std::abs(row[1]) * place.half[1] +
-                         std::abs(row[2]) * place.half[2];
-    const float half = std::min(extent, place.reach) + place.radius + turn + margin + 2 * place.slack;
+    const float half = std::min(extents[k], bound.reach) + bound.radius + turn + margin + 2 * place.slack;
     const float way = motion.v[k] * h;
     box.lower[k] = place.center[k] - half + std::min(way, 0.0f);
     box.upper[k] = place.center[k] + half + std::max(way, 0.0f);
   }
   return box;
+}
+
+float box_extent(const float* row, const ShapeBound& bound) {
+  return std::abs(row[0]) * bound.half[0] + std::abs(row[1]) * bound.half[1] +
+         std::abs(row[2]) * bound.half[2];
+}
+
+}  // namespace
+
+SweptShape sweep_shape(const ShapeBound& bound, const BulkBodies& bodies, int body, const Vec3& origin,
+                       float h, float margin) {
+  const std::size_t k = static_cast<std::size_t>(body);
+  SweptShape swept;
+  if (bound.is_centred_ball) {
+    swept.place = place_of(bound, bodies, k, origin, {0, 0, 0});
+    swept.box = swept_box(swept.place, {0, 0, 0}, bodies.motion[k], h, margin);
+    return swept;
+  }
+  float R_WB[9];
+  set_rotation(bodies.q[k], R_WB);
+  swept.place = place_of(bound, bodies, k, origin, turned(R_WB, load(bound.center_B)));
+  const BoxAxes axes = axes_of(bound, bodies.q[k]);
+  const Float3 extent{box_extent(axes.row, bound), box_extent(axes.row + 3, bound),
+                      box_extent(axes.row + 6, bound)};
+  swept.box = swept_box(swept.place, extent, bodies.motion[k], h, margin);
+  return swept;
 }
 
 namespace {
@@ -142,26 +174,30 @@ namespace {
 /// along which the shapes part: what turns a body within the step finds its contacts there.
 float approach_bound(const ShapePlace& small, const ShapePlace& large, const Float3& d, float h) {
   const Float3 u = load(small.u) - load(large.u) - cross(load(large.w), d);
-  const float turning = small.reach > 0 ? norm(load(small.w) - load(large.w)) * small.reach : 0;
+  const float reach = small.bound->reach;
+  const float turning = reach > 0 ? norm(load(small.w) - load(large.w)) * reach : 0;
   return h * (norm(u) + turning);
 }
 
 }  // namespace
 
-std::optional<float> find_pair_margin(const ShapePlace& a, const ShapePlace& b, float h, float margin) {
-  const bool is_a_large = b.reach <= a.reach;
-  const ShapePlace &small = is_a_large ? b : a, &large = is_a_large ? a : b;
+std::optional<float> find_pair_margin(const PairPlaces& pair, float h, float margin) {
+  const bool is_a_large = pair.b.bound->reach <= pair.a.bound->reach;
+  const ShapePlace &small = is_a_large ? pair.b : pair.a, &large = is_a_large ? pair.a : pair.b;
+  const ShapeBound &of_small = *small.bound, &of_large = *large.bound;
   const Float3 d = load(small.center) - load(large.center);
   const float pair_margin = margin + approach_bound(small, large, d, h);
-  const float near = small.reach + small.radius + large.radius + pair_margin + a.slack + b.slack;
-  const float far = near + large.reach;
+  const float near =
+      of_small.reach + of_small.radius + of_large.radius + pair_margin + pair.a.slack + pair.b.slack;
+  const float far = near + of_large.reach;
   if (squared(d) > far * far) return std::nullopt;
   // Of shapes of one size the box of the one tells little more than its ball.
-  if (large.reach < 2 * (small.reach + small.radius)) return pair_margin;
-  const Float3 local = turned_back(large.R_WS, d);
-  const Float3 outside{std::max(std::abs(local.x) - large.half[0], 0.0f),
-                       std::max(std::abs(local.y) - large.half[1], 0.0f),
-                       std::max(std::abs(local.z) - large.half[2], 0.0f)};
+  if (of_large.reach < 2 * (of_small.reach + of_small.radius)) return pair_margin;
+  const BoxAxes axes = axes_of(of_large, is_a_large ? pair.q_WA : pair.q_WB);
+  const Float3 local = turned_back(axes.row, d);
+  const Float3 outside{std::max(std::abs(local.x) - of_large.half[0], 0.0f),
+                       std::max(std::abs(local.y) - of_large.half[1], 0.0f),
+                       std::max(std::abs(local.z) - of_large.half[2], 0.0f)};
   if (squared(outside) > near * near) return std::nullopt;
   return pair_margin;
 }

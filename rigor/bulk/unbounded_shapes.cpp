@@ -53,17 +53,21 @@ UnboundedPlace place_of(const UnboundedShape& shape, const BulkBodies& bodies, c
 float approach_bound(const UnboundedPlace& a, const ShapePlace& b, float h) {
   const Float3 d = load(b.center) - load(a.point), w = load(a.w);
   const Float3 u = load(b.u) - load(a.u) - w.cross(d);
-  return h * (u.norm() + (load(b.w) - w).norm() * b.reach);
+  return h * (u.norm() + (load(b.w) - w).norm() * b.bound->reach);
 }
 
-bool may_be_within(const UnboundedShape& shape, const UnboundedPlace& a, const ShapePlace& b, float margin) {
+bool may_be_within(const UnboundedShape& shape, const UnboundedPlace& a, const ShapePlace& b,
+                   const Quat& q_WB, float margin) {
+  const ShapeBound& bound = *b.bound;
   const Float3 d = load(b.center) - load(a.point);
-  const float near = margin + a.slack + b.slack + b.radius;
-  if (shape.is_cavity) return static_cast<float>(shape.radius) - d.norm() - b.reach <= near;
+  const float near = margin + a.slack + b.slack + bound.radius;
+  if (shape.is_cavity) return static_cast<float>(shape.radius) - d.norm() - bound.reach <= near;
   const Float3 n = load(a.normal);
-  const Float3 along = Eigen::Map<const FloatRows>(b.R_WS).transpose() * n;
-  const float extent = along.cwiseAbs().dot(load(b.half));
-  return n.dot(d) - std::min(extent, b.reach) <= near;
+  if (n.dot(d) - bound.reach > near) return false;
+  const BoxAxes axes = axes_of(bound, q_WB);
+  const Float3 along = Eigen::Map<const FloatRows>(axes.row).transpose() * n;
+  const float extent = along.cwiseAbs().dot(load(bound.half));
+  return n.dot(d) - std::min(extent, bound.reach) <= near;
 }
 
 }  // namespace rigor

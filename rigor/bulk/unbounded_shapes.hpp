@@ -26,6 +26,7 @@ UnboundedPlace place_of(const UnboundedShape& shape, const BulkBodies& bodies, c
 
 /// As for two bounded shapes.
 float approach_bound(const UnboundedPlace& a, const ShapePlace& b, float h);
-bool may_be_within(const UnboundedShape& shape, const UnboundedPlace& a, const ShapePlace& b, float margin);
+bool may_be_within(const UnboundedShape& shape, const UnboundedPlace& a, const ShapePlace& b,
+                   const Quat& q_WB, float margin);
 
 }  // namespace rigor

@@ -19,58 +19,75 @@ void sort_and_unite(std::vector<int>& bodies) {
 }  // namespace
 
 Environment::Environment(const Model& model, PointSprings springs, bool with_joints)
-    : model_(&model),
-      steady_accelerations_(index(model.body_count()), Vec3::Zero()),
-      is_forced_(index(model.body_count()), false),
-      partners_(index(model.body_count())),
-      joint_partners_(index(model.body_count())),
-      springs_of_(index(model.body_count())),
-      joint_springs_of_(index(model.body_count())),
-      body_forces_(index(model.body_count())),
-      torques_(index(model.body_count())) {
+    : model_(&model), records_(index(model.body_count()), 0), acting_(1) {
   for (int i = 0; i < model.body_count(); ++i) {
     const Body& body = model.body(i);
-    if (body.motion == MotionType::dynamic)
-      steady_accelerations_[index(i)] = body.gravity_scale * model.g_W();
-    linear_drag_.push_back(body.linear_drag + body.mass * body.linear_damping);
-    angular_drag_.push_back(body.angular_drag);
+    const double linear = body.linear_drag + body.mass * body.linear_damping;
+    if (linear == 0 && body.angular_drag == 0 && body.angular_damping == 0) continue;
+    acting_on(i).linear_drag = linear;
+    acting_on(i).angular_drag = body.angular_drag;
   }
-  for (const Force& force : model.forces()) {
-    if (const ConstantForce* constant = std::get_if<ConstantForce>(&force)) {
-      const Body& body = model.body(constant->body);
-      const bool is_steady = !constant->frame_is_body && constant->p_BP.isZero(0);
-      if (is_steady && body.motion == MotionType::dynamic) {
-        steady_accelerations_[index(constant->body)] += constant->f / body.mass;
-      } else {
-        body_forces_[index(constant->body)].push_back(*constant);
-      }
-    } else if (const ConstantTorque* torque = std::get_if<ConstantTorque>(&force)) {
-      torques_[index(torque->body)].push_back(*torque);
-    } else if (const Spring* spring = std::get_if<Spring>(&force)) {
-      if (springs == PointSprings::left_out) continue;
-      const int number = static_cast<int>(springs_.size());
-      springs_.push_back(*spring);
-      for (const int body : {spring->body_A, spring->body_B}) {
-        if (body == world_body) continue;
-        std::vector<int>& of_body = springs_of_[index(body)];
-        if (of_body.empty() || of_body.back() != number) of_body.push_back(number);
-        const int other = body == spring->body_A ? spring->body_B : spring->body_A;
-        if (other == world_body || other == body) continue;
-        if (model.body(other).motion == MotionType::dynamic) partners_[index(body)].push_back(other);
-      }
-    } else if (const Drag* drag = std::get_if<Drag>(&force)) {
-      linear_drag_[index(drag->body)] += drag->linear;
-      angular_drag_[index(drag->body)] += drag->angular;
-    }
-  }
+  add_forces(springs);
   for (int i = 0; i < model.body_count(); ++i) {
-    sort_and_unite(partners_[index(i)]);
-    is_forced_[index(i)] =
+    if (records_[index(i)] == 0) continue;
+    Acting& acting = acting_on(i);
+    sort_and_unite(acting.spring_partners);
+    acting.is_forced =
         model.body(i).motion == MotionType::dynamic &&
-        (!springs_of_[index(i)].empty() || !body_forces_[index(i)].empty() || !torques_[index(i)].empty() ||
-         linear_drag_[index(i)] > 0 || angular_drag_[index(i)] > 0 || model.body(i).angular_damping > 0);
+        (!acting.springs.empty() || !acting.forces.empty() || !acting.torques.empty() ||
+         acting.linear_drag > 0 || acting.angular_drag > 0 || model.body(i).angular_damping > 0);
   }
   if (with_joints) add_joints();
+}
+
+/// Its record, which is made if it has none.
+Environment::Acting& Environment::acting_on(int body) {
+  int& record = records_[index(body)];
+  if (record == 0) {
+    record = static_cast<int>(acting_.size());
+    acting_.emplace_back();
+  }
+  return acting_[index(record)];
+}
+
+Vec3 Environment::gravity_on(int body) const {
+  const Body& own = model_->body(body);
+  return own.motion == MotionType::dynamic ? Vec3(own.gravity_scale * model_->g_W()) : Vec3(Vec3::Zero());
+}
+
+void Environment::add_forces(PointSprings springs) {
+  for (const Force& force : model_->forces()) {
+    if (const ConstantForce* constant = std::get_if<ConstantForce>(&force)) {
+      const Body& body = model_->body(constant->body);
+      Acting& acting = acting_on(constant->body);
+      const bool is_steady = !constant->frame_is_body && constant->p_BP.isZero(0);
+      if (is_steady && body.motion == MotionType::dynamic) {
+        acting.steady = steady_acceleration(constant->body) + constant->f / body.mass;
+      } else {
+        acting.forces.push_back(*constant);
+      }
+    } else if (const ConstantTorque* torque = std::get_if<ConstantTorque>(&force)) {
+      acting_on(torque->body).torques.push_back(*torque);
+    } else if (const Spring* spring = std::get_if<Spring>(&force)) {
+      if (springs == PointSprings::act) add_spring(*spring);
+    } else if (const Drag* drag = std::get_if<Drag>(&force)) {
+      acting_on(drag->body).linear_drag += drag->linear;
+      acting_on(drag->body).angular_drag += drag->angular;
+    }
+  }
+}
+
+void Environment::add_spring(const Spring& spring) {
+  const int number = static_cast<int>(springs_.size());
+  springs_.push_back(spring);
+  for (const int body : {spring.body_A, spring.body_B}) {
+    if (body == world_body) continue;
+    Acting& acting = acting_on(body);
+    if (acting.springs.empty() || acting.springs.back() != number) acting.springs.push_back(number);
+    const int other = body == spring.body_A ? spring.body_B : spring.body_A;
+    if (other == world_body || other == body) continue;
+    if (model_->body(other).motion == MotionType::dynamic) acting.spring_partners.push_back(other);
+  }
 }
 
 void Environment::add_joints() {
@@ -78,30 +95,31 @@ void Environment::add_joints() {
     std::vector<int> bodies = model_->bodies_of_joint(j);
     std::erase_if(bodies, [this](int body) { return model_->body(body).motion != MotionType::dynamic; });
     for (const int body : bodies) {
-      is_forced_[index(body)] = true;
-      std::copy_if(bodies.begin(), bodies.end(), std::back_inserter(joint_partners_[index(body)]),
+      Acting& acting = acting_on(body);
+      acting.is_forced = true;
+      std::copy_if(bodies.begin(), bodies.end(), std::back_inserter(acting.joint_partners),
                    [body](int other) { return other != body; });
-      if (has_springs(model_->joint(j))) joint_springs_of_[index(body)].push_back(j);
+      if (has_springs(model_->joint(j))) acting.joint_springs.push_back(j);
     }
   }
-  for (std::vector<int>& partners : joint_partners_) sort_and_unite(partners);
+  for (Acting& acting : acting_) sort_and_unite(acting.joint_partners);
 }
 
 Wrench Environment::own_forces(int body, const BodyView& view) const {
   const Body& own = model_->body(body);
   Wrench wrench;
-  wrench.f_W = own.mass * steady_accelerations_[index(body)] - linear_drag_[index(body)] * view.v;
-  wrench.tau_W = -angular_drag_[index(body)] * view.w;
+  wrench.f_W = own.mass * steady_acceleration(body) - acts_on(body).linear_drag * view.v;
+  wrench.tau_W = -acts_on(body).angular_drag * view.w;
   if (own.angular_damping > 0) {
     const Vec3 L_B = own.moments.cwiseProduct(view.R.transpose() * view.w);
     wrench.tau_W -= own.angular_damping * (view.R * L_B);
   }
-  for (const ConstantForce& force : body_forces_[index(body)]) {
+  for (const ConstantForce& force : acts_on(body).forces) {
     const Vec3 f_W = force.frame_is_body ? Vec3(view.R * force.f) : force.f;
     wrench.f_W += f_W;
     wrench.tau_W += (view.R * force.p_BP).cross(f_W);
   }
-  for (const ConstantTorque& torque : torques_[index(body)]) {
+  for (const ConstantTorque& torque : acts_on(body).torques) {
     wrench.tau_W += torque.frame_is_body ? Vec3(view.R * torque.tau) : torque.tau;
   }
   return wrench;
@@ -109,18 +127,18 @@ Wrench Environment::own_forces(int body, const BodyView& view) const {
 
 double Environment::supplied_power(int body, const BodyView& view) const {
   double power = 0;
-  for (const ConstantForce& force : body_forces_[index(body)]) {
+  for (const ConstantForce& force : acts_on(body).forces) {
     const Vec3 f_W = force.frame_is_body ? Vec3(view.R * force.f) : force.f;
     power += f_W.dot(view.v + view.w.cross(view.R * force.p_BP));
   }
-  for (const ConstantTorque& torque : torques_[index(body)]) {
+  for (const ConstantTorque& torque : acts_on(body).torques) {
     power += view.w.dot(torque.frame_is_body ? Vec3(view.R * torque.tau) : torque.tau);
   }
   return power;
 }
 
 double Environment::potential(int body, const Vec3& x) const {
-  return -model_->body(body).mass * steady_accelerations_[index(body)].dot(x);
+  return -model_->body(body).mass * steady_acceleration(body).dot(x);
 }
 
 double Environment::stored_energy(const Spring& spring, const SpringEnd& A, const SpringEnd& B) {

@@ -4,6 +4,7 @@
 #include "rigor/dynamics/joint_forces.hpp"
 #include "rigor/model/model.hpp"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,28 +22,23 @@ class Environment {
 
   /// Acceleration of a dynamic body by gravity and by the constant forces at its centre of mass [m/s²]: with
   /// nothing else acting it flies a parabola.
-  const Vec3& steady_acceleration(int body) const {
-    return steady_accelerations_[static_cast<std::size_t>(body)];
+  Vec3 steady_acceleration(int body) const {
+    return acts_on(body).steady ? *acts_on(body).steady : gravity_on(body);
   }
   /// Whether anything else acts on it or a joint holds it, so that its motion must be integrated.
-  bool is_forced(int body) const { return is_forced_[static_cast<std::size_t>(body)]; }
+  bool is_forced(int body) const { return acts_on(body).is_forced; }
   /// Force per velocity [kg/s] and torque per angular velocity [kg m²/s] that the body meets, and the rate at
   /// which its angular momentum is damped [1/s]; damping of the momentum is in the first.
   struct DragRates {
     double linear, angular, angular_damping;
   };
   DragRates drag(int body) const {
-    return {linear_drag_[static_cast<std::size_t>(body)], angular_drag_[static_cast<std::size_t>(body)],
-            model_->body(body).angular_damping};
+    return {acts_on(body).linear_drag, acts_on(body).angular_drag, model_->body(body).angular_damping};
   }
   /// Dynamic bodies joined to this one by springs, ascending.
-  const std::vector<int>& spring_partners(int body) const {
-    return partners_[static_cast<std::size_t>(body)];
-  }
+  const std::vector<int>& spring_partners(int body) const { return acts_on(body).spring_partners; }
   /// Other dynamic bodies that a joint ties to this one, ascending; a gear ties all bodies of its two joints.
-  const std::vector<int>& joint_partners(int body) const {
-    return joint_partners_[static_cast<std::size_t>(body)];
-  }
+  const std::vector<int>& joint_partners(int body) const { return acts_on(body).joint_partners; }
 
   /// Position and velocity of a body as the forces need them.
   struct BodyView {
@@ -96,13 +92,31 @@ class Environment {
   }
   static double stored_energy(const Spring& spring, const SpringEnd& A, const SpringEnd& B);
   static Vec3 force_on_B(const Spring& spring, const SpringEnd& A, const SpringEnd& B);
+  /// All but gravity that acts on a body.
+  struct Acting {
+    std::optional<Vec3> steady;  ///< Acceleration, with gravity, where constant forces add to it [m/s²].
+    bool is_forced = false;
+    double linear_drag = 0, angular_drag = 0;  ///< Damping of the momentum is in the first.
+    std::vector<int> springs, joint_springs;   ///< That touch it, and joints with springs that hold it.
+    std::vector<int> spring_partners, joint_partners;  ///< Ascending.
+    std::vector<ConstantForce> forces;                 ///< Those that do not act steadily at the centre.
+    std::vector<ConstantTorque> torques;
+  };
+  const Acting& acts_on(int body) const {
+    const int record = records_[static_cast<std::size_t>(body)];
+    return acting_[static_cast<std::size_t>(record)];
+  }
+  Acting& acting_on(int body);
+  Vec3 gravity_on(int body) const;
+  void add_forces(PointSprings springs);
+  void add_spring(const Spring& spring);
   void add_joints();
   Wrench own_forces(int body, const BodyView& view) const;
 
   template <class View>
   Wrench force_on(int body, const BodyView& of_body, const View& view) const {
     Wrench wrench = own_forces(body, of_body);
-    for (const int index : springs_of_[static_cast<std::size_t>(body)]) {
+    for (const int index : acts_on(body).springs) {
       const Spring& spring = springs_[static_cast<std::size_t>(index)];
       const SpringEnd A = end_of(spring, true, view), B = end_of(spring, false, view);
       const Vec3 f_W = force_on_B(spring, A, B);
@@ -115,7 +129,7 @@ class Environment {
         wrench.tau_W += (B.p_W - of_body.x).cross(f_W);
       }
     }
-    for (const int index : joint_springs_of_[static_cast<std::size_t>(body)]) {
+    for (const int index : acts_on(body).joint_springs) {
       const Joint& joint = model_->joint(index);
       const JointForces forces =
           spring_forces(joint, motion_of(joint.body_A, view), motion_of(joint.body_B, view));
@@ -127,15 +141,9 @@ class Environment {
   }
 
   const Model* model_;
-  std::vector<Vec3> steady_accelerations_;
-  std::vector<bool> is_forced_;
-  std::vector<std::vector<int>> partners_, joint_partners_;
   std::vector<Spring> springs_;
-  std::vector<std::vector<int>> springs_of_;             ///< Springs that touch each body.
-  std::vector<std::vector<int>> joint_springs_of_;       ///< Joints with springs that hold each body.
-  std::vector<std::vector<ConstantForce>> body_forces_;  ///< Those that do not act steadily at the centre.
-  std::vector<std::vector<ConstantTorque>> torques_;
-  std::vector<double> linear_drag_, angular_drag_;  ///< Damping of the momentum is in the first.
+  std::vector<int> records_;  ///< Of each body, where among the following; 0 where there is only gravity.
+  std::vector<Acting> acting_;
 };
 
 }  // namespace rigor

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "rigor/geometry/shape.hpp"
 #include "rigor/math/pose.hpp"
+#include "rigor/model/body_shapes.hpp"
 
 #include <cstdint>
 #include <string>
@@ -10,15 +10,6 @@
 namespace rigor {
 
 enum class MotionType { dynamic, kinematic, fixed };  // `static` in scene files
-
-/// A shape of a body with its place on it.
-struct BodyShape {
-  Shape shape;
-  Pose X_BS;          ///< Pose of the shape's frame S in the body frame B.
-  int material = 0;   ///< Index into Model::materials().
-  double radius = 0;  ///< Of the ball about the origin of S that holds the shape [m]; infinite for a plane.
-  std::string color;  ///< "#rgb" or "#rrggbb", or empty.
-};
 
 /// Pose of a kinematic body's user frame L at a time of its path.
 struct PathPoint {
@@ -36,7 +27,7 @@ struct Body {
   double mass = 0;              ///< [kg]; 0 for kinematic and fixed bodies.
   Vec3 moments = Vec3::Zero();  ///< Principal moments about the centre of mass [kg m²]; 0 as above.
   Pose X_BL;                    ///< Pose of the user's frame in B.
-  std::vector<BodyShape> shapes;
+  BodyShapes shapes;
   std::uint32_t group = 1;  ///< Collides with a body whose mask has a bit of this group, and vice versa.
   std::uint32_t mask = 65535;
   double linear_drag = 0;      ///< Force -c v [kg/s].

@@ -102,9 +102,9 @@ std::vector<BodyShape> make_shapes(const BodyDescription& body, const MaterialTa
 }
 
 /// Radii about each shape's origin and about the body's, and the trees of meshes that have none yet.
-void complete_shapes(Body& body) {
+void complete_shapes(std::vector<BodyShape>& shapes, Body& body) {
   body.bounding_radius = 0;
-  for (BodyShape& shape : body.shapes) {
+  for (BodyShape& shape : shapes) {
     Mesh* const mesh = std::get_if<Mesh>(&shape.shape);
     if (mesh && !mesh->tree) *mesh = make_mesh(mesh->mesh);
     shape.radius = radius_about(shape.shape, Vec3::Zero());
@@ -114,11 +114,12 @@ void complete_shapes(Body& body) {
 }
 
 /// Moves everything from the user's frame L to the body frame B.
-void use_body_frame(const BodyMass& mass, const BodyDescription& description, Body& body) {
+void use_body_frame(const BodyMass& mass, const BodyDescription& description, std::vector<BodyShape>& shapes,
+                    Body& body) {
   body.mass = mass.mass;
   body.moments = mass.moments;
   body.X_BL = mass.X_LB.inverse();
-  for (BodyShape& shape : body.shapes) shape.X_BS = body.X_BL * shape.X_BS;
+  for (BodyShape& shape : shapes) shape.X_BS = body.X_BL * shape.X_BS;
   const bool axes_agree = mass.X_LB.R.isIdentity(0);
   const Quat q_WL = body.q_WB;
   body.p_WB = description.p_WL + rotation_matrix(q_WL) * mass.X_LB.p;
@@ -145,7 +146,7 @@ Body make_body(const BodyDescription& description, const std::string& where, con
   body.gravity_scale = description.gravity_scale;
   body.linear_damping = description.linear_damping;
   body.angular_damping = description.angular_damping;
-  body.shapes = make_shapes(description, materials, memory, findings);
+  std::vector<BodyShape> shapes = make_shapes(description, materials, memory, findings);
   body.p_WB = description.p_WL;
   body.q_WB = description.q_WL.normalized();
   body.v_WB = description.velocity;
@@ -156,12 +157,12 @@ Body make_body(const BodyDescription& description, const std::string& where, con
 
   if (body.motion == MotionType::dynamic) {
     std::vector<double> densities;
-    for (const BodyShape& shape : body.shapes) {
+    for (const BodyShape& shape : shapes) {
       densities.push_back(materials.materials[static_cast<std::size_t>(shape.material)].density);
     }
     const std::optional<BodyMass> mass = body_mass(description, densities, memory, findings);
     if (!mass) return body;
-    use_body_frame(*mass, description, body);
+    use_body_frame(*mass, description, shapes, body);
   } else if (!body.path.empty()) {
     const PrescribedMotion start = prescribed_motion(body, 0);
     body.p_WB = start.p_WB;
@@ -169,7 +170,8 @@ Body make_body(const BodyDescription& description, const std::string& where, con
     body.v_WB = start.v_WB;
     body.w_WB = start.w_WB;
   }
-  complete_shapes(body);
+  complete_shapes(shapes, body);
+  body.shapes = std::move(shapes);
   return body;
 }
 

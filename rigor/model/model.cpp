@@ -5,9 +5,10 @@
 namespace rigor {
 
 std::optional<int> Model::find_body(const std::string& name) const {
-  const auto found = body_index_.find(name);
-  if (found == body_index_.end()) return std::nullopt;
-  return found->second;
+  const auto name_of = [this](int i) -> const std::string& { return body(i).name; };
+  const auto found = std::ranges::lower_bound(by_name_, name, {}, name_of);
+  if (found == by_name_.end() || name_of(*found) != name) return std::nullopt;
+  return *found;
 }
 
 std::vector<int> Model::bodies_of_joint(int i) const {

@@ -52,7 +52,7 @@ class Model {
   std::string name_;
   Vec3 g_W_ = Vec3::Zero();
   std::vector<Body> bodies_;
-  std::map<std::string, int> body_index_;
+  std::vector<int> by_name_;  ///< Bodies in the order of their names.
   std::vector<Material> materials_;
   std::map<std::pair<int, int>, PairCoefficients> pair_overrides_;  ///< Key: lower index first.
   std::vector<std::pair<int, int>> excluded_pairs_;                 ///< Sorted; lower index first.

@@ -257,14 +257,17 @@ Model ModelBuilder::assemble(std::vector<std::string>& messages) const {
 
   model.bodies_.reserve(parts_->bodies.size());
   ShapeMemory memory;
+  SharedShapes shared;
+  std::map<std::string, int> index;
   std::string bad_where;
   for (const auto& [body, where] : parts_->bodies) {
-    if (!model.body_index_.emplace(body.name, model.body_count()).second) {
+    if (!index.emplace(body.name, model.body_count()).second) {
       messages.push_back(where + "body " + quoted_text(body.name) + ": there is already a body of this name");
     }
     // Bodies from one place of a file (a repeated body) share their mistakes, which are told once.
     std::vector<std::string> findings;
     model.bodies_.push_back(make_body(body, where, materials, memory, findings));
+    shared.share(model.bodies_.back().shapes);
     if (!where.empty() && where == bad_where) continue;
     if (!findings.empty()) bad_where = where;
     messages.insert(messages.end(), findings.begin(), findings.end());
@@ -272,7 +275,8 @@ Model ModelBuilder::assemble(std::vector<std::string>& messages) const {
   }
   model.length_scale_ = length_scale(model.bodies_);
 
-  const BodyTable bodies{model.bodies_, model.body_index_};
+  for (const auto& [name, body] : index) model.by_name_.push_back(body);
+  const BodyTable bodies{model.bodies_, index};
   model.excluded_pairs_ = make_excluded(parts_->excluded, bodies, messages);
   for (const auto& [description, where] : parts_->forces) {
     const std::optional<Force> force = make_force(description, where, bodies, messages);

@@ -196,7 +196,7 @@ TEST(ManifoldBlocks, HaveTheSameBitsOnEveryProcessor) {
         .friction = 0.5f, .restitution = 0.3f, .torsional_friction = 0.01f, .rolling_friction = 0.01f};
     BlockScene wide = random_scene(surface, LaneTarget::avx2, seed);
     BlockScene plain = random_scene(surface, LaneTarget::portable, seed);
-    for (const BlockPass pass : {BlockPass::push, BlockPass::relax, BlockPass::restitution}) {
+    for (const BlockPass pass : {BlockPass::push, BlockPass::relax}) {
       solve_block(LaneTarget::avx2, pass, kH, wide.block, wide.bodies);
       solve_block(LaneTarget::portable, pass, kH, plain.block, plain.bodies);
     }
@@ -206,29 +206,6 @@ TEST(ManifoldBlocks, HaveTheSameBitsOnEveryProcessor) {
                           wide.bodies.motion.size() * sizeof(MotionRecord)),
               0);
   }
-}
-
-TEST(ManifoldBlocks, APointThatWasPressedPartsAtItsRestitution) {
-  Random random(3);
-  BulkBodies bodies = random_bodies(3, random);
-  bodies.x = {Vec3::Zero(), Vec3(0, 0, 1), Vec3(0, 0, 5)};
-  for (std::size_t k = 0; k < 2; ++k)
-    bodies.motion[k].w[0] = bodies.motion[k].w[1] = bodies.motion[k].w[2] = 0;
-  set_vector(Vec3(0, 0, 1), bodies.motion[0].v);
-  set_vector(Vec3(0, 0, -2), bodies.motion[1].v);
-  Manifold manifold;
-  set_vector(Vec3(0, 0, 1), manifold.normal);
-  manifold.point_count = 1;
-  manifold.points[0] = {{0, 0, 0.5f}, 0, 7};
-  ManifoldBlock block;
-  const ManifoldSurface surface = {.friction = 0, .restitution = 0.6f};
-  const Softness softness;
-  const BlockLane own = {&manifold, &surface, &softness, nullptr, 0, 1, 0};
-  fill_block(best_lane_target(), std::span(&own, 1), bodies, block);
-  solve_block(best_lane_target(), BlockPass::relax, kH, block, bodies);
-  EXPECT_NEAR(bodies.motion[1].v[2] - bodies.motion[0].v[2], 0, 1e-6);
-  solve_block(best_lane_target(), BlockPass::restitution, kH, block, bodies);
-  EXPECT_NEAR(bodies.motion[1].v[2] - bodies.motion[0].v[2], 0.6 * 3, 1e-6);
 }
 
 TEST(ManifoldBlocks, APointThatIsApartMayCloseItsGapInASubstep) {

@@ -23,9 +23,7 @@ struct Thrown {
   Motion motion;
 
   Thrown(const Shape& shape, const BodyPhase& start, double acceleration) {
-    body.shapes.resize(1);
-    body.shapes[0].shape = shape;
-    body.shapes[0].radius = radius_about(shape, Vec3::Zero());
+    body.shapes = {{BodyShape{.shape = shape, .radius = radius_about(shape, Vec3::Zero())}}};
     const BodyInertia inertia{1, Vec3::Ones()};
     motion = Motion::flight(FreeFlight(inertia, start, 0, Vec3(0, 0, -acceleration)), inertia);
   }

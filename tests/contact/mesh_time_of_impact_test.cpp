@@ -25,9 +25,7 @@ struct Flier {
   Motion motion;
 
   Flier(const Shape& shape, const BodyPhase& start, const Vec3& acceleration = Vec3::Zero()) {
-    body.shapes.resize(1);
-    body.shapes[0].shape = shape;
-    body.shapes[0].radius = radius_about(shape, Vec3::Zero());
+    body.shapes = {{BodyShape{.shape = shape, .radius = radius_about(shape, Vec3::Zero())}}};
     // All moments alike: the angular velocity is constant.
     const BodyInertia inertia{1, Vec3::Ones()};
     motion = Motion::flight(FreeFlight(inertia, start, 0, acceleration), inertia);

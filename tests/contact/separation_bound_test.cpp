@@ -153,7 +153,7 @@ TEST(SeparationBound, AFaceThatTurnsAlongWithABallNeedsNoTinySteps) {
     part.shape = shape;
     part.radius = radius_about(shape, Vec3::Zero());
     Body body;
-    body.shapes.push_back(part);
+    body.shapes = {{part}};
     return body;
   };
   const Body box = body_of(Box{Vec3::Constant(half)}), ball = body_of(Sphere{radius});

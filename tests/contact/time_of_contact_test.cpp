@@ -23,12 +23,13 @@ struct Thrown {
   Motion motion;
 
   Thrown(Random& random, const Shape& shape, const Vec3& x, const Vec3& v) {
-    body.shapes.resize(2);
-    body.shapes[0].shape = shape;
-    body.shapes[0].X_BS = {rotation_matrix(rotation_exp(random.vector())), 0.2 * random.vector()};
-    body.shapes[1].shape = Sphere{0.2};
-    body.shapes[1].X_BS.p = Vec3(0, 0, 0.5);
-    for (BodyShape& s : body.shapes) s.radius = radius_about(s.shape, Vec3::Zero());
+    std::vector<BodyShape> shapes(2);
+    shapes[0].shape = shape;
+    shapes[0].X_BS = {rotation_matrix(rotation_exp(random.vector())), 0.2 * random.vector()};
+    shapes[1].shape = Sphere{0.2};
+    shapes[1].X_BS.p = Vec3(0, 0, 0.5);
+    for (BodyShape& s : shapes) s.radius = radius_about(s.shape, Vec3::Zero());
+    body.shapes = std::move(shapes);
     const BodyInertia inertia{1, Vec3(0.5, 0.8, 1.1)};
     const BodyPhase start{x, rotation_exp(3 * random.vector()), v, 2 * random.vector()};
     motion = Motion::flight(FreeFlight(inertia, start, 0, Vec3(0, 0, -9.81)), inertia);

@@ -28,7 +28,7 @@ Body moving_polytope(const nlohmann::json& j) {
   shape.shape = Convex{hull};
   for (const Vec3& p : points) shape.radius = std::max(shape.radius, p.norm());
   body.bounding_radius = shape.radius;
-  body.shapes.push_back(shape);
+  body.shapes = {{shape}};
   body.p_WB = vec3(j["x0"]);
   body.q_WB = Quat(j["q0"][0], j["q0"][1], j["q0"][2], j["q0"][3]).normalized();
   body.v_WB = vec3(j["v"]);
@@ -68,7 +68,7 @@ Body ball(double radius, const Vec3& x, const Vec3& v) {
   BodyShape shape;
   shape.shape = Sphere{radius};
   shape.radius = body.bounding_radius = radius;
-  body.shapes.push_back(shape);
+  body.shapes = {{shape}};
   body.p_WB = x;
   body.v_WB = v;
   return body;
@@ -76,8 +76,8 @@ Body ball(double radius, const Vec3& x, const Vec3& v) {
 
 TEST(TimeOfImpact, NothingTunnelsAtAnySpeed) {
   Body plate = ball(1, Vec3(1, 0, 0), Vec3::Zero());
-  plate.shapes[0].shape = Box{Vec3(0.01, 1, 1)};
-  plate.shapes[0].radius = plate.bounding_radius = std::sqrt(2.0001);
+  plate.bounding_radius = std::sqrt(2.0001);
+  plate.shapes = {{BodyShape{.shape = Box{Vec3(0.01, 1, 1)}, .radius = plate.bounding_radius}}};
   for (const double speed : {1.0, 1e3, 1e6}) {
     const Body bullet = ball(0.05, Vec3::Zero(), Vec3(speed, 0, 0));
     const TimeOfImpact found = find_time_of_impact(plate, Motion::prescribed(plate, 0), bullet,
