@@ -194,7 +194,8 @@ RIGOR_FLOAT_LANES NormalMotion solve_normals(float h, const NormalMotion& moved,
   for (int k = 0; k < count; ++k) {
     const FloatLanes change = impulse[k] - old[k];
     wrench = {wrench.u0 + change, fused(p2[k], change, wrench.u1), fused(-p1[k], change, wrench.u2)};
-    pressed |= (impulse[k] > zero) & (1 << k);
+    const std::int32_t bit = 1 << k;
+    pressed |= (impulse[k] > zero) & IntLanes{bit, bit, bit, bit, bit, bit, bit, bit};
     put(impulse[k], block.points[static_cast<std::size_t>(k)].impulse);
   }
   std::memcpy(block.pressed.data(), &pressed, sizeof pressed);
