@@ -1,5 +1,7 @@
 #include "rigor/bulk/collide_polytopes.hpp"
 
+#include "rigor/bulk/collide_boxes.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -207,14 +209,59 @@ float clip_on_face(const SeparatingAxis& axis, float margin, PlacedPolytopes& pa
   return face < 0 ? least : std::min(least, add_corners(view, face, margin, pair));
 }
 
+namespace {
+
+/// The face at one of two edges that parts the cores best (of A, unless that of B is better by more than the
+/// rounding), if it does by more than `least`; else none. Cores that turn about a point of two edges come to
+/// lie on one of these.
+SeparatingAxis find_face_at(const SeparatingAxis& edges, float least, const PlacedPolytopes& pair) {
+  SeparatingAxis best;
+  for (const bool is_of_A : {true, false}) {
+    const FloatHull::Edge& edge = is_of_A ? pair.a.edge(edges.a) : pair.b.edge(edges.b);
+    for (const int f : {edge.f0, edge.f1}) {
+      if (f < 0) continue;  // Of a segment.
+      const SeparatingAxis face = face_axis(pair, is_of_A, f);
+      if (face.separation > std::max(least, best.separation + (is_of_A ? 0 : pair.rounding))) best = face;
+    }
+  }
+  return best;
+}
+
+/// Contacts over a face that parts the cores nearly as well as two edges do, if they are nearly as deep; or
+/// nothing, and what may take their place within the step is pair.beside.
+std::optional<Vec3f> prefer_face(const SeparatingAxis& edges, float margin, PlacedPolytopes& pair) {
+  const float gap = edges.separation - pair.a.radius - pair.b.radius;
+  const float thinnest = std::min(pair.a.inner + pair.a.radius, pair.b.inner + pair.b.radius);
+  const float preference = kFacePreferenceOfOverlap * std::max(-gap, 0.0f) + kFacePreferenceOfSize * thinnest;
+  const SeparatingAxis face = find_face_at(edges, edges.separation - std::max(preference, margin), pair);
+  if (face.kind == SeparatingAxis::Kind::none) return std::nullopt;
+  if (face.separation >= edges.separation - preference) {
+    if (clip_on_face(face, margin, pair) <= gap + preference) return face.n;
+    pair.candidates.clear();
+  }
+  pair.beside = face;
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Vec3f> find_contacts_beside(PlacedPolytopes& pair, float margin) {
+  pair.candidates.clear();
+  if (pair.beside.kind == SeparatingAxis::Kind::none) return std::nullopt;
+  clip_on_face(pair.beside, margin, pair);
+  return pair.beside.n;
+}
+
 std::optional<Vec3f> find_polytope_candidates(PlacedPolytopes& pair, float margin, const AxisGuess& guess,
                                               SeparatingAxis& axis) {
   pair.candidates.clear();
+  pair.beside = {};
   const float radii = pair.a.radius + pair.b.radius;
   axis = find_separating_axis(pair, margin + radii, guess);
   if (!(axis.separation <= margin + radii)) return std::nullopt;
   const bool is_apart = axis.separation > 0;
   if (axis.kind == SeparatingAxis::Kind::edges) {
+    if (const std::optional<Vec3f> n = prefer_face(axis, margin, pair)) return n;
     if (cross_edges(axis, pair)) return axis.n;
     return join_nearest_edges(axis.n, axis.separation, margin, pair);
   }

@@ -67,6 +67,7 @@ struct PlacedPolytopes {
   std::vector<FaceBorder> borders;
   std::vector<Vec3f> corners;
   std::vector<ManifoldCandidate> candidates;
+  SeparatingAxis beside;  ///< Where edges touch, the face of a second manifold; or none.
 };
 
 /// Places both cores; d: from the centre of body A to that of body B.
@@ -99,7 +100,9 @@ struct AxisGuess {
 SeparatingAxis find_separating_axis(PlacedPolytopes& pair, float limit, const AxisGuess& guess);
 
 /// Contacts of two cores with their balls, in pair.candidates; nothing beyond the margin. Returns their
-/// normal. `axis` becomes the axis found.
+/// normal. `axis` becomes the axis found. Where that is of edges, but a face parts the cores nearly as well
+/// (kFacePreferenceOfOverlap), contacts are those over the face; and where it may do so within the step,
+/// pair.beside is it (find_contacts_beside()).
 ///
 /// Source: Gregorius, The Separating Axis Test between Convex Polyhedra, GDC 2013: faces, and the edges whose
 /// arcs cross on the Gauss map. Ours: only directions are tried for which the balls inside the cores leave
@@ -108,6 +111,9 @@ SeparatingAxis find_separating_axis(PlacedPolytopes& pair, float limit, const Ax
 /// points of their edges take its place, so that gaps are distances.
 std::optional<Vec3f> find_polytope_candidates(PlacedPolytopes& pair, float margin, const AxisGuess& guess,
                                               SeparatingAxis& axis);
+
+/// After that, the contacts over pair.beside; nothing if there is none.
+std::optional<Vec3f> find_contacts_beside(PlacedPolytopes& pair, float margin);
 
 // The parts of this.
 

@@ -194,9 +194,9 @@ void add_plane_manifold(const BulkShape& plane, const Pose& X_OP, const BulkShap
 
 /// False if there are no points.
 bool add_manifold(const std::optional<Vec3f>& n, int number, PlacedPolytopes& pair,
-                  std::vector<PairManifold>& manifolds) {
+                  std::vector<PairManifold>& manifolds, int part = 0) {
   if (!n || pair.candidates.empty()) return false;
-  manifolds.push_back({number, 0, make_manifold(*n, pair.rounding, pair.candidates)});
+  manifolds.push_back({number, part, make_manifold(*n, pair.rounding, pair.candidates)});
   return true;
 }
 
@@ -246,6 +246,7 @@ void NarrowPhase::Tables::find_polytopes(const PairPlace& place, int number, flo
   SeparatingAxis axis;
   const std::optional<Vec3f> n = find_polytope_candidates(polytopes, margin, guess, axis);
   const bool is_touching = add_manifold(n, number, polytopes, manifolds);
+  if (is_touching) add_manifold(find_contacts_beside(polytopes, margin), number, polytopes, manifolds, 1);
   hint = {axis.n, is_touching ? code_of(axis) : 0};
 }
 
