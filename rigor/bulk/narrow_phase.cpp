@@ -34,6 +34,10 @@ std::size_t at(int i) {
 struct PlacedForm {
   int form;
   int place;
+  Kind kind;
+  bool is_ball;
+
+  bool has_core() const { return kind != Kind::plane && kind != Kind::other; }
 };
 
 /// A pair of shapes.
@@ -75,9 +79,12 @@ struct alignas(64) Part {
 
 namespace {
 
+bool is_ball(const BulkShape& shape) {
+  return shape.kind == Kind::round && shape.extent == 0;
+}
 /// Turning does not move it.
 bool is_centred_ball(const BulkShape& shape) {
-  return shape.kind == Kind::round && shape.extent == 0 && shape.X_BS.p.isZero(0);
+  return is_ball(shape) && shape.X_BS.p.isZero(0);
 }
 
 SupportCore core_of(const BulkShape& shape, const PlacedShape& placed) {
@@ -94,9 +101,6 @@ struct NarrowPhase::Tables {
   }
   const BulkShape& form(const PlacedForm& shape) const { return forms[at(shape.form)]; }
   const PlacedShape& place_of(const PlacedForm& shape) const { return placed[at(shape.place)]; }
-  bool is_ball(const PlacedForm& shape) const {
-    return form(shape).kind == Kind::round && form(shape).extent == 0;
-  }
   /// Whether the search of the pair's contacts begins where it ended.
   bool needs_hint(const ShapePair& pair) const;
   void place(const BulkBodies& bodies, const Executor& executor);
@@ -134,10 +138,12 @@ NarrowPhase::Tables::Tables(const Model& model) {
   for (int i = 0; i < model.body_count(); ++i) {
     first_shape.push_back(static_cast<int>(shapes.size()));
     for (const BodyShape& shape : model.body(i).shapes) {
-      const auto [known, is_new] =
-          known_forms.emplace(&shape, PlacedForm{static_cast<int>(forms.size()), no_place});
+      const auto [known, is_new] = known_forms.emplace(
+          &shape, PlacedForm{static_cast<int>(forms.size()), no_place, Kind::other, false});
       if (is_new) forms.push_back(make_bulk_shape(shape, hulls));
       PlacedForm own = known->second;
+      own.kind = form(own).kind;
+      own.is_ball = is_ball(form(own));
       if (own.place == no_place) {
         own.place = static_cast<int>(placed.size());
         make_room(placed.size() + 1, placed);
@@ -155,7 +161,7 @@ void NarrowPhase::Tables::place(const BulkBodies& bodies, const Executor& execut
     for (int i = begin; i < end; ++i) {
       for (int k = first_shape[at(i)]; k < first_shape[at(i) + 1]; ++k) {
         const PlacedForm& shape = shapes[at(k)];
-        if (!is_centred_ball(form(shape)))
+        if (!(shape.is_ball && is_centred_ball(form(shape))))
           placed[at(shape.place)] = place_shape(form(shape), bodies.q[at(i)]);
       }
     }
@@ -164,10 +170,7 @@ void NarrowPhase::Tables::place(const BulkBodies& bodies, const Executor& execut
 
 bool NarrowPhase::Tables::needs_hint(const ShapePair& pair) const {
   const PlacedForm &a = placed_form(pair.body_A, pair.shape_A), &b = placed_form(pair.body_B, pair.shape_B);
-  const auto has_core = [&](const PlacedForm& shape) {
-    return form(shape).kind != Kind::plane && form(shape).kind != Kind::other;
-  };
-  return (form(a).kind != Kind::round || form(b).kind != Kind::round) && has_core(a) && has_core(b);
+  return (a.kind != Kind::round || b.kind != Kind::round) && a.has_core() && b.has_core();
 }
 
 namespace {
@@ -305,9 +308,9 @@ void NarrowPhase::Tables::sort_block(const BulkBodies& bodies, const std::vector
     if (number < last_number && needs_hint(pair)) place.hint = &hints.take_over(pair, number++, before);
     scratch.is_parted[at(k - begin)] = is_parted(place, pair.margin);
     if (scratch.is_parted[at(k - begin)]) continue;
-    if (is_ball(place.a) && is_ball(place.b)) {
+    if (place.a.is_ball && place.b.is_ball) {
       add_balls(place, k, scratch.balls);
-    } else if (form(place.a).kind == Kind::box && form(place.b).kind == Kind::box) {
+    } else if (place.a.kind == Kind::box && place.b.kind == Kind::box) {
       add_boxes(place, k, pair.margin, scratch.boxes);
     }
   }

@@ -5,6 +5,7 @@
 #include "rigor/bulk/executor.hpp"
 #include "rigor/bulk/pair_filter.hpp"
 
+#include <algorithm>
 #include <vector>
 
 namespace rigor {
@@ -12,13 +13,13 @@ namespace rigor {
 /// Whether two boxes with rounded edges and corners may touch: all points within a radius [m] of the box that
 /// is smaller by it on all sides.
 inline bool rounded_boxes_touch(const FloatBox& a, float radius_A, const FloatBox& b, float radius_B) {
+  if (!a.overlaps(b)) return false;
   const float radius = radius_A + radius_B;
+  if (radius == 0) return true;
   float squared = 0;
   for (int k = 0; k < 3; ++k) {
-    const float apart =
-        a.lower[k] - b.upper[k] > b.lower[k] - a.upper[k] ? a.lower[k] - b.upper[k] : b.lower[k] - a.upper[k];
-    if (apart > 0) return false;
-    const float between = apart + radius > 0 ? apart + radius : 0;  // The smaller boxes.
+    const float apart = std::max(a.lower[k] - b.upper[k], b.lower[k] - a.upper[k]);
+    const float between = std::max(apart + radius, 0.0f);  // The smaller boxes.
     squared += between * between;
   }
   return squared <= radius * radius;
