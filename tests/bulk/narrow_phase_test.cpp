@@ -13,7 +13,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace rigor {
+namespace rigor::narrow_phase_test {
 namespace {
 
 using test::Draw;
@@ -239,4 +239,4 @@ TEST(NarrowPhase, FarFromTheOriginNothingChanges) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::narrow_phase_test

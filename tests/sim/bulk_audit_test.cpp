@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace rigor {
+namespace rigor::bulk_audit_test {
 namespace {
 
 constexpr double g = 9.81;
@@ -137,4 +137,4 @@ TEST(BulkAudit, SaysHowManySleep) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::bulk_audit_test
