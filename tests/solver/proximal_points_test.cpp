@@ -111,6 +111,7 @@ TEST(ProximalPoints, AreTriedByTheChainWhereAResolutionIsGiven) {
   for (const HardProblem& hard : hard_problems()) {
     CoulombOptions options;
     options.enough = kSolved;
+    options.least_norm = false;
     options.resolution = hard.resolution;
     const CoulombSolution solution = solve_coulomb(hard.problem, options);
     EXPECT_EQ(solution.method, "proximal points") << hard.name;
