@@ -12,10 +12,11 @@
 #include <cmath>
 #include <memory>
 #include <random>
+#include <span>
 #include <string>
 #include <vector>
 
-namespace rigor {
+namespace rigor::bulk_bounce {
 namespace {
 
 constexpr double kStep = 1.0 / 60;
@@ -197,10 +198,10 @@ struct StoppedCube {
       const float x = k % 2 == 0 ? 0.3F : -0.3F, y = k < 2 ? 0.2F : -0.2F;
       manifold.points[k] = {{x, y, 0}, 0, static_cast<std::uint32_t>(k)};
     }
-    clear_block(block);
     const ManifoldSurface surface{.friction = 0, .restitution = static_cast<float>(e)};
-    fill_lane(manifold, surface, Softness{}, 0, 5, 0, nullptr, bodies, 0, block);
-    complete_block(best_lane_target(), bodies, block);
+    const Softness softness;
+    const BlockLane own = {&manifold, &surface, &softness, nullptr, 0, 5, 0};
+    fill_block(best_lane_target(), std::span(&own, 1), bodies, block);
     for (int k = 0; k < 20; ++k) solve_block(best_lane_target(), BlockPass::relax, 1e-3F, block, bodies);
     totals.add(block);
   }
@@ -231,4 +232,4 @@ TEST(BulkBounce, GivesNotMoreThanTheEnergyThatItMay) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::bulk_bounce
