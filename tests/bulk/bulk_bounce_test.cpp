@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace rigor::bulk_bounce {
+namespace rigor::bulk_bounce_test {
 namespace {
 
 constexpr double kStep = 1.0 / 60;
@@ -232,4 +232,4 @@ TEST(BulkBounce, GivesNotMoreThanTheEnergyThatItMay) {
 }
 
 }  // namespace
-}  // namespace rigor::bulk_bounce
+}  // namespace rigor::bulk_bounce_test

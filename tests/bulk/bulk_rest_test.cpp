@@ -11,7 +11,7 @@
 #include <random>
 #include <string>
 
-namespace rigor::bulk_rest {
+namespace rigor::bulk_rest_test {
 namespace {
 
 BodyDescription resting_body(const std::string& name, const Shape& shape, const Vec3& p_W) {
@@ -80,4 +80,4 @@ TEST(BulkRest, AnAskewTowerFallsAsleep) {
 }
 
 }  // namespace
-}  // namespace rigor::bulk_rest
+}  // namespace rigor::bulk_rest_test

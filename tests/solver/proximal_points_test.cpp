@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace rigor::proximal_points {
+namespace rigor::proximal_points_test {
 namespace {
 
 using Eigen::Index;
@@ -163,4 +163,4 @@ TEST(ProximalPoints, FromItsOwnForcesThereIsLittleToDo) {
 }
 
 }  // namespace
-}  // namespace rigor::proximal_points
+}  // namespace rigor::proximal_points_test
