@@ -124,7 +124,15 @@ double add_friction(const ImpactProblem& problem, VecX& lambda) {
     part.A(normal, normal) = a;
     part.u[normal] = -a * lambda[row_of(pressed[i]) + 2];
   }
-  const CoulombSolution found = solve_cones(part.A, part.u, frictions(part));
+  // The motion is the same for every share of redundant contacts.
+  CoulombOptions any_share;
+  any_share.least_norm = false;
+  any_share.enough = any_share.tolerance = 1e-10;  // Of impulses; the energy misses its least by the square.
+  any_share.resolution = 0;
+  const CoulombSolution found = solve_coulomb(
+      {part.A, part.u, frictions(part), std::vector<FrictionRow>(part.count(), FrictionRow::cone),
+       std::vector<Vec2>(part.count(), Vec2::Zero())},
+      any_share);
   for (std::size_t i = 0; i < pressed.size(); ++i) {
     Vec2 friction = found.lambda.segment<2>(row_of(i));
     const double bound = part.contacts[i].mu * lambda[row_of(pressed[i]) + 2];
