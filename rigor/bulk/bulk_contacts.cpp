@@ -1,8 +1,10 @@
 #include "rigor/bulk/bulk_contacts.hpp"
 
+#include "rigor/bulk/islands.hpp"
 #include "rigor/bulk/manifold_bounce.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace rigor {
@@ -12,6 +14,21 @@ namespace {
 /// Of a contact of dynamic bodies: at most this, and an eighth of the rate of substeps [Hz].
 constexpr double contact_frequency = 60;
 constexpr double contact_damping = 5;
+
+/// Of each body, how many times the mass of all that joints and springs hold on to it is its own; 1 of bodies
+/// that nothing holds.
+std::vector<double> held_mass_ratios(const Model& model) {
+  const BulkIslands islands(model);
+  std::vector<double> sums(static_cast<std::size_t>(model.body_count()), 0), ratios(sums.size(), 1);
+  const auto sum_of = [&](int body) -> double& {
+    return sums[static_cast<std::size_t>(islands.island_of(body))];
+  };
+  for (int i = 0; i < model.body_count(); ++i)
+    if (islands.island_of(i) >= 0) sum_of(i) += model.body(i).mass;
+  for (int i = 0; i < model.body_count(); ++i)
+    if (islands.island_of(i) >= 0) ratios[static_cast<std::size_t>(i)] = sum_of(i) / model.body(i).mass;
+  return ratios;
+}
 
 ManifoldSurface surface_of(const PairCoefficients& pair) {
   return {static_cast<float>(pair.friction), static_cast<float>(pair.restitution),
@@ -37,9 +54,32 @@ ManifoldMemory key_of(const ShapePair& pair, const PairManifold& found) {
   return key;
 }
 
+/// Softness of contacts in substeps of h [s].
+class ContactSoftness {
+ public:
+  explicit ContactSoftness(double h)
+      : h_(h), between_moving_(softness(1, true)), on_ground_(softness(1, false)) {}
+
+  /// held_ratio: BulkContacts::held_ratio. A spring of the stiffness m ω² that is to stop the mass of all
+  /// that is held has the frequency ω with that mass.
+  Softness of(double held_ratio, bool both_move) const {
+    if (held_ratio == 1) return both_move ? between_moving_ : on_ground_;
+    return softness(held_ratio, both_move);
+  }
+
+ private:
+  Softness softness(double held_ratio, bool both_move) const {
+    const double frequency = std::min(contact_frequency * std::sqrt(held_ratio), 0.125 / h_);
+    return make_softness(both_move ? frequency : 2 * frequency, contact_damping, h_);
+  }
+
+  double h_;
+  Softness between_moving_, on_ground_;
+};
+
 }  // namespace
 
-BulkContacts::BulkContacts(const Model& model) : model_(&model) {
+BulkContacts::BulkContacts(const Model& model) : model_(&model), held_ratios_(held_mass_ratios(model)) {
   const int count = static_cast<int>(model.materials().size());
   for (int a = 0; a < count; ++a) {
     for (int b = 0; b < count; ++b) surfaces_.push_back(surface_of(model.coefficients(a, b)));
@@ -84,9 +124,7 @@ void BulkContacts::prepare(const BulkBodies& bodies, double h, const DirectIslan
   }
   colour_graph(edges_, bodies.count(), colouring_);
 
-  const double frequency = std::min(contact_frequency, 0.125 / h);
-  const Softness between_moving = make_softness(frequency, contact_damping, h);
-  const Softness on_ground = make_softness(2 * frequency, contact_damping, h);
+  const ContactSoftness softness(h);
   blocks_.resize(colouring_.blocks.size());
   executor.for_ranges(static_cast<int>(blocks_.size()), 16, [&](int begin, int end) {
     for (int k = begin; k < end; ++k) {
@@ -99,14 +137,24 @@ void BulkContacts::prepare(const BulkBodies& bodies, double h, const DirectIslan
         const int number = swept_[e];
         const StepManifold& found = manifolds_[static_cast<std::size_t>(number)];
         const bool both_move = edges_[e].a >= 0 && edges_[e].b >= 0;
-        fill_lane(*found.manifold, *found.surface, both_move ? between_moving : on_ground, found.key->body_A,
-                  found.key->body_B, number, found.memory, bodies, lane, block);
+        fill_lane(*found.manifold, *found.surface, softness.of(held_ratio(*found.key, bodies), both_move),
+                  found.key->body_A, found.key->body_B, number, found.memory, bodies, lane, block);
       }
       complete_block(target_, bodies, block);
     }
   });
   has_restitution_ = std::any_of(blocks_.begin(), blocks_.end(),
                                  [](const ManifoldBlock& block) { return block.has_restitution; });
+}
+
+double BulkContacts::held_ratio(const ManifoldMemory& key, const BulkBodies& bodies) const {
+  double own = 0, held = 0;  // Mobilities [1/kg].
+  for (const int body : {key.body_A, key.body_B}) {
+    const double mobility = static_cast<double>(bodies.inertia[static_cast<std::size_t>(body)].inv_mass);
+    own += mobility;
+    held += mobility / held_ratios_[static_cast<std::size_t>(body)];
+  }
+  return own / held;
 }
 
 template <class Work>

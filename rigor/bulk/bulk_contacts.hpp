@@ -82,10 +82,14 @@ class BulkContacts {
     std::array<double, kLaneCount> most{};  ///< Of each lane [J].
   };
   std::size_t material_of(int body, int shape) const;
+  /// How many times the mass that a contact has to stop is that of its two bodies alone: more where joints
+  /// hold other bodies on to them.
+  double held_ratio(const ManifoldMemory& key, const BulkBodies& bodies) const;
   template <class Work>
   void for_blocks(const Executor& executor, const Work& work);
 
   const Model* model_;
+  std::vector<double> held_ratios_;  ///< Of bodies: mass of all that joints and springs hold on to them.
   LaneTarget target_ = best_lane_target();
   std::vector<ManifoldSurface> surfaces_;  ///< Of two materials, by first * count + second.
   GraphColouring colouring_;
