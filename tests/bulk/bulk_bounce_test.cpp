@@ -12,6 +12,7 @@
 #include <cmath>
 #include <memory>
 #include <random>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -188,16 +189,16 @@ struct StoppedCube {
     builder.add_body(cube);
     model = builder.build();
     bodies = read_bulk_bodies(*model, make_initial_state(*model));
-    begin_bulk_step(*model, bodies);
+    begin_bulk_step(*model, Executor(1), bodies);
     Manifold manifold{{0, 0, 1}, 4, {}};
     for (std::size_t k = 0; k < 4; ++k) {
       const float x = k % 2 == 0 ? 0.3F : -0.3F, y = k < 2 ? 0.2F : -0.2F;
       manifold.points[k] = {{x, y, 0}, 0, static_cast<std::uint32_t>(k)};
     }
-    clear_block(block);
     const ManifoldSurface surface{.friction = 0, .restitution = static_cast<float>(e)};
-    fill_lane(manifold, surface, Softness{}, 0, 5, 0, nullptr, bodies, 0, block);
-    complete_block(best_lane_target(), bodies, block);
+    const Softness rigid;
+    const BlockLane lane{&manifold, &surface, &rigid, nullptr, 0, 5, 0};
+    fill_block(best_lane_target(), std::span(&lane, 1), bodies, block);
     for (int k = 0; k < 20; ++k) solve_block(best_lane_target(), BlockPass::relax, 1e-3F, block, bodies);
     totals.add(block);
   }
