@@ -88,13 +88,17 @@ RIGOR_FLOAT_LANES void find_best_edges(const FloatLanes* t, const FloatLanes (*C
   }
 }
 
+/// The thinnest half of two boxes [m].
+RIGOR_FLOAT_LANES FloatLanes thinnest_half(const BoxLanes& a, const BoxLanes& b) {
+  FloatLanes thinnest = float_min(a.half[0], b.half[0]);
+  for (int k = 1; k < 3; ++k) thinnest = float_min(thinnest, float_min(a.half[k], b.half[k]));
+  return thinnest;
+}
+
 /// How much better than the best face a pair of edges has to part the boxes [m]. A face gives up to four
 /// points at once, edges give one, and boxes that lie flat on each other would turn about it from step to
 /// step.
-RIGOR_FLOAT_LANES FloatLanes face_preference(const BoxLanes& a, const BoxLanes& b,
-                                             const FloatLanes& face_separation) {
-  FloatLanes thinnest = float_min(a.half[0], b.half[0]);
-  for (int k = 1; k < 3; ++k) thinnest = float_min(thinnest, float_min(a.half[k], b.half[k]));
+RIGOR_FLOAT_LANES FloatLanes face_preference(const FloatLanes& thinnest, const FloatLanes& face_separation) {
   const FloatLanes overlap = float_max(-face_separation, float_lanes(0));
   return float_lanes(kFacePreferenceOfOverlap) * overlap + float_lanes(kFacePreferenceOfSize) * thinnest;
 }
@@ -144,7 +148,9 @@ RIGOR_FLOAT_LANES void collide_box_lanes(const BoxPairs& pairs, BoxContacts& con
 
   BoxFace face;
   face.slack = float_lanes(4) * rounding;
-  face.preference = rounding + face_preference(a, b, face_separation);
+  const FloatLanes thinnest = thinnest_half(a, b);
+  face.preference = rounding + face_preference(thinnest, face_separation);
+  face.equal_depth = rounding + float_lanes(kEqualDepthOfSize) * thinnest;
   face.separation = face_separation;
   choose_face(a.half, b.half, C, face_A.axis, face_B.axis, is_B, face);
   place_face(t_A, t_B, is_B, face);

@@ -50,7 +50,8 @@ RIGOR_FLOAT_LANES FloatLanes sign_of(const FloatLanes& x) {
 /// next axes of its box, z outwards, from the face's middle.
 struct BoxFace {
   FloatLanes slack, separation;
-  FloatLanes preference;  ///< For a face instead of edges [m].
+  FloatLanes preference;   ///< For a face instead of edges [m].
+  FloatLanes equal_depth;  ///< Corners whose gaps differ by less are equally deep [m].
   IntLanes axis, other_axis;
   FloatLanes sign, other_sign;   ///< -1 on the negative side of its box.
   FloatLanes hx, hy, hz;         ///< Half extents of the box of the face.
@@ -229,7 +230,7 @@ RIGOR_FLOAT_LANES void store_chosen(const BoxFace& face, const ChosenCorner& cho
 /// the slack to those chosen is no corner of its own.
 RIGOR_FLOAT_LANES void choose_corners(const BoxFace& face, const FloatLanes& least, const FloatLanes& margin,
                                       const RegionCorners& corners, BoxContacts& contacts) {
-  const FloatLanes zero = float_lanes(0), equal = least + float_lanes(0.25f) * face.slack;
+  const FloatLanes zero = float_lanes(0), equal = least + face.equal_depth;
   ChosenCorner a{zero, zero, zero, zero, int_lanes(-1)};
   for (int k = BoxContacts::class_count - 1; k >= 0; --k) {
     const IntLanes is_deepest = corners.z[k] <= equal;

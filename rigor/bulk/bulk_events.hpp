@@ -42,6 +42,13 @@ std::vector<BulkContact> read_contacts(const BulkContacts& contacts, const BulkB
 /// The contacts that began in the step, at that approach [m/s] or faster.
 std::vector<BulkContact> find_hits(const std::vector<BulkContact>& contacts, double least_speed);
 
+/// Two shapes met in a step, faster than they may rest, that did not press on each other before.
+struct BulkImpact {
+  int body_A = -1, body_B = -1;  ///< Model indices, body_A < body_B.
+  Vec3 p_W;                      ///< Where, at the begin of the step [m].
+  Vec3 j_W;  ///< All that acted on B in this step [N s]; an impact may last into the next.
+};
+
 /// Two shapes began to press on each other in a step, or ceased to.
 struct ContactEvent {
   enum class Kind { begin, end };

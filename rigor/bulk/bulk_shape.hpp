@@ -87,6 +87,9 @@ struct BulkShape {
   float extent = 0;             ///< No point of the core is farther from the origin of S [m].
   /// How far the ball inside the core can be moved along the axes of S, both ways [m].
   Vec3f ball_way = Vec3f::Zero();
+
+  /// Of a ball inside the shape, if it has a core [m].
+  float inner_radius() const { return hull->inner * scale.minCoeff() + radius; }
 };
 
 /// The hulls that shapes share.

@@ -29,7 +29,7 @@ struct BulkStepReport {
   int point_count = 0;
   int direct_islands = 0;              ///< Islands whose contacts were solved directly.
   int sleeping_count = 0;              ///< Bodies that sleep at the end of the step.
-  int impact_count = 0;                ///< Pairs of shapes that began to press, faster than they may rest.
+  std::vector<BulkImpact> impacts;     ///< By bodies.
   Vec3 momentum_error = Vec3::Zero();  ///< Of StepBooks [kg m/s].
   double work = 0;                     ///< By kinematic bodies, torques and forces fixed in bodies [J].
   double max_overlap = 0;              ///< At the begin of the step [m].

@@ -47,6 +47,10 @@ struct BoxContacts {
 /// A face is kept where edges part two cores better by less than this part of their overlap and this part of
 /// their thinnest half: it gives up to four points, edges give one.
 constexpr float kFacePreferenceOfOverlap = 0.1f, kFacePreferenceOfSize = 0.02f;
+/// Points of a region whose gaps differ by less than this part of the thinnest half are equally deep: of
+/// eight corners of two squares four are chosen, and if they were others each time that the rest came a
+/// little deeper, the boxes would rock for ever.
+constexpr float kEqualDepthOfSize = 0.005f;
 
 /// The separating axis test of two boxes (Gottschalk, Lin and Manocha, OBBTree, SIGGRAPH 1996), and where a
 /// face parts them best, the region over it, reduced to four points as in make_manifold.

@@ -25,19 +25,19 @@ int find_largest(const std::vector<ManifoldCandidate>& candidates, const Measure
   return best;
 }
 
-int find_deepest(const std::vector<ManifoldCandidate>& candidates, float rounding) {
+int find_deepest(const std::vector<ManifoldCandidate>& candidates, float equal_depth) {
   float least = candidates[0].gap;
   for (const ManifoldCandidate& candidate : candidates) least = std::min(least, candidate.gap);
   int k = 0;
-  while (candidates[static_cast<std::size_t>(k)].gap > least + rounding) ++k;
+  while (candidates[static_cast<std::size_t>(k)].gap > least + equal_depth) ++k;
   return k;
 }
 
 /// Up to four indices, ascending; -1 are none.
-std::array<int, 4> choose_four(const Vec3f& normal, float rounding,
+std::array<int, 4> choose_four(const Vec3f& normal, float equal_depth,
                                const std::vector<ManifoldCandidate>& candidates) {
   const auto point = [&](int k) -> const Vec3f& { return candidates[static_cast<std::size_t>(k)].p; };
-  std::array<int, 4> chosen = {find_deepest(candidates, rounding), -1, -1, -1};
+  std::array<int, 4> chosen = {find_deepest(candidates, equal_depth), -1, -1, -1};
   const Vec3f p0 = point(chosen[0]);
   chosen[1] = find_largest(candidates, [&](const Vec3f& p) { return (p - p0).squaredNorm(); });
   if (chosen[1] < 0) return chosen;
@@ -60,7 +60,7 @@ std::array<int, 4> choose_four(const Vec3f& normal, float rounding,
 
 }  // namespace
 
-Manifold make_manifold(const Vec3f& normal, float rounding, std::vector<ManifoldCandidate>& candidates) {
+Manifold make_manifold(const Vec3f& normal, float equal_depth, std::vector<ManifoldCandidate>& candidates) {
   std::sort(candidates.begin(), candidates.end(), [](const ManifoldCandidate& a, const ManifoldCandidate& b) {
     return a.feature != b.feature ? a.feature < b.feature : a.gap < b.gap;
   });
@@ -79,7 +79,7 @@ Manifold make_manifold(const Vec3f& normal, float rounding, std::vector<Manifold
     for (const ManifoldCandidate& candidate : candidates) add(candidate);
     return manifold;
   }
-  for (const int k : choose_four(normal, rounding, candidates))
+  for (const int k : choose_four(normal, equal_depth, candidates))
     if (k >= 0) add(candidates[static_cast<std::size_t>(k)]);
   return manifold;
 }

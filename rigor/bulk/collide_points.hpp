@@ -38,9 +38,9 @@ constexpr std::uint32_t vertices_feature(int vertex_A, int vertex_B, int vertex_
 
 /// The manifold of at most four of the candidates, all of them if there are no more: a deepest one, the one
 /// farthest from it, the one that spans the largest triangle with them, and the one that adds most to that.
-/// Candidates whose gaps differ by less than `rounding` are equally deep; of those that are equal the lowest
-/// feature is chosen, so that the choice stays when bodies rest. Candidates are left sorted by feature, one
-/// each.
-Manifold make_manifold(const Vec3f& normal, float rounding, std::vector<ManifoldCandidate>& candidates);
+/// Candidates whose gaps differ by less than `equal_depth` are equally deep; of those that are equal the
+/// lowest feature is chosen, so that the choice stays when bodies rest. Candidates are left sorted by
+/// feature, one each.
+Manifold make_manifold(const Vec3f& normal, float equal_depth, std::vector<ManifoldCandidate>& candidates);
 
 }  // namespace rigor

@@ -153,7 +153,7 @@ PlacedPolytope place_polytope(const BulkShape& shape, const PlacedShape& placed,
           R * shape.scale.asDiagonal(),
           p,
           R * hull.center + p,
-          hull.inner * shape.scale.minCoeff(),
+          shape.inner_radius() - shape.radius,
           shape.radius,
           shape.extent,
           shape.kind == BulkShape::Kind::box ? shape.scale : Vec3f(Vec3f::Zero())};
@@ -177,6 +177,8 @@ void place_polytopes(const BulkShape& a, const PlacedShape& placed_A, const Bulk
   pair.a = place_polytope(a, placed_A, Vec3f::Zero());
   pair.b = place_polytope(b, placed_B, d);
   pair.rounding = kCollisionRounding * (a.extent + b.extent + d.norm());
+  pair.thinnest = std::min(a.inner_radius(), b.inner_radius());
+  pair.equal_depth = pair.rounding + kEqualDepthOfSize * pair.thinnest;
   move_ball(a, pair.b.center, pair.a);
   move_ball(b, pair.a.center, pair.b);
 }
@@ -231,8 +233,8 @@ SeparatingAxis find_face_at(const SeparatingAxis& edges, float least, const Plac
 /// nothing, and what may take their place within the step is pair.beside.
 std::optional<Vec3f> prefer_face(const SeparatingAxis& edges, float margin, PlacedPolytopes& pair) {
   const float gap = edges.separation - pair.a.radius - pair.b.radius;
-  const float thinnest = std::min(pair.a.inner + pair.a.radius, pair.b.inner + pair.b.radius);
-  const float preference = kFacePreferenceOfOverlap * std::max(-gap, 0.0f) + kFacePreferenceOfSize * thinnest;
+  const float preference =
+      kFacePreferenceOfOverlap * std::max(-gap, 0.0f) + kFacePreferenceOfSize * pair.thinnest;
   const SeparatingAxis face = find_face_at(edges, edges.separation - std::max(preference, margin), pair);
   if (face.kind == SeparatingAxis::Kind::none) return std::nullopt;
   if (face.separation >= edges.separation - preference) {

@@ -59,7 +59,9 @@ struct FaceBorder {
 /// Two cores, and where the search keeps its lists, to be used again.
 struct PlacedPolytopes {
   PlacedPolytope a, b;
-  float rounding = 0;  ///< Of separations: kCollisionRounding of the lengths in the pair [m].
+  float rounding = 0;     ///< Of separations: kCollisionRounding of the lengths in the pair [m].
+  float thinnest = 0;     ///< Radius of the smaller of the balls inside, with those added to the cores [m].
+  float equal_depth = 0;  ///< Points whose gaps differ by less are equally deep [m].
   std::vector<float> heights, along_A, along_B, heights_A, heights_B;
   ArcBlocks arcs_A, arcs_B;
   std::vector<int> edges_A, edges_B;

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 namespace rigor {
 
@@ -107,14 +106,12 @@ BounceImpulses find_impulses(const ManifoldBlock& block, std::size_t i, const Bl
   for (int sweep = 0; sweep < point_sweeps; ++sweep) {
     for (std::size_t k = 0; k < static_cast<std::size_t>(block.point_count); ++k) {
       const BlockPoints& point = block.points[k];
-      const double pressed = totals.normal[k][i];
-      if (!(pressed > 0)) continue;
+      if (!(totals.normal[k][i] > 0)) continue;
       const bool is_fast = meets(point, totals.normal[k], i);
       const double wanted = is_fast ? -e * static_cast<double>(point.first_speed[i]) : 0;
-      const double most = is_fast ? e * pressed : std::numeric_limits<double>::infinity();
       const Vec3 row = row_of(point, i);
       const double speed = row.dot(u + K * found.wrench);
-      const double next = std::clamp(found.points[k] + (wanted - speed) / row.dot(K * row), 0.0, most);
+      const double next = std::max(0.0, found.points[k] + (wanted - speed) / row.dot(K * row));
       found.wrench += (next - found.points[k]) * row;
       found.points[k] = next;
     }

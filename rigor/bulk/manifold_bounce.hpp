@@ -19,13 +19,13 @@ bool bounces(const ManifoldBlock& block, const BlockTotals& totals, int lane);
 double energy_taken(const ManifoldBlock& block, const BlockTotals& totals, int lane,
                     const BulkBodies& bodies);
 
-/// Lets the points of a manifold that bounce part: at not more than e times the speed at which they met
-/// (Newton), by not more than e times the impulse that pressed them (Poisson), all together with not more
-/// than the energy `most` [J]. The energy is that of the bodies as they are turned now, less the work
-/// of one that moves as it must. Changes velocities of its bodies and adds to the totals.
+/// Lets the points of a manifold that bounce part at e times the speed at which they met (Newton), as far as
+/// that costs no more than the energy `most` [J]; other points that were pressed are held. The energy is that
+/// of the bodies as they are turned now, less the work of one that moves as it must. Changes velocities of
+/// its bodies and adds to the totals.
 ///
-/// Source: Pfeiffer and Glocker, Multibody Dynamics with Unilateral Contacts, 1996, chapter 8, for the laws
-/// of Newton and Poisson; the bound of the energy is ours.
+/// Source: Pfeiffer and Glocker, Multibody Dynamics with Unilateral Contacts, 1996, chapter 8, for Newton's
+/// law with several points; the bound of the energy is ours.
 void bounce(const Model& model, const ManifoldBlock& block, int lane, double most, BlockTotals& totals,
             BulkBodies& bodies);
 

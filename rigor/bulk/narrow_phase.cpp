@@ -190,16 +190,17 @@ void add_plane_manifold(const BulkShape& plane, const Pose& X_OP, const BulkShap
   if (candidates.empty()) return;
   if (plane_is_A)
     for (ManifoldCandidate& candidate : candidates) candidate.p += p_OB.cast<float>();
-  const float rounding = kRounding * (std::abs(view.height) + core.extent + core.radius);
+  const float equal_depth = kRounding * (std::abs(view.height) + core.extent + core.radius) +
+                            kEqualDepthOfSize * core.inner_radius();
   const Vec3f n = plane_is_A ? view.n : Vec3f(-view.n);
-  manifolds.push_back({number, 0, make_manifold(n, rounding, candidates)});
+  manifolds.push_back({number, 0, make_manifold(n, equal_depth, candidates)});
 }
 
 /// False if there are no points.
 bool add_manifold(const std::optional<Vec3f>& n, int number, PlacedPolytopes& pair,
                   std::vector<PairManifold>& manifolds, int part = 0) {
   if (!n || pair.candidates.empty()) return false;
-  manifolds.push_back({number, part, make_manifold(*n, pair.rounding, pair.candidates)});
+  manifolds.push_back({number, part, make_manifold(*n, pair.equal_depth, pair.candidates)});
   return true;
 }
 
@@ -230,7 +231,7 @@ void NarrowPhase::Tables::find_pair(const BulkBodies& bodies, const ShapePair& p
     return find_polytopes(place, number, pair.margin, polytopes, manifolds);
   const std::optional<Vec3f> n =
       find_round_candidates(a, placed_A, b, placed_B, place.d, pair.margin, polytopes.candidates);
-  polytopes.rounding = kRounding * (a.extent + b.extent + place.d.norm());
+  polytopes.equal_depth = kRounding * (a.extent + b.extent + place.d.norm());
   add_manifold(n, number, polytopes, manifolds);
 }
 

@@ -4,7 +4,9 @@
 #include "rigor/bulk/islands.hpp"
 #include "rigor/model/force.hpp"
 
+#include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace rigor {
 
@@ -69,14 +71,22 @@ void StepBooks::end(const BulkBodies& bodies, const std::vector<MotionRow>& acce
   }
   contacts.for_contacts([&](const BulkContacts::Contact& contact, const ManifoldMemory& key, bool is_new) {
     const ManifoldWrench on_B = total_wrench(contact.block, contact.totals, contact.lane);
-    if (is_new && approach_speed(contact.block, contact.lane) > impact_speed) ++report.impact_count;
+    if (is_new && approach_speed(contact.block, contact.lane) > impact_speed) {
+      const Vec3 p_W = bodies.x[at(key.body_A)] + manifold_frame(contact.block, contact.lane).rA;
+      report.impacts.push_back({key.body_A, key.body_B, p_W, on_B.impulse});
+    }
     book(bodies, key.body_A, key.body_B, on_B.impulse, given);
     report.work += work_of_mover(contact.block, contact.totals, contact.lane, bodies);
   });
   for (const BulkContact& contact : direct.contacts()) {
-    if (contact.is_new && contact.approach_speed > impact_speed) ++report.impact_count;
+    if (contact.is_new && contact.approach_speed > impact_speed)
+      report.impacts.push_back({contact.body_A, contact.body_B, contact.center_W, contact.impulse_W()});
     book(bodies, contact.body_A, contact.body_B, contact.impulse_W(), given);
   }
+  std::stable_sort(report.impacts.begin(), report.impacts.end(),
+                   [](const BulkImpact& a, const BulkImpact& b) {
+                     return std::pair(a.body_A, a.body_B) < std::pair(b.body_A, b.body_B);
+                   });
   report.momentum_error = momentum(bodies) - begin_ - given;
 }
 

@@ -44,8 +44,11 @@ double energy_change(const ImpactProblem& problem, const VecX& lambda) {
 }
 
 CoulombSolution solve_cones(const MatX& A, const VecX& b, const std::vector<double>& mu) {
+  CoulombOptions options;
+  options.resolution = 0;  // Velocities of bodies: contacts do not contradict each other.
   return solve_coulomb({A, b, mu, std::vector<FrictionRow>(mu.size(), FrictionRow::cone),
-                        std::vector<Vec2>(mu.size(), Vec2::Zero())});
+                        std::vector<Vec2>(mu.size(), Vec2::Zero())},
+                       options);
 }
 
 std::vector<double> frictions(const ImpactProblem& problem) {

@@ -113,6 +113,9 @@ VecX free_contact_accelerations(const ContactSystem& system, const std::vector<W
 
 namespace {
 
+// Part of the largest acceleration below which one is none.
+constexpr double rounding = 1e-9;
+
 CoulombSolution solve_laws(const ContactSystem& system, CoulombProblem laws, const RestingChoice& choice,
                            const std::vector<ContactMode>& start) {
   if (choice.space == RestingSpace::motion) {
@@ -121,6 +124,7 @@ CoulombSolution solve_laws(const ContactSystem& system, CoulombProblem laws, con
   }
   laws.A = delassus(system);
   CoulombOptions options;
+  options.resolution = rounding * laws.b.cwiseAbs().maxCoeff();
   if (choice.space == RestingSpace::contact) options.lcp = choice.lcp;
   return solve_coulomb(laws, options);
 }
@@ -140,7 +144,6 @@ RestingSolution solve_resting(const ContactSystem& system, const std::vector<Wre
     problem.slips[i] = u_t.normalized();
   }
 
-  constexpr double rounding = 1e-9;
   RestingSolution solution{solve_laws(system, problem, choice, start), {}};
   for (std::size_t i = 0; i < system.contacts.size(); ++i) {
     ContactState state{solution.forces.modes[i], Vec3::Zero()};

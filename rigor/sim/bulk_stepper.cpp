@@ -43,7 +43,7 @@ AdvanceReport BulkStepper::advance(State& state, double t_end) {
       report.reason = StopReason::interrupted;
       break;
     }
-    note(world_.step(steps.end(k) - t), t, report);
+    note(world_.step(steps.end(k) - t), t, steps.end(k), report);
     if (const int broken = find_broken_body(); broken >= 0) {
       // The State stays as it was, where all is finite.
       report.reason = StopReason::not_finite;
@@ -65,11 +65,15 @@ AdvanceReport BulkStepper::advance(State& state, double t_end) {
   return report;
 }
 
-/// t: begin of the step [s].
-void BulkStepper::note(const BulkStepReport& step, double t, AdvanceReport& report) const {
+/// t, t_end: begin and end of the step [s].
+void BulkStepper::note(const BulkStepReport& step, double t, double t_end, AdvanceReport& report) const {
   ++report.steps;
   report.distance_queries += step.pair_count;
-  report.impacts += step.impact_count;
+  report.impacts += static_cast<long>(step.impacts.size());
+  for (const BulkImpact& impact : step.impacts) {
+    report.events.push_back(
+        {MotionEvent::Kind::impact, t_end, impact.body_A, impact.body_B, impact.p_W, impact.j_W});
+  }
   report.momentum_error += step.momentum_error;
   report.work += step.work;
   report.max_iterations = 2 * settings_.substeps;  // Sweeps: with the springs and without.

@@ -40,6 +40,7 @@ StepImpulses impulses_of(CoulombSolution solution) {
 /// Of problems whose b is known to the resolution.
 CoulombOptions options_for(double resolution) {
   CoulombOptions options;
+  options.least_norm = false;
   options.enough = solved;
   options.resolution = resolution;
   return options;

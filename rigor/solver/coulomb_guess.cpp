@@ -19,6 +19,19 @@ CoulombGuess open_guess(const CoulombProblem& problem) {
   return guess;
 }
 
+CoulombGuess guess_of_forces(const CoulombProblem& problem, const VecX& lambda,
+                             const std::vector<ContactMode>& modes) {
+  CoulombGuess guess = open_guess(problem);
+  guess.lambda = lambda;
+  guess.modes.modes = modes;
+  for (std::size_t i = 0; i < problem.mu.size(); ++i) {
+    const Vec3 force = lambda.segment<3>(3 * static_cast<Eigen::Index>(i));
+    if (problem.rows[i] == FrictionRow::cone)
+      guess.modes.slips[i] = slip_of_force(force, guess.modes.slips[i]);
+  }
+  return guess;
+}
+
 VecX clamp_to_cones(const CoulombProblem& problem, const VecX& lambda) {
   VecX clamped(lambda.size());
   for (std::size_t i = 0; i < problem.mu.size(); ++i) {

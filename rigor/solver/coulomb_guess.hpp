@@ -17,6 +17,10 @@ Vec2 slip_of_force(const Vec3& lambda, const Vec2& fallback);
 /// Everything open.
 CoulombGuess open_guess(const CoulombProblem& problem);
 
+/// These forces and modes, the slips of cones opposite to the friction.
+CoulombGuess guess_of_forces(const CoulombProblem& problem, const VecX& lambda,
+                             const std::vector<ContactMode>& modes);
+
 /// λ with each contact clamped to its cone (or, for slide rows, to its known friction direction).
 VecX clamp_to_cones(const CoulombProblem& problem, const VecX& lambda);
 

@@ -231,22 +231,15 @@ CoulombSolution try_holding(const CoulombProblem& problem, double tolerance) {
 /// By proximal points; where the equations of what the contacts do hold beyond the resolution, with their
 /// digits.
 std::optional<CoulombSolution> solve_to_resolution(const CoulombProblem& problem,
-                                                   const CoulombOptions& options) {
+                                                   const CoulombOptions& options, double enough) {
   std::optional<CoulombSolution> solution = solve_by_proximal_points(
       problem, FactoredMotion(problem.A), [&](const VecX& lambda) { return largest_term(problem, lambda); },
-      {.enough = options.enough, .resolution = *options.resolution});
+      {.enough = enough, .resolution = *options.resolution});
   if (!solution) return std::nullopt;
-  CoulombGuess guess = open_guess(problem);
-  guess.lambda = solution->lambda;
-  guess.modes.modes = solution->modes;
-  for (std::size_t k = 0; k < problem.mu.size(); ++k) {
-    if (problem.rows[k] == FrictionRow::slide) continue;
-    const Vec3 force = guess.lambda.segment<3>(3 * static_cast<Index>(k));
-    guess.modes.slips[k] = slip_of_force(force, guess.modes.slips[k]);
-  }
-  guess = solve_smooth_modes(problem, std::move(guess));
+  const CoulombGuess guess =
+      solve_smooth_modes(problem, guess_of_forces(problem, solution->lambda, solution->modes));
   CoulombSolution exact =
-      make_solution(problem, clamp_to_cones(problem, guess.lambda), solution->modes, options.enough);
+      make_solution(problem, clamp_to_cones(problem, guess.lambda), solution->modes, enough);
   if (!(exact.residual < solution->residual)) return solution;
   return labelled(std::move(exact), solution->iterations, "proximal points");
 }
@@ -256,7 +249,7 @@ CoulombSolution solve_scaled(const CoulombProblem& problem, const CoulombOptions
     const LcpName fitting = is_frictionless(problem) ? LcpName::dantzig : LcpName::lemke;
     CoulombSolution linear = solve_linear(problem, options.lcp.value_or(fitting), options.tolerance);
     if (linear.converged || !options.resolution) return linear;
-    return solve_to_resolution(problem, options).value_or(std::move(linear));
+    return solve_to_resolution(problem, options, options.tolerance).value_or(std::move(linear));
   }
   CoulombSolution start = labelled(make_solution(problem, VecX::Zero(problem.b.size()),
                                                  open_guess(problem).modes.modes, options.tolerance),
@@ -273,13 +266,18 @@ CoulombSolution solve_scaled(const CoulombProblem& problem, const CoulombOptions
       return holds_all(seeded) ? seeded : of_less_force(seeded, Chain(problem, options, start).run_briefly());
     if (seeded.residual < start.residual) start = seeded;
   }
-  if (options.resolution) {
+  if (!options.resolution) return Chain(problem, options, std::move(start)).run();
+  if (!options.least_norm) {
     const CoulombSolution holding = try_holding(problem, options.tolerance);
     if (holding.converged) return holding;
-    if (std::optional<CoulombSolution> solution = solve_to_resolution(problem, options))
+    if (std::optional<CoulombSolution> solution = solve_to_resolution(problem, options, options.enough))
       return std::move(*solution);
   }
-  return Chain(problem, options, std::move(start)).run();
+  CoulombOptions polished = options;
+  polished.least_norm = true;
+  CoulombSolution best = Chain(problem, polished, std::move(start)).run();
+  if (best.converged || !options.least_norm) return best;
+  return solve_to_resolution(problem, options, options.tolerance).value_or(std::move(best));
 }
 
 }  // namespace

@@ -122,8 +122,8 @@ class BoundedPivoting {
   int pivots_ = 0;
 };
 
-CoulombGuess guess_of_forces(const CoulombProblem& problem, const VecX& forces,
-                             const std::vector<bool>& sticks) {
+CoulombGuess guess_of_pyramid(const CoulombProblem& problem, const VecX& forces,
+                              const std::vector<bool>& sticks) {
   CoulombGuess guess = open_guess(problem);
   guess.lambda = clamp_to_cones(problem, forces);
   for (std::size_t k = 0; k < problem.mu.size(); ++k) {
@@ -169,7 +169,7 @@ LcpSeed seed_by_pivoting(const CoulombProblem& problem) {
           forces.segment<2>(3 * i).cwiseAbs().maxCoeff() < limit || round == 0;
     }
   }
-  seed.guess = guess_of_forces(problem, forces, sticks);
+  seed.guess = guess_of_pyramid(problem, forces, sticks);
   return seed;
 }
 
@@ -218,7 +218,7 @@ LcpSeed seed_by_pyramid(const CoulombProblem& problem) {
   for (std::size_t s = 0; s < speeds.size(); ++s)
     sticks[speeds[s].second] =
         !(solution.z(forces + static_cast<Index>(s)) > kRounding * q.cwiseAbs().maxCoeff());
-  return {guess_of_forces(problem, lambda, sticks), solution.pivots};
+  return {guess_of_pyramid(problem, lambda, sticks), solution.pivots};
 }
 
 }  // namespace

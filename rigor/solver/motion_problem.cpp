@@ -41,7 +41,7 @@ class MotionSolver {
     }
     const std::vector<ContactMode> holding(laws_.mu.size(), ContactMode::stick);
     if (std::optional<CoulombSolution> solution = settle(guess_of(holding), 1, "motion")) return solution;
-    if (options_.resolution) return solve_to_resolution();
+    if (options_.resolution && !options_.least_norm) return solve_to_resolution();
     return options_.least_norm ? approach() : share_somehow();
   }
 

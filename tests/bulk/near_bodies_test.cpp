@@ -13,7 +13,7 @@
 #include <functional>
 #include <string>
 
-namespace rigor {
+namespace rigor::near_bodies_test {
 namespace {
 
 /// The distance of the boxes that are smaller by their radii, from their corners.
@@ -101,4 +101,4 @@ TEST(ListRoom, GrowsByAnEighthAndMergesInPlace) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::near_bodies_test

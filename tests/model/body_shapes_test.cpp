@@ -10,7 +10,7 @@
 #include <string>
 #include <variant>
 
-namespace rigor {
+namespace rigor::body_shapes_test {
 namespace {
 
 std::shared_ptr<const ConvexHull> tetrahedron() {
@@ -100,4 +100,4 @@ TEST(BodyShapes, BodiesOfAModelShareThemAndAreFoundByTheirNames) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::body_shapes_test

@@ -7,8 +7,9 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
-namespace rigor {
+namespace rigor::bulk_audit_test {
 namespace {
 
 constexpr double g = 9.81;
@@ -68,6 +69,35 @@ TEST(BulkAudit, ImpactsAreCountedOnceEach) {
   EXPECT_EQ(audit.violations, std::vector<std::string>{});
 }
 
+TEST(BulkAudit, ImpactsAreEventsWithTheirImpulses) {
+  // A cube of 1 kg that falls flat from 1 m, e = 0: one impact, which takes m √(2 g) and what gravity gives
+  // in the rest of its step.
+  ModelBuilder builder = with_floor(0);
+  builder.add_body(test::stepping_body("cube", Box{Vec3(0.5, 0.5, 0.5)}, Vec3(0, 0, 1.5)));
+  const std::shared_ptr<const Model> model = builder.build();
+  Method method;
+  method.scheme = Scheme::time_stepping;
+  method.solver = SolverMethod::substep;
+  RunSettings settings;
+  settings.duration = 1;
+  settings.step = 1.0 / 60;
+  settings.output_interval = 0.1;
+  std::vector<MotionEvent> events;
+  const auto note = [&](const State&, const AdvanceReport& since, const Auditor&) {
+    events.insert(events.end(), since.events.begin(), since.events.end());
+    return true;
+  };
+  run_simulation(model, method, settings, std::nullopt, note);
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_EQ(events[0].kind, MotionEvent::Kind::impact);
+  EXPECT_NEAR(events[0].time, std::sqrt(2 / g), 1.0 / 60);
+  EXPECT_EQ(events[0].body_A, 0);
+  EXPECT_EQ(events[0].body_B, 1);
+  EXPECT_GT(events[0].j_W.z(), 0.5 * std::sqrt(2 * g));
+  EXPECT_LT(events[0].j_W.z(), std::sqrt(2 * g) + g / 60);
+  EXPECT_LT(events[0].p_W.head<2>().norm(), 1e-5);
+}
+
 TEST(BulkAudit, MomentumIsThatOfGravityAndTheFloorToTheRoundingsOf32Bits) {
   ModelBuilder builder = with_floor(0);
   for (int i = 0; i < 30; ++i) {
@@ -107,4 +137,4 @@ TEST(BulkAudit, SaysHowManySleep) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::bulk_audit_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-namespace rigor {
+namespace rigor::bulk_simulation_test {
 namespace {
 
 constexpr double g = 9.81, kStep = 1.0 / 60;
@@ -141,7 +141,7 @@ TEST(BulkSimulation, BallThatIsDroppedHitsOnceAndRestsAndLeaves) {
   const auto steps = [&](int count) {
     for (int k = 0; k < count; ++k) {
       const double before = simulation.velocity(1).z();
-      impacts += simulation.step().impact_count;
+      impacts += static_cast<int>(simulation.step().impacts.size());
       for (const ContactEvent& event : simulation.events())
         ++(event.kind == ContactEvent::Kind::begin ? begins : ends);
       for (const BulkContact& hit : simulation.hits(1)) {
@@ -315,4 +315,4 @@ TEST(BulkSimulation, FloorThatIsTakenAwayWakesAll) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::bulk_simulation_test

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace rigor {
+namespace rigor::proximal_points_test {
 namespace {
 
 using Eigen::Index;
@@ -111,6 +111,7 @@ TEST(ProximalPoints, AreTriedByTheChainWhereAResolutionIsGiven) {
   for (const HardProblem& hard : hard_problems()) {
     CoulombOptions options;
     options.enough = kSolved;
+    options.least_norm = false;
     options.resolution = hard.resolution;
     const CoulombSolution solution = solve_coulomb(hard.problem, options);
     EXPECT_EQ(solution.method, "proximal points") << hard.name;
@@ -162,4 +163,4 @@ TEST(ProximalPoints, FromItsOwnForcesThereIsLittleToDo) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::proximal_points_test
