@@ -27,14 +27,12 @@ double work_of_forces(const Model& model, int body, const MotionRow& acceleratio
 
 }  // namespace
 
-BounceLimits::BounceLimits(const Model& model)
-    : model_(&model),
-      islands_(model),
-      energies_(at(model.body_count()), 0),
-      lost_(energies_.size()),
-      wanted_(energies_.size()) {}
+BounceLimits::BounceLimits(const Model& model) : model_(&model), islands_(model) {}
 
 void BounceLimits::begin(const BulkBodies& bodies, const Executor& executor) {
+  energies_.resize(bodies.x.size());
+  lost_.resize(bodies.x.size());
+  wanted_.resize(bodies.x.size());
   executor.for_ranges(bodies.count(), 256, [&](int begin, int end) {
     for (int i = begin; i < end; ++i)
       energies_[at(i)] = bodies.is_dynamic(i) ? kinetic_energy_now(*model_, i, bodies) : 0;

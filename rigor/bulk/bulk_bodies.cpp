@@ -66,23 +66,32 @@ void set_standing(const Model& model, int body, bool stands, BulkBodies& bodies)
   bodies.inertia[k].inv_mass = bodies.motion[k].inv_mass;
 }
 
-void begin_bulk_step(const Model& model, BulkBodies& bodies) {
-  for (int i = 0; i < model.body_count(); ++i) {
-    const std::size_t k = static_cast<std::size_t>(i);
-    set_floats(Vec3::Zero(), bodies.motion[k].dp);
-    set_floats(Vec3::Zero(), bodies.motion[k].dr);
-    if (!bodies.is_dynamic(i)) continue;
-    const Body& body = model.body(i);
-    const Mat3 R_WB = bodies.q[k].toRotationMatrix();
-    const Mat3 inverse_W = R_WB * body.moments.cwiseInverse().asDiagonal() * R_WB.transpose();
-    InverseInertia& inertia = bodies.inertia[k];
-    inertia.xx = static_cast<float>(inverse_W(0, 0));
-    inertia.yy = static_cast<float>(inverse_W(1, 1));
-    inertia.zz = static_cast<float>(inverse_W(2, 2));
-    inertia.xy = static_cast<float>(inverse_W(0, 1));
-    inertia.xz = static_cast<float>(inverse_W(0, 2));
-    inertia.yz = static_cast<float>(inverse_W(1, 2));
-  }
+namespace {
+
+constexpr int kGrain = 256;  ///< Bodies.
+
+void set_inertia(const Vec3& moments, const Quat& q_WB, InverseInertia& inertia) {
+  const Mat3 R_WB = q_WB.toRotationMatrix();
+  const Mat3 inverse_W = R_WB * moments.cwiseInverse().asDiagonal() * R_WB.transpose();
+  inertia.xx = static_cast<float>(inverse_W(0, 0));
+  inertia.yy = static_cast<float>(inverse_W(1, 1));
+  inertia.zz = static_cast<float>(inverse_W(2, 2));
+  inertia.xy = static_cast<float>(inverse_W(0, 1));
+  inertia.xz = static_cast<float>(inverse_W(0, 2));
+  inertia.yz = static_cast<float>(inverse_W(1, 2));
+}
+
+}  // namespace
+
+void begin_bulk_step(const Model& model, const Executor& executor, BulkBodies& bodies) {
+  executor.for_ranges(bodies.count(), kGrain, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      const std::size_t k = static_cast<std::size_t>(i);
+      set_floats(Vec3::Zero(), bodies.motion[k].dp);
+      set_floats(Vec3::Zero(), bodies.motion[k].dr);
+      if (bodies.is_dynamic(i)) set_inertia(model.body(i).moments, bodies.q[k], bodies.inertia[k]);
+    }
+  });
 }
 
 Quat orientation_now(int body, const BulkBodies& bodies) {
@@ -97,13 +106,15 @@ double kinetic_energy_now(const Model& model, int body, const BulkBodies& bodies
   return 0.5 * (linear + model.body(body).moments.dot(w_B.cwiseAbs2()));
 }
 
-void end_bulk_step(const Model& model, BulkBodies& bodies) {
-  for (int i = 0; i < model.body_count(); ++i) {
-    const std::size_t k = static_cast<std::size_t>(i);
-    if (!bodies.stirs(i)) continue;
-    bodies.x[k] += vector_of(bodies.motion[k].dp);
-    bodies.q[k] = orientation_now(i, bodies);
-  }
+void end_bulk_step(const Executor& executor, BulkBodies& bodies) {
+  executor.for_ranges(bodies.count(), kGrain, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      const std::size_t k = static_cast<std::size_t>(i);
+      if (!bodies.stirs(i)) continue;
+      bodies.x[k] += vector_of(bodies.motion[k].dp);
+      bodies.q[k] = orientation_now(i, bodies);
+    }
+  });
 }
 
 }  // namespace rigor

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "rigor/bulk/executor.hpp"
 #include "rigor/model/model.hpp"
 #include "rigor/model/state.hpp"
 
@@ -78,12 +79,12 @@ void set_momentum(const Model& model, int body, BulkBodies& bodies);
 void set_standing(const Model& model, int body, bool stands, BulkBodies& bodies);
 
 /// Begins a step: inertia in W, no displacement.
-void begin_bulk_step(const Model& model, BulkBodies& bodies);
+void begin_bulk_step(const Model& model, const Executor& executor, BulkBodies& bodies);
 /// Within a step, as displacements have turned the body: its orientation, and the kinetic energy of a dynamic
 /// body [J].
 Quat orientation_now(int body, const BulkBodies& bodies);
 double kinetic_energy_now(const Model& model, int body, const BulkBodies& bodies);
 /// Ends it: positions and orientations are what the displacements made of them.
-void end_bulk_step(const Model& model, BulkBodies& bodies);
+void end_bulk_step(const Executor& executor, BulkBodies& bodies);
 
 }  // namespace rigor

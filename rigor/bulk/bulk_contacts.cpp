@@ -83,16 +83,31 @@ BulkContacts::BulkContacts(const Model& model)
 }
 
 void BulkContacts::match(const std::vector<ShapePair>& pairs, const std::vector<PairManifold>& manifolds,
-                         const std::vector<ManifoldMemory>& memory) {
+                         const std::vector<ManifoldMemory>& memory, const Executor& executor) {
   pairs_ = &pairs;
   manifolds_ = &manifolds;
   memory_ = &memory;
   totals_.clear();
   renew(manifolds.size(), matches_);
-  std::size_t next = 0;  // Both lists are in the order of keys.
-  for (std::size_t i = 0; i < manifolds.size(); ++i) {
-    const ShapePair& pair = pairs[static_cast<std::size_t>(manifolds[i].pair)];
-    const std::array<int, 5> key = {pair.body_A, pair.body_B, pair.shape_A, pair.shape_B, manifolds[i].part};
+  executor.for_ranges(static_cast<int>(manifolds.size()), 1024, [&](int begin, int end) {
+    match_range(static_cast<std::size_t>(begin), static_cast<std::size_t>(end));
+  });
+}
+
+/// Both lists are in the order of keys.
+void BulkContacts::match_range(std::size_t begin, std::size_t end) {
+  const std::vector<ManifoldMemory>& memory = *memory_;
+  const auto key_before = [](const ManifoldMemory& m, const std::array<int, 5>& key) {
+    return m.key() < key;
+  };
+  std::size_t next = memory.size();
+  for (std::size_t i = begin; i < end; ++i) {
+    const PairManifold& found = (*manifolds_)[i];
+    const ShapePair& pair = (*pairs_)[static_cast<std::size_t>(found.pair)];
+    const std::array<int, 5> key = {pair.body_A, pair.body_B, pair.shape_A, pair.shape_B, found.part};
+    if (i == begin)
+      next = static_cast<std::size_t>(std::lower_bound(memory.begin(), memory.end(), key, key_before) -
+                                      memory.begin());
     while (next < memory.size() && memory[next].key() < key) ++next;
     Match& match = matches_[i];
     match = {.surface = material_of(pair.body_A, pair.shape_A) * static_cast<int>(material_count_) +
@@ -254,23 +269,27 @@ void BulkContacts::add_up(const Executor& executor) {
   });
 }
 
-void BulkContacts::remember(const BulkBodies& bodies, double h, int substeps,
+void BulkContacts::remember(const BulkBodies& bodies, double h, int substeps, const Executor& executor,
                             std::vector<ManifoldMemory>& memory) const {
   renew(matches_.size(), memory);
-  for (std::size_t i = 0; i < matches_.size(); ++i) memory[i] = key_of(i);
-  for (std::size_t k = 0; k < blocks_.size(); ++k) {
-    const ManifoldBlock& block = blocks_[k];
-    for (int lane = 0; lane < kLaneCount; ++lane) {
-      const int number = block.manifold[static_cast<std::size_t>(lane)];
-      if (number < 0) continue;
-      ManifoldMemory& remembered = memory[static_cast<std::size_t>(number)];
-      read_lane(block, lane, remembered);
-      if (totals_.empty()) continue;
-      const double held = matches_[static_cast<std::size_t>(number)].energy;
-      remembered.energy =
-          static_cast<float>(spring_energy(block, totals_[k], lane, bodies, h, substeps, held));
+  executor.for_ranges(static_cast<int>(matches_.size()), 1024, [&](int begin, int end) {
+    for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+      memory[i] = key_of(i);
+  });
+  executor.for_ranges(static_cast<int>(blocks_.size()), 64, [&](int begin, int end) {
+    for (std::size_t k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
+      for (int lane = 0; lane < kLaneCount; ++lane) {
+        const int number = blocks_[k].manifold[static_cast<std::size_t>(lane)];
+        if (number < 0) continue;
+        ManifoldMemory& remembered = memory[static_cast<std::size_t>(number)];
+        read_lane(blocks_[k], lane, remembered);
+        if (totals_.empty()) continue;
+        const double held = matches_[static_cast<std::size_t>(number)].energy;
+        remembered.energy =
+            static_cast<float>(spring_energy(blocks_[k], totals_[k], lane, bodies, h, substeps, held));
+      }
     }
-  }
+  });
 }
 
 }  // namespace rigor

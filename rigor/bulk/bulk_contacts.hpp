@@ -24,7 +24,7 @@ class BulkContacts {
   /// contacts of the step before, in the order of keys; it is held until prepare(), the others until the next
   /// step.
   void match(const std::vector<ShapePair>& pairs, const std::vector<PairManifold>& manifolds,
-             const std::vector<ManifoldMemory>& memory);
+             const std::vector<ManifoldMemory>& memory, const Executor& executor);
   /// All of them, until prepare().
   std::vector<StepManifold> manifolds() const;
   /// Whose they are, without impulses; until the next step.
@@ -47,7 +47,8 @@ class BulkContacts {
   void bounce_apart(const Model& model, BulkBodies& bodies, const Executor& executor);
   /// What the contacts remember, in the order of keys; the energy of their springs if the impulses were added
   /// up. h [s]: of a substep.
-  void remember(const BulkBodies& bodies, double h, int substeps, std::vector<ManifoldMemory>& memory) const;
+  void remember(const BulkBodies& bodies, double h, int substeps, const Executor& executor,
+                std::vector<ManifoldMemory>& memory) const;
 
   /// Calls visit(contact, key, is_new) for each manifold of the step, in the order of blocks. is_new: it had
   /// no impulse at the end of the step before.
@@ -91,6 +92,7 @@ class BulkContacts {
     float energy = 0;  ///< Of its springs [J].
     bool is_new = true;
   };
+  void match_range(std::size_t begin, std::size_t end);
   int material_of(int body, int shape) const;
   StepManifold manifold_at(std::size_t i) const;
   /// Of a manifold; no impulses.

@@ -178,12 +178,12 @@ BulkStepReport BulkWorld::step(double h) {
   s.prescribed.place(*model_, t_, h, bodies_);
   find_contacts(h);
   BulkStepReport report = describe_contacts();
-  begin_bulk_step(*model_, bodies_);
+  begin_bulk_step(*model_, s.executor, bodies_);
   compute_accelerations(h);
   add_given_wrenches();
   s.gyrations.prepare(bodies_);
   s.joints.prepare(bodies_, substep, s.executor);
-  s.contacts.match(s.pairs, s.manifolds, memory_);
+  s.contacts.match(s.pairs, s.manifolds, memory_, s.executor);
   if (settings_.measures) s.books.begin(bodies_);
   report.direct_islands = solve_directly(h);
   s.contacts.prepare(bodies_, substep, s.direct, s.executor);
@@ -200,9 +200,9 @@ BulkStepReport BulkWorld::step(double h) {
     report.work += work_of_forces();
   }
   s.given.clear();
-  end_bulk_step(*model_, bodies_);
+  end_bulk_step(s.executor, bodies_);
   s.prescribed.arrive(bodies_);
-  s.contacts.remember(bodies_, substep, settings_.substeps, memory_);
+  s.contacts.remember(bodies_, substep, settings_.substeps, s.executor, memory_);
   s.direct.remember(settings_.substeps, memory_);
   s.joints.read_impulses(bodies_, s.joint_impulses);
   std::tie(report.max_joint_error, report.worst_joint) = s.joints.worst_error(bodies_);
@@ -261,10 +261,10 @@ int BulkWorld::solve_directly(double h) {
   Scratch& s = *scratch_;
   if (!s.direct.may_be_needed()) return 0;
   const float step = static_cast<float>(h);
-  s.gyrations.find_changes(step, bodies_, s.executor, s.turns);
+  if (s.gyrations.has_any()) s.gyrations.find_changes(step, bodies_, s.executor, s.turns);
   const auto free_change = [&](int body) {
     const std::size_t k = static_cast<std::size_t>(body);
-    MotionRow change = s.turns[k];
+    MotionRow change = s.gyrations.has_any() ? s.turns[k] : MotionRow{};
     for (std::size_t j = 0; j < change.size(); ++j) change[j] += step * s.accelerations[k][j];
     return change;
   };
@@ -343,7 +343,7 @@ double BulkWorld::work_of_forces() const {
 
 void BulkWorld::integrate_velocities(bool is_first, float h) {
   Scratch& s = *scratch_;
-  s.gyrations.find_changes(h, bodies_, s.executor, s.turns);
+  if (s.gyrations.has_any()) s.gyrations.find_changes(h, bodies_, s.executor, s.turns);
   s.executor.for_ranges(bodies_.count(), 1024, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       const std::size_t k = static_cast<std::size_t>(i);
@@ -353,8 +353,8 @@ void BulkWorld::integrate_velocities(bool is_first, float h) {
       // What the constraints changed in the substep before is what they begin with in this one.
       const FloatLanes now = load_floats(v),
                        change = is_first ? float_lanes(0) : now - load_floats(free.data());
-      const FloatLanes next =
-          now + h * load_floats(s.accelerations[k].data()) + load_floats(s.turns[k].data());
+      FloatLanes next = now + h * load_floats(s.accelerations[k].data());
+      if (s.gyrations.has_any()) next += load_floats(s.turns[k].data());
       store_floats(next, free.data());
       store_floats(next + change, v);
     }

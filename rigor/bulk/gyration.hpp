@@ -23,6 +23,8 @@ class Gyrations {
  public:
   explicit Gyrations(const Model& model, LaneTarget target = best_lane_target());
 
+  /// Whether any body turns so.
+  bool has_any() const { return !groups_.empty(); }
   /// At the begin of a step.
   void prepare(const BulkBodies& bodies);
   /// Changes of the angular velocities [rad/s] within h [s] where the bodies are now, in W: of body i the

@@ -88,15 +88,26 @@ ShapeBound make_shape_bound(const BodyShape& shape) {
   return bound;
 }
 
-BoxAxes axes_of(const ShapeBound& bound, const Quat& q_WB) {
+namespace {
+
+BoxAxes axes_of_body(const Quat& q_WB) {
   BoxAxes axes;
   set_rotation(q_WB, axes.row);
-  if (bound.is_turned) {
-    const BoxAxes of_body = axes;
-    for (int row = 0; row < 3; ++row)
-      store(turned_back(bound.R_BS, load(of_body.row + 3 * row)), axes.row + 3 * row);
-  }
   return axes;
+}
+
+BoxAxes axes_on_body(const ShapeBound& bound, const BoxAxes& of_body) {
+  if (!bound.is_turned) return of_body;
+  BoxAxes axes;
+  for (int row = 0; row < 3; ++row)
+    store(turned_back(bound.R_BS, load(of_body.row + 3 * row)), axes.row + 3 * row);
+  return axes;
+}
+
+}  // namespace
+
+BoxAxes axes_of(const ShapeBound& bound, const Quat& q_WB) {
+  return axes_on_body(bound, axes_of_body(q_WB));
 }
 
 namespace {
@@ -154,10 +165,9 @@ SweptShape sweep_shape(const ShapeBound& bound, const BulkBodies& bodies, int bo
     swept.box = swept_box(swept.place, {0, 0, 0}, bodies.motion[k], h, margin);
     return swept;
   }
-  float R_WB[9];
-  set_rotation(bodies.q[k], R_WB);
-  swept.place = place_of(bound, bodies, k, origin, turned(R_WB, load(bound.center_B)));
-  const BoxAxes axes = axes_of(bound, bodies.q[k]);
+  const BoxAxes of_body = axes_of_body(bodies.q[k]);
+  swept.place = place_of(bound, bodies, k, origin, turned(of_body.row, load(bound.center_B)));
+  const BoxAxes axes = axes_on_body(bound, of_body);
   const Float3 extent{box_extent(axes.row, bound), box_extent(axes.row + 3, bound),
                       box_extent(axes.row + 6, bound)};
   swept.box = swept_box(swept.place, extent, bodies.motion[k], h, margin);

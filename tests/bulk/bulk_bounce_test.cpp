@@ -192,7 +192,7 @@ struct StoppedCube {
     builder.add_body(cube);
     model = builder.build();
     bodies = read_bulk_bodies(*model, make_initial_state(*model));
-    begin_bulk_step(*model, bodies);
+    begin_bulk_step(*model, Executor(1), bodies);
     Manifold manifold{{0, 0, 1}, 4, {}};
     for (std::size_t k = 0; k < 4; ++k) {
       const float x = k % 2 == 0 ? 0.3F : -0.3F, y = k < 2 ? 0.2F : -0.2F;

@@ -268,7 +268,7 @@ TEST(BulkJoints, TakeBackWhatTheyHaveChanged) {
   const auto solved = [&](bool repeats) {
     JointRun run(tests::rod_chain(3, Vec3(0, 0, -9.81)));
     run.run(0.2, kStep, 4);
-    begin_bulk_step(*run.model, run.bodies);
+    begin_bulk_step(*run.model, Executor(1), run.bodies);
     run.joints.prepare(run.bodies, kStep, executor);
     const Vec3 v(1, 2, 3), w(0, 1, 0);
     run.set(1, v, w);

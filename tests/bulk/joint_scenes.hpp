@@ -62,7 +62,7 @@ struct JointRun {
   void step(double H, int substeps) {
     const Executor executor(1);
     const double h = H / substeps;
-    begin_bulk_step(*model, bodies);
+    begin_bulk_step(*model, executor, bodies);
     joints.prepare(bodies, h, executor);
     gyrations.prepare(bodies);
     for (int s = 0; s < substeps; ++s) {
@@ -81,7 +81,7 @@ struct JointRun {
       }
       joints.solve(JointPass::rates, executor);
     }
-    end_bulk_step(*model, bodies);
+    end_bulk_step(executor, bodies);
   }
   void run(double time, double H, int substeps) {
     for (int i = 0; i < std::lround(time / H); ++i) step(H, substeps);

@@ -93,7 +93,7 @@ TEST_P(EachJointType, ChangesNoMomentum) {
     run.set(i, v, w);
   }
   const Executor executor(1);
-  begin_bulk_step(*run.model, run.bodies);
+  begin_bulk_step(*run.model, Executor(1), run.bodies);
   run.joints.prepare(run.bodies, kStep, executor);
   const Momenta before = momenta_of(run);
   run.joints.solve(JointPass::places, executor);
