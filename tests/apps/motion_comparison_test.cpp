@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace rigor {
+namespace rigor::motion_comparison_test {
 namespace {
 
 /// Two bodies in free flight without gravity; b turns about z at `spin` rad/s. Output times 0, interval, ...
@@ -118,4 +118,4 @@ TEST(MotionComparison, AnglesAreExactWhereTheyAreSmallAndTakeTheShorterWay) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::motion_comparison_test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace rigor {
+namespace rigor::motion_error_test {
 namespace {
 
 constexpr double kForever = std::numeric_limits<double>::infinity();
@@ -144,4 +144,4 @@ TEST(DefaultErrorBound, IsAHundredthOfTheLargestMovingBody) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::motion_error_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rigor {
+namespace rigor::text_table_test {
 namespace {
 
 /// As text in a file, without colours.
@@ -84,4 +84,4 @@ TEST(TextTable, WrappedTextBreaksAtSpacesAndNowhereElse) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::text_table_test

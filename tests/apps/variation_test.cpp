@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rigor {
+namespace rigor::variation_test {
 namespace {
 
 using Values = std::vector<std::string>;
@@ -81,4 +81,4 @@ TEST(Variation, TooManyCombinationsAndAKeyTwiceAreRefused) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::variation_test

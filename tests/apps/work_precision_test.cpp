@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace rigor {
+namespace rigor::work_precision_test {
 namespace {
 
 /// A run with an error against the first reference.
@@ -100,4 +100,4 @@ TEST(PrecisionJson, HasThePointsOfEachCurveAndNothingWithoutErrors) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::work_precision_test

@@ -8,7 +8,7 @@
 #include <set>
 #include <utility>
 
-namespace rigor {
+namespace rigor::box_tree_test {
 namespace {
 
 using Pairs = std::set<std::pair<int, int>>;
@@ -115,4 +115,4 @@ TEST(BoxTree, FindsThePairsOfTwoTrees) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::box_tree_test

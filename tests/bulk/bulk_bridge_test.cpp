@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-namespace rigor {
+namespace rigor::bulk_bridge_test {
 namespace {
 
 constexpr double kStep = 1.0 / 60;
@@ -126,4 +126,4 @@ TEST(BulkBridge, GoesOnBitForBitFromItsStateOnAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::bulk_bridge_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rigor {
+namespace rigor::bulk_events_test {
 namespace {
 
 ManifoldMemory manifold(int a, int b, float impulse, int part = 0) {
@@ -59,4 +59,4 @@ TEST(ContactEvents, HitsAreNewAndFastEnoughAndPress) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::bulk_events_test

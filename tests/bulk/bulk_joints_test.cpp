@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace rigor {
+namespace rigor::bulk_joints_test {
 namespace {
 
 using tests::JointRun;
@@ -97,4 +97,4 @@ TEST(BulkJoints, AChainMovesTheSameWhicheverLaneItIsIn) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::bulk_joints_test

@@ -10,7 +10,7 @@
 #include <memory>
 #include <string>
 
-namespace rigor {
+namespace rigor::bulk_tunnelling_test {
 namespace {
 
 constexpr double step = 1.0 / 60;
@@ -132,4 +132,4 @@ TEST(BulkTunnelling, ABallDoesNotPassAThinPlateThatIsFree) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::bulk_tunnelling_test

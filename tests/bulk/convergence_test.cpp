@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace rigor {
+namespace rigor::convergence_test {
 namespace {
 
 constexpr double g = 9.81;
@@ -79,4 +79,4 @@ TEST(BulkConvergence, ABallSlidesIntoRolling) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::convergence_test

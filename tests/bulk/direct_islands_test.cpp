@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-namespace rigor {
+namespace rigor::direct_islands_test {
 namespace {
 
 constexpr double g = 9.81;
@@ -118,4 +118,4 @@ TEST(DirectIslands, AStepFromARestoredStateHasTheSameBits) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::direct_islands_test

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace rigor {
+namespace rigor::executor_test {
 namespace {
 
 /// The ranges of a loop, ascending.
@@ -98,4 +98,4 @@ TEST(Executor, WhatABodyThrowsComesOut) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::executor_test

@@ -6,7 +6,7 @@
 #include <set>
 #include <vector>
 
-namespace rigor {
+namespace rigor::graph_colouring_test {
 namespace {
 
 std::vector<ConstraintEdge> random_edges(int count, int body_count, unsigned seed) {
@@ -104,4 +104,4 @@ TEST(GraphColouring, OfNoEdgesIsEmpty) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::graph_colouring_test

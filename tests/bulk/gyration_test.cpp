@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rigor {
+namespace rigor::gyration_test {
 namespace {
 
 using test::Random;
@@ -93,4 +93,4 @@ TEST(Gyration, TurnsWithTheBodyWithinAStep) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::gyration_test

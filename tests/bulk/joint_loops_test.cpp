@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace rigor {
+namespace rigor::joint_loops_test {
 namespace {
 
 using tests::JointRun;
@@ -283,4 +283,4 @@ TEST(BulkJoints, TakeBackWhatTheyHaveChanged) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::joint_loops_test

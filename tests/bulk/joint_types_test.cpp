@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace rigor {
+namespace rigor::joint_types_test {
 namespace {
 
 using tests::JointRun;
@@ -244,4 +244,4 @@ TEST(BulkJointLaws, ADistanceWithLimitsIsARope) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::joint_types_test

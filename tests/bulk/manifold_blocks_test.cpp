@@ -8,7 +8,7 @@
 #include <cstring>
 #include <vector>
 
-namespace rigor {
+namespace rigor::manifold_blocks_test {
 namespace {
 
 using test::Random;
@@ -258,4 +258,4 @@ TEST(ManifoldBlocks, ASpringTakesItsOverlapBackAtItsRate) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::manifold_blocks_test

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace rigor {
+namespace rigor::narrow_phase_hints_test {
 namespace {
 
 using test::are_same_bits;
@@ -156,4 +156,4 @@ TEST(NarrowPhaseHints, AtTheMarginTheAnswerIsTheSame) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::narrow_phase_hints_test

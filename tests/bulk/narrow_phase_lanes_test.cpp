@@ -15,7 +15,7 @@
 #include <limits>
 #include <set>
 
-namespace rigor {
+namespace rigor::narrow_phase_lanes_test {
 namespace {
 
 using test::are_same_bits;
@@ -249,4 +249,4 @@ TEST(NarrowPhaseLanes, FeaturesStayWhileABoxRests) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::narrow_phase_lanes_test

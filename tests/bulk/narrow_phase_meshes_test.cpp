@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace rigor {
+namespace rigor::narrow_phase_meshes_test {
 namespace {
 
 using test::Draw;
@@ -211,4 +211,4 @@ TEST(NarrowPhaseMeshes, ABallInAValleyTouchesItsTwoSlopes) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::narrow_phase_meshes_test

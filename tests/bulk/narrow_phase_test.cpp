@@ -13,7 +13,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace rigor {
+namespace rigor::narrow_phase_test {
 namespace {
 
 using test::Draw;
@@ -235,4 +235,4 @@ TEST(NarrowPhase, FarFromTheOriginNothingChanges) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::narrow_phase_test

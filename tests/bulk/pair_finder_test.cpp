@@ -15,7 +15,7 @@
 #include <string>
 #include <tuple>
 
-namespace rigor {
+namespace rigor::pair_finder_test {
 namespace {
 
 constexpr double kStep = 1.0 / 60, kMargin = 0.02;
@@ -319,4 +319,4 @@ TEST(PairFinder, CavityGoesWithWhatIsNearItsWall) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::pair_finder_test

@@ -9,7 +9,7 @@
 #include <memory>
 #include <string>
 
-namespace rigor {
+namespace rigor::sleep_test {
 namespace {
 
 constexpr float kAsleep = std::numeric_limits<float>::infinity();
@@ -173,4 +173,4 @@ TEST(SleepKeeper, DependsOnTheStateAlone) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::sleep_test

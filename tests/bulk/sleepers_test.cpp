@@ -10,7 +10,7 @@
 #include <memory>
 #include <string>
 
-namespace rigor {
+namespace rigor::sleepers_test {
 namespace {
 
 constexpr double kStep = 1.0 / 60, g = 9.81;
@@ -286,4 +286,4 @@ TEST(Sleepers, MotorsThatDriveSlowlyAndLiftsKeepBodiesAwake) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::sleepers_test

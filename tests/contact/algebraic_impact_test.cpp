@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace rigor {
+namespace rigor::algebraic_impact_test {
 namespace {
 
 using test::Random;
@@ -116,4 +116,4 @@ TEST(AlgebraicImpact, LeavesAloneWhatDoesNotApproach) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::algebraic_impact_test

@@ -9,7 +9,7 @@
 #include <array>
 #include <string>
 
-namespace rigor {
+namespace rigor::body_impact_test {
 namespace {
 
 BodyKinetics kinetics_of(const nlohmann::json& json) {
@@ -66,4 +66,4 @@ TEST(BodyImpact, GivesTheVelocitiesOfTheReference) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::body_impact_test

@@ -14,7 +14,7 @@
 #include <string>
 #include <utility>
 
-namespace rigor {
+namespace rigor::collision_test {
 namespace {
 
 using test::Random;
@@ -459,4 +459,4 @@ TEST(CollisionMatrix, IsRefusedWhenItIsNoMatrixOfAnImpact) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::collision_test

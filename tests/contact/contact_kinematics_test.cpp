@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rigor {
+namespace rigor::contact_kinematics_test {
 namespace {
 
 using test::Random;
@@ -169,4 +169,4 @@ TEST(ContactSystem, ImpulsesChangeVelocitiesByTheDelassusOperator) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::contact_kinematics_test

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rigor {
+namespace rigor::course_test {
 namespace {
 
 /// States of a course without repetition: c, r (compressing or not) and s, k (sliding or not).
@@ -80,4 +80,4 @@ TEST(Course, ConditionAndRemovableEnergyAreThoseOfK) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::course_test

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace rigor {
+namespace rigor::departing_pairs_test {
 namespace {
 
 constexpr double kGravity = 9.81;
@@ -78,4 +78,4 @@ TEST(DepartingPairs, WhatLeavesWithASmallOverlapIsBackAtTheSameOverlap) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::departing_pairs_test

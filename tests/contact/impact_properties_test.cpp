@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace rigor::test {
+namespace rigor::test::impact_properties_test {
 namespace {
 
 const SimultaneousLaw kAllLaws[] = {SimultaneousLaw::reflections, SimultaneousLaw::lcp,
@@ -161,4 +161,4 @@ TEST(ImpactSymmetry, MirrorSymmetricBodiesStaySo) {
 }
 
 }  // namespace
-}  // namespace rigor::test
+}  // namespace rigor::test::impact_properties_test

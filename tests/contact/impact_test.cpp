@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace rigor::test {
+namespace rigor::test::impact_test {
 namespace {
 
 // A ball of radius 1 on the floor (body 0, prescribed); the contact is at the origin.
@@ -64,4 +64,4 @@ TEST(Impact, LeavesPartingContactsAlone) {
 }
 
 }  // namespace
-}  // namespace rigor::test
+}  // namespace rigor::test::impact_test

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace rigor {
+namespace rigor::jointed_resting_test {
 namespace {
 
 constexpr double g = 9.81;
@@ -120,4 +120,4 @@ TEST(JointedResting, DryFrictionMotorsAndLimitsAreTheSameInBothSpaces) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::jointed_resting_test

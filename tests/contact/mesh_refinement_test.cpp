@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace rigor {
+namespace rigor::mesh_refinement_test {
 namespace {
 
 using test::as_mesh;
@@ -115,4 +115,4 @@ TEST(MeshRefinement, EndsBeforeAnyOverlap) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::mesh_refinement_test

@@ -13,7 +13,7 @@
 
 #include <numbers>
 
-namespace rigor {
+namespace rigor::mesh_time_of_impact_test {
 namespace {
 
 using test::as_mesh;
@@ -133,4 +133,4 @@ TEST(MeshTimeOfImpact, SlidingCubeMeetsTheStepBeforeIt) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::mesh_time_of_impact_test

@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-namespace rigor {
+namespace rigor::moment_collision_test {
 namespace {
 
 using test::Random;
@@ -111,4 +111,4 @@ TEST(MomentCollision, NeverGainsEnergyUnderStrongeAndPoissonAndKeepsItsLimits) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::moment_collision_test

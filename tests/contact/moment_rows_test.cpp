@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rigor {
+namespace rigor::moment_rows_test {
 namespace {
 
 /// A ball of radius 0.1 m on the floor, the floor second, so that the normal points down.
@@ -107,4 +107,4 @@ TEST(MomentRows, ARollingBallIsBrakedByRollingFriction) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::moment_rows_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace rigor {
+namespace rigor::penalty_law_test {
 namespace {
 
 struct Bounce {
@@ -141,4 +141,4 @@ TEST(PenaltyLaw, TangentsAreDerivatives) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::penalty_law_test

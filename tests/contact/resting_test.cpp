@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace rigor {
+namespace rigor::resting_test {
 namespace {
 
 constexpr double g = 9.81;
@@ -175,4 +175,4 @@ TEST(FindContacts, ListsACornerThatTwoShapesShareOnce) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::resting_test

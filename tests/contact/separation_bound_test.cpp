@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace rigor {
+namespace rigor::separation_bound_test {
 namespace {
 
 using test::Random;
@@ -207,4 +207,4 @@ TEST(TurningRadius, HoldsWhatTurningMoves) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::separation_bound_test

@@ -13,7 +13,7 @@
 #include <map>
 #include <string>
 
-namespace rigor::test {
+namespace rigor::test::simultaneous_impacts_test {
 namespace {
 
 const std::map<std::string, SimultaneousLaw> kLaws = {{"reflections", SimultaneousLaw::reflections},
@@ -229,4 +229,4 @@ TEST(SimultaneousImpacts, SqueezedBallIsReportedAsUnsolvedAndGainsNoEnergy) {
 }
 
 }  // namespace
-}  // namespace rigor::test
+}  // namespace rigor::test::simultaneous_impacts_test

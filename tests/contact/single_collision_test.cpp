@@ -7,7 +7,7 @@
 
 #include <limits>
 
-namespace rigor::test {
+namespace rigor::test::single_collision_test {
 namespace {
 
 /// A box of 1 kg on the floor z = 0 (body 0): its lowest corners touch.
@@ -196,4 +196,4 @@ TEST(SingleCollision, LoadedContactAmongIdleOnesCollidesAlone) {
 }
 
 }  // namespace
-}  // namespace rigor::test
+}  // namespace rigor::test::single_collision_test

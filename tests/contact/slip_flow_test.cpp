@@ -8,7 +8,7 @@
 #include <cmath>
 #include <string>
 
-namespace rigor {
+namespace rigor::slip_flow_test {
 namespace {
 
 using test::Random;
@@ -114,4 +114,4 @@ TEST(SlipFlow, StickingFrictionKeepsTheSlipAtZero) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::slip_flow_test

@@ -10,7 +10,7 @@
 #include <limits>
 #include <numbers>
 
-namespace rigor {
+namespace rigor::tangential_compliance_test {
 namespace {
 
 using test::Random;
@@ -176,4 +176,4 @@ TEST(TangentialCompliance, RefusesWhatIsCoupledOrNotPlanar) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::tangential_compliance_test

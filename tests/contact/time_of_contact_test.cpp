@@ -12,7 +12,7 @@
 
 // The search for shapes on the motions of the engine, against the search of the engine.
 
-namespace rigor {
+namespace rigor::time_of_contact_test {
 namespace {
 
 using test::Random;
@@ -61,4 +61,4 @@ TEST(TimeOfContactOfBodies, InFreeFlightIsTheTimeOfTheirImpact) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::time_of_contact_test

@@ -10,7 +10,7 @@
 #include <memory>
 #include <tuple>
 
-namespace rigor {
+namespace rigor::time_of_impact_test {
 namespace {
 
 Vec3 vec3(const nlohmann::json& j) {
@@ -96,4 +96,4 @@ TEST(TimeOfImpact, BallsThatPartAfterAnImpactDoNotMeetAgain) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::time_of_impact_test

@@ -7,7 +7,7 @@
 // What the program promises to those who call it: commands, exit codes, messages. (Runs and their files:
 // run_command_test.)
 
-namespace rigor {
+namespace rigor::command_line_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -52,7 +52,7 @@ TEST(CommandLine, WithoutACommandThereIsHelpOnStderrAndTwo) {
 
 TEST(CommandLine, UnknownNamesAreToldWithTheNearest) {
   const ProgramFolder folder;
-  folder.write("ball.yaml", ball);
+  folder.write("ball.yaml", ball_scene);
   const ProgramResult option = folder.run({"run", "--duratoin", "1", "ball.yaml"});
   EXPECT_EQ(option.code, 2);
   EXPECT_EQ(option.error, "error: unknown option '--duratoin'; did you mean '--duration'?\n");
@@ -67,7 +67,7 @@ TEST(CommandLine, UnknownNamesAreToldWithTheNearest) {
 
 TEST(CommandLine, ValuesThatMakeNoSenseAreUsageErrors) {
   const ProgramFolder folder;
-  folder.write("ball.yaml", ball);
+  folder.write("ball.yaml", ball_scene);
   const std::vector<std::vector<std::string>> wrong = {
       {"run"},
       {"run", "ball.yaml", "--duration"},
@@ -109,7 +109,7 @@ TEST(CommandLine, ValuesThatMakeNoSenseAreUsageErrors) {
 
 TEST(CommandLine, OutputsOfLaterVersionsAreRefusedWithTheAvailableOnes) {
   const ProgramFolder folder;
-  folder.write("ball.yaml", ball);
+  folder.write("ball.yaml", ball_scene);
   for (const std::string name : {"film.mp4", "solid.stl"}) {
     const ProgramResult result = folder.run({"run", "ball.yaml", "-o", name});
     EXPECT_EQ(result.code, 2);
@@ -120,15 +120,15 @@ TEST(CommandLine, OutputsOfLaterVersionsAreRefusedWithTheAvailableOnes) {
 
 TEST(CommandLine, TheSceneIsNeverOverwritten) {
   const ProgramFolder folder;
-  folder.write("scene.json", ball);
+  folder.write("scene.json", ball_scene);
   EXPECT_EQ(folder.run({"run", "scene.json", "-o", "./scene.json"}).code, 2);
   EXPECT_EQ(folder.run({"run", "scene.json", "--json", "scene.json"}).code, 2);
-  EXPECT_EQ(folder.read("scene.json"), ball);
+  EXPECT_EQ(folder.read("scene.json"), ball_scene);
 }
 
 TEST(CommandLine, AFileNamedTwiceIsRefusedHoweverItIsSpelt) {
   const ProgramFolder folder;
-  folder.write("ball.yaml", ball);
+  folder.write("ball.yaml", ball_scene);
   for (const std::string again : {"a.csv", "./a.csv"}) {
     const ProgramResult result = folder.run({"run", "ball.yaml", "-o", "a.csv", "-o", again});
     EXPECT_EQ(result.code, 2);
@@ -159,7 +159,7 @@ TEST(CommandLine, BadScenesAreThreeWithTheirPlaces) {
 
 TEST(CommandLine, OverridesAreCheckedLikeTheScene) {
   const ProgramFolder folder;
-  folder.write("ball.yaml", ball);
+  folder.write("ball.yaml", ball_scene);
   EXPECT_EQ(folder.run({"run", "ball.yaml", "--set", "materials.rubber.restitution=2"}).code, 3);
   const ProgramResult result =
       folder.run({"run", "ball.yaml", "--set", "materials.rubber.restitution=0", "--json", "-"});
@@ -194,7 +194,7 @@ TEST(CommandLine, SeparatePushesOverlappingBodiesApartAndSaysSo) {
 
 TEST(CommandLine, CheckTellsOfEveryFile) {
   const ProgramFolder folder;
-  folder.write("ball.yaml", ball);
+  folder.write("ball.yaml", ball_scene);
   folder.write("bad.yaml", "rigor: 1\nbodeis: []\n");
   const ProgramResult good = folder.run({"check", "ball.yaml"});
   EXPECT_EQ(good.code, 0);
@@ -214,7 +214,7 @@ TEST(CommandLine, CheckTellsOfEveryFile) {
 
 TEST(CommandLine, MassIsExactAndSampledSideBySide) {
   const ProgramFolder folder;
-  folder.write("ball.yaml", ball);
+  folder.write("ball.yaml", ball_scene);
   const ProgramResult result =
       folder.run({"mass", "ball.yaml", "--density", "500", "--samples", "20000", "--json", "-"});
   ASSERT_EQ(result.code, 0) << result.error;
@@ -251,7 +251,7 @@ TEST(CommandLine, MassReadsMeshesAndRefusesOpenOnes) {
 
 TEST(CommandLine, DistanceTellsBoundsWitnessesAndContacts) {
   const ProgramFolder folder;
-  folder.write("ball.yaml", ball);
+  folder.write("ball.yaml", ball_scene);
   const ProgramResult apart = folder.run({"distance", "ball.yaml", "floor", "ball", "--json", "-"});
   ASSERT_EQ(apart.code, 0) << apart.error;
   const Json json = Json::parse(apart.out);
@@ -273,7 +273,7 @@ TEST(CommandLine, DistanceTellsBoundsWitnessesAndContacts) {
 
 TEST(CommandLine, DistanceAnswersQuestionsAboutTheScene) {
   const ProgramFolder folder;
-  folder.write("ball.yaml", ball);
+  folder.write("ball.yaml", ball_scene);
   const auto answer = [&](std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), {"distance", "ball.yaml"});
     arguments.insert(arguments.end(), {"--json", "-"});
@@ -317,4 +317,4 @@ TEST(CommandLine, MethodsListsEveryChoiceWithItsSource) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::command_line_test

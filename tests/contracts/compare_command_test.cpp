@@ -9,7 +9,7 @@
 
 // What `rigor compare` promises: tables, files, exit codes, messages.
 
-namespace rigor {
+namespace rigor::compare_command_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -38,7 +38,7 @@ bodies:
 /// The folder with the scenes in it.
 struct CompareFolder : ProgramFolder {
   CompareFolder() {
-    write("ball.yaml", ball);
+    write("ball.yaml", ball_scene);
     write("spring.yaml", spring);
     write("piston.yaml", piston);
   }
@@ -379,7 +379,7 @@ TEST(CompareCommand, CommandLinesThatMakeNoSenseAreTwo) {
     EXPECT_EQ(result.code, 2) << testing::PrintToString(arguments);
     EXPECT_EQ(result.error, "error: " + message + "\n");
   }
-  EXPECT_EQ(folder.read("ball.yaml"), ball);
+  EXPECT_EQ(folder.read("ball.yaml"), ball_scene);
 }
 
 TEST(CompareCommand, AMistakeInTheLastValueIsToldBeforeTheFirstRun) {
@@ -422,7 +422,7 @@ TEST(CompareCommand, OverlapsCanBePushedApart) {
 
 TEST(CompareCommand, WarningsOfTheSceneAreToldOnce) {
   const CompareFolder folder;
-  folder.write("bare.yaml", ball + "  - {name: bare, motion: static}\n");
+  folder.write("bare.yaml", ball_scene + "  - {name: bare, motion: static}\n");
   const ProgramResult result = folder.compare({"bare.yaml", "--vary", "run.seed=1,2,3", "--quiet"});
   EXPECT_EQ(result.code, 0);
   EXPECT_EQ(result.error, "warning: bare.yaml:9:5: body 'bare': it has no shapes, so it touches nothing\n");
@@ -451,4 +451,4 @@ TEST(CompareCommand, TheHelpShowsTheCommandWithAnExample) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::compare_command_test

@@ -7,7 +7,7 @@
 
 // What `rigor compare` promises about errors, references, refused runs and work-precision data.
 
-namespace rigor {
+namespace rigor::compare_errors_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -23,7 +23,7 @@ forces: [{type: spring, between: [world, a], points: [[0, 0, 0], [0, 0, 0]], sti
 
 struct ErrorFolder : ProgramFolder {
   ErrorFolder() {
-    write("ball.yaml", ball);
+    write("ball.yaml", ball_scene);
     write("spring.yaml", spring);
   }
   ProgramResult compare(std::vector<std::string> arguments) const {
@@ -252,7 +252,7 @@ TEST(CompareErrors, ShippedScenesMeetWhatTheyExpect) {
 
 TEST(CheckCommand, TellsWhatAutoChoosesAndWhy) {
   const ErrorFolder folder;
-  folder.write("auto.yaml", ball + "method: {scheme: auto}\n");
+  folder.write("auto.yaml", ball_scene + "method: {scheme: auto}\n");
   const ProgramResult result = folder.run({"check", "auto.yaml"});
   EXPECT_EQ(result.code, 0);
   expect_contains(result.out,
@@ -275,4 +275,4 @@ TEST(SceneErrors, ExpectationsNameDynamicBodiesAndExpectSomething) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::compare_errors_test

@@ -12,7 +12,7 @@
 // What the tools that measure promise, tools/compare_schemes.py and tools/measure_piles.py: a line a run,
 // kept from one start to the next, in an order that does not depend on the number of jobs, and the table.
 
-namespace rigor {
+namespace rigor::compare_schemes_test {
 namespace {
 
 const std::string spring = R"(rigor: 1
@@ -41,7 +41,7 @@ TEST(CompareSchemes, WritesALineARunAndGoesOnWhereItStopped) {
   const SchemesFolder folder;
   if (std::system("python3 --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "no python3";
   folder.write("spring.yaml", spring);
-  folder.write("ball.yaml", ball);
+  folder.write("ball.yaml", ball_scene);
   ASSERT_EQ(folder.compare("--schemes event-driven --factors 2,1 spring.yaml"), 0)
       << folder.read("error.txt");
   const std::string rows = folder.read("rows.csv");
@@ -68,7 +68,7 @@ TEST(CompareSchemes, TheOrderOfRowsDoesNotDependOnTheNumberOfJobs) {
   const SchemesFolder folder;
   if (std::system("python3 --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "no python3";
   folder.write("spring.yaml", spring);
-  folder.write("ball.yaml", ball);
+  folder.write("ball.yaml", ball_scene);
   const std::vector<std::string> schemes = {"event-driven", "time-stepping", "penalty", "impulse-based",
                                             "hybrid"};
   std::string start;  // What the rows must begin with, line by line.
@@ -93,7 +93,7 @@ TEST(CompareSchemes, TheOrderOfRowsDoesNotDependOnTheNumberOfJobs) {
 TEST(CompareSchemes, RunsManyBodiesByTimeSteppingOnly) {
   const SchemesFolder folder;
   if (std::system("python3 --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "no python3";
-  folder.write("ball.yaml", ball);
+  folder.write("ball.yaml", ball_scene);
   ASSERT_EQ(folder.compare("--most-bodies 0 --factors 1 ball.yaml"), 0) << folder.read("error.txt");
   expect_contains(folder.read("rows.csv"),
                   "\nball,event-driven,1,,not tried,not tried with 1 dynamic bodies,");
@@ -143,7 +143,7 @@ echo "$name,${5#method.scheme=},ok,5,1e-12,2e-7,1e-7,0,1e-14,1"
 TEST(CompareSchemes, PutsItsTableBetweenTheMarks) {
   const SchemesFolder folder;
   if (std::system("python3 --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "no python3";
-  folder.write("ball.yaml", ball);
+  folder.write("ball.yaml", ball_scene);
   folder.write("a.md", "before\n<!-- measured: begin -->\nold\n<!-- measured: end -->\nafter\n");
   ASSERT_EQ(folder.compare("--schemes event-driven --factors 1 --docs a.md ball.yaml"), 0);
   const std::string text = folder.read("a.md");
@@ -158,7 +158,7 @@ TEST(CompareSchemes, PutsItsTableBetweenTheMarks) {
 TEST(CompareSchemes, ASchemeThatIsRefusedIsALineThatSaysWhy) {
   const SchemesFolder folder;
   if (std::system("python3 --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "no python3";
-  folder.write("ball.yaml", ball);
+  folder.write("ball.yaml", ball_scene);
   ASSERT_EQ(folder.compare("--schemes no-such-scheme --factors 2,1 ball.yaml"), 0)
       << folder.read("error.txt");
   expect_contains(folder.read("rows.csv"), "ball,no-such-scheme,2,,refused,");
@@ -181,4 +181,4 @@ TEST(CompareSchemes, ARunThatTakesTooLongIsCountedAsTooSlow) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::compare_schemes_test

@@ -8,7 +8,7 @@
 
 // What `rigor convert` promises: pieces that other commands read, the error stated, messages, exit codes.
 
-namespace rigor {
+namespace rigor::convert_command_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -169,4 +169,4 @@ TEST(ConvertCommand, ShowsABarOnATerminalOnly) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::convert_command_test

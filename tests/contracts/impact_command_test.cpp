@@ -10,7 +10,7 @@
 
 // rigor impact: what it computes, what it writes, what it refuses.
 
-namespace rigor {
+namespace rigor::impact_command_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -480,4 +480,4 @@ TEST(ImpactCommand, BadInputIsToldInOneLine) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::impact_command_test

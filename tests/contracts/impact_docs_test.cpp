@@ -9,7 +9,7 @@
 
 // The pages on impacts, docs/impact.md and docs/theory/impact.md, show what the program says.
 
-namespace rigor {
+namespace rigor::impact_docs_test {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -131,4 +131,4 @@ TEST(ImpactPage, TheFigureAndTheTableOfTheTheoryAreThoseOfTheProgram) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::impact_docs_test

@@ -7,7 +7,7 @@
 #include <csignal>
 #include <thread>
 
-namespace rigor {
+namespace rigor::live_view_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -37,7 +37,7 @@ class Viewing {
 
 TEST(ViewCommand, ServesASceneUntilItIsInterrupted) {
   const ProgramFolder folder;
-  folder.write("ball.yaml", ball);
+  folder.write("ball.yaml", ball_scene);
   Viewing viewing(folder, {"ball.yaml", "--set", "world.gravity=[0, 0, -3]"});
   const std::string page = test::get(viewing.address, "/?token=" + viewing.address.token);
   EXPECT_EQ(test::status_of(page), 200);
@@ -54,7 +54,7 @@ TEST(ViewCommand, ServesASceneUntilItIsInterrupted) {
 
 TEST(ViewCommand, ServesATrajectoryAsAReplayWithoutASocket) {
   const ProgramFolder folder;
-  folder.write("ball.yaml", ball);
+  folder.write("ball.yaml", ball_scene);
   ASSERT_EQ(folder.run({"run", "ball.yaml", "-o", "ball.h5", "--quiet"}).code, 0);
   Viewing viewing(folder, {"ball.h5"});
   const std::string page = test::get(viewing.address, "/?token=" + viewing.address.token);
@@ -67,8 +67,8 @@ TEST(ViewCommand, ServesATrajectoryAsAReplayWithoutASocket) {
 
 TEST(ViewCommand, APortInUseIsAnErrorOfTheSystem) {
   const ProgramFolder folder, other;
-  folder.write("ball.yaml", ball);
-  other.write("ball.yaml", ball);
+  folder.write("ball.yaml", ball_scene);
+  other.write("ball.yaml", ball_scene);
   Viewing viewing(folder, {"ball.yaml"});
   const ProgramResult second =
       other.run({"view", "ball.yaml", "--port", std::to_string(viewing.address.port)});
@@ -80,7 +80,7 @@ TEST(ViewCommand, APortInUseIsAnErrorOfTheSystem) {
 
 TEST(ViewCommand, BadInputIsToldBeforeAnythingIsServed) {
   const ProgramFolder folder;
-  folder.write("bad.yaml", ball + "nonsense: 1\n");
+  folder.write("bad.yaml", ball_scene + "nonsense: 1\n");
   folder.write("bad.h5", "no trajectory");
   EXPECT_EQ(folder.run({"view", "bad.yaml"}).code, 3);
   EXPECT_EQ(folder.run({"view", "bad.h5"}).code, 3);
@@ -90,4 +90,4 @@ TEST(ViewCommand, BadInputIsToldBeforeAnythingIsServed) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::live_view_test

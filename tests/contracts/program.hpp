@@ -119,7 +119,7 @@ class ProgramFolder {
 };
 
 /// A ball that bounces on a floor.
-inline const std::string ball = R"(rigor: 1
+inline const std::string ball_scene = R"(rigor: 1
 name: ball
 world: {gravity: [0, 0, -9.81]}
 run: {duration: 1, output_interval: 0.1}

@@ -10,7 +10,7 @@
 
 // The example of docs/queries.md compiles, does what it says, and is the one on the page.
 
-namespace rigor {
+namespace rigor::queries_docs_test {
 namespace {
 
 TEST(QueriesDocs, TheExampleInCxxIsThisOne) {
@@ -59,4 +59,4 @@ TEST(QueriesDocs, TheExampleInCxxIsThisOne) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::queries_docs_test

@@ -8,7 +8,7 @@
 
 // What `rigor run` promises: audits, files, exit codes, whatever happens on the way.
 
-namespace rigor {
+namespace rigor::run_command_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -17,7 +17,7 @@ using Json = nlohmann::json;
 
 TEST(RunCommand, ARunPrintsItsAuditOnStdoutAndNothingElse) {
   const ProgramFolder folder;
-  folder.write("ball.yaml", ball);
+  folder.write("ball.yaml", ball_scene);
   const ProgramResult result = folder.run({"run", "ball.yaml"});
   EXPECT_EQ(result.code, 0);
   EXPECT_EQ(result.error, "");
@@ -31,7 +31,7 @@ TEST(RunCommand, ARunPrintsItsAuditOnStdoutAndNothingElse) {
 
 TEST(RunCommand, JsonOnStdoutIsJsonAndTheTextGoesToStderr) {
   const ProgramFolder folder;
-  folder.write("ball.yaml", ball);
+  folder.write("ball.yaml", ball_scene);
   const ProgramResult result = folder.run({"run", "ball.yaml", "--duration", "0.5", "--json", "-"});
   EXPECT_EQ(result.code, 0);
   EXPECT_EQ(Json::parse(result.out)["sim_time"], 0.5);
@@ -42,7 +42,7 @@ TEST(RunCommand, JsonOnStdoutIsJsonAndTheTextGoesToStderr) {
 
 TEST(RunCommand, AllOutputsTellTheSameMotion) {
   const ProgramFolder folder;
-  folder.write("ball.yaml", ball);
+  folder.write("ball.yaml", ball_scene);
   const ProgramResult result =
       folder.run({"run", "ball.yaml", "-o", "a.csv", "-o", "a.h5", "-o", "a.json", "--json", "audit.json"});
   ASSERT_EQ(result.code, 0) << result.error;
@@ -50,7 +50,7 @@ TEST(RunCommand, AllOutputsTellTheSameMotion) {
   // Outputs at 0, 0.1, ..., 1 s.
   ASSERT_EQ(stored.time.size(), 11u);
   EXPECT_EQ(stored.bodies, (std::vector<std::string>{"floor", "ball"}));
-  EXPECT_EQ(stored.scene_text, ball);
+  EXPECT_EQ(stored.scene_text, ball_scene);
   EXPECT_EQ(line_count(folder.read("a.csv")), 12u);
   const Json json = Json::parse(folder.read("a.json")), audit = Json::parse(folder.read("audit.json"));
   ASSERT_EQ(json["trajectory"].size(), 11u);
@@ -115,7 +115,7 @@ TEST(RunCommand, ASimulationThatCannotGoOnIsFourAndKeepsWhatItHas) {
 TEST(RunCommand, OutputsThatCannotBeWrittenAreFiveBeforeTheRun) {
   const ProgramFolder folder;
   // So long that the test would not end if it were run.
-  folder.write("ball.yaml", ball);
+  folder.write("ball.yaml", ball_scene);
   std::filesystem::create_directories(folder / "folder.csv");
   std::filesystem::create_directories(folder / "folder.h5");
   const std::vector<std::vector<std::string>> wrong = {
@@ -137,7 +137,7 @@ TEST(RunCommand, OutputsThatCannotBeWrittenAreFiveBeforeTheRun) {
 TEST(RunCommand, ADiskThatFillsUpIsFiveWithTheAuditSoFar) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "needs /dev/full";
   const ProgramFolder folder;
-  folder.write("ball.yaml", ball);
+  folder.write("ball.yaml", ball_scene);
   std::filesystem::create_symlink("/dev/full", folder / "full.json");
   const ProgramResult result = folder.run({"run", "ball.yaml", "-o", "a.csv", "--json", "full.json"});
   EXPECT_EQ(result.code, 5);
@@ -148,7 +148,7 @@ TEST(RunCommand, ADiskThatFillsUpIsFiveWithTheAuditSoFar) {
 
 TEST(RunCommand, APageIsWrittenAtTheEndAndWhenInterrupted) {
   const ProgramFolder folder;
-  folder.write("ball.yaml", ball);
+  folder.write("ball.yaml", ball_scene);
   const auto is_whole = [](const std::string& page) {
     return page.rfind("<!doctype html>", 0) == 0 && page.find("data-kind=\"frames\"") != std::string::npos &&
            page.ends_with("</html>\n");
@@ -167,7 +167,7 @@ TEST(RunCommand, APageIsWrittenAtTheEndAndWhenInterrupted) {
 
 TEST(RunCommand, AnInterruptClosesTheFilesAndIs130) {
   const ProgramFolder folder;
-  folder.write("ball.yaml", ball);
+  folder.write("ball.yaml", ball_scene);
   for (const int signal : {SIGINT, SIGTERM}) {
     const pid_t child = folder.start({"run", "ball.yaml", "--duration", "1e8", "-o", "a.csv", "-o", "a.h5",
                                       "-o", "a.json", "--json", "audit.json", "--checkpoint", "a.cp"});
@@ -189,7 +189,7 @@ TEST(RunCommand, AnInterruptClosesTheFilesAndIs130) {
 // However far off the next output time is.
 TEST(RunCommand, AnInterruptBetweenOutputsEndsAtTheLastOne) {
   const ProgramFolder folder;
-  folder.write("ball.yaml", ball);
+  folder.write("ball.yaml", ball_scene);
   const pid_t child = folder.start(
       {"run", "ball.yaml", "--duration", "1e8", "--set", "run.output_interval=1e8", "-o", "a.csv"});
   while (!folder.has("a.csv")) ::usleep(1000);
@@ -203,7 +203,7 @@ TEST(RunCommand, AnInterruptBetweenOutputsEndsAtTheLastOne) {
 
 TEST(RunCommand, AKilledRunLeavesFilesThatCanBeRead) {
   const ProgramFolder folder;
-  folder.write("ball.yaml", ball);
+  folder.write("ball.yaml", ball_scene);
   const pid_t child = folder.start({"run", "ball.yaml", "--duration", "1e8", "-o", "a.csv", "-o", "a.h5"});
   while (line_count(folder.read("a.csv")) < 100) ::usleep(1000);
   ::kill(child, SIGKILL);
@@ -217,7 +217,7 @@ TEST(RunCommand, AKilledRunLeavesFilesThatCanBeRead) {
 
 TEST(RunCommand, AResumedRunEndsAsTheRunInOneGoBitForBit) {
   const ProgramFolder folder;
-  folder.write("ball.yaml", ball);
+  folder.write("ball.yaml", ball_scene);
   const auto bodies_of = [&](std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), {"run", "ball.yaml", "--json", "-", "--quiet"});
     const ProgramResult result = folder.run(arguments);
@@ -241,7 +241,7 @@ TEST(RunCommand, AResumedRunEndsAsTheRunInOneGoBitForBit) {
 
 TEST(RunCommand, AResumedAuditCountsTheWholeRun) {
   const ProgramFolder folder;
-  folder.write("ball.yaml", ball);
+  folder.write("ball.yaml", ball_scene);
   folder.run({"run", "ball.yaml", "--duration", "2", "--json", "whole.json"});
   folder.run({"run", "ball.yaml", "--duration", "1", "--checkpoint", "a.cp"});
   folder.run({"run", "ball.yaml", "--duration", "2", "--resume", "a.cp", "--json", "parts.json"});
@@ -262,7 +262,7 @@ TEST(RunCommand, AFullStandardOutputIsFive) {
 
 TEST(RunCommand, ProgressAndColoursAppearOnATerminalOnly) {
   const ProgramFolder folder;
-  folder.write("ball.yaml", ball);
+  folder.write("ball.yaml", ball_scene);
   const ProgramResult colored = folder.run_on_terminal({"run", "ball.yaml"}, false);
   EXPECT_EQ(colored.code, 0);
   for (const char* part : {"ETA", "x real time", "energy drift", "\x1b[32maudit passed\x1b[0m"})
@@ -276,4 +276,4 @@ TEST(RunCommand, ProgressAndColoursAppearOnATerminalOnly) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::run_command_test

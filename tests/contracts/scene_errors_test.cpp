@@ -7,7 +7,7 @@
 
 // Every message that a bad scene file can give, word for word: users and scripts rely on them.
 
-namespace rigor {
+namespace rigor::scene_errors_test {
 namespace {
 
 struct Mistake {
@@ -428,4 +428,4 @@ TEST(SceneErrors, OfLongTextsShowTheirStart) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::scene_errors_test

@@ -5,21 +5,21 @@
 
 // What `rigor render`, `rigor plot` and the pictures of `rigor run` promise.
 
-namespace rigor {
+namespace rigor::view_command_test {
 namespace {
 
 /// A folder with a scene and its trajectory.
 class ViewFolder : public ProgramFolder {
  public:
   ViewFolder() {
-    write("ball.yaml", ball);
+    write("ball.yaml", ball_scene);
     run({"run", "ball.yaml", "--quiet", "-o", "ball.h5"});
   }
 };
 
 TEST(RunPicture, IsASheetOfKeyMomentsWithTheSameBitsAgain) {
   const ProgramFolder folder;
-  folder.write("ball.yaml", ball);
+  folder.write("ball.yaml", ball_scene);
   const ProgramResult result = folder.run({"run", "ball.yaml", "--quiet", "-o", "a.png", "-o", "a.h5"});
   EXPECT_EQ(result.code, 0) << result.error;
   EXPECT_EQ(result.out + result.error, "");
@@ -32,7 +32,7 @@ TEST(RunPicture, IsASheetOfKeyMomentsWithTheSameBitsAgain) {
 
 TEST(RunPicture, APlaceThatCannotBeWrittenIsFiveBeforeTheRun) {
   const ProgramFolder folder;
-  folder.write("ball.yaml", ball);
+  folder.write("ball.yaml", ball_scene);
   const ProgramResult result = folder.run({"run", "ball.yaml", "--duration", "1e9", "-o", "missing/a.png"});
   EXPECT_EQ(result.code, 5);
   EXPECT_EQ(result.error, "error: cannot write 'missing/a.png': No such file or directory\n");
@@ -40,7 +40,7 @@ TEST(RunPicture, APlaceThatCannotBeWrittenIsFiveBeforeTheRun) {
 
 TEST(RunCourse, IsPlottedOnATerminalOnly) {
   const ProgramFolder folder;
-  folder.write("ball.yaml", ball);
+  folder.write("ball.yaml", ball_scene);
   ::setenv("LC_ALL", "C.UTF-8", 1);
   const ProgramResult blocks = folder.run_on_terminal({"run", "ball.yaml"}, true);
   expect_contains(blocks.out, "penetration   ");
@@ -215,4 +215,4 @@ TEST(PlotCommand, UnknownKeysAreTwoAndNameTheNearest) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::view_command_test

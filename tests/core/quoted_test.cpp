@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <string>
 
-namespace rigor {
+namespace rigor::quoted_test {
 namespace {
 
 TEST(Quoted, LeavesOrdinaryTextAsItIs) {
@@ -51,4 +51,4 @@ TEST(Utf8, OverlongFormsSurrogatesAndLonelyBytesAreRefused) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::quoted_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace rigor {
+namespace rigor::range_test {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -52,4 +52,4 @@ TEST(InputErrorTest, KeepsAllMessages) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::range_test

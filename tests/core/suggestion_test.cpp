@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace rigor {
+namespace rigor::suggestion_test {
 namespace {
 
 const std::vector<std::string> kNames = {"friction", "restitution", "density", "name"};
@@ -57,4 +57,4 @@ TEST(Suggestion, DoesNotCompareTextsOfMegabytes) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::suggestion_test

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rigor {
+namespace rigor::dop853_test {
 namespace {
 
 constexpr OrientationForm kForms[] = {OrientationForm::quaternion, OrientationForm::matrix};
@@ -133,4 +133,4 @@ TEST(Dop853, ErrorEstimateIsOfOrderEightAndRelativeToTheTolerance) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::dop853_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rigor {
+namespace rigor::environment_test {
 namespace {
 
 using Force = ModelBuilder::ForceDescription;
@@ -213,4 +213,4 @@ TEST(Environment, SpringsOfJointsActOnBothBodiesAndTheirEnergyCounts) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::environment_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rigor {
+namespace rigor::free_flight_test {
 namespace {
 
 constexpr double kEpsilon = 0x1p-52;
@@ -98,4 +98,4 @@ TEST(FreeFlight, ScalingTheUnitsByPowersOfTwoIsExact) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::free_flight_test

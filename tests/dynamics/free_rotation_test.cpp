@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace rigor {
+namespace rigor::free_rotation_test {
 namespace {
 
 constexpr double kEpsilon = 0x1p-52;
@@ -317,4 +317,4 @@ TEST(FreeRotation, AngularSpeedBoundHoldsAndIsAttained) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::free_rotation_test

@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-namespace rigor {
+namespace rigor::gear_rows_test {
 namespace {
 
 using test::Random;
@@ -124,4 +124,4 @@ TEST(GearRows, WheelsOnTheWorldHaveTwoSides) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::gear_rows_test

@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace rigor {
+namespace rigor::integrator_test {
 namespace {
 
 constexpr double kEpsilon = 0x1p-52;
@@ -274,4 +274,4 @@ TEST(StepController, GrowsShrinksAndIsCautiousAfterARejection) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::integrator_test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-namespace rigor {
+namespace rigor::joint_forces_test {
 namespace {
 
 using test::Random;
@@ -205,4 +205,4 @@ TEST(JointForces, AJointWithoutSpringsAndDampersHasNone) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::joint_forces_test

@@ -8,7 +8,7 @@
 #include <functional>
 #include <vector>
 
-namespace rigor {
+namespace rigor::joint_rows_test {
 namespace {
 
 using test::Random;
@@ -323,4 +323,4 @@ TEST(JointCoordinate, DistanceOfPointsThatMeetHasTheDirectionOfTheirMotion) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::joint_rows_test

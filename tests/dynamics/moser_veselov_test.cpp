@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rigor {
+namespace rigor::moser_veselov_test {
 namespace {
 
 const Vec3 kMoments(1, 2, 3);
@@ -75,4 +75,4 @@ TEST(MoserVeselov, TooLargeAStepIsSaidAndChangesNothing) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::moser_veselov_test

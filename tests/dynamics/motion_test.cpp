@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace rigor {
+namespace rigor::motion_test {
 namespace {
 
 constexpr IntegratorName all_integrators[] = {IntegratorName::euler,    IntegratorName::semi_implicit_euler,
@@ -126,4 +126,4 @@ TEST(Motion, OfABodyAtRestIsNone) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::motion_test

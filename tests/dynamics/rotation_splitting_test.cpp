@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rigor {
+namespace rigor::rotation_splitting_test {
 namespace {
 
 const Vec3 kMoments(1, 2, 3);
@@ -128,4 +128,4 @@ TEST(Leapfrog, EnergyHasNoDriftAndTimeCanBeReversed) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::rotation_splitting_test

@@ -13,7 +13,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rigor {
+namespace rigor::aabb_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -131,4 +131,4 @@ TEST(AxisAlignedBox, ScalesWithAllLengthsBitForBit) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::aabb_test

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rigor {
+namespace rigor::aabb_tree_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -132,4 +132,4 @@ TEST(AabbTree, InsertsAndQueriesTenThousandItemsQuickly) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::aabb_tree_test

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace rigor {
+namespace rigor::broad_phase_test {
 namespace {
 
 using test::Random;
@@ -147,4 +147,4 @@ TEST(AabbTreeBuild, AnswersLikeATreeOfSingleItemsAndIsLow) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::broad_phase_test

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <limits>
 
-namespace rigor {
+namespace rigor::cavity_test {
 namespace {
 
 const Pose at_origin{Mat3::Identity(), Vec3::Zero()};
@@ -145,4 +145,4 @@ TEST(Cavity, RaysFromWithinMeetTheWall) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::cavity_test

@@ -11,7 +11,7 @@
 
 // Contact sets against what the region of contact is by itself, computed here in the plane.
 
-namespace rigor {
+namespace rigor::contact_complete_test {
 namespace {
 
 using test::Draw;
@@ -172,4 +172,4 @@ TEST(ContactSetIsComplete, OfAThinDiskThatWobblesWithBothRimsInReach) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::contact_complete_test

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rigor {
+namespace rigor::contact_curved_test {
 namespace {
 
 constexpr double kTolerance = 1e-6;  ///< Of the sets [m].
@@ -304,4 +304,4 @@ TEST(ContactSetOfRoundShapes, GivesPenetrationAsNegativeGaps) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::contact_curved_test

@@ -10,7 +10,7 @@
 
 #include <vector>
 
-namespace rigor {
+namespace rigor::contact_enclosed_test {
 namespace {
 
 using test::as_mesh;
@@ -68,4 +68,4 @@ TEST(SharedInside, OfEqualMeshesAtEqualPosesIsSeen) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::contact_enclosed_test

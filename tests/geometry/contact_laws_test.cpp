@@ -14,7 +14,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rigor {
+namespace rigor::contact_laws_test {
 namespace {
 
 constexpr double kTolerance = 1e-6;  ///< Of the sets [m].
@@ -291,4 +291,4 @@ TEST(ContactSetLaws, ScalingAllLengthsByAPowerOfTwoScalesTheSetBitForBit) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::contact_laws_test

@@ -15,7 +15,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rigor {
+namespace rigor::contact_mesh_test {
 namespace {
 
 constexpr double kTolerance = 1e-6;  ///< Of the sets [m].
@@ -281,4 +281,4 @@ TEST(ContactSetOfMeshes, KeepsItsFeaturesWhileABoxTurnsOnTheFloor) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::contact_mesh_test

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace rigor {
+namespace rigor::contact_overlap_test {
 namespace {
 
 TEST(ContactOverlap, TheDeepestPointOnAFloorIsInTheSetAtAnyTolerance) {
@@ -46,4 +46,4 @@ TEST(ContactOverlap, TheDeepestPointOnAFloorIsInTheSetAtAnyTolerance) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::contact_overlap_test

@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rigor {
+namespace rigor::contact_set_test {
 namespace {
 
 constexpr double kTolerance = 1e-6;  ///< Of the sets [m].
@@ -271,4 +271,4 @@ TEST(ContactSet, IsExactFarFromTheOriginToo) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::contact_set_test

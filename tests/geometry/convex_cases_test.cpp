@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rigor {
+namespace rigor::convex_cases_test {
 namespace {
 
 using test::Draw;
@@ -206,4 +206,4 @@ TEST(ConvexProperties, ALargerShapeIsNoFarther) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::convex_cases_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rigor {
+namespace rigor::convex_decomposition_test {
 namespace {
 
 using namespace test;
@@ -196,4 +196,4 @@ TEST(LipschitzMaximum, BoundsEncloseAKnownMaximum) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::convex_decomposition_test

@@ -4,7 +4,7 @@
 
 #include <random>
 
-namespace rigor {
+namespace rigor::convex_fuzz_test {
 namespace {
 
 TEST(ConvexFuzz, ThousandsOfHostilePairsKeepTheirPromises) {
@@ -33,4 +33,4 @@ TEST(ConvexFuzz, AWrongNormalWouldBeSeen) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::convex_fuzz_test

@@ -12,7 +12,7 @@
 #include <random>
 #include <set>
 
-namespace rigor {
+namespace rigor::convex_hull_test {
 namespace {
 
 std::size_t index(int i) {
@@ -188,4 +188,4 @@ TEST(ConvexHull, NeverPrints) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::convex_hull_test

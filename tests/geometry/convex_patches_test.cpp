@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rigor {
+namespace rigor::convex_patches_test {
 namespace {
 
 using namespace test;
@@ -65,4 +65,4 @@ TEST(ConvexPatches, CoverSurfacesThatAreNotConvex) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::convex_patches_test

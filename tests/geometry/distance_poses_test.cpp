@@ -6,7 +6,7 @@
 #include <limits>
 #include <memory>
 
-namespace rigor {
+namespace rigor::distance_poses_test {
 namespace {
 
 Pose moved(double x, double y, double z) {
@@ -41,4 +41,4 @@ TEST(Distance, OfAPoseThatIsNotFiniteIsUnknownAndAbortsNothing) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::distance_poses_test

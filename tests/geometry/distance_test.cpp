@@ -10,7 +10,7 @@
 #include <fstream>
 #include <limits>
 
-namespace rigor {
+namespace rigor::distance_test {
 namespace {
 
 using nlohmann::json;
@@ -497,4 +497,4 @@ TEST(Distance, ChangesSignContinuouslyAsBodiesMeet) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::distance_test

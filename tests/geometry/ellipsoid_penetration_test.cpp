@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace rigor {
+namespace rigor::ellipsoid_penetration_test {
 namespace {
 
 using test::Random;
@@ -87,4 +87,4 @@ TEST(EllipsoidPenetration, OfAPointIsKnownWhereTheSurfaceIsRoundEnough) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::ellipsoid_penetration_test

@@ -13,7 +13,7 @@
 #include <fstream>
 #include <limits>
 
-namespace rigor {
+namespace rigor::feature_walk_test {
 namespace {
 
 using nlohmann::json;
@@ -283,4 +283,4 @@ TEST(FeatureWalk, OfPosesThatAreNoNumbersIsUndecided) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::feature_walk_test

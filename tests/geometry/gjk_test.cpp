@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace rigor {
+namespace rigor::gjk_test {
 namespace {
 
 using test::Draw;
@@ -166,4 +166,4 @@ TEST(Gjk, OverlapIsReportedAsTouching) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::gjk_test

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace rigor {
+namespace rigor::height_field_test {
 namespace {
 
 constexpr double kEpsilon = 2.22e-16;
@@ -132,4 +132,4 @@ TEST(HeightFieldMesh, OfAFlatFieldTouchesBoxesAndBallsAsAPlaneDoes) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::height_field_test

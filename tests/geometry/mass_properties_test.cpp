@@ -15,7 +15,7 @@
 #include <limits>
 #include <numbers>
 
-namespace rigor {
+namespace rigor::mass_properties_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -278,4 +278,4 @@ TEST(MassDefects, NameWhatIsImpossible) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::mass_properties_test

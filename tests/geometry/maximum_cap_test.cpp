@@ -6,7 +6,7 @@
 
 #include <numbers>
 
-namespace rigor {
+namespace rigor::maximum_cap_test {
 namespace {
 
 using test::Draw;
@@ -60,4 +60,4 @@ TEST(MaximumCap, IsUnknownWithoutAnEllipsoid) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::maximum_cap_test

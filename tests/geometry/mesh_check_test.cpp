@@ -12,7 +12,7 @@
 #include <map>
 #include <string>
 
-namespace rigor {
+namespace rigor::mesh_check_test {
 namespace {
 
 using Kind = MeshDefectKind;
@@ -221,4 +221,4 @@ TEST(MeshCheck, LetsStaticBodiesBeOpenButSaysSo) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::mesh_check_test

@@ -16,7 +16,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rigor {
+namespace rigor::mesh_distance_test {
 namespace {
 
 constexpr double kRounding = 1e-14;  ///< A few rounding errors of coordinates near 1 m.
@@ -249,4 +249,4 @@ TEST(MeshDistance, OfATessellatedBallVisitsFewTriangles) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::mesh_distance_test

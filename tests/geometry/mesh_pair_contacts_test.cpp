@@ -13,7 +13,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rigor {
+namespace rigor::mesh_pair_contacts_test {
 namespace {
 
 constexpr double kTolerance = 1e-6;  ///< Of the sets [m].
@@ -238,4 +238,4 @@ TEST(DistanceOfTwoMeshes, IsNegativeWhereOneLiesInTheOther) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::mesh_pair_contacts_test

@@ -13,7 +13,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rigor {
+namespace rigor::mesh_pair_test {
 namespace {
 
 Mesh make(const TriangleMesh& mesh) {
@@ -232,4 +232,4 @@ TEST(MeshPair, WithoutTrianglesIsInfinitelyFar) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::mesh_pair_test

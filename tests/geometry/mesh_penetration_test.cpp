@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rigor {
+namespace rigor::mesh_penetration_test {
 namespace {
 
 using namespace test;
@@ -179,4 +179,4 @@ TEST(MeshSolid, IsComputedOnceAndShared) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::mesh_penetration_test

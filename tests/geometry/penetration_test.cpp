@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace rigor {
+namespace rigor::penetration_test {
 namespace {
 
 using test::Draw;
@@ -278,4 +278,4 @@ TEST(PolishSeparation, FindsTheMaximumFromARoughDirection) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::penetration_test

@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-namespace rigor {
+namespace rigor::point_distance_test {
 namespace {
 
 using test::Draw;
@@ -75,4 +75,4 @@ TEST(PointDistance, OfAMeshChangesItsSignAtTheSurface) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::point_distance_test

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <memory>
 
-namespace rigor {
+namespace rigor::point_sampling_test {
 namespace {
 
 /// A box 1 x 2 x 3 turned about no axis in particular, as an implicit solid, with its tight axis-aligned box.
@@ -199,4 +199,4 @@ TEST(WindingNumber, CountsOverlapsTwiceAndInsideOutSolidsNegative) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::point_sampling_test

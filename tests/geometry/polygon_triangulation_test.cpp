@@ -15,7 +15,7 @@
 #include <random>
 #include <vector>
 
-namespace rigor {
+namespace rigor::polygon_triangulation_test {
 namespace {
 
 using Triangles = std::vector<std::array<int, 3>>;
@@ -182,4 +182,4 @@ TEST(Orientation, InSpaceIsExactBeyondRounding) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::polygon_triangulation_test

@@ -15,7 +15,7 @@
 #include <limits>
 #include <numbers>
 
-namespace rigor {
+namespace rigor::polytope_penetration_test {
 namespace {
 
 using nlohmann::json;
@@ -294,4 +294,4 @@ TEST(PolytopePenetration, OfPosesThatAreNoNumbersEndsWithoutAProof) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::polytope_penetration_test

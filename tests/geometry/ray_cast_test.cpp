@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace rigor {
+namespace rigor::ray_cast_test {
 namespace {
 
 using test::Draw;
@@ -203,4 +203,4 @@ TEST(RayCast, KeepsItsDigitsFarAwayAndForThinAndSmallShapes) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::ray_cast_test

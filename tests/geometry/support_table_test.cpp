@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rigor {
+namespace rigor::support_table_test {
 namespace {
 
 using test::Draw;
@@ -68,4 +68,4 @@ TEST(SupportTable, HoldsTheFacesThatMeetAtEachVertex) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::support_table_test

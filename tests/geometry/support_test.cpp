@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace rigor {
+namespace rigor::support_test {
 namespace {
 
 using test::Draw;
@@ -123,4 +123,4 @@ TEST(ConvexCore, CurvatureIsTheDerivativeOfThePoint) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::support_test

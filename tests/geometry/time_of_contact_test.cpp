@@ -11,7 +11,7 @@
 #include <fstream>
 #include <numbers>
 
-namespace rigor {
+namespace rigor::time_of_contact_test {
 namespace {
 
 using test::Draw;
@@ -263,4 +263,4 @@ TEST(TimeOfContact, OfShapesThatOverlapOrLieInAMeshIsTheBeginning) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::time_of_contact_test

@@ -9,7 +9,7 @@
 #include <limits>
 #include <sstream>
 
-namespace rigor {
+namespace rigor::audit_json_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -135,4 +135,4 @@ TEST(Version, IsThatOfTheBuildFile) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::audit_json_test

@@ -12,7 +12,7 @@
 #include <fstream>
 #include <iterator>
 
-namespace rigor {
+namespace rigor::checkpoint_test {
 namespace {
 
 const char* const two_balls = R"(
@@ -158,4 +158,4 @@ TEST(Fingerprint, TellsSimulationsApartAndNotTheirSpelling) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::checkpoint_test

@@ -9,7 +9,7 @@
 #include <fstream>
 #include <sstream>
 
-namespace rigor {
+namespace rigor::csv_writer_test {
 namespace {
 
 std::vector<std::string> lines_of(const std::filesystem::path& path) {
@@ -104,4 +104,4 @@ TEST(CsvWriter, AFullDiskIsAFileErrorThatNamesTheFile) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::csv_writer_test

@@ -17,7 +17,7 @@
 #include <sys/resource.h>
 #include <sys/wait.h>
 
-namespace rigor {
+namespace rigor::hdf5_writer_test {
 namespace {
 
 /// Every row that the file holds is the row that was written.
@@ -332,4 +332,4 @@ TEST(Hdf5Reader, RefusesWhatIsNoTrajectory) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::hdf5_writer_test

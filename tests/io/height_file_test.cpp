@@ -10,7 +10,7 @@
 #include <string>
 #include <variant>
 
-namespace rigor {
+namespace rigor::height_file_test {
 namespace {
 
 std::string message_of(const std::string& text) {
@@ -103,4 +103,4 @@ TEST(HeightFieldShape, OnAMovingBodyHasTheInertiaOfItsSolid) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::height_file_test

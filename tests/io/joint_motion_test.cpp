@@ -12,7 +12,7 @@
 #include <sstream>
 
 /// What joints do, from the model to the files that are text; for HDF5 see hdf5_writer_test.cpp.
-namespace rigor {
+namespace rigor::joint_motion_test {
 namespace {
 
 using JointDescription = ModelBuilder::JointDescription;
@@ -229,4 +229,4 @@ TEST(JointMotion, IsNotMentionedInJsonFilesOfScenesWithoutJoints) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::joint_motion_test

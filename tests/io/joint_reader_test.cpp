@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace rigor {
+namespace rigor::joint_reader_test {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
@@ -271,4 +271,4 @@ TEST(Fingerprint, DiffersWithEveryPropertyOfAJoint) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::joint_reader_test

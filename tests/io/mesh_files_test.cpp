@@ -20,7 +20,7 @@
 #include <limits>
 #include <string>
 
-namespace rigor {
+namespace rigor::mesh_files_test {
 namespace {
 
 const std::string kMeshes = RIGOR_TEST_DATA "/meshes/";
@@ -405,4 +405,4 @@ TEST(MeshFiles, ThatAreNoneAreRefused) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::mesh_files_test

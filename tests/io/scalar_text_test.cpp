@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace rigor {
+namespace rigor::scalar_text_test {
 namespace {
 
 TEST(ParseNumber, ReadsDecimalNumbersExactly) {
@@ -59,4 +59,4 @@ TEST(ParseAngle, RefusesOtherUnitsAndWords) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::scalar_text_test

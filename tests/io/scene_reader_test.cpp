@@ -11,7 +11,7 @@
 #include <numbers>
 #include <set>
 
-namespace rigor {
+namespace rigor::scene_reader_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -487,4 +487,4 @@ TEST(Warnings, TellWhatIsProbablyNotMeant) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::scene_reader_test

@@ -11,7 +11,7 @@
 #include <sstream>
 #include <string>
 
-namespace rigor {
+namespace rigor::schema_test {
 namespace {
 
 const std::filesystem::path kRoot = RIGOR_SOURCE_DIR;
@@ -98,4 +98,4 @@ TEST(KeyTables, NameEachKeyOnce) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::schema_test

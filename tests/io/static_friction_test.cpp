@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-namespace rigor {
+namespace rigor::static_friction_test {
 namespace {
 
 /// Coefficients of materials a and b, with this text of a, b and of their pair.
@@ -53,4 +53,4 @@ TEST(StaticFriction, BelowFrictionIsRefused) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::static_friction_test

@@ -9,7 +9,7 @@
 #include <fstream>
 #include <string>
 
-namespace rigor {
+namespace rigor::yaml_document_test {
 namespace {
 
 using Kind = YamlNode::Kind;
@@ -195,4 +195,4 @@ TEST_F(TextFile, WhatIsNoFileIsRefused) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::yaml_document_test

@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <vector>
 
-namespace rigor {
+namespace rigor::auto_scenes_test {
 namespace {
 
 std::vector<std::filesystem::path> shipped_scenes() {
@@ -50,4 +50,4 @@ TEST(AutoScenes, BodiesThatBounceOnPilesThatRestAreLeftToHybrid) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::auto_scenes_test

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <sstream>
 
-namespace rigor::test {
+namespace rigor::test::bowl_test {
 namespace {
 
 constexpr double g = 9.81;
@@ -117,4 +117,4 @@ bodies:
 }
 
 }  // namespace
-}  // namespace rigor::test
+}  // namespace rigor::test::bowl_test

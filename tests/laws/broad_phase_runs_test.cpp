@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rigor::test {
+namespace rigor::test::broad_phase_runs_test {
 namespace {
 
 TEST(BroadPhaseRuns, AreTheSameBitForBitUnderBothMethods) {
@@ -21,4 +21,4 @@ TEST(BroadPhaseRuns, AreTheSameBitForBitUnderBothMethods) {
 }
 
 }  // namespace
-}  // namespace rigor::test
+}  // namespace rigor::test::broad_phase_runs_test

@@ -9,7 +9,7 @@
 
 #include <string>
 
-namespace rigor {
+namespace rigor::distance_methods_test {
 namespace {
 
 /// A box, a tetrahedron and an octahedron in space that strike one another and tumble away.
@@ -69,4 +69,4 @@ TEST(DistanceMethods, ARunByTheWalkInPartsEndsAsTheRunInOneGoBitForBit) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::distance_methods_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rigor::test {
+namespace rigor::test::hail_test {
 namespace {
 
 TEST(Hail, TheSlabsLieStillAndEnergyNeverRises) {
@@ -22,4 +22,4 @@ TEST(Hail, TheSlabsLieStillAndEnergyNeverRises) {
 }
 
 }  // namespace
-}  // namespace rigor::test
+}  // namespace rigor::test::hail_test

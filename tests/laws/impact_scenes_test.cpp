@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-namespace rigor::test {
+namespace rigor::test::impact_scenes_test {
 namespace {
 
 std::vector<MotionEvent> impacts_of(const SceneRun& run) {
@@ -121,4 +121,4 @@ TEST(ImpactScenes, DieFallsAsTheReferenceThroughEightImpacts) {
 }
 
 }  // namespace
-}  // namespace rigor::test
+}  // namespace rigor::test::impact_scenes_test

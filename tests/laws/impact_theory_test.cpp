@@ -11,7 +11,7 @@
 
 // What docs/theory/impact.md proves, seen in numbers.
 
-namespace rigor {
+namespace rigor::impact_theory_test {
 namespace {
 
 using test::Random;
@@ -170,4 +170,4 @@ TEST(ImpactTheory, WithoutCouplingTheThreeLawsAreOne) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::impact_theory_test

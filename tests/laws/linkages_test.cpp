@@ -11,7 +11,7 @@
 #include <array>
 #include <cmath>
 
-namespace rigor::test {
+namespace rigor::test::linkages_test {
 namespace {
 
 constexpr double g = 9.81;
@@ -208,4 +208,4 @@ TEST(Linkages, ChainOfAThousandLinksFallsAndHolds) {
 }
 
 }  // namespace
-}  // namespace rigor::test
+}  // namespace rigor::test::linkages_test

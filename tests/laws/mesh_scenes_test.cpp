@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace rigor::test {
+namespace rigor::test::mesh_scenes_test {
 namespace {
 
 /// The run ended as it should, and at no output time two bodies overlap by more than the tolerance.
@@ -65,4 +65,4 @@ TEST(MeshScenes, PinionTakesTheWheelAlongToothByTooth) {
 }
 
 }  // namespace
-}  // namespace rigor::test
+}  // namespace rigor::test::mesh_scenes_test

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace rigor::test {
+namespace rigor::test::painleve_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -142,4 +142,4 @@ TEST(Painleve, ARunSaysWhereItsMotionCouldGoOnInTwoWays) {
 }
 
 }  // namespace
-}  // namespace rigor::test
+}  // namespace rigor::test::painleve_test

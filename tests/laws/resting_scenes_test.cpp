@@ -10,7 +10,7 @@
 #include <array>
 #include <cmath>
 
-namespace rigor::test {
+namespace rigor::test::resting_scenes_test {
 namespace {
 
 constexpr double g = 9.81;
@@ -311,4 +311,4 @@ TEST(RestingScenes, ABlockRocksOnWithHousnersRatio) {
 }
 
 }  // namespace
-}  // namespace rigor::test
+}  // namespace rigor::test::resting_scenes_test

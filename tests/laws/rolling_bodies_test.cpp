@@ -11,7 +11,7 @@
 #include <cmath>
 #include <sstream>
 
-namespace rigor::test {
+namespace rigor::test::rolling_bodies_test {
 namespace {
 
 constexpr double g = 9.81;
@@ -300,4 +300,4 @@ TEST(RollingBodies, RimlessWheelComesToItsLimitCycle) {
 }
 
 }  // namespace
-}  // namespace rigor::test
+}  // namespace rigor::test::rolling_bodies_test

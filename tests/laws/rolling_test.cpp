@@ -7,7 +7,7 @@
 #include <cmath>
 #include <sstream>
 
-namespace rigor::test {
+namespace rigor::test::rolling_test {
 namespace {
 
 constexpr double g = 9.81;
@@ -177,4 +177,4 @@ TEST(RollingFriction, CountsInABounceToo) {
 }
 
 }  // namespace
-}  // namespace rigor::test
+}  // namespace rigor::test::rolling_test

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace rigor::test {
+namespace rigor::test::scenes_test {
 namespace {
 
 constexpr double g = 9.81;
@@ -231,4 +231,4 @@ TEST(Scenes, RocksFallWithoutOverlap) {
 }
 
 }  // namespace
-}  // namespace rigor::test
+}  // namespace rigor::test::scenes_test

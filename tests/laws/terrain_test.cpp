@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <string>
 
-namespace rigor::test {
+namespace rigor::test::terrain_test {
 namespace {
 
 /// A run of the scene of that text, its files in the folder.
@@ -130,4 +130,4 @@ TEST(Terrain, ABallLiesInItsHollowOnFourPlanarCells) {
 }
 
 }  // namespace
-}  // namespace rigor::test
+}  // namespace rigor::test::terrain_test

@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-namespace rigor::test {
+namespace rigor::test::tops_test {
 namespace {
 
 constexpr double g = 9.81;
@@ -128,4 +128,4 @@ TEST(Tops, SpinningTopFollowsEulersEquations) {
 }
 
 }  // namespace
-}  // namespace rigor::test
+}  // namespace rigor::test::tops_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <sstream>
 
-namespace rigor::test {
+namespace rigor::test::vibrating_table_test {
 namespace {
 
 constexpr double g = 9.81;
@@ -52,4 +52,4 @@ TEST(VibratingTable, HoldsTheBallOnItsOrbitForTwoHundredPeriods) {
 }
 
 }  // namespace
-}  // namespace rigor::test
+}  // namespace rigor::test::vibrating_table_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace rigor {
+namespace rigor::dense_test {
 namespace {
 
 // Rounding of a few dozen operations on numbers near one, the condition numbers here being below ten.
@@ -72,4 +72,4 @@ TEST(Dense, EigenvaluesOfASymmetricMatrixAscend) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::dense_test

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace rigor {
+namespace rigor::elliptic_test {
 namespace {
 
 constexpr double kEpsilon = 0x1p-52;
@@ -120,4 +120,4 @@ TEST(Carlson, IntegralsAreHomogeneousBitForBitInPowersOfFour) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::elliptic_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rigor {
+namespace rigor::polynomial_test {
 namespace {
 
 constexpr double kEpsilon = 0x1p-52;
@@ -151,4 +151,4 @@ TEST(Polynomial, ScalingByAPowerOfTwoScalesTheRootExactly) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::polynomial_test

@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-namespace rigor {
+namespace rigor::principal_axes_test {
 namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon() / 2;
@@ -86,4 +86,4 @@ TEST(PrincipalAxes, OfNothingAreTheGivenAxes) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::principal_axes_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rigor {
+namespace rigor::roots_test {
 namespace {
 
 constexpr double kEpsilon = 0x1p-52;
@@ -94,4 +94,4 @@ TEST(Roots, ScalingByAPowerOfTwoScalesTheBracketExactly) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::roots_test

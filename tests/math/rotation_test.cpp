@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rigor {
+namespace rigor::rotation_test {
 namespace {
 
 constexpr double kEpsilon = 0x1p-52;
@@ -107,4 +107,4 @@ TEST(Rotation, FrameWithZIsRightHanded) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::rotation_test

@@ -8,7 +8,7 @@
 #include <limits>
 #include <string>
 
-namespace rigor {
+namespace rigor::carried_state_test {
 namespace {
 
 BodyDescription ball(const std::string& name, double x) {
@@ -149,4 +149,4 @@ TEST(ModelBuilder, BodyThatIsRemovedTakesWhatNamesItAlong) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::carried_state_test

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <cmath>
 
-namespace rigor {
+namespace rigor::joint_builder_test {
 namespace {
 
 using samples::body_of;
@@ -175,4 +175,4 @@ TEST(JointBuilder, TheBodiesOfAJointDoNotCollideUnlessItSaysSo) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::joint_builder_test

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace rigor {
+namespace rigor::joint_refusals_test {
 namespace {
 
 using samples::errors_of;
@@ -220,4 +220,4 @@ TEST(JointRefused, BeyondTheLimitOfTheirNumber) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::joint_refusals_test

@@ -13,7 +13,7 @@
 #include <limits>
 #include <numbers>
 
-namespace rigor {
+namespace rigor::model_builder_test {
 namespace {
 
 using samples::body_of;
@@ -347,4 +347,4 @@ TEST(ModelBuilderTest, BodiesFromOnePlaceTellTheirMistakeOnce) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::model_builder_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rigor {
+namespace rigor::model_changes_test {
 namespace {
 
 std::shared_ptr<const Model> two_materials() {
@@ -59,4 +59,4 @@ TEST(ModelChanges, ValuesOutsideTheirLimitsAreRefusedAllAtOnce) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::model_changes_test

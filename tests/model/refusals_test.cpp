@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace rigor {
+namespace rigor::refusals_test {
 namespace {
 
 using samples::body_of;
@@ -231,4 +231,4 @@ TEST(Refused, NotManyBodies) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::refusals_test

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rigor {
+namespace rigor::scene_queries_test {
 namespace {
 
 using test::Random;
@@ -177,4 +177,4 @@ TEST(SceneQueries, FollowTheStateAndAskBoxesToo) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::scene_queries_test

@@ -10,7 +10,7 @@
 #include <limits>
 #include <numbers>
 
-namespace rigor {
+namespace rigor::state_test {
 namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
@@ -247,4 +247,4 @@ TEST(Deserialise, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::state_test

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace rigor {
+namespace rigor::body_scales_test {
 namespace {
 
 constexpr double kStep = 0.01, kTime = 0.5;
@@ -91,4 +91,4 @@ TEST(BulkDrag, NoDragIsTooStrongForAStep) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::body_scales_test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <string>
 
-namespace rigor {
+namespace rigor::bulk_audit_test {
 namespace {
 
 constexpr double g = 9.81;
@@ -107,4 +107,4 @@ TEST(BulkAudit, SaysHowManySleep) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::bulk_audit_test

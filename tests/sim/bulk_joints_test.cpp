@@ -10,7 +10,7 @@
 #include <cmath>
 #include <string>
 
-namespace rigor {
+namespace rigor::bulk_joints_test {
 namespace {
 
 /// Planks of 0.5 m and 15 kg between two banks, hinged to each other; they sag, the deepest hinge left of the
@@ -73,4 +73,4 @@ TEST(BulkJointsAndExact, ABridgeMovesAlikeAndTheDifferenceFallsWithTheSubsteps) 
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::bulk_joints_test

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <string>
 
-namespace rigor {
+namespace rigor::bulk_simulation_docs_test {
 namespace {
 
 TEST(BulkSimulationDocs, TheProgramOnThePageIsThisOne) {
@@ -84,4 +84,4 @@ while (!simulation.is_asleep(second)) simulation.step();
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::bulk_simulation_docs_test

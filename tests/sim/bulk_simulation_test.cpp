@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-namespace rigor {
+namespace rigor::bulk_simulation_test {
 namespace {
 
 constexpr double g = 9.81, kStep = 1.0 / 60;
@@ -315,4 +315,4 @@ TEST(BulkSimulation, FloorThatIsTakenAwayWakesAll) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::bulk_simulation_test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace rigor {
+namespace rigor::bulk_stepper_test {
 namespace {
 
 constexpr double g = 9.81, kStep = 1.0 / 60;
@@ -172,4 +172,4 @@ TEST(BulkStepper, MakeStepperChoosesItAndWhatItCannotDoIsRefused) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::bulk_stepper_test

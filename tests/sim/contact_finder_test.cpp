@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rigor {
+namespace rigor::contact_finder_test {
 namespace {
 
 /// Three balls of radius 0.5 in a row at x = 0, 1.1, 3 on a floor below z = -0.5, and a wall that stands
@@ -60,4 +60,4 @@ TEST(ContactFinder, BodiesThatStandStillDoNotMeetEachOther) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::contact_finder_test

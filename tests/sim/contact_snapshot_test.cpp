@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace rigor {
+namespace rigor::contact_snapshot_test {
 namespace {
 
 constexpr double g = 9.81, mass = 2, mu = 0.4;
@@ -108,4 +108,4 @@ TEST(ContactSnapshot, OfGroupsTooLargeToSolveTheForcesAreNotKnown) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::contact_snapshot_test

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace rigor {
+namespace rigor::dop853_run_test {
 namespace {
 
 /// A box that tumbles freely.
@@ -64,4 +64,4 @@ TEST(Dop853Run, StepsAreAsShortAsTheToleranceAsksAndFewerThanThoseOfDopri5) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::dop853_run_test

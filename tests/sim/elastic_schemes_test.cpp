@@ -7,7 +7,7 @@
 
 #include <random>
 
-namespace rigor {
+namespace rigor::elastic_schemes_test {
 namespace {
 
 /// n³ balls of restitution 1 above a floor, as SimBenchmark's "elastic 666": r = 0.1 m, m = 10 kg, 0.21 m
@@ -64,4 +64,4 @@ INSTANTIATE_TEST_SUITE_P(Schemes, ElasticBalls,
                          testing::Values(Scheme::event_driven, Scheme::impulse_based, Scheme::hybrid));
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::elastic_schemes_test

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace rigor {
+namespace rigor::event_driven_stepper_test {
 namespace {
 
 constexpr double g = 9.81;
@@ -324,4 +324,4 @@ TEST(StopReasons, AnUnstableIntegratorEndsAtTheFirstStateThatIsNoNumber) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::event_driven_stepper_test

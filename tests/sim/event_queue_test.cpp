@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-namespace rigor {
+namespace rigor::event_queue_test {
 namespace {
 
 using Kind = QueuedEvent::Kind;
@@ -74,4 +74,4 @@ TEST(EventQueue, DroppingKeepsTheOrderOfTheOthers) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::event_queue_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rigor {
+namespace rigor::fixed_steps_test {
 namespace {
 
 TEST(FixedSteps, ASpanOfWholeStepsHasThatMany) {
@@ -32,4 +32,4 @@ TEST(FixedSteps, ATargetBeyondTheSpanIsOneStep) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::fixed_steps_test

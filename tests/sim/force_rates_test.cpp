@@ -11,7 +11,7 @@
 
 #include <cmath>
 
-namespace rigor {
+namespace rigor::force_rates_test {
 namespace {
 
 /// A ball of 10 g, 0.1 m off the end of its spring, without gravity.
@@ -58,4 +58,4 @@ TEST(ForceRates, KeepAStiffSpringStableUnderPenaltyAtLongSteps) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::force_rates_test

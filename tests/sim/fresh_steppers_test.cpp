@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rigor {
+namespace rigor::fresh_steppers_test {
 namespace {
 
 /// A cube falls, tumbling, on a stack of two.
@@ -59,4 +59,4 @@ INSTANTIATE_TEST_SUITE_P(Schemes, FreshSteppers,
                                          Scheme::impulse_based, Scheme::hybrid));
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::fresh_steppers_test

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace rigor {
+namespace rigor::hybrid_stepper_test {
 namespace {
 
 constexpr double g = 9.81;
@@ -170,4 +170,4 @@ TEST(HybridStepper, SlidingBlockStopsWhereFrictionStopsIt) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::hybrid_stepper_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rigor {
+namespace rigor::impact_gain_test {
 namespace {
 
 /// A light ball between two heavy ones, all touching; the left one runs into it, the right one runs off.
@@ -51,4 +51,4 @@ TEST(ImpactGain, OtherLawsAddNone) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::impact_gain_test

@@ -10,7 +10,7 @@
 #include <memory>
 #include <numbers>
 
-namespace rigor {
+namespace rigor::impacting_orders_test {
 namespace {
 
 constexpr double g = 9.81, drag = 1.5, restitution = 0.7, radius = 0.1, duration = 0.5;
@@ -125,4 +125,4 @@ TEST(ImpactingOrders, PenaltyIsOfFirstOrderInItsDepth) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::impacting_orders_test

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace rigor {
+namespace rigor::implicit_springs_test {
 namespace {
 
 constexpr double g = 9.81;
@@ -98,4 +98,4 @@ TEST(ImplicitSprings, BlockOnAStiffSpringKeepsItsEnergyAboveAPressedOne) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::implicit_springs_test

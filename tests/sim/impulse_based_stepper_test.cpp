@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace rigor {
+namespace rigor::impulse_based_stepper_test {
 namespace {
 
 constexpr double g = 9.81;
@@ -211,4 +211,4 @@ TEST(FindReversal, SlidingContactsGetTheFrictionOfTheirWholeNormalImpulseAndAddN
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::impulse_based_stepper_test

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <fstream>
 
-namespace rigor {
+namespace rigor::inelastic_collapse_test {
 namespace {
 
 /// Three balls of 1 kg and radius 0.1, their surfaces as far apart as the points of the reference.
@@ -103,4 +103,4 @@ TEST_F(InelasticCollapse, BelowItTheSeriesEndsWhereAllThreeTouch) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::inelastic_collapse_test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace rigor {
+namespace rigor::joint_axes_test {
 namespace {
 
 constexpr double g = 9.81;
@@ -185,4 +185,4 @@ TEST(JointAxes, TheReactionOfAFixedJointCarriesTheWeightOfWhatItHolds) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::joint_axes_test

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rigor {
+namespace rigor::joint_start_test {
 namespace {
 
 class VelocitiesThatJointsForbid : public testing::TestWithParam<Scheme> {};
@@ -50,4 +50,4 @@ INSTANTIATE_TEST_SUITE_P(Schemes, VelocitiesThatJointsForbid,
                                          Scheme::impulse_based, Scheme::hybrid));
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::joint_start_test

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace rigor {
+namespace rigor::mechanisms_test {
 namespace {
 
 constexpr double g = 9.81;
@@ -127,4 +127,4 @@ TEST(Mechanisms, AnImpactGoesThroughTheJointsOfKanesPendulum) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::mechanisms_test

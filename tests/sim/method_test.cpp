@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-namespace rigor {
+namespace rigor::method_test {
 namespace {
 
 TEST(MethodTable, EachValueOnceWithMeaningAndSource) {
@@ -124,4 +124,4 @@ TEST(MethodNumbers, DefaultsAreThoseOfTheStructAndInRange) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::method_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rigor {
+namespace rigor::method_use_test {
 namespace {
 
 class ChoicesOfAScheme : public testing::TestWithParam<Scheme> {
@@ -95,4 +95,4 @@ TEST(MethodUse, AnotherValueOfALawThatIsUsedIsAnotherMotion) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::method_use_test

@@ -11,7 +11,7 @@
 #include <memory>
 #include <numbers>
 
-namespace rigor {
+namespace rigor::penalty_start_test {
 namespace {
 
 constexpr double g = 9.81;
@@ -146,4 +146,4 @@ TEST(PenaltySnapshot, ShowsTheForcesOfTheSprings) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::penalty_start_test

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace rigor {
+namespace rigor::penalty_stepper_test {
 namespace {
 
 constexpr double g = 9.81;
@@ -309,4 +309,4 @@ TEST(PenaltyStepper, AStateThatIsNotFiniteStopsItWithTheBody) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::penalty_stepper_test

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <string>
 
-namespace rigor {
+namespace rigor::piles_test {
 namespace {
 
 /// Boxes, balls and capsules of many masses that are thrown onto a floor, with friction and without
@@ -62,4 +62,4 @@ TEST(Piles, EnergyNeverRisesAndNothingSinks) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::piles_test

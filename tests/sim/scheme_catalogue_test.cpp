@@ -14,7 +14,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace rigor {
+namespace rigor::scheme_catalogue_test {
 namespace {
 
 constexpr double g = 9.81;
@@ -278,4 +278,4 @@ TEST(SchemeCatalogue, ScenesScaledByPowersOfTwoGiveScaledBits) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::scheme_catalogue_test

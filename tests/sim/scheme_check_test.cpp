@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rigor {
+namespace rigor::scheme_check_test {
 namespace {
 
 std::shared_ptr<const Model> model_with(const Material& material) {
@@ -57,4 +57,4 @@ TEST(SchemeCheck, StaticFrictionNeedsTimeSteppingAndAutoTakesIt) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::scheme_check_test

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace rigor {
+namespace rigor::scheme_choice_test {
 namespace {
 
 const std::vector<Scheme> kAll = {Scheme::event_driven, Scheme::time_stepping, Scheme::penalty,
@@ -194,4 +194,4 @@ TEST(AutomaticScheme, RunsAsTheSchemeThatItStandsForAndTheAuditSaysWhy) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::scheme_choice_test

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rigor {
+namespace rigor::scheme_fuzz_test {
 namespace {
 
 class SchemeFuzz : public testing::TestWithParam<Scheme> {};
@@ -39,4 +39,4 @@ INSTANTIATE_TEST_SUITE_P(Schemes, SchemeFuzz,
                                          Scheme::impulse_based, Scheme::hybrid));
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::scheme_fuzz_test

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace rigor {
+namespace rigor::scheme_refusals_test {
 namespace {
 
 const std::vector<Scheme> kSchemes = {Scheme::event_driven, Scheme::time_stepping, Scheme::penalty,
@@ -103,4 +103,4 @@ TEST(SchemeRefusals, AutoTakesASchemeThatRunsBallsWithRollingFriction) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::scheme_refusals_test

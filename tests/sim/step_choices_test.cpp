@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace rigor {
+namespace rigor::step_choices_test {
 namespace {
 
 constexpr double g = 9.81, radius = 0.1;
@@ -249,4 +249,4 @@ TEST(StepChoices, ReportTellsContactsThatEndAndBeginToLast) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::step_choices_test

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace rigor {
+namespace rigor::time_stepper_test {
 namespace {
 
 constexpr double g = 9.81;
@@ -94,4 +94,4 @@ TEST(TimeStepper, ScenesScaledByPowersOfTwoGiveScaledBits) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::time_stepper_test

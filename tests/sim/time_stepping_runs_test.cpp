@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-namespace rigor {
+namespace rigor::time_stepping_runs_test {
 namespace {
 
 constexpr double g = 9.81;
@@ -252,4 +252,4 @@ TEST(TimeSteppingRuns, DryFrictionOfAHingeStopsAWheelForGood) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::time_stepping_runs_test

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace rigor {
+namespace rigor::cone_model_test {
 namespace {
 
 constexpr double kGravity = 9.81;
@@ -156,4 +156,4 @@ TEST(ConeModels, TheFormedMatrixIsThatOfTheRows) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::cone_model_test

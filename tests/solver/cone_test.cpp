@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-namespace rigor {
+namespace rigor::cone_test {
 namespace {
 
 std::vector<Vec3> random_points(int count) {
@@ -60,4 +60,4 @@ TEST(Cone, ClampKeepsTheNormalPart) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::cone_test

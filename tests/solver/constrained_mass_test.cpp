@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace rigor {
+namespace rigor::constrained_mass_test {
 namespace {
 
 using Rows = ConstrainedMass::Rows;
@@ -405,4 +405,4 @@ TEST(ConstrainedMass, BlocksAreAsManyAsNodesAndPlacesOnTheWaysOfLoops) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::constrained_mass_test

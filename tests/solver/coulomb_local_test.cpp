@@ -8,7 +8,7 @@
 #include <cmath>
 #include <random>
 
-namespace rigor {
+namespace rigor::coulomb_local_test {
 namespace {
 
 ContactMode mode_named(const std::string& name) {
@@ -145,4 +145,4 @@ TEST(CoulombLocal, FrictionChangesTheResponseByTheSlipsDirection) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::coulomb_local_test

@@ -11,7 +11,7 @@
 #include <numeric>
 #include <random>
 
-namespace rigor {
+namespace rigor::coulomb_problem_test {
 namespace {
 
 using scenes::Scene;
@@ -485,4 +485,4 @@ TEST(CoulombProblem, OddInputsAreAnsweredHonestly) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::coulomb_problem_test

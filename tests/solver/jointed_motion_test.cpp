@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace rigor {
+namespace rigor::jointed_motion_test {
 namespace {
 
 using scenes::JointedScene;
@@ -147,4 +147,4 @@ TEST(JointedMotion, LongTrainsAreSolvedBySparseFactors) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::jointed_motion_test

@@ -6,7 +6,7 @@
 
 #include <random>
 
-namespace rigor {
+namespace rigor::lcp_test {
 namespace {
 
 using Solver = LcpSolution (*)(const MatX&, const VecX&);
@@ -115,4 +115,4 @@ TEST(LcpLemke, APainleveProblemWithoutSolutionIsReported) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::lcp_test

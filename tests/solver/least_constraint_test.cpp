@@ -7,7 +7,7 @@
 
 #include <random>
 
-namespace rigor {
+namespace rigor::least_constraint_test {
 namespace {
 
 MatX random_matrix(Eigen::Index rows, Eigen::Index cols, std::mt19937_64& generator) {
@@ -128,4 +128,4 @@ TEST(LeastConstraint, KeepsDigitsThatContactSpaceLoses) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::least_constraint_test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace rigor {
+namespace rigor::moment_problem_test {
 namespace {
 
 constexpr double kGravity = 9.81;
@@ -159,4 +159,4 @@ TEST(MomentFriction, NumbersThatAreNoneAreNotSolved) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::moment_problem_test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <random>
 
-namespace rigor {
+namespace rigor::motion_problem_test {
 namespace {
 
 using scenes::Scene;
@@ -217,4 +217,4 @@ TEST(LcpSeed, EachMethodSolvesStacksAndSlopesByItself) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::motion_problem_test

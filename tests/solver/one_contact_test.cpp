@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace rigor {
+namespace rigor::one_contact_test {
 namespace {
 
 /// A problem of one contact from ncp.json, in which all its solutions stand.
@@ -104,4 +104,4 @@ TEST(OneContact, EverySolverOfTheExactConeReturnsOneOfThem) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::one_contact_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace rigor {
+namespace rigor::pivoted_cholesky_test {
 namespace {
 
 MatX random_matrix(Eigen::Index rows, Eigen::Index columns) {
@@ -56,4 +56,4 @@ TEST(PivotedCholesky, NaNIsSeenInTheSolution) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::pivoted_cholesky_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rigor {
+namespace rigor::possible_rates_test {
 namespace {
 
 /// A block of mass 1 that lies on its four lower corners (half sides 1, 0.5, 0.2), pressed by its weight over
@@ -62,4 +62,4 @@ TEST(PossibleRates, ContactsThatOpenAreLeftAsTheyAre) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::possible_rates_test

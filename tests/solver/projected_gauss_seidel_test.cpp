@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rigor {
+namespace rigor::projected_gauss_seidel_test {
 namespace {
 
 using scenes::JointedScene;
@@ -109,4 +109,4 @@ TEST(ProjectedGaussSeidel, SlideRowsKeepTheirDirection) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::projected_gauss_seidel_test

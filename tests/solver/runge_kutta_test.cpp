@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rigor {
+namespace rigor::runge_kutta_test {
 namespace {
 
 struct Method {
@@ -292,4 +292,4 @@ TEST(RungeKutta, PolynomialsInTimeUpToTheOrderAreExact) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::runge_kutta_test

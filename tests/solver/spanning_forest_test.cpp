@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace rigor {
+namespace rigor::spanning_forest_test {
 namespace {
 
 const SpanningForest::Node& at(const SpanningForest& forest, int node) {
@@ -66,4 +66,4 @@ TEST(SpanningForest, PathsVisitEachPlaceOnceFromTheLeavesToTheRoots) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::spanning_forest_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rigor {
+namespace rigor::static_friction_test {
 namespace {
 
 /// Points of mass 1 on a floor, side by side; b_t of each as given, b_n = -1 (so λ_n = 1).
@@ -76,4 +76,4 @@ TEST(StaticFriction, OneThatBreaksLooseTakesOthersWithIt) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::static_friction_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rigor {
+namespace rigor::warm_start_test {
 namespace {
 
 constexpr double kGravity = 9.81;
@@ -56,4 +56,4 @@ TEST(WarmStart, AnyShareMovesTheBodiesAsTheLeastOneDoes) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::warm_start_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace rigor {
+namespace rigor::camera_test {
 namespace {
 
 const Camera from_the_south{Vec3(0, -2, 0), Vec3::Zero(), Vec3::UnitZ(), M_PI / 2};
@@ -47,4 +47,4 @@ TEST(CameraAxes, AreRightDownForwardAndDefinedForALookStraightDown) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::camera_test

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rigor {
+namespace rigor::curve_plot_test {
 namespace {
 
 constexpr const char *curve_color = "#0072b2", *ray_color = "#d55e00";
@@ -150,4 +150,4 @@ TEST(Drawing, StackedDrawingsKeepTheirPlacesBelowEachOther) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::curve_plot_test

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rigor {
+namespace rigor::drawn_joints_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -144,4 +144,4 @@ TEST(PageRun, TellsWhereTheJointsAreAndTheirAxes) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::drawn_joints_test

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace rigor {
+namespace rigor::framing_test {
 namespace {
 
 TEST(Framing, OneBallFillsThePictureButForTheMargin) {
@@ -81,4 +81,4 @@ TEST(Framing, ASceneWithNothingToSeeHasACamera) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::framing_test

@@ -8,7 +8,7 @@
 
 #include <fstream>
 
-namespace rigor {
+namespace rigor::image_test {
 namespace {
 
 Image made_up_image(int width, int height) {
@@ -134,4 +134,4 @@ TEST(StrokeFont, HasAllOfAsciiAndEachLetterIsAnother) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::image_test

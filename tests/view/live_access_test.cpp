@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rigor {
+namespace rigor::live_access_test {
 namespace {
 
 const LiveAccess access_of_test(8080, "abc");
@@ -81,4 +81,4 @@ TEST(LiveAccess, TokensAreLongAndNeverTheSame) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::live_access_test

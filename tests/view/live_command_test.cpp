@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace rigor {
+namespace rigor::live_command_test {
 namespace {
 
 std::string refusal(const std::string& text) {
@@ -52,4 +52,4 @@ TEST(LiveCommand, WhatIsNoneIsRefusedWithItsReason) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::live_command_test

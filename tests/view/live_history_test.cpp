@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rigor {
+namespace rigor::live_history_test {
 namespace {
 
 // Places of the series that the header of a page lists.
@@ -117,4 +117,4 @@ TEST(LiveHistory, OfALiveRunHoldsItsImpactsAndBeginsAnewWithAReset) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::live_history_test

@@ -12,7 +12,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-namespace rigor {
+namespace rigor::live_replay_test {
 namespace {
 
 /// A spinning plate whose centre of mass and axes are not those of its file, and a ball that bounces.
@@ -95,4 +95,4 @@ TEST(LiveReplay, HoldsTheMotionAndTheEventsOfTheRunThatWasStored) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::live_replay_test

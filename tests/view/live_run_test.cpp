@@ -12,7 +12,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace rigor {
+namespace rigor::live_run_test {
 namespace {
 
 using test::ball_index;
@@ -192,4 +192,4 @@ TEST(LiveRun, BodiesThatOverlapAreRefused) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::live_run_test

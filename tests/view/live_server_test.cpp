@@ -16,7 +16,7 @@
 #include <fstream>
 #include <thread>
 
-namespace rigor {
+namespace rigor::live_server_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -337,4 +337,4 @@ TEST(LiveSimulation, AQueueThatIsFullTakesNoMoreButReleasesAndNewerPulls) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::live_server_test

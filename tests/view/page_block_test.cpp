@@ -9,7 +9,7 @@
 #include <limits>
 #include <vector>
 
-namespace rigor {
+namespace rigor::page_block_test {
 namespace {
 
 TEST(PageBlock, Base64IsThatOfItsStandard) {
@@ -75,4 +75,4 @@ TEST(PageBlock, NumbersAreRoundedToTheNearestStepAndHeldInRange) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::page_block_test

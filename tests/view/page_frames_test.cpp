@@ -14,7 +14,7 @@
 #include <optional>
 #include <random>
 
-namespace rigor {
+namespace rigor::page_frames_test {
 namespace {
 
 BodyDescription body_of(const std::string& name, const Shape& shape, const Vec3& x) {
@@ -245,4 +245,4 @@ TEST(PageFrames, StatesThatAreNotFiniteAreStoredAsTheOriginAndDoNotStopThePage) 
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::page_frames_test

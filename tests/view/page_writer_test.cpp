@@ -14,7 +14,7 @@
 #include <iterator>
 #include <stdexcept>
 
-namespace rigor {
+namespace rigor::page_writer_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -261,4 +261,4 @@ TEST(PageGeometry, BodiesThatLookAlikeShareALookAndPolyhedraAMesh) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::page_writer_test

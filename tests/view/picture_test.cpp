@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace rigor {
+namespace rigor::picture_test {
 namespace {
 
 bool is_same_pixel(const Image& a, int xa, const Image& b, int xb, int y) {
@@ -40,4 +40,4 @@ TEST(Photographer, TheLegendStandsWhereItCoversNoBody) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::picture_test

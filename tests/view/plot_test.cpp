@@ -11,7 +11,7 @@
 #include <limits>
 #include <sstream>
 
-namespace rigor {
+namespace rigor::plot_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -310,4 +310,4 @@ TEST(Sparkline, ManyValuesAreMeansOfTheirShares) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::plot_test

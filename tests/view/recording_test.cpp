@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rigor {
+namespace rigor::recording_test {
 namespace {
 
 TEST(Recording, IsReadFromATrajectoryWithItsSceneAndOverrides) {
@@ -184,4 +184,4 @@ TEST(TimeText, HasAsManyDigitsAsTheOutputTimesNeed) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::recording_test

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rigor {
+namespace rigor::renderer_test {
 namespace {
 
 const Camera from_the_south{Vec3(0, -4, 1.5), Vec3(0, 0, 0.3), Vec3::UnitZ(), M_PI / 4};
@@ -145,4 +145,4 @@ TEST(ShadowMap, LightIsNothingBehindABallAllBesideItAndHalfAtItsEdge) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::renderer_test

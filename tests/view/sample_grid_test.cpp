@@ -9,7 +9,7 @@
 #include <cmath>
 #include <random>
 
-namespace rigor {
+namespace rigor::sample_grid_test {
 namespace {
 
 constexpr NearnessPlane near_plane{2, 0, 0}, far_plane{1, 0, 0};
@@ -127,4 +127,4 @@ TEST(Occlusion, HidesWhatIsBehindAWholeTileAndNothingElse) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::sample_grid_test

@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace rigor {
+namespace rigor::surface_test {
 namespace {
 
 /// Sums over the faces: six times the volume, and the area vectors, which cancel on a closed surface.
@@ -126,4 +126,4 @@ TEST(DrawnScene, EqualShapesShareTheirSurface) {
 }
 
 }  // namespace
-}  // namespace rigor
+}  // namespace rigor::surface_test
