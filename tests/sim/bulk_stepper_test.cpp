@@ -1,5 +1,6 @@
 #include "rigor/sim/bulk_stepper.hpp"
 
+#include "rigor/bulk/bulk_world.hpp"
 #include "rigor/sim/scheme_check.hpp"
 #include "sim/time_stepping_scenes.hpp"
 
@@ -46,7 +47,7 @@ TEST(BulkStepper, BodyInFreeFlightFallsAsItsSubstepsSay) {
     EXPECT_EQ(report.reason, StopReason::reached_end);
     EXPECT_EQ(report.steps, 120);
     EXPECT_EQ(state.t, 2);
-    const double tau = kStep / (substeps > 0 ? substeps : 6);
+    const double tau = kStep / (substeps > 0 ? substeps : BulkSettings{}.substeps);
     // Each substep rounds velocities below 32 m/s to half of 2⁻¹⁹.
     const double rounding = 2 / tau * std::ldexp(1, -20);
     EXPECT_NEAR(state.position(1).z(), 100 - 0.5 * g * 2 * (2 + tau), 2 * rounding);
@@ -68,7 +69,8 @@ TEST(BulkStepper, BoxAtRestStaysAndPressesWithItsWeight) {
   double carried = 0;
   for (int i = 0; i < state.manifolds[0].point_count; ++i)
     carried += state.manifolds[0].normal_impulse[static_cast<std::size_t>(i)];
-  EXPECT_NEAR(carried, g * kStep / 8, 0.02 * g * kStep / 8);
+  const double weight = g * kStep / BulkSettings{}.substeps;
+  EXPECT_NEAR(carried, weight, 0.02 * weight);
 }
 
 TEST(BulkStepper, FreshStepperGoesOnBitForBitAlsoFromBytesAndOnOtherThreads) {
