@@ -102,6 +102,10 @@ void add_joints(const Audit& audit, std::string& text) {
                      numbers_text(joint.coordinates), numbers_text(joint.rates));
     }
     const Vec3 &f = joint.force, &m = joint.torque;
+    if (!f.allFinite()) {
+      text += "    reaction         not known: in a group of more contacts than are solved for\n";
+      continue;
+    }
     fmt::format_to(std::back_inserter(text), "    reaction         [{:.17g}, {:.17g}, {:.17g}] N\n", f.x(),
                    f.y(), f.z());
     fmt::format_to(std::back_inserter(text), "                     [{:.17g}, {:.17g}, {:.17g}] N m\n", m.x(),

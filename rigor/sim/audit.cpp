@@ -146,8 +146,10 @@ void Auditor::judge(Audit& audit) const {
     carried += 1e-12 * impulse;
     carried_moment += 1e-12 * impulse * (audit.bodies[i].position.norm() + model_->length_scale());
   }
-  // Velocities of 32 bits are rounded in each sweep, at some ten contacts: errors walk at random.
-  const double sweeps = static_cast<double>(audit.report.steps) * audit.report.max_iterations;
+  // Velocities of 32 bits are rounded in each sweep, at some ten contacts: errors walk at random. Joints are
+  // swept as often as contacts.
+  const double sweeps = static_cast<double>(audit.report.steps) * audit.report.max_iterations *
+                        (model_->joints().empty() ? 1 : 2);
   const double momentum_share = is_substep ? 0x1p-24 * std::sqrt(10 * sweeps) : share;
   check("error of linear momentum", audit.linear_momentum_error, momentum_share * momentum_scale_ + carried,
         "kg m/s");

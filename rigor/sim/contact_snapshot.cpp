@@ -20,6 +20,8 @@ namespace {
 
 /// The problem of a group is dense: beyond this its cost (a minute) is not worth a picture.
 constexpr std::size_t most_contacts_of_group = 400;
+/// With joints it is dearer, and every audit asks for it.
+constexpr std::size_t most_contacts_with_joints = 100;
 
 Cluster touching_bodies(const Model& model, const Method& method, const State& state) {
   Cluster cluster{.t = state.t, .slip_tolerance = slip_tolerance(method)};
@@ -160,9 +162,20 @@ void add_joint_forces(const Model& model, const Method& method, const IslandInte
     const Vec3 own = u.segment<3>(3 * static_cast<Eigen::Index>(i));
     if (own.z() <= parting) lasting.push_back(with_own_friction(method, part.contacts[i], own.head<2>()));
   }
+  if (lasting.size() > most_contacts_with_joints) {
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      const Joint& joint = model.joint(joints[i]);
+      JointReaction& unknown = result[static_cast<std::size_t>(joints[i])];
+      set_motion(joint, motion_of(joint.body_A, system.bodies, system.kinetics),
+                 motion_of(joint.body_B, system.bodies, system.kinetics), unknown);
+      unknown.force_W = unknown.torque_W = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
+      unknown.residual = system.joints->residual(i);
+    }
+    return;
+  }
   system = integrator.system_of(part.t, part.bodies, part.phases, lasting);
   std::vector<Wrench> wrenches = integrator.environment_wrenches(system, part.t);
-  if (!lasting.empty() && lasting.size() <= most_contacts_of_group) {
+  if (!lasting.empty()) {
     const RestingSolution resting =
         solve_resting(system, wrenches, part.slip_tolerance, resting_choice(method));
     add_contact_wrenches(system, resting.forces.lambda, wrenches);

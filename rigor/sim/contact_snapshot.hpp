@@ -44,7 +44,8 @@ struct JointReaction {
 };
 
 /// All joints of the model, in its order. Groups of more than 600 rows get the forces of the tree that the
-/// solver chose instead of those of least norm. A function of its arguments alone, like contact_snapshot.
+/// solver chose instead of those of least norm; reactions in groups of more than 100 contacts are NaN. A
+/// function of its arguments alone, like contact_snapshot.
 std::vector<JointReaction> joint_snapshot(const Model& model, const Method& method, const State& state);
 
 /// The same without what costs: only anchors, coordinates and rates, as far as the state alone tells them.

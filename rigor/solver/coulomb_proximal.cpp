@@ -107,7 +107,8 @@ void CoulombProximal::minimise() {
   for (int step = 0; step < kMaxSteps; ++step) {
     const double error = inner.gradient.norm();
     if (error <= tolerance * (motion_.weigh(v_).norm() + inner.pulled.norm())) return;
-    const VecX direction = -motion_.newton_step(stiffnesses(inner.argument), inner.gradient, Symmetry::positive);
+    const VecX direction =
+        -motion_.newton_step(stiffnesses(inner.argument), inner.gradient, Symmetry::positive);
     const double slope = inner.gradient.dot(direction);
     double length = 1;
     Inner trial = evaluate(v_ + direction);
