@@ -27,6 +27,16 @@ RIGOR_FLOAT_LANES FloatLanes root(const FloatLanes& x) {
   return float_sqrt(x);
 #endif
 }
+/// (load_floats() and float_min() again: clang++ lets no function with AVX call one without that returns
+/// lanes.)
+RIGOR_FLOAT_LANES FloatLanes load(const float* p) {
+  FloatLanes x;
+  std::memcpy(&x, p, sizeof x);
+  return x;
+}
+RIGOR_FLOAT_LANES FloatLanes smaller(const FloatLanes& a, const FloatLanes& b) {
+  return a < b ? a : b;
+}
 RIGOR_FLOAT_LANES FloatLanes larger(const FloatLanes& a, const FloatLanes& b) {
 #if RIGOR_LANES_HAVE_FMA
   return FloatLanes(_mm256_max_ps(__m256(a), __m256(b)));

@@ -217,7 +217,7 @@ void fill(std::span<const BlockLane> lanes, const BulkBodies& bodies, ManifoldBl
   put({splat(0), splat(0), splat(0)}, block.moved);
   fill_inertia(block.body_A, bodies, is_there, block.IA, block.mA);
   fill_inertia(block.body_B, bodies, is_there, block.IB, block.mB);
-  const FloatVec3 apart = {load_floats(x_BA[0]), load_floats(x_BA[1]), load_floats(x_BA[2])};
+  const FloatVec3 apart = {load(x_BA[0]), load(x_BA[1]), load(x_BA[2])};
   const BlockFrame f = fill_geometry(lanes, apart, is_there, block);
   fill_impulses(lanes, f, block);
   fill_laws(lanes, block);

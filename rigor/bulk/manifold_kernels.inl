@@ -2,7 +2,7 @@
 // namespace and after fused_lanes.inl.
 
 RIGOR_FLOAT_LANES FloatLanes lane(const LaneArray& a) {
-  return load_floats(a.data());
+  return load(a.data());
 }
 RIGOR_FLOAT_LANES FloatVec3 lane(const LaneArray (&a)[3]) {
   return {lane(a[0]), lane(a[1]), lane(a[2])};
@@ -226,7 +226,7 @@ RIGOR_FLOAT_LANES void solve_friction(ManifoldBlock& block, LaneTwists& u, LaneT
   const FloatLanes old_twist = lane(block.twist_impulse);
   const FloatLanes twist_limit = fused(friction, spread, lane(block.torsional_friction) * pressed);
   const FloatLanes free_twist = fused(-lane(block.twist_mass), u.w.x, old_twist);
-  const FloatLanes twist = float_min(larger(free_twist, -twist_limit), twist_limit);
+  const FloatLanes twist = smaller(larger(free_twist, -twist_limit), twist_limit);
   const FloatLanes turn = twist - old_twist;
   put(twist, block.twist_impulse);
   wrench.w.x = wrench.w.x + turn;
