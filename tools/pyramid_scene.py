@@ -17,7 +17,7 @@ rigor: 1
 name: pyramid
 world: {{gravity: [0, 0, -9.81]}}
 run: {{duration: 10, step: 0.016666666666666666, output_interval: 0.1}}
-method: {{scheme: time-stepping, solver: substep}}
+method: {{scheme: time-stepping, solver: substep, substeps: 8}}
 materials:
   - {{name: concrete, density: 1000, friction: 0.5, restitution: 0}}
 bodies:

@@ -36,7 +36,7 @@ struct LaneTwists {
 /// Three floats of each of eight records; `at` floats behind their begin.
 RIGOR_FLOAT_LANES FloatVec3 gather(const std::array<std::int32_t, kLaneCount>& who, const BulkBodies& bodies,
                                    std::size_t at) {
-  const float* motion = bodies.motion.data()->v + at;
+  const float* motion = reinterpret_cast<const float*>(bodies.motion.data()) + at;
   constexpr std::int64_t size = sizeof(MotionRecord) / sizeof(float);
   const TwoSquares columns = transpose({load_halves(motion + size * who[0], motion + size * who[4]),
                                         load_halves(motion + size * who[1], motion + size * who[5]),
