@@ -239,7 +239,7 @@ def matrix(rows):
         if word in ("runs", "too slow") or not row["reason"]:
             return word
         # Where the scene says so is left out, and so are the numbers of an audit.
-        reason = re.sub(r"^\S+\.yaml:\d+:\d+: ", "", row["reason"])
+        reason = re.sub(r"^(error: )?\S+\.yaml:\d+:\d+: ", "", row["reason"])
         reason = "; ".join(part.split(" is ")[0] for part in reason.split("; ")) if word == "audit" else reason
         if reason not in reasons:
             reasons.append(reason)
