@@ -1,12 +1,10 @@
 #include "rigor/bulk/bulk_contacts.hpp"
 
-#include "rigor/bulk/islands.hpp"
 #include "rigor/bulk/list_room.hpp"
 #include "rigor/bulk/manifold_bounce.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <span>
 
@@ -14,24 +12,7 @@ namespace rigor {
 
 namespace {
 
-/// Of a contact of dynamic bodies: at most this, and a sixth of the rate of substeps [Hz].
-constexpr double contact_frequency = 60;
 constexpr double contact_damping = 5;
-
-/// Of each body, how many times the mass of all that joints and springs hold on to it is its own; 1 of bodies
-/// that nothing holds.
-std::vector<double> held_mass_ratios(const Model& model) {
-  const BulkIslands islands(model);
-  std::vector<double> sums(static_cast<std::size_t>(model.body_count()), 0), ratios(sums.size(), 1);
-  const auto sum_of = [&](int body) -> double& {
-    return sums[static_cast<std::size_t>(islands.island_of(body))];
-  };
-  for (int i = 0; i < model.body_count(); ++i)
-    if (islands.island_of(i) >= 0) sum_of(i) += model.body(i).mass;
-  for (int i = 0; i < model.body_count(); ++i)
-    if (islands.island_of(i) >= 0) ratios[static_cast<std::size_t>(i)] = sum_of(i) / model.body(i).mass;
-  return ratios;
-}
 
 ManifoldSurface surface_of(const PairCoefficients& pair) {
   return {static_cast<float>(pair.friction), static_cast<float>(pair.restitution),
@@ -43,33 +24,9 @@ bool does_press(const ManifoldMemory& memory) {
   return std::any_of(memory.normal_impulse.begin(), end, [](float impulse) { return impulse > 0; });
 }
 
-/// Softness of contacts in substeps of h [s].
-class ContactSoftness {
- public:
-  explicit ContactSoftness(double h)
-      : h_(h), between_moving_(softness(1, true)), on_ground_(softness(1, false)) {}
-
-  /// held_ratio: BulkContacts::held_ratio. A spring of the stiffness m ω² that is to stop the mass of all
-  /// that is held has the frequency ω with that mass.
-  Softness of(double held_ratio, bool both_move) const {
-    if (held_ratio == 1) return both_move ? between_moving_ : on_ground_;
-    return softness(held_ratio, both_move);
-  }
-
- private:
-  Softness softness(double held_ratio, bool both_move) const {
-    const double frequency = std::min(contact_frequency * std::sqrt(held_ratio), 1 / (6 * h_));
-    return make_softness(both_move ? frequency : 2 * frequency, contact_damping, h_);
-  }
-
-  double h_;
-  Softness between_moving_, on_ground_;
-};
-
 }  // namespace
 
-BulkContacts::BulkContacts(const Model& model)
-    : material_count_(model.materials().size()), held_ratios_(held_mass_ratios(model)) {
+BulkContacts::BulkContacts(const Model& model) : material_count_(model.materials().size()) {
   const int count = static_cast<int>(material_count_);
   for (int a = 0; a < count; ++a) {
     for (int b = 0; b < count; ++b) surfaces_.push_back(surface_of(model.coefficients(a, b)));
@@ -171,12 +128,13 @@ void BulkContacts::prepare(const BulkBodies& bodies, double h, const DirectIslan
   }
   colour_graph(edges_, bodies.count(), colouring_);
 
-  const ContactSoftness softness(h);
+  const double frequency = contact_frequency_a_substep / h;
+  const Softness between_moving = make_softness(frequency, contact_damping, h);
+  const Softness on_ground = make_softness(2 * frequency, contact_damping, h);
   renew(colouring_.blocks.size(), blocks_);
   executor.for_ranges(static_cast<int>(blocks_.size()), 16, [&](int begin, int end) {
     for (int k = begin; k < end; ++k) {
       std::array<BlockLane, kLaneCount> lanes;
-      std::array<Softness, kLaneCount> springs;
       std::size_t count = 0;
       for (const int edge : colouring_.blocks[static_cast<std::size_t>(k)]) {
         if (edge < 0) break;
@@ -184,26 +142,15 @@ void BulkContacts::prepare(const BulkBodies& bodies, double h, const DirectIslan
         const int number = swept_[e];
         const StepManifold found = manifold_at(static_cast<std::size_t>(number));
         const bool both_move = edges_[e].a >= 0 && edges_[e].b >= 0;
-        springs[count] = softness.of(held_ratio(*found.key, bodies), both_move);
-        lanes[count] = {found.manifold,    found.surface,     &springs[count], found.memory,
-                        found.key->body_A, found.key->body_B, number};
-        ++count;
+        lanes[count++] = {found.manifold, found.surface,     both_move ? &between_moving : &on_ground,
+                          found.memory,   found.key->body_A, found.key->body_B,
+                          number};
       }
       fill_block(target_, std::span(lanes.data(), count), bodies, blocks_[static_cast<std::size_t>(k)]);
     }
   });
   has_restitution_ = std::any_of(blocks_.begin(), blocks_.end(),
                                  [](const ManifoldBlock& block) { return block.has_restitution; });
-}
-
-double BulkContacts::held_ratio(const ShapePair& key, const BulkBodies& bodies) const {
-  double own = 0, held = 0;  // Mobilities [1/kg].
-  for (const int body : {key.body_A, key.body_B}) {
-    const double mobility = static_cast<double>(bodies.inertia[static_cast<std::size_t>(body)].inv_mass);
-    own += mobility;
-    held += mobility / held_ratios_[static_cast<std::size_t>(body)];
-  }
-  return held > 0 ? own / held : 1;
 }
 
 template <class Work>

@@ -97,16 +97,12 @@ class BulkContacts {
   StepManifold manifold_at(std::size_t i) const;
   /// Of a manifold; no impulses.
   ManifoldMemory key_of(std::size_t i) const;
-  /// How many times the mass that a contact has to stop is that of its two bodies alone: more where joints
-  /// hold other bodies on to them.
-  double held_ratio(const ShapePair& key, const BulkBodies& bodies) const;
   template <class Work>
   void for_blocks(const Executor& executor, const Work& work);
 
   std::vector<int> first_shape_;  ///< Of each body.
   std::vector<int> materials_;    ///< Of each shape of all bodies.
   std::size_t material_count_;
-  std::vector<double> held_ratios_;  ///< Of bodies: mass of all that joints and springs hold on to them.
   LaneTarget target_ = best_lane_target();
   std::vector<ManifoldSurface> surfaces_;  ///< Of two materials, by first * count + second.
   GraphColouring colouring_;

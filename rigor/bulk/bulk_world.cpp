@@ -259,7 +259,10 @@ void BulkWorld::bounce_apart() {
 /// Islands of heavy bodies on light ones; their number.
 int BulkWorld::solve_directly(double h) {
   Scratch& s = *scratch_;
-  if (!s.direct.may_be_needed()) return 0;
+  if (!s.direct.may_be_needed(memory_, h / settings_.substeps)) {
+    s.direct.clear();
+    return 0;
+  }
   const float step = static_cast<float>(h);
   if (s.gyrations.has_any()) s.gyrations.find_changes(step, bodies_, s.executor, s.turns);
   const auto free_change = [&](int body) {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <set>
 #include <variant>
 
 namespace rigor {
@@ -139,14 +140,14 @@ std::optional<VecX> solve_impulses(const MotionProblem& problem, const VecX& sta
 }  // namespace
 
 DirectIslands::DirectIslands(const Model& model)
-    : model_(&model), is_tied_(at(model.body_count()), false), islands_(model) {
+    : model_(&model), towers_(model), is_tied_(at(model.body_count()), false), islands_(model) {
   double least = std::numeric_limits<double>::infinity(), most = 0;
   for (const Body& body : model.bodies()) {
     if (body.motion != MotionType::dynamic) continue;
     least = std::min(least, body.mass);
     most = std::max(most, body.mass);
   }
-  may_be_needed_ = most >= least_mass_ratio * least;
+  masses_differ_ = most >= least_mass_ratio * least;
   for (int i = 0; i < static_cast<int>(model.joints().size()); ++i) {
     for (const int body : model.bodies_of_joint(i)) is_tied_[at(body)] = true;
   }
@@ -157,6 +158,10 @@ DirectIslands::DirectIslands(const Model& model)
       if (body != world_body) is_tied_[at(body)] = true;
     }
   }
+}
+
+bool DirectIslands::may_be_needed(const std::vector<ManifoldMemory>& memory, double substep) {
+  return towers_.are_there(memory, substep) || masses_differ_;
 }
 
 std::vector<DirectIslands::Island> DirectIslands::find_islands(const DirectStep& step,
@@ -188,12 +193,27 @@ bool DirectIslands::is_taken(const DirectStep& step, const Island& island, const
     least = std::min(least, model_->body(body).mass);
     most = std::max(most, model_->body(body).mass);
   }
-  if (most < least_mass_ratio * least) return false;
+  if (most < least_mass_ratio * least && !is_slender(step, island, bodies)) return false;
   return std::none_of(island.manifolds.begin(), island.manifolds.end(), [&](int i) {
     const StepManifold& manifold = step.manifolds[at(i)];
     return manifold.surface->rolling_friction > 0 || manifold.surface->torsional_friction > 0 ||
            is_driven(manifold, bodies) || bounces(manifold, bodies);
   });
+}
+
+/// Whether one of SlenderTowers' bodies is in it, and each touches at most two dynamic ones.
+bool DirectIslands::is_slender(const DirectStep& step, const Island& island, const BulkBodies& bodies) const {
+  if (std::none_of(island.bodies.begin(), island.bodies.end(), [&](int i) { return towers_.carries(i); }))
+    return false;
+  std::map<int, std::set<int>> neighbours;
+  for (const int i : island.manifolds) {
+    const int a = step.manifolds[at(i)].key->body_A, b = step.manifolds[at(i)].key->body_B;
+    if (!bodies.is_dynamic(a) || !bodies.is_dynamic(b)) continue;
+    neighbours[a].insert(b);
+    neighbours[b].insert(a);
+  }
+  return std::all_of(neighbours.begin(), neighbours.end(),
+                     [](const auto& of_body) { return of_body.second.size() <= 2; });
 }
 
 /// Whether one of the bodies moves as it must: its work is not known here.
@@ -216,13 +236,17 @@ bool DirectIslands::bounces(const StepManifold& manifold, const BulkBodies& bodi
   return false;
 }
 
-void DirectIslands::solve(const DirectStep& step, BulkBodies& bodies) {
+void DirectIslands::clear() {
   is_held_.clear();
   island_count_ = 0;
   ends_.clear();
   solved_.clear();
   contacts_.clear();
-  if (!may_be_needed_ || step.manifolds.empty()) return;
+}
+
+void DirectIslands::solve(const DirectStep& step, BulkBodies& bodies) {
+  clear();
+  if (step.manifolds.empty()) return;
   for (const Island& island : find_islands(step, bodies)) {
     if (!is_taken(step, island, bodies) || !solve_island(step, island, bodies)) continue;
     ++island_count_;

@@ -6,6 +6,7 @@
 #include "rigor/bulk/manifold.hpp"
 #include "rigor/bulk/manifold_blocks.hpp"
 #include "rigor/bulk/narrow_phase.hpp"
+#include "rigor/bulk/slender_towers.hpp"
 #include "rigor/model/manifold_memory.hpp"
 
 #include <functional>
@@ -31,19 +32,24 @@ struct DirectStep {
   std::function<MotionRow(int)> free_change;   ///< Of a body's velocity within the step, without contacts.
 };
 
-/// Islands that sweeps do not carry: where heavy bodies rest on light ones, sweeps bring the weight to the
-/// ground only after about (height × ratio) of them, and the stack comes down meanwhile. The contacts of such
-/// an island are solved exactly, in 64 bits, once a step: velocities that Coulomb's law allows at its end
-/// (Moreau's step, docs/theory/bulk.md, section 6), and displacements with them.
+/// Islands that sweeps do not carry. Where heavy bodies rest on light ones, sweeps bring the weight to the
+/// ground only after about (height × ratio) of them, and the stack comes down meanwhile; a slender tower
+/// buckles on the springs of its contacts. The contacts of such an island are solved exactly, in 64 bits,
+/// once a step: velocities that Coulomb's law allows at its end (Moreau's step, docs/theory/bulk.md, section
+/// 6), and displacements with them.
 ///
-/// Taken are islands of at most 64 bodies with masses that differ by a factor of ten, without joints,
-/// springs, rolling and torsional friction, moving kinematic bodies and without a bounce in this step.
+/// Taken are islands of at most 64 bodies with masses that differ by a factor of ten, or of SlenderTowers
+/// each of whose bodies touches at most two others; without joints, springs, rolling and torsional friction,
+/// moving kinematic bodies and without a bounce in this step.
 class DirectIslands {
  public:
   explicit DirectIslands(const Model& model);
 
-  /// Whether masses differ so much that islands may be taken.
-  bool may_be_needed() const { return may_be_needed_; }
+  /// Whether islands may be taken: masses differ so much, or there are slender towers. memory: of the step
+  /// before; substep [s].
+  bool may_be_needed(const std::vector<ManifoldMemory>& memory, double substep);
+  /// Nothing is solved in this step.
+  void clear();
   /// Solves the islands that are to be and can be solved: their bodies get the velocities that their
   /// displacements in the step have.
   void solve(const DirectStep& step, BulkBodies& bodies);
@@ -66,6 +72,7 @@ class DirectIslands {
   struct Problem;
   std::vector<Island> find_islands(const DirectStep& step, const BulkBodies& bodies);
   bool is_taken(const DirectStep& step, const Island& island, const BulkBodies& bodies) const;
+  bool is_slender(const DirectStep& step, const Island& island, const BulkBodies& bodies) const;
   bool is_driven(const StepManifold& manifold, const BulkBodies& bodies) const;
   bool bounces(const StepManifold& manifold, const BulkBodies& bodies) const;
   Problem problem_of(const DirectStep& step, const Island& island, const BulkBodies& bodies) const;
@@ -73,7 +80,8 @@ class DirectIslands {
   bool solve_island(const DirectStep& step, const Island& island, BulkBodies& bodies);
 
   const Model* model_;
-  bool may_be_needed_ = false;
+  bool masses_differ_ = false;
+  SlenderTowers towers_;
   std::vector<bool> is_tied_;  ///< Bodies with joints or springs.
   BulkIslands islands_;
   std::vector<bool> is_held_;

@@ -15,6 +15,10 @@ namespace rigor {
 /// Eight floats, one a lane.
 using LaneArray = std::array<float, kLaneCount>;
 
+/// Frequency of the spring of a contact of two dynamic bodies, a substep [1]: what one sweep a substep holds
+/// quietly. Twice that against what stands still.
+inline constexpr double contact_frequency_a_substep = 1.0 / 6;
+
 /// Contact as a stiff, strongly damped spring of the overlap (docs/theory/bulk.md, section 3).
 struct Softness {
   float bias_rate = 0;      ///< Speed by which an overlap is put back, a metre [1/s].

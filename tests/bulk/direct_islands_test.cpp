@@ -90,7 +90,7 @@ TEST(DirectIslands, FrictionHoldsUnderItsAngleAndGivesWayOverIt) {
 }
 
 TEST(DirectIslands, EqualMassesAreLeftToTheSweeps) {
-  const std::shared_ptr<const Model> model = tower(5, 9);
+  const std::shared_ptr<const Model> model = tower(3, 9);
   BulkWorld world(model, {});
   world.read(make_initial_state(*model));
   for (int k = 0; k < 10; ++k) EXPECT_EQ(world.step(h).direct_islands, 0);

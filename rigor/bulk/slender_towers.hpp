@@ -1,0 +1,33 @@
+#pragma once
+
+#include "rigor/model/manifold_memory.hpp"
+#include "rigor/model/model.hpp"
+
+#include <vector>
+
+namespace rigor {
+
+/// Towers that the springs of contacts cannot hold upright: a column whose joints have the bending stiffness
+/// k buckles under its own weight if it is higher than 7.84^(1/3) times (k a² / (m g a))^(1/3) of its bodies
+/// (Greenhill, Determination of the greatest height consistent with stability that a vertical pole or mast
+/// can be made, Proc. Cambridge Phil. Soc. 4, 1881). Cubes of the side a on springs of the frequency ω buckle
+/// from (ω² a / g)^(1/3) of them on (docs/theory/bulk.md, section 3).
+class SlenderTowers {
+ public:
+  explicit SlenderTowers(const Model& model);
+
+  /// Whether the lowest body of a tower of dynamic bodies, each on one other, carries more than two thirds of what
+  /// buckles: what it stands on pressed it so at the end of the step before. substep [s].
+  bool are_there(const std::vector<ManifoldMemory>& memory, double substep);
+  /// Whether this is such a lowest body.
+  bool carries(int body) const { return !carries_.empty() && carries_[static_cast<std::size_t>(body)]; }
+
+ private:
+  std::vector<bool> is_dynamic_;
+  std::vector<float> weight_;  ///< [N].
+  std::vector<float> size_;    ///< Radius about the centre of mass [m].
+  double gravity_;             ///< [m/s²].
+  std::vector<bool> carries_;  ///< Empty if none does.
+};
+
+}  // namespace rigor
