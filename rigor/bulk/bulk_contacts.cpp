@@ -158,7 +158,7 @@ void BulkContacts::for_blocks(const Executor& executor, const Work& work) {
   for (int colour = 0; colour < colouring_.colour_count(); ++colour) {
     const int first = colouring_.colour_begin[static_cast<std::size_t>(colour)];
     const int count = colouring_.colour_begin[static_cast<std::size_t>(colour) + 1] - first;
-    const int grain = colour == serial_colour ? count : 16;
+    const int grain = colour == serial_colour ? count : 4;
     executor.for_ranges(count, std::max(grain, 1), [&](int begin, int end) {
       for (int k = begin; k < end; ++k) work(blocks_[static_cast<std::size_t>(first + k)]);
     });

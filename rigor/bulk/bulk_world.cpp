@@ -174,6 +174,7 @@ void BulkWorld::wake(int body) {
 
 BulkStepReport BulkWorld::step(double h) {
   Scratch& s = *scratch_;
+  const Executor::Team team(s.executor);
   const double substep = h / settings_.substeps;
   s.prescribed.place(*model_, t_, h, bodies_);
   find_contacts(h);

@@ -166,34 +166,55 @@ bool DirectIslands::may_be_needed(const std::vector<ManifoldMemory>& memory, dou
 
 std::vector<DirectIslands::Island> DirectIslands::find_islands(const DirectStep& step,
                                                                const BulkBodies& bodies) {
-  std::vector<ManifoldMemory> keys(step.manifolds.size());
-  for (std::size_t i = 0; i < keys.size(); ++i) {
-    keys[i].body_A = step.manifolds[i].key->body_A;
-    keys[i].body_B = step.manifolds[i].key->body_B;
-  }
-  islands_.build(keys);
-  std::map<int, Island> by_lowest;
-  for (int i = 0; i < bodies.count(); ++i) {
-    if (bodies.is_dynamic(i)) by_lowest[islands_.island_of(i)].bodies.push_back(i);
-  }
-  for (int i = 0; i < static_cast<int>(keys.size()); ++i) {
-    const int body = bodies.is_dynamic(keys[at(i)].body_A) ? keys[at(i)].body_A : keys[at(i)].body_B;
-    by_lowest[islands_.island_of(body)].manifolds.push_back(i);
-  }
+  islands_.begin();
+  for (const StepManifold& manifold : step.manifolds)
+    islands_.join(manifold.key->body_A, manifold.key->body_B);
+  islands_.finish();
+
+  struct Summary {
+    int body_count = 0;
+    double least_mass = std::numeric_limits<double>::infinity(), most_mass = 0;
+    bool has_tower = false;
+    int number = -1;  // Among those found.
+  };
+  std::vector<Summary> summaries(at(bodies.count()));  // By the lowest body.
   std::vector<Island> found;
-  for (auto& [lowest, island] : by_lowest) found.push_back(std::move(island));
+  for (int i = 0; i < bodies.count(); ++i) {
+    if (!bodies.is_dynamic(i)) continue;
+    Summary& island = summaries[at(islands_.island_of(i))];
+    ++island.body_count;
+    island.least_mass = std::min(island.least_mass, model_->body(i).mass);
+    island.most_mass = std::max(island.most_mass, model_->body(i).mass);
+    island.has_tower = island.has_tower || towers_.carries(i);
+  }
+  for (int i = 0; i < bodies.count(); ++i) {
+    if (!bodies.is_dynamic(i)) continue;
+    Summary& island = summaries[at(islands_.island_of(i))];
+    if (island.body_count > most_bodies) continue;
+    const bool is_heavy_on_light = island.most_mass >= least_mass_ratio * island.least_mass;
+    if (!is_heavy_on_light && !island.has_tower) continue;
+    if (island.number < 0) {
+      island.number = static_cast<int>(found.size());
+      found.emplace_back().is_heavy_on_light = is_heavy_on_light;
+    }
+    found[at(island.number)].bodies.push_back(i);
+  }
+  if (found.empty()) return found;
+  for (int i = 0; i < static_cast<int>(step.manifolds.size()); ++i) {
+    const ShapePair& key = *step.manifolds[at(i)].key;
+    const int body = bodies.is_dynamic(key.body_A) ? key.body_A : key.body_B;
+    const int number = summaries[at(islands_.island_of(body))].number;
+    if (number >= 0) found[at(number)].manifolds.push_back(i);
+  }
   return found;
 }
 
 bool DirectIslands::is_taken(const DirectStep& step, const Island& island, const BulkBodies& bodies) const {
-  if (island.manifolds.empty() || static_cast<int>(island.bodies.size()) > most_bodies) return false;
-  double least = std::numeric_limits<double>::infinity(), most = 0;
+  if (island.manifolds.empty()) return false;
   for (const int body : island.bodies) {
     if (is_tied_[at(body)]) return false;
-    least = std::min(least, model_->body(body).mass);
-    most = std::max(most, model_->body(body).mass);
   }
-  if (most < least_mass_ratio * least && !is_slender(step, island, bodies)) return false;
+  if (!island.is_heavy_on_light && !is_column(step, island, bodies)) return false;
   return std::none_of(island.manifolds.begin(), island.manifolds.end(), [&](int i) {
     const StepManifold& manifold = step.manifolds[at(i)];
     return manifold.surface->rolling_friction > 0 || manifold.surface->torsional_friction > 0 ||
@@ -201,10 +222,8 @@ bool DirectIslands::is_taken(const DirectStep& step, const Island& island, const
   });
 }
 
-/// Whether one of SlenderTowers' bodies is in it, and each touches at most two dynamic ones.
-bool DirectIslands::is_slender(const DirectStep& step, const Island& island, const BulkBodies& bodies) const {
-  if (std::none_of(island.bodies.begin(), island.bodies.end(), [&](int i) { return towers_.carries(i); }))
-    return false;
+/// Whether each of its bodies touches at most two others of them.
+bool DirectIslands::is_column(const DirectStep& step, const Island& island, const BulkBodies& bodies) const {
   std::map<int, std::set<int>> neighbours;
   for (const int i : island.manifolds) {
     const int a = step.manifolds[at(i)].key->body_A, b = step.manifolds[at(i)].key->body_B;

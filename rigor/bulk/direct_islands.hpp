@@ -68,11 +68,13 @@ class DirectIslands {
   struct Island {
     std::vector<int> bodies;     ///< Dynamic ones, ascending.
     std::vector<int> manifolds;  ///< Ascending.
+    bool is_heavy_on_light = false;
   };
   struct Problem;
+  /// Small enough, and of masses that differ or with a slender tower.
   std::vector<Island> find_islands(const DirectStep& step, const BulkBodies& bodies);
   bool is_taken(const DirectStep& step, const Island& island, const BulkBodies& bodies) const;
-  bool is_slender(const DirectStep& step, const Island& island, const BulkBodies& bodies) const;
+  bool is_column(const DirectStep& step, const Island& island, const BulkBodies& bodies) const;
   bool is_driven(const StepManifold& manifold, const BulkBodies& bodies) const;
   bool bounces(const StepManifold& manifold, const BulkBodies& bodies) const;
   Problem problem_of(const DirectStep& step, const Island& island, const BulkBodies& bodies) const;

@@ -28,13 +28,19 @@ BulkIslands::BulkIslands(const Model& model) {
   build({});
 }
 
-/// Union by the lower number, paths halved: Tarjan and van Leeuwen, Worst-Case Analysis of Set Union
-/// Algorithms, J. ACM 31(2), 1984.
 void BulkIslands::build(const std::vector<ManifoldMemory>& manifolds) {
+  begin();
+  for (const ManifoldMemory& manifold : manifolds) join(manifold.body_A, manifold.body_B);
+  finish();
+}
+
+void BulkIslands::begin() {
   islands_.resize(is_dynamic_.size());
   for (std::size_t i = 0; i < islands_.size(); ++i) islands_[i] = static_cast<int>(i);
   for (const auto& [a, b] : lasting_) join(a, b);
-  for (const ManifoldMemory& manifold : manifolds) join(manifold.body_A, manifold.body_B);
+}
+
+void BulkIslands::finish() {
   for (std::size_t i = 0; i < islands_.size(); ++i)
     islands_[i] = is_dynamic_[i] ? root_of(static_cast<int>(i)) : -1;
 }
@@ -47,6 +53,8 @@ int BulkIslands::root_of(int body) {
   return body;
 }
 
+/// Union by the lower number, paths halved: Tarjan and van Leeuwen, Worst-Case Analysis of Set Union
+/// Algorithms, J. ACM 31(2), 1984.
 void BulkIslands::join(int a, int b) {
   if (!is_dynamic_[at(a)] || !is_dynamic_[at(b)]) return;
   a = root_of(a);

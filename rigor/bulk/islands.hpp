@@ -16,12 +16,15 @@ class BulkIslands {
 
   /// Of these contacts.
   void build(const std::vector<ManifoldMemory>& manifolds);
+  /// The same in parts: begin(), join() for each contact, finish().
+  void begin();
+  void join(int a, int b);
+  void finish();
   /// The lowest body of the island; -1 for bodies that are not dynamic.
   int island_of(int body) const { return islands_[static_cast<std::size_t>(body)]; }
 
  private:
   int root_of(int body);
-  void join(int a, int b);
 
   std::vector<bool> is_dynamic_;
   std::vector<std::pair<int, int>> lasting_;  ///< Pairs that joints and springs hold together.

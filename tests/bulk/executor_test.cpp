@@ -89,6 +89,74 @@ TEST(Executor, TwoThreadsWorkAtOnce) {
   EXPECT_TRUE(met);
 }
 
+TEST(Executor, ATeamRunsTheSameLoops) {
+  for (const int threads : {1, 2, 3, 8}) {
+    const Executor executor(threads);
+    const Executor::Team team(executor);
+    for (const int count : {0, 1, 7, 64, 1000, 100003}) {
+      int end = 0;
+      for (const auto& [begin, range_end] : ranges_of(executor, count, 10)) {
+        EXPECT_EQ(begin, end);
+        EXPECT_GE(range_end - begin, std::min(10, count));
+        end = range_end;
+      }
+      EXPECT_EQ(end, count) << threads << " threads";
+    }
+  }
+}
+
+TEST(Executor, ATeamDoesEachRoundOfManyShortLoopsOnceAndInOrder) {
+  const Executor executor(2);
+  std::vector<int> values(256, 0);
+  for (int step = 0; step < 20; ++step) {
+    const Executor::Team team(executor);
+    for (int loop = 0; loop < 500; ++loop) {
+      executor.for_ranges(static_cast<int>(values.size()), 16, [&](int begin, int end) {
+        for (int i = begin; i < end; ++i) {
+          int& value = values[static_cast<std::size_t>(i)];
+          value = value == 500 * step + loop ? value + 1 : -1;
+        }
+      });
+    }
+  }
+  EXPECT_EQ(values, std::vector<int>(256, 20 * 500));
+}
+
+TEST(Executor, TwoOfATeamWorkAtOnce) {
+  if (std::thread::hardware_concurrency() < 2) GTEST_SKIP() << "one processor";
+  const Executor executor(2);
+  const Executor::Team team(executor);
+  std::atomic<int> begun = 0;
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  executor.for_ranges(2, 1, [&](int, int) {
+    ++begun;
+    while (begun < 2 && std::chrono::steady_clock::now() < deadline) std::this_thread::yield();
+  });
+  EXPECT_EQ(begun, 2);
+  EXPECT_LT(std::chrono::steady_clock::now(), deadline);
+}
+
+TEST(Executor, ALoopInALoopOfATeamRunsAlone) {
+  const Executor executor(2);
+  const Executor::Team team(executor);
+  std::atomic<int> rounds = 0;
+  executor.for_ranges(8, 1, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i)
+      executor.for_ranges(10, 1, [&](int first, int last) { rounds += last - first; });
+  });
+  EXPECT_EQ(rounds, 80);
+}
+
+TEST(Executor, WhatABodyOfATeamThrowsComesOutAndTheNextLoopRuns) {
+  const Executor executor(3);
+  const Executor::Team team(executor);
+  EXPECT_THROW(executor.for_ranges(100, 1, [](int, int) { throw std::runtime_error("broken"); }),
+               std::runtime_error);
+  std::atomic<int> rounds = 0;
+  executor.for_ranges(100, 1, [&](int begin, int end) { rounds += end - begin; });
+  EXPECT_EQ(rounds, 100);
+}
+
 TEST(Executor, WhatABodyThrowsComesOut) {
   for (const int threads : {1, 3}) {
     const Executor executor(threads);

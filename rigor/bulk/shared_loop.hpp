@@ -1,0 +1,44 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <mutex>
+
+namespace rigor {
+
+/// A loop whose ranges are taken by whoever comes: the thread that runs it, and others that wait for loops
+/// meanwhile. It is done when all ranges are, whether or not anybody else came, so it waits for no thread
+/// that the machine has not started.
+class SharedLoop {
+ public:
+  using Body = std::function<void(int, int)>;
+  static constexpr int most_ranges = 0xffff;
+
+  /// body(begin, end) over `ranges` (1 to most_ranges) of [0, count). From one thread at a time. What a body
+  /// throws comes out here when all are done.
+  void run(int count, int ranges, const Body& body);
+  /// Takes part in all loops until close(). For the other threads.
+  void help();
+  void close() { is_closed_.store(true, std::memory_order_release); }
+  void open() { is_closed_.store(false, std::memory_order_relaxed); }
+  /// Whether a loop is running: one inside it has to run alone.
+  bool is_running() const { return is_running_.load(std::memory_order_relaxed); }
+
+ private:
+  bool take_range();
+
+  /// The number of the loop in the upper half, below it how many ranges it has and which is the next: a
+  /// thread that comes late takes no range of the next loop.
+  alignas(64) std::atomic<std::uint64_t> ticket_{0};
+  alignas(64) std::atomic<int> done_{0};
+  std::atomic<bool> is_closed_{false}, is_running_{false};
+  const Body* body_ = nullptr;
+  int count_ = 0;
+  std::uint32_t number_ = 0;
+  std::mutex error_mutex_;
+  std::exception_ptr error_;
+};
+
+}  // namespace rigor
