@@ -23,12 +23,13 @@ float pressure(const ManifoldMemory& memory) {
 
 /// Whether the body is the first of two pairs with other dynamic bodies: then it is no tower's. Pairs are in
 /// the order of their first bodies.
-bool meets_two(const std::vector<ManifoldMemory>& memory, const std::vector<bool>& is_dynamic, int body) {
+bool meets_two(const std::vector<ManifoldMemory>& memory, const std::vector<std::uint8_t>& is_dynamic,
+               int body) {
   const auto before = [](const ManifoldMemory& m, int first) { return m.body_A < first; };
   int other = -1;
   for (auto m = std::lower_bound(memory.begin(), memory.end(), body, before);
        m != memory.end() && m->body_A == body; ++m) {
-    if (!is_dynamic[at(m->body_B)] || m->body_B == other) continue;
+    if (is_dynamic[at(m->body_B)] == 0 || m->body_B == other) continue;
     if (other >= 0) return true;
     other = m->body_B;
   }
@@ -39,7 +40,7 @@ bool meets_two(const std::vector<ManifoldMemory>& memory, const std::vector<bool
 
 SlenderTowers::SlenderTowers(const Model& model) : gravity_(model.g_W().norm()) {
   for (const Body& body : model.bodies()) {
-    is_dynamic_.push_back(body.motion == MotionType::dynamic);
+    is_dynamic_.push_back(body.motion == MotionType::dynamic ? 1 : 0);
     weight_.push_back(static_cast<float>(body.mass * gravity_));
     size_.push_back(static_cast<float>(body.bounding_radius));
   }
@@ -53,7 +54,7 @@ bool SlenderTowers::are_there(const std::vector<ManifoldMemory>& memory, double 
   const float h = static_cast<float>(substep);
   for (const ManifoldMemory& m : memory) {
     if (is_dynamic_[at(m.body_A)] == is_dynamic_[at(m.body_B)]) continue;
-    const int body = is_dynamic_[at(m.body_A)] ? m.body_A : m.body_B;
+    const int body = is_dynamic_[at(m.body_A)] != 0 ? m.body_A : m.body_B;
     const float number = pressure(m) / (h * weight_[at(body)]);
     if (27 * number * number * number < 8 * cube * size_[at(body)]) continue;
     if (meets_two(memory, is_dynamic_, body)) continue;

@@ -3,6 +3,7 @@
 #include "rigor/model/manifold_memory.hpp"
 #include "rigor/model/model.hpp"
 
+#include <cstdint>
 #include <vector>
 
 namespace rigor {
@@ -16,18 +17,18 @@ class SlenderTowers {
  public:
   explicit SlenderTowers(const Model& model);
 
-  /// Whether the lowest body of a tower of dynamic bodies, each on one other, carries more than two thirds of what
-  /// buckles: what it stands on pressed it so at the end of the step before. substep [s].
+  /// Whether the lowest body of a tower of dynamic bodies, each on one other, carries more than two thirds of
+  /// what buckles: what it stands on pressed it so at the end of the step before. substep [s].
   bool are_there(const std::vector<ManifoldMemory>& memory, double substep);
   /// Whether this is such a lowest body.
   bool carries(int body) const { return !carries_.empty() && carries_[static_cast<std::size_t>(body)]; }
 
  private:
-  std::vector<bool> is_dynamic_;
-  std::vector<float> weight_;  ///< [N].
-  std::vector<float> size_;    ///< Radius about the centre of mass [m].
-  double gravity_;             ///< [m/s²].
-  std::vector<bool> carries_;  ///< Empty if none does.
+  std::vector<std::uint8_t> is_dynamic_;  ///< Bytes, which are read faster than bits.
+  std::vector<float> weight_;             ///< [N].
+  std::vector<float> size_;               ///< Radius about the centre of mass [m].
+  double gravity_;                        ///< [m/s²].
+  std::vector<bool> carries_;             ///< Empty if none does.
 };
 
 }  // namespace rigor
