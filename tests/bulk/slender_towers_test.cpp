@@ -107,6 +107,23 @@ TEST(SlenderTowers, TwentySmallCubesStand) {
   }
 }
 
+TEST(SlenderTowers, OneThatSleepsIsNotSolved) {
+  const std::shared_ptr<const Model> model = tower(20, 0.05, 0);
+  BulkSettings settings;
+  settings.sleeping = true;
+  BulkWorld world(model, settings);
+  world.read(make_initial_state(*model));
+  for (int k = 0; k < 180; ++k) world.step(h);
+  ASSERT_TRUE(world.is_asleep(20));
+  const Vec3 top = world.bodies().x[20];
+  for (int k = 0; k < 60; ++k) EXPECT_EQ(world.step(h).direct_islands, 0);
+  EXPECT_EQ(world.bodies().x[20], top);
+  world.wake(20);
+  world.step(h);
+  EXPECT_EQ(world.step(h).direct_islands, 1);
+  EXPECT_NEAR(world.bodies().x[20].z(), top.z(), 1e-6);
+}
+
 TEST(SlenderTowers, LowTowersAreLeftToTheSweeps) {
   const std::shared_ptr<const Model> model = tower(10, 1, 0);
   BulkWorld world(model, {});
