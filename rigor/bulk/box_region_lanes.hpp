@@ -3,6 +3,7 @@
 // The region of one box over a face of another, for eight pairs, in lanes: its corners, and the four of them
 // that make the manifold.
 
+#include "rigor/bulk/box_features.hpp"
 #include "rigor/bulk/collide_boxes.hpp"
 #include "rigor/bulk/lane_bits.hpp"
 
@@ -139,7 +140,7 @@ struct RegionCorners {
   FloatLanes margin;
   FloatLanes least;  ///< Of the heights of all corners, within the margin or not; infinite: there are none.
   int count = 0;
-  RegionCorner corners[BoxContacts::class_count];
+  RegionCorner corners[RegionPlace::count];
 
   std::span<const RegionCorner> listed() const { return {corners, static_cast<std::size_t>(count)}; }
 };
@@ -165,8 +166,8 @@ RIGOR_FLOAT_LANES void find_region_corners(const BoxFace& face, RegionCorners& r
   for (int k = 0; k < 4; ++k) {
     const FloatLanes su = float_lanes(k & 1 ? 1.0f : -1.0f), sv = float_lanes(k & 2 ? 1.0f : -1.0f);
     const FloatVec3 p = face.c + su * face.u + sv * face.v;
-    add_corner(p, (float_abs(p.x) <= reach_x) & (float_abs(p.y) <= reach_y), BoxContacts::corner_of_other + k,
-               region);
+    add_corner(p, (float_abs(p.x) <= reach_x) & (float_abs(p.y) <= reach_y),
+               RegionPlace::corners_of_other + k, region);
   }
   const FloatLanes reach_u = one + float_lanes(2) * face.slack / face.hu;
   const FloatLanes reach_v = one + float_lanes(2) * face.slack / face.hv;
@@ -178,7 +179,7 @@ RIGOR_FLOAT_LANES void find_region_corners(const BoxFace& face, RegionCorners& r
     const FloatLanes dx = x - face.c.x, dy = y - face.c.y;
     const FloatLanes s = (dx * face.v.y - dy * face.v.x) * scale, t = (face.u.x * dy - face.u.y * dx) * scale;
     add_corner({x, y, face.c.z + s * face.u.z + t * face.v.z},
-               (float_abs(s) <= reach_u) & (float_abs(t) <= reach_v), BoxContacts::corner_of_face + k,
+               (float_abs(s) <= reach_u) & (float_abs(t) <= reach_v), RegionPlace::corners_of_face + k,
                region);
   }
 }
@@ -206,7 +207,7 @@ RIGOR_FLOAT_LANES void cross_side(const BoxFace& face, const FloatVec3& p, const
 RIGOR_FLOAT_LANES void find_region_crossings(const BoxFace& face, RegionCorners& region) {
   for (int k = 0; k < 2; ++k) {
     const FloatLanes s = float_lanes(k == 0 ? -1.0f : 1.0f);
-    const int place = BoxContacts::crossing + 8 * k;
+    const int place = RegionPlace::crossings + 8 * k;
     const FloatVec3 along_u = face.c + s * face.v, along_v = face.c + s * face.u;
     cross_side(face, along_u, face.u, face.hu, true, place, region);
     cross_side(face, along_u, face.u, face.hu, false, place + 2, region);
@@ -241,21 +242,10 @@ RIGOR_FLOAT_LANES FloatLanes area_with(const ChosenCorner& a, const ChosenCorner
   return (b.x - a.x) * (corner.y - a.y) - (b.y - a.y) * (corner.x - a.x);
 }
 
-RIGOR_FLOAT_LANES void store_chosen(const BoxFace& face, const ChosenCorner& chosen, int k,
-                                    BoxContacts& contacts) {
-  const FloatVec3 p =
-      face.middle + chosen.x * face.ex + chosen.y * face.ey + (float_lanes(0.5f) * chosen.z) * face.ez;
-  store_floats(p.x, contacts.p[k][0]);
-  store_floats(p.y, contacts.p[k][1]);
-  store_floats(p.z, contacts.p[k][2]);
-  store_floats(chosen.z, contacts.gap[k]);
-  store_ints(chosen.place, contacts.place[k]);
-}
-
 /// A deepest corner, the farthest from it, and two that span the largest area with them. What is closer than
 /// the slack to those chosen is no corner of its own.
 RIGOR_FLOAT_LANES void choose_corners(const BoxFace& face, const RegionCorners& region,
-                                      BoxContacts& contacts) {
+                                      ChosenCorner* chosen) {
   const FloatLanes zero = float_lanes(0), equal = region.least + face.equal_depth;
   ChosenCorner a{zero, zero, zero, int_lanes(-1), zero};
   for (int k = region.count - 1; k >= 0; --k) {
@@ -284,13 +274,105 @@ RIGOR_FLOAT_LANES void choose_corners(const BoxFace& face, const RegionCorners& 
                   -turn * area_with(c, a, corner));
     choose_clearly(beyond, corner, d);
   }
-  store_chosen(face, a, 0, contacts);
-  store_chosen(face, b, 1, contacts);
-  store_chosen(face, c, 2, contacts);
-  store_chosen(face, d, 3, contacts);
+  chosen[0] = a;
+  chosen[1] = b;
+  chosen[2] = c;
+  chosen[3] = d;
 }
 
-RIGOR_FLOAT_LANES void clip_boxes(BoxFace& face, const FloatLanes& margin, BoxContacts& contacts) {
+/// Points of manifolds. Features are shifted so that their order is that of signed numbers; those of no point
+/// are the last.
+struct RegionPoint {
+  FloatVec3 p;
+  FloatLanes gap;
+  IntLanes feature;
+};
+constexpr std::int32_t kNoFeature = std::numeric_limits<std::int32_t>::max(),
+                       kFeatureShift = std::numeric_limits<std::int32_t>::min();
+
+RIGOR_FLOAT_LANES void set_in_order(RegionPoint& first, RegionPoint& second) {
+  const IntLanes is_later = first.feature > second.feature;
+  const auto exchange = [&](auto& a, auto& b) __attribute__((always_inline)) {
+    const auto lower = is_later ? b : a;
+    b = is_later ? a : b;
+    a = lower;
+  };
+  exchange(first.p.x, second.p.x);
+  exchange(first.p.y, second.p.y);
+  exchange(first.p.z, second.p.z);
+  exchange(first.gap, second.gap);
+  exchange(first.feature, second.feature);
+}
+
+/// The features of corners by their places; rows: of the faces.
+RIGOR_FLOAT_LANES IntLanes features_of(const IntLanes& rows, const IntLanes& places) {
+  std::int32_t row[kLaneCount], place[kLaneCount], feature[kLaneCount];
+  std::memcpy(row, &rows, sizeof row);
+  std::memcpy(place, &places, sizeof place);
+  for (int i = 0; i < kLaneCount; ++i)
+    feature[i] =
+        place[i] < 0
+            ? kNoFeature
+            : static_cast<std::int32_t>(
+                  kFeatureRows[static_cast<std::size_t>(row[i])][static_cast<std::size_t>(place[i])]) ^
+                  kFeatureShift;
+  IntLanes features;
+  std::memcpy(&features, feature, sizeof features);
+  return features;
+}
+
+RIGOR_FLOAT_LANES FloatLanes bits_as_floats(const IntLanes& x) {
+  FloatLanes y;
+  std::memcpy(&y, &x, sizeof y);
+  return y;
+}
+
+/// The manifolds of the chosen corners, their points in the order of their features.
+RIGOR_FLOAT_LANES void store_manifolds(const BoxFace& face, const IntLanes& is_B, const FloatVec3& normal,
+                                       const ChosenCorner* chosen, Manifold* manifolds) {
+  constexpr int rows = 3, words = rows * kLaneCount;
+  static_assert(sizeof(Manifold) == words * sizeof(float));
+  const IntLanes zero = int_lanes(0), one = int_lanes(1);
+  const IntLanes signs =
+      (face.sign < float_lanes(0) ? one : zero) | (face.other_sign < float_lanes(0) ? int_lanes(2) : zero);
+  const IntLanes of_B = is_B ? int_lanes(3) : zero;
+  const IntLanes feature_rows = int_lanes(4) * (int_lanes(3) * (face.axis + of_B) + face.other_axis) + signs;
+  RegionPoint points[Manifold::max_points];
+  IntLanes count = zero;
+  for (int k = 0; k < Manifold::max_points; ++k) {
+    const ChosenCorner& c = chosen[k];
+    points[k].p = face.middle + c.x * face.ex + c.y * face.ey + (float_lanes(0.5f) * c.z) * face.ez;
+    points[k].gap = c.z;
+    points[k].feature = features_of(feature_rows, c.place);
+    count += c.place < zero ? zero : one;
+  }
+  set_in_order(points[0], points[1]);
+  set_in_order(points[2], points[3]);
+  set_in_order(points[0], points[2]);
+  set_in_order(points[1], points[3]);
+  set_in_order(points[1], points[2]);
+  // A manifold is 24 words: three squares of lanes.
+  FloatLanes word[words] = {normal.x, normal.y, normal.z, bits_as_floats(count)};
+  for (int k = 0; k < Manifold::max_points; ++k) {
+    FloatLanes* const point = word + 4 + 5 * k;
+    point[0] = points[k].p.x;
+    point[1] = points[k].p.y;
+    point[2] = points[k].p.z;
+    point[3] = points[k].gap;
+    point[4] = bits_as_floats(points[k].feature ^ int_lanes(kFeatureShift));
+  }
+  for (int r = 0; r < rows; ++r) {
+    FloatSquare square;
+    for (int i = 0; i < kLaneCount; ++i) square.row[i] = word[r * kLaneCount + i];
+    square = transpose(square);
+    for (int i = 0; i < kLaneCount; ++i)
+      std::memcpy(reinterpret_cast<char*>(manifolds + i) + static_cast<std::size_t>(r) * sizeof(FloatLanes),
+                  &square.row[i], sizeof(FloatLanes));
+  }
+}
+
+RIGOR_FLOAT_LANES void clip_boxes(BoxFace& face, const IntLanes& is_B, const FloatLanes& margin,
+                                  BoxContacts& contacts) {
   RegionCorners region;
   region.margin = margin;
   region.least = float_lanes(std::numeric_limits<float>::infinity());
@@ -298,13 +380,11 @@ RIGOR_FLOAT_LANES void clip_boxes(BoxFace& face, const FloatLanes& margin, BoxCo
   find_region_crossings(face, region);
   face.is_near = region.least <= margin;
   face.is_explained = region.least <= face.separation + face.preference + face.slack;
-  choose_corners(face, region, contacts);
+  ChosenCorner chosen[Manifold::max_points];
+  choose_corners(face, region, chosen);
   const FloatVec3 normal = face.to_B * face.ez;
   store_vector(normal, contacts.normal);
-  const IntLanes zero = int_lanes(0);
-  store_ints((face.sign < float_lanes(0) ? int_lanes(1) : zero) |
-                 (face.other_sign < float_lanes(0) ? int_lanes(2) : zero),
-             contacts.signs);
+  store_manifolds(face, is_B, normal, chosen, contacts.over_face);
 }
 
 }  // namespace rigor

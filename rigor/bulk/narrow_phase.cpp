@@ -265,16 +265,9 @@ bool NarrowPhase::Tables::is_parted(const PairPlace& place, float margin) const 
 
 void NarrowPhase::Tables::add_boxes(const PairPlace& place, int number, float margin,
                                     LaneList<BoxPairs, BoxContacts>& boxes) const {
-  const int lane = boxes.count % kLaneCount;
-  BoxPairs& lanes = boxes.lanes[at(boxes.count / kLaneCount)];
+  boxes.lanes[at(boxes.count / kLaneCount)].pair[boxes.count % kLaneCount] = {
+      &place_of(place.a), &place_of(place.b), {place.d.x(), place.d.y(), place.d.z()}, margin};
   boxes.pairs[at(boxes.count++)] = number;
-  // Lanes that are left over hold the first pair.
-  for (int k = lane; k < (lane == 0 ? kLaneCount : lane + 1); ++k) {
-    lanes.a[k] = &place_of(place.a);
-    lanes.b[k] = &place_of(place.b);
-    for (int c = 0; c < 3; ++c) lanes.d[c][k] = place.d[c];
-    lanes.margin[k] = margin;
-  }
 }
 
 void NarrowPhase::Tables::add_balls(const PairPlace& place, int number,
@@ -315,6 +308,11 @@ void NarrowPhase::Tables::sort_block(const BulkBodies& bodies, const std::vector
       add_boxes(place, k, pair.margin, scratch.boxes);
     }
   }
+  // Lanes that are left over hold the first pair of their block.
+  for (int k = scratch.boxes.count; k % kLaneCount != 0; ++k) {
+    BoxPairs& last = scratch.boxes.lanes[at(k / kLaneCount)];
+    last.pair[k % kLaneCount] = last.pair[0];
+  }
   for (int k = 0; k < scratch.boxes.block_count(); ++k)
     collide_boxes(scratch.boxes.lanes[at(k)], best_lane_target(), scratch.boxes.contacts[at(k)]);
   for (int k = 0; k < scratch.balls.block_count(); ++k)
@@ -335,12 +333,13 @@ void NarrowPhase::Tables::find_boxes(const PairPlace& place, int lane_place, int
   const std::int32_t outcome = contacts.outcome[lane];
   const bool has_crossing = outcome == BoxContacts::edges || outcome == BoxContacts::edges_and_region;
   const bool has_region = outcome == BoxContacts::region || outcome == BoxContacts::edges_and_region;
+  const Manifold& region = contacts.over_face[lane];
   const std::size_t count = manifolds.size();
-  Manifold manifold{};
-  const bool crosses = has_crossing && cross_box_edges(lanes, contacts, lane, manifold);
-  if (crosses) manifolds.push_back({number, 0, manifold});
-  if (has_region && (crosses || !has_crossing) && read_box_region(contacts, lane, margin, manifold))
-    manifolds.push_back({number, crosses ? 1 : 0, manifold});
+  Manifold crossing{};
+  const bool crosses = has_crossing && cross_box_edges(lanes, contacts, lane, crossing);
+  if (crosses) manifolds.push_back({number, 0, crossing});
+  if (has_region && (crosses || !has_crossing) && region.point_count > 0)
+    manifolds.push_back({number, crosses ? 1 : 0, region});
   if (manifolds.size() > count) {
     if (hint.axis == 0) hint.axis = 1;  // What is not written need not be brought back to memory.
     return;

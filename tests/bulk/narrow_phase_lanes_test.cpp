@@ -105,11 +105,11 @@ TEST(NarrowPhaseLanes, BothTargetsGiveTheSameBitsOfBoxes) {
           place_shape(make_bulk_shape({.shape = Box{draw.sizes()}}, hulls), Quat(draw.rotation())));
     BoxPairs pairs;
     for (int k = 0; k < kLaneCount; ++k) {
-      pairs.a[k] = &placed[static_cast<std::size_t>(2 * k)];
-      pairs.b[k] = &placed[static_cast<std::size_t>(2 * k + 1)];
-      const Vec3 d = draw.pose(0.9).p;
-      for (int c = 0; c < 3; ++c) pairs.d[c][k] = static_cast<float>(d[c]);
-      pairs.margin[k] = 0.1f;
+      const Vec3f d = draw.pose(0.9).p.cast<float>();
+      pairs.pair[k] = {&placed[static_cast<std::size_t>(2 * k)],
+                       &placed[static_cast<std::size_t>(2 * k + 1)],
+                       {d.x(), d.y(), d.z()},
+                       0.1f};
     }
     BoxContacts portable, avx2;
     std::memset(&portable, 0, sizeof portable);
