@@ -30,11 +30,11 @@ struct DirectionBounds {
 
 void find_bounds(const PlacedPolytope& core, const Vec3f& between, const Vec3f& vertex,
                  std::vector<float>& along, std::vector<float>& heights) {
-  const LaneColumns normals = core.hull->normals();
+  const LaneColumns normals = core.normals();
   along.resize(normals.count);
   heights.resize(normals.count);
-  find_heights(normals, core.R.transpose() * between, best_lane_target(), along.data());
-  find_heights(normals, core.R.transpose() * (vertex - core.p), best_lane_target(), heights.data());
+  find_heights(normals, between, best_lane_target(), along.data());
+  find_heights(normals, vertex - core.place.t, best_lane_target(), heights.data());
   for (int f = 0; f < core.hull->face_count; ++f) heights[at(f)] -= core.offset(f);
 }
 
@@ -53,7 +53,7 @@ SeparatingAxis find_best_face(const DirectionBounds& bounds, float least) {
 }
 
 void place_arcs(const PlacedPolytope& core, std::span<const int> edges, ArcBlocks& arcs) {
-  arcs.place(*core.hull, edges, {core.M, core.R, core.p}, best_lane_target());
+  arcs.place(*core.hull, edges, core.place, best_lane_target());
 }
 
 /// Whether an arc may have a direction n with n · d > least; x and y are n · d at its ends and c is the
@@ -151,9 +151,9 @@ void try_edge_lists(PlacedPolytopes& pair, std::span<const int> of_A, std::span<
 void try_faces_around(const PlacedPolytopes& pair, bool is_of_A, int vertex, const Vec3f& w,
                       SeparatingAxis& best) {
   const PlacedPolytope& own = is_of_A ? pair.a : pair.b;
-  const Vec3f local = own.R.transpose() * (is_of_A ? w : Vec3f(-w));
+  const Vec3f outward = is_of_A ? w : Vec3f(-w);
   const std::span<const int> faces = own.hull->faces_around(vertex);
-  const auto bound = [&](int f) { return local.dot(own.hull->normal(f)); };
+  const auto bound = [&](int f) { return outward.dot(own.normal(f)); };
   int first = -1;
   float most = best.separation;
   for (const int f : faces)

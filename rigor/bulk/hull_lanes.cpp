@@ -98,6 +98,18 @@ RIGOR_FLOAT_LANES void place_part(const FloatLanes* from, const Mat3f& M, const 
                  to[row]);
 }
 
+RIGOR_FLOAT_LANES void columns_kernel(const LaneColumns& points, const Mat3f& M, const Vec3f& t, float* to) {
+  FloatVec3 row[3];
+  for (int i = 0; i < 3; ++i) row[i] = {float_lanes(M(i, 0)), float_lanes(M(i, 1)), float_lanes(M(i, 2))};
+  const FloatVec3 shift = spread(t);
+  for (std::size_t k = 0; k < points.count; k += kLaneCount) {
+    const FloatVec3 p{load_floats(points.x + k), load_floats(points.y + k), load_floats(points.z + k)};
+    store_floats(dot(row[0], p) + shift.x, to + k);
+    store_floats(dot(row[1], p) + shift.y, to + points.count + k);
+    store_floats(dot(row[2], p) + shift.z, to + 2 * points.count + k);
+  }
+}
+
 /// Up to eight of the edges.
 RIGOR_FLOAT_LANES void arcs_kernel(const FloatHull& hull, std::span<const int> edges, const CorePlace& place,
                                    ArcBlocks::Block& block) {
@@ -221,6 +233,9 @@ RIGOR_AVX2 Summit summit_avx2(const LaneColumns& points, int count, const Vec3f&
 RIGOR_AVX2 void heights_avx2(const LaneColumns& points, const Vec3f& n, float* heights) {
   heights_kernel(points, n, heights);
 }
+RIGOR_AVX2 void columns_avx2(const LaneColumns& points, const Mat3f& M, const Vec3f& t, float* to) {
+  columns_kernel(points, M, t, to);
+}
 RIGOR_AVX2 float separation_avx2(const SupportCore& a, const SupportCore& b, const Vec3f& d, const Vec3f& n) {
   return separation_kernel(a, b, d, n);
 }
@@ -253,6 +268,13 @@ void find_heights(const LaneColumns& points, const Vec3f& n, LaneTarget target, 
 float find_separation(const SupportCore& a, const SupportCore& b, const Vec3f& d, const Vec3f& n,
                       LaneTarget target) {
   return target == LaneTarget::avx2 ? separation_avx2(a, b, d, n) : separation_kernel(a, b, d, n);
+}
+
+void PlacedColumns::place(const LaneColumns& points, const Mat3f& M, const Vec3f& t, LaneTarget target) {
+  count_ = points.count;
+  numbers_.resize(3 * count_);
+  target == LaneTarget::avx2 ? columns_avx2(points, M, t, numbers_.data())
+                             : columns_kernel(points, M, t, numbers_.data());
 }
 
 void ArcBlocks::place(const FloatHull& hull, std::span<const int> edges, const CorePlace& place,

@@ -44,6 +44,24 @@ struct CorePlace {
   Mat3f M, R;
   Vec3f t;
 };
+/// Points or directions, placed.
+class PlacedColumns {
+ public:
+  /// p -> M p + t.
+  void place(const LaneColumns& points, const Mat3f& M, const Vec3f& t, LaneTarget target);
+  LaneColumns columns() const { return {place_of(0), place_of(1), place_of(2), count_}; }
+  Vec3f operator[](int i) const {
+    const float* const first = numbers_.data() + static_cast<std::size_t>(i);
+    return Vec3f(first[0], first[count_], first[2 * count_]);
+  }
+
+ private:
+  const float* place_of(std::size_t column) const { return numbers_.data() + column * count_; }
+
+  std::size_t count_ = 0;
+  std::vector<float> numbers_;  ///< Column after column.
+};
+
 /// Edges of a core with the normals of their faces, placed, in blocks of eight, for the test of their arcs on
 /// the Gauss map. What fills the last block crosses nothing.
 class ArcBlocks {

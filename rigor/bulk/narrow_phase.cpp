@@ -361,6 +361,7 @@ void NarrowPhase::Tables::find_boxes(const PairPlace& place, int lane_place, int
 
 void NarrowPhase::Tables::find(const BulkBodies& bodies, const std::vector<ShapePair>& pairs, int begin,
                                int end, BlockScratch& scratch, std::vector<PairManifold>& manifolds) {
+  scratch.polytopes.shape_A = nullptr;  // Bodies have moved since the last call.
   for (int first = begin; first < end; first += kBlock) {
     const int last = std::min(end, first + kBlock);
     make_room(manifolds.size() + kBlock, manifolds);
