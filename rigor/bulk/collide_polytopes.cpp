@@ -196,11 +196,19 @@ namespace {
 SeparatingAxis find_face_at(const SeparatingAxis& edges, float least, const PlacedPolytopes& pair) {
   SeparatingAxis best;
   for (const bool is_of_A : {true, false}) {
-    const FloatHull::Edge& edge = is_of_A ? pair.a.edge(edges.a) : pair.b.edge(edges.b);
+    const PlacedPolytope &own = is_of_A ? pair.a : pair.b, &other = is_of_A ? pair.b : pair.a;
+    const FloatHull::Edge &edge = own.edge(is_of_A ? edges.a : edges.b),
+                          &other_edge = other.edge(is_of_A ? edges.b : edges.a);
+    const Vec3f corner = own.vertex(edge.v0);
+    const Vec3f first = other.vertex(other_edge.v0) - corner, second = other.vertex(other_edge.v1) - corner;
     for (const int f : {edge.f0, edge.f1}) {
       if (f < 0) continue;  // Of a segment.
+      const float needed = std::max(least, best.separation + (is_of_A ? 0 : pair.rounding));
+      // No face parts the cores by more than the heights of the other edge's ends over it.
+      const Vec3f m = own.normal(f);
+      if (std::min(m.dot(first), m.dot(second)) < needed - 4 * pair.rounding) continue;
       const SeparatingAxis face = face_axis(pair, is_of_A, f);
-      if (face.separation > std::max(least, best.separation + (is_of_A ? 0 : pair.rounding))) best = face;
+      if (face.separation > needed) best = face;
     }
   }
   return best;
