@@ -11,9 +11,6 @@ namespace rigor {
 
 namespace {
 
-/// Edges are numbered in one half of the features that name crossings: sqrt(2^30).
-constexpr std::size_t kMaxEdges = 32768;
-
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
@@ -191,7 +188,7 @@ BulkShape make_bulk_shape(const BodyShape& shape, FloatHulls& hulls) {
   } else if (std::holds_alternative<HalfSpace>(shape.shape)) {
     bulk.kind = BulkShape::Kind::plane;
   } else if (const Convex* const convex = std::get_if<Convex>(&shape.shape);
-             convex != nullptr && convex->hull->edges.size() < kMaxEdges) {
+             convex != nullptr && convex->hull->edges.size() < kMaxHullEdges) {
     bulk.kind = BulkShape::Kind::hull;
     const auto known = std::find_if(hulls.convex.begin(), hulls.convex.end(),
                                     [&](const auto& entry) { return entry.first == convex->hull.get(); });

@@ -16,6 +16,9 @@ using Mat3f = Eigen::Matrix<float, 3, 3, Eigen::RowMajor>;
 /// Parts of separations that rounding may take, of the lengths in a pair.
 constexpr float kCollisionRounding = 1e-6f;
 
+/// Hulls have fewer edges than this: two of them and a few bits more name an axis in 32 bits.
+constexpr std::size_t kMaxHullEdges = 16384;
+
 /// Points or directions in columns of whole lanes.
 struct LaneColumns {
   const float *x, *y, *z;

@@ -9,7 +9,9 @@ namespace rigor {
 
 namespace {
 
-constexpr unsigned kEdgeBits = 15;  // As many edges as FloatHull has at most.
+constexpr unsigned kEdgeBits = 14;  // As many edges as FloatHull has at most.
+constexpr AxisCode kUnproven = 1u << (2 * kEdgeBits + 2);
+static_assert(kMaxHullEdges == std::size_t{1} << kEdgeBits);
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
@@ -73,7 +75,8 @@ void place_high_arcs(const DirectionBounds& bounds, float least, std::vector<int
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const std::size_t f = at(edges[e].f0), g = at(edges[e].f1);
     const float c = edges[e].cosine;
-    // Few edges are near the vertex that the heights are of.
+    // Few edges are near the vertex that the heights are of: nothing between two low ends is high.
+    if (c >= 0 && std::max(bounds.heights[f], bounds.heights[g]) <= std::min(below, 0.0f)) continue;
     if (!may_exceed(bounds.heights[f], bounds.heights[g], c, below)) continue;
     if (may_exceed(bounds.along[f], bounds.along[g], c, below + bounds.balls))
       listed.push_back(static_cast<int>(e));
@@ -188,6 +191,12 @@ float sure_separation(const PlacedPolytopes& pair, const SeparatingAxis& axis) {
   return axis.separation - roundings * pair.rounding;
 }
 
+/// Whether what the axis is of still supports the cores along it, so that they are parted by its separation.
+bool is_support(const PlacedPolytopes& pair, const SeparatingAxis& axis) {
+  if (axis.kind == SeparatingAxis::Kind::none) return false;
+  return axis.kind != SeparatingAxis::Kind::edges || arcs_cross(pair, axis.a, axis.b);
+}
+
 /// A direction, and what the best of all parts the cores by at least.
 struct SearchStart {
   Vec3f n;
@@ -241,7 +250,8 @@ SeparatingAxis search_all(PlacedPolytopes& pair, const BallBound& bound, float f
 }  // namespace
 
 AxisCode code_of(const SeparatingAxis& axis) {
-  const AxisCode kind = static_cast<AxisCode>(axis.kind) << (2 * kEdgeBits);
+  const AxisCode kind =
+      static_cast<AxisCode>(axis.kind) << (2 * kEdgeBits) | (axis.is_proven ? 0 : kUnproven);
   switch (axis.kind) {
     case SeparatingAxis::Kind::face_of_A:
       return kind | static_cast<AxisCode>(axis.a);
@@ -261,7 +271,7 @@ namespace {
 SeparatingAxis axis_of(const PlacedPolytopes& pair, AxisCode code) {
   const int first = static_cast<int>(code & ((1u << kEdgeBits) - 1)),
             second = static_cast<int>(code >> kEdgeBits & ((1u << kEdgeBits) - 1));
-  switch (static_cast<SeparatingAxis::Kind>(code >> (2 * kEdgeBits))) {
+  switch (static_cast<SeparatingAxis::Kind>(code >> (2 * kEdgeBits) & 3)) {
     case SeparatingAxis::Kind::face_of_A:
       return face_axis(pair, true, first);
     case SeparatingAxis::Kind::face_of_B:
@@ -331,8 +341,14 @@ SeparatingAxis find_separating_axis(PlacedPolytopes& pair, float limit, const Ax
   if (axis.kind != SeparatingAxis::Kind::edges && axis.separation > far) return axis;
   if (const auto settled = settle(pair, bound, axis)) return *settled;
   SearchStart start{guess.n};
-  if (const auto settled = settle_by_steps(pair, bound, guess.axis, start)) return *settled;
-  return search_all(pair, bound, far, start);
+  if ((guess.axis & kUnproven) != 0) {
+    if (is_support(pair, axis)) start = {axis.n, sure_separation(pair, axis)};
+  } else if (const auto settled = settle_by_steps(pair, bound, guess.axis, start)) {
+    return *settled;
+  }
+  SeparatingAxis found = search_all(pair, bound, far, start);
+  found.is_proven = false;
+  return found;
 }
 
 }  // namespace rigor

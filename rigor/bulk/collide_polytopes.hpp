@@ -46,9 +46,11 @@ struct SeparatingAxis {
   int a = -1, b = -1;  ///< A face and the vertex of the other core that is lowest over it; or two edges.
   Vec3f n = Vec3f::UnitZ();                                    ///< Unit, from A to B.
   float separation = -std::numeric_limits<float>::infinity();  ///< min n · b - max n · a [m].
+  bool is_proven = true;  ///< False if it took a search of all to know that it is the best.
 };
 
-/// Which of the axes of two cores it is, in 32 bits, to be tried again in the next step.
+/// Which of the axes of two cores it is and whether it was proven, in 32 bits, to be tried again in the next
+/// step.
 using AxisCode = std::uint32_t;
 AxisCode code_of(const SeparatingAxis& axis);  ///< 0 of none.
 
@@ -96,7 +98,8 @@ struct AxisGuess {
 /// The axis of the whole search, whatever the guess: the best face (of A, unless that of B is better by more
 /// than the rounding), or the best edge pair if that is better than it by more than the rounding. Where the
 /// cores are farther apart than `limit`, any axis that shows it. The axis of the guess is tried first, then
-/// those around it: where one of them proves itself, no other is.
+/// those around it: where one of them proves itself, no other is. What could not be proven in the step before
+/// is seldom proven in this one: it is only tried, and then all are.
 SeparatingAxis find_separating_axis(PlacedPolytopes& pair, float limit, const AxisGuess& guess);
 
 /// Contacts of two cores with their balls, in pair.candidates; nothing beyond the margin. Returns their
