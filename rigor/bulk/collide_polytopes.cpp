@@ -25,17 +25,13 @@ struct FaceView {
   int lowest;  ///< Vertex of the other core.
   bool is_of_A;
   Vec3f m;  ///< Outward normal of the face.
-  float offset;
-
-  float height(const Vec3f& p) const { return m.dot(p) - offset; }
 };
 
 FaceView view_of(const SeparatingAxis& axis, const PlacedPolytopes& pair) {
   const bool is_of_A = axis.kind == SeparatingAxis::Kind::face_of_A;
   const PlacedPolytope &owner = is_of_A ? pair.a : pair.b, &other = is_of_A ? pair.b : pair.a;
   const int face = is_of_A ? axis.a : axis.b, lowest = is_of_A ? axis.b : axis.a;
-  const Vec3f m = is_of_A ? axis.n : Vec3f(-axis.n);
-  return {owner, other, face, lowest, is_of_A, m, m.dot(other.vertex(lowest)) - axis.separation};
+  return {owner, other, face, lowest, is_of_A, is_of_A ? axis.n : Vec3f(-axis.n)};
 }
 
 /// Adds the point of the other core, which is `height` above its foot on the face.
@@ -67,55 +63,51 @@ std::uint32_t vertex_feature(bool is_of_A, int vertex) {
 }
 
 /// Corners of the other outline over the face.
-float add_corners_over(const FaceView& view, std::span<const int> vertices, float margin,
-                       PlacedPolytopes& pair) {
+float add_corners_over(const FaceView& view, const Outline& outline, float margin, PlacedPolytopes& pair) {
   float least = kInfinity;
-  for (std::size_t k = 0; k < vertices.size(); ++k) {
-    if (!pair.meeting.is_over[k]) continue;
-    const Vec3f& p = pair.outline[k];
-    least = std::min(
-        least, add_above(view, p, view.height(p), vertex_feature(!view.is_of_A, vertices[k]), margin, pair));
+  for (const std::size_t k : pair.meeting.over) {
+    const std::uint32_t feature = vertex_feature(!view.is_of_A, outline.corners[k]);
+    least =
+        std::min(least, add_above(view, outline.corner(k), pair.meeting.other[k].z, feature, margin, pair));
   }
   return least;
 }
 
 /// Where sides of the other outline, which are these edges, cross the border of the face.
-float add_crossings(const FaceView& view, std::span<const int> edges, float margin, PlacedPolytopes& pair) {
+float add_crossings(const FaceView& view, const Outline& outline, std::span<const int> edges, float margin,
+                    PlacedPolytopes& pair) {
   const std::span<const int> own_edges = view.owner.hull->border_edges(view.face);
   float least = kInfinity;
-  for (const OutlineCrossing& crossing : pair.meeting.crossings) {
-    const std::size_t side = at(crossing.side), next = side + 1 == pair.outline.size() ? 0 : side + 1;
-    const Vec3f& from = pair.outline[side];
-    const Vec3f p = from + crossing.part * (pair.outline[next] - from);
-    const int own = own_edges[at(crossing.border)], other = edges[side];
+  for (const OutlineMeeting::Crossing& crossing : pair.meeting.crossings) {
+    const std::size_t side = crossing.side, next = side + 1 == outline.corners.size() ? 0 : side + 1;
+    const Vec3f from = outline.corner(side);
+    const Vec3f p = from + crossing.part * (outline.corner(next) - from);
+    const float low = pair.meeting.other[side].z, high = pair.meeting.other[next].z;
+    const float height = low + crossing.part * (high - low);
+    const int own = own_edges[crossing.border], other = edges[side];
     const std::uint32_t feature = view.is_of_A ? crossing_feature(own, other, view.other.hull->edges.size())
                                                : crossing_feature(other, own, view.owner.hull->edges.size());
-    least = std::min(least, add_above(view, p, view.height(p), feature, margin, pair));
+    least = std::min(least, add_above(view, p, height, feature, margin, pair));
   }
   return least;
 }
 
-/// Corners of the face of the view that the face of the other core covers.
-float add_covered_corners(const FaceView& view, int face, float margin, PlacedPolytopes& pair) {
+/// Corners of the face of the view that are under the face of the other core.
+float add_corners_under(const FaceView& view, const Outline& own, int face, float margin,
+                        PlacedPolytopes& pair) {
   constexpr float least_slope = 0.05f;  // Heights above steeper faces are lost in rounding.
   const Vec3f normal = view.other.normal(face);
   const float slope = -normal.dot(view.m);
   float least = kInfinity;
   if (slope < least_slope) return least;
-  const std::span<const int> loop = view.owner.hull->border_vertices(view.face);
-  for (std::size_t k = 0; k < loop.size(); ++k) {
-    if (!pair.meeting.is_covered[k]) continue;
-    const Vec3f& corner = pair.corners[k];
-    const float height = normal.dot(corner - pair.outline[0]) / slope;
+  const Vec3f p = view.other.vertex(view.other.hull->border_vertices(face).front());
+  for (const std::size_t k : pair.meeting.under) {
+    const Vec3f corner = own.corner(k);
+    const float height = normal.dot(corner - p) / slope;
     least = std::min(least, add_above(view, corner + height * view.m, height,
-                                      vertex_feature(view.is_of_A, loop[k]), margin, pair));
+                                      vertex_feature(view.is_of_A, own.corners[k]), margin, pair));
   }
   return least;
-}
-
-void list_vertices(const PlacedPolytope& core, std::span<const int> vertices, std::vector<Vec3f>& points) {
-  points.clear();
-  for (const int v : vertices) points.push_back(core.vertex(v));
 }
 
 /// The lowest point of the other core, wherever it is.
@@ -169,7 +161,7 @@ void place_polytopes(const BulkShape& a, const PlacedShape& placed_A, const Bulk
 
 float clip_on_face(const SeparatingAxis& axis, float margin, PlacedPolytopes& pair) {
   const FaceView view = view_of(axis, pair);
-  list_vertices(view.owner, view.owner.hull->border_vertices(view.face), pair.corners);
+  const std::span<const int> border = view.owner.hull->border_vertices(view.face);
   // The points of the other core that count: of its face that is turned to this one, or of the segment.
   const FloatHull& hull = *view.other.hull;
   const int face = facing_face(view, view.lowest);
@@ -179,13 +171,12 @@ float clip_on_face(const SeparatingAxis& axis, float margin, PlacedPolytopes& pa
                                         ? std::span<const int>(segment_ends, hull.vertex_count == 1 ? 1u : 2u)
                                         : hull.border_vertices(face);
   const std::span<const int> edges = face < 0 ? std::span<const int>(segment_edges) : hull.border_edges(face);
-  list_vertices(view.other, loop, pair.outline);
-  const std::size_t side_count = face < 0 ? loop.size() - 1 : loop.size();
-  meet_outlines(pair.corners, view.m, {pair.outline, side_count}, 4 * pair.rounding, best_lane_target(),
-                pair.meeting);
+  const Outline own{view.owner.vertices(), border, border.size()},
+      other{view.other.vertices(), loop, face < 0 ? loop.size() - 1 : loop.size()};
+  meet_outlines(own, view.m, other, 4 * pair.rounding, pair.meeting);
   const float least =
-      std::min(add_corners_over(view, loop, margin, pair), add_crossings(view, edges, margin, pair));
-  return face < 0 ? least : std::min(least, add_covered_corners(view, face, margin, pair));
+      std::min(add_corners_over(view, other, margin, pair), add_crossings(view, other, edges, margin, pair));
+  return face < 0 ? least : std::min(least, add_corners_under(view, own, face, margin, pair));
 }
 
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "rigor/bulk/bulk_shape.hpp"
-#include "rigor/bulk/clip_lanes.hpp"
 #include "rigor/bulk/collide_points.hpp"
+#include "rigor/bulk/face_outlines.hpp"
 #include "rigor/bulk/hull_lanes.hpp"
 
 #include <cstdint>
@@ -65,7 +65,6 @@ struct PlacedPolytopes {
   ArcBlocks arcs_A, arcs_B;
   std::vector<int> edges_A, edges_B;
   std::vector<SegmentLanes> segments;
-  std::vector<Vec3f> corners, outline;  ///< Of a face, and of what lies over it.
   OutlineMeeting meeting;
   std::vector<ManifoldCandidate> candidates;
   SeparatingAxis beside;  ///< Where edges touch, the face of a second manifold; or none.
