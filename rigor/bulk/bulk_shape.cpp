@@ -28,7 +28,8 @@ void add_vertex(const Vec3& v, FloatHull& hull) {
 }
 
 void pad_columns(FloatHull& hull) {
-  for (std::vector<float>* column : {&hull.x, &hull.y, &hull.z, &hull.nx, &hull.ny, &hull.nz}) pad(*column);
+  for (std::vector<float>* column : {&hull.x, &hull.y, &hull.z, &hull.nx, &hull.ny, &hull.nz, &hull.offset})
+    pad(*column);
 }
 
 void add_spokes(FloatHull& hull) {
@@ -65,6 +66,7 @@ void add_faces(const FeatureGraph& graph, FloatHull& hull) {
       edge_of[h] = static_cast<int>(hull.edges.size());
       const int face = graph.half_edge(half.twin).face;
       const float cosine = static_cast<float>(graph.normal(half.face).dot(graph.normal(face)));
+      if (cosine < 0) hull.sharp_edges.push_back(static_cast<int>(hull.edges.size()));
       hull.edges.push_back({half.from, half.to, half.face, face, cosine});
     }
     hull.loop.push_back(half.from);
@@ -124,6 +126,7 @@ void number_box_edges(FloatHull& hull) {
   }
   hull.edges = edges;
   for (int& e : hull.loop_edges) e = number[at(e)];
+  for (int& e : hull.sharp_edges) e = number[at(e)];
   add_spokes(hull);
   add_arcs(hull);
 }

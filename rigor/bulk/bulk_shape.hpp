@@ -44,6 +44,7 @@ struct FloatHull {
   std::vector<float> offset;             ///< Of the faces: n · v of their vertices [m].
   std::vector<char> is_lone;             ///< Of the faces: no other normal is within 0.02 rad of theirs.
   std::vector<Edge> edges;               ///< Each once.
+  std::vector<int> sharp_edges;          ///< Between faces whose normals are at an obtuse angle.
   std::vector<ArcRecord> arcs;           ///< Of the edges; none without faces.
   std::vector<int> loop_begin;           ///< First place of each face in the loops, and their length.
   std::vector<int> loop, loop_edges;     ///< Vertices counter-clockwise, and the edge to the next one.

@@ -126,7 +126,9 @@ void place_polytope(const BulkShape& shape, const PlacedShape& placed, const Vec
   core.inner = shape.inner_radius() - shape.radius;
   core.radius = shape.radius;
   core.extent = shape.extent;
-  core.box = shape.kind == BulkShape::Kind::box ? shape.scale : Vec3f(Vec3f::Zero());
+  core.is_box = shape.kind == BulkShape::Kind::box;
+  for (int f = 0; core.is_box && f < kLaneCount; ++f)
+    core.box_offsets[f] = f < hull.face_count ? hull.normal(f).cwiseAbs().dot(shape.scale) : 0;
   core.vertex_columns.place(hull.vertices(), core.place.M, core.place.t, best_lane_target());
   core.normal_columns.place(hull.normals(), R, Vec3f::Zero(), best_lane_target());
 }

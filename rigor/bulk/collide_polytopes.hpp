@@ -21,18 +21,16 @@ struct PlacedPolytope {
   float inner = 0;   ///< Its radius [m].
   float radius = 0;  ///< Of the ball added to the core [m].
   float extent = 0;  ///< No vertex is farther from the shape's origin [m].
-  Vec3f box;         ///< Half extents of a box, 0 of others [m].
+  bool is_box = false;
+  alignas(32) float box_offsets[kLaneCount];  ///< Of the faces of a box from its middle [m].
   PlacedColumns vertex_columns, normal_columns;
 
   LaneColumns vertices() const { return vertex_columns.columns(); }
   LaneColumns normals() const { return normal_columns.columns(); }
   Vec3f vertex(int v) const { return vertex_columns[v]; }
   Vec3f normal(int f) const { return normal_columns[f]; }
-  /// Of a face's plane from the shape's origin [m].
-  float offset(int f) const {
-    if (box.x() > 0) return hull->normal(f).cwiseAbs().dot(box);
-    return hull->offset[static_cast<std::size_t>(f)];
-  }
+  /// Of the faces' planes from the shape's origin, in whole lanes [m].
+  const float* offsets() const { return is_box ? box_offsets : hull->offset.data(); }
   const FloatHull::Edge& edge(int e) const { return hull->edges[static_cast<std::size_t>(e)]; }
   Vec3f edge_vector(int e) const { return vertex(edge(e).v1) - vertex(edge(e).v0); }
   /// The vertex farthest along n (of equal ones the first).
@@ -63,7 +61,7 @@ struct PlacedPolytopes {
   float equal_depth = 0;  ///< Points whose gaps differ by less are equally deep [m].
   std::vector<float> heights, along_A, along_B, heights_A, heights_B;
   ArcBlocks arcs_A, arcs_B;
-  std::vector<int> edges_A, edges_B;
+  std::vector<int> faces, edges_A, edges_B;
   std::vector<SegmentLanes> segments;
   OutlineMeeting meeting;
   std::vector<ManifoldCandidate> candidates;

@@ -66,10 +66,23 @@ RIGOR_FLOAT_LANES Summit summit_kernel(const LaneColumns& points, int count, con
   return summit;
 }
 
-RIGOR_FLOAT_LANES void heights_kernel(const LaneColumns& points, const Vec3f& n, float* heights) {
+RIGOR_FLOAT_LANES void heights_kernel(const LaneColumns& points, const Vec3f& n, const float* offsets,
+                                      float* heights) {
   const FloatVec3 direction = spread(n);
-  for (std::size_t k = 0; k < points.count; k += kLaneCount)
-    store_floats(heights_at(points, direction, k), heights + k);
+  for (std::size_t k = 0; k < points.count; k += kLaneCount) {
+    const FloatLanes height = heights_at(points, direction, k);
+    store_floats(offsets != nullptr ? height - load_floats(offsets + k) : height, heights + k);
+  }
+}
+
+RIGOR_FLOAT_LANES void above_kernel(const float* x, float least_x, const float* y, float least_y, int count,
+                                    std::vector<int>& places) {
+  for (int k = 0; k < count; k += kLaneCount) {
+    unsigned bits =
+        lane_bits((load_floats(x + k) > float_lanes(least_x)) & (load_floats(y + k) > float_lanes(least_y)));
+    if (count - k < kLaneCount) bits &= (1u << (count - k)) - 1;
+    for (; bits != 0; bits &= bits - 1) places.push_back(k + std::countr_zero(bits));
+  }
 }
 
 /// How far a core reaches along n from the origin of its frame.
@@ -230,8 +243,13 @@ RIGOR_AVX2 Support support_avx2(const LaneColumns& points, const Vec3f& n) {
 RIGOR_AVX2 Summit summit_avx2(const LaneColumns& points, int count, const Vec3f& n, float drop) {
   return summit_kernel(points, count, n, drop);
 }
-RIGOR_AVX2 void heights_avx2(const LaneColumns& points, const Vec3f& n, float* heights) {
-  heights_kernel(points, n, heights);
+RIGOR_AVX2 void heights_avx2(const LaneColumns& points, const Vec3f& n, const float* offsets,
+                             float* heights) {
+  heights_kernel(points, n, offsets, heights);
+}
+RIGOR_AVX2 void above_avx2(const float* x, float least_x, const float* y, float least_y, int count,
+                           std::vector<int>& places) {
+  above_kernel(x, least_x, y, least_y, count, places);
 }
 RIGOR_AVX2 void columns_avx2(const LaneColumns& points, const Mat3f& M, const Vec3f& t, float* to) {
   columns_kernel(points, M, t, to);
@@ -261,8 +279,17 @@ Summit find_summit(const LaneColumns& points, int count, const Vec3f& n, float d
                                     : summit_kernel(points, count, n, drop);
 }
 
-void find_heights(const LaneColumns& points, const Vec3f& n, LaneTarget target, float* heights) {
-  target == LaneTarget::avx2 ? heights_avx2(points, n, heights) : heights_kernel(points, n, heights);
+void find_heights(const LaneColumns& points, const Vec3f& n, const float* offsets, LaneTarget target,
+                  float* heights) {
+  target == LaneTarget::avx2 ? heights_avx2(points, n, offsets, heights)
+                             : heights_kernel(points, n, offsets, heights);
+}
+
+void list_above(const std::vector<float>& x, float least_x, const std::vector<float>& y, float least_y,
+                int count, LaneTarget target, std::vector<int>& places) {
+  places.clear();
+  target == LaneTarget::avx2 ? above_avx2(x.data(), least_x, y.data(), least_y, count, places)
+                             : above_kernel(x.data(), least_x, y.data(), least_y, count, places);
 }
 
 float find_separation(const SupportCore& a, const SupportCore& b, const Vec3f& d, const Vec3f& n,

@@ -26,8 +26,12 @@ struct Summit {
 };
 Summit find_summit(const LaneColumns& points, int count, const Vec3f& n, float drop, LaneTarget target);
 
-/// n · p of all of them.
-void find_heights(const LaneColumns& points, const Vec3f& n, LaneTarget target, float* heights);
+/// n · p of all of them, less their offsets, if there are any.
+void find_heights(const LaneColumns& points, const Vec3f& n, const float* offsets, LaneTarget target,
+                  float* heights);
+/// The first `count` places at which x > least_x and y > least_y, both in whole lanes.
+void list_above(const std::vector<float>& x, float least_x, const std::vector<float>& y, float least_y,
+                int count, LaneTarget target, std::vector<int>& places);
 
 /// A core as the search for parting directions sees it.
 struct SupportCore {

@@ -133,8 +133,8 @@ TEST(NarrowPhaseLanes, BothTargetsGiveTheSameBitsOfColumns) {
     EXPECT_EQ(farthest.index, find_support(points, n, LaneTarget::portable).index);
     EXPECT_EQ(farthest.height, find_support(points, n, LaneTarget::portable).height);
     std::vector<float> portable(64), avx2(64);
-    find_heights(points, n, LaneTarget::portable, portable.data());
-    find_heights(points, n, LaneTarget::avx2, avx2.data());
+    find_heights(points, n, nullptr, LaneTarget::portable, portable.data());
+    find_heights(points, n, nullptr, LaneTarget::avx2, avx2.data());
     EXPECT_EQ(portable, avx2);
     const auto highest = std::max_element(avx2.begin(), avx2.end());
     EXPECT_EQ(*highest, farthest.height);
