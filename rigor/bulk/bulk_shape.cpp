@@ -171,6 +171,7 @@ FloatHulls::FloatHulls() {
 
 BulkShape make_bulk_shape(const BodyShape& shape, FloatHulls& hulls) {
   BulkShape bulk{.shape = &shape.shape, .X_BS = shape.X_BS};
+  bulk.is_body_frame = shape.X_BS.R.isIdentity(0) && shape.X_BS.p.isZero(0);
   if (const Sphere* const sphere = std::get_if<Sphere>(&shape.shape)) {
     bulk.kind = BulkShape::Kind::round;
     bulk.hull = hulls.point;
@@ -209,8 +210,8 @@ BulkShape make_bulk_shape(const BodyShape& shape, FloatHulls& hulls) {
 
 PlacedShape place_shape(const BulkShape& shape, const Quat& q_WB) {
   const Mat3 R_WB = q_WB.toRotationMatrix();
-  const Mat3 R_WS = R_WB * shape.X_BS.R;
-  const Vec3 p = R_WB * shape.X_BS.p;
+  const Mat3 R_WS = shape.is_body_frame ? R_WB : Mat3(R_WB * shape.X_BS.R);
+  const Vec3 p = shape.is_body_frame ? Vec3(Vec3::Zero()) : Vec3(R_WB * shape.X_BS.p);
   PlacedShape placed;
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) placed.R[3 * i + j] = static_cast<float>(R_WS(i, j));

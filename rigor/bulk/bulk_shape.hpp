@@ -85,6 +85,7 @@ struct BulkShape {
   Kind kind = Kind::other;
   const Shape* shape = nullptr;
   Pose X_BS;
+  bool is_body_frame = false;  ///< S is B.
   std::shared_ptr<const FloatHull> hull;
   Vec3f scale = Vec3f::Ones();  ///< Half extents of a box; (1, 1, half length) of a segment [m].
   float radius = 0;             ///< [m].

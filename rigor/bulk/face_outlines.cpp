@@ -48,28 +48,30 @@ void list_corners(const Outline& other, const FaceAxes& axes, std::vector<FlatPo
 }
 
 void find_corners_over(float slack, OutlineMeeting& meeting) {
-  const std::size_t corner_count = meeting.other.size() - 1;
-  meeting.inside.resize(meeting.borders.size() * meeting.other.size());
+  const std::size_t corner_count = meeting.other.size() - 1, stride = meeting.borders.size();
+  meeting.inside.resize(stride * (corner_count + 1));
   meeting.over.clear();
   float* inside = meeting.inside.data();
-  for (std::size_t k = 0; k <= corner_count; ++k) {
+  for (std::size_t k = 0; k < corner_count; ++k) {
+    const FlatPoint corner = meeting.other[k];
     float least = std::numeric_limits<float>::infinity();
     for (const Border& border : meeting.borders) {
-      *inside = border.inside(meeting.other[k]);
+      *inside = border.inside(corner);
       least = std::min(least, *inside++);
     }
-    if (least >= -slack && k < corner_count) meeting.over.push_back(k);
+    if (least >= -slack) meeting.over.push_back(k);
   }
+  std::copy_n(meeting.inside.data(), stride, inside);  // The first corner again.
 }
 
 void find_crossings(std::size_t side_count, float slack, OutlineMeeting& meeting) {
   const std::size_t stride = meeting.borders.size();
   meeting.crossings.clear();
+  const float* inside = meeting.inside.data();
   for (std::size_t side = 0; side < side_count; ++side) {
     const FlatPoint &from = meeting.other[side], &to = meeting.other[side + 1];
-    const float* const inside = meeting.inside.data() + side * stride;
-    for (std::size_t k = 0; k < stride; ++k) {
-      const float d0 = inside[k], d1 = inside[k + stride];
+    for (std::size_t k = 0; k < stride; ++k, ++inside) {
+      const float d0 = inside[0], d1 = inside[stride];
       if (std::min(d0, d1) >= -slack || std::max(d0, d1) <= slack) continue;
       const float part = d0 / (d0 - d1);
       const Border& border = meeting.borders[k];

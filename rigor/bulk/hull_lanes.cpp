@@ -5,13 +5,11 @@
 
 #include <algorithm>
 #include <bit>
-#include <limits>
+#include <cstdint>
 
 namespace rigor {
 
 namespace {
-
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 /// The direction in lanes.
 RIGOR_FLOAT_LANES FloatVec3 spread(const Vec3f& n) {
@@ -21,32 +19,22 @@ RIGOR_FLOAT_LANES FloatLanes heights_at(const LaneColumns& points, const FloatVe
   return n.x * load_floats(points.x + k) + n.y * load_floats(points.y + k) + n.z * load_floats(points.z + k);
 }
 
+/// The highest first, and then who that is: two short chains of what has to wait for each other.
 RIGOR_FLOAT_LANES Support support_kernel(const LaneColumns& points, const Vec3f& n) {
+  constexpr std::size_t mask_size = 64;
   const FloatVec3 direction = spread(n);
-  FloatLanes highest = float_lanes(-kInfinity);
-  IntLanes first{}, place{};
-  const IntLanes step = {kLaneCount, kLaneCount, kLaneCount, kLaneCount,
-                         kLaneCount, kLaneCount, kLaneCount, kLaneCount};
-  for (std::size_t k = 0; k < points.count; k += kLaneCount) {
-    const FloatLanes height = heights_at(points, direction, k);
-    const IntLanes is_higher = height > highest;
-    highest = is_higher ? height : highest;
-    first = is_higher ? place : first;
-    place += step;
-  }
-  // Of the lanes that are highest, the one whose point is the first.
+  FloatLanes highest = heights_at(points, direction, 0);
+  for (std::size_t k = kLaneCount; k < points.count; k += kLaneCount)
+    highest = float_max(highest, heights_at(points, direction, k));
   const FloatLanes top = spread_max(highest);
-  unsigned bits = lane_bits(highest == top);
-  Support support{0, top[0]};
-  int least = std::numeric_limits<int>::max();
-  std::int32_t begins[kLaneCount];
-  std::memcpy(begins, &first, sizeof begins);
-  for (; bits != 0; bits &= bits - 1) {
-    const int lane = std::countr_zero(bits);
-    const int index = begins[lane] + lane;
-    if (index < least) support.index = least = index;
+  for (std::size_t first = 0; first < points.count; first += mask_size) {
+    std::uint64_t is_top = 0;
+    const std::size_t end = std::min(points.count, first + mask_size);
+    for (std::size_t k = first; k < end; k += kLaneCount)
+      is_top |= std::uint64_t{lane_bits(heights_at(points, direction, k) == top)} << (k - first);
+    if (is_top != 0) return {static_cast<int>(first) + std::countr_zero(is_top), top[0]};
   }
-  return support;
+  return {0, top[0]};  // Of points that are no numbers.
 }
 
 RIGOR_FLOAT_LANES Summit summit_kernel(const LaneColumns& points, int count, const Vec3f& n, float drop) {

@@ -111,9 +111,7 @@ TEST(NarrowPhaseLanes, BothTargetsGiveTheSameBitsOfBoxes) {
                        {d.x(), d.y(), d.z()},
                        0.1f};
     }
-    BoxContacts portable, avx2;
-    std::memset(&portable, 0, sizeof portable);
-    std::memset(&avx2, 0, sizeof avx2);
+    BoxContacts portable{}, avx2{};
     collide_boxes(pairs, LaneTarget::portable, portable);
     collide_boxes(pairs, LaneTarget::avx2, avx2);
     EXPECT_EQ(std::memcmp(&portable, &avx2, sizeof portable), 0);
