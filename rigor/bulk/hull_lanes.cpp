@@ -99,15 +99,20 @@ RIGOR_FLOAT_LANES void place_part(const FloatLanes* from, const Mat3f& M, const 
                  to[row]);
 }
 
+/// As the product of a matrix and a vector adds them up, so that it has the same bits.
+RIGOR_FLOAT_LANES FloatLanes turned(const FloatVec3& row, const FloatVec3& p) {
+  return row.x * p.x + (row.y * p.y + row.z * p.z);
+}
+
 RIGOR_FLOAT_LANES void columns_kernel(const LaneColumns& points, const Mat3f& M, const Vec3f& t, float* to) {
   FloatVec3 row[3];
   for (int i = 0; i < 3; ++i) row[i] = {float_lanes(M(i, 0)), float_lanes(M(i, 1)), float_lanes(M(i, 2))};
   const FloatVec3 shift = spread(t);
   for (std::size_t k = 0; k < points.count; k += kLaneCount) {
     const FloatVec3 p{load_floats(points.x + k), load_floats(points.y + k), load_floats(points.z + k)};
-    store_floats(dot(row[0], p) + shift.x, to + k);
-    store_floats(dot(row[1], p) + shift.y, to + points.count + k);
-    store_floats(dot(row[2], p) + shift.z, to + 2 * points.count + k);
+    store_floats(turned(row[0], p) + shift.x, to + k);
+    store_floats(turned(row[1], p) + shift.y, to + points.count + k);
+    store_floats(turned(row[2], p) + shift.z, to + 2 * points.count + k);
   }
 }
 

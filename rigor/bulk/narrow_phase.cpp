@@ -36,8 +36,7 @@ struct PlacedForm {
   int place;
   Kind kind;
   bool is_ball;
-
-  bool has_core() const { return kind != Kind::plane && kind != Kind::other; }
+  bool has_core, has_faces;
 };
 
 /// A pair of shapes.
@@ -139,11 +138,13 @@ NarrowPhase::Tables::Tables(const Model& model) {
     first_shape.push_back(static_cast<int>(shapes.size()));
     for (const BodyShape& shape : model.body(i).shapes) {
       const auto [known, is_new] = known_forms.emplace(
-          &shape, PlacedForm{static_cast<int>(forms.size()), no_place, Kind::other, false});
+          &shape, PlacedForm{static_cast<int>(forms.size()), no_place, Kind::other, false, false, false});
       if (is_new) forms.push_back(make_bulk_shape(shape, hulls));
       PlacedForm own = known->second;
       own.kind = form(own).kind;
       own.is_ball = is_ball(form(own));
+      own.has_faces = own.kind == Kind::box || own.kind == Kind::hull;
+      own.has_core = own.has_faces || own.kind == Kind::round;
       if (own.place == no_place) {
         own.place = static_cast<int>(placed.size());
         make_room(placed.size() + 1, placed);
@@ -170,7 +171,7 @@ void NarrowPhase::Tables::place(const BulkBodies& bodies, const Executor& execut
 
 bool NarrowPhase::Tables::needs_hint(const ShapePair& pair) const {
   const PlacedForm &a = placed_form(pair.body_A, pair.shape_A), &b = placed_form(pair.body_B, pair.shape_B);
-  return (a.kind != Kind::round || b.kind != Kind::round) && a.has_core() && b.has_core();
+  return (a.has_faces | b.has_faces) & a.has_core & b.has_core;
 }
 
 namespace {
