@@ -65,11 +65,9 @@ bool is_best_by(float radius, float clearly, const BallBound& bound, const Separ
 /// `near` from n: all its other vertices are so much lower that turning n so far lifts none of them to the
 /// top.
 bool is_edge_alone(const PlacedPolytope& core, int e, const Vec3f& n, float near, float rounding) {
-  const FloatHull& hull = *core.hull;
-  const Vec3f local = core.M.transpose() * n;
   const float drop = 2 * near * core.extent + rounding;
-  const Summit summit = find_summit(hull.vertices(), hull.vertex_count, local, drop, best_lane_target());
-  const auto is_highest = [&](int v) { return local.dot(hull.vertex(v)) >= summit.height - rounding; };
+  const Summit summit = find_summit(core.vertices(), core.hull->vertex_count, n, drop, best_lane_target());
+  const auto is_highest = [&](int v) { return n.dot(core.vertex(v)) >= summit.height - rounding; };
   return summit.count == 2 && is_highest(core.edge(e).v0) && is_highest(core.edge(e).v1);
 }
 
@@ -78,8 +76,7 @@ bool is_edge_alone(const PlacedPolytope& core, int e, const Vec3f& n, float near
 std::optional<SeparatingAxis> choose_face(const PlacedPolytopes& pair, const SeparatingAxis& axis) {
   const float cosine = std::cos(kNear);
   if (pair.a.hull->face_count == 0) return axis;
-  const Vec3f local = pair.a.R.transpose() * axis.n;
-  const Support facing = find_support(pair.a.hull->normals(), local, best_lane_target());
+  const Support facing = find_support(pair.a.normals(), axis.n, best_lane_target());
   if (facing.height < cosine) return axis;
   if (!pair.a.hull->is_lone[at(facing.index)]) return std::nullopt;
   const SeparatingAxis of_A = face_axis(pair, true, facing.index);

@@ -7,6 +7,7 @@
 #include "rigor/bulk/collide_boxes.hpp"
 #include "rigor/bulk/lane_bits.hpp"
 
+#include <cstddef>
 #include <limits>
 
 namespace rigor {
@@ -19,11 +20,12 @@ struct BoxLanes {
   FloatLanes extent;
 };
 
-RIGOR_FLOAT_LANES void load_boxes(const PlacedShape* const* placed, BoxLanes& boxes) {
+RIGOR_FLOAT_LANES void load_boxes(const BoxPairs& pairs, const PlacedShape* BoxPair::*of, BoxLanes& boxes) {
   FloatSquare first, second;
   for (int i = 0; i < kLaneCount; ++i) {
-    first.row[i] = load_floats(placed[i]->R);
-    second.row[i] = load_floats(placed[i]->R + 8);
+    const PlacedShape& placed = *(pairs.pair[i].*of);
+    first.row[i] = load_floats(placed.R);
+    second.row[i] = load_floats(placed.R + kLaneCount);
   }
   first = transpose(first);
   second = transpose(second);
@@ -34,6 +36,16 @@ RIGOR_FLOAT_LANES void load_boxes(const PlacedShape* const* placed, BoxLanes& bo
   boxes.p = {second.row[1], second.row[2], second.row[3]};
   for (int k = 0; k < 3; ++k) boxes.half[k] = second.row[4 + k];
   boxes.extent = second.row[7];
+}
+
+/// The ways between the bodies and the margins.
+RIGOR_FLOAT_LANES void load_pairs(const BoxPairs& pairs, FloatVec3& bodies, FloatLanes& margin) {
+  static_assert(sizeof(BoxPair) == sizeof(FloatLanes) && offsetof(BoxPair, d) == 4 * sizeof(float));
+  FloatSquare square;
+  for (int i = 0; i < kLaneCount; ++i) std::memcpy(&square.row[i], &pairs.pair[i], sizeof(FloatLanes));
+  square = transpose(square);
+  bodies = {square.row[4], square.row[5], square.row[6]};
+  margin = square.row[7];
 }
 
 /// Best of the faces of one box: t are the coordinates of the other's centre, C the cosines of the axes.
@@ -110,12 +122,13 @@ RIGOR_FLOAT_LANES FloatVec3 face_normal(const FloatLanes* t, const FloatVec3* ax
 
 RIGOR_FLOAT_LANES void collide_box_lanes(const BoxPairs& pairs, BoxContacts& contacts) {
   BoxLanes a, b;
-  load_boxes(pairs.a, a);
-  load_boxes(pairs.b, b);
-  const FloatVec3 bodies{load_floats(pairs.d[0]), load_floats(pairs.d[1]), load_floats(pairs.d[2])};
+  load_boxes(pairs, &BoxPair::a, a);
+  load_boxes(pairs, &BoxPair::b, b);
+  FloatVec3 bodies;
+  FloatLanes margin;
+  load_pairs(pairs, bodies, margin);
   const FloatVec3 p_B = bodies + b.p;
   const FloatVec3 d = p_B - a.p;
-  const FloatLanes margin = load_floats(pairs.margin);
   const FloatLanes rounding =
       float_lanes(kCollisionRounding) * (a.extent + b.extent + float_sqrt(dot(bodies, bodies)));
 
@@ -155,7 +168,7 @@ RIGOR_FLOAT_LANES void collide_box_lanes(const BoxPairs& pairs, BoxContacts& con
   choose_face(a.half, b.half, C, face_A.axis, face_B.axis, is_B, face);
   place_face(t_A, t_B, is_B, face);
   orient_face(a.axis, b.axis, a.p, p_B, is_B, face);
-  clip_boxes(face, margin, contacts);
+  clip_boxes(face, is_B, margin, contacts);
 
   const IntLanes is_crossing =
       is_edge & (~face.is_explained | (separation > face_separation + face.preference));
@@ -171,8 +184,6 @@ RIGOR_FLOAT_LANES void collide_box_lanes(const BoxPairs& pairs, BoxContacts& con
                                                         : int_lanes(0);
   store_ints(edge_A, contacts.edge_A);
   store_ints(edge_code - int_lanes(3) * edge_A, contacts.edge_B);
-  store_ints(face.axis + (is_B ? int_lanes(3) : int_lanes(0)), contacts.face);
-  store_ints(face.other_axis, contacts.other);
 }
 
 }  // namespace rigor

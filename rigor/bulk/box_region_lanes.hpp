@@ -3,9 +3,12 @@
 // The region of one box over a face of another, for eight pairs, in lanes: its corners, and the four of them
 // that make the manifold.
 
+#include "rigor/bulk/box_features.hpp"
 #include "rigor/bulk/collide_boxes.hpp"
+#include "rigor/bulk/lane_bits.hpp"
 
 #include <limits>
+#include <span>
 
 namespace rigor {
 
@@ -24,9 +27,7 @@ RIGOR_FLOAT_LANES FloatLanes float_abs(const FloatLanes& x) {
   return float_max(x, -x);
 }
 RIGOR_FLOAT_LANES bool all_lanes(const IntLanes& mask) {
-  std::int32_t all = -1;
-  for (int i = 0; i < kLaneCount; ++i) all &= mask[i];
-  return all != 0;
+  return lane_bits(mask) == (1u << kLaneCount) - 1;
 }
 /// The k-th of three.
 RIGOR_FLOAT_LANES FloatLanes pick(const IntLanes& k, const FloatLanes& x0, const FloatLanes& x1,
@@ -128,156 +129,262 @@ RIGOR_FLOAT_LANES void orient_face(const FloatVec3* axis_A, const FloatVec3* axi
   face.middle = pick(is_B, p_B, p_A) + face.hz * face.ez;
 }
 
-/// Corners of the region; z is infinite where there is none.
-struct RegionCorners {
-  FloatLanes x[BoxContacts::class_count], y[BoxContacts::class_count], z[BoxContacts::class_count];
+/// A corner that the region of some lane has; in lanes that have none there, x is no number and z infinite.
+struct RegionCorner {
+  FloatLanes x, y, z;
+  IntLanes place;
 };
 
-RIGOR_FLOAT_LANES FloatLanes or_none(const IntLanes& is_there, const FloatLanes& z) {
-  return is_there ? z : float_lanes(std::numeric_limits<float>::infinity());
+/// The corners of the region within the margin, in the order of their places.
+struct RegionCorners {
+  FloatLanes margin;
+  FloatLanes least;  ///< Of the heights of all corners, within the margin or not; infinite: there are none.
+  int count = 0;
+  RegionCorner corners[RegionPlace::count];
+
+  std::span<const RegionCorner> listed() const { return {corners, static_cast<std::size_t>(count)}; }
+};
+
+/// No branch: which lane has what corner follows no pattern.
+RIGOR_FLOAT_LANES void add_corner(const FloatVec3& p, const IntLanes& is_there, int place,
+                                  RegionCorners& region) {
+  const FloatLanes none = float_lanes(std::numeric_limits<float>::infinity());
+  const FloatLanes z = is_there ? p.z : none;
+  region.least = float_min(region.least, z);
+  const IntLanes counts = z <= region.margin;
+  RegionCorner& corner = region.corners[region.count];
+  corner.x = counts ? p.x : float_lanes(std::numeric_limits<float>::quiet_NaN());
+  corner.y = p.y;
+  corner.z = counts ? p.z : none;
+  corner.place = int_lanes(place);
+  region.count += lane_bits(counts) == 0 ? 0 : 1;
 }
 
 /// The four corners of either face that lie over the other one, but for the slack.
-RIGOR_FLOAT_LANES void find_region_corners(const BoxFace& face, RegionCorners& corners) {
+RIGOR_FLOAT_LANES void find_region_corners(const BoxFace& face, RegionCorners& region) {
   const FloatLanes one = float_lanes(1), reach_x = face.hx + face.slack, reach_y = face.hy + face.slack;
+  for (int k = 0; k < 4; ++k) {
+    const FloatLanes su = float_lanes(k & 1 ? 1.0f : -1.0f), sv = float_lanes(k & 2 ? 1.0f : -1.0f);
+    const FloatVec3 p = face.c + su * face.u + sv * face.v;
+    add_corner(p, (float_abs(p.x) <= reach_x) & (float_abs(p.y) <= reach_y),
+               RegionPlace::corners_of_other + k, region);
+  }
   const FloatLanes reach_u = one + float_lanes(2) * face.slack / face.hu;
   const FloatLanes reach_v = one + float_lanes(2) * face.slack / face.hv;
   const FloatLanes scale = one / (face.u.x * face.v.y - face.u.y * face.v.x);
   for (int k = 0; k < 4; ++k) {
-    const FloatLanes su = float_lanes(k & 1 ? 1.0f : -1.0f), sv = float_lanes(k & 2 ? 1.0f : -1.0f);
-    const FloatVec3 p = face.c + su * face.u + sv * face.v;
-    const int other = BoxContacts::corner_of_other + k, own = BoxContacts::corner_of_face + k;
-    corners.x[other] = p.x;
-    corners.y[other] = p.y;
-    corners.z[other] = or_none((float_abs(p.x) <= reach_x) & (float_abs(p.y) <= reach_y), p.z);
     // The corner of the face is c + s u + t v, seen along z.
-    const FloatLanes x = su * face.hx, y = sv * face.hy;
+    const FloatLanes x = float_lanes(k & 1 ? 1.0f : -1.0f) * face.hx,
+                     y = float_lanes(k & 2 ? 1.0f : -1.0f) * face.hy;
     const FloatLanes dx = x - face.c.x, dy = y - face.c.y;
     const FloatLanes s = (dx * face.v.y - dy * face.v.x) * scale, t = (face.u.x * dy - face.u.y * dx) * scale;
-    corners.x[own] = x;
-    corners.y[own] = y;
-    corners.z[own] = or_none((float_abs(s) <= reach_u) & (float_abs(t) <= reach_v),
-                             face.c.z + s * face.u.z + t * face.v.z);
+    add_corner({x, y, face.c.z + s * face.u.z + t * face.v.z},
+               (float_abs(s) <= reach_u) & (float_abs(t) <= reach_v), RegionPlace::corners_of_face + k,
+               region);
   }
 }
 
 /// Where the side from p - u to p + u crosses the lines x = +-hx; with x and y exchanged the others.
 RIGOR_FLOAT_LANES void cross_side(const BoxFace& face, const FloatVec3& p, const FloatVec3& u,
                                   const FloatLanes& half_length, bool is_along_x, int place,
-                                  RegionCorners& corners) {
+                                  RegionCorners& region) {
   const FloatLanes one = float_lanes(1);
   const FloatLanes start = is_along_x ? p.x : p.y, step = is_along_x ? u.x : u.y;
+  const IntLanes is_steep = float_abs(step) > face.slack;
+  if (lane_bits(is_steep) == 0) return;
   const FloatLanes across = is_along_x ? p.y : p.x, slope = is_along_x ? u.y : u.x;
   const FloatLanes line = is_along_x ? face.hx : face.hy;
   const FloatLanes reach = (is_along_x ? face.hy : face.hx) - face.slack;
   const FloatLanes inverse = one / step, reach_t = one - face.slack / half_length;
-  const IntLanes is_steep = float_abs(step) > face.slack;
   for (int k = 0; k < 2; ++k) {
     const FloatLanes at_line = k == 0 ? -line : line;
     const FloatLanes t = (at_line - start) * inverse, at = across + t * slope;
-    corners.x[place + k] = is_along_x ? at_line : at;
-    corners.y[place + k] = is_along_x ? at : at_line;
-    corners.z[place + k] =
-        or_none(is_steep & (float_abs(t) < reach_t) & (float_abs(at) < reach), p.z + t * u.z);
+    add_corner({is_along_x ? at_line : at, is_along_x ? at : at_line, p.z + t * u.z},
+               is_steep & (float_abs(t) < reach_t) & (float_abs(at) < reach), place + k, region);
   }
 }
 
-RIGOR_FLOAT_LANES void find_region_crossings(const BoxFace& face, RegionCorners& corners) {
+RIGOR_FLOAT_LANES void find_region_crossings(const BoxFace& face, RegionCorners& region) {
   for (int k = 0; k < 2; ++k) {
     const FloatLanes s = float_lanes(k == 0 ? -1.0f : 1.0f);
-    const int place = BoxContacts::crossing + 8 * k;
+    const int place = RegionPlace::crossings + 8 * k;
     const FloatVec3 along_u = face.c + s * face.v, along_v = face.c + s * face.u;
-    cross_side(face, along_u, face.u, face.hu, true, place, corners);
-    cross_side(face, along_u, face.u, face.hu, false, place + 2, corners);
-    cross_side(face, along_v, face.v, face.hv, true, place + 4, corners);
-    cross_side(face, along_v, face.v, face.hv, false, place + 6, corners);
+    cross_side(face, along_u, face.u, face.hu, true, place, region);
+    cross_side(face, along_u, face.u, face.hu, false, place + 2, region);
+    cross_side(face, along_v, face.v, face.hv, true, place + 4, region);
+    cross_side(face, along_v, face.v, face.hv, false, place + 6, region);
   }
 }
 
-/// One of the corners in each lane, and the measure by which it was chosen.
+/// One of the corners in each lane; place -1: none.
 struct ChosenCorner {
-  FloatLanes x, y, z, measure;
+  FloatLanes x, y, z;
   IntLanes place;
+  FloatLanes needed;  ///< Of the measure of a better one.
 };
-RIGOR_FLOAT_LANES void choose_clearly(const FloatLanes& measure, const FloatLanes& margin,
-                                      const RegionCorners& corners, int k, ChosenCorner& best) {
-  const IntLanes is_better = (corners.z[k] <= margin) & (measure > float_lanes(1.0001f) * best.measure);
-  best.x = is_better ? corners.x[k] : best.x;
-  best.y = is_better ? corners.y[k] : best.y;
-  best.z = is_better ? corners.z[k] : best.z;
-  best.measure = is_better ? measure : best.measure;
-  best.place = is_better ? int_lanes(k) : best.place;
+/// A later corner must be better by this factor.
+constexpr float kClearlyBetter = 1.0001f;
+/// Takes the corner where its measure is what a better one needs; of a corner that does not count it is no
+/// number.
+RIGOR_FLOAT_LANES void choose_clearly(const FloatLanes& measure, const RegionCorner& corner,
+                                      ChosenCorner& best) {
+  const IntLanes is_better = measure > best.needed;
+  best.x = is_better ? corner.x : best.x;
+  best.y = is_better ? corner.y : best.y;
+  best.z = is_better ? corner.z : best.z;
+  best.place = is_better ? corner.place : best.place;
+  best.needed = is_better ? float_lanes(kClearlyBetter) * measure : best.needed;
 }
 
-/// Twice the area of the triangle of a, b and corner k, positive to the left of a -> b.
+/// Twice the area of the triangle of a, b and a corner, positive to the left of a -> b.
 RIGOR_FLOAT_LANES FloatLanes area_with(const ChosenCorner& a, const ChosenCorner& b,
-                                       const RegionCorners& corners, int k) {
-  return (b.x - a.x) * (corners.y[k] - a.y) - (b.y - a.y) * (corners.x[k] - a.x);
-}
-
-RIGOR_FLOAT_LANES void store_chosen(const BoxFace& face, const ChosenCorner& chosen, int k,
-                                    BoxContacts& contacts) {
-  const FloatVec3 p =
-      face.middle + chosen.x * face.ex + chosen.y * face.ey + (float_lanes(0.5f) * chosen.z) * face.ez;
-  store_floats(p.x, contacts.p[k][0]);
-  store_floats(p.y, contacts.p[k][1]);
-  store_floats(p.z, contacts.p[k][2]);
-  store_floats(chosen.z, contacts.gap[k]);
-  store_ints(chosen.place, contacts.place[k]);
+                                       const RegionCorner& corner) {
+  return (b.x - a.x) * (corner.y - a.y) - (b.y - a.y) * (corner.x - a.x);
 }
 
 /// A deepest corner, the farthest from it, and two that span the largest area with them. What is closer than
 /// the slack to those chosen is no corner of its own.
-RIGOR_FLOAT_LANES void choose_corners(const BoxFace& face, const FloatLanes& least, const FloatLanes& margin,
-                                      const RegionCorners& corners, BoxContacts& contacts) {
-  const FloatLanes zero = float_lanes(0), equal = least + face.equal_depth;
-  ChosenCorner a{zero, zero, zero, zero, int_lanes(-1)};
-  for (int k = BoxContacts::class_count - 1; k >= 0; --k) {
-    const IntLanes is_deepest = corners.z[k] <= equal;
-    a.x = is_deepest ? corners.x[k] : a.x;
-    a.y = is_deepest ? corners.y[k] : a.y;
-    a.z = is_deepest ? corners.z[k] : a.z;
-    a.place = is_deepest ? int_lanes(k) : a.place;
+RIGOR_FLOAT_LANES void choose_corners(const BoxFace& face, const RegionCorners& region,
+                                      ChosenCorner* chosen) {
+  const FloatLanes zero = float_lanes(0), equal = region.least + face.equal_depth;
+  ChosenCorner a{zero, zero, zero, int_lanes(-1), zero};
+  for (int k = region.count - 1; k >= 0; --k) {
+    const RegionCorner& corner = region.corners[k];
+    const IntLanes is_deepest = corner.z <= equal;
+    a.x = is_deepest ? corner.x : a.x;
+    a.y = is_deepest ? corner.y : a.y;
+    a.z = is_deepest ? corner.z : a.z;
+    a.place = is_deepest ? corner.place : a.place;
   }
-  ChosenCorner b{a.x, a.y, a.z, face.slack * face.slack, int_lanes(-1)};
-  for (int k = 0; k < BoxContacts::class_count; ++k) {
-    const FloatLanes dx = corners.x[k] - a.x, dy = corners.y[k] - a.y;
-    choose_clearly(dx * dx + dy * dy, margin, corners, k, b);
+  ChosenCorner b{a.x, a.y, a.z, int_lanes(-1), float_lanes(kClearlyBetter) * (face.slack * face.slack)};
+  for (const RegionCorner& corner : region.listed()) {
+    const FloatLanes dx = corner.x - a.x, dy = corner.y - a.y;
+    choose_clearly(dx * dx + dy * dy, corner, b);
   }
   const FloatLanes dx = b.x - a.x, dy = b.y - a.y;
-  const FloatLanes least_area = face.slack * (float_abs(dx) + float_abs(dy));
-  ChosenCorner c{a.x, a.y, a.z, least_area, int_lanes(-1)};
-  for (int k = 0; k < BoxContacts::class_count; ++k)
-    choose_clearly(float_abs(area_with(a, b, corners, k)), margin, corners, k, c);
+  const FloatLanes least_area = float_lanes(kClearlyBetter) * (face.slack * (float_abs(dx) + float_abs(dy)));
+  ChosenCorner c{a.x, a.y, a.z, int_lanes(-1), least_area};
+  for (const RegionCorner& corner : region.listed())
+    choose_clearly(float_abs(area_with(a, b, corner)), corner, c);
   const FloatLanes turn = sign_of((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
-  ChosenCorner d{a.x, a.y, a.z, least_area, int_lanes(-1)};
-  for (int k = 0; k < BoxContacts::class_count; ++k) {
+  ChosenCorner d{a.x, a.y, a.z, int_lanes(-1), least_area};
+  for (const RegionCorner& corner : region.listed()) {
     const FloatLanes beyond =
-        float_max(float_max(-turn * area_with(a, b, corners, k), -turn * area_with(b, c, corners, k)),
-                  -turn * area_with(c, a, corners, k));
-    choose_clearly(beyond, margin, corners, k, d);
+        float_max(float_max(-turn * area_with(a, b, corner), -turn * area_with(b, c, corner)),
+                  -turn * area_with(c, a, corner));
+    choose_clearly(beyond, corner, d);
   }
-  store_chosen(face, a, 0, contacts);
-  store_chosen(face, b, 1, contacts);
-  store_chosen(face, c, 2, contacts);
-  store_chosen(face, d, 3, contacts);
+  chosen[0] = a;
+  chosen[1] = b;
+  chosen[2] = c;
+  chosen[3] = d;
 }
 
-RIGOR_FLOAT_LANES void clip_boxes(BoxFace& face, const FloatLanes& margin, BoxContacts& contacts) {
-  RegionCorners corners;
-  find_region_corners(face, corners);
-  find_region_crossings(face, corners);
-  FloatLanes least = corners.z[0];
-  for (int k = 1; k < BoxContacts::class_count; ++k) least = float_min(least, corners.z[k]);
-  face.is_near = least <= margin;
-  face.is_explained = least <= face.separation + face.preference + face.slack;
-  choose_corners(face, least, margin, corners, contacts);
+/// Points of manifolds. Features are shifted so that their order is that of signed numbers; those of no point
+/// are the last.
+struct RegionPoint {
+  FloatVec3 p;
+  FloatLanes gap;
+  IntLanes feature;
+};
+constexpr std::int32_t kNoFeature = std::numeric_limits<std::int32_t>::max(),
+                       kFeatureShift = std::numeric_limits<std::int32_t>::min();
+
+RIGOR_FLOAT_LANES void set_in_order(RegionPoint& first, RegionPoint& second) {
+  const IntLanes is_later = first.feature > second.feature;
+  const auto exchange = [&](auto& a, auto& b) __attribute__((always_inline)) {
+    const auto lower = is_later ? b : a;
+    b = is_later ? a : b;
+    a = lower;
+  };
+  exchange(first.p.x, second.p.x);
+  exchange(first.p.y, second.p.y);
+  exchange(first.p.z, second.p.z);
+  exchange(first.gap, second.gap);
+  exchange(first.feature, second.feature);
+}
+
+/// The features of corners by their places; rows: of the faces.
+RIGOR_FLOAT_LANES IntLanes features_of(const IntLanes& rows, const IntLanes& places) {
+  std::int32_t row[kLaneCount], place[kLaneCount], feature[kLaneCount];
+  std::memcpy(row, &rows, sizeof row);
+  std::memcpy(place, &places, sizeof place);
+  for (int i = 0; i < kLaneCount; ++i)
+    feature[i] =
+        place[i] < 0
+            ? kNoFeature
+            : static_cast<std::int32_t>(
+                  kFeatureRows[static_cast<std::size_t>(row[i])][static_cast<std::size_t>(place[i])]) ^
+                  kFeatureShift;
+  IntLanes features;
+  std::memcpy(&features, feature, sizeof features);
+  return features;
+}
+
+RIGOR_FLOAT_LANES FloatLanes bits_as_floats(const IntLanes& x) {
+  FloatLanes y;
+  std::memcpy(&y, &x, sizeof y);
+  return y;
+}
+
+/// The manifolds of the chosen corners, their points in the order of their features.
+RIGOR_FLOAT_LANES void store_manifolds(const BoxFace& face, const IntLanes& is_B, const FloatVec3& normal,
+                                       const ChosenCorner* chosen, Manifold* manifolds) {
+  constexpr int rows = 3, words = rows * kLaneCount;
+  static_assert(sizeof(Manifold) == words * sizeof(float));
+  const IntLanes zero = int_lanes(0), one = int_lanes(1);
+  const IntLanes signs =
+      (face.sign < float_lanes(0) ? one : zero) | (face.other_sign < float_lanes(0) ? int_lanes(2) : zero);
+  const IntLanes of_B = is_B ? int_lanes(3) : zero;
+  const IntLanes feature_rows = int_lanes(4) * (int_lanes(3) * (face.axis + of_B) + face.other_axis) + signs;
+  RegionPoint points[Manifold::max_points];
+  IntLanes count = zero;
+  for (int k = 0; k < Manifold::max_points; ++k) {
+    const ChosenCorner& c = chosen[k];
+    points[k].p = face.middle + c.x * face.ex + c.y * face.ey + (float_lanes(0.5f) * c.z) * face.ez;
+    points[k].gap = c.z;
+    points[k].feature = features_of(feature_rows, c.place);
+    count += c.place < zero ? zero : one;
+  }
+  set_in_order(points[0], points[1]);
+  set_in_order(points[2], points[3]);
+  set_in_order(points[0], points[2]);
+  set_in_order(points[1], points[3]);
+  set_in_order(points[1], points[2]);
+  // A manifold is 24 words: three squares of lanes.
+  FloatLanes word[words] = {normal.x, normal.y, normal.z, bits_as_floats(count)};
+  for (int k = 0; k < Manifold::max_points; ++k) {
+    FloatLanes* const point = word + 4 + 5 * k;
+    point[0] = points[k].p.x;
+    point[1] = points[k].p.y;
+    point[2] = points[k].p.z;
+    point[3] = points[k].gap;
+    point[4] = bits_as_floats(points[k].feature ^ int_lanes(kFeatureShift));
+  }
+  for (int r = 0; r < rows; ++r) {
+    FloatSquare square;
+    for (int i = 0; i < kLaneCount; ++i) square.row[i] = word[r * kLaneCount + i];
+    square = transpose(square);
+    for (int i = 0; i < kLaneCount; ++i)
+      std::memcpy(reinterpret_cast<char*>(manifolds + i) + static_cast<std::size_t>(r) * sizeof(FloatLanes),
+                  &square.row[i], sizeof(FloatLanes));
+  }
+}
+
+RIGOR_FLOAT_LANES void clip_boxes(BoxFace& face, const IntLanes& is_B, const FloatLanes& margin,
+                                  BoxContacts& contacts) {
+  RegionCorners region;
+  region.margin = margin;
+  region.least = float_lanes(std::numeric_limits<float>::infinity());
+  find_region_corners(face, region);
+  find_region_crossings(face, region);
+  face.is_near = region.least <= margin;
+  face.is_explained = region.least <= face.separation + face.preference + face.slack;
+  ChosenCorner chosen[Manifold::max_points];
+  choose_corners(face, region, chosen);
   const FloatVec3 normal = face.to_B * face.ez;
   store_vector(normal, contacts.normal);
-  const IntLanes zero = int_lanes(0);
-  store_ints((face.sign < float_lanes(0) ? int_lanes(1) : zero) |
-                 (face.other_sign < float_lanes(0) ? int_lanes(2) : zero),
-             contacts.signs);
+  store_manifolds(face, is_B, normal, chosen, contacts.over_face);
 }
 
 }  // namespace rigor

@@ -11,9 +11,6 @@ namespace rigor {
 
 namespace {
 
-/// Edges are numbered in one half of the features that name crossings: sqrt(2^30).
-constexpr std::size_t kMaxEdges = 32768;
-
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
@@ -31,7 +28,8 @@ void add_vertex(const Vec3& v, FloatHull& hull) {
 }
 
 void pad_columns(FloatHull& hull) {
-  for (std::vector<float>* column : {&hull.x, &hull.y, &hull.z, &hull.nx, &hull.ny, &hull.nz}) pad(*column);
+  for (std::vector<float>* column : {&hull.x, &hull.y, &hull.z, &hull.nx, &hull.ny, &hull.nz, &hull.offset})
+    pad(*column);
 }
 
 void add_spokes(FloatHull& hull) {
@@ -68,6 +66,7 @@ void add_faces(const FeatureGraph& graph, FloatHull& hull) {
       edge_of[h] = static_cast<int>(hull.edges.size());
       const int face = graph.half_edge(half.twin).face;
       const float cosine = static_cast<float>(graph.normal(half.face).dot(graph.normal(face)));
+      if (cosine < 0) hull.sharp_edges.push_back(static_cast<int>(hull.edges.size()));
       hull.edges.push_back({half.from, half.to, half.face, face, cosine});
     }
     hull.loop.push_back(half.from);
@@ -127,6 +126,7 @@ void number_box_edges(FloatHull& hull) {
   }
   hull.edges = edges;
   for (int& e : hull.loop_edges) e = number[at(e)];
+  for (int& e : hull.sharp_edges) e = number[at(e)];
   add_spokes(hull);
   add_arcs(hull);
 }
@@ -171,6 +171,7 @@ FloatHulls::FloatHulls() {
 
 BulkShape make_bulk_shape(const BodyShape& shape, FloatHulls& hulls) {
   BulkShape bulk{.shape = &shape.shape, .X_BS = shape.X_BS};
+  bulk.is_body_frame = shape.X_BS.R.isIdentity(0) && shape.X_BS.p.isZero(0);
   if (const Sphere* const sphere = std::get_if<Sphere>(&shape.shape)) {
     bulk.kind = BulkShape::Kind::round;
     bulk.hull = hulls.point;
@@ -191,7 +192,7 @@ BulkShape make_bulk_shape(const BodyShape& shape, FloatHulls& hulls) {
   } else if (std::holds_alternative<HalfSpace>(shape.shape)) {
     bulk.kind = BulkShape::Kind::plane;
   } else if (const Convex* const convex = std::get_if<Convex>(&shape.shape);
-             convex != nullptr && convex->hull->edges.size() < kMaxEdges) {
+             convex != nullptr && convex->hull->edges.size() < kMaxHullEdges) {
     bulk.kind = BulkShape::Kind::hull;
     const auto known = std::find_if(hulls.convex.begin(), hulls.convex.end(),
                                     [&](const auto& entry) { return entry.first == convex->hull.get(); });
@@ -209,8 +210,8 @@ BulkShape make_bulk_shape(const BodyShape& shape, FloatHulls& hulls) {
 
 PlacedShape place_shape(const BulkShape& shape, const Quat& q_WB) {
   const Mat3 R_WB = q_WB.toRotationMatrix();
-  const Mat3 R_WS = R_WB * shape.X_BS.R;
-  const Vec3 p = R_WB * shape.X_BS.p;
+  const Mat3 R_WS = shape.is_body_frame ? R_WB : Mat3(R_WB * shape.X_BS.R);
+  const Vec3 p = shape.is_body_frame ? Vec3(Vec3::Zero()) : Vec3(R_WB * shape.X_BS.p);
   PlacedShape placed;
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) placed.R[3 * i + j] = static_cast<float>(R_WS(i, j));

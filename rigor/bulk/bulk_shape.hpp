@@ -16,6 +16,9 @@ using Mat3f = Eigen::Matrix<float, 3, 3, Eigen::RowMajor>;
 /// Parts of separations that rounding may take, of the lengths in a pair.
 constexpr float kCollisionRounding = 1e-6f;
 
+/// Hulls have fewer edges than this: two of them and a few bits more name an axis in 32 bits.
+constexpr std::size_t kMaxHullEdges = 16384;
+
 /// Points or directions in columns of whole lanes.
 struct LaneColumns {
   const float *x, *y, *z;
@@ -41,6 +44,7 @@ struct FloatHull {
   std::vector<float> offset;             ///< Of the faces: n · v of their vertices [m].
   std::vector<char> is_lone;             ///< Of the faces: no other normal is within 0.02 rad of theirs.
   std::vector<Edge> edges;               ///< Each once.
+  std::vector<int> sharp_edges;          ///< Between faces whose normals are at an obtuse angle.
   std::vector<ArcRecord> arcs;           ///< Of the edges; none without faces.
   std::vector<int> loop_begin;           ///< First place of each face in the loops, and their length.
   std::vector<int> loop, loop_edges;     ///< Vertices counter-clockwise, and the edge to the next one.
@@ -81,6 +85,7 @@ struct BulkShape {
   Kind kind = Kind::other;
   const Shape* shape = nullptr;
   Pose X_BS;
+  bool is_body_frame = false;  ///< S is B.
   std::shared_ptr<const FloatHull> hull;
   Vec3f scale = Vec3f::Ones();  ///< Half extents of a box; (1, 1, half length) of a segment [m].
   float radius = 0;             ///< [m].

@@ -9,7 +9,9 @@ namespace rigor {
 
 namespace {
 
-constexpr unsigned kEdgeBits = 15;  // As many edges as FloatHull has at most.
+constexpr unsigned kEdgeBits = 14;  // As many edges as FloatHull has at most.
+constexpr AxisCode kUnproven = 1u << (2 * kEdgeBits + 2);
+static_assert(kMaxHullEdges == std::size_t{1} << kEdgeBits);
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
@@ -30,30 +32,30 @@ struct DirectionBounds {
 
 void find_bounds(const PlacedPolytope& core, const Vec3f& between, const Vec3f& vertex,
                  std::vector<float>& along, std::vector<float>& heights) {
-  const LaneColumns normals = core.hull->normals();
+  const LaneColumns normals = core.normals();
   along.resize(normals.count);
   heights.resize(normals.count);
-  find_heights(normals, core.R.transpose() * between, best_lane_target(), along.data());
-  find_heights(normals, core.R.transpose() * (vertex - core.p), best_lane_target(), heights.data());
-  for (int f = 0; f < core.hull->face_count; ++f) heights[at(f)] -= core.offset(f);
-}
-
-void try_face(const DirectionBounds& bounds, int f, SeparatingAxis& best) {
-  if (bounds.of_face(f) <= best.separation - 4 * bounds.pair.rounding) return;
-  const SeparatingAxis axis = face_axis(bounds.pair, bounds.is_of_A, f);
-  if (axis.separation > best.separation) best = axis;
+  find_heights(normals, between, nullptr, best_lane_target(), along.data());
+  find_heights(normals, vertex - core.place.t, core.offsets(), best_lane_target(), heights.data());
 }
 
 /// The best face, if it is better than `least`.
-SeparatingAxis find_best_face(const DirectionBounds& bounds, float least) {
+SeparatingAxis find_best_face(const DirectionBounds& bounds, float least, std::vector<int>& listed) {
   SeparatingAxis best;
   best.separation = least;
-  for (int f = 0; f < bounds.core().hull->face_count; ++f) try_face(bounds, f, best);
+  const float slack = 4 * bounds.pair.rounding;
+  list_above(bounds.along, bounds.balls + least - slack, bounds.heights, least - slack,
+             bounds.core().hull->face_count, best_lane_target(), listed);
+  for (const int f : listed) {
+    if (bounds.of_face(f) <= best.separation - slack) continue;
+    const SeparatingAxis axis = face_axis(bounds.pair, bounds.is_of_A, f);
+    if (axis.separation > best.separation) best = axis;
+  }
   return best;
 }
 
 void place_arcs(const PlacedPolytope& core, std::span<const int> edges, ArcBlocks& arcs) {
-  arcs.place(*core.hull, edges, {core.M, core.R, core.p}, best_lane_target());
+  arcs.place(*core.hull, edges, core.place, best_lane_target());
 }
 
 /// Whether an arc may have a direction n with n · d > least; x and y are n · d at its ends and c is the
@@ -65,20 +67,32 @@ bool may_exceed(float x, float y, float c, float least) {
   return bool(std::max(x, y) > least) | (is_inside & is_high);
 }
 
-/// Arcs of the edges that may part the cores by more than `least`.
-void place_high_arcs(const DirectionBounds& bounds, float least, std::vector<int>& listed, ArcBlocks& arcs) {
-  const std::vector<FloatHull::Edge>& edges = bounds.core().hull->edges;
-  const float below = least - 4 * bounds.pair.rounding;
-  listed.clear();
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    const std::size_t f = at(edges[e].f0), g = at(edges[e].f1);
-    const float c = edges[e].cosine;
-    // Few edges are near the vertex that the heights are of.
-    if (!may_exceed(bounds.heights[f], bounds.heights[g], c, below)) continue;
-    if (may_exceed(bounds.along[f], bounds.along[g], c, below + bounds.balls))
-      listed.push_back(static_cast<int>(e));
+/// Edges whose arcs may have a direction that parts the cores by more than `least`, ascending. Between two
+/// faces that are both low nothing is high, unless their normals are at an obtuse angle.
+void list_high_edges(const DirectionBounds& bounds, float least, std::vector<int>& faces,
+                     std::vector<int>& edges) {
+  const FloatHull& hull = *bounds.core().hull;
+  const float below = least - 4 * bounds.pair.rounding, low = std::min(below, 0.0f);
+  edges.clear();
+  const auto list_if_high = [&](int e) {
+    const FloatHull::Edge& edge = hull.edges[at(e)];
+    const std::size_t f = at(edge.f0), g = at(edge.f1);
+    if (may_exceed(bounds.heights[f], bounds.heights[g], edge.cosine, below) &&
+        may_exceed(bounds.along[f], bounds.along[g], edge.cosine, below + bounds.balls))
+      edges.push_back(e);
+  };
+  const auto is_high = [&](int f) { return bounds.heights[at(f)] > low; };
+  list_above(bounds.heights, low, bounds.heights, low, hull.face_count, best_lane_target(), faces);
+  for (const int f : faces) {
+    for (const int e : hull.border_edges(f)) {
+      const FloatHull::Edge& edge = hull.edges[at(e)];
+      const int other = edge.f0 == f ? edge.f1 : edge.f0;
+      if (other > f || !is_high(other)) list_if_high(e);
+    }
   }
-  place_arcs(bounds.core(), listed, arcs);
+  for (const int e : hull.sharp_edges)
+    if (!is_high(hull.edges[at(e)].f0) && !is_high(hull.edges[at(e)].f1)) list_if_high(e);
+  std::sort(edges.begin(), edges.end());
 }
 
 /// Whether the arcs of two edges cross on the Gauss map, that of B reversed. The circle of a segment crosses
@@ -126,8 +140,10 @@ void try_edges(PlacedPolytopes& pair, const DirectionBounds& bounds_A, const Dir
                float least, SeparatingAxis& best) {
   if (pair.a.hull->face_count == 0 || pair.b.hull->face_count == 0)
     return try_segment_edges(pair, least, best);
-  place_high_arcs(bounds_A, least, pair.edges_A, pair.arcs_A);
-  place_high_arcs(bounds_B, least, pair.edges_B, pair.arcs_B);
+  list_high_edges(bounds_A, least, pair.faces, pair.edges_A);
+  list_high_edges(bounds_B, least, pair.faces, pair.edges_B);
+  place_arcs(pair.a, pair.edges_A, pair.arcs_A);
+  place_arcs(pair.b, pair.edges_B, pair.arcs_B);
   try_crossing_arcs(pair, least, best);
 }
 
@@ -151,9 +167,9 @@ void try_edge_lists(PlacedPolytopes& pair, std::span<const int> of_A, std::span<
 void try_faces_around(const PlacedPolytopes& pair, bool is_of_A, int vertex, const Vec3f& w,
                       SeparatingAxis& best) {
   const PlacedPolytope& own = is_of_A ? pair.a : pair.b;
-  const Vec3f local = own.R.transpose() * (is_of_A ? w : Vec3f(-w));
+  const Vec3f outward = is_of_A ? w : Vec3f(-w);
   const std::span<const int> faces = own.hull->faces_around(vertex);
-  const auto bound = [&](int f) { return local.dot(own.hull->normal(f)); };
+  const auto bound = [&](int f) { return outward.dot(own.normal(f)); };
   int first = -1;
   float most = best.separation;
   for (const int f : faces)
@@ -186,6 +202,12 @@ float sure_separation(const PlacedPolytopes& pair, const SeparatingAxis& axis) {
   if (axis.kind == SeparatingAxis::Kind::none || !is_well_conditioned(pair, axis))
     return -std::numeric_limits<float>::infinity();
   return axis.separation - roundings * pair.rounding;
+}
+
+/// Whether what the axis is of still supports the cores along it, so that they are parted by its separation.
+bool is_support(const PlacedPolytopes& pair, const SeparatingAxis& axis) {
+  if (axis.kind == SeparatingAxis::Kind::none) return false;
+  return axis.kind != SeparatingAxis::Kind::edges || arcs_cross(pair, axis.a, axis.b);
 }
 
 /// A direction, and what the best of all parts the cores by at least.
@@ -228,9 +250,9 @@ SeparatingAxis search_all(PlacedPolytopes& pair, const BallBound& bound, float f
       bounds_B{pair, false, bound.balls, pair.along_B, pair.heights_B};
 
   // The face of A is kept unless that of B is clearly better.
-  SeparatingAxis best = find_best_face(bounds_A, start.least);
+  SeparatingAxis best = find_best_face(bounds_A, start.least, pair.faces);
   if (best.separation > far) return best;
-  const SeparatingAxis of_B = find_best_face(bounds_B, best.separation - 2 * pair.rounding);
+  const SeparatingAxis of_B = find_best_face(bounds_B, best.separation - 2 * pair.rounding, pair.faces);
   if (best.kind == SeparatingAxis::Kind::none || of_B.separation > best.separation + pair.rounding)
     best = of_B;
   if (best.separation > far || is_best(pair, bound, best)) return best;
@@ -241,7 +263,8 @@ SeparatingAxis search_all(PlacedPolytopes& pair, const BallBound& bound, float f
 }  // namespace
 
 AxisCode code_of(const SeparatingAxis& axis) {
-  const AxisCode kind = static_cast<AxisCode>(axis.kind) << (2 * kEdgeBits);
+  const AxisCode kind =
+      static_cast<AxisCode>(axis.kind) << (2 * kEdgeBits) | (axis.is_proven ? 0 : kUnproven);
   switch (axis.kind) {
     case SeparatingAxis::Kind::face_of_A:
       return kind | static_cast<AxisCode>(axis.a);
@@ -261,7 +284,7 @@ namespace {
 SeparatingAxis axis_of(const PlacedPolytopes& pair, AxisCode code) {
   const int first = static_cast<int>(code & ((1u << kEdgeBits) - 1)),
             second = static_cast<int>(code >> kEdgeBits & ((1u << kEdgeBits) - 1));
-  switch (static_cast<SeparatingAxis::Kind>(code >> (2 * kEdgeBits))) {
+  switch (static_cast<SeparatingAxis::Kind>(code >> (2 * kEdgeBits) & 3)) {
     case SeparatingAxis::Kind::face_of_A:
       return face_axis(pair, true, first);
     case SeparatingAxis::Kind::face_of_B:
@@ -331,8 +354,14 @@ SeparatingAxis find_separating_axis(PlacedPolytopes& pair, float limit, const Ax
   if (axis.kind != SeparatingAxis::Kind::edges && axis.separation > far) return axis;
   if (const auto settled = settle(pair, bound, axis)) return *settled;
   SearchStart start{guess.n};
-  if (const auto settled = settle_by_steps(pair, bound, guess.axis, start)) return *settled;
-  return search_all(pair, bound, far, start);
+  if ((guess.axis & kUnproven) != 0) {
+    if (is_support(pair, axis)) start = {axis.n, sure_separation(pair, axis)};
+  } else if (const auto settled = settle_by_steps(pair, bound, guess.axis, start)) {
+    return *settled;
+  }
+  SeparatingAxis found = search_all(pair, bound, far, start);
+  found.is_proven = false;
+  return found;
 }
 
 }  // namespace rigor

@@ -9,39 +9,35 @@
 
 namespace rigor {
 
-/// Eight pairs of boxes, in the frame of body A's centre with axes of W.
+/// A pair of boxes, in the frame of body A's centre with axes of W: a row of lanes.
+struct alignas(32) BoxPair {
+  const PlacedShape *a, *b;
+  float d[3];  ///< From the centre of body A to that of body B [m].
+  float margin;
+
+  Vec3f between() const { return Vec3f(d[0], d[1], d[2]); }
+};
+/// Eight of them.
 struct BoxPairs {
-  const PlacedShape* a[kLaneCount];
-  const PlacedShape* b[kLaneCount];
-  alignas(32) float d[3][kLaneCount];  ///< From the centre of body A to that of body B [m].
-  alignas(32) float margin[kLaneCount];
+  BoxPair pair[kLaneCount];
 };
 
 /// Where the eight pairs touch.
 struct BoxContacts {
   enum Outcome : std::int32_t {
     apart,             ///< By more than the margin.
-    region,            ///< Over a face: the points are here.
+    region,            ///< Over a face.
     edges,             ///< An edge pair parts the boxes best.
-    edges_and_region,  ///< As edges; but in the step boxes may come to lie on a face: the points are here
-                       ///< too.
+    edges_and_region,  ///< As edges; but in the step boxes may come to lie on a face.
     near_edge          ///< The boxes are apart and nearest at an edge or corner of both.
   };
-  /// Corners of the region, by the classes in which they were found.
-  enum Class : std::int32_t { corner_of_other = 0, corner_of_face = 4, crossing = 8, class_count = 24 };
-
   alignas(32) std::int32_t outcome[kLaneCount];
   alignas(32) float separation[kLaneCount];
   alignas(32) float normal[3][kLaneCount];                          ///< From A to B; of the face.
-  alignas(32) std::int32_t face[kLaneCount];                        ///< Axis of the face; + 3 if it is B's.
-  alignas(32) std::int32_t other[kLaneCount];                       ///< Axis of the other box's face.
   alignas(32) std::int32_t edge_A[kLaneCount], edge_B[kLaneCount];  ///< Axes of the edges.
-  alignas(
-      32) std::int32_t is_edge[kLaneCount];  ///< Not 0 if an edge pair parts the boxes best, touching or not.
-  alignas(32) std::int32_t signs[kLaneCount];  ///< Bit 0: the face is on the negative side; 1: the other.
-  alignas(32) float p[4][3][kLaneCount];       ///< As in a Manifold.
-  alignas(32) float gap[4][kLaneCount];
-  alignas(32) std::int32_t place[4][kLaneCount];  ///< Which corner of the region, or -1 for none.
+  /// Not 0 if an edge pair parts the boxes best, touching or not.
+  alignas(32) std::int32_t is_edge[kLaneCount];
+  alignas(32) Manifold over_face[kLaneCount];  ///< If some of the pairs are not apart: of regions.
 };
 
 /// A face is kept where edges part two cores better by less than this part of their overlap and this part of
@@ -55,9 +51,6 @@ constexpr float kEqualDepthOfSize = 0.005f;
 /// The separating axis test of two boxes (Gottschalk, Lin and Manocha, OBBTree, SIGGRAPH 1996), and where a
 /// face parts them best, the region over it, reduced to four points as in make_manifold.
 void collide_boxes(const BoxPairs& pairs, LaneTarget target, BoxContacts& contacts);
-
-/// The manifold of pair `lane`, whose outcome is a region; false if no point is within the margin.
-bool read_box_region(const BoxContacts& contacts, int lane, float margin, Manifold& manifold);
 
 /// The axis that parts the boxes of pair `lane` best: unit, from A to B.
 Vec3f box_axis(const BoxPairs& pairs, const BoxContacts& contacts, int lane);

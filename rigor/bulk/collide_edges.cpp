@@ -40,7 +40,7 @@ EdgePoints nearest_on_edges(const PlacedPolytopes& pair, int i, int j) {
 /// Heights of the vertices of a core along n.
 void find_vertex_heights(const PlacedPolytope& core, const Vec3f& n, std::vector<float>& heights) {
   heights.resize(core.hull->x.size());
-  find_heights(core.hull->vertices(), core.M.transpose() * n, best_lane_target(), heights.data());
+  find_heights(core.vertices(), n, nullptr, best_lane_target(), heights.data());
 }
 
 /// Edges with a vertex no more than `drop` below the highest.

@@ -17,7 +17,7 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-/// One core over a face of another; the borders of the face are those of the pair.
+/// One core over a face of another.
 struct FaceView {
   const PlacedPolytope& owner;  ///< Of the face.
   const PlacedPolytope& other;
@@ -25,32 +25,13 @@ struct FaceView {
   int lowest;  ///< Vertex of the other core.
   bool is_of_A;
   Vec3f m;  ///< Outward normal of the face.
-  float offset;
-
-  float height(const Vec3f& p) const { return m.dot(p) - offset; }
 };
 
 FaceView view_of(const SeparatingAxis& axis, const PlacedPolytopes& pair) {
   const bool is_of_A = axis.kind == SeparatingAxis::Kind::face_of_A;
   const PlacedPolytope &owner = is_of_A ? pair.a : pair.b, &other = is_of_A ? pair.b : pair.a;
   const int face = is_of_A ? axis.a : axis.b, lowest = is_of_A ? axis.b : axis.a;
-  const Vec3f m = is_of_A ? axis.n : Vec3f(-axis.n);
-  return {owner, other, face, lowest, is_of_A, m, m.dot(other.vertex(lowest)) - axis.separation};
-}
-
-void list_borders(const FaceView& view, std::vector<FaceBorder>& borders) {
-  borders.clear();
-  const std::span<const int> loop = view.owner.hull->border_vertices(view.face);
-  const Vec3f first = view.owner.vertex(loop.front());
-  Vec3f corner = first;
-  for (std::size_t k = 0; k < loop.size(); ++k) {
-    const Vec3f next = k + 1 == loop.size() ? first : view.owner.vertex(loop[k + 1]);
-    const Vec3f side = next - corner;
-    const float length = side.norm();
-    const Vec3f along = side / length;
-    borders.push_back({corner, along, view.m.cross(along), length});
-    corner = next;
-  }
+  return {owner, other, face, lowest, is_of_A, is_of_A ? axis.n : Vec3f(-axis.n)};
 }
 
 /// Adds the point of the other core, which is `height` above its foot on the face.
@@ -81,58 +62,50 @@ std::uint32_t vertex_feature(bool is_of_A, int vertex) {
   return is_of_A ? vertex_A_feature(vertex) : vertex_B_feature(vertex);
 }
 
-bool lies_over_face(const PlacedPolytopes& pair, const Vec3f& p, float slack) {
-  for (const FaceBorder& border : pair.borders)
-    if (border.inward.dot(p - border.corner) < -slack) return false;
-  return true;
-}
-
-/// Where the edge of the other core from p0 to p1 crosses the border of the face; grazing does not count.
-float add_crossings(const FaceView& view, int edge, const Vec3f& p0, const Vec3f& p1, float margin,
-                    PlacedPolytopes& pair) {
-  const float slack = 4 * pair.rounding;
-  const std::span<const int> own_edges = view.owner.hull->border_edges(view.face);
+/// Corners of the other outline over the face.
+float add_corners_over(const FaceView& view, const Outline& outline, float margin, PlacedPolytopes& pair) {
   float least = kInfinity;
-  for (std::size_t k = 0; k < own_edges.size(); ++k) {
-    const FaceBorder& border = pair.borders[k];
-    const float d0 = border.inward.dot(p0 - border.corner), d1 = border.inward.dot(p1 - border.corner);
-    if (std::min(d0, d1) >= -slack || std::max(d0, d1) <= slack) continue;
-    const Vec3f p = p0 + d0 / (d0 - d1) * (p1 - p0);
-    const float along = border.along.dot(p - border.corner);
-    if (along <= slack || along >= border.length - slack) continue;
-    const int own = own_edges[k];
-    const std::uint32_t feature = view.is_of_A ? crossing_feature(own, edge, view.other.hull->edges.size())
-                                               : crossing_feature(edge, own, view.owner.hull->edges.size());
-    least = std::min(least, add_above(view, p, view.height(p), feature, margin, pair));
+  for (const std::size_t k : pair.meeting.over) {
+    const std::uint32_t feature = vertex_feature(!view.is_of_A, outline.corners[k]);
+    least =
+        std::min(least, add_above(view, outline.corner(k), pair.meeting.other[k].z, feature, margin, pair));
   }
   return least;
 }
 
-/// Whether the face with the corners of the pair covers p, seen along the normal of the view.
-bool is_covered(const FaceView& view, const PlacedPolytopes& pair, const Vec3f& p, float slack) {
-  for (std::size_t k = 0; k < pair.corners.size(); ++k) {
-    const Vec3f &corner = pair.corners[k], &next = pair.corners[k + 1 == pair.corners.size() ? 0 : k + 1];
-    const Vec3f outward = view.m.cross(next - corner);
-    const float beyond = outward.dot(p - corner);
-    if (beyond > 0 && beyond * beyond > slack * slack * outward.squaredNorm()) return false;
+/// Where sides of the other outline, which are these edges, cross the border of the face.
+float add_crossings(const FaceView& view, const Outline& outline, std::span<const int> edges, float margin,
+                    PlacedPolytopes& pair) {
+  const std::span<const int> own_edges = view.owner.hull->border_edges(view.face);
+  float least = kInfinity;
+  for (const OutlineMeeting::Crossing& crossing : pair.meeting.crossings) {
+    const std::size_t side = crossing.side, next = side + 1 == outline.corners.size() ? 0 : side + 1;
+    const Vec3f from = outline.corner(side);
+    const Vec3f p = from + crossing.part * (outline.corner(next) - from);
+    const float low = pair.meeting.other[side].z, high = pair.meeting.other[next].z;
+    const float height = low + crossing.part * (high - low);
+    const int own = own_edges[crossing.border], other = edges[side];
+    const std::uint32_t feature = view.is_of_A ? crossing_feature(own, other, view.other.hull->edges.size())
+                                               : crossing_feature(other, own, view.owner.hull->edges.size());
+    least = std::min(least, add_above(view, p, height, feature, margin, pair));
   }
-  return true;
+  return least;
 }
 
-/// Corners of the face of the view that the face of the other core covers.
-float add_corners(const FaceView& view, int face, float margin, PlacedPolytopes& pair) {
+/// Corners of the face of the view that are under the face of the other core.
+float add_corners_under(const FaceView& view, const Outline& own, int face, float margin,
+                        PlacedPolytopes& pair) {
   constexpr float least_slope = 0.05f;  // Heights above steeper faces are lost in rounding.
   const Vec3f normal = view.other.normal(face);
-  const float slope = -normal.dot(view.m), slack = 4 * pair.rounding;
+  const float slope = -normal.dot(view.m);
   float least = kInfinity;
   if (slope < least_slope) return least;
-  const std::span<const int> loop = view.owner.hull->border_vertices(view.face);
-  for (std::size_t k = 0; k < loop.size(); ++k) {
-    const Vec3f corner = pair.borders[k].corner;
-    if (!is_covered(view, pair, corner, slack)) continue;
-    const float height = normal.dot(corner - pair.corners[0]) / slope;
+  const Vec3f p = view.other.vertex(view.other.hull->border_vertices(face).front());
+  for (const std::size_t k : pair.meeting.under) {
+    const Vec3f corner = own.corner(k);
+    const float height = normal.dot(corner - p) / slope;
     least = std::min(least, add_above(view, corner + height * view.m, height,
-                                      vertex_feature(view.is_of_A, loop[k]), margin, pair));
+                                      vertex_feature(view.is_of_A, own.corners[k]), margin, pair));
   }
   return least;
 }
@@ -144,49 +117,53 @@ void add_lowest(const SeparatingAxis& axis, float margin, PlacedPolytopes& pair)
             margin, pair);
 }
 
-PlacedPolytope place_polytope(const BulkShape& shape, const PlacedShape& placed, const Vec3f& p_OB) {
+void place_polytope(const BulkShape& shape, const PlacedShape& placed, const Vec3f& p_OB,
+                    PlacedPolytope& core) {
   const FloatHull& hull = *shape.hull;
   const Mat3f R = placed.rotation();
-  const Vec3f p = p_OB + placed.position();
-  return {&hull,
-          R,
-          R * shape.scale.asDiagonal(),
-          p,
-          R * hull.center + p,
-          shape.inner_radius() - shape.radius,
-          shape.radius,
-          shape.extent,
-          shape.kind == BulkShape::Kind::box ? shape.scale : Vec3f(Vec3f::Zero())};
+  core.hull = &hull;
+  core.place = {R * shape.scale.asDiagonal(), R, p_OB + placed.position()};
+  core.inner = shape.inner_radius() - shape.radius;
+  core.radius = shape.radius;
+  core.extent = shape.extent;
+  core.is_box = shape.kind == BulkShape::Kind::box;
+  for (int f = 0; core.is_box && f < kLaneCount; ++f)
+    core.box_offsets[f] = f < hull.face_count ? hull.normal(f).cwiseAbs().dot(shape.scale) : 0;
+  core.vertex_columns.place(hull.vertices(), core.place.M, core.place.t, best_lane_target());
+  core.normal_columns.place(hull.normals(), R, Vec3f::Zero(), best_lane_target());
 }
 
-/// Moves the ball inside a core as near to a point as it goes.
+/// Puts the ball inside a core as near to a point as it goes.
 void move_ball(const BulkShape& shape, const Vec3f& to, PlacedPolytope& core) {
   if (shape.ball_way.isZero(0)) return;
-  const Vec3f local = core.R.transpose() * (to - core.p);
-  core.center = core.R * local.cwiseMax(-shape.ball_way).cwiseMin(shape.ball_way) + core.p;
+  const CorePlace& place = core.place;
+  const Vec3f local = place.R.transpose() * (to - place.t);
+  core.center = place.R * local.cwiseMax(-shape.ball_way).cwiseMin(shape.ball_way) + place.t;
+}
+
+Vec3f middle_of(const PlacedPolytope& core) {
+  return core.place.R * core.hull->center + core.place.t;
 }
 
 }  // namespace
 
-int PlacedPolytope::farthest(const Vec3f& n) const {
-  return find_support(hull->vertices(), M.transpose() * n, best_lane_target()).index;
-}
-
 void place_polytopes(const BulkShape& a, const PlacedShape& placed_A, const BulkShape& b,
                      const PlacedShape& placed_B, const Vec3f& d, PlacedPolytopes& pair) {
-  pair.a = place_polytope(a, placed_A, Vec3f::Zero());
-  pair.b = place_polytope(b, placed_B, d);
+  if (pair.shape_A != &placed_A) place_polytope(a, placed_A, Vec3f::Zero(), pair.a);
+  pair.shape_A = &placed_A;
+  place_polytope(b, placed_B, d, pair.b);
   pair.rounding = kCollisionRounding * (a.extent + b.extent + d.norm());
   pair.thinnest = std::min(a.inner_radius(), b.inner_radius());
   pair.equal_depth = pair.rounding + kEqualDepthOfSize * pair.thinnest;
+  pair.a.center = middle_of(pair.a);
+  pair.b.center = middle_of(pair.b);
   move_ball(a, pair.b.center, pair.a);
   move_ball(b, pair.a.center, pair.b);
 }
 
 float clip_on_face(const SeparatingAxis& axis, float margin, PlacedPolytopes& pair) {
   const FaceView view = view_of(axis, pair);
-  const float slack = 4 * pair.rounding;
-  list_borders(view, pair.borders);
+  const std::span<const int> border = view.owner.hull->border_vertices(view.face);
   // The points of the other core that count: of its face that is turned to this one, or of the segment.
   const FloatHull& hull = *view.other.hull;
   const int face = facing_face(view, view.lowest);
@@ -196,19 +173,12 @@ float clip_on_face(const SeparatingAxis& axis, float margin, PlacedPolytopes& pa
                                         ? std::span<const int>(segment_ends, hull.vertex_count == 1 ? 1u : 2u)
                                         : hull.border_vertices(face);
   const std::span<const int> edges = face < 0 ? std::span<const int>(segment_edges) : hull.border_edges(face);
-  pair.corners.clear();
-  for (const int v : loop) pair.corners.push_back(view.other.vertex(v));
-  float least = kInfinity;
-  for (std::size_t k = 0; k < loop.size(); ++k) {
-    const Vec3f p = pair.corners[k];
-    if (lies_over_face(pair, p, slack))
-      least = std::min(
-          least, add_above(view, p, view.height(p), vertex_feature(!view.is_of_A, loop[k]), margin, pair));
-    if (k >= edges.size() || loop.size() == 1) continue;
-    least = std::min(least, add_crossings(view, edges[k], p, pair.corners[k + 1 == loop.size() ? 0 : k + 1],
-                                          margin, pair));
-  }
-  return face < 0 ? least : std::min(least, add_corners(view, face, margin, pair));
+  const Outline own{view.owner.vertices(), border, border.size()},
+      other{view.other.vertices(), loop, face < 0 ? loop.size() - 1 : loop.size()};
+  meet_outlines(own, view.m, other, 4 * pair.rounding, pair.meeting);
+  const float least =
+      std::min(add_corners_over(view, other, margin, pair), add_crossings(view, other, edges, margin, pair));
+  return face < 0 ? least : std::min(least, add_corners_under(view, own, face, margin, pair));
 }
 
 namespace {
@@ -219,11 +189,19 @@ namespace {
 SeparatingAxis find_face_at(const SeparatingAxis& edges, float least, const PlacedPolytopes& pair) {
   SeparatingAxis best;
   for (const bool is_of_A : {true, false}) {
-    const FloatHull::Edge& edge = is_of_A ? pair.a.edge(edges.a) : pair.b.edge(edges.b);
+    const PlacedPolytope &own = is_of_A ? pair.a : pair.b, &other = is_of_A ? pair.b : pair.a;
+    const FloatHull::Edge &edge = own.edge(is_of_A ? edges.a : edges.b),
+                          &other_edge = other.edge(is_of_A ? edges.b : edges.a);
+    const Vec3f corner = own.vertex(edge.v0);
+    const Vec3f first = other.vertex(other_edge.v0) - corner, second = other.vertex(other_edge.v1) - corner;
     for (const int f : {edge.f0, edge.f1}) {
       if (f < 0) continue;  // Of a segment.
+      const float needed = std::max(least, best.separation + (is_of_A ? 0 : pair.rounding));
+      // No face parts the cores by more than the heights of the other edge's ends over it.
+      const Vec3f m = own.normal(f);
+      if (std::min(m.dot(first), m.dot(second)) < needed - 4 * pair.rounding) continue;
       const SeparatingAxis face = face_axis(pair, is_of_A, f);
-      if (face.separation > std::max(least, best.separation + (is_of_A ? 0 : pair.rounding))) best = face;
+      if (face.separation > needed) best = face;
     }
   }
   return best;

@@ -5,13 +5,11 @@
 
 #include <algorithm>
 #include <bit>
-#include <limits>
+#include <cstdint>
 
 namespace rigor {
 
 namespace {
-
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 /// The direction in lanes.
 RIGOR_FLOAT_LANES FloatVec3 spread(const Vec3f& n) {
@@ -21,32 +19,22 @@ RIGOR_FLOAT_LANES FloatLanes heights_at(const LaneColumns& points, const FloatVe
   return n.x * load_floats(points.x + k) + n.y * load_floats(points.y + k) + n.z * load_floats(points.z + k);
 }
 
+/// The highest first, and then who that is: two short chains of what has to wait for each other.
 RIGOR_FLOAT_LANES Support support_kernel(const LaneColumns& points, const Vec3f& n) {
+  constexpr std::size_t mask_size = 64;
   const FloatVec3 direction = spread(n);
-  FloatLanes highest = float_lanes(-kInfinity);
-  IntLanes first{}, place{};
-  const IntLanes step = {kLaneCount, kLaneCount, kLaneCount, kLaneCount,
-                         kLaneCount, kLaneCount, kLaneCount, kLaneCount};
-  for (std::size_t k = 0; k < points.count; k += kLaneCount) {
-    const FloatLanes height = heights_at(points, direction, k);
-    const IntLanes is_higher = height > highest;
-    highest = is_higher ? height : highest;
-    first = is_higher ? place : first;
-    place += step;
-  }
-  // Of the lanes that are highest, the one whose point is the first.
+  FloatLanes highest = heights_at(points, direction, 0);
+  for (std::size_t k = kLaneCount; k < points.count; k += kLaneCount)
+    highest = float_max(highest, heights_at(points, direction, k));
   const FloatLanes top = spread_max(highest);
-  unsigned bits = lane_bits(highest == top);
-  Support support{0, top[0]};
-  int least = std::numeric_limits<int>::max();
-  std::int32_t begins[kLaneCount];
-  std::memcpy(begins, &first, sizeof begins);
-  for (; bits != 0; bits &= bits - 1) {
-    const int lane = std::countr_zero(bits);
-    const int index = begins[lane] + lane;
-    if (index < least) support.index = least = index;
+  for (std::size_t first = 0; first < points.count; first += mask_size) {
+    std::uint64_t is_top = 0;
+    const std::size_t end = std::min(points.count, first + mask_size);
+    for (std::size_t k = first; k < end; k += kLaneCount)
+      is_top |= std::uint64_t{lane_bits(heights_at(points, direction, k) == top)} << (k - first);
+    if (is_top != 0) return {static_cast<int>(first) + std::countr_zero(is_top), top[0]};
   }
-  return support;
+  return {0, top[0]};  // Of points that are no numbers.
 }
 
 RIGOR_FLOAT_LANES Summit summit_kernel(const LaneColumns& points, int count, const Vec3f& n, float drop) {
@@ -66,10 +54,23 @@ RIGOR_FLOAT_LANES Summit summit_kernel(const LaneColumns& points, int count, con
   return summit;
 }
 
-RIGOR_FLOAT_LANES void heights_kernel(const LaneColumns& points, const Vec3f& n, float* heights) {
+RIGOR_FLOAT_LANES void heights_kernel(const LaneColumns& points, const Vec3f& n, const float* offsets,
+                                      float* heights) {
   const FloatVec3 direction = spread(n);
-  for (std::size_t k = 0; k < points.count; k += kLaneCount)
-    store_floats(heights_at(points, direction, k), heights + k);
+  for (std::size_t k = 0; k < points.count; k += kLaneCount) {
+    const FloatLanes height = heights_at(points, direction, k);
+    store_floats(offsets != nullptr ? height - load_floats(offsets + k) : height, heights + k);
+  }
+}
+
+RIGOR_FLOAT_LANES void above_kernel(const float* x, float least_x, const float* y, float least_y, int count,
+                                    std::vector<int>& places) {
+  for (int k = 0; k < count; k += kLaneCount) {
+    unsigned bits =
+        lane_bits((load_floats(x + k) > float_lanes(least_x)) & (load_floats(y + k) > float_lanes(least_y)));
+    if (count - k < kLaneCount) bits &= (1u << (count - k)) - 1;
+    for (; bits != 0; bits &= bits - 1) places.push_back(k + std::countr_zero(bits));
+  }
 }
 
 /// How far a core reaches along n from the origin of its frame.
@@ -96,6 +97,23 @@ RIGOR_FLOAT_LANES void place_part(const FloatLanes* from, const Mat3f& M, const 
     store_floats(float_lanes(M(row, 0)) * from[0] + float_lanes(M(row, 1)) * from[1] +
                      float_lanes(M(row, 2)) * from[2] + float_lanes(t[row]),
                  to[row]);
+}
+
+/// As the product of a matrix and a vector adds them up, so that it has the same bits.
+RIGOR_FLOAT_LANES FloatLanes turned(const FloatVec3& row, const FloatVec3& p) {
+  return row.x * p.x + (row.y * p.y + row.z * p.z);
+}
+
+RIGOR_FLOAT_LANES void columns_kernel(const LaneColumns& points, const Mat3f& M, const Vec3f& t, float* to) {
+  FloatVec3 row[3];
+  for (int i = 0; i < 3; ++i) row[i] = {float_lanes(M(i, 0)), float_lanes(M(i, 1)), float_lanes(M(i, 2))};
+  const FloatVec3 shift = spread(t);
+  for (std::size_t k = 0; k < points.count; k += kLaneCount) {
+    const FloatVec3 p{load_floats(points.x + k), load_floats(points.y + k), load_floats(points.z + k)};
+    store_floats(turned(row[0], p) + shift.x, to + k);
+    store_floats(turned(row[1], p) + shift.y, to + points.count + k);
+    store_floats(turned(row[2], p) + shift.z, to + 2 * points.count + k);
+  }
 }
 
 /// Up to eight of the edges.
@@ -218,8 +236,16 @@ RIGOR_AVX2 Support support_avx2(const LaneColumns& points, const Vec3f& n) {
 RIGOR_AVX2 Summit summit_avx2(const LaneColumns& points, int count, const Vec3f& n, float drop) {
   return summit_kernel(points, count, n, drop);
 }
-RIGOR_AVX2 void heights_avx2(const LaneColumns& points, const Vec3f& n, float* heights) {
-  heights_kernel(points, n, heights);
+RIGOR_AVX2 void heights_avx2(const LaneColumns& points, const Vec3f& n, const float* offsets,
+                             float* heights) {
+  heights_kernel(points, n, offsets, heights);
+}
+RIGOR_AVX2 void above_avx2(const float* x, float least_x, const float* y, float least_y, int count,
+                           std::vector<int>& places) {
+  above_kernel(x, least_x, y, least_y, count, places);
+}
+RIGOR_AVX2 void columns_avx2(const LaneColumns& points, const Mat3f& M, const Vec3f& t, float* to) {
+  columns_kernel(points, M, t, to);
 }
 RIGOR_AVX2 float separation_avx2(const SupportCore& a, const SupportCore& b, const Vec3f& d, const Vec3f& n) {
   return separation_kernel(a, b, d, n);
@@ -246,13 +272,29 @@ Summit find_summit(const LaneColumns& points, int count, const Vec3f& n, float d
                                     : summit_kernel(points, count, n, drop);
 }
 
-void find_heights(const LaneColumns& points, const Vec3f& n, LaneTarget target, float* heights) {
-  target == LaneTarget::avx2 ? heights_avx2(points, n, heights) : heights_kernel(points, n, heights);
+void find_heights(const LaneColumns& points, const Vec3f& n, const float* offsets, LaneTarget target,
+                  float* heights) {
+  target == LaneTarget::avx2 ? heights_avx2(points, n, offsets, heights)
+                             : heights_kernel(points, n, offsets, heights);
+}
+
+void list_above(const std::vector<float>& x, float least_x, const std::vector<float>& y, float least_y,
+                int count, LaneTarget target, std::vector<int>& places) {
+  places.clear();
+  target == LaneTarget::avx2 ? above_avx2(x.data(), least_x, y.data(), least_y, count, places)
+                             : above_kernel(x.data(), least_x, y.data(), least_y, count, places);
 }
 
 float find_separation(const SupportCore& a, const SupportCore& b, const Vec3f& d, const Vec3f& n,
                       LaneTarget target) {
   return target == LaneTarget::avx2 ? separation_avx2(a, b, d, n) : separation_kernel(a, b, d, n);
+}
+
+void PlacedColumns::place(const LaneColumns& points, const Mat3f& M, const Vec3f& t, LaneTarget target) {
+  count_ = points.count;
+  numbers_.resize(3 * count_);
+  target == LaneTarget::avx2 ? columns_avx2(points, M, t, numbers_.data())
+                             : columns_kernel(points, M, t, numbers_.data());
 }
 
 void ArcBlocks::place(const FloatHull& hull, std::span<const int> edges, const CorePlace& place,

@@ -26,8 +26,12 @@ struct Summit {
 };
 Summit find_summit(const LaneColumns& points, int count, const Vec3f& n, float drop, LaneTarget target);
 
-/// n · p of all of them.
-void find_heights(const LaneColumns& points, const Vec3f& n, LaneTarget target, float* heights);
+/// n · p of all of them, less their offsets, if there are any.
+void find_heights(const LaneColumns& points, const Vec3f& n, const float* offsets, LaneTarget target,
+                  float* heights);
+/// The first `count` places at which x > least_x and y > least_y, both in whole lanes.
+void list_above(const std::vector<float>& x, float least_x, const std::vector<float>& y, float least_y,
+                int count, LaneTarget target, std::vector<int>& places);
 
 /// A core as the search for parting directions sees it.
 struct SupportCore {
@@ -44,6 +48,24 @@ struct CorePlace {
   Mat3f M, R;
   Vec3f t;
 };
+/// Points or directions, placed.
+class PlacedColumns {
+ public:
+  /// p -> M p + t.
+  void place(const LaneColumns& points, const Mat3f& M, const Vec3f& t, LaneTarget target);
+  LaneColumns columns() const { return {place_of(0), place_of(1), place_of(2), count_}; }
+  Vec3f operator[](int i) const {
+    const float* const first = numbers_.data() + static_cast<std::size_t>(i);
+    return Vec3f(first[0], first[count_], first[2 * count_]);
+  }
+
+ private:
+  const float* place_of(std::size_t column) const { return numbers_.data() + column * count_; }
+
+  std::size_t count_ = 0;
+  std::vector<float> numbers_;  ///< Column after column.
+};
+
 /// Edges of a core with the normals of their faces, placed, in blocks of eight, for the test of their arcs on
 /// the Gauss map. What fills the last block crosses nothing.
 class ArcBlocks {

@@ -36,8 +36,7 @@ struct PlacedForm {
   int place;
   Kind kind;
   bool is_ball;
-
-  bool has_core() const { return kind != Kind::plane && kind != Kind::other; }
+  bool has_core, has_faces;
 };
 
 /// A pair of shapes.
@@ -139,11 +138,13 @@ NarrowPhase::Tables::Tables(const Model& model) {
     first_shape.push_back(static_cast<int>(shapes.size()));
     for (const BodyShape& shape : model.body(i).shapes) {
       const auto [known, is_new] = known_forms.emplace(
-          &shape, PlacedForm{static_cast<int>(forms.size()), no_place, Kind::other, false});
+          &shape, PlacedForm{static_cast<int>(forms.size()), no_place, Kind::other, false, false, false});
       if (is_new) forms.push_back(make_bulk_shape(shape, hulls));
       PlacedForm own = known->second;
       own.kind = form(own).kind;
       own.is_ball = is_ball(form(own));
+      own.has_faces = own.kind == Kind::box || own.kind == Kind::hull;
+      own.has_core = own.has_faces || own.kind == Kind::round;
       if (own.place == no_place) {
         own.place = static_cast<int>(placed.size());
         make_room(placed.size() + 1, placed);
@@ -170,7 +171,7 @@ void NarrowPhase::Tables::place(const BulkBodies& bodies, const Executor& execut
 
 bool NarrowPhase::Tables::needs_hint(const ShapePair& pair) const {
   const PlacedForm &a = placed_form(pair.body_A, pair.shape_A), &b = placed_form(pair.body_B, pair.shape_B);
-  return (a.kind != Kind::round || b.kind != Kind::round) && a.has_core() && b.has_core();
+  return (a.has_faces | b.has_faces) & a.has_core & b.has_core;
 }
 
 namespace {
@@ -265,16 +266,9 @@ bool NarrowPhase::Tables::is_parted(const PairPlace& place, float margin) const 
 
 void NarrowPhase::Tables::add_boxes(const PairPlace& place, int number, float margin,
                                     LaneList<BoxPairs, BoxContacts>& boxes) const {
-  const int lane = boxes.count % kLaneCount;
-  BoxPairs& lanes = boxes.lanes[at(boxes.count / kLaneCount)];
+  boxes.lanes[at(boxes.count / kLaneCount)].pair[boxes.count % kLaneCount] = {
+      &place_of(place.a), &place_of(place.b), {place.d.x(), place.d.y(), place.d.z()}, margin};
   boxes.pairs[at(boxes.count++)] = number;
-  // Lanes that are left over hold the first pair.
-  for (int k = lane; k < (lane == 0 ? kLaneCount : lane + 1); ++k) {
-    lanes.a[k] = &place_of(place.a);
-    lanes.b[k] = &place_of(place.b);
-    for (int c = 0; c < 3; ++c) lanes.d[c][k] = place.d[c];
-    lanes.margin[k] = margin;
-  }
 }
 
 void NarrowPhase::Tables::add_balls(const PairPlace& place, int number,
@@ -315,6 +309,11 @@ void NarrowPhase::Tables::sort_block(const BulkBodies& bodies, const std::vector
       add_boxes(place, k, pair.margin, scratch.boxes);
     }
   }
+  // Lanes that are left over hold the first pair of their block.
+  for (int k = scratch.boxes.count; k % kLaneCount != 0; ++k) {
+    BoxPairs& last = scratch.boxes.lanes[at(k / kLaneCount)];
+    last.pair[k % kLaneCount] = last.pair[0];
+  }
   for (int k = 0; k < scratch.boxes.block_count(); ++k)
     collide_boxes(scratch.boxes.lanes[at(k)], best_lane_target(), scratch.boxes.contacts[at(k)]);
   for (int k = 0; k < scratch.balls.block_count(); ++k)
@@ -335,12 +334,13 @@ void NarrowPhase::Tables::find_boxes(const PairPlace& place, int lane_place, int
   const std::int32_t outcome = contacts.outcome[lane];
   const bool has_crossing = outcome == BoxContacts::edges || outcome == BoxContacts::edges_and_region;
   const bool has_region = outcome == BoxContacts::region || outcome == BoxContacts::edges_and_region;
+  const Manifold& region = contacts.over_face[lane];
   const std::size_t count = manifolds.size();
-  Manifold manifold{};
-  const bool crosses = has_crossing && cross_box_edges(lanes, contacts, lane, manifold);
-  if (crosses) manifolds.push_back({number, 0, manifold});
-  if (has_region && (crosses || !has_crossing) && read_box_region(contacts, lane, margin, manifold))
-    manifolds.push_back({number, crosses ? 1 : 0, manifold});
+  Manifold crossing{};
+  const bool crosses = has_crossing && cross_box_edges(lanes, contacts, lane, crossing);
+  if (crosses) manifolds.push_back({number, 0, crossing});
+  if (has_region && (crosses || !has_crossing) && region.point_count > 0)
+    manifolds.push_back({number, crosses ? 1 : 0, region});
   if (manifolds.size() > count) {
     if (hint.axis == 0) hint.axis = 1;  // What is not written need not be brought back to memory.
     return;
@@ -362,6 +362,7 @@ void NarrowPhase::Tables::find_boxes(const PairPlace& place, int lane_place, int
 
 void NarrowPhase::Tables::find(const BulkBodies& bodies, const std::vector<ShapePair>& pairs, int begin,
                                int end, BlockScratch& scratch, std::vector<PairManifold>& manifolds) {
+  scratch.polytopes.shape_A = nullptr;  // Bodies have moved since the last call.
   for (int first = begin; first < end; first += kBlock) {
     const int last = std::min(end, first + kBlock);
     make_room(manifolds.size() + kBlock, manifolds);

@@ -105,15 +105,13 @@ TEST(NarrowPhaseLanes, BothTargetsGiveTheSameBitsOfBoxes) {
           place_shape(make_bulk_shape({.shape = Box{draw.sizes()}}, hulls), Quat(draw.rotation())));
     BoxPairs pairs;
     for (int k = 0; k < kLaneCount; ++k) {
-      pairs.a[k] = &placed[static_cast<std::size_t>(2 * k)];
-      pairs.b[k] = &placed[static_cast<std::size_t>(2 * k + 1)];
-      const Vec3 d = draw.pose(0.9).p;
-      for (int c = 0; c < 3; ++c) pairs.d[c][k] = static_cast<float>(d[c]);
-      pairs.margin[k] = 0.1f;
+      const Vec3f d = draw.pose(0.9).p.cast<float>();
+      pairs.pair[k] = {&placed[static_cast<std::size_t>(2 * k)],
+                       &placed[static_cast<std::size_t>(2 * k + 1)],
+                       {d.x(), d.y(), d.z()},
+                       0.1f};
     }
-    BoxContacts portable, avx2;
-    std::memset(&portable, 0, sizeof portable);
-    std::memset(&avx2, 0, sizeof avx2);
+    BoxContacts portable{}, avx2{};
     collide_boxes(pairs, LaneTarget::portable, portable);
     collide_boxes(pairs, LaneTarget::avx2, avx2);
     EXPECT_EQ(std::memcmp(&portable, &avx2, sizeof portable), 0);
@@ -133,8 +131,8 @@ TEST(NarrowPhaseLanes, BothTargetsGiveTheSameBitsOfColumns) {
     EXPECT_EQ(farthest.index, find_support(points, n, LaneTarget::portable).index);
     EXPECT_EQ(farthest.height, find_support(points, n, LaneTarget::portable).height);
     std::vector<float> portable(64), avx2(64);
-    find_heights(points, n, LaneTarget::portable, portable.data());
-    find_heights(points, n, LaneTarget::avx2, avx2.data());
+    find_heights(points, n, nullptr, LaneTarget::portable, portable.data());
+    find_heights(points, n, nullptr, LaneTarget::avx2, avx2.data());
     EXPECT_EQ(portable, avx2);
     const auto highest = std::max_element(avx2.begin(), avx2.end());
     EXPECT_EQ(*highest, farthest.height);
