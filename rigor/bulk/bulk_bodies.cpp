@@ -2,7 +2,9 @@
 
 #include "rigor/math/rotation.hpp"
 
+#include <cmath>
 #include <cstddef>
+#include <numbers>
 
 namespace rigor {
 
@@ -17,6 +19,16 @@ Vec3 vector_of(const float* p) {
 }
 
 }  // namespace
+
+void turn_far(const float* s, float* r) {
+  const Vec3 before = vector_of(r), by = vector_of(s);
+  const Vec3 shortest = rotation_log(rotation_exp(by) * rotation_exp(before));
+  // exp(shortest) = exp((1 + 2 π n / |shortest|) shortest) for whole n.
+  const double angle = shortest.norm(), turn = 2 * std::numbers::pi;
+  if (!(angle > 0)) return set_floats(before + by, r);
+  const double along = (before + by).dot(shortest) / angle;
+  set_floats((angle + turn * std::round((along - angle) / turn)) / angle * shortest, r);
+}
 
 BulkBodies read_bulk_bodies(const Model& model, const State& state) {
   const std::size_t count = static_cast<std::size_t>(model.body_count());

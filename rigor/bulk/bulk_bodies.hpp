@@ -35,11 +35,20 @@ struct alignas(32) InverseInertia {
   float pad = 0;
 };
 
+/// Rotation vectors r and s with |r|² + |s|² above the square of this [rad] are composed exactly.
+constexpr float kFarTurn = 1;
+/// r becomes the rotation vector of exp(s) exp(r), exact to rounding: of those that differ by whole turns the
+/// one whose length is nearest to |r + s|.
+void turn_far(const float* s, float* r);
+
 /// Turns a body by h ω: the rotation vector dr of exp(h ω) exp(dr), to first order in h ω and third in dr
-/// (Baker, Campbell, Hausdorff).
+/// (Baker, Campbell, Hausdorff) where both are small, exactly where they are not.
 inline void turn_further(float h, MotionRecord& motion) {
   const float* r = motion.dr;
   const float s[3] = {h * motion.w[0], h * motion.w[1], h * motion.w[2]};
+  const float squared =
+      (r[0] * r[0] + s[0] * s[0]) + (r[1] * r[1] + s[1] * s[1]) + (r[2] * r[2] + s[2] * s[2]);
+  if (squared > kFarTurn * kFarTurn) return turn_far(s, motion.dr);
   const float c[3] = {r[1] * s[2] - r[2] * s[1], r[2] * s[0] - r[0] * s[2], r[0] * s[1] - r[1] * s[0]};
   const float cc[3] = {r[1] * c[2] - r[2] * c[1], r[2] * c[0] - r[0] * c[2], r[0] * c[1] - r[1] * c[0]};
   for (int k = 0; k < 3; ++k) motion.dr[k] += s[k] + ((1.0F / 12) * cc[k] - 0.5F * c[k]);

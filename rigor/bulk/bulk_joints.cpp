@@ -2,6 +2,7 @@
 
 #include "rigor/bulk/joint_block.hpp"
 #include "rigor/bulk/joint_errors.hpp"
+#include "rigor/bulk/joint_free_trees.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <algorithm>
@@ -13,7 +14,10 @@ struct BulkJoints::Blocks {
   LaneTarget target = LaneTarget::portable;
   float h = 0;
   std::vector<BulkJointBlock> blocks;
-  std::vector<int> moved;  ///< A dynamic body of each joint.
+  std::vector<std::unique_ptr<FreeTrees>> free_trees;  ///< Of each block that can be of free trees.
+  bool has_free_trees = false;                         ///< In this step.
+  std::vector<char> is_free;                           ///< Each body, in this step.
+  std::vector<int> moved;                              ///< A dynamic body of each joint.
 
   JointEffort effort() const { return {*model, h, target}; }
 
@@ -36,11 +40,58 @@ BulkJoints::BulkJoints(const Model& model, LaneTarget target) : blocks_(std::mak
   }
   JointForest forest = make_joint_forest(model);
   for (JointSystems& systems : forest.systems) {
+    const bool may_be_free = FreeTrees::is_possible(systems);
+    blocks_->free_trees.push_back(may_be_free ? std::make_unique<FreeTrees>(model, systems) : nullptr);
     blocks_->blocks.push_back(make_joint_block(model, std::move(systems)));
   }
 }
 
 BulkJoints::~BulkJoints() = default;
+
+bool BulkJoints::may_have_free_trees() const {
+  return std::any_of(blocks_->free_trees.begin(), blocks_->free_trees.end(),
+                     [](const std::unique_ptr<FreeTrees>& trees) { return trees != nullptr; });
+}
+
+void BulkJoints::find_free_trees(const BulkBodies& bodies, const std::vector<char>& touches) {
+  blocks_->is_free.assign(touches.size(), 0);
+  blocks_->has_free_trees = false;
+  for (std::size_t i = 0; i < blocks_->blocks.size(); ++i) {
+    if (blocks_->free_trees[i] == nullptr) continue;
+    BulkJointBlock& block = blocks_->blocks[i];
+    const JointSystems& systems = block.lanes.systems;
+    block.free_lanes = 0;
+    for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
+      bool is_free = true;
+      for (std::size_t s = 0; s < systems.moved && is_free; ++s) {
+        const int body = systems.bodies[s][lane];
+        is_free = body >= 0 && bodies.is_dynamic(body) && touches[static_cast<std::size_t>(body)] == 0;
+      }
+      if (!is_free) continue;
+      block.free_lanes |= 1u << lane;
+      for (std::size_t s = 0; s < systems.moved; ++s) {
+        blocks_->is_free[static_cast<std::size_t>(systems.bodies[s][lane])] = 1;
+      }
+    }
+    blocks_->has_free_trees |= block.free_lanes != 0;
+  }
+}
+
+bool BulkJoints::is_free(int body) const {
+  return blocks_->has_free_trees && blocks_->is_free[static_cast<std::size_t>(body)] != 0;
+}
+
+void BulkJoints::advance_free_trees(const std::vector<MotionRow>& accelerations, int substeps,
+                                    BulkBodies& bodies, const Executor& executor) {
+  if (!blocks_->has_free_trees) return;
+  const FreeTrees::Step step{blocks_->h, substeps, accelerations, blocks_->target};
+  executor.for_ranges(static_cast<int>(blocks_->blocks.size()), 1, [&](int begin, int end) {
+    for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+      const unsigned lanes = blocks_->blocks[i].free_lanes;
+      if (lanes != 0) blocks_->free_trees[i]->advance(step, lanes, bodies);
+    }
+  });
+}
 
 void BulkJoints::prepare(BulkBodies& bodies, double h, const Executor& executor) {
   blocks_->h = static_cast<float>(h);
@@ -61,12 +112,21 @@ void BulkJoints::solve(JointPass pass, const Executor& executor) {
 
 void BulkJoints::read_impulses(const BulkBodies& bodies, std::vector<float>& impulses) const {
   impulses.resize(6 * blocks_->model->joints().size(), 0);
-  for (const BulkJointBlock& block : blocks_->blocks) {
+  for (std::size_t b = 0; b < blocks_->blocks.size(); ++b) {
+    const BulkJointBlock& block = blocks_->blocks[b];
     for (std::size_t i = 0; i < block.lanes.joints.size(); ++i) {
       const JointLink& link = block.lanes.systems.links[i];
       for (int lane = 0; lane < kLaneCount; ++lane) {
         const int joint = link.joints[static_cast<std::size_t>(lane)];
         if (joint < 0 || !bodies.is_dynamic(blocks_->moved[static_cast<std::size_t>(joint)])) continue;
+        if ((block.free_lanes >> lane & 1) != 0) {
+          const FloatVec3& impulse = blocks_->free_trees[b]->impulse(i);
+          float* const to = &impulses[static_cast<std::size_t>(6 * joint)];
+          to[0] = impulse.x[lane];
+          to[1] = impulse.y[lane];
+          to[2] = impulse.z[lane];
+          continue;
+        }
         for (int r = 0; r < row_count(link); ++r) {
           impulses[static_cast<std::size_t>(6 * joint + r)] = block.lanes.joints[i].impulse[r][lane];
         }

@@ -37,6 +37,17 @@ class BulkJoints {
   /// At the begin of a step of substeps of h > 0 [s]; after begin_bulk_step(). The bodies stay where they are
   /// in memory until its end.
   void prepare(BulkBodies& bodies, double h, const Executor& executor);
+  /// Trees of ball joints without laws that touch nothing need not wait for the contacts between substeps.
+  /// touches: whether each body may touch another in the step. Before prepare(), which leaves them out; none
+  /// are free in steps for which this is not called.
+  void find_free_trees(const BulkBodies& bodies, const std::vector<char>& touches);
+  /// Whether there are trees that may be free in a step.
+  bool may_have_free_trees() const;
+  bool is_free(int body) const;
+  /// The whole step of their bodies but for what end_bulk_step() does; accelerations by body, as in
+  /// BulkWorld. After prepare().
+  void advance_free_trees(const std::vector<MotionRow>& accelerations, int substeps, BulkBodies& bodies,
+                          const Executor& executor);
   void solve(JointPass pass, const Executor& executor);
   /// Of the last substep [N s] and [N m s]: six a joint, in the order of the Model's joints: of its rows in
   /// their order, on body B. Joints of bodies that sleep keep what they have there.

@@ -70,6 +70,8 @@ struct BulkWorld::Scratch {
   std::vector<MotionRow> accelerations;  ///< By forces of the environment.
   std::vector<MotionRow> turns;          ///< What turning changes of angular velocities.
   std::vector<MotionRow> unconstrained;  ///< Velocities of a substep before its constraints.
+  std::vector<char> touches;             ///< Whether each body may touch another in the step.
+  std::vector<int> loose;                ///< Bodies that move, but for those of free trees.
 };
 
 BulkWorld::BulkWorld(std::shared_ptr<const Model> model, const BulkSettings& settings)
@@ -182,13 +184,15 @@ BulkStepReport BulkWorld::step(double h) {
   begin_bulk_step(*model_, s.executor, bodies_);
   compute_accelerations(h);
   add_given_wrenches();
-  s.gyrations.prepare(bodies_);
+  find_loose_bodies();
+  s.gyrations.prepare(bodies_, s.loose);
   s.joints.prepare(bodies_, substep, s.executor);
   s.contacts.match(s.pairs, s.manifolds, memory_, s.executor);
   if (settings_.measures) s.books.begin(bodies_);
   report.direct_islands = solve_directly(h);
   s.contacts.prepare(bodies_, substep, s.direct, s.executor);
   if (s.contacts.has_restitution()) s.bounce_limits.begin(bodies_, s.executor);
+  s.joints.advance_free_trees(s.accelerations, settings_.substeps, bodies_, s.executor);
   const bool adds_up = settings_.measures || s.contacts.has_restitution();
   for (int k = 0; k < settings_.substeps; ++k) {
     take_substep(k == 0, static_cast<float>(substep));
@@ -345,11 +349,29 @@ double BulkWorld::work_of_forces() const {
   return work;
 }
 
+/// Bodies whose substeps are taken here: not those of trees that touch nothing.
+void BulkWorld::find_loose_bodies() {
+  Scratch& s = *scratch_;
+  if (s.joints.may_have_free_trees()) {
+    s.touches.assign(bodies_.x.size(), 0);
+    for (const PairManifold& found : s.manifolds) {
+      const ShapePair& pair = s.pairs[static_cast<std::size_t>(found.pair)];
+      s.touches[static_cast<std::size_t>(pair.body_A)] = s.touches[static_cast<std::size_t>(pair.body_B)] = 1;
+    }
+    s.joints.find_free_trees(bodies_, s.touches);
+  }
+  s.loose.clear();
+  for (int i = 0; i < bodies_.count(); ++i) {
+    if (bodies_.stirs(i) && !s.joints.is_free(i)) s.loose.push_back(i);
+  }
+}
+
 void BulkWorld::integrate_velocities(bool is_first, float h) {
   Scratch& s = *scratch_;
   if (s.gyrations.has_any()) s.gyrations.find_changes(h, bodies_, s.executor, s.turns);
-  s.executor.for_ranges(bodies_.count(), 1024, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) {
+  s.executor.for_ranges(static_cast<int>(s.loose.size()), 1024, [&](int begin, int end) {
+    for (int place = begin; place < end; ++place) {
+      const int i = s.loose[static_cast<std::size_t>(place)];
       const std::size_t k = static_cast<std::size_t>(i);
       if (s.direct.holds(i)) continue;
       float* v = bodies_.motion[k].v;
@@ -366,9 +388,11 @@ void BulkWorld::integrate_velocities(bool is_first, float h) {
 }
 
 void BulkWorld::integrate_positions(float h) {
-  scratch_->executor.for_ranges(bodies_.count(), 1024, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) {
-      MotionRecord& motion = bodies_.motion[static_cast<std::size_t>(i)];
+  const std::vector<int>& loose = scratch_->loose;
+  scratch_->executor.for_ranges(static_cast<int>(loose.size()), 1024, [&](int begin, int end) {
+    for (int place = begin; place < end; ++place) {
+      const std::size_t k = static_cast<std::size_t>(loose[static_cast<std::size_t>(place)]);
+      MotionRecord& motion = bodies_.motion[k];
       for (int j = 0; j < 3; ++j) motion.dp[j] += h * motion.v[j];
       turn_further(h, motion);
     }

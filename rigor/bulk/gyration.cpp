@@ -1,6 +1,14 @@
 #include "rigor/bulk/gyration.hpp"
 
-#include "rigor/bulk/joint_turn.hpp"
+#include "rigor/bulk/lane_bits.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
 
 namespace rigor {
 
@@ -9,135 +17,112 @@ namespace {
 /// Changes below this [rad/s] a substep are not worth finding: bodies at rest.
 constexpr float kLeastChange = 1e-7F;
 
-/// See Gyrations.
-///
-/// Source: Catto, Numerical Methods, Game Developers Conference 2015.
-RIGOR_FLOAT_LANES FloatVec3 change_in_lanes(const BodyGyration& bodies, const FloatVec3& w, float h) {
-  const FloatVec3 e[3] = {bodies.axis0, bodies.axis1, cross(bodies.axis0, bodies.axis1)};
-  const FloatLanes* I = bodies.moments;
-  const FloatLanes b[3] = {dot(e[0], w), dot(e[1], w), dot(e[2], w)};
-
-  // J x = h ω × I ω,  J = I + h (ω~ I - (I ω)~): row i has I_i on the diagonal and h (I_k - I_j) of the other
-  // components.
-  const FloatLanes g0 = h * (I[2] - I[1]), g1 = h * (I[0] - I[2]), g2 = h * (I[1] - I[0]);
-  const FloatLanes f[3] = {g0 * b[1] * b[2], g1 * b[2] * b[0], g2 * b[0] * b[1]};
-  const FloatLanes m01 = g0 * b[2], m02 = g0 * b[1];
-  const FloatLanes m10 = g1 * b[2], m12 = g1 * b[0];
-  const FloatLanes m20 = g2 * b[1], m21 = g2 * b[0];
-  // Cramer's rule.
-  const FloatLanes c00 = I[1] * I[2] - m12 * m21, c01 = m12 * m20 - m10 * I[2], c02 = m10 * m21 - I[1] * m20;
-  const FloatLanes inverse = 1.0F / (I[0] * c00 + m01 * c01 + m02 * c02);
-  const FloatLanes x[3] = {
-      (f[0] * c00 + f[1] * (m02 * m21 - m01 * I[2]) + f[2] * (m01 * m12 - m02 * I[1])) * inverse,
-      (f[0] * c01 + f[1] * (I[0] * I[2] - m02 * m20) + f[2] * (m02 * m10 - I[0] * m12)) * inverse,
-      (f[0] * c02 + f[1] * (m01 * m20 - I[0] * m21) + f[2] * (I[0] * I[1] - m01 * m10)) * inverse};
-  // One Newton step is not the solution: at several radians a step its energy may be more.
-  FloatLanes before = float_lanes(0), after = float_lanes(0), y[3];
-  for (int j = 0; j < 3; ++j) {
-    y[j] = b[j] - x[j];
-    before += I[j] * b[j] * b[j];
-    after += I[j] * y[j] * y[j];
-  }
-  const FloatLanes scale = after > before ? float_sqrt(before / after) : float_lanes(1);
-  for (int j = 0; j < 3; ++j) y[j] = scale * y[j] - b[j];
-  return y[0] * e[0] + (y[1] * e[1] + y[2] * e[2]);
-}
-
-/// Lanes whose change is not worth finding.
-RIGOR_FLOAT_LANES IntLanes turn_slowly(const FloatVec3& w, float h) {
-  return h * dot(w, w) < float_lanes(kLeastChange);
-}
-RIGOR_FLOAT_LANES bool are_all(const IntLanes& mask) {
-  bool all = true;
-  for (int i = 0; i < kLaneCount; ++i) all = all && mask[i] != 0;
-  return all;
-}
-
 /// Records of eight bodies, and where their changes go.
 struct GyrationRecords {
   const float* records[kLaneCount];
   float* changes[kLaneCount];
 };
 
-RIGOR_FLOAT_LANES void find_group_in_lanes(const BodyGyration& start, float h, const GyrationRecords& at) {
-  FloatSquare square;
-  for (int i = 0; i < kLaneCount; ++i) square.row[i] = load_floats(at.records[i]);
-  square = transpose(square);
-  const FloatVec3 w{square.row[4], square.row[5], square.row[6]};
-  FloatVec3 change{};
-  const IntLanes is_slow = turn_slowly(w, h);
-  if (!are_all(is_slow)) {
-    for (int i = 0; i < kLaneCount; ++i) square.row[i] = load_floats(at.records[i] + kLaneCount);
-    square = transpose(square);
-    const FloatQuat turn = lane_turn({square.row[4], square.row[5], square.row[6]});
-    BodyGyration now = start;
-    now.axis0 = rotate(turn, start.axis0);
-    now.axis1 = rotate(turn, start.axis1);
-    change = change_in_lanes(now, w, h);
-    // What a body gets does not depend on who shares its lanes.
-    const FloatLanes zero = float_lanes(0);
-    change = {is_slow ? zero : change.x, is_slow ? zero : change.y, is_slow ? zero : change.z};
-  }
-  for (int i = 0; i < kLaneCount; ++i) {
-    at.changes[i][4] = change.x[i];
-    at.changes[i][5] = change.y[i];
-    at.changes[i][6] = change.z[i];
-  }
-}
+namespace portable_lanes {
+#define RIGOR_LANES_HAVE_FMA 0
+#include "rigor/bulk/fused_lanes.inl"
+
+#include "rigor/bulk/turn_lanes.inl"
+
+#include "rigor/bulk/gyration_kernels.inl"
+
+#include "rigor/bulk/gyration_groups.inl"
+#undef RIGOR_LANES_HAVE_FMA
+}  // namespace portable_lanes
 
 #if defined(__x86_64__)
-[[gnu::target("avx2")]] void find_group_avx2(const BodyGyration& start, float h, const GyrationRecords& at) {
-  find_group_in_lanes(start, h, at);
-}
+#if defined(__clang__)
+#pragma clang attribute push(__attribute__((target("avx2,fma"))), apply_to = function)
 #else
-void find_group_avx2(const BodyGyration& start, float h, const GyrationRecords& at) {
-  find_group_in_lanes(start, h, at);
-}
+#pragma GCC push_options
+#pragma GCC target("avx2,fma")
 #endif
-void find_group_portable(const BodyGyration& start, float h, const GyrationRecords& at) {
-  find_group_in_lanes(start, h, at);
-}
+namespace avx2_lanes {
+#define RIGOR_LANES_HAVE_FMA 1
+#include "rigor/bulk/fused_lanes.inl"
 
-/// Whether the angular velocity stays while the body turns.
-bool is_round(const Body& body) {
-  return body.moments[0] == body.moments[1] && body.moments[1] == body.moments[2];
-}
+#include "rigor/bulk/turn_lanes.inl"
 
-void set_lane(const Vec3& a, int lane, FloatVec3& to) {
-  to.x[lane] = static_cast<float>(a.x());
-  to.y[lane] = static_cast<float>(a.y());
-  to.z[lane] = static_cast<float>(a.z());
+#include "rigor/bulk/gyration_kernels.inl"
+
+#include "rigor/bulk/gyration_groups.inl"
+#undef RIGOR_LANES_HAVE_FMA
+}  // namespace avx2_lanes
+#if defined(__clang__)
+#pragma clang attribute pop
+#else
+#pragma GCC pop_options
+#endif
+#else
+namespace avx2_lanes = portable_lanes;
+#endif
+
+void set_lane(const Vec3& a, std::size_t lane, FloatVec3& to) {
+  const int i = static_cast<int>(lane);
+  to.x[i] = static_cast<float>(a.x());
+  to.y[i] = static_cast<float>(a.y());
+  to.z[i] = static_cast<float>(a.z());
 }
 
 }  // namespace
 
-Gyrations::Gyrations(const Model& model, LaneTarget target) : target_(target) {
-  int lane = kLaneCount;
+std::optional<int> axis_of_revolution(const Body& body) {
+  constexpr double rounding = 1e-6;
+  for (int k = 0; k < 3; ++k) {
+    const double a = body.moments[(k + 1) % 3], b = body.moments[(k + 2) % 3];
+    if (std::abs(a - b) <= rounding * std::max(a, b)) return k;
+  }
+  return std::nullopt;
+}
+
+Gyrations::Gyrations(const Model& model, LaneTarget target)
+    : target_(target), principals_(static_cast<std::size_t>(model.body_count())) {
   for (int i = 0; i < model.body_count(); ++i) {
     const Body& body = model.body(i);
-    if (body.motion != MotionType::dynamic || is_round(body)) continue;
+    Principal& principal = principals_[static_cast<std::size_t>(i)];
+    const bool is_round = body.moments[0] == body.moments[1] && body.moments[1] == body.moments[2];
+    if (body.motion != MotionType::dynamic || is_round) continue;
+    const std::optional<int> axis = axis_of_revolution(body);
+    principal.kind = axis ? Kind::revolution : Kind::other;
+    principal.first = axis.value_or(0);
+    for (int k = 0; k < 3; ++k) {
+      principal.moments[k] = static_cast<float>(body.moments[(principal.first + k) % 3]);
+    }
+  }
+}
+
+void Gyrations::prepare(const BulkBodies& bodies, const std::vector<int>& who) {
+  groups_.clear();
+  add(Kind::revolution, bodies, who);
+  add(Kind::other, bodies, who);
+}
+
+/// Groups of the bodies of one kind.
+void Gyrations::add(Kind kind, const BulkBodies& bodies, const std::vector<int>& who) {
+  std::size_t lane = kLaneCount;
+  for (const int body : who) {
+    const Principal& principal = principals_[static_cast<std::size_t>(body)];
+    if (principal.kind != kind) continue;
     if (lane == kLaneCount) {
       lane = 0;
       Group& group = groups_.emplace_back();
       group.bodies.fill(-1);
+      group.is_of_revolution = kind == Kind::revolution;
+      group.start = BodyGyration{};
       for (FloatLanes& moment : group.start.moments) moment = float_lanes(1);
     }
     Group& group = groups_.back();
-    group.bodies[static_cast<std::size_t>(lane)] = i;
-    for (int k = 0; k < 3; ++k) group.start.moments[k][lane] = static_cast<float>(body.moments[k]);
+    const Mat3 R_WB = bodies.q[static_cast<std::size_t>(body)].toRotationMatrix();
+    group.bodies[lane] = body;
+    for (int k = 0; k < 2; ++k) set_lane(R_WB.col((principal.first + k) % 3), lane, group.start.axes[k]);
+    for (int k = 0; k < 3; ++k) group.start.moments[k][static_cast<int>(lane)] = principal.moments[k];
+    group.start.spin[static_cast<int>(lane)] = principal.moments[0] / principal.moments[1] - 1;
     ++lane;
-  }
-}
-
-void Gyrations::prepare(const BulkBodies& bodies) {
-  for (Group& group : groups_) {
-    for (int lane = 0; lane < kLaneCount; ++lane) {
-      const int body = group.bodies[static_cast<std::size_t>(lane)];
-      const Mat3 R_WB =
-          body < 0 ? Mat3(Mat3::Identity()) : bodies.q[static_cast<std::size_t>(body)].toRotationMatrix();
-      set_lane(R_WB.col(0), lane, group.start.axis0);
-      set_lane(R_WB.col(1), lane, group.start.axis1);
-    }
   }
 }
 
@@ -156,8 +141,8 @@ void Gyrations::find_changes(float h, const BulkBodies& bodies, const Executor& 
         at.records[lane] = is_used ? bodies.motion[body].v : nothing.v;
         at.changes[lane] = is_used ? turns[body].data() : nowhere.data();
       }
-      target_ == LaneTarget::avx2 ? find_group_avx2(group.start, h, at)
-                                  : find_group_portable(group.start, h, at);
+      target_ == LaneTarget::avx2 ? avx2_lanes::find_group(group.start, group.is_of_revolution, h, at)
+                                  : portable_lanes::find_group(group.start, group.is_of_revolution, h, at);
     }
   });
 }

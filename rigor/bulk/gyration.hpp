@@ -6,38 +6,55 @@
 #include "rigor/geometry/lane_target.hpp"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace rigor {
 
+/// The principal axis about which a body's inertia is that of a body of revolution: its other two moments are
+/// equal in 32 bits. Of a round one the first.
+std::optional<int> axis_of_revolution(const Body& body);
+
 /// Principal axes and moments of eight bodies: what makes their angular velocities turn by themselves.
 struct alignas(32) BodyGyration {
-  FloatVec3 axis0, axis1;  ///< The first two axes, in W.
-  FloatLanes moments[3];   ///< [kg m²].
+  FloatVec3 axes[2];      ///< The first two axes, in W; the first is that of bodies of revolution.
+  FloatLanes moments[3];  ///< [kg m²].
+  FloatLanes spin;        ///< Of bodies of revolution: moments[0] / moments[1] - 1.
 };
 
-/// What the gyroscopic torque -ω × I ω changes of angular velocities in a substep: one Newton step of the
-/// implicit equation, shortened where it would gain energy. Bodies whose moments of inertia are equal turn
-/// without it.
+/// What the gyroscopic torque -ω × I ω changes of angular velocities in a substep: of bodies of revolution in
+/// closed form, of others by one Newton step of the implicit equation, shortened where it would gain energy.
+/// Bodies whose moments of inertia are equal turn without it.
 class Gyrations {
  public:
   explicit Gyrations(const Model& model, LaneTarget target = best_lane_target());
 
-  /// Whether any body turns so.
+  /// Whether any of the bodies that it was prepared for turns so.
   bool has_any() const { return !groups_.empty(); }
-  /// At the begin of a step.
-  void prepare(const BulkBodies& bodies);
+  /// At the begin of a step, for some bodies.
+  void prepare(const BulkBodies& bodies, const std::vector<int>& who);
   /// Changes of the angular velocities [rad/s] within h [s] where the bodies are now, in W: of body i the
-  /// first three numbers of turns[i].
+  /// first three numbers of turns[i] from the fifth on.
   void find_changes(float h, const BulkBodies& bodies, const Executor& executor,
                     std::vector<std::array<float, kLaneCount>>& turns) const;
 
  private:
+  enum class Kind : char { round, revolution, other };
+  /// Of a body.
+  struct Principal {
+    Kind kind = Kind::round;
+    int first = 0;  ///< The axis that comes first.
+    float moments[3] = {};
+  };
   struct alignas(32) Group {
     std::array<int, kLaneCount> bodies{};  ///< -1: none.
+    bool is_of_revolution = false;         ///< All of them.
     BodyGyration start;                    ///< At the begin of the step.
   };
+  void add(Kind kind, const BulkBodies& bodies, const std::vector<int>& who);
+
   LaneTarget target_;
+  std::vector<Principal> principals_;
   std::vector<Group> groups_;
 };
 

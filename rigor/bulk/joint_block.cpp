@@ -80,7 +80,8 @@ void find_records(BulkBodies& bodies, BulkJointBlock& block) {
     for (std::size_t lane = 0; lane < 8; ++lane) {
       const int body = block.lanes.systems.bodies[s][lane];
       float* record = block.nothing.data();
-      if (is_moved && (body < 0 || !bodies.is_dynamic(body))) {
+      const bool is_free = (block.free_lanes >> lane & 1) != 0;
+      if (is_moved && (body < 0 || is_free || !bodies.is_dynamic(body))) {
         record = block.empty[lane].data();
       } else if (body >= 0) {
         static_assert(sizeof(bodies.motion[0]) == 16 * sizeof(float));

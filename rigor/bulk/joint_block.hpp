@@ -28,6 +28,7 @@ struct BulkJointBlock {
     FloatVec3 v, w;
   };
   std::vector<Velocities> before;  ///< At the begin of a solve, of bodies that joints with laws move.
+  unsigned free_lanes = 0;         ///< Of trees that FreeTrees takes in this step, one bit each.
   bool stirs = true;               ///< Whether one of its bodies moves in this step: not all of them sleep.
   /// Of rows of laws, in the order of links, rows and lanes: what limits do after the displacements.
   struct Law {

@@ -55,7 +55,7 @@ NearBodies::NearBodies(std::vector<int> moving, std::vector<int> standing, std::
 
 /// The box with some room on all sides, and more where it goes.
 FloatBox NearBodies::wide_box(const Boxes& boxes, int body) const {
-  constexpr float room = 0.04f, steps = 2;
+  constexpr float room = 0.04f, steps = 4;
   const Vec3 d = boxes.origin - origin_;
   const float shift[] = {static_cast<float>(d.x()), static_cast<float>(d.y()), static_cast<float>(d.z())};
   FloatBox wide = shifted(boxes.box[at(body)], shift);

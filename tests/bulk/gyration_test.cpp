@@ -25,7 +25,7 @@ struct Turner {
     bodies.q[0] = q_WB;
     for (int k = 0; k < 3; ++k) bodies.motion[0].w[k] = static_cast<float>(w_W[k]);
     Gyrations gyrations(*model);
-    gyrations.prepare(bodies);
+    gyrations.prepare(bodies, {0});
     std::vector<std::array<float, kLaneCount>> turns;
     gyrations.find_changes(h, bodies, Executor(1), turns);
     return w_W + Vec3(turns[0][4], turns[0][5], turns[0][6]);

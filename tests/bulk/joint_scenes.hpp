@@ -10,6 +10,7 @@
 #include <array>
 #include <memory>
 #include <string>
+#include <numeric>
 #include <vector>
 
 namespace rigor::tests {
@@ -64,7 +65,9 @@ struct JointRun {
     const double h = H / substeps;
     begin_bulk_step(*model, executor, bodies);
     joints.prepare(bodies, h, executor);
-    gyrations.prepare(bodies);
+    std::vector<int> who(bodies.x.size());
+    std::iota(who.begin(), who.end(), 0);
+    gyrations.prepare(bodies, who);
     for (int s = 0; s < substeps; ++s) {
       gyrations.find_changes(static_cast<float>(h), bodies, executor, turns);
       for (int i = 0; i < bodies.count(); ++i) {
