@@ -84,7 +84,7 @@ BulkContacts::BulkContacts(const Model& model)
   }
 }
 
-void BulkContacts::match(const std::vector<ShapePair>& pairs, const std::vector<PairManifold>& manifolds,
+void BulkContacts::match(const std::vector<ShapePair>& pairs, const ManifoldList& manifolds,
                          const std::vector<ManifoldMemory>& memory, const Executor& executor) {
   pairs_ = &pairs;
   manifolds_ = &manifolds;
@@ -104,9 +104,9 @@ void BulkContacts::match_range(std::size_t begin, std::size_t end) {
   };
   std::size_t next = memory.size();
   for (std::size_t i = begin; i < end; ++i) {
-    const PairManifold& found = (*manifolds_)[i];
-    const ShapePair& pair = (*pairs_)[static_cast<std::size_t>(found.pair)];
-    const std::array<int, 5> key = {pair.body_A, pair.body_B, pair.shape_A, pair.shape_B, found.part};
+    const ShapePair& pair = pair_of(i);
+    const std::array<int, 5> key = {pair.body_A, pair.body_B, pair.shape_A, pair.shape_B,
+                                    manifolds_->part(i)};
     if (i == begin)
       next = static_cast<std::size_t>(std::lower_bound(memory.begin(), memory.end(), key, key_before) -
                                       memory.begin());
@@ -126,11 +126,10 @@ int BulkContacts::material_of(int body, int shape) const {
 }
 
 StepManifold BulkContacts::manifold_at(std::size_t i) const {
-  const PairManifold& found = (*manifolds_)[i];
   const Match& match = matches_[i];
-  return {&found.manifold,
-          &(*pairs_)[static_cast<std::size_t>(found.pair)],
-          found.part,
+  return {manifolds_->view(i),
+          &pair_of(i),
+          manifolds_->part(i),
           match.memory < 0 ? nullptr : &(*memory_)[static_cast<std::size_t>(match.memory)],
           &surfaces_[static_cast<std::size_t>(match.surface)],
           match.is_new};
@@ -144,17 +143,16 @@ std::vector<StepManifold> BulkContacts::manifolds() const {
 }
 
 ManifoldMemory BulkContacts::key_of(std::size_t i) const {
-  const PairManifold& found = (*manifolds_)[i];
-  const ShapePair& pair = (*pairs_)[static_cast<std::size_t>(found.pair)];
+  const ShapePair& pair = pair_of(i);
   ManifoldMemory key;
   key.body_A = pair.body_A;
   key.body_B = pair.body_B;
   key.shape_A = pair.shape_A;
   key.shape_B = pair.shape_B;
-  key.part = found.part;
-  key.point_count = found.manifold.point_count;
+  key.part = manifolds_->part(i);
+  key.point_count = manifolds_->point_count(i);
   for (std::size_t k = 0; k < static_cast<std::size_t>(key.point_count); ++k)
-    key.feature[k] = found.manifold.points[k].feature;
+    key.feature[k] = manifolds_->view(i).points[k].feature;
   return key;
 }
 
@@ -169,11 +167,11 @@ void BulkContacts::prepare(const BulkBodies& bodies, double h, const DirectIslan
       std::array<Softness, kLaneCount> springs;
       std::size_t count = 0;
       for (int lane = 0; lane < kLaneCount && manifold_of(number, lane) >= 0; ++lane) {
-        const StepManifold found = manifold_at(static_cast<std::size_t>(manifold_of(number, lane)));
-        const ShapePair& key = *found.key;
+        const StepManifold own = manifold_at(static_cast<std::size_t>(manifold_of(number, lane)));
+        const ShapePair& key = *own.key;
         const bool both_move = bodies.is_dynamic(key.body_A) && bodies.is_dynamic(key.body_B);
         springs[count] = softness.of(held_ratio(key, bodies), both_move);
-        lanes[count] = {found.manifold, found.surface, &springs[count], found.memory, key.body_A, key.body_B};
+        lanes[count] = {own.manifold, own.surface, &springs[count], own.memory, key.body_A, key.body_B};
         ++count;
       }
       fill_block(target_, std::span(lanes.data(), count), bodies, block);
@@ -191,8 +189,7 @@ void BulkContacts::colour(const BulkBodies& bodies, const DirectIslands& direct)
   kinds.reserve(matches_.size());
   has_restitution_ = false;
   for (std::size_t i = 0; i < matches_.size(); ++i) {
-    const PairManifold& found = (*manifolds_)[i];
-    const ShapePair& pair = (*pairs_)[static_cast<std::size_t>(found.pair)];
+    const ShapePair& pair = pair_of(i);
     const int a = pair.body_A, b = pair.body_B;
     if (direct.holds(a) || direct.holds(b)) continue;
     const ManifoldSurface& surface = surfaces_[static_cast<std::size_t>(matches_[i].surface)];
@@ -201,7 +198,7 @@ void BulkContacts::colour(const BulkBodies& bodies, const DirectIslands& direct)
     swept.push_back(static_cast<int>(i));
     edges.push_back({bodies.is_dynamic(a) ? a : -1, bodies.is_dynamic(b) ? b : -1});
     kinds.push_back(
-        static_cast<std::uint8_t>(find_block_kind(found.manifold.point_count, surface, is_round)));
+        static_cast<std::uint8_t>(find_block_kind(manifolds_->point_count(i), surface, is_round)));
   }
   colour_graph(edges, kinds, bodies.count(), colouring_);
   for (auto& block : colouring_.blocks) {

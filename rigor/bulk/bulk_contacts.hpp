@@ -24,7 +24,7 @@ class BulkContacts {
   /// At the begin of a step: which manifolds there are and what is remembered of them. memory: of the
   /// contacts of the step before, in the order of keys; it is held until prepare(), the others until the next
   /// step.
-  void match(const std::vector<ShapePair>& pairs, const std::vector<PairManifold>& manifolds,
+  void match(const std::vector<ShapePair>& pairs, const ManifoldList& manifolds,
              const std::vector<ManifoldMemory>& memory, const Executor& executor);
   /// All of them, until prepare().
   std::vector<StepManifold> manifolds() const;
@@ -92,6 +92,9 @@ class BulkContacts {
   void match_range(std::size_t begin, std::size_t end);
   int material_of(int body, int shape) const;
   StepManifold manifold_at(std::size_t i) const;
+  const ShapePair& pair_of(std::size_t i) const {
+    return (*pairs_)[static_cast<std::size_t>(manifolds_->pair(i))];
+  }
   void colour(const BulkBodies& bodies, const DirectIslands& direct);
   /// Of a manifold; no impulses.
   ManifoldMemory key_of(std::size_t i) const;
@@ -123,7 +126,7 @@ class BulkContacts {
   GraphColouring colouring_;               ///< Of the manifolds in blocks, by their numbers.
   BlockLists blocks_;
   const std::vector<ShapePair>* pairs_ = nullptr;
-  const std::vector<PairManifold>* manifolds_ = nullptr;
+  const ManifoldList* manifolds_ = nullptr;
   const std::vector<ManifoldMemory>* memory_ = nullptr;  ///< Of the step before.
   std::vector<Match> matches_;                           ///< Of the manifolds.
   std::vector<BlockBounces> bounces_;                    ///< Of each block, after find_bounces().

@@ -15,7 +15,7 @@ float remembered_impulse(const ManifoldMemory& memory, std::uint32_t feature) {
 }
 
 std::array<float, Manifold::max_points> remembered_impulses(const ManifoldMemory& memory,
-                                                            const Manifold& manifold) {
+                                                            const ManifoldView& manifold) {
   const std::size_t count = static_cast<std::size_t>(manifold.point_count);
   std::array<float, Manifold::max_points> impulses{};
   for (std::size_t i = 0; i < count; ++i) {

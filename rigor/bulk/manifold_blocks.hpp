@@ -133,7 +133,7 @@ struct ManifoldSurface {
 
 /// One manifold of a block.
 struct BlockLane {
-  const Manifold* manifold = nullptr;
+  ManifoldView manifold;
   const ManifoldSurface* surface = nullptr;
   const Softness* softness = nullptr;
   const ManifoldMemory* memory = nullptr;  ///< Where its impulses begin; nullptr: from zero.
@@ -144,7 +144,7 @@ struct BlockLane {
 float remembered_impulse(const ManifoldMemory& memory, std::uint32_t feature);
 /// Of each point of a manifold.
 std::array<float, Manifold::max_points> remembered_impulses(const ManifoldMemory& memory,
-                                                            const Manifold& manifold);
+                                                            const ManifoldView& manifold);
 
 /// The kind of block for a manifold, as an index into block_kinds. is_round: BlockKind::is_round.
 int find_block_kind(int point_count, const ManifoldSurface& surface, bool is_round);

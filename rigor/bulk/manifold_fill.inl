@@ -118,7 +118,7 @@ RIGOR_FLOAT_LANES BlockFrame fill_geometry(std::span<const BlockLane> lanes, con
   std::array<std::int32_t, kLaneCount> counts;
   constexpr std::size_t count = Block::point_count;
   for (std::size_t i = 0; i < kLaneCount; ++i) {
-    const Manifold& manifold = *lanes[i < lanes.size() ? i : 0].manifold;
+    const ManifoldView& manifold = lanes[i < lanes.size() ? i : 0].manifold;
     from[i] = manifold.normal;
     counts[i] = manifold.point_count;
   }
@@ -136,7 +136,7 @@ RIGOR_FLOAT_LANES BlockFrame fill_geometry(std::span<const BlockLane> lanes, con
   FloatVec3 sum = {zero, zero, zero};
   for (std::size_t k = 0; k < count; ++k) {
     for (std::size_t i = 0; i < kLaneCount; ++i) {
-      const Manifold& manifold = *lanes[i < lanes.size() ? i : 0].manifold;
+      const ManifoldView& manifold = lanes[i < lanes.size() ? i : 0].manifold;
       from[i] = manifold.points[k < static_cast<std::size_t>(counts[i]) ? k : 0].p;
     }
     const TwoSquares point = gather_fours(from);
@@ -174,7 +174,7 @@ RIGOR_FLOAT_LANES void fill_impulses(std::span<const BlockLane> lanes, const Blo
   for (std::size_t i = 0; i < kLaneCount; ++i) {
     const ManifoldMemory* memory = i < lanes.size() ? lanes[i].memory : nullptr;
     friction[i] = (memory == nullptr ? nothing : *memory).friction_impulse_W.data();
-    normal[i] = memory == nullptr ? nothing.normal_impulse : remembered_impulses(*memory, *lanes[i].manifold);
+    normal[i] = memory == nullptr ? nothing.normal_impulse : remembered_impulses(*memory, lanes[i].manifold);
     from[i] = normal[i].data();
   }
   const TwoSquares normals = gather_fours(from);
