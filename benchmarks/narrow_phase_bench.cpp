@@ -104,7 +104,7 @@ Scene loose_pairs(const std::function<Shape()>& shape, double least_gap, double 
 void measure(const char* name, const Scene& scene, double motion) {
   NarrowPhase narrow_phase(*scene.model());
   const Executor executor(1);
-  std::vector<PairManifold> manifolds;
+  ManifoldList manifolds;
   BulkBodies bodies = scene.bodies;
   double best = INFINITY;
   for (int round = 0; round < 30; ++round) {
@@ -118,9 +118,7 @@ void measure(const char* name, const Scene& scene, double motion) {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
     best = std::min(best, elapsed.count());
   }
-  std::size_t points = 0;
-  for (const PairManifold& manifold : manifolds)
-    points += static_cast<std::size_t>(manifold.manifold.point_count);
+  const std::size_t points = manifolds.all_points();
   fmt::print("{:34} {:6} pairs {:6} manifolds {:6} points  {:8.1f} ns a pair\n", name, scene.pairs.size(),
              manifolds.size(), points, 1e9 * best / static_cast<double>(scene.pairs.size()));
 }

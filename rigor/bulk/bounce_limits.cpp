@@ -1,5 +1,7 @@
 #include "rigor/bulk/bounce_limits.hpp"
 
+#include "rigor/bulk/contact_measures.hpp"
+
 #include <algorithm>
 #include <cstddef>
 
@@ -54,18 +56,16 @@ void BounceLimits::limit(const BulkBodies& bodies, const std::vector<MotionRow>&
   for (int i = 0; i < bodies.count(); ++i) {
     if (bodies.is_dynamic(i)) lost_[at(islands_.island_of(i))] += energies_[at(i)];
   }
-  const auto island_of = [&](const BulkContacts::Contact& contact) {
-    const std::size_t lane = at(contact.lane);
-    const int a = contact.block.body_A[lane];
-    return at(islands_.island_of(bodies.is_dynamic(a) ? a : contact.block.body_B[lane]));
+  const auto island_of = [&](int body_A, int body_B) {
+    return at(islands_.island_of(bodies.is_dynamic(body_A) ? body_A : body_B));
   };
-  contacts.for_contacts([&](const BulkContacts::Contact& contact, const ManifoldMemory&, bool) {
-    lost_[island_of(contact)] += work_of_mover(contact.block, contact.totals, contact.lane, bodies);
+  contacts.for_contacts([&](const SolvedManifold& manifold, const ManifoldMemory&, bool) {
+    lost_[island_of(manifold.body_A, manifold.body_B)] += work_of_mover(manifold, bodies);
   });
   contacts.for_bounces(
-      [&](const BulkContacts::Contact& contact, double& most) { wanted_[island_of(contact)] += most; });
-  contacts.for_bounces([&](const BulkContacts::Contact& contact, double& most) {
-    const std::size_t island = island_of(contact);
+      [&](int body_A, int body_B, double& most) { wanted_[island_of(body_A, body_B)] += most; });
+  contacts.for_bounces([&](int body_A, int body_B, double& most) {
+    const std::size_t island = island_of(body_A, body_B);
     if (wanted_[island] > lost_[island]) most *= std::max(0.0, lost_[island]) / wanted_[island];
   });
 }

@@ -1,5 +1,6 @@
 #include "rigor/bulk/bulk_contacts.hpp"
 
+#include "rigor/bulk/contact_measures.hpp"
 #include "rigor/bulk/list_room.hpp"
 #include "rigor/bulk/manifold_bounce.hpp"
 
@@ -36,15 +37,16 @@ BulkContacts::BulkContacts(const Model& model) : material_count_(model.materials
   for (const Body& body : model.bodies()) {
     first_shape_.push_back(static_cast<int>(materials_.size()));
     for (const BodyShape& shape : body.shapes) materials_.push_back(shape.material);
+    is_round_.push_back((body.moments.array() == body.moments[0]).all());
   }
 }
 
-void BulkContacts::match(const std::vector<ShapePair>& pairs, const std::vector<PairManifold>& manifolds,
+void BulkContacts::match(const std::vector<ShapePair>& pairs, const ManifoldList& manifolds,
                          const std::vector<ManifoldMemory>& memory, const Executor& executor) {
   pairs_ = &pairs;
   manifolds_ = &manifolds;
   memory_ = &memory;
-  totals_.clear();
+  blocks_.clear_totals();
   renew(manifolds.size(), matches_);
   executor.for_ranges(static_cast<int>(manifolds.size()), 1024, [&](int begin, int end) {
     match_range(static_cast<std::size_t>(begin), static_cast<std::size_t>(end));
@@ -59,9 +61,9 @@ void BulkContacts::match_range(std::size_t begin, std::size_t end) {
   };
   std::size_t next = memory.size();
   for (std::size_t i = begin; i < end; ++i) {
-    const PairManifold& found = (*manifolds_)[i];
-    const ShapePair& pair = (*pairs_)[static_cast<std::size_t>(found.pair)];
-    const std::array<int, 5> key = {pair.body_A, pair.body_B, pair.shape_A, pair.shape_B, found.part};
+    const ShapePair& pair = pair_of(i);
+    const std::array<int, 5> key = {pair.body_A, pair.body_B, pair.shape_A, pair.shape_B,
+                                    manifolds_->part(i)};
     if (i == begin)
       next = static_cast<std::size_t>(std::lower_bound(memory.begin(), memory.end(), key, key_before) -
                                       memory.begin());
@@ -81,11 +83,10 @@ int BulkContacts::material_of(int body, int shape) const {
 }
 
 StepManifold BulkContacts::manifold_at(std::size_t i) const {
-  const PairManifold& found = (*manifolds_)[i];
   const Match& match = matches_[i];
-  return {&found.manifold,
-          &(*pairs_)[static_cast<std::size_t>(found.pair)],
-          found.part,
+  return {manifolds_->view(i),
+          &pair_of(i),
+          manifolds_->part(i),
           match.memory < 0 ? nullptr : &(*memory_)[static_cast<std::size_t>(match.memory)],
           &surfaces_[static_cast<std::size_t>(match.surface)],
           match.is_new};
@@ -99,105 +100,135 @@ std::vector<StepManifold> BulkContacts::manifolds() const {
 }
 
 ManifoldMemory BulkContacts::key_of(std::size_t i) const {
-  const PairManifold& found = (*manifolds_)[i];
-  const ShapePair& pair = (*pairs_)[static_cast<std::size_t>(found.pair)];
+  const ShapePair& pair = pair_of(i);
   ManifoldMemory key;
   key.body_A = pair.body_A;
   key.body_B = pair.body_B;
   key.shape_A = pair.shape_A;
   key.shape_B = pair.shape_B;
-  key.part = found.part;
-  key.point_count = found.manifold.point_count;
+  key.part = manifolds_->part(i);
+  key.point_count = manifolds_->point_count(i);
   for (std::size_t k = 0; k < static_cast<std::size_t>(key.point_count); ++k)
-    key.feature[k] = found.manifold.points[k].feature;
+    key.feature[k] = manifolds_->view(i).points[k].feature;
   return key;
 }
 
 void BulkContacts::prepare(const BulkBodies& bodies, double h, const DirectIslands& direct,
                            const Executor& executor) {
-  swept_.clear();
-  edges_.clear();
-  make_room(matches_.size(), swept_);
-  make_room(matches_.size(), edges_);
-  for (std::size_t i = 0; i < matches_.size(); ++i) {
-    const ShapePair& pair = (*pairs_)[static_cast<std::size_t>((*manifolds_)[i].pair)];
-    const int a = pair.body_A, b = pair.body_B;
-    if (direct.holds(a) || direct.holds(b)) continue;
-    swept_.push_back(static_cast<int>(i));
-    edges_.push_back({bodies.is_dynamic(a) ? a : -1, bodies.is_dynamic(b) ? b : -1});
-  }
-  colour_graph(edges_, bodies.count(), colouring_);
-
+  colour(bodies, direct);
+  blocks_.arrange(colouring_);
   const double frequency = contact_frequency_a_substep / h;
   const Softness between_moving = make_softness(frequency, contact_damping, h);
   const Softness on_ground = make_softness(2 * frequency, contact_damping, h);
-  renew(colouring_.blocks.size(), blocks_);
-  executor.for_ranges(static_cast<int>(blocks_.size()), 16, [&](int begin, int end) {
-    for (int k = begin; k < end; ++k) {
+  executor.for_ranges(blocks_.count(), 16, [&](int begin, int end) {
+    blocks_.for_blocks(begin, end, [&](auto& block, int number) {
       std::array<BlockLane, kLaneCount> lanes;
       std::size_t count = 0;
-      for (const int edge : colouring_.blocks[static_cast<std::size_t>(k)]) {
-        if (edge < 0) break;
-        const std::size_t e = static_cast<std::size_t>(edge);
-        const int number = swept_[e];
-        const StepManifold found = manifold_at(static_cast<std::size_t>(number));
-        const bool both_move = edges_[e].a >= 0 && edges_[e].b >= 0;
-        lanes[count++] = {found.manifold, found.surface,     both_move ? &between_moving : &on_ground,
-                          found.memory,   found.key->body_A, found.key->body_B,
-                          number};
+      for (int lane = 0; lane < kLaneCount && manifold_of(number, lane) >= 0; ++lane) {
+        const StepManifold own = manifold_at(static_cast<std::size_t>(manifold_of(number, lane)));
+        const ShapePair& key = *own.key;
+        const bool both_move = bodies.is_dynamic(key.body_A) && bodies.is_dynamic(key.body_B);
+        lanes[count++] = {own.manifold, own.surface, both_move ? &between_moving : &on_ground,
+                          own.memory,   key.body_A,  key.body_B};
       }
-      fill_block(target_, std::span(lanes.data(), count), bodies, blocks_[static_cast<std::size_t>(k)]);
-    }
+      fill_block(target_, std::span(lanes.data(), count), bodies, block);
+    });
   });
-  has_restitution_ = std::any_of(blocks_.begin(), blocks_.end(),
-                                 [](const ManifoldBlock& block) { return block.has_restitution; });
+}
+
+/// Colours all manifolds but those of the islands that were solved directly.
+void BulkContacts::colour(const BulkBodies& bodies, const DirectIslands& direct) {
+  std::vector<int> swept;
+  std::vector<ConstraintEdge> edges;
+  std::vector<std::uint8_t> kinds;
+  swept.reserve(matches_.size());
+  edges.reserve(matches_.size());
+  kinds.reserve(matches_.size());
+  has_restitution_ = false;
+  for (std::size_t i = 0; i < matches_.size(); ++i) {
+    const ShapePair& pair = pair_of(i);
+    const int a = pair.body_A, b = pair.body_B;
+    if (direct.holds(a) || direct.holds(b)) continue;
+    const ManifoldSurface& surface = surfaces_[static_cast<std::size_t>(matches_[i].surface)];
+    const bool is_round = is_round_[static_cast<std::size_t>(a)] && is_round_[static_cast<std::size_t>(b)];
+    has_restitution_ = has_restitution_ || surface.restitution > 0;
+    swept.push_back(static_cast<int>(i));
+    edges.push_back({bodies.is_dynamic(a) ? a : -1, bodies.is_dynamic(b) ? b : -1});
+    kinds.push_back(
+        static_cast<std::uint8_t>(find_block_kind(manifolds_->point_count(i), surface, is_round)));
+  }
+  colour_graph(edges, kinds, bodies.count(), colouring_);
+  for (auto& block : colouring_.blocks) {
+    for (std::int32_t& edge : block) edge = edge < 0 ? -1 : swept[static_cast<std::size_t>(edge)];
+  }
 }
 
 template <class Work>
-void BulkContacts::for_blocks(const Executor& executor, const Work& work) {
+void BulkContacts::for_colours(const Executor& executor, const Work& work) {
   for (int colour = 0; colour < colouring_.colour_count(); ++colour) {
     const int first = colouring_.colour_begin[static_cast<std::size_t>(colour)];
     const int count = colouring_.colour_begin[static_cast<std::size_t>(colour) + 1] - first;
     const int grain = colour == serial_colour ? count : 4;
-    executor.for_ranges(count, std::max(grain, 1), [&](int begin, int end) {
-      for (int k = begin; k < end; ++k) work(blocks_[static_cast<std::size_t>(first + k)]);
-    });
+    executor.for_ranges(count, std::max(grain, 1),
+                        [&](int begin, int end) { work(first + begin, first + end); });
   }
 }
 
 void BulkContacts::warm_start(BulkBodies& bodies, const Executor& executor) {
-  for_blocks(executor, [&](ManifoldBlock& block) { warm_start_block(target_, block, bodies); });
+  for_colours(executor, [&](int begin, int end) {
+    blocks_.for_blocks(begin, end, [&](auto& block, int) { warm_start_block(target_, block, bodies); });
+  });
 }
 
 void BulkContacts::solve(BlockPass pass, float h, BulkBodies& bodies, const Executor& executor) {
-  for_blocks(executor, [&](ManifoldBlock& block) { solve_block(target_, pass, h, block, bodies); });
+  for_colours(executor, [&](int begin, int end) {
+    blocks_.for_blocks(begin, end, [&](auto& block, int) { solve_block(target_, pass, h, block, bodies); });
+  });
+}
+
+void BulkContacts::add_up(const Executor& executor) {
+  if (!blocks_.has_totals()) blocks_.make_totals();
+  executor.for_ranges(blocks_.count(), 64, [&](int begin, int end) {
+    blocks_.for_totals(begin, end, [](const auto& block, auto& total, int) {
+      for (std::size_t k = 0; k < total.rows; ++k) {
+        for (std::size_t i = 0; i < kLaneCount; ++i) total.row[k][i] += block.impulses.row[k][i];
+      }
+    });
+  });
 }
 
 bool BulkContacts::find_bounces(const BulkBodies& bodies, const Executor& executor) {
-  bounces_.resize(blocks_.size());
-  executor.for_ranges(static_cast<int>(blocks_.size()), 64, [&](int begin, int end) {
-    for (std::size_t k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
-      const ManifoldBlock& block = blocks_[k];
-      bounces_[k].does_any = false;
-      for (int lane = 0; block.has_restitution && lane < kLaneCount; ++lane) {
-        const std::size_t i = static_cast<std::size_t>(lane);
-        const bool does = bounces(block, totals_[k], lane);
-        const double e = block.restitution[i];
-        bounces_[k].most[i] = does ? e * e * energy_taken(block, totals_[k], lane, bodies) : 0;
-        bounces_[k].does_any = bounces_[k].does_any || does;
+  bounces_.assign(static_cast<std::size_t>(blocks_.count()), {});
+  executor.for_ranges(blocks_.count(), 64, [&](int begin, int end) {
+    blocks_.for_totals(begin, end, [&](const auto& block, const auto& total, int number) {
+      BlockBounces& found = bounces_[static_cast<std::size_t>(number)];
+      for (int lane = 0; lane < kLaneCount; ++lane) {
+        if (manifold_of(number, lane) < 0) continue;
+        const SolvedManifold own =
+            read(block, total, lane, static_cast<std::size_t>(manifold_of(number, lane)));
+        if (!bounces(own)) continue;
+        found.does_any = true;
+        found.most[static_cast<std::size_t>(lane)] =
+            own.restitution * own.restitution * energy_taken(own, bodies);
       }
-    }
+    });
   });
   return std::any_of(bounces_.begin(), bounces_.end(), [](const BlockBounces& b) { return b.does_any; });
 }
 
 void BulkContacts::bounce_apart(const Model& model, BulkBodies& bodies, const Executor& executor) {
-  for_blocks(executor, [&](ManifoldBlock& block) {
-    const std::size_t k = static_cast<std::size_t>(&block - blocks_.data());
-    for (int lane = 0; bounces_[k].does_any && lane < kLaneCount; ++lane) {
-      const double most = bounces_[k].most[static_cast<std::size_t>(lane)];
-      if (most > 0) bounce(model, block, lane, most, totals_[k], bodies);
-    }
+  for_colours(executor, [&](int begin, int end) {
+    blocks_.for_totals(begin, end, [&](const auto& block, auto& total, int number) {
+      const BlockBounces& found = bounces_[static_cast<std::size_t>(number)];
+      for (int lane = 0; found.does_any && lane < kLaneCount; ++lane) {
+        const std::size_t i = static_cast<std::size_t>(lane);
+        if (!(found.most[i] > 0)) continue;
+        const std::size_t manifold = static_cast<std::size_t>(manifold_of(number, lane));
+        const std::array<float, Manifold::max_points> impulses =
+            bounce(model, read(block, total, lane, manifold), found.most[i], bodies);
+        for (std::size_t k = 0; k < total.points; ++k) total.normal(k)[i] += impulses[k];
+      }
+    });
   });
 }
 
@@ -207,35 +238,30 @@ std::vector<ManifoldMemory> BulkContacts::keys() const {
   return keys;
 }
 
-void BulkContacts::add_up(const Executor& executor) {
-  make_room(blocks_.size(), totals_);
-  totals_.resize(blocks_.size());
-  executor.for_ranges(static_cast<int>(blocks_.size()), 64, [&](int begin, int end) {
-    for (int k = begin; k < end; ++k)
-      totals_[static_cast<std::size_t>(k)].add(blocks_[static_cast<std::size_t>(k)]);
-  });
-}
-
 void BulkContacts::remember(const BulkBodies& bodies, double h, int substeps, const Executor& executor,
-                            std::vector<ManifoldMemory>& memory) const {
+                            std::vector<ManifoldMemory>& memory) {
   renew(matches_.size(), memory);
   executor.for_ranges(static_cast<int>(matches_.size()), 1024, [&](int begin, int end) {
     for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
       memory[i] = key_of(i);
   });
-  executor.for_ranges(static_cast<int>(blocks_.size()), 64, [&](int begin, int end) {
-    for (std::size_t k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
-      for (int lane = 0; lane < kLaneCount; ++lane) {
-        const int number = blocks_[k].manifold[static_cast<std::size_t>(lane)];
-        if (number < 0) continue;
-        ManifoldMemory& remembered = memory[static_cast<std::size_t>(number)];
-        read_lane(blocks_[k], lane, remembered);
-        if (totals_.empty()) continue;
-        const double held = matches_[static_cast<std::size_t>(number)].energy;
-        remembered.energy =
-            static_cast<float>(spring_energy(blocks_[k], totals_[k], lane, bodies, h, substeps, held));
-      }
+  const auto for_lanes = [&](int number, const auto& work) {
+    for (int lane = 0; lane < kLaneCount; ++lane) {
+      const int manifold = manifold_of(number, lane);
+      if (manifold >= 0) work(lane, static_cast<std::size_t>(manifold));
     }
+  };
+  executor.for_ranges(blocks_.count(), 64, [&](int begin, int end) {
+    blocks_.for_blocks(begin, end, [&](const auto& block, int number) {
+      for_lanes(number, [&](int lane, std::size_t i) { read_lane(block, lane, memory[i]); });
+    });
+    if (!blocks_.has_totals()) return;
+    blocks_.for_totals(begin, end, [&](const auto& block, const auto& total, int number) {
+      for_lanes(number, [&](int lane, std::size_t i) {
+        const SolvedManifold own = read_manifold(block, total, lane);
+        memory[i].energy = static_cast<float>(spring_energy(own, bodies, h, substeps, matches_[i].energy));
+      });
+    });
   });
 }
 

@@ -1,12 +1,13 @@
 #pragma once
 
+#include "rigor/bulk/block_lists.hpp"
 #include "rigor/bulk/bulk_bodies.hpp"
-#include "rigor/bulk/contact_measures.hpp"
 #include "rigor/bulk/direct_islands.hpp"
 #include "rigor/bulk/executor.hpp"
 #include "rigor/bulk/graph_colouring.hpp"
 #include "rigor/bulk/manifold_blocks.hpp"
 #include "rigor/bulk/narrow_phase.hpp"
+#include "rigor/bulk/solved_manifold.hpp"
 #include "rigor/model/manifold_memory.hpp"
 
 #include <array>
@@ -23,7 +24,7 @@ class BulkContacts {
   /// At the begin of a step: which manifolds there are and what is remembered of them. memory: of the
   /// contacts of the step before, in the order of keys; it is held until prepare(), the others until the next
   /// step.
-  void match(const std::vector<ShapePair>& pairs, const std::vector<PairManifold>& manifolds,
+  void match(const std::vector<ShapePair>& pairs, const ManifoldList& manifolds,
              const std::vector<ManifoldMemory>& memory, const Executor& executor);
   /// All of them, until prepare().
   std::vector<StepManifold> manifolds() const;
@@ -48,36 +49,32 @@ class BulkContacts {
   /// What the contacts remember, in the order of keys; the energy of their springs if the impulses were added
   /// up. h [s]: of a substep.
   void remember(const BulkBodies& bodies, double h, int substeps, const Executor& executor,
-                std::vector<ManifoldMemory>& memory) const;
+                std::vector<ManifoldMemory>& memory);
 
-  /// Calls visit(contact, key, is_new) for each manifold of the step, in the order of blocks. is_new: it had
-  /// no impulse at the end of the step before.
-  struct Contact {
-    const ManifoldBlock& block;
-    const BlockTotals& totals;
-    int lane;
-  };
+  /// Calls visit(manifold, key, is_new) for each manifold of the step, in the order of blocks, if impulses
+  /// were added up. is_new: it had no impulse at the end of the step before.
   template <class Visit>
   void for_contacts(const Visit& visit) const {
-    for (std::size_t k = 0; k < totals_.size(); ++k) {
+    if (!blocks_.has_totals()) return;
+    blocks_.for_totals(0, blocks_.count(), [&](const auto& block, const auto& total, int number) {
       for (int lane = 0; lane < kLaneCount; ++lane) {
-        const int number = blocks_[k].manifold[static_cast<std::size_t>(lane)];
-        if (number < 0) continue;
-        const std::size_t i = static_cast<std::size_t>(number);
-        visit(Contact{blocks_[k], totals_[k], lane}, key_of(i), matches_[i].is_new);
+        const int manifold = manifold_of(number, lane);
+        if (manifold < 0) continue;
+        const std::size_t i = static_cast<std::size_t>(manifold);
+        visit(read(block, total, lane, i), key_of(i), matches_[i].is_new);
       }
-    }
+    });
   }
-  /// Calls visit(contact, most) for each manifold that bounces, in the order of blocks. most: the energy that
-  /// it may give back [J], which may be changed.
+  /// Calls visit(body_A, body_B, most) for each manifold that bounces, in the order of blocks. most: the
+  /// energy that it may give back [J], which may be changed.
   template <class Visit>
   void for_bounces(const Visit& visit) {
-    for (std::size_t k = 0; k < bounces_.size(); ++k) {
-      for (int lane = 0; bounces_[k].does_any && lane < kLaneCount; ++lane) {
-        double& most = bounces_[k].most[static_cast<std::size_t>(lane)];
-        if (most > 0) visit(Contact{blocks_[k], totals_[k], lane}, most);
+    blocks_.for_blocks(0, static_cast<int>(bounces_.size()), [&](const auto& block, int number) {
+      BlockBounces& bounces = bounces_[static_cast<std::size_t>(number)];
+      for (std::size_t lane = 0; bounces.does_any && lane < kLaneCount; ++lane) {
+        if (bounces.most[lane] > 0) visit(block.body_A[lane], block.body_B[lane], bounces.most[lane]);
       }
-    }
+    });
   }
 
  private:
@@ -95,25 +92,39 @@ class BulkContacts {
   void match_range(std::size_t begin, std::size_t end);
   int material_of(int body, int shape) const;
   StepManifold manifold_at(std::size_t i) const;
+  const ShapePair& pair_of(std::size_t i) const {
+    return (*pairs_)[static_cast<std::size_t>(manifolds_->pair(i))];
+  }
+  void colour(const BulkBodies& bodies, const DirectIslands& direct);
   /// Of a manifold; no impulses.
   ManifoldMemory key_of(std::size_t i) const;
+  /// Colour after colour.
   template <class Work>
-  void for_blocks(const Executor& executor, const Work& work);
+  void for_colours(const Executor& executor, const Work& work);
+  /// Number of the manifold in a lane of a block, -1 if it is empty.
+  int manifold_of(int block, int lane) const {
+    return colouring_.blocks[static_cast<std::size_t>(block)][static_cast<std::size_t>(lane)];
+  }
+  template <BlockKind kind>
+  SolvedManifold read(const ManifoldBlock<kind>& block, const BlockImpulses<kind>& total, int lane,
+                      std::size_t manifold) const {
+    SolvedManifold own = read_manifold(block, total, lane);
+    own.restitution = surfaces_[static_cast<std::size_t>(matches_[manifold].surface)].restitution;
+    return own;
+  }
 
   std::vector<int> first_shape_;  ///< Of each body.
   std::vector<int> materials_;    ///< Of each shape of all bodies.
   std::size_t material_count_;
   LaneTarget target_ = best_lane_target();
   std::vector<ManifoldSurface> surfaces_;  ///< Of two materials, by first * count + second.
-  GraphColouring colouring_;
-  std::vector<ManifoldBlock> blocks_;
+  std::vector<bool> is_round_;             ///< Of bodies: they turn as easily about all axes, or not at all.
+  GraphColouring colouring_;               ///< Of the manifolds in blocks, by their numbers.
+  BlockLists blocks_;
   const std::vector<ShapePair>* pairs_ = nullptr;
-  const std::vector<PairManifold>* manifolds_ = nullptr;
+  const ManifoldList* manifolds_ = nullptr;
   const std::vector<ManifoldMemory>* memory_ = nullptr;  ///< Of the step before.
   std::vector<Match> matches_;                           ///< Of the manifolds.
-  std::vector<int> swept_;                               ///< Which of them are in blocks.
-  std::vector<ConstraintEdge> edges_;                    ///< Of those.
-  std::vector<BlockTotals> totals_;                      ///< Of each block, if they are wanted.
   std::vector<BlockBounces> bounces_;                    ///< Of each block, after find_bounces().
   bool has_restitution_ = false;
 };

@@ -1,6 +1,7 @@
 #include "rigor/bulk/bulk_events.hpp"
 
 #include "rigor/bulk/bulk_contacts.hpp"
+#include "rigor/bulk/contact_measures.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -63,11 +64,10 @@ double BulkContact::normal_impulse() const {
 
 namespace {
 
-BulkContact read_contact(const BulkContacts::Contact& from, const ManifoldMemory& key,
+BulkContact read_contact(const SolvedManifold& manifold, const ManifoldMemory& key,
                          const BulkBodies& bodies) {
-  const auto& [block, totals, lane] = from;
-  const std::size_t i = static_cast<std::size_t>(lane), a = static_cast<std::size_t>(key.body_A);
-  const ManifoldFrame frame = manifold_frame(block, lane);
+  const std::size_t a = static_cast<std::size_t>(key.body_A);
+  const ManifoldFrame& frame = manifold.frame;
   const float* moved = bodies.motion[a].dp;
   BulkContact contact;
   contact.body_A = key.body_A, contact.body_B = key.body_B;
@@ -77,15 +77,16 @@ BulkContact read_contact(const BulkContacts::Contact& from, const ManifoldMemory
   contact.center_W = bodies.x[a] - Vec3(moved[0], moved[1], moved[2]) + frame.rA;
   contact.point_count = key.point_count;
   for (std::size_t k = 0; k < static_cast<std::size_t>(key.point_count); ++k) {
-    const BlockPoints& point = block.points[k];
-    const double p1 = point.p1[i], p2 = point.p2[i];
-    contact.points[k] = {contact.center_W + p1 * frame.t1 + p2 * frame.t2, point.gap[i], totals.normal[k][i]};
+    const SolvedManifold::Point& point = manifold.points[k];
+    contact.points[k] = {contact.center_W + point.p1 * frame.t1 + point.p2 * frame.t2, point.gap,
+                         manifold.impulses.normal[k]};
   }
-  const double f1 = totals.tangent[0][i], f2 = totals.tangent[1][i], twist = totals.twist[i];
+  const double f1 = manifold.impulses.tangent[0], f2 = manifold.impulses.tangent[1];
+  const double twist = manifold.impulses.twist;
   contact.friction_impulse_W = f1 * frame.t1 + f2 * frame.t2;
-  const double r1 = totals.roll[0][i], r2 = totals.roll[1][i];
+  const double r1 = manifold.impulses.roll[0], r2 = manifold.impulses.roll[1];
   contact.friction_moment_W = twist * frame.n + r1 * frame.t1 + r2 * frame.t2;
-  contact.approach_speed = approach_speed(block, lane);
+  contact.approach_speed = approach_speed(manifold);
   return contact;
 }
 
@@ -93,8 +94,8 @@ BulkContact read_contact(const BulkContacts::Contact& from, const ManifoldMemory
 
 std::vector<BulkContact> read_contacts(const BulkContacts& contacts, const BulkBodies& bodies) {
   std::vector<BulkContact> all;
-  contacts.for_contacts([&](const BulkContacts::Contact& contact, const ManifoldMemory& key, bool is_new) {
-    all.push_back(read_contact(contact, key, bodies));
+  contacts.for_contacts([&](const SolvedManifold& manifold, const ManifoldMemory& key, bool is_new) {
+    all.push_back(read_contact(manifold, key, bodies));
     all.back().is_new = is_new;
   });
   return all;

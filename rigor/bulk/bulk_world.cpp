@@ -60,7 +60,7 @@ struct BulkWorld::Scratch {
   Environment environment;
   std::optional<Sleepers> sleepers;  ///< If bodies may sleep.
   std::vector<ShapePair> pairs;
-  std::vector<PairManifold> manifolds;
+  ManifoldList manifolds;
   std::vector<float> joint_impulses;
   struct GivenWrench {
     int body;
@@ -354,8 +354,8 @@ void BulkWorld::find_loose_bodies() {
   Scratch& s = *scratch_;
   if (s.joints.may_have_free_trees()) {
     s.touches.assign(bodies_.x.size(), 0);
-    for (const PairManifold& found : s.manifolds) {
-      const ShapePair& pair = s.pairs[static_cast<std::size_t>(found.pair)];
+    for (std::size_t i = 0; i < s.manifolds.size(); ++i) {
+      const ShapePair& pair = s.pairs[static_cast<std::size_t>(s.manifolds.pair(i))];
       s.touches[static_cast<std::size_t>(pair.body_A)] = s.touches[static_cast<std::size_t>(pair.body_B)] = 1;
     }
     s.joints.find_free_trees(bodies_, s.touches);
@@ -403,12 +403,13 @@ BulkStepReport BulkWorld::describe_contacts() const {
   BulkStepReport report;
   report.pair_count = static_cast<int>(scratch_->pairs.size());
   report.manifold_count = static_cast<int>(scratch_->manifolds.size());
-  for (const PairManifold& found : scratch_->manifolds) {
-    report.point_count += found.manifold.point_count;
-    for (int i = 0; i < found.manifold.point_count; ++i) {
-      const double overlap = -found.manifold.points[static_cast<std::size_t>(i)].gap;
+  const ManifoldList& found = scratch_->manifolds;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    report.point_count += found.point_count(k);
+    for (int i = 0; i < found.point_count(k); ++i) {
+      const double overlap = -found.view(k).points[i].gap;
       if (overlap <= report.max_overlap) continue;
-      const ShapePair& pair = scratch_->pairs[static_cast<std::size_t>(found.pair)];
+      const ShapePair& pair = scratch_->pairs[static_cast<std::size_t>(found.pair(k))];
       report.max_overlap = overlap;
       report.overlap_A = pair.body_A;
       report.overlap_B = pair.body_B;

@@ -39,7 +39,7 @@ void add_contact(const ContactPoint& contact, NormalGroup& group) {
 }  // namespace
 
 void add_exact_manifolds(const Shape& a, const Pose& X_OA, const Shape& b, const Pose& X_OB, float margin,
-                         int pair, std::vector<PairManifold>& manifolds) {
+                         int pair, ManifoldList& manifolds) {
   std::vector<NormalGroup> groups;
   const std::vector<ContactPoint> contacts = contact_set(a, X_OA, b, X_OB, margin);
   for (const ContactPoint& contact : contacts) add_contact(contact, group_of(contact.n_W, groups));

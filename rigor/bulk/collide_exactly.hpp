@@ -10,6 +10,6 @@ namespace rigor {
 /// milliradian) are one manifold. Poses are relative to the centre of body A. They are added with the number
 /// of the pair.
 void add_exact_manifolds(const Shape& a, const Pose& X_OA, const Shape& b, const Pose& X_OB, float margin,
-                         int pair, std::vector<PairManifold>& manifolds);
+                         int pair, ManifoldList& manifolds);
 
 }  // namespace rigor

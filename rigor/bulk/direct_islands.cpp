@@ -74,12 +74,12 @@ void append(const Vec3& part, VecX& whole) {
 /// Of the points of a manifold over the whole step, in the frame; the friction is shared as the normal
 /// impulses are.
 std::vector<Vec3> remembered_impulses(const StepManifold& manifold, const Mat3& frame, int substeps) {
-  std::vector<Vec3> impulses(at(manifold.manifold->point_count), Vec3::Zero());
+  std::vector<Vec3> impulses(at(manifold.manifold.point_count), Vec3::Zero());
   if (manifold.memory == nullptr) return impulses;
   double pressed = 0;
   for (std::size_t k = 0; k < impulses.size(); ++k) {
-    impulses[k].z() = substeps * static_cast<double>(remembered_impulse(
-                                     *manifold.memory, manifold.manifold->points[k].feature));
+    impulses[k].z() = substeps * static_cast<double>(remembered_impulse(*manifold.memory,
+                                                                        manifold.manifold.points[k].feature));
     pressed += impulses[k].z();
   }
   if (!(pressed > 0)) return impulses;
@@ -95,14 +95,14 @@ BulkContact contact_of(const StepManifold& manifold, const BulkBodies& bodies) {
   contact.body_A = key.body_A, contact.body_B = key.body_B;
   contact.shape_A = key.shape_A, contact.shape_B = key.shape_B;
   contact.part = manifold.part;
-  contact.n_W = vector_of(manifold.manifold->normal);
-  contact.point_count = manifold.manifold->point_count;
+  contact.n_W = vector_of(manifold.manifold.normal);
+  contact.point_count = manifold.manifold.point_count;
   contact.center_W = contact.friction_impulse_W = contact.friction_moment_W = Vec3::Zero();
   const Vec3& x_A = bodies.x[at(key.body_A)];
   const Vec3& x_B = bodies.x[at(key.body_B)];
   contact.approach_speed = 0;
   for (int k = 0; k < contact.point_count; ++k) {
-    const ManifoldPoint& point = manifold.manifold->points[at(k)];
+    const ManifoldPoint& point = manifold.manifold.points[at(k)];
     const Vec3 p_W = x_A + vector_of(point.p);
     contact.points[at(k)] = {p_W, static_cast<double>(point.gap), 0};
     contact.center_W += p_W / contact.point_count;
@@ -247,10 +247,10 @@ bool DirectIslands::bounces(const StepManifold& manifold, const BulkBodies& bodi
   if (!(manifold.surface->restitution > 0)) return false;
   const int a = manifold.key->body_A, b = manifold.key->body_B;
   const Vec3 between = bodies.x[at(b)] - bodies.x[at(a)];
-  for (int k = 0; k < manifold.manifold->point_count; ++k) {
-    const Vec3 p = vector_of(manifold.manifold->points[at(k)].p);
+  for (int k = 0; k < manifold.manifold.point_count; ++k) {
+    const Vec3 p = vector_of(manifold.manifold.points[at(k)].p);
     const Vec3 u = velocity_at(bodies, b, p - between) - velocity_at(bodies, a, p);
-    if (vector_of(manifold.manifold->normal).dot(u) < -bounce_speed) return true;
+    if (vector_of(manifold.manifold.normal).dot(u) < -bounce_speed) return true;
   }
   return false;
 }
@@ -323,11 +323,11 @@ DirectIslands::Problem DirectIslands::problem_of(const DirectStep& step, const I
   for (const int i : island.manifolds) {
     const StepManifold& manifold = step.manifolds[at(i)];
     const int a = manifold.key->body_A, b = manifold.key->body_B;
-    const Mat3 frame = contact_frame(vector_of(manifold.manifold->normal).normalized());
+    const Mat3 frame = contact_frame(vector_of(manifold.manifold.normal).normalized());
     const Vec3 between = bodies.x[at(b)] - bodies.x[at(a)];
     const std::vector<Vec3> start = remembered_impulses(manifold, frame, step.substeps);
-    for (int k = 0; k < manifold.manifold->point_count; ++k) {
-      const ManifoldPoint& point = manifold.manifold->points[at(k)];
+    for (int k = 0; k < manifold.manifold.point_count; ++k) {
+      const ManifoldPoint& point = manifold.manifold.points[at(k)];
       ContactRows::Sides sides;
       Vec3 prescribed = Vec3::Zero();
       for (const bool is_A : {true, false}) {

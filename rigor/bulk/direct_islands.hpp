@@ -16,7 +16,7 @@ namespace rigor {
 
 /// A manifold of a step, with what belongs to it.
 struct StepManifold {
-  const Manifold* manifold = nullptr;
+  ManifoldView manifold;
   const ShapePair* key = nullptr;          ///< Whose it is.
   int part = 0;                            ///< Which one of the pair.
   const ManifoldMemory* memory = nullptr;  ///< Of the step before; or nullptr.

@@ -45,6 +45,15 @@ RIGOR_FLOAT_LANES FloatLanes larger(const FloatLanes& a, const FloatLanes& b) {
 #endif
 }
 
+/// One bit for each lane whose mask is set.
+RIGOR_FLOAT_LANES unsigned bits_of(const IntLanes& mask) {
+#if RIGOR_LANES_HAVE_FMA
+  return static_cast<unsigned>(_mm256_movemask_ps(__m256(mask)));
+#else
+  return lane_bits(mask);
+#endif
+}
+
 /// Four floats at `low` and four at `high`.
 RIGOR_FLOAT_LANES FloatLanes load_halves(const float* low, const float* high) {
 #if RIGOR_LANES_HAVE_FMA

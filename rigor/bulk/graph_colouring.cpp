@@ -6,10 +6,12 @@
 
 namespace rigor {
 
-void colour_graph(const std::vector<ConstraintEdge>& edges, int body_count, GraphColouring& colouring) {
+void colour_graph(const std::vector<ConstraintEdge>& edges, const std::vector<std::uint8_t>& kinds,
+                  int body_count, GraphColouring& colouring) {
+  const auto kind_of = [&](std::size_t edge) { return kinds.empty() ? std::size_t{0} : kinds[edge]; };
   std::vector<std::uint64_t> used(static_cast<std::size_t>(body_count), 0);
   std::vector<std::uint8_t> colours(edges.size());
-  std::array<int, serial_colour + 1> counts{};
+  std::array<std::array<int, max_edge_kinds>, serial_colour + 1> counts{};
   std::uint64_t of_pairs = 0;  // Colours that edges of two dynamic bodies have.
   for (const bool is_pair : {true, false}) {
     for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -19,7 +21,7 @@ void colour_graph(const std::vector<ConstraintEdge>& edges, int body_count, Grap
                                   (b < 0 ? 0 : used[static_cast<std::size_t>(b)]);
       const int colour = std::min(std::countr_one(taken), serial_colour);
       colours[i] = static_cast<std::uint8_t>(colour);
-      ++counts[static_cast<std::size_t>(colour)];
+      ++counts[static_cast<std::size_t>(colour)][kind_of(i)];
       if (colour == serial_colour) continue;
       if (a >= 0) used[static_cast<std::size_t>(a)] |= std::uint64_t{1} << colour;
       if (b >= 0) used[static_cast<std::size_t>(b)] |= std::uint64_t{1} << colour;
@@ -28,11 +30,17 @@ void colour_graph(const std::vector<ConstraintEdge>& edges, int body_count, Grap
   }
 
   colouring.colour_begin.assign(1, 0);
-  std::array<int, serial_colour + 1> next{};  // Lane that the next edge of a colour gets, over all blocks.
+  colouring.sections.clear();
+  // Lane that the next edge of a colour and kind gets, over all blocks.
+  std::array<std::array<int, max_edge_kinds>, serial_colour + 1> next{};
   int block_count = 0;
   for (std::size_t c = 0; c <= serial_colour; ++c) {
-    next[c] = block_count * kLaneCount;
-    block_count += c == serial_colour ? counts[c] : (counts[c] + kLaneCount - 1) / kLaneCount;
+    for (std::size_t kind = 0; kind < max_edge_kinds; ++kind) {
+      const int count = counts[c][kind];
+      next[c][kind] = block_count * kLaneCount;
+      if (count > 0) colouring.sections.push_back({static_cast<int>(kind), block_count});
+      block_count += c == serial_colour ? count : (count + kLaneCount - 1) / kLaneCount;
+    }
     colouring.colour_begin.push_back(block_count);
   }
   while (colouring.colour_count() > 1 &&
@@ -43,7 +51,7 @@ void colour_graph(const std::vector<ConstraintEdge>& edges, int body_count, Grap
   none.fill(-1);
   colouring.blocks.assign(static_cast<std::size_t>(block_count), none);
   for (std::size_t i = 0; i < edges.size(); ++i) {
-    int& lane = next[colours[i]];
+    int& lane = next[colours[i]][kind_of(i)];
     colouring
         .blocks[static_cast<std::size_t>(lane / kLaneCount)][static_cast<std::size_t>(lane % kLaneCount)] =
         static_cast<std::int32_t>(i);

@@ -19,14 +19,23 @@ struct GraphColouring {
   /// Edges of each block, -1 for an empty lane; blocks of one colour in a row.
   std::vector<std::array<std::int32_t, kLaneCount>> blocks;
   std::vector<int> colour_begin;  ///< First block of each colour, and their count at the end.
+  /// Blocks of one colour and one kind of edges.
+  struct Section {
+    int kind;
+    int first_block;
+  };
+  std::vector<Section> sections;  ///< That are not empty, in the order of blocks.
 
   int colour_count() const { return static_cast<int>(colour_begin.size()) - 1; }
 };
 
 /// Each edge in turn takes the first colour that neither of its bodies has; those that find none among 63
 /// share the last one, a block each, which must be solved in order (serial_colour). body_count: bodies are
-/// less than it.
-void colour_graph(const std::vector<ConstraintEdge>& edges, int body_count, GraphColouring& colouring);
+/// less than it. Within a colour edges are in the order of their kinds, of which no block has two; kinds: of
+/// each edge, less than max_edge_kinds; or empty, if all are of one.
+void colour_graph(const std::vector<ConstraintEdge>& edges, const std::vector<std::uint8_t>& kinds,
+                  int body_count, GraphColouring& colouring);
+constexpr int max_edge_kinds = 8;
 
 /// The colour whose blocks may share bodies.
 constexpr int serial_colour = 63;

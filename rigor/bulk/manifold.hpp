@@ -23,4 +23,18 @@ struct Manifold {
   std::array<ManifoldPoint, max_points> points;
 };
 
+/// A manifold that lies somewhere else.
+struct ManifoldView {
+  const float* normal = nullptr;  ///< Behind its three numbers is another one.
+  const ManifoldPoint* points = nullptr;
+  int point_count = 0;
+
+  ManifoldView() = default;
+  ManifoldView(const float* n, const ManifoldPoint* p, int count)
+      : normal(n), points(p), point_count(count) {}
+  /// Of one that outlives it.
+  explicit ManifoldView(const Manifold& manifold)
+      : ManifoldView(manifold.normal, manifold.points.data(), manifold.point_count) {}
+};
+
 }  // namespace rigor

@@ -1,5 +1,6 @@
 #include "rigor/bulk/manifold_blocks.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -14,7 +15,7 @@ float remembered_impulse(const ManifoldMemory& memory, std::uint32_t feature) {
 }
 
 std::array<float, Manifold::max_points> remembered_impulses(const ManifoldMemory& memory,
-                                                            const Manifold& manifold) {
+                                                            const ManifoldView& manifold) {
   const std::size_t count = static_cast<std::size_t>(manifold.point_count);
   std::array<float, Manifold::max_points> impulses{};
   for (std::size_t i = 0; i < count; ++i) {
@@ -33,18 +34,11 @@ Softness make_softness(double frequency, double damping_ratio, double h) {
   return {static_cast<float>(omega / a1), static_cast<float>(a2 * a3), static_cast<float>(a3)};
 }
 
-void read_lane(const ManifoldBlock& block, int lane_index, ManifoldMemory& memory) {
-  const std::size_t i = static_cast<std::size_t>(lane_index);
-  for (std::size_t j = 0; j < Manifold::max_points; ++j)
-    memory.normal_impulse[j] = block.points[j].impulse[i];
-  const float n[3] = {block.n[0][i], block.n[1][i], block.n[2][i]};
-  const float t1[3] = {block.t1[0][i], block.t1[1][i], block.t1[2][i]};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t l = (k + 1) % 3, m = (k + 2) % 3;
-    const float t2 = n[l] * t1[m] - n[m] * t1[l];
-    memory.friction_impulse_W[k] = block.tangent_impulse[0][i] * t1[k] + block.tangent_impulse[1][i] * t2;
-  }
-  memory.twist_impulse = block.twist_impulse[i];
+int find_block_kind(int point_count, const ManifoldSurface& surface, bool is_round) {
+  // In the order of block_kinds.
+  const bool has_moments = surface.torsional_friction > 0 || surface.rolling_friction > 0;
+  if (point_count == 1 && is_round && !has_moments) return 0;
+  return (has_moments ? 4 : 1) + std::min(point_count - 1, 2);
 }
 
 }  // namespace rigor

@@ -83,12 +83,12 @@ void add_velocity(const Vec3& dv, const Vec3& dw, MotionRecord& motion) {
 }
 
 /// u·row is the normal velocity of the point.
-Vec3 row_of(const BlockPoints& point, std::size_t i) {
-  return Vec3(1, point.p2[i], -static_cast<double>(point.p1[i]));
+Vec3 row_of(const SolvedManifold::Point& point) {
+  return Vec3(1, point.p2, -point.p1);
 }
 
-bool meets(const BlockPoints& point, const LaneArray& total, std::size_t i) {
-  return total[i] > 0 && point.first_speed[i] < -bounce_speed;
+bool meets(const SolvedManifold& manifold, std::size_t point) {
+  return manifold.impulses.normal[point] > 0 && manifold.points[point].first_speed < -bounce_speed;
 }
 
 /// Impulses of the points that part them as they should, and their wrench.
@@ -99,17 +99,16 @@ struct BounceImpulses {
 
 /// Points that bounce reach their speed, others that were pressed are held. u: as they move, K: what wrenches
 /// change of it.
-BounceImpulses find_impulses(const ManifoldBlock& block, std::size_t i, const BlockTotals& totals,
-                             const Vec3& u, const Mat3& K) {
-  const double e = block.restitution[i];
+BounceImpulses find_impulses(const SolvedManifold& manifold, const Vec3& u, const Mat3& K) {
+  const double e = manifold.restitution;
   BounceImpulses found;
   for (int sweep = 0; sweep < point_sweeps; ++sweep) {
-    for (std::size_t k = 0; k < static_cast<std::size_t>(block.point_count); ++k) {
-      const BlockPoints& point = block.points[k];
-      if (!(totals.normal[k][i] > 0)) continue;
-      const bool is_fast = meets(point, totals.normal[k], i);
-      const double wanted = is_fast ? -e * static_cast<double>(point.first_speed[i]) : 0;
-      const Vec3 row = row_of(point, i);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(manifold.point_count); ++k) {
+      const SolvedManifold::Point& point = manifold.points[k];
+      if (!(manifold.impulses.normal[k] > 0)) continue;
+      const bool is_fast = meets(manifold, k);
+      const double wanted = is_fast ? -e * point.first_speed : 0;
+      const Vec3 row = row_of(point);
       const double speed = row.dot(u + K * found.wrench);
       const double next = std::max(0.0, found.points[k] + (wanted - speed) / row.dot(K * row));
       found.wrench += (next - found.points[k]) * row;
@@ -121,36 +120,32 @@ BounceImpulses find_impulses(const ManifoldBlock& block, std::size_t i, const Bl
 
 }  // namespace
 
-bool bounces(const ManifoldBlock& block, const BlockTotals& totals, int lane) {
-  const std::size_t i = static_cast<std::size_t>(lane);
-  if (!(block.restitution[i] > 0)) return false;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(block.point_count); ++k) {
-    if (meets(block.points[k], totals.normal[k], i)) return true;
+bool bounces(const SolvedManifold& manifold) {
+  if (!(manifold.restitution > 0)) return false;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(manifold.point_count); ++k) {
+    if (meets(manifold, k)) return true;
   }
   return false;
 }
 
-double energy_taken(const ManifoldBlock& block, const BlockTotals& totals, int lane,
-                    const BulkBodies& bodies) {
-  const std::size_t i = static_cast<std::size_t>(lane);
-  const ManifoldFrame f = manifold_frame(block, lane);
-  const MotionRecord& A = bodies.motion[static_cast<std::size_t>(block.body_A[i])];
-  const MotionRecord& B = bodies.motion[static_cast<std::size_t>(block.body_B[i])];
+double energy_taken(const SolvedManifold& manifold, const BulkBodies& bodies) {
+  const ManifoldFrame& f = manifold.frame;
+  const MotionRecord& A = bodies.motion[static_cast<std::size_t>(manifold.body_A)];
+  const MotionRecord& B = bodies.motion[static_cast<std::size_t>(manifold.body_B)];
   const Vec3 u = normal_motion(f, f.rB, B) - normal_motion(f, f.rA, A);
   double work = 0;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(block.point_count); ++k) {
-    const BlockPoints& point = block.points[k];
-    const double before = point.first_speed[i], now = u.dot(row_of(point, i));
-    work += 0.5 * static_cast<double>(totals.normal[k][i]) * (before + now);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(manifold.point_count); ++k) {
+    const SolvedManifold::Point& point = manifold.points[k];
+    const double before = point.first_speed, now = u.dot(row_of(point));
+    work += 0.5 * static_cast<double>(manifold.impulses.normal[k]) * (before + now);
   }
   return std::max(0.0, -work);
 }
 
-void bounce(const Model& model, const ManifoldBlock& block, int lane, double most, BlockTotals& totals,
-            BulkBodies& bodies) {
-  const std::size_t i = static_cast<std::size_t>(lane);
-  const ManifoldFrame f = manifold_frame(block, lane);
-  const std::array<int, 2> who{block.body_A[i], block.body_B[i]};
+std::array<float, Manifold::max_points> bounce(const Model& model, const SolvedManifold& manifold,
+                                               double most, BulkBodies& bodies) {
+  const ManifoldFrame& f = manifold.frame;
+  const std::array<int, 2> who{manifold.body_A, manifold.body_B};
   std::array<WrenchResponse, 2> responses;
   Vec3 u = Vec3::Zero();
   Mat3 K = Mat3::Zero();
@@ -160,7 +155,7 @@ void bounce(const Model& model, const ManifoldBlock& block, int lane, double mos
     K += responses[is_B].K;
     u += (is_B ? 1 : -1) * normal_motion(f, is_B ? f.rB : f.rA, bodies.motion[body]);
   }
-  const BounceImpulses found = find_impulses(block, i, totals, u, K);
+  const BounceImpulses found = find_impulses(manifold, u, K);
 
   Cost cost;
   std::array<Vec3, 2> dv, dw;
@@ -182,8 +177,10 @@ void bounce(const Model& model, const ManifoldBlock& block, int lane, double mos
     if (!bodies.is_dynamic(who[is_B])) continue;
     add_velocity(part * dv[is_B], part * dw[is_B], bodies.motion[static_cast<std::size_t>(who[is_B])]);
   }
+  std::array<float, Manifold::max_points> impulses;
   for (std::size_t k = 0; k < Manifold::max_points; ++k)
-    totals.normal[k][i] += static_cast<float>(part * found.points[k]);
+    impulses[k] = static_cast<float>(part * found.points[k]);
+  return impulses;
 }
 
 }  // namespace rigor

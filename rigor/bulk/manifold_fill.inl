@@ -45,21 +45,34 @@ RIGOR_FLOAT_LANES void add_turning(const BlockFrame& f, const FloatVec3& r, cons
   }
 }
 
-/// K, and the inverses that friction needs.
-RIGOR_FLOAT_LANES void find_responses(const BlockFrame& f, ManifoldBlock& block) {
+/// Inverse masses and inertias of the two bodies; zero in empty lanes.
+struct LaneMobilities {
+  FloatSym3 IA, IB;
+  FloatLanes mA, mB;
+};
+
+/// K, and the inverses that friction needs; of one point that does not turn its mass too.
+template <class Block>
+RIGOR_FLOAT_LANES void find_responses(const BlockFrame& f, const LaneMobilities& own, Block& block) {
   const FloatLanes zero = splat(0);
-  const FloatLanes m = lane(block.mA) + lane(block.mB);
+  const FloatLanes m = own.mA + own.mB;
   FloatSym3 vv = {m, m, m, zero, zero, zero}, ww = {zero, zero, zero, zero, zero, zero};
   FloatLanes vw[3][3] = {{zero, zero, zero}, {zero, zero, zero}, {zero, zero, zero}};
-  add_turning(f, f.rA, lane(block.IA), vv, ww, vw);
-  add_turning(f, f.rB, lane(block.IB), vv, ww, vw);
-  put(vv, block.Kvv);
-  put(ww, block.Kww);
-#pragma GCC unroll 3
-  for (int i = 0; i < 3; ++i) put({vw[i][0], vw[i][1], vw[i][2]}, block.Kvw[i]);
-  invert(ww.yy, ww.zz, ww.yz, block.roll_mass);
-  put(inverse_or_zero(ww.xx), block.twist_mass);
+  add_turning(f, f.rA, own.IA, vv, ww, vw);
+  add_turning(f, f.rB, own.IB, vv, ww, vw);
+  put(vv.xy, block.Kvt[0]);
+  put(vv.xz, block.Kvt[1]);
   invert(vv.yy, vv.zz, vv.yz, block.tangent_mass);
+  if constexpr (Block::kind.turns()) {
+    put(vv.xx, block.Kvn);
+    put(ww, block.Kww);
+#pragma GCC unroll 3
+    for (int i = 0; i < 3; ++i) put({vw[i][0], vw[i][1], vw[i][2]}, block.Kvw[i]);
+    put(inverse_or_zero(ww.xx), block.twist_mass);
+  } else {
+    put(inverse_or_zero(vv.xx), block.points[0].mass);
+  }
+  if constexpr (Block::kind.has_moments) invert(ww.yy, ww.zz, ww.yz, block.roll_mass);
 }
 
 /// Two unit vectors that make a right-handed frame with the unit vector n; the first of them.
@@ -75,32 +88,37 @@ RIGOR_FLOAT_LANES FloatVec3 tangent(const FloatVec3& n) {
   return {fused(sign * n.x, n.x * a, one), sign * (n.x * n.y * a), -(sign * n.x)};
 }
 
-RIGOR_FLOAT_LANES void fill_inertia(const std::array<std::int32_t, kLaneCount>& who, const BulkBodies& bodies,
-                                    const IntLanes& is_there, LaneArray (&I)[6], LaneArray& m) {
+RIGOR_FLOAT_LANES void gather_inertia(const std::array<std::int32_t, kLaneCount>& who,
+                                      const BulkBodies& bodies, const IntLanes& is_there, FloatSym3& I,
+                                      FloatLanes& m) {
   std::array<const float*, kLaneCount> from;
   for (std::size_t i = 0; i < kLaneCount; ++i) from[i] = &bodies.inertia.data()[who[i]].xx;
   const TwoSquares first = gather_fours(from);
   for (std::size_t i = 0; i < kLaneCount; ++i) from[i] += 4;
   const TwoSquares second = gather_fours(from);
   const FloatLanes zero = splat(0);
-  put(is_there ? first.a : zero, I[0]);
-  put(is_there ? first.b : zero, I[1]);
-  put(is_there ? first.c : zero, I[2]);
-  put(is_there ? first.d : zero, I[3]);
-  put(is_there ? second.a : zero, I[4]);
-  put(is_there ? second.b : zero, I[5]);
-  put(is_there ? second.c : zero, m);
+  I = {is_there ? first.a : zero, is_there ? first.b : zero,  is_there ? first.c : zero,
+       is_there ? first.d : zero, is_there ? second.a : zero, is_there ? second.b : zero};
+  m = is_there ? second.c : zero;
+}
+RIGOR_FLOAT_LANES void put_inertia(const FloatSym3& I, LaneArray (&rows)[6]) {
+  put(I, rows);
+}
+/// Of round bodies: all three moments are the same.
+RIGOR_FLOAT_LANES void put_inertia(const FloatSym3& I, LaneArray (&rows)[1]) {
+  put(I.xx, rows[0]);
 }
 
 /// Normals, points and arms. x_BA [m]: from the centres of the bodies A to those of the bodies B.
+template <class Block>
 RIGOR_FLOAT_LANES BlockFrame fill_geometry(std::span<const BlockLane> lanes, const FloatVec3& x_BA,
-                                           const IntLanes& is_there, ManifoldBlock& block) {
+                                           const IntLanes& is_there, Block& block) {
   const FloatLanes zero = splat(0), one = splat(1);
   std::array<const float*, kLaneCount> from;
   std::array<std::int32_t, kLaneCount> counts;
-  const std::size_t count = block.point_count > 2 ? 4 : static_cast<std::size_t>(block.point_count);
+  constexpr std::size_t count = Block::point_count;
   for (std::size_t i = 0; i < kLaneCount; ++i) {
-    const Manifold& manifold = *lanes[i < lanes.size() ? i : 0].manifold;
+    const ManifoldView& manifold = lanes[i < lanes.size() ? i : 0].manifold;
     from[i] = manifold.normal;
     counts[i] = manifold.point_count;
   }
@@ -114,11 +132,11 @@ RIGOR_FLOAT_LANES BlockFrame fill_geometry(std::span<const BlockLane> lanes, con
   put(f.n, block.n);
   put(f.t1, block.t1);
 
-  FloatVec3 p[Manifold::max_points];
+  FloatVec3 p[count];
   FloatVec3 sum = {zero, zero, zero};
   for (std::size_t k = 0; k < count; ++k) {
     for (std::size_t i = 0; i < kLaneCount; ++i) {
-      const Manifold& manifold = *lanes[i < lanes.size() ? i : 0].manifold;
+      const ManifoldView& manifold = lanes[i < lanes.size() ? i : 0].manifold;
       from[i] = manifold.points[k < static_cast<std::size_t>(counts[i]) ? k : 0].p;
     }
     const TwoSquares point = gather_fours(from);
@@ -133,44 +151,50 @@ RIGOR_FLOAT_LANES BlockFrame fill_geometry(std::span<const BlockLane> lanes, con
   f.rB = f.rA - x_BA;
   put(f.rA, block.rA);
   put(f.rB, block.rB);
-  for (std::size_t k = 0; k < count; ++k) {
-    const FloatVec3 arm = p[k] - f.rA;
-    const IntLanes is_point = lane(block.points[k].mass) > zero;
-    put(is_point ? fused_dot(f.t1, arm) : zero, block.points[k].p1);
-    put(is_point ? fused_dot(f.t2, arm) : zero, block.points[k].p2);
+  if constexpr (Block::kind.turns()) {
+    for (std::size_t k = 0; k < count; ++k) {
+      const FloatVec3 arm = p[k] - f.rA;
+      const IntLanes is_point = lane(block.points[k].mass) > zero;
+      const FloatLanes p1 = is_point ? fused_dot(f.t1, arm) : zero;
+      const FloatLanes p2 = is_point ? fused_dot(f.t2, arm) : zero;
+      put(p1, block.arms[k].p1);
+      put(p2, block.arms[k].p2);
+      put(root(fused(p1, p1, p2 * p2)), block.arms[k].length);
+    }
   }
   return f;
 }
 
 /// Impulses that the points and their friction begin with.
-RIGOR_FLOAT_LANES void fill_impulses(std::span<const BlockLane> lanes, const BlockFrame& f,
-                                     ManifoldBlock& block) {
+template <class Block>
+RIGOR_FLOAT_LANES void fill_impulses(std::span<const BlockLane> lanes, const BlockFrame& f, Block& block) {
   static constexpr ManifoldMemory nothing{};
   std::array<std::array<float, Manifold::max_points>, kLaneCount> normal;
   std::array<const float*, kLaneCount> from, friction;
   for (std::size_t i = 0; i < kLaneCount; ++i) {
     const ManifoldMemory* memory = i < lanes.size() ? lanes[i].memory : nullptr;
     friction[i] = (memory == nullptr ? nothing : *memory).friction_impulse_W.data();
-    normal[i] = memory == nullptr ? nothing.normal_impulse : remembered_impulses(*memory, *lanes[i].manifold);
+    normal[i] = memory == nullptr ? nothing.normal_impulse : remembered_impulses(*memory, lanes[i].manifold);
     from[i] = normal[i].data();
   }
   const TwoSquares normals = gather_fours(from);
-  put(normals.a, block.points[0].impulse);
-  put(normals.b, block.points[1].impulse);
-  put(normals.c, block.points[2].impulse);
-  put(normals.d, block.points[3].impulse);
+  const FloatLanes of_points[Manifold::max_points] = {normals.a, normals.b, normals.c, normals.d};
+  for (std::size_t k = 0; k < Block::point_count; ++k) put(of_points[k], block.impulses.normal(k));
   static_assert(offsetof(ManifoldMemory, twist_impulse) ==
                 offsetof(ManifoldMemory, friction_impulse_W) + 3 * sizeof(float));
   const TwoSquares tangential = gather_fours(friction);
   const FloatVec3 friction_W = {tangential.a, tangential.b, tangential.c};
-  put(fused_dot(f.t1, friction_W), block.tangent_impulse[0]);
-  put(fused_dot(f.t2, friction_W), block.tangent_impulse[1]);
-  put(tangential.d, block.twist_impulse);
-  put(splat(0), block.roll_impulse[0]);
-  put(splat(0), block.roll_impulse[1]);
+  put(fused_dot(f.t1, friction_W), block.impulses.tangent(0));
+  put(fused_dot(f.t2, friction_W), block.impulses.tangent(1));
+  if constexpr (Block::kind.turns()) put(tangential.d, block.impulses.twist());
+  if constexpr (Block::kind.has_moments) {
+    put(splat(0), block.impulses.roll(0));
+    put(splat(0), block.impulses.roll(1));
+  }
 }
 
-RIGOR_FLOAT_LANES void fill_laws(std::span<const BlockLane> lanes, ManifoldBlock& block) {
+template <class Block>
+RIGOR_FLOAT_LANES void fill_laws(std::span<const BlockLane> lanes, Block& block) {
   std::array<const float*, kLaneCount> surfaces, springs;
   for (std::size_t i = 0; i < kLaneCount; ++i) {
     const BlockLane& own = lanes[i < lanes.size() ? i : 0];
@@ -179,25 +203,44 @@ RIGOR_FLOAT_LANES void fill_laws(std::span<const BlockLane> lanes, ManifoldBlock
   }
   const TwoSquares surface = gather_fours(surfaces), spring = gather_fours(springs);
   put(surface.a, block.friction);
-  put(surface.b, block.restitution);
-  put(surface.c, block.torsional_friction);
-  put(surface.d, block.rolling_friction);
+  if constexpr (Block::kind.has_moments) {
+    put(surface.c, block.torsional_friction);
+    put(surface.d, block.rolling_friction);
+  }
   put(spring.a, block.bias_rate);
   put(spring.b, block.mass_scale);
-  put(spring.c, block.impulse_scale);
 }
 
-void fill(std::span<const BlockLane> lanes, const BulkBodies& bodies, ManifoldBlock& block) {
+/// Masses of the points and normal velocities at the begin of the step.
+template <class Block>
+RIGOR_FLOAT_LANES void fill_points(const BlockFrame& f, const BulkBodies& bodies, Block& block) {
+  const LaneTwists A = gather_velocities(block.body_A, bodies);
+  const LaneTwists B = gather_velocities(block.body_B, bodies);
+  const FloatLanes zero = splat(0), speed = fused_dot(f.n, relative_motion(f, A, B));
+  if constexpr (Block::kind.turns()) {
+    const FloatVec3 turn = B.w - A.w;
+    const NormalMotion u = {speed, fused_dot(f.t1, turn), fused_dot(f.t2, turn)};
+    for (std::size_t k = 0; k < Block::point_count; ++k) {
+      BlockPoint& point = block.points[k];
+      const FloatLanes p1 = lane(block.arms[k].p1), p2 = lane(block.arms[k].p2);
+      const FloatLanes response = at_point(response_to(block, p1, p2), p1, p2);
+      put(lane(point.mass) > zero ? inverse_or_zero(response) : zero, point.mass);
+      put(at_point(u, p1, p2), point.first_speed);
+    }
+  } else {
+    put(speed, block.points[0].first_speed);
+  }
+}
+
+template <BlockKind kind>
+void fill(std::span<const BlockLane> lanes, const BulkBodies& bodies, ManifoldBlock<kind>& block) {
   std::array<std::int32_t, kLaneCount> there{};
   float x_BA[3][kLaneCount];
   block.moves_A = block.moves_B = 0;
-  block.has_restitution = block.has_moments = false;
-  block.point_count = 0;
   for (std::size_t i = 0; i < kLaneCount; ++i) {
     const BlockLane& own = lanes[i < lanes.size() ? i : 0];
     block.body_A[i] = own.body_A;
     block.body_B[i] = own.body_B;
-    block.manifold[i] = i < lanes.size() ? own.number : -1;
     const std::size_t a = static_cast<std::size_t>(own.body_A), b = static_cast<std::size_t>(own.body_B);
     for (std::size_t k = 0; k < 3; ++k) {
       const Eigen::Index axis = static_cast<Eigen::Index>(k);
@@ -207,34 +250,20 @@ void fill(std::span<const BlockLane> lanes, const BulkBodies& bodies, ManifoldBl
     there[i] = -1;
     if (bodies.is_dynamic(own.body_A)) block.moves_A = static_cast<std::uint8_t>(block.moves_A | 1u << i);
     if (bodies.is_dynamic(own.body_B)) block.moves_B = static_cast<std::uint8_t>(block.moves_B | 1u << i);
-    block.has_restitution = block.has_restitution || own.surface->restitution > 0;
-    block.has_moments = block.has_moments || own.surface->rolling_friction > 0;
-    block.point_count = std::max(block.point_count, own.manifold->point_count);
   }
   IntLanes is_there;
   std::memcpy(&is_there, there.data(), sizeof is_there);
-  block.pressed.fill(0);
-  put({splat(0), splat(0), splat(0)}, block.moved);
-  fill_inertia(block.body_A, bodies, is_there, block.IA, block.mA);
-  fill_inertia(block.body_B, bodies, is_there, block.IB, block.mB);
+  for (std::uint8_t& pressed : block.pressed) pressed = 0;
+  for (LaneArray& moved : block.moved) put(splat(0), moved);
+  LaneMobilities own;
+  gather_inertia(block.body_A, bodies, is_there, own.IA, own.mA);
+  gather_inertia(block.body_B, bodies, is_there, own.IB, own.mB);
+  put_inertia(own.IA, block.IA);
+  put_inertia(own.IB, block.IB);
   const FloatVec3 apart = {load(x_BA[0]), load(x_BA[1]), load(x_BA[2])};
   const BlockFrame f = fill_geometry(lanes, apart, is_there, block);
   fill_impulses(lanes, f, block);
   fill_laws(lanes, block);
-  find_responses(f, block);
-
-  const LaneTwists A = gather_velocities(block.body_A, bodies);
-  const LaneTwists B = gather_velocities(block.body_B, bodies);
-  const FloatVec3 turn = B.w - A.w;
-  const NormalMotion u = {fused_dot(f.n, relative_motion(f, A, B)), fused_dot(f.t1, turn),
-                          fused_dot(f.t2, turn)};
-  const std::size_t count = block.point_count > 2 ? 4 : static_cast<std::size_t>(block.point_count);
-  for (std::size_t k = 0; k < count; ++k) {
-    BlockPoints& point = block.points[k];
-    const FloatLanes p1 = lane(point.p1), p2 = lane(point.p2), zero = splat(0);
-    const FloatLanes response = at_point(response_to(block, p1, p2), p1, p2);
-    put(lane(point.mass) > zero ? inverse_or_zero(response) : zero, point.mass);
-    put(root(fused(p1, p1, p2 * p2)), point.arm);
-    put(at_point(u, p1, p2), point.first_speed);
-  }
+  find_responses(f, own, block);
+  fill_points(f, bodies, block);
 }

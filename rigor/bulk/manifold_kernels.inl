@@ -33,33 +33,41 @@ struct LaneTwists {
   FloatVec3 v, w;
 };
 
-/// Three floats of each of eight records; `at` floats behind their begin.
-RIGOR_FLOAT_LANES FloatVec3 gather(const std::array<std::int32_t, kLaneCount>& who, const BulkBodies& bodies,
-                                   std::size_t at) {
+/// Four floats of each of eight records; `at` floats behind their begin.
+RIGOR_FLOAT_LANES TwoSquares gather(const std::array<std::int32_t, kLaneCount>& who, const BulkBodies& bodies,
+                                    std::size_t at) {
   const float* motion = reinterpret_cast<const float*>(bodies.motion.data()) + at;
   constexpr std::int64_t size = sizeof(MotionRecord) / sizeof(float);
-  const TwoSquares columns = transpose({load_halves(motion + size * who[0], motion + size * who[4]),
-                                        load_halves(motion + size * who[1], motion + size * who[5]),
-                                        load_halves(motion + size * who[2], motion + size * who[6]),
-                                        load_halves(motion + size * who[3], motion + size * who[7])});
+  return transpose({load_halves(motion + size * who[0], motion + size * who[4]),
+                    load_halves(motion + size * who[1], motion + size * who[5]),
+                    load_halves(motion + size * who[2], motion + size * who[6]),
+                    load_halves(motion + size * who[3], motion + size * who[7])});
+}
+RIGOR_FLOAT_LANES FloatVec3 gather_vectors(const std::array<std::int32_t, kLaneCount>& who,
+                                           const BulkBodies& bodies, std::size_t at) {
+  const TwoSquares columns = gather(who, bodies, at);
   return {columns.a, columns.b, columns.c};
 }
-RIGOR_FLOAT_LANES LaneTwists gather_velocities(const std::array<std::int32_t, kLaneCount>& who,
+/// Velocities of eight bodies, and the inverse masses that stand between them.
+struct LaneBodies : LaneTwists {
+  FloatLanes inv_mass;
+};
+RIGOR_FLOAT_LANES LaneBodies gather_velocities(const std::array<std::int32_t, kLaneCount>& who,
                                                const BulkBodies& bodies) {
-  return {gather(who, bodies, 0), gather(who, bodies, offsetof(MotionRecord, w) / sizeof(float))};
+  const TwoSquares v = gather(who, bodies, 0);
+  return {{{v.a, v.b, v.c}, gather_vectors(who, bodies, offsetof(MotionRecord, w) / sizeof(float))}, v.d};
 }
 RIGOR_FLOAT_LANES LaneTwists gather_displacements(const std::array<std::int32_t, kLaneCount>& who,
                                                   const BulkBodies& bodies) {
-  return {gather(who, bodies, offsetof(MotionRecord, dp) / sizeof(float)),
-          gather(who, bodies, offsetof(MotionRecord, dr) / sizeof(float))};
+  return {gather_vectors(who, bodies, offsetof(MotionRecord, dp) / sizeof(float)),
+          gather_vectors(who, bodies, offsetof(MotionRecord, dr) / sizeof(float))};
 }
 
-/// Velocities of the lanes whose body is dynamic; the inverse mass stands between them and stays.
+/// Velocities of the lanes whose body is dynamic; the inverse mass stays.
 RIGOR_FLOAT_LANES void scatter_velocities(const std::array<std::int32_t, kLaneCount>& who, std::uint8_t moves,
-                                          const LaneArray& inv_mass, const LaneTwists& twists,
-                                          BulkBodies& bodies) {
-  const TwoSquares v = transpose({twists.v.x, twists.v.y, twists.v.z, lane(inv_mass)});
-  const TwoSquares w = transpose({twists.w.x, twists.w.y, twists.w.z, splat(0)});
+                                          const LaneBodies& own, BulkBodies& bodies) {
+  const TwoSquares v = transpose({own.v.x, own.v.y, own.v.z, own.inv_mass});
+  const TwoSquares w = transpose({own.w.x, own.w.y, own.w.z, splat(0)});
   const FloatSquare rows = {{FloatLanes(__builtin_shufflevector(v.a, w.a, 0, 1, 2, 3, 8, 9, 10, 11)),
                              FloatLanes(__builtin_shufflevector(v.b, w.b, 0, 1, 2, 3, 8, 9, 10, 11)),
                              FloatLanes(__builtin_shufflevector(v.c, w.c, 0, 1, 2, 3, 8, 9, 10, 11)),
@@ -79,7 +87,8 @@ RIGOR_FLOAT_LANES void scatter_velocities(const std::array<std::int32_t, kLaneCo
 struct BlockFrame {
   FloatVec3 n, t1, t2, rA, rB;
 };
-RIGOR_FLOAT_LANES BlockFrame frame_of(const ManifoldBlock& block) {
+template <class Block>
+RIGOR_FLOAT_LANES BlockFrame frame_of(const Block& block) {
   BlockFrame frame;
   frame.n = lane(block.n);
   frame.t1 = lane(block.t1);
@@ -101,14 +110,34 @@ RIGOR_FLOAT_LANES FloatVec3 relative_motion(const BlockFrame& f, const LaneTwist
   return fused_cross(B.w, f.rB, B.v) - fused_cross(A.w, f.rA, A.v);
 }
 
+/// What an angular impulse changes of the angular velocity: I has the elements of a symmetric matrix, or the
+/// one number of a round body.
+RIGOR_FLOAT_LANES FloatVec3 turned(const LaneArray (&I)[6], const FloatVec3& a) {
+  return fused_product(lane(I), a);
+}
+RIGOR_FLOAT_LANES FloatVec3 turned(const LaneArray (&I)[1], const FloatVec3& a) {
+  return lane(I[0]) * a;
+}
+
 /// An impulse at the centre and a moment on B (their opposites on A), along the axes of the manifold.
-RIGOR_FLOAT_LANES void apply_wrench(const ManifoldBlock& block, const BlockFrame& f, const LaneTwists& wrench,
-                                    LaneTwists& A, LaneTwists& B) {
+template <class Block>
+RIGOR_FLOAT_LANES void apply_wrench(const Block& block, const BlockFrame& f, const LaneTwists& wrench,
+                                    LaneBodies& A, LaneBodies& B) {
   const FloatVec3 impulse = along_W(f, wrench.v), moment = along_W(f, wrench.w);
-  A.v = fused(-lane(block.mA), impulse, A.v);
-  A.w = A.w - fused_product(lane(block.IA), fused_cross(f.rA, impulse, moment));
-  B.v = fused(lane(block.mB), impulse, B.v);
-  B.w = B.w + fused_product(lane(block.IB), fused_cross(f.rB, impulse, moment));
+  A.v = fused(-A.inv_mass, impulse, A.v);
+  A.w = A.w - turned(block.IA, fused_cross(f.rA, impulse, moment));
+  B.v = fused(B.inv_mass, impulse, B.v);
+  B.w = B.w + turned(block.IB, fused_cross(f.rB, impulse, moment));
+}
+/// An impulse alone.
+template <class Block>
+RIGOR_FLOAT_LANES void apply_impulse(const Block& block, const BlockFrame& f, const FloatVec3& impulse_C,
+                                     LaneBodies& A, LaneBodies& B) {
+  const FloatVec3 impulse = along_W(f, impulse_C);
+  A.v = fused(-A.inv_mass, impulse, A.v);
+  A.w = A.w - turned(block.IA, fused_cross(f.rA, impulse));
+  B.v = fused(B.inv_mass, impulse, B.v);
+  B.w = B.w + turned(block.IB, fused_cross(f.rB, impulse));
 }
 
 /// u = (n.V, t1.W, t2.W): what the normal velocities of the points are made of; also the wrench (F, T1, T2)
@@ -120,16 +149,17 @@ RIGOR_FLOAT_LANES FloatLanes at_point(const NormalMotion& u, const FloatLanes& p
   return fused(-p1, u.u2, fused(p2, u.u1, u.u0));
 }
 /// How u answers to an impulse at a point.
-RIGOR_FLOAT_LANES NormalMotion response_to(const ManifoldBlock& block, const FloatLanes& p1,
-                                           const FloatLanes& p2) {
+template <class Block>
+RIGOR_FLOAT_LANES NormalMotion response_to(const Block& block, const FloatLanes& p1, const FloatLanes& p2) {
   const FloatLanes k01 = lane(block.Kvw[0][1]), k02 = lane(block.Kvw[0][2]);
   const FloatLanes k11 = lane(block.Kww[1]), k22 = lane(block.Kww[2]), k12 = lane(block.Kww[5]);
-  return {fused(-p1, k02, fused(p2, k01, lane(block.Kvv[0]))), fused(-p1, k12, fused(p2, k11, k01)),
+  return {fused(-p1, k02, fused(p2, k01, lane(block.Kvn))), fused(-p1, k12, fused(p2, k11, k01)),
           fused(-p1, k22, fused(p2, k12, k02))};
 }
 
 /// Displacements of B against A that change the gaps of the points.
-RIGOR_FLOAT_LANES NormalMotion find_displacements(const BlockFrame& f, const ManifoldBlock& block,
+template <class Block>
+RIGOR_FLOAT_LANES NormalMotion find_displacements(const BlockFrame& f, const Block& block,
                                                   const BulkBodies& bodies) {
   const LaneTwists A = gather_displacements(block.body_A, bodies);
   const LaneTwists B = gather_displacements(block.body_B, bodies);
@@ -141,35 +171,49 @@ RIGOR_FLOAT_LANES NormalMotion find_displacements(const BlockFrame& f, const Man
 struct PointRule {
   FloatLanes keep, meet, shift;
 };
-template <BlockPass pass>
-RIGOR_FLOAT_LANES PointRule rule_of(float h, const NormalMotion& moved, const ManifoldBlock& block,
-                                    const BlockPoints& point) {
+/// gap [m]: as bodies are now.
+template <BlockPass pass, class Block>
+RIGOR_FLOAT_LANES PointRule rule_of(float h, const FloatLanes& gap, const Block& block,
+                                    const BlockPoint& point) {
   const FloatLanes zero = splat(0), one = splat(1);
   const FloatLanes mass = lane(point.mass);
-  const FloatLanes gap = lane(point.gap) + at_point(moved, lane(point.p1), lane(point.p2));
   const FloatLanes closing = mass * larger(gap, zero) * splat(1 / h);
   if constexpr (pass == BlockPass::relax) return {one, mass, closing};
   const IntLanes is_apart = gap > zero;
-  const FloatLanes soft_mass = mass * lane(block.mass_scale);
+  // The spring keeps as much of the old impulse as it meets of the speed: make_softness.
+  const FloatLanes scale = lane(block.mass_scale);
+  const FloatLanes soft_mass = mass * scale;
   const FloatLanes back = larger(lane(block.bias_rate) * gap, splat(-max_push_speed));
-  return {is_apart ? one : one - lane(block.impulse_scale), is_apart ? mass : soft_mass,
-          is_apart ? closing : soft_mass * back};
+  return {is_apart ? one : scale, is_apart ? mass : soft_mass, is_apart ? closing : soft_mass * back};
+}
+RIGOR_FLOAT_LANES FloatLanes next_impulse(const PointRule& rule, const FloatLanes& speed,
+                                          const FloatLanes& impulse) {
+  const FloatLanes kept = fused(rule.keep, impulse, -rule.shift);
+  return larger(fused(-rule.meet, speed, kept), splat(0));
+}
+
+template <class Block>
+RIGOR_FLOAT_LANES void put_normal(std::size_t point, const FloatLanes& impulse, Block& block) {
+  put(impulse, block.impulses.normal(point));
+  block.pressed[point] = static_cast<std::uint8_t>(block.pressed[point] | bits_of(impulse > splat(0)));
 }
 
 /// Normal impulses of all points, one after the other by what each does to the others; their wrench.
-template <BlockPass pass, int count>
+template <BlockPass pass, class Block>
 RIGOR_FLOAT_LANES NormalMotion solve_normals(float h, const NormalMotion& moved, const NormalMotion& u,
-                                             ManifoldBlock& block) {
+                                             Block& block) {
+  constexpr int count = Block::point_count;
   const FloatLanes zero = splat(0);
   PointRule rule[count];
   FloatLanes p1[count], p2[count], old[count], impulse[count], speed[count], response[count][count];
 #pragma GCC unroll 4
   for (int k = 0; k < count; ++k) {
-    const BlockPoints& point = block.points[static_cast<std::size_t>(k)];
-    p1[k] = lane(point.p1);
-    p2[k] = lane(point.p2);
-    rule[k] = rule_of<pass>(h, moved, block, point);
-    old[k] = impulse[k] = lane(point.impulse);
+    const std::size_t i = static_cast<std::size_t>(k);
+    p1[k] = lane(block.arms[i].p1);
+    p2[k] = lane(block.arms[i].p2);
+    rule[k] =
+        rule_of<pass>(h, lane(block.points[i].gap) + at_point(moved, p1[k], p2[k]), block, block.points[i]);
+    old[k] = impulse[k] = lane(block.impulses.normal(i));
     speed[k] = at_point(u, p1[k], p2[k]);
     const NormalMotion answer = response_to(block, p1[k], p2[k]);
 #pragma GCC unroll 4
@@ -179,8 +223,7 @@ RIGOR_FLOAT_LANES NormalMotion solve_normals(float h, const NormalMotion& moved,
   for (int sweep = 0; sweep < (count == 1 ? 1 : block_sweeps); ++sweep) {
 #pragma GCC unroll 4
     for (int k = 0; k < count; ++k) {
-      const FloatLanes kept = fused(rule[k].keep, impulse[k], -rule[k].shift);
-      const FloatLanes next = larger(fused(-rule[k].meet, speed[k], kept), zero);
+      const FloatLanes next = next_impulse(rule[k], speed[k], impulse[k]);
       const FloatLanes change = next - impulse[k];
       impulse[k] = next;
 #pragma GCC unroll 4
@@ -188,17 +231,12 @@ RIGOR_FLOAT_LANES NormalMotion solve_normals(float h, const NormalMotion& moved,
     }
   }
   NormalMotion wrench{zero, zero, zero};
-  IntLanes pressed;
-  std::memcpy(&pressed, block.pressed.data(), sizeof pressed);
 #pragma GCC unroll 4
   for (int k = 0; k < count; ++k) {
     const FloatLanes change = impulse[k] - old[k];
     wrench = {wrench.u0 + change, fused(p2[k], change, wrench.u1), fused(-p1[k], change, wrench.u2)};
-    const std::int32_t bit = 1 << k;
-    pressed |= (impulse[k] > zero) & IntLanes{bit, bit, bit, bit, bit, bit, bit, bit};
-    put(impulse[k], block.points[static_cast<std::size_t>(k)].impulse);
+    put_normal(static_cast<std::size_t>(k), impulse[k], block);
   }
-  std::memcpy(block.pressed.data(), &pressed, sizeof pressed);
   return wrench;
 }
 
@@ -211,52 +249,36 @@ RIGOR_FLOAT_LANES void clamp_to_disc(const FloatLanes& radius, FloatLanes& x, Fl
   y = y * scale;
 }
 
-/// Coulomb friction of the manifold at its centre, on the disc of all its normal impulses, and of its patch
-/// against turning about n. u: B against A, changed by it but for the slip itself; wrench: its impulses are
-/// added.
-template <int count>
-RIGOR_FLOAT_LANES void solve_friction(ManifoldBlock& block, LaneTwists& u, LaneTwists& wrench) {
-  FloatLanes pressed = splat(0), spread = splat(0);
-  for (std::size_t i = 0; i < count; ++i) {
-    const FloatLanes impulse = lane(block.points[i].impulse);
-    pressed = pressed + impulse;
-    spread = fused(impulse, lane(block.points[i].arm), spread);
-  }
-  const FloatLanes friction = lane(block.friction);
-  const FloatLanes old_twist = lane(block.twist_impulse);
-  const FloatLanes twist_limit = fused(friction, spread, lane(block.torsional_friction) * pressed);
-  const FloatLanes free_twist = fused(-lane(block.twist_mass), u.w.x, old_twist);
-  const FloatLanes twist = smaller(larger(free_twist, -twist_limit), twist_limit);
-  const FloatLanes turn = twist - old_twist;
-  put(twist, block.twist_impulse);
-  wrench.w.x = wrench.w.x + turn;
-  u.v = fused(turn, {lane(block.Kvw[0][0]), lane(block.Kvw[1][0]), lane(block.Kvw[2][0])}, u.v);
-  u.w = fused(turn, {lane(block.Kww[0]), lane(block.Kww[3]), lane(block.Kww[4])}, u.w);
-
-  const FloatLanes old1 = lane(block.tangent_impulse[0]), old2 = lane(block.tangent_impulse[1]);
+/// Coulomb friction at the centre of the manifold, on the disc of all its normal impulses. u: of B against A
+/// there. What it changes of the impulses along t1 and t2.
+struct SlipImpulse {
+  FloatLanes f1, f2;
+};
+template <class Block>
+RIGOR_FLOAT_LANES SlipImpulse solve_slip(const FloatLanes& pressed, const FloatVec3& u, Block& block) {
+  const FloatLanes old1 = lane(block.impulses.tangent(0)), old2 = lane(block.impulses.tangent(1));
   const FloatLanes m11 = lane(block.tangent_mass[0]), m22 = lane(block.tangent_mass[1]),
                    m12 = lane(block.tangent_mass[2]);
-  FloatLanes f1 = fused(-m12, u.v.z, fused(-m11, u.v.y, old1));
-  FloatLanes f2 = fused(-m22, u.v.z, fused(-m12, u.v.y, old2));
-  clamp_to_disc(friction * pressed, f1, f2);
-  put(f1, block.tangent_impulse[0]);
-  put(f2, block.tangent_impulse[1]);
-  f1 = f1 - old1;
-  f2 = f2 - old2;
-  wrench.v.y = wrench.v.y + f1;
-  wrench.v.z = wrench.v.z + f2;
-  u.v.x = fused(lane(block.Kvv[4]), f2, fused(lane(block.Kvv[3]), f1, u.v.x));
-  u.w = fused(f2, lane(block.Kvw[2]), fused(f1, lane(block.Kvw[1]), u.w));
+  FloatLanes f1 = fused(-m12, u.z, fused(-m11, u.y, old1));
+  FloatLanes f2 = fused(-m22, u.z, fused(-m12, u.y, old2));
+  clamp_to_disc(lane(block.friction) * pressed, f1, f2);
+  put(f1, block.impulses.tangent(0));
+  put(f2, block.impulses.tangent(1));
+  return {f1 - old1, f2 - old2};
+}
 
-  if (!block.has_moments) return;
-  const FloatLanes was1 = lane(block.roll_impulse[0]), was2 = lane(block.roll_impulse[1]);
+/// Rolling friction: a disc of moments along t1 and t2.
+template <class Block>
+RIGOR_FLOAT_LANES void solve_rolling(const FloatLanes& pressed, Block& block, LaneTwists& u,
+                                     LaneTwists& wrench) {
+  const FloatLanes was1 = lane(block.impulses.roll(0)), was2 = lane(block.impulses.roll(1));
   const FloatLanes r11 = lane(block.roll_mass[0]), r22 = lane(block.roll_mass[1]),
                    r12 = lane(block.roll_mass[2]);
   FloatLanes m1 = fused(-r12, u.w.z, fused(-r11, u.w.y, was1));
   FloatLanes m2 = fused(-r22, u.w.z, fused(-r12, u.w.y, was2));
   clamp_to_disc(lane(block.rolling_friction) * pressed, m1, m2);
-  put(m1, block.roll_impulse[0]);
-  put(m2, block.roll_impulse[1]);
+  put(m1, block.impulses.roll(0));
+  put(m2, block.impulses.roll(1));
   m1 = m1 - was1;
   m2 = m2 - was2;
   wrench.w.y = wrench.w.y + m1;
@@ -266,10 +288,42 @@ RIGOR_FLOAT_LANES void solve_friction(ManifoldBlock& block, LaneTwists& u, LaneT
   u.w.z = fused(lane(block.Kww[2]), m2, fused(lane(block.Kww[5]), m1, u.w.z));
 }
 
+/// All friction of a patch: against turning about n, against slip, against rolling. u: B against A, changed
+/// by it but for the slip itself; wrench: its impulses are added.
+template <class Block>
+RIGOR_FLOAT_LANES void solve_friction(Block& block, LaneTwists& u, LaneTwists& wrench) {
+  FloatLanes pressed = splat(0), spread = splat(0);
+  for (std::size_t i = 0; i < Block::point_count; ++i) {
+    const FloatLanes impulse = lane(block.impulses.normal(i));
+    pressed = pressed + impulse;
+    spread = fused(impulse, lane(block.arms[i].length), spread);
+  }
+  FloatLanes twist_limit = lane(block.friction) * spread;
+  if constexpr (Block::kind.has_moments)
+    twist_limit = fused(lane(block.torsional_friction), pressed, twist_limit);
+  const FloatLanes old_twist = lane(block.impulses.twist());
+  const FloatLanes free_twist = fused(-lane(block.twist_mass), u.w.x, old_twist);
+  const FloatLanes twist = smaller(larger(free_twist, -twist_limit), twist_limit);
+  const FloatLanes turn = twist - old_twist;
+  put(twist, block.impulses.twist());
+  wrench.w.x = wrench.w.x + turn;
+  u.v = fused(turn, {lane(block.Kvw[0][0]), lane(block.Kvw[1][0]), lane(block.Kvw[2][0])}, u.v);
+  u.w = fused(turn, {lane(block.Kww[0]), lane(block.Kww[3]), lane(block.Kww[4])}, u.w);
+
+  const SlipImpulse slip = solve_slip(pressed, u.v, block);
+  wrench.v.y = wrench.v.y + slip.f1;
+  wrench.v.z = wrench.v.z + slip.f2;
+  u.v.x = fused(lane(block.Kvt[1]), slip.f2, fused(lane(block.Kvt[0]), slip.f1, u.v.x));
+  u.w = fused(slip.f2, lane(block.Kvw[2]), fused(slip.f1, lane(block.Kvw[1]), u.w));
+
+  if constexpr (Block::kind.has_moments) solve_rolling(pressed, block, u, wrench);
+}
+
 /// What normal impulses change of the rest of the motion.
-RIGOR_FLOAT_LANES void add_normals(const ManifoldBlock& block, const NormalMotion& change, LaneTwists& u) {
-  u.v.y = fused(lane(block.Kvv[3]), change.u0, u.v.y);
-  u.v.z = fused(lane(block.Kvv[4]), change.u0, u.v.z);
+template <class Block>
+RIGOR_FLOAT_LANES void add_normals(const Block& block, const NormalMotion& change, LaneTwists& u) {
+  u.v.y = fused(lane(block.Kvt[0]), change.u0, u.v.y);
+  u.v.z = fused(lane(block.Kvt[1]), change.u0, u.v.z);
   u.v.y = fused(lane(block.Kvw[1][2]), change.u2, fused(lane(block.Kvw[1][1]), change.u1, u.v.y));
   u.v.z = fused(lane(block.Kvw[2][2]), change.u2, fused(lane(block.Kvw[2][1]), change.u1, u.v.z));
   u.w = fused(change.u0, lane(block.Kvw[0]), u.w);
@@ -277,71 +331,110 @@ RIGOR_FLOAT_LANES void add_normals(const ManifoldBlock& block, const NormalMotio
   u.w = fused(change.u2, {lane(block.Kww[4]), lane(block.Kww[5]), lane(block.Kww[2])}, u.w);
 }
 
-template <BlockPass pass, int count>
-void solve_pass(float h, ManifoldBlock& block, BulkBodies& bodies) {
+// Friction first while overlaps are put back: that bodies do not enter each other matters more. Last where
+// its bound is that of the impulse that remains: the spring gives way before, and takes a part of the
+// pressure with it.
+
+/// The wrench of a patch in a sweep. u: of B against A.
+template <BlockPass pass, class Block>
+RIGOR_FLOAT_LANES LaneTwists solve_patch(float h, const NormalMotion& moved, LaneTwists& u, Block& block) {
   const FloatLanes zero = splat(0);
-  const BlockFrame f = frame_of(block);
-  LaneTwists A = gather_velocities(block.body_A, bodies);
-  LaneTwists B = gather_velocities(block.body_B, bodies);
-  LaneTwists u = {along_axes(f, relative_motion(f, A, B)), along_axes(f, B.w - A.w)};
   LaneTwists wrench = {{zero, zero, zero}, {zero, zero, zero}};
-  // Bodies stay where they are between the second sweep of a substep and the first of the next.
-  NormalMotion moved{lane(block.moved[0]), lane(block.moved[1]), lane(block.moved[2])};
-  if constexpr (pass == BlockPass::relax) {
-    moved = find_displacements(f, block, bodies);
-    put({moved.u0, moved.u1, moved.u2}, block.moved);
-  }
-  // Friction first: that bodies do not enter each other matters more. Last where its bound is that of the
-  // impulse that remains: the spring gives way before, and takes a part of the pressure with it.
-  if constexpr (pass == BlockPass::push) solve_friction<count>(block, u, wrench);
-  const NormalMotion normals = solve_normals<pass, count>(h, moved, {u.v.x, u.w.y, u.w.z}, block);
+  if constexpr (pass == BlockPass::push) solve_friction(block, u, wrench);
+  const NormalMotion normals = solve_normals<pass>(h, moved, {u.v.x, u.w.y, u.w.z}, block);
   wrench.v.x = normals.u0;
   wrench.w.y = wrench.w.y + normals.u1;
   wrench.w.z = wrench.w.z + normals.u2;
   if constexpr (pass == BlockPass::relax) {
     add_normals(block, normals, u);
-    solve_friction<count>(block, u, wrench);
+    solve_friction(block, u, wrench);
   }
-  apply_wrench(block, f, wrench, A, B);
-  scatter_velocities(block.body_A, block.moves_A, block.mA, A, bodies);
-  scatter_velocities(block.body_B, block.moves_B, block.mB, B, bodies);
+  return wrench;
 }
 
-template <BlockPass pass>
-void solve_points(float h, ManifoldBlock& block, BulkBodies& bodies) {
-  switch (block.point_count) {
-    case 1:
-      return solve_pass<pass, 1>(h, block, bodies);
-    case 2:
-      return solve_pass<pass, 2>(h, block, bodies);
-    default:  // Points that are not there have no mass.
-      return solve_pass<pass, 4>(h, block, bodies);
+/// The impulse of one point without moments in a sweep. u: of B against A there.
+template <BlockPass pass, class Block>
+RIGOR_FLOAT_LANES FloatVec3 solve_point(float h, const FloatLanes& moved, FloatVec3& u, Block& block) {
+  const FloatLanes old = lane(block.impulses.normal(0));
+  SlipImpulse slip;
+  if constexpr (pass == BlockPass::push) {
+    slip = solve_slip(old, u, block);
+    u.x = fused(lane(block.Kvt[1]), slip.f2, fused(lane(block.Kvt[0]), slip.f1, u.x));
   }
+  const PointRule rule = rule_of<pass>(h, lane(block.points[0].gap) + moved, block, block.points[0]);
+  const FloatLanes impulse = next_impulse(rule, u.x, old);
+  const FloatLanes change = impulse - old;
+  put_normal(0, impulse, block);
+  if constexpr (pass == BlockPass::relax) {
+    u.y = fused(lane(block.Kvt[0]), change, u.y);
+    u.z = fused(lane(block.Kvt[1]), change, u.z);
+    slip = solve_slip(impulse, u, block);
+  }
+  return {change, slip.f1, slip.f2};
 }
 
-void solve(BlockPass pass, float h, ManifoldBlock& block, BulkBodies& bodies) {
+template <BlockPass pass, class Block>
+void solve_pass(float h, Block& block, BulkBodies& bodies) {
+  const BlockFrame f = frame_of(block);
+  LaneBodies A = gather_velocities(block.body_A, bodies);
+  LaneBodies B = gather_velocities(block.body_B, bodies);
+  FloatVec3 u = along_axes(f, relative_motion(f, A, B));
+  // Bodies stay where they are between the second sweep of a substep and the first of the next.
+  if constexpr (Block::kind.turns()) {
+    LaneTwists twist = {u, along_axes(f, B.w - A.w)};
+    NormalMotion moved{lane(block.moved[0]), lane(block.moved[1]), lane(block.moved[2])};
+    if constexpr (pass == BlockPass::relax) {
+      moved = find_displacements(f, block, bodies);
+      put({moved.u0, moved.u1, moved.u2}, block.moved);
+    }
+    apply_wrench(block, f, solve_patch<pass>(h, moved, twist, block), A, B);
+  } else {
+    FloatLanes moved = lane(block.moved[0]);
+    if constexpr (pass == BlockPass::relax) {
+      const LaneTwists moved_A = gather_displacements(block.body_A, bodies);
+      const LaneTwists moved_B = gather_displacements(block.body_B, bodies);
+      moved = fused_dot(f.n, relative_motion(f, moved_A, moved_B));
+      put(moved, block.moved[0]);
+    }
+    apply_impulse(block, f, solve_point<pass>(h, moved, u, block), A, B);
+  }
+  scatter_velocities(block.body_A, block.moves_A, A, bodies);
+  scatter_velocities(block.body_B, block.moves_B, B, bodies);
+}
+
+template <BlockKind kind>
+void solve(BlockPass pass, float h, ManifoldBlock<kind>& block, BulkBodies& bodies) {
   switch (pass) {
     case BlockPass::push:
-      return solve_points<BlockPass::push>(h, block, bodies);
+      return solve_pass<BlockPass::push>(h, block, bodies);
     case BlockPass::relax:
-      return solve_points<BlockPass::relax>(h, block, bodies);
+      return solve_pass<BlockPass::relax>(h, block, bodies);
   }
 }
 
-void warm_start(ManifoldBlock& block, BulkBodies& bodies) {
+template <BlockKind kind>
+void warm_start(ManifoldBlock<kind>& block, BulkBodies& bodies) {
   const BlockFrame f = frame_of(block);
-  LaneTwists A = gather_velocities(block.body_A, bodies);
-  LaneTwists B = gather_velocities(block.body_B, bodies);
-  const FloatLanes zero = splat(0);
-  LaneTwists wrench = {{zero, lane(block.tangent_impulse[0]), lane(block.tangent_impulse[1])},
-                       {lane(block.twist_impulse), lane(block.roll_impulse[0]), lane(block.roll_impulse[1])}};
-  for (std::size_t i = 0; i < static_cast<std::size_t>(block.point_count); ++i) {
-    const FloatLanes impulse = lane(block.points[i].impulse);
-    wrench.v.x = wrench.v.x + impulse;
-    wrench.w.y = fused(lane(block.points[i].p2), impulse, wrench.w.y);
-    wrench.w.z = fused(-lane(block.points[i].p1), impulse, wrench.w.z);
+  LaneBodies A = gather_velocities(block.body_A, bodies);
+  LaneBodies B = gather_velocities(block.body_B, bodies);
+  const auto& impulses = block.impulses;
+  const FloatVec3 slip = {splat(0), lane(impulses.tangent(0)), lane(impulses.tangent(1))};
+  if constexpr (kind.turns()) {
+    LaneTwists wrench = {slip, {lane(impulses.twist()), splat(0), splat(0)}};
+    if constexpr (kind.has_moments) {
+      wrench.w.y = lane(impulses.roll(0));
+      wrench.w.z = lane(impulses.roll(1));
+    }
+    for (std::size_t i = 0; i < impulses.points; ++i) {
+      const FloatLanes impulse = lane(impulses.normal(i));
+      wrench.v.x = wrench.v.x + impulse;
+      wrench.w.y = fused(lane(block.arms[i].p2), impulse, wrench.w.y);
+      wrench.w.z = fused(-lane(block.arms[i].p1), impulse, wrench.w.z);
+    }
+    apply_wrench(block, f, wrench, A, B);
+  } else {
+    apply_impulse(block, f, {lane(impulses.normal(0)), slip.y, slip.z}, A, B);
   }
-  apply_wrench(block, f, wrench, A, B);
-  scatter_velocities(block.body_A, block.moves_A, block.mA, A, bodies);
-  scatter_velocities(block.body_B, block.moves_B, block.mB, B, bodies);
+  scatter_velocities(block.body_A, block.moves_A, A, bodies);
+  scatter_velocities(block.body_B, block.moves_B, B, bodies);
 }

@@ -1,5 +1,6 @@
 // The kernels of blocks for each target: the same text, compiled twice.
 
+#include "rigor/bulk/lane_bits.hpp"
 #include "rigor/bulk/manifold_blocks.hpp"
 
 #include <algorithm>
@@ -58,18 +59,37 @@ namespace avx2_lanes = portable_lanes;
 
 }  // namespace
 
+template <BlockKind kind>
 void fill_block(LaneTarget target, std::span<const BlockLane> lanes, const BulkBodies& bodies,
-                ManifoldBlock& block) {
+                ManifoldBlock<kind>& block) {
   target == LaneTarget::avx2 ? avx2_lanes::fill(lanes, bodies, block)
                              : portable_lanes::fill(lanes, bodies, block);
 }
-void warm_start_block(LaneTarget target, ManifoldBlock& block, BulkBodies& bodies) {
+template <BlockKind kind>
+void warm_start_block(LaneTarget target, ManifoldBlock<kind>& block, BulkBodies& bodies) {
   target == LaneTarget::avx2 ? avx2_lanes::warm_start(block, bodies)
                              : portable_lanes::warm_start(block, bodies);
 }
-void solve_block(LaneTarget target, BlockPass pass, float h, ManifoldBlock& block, BulkBodies& bodies) {
+template <BlockKind kind>
+void solve_block(LaneTarget target, BlockPass pass, float h, ManifoldBlock<kind>& block, BulkBodies& bodies) {
   target == LaneTarget::avx2 ? avx2_lanes::solve(pass, h, block, bodies)
                              : portable_lanes::solve(pass, h, block, bodies);
 }
+
+// For all kinds.
+#define RIGOR_BLOCK_KERNELS(kind)                                                             \
+  template void fill_block(LaneTarget, std::span<const BlockLane>, const BulkBodies&,         \
+                           ManifoldBlock<block_kinds[kind]>&);                                \
+  template void warm_start_block(LaneTarget, ManifoldBlock<block_kinds[kind]>&, BulkBodies&); \
+  template void solve_block(LaneTarget, BlockPass, float, ManifoldBlock<block_kinds[kind]>&, BulkBodies&)
+static_assert(block_kind_count == 7);
+RIGOR_BLOCK_KERNELS(0);
+RIGOR_BLOCK_KERNELS(1);
+RIGOR_BLOCK_KERNELS(2);
+RIGOR_BLOCK_KERNELS(3);
+RIGOR_BLOCK_KERNELS(4);
+RIGOR_BLOCK_KERNELS(5);
+RIGOR_BLOCK_KERNELS(6);
+#undef RIGOR_BLOCK_KERNELS
 
 }  // namespace rigor

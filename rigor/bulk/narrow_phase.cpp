@@ -70,8 +70,8 @@ struct BlockScratch {
 /// A part of the pairs, and what was found of it.
 struct alignas(64) Part {
   BlockScratch scratch;
-  std::vector<PairManifold> manifolds;
-  int begin = 0;  ///< Of these among all.
+  ManifoldList manifolds;
+  std::size_t begin = 0, begin_of_points = 0;  ///< Of these among all.
 };
 
 }  // namespace
@@ -105,7 +105,7 @@ struct NarrowPhase::Tables {
   void place(const BulkBodies& bodies, const Executor& executor);
   /// Of the pairs [begin, end), added in their order.
   void find(const BulkBodies& bodies, const std::vector<ShapePair>& pairs, int begin, int end,
-            BlockScratch& scratch, std::vector<PairManifold>& manifolds);
+            BlockScratch& scratch, ManifoldList& manifolds);
   void sort_block(const BulkBodies& bodies, const std::vector<ShapePair>& pairs, int begin, int end,
                   BlockScratch& scratch);
   /// Whether the direction of the pair's hint still parts it.
@@ -114,11 +114,11 @@ struct NarrowPhase::Tables {
                  LaneList<BoxPairs, BoxContacts>& boxes) const;
   void add_balls(const PairPlace& place, int number, LaneList<BallPairs, BallContacts>& balls) const;
   void find_boxes(const PairPlace& place, int lane_place, int number, float margin, BlockScratch& scratch,
-                  std::vector<PairManifold>& manifolds);
+                  ManifoldList& manifolds);
   void find_pair(const BulkBodies& bodies, const ShapePair& pair, const PairPlace& place, int number,
-                 PlacedPolytopes& polytopes, std::vector<PairManifold>& manifolds);
+                 PlacedPolytopes& polytopes, ManifoldList& manifolds);
   void find_polytopes(const PairPlace& place, int number, float margin, PlacedPolytopes& polytopes,
-                      std::vector<PairManifold>& manifolds);
+                      ManifoldList& manifolds);
 
   FloatHulls hulls;
   std::vector<BulkShape> forms;  ///< Bodies that share their shapes share these.
@@ -183,8 +183,7 @@ Pose pose_of(const BulkShape& shape, const Quat& q_WB, const Vec3& p_OB) {
 /// The manifold of a core and a plane; `plane_is_A` tells which is which.
 void add_plane_manifold(const BulkShape& plane, const Pose& X_OP, const BulkShape& core,
                         const PlacedShape& placed, const Vec3& p_OB, bool plane_is_A, const ShapePair& pair,
-                        int number, std::vector<ManifoldCandidate>& candidates,
-                        std::vector<PairManifold>& manifolds) {
+                        int number, std::vector<ManifoldCandidate>& candidates, ManifoldList& manifolds) {
   const PlaneView view =
       view_plane(std::get<HalfSpace>(*plane.shape), X_OP, plane_is_A ? p_OB : Vec3::Zero());
   find_plane_candidates(view, core, placed, pair.margin, candidates);
@@ -198,8 +197,8 @@ void add_plane_manifold(const BulkShape& plane, const Pose& X_OP, const BulkShap
 }
 
 /// False if there are no points.
-bool add_manifold(const std::optional<Vec3f>& n, int number, PlacedPolytopes& pair,
-                  std::vector<PairManifold>& manifolds, int part = 0) {
+bool add_manifold(const std::optional<Vec3f>& n, int number, PlacedPolytopes& pair, ManifoldList& manifolds,
+                  int part = 0) {
   if (!n || pair.candidates.empty()) return false;
   manifolds.push_back({number, part, make_manifold(*n, pair.equal_depth, pair.candidates)});
   return true;
@@ -209,8 +208,7 @@ bool add_manifold(const std::optional<Vec3f>& n, int number, PlacedPolytopes& pa
 
 /// Any two shapes that are not in lanes.
 void NarrowPhase::Tables::find_pair(const BulkBodies& bodies, const ShapePair& pair, const PairPlace& place,
-                                    int number, PlacedPolytopes& polytopes,
-                                    std::vector<PairManifold>& manifolds) {
+                                    int number, PlacedPolytopes& polytopes, ManifoldList& manifolds) {
   const BulkShape &a = form(place.a), &b = form(place.b);
   const PlacedShape &placed_A = place_of(place.a), &placed_B = place_of(place.b);
   const bool is_other = a.kind == Kind::other || b.kind == Kind::other;
@@ -237,7 +235,7 @@ void NarrowPhase::Tables::find_pair(const BulkBodies& bodies, const ShapePair& p
 }
 
 void NarrowPhase::Tables::find_polytopes(const PairPlace& place, int number, float margin,
-                                         PlacedPolytopes& polytopes, std::vector<PairManifold>& manifolds) {
+                                         PlacedPolytopes& polytopes, ManifoldList& manifolds) {
   const BulkShape &a = form(place.a), &b = form(place.b);
   PairHint& hint = *place.hint;
   place_polytopes(a, place_of(place.a), b, place_of(place.b), place.d, polytopes);
@@ -322,7 +320,7 @@ void NarrowPhase::Tables::sort_block(const BulkBodies& bodies, const std::vector
 
 /// A pair of boxes that is at a place of the lanes.
 void NarrowPhase::Tables::find_boxes(const PairPlace& place, int lane_place, int number, float margin,
-                                     BlockScratch& scratch, std::vector<PairManifold>& manifolds) {
+                                     BlockScratch& scratch, ManifoldList& manifolds) {
   const BoxPairs& lanes = scratch.boxes.lanes[at(lane_place / kLaneCount)];
   const BoxContacts& contacts = scratch.boxes.contacts[at(lane_place / kLaneCount)];
   const int lane = lane_place % kLaneCount;
@@ -361,11 +359,10 @@ void NarrowPhase::Tables::find_boxes(const PairPlace& place, int lane_place, int
 }
 
 void NarrowPhase::Tables::find(const BulkBodies& bodies, const std::vector<ShapePair>& pairs, int begin,
-                               int end, BlockScratch& scratch, std::vector<PairManifold>& manifolds) {
+                               int end, BlockScratch& scratch, ManifoldList& manifolds) {
   scratch.polytopes.shape_A = nullptr;  // Bodies have moved since the last call.
   for (int first = begin; first < end; first += kBlock) {
     const int last = std::min(end, first + kBlock);
-    make_room(manifolds.size() + kBlock, manifolds);
     sort_block(bodies, pairs, first, last, scratch);
     int box = 0, ball = 0;
     for (int k = first; k < last; ++k) {
@@ -389,7 +386,7 @@ NarrowPhase::NarrowPhase(const Model& model) : tables_(std::make_unique<Tables>(
 NarrowPhase::~NarrowPhase() = default;
 
 void NarrowPhase::find_manifolds(const BulkBodies& bodies, const std::vector<ShapePair>& pairs,
-                                 const Executor& executor, std::vector<PairManifold>& manifolds) {
+                                 const Executor& executor, ManifoldList& manifolds) {
   // More parts than threads: pairs that touch take longer than others.
   constexpr int parts_of_a_thread = 8;
   Tables& tables = *tables_;
@@ -416,16 +413,19 @@ void NarrowPhase::find_manifolds(const BulkBodies& bodies, const std::vector<Sha
       tables.find(bodies, pairs, begin_of(k), begin_of(k + 1), part.scratch, part.manifolds);
     }
   });
-  int total = 0;
+  std::size_t total = 0, total_points = 0;
   for (int k = 0; k < part_count; ++k) {
-    tables.parts[at(k)]->begin = total;
-    total += static_cast<int>(tables.parts[at(k)]->manifolds.size());
+    Part& part = *tables.parts[at(k)];
+    part.begin = total;
+    part.begin_of_points = total_points;
+    total += part.manifolds.size();
+    total_points += part.manifolds.all_points();
   }
-  renew(at(total), manifolds);
+  manifolds.arrange(total, total_points);
   executor.for_ranges(part_count, 1, [&](int begin, int end) {
     for (int k = begin; k < end; ++k) {
       const Part& part = *tables.parts[at(k)];
-      std::copy(part.manifolds.begin(), part.manifolds.end(), manifolds.begin() + part.begin);
+      manifolds.put(part.manifolds, part.begin, part.begin_of_points);
     }
   });
 }

@@ -2,7 +2,7 @@
 
 #include "rigor/bulk/bulk_bodies.hpp"
 #include "rigor/bulk/executor.hpp"
-#include "rigor/bulk/manifold.hpp"
+#include "rigor/bulk/manifold_list.hpp"
 
 #include <memory>
 #include <vector>
@@ -14,13 +14,6 @@ struct ShapePair {
   int body_A, body_B;
   int shape_A, shape_B;  ///< Of these bodies.
   float margin;          ///< Points up to here apart count [m], >= 0.
-};
-
-/// A manifold and whose it is.
-struct PairManifold {
-  int pair;  ///< Index into the pairs.
-  int part;  ///< Number of the manifold within the pair (meshes have several), ascending.
-  Manifold manifold;
 };
 
 /// Where pairs of shapes touch, in 32 bits relative to the pair: the answers of contact_set within that
@@ -35,7 +28,7 @@ class NarrowPhase {
 
   /// The manifolds of all pairs that have points, in the order of the pairs (the buffer is cleared first).
   void find_manifolds(const BulkBodies& bodies, const std::vector<ShapePair>& pairs, const Executor& executor,
-                      std::vector<PairManifold>& manifolds);
+                      ManifoldList& manifolds);
 
  private:
   struct Tables;

@@ -43,20 +43,20 @@ void Sleepers::lay_down(BulkBodies& bodies) const {
 }
 
 bool Sleepers::wake(const BulkBodies& bodies, const std::vector<ManifoldMemory>& memory,
-                    const std::vector<ShapePair>& pairs, const std::vector<PairManifold>& manifolds) {
+                    const std::vector<ShapePair>& pairs, const ManifoldList& manifolds) {
   kept_.clear();
   for (const ManifoldMemory& contact : memory) {
     if (!bodies.stirs(contact.body_A) && !bodies.stirs(contact.body_B)) kept_.push_back(contact);
   }
   found_.resize(manifolds.size());
   for (std::size_t i = 0; i < manifolds.size(); ++i) {
-    const ShapePair& pair = pairs[at(manifolds[i].pair)];
+    const ShapePair& pair = pairs[at(manifolds.pair(i))];
     ManifoldMemory& key = found_[i];
     key.body_A = pair.body_A;
     key.body_B = pair.body_B;
     key.shape_A = pair.shape_A;
     key.shape_B = pair.shape_B;
-    key.part = manifolds[i].part;
+    key.part = manifolds.part(i);
   }
   now_.clear();
   std::merge(kept_.begin(), kept_.end(), found_.begin(), found_.end(), std::back_inserter(now_), is_before);

@@ -28,7 +28,7 @@ class Sleepers {
   /// After pairs have been looked for: wakes the islands that they disturb. True if there are any: then pairs
   /// have to be looked for once more. memory: of the step before.
   bool wake(const BulkBodies& bodies, const std::vector<ManifoldMemory>& memory,
-            const std::vector<ShapePair>& pairs, const std::vector<PairManifold>& manifolds);
+            const std::vector<ShapePair>& pairs, const ManifoldList& manifolds);
   /// At the end of a step of h [s]: adds what contacts of sleeping bodies remember, and lets islands fall
   /// asleep.
   void settle(double h, BulkBodies& bodies, std::vector<ManifoldMemory>& memory);

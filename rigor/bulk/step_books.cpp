@@ -1,6 +1,7 @@
 #include "rigor/bulk/step_books.hpp"
 
 #include "rigor/bulk/bulk_world.hpp"
+#include "rigor/bulk/contact_measures.hpp"
 #include "rigor/bulk/islands.hpp"
 #include "rigor/model/force.hpp"
 
@@ -69,14 +70,14 @@ void StepBooks::end(const BulkBodies& bodies, const std::vector<MotionRow>& acce
   for (int i = 0; i < bodies.count(); ++i) {
     if (is_booked(bodies, i)) given += h * masses_[at(i)] * vector_of(accelerations[at(i)].data());
   }
-  contacts.for_contacts([&](const BulkContacts::Contact& contact, const ManifoldMemory& key, bool is_new) {
-    const ManifoldWrench on_B = total_wrench(contact.block, contact.totals, contact.lane);
-    if (is_new && approach_speed(contact.block, contact.lane) > impact_speed) {
-      const Vec3 p_W = bodies.x[at(key.body_A)] + manifold_frame(contact.block, contact.lane).rA;
+  contacts.for_contacts([&](const SolvedManifold& manifold, const ManifoldMemory& key, bool is_new) {
+    const ManifoldWrench on_B = total_wrench(manifold);
+    if (is_new && approach_speed(manifold) > impact_speed) {
+      const Vec3 p_W = bodies.x[at(key.body_A)] + manifold.frame.rA;
       report.impacts.push_back({key.body_A, key.body_B, p_W, on_B.impulse});
     }
     book(bodies, key.body_A, key.body_B, on_B.impulse, given);
-    report.work += work_of_mover(contact.block, contact.totals, contact.lane, bodies);
+    report.work += work_of_mover(manifold, bodies);
   });
   for (const BulkContact& contact : direct.contacts()) {
     if (contact.is_new && contact.approach_speed > impact_speed)

@@ -50,7 +50,7 @@ TEST(GraphColouring, ListsEveryEdgeOnceAndNoBodyTwiceInAColour) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     const std::vector<ConstraintEdge> edges = random_edges(400, 60, seed);
     GraphColouring colouring;
-    colour_graph(edges, 60, colouring);
+    colour_graph(edges, {}, 60, colouring);
     const std::vector<int> order = listed(colouring);
     EXPECT_EQ(std::set<int>(order.begin(), order.end()).size(), edges.size());
     EXPECT_EQ(order.size(), edges.size());
@@ -62,7 +62,7 @@ TEST(GraphColouring, ListsEveryEdgeOnceAndNoBodyTwiceInAColour) {
 TEST(GraphColouring, PutsEdgesOfOneBodyAfterAllOthers) {
   const std::vector<ConstraintEdge> edges = random_edges(300, 60, 7);
   GraphColouring colouring;
-  colour_graph(edges, 60, colouring);
+  colour_graph(edges, {}, 60, colouring);
   bool alone = false;
   for (const int edge : listed(colouring)) {
     const auto [a, b] = edges[static_cast<std::size_t>(edge)];
@@ -75,7 +75,7 @@ TEST(GraphColouring, OfAChainNeedsTwoColours) {
   std::vector<ConstraintEdge> edges;
   for (int i = 0; i < 100; ++i) edges.push_back({i, i + 1});
   GraphColouring colouring;
-  colour_graph(edges, 101, colouring);
+  colour_graph(edges, {}, 101, colouring);
   EXPECT_EQ(colouring.colour_count(), 2);
   EXPECT_EQ(colouring.blocks.size(), 14u);  // 50 edges of each colour, eight in a block.
 }
@@ -84,7 +84,7 @@ TEST(GraphColouring, OfAHubPutsWhatFindsNoColourIntoBlocksOfOne) {
   std::vector<ConstraintEdge> edges;
   for (int i = 1; i <= 100; ++i) edges.push_back({0, i});
   GraphColouring colouring;
-  colour_graph(edges, 101, colouring);
+  colour_graph(edges, {}, 101, colouring);
   ASSERT_EQ(colouring.colour_count(), serial_colour + 1);
   EXPECT_EQ(listed(colouring).size(), 100u);
   for (int c = 0; c < serial_colour; ++c) expect_no_shared_body(edges, colouring, c);
@@ -96,9 +96,37 @@ TEST(GraphColouring, OfAHubPutsWhatFindsNoColourIntoBlocksOfOne) {
   }
 }
 
+TEST(GraphColouring, PutsEdgesOfOneKindIntoABlock) {
+  const std::vector<ConstraintEdge> edges = random_edges(400, 60, 3);
+  std::vector<std::uint8_t> kinds;
+  for (std::size_t i = 0; i < edges.size(); ++i) kinds.push_back(static_cast<std::uint8_t>(i * i % 7));
+  GraphColouring colouring;
+  colour_graph(edges, kinds, 60, colouring);
+  EXPECT_EQ(listed(colouring).size(), edges.size());
+  for (int c = 0; c < colouring.colour_count(); ++c) expect_no_shared_body(edges, colouring, c);
+  ASSERT_FALSE(colouring.sections.empty());
+  EXPECT_EQ(colouring.sections.front().first_block, 0);
+  for (std::size_t s = 0; s < colouring.sections.size(); ++s) {
+    const bool is_last = s + 1 == colouring.sections.size();
+    const std::size_t end =
+        is_last ? colouring.blocks.size() : static_cast<std::size_t>(colouring.sections[s + 1].first_block);
+    std::size_t k = static_cast<std::size_t>(colouring.sections[s].first_block);
+    EXPECT_LT(k, end);
+    for (; k < end; ++k) {
+      for (const std::int32_t edge : colouring.blocks[k]) {
+        EXPECT_TRUE(edge < 0 || kinds[static_cast<std::size_t>(edge)] == colouring.sections[s].kind);
+      }
+    }
+  }
+  // The colours are those without kinds.
+  GraphColouring plain;
+  colour_graph(edges, {}, 60, plain);
+  EXPECT_EQ(plain.colour_count(), colouring.colour_count());
+}
+
 TEST(GraphColouring, OfNoEdgesIsEmpty) {
   GraphColouring colouring;
-  colour_graph({}, 5, colouring);
+  colour_graph({}, {}, 5, colouring);
   EXPECT_TRUE(colouring.blocks.empty());
   EXPECT_TRUE(listed(colouring).empty());
 }

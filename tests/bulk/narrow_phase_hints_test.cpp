@@ -52,7 +52,7 @@ struct Crowd {
 /// there were.
 std::size_t expect_same_as_fresh(NarrowPhase& old, const Crowd& crowd, const std::vector<ShapePair>& pairs,
                                  int threads, const std::string& where) {
-  std::vector<PairManifold> found, expected;
+  ManifoldList found, expected;
   old.find_manifolds(crowd.bodies, pairs, Executor(threads), found);
   NarrowPhase fresh(*crowd.model);
   fresh.find_manifolds(crowd.bodies, pairs, Executor(1), expected);

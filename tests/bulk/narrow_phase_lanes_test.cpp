@@ -55,9 +55,9 @@ struct Crowd {
 
 std::vector<PairManifold> manifolds_of(NarrowPhase& narrow_phase, const Crowd& crowd,
                                        const std::vector<ShapePair>& pairs, int threads) {
-  std::vector<PairManifold> found;
+  ManifoldList found;
   narrow_phase.find_manifolds(crowd.bodies, pairs, Executor(threads), found);
-  return found;
+  return found.copies();
 }
 
 /// Boxes, hulls, spheres and capsules in a small room.

@@ -51,7 +51,7 @@ struct Ground {
     bodies.x[k] = X_WB.p;
     bodies.q[k] = Quat(X_WB.R);
     NarrowPhase narrow_phase(*model);
-    std::vector<PairManifold> found;
+    ManifoldList found;
     narrow_phase.find_manifolds(bodies, {{0, 1, 0, 0, margin}}, Executor(1), found);
     std::vector<Manifold> manifolds;
     for (std::size_t i = 0; i < found.size(); ++i) {

@@ -48,9 +48,9 @@ struct TwoBodies {
 
   std::vector<PairManifold> manifolds(float margin) const {
     NarrowPhase narrow_phase(*model);
-    std::vector<PairManifold> found;
+    ManifoldList found;
     narrow_phase.find_manifolds(bodies, {{0, 1, 0, 0, margin}}, Executor(1), found);
-    return found;
+    return found.copies();
   }
 };
 
