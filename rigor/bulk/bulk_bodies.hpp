@@ -5,6 +5,7 @@
 #include "rigor/model/state.hpp"
 
 #include <array>
+#include <cstring>
 #include <memory>
 #include <vector>
 
@@ -35,6 +36,22 @@ struct alignas(32) InverseInertia {
   float pad = 0;
 };
 
+/// A vector as it stands in a record, with what is behind it.
+typedef float FloatRow __attribute__((vector_size(16)));
+inline FloatRow load_row(const float* a) {
+  FloatRow row;
+  std::memcpy(&row, a, sizeof row);
+  return row;
+}
+inline void store_row(const FloatRow& row, float* a) {
+  std::memcpy(a, &row, sizeof row);
+}
+/// The last element is 0 if it is finite in both.
+inline FloatRow cross(const FloatRow& a, const FloatRow& b) {
+  return __builtin_shufflevector(a, a, 1, 2, 0, 3) * __builtin_shufflevector(b, b, 2, 0, 1, 3) -
+         __builtin_shufflevector(a, a, 2, 0, 1, 3) * __builtin_shufflevector(b, b, 1, 2, 0, 3);
+}
+
 /// Rotation vectors r and s with |r|² + |s|² above the square of this [rad] are composed exactly.
 constexpr float kFarTurn = 1;
 /// r becomes the rotation vector of exp(s) exp(r), exact to rounding: of those that differ by whole turns the
@@ -44,14 +61,11 @@ void turn_far(const float* s, float* r);
 /// Turns a body by h ω: the rotation vector dr of exp(h ω) exp(dr), to first order in h ω and third in dr
 /// (Baker, Campbell, Hausdorff) where both are small, exactly where they are not.
 inline void turn_further(float h, MotionRecord& motion) {
-  const float* r = motion.dr;
-  const float s[3] = {h * motion.w[0], h * motion.w[1], h * motion.w[2]};
-  const float squared =
-      (r[0] * r[0] + s[0] * s[0]) + (r[1] * r[1] + s[1] * s[1]) + (r[2] * r[2] + s[2] * s[2]);
-  if (squared > kFarTurn * kFarTurn) return turn_far(s, motion.dr);
-  const float c[3] = {r[1] * s[2] - r[2] * s[1], r[2] * s[0] - r[0] * s[2], r[0] * s[1] - r[1] * s[0]};
-  const float cc[3] = {r[1] * c[2] - r[2] * c[1], r[2] * c[0] - r[0] * c[2], r[0] * c[1] - r[1] * c[0]};
-  for (int k = 0; k < 3; ++k) motion.dr[k] += s[k] + ((1.0F / 12) * cc[k] - 0.5F * c[k]);
+  const FloatRow r = load_row(motion.dr), s = h * load_row(motion.w);
+  const FloatRow squares = r * r + s * s;
+  if (squares[0] + squares[1] + squares[2] > kFarTurn * kFarTurn) return turn_far(&s[0], motion.dr);
+  const FloatRow c = cross(r, s), cc = cross(r, c);
+  store_row(r + (s + ((1.0F / 12) * cc - 0.5F * c)), motion.dr);
 }
 
 /// The bodies of a Model as arrays, by model index: 64-bit positions, 32-bit velocities.

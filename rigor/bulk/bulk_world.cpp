@@ -368,31 +368,35 @@ void BulkWorld::find_loose_bodies() {
 
 void BulkWorld::integrate_velocities(bool is_first, float h) {
   Scratch& s = *scratch_;
-  if (s.gyrations.has_any()) s.gyrations.find_changes(h, bodies_, s.executor, s.turns);
-  s.executor.for_ranges(static_cast<int>(s.loose.size()), 1024, [&](int begin, int end) {
+  const bool has_turns = s.gyrations.has_any();
+  if (has_turns) s.gyrations.find_changes(h, bodies_, s.executor, s.turns);
+  s.executor.for_ranges(static_cast<int>(s.loose.size()), 256, [&](int begin, int end) {
+    MotionRecord* const motion = bodies_.motion.data();
+    MotionRow* const unconstrained = s.unconstrained.data();
+    const MotionRow* const accelerations = s.accelerations.data();
     for (int place = begin; place < end; ++place) {
       const int i = s.loose[static_cast<std::size_t>(place)];
-      const std::size_t k = static_cast<std::size_t>(i);
       if (s.direct.holds(i)) continue;
-      float* v = bodies_.motion[k].v;
-      MotionRow& free = s.unconstrained[k];
+      float* const v = motion[i].v;
+      float* const free = unconstrained[i].data();
       // What the constraints changed in the substep before is what they begin with in this one.
-      const FloatLanes now = load_floats(v),
-                       change = is_first ? float_lanes(0) : now - load_floats(free.data());
-      FloatLanes next = now + h * load_floats(s.accelerations[k].data());
-      if (s.gyrations.has_any()) next += load_floats(s.turns[k].data());
-      store_floats(next, free.data());
-      store_floats(next + change, v);
+      for (int half : {0, 4}) {
+        const FloatRow now = load_row(v + half), before = load_row(free + half);
+        FloatRow next = now + h * load_row(accelerations[i].data() + half);
+        if (has_turns) next += load_row(s.turns[static_cast<std::size_t>(i)].data() + half);
+        store_row(next, free + half);
+        store_row(is_first ? next : next + (now - before), v + half);
+      }
     }
   });
 }
 
 void BulkWorld::integrate_positions(float h) {
   const std::vector<int>& loose = scratch_->loose;
-  scratch_->executor.for_ranges(static_cast<int>(loose.size()), 1024, [&](int begin, int end) {
+  scratch_->executor.for_ranges(static_cast<int>(loose.size()), 256, [&](int begin, int end) {
+    MotionRecord* const records = bodies_.motion.data();
     for (int place = begin; place < end; ++place) {
-      const std::size_t k = static_cast<std::size_t>(loose[static_cast<std::size_t>(place)]);
-      MotionRecord& motion = bodies_.motion[k];
+      MotionRecord& motion = records[loose[static_cast<std::size_t>(place)]];
       for (int j = 0; j < 3; ++j) motion.dp[j] += h * motion.v[j];
       turn_further(h, motion);
     }
