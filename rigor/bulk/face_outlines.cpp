@@ -13,18 +13,18 @@ using Border = OutlineMeeting::Border;
 
 /// Coordinates of the face: unit vectors, and where they begin.
 struct FaceAxes {
-  Vec3f origin, x, y, z;
+  Vec3f origin, x, y;
 
   FlatPoint flat(const Vec3f& p) const {
     const Vec3f r = p - origin;
-    return {x.dot(r), y.dot(r), z.dot(r)};
+    return {x.dot(r), y.dot(r)};
   }
 };
 
 FaceAxes axes_of(const Outline& face, const Vec3f& normal) {
   const Vec3f origin = face.corner(0), side = face.corner(1) - origin;
   const Vec3f x = side / side.norm();
-  return {origin, x, normal.cross(x), normal};
+  return {origin, x, normal.cross(x)};
 }
 
 void list_borders(const Outline& face, const FaceAxes& axes, std::vector<Border>& borders) {
@@ -75,8 +75,8 @@ void find_crossings(std::size_t side_count, float slack, OutlineMeeting& meeting
       if (std::min(d0, d1) >= -slack || std::max(d0, d1) <= slack) continue;
       const float part = d0 / (d0 - d1);
       const Border& border = meeting.borders[k];
-      const float along = border.along({from.x + part * (to.x - from.x), from.y + part * (to.y - from.y), 0});
-      if (along > slack && along < border.length - slack) meeting.crossings.push_back({k, side, part});
+      const float along = border.along({from.x + part * (to.x - from.x), from.y + part * (to.y - from.y)});
+      if (along > slack && along < border.length - slack) meeting.crossings.push_back({k, side});
     }
   }
 }
