@@ -64,7 +64,7 @@ struct PlacedPolytopes {
   float equal_depth = 0;  ///< Points whose gaps differ by less are equally deep [m].
   std::vector<float> heights, along_A, along_B, heights_A, heights_B;
   ArcBlocks arcs_A, arcs_B;
-  std::vector<int> faces, edges_A, edges_B;
+  std::vector<int> faces, edges_A, edges_B, nearest;
   std::vector<SegmentLanes> segments;
   OutlineMeeting meeting;
   std::vector<ManifoldCandidate> candidates;

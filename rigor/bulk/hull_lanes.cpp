@@ -224,6 +224,19 @@ RIGOR_FLOAT_LANES void distances_kernel(const Vec3f& p, const Vec3f& along, cons
   store_floats(dot(way, way), squares);
 }
 
+RIGOR_FLOAT_LANES float least_kernel(const float* x, std::size_t count) {
+  FloatLanes least = load_floats(x);
+  for (std::size_t k = kLaneCount; k < count; k += kLaneCount) least = float_min(least, load_floats(x + k));
+  return -spread_max(-least)[0];
+}
+
+RIGOR_FLOAT_LANES void up_to_kernel(const std::vector<float>& x, float most, std::vector<int>& places) {
+  for (std::size_t k = 0; k < x.size(); k += kLaneCount) {
+    unsigned bits = lane_bits(load_floats(x.data() + k) <= float_lanes(most));
+    for (; bits != 0; bits &= bits - 1) places.push_back(static_cast<int>(k) + std::countr_zero(bits));
+  }
+}
+
 #if defined(__x86_64__)
 #define RIGOR_AVX2 [[gnu::target("avx2")]]
 #else
@@ -257,8 +270,16 @@ RIGOR_AVX2 void arcs_avx2(const FloatHull& hull, std::span<const int> edges, con
 RIGOR_AVX2 EdgeChoice edges_avx2(const ArcBlocks& a, const ArcBlocks& b, float least) {
   return edges_kernel(a, b, least);
 }
-RIGOR_AVX2 void distances_avx2(const Vec3f& p, const Vec3f& u, const SegmentLanes& segments, float* squares) {
-  distances_kernel(p, u, segments, squares);
+RIGOR_AVX2 void distances_avx2(const Vec3f& p, const Vec3f& u, const std::vector<SegmentLanes>& segments,
+                               float* squares) {
+  for (std::size_t k = 0; k < segments.size(); ++k)
+    distances_kernel(p, u, segments[k], squares + k * kLaneCount);
+}
+RIGOR_AVX2 void up_to_avx2(const std::vector<float>& x, float most, std::vector<int>& places) {
+  up_to_kernel(x, most, places);
+}
+RIGOR_AVX2 float least_avx2(const float* x, std::size_t count) {
+  return least_kernel(x, count);
 }
 
 }  // namespace
@@ -314,10 +335,20 @@ EdgeChoice find_best_edges(const ArcBlocks& a, const ArcBlocks& b, float least, 
   return target == LaneTarget::avx2 ? edges_avx2(a, b, least) : edges_kernel(a, b, least);
 }
 
-void find_square_distances(const Vec3f& p, const Vec3f& u, const SegmentLanes& segments, LaneTarget target,
-                           float* squares) {
-  target == LaneTarget::avx2 ? distances_avx2(p, u, segments, squares)
-                             : distances_kernel(p, u, segments, squares);
+void find_square_distances(const Vec3f& p, const Vec3f& u, const std::vector<SegmentLanes>& segments,
+                           LaneTarget target, float* squares) {
+  if (target == LaneTarget::avx2) return distances_avx2(p, u, segments, squares);
+  for (std::size_t k = 0; k < segments.size(); ++k)
+    distances_kernel(p, u, segments[k], squares + k * kLaneCount);
+}
+
+float least_of(const std::vector<float>& x, LaneTarget target) {
+  return target == LaneTarget::avx2 ? least_avx2(x.data(), x.size()) : least_kernel(x.data(), x.size());
+}
+
+void list_up_to(const std::vector<float>& x, float most, LaneTarget target, std::vector<int>& places) {
+  places.clear();
+  target == LaneTarget::avx2 ? up_to_avx2(x, most, places) : up_to_kernel(x, most, places);
 }
 
 }  // namespace rigor
