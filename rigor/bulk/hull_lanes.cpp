@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <limits>
 
 namespace rigor {
 
@@ -19,22 +20,27 @@ RIGOR_FLOAT_LANES FloatLanes heights_at(const LaneColumns& points, const FloatVe
   return n.x * load_floats(points.x + k) + n.y * load_floats(points.y + k) + n.z * load_floats(points.z + k);
 }
 
-/// The highest first, and then who that is: two short chains of what has to wait for each other.
+/// How high the highest is, and then who that is: two short chains of what has to wait for each other.
 RIGOR_FLOAT_LANES Support support_kernel(const LaneColumns& points, const Vec3f& n) {
-  constexpr std::size_t mask_size = 64;
+  constexpr std::size_t block_count = 8, mask_size = block_count * kLaneCount;
   const FloatVec3 direction = spread(n);
-  FloatLanes highest = heights_at(points, direction, 0);
-  for (std::size_t k = kLaneCount; k < points.count; k += kLaneCount)
-    highest = float_max(highest, heights_at(points, direction, k));
-  const FloatLanes top = spread_max(highest);
+  Support best{0, -std::numeric_limits<float>::infinity()};
   for (std::size_t first = 0; first < points.count; first += mask_size) {
+    const std::size_t blocks = std::min(block_count, (points.count - first) / kLaneCount);
+    FloatLanes heights[block_count], highest = heights_at(points, direction, first);
+    heights[0] = highest;
+    for (std::size_t k = 1; k < blocks; ++k) {
+      heights[k] = heights_at(points, direction, first + k * kLaneCount);
+      highest = float_max(highest, heights[k]);
+    }
+    const FloatLanes top = spread_max(highest);
+    if (!(top[0] > best.height)) continue;
     std::uint64_t is_top = 0;
-    const std::size_t end = std::min(points.count, first + mask_size);
-    for (std::size_t k = first; k < end; k += kLaneCount)
-      is_top |= std::uint64_t{lane_bits(heights_at(points, direction, k) == top)} << (k - first);
-    if (is_top != 0) return {static_cast<int>(first) + std::countr_zero(is_top), top[0]};
+    for (std::size_t k = 0; k < blocks; ++k)
+      is_top |= std::uint64_t{lane_bits(heights[k] == top)} << (k * kLaneCount);
+    best = {static_cast<int>(first) + std::countr_zero(is_top), top[0]};
   }
-  return {0, top[0]};  // Of points that are no numbers.
+  return best;
 }
 
 RIGOR_FLOAT_LANES Summit summit_kernel(const LaneColumns& points, int count, const Vec3f& n, float drop) {
