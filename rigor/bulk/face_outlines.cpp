@@ -23,7 +23,7 @@ struct FaceAxes {
 
 FaceAxes axes_of(const Outline& face, const Vec3f& normal) {
   const Vec3f origin = face.corner(0), side = face.corner(1) - origin;
-  const Vec3f x = side / side.norm();
+  const Vec3f x = (1 / side.norm()) * side;
   return {origin, x, normal.cross(x)};
 }
 
@@ -35,7 +35,8 @@ void list_borders(const Outline& face, const FaceAxes& axes, std::vector<Border>
   for (std::size_t k = 0; k < count; ++k) {
     const FlatPoint next = k + 1 == count ? first : axes.flat(face.corner(k + 1));
     const float x = next.x - corner.x, y = next.y - corner.y, length = std::sqrt(x * x + y * y);
-    borders[k] = {corner.x, corner.y, x / length, y / length, length};
+    const float inverse = 1 / length;
+    borders[k] = {corner.x, corner.y, inverse * x, inverse * y, length};
     corner = next;
   }
 }
@@ -66,7 +67,6 @@ void find_corners_over(float slack, OutlineMeeting& meeting) {
 
 void find_crossings(std::size_t side_count, float slack, OutlineMeeting& meeting) {
   const std::size_t stride = meeting.borders.size();
-  meeting.crossings.clear();
   const float* inside = meeting.inside.data();
   for (std::size_t side = 0; side < side_count; ++side) {
     const FlatPoint &from = meeting.other[side], &to = meeting.other[side + 1];
@@ -100,7 +100,8 @@ void meet_outlines(const Outline& face, const Vec3f& normal, const Outline& othe
   list_borders(face, axes, meeting.borders);
   list_corners(other, axes, meeting.other);
   find_corners_over(slack, meeting);
-  find_crossings(other.side_count, slack, meeting);
+  meeting.crossings.clear();
+  if (meeting.over.size() < other.corners.size()) find_crossings(other.side_count, slack, meeting);
   meeting.under.clear();
   if (other.side_count < 3) return;
   for (std::size_t k = 0; k < meeting.borders.size(); ++k)

@@ -319,7 +319,7 @@ float find_separation(const SupportCore& a, const SupportCore& b, const Vec3f& d
 
 void PlacedColumns::place(const LaneColumns& points, const Mat3f& M, const Vec3f& t, LaneTarget target) {
   count_ = points.count;
-  numbers_.resize(3 * count_);
+  if (numbers_.size() < 3 * count_) numbers_.resize(3 * count_);
   target == LaneTarget::avx2 ? columns_avx2(points, M, t, numbers_.data())
                              : columns_kernel(points, M, t, numbers_.data());
 }
