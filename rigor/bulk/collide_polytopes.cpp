@@ -67,7 +67,8 @@ std::uint32_t vertex_feature(bool is_of_A, int vertex) {
 }
 
 /// Corners of the other outline over the face.
-float add_corners_over(const FaceView& view, const Outline& outline, float margin, PlacedPolytopes& pair) {
+float add_corners_over(const FaceView& view, const FaceOutline& outline, float margin,
+                       PlacedPolytopes& pair) {
   float least = kInfinity;
   for (const std::size_t k : pair.meeting.over) {
     const Vec3f p = outline.corner(k);
@@ -87,7 +88,7 @@ Vec3f crossing_of(const FaceView& view, const Vec3f& corner, const Vec3f& next, 
 }
 
 /// Where sides of the other outline, which are these edges, cross the border of the face.
-float add_crossings(const FaceView& view, const Outline& own, const Outline& outline,
+float add_crossings(const FaceView& view, const FaceOutline& own, const FaceOutline& outline,
                     std::span<const int> edges, float margin, PlacedPolytopes& pair) {
   const std::span<const int> own_edges = view.owner.hull->border_edges(view.face);
   float least = kInfinity;
@@ -103,7 +104,7 @@ float add_crossings(const FaceView& view, const Outline& own, const Outline& out
 }
 
 /// Corners of the face of the view that are under the face of the other core.
-float add_corners_under(const FaceView& view, const Outline& own, int face, float margin,
+float add_corners_under(const FaceView& view, const FaceOutline& own, int face, float margin,
                         PlacedPolytopes& pair) {
   constexpr float least_slope = 0.05f;  // Heights above steeper faces are lost in rounding.
   const Vec3f normal = view.other.normal(face);
@@ -184,7 +185,7 @@ float clip_on_face(const SeparatingAxis& axis, float margin, PlacedPolytopes& pa
                                         ? std::span<const int>(segment_ends, hull.vertex_count == 1 ? 1u : 2u)
                                         : hull.border_vertices(face);
   const std::span<const int> edges = face < 0 ? std::span<const int>(segment_edges) : hull.border_edges(face);
-  const Outline own{view.owner.vertices(), border, border.size()},
+  const FaceOutline own{view.owner.vertices(), border, border.size()},
       other{view.other.vertices(), loop, face < 0 ? loop.size() - 1 : loop.size()};
   meet_outlines(own, view.m, other, 4 * pair.rounding, pair.meeting);
   const float least = std::min(add_corners_over(view, other, margin, pair),

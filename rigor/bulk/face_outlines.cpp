@@ -21,13 +21,13 @@ struct FaceAxes {
   }
 };
 
-FaceAxes axes_of(const Outline& face, const Vec3f& normal) {
+FaceAxes axes_of(const FaceOutline& face, const Vec3f& normal) {
   const Vec3f origin = face.corner(0), side = face.corner(1) - origin;
   const Vec3f x = (1 / side.norm()) * side;
   return {origin, x, normal.cross(x)};
 }
 
-void list_borders(const Outline& face, const FaceAxes& axes, std::vector<Border>& borders) {
+void list_borders(const FaceOutline& face, const FaceAxes& axes, std::vector<Border>& borders) {
   const std::size_t count = face.corners.size();
   borders.resize(count);
   const FlatPoint first = axes.flat(face.corner(0));
@@ -41,7 +41,7 @@ void list_borders(const Outline& face, const FaceAxes& axes, std::vector<Border>
   }
 }
 
-void list_corners(const Outline& other, const FaceAxes& axes, std::vector<FlatPoint>& corners) {
+void list_corners(const FaceOutline& other, const FaceAxes& axes, std::vector<FlatPoint>& corners) {
   const std::size_t count = other.corners.size();
   corners.resize(count + 1);
   for (std::size_t k = 0; k < count; ++k) corners[k] = axes.flat(other.corner(k));
@@ -94,7 +94,7 @@ bool is_under(const Border& corner, float slack, const std::vector<FlatPoint>& o
 
 }  // namespace
 
-void meet_outlines(const Outline& face, const Vec3f& normal, const Outline& other, float slack,
+void meet_outlines(const FaceOutline& face, const Vec3f& normal, const FaceOutline& other, float slack,
                    OutlineMeeting& meeting) {
   const FaceAxes axes = axes_of(face, normal);
   list_borders(face, axes, meeting.borders);

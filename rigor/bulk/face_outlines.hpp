@@ -9,7 +9,7 @@ namespace rigor {
 
 /// A polygon of placed points, or a segment or a point; side k runs from corner k to the next one, the last
 /// back to the first.
-struct Outline {
+struct FaceOutline {
   LaneColumns points;
   std::span<const int> corners;  ///< Of the points.
   std::size_t side_count;        ///< 1 of a segment, 0 of a point.
@@ -48,7 +48,7 @@ struct OutlineMeeting {
 /// Corners count that are outside by no more than `slack`; crossings only where the sides pass each other by
 /// more than that, so that no corner is lost where sides coincide. The corners of the face run
 /// counter-clockwise about its normal; those of another polygon run clockwise, as of a face turned to it.
-void meet_outlines(const Outline& face, const Vec3f& normal, const Outline& other, float slack,
+void meet_outlines(const FaceOutline& face, const Vec3f& normal, const FaceOutline& other, float slack,
                    OutlineMeeting& meeting);
 
 }  // namespace rigor

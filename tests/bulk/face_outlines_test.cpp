@@ -49,7 +49,7 @@ struct Columns {
     }
     corners.push_back(static_cast<int>(x.size()) - 1);
   }
-  Outline outline(std::size_t side_count) const {
+  FaceOutline outline(std::size_t side_count) const {
     return {{x.data(), y.data(), z.data(), x.size()}, corners, side_count};
   }
 };
