@@ -20,7 +20,8 @@ struct BoxLanes {
   FloatLanes extent;
 };
 
-RIGOR_FLOAT_LANES void load_boxes(const BoxPairs& pairs, const PlacedShape* BoxPair::*of, BoxLanes& boxes) {
+RIGOR_FLOAT_LANES void load_boxes(const BoxPairs& pairs, const PlacedShape* BoxPairRow::*of,
+                                  BoxLanes& boxes) {
   FloatSquare first, second;
   for (int i = 0; i < kLaneCount; ++i) {
     const PlacedShape& placed = *(pairs.pair[i].*of);
@@ -40,7 +41,7 @@ RIGOR_FLOAT_LANES void load_boxes(const BoxPairs& pairs, const PlacedShape* BoxP
 
 /// The ways between the bodies and the margins.
 RIGOR_FLOAT_LANES void load_pairs(const BoxPairs& pairs, FloatVec3& bodies, FloatLanes& margin) {
-  static_assert(sizeof(BoxPair) == sizeof(FloatLanes) && offsetof(BoxPair, d) == 4 * sizeof(float));
+  static_assert(sizeof(BoxPairRow) == sizeof(FloatLanes) && offsetof(BoxPairRow, d) == 4 * sizeof(float));
   FloatSquare square;
   for (int i = 0; i < kLaneCount; ++i) std::memcpy(&square.row[i], &pairs.pair[i], sizeof(FloatLanes));
   square = transpose(square);
@@ -122,8 +123,8 @@ RIGOR_FLOAT_LANES FloatVec3 face_normal(const FloatLanes* t, const FloatVec3* ax
 
 RIGOR_FLOAT_LANES void collide_box_lanes(const BoxPairs& pairs, BoxContacts& contacts) {
   BoxLanes a, b;
-  load_boxes(pairs, &BoxPair::a, a);
-  load_boxes(pairs, &BoxPair::b, b);
+  load_boxes(pairs, &BoxPairRow::a, a);
+  load_boxes(pairs, &BoxPairRow::b, b);
   FloatVec3 bodies;
   FloatLanes margin;
   load_pairs(pairs, bodies, margin);

@@ -47,7 +47,7 @@ BoxEdge farthest_edge(const PlacedShape& box, const Vec3f& p, const Vec3f& n, in
 Vec3f box_axis(const BoxPairs& pairs, const BoxContacts& contacts, int lane) {
   if (contacts.is_edge[lane] == 0)
     return Vec3f(contacts.normal[0][lane], contacts.normal[1][lane], contacts.normal[2][lane]);
-  const BoxPair& pair = pairs.pair[lane];
+  const BoxPairRow& pair = pairs.pair[lane];
   const PlacedShape &a = *pair.a, &b = *pair.b;
   const Vec3f d = pair.between() + b.position() - a.position();
   const Vec3f n = axis_of(a, contacts.edge_A[lane]).cross(axis_of(b, contacts.edge_B[lane])).normalized();

@@ -10,7 +10,7 @@
 namespace rigor {
 
 /// A pair of boxes, in the frame of body A's centre with axes of W: a row of lanes.
-struct alignas(32) BoxPair {
+struct alignas(32) BoxPairRow {
   const PlacedShape *a, *b;
   float d[3];  ///< From the centre of body A to that of body B [m].
   float margin;
@@ -19,7 +19,7 @@ struct alignas(32) BoxPair {
 };
 /// Eight of them.
 struct BoxPairs {
-  BoxPair pair[kLaneCount];
+  BoxPairRow pair[kLaneCount];
 };
 
 /// Where the eight pairs touch.

@@ -79,12 +79,10 @@ float find_edge_distances(PlacedPolytopes& pair) {
   float* row = pair.heights.data();
   for (const int i : pair.edges_A) {
     const Vec3f p = pair.a.vertex(pair.a.edge(i).v0), u = pair.a.vertex(pair.a.edge(i).v1) - p;
-    for (const SegmentLanes& lanes : pair.segments) {
-      find_square_distances(p, u, lanes, best_lane_target(), row);
-      row += kLaneCount;
-    }
+    find_square_distances(p, u, pair.segments, best_lane_target(), row);
+    row += blocks * kLaneCount;
   }
-  return *std::min_element(pair.heights.begin(), pair.heights.end());
+  return least_of(pair.heights, best_lane_target());
 }
 
 }  // namespace
@@ -138,11 +136,13 @@ std::optional<Vec3f> join_nearest_edges(const Vec3f& n, float separation, float 
   if (distance - pair.a.radius - pair.b.radius > margin) return std::nullopt;
   const float far = (distance + slack) * (distance + slack);
   const std::size_t stride = pair.heights.size() / pair.edges_A.size();
+  list_up_to(pair.heights, far, best_lane_target(), pair.nearest);
   const auto for_nearest = [&](float most, const auto& visit) {
-    for (std::size_t i = 0; i < pair.edges_A.size(); ++i)
-      for (std::size_t j = 0; j < pair.edges_B.size(); ++j)
-        if (pair.heights[i * stride + j] <= most)
-          visit(nearest_on_edges(pair, pair.edges_A[i], pair.edges_B[j]));
+    for (const int place : pair.nearest) {
+      const std::size_t i = at(place) / stride, j = at(place) % stride;
+      if (j < pair.edges_B.size() && pair.heights[at(place)] <= most)
+        visit(nearest_on_edges(pair, pair.edges_A[i], pair.edges_B[j]));
+    }
   };
   // The direction between points that touch is lost in rounding.
   std::optional<Vec3f> normal;

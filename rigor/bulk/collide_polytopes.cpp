@@ -25,13 +25,17 @@ struct FaceView {
   int lowest;  ///< Vertex of the other core.
   bool is_of_A;
   Vec3f m;  ///< Outward normal of the face.
+  float offset;
+
+  float height(const Vec3f& p) const { return m.dot(p) - offset; }
 };
 
 FaceView view_of(const SeparatingAxis& axis, const PlacedPolytopes& pair) {
   const bool is_of_A = axis.kind == SeparatingAxis::Kind::face_of_A;
   const PlacedPolytope &owner = is_of_A ? pair.a : pair.b, &other = is_of_A ? pair.b : pair.a;
   const int face = is_of_A ? axis.a : axis.b, lowest = is_of_A ? axis.b : axis.a;
-  return {owner, other, face, lowest, is_of_A, is_of_A ? axis.n : Vec3f(-axis.n)};
+  const Vec3f m = is_of_A ? axis.n : Vec3f(-axis.n);
+  return {owner, other, face, lowest, is_of_A, m, m.dot(other.vertex(lowest)) - axis.separation};
 }
 
 /// Adds the point of the other core, which is `height` above its foot on the face.
@@ -63,37 +67,44 @@ std::uint32_t vertex_feature(bool is_of_A, int vertex) {
 }
 
 /// Corners of the other outline over the face.
-float add_corners_over(const FaceView& view, const Outline& outline, float margin, PlacedPolytopes& pair) {
+float add_corners_over(const FaceView& view, const FaceOutline& outline, float margin,
+                       PlacedPolytopes& pair) {
   float least = kInfinity;
   for (const std::size_t k : pair.meeting.over) {
+    const Vec3f p = outline.corner(k);
     const std::uint32_t feature = vertex_feature(!view.is_of_A, outline.corners[k]);
-    least =
-        std::min(least, add_above(view, outline.corner(k), pair.meeting.other[k].z, feature, margin, pair));
+    least = std::min(least, add_above(view, p, view.height(p), feature, margin, pair));
   }
   return least;
 }
 
+/// Where the side from p0 to p1 of the other outline crosses the line through two corners of the face.
+Vec3f crossing_of(const FaceView& view, const Vec3f& corner, const Vec3f& next, const Vec3f& p0,
+                  const Vec3f& p1) {
+  const Vec3f side = next - corner;
+  const Vec3f inward = view.m.cross(Vec3f(side / side.norm()));
+  const float d0 = inward.dot(p0 - corner), d1 = inward.dot(p1 - corner);
+  return p0 + d0 / (d0 - d1) * (p1 - p0);
+}
+
 /// Where sides of the other outline, which are these edges, cross the border of the face.
-float add_crossings(const FaceView& view, const Outline& outline, std::span<const int> edges, float margin,
-                    PlacedPolytopes& pair) {
+float add_crossings(const FaceView& view, const FaceOutline& own, const FaceOutline& outline,
+                    std::span<const int> edges, float margin, PlacedPolytopes& pair) {
   const std::span<const int> own_edges = view.owner.hull->border_edges(view.face);
   float least = kInfinity;
-  for (const OutlineMeeting::Crossing& crossing : pair.meeting.crossings) {
-    const std::size_t side = crossing.side, next = side + 1 == outline.corners.size() ? 0 : side + 1;
-    const Vec3f from = outline.corner(side);
-    const Vec3f p = from + crossing.part * (outline.corner(next) - from);
-    const float low = pair.meeting.other[side].z, high = pair.meeting.other[next].z;
-    const float height = low + crossing.part * (high - low);
-    const int own = own_edges[crossing.border], other = edges[side];
-    const std::uint32_t feature = view.is_of_A ? crossing_feature(own, other, view.other.hull->edges.size())
-                                               : crossing_feature(other, own, view.owner.hull->edges.size());
-    least = std::min(least, add_above(view, p, height, feature, margin, pair));
+  for (const auto& [border, side] : pair.meeting.crossings) {
+    const Vec3f p = crossing_of(view, own.corner(border), own.corner(own.next(border)), outline.corner(side),
+                                outline.corner(outline.next(side)));
+    const std::uint32_t feature =
+        view.is_of_A ? crossing_feature(own_edges[border], edges[side], view.other.hull->edges.size())
+                     : crossing_feature(edges[side], own_edges[border], view.owner.hull->edges.size());
+    least = std::min(least, add_above(view, p, view.height(p), feature, margin, pair));
   }
   return least;
 }
 
 /// Corners of the face of the view that are under the face of the other core.
-float add_corners_under(const FaceView& view, const Outline& own, int face, float margin,
+float add_corners_under(const FaceView& view, const FaceOutline& own, int face, float margin,
                         PlacedPolytopes& pair) {
   constexpr float least_slope = 0.05f;  // Heights above steeper faces are lost in rounding.
   const Vec3f normal = view.other.normal(face);
@@ -130,7 +141,8 @@ void place_polytope(const BulkShape& shape, const PlacedShape& placed, const Vec
   for (int f = 0; core.is_box && f < kLaneCount; ++f)
     core.box_offsets[f] = f < hull.face_count ? hull.normal(f).cwiseAbs().dot(shape.scale) : 0;
   core.vertex_columns.place(hull.vertices(), core.place.M, core.place.t, best_lane_target());
-  core.normal_columns.place(hull.normals(), R, Vec3f::Zero(), best_lane_target());
+  const Vec3f nothing = Vec3f::Constant(-0.0f);  // What is added to zeros of either sign and changes no bit.
+  core.normal_columns.place(hull.normals(), R, nothing, best_lane_target());
 }
 
 /// Puts the ball inside a core as near to a point as it goes.
@@ -173,11 +185,11 @@ float clip_on_face(const SeparatingAxis& axis, float margin, PlacedPolytopes& pa
                                         ? std::span<const int>(segment_ends, hull.vertex_count == 1 ? 1u : 2u)
                                         : hull.border_vertices(face);
   const std::span<const int> edges = face < 0 ? std::span<const int>(segment_edges) : hull.border_edges(face);
-  const Outline own{view.owner.vertices(), border, border.size()},
+  const FaceOutline own{view.owner.vertices(), border, border.size()},
       other{view.other.vertices(), loop, face < 0 ? loop.size() - 1 : loop.size()};
   meet_outlines(own, view.m, other, 4 * pair.rounding, pair.meeting);
-  const float least =
-      std::min(add_corners_over(view, other, margin, pair), add_crossings(view, other, edges, margin, pair));
+  const float least = std::min(add_corners_over(view, other, margin, pair),
+                               add_crossings(view, own, other, edges, margin, pair));
   return face < 0 ? least : std::min(least, add_corners_under(view, own, face, margin, pair));
 }
 

@@ -33,8 +33,11 @@ struct PlacedPolytope {
   const float* offsets() const { return is_box ? box_offsets : hull->offset.data(); }
   const FloatHull::Edge& edge(int e) const { return hull->edges[static_cast<std::size_t>(e)]; }
   Vec3f edge_vector(int e) const { return vertex(edge(e).v1) - vertex(edge(e).v0); }
-  /// The vertex farthest along n (of equal ones the first).
-  int farthest(const Vec3f& n) const { return find_support(vertices(), n, best_lane_target()).index; }
+  /// The vertex farthest along n (of equal ones the first). Asked in the shape's frame, where the vertices
+  /// are rounded once.
+  int farthest(const Vec3f& n) const {
+    return find_support(hull->vertices(), place.M.transpose() * n, best_lane_target()).index;
+  }
 };
 
 /// The direction that parts two cores best, of the normals of faces and of pairs of edges.
@@ -61,7 +64,7 @@ struct PlacedPolytopes {
   float equal_depth = 0;  ///< Points whose gaps differ by less are equally deep [m].
   std::vector<float> heights, along_A, along_B, heights_A, heights_B;
   ArcBlocks arcs_A, arcs_B;
-  std::vector<int> faces, edges_A, edges_B;
+  std::vector<int> faces, edges_A, edges_B, nearest;
   std::vector<SegmentLanes> segments;
   OutlineMeeting meeting;
   std::vector<ManifoldCandidate> candidates;

@@ -13,21 +13,21 @@ using Border = OutlineMeeting::Border;
 
 /// Coordinates of the face: unit vectors, and where they begin.
 struct FaceAxes {
-  Vec3f origin, x, y, z;
+  Vec3f origin, x, y;
 
   FlatPoint flat(const Vec3f& p) const {
     const Vec3f r = p - origin;
-    return {x.dot(r), y.dot(r), z.dot(r)};
+    return {x.dot(r), y.dot(r)};
   }
 };
 
-FaceAxes axes_of(const Outline& face, const Vec3f& normal) {
+FaceAxes axes_of(const FaceOutline& face, const Vec3f& normal) {
   const Vec3f origin = face.corner(0), side = face.corner(1) - origin;
-  const Vec3f x = side / side.norm();
-  return {origin, x, normal.cross(x), normal};
+  const Vec3f x = (1 / side.norm()) * side;
+  return {origin, x, normal.cross(x)};
 }
 
-void list_borders(const Outline& face, const FaceAxes& axes, std::vector<Border>& borders) {
+void list_borders(const FaceOutline& face, const FaceAxes& axes, std::vector<Border>& borders) {
   const std::size_t count = face.corners.size();
   borders.resize(count);
   const FlatPoint first = axes.flat(face.corner(0));
@@ -35,12 +35,13 @@ void list_borders(const Outline& face, const FaceAxes& axes, std::vector<Border>
   for (std::size_t k = 0; k < count; ++k) {
     const FlatPoint next = k + 1 == count ? first : axes.flat(face.corner(k + 1));
     const float x = next.x - corner.x, y = next.y - corner.y, length = std::sqrt(x * x + y * y);
-    borders[k] = {corner.x, corner.y, x / length, y / length, length};
+    const float inverse = 1 / length;
+    borders[k] = {corner.x, corner.y, inverse * x, inverse * y, length};
     corner = next;
   }
 }
 
-void list_corners(const Outline& other, const FaceAxes& axes, std::vector<FlatPoint>& corners) {
+void list_corners(const FaceOutline& other, const FaceAxes& axes, std::vector<FlatPoint>& corners) {
   const std::size_t count = other.corners.size();
   corners.resize(count + 1);
   for (std::size_t k = 0; k < count; ++k) corners[k] = axes.flat(other.corner(k));
@@ -66,7 +67,6 @@ void find_corners_over(float slack, OutlineMeeting& meeting) {
 
 void find_crossings(std::size_t side_count, float slack, OutlineMeeting& meeting) {
   const std::size_t stride = meeting.borders.size();
-  meeting.crossings.clear();
   const float* inside = meeting.inside.data();
   for (std::size_t side = 0; side < side_count; ++side) {
     const FlatPoint &from = meeting.other[side], &to = meeting.other[side + 1];
@@ -75,8 +75,8 @@ void find_crossings(std::size_t side_count, float slack, OutlineMeeting& meeting
       if (std::min(d0, d1) >= -slack || std::max(d0, d1) <= slack) continue;
       const float part = d0 / (d0 - d1);
       const Border& border = meeting.borders[k];
-      const float along = border.along({from.x + part * (to.x - from.x), from.y + part * (to.y - from.y), 0});
-      if (along > slack && along < border.length - slack) meeting.crossings.push_back({k, side, part});
+      const float along = border.along({from.x + part * (to.x - from.x), from.y + part * (to.y - from.y)});
+      if (along > slack && along < border.length - slack) meeting.crossings.push_back({k, side});
     }
   }
 }
@@ -94,13 +94,14 @@ bool is_under(const Border& corner, float slack, const std::vector<FlatPoint>& o
 
 }  // namespace
 
-void meet_outlines(const Outline& face, const Vec3f& normal, const Outline& other, float slack,
+void meet_outlines(const FaceOutline& face, const Vec3f& normal, const FaceOutline& other, float slack,
                    OutlineMeeting& meeting) {
   const FaceAxes axes = axes_of(face, normal);
   list_borders(face, axes, meeting.borders);
   list_corners(other, axes, meeting.other);
   find_corners_over(slack, meeting);
-  find_crossings(other.side_count, slack, meeting);
+  meeting.crossings.clear();
+  if (meeting.over.size() < other.corners.size()) find_crossings(other.side_count, slack, meeting);
   meeting.under.clear();
   if (other.side_count < 3) return;
   for (std::size_t k = 0; k < meeting.borders.size(); ++k)

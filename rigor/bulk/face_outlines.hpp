@@ -9,7 +9,7 @@ namespace rigor {
 
 /// A polygon of placed points, or a segment or a point; side k runs from corner k to the next one, the last
 /// back to the first.
-struct Outline {
+struct FaceOutline {
   LaneColumns points;
   std::span<const int> corners;  ///< Of the points.
   std::size_t side_count;        ///< 1 of a segment, 0 of a point.
@@ -18,13 +18,14 @@ struct Outline {
     const std::size_t i = static_cast<std::size_t>(corners[k]);
     return Vec3f(points.x[i], points.y[i], points.z[i]);
   }
+  std::size_t next(std::size_t k) const { return k + 1 == corners.size() ? 0 : k + 1; }
 };
 
 /// Where two outlines meet, seen along the normal of the first, a face.
 struct OutlineMeeting {
-  /// A corner in coordinates of the face: x along its first side, z along its normal, from its first corner.
+  /// A corner in coordinates of the face, from its first corner: x along its first side, y to the left.
   struct FlatPoint {
-    float x, y, z;
+    float x, y;
   };
   /// A side of the face, from a corner along a unit vector.
   struct Border {
@@ -35,7 +36,6 @@ struct OutlineMeeting {
   };
   struct Crossing {
     std::size_t border, side;  ///< Of the face and of the other outline.
-    float part;                ///< Of the way along that side, in [0, 1].
   };
   std::vector<Border> borders;
   std::vector<FlatPoint> other;    ///< Corners of the other outline; the first again behind the last.
@@ -48,7 +48,7 @@ struct OutlineMeeting {
 /// Corners count that are outside by no more than `slack`; crossings only where the sides pass each other by
 /// more than that, so that no corner is lost where sides coincide. The corners of the face run
 /// counter-clockwise about its normal; those of another polygon run clockwise, as of a face turned to it.
-void meet_outlines(const Outline& face, const Vec3f& normal, const Outline& other, float slack,
+void meet_outlines(const FaceOutline& face, const Vec3f& normal, const FaceOutline& other, float slack,
                    OutlineMeeting& meeting);
 
 }  // namespace rigor

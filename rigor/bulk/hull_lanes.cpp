@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <limits>
 
 namespace rigor {
 
@@ -19,22 +20,27 @@ RIGOR_FLOAT_LANES FloatLanes heights_at(const LaneColumns& points, const FloatVe
   return n.x * load_floats(points.x + k) + n.y * load_floats(points.y + k) + n.z * load_floats(points.z + k);
 }
 
-/// The highest first, and then who that is: two short chains of what has to wait for each other.
+/// How high the highest is, and then who that is: two short chains of what has to wait for each other.
 RIGOR_FLOAT_LANES Support support_kernel(const LaneColumns& points, const Vec3f& n) {
-  constexpr std::size_t mask_size = 64;
+  constexpr std::size_t block_count = 8, mask_size = block_count * kLaneCount;
   const FloatVec3 direction = spread(n);
-  FloatLanes highest = heights_at(points, direction, 0);
-  for (std::size_t k = kLaneCount; k < points.count; k += kLaneCount)
-    highest = float_max(highest, heights_at(points, direction, k));
-  const FloatLanes top = spread_max(highest);
+  Support best{0, -std::numeric_limits<float>::infinity()};
   for (std::size_t first = 0; first < points.count; first += mask_size) {
+    const std::size_t blocks = std::min(block_count, (points.count - first) / kLaneCount);
+    FloatLanes heights[block_count], highest = heights_at(points, direction, first);
+    heights[0] = highest;
+    for (std::size_t k = 1; k < blocks; ++k) {
+      heights[k] = heights_at(points, direction, first + k * kLaneCount);
+      highest = float_max(highest, heights[k]);
+    }
+    const FloatLanes top = spread_max(highest);
+    if (!(top[0] > best.height)) continue;
     std::uint64_t is_top = 0;
-    const std::size_t end = std::min(points.count, first + mask_size);
-    for (std::size_t k = first; k < end; k += kLaneCount)
-      is_top |= std::uint64_t{lane_bits(heights_at(points, direction, k) == top)} << (k - first);
-    if (is_top != 0) return {static_cast<int>(first) + std::countr_zero(is_top), top[0]};
+    for (std::size_t k = 0; k < blocks; ++k)
+      is_top |= std::uint64_t{lane_bits(heights[k] == top)} << (k * kLaneCount);
+    best = {static_cast<int>(first) + std::countr_zero(is_top), top[0]};
   }
-  return {0, top[0]};  // Of points that are no numbers.
+  return best;
 }
 
 RIGOR_FLOAT_LANES Summit summit_kernel(const LaneColumns& points, int count, const Vec3f& n, float drop) {
@@ -224,6 +230,19 @@ RIGOR_FLOAT_LANES void distances_kernel(const Vec3f& p, const Vec3f& along, cons
   store_floats(dot(way, way), squares);
 }
 
+RIGOR_FLOAT_LANES float least_kernel(const float* x, std::size_t count) {
+  FloatLanes least = load_floats(x);
+  for (std::size_t k = kLaneCount; k < count; k += kLaneCount) least = float_min(least, load_floats(x + k));
+  return -spread_max(-least)[0];
+}
+
+RIGOR_FLOAT_LANES void up_to_kernel(const std::vector<float>& x, float most, std::vector<int>& places) {
+  for (std::size_t k = 0; k < x.size(); k += kLaneCount) {
+    unsigned bits = lane_bits(load_floats(x.data() + k) <= float_lanes(most));
+    for (; bits != 0; bits &= bits - 1) places.push_back(static_cast<int>(k) + std::countr_zero(bits));
+  }
+}
+
 #if defined(__x86_64__)
 #define RIGOR_AVX2 [[gnu::target("avx2")]]
 #else
@@ -257,8 +276,16 @@ RIGOR_AVX2 void arcs_avx2(const FloatHull& hull, std::span<const int> edges, con
 RIGOR_AVX2 EdgeChoice edges_avx2(const ArcBlocks& a, const ArcBlocks& b, float least) {
   return edges_kernel(a, b, least);
 }
-RIGOR_AVX2 void distances_avx2(const Vec3f& p, const Vec3f& u, const SegmentLanes& segments, float* squares) {
-  distances_kernel(p, u, segments, squares);
+RIGOR_AVX2 void distances_avx2(const Vec3f& p, const Vec3f& u, const std::vector<SegmentLanes>& segments,
+                               float* squares) {
+  for (std::size_t k = 0; k < segments.size(); ++k)
+    distances_kernel(p, u, segments[k], squares + k * kLaneCount);
+}
+RIGOR_AVX2 void up_to_avx2(const std::vector<float>& x, float most, std::vector<int>& places) {
+  up_to_kernel(x, most, places);
+}
+RIGOR_AVX2 float least_avx2(const float* x, std::size_t count) {
+  return least_kernel(x, count);
 }
 
 }  // namespace
@@ -292,7 +319,7 @@ float find_separation(const SupportCore& a, const SupportCore& b, const Vec3f& d
 
 void PlacedColumns::place(const LaneColumns& points, const Mat3f& M, const Vec3f& t, LaneTarget target) {
   count_ = points.count;
-  numbers_.resize(3 * count_);
+  if (numbers_.size() < 3 * count_) numbers_.resize(3 * count_);
   target == LaneTarget::avx2 ? columns_avx2(points, M, t, numbers_.data())
                              : columns_kernel(points, M, t, numbers_.data());
 }
@@ -314,10 +341,20 @@ EdgeChoice find_best_edges(const ArcBlocks& a, const ArcBlocks& b, float least, 
   return target == LaneTarget::avx2 ? edges_avx2(a, b, least) : edges_kernel(a, b, least);
 }
 
-void find_square_distances(const Vec3f& p, const Vec3f& u, const SegmentLanes& segments, LaneTarget target,
-                           float* squares) {
-  target == LaneTarget::avx2 ? distances_avx2(p, u, segments, squares)
-                             : distances_kernel(p, u, segments, squares);
+void find_square_distances(const Vec3f& p, const Vec3f& u, const std::vector<SegmentLanes>& segments,
+                           LaneTarget target, float* squares) {
+  if (target == LaneTarget::avx2) return distances_avx2(p, u, segments, squares);
+  for (std::size_t k = 0; k < segments.size(); ++k)
+    distances_kernel(p, u, segments[k], squares + k * kLaneCount);
+}
+
+float least_of(const std::vector<float>& x, LaneTarget target) {
+  return target == LaneTarget::avx2 ? least_avx2(x.data(), x.size()) : least_kernel(x.data(), x.size());
+}
+
+void list_up_to(const std::vector<float>& x, float most, LaneTarget target, std::vector<int>& places) {
+  places.clear();
+  target == LaneTarget::avx2 ? up_to_avx2(x, most, places) : up_to_kernel(x, most, places);
 }
 
 }  // namespace rigor

@@ -100,8 +100,11 @@ struct SegmentLanes {
   alignas(32) float q[3][kLaneCount];
   alignas(32) float v[3][kLaneCount];
 };
-/// The squared distances of these from the segment from p along u.
-void find_square_distances(const Vec3f& p, const Vec3f& u, const SegmentLanes& segments, LaneTarget target,
-                           float* squares);
+/// The squared distances of all of these from the segment from p along u, in whole lanes.
+void find_square_distances(const Vec3f& p, const Vec3f& u, const std::vector<SegmentLanes>& segments,
+                           LaneTarget target, float* squares);
+/// Of whole lanes: the least, and the places of all that are no more than `most`.
+float least_of(const std::vector<float>& x, LaneTarget target);
+void list_up_to(const std::vector<float>& x, float most, LaneTarget target, std::vector<int>& places);
 
 }  // namespace rigor

@@ -10,9 +10,8 @@ std::size_t PairHints::find_before(const ShapePair& pair) const {
   return static_cast<std::size_t>(found - before_.keys.begin());
 }
 
-PairHint& PairHints::take_over(const ShapePair& pair, int number, std::size_t& from) {
+PairHint& PairHints::take_from_before(const ShapePair& pair, int number, std::size_t& from) {
   const std::size_t k = static_cast<std::size_t>(number);
-  if (is_same_) return now_.hints[k];
   const Key key = key_of(pair);
   while (from < before_.keys.size() && before_.keys[from] < key) ++from;
   const bool is_known = from < before_.keys.size() && before_.keys[from] == key;

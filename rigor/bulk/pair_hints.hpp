@@ -33,10 +33,13 @@ class PairHints {
   /// Takes over the hint of the pair as the one of this number. from: where in the list before to look, for
   /// the first pair of several find_before(); it goes on with them. From several threads at once. If the list
   /// is the one before, it is there.
-  PairHint& take_over(const ShapePair& pair, int number, std::size_t& from);
+  PairHint& take_over(const ShapePair& pair, int number, std::size_t& from) {
+    return is_same_ ? now_.hints[static_cast<std::size_t>(number)] : take_from_before(pair, number, from);
+  }
   std::size_t find_before(const ShapePair& pair) const;
 
  private:
+  PairHint& take_from_before(const ShapePair& pair, int number, std::size_t& from);
   struct Key {
     std::uint64_t bodies, shapes;
     auto operator<=>(const Key&) const = default;

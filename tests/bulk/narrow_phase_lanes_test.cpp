@@ -145,6 +145,35 @@ TEST(NarrowPhaseLanes, BothTargetsGiveTheSameBitsOfColumns) {
   }
 }
 
+TEST(NarrowPhaseLanes, PlacedColumnsAndListsAreThoseOfSinglePoints) {
+  Draw draw(7);
+  std::vector<float> columns[3], offsets;
+  for (std::vector<float>& column : columns)
+    for (int k = 0; k < 40; ++k) column.push_back(static_cast<float>(draw.uniform(-1, 1)));
+  for (int k = 0; k < 40; ++k) offsets.push_back(static_cast<float>(draw.uniform(-1, 1)));
+  const LaneColumns points{columns[0].data(), columns[1].data(), columns[2].data(), 40};
+  for (const LaneTarget target : {LaneTarget::portable, best_lane_target()}) {
+    const Mat3f M = draw.rotation().cast<float>();
+    const Vec3f t = draw.direction().cast<float>(), n = draw.direction().cast<float>();
+    PlacedColumns placed;
+    placed.place(points, M, t, target);
+    std::vector<float> heights(40), plain(40);
+    find_heights(points, n, offsets.data(), target, heights.data());
+    find_heights(points, n, nullptr, target, plain.data());
+    std::vector<int> above, expected;
+    list_above(heights, 0.1f, plain, -0.2f, 37, target, above);
+    for (int k = 0; k < 40; ++k) {
+      const std::size_t i = static_cast<std::size_t>(k);
+      const Vec3f p(columns[0][i], columns[1][i], columns[2][i]);
+      EXPECT_EQ(placed[k], Vec3f(M * p + t));
+      EXPECT_EQ(heights[i], plain[i] - offsets[i]);
+      if (k < 37 && heights[i] > 0.1f && plain[i] > -0.2f) expected.push_back(k);
+    }
+    EXPECT_EQ(above, expected);
+    EXPECT_GT(above.size(), 5u);
+  }
+}
+
 /// The same pair with its bodies exchanged has the opposite normal and the same points and gaps.
 TEST(NarrowPhaseLanes, ExchangedBodiesHaveTheSamePoints) {
   Draw draw(4);
