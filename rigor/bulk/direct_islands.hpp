@@ -16,9 +16,9 @@ namespace rigor {
 /// A manifold of a step, with what belongs to it.
 struct StepManifold {
   ManifoldView manifold;
-  const ShapePair* key = nullptr;          ///< Whose it is.
-  int part = 0;                            ///< Which one of the pair.
-  const ManifoldMemory* memory = nullptr;  ///< Of the step before; or nullptr.
+  const ShapePair* key = nullptr;  ///< Whose it is.
+  int part = 0;                    ///< Which one of the pair.
+  ManifoldMemories::View memory;   ///< Of the step before; or none.
   const ManifoldSurface* surface = nullptr;
   bool is_new = true;  ///< It did not press at the end of the step before.
 };
@@ -56,7 +56,7 @@ class DirectIslands {
   /// What acted in the solved islands.
   const std::vector<BulkContact>& contacts() const { return contacts_; }
   /// Impulses of one of the substeps into the memories of their manifolds (all, in the order of solve()).
-  void remember(int substeps, std::vector<ManifoldMemory>& memory) const;
+  void remember(int substeps, ManifoldMemories& memory) const;
 
  private:
   struct Island {

@@ -25,16 +25,30 @@ BulkIslands::BulkIslands(const Model& model) {
     if (spring && spring->body_A != world_body && spring->body_B != world_body)
       lasting_.emplace_back(spring->body_A, spring->body_B);
   }
-  build({});
+  build(ManifoldMemories{});
 }
 
 /// Union by the lower number, paths halved: Tarjan and van Leeuwen, Worst-Case Analysis of Set Union
 /// Algorithms, J. ACM 31(2), 1984.
 void BulkIslands::build(const std::vector<ManifoldMemory>& manifolds) {
+  begin();
+  for (const ManifoldMemory& manifold : manifolds) join(manifold.body_A, manifold.body_B);
+  end();
+}
+
+void BulkIslands::build(const ManifoldMemories& manifolds) {
+  begin();
+  for (std::size_t i = 0; i < manifolds.size(); ++i) join(manifolds.body_A(i), manifolds.body_B(i));
+  end();
+}
+
+void BulkIslands::begin() {
   islands_.resize(is_dynamic_.size());
   for (std::size_t i = 0; i < islands_.size(); ++i) islands_[i] = static_cast<int>(i);
   for (const auto& [a, b] : lasting_) join(a, b);
-  for (const ManifoldMemory& manifold : manifolds) join(manifold.body_A, manifold.body_B);
+}
+
+void BulkIslands::end() {
   for (std::size_t i = 0; i < islands_.size(); ++i)
     islands_[i] = is_dynamic_[i] ? root_of(static_cast<int>(i)) : -1;
 }

@@ -16,12 +16,15 @@ class BulkIslands {
 
   /// Of these contacts.
   void build(const std::vector<ManifoldMemory>& manifolds);
+  void build(const ManifoldMemories& manifolds);
   /// The lowest body of the island; -1 for bodies that are not dynamic.
   int island_of(int body) const { return islands_[static_cast<std::size_t>(body)]; }
 
  private:
   int root_of(int body);
   void join(int a, int b);
+  void begin();
+  void end();
 
   std::vector<bool> is_dynamic_;
   std::vector<std::pair<int, int>> lasting_;  ///< Pairs that joints and springs hold together.
