@@ -20,9 +20,9 @@ ManifoldSurface surface_of(const PairCoefficients& pair) {
           static_cast<float>(pair.torsional_friction), static_cast<float>(pair.rolling_friction)};
 }
 
-bool does_press(const ManifoldMemory& memory) {
-  const auto end = memory.normal_impulse.begin() + memory.point_count;
-  return std::any_of(memory.normal_impulse.begin(), end, [](float impulse) { return impulse > 0; });
+bool does_press(const ManifoldMemories::View& memory) {
+  return std::any_of(memory.normal_impulse, memory.normal_impulse + memory.point_count,
+                     [](float impulse) { return impulse > 0; });
 }
 
 }  // namespace
@@ -42,7 +42,7 @@ BulkContacts::BulkContacts(const Model& model) : material_count_(model.materials
 }
 
 void BulkContacts::match(const std::vector<ShapePair>& pairs, const ManifoldList& manifolds,
-                         const std::vector<ManifoldMemory>& memory, const Executor& executor) {
+                         const ManifoldMemories& memory, const Executor& executor) {
   pairs_ = &pairs;
   manifolds_ = &manifolds;
   memory_ = &memory;
@@ -55,26 +55,29 @@ void BulkContacts::match(const std::vector<ShapePair>& pairs, const ManifoldList
 
 /// Both lists are in the order of keys.
 void BulkContacts::match_range(std::size_t begin, std::size_t end) {
-  const std::vector<ManifoldMemory>& memory = *memory_;
-  const auto key_before = [](const ManifoldMemory& m, const std::array<int, 5>& key) {
-    return m.key() < key;
-  };
+  const ManifoldMemories& memory = *memory_;
   std::size_t next = memory.size();
   for (std::size_t i = begin; i < end; ++i) {
     const ShapePair& pair = pair_of(i);
     const std::array<int, 5> key = {pair.body_A, pair.body_B, pair.shape_A, pair.shape_B,
                                     manifolds_->part(i)};
-    if (i == begin)
-      next = static_cast<std::size_t>(std::lower_bound(memory.begin(), memory.end(), key, key_before) -
-                                      memory.begin());
-    while (next < memory.size() && memory[next].key() < key) ++next;
+    if (i == begin) next = memory.find_from(key);
+    bool is_same = false;
+    for (; next < memory.size(); ++next) {
+      const auto order = memory.key(next) <=> key;
+      is_same = order == 0;
+      if (order >= 0) break;
+    }
     Match& match = matches_[i];
-    match = {.surface = material_of(pair.body_A, pair.shape_A) * static_cast<int>(material_count_) +
-                        material_of(pair.body_B, pair.shape_B)};
-    if (next == memory.size() || memory[next].key() != key) continue;
+    match = {};
+    match.surface = static_cast<std::uint32_t>(material_of(pair.body_A, pair.shape_A) *
+                                                   static_cast<int>(material_count_) +
+                                               material_of(pair.body_B, pair.shape_B)) &
+                    0x7fffffffu;
+    if (next == memory.size() || !is_same) continue;
     match.memory = static_cast<int>(next);
-    match.energy = memory[next].energy;
-    match.is_new = !does_press(memory[next]);
+    match.energy = memory.energy(next);
+    match.is_new = !does_press(memory.view(next));
   }
 }
 
@@ -87,7 +90,7 @@ StepManifold BulkContacts::manifold_at(std::size_t i) const {
   return {manifolds_->view(i),
           &pair_of(i),
           manifolds_->part(i),
-          match.memory < 0 ? nullptr : &(*memory_)[static_cast<std::size_t>(match.memory)],
+          match.memory < 0 ? ManifoldMemories::View{} : memory_->view(static_cast<std::size_t>(match.memory)),
           &surfaces_[static_cast<std::size_t>(match.surface)],
           match.is_new};
 }
@@ -125,11 +128,17 @@ void BulkContacts::prepare(const BulkBodies& bodies, double h, const DirectIslan
       std::array<BlockLane, kLaneCount> lanes;
       std::size_t count = 0;
       for (int lane = 0; lane < kLaneCount && manifold_of(number, lane) >= 0; ++lane) {
-        const StepManifold own = manifold_at(static_cast<std::size_t>(manifold_of(number, lane)));
-        const ShapePair& key = *own.key;
+        const std::size_t i = static_cast<std::size_t>(manifold_of(number, lane));
+        const Match& match = matches_[i];
+        const ShapePair& key = pair_of(i);
         const bool both_move = bodies.is_dynamic(key.body_A) && bodies.is_dynamic(key.body_B);
-        lanes[count++] = {own.manifold, own.surface, both_move ? &between_moving : &on_ground,
-                          own.memory,   key.body_A,  key.body_B};
+        BlockLane& own = lanes[count++];
+        own.manifold = manifolds_->view(i);
+        own.surface = &surfaces_[static_cast<std::size_t>(match.surface)];
+        own.softness = both_move ? &between_moving : &on_ground;
+        if (match.memory >= 0) own.memory = memory_->view(static_cast<std::size_t>(match.memory));
+        own.body_A = key.body_A;
+        own.body_B = key.body_B;
       }
       fill_block(target_, std::span(lanes.data(), count), bodies, block);
     });
@@ -138,12 +147,10 @@ void BulkContacts::prepare(const BulkBodies& bodies, double h, const DirectIslan
 
 /// Colours all manifolds but those of the islands that were solved directly.
 void BulkContacts::colour(const BulkBodies& bodies, const DirectIslands& direct) {
-  std::vector<int> swept;
-  std::vector<ConstraintEdge> edges;
-  std::vector<std::uint8_t> kinds;
-  swept.reserve(matches_.size());
-  edges.reserve(matches_.size());
-  kinds.reserve(matches_.size());
+  std::vector<int> swept(matches_.size());
+  std::vector<ConstraintEdge> edges(matches_.size());
+  std::vector<std::uint8_t> kinds(matches_.size());
+  std::size_t count = 0;
   has_restitution_ = false;
   for (std::size_t i = 0; i < matches_.size(); ++i) {
     const ShapePair& pair = pair_of(i);
@@ -152,11 +159,14 @@ void BulkContacts::colour(const BulkBodies& bodies, const DirectIslands& direct)
     const ManifoldSurface& surface = surfaces_[static_cast<std::size_t>(matches_[i].surface)];
     const bool is_round = is_round_[static_cast<std::size_t>(a)] && is_round_[static_cast<std::size_t>(b)];
     has_restitution_ = has_restitution_ || surface.restitution > 0;
-    swept.push_back(static_cast<int>(i));
-    edges.push_back({bodies.is_dynamic(a) ? a : -1, bodies.is_dynamic(b) ? b : -1});
-    kinds.push_back(
-        static_cast<std::uint8_t>(find_block_kind(manifolds_->point_count(i), surface, is_round)));
+    swept[count] = static_cast<int>(i);
+    edges[count] = {bodies.is_dynamic(a) ? a : -1, bodies.is_dynamic(b) ? b : -1};
+    kinds[count] = static_cast<std::uint8_t>(find_block_kind(manifolds_->point_count(i), surface, is_round));
+    ++count;
   }
+  edges.resize(count);
+  kinds.resize(count);
+  is_all_swept_ = count == matches_.size();
   colour_graph(edges, kinds, bodies.count(), colouring_);
   for (auto& block : colouring_.blocks) {
     for (std::int32_t& edge : block) edge = edge < 0 ? -1 : swept[static_cast<std::size_t>(edge)];
@@ -168,7 +178,7 @@ void BulkContacts::for_colours(const Executor& executor, const Work& work) {
   for (int colour = 0; colour < colouring_.colour_count(); ++colour) {
     const int first = colouring_.colour_begin[static_cast<std::size_t>(colour)];
     const int count = colouring_.colour_begin[static_cast<std::size_t>(colour) + 1] - first;
-    const int grain = colour == serial_colour ? count : 4;
+    const int grain = colouring_.is_serial[static_cast<std::size_t>(colour)] ? count : 4;
     executor.for_ranges(count, std::max(grain, 1),
                         [&](int begin, int end) { work(first + begin, first + end); });
   }
@@ -239,12 +249,20 @@ std::vector<ManifoldMemory> BulkContacts::keys() const {
 }
 
 void BulkContacts::remember(const BulkBodies& bodies, double h, int substeps, const Executor& executor,
-                            std::vector<ManifoldMemory>& memory) {
-  renew(matches_.size(), memory);
-  executor.for_ranges(static_cast<int>(matches_.size()), 1024, [&](int begin, int end) {
-    for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-      memory[i] = key_of(i);
+                            ManifoldMemories& memory) {
+  const bool has_energy = blocks_.has_totals();
+  memory.arrange(matches_.size(), [&](std::size_t i) {
+    const ShapePair& pair = pair_of(i);
+    const ManifoldSurface& surface = surfaces_[static_cast<std::size_t>(matches_[i].surface)];
+    const bool has_shapes = pair.shape_A != 0 || pair.shape_B != 0 || manifolds_->part(i) != 0;
+    const bool has_moments = surface.torsional_friction > 0 || surface.rolling_friction > 0;
+    const int points = manifolds_->point_count(i);
+    return ManifoldMemories::Layout{points, has_shapes, has_moments || points > 1, has_moments, has_energy};
   });
+  for (std::size_t i = 0; !is_all_swept_ && i < matches_.size(); ++i) {
+    memory.put(i, key_of(i));
+    if (has_energy) memory.set_energy(i, 0);
+  }
   const auto for_lanes = [&](int number, const auto& work) {
     for (int lane = 0; lane < kLaneCount; ++lane) {
       const int manifold = manifold_of(number, lane);
@@ -253,13 +271,17 @@ void BulkContacts::remember(const BulkBodies& bodies, double h, int substeps, co
   };
   executor.for_ranges(blocks_.count(), 64, [&](int begin, int end) {
     blocks_.for_blocks(begin, end, [&](const auto& block, int number) {
-      for_lanes(number, [&](int lane, std::size_t i) { read_lane(block, lane, memory[i]); });
+      for_lanes(number, [&](int lane, std::size_t i) {
+        ManifoldMemory own = key_of(i);
+        read_lane(block, lane, own);
+        memory.put(i, own);
+      });
     });
-    if (!blocks_.has_totals()) return;
+    if (!has_energy) return;
     blocks_.for_totals(begin, end, [&](const auto& block, const auto& total, int number) {
       for_lanes(number, [&](int lane, std::size_t i) {
         const SolvedManifold own = read_manifold(block, total, lane);
-        memory[i].energy = static_cast<float>(spring_energy(own, bodies, h, substeps, matches_[i].energy));
+        memory.set_energy(i, static_cast<float>(spring_energy(own, bodies, h, substeps, matches_[i].energy)));
       });
     });
   });

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace rigor {
@@ -25,7 +26,7 @@ class BulkContacts {
   /// contacts of the step before, in the order of keys; it is held until prepare(), the others until the next
   /// step.
   void match(const std::vector<ShapePair>& pairs, const ManifoldList& manifolds,
-             const std::vector<ManifoldMemory>& memory, const Executor& executor);
+             const ManifoldMemories& memory, const Executor& executor);
   /// All of them, until prepare().
   std::vector<StepManifold> manifolds() const;
   /// Whose they are, without impulses; until the next step.
@@ -49,7 +50,7 @@ class BulkContacts {
   /// What the contacts remember, in the order of keys; the energy of their springs if the impulses were added
   /// up. h [s]: of a substep.
   void remember(const BulkBodies& bodies, double h, int substeps, const Executor& executor,
-                std::vector<ManifoldMemory>& memory);
+                ManifoldMemories& memory);
 
   /// Calls visit(manifold, key, is_new) for each manifold of the step, in the order of blocks, if impulses
   /// were added up. is_new: it had no impulse at the end of the step before.
@@ -84,10 +85,10 @@ class BulkContacts {
   };
   /// What is known of a manifold at the begin of a step.
   struct Match {
-    int memory = -1;   ///< Its number among those of the step before; -1: none.
-    int surface = 0;   ///< Its number among the surfaces.
-    float energy = 0;  ///< Of its springs [J].
-    bool is_new = true;
+    int memory = -1;                 ///< Its number among those of the step before; -1: none.
+    float energy = 0;                ///< Of its springs [J].
+    std::uint32_t surface : 31 = 0;  ///< Its number among the surfaces.
+    bool is_new : 1 = true;
   };
   void match_range(std::size_t begin, std::size_t end);
   int material_of(int body, int shape) const;
@@ -123,10 +124,11 @@ class BulkContacts {
   BlockLists blocks_;
   const std::vector<ShapePair>* pairs_ = nullptr;
   const ManifoldList* manifolds_ = nullptr;
-  const std::vector<ManifoldMemory>* memory_ = nullptr;  ///< Of the step before.
-  std::vector<Match> matches_;                           ///< Of the manifolds.
-  std::vector<BlockBounces> bounces_;                    ///< Of each block, after find_bounces().
+  const ManifoldMemories* memory_ = nullptr;  ///< Of the step before.
+  std::vector<Match> matches_;                ///< Of the manifolds.
+  std::vector<BlockBounces> bounces_;         ///< Of each block, after find_bounces().
   bool has_restitution_ = false;
+  bool is_all_swept_ = true;  ///< No manifold was left to the direct solver.
 };
 
 }  // namespace rigor

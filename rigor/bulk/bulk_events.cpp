@@ -17,7 +17,7 @@ std::tuple<int, int, int, int> key_of(const ContactEvent& event) {
 }
 
 /// The pairs that press, each with its impulse.
-std::vector<ContactEvent> pressing_pairs(const std::vector<ManifoldMemory>& memory, ContactEvent::Kind kind) {
+std::vector<ContactEvent> pressing_pairs(const ManifoldMemories& memory, ContactEvent::Kind kind) {
   std::vector<ContactEvent> pairs;
   for (const ManifoldMemory& manifold : memory) {
     float impulse = 0;
@@ -37,8 +37,7 @@ std::vector<ContactEvent> pressing_pairs(const std::vector<ManifoldMemory>& memo
 
 }  // namespace
 
-std::vector<ContactEvent> contact_events(const std::vector<ManifoldMemory>& before,
-                                         const std::vector<ManifoldMemory>& after) {
+std::vector<ContactEvent> contact_events(const ManifoldMemories& before, const ManifoldMemories& after) {
   const std::vector<ContactEvent> old_pairs = pressing_pairs(before, ContactEvent::Kind::end);
   const std::vector<ContactEvent> new_pairs = pressing_pairs(after, ContactEvent::Kind::begin);
   std::vector<ContactEvent> events;

@@ -66,7 +66,6 @@ struct ContactEvent {
 /// order of keys, as BulkWorld::memory() is. Shapes whose points carry no impulse do not press, however near
 /// they are; a pair with several manifolds is one pair. Contacts that begin and end between the last substeps
 /// of two steps are not seen.
-std::vector<ContactEvent> contact_events(const std::vector<ManifoldMemory>& before,
-                                         const std::vector<ManifoldMemory>& after);
+std::vector<ContactEvent> contact_events(const ManifoldMemories& before, const ManifoldMemories& after);
 
 }  // namespace rigor

@@ -77,7 +77,7 @@ class BulkWorld {
   /// of which nothing was computed, are not among them.
   std::vector<BulkContact> contacts() const;
   /// Of the contacts at the end of the last step, in the order of their keys.
-  const std::vector<ManifoldMemory>& memory() const { return memory_; }
+  const ManifoldMemories& memory() const { return memory_; }
 
  private:
   struct Scratch;
@@ -98,7 +98,7 @@ class BulkWorld {
   BulkSettings settings_;
   double t_ = 0;  ///< [s].
   BulkBodies bodies_;
-  std::vector<ManifoldMemory> memory_;
+  ManifoldMemories memory_;
   std::unique_ptr<Scratch> scratch_;
 };
 

@@ -75,15 +75,15 @@ void append(const Vec3& part, VecX& whole) {
 /// impulses are.
 std::vector<Vec3> remembered_impulses(const StepManifold& manifold, const Mat3& frame, int substeps) {
   std::vector<Vec3> impulses(at(manifold.manifold.point_count), Vec3::Zero());
-  if (manifold.memory == nullptr) return impulses;
+  if (!manifold.memory.is_there()) return impulses;
   double pressed = 0;
   for (std::size_t k = 0; k < impulses.size(); ++k) {
-    impulses[k].z() = substeps * static_cast<double>(remembered_impulse(*manifold.memory,
+    impulses[k].z() = substeps * static_cast<double>(remembered_impulse(manifold.memory,
                                                                         manifold.manifold.points[k].feature));
     pressed += impulses[k].z();
   }
   if (!(pressed > 0)) return impulses;
-  const Vec3 friction = substeps * (frame * vector_of(manifold.memory->friction_impulse_W.data()));
+  const Vec3 friction = substeps * (frame * vector_of(manifold.memory.friction_impulse_W));
   for (Vec3& impulse : impulses) impulse.head<2>() = impulse.z() / pressed * friction.head<2>();
   return impulses;
 }
@@ -160,7 +160,7 @@ DirectIslands::DirectIslands(const Model& model)
   }
 }
 
-bool DirectIslands::may_be_needed(const std::vector<ManifoldMemory>& memory, double substep) {
+bool DirectIslands::may_be_needed(const ManifoldMemories& memory, double substep) {
   return towers_.are_there(memory, substep) || masses_differ_;
 }
 
@@ -402,12 +402,13 @@ void DirectIslands::finish(BulkBodies& bodies) const {
   }
 }
 
-void DirectIslands::remember(int substeps, std::vector<ManifoldMemory>& memory) const {
+void DirectIslands::remember(int substeps, ManifoldMemories& memory) const {
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
-    ManifoldMemory& remembered = memory[at(solved_[i])];
+    ManifoldMemory remembered = memory[at(solved_[i])];
     for (std::size_t k = 0; k < at(remembered.point_count); ++k)
       remembered.normal_impulse[k] = static_cast<float>(contacts_[i].points[k].normal_impulse / substeps);
     set_floats(contacts_[i].friction_impulse_W / substeps, remembered.friction_impulse_W.data());
+    memory.put(at(solved_[i]), remembered);
   }
 }
 

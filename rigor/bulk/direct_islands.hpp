@@ -17,9 +17,9 @@ namespace rigor {
 /// A manifold of a step, with what belongs to it.
 struct StepManifold {
   ManifoldView manifold;
-  const ShapePair* key = nullptr;          ///< Whose it is.
-  int part = 0;                            ///< Which one of the pair.
-  const ManifoldMemory* memory = nullptr;  ///< Of the step before; or nullptr.
+  const ShapePair* key = nullptr;  ///< Whose it is.
+  int part = 0;                    ///< Which one of the pair.
+  ManifoldMemories::View memory;   ///< Of the step before; or none.
   const ManifoldSurface* surface = nullptr;
   bool is_new = true;  ///< It did not press at the end of the step before.
 };
@@ -47,7 +47,7 @@ class DirectIslands {
 
   /// Whether islands may be taken: masses differ so much, or there are slender towers. memory: of the step
   /// before; substep [s].
-  bool may_be_needed(const std::vector<ManifoldMemory>& memory, double substep);
+  bool may_be_needed(const ManifoldMemories& memory, double substep);
   /// Nothing is solved in this step.
   void clear();
   /// Solves the islands that are to be and can be solved: their bodies get the velocities that their
@@ -62,7 +62,7 @@ class DirectIslands {
   /// What acted in the solved islands.
   const std::vector<BulkContact>& contacts() const { return contacts_; }
   /// Impulses of one of the substeps into the memories of their manifolds (all, in the order of solve()).
-  void remember(int substeps, std::vector<ManifoldMemory>& memory) const;
+  void remember(int substeps, ManifoldMemories& memory) const;
 
  private:
   struct Island {

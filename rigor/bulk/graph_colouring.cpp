@@ -6,52 +6,96 @@
 
 namespace rigor {
 
-void colour_graph(const std::vector<ConstraintEdge>& edges, const std::vector<std::uint8_t>& kinds,
-                  int body_count, GraphColouring& colouring) {
-  const auto kind_of = [&](std::size_t edge) { return kinds.empty() ? std::size_t{0} : kinds[edge]; };
-  std::vector<std::uint64_t> used(static_cast<std::size_t>(body_count), 0);
-  std::vector<std::uint8_t> colours(edges.size());
-  std::array<std::array<int, max_edge_kinds>, serial_colour + 1> counts{};
-  std::uint64_t of_pairs = 0;  // Colours that edges of two dynamic bodies have.
-  for (const bool is_pair : {true, false}) {
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-      const auto [a, b] = edges[i];
-      if ((a >= 0 && b >= 0) != is_pair) continue;
-      const std::uint64_t taken = (is_pair ? 0 : of_pairs) | (a < 0 ? 0 : used[static_cast<std::size_t>(a)]) |
-                                  (b < 0 ? 0 : used[static_cast<std::size_t>(b)]);
-      const int colour = std::min(std::countr_one(taken), serial_colour);
-      colours[i] = static_cast<std::uint8_t>(colour);
-      ++counts[static_cast<std::size_t>(colour)][kind_of(i)];
-      if (colour == serial_colour) continue;
-      if (a >= 0) used[static_cast<std::size_t>(a)] |= std::uint64_t{1} << colour;
-      if (b >= 0) used[static_cast<std::size_t>(b)] |= std::uint64_t{1} << colour;
-      if (is_pair) of_pairs |= std::uint64_t{1} << colour;
-    }
+namespace {
+
+/// How many edges a group has of each colour and kind.
+using Counts = std::array<std::array<int, max_edge_kinds>, serial_colour + 1>;
+
+/// Groups that are coloured by themselves: 0 between tiles, then the tiles.
+class Groups {
+ public:
+  Groups(int body_count, int tile) : tile_(tile), count_(1 + std::max(1, (body_count + tile - 1) / tile)) {}
+  std::size_t count() const { return static_cast<std::size_t>(count_); }
+  std::size_t of(const ConstraintEdge& edge) const {
+    if (count_ == 2) return 1;
+    const int a = tile_of(edge.a >= 0 ? edge.a : edge.b), b = tile_of(edge.b >= 0 ? edge.b : edge.a);
+    return static_cast<std::size_t>(a == b ? 1 + a : 0);
   }
 
-  colouring.colour_begin.assign(1, 0);
-  colouring.sections.clear();
-  // Lane that the next edge of a colour and kind gets, over all blocks.
-  std::array<std::array<int, max_edge_kinds>, serial_colour + 1> next{};
-  int block_count = 0;
-  for (std::size_t c = 0; c <= serial_colour; ++c) {
-    for (std::size_t kind = 0; kind < max_edge_kinds; ++kind) {
-      const int count = counts[c][kind];
-      next[c][kind] = block_count * kLaneCount;
-      if (count > 0) colouring.sections.push_back({static_cast<int>(kind), block_count});
-      block_count += c == serial_colour ? count : (count + kLaneCount - 1) / kLaneCount;
+ private:
+  int tile_of(int body) const { return std::max(body, 0) / tile_; }
+  int tile_, count_;
+};
+
+/// The colour of each edge.
+std::vector<std::uint8_t> find_colours(const std::vector<ConstraintEdge>& edges, const Groups& groups,
+                                       int body_count) {
+  std::vector<std::uint8_t> colours(edges.size());
+  std::vector<std::uint64_t> used(static_cast<std::size_t>(body_count));
+  std::vector<std::uint64_t> of_pairs(groups.count(), 0);  // Colours that edges of two dynamic bodies have.
+  for (const bool is_between : {true, false}) {
+    if (is_between && groups.count() == 2) continue;
+    std::fill(used.begin(), used.end(), 0);
+    for (const bool is_pair : {true, false}) {
+      for (std::size_t i = 0; i < edges.size(); ++i) {
+        const auto [a, b] = edges[i];
+        const std::size_t group = groups.of(edges[i]);
+        if ((a >= 0 && b >= 0) != is_pair || (group == 0) != is_between) continue;
+        const std::uint64_t taken = (is_pair ? 0 : of_pairs[group]) |
+                                    (a < 0 ? 0 : used[static_cast<std::size_t>(a)]) |
+                                    (b < 0 ? 0 : used[static_cast<std::size_t>(b)]);
+        const int colour = std::min(std::countr_one(taken), serial_colour);
+        colours[i] = static_cast<std::uint8_t>(colour);
+        if (colour == serial_colour) continue;
+        if (a >= 0) used[static_cast<std::size_t>(a)] |= std::uint64_t{1} << colour;
+        if (b >= 0) used[static_cast<std::size_t>(b)] |= std::uint64_t{1} << colour;
+        if (is_pair) of_pairs[group] |= std::uint64_t{1} << colour;
+      }
+    }
+  }
+  return colours;
+}
+
+/// Adds the colours of a group up to its last one. counts become the lanes that its first edges get, over all
+/// blocks.
+void add_colours(Counts& counts, int& block_count, GraphColouring& colouring) {
+  int last = serial_colour;
+  while (last >= 0 && counts[static_cast<std::size_t>(last)] == std::array<int, max_edge_kinds>{}) --last;
+  for (int colour = 0; colour <= last; ++colour) {
+    for (int kind = 0; kind < max_edge_kinds; ++kind) {
+      int& count = counts[static_cast<std::size_t>(colour)][static_cast<std::size_t>(kind)];
+      if (count > 0) colouring.sections.push_back({kind, block_count});
+      const int first_lane = block_count * kLaneCount;
+      block_count += colour == serial_colour ? count : (count + kLaneCount - 1) / kLaneCount;
+      count = first_lane;
     }
     colouring.colour_begin.push_back(block_count);
+    colouring.is_serial.push_back(colour == serial_colour);
   }
-  while (colouring.colour_count() > 1 &&
-         colouring.colour_begin.back() == colouring.colour_begin[colouring.colour_begin.size() - 2]) {
-    colouring.colour_begin.pop_back();
-  }
+}
+
+}  // namespace
+
+void colour_graph(const std::vector<ConstraintEdge>& edges, const std::vector<std::uint8_t>& kinds,
+                  int body_count, GraphColouring& colouring, int tile) {
+  const Groups groups(body_count, tile);
+  const std::vector<std::uint8_t> colours = find_colours(edges, groups, body_count);
+  std::vector<Counts> counts(groups.count(), Counts{});
+  const auto count_of = [&](std::size_t edge) -> int& {
+    return counts[groups.of(edges[edge])][colours[edge]][kinds.empty() ? std::size_t{0} : kinds[edge]];
+  };
+  for (std::size_t i = 0; i < edges.size(); ++i) ++count_of(i);
+
+  colouring.colour_begin.assign(1, 0);
+  colouring.is_serial.clear();
+  colouring.sections.clear();
+  int block_count = 0;
+  for (Counts& of_group : counts) add_colours(of_group, block_count, colouring);
   std::array<std::int32_t, kLaneCount> none;
   none.fill(-1);
   colouring.blocks.assign(static_cast<std::size_t>(block_count), none);
   for (std::size_t i = 0; i < edges.size(); ++i) {
-    int& lane = next[colours[i]][kind_of(i)];
+    int& lane = count_of(i);
     colouring
         .blocks[static_cast<std::size_t>(lane / kLaneCount)][static_cast<std::size_t>(lane % kLaneCount)] =
         static_cast<std::int32_t>(i);

@@ -25,12 +25,18 @@ BulkIslands::BulkIslands(const Model& model) {
     if (spring && spring->body_A != world_body && spring->body_B != world_body)
       lasting_.emplace_back(spring->body_A, spring->body_B);
   }
-  build({});
+  build(ManifoldMemories{});
 }
 
 void BulkIslands::build(const std::vector<ManifoldMemory>& manifolds) {
   begin();
   for (const ManifoldMemory& manifold : manifolds) join(manifold.body_A, manifold.body_B);
+  finish();
+}
+
+void BulkIslands::build(const ManifoldMemories& manifolds) {
+  begin();
+  for (std::size_t i = 0; i < manifolds.size(); ++i) join(manifolds.body_A(i), manifolds.body_B(i));
   finish();
 }
 

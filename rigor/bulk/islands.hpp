@@ -16,6 +16,7 @@ class BulkIslands {
 
   /// Of these contacts.
   void build(const std::vector<ManifoldMemory>& manifolds);
+  void build(const ManifoldMemories& manifolds);
   /// The same in parts: begin(), join() for each contact, finish().
   void begin();
   void join(int a, int b);

@@ -1,26 +1,28 @@
 #include "rigor/bulk/manifold_blocks.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 
 namespace rigor {
 
-float remembered_impulse(const ManifoldMemory& memory, std::uint32_t feature) {
+float remembered_impulse(const ManifoldMemories::View& memory, std::uint32_t feature) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(memory.point_count); ++i) {
-    if (memory.feature[i] == feature) return memory.normal_impulse[i];
+    if (std::bit_cast<std::uint32_t>(memory.feature[i]) == feature) return memory.normal_impulse[i];
   }
   return 0;
 }
 
-std::array<float, Manifold::max_points> remembered_impulses(const ManifoldMemory& memory,
+std::array<float, Manifold::max_points> remembered_impulses(const ManifoldMemories::View& memory,
                                                             const ManifoldView& manifold) {
   const std::size_t count = static_cast<std::size_t>(manifold.point_count);
   std::array<float, Manifold::max_points> impulses{};
   for (std::size_t i = 0; i < count; ++i) {
     const std::uint32_t feature = manifold.points[i].feature;
-    const bool is_same = i < static_cast<std::size_t>(memory.point_count) && memory.feature[i] == feature;
+    const bool is_same = i < static_cast<std::size_t>(memory.point_count) &&
+                         std::bit_cast<std::uint32_t>(memory.feature[i]) == feature;
     impulses[i] = is_same ? memory.normal_impulse[i] : remembered_impulse(memory, feature);
   }
   return impulses;

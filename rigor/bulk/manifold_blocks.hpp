@@ -140,14 +140,14 @@ struct BlockLane {
   ManifoldView manifold;
   const ManifoldSurface* surface = nullptr;
   const Softness* softness = nullptr;
-  const ManifoldMemory* memory = nullptr;  ///< Where its impulses begin; nullptr: from zero.
+  ManifoldMemories::View memory;  ///< Where its impulses begin; none: from zero.
   int body_A = -1, body_B = -1;
 };
 
 /// The normal impulse that the memory has of a feature [N s]; 0 if it has none.
-float remembered_impulse(const ManifoldMemory& memory, std::uint32_t feature);
+float remembered_impulse(const ManifoldMemories::View& memory, std::uint32_t feature);
 /// Of each point of a manifold.
-std::array<float, Manifold::max_points> remembered_impulses(const ManifoldMemory& memory,
+std::array<float, Manifold::max_points> remembered_impulses(const ManifoldMemories::View& memory,
                                                             const ManifoldView& manifold);
 
 /// The kind of block for a manifold, as an index into block_kinds. is_round: BlockKind::is_round.

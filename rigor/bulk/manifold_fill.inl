@@ -168,28 +168,33 @@ RIGOR_FLOAT_LANES BlockFrame fill_geometry(std::span<const BlockLane> lanes, con
 /// Impulses that the points and their friction begin with.
 template <class Block>
 RIGOR_FLOAT_LANES void fill_impulses(std::span<const BlockLane> lanes, const BlockFrame& f, Block& block) {
-  static constexpr ManifoldMemory nothing{};
-  std::array<std::array<float, Manifold::max_points>, kLaneCount> normal;
-  std::array<const float*, kLaneCount> from, friction;
+  static constexpr float nothing[4] = {};
+  std::array<std::array<float, Manifold::max_points>, kLaneCount> normal{};
+  std::array<const float*, kLaneCount> from, friction, rolling;
+  LaneArray twist{};
   for (std::size_t i = 0; i < kLaneCount; ++i) {
-    const ManifoldMemory* memory = i < lanes.size() ? lanes[i].memory : nullptr;
-    friction[i] = (memory == nullptr ? nothing : *memory).friction_impulse_W.data();
-    normal[i] = memory == nullptr ? nothing.normal_impulse : remembered_impulses(*memory, lanes[i].manifold);
+    friction[i] = rolling[i] = nothing;
     from[i] = normal[i].data();
+    if (i >= lanes.size() || !lanes[i].memory.is_there()) continue;
+    const ManifoldMemories::View& memory = lanes[i].memory;
+    normal[i] = remembered_impulses(memory, lanes[i].manifold);
+    friction[i] = memory.friction_impulse_W;
+    twist[i] = memory.twist_impulse;
+    if (memory.rolling_impulse_W != nullptr) rolling[i] = memory.rolling_impulse_W;
   }
   const TwoSquares normals = gather_fours(from);
   const FloatLanes of_points[Manifold::max_points] = {normals.a, normals.b, normals.c, normals.d};
   for (std::size_t k = 0; k < Block::point_count; ++k) put(of_points[k], block.impulses.normal(k));
-  static_assert(offsetof(ManifoldMemory, twist_impulse) ==
-                offsetof(ManifoldMemory, friction_impulse_W) + 3 * sizeof(float));
   const TwoSquares tangential = gather_fours(friction);
   const FloatVec3 friction_W = {tangential.a, tangential.b, tangential.c};
   put(fused_dot(f.t1, friction_W), block.impulses.tangent(0));
   put(fused_dot(f.t2, friction_W), block.impulses.tangent(1));
-  if constexpr (Block::kind.turns()) put(tangential.d, block.impulses.twist());
+  if constexpr (Block::kind.turns()) block.impulses.twist() = twist;
   if constexpr (Block::kind.has_moments) {
-    put(splat(0), block.impulses.roll(0));
-    put(splat(0), block.impulses.roll(1));
+    const TwoSquares moments = gather_fours(rolling);
+    const FloatVec3 moment_W = {moments.a, moments.b, moments.c};
+    put(fused_dot(f.t1, moment_W), block.impulses.roll(0));
+    put(fused_dot(f.t2, moment_W), block.impulses.roll(1));
   }
 }
 

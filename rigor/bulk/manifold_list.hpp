@@ -28,30 +28,29 @@ class ManifoldList {
   }
   void push_back(const PairManifold& found) {
     const Manifold& own = found.manifold;
+    const std::size_t first = points_.size(), count = static_cast<std::size_t>(own.point_count);
     if (heads_.size() == heads_.capacity()) make_room(heads_.size() + kMore, heads_);
-    if (points_.size() + Manifold::max_points > points_.capacity())
-      make_room(points_.size() + kMore, points_);
+    if (first + count > points_.capacity()) make_room(first + kMore, points_);
     heads_.push_back({{own.normal[0], own.normal[1], own.normal[2]},
                       found.pair,
-                      found.part,
-                      static_cast<std::uint32_t>(points_.size()),
-                      own.point_count});
-    for (std::size_t k = 0; k < static_cast<std::size_t>(own.point_count); ++k)
-      points_.push_back(own.points[k]);
+                      static_cast<std::uint32_t>(first),
+                      static_cast<std::uint32_t>(found.part) & 0x1fffffffu,
+                      static_cast<std::uint32_t>(own.point_count) & 7u});
+    points_.insert(points_.end(), own.points.data(), own.points.data() + count);
   }
 
   int pair(std::size_t i) const { return heads_[i].pair; }
-  int part(std::size_t i) const { return heads_[i].part; }
-  int point_count(std::size_t i) const { return heads_[i].point_count; }
+  int part(std::size_t i) const { return static_cast<int>(heads_[i].part); }
+  int point_count(std::size_t i) const { return heads_[i].points(); }
   ManifoldView view(std::size_t i) const {
     const Head& head = heads_[i];
-    return {head.normal, points_.data() + head.first_point, head.point_count};
+    return {head.normal, points_.data() + head.first_point, head.points()};
   }
   PairManifold operator[](std::size_t i) const {
     const Head& head = heads_[i];
-    PairManifold found{
-        head.pair, head.part, {{head.normal[0], head.normal[1], head.normal[2]}, head.point_count, {}}};
-    std::copy_n(view(i).points, head.point_count, found.manifold.points.begin());
+    const float* n = head.normal;
+    PairManifold found{head.pair, part(i), {{n[0], n[1], n[2]}, head.points(), {}}};
+    std::copy_n(view(i).points, head.points(), found.manifold.points.begin());
     return found;
   }
   /// All of them.
@@ -82,9 +81,10 @@ class ManifoldList {
   struct Head {
     float normal[3];
     int pair;
-    int part;
     std::uint32_t first_point;
-    int point_count;
+    std::uint32_t part : 29, point_count : 3;
+
+    int points() const { return static_cast<int>(point_count); }
   };
   std::vector<Head> heads_;
   std::vector<ManifoldPoint> points_;

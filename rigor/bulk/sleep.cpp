@@ -60,7 +60,7 @@ bool SleepKeeper::is_quiet(const BulkBodies& bodies, int body) const {
   return speed_of(bodies.motion[at(body)], radius_[at(body)]) < static_cast<float>(rules_.speed);
 }
 
-bool SleepKeeper::wake(const BulkBodies& bodies, const std::vector<ManifoldMemory>& before,
+bool SleepKeeper::wake(const BulkBodies& bodies, const ManifoldMemories& before,
                        const std::vector<ManifoldMemory>& now, const Disturbances& disturbances,
                        std::vector<float>& quiet_time) {
   RIGOR_ASSERT(quiet_time.size() == radius_.size());
@@ -80,10 +80,10 @@ bool SleepKeeper::wake(const BulkBodies& bodies, const std::vector<ManifoldMemor
     if (is_moved_by(body, driver)) disturb(body);
   }
   std::size_t k = 0;
-  for (const ManifoldMemory& contact : before) {
-    while (k < now.size() && now[k].key() < contact.key()) ++k;
-    if (k < now.size() && now[k].key() == contact.key()) continue;
-    for (const int body : {contact.body_A, contact.body_B}) {
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    while (k < now.size() && now[k].key() < before.key(i)) ++k;
+    if (k < now.size() && now[k].key() == before.key(i)) continue;
+    for (const int body : {before.body_A(i), before.body_B(i)}) {
       if (quiet_time[at(body)] == asleep) disturb(body);
     }
   }
@@ -106,7 +106,7 @@ bool SleepKeeper::wake(const BulkBodies& bodies, const std::vector<ManifoldMemor
   return has_woken;
 }
 
-void SleepKeeper::settle(double h, const std::vector<ManifoldMemory>& contacts, BulkBodies& bodies,
+void SleepKeeper::settle(double h, const ManifoldMemories& contacts, BulkBodies& bodies,
                          std::vector<float>& quiet_time) {
   RIGOR_ASSERT(quiet_time.size() == radius_.size());
   islands_.build(contacts);

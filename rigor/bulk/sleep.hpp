@@ -36,13 +36,11 @@ class SleepKeeper {
   /// through it. Wakes islands in which a body is awake, lost a contact that it had at the end of the last
   /// step, touches a moving kinematic body, or was disturbed. Both lists are in the order of keys. Returns
   /// whether a body that slept is awake now.
-  bool wake(const BulkBodies& bodies, const std::vector<ManifoldMemory>& before,
-            const std::vector<ManifoldMemory>& now, const Disturbances& disturbances,
-            std::vector<float>& quiet_time);
+  bool wake(const BulkBodies& bodies, const ManifoldMemories& before, const std::vector<ManifoldMemory>& now,
+            const Disturbances& disturbances, std::vector<float>& quiet_time);
   /// At the end of a step of h [s]: counts how long bodies have been quiet and lets islands of which all have
   /// been so for the delay fall asleep: their velocities are zero from then on.
-  void settle(double h, const std::vector<ManifoldMemory>& contacts, BulkBodies& bodies,
-              std::vector<float>& quiet_time);
+  void settle(double h, const ManifoldMemories& contacts, BulkBodies& bodies, std::vector<float>& quiet_time);
 
  private:
   bool is_quiet(const BulkBodies& bodies, int body) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <utility>
 
 namespace rigor {
 
@@ -42,11 +43,11 @@ void Sleepers::lay_down(BulkBodies& bodies) const {
   }
 }
 
-bool Sleepers::wake(const BulkBodies& bodies, const std::vector<ManifoldMemory>& memory,
+bool Sleepers::wake(const BulkBodies& bodies, const ManifoldMemories& memory,
                     const std::vector<ShapePair>& pairs, const ManifoldList& manifolds) {
   kept_.clear();
-  for (const ManifoldMemory& contact : memory) {
-    if (!bodies.stirs(contact.body_A) && !bodies.stirs(contact.body_B)) kept_.push_back(contact);
+  for (std::size_t i = 0; i < memory.size(); ++i) {
+    if (!bodies.stirs(memory.body_A(i)) && !bodies.stirs(memory.body_B(i))) kept_.push_back(memory[i]);
   }
   found_.resize(manifolds.size());
   for (std::size_t i = 0; i < manifolds.size(); ++i) {
@@ -63,13 +64,13 @@ bool Sleepers::wake(const BulkBodies& bodies, const std::vector<ManifoldMemory>&
   return keeper_.wake(bodies, memory, now_, disturbances_, quiet_time_);
 }
 
-void Sleepers::settle(double h, BulkBodies& bodies, std::vector<ManifoldMemory>& memory) {
+void Sleepers::settle(double h, BulkBodies& bodies, ManifoldMemories& memory) {
   disturbances_.bodies.clear();
   if (!kept_.empty()) {
-    merged_.clear();
-    std::merge(kept_.begin(), kept_.end(), memory.begin(), memory.end(), std::back_inserter(merged_),
+    ManifoldMemories merged;
+    std::merge(kept_.begin(), kept_.end(), memory.begin(), memory.end(), std::back_inserter(merged),
                is_before);
-    memory.swap(merged_);
+    memory = std::move(merged);
   }
   keeper_.settle(h, memory, bodies, quiet_time_);
 }

@@ -27,11 +27,11 @@ class Sleepers {
   void lay_down(BulkBodies& bodies) const;
   /// After pairs have been looked for: wakes the islands that they disturb. True if there are any: then pairs
   /// have to be looked for once more. memory: of the step before.
-  bool wake(const BulkBodies& bodies, const std::vector<ManifoldMemory>& memory,
-            const std::vector<ShapePair>& pairs, const ManifoldList& manifolds);
+  bool wake(const BulkBodies& bodies, const ManifoldMemories& memory, const std::vector<ShapePair>& pairs,
+            const ManifoldList& manifolds);
   /// At the end of a step of h [s]: adds what contacts of sleeping bodies remember, and lets islands fall
   /// asleep.
-  void settle(double h, BulkBodies& bodies, std::vector<ManifoldMemory>& memory);
+  void settle(double h, BulkBodies& bodies, ManifoldMemories& memory);
 
  private:
   const Model* model_;
@@ -39,7 +39,7 @@ class Sleepers {
   std::vector<float> quiet_time_;  ///< As in the State.
   Disturbances disturbances_;
   std::vector<ManifoldMemory> kept_;  ///< Of contacts that nothing stirs in this step.
-  std::vector<ManifoldMemory> found_, now_, merged_;
+  std::vector<ManifoldMemory> found_, now_;
 };
 
 }  // namespace rigor

@@ -15,23 +15,21 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-float pressure(const ManifoldMemory& memory) {
+float pressure(const ManifoldMemories::View& memory) {
   float sum = 0;
-  for (const float impulse : memory.normal_impulse) sum += impulse;
+  for (int k = 0; k < memory.point_count; ++k) sum += memory.normal_impulse[k];
   return sum;
 }
 
 /// Whether the body is the first of two pairs with other dynamic bodies: then it is no tower's. Pairs are in
 /// the order of their first bodies.
-bool meets_two(const std::vector<ManifoldMemory>& memory, const std::vector<std::uint8_t>& is_dynamic,
-               int body) {
-  const auto before = [](const ManifoldMemory& m, int first) { return m.body_A < first; };
+bool meets_two(const ManifoldMemories& memory, const std::vector<std::uint8_t>& is_dynamic, int body) {
   int other = -1;
-  for (auto m = std::lower_bound(memory.begin(), memory.end(), body, before);
-       m != memory.end() && m->body_A == body; ++m) {
-    if (is_dynamic[at(m->body_B)] == 0 || m->body_B == other) continue;
+  for (std::size_t i = memory.find_from({body, -1, -1, -1, -1});
+       i < memory.size() && memory.body_A(i) == body; ++i) {
+    if (is_dynamic[at(memory.body_B(i))] == 0 || memory.body_B(i) == other) continue;
     if (other >= 0) return true;
-    other = m->body_B;
+    other = memory.body_B(i);
   }
   return false;
 }
@@ -46,16 +44,17 @@ SlenderTowers::SlenderTowers(const Model& model) : gravity_(model.g_W().norm()) 
   }
 }
 
-bool SlenderTowers::are_there(const std::vector<ManifoldMemory>& memory, double substep) {
+bool SlenderTowers::are_there(const ManifoldMemories& memory, double substep) {
   carries_.clear();
   if (!(gravity_ > 0)) return false;
   const double omega = 2 * std::numbers::pi * contact_frequency_a_substep / substep;
   const float cube = static_cast<float>(omega * omega / gravity_);  // Of the number that buckles, by size.
   const float h = static_cast<float>(substep);
-  for (const ManifoldMemory& m : memory) {
-    if (is_dynamic_[at(m.body_A)] == is_dynamic_[at(m.body_B)]) continue;
-    const int body = is_dynamic_[at(m.body_A)] != 0 ? m.body_A : m.body_B;
-    const float number = pressure(m) / (h * weight_[at(body)]);
+  for (std::size_t i = 0; i < memory.size(); ++i) {
+    const int a = memory.body_A(i), b = memory.body_B(i);
+    if (is_dynamic_[at(a)] == is_dynamic_[at(b)]) continue;
+    const int body = is_dynamic_[at(a)] != 0 ? a : b;
+    const float number = pressure(memory.view(i)) / (h * weight_[at(body)]);
     if (27 * number * number * number < 8 * cube * size_[at(body)]) continue;
     if (meets_two(memory, is_dynamic_, body)) continue;
     carries_.resize(is_dynamic_.size(), false);

@@ -19,7 +19,7 @@ class SlenderTowers {
 
   /// Whether the lowest body of a tower of dynamic bodies, each on one other, carries more than two thirds of
   /// what buckles: what it stands on pressed it so at the end of the step before. substep [s].
-  bool are_there(const std::vector<ManifoldMemory>& memory, double substep);
+  bool are_there(const ManifoldMemories& memory, double substep);
   /// Whether this is such a lowest body.
   bool carries(int body) const { return !carries_.empty() && carries_[static_cast<std::size_t>(body)]; }
 

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <map>
 #include <string_view>
+#include <type_traits>
 
 namespace rigor {
 
@@ -85,8 +86,9 @@ void carry_body(const Model& now, const State& state, int old, const Model& next
 
 /// Contacts of bodies that are the same in the same order, in the order of their keys. Who touched another
 /// one is no longer asleep.
-template <class Memory>
-std::vector<Memory> carry_contacts(const std::vector<Memory>& contacts, const BodyMap& map, State& carried) {
+template <class Memories>
+Memories carry_contacts(const Memories& contacts, const BodyMap& map, State& carried) {
+  using Memory = std::decay_t<decltype(*contacts.begin())>;
   std::vector<Memory> kept;
   for (const Memory& contact : contacts) {
     const int a = map.new_of[at(contact.body_A)], b = map.new_of[at(contact.body_B)];

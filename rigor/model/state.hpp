@@ -30,7 +30,7 @@ struct State {
   /// Of schemes that remember contacts from step to step; in the order of their keys.
   std::vector<ContactMemory> contacts;
   /// The same of the many-body path.
-  std::vector<ManifoldMemory> manifolds;
+  ManifoldMemories manifolds;
   std::vector<float> joint_impulses;  ///< Of its joints, in the order of the model's.
   /// How long each body has been slow [s], infinite if it sleeps; empty if none may sleep.
   std::vector<float> quiet_time;

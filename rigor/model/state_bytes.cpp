@@ -15,16 +15,16 @@ namespace {
 // Layout, all little-endian: 8 bytes magic, version (u32), 0 (u32), the counts (u64 each) n of bodies, m of
 // remembered contacts, of remembered manifolds, of joint impulses and of quiet times, then the doubles t,
 // x (3n), q (4n), P (3n), L (3n), epoch (n), anchor (13n), then m times body_A, body_B, shape_A, shape_B,
-// feature (8 bytes each), values (12 doubles) and energy, then the manifolds (19 numbers of 4 bytes and a
-// zero each), the joint impulses and the quiet times (floats, two to 8 bytes), then the FNV-1a checksum (u64)
-// of everything before it.
+// feature (8 bytes each), values (12 doubles) and energy, then the manifolds (22 numbers of 4 bytes each),
+// the joint impulses and the quiet times (floats, two to 8 bytes), then the FNV-1a checksum (u64) of
+// everything before it.
 constexpr std::array<unsigned char, 8> magic = {'R', 'I', 'G', 'O', 'R', 'S', 'T', 0x1A};
-constexpr std::uint64_t version = 4;
+constexpr std::uint64_t version = 5;
 constexpr std::size_t header_length = 56;
 constexpr std::size_t checksum_length = 8;
 constexpr std::size_t doubles_of_a_body = 27;
 constexpr std::size_t words_of_a_contact = 6 + ContactMemory::value_count;
-constexpr std::size_t words_of_a_manifold = 10;
+constexpr std::size_t words_of_a_manifold = 11;
 
 using Bytes = std::vector<unsigned char>;
 
@@ -177,13 +177,13 @@ void visit_numbers_of(Memory& manifold, F f) {
   for (auto& impulse : manifold.normal_impulse) f(impulse);
   for (auto& impulse : manifold.friction_impulse_W) f(impulse);
   f(manifold.twist_impulse);
+  for (auto& impulse : manifold.rolling_impulse_W) f(impulse);
   f(manifold.energy);
 }
 
 void append(const ManifoldMemory& manifold, Bytes& bytes) {
   visit_numbers_of(manifold,
                    [&](const auto& number) { append(std::bit_cast<std::uint32_t>(number), 4, bytes); });
-  append(0, 4, bytes);
 }
 
 ManifoldMemory read_manifold(WordReader& reader) {

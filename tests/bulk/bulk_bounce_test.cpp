@@ -199,7 +199,7 @@ struct StoppedCube {
     }
     const ManifoldSurface surface{.friction = 0, .restitution = static_cast<float>(e)};
     const Softness softness;
-    const BlockLane own = {ManifoldView(found), &surface, &softness, nullptr, 0, 5};
+    const BlockLane own = {ManifoldView(found), &surface, &softness, {}, 0, 5};
     ManifoldBlock<BlockKind{4, false, false}> block;
     fill_block(best_lane_target(), std::span(&own, 1), bodies, block);
     for (int k = 0; k < 20; ++k) solve_block(best_lane_target(), BlockPass::relax, 1e-3F, block, bodies);

@@ -79,5 +79,68 @@ TEST(BulkRest, AnAskewTowerFallsAsleep) {
   for (int i = 1; i <= 4; ++i) EXPECT_TRUE(world.is_asleep(i)) << i;
 }
 
+constexpr double kRadius = 0.5;            // [m]
+constexpr double kRollingFriction = 0.05;  // [m]
+
+/// A ball on the ground, where gravity pulls it down a slope of this tangent; it holds up to
+/// kRollingFriction / kRadius.
+std::shared_ptr<const Model> ball_on_slope(double tangent) {
+  ModelBuilder builder;
+  builder.set_gravity(9.81 * Vec3(tangent, 0, -1).normalized());
+  builder.add_material({.name = "m", .density = 1000, .friction = 0.5, .rolling_friction = kRollingFriction});
+  BodyDescription floor = resting_body("floor", HalfSpace{Vec3::UnitZ(), 0}, Vec3::Zero());
+  floor.motion = MotionType::fixed;
+  builder.add_body(floor);
+  builder.add_body(resting_body("ball", Sphere{kRadius}, Vec3(0, 0, kRadius)));
+  return builder.build();
+}
+
+TEST(BulkRest, ABallThatRollingFrictionHoldsStandsStill) {
+  const std::shared_ptr<const Model> model = ball_on_slope(0.8 * kRollingFriction / kRadius);
+  BulkWorld world(model, BulkSettings{});
+  world.read(make_initial_state(*model));
+  for (int k = 0; k < 60; ++k) world.step(1.0 / 60);
+  const Vec3 begin = world.bodies().x[1];
+  for (int k = 0; k < 600; ++k) world.step(1.0 / 60);
+  // What is remembered holds it to rounding. If the moment began each step from zero, the ball would roll on
+  // by a tenth of a millimetre a second.
+  EXPECT_LT((world.bodies().x[1] - begin).norm(), 1e-6);
+  const ManifoldMemory memory = world.memory()[0];
+  const double moment =
+      9.81 * model->body(1).mass * std::sin(std::atan(0.8 * kRollingFriction / kRadius)) * kRadius;
+  // Of one of six substeps, about -y: against the turn.
+  EXPECT_NEAR(memory.rolling_impulse_W[1], -moment / 360, 1e-3 * moment / 360);
+}
+
+TEST(BulkRest, ABallGoesOnFromASavedStateThatRollingFrictionHolds) {
+  const std::shared_ptr<const Model> model = ball_on_slope(0.8 * kRollingFriction / kRadius);
+  BulkWorld world(model, BulkSettings{}), fresh(model, BulkSettings{});
+  world.read(make_initial_state(*model));
+  State state = make_initial_state(*model);
+  for (int k = 0; k < 10; ++k) world.step(1.0 / 60);
+  world.write(state);
+  fresh.read(deserialise(serialise(state)));
+  State other = state;
+  for (int k = 0; k < 10; ++k) {
+    world.step(1.0 / 60);
+    fresh.step(1.0 / 60);
+  }
+  world.write(state);
+  fresh.write(other);
+  EXPECT_EQ(state, other);
+}
+
+TEST(BulkRest, ABallRollsDownASteeperSlopeAsRollingFrictionLets) {
+  // m a = m g sin - f and 2/5 m r² a / r = f r - ρ m g cos.
+  const double tangent = 2 * kRollingFriction / kRadius, slope = std::atan(tangent);
+  const double a = 9.81 * (std::sin(slope) - kRollingFriction / kRadius * std::cos(slope)) * 5 / 7;
+  const std::shared_ptr<const Model> model = ball_on_slope(tangent);
+  BulkWorld world(model, BulkSettings{});
+  world.read(make_initial_state(*model));
+  for (int k = 0; k < 120; ++k) world.step(1.0 / 60);
+  // The ground takes some substeps to carry it: 1/100 s of 2 s.
+  EXPECT_NEAR(world.bodies().motion[1].v[0], a * 2, 0.01 * a * 2);
+}
+
 }  // namespace
 }  // namespace rigor::bulk_rest_test

@@ -3,6 +3,8 @@
 #include "random_vectors.hpp"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
 #include <set>
 #include <vector>
 
@@ -122,6 +124,34 @@ TEST(GraphColouring, PutsEdgesOfOneKindIntoABlock) {
   GraphColouring plain;
   colour_graph(edges, {}, 60, plain);
   EXPECT_EQ(plain.colour_count(), colouring.colour_count());
+}
+
+TEST(GraphColouring, OfTilesSolvesEdgesBetweenThemFirst) {
+  constexpr int tile = 16;
+  const std::vector<ConstraintEdge> edges = random_edges(400, 60, 5);
+  GraphColouring colouring;
+  colour_graph(edges, {}, 60, colouring, tile);
+  const std::vector<int> order = listed(colouring);
+  EXPECT_EQ(std::set<int>(order.begin(), order.end()).size(), edges.size());
+  EXPECT_EQ(order.size(), edges.size());
+  EXPECT_EQ(colouring.is_serial.size(), static_cast<std::size_t>(colouring.colour_count()));
+  for (int c = 0; c < colouring.colour_count(); ++c) {
+    if (!colouring.is_serial[static_cast<std::size_t>(c)]) expect_no_shared_body(edges, colouring, c);
+  }
+  // Between tiles: -1; no tile begins again, and in each edges of one body are the last.
+  int tile_now = -1;
+  bool alone = false;
+  for (const int edge : order) {
+    const auto [a, b] = edges[static_cast<std::size_t>(edge)];
+    const bool is_between = a >= 0 && b >= 0 && a / tile != b / tile;
+    const int own = is_between ? -1 : std::max(a, b) / tile;
+    EXPECT_GE(own, tile_now);
+    alone = own == tile_now && alone;
+    tile_now = own;
+    EXPECT_TRUE(!alone || a < 0 || b < 0);
+    alone = alone || a < 0 || b < 0;
+  }
+  EXPECT_EQ(tile_now, 3);
 }
 
 TEST(GraphColouring, OfNoEdgesIsEmpty) {

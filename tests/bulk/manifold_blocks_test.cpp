@@ -127,7 +127,7 @@ BlockScene<kind> random_scene(ManifoldSurface surface, LaneTarget target, unsign
   std::vector<BlockLane> lanes;
   for (int i = 0; i < 6; ++i) {
     const Manifold& manifold = scene.manifolds[static_cast<std::size_t>(i)];
-    lanes.push_back({ManifoldView(manifold), &surface, &softness, nullptr, 2 * i, 2 * i + 1});
+    lanes.push_back({ManifoldView(manifold), &surface, &softness, {}, 2 * i, 2 * i + 1});
   }
   fill_block(target, lanes, scene.bodies, scene.block);
   return scene;
@@ -247,7 +247,7 @@ TEST(ContactSpring, APointThatIsApartMayCloseItsGapInASubstep) {
   ManifoldBlock<BlockKind{1, false, false}> block;
   const ManifoldSurface surface;
   const Softness softness;
-  const BlockLane own = {ManifoldView(manifold), &surface, &softness, nullptr, 0, 1};
+  const BlockLane own = {ManifoldView(manifold), &surface, &softness, {}, 0, 1};
   fill_block(best_lane_target(), std::span(&own, 1), bodies, block);
   solve_block(best_lane_target(), BlockPass::push, kH, block, bodies);
   EXPECT_NEAR(bodies.motion[1].v[2] - bodies.motion[0].v[2], -0.005 / kH, 1e-5);
@@ -277,8 +277,12 @@ TEST(BlockKinds, OfOnePointDoWhatAPatchDoes) {
     const Softness softness;
     std::vector<BlockLane> lanes;
     for (int i = 0; i < 6; ++i)
-      lanes.push_back({ManifoldView(point.manifolds[static_cast<std::size_t>(i)]), &surface, &softness,
-                       nullptr, 2 * i, 2 * i + 1});
+      lanes.push_back({ManifoldView(point.manifolds[static_cast<std::size_t>(i)]),
+                       &surface,
+                       &softness,
+                       {},
+                       2 * i,
+                       2 * i + 1});
     fill_block(best_lane_target(), std::span<const BlockLane>(lanes), patch.bodies, patch.block);
     for (const BlockPass pass : {BlockPass::push, BlockPass::relax, BlockPass::push}) {
       solve_block(best_lane_target(), pass, kH, point.block, point.bodies);

@@ -59,7 +59,7 @@ std::vector<ManifoldMemory> row(int first, int last) {
 TEST(BulkIslands, AreWhatContactsAndSpringsHoldTogether) {
   const std::shared_ptr<const Model> model = balls(6);
   BulkIslands islands(*model);
-  islands.build({contact(0, 2), contact(0, 4), contact(1, 5), contact(4, 6)});
+  islands.build(ManifoldMemories{contact(0, 2), contact(0, 4), contact(1, 5), contact(4, 6)});
   // 2 and 3 by the spring, 4 and 6 by their contact; the fixed and the kinematic body join nothing.
   const std::vector<int> expected = {-1, -1, 2, 2, 4, 5, 4, 7};
   for (int i = 0; i < 8; ++i) EXPECT_EQ(islands.island_of(i), expected[static_cast<std::size_t>(i)]) << i;

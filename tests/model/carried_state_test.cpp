@@ -25,6 +25,7 @@ ManifoldMemory manifold(int a, int b) {
   memory.body_A = a;
   memory.body_B = b;
   memory.shape_A = memory.shape_B = 0;
+  memory.point_count = 1;
   memory.normal_impulse[0] = static_cast<float>(10 * a + b);
   return memory;
 }
