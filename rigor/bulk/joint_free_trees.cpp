@@ -16,7 +16,7 @@ namespace rigor {
 namespace {
 
 /// Anchors that a correction leaves farther apart than about this [m] get another one in the same substep.
-constexpr float kLeastMiss = 1e-5F;
+constexpr float kLeastMiss = 4e-5F;
 
 namespace portable_lanes {
 #define RIGOR_LANES_HAVE_FMA 0
