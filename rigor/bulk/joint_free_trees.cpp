@@ -4,6 +4,7 @@
 #include "rigor/bulk/lane_bits.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstring>
 
@@ -103,6 +104,7 @@ FreeTrees::FreeTrees(const Model& model, const JointSystems& systems) : impulses
     const JointLink& link = systems.links[i];
     Joint& joint = tables_.joints[i];
     joint.has_children = is_parent[i];
+    joint.numbers = link.joints;
     if (!link.has_joint) continue;
     const std::size_t parent = static_cast<std::size_t>(link.parent);
     joint.parent = link.parent;
@@ -126,6 +128,11 @@ FreeTrees::FreeTrees(const Model& model, const JointSystems& systems) : impulses
       if (link.parent_is_free) widen(parent, arm_parent);
     }
   }
+}
+
+std::pair<double, int> FreeTrees::worst_gap(LaneTarget target, const BulkBodies& bodies) const {
+  return target == LaneTarget::avx2 ? avx2_lanes::worst_gap(tables_, bodies)
+                                    : portable_lanes::worst_gap(tables_, bodies);
 }
 
 void FreeTrees::advance(const Step& step, unsigned lanes, BulkBodies& bodies) {

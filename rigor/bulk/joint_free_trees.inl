@@ -353,6 +353,34 @@ RIGOR_FLOAT_LANES void place_nodes(const FreeTables& tables, const BulkBodies& b
   }
 }
 
+inline std::pair<double, int> worst_gap(const FreeTables& tables, const BulkBodies& bodies) {
+  std::vector<FreePlace> places(tables.slots.size());
+  for (std::size_t s = 0; s < places.size(); ++s) places[s] = place_of_slot(tables.slots[s], bodies);
+  DoubleLanes worst = {};
+  NumberLanes which = {};
+  for (std::size_t i = 0; i < tables.joints.size(); ++i) {
+    const FreeJoint& joint = tables.joints[i];
+    if (joint.parent < 0) continue;
+    const FreePlace &child = places[i], &parent = places[static_cast<std::size_t>(joint.parent)];
+    const DoubleVec3 arm_child = turned(child.q, child.w, joint.arm_child_B);
+    const DoubleVec3 arm_parent = turned(parent.q, parent.w, joint.arm_parent_B);
+    const DoubleLanes x = (child.x.x - parent.x.x) + (arm_child.x - arm_parent.x);
+    const DoubleLanes y = (child.x.y - parent.x.y) + (arm_child.y - arm_parent.y);
+    const DoubleLanes z = (child.x.z - parent.x.z) + (arm_child.z - arm_parent.z);
+    const DoubleLanes squared = x * x + y * y + z * z;
+    const NumberLanes number = NumberLanes{} + static_cast<std::int64_t>(i);
+    which = squared > worst ? number : which;
+    worst = squared > worst ? squared : worst;
+  }
+  std::pair<double, int> found{0, -1};
+  for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
+    const int k = static_cast<int>(lane);
+    const int number = tables.joints[static_cast<std::size_t>(which[k])].numbers[lane];
+    if (number >= 0 && worst[k] > found.first) found = {worst[k], number};
+  }
+  return {std::sqrt(found.first), found.second};
+}
+
 RIGOR_FLOAT_LANES FloatSquare load_rows(const std::array<const float*, kLaneCount>& from, int at) {
   FloatSquare square;
   for (int i = 0; i < kLaneCount; ++i) square.row[i] = load(from[static_cast<std::size_t>(i)] + at);
