@@ -262,20 +262,29 @@ RIGOR_FLOAT_LANES void displace(float h, const FreeNode* parent, FreeNode& node)
   if constexpr (!of_revolution) node.axes[1] = node.axes[1] + way_of(node.turn, node.axes[1]);
 }
 
-/// Displacements; then anchors move together.
+/// Displacements, and factors where the bodies are then.
 template <bool of_revolution>
-RIGOR_FLOAT_LANES void slow_all(const FreeStep& step) {
+RIGOR_FLOAT_LANES void displace_all(const FreeStep& step) {
   for (std::size_t i = 0; i < step.moved(); ++i) {
     const FreeJoint& joint = step.tables.joints[i];
     FreeNode& node = step.nodes[i];
     FreeNode* const parent = step.parent_of(i);
     displace<of_revolution>(step.h, parent, node);
     factor_free<of_revolution>(step.tables.bodies[i], joint, node);
+    if (joint.parent_is_free) give_resistance(joint, node, *parent);
+  }
+}
+
+/// Anchors move together.
+RIGOR_FLOAT_LANES void slow_all(const FreeStep& step) {
+  for (std::size_t i = 0; i < step.moved(); ++i) {
+    const FreeJoint& joint = step.tables.joints[i];
+    FreeNode& node = step.nodes[i];
+    FreeNode* const parent = step.parent_of(i);
     if (parent != nullptr) {
       const FloatVec3 on_parent = fused_cross(parent->w, node.arm_parent, parent->v);
       node.wanted = on_parent - fused_cross(node.w, node.arm_child, node.v);
     }
-    if (joint.parent_is_free) give_resistance(joint, node, *parent);
     gather_free(joint, node, parent);
   }
   for (std::size_t i = step.moved(); i-- > 0;) {
@@ -293,8 +302,9 @@ RIGOR_FLOAT_LANES void take_substeps(int count, const FreeStep& step) {
     push_all<of_revolution>(step);
     const FloatLanes again = hold_all(step, splat(1));
     if (lane_bits(again > splat(0)) != 0) hold_all(step, again);
-    slow_all<of_revolution>(step);
+    displace_all<of_revolution>(step);
   }
+  slow_all(step);
 }
 
 /// a, turned by the unit quaternion (v, w).
