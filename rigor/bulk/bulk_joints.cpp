@@ -17,6 +17,7 @@ struct BulkJoints::Blocks {
   std::vector<std::unique_ptr<FreeTrees>> free_trees;  ///< Of each block that can be of free trees.
   bool has_free_trees = false;                         ///< In this step.
   std::vector<char> is_free;                           ///< Each body, in this step.
+  std::vector<int> other_joints;                       ///< That no free trees have, but for gears; ascending.
   std::vector<int> moved;                              ///< A dynamic body of each joint.
 
   JointEffort effort() const { return {*model, h, target}; }
@@ -39,10 +40,20 @@ BulkJoints::BulkJoints(const Model& model, LaneTarget target) : blocks_(std::mak
     blocks_->moved.push_back(found == bodies.end() ? bodies.front() : *found);
   }
   JointForest forest = make_joint_forest(model);
+  std::vector<bool> is_other(model.joints().size(), true);
   for (JointSystems& systems : forest.systems) {
     const bool may_be_free = FreeTrees::is_possible(systems);
+    for (const JointLink& link : systems.links) {
+      for (const int joint : link.joints) {
+        if (may_be_free && joint >= 0) is_other[static_cast<std::size_t>(joint)] = false;
+      }
+    }
     blocks_->free_trees.push_back(may_be_free ? std::make_unique<FreeTrees>(model, systems) : nullptr);
     blocks_->blocks.push_back(make_joint_block(model, std::move(systems)));
+  }
+  for (int i = 0; i < static_cast<int>(model.joints().size()); ++i) {
+    if (!is_other[static_cast<std::size_t>(i)] || model.joint(i).type == JointType::gear) continue;
+    blocks_->other_joints.push_back(i);
   }
 }
 
@@ -138,9 +149,13 @@ void BulkJoints::read_impulses(const BulkBodies& bodies, std::vector<float>& imp
 std::pair<double, int> BulkJoints::worst_error(const BulkBodies& bodies) const {
   std::pair<double, int> worst{0, -1};
   const Model& model = *blocks_->model;
-  for (int i = 0; i < static_cast<int>(model.joints().size()); ++i) {
+  for (const std::unique_ptr<FreeTrees>& trees : blocks_->free_trees) {
+    if (trees == nullptr) continue;
+    const std::pair<double, int> found = trees->worst_gap(blocks_->target, bodies);
+    if (found.first > worst.first) worst = found;
+  }
+  for (const int i : blocks_->other_joints) {
     const Joint& joint = model.joint(i);
-    if (joint.type == JointType::gear) continue;
     const BodyPlace A = place_of(bodies, joint.body_A), B = place_of(bodies, joint.body_B);
     double error = 0;
     if (joint.type == JointType::ball) {

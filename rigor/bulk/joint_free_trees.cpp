@@ -4,6 +4,7 @@
 #include "rigor/bulk/lane_bits.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstring>
 
@@ -16,7 +17,7 @@ namespace rigor {
 namespace {
 
 /// Anchors that a correction leaves farther apart than about this [m] get another one in the same substep.
-constexpr float kLeastMiss = 1e-5F;
+constexpr float kLeastMiss = 4e-5F;
 
 namespace portable_lanes {
 #define RIGOR_LANES_HAVE_FMA 0
@@ -103,6 +104,7 @@ FreeTrees::FreeTrees(const Model& model, const JointSystems& systems) : impulses
     const JointLink& link = systems.links[i];
     Joint& joint = tables_.joints[i];
     joint.has_children = is_parent[i];
+    joint.numbers = link.joints;
     if (!link.has_joint) continue;
     const std::size_t parent = static_cast<std::size_t>(link.parent);
     joint.parent = link.parent;
@@ -126,6 +128,11 @@ FreeTrees::FreeTrees(const Model& model, const JointSystems& systems) : impulses
       if (link.parent_is_free) widen(parent, arm_parent);
     }
   }
+}
+
+std::pair<double, int> FreeTrees::worst_gap(LaneTarget target, const BulkBodies& bodies) const {
+  return target == LaneTarget::avx2 ? avx2_lanes::worst_gap(tables_, bodies)
+                                    : portable_lanes::worst_gap(tables_, bodies);
 }
 
 void FreeTrees::advance(const Step& step, unsigned lanes, BulkBodies& bodies) {

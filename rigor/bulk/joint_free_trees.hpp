@@ -7,12 +7,14 @@
 
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace rigor {
 
 /// Eight doubles, one a lane.
 using DoubleLanes = double __attribute__((vector_size(64)));
+using NumberLanes = std::int64_t __attribute__((vector_size(64)));
 struct DoubleVec3 {
   DoubleLanes x, y, z;
 };
@@ -35,6 +37,9 @@ class FreeTrees {
   };
   /// Of the trees in the lanes of `lanes`, one bit each; the others stay as they are.
   void advance(const Step& step, unsigned lanes, BulkBodies& bodies);
+  /// How far the anchors of the worst joint are apart at the begin of a step [m], and which joint of the
+  /// Model that is (-1: none is off).
+  std::pair<double, int> worst_gap(LaneTarget target, const BulkBodies& bodies) const;
   /// Of joint i of the systems in the last substep, on body B [N s].
   const FloatVec3& impulse(std::size_t i) const { return impulses_[i].on_B; }
 
@@ -49,9 +54,10 @@ class FreeTrees {
   };
   /// A body's joint on the way to the root.
   struct alignas(64) Joint {
-    DoubleVec3 arm_child_B, arm_parent_B;  ///< Of the anchor, in the frames of the bodies [m].
-    FloatLanes sign;                       ///< 1 if the child is body B of the joint, else -1.
-    int parent = -1;                       ///< Number of the slot; -1: a tree that floats.
+    DoubleVec3 arm_child_B, arm_parent_B;   ///< Of the anchor, in the frames of the bodies [m].
+    FloatLanes sign;                        ///< 1 if the child is body B of the joint, else -1.
+    std::array<int, kLaneCount> numbers{};  ///< In the Model; -1: none.
+    int parent = -1;                        ///< Number of the slot; -1: a tree that floats.
     bool parent_is_free = false;
     bool is_first = false;      ///< Of the joints of which this parent is the parent.
     bool has_children = false;  ///< Whether the child is a parent too.

@@ -262,20 +262,29 @@ RIGOR_FLOAT_LANES void displace(float h, const FreeNode* parent, FreeNode& node)
   if constexpr (!of_revolution) node.axes[1] = node.axes[1] + way_of(node.turn, node.axes[1]);
 }
 
-/// Displacements; then anchors move together.
+/// Displacements, and factors where the bodies are then.
 template <bool of_revolution>
-RIGOR_FLOAT_LANES void slow_all(const FreeStep& step) {
+RIGOR_FLOAT_LANES void displace_all(const FreeStep& step) {
   for (std::size_t i = 0; i < step.moved(); ++i) {
     const FreeJoint& joint = step.tables.joints[i];
     FreeNode& node = step.nodes[i];
     FreeNode* const parent = step.parent_of(i);
     displace<of_revolution>(step.h, parent, node);
     factor_free<of_revolution>(step.tables.bodies[i], joint, node);
+    if (joint.parent_is_free) give_resistance(joint, node, *parent);
+  }
+}
+
+/// Anchors move together.
+RIGOR_FLOAT_LANES void slow_all(const FreeStep& step) {
+  for (std::size_t i = 0; i < step.moved(); ++i) {
+    const FreeJoint& joint = step.tables.joints[i];
+    FreeNode& node = step.nodes[i];
+    FreeNode* const parent = step.parent_of(i);
     if (parent != nullptr) {
       const FloatVec3 on_parent = fused_cross(parent->w, node.arm_parent, parent->v);
       node.wanted = on_parent - fused_cross(node.w, node.arm_child, node.v);
     }
-    if (joint.parent_is_free) give_resistance(joint, node, *parent);
     gather_free(joint, node, parent);
   }
   for (std::size_t i = step.moved(); i-- > 0;) {
@@ -293,8 +302,9 @@ RIGOR_FLOAT_LANES void take_substeps(int count, const FreeStep& step) {
     push_all<of_revolution>(step);
     const FloatLanes again = hold_all(step, splat(1));
     if (lane_bits(again > splat(0)) != 0) hold_all(step, again);
-    slow_all<of_revolution>(step);
+    displace_all<of_revolution>(step);
   }
+  slow_all(step);
 }
 
 /// a, turned by the unit quaternion (v, w).
@@ -351,6 +361,34 @@ RIGOR_FLOAT_LANES void place_nodes(const FreeTables& tables, const BulkBodies& b
                           (child.x.y - parent.x.y) + (arm_child.y - arm_parent.y),
                           (child.x.z - parent.x.z) + (arm_child.z - arm_parent.z)});
   }
+}
+
+inline std::pair<double, int> worst_gap(const FreeTables& tables, const BulkBodies& bodies) {
+  std::vector<FreePlace> places(tables.slots.size());
+  for (std::size_t s = 0; s < places.size(); ++s) places[s] = place_of_slot(tables.slots[s], bodies);
+  DoubleLanes worst = {};
+  NumberLanes which = {};
+  for (std::size_t i = 0; i < tables.joints.size(); ++i) {
+    const FreeJoint& joint = tables.joints[i];
+    if (joint.parent < 0) continue;
+    const FreePlace &child = places[i], &parent = places[static_cast<std::size_t>(joint.parent)];
+    const DoubleVec3 arm_child = turned(child.q, child.w, joint.arm_child_B);
+    const DoubleVec3 arm_parent = turned(parent.q, parent.w, joint.arm_parent_B);
+    const DoubleLanes x = (child.x.x - parent.x.x) + (arm_child.x - arm_parent.x);
+    const DoubleLanes y = (child.x.y - parent.x.y) + (arm_child.y - arm_parent.y);
+    const DoubleLanes z = (child.x.z - parent.x.z) + (arm_child.z - arm_parent.z);
+    const DoubleLanes squared = x * x + y * y + z * z;
+    const NumberLanes number = NumberLanes{} + static_cast<std::int64_t>(i);
+    which = squared > worst ? number : which;
+    worst = squared > worst ? squared : worst;
+  }
+  std::pair<double, int> found{0, -1};
+  for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
+    const int k = static_cast<int>(lane);
+    const int number = tables.joints[static_cast<std::size_t>(which[k])].numbers[lane];
+    if (number >= 0 && worst[k] > found.first) found = {worst[k], number};
+  }
+  return {std::sqrt(found.first), found.second};
 }
 
 RIGOR_FLOAT_LANES FloatSquare load_rows(const std::array<const float*, kLaneCount>& from, int at) {

@@ -7,6 +7,7 @@
 #include "rigor/bulk/unbounded_shapes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <tuple>
@@ -42,6 +43,7 @@ struct PairFinder::Tables {
   int bound_of(const BodyShape& shape);
   void update(const Step& step, const Executor& executor);
   FloatBox update_body(const Step& step, int body);
+  void update_eight(const Step& step, int body);
   void add_near(const Step& step, int begin, int end, std::vector<ShapePair>& pairs) const;
   void add_pairs(const Step& step, int a, int b, std::vector<ShapePair>& pairs) const;
   void add_pair(const Step& step, const ShapePair& pair, std::vector<ShapePair>& pairs) const;
@@ -51,7 +53,8 @@ struct PairFinder::Tables {
   std::function<bool(int, int)> may_touch;  ///< The caller's, or none.
   std::vector<BoundedShape> shapes;         ///< Of all bodies.
   std::vector<int> shape_begin;             ///< Of each body, and the end.
-  std::vector<ShapeBound> bounds;           ///< Bodies that share their shapes share these.
+  std::vector<char> are_simple;    ///< Whether this body and the next seven have one shape each, not turned.
+  std::vector<ShapeBound> bounds;  ///< Bodies that share their shapes share these.
   std::unordered_map<const BodyShape*, int> bound_numbers;
   std::vector<UnboundedShape> unbounded;
   std::unique_ptr<NearBodies> near_bodies;
@@ -82,6 +85,15 @@ PairFinder::Tables::Tables(const Model& model) : filter(model) {
     if (is_dynamic) size += 2 * body.bounding_radius;
   }
   shape_begin.push_back(static_cast<int>(shapes.size()));
+  are_simple.resize(at(model.body_count()), 0);
+  int simple = 0;  // From this body on, at most eight.
+  for (int i = model.body_count() - 1; i >= 0; --i) {
+    const int begin = shape_begin[at(i)];
+    const bool is_simple =
+        shape_begin[at(i) + 1] == begin + 1 && !bounds[at(shapes[at(begin)].bound)].is_turned;
+    simple = is_simple ? std::min(simple + 1, 8) : 0;
+    are_simple[at(i)] = simple == 8;
+  }
   // The mean size of the dynamic bodies.
   const float cell = moving.empty() ? 1.0f : static_cast<float>(size / static_cast<double>(moving.size()));
   near_bodies = std::make_unique<NearBodies>(std::move(moving), std::move(standing), std::move(radii), cell);
@@ -119,10 +131,27 @@ void PairFinder::Tables::update(const Step& step, const Executor& executor) {
   const std::vector<int>& moving = near_bodies->moving();
   if (!moving.empty()) origin = step.bodies.x[at(moving[moving.size() / 2])];
   executor.for_ranges(step.bodies.count(), grain, [&](int begin, int end) {
-    for (int body = begin; body < end; ++body)
+    for (int body = begin; body < end;) {
+      if (body + 8 <= end && are_simple[at(body)]) {
+        update_eight(step, body);
+        body += 8;
+        continue;
+      }
       if (shape_begin[at(body)] < shape_begin[at(body) + 1]) body_boxes[at(body)] = update_body(step, body);
+      ++body;
+    }
   });
   near_bodies->update({body_boxes, step.bodies.motion, step.h, origin}, filter, executor);
+}
+
+/// From this body on, of which are_simple is true.
+void PairFinder::Tables::update_eight(const Step& step, int body) {
+  std::array<const ShapeBound*, 8> of_eight;
+  for (int i = 0; i < 8; ++i) {
+    of_eight[at(i)] = &bounds[at(shapes[at(shape_begin[at(body + i)])].bound)];
+  }
+  sweep_eight_shapes(of_eight, step.bodies, body, {origin, step.h, 0.5f * step.margin},
+                     &places[at(shape_begin[at(body)])], &body_boxes[at(body)]);
 }
 
 /// Returns the box of all its bounded shapes.

@@ -1,10 +1,14 @@
 #include "rigor/bulk/shape_places.hpp"
 
+#include "rigor/bulk/float_lanes.hpp"
 #include "rigor/geometry/aabb.hpp"
+#include "rigor/geometry/lane_target.hpp"
 #include "rigor/geometry/support.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstring>
 
 namespace rigor {
 
@@ -112,6 +116,9 @@ BoxAxes axes_of(const ShapeBound& bound, const Quat& q_WB) {
 
 namespace {
 
+/// Of the numbers that make a place and a box, in all.
+constexpr float kRoundings = 1e-6f;
+
 /// arm_W: of its centre from that of the body.
 ShapePlace place_of(const ShapeBound& bound, const BulkBodies& bodies, std::size_t body, const Vec3& origin,
                     const Float3& arm_W) {
@@ -124,9 +131,8 @@ ShapePlace place_of(const ShapeBound& bound, const BulkBodies& bodies, std::size
   store(center, place.center);
   store(load(motion.v) + cross(w, arm_W), place.u);
   store(w, place.w);
-  constexpr float roundings = 1e-6f;
-  place.slack = roundings * (std::abs(center.x) + std::abs(center.y) + std::abs(center.z) + bound.reach +
-                             bound.radius + norm(load(bound.center_B)));
+  place.slack = kRoundings * (std::abs(center.x) + std::abs(center.y) + std::abs(center.z) + bound.reach +
+                              bound.radius + norm(load(bound.center_B)));
   place.bound = &bound;
   return place;
 }
@@ -172,6 +178,106 @@ SweptShape sweep_shape(const ShapeBound& bound, const BulkBodies& bodies, int bo
                       box_extent(axes.row + 6, bound)};
   swept.box = swept_box(swept.place, extent, bodies.motion[k], h, margin);
   return swept;
+}
+
+namespace {
+
+/// Eight floats of each of eight places, transposed.
+RIGOR_FLOAT_LANES FloatSquare gather_rows(const std::array<const float*, 8>& from) {
+  FloatSquare rows;
+  for (int i = 0; i < kLaneCount; ++i) rows.row[i] = load_floats(from[static_cast<std::size_t>(i)]);
+  return transpose(rows);
+}
+RIGOR_FLOAT_LANES FloatLanes magnitude(const FloatLanes& x) {
+  return x < float_lanes(0) ? -x : x;
+}
+
+struct EightShapes {
+  const std::array<const ShapeBound*, 8>& bounds;
+  const BulkBodies& bodies;
+  std::size_t first_body;
+  const SweepStep& step;
+
+  /// As sweep_shape().
+  RIGOR_FLOAT_LANES void sweep(ShapePlace* places, FloatBox* boxes) const {
+    alignas(32) float from_origin[3][kLaneCount], quaternions[4][kLaneCount];
+    std::array<const float*, 8> bound_rows, motion_rows;
+    for (std::size_t i = 0; i < 8; ++i) {
+      const Vec3 x = bodies.x[first_body + i] - step.origin;
+      const Quat& q = bodies.q[first_body + i];
+      for (int k = 0; k < 3; ++k) from_origin[k][i] = static_cast<float>(x[k]);
+      for (int k = 0; k < 4; ++k) quaternions[k][i] = static_cast<float>(q.coeffs()[k]);
+      bound_rows[i] = bounds[i]->center_B;
+      motion_rows[i] = bodies.motion[first_body + i].v;
+    }
+    const FloatLanes one = float_lanes(1), two = float_lanes(2), zero = float_lanes(0);
+    const FloatLanes x = load_floats(quaternions[0]), y = load_floats(quaternions[1]),
+                     z = load_floats(quaternions[2]), w = load_floats(quaternions[3]);
+    const FloatVec3 R[3] = {{one - two * (y * y + z * z), two * (x * y - w * z), two * (x * z + w * y)},
+                            {two * (x * y + w * z), one - two * (x * x + z * z), two * (y * z - w * x)},
+                            {two * (x * z - w * y), two * (y * z + w * x), one - two * (x * x + y * y)}};
+    const FloatSquare bound = gather_rows(bound_rows), motion = gather_rows(motion_rows);
+    const FloatVec3 center_B{bound.row[0], bound.row[1], bound.row[2]};
+    const FloatVec3 half_S{bound.row[3], bound.row[4], bound.row[5]};
+    const FloatLanes reach = bound.row[6], radius = bound.row[7];
+    const FloatVec3 v{motion.row[0], motion.row[1], motion.row[2]};
+    const FloatVec3 turning{motion.row[4], motion.row[5], motion.row[6]};
+
+    const FloatVec3 arm{dot(R[0], center_B), dot(R[1], center_B), dot(R[2], center_B)};
+    const FloatVec3 center =
+        FloatVec3{load_floats(from_origin[0]), load_floats(from_origin[1]), load_floats(from_origin[2])} +
+        arm;
+    const FloatVec3 u = v + cross(turning, arm);
+    const FloatLanes arm_length = float_sqrt(dot(center_B, center_B));
+    const FloatLanes slack = float_lanes(kRoundings) * (magnitude(center.x) + magnitude(center.y) +
+                                                        magnitude(center.z) + reach + radius + arm_length);
+
+    const FloatLanes h = float_lanes(step.h);
+    const FloatLanes angle = float_min(float_sqrt(dot(turning, turning)) * h, two);
+    const FloatLanes turn = angle * (arm_length + reach);
+    FloatSquare box;
+    for (int k = 0; k < 3; ++k) {
+      const FloatLanes extent =
+          magnitude(R[k].x) * half_S.x + magnitude(R[k].y) * half_S.y + magnitude(R[k].z) * half_S.z;
+      const FloatLanes half =
+          float_min(extent, reach) + radius + turn + float_lanes(step.margin) + two * slack;
+      const FloatLanes way = motion.row[k] * h;
+      const FloatLanes& middle = k == 0 ? center.x : (k == 1 ? center.y : center.z);
+      box.row[k] = middle - half + float_min(way, zero);
+      box.row[3 + k] = middle + half + float_max(way, zero);
+    }
+    box.row[6] = turning.z;
+    box.row[7] = slack;
+    const FloatSquare place =
+        transpose(FloatSquare{{center.x, center.y, center.z, u.x, u.y, u.z, turning.x, turning.y}});
+    box = transpose(box);
+    for (int i = 0; i < kLaneCount; ++i) {
+      float rest[kLaneCount];
+      store_floats(box.row[i], rest);
+      std::memcpy(&boxes[i], rest, sizeof(FloatBox));
+      store_floats(place.row[i], places[i].center);
+      places[i].w[2] = rest[6];
+      places[i].slack = rest[7];
+      places[i].bound = bounds[static_cast<std::size_t>(i)];
+    }
+  }
+};
+
+#if defined(__x86_64__)
+[[gnu::target("avx2")]] void sweep_avx2(const EightShapes& shapes, ShapePlace* places, FloatBox* boxes) {
+  shapes.sweep(places, boxes);
+}
+#endif
+
+}  // namespace
+
+void sweep_eight_shapes(const std::array<const ShapeBound*, 8>& bounds, const BulkBodies& bodies,
+                        int first_body, const SweepStep& step, ShapePlace* places, FloatBox* boxes) {
+  const EightShapes shapes{bounds, bodies, static_cast<std::size_t>(first_body), step};
+#if defined(__x86_64__)
+  if (best_lane_target() == LaneTarget::avx2) return sweep_avx2(shapes, places, boxes);
+#endif
+  shapes.sweep(places, boxes);
 }
 
 namespace {

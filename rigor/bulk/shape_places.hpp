@@ -3,6 +3,7 @@
 #include "rigor/bulk/box_tree.hpp"
 #include "rigor/bulk/bulk_bodies.hpp"
 
+#include <array>
 #include <optional>
 
 namespace rigor {
@@ -44,8 +45,16 @@ struct SweptShape {
   ShapePlace place;
   FloatBox box;
 };
+struct SweepStep {
+  const Vec3& origin;
+  float h, margin;
+};
 SweptShape sweep_shape(const ShapeBound& bound, const BulkBodies& bodies, int body, const Vec3& origin,
                        float h, float margin);
+/// The same, to the last bit, of eight consecutive bodies with one shape each, whose axes are those of the
+/// body: places and boxes of the eight from `places` and `boxes` on.
+void sweep_eight_shapes(const std::array<const ShapeBound*, 8>& bounds, const BulkBodies& bodies,
+                        int first_body, const SweepStep& step, ShapePlace* places, FloatBox* boxes);
 
 /// The margin of a pair [m]: `margin` and how far the two shapes can come to each other within h [s] at the
 /// velocities of now, to first order in h: the farther ends of a turning shape count, its roundness does not.

@@ -92,5 +92,64 @@ TEST(Gyration, TurnsWithTheBodyWithinAStep) {
   EXPECT_GT((expected - w).norm(), 0.01);
 }
 
+TEST(Gyration, OfBodiesOfRevolutionIsEulersSolution) {
+  // As seen from the body the part of ω across its axis turns about it at the rate (I_along/I_across - 1)
+  // ω_along.
+  Random random(3);
+  for (int trial = 0; trial < 50; ++trial) {
+    const int axis = trial % 3;
+    Vec3 moments = Vec3::Constant(2);
+    moments[axis] = trial % 2 == 0 ? 0.3 : 3.5;
+    Turner turner(moments);
+    const Quat q_WB = rotation_exp(3 * random.vector());
+    const Vec3 w = 20 * random.vector(), e = q_WB * Vec3(Vec3::Unit(axis));
+    const float h = 0.01F;
+    const double angle = h * (moments[axis] / 2 - 1) * w.dot(e);
+    const Vec3 expected = rotation_exp(angle * e) * w;
+    const Vec3 now = turner.turned(q_WB, w, h);
+    // The tangent of half the angle is taken for it; 32 bits.
+    EXPECT_LT((now - expected).norm(), (std::abs(angle * angle * angle) / 12 + 1e-6) * w.norm() + 1e-6);
+    EXPECT_NEAR(energy(turner.body(), q_WB, now) / energy(turner.body(), q_WB, w), 1, 2e-6);
+  }
+}
+
+/// The rotation after turns by h ω, one after the other.
+Quat composed(const std::vector<Vec3>& turns) {
+  Quat q = Quat::Identity();
+  for (const Vec3& turn : turns) q = rotation_exp(turn) * q;
+  return q;
+}
+
+TEST(TurnFurther, IsExactAndBoundedForTurnsOfAnySize) {
+  for (const double size : {0.001, 0.1, 0.6, 2.0, 5.0, 40.0}) {
+    Random random(4);
+    std::vector<Vec3> turns;
+    MotionRecord motion;
+    double sum = 0, third = 0;
+    for (int k = 0; k < 8; ++k) {
+      const float h = 0.25F;
+      const Vec3 w = size / h * random.vector();
+      for (int j = 0; j < 3; ++j) motion.w[j] = static_cast<float>(w[j]);
+      const Vec3 before(motion.dr[0], motion.dr[1], motion.dr[2]);
+      turn_further(h, motion);
+      turns.push_back(h * w);
+      sum += h * w.norm();
+      // What is left out where the series is used: second order in the turn, fourth in what has been.
+      const double r = std::min(before.norm(), 1.0), s = std::min(h * w.norm(), 1.0);
+      third += s * s * r / 12 + s * r * r * r * r / 720;
+    }
+    const Vec3 dr(motion.dr[0], motion.dr[1], motion.dr[2]);
+    EXPECT_LE(dr.norm(), sum + M_PI) << size;
+    EXPECT_LT(rotation_angle_between(rotation_exp(dr), composed(turns)), third + 1e-6 * (1 + sum)) << size;
+  }
+}
+
+TEST(TurnFurther, CountsWholeTurnsAboutAnAxisThatStays) {
+  MotionRecord motion;
+  motion.w[2] = 100;
+  for (int k = 0; k < 10; ++k) turn_further(0.1F, motion);
+  EXPECT_NEAR(motion.dr[2], 100, 1e-4);  // 32 bits.
+}
+
 }  // namespace
 }  // namespace rigor::gyration_test

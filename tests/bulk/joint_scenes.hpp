@@ -9,8 +9,8 @@
 
 #include <array>
 #include <memory>
-#include <string>
 #include <numeric>
+#include <string>
 #include <vector>
 
 namespace rigor::tests {
