@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <span>
 
@@ -64,7 +65,7 @@ void BulkContacts::match_range(std::size_t begin, std::size_t end) {
     if (i == begin) next = memory.find_from(key);
     bool is_same = false;
     for (; next < memory.size(); ++next) {
-      const auto order = memory.key(next) <=> key;
+      const std::strong_ordering order = memory.order(next, key);
       is_same = order == 0;
       if (order >= 0) break;
     }
@@ -157,11 +158,13 @@ void BulkContacts::colour(const BulkBodies& bodies, const DirectIslands& direct)
     const int a = pair.body_A, b = pair.body_B;
     if (direct.holds(a) || direct.holds(b)) continue;
     const ManifoldSurface& surface = surfaces_[static_cast<std::size_t>(matches_[i].surface)];
-    const bool is_round = is_round_[static_cast<std::size_t>(a)] && is_round_[static_cast<std::size_t>(b)];
+    const int points = manifolds_->point_count(i);
+    const bool is_round =
+        points == 1 && is_round_[static_cast<std::size_t>(a)] && is_round_[static_cast<std::size_t>(b)];
     has_restitution_ = has_restitution_ || surface.restitution > 0;
     swept[count] = static_cast<int>(i);
     edges[count] = {bodies.is_dynamic(a) ? a : -1, bodies.is_dynamic(b) ? b : -1};
-    kinds[count] = static_cast<std::uint8_t>(find_block_kind(manifolds_->point_count(i), surface, is_round));
+    kinds[count] = static_cast<std::uint8_t>(find_block_kind(points, surface, is_round));
     ++count;
   }
   edges.resize(count);
@@ -272,9 +275,13 @@ void BulkContacts::remember(const BulkBodies& bodies, double h, int substeps, co
   executor.for_ranges(blocks_.count(), 64, [&](int begin, int end) {
     blocks_.for_blocks(begin, end, [&](const auto& block, int number) {
       for_lanes(number, [&](int lane, std::size_t i) {
-        ManifoldMemory own = key_of(i);
-        read_lane(block, lane, own);
-        memory.put(i, own);
+        const ShapePair& pair = pair_of(i);
+        const ManifoldView found = manifolds_->view(i);
+        const ManifoldMemories::Slot slot =
+            memory.put_key(i, {pair.body_A, pair.body_B, pair.shape_A, pair.shape_B, manifolds_->part(i)});
+        for (int k = 0; k < found.point_count; ++k)
+          slot.feature[k] = std::bit_cast<float>(found.points[k].feature);
+        read_lane(block, lane, slot);
       });
     });
     if (!has_energy) return;

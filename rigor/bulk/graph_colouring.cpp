@@ -27,9 +27,10 @@ class Groups {
   int tile_, count_;
 };
 
-/// The colour of each edge.
-std::vector<std::uint8_t> find_colours(const std::vector<ConstraintEdge>& edges, const Groups& groups,
-                                       int body_count) {
+/// The colour of each edge. Counts them, by groups.
+std::vector<std::uint8_t> find_colours(const std::vector<ConstraintEdge>& edges,
+                                       const std::vector<std::uint8_t>& kinds, const Groups& groups,
+                                       int body_count, std::vector<Counts>& counts) {
   std::vector<std::uint8_t> colours(edges.size());
   std::vector<std::uint64_t> used(static_cast<std::size_t>(body_count));
   std::vector<std::uint64_t> of_pairs(groups.count(), 0);  // Colours that edges of two dynamic bodies have.
@@ -39,13 +40,15 @@ std::vector<std::uint8_t> find_colours(const std::vector<ConstraintEdge>& edges,
     for (const bool is_pair : {true, false}) {
       for (std::size_t i = 0; i < edges.size(); ++i) {
         const auto [a, b] = edges[i];
+        if ((a >= 0 && b >= 0) != is_pair) continue;
         const std::size_t group = groups.of(edges[i]);
-        if ((a >= 0 && b >= 0) != is_pair || (group == 0) != is_between) continue;
+        if ((group == 0) != is_between) continue;
         const std::uint64_t taken = (is_pair ? 0 : of_pairs[group]) |
                                     (a < 0 ? 0 : used[static_cast<std::size_t>(a)]) |
                                     (b < 0 ? 0 : used[static_cast<std::size_t>(b)]);
         const int colour = std::min(std::countr_one(taken), serial_colour);
         colours[i] = static_cast<std::uint8_t>(colour);
+        ++counts[group][static_cast<std::size_t>(colour)][kinds.empty() ? std::size_t{0} : kinds[i]];
         if (colour == serial_colour) continue;
         if (a >= 0) used[static_cast<std::size_t>(a)] |= std::uint64_t{1} << colour;
         if (b >= 0) used[static_cast<std::size_t>(b)] |= std::uint64_t{1} << colour;
@@ -79,12 +82,12 @@ void add_colours(Counts& counts, int& block_count, GraphColouring& colouring) {
 void colour_graph(const std::vector<ConstraintEdge>& edges, const std::vector<std::uint8_t>& kinds,
                   int body_count, GraphColouring& colouring, int tile) {
   const Groups groups(body_count, tile);
-  const std::vector<std::uint8_t> colours = find_colours(edges, groups, body_count);
   std::vector<Counts> counts(groups.count(), Counts{});
-  const auto count_of = [&](std::size_t edge) -> int& {
-    return counts[groups.of(edges[edge])][colours[edge]][kinds.empty() ? std::size_t{0} : kinds[edge]];
+  const std::vector<std::uint8_t> colours = find_colours(edges, kinds, groups, body_count, counts);
+  const bool has_kinds = !kinds.empty();
+  const auto next_lane = [&](std::size_t edge) -> int& {
+    return counts[groups.of(edges[edge])][colours[edge]][has_kinds ? kinds[edge] : std::size_t{0}];
   };
-  for (std::size_t i = 0; i < edges.size(); ++i) ++count_of(i);
 
   colouring.colour_begin.assign(1, 0);
   colouring.is_serial.clear();
@@ -95,7 +98,7 @@ void colour_graph(const std::vector<ConstraintEdge>& edges, const std::vector<st
   none.fill(-1);
   colouring.blocks.assign(static_cast<std::size_t>(block_count), none);
   for (std::size_t i = 0; i < edges.size(); ++i) {
-    int& lane = count_of(i);
+    int& lane = next_lane(i);
     colouring
         .blocks[static_cast<std::size_t>(lane / kLaneCount)][static_cast<std::size_t>(lane % kLaneCount)] =
         static_cast<std::int32_t>(i);

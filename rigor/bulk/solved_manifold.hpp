@@ -75,17 +75,21 @@ SolvedManifold read_manifold(const ManifoldBlock<kind>& block, const BlockImpuls
   return own;
 }
 
-/// Impulses of a manifold with the axes n and t1 into its memory, features aside.
-void remember_impulses(const std::array<float, 3>& n, const std::array<float, 3>& t1,
-                       const ManifoldImpulses& impulses, ManifoldMemory& memory);
-
 /// Impulses of a lane, of the last substep, features aside.
 template <BlockKind kind>
-void read_lane(const ManifoldBlock<kind>& block, int lane, ManifoldMemory& memory) {
+void read_lane(const ManifoldBlock<kind>& block, int lane, const ManifoldMemories::Slot& to) {
   const std::size_t i = static_cast<std::size_t>(lane);
-  remember_impulses({block.n[0][i], block.n[1][i], block.n[2][i]},
-                    {block.t1[0][i], block.t1[1][i], block.t1[2][i]}, read_impulses(block.impulses, lane),
-                    memory);
+  const auto& impulses = block.impulses;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(to.point_count); ++k)
+    to.normal_impulse[k] = impulses.normal(k)[i];
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t l = (k + 1) % 3, m = (k + 2) % 3;
+    const float t1 = block.t1[k][i], t2 = block.n[l][i] * block.t1[m][i] - block.n[m][i] * block.t1[l][i];
+    to.friction_impulse_W[k] = impulses.tangent(0)[i] * t1 + impulses.tangent(1)[i] * t2;
+    if constexpr (kind.has_moments)
+      to.rolling_impulse_W[k] = impulses.roll(0)[i] * t1 + impulses.roll(1)[i] * t2;
+  }
+  if constexpr (kind.turns()) *to.twist_impulse = impulses.twist()[i];
 }
 
 }  // namespace rigor

@@ -14,13 +14,6 @@ bool is_set(float number) {
   return std::bit_cast<std::uint32_t>(number) != 0;
 }
 
-/// Friction, and twist and rolling behind it if they are there.
-inline void put_friction(const ManifoldMemory& memory, float* to, bool has_twist, bool has_rolling) {
-  for (std::size_t k = 0; k < 3; ++k) to[k] = memory.friction_impulse_W[k];
-  if (has_twist) to[3] = memory.twist_impulse;
-  if (has_rolling) std::copy_n(memory.rolling_impulse_W.begin(), 3, to + (has_twist ? 4 : 3));
-}
-
 /// Lists take what they hold and an eighth, not up to twice that.
 template <class T>
 void make_room(std::size_t count, std::vector<T>& list) {
@@ -42,36 +35,15 @@ void ManifoldMemories::clear() {
   numbers_.clear();
 }
 
-ManifoldMemories::Places ManifoldMemories::places_of(const Head& head) {
-  Places at;
-  at.friction = head.first;
-  at.twist = at.friction + 3;
-  at.rolling = at.twist + (head.has_twist ? 1 : 0);
-  at.energy = at.rolling + (head.has_rolling ? 3 : 0);
-  at.shapes = at.energy + (head.has_energy ? 1 : 0);
-  at.features = at.shapes + (head.has_shapes ? 3 : 0);
-  at.impulses = at.features + head.point_count;
-  // At least four numbers from the friction on.
-  at.end = std::max(at.impulses + head.point_count, at.friction + 4);
-  return at;
-}
-
-void ManifoldMemories::clear_for(std::size_t count) {
-  heads_.clear();
+void ManifoldMemories::make_heads(std::size_t count) {
   make_room(count, heads_);
+  heads_.resize(count);
 }
 
-std::size_t ManifoldMemories::lay_out(const Layout& layout, std::size_t first) {
-  RIGOR_ASSERT(layout.point_count >= 0 && layout.point_count <= ManifoldMemory::max_points);
-  heads_.push_back({-1, -1, static_cast<std::uint32_t>(first), static_cast<std::uint8_t>(layout.point_count),
-                    layout.has_shapes, layout.has_twist, layout.has_rolling, layout.has_energy});
-  return places_of(heads_.back()).end;
-}
-
-void ManifoldMemories::make_numbers(std::size_t numbers) {
-  RIGOR_ASSERT(numbers <= std::size_t{0xffffffffu});
-  make_room(numbers, numbers_);
-  numbers_.resize(numbers, 0);
+void ManifoldMemories::make_numbers(std::size_t count) {
+  RIGOR_ASSERT(count <= std::size_t{0xffffffffu});
+  make_room(count, numbers_);
+  numbers_.resize(count, 0);
 }
 
 void ManifoldMemories::push_back(const ManifoldMemory& memory) {
@@ -79,30 +51,25 @@ void ManifoldMemories::push_back(const ManifoldMemory& memory) {
                       is_set(memory.twist_impulse),
                       std::any_of(memory.rolling_impulse_W.begin(), memory.rolling_impulse_W.end(), is_set),
                       is_set(memory.energy)};
+  RIGOR_ASSERT(memory.point_count >= 0 && memory.point_count <= ManifoldMemory::max_points);
+  const Head head = make_head(layout, numbers_.size());
   make_room(heads_.size() + 1, heads_);
-  const std::size_t end = lay_out(layout, numbers_.size());
-  make_room(end, numbers_);
-  numbers_.resize(end, 0);
+  heads_.push_back(head);
+  make_numbers(places_of(head).end);
   put(size() - 1, memory);
   if (layout.has_energy) set_energy(size() - 1, memory.energy);
 }
 
 void ManifoldMemories::put(std::size_t i, const ManifoldMemory& memory) {
-  Head& head = heads_[i];
-  const Places at = places_of(head);
-  float* numbers = numbers_.data();
-  head.body_A = memory.body_A;
-  head.body_B = memory.body_B;
-  if (head.has_shapes) {
-    numbers[at.shapes] = std::bit_cast<float>(memory.shape_A);
-    numbers[at.shapes + 1] = std::bit_cast<float>(memory.shape_B);
-    numbers[at.shapes + 2] = std::bit_cast<float>(memory.part);
+  const Slot slot = put_key(i, memory.key());
+  for (std::size_t k = 0; k < heads_[i].point_count; ++k) {
+    slot.feature[k] = std::bit_cast<float>(memory.feature[k]);
+    slot.normal_impulse[k] = memory.normal_impulse[k];
   }
-  for (std::size_t k = 0; k < head.point_count; ++k) {
-    numbers[at.features + k] = std::bit_cast<float>(memory.feature[k]);
-    numbers[at.impulses + k] = memory.normal_impulse[k];
-  }
-  put_friction(memory, numbers + at.friction, head.has_twist, head.has_rolling);
+  std::copy(memory.friction_impulse_W.begin(), memory.friction_impulse_W.end(), slot.friction_impulse_W);
+  if (slot.twist_impulse != nullptr) *slot.twist_impulse = memory.twist_impulse;
+  if (slot.rolling_impulse_W != nullptr)
+    std::copy(memory.rolling_impulse_W.begin(), memory.rolling_impulse_W.end(), slot.rolling_impulse_W);
 }
 
 void ManifoldMemories::set_energy(std::size_t i, float energy) {
@@ -110,19 +77,11 @@ void ManifoldMemories::set_energy(std::size_t i, float energy) {
   numbers_[places_of(heads_[i]).energy] = energy;
 }
 
-std::array<int, 5> ManifoldMemories::key(std::size_t i) const {
-  const Head& head = heads_[i];
-  if (!head.has_shapes) return {head.body_A, head.body_B, 0, 0, 0};
-  const float* shapes = &numbers_[places_of(head).shapes];
-  return {head.body_A, head.body_B, std::bit_cast<int>(shapes[0]), std::bit_cast<int>(shapes[1]),
-          std::bit_cast<int>(shapes[2])};
-}
-
 std::size_t ManifoldMemories::find_from(const std::array<int, 5>& wanted) const {
   std::size_t begin = 0, end = size();
   while (begin < end) {
     const std::size_t middle = begin + (end - begin) / 2;
-    if (key(middle) < wanted) {
+    if (order(middle, wanted) < 0) {
       begin = middle + 1;
     } else {
       end = middle;
@@ -133,18 +92,6 @@ std::size_t ManifoldMemories::find_from(const std::array<int, 5>& wanted) const 
 
 float ManifoldMemories::energy(std::size_t i) const {
   return heads_[i].has_energy ? numbers_[places_of(heads_[i]).energy] : 0;
-}
-
-ManifoldMemories::View ManifoldMemories::view(std::size_t i) const {
-  const Head& head = heads_[i];
-  const Places at = places_of(head);
-  const float* numbers = numbers_.data();
-  return {head.point_count,
-          numbers + at.features,
-          numbers + at.impulses,
-          numbers + at.friction,
-          head.has_twist ? numbers[at.twist] : 0,
-          head.has_rolling ? numbers + at.rolling : nullptr};
 }
 
 ManifoldMemory ManifoldMemories::operator[](std::size_t i) const {

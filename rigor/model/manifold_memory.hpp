@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <bit>
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
@@ -50,6 +52,16 @@ class ManifoldMemories {
     bool is_there() const { return friction_impulse_W != nullptr; }
   };
 
+  /// Where the numbers of a memory are to be written.
+  struct Slot {
+    int point_count = 0;
+    float* feature = nullptr;  ///< Bits of 32-bit numbers.
+    float* normal_impulse = nullptr;
+    float* friction_impulse_W = nullptr;
+    float* twist_impulse = nullptr;      ///< None: it is 0.
+    float* rolling_impulse_W = nullptr;  ///< None: it is 0.
+  };
+
   ManifoldMemories() = default;
   ManifoldMemories(std::initializer_list<ManifoldMemory> memories);
   ManifoldMemories(const std::vector<ManifoldMemory>& memories);
@@ -65,20 +77,63 @@ class ManifoldMemories {
 
   int body_A(std::size_t i) const { return heads_[i].body_A; }
   int body_B(std::size_t i) const { return heads_[i].body_B; }
-  std::array<int, 5> key(std::size_t i) const;
+  std::array<int, 5> key(std::size_t i) const {
+    const Head& head = heads_[i];
+    if (!head.has_shapes) return {head.body_A, head.body_B, 0, 0, 0};
+    const float* shapes = &numbers_[places_of(head).shapes];
+    return {head.body_A, head.body_B, std::bit_cast<int>(shapes[0]), std::bit_cast<int>(shapes[1]),
+            std::bit_cast<int>(shapes[2])};
+  }
+  /// Of the key of a memory to another one.
+  std::strong_ordering order(std::size_t i, const std::array<int, 5>& other) const {
+    const Head& head = heads_[i];
+    if (head.body_A != other[0]) return head.body_A <=> other[0];
+    if (head.body_B != other[1]) return head.body_B <=> other[1];
+    if (!head.has_shapes && (other[2] | other[3] | other[4]) == 0) return std::strong_ordering::equal;
+    return key(i) <=> other;
+  }
   /// The first memory whose key is not less; the list is in the order of keys.
   std::size_t find_from(const std::array<int, 5>& key) const;
   float energy(std::size_t i) const;
-  View view(std::size_t i) const;
+  View view(std::size_t i) const {
+    const Head& head = heads_[i];
+    const Places at = places_of(head);
+    const float* numbers = numbers_.data();
+    return {head.point_count,
+            numbers + at.features,
+            numbers + at.impulses,
+            numbers + at.friction,
+            head.has_twist ? numbers[at.twist] : 0,
+            head.has_rolling ? numbers + at.rolling : nullptr};
+  }
 
   /// So many memories; layout_of(i) says what they have room for. All of them are to be written by what
   /// follows, of different i from any thread.
   template <class LayoutOf>
   void arrange(std::size_t count, const LayoutOf& layout_of) {
-    clear_for(count);
-    std::size_t numbers = 0;
-    for (std::size_t i = 0; i < count; ++i) numbers = lay_out(layout_of(i), numbers);
-    make_numbers(numbers);
+    make_heads(count);
+    std::size_t end = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      heads_[i] = make_head(layout_of(i), end);
+      end = places_of(heads_[i]).end;
+    }
+    make_numbers(end);
+  }
+  /// Writes the key; all but the energy is to be written then.
+  Slot put_key(std::size_t i, const std::array<int, 5>& key) {
+    Head& head = heads_[i];
+    const Places at = places_of(head);
+    float* numbers = numbers_.data();
+    head.body_A = key[0];
+    head.body_B = key[1];
+    for (std::size_t k = 0; head.has_shapes && k < 3; ++k)
+      numbers[at.shapes + k] = std::bit_cast<float>(key[2 + k]);
+    return {head.point_count,
+            numbers + at.features,
+            numbers + at.impulses,
+            numbers + at.friction,
+            head.has_twist ? numbers + at.twist : nullptr,
+            head.has_rolling ? numbers + at.rolling : nullptr};
   }
   /// All but the energy.
   void put(std::size_t i, const ManifoldMemory& memory);
@@ -120,10 +175,32 @@ class ManifoldMemories {
   struct Places {
     std::size_t friction, twist, rolling, energy, shapes, features, impulses, end;
   };
-  static Places places_of(const Head& head);
-  void clear_for(std::size_t count);
-  std::size_t lay_out(const Layout& layout, std::size_t first);
-  void make_numbers(std::size_t numbers);
+  static Places places_of(const Head& head) {
+    Places at;
+    at.friction = head.first;
+    at.twist = at.friction + 3;
+    at.rolling = at.twist + head.has_twist;
+    at.energy = at.rolling + 3 * std::size_t{head.has_rolling};
+    at.shapes = at.energy + head.has_energy;
+    at.features = at.shapes + 3 * std::size_t{head.has_shapes};
+    at.impulses = at.features + head.point_count;
+    // At least four numbers from the friction on.
+    at.end = at.impulses + head.point_count;
+    if (at.end < at.friction + 4) at.end = at.friction + 4;
+    return at;
+  }
+  static Head make_head(const Layout& layout, std::size_t first) {
+    return {-1,
+            -1,
+            static_cast<std::uint32_t>(first),
+            static_cast<std::uint8_t>(layout.point_count),
+            layout.has_shapes,
+            layout.has_twist,
+            layout.has_rolling,
+            layout.has_energy};
+  }
+  void make_heads(std::size_t count);
+  void make_numbers(std::size_t count);
 
   std::vector<Head> heads_;
   /// Of each memory: friction (3), twist, rolling (3), energy, shapes and part (3), features, impulses.

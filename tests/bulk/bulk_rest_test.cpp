@@ -103,7 +103,7 @@ TEST(BulkRest, ABallThatRollingFrictionHoldsStandsStill) {
   const Vec3 begin = world.bodies().x[1];
   for (int k = 0; k < 600; ++k) world.step(1.0 / 60);
   // What is remembered holds it to rounding. If the moment began each step from zero, the ball would roll on
-  // by a tenth of a millimetre a second.
+  // by half a millimetre a second.
   EXPECT_LT((world.bodies().x[1] - begin).norm(), 1e-6);
   const ManifoldMemory memory = world.memory()[0];
   const double moment =

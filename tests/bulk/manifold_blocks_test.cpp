@@ -168,7 +168,12 @@ TYPED_TEST(ManifoldBlocks, SweepsEndWithNormalsThatNeitherApproachNorPullAndFric
         const Manifold& manifold = scene.manifolds[static_cast<std::size_t>(i)];
         const Vec3 n = vector_of(manifold.normal);
         ManifoldMemory memory;
-        read_lane(scene.block, i, memory);
+        read_lane(scene.block, i,
+                  {.point_count = manifold.point_count,
+                   .normal_impulse = memory.normal_impulse.data(),
+                   .friction_impulse_W = memory.friction_impulse_W.data(),
+                   .twist_impulse = &memory.twist_impulse,
+                   .rolling_impulse_W = memory.rolling_impulse_W.data()});
         float pressed = 0;
         for (std::size_t j = 0; j < static_cast<std::size_t>(manifold.point_count); ++j) {
           const double speed = n.dot(relative_velocity(scene, i, manifold.points[j].p));
