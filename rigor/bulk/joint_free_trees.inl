@@ -390,7 +390,8 @@ inline std::pair<double, int> worst_gap(const FreeTables& tables, const BulkBodi
   for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
     const int k = static_cast<int>(lane);
     const int number = tables.joints[static_cast<std::size_t>(which[k])].numbers[lane];
-    if (number >= 0 && worst[k] > found.first) found = {worst[k], number};
+    const double squared = worst[k];
+    if (number >= 0 && squared > found.first) found = {squared, number};
   }
   return {std::sqrt(found.first), found.second};
 }
