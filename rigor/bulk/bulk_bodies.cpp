@@ -1,11 +1,9 @@
 #include "rigor/bulk/bulk_bodies.hpp"
 
-#include "rigor/geometry/lane_target.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <cmath>
 #include <cstddef>
-#include <cstring>
 #include <numbers>
 
 namespace rigor {
@@ -97,93 +95,35 @@ void set_inertia(const Vec3& moments, const Quat& q_WB, InverseInertia& inertia)
 
 }  // namespace
 
-void begin_bulk_step(const Model& model, const Executor& executor, BulkBodies& bodies) {
+void begin_bulk_step(const Model& model, const Executor& executor, BulkBodies& bodies,
+                     std::span<const char> touches) {
   executor.for_ranges(bodies.count(), kGrain, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       const std::size_t k = static_cast<std::size_t>(i);
       set_floats(Vec3::Zero(), bodies.motion[k].dp);
       set_floats(Vec3::Zero(), bodies.motion[k].dr);
-      if (bodies.is_dynamic(i)) set_inertia(model.body(i).moments, bodies.q[k], bodies.inertia[k]);
+      const bool is_needed = touches.empty() || touches[k] != 0;
+      if (is_needed && bodies.is_dynamic(i))
+        set_inertia(model.body(i).moments, bodies.q[k], bodies.inertia[k]);
     }
   });
 }
 
 namespace {
 
-/// Eight doubles, one a lane.
-using DoubleLanes = double __attribute__((vector_size(64)));
-
-/// exp(φ/2), of which half[3] is w, by its series: to rounding for |φ|² <= kSeries. T: a number, or lanes of
-/// them, which have the same bits.
+/// exp(φ/2) by its series: to rounding for |φ|² <= kSeries.
 constexpr double kSeries = 1;
-template <class T>
-[[gnu::always_inline]] inline void exp_by_series(const T (&phi)[3], T (&half)[4]) {
-  const T s = (phi[0] * phi[0] + phi[1] * phi[1] + phi[2] * phi[2]) * 0.25;
-  T sine = s * (-1.0 / 1307674368000.0) + 1.0 / 6227020800.0,
-    cosine = s * (-1.0 / 87178291200.0) + 1.0 / 479001600.0;
-  sine = s * sine - 1.0 / 39916800.0;
-  cosine = s * cosine - 1.0 / 3628800.0;
-  sine = s * sine + 1.0 / 362880.0;
-  cosine = s * cosine + 1.0 / 40320.0;
-  sine = s * sine - 1.0 / 5040.0;
-  cosine = s * cosine - 1.0 / 720.0;
-  sine = s * sine + 1.0 / 120.0;
-  cosine = s * cosine + 1.0 / 24.0;
-  sine = s * sine - 1.0 / 6.0;
-  cosine = s * cosine - 0.5;
-  const T factor = (s * sine + 1.0) * 0.5;
-  for (int k = 0; k < 3; ++k) half[k] = factor * phi[k];
-  half[3] = s * cosine + 1.0;
-}
-
-/// q = the unit quaternion of a q, x y z w.
-template <class T, class Root>
-[[gnu::always_inline]] inline void turn_by(const T (&a)[4], const Root& take_root, T (&q)[4]) {
-  const T x = a[3] * q[0] + a[0] * q[3] + (a[1] * q[2] - a[2] * q[1]);
-  const T y = a[3] * q[1] + a[1] * q[3] + (a[2] * q[0] - a[0] * q[2]);
-  const T z = a[3] * q[2] + a[2] * q[3] + (a[0] * q[1] - a[1] * q[0]);
-  const T w = a[3] * q[3] - (a[0] * q[0] + a[1] * q[1] + a[2] * q[2]);
-  T length = x * x + y * y + z * z + w * w;
-  take_root(length);
-  const T inverse = 1.0 / length;
-  q[0] = x * inverse;
-  q[1] = y * inverse;
-  q[2] = z * inverse;
-  q[3] = w * inverse;
-}
-
-/// Orientations of eight bodies, one behind the other, become those of now; none has turned far.
-[[gnu::always_inline]] inline void turn_eight(const MotionRecord* motion, Quat* q_WB) {
-  alignas(64) double phi[3][8], q[4][8];
-  for (int i = 0; i < 8; ++i) {
-    for (int k = 0; k < 3; ++k) phi[k][i] = static_cast<double>(motion[i].dr[k]);
-    for (int k = 0; k < 4; ++k) q[k][i] = q_WB[i].coeffs()[k];
-  }
-  DoubleLanes turn[3], half[4], now[4];
-  std::memcpy(turn, phi, sizeof phi);
-  std::memcpy(now, q, sizeof q);
-  exp_by_series(turn, half);
-  const auto take_root = [](DoubleLanes& x) {
-    for (int i = 0; i < 8; ++i) x[i] = std::sqrt(x[i]);
-  };
-  turn_by(half, take_root, now);
-  std::memcpy(q, now, sizeof q);
-  for (int i = 0; i < 8; ++i) q_WB[i].coeffs() << q[0][i], q[1][i], q[2][i], q[3][i];
-}
-#if defined(__x86_64__)
-[[gnu::target("avx2")]] void turn_eight_avx2(const MotionRecord* motion, Quat* q_WB) {
-  turn_eight(motion, q_WB);
-}
-#endif
-void turn_eight_best(const MotionRecord* motion, Quat* q_WB) {
-#if defined(__x86_64__)
-  if (best_lane_target() == LaneTarget::avx2) return turn_eight_avx2(motion, q_WB);
-#endif
-  turn_eight(motion, q_WB);
-}
-
-bool has_turned_far(const MotionRecord& motion) {
-  return !(vector_of(motion.dr).squaredNorm() <= kSeries);
+Quat exp_by_series(const Vec3& phi) {
+  const double s = phi.squaredNorm() / 4;
+  double sine = -1.0 / 1307674368000, cosine = -1.0 / 87178291200;
+  sine = s * sine + 1.0 / 6227020800, cosine = s * cosine + 1.0 / 479001600;
+  sine = s * sine - 1.0 / 39916800, cosine = s * cosine - 1.0 / 3628800;
+  sine = s * sine + 1.0 / 362880, cosine = s * cosine + 1.0 / 40320;
+  sine = s * sine - 1.0 / 5040, cosine = s * cosine - 1.0 / 720;
+  sine = s * sine + 1.0 / 120, cosine = s * cosine + 1.0 / 24;
+  sine = s * sine - 1.0 / 6, cosine = s * cosine - 0.5;
+  const double factor = (s * sine + 1) / 2;
+  return Quat(s * cosine + 1, factor * phi.x(), factor * phi.y(), factor * phi.z());
 }
 
 }  // namespace
@@ -191,17 +131,8 @@ bool has_turned_far(const MotionRecord& motion) {
 Quat orientation_now(int body, const BulkBodies& bodies) {
   const std::size_t k = static_cast<std::size_t>(body);
   const Vec3 dr = vector_of(bodies.motion[k].dr);
-  double half[4], q[4];
-  std::memcpy(q, bodies.q[k].coeffs().data(), sizeof q);
-  if (has_turned_far(bodies.motion[k])) {
-    std::memcpy(half, rotation_exp(dr).coeffs().data(), sizeof half);
-  } else {
-    const double phi[3] = {dr.x(), dr.y(), dr.z()};
-    exp_by_series(phi, half);
-  }
-  turn_by(
-      half, [](double x) { return std::sqrt(x); }, q);
-  return Quat(q[3], q[0], q[1], q[2]);
+  const Quat turn = dr.squaredNorm() <= kSeries ? exp_by_series(dr) : rotation_exp(dr);
+  return (turn * bodies.q[k]).normalized();
 }
 
 double kinetic_energy_now(const Model& model, int body, const BulkBodies& bodies) {
@@ -211,37 +142,14 @@ double kinetic_energy_now(const Model& model, int body, const BulkBodies& bodies
   return 0.5 * (linear + model.body(body).moments.dot(w_B.cwiseAbs2()));
 }
 
-namespace {
-
-/// Orientations at the end of a step. Eight bodies at a time give the same bits as one after the other.
-void turn_bodies(int begin, int end, BulkBodies& bodies) {
-  const auto is_near = [&](int body) {
-    return bodies.stirs(body) && !has_turned_far(bodies.motion[static_cast<std::size_t>(body)]);
-  };
-  for (int i = begin; i < end;) {
-    int count = 0;
-    while (count < 8 && i + count < end && is_near(i + count)) ++count;
-    const std::size_t k = static_cast<std::size_t>(i);
-    if (count == 8) {
-      turn_eight_best(&bodies.motion[k], &bodies.q[k]);
-      i += 8;
-      continue;
-    }
-    for (const int last = i + count; i <= last && i < end; ++i) {
-      if (bodies.stirs(i)) bodies.q[static_cast<std::size_t>(i)] = orientation_now(i, bodies);
-    }
-  }
-}
-
-}  // namespace
-
 void end_bulk_step(const Executor& executor, BulkBodies& bodies) {
   executor.for_ranges(bodies.count(), kGrain, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       const std::size_t k = static_cast<std::size_t>(i);
-      if (bodies.stirs(i)) bodies.x[k] += vector_of(bodies.motion[k].dp);
+      if (!bodies.stirs(i)) continue;
+      bodies.x[k] += vector_of(bodies.motion[k].dp);
+      bodies.q[k] = orientation_now(i, bodies);
     }
-    turn_bodies(begin, end, bodies);
   });
 }
 

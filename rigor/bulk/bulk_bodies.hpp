@@ -7,6 +7,7 @@
 #include <array>
 #include <cstring>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace rigor {
@@ -101,8 +102,10 @@ void set_momentum(const Model& model, int body, BulkBodies& bodies);
 /// Lets a dynamic body stand as if it were fixed (it sleeps), or move again from the next begin of a step on.
 void set_standing(const Model& model, int body, bool stands, BulkBodies& bodies);
 
-/// Begins a step: inertia in W, no displacement.
-void begin_bulk_step(const Model& model, const Executor& executor, BulkBodies& bodies);
+/// Begins a step: no displacement, and inertia in W of the dynamic bodies whose mark in `touches` is set (by
+/// body; empty: of all). Bodies that touch nothing in the step do not need it.
+void begin_bulk_step(const Model& model, const Executor& executor, BulkBodies& bodies,
+                     std::span<const char> touches = {});
 /// Within a step, as displacements have turned the body: its orientation, and the kinetic energy of a dynamic
 /// body [J].
 Quat orientation_now(int body, const BulkBodies& bodies);

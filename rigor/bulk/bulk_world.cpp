@@ -181,7 +181,8 @@ BulkStepReport BulkWorld::step(double h) {
   s.prescribed.place(*model_, t_, h, bodies_);
   find_contacts(h);
   BulkStepReport report = describe_contacts();
-  begin_bulk_step(*model_, s.executor, bodies_);
+  find_touching_bodies();
+  begin_bulk_step(*model_, s.executor, bodies_, s.touches);
   compute_accelerations(h);
   add_given_wrenches();
   find_loose_bodies();
@@ -235,6 +236,16 @@ void BulkWorld::find_contacts(double h) {
     s.pair_finder.find_pairs(bodies_, h, margin, s.executor, s.pairs);
     s.narrow_phase.find_manifolds(bodies_, s.pairs, s.executor, s.manifolds);
     is_done = !s.sleepers || !s.sleepers->wake(bodies_, memory_, s.pairs, s.manifolds);
+  }
+}
+
+/// Marks the bodies that have manifolds.
+void BulkWorld::find_touching_bodies() {
+  Scratch& s = *scratch_;
+  s.touches.assign(bodies_.x.size(), 0);
+  for (std::size_t i = 0; i < s.manifolds.size(); ++i) {
+    const ShapePair& pair = s.pairs[static_cast<std::size_t>(s.manifolds.pair(i))];
+    s.touches[static_cast<std::size_t>(pair.body_A)] = s.touches[static_cast<std::size_t>(pair.body_B)] = 1;
   }
 }
 
@@ -352,14 +363,7 @@ double BulkWorld::work_of_forces() const {
 /// Bodies whose substeps are taken here: not those of trees that touch nothing.
 void BulkWorld::find_loose_bodies() {
   Scratch& s = *scratch_;
-  if (s.joints.may_have_free_trees()) {
-    s.touches.assign(bodies_.x.size(), 0);
-    for (std::size_t i = 0; i < s.manifolds.size(); ++i) {
-      const ShapePair& pair = s.pairs[static_cast<std::size_t>(s.manifolds.pair(i))];
-      s.touches[static_cast<std::size_t>(pair.body_A)] = s.touches[static_cast<std::size_t>(pair.body_B)] = 1;
-    }
-    s.joints.find_free_trees(bodies_, s.touches);
-  }
+  if (s.joints.may_have_free_trees()) s.joints.find_free_trees(bodies_, s.touches);
   s.loose.clear();
   for (int i = 0; i < bodies_.count(); ++i) {
     if (bodies_.stirs(i) && !s.joints.is_free(i)) s.loose.push_back(i);

@@ -89,6 +89,7 @@ class BulkWorld {
   void take_substep(bool is_first, float h);
   int solve_directly(double h);
   void bounce_apart();
+  void find_touching_bodies();
   void find_loose_bodies();
   void integrate_velocities(bool is_first, float h);
   void integrate_positions(float h);

@@ -303,8 +303,9 @@ RIGOR_FLOAT_LANES void take_substeps(int count, const FreeStep& step) {
     const FloatLanes again = hold_all(step, splat(1));
     if (lane_bits(again > splat(0)) != 0) hold_all(step, again);
     displace_all<of_revolution>(step);
+    // Rates change no path, so they may wait: but the last impulse is that of a whole substep.
+    if (k + 2 >= count) slow_all(step);
   }
-  slow_all(step);
 }
 
 /// a, turned by the unit quaternion (v, w).
@@ -326,16 +327,19 @@ struct alignas(64) FreePlace {
 };
 RIGOR_FLOAT_LANES FreePlace place_of_slot(const std::array<std::int32_t, kLaneCount>& who,
                                           const BulkBodies& bodies) {
-  alignas(64) double place[7][kLaneCount];
+  const double *x[kLaneCount], *q[kLaneCount];
   for (std::size_t i = 0; i < kLaneCount; ++i) {
     static constexpr double origin[4] = {0, 0, 0, 1};
-    const double* x = who[i] < 0 ? origin : bodies.x[static_cast<std::size_t>(who[i])].data();
-    const double* q = who[i] < 0 ? origin : bodies.q[static_cast<std::size_t>(who[i])].coeffs().data();
-    for (std::size_t k = 0; k < 3; ++k) place[k][i] = x[k];
-    for (std::size_t k = 0; k < 4; ++k) place[3 + k][i] = q[k];
+    x[i] = who[i] < 0 ? origin : bodies.x[static_cast<std::size_t>(who[i])].data();
+    q[i] = who[i] < 0 ? origin : bodies.q[static_cast<std::size_t>(who[i])].coeffs().data();
   }
   DoubleLanes lanes[7];
-  std::memcpy(lanes, place, sizeof place);
+  for (int k = 0; k < 7; ++k) {
+    const double** from = k < 3 ? x : q;
+    const int j = k < 3 ? k : k - 3;
+    lanes[k] = DoubleLanes{from[0][j], from[1][j], from[2][j], from[3][j],
+                           from[4][j], from[5][j], from[6][j], from[7][j]};
+  }
   return {{lanes[0], lanes[1], lanes[2]}, {lanes[3], lanes[4], lanes[5]}, lanes[6]};
 }
 
@@ -386,7 +390,8 @@ inline std::pair<double, int> worst_gap(const FreeTables& tables, const BulkBodi
   for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
     const int k = static_cast<int>(lane);
     const int number = tables.joints[static_cast<std::size_t>(which[k])].numbers[lane];
-    if (number >= 0 && worst[k] > found.first) found = {worst[k], number};
+    const double squared = worst[k];
+    if (number >= 0 && squared > found.first) found = {squared, number};
   }
   return {std::sqrt(found.first), found.second};
 }

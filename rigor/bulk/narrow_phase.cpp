@@ -102,7 +102,7 @@ struct NarrowPhase::Tables {
   const PlacedShape& place_of(const PlacedForm& shape) const { return placed[at(shape.place)]; }
   /// Whether the search of the pair's contacts begins where it ended.
   bool needs_hint(const ShapePair& pair) const;
-  void place(const BulkBodies& bodies, const Executor& executor);
+  void place(const BulkBodies& bodies, const std::vector<ShapePair>& pairs, const Executor& executor);
   /// Of the pairs [begin, end), added in their order.
   void find(const BulkBodies& bodies, const std::vector<ShapePair>& pairs, int begin, int end,
             BlockScratch& scratch, ManifoldList& manifolds);
@@ -126,6 +126,7 @@ struct NarrowPhase::Tables {
   std::vector<int> first_shape;                                  ///< Of each body, and the end.
   std::vector<PlacedForm> shapes;
   std::vector<PlacedShape> placed;
+  std::vector<char> is_in_pair;  ///< Each body.
   PairHints hints;
   std::vector<std::unique_ptr<Part>> parts;
 };
@@ -157,9 +158,14 @@ NarrowPhase::Tables::Tables(const Model& model) {
   first_shape.push_back(static_cast<int>(shapes.size()));
 }
 
-void NarrowPhase::Tables::place(const BulkBodies& bodies, const Executor& executor) {
+/// The shapes of all bodies that are in pairs.
+void NarrowPhase::Tables::place(const BulkBodies& bodies, const std::vector<ShapePair>& pairs,
+                                const Executor& executor) {
+  is_in_pair.assign(bodies.x.size(), 0);
+  for (const ShapePair& pair : pairs) is_in_pair[at(pair.body_A)] = is_in_pair[at(pair.body_B)] = 1;
   executor.for_ranges(bodies.count(), kPlaceGrain, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
+      if (is_in_pair[at(i)] == 0) continue;
       for (int k = first_shape[at(i)]; k < first_shape[at(i) + 1]; ++k) {
         const PlacedForm& shape = shapes[at(k)];
         if (!(shape.is_ball && is_centred_ball(form(shape))))
@@ -390,7 +396,7 @@ void NarrowPhase::find_manifolds(const BulkBodies& bodies, const std::vector<Sha
   // More parts than threads: pairs that touch take longer than others.
   constexpr int parts_of_a_thread = 8;
   Tables& tables = *tables_;
-  tables.place(bodies, executor);
+  tables.place(bodies, pairs, executor);
   const int count = static_cast<int>(pairs.size());
   tables.hints.begin(pairs, [&](const ShapePair& pair) { return tables.needs_hint(pair); });
   const int most = executor.threads() == 1 ? 1 : parts_of_a_thread * executor.threads();
