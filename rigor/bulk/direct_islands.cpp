@@ -161,7 +161,7 @@ DirectIslands::DirectIslands(const Model& model)
 }
 
 bool DirectIslands::may_be_needed(const ManifoldMemories& memory, double substep) {
-  return towers_.are_there(memory, substep) || masses_differ_;
+  return towers_.may_be_there(memory, substep) || masses_differ_;
 }
 
 std::vector<DirectIslands::Island> DirectIslands::find_islands(const DirectStep& step,
@@ -173,9 +173,9 @@ std::vector<DirectIslands::Island> DirectIslands::find_islands(const DirectStep&
 
   struct Summary {
     int body_count = 0;
-    double least_mass = std::numeric_limits<double>::infinity(), most_mass = 0;
-    bool has_tower = false;
-    int number = -1;  // Among those found.
+    double least_mass = std::numeric_limits<double>::infinity(), most_mass = 0, mass = 0;
+    double mass_of_tower = std::numeric_limits<double>::infinity();  // From which on one would be slender.
+    int number = -1;                                                 // Among those found.
   };
   std::vector<Summary> summaries(at(bodies.count()));  // By the lowest body.
   std::vector<Island> found;
@@ -183,16 +183,17 @@ std::vector<DirectIslands::Island> DirectIslands::find_islands(const DirectStep&
     if (!bodies.is_dynamic(i)) continue;
     Summary& island = summaries[at(islands_.island_of(i))];
     ++island.body_count;
+    island.mass += model_->body(i).mass;
     island.least_mass = std::min(island.least_mass, model_->body(i).mass);
     island.most_mass = std::max(island.most_mass, model_->body(i).mass);
-    island.has_tower = island.has_tower || towers_.carries(i);
+    island.mass_of_tower = std::min(island.mass_of_tower, towers_.least_mass(i));
   }
   for (int i = 0; i < bodies.count(); ++i) {
     if (!bodies.is_dynamic(i)) continue;
     Summary& island = summaries[at(islands_.island_of(i))];
     if (island.body_count > most_bodies) continue;
     const bool is_heavy_on_light = island.most_mass >= least_mass_ratio * island.least_mass;
-    if (!is_heavy_on_light && !island.has_tower) continue;
+    if (!is_heavy_on_light && island.mass < island.mass_of_tower) continue;
     if (island.number < 0) {
       island.number = static_cast<int>(found.size());
       found.emplace_back().is_heavy_on_light = is_heavy_on_light;

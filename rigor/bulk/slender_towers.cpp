@@ -44,8 +44,8 @@ SlenderTowers::SlenderTowers(const Model& model) : gravity_(model.g_W().norm()) 
   }
 }
 
-bool SlenderTowers::are_there(const ManifoldMemories& memory, double substep) {
-  carries_.clear();
+bool SlenderTowers::may_be_there(const ManifoldMemories& memory, double substep) {
+  least_mass_.clear();
   if (!(gravity_ > 0)) return false;
   const double omega = 2 * std::numbers::pi * contact_frequency_a_substep / substep;
   const float cube = static_cast<float>(omega * omega / gravity_);  // Of the number that buckles, by size.
@@ -57,10 +57,11 @@ bool SlenderTowers::are_there(const ManifoldMemories& memory, double substep) {
     const float number = pressure(memory.view(i)) / (h * weight_[at(body)]);
     if (27 * number * number * number < 8 * cube * size_[at(body)]) continue;
     if (meets_two(memory, is_dynamic_, body)) continue;
-    carries_.resize(is_dynamic_.size(), false);
-    carries_[at(body)] = true;
+    least_mass_.resize(is_dynamic_.size(), std::numeric_limits<double>::infinity());
+    least_mass_[at(body)] = 2.0 / 3 * std::cbrt(static_cast<double>(cube * size_[at(body)])) *
+                            static_cast<double>(weight_[at(body)]) / gravity_;
   }
-  return !carries_.empty();
+  return !least_mass_.empty();
 }
 
 }  // namespace rigor

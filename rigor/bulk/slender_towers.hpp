@@ -4,6 +4,7 @@
 #include "rigor/model/model.hpp"
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace rigor {
@@ -17,18 +18,22 @@ class SlenderTowers {
  public:
   explicit SlenderTowers(const Model& model);
 
-  /// Whether the lowest body of a tower of dynamic bodies, each on one other, carries more than two thirds of
-  /// what buckles: what it stands on pressed it so at the end of the step before. substep [s].
-  bool are_there(const ManifoldMemories& memory, double substep);
-  /// Whether this is such a lowest body.
-  bool carries(int body) const { return !carries_.empty() && carries_[static_cast<std::size_t>(body)]; }
+  /// Whether there may be any: bodies that were pressed, by what stands still, with more than two thirds of
+  /// the weight that buckles, at the end of the step before. substep [s].
+  bool may_be_there(const ManifoldMemories& memory, double substep);
+  /// What the tower of which this body is the lowest weighs at least if it is slender [kg]; infinite if the
+  /// body was not pressed so.
+  double least_mass(int body) const {
+    return least_mass_.empty() ? std::numeric_limits<double>::infinity()
+                               : least_mass_[static_cast<std::size_t>(body)];
+  }
 
  private:
   std::vector<std::uint8_t> is_dynamic_;  ///< Bytes, which are read faster than bits.
   std::vector<float> weight_;             ///< [N].
   std::vector<float> size_;               ///< Radius about the centre of mass [m].
   double gravity_;                        ///< [m/s²].
-  std::vector<bool> carries_;             ///< Empty if none does.
+  std::vector<double> least_mass_;        ///< Empty if it is infinite for all.
 };
 
 }  // namespace rigor
