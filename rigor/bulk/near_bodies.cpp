@@ -90,7 +90,7 @@ void NearBodies::update(const Boxes& boxes, const PairFilter& filter, const Exec
     if (escaped_.empty()) return;
     // Boxes that were replaced make the tree worse.
     replaced_ += escaped_.size();
-    if (4 * replaced_ < moving_.bodies.size()) return replace(boxes, filter);
+    if (4 * replaced_ < moving_.bodies.size()) return replace(boxes, filter, executor);
   }
   build(boxes, filter, executor);
 }
@@ -102,7 +102,9 @@ void NearBodies::build(const Boxes& boxes, const PairFilter& filter, const Execu
   origin_ = boxes.origin;
   for (Side* side : {&moving_, &standing_}) {
     side->wide.resize(side->bodies.size());
-    for (std::size_t i = 0; i < side->bodies.size(); ++i) side->wide[i] = wide_box(boxes, side->bodies[i]);
+    executor.for_ranges(static_cast<int>(side->bodies.size()), 512, [&](int begin, int end) {
+      for (int i = begin; i < end; ++i) side->wide[at(i)] = wide_box(boxes, side->bodies[at(i)]);
+    });
     side->tree.build(side->wide, cell_);
   }
   const int block_count = moving_.tree.block_count();
@@ -112,7 +114,7 @@ void NearBodies::build(const Boxes& boxes, const PairFilter& filter, const Execu
       search_blocks(k * blocks_of_a_part, std::min((k + 1) * blocks_of_a_part, block_count), filter,
                     parts[at(k)]);
   });
-  put_in_order(parts);
+  put_in_order(parts, executor);
 }
 
 void NearBodies::search_blocks(int begin, int end, const PairFilter& filter, std::vector<Pair>& found) const {
@@ -139,7 +141,7 @@ const FloatBox& NearBodies::wide_of(int body) const {
 }
 
 /// Each pair goes to the part of the list that its first body has, in the order of the second ones there.
-void NearBodies::put_in_order(const std::vector<std::vector<Pair>>& parts) {
+void NearBodies::put_in_order(const std::vector<std::vector<Pair>>& parts, const Executor& executor) {
   std::vector<int> begin(slot_.size() + 1, 0);
   for (const std::vector<Pair>& part : parts)
     for (const Pair& pair : part) ++begin[at(pair.a) + 1];
@@ -147,17 +149,15 @@ void NearBodies::put_in_order(const std::vector<std::vector<Pair>>& parts) {
   renew(at(begin.back()), pairs_);
   for (const std::vector<Pair>& part : parts)
     for (const Pair& pair : part) pairs_[at(begin[at(pair.a)]++)] = pair;
-  auto first = pairs_.begin();
-  for (const int end : begin) {  // Each is the next one's first place by now.
-    const auto last = pairs_.begin() + end;
-    if (last <= first) continue;
-    std::sort(first, last, is_before);
-    first = last;
-  }
+  // Each is the next one's first place by now.
+  executor.for_ranges(static_cast<int>(begin.size()), 512, [&](int from, int to) {
+    for (int i = from; i < to; ++i)
+      std::sort(pairs_.begin() + (i == 0 ? 0 : begin[at(i - 1)]), pairs_.begin() + begin[at(i)], is_before);
+  });
 }
 
 /// New wide boxes for those that have left theirs, and their pairs.
-void NearBodies::replace(const Boxes& boxes, const PairFilter& filter) {
+void NearBodies::replace(const Boxes& boxes, const PairFilter& filter, const Executor& executor) {
   for (const int body : escaped_) {
     const bool is_moving = slot_[at(body)] >= 0;
     Side& side = is_moving ? moving_ : standing_;
@@ -165,23 +165,35 @@ void NearBodies::replace(const Boxes& boxes, const PairFilter& filter) {
     side.wide[at(slot)] = wide_box(boxes, body);
     side.tree.replace(slot, side.wide[at(slot)]);
   }
+  constexpr int bodies_of_a_part = 16;
+  const int count = static_cast<int>(escaped_.size());
+  std::vector<std::vector<Pair>> parts(at((count + bodies_of_a_part - 1) / bodies_of_a_part));
+  executor.for_ranges(static_cast<int>(parts.size()), 1, [&](int begin, int end) {
+    for (int k = begin; k < end; ++k) {
+      const int last = std::min((k + 1) * bodies_of_a_part, count);
+      for (int i = k * bodies_of_a_part; i < last; ++i) find_pairs_of(escaped_[at(i)], filter, parts[at(k)]);
+    }
+  });
   found_.clear();
-  const auto add_overlaps = [&](int body, const FloatBox& wide, const Side& side) {
-    touched_.clear();
-    side.tree.find_overlaps(wide, touched_);
-    for (const int slot : touched_) {
+  for (const std::vector<Pair>& part : parts) found_.insert(found_.end(), part.begin(), part.end());
+  merge_found();
+}
+
+/// Of a body that has escaped.
+void NearBodies::find_pairs_of(int body, const PairFilter& filter, std::vector<Pair>& found) const {
+  std::vector<int> touched;
+  const auto add_overlaps = [&](const Side& side) {
+    touched.clear();
+    side.tree.find_overlaps(wide_of(body), touched);
+    for (const int slot : touched) {
       const int other = side.bodies[at(slot)];
       // A pair of two that have escaped is found twice.
       if (other == body || (is_out_[at(other)] && other < body) || !may_meet(body, other, filter)) continue;
-      found_.push_back({std::min(body, other), std::max(body, other)});
+      found.push_back({std::min(body, other), std::max(body, other)});
     }
   };
-  for (const int body : escaped_) {
-    const bool is_moving = slot_[at(body)] >= 0;
-    add_overlaps(body, wide_of(body), moving_);
-    if (is_moving) add_overlaps(body, wide_of(body), standing_);
-  }
-  merge_found();
+  add_overlaps(moving_);
+  if (slot_[at(body)] >= 0) add_overlaps(standing_);
 }
 
 /// Of the pairs before, those of escaped bodies are forgotten.

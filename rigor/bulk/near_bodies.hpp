@@ -64,8 +64,9 @@ class NearBodies {
   void search_blocks(int begin, int end, const PairFilter& filter, std::vector<Pair>& found) const;
   bool may_meet(int a, int b, const PairFilter& filter) const;
   const FloatBox& wide_of(int body) const;
-  void put_in_order(const std::vector<std::vector<Pair>>& parts);
-  void replace(const Boxes& boxes, const PairFilter& filter);
+  void put_in_order(const std::vector<std::vector<Pair>>& parts, const Executor& executor);
+  void replace(const Boxes& boxes, const PairFilter& filter, const Executor& executor);
+  void find_pairs_of(int body, const PairFilter& filter, std::vector<Pair>& found) const;
   void merge_found();
 
   Side moving_, standing_;
@@ -76,7 +77,7 @@ class NearBodies {
   std::size_t replaced_ = 0;  ///< Since the trees were built.
   std::vector<char> is_out_;  ///< By body.
   std::vector<int> slot_;     ///< Place of each body on its side, -1 - place on the standing one.
-  std::vector<int> escaped_, touched_;
+  std::vector<int> escaped_;
   std::vector<Pair> pairs_, found_;
 };
 

@@ -61,7 +61,31 @@ bool SlenderTowers::may_be_there(const ManifoldMemories& memory, double substep)
     least_mass_[at(body)] = 2.0 / 3 * std::cbrt(static_cast<double>(cube * size_[at(body)])) *
                             static_cast<double>(weight_[at(body)]) / gravity_;
   }
+  if (!least_mass_.empty()) drop_unloaded(memory, substep);
   return !least_mass_.empty();
+}
+
+/// Forgets bodies on which other dynamic bodies do not press with half of that weight: those that have just
+/// hit what stands still.
+void SlenderTowers::drop_unloaded(const ManifoldMemories& memory, double substep) {
+  std::vector<float> loads(is_dynamic_.size(), 0);
+  for (std::size_t i = 0; i < memory.size(); ++i) {
+    const int a = memory.body_A(i), b = memory.body_B(i);
+    if (is_dynamic_[at(a)] == 0 || is_dynamic_[at(b)] == 0) continue;
+    if (std::isinf(least_mass_[at(a)]) && std::isinf(least_mass_[at(b)])) continue;
+    const float load = pressure(memory.view(i));
+    loads[at(a)] += load;
+    loads[at(b)] += load;
+  }
+  bool is_any_left = false;
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    if (std::isinf(least_mass_[i])) continue;
+    if (2 * static_cast<double>(loads[i]) < least_mass_[i] * gravity_ * substep)
+      least_mass_[i] = std::numeric_limits<double>::infinity();
+    else
+      is_any_left = true;
+  }
+  if (!is_any_left) least_mass_.clear();
 }
 
 }  // namespace rigor

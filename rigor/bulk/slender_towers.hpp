@@ -29,6 +29,8 @@ class SlenderTowers {
   }
 
  private:
+  void drop_unloaded(const ManifoldMemories& memory, double substep);
+
   std::vector<std::uint8_t> is_dynamic_;  ///< Bytes, which are read faster than bits.
   std::vector<float> weight_;             ///< [N].
   std::vector<float> size_;               ///< Radius about the centre of mass [m].
