@@ -61,26 +61,38 @@ bool SlenderTowers::may_be_there(const ManifoldMemories& memory, double substep)
     least_mass_[at(body)] = 2.0 / 3 * std::cbrt(static_cast<double>(cube * size_[at(body)])) *
                             static_cast<double>(weight_[at(body)]) / gravity_;
   }
-  if (!least_mass_.empty()) drop_unloaded(memory, substep);
+  if (!least_mass_.empty()) drop_others(memory, substep);
   return !least_mass_.empty();
 }
 
 /// Forgets bodies on which other dynamic bodies do not press with half of that weight: those that have just
 /// hit what stands still.
 void SlenderTowers::drop_unloaded(const ManifoldMemories& memory, double substep) {
-  std::vector<float> loads(is_dynamic_.size(), 0);
+  struct Load {
+    int from = -1;  // The other body.
+    bool is_of_one = true;
+    float pressure = 0;
+  };
+  std::vector<Load> loads(is_dynamic_.size());
+  const auto add = [&](int body, int other, float pressed) {
+    Load& load = loads[at(body)];
+    load.is_of_one = load.is_of_one && (load.from < 0 || load.from == other);
+    load.from = other;
+    load.pressure += pressed;
+  };
   for (std::size_t i = 0; i < memory.size(); ++i) {
     const int a = memory.body_A(i), b = memory.body_B(i);
     if (is_dynamic_[at(a)] == 0 || is_dynamic_[at(b)] == 0) continue;
     if (std::isinf(least_mass_[at(a)]) && std::isinf(least_mass_[at(b)])) continue;
-    const float load = pressure(memory.view(i));
-    loads[at(a)] += load;
-    loads[at(b)] += load;
+    const float pressed = pressure(memory.view(i));
+    add(a, b, pressed);
+    add(b, a, pressed);
   }
   bool is_any_left = false;
   for (std::size_t i = 0; i < loads.size(); ++i) {
     if (std::isinf(least_mass_[i])) continue;
-    if (2 * static_cast<double>(loads[i]) < least_mass_[i] * gravity_ * substep)
+    if (!loads[i].is_of_one ||
+        2 * static_cast<double>(loads[i].pressure) < least_mass_[i] * gravity_ * substep)
       least_mass_[i] = std::numeric_limits<double>::infinity();
     else
       is_any_left = true;

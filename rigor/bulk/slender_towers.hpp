@@ -29,7 +29,7 @@ class SlenderTowers {
   }
 
  private:
-  void drop_unloaded(const ManifoldMemories& memory, double substep);
+  void drop_others(const ManifoldMemories& memory, double substep);
 
   std::vector<std::uint8_t> is_dynamic_;  ///< Bytes, which are read faster than bits.
   std::vector<float> weight_;             ///< [N].
