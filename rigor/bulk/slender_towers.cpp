@@ -65,9 +65,9 @@ bool SlenderTowers::may_be_there(const ManifoldMemories& memory, double substep)
   return !least_mass_.empty();
 }
 
-/// Forgets bodies on which other dynamic bodies do not press with half of that weight: those that have just
-/// hit what stands still.
-void SlenderTowers::drop_unloaded(const ManifoldMemories& memory, double substep) {
+/// Forgets bodies that touch more than one other dynamic body, and those on which it does not press with half
+/// of that weight: they have just hit what stands still.
+void SlenderTowers::drop_others(const ManifoldMemories& memory, double substep) {
   struct Load {
     int from = -1;  // The other body.
     bool is_of_one = true;
