@@ -93,7 +93,7 @@ class BulkSimulation {
   Options options_;
   std::function<bool(int, int)> may_touch_;
   std::unique_ptr<BulkWorld> world_;
-  State template_;                      ///< What of a State the world does not hold.
+  State template_;           ///< What of a State the world does not hold.
   ManifoldMemories before_;  ///< Contacts at the begin of the last step.
   mutable std::unique_ptr<SceneQueries> queries_;
   mutable bool is_asked_ = false;  ///< Whether the queries are of now.
