@@ -64,7 +64,11 @@ void turn_far(const float* s, float* r);
 inline void turn_further(float h, MotionRecord& motion) {
   const FloatRow r = load_row(motion.dr), s = h * load_row(motion.w);
   const FloatRow squares = r * r + s * s;
-  if (squares[0] + squares[1] + squares[2] > kFarTurn * kFarTurn) return turn_far(&s[0], motion.dr);
+  if (squares[0] + squares[1] + squares[2] > kFarTurn * kFarTurn) {
+    float turn[4];
+    store_row(s, turn);
+    return turn_far(turn, motion.dr);
+  }
   const FloatRow c = cross(r, s), cc = cross(r, c);
   store_row(r + (s + ((1.0F / 12) * cc - 0.5F * c)), motion.dr);
 }
