@@ -50,7 +50,7 @@ void BounceLimits::limit(const BulkBodies& bodies, const std::vector<MotionRow>&
           work_of_forces(*model_, i, accelerations[at(i)], bodies) - kinetic_energy_now(*model_, i, bodies);
     }
   });
-  islands_.build(contacts.keys());
+  islands_.build(contacts.manifolds());
   std::fill(lost_.begin(), lost_.end(), 0);
   std::fill(wanted_.begin(), wanted_.end(), 0);
   for (int i = 0; i < bodies.count(); ++i) {

@@ -4,15 +4,14 @@
 #include "rigor/bulk/bulk_bodies.hpp"
 #include "rigor/bulk/direct_islands.hpp"
 #include "rigor/bulk/executor.hpp"
-#include "rigor/bulk/graph_colouring.hpp"
+#include "rigor/bulk/kept_colouring.hpp"
 #include "rigor/bulk/manifold_blocks.hpp"
-#include "rigor/bulk/narrow_phase.hpp"
 #include "rigor/bulk/solved_manifold.hpp"
+#include "rigor/bulk/step_manifolds.hpp"
 #include "rigor/model/manifold_memory.hpp"
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace rigor {
@@ -22,15 +21,13 @@ class BulkContacts {
  public:
   explicit BulkContacts(const Model& model);
 
-  /// At the begin of a step: which manifolds there are and what is remembered of them. memory: of the
-  /// contacts of the step before, in the order of keys; it is held until prepare(), the others until the next
-  /// step.
+  /// At the begin of a step: which manifolds there are and what is remembered of them
+  /// (StepManifolds::match).
   void match(const std::vector<ShapePair>& pairs, const ManifoldList& manifolds,
              const ManifoldMemories& memory, const Executor& executor);
-  /// All of them, until prepare().
-  std::vector<StepManifold> manifolds() const;
-  /// Whose they are, without impulses; until the next step.
-  std::vector<ManifoldMemory> keys() const;
+  const StepManifolds& manifolds() const { return manifolds_; }
+  /// Then: which of them are solved at once. bodies: which are dynamic.
+  void colour(const BulkBodies& bodies);
   /// Then: blocks of the manifolds, but for those of the islands that were solved directly. h [s]: of the
   /// substeps.
   void prepare(const BulkBodies& bodies, double h, const DirectIslands& direct, const Executor& executor);
@@ -62,7 +59,7 @@ class BulkContacts {
         const int manifold = manifold_of(number, lane);
         if (manifold < 0) continue;
         const std::size_t i = static_cast<std::size_t>(manifold);
-        visit(read(block, total, lane, i), key_of(i), matches_[i].is_new);
+        visit(read(block, total, lane, i), manifolds_.key(i), manifolds_.is_new(i));
       }
     });
   }
@@ -83,50 +80,29 @@ class BulkContacts {
     bool does_any = false;
     std::array<double, kLaneCount> most{};  ///< Of each lane [J].
   };
-  /// What is known of a manifold at the begin of a step.
-  struct Match {
-    int memory = -1;                 ///< Its number among those of the step before; -1: none.
-    float energy = 0;                ///< Of its springs [J].
-    std::uint32_t surface : 31 = 0;  ///< Its number among the surfaces.
-    bool is_new : 1 = true;
-  };
-  void match_range(std::size_t begin, std::size_t end);
-  int material_of(int body, int shape) const;
-  StepManifold manifold_at(std::size_t i) const;
-  const ShapePair& pair_of(std::size_t i) const {
-    return (*pairs_)[static_cast<std::size_t>(manifolds_->pair(i))];
-  }
-  void colour(const BulkBodies& bodies, const DirectIslands& direct);
-  /// Of a manifold; no impulses.
-  ManifoldMemory key_of(std::size_t i) const;
+  template <class IsSwept>
+  void colour_those(const BulkBodies& bodies, const IsSwept& is_swept);
   /// Colour after colour.
   template <class Work>
   void for_colours(const Executor& executor, const Work& work);
   /// Number of the manifold in a lane of a block, -1 if it is empty.
   int manifold_of(int block, int lane) const {
-    return colouring_.blocks[static_cast<std::size_t>(block)][static_cast<std::size_t>(lane)];
+    return colouring_.now().blocks[static_cast<std::size_t>(block)][static_cast<std::size_t>(lane)];
   }
   template <BlockKind kind>
   SolvedManifold read(const ManifoldBlock<kind>& block, const BlockImpulses<kind>& total, int lane,
                       std::size_t manifold) const {
     SolvedManifold own = read_manifold(block, total, lane);
-    own.restitution = surfaces_[static_cast<std::size_t>(matches_[manifold].surface)].restitution;
+    own.restitution = manifolds_.surface(manifold).restitution;
     return own;
   }
 
-  std::vector<int> first_shape_;  ///< Of each body.
-  std::vector<int> materials_;    ///< Of each shape of all bodies.
-  std::size_t material_count_;
   LaneTarget target_ = best_lane_target();
-  std::vector<ManifoldSurface> surfaces_;  ///< Of two materials, by first * count + second.
-  std::vector<bool> is_round_;             ///< Of bodies: they turn as easily about all axes, or not at all.
-  GraphColouring colouring_;               ///< Of the manifolds in blocks, by their numbers.
+  std::vector<bool> is_round_;  ///< Of bodies: they turn as easily about all axes, or not at all.
+  StepManifolds manifolds_;
+  KeptColouring colouring_;  ///< Of the manifolds in blocks, by their numbers.
   BlockLists blocks_;
-  const std::vector<ShapePair>* pairs_ = nullptr;
-  const ManifoldList* manifolds_ = nullptr;
-  const ManifoldMemories* memory_ = nullptr;  ///< Of the step before.
-  std::vector<Match> matches_;                ///< Of the manifolds.
-  std::vector<BlockBounces> bounces_;         ///< Of each block, after find_bounces().
+  std::vector<BlockBounces> bounces_;  ///< Of each block, after find_bounces().
   bool has_restitution_ = false;
   bool is_all_swept_ = true;  ///< No manifold was left to the direct solver.
 };

@@ -180,15 +180,20 @@ BulkStepReport BulkWorld::step(double h) {
   const double substep = h / settings_.substeps;
   s.prescribed.place(*model_, t_, h, bodies_);
   find_contacts(h);
-  BulkStepReport report = describe_contacts();
-  find_touching_bodies();
+  s.contacts.match(s.pairs, s.manifolds, memory_, s.executor);
+  BulkStepReport report;
+  s.executor.run_both([&] { s.contacts.colour(bodies_); },
+                      [&] {
+                        report = describe_contacts();
+                        find_touching_bodies();
+                        find_direct_islands(substep);
+                      });
   begin_bulk_step(*model_, s.executor, bodies_, s.touches);
   compute_accelerations(h);
   add_given_wrenches();
   find_loose_bodies();
   s.gyrations.prepare(bodies_, s.loose);
   s.joints.prepare(bodies_, substep, s.executor);
-  s.contacts.match(s.pairs, s.manifolds, memory_, s.executor);
   if (settings_.measures) s.books.begin(bodies_);
   report.direct_islands = solve_directly(h);
   s.contacts.prepare(bodies_, substep, s.direct, s.executor);
@@ -272,13 +277,18 @@ void BulkWorld::bounce_apart() {
   s.contacts.bounce_apart(*model_, bodies_, s.executor);
 }
 
-/// Islands of heavy bodies on light ones; their number.
+void BulkWorld::find_direct_islands(double substep) {
+  DirectIslands& direct = scratch_->direct;
+  if (direct.may_be_needed(memory_, substep))
+    direct.find(scratch_->contacts.manifolds(), bodies_);
+  else
+    direct.clear();
+}
+
+/// Those islands that can be; their number.
 int BulkWorld::solve_directly(double h) {
   Scratch& s = *scratch_;
-  if (!s.direct.may_be_needed(memory_, h / settings_.substeps)) {
-    s.direct.clear();
-    return 0;
-  }
+  if (!s.direct.has_found_any()) return 0;
   const float step = static_cast<float>(h);
   if (s.gyrations.has_any()) s.gyrations.find_changes(step, bodies_, s.executor, s.turns);
   const auto free_change = [&](int body) {
@@ -287,8 +297,7 @@ int BulkWorld::solve_directly(double h) {
     for (std::size_t j = 0; j < change.size(); ++j) change[j] += step * s.accelerations[k][j];
     return change;
   };
-  const std::vector<StepManifold> manifolds = s.contacts.manifolds();
-  s.direct.solve({h, settings_.substeps, manifolds, free_change}, bodies_);
+  s.direct.solve({h, settings_.substeps, s.contacts.manifolds(), free_change}, bodies_);
   return s.direct.island_count();
 }
 

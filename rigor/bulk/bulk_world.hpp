@@ -87,6 +87,7 @@ class BulkWorld {
   void add_given_wrenches();
   double work_of_forces() const;
   void take_substep(bool is_first, float h);
+  void find_direct_islands(double substep);
   int solve_directly(double h);
   void bounce_apart();
   void find_touching_bodies();

@@ -73,44 +73,65 @@ void append(const Vec3& part, VecX& whole) {
 
 /// Of the points of a manifold over the whole step, in the frame; the friction is shared as the normal
 /// impulses are.
-std::vector<Vec3> remembered_impulses(const StepManifold& manifold, const Mat3& frame, int substeps) {
-  std::vector<Vec3> impulses(at(manifold.manifold.point_count), Vec3::Zero());
-  if (!manifold.memory.is_there()) return impulses;
+std::vector<Vec3> step_impulses(const ManifoldMemories::View& memory, const ManifoldView& manifold,
+                                const Mat3& frame, int substeps) {
+  std::vector<Vec3> impulses(at(manifold.point_count), Vec3::Zero());
+  if (!memory.is_there()) return impulses;
   double pressed = 0;
   for (std::size_t k = 0; k < impulses.size(); ++k) {
-    impulses[k].z() = substeps * static_cast<double>(remembered_impulse(manifold.memory,
-                                                                        manifold.manifold.points[k].feature));
+    impulses[k].z() = substeps * static_cast<double>(remembered_impulse(memory, manifold.points[k].feature));
     pressed += impulses[k].z();
   }
   if (!(pressed > 0)) return impulses;
-  const Vec3 friction = substeps * (frame * vector_of(manifold.memory.friction_impulse_W));
+  const Vec3 friction = substeps * (frame * vector_of(memory.friction_impulse_W));
   for (Vec3& impulse : impulses) impulse.head<2>() = impulse.z() / pressed * friction.head<2>();
   return impulses;
 }
 
 /// Without impulses, at the velocities of the bodies.
-BulkContact contact_of(const StepManifold& manifold, const BulkBodies& bodies) {
-  const ShapePair& key = *manifold.key;
+BulkContact contact_of(const StepManifolds& manifolds, std::size_t i, const BulkBodies& bodies) {
+  const ShapePair& pair = manifolds.pair(i);
+  const ManifoldView manifold = manifolds.view(i);
   BulkContact contact;
-  contact.body_A = key.body_A, contact.body_B = key.body_B;
-  contact.shape_A = key.shape_A, contact.shape_B = key.shape_B;
-  contact.part = manifold.part;
-  contact.n_W = vector_of(manifold.manifold.normal);
-  contact.point_count = manifold.manifold.point_count;
+  contact.body_A = pair.body_A, contact.body_B = pair.body_B;
+  contact.shape_A = pair.shape_A, contact.shape_B = pair.shape_B;
+  contact.part = manifolds.part(i);
+  contact.n_W = vector_of(manifold.normal);
+  contact.point_count = manifold.point_count;
   contact.center_W = contact.friction_impulse_W = contact.friction_moment_W = Vec3::Zero();
-  const Vec3& x_A = bodies.x[at(key.body_A)];
-  const Vec3& x_B = bodies.x[at(key.body_B)];
+  const Vec3& x_A = bodies.x[at(pair.body_A)];
+  const Vec3& x_B = bodies.x[at(pair.body_B)];
   contact.approach_speed = 0;
   for (int k = 0; k < contact.point_count; ++k) {
-    const ManifoldPoint& point = manifold.manifold.points[at(k)];
+    const ManifoldPoint& point = manifold.points[at(k)];
     const Vec3 p_W = x_A + vector_of(point.p);
     contact.points[at(k)] = {p_W, static_cast<double>(point.gap), 0};
     contact.center_W += p_W / contact.point_count;
-    const Vec3 u = velocity_at(bodies, key.body_B, p_W - x_B) - velocity_at(bodies, key.body_A, p_W - x_A);
+    const Vec3 u = velocity_at(bodies, pair.body_B, p_W - x_B) - velocity_at(bodies, pair.body_A, p_W - x_A);
     contact.approach_speed = std::max(contact.approach_speed, -contact.n_W.dot(u));
   }
-  contact.is_new = manifold.is_new;
+  contact.is_new = manifolds.is_new(i);
   return contact;
+}
+
+/// Whether one of the bodies moves as it must: its work is not known here.
+bool is_driven(const ShapePair& pair, const BulkBodies& bodies) {
+  const auto moves = [&](int body) { return !bodies.is_dynamic(body) && bodies.has_velocity(body); };
+  return moves(pair.body_A) || moves(pair.body_B);
+}
+
+/// Whether its bodies meet so fast that they part again.
+bool bounces(const StepManifolds& manifolds, std::size_t i, const BulkBodies& bodies) {
+  if (!(manifolds.surface(i).restitution > 0)) return false;
+  const ManifoldView manifold = manifolds.view(i);
+  const int a = manifolds.body_A(i), b = manifolds.body_B(i);
+  const Vec3 between = bodies.x[at(b)] - bodies.x[at(a)];
+  for (int k = 0; k < manifold.point_count; ++k) {
+    const Vec3 p = vector_of(manifold.points[at(k)].p);
+    const Vec3 u = velocity_at(bodies, b, p - between) - velocity_at(bodies, a, p);
+    if (vector_of(manifold.normal).dot(u) < -bounce_speed) return true;
+  }
+  return false;
 }
 
 /// Impulses of its points, three each along the rows of the frame.
@@ -164,12 +185,9 @@ bool DirectIslands::may_be_needed(const ManifoldMemories& memory, double substep
   return towers_.may_be_there(memory, substep) || masses_differ_;
 }
 
-std::vector<DirectIslands::Island> DirectIslands::find_islands(const DirectStep& step,
+std::vector<DirectIslands::Island> DirectIslands::find_islands(const StepManifolds& manifolds,
                                                                const BulkBodies& bodies) {
-  islands_.begin();
-  for (const StepManifold& manifold : step.manifolds)
-    islands_.join(manifold.key->body_A, manifold.key->body_B);
-  islands_.finish();
+  islands_.build(manifolds);
 
   struct Summary {
     int body_count = 0;
@@ -201,33 +219,34 @@ std::vector<DirectIslands::Island> DirectIslands::find_islands(const DirectStep&
     found[at(island.number)].bodies.push_back(i);
   }
   if (found.empty()) return found;
-  for (int i = 0; i < static_cast<int>(step.manifolds.size()); ++i) {
-    const ShapePair& key = *step.manifolds[at(i)].key;
-    const int body = bodies.is_dynamic(key.body_A) ? key.body_A : key.body_B;
+  for (std::size_t i = 0; i < manifolds.size(); ++i) {
+    const int body = bodies.is_dynamic(manifolds.body_A(i)) ? manifolds.body_A(i) : manifolds.body_B(i);
     const int number = summaries[at(islands_.island_of(body))].number;
     if (number >= 0) found[at(number)].manifolds.push_back(i);
   }
   return found;
 }
 
-bool DirectIslands::is_taken(const DirectStep& step, const Island& island, const BulkBodies& bodies) const {
+bool DirectIslands::is_taken(const StepManifolds& manifolds, const Island& island,
+                             const BulkBodies& bodies) const {
   if (island.manifolds.empty()) return false;
   for (const int body : island.bodies) {
     if (is_tied_[at(body)]) return false;
   }
-  if (!island.is_heavy_on_light && !is_column(step, island, bodies)) return false;
-  return std::none_of(island.manifolds.begin(), island.manifolds.end(), [&](int i) {
-    const StepManifold& manifold = step.manifolds[at(i)];
-    return manifold.surface->rolling_friction > 0 || manifold.surface->torsional_friction > 0 ||
-           is_driven(manifold, bodies) || bounces(manifold, bodies);
+  if (!island.is_heavy_on_light && !is_column(manifolds, island, bodies)) return false;
+  return std::none_of(island.manifolds.begin(), island.manifolds.end(), [&](std::size_t i) {
+    const ManifoldSurface& surface = manifolds.surface(i);
+    return surface.rolling_friction > 0 || surface.torsional_friction > 0 ||
+           is_driven(manifolds.pair(i), bodies) || bounces(manifolds, i, bodies);
   });
 }
 
 /// Whether each of its bodies touches at most two others of them.
-bool DirectIslands::is_column(const DirectStep& step, const Island& island, const BulkBodies& bodies) const {
+bool DirectIslands::is_column(const StepManifolds& manifolds, const Island& island,
+                              const BulkBodies& bodies) const {
   std::map<int, std::set<int>> neighbours;
-  for (const int i : island.manifolds) {
-    const int a = step.manifolds[at(i)].key->body_A, b = step.manifolds[at(i)].key->body_B;
+  for (const std::size_t i : island.manifolds) {
+    const int a = manifolds.body_A(i), b = manifolds.body_B(i);
     if (!bodies.is_dynamic(a) || !bodies.is_dynamic(b)) continue;
     neighbours[a].insert(b);
     neighbours[b].insert(a);
@@ -236,27 +255,8 @@ bool DirectIslands::is_column(const DirectStep& step, const Island& island, cons
                      [](const auto& of_body) { return of_body.second.size() <= 2; });
 }
 
-/// Whether one of the bodies moves as it must: its work is not known here.
-bool DirectIslands::is_driven(const StepManifold& manifold, const BulkBodies& bodies) const {
-  for (const int body : {manifold.key->body_A, manifold.key->body_B}) {
-    if (!bodies.is_dynamic(body) && bodies.has_velocity(body)) return true;
-  }
-  return false;
-}
-
-bool DirectIslands::bounces(const StepManifold& manifold, const BulkBodies& bodies) const {
-  if (!(manifold.surface->restitution > 0)) return false;
-  const int a = manifold.key->body_A, b = manifold.key->body_B;
-  const Vec3 between = bodies.x[at(b)] - bodies.x[at(a)];
-  for (int k = 0; k < manifold.manifold.point_count; ++k) {
-    const Vec3 p = vector_of(manifold.manifold.points[at(k)].p);
-    const Vec3 u = velocity_at(bodies, b, p - between) - velocity_at(bodies, a, p);
-    if (vector_of(manifold.manifold.normal).dot(u) < -bounce_speed) return true;
-  }
-  return false;
-}
-
 void DirectIslands::clear() {
+  found_.clear();
   is_held_.clear();
   island_count_ = 0;
   ends_.clear();
@@ -264,11 +264,16 @@ void DirectIslands::clear() {
   contacts_.clear();
 }
 
-void DirectIslands::solve(const DirectStep& step, BulkBodies& bodies) {
+void DirectIslands::find(const StepManifolds& manifolds, const BulkBodies& bodies) {
   clear();
-  if (step.manifolds.empty()) return;
-  for (const Island& island : find_islands(step, bodies)) {
-    if (!is_taken(step, island, bodies) || !solve_island(step, island, bodies)) continue;
+  if (manifolds.size() == 0) return;
+  found_ = find_islands(manifolds, bodies);
+  std::erase_if(found_, [&](const Island& island) { return !is_taken(manifolds, island, bodies); });
+}
+
+void DirectIslands::solve(const DirectStep& step, BulkBodies& bodies) {
+  for (const Island& island : found_) {
+    if (!solve_island(step, island, bodies)) continue;
     ++island_count_;
     is_held_.resize(at(bodies.count()), false);
     for (const int body : island.bodies) is_held_[at(body)] = true;
@@ -321,14 +326,14 @@ DirectIslands::Problem DirectIslands::problem_of(const DirectStep& step, const I
     append(vector_of(bodies.motion[at(i)].v) + vector_of(change.data()), problem.V);
     append(vector_of(bodies.motion[at(i)].w) + vector_of(change.data() + 4), problem.V);
   }
-  for (const int i : island.manifolds) {
-    const StepManifold& manifold = step.manifolds[at(i)];
-    const int a = manifold.key->body_A, b = manifold.key->body_B;
-    const Mat3 frame = contact_frame(vector_of(manifold.manifold.normal).normalized());
+  for (const std::size_t i : island.manifolds) {
+    const ManifoldView manifold = step.manifolds.view(i);
+    const int a = step.manifolds.body_A(i), b = step.manifolds.body_B(i);
+    const Mat3 frame = contact_frame(vector_of(manifold.normal).normalized());
     const Vec3 between = bodies.x[at(b)] - bodies.x[at(a)];
-    const std::vector<Vec3> start = remembered_impulses(manifold, frame, step.substeps);
-    for (int k = 0; k < manifold.manifold.point_count; ++k) {
-      const ManifoldPoint& point = manifold.manifold.points[at(k)];
+    const std::vector<Vec3> start = step_impulses(step.manifolds.memory(i), manifold, frame, step.substeps);
+    for (int k = 0; k < manifold.point_count; ++k) {
+      const ManifoldPoint& point = manifold.points[at(k)];
       ContactRows::Sides sides;
       Vec3 prescribed = Vec3::Zero();
       for (const bool is_A : {true, false}) {
@@ -345,7 +350,8 @@ DirectIslands::Problem DirectIslands::problem_of(const DirectStep& step, const I
         }
       }
       problem.add_point(frame, static_cast<double>(point.gap),
-                        static_cast<double>(manifold.surface->friction), sides, prescribed, start[at(k)]);
+                        static_cast<double>(step.manifolds.surface(i).friction), sides, prescribed,
+                        start[at(k)]);
     }
   }
   return problem;
@@ -361,7 +367,7 @@ double DirectIslands::size_of(const Island& island) const {
 bool DirectIslands::solve_island(const DirectStep& step, const Island& island, BulkBodies& bodies) {
   Problem problem = problem_of(step, island, bodies);
   std::vector<BulkContact> contacts;  // As they are at the velocities of the begin.
-  for (const int i : island.manifolds) contacts.push_back(contact_of(step.manifolds[at(i)], bodies));
+  for (const std::size_t i : island.manifolds) contacts.push_back(contact_of(step.manifolds, i, bodies));
   problem.motion.laws.b = problem.rates(problem.V, step.h, 0);
   const std::optional<VecX> lambda = solve_impulses(problem.motion, problem.start);
   if (!lambda) return false;
@@ -405,11 +411,11 @@ void DirectIslands::finish(BulkBodies& bodies) const {
 
 void DirectIslands::remember(int substeps, ManifoldMemories& memory) const {
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
-    ManifoldMemory remembered = memory[at(solved_[i])];
+    ManifoldMemory remembered = memory[solved_[i]];
     for (std::size_t k = 0; k < at(remembered.point_count); ++k)
       remembered.normal_impulse[k] = static_cast<float>(contacts_[i].points[k].normal_impulse / substeps);
     set_floats(contacts_[i].friction_impulse_W / substeps, remembered.friction_impulse_W.data());
-    memory.put(at(solved_[i]), remembered);
+    memory.put(solved_[i], remembered);
   }
 }
 

@@ -3,33 +3,22 @@
 #include "rigor/bulk/bulk_bodies.hpp"
 #include "rigor/bulk/bulk_events.hpp"
 #include "rigor/bulk/islands.hpp"
-#include "rigor/bulk/manifold.hpp"
-#include "rigor/bulk/manifold_blocks.hpp"
-#include "rigor/bulk/narrow_phase.hpp"
 #include "rigor/bulk/slender_towers.hpp"
+#include "rigor/bulk/step_manifolds.hpp"
 #include "rigor/model/manifold_memory.hpp"
 
+#include <cstddef>
 #include <functional>
 #include <vector>
 
 namespace rigor {
 
-/// A manifold of a step, with what belongs to it.
-struct StepManifold {
-  ManifoldView manifold;
-  const ShapePair* key = nullptr;  ///< Whose it is.
-  int part = 0;                    ///< Which one of the pair.
-  ManifoldMemories::View memory;   ///< Of the step before; or none.
-  const ManifoldSurface* surface = nullptr;
-  bool is_new = true;  ///< It did not press at the end of the step before.
-};
-
 /// What DirectIslands are given.
 struct DirectStep {
-  double h;                                    ///< Of the whole step [s].
-  int substeps;                                ///< What is remembered is of one of them.
-  const std::vector<StepManifold>& manifolds;  ///< In the order of keys.
-  std::function<MotionRow(int)> free_change;   ///< Of a body's velocity within the step, without contacts.
+  double h;                                   ///< Of the whole step [s].
+  int substeps;                               ///< What is remembered is of one of them.
+  const StepManifolds& manifolds;             ///< In the order of keys.
+  std::function<MotionRow(int)> free_change;  ///< Of a body's velocity within the step, without contacts.
 };
 
 /// Islands that sweeps do not carry. Where heavy bodies rest on light ones, sweeps bring the weight to the
@@ -50,8 +39,11 @@ class DirectIslands {
   bool may_be_needed(const ManifoldMemories& memory, double substep);
   /// Nothing is solved in this step.
   void clear();
-  /// Solves the islands that are to be and can be solved: their bodies get the velocities that their
-  /// displacements in the step have.
+  /// Which islands are to be solved.
+  void find(const StepManifolds& manifolds, const BulkBodies& bodies);
+  bool has_found_any() const { return !found_.empty(); }
+  /// Then solves those that can be: their bodies get the velocities that their displacements in the step
+  /// have.
   void solve(const DirectStep& step, BulkBodies& bodies);
   /// Whether a body was in a solved island: then nothing else may change its velocity in this step.
   bool holds(int body) const { return !is_held_.empty() && is_held_[static_cast<std::size_t>(body)]; }
@@ -61,22 +53,20 @@ class DirectIslands {
   void finish(BulkBodies& bodies) const;
   /// What acted in the solved islands.
   const std::vector<BulkContact>& contacts() const { return contacts_; }
-  /// Impulses of one of the substeps into the memories of their manifolds (all, in the order of solve()).
+  /// Impulses of one of the substeps into the memories of their manifolds (all, in the order of find()).
   void remember(int substeps, ManifoldMemories& memory) const;
 
  private:
   struct Island {
-    std::vector<int> bodies;     ///< Dynamic ones, ascending.
-    std::vector<int> manifolds;  ///< Ascending.
+    std::vector<int> bodies;             ///< Dynamic ones, ascending.
+    std::vector<std::size_t> manifolds;  ///< Ascending.
     bool is_heavy_on_light = false;
   };
   struct Problem;
   /// Small enough, and of masses that differ or with a slender tower.
-  std::vector<Island> find_islands(const DirectStep& step, const BulkBodies& bodies);
-  bool is_taken(const DirectStep& step, const Island& island, const BulkBodies& bodies) const;
-  bool is_column(const DirectStep& step, const Island& island, const BulkBodies& bodies) const;
-  bool is_driven(const StepManifold& manifold, const BulkBodies& bodies) const;
-  bool bounces(const StepManifold& manifold, const BulkBodies& bodies) const;
+  std::vector<Island> find_islands(const StepManifolds& manifolds, const BulkBodies& bodies);
+  bool is_taken(const StepManifolds& manifolds, const Island& island, const BulkBodies& bodies) const;
+  bool is_column(const StepManifolds& manifolds, const Island& island, const BulkBodies& bodies) const;
   Problem problem_of(const DirectStep& step, const Island& island, const BulkBodies& bodies) const;
   double size_of(const Island& island) const;
   bool solve_island(const DirectStep& step, const Island& island, BulkBodies& bodies);
@@ -86,6 +76,7 @@ class DirectIslands {
   SlenderTowers towers_;
   std::vector<bool> is_tied_;  ///< Bodies with joints or springs.
   BulkIslands islands_;
+  std::vector<Island> found_;
   std::vector<bool> is_held_;
   int island_count_ = 0;
   struct EndVelocity {
@@ -93,7 +84,7 @@ class DirectIslands {
     float v[3], w[3];
   };
   std::vector<EndVelocity> ends_;
-  std::vector<int> solved_;            ///< Numbers of the manifolds of solved islands.
+  std::vector<std::size_t> solved_;    ///< Numbers of the manifolds of solved islands.
   std::vector<BulkContact> contacts_;  ///< Of those.
 };
 

@@ -71,4 +71,11 @@ void Executor::for_ranges(int count, int grain, const std::function<void(int, in
   });
 }
 
+void Executor::run_both(const std::function<void()>& one, const std::function<void()>& other) const {
+  for_ranges(2, 1, [&](int begin, int end) {
+    if (begin == 0) one();
+    if (end == 2) other();
+  });
+}
+
 }  // namespace rigor

@@ -22,6 +22,10 @@ class Executor {
   /// throws comes out here.
   void for_ranges(int count, int grain, const std::function<void(int, int)>& body) const;
 
+  /// Runs both, of which neither may touch what the other writes: at once, if there is another thread. Loops
+  /// inside them may be run by one thread alone.
+  void run_both(const std::function<void()>& one, const std::function<void()>& other) const;
+
   /// As long as it lives, the other threads wait for loops and do nothing else, so that short ones are worth
   /// to be shared: a thread that is woken comes after some 10 µs, one that waits after less than one. One at
   /// a time, on the thread that calls for_ranges().

@@ -11,6 +11,8 @@ namespace rigor {
 /// An edge of the graph of constraints: the two dynamic bodies that it ties; -1 for one that is not dynamic.
 struct ConstraintEdge {
   int a, b;
+
+  bool operator==(const ConstraintEdge& other) const = default;
 };
 
 /// Edges in colours: within a colour no two share a body, so that they can be solved at once, eight in the

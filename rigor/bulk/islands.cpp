@@ -28,15 +28,9 @@ BulkIslands::BulkIslands(const Model& model) {
   build(ManifoldMemories{});
 }
 
-void BulkIslands::build(const std::vector<ManifoldMemory>& manifolds) {
+void BulkIslands::build(const std::vector<ManifoldMemory>& contacts) {
   begin();
-  for (const ManifoldMemory& manifold : manifolds) join(manifold.body_A, manifold.body_B);
-  finish();
-}
-
-void BulkIslands::build(const ManifoldMemories& manifolds) {
-  begin();
-  for (std::size_t i = 0; i < manifolds.size(); ++i) join(manifolds.body_A(i), manifolds.body_B(i));
+  for (const ManifoldMemory& contact : contacts) join(contact.body_A, contact.body_B);
   finish();
 }
 

@@ -3,6 +3,7 @@
 #include "rigor/bulk/bulk_bodies.hpp"
 #include "rigor/model/manifold_memory.hpp"
 
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -14,17 +15,21 @@ class BulkIslands {
  public:
   explicit BulkIslands(const Model& model);
 
-  /// Of these contacts.
-  void build(const std::vector<ManifoldMemory>& manifolds);
-  void build(const ManifoldMemories& manifolds);
-  /// The same in parts: begin(), join() for each contact, finish().
-  void begin();
-  void join(int a, int b);
-  void finish();
+  /// Of a list of contacts that tells their body_A(i) and body_B(i).
+  template <class Contacts>
+  void build(const Contacts& contacts) {
+    begin();
+    for (std::size_t i = 0; i < contacts.size(); ++i) join(contacts.body_A(i), contacts.body_B(i));
+    finish();
+  }
+  void build(const std::vector<ManifoldMemory>& contacts);
   /// The lowest body of the island; -1 for bodies that are not dynamic.
   int island_of(int body) const { return islands_[static_cast<std::size_t>(body)]; }
 
  private:
+  void begin();
+  void join(int a, int b);
+  void finish();
   int root_of(int body);
 
   std::vector<bool> is_dynamic_;

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <memory>
 #include <mutex>
 #include <stdexcept>
 #include <thread>
@@ -134,6 +135,33 @@ TEST(Executor, TwoOfATeamWorkAtOnce) {
   });
   EXPECT_EQ(begun, 2);
   EXPECT_LT(std::chrono::steady_clock::now(), deadline);
+}
+
+TEST(Executor, BothOfTwoAreRun) {
+  for (const int threads : {1, 2, 8}) {
+    const Executor executor(threads);
+    for (const bool has_team : {false, true}) {
+      const std::unique_ptr<Executor::Team> team =
+          has_team ? std::make_unique<Executor::Team>(executor) : nullptr;
+      for (int round = 0; round < 50; ++round) {
+        std::atomic<int> one = 0, other = 0;
+        const auto count_up = [&](std::atomic<int>& sum) {
+          executor.for_ranges(100, 1, [&](int begin, int end) { sum += end - begin; });
+        };
+        executor.run_both([&] { count_up(one); }, [&] { count_up(other); });
+        EXPECT_EQ(one, 100) << threads << " threads";
+        EXPECT_EQ(other, 100) << threads << " threads";
+      }
+    }
+  }
+}
+
+TEST(Executor, WhatOneOfTwoThrowsComesOut) {
+  const Executor executor(2);
+  const Executor::Team team(executor);
+  const auto fail = [] { throw std::runtime_error("failed"); };
+  EXPECT_THROW(executor.run_both(fail, [] {}), std::runtime_error);
+  EXPECT_THROW(executor.run_both([] {}, fail), std::runtime_error);
 }
 
 TEST(Executor, ALoopInALoopOfATeamRunsAlone) {
