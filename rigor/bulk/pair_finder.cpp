@@ -3,13 +3,16 @@
 #include "rigor/bulk/list_room.hpp"
 #include "rigor/bulk/near_bodies.hpp"
 #include "rigor/bulk/pair_filter.hpp"
+#include "rigor/bulk/pair_lanes.hpp"
 #include "rigor/bulk/shape_places.hpp"
 #include "rigor/bulk/unbounded_shapes.hpp"
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <tuple>
 #include <unordered_map>
 #include <utility>
@@ -45,8 +48,11 @@ struct PairFinder::Tables {
   FloatBox update_body(const Step& step, int body);
   void update_eight(const Step& step, int body);
   void add_near(const Step& step, int begin, int end, std::vector<ShapePair>& pairs) const;
-  void add_pairs(const Step& step, int a, int b, std::vector<ShapePair>& pairs) const;
-  void add_pair(const Step& step, const ShapePair& pair, std::vector<ShapePair>& pairs) const;
+  unsigned find_touching(const NearBodies::Pair* near, int count) const;
+  template <class Add>
+  void for_shapes(const NearBodies::Pair& near, const Add& add) const;
+  void add_those_near(const Step& step, std::span<const ShapePair> found,
+                      std::vector<ShapePair>& pairs) const;
   void add_unbounded(const Step& step, std::vector<ShapePair>& pairs) const;
 
   PairFilter filter;
@@ -58,6 +64,7 @@ struct PairFinder::Tables {
   std::unordered_map<const BodyShape*, int> bound_numbers;
   std::vector<UnboundedShape> unbounded;
   std::unique_ptr<NearBodies> near_bodies;
+  LaneTarget target = best_lane_target();
 
   Vec3 origin = Vec3::Zero();  ///< Of what is in 32 bits: a body's place, so that far scenes lose nothing.
   std::vector<ShapePlace> places;
@@ -98,7 +105,7 @@ PairFinder::Tables::Tables(const Model& model) : filter(model) {
   const float cell = moving.empty() ? 1.0f : static_cast<float>(size / static_cast<double>(moving.size()));
   near_bodies = std::make_unique<NearBodies>(std::move(moving), std::move(standing), std::move(radii), cell);
   places.resize(shapes.size());
-  body_boxes.resize(at(model.body_count()));
+  body_boxes.resize(at(model.body_count()) + 1);  // Behind each is room (BoxPair).
 }
 
 /// Its bounded shapes; returns the radius of the edges of the box around them all.
@@ -177,38 +184,75 @@ FloatBox PairFinder::Tables::update_body(const Step& step, int body) {
 void PairFinder::Tables::add_near(const Step& step, int begin, int end, std::vector<ShapePair>& pairs) const {
   const std::vector<NearBodies::Pair>& near = near_bodies->pairs();
   make_room(pairs.size() + at(end - begin), pairs);
-  for (int i = begin; i < end; ++i) add_pairs(step, near[at(i)].a, near[at(i)].b, pairs);
+  std::array<ShapePair, kLaneCount> waiting;  // With the numbers of their shapes among all shapes.
+  std::size_t count = 0;
+  const auto add = [&](const ShapePair& pair) {
+    waiting[count++] = pair;
+    if (count < waiting.size()) return;
+    add_those_near(step, waiting, pairs);
+    count = 0;
+  };
+  for (int i = begin; i < end; i += kLaneCount) {
+    unsigned touching = find_touching(&near[at(i)], std::min(kLaneCount, end - i));
+    for (; touching != 0; touching &= touching - 1) {
+      const NearBodies::Pair& pair = near[at(i + std::countr_zero(touching))];
+      if (!step.bodies.stirs(pair.a) && !step.bodies.stirs(pair.b)) continue;
+      if (may_touch && !may_touch(pair.a, pair.b)) continue;
+      for_shapes(pair, add);
+    }
+  }
+  add_those_near(step, std::span(waiting.data(), count), pairs);
 }
 
-/// Of two bodies, a < b.
-void PairFinder::Tables::add_pairs(const Step& step, int a, int b, std::vector<ShapePair>& pairs) const {
-  const float radius_A = near_bodies->radius(a), radius_B = near_bodies->radius(b);
-  if (!rounded_boxes_touch(body_boxes[at(a)], radius_A, body_boxes[at(b)], radius_B)) return;
-  if (!step.bodies.stirs(a) && !step.bodies.stirs(b)) return;
-  if (may_touch && !may_touch(a, b)) return;
+/// Bits of those, of 1 to 8 pairs, whose boxes touch.
+unsigned PairFinder::Tables::find_touching(const NearBodies::Pair* near, int count) const {
+  std::array<BoxPair, kLaneCount> boxes;
+  for (int i = 0; i < kLaneCount; ++i) {
+    const auto [a, b] = near[i < count ? i : 0];
+    boxes[at(i)] = {&body_boxes[at(a)], &body_boxes[at(b)], near_bodies->radius(a) + near_bodies->radius(b)};
+  }
+  return find_touching_boxes(boxes, target) & ((1u << count) - 1);
+}
+
+/// Calls add(pair) for each two shapes of two bodies, a < b, whose boxes overlap, those of the bodies doing
+/// so.
+template <class Add>
+void PairFinder::Tables::for_shapes(const NearBodies::Pair& near, const Add& add) const {
+  const auto [a, b] = near;
   const int begin_A = shape_begin[at(a)], end_A = shape_begin[at(a) + 1];
   const int begin_B = shape_begin[at(b)], end_B = shape_begin[at(b) + 1];
-  if (end_A - begin_A == 1 && end_B - begin_B == 1) return add_pair(step, {a, b, begin_A, begin_B, 0}, pairs);
+  if (end_A - begin_A == 1 && end_B - begin_B == 1) return add(ShapePair{a, b, begin_A, begin_B, 0});
   for (int i = begin_A; i < end_A; ++i) {
     for (int j = begin_B; j < end_B; ++j) {
       const int box_A = shapes[at(i)].box, box_B = shapes[at(j)].box;
       if ((box_A < 0 ? body_boxes[at(a)] : shape_boxes[at(box_A)])
               .overlaps(box_B < 0 ? body_boxes[at(b)] : shape_boxes[at(box_B)]))
-        add_pair(step, {a, b, i, j, 0}, pairs);
+        add(ShapePair{a, b, i, j, 0});
     }
   }
 }
 
-/// `pair` has the numbers of its shapes among all shapes.
-void PairFinder::Tables::add_pair(const Step& step, const ShapePair& pair,
-                                  std::vector<ShapePair>& pairs) const {
-  const std::vector<Quat>& q = step.bodies.q;
-  const PairPlaces both{places[at(pair.shape_A)], places[at(pair.shape_B)], q[at(pair.body_A)],
-                        q[at(pair.body_B)]};
-  const std::optional<float> margin = find_pair_margin(both, step.h, step.margin);
-  if (!margin) return;
-  pairs.push_back(
-      {pair.body_A, pair.body_B, shapes[at(pair.shape_A)].shape, shapes[at(pair.shape_B)].shape, *margin});
+/// Of at most eight pairs.
+void PairFinder::Tables::add_those_near(const Step& step, std::span<const ShapePair> found,
+                                        std::vector<ShapePair>& pairs) const {
+  if (found.empty()) return;
+  std::array<ShapePlacePair, kLaneCount> both;
+  for (std::size_t i = 0; i < both.size(); ++i) {
+    const ShapePair& pair = found[i < found.size() ? i : 0];
+    both[i] = {&places[at(pair.shape_A)], &places[at(pair.shape_B)]};
+  }
+  const PairMargins margins = find_pair_margins(both, step.h, step.margin, target);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const ShapePair& pair = found[i];
+    if ((margins.near >> i & 1) == 0) continue;
+    if ((margins.asks_box >> i & 1) != 0 &&
+        !find_pair_margin(
+            {*both[i].a, *both[i].b, step.bodies.q[at(pair.body_A)], step.bodies.q[at(pair.body_B)]}, step.h,
+            step.margin))
+      continue;
+    pairs.push_back({pair.body_A, pair.body_B, shapes[at(pair.shape_A)].shape, shapes[at(pair.shape_B)].shape,
+                     margins.margin[i]});
+  }
 }
 
 /// Dynamic bodies against all shapes without an end.

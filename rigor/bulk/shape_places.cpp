@@ -304,7 +304,7 @@ std::optional<float> find_pair_margin(const PairPlaces& pair, float h, float mar
   const Float3 d = load(small.center) - load(large.center);
   const float pair_margin = margin + approach_bound(small, large, d, h);
   const float near =
-      of_small.reach + of_small.radius + of_large.radius + pair_margin + pair.a.slack + pair.b.slack;
+      of_small.reach + of_small.radius + of_large.radius + pair_margin + small.slack + large.slack;
   const float far = near + of_large.reach;
   if (squared(d) > far * far) return std::nullopt;
   // Of shapes of one size the box of the one tells little more than its ball.
