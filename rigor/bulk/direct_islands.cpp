@@ -196,20 +196,25 @@ std::vector<DirectIslands::Island> DirectIslands::find_islands(const StepManifol
     int number = -1;                                                 // Among those found.
   };
   std::vector<Summary> summaries(at(bodies.count()));  // By the lowest body.
-  std::vector<Island> found;
+  for (int i = 0; i < bodies.count(); ++i) {
+    if (bodies.is_dynamic(i)) ++summaries[at(islands_.island_of(i))].body_count;
+  }
+  // Masses are far from each other in memory: few are asked.
+  std::vector<int> candidates;
   for (int i = 0; i < bodies.count(); ++i) {
     if (!bodies.is_dynamic(i)) continue;
     Summary& island = summaries[at(islands_.island_of(i))];
-    ++island.body_count;
-    island.mass += model_->body(i).mass;
-    island.least_mass = std::min(island.least_mass, model_->body(i).mass);
-    island.most_mass = std::max(island.most_mass, model_->body(i).mass);
+    if (island.body_count < 2 || island.body_count > most_bodies) continue;
+    candidates.push_back(i);
+    const double mass = model_->body(i).mass;
+    island.mass += mass;
+    island.least_mass = std::min(island.least_mass, mass);
+    island.most_mass = std::max(island.most_mass, mass);
     island.mass_of_tower = std::min(island.mass_of_tower, towers_.least_mass(i));
   }
-  for (int i = 0; i < bodies.count(); ++i) {
-    if (!bodies.is_dynamic(i)) continue;
+  std::vector<Island> found;
+  for (const int i : candidates) {
     Summary& island = summaries[at(islands_.island_of(i))];
-    if (island.body_count > most_bodies) continue;
     const bool is_heavy_on_light = island.most_mass >= least_mass_ratio * island.least_mass;
     if (!is_heavy_on_light && island.mass < island.mass_of_tower) continue;
     if (island.number < 0) {
