@@ -49,8 +49,8 @@ double allocated_bytes();
 /// Of all bits of the State.
 std::uint64_t state_hash(const State& state);
 
-/// Runs the scene for so long with one thread and with two; whether it stayed finite, the same bits with both
-/// and flat in memory. Prints a line.
+/// Runs the scene for so long with one thread and with two; whether it stayed finite, had the same bits with
+/// both and took no more memory at the end than after half of the time. Prints a line.
 bool soak(const std::string& scene, double seconds, int substeps);
 /// Grains in a hopper: powers of ten from `least` up to `most`.
 struct ScaleOptions {

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -17,9 +18,16 @@ namespace {
 
 constexpr double mebi = 1024.0 * 1024.0;
 
-/// Grows by allocation: what the first tenth of a run has touched is not counted.
-bool is_flat(double begin, double end) {
-  return end <= 1.05 * begin + 2 * mebi;
+/// What a run holds, and the most manifolds that it had so far.
+struct Held {
+  double bytes = 0;
+  int manifolds = 0;
+};
+
+/// Lists grow with what happens (pyramids that fall have other neighbours in each step); what is lost in
+/// every step shows in the second half of a run too.
+bool is_flat(const Held& half, const Held& end) {
+  return end.bytes <= 1.02 * half.bytes + 0.25 * mebi;
 }
 
 struct ScaleRow {
@@ -74,7 +82,8 @@ bool soak(const std::string& scene, double seconds, int substeps) {
     engines[static_cast<std::size_t>(i)] = make_bulk_world_engine(model, {i + 1, substeps});
   }
   const int rounds = std::max(1, static_cast<int>(std::lround(seconds)));
-  double memory = 0, differs_at = -1;
+  double differs_at = -1;
+  Held held, tenth, half;
   bool finite = true;
   const double wall = bulk_wall_seconds();
   for (int round = 1; round <= rounds && finite; ++round) {
@@ -87,18 +96,21 @@ bool soak(const std::string& scene, double seconds, int substeps) {
                VecX::Map(state.P.data(), static_cast<Eigen::Index>(state.P.size())).allFinite();
     }
     if (hashes[0] != hashes[1] && differs_at < 0) differs_at = round;
-    if (round == (rounds + 9) / 10) memory = resident_bytes();
+    held.bytes = resident_bytes();
+    held.manifolds = std::max(held.manifolds, engines[0]->counts().manifolds);
+    if (round == (rounds + 9) / 10) tenth = held;
+    if (round == (rounds + 1) / 2) half = held;
   }
-  const double end_memory = resident_bytes();
   const State state = engines[0]->state();
   const BulkFigures figures = bulk_figures(*model, start, state);
-  const bool flat = is_flat(memory, end_memory);
+  const bool flat = is_flat(half, held);
   fmt::print(
-      "{:<13} {:>6.0f} s  finite {:<3}  same bits {:<12}  memory {:>6.1f} -> {:>6.1f} MiB  overlap {:>6.2f} "
-      "mm"
-      "  speed {:>8.5f} m/s  hash {:016x}  took {:.0f} s\n",
+      "{:<13} {:>6.0f} s  finite {:<3}  same bits {:<12}  memory {:.1f}, {:.1f}, {:.1f} MiB flat {:<3} of "
+      "{}, {}, {} "
+      "manifolds  overlap {:>6.2f} mm  speed {:>8.5f} m/s  hash {:016x}  took {:.0f} s\n",
       scene, state.t, finite ? "yes" : "NO", differs_at < 0 ? "yes" : fmt::format("NO ({} s)", differs_at),
-      memory / mebi, end_memory / mebi, 1e3 * figures.max_overlap, figures.rms_speed, state_hash(state),
+      tenth.bytes / mebi, half.bytes / mebi, held.bytes / mebi, flat ? "yes" : "NO", tenth.manifolds,
+      half.manifolds, held.manifolds, 1e3 * figures.max_overlap, figures.rms_speed, state_hash(state),
       bulk_wall_seconds() - wall);
   std::fflush(stdout);
   return finite && flat && differs_at < 0;
