@@ -192,7 +192,7 @@ BulkStepReport BulkWorld::step(double h) {
   compute_accelerations(h);
   add_given_wrenches();
   find_loose_bodies();
-  s.gyrations.prepare(bodies_, s.loose);
+  s.gyrations.prepare(bodies_, s.loose, s.executor);
   s.joints.prepare(bodies_, substep, s.executor);
   if (settings_.measures) s.books.begin(bodies_);
   report.direct_islands = solve_directly(h);

@@ -94,18 +94,27 @@ Gyrations::Gyrations(const Model& model, LaneTarget target)
       principal.moments[k] = static_cast<float>(body.moments[(principal.first + k) % 3]);
     }
   }
+  const auto is_round = [](const Principal& principal) { return principal.kind == Kind::round; };
+  if (std::all_of(principals_.begin(), principals_.end(), is_round)) principals_ = std::vector<Principal>();
 }
 
-void Gyrations::prepare(const BulkBodies& bodies, const std::vector<int>& who) {
-  groups_.clear();
-  add(Kind::revolution, bodies, who);
-  add(Kind::other, bodies, who);
+void Gyrations::prepare(const BulkBodies& bodies, const std::vector<int>& who, const Executor& executor) {
+  if (principals_.empty()) return;
+  if (who != who_) {
+    who_ = who;
+    groups_.clear();
+    add(Kind::revolution);
+    add(Kind::other);
+  }
+  executor.for_ranges(static_cast<int>(groups_.size()), 64, [&](int begin, int end) {
+    for (int g = begin; g < end; ++g) set_axes(bodies, groups_[static_cast<std::size_t>(g)]);
+  });
 }
 
 /// Groups of the bodies of one kind.
-void Gyrations::add(Kind kind, const BulkBodies& bodies, const std::vector<int>& who) {
+void Gyrations::add(Kind kind) {
   std::size_t lane = kLaneCount;
-  for (const int body : who) {
+  for (const int body : who_) {
     const Principal& principal = principals_[static_cast<std::size_t>(body)];
     if (principal.kind != kind) continue;
     if (lane == kLaneCount) {
@@ -117,12 +126,19 @@ void Gyrations::add(Kind kind, const BulkBodies& bodies, const std::vector<int>&
       for (FloatLanes& moment : group.start.moments) moment = float_lanes(1);
     }
     Group& group = groups_.back();
-    const Mat3 R_WB = bodies.q[static_cast<std::size_t>(body)].toRotationMatrix();
     group.bodies[lane] = body;
-    for (int k = 0; k < 2; ++k) set_lane(R_WB.col((principal.first + k) % 3), lane, group.start.axes[k]);
     for (int k = 0; k < 3; ++k) group.start.moments[k][static_cast<int>(lane)] = principal.moments[k];
     group.start.spin[static_cast<int>(lane)] = principal.moments[0] / principal.moments[1] - 1;
     ++lane;
+  }
+}
+
+void Gyrations::set_axes(const BulkBodies& bodies, Group& group) const {
+  for (std::size_t lane = 0; lane < kLaneCount && group.bodies[lane] >= 0; ++lane) {
+    const std::size_t body = static_cast<std::size_t>(group.bodies[lane]);
+    const Mat3 R_WB = bodies.q[body].toRotationMatrix();
+    for (int k = 0; k < 2; ++k)
+      set_lane(R_WB.col((principals_[body].first + k) % 3), lane, group.start.axes[k]);
   }
 }
 

@@ -32,7 +32,7 @@ class Gyrations {
   /// Whether any of the bodies that it was prepared for turns so.
   bool has_any() const { return !groups_.empty(); }
   /// At the begin of a step, for some bodies.
-  void prepare(const BulkBodies& bodies, const std::vector<int>& who);
+  void prepare(const BulkBodies& bodies, const std::vector<int>& who, const Executor& executor);
   /// Changes of the angular velocities [rad/s] within h [s] where the bodies are now, in W: of body i the
   /// first three numbers of turns[i] from the fifth on.
   void find_changes(float h, const BulkBodies& bodies, const Executor& executor,
@@ -51,10 +51,12 @@ class Gyrations {
     bool is_of_revolution = false;         ///< All of them.
     BodyGyration start;                    ///< At the begin of the step.
   };
-  void add(Kind kind, const BulkBodies& bodies, const std::vector<int>& who);
+  void add(Kind kind);
+  void set_axes(const BulkBodies& bodies, Group& group) const;
 
   LaneTarget target_;
-  std::vector<Principal> principals_;
+  std::vector<Principal> principals_;  ///< Of all bodies; empty if all are round.
+  std::vector<int> who_;               ///< That the groups are of.
   std::vector<Group> groups_;
 };
 

@@ -25,9 +25,10 @@ struct Turner {
     bodies.q[0] = q_WB;
     for (int k = 0; k < 3; ++k) bodies.motion[0].w[k] = static_cast<float>(w_W[k]);
     Gyrations gyrations(*model);
-    gyrations.prepare(bodies, {0});
+    const Executor executor(1);
+    gyrations.prepare(bodies, {0}, executor);
     std::vector<std::array<float, kLaneCount>> turns;
-    gyrations.find_changes(h, bodies, Executor(1), turns);
+    gyrations.find_changes(h, bodies, executor, turns);
     return w_W + Vec3(turns[0][4], turns[0][5], turns[0][6]);
   }
 
@@ -149,6 +150,36 @@ TEST(TurnFurther, CountsWholeTurnsAboutAnAxisThatStays) {
   motion.w[2] = 100;
   for (int k = 0; k < 10; ++k) turn_further(0.1F, motion);
   EXPECT_NEAR(motion.dr[2], 100, 1e-4);  // 32 bits.
+}
+
+TEST(Gyrations, PreparedBeforeForOthersAreAsNew) {
+  ModelBuilder builder;
+  for (int i = 0; i < 40; ++i) {
+    const Vec3 moments = i % 3 == 0 ? Vec3(1, 1, 1) : (i % 3 == 1 ? Vec3(1, 1, 0.5) : Vec3(1, 1.2, 1.5));
+    builder.add_body(tests::bulk_body("b" + std::to_string(i), Vec3(i, 0, 0), 1, moments));
+  }
+  const std::shared_ptr<const Model> model = builder.build();
+  BulkBodies bodies = read_bulk_bodies(*model, make_initial_state(*model));
+  test::Random random(11);
+  const Executor executor(2);
+  Gyrations kept(*model);
+  for (int step = 0; step < 12; ++step) {
+    std::vector<int> who;
+    for (int i = 0; i < 40; ++i) {
+      bodies.q[static_cast<std::size_t>(i)] = rotation_exp(3 * random.vector());
+      const Vec3 w = 5 * random.vector();
+      for (int k = 0; k < 3; ++k) bodies.motion[static_cast<std::size_t>(i)].w[k] = static_cast<float>(w[k]);
+      if (i % (1 + step / 2 % 4) == 0) who.push_back(i);  // Others in every second step.
+    }
+    std::vector<std::array<float, kLaneCount>> turns, fresh_turns;
+    kept.prepare(bodies, who, executor);
+    kept.find_changes(0.003F, bodies, executor, turns);
+    Gyrations fresh(*model);
+    fresh.prepare(bodies, who, executor);
+    fresh.find_changes(0.003F, bodies, executor, fresh_turns);
+    for (const int i : who)
+      EXPECT_EQ(turns[static_cast<std::size_t>(i)], fresh_turns[static_cast<std::size_t>(i)]);
+  }
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ struct JointRun {
     joints.prepare(bodies, h, executor);
     std::vector<int> who(bodies.x.size());
     std::iota(who.begin(), who.end(), 0);
-    gyrations.prepare(bodies, who);
+    gyrations.prepare(bodies, who, executor);
     for (int s = 0; s < substeps; ++s) {
       gyrations.find_changes(static_cast<float>(h), bodies, executor, turns);
       for (int i = 0; i < bodies.count(); ++i) {
