@@ -105,7 +105,7 @@ PairFinder::Tables::Tables(const Model& model) : filter(model) {
   const float cell = moving.empty() ? 1.0f : static_cast<float>(size / static_cast<double>(moving.size()));
   near_bodies = std::make_unique<NearBodies>(std::move(moving), std::move(standing), std::move(radii), cell);
   places.resize(shapes.size());
-  body_boxes.resize(at(model.body_count()) + 1);  // Behind each is room (BoxPair).
+  body_boxes.resize(at(model.body_count()) + 1);  // Behind each is room (RoundBoxPair).
 }
 
 /// Its bounded shapes; returns the radius of the edges of the box around them all.
@@ -206,7 +206,7 @@ void PairFinder::Tables::add_near(const Step& step, int begin, int end, std::vec
 
 /// Bits of those, of 1 to 8 pairs, whose boxes touch.
 unsigned PairFinder::Tables::find_touching(const NearBodies::Pair* near, int count) const {
-  std::array<BoxPair, kLaneCount> boxes;
+  std::array<RoundBoxPair, kLaneCount> boxes;
   for (int i = 0; i < kLaneCount; ++i) {
     const auto [a, b] = near[i < count ? i : 0];
     boxes[at(i)] = {&body_boxes[at(a)], &body_boxes[at(b)], near_bodies->radius(a) + near_bodies->radius(b)};

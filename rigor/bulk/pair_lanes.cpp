@@ -16,7 +16,7 @@ RIGOR_FLOAT_LANES FloatSquare gather(const AddressOf& address_of) {
   return transpose(rows);
 }
 
-RIGOR_FLOAT_LANES unsigned touching_kernel(const std::array<BoxPair, kLaneCount>& pairs) {
+RIGOR_FLOAT_LANES unsigned touching_kernel(const std::array<RoundBoxPair, kLaneCount>& pairs) {
   const FloatSquare a = gather([&](std::size_t i) { return pairs[i].a->lower; });
   const FloatSquare b = gather([&](std::size_t i) { return pairs[i].b->lower; });
   FloatLanes radius;
@@ -75,7 +75,7 @@ RIGOR_FLOAT_LANES void margins_kernel(const std::array<ShapePlacePair, kLaneCoun
 }
 
 #if defined(__x86_64__)
-[[gnu::target("avx2")]] unsigned touching_avx2(const std::array<BoxPair, kLaneCount>& pairs) {
+[[gnu::target("avx2")]] unsigned touching_avx2(const std::array<RoundBoxPair, kLaneCount>& pairs) {
   return touching_kernel(pairs);
 }
 [[gnu::target("avx2")]] void margins_avx2(const std::array<ShapePlacePair, kLaneCount>& pairs, float step,
@@ -86,7 +86,7 @@ RIGOR_FLOAT_LANES void margins_kernel(const std::array<ShapePlacePair, kLaneCoun
 
 }  // namespace
 
-unsigned find_touching_boxes(const std::array<BoxPair, kLaneCount>& pairs,
+unsigned find_touching_boxes(const std::array<RoundBoxPair, kLaneCount>& pairs,
                              [[maybe_unused]] LaneTarget target) {
 #if defined(__x86_64__)
   if (target == LaneTarget::avx2) return touching_avx2(pairs);

@@ -13,12 +13,12 @@ namespace rigor {
 
 /// Boxes with round edges: `radius` [m] is the sum of the two. Behind each box in memory is room for two more
 /// numbers, which are read and not used.
-struct BoxPair {
+struct RoundBoxPair {
   const FloatBox *a, *b;
   float radius;
 };
 /// As rounded_boxes_touch().
-unsigned find_touching_boxes(const std::array<BoxPair, kLaneCount>& pairs, LaneTarget target);
+unsigned find_touching_boxes(const std::array<RoundBoxPair, kLaneCount>& pairs, LaneTarget target);
 
 struct ShapePlacePair {
   const ShapePlace *a, *b;

@@ -138,7 +138,7 @@ TEST(EightPairs, OfBoxesTouchAsOneDoes) {
     boxes[15] = boxes[0];  // Two faces at the same place.
     for (int k = 0; k < 2; ++k)
       (k == 0 ? boxes[15].lower : boxes[15].upper)[0] = boxes[0].upper[0] + 0.8F * static_cast<float>(k);
-    std::array<BoxPair, kLaneCount> pairs;
+    std::array<RoundBoxPair, kLaneCount> pairs;
     for (std::size_t i = 0; i < 8; ++i) pairs[i] = {&boxes[i], &boxes[15 - i], radii[i] + radii[15 - i]};
     for (const LaneTarget target : targets()) {
       const unsigned found = find_touching_boxes(pairs, target);
