@@ -1,7 +1,10 @@
 #include "rigor/bulk/islands.hpp"
 
+#include "rigor/bulk/list_room.hpp"
+
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <variant>
 
 namespace rigor {
@@ -25,24 +28,52 @@ BulkIslands::BulkIslands(const Model& model) {
     if (spring && spring->body_A != world_body && spring->body_B != world_body)
       lasting_.emplace_back(spring->body_A, spring->body_B);
   }
-  build(ManifoldMemories{});
+  for (std::size_t i = 0; i < is_dynamic_.size(); ++i)
+    islands_.push_back(is_dynamic_[i] ? static_cast<int>(i) : -1);
+  std::erase_if(lasting_, [&](const Pair& pair) {
+    return !is_dynamic_[at(pair.first)] || !is_dynamic_[at(pair.second)];
+  });
+  for (const Pair& pair : lasting_) join(pair);
+  for (int& island : islands_) island = island < 0 ? -1 : root_of(island);
 }
 
 void BulkIslands::build(const std::vector<ManifoldMemory>& contacts) {
-  begin();
-  for (const ManifoldMemory& contact : contacts) join(contact.body_A, contact.body_B);
-  finish();
+  next_.clear();
+  for (const ManifoldMemory& contact : contacts) add(contact.body_A, contact.body_B);
+  update();
 }
 
-void BulkIslands::begin() {
-  islands_.resize(is_dynamic_.size());
-  for (std::size_t i = 0; i < islands_.size(); ++i) islands_[i] = static_cast<int>(i);
-  for (const auto& [a, b] : lasting_) join(a, b);
+void BulkIslands::add(int a, int b) {
+  if (!is_dynamic_[at(a)] || !is_dynamic_[at(b)]) return;
+  const Pair pair = std::minmax(a, b);
+  if (!next_.empty() && next_.back() == pair) return;
+  if (next_.size() == next_.capacity()) make_room(next_.size() + 64, next_);
+  next_.push_back(pair);
 }
 
-void BulkIslands::finish() {
-  for (std::size_t i = 0; i < islands_.size(); ++i)
-    islands_[i] = is_dynamic_[i] ? root_of(static_cast<int>(i)) : -1;
+/// From the pairs before to those now.
+void BulkIslands::update() {
+  if (!std::is_sorted(next_.begin(), next_.end())) {
+    std::sort(next_.begin(), next_.end());
+    next_.erase(std::unique(next_.begin(), next_.end()), next_.end());
+  }
+  if (next_ == pairs_) return;
+  lost_.clear();
+  std::set_difference(pairs_.begin(), pairs_.end(), next_.begin(), next_.end(), std::back_inserter(lost_));
+  if (!lost_.empty()) dissolve_those_that_lost();
+  for (const Pair& pair : next_) join(pair);
+  for (int& island : islands_) island = island < 0 ? -1 : root_of(island);
+  pairs_.swap(next_);
+}
+
+/// Their bodies are alone then, but for what lasts.
+void BulkIslands::dissolve_those_that_lost() {
+  has_lost_.assign(islands_.size(), 0);
+  for (const Pair& pair : lost_) has_lost_[at(island_of(pair.first))] = 1;
+  for (std::size_t i = 0; i < islands_.size(); ++i) {
+    if (islands_[i] >= 0 && has_lost_[at(islands_[i])] != 0) islands_[i] = static_cast<int>(i);
+  }
+  for (const Pair& pair : lasting_) join(pair);
 }
 
 int BulkIslands::root_of(int body) {
@@ -55,10 +86,8 @@ int BulkIslands::root_of(int body) {
 
 /// Union by the lower number, paths halved: Tarjan and van Leeuwen, Worst-Case Analysis of Set Union
 /// Algorithms, J. ACM 31(2), 1984.
-void BulkIslands::join(int a, int b) {
-  if (!is_dynamic_[at(a)] || !is_dynamic_[at(b)]) return;
-  a = root_of(a);
-  b = root_of(b);
+void BulkIslands::join(const Pair& pair) {
+  const int a = root_of(pair.first), b = root_of(pair.second);
   islands_[at(std::max(a, b))] = std::min(a, b);
 }
 

@@ -5,9 +5,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <memory>
+#include <random>
+#include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace rigor::sleep_test {
 namespace {
@@ -65,6 +70,51 @@ TEST(BulkIslands, AreWhatContactsAndSpringsHoldTogether) {
   for (int i = 0; i < 8; ++i) EXPECT_EQ(islands.island_of(i), expected[static_cast<std::size_t>(i)]) << i;
   islands.build(row(2, 7));
   for (int i = 2; i < 8; ++i) EXPECT_EQ(islands.island_of(i), 2) << i;
+}
+
+/// The lowest body that can be reached from each over dynamic bodies, with a spring between 2 and 3.
+std::vector<int> reached(const std::vector<ManifoldMemory>& contacts, int count) {
+  std::vector<int> lowest(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) lowest[static_cast<std::size_t>(i)] = i < 2 ? -1 : i;
+  std::vector<std::pair<int, int>> pairs = {{2, 3}};
+  for (const ManifoldMemory& contact : contacts) pairs.emplace_back(contact.body_A, contact.body_B);
+  for (int round = 0; round < count; ++round) {
+    for (const auto& [a, b] : pairs) {
+      int &of_a = lowest[static_cast<std::size_t>(a)], &of_b = lowest[static_cast<std::size_t>(b)];
+      if (of_a >= 0 && of_b >= 0) of_a = of_b = std::min(of_a, of_b);
+    }
+  }
+  return lowest;
+}
+
+TEST(BulkIslands, FollowContactsThatComeAndGo) {
+  constexpr int count = 32;
+  const std::shared_ptr<const Model> model = balls(count - 2);
+  BulkIslands islands(*model);
+  std::mt19937 engine(3);
+  std::uniform_int_distribution<int> body(0, count - 1), change(0, 3);
+  std::set<std::pair<int, int>> touching;
+  int largest = 0;
+  for (int round = 0; round < 500; ++round) {
+    // None, some come, some go, or both.
+    const int kind = change(engine);
+    for (int k = 0; k < (kind == 1 || kind == 3 ? 5 : 0); ++k) {
+      const int a = body(engine), b = body(engine);
+      if (a != b) touching.insert(std::minmax(a, b));
+    }
+    for (int k = 0; k < (kind >= 2 ? 5 : 0) && !touching.empty(); ++k)
+      touching.erase(std::next(touching.begin(), body(engine) % static_cast<int>(touching.size())));
+    std::vector<ManifoldMemory> contacts;
+    for (const auto& [a, b] : touching) contacts.push_back(contact(a, b));
+    if (round % 5 == 0) std::reverse(contacts.begin(), contacts.end());
+    islands.build(contacts);
+    const std::vector<int> expected = reached(contacts, count);
+    for (int i = 0; i < count; ++i)
+      EXPECT_EQ(islands.island_of(i), expected[static_cast<std::size_t>(i)]) << round;
+    for (int i = 0; i < count; ++i)
+      largest = std::max(largest, static_cast<int>(std::count(expected.begin(), expected.end(), i)));
+  }
+  EXPECT_GT(largest, 5);
 }
 
 /// Bodies, what they touch and how long they have been quiet.
