@@ -43,7 +43,7 @@ RIGOR_FLOAT_LANES LanePlaces load_places(const std::array<const ShapePlace*, kLa
   static_assert(offsetof(ShapeBound, reach) == 6 * sizeof(float) &&
                 offsetof(ShapeBound, radius) == 7 * sizeof(float));
   const FloatSquare head = gather([&](std::size_t i) { return places[i]->center; });
-  const FloatSquare tail = gather([&](std::size_t i) { return places[i]->center + 4; });
+  const FloatSquare tail = gather([&](std::size_t i) { return places[i]->u + 1; });
   const FloatSquare bound = gather([&](std::size_t i) { return places[i]->bound->center_B; });
   return {{head.row[0], head.row[1], head.row[2]},
           {head.row[3], head.row[4], head.row[5]},
