@@ -1,7 +1,8 @@
 #include "apps/audit_text.hpp"
 
 #include "apps/terminal.hpp"
-#include "rigor/sim/method_use.hpp"
+#include "rigor/core/index.hpp"
+#include "rigor/sim/method/method_use.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -44,7 +45,7 @@ void add_motion(const Audit& audit, std::string& text) {
   add_line(text, "momentum", "error {:.3g} kg m/s linear, {:.3g} kg m²/s angular",
            audit.linear_momentum_error, audit.angular_momentum_error);
   if (report.penetration_A >= 0 && report.penetration_B >= 0) {
-    const auto name = [&](int body) { return audit.bodies[static_cast<std::size_t>(body)].name; };
+    const auto name = [&](int body) { return audit.bodies[at(body)].name; };
     add_line(text, "penetration", "{:.3g} m at most, of {} and {} at {:.6g} s", report.max_penetration,
              name(report.penetration_A), name(report.penetration_B), report.penetration_time);
   } else {
@@ -53,9 +54,9 @@ void add_motion(const Audit& audit, std::string& text) {
   if (!audit.joints.empty()) {
     add_line(text, "joints", "off by {:.3g} at most{}; steps moved them by {:.3g} before they were put back",
              report.max_joint_drift,
-             static_cast<std::size_t>(report.drift_joint) >= audit.joints.size()
+             at(report.drift_joint) >= audit.joints.size()
                  ? std::string()
-                 : " at " + audit.joints[static_cast<std::size_t>(report.drift_joint)].name,
+                 : " at " + audit.joints[at(report.drift_joint)].name,
              report.max_joint_projection);
   }
   if (uses_choice(audit.method, "sleeping") && audit.method.sleeping)

@@ -2,8 +2,8 @@
 #include "apps/overlap_text.hpp"
 #include "apps/terminal.hpp"
 #include "rigor/core/input_error.hpp"
-#include "rigor/io/scene_reader.hpp"
-#include "rigor/sim/scheme_choice.hpp"
+#include "rigor/io/scene/scene_reader.hpp"
+#include "rigor/sim/method/scheme_choice.hpp"
 #include "rigor/sim/simulation.hpp"
 
 #include <fmt/format.h>

@@ -5,10 +5,10 @@
 #include "rigor/core/quoted.hpp"
 #include "rigor/core/range.hpp"
 #include "rigor/core/suggestion.hpp"
-#include "rigor/io/trajectory_writer.hpp"
-#include "rigor/io/version.hpp"
-#include "rigor/view/page_writer.hpp"
-#include "rigor/view/picture_writer.hpp"
+#include "rigor/io/files/version.hpp"
+#include "rigor/io/trajectory/trajectory_writer.hpp"
+#include "rigor/view/3d/picture_writer.hpp"
+#include "rigor/view/page/page_writer.hpp"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>

@@ -5,8 +5,8 @@
 #include "apps/compare_table.hpp"
 #include "apps/stop_advice.hpp"
 #include "apps/terminal.hpp"
-#include "rigor/io/file_error.hpp"
-#include "rigor/io/output_file.hpp"
+#include "rigor/io/files/file_error.hpp"
+#include "rigor/io/files/output_file.hpp"
 
 #include <fmt/format.h>
 

@@ -4,14 +4,14 @@
 #include "apps/text_table.hpp"
 #include "apps/work_precision.hpp"
 #include "rigor/core/quoted.hpp"
-#include "rigor/io/audit_json.hpp"
-#include "rigor/io/csv_writer.hpp"
-#include "rigor/io/json_text.hpp"
-#include "rigor/io/output_file.hpp"
-#include "rigor/io/version.hpp"
-#include "rigor/view/page_writer.hpp"
-#include "rigor/view/plot.hpp"
-#include "rigor/view/png_file.hpp"
+#include "rigor/io/files/json_text.hpp"
+#include "rigor/io/files/output_file.hpp"
+#include "rigor/io/files/version.hpp"
+#include "rigor/io/trajectory/audit_json.hpp"
+#include "rigor/io/trajectory/csv_writer.hpp"
+#include "rigor/view/3d/png_file.hpp"
+#include "rigor/view/page/page_writer.hpp"
+#include "rigor/view/plot/plot.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,7 @@
 #include "apps/compare_plan.hpp"
 
 #include "apps/usage_error.hpp"
+#include "rigor/core/index.hpp"
 #include "rigor/core/input_error.hpp"
 #include "rigor/core/quoted.hpp"
 
@@ -157,7 +158,7 @@ void plan_references(const CompareOptions& options, const std::vector<Variation>
     const std::vector<std::string> group = varied_overrides(
         variations, run.values, [](const std::string& key) { return !is_numerical_key(key); });
     const auto known = std::find(groups.begin(), groups.end(), group);
-    run.reference = static_cast<std::size_t>(known - groups.begin());
+    run.reference = at(known - groups.begin());
     if (known != groups.end()) continue;
     groups.push_back(group);
     plan.references.push_back(plan_reference(options, group));

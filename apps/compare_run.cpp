@@ -1,8 +1,9 @@
 #include "apps/compare_run.hpp"
 
+#include "rigor/core/index.hpp"
 #include "rigor/core/input_error.hpp"
-#include "rigor/sim/fixed_steps.hpp"
-#include "rigor/view/page_run.hpp"
+#include "rigor/sim/fixed_steps/fixed_steps.hpp"
+#include "rigor/view/page/page_run.hpp"
 
 #include <fmt/format.h>
 
@@ -96,7 +97,7 @@ std::string_view run_end_name(RunEnd end) {
 std::size_t base_run(const Comparison& comparison) {
   const auto base = std::find_if(comparison.runs.begin(), comparison.runs.end(),
                                  [](const ComparedRun& run) { return run.end != RunEnd::refused; });
-  return static_cast<std::size_t>(base - comparison.runs.begin());
+  return at(base - comparison.runs.begin());
 }
 
 CompareRunner::CompareRunner(const CompareWishes& wishes, const ComparePlan& plan,

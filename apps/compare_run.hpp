@@ -5,7 +5,7 @@
 #include "apps/motion_error.hpp"
 #include "apps/progress.hpp"
 #include "rigor/sim/simulation.hpp"
-#include "rigor/view/page_block.hpp"
+#include "rigor/view/page/page_block.hpp"
 
 #include <functional>
 #include <memory>

@@ -3,13 +3,14 @@
 #include "apps/progress.hpp"
 #include "apps/terminal.hpp"
 #include "rigor/core/input_error.hpp"
-#include "rigor/geometry/convex_decomposition.hpp"
-#include "rigor/geometry/mesh_check.hpp"
-#include "rigor/geometry/triangle_tree.hpp"
-#include "rigor/io/json_text.hpp"
-#include "rigor/io/mesh_files.hpp"
-#include "rigor/io/output_file.hpp"
-#include "rigor/io/solid_writer.hpp"
+#include "rigor/geometry/decomposition/convex_decomposition.hpp"
+#include "rigor/geometry/decomposition/make_mesh.hpp"
+#include "rigor/geometry/mesh/mesh_check.hpp"
+#include "rigor/geometry/mesh/triangle_tree.hpp"
+#include "rigor/io/files/json_text.hpp"
+#include "rigor/io/files/output_file.hpp"
+#include "rigor/io/mesh/mesh_files.hpp"
+#include "rigor/io/scene/solid_writer.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -2,16 +2,17 @@
 #include "apps/scene_question.hpp"
 #include "apps/terminal.hpp"
 #include "apps/usage_error.hpp"
+#include "rigor/core/index.hpp"
 #include "rigor/core/input_error.hpp"
 #include "rigor/core/quoted.hpp"
-#include "rigor/geometry/contact_set.hpp"
-#include "rigor/geometry/contact_shape.hpp"
-#include "rigor/geometry/distance.hpp"
-#include "rigor/geometry/distance_cache.hpp"
-#include "rigor/geometry/mesh_penetration.hpp"
-#include "rigor/geometry/triangle_tree.hpp"
-#include "rigor/io/json_text.hpp"
-#include "rigor/io/scene_reader.hpp"
+#include "rigor/geometry/contacts/contact_set.hpp"
+#include "rigor/geometry/contacts/contact_shape.hpp"
+#include "rigor/geometry/distance/distance.hpp"
+#include "rigor/geometry/distance/distance_cache.hpp"
+#include "rigor/geometry/mesh/triangle_tree.hpp"
+#include "rigor/geometry/mesh_penetration/mesh_penetration.hpp"
+#include "rigor/io/files/json_text.hpp"
+#include "rigor/io/scene/scene_reader.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/model/state.hpp"
 
@@ -92,7 +93,7 @@ BodyDistance body_distance(const Scene& scene, int body_A, int body_B, double to
 
 std::string name_of(const Feature& feature) {
   static constexpr std::array names = {"vertex", "edge", "face", "side"};
-  const std::string name = fmt::format("{} {}", names[static_cast<std::size_t>(feature.kind)], feature.index);
+  const std::string name = fmt::format("{} {}", names[at(feature.kind)], feature.index);
   return feature.part == 0 ? name : fmt::format("{}.{}", name, feature.part);
 }
 

@@ -2,12 +2,12 @@
 
 #include "apps/terminal.hpp"
 #include "apps/usage_error.hpp"
-#include "rigor/contact/collision_matrix.hpp"
+#include "rigor/contact/system/collision_matrix.hpp"
 #include "rigor/core/input_error.hpp"
 #include "rigor/core/quoted.hpp"
 #include "rigor/core/range.hpp"
 #include "rigor/core/suggestion.hpp"
-#include "rigor/io/scene_reader.hpp"
+#include "rigor/io/scene/scene_reader.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/model/state.hpp"
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "apps/options.hpp"
-#include "rigor/contact/collision.hpp"
-#include "rigor/contact/contact_system.hpp"
+#include "rigor/contact/impact/collision.hpp"
+#include "rigor/contact/system/contact_system.hpp"
 
 #include <array>
 #include <optional>

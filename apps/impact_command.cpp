@@ -4,9 +4,9 @@
 #include "apps/terminal.hpp"
 #include "apps/usage_error.hpp"
 #include "rigor/core/quoted.hpp"
-#include "rigor/io/json_text.hpp"
-#include "rigor/io/output_file.hpp"
-#include "rigor/view/png_file.hpp"
+#include "rigor/io/files/json_text.hpp"
+#include "rigor/io/files/output_file.hpp"
+#include "rigor/view/3d/png_file.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
 #include "apps/impact_figure.hpp"
 
-#include "rigor/view/curve_plot.hpp"
+#include "rigor/view/plot/curve_plot.hpp"
 
 #include <fmt/format.h>
 

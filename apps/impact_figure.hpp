@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/impact_report.hpp"
-#include "rigor/view/drawing.hpp"
+#include "rigor/view/plot/drawing.hpp"
 
 namespace rigor {
 

@@ -87,7 +87,7 @@ LawResult by_restitution(const NamedLaw& named, const Collision& collision) {
           outcome.energy_change,
           outcome.phases.empty() ? std::nullopt : std::optional(outcome.compression),
           outcome.phases,
-          course_of(path, outcome),
+          impact_path_of(path, outcome),
           {}};
 }
 
@@ -105,7 +105,7 @@ LawResult by_compliance(const Collision& collision, double ratio) {
           outcome.energy_change,
           outcome.changes.empty() ? std::nullopt : std::optional(outcome.compression),
           phase_letters(outcome),
-          course_of(path, outcome),
+          impact_path_of(path, outcome),
           {}};
 }
 

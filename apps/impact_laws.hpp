@@ -1,8 +1,8 @@
 #pragma once
 
 #include "apps/given_impact.hpp"
-#include "rigor/contact/algebraic_impact.hpp"
-#include "rigor/contact/course.hpp"
+#include "rigor/contact/impact/algebraic_impact.hpp"
+#include "rigor/contact/impact/impact_path.hpp"
 
 #include <optional>
 #include <string>
@@ -18,7 +18,7 @@ struct LawResult {
   /// For laws that follow the impact; the others have no course, only a beginning and an end.
   std::optional<CollisionPoint> compression;
   std::string phases;
-  std::vector<CoursePoint> course;
+  std::vector<ImpactPathPoint> course;
   /// Of the algebraic law.
   std::optional<AlgebraicOutcome> algebraic;
 };

@@ -247,7 +247,7 @@ std::string impact_table(const ImpactReport& report) {
                    std::isfinite(at.work) ? fmt::format("{:.17g}", at.work) : "", states);
   };
   for (const LawResult& result : report.results) {
-    for (const CoursePoint& point : result.course) {
+    for (const ImpactPathPoint& point : result.course) {
       add_row(result.law, point.at,
               fmt::format("{},{}", point.is_compressing ? "compression" : "restitution",
                           point.is_sliding ? "slides" : "sticks"));

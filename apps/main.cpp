@@ -3,7 +3,7 @@
 #include "apps/terminal.hpp"
 #include "apps/usage_error.hpp"
 #include "rigor/core/input_error.hpp"
-#include "rigor/io/file_error.hpp"
+#include "rigor/io/files/file_error.hpp"
 
 #include <csignal>
 #include <cstdio>

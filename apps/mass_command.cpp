@@ -1,7 +1,7 @@
 #include "apps/commands.hpp"
 #include "apps/solid.hpp"
 #include "apps/terminal.hpp"
-#include "rigor/io/json_text.hpp"
+#include "rigor/io/files/json_text.hpp"
 #include "rigor/math/principal_axes.hpp"
 
 #include <fmt/format.h>

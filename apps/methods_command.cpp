@@ -1,6 +1,6 @@
 #include "apps/commands.hpp"
 #include "apps/terminal.hpp"
-#include "rigor/sim/method.hpp"
+#include "rigor/sim/method/method.hpp"
 
 #include <fmt/format.h>
 

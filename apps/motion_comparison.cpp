@@ -1,5 +1,7 @@
 #include "apps/motion_comparison.hpp"
 
+#include "rigor/core/index.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -81,8 +83,8 @@ MotionDifference MotionComparison::difference_at(std::size_t frame) {
   const StoredTrajectory& reference = reference_->recording().motion;
   MotionDifference difference{.time = reference.time[frame]};
   for (const auto& [body, twin] : reference_body_) {
-    const std::size_t own = static_cast<std::size_t>(body);
-    const std::size_t other = frame * reference.bodies.size() + static_cast<std::size_t>(twin);
+    const std::size_t own = at(body);
+    const std::size_t other = frame * reference.bodies.size() + at(twin);
     const std::string& name = model_->body(body).name;
     const auto distance = [&](const std::vector<double>& mine, const std::vector<double>& theirs) {
       return (vector_at(mine, own) - vector_at(theirs, other)).norm();

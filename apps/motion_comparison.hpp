@@ -1,7 +1,7 @@
 #pragma once
 
-#include "rigor/io/trajectory_writer.hpp"
-#include "rigor/view/recording.hpp"
+#include "rigor/io/trajectory/trajectory_writer.hpp"
+#include "rigor/view/recording/recording.hpp"
 
 #include <cstddef>
 #include <map>

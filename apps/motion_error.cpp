@@ -1,5 +1,7 @@
 #include "apps/motion_error.hpp"
 
+#include "rigor/core/index.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -87,8 +89,8 @@ void ErrorOverTime::observe(const State& state, const Energy& energy) {
   if (state.t > horizon_ && !is_same_output_time(state.t, horizon_)) return;
   const TrajectorySample sample = make_sample(*model_, state, energy);
   for (const auto& [own, twin] : reference_body_) {
-    const std::size_t i = static_cast<std::size_t>(own);
-    const std::size_t k = next_ * motion.bodies.size() + static_cast<std::size_t>(twin);
+    const std::size_t i = at(own);
+    const std::size_t k = next_ * motion.bodies.size() + at(twin);
     const Body& body = model_->body(own);
     const BodyPlace here = place_of(body, &sample.position[3 * i], &sample.orientation[4 * i]);
     const BodyPlace there =
@@ -111,7 +113,7 @@ void ErrorAtPlaces::observe(const State& state, const Energy& energy) {
   for (const ExpectedPlace& place : places_) {
     const std::optional<int> body = model_->find_body(place.body);
     if (!is_now(place) || !body) continue;
-    const std::size_t i = static_cast<std::size_t>(*body);
+    const std::size_t i = at(*body);
     if (place.position)
       note_position((Vec3::Map(&sample.position[3 * i]) - *place.position).norm(), place.body, state.t);
     const double* const q = &sample.orientation[4 * i];

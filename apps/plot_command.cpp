@@ -3,9 +3,9 @@
 #include "apps/usage_error.hpp"
 #include "rigor/core/quoted.hpp"
 #include "rigor/core/suggestion.hpp"
-#include "rigor/io/output_file.hpp"
-#include "rigor/view/plot.hpp"
-#include "rigor/view/png_file.hpp"
+#include "rigor/io/files/output_file.hpp"
+#include "rigor/view/3d/png_file.hpp"
+#include "rigor/view/plot/plot.hpp"
 
 #include <fmt/format.h>
 

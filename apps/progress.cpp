@@ -1,6 +1,7 @@
 #include "apps/progress.hpp"
 
 #include "apps/terminal.hpp"
+#include "rigor/core/index.hpp"
 
 #include <fmt/format.h>
 
@@ -40,7 +41,7 @@ std::string progress_text(const Progress& progress, int width) {
   std::string text = times;
   if (bar > 0) text += fmt::format("[{:#<{}}{:.<{}}] ", "", filled, "", bar - filled);
   text += rest;
-  if (static_cast<int>(text.size()) > width) text.resize(static_cast<std::size_t>(std::max(0, width)));
+  if (static_cast<int>(text.size()) > width) text.resize(at(std::max(0, width)));
   return text;
 }
 
@@ -51,7 +52,7 @@ std::string progress_text(const CuttingProgress& progress, int width) {
   std::string text = fmt::format("{} [{:#<{}}{:.<{}}] {} pieces", progress.label, "", filled, "",
                                  widest_bar - filled, progress.pieces);
   if (std::isfinite(progress.excess)) text += fmt::format(", the worst stands out {:.3g} m", progress.excess);
-  if (static_cast<int>(text.size()) > width) text.resize(static_cast<std::size_t>(std::max(0, width)));
+  if (static_cast<int>(text.size()) > width) text.resize(at(std::max(0, width)));
   return text;
 }
 

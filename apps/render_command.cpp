@@ -6,11 +6,11 @@
 #include "apps/usage_error.hpp"
 #include "rigor/core/input_error.hpp"
 #include "rigor/core/quoted.hpp"
-#include "rigor/io/output_file.hpp"
+#include "rigor/io/files/output_file.hpp"
 #include "rigor/sim/simulation.hpp"
-#include "rigor/view/movie_file.hpp"
-#include "rigor/view/picture_writer.hpp"
-#include "rigor/view/png_file.hpp"
+#include "rigor/view/3d/movie_file.hpp"
+#include "rigor/view/3d/picture_writer.hpp"
+#include "rigor/view/3d/png_file.hpp"
 
 #include <fmt/format.h>
 

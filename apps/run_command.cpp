@@ -5,8 +5,8 @@
 #include "apps/stop_advice.hpp"
 #include "apps/terminal.hpp"
 #include "apps/usage_error.hpp"
-#include "rigor/io/audit_json.hpp"
-#include "rigor/io/fingerprint.hpp"
+#include "rigor/io/trajectory/audit_json.hpp"
+#include "rigor/io/trajectory/fingerprint.hpp"
 
 #include <fmt/format.h>
 
@@ -47,7 +47,7 @@ void print_audit(const RunOptions& options, const Audit& audit) {
 }
 
 /// Plots in the terminal, for a user who sits before one.
-void print_course(const RunOptions& options, const RunCourse& course) {
+void print_sparkline(const RunOptions& options, const RunSparkline& course) {
   if (options.is_quiet || !is_terminal(stderr)) return;
   std::fflush(stdout);
   fmt::print(stderr, "{}", course.text(terminal_width(stderr), !speaks_utf8()));
@@ -89,7 +89,7 @@ ExitCode execute(const RunOptions& options) {
                                           [&recorder] { return recorder.was_interrupted(); });
   const Audit audit = recorder.finish(result, start.warnings);
   print_audit(options, audit);
-  print_course(options, recorder.course());
+  print_sparkline(options, recorder.course());
   return report_end(result, recorder, audit);
 }
 

@@ -1,10 +1,10 @@
 #include "apps/run_recorder.hpp"
 
-#include "rigor/io/audit_json.hpp"
-#include "rigor/io/file_error.hpp"
-#include "rigor/io/fingerprint.hpp"
-#include "rigor/io/text_file.hpp"
-#include "rigor/view/picture_writer.hpp"
+#include "rigor/io/files/file_error.hpp"
+#include "rigor/io/files/text_file.hpp"
+#include "rigor/io/trajectory/audit_json.hpp"
+#include "rigor/io/trajectory/fingerprint.hpp"
+#include "rigor/view/3d/picture_writer.hpp"
 
 #include <fmt/format.h>
 

@@ -3,13 +3,13 @@
 #include "apps/interrupt.hpp"
 #include "apps/options.hpp"
 #include "apps/progress.hpp"
-#include "apps/run_course.hpp"
-#include "rigor/io/checkpoint.hpp"
-#include "rigor/io/output_file.hpp"
-#include "rigor/io/scene_reader.hpp"
-#include "rigor/io/trajectory_writer.hpp"
+#include "apps/run_sparkline.hpp"
+#include "rigor/io/files/output_file.hpp"
+#include "rigor/io/scene/scene_reader.hpp"
+#include "rigor/io/trajectory/checkpoint.hpp"
+#include "rigor/io/trajectory/trajectory_writer.hpp"
 #include "rigor/sim/simulation.hpp"
-#include "rigor/view/page_writer.hpp"
+#include "rigor/view/page/page_writer.hpp"
 
 #include <chrono>
 #include <memory>
@@ -33,7 +33,7 @@ class RunRecorder {
   Audit finish(const RunResult& result, const std::vector<std::string>& warnings);
 
   /// How energy and penetration went.
-  const RunCourse& course() const { return course_; }
+  const RunSparkline& course() const { return course_; }
   bool was_interrupted() const { return interrupt_.is_requested(); }
   /// What went wrong with a file, or empty.
   const std::string& file_error() const { return file_error_; }
@@ -52,7 +52,7 @@ class RunRecorder {
   InterruptWatch interrupt_;
   ProgressLine progress_line_;
   Progress progress_;
-  RunCourse course_;
+  RunSparkline course_;
   std::vector<std::unique_ptr<TrajectoryWriter>> writers_;
   bool has_trajectory_ = false;  ///< Whether a writer wants the joints; pictures do without.
   std::vector<PageWriter> pages_;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/options.hpp"
-#include "rigor/io/scene_reader.hpp"
+#include "rigor/io/scene/scene_reader.hpp"
 
 #include <nlohmann/json.hpp>
 

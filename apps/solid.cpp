@@ -1,11 +1,12 @@
 #include "apps/solid.hpp"
 
+#include "rigor/core/index.hpp"
 #include "rigor/core/input_error.hpp"
-#include "rigor/geometry/aabb.hpp"
-#include "rigor/geometry/containment.hpp"
-#include "rigor/geometry/mesh_check.hpp"
-#include "rigor/io/mesh_files.hpp"
-#include "rigor/io/scene_reader.hpp"
+#include "rigor/geometry/mesh/mesh_check.hpp"
+#include "rigor/geometry/shape/aabb.hpp"
+#include "rigor/geometry/shape/containment.hpp"
+#include "rigor/io/mesh/mesh_files.hpp"
+#include "rigor/io/scene/scene_reader.hpp"
 
 #include <fmt/format.h>
 
@@ -66,7 +67,7 @@ std::vector<Part> parts_of(const Body& body, const Model& model, const MassOptio
   std::vector<Part> parts;
   const Pose X_LB = body.X_BL.inverse();
   for (const BodyShape& shape : body.shapes) {
-    const double material = model.materials()[static_cast<std::size_t>(shape.material)].density;
+    const double material = model.materials()[at(shape.material)].density;
     parts.push_back({&shape.shape, X_LB * shape.X_BS, options.density.value_or(material)});
   }
   return parts;

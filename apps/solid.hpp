@@ -1,8 +1,8 @@
 #pragma once
 
 #include "apps/options.hpp"
-#include "rigor/geometry/mass_properties.hpp"
-#include "rigor/geometry/point_sampling.hpp"
+#include "rigor/geometry/mass/mass_properties.hpp"
+#include "rigor/geometry/mass/point_sampling.hpp"
 
 #include <optional>
 #include <string>

@@ -1,5 +1,7 @@
 #include "apps/stop_advice.hpp"
 
+#include "rigor/core/index.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -52,7 +54,7 @@ std::string stop_text(const Audit& audit, double time) {
                                  stop_reason_name(report.reason), report.detail);
   for (std::size_t i = 0; i < std::min(count, most_names); ++i) {
     text += i == 0 ? "\n  bodies: " : ", ";
-    text += audit.bodies[static_cast<std::size_t>(report.bodies[i])].name;
+    text += audit.bodies[at(report.bodies[i])].name;
   }
   if (count > most_names) text += fmt::format(" and {} more", count - most_names);
   text += fmt::format("\n  what to try: {}", stop_advice(report.reason));

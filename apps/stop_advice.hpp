@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rigor/sim/audit.hpp"
+#include "rigor/sim/audit/audit.hpp"
 
 #include <string>
 #include <string_view>

@@ -1,6 +1,6 @@
 #include "apps/terminal.hpp"
 
-#include "rigor/io/output_file.hpp"
+#include "rigor/io/files/output_file.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,7 @@
 #include "apps/text_table.hpp"
 
+#include "rigor/core/index.hpp"
+
 #include <algorithm>
 
 namespace rigor {
@@ -96,7 +98,7 @@ std::string block_text(const Block& block, std::FILE* stream) {
 }  // namespace
 
 std::string wrapped_text(std::string_view text, std::size_t indent, int width) {
-  const std::size_t most = static_cast<std::size_t>(std::max(width, 1));
+  const std::size_t most = at(std::max(width, 1));
   std::string lines, line(indent, ' ');
   bool is_empty = true;
   while (!text.empty()) {
@@ -116,7 +118,7 @@ std::string wrapped_text(std::string_view text, std::size_t indent, int width) {
 }
 
 std::size_t text_length(std::string_view text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), begins_character));
+  return at(std::count_if(text.begin(), text.end(), begins_character));
 }
 
 std::string shortened(std::string_view text, std::size_t most) {
@@ -131,7 +133,7 @@ std::string shortened(std::string_view text, std::size_t most) {
 std::string table_text(const std::vector<TableColumn>& columns, std::size_t key_count, int width,
                        std::FILE* stream) {
   std::string text;
-  for (const Block& block : blocks_of(columns, key_count, static_cast<std::size_t>(std::max(width, 1)))) {
+  for (const Block& block : blocks_of(columns, key_count, at(std::max(width, 1)))) {
     if (!text.empty()) text += "\n";
     text += block_text(block, stream);
   }

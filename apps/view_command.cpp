@@ -2,8 +2,8 @@
 #include "apps/interrupt.hpp"
 #include "apps/terminal.hpp"
 #include "apps/usage_error.hpp"
-#include "rigor/view/live_replay.hpp"
-#include "rigor/view/live_server.hpp"
+#include "rigor/view/live/live_replay.hpp"
+#include "rigor/view/live/live_server.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,7 @@
 #include "apps/work_precision.hpp"
 
+#include "rigor/core/index.hpp"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -92,7 +94,7 @@ std::vector<PrecisionCurve> precision_curves(const Comparison& comparison) {
     const ComparedRun& run = comparison.runs[i];
     const std::vector<std::string> others = other_values(comparison, run);
     const auto found = std::find(known.begin(), known.end(), others);
-    const std::size_t curve = static_cast<std::size_t>(found - known.begin());
+    const std::size_t curve = at(found - known.begin());
     if (found == known.end()) {
       known.push_back(others);
       curves.push_back({label_of(comparison, run), {}});

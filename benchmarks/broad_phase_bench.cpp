@@ -1,7 +1,7 @@
 // Broad phase: time a step to keep the pairs of boxes that all move, by their number.
 
 #include "broad_phase_cases.hpp"
-#include "rigor/geometry/pair_set.hpp"
+#include "rigor/geometry/broad_phase/pair_set.hpp"
 
 #include <fmt/format.h>
 

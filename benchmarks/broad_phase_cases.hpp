@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rigor/geometry/aabb.hpp"
+#include "rigor/geometry/shape/aabb.hpp"
 
 #include <cmath>
 #include <ctime>

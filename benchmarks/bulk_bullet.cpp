@@ -3,7 +3,7 @@
 
 #include "bulk_engines.hpp"
 
-#include "rigor/geometry/convex_hull.hpp"
+#include "rigor/geometry/shape/convex_hull.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <btBulletDynamicsCommon.h>

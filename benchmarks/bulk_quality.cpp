@@ -2,8 +2,8 @@
 
 #include "bulk_quality.hpp"
 
-#include "rigor/geometry/box_pairs.hpp"
-#include "rigor/geometry/distance.hpp"
+#include "rigor/geometry/broad_phase/box_pairs.hpp"
+#include "rigor/geometry/distance/distance.hpp"
 
 #include <algorithm>
 #include <cmath>

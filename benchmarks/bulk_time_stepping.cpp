@@ -2,7 +2,7 @@
 
 #include "bulk_engines.hpp"
 
-#include "rigor/sim/stepper.hpp"
+#include "rigor/sim/make_stepper.hpp"
 
 namespace rigor::bench {
 

@@ -1,7 +1,7 @@
 // The falling chain of scenes/chain.yaml: CPU time a step by the number of links.
 
-#include "rigor/io/scene_reader.hpp"
-#include "rigor/sim/event_driven_stepper.hpp"
+#include "rigor/io/scene/scene_reader.hpp"
+#include "rigor/sim/event_driven/event_driven_stepper.hpp"
 
 #include <fmt/format.h>
 

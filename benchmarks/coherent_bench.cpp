@@ -3,8 +3,9 @@
 
 #include "coherent_peers.hpp"
 
-#include "rigor/geometry/convex_hull.hpp"
-#include "rigor/geometry/distance_cache.hpp"
+#include "rigor/geometry/distance/distance.hpp"
+#include "rigor/geometry/distance/distance_cache.hpp"
+#include "rigor/geometry/shape/convex_hull.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <fmt/format.h>

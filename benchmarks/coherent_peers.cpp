@@ -1,6 +1,6 @@
 #include "coherent_peers.hpp"
 
-#include "rigor/geometry/convex_hull.hpp"
+#include "rigor/geometry/shape/convex_hull.hpp"
 
 #include <memory>
 

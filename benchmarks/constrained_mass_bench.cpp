@@ -1,6 +1,6 @@
 // Chains of bodies: time a body of factor() and solve() by their length, and of forces on single bodies.
 
-#include "rigor/solver/constrained_mass.hpp"
+#include "rigor/solver/linear/constrained_mass.hpp"
 
 #include <fmt/format.h>
 

@@ -6,6 +6,7 @@
 // --quick takes every tenth query and three passes; --rigor leaves the peers out.
 
 #include "convex_bench.hpp"
+#include "rigor/geometry/distance/distance.hpp"
 
 #include <fmt/format.h>
 

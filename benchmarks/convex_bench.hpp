@@ -1,7 +1,7 @@
 #pragma once
 
-#include "rigor/geometry/distance.hpp"
-#include "rigor/geometry/shape.hpp"
+#include "rigor/geometry/distance/distance.hpp"
+#include "rigor/geometry/shape/shape.hpp"
 #include "rigor/math/pose.hpp"
 
 #include <array>

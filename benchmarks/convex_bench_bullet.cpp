@@ -2,7 +2,7 @@
 // routines for some pairs, such as two boxes, that are not called here.
 
 #include "convex_bench.hpp"
-#include "rigor/geometry/support.hpp"
+#include "rigor/geometry/shape/support.hpp"
 
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>

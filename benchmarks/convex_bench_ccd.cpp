@@ -1,7 +1,7 @@
 // libccd's own MPR and EPA as peers of rigor_convex_bench: overlapping pairs only.
 
 #include "convex_bench.hpp"
-#include "rigor/geometry/support.hpp"
+#include "rigor/geometry/shape/support.hpp"
 
 #include <ccd/ccd.h>
 

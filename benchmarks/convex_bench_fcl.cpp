@@ -1,7 +1,7 @@
 // FCL 0.7 with its libccd solver as a peer of rigor_convex_bench.
 
 #include "convex_bench.hpp"
-#include "rigor/geometry/convex_hull.hpp"
+#include "rigor/geometry/shape/convex_hull.hpp"
 
 #include <fcl/narrowphase/distance.h>
 

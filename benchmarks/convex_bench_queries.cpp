@@ -1,7 +1,8 @@
 // Shapes and queries of rigor_convex_bench: seeded, the same on every machine.
 
 #include "convex_bench.hpp"
-#include "rigor/geometry/convex_hull.hpp"
+#include "rigor/geometry/distance/distance.hpp"
+#include "rigor/geometry/shape/convex_hull.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <cmath>

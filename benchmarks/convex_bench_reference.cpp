@@ -1,7 +1,7 @@
 // The truth that rigor_convex_bench measures errors against, in long double and without the library's code.
 
 #include "convex_bench.hpp"
-#include "rigor/geometry/convex_hull.hpp"
+#include "rigor/geometry/shape/convex_hull.hpp"
 
 #include <algorithm>
 #include <cmath>

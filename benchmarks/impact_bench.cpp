@@ -1,6 +1,6 @@
 // One frictional impact a million times: time of each, and what must hold of each.
 
-#include "rigor/contact/collision.hpp"
+#include "rigor/contact/impact/collision.hpp"
 #include "rigor/math/splitmix64.hpp"
 
 #include <fmt/format.h>

@@ -3,8 +3,9 @@
 // memory of the trees.
 
 #include "mesh_bench.hpp"
-#include "rigor/geometry/mesh_pair.hpp"
-#include "rigor/geometry/triangle_tree.hpp"
+#include "rigor/geometry/decomposition/make_mesh.hpp"
+#include "rigor/geometry/distance/mesh_pair.hpp"
+#include "rigor/geometry/mesh/triangle_tree.hpp"
 
 #include <fmt/format.h>
 

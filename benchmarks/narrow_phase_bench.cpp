@@ -1,8 +1,8 @@
 // What the narrow phase of the many-body path costs: ns a pair, of pairs that rest, move and are apart.
 
-#include "rigor/bulk/narrow_phase.hpp"
-#include "rigor/geometry/convex_hull.hpp"
-#include "rigor/geometry/distance.hpp"
+#include "rigor/bulk/narrow_phase/narrow_phase.hpp"
+#include "rigor/geometry/distance/distance.hpp"
+#include "rigor/geometry/shape/convex_hull.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/model/model_builder.hpp"
 

@@ -2,7 +2,7 @@
 // crowding and number; and what it costs to launch a loop on threads.
 
 #include "broad_phase_cases.hpp"
-#include "rigor/bulk/pair_finder.hpp"
+#include "rigor/bulk/broad_phase/pair_finder.hpp"
 #include "rigor/model/model_builder.hpp"
 
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 #include "peer_cases.hpp"
 
 #include "rigor/dynamics/free_rotation.hpp"
-#include "rigor/io/scene_reader.hpp"
+#include "rigor/io/scene/scene_reader.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <fmt/format.h>

@@ -1,10 +1,10 @@
 // CPU time of a picture: 10,000 boxes in a loose pile and 10,000 balls, 1280 × 720.
 
-#include "rigor/io/scene_reader.hpp"
+#include "rigor/io/scene/scene_reader.hpp"
 #include "rigor/math/rotation.hpp"
-#include "rigor/view/framing.hpp"
-#include "rigor/view/png_file.hpp"
-#include "rigor/view/renderer.hpp"
+#include "rigor/view/3d/framing.hpp"
+#include "rigor/view/3d/png_file.hpp"
+#include "rigor/view/3d/renderer.hpp"
 
 #include <fmt/format.h>
 

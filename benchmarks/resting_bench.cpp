@@ -1,7 +1,7 @@
 // Resting contact in contact space and in motion space as the number of contacts grows: time of each and the
 // condition of the matrices that they work with.
 
-#include "rigor/solver/motion_problem.hpp"
+#include "rigor/solver/motion/motion_problem.hpp"
 
 #include <fmt/format.h>
 #include <Eigen/Dense>

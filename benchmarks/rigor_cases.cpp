@@ -3,9 +3,9 @@
 #include "bench.hpp"
 
 #include "rigor/dynamics/free_rotation.hpp"
-#include "rigor/geometry/mass_properties.hpp"
-#include "rigor/geometry/triangle_mesh.hpp"
-#include "rigor/io/scene_reader.hpp"
+#include "rigor/geometry/mass/mass_properties.hpp"
+#include "rigor/geometry/shape/triangle_mesh.hpp"
+#include "rigor/io/scene/scene_reader.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/model/model_builder.hpp"
 #include "rigor/sim/simulation.hpp"

@@ -2,7 +2,7 @@
 // tools/measure_piles.py calls it for the random piles. usage: rigor_scene_runs --help
 
 #include "rigor/core/input_error.hpp"
-#include "rigor/io/scene_reader.hpp"
+#include "rigor/io/scene/scene_reader.hpp"
 #include "rigor/sim/simulation.hpp"
 
 #include <fmt/format.h>

@@ -5,8 +5,8 @@
 #include "sim/scheme_fuzz.hpp"
 #include "sim/random_scene.hpp"
 
-#include "rigor/sim/scheme_check.hpp"
-#include "rigor/sim/scheme_choice.hpp"
+#include "rigor/sim/method/scheme_check.hpp"
+#include "rigor/sim/method/scheme_choice.hpp"
 
 #include <fmt/format.h>
 

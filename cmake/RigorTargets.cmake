@@ -16,9 +16,9 @@ target_link_libraries(rigor_pch PUBLIC Eigen3::Eigen)
 target_precompile_headers(rigor_pch PRIVATE <Eigen/Dense> <string> <vector>)
 rigor_compile_options(rigor_pch)
 
-# rigor_layer(name deps...): the static library rigor_<name> of all sources in rigor/<name>/.
+# rigor_layer(name deps...): the static library rigor_<name> of all sources in rigor/<name>/ and its rooms.
 function(rigor_layer name)
-  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/rigor/${name}/*.cpp)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/rigor/${name}/*.cpp)
   add_library(rigor_${name} STATIC ${sources})
   add_library(rigor::${name} ALIAS rigor_${name})
   target_include_directories(rigor_${name} PUBLIC ${PROJECT_SOURCE_DIR})

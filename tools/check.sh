@@ -8,7 +8,7 @@ jobs=${1:-2}
 scope=${2:-some}
 
 echo "== clang-format"
-git ls-files '*.cpp' '*.hpp' | xargs clang-format --dry-run --Werror
+git ls-files '*.cpp' '*.hpp' '*.inl' | xargs clang-format --dry-run --Werror
 
 # The viewer's checks wait for a browser much of the time: they go on beside the rest, which gives way to them.
 viewer_log=$(mktemp)

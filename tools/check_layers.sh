@@ -1,46 +1,85 @@
 #!/usr/bin/env bash
-# Holds the layers of docs/architecture.md: a folder of rigor/ includes itself and the layers below it, nothing
-# up or across; and that no two headers define a type of the same name. Prints each offence and fails.
+# Holds the layers and rooms of docs/architecture.md: a folder of rigor/ includes itself and the layers below it, a
+# room of a layer itself and the rooms below it, nothing up or across; and no two headers define a type of the same
+# name. Prints each offence and fails.
+# usage: tools/check_layers.sh [root of the repository]
 set -euo pipefail
 cd "${1:-.}"
 
-declare -A allowed=(
-  [core]="core"
-  [math]="core math"
-  [geometry]="core math geometry"
-  [solver]="core math solver"
-  [model]="core math geometry model"
-  [dynamics]="core math geometry solver model dynamics"
-  [contact]="core math geometry solver model dynamics contact"
-  [bulk]="core math geometry solver model dynamics bulk"
-  [sim]="core math geometry solver model dynamics contact bulk sim"
-  [io]="core math geometry model dynamics sim io"
-  [view]="core math geometry model dynamics sim io view"
-)
+# layer: the layers that it may include.
+layers='
+core:
+math: core
+geometry: core math
+solver: core math
+model: core math geometry
+dynamics: core math geometry solver model
+contact: core math geometry solver model dynamics
+bulk: core math geometry solver model dynamics
+sim: core math geometry solver model dynamics contact bulk
+io: core math geometry model dynamics sim
+view: core math geometry model dynamics sim io
+'
+# layer: its rooms from the lowest up; `.` stands for the files that lie in the folder of the layer itself.
+rooms='
+geometry: exact lanes shape mass broad_phase convex mesh distance decomposition mesh_penetration contacts motion rays
+solver: linear coulomb motion cones .
+contact: system resting impact penalty .
+bulk: lanes threads state narrow_phase broad_phase matching graph direct contacts gyroscopic joints sleep .
+sim: pairs method report fixed_steps islands event_driven time_stepping penalty bulk audit .
+io: files mesh scene trajectory
+view: recording 3d plot page live
+'
 
 bad=0
-for folder in rigor/*/; do
-  layer=$(basename "$folder")
-  if [ -z "${allowed[$layer]:-}" ]; then
-    echo "rigor/$layer: not a layer of docs/architecture.md"; bad=1; continue
-  fi
-  while IFS=: read -r file line text; do
-    [ -n "$file" ] || continue
-    target=$(sed -E 's|.*"rigor/([a-z]+)/.*|\1|' <<<"$text")
-    case " ${allowed[$layer]} " in
-      *" $target "*) ;;
-      *) echo "$file:$line: $layer may not include rigor/$target/"; bad=1 ;;
-    esac
-  done < <(grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]*"rigor/' -r "$folder" --include='*.hpp' --include='*.cpp' || true)
-  if grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]*"' -r "$folder" --include='*.hpp' --include='*.cpp' | grep -v '"rigor/'; then
-    echo "rigor/$layer: include paths start at the repository root: \"rigor/...\""; bad=1
-  fi
-done
+sources=$(find rigor -name '*.hpp' -o -name '*.cpp' -o -name '*.inl' | LC_ALL=C sort)
+
+# Every file lies in a layer, and in one of its rooms where it has any. (The first line of awk reads the two tables.)
+awk -v layers="$layers" -v rooms="$rooms" '
+  function table(text, into,   n, lines, i, fields, k) {
+    n = split(text, lines, "\n")
+    for (i = 1; i <= n; ++i) {
+      if (split(lines[i], fields, /[: ]+/) == 0) continue
+      into[fields[1]] = 1
+      for (k = 2; fields[k] != ""; ++k) into[fields[1], fields[k]] = k
+      delete fields
+    }
+  }
+  # rigor/layer/room/name.hpp or rigor/layer/name.hpp
+  function layer_of(path,   parts) { split(path, parts, "/"); return parts[2] }
+  function room_of(path,   parts, n) { n = split(path, parts, "/"); return n > 3 ? parts[3] : "." }
+  function complain(text) { print text; bad = 1 }
+
+  BEGIN { table(layers, below); table(rooms, rank) }
+
+  FNR == 1 {
+    layer = layer_of(FILENAME)
+    room = room_of(FILENAME)
+    if (!(layer in below)) complain(FILENAME ": rigor/" layer " is not a layer of docs/architecture.md")
+    else if (layer in rank ? !((layer, room) in rank) : room != ".")
+      complain(FILENAME ": " room " is not a room of rigor/" layer)
+  }
+  /^[ \t]*#[ \t]*include[ \t]*"/ {
+    place = FILENAME ":" FNR ": "
+    path = $0
+    sub(/^[^"]*"/, "", path)
+    sub(/".*$/, "", path)
+    if (path !~ /^rigor\//) { complain(place "include paths start at the root: \"rigor/...\""); next }
+    target = layer_of(path)
+    if (target != layer) {
+      if (!((layer, target) in below)) complain(place layer " may not include rigor/" target "/")
+    } else if ((layer in rank) && rank[layer, room_of(path)] > rank[layer, room]) {
+      complain(place layer "/" room " may not include " layer "/" room_of(path))
+    }
+  }
+  END { exit bad }' $sources || bad=1
+
 # The linker merges what has the same name: a type of namespace rigor is defined in one header only.
-twice=$(find rigor -name '*.hpp' -exec awk '
+twice=$(awk '
+  FNR == 1 { inner = 0 }
   /^namespace [a-z:]+ \{/ { inner = $2 != "rigor" }
   /^}  \/\/ namespace/ { inner = 0 }
-  !inner && /^(struct|class) .*[{:]/ { print $2 ~ /^alignas/ ? $3 : $2 }' {} + | sort | uniq -d)
+  !inner && /^(struct|class) .*[{:]/ { print $2 ~ /^alignas/ ? $3 : $2 }' $(grep '\.hpp$' <<<"$sources") | sort | uniq -d)
 if [ -n "$twice" ]; then
   echo "types with two definitions: $twice"; bad=1
 fi

@@ -1,7 +1,8 @@
 #include "rigor/bulk/bulk_events.hpp"
 
-#include "rigor/bulk/bulk_contacts.hpp"
-#include "rigor/bulk/contact_measures.hpp"
+#include "rigor/bulk/contacts/bulk_contacts.hpp"
+#include "rigor/bulk/contacts/contact_measures.hpp"
+#include "rigor/core/index.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -21,8 +22,7 @@ std::vector<ContactEvent> pressing_pairs(const ManifoldMemories& memory, Contact
   std::vector<ContactEvent> pairs;
   for (const ManifoldMemory& manifold : memory) {
     float impulse = 0;
-    for (int i = 0; i < manifold.point_count; ++i)
-      impulse += manifold.normal_impulse[static_cast<std::size_t>(i)];
+    for (int i = 0; i < manifold.point_count; ++i) impulse += manifold.normal_impulse[at(i)];
     if (!(impulse > 0)) continue;
     const ContactEvent pair{kind,   manifold.body_A, manifold.body_B, manifold.shape_A, manifold.shape_B,
                             impulse};
@@ -55,17 +55,11 @@ std::vector<ContactEvent> contact_events(const ManifoldMemories& before, const M
   return events;
 }
 
-double BulkContact::normal_impulse() const {
-  double sum = 0;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(point_count); ++k) sum += points[k].normal_impulse;
-  return sum;
-}
-
 namespace {
 
 BulkContact read_contact(const SolvedManifold& manifold, const ManifoldMemory& key,
                          const BulkBodies& bodies) {
-  const std::size_t a = static_cast<std::size_t>(key.body_A);
+  const std::size_t a = at(key.body_A);
   const ManifoldFrame& frame = manifold.frame;
   const float* moved = bodies.motion[a].dp;
   BulkContact contact;
@@ -75,7 +69,7 @@ BulkContact read_contact(const SolvedManifold& manifold, const ManifoldMemory& k
   contact.n_W = frame.n;
   contact.center_W = bodies.x[a] - Vec3(moved[0], moved[1], moved[2]) + frame.rA;
   contact.point_count = key.point_count;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(key.point_count); ++k) {
+  for (std::size_t k = 0; k < at(key.point_count); ++k) {
     const SolvedManifold::Point& point = manifold.points[k];
     contact.points[k] = {contact.center_W + point.p1 * frame.t1 + point.p2 * frame.t2, point.gap,
                          manifold.impulses.normal[k]};

@@ -1,18 +1,19 @@
 #include "rigor/bulk/bulk_world.hpp"
 
-#include "rigor/bulk/bounce_limits.hpp"
-#include "rigor/bulk/bulk_contacts.hpp"
-#include "rigor/bulk/bulk_joints.hpp"
-#include "rigor/bulk/direct_islands.hpp"
-#include "rigor/bulk/drag.hpp"
-#include "rigor/bulk/float_lanes.hpp"
-#include "rigor/bulk/gyration.hpp"
-#include "rigor/bulk/narrow_phase.hpp"
-#include "rigor/bulk/pair_finder.hpp"
-#include "rigor/bulk/prescribed_bodies.hpp"
-#include "rigor/bulk/sleepers.hpp"
-#include "rigor/bulk/step_books.hpp"
+#include "rigor/bulk/broad_phase/pair_finder.hpp"
+#include "rigor/bulk/contacts/bounce_limits.hpp"
+#include "rigor/bulk/contacts/bulk_contacts.hpp"
+#include "rigor/bulk/direct/direct_islands.hpp"
+#include "rigor/bulk/gyroscopic/gyroscopic_terms.hpp"
+#include "rigor/bulk/joints/bulk_joints.hpp"
+#include "rigor/bulk/lanes/float_lanes.hpp"
+#include "rigor/bulk/narrow_phase/narrow_phase.hpp"
+#include "rigor/bulk/sleep/sleepers.hpp"
+#include "rigor/bulk/state/drag.hpp"
+#include "rigor/bulk/state/prescribed_bodies.hpp"
+#include "rigor/bulk/step_balance.hpp"
 #include "rigor/core/assert.hpp"
+#include "rigor/core/index.hpp"
 #include "rigor/dynamics/environment.hpp"
 #include "rigor/math/rotation.hpp"
 
@@ -41,7 +42,7 @@ struct BulkWorld::Scratch {
         contacts(model),
         direct(model),
         joints(model),
-        gyrations(model),
+        gyroscopic_terms(model),
         prescribed(model),
         bounce_limits(model),
         books(model),
@@ -53,10 +54,10 @@ struct BulkWorld::Scratch {
   BulkContacts contacts;
   DirectIslands direct;
   BulkJoints joints;
-  Gyrations gyrations;
+  GyroscopicTerms gyroscopic_terms;
   PrescribedBodies prescribed;
   BounceLimits bounce_limits;
-  StepBooks books;
+  StepBalance books;
   Environment environment;
   std::optional<Sleepers> sleepers;  ///< If bodies may sleep.
   std::vector<ShapePair> pairs;
@@ -71,7 +72,7 @@ struct BulkWorld::Scratch {
   std::vector<MotionRow> turns;          ///< What turning changes of angular velocities.
   std::vector<MotionRow> unconstrained;  ///< Velocities of a substep before its constraints.
   std::vector<char> touches;             ///< Whether each body may touch another in the step.
-  std::vector<int> loose;                ///< Bodies that move, but for those of free trees.
+  std::vector<int> loose;                ///< Bodies that move, but for those of contact-free chains.
 };
 
 BulkWorld::BulkWorld(std::shared_ptr<const Model> model, const BulkSettings& settings)
@@ -92,8 +93,8 @@ void BulkWorld::add_wrench(int body, const Wrench& wrench) {
 void BulkWorld::add_impulse(int body, const Wrench& impulse) {
   const Body& own = model_->body(body);
   RIGOR_ASSERT(own.motion == MotionType::dynamic);
-  const Quat& q_WB = bodies_.q[static_cast<std::size_t>(body)];
-  MotionRecord& motion = bodies_.motion[static_cast<std::size_t>(body)];
+  const Quat& q_WB = bodies_.q[at(body)];
+  MotionRecord& motion = bodies_.motion[at(body)];
   const Vec3 dv = impulse.f_W / own.mass;
   const Vec3 dw = q_WB * (q_WB.conjugate() * impulse.tau_W).cwiseQuotient(own.moments);
   for (int k = 0; k < 3; ++k) {
@@ -105,8 +106,8 @@ void BulkWorld::add_impulse(int body, const Wrench& impulse) {
 }
 
 void BulkWorld::set_pose(int body, const Pose& X_WB) {
-  bodies_.x[static_cast<std::size_t>(body)] = X_WB.p;
-  bodies_.q[static_cast<std::size_t>(body)] = quaternion_of(X_WB.R);
+  bodies_.x[at(body)] = X_WB.p;
+  bodies_.q[at(body)] = quaternion_of(X_WB.R);
   if (model_->body(body).motion == MotionType::dynamic) set_momentum(*model_, body, bodies_);
   // What it leaves loses a contact; what it meets is found by it, if it moves by itself.
   if (model_->body(body).motion == MotionType::dynamic) {
@@ -121,7 +122,7 @@ void BulkWorld::wake_all() {
 }
 
 void BulkWorld::set_velocity(int body, const Vec3& v_W, const Vec3& w_W) {
-  MotionRecord& motion = bodies_.motion[static_cast<std::size_t>(body)];
+  MotionRecord& motion = bodies_.motion[at(body)];
   for (int k = 0; k < 3; ++k) {
     motion.v[k] = static_cast<float>(v_W[k]);
     motion.w[k] = static_cast<float>(w_W[k]);
@@ -192,13 +193,13 @@ BulkStepReport BulkWorld::step(double h) {
   compute_accelerations(h);
   add_given_wrenches();
   find_loose_bodies();
-  s.gyrations.prepare(bodies_, s.loose, s.executor);
+  s.gyroscopic_terms.prepare(bodies_, s.loose, s.executor);
   s.joints.prepare(bodies_, substep, s.executor);
   if (settings_.measures) s.books.begin(bodies_);
   report.direct_islands = solve_directly(h);
   s.contacts.prepare(bodies_, substep, s.direct, s.executor);
   if (s.contacts.has_restitution()) s.bounce_limits.begin(bodies_, s.executor);
-  s.joints.advance_free_trees(s.accelerations, settings_.substeps, bodies_, s.executor);
+  s.joints.advance_contact_free_chains(s.accelerations, settings_.substeps, bodies_, s.executor);
   const bool adds_up = settings_.measures || s.contacts.has_restitution();
   for (int k = 0; k < settings_.substeps; ++k) {
     take_substep(k == 0, static_cast<float>(substep));
@@ -249,8 +250,8 @@ void BulkWorld::find_touching_bodies() {
   Scratch& s = *scratch_;
   s.touches.assign(bodies_.x.size(), 0);
   for (std::size_t i = 0; i < s.manifolds.size(); ++i) {
-    const ShapePair& pair = s.pairs[static_cast<std::size_t>(s.manifolds.pair(i))];
-    s.touches[static_cast<std::size_t>(pair.body_A)] = s.touches[static_cast<std::size_t>(pair.body_B)] = 1;
+    const ShapePair& pair = s.pairs[at(s.manifolds.pair(i))];
+    s.touches[at(pair.body_A)] = s.touches[at(pair.body_B)] = 1;
   }
 }
 
@@ -290,10 +291,10 @@ int BulkWorld::solve_directly(double h) {
   Scratch& s = *scratch_;
   if (!s.direct.has_found_any()) return 0;
   const float step = static_cast<float>(h);
-  if (s.gyrations.has_any()) s.gyrations.find_changes(step, bodies_, s.executor, s.turns);
+  if (s.gyroscopic_terms.has_any()) s.gyroscopic_terms.find_changes(step, bodies_, s.executor, s.turns);
   const auto free_change = [&](int body) {
-    const std::size_t k = static_cast<std::size_t>(body);
-    MotionRow change = s.gyrations.has_any() ? s.turns[k] : MotionRow{};
+    const std::size_t k = at(body);
+    MotionRow change = s.gyroscopic_terms.has_any() ? s.turns[k] : MotionRow{};
     for (std::size_t j = 0; j < change.size(); ++j) change[j] += step * s.accelerations[k][j];
     return change;
   };
@@ -307,14 +308,14 @@ void BulkWorld::compute_accelerations(double h) {
   s.accelerations.resize(count);
   s.unconstrained.resize(count);
   const auto view = [&](int body) {
-    const std::size_t k = static_cast<std::size_t>(body);
+    const std::size_t k = at(body);
     const MotionRecord& m = bodies_.motion[k];
     return Environment::BodyView{bodies_.x[k], Vec3(m.v[0], m.v[1], m.v[2]), Vec3(m.w[0], m.w[1], m.w[2]),
                                  bodies_.q[k].toRotationMatrix(), bodies_.is_dynamic(body)};
   };
   s.executor.for_ranges(bodies_.count(), 256, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
-      MotionRow& row = s.accelerations[static_cast<std::size_t>(i)];
+      MotionRow& row = s.accelerations[at(i)];
       row = {};
       if (!bodies_.is_dynamic(i)) continue;
       Vec3 a = s.environment.steady_acceleration(i), alpha = Vec3::Zero();
@@ -338,10 +339,10 @@ void BulkWorld::add_given_wrenches() {
   Scratch& s = *scratch_;
   for (const Scratch::GivenWrench& given : s.given) {
     const Body& body = model_->body(given.body);
-    const Quat& q_WB = bodies_.q[static_cast<std::size_t>(given.body)];
+    const Quat& q_WB = bodies_.q[at(given.body)];
     const Vec3 a = given.wrench.f_W / body.mass;
     const Vec3 alpha = q_WB * (q_WB.conjugate() * given.wrench.tau_W).cwiseQuotient(body.moments);
-    MotionRow& row = s.accelerations[static_cast<std::size_t>(given.body)];
+    MotionRow& row = s.accelerations[at(given.body)];
     for (std::size_t k = 0; k < 3; ++k) {
       row[k] += static_cast<float>(a[static_cast<Eigen::Index>(k)]);
       row[4 + k] += static_cast<float>(alpha[static_cast<Eigen::Index>(k)]);
@@ -354,13 +355,13 @@ double BulkWorld::work_of_forces() const {
   const Scratch& s = *scratch_;
   double work = 0;
   for (const Scratch::GivenWrench& given : s.given) {
-    const MotionRecord& m = bodies_.motion[static_cast<std::size_t>(given.body)];
+    const MotionRecord& m = bodies_.motion[at(given.body)];
     work += given.wrench.f_W.dot(Vec3(m.dp[0], m.dp[1], m.dp[2])) +
             given.wrench.tau_W.dot(Vec3(m.dr[0], m.dr[1], m.dr[2]));
   }
   for (int i = 0; i < bodies_.count(); ++i) {
     if (!bodies_.is_dynamic(i) || !s.environment.is_forced(i)) continue;
-    const std::size_t k = static_cast<std::size_t>(i);
+    const std::size_t k = at(i);
     const MotionRecord& m = bodies_.motion[k];
     work += s.environment.supplied_power(
         i, {bodies_.x[k], Vec3(m.dp[0], m.dp[1], m.dp[2]), Vec3(m.dr[0], m.dr[1], m.dr[2]),
@@ -372,7 +373,7 @@ double BulkWorld::work_of_forces() const {
 /// Bodies whose substeps are taken here: not those of trees that touch nothing.
 void BulkWorld::find_loose_bodies() {
   Scratch& s = *scratch_;
-  if (s.joints.may_have_free_trees()) s.joints.find_free_trees(bodies_, s.touches);
+  if (s.joints.may_have_contact_free_chains()) s.joints.find_contact_free_chains(bodies_, s.touches);
   s.loose.clear();
   for (int i = 0; i < bodies_.count(); ++i) {
     if (bodies_.stirs(i) && !s.joints.is_free(i)) s.loose.push_back(i);
@@ -381,14 +382,14 @@ void BulkWorld::find_loose_bodies() {
 
 void BulkWorld::integrate_velocities(bool is_first, float h) {
   Scratch& s = *scratch_;
-  const bool has_turns = s.gyrations.has_any();
-  if (has_turns) s.gyrations.find_changes(h, bodies_, s.executor, s.turns);
+  const bool has_turns = s.gyroscopic_terms.has_any();
+  if (has_turns) s.gyroscopic_terms.find_changes(h, bodies_, s.executor, s.turns);
   s.executor.for_ranges(static_cast<int>(s.loose.size()), 256, [&](int begin, int end) {
     MotionRecord* const motion = bodies_.motion.data();
     MotionRow* const unconstrained = s.unconstrained.data();
     const MotionRow* const accelerations = s.accelerations.data();
     for (int place = begin; place < end; ++place) {
-      const int i = s.loose[static_cast<std::size_t>(place)];
+      const int i = s.loose[at(place)];
       if (s.direct.holds(i)) continue;
       float* const v = motion[i].v;
       float* const free = unconstrained[i].data();
@@ -396,7 +397,7 @@ void BulkWorld::integrate_velocities(bool is_first, float h) {
       for (int half : {0, 4}) {
         const FloatRow now = load_row(v + half), before = load_row(free + half);
         FloatRow next = now + h * load_row(accelerations[i].data() + half);
-        if (has_turns) next += load_row(s.turns[static_cast<std::size_t>(i)].data() + half);
+        if (has_turns) next += load_row(s.turns[at(i)].data() + half);
         store_row(next, free + half);
         store_row(is_first ? next : next + (now - before), v + half);
       }
@@ -409,7 +410,7 @@ void BulkWorld::integrate_positions(float h) {
   scratch_->executor.for_ranges(static_cast<int>(loose.size()), 256, [&](int begin, int end) {
     MotionRecord* const records = bodies_.motion.data();
     for (int place = begin; place < end; ++place) {
-      MotionRecord& motion = records[loose[static_cast<std::size_t>(place)]];
+      MotionRecord& motion = records[loose[at(place)]];
       for (int j = 0; j < 3; ++j) motion.dp[j] += h * motion.v[j];
       turn_further(h, motion);
     }
@@ -426,7 +427,7 @@ BulkStepReport BulkWorld::describe_contacts() const {
     for (int i = 0; i < found.point_count(k); ++i) {
       const double overlap = -found.view(k).points[i].gap;
       if (overlap <= report.max_overlap) continue;
-      const ShapePair& pair = scratch_->pairs[static_cast<std::size_t>(found.pair(k))];
+      const ShapePair& pair = scratch_->pairs[at(found.pair(k))];
       report.max_overlap = overlap;
       report.overlap_A = pair.body_A;
       report.overlap_B = pair.body_B;

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "rigor/bulk/bulk_bodies.hpp"
 #include "rigor/bulk/bulk_events.hpp"
-#include "rigor/bulk/executor.hpp"
-#include "rigor/bulk/manifold.hpp"
-#include "rigor/bulk/sleep.hpp"
+#include "rigor/bulk/narrow_phase/manifold.hpp"
+#include "rigor/bulk/sleep/sleep.hpp"
+#include "rigor/bulk/state/bulk_bodies.hpp"
+#include "rigor/bulk/threads/executor.hpp"
 #include "rigor/dynamics/body_phase.hpp"
 #include "rigor/model/manifold_memory.hpp"
 
@@ -30,7 +30,7 @@ struct BulkStepReport {
   int direct_islands = 0;              ///< Islands whose contacts were solved directly.
   int sleeping_count = 0;              ///< Bodies that sleep at the end of the step.
   std::vector<BulkImpact> impacts;     ///< By bodies.
-  Vec3 momentum_error = Vec3::Zero();  ///< Of StepBooks [kg m/s].
+  Vec3 momentum_error = Vec3::Zero();  ///< Of StepBalance [kg m/s].
   double work = 0;                     ///< By kinematic bodies, torques and forces fixed in bodies [J].
   double max_overlap = 0;              ///< At the begin of the step [m].
   int overlap_A = -1, overlap_B = -1;  ///< Its bodies.

@@ -1,11 +1,11 @@
 #include "rigor/contact/time_of_impact.hpp"
 
-#include "rigor/geometry/cavity.hpp"
-#include "rigor/geometry/contact_set.hpp"
-#include "rigor/geometry/distance.hpp"
-#include "rigor/geometry/distance_cache.hpp"
-#include "rigor/geometry/mesh_advance.hpp"
-#include "rigor/geometry/separation_bound.hpp"
+#include "rigor/geometry/contacts/contact_set.hpp"
+#include "rigor/geometry/distance/distance.hpp"
+#include "rigor/geometry/distance/distance_cache.hpp"
+#include "rigor/geometry/motion/cavity_step.hpp"
+#include "rigor/geometry/motion/mesh_advance.hpp"
+#include "rigor/geometry/motion/separation_bound.hpp"
 #include "rigor/math/polynomial.hpp"
 #include "rigor/math/roots.hpp"
 

@@ -1,5 +1,7 @@
 #include "rigor/core/quoted.hpp"
 
+#include "rigor/core/index.hpp"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -26,16 +28,16 @@ int utf8_length(std::string_view text) {
   const std::uint32_t first = byte_at(text, 0);
   if (first < 0x80) return 1;
   const int length = (first & 0xE0) == 0xC0 ? 2 : (first & 0xF0) == 0xE0 ? 3 : (first & 0xF8) == 0xF0 ? 4 : 0;
-  if (length == 0 || text.size() < static_cast<std::size_t>(length)) return 0;
+  if (length == 0 || text.size() < at(length)) return 0;
 
   std::uint32_t code = first & (0x7Fu >> length);
-  for (std::size_t i = 1; i < static_cast<std::size_t>(length); ++i) {
+  for (std::size_t i = 1; i < at(length); ++i) {
     if ((byte_at(text, i) & 0xC0) != 0x80) return 0;
     code = code << 6 | (byte_at(text, i) & 0x3F);
   }
   constexpr std::array<std::uint32_t, 5> smallest = {0, 0, 0x80, 0x800, 0x10000};
   const bool is_surrogate = code >= 0xD800 && code <= 0xDFFF;
-  if (code < smallest[static_cast<std::size_t>(length)] || is_surrogate || code > 0x10FFFF) return 0;
+  if (code < smallest[at(length)] || is_surrogate || code > 0x10FFFF) return 0;
   return length;
 }
 
@@ -44,7 +46,7 @@ std::string quoted_text(std::string_view text) {
   std::size_t i = 0;
   while (i < text.size()) {
     if (i >= longest_quoted) return result + "...'";
-    const std::size_t length = static_cast<std::size_t>(utf8_length(text.substr(i)));
+    const std::size_t length = at(utf8_length(text.substr(i)));
     // C0 and C1 controls and DEL drive terminals.
     const std::uint32_t first = byte_at(text, i);
     const bool is_control =

@@ -1,15 +1,13 @@
 #include "rigor/dynamics/environment.hpp"
 
+#include "rigor/core/index.hpp"
+
 #include <algorithm>
 #include <iterator>
 
 namespace rigor {
 
 namespace {
-
-std::size_t index(int body) {
-  return static_cast<std::size_t>(body);
-}
 
 void sort_and_unite(std::vector<int>& bodies) {
   std::sort(bodies.begin(), bodies.end());
@@ -19,7 +17,7 @@ void sort_and_unite(std::vector<int>& bodies) {
 }  // namespace
 
 Environment::Environment(const Model& model, PointSprings springs, bool with_joints)
-    : model_(&model), records_(index(model.body_count()), 0), acting_(1) {
+    : model_(&model), records_(at(model.body_count()), 0), acting_(1) {
   for (int i = 0; i < model.body_count(); ++i) {
     const Body& body = model.body(i);
     const double linear = body.linear_drag + body.mass * body.linear_damping;
@@ -29,7 +27,7 @@ Environment::Environment(const Model& model, PointSprings springs, bool with_joi
   }
   add_forces(springs);
   for (int i = 0; i < model.body_count(); ++i) {
-    if (records_[index(i)] == 0) continue;
+    if (records_[at(i)] == 0) continue;
     Acting& acting = acting_on(i);
     sort_and_unite(acting.spring_partners);
     acting.is_forced =
@@ -42,12 +40,12 @@ Environment::Environment(const Model& model, PointSprings springs, bool with_joi
 
 /// Its record, which is made if it has none.
 Environment::Acting& Environment::acting_on(int body) {
-  int& record = records_[index(body)];
+  int& record = records_[at(body)];
   if (record == 0) {
     record = static_cast<int>(acting_.size());
     acting_.emplace_back();
   }
-  return acting_[index(record)];
+  return acting_[at(record)];
 }
 
 Vec3 Environment::gravity_on(int body) const {

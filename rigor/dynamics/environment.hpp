@@ -1,5 +1,6 @@
 #pragma once
 
+#include "rigor/core/index.hpp"
 #include "rigor/dynamics/body_phase.hpp"
 #include "rigor/dynamics/joint_forces.hpp"
 #include "rigor/model/model.hpp"
@@ -103,8 +104,8 @@ class Environment {
     std::vector<ConstantTorque> torques;
   };
   const Acting& acts_on(int body) const {
-    const int record = records_[static_cast<std::size_t>(body)];
-    return acting_[static_cast<std::size_t>(record)];
+    const int record = records_[at(body)];
+    return acting_[at(record)];
   }
   Acting& acting_on(int body);
   Vec3 gravity_on(int body) const;
@@ -117,7 +118,7 @@ class Environment {
   Wrench force_on(int body, const BodyView& of_body, const View& view) const {
     Wrench wrench = own_forces(body, of_body);
     for (const int index : acts_on(body).springs) {
-      const Spring& spring = springs_[static_cast<std::size_t>(index)];
+      const Spring& spring = springs_[at(index)];
       const SpringEnd A = end_of(spring, true, view), B = end_of(spring, false, view);
       const Vec3 f_W = force_on_B(spring, A, B);
       if (spring.body_A == body) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "rigor/dynamics/free_rotation.hpp"
-#include "rigor/geometry/aabb.hpp"
+#include "rigor/geometry/shape/aabb.hpp"
 
 namespace rigor {
 

@@ -1,5 +1,7 @@
 #include "rigor/dynamics/joint_forces.hpp"
 
+#include "rigor/core/index.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -14,7 +16,7 @@ bool has_spring(const JointAxis& axis) {
 
 /// How far the k-th coordinate is from the rest of its spring.
 double deviation(const Joint& joint, int k, double coordinate) {
-  const double difference = coordinate - joint.axes[static_cast<std::size_t>(k)].rest;
+  const double difference = coordinate - joint.axes[at(k)].rest;
   const bool goes_round = is_angle(joint.type, k) && joint.type != JointType::ball;
   return goes_round ? std::remainder(difference, 2 * std::numbers::pi) : difference;
 }
@@ -33,7 +35,7 @@ bool has_springs(const Joint& joint) {
 JointForces spring_forces(const Joint& joint, const BodyMotion& A, const BodyMotion& B) {
   JointForces forces;
   for (int k = 0; k < static_cast<int>(joint.axes.size()); ++k) {
-    const JointAxis& axis = joint.axes[static_cast<std::size_t>(k)];
+    const JointAxis& axis = joint.axes[at(k)];
     if (!has_spring(axis)) continue;
     const JointCoordinate coordinate = joint_coordinate(joint, k, A, B);
     double force = -axis.stiffness * deviation(joint, k, coordinate.value);
@@ -53,7 +55,7 @@ JointForces spring_forces(const Joint& joint, const BodyMotion& A, const BodyMot
 double stored_energy(const Joint& joint, const BodyMotion& A, const BodyMotion& B) {
   double energy = 0;
   for (int k = 0; k < static_cast<int>(joint.axes.size()); ++k) {
-    const double stiffness = joint.axes[static_cast<std::size_t>(k)].stiffness;
+    const double stiffness = joint.axes[at(k)].stiffness;
     if (stiffness == 0) continue;
     const double stretch = deviation(joint, k, joint_coordinate(joint, k, A, B).value);
     energy += 0.5 * stiffness * stretch * stretch;

@@ -1,6 +1,7 @@
 #include "rigor/dynamics/joint_rows.hpp"
 
 #include "rigor/core/assert.hpp"
+#include "rigor/core/index.hpp"
 #include "rigor/dynamics/joint_measures.hpp"
 #include "rigor/model/force.hpp"
 
@@ -19,8 +20,8 @@ constexpr double whole_turn = 2 * std::numbers::pi;
 /// Place of the body among the sides; it is added, with rows of zeros, if it is new.
 std::size_t side_of(int body, JointRows& rows) {
   int side = 0;
-  while (side < rows.side_count && rows.bodies[static_cast<std::size_t>(side)] != body) ++side;
-  const std::size_t place = static_cast<std::size_t>(side);
+  while (side < rows.side_count && rows.bodies[at(side)] != body) ++side;
+  const std::size_t place = at(side);
   if (side == rows.side_count) {
     rows.bodies[place] = body;
     rows.J[place].setZero();

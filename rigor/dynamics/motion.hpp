@@ -3,8 +3,8 @@
 #include "rigor/dynamics/body_phase.hpp"
 #include "rigor/dynamics/free_flight.hpp"
 #include "rigor/dynamics/integrator.hpp"
-#include "rigor/geometry/aabb.hpp"
-#include "rigor/geometry/rigid_motion.hpp"
+#include "rigor/geometry/motion/rigid_motion.hpp"
+#include "rigor/geometry/shape/aabb.hpp"
 #include "rigor/math/pose.hpp"
 #include "rigor/model/model.hpp"
 

@@ -47,27 +47,27 @@ VecX SystemOde::start_vector() const {
 }
 
 Quat SystemOde::orientation(const VecX& y, int body) const {
-  const int at = offset(body) + 9;
+  const int first = offset(body) + 9;
   switch (chart_) {
     case AttitudeChart::quaternion:
-      return quaternion_at(y, at).normalized();
+      return quaternion_at(y, first).normalized();
     case AttitudeChart::matrix:
-      return quaternion_of(gram_schmidt(matrix_at(y, at)));
+      return quaternion_of(gram_schmidt(matrix_at(y, first)));
     case AttitudeChart::rotation_vector:
-      return (rotation_exp(y.segment<3>(at)) * start(body).q).normalized();
+      return (rotation_exp(y.segment<3>(first)) * start(body).q).normalized();
   }
   return start(body).q;
 }
 
 double SystemOde::attitude_drift(const VecX& y, int body) const {
-  const int at = offset(body) + 9;
+  const int first = offset(body) + 9;
   switch (chart_) {
     case AttitudeChart::quaternion:
-      return std::abs(y.segment<4>(at).norm() - 1);
+      return std::abs(y.segment<4>(first).norm() - 1);
     case AttitudeChart::matrix:
-      return (matrix_at(y, at).transpose() * matrix_at(y, at) - Mat3::Identity()).norm();
+      return (matrix_at(y, first).transpose() * matrix_at(y, first) - Mat3::Identity()).norm();
     case AttitudeChart::rotation_vector:
-      return std::abs((rotation_exp(y.segment<3>(at)) * start(body).q).norm() - 1);
+      return std::abs((rotation_exp(y.segment<3>(first)) * start(body).q).norm() - 1);
   }
   return 0;
 }
@@ -89,26 +89,27 @@ VecX SystemOde::attitude_rate(const VecX& attitude, const Mat3& R_WB, const Vec3
 
 VecX SystemOde::derivative(double t, const VecX& y) {
   for (int i = 0; i < body_count(); ++i) {
-    const int at = offset(i);
-    phases_[index(i)] = {y.segment<3>(at), orientation(y, i), y.segment<3>(at + 3), y.segment<3>(at + 6)};
-    wrenches_[index(i)] = {};
+    const int first = offset(i);
+    phases_[at(i)] = {y.segment<3>(first), orientation(y, i), y.segment<3>(first + 3),
+                      y.segment<3>(first + 6)};
+    wrenches_[at(i)] = {};
   }
   wrench_field_(t, phases_, wrenches_);
 
   VecX rate(y.size());
   for (int i = 0; i < body_count(); ++i) {
-    const BodyPhase& phase = phases_[index(i)];
-    const Wrench& wrench = wrenches_[index(i)];
-    const BodyInertia& inertia = inertias_[index(i)];
-    const int at = offset(i);
+    const BodyPhase& phase = phases_[at(i)];
+    const Wrench& wrench = wrenches_[at(i)];
+    const BodyInertia& inertia = inertias_[at(i)];
+    const int first = offset(i);
     // The matrix form takes R as it stands, so that the right-hand side stays smooth in y.
-    const Mat3 R_WB = chart_ == AttitudeChart::matrix ? matrix_at(y, at + 9) : rotation_matrix(phase.q);
+    const Mat3 R_WB = chart_ == AttitudeChart::matrix ? matrix_at(y, first + 9) : rotation_matrix(phase.q);
     const Vec3 w_B = (R_WB.transpose() * phase.L).cwiseQuotient(inertia.moments);
-    rate.segment<3>(at) = phase.P / inertia.mass;
-    rate.segment<3>(at + 3) = wrench.f_W;
-    rate.segment<3>(at + 6) = wrench.tau_W;
-    rate.segment(at + 9, attitude_size()) =
-        attitude_rate(y.segment(at + 9, attitude_size()), R_WB, R_WB * w_B);
+    rate.segment<3>(first) = phase.P / inertia.mass;
+    rate.segment<3>(first + 3) = wrench.f_W;
+    rate.segment<3>(first + 6) = wrench.tau_W;
+    rate.segment(first + 9, attitude_size()) =
+        attitude_rate(y.segment(first + 9, attitude_size()), R_WB, R_WB * w_B);
   }
   return rate;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "rigor/core/index.hpp"
 #include "rigor/dynamics/integrator.hpp"
 
 #include <cstddef>
@@ -24,7 +25,7 @@ class SystemOde {
   SystemOde(AttitudeChart chart, std::span<const BodyInertia> inertias, std::span<const BodyPhase> start,
             const WrenchField& wrenches);
 
-  const BodyPhase& start(int body) const { return start_[index(body)]; }
+  const BodyPhase& start(int body) const { return start_[at(body)]; }
   VecX start_vector() const;
   VecX derivative(double t, const VecX& y);
   /// Attitude of a body in a vector y, normalised.
@@ -40,7 +41,6 @@ class SystemOde {
   AttitudeChart chart() const { return chart_; }
 
  private:
-  static std::size_t index(int body) { return static_cast<std::size_t>(body); }
   VecX attitude_rate(const VecX& attitude, const Mat3& R_WB, const Vec3& w_WB) const;
 
   AttitudeChart chart_;

@@ -1,9 +1,11 @@
 #include "rigor/model/body_builder.hpp"
 
+#include "rigor/core/index.hpp"
 #include "rigor/core/quoted.hpp"
 #include "rigor/core/suggestion.hpp"
-#include "rigor/geometry/support.hpp"
-#include "rigor/geometry/triangle_tree.hpp"
+#include "rigor/geometry/decomposition/make_mesh.hpp"
+#include "rigor/geometry/mesh/triangle_tree.hpp"
+#include "rigor/geometry/shape/support.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/model/body_mass.hpp"
 #include "rigor/model/limits.hpp"
@@ -158,7 +160,7 @@ Body make_body(const BodyDescription& description, const std::string& where, con
   if (body.motion == MotionType::dynamic) {
     std::vector<double> densities;
     for (const BodyShape& shape : shapes) {
-      densities.push_back(materials.materials[static_cast<std::size_t>(shape.material)].density);
+      densities.push_back(materials.materials[at(shape.material)].density);
     }
     const std::optional<BodyMass> mass = body_mass(description, densities, memory, findings);
     if (!mass) return body;

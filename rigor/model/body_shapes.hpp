@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rigor/geometry/shape.hpp"
+#include "rigor/geometry/shape/shape.hpp"
 #include "rigor/math/pose.hpp"
 
 #include <cstddef>

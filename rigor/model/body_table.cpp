@@ -1,5 +1,6 @@
 #include "rigor/model/body_table.hpp"
 
+#include "rigor/core/index.hpp"
 #include "rigor/core/quoted.hpp"
 #include "rigor/core/suggestion.hpp"
 #include "rigor/model/force.hpp"
@@ -28,7 +29,7 @@ std::optional<std::vector<int>> find_bodies(const std::vector<std::string>& name
       continue;
     }
     indices.push_back(found->second);
-    has_dynamic |= bodies.bodies[static_cast<std::size_t>(found->second)].motion == MotionType::dynamic;
+    has_dynamic |= bodies.bodies[at(found->second)].motion == MotionType::dynamic;
   }
   if (!is_good) return std::nullopt;
   if (!findings.require(has_dynamic, "it moves nothing: none of its bodies is dynamic")) return std::nullopt;

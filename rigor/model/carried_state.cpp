@@ -1,5 +1,6 @@
 #include "rigor/model/carried_state.hpp"
 
+#include "rigor/core/index.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/model/force.hpp"
 
@@ -12,10 +13,6 @@
 namespace rigor {
 
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Whether a phase means the same of both.
 bool has_same_inertia(const Body& a, const Body& b) {

@@ -1,5 +1,6 @@
 #include "rigor/model/findings.hpp"
 
+#include "rigor/core/index.hpp"
 #include "rigor/core/quoted.hpp"
 #include "rigor/model/limits.hpp"
 
@@ -56,7 +57,7 @@ std::string name_error(std::string_view name) {
     const unsigned char first = static_cast<unsigned char>(name[i]);
     if (length == 0) return "the name is not UTF-8";
     if (first < 0x20 || first == 0x7F) return "the name has a control character";
-    i += static_cast<std::size_t>(length);
+    i += at(length);
   }
   return {};
 }

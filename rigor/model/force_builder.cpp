@@ -1,5 +1,6 @@
 #include "rigor/model/force_builder.hpp"
 
+#include "rigor/core/index.hpp"
 #include "rigor/core/quoted.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/model/findings.hpp"
@@ -44,7 +45,7 @@ Spring make_spring(const Description& force, const std::vector<int>& indices,
     const Vec3 p_L = i < force.points.size() ? force.points[i] : Vec3::Zero();
     points_B[i] = points_W[i] = p_L;
     if (indices[i] == world_body) continue;
-    const Body& body = bodies[static_cast<std::size_t>(indices[i])];
+    const Body& body = bodies[at(indices[i])];
     points_B[i] = body.X_BL * p_L;
     points_W[i] = rotation_matrix(body.q_WB) * points_B[i] + body.p_WB;
   }
@@ -71,7 +72,7 @@ std::optional<Force> make_force(const Description& force, const std::string& whe
 
   if (force.type == Description::Type::spring) return make_spring(force, *indices, bodies.bodies);
   const int index = indices->front();
-  const Pose& X_BL = bodies.bodies[static_cast<std::size_t>(index)].X_BL;
+  const Pose& X_BL = bodies.bodies[at(index)].X_BL;
   const Vec3 vector = force.frame_is_body ? Vec3(X_BL.R * force.vector) : force.vector;
   switch (force.type) {
     case Description::Type::torque:

@@ -1,5 +1,7 @@
 #include "rigor/model/joint.hpp"
 
+#include "rigor/core/index.hpp"
+
 #include <cstddef>
 
 namespace rigor {
@@ -7,7 +9,7 @@ namespace rigor {
 const char* joint_type_name(JointType type) {
   static constexpr const char* names[] = {"fixed",       "ball",   "hinge",    "slider", "universal",
                                           "cylindrical", "planar", "distance", "screw",  "gear"};
-  return names[static_cast<std::size_t>(type)];
+  return names[at(type)];
 }
 
 int coordinate_count(JointType type) {

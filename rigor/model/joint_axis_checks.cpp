@@ -1,5 +1,6 @@
 #include "rigor/model/joint_axis_checks.hpp"
 
+#include "rigor/core/index.hpp"
 #include "rigor/model/limits.hpp"
 
 #include <fmt/format.h>
@@ -95,7 +96,7 @@ void check_joint_axes(JointType type, const std::vector<JointAxis>& axes, double
     return;
   }
   for (int k = 0; k < static_cast<int>(axes.size()); ++k) {
-    const JointAxis& axis = axes[static_cast<std::size_t>(k)];
+    const JointAxis& axis = axes[at(k)];
     const Coordinate coordinate{type, is_angle(type, k), k == 0 ? start : 0,
                                 count > 1 ? fmt::format("coordinate {}: ", k) : ""};
     check_limits(axis, coordinate, findings);

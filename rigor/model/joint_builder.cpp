@@ -1,5 +1,6 @@
 #include "rigor/model/joint_builder.hpp"
 
+#include "rigor/core/index.hpp"
 #include "rigor/core/quoted.hpp"
 #include "rigor/core/suggestion.hpp"
 #include "rigor/math/rotation.hpp"
@@ -94,7 +95,7 @@ std::optional<int> find_geared(const std::string& name, const JointTable& joints
     findings.add("unknown joint " + quoted_text(name) + suggestion(name, names));
     return std::nullopt;
   }
-  const JointType type = joints.types[static_cast<std::size_t>(found->second)];
+  const JointType type = joints.types[at(found->second)];
   const bool can_be_tied = coordinate_count(type) > 0 && type != JointType::ball;
   if (!findings.require(can_be_tied, "it ties " + quoted_text(name) + ", but a " + joint_type_name(type) +
                                          " joint has no coordinate that a gear can tie")) {
@@ -134,7 +135,7 @@ Mat3 frame_of(const Description& joint) {
 
 Pose start_pose(int index, const std::vector<Body>& bodies) {
   if (index == world_body) return {};
-  const Body& body = bodies[static_cast<std::size_t>(index)];
+  const Body& body = bodies[at(index)];
   return {rotation_matrix(body.q_WB), body.p_WB};
 }
 
@@ -142,7 +143,7 @@ Pose start_pose(int index, const std::vector<Body>& bodies) {
 Vec3 default_anchor(const std::vector<int>& indices, const std::vector<Body>& bodies) {
   for (const int index : {indices[1], indices[0]}) {
     if (index == world_body) continue;
-    const Body& body = bodies[static_cast<std::size_t>(index)];
+    const Body& body = bodies[at(index)];
     if (body.motion == MotionType::dynamic) return body.p_WB;
   }
   return Vec3::Zero();
@@ -188,7 +189,7 @@ std::optional<Joint> make_joint(const Description& description, const std::strin
   joint->pitch = description.pitch;
   joint->length = start_of(description);
   joint->axes = description.axes;
-  joint->axes.resize(static_cast<std::size_t>(coordinate_count(joint->type)));
+  joint->axes.resize(at(coordinate_count(joint->type)));
   // The angle of a ball joint is never negative, so its lower limit is none.
   if (joint->type == JointType::ball) joint->axes[0].lower = -limits::infinity;
   return joint;

@@ -1,5 +1,7 @@
 #include "rigor/model/model.hpp"
 
+#include "rigor/core/index.hpp"
+
 #include <algorithm>
 
 namespace rigor {
@@ -27,8 +29,7 @@ std::vector<int> Model::bodies_of_joint(int i) const {
 PairCoefficients Model::coefficients(int material_a, int material_b) const {
   const auto override_of_pair = pair_overrides_.find(std::minmax(material_a, material_b));
   if (override_of_pair != pair_overrides_.end()) return override_of_pair->second;
-  return combined_coefficients(materials_[static_cast<std::size_t>(material_a)],
-                               materials_[static_cast<std::size_t>(material_b)]);
+  return combined_coefficients(materials_[at(material_a)], materials_[at(material_b)]);
 }
 
 bool Model::may_collide(int a, int b) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "rigor/core/index.hpp"
 #include "rigor/model/body.hpp"
 #include "rigor/model/force.hpp"
 #include "rigor/model/joint.hpp"
@@ -22,12 +23,12 @@ class Model {
   const std::string& name() const { return name_; }
   const Vec3& g_W() const { return g_W_; }  ///< Gravity [m/s²].
   const std::vector<Body>& bodies() const { return bodies_; }
-  const Body& body(int i) const { return bodies_[static_cast<std::size_t>(i)]; }
+  const Body& body(int i) const { return bodies_[at(i)]; }
   int body_count() const { return static_cast<int>(bodies_.size()); }
   const std::vector<Material>& materials() const { return materials_; }
   const std::vector<Force>& forces() const { return forces_; }
   const std::vector<Joint>& joints() const { return joints_; }
-  const Joint& joint(int i) const { return joints_[static_cast<std::size_t>(i)]; }
+  const Joint& joint(int i) const { return joints_[at(i)]; }
   /// Bodies that the i-th joint holds, but the world; of a gear those of both its joints. Ascending.
   std::vector<int> bodies_of_joint(int i) const;
 

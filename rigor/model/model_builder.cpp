@@ -1,9 +1,10 @@
 #include "rigor/model/model_builder.hpp"
 
+#include "rigor/core/index.hpp"
 #include "rigor/core/input_error.hpp"
 #include "rigor/core/quoted.hpp"
 #include "rigor/core/suggestion.hpp"
-#include "rigor/geometry/cavity.hpp"
+#include "rigor/geometry/shape/corner_balls.hpp"
 #include "rigor/model/body_builder.hpp"
 #include "rigor/model/force_builder.hpp"
 #include "rigor/model/joint_builder.hpp"
@@ -150,9 +151,9 @@ void check_cavities(const Model& model, const std::vector<std::string>& wheres,
       if (!model.may_collide(i, k) || messages.size() >= limits::message_count) continue;
       for (const BodyShape& shape : model.body(k).shapes) {
         if (has_corner_balls(shape.shape)) continue;
-        messages.push_back(wheres[static_cast<std::size_t>(k)] + "body " + quoted_text(model.body(k).name) +
-                           ": its " + shape_type_name(shape.shape) +
-                           " cannot collide with the cavity of body " + quoted_text(model.body(i).name) +
+        messages.push_back(wheres[at(k)] + "body " + quoted_text(model.body(k).name) + ": its " +
+                           shape_type_name(shape.shape) + " cannot collide with the cavity of body " +
+                           quoted_text(model.body(i).name) +
                            "; spheres, capsules, boxes, convex shapes and meshes can");
         break;
       }

@@ -1,9 +1,9 @@
 #include "rigor/model/scene_queries.hpp"
 
 #include "rigor/core/assert.hpp"
-#include "rigor/geometry/box_bounds.hpp"
-#include "rigor/geometry/distance.hpp"
-#include "rigor/geometry/point_distance.hpp"
+#include "rigor/geometry/distance/distance.hpp"
+#include "rigor/geometry/distance/point_distance.hpp"
+#include "rigor/geometry/rays/box_bounds.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "rigor/geometry/aabb_tree.hpp"
-#include "rigor/geometry/ray_cast.hpp"
-#include "rigor/geometry/shape_cast.hpp"
+#include "rigor/geometry/broad_phase/aabb_tree.hpp"
+#include "rigor/geometry/motion/shape_cast.hpp"
+#include "rigor/geometry/rays/ray_cast.hpp"
 #include "rigor/model/state.hpp"
 
 #include <functional>

@@ -1,8 +1,8 @@
 #include "rigor/model/shape_checks.hpp"
 
-#include "rigor/geometry/convex_hull.hpp"
-#include "rigor/geometry/mesh_check.hpp"
-#include "rigor/geometry/triangle_mesh.hpp"
+#include "rigor/geometry/mesh/mesh_check.hpp"
+#include "rigor/geometry/shape/convex_hull.hpp"
+#include "rigor/geometry/shape/triangle_mesh.hpp"
 #include "rigor/model/limits.hpp"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "rigor/geometry/mass_properties.hpp"
-#include "rigor/geometry/shape.hpp"
+#include "rigor/geometry/mass/mass_properties.hpp"
+#include "rigor/geometry/shape/shape.hpp"
 #include "rigor/model/findings.hpp"
 
 #include <map>

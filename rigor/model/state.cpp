@@ -1,5 +1,6 @@
 #include "rigor/model/state.hpp"
 
+#include "rigor/core/index.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ constexpr std::size_t phase_length = 13;  // x 3, q 4, P 3, L 3.
 }  // namespace
 
 void State::set_body(int body, const Vec3& x_new, const Quat& q_new, const Vec3& P_new, const Vec3& L_new) {
-  const std::size_t i = index(body);
+  const std::size_t i = at(body);
   Vec3::Map(&x[3 * i]) = x_new;
   Vec4::Map(&q[4 * i]) = Vec4(q_new.w(), q_new.x(), q_new.y(), q_new.z());
   Vec3::Map(&P[3 * i]) = P_new;
@@ -22,7 +23,7 @@ void State::set_body(int body, const Vec3& x_new, const Quat& q_new, const Vec3&
 }
 
 void State::anchor_body(int body) {
-  const std::size_t i = index(body);
+  const std::size_t i = at(body);
   double* const phase = &anchor[phase_length * i];
   epoch[i] = t;
   std::copy_n(&x[3 * i], 3, phase);
@@ -36,7 +37,7 @@ void State::anchor_here() {
 }
 
 State make_initial_state(const Model& model) {
-  const std::size_t n = static_cast<std::size_t>(model.body_count());
+  const std::size_t n = at(model.body_count());
   State state;
   state.x.resize(3 * n);
   state.q.resize(4 * n);

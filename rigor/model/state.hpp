@@ -1,5 +1,6 @@
 #pragma once
 
+#include "rigor/core/index.hpp"
 #include "rigor/math/types.hpp"
 #include "rigor/model/contact_memory.hpp"
 #include "rigor/model/manifold_memory.hpp"
@@ -38,13 +39,13 @@ struct State {
   bool operator==(const State& other) const = default;
 
   int body_count() const { return static_cast<int>(epoch.size()); }
-  Vec3 position(int body) const { return Vec3::Map(&x[3 * index(body)]); }
+  Vec3 position(int body) const { return Vec3::Map(&x[3 * at(body)]); }
   Quat orientation(int body) const {
-    const double* w = &q[4 * index(body)];
+    const double* w = &q[4 * at(body)];
     return Quat(w[0], w[1], w[2], w[3]);
   }
-  Vec3 linear_momentum(int body) const { return Vec3::Map(&P[3 * index(body)]); }
-  Vec3 angular_momentum(int body) const { return Vec3::Map(&L[3 * index(body)]); }
+  Vec3 linear_momentum(int body) const { return Vec3::Map(&P[3 * at(body)]); }
+  Vec3 angular_momentum(int body) const { return Vec3::Map(&L[3 * at(body)]); }
 
   /// Sets a body's phase at t and anchors it there.
   void set_body(int body, const Vec3& x_new, const Quat& q_new, const Vec3& P_new, const Vec3& L_new);
@@ -54,7 +55,6 @@ struct State {
   void anchor_here();
 
  private:
-  static std::size_t index(int body) { return static_cast<std::size_t>(body); }
 };
 
 /// The State at t = 0 that the Model describes.

@@ -1,6 +1,6 @@
-#include "rigor/geometry/distance.hpp"
-#include "rigor/geometry/mesh_penetration.hpp"
-#include "rigor/sim/near_pairs.hpp"
+#include "rigor/geometry/distance/distance.hpp"
+#include "rigor/geometry/mesh_penetration/mesh_penetration.hpp"
+#include "rigor/sim/pairs/near_pairs.hpp"
 #include "rigor/sim/simulation.hpp"
 
 #include <limits>

@@ -1,6 +1,6 @@
 #include "rigor/sim/simulation.hpp"
 
-#include "rigor/sim/stepper.hpp"
+#include "rigor/sim/make_stepper.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "rigor/sim/audit.hpp"
-#include "rigor/sim/run_settings.hpp"
+#include "rigor/sim/audit/audit.hpp"
+#include "rigor/sim/method/run_settings.hpp"
 
 #include <functional>
 #include <memory>

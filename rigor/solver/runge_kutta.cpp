@@ -1,5 +1,7 @@
 #include "rigor/solver/runge_kutta.hpp"
 
+#include "rigor/core/index.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -66,7 +68,7 @@ void set_nested_extension(std::span<const double[ButcherTableau::max_stages]> we
   for (int i = 0; i < tableau.stages + tableau.extra_stages; ++i) {
     double r[ButcherTableau::max_dense_degree] = {tableau.b[i], (i == 0 ? 1 : 0) - tableau.b[i]};
     r[2] = r[0] - r[1] - (i == end_stage ? 1 : 0);
-    for (int k = 3; k < count; ++k) r[k] = weights[static_cast<std::size_t>(k - 3)][i];
+    for (int k = 3; k < count; ++k) r[k] = weights[at(k - 3)][i];
 
     // From the innermost r outwards, times θ or 1 - θ by turns; the last factor is θ.
     double* powers = tableau.dense[i];

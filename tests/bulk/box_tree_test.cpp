@@ -1,4 +1,4 @@
-#include "rigor/bulk/box_tree.hpp"
+#include "rigor/bulk/broad_phase/box_tree.hpp"
 
 #include "random_vectors.hpp"
 

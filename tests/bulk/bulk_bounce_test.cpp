@@ -1,7 +1,7 @@
 // Restitution on the many-body path: what it gives back, and that it gives no more than was taken.
 
 #include "rigor/bulk/bulk_world.hpp"
-#include "rigor/bulk/manifold_bounce.hpp"
+#include "rigor/bulk/contacts/manifold_bounce.hpp"
 #include "rigor/dynamics/body_phase.hpp"
 #include "rigor/model/model_builder.hpp"
 

@@ -1,4 +1,4 @@
-#include "rigor/bulk/bulk_joints.hpp"
+#include "rigor/bulk/joints/bulk_joints.hpp"
 
 #include "bulk/joint_scenes.hpp"
 

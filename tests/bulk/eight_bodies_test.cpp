@@ -1,9 +1,9 @@
 // What is done to eight bodies or pairs at a time has the bits of what is done to one.
 
-#include "rigor/bulk/bulk_bodies.hpp"
-#include "rigor/bulk/near_bodies.hpp"
-#include "rigor/bulk/pair_lanes.hpp"
-#include "rigor/bulk/shape_places.hpp"
+#include "rigor/bulk/broad_phase/near_bodies.hpp"
+#include "rigor/bulk/broad_phase/pair_lanes.hpp"
+#include "rigor/bulk/broad_phase/shape_places.hpp"
+#include "rigor/bulk/state/bulk_bodies.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/model/model_builder.hpp"
 

@@ -1,4 +1,4 @@
-#include "rigor/bulk/executor.hpp"
+#include "rigor/bulk/threads/executor.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "rigor/bulk/face_outlines.hpp"
+#include "rigor/bulk/narrow_phase/face_outlines.hpp"
 #include "geometry/random_pairs.hpp"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "rigor/bulk/collide_boxes.hpp"
-#include "rigor/geometry/convex_hull.hpp"
-#include "rigor/geometry/shape.hpp"
+#include "rigor/bulk/narrow_phase/collide_boxes.hpp"
+#include "rigor/geometry/shape/convex_hull.hpp"
+#include "rigor/geometry/shape/shape.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "rigor/bulk/graph_colouring.hpp"
+#include "rigor/bulk/graph/graph_colouring.hpp"
 
 #include "random_vectors.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "rigor/bulk/bulk_joints.hpp"
-#include "rigor/bulk/gyration.hpp"
+#include "rigor/bulk/gyroscopic/gyroscopic_terms.hpp"
+#include "rigor/bulk/joints/bulk_joints.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/model/model_builder.hpp"
 
@@ -52,7 +52,7 @@ struct JointRun {
       : model(std::move(scene)),
         bodies(read_bulk_bodies(*model, make_initial_state(*model))),
         joints(*model, target),
-        gyrations(*model, target) {}
+        gyroscopic_terms(*model, target) {}
 
   std::vector<float> impulses() const {
     std::vector<float> result;
@@ -67,9 +67,9 @@ struct JointRun {
     joints.prepare(bodies, h, executor);
     std::vector<int> who(bodies.x.size());
     std::iota(who.begin(), who.end(), 0);
-    gyrations.prepare(bodies, who, executor);
+    gyroscopic_terms.prepare(bodies, who, executor);
     for (int s = 0; s < substeps; ++s) {
-      gyrations.find_changes(static_cast<float>(h), bodies, executor, turns);
+      gyroscopic_terms.find_changes(static_cast<float>(h), bodies, executor, turns);
       for (int i = 0; i < bodies.count(); ++i) {
         MotionRecord& motion = bodies.motion[static_cast<std::size_t>(i)];
         for (int k = 0; bodies.is_dynamic(i) && k < 3; ++k) {
@@ -117,7 +117,7 @@ struct JointRun {
   std::shared_ptr<const Model> model;
   BulkBodies bodies;
   BulkJoints joints;
-  Gyrations gyrations;
+  GyroscopicTerms gyroscopic_terms;
   std::vector<std::array<float, kLaneCount>> turns;
 
  private:

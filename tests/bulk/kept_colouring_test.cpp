@@ -1,4 +1,4 @@
-#include "rigor/bulk/kept_colouring.hpp"
+#include "rigor/bulk/graph/kept_colouring.hpp"
 
 #include <gtest/gtest.h>
 

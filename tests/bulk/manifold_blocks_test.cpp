@@ -1,5 +1,5 @@
-#include "rigor/bulk/manifold_blocks.hpp"
-#include "rigor/bulk/solved_manifold.hpp"
+#include "rigor/bulk/matching/manifold_blocks.hpp"
+#include "rigor/bulk/contacts/solved_manifold.hpp"
 
 #include "random_vectors.hpp"
 

@@ -1,6 +1,6 @@
 #include "bulk/same_bits.hpp"
 #include "geometry/random_pairs.hpp"
-#include "rigor/bulk/narrow_phase.hpp"
+#include "rigor/bulk/narrow_phase/narrow_phase.hpp"
 #include "rigor/model/model_builder.hpp"
 
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
 #include "bulk/face_preference.hpp"
 #include "bulk/same_bits.hpp"
 #include "geometry/random_pairs.hpp"
-#include "rigor/bulk/collide_boxes.hpp"
-#include "rigor/bulk/hull_lanes.hpp"
-#include "rigor/bulk/narrow_phase.hpp"
-#include "rigor/geometry/distance.hpp"
+#include "rigor/bulk/narrow_phase/collide_boxes.hpp"
+#include "rigor/bulk/narrow_phase/hull_lanes.hpp"
+#include "rigor/bulk/narrow_phase/narrow_phase.hpp"
+#include "rigor/geometry/distance/distance.hpp"
 #include "rigor/model/model_builder.hpp"
 
 #include <gtest/gtest.h>

@@ -1,10 +1,11 @@
 #include "geometry/random_pairs.hpp"
-#include "rigor/bulk/narrow_phase.hpp"
-#include "rigor/geometry/contact_set.hpp"
-#include "rigor/geometry/distance.hpp"
-#include "rigor/geometry/height_field.hpp"
-#include "rigor/geometry/triangle_mesh.hpp"
-#include "rigor/geometry/triangle_tree.hpp"
+#include "rigor/bulk/narrow_phase/narrow_phase.hpp"
+#include "rigor/geometry/contacts/contact_set.hpp"
+#include "rigor/geometry/decomposition/make_mesh.hpp"
+#include "rigor/geometry/distance/distance.hpp"
+#include "rigor/geometry/mesh/triangle_tree.hpp"
+#include "rigor/geometry/shape/height_field.hpp"
+#include "rigor/geometry/shape/triangle_mesh.hpp"
 #include "rigor/model/model_builder.hpp"
 
 #include <gtest/gtest.h>

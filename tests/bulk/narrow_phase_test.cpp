@@ -1,9 +1,9 @@
-#include "rigor/bulk/narrow_phase.hpp"
+#include "rigor/bulk/narrow_phase/narrow_phase.hpp"
 
 #include "bulk/face_preference.hpp"
 #include "geometry/random_pairs.hpp"
-#include "rigor/geometry/contact_set.hpp"
-#include "rigor/geometry/distance.hpp"
+#include "rigor/geometry/contacts/contact_set.hpp"
+#include "rigor/geometry/distance/distance.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/model/model_builder.hpp"
 

@@ -1,9 +1,9 @@
 // Which bodies are near each other.
 
-#include "rigor/bulk/near_bodies.hpp"
+#include "rigor/bulk/broad_phase/near_bodies.hpp"
 
 #include "random_vectors.hpp"
-#include "rigor/bulk/list_room.hpp"
+#include "rigor/bulk/lanes/list_room.hpp"
 #include "rigor/model/model_builder.hpp"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
-#include "rigor/bulk/pair_finder.hpp"
+#include "rigor/bulk/broad_phase/pair_finder.hpp"
 
 #include "random_vectors.hpp"
-#include "rigor/geometry/convex_hull.hpp"
-#include "rigor/geometry/distance.hpp"
+#include "rigor/geometry/distance/distance.hpp"
+#include "rigor/geometry/shape/convex_hull.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/model/model_builder.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rigor/bulk/narrow_phase.hpp"
+#include "rigor/bulk/narrow_phase/narrow_phase.hpp"
 
 #include <cstring>
 

@@ -1,4 +1,4 @@
-#include "rigor/bulk/sleep.hpp"
+#include "rigor/bulk/sleep/sleep.hpp"
 
 #include "rigor/model/model_builder.hpp"
 

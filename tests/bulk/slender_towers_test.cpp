@@ -1,7 +1,7 @@
 // Towers on the springs of the many-body path: Greenhill's column, and the exact solution that carries it.
 
 #include "rigor/bulk/bulk_world.hpp"
-#include "rigor/bulk/manifold_blocks.hpp"
+#include "rigor/bulk/matching/manifold_blocks.hpp"
 #include "rigor/model/model_builder.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "rigor/contact/algebraic_impact.hpp"
+#include "rigor/contact/impact/algebraic_impact.hpp"
 
 #include "random_vectors.hpp"
 

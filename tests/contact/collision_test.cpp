@@ -1,7 +1,7 @@
-#include "rigor/contact/collision.hpp"
+#include "rigor/contact/impact/collision.hpp"
 
 #include "random_vectors.hpp"
-#include "rigor/contact/collision_matrix.hpp"
+#include "rigor/contact/system/collision_matrix.hpp"
 #include "rigor/math/dense.hpp"
 #include "solver/reference_data.hpp"
 

@@ -1,8 +1,8 @@
-#include "rigor/contact/contact_kinematics.hpp"
+#include "rigor/contact/system/contact_kinematics.hpp"
 
 #include "random_vectors.hpp"
-#include "rigor/contact/contact_system.hpp"
-#include "rigor/geometry/distance.hpp"
+#include "rigor/contact/system/contact_system.hpp"
+#include "rigor/geometry/distance/distance.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/model/model_builder.hpp"
 

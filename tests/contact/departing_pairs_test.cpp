@@ -3,7 +3,7 @@
 #include "geometry/mesh_shapes.hpp"
 #include "geometry/solid_shapes.hpp"
 #include "rigor/contact/time_of_impact.hpp"
-#include "rigor/geometry/support.hpp"
+#include "rigor/geometry/shape/support.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/model/body.hpp"
 

@@ -2,10 +2,10 @@
 // give back no energy, and Newton's law on all contacts at once does.
 
 #include "contact/impact_systems.hpp"
-#include "rigor/contact/newton_impacts.hpp"
-#include "rigor/contact/reflections.hpp"
-#include "rigor/contact/sequential_impacts.hpp"
-#include "rigor/solver/static_friction.hpp"
+#include "rigor/contact/impact/newton_impacts.hpp"
+#include "rigor/contact/impact/reflections.hpp"
+#include "rigor/contact/impact/sequential_impacts.hpp"
+#include "rigor/solver/coulomb/static_friction.hpp"
 
 #include <gtest/gtest.h>
 

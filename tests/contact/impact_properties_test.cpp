@@ -1,7 +1,7 @@
 // What holds for any impact of any bodies, on random systems.
 
 #include "contact/impact_systems.hpp"
-#include "rigor/contact/sequential_impacts.hpp"
+#include "rigor/contact/impact/sequential_impacts.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <gtest/gtest.h>

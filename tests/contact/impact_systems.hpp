@@ -1,7 +1,7 @@
 #pragma once
 
 #include "random_vectors.hpp"
-#include "rigor/contact/impact.hpp"
+#include "rigor/contact/impact/impact.hpp"
 
 #include <vector>
 

@@ -1,4 +1,4 @@
-#include "rigor/contact/impact.hpp"
+#include "rigor/contact/impact/impact.hpp"
 
 #include "contact/impact_systems.hpp"
 

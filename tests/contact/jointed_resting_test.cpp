@@ -1,5 +1,5 @@
-#include "rigor/contact/joint_stops.hpp"
-#include "rigor/contact/resting.hpp"
+#include "rigor/contact/impact/joint_stops.hpp"
+#include "rigor/contact/resting/resting.hpp"
 #include "rigor/model/model_builder.hpp"
 
 #include "random_vectors.hpp"

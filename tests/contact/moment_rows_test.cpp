@@ -1,7 +1,7 @@
-#include "rigor/contact/moment_friction.hpp"
-#include "rigor/contact/motion_rows.hpp"
+#include "rigor/contact/resting/rolling_friction.hpp"
+#include "rigor/contact/system/motion_rows.hpp"
 #include "rigor/model/model_builder.hpp"
-#include "rigor/solver/moment_problem.hpp"
+#include "rigor/solver/coulomb/rolling_friction_problem.hpp"
 
 #include <gtest/gtest.h>
 
@@ -99,7 +99,7 @@ TEST(MomentRows, ResponseOfOneContactHasWhatJointsDo) {
 TEST(MomentRows, ARollingBallIsBrakedByRollingFriction) {
   const double g = 9.81, h = 0.01, rho = 1e-3, v = 0.5, R = 0.1;
   const ContactSystem system = ball_on_floor(Vec3(v, 0, -g * h), Vec3(0, v / R, 0));
-  MomentProblem problem{contact_response(moment_rows(system)), VecX(6), {0.3}, {rho}, {0}};
+  RollingFrictionProblem problem{contact_response(moment_rows(system)), VecX(6), {0.3}, {rho}, {0}};
   problem.b << relative_velocities(system), relative_turning(system, 0);
   const MomentSolution solution = solve_moments(problem);
   ASSERT_TRUE(solution.converged);

@@ -1,4 +1,4 @@
-#include "rigor/contact/penalty_law.hpp"
+#include "rigor/contact/penalty/penalty_law.hpp"
 
 #include <gtest/gtest.h>
 

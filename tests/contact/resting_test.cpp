@@ -1,4 +1,4 @@
-#include "rigor/contact/resting.hpp"
+#include "rigor/contact/resting/resting.hpp"
 
 #include "rigor/math/rotation.hpp"
 #include "rigor/model/model_builder.hpp"

@@ -1,10 +1,10 @@
-#include "rigor/geometry/separation_bound.hpp"
+#include "rigor/geometry/motion/separation_bound.hpp"
 
 #include "random_vectors.hpp"
 #include "rigor/contact/time_of_impact.hpp"
 #include "rigor/dynamics/motion.hpp"
-#include "rigor/geometry/distance.hpp"
-#include "rigor/geometry/support.hpp"
+#include "rigor/geometry/distance/distance.hpp"
+#include "rigor/geometry/shape/support.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <gtest/gtest.h>

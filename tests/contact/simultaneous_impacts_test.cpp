@@ -1,9 +1,9 @@
 // Several impacts at one instant: known answers of the three laws.
 
 #include "contact/impact_systems.hpp"
-#include "rigor/contact/newton_impacts.hpp"
-#include "rigor/contact/reflections.hpp"
-#include "rigor/contact/sequential_impacts.hpp"
+#include "rigor/contact/impact/newton_impacts.hpp"
+#include "rigor/contact/impact/reflections.hpp"
+#include "rigor/contact/impact/sequential_impacts.hpp"
 #include "rigor/math/rotation.hpp"
 #include "solver/reference_data.hpp"
 

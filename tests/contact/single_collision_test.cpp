@@ -1,4 +1,4 @@
-#include "rigor/contact/single_collision.hpp"
+#include "rigor/contact/impact/single_collision.hpp"
 
 #include "contact/impact_systems.hpp"
 #include "rigor/math/rotation.hpp"

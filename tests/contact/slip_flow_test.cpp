@@ -1,4 +1,4 @@
-#include "rigor/contact/slip_flow.hpp"
+#include "rigor/contact/impact/slip_flow.hpp"
 
 #include "random_vectors.hpp"
 #include "solver/reference_data.hpp"

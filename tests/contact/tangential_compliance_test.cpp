@@ -1,4 +1,4 @@
-#include "rigor/contact/tangential_compliance.hpp"
+#include "rigor/contact/impact/tangential_compliance.hpp"
 
 #include "random_vectors.hpp"
 #include "solver/reference_data.hpp"

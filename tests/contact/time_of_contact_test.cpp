@@ -1,8 +1,8 @@
-#include "rigor/geometry/time_of_contact.hpp"
+#include "rigor/geometry/motion/time_of_contact.hpp"
 
 #include "random_vectors.hpp"
 #include "rigor/contact/time_of_impact.hpp"
-#include "rigor/geometry/support.hpp"
+#include "rigor/geometry/shape/support.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/model/body.hpp"
 

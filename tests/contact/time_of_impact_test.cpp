@@ -1,6 +1,6 @@
 #include "rigor/contact/time_of_impact.hpp"
 
-#include "rigor/geometry/convex_hull.hpp"
+#include "rigor/geometry/shape/convex_hull.hpp"
 #include "rigor/model/body.hpp"
 
 #include <gtest/gtest.h>

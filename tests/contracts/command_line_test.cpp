@@ -1,5 +1,5 @@
 #include "contracts/program.hpp"
-#include "rigor/io/version.hpp"
+#include "rigor/io/files/version.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
 #include "contracts/program.hpp"
-#include "rigor/sim/method.hpp"
+#include "rigor/sim/method/method.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "rigor/io/scene_reader.hpp"
+#include "rigor/io/scene/scene_reader.hpp"
 #include "rigor/model/scene_queries.hpp"
 
 #include "contracts/program.hpp"

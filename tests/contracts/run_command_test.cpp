@@ -1,5 +1,5 @@
 #include "contracts/program.hpp"
-#include "rigor/io/hdf5_reader.hpp"
+#include "rigor/io/trajectory/hdf5_reader.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
 #include "contracts/program.hpp"
-#include "rigor/view/png_file.hpp"
+#include "rigor/view/3d/png_file.hpp"
 
 #include <gtest/gtest.h>
 
@@ -38,7 +38,7 @@ TEST(RunPicture, APlaceThatCannotBeWrittenIsFiveBeforeTheRun) {
   EXPECT_EQ(result.error, "error: cannot write 'missing/a.png': No such file or directory\n");
 }
 
-TEST(RunCourse, IsPlottedOnATerminalOnly) {
+TEST(RunSparkline, IsPlottedOnATerminalOnly) {
   const ProgramFolder folder;
   folder.write("ball.yaml", ball_scene);
   ::setenv("LC_ALL", "C.UTF-8", 1);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "geometry/random_pairs.hpp"
-#include "rigor/geometry/distance.hpp"
+#include "rigor/geometry/distance/distance.hpp"
 
 #include <cmath>
 #include <cstdint>

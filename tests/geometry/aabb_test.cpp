@@ -1,7 +1,7 @@
-#include "rigor/geometry/aabb.hpp"
+#include "rigor/geometry/shape/aabb.hpp"
 
-#include "rigor/geometry/convex_hull.hpp"
-#include "rigor/geometry/triangle_tree.hpp"
+#include "rigor/geometry/mesh/triangle_tree.hpp"
+#include "rigor/geometry/shape/convex_hull.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <cmath>

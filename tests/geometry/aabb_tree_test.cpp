@@ -1,4 +1,4 @@
-#include "rigor/geometry/aabb_tree.hpp"
+#include "rigor/geometry/broad_phase/aabb_tree.hpp"
 
 #include <algorithm>
 #include <chrono>

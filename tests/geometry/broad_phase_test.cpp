@@ -1,7 +1,7 @@
-#include "rigor/geometry/broad_phase.hpp"
+#include "rigor/geometry/broad_phase/broad_phase.hpp"
 
 #include "random_vectors.hpp"
-#include "rigor/geometry/pair_set.hpp"
+#include "rigor/geometry/broad_phase/pair_set.hpp"
 
 #include <gtest/gtest.h>
 

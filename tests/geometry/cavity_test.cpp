@@ -1,9 +1,13 @@
-#include "rigor/geometry/cavity.hpp"
+#include "rigor/geometry/contacts/cavity_contacts.hpp"
+#include "rigor/geometry/distance/cavity_distance.hpp"
+#include "rigor/geometry/motion/cavity_step.hpp"
+#include "rigor/geometry/shape/corner_balls.hpp"
 
 #include "random_vectors.hpp"
-#include "rigor/geometry/convex_hull.hpp"
-#include "rigor/geometry/ray_span.hpp"
-#include "rigor/geometry/support.hpp"
+#include "rigor/geometry/distance/distance.hpp"
+#include "rigor/geometry/rays/ray_span.hpp"
+#include "rigor/geometry/shape/convex_hull.hpp"
+#include "rigor/geometry/shape/support.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #include "random_pairs.hpp"
-#include "rigor/geometry/contact_set.hpp"
-#include "rigor/geometry/distance.hpp"
-#include "rigor/geometry/point_distance.hpp"
+#include "rigor/geometry/contacts/contact_set.hpp"
+#include "rigor/geometry/distance/distance.hpp"
+#include "rigor/geometry/distance/point_distance.hpp"
 
 #include <gtest/gtest.h>
 

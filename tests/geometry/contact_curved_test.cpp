@@ -1,5 +1,5 @@
-#include "rigor/geometry/contact_set.hpp"
-#include "rigor/geometry/support.hpp"
+#include "rigor/geometry/contacts/contact_set.hpp"
+#include "rigor/geometry/shape/support.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <algorithm>

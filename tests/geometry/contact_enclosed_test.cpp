@@ -2,9 +2,9 @@
 
 #include "geometry/mesh_shapes.hpp"
 #include "geometry/solid_shapes.hpp"
-#include "rigor/geometry/contact_set.hpp"
-#include "rigor/geometry/distance.hpp"
-#include "rigor/geometry/mesh_penetration.hpp"
+#include "rigor/geometry/contacts/contact_set.hpp"
+#include "rigor/geometry/distance/distance.hpp"
+#include "rigor/geometry/mesh_penetration/mesh_penetration.hpp"
 
 #include <gtest/gtest.h>
 

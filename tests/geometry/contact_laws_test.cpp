@@ -1,7 +1,7 @@
-#include "rigor/geometry/contact_set.hpp"
-#include "rigor/geometry/convex_hull.hpp"
-#include "rigor/geometry/distance.hpp"
-#include "rigor/geometry/support.hpp"
+#include "rigor/geometry/contacts/contact_set.hpp"
+#include "rigor/geometry/distance/distance.hpp"
+#include "rigor/geometry/shape/convex_hull.hpp"
+#include "rigor/geometry/shape/support.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <algorithm>

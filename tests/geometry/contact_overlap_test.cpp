@@ -2,8 +2,8 @@
 // count.
 
 #include "random_vectors.hpp"
-#include "rigor/geometry/contact_set.hpp"
-#include "rigor/geometry/distance.hpp"
+#include "rigor/geometry/contacts/contact_set.hpp"
+#include "rigor/geometry/distance/distance.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <gtest/gtest.h>

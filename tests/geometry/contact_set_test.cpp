@@ -1,6 +1,6 @@
-#include "rigor/geometry/contact_set.hpp"
+#include "rigor/geometry/contacts/contact_set.hpp"
 
-#include "rigor/geometry/convex_hull.hpp"
+#include "rigor/geometry/shape/convex_hull.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <algorithm>

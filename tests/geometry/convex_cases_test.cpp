@@ -1,6 +1,7 @@
 // Cases that collision libraries are known to get wrong, by their issue numbers, and properties of all pairs.
 
 #include "fuzz/convex_pair.hpp"
+#include "rigor/geometry/distance/distance.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
-#include "rigor/geometry/convex_decomposition.hpp"
+#include "rigor/geometry/decomposition/convex_decomposition.hpp"
 
 #include "geometry/solid_shapes.hpp"
-#include "rigor/geometry/hull_excess.hpp"
+#include "rigor/geometry/decomposition/hull_excess.hpp"
 
 #include <gtest/gtest.h>
 

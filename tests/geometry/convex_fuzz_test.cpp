@@ -1,4 +1,5 @@
 #include "fuzz/convex_pair.hpp"
+#include "rigor/geometry/distance/distance.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
-#include "rigor/geometry/convex_hull.hpp"
+#include "rigor/geometry/shape/convex_hull.hpp"
 
 #include "geometry/mesh_shapes.hpp"
-#include "rigor/geometry/mass_properties.hpp"
+#include "rigor/geometry/mass/mass_properties.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <gtest/gtest.h>

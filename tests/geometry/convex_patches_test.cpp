@@ -1,4 +1,4 @@
-#include "rigor/geometry/convex_patches.hpp"
+#include "rigor/geometry/decomposition/convex_patches.hpp"
 
 #include "geometry/solid_shapes.hpp"
 

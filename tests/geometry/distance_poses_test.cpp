@@ -1,5 +1,5 @@
-#include "rigor/geometry/convex_hull.hpp"
-#include "rigor/geometry/distance.hpp"
+#include "rigor/geometry/distance/distance.hpp"
+#include "rigor/geometry/shape/convex_hull.hpp"
 
 #include <gtest/gtest.h>
 

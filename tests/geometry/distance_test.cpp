@@ -1,4 +1,4 @@
-#include "rigor/geometry/distance.hpp"
+#include "rigor/geometry/distance/distance.hpp"
 
 #include "geometry/random_pairs.hpp"
 

@@ -1,6 +1,6 @@
 // The depth of ellipsoids that is proved in closed form.
 
-#include "rigor/geometry/ellipsoid_penetration.hpp"
+#include "rigor/geometry/convex/ellipsoid_penetration.hpp"
 #include "random_vectors.hpp"
 #include "rigor/math/rotation.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "rigor/geometry/convex_hull.hpp"
-#include "rigor/geometry/shape.hpp"
+#include "rigor/geometry/shape/convex_hull.hpp"
+#include "rigor/geometry/shape/shape.hpp"
 #include "rigor/math/pose.hpp"
 
 #include <algorithm>

@@ -1,9 +1,10 @@
-#include "rigor/geometry/feature_walk.hpp"
+#include "rigor/geometry/convex/feature_walk.hpp"
+#include "rigor/geometry/distance/distance.hpp"
 
 #include "geometry/exact_polytopes.hpp"
 #include "geometry/random_pairs.hpp"
 
-#include "rigor/geometry/distance_cache.hpp"
+#include "rigor/geometry/distance/distance_cache.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

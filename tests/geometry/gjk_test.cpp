@@ -1,7 +1,7 @@
-#include "rigor/geometry/gjk.hpp"
+#include "rigor/geometry/convex/gjk.hpp"
 
 #include "geometry/random_pairs.hpp"
-#include "rigor/geometry/double_double.hpp"
+#include "rigor/geometry/exact/double_double.hpp"
 
 #include <gtest/gtest.h>
 

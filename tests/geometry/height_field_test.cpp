@@ -1,8 +1,9 @@
-#include "rigor/geometry/height_field.hpp"
-#include "rigor/geometry/contact_set.hpp"
-#include "rigor/geometry/mass_properties.hpp"
-#include "rigor/geometry/mesh_check.hpp"
-#include "rigor/geometry/triangle_tree.hpp"
+#include "rigor/geometry/shape/height_field.hpp"
+#include "rigor/geometry/contacts/contact_set.hpp"
+#include "rigor/geometry/decomposition/make_mesh.hpp"
+#include "rigor/geometry/mass/mass_properties.hpp"
+#include "rigor/geometry/mesh/mesh_check.hpp"
+#include "rigor/geometry/mesh/triangle_tree.hpp"
 #include "rigor/math/splitmix64.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
-#include "rigor/geometry/mass_properties.hpp"
+#include "rigor/geometry/mass/mass_properties.hpp"
 
 #include "geometry/mesh_shapes.hpp"
-#include "rigor/geometry/convex_hull.hpp"
+#include "rigor/geometry/shape/convex_hull.hpp"
 #include "rigor/math/principal_axes.hpp"
 #include "rigor/math/rotation.hpp"
 

@@ -1,4 +1,4 @@
-#include "rigor/geometry/maximum_cap.hpp"
+#include "rigor/geometry/convex/maximum_cap.hpp"
 
 #include "geometry/random_pairs.hpp"
 

@@ -1,4 +1,4 @@
-#include "rigor/geometry/mesh_check.hpp"
+#include "rigor/geometry/mesh/mesh_check.hpp"
 
 #include "geometry/mesh_shapes.hpp"
 #include "rigor/math/rotation.hpp"

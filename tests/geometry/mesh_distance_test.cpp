@@ -1,9 +1,11 @@
-#include "rigor/geometry/mesh_distance.hpp"
+#include "rigor/geometry/distance/mesh_distance.hpp"
+#include "rigor/geometry/distance/distance.hpp"
 
-#include "rigor/geometry/convex_hull.hpp"
-#include "rigor/geometry/mesh_point.hpp"
-#include "rigor/geometry/triangle_mesh.hpp"
-#include "rigor/geometry/triangle_tree.hpp"
+#include "rigor/geometry/decomposition/make_mesh.hpp"
+#include "rigor/geometry/mesh/mesh_point.hpp"
+#include "rigor/geometry/mesh/triangle_tree.hpp"
+#include "rigor/geometry/shape/convex_hull.hpp"
+#include "rigor/geometry/shape/triangle_mesh.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <algorithm>

@@ -1,7 +1,8 @@
 #include "mesh_shapes.hpp"
-#include "rigor/geometry/contact_set.hpp"
-#include "rigor/geometry/distance.hpp"
-#include "rigor/geometry/triangle_tree.hpp"
+#include "rigor/geometry/contacts/contact_set.hpp"
+#include "rigor/geometry/decomposition/make_mesh.hpp"
+#include "rigor/geometry/distance/distance.hpp"
+#include "rigor/geometry/mesh/triangle_tree.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <algorithm>

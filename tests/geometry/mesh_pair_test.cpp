@@ -1,9 +1,10 @@
-#include "rigor/geometry/mesh_pair.hpp"
+#include "rigor/geometry/distance/mesh_pair.hpp"
 
 #include "mesh_shapes.hpp"
-#include "rigor/geometry/convex_distance.hpp"
-#include "rigor/geometry/triangle_pair.hpp"
-#include "rigor/geometry/triangle_tree.hpp"
+#include "rigor/geometry/convex/convex_distance.hpp"
+#include "rigor/geometry/decomposition/make_mesh.hpp"
+#include "rigor/geometry/mesh/triangle_pair.hpp"
+#include "rigor/geometry/mesh/triangle_tree.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <algorithm>

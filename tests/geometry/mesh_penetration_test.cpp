@@ -1,8 +1,9 @@
-#include "rigor/geometry/mesh_penetration.hpp"
+#include "rigor/geometry/mesh_penetration/mesh_penetration.hpp"
+#include "rigor/geometry/distance/distance.hpp"
 
 #include "geometry/solid_shapes.hpp"
-#include "rigor/geometry/mesh_solid.hpp"
-#include "rigor/geometry/point_depth.hpp"
+#include "rigor/geometry/decomposition/mesh_solid.hpp"
+#include "rigor/geometry/mesh_penetration/point_depth.hpp"
 
 #include <functional>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rigor/geometry/triangle_mesh.hpp"
+#include "rigor/geometry/shape/triangle_mesh.hpp"
 #include "rigor/math/pose.hpp"
 
 #include <cmath>

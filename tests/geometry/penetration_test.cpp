@@ -1,8 +1,8 @@
 #include "geometry/random_pairs.hpp"
 
-#include "rigor/geometry/convex_distance.hpp"
-#include "rigor/geometry/expanding_polytope.hpp"
-#include "rigor/geometry/separation.hpp"
+#include "rigor/geometry/convex/convex_distance.hpp"
+#include "rigor/geometry/convex/expanding_polytope.hpp"
+#include "rigor/geometry/convex/separation.hpp"
 
 #include <gtest/gtest.h>
 

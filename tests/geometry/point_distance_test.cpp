@@ -1,10 +1,11 @@
-#include "rigor/geometry/point_distance.hpp"
+#include "rigor/geometry/distance/point_distance.hpp"
 
 #include "mesh_shapes.hpp"
 #include "random_pairs.hpp"
-#include "rigor/geometry/containment.hpp"
-#include "rigor/geometry/distance.hpp"
-#include "rigor/geometry/triangle_tree.hpp"
+#include "rigor/geometry/decomposition/make_mesh.hpp"
+#include "rigor/geometry/distance/distance.hpp"
+#include "rigor/geometry/mesh/triangle_tree.hpp"
+#include "rigor/geometry/shape/containment.hpp"
 
 #include <gtest/gtest.h>
 

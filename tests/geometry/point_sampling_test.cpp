@@ -1,8 +1,8 @@
-#include "rigor/geometry/point_sampling.hpp"
+#include "rigor/geometry/mass/point_sampling.hpp"
 
 #include "geometry/mesh_shapes.hpp"
-#include "rigor/geometry/containment.hpp"
-#include "rigor/geometry/convex_hull.hpp"
+#include "rigor/geometry/shape/containment.hpp"
+#include "rigor/geometry/shape/convex_hull.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <gtest/gtest.h>

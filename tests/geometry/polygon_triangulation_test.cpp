@@ -1,8 +1,8 @@
-#include "rigor/geometry/polygon_triangulation.hpp"
+#include "rigor/geometry/shape/polygon_triangulation.hpp"
 
 #include "geometry/mesh_shapes.hpp"
-#include "rigor/geometry/mass_properties.hpp"
-#include "rigor/geometry/orientation.hpp"
+#include "rigor/geometry/exact/orientation.hpp"
+#include "rigor/geometry/mass/mass_properties.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <gtest/gtest.h>

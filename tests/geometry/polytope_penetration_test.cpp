@@ -1,10 +1,11 @@
-#include "rigor/geometry/polytope_penetration.hpp"
+#include "rigor/geometry/convex/polytope_penetration.hpp"
+#include "rigor/geometry/distance/distance.hpp"
 
 #include "geometry/exact_polytopes.hpp"
 #include "geometry/random_pairs.hpp"
 
-#include "rigor/geometry/box_axes.hpp"
-#include "rigor/geometry/distance_cache.hpp"
+#include "rigor/geometry/convex/box_axes.hpp"
+#include "rigor/geometry/distance/distance_cache.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

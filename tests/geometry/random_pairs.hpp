@@ -1,8 +1,8 @@
 #pragma once
 
-#include "rigor/geometry/convex_hull.hpp"
-#include "rigor/geometry/shape.hpp"
-#include "rigor/geometry/support.hpp"
+#include "rigor/geometry/shape/convex_hull.hpp"
+#include "rigor/geometry/shape/shape.hpp"
+#include "rigor/geometry/shape/support.hpp"
 #include "rigor/math/pose.hpp"
 #include "rigor/math/rotation.hpp"
 

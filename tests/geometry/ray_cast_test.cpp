@@ -1,9 +1,10 @@
-#include "rigor/geometry/ray_cast.hpp"
+#include "rigor/geometry/rays/ray_cast.hpp"
 
 #include "mesh_shapes.hpp"
 #include "random_pairs.hpp"
-#include "rigor/geometry/point_distance.hpp"
-#include "rigor/geometry/triangle_tree.hpp"
+#include "rigor/geometry/decomposition/make_mesh.hpp"
+#include "rigor/geometry/distance/point_distance.hpp"
+#include "rigor/geometry/mesh/triangle_tree.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,8 @@
 
 #include "geometry/mesh_shapes.hpp"
 #include "geometry/random_pairs.hpp"
-#include "rigor/geometry/triangle_tree.hpp"
+#include "rigor/geometry/decomposition/make_mesh.hpp"
+#include "rigor/geometry/mesh/triangle_tree.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "rigor/geometry/support_table.hpp"
+#include "rigor/geometry/shape/support_table.hpp"
 
 #include "geometry/random_pairs.hpp"
 

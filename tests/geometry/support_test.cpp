@@ -1,8 +1,8 @@
-#include "rigor/geometry/support.hpp"
+#include "rigor/geometry/shape/support.hpp"
 
 #include "geometry/random_pairs.hpp"
 
-#include "rigor/geometry/convex_core.hpp"
+#include "rigor/geometry/shape/convex_core.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,10 @@
-#include "rigor/geometry/time_of_contact.hpp"
+#include "rigor/geometry/motion/time_of_contact.hpp"
+#include "rigor/geometry/distance/distance.hpp"
 
 #include "mesh_shapes.hpp"
 #include "random_pairs.hpp"
-#include "rigor/geometry/triangle_tree.hpp"
+#include "rigor/geometry/decomposition/make_mesh.hpp"
+#include "rigor/geometry/mesh/triangle_tree.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
-#include "rigor/io/audit_json.hpp"
+#include "rigor/io/trajectory/audit_json.hpp"
 
-#include "rigor/io/version.hpp"
+#include "rigor/io/files/version.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,10 +1,10 @@
-#include "rigor/io/checkpoint.hpp"
+#include "rigor/io/trajectory/checkpoint.hpp"
 
 #include "io/trajectory_samples.hpp"
 #include "rigor/core/input_error.hpp"
-#include "rigor/io/file_error.hpp"
-#include "rigor/io/fingerprint.hpp"
-#include "rigor/io/scene_reader.hpp"
+#include "rigor/io/files/file_error.hpp"
+#include "rigor/io/scene/scene_reader.hpp"
+#include "rigor/io/trajectory/fingerprint.hpp"
 #include "rigor/sim/simulation.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
-#include "rigor/io/csv_writer.hpp"
+#include "rigor/io/trajectory/csv_writer.hpp"
 
 #include "io/trajectory_samples.hpp"
-#include "rigor/io/file_error.hpp"
+#include "rigor/io/files/file_error.hpp"
 
 #include <gtest/gtest.h>
 

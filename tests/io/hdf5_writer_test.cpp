@@ -1,9 +1,9 @@
-#include "rigor/io/hdf5_writer.hpp"
+#include "rigor/io/trajectory/hdf5_writer.hpp"
 
 #include "io/trajectory_samples.hpp"
 #include "rigor/core/input_error.hpp"
-#include "rigor/io/file_error.hpp"
-#include "rigor/io/hdf5_reader.hpp"
+#include "rigor/io/files/file_error.hpp"
+#include "rigor/io/trajectory/hdf5_reader.hpp"
 
 #include <gtest/gtest.h>
 

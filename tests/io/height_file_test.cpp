@@ -1,7 +1,7 @@
-#include "rigor/io/height_file.hpp"
+#include "rigor/io/mesh/height_file.hpp"
 #include "rigor/core/input_error.hpp"
-#include "rigor/geometry/mass_properties.hpp"
-#include "rigor/io/scene_reader.hpp"
+#include "rigor/geometry/mass/mass_properties.hpp"
+#include "rigor/io/scene/scene_reader.hpp"
 #include "rigor/model/limits.hpp"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 #include "io/trajectory_samples.hpp"
-#include "rigor/io/csv_writer.hpp"
-#include "rigor/io/json_writer.hpp"
+#include "rigor/io/trajectory/csv_writer.hpp"
+#include "rigor/io/trajectory/json_writer.hpp"
 #include "rigor/model/model_builder.hpp"
-#include "rigor/sim/contact_snapshot.hpp"
-#include "rigor/sim/event_driven_stepper.hpp"
+#include "rigor/sim/audit/contact_snapshot.hpp"
+#include "rigor/sim/event_driven/event_driven_stepper.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

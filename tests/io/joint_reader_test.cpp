@@ -1,6 +1,6 @@
 #include "rigor/core/input_error.hpp"
-#include "rigor/io/fingerprint.hpp"
-#include "rigor/io/scene_reader.hpp"
+#include "rigor/io/scene/scene_reader.hpp"
+#include "rigor/io/trajectory/fingerprint.hpp"
 
 #include <gtest/gtest.h>
 #include <cmath>

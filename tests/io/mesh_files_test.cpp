@@ -1,12 +1,12 @@
-#include "rigor/io/mesh_files.hpp"
+#include "rigor/io/mesh/mesh_files.hpp"
 
 #include "geometry/mesh_shapes.hpp"
 #include "rigor/core/input_error.hpp"
-#include "rigor/geometry/mass_properties.hpp"
-#include "rigor/geometry/mesh_check.hpp"
-#include "rigor/io/obj_file.hpp"
-#include "rigor/io/ply_file.hpp"
-#include "rigor/io/stl_file.hpp"
+#include "rigor/geometry/mass/mass_properties.hpp"
+#include "rigor/geometry/mesh/mesh_check.hpp"
+#include "rigor/io/mesh/obj_file.hpp"
+#include "rigor/io/mesh/ply_file.hpp"
+#include "rigor/io/mesh/stl_file.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "rigor/io/scalar_text.hpp"
+#include "rigor/io/files/scalar_text.hpp"
 
 #include <gtest/gtest.h>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "rigor/core/range.hpp"
-#include "rigor/io/scene_keys.hpp"
+#include "rigor/io/scene/scene_keys.hpp"
 
 #include <cmath>
 #include <map>

@@ -1,4 +1,4 @@
-#include "rigor/io/scene_reader.hpp"
+#include "rigor/io/scene/scene_reader.hpp"
 #include "rigor/core/input_error.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/math/splitmix64.hpp"

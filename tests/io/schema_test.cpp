@@ -1,7 +1,7 @@
 #include "io/scene_documents.hpp"
 
-#include "rigor/io/scene_keys.hpp"
-#include "rigor/io/scene_reader.hpp"
+#include "rigor/io/scene/scene_keys.hpp"
+#include "rigor/io/scene/scene_reader.hpp"
 
 #include <gtest/gtest.h>
 #include <filesystem>

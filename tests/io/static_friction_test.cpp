@@ -1,5 +1,5 @@
 #include "rigor/core/input_error.hpp"
-#include "rigor/io/scene_reader.hpp"
+#include "rigor/io/scene/scene_reader.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rigor/io/trajectory_writer.hpp"
+#include "rigor/io/trajectory/trajectory_writer.hpp"
 
 #include <unistd.h>
 #include <cstdlib>

@@ -1,6 +1,6 @@
-#include "rigor/io/yaml_document.hpp"
+#include "rigor/io/files/yaml_document.hpp"
 #include "rigor/core/input_error.hpp"
-#include "rigor/io/text_file.hpp"
+#include "rigor/io/files/text_file.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

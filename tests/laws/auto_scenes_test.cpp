@@ -1,9 +1,9 @@
 // `scheme: auto` has a scheme for every scene that is shipped.
 
-#include "rigor/io/scene_reader.hpp"
-#include "rigor/sim/scheme_check.hpp"
-#include "rigor/sim/scheme_choice.hpp"
-#include "rigor/sim/stepper.hpp"
+#include "rigor/io/scene/scene_reader.hpp"
+#include "rigor/sim/make_stepper.hpp"
+#include "rigor/sim/method/scheme_check.hpp"
+#include "rigor/sim/method/scheme_choice.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // A scene gives the same motion whatever finds the distances of its polyhedra.
 
-#include "rigor/io/audit_json.hpp"
-#include "rigor/io/scene_reader.hpp"
+#include "rigor/io/scene/scene_reader.hpp"
+#include "rigor/io/trajectory/audit_json.hpp"
 #include "rigor/sim/simulation.hpp"
 
 #include <gtest/gtest.h>

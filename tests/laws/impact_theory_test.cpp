@@ -1,4 +1,4 @@
-#include "rigor/contact/course.hpp"
+#include "rigor/contact/impact/impact_path.hpp"
 
 #include "random_vectors.hpp"
 #include "rigor/math/dense.hpp"

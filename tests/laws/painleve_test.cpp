@@ -2,7 +2,7 @@
 
 #include "laws/scene_runs.hpp"
 
-#include "rigor/contact/paradox.hpp"
+#include "rigor/contact/resting/paradox.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <gtest/gtest.h>

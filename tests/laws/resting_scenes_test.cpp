@@ -3,7 +3,7 @@
 #include "laws/scene_runs.hpp"
 
 #include "rigor/math/rotation.hpp"
-#include "rigor/sim/contact_snapshot.hpp"
+#include "rigor/sim/audit/contact_snapshot.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rigor/io/scene_reader.hpp"
+#include "rigor/io/scene/scene_reader.hpp"
 #include "rigor/sim/simulation.hpp"
 
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "rigor/model/body_shapes.hpp"
 
-#include "rigor/geometry/convex_hull.hpp"
+#include "rigor/geometry/shape/convex_hull.hpp"
 #include "rigor/model/model_builder.hpp"
 
 #include <gtest/gtest.h>

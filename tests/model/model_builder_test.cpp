@@ -2,7 +2,7 @@
 
 #include "rigor/core/input_error.hpp"
 #include "rigor/core/range.hpp"
-#include "rigor/geometry/convex_hull.hpp"
+#include "rigor/geometry/shape/convex_hull.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/model/limits.hpp"
 #include "rigor/model/model_builder.hpp"

@@ -1,8 +1,8 @@
 #include "rigor/model/scene_queries.hpp"
 
 #include "random_vectors.hpp"
-#include "rigor/geometry/distance.hpp"
-#include "rigor/geometry/point_distance.hpp"
+#include "rigor/geometry/distance/distance.hpp"
+#include "rigor/geometry/distance/point_distance.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/model/model_builder.hpp"
 

@@ -1,6 +1,6 @@
 // Gravity scale and damping of a body in every scheme.
 
-#include "rigor/sim/stepper.hpp"
+#include "rigor/sim/make_stepper.hpp"
 #include "sim/time_stepping_scenes.hpp"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 
 #include "rigor/math/rotation.hpp"
 #include "rigor/model/model_builder.hpp"
-#include "rigor/sim/stepper.hpp"
+#include "rigor/sim/make_stepper.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // The program of docs/bulk_api.md.
 
 #include "rigor/model/model_builder.hpp"
-#include "rigor/sim/bulk_simulation.hpp"
+#include "rigor/sim/bulk/bulk_simulation.hpp"
 
 #include <gtest/gtest.h>
 

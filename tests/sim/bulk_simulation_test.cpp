@@ -1,4 +1,4 @@
-#include "rigor/sim/bulk_simulation.hpp"
+#include "rigor/sim/bulk/bulk_simulation.hpp"
 
 #include "sim/time_stepping_scenes.hpp"
 

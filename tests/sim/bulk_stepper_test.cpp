@@ -1,7 +1,8 @@
-#include "rigor/sim/bulk_stepper.hpp"
+#include "rigor/sim/bulk/bulk_stepper.hpp"
 
 #include "rigor/bulk/bulk_world.hpp"
-#include "rigor/sim/scheme_check.hpp"
+#include "rigor/sim/make_stepper.hpp"
+#include "rigor/sim/method/scheme_check.hpp"
 #include "sim/time_stepping_scenes.hpp"
 
 #include <gtest/gtest.h>

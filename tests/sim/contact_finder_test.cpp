@@ -1,4 +1,4 @@
-#include "rigor/sim/contact_finder.hpp"
+#include "rigor/sim/pairs/contact_finder.hpp"
 
 #include "rigor/model/model_builder.hpp"
 

@@ -1,4 +1,4 @@
-#include "rigor/sim/contact_snapshot.hpp"
+#include "rigor/sim/audit/contact_snapshot.hpp"
 
 #include "rigor/model/model_builder.hpp"
 

@@ -1,6 +1,6 @@
 #include "rigor/math/rotation.hpp"
 #include "rigor/model/model_builder.hpp"
-#include "rigor/sim/event_driven_stepper.hpp"
+#include "rigor/sim/event_driven/event_driven_stepper.hpp"
 
 #include <gtest/gtest.h>
 

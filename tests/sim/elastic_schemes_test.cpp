@@ -1,7 +1,7 @@
 #include "rigor/dynamics/environment.hpp"
 #include "rigor/model/model_builder.hpp"
-#include "rigor/sim/energy.hpp"
-#include "rigor/sim/stepper.hpp"
+#include "rigor/sim/make_stepper.hpp"
+#include "rigor/sim/report/energy.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "rigor/sim/event_queue.hpp"
+#include "rigor/sim/event_driven/event_queue.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "rigor/sim/fixed_steps.hpp"
+#include "rigor/sim/fixed_steps/fixed_steps.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,9 +3,9 @@
 #include "sim/time_stepping_scenes.hpp"
 
 #include "rigor/dynamics/environment.hpp"
-#include "rigor/sim/energy.hpp"
-#include "rigor/sim/force_rates.hpp"
-#include "rigor/sim/stepper.hpp"
+#include "rigor/sim/make_stepper.hpp"
+#include "rigor/sim/penalty/force_rates.hpp"
+#include "rigor/sim/report/energy.hpp"
 
 #include <gtest/gtest.h>
 

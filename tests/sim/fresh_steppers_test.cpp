@@ -1,7 +1,7 @@
 // Whatever the scheme, the State alone says how a run goes on.
 
 #include "rigor/model/model_builder.hpp"
-#include "rigor/sim/stepper.hpp"
+#include "rigor/sim/make_stepper.hpp"
 
 #include <gtest/gtest.h>
 

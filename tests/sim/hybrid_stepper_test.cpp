@@ -1,7 +1,7 @@
-#include "rigor/sim/hybrid_stepper.hpp"
+#include "rigor/sim/event_driven/hybrid_stepper.hpp"
 
 #include "rigor/model/model_builder.hpp"
-#include "rigor/sim/audit.hpp"
+#include "rigor/sim/audit/audit.hpp"
 
 #include <gtest/gtest.h>
 

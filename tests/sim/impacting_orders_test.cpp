@@ -2,7 +2,7 @@
 // rises.
 
 #include "rigor/model/model_builder.hpp"
-#include "rigor/sim/stepper.hpp"
+#include "rigor/sim/make_stepper.hpp"
 
 #include <gtest/gtest.h>
 

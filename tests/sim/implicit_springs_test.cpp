@@ -1,6 +1,6 @@
 // Stiff springs that press bodies on each other, at steps much longer than their periods.
 
-#include "rigor/sim/time_stepper.hpp"
+#include "rigor/sim/time_stepping/time_stepper.hpp"
 
 #include "sim/time_stepping_scenes.hpp"
 

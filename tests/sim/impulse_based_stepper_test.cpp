@@ -1,7 +1,7 @@
-#include "rigor/sim/impulse_based_stepper.hpp"
+#include "rigor/sim/event_driven/impulse_based_stepper.hpp"
 
 #include "rigor/model/model_builder.hpp"
-#include "rigor/sim/energy.hpp"
+#include "rigor/sim/report/energy.hpp"
 
 #include <gtest/gtest.h>
 

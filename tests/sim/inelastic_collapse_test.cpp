@@ -2,8 +2,8 @@
 // Collapse and Clumping in a One-Dimensional Granular Medium, Phys. Fluids A 4, 1992).
 
 #include "rigor/model/model_builder.hpp"
-#include "rigor/sim/energy.hpp"
-#include "rigor/sim/event_driven_stepper.hpp"
+#include "rigor/sim/event_driven/event_driven_stepper.hpp"
+#include "rigor/sim/report/energy.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

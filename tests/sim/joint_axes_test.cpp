@@ -1,7 +1,7 @@
 #include "rigor/model/model_builder.hpp"
-#include "rigor/sim/contact_snapshot.hpp"
-#include "rigor/sim/energy.hpp"
-#include "rigor/sim/event_driven_stepper.hpp"
+#include "rigor/sim/audit/contact_snapshot.hpp"
+#include "rigor/sim/event_driven/event_driven_stepper.hpp"
+#include "rigor/sim/report/energy.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 
 #include "sim/time_stepping_scenes.hpp"
 
-#include "rigor/sim/audit.hpp"
-#include "rigor/sim/stepper.hpp"
+#include "rigor/sim/audit/audit.hpp"
+#include "rigor/sim/make_stepper.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "rigor/geometry/convex_hull.hpp"
+#include "rigor/geometry/shape/convex_hull.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/model/model_builder.hpp"
-#include "rigor/sim/energy.hpp"
-#include "rigor/sim/event_driven_stepper.hpp"
+#include "rigor/sim/event_driven/event_driven_stepper.hpp"
+#include "rigor/sim/report/energy.hpp"
 
 #include <gtest/gtest.h>
 

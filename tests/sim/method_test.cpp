@@ -1,4 +1,4 @@
-#include "rigor/sim/method.hpp"
+#include "rigor/sim/method/method.hpp"
 
 #include <gtest/gtest.h>
 #include <algorithm>

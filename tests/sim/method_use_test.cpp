@@ -1,7 +1,7 @@
 // Which choices a scheme looks at.
 
-#include "rigor/sim/method_use.hpp"
-#include "rigor/sim/stepper.hpp"
+#include "rigor/sim/method/method_use.hpp"
+#include "rigor/sim/make_stepper.hpp"
 
 #include "sim/time_stepping_scenes.hpp"
 

@@ -1,9 +1,9 @@
 // Penalty contacts that begin at rest, impacts that they report and forces that a snapshot shows of them.
 
 #include "rigor/model/model_builder.hpp"
-#include "rigor/sim/contact_snapshot.hpp"
+#include "rigor/sim/audit/contact_snapshot.hpp"
+#include "rigor/sim/make_stepper.hpp"
 #include "rigor/sim/simulation.hpp"
-#include "rigor/sim/stepper.hpp"
 
 #include <gtest/gtest.h>
 

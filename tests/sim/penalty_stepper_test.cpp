@@ -1,9 +1,10 @@
 // The penalty scheme on scenes with closed forms.
 
-#include "rigor/sim/penalty_stepper.hpp"
+#include "rigor/sim/penalty/penalty_stepper.hpp"
 #include "rigor/core/input_error.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/model/model_builder.hpp"
+#include "rigor/sim/make_stepper.hpp"
 #include "rigor/sim/simulation.hpp"
 
 #include <gtest/gtest.h>

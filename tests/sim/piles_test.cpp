@@ -3,8 +3,8 @@
 #include "random_vectors.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/model/model_builder.hpp"
-#include "rigor/sim/audit.hpp"
-#include "rigor/sim/event_driven_stepper.hpp"
+#include "rigor/sim/audit/audit.hpp"
+#include "rigor/sim/event_driven/event_driven_stepper.hpp"
 
 #include <gtest/gtest.h>
 

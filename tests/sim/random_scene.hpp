@@ -1,7 +1,7 @@
 #pragma once
 
 #include "random_vectors.hpp"
-#include "rigor/geometry/convex_hull.hpp"
+#include "rigor/geometry/shape/convex_hull.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/model/model_builder.hpp"
 

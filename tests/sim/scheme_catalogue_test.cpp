@@ -5,9 +5,9 @@
 #include "sim/time_stepping_scenes.hpp"
 
 #include "random_vectors.hpp"
-#include "rigor/sim/audit.hpp"
-#include "rigor/sim/contact_snapshot.hpp"
-#include "rigor/sim/stepper.hpp"
+#include "rigor/sim/audit/audit.hpp"
+#include "rigor/sim/audit/contact_snapshot.hpp"
+#include "rigor/sim/make_stepper.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-#include "rigor/sim/scheme_check.hpp"
+#include "rigor/sim/method/scheme_check.hpp"
 
-#include "rigor/sim/scheme_choice.hpp"
+#include "rigor/sim/method/scheme_choice.hpp"
 #include "sim/time_stepping_scenes.hpp"
 
 #include <gtest/gtest.h>

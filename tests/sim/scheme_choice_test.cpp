@@ -1,4 +1,4 @@
-#include "rigor/sim/scheme_choice.hpp"
+#include "rigor/sim/method/scheme_choice.hpp"
 
 #include "rigor/model/model_builder.hpp"
 #include "rigor/sim/simulation.hpp"

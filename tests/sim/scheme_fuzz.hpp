@@ -1,7 +1,7 @@
 #pragma once
 
-#include "rigor/sim/audit.hpp"
-#include "rigor/sim/stepper.hpp"
+#include "rigor/sim/audit/audit.hpp"
+#include "rigor/sim/make_stepper.hpp"
 
 #include <memory>
 #include <string>

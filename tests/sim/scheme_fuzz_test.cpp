@@ -4,7 +4,7 @@
 #include "sim/scheme_fuzz.hpp"
 #include "sim/random_scene.hpp"
 
-#include "rigor/sim/scheme_check.hpp"
+#include "rigor/sim/method/scheme_check.hpp"
 
 #include <gtest/gtest.h>
 

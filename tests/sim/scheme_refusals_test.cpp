@@ -1,7 +1,7 @@
 // What `scheme: auto` does with schemes that refuse the scene.
 
-#include "rigor/sim/scheme_check.hpp"
-#include "rigor/sim/scheme_choice.hpp"
+#include "rigor/sim/method/scheme_check.hpp"
+#include "rigor/sim/method/scheme_choice.hpp"
 
 #include "sim/time_stepping_scenes.hpp"
 

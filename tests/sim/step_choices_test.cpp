@@ -1,6 +1,6 @@
 // What solvers, cones and kinds of friction do through the whole time stepper, against formulas.
 
-#include "rigor/sim/time_stepper.hpp"
+#include "rigor/sim/time_stepping/time_stepper.hpp"
 
 #include "sim/time_stepping_scenes.hpp"
 

@@ -1,4 +1,4 @@
-#include "rigor/sim/time_stepper.hpp"
+#include "rigor/sim/time_stepping/time_stepper.hpp"
 
 #include "sim/time_stepping_scenes.hpp"
 

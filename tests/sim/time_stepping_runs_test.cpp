@@ -1,10 +1,11 @@
 // Whole runs by time stepping: walls, stacks, rolling, orders of convergence, laws of energy and momentum.
 
+#include "rigor/sim/make_stepper.hpp"
 #include "sim/time_stepping_scenes.hpp"
 
-#include "rigor/sim/energy.hpp"
-#include "rigor/sim/event_driven_stepper.hpp"
-#include "rigor/sim/time_stepper.hpp"
+#include "rigor/sim/event_driven/event_driven_stepper.hpp"
+#include "rigor/sim/report/energy.hpp"
+#include "rigor/sim/time_stepping/time_stepper.hpp"
 
 #include <gtest/gtest.h>
 

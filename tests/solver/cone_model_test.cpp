@@ -1,6 +1,6 @@
-#include "rigor/solver/cone_model.hpp"
+#include "rigor/solver/cones/cone_model.hpp"
 
-#include "rigor/solver/convex_cone.hpp"
+#include "rigor/solver/cones/convex_cone.hpp"
 
 #include "random_vectors.hpp"
 #include "solver/jointed_scenes.hpp"

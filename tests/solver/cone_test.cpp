@@ -1,4 +1,4 @@
-#include "rigor/solver/cone.hpp"
+#include "rigor/solver/coulomb/cone.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "rigor/solver/constrained_mass.hpp"
+#include "rigor/solver/linear/constrained_mass.hpp"
 
 #include "random_vectors.hpp"
 

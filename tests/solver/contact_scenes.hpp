@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rigor/solver/coulomb_problem.hpp"
+#include "rigor/solver/coulomb/coulomb_problem.hpp"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
-#include "rigor/solver/coulomb_local.hpp"
+#include "rigor/solver/coulomb/coulomb_local.hpp"
 
-#include "rigor/solver/cone.hpp"
+#include "rigor/solver/coulomb/cone.hpp"
 #include "solver/reference_data.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "rigor/solver/coulomb_problem.hpp"
+#include "rigor/solver/coulomb/coulomb_problem.hpp"
 
 #include "solver/contact_scenes.hpp"
 #include "solver/reference_data.hpp"

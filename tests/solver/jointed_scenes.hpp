@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rigor/solver/motion_problem.hpp"
+#include "rigor/solver/motion/motion_problem.hpp"
 
 #include "solver/contact_scenes.hpp"
 

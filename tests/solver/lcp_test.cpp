@@ -1,4 +1,4 @@
-#include "rigor/solver/lcp.hpp"
+#include "rigor/solver/linear/lcp.hpp"
 
 #include "solver/reference_data.hpp"
 

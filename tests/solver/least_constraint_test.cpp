@@ -1,6 +1,6 @@
-#include "rigor/solver/least_constraint.hpp"
+#include "rigor/solver/motion/least_constraint.hpp"
 
-#include "rigor/solver/lcp.hpp"
+#include "rigor/solver/linear/lcp.hpp"
 #include "solver/reference_data.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "rigor/solver/motion_problem.hpp"
+#include "rigor/solver/motion/motion_problem.hpp"
 
 #include "solver/contact_scenes.hpp"
 #include "solver/reference_data.hpp"

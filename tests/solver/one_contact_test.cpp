@@ -1,7 +1,7 @@
-#include "rigor/solver/coulomb_local.hpp"
-#include "rigor/solver/moment_problem.hpp"
-#include "rigor/solver/motion_problem.hpp"
-#include "rigor/solver/projected_gauss_seidel.hpp"
+#include "rigor/solver/coulomb/coulomb_local.hpp"
+#include "rigor/solver/coulomb/rolling_friction_problem.hpp"
+#include "rigor/solver/motion/motion_problem.hpp"
+#include "rigor/solver/motion/projected_gauss_seidel.hpp"
 
 #include "solver/reference_data.hpp"
 
@@ -95,7 +95,7 @@ TEST(OneContact, EverySolverOfTheExactConeReturnsOneOfThem) {
       expect_solution(contact, motion->lambda, 1e-11, "augmented Lagrangian");
     expect_solution(contact, solve_projected_gauss_seidel({problem, {}}, 3000).lambda, 1e-10,
                     "projected Gauss-Seidel");
-    MomentProblem moments{MatX::Zero(6, 6), VecX::Zero(6), {contact.mu}, {0}, {0}};
+    RollingFrictionProblem moments{MatX::Zero(6, 6), VecX::Zero(6), {contact.mu}, {0}, {0}};
     moments.A.topLeftCorner<3, 3>() = contact.K;
     moments.A.bottomRightCorner<3, 3>().setIdentity();
     moments.b.head<3>() = contact.b;

@@ -1,4 +1,4 @@
-#include "rigor/solver/pivoted_cholesky.hpp"
+#include "rigor/solver/linear/pivoted_cholesky.hpp"
 
 #include "random_vectors.hpp"
 

@@ -1,6 +1,6 @@
-#include "rigor/solver/projected_gauss_seidel.hpp"
+#include "rigor/solver/motion/projected_gauss_seidel.hpp"
 
-#include "rigor/solver/coulomb_guess.hpp"
+#include "rigor/solver/coulomb/coulomb_guess.hpp"
 
 #include "random_vectors.hpp"
 #include "solver/jointed_scenes.hpp"

@@ -1,6 +1,6 @@
-#include "rigor/solver/proximal_points.hpp"
-#include "rigor/solver/coulomb_problem.hpp"
-#include "rigor/solver/smooth_modes.hpp"
+#include "rigor/solver/coulomb/proximal_points.hpp"
+#include "rigor/solver/coulomb/coulomb_problem.hpp"
+#include "rigor/solver/coulomb/smooth_modes.hpp"
 
 #include "solver/reference_data.hpp"
 

@@ -1,4 +1,4 @@
-#include "rigor/solver/spanning_forest.hpp"
+#include "rigor/solver/linear/spanning_forest.hpp"
 
 #include <gtest/gtest.h>
 

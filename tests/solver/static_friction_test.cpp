@@ -1,4 +1,4 @@
-#include "rigor/solver/static_friction.hpp"
+#include "rigor/solver/coulomb/static_friction.hpp"
 
 #include <gtest/gtest.h>
 

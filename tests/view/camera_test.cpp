@@ -1,4 +1,4 @@
-#include "rigor/view/camera.hpp"
+#include "rigor/view/3d/camera.hpp"
 
 #include <gtest/gtest.h>
 

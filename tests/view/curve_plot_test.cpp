@@ -1,4 +1,4 @@
-#include "rigor/view/curve_plot.hpp"
+#include "rigor/view/plot/curve_plot.hpp"
 
 #include <gtest/gtest.h>
 

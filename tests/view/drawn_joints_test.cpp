@@ -1,8 +1,8 @@
-#include "rigor/view/drawn_joints.hpp"
+#include "rigor/view/3d/drawn_joints.hpp"
 
-#include "rigor/view/framing.hpp"
-#include "rigor/view/page_run.hpp"
-#include "rigor/view/renderer.hpp"
+#include "rigor/view/3d/framing.hpp"
+#include "rigor/view/3d/renderer.hpp"
+#include "rigor/view/page/page_run.hpp"
 #include "view/page_reading.hpp"
 #include "view/view_scenes.hpp"
 

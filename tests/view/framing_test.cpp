@@ -1,4 +1,4 @@
-#include "rigor/view/framing.hpp"
+#include "rigor/view/3d/framing.hpp"
 
 #include "view/view_scenes.hpp"
 

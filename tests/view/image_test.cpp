@@ -1,8 +1,8 @@
 #include "io/trajectory_samples.hpp"
 #include "rigor/core/input_error.hpp"
-#include "rigor/io/file_error.hpp"
-#include "rigor/view/canvas.hpp"
-#include "rigor/view/png_file.hpp"
+#include "rigor/io/files/file_error.hpp"
+#include "rigor/view/3d/canvas.hpp"
+#include "rigor/view/3d/png_file.hpp"
 
 #include <gtest/gtest.h>
 

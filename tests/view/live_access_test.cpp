@@ -1,4 +1,4 @@
-#include "rigor/view/live_access.hpp"
+#include "rigor/view/live/live_access.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "rigor/view/live_command.hpp"
+#include "rigor/view/live/live_command.hpp"
 
 #include "rigor/core/input_error.hpp"
 

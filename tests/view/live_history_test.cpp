@@ -1,6 +1,6 @@
-#include "rigor/view/live_history.hpp"
+#include "rigor/view/live/live_history.hpp"
 
-#include "rigor/view/live_run.hpp"
+#include "rigor/view/live/live_run.hpp"
 #include "view/live_scenes.hpp"
 #include "view/page_reading.hpp"
 

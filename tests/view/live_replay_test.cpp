@@ -1,8 +1,8 @@
-#include "rigor/view/live_replay.hpp"
+#include "rigor/view/live/live_replay.hpp"
 
-#include "rigor/io/trajectory_writer.hpp"
+#include "rigor/io/trajectory/trajectory_writer.hpp"
 #include "rigor/sim/simulation.hpp"
-#include "rigor/view/page_run.hpp"
+#include "rigor/view/page/page_run.hpp"
 #include "view/page_reading.hpp"
 
 #include <gtest/gtest.h>

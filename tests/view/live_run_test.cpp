@@ -1,8 +1,8 @@
-#include "rigor/view/live_run.hpp"
+#include "rigor/view/live/live_run.hpp"
 
 #include "rigor/core/input_error.hpp"
-#include "rigor/io/checkpoint.hpp"
-#include "rigor/io/fingerprint.hpp"
+#include "rigor/io/trajectory/checkpoint.hpp"
+#include "rigor/io/trajectory/fingerprint.hpp"
 #include "view/live_scenes.hpp"
 #include "view/page_reading.hpp"
 

@@ -1,6 +1,6 @@
-#include "rigor/view/live_server.hpp"
+#include "rigor/view/live/live_server.hpp"
 
-#include "rigor/io/file_error.hpp"
+#include "rigor/io/files/file_error.hpp"
 #include "view/live_client.hpp"
 #include "view/live_scenes.hpp"
 

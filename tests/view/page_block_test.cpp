@@ -1,4 +1,4 @@
-#include "rigor/view/page_block.hpp"
+#include "rigor/view/page/page_block.hpp"
 
 #include "view/page_reading.hpp"
 

@@ -1,10 +1,10 @@
-#include "rigor/view/page_frames.hpp"
+#include "rigor/view/page/page_frames.hpp"
 
-#include "rigor/io/scene_reader.hpp"
+#include "rigor/io/scene/scene_reader.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/model/model_builder.hpp"
 #include "rigor/sim/simulation.hpp"
-#include "rigor/view/page_run.hpp"
+#include "rigor/view/page/page_run.hpp"
 #include "view/page_reading.hpp"
 
 #include <gtest/gtest.h>

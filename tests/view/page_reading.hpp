@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rigor/view/page_block.hpp"
+#include "rigor/view/page/page_block.hpp"
 
 #include <cstdint>
 #include <cstring>

@@ -1,9 +1,9 @@
-#include "rigor/view/page_writer.hpp"
+#include "rigor/view/page/page_writer.hpp"
 
 #include "io/trajectory_samples.hpp"
-#include "rigor/io/file_error.hpp"
+#include "rigor/io/files/file_error.hpp"
 #include "rigor/sim/simulation.hpp"
-#include "rigor/view/page_geometry.hpp"
+#include "rigor/view/page/page_geometry.hpp"
 #include "view/page_reading.hpp"
 
 #include <gtest/gtest.h>

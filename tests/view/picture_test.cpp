@@ -1,4 +1,4 @@
-#include "rigor/view/picture.hpp"
+#include "rigor/view/3d/picture.hpp"
 
 #include "view/view_scenes.hpp"
 

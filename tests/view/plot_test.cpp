@@ -1,7 +1,7 @@
-#include "rigor/view/plot.hpp"
+#include "rigor/view/plot/plot.hpp"
 
-#include "rigor/view/sparkline.hpp"
-#include "rigor/view/ticks.hpp"
+#include "rigor/view/plot/sparkline.hpp"
+#include "rigor/view/plot/ticks.hpp"
 #include "view/view_scenes.hpp"
 
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
-#include "rigor/view/recording.hpp"
+#include "rigor/view/recording/recording.hpp"
 
 #include "io/trajectory_samples.hpp"
 #include "rigor/core/input_error.hpp"
-#include "rigor/io/hdf5_writer.hpp"
-#include "rigor/view/key_moments.hpp"
-#include "rigor/view/picture.hpp"
+#include "rigor/io/trajectory/hdf5_writer.hpp"
+#include "rigor/view/3d/key_moments.hpp"
+#include "rigor/view/3d/picture.hpp"
 #include "view/view_scenes.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "rigor/view/renderer.hpp"
+#include "rigor/view/3d/renderer.hpp"
 
 #include "view/view_scenes.hpp"
 

@@ -1,6 +1,6 @@
-#include "rigor/view/sample_grid.hpp"
+#include "rigor/view/3d/sample_grid.hpp"
 
-#include "rigor/view/occlusion.hpp"
+#include "rigor/view/3d/occlusion.hpp"
 
 #include <gtest/gtest.h>
 

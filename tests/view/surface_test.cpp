@@ -1,8 +1,8 @@
-#include "rigor/view/surface.hpp"
+#include "rigor/view/3d/surface.hpp"
 
-#include "rigor/geometry/convex_hull.hpp"
-#include "rigor/geometry/mass_properties.hpp"
-#include "rigor/geometry/triangle_mesh.hpp"
+#include "rigor/geometry/mass/mass_properties.hpp"
+#include "rigor/geometry/shape/convex_hull.hpp"
+#include "rigor/geometry/shape/triangle_mesh.hpp"
 #include "view/view_scenes.hpp"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "rigor/io/scene_reader.hpp"
-#include "rigor/view/drawn_scene.hpp"
-#include "rigor/view/recording.hpp"
+#include "rigor/io/scene/scene_reader.hpp"
+#include "rigor/view/3d/drawn_scene.hpp"
+#include "rigor/view/recording/recording.hpp"
 
 #include <string>
 #include <vector>

@@ -43,7 +43,7 @@ const numbersOfContact = 11;
 /** Point and normal: expected to go on in a straight line. */
 const isSmooth = (k: number): boolean => k >= 2 && k < 8;
 
-/** The frames of a chunk (rigor/view/page_contacts.hpp). */
+/** The frames of a chunk (rigor/view/page/page_contacts.hpp). */
 export function unpackContacts(bytes: Uint8Array): Contact[][] {
   const reader = new Reader(bytes);
   const forceStep = reader.f64(), gapStep = reader.f64(), placeStep = reader.f64();

@@ -52,7 +52,7 @@ export class Frames implements MotionTable {
     this.largest = new Uint8Array(size);
   }
 
-  /** Appends a chunk (rigor/view/page_frames.hpp). */
+  /** Appends a chunk (rigor/view/page/page_frames.hpp). */
   addChunk(bytes: Uint8Array): void {
     const reader = new Reader(bytes);
     const speedStep = reader.f64();

@@ -33,7 +33,7 @@ export function drawnShape(shape: ShapeHeader): DrawnShape {
   }
 }
 
-/** The geometry of a key; round axes are z, as in rigor/geometry/shape.hpp. Impostors get a square. */
+/** The geometry of a key; round axes are z, as in rigor/geometry/shape/shape.hpp. Impostors get a square. */
 export function makeGeometry(key: string, meshes: Mesh[]): BufferGeometry {
   const [type, parameter] = key.split(" ");
   switch (type) {

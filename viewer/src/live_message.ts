@@ -48,7 +48,7 @@ export interface LiveFrame {
   bodies: Float32Array;
   contacts: Contact[];
 }
-/** What happened since the last reset (rigor/view/live_history.hpp). */
+/** What happened since the last reset (rigor/view/live/live_history.hpp). */
 export interface LiveHistory {
   generation: number;
   /** A column for each series of the header. */
@@ -73,7 +73,7 @@ export function readText(text: string): LiveStatus | LiveError {
   return message;
 }
 
-/** A frame, a file or a history, as rigor/view/live_frame.cpp and live_history.cpp pack them; origin: Header.origin. */
+/** A frame, a file or a history, as rigor/view/live/live_frame.cpp and live_history.cpp pack them; origin: Header.origin. */
 export function readBytes(buffer: ArrayBuffer, origin: Vec): LiveFrame | LiveFile | LiveHistory {
   const view = new DataView(buffer);
   const kind = buffer.byteLength >= 8 ? view.getUint32(0, true) : 0;

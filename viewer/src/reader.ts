@@ -1,6 +1,6 @@
 import { DataError } from "./blocks";
 
-/** Reads numbers from bytes, one after the other, as rigor/view/page_block.hpp writes them. */
+/** Reads numbers from bytes, one after the other, as rigor/view/page/page_block.hpp writes them. */
 export class Reader {
   private at = 0;
   private readonly view: DataView;

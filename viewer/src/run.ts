@@ -152,7 +152,7 @@ function readMeshes(bytes: Uint8Array, header: Header): Mesh[] {
   }));
 }
 
-/** As PageRun::events_block (rigor/view/page_run.cpp) packs them. */
+/** As PageRun::events_block (rigor/view/page/page_run.cpp) packs them. */
 function unpackEvents(reader: Reader, header: Header): MotionEvent[] {
   const count = header.events;
   const timeStep = reader.f64();

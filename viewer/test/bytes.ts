@@ -3,7 +3,7 @@ import { crc32 } from "../src/crc32";
 import type { BlockText } from "../src/blocks";
 import type { Header } from "../src/header";
 
-/** Writes numbers as rigor/view/page_block.hpp does. */
+/** Writes numbers as rigor/view/page/page_block.hpp does. */
 export class Writer {
   readonly bytes: number[] = [];
   f64(value: number): this {

@@ -1,0 +1,203 @@
+#include "rigor/bulk/broad_phase/near_bodies.hpp"
+
+#include "rigor/bulk/lanes/list_room.hpp"
+#include "rigor/core/index.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace rigor {
+
+namespace {
+
+bool is_before(const NearBodies::Pair& p, const NearBodies::Pair& q) {
+  return p.a != q.a ? p.a < q.a : p.b < q.b;
+}
+
+/// The box as seen from another origin, a little larger than rounding can make that.
+FloatBox shifted(const FloatBox& box, const float* shift) {
+  constexpr float rounding = 1e-6f;
+  FloatBox moved;
+  for (int k = 0; k < 3; ++k) {
+    const float slack =
+        rounding * (std::max(std::abs(box.lower[k]), std::abs(box.upper[k])) + std::abs(shift[k]));
+    moved.lower[k] = box.lower[k] + shift[k] - slack;
+    moved.upper[k] = box.upper[k] + shift[k] + slack;
+  }
+  return moved;
+}
+
+bool holds(const FloatBox& wide, const FloatBox& box) {
+  bool is_inside = true;
+  for (int k = 0; k < 3; ++k)
+    is_inside &= bool(wide.lower[k] <= box.lower[k]) & bool(box.upper[k] <= wide.upper[k]);
+  return is_inside;
+}
+
+}  // namespace
+
+NearBodies::NearBodies(std::vector<int> moving, std::vector<int> standing, std::vector<float> radii,
+                       float cell)
+    : radii_(std::move(radii)), cell_(cell) {
+  moving_.bodies = std::move(moving);
+  standing_.bodies = std::move(standing);
+  is_out_.resize(radii_.size());
+  slot_.resize(radii_.size());
+  for (std::size_t i = 0; i < moving_.bodies.size(); ++i) slot_[at(moving_.bodies[i])] = static_cast<int>(i);
+  for (std::size_t i = 0; i < standing_.bodies.size(); ++i)
+    slot_[at(standing_.bodies[i])] = -1 - static_cast<int>(i);
+}
+
+/// The box with some room on all sides, and more where it goes.
+FloatBox NearBodies::wide_box(const Boxes& boxes, int body) const {
+  constexpr float room = 0.04f, steps = 4;
+  const Vec3 d = boxes.origin - origin_;
+  const float shift[] = {static_cast<float>(d.x()), static_cast<float>(d.y()), static_cast<float>(d.z())};
+  FloatBox wide = shifted(boxes.box[at(body)], shift);
+  for (int k = 0; k < 3; ++k) {
+    const float way = steps * (boxes.h * boxes.motion[at(body)].v[k]);
+    wide.lower[k] += std::min(way, 0.0f) - room * cell_;
+    wide.upper[k] += std::max(way, 0.0f) + room * cell_;
+  }
+  return wide;
+}
+
+void NearBodies::find_escaped(const Boxes& boxes, const Executor& executor) {
+  constexpr int grain = 512;
+  const Vec3 d = boxes.origin - origin_;
+  const float shift[] = {static_cast<float>(d.x()), static_cast<float>(d.y()), static_cast<float>(d.z())};
+  escaped_.clear();
+  for (Side* side : {&moving_, &standing_}) {
+    executor.for_ranges(static_cast<int>(side->bodies.size()), grain, [&](int begin, int end) {
+      for (int i = begin; i < end; ++i) {
+        const int body = side->bodies[at(i)];
+        is_out_[at(body)] = !holds(side->wide[at(i)], shifted(boxes.box[at(body)], shift));
+      }
+    });
+    for (const int body : side->bodies)
+      if (is_out_[at(body)]) escaped_.push_back(body);
+  }
+}
+
+void NearBodies::update(const Boxes& boxes, const PairFilter& filter, const Executor& executor) {
+  if (is_built_) {
+    find_escaped(boxes, executor);
+    if (escaped_.empty()) return;
+    // Boxes that were replaced make the tree worse.
+    replaced_ += escaped_.size();
+    if (4 * replaced_ < moving_.bodies.size()) return replace(boxes, filter, executor);
+  }
+  build(boxes, filter, executor);
+}
+
+void NearBodies::build(const Boxes& boxes, const PairFilter& filter, const Executor& executor) {
+  constexpr int blocks_of_a_part = 16;
+  is_built_ = true;
+  replaced_ = 0;
+  origin_ = boxes.origin;
+  for (Side* side : {&moving_, &standing_}) {
+    side->wide.resize(side->bodies.size());
+    executor.for_ranges(static_cast<int>(side->bodies.size()), 512, [&](int begin, int end) {
+      for (int i = begin; i < end; ++i) side->wide[at(i)] = wide_box(boxes, side->bodies[at(i)]);
+    });
+    side->tree.build(side->wide, cell_);
+  }
+  const int block_count = moving_.tree.block_count();
+  std::vector<std::vector<Pair>> parts(at((block_count + blocks_of_a_part - 1) / blocks_of_a_part));
+  executor.for_ranges(static_cast<int>(parts.size()), 1, [&](int begin, int end) {
+    for (int k = begin; k < end; ++k)
+      search_blocks(k * blocks_of_a_part, std::min((k + 1) * blocks_of_a_part, block_count), filter,
+                    parts[at(k)]);
+  });
+  put_in_order(parts, executor);
+}
+
+void NearBodies::search_blocks(int begin, int end, const PairFilter& filter, std::vector<Pair>& found) const {
+  std::vector<BoxTree::Pair> own, other;
+  for (int block = begin; block < end; ++block) {
+    moving_.tree.find_own_pairs(block, own);
+    moving_.tree.find_pairs_with(standing_.tree, block, other);
+  }
+  const auto add = [&](int a, int b) {
+    if (may_meet(a, b, filter)) found.push_back({std::min(a, b), std::max(a, b)});
+  };
+  for (const BoxTree::Pair& pair : own) add(moving_.bodies[at(pair.a)], moving_.bodies[at(pair.b)]);
+  for (const BoxTree::Pair& pair : other) add(moving_.bodies[at(pair.a)], standing_.bodies[at(pair.b)]);
+}
+
+/// Of two bodies whose wide boxes overlap.
+bool NearBodies::may_meet(int a, int b, const PairFilter& filter) const {
+  return rounded_boxes_touch(wide_of(a), radius(a), wide_of(b), radius(b)) && filter.may_collide(a, b);
+}
+
+const FloatBox& NearBodies::wide_of(int body) const {
+  const int slot = slot_[at(body)];
+  return slot >= 0 ? moving_.wide[at(slot)] : standing_.wide[at(-1 - slot)];
+}
+
+/// Each pair goes to the part of the list that its first body has, in the order of the second ones there.
+void NearBodies::put_in_order(const std::vector<std::vector<Pair>>& parts, const Executor& executor) {
+  std::vector<int> begin(slot_.size() + 1, 0);
+  for (const std::vector<Pair>& part : parts)
+    for (const Pair& pair : part) ++begin[at(pair.a) + 1];
+  for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
+  renew(at(begin.back()), pairs_);
+  for (const std::vector<Pair>& part : parts)
+    for (const Pair& pair : part) pairs_[at(begin[at(pair.a)]++)] = pair;
+  // Each is the next one's first place by now.
+  executor.for_ranges(static_cast<int>(begin.size()), 512, [&](int from, int to) {
+    for (int i = from; i < to; ++i)
+      std::sort(pairs_.begin() + (i == 0 ? 0 : begin[at(i - 1)]), pairs_.begin() + begin[at(i)], is_before);
+  });
+}
+
+/// New wide boxes for those that have left theirs, and their pairs.
+void NearBodies::replace(const Boxes& boxes, const PairFilter& filter, const Executor& executor) {
+  for (const int body : escaped_) {
+    const bool is_moving = slot_[at(body)] >= 0;
+    Side& side = is_moving ? moving_ : standing_;
+    const int slot = is_moving ? slot_[at(body)] : -1 - slot_[at(body)];
+    side.wide[at(slot)] = wide_box(boxes, body);
+    side.tree.replace(slot, side.wide[at(slot)]);
+  }
+  constexpr int bodies_of_a_part = 16;
+  const int count = static_cast<int>(escaped_.size());
+  std::vector<std::vector<Pair>> parts(at((count + bodies_of_a_part - 1) / bodies_of_a_part));
+  executor.for_ranges(static_cast<int>(parts.size()), 1, [&](int begin, int end) {
+    for (int k = begin; k < end; ++k) {
+      const int last = std::min((k + 1) * bodies_of_a_part, count);
+      for (int i = k * bodies_of_a_part; i < last; ++i) find_pairs_of(escaped_[at(i)], filter, parts[at(k)]);
+    }
+  });
+  found_.clear();
+  for (const std::vector<Pair>& part : parts) found_.insert(found_.end(), part.begin(), part.end());
+  merge_found();
+}
+
+/// Of a body that has escaped.
+void NearBodies::find_pairs_of(int body, const PairFilter& filter, std::vector<Pair>& found) const {
+  std::vector<int> touched;
+  const auto add_overlaps = [&](const Side& side) {
+    touched.clear();
+    side.tree.find_overlaps(wide_of(body), touched);
+    for (const int slot : touched) {
+      const int other = side.bodies[at(slot)];
+      // A pair of two that have escaped is found twice.
+      if (other == body || (is_out_[at(other)] && other < body) || !may_meet(body, other, filter)) continue;
+      found.push_back({std::min(body, other), std::max(body, other)});
+    }
+  };
+  add_overlaps(moving_);
+  if (slot_[at(body)] >= 0) add_overlaps(standing_);
+}
+
+/// Of the pairs before, those of escaped bodies are forgotten.
+void NearBodies::merge_found() {
+  std::sort(found_.begin(), found_.end(), is_before);
+  std::erase_if(pairs_, [&](const Pair& pair) { return is_out_[at(pair.a)] || is_out_[at(pair.b)]; });
+  merge_into(found_, is_before, pairs_);
+}
+
+}  // namespace rigor

@@ -1,0 +1,85 @@
+#pragma once
+
+#include "rigor/bulk/broad_phase/box_tree.hpp"
+#include "rigor/bulk/broad_phase/pair_filter.hpp"
+#include "rigor/bulk/state/bulk_bodies.hpp"
+#include "rigor/bulk/threads/executor.hpp"
+#include "rigor/core/index.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace rigor {
+
+/// Whether two boxes with rounded edges and corners may touch: all points within a radius [m] of the box that
+/// is smaller by it on all sides.
+inline bool rounded_boxes_touch(const FloatBox& a, float radius_A, const FloatBox& b, float radius_B) {
+  if (!a.overlaps(b)) return false;
+  const float radius = radius_A + radius_B;
+  if (radius == 0) return true;
+  float squared = 0;
+  for (int k = 0; k < 3; ++k) {
+    const float apart = std::max(a.lower[k] - b.upper[k], b.lower[k] - a.upper[k]);
+    const float between = std::max(apart + radius, 0.0f);  // The smaller boxes.
+    squared += between * between;
+  }
+  return squared <= radius * radius;
+}
+
+/// Pairs of bodies whose rounded boxes may touch, and others: kept from call to call while each box stays
+/// inside a wider one, so that a call finds anew only the pairs of boxes that have left theirs. Which others
+/// there are depends on the calls before: the caller asks the boxes again.
+class NearBodies {
+ public:
+  struct Pair {
+    int a, b;  ///< a < b.
+  };
+  /// Bodies by number, ascending; pairs of two that stand are not looked for. radii: of the rounded boxes of
+  /// all bodies by number.
+  NearBodies(std::vector<int> moving, std::vector<int> standing, std::vector<float> radii, float cell);
+
+  /// Boxes of all bodies by number, from an origin that may change from call to call; h [s]: of a step, in
+  /// which each box goes a way at its velocity.
+  struct Boxes {
+    const std::vector<FloatBox>& box;
+    const std::vector<MotionRecord>& motion;
+    float h;
+    Vec3 origin;
+  };
+  void update(const Boxes& boxes, const PairFilter& filter, const Executor& executor);
+  /// In the order of their numbers; those that may not collide are left out.
+  const std::vector<Pair>& pairs() const { return pairs_; }
+  const std::vector<int>& moving() const { return moving_.bodies; }
+  float radius(int body) const { return radii_[at(body)]; }
+
+ private:
+  /// Bodies of one kind, and their wide boxes in a tree.
+  struct Side {
+    std::vector<int> bodies;
+    std::vector<FloatBox> wide;
+    BoxTree tree;
+  };
+  FloatBox wide_box(const Boxes& boxes, int body) const;
+  void find_escaped(const Boxes& boxes, const Executor& executor);
+  void build(const Boxes& boxes, const PairFilter& filter, const Executor& executor);
+  void search_blocks(int begin, int end, const PairFilter& filter, std::vector<Pair>& found) const;
+  bool may_meet(int a, int b, const PairFilter& filter) const;
+  const FloatBox& wide_of(int body) const;
+  void put_in_order(const std::vector<std::vector<Pair>>& parts, const Executor& executor);
+  void replace(const Boxes& boxes, const PairFilter& filter, const Executor& executor);
+  void find_pairs_of(int body, const PairFilter& filter, std::vector<Pair>& found) const;
+  void merge_found();
+
+  Side moving_, standing_;
+  std::vector<float> radii_;  ///< [m].
+  float cell_;
+  Vec3 origin_ = Vec3::Zero();  ///< Of the wide boxes.
+  bool is_built_ = false;
+  std::size_t replaced_ = 0;  ///< Since the trees were built.
+  std::vector<char> is_out_;  ///< By body.
+  std::vector<int> slot_;     ///< Place of each body on its side, -1 - place on the standing one.
+  std::vector<int> escaped_;
+  std::vector<Pair> pairs_, found_;
+};
+
+}  // namespace rigor

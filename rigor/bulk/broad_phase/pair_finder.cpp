@@ -1,0 +1,330 @@
+#include "rigor/bulk/broad_phase/pair_finder.hpp"
+
+#include "rigor/bulk/broad_phase/near_bodies.hpp"
+#include "rigor/bulk/broad_phase/pair_filter.hpp"
+#include "rigor/bulk/broad_phase/pair_lanes.hpp"
+#include "rigor/bulk/broad_phase/shape_places.hpp"
+#include "rigor/bulk/broad_phase/unbounded_shapes.hpp"
+#include "rigor/bulk/lanes/list_room.hpp"
+#include "rigor/core/index.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
+
+namespace rigor {
+
+namespace {
+
+/// A shape with an end, of a body.
+struct BoundedShape {
+  int shape;  ///< Of the body.
+  int bound;  ///< Its number among the bounds.
+  int box;    ///< Its number among the boxes; -1: it is the box of the body.
+};
+
+}  // namespace
+
+/// What of the Model it needs, and room to work.
+struct PairFinder::Tables {
+  struct Step {
+    const BulkBodies& bodies;
+    float h, margin;
+  };
+
+  explicit Tables(const Model& model);
+  float add_body(const Body& body);
+  int bound_of(const BodyShape& shape);
+  void update(const Step& step, const Executor& executor);
+  FloatBox update_body(const Step& step, int body);
+  void update_eight(const Step& step, int body);
+  void add_near(const Step& step, int begin, int end, std::vector<ShapePair>& pairs) const;
+  unsigned find_touching(const NearBodies::Pair* near, int count) const;
+  template <class Add>
+  void for_shapes(const NearBodies::Pair& near, const Add& add) const;
+  void add_those_near(const Step& step, std::span<const ShapePair> found,
+                      std::vector<ShapePair>& pairs) const;
+  void add_unbounded(const Step& step, std::vector<ShapePair>& pairs) const;
+
+  PairFilter filter;
+  std::function<bool(int, int)> may_touch;  ///< The caller's, or none.
+  std::vector<BoundedShape> shapes;         ///< Of all bodies.
+  std::vector<int> shape_begin;             ///< Of each body, and the end.
+  std::vector<char> are_simple;    ///< Whether this body and the next seven have one shape each, not turned.
+  std::vector<ShapeBound> bounds;  ///< Bodies that share their shapes share these.
+  std::unordered_map<const BodyShape*, int> bound_numbers;
+  std::vector<UnboundedShape> unbounded;
+  std::unique_ptr<NearBodies> near_bodies;
+  LaneTarget target = best_lane_target();
+
+  Vec3 origin = Vec3::Zero();  ///< Of what is in 32 bits: a body's place, so that far scenes lose nothing.
+  std::vector<ShapePlace> places;
+  std::vector<FloatBox> shape_boxes, body_boxes;
+  std::vector<std::vector<ShapePair>> parts;  ///< Of several threads.
+  std::vector<ShapePair> at_unbounded;
+};
+
+PairFinder::Tables::Tables(const Model& model) : filter(model) {
+  double size = 0;
+  std::vector<int> moving, standing;
+  std::vector<float> radii(at(model.body_count()), 0);
+  shapes.reserve(at(model.body_count()));
+  shape_begin.reserve(at(model.body_count()) + 1);
+  for (int i = 0; i < model.body_count(); ++i) {
+    const Body& body = model.body(i);
+    shape_begin.push_back(static_cast<int>(shapes.size()));
+    for (std::size_t s = 0; s < body.shapes.size(); ++s)
+      if (is_unbounded(body.shapes[s].shape))
+        unbounded.push_back(make_unbounded_shape(i, static_cast<int>(s), body.shapes[s]));
+    radii[at(i)] = add_body(body);
+    if (shape_begin.back() == static_cast<int>(shapes.size())) continue;
+    const bool is_dynamic = body.motion == MotionType::dynamic;
+    (is_dynamic ? moving : standing).push_back(i);
+    if (is_dynamic) size += 2 * body.bounding_radius;
+  }
+  shape_begin.push_back(static_cast<int>(shapes.size()));
+  are_simple.resize(at(model.body_count()), 0);
+  int simple = 0;  // From this body on, at most eight.
+  for (int i = model.body_count() - 1; i >= 0; --i) {
+    const int begin = shape_begin[at(i)];
+    const bool is_simple =
+        shape_begin[at(i) + 1] == begin + 1 && !bounds[at(shapes[at(begin)].bound)].is_turned;
+    simple = is_simple ? std::min(simple + 1, 8) : 0;
+    are_simple[at(i)] = simple == 8;
+  }
+  // The mean size of the dynamic bodies.
+  const float cell = moving.empty() ? 1.0f : static_cast<float>(size / static_cast<double>(moving.size()));
+  near_bodies = std::make_unique<NearBodies>(std::move(moving), std::move(standing), std::move(radii), cell);
+  places.resize(shapes.size());
+  body_boxes.resize(at(model.body_count()) + 1);  // Behind each is room (RoundBoxPair).
+}
+
+/// Its bounded shapes; returns the radius of the edges of the box around them all.
+float PairFinder::Tables::add_body(const Body& body) {
+  const std::size_t first = shapes.size();
+  float radius = std::numeric_limits<float>::infinity();
+  for (std::size_t s = 0; s < body.shapes.size(); ++s) {
+    if (is_unbounded(body.shapes[s].shape)) continue;
+    const int bound = bound_of(body.shapes[s]);
+    shapes.push_back({static_cast<int>(s), bound, -1});
+    radius = std::min(radius, bounds[at(bound)].radius);
+  }
+  const std::size_t count = shapes.size() - first;
+  for (std::size_t k = first; k < shapes.size() && count > 1; ++k) {
+    shapes[k].box = static_cast<int>(shape_boxes.size());
+    shape_boxes.emplace_back();
+  }
+  return count == 0 ? 0 : radius;
+}
+
+int PairFinder::Tables::bound_of(const BodyShape& shape) {
+  const auto [known, is_new] = bound_numbers.emplace(&shape, static_cast<int>(bounds.size()));
+  if (is_new) bounds.push_back(make_shape_bound(shape));
+  return known->second;
+}
+
+/// Places and boxes of all shapes, and which bodies are near.
+void PairFinder::Tables::update(const Step& step, const Executor& executor) {
+  constexpr int grain = 64;
+  const std::vector<int>& moving = near_bodies->moving();
+  if (!moving.empty()) origin = step.bodies.x[at(moving[moving.size() / 2])];
+  executor.for_ranges(step.bodies.count(), grain, [&](int begin, int end) {
+    for (int body = begin; body < end;) {
+      if (body + 8 <= end && are_simple[at(body)]) {
+        update_eight(step, body);
+        body += 8;
+        continue;
+      }
+      if (shape_begin[at(body)] < shape_begin[at(body) + 1]) body_boxes[at(body)] = update_body(step, body);
+      ++body;
+    }
+  });
+  near_bodies->update({body_boxes, step.bodies.motion, step.h, origin}, filter, executor);
+}
+
+/// From this body on, of which are_simple is true.
+void PairFinder::Tables::update_eight(const Step& step, int body) {
+  std::array<const ShapeBound*, 8> of_eight;
+  for (int i = 0; i < 8; ++i) {
+    of_eight[at(i)] = &bounds[at(shapes[at(shape_begin[at(body + i)])].bound)];
+  }
+  sweep_eight_shapes(of_eight, step.bodies, body, {origin, step.h, 0.5f * step.margin},
+                     &places[at(shape_begin[at(body)])], &body_boxes[at(body)]);
+}
+
+/// Returns the box of all its bounded shapes.
+FloatBox PairFinder::Tables::update_body(const Step& step, int body) {
+  FloatBox all{};
+  for (int s = shape_begin[at(body)]; s < shape_begin[at(body) + 1]; ++s) {
+    const BoundedShape& shape = shapes[at(s)];
+    const auto [place, box] =
+        sweep_shape(bounds[at(shape.bound)], step.bodies, body, origin, step.h, 0.5f * step.margin);
+    places[at(s)] = place;
+    if (shape.box < 0) return box;
+    shape_boxes[at(shape.box)] = box;
+    const bool is_first = s == shape_begin[at(body)];
+    for (int k = 0; k < 3; ++k) {
+      all.lower[k] = is_first ? box.lower[k] : std::min(all.lower[k], box.lower[k]);
+      all.upper[k] = is_first ? box.upper[k] : std::max(all.upper[k], box.upper[k]);
+    }
+  }
+  return all;
+}
+
+/// Of a range of the pairs of bodies that are near each other.
+void PairFinder::Tables::add_near(const Step& step, int begin, int end, std::vector<ShapePair>& pairs) const {
+  const std::vector<NearBodies::Pair>& near = near_bodies->pairs();
+  make_room(pairs.size() + at(end - begin), pairs);
+  std::array<ShapePair, kLaneCount> waiting;  // With the numbers of their shapes among all shapes.
+  std::size_t count = 0;
+  const auto add = [&](const ShapePair& pair) {
+    waiting[count++] = pair;
+    if (count < waiting.size()) return;
+    add_those_near(step, waiting, pairs);
+    count = 0;
+  };
+  for (int i = begin; i < end; i += kLaneCount) {
+    unsigned touching = find_touching(&near[at(i)], std::min(kLaneCount, end - i));
+    for (; touching != 0; touching &= touching - 1) {
+      const NearBodies::Pair& pair = near[at(i + std::countr_zero(touching))];
+      if (!step.bodies.stirs(pair.a) && !step.bodies.stirs(pair.b)) continue;
+      if (may_touch && !may_touch(pair.a, pair.b)) continue;
+      for_shapes(pair, add);
+    }
+  }
+  add_those_near(step, std::span(waiting.data(), count), pairs);
+}
+
+/// Bits of those, of 1 to 8 pairs, whose boxes touch.
+unsigned PairFinder::Tables::find_touching(const NearBodies::Pair* near, int count) const {
+  std::array<RoundBoxPair, kLaneCount> boxes;
+  for (int i = 0; i < kLaneCount; ++i) {
+    const auto [a, b] = near[i < count ? i : 0];
+    boxes[at(i)] = {&body_boxes[at(a)], &body_boxes[at(b)], near_bodies->radius(a) + near_bodies->radius(b)};
+  }
+  return find_touching_boxes(boxes, target) & ((1u << count) - 1);
+}
+
+/// Calls add(pair) for each two shapes of two bodies, a < b, whose boxes overlap, those of the bodies doing
+/// so.
+template <class Add>
+void PairFinder::Tables::for_shapes(const NearBodies::Pair& near, const Add& add) const {
+  const auto [a, b] = near;
+  const int begin_A = shape_begin[at(a)], end_A = shape_begin[at(a) + 1];
+  const int begin_B = shape_begin[at(b)], end_B = shape_begin[at(b) + 1];
+  if (end_A - begin_A == 1 && end_B - begin_B == 1) return add(ShapePair{a, b, begin_A, begin_B, 0});
+  for (int i = begin_A; i < end_A; ++i) {
+    for (int j = begin_B; j < end_B; ++j) {
+      const int box_A = shapes[at(i)].box, box_B = shapes[at(j)].box;
+      if ((box_A < 0 ? body_boxes[at(a)] : shape_boxes[at(box_A)])
+              .overlaps(box_B < 0 ? body_boxes[at(b)] : shape_boxes[at(box_B)]))
+        add(ShapePair{a, b, i, j, 0});
+    }
+  }
+}
+
+/// Of at most eight pairs.
+void PairFinder::Tables::add_those_near(const Step& step, std::span<const ShapePair> found,
+                                        std::vector<ShapePair>& pairs) const {
+  if (found.empty()) return;
+  std::array<ShapePlacePair, kLaneCount> both;
+  for (std::size_t i = 0; i < both.size(); ++i) {
+    const ShapePair& pair = found[i < found.size() ? i : 0];
+    both[i] = {&places[at(pair.shape_A)], &places[at(pair.shape_B)]};
+  }
+  const PairMargins margins = find_pair_margins(both, step.h, step.margin, target);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const ShapePair& pair = found[i];
+    if ((margins.near >> i & 1) == 0) continue;
+    if ((margins.asks_box >> i & 1) != 0 &&
+        !find_pair_margin(
+            {*both[i].a, *both[i].b, step.bodies.q[at(pair.body_A)], step.bodies.q[at(pair.body_B)]}, step.h,
+            step.margin))
+      continue;
+    pairs.push_back({pair.body_A, pair.body_B, shapes[at(pair.shape_A)].shape, shapes[at(pair.shape_B)].shape,
+                     margins.margin[i]});
+  }
+}
+
+/// Dynamic bodies against all shapes without an end.
+void PairFinder::Tables::add_unbounded(const Step& step, std::vector<ShapePair>& pairs) const {
+  for (const UnboundedShape& other : unbounded) {
+    const UnboundedPlace place = place_of(other, step.bodies, origin);
+    for (const int body : near_bodies->moving()) {
+      if (!step.bodies.stirs(other.body) && !step.bodies.stirs(body)) continue;
+      if (!filter.may_collide(other.body, body)) continue;
+      if (may_touch && !may_touch(std::min(other.body, body), std::max(other.body, body))) continue;
+      for (int s = shape_begin[at(body)]; s < shape_begin[at(body) + 1]; ++s) {
+        const float margin = step.margin + approach_bound(place, places[at(s)], step.h);
+        if (!may_be_within(other, place, places[at(s)], step.bodies.q[at(body)], margin)) continue;
+        if (other.body < body) {
+          pairs.push_back({other.body, body, other.shape, shapes[at(s)].shape, margin});
+        } else {
+          pairs.push_back({body, other.body, shapes[at(s)].shape, other.shape, margin});
+        }
+      }
+    }
+  }
+}
+
+namespace {
+
+bool is_before(const ShapePair& p, const ShapePair& q) {
+  return std::tie(p.body_A, p.body_B, p.shape_A, p.shape_B) <
+         std::tie(q.body_A, q.body_B, q.shape_A, q.shape_B);
+}
+
+}  // namespace
+
+PairFinder::PairFinder(const Model& model) : tables_(std::make_unique<Tables>(model)) {}
+PairFinder::~PairFinder() = default;
+
+void PairFinder::set_contact_filter(std::function<bool(int, int)> may_touch) {
+  tables_->may_touch = std::move(may_touch);
+}
+
+void PairFinder::find_pairs(const BulkBodies& bodies, double h, double margin, const Executor& executor,
+                            std::vector<ShapePair>& pairs) {
+  constexpr int pairs_of_a_part = 512;
+  Tables& tables = *tables_;
+  const Tables::Step step{bodies, static_cast<float>(h), static_cast<float>(margin)};
+  tables.update(step, executor);
+  const int near_count = static_cast<int>(tables.near_bodies->pairs().size());
+  const int part_count = (near_count + pairs_of_a_part - 1) / pairs_of_a_part;
+  const auto add_part = [&](int k, std::vector<ShapePair>& found) {
+    tables.add_near(step, k * pairs_of_a_part, std::min((k + 1) * pairs_of_a_part, near_count), found);
+  };
+  pairs.clear();
+  if (executor.threads() == 1) {
+    for (int k = 0; k < part_count; ++k) add_part(k, pairs);
+  } else {
+    // Each part has its own list; one behind the other they are in order.
+    if (tables.parts.size() < at(part_count)) tables.parts.resize(at(part_count));
+    executor.for_ranges(part_count, 1, [&](int begin, int end) {
+      for (int k = begin; k < end; ++k) {
+        std::vector<ShapePair> found;
+        found.swap(tables.parts[at(k)]);  // Heads of lists side by side are in one line of the cache.
+        found.clear();
+        add_part(k, found);
+        found.swap(tables.parts[at(k)]);
+      }
+    });
+    for (int k = 0; k < part_count; ++k) {
+      make_room(pairs.size() + tables.parts[at(k)].size(), pairs);
+      pairs.insert(pairs.end(), tables.parts[at(k)].begin(), tables.parts[at(k)].end());
+    }
+  }
+  if (tables.unbounded.empty()) return;
+  tables.at_unbounded.clear();
+  tables.add_unbounded(step, tables.at_unbounded);
+  std::sort(tables.at_unbounded.begin(), tables.at_unbounded.end(), is_before);
+  merge_into(tables.at_unbounded, is_before, pairs);
+}
+
+}  // namespace rigor

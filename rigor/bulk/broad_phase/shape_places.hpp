@@ -1,0 +1,68 @@
+#pragma once
+
+#include "rigor/bulk/broad_phase/box_tree.hpp"
+#include "rigor/bulk/state/bulk_bodies.hpp"
+
+#include <array>
+#include <optional>
+
+namespace rigor {
+
+/// A bounded shape as the broad phase sees it: all points within `radius` of a core, which is inside a box
+/// and inside a ball, both about its centre.
+struct ShapeBound {
+  float center_B[3];     ///< In the body's frame [m].
+  float half[3];         ///< Of the box [m], along the axes of the shape's frame.
+  float reach;           ///< Radius of the ball [m].
+  float radius;          ///< [m].
+  float R_BS[9];         ///< Rows.
+  bool is_turned;        ///< R_BS is not the identity.
+  bool is_centred_ball;  ///< About the centre of the body: turning does not move it.
+};
+
+/// Where it is and how it moves: its centre from an origin, the velocity of its centre and its angular
+/// velocity. Along W's axes.
+struct ShapePlace {
+  float center[3];  ///< [m].
+  float u[3];       ///< [m/s].
+  float w[3];       ///< [rad/s].
+  float slack;      ///< More than the rounding of all that [m].
+  const ShapeBound* bound;
+};
+
+/// Rows of R_WS: the axes of a bound's box.
+struct BoxAxes {
+  float row[9];
+};
+BoxAxes axes_of(const ShapeBound& bound, const Quat& q_WB);
+
+/// The bound of a bounded shape of a body.
+ShapeBound make_shape_bound(const BodyShape& shape);
+
+/// Its place now, and the box from the origin that holds it until h [s] from now, at its velocities of now,
+/// with `margin` [m] around it.
+struct SweptShape {
+  ShapePlace place;
+  FloatBox box;
+};
+struct SweepStep {
+  const Vec3& origin;
+  float h, margin;
+};
+SweptShape sweep_shape(const ShapeBound& bound, const BulkBodies& bodies, int body, const Vec3& origin,
+                       float h, float margin);
+/// The same, to the last bit, of eight consecutive bodies with one shape each, whose axes are those of the
+/// body: places and boxes of the eight from `places` and `boxes` on.
+void sweep_eight_shapes(const std::array<const ShapeBound*, 8>& bounds, const BulkBodies& bodies,
+                        int first_body, const SweepStep& step, ShapePlace* places, FloatBox* boxes);
+
+/// The margin of a pair [m]: `margin` and how far the two shapes can come to each other within h [s] at the
+/// velocities of now, to first order in h: the farther ends of a turning shape count, its roundness does not.
+/// Nothing if their boxes and balls are farther apart than that. q_WA, q_WB: of their bodies.
+struct PairPlaces {
+  const ShapePlace &a, &b;
+  const Quat &q_WA, &q_WB;
+};
+std::optional<float> find_pair_margin(const PairPlaces& pair, float h, float margin);
+
+}  // namespace rigor

@@ -1,0 +1,109 @@
+#pragma once
+
+#include "rigor/bulk/contacts/solved_manifold.hpp"
+#include "rigor/bulk/direct/direct_islands.hpp"
+#include "rigor/bulk/graph/block_lists.hpp"
+#include "rigor/bulk/graph/kept_colouring.hpp"
+#include "rigor/bulk/matching/manifold_blocks.hpp"
+#include "rigor/bulk/matching/step_manifolds.hpp"
+#include "rigor/bulk/state/bulk_bodies.hpp"
+#include "rigor/bulk/threads/executor.hpp"
+#include "rigor/core/index.hpp"
+#include "rigor/model/manifold_memory.hpp"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace rigor {
+
+/// All contacts of a step as blocks of eight, by colours.
+class BulkContacts {
+ public:
+  explicit BulkContacts(const Model& model);
+
+  /// At the begin of a step: which manifolds there are and what is remembered of them
+  /// (StepManifolds::match).
+  void match(const std::vector<ShapePair>& pairs, const ManifoldList& manifolds,
+             const ManifoldMemories& memory, const Executor& executor);
+  const StepManifolds& manifolds() const { return manifolds_; }
+  /// Then: which of them are solved at once. bodies: which are dynamic.
+  void colour(const BulkBodies& bodies);
+  /// Then: blocks of the manifolds, but for those of the islands that were solved directly. h [s]: of the
+  /// substeps.
+  void prepare(const BulkBodies& bodies, double h, const DirectIslands& direct, const Executor& executor);
+  /// Applies the impulses that the blocks begin with; once, in the first substep.
+  void warm_start(BulkBodies& bodies, const Executor& executor);
+  /// One sweep over all colours. h [s]: of the substep.
+  void solve(BlockPass pass, float h, BulkBodies& bodies, const Executor& executor);
+  bool has_restitution() const { return has_restitution_; }
+  /// Adds the impulses of a substep to those of the step; after the last sweep of each substep, if the totals
+  /// are wanted.
+  void add_up(const Executor& executor);
+  /// After the last substep, if has_restitution() and the impulses were added up: which contacts bounce, and
+  /// how much energy each may give back; whether there are any.
+  bool find_bounces(const BulkBodies& bodies, const Executor& executor);
+  /// Then lets them bounce (manifold_bounce.hpp).
+  void bounce_apart(const Model& model, BulkBodies& bodies, const Executor& executor);
+  /// What the contacts remember, in the order of keys; the energy of their springs if the impulses were added
+  /// up. h [s]: of a substep.
+  void remember(const BulkBodies& bodies, double h, int substeps, const Executor& executor,
+                ManifoldMemories& memory);
+
+  /// Calls visit(manifold, key, is_new) for each manifold of the step, in the order of blocks, if impulses
+  /// were added up. is_new: it had no impulse at the end of the step before.
+  template <class Visit>
+  void for_contacts(const Visit& visit) const {
+    if (!blocks_.has_totals()) return;
+    blocks_.for_totals(0, blocks_.count(), [&](const auto& block, const auto& total, int number) {
+      for (int lane = 0; lane < kLaneCount; ++lane) {
+        const int manifold = manifold_of(number, lane);
+        if (manifold < 0) continue;
+        const std::size_t i = at(manifold);
+        visit(read(block, total, lane, i), manifolds_.key(i), manifolds_.is_new(i));
+      }
+    });
+  }
+  /// Calls visit(body_A, body_B, most) for each manifold that bounces, in the order of blocks. most: the
+  /// energy that it may give back [J], which may be changed.
+  template <class Visit>
+  void for_bounces(const Visit& visit) {
+    blocks_.for_blocks(0, static_cast<int>(bounces_.size()), [&](const auto& block, int number) {
+      BlockBounces& bounces = bounces_[at(number)];
+      for (std::size_t lane = 0; bounces.does_any && lane < kLaneCount; ++lane) {
+        if (bounces.most[lane] > 0) visit(block.body_A[lane], block.body_B[lane], bounces.most[lane]);
+      }
+    });
+  }
+
+ private:
+  struct BlockBounces {
+    bool does_any = false;
+    std::array<double, kLaneCount> most{};  ///< Of each lane [J].
+  };
+  template <class IsSwept>
+  void colour_those(const BulkBodies& bodies, const IsSwept& is_swept);
+  /// Colour after colour.
+  template <class Work>
+  void for_colours(const Executor& executor, const Work& work);
+  /// Number of the manifold in a lane of a block, -1 if it is empty.
+  int manifold_of(int block, int lane) const { return colouring_.now().blocks[at(block)][at(lane)]; }
+  template <BlockKind kind>
+  SolvedManifold read(const ManifoldBlock<kind>& block, const BlockImpulses<kind>& total, int lane,
+                      std::size_t manifold) const {
+    SolvedManifold own = read_manifold(block, total, lane);
+    own.restitution = manifolds_.surface(manifold).restitution;
+    return own;
+  }
+
+  LaneTarget target_ = best_lane_target();
+  std::vector<bool> is_round_;  ///< Of bodies: they turn as easily about all axes, or not at all.
+  StepManifolds manifolds_;
+  KeptColouring colouring_;  ///< Of the manifolds in blocks, by their numbers.
+  BlockLists blocks_;
+  std::vector<BlockBounces> bounces_;  ///< Of each block, after find_bounces().
+  bool has_restitution_ = false;
+  bool is_all_swept_ = true;  ///< No manifold was left to the direct solver.
+};
+
+}  // namespace rigor

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "rigor/bulk/contacts/contact_measures.hpp"
+#include "rigor/bulk/state/bulk_bodies.hpp"
+
+#include <array>
+
+namespace rigor {
+
+/// Whether a manifold has points that bounce: they met in the step faster than they may rest, and were
+/// pressed.
+bool bounces(const SolvedManifold& manifold);
+
+/// Energy that the normal impulses of a manifold took from its bodies in a step, at least 0 [J]:
+///
+///   -½ Σ λ (u⁻ + u)
+///
+/// λ: impulses of the step, u⁻ and u: normal velocities of the points at its begin and now. Arms and normals
+/// stay for the whole step, so that ½ Σ λ (u⁻ + u) over all that acts is the change of the kinetic energy.
+double energy_taken(const SolvedManifold& manifold, const BulkBodies& bodies);
+
+/// Lets the points of a manifold that bounce part at e times the speed at which they met (Newton), as far as
+/// that costs no more than the energy `most` [J]; other points that were pressed are held. The energy is that
+/// of the bodies as they are turned now, less the work of one that moves as it must. Changes velocities of
+/// its bodies; returns the normal impulses of the points [N s].
+///
+/// Source: Pfeiffer and Glocker, Multibody Dynamics with Unilateral Contacts, 1996, chapter 8, for Newton's
+/// law with several points; the bound of the energy is ours.
+std::array<float, Manifold::max_points> bounce(const Model& model, const SolvedManifold& manifold,
+                                               double most, BulkBodies& bodies);
+
+}  // namespace rigor

@@ -1,0 +1,424 @@
+#include "rigor/bulk/direct/direct_islands.hpp"
+
+#include "rigor/core/index.hpp"
+#include "rigor/solver/motion/motion_problem.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <set>
+#include <variant>
+
+namespace rigor {
+
+using Eigen::Index;
+
+namespace {
+
+constexpr int most_bodies = 64;
+constexpr double least_mass_ratio = 10;
+/// Slower approaches do not bounce, as in the sweeps [m/s].
+constexpr double bounce_speed = 1e-2;
+/// Of an overlap that is put back in a step.
+constexpr double put_back = 0.2;
+/// Of the size of the smallest body: overlaps that stay.
+constexpr double tolerated_overlap = 1e-5;
+
+Vec3 vector_of(const float* p) {
+  return Vec3(p[0], p[1], p[2]);
+}
+
+void set_floats(const Vec3& a, float* p) {
+  for (int k = 0; k < 3; ++k) p[k] = static_cast<float>(a[k]);
+}
+
+/// Rows: two tangents and the normal.
+Mat3 contact_frame(const Vec3& n) {
+  Mat3 frame;
+  const Vec3 t1 = n.unitOrthogonal();
+  frame << t1.transpose(), n.cross(t1).transpose(), n.transpose();
+  return frame;
+}
+
+Mat6 block_diagonal(double linear, const Mat3& angular) {
+  Mat6 block = Mat6::Zero();
+  block.diagonal().head<3>().setConstant(linear);
+  block.bottomRightCorner<3, 3>() = angular;
+  return block;
+}
+
+ContactRows::Block rows_of(const Mat3& frame, const Vec3& r, double sign) {
+  ContactRows::Block J;
+  for (Index k = 0; k < 3; ++k) {
+    const Vec3 axis = sign * frame.row(k).transpose();
+    J.row(k) << axis.transpose(), r.cross(axis).transpose();
+  }
+  return J;
+}
+
+/// Velocity of a body at r from its centre.
+Vec3 velocity_at(const BulkBodies& bodies, int body, const Vec3& r) {
+  const MotionRecord& m = bodies.motion[at(body)];
+  return vector_of(m.v) + vector_of(m.w).cross(r);
+}
+
+void append(const Vec3& part, VecX& whole) {
+  whole.conservativeResize(whole.size() + 3);
+  whole.tail<3>() = part;
+}
+
+/// Of the points of a manifold over the whole step, in the frame; the friction is shared as the normal
+/// impulses are.
+std::vector<Vec3> step_impulses(const ManifoldMemories::View& memory, const ManifoldView& manifold,
+                                const Mat3& frame, int substeps) {
+  std::vector<Vec3> impulses(at(manifold.point_count), Vec3::Zero());
+  if (!memory.is_there()) return impulses;
+  double pressed = 0;
+  for (std::size_t k = 0; k < impulses.size(); ++k) {
+    impulses[k].z() = substeps * static_cast<double>(remembered_impulse(memory, manifold.points[k].feature));
+    pressed += impulses[k].z();
+  }
+  if (!(pressed > 0)) return impulses;
+  const Vec3 friction = substeps * (frame * vector_of(memory.friction_impulse_W));
+  for (Vec3& impulse : impulses) impulse.head<2>() = impulse.z() / pressed * friction.head<2>();
+  return impulses;
+}
+
+/// Without impulses, at the velocities of the bodies.
+BulkContact contact_of(const StepManifolds& manifolds, std::size_t i, const BulkBodies& bodies) {
+  const ShapePair& pair = manifolds.pair(i);
+  const ManifoldView manifold = manifolds.view(i);
+  BulkContact contact;
+  contact.body_A = pair.body_A, contact.body_B = pair.body_B;
+  contact.shape_A = pair.shape_A, contact.shape_B = pair.shape_B;
+  contact.part = manifolds.part(i);
+  contact.n_W = vector_of(manifold.normal);
+  contact.point_count = manifold.point_count;
+  contact.center_W = contact.friction_impulse_W = contact.friction_moment_W = Vec3::Zero();
+  const Vec3& x_A = bodies.x[at(pair.body_A)];
+  const Vec3& x_B = bodies.x[at(pair.body_B)];
+  contact.approach_speed = 0;
+  for (int k = 0; k < contact.point_count; ++k) {
+    const ManifoldPoint& point = manifold.points[at(k)];
+    const Vec3 p_W = x_A + vector_of(point.p);
+    contact.points[at(k)] = {p_W, static_cast<double>(point.gap), 0};
+    contact.center_W += p_W / contact.point_count;
+    const Vec3 u = velocity_at(bodies, pair.body_B, p_W - x_B) - velocity_at(bodies, pair.body_A, p_W - x_A);
+    contact.approach_speed = std::max(contact.approach_speed, -contact.n_W.dot(u));
+  }
+  contact.is_new = manifolds.is_new(i);
+  return contact;
+}
+
+/// Whether one of the bodies moves as it must: its work is not known here.
+bool is_driven(const ShapePair& pair, const BulkBodies& bodies) {
+  const auto moves = [&](int body) { return !bodies.is_dynamic(body) && bodies.has_velocity(body); };
+  return moves(pair.body_A) || moves(pair.body_B);
+}
+
+/// Whether its bodies meet so fast that they part again.
+bool bounces(const StepManifolds& manifolds, std::size_t i, const BulkBodies& bodies) {
+  if (!(manifolds.surface(i).restitution > 0)) return false;
+  const ManifoldView manifold = manifolds.view(i);
+  const int a = manifolds.body_A(i), b = manifolds.body_B(i);
+  const Vec3 between = bodies.x[at(b)] - bodies.x[at(a)];
+  for (int k = 0; k < manifold.point_count; ++k) {
+    const Vec3 p = vector_of(manifold.points[at(k)].p);
+    const Vec3 u = velocity_at(bodies, b, p - between) - velocity_at(bodies, a, p);
+    if (vector_of(manifold.normal).dot(u) < -bounce_speed) return true;
+  }
+  return false;
+}
+
+/// Impulses of its points, three each along the rows of the frame.
+void set_impulses(const VecX& lambda, const Mat3& frame, BulkContact& contact) {
+  bool is_pressed = false;
+  for (int k = 0; k < contact.point_count; ++k) {
+    const Vec3 of_point = lambda.segment<3>(3 * static_cast<Index>(k));
+    const Vec3 friction = frame.topRows<2>().transpose() * of_point.head<2>();
+    contact.points[at(k)].normal_impulse = of_point.z();
+    contact.friction_impulse_W += friction;
+    contact.friction_moment_W += (contact.points[at(k)].p_W - contact.center_W).cross(friction);
+    is_pressed = is_pressed || of_point.z() > 0;
+  }
+  if (!is_pressed) contact.approach_speed = 0;
+}
+
+/// Nothing if it was not solved to 1e-9 of its terms.
+std::optional<VecX> solve_impulses(const MotionProblem& problem, const VecX& start) {
+  CoulombOptions options;
+  options.tolerance = 1e-9;
+  options.least_norm = false;
+  const std::optional<CoulombSolution> solution = solve_in_motion_space(problem, {}, options, start);
+  if (!solution || !solution->lambda.allFinite()) return std::nullopt;
+  return solution->lambda;
+}
+
+}  // namespace
+
+DirectIslands::DirectIslands(const Model& model)
+    : model_(&model), towers_(model), is_tied_(at(model.body_count()), false), islands_(model) {
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  for (const Body& body : model.bodies()) {
+    if (body.motion != MotionType::dynamic) continue;
+    least = std::min(least, body.mass);
+    most = std::max(most, body.mass);
+  }
+  masses_differ_ = most >= least_mass_ratio * least;
+  for (int i = 0; i < static_cast<int>(model.joints().size()); ++i) {
+    for (const int body : model.bodies_of_joint(i)) is_tied_[at(body)] = true;
+  }
+  for (const Force& force : model.forces()) {
+    const Spring* const spring = std::get_if<Spring>(&force);
+    if (spring == nullptr) continue;
+    for (const int body : {spring->body_A, spring->body_B}) {
+      if (body != world_body) is_tied_[at(body)] = true;
+    }
+  }
+}
+
+bool DirectIslands::may_be_needed(const ManifoldMemories& memory, double substep) {
+  return towers_.may_be_there(memory, substep) || masses_differ_;
+}
+
+std::vector<DirectIslands::Island> DirectIslands::find_islands(const StepManifolds& manifolds,
+                                                               const BulkBodies& bodies) {
+  islands_.build(manifolds);
+
+  struct Summary {
+    int body_count = 0;
+    double least_mass = std::numeric_limits<double>::infinity(), most_mass = 0, mass = 0;
+    double mass_of_tower = std::numeric_limits<double>::infinity();  // From which on one would be slender.
+    int number = -1;                                                 // Among those found.
+  };
+  std::vector<Summary> summaries(at(bodies.count()));  // By the lowest body.
+  for (int i = 0; i < bodies.count(); ++i) {
+    if (bodies.is_dynamic(i)) ++summaries[at(islands_.island_of(i))].body_count;
+  }
+  // Masses are far from each other in memory: few are asked.
+  std::vector<int> candidates;
+  for (int i = 0; i < bodies.count(); ++i) {
+    if (!bodies.is_dynamic(i)) continue;
+    Summary& island = summaries[at(islands_.island_of(i))];
+    if (island.body_count < 2 || island.body_count > most_bodies) continue;
+    candidates.push_back(i);
+    const double mass = model_->body(i).mass;
+    island.mass += mass;
+    island.least_mass = std::min(island.least_mass, mass);
+    island.most_mass = std::max(island.most_mass, mass);
+    island.mass_of_tower = std::min(island.mass_of_tower, towers_.least_mass(i));
+  }
+  std::vector<Island> found;
+  for (const int i : candidates) {
+    Summary& island = summaries[at(islands_.island_of(i))];
+    const bool is_heavy_on_light = island.most_mass >= least_mass_ratio * island.least_mass;
+    if (!is_heavy_on_light && island.mass < island.mass_of_tower) continue;
+    if (island.number < 0) {
+      island.number = static_cast<int>(found.size());
+      found.emplace_back().is_heavy_on_light = is_heavy_on_light;
+    }
+    found[at(island.number)].bodies.push_back(i);
+  }
+  if (found.empty()) return found;
+  for (std::size_t i = 0; i < manifolds.size(); ++i) {
+    const int body = bodies.is_dynamic(manifolds.body_A(i)) ? manifolds.body_A(i) : manifolds.body_B(i);
+    const int number = summaries[at(islands_.island_of(body))].number;
+    if (number >= 0) found[at(number)].manifolds.push_back(i);
+  }
+  return found;
+}
+
+bool DirectIslands::is_taken(const StepManifolds& manifolds, const Island& island,
+                             const BulkBodies& bodies) const {
+  if (island.manifolds.empty()) return false;
+  for (const int body : island.bodies) {
+    if (is_tied_[at(body)]) return false;
+  }
+  if (!island.is_heavy_on_light && !is_column(manifolds, island, bodies)) return false;
+  return std::none_of(island.manifolds.begin(), island.manifolds.end(), [&](std::size_t i) {
+    const ManifoldSurface& surface = manifolds.surface(i);
+    return surface.rolling_friction > 0 || surface.torsional_friction > 0 ||
+           is_driven(manifolds.pair(i), bodies) || bounces(manifolds, i, bodies);
+  });
+}
+
+/// Whether each of its bodies touches at most two others of them.
+bool DirectIslands::is_column(const StepManifolds& manifolds, const Island& island,
+                              const BulkBodies& bodies) const {
+  std::map<int, std::set<int>> neighbours;
+  for (const std::size_t i : island.manifolds) {
+    const int a = manifolds.body_A(i), b = manifolds.body_B(i);
+    if (!bodies.is_dynamic(a) || !bodies.is_dynamic(b)) continue;
+    neighbours[a].insert(b);
+    neighbours[b].insert(a);
+  }
+  return std::all_of(neighbours.begin(), neighbours.end(),
+                     [](const auto& of_body) { return of_body.second.size() <= 2; });
+}
+
+void DirectIslands::clear() {
+  found_.clear();
+  is_held_.clear();
+  island_count_ = 0;
+  ends_.clear();
+  solved_.clear();
+  contacts_.clear();
+}
+
+void DirectIslands::find(const StepManifolds& manifolds, const BulkBodies& bodies) {
+  clear();
+  if (manifolds.size() == 0) return;
+  found_ = find_islands(manifolds, bodies);
+  std::erase_if(found_, [&](const Island& island) { return !is_taken(manifolds, island, bodies); });
+}
+
+void DirectIslands::solve(const DirectStep& step, BulkBodies& bodies) {
+  for (const Island& island : found_) {
+    if (!solve_island(step, island, bodies)) continue;
+    ++island_count_;
+    is_held_.resize(at(bodies.count()), false);
+    for (const int body : island.bodies) is_held_[at(body)] = true;
+  }
+}
+
+/// An island as a problem of its points, three rows each.
+struct DirectIslands::Problem {
+  MotionProblem motion;  ///< Without b.
+  VecX V;                ///< Velocities at the end of the step without contacts, six a body.
+  VecX given;            ///< Relative velocities by bodies that are not dynamic.
+  std::vector<Mat3> frames;
+  std::vector<double> gaps;  ///< [m].
+  VecX start;                ///< Impulses of the step before [N s].
+
+  void add_point(const Mat3& frame, double gap, double friction, const ContactRows::Sides& sides,
+                 const Vec3& prescribed, const Vec3& impulse) {
+    frames.push_back(frame);
+    gaps.push_back(gap);
+    motion.rows.contacts.push_back(sides);
+    motion.laws.mu.push_back(friction);
+    motion.laws.rows.push_back(FrictionRow::cone);
+    motion.laws.slips.push_back(Vec2::Zero());
+    append(prescribed, given);
+    append(impulse, start);
+  }
+  /// Relative velocities at these of the bodies, with what gaps allow: of an overlap this share is put back.
+  VecX rates(const VecX& V_bodies, double h, double share) const {
+    VecX b = contact_rates(motion.rows, V_bodies) + given;
+    for (std::size_t i = 0; i < gaps.size(); ++i)
+      b[3 * static_cast<Index>(i) + 2] += (gaps[i] > 0 ? gaps[i] : share * gaps[i]) / h;
+    return b;
+  }
+  VecX velocities_after(const VecX& V_bodies, const VecX& lambda) const {
+    return V_bodies + node_accelerations(motion.rows, contact_wrenches(motion.rows, lambda));
+  }
+};
+
+DirectIslands::Problem DirectIslands::problem_of(const DirectStep& step, const Island& island,
+                                                 const BulkBodies& bodies) const {
+  Problem problem;
+  for (const int i : island.bodies) {
+    const Body& body = model_->body(i);
+    const Mat3 R_WB = bodies.q[at(i)].toRotationMatrix();
+    problem.motion.rows.masses.push_back(
+        block_diagonal(body.mass, R_WB * body.moments.asDiagonal() * R_WB.transpose()));
+    problem.motion.rows.inverse_masses.push_back(
+        block_diagonal(1 / body.mass, R_WB * body.moments.cwiseInverse().asDiagonal() * R_WB.transpose()));
+    const MotionRow change = step.free_change(i);
+    append(vector_of(bodies.motion[at(i)].v) + vector_of(change.data()), problem.V);
+    append(vector_of(bodies.motion[at(i)].w) + vector_of(change.data() + 4), problem.V);
+  }
+  for (const std::size_t i : island.manifolds) {
+    const ManifoldView manifold = step.manifolds.view(i);
+    const int a = step.manifolds.body_A(i), b = step.manifolds.body_B(i);
+    const Mat3 frame = contact_frame(vector_of(manifold.normal).normalized());
+    const Vec3 between = bodies.x[at(b)] - bodies.x[at(a)];
+    const std::vector<Vec3> start = step_impulses(step.manifolds.memory(i), manifold, frame, step.substeps);
+    for (int k = 0; k < manifold.point_count; ++k) {
+      const ManifoldPoint& point = manifold.points[at(k)];
+      ContactRows::Sides sides;
+      Vec3 prescribed = Vec3::Zero();
+      for (const bool is_A : {true, false}) {
+        const int body = is_A ? a : b;
+        const Vec3 r = is_A ? vector_of(point.p) : Vec3(vector_of(point.p) - between);
+        const double sign = is_A ? -1 : 1;
+        ContactRows::Side& side = sides[is_A ? 0 : 1];
+        if (bodies.is_dynamic(body)) {
+          const auto found = std::lower_bound(island.bodies.begin(), island.bodies.end(), body);
+          side.node = static_cast<int>(found - island.bodies.begin());
+          side.J = rows_of(frame, r, sign);
+        } else {
+          prescribed += sign * frame * velocity_at(bodies, body, r);
+        }
+      }
+      problem.add_point(frame, static_cast<double>(point.gap),
+                        static_cast<double>(step.manifolds.surface(i).friction), sides, prescribed,
+                        start[at(k)]);
+    }
+  }
+  return problem;
+}
+
+/// Least radius of its bodies about their centres [m].
+double DirectIslands::size_of(const Island& island) const {
+  double size = std::numeric_limits<double>::infinity();
+  for (const int body : island.bodies) size = std::min(size, model_->body(body).bounding_radius);
+  return size;
+}
+
+bool DirectIslands::solve_island(const DirectStep& step, const Island& island, BulkBodies& bodies) {
+  Problem problem = problem_of(step, island, bodies);
+  std::vector<BulkContact> contacts;  // As they are at the velocities of the begin.
+  for (const std::size_t i : island.manifolds) contacts.push_back(contact_of(step.manifolds, i, bodies));
+  problem.motion.laws.b = problem.rates(problem.V, step.h, 0);
+  const std::optional<VecX> lambda = solve_impulses(problem.motion, problem.start);
+  if (!lambda) return false;
+  const VecX V_end = problem.velocities_after(problem.V, *lambda);
+  VecX V_moved = V_end;
+  // Overlaps are put back by displacements alone.
+  if (*std::min_element(problem.gaps.begin(), problem.gaps.end()) < -tolerated_overlap * size_of(island)) {
+    problem.motion.laws.mu.assign(problem.gaps.size(), 0.0);
+    problem.motion.laws.b = problem.rates(V_end, step.h, put_back);
+    if (const std::optional<VecX> push = solve_impulses(problem.motion, VecX()))
+      V_moved = problem.velocities_after(V_end, *push);
+  }
+  for (std::size_t k = 0; k < island.bodies.size(); ++k) {
+    const Index six = 6 * static_cast<Index>(k);
+    EndVelocity& end = ends_.emplace_back();
+    end.body = island.bodies[k];
+    set_floats(V_end.segment<3>(six), end.v);
+    set_floats(V_end.segment<3>(six + 3), end.w);
+    MotionRecord& motion = bodies.motion[at(end.body)];
+    set_floats(V_moved.segment<3>(six), motion.v);
+    set_floats(V_moved.segment<3>(six + 3), motion.w);
+  }
+  Index first = 0;
+  for (std::size_t k = 0; k < island.manifolds.size(); ++k) {
+    const Index rows = 3 * static_cast<Index>(contacts[k].point_count);
+    set_impulses(lambda->segment(first, rows), problem.frames[at(static_cast<int>(first / 3))], contacts[k]);
+    first += rows;
+    solved_.push_back(island.manifolds[k]);
+  }
+  contacts_.insert(contacts_.end(), contacts.begin(), contacts.end());
+  return true;
+}
+
+void DirectIslands::finish(BulkBodies& bodies) const {
+  for (const EndVelocity& end : ends_) {
+    MotionRecord& motion = bodies.motion[at(end.body)];
+    std::copy_n(end.v, 3, motion.v);
+    std::copy_n(end.w, 3, motion.w);
+  }
+}
+
+void DirectIslands::remember(int substeps, ManifoldMemories& memory) const {
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    ManifoldMemory remembered = memory[solved_[i]];
+    for (std::size_t k = 0; k < at(remembered.point_count); ++k)
+      remembered.normal_impulse[k] = static_cast<float>(contacts_[i].points[k].normal_impulse / substeps);
+    set_floats(contacts_[i].friction_impulse_W / substeps, remembered.friction_impulse_W.data());
+    memory.put(solved_[i], remembered);
+  }
+}
+
+}  // namespace rigor

@@ -1,0 +1,87 @@
+#include "rigor/bulk/graph/islands.hpp"
+
+#include "rigor/bulk/lanes/list_room.hpp"
+#include "rigor/core/index.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <variant>
+
+namespace rigor {
+
+BulkIslands::BulkIslands(const Model& model) {
+  for (const Body& body : model.bodies()) is_dynamic_.push_back(body.motion == MotionType::dynamic);
+  for (int i = 0; i < static_cast<int>(model.joints().size()); ++i) {
+    const std::vector<int> bodies = model.bodies_of_joint(i);
+    for (std::size_t k = 1; k < bodies.size(); ++k) lasting_.emplace_back(bodies[0], bodies[k]);
+  }
+  for (const Force& force : model.forces()) {
+    const Spring* const spring = std::get_if<Spring>(&force);
+    if (spring && spring->body_A != world_body && spring->body_B != world_body)
+      lasting_.emplace_back(spring->body_A, spring->body_B);
+  }
+  for (std::size_t i = 0; i < is_dynamic_.size(); ++i)
+    islands_.push_back(is_dynamic_[i] ? static_cast<int>(i) : -1);
+  std::erase_if(lasting_, [&](const Pair& pair) {
+    return !is_dynamic_[at(pair.first)] || !is_dynamic_[at(pair.second)];
+  });
+  for (const Pair& pair : lasting_) join(pair);
+  for (int& island : islands_) island = island < 0 ? -1 : root_of(island);
+}
+
+void BulkIslands::build(const std::vector<ManifoldMemory>& contacts) {
+  next_.clear();
+  for (const ManifoldMemory& contact : contacts) add(contact.body_A, contact.body_B);
+  update();
+}
+
+void BulkIslands::add(int a, int b) {
+  if (!is_dynamic_[at(a)] || !is_dynamic_[at(b)]) return;
+  const Pair pair = std::minmax(a, b);
+  if (!next_.empty() && next_.back() == pair) return;
+  if (next_.size() == next_.capacity()) make_room(next_.size() + 64, next_);
+  next_.push_back(pair);
+}
+
+/// From the pairs before to those now.
+void BulkIslands::update() {
+  if (!std::is_sorted(next_.begin(), next_.end())) {
+    std::sort(next_.begin(), next_.end());
+    next_.erase(std::unique(next_.begin(), next_.end()), next_.end());
+  }
+  if (next_ == pairs_) return;
+  lost_.clear();
+  std::set_difference(pairs_.begin(), pairs_.end(), next_.begin(), next_.end(), std::back_inserter(lost_));
+  if (!lost_.empty()) dissolve_those_that_lost();
+  for (const Pair& pair : next_) join(pair);
+  for (int& island : islands_) island = island < 0 ? -1 : root_of(island);
+  pairs_.swap(next_);
+}
+
+/// Their bodies are alone then, but for what lasts.
+void BulkIslands::dissolve_those_that_lost() {
+  has_lost_.assign(islands_.size(), 0);
+  for (const Pair& pair : lost_) has_lost_[at(island_of(pair.first))] = 1;
+  for (std::size_t i = 0; i < islands_.size(); ++i) {
+    if (islands_[i] >= 0 && has_lost_[at(islands_[i])] != 0) islands_[i] = static_cast<int>(i);
+  }
+  for (const Pair& pair : lasting_) join(pair);
+}
+
+int BulkIslands::root_of(int body) {
+  while (islands_[at(body)] != body) {
+    islands_[at(body)] = islands_[at(islands_[at(body)])];
+    body = islands_[at(body)];
+  }
+  return body;
+}
+
+/// Union by the lower number, paths halved: Tarjan and van Leeuwen, Worst-Case Analysis of Set Union
+/// Algorithms, J. ACM 31(2), 1984.
+void BulkIslands::join(const Pair& pair) {
+  const int a = root_of(pair.first), b = root_of(pair.second);
+  islands_[at(std::max(a, b))] = std::min(a, b);
+}
+
+}  // namespace rigor

@@ -1,0 +1,31 @@
+// Eight bodies of GyroscopicTerms. Included once for each target, after rotation_lanes.inl and
+// gyroscopic_kernels.inl.
+
+inline void find_group(const GyroscopicState& start, bool is_of_revolution, float h,
+                       const GyroscopicRecords& at) {
+  const FloatLanes zero = splat(0);
+  FloatSquare square;
+  for (int i = 0; i < kLaneCount; ++i) square.row[i] = load(at.records[i]);
+  square = transpose(square);
+  const FloatVec3 w{square.row[4], square.row[5], square.row[6]};
+  FloatVec3 change{zero, zero, zero};
+  const IntLanes is_slow = splat(h) * fused_dot(w, w) < splat(kLeastChange);
+  if (lane_bits(is_slow) != 0xff) {
+    for (int i = 0; i < kLaneCount; ++i) square.row[i] = load(at.records[i] + kLaneCount);
+    square = transpose(square);
+    const LaneTurn turn = turn_of(1, {square.row[4], square.row[5], square.row[6]});
+    const FloatVec3 axis = start.axes[0] + way_of(turn, start.axes[0]);
+    if (is_of_revolution) {
+      change = change_about_axis(axis, start.spin, w, h);
+    } else {
+      change = change_by_newton({axis, start.axes[1] + way_of(turn, start.axes[1])}, start.moments, w, h);
+    }
+    // What a body gets does not depend on who shares its lanes.
+    change = {is_slow ? zero : change.x, is_slow ? zero : change.y, is_slow ? zero : change.z};
+  }
+  for (int i = 0; i < kLaneCount; ++i) {
+    at.changes[i][4] = change.x[i];
+    at.changes[i][5] = change.y[i];
+    at.changes[i][6] = change.z[i];
+  }
+}

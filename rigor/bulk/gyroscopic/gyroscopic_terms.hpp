@@ -1,0 +1,63 @@
+#pragma once
+
+#include "rigor/bulk/lanes/float_lanes.hpp"
+#include "rigor/bulk/state/bulk_bodies.hpp"
+#include "rigor/bulk/threads/executor.hpp"
+#include "rigor/geometry/lanes/lane_target.hpp"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace rigor {
+
+/// The principal axis about which a body's inertia is that of a body of revolution: its other two moments are
+/// equal in 32 bits. Of a round one the first.
+std::optional<int> axis_of_revolution(const Body& body);
+
+/// Principal axes and moments of eight bodies: what makes their angular velocities turn by themselves.
+struct alignas(32) GyroscopicState {
+  FloatVec3 axes[2];      ///< The first two axes, in W; the first is that of bodies of revolution.
+  FloatLanes moments[3];  ///< [kg m²].
+  FloatLanes spin;        ///< Of bodies of revolution: moments[0] / moments[1] - 1.
+};
+
+/// What the gyroscopic torque -ω × I ω changes of angular velocities in a substep: of bodies of revolution in
+/// closed form, of others by one Newton step of the implicit equation, shortened where it would gain energy.
+/// Bodies whose moments of inertia are equal turn without it.
+class GyroscopicTerms {
+ public:
+  explicit GyroscopicTerms(const Model& model, LaneTarget target = best_lane_target());
+
+  /// Whether any of the bodies that it was prepared for turns so.
+  bool has_any() const { return !groups_.empty(); }
+  /// At the begin of a step, for some bodies.
+  void prepare(const BulkBodies& bodies, const std::vector<int>& who, const Executor& executor);
+  /// Changes of the angular velocities [rad/s] within h [s] where the bodies are now, in W: of body i the
+  /// first three numbers of turns[i] from the fifth on.
+  void find_changes(float h, const BulkBodies& bodies, const Executor& executor,
+                    std::vector<std::array<float, kLaneCount>>& turns) const;
+
+ private:
+  enum class Kind : char { round, revolution, other };
+  /// Of a body.
+  struct Principal {
+    Kind kind = Kind::round;
+    int first = 0;  ///< The axis that comes first.
+    float moments[3] = {};
+  };
+  struct alignas(32) Group {
+    std::array<int, kLaneCount> bodies{};  ///< -1: none.
+    bool is_of_revolution = false;         ///< All of them.
+    GyroscopicState start;                 ///< At the begin of the step.
+  };
+  void add(Kind kind);
+  void set_axes(const BulkBodies& bodies, Group& group) const;
+
+  LaneTarget target_;
+  std::vector<Principal> principals_;  ///< Of all bodies; empty if all are round.
+  std::vector<int> who_;               ///< That the groups are of.
+  std::vector<Group> groups_;
+};
+
+}  // namespace rigor

@@ -1,0 +1,175 @@
+#include "rigor/bulk/joints/bulk_joints.hpp"
+
+#include "rigor/bulk/joints/contact_free_chains.hpp"
+#include "rigor/bulk/joints/joint_block.hpp"
+#include "rigor/bulk/joints/joint_errors.hpp"
+#include "rigor/core/index.hpp"
+#include "rigor/math/rotation.hpp"
+
+#include <algorithm>
+
+namespace rigor {
+
+struct BulkJoints::Blocks {
+  const Model* model = nullptr;
+  LaneTarget target = LaneTarget::portable;
+  float h = 0;
+  std::vector<BulkJointBlock> blocks;
+  std::vector<std::unique_ptr<ContactFreeChains>>
+      contact_free_chains;               ///< Of each block that can be of contact-free chains.
+  bool has_contact_free_chains = false;  ///< In this step.
+  std::vector<char> is_free;             ///< Each body, in this step.
+  std::vector<int> other_joints;         ///< That no contact-free chains have, but for gears; ascending.
+  std::vector<int> moved;                ///< A dynamic body of each joint.
+
+  JointEffort effort() const { return {*model, h, target}; }
+
+  template <class Work>
+  void for_each(const Executor& executor, const Work& work) {
+    executor.for_ranges(static_cast<int>(blocks.size()), 1, [&](int begin, int end) {
+      for (int i = begin; i < end; ++i) work(blocks[at(i)]);
+    });
+  }
+};
+
+BulkJoints::BulkJoints(const Model& model, LaneTarget target) : blocks_(std::make_unique<Blocks>()) {
+  blocks_->model = &model;
+  blocks_->target = target;
+  for (int joint = 0; joint < static_cast<int>(model.joints().size()); ++joint) {
+    const std::vector<int> bodies = model.bodies_of_joint(joint);
+    const auto is_dynamic = [&](int body) { return model.body(body).motion == MotionType::dynamic; };
+    const auto found = std::find_if(bodies.begin(), bodies.end(), is_dynamic);
+    blocks_->moved.push_back(found == bodies.end() ? bodies.front() : *found);
+  }
+  JointForest forest = make_joint_forest(model);
+  std::vector<bool> is_other(model.joints().size(), true);
+  for (JointSystems& systems : forest.systems) {
+    const bool may_be_free = ContactFreeChains::is_possible(systems);
+    for (const JointLink& link : systems.links) {
+      for (const int joint : link.joints) {
+        if (may_be_free && joint >= 0) is_other[at(joint)] = false;
+      }
+    }
+    blocks_->contact_free_chains.push_back(may_be_free ? std::make_unique<ContactFreeChains>(model, systems)
+                                                       : nullptr);
+    blocks_->blocks.push_back(make_joint_block(model, std::move(systems)));
+  }
+  for (int i = 0; i < static_cast<int>(model.joints().size()); ++i) {
+    if (!is_other[at(i)] || model.joint(i).type == JointType::gear) continue;
+    blocks_->other_joints.push_back(i);
+  }
+}
+
+BulkJoints::~BulkJoints() = default;
+
+bool BulkJoints::may_have_contact_free_chains() const {
+  return std::any_of(blocks_->contact_free_chains.begin(), blocks_->contact_free_chains.end(),
+                     [](const std::unique_ptr<ContactFreeChains>& trees) { return trees != nullptr; });
+}
+
+void BulkJoints::find_contact_free_chains(const BulkBodies& bodies, const std::vector<char>& touches) {
+  blocks_->is_free.assign(touches.size(), 0);
+  blocks_->has_contact_free_chains = false;
+  for (std::size_t i = 0; i < blocks_->blocks.size(); ++i) {
+    if (blocks_->contact_free_chains[i] == nullptr) continue;
+    BulkJointBlock& block = blocks_->blocks[i];
+    const JointSystems& systems = block.lanes.systems;
+    block.free_lanes = 0;
+    for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
+      bool is_free = true;
+      for (std::size_t s = 0; s < systems.moved && is_free; ++s) {
+        const int body = systems.bodies[s][lane];
+        is_free = body >= 0 && bodies.is_dynamic(body) && touches[at(body)] == 0;
+      }
+      if (!is_free) continue;
+      block.free_lanes |= 1u << lane;
+      for (std::size_t s = 0; s < systems.moved; ++s) {
+        blocks_->is_free[at(systems.bodies[s][lane])] = 1;
+      }
+    }
+    blocks_->has_contact_free_chains |= block.free_lanes != 0;
+  }
+}
+
+bool BulkJoints::is_free(int body) const {
+  return blocks_->has_contact_free_chains && blocks_->is_free[at(body)] != 0;
+}
+
+void BulkJoints::advance_contact_free_chains(const std::vector<MotionRow>& accelerations, int substeps,
+                                             BulkBodies& bodies, const Executor& executor) {
+  if (!blocks_->has_contact_free_chains) return;
+  const ContactFreeChains::Step step{blocks_->h, substeps, accelerations, blocks_->target};
+  executor.for_ranges(static_cast<int>(blocks_->blocks.size()), 1, [&](int begin, int end) {
+    for (std::size_t i = at(begin); i < at(end); ++i) {
+      const unsigned lanes = blocks_->blocks[i].free_lanes;
+      if (lanes != 0) blocks_->contact_free_chains[i]->advance(step, lanes, bodies);
+    }
+  });
+}
+
+void BulkJoints::prepare(BulkBodies& bodies, double h, const Executor& executor) {
+  blocks_->h = static_cast<float>(h);
+  blocks_->for_each(executor,
+                    [&](BulkJointBlock& block) { prepare_joint_block(blocks_->effort(), bodies, block); });
+}
+
+void BulkJoints::solve(JointPass pass, const Executor& executor) {
+  blocks_->for_each(executor, [&](BulkJointBlock& block) {
+    if (!block.stirs) return;
+    if (pass == JointPass::rates) {
+      solve_after_displacements(blocks_->effort(), block);
+    } else {
+      solve_before_displacements(blocks_->effort(), pass == JointPass::places_anew, block);
+    }
+  });
+}
+
+void BulkJoints::read_impulses(const BulkBodies& bodies, std::vector<float>& impulses) const {
+  impulses.resize(6 * blocks_->model->joints().size(), 0);
+  for (std::size_t b = 0; b < blocks_->blocks.size(); ++b) {
+    const BulkJointBlock& block = blocks_->blocks[b];
+    for (std::size_t i = 0; i < block.lanes.joints.size(); ++i) {
+      const JointLink& link = block.lanes.systems.links[i];
+      for (int lane = 0; lane < kLaneCount; ++lane) {
+        const int joint = link.joints[at(lane)];
+        if (joint < 0 || !bodies.is_dynamic(blocks_->moved[at(joint)])) continue;
+        if ((block.free_lanes >> lane & 1) != 0) {
+          const FloatVec3& impulse = blocks_->contact_free_chains[b]->impulse(i);
+          float* const to = &impulses[at(6 * joint)];
+          to[0] = impulse.x[lane];
+          to[1] = impulse.y[lane];
+          to[2] = impulse.z[lane];
+          continue;
+        }
+        for (int r = 0; r < row_count(link); ++r) {
+          impulses[at(6 * joint + r)] = block.lanes.joints[i].impulse[r][lane];
+        }
+      }
+    }
+  }
+}
+
+std::pair<double, int> BulkJoints::worst_error(const BulkBodies& bodies) const {
+  std::pair<double, int> worst{0, -1};
+  const Model& model = *blocks_->model;
+  for (const std::unique_ptr<ContactFreeChains>& trees : blocks_->contact_free_chains) {
+    if (trees == nullptr) continue;
+    const std::pair<double, int> found = trees->worst_gap(blocks_->target, bodies);
+    if (found.first > worst.first) worst = found;
+  }
+  for (const int i : blocks_->other_joints) {
+    const Joint& joint = model.joint(i);
+    const BodyPlace A = place_of(bodies, joint.body_A), B = place_of(bodies, joint.body_B);
+    double error = 0;
+    if (joint.type == JointType::ball) {
+      error = ((B.x - A.x) + B.q * joint.X_BK.p - A.q * joint.X_AJ.p).norm();
+    } else {
+      const double lever = std::max({joint.X_AJ.p.norm(), joint.X_BK.p.norm(), model.length_scale()});
+      error = joint_error(joint, {rotation_matrix(A.q), A.x}, {rotation_matrix(B.q), B.x}, lever);
+    }
+    if (error > worst.first) worst = {error, i};
+  }
+  return worst;
+}
+
+}  // namespace rigor

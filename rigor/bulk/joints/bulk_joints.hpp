@@ -1,0 +1,64 @@
+#pragma once
+
+#include "rigor/bulk/state/bulk_bodies.hpp"
+#include "rigor/bulk/threads/executor.hpp"
+#include "rigor/geometry/lanes/lane_target.hpp"
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace rigor {
+
+/// What the joints do within a substep of length h.
+enum class JointPass {
+  places,       ///< Before the displacements: joints hold after the time h.
+  places_anew,  ///< The same for callers that have repeated, as a guess, what all constraints changed in the
+                ///< substep before, or have gone on from a first call: what of it was of the joints is taken
+                ///< back.
+  rates,        ///< After the displacements: rates are what joints allow, after impacts at limits too.
+};
+
+/// The joints of the many-body path, eight systems at a time: what they hold, their limits, motors, springs,
+/// dampers and dry friction. Trees of joints are solved in a time that grows with their number; systems with
+/// loops or gears by a sparse factorisation. Derivation: docs/theory/bulk_joints.md.
+///
+/// A step is prepare(), then for each substep: forces on the velocities, solve(places), displacements
+/// (dp += h v, turn_further()), solve(rates). Nothing is remembered from substep to substep or from step to
+/// step, and nothing of what joints have done to velocities may be done again in the next substep: joints
+/// turn.
+class BulkJoints {
+ public:
+  explicit BulkJoints(const Model& model, LaneTarget target = best_lane_target());
+  ~BulkJoints();
+  BulkJoints(const BulkJoints&) = delete;
+  BulkJoints& operator=(const BulkJoints&) = delete;
+
+  /// At the begin of a step of substeps of h > 0 [s]; after begin_bulk_step(). The bodies stay where they are
+  /// in memory until its end.
+  void prepare(BulkBodies& bodies, double h, const Executor& executor);
+  /// Trees of ball joints without laws that touch nothing need not wait for the contacts between substeps.
+  /// touches: whether each body may touch another in the step. Before prepare(), which leaves them out; none
+  /// are free in steps for which this is not called.
+  void find_contact_free_chains(const BulkBodies& bodies, const std::vector<char>& touches);
+  /// Whether there are trees that may be free in a step.
+  bool may_have_contact_free_chains() const;
+  bool is_free(int body) const;
+  /// The whole step of their bodies but for what end_bulk_step() does; accelerations by body, as in
+  /// BulkWorld. After prepare().
+  void advance_contact_free_chains(const std::vector<MotionRow>& accelerations, int substeps,
+                                   BulkBodies& bodies, const Executor& executor);
+  void solve(JointPass pass, const Executor& executor);
+  /// Of the last substep [N s] and [N m s]: six a joint, in the order of the Model's joints: of its rows in
+  /// their order, on body B. Joints of bodies that sleep keep what they have there.
+  void read_impulses(const BulkBodies& bodies, std::vector<float>& impulses) const;
+  /// How far the worst joint is off [m] (angles count at a lever of the larger arm, at least the length scale
+  /// of the model) at the begin of a step, and which it is (-1: none).
+  std::pair<double, int> worst_error(const BulkBodies& bodies) const;
+
+ private:
+  struct Blocks;
+  std::unique_ptr<Blocks> blocks_;
+};
+
+}  // namespace rigor

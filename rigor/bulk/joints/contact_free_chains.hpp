@@ -1,0 +1,80 @@
+#pragma once
+
+#include "rigor/bulk/joints/joint_forest.hpp"
+#include "rigor/bulk/lanes/float_lanes.hpp"
+#include "rigor/bulk/state/bulk_bodies.hpp"
+#include "rigor/geometry/lanes/lane_target.hpp"
+
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace rigor {
+
+/// Eight doubles, one a lane.
+using DoubleLanes = double __attribute__((vector_size(64)));
+using NumberLanes = std::int64_t __attribute__((vector_size(64)));
+struct DoubleVec3 {
+  DoubleLanes x, y, z;
+};
+
+/// Trees of ball joints without laws of which no body touches anything in a step: all its substeps at once,
+/// eight trees side by side. What they do is that of docs/theory/bulk_joints.md, §1 and §2; since nothing
+/// else acts on them between two substeps, bodies are read and written once a step.
+class ContactFreeChains {
+ public:
+  /// Of `systems`, for which is_possible() holds.
+  ContactFreeChains(const Model& model, const JointSystems& systems);
+  static bool is_possible(const JointSystems& systems);
+
+  /// A step of all trees: of a number of substeps of h [s], with accelerations by body.
+  struct Step {
+    float h;
+    int substeps;
+    const std::vector<MotionRow>& accelerations;
+    LaneTarget target;
+  };
+  /// Of the trees in the lanes of `lanes`, one bit each; the others stay as they are.
+  void advance(const Step& step, unsigned lanes, BulkBodies& bodies);
+  /// How far the anchors of the worst joint are apart at the begin of a step [m], and which joint of the
+  /// Model that is (-1: none is off).
+  std::pair<double, int> worst_gap(LaneTarget target, const BulkBodies& bodies) const;
+  /// Of joint i of the systems in the last substep, on body B [N s].
+  const FloatVec3& impulse(std::size_t i) const { return impulses_[i].on_B; }
+
+  /// Of eight bodies that joints move.
+  struct alignas(64) Body {
+    DoubleVec3 axes_B[2];  ///< The first two principal axes; the first is that of bodies of revolution.
+    FloatLanes mass;       ///< [kg].
+    FloatLanes inverse_mass;
+    FloatLanes moments[3];  ///< About the axes [kg m²].
+    FloatLanes spin;        ///< Of bodies of revolution: moments[0] / moments[1] - 1.
+    FloatLanes reach;       ///< Greatest distance of a joint from the centre of mass, squared [m²].
+  };
+  /// A body's joint on the way to the root.
+  struct alignas(64) Joint {
+    DoubleVec3 arm_child_B, arm_parent_B;   ///< Of the anchor, in the frames of the bodies [m].
+    FloatLanes sign;                        ///< 1 if the child is body B of the joint, else -1.
+    std::array<int, kLaneCount> numbers{};  ///< In the Model; -1: none.
+    int parent = -1;                        ///< Number of the slot; -1: a tree that floats.
+    bool parent_is_free = false;
+    bool is_first = false;      ///< Of the joints of which this parent is the parent.
+    bool has_children = false;  ///< Whether the child is a parent too.
+  };
+  struct alignas(64) Impulse {
+    FloatVec3 on_B;
+  };
+  struct Tables {
+    std::vector<Body> bodies;
+    std::vector<Joint> joints;
+    std::vector<std::array<std::int32_t, kLaneCount>> slots;  ///< Bodies by number; -1: none.
+    bool are_of_revolution = true;                            ///< All bodies.
+  };
+
+ private:
+  Tables tables_;
+  std::vector<Impulse> impulses_;
+};
+
+}  // namespace rigor

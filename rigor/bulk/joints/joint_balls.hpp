@@ -1,0 +1,153 @@
+#pragma once
+
+#include "rigor/bulk/joints/joint_factors.hpp"
+#include "rigor/bulk/joints/joint_turn.hpp"
+
+namespace rigor {
+
+// Ball joints without laws, whose children are taken into a tree by what their anchors resist:
+// docs/theory/bulk_joints.md, §2. A is the resistance of a child, lower triangle: translation, then rotation.
+
+RIGOR_FLOAT_LANES void aim_ball(const JointLink& link, const JointSlot& child, const JointSlot& parent,
+                                const JointLanes& joint, BallLanes& ball) {
+  ball.arm_child = rotate(child.turn, link.child_is_B ? joint.arm_B : joint.arm_A);
+  ball.arm_parent = rotate(parent.turn, link.child_is_B ? joint.arm_A : joint.arm_B);
+}
+
+/// x = (L D Lᵀ)⁻¹ x.
+RIGOR_FLOAT_LANES FloatVec3 solve_turning(const BallLanes& ball, FloatVec3 x) {
+  x.y -= ball.L[0] * x.x;
+  x.z -= ball.L[1] * x.x + ball.L[2] * x.y;
+  x = {x.x * ball.inverse_D[0], x.y * ball.inverse_D[1], x.z * ball.inverse_D[2]};
+  x.y -= ball.L[2] * x.z;
+  x.x -= ball.L[0] * x.y + ball.L[1] * x.z;
+  return x;
+}
+
+RIGOR_FLOAT_LANES void factor_ball(const JointLink& link, const JointSlot& child, JointSlot& parent,
+                                   BallLanes& ball) {
+  // To the anchor, v = u + r × ω: Hᵀ = B - r~ M and J = A_ωω + Hᵀ r~ + (B r~)ᵀ.
+  const FloatLanes* A = child.resistance;
+  const FloatVec3& r = ball.arm_child;
+  const FloatVec3 M[3] = {{A[0], A[1], A[3]}, {A[1], A[2], A[4]}, {A[3], A[4], A[5]}};
+  const FloatVec3 B[3] = {{A[6], A[10], A[15]}, {A[7], A[11], A[16]}, {A[8], A[12], A[17]}};  // Columns.
+  FloatVec3 H[3];                                                                             // Rows.
+  for (int j = 0; j < 3; ++j) H[j] = B[j] - cross(r, M[j]);
+  const FloatVec3 x = cross(FloatVec3{H[0].x, H[1].x, H[2].x}, r);
+  const FloatVec3 y = cross(FloatVec3{H[0].y, H[1].y, H[2].y}, r);
+  const FloatVec3 z = cross(FloatVec3{H[0].z, H[1].z, H[2].z}, r);
+  const FloatVec3 Bx = cross(FloatVec3{B[0].x, B[1].x, B[2].x}, r);
+  const FloatVec3 By = cross(FloatVec3{B[0].y, B[1].y, B[2].y}, r);
+  const FloatVec3 Bz = cross(FloatVec3{B[0].z, B[1].z, B[2].z}, r);
+  const FloatLanes xx = A[9] + x.x + Bx.x;
+  const FloatLanes yx = A[13] + y.x + Bx.y, yy = A[14] + y.y + By.y;
+  const FloatLanes zx = A[18] + z.x + Bx.z, zy = A[19] + z.y + By.z, zz = A[20] + z.z + Bz.z;
+
+  // J = L D Lᵀ.
+  ball.inverse_D[0] = 1.0F / xx;
+  ball.L[0] = yx * ball.inverse_D[0];
+  ball.L[1] = zx * ball.inverse_D[0];
+  const FloatLanes zy_rest = zy - ball.L[1] * yx;
+  ball.inverse_D[1] = 1.0F / (yy - ball.L[0] * yx);
+  ball.L[2] = zy_rest * ball.inverse_D[1];
+  ball.inverse_D[2] = 1.0F / (zz - ball.L[1] * zx - ball.L[2] * zy_rest);
+
+  // S = M - H J⁻¹ Hᵀ.
+  for (int j = 0; j < 3; ++j) ball.G[j] = solve_turning(ball, H[j]);
+  FloatSym3& S = ball.S;
+  S.xx = A[0] - dot(H[0], ball.G[0]);
+  S.xy = A[1] - dot(H[1], ball.G[0]);
+  S.yy = A[2] - dot(H[1], ball.G[1]);
+  S.xz = A[3] - dot(H[2], ball.G[0]);
+  S.yz = A[4] - dot(H[2], ball.G[1]);
+  S.zz = A[5] - dot(H[2], ball.G[2]);
+  if (!link.parent_is_free) return;
+
+  // The parent feels S at its anchor, where u = v - s × ω.
+  const FloatVec3& s = ball.arm_parent;
+  const FloatVec3 N[3] = {cross(s, {S.xx, S.xy, S.xz}), cross(s, {S.xy, S.yy, S.yz}),
+                          cross(s, {S.xz, S.yz, S.zz})};  // Columns of s~ S.
+  FloatLanes* P = parent.resistance;
+  P[0] += S.xx;
+  P[1] += S.xy;
+  P[2] += S.yy;
+  P[3] += S.xz;
+  P[4] += S.yz;
+  P[5] += S.zz;
+  const FloatVec3 rows[3] = {{N[0].x, N[1].x, N[2].x}, {N[0].y, N[1].y, N[2].y}, {N[0].z, N[1].z, N[2].z}};
+  const FloatVec3 turn[3] = {cross(s, rows[0]), cross(s, rows[1]), cross(s, rows[2])};
+  P[6] += rows[0].x;
+  P[7] += rows[0].y;
+  P[8] += rows[0].z;
+  P[9] += turn[0].x;
+  P[10] += rows[1].x;
+  P[11] += rows[1].y;
+  P[12] += rows[1].z;
+  P[13] += turn[1].x;
+  P[14] += turn[1].y;
+  P[15] += rows[2].x;
+  P[16] += rows[2].y;
+  P[17] += rows[2].z;
+  P[18] += turn[2].x;
+  P[19] += turn[2].y;
+  P[20] += turn[2].z;
+}
+
+/// By how much the anchors will be apart after the time h, over h.
+RIGOR_FLOAT_LANES void miss_ball(const JointLink& link, float h, const JointSlot& child,
+                                 const JointSlot& parent, const JointLanes& joint, BallLanes& ball) {
+  const JointSlot& A = link.child_is_B ? parent : child;
+  const JointSlot& B = link.child_is_B ? child : parent;
+  const FloatVec3 way = (B.dp - A.dp) + float_lanes(h) * (B.v - A.v);
+  const JointPose pose = joint_pose<false>(joint, A.next_turn, B.next_turn, way);
+  ball.wanted = float_lanes((link.child_is_B ? -1 : 1) / h) * pose.d;
+}
+
+/// The rates of the anchors.
+RIGOR_FLOAT_LANES void drift_ball(const JointSlot& child, const JointSlot& parent, BallLanes& ball) {
+  ball.wanted = (parent.v - cross(ball.arm_parent, parent.w)) - (child.v - cross(ball.arm_child, child.w));
+}
+
+/// On the way to the root.
+RIGOR_FLOAT_LANES void gather_ball(const JointLink& link, const JointSlot& child, JointSlot& parent,
+                                   BallLanes& ball) {
+  const FloatLanes* p = child.push;
+  const FloatVec3 force{p[0], p[1], p[2]};
+  const FloatVec3 torque = FloatVec3{p[3], p[4], p[5]} - cross(ball.arm_child, force);
+  ball.turning = solve_turning(ball, torque);
+  ball.pull = force - FloatVec3{dot(ball.G[0], torque), dot(ball.G[1], torque), dot(ball.G[2], torque)};
+  if (!link.parent_is_free) return;
+  const FloatVec3 f = ball.pull - ball.S * ball.wanted;
+  const FloatVec3 about = cross(ball.arm_parent, f);
+  parent.push[0] += f.x;
+  parent.push[1] += f.y;
+  parent.push[2] += f.z;
+  parent.push[3] += about.x;
+  parent.push[4] += about.y;
+  parent.push[5] += about.z;
+}
+
+/// On the way back.
+RIGOR_FLOAT_LANES void spread_ball(const JointLink& link, const JointSlot& parent, JointSlot& child,
+                                   JointLanes& joint, BallLanes& ball) {
+  FloatVec3 u = ball.wanted;
+  if (link.parent_is_free) {
+    const FloatLanes* c = parent.change;
+    u = u + (FloatVec3{c[0], c[1], c[2]} - cross(ball.arm_parent, {c[3], c[4], c[5]}));
+  }
+  const FloatVec3 w = ball.turning - (u.x * ball.G[0] + (u.y * ball.G[1] + u.z * ball.G[2]));
+  const FloatVec3 v = u + cross(ball.arm_child, w);
+  child.change[0] = v.x;
+  child.change[1] = v.y;
+  child.change[2] = v.z;
+  child.change[3] = w.x;
+  child.change[4] = w.y;
+  child.change[5] = w.z;
+  const FloatVec3 impulse = ball.S * u - ball.pull;  // On the child.
+  const FloatLanes sign = float_lanes(link.child_is_B ? 1 : -1);
+  joint.impulse[0] += sign * impulse.x;
+  joint.impulse[1] += sign * impulse.y;
+  joint.impulse[2] += sign * impulse.z;
+}
+
+}  // namespace rigor

@@ -1,0 +1,169 @@
+#include "rigor/bulk/joints/joint_block.hpp"
+
+#include <numbers>
+#include "rigor/bulk/joints/joint_gears.hpp"
+#include "rigor/core/index.hpp"
+#include "rigor/math/rotation.hpp"
+
+namespace rigor {
+
+BodyPlace place_of(const BulkBodies& bodies, int body) {
+  if (body == world_body) return {};
+  return {bodies.x[at(body)], bodies.q[at(body)]};
+}
+
+namespace {
+
+/// A joint at the begin of a step, in W.
+struct JointStart {
+  Vec3 arm_A, arm_B, offset;
+  Quat J = Quat::Identity(), K = Quat::Identity();  ///< Where rows need them.
+};
+JointStart start_of(const Joint& joint, bool has_laws, const BulkBodies& bodies) {
+  const BodyPlace A = place_of(bodies, joint.body_A), B = place_of(bodies, joint.body_B);
+  JointStart start;
+  start.arm_A = A.q * joint.X_AJ.p;
+  start.arm_B = B.q * joint.X_BK.p;
+  start.offset = (B.x - A.x) + start.arm_B - start.arm_A;
+  if (joint.type != JointType::distance && (has_laws || joint.type != JointType::ball)) {
+    start.J = A.q * quaternion_of(joint.X_AJ.R);
+    start.K = B.q * quaternion_of(joint.X_BK.R);
+  }
+  return start;
+}
+
+void set_lane(const Vec3& a, int lane, FloatVec3& to) {
+  to.x[lane] = static_cast<float>(a.x());
+  to.y[lane] = static_cast<float>(a.y());
+  to.z[lane] = static_cast<float>(a.z());
+}
+void set_lane(const Quat& q, int lane, FloatQuat& to) {
+  to.w[lane] = static_cast<float>(q.w());
+  set_lane(Vec3(q.vec()), lane, to.v);
+}
+void set_lane(const Joint& joint, const JointStart& start, int lane, JointLanes& to) {
+  set_lane(start.arm_A, lane, to.arm_A);
+  set_lane(start.arm_B, lane, to.arm_B);
+  set_lane(start.offset, lane, to.offset);
+  set_lane(start.J, lane, to.J);
+  set_lane(start.K, lane, to.K);
+  to.length[lane] = static_cast<float>(joint.length);
+  to.lead[lane] = static_cast<float>(joint.pitch / (2 * std::numbers::pi));
+}
+
+/// Mass and moments of a body that joints move, if it is dynamic; else it does not give way, and its
+/// resistance is not asked for. Lanes without a body: of unit mass.
+void set_masses(const Body* body, bool gives_way, int lane, JointSlot& slot) {
+  slot.mass[lane] = body == nullptr || !gives_way ? 1 : static_cast<float>(body->mass);
+  slot.inverse_mass[lane] = gives_way ? 1 / slot.mass[lane] : 0;
+  for (int k = 0; k < 3; ++k) {
+    slot.moments[k][lane] = body == nullptr || !gives_way ? 1 : static_cast<float>(body->moments[k]);
+    slot.inverse_moments[k][lane] = gives_way ? 1 / slot.moments[k][lane] : 0;
+  }
+}
+
+void set_all_masses(const Model& model, JointBlock& block) {
+  for (std::size_t s = 0; s < block.slots.size(); ++s) {
+    for (int lane = 0; lane < kLaneCount; ++lane) {
+      const int index = block.systems.bodies[s][at(lane)];
+      const Body* body = index < 0 ? nullptr : &model.body(index);
+      set_masses(body, s < block.systems.moved, lane, block.slots[s]);
+    }
+  }
+}
+
+/// Lanes of systems that sleep have records of their own: what is done to them is not done to bodies.
+void find_records(BulkBodies& bodies, BulkJointBlock& block) {
+  block.stirs = false;
+  block.empty = {};
+  for (std::size_t s = 0; s < block.records.size(); ++s) {
+    const bool is_moved = s < block.lanes.systems.moved;
+    for (std::size_t lane = 0; lane < 8; ++lane) {
+      const int body = block.lanes.systems.bodies[s][lane];
+      float* record = block.nothing.data();
+      const bool is_free = (block.free_lanes >> lane & 1) != 0;
+      if (is_moved && (body < 0 || is_free || !bodies.is_dynamic(body))) {
+        record = block.empty[lane].data();
+      } else if (body >= 0) {
+        static_assert(sizeof(bodies.motion[0]) == 16 * sizeof(float));
+        record = bodies.motion[at(body)].v;
+        block.stirs = block.stirs || is_moved;
+      }
+      block.records[s][lane] = record;
+    }
+  }
+}
+
+void place_axes(const BulkBodies& bodies, JointBlock& block) {
+  for (std::size_t s = 0; s < block.slots.size(); ++s) {
+    JointSlot& slot = block.slots[s];
+    for (int lane = 0; lane < kLaneCount; ++lane) {
+      const int body = block.systems.bodies[s][at(lane)];
+      const Mat3 R = body < 0 ? Mat3(Mat3::Identity()) : place_of(bodies, body).q.toRotationMatrix();
+      set_lane(Vec3(R.col(0)), lane, slot.axis0);
+      set_lane(Vec3(R.col(1)), lane, slot.axis1);
+    }
+    slot.dp = slot.dr = slot.made_v = slot.made_w = FloatVec3{};
+  }
+}
+
+void place_joints(const Model& model, const BulkBodies& bodies, JointBlock& block) {
+  for (std::size_t i = 0; i < block.joints.size(); ++i) {
+    JointLanes& joint = block.joints[i];
+    for (int lane = 0; lane < kLaneCount; ++lane) {
+      const int index = block.systems.links[i].joints[at(lane)];
+      if (index >= 0) {
+        set_lane(model.joint(index), start_of(model.joint(index), block.systems.links[i].has_laws, bodies),
+                 lane, joint);
+      } else {
+        joint.J.w[lane] = joint.K.w[lane] = 1;
+      }
+    }
+    for (int r = 0; r < kMostJointRows; ++r) {
+      joint.softness[r] = float_lanes(1);
+      joint.on[r] = joint.given[r] = joint.impulse[r] = float_lanes(0);
+    }
+  }
+}
+
+}  // namespace
+
+BulkJointBlock make_joint_block(const Model& model, JointSystems systems) {
+  BulkJointBlock block;
+  block.lanes.slots.resize(systems.bodies.size(), JointSlot{});
+  block.lanes.joints.resize(systems.links.size(), JointLanes{});
+  block.lanes.gears = make_gears(model, systems);
+  if (systems.has_loops) {
+    block.lanes.loops = std::make_unique<LoopSolver>(systems);
+  } else {
+    block.lanes.balls.resize(systems.links.size(), BallLanes{});
+  }
+  block.records.resize(systems.bodies.size());
+  block.lanes.is_of_balls = !systems.has_loops;
+  for (std::size_t i = 0; i < systems.links.size(); ++i) {
+    const JointLink& link = systems.links[i];
+    if (link.has_joint && !link.is_plain_ball()) block.lanes.is_of_balls = false;
+    if (!link.has_joint || !link.has_laws) continue;
+    block.lanes.has_laws = true;
+    const int held = held_row_count(link.type, true);
+    for (int r = held; r < row_count(link); ++r) {
+      const int axis = r - held < coordinate_count(link.type) ? r - held : -1;
+      block.laws.push_back({static_cast<int>(i), r, axis});
+    }
+  }
+  if (block.lanes.has_laws) block.before.resize(systems.moved, BulkJointBlock::Velocities{});
+  block.lanes.systems = std::move(systems);
+  set_all_masses(model, block.lanes);
+  return block;
+}
+
+void prepare_joint_block(const JointEffort& effort, BulkBodies& bodies, BulkJointBlock& block) {
+  find_records(bodies, block);
+  if (!block.stirs) return;
+  place_axes(bodies, block.lanes);
+  place_joints(effort.model, bodies, block.lanes);
+  run_stage(JointStage::aim, effort.h, effort.target, block.lanes);
+  run_stage(JointStage::factor, effort.h, effort.target, block.lanes);
+}
+
+}  // namespace rigor

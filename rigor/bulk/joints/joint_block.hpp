@@ -1,0 +1,58 @@
+#pragma once
+
+#include "rigor/bulk/joints/joint_laws.hpp"
+#include "rigor/bulk/joints/joint_stages.hpp"
+#include "rigor/bulk/state/bulk_bodies.hpp"
+
+#include <array>
+#include <vector>
+
+namespace rigor {
+
+using LaneArray = std::array<float, kLaneCount>;
+
+/// Where a body, or the world, is at the begin of a step.
+struct BodyPlace {
+  Vec3 x = Vec3::Zero();      ///< p_WB [m].
+  Quat q = Quat::Identity();  ///< q_WB.
+};
+BodyPlace place_of(const BulkBodies& bodies, int body);
+
+/// A block with the bodies that it stands for.
+struct BulkJointBlock {
+  JointBlock lanes;
+  std::vector<JointRecords> records;
+  alignas(64) std::array<float, 16> nothing{};                        ///< The world.
+  alignas(64) std::array<std::array<float, 16>, kLaneCount> empty{};  ///< Of lanes whose bodies do not move.
+  struct alignas(32) Velocities {
+    FloatVec3 v, w;
+  };
+  std::vector<Velocities> before;  ///< At the begin of a solve, of bodies that joints with laws move.
+  unsigned free_lanes = 0;         ///< Of trees that ContactFreeChains takes in this step, one bit each.
+  bool stirs = true;               ///< Whether one of its bodies moves in this step: not all of them sleep.
+  /// Of rows of laws, in the order of links, rows and lanes: what limits do after the displacements.
+  struct Law {
+    int link = 0, row = 0, axis = -1;  ///< Axis -1: a ball's damper across its axis.
+    std::array<LawPiece, kLaneCount> pieces{};
+    LaneArray rate{};  ///< At the begin of the substep.
+  };
+  std::vector<Law> laws;
+};
+
+BulkJointBlock make_joint_block(const Model& model, JointSystems systems);
+
+/// How a block is worked on.
+struct JointEffort {
+  const Model& model;
+  float h = 0;  ///< Of a substep [s].
+  LaneTarget target = LaneTarget::portable;
+};
+
+/// At the begin of a step; the bodies stay where they are until its end.
+void prepare_joint_block(const JointEffort& effort, BulkBodies& bodies, BulkJointBlock& block);
+/// What is solved before the displacements of a substep, and after them. `anew`: takes back first what joints
+/// have changed since the call of the same name before.
+void solve_before_displacements(const JointEffort& effort, bool anew, BulkJointBlock& block);
+void solve_after_displacements(const JointEffort& effort, BulkJointBlock& block);
+
+}  // namespace rigor

@@ -1,0 +1,191 @@
+#include "rigor/bulk/joints/joint_block.hpp"
+
+#include "rigor/bulk/joints/joint_ball_trees.hpp"
+#include "rigor/core/index.hpp"
+
+#include <algorithm>
+
+namespace rigor {
+
+namespace {
+
+using Block = BulkJointBlock;
+
+LaneArray read_lanes(const FloatLanes& lanes) {
+  LaneArray values;
+  store_floats(lanes, values.data());
+  return values;
+}
+
+/// Times that a solve is repeated, against what turning makes of velocities.
+constexpr int kCorrections = 2;
+/// Changes of pieces of laws within a solve.
+constexpr int kPieceChanges = 6;
+
+void keep_velocities(Block& block) {
+  for (std::size_t i = 0; i < block.before.size(); ++i) {
+    block.before[i] = {block.lanes.slots[i].v, block.lanes.slots[i].w};
+  }
+}
+
+/// Rates from which the laws of a substep begin.
+void begin_laws(Block& block) {
+  for (Block::Law& law : block.laws) {
+    law.rate = read_lanes(block.lanes.joints[at(law.link)].rate[law.row]);
+  }
+}
+
+/// The piece of a law in which the coordinate is; nothing of empty lanes.
+LawPiece find_piece(const Model& model, const Block& block, const Block::Law& law, int lane, double h) {
+  const JointLink& link = block.lanes.systems.links[at(law.link)];
+  const JointLanes& lanes = block.lanes.joints[at(law.link)];
+  const int index = link.joints[at(lane)];
+  if (index < 0) return {};
+  if (std::max(law.axis, 0) >= static_cast<int>(model.joint(index).axes.size())) return {};
+  const Joint& joint = model.joint(index);
+  if (law.axis < 0) {
+    const double damping = joint.axes[0].damping;
+    return damping > 0 ? LawPiece{true, 0, 1 / (h * damping), 0, 0} : LawPiece{};
+  }
+  const CoordinateMotion motion{lanes.coordinate[law.row][lane], lanes.rate[law.row][lane],
+                                lanes.mobility[law.row][lane], lanes.impulse[law.row][lane]};
+  return CoordinateLaw(joint, law.axis, motion, h).piece_at(motion.rate, motion.impulse);
+}
+
+bool is_same(const LawPiece& a, const LawPiece& b) {
+  return a.is_held == b.is_held && a.target == b.target && a.softness == b.softness && a.impulse == b.impulse;
+}
+
+/// Writes the pieces of all laws into the rows; whether one has changed.
+bool choose_pieces(const Model& model, double h, Block& block) {
+  bool has_changed = false;
+  for (Block::Law& law : block.laws) {
+    for (int lane = 0; lane < kLaneCount; ++lane) {
+      const LawPiece piece = find_piece(model, block, law, lane, h);
+      LawPiece& old = law.pieces[at(lane)];
+      has_changed = has_changed || !is_same(piece, old);
+      old = piece;
+    }
+  }
+  for (Block::Law& law : block.laws) {
+    JointLanes& joint = block.lanes.joints[at(law.link)];
+    for (int lane = 0; lane < kLaneCount; ++lane) {
+      const LawPiece& piece = law.pieces[at(lane)];
+      joint.on[law.row][lane] = piece.is_held ? 1 : 0;
+      joint.softness[law.row][lane] = piece.is_held ? static_cast<float>(piece.softness) : 1;
+      joint.target[law.row][lane] = static_cast<float>(piece.target);
+      joint.given[law.row][lane] = piece.is_held ? 0 : static_cast<float>(piece.impulse);
+    }
+  }
+  return has_changed;
+}
+
+/// After the displacements only limits act at which a coordinate has been stopped: it leaves as the impact
+/// lets it.
+void choose_rebounds(const Model& model, Block& block) {
+  for (Block::Law& law : block.laws) {
+    JointLanes& joint = block.lanes.joints[at(law.link)];
+    const JointLink& link = block.lanes.systems.links[at(law.link)];
+    for (int lane = 0; lane < kLaneCount; ++lane) {
+      const std::size_t k = at(lane);
+      const LawPiece& piece = law.pieces[k];
+      const bool stands = piece.is_held && piece.limit != 0;
+      joint.on[law.row][lane] = stands ? 1 : 0;
+      joint.softness[law.row][lane] = stands ? 0 : 1;
+      joint.given[law.row][lane] = 0;
+      joint.target[law.row][lane] = 0;
+      if (!stands) continue;
+      const double e = model.joint(link.joints[k]).axes[at(law.axis)].restitution;
+      const double approach = std::max(0.0, piece.limit * static_cast<double>(law.rate[k]));
+      joint.target[law.row][lane] = static_cast<float>(-piece.limit * e * approach);
+    }
+  }
+}
+
+/// Back to the begin of a solve, where the laws' given impulses are all there is.
+void restore(Block& block) {
+  for (std::size_t i = 0; i < block.before.size(); ++i) {
+    JointSlot& slot = block.lanes.slots[i];
+    slot.v = block.before[i].v;
+    slot.w = block.before[i].w;
+    slot.made_v = slot.made_w = FloatVec3{};
+  }
+  for (JointLanes& joint : block.lanes.joints) {
+    for (int r = 0; r < kMostJointRows; ++r) joint.impulse[r] = joint.given[r];
+  }
+}
+
+/// Takes back what joints have changed; nothing is changed yet.
+void begin_substep(bool anew, Block& block) {
+  for (std::size_t i = 0; i < block.lanes.systems.moved; ++i) {
+    JointSlot& slot = block.lanes.slots[i];
+    if (anew) {
+      slot.v = slot.v - slot.made_v;
+      slot.w = slot.w - slot.made_w;
+    }
+    slot.made_v = slot.made_w = FloatVec3{};
+  }
+  for (JointLanes& joint : block.lanes.joints) {
+    for (FloatLanes& impulse : joint.impulse) impulse = float_lanes(0);
+  }
+}
+
+void correct(float h, LaneTarget target, Block& block) {
+  if (block.lanes.loops) {
+    run_stage(JointStage::drift, h, target, block.lanes);
+    run_stage(JointStage::solve, h, target, block.lanes);
+  }
+  for (int k = 0; k < kCorrections; ++k) {
+    run_stage(JointStage::miss, h, target, block.lanes);
+    run_stage(JointStage::solve, h, target, block.lanes);
+  }
+}
+
+void solve_laws(const JointEffort& effort, Block& block) {
+  const auto& [model, h, target] = effort;
+  run_stage(JointStage::rates, h, target, block.lanes);
+  begin_laws(block);
+  choose_pieces(model, h, block);
+  for (int k = 0; k < kPieceChanges; ++k) {
+    restore(block);
+    run_stage(JointStage::factor, h, target, block.lanes);
+    block.lanes.gives = true;
+    correct(h, target, block);
+    run_stage(JointStage::rates, h, target, block.lanes);
+    if (k + 1 < kPieceChanges && !choose_pieces(model, h, block)) break;
+  }
+}
+
+}  // namespace
+
+void solve_before_displacements(const JointEffort& effort, bool anew, BulkJointBlock& block) {
+  const auto& [model, h, target] = effort;
+  load_slots(block.records, target, block.lanes);
+  begin_substep(anew, block);
+  if (block.lanes.has_laws) keep_velocities(block);
+  if (block.lanes.has_laws) {
+    solve_laws(effort, block);
+  } else if (block.lanes.is_of_balls) {
+    hold_balls(h, target, block.lanes);
+  } else {
+    correct(h, target, block);
+  }
+  store_slots(block.records, target, block.lanes);
+}
+
+void solve_after_displacements(const JointEffort& effort, BulkJointBlock& block) {
+  const auto& [model, h, target] = effort;
+  load_slots(block.records, target, block.lanes);
+  if (block.lanes.is_of_balls) {
+    slow_balls(target, block.lanes);
+  } else {
+    run_stage(JointStage::aim, h, target, block.lanes);
+    choose_rebounds(model, block);
+    run_stage(JointStage::factor, h, target, block.lanes);
+    run_stage(JointStage::drift, h, target, block.lanes);
+    run_stage(JointStage::solve, h, target, block.lanes);
+  }
+  store_slots(block.records, target, block.lanes);
+}
+
+}  // namespace rigor

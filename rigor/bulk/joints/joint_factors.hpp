@@ -1,0 +1,184 @@
+#pragma once
+
+#include "rigor/bulk/joints/joint_turn.hpp"
+
+namespace rigor {
+
+/// Place of an element of a lower triangle.
+constexpr int lower(int row, int column) {
+  return row * (row + 1) / 2 + column;
+}
+
+/// A = L Lᵀ in place; the diagonal holds inverses.
+RIGOR_FLOAT_LANES void factor_lower(int size, FloatLanes* A) {
+  for (int j = 0; j < size; ++j) {
+    FloatLanes s = A[lower(j, j)];
+    for (int k = 0; k < j; ++k) s -= A[lower(j, k)] * A[lower(j, k)];
+    const FloatLanes inverse = 1.0F / float_sqrt(float_max(s, float_lanes(1e-30F)));
+    A[lower(j, j)] = inverse;
+    for (int i = j + 1; i < size; ++i) {
+      FloatLanes e = A[lower(i, j)];
+      for (int k = 0; k < j; ++k) e -= A[lower(i, k)] * A[lower(j, k)];
+      A[lower(i, j)] = e * inverse;
+    }
+  }
+}
+/// x = L⁻¹ x.
+RIGOR_FLOAT_LANES void solve_lower(int size, const FloatLanes* L, FloatLanes* x) {
+  for (int i = 0; i < size; ++i) {
+    FloatLanes s = x[i];
+    for (int k = 0; k < i; ++k) s -= L[lower(i, k)] * x[k];
+    x[i] = s * L[lower(i, i)];
+  }
+}
+/// x = L⁻ᵀ x.
+RIGOR_FLOAT_LANES void solve_upper(int size, const FloatLanes* L, FloatLanes* x) {
+  for (int i = size - 1; i >= 0; --i) {
+    FloatLanes s = x[i];
+    for (int k = i + 1; k < size; ++k) s -= L[lower(k, i)] * x[k];
+    x[i] = s * L[lower(i, i)];
+  }
+}
+
+RIGOR_FLOAT_LANES void set_resistance(JointSlot& slot) {
+  for (FloatLanes& e : slot.resistance) e = float_lanes(0);
+  const FloatSym3& I = slot.inertia;
+  for (int k = 0; k < 3; ++k) slot.resistance[lower(k, k)] = slot.mass;
+  slot.resistance[lower(3, 3)] = I.xx;
+  slot.resistance[lower(4, 3)] = I.xy;
+  slot.resistance[lower(4, 4)] = I.yy;
+  slot.resistance[lower(5, 3)] = I.xz;
+  slot.resistance[lower(5, 4)] = I.yz;
+  slot.resistance[lower(5, 5)] = I.zz;
+}
+
+/// Inertia in W where the body is: of principal axes e and moments I, with E the identity,
+///
+///   I_2 E + (I_0 - I_2) e_0 e_0ᵀ + (I_1 - I_2) e_1 e_1ᵀ.
+RIGOR_FLOAT_LANES FloatSym3 turned_moments(const JointSlot& slot, const FloatLanes* I) {
+  const FloatVec3 e0 = rotate(slot.turn, slot.axis0), e1 = rotate(slot.turn, slot.axis1);
+  const FloatVec3 a = (I[0] - I[2]) * e0, b = (I[1] - I[2]) * e1;
+  return {I[2] + a.x * e0.x + b.x * e1.x, I[2] + a.y * e0.y + b.y * e1.y, I[2] + a.z * e0.z + b.z * e1.z,
+          a.x * e0.y + b.x * e1.y,        a.x * e0.z + b.x * e1.z,        a.y * e0.z + b.y * e1.z};
+}
+RIGOR_FLOAT_LANES void turn_inertia(JointSlot& slot) {
+  slot.inertia = turned_moments(slot, slot.moments);
+}
+RIGOR_FLOAT_LANES void turn_inverse_inertia(JointSlot& slot) {
+  slot.inverse_inertia = turned_moments(slot, slot.inverse_moments);
+}
+
+/// Gives the body what the last solve has found.
+RIGOR_FLOAT_LANES void add_change(JointSlot& slot) {
+  const FloatVec3 v{slot.change[0], slot.change[1], slot.change[2]};
+  const FloatVec3 w{slot.change[3], slot.change[4], slot.change[5]};
+  slot.v = slot.v + v;
+  slot.w = slot.w + w;
+  slot.made_v = slot.made_v + v;
+  slot.made_w = slot.made_w + w;
+}
+
+/// How many rows a joint has, and how many of them it holds.
+struct JointSize {
+  int rows, held;
+};
+
+/// Factors of one joint, whose child has all of its resistance; adds to that of its parent.
+RIGOR_FLOAT_LANES void factor_joint(const JointLink& link, JointSize count, JointSlot& child,
+                                    JointSlot& parent, JointLanes& joint) {
+  const auto [size, held] = count;
+  for (int k = 0; k < 21; ++k) joint.L[k] = child.resistance[k];
+  factor_lower(6, joint.L);
+  const FloatVec3* a_child = link.child_is_B ? joint.a_B : joint.a_A;
+  const FloatVec3* a_parent = link.child_is_B ? joint.a_A : joint.a_B;
+  const FloatLanes sign = float_lanes(link.child_is_B ? 1 : -1);
+  for (int r = 0; r < size; ++r) {
+    const FloatLanes s = r < held ? sign : sign * joint.on[r];
+    const FloatVec3 n = s * joint.n[r], a = s * a_child[r];
+    FloatLanes* column = joint.W + 6 * r;
+    column[0] = n.x, column[1] = n.y, column[2] = n.z;
+    column[3] = a.x, column[4] = a.y, column[5] = a.z;
+    solve_lower(6, joint.L, column);
+    for (int c = 0; c <= r; ++c) {
+      FloatLanes e = joint.W[6 * r] * joint.W[6 * c];
+      for (int k = 1; k < 6; ++k) e += joint.W[6 * r + k] * joint.W[6 * c + k];
+      joint.F[lower(r, c)] = e;
+    }
+    if (r >= held) joint.F[lower(r, r)] += joint.softness[r];
+  }
+  factor_lower(size, joint.F);
+  if (!link.parent_is_free) return;
+  for (int r = 0; r < size; ++r) {
+    const FloatLanes s = r < held ? -sign : -sign * joint.on[r];
+    const FloatVec3 n = s * joint.n[r], a = s * a_parent[r];
+    FloatLanes* row = joint.X + 6 * r;
+    row[0] = n.x, row[1] = n.y, row[2] = n.z;
+    row[3] = a.x, row[4] = a.y, row[5] = a.z;
+    for (int k = 0; k < 6; ++k) {
+      FloatLanes e = row[k];
+      for (int c = 0; c < r; ++c) e -= joint.F[lower(r, c)] * joint.X[6 * c + k];
+      row[k] = e * joint.F[lower(r, r)];
+    }
+  }
+  for (int i = 0; i < 6; ++i) {
+    for (int k = 0; k <= i; ++k) {
+      FloatLanes e = parent.resistance[lower(i, k)];
+      for (int r = 0; r < size; ++r) e += joint.X[6 * r + i] * joint.X[6 * r + k];
+      parent.resistance[lower(i, k)] = e;
+    }
+  }
+}
+
+/// The root of a tree that floats.
+RIGOR_FLOAT_LANES void factor_root(const JointSlot& slot, JointLanes& root) {
+  for (int k = 0; k < 21; ++k) root.L[k] = slot.resistance[k];
+  factor_lower(6, root.L);
+}
+RIGOR_FLOAT_LANES void gather_root(const JointSlot& slot, JointLanes& root) {
+  for (int k = 0; k < 6; ++k) root.t[k] = slot.push[k];
+  solve_lower(6, root.L, root.t);
+}
+RIGOR_FLOAT_LANES void spread_root(const JointLanes& root, JointSlot& slot) {
+  for (int k = 0; k < 6; ++k) slot.change[k] = root.t[k];
+  solve_upper(6, root.L, slot.change);
+}
+
+/// On the way to the root: what the child's push and the residuals make the parent feel.
+RIGOR_FLOAT_LANES void gather_push(const JointLink& link, int size, const JointSlot& child, JointSlot& parent,
+                                   JointLanes& joint) {
+  for (int k = 0; k < 6; ++k) joint.t[k] = child.push[k];
+  solve_lower(6, joint.L, joint.t);
+  for (int r = 0; r < size; ++r) {
+    FloatLanes e = -joint.residual[r];
+    for (int k = 0; k < 6; ++k) e -= joint.W[6 * r + k] * joint.t[k];
+    joint.z[r] = e;
+  }
+  solve_lower(size, joint.F, joint.z);
+  if (!link.parent_is_free) return;
+  for (int k = 0; k < 6; ++k) {
+    FloatLanes e = parent.push[k];
+    for (int r = 0; r < size; ++r) e += joint.X[6 * r + k] * joint.z[r];
+    parent.push[k] = e;
+  }
+}
+
+/// On the way back: the impulse of the joint and what its child does.
+RIGOR_FLOAT_LANES void spread_change(const JointLink& link, int size, const JointSlot& parent,
+                                     JointSlot& child, JointLanes& joint) {
+  FloatLanes y[kMostJointRows];
+  for (int r = 0; r < size; ++r) {
+    y[r] = joint.z[r];
+    if (!link.parent_is_free) continue;
+    for (int k = 0; k < 6; ++k) y[r] -= joint.X[6 * r + k] * parent.change[k];
+  }
+  solve_upper(size, joint.F, y);
+  for (int k = 0; k < 6; ++k) {
+    FloatLanes e = joint.t[k];
+    for (int r = 0; r < size; ++r) e += joint.W[6 * r + k] * y[r];
+    child.change[k] = e;
+  }
+  solve_upper(6, joint.L, child.change);
+  for (int r = 0; r < size; ++r) joint.impulse[r] += y[r];
+}
+
+}  // namespace rigor

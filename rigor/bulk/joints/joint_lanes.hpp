@@ -1,0 +1,142 @@
+#pragma once
+
+#include "rigor/bulk/joints/joint_forest.hpp"
+#include "rigor/bulk/joints/joint_loop_solver.hpp"
+#include "rigor/bulk/lanes/float_lanes.hpp"
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace rigor {
+
+/// A rotation in lanes.
+struct FloatQuat {
+  FloatLanes w;
+  FloatVec3 v;
+};
+
+/// A body in lanes, and what the solve knows of it.
+struct alignas(32) JointSlot {
+  FloatVec3 v, w, dp, dr;
+  FloatLanes inverse_mass, mass;
+  FloatLanes moments[3], inverse_moments[3];  ///< About the principal axes.
+  FloatVec3 axis0, axis1;                     ///< The first two of them at the begin of the step.
+  FloatSym3 inertia, inverse_inertia;         ///< Where the body is.
+  FloatQuat turn;                             ///< Since the begin of the step.
+  FloatQuat next_turn;                        ///< The same at the end of the substep, if velocities stay.
+  FloatLanes resistance[21];  ///< To a push: of the body and of all that hangs on it; lower triangle.
+  FloatLanes push[6];         ///< Impulse that is to be taken up.
+  FloatLanes change[6];       ///< Of v and w, by the last solve.
+  FloatVec3 made_v, made_w;   ///< All of the changes in this substep.
+};
+
+constexpr int kMostJointRows = 6;
+
+/// A joint in lanes with the rows of its equations: of a row n, a_A, a_B the rate is
+///
+///   u = n · (v_B - v_A) + a_B · ω_B - a_A · ω_A.
+///
+/// The first rows are what the joint holds; those of its coordinates follow if laws act along them.
+struct alignas(32) JointLanes {
+  // Constant within a step: W's axes, at its begin.
+  FloatVec3 arm_A, arm_B;  ///< From the centres to the anchors [m].
+  FloatVec3 offset;        ///< From J to K [m].
+  FloatQuat J, K;          ///< Orientations of the joint's frames.
+  FloatLanes length;       ///< Of a distance joint [m].
+  FloatLanes lead;         ///< Of a screw [m/rad].
+
+  FloatVec3 n[kMostJointRows], a_A[kMostJointRows], a_B[kMostJointRows];
+  FloatLanes residual[kMostJointRows];  ///< What the next solve takes away of the rates.
+  FloatLanes impulse[kMostJointRows];
+
+  // Of the laws: u + softness (impulse) = target where `on` is 1, impulse = given where it is 0.
+  FloatLanes on[kMostJointRows], softness[kMostJointRows], target[kMostJointRows], given[kMostJointRows];
+  FloatLanes coordinate[kMostJointRows], rate[kMostJointRows], mobility[kMostJointRows];
+
+  // Factors: L Lᵀ is the resistance of the child, F Fᵀ = C (L Lᵀ)⁻¹ Cᵀ + softness that of the joint, with its
+  // rows C on the child and P on the parent.
+  FloatLanes L[21];
+  FloatLanes W[36];  ///< L⁻¹ Cᵀ, by columns.
+  FloatLanes F[21];
+  FloatLanes X[36];  ///< F⁻¹ P, by rows.
+  FloatLanes t[6], z[6];
+};
+
+/// A ball joint without laws in lanes, on its way from the child up (docs/theory/bulk_joints.md, §2).
+struct alignas(32) BallLanes {
+  FloatVec3 arm_child, arm_parent;  ///< From the centres to the anchor [m].
+  FloatVec3 wanted;  ///< Change of the anchor's velocity on the child against that on the parent.
+  // Factors. Resistance of the child to velocities u of its anchor and turning ω: (S, H; Hᵀ, L D Lᵀ).
+  FloatLanes inverse_D[3], L[3];  ///< L: elements 10, 20, 21.
+  FloatVec3 G[3];                 ///< Rows of H (L D Lᵀ)⁻¹.
+  FloatSym3 S;                    ///< Resistance of the anchor to u if the child turns freely.
+  FloatVec3 turning, pull;  ///< Of the child, if its anchor is held: its change of ω, what it takes up.
+};
+
+/// Gears in lanes.
+struct GearLanes {
+  std::array<double, kLaneCount> ratio{};
+  /// What whole turns add to the coordinates' difference is a multiple of this; 0: anything, so that only
+  /// rates are held.
+  std::array<double, kLaneCount> period{};
+  FloatLanes residual;
+};
+
+/// Eight alike systems at work.
+struct JointBlock {
+  JointSystems systems;
+  std::vector<JointSlot> slots;
+  std::vector<JointLanes> joints;  ///< Of each link.
+  std::vector<BallLanes> balls;    ///< Of each link of a tree.
+  std::vector<GearLanes> gears;
+  std::unique_ptr<LoopSolver> loops;  ///< Of systems that are no trees.
+  bool has_laws = false;
+  bool is_of_balls = false;  ///< Trees of ball joints without laws.
+  bool misses = false;       ///< Whether the residuals are those of places, not of rates.
+  bool gives = false;        ///< Whether the next solve begins with the given impulses.
+};
+
+/// Rows that a joint of this type holds, and those of its coordinates.
+constexpr int held_row_count(JointType type, bool has_laws) {
+  switch (type) {
+    case JointType::fixed:
+      return 6;
+    case JointType::ball:
+      return 3;
+    case JointType::universal:
+    case JointType::cylindrical:
+      return 4;
+    case JointType::planar:
+      return 3;
+    case JointType::distance:
+      return has_laws ? 0 : 1;
+    case JointType::gear:
+      return 0;
+    default:
+      return 5;
+  }
+}
+constexpr int law_row_count(JointType type, bool has_laws) {
+  if (!has_laws) return 0;
+  // A ball's damper acts about all axes.
+  switch (type) {
+    case JointType::fixed:
+    case JointType::gear:
+      return 0;
+    case JointType::ball:
+    case JointType::planar:
+      return 3;
+    case JointType::universal:
+    case JointType::cylindrical:
+      return 2;
+    default:
+      return 1;
+  }
+}
+constexpr int row_count(const JointLink& link) {
+  if (!link.has_joint) return 0;
+  return held_row_count(link.type, link.has_laws) + law_row_count(link.type, link.has_laws);
+}
+
+}  // namespace rigor

@@ -1,0 +1,89 @@
+#pragma once
+
+#include "rigor/bulk/joints/joint_lanes.hpp"
+
+#include <cmath>
+
+namespace rigor {
+
+/// Rotation of a vector r [rad], exact to rounding up to a turn and a quarter (the sine and cosine of an
+/// eighth by their series, then doubled three times).
+RIGOR_FLOAT_LANES FloatQuat lane_turn(const FloatVec3& r) {
+  const FloatVec3 u = float_lanes(1.0F / 16) * r;
+  const FloatLanes s = dot(u, u);
+  const FloatLanes sinc = float_lanes(1) - s * (1.0F / 6 - s * (1.0F / 120 - s * (1.0F / 5040)));
+  FloatQuat q{float_lanes(1) - s * (0.5F - s * (1.0F / 24 - s * (1.0F / 720))), sinc * u};
+  for (int k = 0; k < 3; ++k) q = {q.w * q.w - dot(q.v, q.v), (q.w + q.w) * q.v};
+  return q;
+}
+
+RIGOR_FLOAT_LANES FloatVec3 rotate(const FloatQuat& q, const FloatVec3& a) {
+  const FloatVec3 c = float_lanes(2) * cross(q.v, a);
+  return a + q.w * c + cross(q.v, c);
+}
+RIGOR_FLOAT_LANES FloatQuat operator*(const FloatQuat& a, const FloatQuat& b) {
+  return {a.w * b.w - dot(a.v, b.v), a.w * b.v + b.w * a.v + cross(a.v, b.v)};
+}
+RIGOR_FLOAT_LANES FloatQuat conjugate(const FloatQuat& q) {
+  return {q.w, float_lanes(-1) * q.v};
+}
+RIGOR_FLOAT_LANES FloatVec3 axis_of(const FloatQuat& q, int k) {
+  const FloatLanes one = float_lanes(1), zero = float_lanes(0);
+  return rotate(q, k == 0 ? FloatVec3{one, zero, zero}
+                          : (k == 1 ? FloatVec3{zero, one, zero} : FloatVec3{zero, zero, one}));
+}
+/// Rotation vector of a turn by a small s [rad] after one by r: log(exp(s) exp(r)) to first order in s and
+/// third in r (Baker, Campbell, Hausdorff).
+RIGOR_FLOAT_LANES FloatVec3 lane_turned(const FloatVec3& r, const FloatVec3& s) {
+  const FloatVec3 across = cross(r, s);
+  return r + (s + (float_lanes(1.0F / 12) * cross(r, across) - float_lanes(0.5F) * across));
+}
+RIGOR_FLOAT_LANES FloatVec3 unit_or(const FloatVec3& a, const FloatVec3& instead) {
+  const FloatLanes length = float_sqrt(dot(a, a));
+  const FloatLanes inverse = 1.0F / length;
+  const auto is_long = length > float_lanes(1e-6F);
+  return {is_long ? a.x * inverse : instead.x, is_long ? a.y * inverse : instead.y,
+          is_long ? a.z * inverse : instead.z};
+}
+RIGOR_FLOAT_LANES FloatLanes lane_angle(const FloatLanes& y, const FloatLanes& x) {
+  float a[kLaneCount], b[kLaneCount];
+  store_floats(y, a);
+  store_floats(x, b);
+  for (int i = 0; i < kLaneCount; ++i) a[i] = std::atan2(a[i], b[i]);
+  return load_floats(a);
+}
+
+/// Where the frame K of a joint is against J, in lanes.
+struct JointPose {
+  FloatVec3 arm_A, arm_B;  ///< In W [m].
+  FloatVec3 d;             ///< From J to K in W [m].
+  FloatQuat J, JK;         ///< JK: w ≥ 0.
+  FloatVec3 x, y, z;       ///< Axes of J in W.
+};
+
+/// The turns and displacements are those of the bodies since the begin of the step.
+template <bool with_frames>
+RIGOR_FLOAT_LANES JointPose joint_pose(const JointLanes& joint, const FloatQuat& turn_A,
+                                       const FloatQuat& turn_B, const FloatVec3& way) {
+  JointPose pose;
+  pose.arm_A = rotate(turn_A, joint.arm_A);
+  pose.arm_B = rotate(turn_B, joint.arm_B);
+  pose.d = joint.offset + way + ((pose.arm_B - joint.arm_B) - (pose.arm_A - joint.arm_A));
+  if constexpr (with_frames) {
+    pose.J = turn_A * joint.J;
+    pose.JK = conjugate(pose.J) * (turn_B * joint.K);
+    const FloatLanes sign = pose.JK.w < float_lanes(0) ? float_lanes(-1) : float_lanes(1);
+    pose.JK = {sign * pose.JK.w, sign * pose.JK.v};
+    pose.x = axis_of(pose.J, 0);
+    pose.y = axis_of(pose.J, 1);
+    pose.z = axis_of(pose.J, 2);
+  }
+  return pose;
+}
+
+/// The twist about z, in [-π, π].
+RIGOR_FLOAT_LANES FloatLanes lane_twist(const FloatQuat& JK) {
+  return 2.0F * lane_angle(JK.v.z, JK.w);
+}
+
+}  // namespace rigor

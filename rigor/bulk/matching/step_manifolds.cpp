@@ -1,0 +1,94 @@
+#include "rigor/bulk/matching/step_manifolds.hpp"
+
+#include "rigor/bulk/lanes/list_room.hpp"
+#include "rigor/core/index.hpp"
+
+#include <algorithm>
+#include <array>
+#include <compare>
+
+namespace rigor {
+
+namespace {
+
+ManifoldSurface surface_of(const PairCoefficients& pair) {
+  return {static_cast<float>(pair.friction), static_cast<float>(pair.restitution),
+          static_cast<float>(pair.torsional_friction), static_cast<float>(pair.rolling_friction)};
+}
+
+bool does_press(const ManifoldMemories::View& memory) {
+  return std::any_of(memory.normal_impulse, memory.normal_impulse + memory.point_count,
+                     [](float impulse) { return impulse > 0; });
+}
+
+}  // namespace
+
+StepManifolds::StepManifolds(const Model& model) : material_count_(model.materials().size()) {
+  const int count = static_cast<int>(material_count_);
+  for (int a = 0; a < count; ++a) {
+    for (int b = 0; b < count; ++b) surfaces_.push_back(surface_of(model.coefficients(a, b)));
+  }
+  first_shape_.reserve(model.bodies().size());
+  materials_.reserve(model.bodies().size());
+  for (const Body& body : model.bodies()) {
+    first_shape_.push_back(static_cast<int>(materials_.size()));
+    for (const BodyShape& shape : body.shapes) materials_.push_back(shape.material);
+  }
+}
+
+void StepManifolds::match(const std::vector<ShapePair>& pairs, const ManifoldList& manifolds,
+                          const ManifoldMemories& memory, const Executor& executor) {
+  pairs_ = &pairs;
+  manifolds_ = &manifolds;
+  memory_ = &memory;
+  renew(manifolds.size(), matches_);
+  executor.for_ranges(static_cast<int>(manifolds.size()), 1024,
+                      [&](int begin, int end) { match_range(at(begin), at(end)); });
+}
+
+/// Both lists are in the order of keys.
+void StepManifolds::match_range(std::size_t begin, std::size_t end) {
+  const ManifoldMemories& memory = *memory_;
+  std::size_t next = memory.size();
+  for (std::size_t i = begin; i < end; ++i) {
+    const ShapePair& own = pair(i);
+    const std::array<int, 5> key = {own.body_A, own.body_B, own.shape_A, own.shape_B, part(i)};
+    if (i == begin) next = memory.find_from(key);
+    bool is_same = false;
+    for (; next < memory.size(); ++next) {
+      const std::strong_ordering order = memory.order(next, key);
+      is_same = order == 0;
+      if (order >= 0) break;
+    }
+    Match& match = matches_[i];
+    match = {};
+    match.surface =
+        static_cast<std::uint32_t>(material_of(own.body_A, own.shape_A) * static_cast<int>(material_count_) +
+                                   material_of(own.body_B, own.shape_B)) &
+        0x7fffffffu;
+    if (next == memory.size() || !is_same) continue;
+    match.memory = static_cast<int>(next);
+    match.energy = memory.energy(next);
+    match.is_new = !does_press(memory.view(next));
+  }
+}
+
+int StepManifolds::material_of(int body, int shape) const {
+  return materials_[at(first_shape_[at(body)] + shape)];
+}
+
+ManifoldMemory StepManifolds::key(std::size_t i) const {
+  const ShapePair& own = pair(i);
+  const ManifoldView found = view(i);
+  ManifoldMemory key;
+  key.body_A = own.body_A;
+  key.body_B = own.body_B;
+  key.shape_A = own.shape_A;
+  key.shape_B = own.shape_B;
+  key.part = part(i);
+  key.point_count = found.point_count;
+  for (std::size_t k = 0; k < at(key.point_count); ++k) key.feature[k] = found.points[k].feature;
+  return key;
+}
+
+}  // namespace rigor

@@ -1,0 +1,161 @@
+#pragma once
+
+#include "rigor/bulk/narrow_phase/collide_points.hpp"
+#include "rigor/bulk/narrow_phase/face_outlines.hpp"
+#include "rigor/bulk/narrow_phase/hull_lanes.hpp"
+#include "rigor/bulk/state/bulk_shape.hpp"
+#include "rigor/core/index.hpp"
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace rigor {
+
+/// A core in a frame O: the centre of body A, axes of W. All its vertices and normals are placed at once,
+/// eight in lanes, which takes less time than to place those that are asked for.
+struct PlacedPolytope {
+  const FloatHull* hull = nullptr;
+  CorePlace place;   ///< Of the shape in O.
+  Vec3f center;      ///< Of a ball inside.
+  float inner = 0;   ///< Its radius [m].
+  float radius = 0;  ///< Of the ball added to the core [m].
+  float extent = 0;  ///< No vertex is farther from the shape's origin [m].
+  bool is_box = false;
+  alignas(32) float box_offsets[kLaneCount];  ///< Of the faces of a box from its middle [m].
+  PlacedColumns vertex_columns, normal_columns;
+
+  LaneColumns vertices() const { return vertex_columns.columns(); }
+  LaneColumns normals() const { return normal_columns.columns(); }
+  Vec3f vertex(int v) const { return vertex_columns[v]; }
+  Vec3f normal(int f) const { return normal_columns[f]; }
+  /// Of the faces' planes from the shape's origin, in whole lanes [m].
+  const float* offsets() const { return is_box ? box_offsets : hull->offset.data(); }
+  const FloatHull::Edge& edge(int e) const { return hull->edges[at(e)]; }
+  Vec3f edge_vector(int e) const { return vertex(edge(e).v1) - vertex(edge(e).v0); }
+  /// The vertex farthest along n (of equal ones the first). Asked in the shape's frame, where the vertices
+  /// are rounded once.
+  int farthest(const Vec3f& n) const {
+    return find_support(hull->vertices(), place.M.transpose() * n, best_lane_target()).index;
+  }
+};
+
+/// The direction that parts two cores best, of the normals of faces and of pairs of edges.
+struct SeparatingAxis {
+  enum class Kind : std::int8_t { none, face_of_A, face_of_B, edges };
+  Kind kind = Kind::none;
+  int a = -1, b = -1;  ///< A face and the vertex of the other core that is lowest over it; or two edges.
+  Vec3f n = Vec3f::UnitZ();                                    ///< Unit, from A to B.
+  float separation = -std::numeric_limits<float>::infinity();  ///< min n · b - max n · a [m].
+  bool is_proven = true;  ///< False if it took a search of all to know that it is the best.
+};
+
+/// Which of the axes of two cores it is and whether it was proven, in 32 bits, to be tried again in the next
+/// step.
+using AxisCode = std::uint32_t;
+AxisCode code_of(const SeparatingAxis& axis);  ///< 0 of none.
+
+/// Two cores, and where the search keeps its lists, to be used again.
+struct PlacedPolytopes {
+  PlacedPolytope a, b;
+  const PlacedShape* shape_A = nullptr;  ///< Where `a` was placed: pairs of one body follow each other.
+  float rounding = 0;     ///< Of separations: kCollisionRounding of the lengths in the pair [m].
+  float thinnest = 0;     ///< Radius of the smaller of the balls inside, with those added to the cores [m].
+  float equal_depth = 0;  ///< Points whose gaps differ by less are equally deep [m].
+  std::vector<float> heights, along_A, along_B, heights_A, heights_B;
+  ArcBlocks arcs_A, arcs_B;
+  std::vector<int> faces, edges_A, edges_B, nearest;
+  std::vector<SegmentLanes> segments;
+  OutlineMeeting meeting;
+  std::vector<ManifoldCandidate> candidates;
+  SeparatingAxis beside;  ///< Where edges touch, the face of a second manifold; or none.
+};
+
+/// Places both cores; d: from the centre of body A to that of body B. If placed_A is that of the call before,
+/// it must not have changed since then.
+void place_polytopes(const BulkShape& a, const PlacedShape& placed_A, const BulkShape& b,
+                     const PlacedShape& placed_B, const Vec3f& d, PlacedPolytopes& pair);
+
+/// Beyond this the exact rounding of any way to measure them does not matter: cores that are parted by so
+/// much more than a limit along some direction are farther apart than it in every answer [m].
+inline float parting_slack(float rounding) {
+  return 64 * rounding;
+}
+
+/// Whether a few steps of a search from n, not 0, find a direction along which the cores are farther apart
+/// than `limit`. False is no proof of the contrary. n becomes the last direction.
+///
+/// Source: Chung and Wang, Quick Collision Detection of Polytopes in Virtual Environments, ACM VRST 1996: a
+/// direction that does not part the support vertices is reflected at the plane across their difference.
+bool find_parting_direction(const PlacedPolytopes& pair, float limit, Vec3f& n);
+
+/// Where to look first.
+struct AxisGuess {
+  Vec3f n;            ///< A direction, not 0.
+  AxisCode axis = 0;  ///< Of these cores; 0 if there is none.
+};
+
+/// The axis of the whole search, whatever the guess: the best face (of A, unless that of B is better by more
+/// than the rounding), or the best edge pair if that is better than it by more than the rounding. Where the
+/// cores are farther apart than `limit`, any axis that shows it. The axis of the guess is tried first, then
+/// those around it: where one of them proves itself, no other is. What could not be proven in the step before
+/// is seldom proven in this one: it is only tried, and then all are.
+SeparatingAxis find_separating_axis(PlacedPolytopes& pair, float limit, const AxisGuess& guess);
+
+/// Contacts of two cores with their balls, in pair.candidates; nothing beyond the margin. Returns their
+/// normal. `axis` becomes the axis found. Where that is of edges, but a face parts the cores nearly as well
+/// (kFacePreferenceOfOverlap), contacts are those over the face; and where it may do so within the step,
+/// pair.beside is it (find_contacts_beside()).
+///
+/// Source: Gregorius, The Separating Axis Test between Convex Polyhedra, GDC 2013: faces, and the edges whose
+/// arcs cross on the Gauss map. Ours: only directions are tried for which the balls inside the cores leave
+/// more separation than there is already, and none besides an axis that proves itself
+/// (docs/theory/narrow_phase.md); where cores are apart and the axis joins no two points of them, the nearest
+/// points of their edges take its place, so that gaps are distances.
+std::optional<Vec3f> find_polytope_candidates(PlacedPolytopes& pair, float margin, const AxisGuess& guess,
+                                              SeparatingAxis& axis);
+
+/// After that, the contacts over pair.beside; nothing if there is none.
+std::optional<Vec3f> find_contacts_beside(PlacedPolytopes& pair, float margin);
+
+// The parts of this.
+
+/// The face of one core and the vertex of the other that is lowest over it.
+SeparatingAxis face_axis(const PlacedPolytopes& pair, bool is_of_A, int face);
+/// Two edges; none if they are parallel.
+SeparatingAxis edge_axis(const PlacedPolytopes& pair, int i, int j);
+/// The region in which the cores lie over the face of the axis; returns its least gap (infinite: empty).
+float clip_on_face(const SeparatingAxis& axis, float margin, PlacedPolytopes& pair);
+/// Where two edges cross; false if the cores are apart and it is beyond their ends.
+bool cross_edges(const SeparatingAxis& axis, PlacedPolytopes& pair);
+/// The nearest points of two cores that are parted along n, both of them on edges. Returns the normal, or
+/// nothing beyond the margin. The answer does not depend on n, unless the cores touch to rounding.
+std::optional<Vec3f> join_nearest_edges(const Vec3f& n, float separation, float margin,
+                                        PlacedPolytopes& pair);
+
+/// No direction n parts the cores by more than n · between - balls.
+struct BallBound {
+  Vec3f between;  ///< From the ball inside A to that inside B [m].
+  float balls;    ///< Sum of their radii [m].
+};
+BallBound ball_bound(const PlacedPolytopes& pair);
+
+/// Whether rounding changes the separation of the axis by no more than pair.rounding: not of edges that are
+/// nearly parallel.
+bool is_well_conditioned(const PlacedPolytopes& pair, const SeparatingAxis& axis);
+/// Whether no direction parts the cores better than the axis by more than the rounding: false is no proof of
+/// the contrary.
+bool is_best(const PlacedPolytopes& pair, const BallBound& bound, const SeparatingAxis& axis);
+/// The axis of the whole search, if the given one tells it: a proof like that, with some room, and no other
+/// feature that is as good.
+std::optional<SeparatingAxis> settle(const PlacedPolytopes& pair, const BallBound& bound,
+                                     const SeparatingAxis& axis);
+
+/// Nearest points of two segments: parameters in [0, 1] from their first ends; of parallel ones at an end.
+struct SegmentPoints {
+  float s, t;
+};
+SegmentPoints nearest_on_segments(const Vec3f& p0, const Vec3f& u, const Vec3f& q0, const Vec3f& v);
+
+}  // namespace rigor

@@ -1,0 +1,436 @@
+#include "rigor/bulk/narrow_phase/narrow_phase.hpp"
+
+#include "rigor/bulk/lanes/list_room.hpp"
+#include "rigor/bulk/narrow_phase/collide_balls.hpp"
+#include "rigor/bulk/narrow_phase/collide_boxes.hpp"
+#include "rigor/bulk/narrow_phase/collide_exactly.hpp"
+#include "rigor/bulk/narrow_phase/collide_polytopes.hpp"
+#include "rigor/bulk/narrow_phase/collide_round.hpp"
+#include "rigor/bulk/narrow_phase/pair_hints.hpp"
+#include "rigor/bulk/state/bulk_shape.hpp"
+#include "rigor/core/index.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <unordered_map>
+
+namespace rigor {
+
+namespace {
+
+using Kind = BulkShape::Kind;
+
+constexpr int kBlock = PairHints::block;  ///< Pairs that are put into lanes together.
+constexpr int kPartGrain = 256;           ///< Pairs; a part of them has its own lists.
+constexpr int kPlaceGrain = 1024;         ///< Shapes.
+constexpr float kRounding = kCollisionRounding;
+
+/// A shape of a body: its form and its place, by their numbers. Balls about the centres of their bodies share
+/// a place, which is the same for ever.
+struct PlacedForm {
+  int form;
+  int place;
+  Kind kind;
+  bool is_ball;
+  bool has_core, has_faces;
+};
+
+/// A pair of shapes.
+struct PairPlace {
+  PlacedForm a, b;
+  Vec3f d;                   ///< From the centre of body A to that of body B [m].
+  PairHint* hint = nullptr;  ///< If it has one.
+};
+
+/// Pairs of one kind in lanes.
+template <class Pairs, class Contacts>
+struct LaneList {
+  int count = 0;
+  std::array<int, kBlock> pairs;  ///< Their numbers.
+  std::array<Pairs, kBlock / kLaneCount> lanes;
+  std::array<Contacts, kBlock / kLaneCount> contacts;
+
+  int block_count() const { return (count + kLaneCount - 1) / kLaneCount; }
+  bool is_next(int place, int pair) const { return place < count && pairs[at(place)] == pair; }
+};
+
+/// What one thread works with: a block of pairs at a time.
+struct BlockScratch {
+  std::array<PairPlace, kBlock> places;
+  std::array<bool, kBlock> is_parted;
+  LaneList<BoxPairs, BoxContacts> boxes;
+  LaneList<BallPairs, BallContacts> balls;
+  PlacedPolytopes polytopes;
+};
+
+/// A part of the pairs, and what was found of it.
+struct alignas(64) Part {
+  BlockScratch scratch;
+  ManifoldList manifolds;
+  std::size_t begin = 0, begin_of_points = 0;  ///< Of these among all.
+};
+
+}  // namespace
+
+namespace {
+
+bool is_ball(const BulkShape& shape) {
+  return shape.kind == Kind::round && shape.extent == 0;
+}
+/// Turning does not move it.
+bool is_centred_ball(const BulkShape& shape) {
+  return is_ball(shape) && shape.X_BS.p.isZero(0);
+}
+
+SupportCore core_of(const BulkShape& shape, const PlacedShape& placed) {
+  return {shape.hull ? shape.hull->vertices() : LaneColumns{}, &placed, shape.scale};
+}
+
+}  // namespace
+
+struct NarrowPhase::Tables {
+  explicit Tables(const Model& model);
+
+  const PlacedForm& placed_form(int body, int shape) const {
+    return shapes[at(first_shape[at(body)] + shape)];
+  }
+  const BulkShape& form(const PlacedForm& shape) const { return forms[at(shape.form)]; }
+  const PlacedShape& place_of(const PlacedForm& shape) const { return placed[at(shape.place)]; }
+  /// Whether the search of the pair's contacts begins where it ended.
+  bool needs_hint(const ShapePair& pair) const;
+  void place(const BulkBodies& bodies, const std::vector<ShapePair>& pairs, const Executor& executor);
+  /// Of the pairs [begin, end), added in their order.
+  void find(const BulkBodies& bodies, const std::vector<ShapePair>& pairs, int begin, int end,
+            BlockScratch& scratch, ManifoldList& manifolds);
+  void sort_block(const BulkBodies& bodies, const std::vector<ShapePair>& pairs, int begin, int end,
+                  BlockScratch& scratch);
+  /// Whether the direction of the pair's hint still parts it.
+  bool is_parted(const PairPlace& place, float margin) const;
+  void add_boxes(const PairPlace& place, int number, float margin,
+                 LaneList<BoxPairs, BoxContacts>& boxes) const;
+  void add_balls(const PairPlace& place, int number, LaneList<BallPairs, BallContacts>& balls) const;
+  void find_boxes(const PairPlace& place, int lane_place, int number, float margin, BlockScratch& scratch,
+                  ManifoldList& manifolds);
+  void find_pair(const BulkBodies& bodies, const ShapePair& pair, const PairPlace& place, int number,
+                 PlacedPolytopes& polytopes, ManifoldList& manifolds);
+  void find_polytopes(const PairPlace& place, int number, float margin, PlacedPolytopes& polytopes,
+                      ManifoldList& manifolds);
+
+  FloatHulls hulls;
+  std::vector<BulkShape> forms;  ///< Bodies that share their shapes share these.
+  std::unordered_map<const BodyShape*, PlacedForm> known_forms;  ///< With the places of balls at centres.
+  std::vector<int> first_shape;                                  ///< Of each body, and the end.
+  std::vector<PlacedForm> shapes;
+  std::vector<PlacedShape> placed;
+  std::vector<char> is_in_pair;  ///< Each body.
+  PairHints hints;
+  std::vector<std::unique_ptr<Part>> parts;
+};
+
+NarrowPhase::Tables::Tables(const Model& model) {
+  constexpr int no_place = -1;
+  shapes.reserve(at(model.body_count()));
+  first_shape.reserve(at(model.body_count()) + 1);
+  for (int i = 0; i < model.body_count(); ++i) {
+    first_shape.push_back(static_cast<int>(shapes.size()));
+    for (const BodyShape& shape : model.body(i).shapes) {
+      const auto [known, is_new] = known_forms.emplace(
+          &shape, PlacedForm{static_cast<int>(forms.size()), no_place, Kind::other, false, false, false});
+      if (is_new) forms.push_back(make_bulk_shape(shape, hulls));
+      PlacedForm own = known->second;
+      own.kind = form(own).kind;
+      own.is_ball = is_ball(form(own));
+      own.has_faces = own.kind == Kind::box || own.kind == Kind::hull;
+      own.has_core = own.has_faces || own.kind == Kind::round;
+      if (own.place == no_place) {
+        own.place = static_cast<int>(placed.size());
+        make_room(placed.size() + 1, placed);
+        placed.push_back(place_shape(form(own), Quat::Identity()));
+        if (is_centred_ball(form(own))) known->second = own;
+      }
+      shapes.push_back(own);
+    }
+  }
+  first_shape.push_back(static_cast<int>(shapes.size()));
+}
+
+/// The shapes of all bodies that are in pairs.
+void NarrowPhase::Tables::place(const BulkBodies& bodies, const std::vector<ShapePair>& pairs,
+                                const Executor& executor) {
+  is_in_pair.assign(bodies.x.size(), 0);
+  for (const ShapePair& pair : pairs) is_in_pair[at(pair.body_A)] = is_in_pair[at(pair.body_B)] = 1;
+  executor.for_ranges(bodies.count(), kPlaceGrain, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      if (is_in_pair[at(i)] == 0) continue;
+      for (int k = first_shape[at(i)]; k < first_shape[at(i) + 1]; ++k) {
+        const PlacedForm& shape = shapes[at(k)];
+        if (!(shape.is_ball && is_centred_ball(form(shape))))
+          placed[at(shape.place)] = place_shape(form(shape), bodies.q[at(i)]);
+      }
+    }
+  });
+}
+
+bool NarrowPhase::Tables::needs_hint(const ShapePair& pair) const {
+  const PlacedForm &a = placed_form(pair.body_A, pair.shape_A), &b = placed_form(pair.body_B, pair.shape_B);
+  return (a.has_faces | b.has_faces) & a.has_core & b.has_core;
+}
+
+namespace {
+
+Pose pose_of(const BulkShape& shape, const Quat& q_WB, const Vec3& p_OB) {
+  return Pose{q_WB.toRotationMatrix(), p_OB} * shape.X_BS;
+}
+
+/// The manifold of a core and a plane; `plane_is_A` tells which is which.
+void add_plane_manifold(const BulkShape& plane, const Pose& X_OP, const BulkShape& core,
+                        const PlacedShape& placed, const Vec3& p_OB, bool plane_is_A, const ShapePair& pair,
+                        int number, std::vector<ManifoldCandidate>& candidates, ManifoldList& manifolds) {
+  const PlaneView view =
+      view_plane(std::get<HalfSpace>(*plane.shape), X_OP, plane_is_A ? p_OB : Vec3::Zero());
+  find_plane_candidates(view, core, placed, pair.margin, candidates);
+  if (candidates.empty()) return;
+  if (plane_is_A)
+    for (ManifoldCandidate& candidate : candidates) candidate.p += p_OB.cast<float>();
+  const float equal_depth = kRounding * (std::abs(view.height) + core.extent + core.radius) +
+                            kEqualDepthOfSize * core.inner_radius();
+  const Vec3f n = plane_is_A ? view.n : Vec3f(-view.n);
+  manifolds.push_back({number, 0, make_manifold(n, equal_depth, candidates)});
+}
+
+/// False if there are no points.
+bool add_manifold(const std::optional<Vec3f>& n, int number, PlacedPolytopes& pair, ManifoldList& manifolds,
+                  int part = 0) {
+  if (!n || pair.candidates.empty()) return false;
+  manifolds.push_back({number, part, make_manifold(*n, pair.equal_depth, pair.candidates)});
+  return true;
+}
+
+}  // namespace
+
+/// Any two shapes that are not in lanes.
+void NarrowPhase::Tables::find_pair(const BulkBodies& bodies, const ShapePair& pair, const PairPlace& place,
+                                    int number, PlacedPolytopes& polytopes, ManifoldList& manifolds) {
+  const BulkShape &a = form(place.a), &b = form(place.b);
+  const PlacedShape &placed_A = place_of(place.a), &placed_B = place_of(place.b);
+  const bool is_other = a.kind == Kind::other || b.kind == Kind::other;
+  const bool has_plane = a.kind == Kind::plane || b.kind == Kind::plane;
+  polytopes.candidates.clear();
+  if (is_other || has_plane) {
+    const Vec3 p_OB = bodies.x[at(pair.body_B)] - bodies.x[at(pair.body_A)];
+    const Pose X_OA = pose_of(a, bodies.q[at(pair.body_A)], Vec3::Zero());
+    const Pose X_OB = pose_of(b, bodies.q[at(pair.body_B)], p_OB);
+    if (is_other)
+      add_exact_manifolds(*a.shape, X_OA, *b.shape, X_OB, pair.margin, number, manifolds);
+    else if (a.kind == Kind::plane)
+      add_plane_manifold(a, X_OA, b, placed_B, p_OB, true, pair, number, polytopes.candidates, manifolds);
+    else
+      add_plane_manifold(b, X_OB, a, placed_A, p_OB, false, pair, number, polytopes.candidates, manifolds);
+    return;
+  }
+  if (a.kind != Kind::round || b.kind != Kind::round)
+    return find_polytopes(place, number, pair.margin, polytopes, manifolds);
+  const std::optional<Vec3f> n =
+      find_round_candidates(a, placed_A, b, placed_B, place.d, pair.margin, polytopes.candidates);
+  polytopes.equal_depth = kRounding * (a.extent + b.extent + place.d.norm());
+  add_manifold(n, number, polytopes, manifolds);
+}
+
+void NarrowPhase::Tables::find_polytopes(const PairPlace& place, int number, float margin,
+                                         PlacedPolytopes& polytopes, ManifoldList& manifolds) {
+  const BulkShape &a = form(place.a), &b = form(place.b);
+  PairHint& hint = *place.hint;
+  place_polytopes(a, place_of(place.a), b, place_of(place.b), place.d, polytopes);
+  AxisGuess guess{hint.n, hint.axis};
+  if (guess.n.isZero(0)) guess.n = polytopes.b.center - polytopes.a.center;
+  const float limit = margin + a.radius + b.radius + parting_slack(polytopes.rounding);
+  if (guess.axis == 0 && find_parting_direction(polytopes, limit, guess.n)) {
+    hint.n = guess.n;
+    return;
+  }
+  SeparatingAxis axis;
+  const std::optional<Vec3f> n = find_polytope_candidates(polytopes, margin, guess, axis);
+  const bool is_touching = add_manifold(n, number, polytopes, manifolds);
+  if (is_touching) add_manifold(find_contacts_beside(polytopes, margin), number, polytopes, manifolds, 1);
+  hint = {axis.n, is_touching ? code_of(axis) : 0};
+}
+
+bool NarrowPhase::Tables::is_parted(const PairPlace& place, float margin) const {
+  if (!place.hint || place.hint->axis != 0 || place.hint->n.isZero(0)) return false;
+  const BulkShape &a = form(place.a), &b = form(place.b);
+  const float rounding = kRounding * (a.extent + b.extent + place.d.lpNorm<1>());
+  const Vec3f d = place.d + place_of(place.b).position() - place_of(place.a).position();
+  return find_separation(core_of(a, place_of(place.a)), core_of(b, place_of(place.b)), d, place.hint->n,
+                         best_lane_target()) > margin + a.radius + b.radius + parting_slack(rounding);
+}
+
+void NarrowPhase::Tables::add_boxes(const PairPlace& place, int number, float margin,
+                                    LaneList<BoxPairs, BoxContacts>& boxes) const {
+  boxes.lanes[at(boxes.count / kLaneCount)].pair[boxes.count % kLaneCount] = {
+      &place_of(place.a), &place_of(place.b), {place.d.x(), place.d.y(), place.d.z()}, margin};
+  boxes.pairs[at(boxes.count++)] = number;
+}
+
+void NarrowPhase::Tables::add_balls(const PairPlace& place, int number,
+                                    LaneList<BallPairs, BallContacts>& balls) const {
+  const int lane = balls.count % kLaneCount;
+  BallPairs& lanes = balls.lanes[at(balls.count / kLaneCount)];
+  balls.pairs[at(balls.count++)] = number;
+  const PlacedShape &a = place_of(place.a), &b = place_of(place.b);
+  for (int k = lane; k < (lane == 0 ? kLaneCount : lane + 1); ++k) {
+    for (int c = 0; c < 3; ++c) {
+      lanes.p[c][k] = a.p[c];
+      lanes.d[c][k] = place.d[c] + b.p[c] - a.p[c];
+    }
+    lanes.radius_A[k] = form(place.a).radius;
+    lanes.radius_B[k] = form(place.b).radius;
+  }
+}
+
+/// Parts what is known to be apart, and puts boxes and balls into lanes.
+void NarrowPhase::Tables::sort_block(const BulkBodies& bodies, const std::vector<ShapePair>& pairs, int begin,
+                                     int end, BlockScratch& scratch) {
+  int number = hints.first_of(begin / kBlock);
+  const int last_number = hints.first_of(begin / kBlock + 1);
+  std::size_t before = hints.find_before(pairs[at(begin)]);
+  scratch.boxes.count = scratch.balls.count = 0;
+  for (int k = begin; k < end; ++k) {
+    const ShapePair& pair = pairs[at(k)];
+    const Vec3 p_OB = bodies.x[at(pair.body_B)] - bodies.x[at(pair.body_A)];
+    PairPlace& place = scratch.places[at(k - begin)];
+    place = {placed_form(pair.body_A, pair.shape_A), placed_form(pair.body_B, pair.shape_B),
+             p_OB.cast<float>(), nullptr};
+    if (number < last_number && needs_hint(pair)) place.hint = &hints.take_over(pair, number++, before);
+    scratch.is_parted[at(k - begin)] = is_parted(place, pair.margin);
+    if (scratch.is_parted[at(k - begin)]) continue;
+    if (place.a.is_ball && place.b.is_ball) {
+      add_balls(place, k, scratch.balls);
+    } else if (place.a.kind == Kind::box && place.b.kind == Kind::box) {
+      add_boxes(place, k, pair.margin, scratch.boxes);
+    }
+  }
+  // Lanes that are left over hold the first pair of their block.
+  for (int k = scratch.boxes.count; k % kLaneCount != 0; ++k) {
+    BoxPairs& last = scratch.boxes.lanes[at(k / kLaneCount)];
+    last.pair[k % kLaneCount] = last.pair[0];
+  }
+  for (int k = 0; k < scratch.boxes.block_count(); ++k)
+    collide_boxes(scratch.boxes.lanes[at(k)], best_lane_target(), scratch.boxes.contacts[at(k)]);
+  for (int k = 0; k < scratch.balls.block_count(); ++k)
+    collide_balls(scratch.balls.lanes[at(k)], best_lane_target(), scratch.balls.contacts[at(k)]);
+}
+
+/// A pair of boxes that is at a place of the lanes.
+void NarrowPhase::Tables::find_boxes(const PairPlace& place, int lane_place, int number, float margin,
+                                     BlockScratch& scratch, ManifoldList& manifolds) {
+  const BoxPairs& lanes = scratch.boxes.lanes[at(lane_place / kLaneCount)];
+  const BoxContacts& contacts = scratch.boxes.contacts[at(lane_place / kLaneCount)];
+  const int lane = lane_place % kLaneCount;
+  PairHint& hint = *place.hint;
+  if (contacts.outcome[lane] == BoxContacts::apart) {
+    hint = {box_axis(lanes, contacts, lane), 0};
+    return;
+  }
+  const std::int32_t outcome = contacts.outcome[lane];
+  const bool has_crossing = outcome == BoxContacts::edges || outcome == BoxContacts::edges_and_region;
+  const bool has_region = outcome == BoxContacts::region || outcome == BoxContacts::edges_and_region;
+  const Manifold& region = contacts.over_face[lane];
+  const std::size_t count = manifolds.size();
+  Manifold crossing{};
+  const bool crosses = has_crossing && cross_box_edges(lanes, contacts, lane, crossing);
+  if (crosses) manifolds.push_back({number, 0, crossing});
+  if (has_region && (crosses || !has_crossing) && region.point_count > 0)
+    manifolds.push_back({number, crosses ? 1 : 0, region});
+  if (manifolds.size() > count) {
+    if (hint.axis == 0) hint.axis = 1;  // What is not written need not be brought back to memory.
+    return;
+  }
+  if (outcome == BoxContacts::region) return;
+  // Nearest at an edge or a corner of both.
+  PlacedPolytopes& polytopes = scratch.polytopes;
+  const BulkShape &a = form(place.a), &b = form(place.b);
+  place_polytopes(a, place_of(place.a), b, place_of(place.b), place.d, polytopes);
+  polytopes.candidates.clear();
+  hint = {box_axis(lanes, contacts, lane), 0};
+  SeparatingAxis axis;
+  const float separation = contacts.separation[lane];
+  const std::optional<Vec3f> n = separation > 0
+                                     ? join_nearest_edges(hint.n, separation, margin, polytopes)
+                                     : find_polytope_candidates(polytopes, margin, {hint.n, 0}, axis);
+  if (add_manifold(n, number, polytopes, manifolds)) hint.axis = 1;
+}
+
+void NarrowPhase::Tables::find(const BulkBodies& bodies, const std::vector<ShapePair>& pairs, int begin,
+                               int end, BlockScratch& scratch, ManifoldList& manifolds) {
+  scratch.polytopes.shape_A = nullptr;  // Bodies have moved since the last call.
+  for (int first = begin; first < end; first += kBlock) {
+    const int last = std::min(end, first + kBlock);
+    sort_block(bodies, pairs, first, last, scratch);
+    int box = 0, ball = 0;
+    for (int k = first; k < last; ++k) {
+      const ShapePair& pair = pairs[at(k)];
+      const PairPlace& place = scratch.places[at(k - first)];
+      if (scratch.is_parted[at(k - first)]) continue;
+      if (scratch.boxes.is_next(box, k)) {
+        find_boxes(place, box++, k, pair.margin, scratch, manifolds);
+      } else if (scratch.balls.is_next(ball, k)) {
+        const BallContacts& contacts = scratch.balls.contacts[at(ball / kLaneCount)];
+        const int lane = ball++ % kLaneCount;
+        if (contacts.gap[lane] <= pair.margin) manifolds.push_back({k, 0, ball_manifold(contacts, lane)});
+      } else {
+        find_pair(bodies, pair, place, k, scratch.polytopes, manifolds);
+      }
+    }
+  }
+}
+
+NarrowPhase::NarrowPhase(const Model& model) : tables_(std::make_unique<Tables>(model)) {}
+NarrowPhase::~NarrowPhase() = default;
+
+void NarrowPhase::find_manifolds(const BulkBodies& bodies, const std::vector<ShapePair>& pairs,
+                                 const Executor& executor, ManifoldList& manifolds) {
+  // More parts than threads: pairs that touch take longer than others.
+  constexpr int parts_of_a_thread = 8;
+  Tables& tables = *tables_;
+  tables.place(bodies, pairs, executor);
+  const int count = static_cast<int>(pairs.size());
+  tables.hints.begin(pairs, [&](const ShapePair& pair) { return tables.needs_hint(pair); });
+  const int most = executor.threads() == 1 ? 1 : parts_of_a_thread * executor.threads();
+  const int part_count = std::clamp(count / kPartGrain, 1, most);
+  while (tables.parts.size() < at(part_count)) tables.parts.push_back(std::make_unique<Part>());
+  // Whole blocks.
+  const int block_count = (count + kBlock - 1) / kBlock;
+  const auto begin_of = [&](int k) {
+    return std::min(count, kBlock * static_cast<int>(std::int64_t{block_count} * k / part_count));
+  };
+  if (part_count == 1) {
+    manifolds.clear();
+    tables.find(bodies, pairs, 0, count, tables.parts[0]->scratch, manifolds);
+    return;
+  }
+  executor.for_ranges(part_count, 1, [&](int begin, int end) {
+    for (int k = begin; k < end; ++k) {
+      Part& part = *tables.parts[at(k)];
+      part.manifolds.clear();
+      tables.find(bodies, pairs, begin_of(k), begin_of(k + 1), part.scratch, part.manifolds);
+    }
+  });
+  std::size_t total = 0, total_points = 0;
+  for (int k = 0; k < part_count; ++k) {
+    Part& part = *tables.parts[at(k)];
+    part.begin = total;
+    part.begin_of_points = total_points;
+    total += part.manifolds.size();
+    total_points += part.manifolds.all_points();
+  }
+  manifolds.arrange(total, total_points);
+  executor.for_ranges(part_count, 1, [&](int begin, int end) {
+    for (int k = begin; k < end; ++k) {
+      const Part& part = *tables.parts[at(k)];
+      manifolds.put(part.manifolds, part.begin, part.begin_of_points);
+    }
+  });
+}
+
+}  // namespace rigor

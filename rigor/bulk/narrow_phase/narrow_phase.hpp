@@ -1,0 +1,38 @@
+#pragma once
+
+#include "rigor/bulk/narrow_phase/manifold_list.hpp"
+#include "rigor/bulk/state/bulk_bodies.hpp"
+#include "rigor/bulk/threads/executor.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace rigor {
+
+/// Two shapes that may touch within the step; body_A < body_B.
+struct ShapePair {
+  int body_A, body_B;
+  int shape_A, shape_B;  ///< Of these bodies.
+  float margin;          ///< Points up to here apart count [m], >= 0.
+};
+
+/// Where pairs of shapes touch, in 32 bits relative to the pair: the answers of contact_set within that
+/// rounding, reduced to four points a manifold. Holds what of the Model's shapes it needs; its answers depend
+/// on the bodies alone.
+class NarrowPhase {
+ public:
+  explicit NarrowPhase(const Model& model);
+  ~NarrowPhase();
+  NarrowPhase(const NarrowPhase&) = delete;
+  NarrowPhase& operator=(const NarrowPhase&) = delete;
+
+  /// The manifolds of all pairs that have points, in the order of the pairs (the buffer is cleared first).
+  void find_manifolds(const BulkBodies& bodies, const std::vector<ShapePair>& pairs, const Executor& executor,
+                      ManifoldList& manifolds);
+
+ private:
+  struct Tables;
+  std::unique_ptr<Tables> tables_;
+};
+
+}  // namespace rigor

@@ -1,0 +1,157 @@
+#include "rigor/bulk/state/bulk_bodies.hpp"
+
+#include "rigor/core/index.hpp"
+#include "rigor/math/rotation.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+namespace rigor {
+
+namespace {
+
+void set_floats(const Vec3& a, float* p) {
+  for (int k = 0; k < 3; ++k) p[k] = static_cast<float>(a[k]);
+}
+
+Vec3 vector_of(const float* p) {
+  return Vec3(p[0], p[1], p[2]);
+}
+
+}  // namespace
+
+void turn_far(const float* s, float* r) {
+  const Vec3 before = vector_of(r), by = vector_of(s);
+  const Vec3 shortest = rotation_log(rotation_exp(by) * rotation_exp(before));
+  // exp(shortest) = exp((1 + 2 π n / |shortest|) shortest) for whole n.
+  const double angle = shortest.norm(), turn = 2 * std::numbers::pi;
+  if (!(angle > 0)) return set_floats(before + by, r);
+  const double along = (before + by).dot(shortest) / angle;
+  set_floats((angle + turn * std::round((along - angle) / turn)) / angle * shortest, r);
+}
+
+BulkBodies read_bulk_bodies(const Model& model, const State& state) {
+  const std::size_t count = at(model.body_count());
+  BulkBodies bodies;
+  bodies.x.resize(count);
+  bodies.q.resize(count);
+  bodies.motion.resize(count);
+  bodies.inertia.resize(count);
+  bodies.L.resize(count, Vec3::Zero());
+  for (int i = 0; i < model.body_count(); ++i) {
+    const std::size_t k = at(i);
+    bodies.x[k] = state.position(i);
+    bodies.q[k] = state.orientation(i);
+    set_floats(linear_velocity(model, state, i), bodies.motion[k].v);
+    set_floats(angular_velocity(model, state, i), bodies.motion[k].w);
+    if (model.body(i).motion != MotionType::dynamic) continue;
+    bodies.L[k] = state.angular_momentum(i);
+    bodies.motion[k].inv_mass = static_cast<float>(1 / model.body(i).mass);
+    bodies.inertia[k].inv_mass = bodies.motion[k].inv_mass;
+  }
+  return bodies;
+}
+
+void write_bulk_bodies(const Model& model, const BulkBodies& bodies, State& state) {
+  for (int i = 0; i < model.body_count(); ++i) {
+    const std::size_t k = at(i);
+    const Body& body = model.body(i);
+    const bool is_dynamic = body.motion == MotionType::dynamic;
+    const Vec3 P = is_dynamic ? Vec3(body.mass * vector_of(bodies.motion[k].v)) : Vec3(Vec3::Zero());
+    state.set_body(i, bodies.x[k], bodies.q[k], P, bodies.L[k]);
+  }
+}
+
+void set_momentum(const Model& model, int body, BulkBodies& bodies) {
+  const std::size_t k = at(body);
+  const Vec3& moments = model.body(body).moments;
+  const Mat3 R_WB = rotation_matrix(bodies.q[k]);
+  bodies.L[k] = R_WB * moments.cwiseProduct(R_WB.transpose() * vector_of(bodies.motion[k].w));
+  // As angular_velocity() of a State, to the last bit.
+  set_floats(R_WB * (R_WB.transpose() * bodies.L[k]).cwiseQuotient(moments), bodies.motion[k].w);
+}
+
+void set_standing(const Model& model, int body, bool stands, BulkBodies& bodies) {
+  const std::size_t k = at(body);
+  bodies.inertia[k] = InverseInertia{};
+  bodies.motion[k].inv_mass = stands ? 0 : static_cast<float>(1 / model.body(body).mass);
+  bodies.inertia[k].inv_mass = bodies.motion[k].inv_mass;
+}
+
+namespace {
+
+constexpr int kGrain = 256;  ///< Bodies.
+
+void set_inertia(const Vec3& moments, const Quat& q_WB, InverseInertia& inertia) {
+  const Mat3 R_WB = q_WB.toRotationMatrix();
+  const Mat3 inverse_W = R_WB * moments.cwiseInverse().asDiagonal() * R_WB.transpose();
+  inertia.xx = static_cast<float>(inverse_W(0, 0));
+  inertia.yy = static_cast<float>(inverse_W(1, 1));
+  inertia.zz = static_cast<float>(inverse_W(2, 2));
+  inertia.xy = static_cast<float>(inverse_W(0, 1));
+  inertia.xz = static_cast<float>(inverse_W(0, 2));
+  inertia.yz = static_cast<float>(inverse_W(1, 2));
+}
+
+}  // namespace
+
+void begin_bulk_step(const Model& model, const Executor& executor, BulkBodies& bodies,
+                     std::span<const char> touches) {
+  executor.for_ranges(bodies.count(), kGrain, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      const std::size_t k = at(i);
+      set_floats(Vec3::Zero(), bodies.motion[k].dp);
+      set_floats(Vec3::Zero(), bodies.motion[k].dr);
+      const bool is_needed = touches.empty() || touches[k] != 0;
+      if (is_needed && bodies.is_dynamic(i))
+        set_inertia(model.body(i).moments, bodies.q[k], bodies.inertia[k]);
+    }
+  });
+}
+
+namespace {
+
+/// exp(φ/2) by its series: to rounding for |φ|² <= kSeries.
+constexpr double kSeries = 1;
+Quat exp_by_series(const Vec3& phi) {
+  const double s = phi.squaredNorm() / 4;
+  double sine = -1.0 / 1307674368000, cosine = -1.0 / 87178291200;
+  sine = s * sine + 1.0 / 6227020800, cosine = s * cosine + 1.0 / 479001600;
+  sine = s * sine - 1.0 / 39916800, cosine = s * cosine - 1.0 / 3628800;
+  sine = s * sine + 1.0 / 362880, cosine = s * cosine + 1.0 / 40320;
+  sine = s * sine - 1.0 / 5040, cosine = s * cosine - 1.0 / 720;
+  sine = s * sine + 1.0 / 120, cosine = s * cosine + 1.0 / 24;
+  sine = s * sine - 1.0 / 6, cosine = s * cosine - 0.5;
+  const double factor = (s * sine + 1) / 2;
+  return Quat(s * cosine + 1, factor * phi.x(), factor * phi.y(), factor * phi.z());
+}
+
+}  // namespace
+
+Quat orientation_now(int body, const BulkBodies& bodies) {
+  const std::size_t k = at(body);
+  const Vec3 dr = vector_of(bodies.motion[k].dr);
+  const Quat turn = dr.squaredNorm() <= kSeries ? exp_by_series(dr) : rotation_exp(dr);
+  return (turn * bodies.q[k]).normalized();
+}
+
+double kinetic_energy_now(const Model& model, int body, const BulkBodies& bodies) {
+  const MotionRecord& motion = bodies.motion[at(body)];
+  const Vec3 w_B = orientation_now(body, bodies).conjugate() * vector_of(motion.w);
+  const double linear = model.body(body).mass * vector_of(motion.v).squaredNorm();
+  return 0.5 * (linear + model.body(body).moments.dot(w_B.cwiseAbs2()));
+}
+
+void end_bulk_step(const Executor& executor, BulkBodies& bodies) {
+  executor.for_ranges(bodies.count(), kGrain, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      const std::size_t k = at(i);
+      if (!bodies.stirs(i)) continue;
+      bodies.x[k] += vector_of(bodies.motion[k].dp);
+      bodies.q[k] = orientation_now(i, bodies);
+    }
+  });
+}
+
+}  // namespace rigor

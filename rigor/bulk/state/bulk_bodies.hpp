@@ -1,0 +1,121 @@
+#pragma once
+
+#include "rigor/bulk/threads/executor.hpp"
+#include "rigor/core/index.hpp"
+#include "rigor/model/model.hpp"
+#include "rigor/model/state.hpp"
+
+#include <array>
+#include <cstring>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace rigor {
+
+/// What the solver reads and changes of a body: one line of the cache, so that eight bodies are gathered into
+/// lanes by two squares of eight floats each. Along W's axes.
+struct alignas(64) MotionRecord {
+  float v[3] = {};     ///< Of the centre of mass [m/s].
+  float inv_mass = 0;  ///< [1/kg]; 0 for bodies that stand.
+  float w[3] = {};     ///< [rad/s].
+  float pad_w = 0;
+  float dp[3] = {};  ///< Displacement since the begin of the step [m].
+  float pad_dp = 0;
+  float dr[3] = {};  ///< Rotation vector since the begin of the step [rad].
+  float pad_dr = 0;
+};
+
+/// Of a body along W's axes, as the velocities stand in MotionRecord: what forces change a second, or a
+/// velocity.
+using MotionRow = std::array<float, 8>;
+
+/// Inverse inertia about the centre of mass in W at the begin of the step [1/(kg m^2)]; 0 for bodies that
+/// stand.
+struct alignas(32) InverseInertia {
+  float xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
+  float inv_mass = 0;  ///< [1/kg].
+  float pad = 0;
+};
+
+/// A vector as it stands in a record, with what is behind it.
+typedef float FloatRow __attribute__((vector_size(16)));
+inline FloatRow load_row(const float* a) {
+  FloatRow row;
+  std::memcpy(&row, a, sizeof row);
+  return row;
+}
+inline void store_row(const FloatRow& row, float* a) {
+  std::memcpy(a, &row, sizeof row);
+}
+/// The last element is 0 if it is finite in both.
+inline FloatRow cross(const FloatRow& a, const FloatRow& b) {
+  return __builtin_shufflevector(a, a, 1, 2, 0, 3) * __builtin_shufflevector(b, b, 2, 0, 1, 3) -
+         __builtin_shufflevector(a, a, 2, 0, 1, 3) * __builtin_shufflevector(b, b, 1, 2, 0, 3);
+}
+
+/// Rotation vectors r and s with |r|² + |s|² above the square of this [rad] are composed exactly.
+constexpr float kFarTurn = 1;
+/// r becomes the rotation vector of exp(s) exp(r), exact to rounding: of those that differ by whole turns the
+/// one whose length is nearest to |r + s|.
+void turn_far(const float* s, float* r);
+
+/// Turns a body by h ω: the rotation vector dr of exp(h ω) exp(dr), to first order in h ω and third in dr
+/// (Baker, Campbell, Hausdorff) where both are small, exactly where they are not.
+inline void turn_further(float h, MotionRecord& motion) {
+  const FloatRow r = load_row(motion.dr), s = h * load_row(motion.w);
+  const FloatRow squares = r * r + s * s;
+  if (squares[0] + squares[1] + squares[2] > kFarTurn * kFarTurn) {
+    float turn[4];
+    store_row(s, turn);
+    return turn_far(turn, motion.dr);
+  }
+  const FloatRow c = cross(r, s), cc = cross(r, c);
+  store_row(r + (s + ((1.0F / 12) * cc - 0.5F * c)), motion.dr);
+}
+
+/// The bodies of a Model as arrays, by model index: 64-bit positions, 32-bit velocities.
+struct BulkBodies {
+  std::vector<Vec3> x;  ///< p_WB of the centre of mass [m].
+  std::vector<Quat> q;  ///< q_WB.
+  std::vector<MotionRecord> motion;
+  std::vector<InverseInertia> inertia;
+  /// Angular momenta [kg m²/s] between two steps. A State has these: angular velocities follow from them by a
+  /// rounding that is not undone when they are computed back.
+  std::vector<Vec3> L;
+
+  int count() const { return static_cast<int>(x.size()); }
+  /// Whether impulses move it: it is dynamic and does not sleep. The others stand, or move as they must.
+  bool is_dynamic(int body) const { return inertia[at(body)].inv_mass > 0; }
+  bool has_velocity(int body) const {
+    const MotionRecord& m = motion[at(body)];
+    return m.v[0] != 0 || m.v[1] != 0 || m.v[2] != 0 || m.w[0] != 0 || m.w[1] != 0 || m.w[2] != 0;
+  }
+  /// Whether contacts with it may change in a step.
+  bool stirs(int body) const { return is_dynamic(body) || has_velocity(body); }
+};
+
+/// Of the State: velocities are rounded to 32 bits; what is written and read again has the same bits.
+BulkBodies read_bulk_bodies(const Model& model, const State& state);
+/// Into the State (all bodies, momenta of the dynamic ones), anchored at its time.
+void write_bulk_bodies(const Model& model, const BulkBodies& bodies, State& state);
+
+/// After velocities have been changed: the angular momentum of a dynamic body, and its angular velocity as it
+/// would be read from a State.
+void set_momentum(const Model& model, int body, BulkBodies& bodies);
+
+/// Lets a dynamic body stand as if it were fixed (it sleeps), or move again from the next begin of a step on.
+void set_standing(const Model& model, int body, bool stands, BulkBodies& bodies);
+
+/// Begins a step: no displacement, and inertia in W of the dynamic bodies whose mark in `touches` is set (by
+/// body; empty: of all). Bodies that touch nothing in the step do not need it.
+void begin_bulk_step(const Model& model, const Executor& executor, BulkBodies& bodies,
+                     std::span<const char> touches = {});
+/// Within a step, as displacements have turned the body: its orientation, and the kinetic energy of a dynamic
+/// body [J].
+Quat orientation_now(int body, const BulkBodies& bodies);
+double kinetic_energy_now(const Model& model, int body, const BulkBodies& bodies);
+/// Ends it: positions and orientations are what the displacements made of them.
+void end_bulk_step(const Executor& executor, BulkBodies& bodies);
+
+}  // namespace rigor

@@ -1,0 +1,92 @@
+#include "rigor/bulk/step_balance.hpp"
+
+#include "rigor/bulk/bulk_world.hpp"
+#include "rigor/bulk/contacts/contact_measures.hpp"
+#include "rigor/bulk/graph/islands.hpp"
+#include "rigor/core/index.hpp"
+#include "rigor/model/force.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace rigor {
+
+namespace {
+
+Vec3 vector_of(const float* p) {
+  return Vec3(p[0], p[1], p[2]);
+}
+
+/// Contacts that begin more slowly are no impacts [m/s]: the speed from which the solver lets them bounce.
+constexpr double impact_speed = 1e-2;
+
+}  // namespace
+
+StepBalance::StepBalance(const Model& model) {
+  BulkIslands islands(model);
+  std::vector<bool> is_grounded(at(model.body_count()), false);
+  for (int j = 0; j < static_cast<int>(model.joints().size()); ++j) {
+    const std::vector<int> bodies = model.bodies_of_joint(j);
+    const Joint& joint = model.joint(j);
+    bool is_tied =
+        joint.type != JointType::gear && (joint.body_A == world_body || joint.body_B == world_body);
+    for (const int body : bodies) is_tied = is_tied || islands.island_of(body) < 0;
+    for (const int body : bodies) {
+      if (is_tied && islands.island_of(body) >= 0) is_grounded[at(islands.island_of(body))] = true;
+    }
+  }
+  for (int i = 0; i < model.body_count(); ++i) {
+    const int island = islands.island_of(i);
+    masses_.push_back(model.body(i).mass);
+    is_free_.push_back(island >= 0 && !is_grounded[at(island)]);
+  }
+}
+
+void StepBalance::begin(const BulkBodies& bodies) {
+  begin_ = momentum(bodies);
+}
+
+Vec3 StepBalance::momentum(const BulkBodies& bodies) const {
+  Vec3 sum = Vec3::Zero();
+  for (int i = 0; i < bodies.count(); ++i) {
+    if (is_booked(bodies, i)) sum += masses_[at(i)] * vector_of(bodies.motion[at(i)].v);
+  }
+  return sum;
+}
+
+void StepBalance::book(const BulkBodies& bodies, int body_A, int body_B, const Vec3& impulse,
+                       Vec3& given) const {
+  if (is_booked(bodies, body_B) && !is_booked(bodies, body_A)) given += impulse;
+  if (is_booked(bodies, body_A) && !is_booked(bodies, body_B)) given -= impulse;
+}
+
+void StepBalance::end(const BulkBodies& bodies, const std::vector<MotionRow>& accelerations, double h,
+                      const BulkContacts& contacts, const DirectIslands& direct,
+                      BulkStepReport& report) const {
+  Vec3 given = Vec3::Zero();
+  for (int i = 0; i < bodies.count(); ++i) {
+    if (is_booked(bodies, i)) given += h * masses_[at(i)] * vector_of(accelerations[at(i)].data());
+  }
+  contacts.for_contacts([&](const SolvedManifold& manifold, const ManifoldMemory& key, bool is_new) {
+    const ManifoldWrench on_B = total_wrench(manifold);
+    if (is_new && approach_speed(manifold) > impact_speed) {
+      const Vec3 p_W = bodies.x[at(key.body_A)] + manifold.frame.rA;
+      report.impacts.push_back({key.body_A, key.body_B, p_W, on_B.impulse});
+    }
+    book(bodies, key.body_A, key.body_B, on_B.impulse, given);
+    report.work += work_of_mover(manifold, bodies);
+  });
+  for (const BulkContact& contact : direct.contacts()) {
+    if (contact.is_new && contact.approach_speed > impact_speed)
+      report.impacts.push_back({contact.body_A, contact.body_B, contact.center_W, contact.impulse_W()});
+    book(bodies, contact.body_A, contact.body_B, contact.impulse_W(), given);
+  }
+  std::stable_sort(report.impacts.begin(), report.impacts.end(),
+                   [](const BulkImpact& a, const BulkImpact& b) {
+                     return std::pair(a.body_A, a.body_B) < std::pair(b.body_A, b.body_B);
+                   });
+  report.momentum_error = momentum(bodies) - begin_ - given;
+}
+
+}  // namespace rigor

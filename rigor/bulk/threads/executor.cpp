@@ -1,0 +1,81 @@
+#include "rigor/bulk/threads/executor.hpp"
+
+#include "rigor/bulk/threads/shared_loop.hpp"
+#include "rigor/core/assert.hpp"
+
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/partitioner.h>
+#include <oneapi/tbb/task_arena.h>
+#include <oneapi/tbb/task_group.h>
+
+#include <algorithm>
+#include <cstdint>
+
+namespace rigor {
+
+struct Executor::Pool {
+  explicit Pool(int threads) : arena(std::min(threads, tbb::info::default_concurrency())) {}
+
+  tbb::task_arena arena;
+  SharedLoop loop;
+  bool has_team = false;
+};
+
+struct Executor::Team::Helpers {
+  explicit Helpers(Pool& owner) : pool(owner) {
+    pool.loop.open();
+    pool.has_team = true;
+    pool.arena.execute([this] {
+      for (int i = 1; i < pool.arena.max_concurrency(); ++i) group.run([this] { pool.loop.help(); });
+    });
+  }
+  ~Helpers() {
+    pool.has_team = false;
+    pool.loop.close();
+    pool.arena.execute([this] { group.wait(); });
+  }
+
+  Pool& pool;
+  tbb::task_group group;
+};
+
+Executor::Team::Team(const Executor& executor) {
+  if (executor.pool_) helpers_ = std::make_unique<Helpers>(*executor.pool_);
+}
+Executor::Team::~Team() = default;
+
+Executor::Executor(int threads) : threads_(threads) {
+  RIGOR_ASSERT(threads >= 1);
+  if (threads > 1) pool_ = std::make_unique<Pool>(threads);
+}
+
+Executor::~Executor() = default;
+Executor::Executor(Executor&& other) noexcept = default;
+Executor& Executor::operator=(Executor&& other) noexcept = default;
+
+void Executor::for_ranges(int count, int grain, const std::function<void(int, int)>& body) const {
+  // More ranges than threads: a thread that the machine takes away for a while holds up a part of its share.
+  constexpr int ranges_of_a_thread = 4;
+  if (count <= 0) return;
+  const int ranges =
+      std::min({count / std::max(grain, 1), ranges_of_a_thread * threads_, SharedLoop::most_ranges});
+  if (!pool_ || ranges <= 1 || pool_->loop.is_running()) return body(0, count);
+  if (pool_->has_team) return pool_->loop.run(count, ranges, body);
+  const auto begin_of = [&](int k) {
+    return static_cast<int>(static_cast<std::int64_t>(count) * k / ranges);
+  };
+  pool_->arena.execute([&] {
+    tbb::parallel_for(
+        0, ranges, [&](int k) { body(begin_of(k), begin_of(k + 1)); }, tbb::simple_partitioner());
+  });
+}
+
+void Executor::run_both(const std::function<void()>& one, const std::function<void()>& other) const {
+  for_ranges(2, 1, [&](int begin, int end) {
+    if (begin == 0) one();
+    if (end == 2) other();
+  });
+}
+
+}  // namespace rigor

@@ -1,0 +1,72 @@
+#pragma once
+
+#include "rigor/contact/system/contact_system.hpp"
+
+#include <string>
+#include <vector>
+
+namespace rigor {
+
+/// One contact of an ImpactProblem.
+struct ImpactContact {
+  int lower, higher;  ///< Bodies, lower < higher.
+  /// Takes an impulse λ of the contact to the impulse on the body of higher index, in W: the contact frame C,
+  /// or -C where that body is the contact's A.
+  Mat3 frame;
+  double mu;
+  double restitution;                 ///< e, as it is to be used here.
+  double tangential_restitution = 0;  ///< e_t; 0: none.
+
+  /// Unit normal from the lower to the higher body.
+  Vec3 n_W() const { return frame.col(2); }
+};
+
+/// Contacts at an instant of impact, in contact space: impulses λ (3n, t1 t2 n of each contact) change the
+/// relative velocities by A λ.
+struct ImpactProblem {
+  std::vector<ImpactContact> contacts;  ///< n.
+  MatX A;                               ///< Delassus operator, 3n × 3n [1/kg].
+  VecX u;                               ///< Relative velocities before, 3n [m/s].
+
+  std::size_t count() const { return contacts.size(); }
+};
+
+/// Impulses of an impact.
+struct ImpactSolution {
+  VecX lambda;            ///< 3n impulses in the contact frames [N s].
+  double residual = 0;    ///< Of the complementarity problems solved on the way, relative.
+  bool converged = true;  ///< Nothing approaches any more, by the law asked for.
+  int iterations = 0;     ///< Of the solvers, or impacts of a sequence.
+  /// Angular impulses in the contact frames, 3n [N m s]; empty: none.
+  VecX moments = {};
+  std::string phases = {};  ///< What happened, if it was one collision (CollisionOutcome::phases).
+};
+
+/// The contacts of a system with their coefficients of restitution.
+ImpactProblem make_impact_problem(const ContactSystem& system, const std::vector<double>& restitutions);
+
+/// The problem of some of its contacts alone, with velocities u (3n).
+ImpactProblem part_of(const ImpactProblem& problem, const std::vector<std::size_t>& chosen, const VecX& u);
+
+/// First of the three rows of a contact.
+inline Eigen::Index row_of(std::size_t contact) {
+  return 3 * static_cast<Eigen::Index>(contact);
+}
+inline double normal_velocity(const VecX& u, std::size_t contact) {
+  return u[row_of(contact) + 2];
+}
+
+/// The fastest approach, max(0, -u_n) over all contacts [m/s].
+double fastest_approach(const VecX& u);
+
+/// What the impulses change of the kinetic energy, less the work of prescribed bodies [J]: λ·(u⁻ + ½ A λ).
+double energy_change(const ImpactProblem& problem, const VecX& lambda);
+
+/// Impulses λ with w = A λ + b, 0 ≤ λ_n ⊥ w_n ≥ 0, λ in the cones, friction against w_t: Coulomb's law,
+/// without friction if `mu` is zero.
+CoulombSolution solve_cones(const MatX& A, const VecX& b, const std::vector<double>& mu);
+
+/// μ of all contacts.
+std::vector<double> frictions(const ImpactProblem& problem);
+
+}  // namespace rigor

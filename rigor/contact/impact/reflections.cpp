@@ -1,0 +1,164 @@
+#include "rigor/contact/impact/reflections.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rigor {
+
+namespace {
+
+/// Approach slower than this is rounding of the velocities [m/s].
+double rounding_speed(const VecX& u) {
+  return 1e-13 * u.cwiseAbs().maxCoeff();
+}
+
+std::vector<std::size_t> approaching_contacts(const VecX& u, double tolerance) {
+  std::vector<std::size_t> approaching;
+  for (std::size_t i = 0; row_of(i) < u.size(); ++i) {
+    if (normal_velocity(u, i) < -tolerance) approaching.push_back(i);
+  }
+  return approaching;
+}
+
+/// Coulomb's law with e = 0. Where it has no solution that the solver finds, the impact without friction,
+/// which has one unless bodies are squeezed between others that do not give way; not converged then.
+CoulombSolution solve_plastic(const ImpactProblem& problem, const VecX& u) {
+  const auto is_admissible = [&](const CoulombSolution& found) {
+    return found.lambda.dot(found.w + u) <= 0 && fastest_approach(found.w) <= 1e-9 * fastest_approach(u);
+  };
+  const CoulombSolution exact = solve_cones(problem.A, u, frictions(problem));
+  if (exact.converged || is_admissible(exact)) return exact;
+  CoulombSolution frictionless = solve_cones(problem.A, u, std::vector<double>(problem.count(), 0.0));
+  if (!is_admissible(frictionless)) frictionless.lambda.setZero();
+  frictionless.residual = exact.residual;
+  frictionless.converged = false;
+  return frictionless;
+}
+
+/// Energy that the plastic impulses took at each contact, -½ λ·(u⁻ + u⁺), none negative [J].
+std::vector<double> compression_losses(const ImpactProblem& problem, const VecX& plastic) {
+  const VecX mean = problem.u + 0.5 * (problem.A * plastic);
+  std::vector<double> losses;
+  for (std::size_t i = 0; i < problem.count(); ++i) {
+    losses.push_back(std::max(0.0, -plastic.segment<3>(row_of(i)).dot(mean.segment<3>(row_of(i)))));
+  }
+  return losses;
+}
+
+/// The largest s in [0, 1] at which the energy of λ + s δ, a convex function of s, has changed by `limit` at
+/// most; at s = 0 it has.
+double largest_share(const ImpactProblem& problem, const VecX& lambda, const VecX& delta, double limit) {
+  const double a = 0.5 * delta.dot(problem.A * delta);
+  const double b = delta.dot(problem.u + problem.A * lambda);
+  const double c = std::min(0.0, energy_change(problem, lambda) - limit);
+  if (a + b + c <= 0) return 1;
+  // The positive root of a s² + b s + c, in the form that does not cancel.
+  const double root = std::sqrt(std::max(0.0, b * b - 4 * a * c));
+  const double s = b > 0 ? -2 * c / (b + root) : (root - b) / (2 * a);
+  return std::clamp(s, 0.0, 1.0);
+}
+
+/// λ_P + e_i (λ_R - λ_P) with each contact's own e, or nearer to the smallest e where that would give back
+/// too much energy.
+VecX blended(const ImpactProblem& problem, const VecX& plastic, const VecX& reflected) {
+  double least = 1, greatest = 0;
+  for (const ImpactContact& contact : problem.contacts) {
+    least = std::min(least, contact.restitution);
+    greatest = std::max(greatest, contact.restitution);
+  }
+  const VecX lambda = plastic + least * (reflected - plastic);
+  if (least == greatest) return lambda;
+
+  VecX more = VecX::Zero(lambda.size());
+  double returned = 0;
+  const std::vector<double> losses = compression_losses(problem, plastic);
+  for (std::size_t i = 0; i < problem.count(); ++i) {
+    const double e = problem.contacts[i].restitution;
+    more.segment<3>(row_of(i)) =
+        (e - least) * (reflected.segment<3>(row_of(i)) - plastic.segment<3>(row_of(i)));
+    returned += e * losses[i];
+  }
+  const double loss = -energy_change(problem, plastic);
+  const double limit = std::min(greatest * loss, returned) - loss;
+  return lambda + largest_share(problem, lambda, more, limit) * more;
+}
+
+}  // namespace
+
+VecX generalised_reflections(const ImpactProblem& problem) {
+  // Finitely many reflections suffice; how many grows with the root of the mass ratios. What approaches after
+  // the last is left to the plastic impact.
+  constexpr int most_reflections = 10000;
+  const double tolerance = rounding_speed(problem.u);
+  VecX u = problem.u;
+  VecX lambda = VecX::Zero(u.size());
+  for (int k = 0; k < most_reflections; ++k) {
+    const std::vector<std::size_t> approaching = approaching_contacts(u, tolerance);
+    if (approaching.empty()) break;
+    const ImpactProblem part = part_of(problem, approaching, u);
+    const CoulombSolution stopped = solve_cones(part.A, part.u, std::vector<double>(part.count(), 0.0));
+    if (!stopped.converged) break;
+    for (std::size_t i = 0; i < approaching.size(); ++i) {
+      lambda[row_of(approaching[i]) + 2] += 2 * stopped.lambda[row_of(i) + 2];
+    }
+    u = problem.u + problem.A * lambda;
+  }
+  return lambda;
+}
+
+double add_friction(const ImpactProblem& problem, VecX& lambda) {
+  std::vector<std::size_t> pressed;
+  for (std::size_t i = 0; i < problem.count(); ++i) {
+    lambda.segment<2>(row_of(i)).setZero();
+    if (problem.contacts[i].mu * lambda[row_of(i) + 2] > 0) pressed.push_back(i);
+  }
+  if (pressed.empty()) return 0;
+  // A Coulomb problem whose normal impulses are known: the normal rows are cut off from the tangential ones
+  // and say a (λ_n - known) = 0.
+  ImpactProblem part = part_of(problem, pressed, problem.u + problem.A * lambda);
+  for (std::size_t i = 0; i < part.count(); ++i) {
+    const Eigen::Index normal = row_of(i) + 2;
+    const double a = 0.5 * part.A.block<2, 2>(row_of(i), row_of(i)).trace();
+    part.A.row(normal).setZero();
+    part.A.col(normal).setZero();
+    part.A(normal, normal) = a;
+    part.u[normal] = -a * lambda[row_of(pressed[i]) + 2];
+  }
+  // The motion is the same for every share of redundant contacts.
+  CoulombOptions any_share;
+  any_share.least_norm = false;
+  any_share.enough = any_share.tolerance = 1e-10;  // Of impulses; the energy misses its least by the square.
+  any_share.resolution = 0;
+  const CoulombSolution found = solve_coulomb(
+      {part.A, part.u, frictions(part), std::vector<FrictionRow>(part.count(), FrictionRow::cone),
+       std::vector<Vec2>(part.count(), Vec2::Zero())},
+      any_share);
+  for (std::size_t i = 0; i < pressed.size(); ++i) {
+    Vec2 friction = found.lambda.segment<2>(row_of(i));
+    const double bound = part.contacts[i].mu * lambda[row_of(pressed[i]) + 2];
+    if (friction.norm() > bound) friction *= bound / friction.norm();
+    lambda.segment<2>(row_of(pressed[i])) = friction;
+  }
+  return found.residual;
+}
+
+ImpactSolution solve_reflections(const ImpactProblem& problem) {
+  const CoulombSolution plastic = solve_plastic(problem, problem.u);
+  ImpactSolution solution{plastic.lambda, plastic.residual, plastic.converged, plastic.iterations};
+  const bool is_plastic = std::all_of(problem.contacts.begin(), problem.contacts.end(),
+                                      [](const ImpactContact& contact) { return contact.restitution == 0; });
+  if (is_plastic) return solution;
+
+  solution.lambda = blended(problem, plastic.lambda, generalised_reflections(problem));
+  solution.residual = std::max(solution.residual, add_friction(problem, solution.lambda));
+  const VecX u = problem.u + problem.A * solution.lambda;
+  if (fastest_approach(u) <= rounding_speed(problem.u)) return solution;
+  const CoulombSolution last = solve_plastic(problem, u);
+  solution.lambda += last.lambda;
+  solution.residual = std::max(solution.residual, last.residual);
+  solution.converged = solution.converged && last.converged;
+  solution.iterations = std::max(solution.iterations, last.iterations);
+  return solution;
+}
+
+}  // namespace rigor

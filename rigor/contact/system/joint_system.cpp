@@ -1,0 +1,295 @@
+#include "rigor/contact/system/joint_system.hpp"
+
+#include "rigor/core/assert.hpp"
+#include "rigor/core/index.hpp"
+#include "rigor/solver/linear/least_norm.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace rigor {
+
+namespace {
+
+std::size_t place_of(const std::vector<int>& ascending, int body) {
+  const auto place = std::lower_bound(ascending.begin(), ascending.end(), body);
+  RIGOR_ASSERT(place != ascending.end() && *place == body);
+  return at(place - ascending.begin());
+}
+
+/// Place of a body among the sides of the rows, which get one more where it has none.
+std::size_t side_of(JointRows& rows, int body) {
+  const auto begin = rows.bodies.begin(), end = begin + rows.side_count;
+  const auto found = std::find(begin, end, body);
+  if (found != end) return at(found - begin);
+  const std::size_t side = at(rows.side_count++);
+  rows.bodies[side] = body;
+  rows.J[side].setZero();
+  return side;
+}
+
+/// The joint itself, or those that a gear ties.
+std::vector<const Joint*> sources_of(const Model& model, int index) {
+  const Joint& joint = model.joint(index);
+  if (joint.type != JointType::gear) return {&joint};
+  return {&model.joint(joint.first_joint), &model.joint(joint.second_joint)};
+}
+
+Mat6 mass_matrix(const BodyKinetics& body) {
+  Mat6 M = Mat6::Zero();
+  M.topLeftCorner<3, 3>().diagonal().setConstant(1 / body.inverse_mass);
+  M.bottomRightCorner<3, 3>() = body.inertia;
+  return M;
+}
+
+}  // namespace
+
+std::vector<std::vector<int>> joints_by_body(const Model& model) {
+  std::vector<std::vector<int>> result(at(model.body_count()));
+  for (int j = 0; j < static_cast<int>(model.joints().size()); ++j) {
+    for (const int body : model.bodies_of_joint(j)) result[at(body)].push_back(j);
+  }
+  return result;
+}
+
+BodyMotion motion_of(int body, const std::vector<int>& bodies, const std::vector<BodyKinetics>& kinetics) {
+  if (body == world_body) return {};
+  const BodyKinetics& of_body = kinetics[place_of(bodies, body)];
+  return {of_body.x, of_body.R, of_body.v, of_body.w};
+}
+
+JointSystem::JointSystem(const Model& model, std::vector<int> joints, const std::vector<int>& bodies,
+                         const std::vector<BodyKinetics>& kinetics, const RowChoice* choice)
+    : joints_(std::move(joints)), node_of_(bodies.size(), -1), velocities_(bodies.size()) {
+  int rows = 0;
+  for (const int joint : joints_) {
+    items_.push_back(make_item(model, joint, bodies, kinetics));
+    items_.back().first = rows;
+    rows += items_.back().rows.size;
+  }
+  residuals_ = rate_errors_ = biases_ = VecX::Zero(rows);
+  find_nodes(kinetics);
+  make_solver();
+  for (std::size_t b = 0; b < bodies.size(); ++b) velocities_[b] << kinetics[b].v, kinetics[b].w;
+  stack();
+  factor(kinetics, choice);
+}
+
+void JointSystem::update(const Model& model, const std::vector<int>& bodies,
+                         const std::vector<BodyKinetics>& kinetics, const RowChoice* choice) {
+  RIGOR_ASSERT(bodies.size() == velocities_.size());
+  for (std::size_t i = 0; i < items_.size(); ++i) {
+    const int first = items_[i].first;
+    items_[i] = make_item(model, joints_[i], bodies, kinetics);
+    items_[i].first = first;
+  }
+  for (std::size_t b = 0; b < bodies.size(); ++b) velocities_[b] << kinetics[b].v, kinetics[b].w;
+  stack();
+  factor(kinetics, choice);
+}
+
+/// The dynamic bodies that joints hold, in the order of the list.
+void JointSystem::find_nodes(const std::vector<BodyKinetics>& kinetics) {
+  for (const Item& item : items_) {
+    for (int side = 0; side < item.rows.side_count; ++side) {
+      const std::size_t place = item.places[at(side)];
+      if (kinetics[place].inverse_mass > 0) node_of_[place] = 0;
+    }
+  }
+  for (std::size_t b = 0; b < node_of_.size(); ++b) {
+    if (node_of_[b] < 0) continue;
+    node_of_[b] = static_cast<int>(bodies_of_nodes_.size());
+    bodies_of_nodes_.push_back(b);
+  }
+}
+
+void JointSystem::make_solver() {
+  ConstraintGraph graph;
+  graph.node_count = static_cast<int>(bodies_of_nodes_.size());
+  for (const Item& item : items_) {
+    if (item.rows.size == 0) continue;
+    ConstraintGraph::Link link{item.rows.size, {}};
+    for (int side = 0; side < item.rows.side_count; ++side) {
+      const int node = node_of_[item.places[at(side)]];
+      if (node >= 0) link.nodes.push_back(node);
+    }
+    rows_.emplace_back(link.nodes.size());
+    graph.links.push_back(std::move(link));
+  }
+  masses_.resize(bodies_of_nodes_.size());
+  solver_.emplace(std::move(graph));
+}
+
+JointSystem::Item JointSystem::make_item(const Model& model, int index, const std::vector<int>& bodies,
+                                         const std::vector<BodyKinetics>& kinetics) const {
+  const Joint& joint = model.joint(index);
+  const auto motion = [&](int body) { return motion_of(body, bodies, kinetics); };
+  Item item;
+  if (joint.type == JointType::gear) {
+    const Joint& first = model.joint(joint.first_joint);
+    const Joint& second = model.joint(joint.second_joint);
+    item.rows = gear_rows(joint, first, motion(first.body_A), motion(first.body_B), second,
+                          motion(second.body_A), motion(second.body_B));
+  } else {
+    const BodyMotion A = motion(joint.body_A), B = motion(joint.body_B);
+    item.rows = joint_rows(joint, A, B);
+    item.own = item.rows.size;
+    for (int k = 0; k < static_cast<int>(joint.axes.size()); ++k) {
+      const JointAxis& axis = joint.axes[at(k)];
+      if (!axis.motor || std::isfinite(axis.motor->max_force)) continue;
+      const JointCoordinate coordinate = joint_coordinate(joint, k, A, B);
+      const int row = item.rows.size++;
+      for (Mat6& J : item.rows.J) J.row(row).setZero();
+      if (joint.body_A != world_body)
+        item.rows.J[side_of(item.rows, joint.body_A)].row(row) = coordinate.J_A.transpose();
+      if (joint.body_B != world_body)
+        item.rows.J[side_of(item.rows, joint.body_B)].row(row) = coordinate.J_B.transpose();
+      item.rows.g[row] = 0;
+      item.rows.bias[row] = coordinate.bias;
+      item.rate[row] = axis.motor->velocity;
+    }
+    item.arm = B.x + B.R * joint.X_BK.p - (joint.body_B == world_body ? A.x : B.x);
+  }
+  for (const Joint* source : sources_of(model, index))
+    item.is_grounded |= source->body_A == world_body || source->body_B == world_body;
+  for (int side = 0; side < item.rows.side_count; ++side) {
+    const std::size_t s = at(side);
+    item.places[s] = place_of(bodies, item.rows.bodies[s]);
+    item.is_grounded |= kinetics[item.places[s]].inverse_mass == 0;
+    if (item.rows.bodies[s] == joint.body_B) item.side_B = side;
+  }
+  return item;
+}
+
+void JointSystem::stack() {
+  for (const Item& item : items_) {
+    const int size = item.rows.size;
+    Vec6 rate = -item.rate;
+    for (int side = 0; side < item.rows.side_count; ++side) {
+      const std::size_t s = at(side);
+      rate.head(size) += item.rows.J[s].topRows(size) * velocities_[item.places[s]];
+    }
+    rate_errors_.segment(item.first, size) = rate.head(size);
+    residuals_.segment(item.first, size) = item.rows.g.head(size);
+    biases_.segment(item.first, size) = item.rows.bias.head(size);
+  }
+}
+
+void JointSystem::factor(const std::vector<BodyKinetics>& kinetics, const RowChoice* choice) {
+  std::size_t link = 0;
+  for (const Item& item : items_) {
+    if (item.rows.size == 0) continue;
+    std::size_t place = 0;
+    for (int side = 0; side < item.rows.side_count; ++side) {
+      const std::size_t s = at(side);
+      if (node_of_[item.places[s]] >= 0) rows_[link][place++] = item.rows.J[s].topRows(item.rows.size);
+    }
+    ++link;
+  }
+  for (std::size_t n = 0; n < masses_.size(); ++n) masses_[n] = mass_matrix(kinetics[bodies_of_nodes_[n]]);
+  solver_->factor(masses_, rows_, choice);
+}
+
+double JointSystem::residual(std::size_t i) const {
+  const Item& item = items_[i];
+  return item.rows.size == 0 ? 0.0 : residuals_.segment(item.first, item.rows.size).cwiseAbs().maxCoeff();
+}
+
+std::pair<double, int> JointSystem::largest_residual() const {
+  std::pair<double, int> largest{0, -1};
+  for (std::size_t i = 0; i < items_.size(); ++i) {
+    if (residual(i) > largest.first) largest = {residual(i), joints_[i]};
+  }
+  return largest;
+}
+
+JointSystem::Response JointSystem::respond(const std::vector<Vec6>& f, const VecX& c) const {
+  VecX stacked(6 * static_cast<Eigen::Index>(bodies_of_nodes_.size()));
+  for (std::size_t n = 0; n < bodies_of_nodes_.size(); ++n)
+    stacked.segment<6>(6 * static_cast<Eigen::Index>(n)) = f[bodies_of_nodes_[n]];
+  ConstrainedMass::Solution solution = solver_->solve(stacked, c);
+  Response response{std::vector<Vec6>(node_of_.size(), Vec6::Zero()), std::move(solution.lambda)};
+  for (std::size_t n = 0; n < bodies_of_nodes_.size(); ++n)
+    response.a[bodies_of_nodes_[n]] = solution.a.segment<6>(6 * static_cast<Eigen::Index>(n));
+  return response;
+}
+
+MatX JointSystem::respond(const MatX& f) const {
+  return solver_->solve(f);
+}
+
+std::vector<Vec6> JointSystem::wrenches(const VecX& lambda) const {
+  std::vector<Vec6> result(node_of_.size(), Vec6::Zero());
+  for (const Item& item : items_) {
+    const int size = item.rows.size;
+    for (int side = 0; side < item.rows.side_count; ++side) {
+      const std::size_t s = at(side);
+      result[item.places[s]] += item.rows.J[s].topRows(size).transpose() * lambda.segment(item.first, size);
+    }
+  }
+  return result;
+}
+
+std::vector<Vec6> JointSystem::external_wrenches(const VecX& lambda) const {
+  VecX grounded = lambda;
+  for (const Item& item : items_) {
+    if (!item.is_grounded) grounded.segment(item.first, item.rows.size).setZero();
+  }
+  std::vector<Vec6> result = wrenches(grounded);
+  for (std::size_t b = 0; b < result.size(); ++b) {
+    if (node_of_[b] < 0) result[b].setZero();
+  }
+  return result;
+}
+
+VecX JointSystem::least_norm(const VecX& lambda, double length) const {
+  // Rows without a force turn bodies: λ = unit λ', all λ' in N.
+  MatX G = MatX::Zero(lambda.size(), 6 * static_cast<Eigen::Index>(bodies_of_nodes_.size()));
+  VecX unit = VecX::Ones(lambda.size());
+  for (const Item& item : items_) {
+    const int size = item.rows.size;
+    VecX pull = VecX::Zero(size);
+    for (int side = 0; side < item.rows.side_count; ++side) {
+      const std::size_t s = at(side);
+      pull += item.rows.J[s].topLeftCorner(size, 3).rowwise().norm();
+      const int node = node_of_[item.places[s]];
+      if (node >= 0) G.block(item.first, 6 * node, size, 6) += item.rows.J[s].topRows(size);
+    }
+    for (int row = 0; row < size; ++row) {
+      if (pull[row] == 0) unit[item.first + row] = length;
+    }
+  }
+  const MatX scaled = unit.asDiagonal() * G;
+  const LeastNormSystem system(scaled * scaled.transpose());
+  return unit.cwiseProduct(system.solve(scaled * (G.transpose() * lambda)));
+}
+
+Wrench JointSystem::reaction(std::size_t joint, const VecX& lambda) const {
+  const Item& item = items_[joint];
+  if (item.side_B < 0 && item.rows.side_count == 0) return {};
+  // Where B is the world, the reaction is the opposite of what acts on A.
+  const std::size_t s = at(std::max(item.side_B, 0));
+  const double sign = item.side_B < 0 ? -1 : 1;
+  const Vec6 wrench =
+      sign * (item.rows.J[s].topRows(item.own).transpose() * lambda.segment(item.first, item.own));
+  const Vec3 f_W = wrench.head<3>(), tau_W = wrench.tail<3>();
+  return {f_W, tau_W - item.arm.cross(f_W)};
+}
+
+double JointSystem::supplied_power(const VecX& lambda) const {
+  double power = 0;
+  for (const Item& item : items_) {
+    const int size = item.rows.size;
+    Vec6 rate = item.rate;
+    for (int side = 0; side < item.rows.side_count; ++side) {
+      const std::size_t s = at(side);
+      if (node_of_[item.places[s]] >= 0) continue;
+      rate.head(size) -= item.rows.J[s].topRows(size) * velocities_[item.places[s]];
+    }
+    power += rate.head(size).dot(lambda.segment(item.first, size));
+  }
+  return power;
+}
+
+}  // namespace rigor

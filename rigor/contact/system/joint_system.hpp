@@ -1,0 +1,109 @@
+#pragma once
+
+#include "rigor/contact/system/contact.hpp"
+#include "rigor/dynamics/joint_rows.hpp"
+#include "rigor/solver/linear/constrained_mass.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace rigor {
+
+/// For each body of the model the joints, ascending, that hold it; gears hold the bodies of both their
+/// joints.
+std::vector<std::vector<int>> joints_by_body(const Model& model);
+
+/// Position and velocity of a joint's body: the world, or one of a list (ascending model indices).
+BodyMotion motion_of(int body, const std::vector<int>& bodies, const std::vector<BodyKinetics>& kinetics);
+
+/// The joints among a list of bodies at an instant, with their equations G V = rate solved in the metric of
+/// the mass matrix. Rows are those of the joints, in order, each followed by those of its motors without a
+/// limit of force.
+class JointSystem {
+ public:
+  /// Which of the redundant rows count; a choice made once holds all through a step of an integrator.
+  using RowChoice = ConstrainedMass::RowChoice;
+
+  /// `joints` by model index; `bodies` must hold all their bodies but the world. Without a choice the rows
+  /// are chosen here.
+  JointSystem(const Model& model, std::vector<int> joints, const std::vector<int>& bodies,
+              const std::vector<BodyKinetics>& kinetics, const RowChoice* choice = nullptr);
+
+  /// The same joints and bodies where they are now.
+  void update(const Model& model, const std::vector<int>& bodies, const std::vector<BodyKinetics>& kinetics,
+              const RowChoice* choice = nullptr);
+
+  const std::vector<int>& joints() const { return joints_; }
+  const RowChoice& choice() const { return solver_->choice(); }
+  /// Whether the i-th body of the list is dynamic and held by a joint.
+  bool holds(std::size_t body) const { return node_of_[body] >= 0; }
+  /// Number of bodies that it holds, and the place of each in the list.
+  const std::vector<std::size_t>& held_bodies() const { return bodies_of_nodes_; }
+
+  /// The equations on the held bodies.
+  const ConstrainedMass& equations() const { return *solver_; }
+
+  /// Residuals g of the positions [m or none]; zero for motors.
+  const VecX& residuals() const { return residuals_; }
+  /// G V - rate [m/s or 1/s].
+  const VecX& rate_errors() const { return rate_errors_; }
+  /// Part of G V̇ + bias that does not depend on accelerations.
+  const VecX& biases() const { return biases_; }
+  /// Largest |g| of the i-th joint.
+  double residual(std::size_t i) const;
+  /// Largest |g| and the joint that has it.
+  std::pair<double, int> largest_residual() const;
+
+  /// What held bodies do under wrenches (or impulses): M a = f + Gᵀ λ, G a = c.
+  struct Response {
+    std::vector<Vec6> a;  ///< One a body of the list; zero if it is not held.
+    VecX lambda;          ///< Forces (impulses) of the rows.
+  };
+  Response respond(const std::vector<Vec6>& f, const VecX& c) const;
+  /// Accelerations of the held bodies, 6 a body in the order of held_bodies(), for many wrenches at c = 0:
+  /// one column each.
+  MatX respond(const MatX& f) const;
+
+  /// Wrench of the rows' forces λ on each body of the list, prescribed ones too: Gᵀ λ.
+  std::vector<Vec6> wrenches(const VecX& lambda) const;
+  /// Those of it on held bodies that come from prescribed bodies and the world, not from each other.
+  std::vector<Vec6> external_wrenches(const VecX& lambda) const;
+  /// The forces of least norm that make the same wrenches: where joints hold more than once, others would do
+  /// as well. Torques count as forces at the arm `length` [m].
+  VecX least_norm(const VecX& lambda, double length) const;
+  /// Forces of one joint's rows (without motors) as the wrench on body B about the joint's anchor on B [N],
+  /// [N m].
+  Wrench reaction(std::size_t joint, const VecX& lambda) const;
+  /// What motors and prescribed bodies supply through the rows: λ · rate - (rate of prescribed bodies) [W].
+  double supplied_power(const VecX& lambda) const;
+
+ private:
+  struct Item {
+    JointRows rows;            ///< With the rows of motors.
+    int own = 0;               ///< Rows of the joint itself.
+    Vec6 rate = Vec6::Zero();  ///< Wanted; not zero for motors only.
+    int first = 0;             ///< Its first row in the stacked vectors.
+    bool is_grounded = false;  ///< Whether the world or a prescribed body is part of it.
+    std::array<std::size_t, JointRows::most_sides> places{};  ///< Of its bodies in the list.
+    Vec3 arm = Vec3::Zero();  ///< From the centre of B (of A if B is the world) to the anchor.
+    int side_B = -1;
+  };
+  Item make_item(const Model& model, int joint, const std::vector<int>& bodies,
+                 const std::vector<BodyKinetics>& kinetics) const;
+  void find_nodes(const std::vector<BodyKinetics>& kinetics);
+  void make_solver();
+  void stack();
+  void factor(const std::vector<BodyKinetics>& kinetics, const RowChoice* choice);
+
+  std::vector<int> joints_;
+  std::vector<Item> items_;
+  std::vector<int> node_of_;  ///< Of each body of the list; -1: not held or prescribed.
+  std::vector<std::size_t> bodies_of_nodes_;
+  std::vector<Vec6> velocities_;  ///< Of each body of the list.
+  std::optional<ConstrainedMass> solver_;
+  std::vector<Mat6> masses_;                              ///< Of the nodes.
+  std::vector<std::vector<ConstrainedMass::Rows>> rows_;  ///< Of the joints that have any.
+  VecX residuals_, rate_errors_, biases_;
+};
+
+}  // namespace rigor

@@ -1,0 +1,53 @@
+#include "rigor/core/index.hpp"
+#include "rigor/geometry/broad_phase/aabb_tree.hpp"
+
+#include <limits>
+#include <queue>
+#include <tuple>
+
+namespace rigor {
+namespace {
+
+/// A node that waits to be looked at, or an item beside the tree.
+struct Waiting {
+  double bound;
+  int id;  ///< Of the item; -1 for an inner node, which goes before the items with the same bound.
+  int node;
+
+  bool operator>(const Waiting& other) const {
+    return std::tie(bound, id, node) > std::tie(other.bound, other.id, other.node);
+  }
+};
+
+}  // namespace
+
+void AabbTree::search(const std::function<double(const Aabb&)>& bound,
+                      const std::function<double(int)>& visit) const {
+  constexpr double never = std::numeric_limits<double>::infinity();
+  double limit = never;
+  std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> waiting;
+  const auto push = [&](const Aabb& box, int id, int node) {
+    const double least = bound(box);
+    if (least < never && least <= limit) waiting.push({least, id, node});
+  };
+  for (const Unbounded& item : unbounded_) push(item.box, item.id, -1);
+  if (root_ >= 0) {
+    const Node& root = nodes_[at(root_)];
+    push(root.box, root.id, root_);
+  }
+  while (!waiting.empty() && waiting.top().bound <= limit) {
+    const Waiting next = waiting.top();
+    waiting.pop();
+    if (next.id >= 0) {
+      limit = visit(next.id);
+      continue;
+    }
+    const Node& node = nodes_[at(next.node)];
+    for (const int child : {node.left, node.right}) {
+      const Node& below = nodes_[at(child)];
+      push(below.box, below.id, child);
+    }
+  }
+}
+
+}  // namespace rigor

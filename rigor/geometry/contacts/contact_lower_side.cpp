@@ -1,0 +1,248 @@
+#include "rigor/core/index.hpp"
+#include "rigor/geometry/contacts/contact_shape.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rigor {
+namespace {
+
+/// Sides whose normals are closer than this to square with the direction do not count as facing it.
+constexpr double kSteep = 1e-3;
+/// A cap or a side counts as facing a plane below 45°.
+constexpr double kFacing = 0.70710678;
+
+}  // namespace
+
+LowerSide ContactShape::lower_side(const Vec3& n, const Vec3& p_plane, double reach) const {
+  return is_polyhedron() ? polyhedron_lower_side(n, p_plane, reach) : round_lower_side(n, p_plane, reach);
+}
+
+LowerSide ContactShape::polyhedron_lower_side(const Vec3& n, const Vec3& p_plane, double reach) const {
+  const Vec3 n_S = turned_to_S(n);
+  const Vec3 origin_S = in_S(p_plane);
+  const std::vector<Vec3>& vertices = vertices_S();
+  std::vector<double> heights;
+  for (const Vec3& v : vertices) heights.push_back(n_S.dot(v - origin_S));
+  const double lowest = *std::min_element(heights.begin(), heights.end());
+
+  // A vertex can be touched from below if it is the lowest or belongs to a face that looks down.
+  std::vector<bool> looks_down(topology_->faces.size()), is_lower(vertices.size());
+  for (std::size_t v = 0; v < vertices.size(); ++v) is_lower[v] = heights[v] - lowest <= 1e-12 * size_;
+  for (std::size_t f = 0; f < topology_->faces.size(); ++f) {
+    looks_down[f] = face_normal_S(static_cast<int>(f)).dot(n_S) < -kSteep;
+    if (!looks_down[f]) continue;
+    for (const int v : topology_->faces[f]) is_lower[at(v)] = true;
+  }
+
+  LowerSide side;
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    const int index = static_cast<int>(v);
+    if (!is_lower[v] || heights[v] > reach) continue;
+    side.points.push_back({in_O(vertices[v]), vertex_feature(index), vertex_is_real(index)});
+  }
+  for (std::size_t e = 0; e < topology_->edges.size(); ++e) {
+    const ConvexHull::Edge& edge = topology_->edges[e];
+    const bool is_near = std::min(heights[at(edge.v0)], heights[at(edge.v1)]) <= reach;
+    const bool can_touch = looks_down[at(edge.f0)] || looks_down[at(edge.f1)] ||
+                           (is_lower[at(edge.v0)] && is_lower[at(edge.v1)]);
+    if (is_near && can_touch) side.lines.push_back(edge_line(static_cast<int>(e)));
+  }
+  return side;
+}
+
+LowerSide ContactShape::round_lower_side(const Vec3& n, const Vec3& p_plane, double reach) const {
+  LowerSide side;
+  const Vec3 m = -n;
+  const auto height = [&](const Vec3& p) { return n.dot(p - p_plane); };
+
+  // A cap whose whole disk is within reach, or flat to rounding.
+  for (int index = 0; index < cap_count(); ++index) {
+    const FlatFace disk = cap(index);
+    const double sine = disk.normal.cross(m).norm();
+    const bool is_flat = height(disk.center) + disk.radius * sine <= reach || sine <= 1e-12;
+    if (disk.normal.dot(m) < kFacing || !is_flat) continue;
+    for (int k = 0; k < 4; ++k) {
+      const double sign = k < 2 ? 1 : -1;
+      const Vec3 p = disk.center + sign * disk.radius * X_OS_.R.col(k % 2);
+      side.points.push_back({p, {Feature::Kind::vertex, 4 * index + k}});
+    }
+    side.disk = disk;
+    return side;
+  }
+
+  // Of a capsule or cylinder that stands, the higher end is not seen from below.
+  const bool shows_side = core_.kind == ConvexCore::Kind::cone || std::abs(axis().dot(m)) < kFacing;
+  const std::optional<SurfaceLine> line = shows_side ? ruling(m) : std::nullopt;
+  if (!line) {
+    const Vec3 lowest = support(m);
+    side.points.push_back({lowest, classify(lowest, m)});
+    return side;
+  }
+  // Both ends of the line; at the lower end of a capsule the lowest point of its cap.
+  Vec3 a = line->a, b = line->b;
+  if (core_.kind == ConvexCore::Kind::segment) {
+    const bool a_is_lower = height(a) <= height(b);
+    const double sign = a_is_lower ? -1 : 1;
+    (a_is_lower ? a : b) = X_OS_.p + sign * core_.size.z() * axis() + core_.radius * m;
+  }
+  side.points.push_back({a, line->feature_a});
+  side.points.push_back({b, line->feature_b});
+  side.lines.push_back(*line);
+  return side;
+}
+
+SurfaceLine ContactShape::edge_line(int index) const {
+  const ConvexHull::Edge& edge = topology_->edges[at(index)];
+  return {in_O(vertices_S()[at(edge.v0)]),
+          in_O(vertices_S()[at(edge.v1)]),
+          {Feature::Kind::edge, triangle_ ? triangle_->edges[at(index)] : index},
+          vertex_feature(edge.v0),
+          vertex_feature(edge.v1),
+          edge_is_real(index)};
+}
+
+std::optional<SurfaceLine> ContactShape::ruling(const Vec3& m) const {
+  using Kind = Feature::Kind;
+  const bool is_cone = core_.kind == ConvexCore::Kind::cone;
+  if (!is_cone && core_.kind != ConvexCore::Kind::segment && core_.kind != ConvexCore::Kind::cylinder)
+    return {};
+  const Vec3 radial = m - m.dot(axis()) * axis();
+  const double length = radial.norm();
+  if (!(length > 0)) return {};
+  const double radius = core_.kind == ConvexCore::Kind::segment ? core_.radius : core_.size.x();
+  const Vec3 offset = radius / length * radial;
+  const Vec3 along = core_.size.z() * axis();
+  SurfaceLine line{
+      X_OS_.p - along + offset, X_OS_.p + along + offset, {Kind::side, 0}, {Kind::edge, 0}, {Kind::edge, 1}};
+  if (is_cone) {
+    line.b = X_OS_.p + along;
+    line.feature_b = {Kind::vertex, 4};
+  }
+  if (core_.kind == ConvexCore::Kind::segment) {
+    line.feature_a = {Kind::side, 1};
+    line.feature_b = {Kind::side, 2};
+  }
+  return line;
+}
+
+std::optional<double> ContactShape::height_above(const Vec3& p, const Vec3& n,
+                                                 const std::optional<FlatFace>& disk, double slack) const {
+  if (disk) {
+    const double t = (disk->center - p).dot(disk->normal) / n.dot(disk->normal);
+    const bool hits = (p + t * n - disk->center).norm() <= disk->radius + slack;
+    return hits ? std::optional<double>(t) : std::nullopt;
+  }
+  if (!is_polyhedron()) return {};
+  // The line enters a convex body where the last of the faces that look down is crossed.
+  const Vec3 p_S = in_S(p), n_S = turned_to_S(n);
+  const auto depth_below = [&](std::size_t f, const Vec3& q_S) {
+    return face_normal_S(static_cast<int>(f)).dot(vertices_S()[at(topology_->faces[f].front())] - q_S);
+  };
+  double t = -std::numeric_limits<double>::infinity();
+  for (std::size_t f = 0; f < topology_->faces.size(); ++f) {
+    const double slope = face_normal_S(static_cast<int>(f)).dot(n_S);
+    if (slope < -kSteep) t = std::max(t, depth_below(f, p_S) / slope);
+  }
+  if (!std::isfinite(t)) return {};
+  // A triangle has no side faces: there its edges decide.
+  const Vec3 q_S = p_S + t * n_S;
+  if (triangle_) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 inward =
+          triangle_->normal.cross(own_vertices_S_[(k + 1) % 3] - own_vertices_S_[k]).normalized();
+      if (inward.dot(q_S - own_vertices_S_[k]) < -slack) return {};
+    }
+    return t;
+  }
+  for (std::size_t f = 0; f < topology_->faces.size(); ++f) {
+    if (depth_below(f, q_S) < -slack) return {};
+  }
+  return t;
+}
+
+std::vector<SurfaceLine> ContactShape::lines_along(const Vec3& m, double reach) const {
+  std::vector<SurfaceLine> lines;
+  if (is_plane()) return lines;
+  if (!is_polyhedron()) {
+    const std::optional<SurfaceLine> line = ruling(m);
+    const double top = m.dot(support(m));
+    if (line && std::min(m.dot(line->a), m.dot(line->b)) >= top - reach) lines.push_back(*line);
+    return lines;
+  }
+  const Vec3 m_S = turned_to_S(m);
+  const std::vector<Vec3>& vertices = vertices_S();
+  const double top = m_S.dot(core_support(core_, m_S).p);
+  for (std::size_t e = 0; e < topology_->edges.size(); ++e) {
+    const ConvexHull::Edge& edge = topology_->edges[e];
+    const double lower_end = std::min(m_S.dot(vertices[at(edge.v0)]), m_S.dot(vertices[at(edge.v1)]));
+    if (lower_end >= top - reach) lines.push_back(edge_line(static_cast<int>(e)));
+  }
+  return lines;
+}
+
+Feature ContactShape::classify(const Vec3& p, const Vec3& m) const {
+  using Kind = Feature::Kind;
+  if (is_plane()) return {Kind::face, 0};
+  if (is_polyhedron()) return classify_on_polyhedron(p);
+  // What is nearer to a rim, an apex or a cap's border than this is on it.
+  const double near = 1e-7 * size_;
+  const Vec3 p_S = in_S(p);
+  const double z = p_S.z(), half_length = core_.size.z();
+  const double from_axis = p_S.head<2>().norm();
+  const int end = z > 0 ? 1 : 0;
+  const bool at_end = std::abs(z) >= half_length - near;
+  switch (core_.kind) {
+    case ConvexCore::Kind::segment:
+      return at_end ? Feature{Kind::side, 1 + end} : Feature{Kind::side, 0};
+    case ConvexCore::Kind::cone:
+      if (end == 1 && at_end) return {Kind::vertex, 4};
+      [[fallthrough]];
+    case ConvexCore::Kind::cylinder:
+      if (!at_end) return {Kind::side, 0};
+      if (from_axis < core_.size.x() - near && turned_to_S(m).head<2>().norm() < 1e-6)
+        return {Kind::face, end};
+      return {Kind::edge, end};
+    default:
+      return {Kind::side, 0};
+  }
+}
+
+Feature ContactShape::classify_on_polyhedron(const Vec3& p) const {
+  const double near = 1e-7 * size_;
+  const Vec3 p_S = in_S(p);
+  const std::vector<Vec3>& vertices = vertices_S();
+  double best = std::numeric_limits<double>::infinity();
+  Feature feature;
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    const double distance = (vertices[v] - p_S).norm();
+    if (distance >= best) continue;
+    best = distance;
+    feature = vertex_feature(static_cast<int>(v));
+  }
+  if (best <= near) return feature;
+  best = std::numeric_limits<double>::infinity();
+  for (std::size_t e = 0; e < topology_->edges.size(); ++e) {
+    const ConvexHull::Edge& edge = topology_->edges[e];
+    const Vec3 along = vertices[at(edge.v1)] - vertices[at(edge.v0)];
+    const Vec3 from = p_S - vertices[at(edge.v0)];
+    const double place = std::clamp(from.dot(along) / along.squaredNorm(), 0.0, 1.0);
+    const double distance = (from - place * along).norm();
+    if (distance >= best) continue;
+    best = distance;
+    feature = {Feature::Kind::edge, triangle_ ? triangle_->edges[e] : static_cast<int>(e)};
+  }
+  if (best <= near) return feature;
+  best = std::numeric_limits<double>::infinity();
+  for (std::size_t f = 0; f < topology_->faces.size(); ++f) {
+    const double distance =
+        std::abs(face_normal_S(static_cast<int>(f)).dot(p_S - vertices[at(topology_->faces[f].front())]));
+    if (distance >= best) continue;
+    best = distance;
+    feature = face_feature(static_cast<int>(f));
+  }
+  return feature;
+}
+
+}  // namespace rigor

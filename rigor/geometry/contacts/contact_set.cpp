@@ -1,0 +1,107 @@
+#include "rigor/geometry/contacts/contact_set.hpp"
+
+#include "rigor/core/assert.hpp"
+#include "rigor/geometry/contacts/cavity_contacts.hpp"
+#include "rigor/geometry/contacts/contact_enclosed.hpp"
+#include "rigor/geometry/contacts/contact_mesh.hpp"
+#include "rigor/geometry/contacts/contact_pair.hpp"
+#include "rigor/geometry/contacts/mesh_pair_contacts.hpp"
+#include "rigor/geometry/distance/distance.hpp"
+#include "rigor/geometry/distance/mesh_pair_distance.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace rigor {
+namespace {
+
+/// Planes and cavities, and meshes, which may be large.
+bool is_wide(const Shape& shape) {
+  return is_unbounded(shape) || std::holds_alternative<Mesh>(shape);
+}
+
+/// Whether the pair is computed with its shapes exchanged: a cavity is A, else a mesh is treated as A, else a
+/// plane, else the shapes as they come; of two meshes always the same one.
+bool is_exchanged_pair(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB) {
+  if (std::holds_alternative<Cavity>(a) || std::holds_alternative<Cavity>(b))
+    return std::holds_alternative<Cavity>(b);
+  const Mesh* const mesh_a = std::get_if<Mesh>(&a);
+  const Mesh* const mesh_b = std::get_if<Mesh>(&b);
+  if (mesh_a != nullptr && mesh_b != nullptr) return is_mesh_pair_swapped(*mesh_a, X_WA, *mesh_b, X_WB);
+  return mesh_b != nullptr || (std::holds_alternative<HalfSpace>(b) && mesh_a == nullptr);
+}
+
+/// The contacts with the two shapes exchanged.
+std::vector<ContactPoint> exchanged(std::vector<ContactPoint> contacts) {
+  for (ContactPoint& contact : contacts) {
+    std::swap(contact.p_WA, contact.p_WB);
+    std::swap(contact.curvature_A, contact.curvature_B);
+    contact.n_W = -contact.n_W;
+    contact.feature = contact.feature << 32 | contact.feature >> 32;
+  }
+  std::stable_sort(contacts.begin(), contacts.end(),
+                   [](const ContactPoint& x, const ContactPoint& y) { return x.feature < y.feature; });
+  return contacts;
+}
+
+std::vector<ContactPoint> plane_contacts(const HalfSpace& plane, const Pose& X_OA, const ContactPair& pair) {
+  const Vec3 n = X_OA.R * plane.normal;
+  const FlatFace face{.kind = FlatFace::Kind::plane,
+                      .feature = {Feature::Kind::face, 0},
+                      .normal = n,
+                      .center = X_OA.p + plane.offset * n,
+                      .area = std::numeric_limits<double>::infinity()};
+  return face_contacts(pair, face, true).value_or(std::vector<ContactPoint>{});
+}
+
+/// All pairs near the origin but those whose unbounded shape comes second.
+std::vector<ContactPoint> local_contacts(const Shape& a, const Pose& X_OA, const Shape& b, const Pose& X_OB,
+                                         double tolerance) {
+  if (const Cavity* const cavity = std::get_if<Cavity>(&a))
+    return cavity_contacts(*cavity, X_OA, b, X_OB, tolerance);
+  const Mesh* const mesh = std::get_if<Mesh>(&a);
+  const Mesh* const other = std::get_if<Mesh>(&b);
+  if (mesh != nullptr) {
+    std::vector<ContactPoint> contacts = other != nullptr
+                                             ? mesh_pair_contacts(*mesh, X_OA, *other, X_OB, tolerance)
+                                             : mesh_contacts(*mesh, X_OA, b, X_OB, tolerance);
+    if (!contacts.empty() || std::holds_alternative<HalfSpace>(b)) return contacts;
+    if (const auto enclosed = find_enclosed_contact(a, X_OA, b, X_OB)) contacts.push_back(*enclosed);
+    return contacts;
+  }
+  const ContactShape shape_A(a, X_OA), shape_B(b, X_OB);
+  const DistanceResult distance = signed_distance(a, X_OA, b, X_OB);
+  if (distance.distance > tolerance) return {};
+  const ContactPair pair{shape_A, shape_B, contact_scale(shape_A, shape_B, tolerance)};
+  const HalfSpace* const plane = std::get_if<HalfSpace>(&a);
+  std::vector<ContactPoint> contacts =
+      plane != nullptr ? plane_contacts(*plane, X_OA, pair) : convex_contacts(pair, distance);
+  add_witness(pair, distance, contacts);
+  sort_and_merge(pair.scale, contacts);
+  return contacts;
+}
+
+}  // namespace
+
+std::vector<ContactPoint> contact_set(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB,
+                                      double tolerance) {
+  RIGOR_ASSERT(tolerance >= 0);
+  RIGOR_ASSERT(!(is_unbounded(a) && is_unbounded(b)));
+  const bool is_exchanged = is_exchanged_pair(a, X_WA, b, X_WB);
+
+  // Everything happens in a frame at a bounded shape, so that the distance to the origin of W costs no
+  // digits.
+  const bool are_meshes = std::holds_alternative<Mesh>(a) && std::holds_alternative<Mesh>(b);
+  const bool is_at_b = are_meshes ? !is_exchanged : is_wide(a);
+  const Vec3 origin = is_at_b ? X_WB.p : X_WA.p;
+  const Pose X_OA{X_WA.R, X_WA.p - origin}, X_OB{X_WB.R, X_WB.p - origin};
+  std::vector<ContactPoint> contacts = is_exchanged ? exchanged(local_contacts(b, X_OB, a, X_OA, tolerance))
+                                                    : local_contacts(a, X_OA, b, X_OB, tolerance);
+  for (ContactPoint& contact : contacts) {
+    contact.p_WA += origin;
+    contact.p_WB += origin;
+  }
+  return contacts;
+}
+
+}  // namespace rigor

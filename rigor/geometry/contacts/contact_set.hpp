@@ -1,0 +1,54 @@
+#pragma once
+
+#include "rigor/geometry/shape/shape.hpp"
+#include "rigor/math/pose.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace rigor {
+
+/// How a shape's surface bends at a witness point, as seen by the outward unit normal m there: a turn dm of
+/// the normal (relative to the body) moves the witness point by radius_W dm. Along a flat direction the
+/// normal cannot turn at all (infinite radius): two on a face, one along an edge's cone of normals... none on
+/// a vertex (radius_W = 0) or a ball (r 1).
+struct SurfaceCurvature {
+  Mat3 radius_W =
+      Mat3::Zero();    ///< Finite radii of curvature [m], symmetric, zero along m and along flat directions.
+  int flat_count = 0;  ///< 0: vertex or doubly curved; 1: edge or ruled side; 2: face.
+  Vec3 flat_W = Vec3::Zero();  ///< The flat direction (unit) if flat_count is 1.
+};
+
+/// One contact of a pair. p_WB - p_WA = gap * n_W up to the tolerance of the set.
+struct ContactPoint {
+  Vec3 p_WA;              ///< On the surface of A [m].
+  Vec3 p_WB;              ///< On the surface of B [m].
+  Vec3 n_W;               ///< Unit normal from A to B.
+  double gap;             ///< [m], negative when overlapping.
+  std::uint64_t feature;  ///< Which features of A and B meet: stable while they do; orders the set.
+  SurfaceCurvature curvature_A;
+  SurfaceCurvature curvature_B;
+  bool degenerate =
+      false;  ///< Vertex on vertex or edge: the normal is the separating direction, not a surface's.
+};
+
+/// Contacts(A,B) of the course: the complete contact region of two shapes that are closer than `tolerance`
+/// [m]: every vertex of the clipped face-face, face-edge or edge-edge region, one point where surfaces curve
+/// away, the two ends of a line contact. Empty when the shapes are farther apart. In the order of `feature`,
+/// so that the same pose gives the same list. A point whose gap exceeds the tolerance is left out.
+///
+/// The normal of a region is that of a face whose normal separates the shapes as well as any direction (of
+/// two such faces the larger one's); p_WA or p_WB is then the projection to that face. On a face the other
+/// body's curvature has no flat direction: the ends of a line or a corner that lies on the face turns with
+/// its own body. A cap of a cylinder or cone that lies flat within the tolerance stands on the four points of
+/// its rim on the x and y axes of its shape, those that lie over the other face, with the points where its
+/// rim crosses that face's border and the corners of that face under it; where it is tilted, and does not
+/// overlap, the lowest point of its rim joins them. A mesh is the union over its
+/// triangles near the other shape (two meshes: mesh_pair_contacts.hpp): edges inside flat patches and
+/// concave edges give no contact, and the back of a triangle only if the mesh is open. What lies wholly
+/// inside a closed mesh, or a mesh inside the other shape, gives the way out as one contact, marked
+/// degenerate.
+std::vector<ContactPoint> contact_set(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB,
+                                      double tolerance);
+
+}  // namespace rigor

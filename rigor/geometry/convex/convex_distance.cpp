@@ -1,0 +1,132 @@
+#include "rigor/geometry/convex/convex_distance.hpp"
+
+#include "rigor/core/index.hpp"
+#include "rigor/geometry/convex/ellipsoid_penetration.hpp"
+#include "rigor/geometry/convex/gjk.hpp"
+#include "rigor/geometry/convex/level_face.hpp"
+#include "rigor/geometry/convex/penetration.hpp"
+#include "rigor/geometry/convex/point_separation.hpp"
+#include "rigor/geometry/convex/polytope_penetration.hpp"
+#include "rigor/geometry/convex/separation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+namespace rigor {
+namespace {
+
+/// Cosine of the widest angle between the best direction known and an axis that is tried instead.
+constexpr double kCapCosine = 0.9;
+
+/// What is known of the signed distance of the cores, in the frame of A.
+struct CoreDistance {
+  Separation best;
+  double upper;
+};
+
+CoreDistance of_gjk(const GjkState& gjk) {
+  CoreDistance result{{gjk.n, gjk.separation, Vec3::Zero(), Vec3::Zero()}, gjk.upper};
+  for (int i = 0; i < gjk.nearest.count; ++i) {
+    const std::size_t k = at(i);
+    result.best.a += gjk.nearest.weight[k] * gjk.points[k].a;
+    result.best.b += gjk.nearest.weight[k] * gjk.points[k].b;
+  }
+  return result;
+}
+
+bool has_caps(const ConvexCore& core) {
+  return core.kind == ConvexCore::Kind::cylinder || core.kind == ConvexCore::Kind::cone;
+}
+
+/// The separation along the axis of a cylinder or cone whose cap the nearest points may lie on, if it is as
+/// good as the best known. On a cap Newton's method has no circle to follow.
+std::optional<Separation> cap_separation(const CorePair& pair, const GjkState& gjk) {
+  const Mat3& R = pair.X_AB.R;
+  const Vec3 cap_a = has_caps(pair.a) ? nearest_face_normal(pair.a, gjk.n) : Vec3::Zero();
+  const Vec3 cap_b =
+      has_caps(pair.b) ? Vec3(-(R * nearest_face_normal(pair.b, R.transpose() * -gjk.n))) : Vec3::Zero();
+  for (const Vec3& n : {cap_a, cap_b}) {
+    if (n.dot(gjk.n) < kCapCosine) continue;
+    const double value = n.dot(pair.lowest(n).w);
+    if (value >= gjk.separation) return with_level_witnesses(pair, {n, value, Vec3::Zero(), Vec3::Zero()});
+  }
+  return std::nullopt;
+}
+
+/// The nearest points made exact, on a cap or by Newton's method, where that makes the bounds meet.
+CoreDistance polished(const CorePair& pair, const GjkState& gjk) {
+  CoreDistance result = of_gjk(gjk);
+  const auto take = [&](const std::optional<Separation>& candidate) {
+    if (!candidate || candidate->value < result.best.value) return;
+    result = {*candidate, std::min((candidate->b - candidate->a).norm(), result.upper)};
+  };
+  take(cap_separation(pair, gjk));
+  if (result.upper - result.best.value <= pair.rounding) return result;
+  const std::size_t count = at(gjk.nearest.count);
+  take(polish_separation(pair, gjk.n, {{gjk.points.data(), count}, {gjk.nearest.weight.data(), count}}));
+  return result;
+}
+
+/// First gap between the bounds at which Newton's method is tried on curved shapes, relative to their size,
+/// and how much smaller it is each time that was too early.
+constexpr double kFirstGap = 1e-3;
+constexpr double kGapFactor = 1e-2;
+
+/// Overlapping, touching, or so near that the nearest points give no sure direction.
+CoreDistance touching_distance(const CorePair& pair, const GjkState& gjk, CoreDistance found) {
+  if (const std::optional<Penetration> exact = find_polytope_penetration(pair, gjk.n))
+    return {exact->best, std::max(exact->upper, exact->best.value)};
+  if (const std::optional<Penetration> proved = find_ellipsoid_penetration(pair, gjk.n))
+    return {proved->best, proved->upper};
+  if (gjk.nearest.count == 4) {
+    // The origin is inside: the points found are no witnesses.
+    found.best.value = -std::numeric_limits<double>::infinity();
+    found.upper = pair.rounding;
+  }
+  const std::span<const DifferencePoint> simplex(gjk.points.data(), gjk.nearest.count == 4 ? 4 : 0);
+  const Penetration penetration = find_penetration(pair, {found.best, found.upper}, simplex);
+  return {penetration.best, std::max(penetration.upper, penetration.best.value)};
+}
+
+CoreDistance core_distance(const CorePair& pair) {
+  if (const std::optional<Separation> exact = find_point_separation(pair)) return {*exact, exact->value};
+  const bool is_flat_faced = is_polytope(pair.a) && is_polytope(pair.b);
+  double tolerance = is_flat_faced ? 0.5 * pair.rounding : kFirstGap * (pair.a.extent + pair.b.extent);
+  GjkState gjk = start_gjk(pair);
+  for (;;) {
+    advance_gjk(pair, tolerance, gjk);
+    if (gjk.outcome == GjkState::Outcome::touching) return touching_distance(pair, gjk, of_gjk(gjk));
+    if (is_flat_faced && gjk.outcome == GjkState::Outcome::converged) return of_gjk(gjk);
+    const CoreDistance result = polished(pair, gjk);
+    if (result.best.value > 0 && result.upper - result.best.value <= pair.rounding) return result;
+    if (gjk.outcome == GjkState::Outcome::stalled) return touching_distance(pair, gjk, result);
+    tolerance *= kGapFactor;
+  }
+}
+
+}  // namespace
+
+DistanceResult convex_distance(const ConvexCore& a, const Pose& X_WA, const ConvexCore& b, const Pose& X_WB) {
+  const Mat3 R_AW = X_WA.R.transpose();
+  const CorePair pair(a, b, {R_AW * X_WB.R, R_AW * (X_WB.p - X_WA.p)});
+  const CoreDistance core = core_distance(pair);
+
+  // The balls around the cores move the surfaces towards each other along n. The witnesses are set exactly
+  // along n, about the middle of those of the cores.
+  const double radii = a.radius + b.radius;
+  const double rounding = pair.rounding + std::numeric_limits<double>::epsilon() * radii;
+  const Vec3 n_W = X_WA.R * core.best.n;
+  const Vec3 middle = 0.5 * (core.best.a + core.best.b);
+  DistanceResult result;
+  result.distance = core.best.value - radii;
+  result.lower = result.distance - rounding;
+  result.upper = core.upper - radii + rounding;
+  result.n_W = n_W;
+  result.p_WA = X_WA * middle + (a.radius - 0.5 * core.best.value) * n_W;
+  result.p_WB = result.p_WA + result.distance * n_W;
+  return result;
+}
+
+}  // namespace rigor

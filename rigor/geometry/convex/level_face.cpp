@@ -1,0 +1,84 @@
+#include "rigor/geometry/convex/level_face.hpp"
+
+#include "rigor/core/index.hpp"
+#include "rigor/geometry/convex/gjk.hpp"
+
+#include <cmath>
+#include <vector>
+
+namespace rigor {
+namespace {
+
+/// All points of a core that are farthest along d to `tolerance`: a disk about z, or the hull of a few
+/// points.
+class LevelFace {
+ public:
+  LevelFace(const ConvexCore& core, const Vec3& d, double tolerance) {
+    switch (core.kind) {
+      case ConvexCore::Kind::point:
+      case ConvexCore::Kind::ellipsoid:
+        points_ = {core_support(core, d).p};
+        return;
+      case ConvexCore::Kind::segment:
+      case ConvexCore::Kind::box:
+        add_level_pieces(core, core.kind == ConvexCore::Kind::box ? 8 : 2, d, tolerance);
+        return;
+      case ConvexCore::Kind::points:
+        add_level_pieces(core, static_cast<int>(core.points.size()), d, tolerance);
+        return;
+      case ConvexCore::Kind::cylinder:
+      case ConvexCore::Kind::cone:
+        is_disk_ = core.size.x() * d.head<2>().norm() <= tolerance &&
+                   !(core.kind == ConvexCore::Kind::cone && d.z() > 0);
+        if (!is_disk_) add_level_pieces(core, 2, d, tolerance);
+        if (is_disk_)
+          disk_ = {.kind = ConvexCore::Kind::cylinder,
+                   .size = {core.size.x(), core.size.x(), 0},
+                   .extent = core.extent};
+        height_ = d.z() > 0 ? core.size.z() : -core.size.z();
+        return;
+    }
+  }
+
+  ConvexCore core() const { return is_disk_ ? disk_ : make_points_core(points_); }
+  /// Pose of core() in the frame of the shape.
+  Pose pose() const { return {.p = Vec3(0, 0, is_disk_ ? height_ : 0)}; }
+
+ private:
+  void add_level_pieces(const ConvexCore& core, int count, const Vec3& d, double tolerance) {
+    const double top = d.dot(core_support(core, d).p);
+    for (int i = 0; i < count; ++i) {
+      const Vec3 p = piece_point(core, i, d);
+      if (d.dot(p) >= top - tolerance) points_.push_back(p);
+    }
+  }
+
+  std::vector<Vec3> points_;
+  bool is_disk_ = false;
+  ConvexCore disk_;
+  double height_ = 0;
+};
+
+}  // namespace
+
+Separation with_level_witnesses(const CorePair& pair, const Separation& separation) {
+  const LevelFace face_a(pair.a, separation.n, pair.rounding);
+  const LevelFace face_b(pair.b, pair.X_AB.R.transpose() * -separation.n, pair.rounding);
+  const ConvexCore a = face_a.core();
+  const ConvexCore b = face_b.core();
+  const Pose X_AB = pair.X_AB * face_b.pose();
+  const Vec3 p_A = face_a.pose().p;
+  const CorePair faces(a, b, {X_AB.R, X_AB.p - p_A});
+  GjkState gjk = start_gjk(faces);
+  advance_gjk(faces, 0, gjk);
+
+  Separation result{separation.n, separation.value, p_A, p_A};
+  for (int i = 0; i < gjk.nearest.count; ++i) {
+    const std::size_t k = at(i);
+    result.a += gjk.nearest.weight[k] * gjk.points[k].a;
+    result.b += gjk.nearest.weight[k] * gjk.points[k].b;
+  }
+  return result;
+}
+
+}  // namespace rigor

@@ -1,0 +1,292 @@
+#include "rigor/geometry/convex/separation.hpp"
+
+#include "rigor/core/index.hpp"
+#include "rigor/geometry/convex/gjk.hpp"
+#include "rigor/math/rotation.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace rigor {
+namespace {
+
+using Tangents = Eigen::Matrix<double, 3, 2>;
+
+constexpr int kMaxIterations = 12;
+/// Pieces taken away or added before giving up.
+constexpr int kMaxChanges = 8;
+/// Longest step of Newton's method [rad].
+constexpr double kLongestStep = 0.3;
+/// A step shorter than this [rad] is the last: the next one would be its square.
+constexpr double kLastStep = 1e-9;
+
+/// The distinct pieces of one core that meet at the separation, the heaviest first, with their weights (sum
+/// 1).
+struct ActivePieces {
+  int count = 0;
+  std::array<int, 4> piece{};
+  std::array<double, 4> weight{};
+  std::array<Vec3, 4> point;  ///< The farthest point of each towards the other core, along the axes of A [m].
+
+  bool has(int p) const {
+    return std::find(piece.begin(), piece.begin() + count, p) != piece.begin() + count;
+  }
+
+  void add(int p, double w) {
+    std::size_t i = 0;
+    while (i < at(count) && piece[i] != p) ++i;
+    if (i == at(count)) piece[at(count++)] = p;
+    weight[i] += w;
+    for (; i > 0 && weight[i] > weight[i - 1]; --i) {
+      std::swap(weight[i], weight[i - 1]);
+      std::swap(piece[i], piece[i - 1]);
+    }
+  }
+
+  std::size_t lightest() const {
+    return static_cast<std::size_t>(std::min_element(weight.begin(), weight.begin() + count) -
+                                    weight.begin());
+  }
+
+  void remove(std::size_t i) {
+    for (--count; i < at(count); ++i) {
+      piece[i] = piece[i + 1];
+      weight[i] = weight[i + 1];
+    }
+    weight[at(count)] = 0;
+  }
+
+  Vec3 mean() const {
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t i = 0; i < at(count); ++i) sum += weight[i] * point[i];
+    return sum;
+  }
+};
+
+/// The condition that two pieces of one core are at the same height along n.
+struct Tie {
+  Vec3 u;        ///< Adds weight · u to b - a; u·n = 0 wanted [m].
+  Vec2 tangent;  ///< u in the tangent plane.
+  bool in_a;
+  std::size_t index;      ///< Of the piece that is not the heaviest.
+  double multiplier = 0;  ///< Its weight.
+};
+
+class Polish {
+ public:
+  Polish(const CorePair& pair, const WeightedPoints& points) : pair_(pair) {
+    for (std::size_t i = 0; i < points.points.size(); ++i) {
+      if (points.weights[i] <= 0) continue;
+      a_.add(points.points[i].piece_a, points.weights[i]);
+      b_.add(points.points[i].piece_b, points.weights[i]);
+    }
+  }
+
+  /// Newton's method on the pieces there are, then one piece less or more, until no weight is negative and no
+  /// other piece is farther out.
+  std::optional<Separation> solve(const Vec3& start) {
+    std::optional<Separation> best;
+    Vec3 n = start;
+    for (int change = 0; change < kMaxChanges; ++change) {
+      const std::optional<Vec3> maximum = find_maximum(n);
+      if (!maximum) break;
+      n = *maximum;
+      evaluate_points(n);
+      const DifferencePoint lowest = pair_.lowest(n);
+      const double value = n.dot(lowest.w);
+      if (!best || value > best->value) best = with_witnesses(n, value);
+      const bool is_changed = remove_negative() || add_farther(n, lowest);
+      if (!is_changed) break;
+    }
+    return best;
+  }
+
+ private:
+  std::optional<Vec3> find_maximum(Vec3 n) {
+    for (int i = 0; i < kMaxIterations; ++i) {
+      const std::optional<Vec3> step = newton_step(n);
+      if (!step) return std::nullopt;
+      const double length = step->norm();
+      n = (n + std::min(1.0, kLongestStep / length) * *step).normalized();
+      if (length <= kLastStep) return n;
+    }
+    return std::nullopt;
+  }
+
+  bool remove_negative() {
+    const std::size_t i = a_.lightest();
+    const std::size_t j = b_.lightest();
+    if (a_.weight[i] >= 0 && b_.weight[j] >= 0) return false;
+    if (a_.weight[i] < b_.weight[j]) {
+      a_.remove(i);
+    } else {
+      b_.remove(j);
+    }
+    return true;
+  }
+
+  bool add_farther(const Vec3& n, const DifferencePoint& lowest) {
+    const bool is_farther_a = n.dot(lowest.a - a_.point[0]) > pair_.rounding && !a_.has(lowest.piece_a);
+    const bool is_farther_b =
+        n.dot(b_.point[0] + pair_.X_AB.p - lowest.b) > pair_.rounding && !b_.has(lowest.piece_b);
+    if (is_farther_a && a_.count < 4) a_.add(lowest.piece_a, 0);
+    if (is_farther_b && b_.count < 4) b_.add(lowest.piece_b, 0);
+    return is_farther_a || is_farther_b;
+  }
+
+  void evaluate_points(const Vec3& n) {
+    for (std::size_t i = 0; i < at(a_.count); ++i) a_.point[i] = piece_point(pair_.a, a_.piece[i], n);
+    const Vec3 d_B = pair_.X_AB.R.transpose() * -n;
+    for (std::size_t i = 0; i < at(b_.count); ++i) {
+      b_.point[i] = pair_.X_AB.R * piece_point(pair_.b, b_.piece[i], d_B);
+    }
+  }
+
+  /// R_A + R_B + s in the tangent plane [m].
+  Mat2 curvature(const Vec3& n, const Tangents& tangents, double separation) const {
+    Mat2 sum = separation * Mat2::Identity();
+    if (!is_polytope(pair_.a)) {
+      for (std::size_t i = 0; i < at(a_.count); ++i) {
+        sum += a_.weight[i] * (tangents.transpose() * piece_curvature(pair_.a, a_.piece[i], n) * tangents);
+      }
+    }
+    if (!is_polytope(pair_.b)) {
+      const Tangents tangents_B = pair_.X_AB.R.transpose() * tangents;
+      const Vec3 d_B = pair_.X_AB.R.transpose() * -n;
+      for (std::size_t i = 0; i < at(b_.count); ++i) {
+        sum +=
+            b_.weight[i] * (tangents_B.transpose() * piece_curvature(pair_.b, b_.piece[i], d_B) * tangents_B);
+      }
+    }
+    return sum;
+  }
+
+  /// At most two conditions that are independent in the tangent plane; the heavier pieces come first.
+  void find_ties(const Tangents& tangents) {
+    tie_count_ = 0;
+    for (const bool in_a : {true, false}) {
+      const ActivePieces& side = in_a ? a_ : b_;
+      for (std::size_t i = 1; i < at(side.count) && tie_count_ < 2; ++i) {
+        const Vec3 u = (in_a ? -1 : 1) * (side.point[i] - side.point[0]);
+        const Vec2 tangent = tangents.transpose() * u;
+        const Vec2& first = ties_[0].tangent;
+        const bool is_independent = tie_count_ == 0
+                                        ? tangent.norm() > 1e-9 * u.norm()
+                                        : std::abs(first.x() * tangent.y() - first.y() * tangent.x()) >
+                                              1e-7 * first.norm() * tangent.norm();
+        if (is_independent) ties_[at(tie_count_++)] = {u, tangent, in_a, i};
+      }
+    }
+  }
+
+  /// Step of n in the tangent plane, and the weights that go with it.
+  std::optional<Vec3> newton_step(const Vec3& n) {
+    evaluate_points(n);
+    const Tangents tangents = frame_with_z(n).leftCols<2>();
+    const Vec3 c = (b_.point[0] + pair_.X_AB.p) - a_.point[0];
+    const Vec2 r = tangents.transpose() * c;
+    const Mat2 K = curvature(n, tangents, n.dot(c));
+    find_ties(tangents);
+    const std::optional<Vec2> step = tie_count_ == 0   ? free_step(K, r)
+                                     : tie_count_ == 1 ? step_along_tie(n, K, r)
+                                                       : step_to_ties(n, K, r);
+    if (!step) return std::nullopt;
+    set_weights();
+    return tangents * *step;
+  }
+
+  /// Newton's step for one gradient and one curvature. A direction in which s is level to rounding, as around
+  /// the axis of two coaxial cylinders, needs no step; where s is not curved like a maximum there is none.
+  std::optional<double> step_of(double gradient, double curvature) const {
+    const double noise = 100 * pair_.rounding;
+    if (curvature > noise) return gradient / curvature;
+    if (std::abs(gradient) <= noise) return 0.0;
+    return std::nullopt;
+  }
+
+  std::optional<Vec2> free_step(const Mat2& K, const Vec2& r) const {
+    // The principal axis of the larger curvature is the eigenvector of [d o; o -d].
+    const double d = 0.5 * (K(0, 0) - K(1, 1));
+    const double o = K(0, 1);
+    const double m = std::sqrt(d * d + o * o);
+    const Vec2 axis = d >= 0 ? Vec2(m + d, o) : Vec2(o, m - d);
+    const Vec2 p = m > 0 ? axis.normalized() : Vec2::UnitX();
+    const Vec2 q(-p.y(), p.x());
+    const std::optional<double> along_p = step_of(p.dot(r), p.dot(K * p));
+    const std::optional<double> along_q = step_of(q.dot(r), q.dot(K * q));
+    if (!along_p || !along_q) return std::nullopt;
+    return Vec2(*along_p * p + *along_q * q);
+  }
+
+  /// Along the tie's tangent the condition decides, across it Newton.
+  std::optional<Vec2> step_along_tie(const Vec3& n, const Mat2& K, const Vec2& r) {
+    const Vec2 g = ties_[0].tangent;
+    const Vec2 q = Vec2(-g.y(), g.x()) / g.norm();
+    const Vec2 levelled = -n.dot(ties_[0].u) / g.squaredNorm() * g;
+    const std::optional<double> across = step_of(q.dot(r - K * levelled), q.dot(K * q));
+    if (!across) return std::nullopt;
+    const Vec2 step = levelled + *across * q;
+    ties_[0].multiplier = g.dot(K * step - r) / g.squaredNorm();
+    return step;
+  }
+
+  std::optional<Vec2> step_to_ties(const Vec3& n, const Mat2& K, const Vec2& r) {
+    Mat2 G;
+    G << ties_[0].tangent.transpose(), ties_[1].tangent.transpose();
+    const Mat2 inverse = G.inverse();
+    const Vec2 step = -inverse * Vec2(n.dot(ties_[0].u), n.dot(ties_[1].u));
+    const Vec2 multipliers = inverse.transpose() * (K * step - r);
+    ties_[0].multiplier = multipliers.x();
+    ties_[1].multiplier = multipliers.y();
+    return step;
+  }
+
+  void set_weights() {
+    a_.weight = {1};
+    b_.weight = {1};
+    for (std::size_t i = 0; i < at(tie_count_); ++i) {
+      const Tie& tie = ties_[i];
+      ActivePieces& side = tie.in_a ? a_ : b_;
+      side.weight[tie.index] = tie.multiplier;
+      side.weight[0] -= tie.multiplier;
+    }
+  }
+
+  Separation with_witnesses(const Vec3& n, double value) const {
+    Separation result{n, value, a_.mean(), b_.mean() + pair_.X_AB.p};
+    const bool is_inside = a_.weight[a_.lightest()] >= 0 && b_.weight[b_.lightest()] >= 0;
+    if (!is_inside) find_witnesses(result);
+    return result;
+  }
+
+  /// Where more pieces are level than needed to fix n, as for two faces: the nearest points of their hulls.
+  void find_witnesses(Separation& result) const {
+    const ConvexCore a = make_points_core({a_.point.data(), at(a_.count)});
+    const ConvexCore b = make_points_core({b_.point.data(), at(b_.count)});
+    const CorePair pieces(a, b, {.p = pair_.X_AB.p});
+    GjkState gjk = start_gjk(pieces);
+    advance_gjk(pieces, 0, gjk);
+    result.a = Vec3::Zero();
+    result.b = Vec3::Zero();
+    for (std::size_t i = 0; i < at(gjk.nearest.count); ++i) {
+      result.a += gjk.nearest.weight[i] * gjk.points[i].a;
+      result.b += gjk.nearest.weight[i] * gjk.points[i].b;
+    }
+  }
+
+  const CorePair& pair_;
+  ActivePieces a_;
+  ActivePieces b_;
+  std::array<Tie, 2> ties_{};
+  int tie_count_ = 0;
+};
+
+}  // namespace
+
+std::optional<Separation> polish_separation(const CorePair& pair, const Vec3& n, const WeightedPoints& at) {
+  return Polish(pair, at).solve(n);
+}
+
+}  // namespace rigor

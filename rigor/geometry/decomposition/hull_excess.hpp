@@ -1,0 +1,22 @@
+#pragma once
+
+#include "rigor/geometry/distance/lipschitz_maximum.hpp"
+#include "rigor/geometry/shape/containment.hpp"
+#include "rigor/geometry/shape/convex_hull.hpp"
+#include "rigor/geometry/shape/convex_polygon.hpp"
+#include "rigor/geometry/shape/shape.hpp"
+
+#include <span>
+
+namespace rigor {
+
+/// Bounds of the largest distance of a point of the hull from the solid that the closed mesh bounds [m]:
+/// how far the hull stands out, its concavity. `place` is the farthest point met. Where it is known that only
+/// points in front of one of some planes can be outside the solid, the search keeps to them.
+MaximumBounds hull_excess(const ConvexHull& hull, const Mesh& mesh, const WindingNumber& winding,
+                          const MaximumGoal& goal, std::span<const CutPlane> in_front_of = {});
+
+/// Volume of a hull [m³].
+double hull_volume(const ConvexHull& hull);
+
+}  // namespace rigor

@@ -1,0 +1,62 @@
+#include "rigor/geometry/decomposition/mesh_solid.hpp"
+
+#include "rigor/core/assert.hpp"
+#include "rigor/core/index.hpp"
+#include "rigor/geometry/broad_phase/box_pairs.hpp"
+#include "rigor/geometry/decomposition/convex_decomposition.hpp"
+#include "rigor/geometry/distance/distance.hpp"
+#include "rigor/geometry/mesh/triangle_tree.hpp"
+
+#include <utility>
+
+namespace rigor {
+namespace {
+
+/// Pieces nearer than this part of the mesh's size touch: they were cut apart, up to rounding.
+constexpr double kTouching = 1e-9;
+
+}  // namespace
+
+MeshSolid::MeshSolid(std::shared_ptr<const TriangleMesh> mesh, std::shared_ptr<const TriangleTree> tree)
+    : mesh_(std::move(mesh)), tree_(std::move(tree)) {
+  RIGOR_ASSERT(mesh_ != nullptr && tree_ != nullptr);
+}
+
+void MeshSolid::decompose_once() const {
+  std::call_once(has_pieces_, [this] {
+    if (!tree_->is_closed || mesh_->triangles.empty()) return;
+    const std::optional<ConvexDecomposition> exact = decompose_exactly({mesh_, tree_}, kMostPieces);
+    if (!exact) return;
+    std::vector<Aabb> boxes;
+    for (const ConvexPiece& piece : exact->pieces) {
+      pieces_.push_back({piece.hull});
+      boxes.push_back(axis_aligned_box(pieces_.back(), {}).grown(kTouching * tree_->size));
+    }
+    for (const std::array<int, 2>& pair : overlapping_pairs(boxes)) {
+      const Convex& a = pieces_[at(pair[0])];
+      const Convex& b = pieces_[at(pair[1])];
+      if (signed_distance(a, {}, b, {}).distance <= kTouching * tree_->size) touching_.push_back(pair);
+    }
+  });
+}
+
+const std::vector<Convex>& MeshSolid::pieces() const {
+  decompose_once();
+  return pieces_;
+}
+
+const std::vector<std::array<int, 2>>& MeshSolid::touching_pieces() const {
+  decompose_once();
+  return touching_;
+}
+
+const WindingNumber& MeshSolid::winding() const {
+  std::call_once(has_winding_, [this] { winding_ = std::make_unique<const WindingNumber>(*mesh_); });
+  return *winding_;
+}
+
+std::shared_ptr<const MeshSolid> solid_of(const Mesh& mesh) {
+  return mesh.solid ? mesh.solid : std::make_shared<const MeshSolid>(mesh.mesh, mesh.tree);
+}
+
+}  // namespace rigor

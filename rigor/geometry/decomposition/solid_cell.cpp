@@ -1,0 +1,202 @@
+#include "rigor/geometry/decomposition/solid_cell.hpp"
+
+#include "rigor/core/index.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rigor {
+namespace {
+
+/// Room between the mesh and the first cell, as a part of the mesh's size.
+constexpr double kMargin = 0.1;
+/// A face at this angle to a plane lies in it [rad].
+constexpr double kParallel = 1e-9;
+
+/// The new side of both cells: the corners that the cut left on the plane, sorted around their middle.
+ConvexPolygon cut_face(const std::vector<ConvexPolygon>& sides, const CutPlane& plane, double tolerance) {
+  ConvexPolygon points;
+  for (const ConvexPolygon& side : sides) {
+    for (const Vec3& p : side) {
+      const auto is_same = [&](const Vec3& q) { return (p - q).norm() <= tolerance; };
+      if (std::abs(plane.height(p)) > tolerance) continue;
+      if (std::none_of(points.begin(), points.end(), is_same)) points.push_back(p);
+    }
+  }
+  if (points.size() < 3) return {};
+  Vec3 middle = Vec3::Zero();
+  for (const Vec3& p : points) middle += p / static_cast<double>(points.size());
+  const Vec3 x = plane.normal.unitOrthogonal(), y = plane.normal.cross(x);
+  const auto angle = [&](const Vec3& p) { return std::atan2(y.dot(p - middle), x.dot(p - middle)); };
+  std::sort(points.begin(), points.end(), [&](const Vec3& p, const Vec3& q) { return angle(p) < angle(q); });
+  return points;
+}
+
+void cut_sides(const SolidCell& cell, const CutPlane& plane, double tolerance,
+               std::array<SolidCell, 2>& result) {
+  for (const ConvexPolygon& side : cell.sides) {
+    PolygonParts parts = cut_polygon(side, plane, tolerance);
+    if (!parts.back.empty()) result[0].sides.push_back(std::move(parts.back));
+    if (!parts.front.empty()) result[1].sides.push_back(std::move(parts.front));
+  }
+  ConvexPolygon face = cut_face(result[0].sides, plane, tolerance);
+  if (face.empty()) return;
+  result[1].sides.emplace_back(face.rbegin(), face.rend());
+  result[0].sides.push_back(std::move(face));
+}
+
+void cut_fragments(const SolidCell& cell, const CutPlane& plane, const FacePlanes& planes,
+                   std::array<SolidCell, 2>& result) {
+  for (const SurfaceFragment& fragment : cell.fragments) {
+    PolygonParts parts = cut_polygon(fragment.polygon, plane, planes.tolerance);
+    if (parts.is_in_plane) {
+      // The solid is behind the fragment.
+      const bool faces_front = planes.planes[at(fragment.plane)].plane.normal.dot(plane.normal) > 0;
+      result[faces_front ? 0 : 1].fragments.push_back(fragment);
+    }
+    if (!parts.back.empty()) result[0].fragments.push_back({fragment.plane, std::move(parts.back)});
+    if (!parts.front.empty()) result[1].fragments.push_back({fragment.plane, std::move(parts.front)});
+  }
+}
+
+/// A notch in the plane goes to the sides on which both its faces are.
+void cut_notches(const SolidCell& cell, const CutPlane& plane, double tolerance,
+                 std::array<SolidCell, 2>& result) {
+  for (const Notch& notch : cell.notches) {
+    const double hp = plane.height(notch.p), hq = plane.height(notch.q);
+    if (std::abs(hp) <= tolerance && std::abs(hq) <= tolerance) {
+      const int side = side_of_faces(notch, plane);
+      if (side != 0) result[side > 0 ? 1 : 0].notches.push_back(notch);
+    } else if (hp <= tolerance && hq <= tolerance) {
+      result[0].notches.push_back(notch);
+    } else if (hp >= -tolerance && hq >= -tolerance) {
+      result[1].notches.push_back(notch);
+    } else {
+      const Vec3 middle = notch.p + hp / (hp - hq) * (notch.q - notch.p);
+      Notch behind = notch, ahead = notch;
+      (hp < 0 ? behind.q : behind.p) = middle;
+      (hp < 0 ? ahead.p : ahead.q) = middle;
+      result[0].notches.push_back(behind);
+      result[1].notches.push_back(ahead);
+    }
+  }
+}
+
+/// Corners of the cell, each once, and their mean.
+std::vector<Vec3> corners_of(const SolidCell& cell, double tolerance) {
+  std::vector<Vec3> corners;
+  for (const ConvexPolygon& side : cell.sides) {
+    for (const Vec3& p : side) {
+      const auto is_same = [&](const Vec3& q) { return (p - q).norm() <= tolerance; };
+      if (std::none_of(corners.begin(), corners.end(), is_same)) corners.push_back(p);
+    }
+  }
+  return corners;
+}
+
+}  // namespace
+
+SolidCell make_whole_cell(const TriangleMesh& mesh, const FacePlanes& planes) {
+  Vec3 lower = mesh.vertices[0], upper = lower;
+  for (const Vec3& v : mesh.vertices) {
+    lower = lower.cwiseMin(v);
+    upper = upper.cwiseMax(v);
+  }
+  lower.array() -= kMargin * planes.size;
+  upper.array() += kMargin * planes.size;
+  const auto corner = [&](int i) {
+    return Vec3((i & 1) ? upper.x() : lower.x(), (i & 2) ? upper.y() : lower.y(),
+                (i & 4) ? upper.z() : lower.z());
+  };
+  SolidCell cell;
+  for (const std::array<int, 4>& loop : {std::array<int, 4>{0, 2, 3, 1},
+                                         {4, 5, 7, 6},
+                                         {0, 1, 5, 4},
+                                         {2, 6, 7, 3},
+                                         {0, 4, 6, 2},
+                                         {1, 3, 7, 5}}) {
+    cell.sides.push_back({corner(loop[0]), corner(loop[1]), corner(loop[2]), corner(loop[3])});
+  }
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const std::array<int, 3>& c = mesh.triangles[t];
+    cell.fragments.push_back(
+        {planes.plane_of[t], {mesh.vertices[at(c[0])], mesh.vertices[at(c[1])], mesh.vertices[at(c[2])]}});
+  }
+  cell.notches = planes.notches;
+  return cell;
+}
+
+int side_of_faces(const Notch& notch, const CutPlane& plane) {
+  const double first = plane.normal.dot(notch.in_face[0]), second = plane.normal.dot(notch.in_face[1]);
+  if (first > kParallel && second > kParallel) return 1;
+  return first < -kParallel && second < -kParallel ? -1 : 0;
+}
+
+std::array<SolidCell, 2> cut_cell(const SolidCell& cell, const CutPlane& plane, const FacePlanes& planes) {
+  std::array<SolidCell, 2> result;
+  cut_sides(cell, plane, planes.tolerance, result);
+  cut_fragments(cell, plane, planes, result);
+  cut_notches(cell, plane, planes.tolerance, result);
+  return result;
+}
+
+std::vector<Vec3> solid_points(const SolidCell& cell, const WindingNumber& winding, double tolerance) {
+  std::vector<Vec3> points;
+  for (const SurfaceFragment& fragment : cell.fragments) {
+    points.insert(points.end(), fragment.polygon.begin(), fragment.polygon.end());
+  }
+  const auto comes_before = [](const Vec3& p, const Vec3& q) {
+    return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end());
+  };
+  std::sort(points.begin(), points.end(), comes_before);
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+
+  const std::vector<Vec3> corners = corners_of(cell, tolerance);
+  Vec3 middle = Vec3::Zero();
+  for (const Vec3& p : corners) middle += p / static_cast<double>(corners.size());
+  for (const Vec3& p : corners) {
+    // On the surface: a fragment has this corner. Otherwise a point nearer to it than the surface decides.
+    double room = (middle - p).norm();
+    for (const SurfaceFragment& f : cell.fragments) room = std::min(room, polygon_distance(f.polygon, p));
+    if (room <= tolerance) continue;
+    if (winding(p + 0.5 * room * (middle - p).normalized()) >= 1) points.push_back(p);
+  }
+  return points;
+}
+
+std::vector<int> planes_of(const SolidCell& cell) {
+  std::vector<int> used;
+  for (const SurfaceFragment& fragment : cell.fragments) used.push_back(fragment.plane);
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  return used;
+}
+
+std::vector<int> conflict_planes(const SolidCell& cell, const std::vector<Vec3>& points,
+                                 const FacePlanes& planes) {
+  std::vector<int> result;
+  for (const int i : planes_of(cell)) {
+    const FacePlanes::Plane& p = planes.planes[at(i)];
+    const auto stands_out = [&](const Vec3& point) { return p.plane.height(point) > p.slack; };
+    if (std::any_of(points.begin(), points.end(), stands_out)) result.push_back(i);
+  }
+  return result;
+}
+
+double shallow_excess(const SolidCell& cell, const std::vector<Vec3>& points, const FacePlanes& planes,
+                      const WindingNumber& winding) {
+  Vec3 middle = Vec3::Zero();
+  for (const Vec3& p : points) middle += p / static_cast<double>(points.size());
+  double depth = std::numeric_limits<double>::infinity(), highest = 0, farthest = 0;
+  for (const int i : planes_of(cell)) {
+    const FacePlanes::Plane& p = planes.planes[at(i)];
+    depth = std::min(depth, -p.fit - p.plane.height(middle));
+    for (const Vec3& point : points) highest = std::max(highest, p.plane.height(point) + p.fit);
+  }
+  for (const Vec3& point : points) farthest = std::max(farthest, (point - middle).norm());
+  if (!(depth > 0) || winding(middle) < 1) return std::numeric_limits<double>::infinity();
+  return farthest * highest / (highest + depth);
+}
+
+}  // namespace rigor

@@ -1,0 +1,130 @@
+#include "rigor/geometry/distance/distance.hpp"
+
+#include "rigor/core/assert.hpp"
+#include "rigor/geometry/convex/convex_distance.hpp"
+#include "rigor/geometry/distance/cavity_distance.hpp"
+#include "rigor/geometry/distance/mesh_distance.hpp"
+#include "rigor/geometry/distance/mesh_pair_distance.hpp"
+#include "rigor/geometry/shape/convex_hull.hpp"
+#include "rigor/geometry/shape/support.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <compare>
+#include <limits>
+#include <span>
+
+namespace rigor {
+namespace {
+
+std::partial_ordering order(std::span<const double> a, std::span<const double> b) {
+  return std::lexicographical_compare_three_way(a.begin(), a.end(), b.begin(), b.end());
+}
+
+std::span<const double> numbers(const Vec3& v) {
+  return {v.data(), 3};
+}
+std::span<const double> numbers(const Mat3& m) {
+  return {m.data(), 9};
+}
+
+/// Any total order of the sizes of two shapes of the same type.
+struct OrderOfSizes {
+  const Shape& other;
+  template <class T>
+  const T& rhs() const {
+    return *std::get_if<T>(&other);
+  }
+
+  std::partial_ordering operator()(const Sphere& a) const { return a.radius <=> rhs<Sphere>().radius; }
+  std::partial_ordering operator()(const Box& a) const {
+    return order(numbers(a.half_extents), numbers(rhs<Box>().half_extents));
+  }
+  std::partial_ordering operator()(const Ellipsoid& a) const {
+    return order(numbers(a.radii), numbers(rhs<Ellipsoid>().radii));
+  }
+  std::partial_ordering operator()(const Capsule& a) const { return by_radius_and_length(a); }
+  std::partial_ordering operator()(const Cylinder& a) const { return by_radius_and_length(a); }
+  std::partial_ordering operator()(const Cone& a) const { return by_radius_and_length(a); }
+  std::partial_ordering operator()(const Convex& a) const {
+    const ConvexHull& hull_a = *a.hull;
+    const ConvexHull& hull_b = *rhs<Convex>().hull;
+    if (&hull_a == &hull_b) return std::partial_ordering::equivalent;
+    return order({hull_a.vertices[0].data(), 3 * hull_a.vertices.size()},
+                 {hull_b.vertices[0].data(), 3 * hull_b.vertices.size()});
+  }
+  std::partial_ordering operator()(const HalfSpace&) const { return std::partial_ordering::equivalent; }
+  std::partial_ordering operator()(const Cavity&) const { return std::partial_ordering::equivalent; }
+  std::partial_ordering operator()(const Mesh& a) const { return compare_meshes(a, rhs<Mesh>()) <=> 0; }
+
+  template <class T>
+  std::partial_ordering by_radius_and_length(const T& a) const {
+    const T& b = rhs<T>();
+    return a.radius != b.radius ? a.radius <=> b.radius : a.half_length <=> b.half_length;
+  }
+};
+
+/// What is unbounded comes first, then meshes, then the others by type.
+int rank_of(const Shape& shape) {
+  if (is_unbounded(shape)) return -2;
+  if (std::holds_alternative<Mesh>(shape)) return -1;
+  return static_cast<int>(shape.index());
+}
+
+/// Whether (b, a) is the order in which the pair is computed, so that (a, b) and (b, a) give the same bits.
+bool is_swapped(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB) {
+  const int rank_a = rank_of(a);
+  const int rank_b = rank_of(b);
+  if (rank_a != rank_b) return rank_b < rank_a;
+  const std::partial_ordering sizes = std::visit(OrderOfSizes{b}, a);
+  if (sizes != 0) return sizes > 0;
+  const std::partial_ordering places = order(numbers(X_WA.p), numbers(X_WB.p));
+  return places != 0 ? places > 0 : order(numbers(X_WA.R), numbers(X_WB.R)) > 0;
+}
+
+/// A half-space can be left along its normal only: exact with one support point.
+DistanceResult plane_distance(const HalfSpace& plane, const Pose& X_WA, const Shape& b, const Pose& X_WB) {
+  RIGOR_ASSERT(!is_unbounded(b));
+  const Mat3 R_AW = X_WA.R.transpose();
+  const Pose X_AB{R_AW * X_WB.R, R_AW * (X_WB.p - X_WA.p)};
+  const Vec3 p_BP = support_point(b, X_AB.R.transpose() * -plane.normal);
+  const Vec3 p_AP = X_AB * p_BP;
+  const double distance = plane.normal.dot(p_AP) - plane.offset;
+  const double size = X_AB.p.norm() + radius_about(b, Vec3::Zero()) + std::abs(plane.offset);
+  const double rounding = 10 * std::numeric_limits<double>::epsilon() * size;
+  const Vec3 n_W = X_WA.R * plane.normal;
+  const Vec3 p_WA = X_WA * (p_AP - distance * plane.normal);
+  return {distance, distance - rounding, distance + rounding, p_WA, p_WA + distance * n_W, n_W};
+}
+
+DistanceResult ordered_distance(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB) {
+  if (const HalfSpace* const plane = std::get_if<HalfSpace>(&a)) return plane_distance(*plane, X_WA, b, X_WB);
+  if (const Cavity* const cavity = std::get_if<Cavity>(&a)) return cavity_distance(*cavity, X_WA, b, X_WB);
+  const Mesh* const mesh = std::get_if<Mesh>(&a);
+  const Mesh* const other = std::get_if<Mesh>(&b);
+  if (mesh != nullptr && other != nullptr) return mesh_pair_signed_distance(*mesh, X_WA, *other, X_WB);
+  if (mesh != nullptr) return mesh_signed_distance(*mesh, X_WA, b, X_WB);
+  return convex_distance(make_core(a), X_WA, make_core(b), X_WB);
+}
+
+bool is_placed(const Pose& X_WA, const Pose& X_WB) {
+  return std::isfinite((X_WB.p - X_WA.p).squaredNorm() + X_WA.R.sum() + X_WB.R.sum());
+}
+
+DistanceResult unknown_distance() {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return {infinity, -infinity, infinity, Vec3::Zero(), Vec3::Zero(), Vec3::UnitZ()};
+}
+
+}  // namespace
+
+DistanceResult signed_distance(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB) {
+  if (!is_placed(X_WA, X_WB)) return unknown_distance();
+  if (!is_swapped(a, X_WA, b, X_WB)) return ordered_distance(a, X_WA, b, X_WB);
+  DistanceResult result = ordered_distance(b, X_WB, a, X_WA);
+  std::swap(result.p_WA, result.p_WB);
+  result.n_W = -result.n_W;
+  return result;
+}
+
+}  // namespace rigor

@@ -1,0 +1,175 @@
+#include "rigor/geometry/distance/mesh_distance.hpp"
+
+#include "rigor/core/assert.hpp"
+#include "rigor/core/index.hpp"
+#include "rigor/geometry/convex/convex_distance.hpp"
+#include "rigor/geometry/mesh/mesh_point.hpp"
+#include "rigor/geometry/mesh/triangle_tree.hpp"
+#include "rigor/geometry/shape/convex_hull.hpp"
+#include "rigor/geometry/shape/support.hpp"
+#include "rigor/geometry/shape/triangle_mesh.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace rigor {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Signed distance of two boxes: no shapes inside them can be closer, nor need more than its negative to come
+/// apart.
+double box_distance(const Aabb& a, const Aabb& b) {
+  const Vec3 gaps = (a.lower - b.upper).cwiseMax(b.lower - a.upper);
+  const double largest = gaps.maxCoeff();
+  return largest <= 0 ? largest : gaps.cwiseMax(0.0).norm();
+}
+
+/// A point inside the shape, in S.
+Vec3 inner_point(const Shape& shape) {
+  const Convex* convex = std::get_if<Convex>(&shape);
+  if (convex == nullptr) return Vec3::Zero();
+  Vec3 sum = Vec3::Zero();
+  for (const Vec3& vertex : convex->hull->vertices) sum += vertex;
+  return sum / static_cast<double>(convex->hull->vertices.size());
+}
+
+/// Branch and bound for the triangle with the least signed distance.
+class NearestTriangle {
+ public:
+  NearestTriangle(const Mesh& mesh, const Pose& X_WM, const Shape& b, const Pose& X_WB)
+      : mesh_(mesh),
+        X_WM_(X_WM),
+        X_WB_(X_WB),
+        core_(make_core(b)),
+        box_M_(axis_aligned_box(b, X_WM.inverse() * X_WB)),
+        center_M_(X_WM.inverse() * (X_WB * inner_point(b))),
+        radius_(radius_about(b, inner_point(b))),
+        rounding_(16 * std::numeric_limits<double>::epsilon() *
+                  (mesh.tree->size + center_M_.norm() + radius_)) {
+    best_.distance = best_.lower = best_.upper = kInfinity;
+    best_.p_WA = best_.p_WB = X_WM.p;
+    best_.n_W = Vec3::UnitZ();
+    if (!mesh.tree->nodes.empty()) search(0);
+    // What was passed over may be closer by the rounding of the bounds.
+    best_.lower = std::min(best_.lower, best_.distance - 2 * rounding_);
+  }
+
+  const DistanceResult& result() const { return best_; }
+
+ private:
+  /// Nothing in the box can be closer than the best so far: by its bound, or because the plane through the
+  /// shape's point nearest to the best triangle keeps it away.
+  bool is_too_far(const Aabb& box) const {
+    const Vec3 half = 0.5 * (box.upper - box.lower);
+    const double top = n_M_.dot(box.lower + half) + n_M_.cwiseAbs().dot(half);
+    return std::max(bound(box), lowest_ - top) >= best_.distance - rounding_;
+  }
+
+  /// No triangle in the box has a smaller signed distance: from the box of the shape and from its ball.
+  double bound(const Aabb& box) const {
+    const double from_center = (box.lower - center_M_).cwiseMax(center_M_ - box.upper).cwiseMax(0.0).norm();
+    return std::max(box_distance(box, box_M_), from_center - radius_);
+  }
+
+  void search(std::size_t index) {
+    const TriangleTree& tree = *mesh_.tree;
+    const TriangleTree::Node& node = tree.nodes[index];
+    if (is_too_far(node.box)) return;
+    for (int k = 0; k < node.count; ++k) try_triangle(tree.order[at(node.first + k)]);
+    if (node.count > 0) return;
+    const std::size_t left = index + 1, right = at(node.first);
+    const bool left_first = bound(tree.nodes[left].box) <= bound(tree.nodes[right].box);
+    search(left_first ? left : right);
+    search(left_first ? right : left);
+  }
+
+  void try_triangle(int t) {
+    std::array<Vec3, 3> corners;
+    Aabb box{Vec3::Constant(kInfinity), Vec3::Constant(-kInfinity)};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int v = mesh_.mesh->triangles[at(t)][k];
+      corners[k] = mesh_.mesh->vertices[at(v)];
+      box = box.united({corners[k], corners[k]});
+    }
+    if (is_too_far(box)) return;
+    const DistanceResult d = convex_distance(make_points_core(corners), X_WM_, core_, X_WB_);
+    const double lower = std::min(best_.lower, d.lower);
+    const double upper = std::min(best_.upper, d.upper);
+    if (d.distance < best_.distance) {
+      best_ = d;
+      n_M_ = X_WM_.R.transpose() * d.n_W;
+      const Vec3 n_B = X_WB_.R.transpose() * d.n_W;
+      const Vec3 p_WB = X_WB_ * core_support(core_, -n_B).p - core_.radius * d.n_W;
+      lowest_ = n_M_.dot(X_WM_.inverse() * p_WB);
+    }
+    best_.lower = lower;
+    best_.upper = upper;
+  }
+
+  const Mesh& mesh_;
+  const Pose& X_WM_;
+  const Pose& X_WB_;
+  const ConvexCore core_;
+  const Aabb box_M_;
+  const Vec3 center_M_;
+  const double radius_;
+  const double rounding_;
+  DistanceResult best_;
+  Vec3 n_M_ = Vec3::Zero();     ///< Normal of the best.
+  double lowest_ = -kInfinity;  ///< Height of the shape's lowest point along it [m].
+};
+
+/// Least height of the vertices over the plane.
+DistanceResult plane_distance(const Mesh& mesh, const Pose& X_WM, const HalfSpace& plane, const Pose& X_WB) {
+  const Vec3 n_W = X_WB.R * plane.normal;
+  const double offset = plane.offset + n_W.dot(X_WB.p - X_WM.p);
+  const Vec3 n_M = X_WM.R.transpose() * n_W;
+  double least = kInfinity;
+  Vec3 p_M = Vec3::Zero();
+  for (const Vec3& vertex : mesh.mesh->vertices) {
+    const double height = n_M.dot(vertex) - offset;
+    if (height >= least) continue;
+    least = height;
+    p_M = vertex;
+  }
+  const double rounding = 16 * std::numeric_limits<double>::epsilon() *
+                          (p_M.norm() + std::abs(plane.offset) + X_WM.p.norm() + X_WB.p.norm());
+  const Vec3 p_WA = X_WM * p_M;
+  return {least, least - rounding, least + rounding, p_WA, p_WA - least * n_W, -n_W};
+}
+
+/// Minus the way that the shape must go along the outward normal of the surface point nearest to its centre
+/// (which lies inside the mesh) until it is past that point.
+DistanceResult distance_from_inside(const MeshPoint& nearest, const Vec3& c_M, const Pose& X_WM,
+                                    const Shape& b, const Pose& X_WB) {
+  const bool is_on_surface = !(nearest.distance > 0);
+  const Vec3 n_M =
+      is_on_surface ? nearest.normal_M.normalized() : ((nearest.p_M - c_M) / nearest.distance).eval();
+  const Vec3 n_W = X_WM.R * n_M;
+  const Vec3 p_WB = X_WB * support_point(b, -(X_WB.R.transpose() * n_W));
+  const Vec3 p_WM = X_WM * nearest.p_M;
+  const double distance = n_W.dot(p_WB - p_WM);
+  const double rounding =
+      16 * std::numeric_limits<double>::epsilon() * (p_WB.norm() + p_WM.norm() + nearest.p_M.norm());
+  return {distance, distance - rounding, distance + rounding, p_WB - distance * n_W, p_WB, n_W};
+}
+
+}  // namespace
+
+DistanceResult mesh_signed_distance(const Mesh& mesh, const Pose& X_WM, const Shape& b, const Pose& X_WB) {
+  RIGOR_ASSERT(mesh.tree != nullptr && !std::holds_alternative<Mesh>(b));
+  if (const HalfSpace* plane = std::get_if<HalfSpace>(&b)) return plane_distance(mesh, X_WM, *plane, X_WB);
+
+  if (mesh.tree->is_closed) {
+    const Vec3 c_M = X_WM.inverse() * (X_WB * inner_point(b));
+    const MeshPoint nearest = nearest_mesh_point(mesh, c_M);
+    const bool is_inside = (c_M - nearest.p_M).dot(nearest.normal_M) < 0;
+    if (is_inside) return distance_from_inside(nearest, c_M, X_WM, b, X_WB);
+  }
+  return NearestTriangle(mesh, X_WM, b, X_WB).result();
+}
+
+}  // namespace rigor

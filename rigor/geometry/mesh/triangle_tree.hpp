@@ -1,0 +1,66 @@
+#pragma once
+
+#include "rigor/geometry/mesh/wide_tree.hpp"
+#include "rigor/geometry/shape/aabb.hpp"
+#include "rigor/geometry/shape/shape.hpp"
+#include "rigor/geometry/shape/triangle_mesh.hpp"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace rigor {
+
+/// What lies across an edge of a triangle, or around a corner of it.
+enum class MeshEdgeKind : std::uint8_t {
+  boundary,  ///< No neighbour, or more than one.
+  flat,      ///< The neighbour lies in the same plane: not an edge of the surface at all.
+  convex,    ///< The surface bends away.
+  concave,   ///< The surface bends inwards: nothing convex can touch it there without touching the faces
+             ///< first.
+};
+
+/// Hierarchy of boxes over the triangles of a mesh, and what neighbouring triangles make of each edge and
+/// corner. Immutable once built; everything is in the mesh's frame.
+struct TriangleTree {
+  struct Node {
+    Aabb box;
+    int first =
+        0;  ///< Leaf: first entry of `order`. Inner node: its right child; the left child is the next node.
+    int count = 0;  ///< Triangles of a leaf; 0 for an inner node.
+  };
+  struct Triangle {
+    Vec3 normal = Vec3::Zero();          ///< Unit, outward; zero if the triangle has no area.
+    std::array<int, 3> neighbour{};      ///< Triangle across the edge from corner k to k + 1, or -1.
+    std::array<MeshEdgeKind, 3> edge{};  ///< The kind of that edge.
+    std::array<bool, 3>
+        is_patch_corner{};  ///< Corner k is a corner of the flat patch, not on a straight side or inside.
+    int patch = 0;          ///< Least index of the triangles joined to this one by flat edges.
+  };
+
+  WideTree wide;                     ///< For mesh against mesh.
+  std::vector<Node> nodes;           ///< Root first; empty for an empty mesh.
+  std::vector<int> order;            ///< Triangle indices, leaf by leaf; those without area are left out.
+  std::vector<Triangle> triangles;   ///< One a triangle of the mesh.
+  std::vector<Vec3> vertex_normals;  ///< Sums of normals weighted by angle, for the sign of a distance.
+  std::vector<std::vector<int>> vertex_triangles;  ///< Triangles about each vertex, ascending.
+  std::vector<double> patch_areas;  ///< Of each flat patch at its least triangle [m²]; 0 elsewhere.
+  std::vector<int> shell_vertices;  ///< One vertex of each part that hangs together by edges.
+  std::vector<bool>
+      is_crease_corner;  ///< Vertex where creases end or bend: not inside a flat patch or a straight crease.
+  bool is_closed =
+      false;        ///< Every edge has exactly two triangles, which run through it in opposite directions.
+  double size = 0;  ///< Longest side of the box of all [m].
+
+  /// Triangles whose boxes overlap the box, ascending.
+  std::vector<int> overlapping(const Aabb& box) const;
+};
+
+/// Builds the hierarchy by the surface-area heuristic on binned centres.
+///
+/// Source: Wald, On Fast Construction of SAH-based Bounding Volume Hierarchies, IEEE Symposium on Interactive
+/// Ray Tracing, 2007.
+std::shared_ptr<const TriangleTree> make_triangle_tree(const TriangleMesh& mesh);
+
+}  // namespace rigor

@@ -1,0 +1,90 @@
+#include "rigor/geometry/motion/mesh_advance.hpp"
+
+#include "rigor/core/assert.hpp"
+#include "rigor/geometry/distance/mesh_pair.hpp"
+#include "rigor/geometry/mesh/triangle_pair.hpp"
+#include "rigor/geometry/mesh/triangle_tree.hpp"
+#include "rigor/geometry/motion/mesh_convex_advance.hpp"
+#include "rigor/geometry/motion/parting_step.hpp"
+#include "rigor/geometry/shape/support.hpp"
+#include "rigor/geometry/shape/triangle_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rigor {
+namespace {
+
+double turning_speed(const MovingShape& moving) {
+  const double radius = radius_about(*moving.shape, Vec3::Zero());
+  return moving.motion->max_angular_speed() * turning_radius(*moving.shape, moving.X_BS, radius);
+}
+
+/// How long two triangles near each other are known to go on.
+double safe_triangle_step(const MovingTriangle& a, const MovingTriangle& b, const MeshAdvance& from,
+                          double span) {
+  const TriangleDistance found = triangle_distance(a.corners_W, b.corners_W);
+  const bool is_meeting = found.squared <= from.touch * from.touch;
+  PartingStep parting(a.part.core(), b.part.core(), from, span);
+  const auto try_direction = [&](const Vec3& n_W) {
+    parting.try_direction(n_W, b.place(n_W) + a.place(-n_W), is_meeting);
+  };
+  if (!is_meeting) {
+    const auto [p, q] = nearest_points(a.corners_W, b.corners_W, found.feature);
+    try_direction((q - p).stableNormalized());
+  }
+  for (const Vec3& n_W : from.n_W) try_direction(n_W);
+  try_direction(a.normal_W);
+  try_direction(-b.normal_W);
+  return parting.step();
+}
+
+}  // namespace
+
+double ClosingBound::time_for(double distance) const {
+  // speed τ + ½ acceleration τ² = distance, by the root without cancellation.
+  if (distance <= 0) return 0;
+  const double root = speed + std::sqrt(speed * speed + 2 * acceleration * distance);
+  return root > 0 ? 2 * distance / root : std::numeric_limits<double>::infinity();
+}
+
+ClosingBound closing_bound(const MovingShape& A, const MovingShape& B, double t, double t_end) {
+  double acceleration = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double sign : {-1.0, 1.0}) {
+      const Vec3 d = sign * Vec3::Unit(axis);
+      acceleration += std::max(0.0, -(B.motion->min_acceleration_along(d, t, t_end) +
+                                      A.motion->min_acceleration_along(-d, t, t_end)));
+    }
+  }
+  const double speed = (B.motion->velocity(t) - A.motion->velocity(t)).norm();
+  return {speed + turning_speed(A) + turning_speed(B), acceleration};
+}
+
+double safe_mesh_step(const MovingShape& A, const MovingShape& B, const MeshAdvance& from) {
+  const Mesh* a = std::get_if<Mesh>(A.shape);
+  const Mesh* b = std::get_if<Mesh>(B.shape);
+  RIGOR_ASSERT(a != nullptr && a->tree != nullptr && (b == nullptr || b->tree != nullptr));
+  if (b == nullptr) return safe_mesh_convex_step(A, B, from);
+  double step = from.t_end - from.t;
+  const ClosingBound closing = closing_bound(A, B, from.t, from.t_end);
+  // Far apart, many pairs are about as near as the nearest: their common bound will do.
+  constexpr double far = 0.05, near = 0.01;
+  const double size = std::min(a->tree->size, b->tree->size);
+  if (from.distance > far * size) return std::min(step, closing.time_for(from.distance));
+
+  const double reach = std::max(1.5 * from.distance, near * size);
+  step = std::min(step, closing.time_for(reach));
+  const RigidMotion::Sample body_A = A.motion->sample(from.t), body_B = B.motion->sample(from.t);
+  const Pose X_AB = relative_pose(body_A.X_WB * A.X_BS, body_B.X_WB * B.X_BS);
+  const double travel = step * (closing.speed + 0.5 * closing.acceleration * step);
+  for (const auto& [t, u] : find_near_triangles(*a, *b, X_AB, travel + from.touch)) {
+    if (step <= 0) break;
+    const MovingTriangle of_A(A, body_A, t), of_B(B, body_B, u);
+    step = std::min(step, safe_triangle_step(of_A, of_B, from, step));
+  }
+  return step;
+}
+
+}  // namespace rigor

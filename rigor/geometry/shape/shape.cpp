@@ -1,0 +1,25 @@
+#include "rigor/geometry/shape/shape.hpp"
+
+namespace rigor {
+
+const char* shape_type_name(const Shape& shape) {
+  struct Name {
+    const char* operator()(const Sphere&) const { return "sphere"; }
+    const char* operator()(const Box&) const { return "box"; }
+    const char* operator()(const Capsule&) const { return "capsule"; }
+    const char* operator()(const Cylinder&) const { return "cylinder"; }
+    const char* operator()(const Cone&) const { return "cone"; }
+    const char* operator()(const Ellipsoid&) const { return "ellipsoid"; }
+    const char* operator()(const HalfSpace&) const { return "plane"; }
+    const char* operator()(const Cavity&) const { return "cavity"; }
+    const char* operator()(const Convex&) const { return "convex"; }
+    const char* operator()(const Mesh&) const { return "mesh"; }
+  };
+  return std::visit(Name{}, shape);
+}
+
+bool is_unbounded(const Shape& shape) {
+  return std::holds_alternative<HalfSpace>(shape) || std::holds_alternative<Cavity>(shape);
+}
+
+}  // namespace rigor

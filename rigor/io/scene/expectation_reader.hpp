@@ -1,0 +1,17 @@
+#pragma once
+
+#include "rigor/io/scene/object_reader.hpp"
+#include "rigor/io/scene/scene_reader.hpp"
+
+#include <vector>
+
+namespace rigor {
+
+/// The places that the scene expects its bodies at. Whether the bodies exist is checked later.
+std::vector<ExpectedPlace> read_expectations(const ObjectReader& scene);
+
+/// Tells names that are not those of dynamic bodies.
+void check_expectations(const ObjectReader& scene, const std::vector<ExpectedPlace>& expected,
+                        const Model& model);
+
+}  // namespace rigor

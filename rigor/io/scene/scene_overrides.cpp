@@ -1,0 +1,138 @@
+#include "rigor/io/scene/scene_overrides.hpp"
+
+#include "rigor/core/index.hpp"
+#include "rigor/core/input_error.hpp"
+#include "rigor/core/quoted.hpp"
+#include "rigor/core/suggestion.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace rigor {
+
+namespace {
+
+/// A step down the path: the entry's index in its list or map, and the path below it.
+struct Step {
+  std::size_t index;
+  std::string_view rest;
+};
+
+std::string_view without_point(std::string_view path) {
+  return path.starts_with('.') ? path.substr(1) : path;
+}
+
+/// Whether the path goes through `name`, which may hold points itself.
+bool leads_through(std::string_view path, std::string_view name) {
+  if (!path.starts_with(name)) return false;
+  const std::string_view rest = path.substr(name.size());
+  return rest.empty() || rest[0] == '.' || rest[0] == '[';
+}
+
+class Override {
+ public:
+  Override(std::string where, YamlNode::Pointer value) : where_(std::move(where)), value_(std::move(value)) {}
+
+  /// Copy of the node with the value at the path below it.
+  YamlNode::Pointer applied(const YamlNode& node, std::string_view path) const {
+    if (path.empty()) return value_;
+    if (node.kind == YamlNode::Kind::list) return in_list(node, path);
+    if (node.kind == YamlNode::Kind::scalar) fail("there is nothing below " + quoted_text(node.text));
+    return in_map(node, path);
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& message) const { throw InputError(where_ + message); }
+
+  YamlNode::Pointer in_map(const YamlNode& node, std::string_view path) const {
+    const std::size_t end = path.find_first_of(".[");
+    const std::string_view key = path.substr(0, end);
+    const std::string_view rest = end == std::string_view::npos ? "" : without_point(path.substr(end));
+    if (key.empty()) fail("a key is empty");
+    const auto copy = std::make_shared<YamlNode>(node);
+    copy->kind = YamlNode::Kind::map;
+    for (YamlNode::Entry& entry : copy->entries) {
+      if (entry.key != key) continue;
+      entry.value = applied(*entry.value, rest);
+      return copy;
+    }
+    YamlNode missing;
+    missing.source = value_->source;
+    copy->entries.push_back({std::string(key), 0, 0, applied(missing, rest)});
+    return copy;
+  }
+
+  YamlNode::Pointer in_list(const YamlNode& node, std::string_view path) const {
+    std::optional<Step> step = by_name(node, path);
+    if (!step) step = by_index(node, path);
+    const auto copy = std::make_shared<YamlNode>(node);
+    copy->entries[step->index].value = applied(*node.entries[step->index].value, step->rest);
+    return copy;
+  }
+
+  static std::string_view name_of(const YamlNode::Entry& entry) {
+    const YamlNode::Entry* const name = entry.value->find("name");
+    return name && name->value->kind == YamlNode::Kind::scalar ? std::string_view(name->value->text) : "";
+  }
+
+  /// The entry with the longest name that fits: names may hold points.
+  static std::optional<Step> by_name(const YamlNode& node, std::string_view path) {
+    std::optional<Step> best;
+    std::size_t length = 0;
+    for (std::size_t i = 0; i < node.entries.size(); ++i) {
+      const std::string_view name = name_of(node.entries[i]);
+      if (name.size() <= length || !leads_through(path, name)) continue;
+      length = name.size();
+      best = Step{i, without_point(path.substr(length))};
+    }
+    return best;
+  }
+
+  Step by_index(const YamlNode& node, std::string_view path) const {
+    const bool has_bracket = path.starts_with('[');
+    const char* const begin = path.data() + (has_bracket ? 1 : 0);
+    const char* const path_end = path.data() + path.size();
+    std::size_t index = 0;
+    auto [end, error] = std::from_chars(begin, path_end, index);
+    const bool is_closed = !has_bracket || (end < path_end && *end == ']');
+    if (has_bracket && is_closed && error == std::errc()) ++end;
+    const bool is_end = end == path_end || *end == '.' || *end == '[';
+    if (error != std::errc() || !is_closed || !is_end) fail_name(node, path);
+    if (index >= node.entries.size()) {
+      fail("index " + std::to_string(index) + ", but the list has " + std::to_string(node.entries.size()) +
+           " entries (the first is 0)");
+    }
+    return {index, without_point(path.substr(at(end - path.data())))};
+  }
+
+  [[noreturn]] void fail_name(const YamlNode& node, std::string_view path) const {
+    std::vector<std::string> names;
+    for (const YamlNode::Entry& entry : node.entries) {
+      if (!name_of(entry).empty()) names.emplace_back(name_of(entry));
+    }
+    const std::string_view written = path.substr(0, path.find('.'));
+    fail("there is no " + quoted_text(written) + " in the list" + suggestion(written, names));
+  }
+
+  std::string where_;
+  YamlNode::Pointer value_;
+};
+
+}  // namespace
+
+YamlNode::Pointer with_override(const YamlNode::Pointer& root, const std::string& text, int source,
+                                const YamlSources& sources) {
+  const std::string where = sources.where(source, 0, 0);
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0) throw InputError(where + "must be KEY=VALUE");
+  const std::string_view path = std::string_view(text).substr(0, equals);
+  const auto steps = std::count_if(path.begin(), path.end(), [](char c) { return c == '.' || c == '['; });
+  if (steps >= YamlLimits{}.max_depth) throw InputError(where + "the key has too many parts");
+  const YamlNode::Pointer value = parse_yaml(text.substr(equals + 1), source, sources, false);
+  return Override(where, value).applied(*root, path);
+}
+
+}  // namespace rigor

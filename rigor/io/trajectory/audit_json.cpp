@@ -1,0 +1,118 @@
+#include "rigor/io/trajectory/audit_json.hpp"
+
+#include "rigor/core/index.hpp"
+#include "rigor/io/files/json_text.hpp"
+#include "rigor/io/files/version.hpp"
+#include "rigor/sim/method/method_use.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace rigor {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const Vec3& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+Json method_json(const Method& method) {
+  Json json = Json::object();
+  for (const std::string& key : method_choice_keys()) {
+    if (!uses_choice(method, key)) continue;
+    // Choices of later versions have no value yet.
+    const std::string value = method_choice(method, key);
+    if (!value.empty()) json[key] = value;
+  }
+  for (const MethodNumber& number : method_numbers()) json[std::string(number.key)] = method.*number.member;
+  return json;
+}
+
+Json penetration_json(const Audit& audit) {
+  const AdvanceReport& report = audit.report;
+  Json json = {{"max", report.max_penetration}, {"bodies", nullptr}, {"time", nullptr}};
+  if (report.penetration_A < 0 || report.penetration_B < 0) return json;
+  json["bodies"] = {audit.bodies[at(report.penetration_A)].name, audit.bodies[at(report.penetration_B)].name};
+  json["time"] = report.penetration_time;
+  return json;
+}
+
+Json joint_drift_json(const Audit& audit) {
+  const AdvanceReport& report = audit.report;
+  Json json = {
+      {"max", report.max_joint_drift}, {"joint", nullptr}, {"projected", report.max_joint_projection}};
+  if (report.drift_joint >= 0) json["joint"] = audit.joints[at(report.drift_joint)].name;
+  return json;
+}
+
+Json joints_json(const Audit& audit) {
+  Json json = Json::object();
+  for (const Audit::JointEnd& joint : audit.joints) {
+    json[joint.name] = {{"coordinates", joint.coordinates},
+                        {"rates", joint.rates},
+                        {"force", json_of(joint.force)},
+                        {"torque", json_of(joint.torque)}};
+  }
+  return json;
+}
+
+Json warnings_json(const Audit& audit) {
+  Json json = Json::array();
+  for (const std::string& violation : audit.violations)
+    json.push_back(fmt::format("violated: {}", violation));
+  for (const std::string& warning : audit.warnings) json.push_back(warning);
+  return json;
+}
+
+Json bodies_json(const Audit& audit) {
+  Json json = Json::object();
+  for (const Audit::BodyEnd& body : audit.bodies) {
+    const Quat& q = body.orientation;
+    json[body.name] = {{"position", json_of(body.position)},
+                       {"orientation", {q.w(), q.x(), q.y(), q.z()}},
+                       {"velocity", json_of(body.velocity)},
+                       {"angular_velocity", json_of(body.angular_velocity)}};
+  }
+  return json;
+}
+
+}  // namespace
+
+std::string audit_json(const Audit& audit) {
+  const AdvanceReport& report = audit.report;
+  Json json;
+  json["rigor"] = version;
+  json["scene"] = audit.scene;
+  json["method"] = method_json(audit.method);
+  if (!audit.scheme_reason.empty()) json["scheme_reason"] = audit.scheme_reason;
+  json["sim_time"] = audit.sim_time;
+  json["wall_time"] = audit.wall_time;
+  json["steps"] = report.steps;
+  json["events"] = {{"impacts", report.impacts},
+                    {"resting", report.resting},
+                    {"separations", report.separations},
+                    {"slip_to_stick", report.slip_to_stick}};
+  json["energy"] = {{"initial", audit.initial.total()},
+                    {"final", audit.final.total()},
+                    {"work", report.work},
+                    {"dissipated", audit.dissipated},
+                    {"max_increase", audit.max_increase}};
+  json["linear_momentum_error"] = audit.linear_momentum_error;
+  json["angular_momentum_error"] = audit.angular_momentum_error;
+  json["penetration"] = penetration_json(audit);
+  json["joint_drift"] = joint_drift_json(audit);
+  if (audit.method.sleeping) json["sleeping"] = audit.sleeping_count;
+  json["toi_bracket"] = report.toi_bracket;
+  json["solver"] = {{"max_residual", report.max_residual},
+                    {"max_iterations", report.max_iterations},
+                    {"fallbacks", report.fallbacks},
+                    {"coarse_steps", report.coarse_steps}};
+  json["warnings"] = warnings_json(audit);
+  json["bodies"] = bodies_json(audit);
+  if (!audit.joints.empty()) json["joints"] = joints_json(audit);
+  return json_text(json);
+}
+
+}  // namespace rigor

@@ -1,0 +1,197 @@
+#include "rigor/io/trajectory/checkpoint.hpp"
+
+#include "rigor/core/index.hpp"
+#include "rigor/core/input_error.hpp"
+#include "rigor/core/quoted.hpp"
+#include "rigor/io/files/output_file.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <fstream>
+#include <iterator>
+#include <string_view>
+#include <type_traits>
+
+namespace rigor {
+
+namespace {
+
+// Layout, all numbers little-endian of 8 bytes: magic, fingerprint, the audit's numbers in the order of
+// visit_numbers, its warnings and violations (count, then length and bytes of each), length and bytes of the
+// serialised State, and the FNV-1a hash of everything before it.
+constexpr std::string_view magic = "RIGORCP\x05";
+
+std::uint64_t checksum(std::string_view bytes) {
+  std::uint64_t hash = 14695981039346656037ull;
+  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ull;
+  return hash;
+}
+
+/// Every number of the books, named once for writing and for reading. Part is Audit or const Audit.
+template <typename Part, typename Visit>
+void visit_numbers(Part& audit, Visit visit) {
+  auto& report = audit.report;
+  visit(audit.sim_time), visit(audit.wall_time), visit(audit.max_increase);
+  for (auto* energy : {&audit.initial, &audit.final})
+    visit(energy->kinetic), visit(energy->potential), visit(energy->elastic);
+  visit(report.steps), visit(report.impacts), visit(report.resting), visit(report.separations);
+  visit(report.slip_to_stick), visit(report.distance_queries), visit(report.toi_bracket);
+  visit(report.max_penetration), visit(report.penetration_A), visit(report.penetration_B);
+  visit(report.penetration_time), visit(report.work), visit(report.impact_loss), visit(report.impact_gain);
+  visit(report.damping_loss), visit(report.friction_loss);
+  visit(report.projection_loss), visit(report.max_residual), visit(report.max_iterations),
+      visit(report.fallbacks), visit(report.coarse_steps);
+  visit(report.quaternion_drift), visit(report.max_joint_drift), visit(report.drift_joint);
+  visit(report.max_joint_projection);
+  for (auto* paradox : {&report.inconsistent, &report.indeterminate}) {
+    visit(paradox->instants), visit(paradox->body_A), visit(paradox->body_B), visit(paradox->first);
+  }
+  for (auto* error : {&report.momentum_error, &report.angular_momentum_error}) {
+    visit((*error)[0]), visit((*error)[1]), visit((*error)[2]);
+  }
+}
+
+class ByteWriter {
+ public:
+  const std::string& bytes() const { return bytes_; }
+  void write(std::uint64_t value) {
+    for (int shift = 0; shift < 64; shift += 8) bytes_.push_back(static_cast<char>(value >> shift));
+  }
+  void write_text(std::string_view text) {
+    write(static_cast<std::uint64_t>(text.size()));
+    bytes_ += text;
+  }
+  void write_texts(const std::vector<std::string>& texts) {
+    write(static_cast<std::uint64_t>(texts.size()));
+    for (const std::string& text : texts) write_text(text);
+  }
+
+ private:
+  std::string bytes_{magic};
+};
+
+/// Reads what ByteWriter wrote. The checksum has been compared, so only a bug could make it fall off the end;
+/// that too is an InputError.
+class ByteReader {
+ public:
+  ByteReader(std::string_view bytes, const std::string& name) : bytes_(bytes), name_(name) {}
+
+  std::uint64_t read() {
+    const std::string_view field = take(8);
+    std::uint64_t value = 0;
+    for (std::size_t i = 0; i < 8; ++i)
+      value |= std::uint64_t{static_cast<unsigned char>(field[i])} << (8 * i);
+    return value;
+  }
+  std::string_view read_text() { return take(read()); }
+  std::vector<std::string> read_texts() {
+    std::vector<std::string> texts;
+    for (std::uint64_t count = read(); count > 0; --count) texts.emplace_back(read_text());
+    return texts;
+  }
+
+ private:
+  std::string_view take(std::uint64_t length) {
+    if (length > bytes_.size()) throw InputError(name_ + ": the checkpoint is damaged");
+    const std::string_view part = bytes_.substr(0, at(length));
+    bytes_.remove_prefix(part.size());
+    return part;
+  }
+
+  std::string_view bytes_;
+  const std::string& name_;
+};
+
+std::string read_bytes(const std::filesystem::path& path) {
+  std::error_code ignored;
+  std::ifstream file(path, std::ios::binary);
+  if (!file || !std::filesystem::is_regular_file(path, ignored)) {
+    throw InputError(path.string() +
+                     ": the checkpoint cannot be read; there is no such file, or it is not a regular one");
+  }
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// What is between magic and checksum.
+std::string_view checked_content(std::string_view bytes, const std::string& name) {
+  if (!bytes.starts_with(magic)) throw InputError(name + ": this is not a checkpoint of this version");
+  if (bytes.size() < magic.size() + 8) throw InputError(name + ": the checkpoint is cut off");
+  const std::size_t end = bytes.size() - 8;
+  if (ByteReader(bytes.substr(end), name).read() != checksum(bytes.substr(0, end))) {
+    throw InputError(name + ": the checkpoint is damaged (its checksum is wrong)");
+  }
+  return bytes.substr(magic.size(), end - magic.size());
+}
+
+}  // namespace
+
+std::string checkpoint_bytes(const Checkpoint& checkpoint) {
+  ByteWriter writer;
+  writer.write(checkpoint.fingerprint);
+  visit_numbers(checkpoint.audit, [&](const auto& value) {
+    if constexpr (std::is_floating_point_v<std::decay_t<decltype(value)>>) {
+      writer.write(std::bit_cast<std::uint64_t>(value));
+    } else {
+      writer.write(static_cast<std::uint64_t>(value));
+    }
+  });
+  writer.write_texts(checkpoint.audit.warnings);
+  writer.write_texts(checkpoint.audit.violations);
+  const std::vector<unsigned char> state = serialise(checkpoint.state);
+  writer.write_text({reinterpret_cast<const char*>(state.data()), state.size()});
+  writer.write(checksum(writer.bytes()));
+  return writer.bytes();
+}
+
+void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
+  write_atomically(path, checkpoint_bytes(checkpoint));
+}
+
+Checkpoint read_checkpoint(const std::filesystem::path& path, std::uint64_t fingerprint) {
+  const std::string name = path.string(), bytes = read_bytes(path);
+  ByteReader reader(checked_content(bytes, name), name);
+  Checkpoint checkpoint;
+  checkpoint.fingerprint = reader.read();
+  if (checkpoint.fingerprint != fingerprint) {
+    throw InputError(
+        name +
+        ": this is a checkpoint of another simulation; scene, method and step must be the same, only "
+        "duration and outputs may differ");
+  }
+  visit_numbers(checkpoint.audit, [&](auto& value) {
+    using Value = std::decay_t<decltype(value)>;
+    if constexpr (std::is_floating_point_v<Value>) {
+      value = std::bit_cast<double>(reader.read());
+    } else {
+      value = static_cast<Value>(reader.read());
+    }
+  });
+  checkpoint.audit.warnings = reader.read_texts();
+  checkpoint.audit.violations = reader.read_texts();
+  const std::string_view state = reader.read_text();
+  checkpoint.state = deserialise({state.begin(), state.end()});
+  return checkpoint;
+}
+
+Audit joined_audit(const Audit& first, const Audit& second) {
+  Audit audit = second;
+  audit.sim_time = first.sim_time + second.sim_time;
+  audit.wall_time = first.wall_time + second.wall_time;
+  audit.report = first.report;
+  audit.report.add(second.report);
+  audit.initial = first.initial;
+  audit.dissipated = audit.initial.total() + audit.report.work - audit.final.total();
+  audit.max_increase = std::max(first.max_increase, second.max_increase);
+  audit.linear_momentum_error = audit.report.momentum_error.norm();
+  audit.angular_momentum_error = audit.report.angular_momentum_error.norm();
+  for (const auto list : {&Audit::warnings, &Audit::violations}) {
+    audit.*list = first.*list;
+    for (const std::string& line : second.*list) {
+      if (std::find((audit.*list).begin(), (audit.*list).end(), line) == (audit.*list).end())
+        (audit.*list).push_back(line);
+    }
+  }
+  return audit;
+}
+
+}  // namespace rigor

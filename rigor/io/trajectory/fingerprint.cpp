@@ -1,0 +1,118 @@
+#include "rigor/io/trajectory/fingerprint.hpp"
+
+#include "rigor/geometry/shape/convex_hull.hpp"
+#include "rigor/geometry/shape/triangle_mesh.hpp"
+
+#include <bit>
+#include <string_view>
+
+namespace rigor {
+
+namespace {
+
+/// Source: Fowler, Noll, Vo and Eastlake, The FNV Non-Cryptographic Hash Algorithm (64-bit FNV-1a).
+class Hash {
+ public:
+  std::uint64_t value() const { return value_; }
+
+  void add(std::uint64_t number) {
+    for (int shift = 0; shift < 64; shift += 8) add_byte(static_cast<unsigned char>(number >> shift));
+  }
+  void add(int number) { add(static_cast<std::uint64_t>(number)); }
+  void add(double number) { add(std::bit_cast<std::uint64_t>(number)); }
+  void add(std::string_view text) {
+    add(static_cast<std::uint64_t>(text.size()));
+    for (const char c : text) add_byte(static_cast<unsigned char>(c));
+  }
+  void add(const Vec3& v) { add(v.x()), add(v.y()), add(v.z()); }
+  void add(const Quat& q) { add(q.w()), add(q.x()), add(q.y()), add(q.z()); }
+  void add(const Pose& X) { add(Vec3(X.R.col(0))), add(Vec3(X.R.col(1))), add(Vec3(X.R.col(2))), add(X.p); }
+
+  void add(const Sphere& s) { add(s.radius); }
+  void add(const Box& s) { add(s.half_extents); }
+  void add(const Capsule& s) { add(s.radius), add(s.half_length); }
+  void add(const Cylinder& s) { add(s.radius), add(s.half_length); }
+  void add(const Cone& s) { add(s.radius), add(s.half_length); }
+  void add(const Ellipsoid& s) { add(s.radii); }
+  void add(const HalfSpace& s) { add(s.normal), add(s.offset); }
+  void add(const Cavity& s) { add(s.radius); }
+  void add(const Convex& s) {
+    for (const Vec3& v : s.hull->vertices) add(v);
+  }
+  void add(const Mesh& s) {
+    for (const Vec3& v : s.mesh->vertices) add(v);
+    for (const auto& triangle : s.mesh->triangles) add(triangle[0]), add(triangle[1]), add(triangle[2]);
+  }
+  void add(const Shape& shape) {
+    add(static_cast<int>(shape.index()));
+    std::visit([this](const auto& s) { add(s); }, shape);
+  }
+
+  void add(const ConstantForce& f) {
+    add(f.body), add(f.f), add(f.p_BP), add(static_cast<int>(f.frame_is_body));
+  }
+  void add(const ConstantTorque& f) { add(f.body), add(f.tau), add(static_cast<int>(f.frame_is_body)); }
+  void add(const Spring& f) {
+    add(f.body_A), add(f.body_B), add(f.p_AP), add(f.p_BQ), add(f.stiffness), add(f.damping), add(f.length);
+  }
+  void add(const Drag& f) { add(f.body), add(f.linear), add(f.angular); }
+  void add(const Force& force) {
+    add(static_cast<int>(force.index()));
+    std::visit([this](const auto& f) { add(f); }, force);
+  }
+
+  void add(const JointAxis& axis) {
+    add(axis.lower), add(axis.upper), add(axis.restitution), add(axis.stiffness), add(axis.rest);
+    add(axis.damping), add(axis.friction), add(static_cast<int>(axis.motor.has_value()));
+    if (axis.motor) add(axis.motor->velocity), add(axis.motor->max_force);
+  }
+  void add(const Joint& joint) {
+    add(std::string_view(joint.name)), add(static_cast<int>(joint.type)), add(joint.body_A),
+        add(joint.body_B);
+    add(joint.X_AJ), add(joint.X_BK), add(joint.pitch), add(joint.length);
+    add(joint.first_joint), add(joint.second_joint), add(joint.ratio);
+    for (const JointAxis& axis : joint.axes) add(axis);
+  }
+
+  void add(const Body& body) {
+    add(std::string_view(body.name)), add(static_cast<int>(body.motion)), add(body.mass), add(body.moments);
+    add(body.X_BL);
+    for (const BodyShape& shape : body.shapes) add(shape.shape), add(shape.X_BS), add(shape.material);
+    add(std::uint64_t{body.group}), add(std::uint64_t{body.mask}), add(body.linear_drag),
+        add(body.angular_drag);
+    add(body.gravity_scale), add(body.linear_damping), add(body.angular_damping);
+    add(body.p_WB), add(body.q_WB), add(body.v_WB), add(body.w_WB);
+    for (const PathPoint& point : body.path) add(point.time), add(point.p_WL), add(point.q_WL);
+  }
+
+ private:
+  void add_byte(unsigned char byte) { value_ = (value_ ^ byte) * 1099511628211ull; }
+
+  std::uint64_t value_ = 14695981039346656037ull;
+};
+
+}  // namespace
+
+std::uint64_t fingerprint(const Model& model, const Method& method, double step) {
+  Hash hash;
+  hash.add(model.g_W());
+  for (const Body& body : model.bodies()) hash.add(body);
+  const int materials = static_cast<int>(model.materials().size());
+  for (int a = 0; a < materials; ++a) {
+    for (int b = a; b < materials; ++b) {
+      const PairCoefficients pair = model.coefficients(a, b);
+      hash.add(pair.friction), hash.add(pair.restitution), hash.add(pair.tangential_restitution);
+      hash.add(pair.rolling_friction), hash.add(pair.torsional_friction);
+      hash.add(pair.sticking_friction());
+    }
+  }
+  for (const Force& force : model.forces()) hash.add(force);
+  for (const Joint& joint : model.joints()) hash.add(joint);
+  for (const auto& [a, b] : model.excluded_pairs()) hash.add(a), hash.add(b);
+  for (const std::string& key : method_choice_keys()) hash.add(std::string_view(method_choice(method, key)));
+  for (const MethodNumber& number : method_numbers()) hash.add(method.*number.member);
+  hash.add(step);
+  return hash.value();
+}
+
+}  // namespace rigor

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "rigor/model/model.hpp"
+#include "rigor/sim/method/method.hpp"
+
+#include <cstdint>
+
+namespace rigor {
+
+/// A number that two simulations share when their motion from a given State is the same: of all that the
+/// model's bodies, shapes, materials and forces are, of the method, and of the target step [s]. Names count
+/// as well.
+std::uint64_t fingerprint(const Model& model, const Method& method, double step);
+
+}  // namespace rigor

@@ -1,0 +1,83 @@
+#pragma once
+
+#include "rigor/sim/audit/audit.hpp"
+#include "rigor/sim/method/run_settings.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rigor {
+
+/// A joint whose motion a trajectory file holds.
+struct TrajectoryJoint {
+  std::string name;
+  std::vector<std::string> units;  ///< Of its coordinates: "rad" or "m".
+};
+
+/// What a trajectory file says once, at its start.
+struct TrajectoryHeader {
+  std::string scene;                   ///< Name.
+  std::string scene_text;              ///< The scene file as it was read.
+  std::string scene_file;              ///< Its full path: mesh files are looked for beside it.
+  std::vector<std::string> overrides;  ///< "key=value", as of --set.
+  Method method;
+  RunSettings run;
+  std::vector<std::string> bodies;      ///< Names in model order, n of them.
+  std::vector<TrajectoryJoint> joints;  ///< In model order, J of them with C coordinates in all.
+  bool has_joint_forces = false;        ///< See has_joint_forces(model).
+};
+
+/// The motion at one output time, as a user sees it.
+struct TrajectorySample {
+  double time = 0;                       ///< [s].
+  std::vector<double> position;          ///< 3n: origins of the user's frames [m].
+  std::vector<double> orientation;       ///< 4n: of the user's frames, w x y z.
+  std::vector<double> velocity;          ///< 3n: of the centres of mass [m/s].
+  std::vector<double> angular_velocity;  ///< 3n: in W [rad/s].
+  Energy energy;                         ///< [J].
+  double penetration = 0;                ///< Deepest overlap since the last output time [m].
+  std::vector<double> joint_coordinate;  ///< C: joint by joint [rad] or [m].
+  std::vector<double> joint_rate;        ///< C [rad/s] or [m/s].
+  std::vector<double> joint_force;       ///< 3J: reaction on B [N]; empty if the header has none.
+  std::vector<double> joint_torque;      ///< 3J: about the anchor, on B [N m]; so too.
+};
+/// The motion of the bodies; that of the joints is left empty.
+TrajectorySample make_sample(const Model& model, const State& state, const Energy& energy);
+
+/// The joints of the model as a header names them.
+std::vector<TrajectoryJoint> trajectory_joints(const Model& model);
+/// Whether trajectories hold the joints' forces: not of more than 200 joints, since they would be solved for
+/// at every output time.
+bool has_joint_forces(const Model& model);
+/// Sets what the joints do; forces and torques only if has_joint_forces(model).
+void add_joint_motion(const Model& model, const Method& method, const State& state, TrajectorySample& sample);
+
+/// A file that a trajectory is written to while it comes about. What has been written survives a kill of the
+/// process, but for the last moment. All functions throw FileError.
+class TrajectoryWriter {
+ public:
+  virtual ~TrajectoryWriter() = default;
+  /// One output time, with what happened since the last one.
+  virtual void write(const TrajectorySample& sample, std::span<const MotionEvent> events) = 0;
+  /// Completes the file.
+  virtual void close(const Audit& audit) = 0;
+};
+
+/// Empty if a trajectory can be written to a file with this suffix (.csv, .h5, .json, or one of those that
+/// other layers write), or why not: "run.mp4: .mp4 is not available in this version; available: .csv .h5
+/// .json .html .png".
+std::string check_output_suffix(const std::filesystem::path& path,
+                                std::span<const std::string_view> written_elsewhere = {});
+
+/// The writer that the suffix asks for; the suffix is one of those. Creates the file.
+std::unique_ptr<TrajectoryWriter> make_trajectory_writer(const std::filesystem::path& path,
+                                                         const TrajectoryHeader& header);
+
+/// Name of an event's kind as files write it: "impact", "rest", "separation", "slip_to_stick".
+const char* event_kind_name(MotionEvent::Kind kind);
+
+}  // namespace rigor

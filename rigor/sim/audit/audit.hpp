@@ -1,0 +1,78 @@
+#pragma once
+
+#include "rigor/model/state.hpp"
+#include "rigor/sim/method/method.hpp"
+#include "rigor/sim/report/advance_report.hpp"
+#include "rigor/sim/report/energy.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace rigor {
+
+/// How far a run can be trusted: everything is balanced against what caused it.
+struct Audit {
+  std::string scene;
+  Method method;              ///< With the scheme that was at work.
+  std::string scheme_reason;  ///< Which scheme `auto` chose, and why; empty if the scene names one.
+  double sim_time = 0;        ///< Simulated [s].
+  double wall_time = 0;       ///< [s]; set by whoever has a clock.
+  AdvanceReport report;       ///< Sums over the whole run; its events are left out.
+
+  Energy initial, final;
+  double dissipated = 0;              ///< E_initial + work - E_final [J].
+  double max_increase = 0;            ///< Largest rise of E - work above an earlier value [J].
+  double linear_momentum_error = 0;   ///< |Σ (ΔP - external impulse)| [kg m/s].
+  double angular_momentum_error = 0;  ///< The same about the origin of W [kg m²/s].
+
+  struct BodyEnd {
+    std::string name;
+    Vec3 position;          ///< Of the user's frame's origin [m].
+    Quat orientation;       ///< Of the user's frame.
+    Vec3 velocity;          ///< Of the centre of mass [m/s].
+    Vec3 angular_velocity;  ///< In W [rad/s].
+  };
+  std::vector<BodyEnd> bodies;
+  struct JointEnd {
+    std::string name;
+    std::vector<double> coordinates;  ///< [rad] or [m].
+    std::vector<double> rates;        ///< [rad/s] or [m/s].
+    Vec3 force, torque;  ///< Reaction on the second body, about the joint's anchor on it [N], [N m].
+  };
+  std::vector<JointEnd> joints;
+  int sleeping_count = 0;  ///< Bodies that sleep at the end.
+  std::vector<std::string> warnings;
+  /// What is outside its tolerance, each with its value and the bound; empty: the run can be trusted.
+  std::vector<std::string> violations;
+};
+
+/// Keeps the books while a run goes on.
+class Auditor {
+ public:
+  Auditor(std::shared_ptr<const Model> model, const Method& method, const State& start);
+
+  /// Takes note of the state after an advance and of what its report says.
+  void observe(const State& state, const AdvanceReport& report);
+  /// The books so far, with the state they end at.
+  Audit audit(const State& state) const;
+  /// Mechanical energy at the last observation [J] and its largest unexplained rise, for progress displays.
+  const Energy& energy() const { return energy_; }
+  double max_increase() const { return max_increase_; }
+
+ private:
+  void judge(Audit& audit) const;
+
+  std::shared_ptr<const Model> model_;
+  Method method_;
+  std::string scheme_reason_;
+  Environment environment_;
+  double start_time_, time_;  ///< Of the first and the last observation [s].
+  Energy initial_, energy_;
+  AdvanceReport sum_;
+  double lowest_ = 0, max_increase_ = 0;  ///< Of E - work.
+  double energy_scale_ = 0;               ///< Largest kinetic energy and change of energy seen [J].
+  double momentum_scale_ = 0, angular_momentum_scale_ = 0;
+};
+
+}  // namespace rigor

@@ -1,0 +1,241 @@
+#include "rigor/sim/audit/contact_snapshot.hpp"
+
+#include "rigor/contact/impact/joint_stops.hpp"
+#include "rigor/contact/resting/resting.hpp"
+#include "rigor/contact/system/contact_kinematics.hpp"
+#include "rigor/core/index.hpp"
+#include "rigor/math/rotation.hpp"
+#include "rigor/sim/islands/cluster.hpp"
+#include "rigor/sim/islands/island.hpp"
+#include "rigor/sim/method/method.hpp"
+#include "rigor/sim/pairs/near_pairs.hpp"
+#include "rigor/sim/penalty/penalty_forces.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+
+namespace rigor {
+
+namespace {
+
+/// The problem of a group is dense: beyond this its cost (a minute) is not worth a picture.
+constexpr std::size_t most_contacts_of_group = 400;
+/// With joints it is dearer, and every audit asks for it.
+constexpr std::size_t most_contacts_with_joints = 100;
+
+Cluster touching_bodies(const Model& model, const Method& method, const State& state) {
+  Cluster cluster{.t = state.t, .slip_tolerance = slip_tolerance(method)};
+  for (int i = 0; i < model.body_count(); ++i) {
+    if (model.body(i).motion != MotionType::dynamic) continue;
+    cluster.bodies.push_back(i);
+    cluster.phases.push_back(
+        {state.position(i), state.orientation(i), state.linear_momentum(i), state.angular_momentum(i)});
+  }
+  for (const auto& [a, b] : near_pairs(model, state, method.contact_tolerance)) {
+    const std::vector<Contact> found =
+        find_contacts(model, a, b, pose_of(state, a), pose_of(state, b), method.contact_tolerance);
+    cluster.contacts.insert(cluster.contacts.end(), found.begin(), found.end());
+  }
+  return cluster;
+}
+
+TouchingPoint unsolved_point(const ContactSystem& system, std::size_t i) {
+  const Contact& contact = system.contacts[i];
+  const Vec3 u = relative_velocity(contact, system.of(contact.body_A), system.of(contact.body_B));
+  return {.body_A = contact.body_A,
+          .body_B = contact.body_B,
+          .p_W = contact.p_W(),
+          .n_W = contact.point.n_W,
+          .gap = contact.point.gap,
+          .u_W = system.frames[i] * u};
+}
+
+TouchingPoint::Mode mode_of(ContactMode mode) {
+  switch (mode) {
+    case ContactMode::open:
+      return TouchingPoint::Mode::open;
+    case ContactMode::stick:
+      return TouchingPoint::Mode::stick;
+    case ContactMode::slide:
+      return TouchingPoint::Mode::slide;
+  }
+  return TouchingPoint::Mode::unknown;
+}
+
+/// The contact with the coefficient that holds it: that of sticking if it slips by u_t no faster than what
+/// sticks.
+Contact with_own_friction(const Method& method, Contact contact, const Vec2& u_t) {
+  if (contact.has_static_friction() && u_t.norm() <= direction_tolerance(method))
+    contact.friction = contact.static_friction;
+  return contact;
+}
+
+/// The points of one group of bodies, with forces at those that do not part.
+std::vector<TouchingPoint> points_of(const Method& method, const IslandIntegrator& integrator,
+                                     const Cluster& part) {
+  const ContactSystem touching = integrator.system_of(part.t, part.bodies, part.phases, part.contacts);
+  const double parting = 1e-3 * method.resting_velocity;
+  std::vector<TouchingPoint> points;
+  std::vector<std::size_t> pressed;
+  std::vector<Contact> candidates;
+  for (std::size_t i = 0; i < part.contacts.size(); ++i) {
+    points.push_back(unsolved_point(touching, i));
+    if (points.back().u_W.dot(points.back().n_W) > parting) continue;
+    pressed.push_back(i);
+    const Vec3 u = touching.frames[i].transpose() * points.back().u_W;
+    candidates.push_back(with_own_friction(method, part.contacts[i], u.head<2>()));
+  }
+  if (candidates.size() > most_contacts_of_group) {
+    for (const std::size_t i : pressed) {
+      points[i].mode = TouchingPoint::Mode::unknown;
+      points[i].force_W.setConstant(std::numeric_limits<double>::quiet_NaN());
+    }
+    return points;
+  }
+  if (candidates.empty()) return points;
+
+  const ContactSystem system = integrator.system_of(part.t, part.bodies, part.phases, candidates);
+  const RestingSolution resting = solve_resting(system, integrator.environment_wrenches(system, part.t),
+                                                part.slip_tolerance, resting_choice(method));
+  for (std::size_t k = 0; k < pressed.size(); ++k) {
+    TouchingPoint& point = points[pressed[k]];
+    point.mode = mode_of(resting.states[k].mode);
+    point.force_W = world_impulse(system, resting.forces.lambda, static_cast<int>(k));
+  }
+  return points;
+}
+
+/// What the springs that the State remembers do.
+std::vector<TouchingPoint> points_of_springs(const Model& model, const Method& method, const State& state,
+                                             const IslandIntegrator& integrator,
+                                             const Environment& environment) {
+  constexpr double rounding = 1e-9;
+  const Touching touching =
+      PenaltyTouching(model, environment, integrator, method, TouchingForm::reachable).find(state, 0, 0);
+  const VecX forces = penalty_forces(touching);
+  std::vector<TouchingPoint> points;
+  for (std::size_t i = 0; i < touching.springs.size(); ++i) {
+    const Contact& contact = touching.system.contacts[i];
+    const Vec3 force = forces.segment<3>(3 * static_cast<Eigen::Index>(i));
+    const bool presses = force.z() > 0;
+    if (contact.stop || (!presses && contact.point.gap > method.contact_tolerance)) continue;
+    TouchingPoint& point = points.emplace_back(unsolved_point(touching.system, i));
+    if (!presses) continue;
+    point.force_W = world_impulse(touching.system, forces, static_cast<int>(i));
+    const double limit = friction_limit(contact, touching.system.rows[i], force.z());
+    const Vec3 slip_W = point.u_W - point.u_W.dot(point.n_W) * point.n_W;
+    const bool slides =
+        force.head<2>().norm() >= (1 - rounding) * limit && slip_W.norm() > slip_tolerance(method);
+    point.mode = slides ? TouchingPoint::Mode::slide : TouchingPoint::Mode::stick;
+  }
+  return points;
+}
+
+BodyMotion motion_at(const Model& model, const State& state, int body) {
+  if (body == world_body) return {};
+  return {state.position(body), rotation_matrix(state.orientation(body)), linear_velocity(model, state, body),
+          angular_velocity(model, state, body)};
+}
+
+/// What the joint does but for its forces.
+void set_motion(const Joint& joint, const BodyMotion& A, const BodyMotion& B, JointReaction& reaction) {
+  reaction.p_W = B.x + B.R * joint.X_BK.p;
+  for (int k = 0; k < static_cast<int>(joint.axes.size()); ++k) {
+    const JointCoordinate coordinate = joint_coordinate(joint, k, A, B);
+    reaction.coordinates.push_back(coordinate.value);
+    reaction.rates.push_back(coordinate.rate);
+  }
+}
+
+/// Forces of the joints of one group, with its contacts.
+void add_joint_forces(const Model& model, const Method& method, const IslandIntegrator& integrator,
+                      const Cluster& part, std::vector<JointReaction>& result) {
+  constexpr Eigen::Index most_rows = 600;
+  const std::vector<int> joints = integrator.joints_of(part.bodies);
+  if (joints.empty()) return;
+  ContactSystem system = integrator.system_of(part.t, part.bodies, part.phases, part.contacts);
+  const double parting = 1e-3 * method.resting_velocity;
+  const VecX u = relative_velocities(system);
+  std::vector<Contact> lasting =
+      joint_stops(model, joints, system.bodies, system.kinetics, method.contact_tolerance);
+  for (std::size_t i = 0; i < part.contacts.size(); ++i) {
+    const Vec3 own = u.segment<3>(3 * static_cast<Eigen::Index>(i));
+    if (own.z() <= parting) lasting.push_back(with_own_friction(method, part.contacts[i], own.head<2>()));
+  }
+  if (lasting.size() > most_contacts_with_joints) {
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      const Joint& joint = model.joint(joints[i]);
+      JointReaction& unknown = result[at(joints[i])];
+      set_motion(joint, motion_of(joint.body_A, system.bodies, system.kinetics),
+                 motion_of(joint.body_B, system.bodies, system.kinetics), unknown);
+      unknown.force_W = unknown.torque_W = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
+      unknown.residual = system.joints->residual(i);
+    }
+    return;
+  }
+  system = integrator.system_of(part.t, part.bodies, part.phases, lasting);
+  std::vector<Wrench> wrenches = integrator.environment_wrenches(system, part.t);
+  if (!lasting.empty()) {
+    const RestingSolution resting =
+        solve_resting(system, wrenches, part.slip_tolerance, resting_choice(method));
+    add_contact_wrenches(system, resting.forces.lambda, wrenches);
+  }
+  VecX lambda = with_joint_reactions(system, std::move(wrenches)).lambda;
+  if (lambda.size() <= most_rows) lambda = system.joints->least_norm(lambda, model.length_scale());
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const Joint& joint = model.joint(joints[i]);
+    const BodyMotion A = motion_of(joint.body_A, system.bodies, system.kinetics);
+    const BodyMotion B = motion_of(joint.body_B, system.bodies, system.kinetics);
+    JointReaction& forces = result[at(joints[i])];
+    set_motion(joint, A, B, forces);
+    const Wrench reaction = system.joints->reaction(i, lambda);
+    forces.force_W = reaction.f_W;
+    forces.torque_W = reaction.tau_W;
+    forces.residual = system.joints->residual(i);
+  }
+}
+
+}  // namespace
+
+std::vector<JointReaction> joint_snapshot(const Model& model, const Method& method, const State& state) {
+  std::vector<JointReaction> result;
+  for (int j = 0; j < static_cast<int>(model.joints().size()); ++j) result.push_back({.joint = j});
+  if (result.empty()) return result;
+  const Environment environment(model);
+  const IslandIntegrator integrator(model, environment, method);
+  const Cluster cluster = touching_bodies(model, method, state);
+  for (const Cluster& part : connected_parts(cluster, cluster.contacts, environment))
+    add_joint_forces(model, method, integrator, part, result);
+  return result;
+}
+
+std::vector<JointReaction> joint_motions(const Model& model, const State& state) {
+  std::vector<JointReaction> result;
+  for (int j = 0; j < static_cast<int>(model.joints().size()); ++j) {
+    const Joint& joint = model.joint(j);
+    set_motion(joint, motion_at(model, state, joint.body_A), motion_at(model, state, joint.body_B),
+               result.emplace_back(JointReaction{.joint = j}));
+  }
+  return result;
+}
+
+std::vector<TouchingPoint> contact_snapshot(const Model& model, const Method& method, const State& state) {
+  const Environment environment(model);
+  const IslandIntegrator integrator(model, environment, method);
+  if (method.scheme == Scheme::penalty && !state.contacts.empty())
+    return points_of_springs(model, method, state, integrator, environment);
+  const Cluster cluster = touching_bodies(model, method, state);
+  std::vector<TouchingPoint> points;
+  for (const Cluster& part : connected_parts(cluster, cluster.contacts, environment)) {
+    if (part.contacts.empty()) continue;
+    const std::vector<TouchingPoint> of_part = points_of(method, integrator, part);
+    points.insert(points.end(), of_part.begin(), of_part.end());
+  }
+  std::stable_sort(points.begin(), points.end(), [](const TouchingPoint& a, const TouchingPoint& b) {
+    return std::tie(a.body_A, a.body_B) < std::tie(b.body_A, b.body_B);
+  });
+  return points;
+}
+
+}  // namespace rigor

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "rigor/model/state.hpp"
+#include "rigor/sim/method/method.hpp"
+
+#include <vector>
+
+namespace rigor {
+
+/// One point where two bodies touch, as a picture shows it.
+struct TouchingPoint {
+  enum class Mode {
+    open,     ///< Touches without a force: about to part, or just met.
+    stick,    ///< Carries a force and does not slip.
+    slide,    ///< Carries a force and slips.
+    unknown,  ///< In a group of more contacts than are solved for; the force is NaN.
+  };
+  int body_A, body_B;           ///< Model indices, body_A < body_B.
+  Vec3 p_W = Vec3::Zero();      ///< [m].
+  Vec3 n_W = Vec3::UnitZ();     ///< Unit normal from A to B.
+  double gap = 0;               ///< [m], negative when overlapping.
+  Vec3 force_W = Vec3::Zero();  ///< On B [N]: normal part along n_W, friction across it.
+  Vec3 u_W = Vec3::Zero();      ///< Velocity of B against A at the point [m/s].
+  Mode mode = Mode::open;
+};
+
+/// All points closer than the method's contact tolerance, with the forces that rest and friction ask for at
+/// this instant: Coulomb's problem of the accelerations (solve_resting), for each group of bodies that touch
+/// each other by itself. Points that part faster than a thousandth of the resting velocity carry none. Under
+/// `method.scheme: penalty`, where the State remembers springs, the forces of these. In the order of bodies,
+/// shapes and features. A function of its arguments alone: it draws what a stepper did, and
+/// is no part of one.
+std::vector<TouchingPoint> contact_snapshot(const Model& model, const Method& method, const State& state);
+
+/// What a joint does at an instant.
+struct JointReaction {
+  int joint;                        ///< Model index.
+  Vec3 p_W = Vec3::Zero();          ///< Its anchor on B [m].
+  Vec3 force_W = Vec3::Zero();      ///< Reaction of its rows on B [N]; of least norm where joints hold twice.
+  Vec3 torque_W = Vec3::Zero();     ///< About the anchor, on B [N m].
+  std::vector<double> coordinates;  ///< [rad] or [m].
+  std::vector<double> rates;        ///< [rad/s] or [m/s].
+  double residual = 0;              ///< Largest |g| [m or 1].
+};
+
+/// All joints of the model, in its order. Groups of more than 600 rows get the forces of the tree that the
+/// solver chose instead of those of least norm; reactions in groups of more than 100 contacts are NaN. A
+/// function of its arguments alone, like contact_snapshot.
+std::vector<JointReaction> joint_snapshot(const Model& model, const Method& method, const State& state);
+
+/// The same without what costs: only anchors, coordinates and rates, as far as the state alone tells them.
+std::vector<JointReaction> joint_motions(const Model& model, const State& state);
+
+}  // namespace rigor

@@ -1,0 +1,141 @@
+#include "rigor/sim/bulk/bulk_simulation.hpp"
+
+#include "rigor/bulk/state/prescribed_bodies.hpp"
+#include "rigor/core/assert.hpp"
+#include "rigor/core/index.hpp"
+#include "rigor/math/rotation.hpp"
+#include "rigor/model/carried_state.hpp"
+
+#include <cstddef>
+#include <utility>
+
+namespace rigor {
+
+BulkSimulation::BulkSimulation(std::shared_ptr<const Model> model)
+    : BulkSimulation(std::move(model), Options{}) {}
+
+BulkSimulation::BulkSimulation(std::shared_ptr<const Model> model, const Options& options)
+    : model_(std::move(model)), options_(options) {
+  RIGOR_ASSERT(options.step > 0 && options.substeps >= 1 && options.threads >= 1);
+  start(make_initial_state(*model_));
+}
+
+BulkSimulation::~BulkSimulation() = default;
+
+/// A world of the model in this State.
+void BulkSimulation::start(const State& state) {
+  BulkSettings settings;
+  settings.substeps = options_.substeps;
+  settings.threads = options_.threads;
+  settings.sleeping = options_.sleeping;
+  settings.measures = true;
+  queries_.reset();
+  world_ = std::make_unique<BulkWorld>(model_, settings);
+  if (may_touch_) world_->set_contact_filter(may_touch_);
+  set_state(state);
+}
+
+BulkStepReport BulkSimulation::step() {
+  before_ = world_->memory();
+  is_asked_ = false;
+  return world_->step(options_.step);
+}
+
+State BulkSimulation::state() const {
+  State state = template_;
+  world_->write(state);
+  return state;
+}
+
+void BulkSimulation::set_state(const State& state) {
+  RIGOR_ASSERT(state.body_count() == model_->body_count());
+  template_ = state;
+  world_->read(state);
+  before_ = world_->memory();
+  is_asked_ = false;
+}
+
+Pose BulkSimulation::pose(int body) const {
+  const std::size_t k = at(body);
+  return Pose{rotation_matrix(world_->bodies().q[k]), centre(body)} * model_->body(body).X_BL;
+}
+
+Vec3 BulkSimulation::velocity(int body) const {
+  const float* v = world_->bodies().motion[at(body)].v;
+  return Vec3(v[0], v[1], v[2]);
+}
+
+Vec3 BulkSimulation::angular_velocity(int body) const {
+  const float* w = world_->bodies().motion[at(body)].w;
+  return Vec3(w[0], w[1], w[2]);
+}
+
+void BulkSimulation::apply_force(int body, const Vec3& f_W) {
+  world_->add_wrench(body, {f_W, Vec3::Zero()});
+}
+
+void BulkSimulation::apply_force(int body, const Vec3& f_W, const Vec3& p_W) {
+  world_->add_wrench(body, {f_W, (p_W - centre(body)).cross(f_W)});
+}
+
+void BulkSimulation::apply_torque(int body, const Vec3& tau_W) {
+  world_->add_wrench(body, {Vec3::Zero(), tau_W});
+}
+
+void BulkSimulation::apply_impulse(int body, const Vec3& j_W) {
+  world_->add_impulse(body, {j_W, Vec3::Zero()});
+}
+
+void BulkSimulation::apply_impulse(int body, const Vec3& j_W, const Vec3& p_W) {
+  world_->add_impulse(body, {j_W, (p_W - centre(body)).cross(j_W)});
+}
+
+void BulkSimulation::apply_angular_impulse(int body, const Vec3& l_W) {
+  world_->add_impulse(body, {Vec3::Zero(), l_W});
+}
+
+void BulkSimulation::move_to(int body, const Pose& X_WL) {
+  const Pose X_WB = X_WL * model_->body(body).X_BL.inverse();
+  world_->set_target(body, X_WB.p, quaternion_of(X_WB.R));
+}
+
+void BulkSimulation::set_pose(int body, const Pose& X_WL) {
+  const Body& own = model_->body(body);
+  RIGOR_ASSERT(own.motion == MotionType::dynamic || PrescribedBodies::is_free(own));
+  world_->set_pose(body, X_WL * own.X_BL.inverse());
+  is_asked_ = false;
+}
+
+void BulkSimulation::set_velocity(int body, const Vec3& v_W, const Vec3& w_W) {
+  RIGOR_ASSERT(model_->body(body).motion == MotionType::dynamic);
+  world_->set_velocity(body, v_W, w_W);
+}
+
+void BulkSimulation::set_model(std::shared_ptr<const Model> model) {
+  const State carried = carried_state(*model_, state(), *model);
+  // The queries of the old model go before it does.
+  queries_.reset();
+  model_ = std::move(model);
+  start(carried);
+}
+
+void BulkSimulation::set_contact_filter(std::function<bool(int, int)> may_touch) {
+  may_touch_ = std::move(may_touch);
+  world_->set_contact_filter(may_touch_);
+}
+
+std::vector<ContactEvent> BulkSimulation::events() const {
+  return contact_events(before_, world_->memory());
+}
+
+const SceneQueries& BulkSimulation::queries() const {
+  if (!queries_) {
+    queries_ = std::make_unique<SceneQueries>(*model_, state());
+  } else if (!is_asked_) {
+    queries_->update(state());
+  }
+  is_asked_ = true;
+  return *queries_;
+}
+
+}  // namespace rigor

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "rigor/bulk/bulk_world.hpp"
+#include "rigor/sim/fixed_steps/stepper.hpp"
+
+#include <functional>
+#include <memory>
+#include <utility>
+
+namespace rigor {
+
+/// Time stepping for many bodies, `solver: substep`: equal steps of the many-body path (BulkWorld).
+/// Velocities and impulses are 32-bit numbers; contacts and joints are stiff springs that give way by a
+/// little, so that bodies overlap slightly and energy is lost or gained at the same scale.
+///
+/// The report has the steps, the pairs looked at, the worst overlap at the begin of a step and the worst
+/// error of a joint at the end of one, the impacts (manifolds that began to press at more than 1 cm/s; events
+/// at the end of their step, with all the impulse of it), the error of the linear momentum, the work of
+/// kinematic bodies and forces, and the sweeps of a step as its iterations. The work of motors is not known,
+/// nor that of kinematic bodies on joints and springs, nor the error of the angular momentum.
+class BulkStepper : public Stepper {
+ public:
+  /// target_step > 0 [s]: the longest step. threads >= 1.
+  BulkStepper(std::shared_ptr<const Model> model, const Method& method, double target_step, int threads);
+
+  void set_interrupt(std::function<bool()> interrupt) override { interrupt_ = std::move(interrupt); }
+  AdvanceReport advance(State& state, double t_end) override;
+
+ private:
+  void note(const BulkStepReport& step, double t, double t_end, AdvanceReport& report) const;
+  int find_broken_body() const;
+
+  std::shared_ptr<const Model> model_;
+  double target_step_;
+  BulkSettings settings_;
+  std::function<bool()> interrupt_;
+  BulkWorld world_;
+};
+
+}  // namespace rigor

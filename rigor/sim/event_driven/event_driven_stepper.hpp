@@ -1,0 +1,121 @@
+#pragma once
+
+#include "rigor/core/index.hpp"
+#include "rigor/model/state.hpp"
+#include "rigor/sim/event_driven/event_queue.hpp"
+#include "rigor/sim/event_driven/trajectories.hpp"
+#include "rigor/sim/fixed_steps/stepper.hpp"
+#include "rigor/sim/islands/cluster.hpp"
+#include "rigor/sim/islands/contact_projection.hpp"
+#include "rigor/sim/islands/contact_resolver.hpp"
+#include "rigor/sim/islands/island_stepping.hpp"
+#include "rigor/sim/islands/joint_projection.hpp"
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rigor {
+
+/// From event to event: between two events every body moves smoothly (in closed form where nothing but
+/// gravity acts); at an event bodies collide, come to rest against each other, part, stop or start to slip.
+/// Nothing overlaps by more than the contact tolerance, at any speed and any target step.
+///
+/// Time is local: a body's motion is followed from its own last event on, and events wait in one queue, so
+/// that each costs what the bodies concerned cost. The State holds all there is to know: a fresh stepper
+/// continues bit for bit.
+class EventDrivenStepper : public Stepper {
+ public:
+  /// target_step H > 0 [s]: the longest step of bodies whose motion has no closed form.
+  EventDrivenStepper(std::shared_ptr<const Model> model, const Method& method, double target_step);
+  EventDrivenStepper(const EventDrivenStepper&) = delete;
+  EventDrivenStepper& operator=(const EventDrivenStepper&) = delete;
+
+  void set_interrupt(std::function<bool()> interrupt) override { interrupt_ = std::move(interrupt); }
+  AdvanceReport advance(State& state, double t_end) override;
+
+ protected:
+  /// For schemes that go from event to event too, but treat contacts otherwise.
+  EventDrivenStepper(std::shared_ptr<const Model> model, const Method& method, double target_step,
+                     const ToiOptions& toi);
+  /// Whether contacts may last: if not, they have impacts only, and positions are never put back.
+  virtual bool keeps_contacts() const { return true; }
+  /// Whether the contacts of these bodies are looked at in the present event.
+  virtual bool takes_part([[maybe_unused]] int a, [[maybe_unused]] int b) const { return true; }
+  /// Whether these contacts of a pair that takes part are left to an event of their own.
+  virtual bool is_in_transition([[maybe_unused]] const std::vector<Contact>& contacts) const { return false; }
+  /// Impulses until no contact of the part approaches; false if some still do.
+  virtual bool apply_impulses(Cluster& part) { return resolver_.apply_impulses(part, report_); }
+
+  const QueuedEvent& present_event() const { return next_; }
+  /// Whether bodies that touch stay in contact until something happens to them: by a force, or at rest.
+  bool is_lasting(int a, int b) const {
+    return trajectories_.has_lasting_contact(a, b) ||
+           (trajectories_.is_still(a) && trajectories_.is_still(b));
+  }
+  /// Events of the body in a row that time could not tell apart.
+  int repeats(int body) const { return repeats_[at(body)]; }
+  const Motion& motion(int body) const { return trajectories_.motion(body); }
+  const ContactResolver& resolver() const { return resolver_; }
+  const IslandIntegrator& integrator() const { return integrator_; }
+  AdvanceReport& report() { return report_; }
+
+ private:
+  // The loop of the course.
+  void read_state_from_bodies(const State& state);
+  bool compute_time_step();
+  Cluster compute_new_body_states(const std::vector<int>& seeds);
+  void apply_forces(Cluster& cluster);
+  void write_state_to_bodies(State& state);
+
+  std::vector<int> seeds_of(const QueuedEvent& event) const;
+  bool is_stale(const QueuedEvent& event) const;
+  void drop_stale_events();
+  void handle_event(const std::vector<int>& seeds, std::vector<int> changed);
+  void begin_new_window(int body);
+  void add_body(int body, Cluster& cluster);
+  void finish_island(int number, Cluster& cluster);
+  void find_touching(int body, Cluster& cluster, std::set<std::pair<int, int>>& visited);
+  bool is_held(const Cluster& group, const LastingContacts& lasting) const;
+  void move_together(const Cluster& part, const LastingContacts& lasting);
+  void begin_step(Island island);
+  void renew_prescribed(int body);
+  bool time_stands_still(const std::vector<int>& seeds);
+  void note_transitions(const std::set<std::pair<int, int>>& before, const Cluster& cluster);
+  void note_penetration(const std::vector<Contact>& contacts);
+  BodyInertia inertia(int body) const { return {model_->body(body).mass, model_->body(body).moments}; }
+  bool is_dynamic(int body) const { return model_->body(body).motion == MotionType::dynamic; }
+
+  std::shared_ptr<const Model> model_;
+  Method method_;
+  double target_step_;
+  std::function<bool()> interrupt_;
+  Environment environment_;
+  IslandIntegrator integrator_;
+  IslandStepping stepping_;
+  ContactResolver resolver_;
+  JointProjection joints_;
+  ContactProjection contacts_;
+
+  // Scratch: rebuilt from the State whenever it is not the one left behind.
+  double t_ = 0, t_end_ = 0;
+  QueuedEvent next_{};
+  EventQueue queue_;
+  std::size_t most_queued_ = 1024;  ///< Beyond it stale events are dropped.
+  Trajectories trajectories_;
+  std::map<int, RunningIsland> islands_;
+  std::vector<int> island_of_;  ///< Of each body, or -1.
+  int next_island_ = 0;
+  std::vector<int> joined_;         ///< Bodies of the cluster whose contacts are still to be found.
+  std::vector<int> repeats_;        ///< Of each body: events in a row that time could not tell apart.
+  std::vector<double> last_event_;  ///< Of each body [s].
+  State mirror_;                    ///< The State as it was left.
+  AdvanceReport report_;
+};
+
+}  // namespace rigor

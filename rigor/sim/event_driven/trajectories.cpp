@@ -1,0 +1,188 @@
+#include "rigor/sim/event_driven/trajectories.hpp"
+
+#include "rigor/geometry/motion/separation_bound.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rigor {
+
+Trajectories::Trajectories(const Model& model, const ToiOptions& options, BroadPhaseMethod method)
+    : model_(model), options_(options), tracks_(at(model.body_count())), boxes_(make_broad_phase(method)) {
+  for (int i = 0; i < model.body_count(); ++i) {
+    double turning = 0;
+    for (const BodyShape& shape : model.body(i).shapes) {
+      turning = std::max(turning, turning_radius(shape.shape, shape.X_BS, shape.radius));
+    }
+    turning_radii_.push_back(turning);
+    if (!is_bounded(i) && !model.body(i).shapes.empty()) unbounded_.push_back(i);
+  }
+}
+
+bool Trajectories::is_bounded(int body) const {
+  return std::isfinite(model_.body(body).bounding_radius);
+}
+
+void Trajectories::set_motion(int body, const Motion& motion, double t) {
+  Track& track = tracks_[at(body)];
+  track.motion = motion;
+  track.window_begin = t;
+  ++track.version;
+}
+
+void Trajectories::clear_lasting_contacts(int body) {
+  std::erase_if(lasting_, [body](const std::pair<int, int>& pair) {
+    return pair.first == body || pair.second == body;
+  });
+}
+
+/// Time in which a body in flight moves by about twice its diameter: long enough to be rare, short enough for
+/// a small box.
+double Trajectories::window_length(int body, double t) const {
+  const Motion& motion = tracks_[at(body)].motion;
+  if (!motion.is_ballistic()) return motion.end() - t;
+  const double radius = model_.body(body).bounding_radius;
+  const double speed = motion.velocity(t).norm() + std::sqrt(radius * motion.acceleration().norm()) +
+                       turning_radii_[at(body)] * motion.max_angular_speed();
+  if (speed == 0) return std::numeric_limits<double>::infinity();
+  return 4 * (radius > 0 && std::isfinite(radius) ? radius : model_.length_scale()) / speed;
+}
+
+Aabb Trajectories::box_of(int body, double ta, double tb) const {
+  const Motion& motion = tracks_[at(body)].motion;
+  const Body& of_body = model_.body(body);
+  if (motion.max_angular_speed() > 0 && turning_radii_[at(body)] > 0)
+    return motion.path_box(ta, tb).grown(of_body.bounding_radius);
+  // A body that does not turn has a tight box that moves along.
+  Aabb tight{Vec3::Constant(std::numeric_limits<double>::infinity()),
+             Vec3::Constant(-std::numeric_limits<double>::infinity())};
+  const Pose X_WB = motion.sample(ta).X_WB;
+  for (const BodyShape& shape : of_body.shapes)
+    tight = tight.united(axis_aligned_box(shape.shape, X_WB * shape.X_BS));
+  const Aabb path = motion.path_box(ta, tb);
+  return {path.lower + (tight.lower - X_WB.p), path.upper + (tight.upper - X_WB.p)};
+}
+
+double Trajectories::window_end(int body, double t) const {
+  const Motion& motion = tracks_[at(body)].motion;
+  const bool is_tracked = is_bounded(body) && !model_.body(body).shapes.empty();
+  return is_tracked ? std::min(motion.end(), t + window_length(body, t)) : motion.end();
+}
+
+void Trajectories::begin_window(int body, double t, EventQueue& queue) {
+  Track& track = tracks_[at(body)];
+  ++track.version;
+  track.window_begin = t;
+  track.window_end = window_end(body, t);
+  if (is_bounded(body) && !model_.body(body).shapes.empty()) {
+    const double rounding = 1e-12 * track.motion.position(t).cwiseAbs().maxCoeff();
+    const double box_end = std::isinf(track.window_end) ? t : track.window_end;
+    track.box = box_of(body, t, box_end).grown(options_.contact_tolerance + rounding);
+    boxes_->set(body, track.box);
+  }
+  // The end of a step is its island's event; all other ends are the window's own.
+  if (std::isfinite(track.window_end) && track.motion.is_ballistic()) {
+    queue.push({track.window_end, QueuedEvent::Kind::window_end, body, -1, track.version, 0, 0});
+  }
+}
+
+bool Trajectories::is_still(int body) const {
+  const Track& track = tracks_[at(body)];
+  const Motion& motion = track.motion;
+  return motion.is_ballistic() && motion.max_angular_speed() == 0 && motion.acceleration().isZero(0) &&
+         motion.velocity(track.window_begin).isZero(0);
+}
+
+bool Trajectories::can_meet(int a, int b) const {
+  if (!model_.may_collide(a, b) || has_lasting_contact(a, b)) return false;
+  return !(is_still(a) && is_still(b));
+}
+
+void Trajectories::predict_pair(int a, int b, double from, EventQueue& queue) {
+  if (a > b) std::swap(a, b);
+  if (!can_meet(a, b)) return;
+  const Track& A = tracks_[at(a)];
+  const Track& B = tracks_[at(b)];
+  const double t0 = std::max({A.window_begin, B.window_begin, from});
+  const double t1 = std::min(A.window_end, B.window_end);
+  if (!(t1 > t0)) return;
+  const TimeOfImpact found =
+      find_time_of_impact(model_.body(a), A.motion, model_.body(b), B.motion, t0, t1, options_);
+  distance_queries_ += found.evaluations;
+  if (found.is_contact) {
+    queue.push({found.time, QueuedEvent::Kind::contact, a, b, A.version, B.version, found.bracket});
+  } else if (found.time < t1) {
+    queue.push({found.time, QueuedEvent::Kind::search, a, b, A.version, B.version, 0});
+  }
+}
+
+void Trajectories::predict_pairs(const std::vector<int>& bodies, EventQueue& queue) {
+  std::set<std::pair<int, int>> done;
+  for (const int body : bodies) {
+    for (const int other : candidates(body)) {
+      const bool is_shared = bodies.size() > 1 && !done.insert(std::minmax(body, other)).second;
+      if (other != body && !is_shared) predict_pair(body, other, tracks_[at(body)].window_begin, queue);
+    }
+  }
+}
+
+void Trajectories::predict(const std::vector<int>& bodies, double t, EventQueue& queue) {
+  for (const int body : bodies) begin_window(body, t, queue);
+  predict_pairs(bodies, queue);
+}
+
+void Trajectories::restore(const std::vector<int>& bodies, double t, EventQueue& queue) {
+  for (const int body : bodies) {
+    // The windows since the motion began, as they came to be.
+    double begin = tracks_[at(body)].motion.begin();
+    for (double end = window_end(body, begin); end < t; end = window_end(body, begin)) begin = end;
+    begin_window(body, begin, queue);
+  }
+}
+
+void Trajectories::predict_among(const std::vector<int>& bodies, EventQueue& queue) {
+  std::vector<bool> is_among(tracks_.size(), false);
+  for (const int body : bodies) is_among[at(body)] = true;
+  for (const int body : bodies) {
+    for (const int other : candidates(body)) {
+      if (other > body && is_among[at(other)])
+        predict_pair(body, other, tracks_[at(body)].window_begin, queue);
+    }
+  }
+}
+
+/// Bodies whose windows meet that of this one.
+std::vector<int> Trajectories::candidates(int body) const {
+  std::vector<int> near;
+  if (model_.body(body).shapes.empty()) return near;
+  if (is_bounded(body)) {
+    boxes_->overlapping(tracks_[at(body)].box, near);
+    near.insert(near.end(), unbounded_.begin(), unbounded_.end());
+  } else {
+    for (int other = 0; other < model_.body_count(); ++other) near.push_back(other);
+  }
+  return near;
+}
+
+bool Trajectories::is_current(const QueuedEvent& event) const {
+  if (event.kind == QueuedEvent::Kind::step_end) return true;
+  if (tracks_[at(event.a)].version != event.stamp_a) return false;
+  return event.b < 0 || tracks_[at(event.b)].version == event.stamp_b;
+}
+
+std::vector<int> Trajectories::neighbours(int body, double t, double tolerance) const {
+  std::vector<int> near;
+  if (model_.body(body).shapes.empty()) return near;
+  if (is_bounded(body)) {
+    boxes_->overlapping(box_of(body, t, t).grown(tolerance), near);
+    near.insert(near.end(), unbounded_.begin(), unbounded_.end());
+    std::sort(near.begin(), near.end());
+  } else {
+    for (int other = 0; other < model_.body_count(); ++other) near.push_back(other);
+  }
+  std::erase_if(near, [&](int other) { return other == body || !model_.may_collide(body, other); });
+  return near;
+}
+
+}  // namespace rigor

@@ -1,0 +1,107 @@
+#include "rigor/sim/islands/cluster.hpp"
+
+#include "rigor/core/assert.hpp"
+#include "rigor/core/index.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace rigor {
+
+namespace {
+
+std::size_t place_of(const std::vector<int>& ascending, int body) {
+  return at(std::lower_bound(ascending.begin(), ascending.end(), body) - ascending.begin());
+}
+bool holds(const std::vector<int>& ascending, int body) {
+  return std::binary_search(ascending.begin(), ascending.end(), body);
+}
+
+/// Representatives of a partition, with path halving.
+class Partition {
+ public:
+  explicit Partition(std::size_t size) : parent_(size) {
+    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+  }
+  std::size_t find(std::size_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(std::size_t i, std::size_t k) {
+    const std::size_t a = find(i), b = find(k);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
+}  // namespace
+
+BodyPhase& Cluster::phase_of(int body) {
+  const std::size_t place = place_of(bodies, body);
+  RIGOR_ASSERT(place < bodies.size() && bodies[place] == body);
+  return phases[place];
+}
+
+std::vector<Cluster> connected_parts(const Cluster& cluster, const std::vector<Contact>& contacts,
+                                     const Environment& environment) {
+  Partition partition(cluster.bodies.size());
+  for (const Contact& contact : contacts) {
+    if (!holds(cluster.bodies, contact.body_A) || !holds(cluster.bodies, contact.body_B)) continue;
+    partition.join(place_of(cluster.bodies, contact.body_A), place_of(cluster.bodies, contact.body_B));
+  }
+  for (std::size_t i = 0; i < cluster.bodies.size(); ++i) {
+    for (const std::vector<int>* partners :
+         {&environment.spring_partners(cluster.bodies[i]), &environment.joint_partners(cluster.bodies[i])}) {
+      for (const int partner : *partners) {
+        if (holds(cluster.bodies, partner)) partition.join(i, place_of(cluster.bodies, partner));
+      }
+    }
+  }
+  std::map<std::size_t, Cluster> parts;
+  for (std::size_t i = 0; i < cluster.bodies.size(); ++i) {
+    Cluster& part = parts[partition.find(i)];
+    part.t = cluster.t;
+    part.slip_tolerance = cluster.slip_tolerance;
+    part.least_impact = cluster.least_impact;
+    part.bodies.push_back(cluster.bodies[i]);
+    part.phases.push_back(cluster.phases[i]);
+  }
+  for (const Contact& contact : contacts) {
+    const int body = holds(cluster.bodies, contact.body_A) ? contact.body_A : contact.body_B;
+    parts[partition.find(place_of(cluster.bodies, body))].contacts.push_back(contact);
+  }
+  std::vector<Cluster> result;
+  for (auto& [representative, part] : parts) result.push_back(std::move(part));
+  return result;
+}
+
+ClusterTotals totals_of(const Model& model, const Cluster& cluster) {
+  return totals_of_bodies(model, cluster.bodies, cluster.phases);
+}
+
+ClusterTotals totals_of_bodies(const Model& model, const std::vector<int>& bodies,
+                               const std::vector<BodyPhase>& phases) {
+  ClusterTotals sum;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const Body& body = model.body(bodies[i]);
+    const BodyPhase& phase = phases[i];
+    sum.P += phase.P;
+    sum.L += phase.L + phase.x.cross(phase.P);
+    sum.T += kinetic_energy(BodyInertia{body.mass, body.moments}, phase);
+  }
+  return sum;
+}
+
+void add_to_momenta(const ContactSystem& system, const std::vector<Wrench>& impulses, Cluster& cluster) {
+  for (std::size_t i = 0; i < cluster.bodies.size(); ++i) {
+    const Wrench& impulse = impulses[at(system.local_index(cluster.bodies[i]))];
+    cluster.phases[i].P += impulse.f_W;
+    cluster.phases[i].L += impulse.tau_W;
+  }
+}
+
+}  // namespace rigor

@@ -1,0 +1,80 @@
+#include "rigor/sim/islands/contact_projection.hpp"
+
+#include "rigor/sim/islands/displacement.hpp"
+#include "rigor/sim/islands/energy_repair.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rigor {
+
+ContactProjection::ContactProjection(const Model& model, const Environment& environment,
+                                     const IslandIntegrator& integrator, const Method& method)
+    : model_(model),
+      environment_(environment),
+      integrator_(integrator),
+      contact_tolerance_(method.contact_tolerance),
+      resting_(resting_choice(method)) {}
+
+void ContactProjection::restore_gaps(const Island& island, double t, IslandStep& step) const {
+  if (island.contacts.empty()) return;
+  const ContactSystem system = integrator_.contact_system(island, t, step.end);
+  VecX drift = VecX::Zero(3 * static_cast<Eigen::Index>(island.contacts.size()));
+  std::vector<ContactMode> modes;
+  for (std::size_t i = 0; i < island.contacts.size(); ++i) {
+    const bool holds = !island.contacts[i].stop && island.states[i].mode != ContactMode::open;
+    modes.push_back(holds ? ContactMode::slide : ContactMode::open);
+    if (holds)
+      drift[3 * static_cast<Eigen::Index>(i) + 2] =
+          system.contacts[i].point.gap - island.contacts[i].point.gap;
+  }
+  constexpr double rounding = 1e-15;
+  // A contact that is found on other features than before is not the one that drifted.
+  const double largest = drift.cwiseAbs().maxCoeff();
+  if (largest <= rounding * model_.length_scale() || largest > 0.1 * contact_tolerance_) return;
+  const std::vector<BodyPhase> drifted = step.end;
+  apply_displacement(normal_impulses(system, drift, modes, resting_), system, island.bodies, step.end);
+  const EnergyBalance balance = integrator_.energy_balance(t, island.bodies, island.contacts);
+  if (!balance.is_closed) return;
+  const auto energy = [&](const std::vector<BodyPhase>& phases) {
+    return energy_of_bodies(model_, environment_, island.bodies, phases);
+  };
+  const double gained = energy(step.end) - std::max(energy(drifted), energy(island.start));
+  if (gained <= 0) return;
+  const ClusterTotals before = totals_of_bodies(model_, island.bodies, step.end);
+  if (take_kinetic_energy(model_, island.bodies, gained, balance.is_free, step.end) < gained) {
+    step.end = drifted;
+    return;
+  }
+  if (balance.is_free) return;
+  const ClusterTotals after = totals_of_bodies(model_, island.bodies, step.end);
+  step.impulse += after.P - before.P;
+  step.angular_impulse += after.L - before.L;
+}
+
+bool ContactProjection::project_positions(Cluster& cluster, AdvanceReport& report) const {
+  double deepest = 0;
+  for (const Contact& contact : cluster.contacts) deepest = std::min(deepest, contact.point.gap);
+  if (deepest >= -0.2 * contact_tolerance_) return false;
+  const std::vector<BodyPhase> before = cluster.phases;
+  const ContactSystem system =
+      integrator_.system_of(cluster.t, cluster.bodies, cluster.phases, cluster.contacts);
+  apply_displacement(separating_impulses(system, std::vector<double>(cluster.contacts.size(), 0.0)), system,
+                     cluster.bodies, cluster.phases);
+  const EnergyBalance balance = integrator_.energy_balance(cluster.t, cluster.bodies, cluster.contacts);
+  if (!balance.is_closed) return true;
+  const double gained = energy_of_bodies(model_, environment_, cluster.bodies, cluster.phases) -
+                        energy_of_bodies(model_, environment_, cluster.bodies, before);
+  if (gained <= 0) return true;
+  const double taken = take_kinetic_energy(model_, cluster.bodies, gained, balance.is_free, cluster.phases);
+  // Bodies that hardly move cannot pay. They may stay as they are, unless the overlap is more than is
+  // allowed.
+  if (taken < gained && deepest > -0.8 * contact_tolerance_) {
+    cluster.phases = before;
+    return false;
+  }
+  report.projection_loss += taken;
+  return true;
+}
+
+}  // namespace rigor

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "rigor/sim/islands/cluster.hpp"
+#include "rigor/sim/islands/island.hpp"
+#include "rigor/sim/method/method.hpp"
+#include "rigor/sim/report/advance_report.hpp"
+
+#include <vector>
+
+namespace rigor {
+
+/// Puts positions back where contacts want them, and sees that no energy comes of it
+/// (docs/decisions/0010-positions-put-back.md).
+class ContactProjection {
+ public:
+  ContactProjection(const Model& model, const Environment& environment, const IslandIntegrator& integrator,
+                    const Method& method);
+
+  /// Lasting contacts keep their gaps: what the integrator's error has added to them by the end of a step is
+  /// taken back, by the smallest displacement in the metric of the mass matrix. It adds no energy: what it
+  /// would add is taken from the motion, and bodies that cannot pay stay where the step has left them.
+  void restore_gaps(const Island& island, double t, IslandStep& step) const;
+  /// Puts bodies that overlap noticeably back to touching, by the smallest displacement in the metric of the
+  /// mass matrix; the momenta stay, but for what pays for the lift. Returns whether anything moved: then the
+  /// contacts must be found anew.
+  bool project_positions(Cluster& cluster, AdvanceReport& report) const;
+
+ private:
+  const Model& model_;
+  const Environment& environment_;
+  const IslandIntegrator& integrator_;
+  double contact_tolerance_;
+  RestingChoice resting_;
+};
+
+}  // namespace rigor

@@ -1,0 +1,34 @@
+#include "rigor/sim/islands/displacement.hpp"
+
+#include "rigor/math/rotation.hpp"
+
+#include <algorithm>
+
+namespace rigor {
+
+VecX separating_impulses(const ContactSystem& system, const std::vector<double>& lowest) {
+  const std::size_t count = system.contacts.size();
+  CoulombProblem problem{delassus(system), VecX::Zero(3 * static_cast<Eigen::Index>(count)),
+                         std::vector<double>(count, 0.0), std::vector<FrictionRow>(count, FrictionRow::cone),
+                         std::vector<Vec2>(count, Vec2::Zero())};
+  for (std::size_t i = 0; i < count; ++i) {
+    const Contact& contact = system.contacts[i];
+    problem.b[3 * static_cast<Eigen::Index>(i) + 2] =
+        contact.stop ? std::max(0.0, contact.point.gap) : contact.point.gap - lowest[i];
+  }
+  return solve_coulomb(problem).lambda;
+}
+
+void apply_displacement(const VecX& delta, ContactSystem system, const std::vector<int>& bodies,
+                        std::vector<BodyPhase>& phases) {
+  for (BodyKinetics& body : system.kinetics) body.v = body.w = Vec3::Zero();
+  apply_impulses(delta, system);
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const BodyKinetics& moved = system.of(bodies[i]);
+    phases[i].x += moved.v;
+    phases[i].L -= moved.v.cross(phases[i].P);
+    phases[i].q = (rotation_exp(moved.w) * phases[i].q).normalized();
+  }
+}
+
+}  // namespace rigor

@@ -1,0 +1,129 @@
+#include "rigor/sim/islands/island_stepping.hpp"
+
+#include "rigor/core/index.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace rigor {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// Weight of short steps in a row before an island goes on at velocity level. Slip that turns fast is worth
+/// many steps, but one that time can hardly resolve weighs fifty times as much.
+constexpr int patience = 300;
+constexpr int weight_of_tiny_step = 50;
+
+/// Of a step relative to the one that was wanted.
+int weight_of_step(double relative) {
+  return relative < 1e-6 ? weight_of_tiny_step : relative < 1e-4 ? 8 : relative < 1e-2 ? 1 : 0;
+}
+
+/// How many steps at velocity level are taken then.
+constexpr int implicit_steps = 60;
+/// How often such a step is halved where joints do not hold over it.
+constexpr int most_halvings = 12;
+
+}  // namespace
+
+IslandStepping::IslandStepping(const Model& model, const IslandIntegrator& integrator, const Method& method,
+                               double target_step)
+    : integrator_(integrator),
+      mode_changes_(model, integrator, method),
+      time_tolerance_(method.time_tolerance),
+      contact_tolerance_(method.contact_tolerance),
+      slip_tolerance_(slip_tolerance(method)),
+      direction_tolerance_(direction_tolerance(method)),
+      target_step_(target_step),
+      crowding_(at(model.body_count())),
+      step_size_(at(model.body_count()), infinite) {}
+
+void IslandStepping::restart() {
+  std::fill(crowding_.begin(), crowding_.end(), 0);
+  std::fill(step_size_.begin(), step_size_.end(), infinite);
+}
+
+int IslandStepping::crowding_of(const std::vector<int>& bodies) const {
+  int crowding = 0;
+  for (const int body : bodies) crowding = std::max(crowding, crowding_[at(body)]);
+  return crowding;
+}
+
+bool IslandStepping::is_at_velocity_level(const std::vector<int>& bodies) const {
+  return crowding_of(bodies) > patience;
+}
+
+void IslandStepping::go_to_velocity_level(const std::vector<int>& bodies) {
+  for (const int body : bodies) crowding_[at(body)] = patience + implicit_steps;
+}
+
+double IslandStepping::slip_tolerance_of(const std::vector<int>& bodies) const {
+  const int tiny_steps = crowding_of(bodies) / weight_of_tiny_step;
+  return std::min(slip_tolerance_ * std::pow(4.0, tiny_steps), direction_tolerance_);
+}
+
+RunningIsland IslandStepping::take_step(Island island, double h, AdvanceReport& report) {
+  RunningIsland running{std::move(island), {}, 0, 0, {}};
+  const double resolved =
+      std::max(time_tolerance_, 8 * std::numeric_limits<double>::epsilon() * running.island.begin);
+  if (is_at_velocity_level(running.island.bodies) && !running.island.contacts.empty()) {
+    take_implicit_step(h, resolved, running, report);
+  } else {
+    take_accurate_step(h, resolved, running, report);
+  }
+  return running;
+}
+
+void IslandStepping::take_implicit_step(double h, double resolved, RunningIsland& running,
+                                        AdvanceReport& report) {
+  const Island& island = running.island;
+  h = std::min(h, 0.1 * target_step_);
+  running.step = integrator_.implicit_step(island, h);
+  // What the joints are off by then is put back, and must not push bodies into each other.
+  const auto off = [&] {
+    return integrator_.joint_residual(island.begin + running.step.h, island.bodies, running.step.end);
+  };
+  for (int k = 0; k < most_halvings && h > resolved && off() > 0.2 * contact_tolerance_; ++k) {
+    h *= 0.5;
+    running.step = integrator_.implicit_step(island, h);
+  }
+  running.change = mode_changes_.find_meeting(island, running.step);
+  if (running.change) running.step = integrator_.implicit_step(island, std::max(running.change->h, resolved));
+  ++report.coarse_steps;
+  const int crowding = crowding_of(island.bodies) - 1;
+  for (const int body : island.bodies) crowding_[at(body)] = crowding;
+}
+
+void IslandStepping::take_accurate_step(double h, double resolved, RunningIsland& running,
+                                        AdvanceReport& report) {
+  const Island& island = running.island;
+  const int tiny_steps = crowding_of(island.bodies) / weight_of_tiny_step;
+  const double least = std::min(h, std::max(resolved, target_step_ * 1e-9 * std::pow(4.0, tiny_steps)));
+  double first = h;
+  for (const int body : island.bodies) first = std::min(first, step_size_[at(body)]);
+
+  ControlledStep taken = integrator_.controlled_step(island, std::max(first, least), least);
+  running.step = std::move(taken.step);
+  running.change = mode_changes_.find(island, running.step);
+  if (running.change) running.step = integrator_.step(island, std::max(running.change->h, least));
+  if (running.step.error > 1) ++report.coarse_steps;
+
+  running.wanted = std::min(target_step_, h);
+  // A change of modes changes the forces: what the error said is of the past.
+  for (const int body : island.bodies) step_size_[at(body)] = running.change ? infinite : taken.h_next;
+}
+
+void IslandStepping::note_end(const RunningIsland& running, double elapsed) {
+  if (running.wanted == 0) return;
+  const int weight = weight_of_step(elapsed / running.wanted);
+  const int crowding = weight > 0 ? crowding_of(running.island.bodies) + weight : 0;
+  for (const int body : running.island.bodies) {
+    crowding_[at(body)] = crowding > patience ? patience + implicit_steps : crowding;
+  }
+}
+
+}  // namespace rigor

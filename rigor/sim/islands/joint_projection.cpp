@@ -1,0 +1,105 @@
+#include "rigor/sim/islands/joint_projection.hpp"
+
+#include "rigor/core/index.hpp"
+#include "rigor/math/dense.hpp"
+#include "rigor/math/rotation.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace rigor {
+
+void JointProjection::project_positions(double t, const std::vector<int>& bodies,
+                                        std::vector<BodyPhase>& phases, AdvanceReport& report) const {
+  if (integrator_.joints_of(bodies).empty()) return;
+  constexpr int most_iterations = 8;
+  constexpr double rounding = 1e-15;
+  double last = std::numeric_limits<double>::infinity();
+  std::vector<BodyPhase> best = phases;
+  for (int iteration = 0; iteration <= most_iterations; ++iteration) {
+    const ContactSystem system = integrator_.system_of(t, bodies, phases, {});
+    const auto [residual, joint] = system.joints->largest_residual();
+    if (iteration == 0) report.max_joint_projection = std::max(report.max_joint_projection, residual);
+    const bool is_better = residual < last;
+    if (is_better) {
+      last = residual;
+      best = phases;
+    }
+    if (!is_better || residual <= rounding * model_.length_scale() || iteration == most_iterations) {
+      if (last > report.max_joint_drift) {
+        report.max_joint_drift = last;
+        report.drift_joint = joint;
+      }
+      break;
+    }
+    const JointSystem::Response moved = system.joints->respond(
+        std::vector<Vec6>(system.bodies.size(), Vec6::Zero()), -system.joints->residuals());
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      const Vec6& delta = moved.a[at(system.local_index(bodies[i]))];
+      phases[i].x += delta.head<3>();
+      phases[i].q = (rotation_exp(delta.tail<3>()) * phases[i].q).normalized();
+    }
+  }
+  phases = std::move(best);
+}
+
+void JointProjection::restore_momenta(const Island& island, IslandStep& step) const {
+  const std::vector<int> joints = integrator_.joints_of(island.bodies);
+  const auto is_grounded = [this](int joint) {
+    const Joint& description = model_.joint(joint);
+    if (description.type == JointType::gear) return false;  // Those that it ties are in the list.
+    return description.body_A == world_body || description.body_B == world_body;
+  };
+  if (joints.empty() || !(island.contacts.empty() || step.is_implicit) ||
+      std::any_of(joints.begin(), joints.end(), is_grounded) ||
+      !integrator_.jointed_prescribed(island.bodies).empty())
+    return;
+  const ContactSystem system = integrator_.system_of(island.begin + step.h, island.bodies, step.end, {});
+  double mass = 0;
+  Vec3 centre = Vec3::Zero();
+  for (const BodyKinetics& body : system.kinetics) {
+    mass += 1 / body.inverse_mass;
+    centre += body.x / body.inverse_mass;
+  }
+  centre /= mass;
+  Mat3 inertia = Mat3::Zero();
+  for (const BodyKinetics& body : system.kinetics) {
+    const Vec3 arm = body.x - centre;
+    inertia +=
+        body.inertia + (arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose()) / body.inverse_mass;
+  }
+  // What is missing, as a sum of small differences: rounding relative to the sums themselves would add up.
+  Vec3 P = step.impulse, L = step.angular_impulse;
+  for (std::size_t i = 0; i < island.bodies.size(); ++i) {
+    const BodyPhase &start = island.start[i], &end = step.end[i];
+    const Vec3 dP = end.P - start.P, dx = end.x - start.x;
+    P -= dP;
+    L -= (end.L - start.L) + dx.cross(end.P) + start.x.cross(dP);
+  }
+  L -= centre.cross(P);
+  const Vec3 v = P / mass, w = symmetric_solution(inertia, L);
+  for (std::size_t i = 0; i < island.bodies.size(); ++i) {
+    const BodyKinetics& body = system.of(island.bodies[i]);
+    step.end[i].P += (v + w.cross(body.x - centre)) / body.inverse_mass;
+    step.end[i].L += body.inertia * w;
+  }
+}
+
+void JointProjection::project_velocities(Cluster& cluster, AdvanceReport& report) const {
+  if (integrator_.joints_of(cluster.bodies).empty()) return;
+  const ContactSystem system = integrator_.system_of(cluster.t, cluster.bodies, cluster.phases, {});
+  const ClusterTotals before = totals_of(model_, cluster);
+  const JointReactions reactions =
+      with_joint_impulses(system, std::vector<Wrench>(system.bodies.size()), -system.joints->rate_errors());
+  add_to_momenta(system, reactions.wrenches, cluster);
+  const Wrench external = external_wrench(system, VecX(), reactions.lambda);
+  const double work = system.joints->supplied_power(reactions.lambda);
+  const ClusterTotals after = totals_of(model_, cluster);
+  report.work += work;
+  report.projection_loss += before.T - after.T + work;
+  report.momentum_error += after.P - before.P - external.f_W;
+  report.angular_momentum_error += after.L - before.L - external.tau_W;
+}
+
+}  // namespace rigor

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "rigor/sim/islands/island.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace rigor {
+
+/// Why a step of an island must end early.
+struct ModeChange {
+  enum class Kind {
+    slip_ends,    ///< A sliding contact comes to a stop.
+    force_limit,  ///< A contact lets go, or a sticking one begins to slip.
+    overlap,      ///< Further points of bodies in contact meet, or a joint meets a limit.
+  };
+  Kind kind;
+  double h;               ///< Time since the island's begin [s].
+  double slip_speed = 0;  ///< Kind slip_ends: |u_t| that the stopped contacts still have there [m/s].
+};
+
+/// The first time in the step at which the island's contact modes no longer hold, located on the dense
+/// output; nothing if they hold to the end.
+class ModeChangeSearch {
+ public:
+  ModeChangeSearch(const Model& model, const IslandIntegrator& integrator, const Method& method);
+
+  std::optional<ModeChange> find(const Island& island, const IslandStep& step) const;
+  /// The first time at which further points of the bodies in contact meet or a joint meets a limit, and
+  /// nothing else.
+  std::optional<ModeChange> find_meeting(const Island& island, const IslandStep& step) const;
+
+ private:
+  struct Instant;
+  /// The first time at which a joint meets a limit.
+  std::optional<ModeChange> find_limit(const Island& island, const IslandStep& step) const;
+  /// The first time before `end` (a part of the step) at which further points of the bodies in contact meet.
+  std::optional<ModeChange> find_overlap(const Island& island, const IslandStep& step, double end) const;
+  Instant at(const Island& island, const IslandStep& step, double theta) const;
+  std::vector<Wrench> wrenches(const Island& island, const Instant& instant) const;
+  /// The first time before `end` (a part of the step) at which a sliding contact stops.
+  std::optional<ModeChange> find_slip_end(const Island& island, const IslandStep& step, double end) const;
+  std::vector<double> slip_speeds(const Island& island, const Instant& instant) const;
+  double force_margin(const Island& island, const Instant& instant) const;
+  std::vector<double> clearances(const Island& island, const Instant& instant) const;
+  std::vector<Contact> contacts_of_pairs(const Island& island, const Instant& instant) const;
+  double overlap_margin(const Island& island, const Instant& instant,
+                        const std::vector<Contact>& at_start) const;
+  bool modes_hold(const Island& island, const Instant& instant) const;
+
+  const Model& model_;
+  const IslandIntegrator& integrator_;
+  double contact_tolerance_, time_tolerance_, slip_tolerance_, direction_tolerance_;
+  RestingChoice resting_;
+};
+
+}  // namespace rigor

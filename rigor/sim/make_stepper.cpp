@@ -1,0 +1,34 @@
+#include "rigor/sim/make_stepper.hpp"
+
+#include "rigor/sim/bulk/bulk_stepper.hpp"
+#include "rigor/sim/event_driven/event_driven_stepper.hpp"
+#include "rigor/sim/event_driven/hybrid_stepper.hpp"
+#include "rigor/sim/event_driven/impulse_based_stepper.hpp"
+#include "rigor/sim/method/scheme_choice.hpp"
+#include "rigor/sim/penalty/penalty_global_stepper.hpp"
+#include "rigor/sim/penalty/penalty_stepper.hpp"
+#include "rigor/sim/time_stepping/time_stepper.hpp"
+
+#include <utility>
+
+namespace rigor {
+
+std::unique_ptr<Stepper> make_stepper(std::shared_ptr<const Model> model, const Method& method,
+                                      double target_step, int threads) {
+  const Method resolved = resolve_scheme(*model, method).method;
+  if (resolved.scheme == Scheme::time_stepping && resolved.solver == SolverMethod::substep)
+    return std::make_unique<BulkStepper>(std::move(model), resolved, target_step, threads);
+  if (resolved.scheme == Scheme::time_stepping)
+    return std::make_unique<TimeStepper>(std::move(model), resolved, target_step);
+  if (resolved.scheme == Scheme::penalty && resolved.penalty == PenaltyMethod::global)
+    return std::make_unique<GlobalPenaltyStepper>(std::move(model), resolved, target_step);
+  if (resolved.scheme == Scheme::penalty)
+    return std::make_unique<PenaltyStepper>(std::move(model), resolved, target_step);
+  if (resolved.scheme == Scheme::impulse_based)
+    return std::make_unique<ImpulseBasedStepper>(std::move(model), resolved, target_step);
+  if (resolved.scheme == Scheme::hybrid)
+    return std::make_unique<HybridStepper>(std::move(model), resolved, target_step);
+  return std::make_unique<EventDrivenStepper>(std::move(model), resolved, target_step);
+}
+
+}  // namespace rigor

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "rigor/model/model.hpp"
+#include "rigor/sim/make_stepper.hpp"
+#include "rigor/sim/method/method.hpp"
+
+#include <memory>
+
+namespace rigor {
+
+/// The stepper of the method's scheme, or of the one that `auto` stands for. target_step H > 0 [s]: the
+/// longest step. threads >= 1: of schemes that use several; the answer does not depend on it.
+std::unique_ptr<Stepper> make_stepper(std::shared_ptr<const Model> model, const Method& method,
+                                      double target_step, int threads = 1);
+
+}  // namespace rigor

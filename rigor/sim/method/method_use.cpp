@@ -1,0 +1,42 @@
+#include "rigor/sim/method/method_use.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace rigor {
+
+namespace {
+
+/// Schemes that look at a choice: those that locate impacts are event-driven, impulse-based and hybrid.
+struct ChoiceUse {
+  std::string_view key;
+  bool when_located, when_stepped, when_penalised;
+};
+
+constexpr std::array<ChoiceUse, 10> choice_uses = {{
+    {"distance", true, false, false},
+    {"toi", true, false, false},
+    {"impact", true, true, false},
+    {"simultaneous", true, true, false},
+    {"resting", true, true, true},
+    {"lcp", true, true, true},
+    {"penalty", false, false, true},
+    {"penalty_law", false, false, true},
+    {"solver", false, true, false},
+    {"cone", false, true, false},
+}};
+
+}  // namespace
+
+bool uses_choice(const Method& method, std::string_view key) {
+  if (key == "sleeping" && method.scheme != Scheme::automatic)
+    return method.scheme == Scheme::time_stepping && method.solver == SolverMethod::substep;
+  const auto use = std::find_if(choice_uses.begin(), choice_uses.end(),
+                                [&](const ChoiceUse& each) { return each.key == key; });
+  if (use == choice_uses.end() || method.scheme == Scheme::automatic) return true;
+  if (method.scheme == Scheme::time_stepping) return use->when_stepped;
+  if (method.scheme == Scheme::penalty) return use->when_penalised;
+  return use->when_located;
+}
+
+}  // namespace rigor

@@ -1,0 +1,74 @@
+#pragma once
+
+#include "rigor/model/model.hpp"
+#include "rigor/sim/method/method.hpp"
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rigor {
+
+/// What of a scene the choice of a scheme rests on: the Model and its start, nothing that time changes.
+struct SchemeFacts {
+  int dynamic_bodies = 0;
+  int colliding_bodies = 0;  ///< Dynamic bodies that may touch any other body.
+  int touching_pairs = 0;    ///< Pairs of bodies that touch at t = 0.
+  int bouncing_pairs = 0;    ///< Those of them whose restitution is between 0 and 1.
+  int bouncing_apart =
+      0;  ///< Colliding bodies that touch nothing at t = 0, with a restitution between 0 and 1.
+  int joints = 0;
+  bool has_closed_form = false;    ///< Nothing but gravity acts between contacts.
+  double lowest_restitution = 0;   ///< Of the materials of bodies that may touch; 0 if none may.
+  double highest_restitution = 0;  ///< The same.
+};
+
+/// The facts of a model. contact_tolerance [m]: pairs closer than this touch.
+SchemeFacts scheme_facts(const Model& model, double contact_tolerance);
+
+/// One line of the table by which `scheme: auto` chooses: the first that applies decides. docs/choosing.md
+/// shows the same table.
+struct SchemeRule {
+  std::string_view when;  ///< "at most 40 bodies collide".
+  bool (*applies)(const SchemeFacts& facts);
+  std::vector<Scheme> schemes;  ///< The first one that is available is taken.
+  std::string_view why;
+};
+
+/// The table; its last line always applies and ends with event-driven, which is always available.
+std::span<const SchemeRule> scheme_rules();
+
+/// What was chosen, and why in a sentence without its full stop.
+struct SchemeChoice {
+  Scheme scheme;
+  std::string reason;
+};
+
+/// A scheme that cannot run the scene.
+struct SchemeRefusal {
+  Scheme scheme;
+  std::string reason;  ///< As check_scheme and check_combination say it.
+};
+
+/// The schemes among those available that the model, or the rest of the method, does not go with.
+std::vector<SchemeRefusal> scheme_refusals(const Model& model, const Method& method,
+                                           std::span<const Scheme> available);
+
+/// The scheme of the first rule that applies, among those available that do not refuse the scene; where the
+/// rule has none, the first one available that does not. Event-driven if all refuse.
+SchemeChoice choose_scheme(const SchemeFacts& facts, std::span<const Scheme> available,
+                           std::span<const SchemeRefusal> refusals = {});
+
+/// The schemes that this version offers; `auto` is none of them.
+std::vector<Scheme> available_schemes();
+
+/// The method with the scheme that `auto` stands for in this scene, and the reason; any other method as it
+/// is, without a reason. The same Model gives the same answer at any time.
+struct ResolvedMethod {
+  Method method;
+  std::string scheme_reason;
+};
+ResolvedMethod resolve_scheme(const Model& model, const Method& method);
+
+}  // namespace rigor

@@ -1,0 +1,17 @@
+#include "rigor/sim/method/toi_choice.hpp"
+
+namespace rigor {
+
+ToiOptions toi_choice(const Method& method) {
+  ToiOptions options;
+  options.refinement = method.toi == ToiMethod::ratio       ? ToiRefinement::ratio
+                       : method.toi == ToiMethod::bisection ? ToiRefinement::bisection
+                                                            : ToiRefinement::conservative;
+  options.distance = method.distance == DistanceMethod::lin_canny ? ToiDistance::lin_canny : ToiDistance::gjk;
+  options.contact_tolerance = method.contact_tolerance;
+  options.time_tolerance = method.time_tolerance;
+  options.rest_velocity = 1e-6 * method.resting_velocity;
+  return options;
+}
+
+}  // namespace rigor

@@ -1,0 +1,51 @@
+#include "rigor/sim/pairs/contact_finder.hpp"
+
+#include "rigor/core/assert.hpp"
+#include "rigor/core/index.hpp"
+#include "rigor/sim/pairs/near_pairs.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace rigor {
+
+ContactFinder::ContactFinder(const Model& model, BroadPhaseMethod method)
+    : model_(model), boxes_(make_broad_phase(method)), box_of_(at(model.body_count())) {}
+
+std::vector<std::pair<int, int>> ContactFinder::near_pairs(const State& state,
+                                                           const std::vector<double>& reaches) {
+  RIGOR_ASSERT(reaches.size() == box_of_.size());
+  for (int i = 0; i < model_.body_count(); ++i) {
+    if (model_.body(i).shapes.empty()) continue;
+    const std::size_t k = at(i);
+    box_of_[k] = body_box(model_, state, i).grown(reaches[k]);
+    boxes_->set(i, box_of_[k]);
+  }
+  std::vector<std::pair<int, int>> pairs;
+  std::vector<int> near;
+  for (int i = 0; i < model_.body_count(); ++i) {
+    if (model_.body(i).shapes.empty()) continue;
+    const bool is_dynamic = model_.body(i).motion == MotionType::dynamic;
+    boxes_->overlapping(box_of_[at(i)], near);
+    for (const int other : near) {
+      if (other <= i || !model_.may_collide(i, other)) continue;
+      if (is_dynamic || model_.body(other).motion == MotionType::dynamic) pairs.push_back({i, other});
+    }
+  }
+  return pairs;
+}
+
+std::vector<Contact> ContactFinder::find(const State& state, const std::vector<double>& reaches,
+                                         double tolerance) {
+  std::vector<Contact> contacts;
+  for (const auto& [a, b] : near_pairs(state, reaches)) {
+    const double margin = tolerance + reaches[at(a)] + reaches[at(b)];
+    const std::vector<Contact> found =
+        find_contacts(model_, a, b, pose_of(state, a), pose_of(state, b), margin);
+    contacts.insert(contacts.end(), found.begin(), found.end());
+  }
+  // Pairs are in order, and so are the shapes of each.
+  return contacts;
+}
+
+}  // namespace rigor

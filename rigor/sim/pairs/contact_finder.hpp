@@ -1,0 +1,33 @@
+#pragma once
+
+#include "rigor/contact/system/contact.hpp"
+#include "rigor/geometry/broad_phase/broad_phase.hpp"
+#include "rigor/model/state.hpp"
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace rigor {
+
+/// Contacts of all bodies at the poses of a State, for the schemes of fixed steps. The boxes of the bodies
+/// are kept in a broad phase from call to call; what is found does not depend on earlier calls.
+class ContactFinder {
+ public:
+  /// Holds a reference to the model.
+  ContactFinder(const Model& model, BroadPhaseMethod method);
+
+  /// Pairs of bodies that may collide, at least one of them dynamic, whose boxes, each grown by the reach of
+  /// its body [m], meet; lower index first, in order.
+  std::vector<std::pair<int, int>> near_pairs(const State& state, const std::vector<double>& reaches);
+  /// All contacts of these pairs with gaps up to tolerance + the reaches of both bodies, in the order of
+  /// bodies, shapes and features. `reaches`, one a body: how far its points may come in the step [m].
+  std::vector<Contact> find(const State& state, const std::vector<double>& reaches, double tolerance);
+
+ private:
+  const Model& model_;
+  std::unique_ptr<BroadPhase> boxes_;
+  std::vector<Aabb> box_of_;
+};
+
+}  // namespace rigor

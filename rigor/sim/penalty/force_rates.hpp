@@ -1,0 +1,18 @@
+#pragma once
+
+#include "rigor/contact/penalty/penalty_rates.hpp"
+#include "rigor/model/model.hpp"
+
+namespace rigor {
+
+/// Bounds of how fast the springs, dampers and drags of the scene's forces and bodies make bodies swing and
+/// settle [1/s]: what steps that take them explicitly must resolve. 0 if there are none; the springs and
+/// dampers of joints are not counted.
+///
+/// With μ = 1/m + r²/I of a spring's end on a body (r: its distance from the centre of mass, I: the least
+/// moment), the energy of the springs in units of that of the masses is Σ_b (Σ_i √(k_i μ_ib) x_i)² ≤ 2 max_b
+/// Σ_i k_i μ_ib |x|², since a spring is at two bodies: ω² ≤ 2 max_b Σ_i k_i μ_ib, and so for dampers with c
+/// instead of k.
+PenaltyRates rates_of_forces(const Model& model);
+
+}  // namespace rigor

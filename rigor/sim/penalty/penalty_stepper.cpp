@@ -1,0 +1,326 @@
+#include "rigor/sim/penalty/penalty_stepper.hpp"
+
+#include "rigor/contact/penalty/penalty_rates.hpp"
+#include "rigor/core/assert.hpp"
+#include "rigor/core/index.hpp"
+#include "rigor/dynamics/free_rotation.hpp"
+#include "rigor/sim/fixed_steps/fixed_steps.hpp"
+#include "rigor/sim/penalty/force_rates.hpp"
+#include "rigor/sim/penalty/penalty_forces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace rigor {
+
+namespace {
+
+/// Share of 1/ω that an explicit sub-step takes: the energy error of an impact is then below a percent.
+constexpr double step_share = 0.2;
+/// Largest product of a sub-step and the rate of the dampers.
+constexpr double damping_share = 1;
+/// How far ahead contacts are looked for, in sub-steps.
+constexpr double steps_ahead = 50;
+/// Of the implicit kick; each takes (h/2) × (rate of the dampers) ≤ 1/2 of the error.
+constexpr int kick_iterations = 4;
+
+BodyInertia inertia_of(const Body& body) {
+  return {body.mass, body.moments};
+}
+
+/// Place of a body in the ascending list that holds it.
+std::size_t place_of(const std::vector<int>& bodies, int body) {
+  return at(static_cast<int>(std::lower_bound(bodies.begin(), bodies.end(), body) - bodies.begin()));
+}
+
+void add(const std::vector<Wrench>& more, std::vector<Wrench>& wrenches) {
+  for (std::size_t b = 0; b < more.size(); ++b) {
+    wrenches[b].f_W += more[b].f_W;
+    wrenches[b].tau_W += more[b].tau_W;
+  }
+}
+
+}  // namespace
+
+PenaltyStepper::PenaltyStepper(std::shared_ptr<const Model> model, const Method& method, double target_step)
+    : PenaltyStepper(std::move(model), method, target_step, TouchingForm::overlapping) {}
+
+PenaltyStepper::PenaltyStepper(std::shared_ptr<const Model> model, const Method& method, double target_step,
+                               TouchingForm form)
+    : model_(std::move(model)),
+      method_(method),
+      target_step_(target_step),
+      environment_(*model_),
+      integrator_(*model_, environment_, method),
+      joints_(*model_, integrator_),
+      contacts_(*model_, environment_, integrator_, method, form) {
+  RIGOR_ASSERT(target_step > 0);
+  // The forces of the scene are kicks: what they make swing asks for short steps as contacts do, and shorter
+  // ones, since it swings on: its energy is off by (ω h)²/4.
+  constexpr double swing_share = 0.05;
+  const PenaltyRates rates = rates_of_forces(*model_);
+  if (rates.frequency > 0) target_step_ = std::min(target_step_, swing_share / rates.frequency);
+  if (rates.damping > 0) target_step_ = std::min(target_step_, damping_share / rates.damping);
+}
+
+AdvanceReport PenaltyStepper::advance(State& state, double t_end) {
+  RIGOR_ASSERT(t_end >= state.t && state.body_count() == model_->body_count());
+  report_ = {};
+  if (t_end == state.t) return report_;
+  const FixedSteps steps(state.t, t_end, target_step_ / std::max(method_.substeps, 1.0));
+  // What was known at the end of the last call is forgotten: the State says it all.
+  phases_ = contacts_.phases(state);
+  if (state.contacts.empty()) {
+    state.contacts = contacts_.pressed_at_rest(state);
+    for (const ContactMemory& pressed : state.contacts) report_.work += pressed.energy;
+  }
+  touching_ = contacts_.find(state, horizon(state, steps.end(0)), 0);
+  for (long k = 0; k < steps.count() && report_.reason == StopReason::reached_end; ++k)
+    advance_to(steps.end(k), state);
+  return report_;
+}
+
+void PenaltyStepper::advance_to(double t_end, State& state) {
+  while (state.t < t_end && report_.reason == StopReason::reached_end) {
+    if (interrupt_ && interrupt_()) {
+      report_.reason = StopReason::interrupted;
+      return;
+    }
+    const double t_next = end_of_step(state.t, t_end);
+    if (!(t_next - state.t > 8 * std::numeric_limits<double>::epsilon() * std::abs(state.t))) {
+      report_.reason = StopReason::events_accumulate;
+      report_.detail = "the springs of contacts ask for shorter steps than time resolves";
+      return;
+    }
+    take_step(t_next, state);
+  }
+}
+
+double PenaltyStepper::horizon(const State& state, double t_end) const {
+  double horizon = t_end - state.t;
+  for (const ContactMemory& memory : state.contacts) {
+    const double speed = penalty_contact(contacts_.choice(), memory).speed;
+    if (speed > 0) horizon = std::min(horizon, steps_ahead * step_share * method_.penalty_depth / speed);
+  }
+  return horizon;
+}
+
+double PenaltyStepper::end_of_step(double t, double t_end) const {
+  const PenaltyRates rates = penalty_rates(touching_.system, touching_.springs, method_.penalty_depth);
+  double longest = std::min(t_end - t, touching_.free_time);
+  if (rates.frequency > 0) longest = std::min(longest, step_share / rates.frequency);
+  if (rates.damping > 0) longest = std::min(longest, damping_share / rates.damping);
+  return equal_part(t, t_end, longest);
+}
+
+double PenaltyStepper::equal_part(double t, double t_end, double longest) {
+  constexpr double rounding = 1e-12;
+  const double parts = std::ceil((t_end - t) / longest * (1 - rounding));
+  return parts > 1 ? t + (t_end - t) / parts : t_end;
+}
+
+void PenaltyStepper::take_step(double t_next, State& state) {
+  const double h = t_next - state.t;
+  const bool is_first_order = method_.integrator == IntegratorMethod::semi_implicit_euler;
+  const ElasticEnergies before = elastic_energies(touching_);
+  apply_kick(state.t, is_first_order ? h : 0.5 * h, KickForm::explicit_kick);
+  drift(h, t_next);
+  if (note_not_finite()) return;
+  write_state(t_next, state);
+  touching_ = contacts_.find(state, horizon(state, t_next + target_step_), 0.5 * h);
+  move_bristles(h, touching_);
+  observe_contacts(t_next);
+  if (!is_first_order) apply_kick(t_next, 0.5 * h, KickForm::implicit_kick);
+  slide_bristles(touching_);
+  contacts_.soften(h, touching_);
+  if (note_not_finite()) return;
+  end_step(before, t_next, state);
+}
+
+void PenaltyStepper::end_step(const ElasticEnergies& before, double t, State& state) {
+  const ElasticEnergies after = elastic_energies(touching_);
+  report_.damping_loss += before.normal - after.normal;
+  report_.friction_loss += before.bristles - after.bristles;
+  ++report_.steps;
+  write_state(t, state);
+  state.contacts = contacts_.memories(touching_);
+}
+
+VecX PenaltyStepper::contact_forces() const {
+  return penalty_forces(touching_);
+}
+
+PenaltyStepper::Kick PenaltyStepper::kick_at(double t, double h, const VecX* rate_errors) const {
+  const ContactSystem& system = touching_.system;
+  Kick kick;
+  std::vector<Wrench> wrenches = integrator_.environment_wrenches(system, t);
+  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+    const BodyKinetics& body = system.kinetics[b];
+    if (body.inverse_mass == 0) continue;
+    kick.external.f_W += h * wrenches[b].f_W;
+    kick.external.tau_W += h * (wrenches[b].tau_W + body.x.cross(wrenches[b].f_W));
+    kick.work += h * environment_.supplied_power(system.bodies[b], {body.x, body.v, body.w, body.R, true});
+  }
+  const VecX forces = contact_forces();
+  add(contact_wrenches(system, forces), wrenches);
+  kick.lambda = h * forces;
+  kick.work += work_of_prescribed(system, kick.lambda);
+  const PenaltyMoments moments = penalty_moments(touching_, forces);
+  add(moments.wrenches, wrenches);
+  kick.turning_work = h * moments.power_taken;
+  kick.work += h * moments.power_of_prescribed;
+  kick.external.tau_W += h * moments.external_W;
+
+  VecX of_joints;
+  if (system.joints && !rate_errors) {
+    JointReactions reactions = with_joint_reactions(system, std::move(wrenches));
+    wrenches = std::move(reactions.wrenches);
+    of_joints = h * reactions.lambda;
+  }
+  for (Wrench& wrench : wrenches) wrench.f_W *= h, wrench.tau_W *= h;
+  if (system.joints && rate_errors) {
+    JointReactions reactions = with_joint_impulses(system, std::move(wrenches), -*rate_errors);
+    wrenches = std::move(reactions.wrenches);
+    of_joints = reactions.lambda;
+  }
+  if (system.joints) kick.work += system.joints->supplied_power(of_joints);
+  const Wrench external = external_wrench(system, kick.lambda, of_joints);
+  kick.external.f_W += external.f_W;
+  kick.external.tau_W += external.tau_W;
+  kick.impulses = std::move(wrenches);
+  return kick;
+}
+
+void PenaltyStepper::apply_kick(double t, double h, KickForm form) {
+  const std::vector<BodyPhase> before = phases_;
+  contacts_.update_velocities(t, phases_, touching_);
+  const VecX u_before = relative_velocities(touching_.system);
+  const bool is_implicit = form == KickForm::implicit_kick;
+  VecX rate_errors;
+  if (touching_.system.joints) rate_errors = touching_.system.joints->rate_errors();
+  Kick kick;
+  for (int iteration = 0; iteration < (is_implicit ? kick_iterations : 1); ++iteration) {
+    // The implicit kick: the forces are those at the velocities after it.
+    kick = kick_at(t, h, is_implicit ? &rate_errors : nullptr);
+    phases_ = before;
+    add_impulses(kick);
+    contacts_.update_velocities(t, phases_, touching_);
+  }
+  note_kick(kick, before, 0.5 * (u_before + relative_velocities(touching_.system)));
+}
+
+void PenaltyStepper::add_impulses(const Kick& kick) {
+  for (std::size_t i = 0; i < phases_.size(); ++i) {
+    const int body = contacts_.dynamic_bodies()[i];
+    const Wrench& impulse = kick.impulses[at(touching_.system.local_index(body))];
+    phases_[i].P += impulse.f_W;
+    phases_[i].L += impulse.tau_W;
+  }
+}
+
+/// What impulses take through the springs; u: mean of the velocities of the contacts before and after.
+void PenaltyStepper::note_contact_work(const VecX& lambda, const VecX& u) {
+  for (Eigen::Index k = 0; k < u.size(); ++k) {
+    double& loss = k % 3 == 2 ? report_.damping_loss : report_.friction_loss;
+    loss -= lambda[k] * u[k];
+  }
+}
+
+/// Books of a kick; u as above.
+void PenaltyStepper::note_kick(const Kick& kick, const std::vector<BodyPhase>& before, const VecX& u) {
+  note_contact_work(kick.lambda, u);
+  report_.friction_loss += kick.turning_work;
+  report_.work += kick.work;
+  Vec3 P = -kick.external.f_W, L = -kick.external.tau_W;
+  for (std::size_t i = 0; i < phases_.size(); ++i) {
+    const Vec3 dP = phases_[i].P - before[i].P;
+    P += dP;
+    L += phases_[i].L - before[i].L + phases_[i].x.cross(dP);
+  }
+  report_.momentum_error += P;
+  report_.angular_momentum_error += L;
+}
+
+void PenaltyStepper::drift(double h, double t_next) {
+  for (std::size_t i = 0; i < phases_.size(); ++i) {
+    const BodyInertia inertia = inertia_of(model_->body(contacts_.dynamic_bodies()[i]));
+    BodyPhase& phase = phases_[i];
+    phase.q = FreeRotation(inertia.moments, phase.q, phase.L).orientation(h);
+    phase.x += h / inertia.mass * phase.P;
+  }
+  if (touching_.system.joints) put_joints_back(t_next);
+}
+
+/// Positions back to where joints hold. What the shift makes of the angular momentum of groups that nothing
+/// outside holds is put back too.
+void PenaltyStepper::put_joints_back(double t) {
+  const std::vector<int>& bodies = contacts_.dynamic_bodies();
+  const Cluster before{.t = t, .bodies = bodies, .phases = phases_};
+  joints_.project_positions(t, bodies, phases_, report_);
+  for (const Cluster& group : connected_parts(before, {}, environment_)) {
+    IslandStep step;
+    step.is_implicit = true;
+    for (const int body : group.bodies) step.end.push_back(phases_[place_of(bodies, body)]);
+    joints_.restore_momenta({.bodies = group.bodies, .start = group.phases, .begin = t}, step);
+    for (std::size_t i = 0; i < group.bodies.size(); ++i)
+      phases_[place_of(bodies, group.bodies[i])] = step.end[i];
+  }
+}
+
+/// Puts the phases into the State, with those of prescribed bodies.
+void PenaltyStepper::write_state(double t, State& state) const {
+  state.t = t;
+  for (std::size_t i = 0; i < phases_.size(); ++i) {
+    const BodyPhase& phase = phases_[i];
+    state.set_body(contacts_.dynamic_bodies()[i], phase.x, phase.q, phase.P, phase.L);
+  }
+  for (int i = 0; i < model_->body_count(); ++i) {
+    if (model_->body(i).motion == MotionType::dynamic) continue;
+    const PrescribedMotion motion = prescribed_motion(model_->body(i), t);
+    state.set_body(i, motion.p_WB, motion.q_WB, Vec3::Zero(), Vec3::Zero());
+  }
+}
+
+void PenaltyStepper::observe_contacts(double t) {
+  note_impacts(t);
+  report_.separations += touching_.lost;
+  for (const Contact& contact : touching_.system.contacts) {
+    if (contact.stop || -contact.point.gap <= report_.max_penetration) continue;
+    report_.max_penetration = -contact.point.gap;
+    report_.penetration_A = contact.body_A;
+    report_.penetration_B = contact.body_B;
+    report_.penetration_time = t;
+  }
+}
+
+/// Impacts that begin, one a pair of bodies, with their first point in the order of the contacts.
+void PenaltyStepper::note_impacts(double t) {
+  std::pair<int, int> last{-1, -1};
+  for (const std::size_t i : touching_.begun) {
+    const Contact& contact = touching_.system.contacts[i];
+    if (std::exchange(last, {contact.body_A, contact.body_B}) == last) continue;
+    const int other = contact.body_B == contact.body_A ? -1 : contact.body_B;
+    report_.events.push_back(
+        {MotionEvent::Kind::impact, t, contact.body_A, other, contact.p_W(), Vec3::Zero()});
+    ++report_.impacts;
+  }
+}
+
+bool PenaltyStepper::note_not_finite() {
+  for (std::size_t i = 0; i < phases_.size(); ++i) {
+    const BodyPhase& phase = phases_[i];
+    const bool is_finite =
+        phase.x.allFinite() && phase.q.coeffs().allFinite() && phase.P.allFinite() && phase.L.allFinite();
+    if (is_finite) continue;
+    const int body = contacts_.dynamic_bodies()[i];
+    report_.reason = StopReason::not_finite;
+    report_.detail = "the state of body '" + model_->body(body).name + "' is not finite";
+    report_.bodies = {body};
+    return true;
+  }
+  return false;
+}
+
+}  // namespace rigor

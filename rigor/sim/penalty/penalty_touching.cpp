@@ -1,0 +1,371 @@
+#include "rigor/sim/penalty/penalty_touching.hpp"
+
+#include "rigor/contact/impact/joint_stops.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace rigor {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+/// How many times the weight of a body presses its contact by the depth: room for what lies on it.
+constexpr double weights_on_top = 100;
+/// Share of 1/ω by which a step may miss the instant at which a contact begins or ends: of an impact it costs
+/// a share of ½ (0.02)² of the energy. What lies still may miss it by a whole step.
+constexpr double miss_share = 0.02, resting_share = 0.2;
+
+/// Springs whose stiffness follows from the depth harden beyond it; implicit steps take each as one line.
+PenaltyChoice choice_of(const Method& method, TouchingForm form) {
+  PenaltyChoice choice;
+  choice.law =
+      method.penalty_law == PenaltyLaw::linear ? PenaltyNormalLaw::linear : PenaltyNormalLaw::hunt_crossley;
+  choice.depth = method.penalty_depth;
+  if (method.stiffness > 0) choice.stiffness = method.stiffness;
+  if (method.damping > 0) choice.damping = method.damping;
+  choice.hardens = method.stiffness == 0 && form == TouchingForm::overlapping;
+  return choice;
+}
+
+ContactMemory empty_memory(const Contact& contact) {
+  return {.body_A = contact.body_A,
+          .body_B = contact.body_B,
+          .shape_A = contact.shape_A,
+          .shape_B = contact.shape_B,
+          .feature = contact.point.feature};
+}
+
+/// The gap at which a contact begins to press [m]: 0, or more where it began pressed.
+double first_force(const PenaltyContact& spring) {
+  return std::max(0.0, -spring.offset);
+}
+
+/// The same for what the State remembers of a contact.
+double first_force(const State& state, const PenaltyChoice& choice, const Contact& contact) {
+  const auto key = empty_memory(contact).key();
+  double gap = 0;
+  for (auto place = std::partition_point(state.contacts.begin(), state.contacts.end(),
+                                         [&](const ContactMemory& memory) { return memory.key() < key; });
+       place != state.contacts.end() && place->key() == key; ++place)
+    gap = std::max(gap, first_force(penalty_contact(choice, *place)));
+  return gap;
+}
+
+void put_in_order(std::vector<ContactMemory>& memories) {
+  std::stable_sort(memories.begin(), memories.end(),
+                   [](const ContactMemory& a, const ContactMemory& b) { return a.key() < b.key(); });
+}
+
+/// What the State remembers, given out once each: to the contact of the same key, or of the same shapes where
+/// features changed.
+class MemoryShelf {
+ public:
+  explicit MemoryShelf(const std::vector<ContactMemory>& memories) {
+    for (const ContactMemory& memory : memories) shelf_[memory.key()].push_back(&memory);
+  }
+  const ContactMemory* take(const ContactMemory& wanted) {
+    const auto found = shelf_.find(wanted.key());
+    return found == shelf_.end() ? nullptr : take_first(found);
+  }
+  const ContactMemory* take_of_same_shapes(ContactMemory wanted) {
+    wanted.feature = 0;
+    const auto found = shelf_.lower_bound(wanted.key());
+    if (found == shelf_.end()) return nullptr;
+    const auto& [a, b, i, k, feature] = found->first;
+    const bool is_same =
+        a == wanted.body_A && b == wanted.body_B && i == wanted.shape_A && k == wanted.shape_B;
+    return is_same ? take_first(found) : nullptr;
+  }
+  /// Number and energy of those that nobody took.
+  std::pair<long, double> rest() const {
+    std::pair<long, double> rest{0, 0};
+    for (const auto& [key, memories] : shelf_) {
+      for (const ContactMemory* memory : memories) ++rest.first, rest.second += memory->energy;
+    }
+    return rest;
+  }
+
+ private:
+  using Shelf = std::map<decltype(std::declval<ContactMemory>().key()), std::vector<const ContactMemory*>>;
+  const ContactMemory* take_first(Shelf::iterator place) {
+    const ContactMemory* const memory = place->second.front();
+    place->second.erase(place->second.begin());
+    if (place->second.empty()) shelf_.erase(place);
+    return memory;
+  }
+  Shelf shelf_;
+};
+
+}  // namespace
+
+PenaltyTouching::PenaltyTouching(const Model& model, const Environment& environment,
+                                 const IslandIntegrator& integrator, const Method& method, TouchingForm form)
+    : model_(model),
+      environment_(environment),
+      integrator_(integrator),
+      contact_tolerance_(method.contact_tolerance),
+      resting_velocity_(method.resting_velocity),
+      slip_tolerance_(slip_tolerance(method)),
+      resting_(resting_choice(method)),
+      choice_(choice_of(method, form)),
+      form_(form),
+      finder_(model, method.broad_phase) {
+  for (int i = 0; i < model.body_count(); ++i) {
+    if (model.body(i).motion == MotionType::dynamic) bodies_.push_back(i);
+  }
+}
+
+std::vector<BodyPhase> PenaltyTouching::phases(const State& state) const {
+  std::vector<BodyPhase> phases;
+  for (const int i : bodies_) {
+    phases.push_back(
+        {state.position(i), state.orientation(i), state.linear_momentum(i), state.angular_momentum(i)});
+  }
+  return phases;
+}
+
+double PenaltyTouching::least_speed(const Contact& contact) const {
+  const double a = std::max(environment_.steady_acceleration(contact.body_A).norm(),
+                            environment_.steady_acceleration(contact.body_B).norm());
+  // k d = 100 m a with k = m v²/d².
+  return std::max(resting_velocity_, std::sqrt(weights_on_top * a * choice_.depth));
+}
+
+std::vector<double> PenaltyTouching::reaches(const State& state, double horizon) const {
+  std::vector<double> reaches;
+  for (int i = 0; i < model_.body_count(); ++i) {
+    const Body& body = model_.body(i);
+    const double radius = std::isfinite(body.bounding_radius) ? body.bounding_radius : 0;
+    const double speed = linear_velocity(model_, state, i).norm() +
+                         angular_velocity(model_, state, i).norm() * radius +
+                         0.5 * horizon * environment_.steady_acceleration(i).norm();
+    // Also of bodies at rest boxes meet that touch by less than the tolerance.
+    reaches.push_back(contact_tolerance_ + horizon * speed);
+  }
+  return reaches;
+}
+
+double PenaltyTouching::time_to_touch(const ContactSystem& system, std::size_t contact, double u,
+                                      double lag) const {
+  const Contact& geometry = system.contacts[contact];
+  double a = 0;
+  for (const int body : {geometry.body_A, geometry.body_B}) {
+    const BodyKinetics& of_body = system.of(body);
+    a += environment_.steady_acceleration(body).norm() +
+         of_body.w.squaredNorm() * (geometry.p_W() - of_body.x).norm();
+  }
+  // gap = u t + ½ a t², u: speed of approach; the form without cancellation.
+  u += a * lag;
+  const double gap = std::max(0.0, geometry.point.gap);
+  const double root = std::sqrt(u * u + 2 * a * gap);
+  const double until_touch =
+      u > 0 ? (u + root > 0 ? 2 * gap / (u + root) : infinite) : (a > 0 ? (root - u) / a : infinite);
+  const ContactMobility mobility = contact_mobility(system, contact);
+  if (!(mobility.normal > 0)) return infinite;
+  const double speed = std::max(root, least_speed(geometry));
+  const double stretch = geometry.friction > 0 ? std::max(1.0, mobility.tangential / mobility.normal) : 1;
+  double frequency = speed / choice_.depth * std::sqrt(stretch);
+  if (choice_.stiffness) frequency = std::sqrt(*choice_.stiffness * mobility.normal * stretch);
+  const bool is_impact = root > least_speed(geometry);
+  // Flights end before the contact begins: half of their length would be a kick by its first force.
+  const double miss = (is_impact ? miss_share : resting_share) / frequency;
+  return until_touch > miss ? until_touch - 0.5 * miss : miss;
+}
+
+bool PenaltyTouching::asks_for_steps(const Contact& contact, double approach) const {
+  if (form_ == TouchingForm::overlapping) return true;
+  return contact.restitution > 0 && approach > calm_share * least_speed(contact);
+}
+
+double PenaltyTouching::time_to_part(const Touching& touching, std::size_t contact, double u) const {
+  const PenaltyContact& spring = touching.springs[contact];
+  const double depth = pressed_depth(spring, touching.system.contacts[contact].point.gap);
+  if (!(u > least_speed(touching.system.contacts[contact])) || !(depth > 0)) return infinite;
+  const double until_part = depth / u, miss = miss_share * choice_.depth / spring.speed;
+  return until_part > miss ? until_part - 0.5 * miss : miss;
+}
+
+/// Until the contact has come a fifth of its hardening length further into where it hardens: there its force
+/// grows by more than sub-steps of its present frequency resolve.
+double PenaltyTouching::time_to_harden(const Touching& touching, std::size_t contact, double u) {
+  constexpr double share = 0.2;
+  const PenaltyContact& spring = touching.springs[contact];
+  if (!(u > 0)) return infinite;
+  const double depth = pressed_depth(spring, touching.system.contacts[contact].point.gap);
+  return (std::max(0.0, spring.spring.limit - depth) + share * hardening_length(spring.spring)) / u;
+}
+
+Touching PenaltyTouching::find(const State& state, double horizon, double lag) {
+  Touching touching;
+  touching.free_time = horizon;
+  const std::vector<BodyPhase> now = phases(state);
+  std::vector<Contact> near = finder_.find(state, reaches(state, horizon), contact_tolerance_);
+  const std::vector<int> joints = integrator_.joints_of(bodies_);
+  if (!joints.empty()) {
+    const ContactSystem held = integrator_.system_of(state.t, bodies_, now, {});
+    const std::vector<Contact> stops = joint_stops(model_, joints, held.bodies, held.kinetics, infinite);
+    near.insert(near.end(), stops.begin(), stops.end());
+  }
+  const ContactSystem all = integrator_.system_of(state.t, bodies_, now, near);
+  const VecX u = relative_velocities(all);
+  std::vector<Contact> active;
+  for (std::size_t i = 0; i < all.contacts.size(); ++i) {
+    const bool overlaps = all.contacts[i].point.gap <= first_force(state, choice_, all.contacts[i]);
+    if (overlaps || form_ == TouchingForm::reachable) active.push_back(all.contacts[i]);
+    const double approach = -u[3 * static_cast<Eigen::Index>(i) + 2];
+    if (overlaps || !asks_for_steps(all.contacts[i], approach)) continue;
+    touching.free_time = std::min(touching.free_time, time_to_touch(all, i, approach, lag));
+  }
+  touching.system = active.size() == all.contacts.size()
+                        ? all
+                        : integrator_.system_of(state.t, bodies_, now, std::move(active));
+  add_springs(state, touching);
+  const VecX u_active = relative_velocities(touching.system);
+  for (std::size_t i = 0; i < touching.springs.size(); ++i) {
+    if (touching.system.contacts[i].is_bounded_force()) continue;
+    if (!asks_for_steps(touching.system.contacts[i], touching.springs[i].speed)) continue;
+    const double parting = u_active[3 * static_cast<Eigen::Index>(i) + 2];
+    touching.free_time = std::min(
+        {touching.free_time, time_to_part(touching, i, parting), time_to_harden(touching, i, -parting)});
+  }
+  return touching;
+}
+
+void PenaltyTouching::add_springs(const State& state, Touching& touching) const {
+  const ContactSystem& system = touching.system;
+  const std::size_t n = system.contacts.size();
+  const VecX u = relative_velocities(system);
+  MemoryShelf shelf(state.contacts);
+  touching.springs.resize(n);
+  std::vector<std::size_t> unknown;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (const ContactMemory* const memory = shelf.take(empty_memory(system.contacts[i]))) {
+      touching.springs[i] = penalty_contact(choice_, *memory);
+    } else {
+      unknown.push_back(i);
+    }
+  }
+  MatX response;
+  for (const std::size_t i : unknown) {
+    const Contact& contact = system.contacts[i];
+    if (const ContactMemory* const memory = shelf.take_of_same_shapes(empty_memory(contact))) {
+      touching.springs[i] = penalty_contact(choice_, *memory);
+      continue;
+    }
+    ContactMobility mobility = contact_mobility(system, i);
+    if (system.joints) {
+      if (response.size() == 0) response = delassus(system);
+      const Eigen::Index k = 3 * static_cast<Eigen::Index>(i);
+      mobility = {response(k + 2, k + 2), std::max(response(k, k), response(k + 1, k + 1))};
+    }
+    PenaltyChoice choice = choice_;
+    choice.least_speed = least_speed(contact);
+    const double approach = std::max(0.0, -u[3 * static_cast<Eigen::Index>(i) + 2]);
+    const bool is_fresh_impact =
+        !contact.is_bounded_force() && contact.point.gap <= 0 && approach > resting_velocity_;
+    if (is_fresh_impact) touching.begun.push_back(i);
+    touching.springs[i] = make_penalty_contact(contact, mobility, choice, approach, -contact.point.gap);
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    PenaltyContact& spring = touching.springs[i];
+    spring.offset = std::min(spring.offset, std::max(0.0, -system.contacts[i].point.gap));
+  }
+  std::tie(touching.lost, touching.lost_energy) = shelf.rest();
+}
+
+void PenaltyTouching::update_velocities(double t, const std::vector<BodyPhase>& phases,
+                                        Touching& touching) const {
+  if (touching.system.joints) {
+    touching.system = integrator_.system_of(t, bodies_, phases, touching.system.contacts);
+    return;
+  }
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    BodyKinetics& kinetics = touching.system.of(bodies_[i]);
+    kinetics.v = phases[i].P * kinetics.inverse_mass;
+    kinetics.w = kinetics.inverse_inertia * phases[i].L;
+  }
+}
+
+void PenaltyTouching::soften(double h, Touching& touching) const {
+  if (choice_.stiffness) return;
+  constexpr double slowness = 50;  // Time of softening in 1/ω.
+  const VecX u = relative_velocities(touching.system);
+  for (std::size_t i = 0; i < touching.springs.size(); ++i) {
+    PenaltyContact& spring = touching.springs[i];
+    const Contact& contact = touching.system.contacts[i];
+    const double least = least_speed(contact);
+    if (contact.is_bounded_force() || contact.point.gap > 0 || !(spring.speed > 0)) continue;
+    const double pressed = pressed_depth(spring, contact.point.gap) / choice_.depth;
+    const double moving = u[3 * static_cast<Eigen::Index>(i) + 2] / spring.speed;
+    if (pressed * pressed + moving * moving > calm_share * calm_share) continue;
+    if (!choice_.damping) spring = damped_for_rest(spring, choice_.depth);
+    if (spring.speed <= least) continue;
+    const double share = h * spring.speed / (slowness * choice_.depth);
+    spring = made_for_speed(spring, std::max(least, spring.speed / (1 + share)));
+  }
+}
+
+std::vector<ContactMemory> PenaltyTouching::memories(const Touching& touching) const {
+  std::vector<ContactMemory> memories;
+  for (std::size_t i = 0; i < touching.springs.size(); ++i) {
+    const Contact& contact = touching.system.contacts[i];
+    if (contact.point.gap > first_force(touching.springs[i])) continue;
+    ContactMemory memory = empty_memory(contact);
+    remember(touching.springs[i], memory);
+    memory.energy =
+        normal_energy(touching.springs[i], contact.point.gap) + bristle_energy(contact, touching.springs[i]);
+    memories.push_back(memory);
+  }
+  put_in_order(memories);
+  return memories;
+}
+
+std::vector<ContactMemory> PenaltyTouching::pressed_at_rest(const State& state) {
+  Cluster cluster{.t = state.t, .bodies = bodies_, .phases = phases(state)};
+  cluster.contacts = finder_.find(state, reaches(state, 0), contact_tolerance_);
+  std::erase_if(cluster.contacts,
+                [this](const Contact& contact) { return std::abs(contact.point.gap) > contact_tolerance_; });
+  std::vector<ContactMemory> memories;
+  for (const Cluster& part : connected_parts(cluster, cluster.contacts, environment_)) {
+    if (!part.contacts.empty() && integrator_.joints_of(part.bodies).empty()) add_pressed(part, memories);
+  }
+  put_in_order(memories);
+  return memories;
+}
+
+void PenaltyTouching::add_pressed(const Cluster& part, std::vector<ContactMemory>& memories) const {
+  constexpr std::size_t most_contacts = 400;
+  constexpr double still_share = 1e-6;
+  if (part.contacts.size() > most_contacts) return;
+  const ContactSystem touching = integrator_.system_of(part.t, part.bodies, part.phases, part.contacts);
+  const VecX u = relative_velocities(touching);
+  std::vector<Contact> pressed;
+  for (std::size_t i = 0; i < part.contacts.size(); ++i) {
+    const double u_n = u[3 * static_cast<Eigen::Index>(i) + 2];
+    if (std::abs(u_n) <= still_share * resting_velocity_) pressed.push_back(part.contacts[i]);
+  }
+  if (pressed.empty()) return;
+  const ContactSystem system = integrator_.system_of(part.t, part.bodies, part.phases, std::move(pressed));
+  const CoulombSolution forces =
+      solve_resting(system, integrator_.environment_wrenches(system, part.t), slip_tolerance_, resting_)
+          .forces;
+  if (!forces.converged) return;
+  for (std::size_t i = 0; i < system.contacts.size(); ++i) {
+    const Contact& contact = system.contacts[i];
+    const Vec3 force = forces.lambda.segment<3>(3 * static_cast<Eigen::Index>(i));
+    PenaltyChoice choice = choice_;
+    choice.least_speed = least_speed(contact);
+    const PenaltyContact fresh = make_penalty_contact(contact, contact_mobility(system, i), choice, 0, 0);
+    if (!(force.z() > 0) || !(fresh.spring.stiffness > 0)) continue;
+    const PenaltyContact spring = pressed_by(fresh, force, system.frames[i], contact.point.gap);
+    ContactMemory& memory = memories.emplace_back(empty_memory(contact));
+    remember(spring, memory);
+    memory.energy = normal_energy(spring, contact.point.gap) + bristle_energy(contact, spring);
+  }
+}
+
+}  // namespace rigor

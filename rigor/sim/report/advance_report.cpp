@@ -1,0 +1,55 @@
+#include "rigor/sim/report/advance_report.hpp"
+
+#include <algorithm>
+
+namespace rigor {
+
+void ParadoxCount::add(const ParadoxCount& later) {
+  if (instants == 0) {
+    *this = later;
+  } else {
+    instants += later.instants;
+  }
+}
+
+void AdvanceReport::add(const AdvanceReport& later) {
+  reason = later.reason;
+  detail = later.detail;
+  bodies = later.bodies;
+  steps += later.steps;
+  impacts += later.impacts;
+  resting += later.resting;
+  separations += later.separations;
+  slip_to_stick += later.slip_to_stick;
+  distance_queries += later.distance_queries;
+  events.insert(events.end(), later.events.begin(), later.events.end());
+  toi_bracket = std::max(toi_bracket, later.toi_bracket);
+  if (later.max_penetration > max_penetration) {
+    max_penetration = later.max_penetration;
+    penetration_A = later.penetration_A;
+    penetration_B = later.penetration_B;
+    penetration_time = later.penetration_time;
+  }
+  if (later.max_joint_drift > max_joint_drift) {
+    max_joint_drift = later.max_joint_drift;
+    drift_joint = later.drift_joint;
+  }
+  max_joint_projection = std::max(max_joint_projection, later.max_joint_projection);
+  work += later.work;
+  impact_loss += later.impact_loss;
+  impact_gain += later.impact_gain;
+  damping_loss += later.damping_loss;
+  friction_loss += later.friction_loss;
+  projection_loss += later.projection_loss;
+  momentum_error += later.momentum_error;
+  angular_momentum_error += later.angular_momentum_error;
+  max_residual = std::max(max_residual, later.max_residual);
+  max_iterations = std::max(max_iterations, later.max_iterations);
+  fallbacks += later.fallbacks;
+  coarse_steps += later.coarse_steps;
+  inconsistent.add(later.inconsistent);
+  indeterminate.add(later.indeterminate);
+  quaternion_drift = std::max(quaternion_drift, later.quaternion_drift);
+}
+
+}  // namespace rigor

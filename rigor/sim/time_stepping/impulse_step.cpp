@@ -1,0 +1,415 @@
+#include "rigor/sim/time_stepping/impulse_step.hpp"
+
+#include "rigor/contact/system/contact_kinematics.hpp"
+#include "rigor/contact/system/motion_rows.hpp"
+#include "rigor/dynamics/free_flight.hpp"
+#include "rigor/math/dense.hpp"
+#include "rigor/math/rotation.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <utility>
+
+namespace rigor {
+
+namespace {
+
+Eigen::Index normal_row(std::size_t contact) {
+  return 3 * static_cast<Eigen::Index>(contact) + 2;
+}
+
+/// Replaces the accelerations at several contacts of one pair of bodies by the nearest that a rigid motion
+/// can have. The rest is of second order, and contacts that hold could not all obey it.
+void make_rigid(const ContactSystem& system, const std::vector<std::size_t>& contacts, VecX& accelerations) {
+  constexpr double dependent = 1e-9;
+  Vec3 centre = Vec3::Zero();
+  for (const std::size_t i : contacts)
+    centre += system.contacts[i].p_W() / static_cast<double>(contacts.size());
+  double radius = 0;
+  for (const std::size_t i : contacts) radius = std::max(radius, (system.contacts[i].p_W() - centre).norm());
+  if (!(radius > 0)) radius = 1;
+  MatX motions(3 * static_cast<Eigen::Index>(contacts.size()), 6);
+  VecX wanted(motions.rows());
+  for (Eigen::Index k = 0; 3 * k < wanted.size(); ++k) {
+    const std::size_t i = contacts[static_cast<std::size_t>(k)];
+    motions.block<3, 3>(3 * k, 0).setIdentity();
+    motions.block<3, 3>(3 * k, 3) = -skew((system.contacts[i].p_W() - centre) / radius);
+    wanted.segment<3>(3 * k) = system.frames[i] * accelerations.segment<3>(normal_row(i) - 2);
+  }
+  const VecX rigid = motions * least_norm_solution(motions, wanted, dependent);
+  for (Eigen::Index k = 0; 3 * k < wanted.size(); ++k) {
+    const std::size_t i = contacts[static_cast<std::size_t>(k)];
+    accelerations.segment<3>(normal_row(i) - 2) = system.frames[i].transpose() * rigid.segment<3>(3 * k);
+  }
+}
+
+/// J̇ V of all contacts (3n), of one pair of bodies as of a rigid motion.
+VecX turning_biases(const ContactSystem& system) {
+  VecX biases(3 * static_cast<Eigen::Index>(system.contacts.size()));
+  std::map<std::pair<int, int>, std::vector<std::size_t>> pairs;
+  for (std::size_t i = 0; i < system.contacts.size(); ++i) {
+    const Contact& contact = system.contacts[i];
+    biases.segment<3>(normal_row(i) - 2) =
+        contact.stop ? system.rows[i].bias
+                     : acceleration_bias(contact, system.of(contact.body_A), system.of(contact.body_B));
+    if (!contact.stop) pairs[{contact.body_A, contact.body_B}].push_back(i);
+  }
+  for (const auto& [pair, contacts] : pairs) {
+    if (contacts.size() > 1) make_rigid(system, contacts, biases);
+  }
+  return biases;
+}
+
+/// g⁺/h of these contacts, as velocities at the contacts of the system (3n), of one pair of bodies as a rigid
+/// motion closes them where that changes no rate by more than `resolution` [m/s]: the points of a face would
+/// ask for motions that contradict each other a little.
+VecX closing_rates(const std::vector<Contact>& contacts, const ContactSystem& system, double h,
+                   double resolution) {
+  VecX rates = VecX::Zero(3 * static_cast<Eigen::Index>(contacts.size()));
+  std::map<std::pair<int, int>, std::vector<std::size_t>> pairs;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    if (contacts[i].is_bounded_force()) continue;
+    rates[normal_row(i)] = std::max(0.0, contacts[i].point.gap) / h;
+    if (!contacts[i].stop) pairs[{contacts[i].body_A, contacts[i].body_B}].push_back(i);
+  }
+  for (const auto& [pair, of_pair] : pairs) {
+    const bool is_apart =
+        std::any_of(of_pair.begin(), of_pair.end(), [&](std::size_t i) { return rates[normal_row(i)] > 0; });
+    if (of_pair.size() < 2 || !is_apart) continue;
+    VecX rigid = rates;
+    make_rigid(system, of_pair, rigid);
+    if ((rigid - rates).cwiseAbs().maxCoeff() <= resolution) rates = rigid;
+  }
+  return rates;
+}
+
+std::size_t place_of(const std::vector<int>& ascending, int body) {
+  return static_cast<std::size_t>(std::lower_bound(ascending.begin(), ascending.end(), body) -
+                                  ascending.begin());
+}
+
+}  // namespace
+
+ImpulseStep::ImpulseStep(const Model& model, const Environment& environment,
+                         const IslandIntegrator& integrator, const ContactResolver& resolver,
+                         const JointProjection& joints, const Method& method)
+    : model_(model),
+      environment_(environment),
+      integrator_(integrator),
+      resolver_(resolver),
+      joints_(joints),
+      solver_(method),
+      springs_(model),
+      without_springs_(model, PointSprings::left_out),
+      integrator_without_springs_(model, without_springs_, method),
+      has_implicit_springs_(method.solver == SolverMethod::exact && springs_.has_any()),
+      pushes_at_distance_(method.cone == ConeMethod::convex),
+      contact_tolerance_(method.contact_tolerance),
+      resting_velocity_(method.resting_velocity),
+      still_(direction_tolerance(method)) {}
+
+void ImpulseStep::note(const StepImpulses& solution, AdvanceReport& report) const {
+  report.max_residual = std::max(report.max_residual, solution.residual);
+  report.max_iterations = std::max(report.max_iterations, solution.iterations);
+  if (!solution.converged) ++report.fallbacks;
+}
+
+void ImpulseStep::strike(double h, Cluster& part, AdvanceReport& report) const {
+  constexpr int most_passes = 50;
+  for (int pass = 0; pass < most_passes && !part.contacts.empty(); ++pass) {
+    const ContactSystem system = resolver_.system_of(part, part.contacts);
+    Closing closing = find_closing(h, system);
+    if (!closing.closes && !closing.bounces) return;
+    if (closing.bounces && pass + 1 < most_passes) {
+      std::swap(part.contacts, closing.contacts);
+      resolver_.apply_impulses(part, report);
+      std::swap(part.contacts, closing.contacts);
+      continue;
+    }
+    // A plastic impact: nothing closes within h any more. Forces that have a largest value do nothing at an
+    // instant.
+    StepLaws laws = step_laws_of(system, still_);
+    laws.contacts.b = std::move(closing.b);
+    laws.resolution = resolution(h);
+    for (std::size_t i = 0; i < system.contacts.size(); ++i) {
+      if (!system.contacts[i].is_bounded_force()) continue;
+      laws.contacts.b.segment<3>(normal_row(i) - 2).setZero();
+      laws.contacts.mu[i] = 0;
+      if (!laws.sticks.empty()) laws.sticks[i] = false;
+    }
+    const StepImpulses solution = solver_.solve(system, std::move(laws));
+    note(solution, report);
+    const double before = totals_of(model_, part).T, work_before = report.work;
+    resolver_.add_impulses(system, solution.lambda, solution.moments, part, report);
+    report.impact_loss += before - totals_of(model_, part).T + (report.work - work_before);
+    return;
+  }
+}
+
+ImpulseStep::Closing ImpulseStep::find_closing(double h, const ContactSystem& system) const {
+  constexpr double rounding = 1e-4;  // Of the contact tolerance: closing by less is left to the step.
+  const VecX u = relative_velocities(system);
+  Closing closing{u + closing_rates(system.contacts, system, h, resolution(h)), {}, false, false};
+  for (std::size_t i = 0; i < system.contacts.size(); ++i) {
+    const Contact& contact = system.contacts[i];
+    if (contact.is_bounded_force()) continue;
+    const double u_n = u[normal_row(i)];
+    const double rate = closing.b[normal_row(i)];
+    const bool closes = h * rate < -rounding * contact_tolerance_;
+    closing.closes |= closes;
+    // What closes by its weight only at the end of the step bounces now too: the step would stop it.
+    const bool meets = h * (rate + h * closing_acceleration(contact)) < -rounding * contact_tolerance_;
+    const bool bounces =
+        meets && contact.restitution > 0 && u_n < (contact.restitution == 1 ? 0 : -resting_velocity_);
+    closing.bounces |= bounces;
+    if (closes || bounces || contact.point.gap <= contact_tolerance_) closing.contacts.push_back(contact);
+  }
+  return closing;
+}
+
+/// Speed that moves contacts by less over h than lengths are told apart [m/s].
+double ImpulseStep::resolution(double h) const {
+  constexpr double negligible = 1e-2;  // Of the contact tolerance.
+  return negligible * contact_tolerance_ / h;
+}
+
+/// Steady acceleration of B against A along the normal, where it closes the contact [m/s²].
+double ImpulseStep::closing_acceleration(const Contact& contact) const {
+  if (contact.stop) return 0;
+  const auto acceleration = [this](int body) {
+    return model_.body(body).motion == MotionType::dynamic ? environment_.steady_acceleration(body)
+                                                           : Vec3(Vec3::Zero());
+  };
+  return std::min(0.0, contact.point.n_W.dot(acceleration(contact.body_B) - acceleration(contact.body_A)));
+}
+
+/// Where the part is after h without contacts.
+struct ImpulseStep::FreeEnd {
+  std::vector<BodyPhase> phases;
+  Vec3 impulse = Vec3::Zero();          ///< Of all forces from outside [N s].
+  Vec3 angular_impulse = Vec3::Zero();  ///< About the origin of W [N m s].
+  double work = 0;                      ///< [J].
+};
+
+bool ImpulseStep::touches(const Contact& contact) const {
+  return contact.is_bounded_force() || contact.point.gap <= contact_tolerance_;
+}
+
+/// Whether springs act implicitly: where they are stiff and contacts answer to them.
+bool ImpulseStep::holds_springs(const StepSpan& span, const Cluster& part) const {
+  if (!has_implicit_springs_) return false;
+  const bool is_touching = std::any_of(part.contacts.begin(), part.contacts.end(),
+                                       [this](const Contact& contact) { return touches(contact); });
+  return is_touching && springs_.are_stiff(span, part.bodies, resolver_.system_of(part, part.contacts));
+}
+
+ImpulseStep::FreeEnd ImpulseStep::fly(double h, const Cluster& part, AdvanceReport& report) const {
+  return fly_among(environment_, integrator_, h, part, report);
+}
+
+/// Without contacts, under the forces of this environment.
+ImpulseStep::FreeEnd ImpulseStep::fly_among(const Environment& environment,
+                                            const IslandIntegrator& integrator, double h, const Cluster& part,
+                                            AdvanceReport& report) const {
+  FreeEnd result;
+  const bool is_forced = std::any_of(part.bodies.begin(), part.bodies.end(),
+                                     [&](int body) { return environment.is_forced(body); });
+  if (!is_forced) {
+    for (std::size_t i = 0; i < part.bodies.size(); ++i) {
+      const Body& body = model_.body(part.bodies[i]);
+      const BodyPhase& start = part.phases[i];
+      const FreeFlight flight(BodyInertia{body.mass, body.moments}, start, 0,
+                              environment.steady_acceleration(part.bodies[i]));
+      const BodyPhase end = flight.at(h);
+      result.impulse += end.P - start.P;
+      result.angular_impulse += end.x.cross(end.P) - start.x.cross(start.P);
+      result.phases.push_back(end);
+    }
+    return result;
+  }
+  constexpr double least_share = 1e-9;
+  Island island{part.bodies, part.phases, {}, {}, part.t};
+  double left = h, wanted = h;
+  while (left > 0) {
+    integrator.choose_joint_rows(island);
+    const ControlledStep taken =
+        integrator.controlled_step(island, std::min(left, wanted), std::min(left, least_share * h));
+    ++report.steps;
+    if (taken.step.error > 1) ++report.coarse_steps;
+    report.quaternion_drift = std::max(report.quaternion_drift, taken.step.quaternion_drift);
+    IslandStep step = taken.step;
+    island.begin += step.h;
+    joints_.project_positions(island.begin, island.bodies, step.end, report);
+    result.impulse += step.impulse;
+    result.angular_impulse += step.angular_impulse;
+    result.work += step.work;
+    island.start = std::move(step.end);
+    left = step.h < left ? left - step.h : 0;
+    wanted = std::max(taken.h_next, least_share * h);
+  }
+  result.phases = std::move(island.start);
+  return result;
+}
+
+std::vector<Contact> ImpulseStep::contacts_at(double t, const Cluster& part,
+                                              const std::vector<BodyPhase>& phases) const {
+  const auto pose = [&](int body, double time, const std::vector<BodyPhase>& at) {
+    if (model_.body(body).motion != MotionType::dynamic)
+      return prescribed_kinetics(model_.body(body), time).pose();
+    const BodyPhase& phase = at[place_of(part.bodies, body)];
+    return Pose{rotation_matrix(phase.q), phase.x};
+  };
+  std::vector<Contact> contacts = part.contacts;
+  for (Contact& contact : contacts) {
+    if (contact.stop) continue;
+    contact.point = tracked_contact(model_, contact, pose(contact.body_A, part.t, part.phases),
+                                    pose(contact.body_B, part.t, part.phases),
+                                    pose(contact.body_A, t, phases), pose(contact.body_B, t, phases));
+  }
+  return contacts;
+}
+
+/// Whether no contact acts in the step: nothing touches before and nothing closes on the way without them.
+bool ImpulseStep::stays_clear(double h, const Cluster& part, const FreeEnd& free) const {
+  if (pushes_at_distance_) return false;
+  const auto is_touching = [this](const Contact& contact) { return touches(contact); };
+  if (std::any_of(part.contacts.begin(), part.contacts.end(), is_touching)) return false;
+  std::vector<Contact> at_end = contacts_at(part.t + h, part, free.phases);
+  Cluster end = part;
+  end.t += h;
+  end.phases = free.phases;
+  for (const Contact& stop : resolver_.stops_of(end)) at_end.push_back(stop);
+  return std::none_of(at_end.begin(), at_end.end(), is_touching);
+}
+
+/// The contacts half way through the step, with the velocities that the bodies would have at its end without
+/// them: rows and arms there balance the momenta exactly and make smooth motion of second order.
+ContactSystem ImpulseStep::middle_system(double h, const Cluster& part, const FreeEnd& free) const {
+  std::vector<BodyPhase> middle = part.phases;
+  for (std::size_t i = 0; i < part.bodies.size(); ++i) {
+    const Body& body = model_.body(part.bodies[i]);
+    BodyPhase& phase = middle[i];
+    const Vec3 w = angular_velocity({body.mass, body.moments}, phase.q, phase.L);
+    phase.x += 0.5 * h / body.mass * phase.P;
+    phase.q = (rotation_exp(0.5 * h * w) * phase.q).normalized();
+  }
+  std::vector<Contact> contacts = contacts_at(part.t + 0.5 * h, part, middle);
+  for (std::size_t i = 0; i < part.bodies.size(); ++i) {
+    const Body& body = model_.body(part.bodies[i]);
+    const BodyPhase& end = free.phases[i];
+    const Vec3 w = angular_velocity({body.mass, body.moments}, end.q, end.L);
+    const Mat3 R = rotation_matrix(middle[i].q);
+    middle[i].P = end.P;
+    middle[i].L = R * body.moments.cwiseProduct(R.transpose() * w);
+  }
+  return integrator_.system_of(part.t + 0.5 * h, part.bodies, middle, std::move(contacts));
+}
+
+/// 0 ≤ λ_n ⊥ u_n⁺ + gap/h ≥ 0 with friction against u_t⁺; forces with a largest value act all through h.
+StepLaws ImpulseStep::step_laws(double h, const Cluster& part, const ContactSystem& system) const {
+  StepLaws laws = step_laws_of(system, still_);
+  laws.resolution = resolution(h);
+  VecX& b = laws.contacts.b;
+  // The rows turn until the end: the velocities there count, at which the next step begins.
+  b += 0.5 * h * turning_biases(system);
+  b += closing_rates(part.contacts, system, h, resolution(h));
+  for (std::size_t i = 0; i < system.contacts.size(); ++i) {
+    if (system.contacts[i].is_bounded_force())
+      b[normal_row(i)] = -h * system.rows[i].load * system.rows[i].mobility;
+  }
+  // What stuck is what touches and is still at the begin.
+  if (!laws.sticks.empty()) {
+    laws.sticks = step_laws_of(resolver_.system_of(part, part.contacts), still_).sticks;
+    for (std::size_t i = 0; i < laws.sticks.size(); ++i) {
+      if (part.contacts[i].point.gap > contact_tolerance_) laws.sticks[i] = false;
+    }
+  }
+  return laws;
+}
+
+/// Adds moments (3n or none) to the impulses of all bodies, and those of prescribed bodies to the books.
+void ImpulseStep::add_moments(const ContactSystem& system, const VecX& moments, std::vector<Wrench>& impulses,
+                              FreeEnd& end) {
+  for (std::size_t i = 0; moments.size() > 0 && i < system.contacts.size(); ++i) {
+    const Contact& contact = system.contacts[i];
+    if (contact.stop) continue;
+    const Vec3 l_W = world_impulse(system, moments, static_cast<int>(i));
+    for (const auto& [body, sign] : {std::pair{contact.body_A, -1.0}, std::pair{contact.body_B, 1.0}}) {
+      impulses[static_cast<std::size_t>(system.local_index(body))].tau_W += sign * l_W;
+      const BodyKinetics& kinetics = system.of(body);
+      if (kinetics.inverse_mass > 0) continue;
+      end.angular_impulse -= sign * l_W;
+      end.work -= sign * l_W.dot(kinetics.w);
+    }
+  }
+}
+
+/// The impulses of contacts, springs and joints on the bodies of the system; what of them comes from outside
+/// goes into the books.
+std::vector<Wrench> ImpulseStep::enter_impulses(const ContactSystem& system, const StepImpulses& solution,
+                                                const SpringRows& springs, FreeEnd& end) {
+  std::vector<Wrench> impulses = contact_wrenches(system, solution.lambda);
+  add_moments(system, solution.moments, impulses, end);
+  const OutsideImpulse of_springs = add_spring_impulses(springs, solution.springs, system, impulses);
+  VecX joint_lambda;
+  if (system.joints) {
+    JointReactions reactions =
+        with_joint_impulses(system, std::move(impulses), VecX::Zero(system.joints->residuals().size()));
+    impulses = std::move(reactions.wrenches);
+    joint_lambda = reactions.lambda;
+    end.work += system.joints->supplied_power(joint_lambda);
+  }
+  const Wrench of_contacts = external_wrench(system, solution.lambda, joint_lambda);
+  end.impulse += of_contacts.f_W + of_springs.impulse.f_W;
+  end.angular_impulse += of_contacts.tau_W + of_springs.impulse.tau_W;
+  end.work += work_of_prescribed(system, solution.lambda) + of_springs.work;
+  return impulses;
+}
+
+/// Moves the bodies on from the free end of the step by these impulses.
+void ImpulseStep::push(const StepSpan& span, const Cluster& part, const ContactSystem& system,
+                       const std::vector<Wrench>& impulses, FreeEnd& end) const {
+  const double h = span.h, theta = span.theta;
+  for (std::size_t i = 0; i < part.bodies.size(); ++i) {
+    const std::size_t local = static_cast<std::size_t>(system.local_index(part.bodies[i]));
+    const Wrench& on_body = impulses[local];
+    if (on_body.f_W.isZero(0) && on_body.tau_W.isZero(0)) continue;
+    const BodyKinetics& kinetics = system.kinetics[local];
+    BodyPhase& phase = end.phases[i];
+    const Vec3 P_free = phase.P, x_free = phase.x, of_forces = P_free - part.phases[i].P;
+    phase.x += h * kinetics.inverse_mass * ((theta - 0.5) * of_forces + theta * on_body.f_W);
+    phase.q = (rotation_exp(theta * h * (kinetics.inverse_inertia * on_body.tau_W)) * phase.q).normalized();
+    phase.P += on_body.f_W;
+    // The moment of momentum that moving the body changes, beyond what the impulse says about the origin.
+    const Vec3 surplus = (phase.x - x_free).cross(P_free) + (phase.x - kinetics.x).cross(on_body.f_W);
+    phase.L += on_body.tau_W - surplus;
+  }
+}
+
+void ImpulseStep::move(double h, double theta, Cluster& part, AdvanceReport& report) const {
+  const StepSpan span{part.t, h, theta};
+  const bool has_springs = holds_springs(span, part);
+  FreeEnd end = has_springs ? fly_among(without_springs_, integrator_without_springs_, h, part, report)
+                            : fly(h, part, report);
+  if (has_springs || (!part.contacts.empty() && !stays_clear(h, part, end))) {
+    const ContactSystem system = middle_system(h, part, end);
+    StepLaws laws = step_laws(h, part, system);
+    if (has_springs)
+      laws.springs = springs_.rows(span, part.bodies, resolver_.system_of(part, part.contacts), system);
+    const SpringRows springs = laws.springs.value_or(SpringRows{});
+    const StepImpulses solution = solver_.solve(system, std::move(laws));
+    note(solution, report);
+    ++report.steps;
+    push(span, part, system, enter_impulses(system, solution, springs, end), end);
+  }
+  const ClusterTotals before = totals_of(model_, part);
+  part.phases = std::move(end.phases);
+  part.t += h;
+  const ClusterTotals after = totals_of(model_, part);
+  report.work += end.work;
+  report.momentum_error += after.P - before.P - end.impulse;
+  report.angular_momentum_error += after.L - before.L - end.angular_impulse;
+}
+
+}  // namespace rigor

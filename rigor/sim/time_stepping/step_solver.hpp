@@ -1,0 +1,63 @@
+#pragma once
+
+#include "rigor/contact/resting/resting.hpp"
+#include "rigor/contact/system/contact_system.hpp"
+#include "rigor/sim/method/method.hpp"
+#include "rigor/sim/time_stepping/implicit_springs.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace rigor {
+
+/// What the contacts of a group must do in a step: velocities without their impulses, and the bounds of
+/// these.
+struct StepLaws {
+  CoulombProblem contacts;  ///< b (3n) [m/s], μ and rows; without A.
+  VecX turning;             ///< Relative turning (3n) [rad/s], contact frames; empty if nothing resists it.
+  std::vector<double> rolling;            ///< ρ, one a contact, or none [m].
+  std::vector<double> torsional;          ///< σ, as above [m].
+  std::vector<double> sticking_friction;  ///< μ_s ≥ μ, one a contact; or none: as μ.
+  std::vector<bool> sticks;               ///< Whether a contact stuck at the begin: as above.
+  std::optional<SpringRows> springs;      ///< Those that act implicitly (not with solver pgs).
+  /// What b is known to [m/s]: contacts that contradict each other by less may hold together.
+  double resolution = 0;
+};
+
+/// The laws of the system's contacts at its velocities, with b = u. What slips no faster than `still` [m/s]
+/// sticks.
+StepLaws step_laws_of(const ContactSystem& system, double still);
+
+/// Impulses of the contacts in their frames, with what the solver says about them.
+struct StepImpulses {
+  VecX lambda;                     ///< 3n [N s].
+  VecX moments;                    ///< 3n [N m s], or empty.
+  VecX springs;                    ///< Of the springs of the laws [N s].
+  std::vector<ContactMode> modes;  ///< n.
+  double residual = 0;             ///< Relative, of the law that the cone stands for.
+  int iterations = 0;
+  bool converged = false;  ///< Residual at most 1e-10.
+};
+
+/// Solves the contact problems of time stepping as `method.solver` and `method.cone` say: docs/methods.md.
+/// Contacts with two coefficients of friction: solve_static_friction.
+class StepSolver {
+ public:
+  explicit StepSolver(const Method& method);
+
+  StepImpulses solve(const ContactSystem& system, StepLaws laws) const;
+
+ private:
+  StepImpulses solve_with(const ContactSystem& system, const StepLaws& laws) const;
+  StepImpulses solve_cones(const ContactSystem& system, const StepLaws& laws) const;
+  StepImpulses solve_dense(const CoulombProblem& problem, double resolution) const;
+  StepImpulses solve_frictions(const ContactSystem& system, const StepLaws& laws) const;
+  StepImpulses sweep(const ContactSystem& system, const CoulombProblem& laws) const;
+
+  SolverMethod solver_;
+  ConeMethod cone_;
+  int sweeps_;
+  RestingChoice resting_;
+};
+
+}  // namespace rigor

@@ -1,0 +1,467 @@
+#include "rigor/sim/time_stepping/time_stepper.hpp"
+
+#include "rigor/contact/impact/joint_stops.hpp"
+#include "rigor/contact/time_of_impact.hpp"
+#include "rigor/core/assert.hpp"
+#include "rigor/core/index.hpp"
+#include "rigor/dynamics/dense_phase.hpp"
+#include "rigor/geometry/shape/aabb.hpp"
+#include "rigor/math/rotation.hpp"
+#include "rigor/sim/fixed_steps/fixed_steps.hpp"
+#include "rigor/sim/islands/displacement.hpp"
+#include "rigor/sim/pairs/near_pairs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <set>
+
+namespace rigor {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// Half the smallest width of a shape, less where it may be hollow or pointed [m].
+double thickness_of(const Shape& shape) {
+  if (std::holds_alternative<HalfSpace>(shape)) return infinite;
+  const Aabb box = axis_aligned_box(shape, Pose{Mat3::Identity(), Vec3::Zero()});
+  const double half_width = 0.5 * (box.upper - box.lower).minCoeff();
+  if (std::holds_alternative<Mesh>(shape)) return 0.02 * half_width;
+  if (std::holds_alternative<Convex>(shape) || std::holds_alternative<Cone>(shape)) return 0.25 * half_width;
+  return half_width;
+}
+
+bool is_finite(const BodyPhase& phase) {
+  return phase.x.allFinite() && phase.q.coeffs().allFinite() && phase.P.allFinite() && phase.L.allFinite();
+}
+
+}  // namespace
+
+TimeStepper::TimeStepper(std::shared_ptr<const Model> model, const Method& method, double target_step)
+    : model_(std::move(model)),
+      method_(method),
+      target_step_(target_step),
+      environment_(*model_),
+      integrator_(*model_, environment_, method),
+      resolver_(*model_, integrator_, method),
+      joints_(*model_, integrator_),
+      impulses_(*model_, environment_, integrator_, resolver_, joints_, method),
+      finder_(*model_, method.broad_phase) {
+  RIGOR_ASSERT(target_step > 0);
+  for (int i = 0; i < model_->body_count(); ++i) {
+    const Body& body = model_->body(i);
+    if (body.motion == MotionType::dynamic)
+      lift_ += body.mass * environment_.steady_acceleration(i).norm() * model_->length_scale();
+    double thickness = infinite;
+    for (const BodyShape& shape : body.shapes) thickness = std::min(thickness, thickness_of(shape.shape));
+    thickness_.push_back(thickness);
+  }
+}
+
+AdvanceReport TimeStepper::advance(State& state, double t_end) {
+  RIGOR_ASSERT(t_end >= state.t && state.body_count() == model_->body_count());
+  report_ = {};
+  if (t_end == state.t) return report_;
+  admit_velocities(state);
+  const FixedSteps steps(state.t, t_end, target_step_);
+  for (long k = 0; k < steps.count() && report_.reason == StopReason::reached_end; ++k) {
+    while (state.t < steps.end(k) && report_.reason == StopReason::reached_end) {
+      if (interrupt_ && interrupt_()) {
+        report_.reason = StopReason::interrupted;
+        break;
+      }
+      const double left = steps.end(k) - state.t;
+      const double h = take_step(left, state);
+      // The end of a whole step is exact, and a rest that time cannot resolve is none.
+      if (h >= left || state.t + h == state.t) state.t = steps.end(k);
+    }
+  }
+  state.anchor_here();
+  return report_;
+}
+
+Cluster TimeStepper::cluster_in(const State& state) const {
+  Cluster cluster;
+  cluster.t = state.t;
+  for (int i = 0; i < model_->body_count(); ++i) {
+    if (model_->body(i).motion != MotionType::dynamic) continue;
+    cluster.bodies.push_back(i);
+    cluster.phases.push_back(
+        {state.position(i), state.orientation(i), state.linear_momentum(i), state.angular_momentum(i)});
+  }
+  return cluster;
+}
+
+void TimeStepper::write(const Cluster& cluster, State& state) const {
+  state.t = cluster.t;
+  for (std::size_t i = 0; i < cluster.bodies.size(); ++i) {
+    const BodyPhase& phase = cluster.phases[i];
+    state.set_body(cluster.bodies[i], phase.x, phase.q, phase.P, phase.L);
+  }
+  for (int i = 0; i < model_->body_count(); ++i) {
+    const Body& body = model_->body(i);
+    if (body.motion == MotionType::dynamic) continue;
+    const PrescribedMotion motion = prescribed_motion(body, state.t);
+    state.set_body(i, motion.p_WB, motion.q_WB, Vec3::Zero(), Vec3::Zero());
+  }
+}
+
+/// One step of at most h: what it was. Where what the step leaves out adds energy, it is taken with the form
+/// that adds least, and with halves if that does not help.
+double TimeStepper::take_step(double h, State& state) {
+  constexpr int most_halvings = 3;
+  constexpr double tolerable = 1e-10;
+  const Energy before = mechanical_energy(*model_, environment_, state);
+  std::optional<Trial> trial;
+  for (int k = 0; k <= most_halvings; ++k) {
+    trial = try_calmly(h, before, state);
+    if (trial->gain <= tolerable * (before.kinetic + lift_) || trial->report.impact_gain > 0) break;
+    h = 0.5 * trial->h;
+  }
+  for (std::size_t i = 0; i < trial->end.bodies.size(); ++i) {
+    if (is_finite(trial->end.phases[i])) continue;
+    report_.reason = StopReason::not_finite;
+    report_.detail = "body '" + model_->body(trial->end.bodies[i]).name + "'";
+    report_.bodies = {trial->end.bodies[i]};
+    return trial->h;
+  }
+  note_lasting(cluster_in(state), *trial);
+  report_.add(trial->report);
+  write(trial->end, state);
+  return trial->h;
+}
+
+/// A trial that adds no energy if one of the forms of a step does not.
+TimeStepper::Trial TimeStepper::try_calmly(double h, const Energy& before, const State& state) {
+  constexpr double rounding = 1e-13, negligible = 1e-12;
+  const auto with_gain = [&](Trial trial) {
+    State end = state;
+    write(trial.end, end);
+    const Energy energy = mechanical_energy(*model_, environment_, end);
+    const double scale = energy.kinetic + std::abs(energy.potential) + energy.elastic +
+                         std::abs(before.potential) + before.elastic + before.kinetic;
+    trial.gain = energy.total() - before.total() - trial.report.work - rounding * scale;
+    return trial;
+  };
+  Trial trial = with_gain(try_step(h, 0.5, state));
+  if (trial.gain <= negligible * (before.kinetic + lift_) || trial.report.impact_gain > 0) return trial;
+  Trial safe = with_gain(try_step(trial.h, 1, state));
+  // In between, where energy stays as it is or falls by a little: false position, from the side that gains.
+  constexpr int most_trials = 3;
+  constexpr double beyond = 1.05;
+  double low = 0.5, gain = trial.gain;
+  for (int k = 0; k < most_trials && gain > 0 && safe.gain < 0 && safe.h == trial.h; ++k) {
+    low = std::min(1.0, low + beyond * (1 - low) * gain / (gain - safe.gain));
+    Trial level = with_gain(try_step(trial.h, low, state));
+    gain = level.gain;
+    if (gain <= 0 && level.h == trial.h) return level;
+  }
+  return safe.gain < trial.gain ? safe : trial;
+}
+
+/// Halved where the contacts at the begin do not tell those at the end.
+TimeStepper::Trial TimeStepper::try_step(double h, double theta, const State& state) {
+  constexpr int most_halvings = 6;
+  std::vector<double> reaches(at(model_->body_count()), 0.0);
+  grow_reaches(h, cluster_in(state), reaches);
+  bool takes_all = false;
+  for (int k = 0;; ++k) {
+    Trial trial = try_with_reaches(h, theta, takes_all, state, reaches);
+    // Bodies were pushed where they did not go by themselves.
+    if (!takes_all && trial.misjudgement > 0) {
+      takes_all = true;
+      continue;
+    }
+    if (k >= most_halvings || trial.misjudgement <= 1) return trial;
+    h = 0.5 * trial.h;
+  }
+}
+
+TimeStepper::Trial TimeStepper::try_with_reaches(double h, double theta, bool takes_all, const State& state,
+                                                 std::vector<double>& reaches) {
+  constexpr int most_tries = 12;
+  constexpr double at_once = 1e-9;
+  const Cluster start = cluster_in(state);
+  std::set<std::pair<int, int>> met;
+  for (int k = 0;; ++k) {
+    const bool is_last = k + 1 == most_tries;
+    Trial trial{start, {}, reaches, h};
+    std::vector<Contact> contacts = finder_.find(state, reaches, method_.contact_tolerance);
+    note_penetration(state.t, contacts, trial.report);
+    std::vector<Contact> touching_before = touching_of(contacts);
+    std::set<std::pair<int, int>> touching = met;
+    for (const Contact& contact : touching_before) touching.insert({contact.body_A, contact.body_B});
+    std::vector<std::pair<int, int>> far;
+    for (const auto& pair : finder_.near_pairs(state, reaches)) {
+      if (!touching.contains(pair) && moves_far(pair.first, pair.second, reaches)) far.push_back(pair);
+    }
+    std::erase_if(contacts, [&](const Contact& contact) {
+      return std::binary_search(far.begin(), far.end(), std::pair{contact.body_A, contact.body_B});
+    });
+    if (!takes_all) contacts = acting_contacts(h, start, std::move(contacts));
+    add_stops(start, contacts);
+
+    const Cluster struck = move_parts(theta, start, contacts, trial);
+    if (trial.reaches != reaches && !is_last) {
+      reaches = trial.reaches;
+      continue;
+    }
+    const double until = far.empty() || is_last ? h : first_meeting(h, struck, trial, far);
+    if (until == h) {
+      trial.touching_before = std::move(touching_before);
+      correct_overlaps(state, trial);
+      return trial;
+    }
+    // What meets at once is held by its rows.
+    if (until <= at_once * h) {
+      met.insert(far.begin(), far.end());
+    } else {
+      h = until;
+    }
+  }
+}
+
+/// The parts that these contacts join, each by itself. Returns them as they are after the impacts at the
+/// begin.
+Cluster TimeStepper::move_parts(double theta, const Cluster& start, const std::vector<Contact>& contacts,
+                                Trial& trial) const {
+  Cluster struck = start;
+  trial.end.t = start.t + trial.h;
+  for (Cluster& part : connected_parts(start, contacts, environment_)) {
+    impulses_.strike(trial.h, part, trial.report);
+    for (std::size_t i = 0; i < part.bodies.size(); ++i) struck.phase_of(part.bodies[i]) = part.phases[i];
+    grow_reaches(trial.h, part, trial.reaches);
+    impulses_.move(trial.h, theta, part, trial.report);
+    hold_joints(part, trial.report);
+    grow_reaches(trial.h, part, trial.reaches);
+    for (std::size_t i = 0; i < part.bodies.size(); ++i) trial.end.phase_of(part.bodies[i]) = part.phases[i];
+  }
+  return struck;
+}
+
+void TimeStepper::note_penetration(double t, const std::vector<Contact>& contacts,
+                                   AdvanceReport& report) const {
+  for (const Contact& contact : contacts) {
+    if (-contact.point.gap <= report.max_penetration) continue;
+    report.max_penetration = -contact.point.gap;
+    report.penetration_A = contact.body_A;
+    report.penetration_B = contact.body_B;
+    report.penetration_time = t;
+  }
+}
+
+void TimeStepper::grow_reaches(double h, const Cluster& cluster, std::vector<double>& reaches) const {
+  constexpr double margin = 1.25;
+  for (std::size_t i = 0; i < cluster.bodies.size(); ++i) {
+    const Body& body = model_->body(cluster.bodies[i]);
+    const BodyPhase& phase = cluster.phases[i];
+    const double w = angular_velocity(BodyInertia{body.mass, body.moments}, phase.q, phase.L).norm();
+    const double reach =
+        h * (phase.P.norm() / body.mass +
+             0.5 * h * environment_.steady_acceleration(cluster.bodies[i]).norm() + w * body.bounding_radius);
+    double& known = reaches[at(cluster.bodies[i])];
+    if (reach > known) known = margin * reach;
+  }
+  for (int i = 0; i < model_->body_count(); ++i) {
+    const Body& body = model_->body(i);
+    if (body.motion == MotionType::dynamic) continue;
+    const PrescribedMotion motion = prescribed_motion(body, cluster.t);
+    if (motion.v_WB.isZero(0) && motion.w_WB.isZero(0)) continue;
+    const double radius = std::isfinite(body.bounding_radius) ? body.bounding_radius : 0;
+    const double reach = h * (motion.v_WB.norm() + motion.w_WB.norm() * radius);
+    if (reach > reaches[at(i)]) reaches[at(i)] = margin * reach;
+  }
+}
+
+bool TimeStepper::moves_far(int a, int b, const std::vector<double>& reaches) const {
+  constexpr double share = 0.5;
+  return reaches[at(a)] + reaches[at(b)] > share * std::min(thickness_[at(a)], thickness_[at(b)]);
+}
+
+/// Contacts that may act: they touch or could close within twice the step, at the velocities of its begin or
+/// of its end without contacts.
+std::vector<Contact> TimeStepper::acting_contacts(double h, const Cluster& start,
+                                                  std::vector<Contact> found) const {
+  std::vector<Contact> contacts;
+  for (const Contact& contact : found) {
+    const auto kinetics = [&](int body) {
+      return model_->body(body).motion == MotionType::dynamic
+                 ? dynamic_kinetics(model_->body(body), start.phase_of(body))
+                 : prescribed_kinetics(model_->body(body), start.t);
+    };
+    const BodyKinetics A = kinetics(contact.body_A), B = kinetics(contact.body_B);
+    const Vec3 u = B.velocity_at(contact.p_W()) - A.velocity_at(contact.p_W());
+    double rate = std::min(0.0, contact.point.n_W.dot(u));
+    // The convex cone holds what slides at a distance.
+    if (method_.cone == ConeMethod::convex) rate -= contact.friction * (u - rate * contact.point.n_W).norm();
+    for (const int body : {contact.body_A, contact.body_B}) {
+      if (model_->body(body).motion == MotionType::dynamic)
+        rate -= h * environment_.steady_acceleration(body).norm();
+    }
+    if (contact.point.gap <= method_.contact_tolerance || contact.point.gap + 2 * h * rate < 0)
+      contacts.push_back(contact);
+  }
+  return contacts;
+}
+
+/// Stops of all joints, limits at any distance.
+void TimeStepper::add_stops(const Cluster& start, std::vector<Contact>& contacts) const {
+  const std::vector<int> joints = integrator_.joints_of(start.bodies);
+  if (joints.empty()) return;
+  const ContactSystem system = resolver_.system_of(start, {});
+  const std::vector<Contact> stops = joint_stops(*model_, joints, system.bodies, system.kinetics, infinite);
+  contacts.insert(contacts.end(), stops.begin(), stops.end());
+}
+
+/// When the first of these pairs meets on the way from `start`, or h.
+double TimeStepper::first_meeting(double h, const Cluster& start, const Trial& trial,
+                                  const std::vector<std::pair<int, int>>& pairs) const {
+  ToiOptions options;
+  options.contact_tolerance = method_.contact_tolerance;
+  options.time_tolerance = method_.time_tolerance;
+  options.rest_velocity = 1e-6 * method_.resting_velocity;
+  const auto motion = [&](int i) {
+    const Body& body = model_->body(i);
+    if (body.motion != MotionType::dynamic) return Motion::prescribed(body, start.t);
+    const BodyPhase &begin = start.phase_of(i), &end = trial.end.phase_of(i);
+    const BodyInertia inertia{body.mass, body.moments};
+    const FreeFlight flight(inertia, begin, start.t, environment_.steady_acceleration(i));
+    const BodyPhase free = flight.at(start.t + h);
+    if (free.P == end.P && free.L == end.L) return Motion::flight(flight, inertia);
+    return Motion::step(quadratic_dense_phase(begin, end, begin.P / body.mass,
+                                              angular_velocity(inertia, begin.q, begin.L), h),
+                        start.t, h);
+  };
+  double first = h;
+  for (const auto& [a, b] : pairs) {
+    const TimeOfImpact found = find_time_of_impact(model_->body(a), motion(a), model_->body(b), motion(b),
+                                                   start.t, start.t + first, options);
+    if (found.is_contact) first = std::min(first, found.time - start.t);
+  }
+  return first;
+}
+
+/// Velocities that joints do not allow, as a scene may give them at its start, are put right before the first
+/// step: those that a step leaves take no noticeable part of the energy.
+void TimeStepper::admit_velocities(State& state) {
+  constexpr double noticeable = 1e-12;
+  if (model_->joints().empty()) return;
+  Cluster all = cluster_in(state);
+  for (Cluster& part : connected_parts(all, {}, environment_)) {
+    AdvanceReport projection;
+    const double energy = totals_of(*model_, part).T;
+    joints_.project_velocities(part, projection);
+    if (projection.projection_loss <= noticeable * energy) continue;
+    report_.add(projection);
+    for (std::size_t i = 0; i < part.bodies.size(); ++i) all.phase_of(part.bodies[i]) = part.phases[i];
+  }
+  write(all, state);
+}
+
+/// Positions and velocities of joints are put back, in the metric of the masses.
+void TimeStepper::hold_joints(Cluster& part, AdvanceReport& report) const {
+  if (integrator_.joints_of(part.bodies).empty()) return;
+  const std::vector<BodyPhase> before = part.phases;
+  joints_.project_positions(part.t, part.bodies, part.phases, report);
+  for (std::size_t i = 0; i < part.bodies.size(); ++i)
+    part.phases[i].L -= (part.phases[i].x - before[i].x).cross(part.phases[i].P);
+  joints_.project_velocities(part, report);
+}
+
+/// Bodies that overlap are put back to touching by the smallest displacements; momenta stay, and so does the
+/// moment of momentum about the origin.
+void TimeStepper::correct_overlaps(const State& state, Trial& trial) {
+  constexpr int most_passes = 8;
+  std::vector<double> reaches(at(model_->body_count()), 0.0);
+  double largest = 0;
+  Cluster& end = trial.end;
+  State moved = state;
+  for (int pass = 0; pass < most_passes; ++pass) {
+    write(end, moved);
+    const std::vector<Contact> contacts = finder_.find(moved, reaches, method_.contact_tolerance);
+    double deepest = 0;
+    for (const Contact& contact : contacts) {
+      deepest = std::max(deepest, -contact.point.gap);
+      if (pass == 0) trial.misjudgement = std::max(trial.misjudgement, misjudgement_of(contact));
+    }
+    trial.touching_after = touching_of(contacts);
+    largest = std::max(largest, deepest);
+    if (deepest <= 0.2 * method_.contact_tolerance) break;
+    // What is near may be in the way.
+    for (const int body : end.bodies) reaches[at(body)] = 2 * largest;
+    if (pass == 0 && deepest > method_.contact_tolerance) continue;
+    for (Cluster& part : connected_parts(end, contacts, environment_)) {
+      double of_part = 0;
+      for (const Contact& contact : part.contacts) of_part = std::max(of_part, -contact.point.gap);
+      if (of_part <= 0.2 * method_.contact_tolerance) continue;
+      const ContactSystem system = integrator_.system_of(part.t, part.bodies, part.phases, part.contacts);
+      const std::vector<double> lowest(part.contacts.size(), 0.0);
+      apply_displacement(separating_impulses(system, lowest), system, part.bodies, part.phases);
+      hold_joints(part, trial.report);
+      for (std::size_t i = 0; i < part.bodies.size(); ++i) end.phase_of(part.bodies[i]) = part.phases[i];
+    }
+  }
+}
+
+std::vector<Contact> TimeStepper::touching_of(const std::vector<Contact>& contacts) const {
+  std::vector<Contact> touching;
+  std::copy_if(contacts.begin(), contacts.end(), std::back_inserter(touching),
+               [this](const Contact& contact) { return contact.point.gap <= method_.contact_tolerance; });
+  return touching;
+}
+
+/// Pairs that touch and neither close nor part faster than `resting_velocity` anywhere.
+std::set<std::pair<int, int>> TimeStepper::lasting_pairs(const Cluster& cluster,
+                                                         const std::vector<Contact>& touching) const {
+  std::set<std::pair<int, int>> lasting, moving;
+  const auto kinetics = [&](int body) {
+    return model_->body(body).motion == MotionType::dynamic
+               ? dynamic_kinetics(model_->body(body), cluster.phase_of(body))
+               : prescribed_kinetics(model_->body(body), cluster.t);
+  };
+  for (const Contact& contact : touching) {
+    const Vec3 u = kinetics(contact.body_B).velocity_at(contact.p_W()) -
+                   kinetics(contact.body_A).velocity_at(contact.p_W());
+    const bool is_slow = std::abs(contact.point.n_W.dot(u)) <= method_.resting_velocity;
+    (is_slow ? lasting : moving).insert({contact.body_A, contact.body_B});
+  }
+  for (const auto& pair : moving) lasting.erase(pair);
+  return lasting;
+}
+
+/// Pairs whose contact begins to last in the step come to rest on each other; pairs whose contact lasted
+/// before and does not any more separate. Both are known to the step only, at its end.
+void TimeStepper::note_lasting(const Cluster& start, Trial& trial) const {
+  const std::set<std::pair<int, int>> before = lasting_pairs(start, trial.touching_before),
+                                      after = lasting_pairs(trial.end, trial.touching_after);
+  for (const auto& pair : after) {
+    if (before.contains(pair)) continue;
+    ++trial.report.resting;
+    trial.report.events.push_back({MotionEvent::Kind::rest, trial.end.t, pair.first, pair.second});
+  }
+  for (const auto& pair : before) {
+    if (after.contains(pair)) continue;
+    ++trial.report.separations;
+    trial.report.events.push_back({MotionEvent::Kind::separation, trial.end.t, pair.first, pair.second});
+  }
+}
+
+/// Overlap at the end of a step, as a share of what can be put right without a doubt about the side from
+/// which the bodies came, and with a small turn; 0 if it is a few tolerances.
+double TimeStepper::misjudgement_of(const Contact& contact) const {
+  constexpr double noticeable = 10, share_of_thickness = 0.05, share_of_radius = 0.02;
+  const double depth = -contact.point.gap;
+  if (depth <= noticeable * method_.contact_tolerance) return 0;
+  double right =
+      share_of_thickness * std::max(thickness_[at(contact.body_A)], thickness_[at(contact.body_B)]);
+  for (const int body : {contact.body_A, contact.body_B}) {
+    const double radius = model_->body(body).bounding_radius;
+    if (std::isfinite(radius)) right = std::min(right, share_of_radius * radius);
+  }
+  return depth / std::max(right, noticeable * method_.contact_tolerance);
+}
+
+}  // namespace rigor

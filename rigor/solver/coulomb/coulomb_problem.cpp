@@ -1,0 +1,321 @@
+#include "rigor/solver/coulomb/coulomb_problem.hpp"
+
+#include "rigor/core/assert.hpp"
+#include "rigor/core/index.hpp"
+#include "rigor/solver/coulomb/coulomb_gauss_seidel.hpp"
+#include "rigor/solver/coulomb/coulomb_law.hpp"
+#include "rigor/solver/coulomb/coulomb_local.hpp"
+#include "rigor/solver/coulomb/coulomb_polish.hpp"
+#include "rigor/solver/coulomb/coulomb_proximal.hpp"
+#include "rigor/solver/coulomb/coulomb_seed.hpp"
+#include "rigor/solver/coulomb/proximal_points.hpp"
+#include "rigor/solver/coulomb/smooth_modes.hpp"
+#include "rigor/solver/linear/lcp.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rigor {
+
+using Eigen::Index;
+
+namespace {
+
+void check_sizes(const CoulombProblem& problem) {
+  const Index n = static_cast<Index>(problem.mu.size());
+  RIGOR_ASSERT(problem.A.rows() == 3 * n && problem.A.cols() == 3 * n && problem.b.size() == 3 * n);
+  RIGOR_ASSERT(problem.rows.size() == problem.mu.size() && problem.slips.size() == problem.mu.size());
+}
+
+bool is_finite(const CoulombProblem& problem) {
+  const auto is_number = [](double mu) { return std::isfinite(mu) && mu >= 0; };
+  return problem.A.allFinite() && problem.b.allFinite() &&
+         std::all_of(problem.mu.begin(), problem.mu.end(), is_number);
+}
+
+bool never_approaches(const CoulombProblem& problem) {
+  for (std::size_t k = 0; k < problem.mu.size(); ++k)
+    if (problem.b(3 * static_cast<Index>(k) + 2) < 0) return false;
+  return true;
+}
+
+// No contact has to find its slip direction: a linear complementarity problem.
+bool is_linear(const CoulombProblem& problem) {
+  for (std::size_t k = 0; k < problem.mu.size(); ++k)
+    if (problem.mu[k] > 0 && problem.rows[k] == FrictionRow::cone) return false;
+  return true;
+}
+
+bool is_frictionless(const CoulombProblem& problem) {
+  return std::all_of(problem.mu.begin(), problem.mu.end(), [](double mu) { return mu == 0; });
+}
+
+int exponent_of(double x) {
+  int exponent = 0;
+  std::frexp(x, &exponent);
+  return exponent;
+}
+
+/// The same problem with the largest |A| and |b| in [½, 1), and the powers of two that lead back.
+struct ScaledProblem {
+  CoulombProblem problem;
+  int A_exponent;
+  int b_exponent;
+};
+
+ScaledProblem scaled(const CoulombProblem& problem) {
+  ScaledProblem result{problem, exponent_of(problem.A.cwiseAbs().maxCoeff()),
+                       exponent_of(problem.b.cwiseAbs().maxCoeff())};
+  result.problem.A *= std::ldexp(1.0, -result.A_exponent);
+  result.problem.b *= std::ldexp(1.0, -result.b_exponent);
+  return result;
+}
+
+void scale_back(const ScaledProblem& scaled, CoulombSolution& solution) {
+  solution.lambda *= std::ldexp(1.0, scaled.b_exponent - scaled.A_exponent);
+  solution.w *= std::ldexp(1.0, scaled.b_exponent);
+}
+
+CoulombSolution labelled(CoulombSolution solution, int iterations, const char* method) {
+  solution.iterations = iterations;
+  solution.method = method;
+  return solution;
+}
+
+const char* name_of(LcpName name) {
+  return name == LcpName::dantzig ? "dantzig" : "lemke";
+}
+
+// Normal rows alone: w_n = (A_nn - μ A_nt slip) λ_n + b_n.
+CoulombSolution solve_linear(const CoulombProblem& problem, LcpName name, double tolerance) {
+  CoulombGuess guess = open_guess(problem);
+  std::vector<ContactVector> rows, columns;
+  VecX q(static_cast<Index>(problem.mu.size()));
+  for (Index i = 0; i < q.size(); ++i) {
+    const std::size_t k = at(i);
+    const double mu = problem.mu[k];
+    const Vec2 friction = mu > 0 ? Vec2(-mu * problem.slips[k]) : Vec2::Zero();
+    rows.push_back({i, Vec3::UnitZ()});
+    columns.push_back({i, Vec3(friction(0), friction(1), 1.0)});
+    q(i) = problem.b(3 * i + 2);
+  }
+  const MatX M = reduce(problem.A, rows, columns);
+  LcpSolution lcp = name == LcpName::dantzig ? lcp_dantzig(M, q) : lcp_lemke(M, q);
+  if (!lcp.converged && name == LcpName::dantzig) {
+    name = LcpName::lemke;
+    lcp = lcp_lemke(M, q);
+  }
+  for (Index i = 0; i < q.size(); ++i) {
+    guess.lambda.segment<3>(3 * i) = lcp.z(i) * columns[at(i)].direction;
+    if (lcp.z(i) > 0) guess.modes.modes[at(i)] = ContactMode::slide;
+  }
+  return labelled(polish_coulomb(problem, guess, tolerance), lcp.pivots, name_of(name));
+}
+
+CoulombSolution solve_single(const CoulombProblem& problem, double tolerance) {
+  const LocalCoulombSolution local = solve_coulomb_local(problem.A, problem.b, problem.mu[0]);
+  CoulombSolution solution = make_solution(problem, local.lambda, {local.mode}, tolerance);
+  return labelled(std::move(solution), 1, "one contact");
+}
+
+/// Proximal Newton and Gauss–Seidel by turns, each guess polished; keeps the best point so far.
+class Chain {
+ public:
+  Chain(const CoulombProblem& problem, const CoulombOptions& options, CoulombSolution start)
+      : problem_(problem),
+        options_(options),
+        best_(std::move(start)),
+        motion_(problem.A),
+        proximal_(problem, motion_, open_guess(problem)),
+        gauss_seidel_(problem, open_guess(problem)) {}
+
+  /// What a few proximal steps find.
+  CoulombSolution run_briefly() {
+    proximal_until(20);
+    return best_;
+  }
+
+  CoulombSolution run() {
+    // A few proximal steps show the modes of most problems; strong friction may need the other method, or
+    // patience.
+    if (proximal_until(20) || is_enough()) return best_;
+    constexpr int kFewSweeps = 256;
+    if (gauss_seidel_until(std::min(kFewSweeps, options_.max_iterations)) || is_enough()) return best_;
+    if (options_.max_iterations <= kFewSweeps) return best_;
+    if (proximal_until(100) || is_enough()) return best_;
+    gauss_seidel_until(options_.max_iterations);
+    return best_;
+  }
+
+ private:
+  bool is_enough() const { return best_.residual <= options_.enough; }
+
+  bool offer(const CoulombGuess& guess, int iterations, const char* method) {
+    if (!guess.lambda.allFinite()) return false;
+    CoulombSolution solution = options_.least_norm
+                                   ? polish_coulomb(problem_, guess, options_.tolerance)
+                                   : make_solution(problem_, clamp_to_cones(problem_, guess.lambda),
+                                                   guess.modes.modes, options_.tolerance);
+    if (solution.residual < best_.residual) best_ = labelled(std::move(solution), iterations, method);
+    return best_.converged;
+  }
+
+  // Polishes when the modes have changed, and at every eighth step.
+  bool proximal_until(int last) {
+    std::vector<ContactMode> offered;
+    while (proximal_steps_ < last) {
+      proximal_.step();
+      ++proximal_steps_;
+      const CoulombGuess& guess = proximal_.guess();
+      if (guess.modes.modes == offered && proximal_steps_ % 8 != 0) continue;
+      offered = guess.modes.modes;
+      if (offer(guess, proximal_steps_, "proximal")) return true;
+    }
+    return false;
+  }
+
+  // Polishes after 1, 2, 4, 8, ... sweeps.
+  bool gauss_seidel_until(int last) {
+    double change = 1;
+    while (sweeps_ < last && change > 0) {
+      change = gauss_seidel_.sweep();
+      ++sweeps_;
+      const bool is_power = (sweeps_ & (sweeps_ - 1)) == 0;
+      if ((is_power || sweeps_ == last || change == 0) &&
+          offer(gauss_seidel_.guess(), sweeps_, "gauss-seidel"))
+        return true;
+      if (!gauss_seidel_.guess().lambda.allFinite()) return false;
+    }
+    return false;
+  }
+
+  const CoulombProblem& problem_;
+  const CoulombOptions& options_;
+  CoulombSolution best_;
+  FactoredMotion motion_;
+  CoulombProximal proximal_;
+  CoulombGaussSeidel gauss_seidel_;
+  int proximal_steps_ = 0;
+  int sweeps_ = 0;
+};
+
+CoulombSolution solve_seeded(const CoulombProblem& problem, LcpName name, double tolerance) {
+  const LcpSeed seed = seed_by_lcp(problem, name);
+  return labelled(polish_coulomb(problem, seed.guess, tolerance), seed.pivots, name_of(name));
+}
+
+bool holds_all(const CoulombSolution& solution) {
+  return std::all_of(solution.modes.begin(), solution.modes.end(),
+                     [](ContactMode mode) { return mode == ContactMode::stick; });
+}
+
+// Coulomb's law can have several solutions. Pivots may end at one that lacks the symmetry of the problem (of
+// two points of an edge one lets go); the one of less force has it.
+CoulombSolution of_less_force(const CoulombSolution& seeded, const CoulombSolution& other) {
+  constexpr double kSame = 1e-9;
+  return other.converged && other.lambda.norm() < (1 - kSame) * seeded.lambda.norm() ? other : seeded;
+}
+
+/// That every contact holds, where it does: with the forces of least norm.
+CoulombSolution try_holding(const CoulombProblem& problem, double tolerance) {
+  CoulombGuess guess = open_guess(problem);
+  for (std::size_t k = 0; k < problem.mu.size(); ++k) {
+    const bool may_stick = problem.rows[k] == FrictionRow::cone && problem.mu[k] > 0;
+    guess.modes.modes[k] = may_stick ? ContactMode::stick : ContactMode::slide;
+  }
+  const VecX forces = KnownModesSystem(problem, guess.modes).solve();
+  return labelled(make_solution(problem, clamp_to_cones(problem, forces), guess.modes.modes, tolerance), 0,
+                  "holding");
+}
+
+/// By proximal points; where the equations of what the contacts do hold beyond the resolution, with their
+/// digits.
+std::optional<CoulombSolution> solve_to_resolution(const CoulombProblem& problem,
+                                                   const CoulombOptions& options, double enough) {
+  std::optional<CoulombSolution> solution = solve_by_proximal_points(
+      problem, FactoredMotion(problem.A), [&](const VecX& lambda) { return largest_term(problem, lambda); },
+      {.enough = enough, .resolution = *options.resolution});
+  if (!solution) return std::nullopt;
+  const CoulombGuess guess =
+      solve_smooth_modes(problem, guess_of_forces(problem, solution->lambda, solution->modes));
+  CoulombSolution exact =
+      make_solution(problem, clamp_to_cones(problem, guess.lambda), solution->modes, enough);
+  if (!(exact.residual < solution->residual)) return solution;
+  return labelled(std::move(exact), solution->iterations, "proximal points");
+}
+
+CoulombSolution solve_scaled(const CoulombProblem& problem, const CoulombOptions& options) {
+  if (is_linear(problem)) {
+    const LcpName fitting = is_frictionless(problem) ? LcpName::dantzig : LcpName::lemke;
+    CoulombSolution linear = solve_linear(problem, options.lcp.value_or(fitting), options.tolerance);
+    if (linear.converged || !options.resolution) return linear;
+    return solve_to_resolution(problem, options, options.tolerance).value_or(std::move(linear));
+  }
+  CoulombSolution start = labelled(make_solution(problem, VecX::Zero(problem.b.size()),
+                                                 open_guess(problem).modes.modes, options.tolerance),
+                                   0, "open");
+  if (problem.mu.size() == 1) {
+    CoulombSolution single = solve_single(problem, options.tolerance);
+    if (single.converged) return single;
+  }
+  // Lemke's table of the pyramid has 12 columns a contact: beyond this it takes minutes.
+  constexpr std::size_t kMostOfPyramid = 60;
+  if (options.lcp == LcpName::dantzig || (options.lcp && problem.mu.size() <= kMostOfPyramid)) {
+    const CoulombSolution seeded = solve_seeded(problem, *options.lcp, options.tolerance);
+    if (seeded.converged)
+      return holds_all(seeded) ? seeded : of_less_force(seeded, Chain(problem, options, start).run_briefly());
+    if (seeded.residual < start.residual) start = seeded;
+  }
+  if (!options.resolution) return Chain(problem, options, std::move(start)).run();
+  if (!options.least_norm) {
+    const CoulombSolution holding = try_holding(problem, options.tolerance);
+    if (holding.converged) return holding;
+    if (std::optional<CoulombSolution> solution = solve_to_resolution(problem, options, options.enough))
+      return std::move(*solution);
+  }
+  CoulombOptions polished = options;
+  polished.least_norm = true;
+  CoulombSolution best = Chain(problem, polished, std::move(start)).run();
+  if (best.converged || !options.least_norm) return best;
+  return solve_to_resolution(problem, options, options.tolerance).value_or(std::move(best));
+}
+
+}  // namespace
+
+CoulombSolution solve_coulomb(const CoulombProblem& problem, const CoulombOptions& options) {
+  check_sizes(problem);
+  const CoulombSolution open{
+      VecX::Zero(problem.b.size()), problem.b, open_guess(problem).modes.modes, 0.0, 0, true, "open"};
+  if (!is_finite(problem)) {
+    CoulombSolution failed = open;
+    failed.converged = false;
+    failed.residual = std::numeric_limits<double>::infinity();
+    return failed;
+  }
+  if (never_approaches(problem)) return open;
+  const ScaledProblem unit = scaled(problem);
+  CoulombOptions unit_options = options;
+  if (options.resolution) unit_options.resolution = std::ldexp(*options.resolution, -unit.b_exponent);
+  CoulombSolution solution = solve_scaled(unit.problem, unit_options);
+  scale_back(unit, solution);
+  return solution;
+}
+
+VecX solve_known_modes(const CoulombProblem& problem, const std::vector<ContactMode>& modes) {
+  check_sizes(problem);
+  RIGOR_ASSERT(modes.size() == problem.mu.size());
+  return KnownModesSystem(problem, {modes, problem.slips}).solve();
+}
+
+std::optional<VecX> find_cone_forces(const CoulombProblem& problem, const std::vector<ContactMode>& modes) {
+  check_sizes(problem);
+  RIGOR_ASSERT(modes.size() == problem.mu.size());
+  return KnownModesSystem(problem, {modes, problem.slips}).find_in_cones();
+}
+
+double coulomb_residual(const CoulombProblem& problem, const VecX& lambda, const VecX& w) {
+  return law_residual(problem, problem.A.diagonal(), largest_term(problem, lambda), lambda, w);
+}
+
+}  // namespace rigor

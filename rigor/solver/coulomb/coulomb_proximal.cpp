@@ -1,0 +1,165 @@
+#include "rigor/solver/coulomb/coulomb_proximal.hpp"
+
+#include "rigor/core/index.hpp"
+#include "rigor/solver/coulomb/cone.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace rigor {
+
+using Eigen::Index;
+
+namespace {
+
+constexpr double kLargestRho = 1e6;
+// Longer steps multiply the rounding of the motion into the forces.
+constexpr double kLargestRhoOfDigits = 1e5;
+constexpr double kWarmRho = 1e3;
+// Larger coefficients count as this one: hardly any contact slides with more, and the shifts of those that
+// seem to in an early step would throw the others open. The polish uses the true ones.
+constexpr double kLargestMu = 4;
+// The shifts follow at once in most problems; where they have not settled by then, they go half way.
+constexpr int kUndampedSteps = 20;
+constexpr double kDamping = 0.5;
+
+}  // namespace
+
+CoulombProximal::CoulombProximal(const CoulombProblem& problem, const ContactMotion& motion,
+                                 CoulombGuess start, ProximalOptions options)
+    : problem_(problem), motion_(motion), options_(options), guess_(std::move(start)) {
+  const Index count = static_cast<Index>(problem.mu.size());
+  const double largest = motion.diagonal().maxCoeff();
+  stiffness_.resize(count);
+  for (Index i = 0; i < count; ++i) {
+    const double mean = motion.diagonal().segment<3>(3 * i).mean();
+    stiffness_(i) = 1.0 / (mean > 1e-12 * largest ? mean : largest);
+  }
+  // Without shifts at first: a guess of the slip that is far too fast would open the contacts for good.
+  q_ = problem.b;
+  shift_ = VecX::Zero(count);
+  v_ = motion_.lift(motion_.pull(guess_.lambda));
+  if (!options_.is_warm) return;
+  rho_ = kWarmRho;
+  update_shift(moved(guess_.lambda) + problem_.b, 1.0);
+}
+
+void CoulombProximal::step() {
+  minimise();
+  update_guess(evaluate(v_));
+  const VecX w = moved(guess_.lambda) + problem_.b;
+  ++steps_;
+  update_shift(w, steps_ <= kUndampedSteps ? 1.0 : kDamping);
+  rho_ = std::min(10 * rho_, options_.makes_digits ? kLargestRhoOfDigits : kLargestRho);
+}
+
+double CoulombProximal::capped_mu(std::size_t contact) const {
+  const double mu = problem_.mu[contact];
+  return options_.normal_shift == NormalShift::none ? mu : std::min(mu, kLargestMu);
+}
+
+Vec3 CoulombProximal::project(Index contact, const Vec3& x) const {
+  const std::size_t k = at(contact);
+  if (problem_.rows[k] == FrictionRow::slide) return {0.0, 0.0, std::max(0.0, x(2))};
+  return project_on_cone(x, capped_mu(k));
+}
+
+CoulombProximal::Inner CoulombProximal::evaluate(const VecX& v) const {
+  const VecX weighed = motion_.weigh(v);
+  Inner inner{0.5 * v.dot(weighed), weighed, motion_.rates(v) + q_, VecX(q_.size())};
+  for (Index i = 0; i < stiffness_.size(); ++i) {
+    const double rho = rho_ * stiffness_(i);
+    const Vec3 x = guess_.lambda.segment<3>(3 * i) - rho * inner.argument.segment<3>(3 * i);
+    const Vec3 force = project(i, x);
+    inner.argument.segment<3>(3 * i) = x;
+    inner.force.segment<3>(3 * i) = force;
+    inner.value += force.squaredNorm() / (2 * rho);
+  }
+  inner.pulled = motion_.pull(inner.force);
+  inner.gradient -= inner.pulled;
+  return inner;
+}
+
+// The derivatives D of the forces by the motion, one a contact: the Newton matrix is M + Lᵀ D L.
+std::vector<Mat3> CoulombProximal::stiffnesses(const VecX& argument) const {
+  std::vector<Mat3> D(problem_.mu.size(), Mat3::Zero());
+  for (Index i = 0; i < stiffness_.size(); ++i) {
+    const std::size_t k = at(i);
+    const double rho = rho_ * stiffness_(i);
+    const Vec3 x = argument.segment<3>(3 * i);
+    if (problem_.rows[k] == FrictionRow::slide) {
+      if (x(2) > 0) D[k](2, 2) = rho;
+    } else {
+      D[k] = rho * cone_projection_derivative(x, capped_mu(k));
+    }
+  }
+  return D;
+}
+
+VecX CoulombProximal::moved(const VecX& lambda) const {
+  return motion_.rates(motion_.lift(motion_.pull(lambda)));
+}
+
+// Newton with Armijo's line search on a strongly convex, once differentiable function.
+void CoulombProximal::minimise() {
+  constexpr int kMaxSteps = 50;
+  const double tolerance = options_.makes_digits ? 1e-14 : 1e-11;
+  Inner inner = evaluate(v_);
+  for (int step = 0; step < kMaxSteps; ++step) {
+    const double error = inner.gradient.norm();
+    if (error <= tolerance * (motion_.weigh(v_).norm() + inner.pulled.norm())) return;
+    const VecX direction =
+        -motion_.newton_step(stiffnesses(inner.argument), inner.gradient, Symmetry::positive);
+    const double slope = inner.gradient.dot(direction);
+    double length = 1;
+    Inner trial = evaluate(v_ + direction);
+    // Near the end the values differ by rounding alone; then the gradients tell.
+    const auto is_flatter = [&] { return options_.makes_digits && trial.gradient.norm() <= 0.5 * error; };
+    for (int halving = 0;
+         halving < 30 && !(trial.value <= inner.value + 1e-4 * length * slope) && !is_flatter(); ++halving) {
+      length *= 0.5;
+      trial = evaluate(v_ + length * direction);
+    }
+    if (!(trial.value < inner.value) && !is_flatter()) return;
+    v_ += length * direction;
+    inner = std::move(trial);
+  }
+}
+
+void CoulombProximal::update_guess(const Inner& inner) {
+  for (Index i = 0; i < stiffness_.size(); ++i) {
+    const std::size_t k = at(i);
+    const Vec3 x = inner.argument.segment<3>(3 * i);
+    Vec3 force = inner.force.segment<3>(3 * i);
+    const double mu = capped_mu(k);
+    ContactMode mode = force(2) > 0 ? ContactMode::slide : ContactMode::open;
+    if (problem_.rows[k] == FrictionRow::slide) {
+      if (mu > 0) force.head<2>() = -problem_.mu[k] * force(2) * problem_.slips[k];
+    } else {
+      const bool inside = mu > 0 && cone_region(x, mu) == ConeRegion::inside;
+      if (mode != ContactMode::open && inside) mode = ContactMode::stick;
+      guess_.modes.slips[k] = slip_of_force(force, guess_.modes.slips[k]);
+    }
+    guess_.modes.modes[k] = mode;
+    guess_.lambda.segment<3>(3 * i) = force;
+  }
+}
+
+// q = b + A (friction of slide rows) + s n; the forces of `evaluate` are then all others. The shift follows μ
+// |w_t|, with damping when it made matters worse.
+void CoulombProximal::update_shift(const VecX& w, double damping) {
+  VecX held = VecX::Zero(w.size());
+  for (Index i = 0; i < shift_.size(); ++i) {
+    const std::size_t k = at(i);
+    if (problem_.rows[k] == FrictionRow::slide) {
+      held.segment<2>(3 * i) = guess_.lambda.segment<2>(3 * i);
+    } else if (options_.normal_shift == NormalShift::de_saxce) {
+      shift_(i) += damping * (capped_mu(k) * w.segment<2>(3 * i).norm() - shift_(i));
+    }
+  }
+  q_ = problem_.b + moved(held);
+  for (Index i = 0; i < shift_.size(); ++i) q_(3 * i + 2) += shift_(i);
+  v_ = motion_.lift(motion_.pull(guess_.lambda - held));
+}
+
+}  // namespace rigor

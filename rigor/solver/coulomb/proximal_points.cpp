@@ -1,0 +1,190 @@
+#include "rigor/solver/coulomb/proximal_points.hpp"
+
+#include "rigor/solver/coulomb/coulomb_law.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace rigor {
+
+using Eigen::Index;
+
+namespace {
+
+// Times 1 / the mean diagonal of a contact's block. Longer steps multiply the rounding of the motion into the
+// forces.
+constexpr double kFirstRho = 10;
+constexpr double kLargestRho = 1e4;
+constexpr double kGrowth = 10;
+
+class ProximalPoints {
+ public:
+  ProximalPoints(const CoulombProblem& laws, const ContactMotion& motion,
+                 const std::function<double(const VecX&)>& size_of, const ProximalPointOptions& options)
+      : laws_(laws), motion_(motion), size_of_(size_of), options_(options) {
+    const Index count = static_cast<Index>(laws.mu.size());
+    const double largest = motion.diagonal().maxCoeff();
+    stiffness_.resize(count);
+    for (Index i = 0; i < count; ++i) {
+      const double mean = motion.diagonal().segment<3>(3 * i).mean();
+      stiffness_(i) = 1.0 / (mean > 1e-12 * largest ? mean : largest);
+    }
+    lambda_ = options.start.size() > 0 ? clamp_to_cones(laws, options.start) : VecX::Zero(3 * count);
+    v_ = motion_.lift(motion_.pull(lambda_));
+  }
+
+  std::optional<CoulombSolution> run() {
+    constexpr int kMaxPoints = 60, kPatience = 3;
+    double growth = kGrowth, least = std::numeric_limits<double>::infinity();
+    int stalls = 0;
+    for (int point = 1; point <= kMaxPoints; ++point) {
+      const std::optional<Forces> next = next_point();
+      if (!next) {
+        // Too far for Newton's method: nearer points, and smaller steps from then on.
+        rho_ /= growth * growth;
+        growth = std::max(1.5, std::sqrt(growth));
+        continue;
+      }
+      const Offer offer = offer_of(*next);
+      stalls = offer.residual < 0.5 * least ? 0 : stalls + 1;
+      least = std::min(least, offer.residual);
+      if (offer.residual <= options_.wanted) return solution_of(*next, offer, offer.residual, point);
+      if (stalls >= kPatience) {
+        if (offer.residual <= options_.enough) return solution_of(*next, offer, offer.residual, point);
+        if (offer.change <= options_.resolution && offer.changed_residual <= options_.enough)
+          return solution_of(*next, offer, offer.changed_residual, point);
+      }
+      lambda_ = next->lambda;
+      v_ = motion_.lift(motion_.pull(lambda_));
+      rho_ = std::min(growth * rho_, kLargestRho);
+    }
+    return std::nullopt;
+  }
+
+ private:
+  /// Forces at a motion v, and what the contacts do there.
+  struct Forces {
+    VecX lambda;  ///< 3n.
+    std::vector<ContactMode> modes;
+    std::vector<Mat3> slopes;  ///< -dλ / dw, one a contact.
+    VecX pulled;               ///< Lᵀ λ.
+    VecX miss;                 ///< M v - Lᵀ λ.
+    double error;              ///< Of the miss, in the metric of M⁻¹.
+  };
+
+  Forces forces_at(const VecX& v) const {
+    const VecX w = motion_.rates(v) + laws_.b;
+    const std::size_t count = laws_.mu.size();
+    Forces forces{VecX(w.size()),
+                  std::vector<ContactMode>(count, ContactMode::open),
+                  std::vector<Mat3>(count, Mat3::Zero()),
+                  {},
+                  {},
+                  0};
+    for (std::size_t k = 0; k < count; ++k) set_force(k, w, forces);
+    forces.pulled = motion_.pull(forces.lambda);
+    forces.miss = motion_.weigh(v) - forces.pulled;
+    forces.error = std::sqrt(std::max(0.0, forces.miss.dot(motion_.lift(forces.miss))));
+    return forces;
+  }
+
+  void set_force(std::size_t k, const VecX& w, Forces& forces) const {
+    const Index row = 3 * static_cast<Index>(k);
+    const double rho = rho_ * stiffness_(row / 3), mu = laws_.mu[k];
+    const Vec3 x = lambda_.segment<3>(row) - rho * w.segment<3>(row);
+    forces.lambda.segment<3>(row).setZero();
+    if (!(x.z() > 0)) return;
+    Mat3& slope = forces.slopes[k];
+    const double radius = mu * x.z(), length = x.head<2>().norm();
+    if (laws_.rows[k] == FrictionRow::cone && length <= radius && mu > 0) {
+      forces.lambda.segment<3>(row) = x;
+      forces.modes[k] = ContactMode::stick;
+      slope = rho * Mat3::Identity();
+      return;
+    }
+    forces.modes[k] = ContactMode::slide;
+    forces.lambda(row + 2) = x.z();
+    slope(2, 2) = rho;
+    if (mu == 0) return;
+    const bool turns = laws_.rows[k] == FrictionRow::cone;
+    const Vec2 along = turns ? Vec2(x.head<2>() / length) : Vec2(-laws_.slips[k]);
+    forces.lambda.segment<2>(row) = radius * along;
+    slope.topRightCorner<2, 1>() = mu * rho * along;
+    if (!turns) return;
+    const Vec2 across(-along.y(), along.x());
+    slope.topLeftCorner<2, 2>() = (rho * radius / length) * across * across.transpose();
+  }
+
+  /// Solves M v = Lᵀ λ(v) from v_; nothing where the search along Newton's direction does not go on.
+  std::optional<Forces> next_point() {
+    constexpr int kMaxSteps = 30, kMaxHalvings = 25;
+    constexpr double kSolved = 1e-13, kStuck = 1e-9, kDecrease = 1e-4;
+    VecX v = v_;
+    Forces at = forces_at(v);
+    for (int step = 0; step < kMaxSteps; ++step) {
+      const double size =
+          std::sqrt(at.pulled.dot(motion_.lift(at.pulled))) + std::sqrt(v.dot(motion_.weigh(v)));
+      if (at.error <= kSolved * size) return at;
+      const VecX direction = -motion_.newton_step(at.slopes, at.miss, Symmetry::none);
+      if (!direction.allFinite()) return std::nullopt;
+      double length = 1;
+      Forces trial = forces_at(v + direction);
+      for (int k = 0; k < kMaxHalvings && !(trial.error <= (1 - kDecrease * length) * at.error); ++k) {
+        length *= 0.5;
+        trial = forces_at(v + length * direction);
+      }
+      if (!(trial.error < at.error))
+        return at.error <= kStuck * size ? std::optional<Forces>(std::move(at)) : std::nullopt;
+      v += length * direction;
+      at = std::move(trial);
+    }
+    return std::nullopt;
+  }
+
+  /// Forces as an answer to the problem.
+  struct Offer {
+    VecX lambda, w;
+    double residual;          ///< Of the law.
+    double change;            ///< Largest of b' - b.
+    double changed_residual;  ///< Of the law with b'.
+  };
+
+  Offer offer_of(const Forces& forces) const {
+    Offer offer{clamp_to_cones(laws_, forces.lambda), {}, 0, 0, 0};
+    offer.w = motion_.rates(motion_.lift(motion_.pull(offer.lambda))) + laws_.b;
+    const double size = size_of_(offer.lambda);
+    offer.residual = law_residual(laws_, motion_.diagonal(), size, offer.lambda, offer.w);
+    VecX change = offer.lambda - lambda_;
+    for (Index i = 0; i < stiffness_.size(); ++i) change.segment<3>(3 * i) /= rho_ * stiffness_(i);
+    offer.change = change.cwiseAbs().maxCoeff();
+    offer.changed_residual = law_residual(laws_, motion_.diagonal(), size, offer.lambda, offer.w + change);
+    return offer;
+  }
+
+  CoulombSolution solution_of(const Forces& forces, const Offer& offer, double residual, int points) const {
+    return {offer.lambda,     offer.w, forces.modes, residual, points, residual <= options_.enough,
+            "proximal points"};
+  }
+
+  const CoulombProblem& laws_;
+  const ContactMotion& motion_;
+  const std::function<double(const VecX&)>& size_of_;
+  const ProximalPointOptions& options_;
+  VecX stiffness_;  ///< 1 / mean diagonal of each contact's block: n.
+  VecX lambda_;     ///< λ⁰.
+  VecX v_;          ///< M⁻¹ Lᵀ λ⁰.
+  double rho_ = kFirstRho;
+};
+
+}  // namespace
+
+std::optional<CoulombSolution> solve_by_proximal_points(const CoulombProblem& laws,
+                                                        const ContactMotion& motion,
+                                                        const std::function<double(const VecX&)>& size_of,
+                                                        const ProximalPointOptions& options) {
+  return ProximalPoints(laws, motion, size_of, options).run();
+}
+
+}  // namespace rigor

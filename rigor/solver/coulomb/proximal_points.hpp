@@ -1,0 +1,50 @@
+#pragma once
+
+#include "rigor/solver/coulomb/coulomb_problem.hpp"
+#include "rigor/solver/linear/contact_motion.hpp"
+
+#include <functional>
+#include <optional>
+
+namespace rigor {
+
+struct ProximalPointOptions {
+  /// Residual at which the search ends.
+  double wanted = 1e-13;
+  /// Largest residual that counts as solved, where the search gets no farther.
+  double enough = 1e-10;
+  /// What b is known to [its unit]: where contacts contradict each other, b may be changed by so much.
+  double resolution = 0;
+  /// Forces to begin with (3n); none: 0.
+  VecX start = VecX();
+};
+
+/// Coulomb's law by proximal points, with a non-smooth Newton method inside. From forces λ⁰ the next ones λ
+/// solve the law of contacts that give way a little,
+///
+///   w = A λ + b + (λ - λ⁰) / ρ,
+///
+/// a problem with one regular matrix however redundant the contacts are: with Alart and Curnier's functions
+/// λ_n = max(0, x_n) and λ_t = the point of the disk of radius μ λ_n nearest to x_t, x = λ⁰ - ρ (L v + b), it
+/// is M v = Lᵀ λ(v) for the motion v (A = L M⁻¹ Lᵀ), solved by Newton's method with a search along its line.
+/// Slips turn in it as unknowns do, so none is held from step to step. ρ grows; where a problem is not solved
+/// it shrinks.
+///
+/// λ is the exact solution of the law with b' = b + (λ - λ⁰) / ρ. Contacts that contradict each other - no
+/// forces make them hold, nor do they quite let go - show as a b' that stays as far from b, while forces that
+/// do nothing grow from point to point. If that is no farther than b is known, λ is the answer, and
+/// `residual` that of the law with b'. Among the shares of redundant contacts any may come.
+///
+/// Sources: Alart and Curnier, A Mixed Formulation for Frictional Contact Problems Prone to Newton Like
+/// Solution Methods, 1991; Acary, Brémond and Huber, On Solving Contact Problems with Coulomb Friction:
+/// Formulations and Numerical Comparisons, 2018 (proximal points around such a method). What
+/// to do about contradictions is our own.
+///
+/// `laws`: of which A is not read. size_of(λ): the largest of the terms that w is summed from. Nothing if
+/// neither residual came to `enough`.
+std::optional<CoulombSolution> solve_by_proximal_points(const CoulombProblem& laws,
+                                                        const ContactMotion& motion,
+                                                        const std::function<double(const VecX&)>& size_of,
+                                                        const ProximalPointOptions& options);
+
+}  // namespace rigor

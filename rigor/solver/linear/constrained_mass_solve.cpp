@@ -1,0 +1,190 @@
+// ConstrainedMass: the rows that close loops, and the solutions.
+
+#include "rigor/core/assert.hpp"
+#include "rigor/core/index.hpp"
+#include "rigor/solver/linear/constrained_mass.hpp"
+
+#include <algorithm>
+
+namespace rigor {
+namespace {
+
+/// Σ Pᵀ P over the places that two paths have in common.
+Mat6 common_product(const std::vector<SpanningForest::PathNode>& a, const std::vector<Mat6>& P_a,
+                    const std::vector<SpanningForest::PathNode>& b, const std::vector<Mat6>& P_b) {
+  Mat6 sum = Mat6::Zero();
+  for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();) {
+    if (a[i].place == b[j].place) {
+      sum += P_a[i++].transpose() * P_b[j++];
+    } else if (a[i].place > b[j].place) {
+      ++i;
+    } else {
+      ++j;
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+Eigen::Index ConstrainedMass::number_dense_rows() {
+  Eigen::Index count = 0;
+  for (Loop& loop : loops_) {
+    for (std::size_t row = 0; row < 6; ++row) loop.dense[row] = loop.active[row] ? count++ : -1;
+  }
+  return count;
+}
+
+void ConstrainedMass::factor_dense(double threshold) {
+  const Eigen::Index size = number_dense_rows();
+  S_.resize(size, size);
+  row_sizes_.resize(size);
+  for (const Loop& a : loops_) {
+    for (std::size_t i = 0; i < 6; ++i)
+      if (a.dense[i] >= 0) row_sizes_(a.dense[i]) = a.sizes(static_cast<Eigen::Index>(i));
+    for (const Loop& b : loops_) {
+      if (&b > &a) break;
+      const Mat6 product = common_product(a.path, a.P, b.path, b.P);
+      for (std::size_t i = 0; i < 6; ++i)
+        for (std::size_t j = 0; j < 6; ++j) {
+          if (a.dense[i] < 0 || b.dense[j] < 0) continue;
+          S_(a.dense[i], b.dense[j]) = S_(b.dense[j], a.dense[i]) =
+              product(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+        }
+    }
+  }
+  dense_.factor(S_, row_sizes_, threshold);
+
+  const std::vector<Eigen::Index>& taken = dense_.pivots();
+  for (const Loop& loop : loops_) {
+    for (std::size_t i = 0; i < 6; ++i) {
+      if (loop.dense[i] < 0 || std::find(taken.begin(), taken.end(), loop.dense[i]) != taken.end()) continue;
+      choice_.push_back(first_row(loop.link) + static_cast<Eigen::Index>(i));
+    }
+  }
+  std::sort(choice_.begin(), choice_.end());
+}
+
+// The explicit inverses of small factors leave residuals of ε times their condition; one step of iterative
+// refinement brings them to ε.
+ConstrainedMass::Solution ConstrainedMass::solve(const VecX& f, const VecX& c) const {
+  RIGOR_ASSERT(f.size() == 6 * graph_.node_count && c.size() == row_count_);
+  Solution solution = solve_once(f, c);
+  VecX wrong_f = f, wrong_c = c;
+  subtract_product(solution, wrong_f, wrong_c);
+  const Solution correction = solve_once(wrong_f, wrong_c);
+  solution.a += correction.a;
+  solution.lambda += correction.lambda;
+  return solution;
+}
+
+ConstrainedMass::Solution ConstrainedMass::solve_once(const VecX& f, const VecX& c) const {
+  Solution solution{f, VecX(row_count_)};
+  eliminate(solution.a, solution.lambda, &c);
+  const VecX mu = close_loops(solution.a, solution.lambda, &c);
+  substitute(solution.a, solution.lambda);
+  for (const int link : forest_.loop_links) store(Vec6::Zero(), link, solution.lambda);
+  for (const Loop& loop : loops_) {
+    for (std::size_t i = 0; i < 6; ++i)
+      if (loop.dense[i] >= 0)
+        solution.lambda(first_row(loop.link) + static_cast<Eigen::Index>(i)) = mu(loop.dense[i]);
+  }
+  return solution;
+}
+
+void ConstrainedMass::subtract_product(const Solution& x, VecX& f, VecX& c) const {
+  for (int node = 0; node < graph_.node_count; ++node)
+    f.segment<6>(6 * node) -= masses_[at(node)] * x.a.segment<6>(6 * node);
+  for (int link = 0; link < static_cast<int>(graph_.links.size()); ++link) {
+    const std::vector<int>& nodes = graph_.links[at(link)].nodes;
+    const Vec6 lambda = padded(x.lambda, link);
+    Vec6 rest = padded(c, link);
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      f.segment<6>(6 * nodes[k]) += block(link, k).transpose() * lambda;
+      rest -= block(link, k) * x.a.segment<6>(6 * nodes[k]);
+    }
+    store(rest, link, c);
+  }
+}
+
+MatX ConstrainedMass::solve(const MatX& F) const {
+  RIGOR_ASSERT(F.rows() == 6 * graph_.node_count);
+  MatX a = F;
+  VecX lambda(row_count_);
+  for (Eigen::Index k = 0; k < a.cols(); ++k) {
+    eliminate(a.col(k), lambda, nullptr);
+    close_loops(a.col(k), lambda, nullptr);
+    substitute(a.col(k), lambda);
+  }
+  return a;
+}
+
+// With u = K_D f and s = K_A c - W u the unknowns of a node and its link stand for
+//   a = K_Dᵀ (u - Wᵀ t),   λ = -K_Aᵀ t,   t = Z a_parent - s;
+// what the node leaves to its parent is f_parent + Zᵀ s. Here f becomes u, and s goes to the place of λ.
+void ConstrainedMass::eliminate(Eigen::Ref<VecX> a, Eigen::Ref<VecX> lambda, const VecX* c) const {
+  for (std::size_t place = pivots_.size(); place-- > 0;) {
+    const SpanningForest::Node& node = forest_.nodes[place];
+    const Pivot& pivot = pivots_[place];
+    Vec6 u = a.segment<6>(6 * node.node);
+    const bool is_still = c == nullptr && u.isZero(0);
+    if (!is_still) a.segment<6>(6 * node.node) = u = pivot.K_D * u;
+    if (node.link < 0) continue;
+    Vec6 s = Vec6::Zero();
+    if (!is_still) s = -pivot.W * u;
+    if (c != nullptr) s += pivot.K_A * padded(*c, node.link);
+    store(s, node.link, lambda);
+    if (is_still || node.parent < 0) continue;
+    a.segment<6>(6 * forest_.nodes[at(node.parent)].node) += pivot.Z.transpose() * s;
+  }
+}
+
+VecX ConstrainedMass::close_loops(Eigen::Ref<VecX> a, Eigen::Ref<VecX> lambda, const VecX* c) const {
+  // What the trees' motion leaves of c.
+  VecX left(S_.rows());
+  if (left.size() == 0) return left;
+  for (const Loop& loop : loops_) {
+    Vec6 rest = c == nullptr ? Vec6::Zero().eval() : padded(*c, loop.link);
+    for (std::size_t i = 0; i < loop.path.size(); ++i) {
+      const SpanningForest::Node& node = forest_.nodes[at(loop.path[i].place)];
+      Vec6 u = a.segment<6>(6 * node.node);
+      if (node.link >= 0) u += pivots_[at(loop.path[i].place)].W.transpose() * padded(lambda, node.link);
+      rest -= loop.U[i].transpose() * u;
+    }
+    for (std::size_t i = 0; i < 6; ++i)
+      if (loop.dense[i] >= 0) left(loop.dense[i]) = rest(static_cast<Eigen::Index>(i));
+  }
+
+  const VecX mu = dense_.solve(left);
+  for (const Loop& loop : loops_) {
+    Vec6 forces = Vec6::Zero();
+    for (std::size_t i = 0; i < 6; ++i)
+      if (loop.dense[i] >= 0) forces(static_cast<Eigen::Index>(i)) = mu(loop.dense[i]);
+    for (std::size_t i = 0; i < loop.path.size(); ++i) {
+      const SpanningForest::Node& node = forest_.nodes[at(loop.path[i].place)];
+      const Vec6 u = loop.U[i] * forces;
+      a.segment<6>(6 * node.node) += u;
+      if (node.link < 0) continue;
+      const Mat6& W = pivots_[at(loop.path[i].place)].W;
+      store(padded(lambda, node.link) - W * u, node.link, lambda);
+    }
+  }
+  return mu;
+}
+
+void ConstrainedMass::substitute(Eigen::Ref<VecX> a, Eigen::Ref<VecX> lambda) const {
+  for (std::size_t place = 0; place < pivots_.size(); ++place) {
+    const SpanningForest::Node& node = forest_.nodes[place];
+    const Pivot& pivot = pivots_[place];
+    Vec6 u = a.segment<6>(6 * node.node);
+    if (node.link >= 0) {
+      Vec6 t = -padded(lambda, node.link);
+      if (node.parent >= 0) t += pivot.Z * a.segment<6>(6 * forest_.nodes[at(node.parent)].node);
+      u -= pivot.W.transpose() * t;
+      store(-pivot.K_A.transpose() * t, node.link, lambda);
+    }
+    if (!u.isZero(0)) a.segment<6>(6 * node.node) = pivot.K_D.transpose() * u;
+  }
+}
+
+}  // namespace rigor

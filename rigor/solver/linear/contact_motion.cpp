@@ -1,0 +1,55 @@
+#include "rigor/solver/linear/contact_motion.hpp"
+
+#include "rigor/math/dense.hpp"
+#include "rigor/solver/linear/node_system.hpp"
+
+#include <cmath>
+
+namespace rigor {
+
+using Eigen::Index;
+
+namespace {
+
+constexpr double kRankTolerance = 1e-14;
+
+/// L (n × rank) with A ≈ L Lᵀ.
+MatX low_rank_factor(const MatX& A) {
+  const Index n = A.rows();
+  MatX L = MatX::Zero(n, n);
+  VecX diagonal = A.diagonal();
+  const double threshold = n > 0 ? kRankTolerance * diagonal.maxCoeff() : 0.0;
+  Index rank = 0;
+  for (; rank < n; ++rank) {
+    Index pivot = 0;
+    const double largest = diagonal.maxCoeff(&pivot);
+    if (!(largest > threshold)) break;
+    VecX column = A.col(pivot) - L.leftCols(rank) * L.row(pivot).head(rank).transpose();
+    column /= std::sqrt(largest);
+    L.col(rank) = column;
+    diagonal -= column.cwiseAbs2();
+    diagonal(pivot) = 0;
+  }
+  return L.leftCols(rank);
+}
+
+}  // namespace
+
+FactoredMotion::FactoredMotion(const MatX& A) : L_(low_rank_factor(A)), diagonal_(A.diagonal()) {}
+
+VecX FactoredMotion::newton_step(const std::vector<Mat3>& D, const VecX& g, Symmetry symmetry) const {
+  MatX scaled = MatX::Zero(L_.rows(), L_.cols());
+  for (std::size_t k = 0; k < D.size(); ++k) {
+    const Index row = 3 * static_cast<Index>(k);
+    if (!D[k].isZero(0)) scaled.middleRows<3>(row) = D[k] * L_.middleRows<3>(row);
+  }
+  MatX H = L_.transpose() * scaled;
+  H.diagonal().array() += 1.0;
+  return symmetry == Symmetry::positive ? symmetric_solution(H, g) : square_solution(H, g);
+}
+
+VecX SparseMotion::newton_step(const std::vector<Mat3>& D, const VecX& g, Symmetry symmetry) const {
+  return NodeSystem(rows_, D, 1.0, symmetry == Symmetry::positive).solve(g);
+}
+
+}  // namespace rigor

@@ -1,0 +1,183 @@
+#include "rigor/solver/linear/contact_rows.hpp"
+
+#include "rigor/core/index.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace rigor {
+
+using Eigen::Index;
+
+VecX contact_rates(const ContactRows& rows, const VecX& V) {
+  VecX rates = VecX::Zero(3 * static_cast<Index>(rows.contacts.size()));
+  for (std::size_t i = 0; i < rows.contacts.size(); ++i)
+    for (const ContactRows::Side& side : rows.contacts[i])
+      if (side.node >= 0) rates.segment<3>(3 * static_cast<Index>(i)) += side.J * V.segment<6>(6 * side.node);
+  return rates;
+}
+
+VecX contact_wrenches(const ContactRows& rows, const VecX& lambda) {
+  VecX wrenches = VecX::Zero(6 * static_cast<Index>(rows.node_count()));
+  for (std::size_t i = 0; i < rows.contacts.size(); ++i)
+    for (const ContactRows::Side& side : rows.contacts[i])
+      if (side.node >= 0)
+        wrenches.segment<6>(6 * side.node) +=
+            side.J.transpose() * lambda.segment<3>(3 * static_cast<Index>(i));
+  return wrenches;
+}
+
+Index for_each_joint_row(const ContactRows& rows, const std::function<void(Index, int, const Vec6&)>& add) {
+  if (!rows.joints) return 0;
+  const ConstrainedMass& joints = *rows.joints;
+  const ConstrainedMass::RowChoice& left_out = joints.choice();
+  auto next_left_out = left_out.begin();
+  Index count = 0;
+  for (int link = 0; link < static_cast<int>(joints.graph().links.size()); ++link) {
+    const ConstraintGraph::Link& equations = joints.graph().links[at(link)];
+    for (int row = 0; row < equations.rows; ++row) {
+      if (next_left_out != left_out.end() && *next_left_out == joints.first_row(link) + row) {
+        ++next_left_out;
+        continue;
+      }
+      for (std::size_t k = 0; k < equations.nodes.size(); ++k)
+        add(count, rows.joint_nodes[at(equations.nodes[k])], joints.block(link, k).row(row).transpose());
+      ++count;
+    }
+  }
+  return count;
+}
+
+namespace {
+
+// The base is dense: of more nodes its making takes longer than the sparse factors of their equations.
+constexpr std::size_t kMostNodesWithBase = 30;
+
+/// Nullspace of G M^(-½) with M = C Cᵀ, by orthogonal factors of C⁻¹ Gᵀ; N = C⁻ᵀ times that.
+MatX motions_of(const ContactRows& rows) {
+  const Index size = 6 * static_cast<Index>(rows.joint_nodes.size());
+  std::vector<Eigen::LLT<Mat6>> roots;
+  std::vector<Index> places(rows.node_count(), 0);
+  for (const int node : rows.joint_nodes) {
+    places[at(node)] = 6 * static_cast<Index>(roots.size());
+    roots.emplace_back(rows.masses[at(node)]);
+  }
+  const Index count = for_each_joint_row(rows, [](Index, int, const Vec6&) {});
+  MatX G = MatX::Zero(size, count);
+  for_each_joint_row(rows, [&](Index row, int node, const Vec6& J) {
+    const Index place = places[at(node)];
+    G.col(row).segment<6>(place) = roots[at(place / 6)].matrixL().solve(J);
+  });
+  MatX N = MatX::Zero(size, size - count);
+  N.bottomRows(size - count).setIdentity();
+  N.applyOnTheLeft(Eigen::HouseholderQR<MatX>(G).householderQ());
+  for (std::size_t n = 0; n < roots.size(); ++n) {
+    const Index row = 6 * static_cast<Index>(n);
+    N.middleRows<6>(row) = roots[n].matrixU().solve(N.middleRows<6>(row)).eval();
+  }
+  return N;
+}
+
+}  // namespace
+
+void hold_nodes(std::shared_ptr<const ConstrainedMass> joints, std::vector<int> nodes, ContactRows& rows) {
+  rows.joints = std::move(joints);
+  rows.joint_nodes = std::move(nodes);
+  if (rows.joint_nodes.size() <= kMostNodesWithBase) rows.held_motions = motions_of(rows);
+}
+
+VecX with_joints(const ContactRows& rows, const VecX& p) {
+  if (!rows.joints) return p;
+  const Index count = static_cast<Index>(rows.joint_nodes.size());
+  VecX held(6 * count), result = p;
+  for (Index n = 0; n < count; ++n) held.segment<6>(6 * n) = p.segment<6>(6 * rows.joint_nodes[at(n)]);
+  const VecX a = rows.has_held_motions() ? VecX(rows.held_motions * (rows.held_motions.transpose() * held))
+                                         : rows.joints->solve(held, VecX::Zero(rows.joints->row_count())).a;
+  for (Index n = 0; n < count; ++n) {
+    const int node = rows.joint_nodes[at(n)];
+    result.segment<6>(6 * node) = rows.masses[at(node)] * a.segment<6>(6 * n);
+  }
+  return result;
+}
+
+VecX node_accelerations(const ContactRows& rows, const VecX& p) {
+  VecX a(p.size());
+  for (std::size_t k = 0; k < rows.node_count(); ++k) {
+    const Index row = 6 * static_cast<Index>(k);
+    a.segment<6>(row) = rows.inverse_masses[k] * p.segment<6>(row);
+  }
+  return a;
+}
+
+VecX node_wrenches(const ContactRows& rows, const VecX& V) {
+  VecX p(V.size());
+  for (std::size_t k = 0; k < rows.node_count(); ++k) {
+    const Index row = 6 * static_cast<Index>(k);
+    p.segment<6>(row) = rows.masses[k] * V.segment<6>(row);
+  }
+  return p;
+}
+
+VecX free_diagonal(const ContactRows& rows) {
+  VecX diagonal = VecX::Zero(3 * static_cast<Index>(rows.contacts.size()));
+  for (std::size_t i = 0; i < rows.contacts.size(); ++i) {
+    for (const ContactRows::Side& side : rows.contacts[i]) {
+      if (side.node < 0) continue;
+      const ContactRows::Block moved = side.J * rows.inverse_masses[at(side.node)];
+      diagonal.segment<3>(3 * static_cast<Index>(i)) += moved.cwiseProduct(side.J).rowwise().sum();
+    }
+  }
+  return diagonal;
+}
+
+MatX contact_response(const ContactRows& rows) {
+  const Index size = 3 * static_cast<Index>(rows.contacts.size());
+  MatX A(size, size);
+  for (Index column = 0; column < size; ++column) {
+    const VecX p = with_joints(rows, contact_wrenches(rows, VecX::Unit(size, column)));
+    A.col(column) = contact_rates(rows, node_accelerations(rows, p));
+  }
+  return 0.5 * (A + A.transpose());
+}
+
+VecX contact_diagonal(const ContactRows& rows) {
+  VecX diagonal = free_diagonal(rows);
+  if (!rows.joints) return diagonal;
+  std::vector<bool> is_held(rows.node_count(), false);
+  for (const int node : rows.joint_nodes) is_held[at(node)] = true;
+  VecX lambda = VecX::Zero(diagonal.size());
+  for (std::size_t i = 0; i < rows.contacts.size(); ++i) {
+    const bool touches = std::any_of(rows.contacts[i].begin(), rows.contacts[i].end(), [&](const auto& side) {
+      return side.node >= 0 && is_held[at(side.node)];
+    });
+    for (Index row = 3 * static_cast<Index>(i); touches && row < 3 * static_cast<Index>(i) + 3; ++row) {
+      lambda(row) = 1;
+      const VecX p = with_joints(rows, contact_wrenches(rows, lambda));
+      // λᵀ A λ = Vᵀ M V: never below zero.
+      diagonal(row) = std::max(0.0, p.dot(node_accelerations(rows, p)));
+      lambda(row) = 0;
+    }
+  }
+  return diagonal;
+}
+
+VecX term_sizes(const ContactRows& rows, const VecX& lambda) {
+  VecX wrenches = VecX::Zero(6 * static_cast<Index>(rows.node_count()));
+  for (std::size_t i = 0; i < rows.contacts.size(); ++i)
+    for (const ContactRows::Side& side : rows.contacts[i])
+      if (side.node >= 0)
+        wrenches.segment<6>(6 * side.node) +=
+            side.J.cwiseAbs().transpose() * lambda.segment<3>(3 * static_cast<Index>(i)).cwiseAbs();
+  for (std::size_t k = 0; k < rows.node_count(); ++k) {
+    const Index row = 6 * static_cast<Index>(k);
+    wrenches.segment<6>(row) = rows.inverse_masses[k].cwiseAbs() * wrenches.segment<6>(row).eval();
+  }
+  VecX sizes = VecX::Zero(lambda.size());
+  for (std::size_t i = 0; i < rows.contacts.size(); ++i)
+    for (const ContactRows::Side& side : rows.contacts[i])
+      if (side.node >= 0)
+        sizes.segment<3>(3 * static_cast<Index>(i)) += side.J.cwiseAbs() * wrenches.segment<6>(6 * side.node);
+  return sizes;
+}
+
+}  // namespace rigor

@@ -1,0 +1,232 @@
+#include "rigor/solver/linear/node_system.hpp"
+
+#include "rigor/core/index.hpp"
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseLU>
+
+#include <cmath>
+
+namespace rigor {
+
+using Eigen::Index;
+
+namespace {
+
+// So few are solved faster without an order.
+constexpr Index kDenseUnknowns = 144;
+
+/// Calls add(row node, column node, block) for each block of the sum.
+template <typename Add>
+void assemble(const ContactRows& rows, const std::vector<Mat3>& D, double mass_factor, Add add) {
+  for (std::size_t k = 0; k < rows.node_count(); ++k)
+    add(static_cast<int>(k), static_cast<int>(k), Mat6(mass_factor * rows.masses[k]));
+  for (std::size_t i = 0; i < rows.contacts.size(); ++i) {
+    if (D[i].isZero(0)) continue;
+    for (const ContactRows::Side& left : rows.contacts[i]) {
+      if (left.node < 0) continue;
+      const Eigen::Matrix<double, 6, 3> pushed = left.J.transpose() * D[i];
+      for (const ContactRows::Side& right : rows.contacts[i])
+        if (right.node >= 0) add(left.node, right.node, Mat6(pushed * right.J));
+    }
+  }
+}
+
+/// A power of two near 1/√x, so that scaling with it rounds nothing.
+double power_near_inverse_root(double x) {
+  return std::ldexp(1.0, -static_cast<int>(std::floor(0.5 * std::ilogb(x))));
+}
+
+/// For each unknown, so that those of translations and rotations have one unit: pivots compare them.
+VecX unknown_scales(const ContactRows& rows) {
+  VecX scales(6 * static_cast<Index>(rows.node_count()));
+  for (std::size_t k = 0; k < rows.node_count(); ++k) {
+    const Mat6& mass = rows.masses[k];
+    const Index first = 6 * static_cast<Index>(k);
+    scales.segment<3>(first).setConstant(power_near_inverse_root(mass(0, 0)));
+    scales.segment<3>(first + 3).setConstant(
+        power_near_inverse_root(mass.bottomRightCorner<3, 3>().diagonal().maxCoeff()));
+  }
+  return scales;
+}
+
+}  // namespace
+
+/// Factors of the matrix, and whether they were found.
+struct NodeSystem::Factors {
+  using Sparse = Eigen::SparseMatrix<double>;
+
+  bool factor_dense(const MatX& matrix, bool is_symmetric) {
+    form = is_symmetric ? Form::dense_cholesky : Form::dense_lu;
+    if (is_symmetric) {
+      dense_cholesky.compute(matrix);
+      return dense_cholesky.info() == Eigen::Success;
+    }
+    dense_lu.compute(matrix);
+    return true;
+  }
+
+  bool factor_sparse(const Sparse& matrix, bool is_symmetric) {
+    form = is_symmetric ? Form::cholesky : Form::lu;
+    if (is_symmetric) {
+      cholesky = std::make_unique<Eigen::SimplicialLLT<Sparse>>(matrix);
+      return cholesky->info() == Eigen::Success;
+    }
+    lu = std::make_unique<Eigen::SparseLU<Sparse>>(matrix);
+    return lu->info() == Eigen::Success;
+  }
+
+  VecX solve(const VecX& c) const {
+    if (c.size() == 0) return c;
+    switch (form) {
+      case Form::dense_cholesky:
+        return dense_cholesky.solve(c);
+      case Form::dense_lu:
+        return dense_lu.solve(c);
+      case Form::cholesky:
+        return cholesky->solve(c);
+      case Form::lu:
+        break;
+    }
+    return lu->solve(c);
+  }
+
+  Eigen::LLT<MatX> dense_cholesky;
+  Eigen::PartialPivLU<MatX> dense_lu;
+  std::unique_ptr<Eigen::SimplicialLLT<Sparse>> cholesky;
+  std::unique_ptr<Eigen::SparseLU<Sparse>> lu;
+  enum class Form { dense_cholesky, dense_lu, cholesky, lu } form = Form::dense_cholesky;
+};
+
+NodeSystem::NodeSystem(NodeSystem&& other) noexcept = default;
+NodeSystem::~NodeSystem() = default;
+
+NodeSystem::NodeSystem(const ContactRows& rows, const std::vector<Mat3>& D, double mass_factor,
+                       bool is_symmetric)
+    : rows_(rows), scales_(unknown_scales(rows)), factors_(std::make_unique<Factors>()) {
+  if (rows.has_held_motions()) {
+    find_places();
+    if (size_ <= kDenseUnknowns) {
+      factor_on_motions(D, mass_factor, is_symmetric);
+      return;
+    }
+    places_.clear();
+  }
+  const auto scaled = [this](int i, int k, const Mat6& block) {
+    return Mat6(scales_.segment<6>(6 * i).asDiagonal() * block * scales_.segment<6>(6 * k).asDiagonal());
+  };
+  const auto scaled_row = [this](int node, const Vec6& coefficients) {
+    return Vec6(coefficients.cwiseProduct(scales_.segment<6>(6 * node)));
+  };
+  const Index free = 6 * static_cast<Index>(rows.node_count());
+  size_ = free + for_each_joint_row(rows, [](Index, int, const Vec6&) {});
+  // The bordered matrix is symmetric, but not definite.
+  is_symmetric = is_symmetric && size_ == free;
+  if (size_ <= kDenseUnknowns) {
+    MatX matrix = MatX::Zero(size_, size_);
+    assemble(rows, D, mass_factor, [&](int i, int k, const Mat6& block) {
+      matrix.block<6, 6>(6 * i, 6 * k) += scaled(i, k, block);
+    });
+    for_each_joint_row(rows, [&](Index row, int node, const Vec6& coefficients) {
+      const Vec6 entry = scaled_row(node, coefficients);
+      matrix.block<1, 6>(free + row, 6 * node) = entry.transpose();
+      matrix.block<6, 1>(6 * node, free + row) = entry;
+    });
+    is_regular_ = factors_->factor_dense(matrix, is_symmetric);
+    return;
+  }
+  std::vector<Eigen::Triplet<double>> entries;
+  assemble(rows, D, mass_factor, [&](int i, int k, const Mat6& block) {
+    // Of a symmetric matrix the lower triangle is enough.
+    if (is_symmetric && i < k) return;
+    const Mat6 entry = scaled(i, k, block);
+    for (int c = 0; c < 6; ++c)
+      for (int r = 0; r < 6; ++r) entries.emplace_back(6 * i + r, 6 * k + c, entry(r, c));
+  });
+  for_each_joint_row(rows, [&](Index row, int node, const Vec6& coefficients) {
+    const Vec6 entry = scaled_row(node, coefficients);
+    for (int c = 0; c < 6; ++c) {
+      entries.emplace_back(free + row, 6 * node + c, entry(c));
+      entries.emplace_back(6 * node + c, free + row, entry(c));
+    }
+  });
+  Factors::Sparse matrix(size_, size_);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  is_regular_ = factors_->factor_sparse(matrix, is_symmetric);
+}
+
+void NodeSystem::find_places() {
+  is_held_.assign(rows_.node_count(), false);
+  places_.assign(rows_.node_count(), 0);
+  Index row = 0;
+  for (const int node : rows_.joint_nodes) {
+    is_held_[at(node)] = true;
+    places_[at(node)] = row;
+    row += 6;
+  }
+  free_ = 0;
+  for (std::size_t k = 0; k < rows_.node_count(); ++k) {
+    if (is_held_[k]) continue;
+    places_[k] = free_;
+    free_ += 6;
+  }
+  size_ = free_ + rows_.held_motions.cols();
+}
+
+// With V = (free nodes, N y) of all nodes: contact i has the rows L = J V, and N y the mass 1.
+void NodeSystem::factor_on_motions(const std::vector<Mat3>& D, double mass_factor, bool is_symmetric) {
+  const Index held = rows_.held_motions.cols();
+  MatX matrix = MatX::Zero(size_, size_);
+  for (std::size_t k = 0; k < rows_.node_count(); ++k)
+    if (!is_held_[k]) matrix.block<6, 6>(places_[k], places_[k]) = mass_factor * rows_.masses[k];
+  matrix.diagonal().tail(held).setConstant(mass_factor);
+  for (std::size_t i = 0; i < rows_.contacts.size(); ++i) {
+    if (D[i].isZero(0)) continue;
+    Eigen::Matrix<double, 3, Eigen::Dynamic> on_motions(3, held);
+    on_motions.setZero();
+    bool touches_held = false;
+    for (const ContactRows::Side& side : rows_.contacts[i]) {
+      const std::size_t k = at(side.node);
+      if (side.node < 0 || !is_held_[k]) continue;
+      touches_held = true;
+      on_motions += side.J * rows_.held_motions.middleRows<6>(places_[k]);
+    }
+    if (touches_held) matrix.bottomRightCorner(held, held) += on_motions.transpose() * (D[i] * on_motions);
+    for (const ContactRows::Side& left : rows_.contacts[i]) {
+      if (left.node < 0 || is_held_[at(left.node)]) continue;
+      const Index place = places_[at(left.node)];
+      for (const ContactRows::Side& right : rows_.contacts[i]) {
+        if (right.node < 0 || is_held_[at(right.node)]) continue;
+        matrix.block<6, 6>(place, places_[at(right.node)]) += left.J.transpose() * D[i] * right.J;
+      }
+      if (!touches_held) continue;
+      matrix.block(place, free_, 6, held) += left.J.transpose() * (D[i] * on_motions);
+      matrix.block(free_, place, held, 6) += on_motions.transpose() * (D[i] * left.J);
+    }
+  }
+  is_regular_ = factors_->factor_dense(matrix, is_symmetric);
+}
+
+VecX NodeSystem::solve(const VecX& c) const {
+  if (places_.empty()) {
+    VecX bordered = VecX::Zero(size_);
+    bordered.head(c.size()) = scales_.cwiseProduct(c);
+    return scales_.cwiseProduct(factors_->solve(bordered).head(c.size()));
+  }
+  const auto for_each_node = [&](auto on_free, auto on_held) {
+    for (std::size_t k = 0; k < rows_.node_count(); ++k)
+      is_held_[k] ? on_held(6 * static_cast<Index>(k), places_[k])
+                  : on_free(6 * static_cast<Index>(k), places_[k]);
+  };
+  VecX reduced(size_), held(rows_.held_motions.rows()), x(c.size());
+  for_each_node([&](Index row, Index place) { reduced.segment<6>(place) = c.segment<6>(row); },
+                [&](Index row, Index place) { held.segment<6>(place) = c.segment<6>(row); });
+  reduced.tail(size_ - free_) = rows_.held_motions.transpose() * held;
+  const VecX y = factors_->solve(reduced);
+  held = rows_.held_motions * y.tail(size_ - free_);
+  for_each_node([&](Index row, Index place) { x.segment<6>(row) = y.segment<6>(place); },
+                [&](Index row, Index place) { x.segment<6>(row) = held.segment<6>(place); });
+  return x;
+}
+
+}  // namespace rigor

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "rigor/solver/linear/contact_rows.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace rigor {
+
+/// Linear systems over nodes of six unknowns, with a block wherever two nodes share a contact:
+///
+///   (ε M + Σ_i J_iᵀ D_i J_i) x = c
+///
+/// and, where joints hold nodes, the x that they allow (G x = 0) which solves this but for a reaction Gᵀ ν:
+/// on the base of these motions if the rows have one, else with the joints' independent rows (those that
+/// ConstrainedMass has chosen) as a border of the matrix.
+///
+/// A few nodes are solved densely; more by a sparse factorisation in an order of little fill, whose time
+/// grows about in proportion to the nodes in stacks and rows.
+class NodeSystem {
+ public:
+  /// One 3 × 3 matrix D a contact. Symmetric: all D are, and are positive semidefinite. Holds a reference to
+  /// the rows.
+  NodeSystem(const ContactRows& rows, const std::vector<Mat3>& D, double mass_factor, bool is_symmetric);
+  NodeSystem(NodeSystem&& other) noexcept;
+  ~NodeSystem();
+
+  bool is_regular() const { return is_regular_; }
+  VecX solve(const VecX& c) const;
+
+ private:
+  struct Factors;  ///< Of the matrix: kept apart, for Eigen's sparse templates take long to compile.
+  void factor_on_motions(const std::vector<Mat3>& D, double mass_factor, bool is_symmetric);
+  void find_places();
+
+  const ContactRows& rows_;
+  VecX scales_;  ///< Of the nodes' unknowns.
+  bool is_regular_ = true;
+  /// First unknown of each node if there is a base of held motions; of held nodes their first row in it.
+  std::vector<Eigen::Index> places_;
+  std::vector<bool> is_held_;
+  Eigen::Index free_ = 0;  ///< Unknowns of nodes that are not held; those of the base follow.
+  Eigen::Index size_ = 0;  ///< Unknowns, with the rows of joints if they border the matrix.
+  std::unique_ptr<Factors> factors_;
+};
+
+}  // namespace rigor

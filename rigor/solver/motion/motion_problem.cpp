@@ -1,0 +1,262 @@
+#include "rigor/solver/motion/motion_problem.hpp"
+
+#include "rigor/core/assert.hpp"
+#include "rigor/core/index.hpp"
+#include "rigor/math/dense.hpp"
+#include "rigor/solver/coulomb/coulomb_law.hpp"
+#include "rigor/solver/coulomb/coulomb_proximal.hpp"
+#include "rigor/solver/coulomb/least_norm_slips.hpp"
+#include "rigor/solver/coulomb/proximal_points.hpp"
+#include "rigor/solver/motion/least_constraint.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+namespace rigor {
+
+using Eigen::Index;
+
+namespace {
+
+// Of contacts to other modes, before the guess is given up.
+constexpr int kMoves = 5;
+
+class MotionSolver {
+ public:
+  MotionSolver(const MotionProblem& problem, const CoulombOptions& options, const VecX& forces)
+      : problem_(problem),
+        laws_(problem.laws),
+        options_(options),
+        start_(forces),
+        motion_(problem.rows),
+        forces_of_([this](const ContactModes& modes) { return forces_of(modes); }) {}
+
+  std::optional<CoulombSolution> run(const std::vector<ContactMode>& start) {
+    if (is_frictionless() && is_dense_enough())
+      return settle(guess_of(least_constraint_modes()), kMoves, "least constraint");
+    if (start_.size() > 0 && !options_.least_norm) return share_somehow();
+    if (!start.empty()) {
+      if (std::optional<CoulombSolution> solution = settle(guess_of(start), 1, "motion")) return solution;
+    }
+    const std::vector<ContactMode> holding(laws_.mu.size(), ContactMode::stick);
+    if (std::optional<CoulombSolution> solution = settle(guess_of(holding), 1, "motion")) return solution;
+    if (options_.resolution && !options_.least_norm) return solve_to_resolution();
+    return options_.least_norm ? approach() : share_somehow();
+  }
+
+ private:
+  bool is_frictionless() const {
+    return std::all_of(laws_.mu.begin(), laws_.mu.end(), [](double mu) { return mu == 0; });
+  }
+
+  /// These modes, as far as the rows allow them.
+  CoulombGuess guess_of(const std::vector<ContactMode>& modes) const {
+    CoulombGuess guess = open_guess(laws_);
+    for (std::size_t k = 0; k < modes.size(); ++k) {
+      const bool may_stick = laws_.rows[k] == FrictionRow::cone && laws_.mu[k] > 0;
+      // A contact that began to slip has no direction yet: it shows as one that cannot stick.
+      guess.modes.modes[k] = modes[k] == ContactMode::open ? ContactMode::open
+                             : may_stick                   ? ContactMode::stick
+                                                           : ContactMode::slide;
+    }
+    return guess;
+  }
+
+  /// The dense search for the nearest point takes the rows of joints as equations, one by one: of long chains
+  /// they are too many.
+  bool is_dense_enough() const {
+    constexpr std::size_t kMostHeldNodes = 40;
+    return problem_.rows.joint_nodes.size() <= kMostHeldNodes;
+  }
+
+  /// The nearest point with G = J M^(-½): joints first, as equations, then the normals of contacts.
+  LeastConstraintProblem nearest_point() const {
+    const ContactRows& rows = problem_.rows;
+    const Index count = static_cast<Index>(laws_.mu.size());
+    const Index equations = for_each_joint_row(rows, [](Index, int, const Vec6&) {});
+    const Index size = 6 * static_cast<Index>(rows.node_count());
+    LeastConstraintProblem nearest{MatX::Zero(equations + count, size), VecX::Zero(equations + count),
+                                   equations};
+    const auto add = [&](Index row, int node, const Vec6& J) {
+      // With M = C Cᵀ: the row Cᵀ⁻¹ needs.
+      const Mat6 root = cholesky_factor(rows.masses[at(node)]);
+      nearest.G.row(row).segment<6>(6 * node) += root.triangularView<Eigen::Lower>().solve(J).transpose();
+    };
+    for_each_joint_row(rows, add);
+    for (Index i = 0; i < count; ++i) {
+      nearest.d(equations + i) = -laws_.b(3 * i + 2);
+      for (const ContactRows::Side& side : rows.contacts[at(i)])
+        if (side.node >= 0) add(equations + i, side.node, side.J.row(2).transpose());
+    }
+    return nearest;
+  }
+
+  /// Which contacts push when there is no friction: the active rows of the nearest point.
+  std::vector<ContactMode> least_constraint_modes() {
+    const std::size_t count = laws_.mu.size();
+    const LeastConstraintProblem nearest = nearest_point();
+    const LeastConstraintSolution solution = solve_least_constraint(nearest);
+    pivots_ = solution.iterations;
+    std::vector<ContactMode> modes(count, ContactMode::open);
+    const VecX slack = nearest.G * solution.y - nearest.d;
+    for (std::size_t i = 0; i < count; ++i) {
+      // Redundant contacts hold too, though the active rows do without them.
+      const Index row = nearest.equalities + static_cast<Index>(i);
+      const double size_of_row = std::abs(nearest.d(row)) + nearest.G.row(row).norm() * solution.y.norm();
+      if (slack(row) <= 1e-12 * size_of_row) modes[i] = ContactMode::slide;
+    }
+    return modes;
+  }
+
+  double largest_of(const VecX& lambda) const {
+    return std::max(laws_.b.cwiseAbs().maxCoeff(), term_sizes(problem_.rows, lambda).maxCoeff());
+  }
+
+  VecX motion_of(const VecX& lambda) const {
+    return motion_.rates(motion_.lift(motion_.pull(lambda))) + laws_.b;
+  }
+
+  CoulombSolution solution_of(const VecX& forces, const std::vector<ContactMode>& modes) const {
+    CoulombSolution solution{clamp_to_cones(laws_, forces), VecX(), modes, 0.0, 0, false, ""};
+    solution.w = motion_of(solution.lambda);
+    solution.residual =
+        law_residual(laws_, motion_.diagonal(), largest_of(solution.lambda), solution.lambda, solution.w);
+    solution.converged = solution.residual <= options_.tolerance;
+    return solution;
+  }
+
+  std::optional<CoulombSolution> forces_of(const ContactModes& modes) const {
+    const std::optional<VecX> forces = MotionModesSystem(problem_, modes).find_in_cones();
+    if (!forces) return std::nullopt;
+    return solution_of(*forces, modes.modes);
+  }
+
+  bool has_turning_slips(const ContactModes& modes) const {
+    for (std::size_t k = 0; k < modes.modes.size(); ++k)
+      if (modes.modes[k] == ContactMode::slide && laws_.rows[k] == FrictionRow::cone && laws_.mu[k] > 0)
+        return true;
+    return false;
+  }
+
+  /// Solves for the guess's modes and moves the contacts that break the law, a few times.
+  std::optional<CoulombSolution> settle(CoulombGuess guess, int most_moves, const char* method) const {
+    std::set<std::vector<ContactMode>> visited;
+    for (int move = 0; move < most_moves && visited.insert(guess.modes.modes).second; ++move) {
+      const MotionModesSystem system(problem_, guess.modes);
+      const std::optional<VecX> forces = system.find_in_cones();
+      if (forces) {
+        CoulombSolution solution = solution_of(*forces, guess.modes.modes);
+        if (has_turning_slips(guess.modes) && solution.residual > kZeroMotion) {
+          if (auto turned = find_least_norm(laws_, guess.modes, kZeroMotion, forces_of_))
+            solution = std::move(*turned);
+        }
+        if (solution.converged)
+          return labelled(options_.least_norm ? with_least_norm(std::move(solution)) : std::move(solution),
+                          move + 1, method);
+      }
+      guess.lambda = system.least_norm();
+      move_contacts(laws_, motion_.diagonal(), motion_of(guess.lambda),
+                    kZeroMotion * largest_of(guess.lambda), guess);
+    }
+    return std::nullopt;
+  }
+
+  /// The solution with the forces of least norm: every contact with w_n = 0 may push, every one with w = 0
+  /// may stick.
+  CoulombSolution with_least_norm(CoulombSolution solution) const {
+    const ContactModes face =
+        modes_of_motion(laws_, solution.lambda, solution.w, kZeroMotion * largest_of(solution.lambda));
+    if (face.modes == solution.modes) return solution;
+    const double accepted = std::max(kZeroMotion, 4 * solution.residual);
+    if (std::optional<CoulombSolution> least = find_least_norm(laws_, face, accepted, forces_of_))
+      return *least;
+    solution.modes = face.modes;
+    return solution;
+  }
+
+  /// Steps of the augmented Lagrangian until what the contacts seem to do is what they do. Most problems need
+  /// one guess, nearly all of the others fewer than these; contact space solves what is left sooner than more
+  /// of them would.
+  std::optional<CoulombSolution> approach() const {
+    constexpr int kMaxSteps = 40, kMaxGuesses = 10;
+    int guesses = 0;
+    CoulombProximal proximal(laws_, motion_, open_guess(laws_));
+    std::vector<ContactMode> offered;
+    for (int step = 1; step <= kMaxSteps; ++step) {
+      proximal.step();
+      const CoulombGuess& guess = proximal.guess();
+      if (!guess.lambda.allFinite()) return std::nullopt;
+      if (guess.modes.modes == offered && step % 8 != 0) continue;
+      offered = guess.modes.modes;
+      if (++guesses > kMaxGuesses) return std::nullopt;
+      if (std::optional<CoulombSolution> solution = settle(guess, kMoves, "proximal motion"))
+        return labelled(std::move(*solution), step, "proximal motion");
+    }
+    return std::nullopt;
+  }
+
+  /// Steps of the augmented Lagrangian until its own forces solve the problem.
+  std::optional<CoulombSolution> share_somehow() const {
+    constexpr int kMaxSteps = 60;
+    CoulombGuess guess = open_guess(laws_);
+    const bool is_warm = start_.size() > 0;
+    if (is_warm) guess.lambda = clamp_to_cones(laws_, start_);
+    CoulombProximal proximal(laws_, motion_, guess, {.makes_digits = true, .is_warm = is_warm});
+    for (int step = 1; step <= kMaxSteps; ++step) {
+      proximal.step();
+      const CoulombGuess& reached = proximal.guess();
+      if (!reached.lambda.allFinite()) return std::nullopt;
+      CoulombSolution solution = solution_of(reached.lambda, reached.modes.modes);
+      if (solution.converged) return labelled(std::move(solution), step, "proximal motion");
+    }
+    return std::nullopt;
+  }
+
+  std::optional<CoulombSolution> solve_to_resolution() const {
+    return solve_by_proximal_points(
+        laws_, motion_, [this](const VecX& lambda) { return largest_of(lambda); },
+        {.enough = options_.enough, .resolution = *options_.resolution, .start = start_});
+  }
+
+  CoulombSolution labelled(CoulombSolution solution, int iterations, const char* method) const {
+    solution.iterations = std::max(iterations, pivots_);
+    solution.method = method;
+    return solution;
+  }
+
+  const MotionProblem& problem_;
+  const CoulombProblem& laws_;
+  const CoulombOptions& options_;
+  const VecX& start_;
+  SparseMotion motion_;
+  ForcesOfModes forces_of_;
+  int pivots_ = 0;
+};
+
+bool is_finite(const MotionProblem& problem) {
+  const auto is_number = [](double mu) { return std::isfinite(mu) && mu >= 0; };
+  return problem.laws.b.allFinite() && contact_diagonal(problem.rows).allFinite() &&
+         std::all_of(problem.laws.mu.begin(), problem.laws.mu.end(), is_number);
+}
+
+}  // namespace
+
+std::optional<CoulombSolution> solve_in_motion_space(const MotionProblem& problem,
+                                                     const std::vector<ContactMode>& start,
+                                                     const CoulombOptions& options, const VecX& forces) {
+  const CoulombProblem& laws = problem.laws;
+  RIGOR_ASSERT(laws.b.size() == 3 * static_cast<Index>(problem.rows.contacts.size()));
+  RIGOR_ASSERT(start.empty() || start.size() == laws.mu.size());
+  RIGOR_ASSERT(forces.size() == 0 || forces.size() == laws.b.size());
+  if (!is_finite(problem)) return std::nullopt;
+  bool approaches = false;
+  for (Index i = 2; i < laws.b.size(); i += 3) approaches = approaches || laws.b(i) < 0;
+  if (!approaches)
+    return CoulombSolution{
+        VecX::Zero(laws.b.size()), laws.b, open_guess(laws).modes.modes, 0.0, 0, true, "open"};
+  return MotionSolver(problem, options, forces).run(start);
+}
+
+}  // namespace rigor

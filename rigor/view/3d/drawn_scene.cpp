@@ -1,0 +1,114 @@
+#include "rigor/view/3d/drawn_scene.hpp"
+
+#include "rigor/core/index.hpp"
+#include "rigor/geometry/shape/support.hpp"
+#include "rigor/view/3d/bowl.hpp"
+#include "rigor/view/3d/drawn_joints.hpp"
+
+#include <array>
+#include <map>
+#include <utility>
+
+namespace rigor {
+
+namespace {
+
+/// Numbers that tell the surfaces of one type of shape apart.
+using Numbers = std::array<double, 3>;
+struct NumbersOf {
+  Numbers operator()(const Box& s) const {
+    return {s.half_extents.x(), s.half_extents.y(), s.half_extents.z()};
+  }
+  Numbers operator()(const Ellipsoid& s) const { return {s.radii.x(), s.radii.y(), s.radii.z()}; }
+  Numbers operator()(const Capsule& s) const { return {s.radius, s.half_length}; }
+  Numbers operator()(const Cylinder& s) const { return {s.radius, s.half_length}; }
+  Numbers operator()(const Cone& s) const { return {s.radius, s.half_length}; }
+};
+
+class SurfaceShelf {
+ public:
+  std::shared_ptr<const Surface> surface(const Shape& shape) {
+    return std::visit([&](const auto& s) { return surface_of(s, shape); }, shape);
+  }
+
+ private:
+  std::shared_ptr<const Surface> surface_of(const Sphere&, const Shape&) { return nullptr; }
+  std::shared_ptr<const Surface> surface_of(const HalfSpace&, const Shape&) { return nullptr; }
+  std::shared_ptr<const Surface> surface_of(const Cavity&, const Shape&) { return nullptr; }
+  std::shared_ptr<const Surface> surface_of(const Convex& s, const Shape& shape) {
+    return shared(by_data_[s.hull.get()], shape);
+  }
+  std::shared_ptr<const Surface> surface_of(const Mesh& s, const Shape& shape) {
+    return shared(by_data_[s.mesh.get()], shape);
+  }
+  template <typename S>
+  std::shared_ptr<const Surface> surface_of(const S& s, const Shape& shape) {
+    return shared(by_numbers_[{shape.index(), NumbersOf{}(s)}], shape);
+  }
+
+  static std::shared_ptr<const Surface> shared(std::shared_ptr<const Surface>& kept, const Shape& shape) {
+    if (!kept) kept = std::make_shared<const Surface>(make_surface(shape));
+    return kept;
+  }
+
+  std::map<std::pair<std::size_t, Numbers>, std::shared_ptr<const Surface>> by_numbers_;
+  std::map<const void*, std::shared_ptr<const Surface>> by_data_;  ///< Looked up only, never walked through.
+};
+
+/// The solid box with these principal moments: I_x = m (b² + c²) / 12 of the sides a, b, c and so on, so that
+/// a² = 6 (I_y + I_z - I_x) / m. A side of no length is drawn as a hundredth of the longest.
+BodyShape inertia_box(const Body& body) {
+  const Vec3& I = body.moments;
+  const Vec3 squares = 6 / body.mass * (Vec3::Constant(I.sum()) - 2 * I);
+  Vec3 half = 0.5 * squares.cwiseMax(0).cwiseSqrt();
+  half = half.cwiseMax(0.01 * half.maxCoeff());
+  return {Box{half}, Pose{}, 0, half.norm(), ""};
+}
+
+/// What is drawn of a body whose joints are as far as `reach` from its centre of mass.
+std::vector<BodyShape> drawn_shapes(const Body& body, double reach) {
+  constexpr double least_part = 0.05;
+  if (!body.shapes.empty() || body.motion != MotionType::dynamic || !(body.moments.maxCoeff() > 0))
+    return body.shapes;
+  const BodyShape box = inertia_box(body);
+  const double least_radius = least_part * reach;
+  if (box.radius >= least_radius) return {box};
+  return {BodyShape{Sphere{least_radius}, Pose{}, 0, least_radius, ""}};
+}
+
+}  // namespace
+
+std::array<Vec3, 2> DrawnLine::ends(std::span<const Pose> X_WL) const {
+  std::array<Vec3, 2> p_W = points;
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (bodies[i] != world_body) p_W[i] = X_WL[at(bodies[i])] * points[i];
+  }
+  return p_W;
+}
+
+/// Of the ball about the origin of S that holds what is drawn [m].
+double form_radius(const BodyShape& shape, const Shape& form) {
+  return std::holds_alternative<Cavity>(shape.shape) ? radius_about(form, Vec3::Zero()) : shape.radius;
+}
+
+DrawnScene make_drawn_scene(const Model& model) {
+  DrawnScene scene;
+  scene.body_count = model.body_count();
+  if (model.g_W().norm() > 0) scene.up = -model.g_W().normalized();
+  SurfaceShelf shelf;
+  const std::vector<double> reaches = joint_reaches(model);
+  for (int i = 0; i < model.body_count(); ++i) {
+    const Body& body = model.body(i);
+    const Pose X_LB = body.X_BL.inverse();
+    for (const BodyShape& shape : drawn_shapes(body, reaches[at(i)])) {
+      const Shape form = drawn_form(shape.shape);
+      scene.shapes.push_back({i, body.motion != MotionType::fixed, form, X_LB * shape.X_BS,
+                              shelf.surface(form), axis_aligned_box(form, Pose{}), form_radius(shape, form),
+                              shape_color(body, shape, i)});
+    }
+  }
+  add_joints(model, scene);
+  return scene;
+}
+
+}  // namespace rigor

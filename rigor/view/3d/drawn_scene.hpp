@@ -1,0 +1,53 @@
+#pragma once
+
+#include "rigor/geometry/shape/aabb.hpp"
+#include "rigor/model/model.hpp"
+#include "rigor/view/3d/color.hpp"
+#include "rigor/view/3d/surface.hpp"
+
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace rigor {
+
+/// A shape of a body as it is drawn.
+struct DrawnShape {
+  int body = 0;           ///< Model index.
+  bool can_move = false;  ///< The body is not static.
+  Shape shape;
+  Pose X_LS;                               ///< Pose of the shape in the body's user frame L.
+  std::shared_ptr<const Surface> surface;  ///< Null for spheres and planes.
+  Aabb box;                                ///< In S; infinite for planes.
+  double radius = 0;                       ///< Of the ball about the origin of S that holds it [m].
+  Color color = Color::Zero();
+  bool is_joint = false;  ///< Not a shape of the body, but its rod to a joint.
+};
+
+/// A thin line between points of two bodies: a distance joint, a spring.
+struct DrawnLine {
+  std::array<int, 2> bodies{};  ///< Model indices, or world_body.
+  std::array<Vec3, 2> points;   ///< In the user frames L of the bodies; in W for the world [m].
+  double radius = 0;            ///< [m].
+  Color color = Color::Zero();
+
+  /// Where its ends are with the bodies' user frames at X_WL.
+  std::array<Vec3, 2> ends(std::span<const Pose> X_WL) const;
+};
+
+/// What is seen of a model. Poses of the bodies come with each picture, as those of their user frames, which
+/// is how trajectories store them.
+struct DrawnScene {
+  std::vector<DrawnShape> shapes;
+  std::vector<DrawnLine> lines;
+  int body_count = 0;
+  Vec3 up = Vec3::UnitZ();  ///< Against gravity, unit.
+};
+
+/// Equal boxes, cylinders, ... share their surfaces. A dynamic body without shapes is drawn as the solid box
+/// that has its mass, with the inertia that it has; as a ball where this were small beside the way to its
+/// joints. What joints look like: drawn_joints.hpp.
+DrawnScene make_drawn_scene(const Model& model);
+
+}  // namespace rigor

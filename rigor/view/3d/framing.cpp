@@ -1,0 +1,206 @@
+#include "rigor/view/3d/framing.hpp"
+
+#include "rigor/core/index.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace rigor {
+
+namespace {
+
+constexpr double usual_field_of_view = 30 * M_PI / 180;
+constexpr double margin = 0.07;  ///< Of the picture's half width and height, left free.
+constexpr double flying_off = 4, most_radii = 100;
+
+/// The extent of a drawn shape: a ball, its vertices, or the corners of its box if it has many.
+void add_extent(const DrawnShape& shape, const Pose& X_WL, std::vector<FramedBall>& balls) {
+  constexpr std::size_t most_vertices = 400;
+  const Pose X_WS = X_WL * shape.X_LS;
+  if (const Sphere* const sphere = std::get_if<Sphere>(&shape.shape)) {
+    balls.push_back({X_WS.p, sphere->radius});
+    return;
+  }
+  if (shape.surface->vertices.size() <= most_vertices) {
+    for (const Vec3& vertex : shape.surface->vertices) balls.push_back({X_WS * vertex, 0});
+    return;
+  }
+  for (int corner = 0; corner < 8; ++corner) {
+    const auto side = [&](int axis) {
+      return corner >> axis & 1 ? shape.box.upper[axis] : shape.box.lower[axis];
+    };
+    balls.push_back({X_WS * Vec3(side(0), side(1), side(2)), 0});
+  }
+}
+
+double median(std::vector<double> values) {
+  const std::size_t middle = values.size() / 2;
+  std::nth_element(values.begin(), values.begin() + static_cast<long>(middle), values.end());
+  return values[middle];
+}
+
+Vec3 median(const std::vector<Vec3>& points) {
+  Vec3 result;
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<double> values;
+    for (const Vec3& point : points) values.push_back(point[axis]);
+    result[axis] = median(std::move(values));
+  }
+  return result;
+}
+
+/// All that the picture should hold.
+std::vector<FramedBall> framed_balls(const DrawnScene& scene, std::span<const Pose> poses) {
+  const std::size_t n = at(scene.body_count);
+  const auto is_bounded = [](const DrawnShape& shape) {
+    return !std::holds_alternative<HalfSpace>(shape.shape);
+  };
+  const bool nothing_moves = std::none_of(scene.shapes.begin(), scene.shapes.end(),
+                                          [&](const DrawnShape& s) { return s.can_move && is_bounded(s); });
+  std::vector<Vec3> starts;
+  std::vector<const DrawnShape*> moving, fixed;
+  for (const DrawnShape& shape : scene.shapes) {
+    if (!is_bounded(shape)) continue;
+    const bool is_moving = shape.can_move || nothing_moves;
+    (is_moving ? moving : fixed).push_back(&shape);
+    if (is_moving) starts.push_back(poses[at(shape.body)] * shape.X_LS.p);
+  }
+  if (moving.empty()) return {};
+
+  const Vec3 middle = median(starts);
+  double start_reach = 0, largest = 0;
+  std::vector<double> reaches;
+  for (const DrawnShape* const shape : moving) {
+    double reach = 0;
+    largest = std::max(largest, shape->radius);
+    start_reach =
+        std::max(start_reach, (poses[at(shape->body)] * shape->X_LS.p - middle).norm() + shape->radius);
+    for (std::size_t i = at(shape->body); i < poses.size(); i += n)
+      reach = std::max(reach, (poses[i] * shape->X_LS.p - middle).norm() + shape->radius);
+    reaches.push_back(reach);
+  }
+  const double limit =
+      std::min(flying_off * median(reaches), std::max(1.5 * start_reach, most_radii * largest));
+
+  std::vector<FramedBall> balls;
+  for (const DrawnShape* const shape : moving) {
+    for (std::size_t i = at(shape->body); i < poses.size(); i += n) {
+      if ((poses[i] * shape->X_LS.p - middle).norm() <= limit) add_extent(*shape, poses[i], balls);
+    }
+  }
+  for (const DrawnShape* const shape : fixed) {
+    const Pose& X_WL = poses[at(shape->body)];
+    if ((X_WL * shape->X_LS.p - middle).norm() + shape->radius <= limit) add_extent(*shape, X_WL, balls);
+  }
+  for (const DrawnLine& line : scene.lines) {
+    for (std::size_t first = 0; first + n <= poses.size(); first += n) {
+      for (const Vec3& end : line.ends(poses.subspan(first, n))) {
+        if ((end - middle).norm() <= limit) balls.push_back({end, line.radius});
+      }
+    }
+  }
+  return balls;
+}
+
+/// Largest depth e of the eye from which all balls are between two opposite edges of the picture, with t the
+/// tangent of half the angle between them.
+///
+/// In the axes of the camera a ball at (x, ·, z) of radius r is inside the right edge if
+///   x - e_x + r √(1 + t²) ≤ (z - e) t,
+/// and inside the left one if the same holds with x - e_x reversed; the sum of both has no e_x.
+double farthest_depth(const std::vector<FramedBall>& seen, int axis, double t) {
+  double upper = -HUGE_VAL, lower = -HUGE_VAL;
+  for (const FramedBall& ball : seen) {
+    const double reach = ball.radius * std::sqrt(1 + t * t) - ball.p_W.z() * t;
+    upper = std::max(upper, ball.p_W[axis] + reach), lower = std::max(lower, -ball.p_W[axis] + reach);
+  }
+  return -0.5 * (upper + lower) / t;
+}
+
+/// Place of the eye along an axis of the picture from which the balls reach equally far to both sides.
+double centered(const std::vector<FramedBall>& seen, int axis, double depth) {
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  for (const FramedBall& ball : seen)
+    low = std::min(low, ball.p_W[axis] - ball.radius), high = std::max(high, ball.p_W[axis] + ball.radius);
+  // How far they reach to the one side, less how far to the other, falls as the eye moves: bisection.
+  for (int halving = 0; halving < 50; ++halving) {
+    const double eye = 0.5 * (low + high);
+    double least = HUGE_VAL, most = -HUGE_VAL;
+    for (const FramedBall& ball : seen) {
+      const double x = ball.p_W[axis] - eye, z = ball.p_W.z() - depth, r = ball.radius;
+      const double reach = r * std::sqrt(std::max(0.0, x * x + z * z - r * r));
+      least = std::min(least, (x * z - reach) / (z * z - r * r));
+      most = std::max(most, (x * z + reach) / (z * z - r * r));
+    }
+    (least + most > 0 ? low : high) = eye;
+  }
+  return 0.5 * (low + high);
+}
+
+/// How the balls are spread: along two level axes and upwards.
+struct Spread {
+  Vec3 first, second;                         ///< Level, unit.
+  double along_first, along_second, upwards;  ///< Standard deviations [m].
+};
+Spread spread_of(const std::vector<FramedBall>& balls, const Vec3& up) {
+  const Vec3 first = -camera_axes(up, Vec3::UnitY()).col(0), second = up.cross(first);
+  Mat3 axes;
+  axes << first, second, up;
+  const double count = static_cast<double>(balls.size());
+  Vec3 mean = Vec3::Zero(), squares = Vec3::Zero();
+  for (const FramedBall& ball : balls) mean += axes.transpose() * ball.p_W / count;
+  for (const FramedBall& ball : balls) {
+    squares += (axes.transpose() * ball.p_W - mean).cwiseAbs2() / count;
+    squares += Vec3::Constant(ball.radius * ball.radius / 5 / count);  // Of the points of a ball.
+  }
+  return {first, second, std::sqrt(squares.x()), std::sqrt(squares.y()), std::sqrt(squares.z())};
+}
+
+/// Line of sight across the longer side of the ground that the balls cover, a little turned; the steeper from
+/// above, the flatter they are spread.
+Vec3 line_of_sight(const std::vector<FramedBall>& balls, const Vec3& up) {
+  constexpr double degree = M_PI / 180, turn = 24 * degree, least_dip = 10 * degree, more_dip = 30 * degree;
+  const Spread spread = spread_of(balls, up);
+  const bool is_longer_along_second = spread.along_second > 1.01 * spread.along_first;
+  const Vec3 level = up.cross(is_longer_along_second ? spread.second : spread.first);
+  const double breadth = std::min(spread.along_first, spread.along_second);
+  const double height_and_breadth = spread.upwards + breadth;
+  const double dip = least_dip + more_dip * (height_and_breadth > 0 ? breadth / height_and_breadth : 0.5);
+  const Vec3 turned = std::cos(turn) * level + std::sin(turn) * level.cross(up);
+  return std::cos(dip) * turned - std::sin(dip) * up;
+}
+
+}  // namespace
+
+Camera framing_camera(std::span<const FramedBall> balls, const Vec3& forward, const Vec3& up,
+                      double field_of_view, double width_to_height) {
+  const Mat3 axes = camera_axes(forward, up);
+  std::vector<FramedBall> seen;
+  for (const FramedBall& ball : balls) seen.push_back({axes.transpose() * ball.p_W, ball.radius});
+  const double half_height = std::tan(0.5 * field_of_view) * (1 - margin);
+  const double depth =
+      std::min(farthest_depth(seen, 0, half_height * width_to_height), farthest_depth(seen, 1, half_height));
+  double middle = 0;
+  for (const FramedBall& ball : seen) middle += ball.p_W.z() / static_cast<double>(seen.size());
+  const Vec3 eye = axes * Vec3(centered(seen, 0, depth), centered(seen, 1, depth), depth);
+  return {eye, eye + (middle - depth) * axes.col(2), up, field_of_view};
+}
+
+Camera make_camera(const DrawnScene& scene, std::span<const Pose> poses, const CameraWishes& wishes,
+                   double width_to_height) {
+  std::vector<FramedBall> balls = framed_balls(scene, poses);
+  if (balls.empty()) balls.push_back({Vec3::Zero(), 1});
+  const Vec3 forward = line_of_sight(balls, scene.up);
+  const double field_of_view = wishes.field_of_view.value_or(usual_field_of_view);
+  Camera camera = framing_camera(balls, forward, scene.up, field_of_view, width_to_height);
+  if (wishes.target) {
+    if (!wishes.eye) camera.eye += *wishes.target - camera.target;
+    camera.target = *wishes.target;
+  }
+  if (wishes.eye) camera.eye = *wishes.eye;
+  if (camera.eye == camera.target) camera.target += forward;
+  return camera;
+}
+
+}  // namespace rigor

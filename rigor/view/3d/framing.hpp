@@ -1,0 +1,37 @@
+#pragma once
+
+#include "rigor/view/3d/camera.hpp"
+#include "rigor/view/3d/drawn_scene.hpp"
+
+#include <optional>
+#include <span>
+
+namespace rigor {
+
+/// What the user asked for; the rest is found from the motion.
+struct CameraWishes {
+  std::optional<Vec3> eye, target;      ///< p_W [m].
+  std::optional<double> field_of_view;  ///< Between the upper and the lower edge [rad].
+};
+
+/// A camera that sees the motion, from obliquely above and across the longer side of the ground that it
+/// covers, with a margin.
+///
+/// poses: the bodies' user frames at some moments, body_count a moment. All dynamic and kinematic bodies are
+/// in the picture all the time, but for those that fly off: of a body, only the way counts that it makes
+///   within four times the distance, from the middle of the start, that half of the bodies ever reach,
+///   and within a hundred radii of the largest body, or 1.5 times the distance of the farthest at the start,
+/// because farther off the bodies would be too small to see. Static bodies count if they are within that.
+Camera make_camera(const DrawnScene& scene, std::span<const Pose> poses, const CameraWishes& wishes,
+                   double width_to_height);
+
+/// The nearest eye that looks along `forward` and has all balls inside the picture. Exact: one ball touches
+/// the left edge and one the right edge, or one each the upper and the lower edge.
+struct FramedBall {
+  Vec3 p_W;       ///< [m].
+  double radius;  ///< [m].
+};
+Camera framing_camera(std::span<const FramedBall> balls, const Vec3& forward, const Vec3& up,
+                      double field_of_view, double width_to_height);
+
+}  // namespace rigor

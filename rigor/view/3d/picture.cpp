@@ -1,0 +1,197 @@
+#include "rigor/view/3d/picture.hpp"
+
+#include "rigor/core/index.hpp"
+#include "rigor/view/3d/canvas.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace rigor {
+
+namespace {
+
+constexpr std::size_t most_legend_lines = 8;
+constexpr double gap = 10;  ///< Between and around the pictures of a sheet [px].
+
+Color ink() {
+  return color_from_hex("#1d2733");
+}
+Color faint_ink() {
+  return color_from_hex("#5b6673");
+}
+Color paper() {
+  return color_from_hex("#ffffff");
+}
+
+struct LegendLine {
+  std::string name;
+  Color color;
+};
+/// The bodies that can move and are drawn; none if they are many.
+std::vector<LegendLine> legend(const Model& model, const DrawnScene& scene) {
+  std::vector<LegendLine> lines;
+  int last = -1;
+  for (const DrawnShape& shape : scene.shapes) {
+    if (!shape.can_move || shape.is_joint || shape.body == last) continue;
+    last = shape.body;
+    lines.push_back({model.body(last).name, shape.color});
+    if (lines.size() > most_legend_lines) return {};
+  }
+  return lines;
+}
+
+/// Size of the text on a picture: readable where the picture is shown small, small where it is large.
+double text_size(const PictureSize& size) {
+  return std::clamp(0.026 * size.height, 11.0, 40.0);
+}
+
+void add_legend(const std::vector<LegendLine>& lines, double x, double y, double size, Canvas& canvas) {
+  for (const LegendLine& line : lines) {
+    canvas.fill(x, y - 0.62 * size, x + 0.62 * size, y, line.color);
+    canvas.text(line.name, x + size, y, {.size = size, .color = ink()});
+    y += 1.45 * size;
+  }
+}
+
+/// How much of the box the drawn shapes that can move cover, each as the square about its ball, summed over
+/// all moments [px²].
+double covered(const PictureBox& box, const DrawnScene& scene, const std::vector<Pose>& poses,
+               const Projection& projection) {
+  double sum = 0;
+  const std::size_t count = at(scene.body_count);
+  for (std::size_t first = 0; first + count <= poses.size(); first += count) {
+    for (const DrawnShape& shape : scene.shapes) {
+      if (!shape.can_move) continue;
+      const Vec3 p_K = projection.X_KW() * (poses[first + at(shape.body)] * shape.X_LS.p);
+      if (p_K.z() <= 0) continue;
+      const PicturePoint seen = projection.project(p_K);
+      const double r = projection.focal_length() * shape.radius * seen.nearness;
+      const double wide = std::min(box.right, seen.x + r) - std::max(box.left, seen.x - r);
+      const double high = std::min(box.bottom, seen.y + r) - std::max(box.top, seen.y - r);
+      if (wide > 0 && high > 0) sum += wide * high;
+    }
+  }
+  return sum;
+}
+
+/// Moments at which the motion is looked at to frame it: all, or evenly spread if they were too many points.
+std::vector<Pose> sampled_poses(const Recording& recording) {
+  constexpr std::size_t most_poses = 20000;
+  const std::size_t n = std::max<std::size_t>(1, recording.motion.bodies.size());
+  const std::size_t count = std::clamp<std::size_t>(most_poses / n, 2, 200);
+  const std::size_t frames = recording.frame_count(), steps = std::min(count, frames);
+  std::vector<Pose> poses;
+  for (std::size_t i = 0; i < steps; ++i) {
+    const std::size_t frame = steps > 1 ? i * (frames - 1) / (steps - 1) : 0;
+    const std::vector<Pose> here = poses_at(recording, frame);
+    poses.insert(poses.end(), here.begin(), here.end());
+  }
+  return poses;
+}
+
+}  // namespace
+
+std::string time_text(const Recording& recording, std::size_t frame) {
+  const std::vector<double>& time = recording.motion.time;
+  const double span = time.back() - time.front();
+  const double step = time.size() > 1 && span > 0 ? span / static_cast<double>(time.size() - 1) : 1;
+  const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 9);
+  return fmt::format("t = {:.{}f} s", time[frame], decimals);
+}
+
+int sheet_columns(std::size_t count) {
+  return count <= 2 ? static_cast<int>(count) : count == 4 ? 2 : 3;
+}
+
+PictureSize sheet_tile(int sheet_width) {
+  const int width = std::max(least_picture_side, (sheet_width - static_cast<int>(4 * gap)) / 3);
+  return {width, std::max(least_picture_side, width * 9 / 16)};
+}
+
+Photographer::Photographer(const Recording& recording, const CameraWishes& wishes, const PictureSize& size)
+    : recording_(recording), size_(size), scene_(make_drawn_scene(*recording.model)) {
+  const std::vector<Pose> poses = sampled_poses(recording);
+  camera_ = make_camera(scene_, poses, wishes, static_cast<double>(size.width) / size.height);
+  place_legend(poses);
+}
+
+/// Below the scene's name, below the time, or in the lower corners.
+void Photographer::place_legend(const std::vector<Pose>& poses) {
+  const std::vector<LegendLine> lines = legend(*recording_.model, scene_);
+  if (lines.empty()) return;
+  const double size = text_size(size_), edge = 1.2 * size;
+  double widest = 0;
+  for (const LegendLine& line : lines) widest = std::max(widest, text_width(line.name, size));
+  const double width = 2 * size + widest, height = (1.45 * static_cast<double>(lines.size()) + 0.2) * size;
+  const double left = edge - 0.5 * size, right = size_.width - left - width;
+  const double top = edge + 1.7 * size, bottom = size_.height - left - height;
+  const Projection projection(camera_, size_.width, size_.height);
+  double least = HUGE_VAL;
+  for (const auto& [x, y] : {std::pair{left, top}, {right, top}, {left, bottom}, {right, bottom}}) {
+    const PictureBox box{x, x + width, y, y + height, 0};
+    const double hidden = covered(box, scene_, poses, projection);
+    if (hidden < least) least = hidden, legend_ = box;
+  }
+}
+
+Image Photographer::draw(std::size_t frame) {
+  return renderer_.draw(scene_, poses_at(recording_, frame), camera_, size_.width, size_.height);
+}
+
+Image Photographer::picture(std::size_t frame) {
+  Image image = draw(frame);
+  Canvas canvas(image);
+  const double size = text_size(size_), edge = 1.2 * size;
+  const double room = size_.width - 2 * edge;
+  canvas.text(fitted_text(recording_.name, 1.15 * size, 0.6 * room), edge, edge + size,
+              {.size = 1.15 * size, .color = ink()});
+  canvas.text(time_text(recording_, frame), size_.width - edge, edge + size,
+              {.size = 1.15 * size, .color = ink(), .anchor = Anchor::end});
+  if (legend_.right > legend_.left) {
+    canvas.fill(legend_.left, legend_.top, legend_.right, legend_.bottom, paper(), 0.6);
+    add_legend(legend(*recording_.model, scene_), legend_.left + 0.5 * size, legend_.top + 1.1 * size, size,
+               canvas);
+  }
+  return image;
+}
+
+Image Photographer::sheet(const std::vector<KeyMoment>& moments) {
+  const double size = std::clamp(0.05 * size_.height, 11.0, 24.0);
+  const int columns = sheet_columns(moments.size());
+  const int rows = (static_cast<int>(moments.size()) + columns - 1) / columns;
+  const int head = static_cast<int>(2.6 * size), caption = static_cast<int>(2 * size);
+  const int step_x = size_.width + static_cast<int>(gap), step_y = size_.height + caption;
+  Image image(columns * step_x + static_cast<int>(gap), head + rows * step_y);
+  Canvas canvas(image);
+  canvas.fill(0, 0, image.width, image.height, paper());
+  canvas.text(fitted_text(recording_.name, 1.2 * size, image.width - 2 * gap), gap, 0.65 * head,
+              {.size = 1.2 * size, .color = ink()});
+  double x_legend = image.width - gap;
+  const std::vector<LegendLine> lines = legend(*recording_.model, scene_);
+  double legend_width = 0;
+  for (const LegendLine& line : lines) legend_width += text_width(line.name, size) + 2.4 * size;
+  // The legend stands in the head if it finds room there.
+  if (legend_width + text_width(recording_.name, 1.2 * size) + 4 * gap < image.width) {
+    x_legend -= legend_width;
+    for (const LegendLine& line : lines) {
+      add_legend({line}, x_legend, 0.65 * head, size, canvas);
+      x_legend += text_width(line.name, size) + 2.4 * size;
+    }
+  }
+  for (std::size_t i = 0; i < moments.size(); ++i) {
+    const int x = static_cast<int>(gap) + static_cast<int>(i) % columns * step_x;
+    const int y = head + static_cast<int>(i) / columns * step_y;
+    canvas.paste(draw(moments[i].frame), x, y);
+    const std::string time = time_text(recording_, moments[i].frame);
+    const double base = y + size_.height + 0.95 * size, from = x + text_width(time, size) + 1.2 * size;
+    canvas.text(time, x, base, {.size = size, .color = ink()});
+    canvas.text(fitted_text(moments[i].what, size, x + size_.width - from), from, base,
+                {.size = size, .color = faint_ink()});
+  }
+  return image;
+}
+
+}  // namespace rigor

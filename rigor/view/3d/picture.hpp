@@ -1,0 +1,52 @@
+#pragma once
+
+#include "rigor/view/3d/framing.hpp"
+#include "rigor/view/3d/image.hpp"
+#include "rigor/view/3d/key_moments.hpp"
+#include "rigor/view/3d/occlusion.hpp"
+#include "rigor/view/3d/renderer.hpp"
+
+namespace rigor {
+
+/// Size of a picture [px].
+struct PictureSize {
+  int width = 1280, height = 720;
+};
+inline constexpr int least_picture_side = 16, most_picture_side = 16384;
+
+/// Makes pictures of one recording, all through the same camera.
+class Photographer {
+ public:
+  /// The recording outlives this object.
+  Photographer(const Recording& recording, const CameraWishes& wishes, const PictureSize& size);
+
+  const Camera& camera() const { return camera_; }
+  /// The scene at an output time, without text.
+  Image draw(std::size_t frame);
+  /// The same with the scene's name, the time and the names of the moving bodies if they are few: in that
+  /// corner where they cover the least of the motion, the same in all pictures.
+  Image picture(std::size_t frame);
+  /// All moments side by side in one picture, each of this photographer's size, with their times and what
+  /// they show below them and the scene's name above.
+  Image sheet(const std::vector<KeyMoment>& moments);
+
+ private:
+  void place_legend(const std::vector<Pose>& poses);
+
+  const Recording& recording_;
+  PictureSize size_;
+  DrawnScene scene_;
+  Camera camera_;
+  Renderer renderer_;
+  PictureBox legend_{};  ///< Empty: there is none.
+};
+
+/// Columns of a sheet of that many pictures.
+int sheet_columns(std::size_t count);
+/// Size of one picture of a sheet of the given width: 16 to 9, three beside each other.
+PictureSize sheet_tile(int sheet_width);
+
+/// "t = 0.25 s", with as many digits as tell the recording's output times apart.
+std::string time_text(const Recording& recording, std::size_t frame);
+
+}  // namespace rigor

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "rigor/view/3d/picture.hpp"
+#include "rigor/view/recording/recording.hpp"
+
+#include <array>
+#include <string_view>
+
+namespace rigor {
+
+/// Output of a run as a picture: a sheet of its key moments, written when the run ends.
+class PictureWriter : public MotionKeeper {
+ public:
+  /// Throws FileError if the file cannot be written.
+  PictureWriter(std::filesystem::path path, const Scene& scene);
+  void close(const Audit& audit) override;
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// Suffixes of the outputs of a run that this layer writes.
+inline constexpr std::array<std::string_view, 1> picture_suffixes = {".png"};
+
+/// Pictures on a sheet of key moments, and the sheet's width [px].
+inline constexpr std::size_t sheet_pictures = 6;
+inline constexpr int sheet_width = 1440;
+
+/// The sheet of a recording's key moments.
+Image key_moment_sheet(const Recording& recording, const CameraWishes& wishes, int width = sheet_width);
+
+}  // namespace rigor

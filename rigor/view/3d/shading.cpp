@@ -1,0 +1,114 @@
+#include "rigor/view/3d/shading.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rigor {
+
+namespace {
+
+// Chosen by eye: a white matt surface facing the sun comes out just below white.
+constexpr float sky_light = 0.42F, ground_light = 0.20F, sun_light = 0.62F, highlight = 0.35F;
+/// Brightness of the darker squares of a plane.
+constexpr float dark_square = 0.86F;
+
+/// Distance of the value from the nearest even number, 0 to 1: a zigzag.
+float zigzag(float value) {
+  // Adding and taking away this number rounds to the nearest whole one (below 2^22; farther planes fade).
+  constexpr float rounding = 12582912.0F;
+  const float half = 0.5F * value;
+  return 2 * std::abs(half - ((half + rounding) - rounding));
+}
+
+/// Share of light squares (0 to 1) that a pixel sees: squares with edges as wide as the pixel, and their mean
+/// where a pixel is wider than a square.
+float light_share(float a, float b, float pixel) {
+  const float sharpness = 1 / std::max(pixel, 1e-6F);
+  const auto within = [](float low, float value) { return std::min(std::max(low, value), 1.0F); };
+  const float side_a = within(-1, (zigzag(a) - 0.5F) * sharpness);
+  const float side_b = within(-1, (zigzag(b) - 0.5F) * sharpness);
+  const float contrast = within(0, 2 - 2 * pixel);
+  return 0.5F + 0.5F * side_a * side_b * contrast;
+}
+
+float sky_on(const Eigen::Vector3f& normal, const Look& look) {
+  const float upward = 0.5F + 0.5F * normal.dot(look.up_K);
+  return ground_light + (sky_light - ground_light) * upward;
+}
+
+/// If nothing is between.
+float sun_on(const Eigen::Vector3f& normal, const Look& look) {
+  return sun_light * std::max(0.0F, normal.dot(look.sun_K));
+}
+
+}  // namespace
+
+void light_flat_things(const Look& look, std::vector<SeenThing>& things) {
+  for (SeenThing& thing : things) {
+    if (!thing.is_flat && thing.kind != SeenThing::Kind::plane) continue;
+    thing.sky = sky_on(thing.normal, look);
+    thing.sun = sun_on(thing.normal, look);
+  }
+}
+
+Shader::Shader(const Projection& projection, const std::vector<SeenThing>& things, const ShadowMap& shadows,
+               const Look& look)
+    : inverse_focal_(static_cast<float>(1 / projection.focal_length())),
+      center_x_(static_cast<float>(projection.center_x())),
+      center_y_(static_cast<float>(projection.center_y())),
+      checks_per_meter_(1 / look.check_size),
+      inverse_square_fade_(1 / (look.fade_distance * look.fade_distance)),
+      things_(things),
+      shadows_(shadows),
+      look_(look),
+      top_(color_from_hex("#dbe6f1")),
+      bottom_(color_from_hex("#f7f9fb")),
+      srgb_(srgb_table()) {}
+
+Color Shader::background(float y) const {
+  const float share = std::min(0.5F * y / center_y_, 1.0F);
+  return top_ + share * (bottom_ - top_);
+}
+
+float Shader::light_on_flat(const SeenThing& thing, const Eigen::Vector3f& p_K) const {
+  return thing.sun > 0 ? thing.sky + thing.sun * shadows_.light(p_K, thing.normal) : thing.sky;
+}
+
+Color Shader::plane(const SeenThing& plane, const Eigen::Vector3f& p_K, float y) const {
+  const Eigen::Vector3f from = p_K - plane.origin;
+  // A pixel covers more of the plane the farther and the flatter it is seen.
+  const float pixel =
+      p_K.z() * p_K.z() * inverse_focal_ * checks_per_meter_ / std::max(plane.height, 1e-6F * p_K.z());
+  const float share = light_share(from.dot(plane.along_x) * checks_per_meter_,
+                                  from.dot(plane.along_y) * checks_per_meter_, pixel);
+  const Color color = plane.color * (light_on_flat(plane, p_K) * (dark_square + (1 - dark_square) * share));
+  const float far = p_K.squaredNorm() * inverse_square_fade_;
+  return color + (background(y) - color) * std::min(1.0F, far);
+}
+
+Color Shader::curved(const SeenThing& thing, const Eigen::Vector3f& normal,
+                     const Eigen::Vector3f& p_K) const {
+  const float sky = sky_on(normal, look_);
+  float sun = sun_on(normal, look_);
+  if (sun <= 0) return thing.color * sky;
+  sun *= shadows_.light(p_K, normal);
+  const float mirrored = (look_.sun_K - p_K.normalized()).normalized().dot(normal);
+  const float square = mirrored * mirrored, fourth = square * square, eighth = fourth * fourth;
+  return thing.color * (sky + sun) + Color::Constant(highlight * eighth * eighth * eighth * sun);
+}
+
+Color Shader::color(std::uint32_t id, float x, float y, float nearness) const {
+  const SeenThing& thing = things_[id];
+  if (thing.kind == SeenThing::Kind::nothing) return background(y);
+  // In its own shadow it does not matter where.
+  if (thing.is_flat && thing.sun <= 0) return thing.color * thing.sky;
+  const float depth = 1 / nearness, scale = depth * inverse_focal_;
+  const Eigen::Vector3f p_K((x - center_x_) * scale, (y - center_y_) * scale, depth);
+  if (thing.kind == SeenThing::Kind::plane) return plane(thing, p_K, y);
+  if (thing.kind == SeenThing::Kind::ball) return curved(thing, (p_K - thing.normal).normalized(), p_K);
+  if (!thing.is_flat)
+    return curved(thing, (thing.normal + thing.along_x * x + thing.along_y * y).normalized(), p_K);
+  return thing.color * light_on_flat(thing, p_K);
+}
+
+}  // namespace rigor

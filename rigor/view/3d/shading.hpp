@@ -1,0 +1,66 @@
+#pragma once
+
+#include "rigor/view/3d/color.hpp"
+#include "rigor/view/3d/shadow_map.hpp"
+
+#include <vector>
+
+namespace rigor {
+
+/// What a sample can see, with all that its look needs. In the camera's frame K.
+struct SeenThing {
+  enum class Kind : std::uint8_t { nothing, face, ball, plane };
+  Kind kind = Kind::nothing;
+  bool is_flat = false;  ///< A face whose normal is the same everywhere.
+  Color color = Color::Zero();
+  /// Of a face: its normal at (x, y) has the direction normal + along_x x + along_y y. Of a ball: its center
+  /// and, as along_x.x(), its inverse radius. Of a plane: its normal, and its two axes.
+  Eigen::Vector3f normal = Eigen::Vector3f::Zero();
+  Eigen::Vector3f along_x = Eigen::Vector3f::Zero();
+  Eigen::Vector3f along_y = Eigen::Vector3f::Zero();
+  Eigen::Vector3f origin = Eigen::Vector3f::Zero();  ///< Of a plane's pattern.
+  float height = 0;                                  ///< Of the eye above a plane [m].
+  float sky = 0, sun = 0;  ///< Light on flat faces and planes, see light_flat_things().
+};
+
+/// Light, background and pattern of a picture.
+struct Look {
+  Eigen::Vector3f sun_K;  ///< Unit, towards the sun.
+  Eigen::Vector3f up_K;   ///< Unit.
+  float check_size;       ///< Side of a square of a plane's pattern [m].
+  float fade_distance;    ///< Where planes fade into the background [m].
+};
+
+/// Sets the light of the sky on flat faces and planes, and that of the sun if nothing is between: the same
+/// all over them.
+void light_flat_things(const Look& look, std::vector<SeenThing>& things);
+
+/// How things look at a place of the picture: light of the sky from above, of the sun with its shadows, and a
+/// faint highlight; the squares of planes fade where they are smaller than pixels.
+class Shader {
+ public:
+  /// The things' flat ones are lit already.
+  Shader(const Projection& projection, const std::vector<SeenThing>& things, const ShadowMap& shadows,
+         const Look& look);
+
+  /// Colour of the thing of that id at (x, y) [px].
+  Color color(std::uint32_t id, float x, float y, float nearness) const;
+  /// As srgb_byte.
+  std::uint8_t srgb(float light) const { return srgb_[light]; }
+
+ private:
+  Color background(float y) const;
+  /// Light on a flat face or a plane at p_K.
+  float light_on_flat(const SeenThing& thing, const Eigen::Vector3f& p_K) const;
+  Color plane(const SeenThing& plane, const Eigen::Vector3f& p_K, float y) const;
+  Color curved(const SeenThing& thing, const Eigen::Vector3f& normal, const Eigen::Vector3f& p_K) const;
+
+  float inverse_focal_, center_x_, center_y_, checks_per_meter_, inverse_square_fade_;
+  const std::vector<SeenThing>& things_;
+  const ShadowMap& shadows_;
+  Look look_;
+  Color top_, bottom_;  ///< Of the background.
+  const SrgbTable& srgb_;
+};
+
+}  // namespace rigor

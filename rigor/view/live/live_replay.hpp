@@ -1,0 +1,22 @@
+#pragma once
+
+#include "rigor/view/page/page_block.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace rigor {
+
+/// A stored run as the data of a page.
+struct LiveReplay {
+  std::string title;
+  std::vector<PageBlock> blocks;
+};
+
+/// Reads a trajectory (.h5) with the scene that it carries; mesh files of the scene are looked for beside it.
+/// The file holds no audit and no solver's effort: energies and impacts are those stored, the rest is empty.
+/// Throws InputError.
+LiveReplay read_live_replay(const std::filesystem::path& path);
+
+}  // namespace rigor

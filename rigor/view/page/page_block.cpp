@@ -1,0 +1,113 @@
+#include "rigor/view/page/page_block.hpp"
+
+#include "rigor/core/assert.hpp"
+
+#include <fmt/format.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+namespace rigor {
+
+namespace {
+
+template <typename Unsigned>
+void append_little_endian(Unsigned bits, std::string& bytes) {
+  for (std::size_t i = 0; i < sizeof bits; ++i) bytes += static_cast<char>(bits >> (8 * i) & 0xff);
+}
+
+const Bytef* bytes_of(std::string_view text) {
+  return reinterpret_cast<const Bytef*>(text.data());
+}
+
+}  // namespace
+
+PageBlock make_page_block(std::string kind, std::string_view bytes) {
+  uLongf size = compressBound(static_cast<uLong>(bytes.size()));
+  std::string deflated(size, '\0');
+  const int result = compress2(reinterpret_cast<Bytef*>(deflated.data()), &size, bytes_of(bytes),
+                               static_cast<uLong>(bytes.size()), Z_DEFAULT_COMPRESSION);
+  RIGOR_ASSERT(result == Z_OK);  // The buffer is as large as zlib asks for.
+  deflated.resize(size);
+  const uLong checksum = crc32_z(0, bytes_of(deflated), deflated.size());
+  return {std::move(kind), bytes.size(), std::move(deflated), static_cast<std::uint32_t>(checksum)};
+}
+
+std::string block_html(const PageBlock& block, int run) {
+  return fmt::format(
+      "<script type=\"text/plain\" class=\"rigor-data\" data-run=\"{}\" data-kind=\"{}\" data-raw=\"{}\" "
+      "data-size=\"{}\" data-crc=\"{:08x}\">{}</script>\n",
+      run, block.kind, block.raw_size, block.deflated.size(), block.checksum, base64(block.deflated));
+}
+
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+    std::uint32_t bits = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      bits = bits << 8 | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    }
+    for (std::size_t k = 0; k < 4; ++k) text += k <= count ? digits[bits >> (18 - 6 * k) & 63] : '=';
+  }
+  return text;
+}
+
+void append_u32(std::uint32_t value, std::string& bytes) {
+  append_little_endian(value, bytes);
+}
+void append_f32(float value, std::string& bytes) {
+  append_little_endian(std::bit_cast<std::uint32_t>(value), bytes);
+}
+void append_f64(double value, std::string& bytes) {
+  append_little_endian(std::bit_cast<std::uint64_t>(value), bytes);
+}
+
+void append_varint(std::int64_t value, std::string& bytes) {
+  std::uint64_t folded = static_cast<std::uint64_t>(value) << 1 ^ static_cast<std::uint64_t>(value >> 63);
+  for (; folded >= 128; folded >>= 7) bytes += static_cast<char>((folded & 127) | 128);
+  bytes += static_cast<char>(folded);
+}
+
+void append_column(std::span<const std::int64_t> values, std::string& bytes) {
+  std::int64_t last = 0, before = 0;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    append_varint(values[k] - (k < 2 ? last : 2 * last - before), bytes);
+    before = last;
+    last = values[k];
+  }
+}
+
+void append_exact_column(std::span<const double> values, std::string& bytes) {
+  std::vector<std::uint64_t> folded;
+  std::uint64_t last = 0, before = 0;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const std::uint64_t bits = std::bit_cast<std::uint64_t>(values[k]);
+    // Wraps around, there and back.
+    const std::uint64_t step = bits - (k < 2 ? last : 2 * last - before);
+    folded.push_back(step << 1 ^ (step >> 63 ? ~std::uint64_t{0} : 0));
+    before = last;
+    last = bits;
+  }
+  for (int shift = 56; shift >= 0; shift -= 8) {
+    for (const std::uint64_t value : folded) bytes += static_cast<char>(value >> shift & 0xff);
+  }
+}
+
+std::int64_t quantised(double value, double step) {
+  constexpr double most = 1125899906842624.0;  // 2⁵⁰
+  const double multiple = value / step;
+  return std::isfinite(multiple) ? std::llround(std::clamp(multiple, -most, most)) : 0;
+}
+
+double power_of_two_below(double value) {
+  RIGOR_ASSERT(value >= std::numeric_limits<double>::min() && std::isfinite(value));
+  return std::exp2(std::floor(std::log2(value)));
+}
+
+}  // namespace rigor

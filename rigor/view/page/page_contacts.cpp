@@ -1,0 +1,94 @@
+#include "rigor/view/page/page_contacts.hpp"
+
+#include "rigor/core/index.hpp"
+#include "rigor/view/page/page_frames.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace rigor {
+
+namespace {
+
+/// A chunk is full with so many contacts, or frames: then it takes some MB while it is filled.
+constexpr std::size_t contacts_of_chunk = 50000, frames_of_chunk = 256;
+
+/// Forces are told to 1/1024 of the chunk's largest.
+double force_step_of(const std::vector<std::vector<TouchingPoint>>& frames) {
+  double largest = 0;
+  for (const std::vector<TouchingPoint>& points : frames) {
+    for (const TouchingPoint& point : points) {
+      if (point.force_W.allFinite()) largest = std::max(largest, point.force_W.norm());
+    }
+  }
+  return largest > 1e-300 ? power_of_two_below(largest / 512) : 1;
+}
+
+}  // namespace
+
+PageContacts::PageContacts(const PageScale& scale, double contact_tolerance)
+    : origin_(scale.origin), place_step_(scale.contact_step), gap_step_(contact_tolerance / 16) {}
+
+std::optional<PageBlock> PageContacts::add(const std::vector<TouchingPoint>& points) {
+  const std::size_t count = std::min(points.size(), most_in_frame);
+  frames_.emplace_back(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(count));
+  count_ += count;
+  if (count_ >= contacts_of_chunk || frames_.size() == frames_of_chunk) return finish();
+  return std::nullopt;
+}
+
+PageContacts::Numbers PageContacts::numbers_of(const TouchingPoint& point, double force_step) const {
+  Numbers result{};
+  result[0] = static_cast<std::int64_t>(point.mode);
+  result[1] = quantised(point.gap, gap_step_);
+  for (int k = 0; k < 3; ++k) {
+    const std::size_t place = at(k);
+    result[2 + place] = quantised(point.p_W[k] - origin_[k], place_step_);
+    result[5 + place] = quantised(point.n_W[k], 1.0 / 1024);
+    result[8 + place] = quantised(point.force_W[k], force_step);
+  }
+  return result;
+}
+
+/// What the numbers of a contact would be if it went on as before.
+PageContacts::Numbers PageContacts::expected(const Name& name, const Frame& last, const Frame& before) {
+  const auto newer = last.find(name), older = before.find(name);
+  if (newer == last.end()) return {};
+  Numbers result = newer->second;
+  if (older == before.end()) return result;
+  constexpr std::size_t first_smooth = 2, end_smooth = 8;  // point and normal
+  for (std::size_t k = first_smooth; k < end_smooth; ++k) result[k] += newer->second[k] - older->second[k];
+  return result;
+}
+
+std::optional<PageBlock> PageContacts::finish() {
+  if (frames_.empty()) return std::nullopt;
+  const double force_step = force_step_of(frames_);
+  std::array<std::string, 3 + numbers> columns;
+  Frame before, last, now;
+  for (const std::vector<TouchingPoint>& points : frames_) {
+    append_varint(static_cast<std::int64_t>(points.size()), columns[0]);
+    int last_A = 0, last_B = -1, which = 0;
+    for (const TouchingPoint& point : points) {
+      which = point.body_A == last_A && point.body_B == last_B ? which + 1 : 0;
+      append_varint(point.body_A - last_A, columns[1]);
+      append_varint(point.body_B - point.body_A, columns[2]);
+      last_A = point.body_A, last_B = point.body_B;
+      const Name name{last_A, last_B, which};
+      const Numbers values = numbers_of(point, force_step), guess = expected(name, last, before);
+      for (std::size_t k = 0; k < numbers; ++k) append_varint(values[k] - guess[k], columns[3 + k]);
+      now[name] = values;
+    }
+    before = std::exchange(last, std::exchange(now, {}));
+  }
+  std::string bytes;
+  for (const double step : {force_step, gap_step_, place_step_}) append_f64(step, bytes);
+  append_u32(static_cast<std::uint32_t>(frames_.size()), bytes);
+  for (const std::string& column : columns) bytes += column;
+  frames_.clear();
+  count_ = 0;
+  return make_page_block("contacts", bytes);
+}
+
+}  // namespace rigor

@@ -1,0 +1,264 @@
+#include "rigor/view/page/page_run.hpp"
+
+#include "rigor/io/files/version.hpp"
+#include "rigor/io/trajectory/audit_json.hpp"
+#include "rigor/math/rotation.hpp"
+#include "rigor/view/page/page_geometry.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <utility>
+
+namespace rigor {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// How the values of two intervals make that of both.
+enum class Joined { last, sum, largest };
+struct Quantity {
+  const char* name;
+  const char* unit;
+  Joined joined = Joined::last;
+};
+/// Columns of the series, in this order.
+constexpr std::array quantities = {Quantity{"time", "s"},
+                                   Quantity{"kinetic", "J"},
+                                   Quantity{"potential", "J"},
+                                   Quantity{"elastic", "J"},
+                                   Quantity{"work", "J"},
+                                   Quantity{"momentum", "kg m/s"},
+                                   Quantity{"angular_momentum", "kg m²/s"},
+                                   Quantity{"penetration", "m", Joined::largest},
+                                   Quantity{"steps", "", Joined::sum},
+                                   Quantity{"impacts", "", Joined::sum},
+                                   Quantity{"iterations", "", Joined::largest}};
+
+Json json_of(const Vec3& v) {
+  return {v.x(), v.y(), v.z()};
+}
+Json json_of(const Quat& q) {
+  return {q.w(), q.x(), q.y(), q.z()};
+}
+
+const char* motion_name(MotionType motion) {
+  switch (motion) {
+    case MotionType::dynamic:
+      return "dynamic";
+    case MotionType::kinematic:
+      return "kinematic";
+    case MotionType::fixed:
+      return "static";
+  }
+  return "";
+}
+
+Json body_json(const Body& body, int look) {
+  return {{"name", body.name},
+          {"motion", motion_name(body.motion)},
+          {"mass", body.mass},
+          {"moments", json_of(body.moments)},
+          {"radius", body.bounding_radius},
+          {"frame", {{"p", json_of(body.X_BL.p)}, {"q", json_of(quaternion_of(body.X_BL.R))}}},
+          {"start", {{"p", json_of(body.p_WB)}, {"q", json_of(body.q_WB)}}},
+          {"look", look}};
+}
+
+Json bodies_json(const Model& model, const PageGeometry& geometry) {
+  Json bodies = Json::array();
+  for (std::size_t i = 0; i < model.bodies().size(); ++i) {
+    bodies.push_back(body_json(model.bodies()[i], geometry.look_of_body[i]));
+  }
+  return bodies;
+}
+
+Json materials_json(const Model& model) {
+  Json materials = Json::array();
+  for (const Material& material : model.materials()) {
+    materials.push_back({{"name", material.name},
+                         {"density", material.density},
+                         {"friction", material.friction},
+                         {"restitution", material.restitution}});
+  }
+  return materials;
+}
+
+Json springs_json(const Model& model) {
+  Json springs = Json::array();
+  for (const Force& force : model.forces()) {
+    const Spring* const spring = std::get_if<Spring>(&force);
+    if (!spring) continue;
+    springs.push_back({{"bodies", {spring->body_A, spring->body_B}},
+                       {"points", {json_of(spring->p_AP), json_of(spring->p_BQ)}}});
+  }
+  return springs;
+}
+
+/// Direction of an axis that a joint has on its body A (side 0) or B; null if it has none there.
+Json axis_json(const Joint& joint, std::size_t side) {
+  const bool is_universal = joint.type == JointType::universal;
+  const bool has_axis =
+      joint.type != JointType::fixed && joint.type != JointType::ball && joint.type != JointType::distance;
+  if (side == 0) return has_axis ? json_of(Vec3(joint.X_AJ.R.col(2))) : Json();
+  return is_universal ? json_of(Vec3(joint.X_BK.R.col(0))) : Json();
+}
+
+/// All joints that have a place: gears have none.
+Json joints_json(const Model& model) {
+  Json joints = Json::array();
+  for (const Joint& joint : model.joints()) {
+    if (joint.type == JointType::gear) continue;
+    joints.push_back({{"name", joint.name},
+                      {"type", joint_type_name(joint.type)},
+                      {"bodies", {joint.body_A, joint.body_B}},
+                      {"points", {json_of(joint.X_AJ.p), json_of(joint.X_BK.p)}},
+                      {"axes", {axis_json(joint, 0), axis_json(joint, 1)}}});
+  }
+  return joints;
+}
+
+Json series_json() {
+  Json series = Json::array();
+  for (const Quantity& quantity : quantities) {
+    series.push_back({{"name", quantity.name}, {"unit", quantity.unit}});
+  }
+  return series;
+}
+
+}  // namespace
+
+PageRun::PageRun(const Scene& scene, const State& start, std::string label)
+    : model_(scene.model),
+      latest_model_(scene.model),
+      method_(scene.method),
+      run_(scene.run),
+      name_(scene.name),
+      label_(std::move(label)),
+      scale_(page_scale(*scene.model, start)),
+      frames_(*model_, scale_),
+      contacts_(scale_, scene.method.contact_tolerance),
+      series_(quantities.size()) {}
+
+void PageRun::add(const State& state, const AdvanceReport& since, const Energy& energy) {
+  add(state, since, energy, contact_snapshot(*model_, method_, state));
+}
+
+void PageRun::add(const State& state, const AdvanceReport& since, const Energy& energy,
+                  const std::vector<TouchingPoint>& contacts) {
+  keep(frames_.add(state));
+  keep(contacts_.add(contacts));
+  work_ += since.work;
+  const Momentum momentum = total_momentum(*latest_model_, state);
+  const std::array<double, quantities.size()> row = {state.t,
+                                                     energy.kinetic,
+                                                     energy.potential,
+                                                     energy.elastic,
+                                                     work_,
+                                                     momentum.linear.norm(),
+                                                     momentum.angular.norm(),
+                                                     since.max_penetration,
+                                                     static_cast<double>(since.steps),
+                                                     static_cast<double>(since.impacts),
+                                                     static_cast<double>(since.max_iterations)};
+  for (std::size_t i = 0; i < row.size(); ++i) series_[i].push_back(row[i]);
+  events_.insert(events_.end(), since.events.begin(), since.events.end());
+}
+
+std::vector<double> PageRun::last_row() const {
+  std::vector<double> row;
+  for (const std::vector<double>& column : series_) row.push_back(column.empty() ? 0 : column.back());
+  return row;
+}
+
+std::vector<PageBlock> PageRun::finish(const Audit& audit) {
+  const PageGeometry geometry = page_geometry(*model_);
+  Json audit_of_run = Json::parse(audit_json(audit));
+  audit_of_run.erase("bodies");  // Where they end is in the frames.
+  Json header = {{"format", 1},
+                 {"rigor", version},
+                 {"scene", name_},
+                 {"duration", run_.duration},
+                 {"step", run_.step},
+                 {"output_interval", run_.output_interval},
+                 {"gravity", json_of(latest_model_->g_W())},
+                 {"origin", json_of(scale_.origin)},
+                 {"extent", scale_.extent},
+                 {"position_step", scale_.position_step},
+                 {"position_error", 0.5 * scale_.position_step},
+                 {"orientation_error", packing_error},
+                 {"contact_tolerance", method_.contact_tolerance},
+                 {"frames", frames_.frame_count()},
+                 {"events", events_.size()},
+                 {"series", series_json()},
+                 {"bodies", bodies_json(*model_, geometry)},
+                 {"looks", geometry.looks},
+                 {"meshes", geometry.meshes},
+                 {"materials", materials_json(*latest_model_)},
+                 {"springs", springs_json(*latest_model_)},
+                 {"joints", joints_json(*model_)},
+                 {"audit", audit_of_run}};
+  if (!label_.empty()) {
+    header["label"] = label_;
+    if (audit.report.reason != StopReason::reached_end) header["stopped"] = audit.report.detail;
+  }
+  std::vector<PageBlock> blocks = {
+      make_page_block("header", header.dump(-1, ' ', false, Json::error_handler_t::replace)),
+      make_page_block("meshes", geometry.mesh_bytes), series_block(), events_block()};
+  keep(frames_.finish());
+  keep(contacts_.finish());
+  for (PageBlock& chunk : chunks_) blocks.push_back(std::move(chunk));
+  return blocks;
+}
+
+void PageRun::keep(std::optional<PageBlock> chunk) {
+  if (chunk) chunks_.push_back(std::move(*chunk));
+}
+
+PageBlock PageRun::series_block() const {
+  std::string bytes;
+  for (const std::vector<double>& column : series_) append_exact_column(column, bytes);
+  return make_page_block("series", bytes);
+}
+
+PageBlock PageRun::events_block() const {
+  double largest = 0;
+  std::vector<std::int64_t> times;
+  const double time_step = power_of_two_below(1e-9 * run_.output_interval);
+  for (const MotionEvent& event : events_) {
+    times.push_back(quantised(event.time, time_step));
+    if (event.j_W.allFinite()) largest = std::max(largest, event.j_W.norm());
+  }
+  const double impulse_step = largest > 1e-300 ? power_of_two_below(largest / 32768) : 1;
+  std::string bytes;
+  append_f64(time_step, bytes);
+  append_f64(impulse_step, bytes);
+  append_column(times, bytes);
+  for (const MotionEvent& event : events_) {
+    for (int k = 0; k < 3; ++k)
+      append_varint(quantised(event.p_W[k] - scale_.origin[k], scale_.position_step), bytes);
+  }
+  for (const MotionEvent& event : events_) {
+    for (const double j : event.j_W) append_varint(quantised(j, impulse_step), bytes);
+  }
+  for (const MotionEvent& event : events_) {
+    append_varint(event.body_A, bytes);
+    append_varint(event.body_B, bytes);
+    append_varint(static_cast<std::int64_t>(event.kind), bytes);
+  }
+  return make_page_block("events", bytes);
+}
+
+std::vector<double> joined_rows(const std::vector<double>& earlier, const std::vector<double>& later) {
+  std::vector<double> row = later;
+  for (std::size_t i = 0; i < quantities.size(); ++i) {
+    if (quantities[i].joined == Joined::sum) row[i] += earlier[i];
+    if (quantities[i].joined == Joined::largest) row[i] = std::max(row[i], earlier[i]);
+  }
+  return row;
+}
+
+}  // namespace rigor

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "rigor/view/plot/drawing.hpp"
+
+#include <string>
+#include <vector>
+
+namespace rigor {
+
+enum class MarkerShape { dot, ring, cross };
+
+/// A curve in a plane of two quantities; its points are joined in their order.
+struct PlaneCurve {
+  Polyline points;
+  std::string color;  ///< "#rrggbb".
+};
+struct PlaneMarker {
+  Vec2 at;
+  MarkerShape shape;
+  std::string color;
+};
+/// A half-line to the panel's edge, with an arrow along it or against it.
+struct PlaneRay {
+  Vec2 from, direction;  ///< The direction has length one.
+  bool leads_away;       ///< The arrow points along the direction.
+  std::string color;
+};
+
+/// What stands in one panel.
+struct CurvePanel {
+  std::string title;
+  std::vector<PlaneCurve> curves;
+  std::vector<PlaneMarker> markers;
+  std::vector<PlaneRay> rays;
+};
+
+/// A line of a legend: a marker or, without one, a stroke.
+struct LegendEntry {
+  std::string text;
+  std::string color;
+  bool is_marker;
+  MarkerShape shape = MarkerShape::dot;
+};
+
+/// Panels beside each other with common axes.
+struct CurvePlot {
+  std::vector<CurvePanel> panels;
+  std::vector<LegendEntry> legend;
+  std::string x_quantity, y_quantity;
+  std::string unit;  ///< Of both.
+};
+
+/// The panels with the same scale along x and y, so that angles are true. All curves and markers are inside,
+/// and so is the origin, where the axes cross in grey; values must be finite.
+Drawing make_curve_plot(const CurvePlot& plot);
+
+struct Bar {
+  std::string label;
+  double value;
+  std::string text;  ///< Beside the bar.
+  std::string color;
+};
+/// Horizontal bars from a common zero, one below the other.
+Drawing make_bar_plot(const std::string& title, const std::vector<Bar>& bars, double width);
+
+/// One drawing above the other.
+Drawing stacked(const Drawing& above, const Drawing& below);
+
+}  // namespace rigor
