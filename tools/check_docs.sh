@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Holds README.md, CONTRIBUTING.md and docs/ to what is there. Links, headings, pages, files, folders, scenes, options,
+# Holds README.md, CONTRIBUTING.md, CHANGELOG.md and docs/ to what is there. Links, headings, pages, files, folders, scenes, options,
 # sections and identifiers that a page names exist; command lines run, in a temporary folder and for a short simulated
 # time, and print what the page says. Prints each offence and fails.
 # usage: tools/check_docs.sh PROGRAM [root of the repository]
@@ -13,7 +13,7 @@ trap 'rm -rf "$work"' EXIT
 bad=0
 complain() { echo "$1"; bad=1; }
 
-mapfile -t pages < <(find README.md CONTRIBUTING.md docs -name '*.md' | sort)
+mapfile -t pages < <(find README.md CONTRIBUTING.md CHANGELOG.md docs -name '*.md' | sort)
 
 # --- What the repository has ------------------------------------------------------------------------------------------
 
@@ -172,12 +172,12 @@ check_sections() {
 
 # The rooms of rigor/ have a line in docs/architecture.md, the scenes one in README.md, the decisions one in their index.
 check_lists() {
-  local room scene decision
+  local scene decision
+  diff <(grep -oE '^\| `[a-z_]+/[a-z0-9_]+` ' docs/architecture.md | tr -d '|` ') \
+    <(awk "/^rooms='/ { on = 1; next } /^'/ { on = 0 } on { sub(/:/, \"\"); for (i = 2; i <= NF; ++i) if (\$i != \".\") print \$1 \"/\" \$i }" \
+      tools/check_layers.sh) >"$work/rooms" || complain "docs/architecture.md and tools/check_layers.sh have other rooms:
+$(grep '^[<>]' "$work/rooms")"
   awk '/^## Scenes/ { on = 1; next } /^## / { on = 0 } on && /^\|/' README.md | grep -oE '`[a-z0-9_]+`' | tr -d '`' >"$work/scenes"
-  for room in rigor/*/*/; do
-    room=${room#rigor/}
-    grep -q "^| \`${room%/}\` |" docs/architecture.md || complain "docs/architecture.md: no row of the room ${room%/}"
-  done
   for scene in scenes/*.yaml; do
     scene=$(basename "$scene" .yaml)
     grep -qx "$scene" "$work/scenes" || complain "README.md: no row of scene $scene"
@@ -188,6 +188,15 @@ check_lists() {
   for decision in docs/decisions/[0-9]*.md; do
     grep -q "($(basename "$decision"))" docs/decisions/README.md || complain "docs/decisions/README.md: no line of $(basename "$decision")"
   done
+}
+
+# The version is the same wherever it stands.
+check_version() {
+  local version
+  version=$(sed -nE 's/^project\(rigor VERSION ([0-9.]+) .*/\1/p' CMakeLists.txt)
+  grep -q "version = \"$version\";" rigor/io/files/version.hpp || complain "rigor/io/files/version.hpp: not $version"
+  grep -qx "version: $version" CITATION.cff || complain "CITATION.cff: not $version"
+  grep -m1 '^## ' CHANGELOG.md | grep -qE "^## ($version |Not yet released$)" || complain "CHANGELOG.md: does not begin with $version"
 }
 
 # --- Commands ---------------------------------------------------------------------------------------------------------
@@ -361,6 +370,7 @@ check_links
 check_names
 check_sections
 check_lists
+check_version
 check_commands
 [ $bad = 0 ] && echo "docs: what ${#pages[@]} pages name is there, and their $(list_commands | wc -l) commands are right"
 exit $bad
