@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Holds README.md, CONTRIBUTING.md, CHANGELOG.md and docs/ to what is there. Links, headings, pages, files, folders, scenes, options,
-# sections and identifiers that a page names exist; command lines run, in a temporary folder and for a short simulated
-# time, and print what the page says. Prints each offence and fails.
+# Holds README.md, CONTRIBUTING.md, CHANGELOG.md and docs/ to what is there. Links, headings, pages, files, folders,
+# scenes, options, sections and identifiers that a page names exist; command lines run, in a temporary folder and for a
+# short simulated time, and print what the page says. Prints each offence and fails.
 # usage: tools/check_docs.sh PROGRAM [root of the repository]
 set -euo pipefail
 export LC_ALL=C
@@ -24,9 +24,10 @@ list_files() {
 # Every word of the code, comments left out, and of the names of its files.
 list_words() {
   local code
-  mapfile -t code < <(grep -E '^(rigor|apps|tests|benchmarks|tools|viewer/src|cmake|scenes|schema)/.*\.(hpp|cpp|inl|py|ts|json|yaml|cmake|txt)$|^CMake|^Makefile$' \
-    "$work/files")
-  { sed -E 's@(^|[^:"])//.*@\1@; s@^ *\*.*@@' "${code[@]}"; sed 's@[/.]@ @g' "$work/files"; } | tr -cs 'A-Za-z0-9_' '\n' | sort -u
+  mapfile -t code < <(grep -E '^(rigor|apps|tests|benchmarks|tools|viewer/src|cmake|scenes|schema)/|^CMake|^Makefile$' \
+    "$work/files" | grep -E '\.(hpp|cpp|inl|py|ts|json|yaml|cmake|txt)$|^Makefile$')
+  { sed -E 's@(^|[^:"])//.*@\1@; s@^ *\*.*@@' "${code[@]}"; sed 's@[/.]@ @g' "$work/files"; } |
+    tr -cs 'A-Za-z0-9_' '\n' | sort -u
 }
 
 # Every option that a command of the program, a tool or a benchmark has.
@@ -36,8 +37,12 @@ list_options() {
     "$program" "$command" --help | awk -v command="$command" '
       /^Options:/ { on = 1 }
       /^Examples:/ { on = 0 }
-      on { while (match($0, /--?[a-z][a-z0-9-]*|--K/)) { print command, substr($0, RSTART, RLENGTH); $0 = substr($0, RSTART + RLENGTH) } }
-      /^  --K|--K/ { print command, "--K" }'
+      on && /^ / {
+        while (match($0, /[ ,]--?[A-Za-z][a-z0-9-]*/)) {
+          print command, substr($0, RSTART + 1, RLENGTH - 1)
+          $0 = substr($0, RSTART + RLENGTH)
+        }
+      }'
   done
   grep -ohE -- '--[a-z][a-z-]*' tools/*.py benchmarks/*.cpp | sed 's/^/tool /'
 }
@@ -119,10 +124,13 @@ check_names() {
     function complain(what) { print $1 ": no " what; bad = 1 }
     FILENAME ~ /files$/ {
       n = split($0, parts, "/")
-      end = ""
-      for (i = n; i > 0; --i) { end = i == n ? parts[i] : parts[i] "/" end; is_end[end] = 1 }
-      folder = ""
-      for (i = n - 1; i > 0; --i) { for (k = i; k > 0; --k) { folder = ""; for (j = k; j <= i; ++j) folder = folder parts[j] "/"; is_folder[folder] = 1 } }
+      end = parts[n]
+      is_end[end] = 1
+      for (i = n - 1; i > 0; --i) { end = parts[i] "/" end; is_end[end] = 1 }
+      for (i = 1; i < n; ++i) {
+        folder = ""
+        for (k = i; k < n; ++k) { folder = folder parts[k] "/"; is_folder[folder] = 1 }
+      }
       next
     }
     FILENAME ~ /words$/ { is_word[$0] = 1; next }
@@ -130,8 +138,10 @@ check_names() {
     FNR == 1 { n = split(strange, parts, " "); for (i = 1; i <= n; ++i) is_strange[parts[i]] = 1 }
     {
       text = $2
-      if (text ~ /^--[a-z]/) { option = text; sub(/[^a-z0-9-].*/, "", option); if (!(option in is_option) && !(option in is_strange)) complain("option " option) }
-      if (text ~ /^[A-Za-z0-9_<>.\/-]+\/$/ && text !~ /</ && !(text in is_folder) && !(text in is_strange)) complain("folder " text)
+      option = text
+      sub(/[^a-z0-9-].*/, "", option)
+      if (text ~ /^--[a-z]/ && !(option in is_option) && !(option in is_strange)) complain("option " option)
+      if (text ~ /^[A-Za-z0-9_.\/-]+\/$/ && !(text in is_folder) && !(text in is_strange)) complain("folder " text)
       rest = text
       while (match(rest, /[A-Za-z0-9_<>.\/-]+\.(hpp|cpp|inl|py|sh|ts|txt|md)/)) {
         name = substr(rest, RSTART, RLENGTH)
@@ -140,8 +150,8 @@ check_names() {
       }
       n = split(text, parts, /[^A-Za-z0-9_]+/)
       for (i = 1; i <= n; ++i)
-        if (parts[i] ~ /^[A-Z][a-z0-9]+[A-Z][A-Za-z0-9]*$|^[a-z][a-z0-9]*(_[a-z0-9]+)+_?$/ && !(parts[i] in is_word) && !(parts[i] in is_strange))
-          complain("identifier " parts[i])
+        if (parts[i] ~ /^[A-Z][a-z0-9]+[A-Z][A-Za-z0-9]*$|^[a-z][a-z0-9]*(_[a-z0-9]+)+_?$/)
+          if (!(parts[i] in is_word) && !(parts[i] in is_strange)) complain("identifier " parts[i])
     }
     END { exit bad }' "$work/files" "$work/words" "$work/options" <(of_kind span) || bad=1
 }
@@ -154,7 +164,7 @@ check_sections() {
     grep -q "^## $number\. " "$page" || complain "$place: $page has no section $number"
   done < <(grep -E '^(rigor|apps|tests|docs)/.*\.(hpp|cpp|inl|md)$|^README.md$' "$work/files" | xargs awk '
     function flush(   found, numbers, n, i) {
-      while (match(text, /[a-z_]+\.md\)?,? (sections?|§) ?[0-9]+((,| and) §?[0-9]+)*|sections? [0-9]+ of (docs\/)?(theory\/)?[a-z_]+\.md/)) {
+      while (match(text, /[a-z_]+\.md\)?,? (sections?|§) ?[0-9]+((,| and) §?[0-9]+)*|section [0-9]+ of [a-z_\/]+\.md/)) {
         found = substr(text, RSTART, RLENGTH)
         text = substr(text, RSTART + RLENGTH)
         match(found, /[a-z_]+\.md/)
@@ -173,11 +183,12 @@ check_sections() {
 # The rooms of rigor/ have a line in docs/architecture.md, the scenes one in README.md, the decisions one in their index.
 check_lists() {
   local scene decision
-  diff <(grep -oE '^\| `[a-z_]+/[a-z0-9_]+` ' docs/architecture.md | tr -d '|` ') \
-    <(awk "/^rooms='/ { on = 1; next } /^'/ { on = 0 } on { sub(/:/, \"\"); for (i = 2; i <= NF; ++i) if (\$i != \".\") print \$1 \"/\" \$i }" \
-      tools/check_layers.sh) >"$work/rooms" || complain "docs/architecture.md and tools/check_layers.sh have other rooms:
-$(grep '^[<>]' "$work/rooms")"
-  awk '/^## Scenes/ { on = 1; next } /^## / { on = 0 } on && /^\|/' README.md | grep -oE '`[a-z0-9_]+`' | tr -d '`' >"$work/scenes"
+  awk "/^rooms='/ { on = 1; next } /^'/ { on = 0 }
+    on { sub(/:/, \"\"); for (i = 2; i <= NF; ++i) if (\$i != \".\") print \$1 \"/\" \$i }" tools/check_layers.sh >"$work/rooms"
+  grep -oE '^\| `[a-z_]+/[a-z0-9_]+` ' docs/architecture.md | tr -d '|` ' | diff - "$work/rooms" >"$work/difference" ||
+    complain "docs/architecture.md and tools/check_layers.sh have other rooms: $(grep '^[<>]' "$work/difference")"
+  awk '/^## Scenes/ { on = 1; next } /^## / { on = 0 } on && /^\|/' README.md |
+    grep -oE '`[a-z0-9_]+`' | tr -d '`' >"$work/scenes"
   for scene in scenes/*.yaml; do
     scene=$(basename "$scene" .yaml)
     grep -qx "$scene" "$work/scenes" || complain "README.md: no row of scene $scene"
@@ -186,7 +197,8 @@ $(grep '^[<>]' "$work/rooms")"
     [ -e "scenes/$scene.yaml" ] || complain "README.md: no scene scenes/$scene.yaml"
   done
   for decision in docs/decisions/[0-9]*.md; do
-    grep -q "($(basename "$decision"))" docs/decisions/README.md || complain "docs/decisions/README.md: no line of $(basename "$decision")"
+    decision=$(basename "$decision")
+    grep -q "($decision)" docs/decisions/README.md || complain "docs/decisions/README.md: no line of $decision"
   done
 }
 
@@ -196,7 +208,8 @@ check_version() {
   version=$(sed -nE 's/^project\(rigor VERSION ([0-9.]+) .*/\1/p' CMakeLists.txt)
   grep -q "version = \"$version\";" rigor/io/files/version.hpp || complain "rigor/io/files/version.hpp: not $version"
   grep -qx "version: $version" CITATION.cff || complain "CITATION.cff: not $version"
-  grep -m1 '^## ' CHANGELOG.md | grep -qE "^## ($version |Not yet released$)" || complain "CHANGELOG.md: does not begin with $version"
+  grep -m1 '^## ' CHANGELOG.md | grep -qE "^## ($version |Not yet released$)" ||
+    complain "CHANGELOG.md: does not begin with $version"
 }
 
 # --- Commands ---------------------------------------------------------------------------------------------------------
@@ -267,7 +280,8 @@ OBJ
 # Command lines `place TAB command`: code blocks that begin with a command, without what is said beside it, and spans.
 list_commands() {
   local start='(build/release/)?rigor(_[a-z_]+)? |make [a-z]|tools/[a-z_]+\.|cmake |ctest '
-  { of_kind code | sed -E 's/\t\$ /\t/; s/ {3,}.*//; s/  # .*//'; of_kind span | sed 's/\\|/|/g'; } | grep -E $'\t'"($start)" | sort -u
+  { of_kind code | sed -E 's/\t\$ /\t/; s/ {3,}.*//; s/  # .*//'; of_kind span | sed 's/\\|/|/g'; } |
+    grep -E $'\t'"($start)" | sort -u
 }
 
 # Options of a command line are options of the command, of the tool or of the benchmark.
@@ -293,7 +307,9 @@ run_program() {
   fi
   (cd "$work/run" && bash -c "$command") >"$work/output" 2>"$work/errors" </dev/null || code=$?
   [ $code = 0 ] || [ -s "$expected" ] || complain "$place: \`$command\` ends with $code: $(head -3 "$work/errors")"
-  while IFS= read -r line; do complain "$place: \`$command\` does not print: $line"; done < <(missing_lines "$work/output" "$expected")
+  while IFS= read -r line; do
+    complain "$place: \`$command\` does not print: $line"
+  done < <(missing_lines "$work/output" "$expected")
 }
 
 # Lines of the second file that the first lacks, word by word: numbers agree to a millionth, `...` stands for the rest of
@@ -335,7 +351,8 @@ check_command() {
   local place=$1 command=${2#build/release/} word filled
   case $command in
     'make '*) word=${command#make }; grep -qE "^${word%% *}:" Makefile || complain "$place: no target $command"; return ;;
-    tools/*) word=${command%% *}; [ -x "$word" ] || complain "$place: no tool $word"; check_options "$place" "${command%%;*}" tool; return ;;
+    tools/*) word=${command%% *}; [ -x "$word" ] || complain "$place: no tool $word"
+      check_options "$place" "${command%%;*}" tool; return ;;
     cmake\ * | ctest\ *)
       word=$(grep -oE -- '--preset [a-z]+' <<<"$command" | cut -d' ' -f2) || return 0
       grep -q "\"name\": \"$word\"" CMakePresets.json || complain "$place: no preset $word"; return ;;
