@@ -202,6 +202,14 @@ check_lists() {
   done
 }
 
+# Every choice of a method is on the page of the methods.
+check_methods() {
+  local choice
+  for choice in $("$program" methods | sed -nE 's/^  ([a-z0-9-]+) +(default|yes) .*/\1/p'); do
+    grep -qw -- "$choice" docs/methods.md || complain "docs/methods.md: does not name the method $choice"
+  done
+}
+
 # The version is the same wherever it stands.
 check_version() {
   local version
@@ -387,6 +395,7 @@ check_links
 check_names
 check_sections
 check_lists
+check_methods
 check_version
 check_commands
 [ $bad = 0 ] && echo "docs: what ${#pages[@]} pages name is there, and their $(list_commands | wc -l) commands are right"
