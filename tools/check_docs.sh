@@ -122,6 +122,10 @@ strange='name.cpp name_test.cpp name_test out/ /// --toggle-collect'
 check_names() {
   awk -F '\t' -v strange="$strange" '
     function complain(what) { print $1 ": no " what; bad = 1 }
+    BEGIN {
+      in_span = "^[A-Z][a-z0-9]+[A-Z][A-Za-z0-9]*$|^[a-z][a-z0-9]*(_[a-z0-9]+)+_?$"
+      in_code = "^[A-Z][a-z0-9]+[A-Z][A-Za-z0-9]*$|^[a-z][a-z][a-z]+(_[a-z][a-z][a-z]+)+$"  # Formulas have short names.
+    }
     FILENAME ~ /files$/ {
       n = split($0, parts, "/")
       end = parts[n]
@@ -135,25 +139,27 @@ check_names() {
     }
     FILENAME ~ /words$/ { is_word[$0] = 1; next }
     FILENAME ~ /options$/ { split($0, parts, " "); is_option[parts[2]] = 1; next }
-    FNR == 1 { n = split(strange, parts, " "); for (i = 1; i <= n; ++i) is_strange[parts[i]] = 1 }
+    FNR == 1 { ++input; n = split(strange, parts, " "); for (i = 1; i <= n; ++i) is_strange[parts[i]] = 1 }
     {
       text = $2
+      is_code = input > 1
       option = text
       sub(/[^a-z0-9-].*/, "", option)
       if (text ~ /^--[a-z]/ && !(option in is_option) && !(option in is_strange)) complain("option " option)
       if (text ~ /^[A-Za-z0-9_.\/-]+\/$/ && !(text in is_folder) && !(text in is_strange)) complain("folder " text)
       rest = text
-      while (match(rest, /[A-Za-z0-9_<>.\/-]+\.(hpp|cpp|inl|py|sh|ts|txt|md)/)) {
+      while (match(rest, /[A-Za-z0-9_<>.\/-]+\.(hpp|cpp|inl|py|sh|ts|txt|md)([^A-Za-z0-9_]|$)/)) {
         name = substr(rest, RSTART, RLENGTH)
+        sub(/[^A-Za-z0-9_]$/, "", name)
         rest = substr(rest, RSTART + RLENGTH)
         if (name !~ /</ && !(name in is_end) && !(name in is_strange)) complain("file " name)
       }
       n = split(text, parts, /[^A-Za-z0-9_]+/)
       for (i = 1; i <= n; ++i)
-        if (parts[i] ~ /^[A-Z][a-z0-9]+[A-Z][A-Za-z0-9]*$|^[a-z][a-z0-9]*(_[a-z0-9]+)+_?$/)
+        if (parts[i] ~ (is_code ? in_code : in_span))
           if (!(parts[i] in is_word) && !(parts[i] in is_strange)) complain("identifier " parts[i])
     }
-    END { exit bad }' "$work/files" "$work/words" "$work/options" <(of_kind span) || bad=1
+    END { exit bad }' "$work/files" "$work/words" "$work/options" <(of_kind span) <(of_kind code) || bad=1
 }
 
 # "docs/theory/bulk.md, section 3" and "section 3 of docs/theory/bulk.md", in pages and in comments of the code.
@@ -255,28 +261,10 @@ bodies:
   - {name: arm, position: [3, 0, 2], shapes: [{type: box, size: [0.4, 0.1, 0.1], material: steel}]}
 joints: [{name: elbow, type: hinge, bodies: [world, arm], anchor: [2.8, 0, 2], axis: [0, 1, 0]}]
 YAML
-  cat >"$work/run/l.obj" <<'OBJ'
-v 0 0 0
-v 2 0 0
-v 2 1 0
-v 1 1 0
-v 1 2 0
-v 0 2 0
-v 0 0 1
-v 2 0 1
-v 2 1 1
-v 1 1 1
-v 1 2 1
-v 0 2 1
-f 6 5 4 3 2 1
-f 7 8 9 10 11 12
-f 1 2 8 7
-f 2 3 9 8
-f 3 4 10 9
-f 4 5 11 10
-f 5 6 12 11
-f 6 1 7 12
-OBJ
+  printf 'v %s\n' '0 0 0' '2 0 0' '2 1 0' '1 1 0' '1 2 0' '0 2 0' '0 0 1' '2 0 1' '2 1 1' '1 1 1' '1 2 1' '0 2 1' \
+    >"$work/run/l.obj"
+  printf 'f %s\n' '6 5 4 3 2 1' '7 8 9 10 11 12' '1 2 8 7' '2 3 9 8' '3 4 10 9' '4 5 11 10' '5 6 12 11' '6 1 7 12' \
+    >>"$work/run/l.obj"
   awk -v to="$work/run/" '
     FNR == 1 { name = ""; seen = 0 }
     match($0, /`[a-z]+\.yaml`:$/) { name = substr($0, RSTART + 1, RLENGTH - 3); seen = 0; next }
