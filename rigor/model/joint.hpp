@@ -16,7 +16,7 @@ struct JointMotor {
   double max_force = std::numeric_limits<double>::infinity();  ///< [N m] or [N], ≥ 0.
 };
 
-/// What acts along one coordinate of a joint. The coordinate is an angle [rad], from -π to π, or a
+/// The laws that act along one coordinate of a joint. The coordinate is an angle [rad], from -π to π, or a
 /// displacement [m] of B against A, 0 at t = 0; that of a distance joint is the distance.
 struct JointAxis {
   double lower = -std::numeric_limits<double>::infinity();
@@ -34,16 +34,16 @@ struct JointAxis {
   }
 };
 
-/// A joint between two bodies. Its frame J on A and its frame K on B fall together at t = 0; only the origins
-/// of a distance joint do not.
+/// A joint between two bodies. Its frame J on A and its frame K on B coincide at t = 0, except for the
+/// origins of a distance joint.
 struct Joint {
   std::string name;
   JointType type = JointType::fixed;
   /// Indices into the model, or world_body; at least one is dynamic. A gear's are both world_body.
   int body_A = 0, body_B = 0;
-  Pose X_AJ, X_BK;                          ///< In the body frames A and B (W for the world).
-  double pitch = 0;                         ///< Screw: displacement along +z per turn [m].
-  double length = 0;                        ///< Distance: what is kept [m], unless it has limits.
+  Pose X_AJ, X_BK;    ///< In the body frames A and B (W for the world).
+  double pitch = 0;   ///< Screw: displacement along +z per turn [m].
+  double length = 0;  ///< Distance: the distance that is kept [m], unless it has limits.
   int first_joint = -1, second_joint = -1;  ///< Gear: the joints that it ties, by index.
   double ratio = 0;             ///< Gear: (change of the second's first coordinate) = ratio (of the first's).
   std::vector<JointAxis> axes;  ///< One per coordinate of its type.
