@@ -36,6 +36,7 @@ JointForces spring_forces(const Joint& joint, const BodyMotion& A, const BodyMot
   for (int k = 0; k < static_cast<int>(joint.axes.size()); ++k) {
     const JointAxis& axis = joint.axes[at(k)];
     if (!has_spring(axis)) continue;
+    // Q = -stiffness (c - rest) - damping ċ; the damper of a whole rotation is isotropic.
     const JointCoordinate coordinate = joint_coordinate(joint, k, A, B);
     double force = -axis.stiffness * deviation(joint, k, coordinate.value);
     if (has_whole_angle(joint.type)) {
@@ -45,6 +46,7 @@ JointForces spring_forces(const Joint& joint, const BodyMotion& A, const BodyMot
     } else {
       force -= axis.damping * coordinate.rate;
     }
+    // The wrench J_bᵀ Q on each body.
     add(force * coordinate.J_A, forces.on_A);
     add(force * coordinate.J_B, forces.on_B);
   }

@@ -15,9 +15,9 @@ namespace rigor {
 
 namespace {
 
-constexpr double whole_turn = 2 * std::numbers::pi;
+constexpr double whole_turn = 2 * std::numbers::pi;  ///< [rad].
 
-/// Place of the body among the sides; it is added, with rows of zeros, if it is new.
+/// Index of the body among the sides; it is added, with rows of zeros, if it is new.
 std::size_t side_of(int body, JointRows& rows) {
   int side = 0;
   while (side < rows.side_count && rows.bodies[at(side)] != body) ++side;
@@ -71,7 +71,7 @@ JointCoordinate middle_angle(const JointMeasures& measures) {
   return angle_of(-1 * direction_cosine(measures, 2, 0), cosine);
 }
 
-/// Displacement less what the angle makes of it; whole turns are what is nearest to the displacement.
+/// Displacement less the pitch times the twist in turns; whole turns are those nearest to the displacement.
 JointCoordinate screw_residual(const Joint& joint, const JointMeasures& measures) {
   JointCoordinate residual = measures.displacement(2) - joint.pitch / whole_turn * twist_angle(measures);
   if (joint.pitch != 0) residual.value = std::remainder(residual.value, joint.pitch);
@@ -110,6 +110,7 @@ void add_relation(const Joint& joint, const JointMeasures& measures, JointRows& 
 /// The denominator q of a ratio p/q of whole numbers, q ≤ 1000, that is the given one to rounding; 0 if there
 /// is none. If there is one it is a convergent of the continued fraction.
 int denominator_of(double ratio) {
+  // The convergents p/q of the continued fraction, until one agrees or q is too large.
   constexpr double most_teeth = 1000;
   double p = 1, p_before = 0, q = 0, q_before = 1;
   for (double rest = ratio;;) {
@@ -125,15 +126,15 @@ int denominator_of(double ratio) {
 }
 
 /// The part of second - ratio · first that whole turns of the angles among the two coordinates cannot make.
-double without_whole_turns(double difference, double ratio, bool first_turns, bool second_turns) {
-  if (first_turns && second_turns) {
-    // Turns change it by 2π (k₂ - (p/q) k₁): by all multiples of 2π/q. For other ratios they come as close to
-    // anything as one likes.
+double without_whole_turns(double difference, double ratio, bool first_is_angle, bool second_is_angle) {
+  if (first_is_angle && second_is_angle) {
+    // Whole turns change it by 2π (k₂ - (p/q) k₁): by all multiples of 2π/q. For other ratios these changes
+    // are dense in the real numbers.
     const int denominator = denominator_of(ratio);
     return denominator == 0 ? 0 : std::remainder(difference, whole_turn / denominator);
   }
-  if (first_turns && ratio != 0) return std::remainder(difference, whole_turn * ratio);
-  return second_turns ? std::remainder(difference, whole_turn) : difference;
+  if (first_is_angle && ratio != 0) return std::remainder(difference, whole_turn * ratio);
+  return second_is_angle ? std::remainder(difference, whole_turn) : difference;
 }
 
 }  // namespace
@@ -152,6 +153,7 @@ JointRows gear_rows(const Joint& gear, const Joint& first, const BodyMotion& A1,
                     const Joint& second, const BodyMotion& A2, const BodyMotion& B2) {
   const JointCoordinate driving = joint_coordinate(first, 0, A1, B1);
   const JointCoordinate driven = joint_coordinate(second, 0, A2, B2);
+  // g = c₂ - ratio c₁, with the Jacobians and biases of both coordinates.
   JointRows rows;
   add_sides(first, driving, -gear.ratio, 0, rows);
   add_sides(second, driven, 1, 0, rows);

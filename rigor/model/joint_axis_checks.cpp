@@ -12,11 +12,11 @@ namespace rigor {
 
 namespace {
 
-constexpr double half_turn = std::numbers::pi;
-/// Of an angle that was written as 180 deg.
+constexpr double half_turn = std::numbers::pi;  ///< [rad].
+/// Relative, of an angle that was written as 180 deg.
 constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
 
-/// A coordinate of a joint as messages speak of it.
+/// A coordinate of a joint as it appears in messages.
 struct Coordinate {
   JointType type;
   bool is_angle;
@@ -50,9 +50,10 @@ void check_limits(const JointAxis& axis, const Coordinate& coordinate, Findings&
     return;
   }
   const double most = half_turn * (1 + rounding);
-  const auto is_turn = [&](double limit) { return std::isinf(limit) || std::abs(limit) <= most; };
-  if (!findings.require(!coordinate.is_angle || (is_turn(axis.lower) && is_turn(axis.upper)),
-                        found + ", both must be from -180 deg to 180 deg")) {
+  const auto is_angle_in_range = [&](double limit) { return std::isinf(limit) || std::abs(limit) <= most; };
+  if (!findings.require(
+          !coordinate.is_angle || (is_angle_in_range(axis.lower) && is_angle_in_range(axis.upper)),
+          found + ", both must be from -180 deg to 180 deg")) {
     return;
   }
   if (!findings.require(axis.lower < axis.upper, found + ", the first must be less than the second")) return;

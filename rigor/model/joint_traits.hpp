@@ -9,7 +9,19 @@
 namespace rigor {
 
 /// The types of joints; the table below says what each of them is. A new type goes before the gear.
-enum class JointType { fixed, ball, hinge, slider, universal, cylindrical, planar, distance, screw, gear };
+enum class JointType {
+  fixed,
+  ball,
+  hinge,
+  slider,
+  universal,
+  cylindrical,
+  planar,
+  distance,
+  screw,
+  point_on_line,
+  gear
+};
 constexpr JointType last_joint_type = JointType::gear;
 
 /// Which rotations from J to K a joint holds at zero.
@@ -160,6 +172,13 @@ inline constexpr std::array joint_table{
                 .relation = JointRelation::screw,
                 .coordinate_count = 1,
                 .coordinate_list = {CoordinateType::twist},
+                .axes = JointAxes::z},
+    JointTraits{.type = JointType::point_on_line,
+                .name = "point_on_line",
+                .title = "a point-on-line joint",
+                .holds_displacement = {true, true, false},
+                .coordinate_count = 1,
+                .coordinate_list = {CoordinateType::displacement_z},
                 .axes = JointAxes::z},
     JointTraits{.type = JointType::gear,
                 .name = "gear",
