@@ -8,7 +8,8 @@
 
 namespace rigor {
 
-/// The types of joints; the table below says what each of them is. A new type goes before the gear.
+/// The types of joints; the table below says what each of them is. Checkpoints identify their simulation by
+/// the numbers of these types, so new ones go last.
 enum class JointType {
   fixed,
   ball,
@@ -19,10 +20,10 @@ enum class JointType {
   planar,
   distance,
   screw,
-  point_on_line,
-  gear
+  gear,
+  point_on_line
 };
-constexpr JointType last_joint_type = JointType::gear;
+constexpr JointType last_joint_type = JointType::point_on_line;
 
 /// Which rotations from J to K a joint holds at zero.
 enum class HeldRotation {
@@ -173,6 +174,12 @@ inline constexpr std::array joint_table{
                 .coordinate_count = 1,
                 .coordinate_list = {CoordinateType::twist},
                 .axes = JointAxes::z},
+    JointTraits{.type = JointType::gear,
+                .name = "gear",
+                .title = "a gear",
+                .relation = JointRelation::gear,
+                .anchors = JointAnchors::none,
+                .drawing = JointDrawing::nothing},
     JointTraits{.type = JointType::point_on_line,
                 .name = "point_on_line",
                 .title = "a point-on-line joint",
@@ -180,12 +187,6 @@ inline constexpr std::array joint_table{
                 .coordinate_count = 1,
                 .coordinate_list = {CoordinateType::displacement_z},
                 .axes = JointAxes::z},
-    JointTraits{.type = JointType::gear,
-                .name = "gear",
-                .title = "a gear",
-                .relation = JointRelation::gear,
-                .anchors = JointAnchors::none,
-                .drawing = JointDrawing::nothing},
 };
 
 constexpr std::size_t row_of(JointType type) {
