@@ -189,17 +189,14 @@ inline constexpr std::array joint_table{
                 .axes = JointAxes::z},
 };
 
-constexpr std::size_t row_of(JointType type) {
-  return static_cast<std::size_t>(type);
-}
 constexpr const JointTraits& joint_traits(JointType type) {
-  return joint_table[row_of(type)];
+  return joint_table[at(type)];
 }
 
-static_assert(joint_table.size() == row_of(last_joint_type) + 1, "each JointType has one row in joint_table");
+static_assert(joint_table.size() == at(last_joint_type) + 1, "each JointType has one row in joint_table");
 constexpr bool is_joint_table_in_order() {
   for (std::size_t row = 0; row < joint_table.size(); ++row) {
-    if (row_of(joint_table[row].type) != row) return false;
+    if (at(joint_table[row].type) != row) return false;
   }
   return true;
 }
