@@ -49,12 +49,12 @@ bool are_same(const BodyShape& a, const BodyShape& b) {
             return are_equal(form, std::get<std::remove_cvref_t<decltype(form)>>(b.shape));
           },
           a.shape);
-  // Bit by bit, so that a pose keeps the signs of its zeros.
+  // Poses are compared bit by bit, so that they keep the signs of their zeros.
   return has_same_form && std::memcmp(&a.X_BS, &b.X_BS, sizeof(Pose)) == 0 && a.material == b.material &&
          a.radius == b.radius && a.color == b.color;
 }
 
-/// Equal for shapes that are the same.
+/// Equal for equal shapes.
 std::size_t hash_of(const BodyShape& shape) {
   const Convex* const convex = std::get_if<Convex>(&shape.shape);
   const Mesh* const mesh = std::get_if<Mesh>(&shape.shape);

@@ -7,7 +7,7 @@
 namespace rigor {
 
 /// What a scheme keeps of one contact from step to step: the deflections of springs, or where a solver begins
-/// its search. Part of the State, so that a fresh stepper goes on bit for bit.
+/// its search. Part of the State, so that a fresh stepper continues bit for bit.
 struct ContactMemory {
   static constexpr std::size_t value_count = 12;
 

@@ -55,7 +55,8 @@ void check_material(const Material& material, Findings& findings) {
   check_static_friction(material.friction, material.static_friction, findings);
 }
 
-/// The default material at 0, unless the user gives one of that name, then the user's in their order.
+/// The default material at index 0 (the user's, if there is one of that name), then the user's in their
+/// order.
 MaterialTable make_materials(const std::vector<Placed<Material>>& parts, std::vector<std::string>& messages) {
   MaterialTable table{{Material{.name = "default"}}, {{"default", 0}}};
   std::set<std::string> names;
@@ -138,7 +139,7 @@ JointTable make_joint_table(const std::vector<Placed<ModelBuilder::JointDescript
   return table;
 }
 
-/// Bodies with cavities may meet only bodies whose distance from a cavity is known.
+/// Bodies with cavities can collide only with bodies whose distance from a cavity is defined.
 void check_cavities(const Model& model, const std::vector<std::string>& wheres,
                     std::vector<std::string>& messages) {
   const auto has_cavity = [](const Body& body) {
@@ -265,7 +266,7 @@ Model ModelBuilder::assemble(std::vector<std::string>& messages) const {
     if (!index.emplace(body.name, model.body_count()).second) {
       messages.push_back(where + "body " + quoted_text(body.name) + ": there is already a body of this name");
     }
-    // Bodies from one place of a file (a repeated body) share their mistakes, which are told once.
+    // Bodies from one place of a file (a repeated body) share their mistakes, which are reported once.
     std::vector<std::string> findings;
     model.bodies_.push_back(make_body(body, where, materials, memory, findings));
     shared.share(model.bodies_.back().shapes);
@@ -301,7 +302,7 @@ void ModelBuilder::add_joints(const BodyTable& bodies, std::vector<std::string>&
   const JointTable joints = make_joint_table(parts_->joints, messages);
   std::string bad_where;
   for (const auto& [description, where] : parts_->joints) {
-    // Joints from one place of a file (a repeated joint) share their mistakes, which are told once.
+    // Joints from one place of a file (a repeated joint) share their mistakes, which are reported once.
     if (!where.empty() && where == bad_where) continue;
     if (messages.size() >= limits::message_count) return;
     const std::optional<Joint> joint = make_joint(description, where, bodies, joints, messages);
