@@ -1,5 +1,5 @@
 // Makes blocks of manifolds (docs/theory/bulk.md, section 2). Included once for each target, after
-// manifold_kernels.inl.
+// manifold_lanes.inl.
 
 /// Inverse of the matrix ((a, c), (c, b)); zero where it is singular (nothing moves).
 RIGOR_FLOAT_LANES void invert(const FloatLanes& a, const FloatLanes& b, const FloatLanes& c,
@@ -88,11 +88,11 @@ RIGOR_FLOAT_LANES FloatVec3 tangent(const FloatVec3& n) {
   return {fused(sign * n.x, n.x * a, one), sign * (n.x * n.y * a), -(sign * n.x)};
 }
 
-RIGOR_FLOAT_LANES void gather_inertia(const std::array<std::int32_t, kLaneCount>& who,
+RIGOR_FLOAT_LANES void gather_inertia(const std::array<std::int32_t, kLaneCount>& indices,
                                       const BulkBodies& bodies, const IntLanes& is_there, FloatSym3& I,
                                       FloatLanes& m) {
   std::array<const float*, kLaneCount> from;
-  for (std::size_t i = 0; i < kLaneCount; ++i) from[i] = &bodies.inertia.data()[who[i]].xx;
+  for (std::size_t i = 0; i < kLaneCount; ++i) from[i] = &bodies.inertia.data()[indices[i]].xx;
   const TwoSquares first = gather_fours(from);
   for (std::size_t i = 0; i < kLaneCount; ++i) from[i] += 4;
   const TwoSquares second = gather_fours(from);

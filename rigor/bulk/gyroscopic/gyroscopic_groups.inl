@@ -1,8 +1,10 @@
 // Eight bodies of GyroscopicTerms. Included once for each target, after rotation_lanes.inl and
 // gyroscopic_kernels.inl.
 
-inline void find_group(const GyroscopicState& start, bool is_of_revolution, float h,
-                       const GyroscopicRecords& at) {
+/// Changes below this [rad/s] a substep are not worth finding: bodies at rest.
+constexpr float kLeastChange = 1e-7F;
+
+void find_group(const GyroscopicState& start, bool is_of_revolution, float h, const GyroscopicRecords& at) {
   const FloatLanes zero = splat(0);
   FloatSquare square;
   for (int i = 0; i < kLaneCount; ++i) square.row[i] = load(at.records[i]);

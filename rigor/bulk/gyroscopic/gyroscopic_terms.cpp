@@ -1,66 +1,13 @@
 #include "rigor/bulk/gyroscopic/gyroscopic_terms.hpp"
 
-#include "rigor/bulk/lanes/lane_bits.hpp"
+#include "rigor/bulk/gyroscopic/gyroscopic_groups.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-
-#if defined(__x86_64__)
-#include <immintrin.h>
-#endif
 
 namespace rigor {
 
 namespace {
-
-/// Changes below this [rad/s] a substep are not worth finding: bodies at rest.
-constexpr float kLeastChange = 1e-7F;
-
-/// Records of eight bodies, and where their changes go.
-struct GyroscopicRecords {
-  const float* records[kLaneCount];
-  float* changes[kLaneCount];
-};
-
-namespace portable_lanes {
-#define RIGOR_LANES_HAVE_FMA 0
-#include "rigor/bulk/lanes/fused_lanes.inl"
-
-#include "rigor/bulk/lanes/rotation_lanes.inl"
-
-#include "rigor/bulk/gyroscopic/gyroscopic_kernels.inl"
-
-#include "rigor/bulk/gyroscopic/gyroscopic_groups.inl"
-#undef RIGOR_LANES_HAVE_FMA
-}  // namespace portable_lanes
-
-#if defined(__x86_64__)
-#if defined(__clang__)
-#pragma clang attribute push(__attribute__((target("avx2,fma"))), apply_to = function)
-#else
-#pragma GCC push_options
-#pragma GCC target("avx2,fma")
-#endif
-namespace avx2_lanes {
-#define RIGOR_LANES_HAVE_FMA 1
-#include "rigor/bulk/lanes/fused_lanes.inl"
-
-#include "rigor/bulk/lanes/rotation_lanes.inl"
-
-#include "rigor/bulk/gyroscopic/gyroscopic_kernels.inl"
-
-#include "rigor/bulk/gyroscopic/gyroscopic_groups.inl"
-#undef RIGOR_LANES_HAVE_FMA
-}  // namespace avx2_lanes
-#if defined(__clang__)
-#pragma clang attribute pop
-#else
-#pragma GCC pop_options
-#endif
-#else
-namespace avx2_lanes = portable_lanes;
-#endif
 
 void set_lane(const Vec3& a, std::size_t lane, FloatVec3& to) {
   const int i = static_cast<int>(lane);

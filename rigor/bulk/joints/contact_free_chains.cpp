@@ -1,61 +1,15 @@
 #include "rigor/bulk/joints/contact_free_chains.hpp"
 
 #include "rigor/bulk/gyroscopic/gyroscopic_terms.hpp"
-#include "rigor/bulk/lanes/lane_bits.hpp"
+#include "rigor/bulk/joints/contact_free_chain_kernels.hpp"
 #include "rigor/core/index.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <cstring>
-
-#if defined(__x86_64__)
-#include <immintrin.h>
-#endif
 
 namespace rigor {
 
 namespace {
-
-/// Anchors that a correction leaves farther apart than about this [m] get another one in the same substep.
-constexpr float kLeastMiss = 4e-5F;
-
-namespace portable_lanes {
-#define RIGOR_LANES_HAVE_FMA 0
-#include "rigor/bulk/lanes/fused_lanes.inl"
-
-#include "rigor/bulk/gyroscopic/gyroscopic_kernels.inl"
-#include "rigor/bulk/lanes/rotation_lanes.inl"
-
-#include "rigor/bulk/joints/contact_free_chains.inl"
-#undef RIGOR_LANES_HAVE_FMA
-}  // namespace portable_lanes
-
-#if defined(__x86_64__)
-#if defined(__clang__)
-#pragma clang attribute push(__attribute__((target("avx2,fma"))), apply_to = function)
-#else
-#pragma GCC push_options
-#pragma GCC target("avx2,fma")
-#endif
-namespace avx2_lanes {
-#define RIGOR_LANES_HAVE_FMA 1
-#include "rigor/bulk/lanes/fused_lanes.inl"
-
-#include "rigor/bulk/gyroscopic/gyroscopic_kernels.inl"
-#include "rigor/bulk/lanes/rotation_lanes.inl"
-
-#include "rigor/bulk/joints/contact_free_chains.inl"
-#undef RIGOR_LANES_HAVE_FMA
-}  // namespace avx2_lanes
-#if defined(__clang__)
-#pragma clang attribute pop
-#else
-#pragma GCC pop_options
-#endif
-#else
-namespace avx2_lanes = portable_lanes;
-#endif
 
 void set_lane(const Vec3& a, std::size_t lane, DoubleVec3& to) {
   const int k = static_cast<int>(lane);

@@ -1,6 +1,9 @@
 // A step of contact-free chains of ball joints (docs/theory/bulk_joints.md, section 2). Included once for
 // each target, after fused_lanes.inl, rotation_lanes.inl and gyroscopic_kernels.inl.
 
+/// Anchors that a correction leaves farther apart than about this [m] get another one in the same substep.
+constexpr float kLeastMiss = 4e-5F;
+
 /// A body, and the joint between it (the child) and its parent.
 struct alignas(32) FreeNode {
   FloatVec3 v, w, dp, dr;
@@ -368,7 +371,7 @@ RIGOR_FLOAT_LANES void place_nodes(const FreeTables& tables, const BulkBodies& b
   }
 }
 
-inline std::pair<double, int> worst_gap(const FreeTables& tables, const BulkBodies& bodies) {
+std::pair<double, int> worst_gap(const FreeTables& tables, const BulkBodies& bodies) {
   std::vector<FreePlace> places(tables.slots.size());
   for (std::size_t s = 0; s < places.size(); ++s) places[s] = place_of_slot(tables.slots[s], bodies);
   DoubleLanes worst = {};
@@ -449,8 +452,8 @@ RIGOR_FLOAT_LANES void store_nodes(const FreeTables& tables, unsigned lanes,
   }
 }
 
-inline void advance(const FreeTables& tables, const ContactFreeChains::Step& step, unsigned lanes,
-                    BulkBodies& bodies, std::vector<ContactFreeChains::Impulse>& impulses) {
+void advance(const FreeTables& tables, const ContactFreeChains::Step& step, unsigned lanes,
+             BulkBodies& bodies, std::vector<ContactFreeChains::Impulse>& impulses) {
   std::vector<FreeNode> nodes(tables.slots.size());
   load_nodes(tables, step, lanes, bodies, nodes);
   place_nodes(tables, bodies, nodes);
