@@ -1,6 +1,7 @@
 #pragma once
 
 #include "rigor/math/pose.hpp"
+#include "rigor/model/joint_traits.hpp"
 
 #include <limits>
 #include <optional>
@@ -8,13 +9,6 @@
 #include <vector>
 
 namespace rigor {
-
-/// What of the relative motion of two bodies a joint leaves free:
-///   fixed nothing, ball all turning, hinge turning about z, slider sliding along z, universal turning about
-///   z of A and x of B, cylindrical sliding along and turning about z, planar sliding along x and y and
-///   turning about z, distance everything but the distance of two points, screw turning about z with sliding
-///   in proportion. A gear ties the coordinates of two other joints.
-enum class JointType { fixed, ball, hinge, slider, universal, cylindrical, planar, distance, screw, gear };
 
 /// A motor holds the rate of a coordinate, as far as its force goes.
 struct JointMotor {
@@ -48,20 +42,11 @@ struct Joint {
   /// Indices into the model, or world_body; at least one is dynamic. A gear's are both world_body.
   int body_A = 0, body_B = 0;
   Pose X_AJ, X_BK;                          ///< In the body frames A and B (W for the world).
-  double pitch = 0;                         ///< Screw: displacement along +z a turn [m].
+  double pitch = 0;                         ///< Screw: displacement along +z per turn [m].
   double length = 0;                        ///< Distance: what is kept [m], unless it has limits.
   int first_joint = -1, second_joint = -1;  ///< Gear: the joints that it ties, by index.
   double ratio = 0;             ///< Gear: (change of the second's first coordinate) = ratio (of the first's).
-  std::vector<JointAxis> axes;  ///< One a coordinate: see coordinate_count().
+  std::vector<JointAxis> axes;  ///< One per coordinate of its type.
 };
-
-/// "hinge": the type as it is written in scene files.
-const char* joint_type_name(JointType type);
-/// How many scalar coordinates a joint of this type has: hinge, slider, ball (the angle of the whole
-/// rotation), distance, screw (the angle) 1; cylindrical (displacement, angle) and universal (angle about z
-/// of A, angle about x of B) 2; planar (along x, along y, angle) 3; fixed and gear none.
-int coordinate_count(JointType type);
-/// Whether the k-th coordinate is an angle [rad], else it is a length [m].
-bool is_angle(JointType type, int k);
 
 }  // namespace rigor

@@ -42,7 +42,7 @@ void check_limits(const JointAxis& axis, const Coordinate& coordinate, Findings&
                             coordinate.text(axis.upper) + "]";
   const bool are_numbers = !std::isnan(axis.lower) && !std::isnan(axis.upper);
   if (!findings.require(are_numbers, found + ", must be numbers")) return;
-  if (coordinate.type == JointType::ball) {
+  if (has_whole_angle(coordinate.type)) {
     const bool is_good = axis.lower <= 0 && axis.upper > 0 && axis.upper <= half_turn * (1 + rounding);
     findings.require(is_good, found +
                                   ": the angle of a ball joint begins at 0 deg, so the first must be 0 "
@@ -101,10 +101,12 @@ void check_joint_axes(JointType type, const std::vector<JointAxis>& axes, double
                                 count > 1 ? fmt::format("coordinate {}: ", k) : ""};
     check_limits(axis, coordinate, findings);
     check_numbers(axis, coordinate, findings);
-    findings.require(type != JointType::ball || (!axis.motor && axis.friction == 0),
-                     "a ball joint has neither a motor nor friction: it turns about no axis of its own; use "
-                     "damping, or a universal joint");
-    findings.require(type != JointType::distance || has_limits(axis) || !has_action(axis),
+    findings.require(!has_whole_angle(type) || (!axis.motor && axis.friction == 0),
+                     "a " + name +
+                         " joint has neither a motor nor friction: it turns about no axis of its own; use "
+                         "damping, or a universal joint");
+    const bool keeps_distance = joint_traits(type).relation == JointRelation::distance && !has_limits(axis);
+    findings.require(!keeps_distance || !has_action(axis),
                      "it keeps its distance, so motor, stiffness, damping and friction do nothing; give it "
                      "limits");
   }

@@ -30,8 +30,8 @@ struct State {
 
   /// Of schemes that remember contacts from step to step; in the order of their keys.
   std::vector<ContactMemory> contacts;
-  /// The same of the many-body path.
-  ManifoldMemories manifolds;
+  /// The same for the many-body path, which packs them while it works.
+  std::vector<ManifoldMemory> manifolds;
   std::vector<float> joint_impulses;  ///< Of its joints, in the order of the model's.
   /// How long each body has been slow [s], infinite if it sleeps; empty if none may sleep.
   std::vector<float> quiet_time;

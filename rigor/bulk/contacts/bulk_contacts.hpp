@@ -7,9 +7,9 @@
 #include "rigor/bulk/matching/manifold_blocks.hpp"
 #include "rigor/bulk/matching/step_manifolds.hpp"
 #include "rigor/bulk/state/bulk_bodies.hpp"
+#include "rigor/bulk/state/manifold_memories.hpp"
 #include "rigor/bulk/threads/executor.hpp"
 #include "rigor/core/index.hpp"
-#include "rigor/model/manifold_memory.hpp"
 
 #include <array>
 #include <cstddef>

@@ -5,8 +5,8 @@
 #include "rigor/bulk/matching/step_manifolds.hpp"
 #include "rigor/bulk/state/bulk_bodies.hpp"
 #include "rigor/bulk/state/bulk_contact.hpp"
+#include "rigor/bulk/state/manifold_memories.hpp"
 #include "rigor/core/index.hpp"
-#include "rigor/model/manifold_memory.hpp"
 
 #include <cstddef>
 #include <functional>

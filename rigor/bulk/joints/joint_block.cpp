@@ -1,9 +1,10 @@
 #include "rigor/bulk/joints/joint_block.hpp"
 
-#include <numbers>
 #include "rigor/bulk/joints/joint_gears.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/math/rotation.hpp"
+
+#include <numbers>
 
 namespace rigor {
 
@@ -25,7 +26,7 @@ JointStart start_of(const Joint& joint, bool has_laws, const BulkBodies& bodies)
   start.arm_A = A.q * joint.X_AJ.p;
   start.arm_B = B.q * joint.X_BK.p;
   start.offset = (B.x - A.x) + start.arm_B - start.arm_A;
-  if (joint.type != JointType::distance && (has_laws || joint.type != JointType::ball)) {
+  if (needs_frames(joint.type, has_laws)) {
     start.J = A.q * quaternion_of(joint.X_AJ.R);
     start.K = B.q * quaternion_of(joint.X_BK.R);
   }

@@ -23,7 +23,8 @@ bool acts(const JointAxis& axis) {
 
 /// What keeps its distance has no coordinate for a spring to act on.
 bool keeps_distance(const Joint& joint) {
-  return joint.type == JointType::distance && (joint.axes.empty() || !joint.axes[0].is_limited());
+  return joint_traits(joint.type).relation == JointRelation::distance &&
+         (joint.axes.empty() || !joint.axes[0].is_limited());
 }
 
 /// Of each joint, whether its coordinates count.

@@ -6,6 +6,9 @@
 #include "rigor/bulk/joints/joint_gears.hpp"
 #include "rigor/core/index.hpp"
 
+#include <cstddef>
+#include <utility>
+
 namespace rigor {
 
 namespace {
@@ -102,31 +105,28 @@ RIGOR_FLOAT_LANES void run_type(JointStage stage, float h, bool has_laws, const 
   run_kind<type, false>(stage, h, sides, joint);
 }
 
+/// One row of joint_table: whether the joint is of its type. Gears have no rows of their own here: their
+/// effect is added to the rates (joint_gears.hpp).
+template <std::size_t row>
+RIGOR_FLOAT_LANES bool run_if_of(JointStage stage, float h, const JointLink& link, const JointSides& sides,
+                                 JointLanes& joint) {
+  if (row_of(link.type) != row) return false;
+  if constexpr (joint_table[row].relation != JointRelation::gear) {
+    run_type<joint_table[row].type>(stage, h, link.has_laws, sides, joint);
+  }
+  return true;
+}
+
+template <std::size_t... rows>
+RIGOR_FLOAT_LANES void run_first_of(JointStage stage, float h, const JointLink& link, const JointSides& sides,
+                                    JointLanes& joint, std::index_sequence<rows...>) {
+  (void)(run_if_of<rows>(stage, h, link, sides, joint) || ...);
+}
+
 /// The stages that depend on the type of the joint.
 RIGOR_FLOAT_LANES void run_by_type(JointStage stage, float h, const JointLink& link, const JointSides& sides,
                                    JointLanes& joint) {
-  switch (link.type) {
-    case JointType::fixed:
-      return run_type<JointType::fixed>(stage, h, link.has_laws, sides, joint);
-    case JointType::ball:
-      return run_type<JointType::ball>(stage, h, link.has_laws, sides, joint);
-    case JointType::hinge:
-      return run_type<JointType::hinge>(stage, h, link.has_laws, sides, joint);
-    case JointType::slider:
-      return run_type<JointType::slider>(stage, h, link.has_laws, sides, joint);
-    case JointType::universal:
-      return run_type<JointType::universal>(stage, h, link.has_laws, sides, joint);
-    case JointType::cylindrical:
-      return run_type<JointType::cylindrical>(stage, h, link.has_laws, sides, joint);
-    case JointType::planar:
-      return run_type<JointType::planar>(stage, h, link.has_laws, sides, joint);
-    case JointType::distance:
-      return run_type<JointType::distance>(stage, h, link.has_laws, sides, joint);
-    case JointType::screw:
-      return run_type<JointType::screw>(stage, h, link.has_laws, sides, joint);
-    case JointType::gear:
-      return;
-  }
+  run_first_of(stage, h, link, sides, joint, std::make_index_sequence<joint_table.size()>());
 }
 
 /// The other stages, for a joint with so many rows.
