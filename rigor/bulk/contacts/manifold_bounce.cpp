@@ -64,7 +64,7 @@ struct Cost {
   }
 };
 
-/// Adds the kinetic energy that a body gets by the change of its velocities, as it is turned now.
+/// Adds the kinetic energy that a body gets by the change of its velocities, in its present orientation.
 void add_cost(const Model& model, int body, const BulkBodies& bodies, const Vec3& dv, const Vec3& dw,
               Cost& cost) {
   const Mat3 R_BW = rotation_matrix(orientation_now(body, bodies)).transpose();
@@ -146,12 +146,12 @@ double energy_taken(const SolvedManifold& manifold, const BulkBodies& bodies) {
 std::array<float, Manifold::max_points> bounce(const Model& model, const SolvedManifold& manifold,
                                                double most, BulkBodies& bodies) {
   const ManifoldFrame& f = manifold.frame;
-  const std::array<int, 2> who{manifold.body_A, manifold.body_B};
+  const std::array<int, 2> indices{manifold.body_A, manifold.body_B};
   std::array<WrenchResponse, 2> responses;
   Vec3 u = Vec3::Zero();
   Mat3 K = Mat3::Zero();
   for (const bool is_B : {false, true}) {
-    const std::size_t body = at(who[is_B]);
+    const std::size_t body = at(indices[is_B]);
     responses[is_B] = response_of(bodies.inertia[body], f, is_B ? f.rB : f.rA);
     K += responses[is_B].K;
     u += (is_B ? 1 : -1) * normal_motion(f, is_B ? f.rB : f.rA, bodies.motion[body]);
@@ -164,7 +164,7 @@ std::array<float, Manifold::max_points> bounce(const Model& model, const SolvedM
     const Vec3 wrench = (is_B ? 1 : -1) * found.wrench;
     dv[is_B] = responses[is_B].dv * wrench[0] * f.n;
     dw[is_B] = responses[is_B].dw * wrench;
-    const int body = who[is_B];
+    const int body = indices[is_B];
     if (bodies.is_dynamic(body)) {
       add_cost(model, body, bodies, dv[is_B], dw[is_B], cost);
     } else {
@@ -175,8 +175,8 @@ std::array<float, Manifold::max_points> bounce(const Model& model, const SolvedM
   }
   const double part = cost.affordable_part(most);
   for (const bool is_B : {false, true}) {
-    if (!bodies.is_dynamic(who[is_B])) continue;
-    add_velocity(part * dv[is_B], part * dw[is_B], bodies.motion[at(who[is_B])]);
+    if (!bodies.is_dynamic(indices[is_B])) continue;
+    add_velocity(part * dv[is_B], part * dw[is_B], bodies.motion[at(indices[is_B])]);
   }
   std::array<float, Manifold::max_points> impulses;
   for (std::size_t k = 0; k < Manifold::max_points; ++k)

@@ -1,6 +1,7 @@
 #include "rigor/bulk/contacts/manifold_kernels.hpp"
 #include "rigor/bulk/lanes/fused_floats.hpp"
 #include "rigor/bulk/lanes/lane_bits.hpp"
+#include "rigor/core/index.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -34,10 +34,10 @@ struct LaneTwists {
   FloatVec3 v, w;
 };
 
-/// Four floats of each of eight records; `at` floats behind their begin.
+/// Four floats of each of eight records, from the float `first` on.
 RIGOR_FLOAT_LANES TwoSquares gather(const std::array<std::int32_t, kLaneCount>& indices,
-                                    const BulkBodies& bodies, std::size_t at) {
-  const float* motion = reinterpret_cast<const float*>(bodies.motion.data()) + at;
+                                    const BulkBodies& bodies, std::size_t first) {
+  const float* motion = reinterpret_cast<const float*>(bodies.motion.data()) + first;
   constexpr std::int64_t size = sizeof(MotionRecord) / sizeof(float);
   return transpose({load_halves(motion + size * indices[0], motion + size * indices[4]),
                     load_halves(motion + size * indices[1], motion + size * indices[5]),
@@ -45,8 +45,8 @@ RIGOR_FLOAT_LANES TwoSquares gather(const std::array<std::int32_t, kLaneCount>& 
                     load_halves(motion + size * indices[3], motion + size * indices[7])});
 }
 RIGOR_FLOAT_LANES FloatVec3 gather_vectors(const std::array<std::int32_t, kLaneCount>& indices,
-                                           const BulkBodies& bodies, std::size_t at) {
-  const TwoSquares columns = gather(indices, bodies, at);
+                                           const BulkBodies& bodies, std::size_t first) {
+  const TwoSquares columns = gather(indices, bodies, first);
   return {columns.a, columns.b, columns.c};
 }
 /// Velocities of eight bodies, and the inverse masses that stand between them.
@@ -64,11 +64,13 @@ RIGOR_FLOAT_LANES LaneTwists gather_displacements(const std::array<std::int32_t,
           gather_vectors(indices, bodies, offsetof(MotionRecord, dr) / sizeof(float))};
 }
 
-/// Velocities of the lanes whose body is dynamic; the inverse mass stays.
+/// Writes the velocities of the lanes whose body is dynamic; the inverse mass stays.
 RIGOR_FLOAT_LANES void scatter_velocities(const std::array<std::int32_t, kLaneCount>& indices,
                                           std::uint8_t moves, const LaneBodies& own, BulkBodies& bodies) {
+  // Two transpositions of 4 x 4 squares bring (v, 1/m) and (w, 0) of each lane together.
   const TwoSquares v = transpose({own.v.x, own.v.y, own.v.z, own.inv_mass});
   const TwoSquares w = transpose({own.w.x, own.w.y, own.w.z, splat(0)});
+  // The row of a lane is (v, 1/m, w, 0): the first half of a record, which one store writes.
   const FloatSquare rows = {{FloatLanes(__builtin_shufflevector(v.a, w.a, 0, 1, 2, 3, 8, 9, 10, 11)),
                              FloatLanes(__builtin_shufflevector(v.b, w.b, 0, 1, 2, 3, 8, 9, 10, 11)),
                              FloatLanes(__builtin_shufflevector(v.c, w.c, 0, 1, 2, 3, 8, 9, 10, 11)),
@@ -111,8 +113,8 @@ RIGOR_FLOAT_LANES FloatVec3 relative_motion(const BlockFrame& f, const LaneTwist
   return fused_cross(B.w, f.rB, B.v) - fused_cross(A.w, f.rA, A.v);
 }
 
-/// What an angular impulse changes of the angular velocity: I has the elements of a symmetric matrix, or the
-/// one number of a round body.
+/// The change of the angular velocity by an angular impulse a, I⁻¹ a: I has the elements of the symmetric
+/// inverse inertia, or the one number of a round body.
 RIGOR_FLOAT_LANES FloatVec3 angular_response(const LaneArray (&I)[6], const FloatVec3& a) {
   return fused_product(lane(I), a);
 }
@@ -124,6 +126,7 @@ RIGOR_FLOAT_LANES FloatVec3 angular_response(const LaneArray (&I)[1], const Floa
 template <class Block>
 RIGOR_FLOAT_LANES void apply_wrench(const Block& block, const BlockFrame& f, const LaneTwists& wrench,
                                     LaneBodies& A, LaneBodies& B) {
+  // v ± F/m and ω ± I⁻¹ (r × F + T).
   const FloatVec3 impulse = along_W(f, wrench.v), moment = along_W(f, wrench.w);
   A.v = fused(-A.inv_mass, impulse, A.v);
   A.w = A.w - angular_response(block.IA, fused_cross(f.rA, impulse, moment));
@@ -141,15 +144,17 @@ RIGOR_FLOAT_LANES void apply_impulse(const Block& block, const BlockFrame& f, co
   B.w = B.w + angular_response(block.IB, fused_cross(f.rB, impulse));
 }
 
-/// u = (n.V, t1.W, t2.W): what the normal velocities of the points are made of; also the wrench (F, T1, T2)
-/// of their impulses.
+/// u = (V_n, Ω_t1, Ω_t2): what the normal velocities of the points are made of; also the wrench (F_n, T_t1,
+/// T_t2) of their impulses.
 struct NormalMotion {
   FloatLanes u0, u1, u2;
 };
+/// u_n = V_n + p2 Ω_t1 - p1 Ω_t2.
 RIGOR_FLOAT_LANES FloatLanes at_point(const NormalMotion& u, const FloatLanes& p1, const FloatLanes& p2) {
   return fused(-p1, u.u2, fused(p2, u.u1, u.u0));
 }
-/// How u answers to an impulse at a point.
+/// The response of u to a unit normal impulse at a point: K' (1, p2, -p1)ᵀ, where K' has the rows and columns
+/// n, t1, t2 of K that u has.
 template <class Block>
 RIGOR_FLOAT_LANES NormalMotion response_to(const Block& block, const FloatLanes& p1, const FloatLanes& p2) {
   const FloatLanes k01 = lane(block.Kvw[0][1]), k02 = lane(block.Kvw[0][2]);

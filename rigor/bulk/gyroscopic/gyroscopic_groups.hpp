@@ -7,12 +7,12 @@ namespace rigor {
 
 /// Records of eight bodies, and where their changes go.
 struct GyroscopicRecords {
-  const float* records[kLaneCount];
+  const float* of_bodies[kLaneCount];  ///< MotionRecord.
   float* changes[kLaneCount];
 };
 
 /// The changes of the angular velocities of eight bodies within h [s]; start: at the beginning of the step.
 RIGOR_FOR_LANE_TARGETS(void find_group(const GyroscopicState& start, bool is_of_revolution, float h,
-                                       const GyroscopicRecords& at);)
+                                       const GyroscopicRecords& records);)
 
 }  // namespace rigor

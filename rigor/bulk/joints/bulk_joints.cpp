@@ -115,7 +115,7 @@ void BulkJoints::prepare(BulkBodies& bodies, double h, const Executor& executor)
 
 void BulkJoints::solve(JointPass pass, const Executor& executor) {
   blocks_->for_each(executor, [&](BulkJointBlock& block) {
-    if (!block.stirs) return;
+    if (!block.is_moving) return;
     if (pass == JointPass::rates) {
       solve_after_displacements(blocks_->effort(), block);
     } else {

@@ -47,6 +47,7 @@ ContactFreeChains::ContactFreeChains(const Model& model, const JointSystems& sys
   tables_.slots = systems.bodies;
   tables_.bodies.resize(systems.moved, Body{});
   tables_.joints.resize(systems.links.size(), Joint{});
+  // The bodies.
   for (std::size_t s = 0; s < systems.moved; ++s) {
     for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
       const int index = systems.bodies[s][lane];
@@ -55,10 +56,14 @@ ContactFreeChains::ContactFreeChains(const Model& model, const JointSystems& sys
       tables_.are_of_revolution &= body == nullptr || axis_of_revolution(*body).has_value();
     }
   }
+
+  // The joints: a link leads from the child of the same number to its parent.
   std::vector<bool> is_parent(systems.bodies.size());
   for (std::size_t i = 0; i < systems.links.size(); ++i) {
     const JointLink& link = systems.links[i];
     Joint& joint = tables_.joints[i];
+
+    // The shape of the trees, which the eight lanes share.
     joint.has_children = is_parent[i];
     joint.numbers = link.joints;
     if (!link.has_joint) continue;
@@ -67,6 +72,8 @@ ContactFreeChains::ContactFreeChains(const Model& model, const JointSystems& sys
     joint.parent_is_free = link.parent_is_free;
     joint.is_first = !is_parent[parent];
     is_parent[parent] = true;
+
+    // Of each lane: arms, and the reach of the bodies.
     for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
       const int k = static_cast<int>(lane);
       joint.sign[k] = link.child_is_B ? 1 : -1;

@@ -2,6 +2,7 @@
 #include "rigor/bulk/joints/contact_free_chains.hpp"
 #include "rigor/bulk/lanes/fused_floats.hpp"
 #include "rigor/bulk/lanes/lane_bits.hpp"
+#include "rigor/core/index.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -18,6 +19,8 @@ namespace rigor::avx2_lanes {
 #include "rigor/bulk/lanes/rotation_lanes.inl"
 
 #include "rigor/bulk/gyroscopic/gyroscopic_kernels.inl"
+
+#include "rigor/bulk/joints/contact_free_substeps.inl"
 
 #include "rigor/bulk/joints/contact_free_chains.inl"
 

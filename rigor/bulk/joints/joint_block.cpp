@@ -15,7 +15,7 @@ BodyPlace place_of(const BulkBodies& bodies, int body) {
 
 namespace {
 
-/// A joint at the begin of a step, in W.
+/// A joint at the beginning of a step, in W.
 struct JointStart {
   Vec3 arm_A, arm_B, offset;
   Quat J = Quat::Identity(), K = Quat::Identity();  ///< Where rows need them.
@@ -75,7 +75,7 @@ void set_all_masses(const Model& model, JointBlock& block) {
 
 /// Lanes of systems that sleep have records of their own: what is done to them is not done to bodies.
 void find_records(BulkBodies& bodies, BulkJointBlock& block) {
-  block.stirs = false;
+  block.is_moving = false;
   block.empty = {};
   for (std::size_t s = 0; s < block.records.size(); ++s) {
     const bool is_moved = s < block.lanes.systems.moved;
@@ -88,7 +88,7 @@ void find_records(BulkBodies& bodies, BulkJointBlock& block) {
       } else if (body >= 0) {
         static_assert(sizeof(bodies.motion[0]) == 16 * sizeof(float));
         record = bodies.motion[at(body)].v;
-        block.stirs = block.stirs || is_moved;
+        block.is_moving = block.is_moving || is_moved;
       }
       block.records[s][lane] = record;
     }
@@ -160,7 +160,7 @@ BulkJointBlock make_joint_block(const Model& model, JointSystems systems) {
 
 void prepare_joint_block(const JointEffort& effort, BulkBodies& bodies, BulkJointBlock& block) {
   find_records(bodies, block);
-  if (!block.stirs) return;
+  if (!block.is_moving) return;
   place_axes(bodies, block.lanes);
   place_joints(effort.model, bodies, block.lanes);
   run_stage(JointStage::aim, effort.h, effort.target, block.lanes);

@@ -17,7 +17,7 @@ LaneArray read_lanes(const FloatLanes& lanes) {
   return values;
 }
 
-/// Times that a solve is repeated, against what turning makes of velocities.
+/// Times that a solve is repeated, since arms rotate within the substep.
 constexpr int kCorrections = 2;
 /// Changes of pieces of laws within a solve.
 constexpr int kPieceChanges = 6;
@@ -102,7 +102,7 @@ void choose_rebounds(const Model& model, Block& block) {
   }
 }
 
-/// Back to the begin of a solve, where the laws' given impulses are all there is.
+/// Back to the beginning of a solve, where the laws' given impulses are all there is.
 void restore(Block& block) {
   for (std::size_t i = 0; i < block.before.size(); ++i) {
     JointSlot& slot = block.lanes.slots[i];

@@ -85,14 +85,15 @@ void set_residuals(JointBlock& block, const Residual& residual) {
 
 std::vector<GearLanes> make_gears(const Model& model, const JointSystems& systems) {
   std::vector<GearLanes> gears;
-  const auto turns = [&](int joint) { return is_angle(model.joint(joint).type, 0); };
+  const auto is_rotation = [&](int joint) { return is_angle(model.joint(joint).type, 0); };
   for (const GearLink& link : systems.gears) {
     GearLanes gear{};
     for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
       if (link.joints[lane] < 0) continue;
       const Joint& joint = model.joint(link.joints[lane]);
       gear.ratio[lane] = joint.ratio;
-      gear.period[lane] = turn_period(joint.ratio, turns(joint.first_joint), turns(joint.second_joint));
+      gear.period[lane] =
+          turn_period(joint.ratio, is_rotation(joint.first_joint), is_rotation(joint.second_joint));
     }
     gears.push_back(gear);
   }

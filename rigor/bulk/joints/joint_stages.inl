@@ -1,6 +1,7 @@
 // The stages of the work on a block of joints (docs/theory/bulk_joints.md, sections 1, 2 and 4). Included
 // once for each target, inside its namespace.
 
+/// Eight floats of each of eight records, from `first` on, transposed.
 RIGOR_FLOAT_LANES void load_square(const JointRecords& records, int first, FloatSquare& square) {
   for (int i = 0; i < kLaneCount; ++i) {
     square.row[i] = load_floats(records[at(i)] + first);
@@ -8,20 +9,24 @@ RIGOR_FLOAT_LANES void load_square(const JointRecords& records, int first, Float
   square = transpose(square);
 }
 
+/// Velocities and displacements of the bodies of all slots.
 void load_all(const std::vector<JointRecords>& records, JointBlock& block) {
   for (std::size_t s = 0; s < records.size(); ++s) {
     JointSlot& slot = block.slots[s];
     FloatSquare square;
+    // (v, 1/m, w, 0)
     load_square(records[s], 0, square);
     slot.v = {square.row[0], square.row[1], square.row[2]};
     slot.inverse_mass = square.row[3];
     slot.w = {square.row[4], square.row[5], square.row[6]};
+    // (dp, 0, dr, 0)
     load_square(records[s], 8, square);
     slot.dp = {square.row[0], square.row[1], square.row[2]};
     slot.dr = {square.row[4], square.row[5], square.row[6]};
   }
 }
 
+/// Velocities of the bodies that joints move.
 void store_all(const std::vector<JointRecords>& records, const JointBlock& block) {
   for (std::size_t s = 0; s < block.systems.moved; ++s) {
     const JointSlot& slot = block.slots[s];
@@ -33,6 +38,7 @@ void store_all(const std::vector<JointRecords>& records, const JointBlock& block
   }
 }
 
+/// u = n · (v_B - v_A) + a_B · ω_B - a_A · ω_A.
 RIGOR_FLOAT_LANES FloatLanes row_rate(const JointSides& sides, const JointLanes& joint, int r) {
   return dot(joint.n[r], sides.B.v - sides.A.v) + dot(joint.a_B[r], sides.B.w) - dot(joint.a_A[r], sides.A.w);
 }
@@ -48,6 +54,7 @@ RIGOR_FLOAT_LANES void add_push(const FloatVec3& n, const FloatVec3& a, const Fl
   slot.push[5] += impulse * a.z;
 }
 
+/// Gives the two bodies of a joint the impulse of a row on a level piece of its law.
 RIGOR_FLOAT_LANES void give(const JointLink& link, std::size_t i, int r, JointBlock& block) {
   const JointLanes& joint = block.joints[i];
   JointSlot& child = block.slots[at(link.child)];
@@ -68,6 +75,7 @@ RIGOR_FLOAT_LANES void measure_rates(const JointSides& sides, JointSize count, J
   }
 }
 
+/// Residuals of the rows of laws that are on: u + softness λ - target.
 RIGOR_FLOAT_LANES void set_law_residuals(const JointSides& sides, JointSize count, JointLanes& joint) {
   for (int r = count.held; r < count.rows; ++r) {
     joint.residual[r] =
@@ -128,6 +136,7 @@ inline void run_rows(JointStage stage, JointSize count, std::size_t i, JointBloc
   if (stage == JointStage::solve) gather_push(link, count.rows, child, parent, joint);
 }
 
+/// A ball joint without laws in a tree.
 inline void run_ball(JointStage stage, float h, std::size_t i, JointBlock& block) {
   const JointLink& link = block.systems.links[i];
   JointLanes& joint = block.joints[i];
@@ -150,6 +159,7 @@ inline void run_ball(JointStage stage, float h, std::size_t i, JointBlock& block
   }
 }
 
+/// Any other joint.
 inline void run_joint(JointStage stage, float h, std::size_t i, JointBlock& block) {
   const JointLink& link = block.systems.links[i];
   JointLanes& joint = block.joints[i];
@@ -157,24 +167,32 @@ inline void run_joint(JointStage stage, float h, std::size_t i, JointBlock& bloc
   const JointSlot& parent = block.slots[at(link.parent)];
   const JointSides sides = link.child_is_B ? JointSides{parent, child} : JointSides{child, parent};
   const JointSize count{row_count(link), held_row_count(link.type, link.has_laws)};
+
+  // Rows, and residuals of what the joint holds.
   if (stage == JointStage::aim || stage == JointStage::miss) run_by_type(stage, h, link, sides, joint);
   if (stage == JointStage::rates) measure_rates(sides, count, joint);
   if (stage == JointStage::drift) {
     for (int r = 0; r < count.held; ++r) joint.residual[r] = row_rate(sides, joint, r);
   }
+
+  // The rows of laws: residuals, and the impulses that are given.
   if (stage == JointStage::miss || stage == JointStage::drift) set_law_residuals(sides, count, joint);
   for (int r = count.held; stage == JointStage::miss && block.gives && r < count.rows; ++r)
     give(link, i, r, block);
+
+  // Trees are solved joint by joint; systems with loops as a whole, by LoopSolver.
   if (!block.loops && (stage == JointStage::factor || stage == JointStage::solve)) {
     run_rows(stage, count, i, block);
   }
 }
 
+/// The root of a tree that floats.
 inline void run_root(JointStage stage, std::size_t i, JointBlock& block) {
   if (stage == JointStage::factor) factor_root(block.slots[i], block.joints[i]);
   if (stage == JointStage::solve) gather_root(block.slots[i], block.joints[i]);
 }
 
+/// On the way back, from the root to the leaves.
 inline void spread(std::size_t i, JointBlock& block) {
   const JointLink& link = block.systems.links[i];
   JointLanes& joint = block.joints[i];
@@ -189,23 +207,30 @@ inline void spread(std::size_t i, JointBlock& block) {
   }
 }
 
+/// What a stage needs of the bodies before its joints.
 inline void begin_stage(JointStage stage, float h, JointBlock& block) {
   for (JointSlot& slot : block.slots) {
+    // Where the body is.
     if (stage == JointStage::aim) {
-      slot.turn = lane_turn(slot.dr);
-      turn_inertia(slot);
-      turn_inverse_inertia(slot);
+      slot.rotation = lane_rotation(slot.dr);
+      update_inertia(slot);
+      update_inverse_inertia(slot);
     }
+    // What it resists without its children.
     if (stage == JointStage::factor && !block.loops) set_resistance(slot);
+    // Where it will be, if velocities stay.
     if (stage == JointStage::miss) {
-      slot.next_turn = lane_turn(lane_turned(slot.dr, float_lanes(h) * slot.w));
+      slot.next_rotation = lane_rotation(compose_rotations(slot.dr, float_lanes(h) * slot.w));
     }
+    // Nothing has been pushed yet.
     if (stage == JointStage::miss || stage == JointStage::drift) {
       for (FloatLanes& e : slot.push) e = float_lanes(0);
     }
   }
 }
 
+/// One stage: of all bodies, then of all joints from the leaves to the roots; solving goes back to the
+/// leaves.
 void run_stage_in_lanes(JointStage stage, float h, JointBlock& block) {
   begin_stage(stage, h, block);
   const std::size_t count = block.systems.links.size();
