@@ -14,8 +14,7 @@ namespace {
 
 /// A point that meets more slowly does not bounce [m/s].
 constexpr float bounce_speed = 1e-2f;
-/// Points of a manifold are solved this often one after the other. Each time what is left of the error falls
-/// to a third or less.
+/// Sweeps over the points of a manifold, one point after the other; each leaves a third of the error or less.
 constexpr int point_sweeps = 8;
 
 Vec3 vector_of(const float* p) {
@@ -35,12 +34,12 @@ Mat3 matrix_of(const InverseInertia& I) {
   return m;
 }
 
-/// What a wrench (force along n, moments about t1 and t2) changes of a body's velocities: dv n and dw times
-/// it, with the inertia that contacts have.
+/// The response of a body's velocities to a wrench (force along n, moments about t1 and t2): dv n and dw
+/// times it, with the inertia that contacts have.
 struct WrenchResponse {
   double dv;
   Mat3 dw;
-  Mat3 K;  ///< And of u.
+  Mat3 K;  ///< That of u.
 };
 WrenchResponse response_of(const InverseInertia& inertia, const ManifoldFrame& f, const Vec3& r) {
   Mat3 J;
@@ -147,6 +146,8 @@ std::array<float, Manifold::max_points> bounce(const Model& model, const SolvedM
                                                double most, BulkBodies& bodies) {
   const ManifoldFrame& f = manifold.frame;
   const std::array<int, 2> indices{manifold.body_A, manifold.body_B};
+
+  // u of B against A, and its response K to a wrench on both.
   std::array<WrenchResponse, 2> responses;
   Vec3 u = Vec3::Zero();
   Mat3 K = Mat3::Zero();
@@ -156,8 +157,11 @@ std::array<float, Manifold::max_points> bounce(const Model& model, const SolvedM
     K += responses[is_B].K;
     u += (is_B ? 1 : -1) * normal_motion(f, is_B ? f.rB : f.rA, bodies.motion[body]);
   }
+
+  // Newton's law.
   const BounceImpulses found = find_impulses(manifold, u, K);
 
+  // What the whole change of the velocities would cost.
   Cost cost;
   std::array<Vec3, 2> dv, dw;
   for (const bool is_B : {false, true}) {
@@ -173,6 +177,8 @@ std::array<float, Manifold::max_points> bounce(const Model& model, const SolvedM
       cost.linear += wrench.dot(normal_motion(f, is_B ? f.rB : f.rA, motion));
     }
   }
+
+  // The part of it that the energy pays for.
   const double part = cost.affordable_part(most);
   for (const bool is_B : {false, true}) {
     if (!bodies.is_dynamic(indices[is_B])) continue;
