@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rigor/bulk/joints/joint_turn.hpp"
+#include "rigor/bulk/joints/joint_rotations.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -20,7 +20,7 @@ struct JointRowWriter {
     joint.a_B[next] = a_B;
     ++next;
   }
-  /// Of the way from J to K along a direction that turns with A.
+  /// Of the vector from J to K along a direction that rotates with A.
   RIGOR_FLOAT_LANES void add_displacement(const JointPose& pose, const FloatVec3& n) {
     add(n, cross(pose.arm_A + pose.d, n), cross(pose.arm_B, n));
   }
@@ -28,7 +28,7 @@ struct JointRowWriter {
     const FloatLanes zero = float_lanes(0);
     add({zero, zero, zero}, a, a);
   }
-  /// Of the way from J to K along the axes of W.
+  /// Of the vector from J to K along the axes of W.
   RIGOR_FLOAT_LANES void add_point(const JointPose& pose) {
     const FloatLanes o = float_lanes(1), zero = float_lanes(0);
     const FloatVec3 &A = pose.arm_A, &B = pose.arm_B;
@@ -181,8 +181,8 @@ struct JointSides {
 
 template <JointType type, bool has_laws>
 RIGOR_FLOAT_LANES void aim_joint(const JointSides& sides, JointLanes& joint) {
-  const JointPose pose =
-      joint_pose<needs_frames(type, has_laws)>(joint, sides.A.turn, sides.B.turn, sides.B.dp - sides.A.dp);
+  const JointPose pose = joint_pose<needs_frames(type, has_laws)>(joint, sides.A.rotation, sides.B.rotation,
+                                                                  sides.B.dp - sides.A.dp);
   JointRowWriter rows{joint};
   add_held_rows<type, has_laws>(pose, rows, joint);
   if constexpr (has_laws) {
@@ -193,9 +193,9 @@ RIGOR_FLOAT_LANES void aim_joint(const JointSides& sides, JointLanes& joint) {
 /// Residuals of what the joint holds: what the rates must change by so that it holds after the time h.
 template <JointType type, bool has_laws>
 RIGOR_FLOAT_LANES void miss_joint(const JointSides& sides, float h, JointLanes& joint) {
-  const FloatVec3 way = (sides.B.dp - sides.A.dp) + float_lanes(h) * (sides.B.v - sides.A.v);
-  const JointPose pose =
-      joint_pose<needs_frames(type, has_laws)>(joint, sides.A.next_turn, sides.B.next_turn, way);
+  const FloatVec3 displacement = (sides.B.dp - sides.A.dp) + float_lanes(h) * (sides.B.v - sides.A.v);
+  const JointPose pose = joint_pose<needs_frames(type, has_laws)>(joint, sides.A.next_rotation,
+                                                                  sides.B.next_rotation, displacement);
   FloatLanes g[kMostJointRows];
   joint_residuals<type, has_laws>(joint, pose, g);
   for (int k = 0; k < held_row_count(type, has_laws); ++k) joint.residual[k] = g[k] * (1 / h);

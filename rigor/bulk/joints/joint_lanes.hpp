@@ -21,10 +21,10 @@ struct alignas(32) JointSlot {
   FloatVec3 v, w, dp, dr;
   FloatLanes inverse_mass, mass;
   FloatLanes moments[3], inverse_moments[3];  ///< About the principal axes.
-  FloatVec3 axis0, axis1;                     ///< The first two of them at the begin of the step.
+  FloatVec3 axis0, axis1;                     ///< The first two of them at the beginning of the step.
   FloatSym3 inertia, inverse_inertia;         ///< Where the body is.
-  FloatQuat turn;                             ///< Since the begin of the step.
-  FloatQuat next_turn;                        ///< The same at the end of the substep, if velocities stay.
+  FloatQuat rotation;                         ///< Since the beginning of the step.
+  FloatQuat next_rotation;                    ///< The same at the end of the substep, if velocities stay.
   FloatLanes resistance[21];  ///< To a push: of the body and of all that hangs on it; lower triangle.
   FloatLanes push[6];         ///< Impulse that is to be taken up.
   FloatLanes change[6];       ///< Of v and w, by the last solve.
@@ -67,11 +67,12 @@ struct alignas(32) JointLanes {
 struct alignas(32) BallLanes {
   FloatVec3 arm_child, arm_parent;  ///< From the centres to the anchor [m].
   FloatVec3 wanted;  ///< Change of the anchor's velocity on the child against that on the parent.
-  // Factors. Resistance of the child to velocities u of its anchor and turning ω: (S, H; Hᵀ, L D Lᵀ).
+  // Factors. Resistance of the child to velocities u of its anchor and ω: (S, H; Hᵀ, L D Lᵀ).
   FloatLanes inverse_D[3], L[3];  ///< L: elements 10, 20, 21.
   FloatVec3 G[3];                 ///< Rows of H (L D Lᵀ)⁻¹.
-  FloatSym3 S;                    ///< Resistance of the anchor to u if the child turns freely.
-  FloatVec3 turning, pull;  ///< Of the child, if its anchor is held: its change of ω, what it takes up.
+  FloatSym3 S;                    ///< Resistance of the anchor to u if the child rotates freely.
+  FloatVec3 free_dw,
+      pull;  ///< If the anchor is held: the change of the child's ω, and what the anchor takes up.
 };
 
 /// Gears in lanes.
