@@ -2,6 +2,7 @@
 
 #include "rigor/dynamics/body_phase.hpp"
 #include "rigor/geometry/contacts/contact_set.hpp"
+#include "rigor/model/contact_key.hpp"
 #include "rigor/model/model.hpp"
 
 #include <optional>
@@ -46,6 +47,8 @@ struct Contact {
 
   /// Whether what sticks is held by more than μ λ_n.
   bool has_static_friction() const { return !stop && static_friction > friction; }
+
+  ContactKey key() const { return {body_A, body_B, shape_A, shape_B, point.feature}; }
 
   /// Where impulses act, on both bodies alike so that angular momentum is exact: half way between the witness
   /// points [m].

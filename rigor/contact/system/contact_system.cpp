@@ -3,6 +3,7 @@
 #include "rigor/contact/system/contact_kinematics.hpp"
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/core/sorted_unique.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <algorithm>
@@ -128,8 +129,7 @@ void add_held(const ContactSystem& system, const std::vector<std::vector<Side>>&
   for (const std::size_t b : held) {
     for (const Side& side : sides[b]) touching.push_back(side.contact);
   }
-  std::sort(touching.begin(), touching.end());
-  touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
+  touching = sorted_unique(std::move(touching));
   if (touching.empty()) return;
   MatX J =
       MatX::Zero(3 * static_cast<Eigen::Index>(touching.size()), 6 * static_cast<Eigen::Index>(held.size()));

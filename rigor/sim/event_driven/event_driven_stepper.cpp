@@ -9,7 +9,6 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <tuple>
 
 namespace rigor {
 
@@ -202,10 +201,8 @@ Cluster EventDrivenStepper::compute_new_body_states(const std::vector<int>& seed
   }
   cluster.slip_tolerance = std::max(cluster.slip_tolerance, stepping_.slip_tolerance_of(cluster.bodies));
   const auto put_in_order = [&cluster] {
-    std::sort(cluster.contacts.begin(), cluster.contacts.end(), [](const Contact& a, const Contact& b) {
-      return std::tie(a.body_A, a.body_B, a.shape_A, a.shape_B, a.point.feature) <
-             std::tie(b.body_A, b.body_B, b.shape_A, b.shape_B, b.point.feature);
-    });
+    std::sort(cluster.contacts.begin(), cluster.contacts.end(),
+              [](const Contact& a, const Contact& b) { return a.key() < b.key(); });
   };
   const auto add_stops = [&] {
     const std::vector<Contact> stops = resolver_.stops_of(cluster);

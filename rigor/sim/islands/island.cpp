@@ -3,6 +3,7 @@
 #include "rigor/contact/resting/rolling_friction.hpp"
 #include "rigor/contact/system/contact_kinematics.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/core/sorted_unique.hpp"
 #include "rigor/dynamics/dense_phase.hpp"
 #include "rigor/dynamics/step_control.hpp"
 #include "rigor/math/rotation.hpp"
@@ -60,9 +61,7 @@ std::vector<int> bodies_of(const std::vector<Contact>& contacts, const std::vect
     bodies.push_back(contact.body_A);
     bodies.push_back(contact.body_B);
   }
-  std::sort(bodies.begin(), bodies.end());
-  bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
-  return bodies;
+  return sorted_unique(std::move(bodies));
 }
 
 /// The wrench on each body and, as two bodies more, what the ledger integrates: the external force and torque
@@ -103,9 +102,7 @@ std::vector<int> IslandIntegrator::joints_of(const std::vector<int>& bodies) con
     const std::vector<int>& own = joints_by_body_[at(body)];
     joints.insert(joints.end(), own.begin(), own.end());
   }
-  std::sort(joints.begin(), joints.end());
-  joints.erase(std::unique(joints.begin(), joints.end()), joints.end());
-  return joints;
+  return sorted_unique(std::move(joints));
 }
 
 std::vector<int> IslandIntegrator::bodies_of_joints(const std::vector<int>& joints) const {
@@ -114,9 +111,7 @@ std::vector<int> IslandIntegrator::bodies_of_joints(const std::vector<int>& join
     const std::vector<int> own = model_.bodies_of_joint(joint);
     bodies.insert(bodies.end(), own.begin(), own.end());
   }
-  std::sort(bodies.begin(), bodies.end());
-  bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
-  return bodies;
+  return sorted_unique(std::move(bodies));
 }
 
 std::vector<int> IslandIntegrator::jointed_prescribed(const std::vector<int>& bodies) const {

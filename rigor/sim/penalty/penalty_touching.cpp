@@ -46,7 +46,7 @@ double first_force(const PenaltyContact& spring) {
 
 /// The same for what the State remembers of a contact.
 double first_force(const State& state, const PenaltyChoice& choice, const Contact& contact) {
-  const auto key = empty_memory(contact).key();
+  const ContactKey key = contact.key();
   double gap = 0;
   for (auto place = std::partition_point(state.contacts.begin(), state.contacts.end(),
                                          [&](const ContactMemory& memory) { return memory.key() < key; });
@@ -67,18 +67,16 @@ class MemoryShelf {
   explicit MemoryShelf(const std::vector<ContactMemory>& memories) {
     for (const ContactMemory& memory : memories) shelf_[memory.key()].push_back(&memory);
   }
-  const ContactMemory* take(const ContactMemory& wanted) {
-    const auto found = shelf_.find(wanted.key());
+  const ContactMemory* take(const ContactKey& wanted) {
+    const auto found = shelf_.find(wanted);
     return found == shelf_.end() ? nullptr : take_first(found);
   }
-  const ContactMemory* take_of_same_shapes(ContactMemory wanted) {
+  const ContactMemory* take_of_same_shapes(ContactKey wanted) {
     wanted.feature = 0;
-    const auto found = shelf_.lower_bound(wanted.key());
+    const auto found = shelf_.lower_bound(wanted);
     if (found == shelf_.end()) return nullptr;
-    const auto& [a, b, i, k, feature] = found->first;
-    const bool is_same =
-        a == wanted.body_A && b == wanted.body_B && i == wanted.shape_A && k == wanted.shape_B;
-    return is_same ? take_first(found) : nullptr;
+    wanted.feature = found->first.feature;
+    return found->first == wanted ? take_first(found) : nullptr;
   }
   /// Number and energy of those that nobody took.
   std::pair<long, double> rest() const {
@@ -90,7 +88,7 @@ class MemoryShelf {
   }
 
  private:
-  using Shelf = std::map<decltype(std::declval<ContactMemory>().key()), std::vector<const ContactMemory*>>;
+  using Shelf = std::map<ContactKey, std::vector<const ContactMemory*>>;
   const ContactMemory* take_first(Shelf::iterator place) {
     const ContactMemory* const memory = place->second.front();
     place->second.erase(place->second.begin());
@@ -243,7 +241,7 @@ void PenaltyTouching::add_springs(const State& state, Touching& touching) const 
   touching.springs.resize(n);
   std::vector<std::size_t> unknown;
   for (std::size_t i = 0; i < n; ++i) {
-    if (const ContactMemory* const memory = shelf.take(empty_memory(system.contacts[i]))) {
+    if (const ContactMemory* const memory = shelf.take(system.contacts[i].key())) {
       touching.springs[i] = penalty_contact(choice_, *memory);
     } else {
       unknown.push_back(i);
@@ -252,7 +250,7 @@ void PenaltyTouching::add_springs(const State& state, Touching& touching) const 
   MatX response;
   for (const std::size_t i : unknown) {
     const Contact& contact = system.contacts[i];
-    if (const ContactMemory* const memory = shelf.take_of_same_shapes(empty_memory(contact))) {
+    if (const ContactMemory* const memory = shelf.take_of_same_shapes(contact.key())) {
       touching.springs[i] = penalty_contact(choice_, *memory);
       continue;
     }
