@@ -3,6 +3,7 @@
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/math/rotation.hpp"
+#include "rigor/sim/method/resting_choice.hpp"
 #include "rigor/sim/method/toi_choice.hpp"
 
 #include <algorithm>
@@ -41,11 +42,12 @@ EventDrivenStepper::EventDrivenStepper(std::shared_ptr<const Model> model, const
       method_(method),
       target_step_(target_step),
       environment_(*model_),
-      integrator_(*model_, environment_, method),
-      stepping_(*model_, integrator_, method, target_step),
-      resolver_(*model_, integrator_, method),
-      joints_(*model_, integrator_),
-      contacts_(*model_, environment_, integrator_, method_),
+      assembler_(*model_, environment_),
+      integrator_(*model_, environment_, assembler_, method),
+      stepping_(*model_, assembler_, integrator_, method, target_step),
+      resolver_(*model_, assembler_, method),
+      joints_(*model_, assembler_),
+      contacts_(*model_, environment_, assembler_, method_),
       trajectories_(*model_, toi, method.broad_phase) {
   RIGOR_ASSERT(target_step > 0);
 }
@@ -347,7 +349,7 @@ void EventDrivenStepper::apply_forces(Cluster& cluster) {
 
 /// Whether contacts or joints hold the bodies of a group.
 bool EventDrivenStepper::is_held(const Cluster& group, const LastingContacts& lasting) const {
-  return !lasting.contacts.empty() || !integrator_.joints_of(group.bodies).empty();
+  return !lasting.contacts.empty() || !assembler_.joints_of(group.bodies).empty();
 }
 
 /// Gives the bodies of a part their motion to the next event: at rest, in flight, or by steps with their
@@ -361,13 +363,7 @@ void EventDrivenStepper::move_together(const Cluster& part, const LastingContact
     // Both lists keep the order of the contacts.
     std::size_t next = 0;
     for (const Contact& contact : group.contacts) {
-      while (lasting.contacts[next].body_A != contact.body_A ||
-             lasting.contacts[next].body_B != contact.body_B ||
-             lasting.contacts[next].shape_A != contact.shape_A ||
-             lasting.contacts[next].shape_B != contact.shape_B ||
-             lasting.contacts[next].point.feature != contact.point.feature) {
-        ++next;
-      }
+      while (lasting.contacts[next].key() != contact.key()) ++next;
       of_group.states.push_back(lasting.states[next]);
     }
     const bool is_free = of_group.contacts.empty() && method_.integrator == IntegratorMethod::exact &&
@@ -398,7 +394,7 @@ void EventDrivenStepper::begin_step(Island island) {
       if (!is_dynamic(body)) h = std::min(h, trajectories_.motion(body).end() - t_);
     }
   }
-  for (const int body : integrator_.jointed_prescribed(island.bodies))
+  for (const int body : assembler_.jointed_prescribed(island.bodies))
     h = std::min(h, trajectories_.motion(body).end() - t_);
   integrator_.choose_joint_rows(island);
   RunningIsland running = stepping_.take_step(std::move(island), h, report_);

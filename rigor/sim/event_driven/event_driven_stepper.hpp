@@ -62,7 +62,7 @@ class EventDrivenStepper : public Stepper {
   int repeats(int body) const { return repeats_[at(body)]; }
   const Motion& motion(int body) const { return trajectories_.motion(body); }
   const ContactResolver& resolver() const { return resolver_; }
-  const IslandIntegrator& integrator() const { return integrator_; }
+  const ContactSystemAssembler& assembler() const { return assembler_; }
   AdvanceReport& report() { return report_; }
 
  private:
@@ -96,6 +96,7 @@ class EventDrivenStepper : public Stepper {
   double target_step_;
   std::function<bool()> interrupt_;
   Environment environment_;
+  ContactSystemAssembler assembler_;
   IslandIntegrator integrator_;
   IslandStepping stepping_;
   ContactResolver resolver_;

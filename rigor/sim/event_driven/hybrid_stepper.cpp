@@ -67,7 +67,7 @@ void HybridStepper::hold_lasting(const std::pair<int, int>& pair, Cluster& part)
                    [&](const Contact& contact) { return is_bouncy(contact) && !is_of_pair(contact); }))
     return;
   const double still = 1e-3 * resting_velocity_;
-  const VecX u = relative_velocities(resolver().system_of(part, part.contacts));
+  const VecX u = relative_velocities(assembler().assemble(part, part.contacts));
   Cluster calm = part;
   calm.contacts.clear();
   for (std::size_t i = 0; i < part.contacts.size(); ++i) {
@@ -90,7 +90,7 @@ void HybridStepper::collide(const std::pair<int, int>& pair, Cluster& part) {
                  return !contact.stop && std::pair(contact.body_A, contact.body_B) == pair;
                });
   if (contacts.empty() || contacts.size() == part.contacts.size()) return;
-  const ContactSystem system = resolver().system_of(part, contacts);
+  const ContactSystem system = assembler().assemble(part, contacts);
   if (fastest_approach(relative_velocities(system)) <= part.least_impact) return;
   AdvanceReport ends;
   const std::vector<double> restitutions = resolver().restitutions(part, system, ends);

@@ -18,8 +18,8 @@ class MicroCollision {
  public:
   /// Holds references to both. `reverses`: slow collisions without rolling or torsional friction
   /// double the plastic impact (find_reversal).
-  MicroCollision(const IslandIntegrator& integrator, const ContactResolver& resolver, const Method& method,
-                 bool reverses);
+  MicroCollision(const ContactSystemAssembler& assembler, const ContactResolver& resolver,
+                 const Method& method, bool reverses);
 
   /// The contacts of the cluster that are no stops of joints, all of one pair of bodies, collide once, if
   /// they approach.
@@ -28,7 +28,7 @@ class MicroCollision {
  private:
   double slow_speed(const ContactSystem& system, double t) const;
 
-  const IslandIntegrator& integrator_;
+  const ContactSystemAssembler& assembler_;
   const ContactResolver& resolver_;
   RestitutionLaw law_;
   double envelope_;

@@ -2,6 +2,7 @@
 
 #include "rigor/sim/islands/displacement.hpp"
 #include "rigor/sim/islands/energy_repair.hpp"
+#include "rigor/sim/method/resting_choice.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,16 +10,16 @@
 namespace rigor {
 
 ContactProjection::ContactProjection(const Model& model, const Environment& environment,
-                                     const IslandIntegrator& integrator, const Method& method)
+                                     const ContactSystemAssembler& assembler, const Method& method)
     : model_(model),
       environment_(environment),
-      integrator_(integrator),
+      assembler_(assembler),
       contact_tolerance_(method.contact_tolerance),
       resting_(resting_choice(method)) {}
 
 void ContactProjection::restore_gaps(const Island& island, double t, IslandStep& step) const {
   if (island.contacts.empty()) return;
-  const ContactSystem system = integrator_.contact_system(island, t, step.end);
+  const ContactSystem system = assembler_.assemble(island, t, step.end);
   VecX drift = VecX::Zero(3 * static_cast<Eigen::Index>(island.contacts.size()));
   std::vector<ContactMode> modes;
   for (std::size_t i = 0; i < island.contacts.size(); ++i) {
@@ -34,7 +35,7 @@ void ContactProjection::restore_gaps(const Island& island, double t, IslandStep&
   if (largest <= rounding * model_.length_scale() || largest > 0.1 * contact_tolerance_) return;
   const std::vector<BodyPhase> drifted = step.end;
   apply_displacement(normal_impulses(system, drift, modes, resting_), system, island.bodies, step.end);
-  const EnergyBalance balance = integrator_.energy_balance(t, island.bodies, island.contacts);
+  const EnergyBalance balance = energy_balance(model_, environment_, t, island.bodies, island.contacts);
   if (!balance.is_closed) return;
   const auto energy = [&](const std::vector<BodyPhase>& phases) {
     return energy_of_bodies(model_, environment_, island.bodies, phases);
@@ -57,11 +58,11 @@ bool ContactProjection::project_positions(Cluster& cluster, AdvanceReport& repor
   for (const Contact& contact : cluster.contacts) deepest = std::min(deepest, contact.point.gap);
   if (deepest >= -0.2 * contact_tolerance_) return false;
   const std::vector<BodyPhase> before = cluster.phases;
-  const ContactSystem system =
-      integrator_.system_of(cluster.t, cluster.bodies, cluster.phases, cluster.contacts);
+  const ContactSystem system = assembler_.assemble(cluster, cluster.contacts);
   apply_displacement(separating_impulses(system, std::vector<double>(cluster.contacts.size(), 0.0)), system,
                      cluster.bodies, cluster.phases);
-  const EnergyBalance balance = integrator_.energy_balance(cluster.t, cluster.bodies, cluster.contacts);
+  const EnergyBalance balance =
+      energy_balance(model_, environment_, cluster.t, cluster.bodies, cluster.contacts);
   if (!balance.is_closed) return true;
   const double gained = energy_of_bodies(model_, environment_, cluster.bodies, cluster.phases) -
                         energy_of_bodies(model_, environment_, cluster.bodies, before);

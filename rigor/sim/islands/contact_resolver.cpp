@@ -3,6 +3,7 @@
 #include "rigor/contact/impact/joint_stops.hpp"
 #include "rigor/contact/resting/paradox.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/sim/method/resting_choice.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -59,9 +60,10 @@ RestitutionLaw restitution_law(ImpactMethod method) {
   return RestitutionLaw::stronge;
 }
 
-ContactResolver::ContactResolver(const Model& model, const IslandIntegrator& integrator, const Method& method)
+ContactResolver::ContactResolver(const Model& model, const ContactSystemAssembler& assembler,
+                                 const Method& method)
     : model_(model),
-      integrator_(integrator),
+      assembler_(assembler),
       collision_law_(restitution_law(method.impact)),
       law_(simultaneous_law(method.simultaneous)),
       resting_velocity_(method.resting_velocity),
@@ -69,14 +71,10 @@ ContactResolver::ContactResolver(const Model& model, const IslandIntegrator& int
       contact_tolerance_(method.contact_tolerance),
       resting_(resting_choice(method)) {}
 
-ContactSystem ContactResolver::system_of(const Cluster& cluster, const std::vector<Contact>& contacts) const {
-  return integrator_.system_of(cluster.t, cluster.bodies, cluster.phases, contacts);
-}
-
 std::vector<Contact> ContactResolver::stops_of(const Cluster& cluster) const {
-  const std::vector<int> joints = integrator_.joints_of(cluster.bodies);
+  const std::vector<int> joints = assembler_.joints_of(cluster.bodies);
   if (joints.empty()) return {};
-  const ContactSystem system = system_of(cluster, {});
+  const ContactSystem system = assembler_.assemble(cluster, {});
   return joint_stops(model_, joints, system.bodies, system.kinetics, contact_tolerance_);
 }
 
@@ -86,7 +84,7 @@ std::vector<Contact> ContactResolver::stops_of(const Cluster& cluster) const {
 std::vector<double> ContactResolver::restitutions(const Cluster& cluster, const ContactSystem& system,
                                                   AdvanceReport& report) const {
   const VecX u = relative_velocities(system);
-  const VecX a = free_contact_accelerations(system, integrator_.environment_wrenches(system, cluster.t));
+  const VecX a = free_contact_accelerations(system, assembler_.environment_wrenches(system, cluster.t));
   std::vector<double> result;
   for (std::size_t i = 0; i < system.contacts.size(); ++i) {
     const Eigen::Index normal = 3 * static_cast<Eigen::Index>(i) + 2;
@@ -188,7 +186,7 @@ bool ContactResolver::apply_impulses(Cluster& cluster, AdvanceReport& report) co
                [](const Contact& contact) { return !contact.is_bounded_force(); });
   for (int pass = 0; pass < most_passes; ++pass) {
     if (colliding.empty()) return true;
-    const ContactSystem system = system_of(cluster, colliding);
+    const ContactSystem system = assembler_.assemble(cluster, colliding);
     const VecX u = relative_velocities(system);
     double approach = 0;
     for (Eigen::Index row = 2; row < u.size(); row += 3) approach = std::min(approach, u[row]);
@@ -216,15 +214,15 @@ LastingContacts ContactResolver::find_lasting(const Cluster& cluster, AdvanceRep
   const double parting = 1e-3 * resting_velocity_;
   std::vector<Contact> candidates;
   if (!cluster.contacts.empty()) {
-    const VecX u = relative_velocities(system_of(cluster, cluster.contacts));
+    const VecX u = relative_velocities(assembler_.assemble(cluster, cluster.contacts));
     for (std::size_t i = 0; i < cluster.contacts.size(); ++i) {
       if (u[3 * static_cast<Eigen::Index>(i) + 2] <= parting) candidates.push_back(cluster.contacts[i]);
     }
   }
   if (candidates.empty()) return {};
 
-  const ContactSystem touching = system_of(cluster, candidates);
-  const std::vector<Wrench> wrenches = integrator_.environment_wrenches(touching, cluster.t);
+  const ContactSystem touching = assembler_.assemble(cluster, candidates);
+  const std::vector<Wrench> wrenches = assembler_.environment_wrenches(touching, cluster.t);
   const RestingSolution resting = solve_resting(touching, wrenches, cluster.slip_tolerance, resting_);
   LastingContacts lasting;
   lasting.have_forces = resting.forces.converged;
@@ -251,7 +249,7 @@ LastingContacts ContactResolver::find_lasting(const Cluster& cluster, AdvanceRep
 
 void ContactResolver::project_velocities(const LastingContacts& lasting, Cluster& cluster,
                                          AdvanceReport& report) const {
-  const ContactSystem system = system_of(cluster, lasting.contacts);
+  const ContactSystem system = assembler_.assemble(cluster, lasting.contacts);
   const double before = totals_of(model_, cluster).T;
   const double work_before = report.work;
   add_impulses(system, projection_impulses(system, lasting.states, resting_), {}, cluster, report);
@@ -259,12 +257,12 @@ void ContactResolver::project_velocities(const LastingContacts& lasting, Cluster
 }
 
 bool ContactResolver::agrees_with_velocities(const LastingContacts& lasting, const Cluster& cluster) const {
-  const VecX u = relative_velocities(system_of(cluster, cluster.contacts));
+  const VecX u = relative_velocities(assembler_.assemble(cluster, cluster.contacts));
   for (std::size_t i = 0; i < cluster.contacts.size(); ++i) {
     if (!cluster.contacts[i].is_bounded_force() && u[3 * static_cast<Eigen::Index>(i) + 2] < -still_)
       return false;
   }
-  const ContactSystem system = system_of(cluster, lasting.contacts);
+  const ContactSystem system = assembler_.assemble(cluster, lasting.contacts);
   const VecX of_lasting = relative_velocities(system);
   for (std::size_t i = 0; i < lasting.contacts.size(); ++i) {
     const Vec3 slip = system.frames[i].transpose() * lasting.states[i].slip_W;
@@ -290,7 +288,7 @@ LastingContacts ContactResolver::update_active(Cluster& cluster, AdvanceReport& 
 }
 
 bool ContactResolver::is_balanced(const Cluster& cluster, const LastingContacts& lasting) const {
-  const ContactSystem system = system_of(cluster, lasting.contacts);
+  const ContactSystem system = assembler_.assemble(cluster, lasting.contacts);
   for (const BodyKinetics& body : system.kinetics) {
     if (body.inverse_mass == 0 && (!body.v.isZero(0) || !body.w.isZero(0))) return false;
   }
@@ -299,7 +297,7 @@ bool ContactResolver::is_balanced(const Cluster& cluster, const LastingContacts&
     const double radius = reach_of(model_.body(index));
     if (body.v.norm() > still_ || body.w.norm() * radius > still_) return false;
   }
-  std::vector<Wrench> wrenches = integrator_.environment_wrenches(system, cluster.t);
+  std::vector<Wrench> wrenches = assembler_.environment_wrenches(system, cluster.t);
   const std::vector<Wrench> free = wrenches;
   if (!lasting.contacts.empty())
     add_contact_wrenches(

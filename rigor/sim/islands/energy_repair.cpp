@@ -77,6 +77,21 @@ double energy_of_bodies(const Model& model, const Environment& environment, cons
   return energy;
 }
 
+EnergyBalance energy_balance(const Model& model, const Environment& environment, double t,
+                             const std::vector<int>& bodies, const std::vector<Contact>& contacts) {
+  EnergyBalance balance{true, true};
+  for (const int body : bodies) balance.is_closed = balance.is_closed && !environment.is_forced(body);
+  for (const Contact& contact : contacts) {
+    for (const int body : {contact.body_A, contact.body_B}) {
+      if (model.body(body).motion == MotionType::dynamic) continue;
+      const BodyKinetics prescribed = prescribed_kinetics(model.body(body), t);
+      balance.is_free = false;
+      balance.is_closed = balance.is_closed && prescribed.v.isZero(0) && prescribed.w.isZero(0);
+    }
+  }
+  return balance;
+}
+
 double take_kinetic_energy(const Model& model, const std::vector<int>& bodies, double amount, bool is_free,
                            std::vector<BodyPhase>& phases) {
   const std::vector<BodyPhase> now = phases;

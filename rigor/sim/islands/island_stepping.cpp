@@ -1,6 +1,7 @@
 #include "rigor/sim/islands/island_stepping.hpp"
 
 #include "rigor/core/index.hpp"
+#include "rigor/sim/method/resting_choice.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -30,10 +31,11 @@ constexpr int most_halvings = 12;
 
 }  // namespace
 
-IslandStepping::IslandStepping(const Model& model, const IslandIntegrator& integrator, const Method& method,
-                               double target_step)
-    : integrator_(integrator),
-      mode_changes_(model, integrator, method),
+IslandStepping::IslandStepping(const Model& model, const ContactSystemAssembler& assembler,
+                               const IslandIntegrator& integrator, const Method& method, double target_step)
+    : assembler_(assembler),
+      integrator_(integrator),
+      mode_changes_(model, assembler, method),
       time_tolerance_(method.time_tolerance),
       contact_tolerance_(method.contact_tolerance),
       slip_tolerance_(slip_tolerance(method)),
@@ -85,7 +87,7 @@ void IslandStepping::take_implicit_step(double h, double resolved, RunningIsland
   running.step = integrator_.implicit_step(island, h);
   // What the joints are off by then is put back, and must not push bodies into each other.
   const auto off = [&] {
-    return integrator_.joint_residual(island.begin + running.step.h, island.bodies, running.step.end);
+    return assembler_.joint_residual(island.begin + running.step.h, island.bodies, running.step.end);
   };
   for (int k = 0; k < most_halvings && h > resolved && off() > 0.2 * contact_tolerance_; ++k) {
     h *= 0.5;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rigor/sim/islands/island.hpp"
+#include "rigor/sim/islands/island_integrator.hpp"
 #include "rigor/sim/islands/mode_change.hpp"
 #include "rigor/sim/report/advance_report.hpp"
 
@@ -26,8 +26,8 @@ struct RunningIsland {
 /// restart().
 class IslandStepping {
  public:
-  IslandStepping(const Model& model, const IslandIntegrator& integrator, const Method& method,
-                 double target_step);
+  IslandStepping(const Model& model, const ContactSystemAssembler& assembler,
+                 const IslandIntegrator& integrator, const Method& method, double target_step);
 
   /// Forgets all earlier steps.
   void restart();
@@ -48,6 +48,7 @@ class IslandStepping {
   void take_accurate_step(double h, double resolved, RunningIsland& running, AdvanceReport& report);
   void take_implicit_step(double h, double resolved, RunningIsland& running, AdvanceReport& report);
 
+  const ContactSystemAssembler& assembler_;
   const IslandIntegrator& integrator_;
   ModeChangeSearch mode_changes_;
   double time_tolerance_, contact_tolerance_, slip_tolerance_, direction_tolerance_, target_step_;

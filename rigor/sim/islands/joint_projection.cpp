@@ -12,13 +12,13 @@ namespace rigor {
 
 void JointProjection::project_positions(double t, const std::vector<int>& bodies,
                                         std::vector<BodyPhase>& phases, AdvanceReport& report) const {
-  if (integrator_.joints_of(bodies).empty()) return;
+  if (assembler_.joints_of(bodies).empty()) return;
   constexpr int most_iterations = 8;
   constexpr double rounding = 1e-15;
   double last = std::numeric_limits<double>::infinity();
   std::vector<BodyPhase> best = phases;
   for (int iteration = 0; iteration <= most_iterations; ++iteration) {
-    const ContactSystem system = integrator_.system_of(t, bodies, phases, {});
+    const ContactSystem system = assembler_.assemble(t, bodies, phases, {});
     const auto [residual, joint] = system.joints->largest_residual();
     if (iteration == 0) report.max_joint_projection = std::max(report.max_joint_projection, residual);
     const bool is_better = residual < last;
@@ -45,7 +45,7 @@ void JointProjection::project_positions(double t, const std::vector<int>& bodies
 }
 
 void JointProjection::restore_momenta(const Island& island, IslandStep& step) const {
-  const std::vector<int> joints = integrator_.joints_of(island.bodies);
+  const std::vector<int> joints = assembler_.joints_of(island.bodies);
   const auto is_grounded = [this](int joint) {
     const Joint& description = model_.joint(joint);
     if (description.type == JointType::gear) return false;  // Those that it ties are in the list.
@@ -53,9 +53,9 @@ void JointProjection::restore_momenta(const Island& island, IslandStep& step) co
   };
   if (joints.empty() || !(island.contacts.empty() || step.is_implicit) ||
       std::any_of(joints.begin(), joints.end(), is_grounded) ||
-      !integrator_.jointed_prescribed(island.bodies).empty())
+      !assembler_.jointed_prescribed(island.bodies).empty())
     return;
-  const ContactSystem system = integrator_.system_of(island.begin + step.h, island.bodies, step.end, {});
+  const ContactSystem system = assembler_.assemble(island.begin + step.h, island.bodies, step.end, {});
   double mass = 0;
   Vec3 centre = Vec3::Zero();
   for (const BodyKinetics& body : system.kinetics) {
@@ -87,8 +87,8 @@ void JointProjection::restore_momenta(const Island& island, IslandStep& step) co
 }
 
 void JointProjection::project_velocities(Cluster& cluster, AdvanceReport& report) const {
-  if (integrator_.joints_of(cluster.bodies).empty()) return;
-  const ContactSystem system = integrator_.system_of(cluster.t, cluster.bodies, cluster.phases, {});
+  if (assembler_.joints_of(cluster.bodies).empty()) return;
+  const ContactSystem system = assembler_.assemble(cluster, {});
   const ClusterTotals before = totals_of(model_, cluster);
   const JointReactions reactions =
       with_joint_impulses(system, std::vector<Wrench>(system.bodies.size()), -system.joints->rate_errors());

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "rigor/sim/islands/cluster.hpp"
-#include "rigor/sim/islands/island.hpp"
+#include "rigor/sim/islands/contact_system_assembler.hpp"
 #include "rigor/sim/report/advance_report.hpp"
 
 #include <vector>
@@ -11,8 +10,8 @@ namespace rigor {
 /// What keeps joints from drifting: positions and velocities are put back after each step.
 class JointProjection {
  public:
-  JointProjection(const Model& model, const IslandIntegrator& integrator)
-      : model_(model), integrator_(integrator) {}
+  JointProjection(const Model& model, const ContactSystemAssembler& assembler)
+      : model_(model), assembler_(assembler) {}
 
   /// Puts bodies back to where their joints hold, by the smallest displacements in the metric of the mass
   /// matrix (Newton's method); the momenta stay. One phase a body, of dynamic bodies with all that are
@@ -29,7 +28,7 @@ class JointProjection {
 
  private:
   const Model& model_;
-  const IslandIntegrator& integrator_;
+  const ContactSystemAssembler& assembler_;
 };
 
 }  // namespace rigor

@@ -1,7 +1,9 @@
 #include "rigor/sim/islands/mode_change.hpp"
 
 #include "rigor/contact/impact/joint_stops.hpp"
+#include "rigor/contact/resting/rolling_friction.hpp"
 #include "rigor/math/roots.hpp"
+#include "rigor/sim/method/resting_choice.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -13,8 +15,7 @@ namespace rigor {
 namespace {
 
 bool is_same(const Contact& a, const Contact& b) {
-  return a.body_A == b.body_A && a.body_B == b.body_B && a.shape_A == b.shape_A && a.shape_B == b.shape_B &&
-         a.point.feature == b.point.feature;
+  return a.key() == b.key();
 }
 
 bool is_among(const Contact& contact, const std::vector<Contact>& others) {
@@ -31,14 +32,15 @@ bool has_limits(const Model& model, const std::vector<int>& joints) {
 
 }  // namespace
 
-ModeChangeSearch::ModeChangeSearch(const Model& model, const IslandIntegrator& integrator,
+ModeChangeSearch::ModeChangeSearch(const Model& model, const ContactSystemAssembler& assembler,
                                    const Method& method)
     : model_(model),
-      integrator_(integrator),
+      assembler_(assembler),
       contact_tolerance_(method.contact_tolerance),
       time_tolerance_(method.time_tolerance),
       slip_tolerance_(slip_tolerance(method)),
       direction_tolerance_(direction_tolerance(method)),
+      resting_velocity_(method.resting_velocity),
       resting_(resting_choice(method)) {}
 
 /// The island somewhere in its step.
@@ -52,13 +54,13 @@ ModeChangeSearch::Instant ModeChangeSearch::at(const Island& island, const Islan
   std::vector<BodyPhase> phases;
   for (const DensePhase& dense : step.dense) phases.push_back(dense.at(theta));
   const double t = island.begin + theta * step.h;
-  return {t,
-          integrator_.contact_system(island, t, theta == 1 ? std::span<const BodyPhase>(step.end) : phases)};
+  return {t, assembler_.assemble(island, t, theta == 1 ? std::span<const BodyPhase>(step.end) : phases)};
 }
 
 std::vector<Wrench> ModeChangeSearch::wrenches(const Island& island, const Instant& instant) const {
-  return integrator_.with_moments(instant.system, island.states,
-                                  integrator_.environment_wrenches(instant.system, instant.t));
+  return with_contact_moments(instant.system, island.states,
+                              assembler_.environment_wrenches(instant.system, instant.t),
+                              direction_tolerance_, resting_velocity_);
 }
 
 /// Speed along its slip of each sliding contact; infinite for the others.
@@ -149,12 +151,12 @@ double ModeChangeSearch::overlap_margin(const Island& island, const Instant& ins
 }
 
 std::vector<double> ModeChangeSearch::clearances(const Island& island, const Instant& instant) const {
-  return limit_clearances(model_, integrator_.joints_of(island.bodies), instant.system.bodies,
+  return limit_clearances(model_, assembler_.joints_of(island.bodies), instant.system.bodies,
                           instant.system.kinetics, island.contacts);
 }
 
 std::optional<ModeChange> ModeChangeSearch::find_limit(const Island& island, const IslandStep& step) const {
-  if (!has_limits(model_, integrator_.joints_of(island.bodies))) return std::nullopt;
+  if (!has_limits(model_, assembler_.joints_of(island.bodies))) return std::nullopt;
   constexpr int probes = 8, most_halvings = 40;
   const std::vector<double> start = clearances(island, at(island, step, 0));
   double end = 1;
@@ -216,7 +218,7 @@ std::optional<ModeChange> ModeChangeSearch::find_meeting(const Island& island, c
 
 std::optional<ModeChange> ModeChangeSearch::find(const Island& island, const IslandStep& step) const {
   std::optional<ModeChange> first;
-  if (island.contacts.empty() && !has_limits(model_, integrator_.joints_of(island.bodies))) return first;
+  if (island.contacts.empty() && !has_limits(model_, assembler_.joints_of(island.bodies))) return first;
   const double tolerance = time_tolerance_ / step.h;
   double end = 1;
   const auto shorten = [&](ModeChange::Kind kind, double theta) {

@@ -1,6 +1,7 @@
 #include "rigor/sim/penalty/penalty_touching.hpp"
 
 #include "rigor/contact/impact/joint_stops.hpp"
+#include "rigor/sim/method/resting_choice.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -101,10 +102,11 @@ class MemoryShelf {
 }  // namespace
 
 PenaltyTouching::PenaltyTouching(const Model& model, const Environment& environment,
-                                 const IslandIntegrator& integrator, const Method& method, TouchingForm form)
+                                 const ContactSystemAssembler& assembler, const Method& method,
+                                 TouchingForm form)
     : model_(model),
       environment_(environment),
-      integrator_(integrator),
+      assembler_(assembler),
       contact_tolerance_(method.contact_tolerance),
       resting_velocity_(method.resting_velocity),
       slip_tolerance_(slip_tolerance(method)),
@@ -202,13 +204,13 @@ Touching PenaltyTouching::find(const State& state, double horizon, double lag) {
   touching.free_time = horizon;
   const std::vector<BodyPhase> now = phases(state);
   std::vector<Contact> near = finder_.find(state, reaches(state, horizon), contact_tolerance_);
-  const std::vector<int> joints = integrator_.joints_of(bodies_);
+  const std::vector<int> joints = assembler_.joints_of(bodies_);
   if (!joints.empty()) {
-    const ContactSystem held = integrator_.system_of(state.t, bodies_, now, {});
+    const ContactSystem held = assembler_.assemble(state.t, bodies_, now, {});
     const std::vector<Contact> stops = joint_stops(model_, joints, held.bodies, held.kinetics, infinite);
     near.insert(near.end(), stops.begin(), stops.end());
   }
-  const ContactSystem all = integrator_.system_of(state.t, bodies_, now, near);
+  const ContactSystem all = assembler_.assemble(state.t, bodies_, now, near);
   const VecX u = relative_velocities(all);
   std::vector<Contact> active;
   for (std::size_t i = 0; i < all.contacts.size(); ++i) {
@@ -220,7 +222,7 @@ Touching PenaltyTouching::find(const State& state, double horizon, double lag) {
   }
   touching.system = active.size() == all.contacts.size()
                         ? all
-                        : integrator_.system_of(state.t, bodies_, now, std::move(active));
+                        : assembler_.assemble(state.t, bodies_, now, std::move(active));
   add_springs(state, touching);
   const VecX u_active = relative_velocities(touching.system);
   for (std::size_t i = 0; i < touching.springs.size(); ++i) {
@@ -278,7 +280,7 @@ void PenaltyTouching::add_springs(const State& state, Touching& touching) const 
 void PenaltyTouching::update_velocities(double t, const std::vector<BodyPhase>& phases,
                                         Touching& touching) const {
   if (touching.system.joints) {
-    touching.system = integrator_.system_of(t, bodies_, phases, touching.system.contacts);
+    touching.system = assembler_.assemble(t, bodies_, phases, touching.system.contacts);
     return;
   }
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
@@ -329,7 +331,7 @@ std::vector<ContactMemory> PenaltyTouching::pressed_at_rest(const State& state) 
                 [this](const Contact& contact) { return std::abs(contact.point.gap) > contact_tolerance_; });
   std::vector<ContactMemory> memories;
   for (const Cluster& part : connected_parts(cluster, cluster.contacts, environment_)) {
-    if (!part.contacts.empty() && integrator_.joints_of(part.bodies).empty()) add_pressed(part, memories);
+    if (!part.contacts.empty() && assembler_.joints_of(part.bodies).empty()) add_pressed(part, memories);
   }
   put_in_order(memories);
   return memories;
@@ -339,7 +341,7 @@ void PenaltyTouching::add_pressed(const Cluster& part, std::vector<ContactMemory
   constexpr std::size_t most_contacts = 400;
   constexpr double still_share = 1e-6;
   if (part.contacts.size() > most_contacts) return;
-  const ContactSystem touching = integrator_.system_of(part.t, part.bodies, part.phases, part.contacts);
+  const ContactSystem touching = assembler_.assemble(part, part.contacts);
   const VecX u = relative_velocities(touching);
   std::vector<Contact> pressed;
   for (std::size_t i = 0; i < part.contacts.size(); ++i) {
@@ -347,9 +349,9 @@ void PenaltyTouching::add_pressed(const Cluster& part, std::vector<ContactMemory
     if (std::abs(u_n) <= still_share * resting_velocity_) pressed.push_back(part.contacts[i]);
   }
   if (pressed.empty()) return;
-  const ContactSystem system = integrator_.system_of(part.t, part.bodies, part.phases, std::move(pressed));
+  const ContactSystem system = assembler_.assemble(part, std::move(pressed));
   const CoulombSolution forces =
-      solve_resting(system, integrator_.environment_wrenches(system, part.t), slip_tolerance_, resting_)
+      solve_resting(system, assembler_.environment_wrenches(system, part.t), slip_tolerance_, resting_)
           .forces;
   if (!forces.converged) return;
   for (std::size_t i = 0; i < system.contacts.size(); ++i) {

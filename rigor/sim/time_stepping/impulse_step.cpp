@@ -5,6 +5,7 @@
 #include "rigor/dynamics/free_flight.hpp"
 #include "rigor/math/dense.hpp"
 #include "rigor/math/rotation.hpp"
+#include "rigor/sim/method/resting_choice.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -92,17 +93,19 @@ std::size_t place_of(const std::vector<int>& ascending, int body) {
 }  // namespace
 
 ImpulseStep::ImpulseStep(const Model& model, const Environment& environment,
-                         const IslandIntegrator& integrator, const ContactResolver& resolver,
+                         const ContactSystemAssembler& assembler, const ContactResolver& resolver,
                          const JointProjection& joints, const Method& method)
     : model_(model),
       environment_(environment),
-      integrator_(integrator),
+      assembler_(assembler),
+      integrator_(model, environment, assembler, method),
       resolver_(resolver),
       joints_(joints),
       solver_(method),
       springs_(model),
       without_springs_(model, PointSprings::left_out),
-      integrator_without_springs_(model, without_springs_, method),
+      assembler_without_springs_(model, without_springs_),
+      integrator_without_springs_(model, without_springs_, assembler_without_springs_, method),
       has_implicit_springs_(method.solver == SolverMethod::exact && springs_.has_any()),
       pushes_at_distance_(method.cone == ConeMethod::convex),
       contact_tolerance_(method.contact_tolerance),
@@ -118,7 +121,7 @@ void ImpulseStep::note(const StepImpulses& solution, AdvanceReport& report) cons
 void ImpulseStep::strike(double h, Cluster& part, AdvanceReport& report) const {
   constexpr int most_passes = 50;
   for (int pass = 0; pass < most_passes && !part.contacts.empty(); ++pass) {
-    const ContactSystem system = resolver_.system_of(part, part.contacts);
+    const ContactSystem system = assembler_.assemble(part, part.contacts);
     Closing closing = find_closing(h, system);
     if (!closing.closes && !closing.bounces) return;
     if (closing.bounces && pass + 1 < most_passes) {
@@ -201,7 +204,7 @@ bool ImpulseStep::holds_springs(const StepSpan& span, const Cluster& part) const
   if (!has_implicit_springs_) return false;
   const bool is_touching = std::any_of(part.contacts.begin(), part.contacts.end(),
                                        [this](const Contact& contact) { return touches(contact); });
-  return is_touching && springs_.are_stiff(span, part.bodies, resolver_.system_of(part, part.contacts));
+  return is_touching && springs_.are_stiff(span, part.bodies, assembler_.assemble(part, part.contacts));
 }
 
 ImpulseStep::FreeEnd ImpulseStep::fly(double h, const Cluster& part, AdvanceReport& report) const {
@@ -303,7 +306,7 @@ ContactSystem ImpulseStep::middle_system(double h, const Cluster& part, const Fr
     middle[i].P = end.P;
     middle[i].L = R * body.moments.cwiseProduct(R.transpose() * w);
   }
-  return integrator_.system_of(part.t + 0.5 * h, part.bodies, middle, std::move(contacts));
+  return assembler_.assemble(part.t + 0.5 * h, part.bodies, middle, std::move(contacts));
 }
 
 /// 0 ≤ λ_n ⊥ u_n⁺ + gap/h ≥ 0 with friction against u_t⁺; forces with a largest value act all through h.
@@ -320,7 +323,7 @@ StepLaws ImpulseStep::step_laws(double h, const Cluster& part, const ContactSyst
   }
   // What stuck is what touches and is still at the begin.
   if (!laws.sticks.empty()) {
-    laws.sticks = step_laws_of(resolver_.system_of(part, part.contacts), still_).sticks;
+    laws.sticks = step_laws_of(assembler_.assemble(part, part.contacts), still_).sticks;
     for (std::size_t i = 0; i < laws.sticks.size(); ++i) {
       if (part.contacts[i].point.gap > contact_tolerance_) laws.sticks[i] = false;
     }
@@ -396,7 +399,7 @@ void ImpulseStep::move(double h, double theta, Cluster& part, AdvanceReport& rep
     const ContactSystem system = middle_system(h, part, end);
     StepLaws laws = step_laws(h, part, system);
     if (has_springs)
-      laws.springs = springs_.rows(span, part.bodies, resolver_.system_of(part, part.contacts), system);
+      laws.springs = springs_.rows(span, part.bodies, assembler_.assemble(part, part.contacts), system);
     const SpringRows springs = laws.springs.value_or(SpringRows{});
     const StepImpulses solution = solver_.solve(system, std::move(laws));
     note(solution, report);

@@ -3,7 +3,7 @@
 #include "rigor/contact/resting/rolling_friction.hpp"
 #include "rigor/contact/system/motion_rows.hpp"
 #include "rigor/core/index.hpp"
-#include "rigor/sim/islands/island.hpp"
+#include "rigor/sim/method/resting_choice.hpp"
 #include "rigor/solver/cones/convex_cone.hpp"
 #include "rigor/solver/cones/pyramid_cone.hpp"
 #include "rigor/solver/coulomb/rolling_friction_problem.hpp"

@@ -2,12 +2,10 @@
 
 #include "rigor/contact/impact/joint_stops.hpp"
 #include "rigor/contact/time_of_impact.hpp"
-#include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/dynamics/dense_phase.hpp"
 #include "rigor/geometry/shape/aabb.hpp"
 #include "rigor/math/rotation.hpp"
-#include "rigor/sim/fixed_steps/fixed_steps.hpp"
 #include "rigor/sim/islands/displacement.hpp"
 #include "rigor/sim/pairs/near_pairs.hpp"
 
@@ -41,16 +39,14 @@ bool is_finite(const BodyPhase& phase) {
 }  // namespace
 
 TimeStepper::TimeStepper(std::shared_ptr<const Model> model, const Method& method, double target_step)
-    : model_(std::move(model)),
+    : FixedStepStepper(std::move(model), target_step),
       method_(method),
-      target_step_(target_step),
       environment_(*model_),
-      integrator_(*model_, environment_, method),
-      resolver_(*model_, integrator_, method),
-      joints_(*model_, integrator_),
-      impulses_(*model_, environment_, integrator_, resolver_, joints_, method),
+      assembler_(*model_, environment_),
+      resolver_(*model_, assembler_, method),
+      joints_(*model_, assembler_),
+      impulses_(*model_, environment_, assembler_, resolver_, joints_, method),
       finder_(*model_, method.broad_phase) {
-  RIGOR_ASSERT(target_step > 0);
   for (int i = 0; i < model_->body_count(); ++i) {
     const Body& body = model_->body(i);
     if (body.motion == MotionType::dynamic)
@@ -61,26 +57,20 @@ TimeStepper::TimeStepper(std::shared_ptr<const Model> model, const Method& metho
   }
 }
 
-AdvanceReport TimeStepper::advance(State& state, double t_end) {
-  RIGOR_ASSERT(t_end >= state.t && state.body_count() == model_->body_count());
-  report_ = {};
-  if (t_end == state.t) return report_;
+void TimeStepper::begin_span([[maybe_unused]] double first_end, State& state) {
   admit_velocities(state);
-  const FixedSteps steps(state.t, t_end, target_step_);
-  for (long k = 0; k < steps.count() && report_.reason == StopReason::reached_end; ++k) {
-    while (state.t < steps.end(k) && report_.reason == StopReason::reached_end) {
-      if (interrupt_ && interrupt_()) {
-        report_.reason = StopReason::interrupted;
-        break;
-      }
-      const double left = steps.end(k) - state.t;
-      const double h = take_step(left, state);
-      // The end of a whole step is exact, and a rest that time cannot resolve is none.
-      if (h >= left || state.t + h == state.t) state.t = steps.end(k);
-    }
-  }
+}
+
+double TimeStepper::step_towards(double t_end, double t, State& state) {
+  const double left = t_end - t;
+  const double h = take_step(left, state);
+  // The end of a whole step is exact, and a rest that time cannot resolve is none.
+  if (h >= left || state.t + h == state.t) state.t = t_end;
+  return state.t;
+}
+
+void TimeStepper::end_span([[maybe_unused]] double t, State& state) {
   state.anchor_here();
-  return report_;
 }
 
 Cluster TimeStepper::cluster_in(const State& state) const {
@@ -101,12 +91,7 @@ void TimeStepper::write(const Cluster& cluster, State& state) const {
     const BodyPhase& phase = cluster.phases[i];
     state.set_body(cluster.bodies[i], phase.x, phase.q, phase.P, phase.L);
   }
-  for (int i = 0; i < model_->body_count(); ++i) {
-    const Body& body = model_->body(i);
-    if (body.motion == MotionType::dynamic) continue;
-    const PrescribedMotion motion = prescribed_motion(body, state.t);
-    state.set_body(i, motion.p_WB, motion.q_WB, Vec3::Zero(), Vec3::Zero());
-  }
+  write_prescribed_bodies(state);
 }
 
 /// One step of at most h: what it was. Where what the step leaves out adds energy, it is taken with the form
@@ -309,9 +294,9 @@ std::vector<Contact> TimeStepper::acting_contacts(double h, const Cluster& start
 
 /// Stops of all joints, limits at any distance.
 void TimeStepper::add_stops(const Cluster& start, std::vector<Contact>& contacts) const {
-  const std::vector<int> joints = integrator_.joints_of(start.bodies);
+  const std::vector<int> joints = assembler_.joints_of(start.bodies);
   if (joints.empty()) return;
-  const ContactSystem system = resolver_.system_of(start, {});
+  const ContactSystem system = assembler_.assemble(start, {});
   const std::vector<Contact> stops = joint_stops(*model_, joints, system.bodies, system.kinetics, infinite);
   contacts.insert(contacts.end(), stops.begin(), stops.end());
 }
@@ -363,7 +348,7 @@ void TimeStepper::admit_velocities(State& state) {
 
 /// Positions and velocities of joints are put back, in the metric of the masses.
 void TimeStepper::hold_joints(Cluster& part, AdvanceReport& report) const {
-  if (integrator_.joints_of(part.bodies).empty()) return;
+  if (assembler_.joints_of(part.bodies).empty()) return;
   const std::vector<BodyPhase> before = part.phases;
   joints_.project_positions(part.t, part.bodies, part.phases, report);
   for (std::size_t i = 0; i < part.bodies.size(); ++i)
@@ -397,7 +382,7 @@ void TimeStepper::correct_overlaps(const State& state, Trial& trial) {
       double of_part = 0;
       for (const Contact& contact : part.contacts) of_part = std::max(of_part, -contact.point.gap);
       if (of_part <= 0.2 * method_.contact_tolerance) continue;
-      const ContactSystem system = integrator_.system_of(part.t, part.bodies, part.phases, part.contacts);
+      const ContactSystem system = assembler_.assemble(part, part.contacts);
       const std::vector<double> lowest(part.contacts.size(), 0.0);
       apply_displacement(separating_impulses(system, lowest), system, part.bodies, part.phases);
       hold_joints(part, trial.report);

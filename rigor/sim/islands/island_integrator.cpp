@@ -1,12 +1,11 @@
-#include "rigor/sim/islands/island.hpp"
+#include "rigor/sim/islands/island_integrator.hpp"
 
 #include "rigor/contact/resting/rolling_friction.hpp"
 #include "rigor/contact/system/contact_kinematics.hpp"
 #include "rigor/core/index.hpp"
-#include "rigor/core/sorted_unique.hpp"
 #include "rigor/dynamics/dense_phase.hpp"
 #include "rigor/dynamics/step_control.hpp"
-#include "rigor/math/rotation.hpp"
+#include "rigor/sim/method/resting_choice.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -41,28 +40,11 @@ IntegratorName integrator_of(IntegratorMethod method) {
 std::size_t place_of(const std::vector<int>& ascending, int body) {
   return at(std::lower_bound(ascending.begin(), ascending.end(), body) - ascending.begin());
 }
-bool holds(const std::vector<int>& ascending, int body) {
-  return std::binary_search(ascending.begin(), ascending.end(), body);
-}
-
 Environment::BodyView view_of(const BodyKinetics& body) {
   return {body.x, body.v, body.w, body.R, body.inverse_mass > 0};
 }
 
-Pose pose_of(const BodyPhase& phase) {
-  return {rotation_matrix(phase.q), phase.x};
-}
-
 }  // namespace
-
-std::vector<int> bodies_of(const std::vector<Contact>& contacts, const std::vector<int>& others) {
-  std::vector<int> bodies = others;
-  for (const Contact& contact : contacts) {
-    bodies.push_back(contact.body_A);
-    bodies.push_back(contact.body_B);
-  }
-  return sorted_unique(std::move(bodies));
-}
 
 /// The wrench on each body and, as two bodies more, what the ledger integrates: the external force and torque
 /// (about the origin of W), and the supplied power as the x component of a force.
@@ -72,10 +54,11 @@ struct IslandIntegrator::Load {
   double power = 0;
 };
 
-IslandIntegrator::IslandIntegrator(const Model& model, const Environment& environment, const Method& method)
+IslandIntegrator::IslandIntegrator(const Model& model, const Environment& environment,
+                                   const ContactSystemAssembler& assembler, const Method& method)
     : model_(model),
       environment_(environment),
-      joints_by_body_(joints_by_body(model)),
+      assembler_(assembler),
       integrator_(method.integrator),
       orientation_(method.orientation),
       tolerance_(method.tolerance),
@@ -83,78 +66,8 @@ IslandIntegrator::IslandIntegrator(const Model& model, const Environment& enviro
       resting_velocity_(method.resting_velocity),
       resting_(resting_choice(method)) {}
 
-RestingChoice resting_choice(const Method& method) {
-  return {method.resting == RestingMethod::motion_space ? RestingSpace::motion : RestingSpace::contact,
-          method.lcp == LcpMethod::dantzig ? LcpName::dantzig : LcpName::lemke};
-}
-
-double direction_tolerance(const Method& method) {
-  return 1e-3 * method.resting_velocity;
-}
-
-double slip_tolerance(const Method& method) {
-  return 1e-6 * method.resting_velocity;
-}
-
-std::vector<int> IslandIntegrator::joints_of(const std::vector<int>& bodies) const {
-  std::vector<int> joints;
-  for (const int body : bodies) {
-    const std::vector<int>& own = joints_by_body_[at(body)];
-    joints.insert(joints.end(), own.begin(), own.end());
-  }
-  return sorted_unique(std::move(joints));
-}
-
-std::vector<int> IslandIntegrator::bodies_of_joints(const std::vector<int>& joints) const {
-  std::vector<int> bodies;
-  for (const int joint : joints) {
-    const std::vector<int> own = model_.bodies_of_joint(joint);
-    bodies.insert(bodies.end(), own.begin(), own.end());
-  }
-  return sorted_unique(std::move(bodies));
-}
-
-std::vector<int> IslandIntegrator::jointed_prescribed(const std::vector<int>& bodies) const {
-  std::vector<int> result = bodies_of_joints(joints_of(bodies));
-  std::erase_if(result, [this](int body) { return model_.body(body).motion == MotionType::dynamic; });
-  return result;
-}
-
-IslandIntegrator::Bodies IslandIntegrator::bodies_at(double t, const std::vector<int>& bodies,
-                                                     std::span<const BodyPhase> phases,
-                                                     const std::vector<Contact>& contacts,
-                                                     const std::vector<int>& joints) const {
-  std::vector<int> others = bodies_of_joints(joints);
-  others.insert(others.end(), bodies.begin(), bodies.end());
-  Bodies result{bodies_of(contacts, others), {}};
-  for (const int body : result.indices) {
-    result.kinetics.push_back(holds(bodies, body)
-                                  ? dynamic_kinetics(model_.body(body), phases[place_of(bodies, body)])
-                                  : prescribed_kinetics(model_.body(body), t));
-  }
-  return result;
-}
-
-ContactSystem IslandIntegrator::system_of(double t, const std::vector<int>& bodies,
-                                          std::span<const BodyPhase> phases, std::vector<Contact> contacts,
-                                          const JointSystem::RowChoice* choice) const {
-  std::vector<int> joints = joints_of(bodies);
-  Bodies all = bodies_at(t, bodies, phases, contacts, joints);
-  std::shared_ptr<const JointSystem> of_joints;
-  if (!joints.empty())
-    of_joints = std::make_shared<JointSystem>(model_, std::move(joints), all.indices, all.kinetics, choice);
-  return make_contact_system(model_, std::move(contacts), std::move(all.indices), std::move(all.kinetics),
-                             std::move(of_joints));
-}
-
-double IslandIntegrator::joint_residual(double t, const std::vector<int>& bodies,
-                                        std::span<const BodyPhase> phases) const {
-  if (joints_of(bodies).empty()) return 0;
-  return system_of(t, bodies, phases, {}).joints->largest_residual().first;
-}
-
 void IslandIntegrator::choose_joint_rows(Island& island) const {
-  const ContactSystem system = system_of(island.begin, island.bodies, island.start, {});
+  const ContactSystem system = assembler_.assemble(island.begin, island.bodies, island.start, {});
   if (system.joints) island.joint_rows = system.joints->choice();
 }
 
@@ -165,61 +78,11 @@ IntegratorName IslandIntegrator::integrator_for(const Island& island) const {
   return island.contacts.empty() ? IntegratorName::dop853 : IntegratorName::dopri5;
 }
 
-ContactSystem IslandIntegrator::contact_system(const Island& island, double t,
-                                               std::span<const BodyPhase> phases,
-                                               std::shared_ptr<JointSystem>* joint_room) const {
-  std::vector<int> joints = joints_of(island.bodies);
-  Bodies all = bodies_at(t, island.bodies, phases, island.contacts, joints);
-  std::vector<Contact> contacts = island.contacts;
-  if (t != island.begin) {
-    const auto pose_at_begin = [&](int body) {
-      return holds(island.bodies, body) ? pose_of(island.start[place_of(island.bodies, body)])
-                                        : prescribed_kinetics(model_.body(body), island.begin).pose();
-    };
-    for (Contact& contact : contacts) {
-      if (contact.stop) continue;
-      contact.point =
-          tracked_contact(model_, contact, pose_at_begin(contact.body_A), pose_at_begin(contact.body_B),
-                          all.kinetics[place_of(all.indices, contact.body_A)].pose(),
-                          all.kinetics[place_of(all.indices, contact.body_B)].pose());
-    }
-  }
-  const JointSystem::RowChoice* const choice = island.joint_rows ? &*island.joint_rows : nullptr;
-  std::shared_ptr<JointSystem> of_joints = joint_room ? *joint_room : nullptr;
-  if (of_joints) {
-    of_joints->update(model_, all.indices, all.kinetics, choice);
-  } else if (!joints.empty()) {
-    of_joints = std::make_shared<JointSystem>(model_, std::move(joints), all.indices, all.kinetics, choice);
-    if (joint_room) *joint_room = of_joints;
-  }
-  return make_contact_system(model_, std::move(contacts), std::move(all.indices), std::move(all.kinetics),
-                             std::move(of_joints));
-}
-
-std::vector<Wrench> IslandIntegrator::environment_wrenches(const ContactSystem& system, double t) const {
-  const auto view = [&](int body) {
-    if (holds(system.bodies, body)) return view_of(system.of(body));
-    return view_of(prescribed_kinetics(model_.body(body), t));
-  };
-  std::vector<Wrench> wrenches(system.bodies.size());
-  environment_.apply_env_forces(system.bodies, view, wrenches);
-  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
-    if (system.kinetics[b].inverse_mass == 0) wrenches[b] = Wrench{};
-  }
-  return wrenches;
-}
-
-std::vector<Wrench> IslandIntegrator::with_moments(const ContactSystem& system,
-                                                   const std::vector<ContactState>& states,
-                                                   std::vector<Wrench> wrenches) const {
-  return with_contact_moments(system, states, std::move(wrenches), direction_tolerance_, resting_velocity_);
-}
-
 IslandIntegrator::Load IslandIntegrator::load(const Island& island, double t,
                                               std::span<const BodyPhase> phases,
                                               std::shared_ptr<JointSystem>& joints) const {
-  const ContactSystem system = contact_system(island, t, phases, &joints);
-  std::vector<Wrench> wrenches = environment_wrenches(system, t);
+  const ContactSystem system = assembler_.assemble(island, t, phases, &joints);
+  std::vector<Wrench> wrenches = assembler_.environment_wrenches(system, t);
   Load load;
   // What springs do inside the island cancels in the sum; those to prescribed bodies and the world are
   // external.
@@ -232,7 +95,8 @@ IslandIntegrator::Load IslandIntegrator::load(const Island& island, double t,
   VecX lambda, joint_lambda;
   if (!island.contacts.empty()) {
     const std::vector<Wrench> of_environment = wrenches;
-    wrenches = with_moments(system, island.states, std::move(wrenches));
+    wrenches = with_contact_moments(system, island.states, std::move(wrenches), direction_tolerance_,
+                                    resting_velocity_);
     load.power += moment_power_of_prescribed(system, of_environment, wrenches);
     // Moments on prescribed bodies leave the island: their opposites are external to it.
     for (std::size_t b = 0; b < system.bodies.size(); ++b) {

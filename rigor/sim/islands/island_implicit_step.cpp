@@ -2,28 +2,14 @@
 #include "rigor/core/index.hpp"
 #include "rigor/dynamics/dense_phase.hpp"
 #include "rigor/math/rotation.hpp"
-#include "rigor/sim/islands/cluster.hpp"
 #include "rigor/sim/islands/displacement.hpp"
 #include "rigor/sim/islands/energy_repair.hpp"
-#include "rigor/sim/islands/island.hpp"
+#include "rigor/sim/islands/island_integrator.hpp"
 
 #include <algorithm>
 #include <utility>
 
 namespace rigor {
-
-EnergyBalance IslandIntegrator::energy_balance(double t, const std::vector<int>& bodies,
-                                               const std::vector<Contact>& contacts) const {
-  EnergyBalance balance{true, true};
-  for (const int body : bodies) balance.is_closed = balance.is_closed && !environment_.is_forced(body);
-  for (const int body : bodies_of(contacts, {})) {
-    if (model_.body(body).motion == MotionType::dynamic) continue;
-    const BodyKinetics prescribed = prescribed_kinetics(model_.body(body), t);
-    balance.is_free = false;
-    balance.is_closed = balance.is_closed && prescribed.v.isZero(0) && prescribed.w.isZero(0);
-  }
-  return balance;
-}
 
 namespace {
 
@@ -57,8 +43,8 @@ void add(std::vector<Wrench>& sum, const std::vector<Wrench>& wrenches) {
 IslandStep IslandIntegrator::implicit_step(const Island& island, double h) const {
   // Momenta after the forces of the environment alone.
   std::vector<BodyPhase> phases = island.start;
-  const ContactSystem at_start = contact_system(island, island.begin, phases);
-  const std::vector<Wrench> wrenches = environment_wrenches(at_start, island.begin);
+  const ContactSystem at_start = assembler_.assemble(island, island.begin, phases);
+  const std::vector<Wrench> wrenches = assembler_.environment_wrenches(at_start, island.begin);
   // Impulses act half a step on: then angular momentum about any point is exact.
   const auto middle = [&](std::size_t i) {
     return Vec3(island.start[i].x + 0.5 * h * at_start.of(island.bodies[i]).v);
@@ -72,7 +58,7 @@ IslandStep IslandIntegrator::implicit_step(const Island& island, double h) const
     result.impulse += h * wrench.f_W;
     result.angular_impulse += h * (wrench.tau_W + middle(i).cross(wrench.f_W));
   }
-  ContactSystem system = contact_system(island, island.begin, phases);
+  ContactSystem system = assembler_.assemble(island, island.begin, phases);
   std::vector<Wrench> impulses(system.bodies.size());
   VecX joint_lambda;
   // What the joints do about those forces, then the contacts with what the joints do about them.
@@ -133,11 +119,12 @@ IslandStep IslandIntegrator::implicit_step(const Island& island, double h) const
 }
 
 void IslandIntegrator::close_implicit_step(const Island& island, IslandStep& step) const {
-  const EnergyBalance balance = energy_balance(island.begin, island.bodies, island.contacts);
+  const EnergyBalance balance =
+      energy_balance(model_, environment_, island.begin, island.bodies, island.contacts);
   const ClusterTotals before = totals_of_bodies(model_, island.bodies, step.end);
   // The contacts have turned while they were taken as straight. What overlapped before may stay.
   constexpr double rounding = 1e-12;
-  const ContactSystem at_end = contact_system(island, island.begin + step.h, step.end);
+  const ContactSystem at_end = assembler_.assemble(island, island.begin + step.h, step.end);
   std::vector<double> lowest;
   bool overlaps = false;
   for (std::size_t i = 0; i < island.contacts.size(); ++i) {
