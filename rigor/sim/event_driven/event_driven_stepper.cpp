@@ -195,6 +195,8 @@ Cluster EventDrivenStepper::compute_new_body_states(const std::vector<int>& seed
   for (const int body : seeds) {
     if (is_dynamic(body)) add_body(body, cluster);
   }
+
+  // All that touches joins, body by body.
   std::set<std::pair<int, int>> visited;
   while (!joined_.empty()) {
     const int body = joined_.back();
@@ -202,6 +204,8 @@ Cluster EventDrivenStepper::compute_new_body_states(const std::vector<int>& seed
     find_touching(body, cluster, visited);
   }
   cluster.slip_tolerance = std::max(cluster.slip_tolerance, stepping_.slip_tolerance_of(cluster.bodies));
+
+  // The stops of their joints are contacts, too.
   const auto put_in_order = [&cluster] {
     std::sort(cluster.contacts.begin(), cluster.contacts.end(),
               [](const Contact& a, const Contact& b) { return a.key() < b.key(); });
@@ -239,11 +243,14 @@ void EventDrivenStepper::add_body(int body, Cluster& cluster) {
 /// All bodies of an island leave it now: at the end of its step, or before, by the same integrator with a
 /// shorter step.
 void EventDrivenStepper::finish_island(int number, Cluster& cluster) {
+  // The island is taken out, and remembers how far its step came.
   const RunningIsland running = std::move(islands_.at(number));
   islands_.erase(number);
   const bool is_at_end = t_ >= running.end;
   const bool has_moved = t_ > running.island.begin;
   stepping_.note_end(running, is_at_end ? running.step.h : t_ - running.island.begin);
+
+  // Its phases now.
   IslandStep step;
   if (is_at_end) {
     step = running.step;
@@ -254,9 +261,13 @@ void EventDrivenStepper::finish_island(int number, Cluster& cluster) {
   } else {
     step.end = running.island.start;
   }
+
+  // Gaps, joints and momenta are put back to what the contacts, joints and impulses say.
   if (has_moved && !step.is_implicit) contacts_.restore_gaps(running.island, t_, step);
   joints_.project_positions(t_, running.island.bodies, step.end, report_);
   joints_.restore_momenta(running.island, step);
+
+  // The bodies join the cluster.
   Vec3 P = Vec3::Zero(), L = Vec3::Zero();
   for (std::size_t i = 0; i < running.island.bodies.size(); ++i) {
     const int body = running.island.bodies[i];
@@ -270,11 +281,15 @@ void EventDrivenStepper::finish_island(int number, Cluster& cluster) {
     P += step.end[i].P - start.P;
     L += step.end[i].L + step.end[i].x.cross(step.end[i].P) - start.L - start.x.cross(start.P);
   }
+
+  // The ledger of the step.
   ++report_.steps;
   report_.work += step.work;
   report_.momentum_error += P - step.impulse;
   report_.angular_momentum_error += L - step.angular_impulse;
   report_.quaternion_drift = std::max(report_.quaternion_drift, step.quaternion_drift);
+
+  // Slip that ends here ends for all contacts that have slowed down as much.
   if (is_at_end && running.change && running.change->kind == ModeChange::Kind::slip_ends) {
     cluster.slip_tolerance = std::max(cluster.slip_tolerance, 4 * running.change->slip_speed);
     ++report_.slip_to_stick;
@@ -290,10 +305,14 @@ void EventDrivenStepper::find_touching(int body, Cluster& cluster, std::set<std:
     const BodyPhase& phase = cluster.phase_of(other);
     return {rotation_matrix(phase.q), phase.x};
   };
+
+  // Springs and joints tie.
   for (const int partner : environment_.spring_partners(body)) add_body(partner, cluster);
   for (const int partner : environment_.joint_partners(body)) add_body(partner, cluster);
   for (const int other : trajectories_.neighbours(body, t_, method_.contact_tolerance)) {
     if (!takes_part(body, other) || !visited.insert(std::minmax(body, other)).second) continue;
+
+    // The contacts of the pair; anew where the other body comes out of an island.
     const auto [a, b] = std::minmax(body, other);
     std::vector<Contact> found =
         find_contacts(*model_, a, b, pose_of(a), pose_of(b), method_.contact_tolerance);
@@ -323,6 +342,8 @@ void EventDrivenStepper::apply_forces(Cluster& cluster) {
         keeps_contacts() && stepping_.is_at_velocity_level(part.bodies) && !part.contacts.empty();
     // There the approach is what closes the gaps within a step.
     part.least_impact = (is_at_velocity_level ? 1 : 1e-3) * method_.resting_velocity;
+
+    // Impulses until nothing approaches.
     joints_.project_velocities(part, report_);
     if (!apply_impulses(part)) {
       report_.reason = StopReason::impact_unsolved;
@@ -330,11 +351,13 @@ void EventDrivenStepper::apply_forces(Cluster& cluster) {
       report_.detail = "an impact left bodies approaching each other";
     }
     if (!keeps_contacts()) std::erase_if(part.contacts, [](const Contact& c) { return !c.stop; });
+
+    // Which contacts last, and the motion with them.
     LastingContacts lasting;
     if (!is_at_velocity_level) lasting = resolver_.update_active(part, report_);
     if (!lasting.have_forces) stepping_.go_to_velocity_level(part.bodies);
     if (is_at_velocity_level || !lasting.have_forces) {
-      // Steps at velocity level take all contacts, whatever they do: their problem decides again.
+      // Steps at velocity level take all contacts, whatever they do: their own problem decides again.
       for (const Contact& contact : part.contacts) {
         if (!contact.stop) trajectories_.set_lasting_contact(contact.body_A, contact.body_B);
       }
@@ -366,6 +389,8 @@ void EventDrivenStepper::move_together(const Cluster& part, const LastingContact
       while (lasting.contacts[next].key() != contact.key()) ++next;
       of_group.states.push_back(lasting.states[next]);
     }
+
+    // Flight in closed form, rest, or steps.
     const bool is_free = of_group.contacts.empty() && method_.integrator == IntegratorMethod::exact &&
                          !environment_.is_forced(group.bodies.front());
     if (is_free) {
@@ -388,6 +413,7 @@ void EventDrivenStepper::move_together(const Cluster& part, const LastingContact
 
 /// The next step of an island, not beyond where the path of a body under it turns.
 void EventDrivenStepper::begin_step(Island island) {
+  // Not beyond where the path of a prescribed body ends.
   double h = std::min(target_step_, t_end_ - t_);
   for (const Contact& contact : island.contacts) {
     for (const int body : {contact.body_A, contact.body_B}) {
@@ -396,11 +422,14 @@ void EventDrivenStepper::begin_step(Island island) {
   }
   for (const int body : assembler_.jointed_prescribed(island.bodies))
     h = std::min(h, trajectories_.motion(body).end() - t_);
+
+  // The step; it may end early where a mode changes.
   integrator_.choose_joint_rows(island);
   RunningIsland running = stepping_.take_step(std::move(island), h, report_);
   const bool is_whole = !running.change && running.step.h == t_end_ - t_;
   running.end = is_whole ? t_end_ : t_ + running.step.h;
 
+  // Its bodies move along it, and its end is an event.
   const int number = next_island_++;
   for (std::size_t i = 0; i < running.island.bodies.size(); ++i) {
     const int body = running.island.bodies[i];
@@ -460,6 +489,7 @@ void EventDrivenStepper::note_transitions(const std::set<std::pair<int, int>>& b
 
 /// All bodies at the end of the span. Islands end here, so that the State alone says how they go on.
 void EventDrivenStepper::write_state_to_bodies(State& state) {
+  // Islands end, with velocities that their joints allow.
   Cluster ended;
   ended.t = t_;
   while (!islands_.empty()) finish_island(islands_.begin()->first, ended);
@@ -468,6 +498,8 @@ void EventDrivenStepper::write_state_to_bodies(State& state) {
     const BodyPhase& phase = ended.phases[i];
     trajectories_.set_motion(ended.bodies[i], Motion::at_rest(phase, t_), t_);
   }
+
+  // Each body: its anchor, and where it is now.
   state.t = t_;
   for (int body = 0; body < model_->body_count(); ++body) {
     const Motion& motion = trajectories_.motion(body);

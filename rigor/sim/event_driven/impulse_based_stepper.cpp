@@ -12,7 +12,7 @@ namespace {
 ToiOptions envelope_search(const Model& model, const Method& method) {
   ToiOptions options = toi_choice(method);
   const double half = 0.5 * method.contact_tolerance;
-  // Slower approaches go on until gravity has made them faster, so that no two collisions crowd.
+  // Slower approaches continue until gravity has made them faster, so that no two collisions crowd.
   constexpr double share = 0.05;
   const double fall = std::sqrt(model.g_W().norm() * method.contact_tolerance);
   options.contact_gap = -half;

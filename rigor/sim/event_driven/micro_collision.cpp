@@ -40,6 +40,8 @@ void MicroCollision::collide(Cluster& cluster, AdvanceReport& report) const {
   std::copy_if(cluster.contacts.begin(), cluster.contacts.end(), std::back_inserter(contacts),
                [](const Contact& contact) { return !contact.stop; });
   if (contacts.empty()) return;
+
+  // The fastest approach, and the coefficients of restitution that rise to 1 for slow ones.
   const ContactSystem system = assembler_.assemble(cluster, contacts);
   const double approach = fastest_approach(relative_velocities(system));
   if (approach <= 0) return;
@@ -47,10 +49,12 @@ void MicroCollision::collide(Cluster& cluster, AdvanceReport& report) const {
   std::vector<double> restitutions;
   for (const Contact& contact : contacts)
     restitutions.push_back(std::max(contact.restitution, std::min(1.0, slow / approach)));
-  const bool resists_turning = std::any_of(contacts.begin(), contacts.end(), [](const Contact& contact) {
+
+  // Slow collisions reverse the velocities, others follow the law of the method.
+  const bool has_moments = std::any_of(contacts.begin(), contacts.end(), [](const Contact& contact) {
     return contact.rolling_friction > 0 || contact.torsional_friction > 0;
   });
-  if (reverses_ && approach <= slow && !resists_turning) {
+  if (reverses_ && approach <= slow && !has_moments) {
     if (const auto reversal = find_reversal(make_impact_problem(system, restitutions)))
       return resolver_.apply_impact(system, *reversal, cluster, report);
   }

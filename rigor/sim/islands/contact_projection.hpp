@@ -15,7 +15,7 @@ class ContactProjection {
   ContactProjection(const Model& model, const Environment& environment,
                     const ContactSystemAssembler& assembler, const Method& method);
 
-  /// Lasting contacts keep their gaps: what the integrator's error has added to them by the end of a step is
+  /// Lasting contacts keep their gaps: what the error of the integrator has added to them in a step is
   /// taken back, by the smallest displacement in the metric of the mass matrix. It adds no energy: what it
   /// would add is taken from the motion, and bodies that cannot pay stay where the step has left them.
   void restore_gaps(const Island& island, double t, IslandStep& step) const;

@@ -20,7 +20,8 @@ bool holds(const std::vector<int>& ascending, int body) {
   return std::binary_search(ascending.begin(), ascending.end(), body);
 }
 
-/// How far a body's turning reaches [m]: to the end of its shapes, and if it has none to where its mass is.
+/// How far a rotation of the body moves its points [m]: the arm to the end of its shapes, and if it has none
+/// to where its mass is.
 double reach_of(const Body& body) {
   const double gyration = std::sqrt(body.moments.maxCoeff() / body.mass);
   return std::isfinite(body.bounding_radius) ? std::max(body.bounding_radius, gyration) : gyration;
@@ -83,6 +84,7 @@ std::vector<Contact> ContactResolver::stops_of(const Cluster& cluster) const {
 /// the whole series with what the contact force does until its limit time.
 std::vector<double> ContactResolver::restitutions(const Cluster& cluster, const ContactSystem& system,
                                                   AdvanceReport& report) const {
+  // Velocities at the contacts, and what the forces would make of them.
   const VecX u = relative_velocities(system);
   const VecX a = free_contact_accelerations(system, assembler_.environment_wrenches(system, cluster.t));
   std::vector<double> result;
@@ -90,6 +92,8 @@ std::vector<double> ContactResolver::restitutions(const Cluster& cluster, const 
     const Eigen::Index normal = 3 * static_cast<Eigen::Index>(i) + 2;
     const Contact& contact = system.contacts[i];
     const double e = contact.restitution;
+
+    // A slow approach under a force that presses ends the series, at the sum of its bounces.
     const bool ends = e < 1 && u[normal] < 0 && u[normal] > -resting_velocity_ && a[normal] < 0;
     result.push_back(ends ? 0.0 : e);
     if (!ends || e == 0) continue;
@@ -116,6 +120,8 @@ void ContactResolver::add_impulses(const ContactSystem& system, const VecX& lamb
       report.work -= sign * l_W.dot(system.of(body).w);
     }
   }
+
+  // What the joints do about them.
   VecX joint_lambda;
   if (system.joints) {
     JointReactions reactions =
@@ -124,6 +130,8 @@ void ContactResolver::add_impulses(const ContactSystem& system, const VecX& lamb
     joint_lambda = reactions.lambda;
     report.work += system.joints->supplied_power(joint_lambda);
   }
+
+  // The momenta, and what of them nothing outside accounts for.
   add_to_momenta(system, impulses, cluster);
   const Wrench of_contacts = external_wrench(system, lambda, joint_lambda);
   const ClusterTotals after = totals_of(model_, cluster);
@@ -153,6 +161,8 @@ void ContactResolver::apply_impact(const ContactSystem& system, const ImpactSolu
   const double before = totals_of(model_, cluster).T;
   const double work_before = report.work;
   add_impulses(system, impact.lambda, impact.moments, cluster, report);
+
+  // The energy that the impact took or gave.
   const double change = totals_of(model_, cluster).T - before - (report.work - work_before);
   (change < 0 ? report.impact_loss : report.impact_gain) += std::abs(change);
 
@@ -186,6 +196,8 @@ bool ContactResolver::apply_impulses(Cluster& cluster, AdvanceReport& report) co
                [](const Contact& contact) { return !contact.is_bounded_force(); });
   for (int pass = 0; pass < most_passes; ++pass) {
     if (colliding.empty()) return true;
+
+    // The fastest approach; none that is more than rounding ends the passes.
     const ContactSystem system = assembler_.assemble(cluster, colliding);
     const VecX u = relative_velocities(system);
     double approach = 0;
@@ -202,6 +214,7 @@ bool ContactResolver::apply_impulses(Cluster& cluster, AdvanceReport& report) co
       continue;
     }
 
+    // Faster ones collide by the law of the method.
     const ImpactSolution impact =
         solve_impact(system, restitutions(cluster, system, report), collision_law_, law_);
     apply_impact(system, impact, cluster, report);
@@ -221,6 +234,7 @@ LastingContacts ContactResolver::find_lasting(const Cluster& cluster, AdvanceRep
   }
   if (candidates.empty()) return {};
 
+  // The forces that keep them in contact, and whether the law of friction names any.
   const ContactSystem touching = assembler_.assemble(cluster, candidates);
   const std::vector<Wrench> wrenches = assembler_.environment_wrenches(touching, cluster.t);
   const RestingSolution resting = solve_resting(touching, wrenches, cluster.slip_tolerance, resting_);
@@ -233,6 +247,8 @@ LastingContacts ContactResolver::find_lasting(const Cluster& cluster, AdvanceRep
     lasting.have_forces = false;
     return lasting;
   }
+
+  // Those that carry a force last.
   report.max_residual = std::max(report.max_residual, resting.forces.residual);
   report.max_iterations = std::max(report.max_iterations, resting.forces.iterations);
   if (!lasting.have_forces) {
@@ -262,6 +278,8 @@ bool ContactResolver::agrees_with_velocities(const LastingContacts& lasting, con
     if (!cluster.contacts[i].is_bounded_force() && u[3 * static_cast<Eigen::Index>(i) + 2] < -still_)
       return false;
   }
+
+  // No lasting contact slips against its friction.
   const ContactSystem system = assembler_.assemble(cluster, lasting.contacts);
   const VecX of_lasting = relative_velocities(system);
   for (std::size_t i = 0; i < lasting.contacts.size(); ++i) {
@@ -288,6 +306,7 @@ LastingContacts ContactResolver::update_active(Cluster& cluster, AdvanceReport& 
 }
 
 bool ContactResolver::is_balanced(const Cluster& cluster, const LastingContacts& lasting) const {
+  // Nothing moves: neither what the bodies touch nor the bodies themselves.
   const ContactSystem system = assembler_.assemble(cluster, lasting.contacts);
   for (const BodyKinetics& body : system.kinetics) {
     if (body.inverse_mass == 0 && (!body.v.isZero(0) || !body.w.isZero(0))) return false;
@@ -297,6 +316,8 @@ bool ContactResolver::is_balanced(const Cluster& cluster, const LastingContacts&
     const double radius = reach_of(model_.body(index));
     if (body.v.norm() > still_ || body.w.norm() * radius > still_) return false;
   }
+
+  // All forces together, with those of contacts and joints.
   std::vector<Wrench> wrenches = assembler_.environment_wrenches(system, cluster.t);
   const std::vector<Wrench> free = wrenches;
   if (!lasting.contacts.empty())

@@ -22,7 +22,7 @@ struct LastingContacts {
 /// The law of a single collision that the method names.
 RestitutionLaw restitution_law(ImpactMethod method);
 
-/// Decides what happens at an event: who collides, who rests, who parts.
+/// Decides what happens at an event: which contacts collide, which last, which open.
 class ContactResolver {
  public:
   ContactResolver(const Model& model, const ContactSystemAssembler& assembler, const Method& method);

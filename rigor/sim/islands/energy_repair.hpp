@@ -20,9 +20,9 @@ struct EnergyBalance {
 EnergyBalance energy_balance(const Model& model, const Environment& environment, double t,
                              const std::vector<int>& bodies, const std::vector<Contact>& contacts);
 
-/// Takes up to `amount` ≥ 0 [J] of kinetic energy: all velocities become shorter by one factor, which keeps
-/// every contact at rest, rolling or sliding as it is. Of a group that is free only the velocities relative
-/// to its motion as a rigid body do, so that its momentum and angular momentum stay. Returns what was taken.
+/// Takes up to `amount` ≥ 0 [J] of kinetic energy: all velocities shrink by one factor, which keeps
+/// every contact at rest, rolling or sliding as it is. In a free group only the velocities relative to its
+/// motion as a rigid body shrink, so that its momentum and angular momentum stay. Returns what was taken.
 ///
 /// With V = U + W, U of the rigid motion and W the rest, T = T(U) + T(W) since U carries all momentum; then
 /// T(s W) = s² T(W), s² = 1 - amount / T(W).

@@ -82,6 +82,8 @@ IslandIntegrator::Load IslandIntegrator::load(const Island& island, double t,
                                               std::span<const BodyPhase> phases,
                                               std::shared_ptr<JointSystem>& joints) const {
   const ContactSystem system = assembler_.assemble(island, t, phases, &joints);
+
+  // The forces of the environment.
   std::vector<Wrench> wrenches = assembler_.environment_wrenches(system, t);
   Load load;
   // What springs do inside the island cancels in the sum; those to prescribed bodies and the world are
@@ -92,6 +94,8 @@ IslandIntegrator::Load IslandIntegrator::load(const Island& island, double t,
     load.external.tau_W += wrenches[b].tau_W + system.kinetics[b].x.cross(wrenches[b].f_W);
     load.power += environment_.supplied_power(system.bodies[b], view_of(system.kinetics[b]));
   }
+
+  // The contacts: moments of rolling and torsional friction, then the forces of the active modes.
   VecX lambda, joint_lambda;
   if (!island.contacts.empty()) {
     const std::vector<Wrench> of_environment = wrenches;
@@ -106,12 +110,16 @@ IslandIntegrator::Load IslandIntegrator::load(const Island& island, double t,
     add_contact_wrenches(system, lambda, wrenches);
     load.power += work_of_prescribed(system, lambda);
   }
+
+  // The joints.
   if (system.joints) {
     JointReactions reactions = with_joint_reactions(system, std::move(wrenches));
     wrenches = std::move(reactions.wrenches);
     joint_lambda = reactions.lambda;
     load.power += system.joints->supplied_power(joint_lambda);
   }
+
+  // What of it comes from outside, and the wrenches in the order of the island.
   const Wrench external = external_wrench(system, lambda, joint_lambda);
   load.external.f_W += external.f_W;
   load.external.tau_W += external.tau_W;
@@ -122,8 +130,11 @@ IslandIntegrator::Load IslandIntegrator::load(const Island& island, double t,
 IntegratorTolerances IslandIntegrator::tolerances(const Island& island) const {
   IntegratorTolerances result;
   result.relative = tolerance_;
-  // A linear momentum below this share of what turning carries is rounding of it, as of a wheel on its axle.
+  // A linear momentum below this share of what the rotation carries is rounding of it, as of a wheel on its
+  // axle.
   constexpr double rounding_share = 1e-4;
+
+  // The largest of the bodies: size, momentum or what gravity gives in its size, and angular momentum.
   double length = 0, momentum = 0, angular_momentum = 0, turning = 0;
   for (std::size_t i = 0; i < island.bodies.size(); ++i) {
     const Body& body = model_.body(island.bodies[i]);
@@ -137,6 +148,8 @@ IntegratorTolerances IslandIntegrator::tolerances(const Island& island) const {
         std::max(angular_momentum, std::max(island.start[i].L.norm(), body.mass * speed * size));
     turning = std::max(turning, island.start[i].L.norm() / size);
   }
+
+  // The scales that the tolerance is relative to.
   if (length > 0) result.length_scale = length;
   if (momentum > 0) result.momentum_scale = std::max(momentum, rounding_share * turning);
   if (angular_momentum > 0) result.angular_momentum_scale = angular_momentum;
@@ -144,16 +157,20 @@ IntegratorTolerances IslandIntegrator::tolerances(const Island& island) const {
 }
 
 IslandStep IslandIntegrator::step(const Island& island, double h) const {
+  // The bodies of the island.
   const std::size_t count = island.bodies.size();
   std::vector<BodyInertia> inertias;
   for (const int body : island.bodies)
     inertias.push_back({model_.body(body).mass, model_.body(body).moments});
-  // The books do not move: their paths would only disturb the estimate of the error.
+
+  // The ledger is integrated as two more bodies that do not move: their paths would only disturb the estimate
+  // of the error.
   constexpr double infinite = std::numeric_limits<double>::infinity();
   inertias.resize(count + 2, {infinite, Vec3::Constant(infinite)});
   std::vector<BodyPhase> start = island.start;
   start.resize(count + 2);
 
+  // The contact forces are solved for at every stage.
   std::shared_ptr<JointSystem> joints;
   const WrenchField field = [&](double t, std::span<const BodyPhase> phases, std::span<Wrench> wrenches) {
     const Load now = load(island, t, phases.first(count), joints);
@@ -164,6 +181,7 @@ IslandStep IslandIntegrator::step(const Island& island, double h) const {
   SystemStep taken = integrate_step(integrator_for(island), orientation_, inertias, start, island.begin, h,
                                     field, tolerances(island));
 
+  // The step of the bodies, and the ledger.
   IslandStep result{h, {}, {}, taken.error, taken.quaternion_drift};
   result.impulse = taken.end[count].P;
   result.angular_impulse = taken.end[count].L;

@@ -14,13 +14,9 @@ namespace rigor {
 
 namespace {
 
-bool is_same(const Contact& a, const Contact& b) {
-  return a.key() == b.key();
-}
-
 bool is_among(const Contact& contact, const std::vector<Contact>& others) {
   return std::any_of(others.begin(), others.end(),
-                     [&](const Contact& other) { return is_same(contact, other); });
+                     [&](const Contact& other) { return other.key() == contact.key(); });
 }
 
 bool has_limits(const Model& model, const std::vector<int>& joints) {
@@ -79,13 +75,15 @@ std::vector<double> ModeChangeSearch::slip_speeds(const Island& island, const In
 
 std::optional<ModeChange> ModeChangeSearch::find_slip_end(const Island& island, const IslandStep& step,
                                                           double end) const {
-  // Slip that begins from rest may creep back by what the velocities are uncertain, and no more.
+  // Slip that begins from rest may creep back by the uncertainty of the velocities, and no more.
   std::vector<double> levels = slip_speeds(island, at(island, step, 0));
   double uncertainty = 0;
   for (double& level : levels) {
     level = level > 0 ? 0 : 2 * level - slip_tolerance_;
     uncertainty = std::max(uncertainty, -level);
   }
+
+  // The first time at which one of them falls below its level.
   const auto margin = [&](double theta) {
     const std::vector<double> speeds = slip_speeds(island, at(island, step, theta));
     double least = std::numeric_limits<double>::infinity();
@@ -102,10 +100,14 @@ std::optional<ModeChange> ModeChangeSearch::find_slip_end(const Island& island, 
 /// little below zero is allowed for rounding.
 double ModeChangeSearch::force_margin(const Island& island, const Instant& instant) const {
   constexpr double rounding = 1e-10;
+
+  // The contact forces there, relative to the largest.
   const VecX lambda = contact_forces(instant.system, island.states, wrenches(island, instant),
                                      direction_tolerance_, resting_);
   const double scale = lambda.cwiseAbs().maxCoeff();
   if (scale == 0) return rounding;
+
+  // How far each is inside its cone.
   double margin = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < island.states.size(); ++i) {
     if (island.states[i].mode == ContactMode::open) continue;
@@ -143,7 +145,7 @@ double ModeChangeSearch::overlap_margin(const Island& island, const Instant& ins
   for (const Contact& contact : contacts_of_pairs(island, instant)) {
     double lowest = is_among(contact, island.contacts) ? -0.5 * contact_tolerance_ : landing;
     const auto before = std::find_if(at_start.begin(), at_start.end(),
-                                     [&](const Contact& other) { return is_same(contact, other); });
+                                     [&](const Contact& other) { return other.key() == contact.key(); });
     if (before != at_start.end()) lowest = std::min(lowest, before->point.gap - rounding);
     margin = std::min(margin, contact.point.gap - lowest);
   }
@@ -158,12 +160,14 @@ std::vector<double> ModeChangeSearch::clearances(const Island& island, const Ins
 std::optional<ModeChange> ModeChangeSearch::find_limit(const Island& island, const IslandStep& step) const {
   if (!has_limits(model_, assembler_.joints_of(island.bodies))) return std::nullopt;
   constexpr int probes = 8, most_halvings = 40;
+
+  // Each limit by itself, before the first that was found.
   const std::vector<double> start = clearances(island, at(island, step, 0));
   double end = 1;
   std::optional<ModeChange> first;
   for (std::size_t i = 0; i < start.size(); ++i) {
     const auto clearance = [&](double theta) { return clearances(island, at(island, step, theta))[i]; };
-    // What is at a limit or a little beyond it as it leaves has come back when it is as far again.
+    // What leaves from a limit, or from a little beyond it, is back when it is as far again.
     double level = std::min(0.0, start[i]);
     const double lowest = level - 0.01 * contact_tolerance_;
     double lo = 0;
@@ -176,7 +180,7 @@ std::optional<ModeChange> ModeChangeSearch::find_limit(const Island& island, con
       if (lo == 0) lo = probe;
       for (int halvings = 0; halvings < most_halvings && clearance(lo) <= level; ++halvings) lo *= 0.5;
       if (clearance(lo) <= level) {
-        // It never left: it creeps on by what the velocities are uncertain.
+        // It never left: it creeps by the uncertainty of the velocities.
         if (clearance(probe) >= lowest) break;
         lo = 0;
         level = lowest;
@@ -240,6 +244,8 @@ std::optional<ModeChange> ModeChangeSearch::find(const Island& island, const Isl
     first = overlap;
     end = overlap->h / step.h;
   }
+
+  // Forces last: probes at the middle and at the end, then the root between.
   const auto force = [&](double theta) { return force_margin(island, at(island, step, theta)); };
   const auto signature = [&](double theta) {
     return modes_hold(island, at(island, step, theta)) ? 1.0 : -1.0;
