@@ -1,6 +1,5 @@
 #include "rigor/contact/system/contact_system.hpp"
 
-#include "rigor/contact/system/contact_kinematics.hpp"
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/core/sorted_unique.hpp"
@@ -207,9 +206,10 @@ VecX relative_velocities(const ContactSystem& system) {
     const Contact& contact = system.contacts[i];
     const BodyKinetics &A = system.of(contact.body_A), &B = system.of(contact.body_B);
     const ContactJacobian& rows = system.rows[i];
+    const Vec3 p_W = contact.p_W();
     u.segment<3>(3 * static_cast<Eigen::Index>(i)) =
         contact.stop ? Vec3(rows.A * velocity(A) + rows.B * velocity(B) - rows.rate)
-                     : relative_velocity(contact, A, B);
+                     : Vec3(system.frames[i].transpose() * (B.velocity_at(p_W) - A.velocity_at(p_W)));
   }
   return u;
 }

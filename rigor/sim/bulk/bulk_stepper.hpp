@@ -2,6 +2,7 @@
 
 #include "rigor/bulk/bulk_world.hpp"
 #include "rigor/sim/fixed_steps/fixed_step_stepper.hpp"
+#include "rigor/sim/method/method.hpp"
 
 #include <memory>
 
