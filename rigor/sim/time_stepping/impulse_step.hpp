@@ -42,7 +42,7 @@ class ImpulseStep {
   bool touches(const Contact& contact) const;
   bool holds_springs(const StepSpan& span, const Cluster& part) const;
   FreeEnd fly(double h, const Cluster& part, AdvanceReport& report) const;
-  FreeEnd fly_among(const Environment& environment, const IslandIntegrator& integrator, double h,
+  FreeEnd fly_under(const Environment& environment, const IslandIntegrator& integrator, double h,
                     const Cluster& part, AdvanceReport& report) const;
   bool stays_clear(double h, const Cluster& part, const FreeEnd& free) const;
   std::vector<Contact> contacts_at(double t, const Cluster& part, const std::vector<BodyPhase>& phases) const;

@@ -22,9 +22,9 @@ using Eigen::Index;
 
 namespace {
 
-constexpr double solved = 1e-10;  // The last two digits of slip that turns take most of the time.
+constexpr double solved = 1e-10;  // The last two digits of slip that changes direction take most of the time.
 
-bool resists_turning(const Contact& contact) {
+bool has_moments(const Contact& contact) {
   return !contact.stop && (contact.rolling_friction > 0 || contact.torsional_friction > 0);
 }
 
@@ -69,6 +69,8 @@ class SpringResponse {
     const Index contacts = rates.size();
     add_springs(springs, system, rows);
     const MatX all = contact_response(rows);
+
+    // The blocks of the springs, and their coupling with the contacts.
     const Index count = static_cast<Index>(springs.count());
     MatX of_springs(count, count);
     coupling_.resize(count, contacts);
@@ -77,6 +79,8 @@ class SpringResponse {
       coupling_.row(i) = all.row(row).head(contacts);
       for (Index k = 0; k < count; ++k) of_springs(i, k) = all(row, contacts + 3 * k + 2);
     }
+
+    // The Schur complement of the springs' rows.
     of_springs.diagonal() += springs.softness;
     stiffness_.compute(of_springs);
     free_ = springs.rates + springs.drive;
@@ -131,10 +135,14 @@ StepLaws step_laws_of(const ContactSystem& system, double still) {
   const std::size_t count = system.contacts.size();
   StepLaws laws;
   laws.contacts.b = relative_velocities(system);
+
+  // Sliding.
   laws.contacts.rows.assign(count, FrictionRow::cone);
   laws.contacts.slips.assign(count, Vec2::Zero());
   for (const Contact& contact : system.contacts) laws.contacts.mu.push_back(contact.friction);
-  if (std::any_of(system.contacts.begin(), system.contacts.end(), resists_turning)) {
+
+  // Rolling and spinning, if anything has moments.
+  if (std::any_of(system.contacts.begin(), system.contacts.end(), has_moments)) {
     laws.turning = VecX::Zero(laws.contacts.b.size());
     for (std::size_t i = 0; i < count; ++i) {
       const Contact& contact = system.contacts[i];
@@ -184,6 +192,7 @@ StepImpulses StepSolver::solve_with(const ContactSystem& system, const StepLaws&
 /// Motion space has rows of bodies alone: what works through joints, stops and springs is solved in contact
 /// space.
 StepImpulses StepSolver::solve_cones(const ContactSystem& system, const StepLaws& laws) const {
+  // Springs are eliminated first.
   const bool has_stops = std::any_of(system.contacts.begin(), system.contacts.end(),
                                      [](const Contact& contact) { return contact.stop.has_value(); });
   CoulombProblem problem = laws.contacts;
@@ -195,6 +204,8 @@ StepImpulses StepSolver::solve_cones(const ContactSystem& system, const StepLaws
     impulses.springs = response.impulses(impulses.lambda);
     return impulses;
   }
+
+  // Rows of bodies alone: sparse; else by the Delassus operator.
   const bool is_sparse = !system.joints && !has_stops;
   if (cone_ == ConeMethod::convex && is_sparse)
     return impulses_of(solve_convex_cones(MotionProblem{motion_rows(system), problem}));
@@ -218,6 +229,7 @@ StepImpulses StepSolver::solve_dense(const CoulombProblem& problem, double resol
 
 /// Sliding, rolling and spinning together.
 StepImpulses StepSolver::solve_frictions(const ContactSystem& system, const StepLaws& laws) const {
+  // A and b with moments, without springs that act implicitly.
   ContactRows rows = moment_rows(system);
   RollingFrictionProblem problem{
       {}, interleaved(laws.contacts.b, laws.turning), laws.contacts.mu, laws.rolling, laws.torsional};
@@ -229,6 +241,8 @@ StepImpulses StepSolver::solve_frictions(const ContactSystem& system, const Step
   } else {
     problem.A = contact_response(rows);
   }
+
+  // Forces and moments, contact by contact.
   const MomentSolution solution = solve_moments(problem);
   StepImpulses impulses;
   if (response) impulses.springs = response->impulses(solution.lambda);
