@@ -56,7 +56,7 @@ void EventDrivenStepper::move_together(const Cluster& part, const LastingContact
   }
 }
 
-/// The next step of an island, not beyond where the path of a body under it turns.
+/// The next step of an island, not beyond the next path point of a body under it.
 void EventDrivenStepper::begin_step(Island island) {
   // Not beyond where the path of a prescribed body ends.
   double h = std::min(target_step_, t_end_ - t_);

@@ -173,8 +173,8 @@ void EventDrivenStepper::handle_event(const std::vector<int>& seeds, std::vector
   drop_stale_events();
 }
 
-/// The end of a window changes nothing but the window, unless a path turns there: then what stands on the
-/// body notices.
+/// The end of a window changes nothing but the window, unless it is a point of a path: then what stands on
+/// the body notices.
 void EventDrivenStepper::begin_new_window(int body) {
   if (trajectories_.motion(body).end() > t_) return trajectories_.predict({body}, t_, queue_);
   renew_prescribed(body);
@@ -350,7 +350,7 @@ void EventDrivenStepper::note_transitions(const std::set<std::pair<int, int>>& b
   }
 }
 
-/// All bodies at the end of the span. Islands end here, so that the State alone says how they go on.
+/// All bodies at the end of the span. Islands end here, so that the State alone says how they continue.
 void EventDrivenStepper::write_state_to_bodies(State& state) {
   // Islands end, with velocities that their joints allow.
   Cluster ended;

@@ -23,7 +23,7 @@ HybridStepper::HybridStepper(std::shared_ptr<const Model> model, const Method& m
       resting_velocity_(method.resting_velocity) {}
 
 /// The bodies bounce off each other and have not yet come near rest; what lasts and what the event is about
-/// never is. Nothing is where all is judged afresh (at the start, and where the path of a body turns), and
+/// never is. Nothing is where all is judged afresh (at the start, and at the points of a body's path), and
 /// where one collision after the other does not lead on from an instant.
 bool HybridStepper::is_in_transition(const std::vector<Contact>& contacts) const {
   const QueuedEvent& event = present_event();

@@ -11,11 +11,11 @@ namespace rigor {
 Trajectories::Trajectories(const Model& model, const ToiOptions& options, BroadPhaseMethod method)
     : model_(model), options_(options), tracks_(at(model.body_count())), boxes_(make_broad_phase(method)) {
   for (int i = 0; i < model.body_count(); ++i) {
-    double turning = 0;
+    double radius = 0;
     for (const BodyShape& shape : model.body(i).shapes) {
-      turning = std::max(turning, turning_radius(shape.shape, shape.X_BS, shape.radius));
+      radius = std::max(radius, turning_radius(shape.shape, shape.X_BS, shape.radius));
     }
-    turning_radii_.push_back(turning);
+    turning_radii_.push_back(radius);
     if (!is_bounded(i) && !model.body(i).shapes.empty()) unbounded_.push_back(i);
   }
 }

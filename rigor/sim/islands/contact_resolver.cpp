@@ -293,7 +293,7 @@ bool ContactResolver::agrees_with_velocities(const LastingContacts& lasting, con
 
 LastingContacts ContactResolver::update_active(Cluster& cluster, AdvanceReport& report) const {
   // Where contacts are almost redundant, putting one speed right changes others by many times as much: slip
-  // may turn, and open contacts may approach. Then what lasts is asked again.
+  // may change its direction, and open contacts may approach. Then the lasting contacts are found anew.
   constexpr int most_rounds = 5;
   LastingContacts lasting = find_lasting(cluster, report);
   for (int round = 1; !lasting.contacts.empty(); ++round) {

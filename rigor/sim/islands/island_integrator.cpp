@@ -135,7 +135,7 @@ IntegratorTolerances IslandIntegrator::tolerances(const Island& island) const {
   constexpr double rounding_share = 1e-4;
 
   // The largest of the bodies: size, momentum or what gravity gives in its size, and angular momentum.
-  double length = 0, momentum = 0, angular_momentum = 0, turning = 0;
+  double length = 0, momentum = 0, angular_momentum = 0, of_rotation = 0;
   for (std::size_t i = 0; i < island.bodies.size(); ++i) {
     const Body& body = model_.body(island.bodies[i]);
     const double size = std::isfinite(body.bounding_radius) && body.bounding_radius > 0
@@ -146,12 +146,12 @@ IntegratorTolerances IslandIntegrator::tolerances(const Island& island) const {
     momentum = std::max(momentum, std::max(island.start[i].P.norm(), body.mass * speed));
     angular_momentum =
         std::max(angular_momentum, std::max(island.start[i].L.norm(), body.mass * speed * size));
-    turning = std::max(turning, island.start[i].L.norm() / size);
+    of_rotation = std::max(of_rotation, island.start[i].L.norm() / size);
   }
 
   // The scales that the tolerance is relative to.
   if (length > 0) result.length_scale = length;
-  if (momentum > 0) result.momentum_scale = std::max(momentum, rounding_share * turning);
+  if (momentum > 0) result.momentum_scale = std::max(momentum, rounding_share * of_rotation);
   if (angular_momentum > 0) result.angular_momentum_scale = angular_momentum;
   return result;
 }

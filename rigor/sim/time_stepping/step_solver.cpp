@@ -143,12 +143,12 @@ StepLaws step_laws_of(const ContactSystem& system, double still) {
 
   // Rolling and spinning, if anything has moments.
   if (std::any_of(system.contacts.begin(), system.contacts.end(), has_moments)) {
-    laws.turning = VecX::Zero(laws.contacts.b.size());
+    laws.spins = VecX::Zero(laws.contacts.b.size());
     for (std::size_t i = 0; i < count; ++i) {
       const Contact& contact = system.contacts[i];
       laws.rolling.push_back(contact.stop ? 0.0 : contact.rolling_friction);
       laws.torsional.push_back(contact.stop ? 0.0 : contact.torsional_friction);
-      if (!contact.stop) laws.turning.segment<3>(3 * static_cast<Index>(i)) = relative_turning(system, i);
+      if (!contact.stop) laws.spins.segment<3>(3 * static_cast<Index>(i)) = relative_turning(system, i);
     }
   }
   if (std::any_of(system.contacts.begin(), system.contacts.end(),
@@ -184,7 +184,7 @@ StepImpulses StepSolver::solve(const ContactSystem& system, StepLaws laws) const
 }
 
 StepImpulses StepSolver::solve_with(const ContactSystem& system, const StepLaws& laws) const {
-  if (laws.turning.size() > 0) return solve_frictions(system, laws);
+  if (laws.spins.size() > 0) return solve_frictions(system, laws);
   if (solver_ == SolverMethod::pgs) return sweep(system, laws.contacts);
   return solve_cones(system, laws);
 }
@@ -232,7 +232,7 @@ StepImpulses StepSolver::solve_frictions(const ContactSystem& system, const Step
   // A and b with moments, without springs that act implicitly.
   ContactRows rows = moment_rows(system);
   RollingFrictionProblem problem{
-      {}, interleaved(laws.contacts.b, laws.turning), laws.contacts.mu, laws.rolling, laws.torsional};
+      {}, interleaved(laws.contacts.b, laws.spins), laws.contacts.mu, laws.rolling, laws.torsional};
   std::optional<SpringResponse> response;
   if (laws.springs) {
     response.emplace(std::move(rows), problem.b, *laws.springs, system);

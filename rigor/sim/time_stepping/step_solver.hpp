@@ -14,7 +14,7 @@ namespace rigor {
 /// these.
 struct StepLaws {
   CoulombProblem contacts;  ///< b (3n) [m/s], μ and rows; without A.
-  VecX turning;             ///< Relative turning (3n) [rad/s], contact frames; empty if nothing resists it.
+  VecX spins;  ///< Relative angular velocities (3n) [rad/s], contact frames; empty if no contact has moments.
   std::vector<double> rolling;            ///< ρ, one a contact, or none [m].
   std::vector<double> torsional;          ///< σ, as above [m].
   std::vector<double> sticking_friction;  ///< μ_s ≥ μ, one a contact; or none: as μ.
