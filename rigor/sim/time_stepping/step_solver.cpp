@@ -143,12 +143,13 @@ StepLaws step_laws_of(const ContactSystem& system, double still) {
 
   // Rolling and spinning, if anything has moments.
   if (std::any_of(system.contacts.begin(), system.contacts.end(), has_moments)) {
-    laws.spins = VecX::Zero(laws.contacts.b.size());
+    laws.angular_velocities = VecX::Zero(laws.contacts.b.size());
     for (std::size_t i = 0; i < count; ++i) {
       const Contact& contact = system.contacts[i];
       laws.rolling.push_back(contact.stop ? 0.0 : contact.rolling_friction);
       laws.torsional.push_back(contact.stop ? 0.0 : contact.torsional_friction);
-      if (!contact.stop) laws.spins.segment<3>(3 * static_cast<Index>(i)) = relative_turning(system, i);
+      if (!contact.stop)
+        laws.angular_velocities.segment<3>(3 * static_cast<Index>(i)) = relative_turning(system, i);
     }
   }
   if (std::any_of(system.contacts.begin(), system.contacts.end(),
@@ -184,7 +185,7 @@ StepImpulses StepSolver::solve(const ContactSystem& system, StepLaws laws) const
 }
 
 StepImpulses StepSolver::solve_with(const ContactSystem& system, const StepLaws& laws) const {
-  if (laws.spins.size() > 0) return solve_frictions(system, laws);
+  if (laws.angular_velocities.size() > 0) return solve_frictions(system, laws);
   if (solver_ == SolverMethod::pgs) return sweep(system, laws.contacts);
   return solve_cones(system, laws);
 }
@@ -231,8 +232,11 @@ StepImpulses StepSolver::solve_dense(const CoulombProblem& problem, double resol
 StepImpulses StepSolver::solve_frictions(const ContactSystem& system, const StepLaws& laws) const {
   // A and b with moments, without springs that act implicitly.
   ContactRows rows = moment_rows(system);
-  RollingFrictionProblem problem{
-      {}, interleaved(laws.contacts.b, laws.spins), laws.contacts.mu, laws.rolling, laws.torsional};
+  RollingFrictionProblem problem{{},
+                                 interleaved(laws.contacts.b, laws.angular_velocities),
+                                 laws.contacts.mu,
+                                 laws.rolling,
+                                 laws.torsional};
   std::optional<SpringResponse> response;
   if (laws.springs) {
     response.emplace(std::move(rows), problem.b, *laws.springs, system);

@@ -14,7 +14,7 @@ namespace rigor {
 /// these.
 struct StepLaws {
   CoulombProblem contacts;  ///< b (3n) [m/s], μ and rows; without A.
-  VecX spins;  ///< Relative angular velocities (3n) [rad/s], contact frames; empty if no contact has moments.
+  VecX angular_velocities;  ///< Relative ones (3n) [rad/s], contact frames; empty if no contact has moments.
   std::vector<double> rolling;            ///< ρ, one a contact, or none [m].
   std::vector<double> torsional;          ///< σ, as above [m].
   std::vector<double> sticking_friction;  ///< μ_s ≥ μ, one a contact; or none: as μ.
