@@ -206,10 +206,13 @@ VecX relative_velocities(const ContactSystem& system) {
     const Contact& contact = system.contacts[i];
     const BodyKinetics &A = system.of(contact.body_A), &B = system.of(contact.body_B);
     const ContactJacobian& rows = system.rows[i];
-    const Vec3 p_W = contact.p_W();
-    u.segment<3>(3 * static_cast<Eigen::Index>(i)) =
-        contact.stop ? Vec3(rows.A * velocity(A) + rows.B * velocity(B) - rows.rate)
-                     : Vec3(system.frames[i].transpose() * (B.velocity_at(p_W) - A.velocity_at(p_W)));
+    const Eigen::Index row = 3 * static_cast<Eigen::Index>(i);
+    if (contact.stop) {
+      u.segment<3>(row) = rows.A * velocity(A) + rows.B * velocity(B) - rows.rate;
+    } else {
+      const Vec3 p_W = contact.p_W();
+      u.segment<3>(row) = system.frames[i].transpose() * (B.velocity_at(p_W) - A.velocity_at(p_W));
+    }
   }
   return u;
 }
