@@ -26,7 +26,7 @@ class FixedStepStepper : public Stepper {
   /// Takes over the State before the first step, which ends at this time [s].
   virtual void begin_span(double first_end, State& state) = 0;
   /// Moves from t towards the end of a fixed step. Returns the time reached [s]: a scheme may divide the
-  /// step, and is then asked again. If it cannot go on, `report_.reason` says why.
+  /// step, and is then asked again. If it cannot continue, `report_.reason` says why.
   virtual double step_towards(double t_end, double t, State& state) = 0;
   /// Completes the State at the time reached [s], also after a stop.
   virtual void end_span(double t, State& state) = 0;

@@ -10,7 +10,7 @@
 
 namespace rigor {
 
-/// What lasts after an event: contacts that hold, with what they do.
+/// The contacts that last after an event, with their states.
 struct LastingContacts {
   std::vector<Contact> contacts;
   std::vector<ContactState> states;
@@ -46,7 +46,7 @@ class ContactResolver {
   /// Whether bodies with these lasting contacts stand still and stay so: all forces balance.
   bool is_balanced(const Cluster& cluster, const LastingContacts& lasting) const;
 
-  /// Adds impulses λ (3n) with what joints do about them to the momenta, and to the books of the report.
+  /// Adds impulses λ (3n) with what joints do about them to the momenta, and to the ledger of the report.
   /// moments: angular impulses in the contact frames, 3n, or none.
   void add_impulses(const ContactSystem& system, const VecX& lambda, const VecX& moments, Cluster& cluster,
                     AdvanceReport& report) const;

@@ -33,10 +33,10 @@ class IslandIntegrator {
   /// `error` may exceed 1.
   ControlledStep controlled_step(const Island& island, double h, double least) const;
   /// A first-order step at velocity level (Moreau-Jean): impulses of the whole step by one Coulomb problem on
-  /// all contacts, whatever their modes. It never fails where slip directions turn faster than an integrator
-  /// can follow or where forces have no finite value (Painlevé). It ends where no contact overlaps, and where
-  /// nothing but gravity and contacts act it takes energy only. Source: Moreau, Unilateral Contact and Dry
-  /// Friction in Finite Freedom Dynamics, CISM 302, 1988.
+  /// all contacts, whatever their modes. It never fails where slip directions change faster than an
+  /// integrator can follow or where forces have no finite value (Painlevé). It ends where no contact
+  /// overlaps, and where nothing but gravity and contacts act it takes energy only. Source: Moreau,
+  /// Unilateral Contact and Dry Friction in Finite Freedom Dynamics, CISM 302, 1988.
   IslandStep implicit_step(const Island& island, double h) const;
 
  private:

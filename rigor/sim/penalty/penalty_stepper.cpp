@@ -217,7 +217,7 @@ void PenaltyStepper::note_contact_work(const VecX& lambda, const VecX& u) {
   }
 }
 
-/// Books of a kick; u as above.
+/// The ledger of a kick; u as above.
 void PenaltyStepper::note_kick(const Kick& kick, const std::vector<BodyPhase>& before, const VecX& u) {
   note_contact_work(kick.lambda, u);
   report_.friction_loss += kick.turning_work;

@@ -18,9 +18,8 @@ namespace rigor {
 /// that approach faster than at rest, one per pair of bodies; they take time, and their impulse is not known
 /// then: it is told as zero.
 ///
-/// Sub-steps are at most 0.2/ω, ω² a bound of the spectrum of M⁻¹ K. Source of the
-/// step: Verlet, Computer "Experiments" on Classical Fluids, Phys. Rev. 159, 1967. Derivation:
-/// docs/theory/penalty.md.
+/// Sub-steps are at most 0.2/ω, ω² a bound of the spectrum of M⁻¹ K. Source of the step: Verlet, Computer
+/// "Experiments" on Classical Fluids, Phys. Rev. 159, 1967. Derivation: docs/theory/penalty.md.
 class PenaltyStepper : public FixedStepStepper {
  public:
   PenaltyStepper(std::shared_ptr<const Model> model, const Method& method, double target_step);
@@ -60,7 +59,7 @@ class PenaltyStepper : public FixedStepStepper {
   void observe_contacts(double t);
   void note_impacts(double t);
   bool note_not_finite();
-  /// Books of the springs, and all into the State.
+  /// The ledger of the springs, and all into the State.
   void end_step(const ElasticEnergies& before, double t, State& state);
 
   Method method_;
