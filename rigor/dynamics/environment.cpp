@@ -1,20 +1,13 @@
 #include "rigor/dynamics/environment.hpp"
 
 #include "rigor/core/index.hpp"
+#include "rigor/core/sorted_unique.hpp"
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace rigor {
-
-namespace {
-
-void sort_and_unite(std::vector<int>& bodies) {
-  std::sort(bodies.begin(), bodies.end());
-  bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
-}
-
-}  // namespace
 
 Environment::Environment(const Model& model, PointSprings springs, bool with_joints)
     : model_(&model), records_(at(model.body_count()), 0), acting_(1) {
@@ -31,7 +24,7 @@ Environment::Environment(const Model& model, PointSprings springs, bool with_joi
   for (int i = 0; i < model.body_count(); ++i) {
     if (records_[at(i)] == 0) continue;
     Acting& acting = acting_on(i);
-    sort_and_unite(acting.spring_partners);
+    acting.spring_partners = sorted_unique(std::move(acting.spring_partners));
     acting.is_forced =
         model.body(i).motion == MotionType::dynamic &&
         (!acting.springs.empty() || !acting.forces.empty() || !acting.torques.empty() ||
@@ -103,7 +96,7 @@ void Environment::add_joints() {
       if (has_springs(model_->joint(j))) acting.joint_springs.push_back(j);
     }
   }
-  for (Acting& acting : acting_) sort_and_unite(acting.joint_partners);
+  for (Acting& acting : acting_) acting.joint_partners = sorted_unique(std::move(acting.joint_partners));
 }
 
 Wrench Environment::own_forces(int body, const BodyView& view) const {

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "rigor/model/contact_key.hpp"
+
 #include <array>
+#include <cstddef>
 #include <cstdint>
-#include <tuple>
 
 namespace rigor {
 
@@ -19,10 +21,7 @@ struct ContactMemory {
   double energy = 0;  ///< Elastic energy that the contact holds at the State's time [J].
 
   bool operator==(const ContactMemory& other) const = default;
-  /// What tells contacts apart, in the order in which contacts are found.
-  std::tuple<int, int, int, int, std::uint64_t> key() const {
-    return {body_A, body_B, shape_A, shape_B, feature};
-  }
+  ContactKey key() const { return {body_A, body_B, shape_A, shape_B, feature}; }
 };
 
 }  // namespace rigor

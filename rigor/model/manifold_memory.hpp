@@ -1,5 +1,8 @@
 #pragma once
 
+#include "rigor/core/index.hpp"
+#include "rigor/model/contact_key.hpp"
+
 #include <array>
 #include <cstdint>
 
@@ -22,7 +25,7 @@ struct ManifoldMemory {
   float energy = 0;                                ///< Elastic energy of its springs [J].
 
   bool operator==(const ManifoldMemory& other) const = default;
-  std::array<int, 5> key() const { return {body_A, body_B, shape_A, shape_B, part}; }
+  ContactKey key() const { return {body_A, body_B, shape_A, shape_B, at(part)}; }
 };
 
 }  // namespace rigor

@@ -3,6 +3,7 @@
 #include "rigor/core/index.hpp"
 #include "rigor/core/input_error.hpp"
 #include "rigor/core/quoted.hpp"
+#include "rigor/core/sorted_unique.hpp"
 #include "rigor/core/suggestion.hpp"
 #include "rigor/geometry/shape/corner_balls.hpp"
 #include "rigor/model/body_builder.hpp"
@@ -118,11 +119,6 @@ std::vector<std::pair<int, int>> make_excluded(const std::vector<Placed<NamedPai
     excluded.push_back(std::minmax({bodies.index.at(pair.a), bodies.index.at(pair.b)}));
   }
   return excluded;
-}
-
-void sort_pairs(std::vector<std::pair<int, int>>& pairs) {
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
 }
 
 JointTable make_joint_table(const std::vector<Placed<ModelBuilder::JointDescription>>& parts,
@@ -316,7 +312,7 @@ void ModelBuilder::add_joints(const BodyTable& bodies, std::vector<std::string>&
       model.excluded_pairs_.push_back(std::minmax({joint->body_A, joint->body_B}));
     }
   }
-  sort_pairs(model.excluded_pairs_);
+  model.excluded_pairs_ = sorted_unique(std::move(model.excluded_pairs_));
 }
 
 std::shared_ptr<const Model> ModelBuilder::build() const {

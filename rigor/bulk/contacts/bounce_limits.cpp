@@ -1,6 +1,7 @@
 #include "rigor/bulk/contacts/bounce_limits.hpp"
 
 #include "rigor/bulk/contacts/contact_measures.hpp"
+#include "rigor/bulk/state/vector_of.hpp"
 #include "rigor/core/index.hpp"
 
 #include <algorithm>
@@ -9,10 +10,6 @@
 namespace rigor {
 
 namespace {
-
-Vec3 vector_of(const float* p) {
-  return Vec3(p[0], p[1], p[2]);
-}
 
 /// Work of the forces of a step on a body [J].
 double work_of_forces(const Model& model, int body, const MotionRow& acceleration, const BulkBodies& bodies) {

@@ -185,7 +185,7 @@ void BulkContacts::remember(const BulkBodies& bodies, double h, int substeps, co
         const ShapePair& pair = manifolds_.pair(i);
         const ManifoldView found = manifolds_.view(i);
         const ManifoldMemories::Slot slot =
-            memory.put_key(i, {pair.body_A, pair.body_B, pair.shape_A, pair.shape_B, manifolds_.part(i)});
+            memory.put_key(i, {pair.body_A, pair.body_B, pair.shape_A, pair.shape_B, at(manifolds_.part(i))});
         for (int k = 0; k < found.point_count; ++k)
           slot.feature[k] = std::bit_cast<float>(found.points[k].feature);
         read_lane(block, lane, slot);

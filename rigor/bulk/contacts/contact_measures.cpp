@@ -1,19 +1,12 @@
 #include "rigor/bulk/contacts/contact_measures.hpp"
 
+#include "rigor/bulk/state/vector_of.hpp"
 #include "rigor/core/index.hpp"
 
 #include <algorithm>
 #include <cstddef>
 
 namespace rigor {
-
-namespace {
-
-Vec3 vector_of(const float* p) {
-  return Vec3(p[0], p[1], p[2]);
-}
-
-}  // namespace
 
 ManifoldWrench total_wrench(const SolvedManifold& manifold) {
   const ManifoldFrame& f = manifold.frame;

@@ -1,5 +1,6 @@
 #include "rigor/bulk/contacts/manifold_bounce.hpp"
 
+#include "rigor/bulk/state/vector_of.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/math/rotation.hpp"
 
@@ -16,10 +17,6 @@ namespace {
 constexpr float bounce_speed = 1e-2f;
 /// Sweeps over the points of a manifold, one point after the other; each leaves a third of the error or less.
 constexpr int point_sweeps = 8;
-
-Vec3 vector_of(const float* p) {
-  return Vec3(p[0], p[1], p[2]);
-}
 
 /// u = (n·v, t1·ω, t2·ω) of ManifoldBlock, of one body alone: the point at (p1, p2) moves along n with
 /// u·(1, p2, -p1), and its impulse is that multiple of a force and two moments. r: from the centre of mass.

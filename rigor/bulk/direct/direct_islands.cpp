@@ -1,5 +1,6 @@
 #include "rigor/bulk/direct/direct_islands.hpp"
 
+#include "rigor/bulk/state/vector_of.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/solver/motion/motion_problem.hpp"
 
@@ -24,10 +25,6 @@ constexpr double bounce_speed = 1e-2;
 constexpr double put_back = 0.2;
 /// Overlaps that stay, as a part of the size of the smallest body.
 constexpr double tolerated_overlap = 1e-5;
-
-Vec3 vector_of(const float* p) {
-  return Vec3(p[0], p[1], p[2]);
-}
 
 void set_floats(const Vec3& a, float* p) {
   for (int k = 0; k < 3; ++k) p[k] = static_cast<float>(a[k]);

@@ -23,8 +23,8 @@ float pressure(const ManifoldMemories::View& memory) {
 /// tower. Pairs are in the order of their first bodies.
 bool meets_two(const ManifoldMemories& memory, const std::vector<std::uint8_t>& is_dynamic, int body) {
   int other = -1;
-  for (std::size_t i = memory.find_from({body, -1, -1, -1, -1});
-       i < memory.size() && memory.body_A(i) == body; ++i) {
+  for (std::size_t i = memory.find_from({.body_A = body}); i < memory.size() && memory.body_A(i) == body;
+       ++i) {
     if (is_dynamic[at(memory.body_B(i))] == 0 || memory.body_B(i) == other) continue;
     if (other >= 0) return true;
     other = memory.body_B(i);

@@ -2,6 +2,7 @@
 
 #include "rigor/bulk/joints/joint_lanes.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/core/sorted_unique.hpp"
 #include "rigor/math/types.hpp"
 
 #include <Eigen/SparseCholesky>
@@ -121,8 +122,7 @@ void LoopSolver::Pattern::find_places() {
   // Elements on and below the diagonal.
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t n = 0; n < below.size(); ++n) {
-    std::sort(below[n].begin(), below[n].end());
-    below[n].erase(std::unique(below[n].begin(), below[n].end()), below[n].end());
+    below[n] = sorted_unique(std::move(below[n]));
     for (int c = first_row[n]; c < first_row[n] + row_counts[n]; ++c) {
       for (const int node : below[n]) {
         const std::size_t b = at(node);

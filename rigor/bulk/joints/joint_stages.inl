@@ -107,7 +107,7 @@ RIGOR_FLOAT_LANES void run_type(JointStage stage, float h, bool has_laws, const 
 template <std::size_t row>
 RIGOR_FLOAT_LANES bool run_if_of(JointStage stage, float h, const JointLink& link, const JointSides& sides,
                                  JointLanes& joint) {
-  if (row_of(link.type) != row) return false;
+  if (at(link.type) != row) return false;
   if constexpr (joint_table[row].relation != JointRelation::gear) {
     run_type<joint_table[row].type>(stage, h, link.has_laws, sides, joint);
   }

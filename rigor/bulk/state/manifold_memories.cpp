@@ -87,7 +87,7 @@ void ManifoldMemories::set_energy(std::size_t i, float energy) {
   numbers_[places_of(heads_[i]).energy] = energy;
 }
 
-std::size_t ManifoldMemories::find_from(const std::array<int, 5>& wanted) const {
+std::size_t ManifoldMemories::find_from(const ContactKey& wanted) const {
   std::size_t begin = 0, end = size();
   while (begin < end) {
     const std::size_t middle = begin + (end - begin) / 2;
@@ -106,11 +106,11 @@ float ManifoldMemories::energy(std::size_t i) const {
 
 ManifoldMemory ManifoldMemories::operator[](std::size_t i) const {
   const View own = view(i);
-  const std::array<int, 5> whose = key(i);
+  const ContactKey own_key = key(i);
   ManifoldMemory memory;
-  memory.body_A = whose[0], memory.body_B = whose[1];
-  memory.shape_A = whose[2], memory.shape_B = whose[3];
-  memory.part = whose[4];
+  memory.body_A = own_key.body_A, memory.body_B = own_key.body_B;
+  memory.shape_A = own_key.shape_A, memory.shape_B = own_key.shape_B;
+  memory.part = static_cast<int>(own_key.feature);
   memory.point_count = own.point_count;
   for (std::size_t k = 0; k < heads_[i].point_count; ++k) {
     memory.feature[k] = std::bit_cast<std::uint32_t>(own.feature[k]);

@@ -64,23 +64,24 @@ class ManifoldMemories {
 
   int body_A(std::size_t i) const { return heads_[i].body_A; }
   int body_B(std::size_t i) const { return heads_[i].body_B; }
-  std::array<int, 5> key(std::size_t i) const {
+  ContactKey key(std::size_t i) const {
     const Head& head = heads_[i];
     if (!head.has_shapes) return {head.body_A, head.body_B, 0, 0, 0};
     const float* shapes = &numbers_[places_of(head).shapes];
     return {head.body_A, head.body_B, std::bit_cast<int>(shapes[0]), std::bit_cast<int>(shapes[1]),
-            std::bit_cast<int>(shapes[2])};
+            std::bit_cast<std::uint32_t>(shapes[2])};
   }
   /// The order of the key of a memory and another key.
-  std::strong_ordering order(std::size_t i, const std::array<int, 5>& other) const {
+  std::strong_ordering order(std::size_t i, const ContactKey& other) const {
     const Head& head = heads_[i];
-    if (head.body_A != other[0]) return head.body_A <=> other[0];
-    if (head.body_B != other[1]) return head.body_B <=> other[1];
-    if (!head.has_shapes && (other[2] | other[3] | other[4]) == 0) return std::strong_ordering::equal;
+    if (head.body_A != other.body_A) return head.body_A <=> other.body_A;
+    if (head.body_B != other.body_B) return head.body_B <=> other.body_B;
+    if (!head.has_shapes && (other.shape_A | other.shape_B) == 0 && other.feature == 0)
+      return std::strong_ordering::equal;
     return key(i) <=> other;
   }
   /// The first memory whose key is not less. The list must be in the order of keys.
-  std::size_t find_from(const std::array<int, 5>& key) const;
+  std::size_t find_from(const ContactKey& key) const;
   float energy(std::size_t i) const;
   View view(std::size_t i) const {
     const Head& head = heads_[i];
@@ -107,14 +108,17 @@ class ManifoldMemories {
     make_numbers(end);
   }
   /// Writes the key and returns where the rest, all but the energy, must be written.
-  Slot put_key(std::size_t i, const std::array<int, 5>& key) {
+  Slot put_key(std::size_t i, const ContactKey& key) {
     Head& head = heads_[i];
     const Places at = places_of(head);
     float* numbers = numbers_.data();
-    head.body_A = key[0];
-    head.body_B = key[1];
-    for (std::size_t k = 0; head.has_shapes && k < 3; ++k)
-      numbers[at.shapes + k] = std::bit_cast<float>(key[2 + k]);
+    head.body_A = key.body_A;
+    head.body_B = key.body_B;
+    if (head.has_shapes) {
+      numbers[at.shapes] = std::bit_cast<float>(key.shape_A);
+      numbers[at.shapes + 1] = std::bit_cast<float>(key.shape_B);
+      numbers[at.shapes + 2] = std::bit_cast<float>(static_cast<std::uint32_t>(key.feature));
+    }
     return {head.point_count,
             numbers + at.features,
             numbers + at.impulses,

@@ -14,11 +14,11 @@ namespace rigor {
 /// these.
 struct StepLaws {
   CoulombProblem contacts;  ///< b (3n) [m/s], μ and rows; without A.
-  VecX turning;             ///< Relative turning (3n) [rad/s], contact frames; empty if nothing resists it.
-  std::vector<double> rolling;            ///< ρ, one a contact, or none [m].
+  VecX angular_velocities;  ///< Relative ones (3n) [rad/s], contact frames; empty if no contact has moments.
+  std::vector<double> rolling;            ///< ρ, one per contact, or none [m].
   std::vector<double> torsional;          ///< σ, as above [m].
-  std::vector<double> sticking_friction;  ///< μ_s ≥ μ, one a contact; or none: as μ.
-  std::vector<bool> sticks;               ///< Whether a contact stuck at the begin: as above.
+  std::vector<double> sticking_friction;  ///< μ_s ≥ μ, one per contact; or none: as μ.
+  std::vector<bool> sticks;               ///< Whether a contact stuck at the beginning: as above.
   std::optional<SpringRows> springs;      ///< Those that act implicitly (not with solver pgs).
   /// What b is known to [m/s]: contacts that contradict each other by less may hold together.
   double resolution = 0;
