@@ -8,9 +8,9 @@ namespace rigor {
 
 namespace {
 
-constexpr std::size_t order = TailSeries::order;
+constexpr std::size_t order = AsymptoticSlipSeries::order;
 template <class Value>
-using Coefficients = TailSeries::Coefficients<Value>;
+using Coefficients = AsymptoticSlipSeries::Coefficients<Value>;
 
 double product(const Coefficients<double>& a, const Coefficients<double>& b, std::size_t j) {
   double sum = 0;
@@ -58,12 +58,12 @@ double reach_of(const Size& size, double first) {
 
 }  // namespace
 
-TailSeries::TailSeries(const SlipFlow& flow, const Vec2& limit) {
+AsymptoticSlipSeries::AsymptoticSlipSeries(const SlipFlow& flow, const Vec2& limit) {
   const double unit = flow.rate_bound();
   const Mat2 M = flow.M * (flow.mu / unit);
   const Vec2 across = perpendicular(limit);
   radial_rate = flow.radial_rate(limit) / unit;
-  slope = flow.turning_slope(limit) / unit;
+  slope = flow.angular_rate_slope(limit) / unit;
   exponent = radial_rate / slope;
   const double sign = radial_rate > 0 ? 1 : -1, mean = 1 / (std::abs(slope) + std::abs(radial_rate));
 
@@ -110,7 +110,7 @@ TailSeries::TailSeries(const SlipFlow& flow, const Vec2& limit) {
   is_usable_ = exponent != 0 && (nearest >= 0 || std::abs(twice - nearest) > resonance);
 }
 
-std::optional<double> TailSeries::find_w(double target) const {
+std::optional<double> AsymptoticSlipSeries::find_w(double target) const {
   if (!is_usable_ || std::abs(target) > 1.5 * reach_) return std::nullopt;
   double w = target;
   constexpr int most_steps = 20;
@@ -137,21 +137,21 @@ std::optional<Vec2> find_near_attractor(const SlipFlow& flow, const Vec2& direct
   Vec2 d = direction;
   double turned = 0;
   for (int step = 0; step < most_steps; ++step) {
-    const double slope = flow.turning_slope(d);
+    const double slope = flow.angular_rate_slope(d);
     if (slope >= 0) return std::nullopt;
-    const double turn = -flow.turning_rate(d) / slope;
+    const double turn = -flow.angular_rate(d) / slope;
     turned += turn;
     if (!(std::abs(turned) < near)) return std::nullopt;
     d = (d + std::tan(turn) * perpendicular(d)).normalized();
     if (std::abs(turn) < 1e-9) {
       // Quadratic convergence: this was the last step that could be seen.
-      return std::abs(flow.turning_rate(d)) <= 1e-14 * unit ? std::optional<Vec2>(d) : std::nullopt;
+      return std::abs(flow.angular_rate(d)) <= 1e-14 * unit ? std::optional<Vec2>(d) : std::nullopt;
     }
   }
   return std::nullopt;
 }
 
-AsymptoticSlip::AsymptoticSlip(const SlipFlow& flow, const TailSeries& series, double w,
+AsymptoticSlip::AsymptoticSlip(const SlipFlow& flow, const AsymptoticSlipSeries& series, double w,
                                const ImpactState& start)
     : flow_(flow),
       start_(start),

@@ -81,7 +81,7 @@ class ImpactPath {
     constexpr double no_friction = 1e-30;
     if (flow_.mu < no_friction) return follow(StraightPiece(flow_, state_));
     const Vec2 direction = state_.slip().normalized();
-    if (std::abs(flow_.turning_rate(direction)) <= straight * flow_.rate_bound()) {
+    if (std::abs(flow_.angular_rate(direction)) <= straight * flow_.rate_bound()) {
       return follow(StraightPiece(flow_, direction, state_));
     }
     if (const std::optional<double> w = find_tail(direction))
@@ -147,7 +147,7 @@ class ImpactPath {
   RestitutionWatch watch_;
   std::vector<CollisionPoint>* path_;
   double still_;
-  std::optional<TailSeries> tail_;
+  std::optional<AsymptoticSlipSeries> tail_;
 };
 
 bool is_pressed(const Collision& collision, const Vec3& u) {

@@ -1,18 +1,12 @@
 #pragma once
 
+#include "rigor/contact/impact/restitution_law.hpp"
 #include "rigor/contact/impact/slip_flow.hpp"
 
 #include <string>
 #include <vector>
 
 namespace rigor {
-
-/// When the restitution of an impact ends.
-enum class RestitutionLaw {
-  newton,   ///< At u_n = -e u_n⁻. With friction it can add energy.
-  poisson,  ///< When the normal impulse is (1 + e) times that of compression.
-  stronge,  ///< When the work of the normal impulse is (1 - e²) times that of compression. Never adds energy.
-};
 
 /// A point of an impact's course.
 struct CollisionPoint {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "rigor/contact/impact/restitution_law.hpp"
 #include "rigor/contact/impact/slip_flow.hpp"
 
 #include <optional>
@@ -26,7 +27,6 @@ struct PiecePoint {
   double z;
   NormalMotion at;
 };
-enum class ImpactQuantity { p, u_n, work };
 double value_of(const NormalMotion& motion, ImpactQuantity quantity);
 
 /// A stretch of an impact during which one formula gives everything, over a parameter z in [0, end()] that

@@ -41,9 +41,11 @@ ImpactState impact_state(const VecX& y, double p) {
 }
 
 /// One step of the integrator. z is the share of it.
-class MomentPiece final : public ImpactPiece {
+class RungeKuttaPiece final : public ImpactPiece {
  public:
-  MomentPiece(RungeKuttaStep step, double p, double h) : step_(std::move(step)), p_(p), h_(h) { end_ = 1; }
+  RungeKuttaPiece(RungeKuttaStep step, double p, double h) : step_(std::move(step)), p_(p), h_(h) {
+    end_ = 1;
+  }
 
   NormalMotion normal(double z) const override {
     double u_n = 0, work = 0, slope = 0;
@@ -98,14 +100,15 @@ class RollingFrictionImpactPath {
         h *= std::max(0.2, 0.9 * std::pow(error, -0.2));
         continue;
       }
-      if (follow(MomentPiece(step, p_, h), h)) return true;
+      if (follow(RungeKuttaPiece(step, p_, h), h)) return true;
       h *= std::min(5.0, 0.9 * std::pow(std::max(error, 1e-10), -0.2));
     }
     return false;
   }
 
-  MomentOutcome outcome(const RollingFrictionCollision& collision) const {
-    MomentOutcome outcome{y_.head<3>(), y_.segment<3>(3), y_.segment<3>(impulse_row), y_.tail<3>(), 0, true};
+  RollingFrictionOutcome outcome(const RollingFrictionCollision& collision) const {
+    RollingFrictionOutcome outcome{
+        y_.head<3>(), y_.segment<3>(3), y_.segment<3>(impulse_row), y_.tail<3>(), 0, true};
     outcome.energy_change =
         0.5 * (outcome.lambda.dot(collision.u + outcome.u) + outcome.moment.dot(collision.w + outcome.w));
     return outcome;
@@ -211,7 +214,7 @@ class RollingFrictionImpactPath {
 
   /// Returns whether the impact ends in this step; else goes to its end, or to where something at rest
   /// starts.
-  bool follow(const MomentPiece& piece, double h) {
+  bool follow(const RungeKuttaPiece& piece, double h) {
     double z_end = 1;
     if (least_margin(piece.step().end) < 0) {
       const auto margin = [&](double z) { return least_margin(piece.step().at(z)); };
@@ -266,11 +269,11 @@ class RollingFrictionImpactPath {
 
 }  // namespace
 
-MomentOutcome resolve_rolling_friction_collision(const RollingFrictionCollision& collision,
-                                                 RestitutionLaw law) {
+RollingFrictionOutcome resolve_rolling_friction_collision(const RollingFrictionCollision& collision,
+                                                          RestitutionLaw law) {
   RIGOR_ASSERT(std::isfinite(collision.mu) && collision.mu >= 0 && collision.rolling_friction >= 0 &&
                collision.torsional_friction >= 0);
-  MomentOutcome outcome{collision.u, collision.w, Vec3::Zero(), Vec3::Zero(), 0, true};
+  RollingFrictionOutcome outcome{collision.u, collision.w, Vec3::Zero(), Vec3::Zero(), 0, true};
   if (!(collision.u.z() < 0)) return outcome;
   RollingFrictionImpactPath course(collision, law);
   if (!course.run()) {

@@ -44,9 +44,9 @@ struct SlipFlow {
   Vec2 slip_rate(const Vec2& direction) const { return drive * b - mu * (M * direction); }
   double normal_rate(const Vec2& direction) const { return drive * kappa - mu * b.dot(direction); }
   double radial_rate(const Vec2& direction) const { return direction.dot(slip_rate(direction)); }
-  double turning_rate(const Vec2& direction) const;
+  double angular_rate(const Vec2& direction) const;
   /// df_θ/dθ = -f_r - μ û⊥ᵀ M û⊥.
-  double turning_slope(const Vec2& direction) const;
+  double angular_rate_slope(const Vec2& direction) const;
   /// Upper bound of |du_t/dp| over all directions.
   double rate_bound() const;
 };

@@ -20,9 +20,6 @@ struct LastingContacts {
   bool have_forces = true;
 };
 
-/// The law of a single collision that the method names.
-RestitutionLaw restitution_law(ImpactMethod method);
-
 /// Decides what happens at an event: who collides, who rests, who parts.
 class ContactResolver {
  public:

@@ -217,7 +217,7 @@ std::vector<Wrench> IslandIntegrator::environment_wrenches(const ContactSystem& 
 std::vector<Wrench> IslandIntegrator::with_moments(const ContactSystem& system,
                                                    const std::vector<ContactState>& states,
                                                    std::vector<Wrench> wrenches) const {
-  return with_contact_moments(system, states, std::move(wrenches), direction_tolerance_, resting_velocity_);
+  return with_rolling_friction(system, states, std::move(wrenches), direction_tolerance_, resting_velocity_);
 }
 
 IslandIntegrator::Load IslandIntegrator::load(const Island& island, double t,
@@ -238,7 +238,7 @@ IslandIntegrator::Load IslandIntegrator::load(const Island& island, double t,
   if (!island.contacts.empty()) {
     const std::vector<Wrench> of_environment = wrenches;
     wrenches = with_moments(system, island.states, std::move(wrenches));
-    load.power += moment_power_of_prescribed(system, of_environment, wrenches);
+    load.power += rolling_power_of_prescribed(system, of_environment, wrenches);
     // Moments on prescribed bodies leave the island: their opposites are external to it.
     for (std::size_t b = 0; b < system.bodies.size(); ++b) {
       if (system.kinetics[b].inverse_mass == 0) load.external.tau_W -= wrenches[b].tau_W;

@@ -140,7 +140,7 @@ StepLaws step_laws_of(const ContactSystem& system, double still) {
       const Contact& contact = system.contacts[i];
       laws.rolling.push_back(contact.stop ? 0.0 : contact.rolling_friction);
       laws.torsional.push_back(contact.stop ? 0.0 : contact.torsional_friction);
-      if (!contact.stop) laws.turning.segment<3>(3 * static_cast<Index>(i)) = relative_turning(system, i);
+      if (!contact.stop) laws.turning.segment<3>(3 * static_cast<Index>(i)) = relative_angular_velocity(system, i);
     }
   }
   if (std::any_of(system.contacts.begin(), system.contacts.end(),
@@ -229,7 +229,7 @@ StepImpulses StepSolver::solve_frictions(const ContactSystem& system, const Step
   } else {
     problem.A = contact_response(rows);
   }
-  const MomentSolution solution = solve_moments(problem);
+  const RollingFrictionSolution solution = solve_rolling_friction(problem);
   StepImpulses impulses;
   if (response) impulses.springs = response->impulses(solution.lambda);
   impulses.lambda = impulses.moments = VecX::Zero(laws.contacts.b.size());

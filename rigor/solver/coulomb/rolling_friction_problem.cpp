@@ -73,9 +73,9 @@ UnitProblem in_units(const RollingFrictionProblem& problem) {
   return unit;
 }
 
-class MomentSolver {
+class RollingFrictionSolver {
  public:
-  MomentSolver(const RollingFrictionProblem& problem, VecX start)
+  RollingFrictionSolver(const RollingFrictionProblem& problem, VecX start)
       : problem_(problem), frictions_(frictions_of(problem)), lambda_(std::move(start)) {}
 
   VecX run() {
@@ -220,27 +220,27 @@ bool is_finite(const RollingFrictionProblem& problem) {
 
 }  // namespace
 
-MomentSolution solve_moments(const RollingFrictionProblem& problem, const VecX& start) {
+RollingFrictionSolution solve_rolling_friction(const RollingFrictionProblem& problem, const VecX& start) {
   const Index size = problem.b.size();
   RIGOR_ASSERT(size == 6 * static_cast<Index>(problem.mu.size()) && problem.A.rows() == size);
   RIGOR_ASSERT(problem.rolling.size() == problem.mu.size() && problem.torsional.size() == problem.mu.size());
   RIGOR_ASSERT(start.size() == 0 || start.size() == size);
-  MomentSolution solution{VecX::Zero(size), problem.b, std::numeric_limits<double>::infinity(), 0, false};
+  RollingFrictionSolution solution{VecX::Zero(size), problem.b, std::numeric_limits<double>::infinity(), 0, false};
   if (!is_finite(problem)) return solution;
   const UnitProblem unit = in_units(problem);
   const VecX begin = start.size() > 0 ? VecX(start.cwiseQuotient(unit.units)) : solution.lambda;
   if (size > 0) {
-    MomentSolver solver(unit.problem, begin);
+    RollingFrictionSolver solver(unit.problem, begin);
     solution.lambda = unit.units.cwiseProduct(solver.run());
     solution.iterations = solver.iterations();
   }
   solution.w = problem.A * solution.lambda + problem.b;
-  solution.residual = moment_residual(problem, solution.lambda, solution.w);
+  solution.residual = rolling_friction_residual(problem, solution.lambda, solution.w);
   solution.converged = solution.residual <= kSolved;
   return solution;
 }
 
-double moment_residual(const RollingFrictionProblem& problem, const VecX& lambda, const VecX& w) {
+double rolling_friction_residual(const RollingFrictionProblem& problem, const VecX& lambda, const VecX& w) {
   if (!lambda.allFinite() || !w.allFinite()) return std::numeric_limits<double>::infinity();
   const VecX terms = (problem.A.cwiseAbs() * lambda.cwiseAbs()).cwiseMax(problem.b.cwiseAbs());
   double velocity = 0, turning = 0;
