@@ -43,7 +43,7 @@ class AsymptoticSlipSeries {
   bool is_usable_;
 };
 
-/// The invariant direction towards which slip turns from here, if it is near and attracts.
+/// The invariant direction that attracts slip from this direction, if it is near.
 std::optional<Vec2> find_near_attractor(const SlipFlow& flow, const Vec2& direction);
 
 /// Slip from w at the start to where it stops, or grows: z = |v - 1| with v = (w/w_start)^α, about the change

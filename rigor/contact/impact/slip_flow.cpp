@@ -13,8 +13,8 @@ namespace rigor {
 
 namespace {
 
-/// f_θ (1 + t²)² as a polynomial in t = tan((θ - θ₀)/2), for θ₀ = 0 or π (turned by half a circle, where b
-/// changes its sign).
+/// f_θ (1 + t²)² as a polynomial in t = tan((θ - θ₀)/2), for θ₀ = 0 or π (rotated by half a circle, where
+/// b changes its sign).
 Polynomial angular_rate_polynomial(const SlipFlow& flow, double sign) {
   const Polynomial c{1, 0, -1}, n{0, 2}, w{1, 0, 1};
   const Polynomial b1{sign * flow.drive * flow.b.x()}, b2{sign * flow.drive * flow.b.y()};
@@ -59,6 +59,8 @@ double SlipFlow::rate_bound() const {
 std::vector<InvariantDirection> find_invariant_directions(const SlipFlow& flow) {
   // The chart t in [-1, 1] is half of the circle; roots at its ends are found in both halves.
   constexpr double apart = 1e-9;
+
+  // The roots of f_θ, as angles.
   std::vector<double> angles;
   for (const double sign : {1.0, -1.0}) {
     const Polynomial f = angular_rate_polynomial(flow, sign);
@@ -70,6 +72,8 @@ std::vector<InvariantDirection> find_invariant_directions(const SlipFlow& flow) 
       from = *root + apart;
     }
   }
+
+  // In ascending order, each once: a root on the border of the two halves was found twice.
   for (double& angle : angles) angle = std::remainder(angle, 2 * std::numbers::pi);
   std::sort(angles.begin(), angles.end());
   std::vector<InvariantDirection> result;
@@ -107,6 +111,8 @@ StickTest test_sticking(const CollisionMatrix& collision) {
       holds = std::abs(b[second] - l * b[first]) <= 1e-9 * b.norm();
     }
   }
+
+  // It sticks if that friction lies in the cone.
   const double ratio = holds ? f.norm() : std::numeric_limits<double>::infinity();
   // At the limit both answers agree (slip starts with a rate that vanishes there).
   constexpr double at_limit = 1 + 1e-12;

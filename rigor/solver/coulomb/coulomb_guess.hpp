@@ -21,7 +21,8 @@ CoulombGuess open_guess(const CoulombProblem& problem);
 CoulombGuess guess_of_forces(const CoulombProblem& problem, const VecX& lambda,
                              const std::vector<ContactMode>& modes);
 
-/// λ with each contact clamped to its cone (or, for slide rows, to its known friction direction).
+/// λ with the force of each contact clamped to its cone (or, for slide rows, to its known friction
+/// direction).
 VecX clamp_to_cones(const CoulombProblem& problem, const VecX& lambda);
 
 /// The solution record of forces: w, residual and whether that is small enough.

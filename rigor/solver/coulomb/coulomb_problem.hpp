@@ -51,8 +51,8 @@ struct CoulombOptions {
   /// Whether redundant contacts must share their load by the rule of least norm. Where any share will do, a
   /// guess that reaches the tolerance is taken as it is.
   bool least_norm = true;
-  /// What b is known to [its unit]: contacts that contradict each other by less may hold together, and then
-  /// share as they come. None: b is exact.
+  /// Uncertainty of b [its unit]: contacts that contradict each other by less may hold together, with any
+  /// share of the load. None: b is exact.
   std::optional<double> resolution;
   /// Cap on the symmetric Gauss–Seidel sweeps. At 256 or less nothing is tried after them.
   int max_iterations = 2000;
@@ -70,10 +70,10 @@ struct CoulombOptions {
 /// Coulomb's law itself may have several solutions (large μ, strong coupling): then all b_n ≥ 0 gives λ = 0,
 /// and else the first one found is returned, always the same for the same input.
 ///
-/// A chain of methods, cheapest first; each only guesses what the contacts do, polish_coulomb makes the
-/// digits: pivoting (no friction, or known slips), one contact exactly, proximal Newton, block Gauss–Seidel.
-/// With a resolution, proximal points (proximal_points.hpp) too: without `least_norm` before the last two,
-/// else after them.
+/// A chain of methods, cheapest first; each only guesses what the contacts do, and polish_coulomb refines the
+/// guess to round-off: pivoting (no friction, or known slips), one contact exactly, proximal Newton, block
+/// Gauss–Seidel. With a resolution, proximal points (proximal_points.hpp) too: without `least_norm` before
+/// the last two, else after them.
 CoulombSolution solve_coulomb(const CoulombProblem& problem, const CoulombOptions& options = {});
 
 /// Forces for modes that are already known: stick rows get w = 0, slide rows w_n = 0 with λ_t = -μ λ_n slip

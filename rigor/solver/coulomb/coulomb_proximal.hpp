@@ -11,11 +11,10 @@ enum class NormalShift { de_saxce, none };
 
 struct ProximalOptions {
   NormalShift normal_shift = NormalShift::de_saxce;
-  /// Whether the forces themselves are wanted to round-off, not only what the contacts do: each step is then
-  /// solved as far as it goes.
+  /// Whether the forces themselves are wanted to round-off, not only what the contacts do: each inner problem
+  /// is then solved to round-off.
   bool makes_digits = false;
-  /// Whether the start is near the solution: the shifts begin with its motion, and the steps are long at
-  /// once.
+  /// Whether the start is near the solution: the shifts begin with its motion, and ρ begins large.
   bool is_warm = false;
 };
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kSolved = 1e-12;
 
-/// A disc (two rows) or an interval (one) that a normal force opens.
+/// A disk (two rows) or an interval (one) that a normal force opens.
 struct Friction {
   Index normal, first, size;
   double coefficient;
@@ -80,8 +80,10 @@ class RollingFrictionSolver {
 
   VecX run() {
     constexpr int kMaxRounds = 30, kFirstSweeps = 20, kMostSweeps = 2000;
-    // What rounding leaves of the largest term.
+    // Smaller is rounding of the largest term.
     const double zero = 1e-15 * problem_.b.cwiseAbs().maxCoeff();
+
+    // Sweeps find what the contacts do, Newton's method the forces; where it fails, more sweeps.
     int sweeps = kFirstSweeps;
     for (int round = 0; round < kMaxRounds; ++round) {
       for (int sweep = 0; sweep < sweeps; ++sweep) relax();
@@ -159,6 +161,7 @@ class RollingFrictionSolver {
   void add_friction(const Friction& friction, const VecX& lambda, const VecX& w, VecX& F,
                     MatX* derivative) const {
     const Index first = friction.first, size = friction.size;
+    // F = λ - proj(λ - ρ w) onto the disk of radius μ λ_n (an interval for one row).
     const VecX own = lambda.segment(first, size), rate = w.segment(first, size);
     const VecX target = own - friction.step * rate;
     const double radius = friction.coefficient * std::max(0.0, lambda(friction.normal));
@@ -169,15 +172,17 @@ class RollingFrictionSolver {
         derivative->middleRows(first, size) = friction.step * problem_.A.middleRows(first, size);
       return;
     }
+
+    // Outside: the nearest point lies on the circle, rotates with the target and grows with λ_n.
     const VecX direction = length > 0 ? VecX(target / length) : VecX(VecX::Zero(size));
     F.segment(first, size) = own - radius * direction;
     if (derivative == nullptr) return;
     derivative->block(first, first, size, size) = MatX::Identity(size, size);
     if (!(length > 0) || lambda(friction.normal) <= 0) return;
-    MatX turned = -friction.step * problem_.A.middleRows(first, size);
-    turned.middleCols(first, size) += MatX::Identity(size, size);
+    MatX target_slope = -friction.step * problem_.A.middleRows(first, size);
+    target_slope.middleCols(first, size) += MatX::Identity(size, size);
     const MatX across = MatX::Identity(size, size) - direction * direction.transpose();
-    derivative->middleRows(first, size) -= radius / length * across * turned;
+    derivative->middleRows(first, size) -= radius / length * across * target_slope;
     derivative->col(friction.normal).segment(first, size) -= friction.coefficient * direction;
   }
 
@@ -189,6 +194,8 @@ class RollingFrictionSolver {
     for (int step = 0; step < kMaxSteps; ++step) {
       if (F.cwiseAbs().maxCoeff() <= zero) return true;
       ++iterations_;
+
+      // Newton's step of least norm, halved until |F| falls.
       const VecX change = -least_norm_solution(derivative, F);
       if (!change.allFinite()) return false;
       double length = 1;
@@ -225,8 +232,11 @@ RollingFrictionSolution solve_rolling_friction(const RollingFrictionProblem& pro
   RIGOR_ASSERT(size == 6 * static_cast<Index>(problem.mu.size()) && problem.A.rows() == size);
   RIGOR_ASSERT(problem.rolling.size() == problem.mu.size() && problem.torsional.size() == problem.mu.size());
   RIGOR_ASSERT(start.size() == 0 || start.size() == size);
-  RollingFrictionSolution solution{VecX::Zero(size), problem.b, std::numeric_limits<double>::infinity(), 0, false};
+  RollingFrictionSolution solution{VecX::Zero(size), problem.b, std::numeric_limits<double>::infinity(), 0,
+                                   false};
   if (!is_finite(problem)) return solution;
+
+  // Forces and moments in units of their own, so that one step length fits both.
   const UnitProblem unit = in_units(problem);
   const VecX begin = start.size() > 0 ? VecX(start.cwiseQuotient(unit.units)) : solution.lambda;
   if (size > 0) {
@@ -243,11 +253,13 @@ RollingFrictionSolution solve_rolling_friction(const RollingFrictionProblem& pro
 double rolling_friction_residual(const RollingFrictionProblem& problem, const VecX& lambda, const VecX& w) {
   if (!lambda.allFinite() || !w.allFinite()) return std::numeric_limits<double>::infinity();
   const VecX terms = (problem.A.cwiseAbs() * lambda.cwiseAbs()).cwiseMax(problem.b.cwiseAbs());
-  double velocity = 0, turning = 0;
+  double velocity = 0, angular_velocity = 0;
   for (Index row = 0; row < terms.size(); ++row) {
-    double& size = row % 6 < 3 ? velocity : turning;
+    double& size = row % 6 < 3 ? velocity : angular_velocity;
     size = std::max(size, terms(row));
   }
+
+  // The natural map of each normal row and each friction.
   double worst = 0;
   for (const Friction& friction : frictions_of(problem)) {
     const Index n = friction.normal;
@@ -259,7 +271,7 @@ double rolling_friction_residual(const RollingFrictionProblem& problem, const Ve
     VecX target = force - friction.step * w.segment(friction.first, friction.size);
     const double radius = friction.coefficient * std::max(0.0, lambda(n)), length = target.norm();
     if (length > radius) target *= radius / length;
-    const double size = friction.first % 6 == 0 ? velocity : turning;
+    const double size = friction.first % 6 == 0 ? velocity : angular_velocity;
     if (size > 0) worst = std::max(worst, (force - target).norm() / (friction.step * size));
   }
   return worst;
