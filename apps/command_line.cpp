@@ -86,10 +86,10 @@ void add_json(CLI::App& app, std::string& json, const std::string& what) {
 
 void add_run(CLI::App& app, RunOptions& run) {
   app.add_option("SCENE", run.scene, "scene file (.yaml or .json)")->required()->option_text(" ");
-  add_value(
-      app, "-o,--output", run.outputs,
-      "by suffix: trajectory .csv .h5 .json, page with the replay .html, key moments .png; may be repeated",
-      "OUT");
+  add_value(app, "-o,--output", run.outputs,
+            "by suffix: trajectory " + trajectory_suffixes() +
+                ", page with the replay .html, key moments .png; may be repeated",
+            "OUT");
   add_value(app, "--set", run.overrides,
             "override a value of the scene, such as method.integrator=rk4; may be repeated", "KEY=VALUE");
   add_value(app, "--duration", run.duration, "simulated time at which the run ends [s]", "S")
