@@ -17,7 +17,7 @@ namespace rigor {
 
 namespace {
 
-/// Where u_n turns from falling to growing on a piece or back: sliding enters or leaves the directions that
+/// Where u_n changes from falling to growing on a piece or back: sliding enters or leaves the directions that
 /// jam, κ < μ b·û. Ascending; the slip direction rotates in one sense and by less than half a circle.
 struct JamBorders {
   std::size_t count = 0;

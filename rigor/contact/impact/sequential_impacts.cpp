@@ -74,7 +74,7 @@ ImpactSolution solve_sequential_impacts(const ImpactProblem& problem, Restitutio
     if (!solution.converged) break;
   }
 
-  // The impacts went on without end: what is left ends in a plastic impact.
+  // The impacts did not end by themselves: a plastic impact ends what is left.
   const CoulombSolution rest = solve_cones(problem.A, u, frictions(problem));
   solution.lambda += rest.lambda;
   solution.residual = std::max(solution.residual, rest.residual);

@@ -73,6 +73,7 @@ std::vector<Wrench> with_rolling_friction(const ContactSystem& system,
   VecX lambda = contact_forces(system, states, wrenches, direction_tolerance);
   std::vector<Wrench> result;
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
+    // The moments of the present normal forces.
     result = wrenches;
     for (std::size_t i = 0; i < system.contacts.size(); ++i) {
       const double normal = std::max(0.0, lambda[3 * static_cast<Eigen::Index>(i) + 2]);
@@ -80,6 +81,8 @@ std::vector<Wrench> with_rolling_friction(const ContactSystem& system,
       result[at(system.local_index(system.contacts[i].body_A))].tau_W -= moment_W;
       result[at(system.local_index(system.contacts[i].body_B))].tau_W += moment_W;
     }
+
+    // The normal forces under them, until these change no more.
     const VecX next = contact_forces(system, states, result, direction_tolerance);
     const double change = (next - lambda).cwiseAbs().maxCoeff();
     lambda = next;

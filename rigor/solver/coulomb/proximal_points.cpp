@@ -72,7 +72,7 @@ class ProximalPoints {
   struct Forces {
     VecX lambda;  ///< 3n.
     std::vector<ContactMode> modes;
-    std::vector<Mat3> slopes;  ///< -dλ / dw, one a contact.
+    std::vector<Mat3> slopes;  ///< -dλ / dw, one per contact.
     VecX pulled;               ///< Lᵀ λ.
     VecX miss;                 ///< M v - Lᵀ λ.
     double error;              ///< Of the miss, in the metric of M⁻¹.

@@ -106,7 +106,7 @@ void MotionModesSystem::refine(const NodeSystem& to_motion, const NodeSystem& to
   const ContactRows& rows = problem_.rows;
   VecX lambda = lambda_, z = z_;
   for (int round = 0; round < kMaxRounds; ++round) {
-    // The misses of the equations; rounds go on while they fall.
+    // The misses of the equations; rounds continue while these fall.
     const VecX p = with_joints(rows, contact_wrenches(rows, lambda));
     const VecX w = contact_rates(rows, node_accelerations(rows, p)) + problem_.laws.b;
     const VecX misses = restrict_to_equations(-w);
