@@ -14,6 +14,9 @@ struct CoulombGuess {
 /// Unit vector opposite to the friction force of λ (3); `fallback` where there is none.
 Vec2 slip_of_force(const Vec3& lambda, const Vec2& fallback);
 
+/// Whether a contact slides with friction in a direction that is to be found.
+bool has_unknown_slips(const CoulombProblem& laws, const ContactModes& modes);
+
 /// Everything open.
 CoulombGuess open_guess(const CoulombProblem& problem);
 

@@ -69,19 +69,11 @@ class Polisher {
     return true;
   }
 
-  bool has_unknown_slips(const CoulombGuess& guess) const {
-    for (std::size_t k = 0; k < problem_.mu.size(); ++k)
-      if (guess.modes.modes[k] == ContactMode::slide && problem_.rows[k] == FrictionRow::cone &&
-          problem_.mu[k] > 0)
-        return true;
-    return false;
-  }
-
   // Solves the equations of the guess's modes (changes its forces and slips), then looks for forces that do
   // the same and are in the cones.
   CoulombSolution solve_modes(CoulombGuess& guess) const {
     const std::vector<ContactMode>& modes = guess.modes.modes;
-    const bool has_slips = has_unknown_slips(guess);
+    const bool has_slips = has_unknown_slips(problem_, guess.modes);
     if (has_slips) guess = solve_smooth_modes(problem_, std::move(guess));
     const auto solution_of = [&](const VecX& forces) {
       return make_solution(problem_, clamp_to_cones(problem_, forces), modes, tolerance_);

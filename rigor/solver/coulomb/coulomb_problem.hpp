@@ -2,6 +2,7 @@
 
 #include "rigor/math/types.hpp"
 #include "rigor/solver/linear/lcp.hpp"
+#include "rigor/solver/linear/solved_residual.hpp"
 
 #include <optional>
 #include <string>
@@ -43,8 +44,8 @@ struct CoulombSolution {
 };
 
 struct CoulombOptions {
-  /// Largest residual that counts as solved (dimensionless): ten thousand roundings of the largest term.
-  double tolerance = 1e-12;
+  /// Largest residual that counts as solved (dimensionless).
+  double tolerance = solved_residual;
   /// Residual at which the search ends when its cheap part has not reached the tolerance: the last digits of
   /// ill-conditioned problems are not worth thousands of sweeps.
   double enough = 1e-9;

@@ -27,14 +27,12 @@ constexpr double kDamping = 0.5;
 
 CoulombProximal::CoulombProximal(const CoulombProblem& problem, const ContactMotion& motion,
                                  CoulombGuess start, ProximalOptions options)
-    : problem_(problem), motion_(motion), options_(options), guess_(std::move(start)) {
+    : problem_(problem),
+      motion_(motion),
+      options_(options),
+      guess_(std::move(start)),
+      masses_(effective_masses(motion.diagonal())) {
   const Index count = static_cast<Index>(problem.mu.size());
-  const double largest = motion.diagonal().maxCoeff();
-  stiffness_.resize(count);
-  for (Index i = 0; i < count; ++i) {
-    const double mean = motion.diagonal().segment<3>(3 * i).mean();
-    stiffness_(i) = 1.0 / (mean > 1e-12 * largest ? mean : largest);
-  }
   // Without shifts at first: a guess of the slip that is far too fast would open the contacts for good.
   q_ = problem.b;
   shift_ = VecX::Zero(count);
@@ -71,8 +69,8 @@ CoulombProximal::Inner CoulombProximal::evaluate(const VecX& v) const {
   // φ(v) = ½ vᵀM v + Σ |proj(x_i)|² / (2 ρ_i) with x = λ - ρ (L v + q); its gradient is M v - Lᵀ proj(x).
   const VecX weighed = motion_.weigh(v);
   Inner inner{0.5 * v.dot(weighed), weighed, motion_.rates(v) + q_, VecX(q_.size())};
-  for (Index i = 0; i < stiffness_.size(); ++i) {
-    const double rho = rho_ * stiffness_(i);
+  for (Index i = 0; i < masses_.size(); ++i) {
+    const double rho = rho_ * masses_(i);
     const Vec3 x = guess_.lambda.segment<3>(3 * i) - rho * inner.argument.segment<3>(3 * i);
     const Vec3 force = project(i, x);
     inner.argument.segment<3>(3 * i) = x;
@@ -87,9 +85,9 @@ CoulombProximal::Inner CoulombProximal::evaluate(const VecX& v) const {
 // The derivatives D of the forces by the motion, one per contact: the Newton matrix is M + Lᵀ D L.
 std::vector<Mat3> CoulombProximal::stiffnesses(const VecX& argument) const {
   std::vector<Mat3> D(problem_.mu.size(), Mat3::Zero());
-  for (Index i = 0; i < stiffness_.size(); ++i) {
+  for (Index i = 0; i < masses_.size(); ++i) {
     const std::size_t k = at(i);
-    const double rho = rho_ * stiffness_(i);
+    const double rho = rho_ * masses_(i);
     const Vec3 x = argument.segment<3>(3 * i);
     if (problem_.rows[k] == FrictionRow::slide) {
       if (x(2) > 0) D[k](2, 2) = rho;
@@ -133,7 +131,7 @@ void CoulombProximal::minimise() {
 }
 
 void CoulombProximal::update_guess(const Inner& inner) {
-  for (Index i = 0; i < stiffness_.size(); ++i) {
+  for (Index i = 0; i < masses_.size(); ++i) {
     const std::size_t k = at(i);
     const Vec3 x = inner.argument.segment<3>(3 * i);
     Vec3 force = inner.force.segment<3>(3 * i);

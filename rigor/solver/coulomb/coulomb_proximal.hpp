@@ -64,10 +64,10 @@ class CoulombProximal {
   const ContactMotion& motion_;
   ProximalOptions options_;
   CoulombGuess guess_;
-  VecX v_;          ///< w = L v + b (without the held friction of slide rows).
-  VecX q_;          ///< b, shift and held friction: 3n.
-  VecX shift_;      ///< s: n.
-  VecX stiffness_;  ///< 1 / mean diagonal of each contact's block: n.
+  VecX masses_;  ///< effective_masses: n.
+  VecX v_;       ///< w = L v + b (without the held friction of slide rows).
+  VecX q_;       ///< b, shift and held friction: 3n.
+  VecX shift_;   ///< s: n.
   double rho_ = 10;
   int steps_ = 0;
 };

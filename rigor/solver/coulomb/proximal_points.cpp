@@ -23,14 +23,12 @@ class ProximalPoints {
  public:
   ProximalPoints(const CoulombProblem& laws, const ContactMotion& motion,
                  const std::function<double(const VecX&)>& size_of, const ProximalPointOptions& options)
-      : laws_(laws), motion_(motion), size_of_(size_of), options_(options) {
+      : laws_(laws),
+        motion_(motion),
+        size_of_(size_of),
+        options_(options),
+        masses_(effective_masses(motion.diagonal())) {
     const Index count = static_cast<Index>(laws.mu.size());
-    const double largest = motion.diagonal().maxCoeff();
-    stiffness_.resize(count);
-    for (Index i = 0; i < count; ++i) {
-      const double mean = motion.diagonal().segment<3>(3 * i).mean();
-      stiffness_(i) = 1.0 / (mean > 1e-12 * largest ? mean : largest);
-    }
     lambda_ = options.start.size() > 0 ? clamp_to_cones(laws, options.start) : VecX::Zero(3 * count);
     v_ = motion_.lift(motion_.pull(lambda_));
   }
@@ -96,7 +94,7 @@ class ProximalPoints {
 
   void set_force(std::size_t k, const VecX& w, Forces& forces) const {
     const Index row = 3 * static_cast<Index>(k);
-    const double rho = rho_ * stiffness_(row / 3), mu = laws_.mu[k];
+    const double rho = rho_ * masses_(row / 3), mu = laws_.mu[k];
     const Vec3 x = lambda_.segment<3>(row) - rho * w.segment<3>(row);
     forces.lambda.segment<3>(row).setZero();
     // Alart and Curnier's functions: open, stick inside the disk of radius μ x_n, slide on its border.
@@ -164,7 +162,7 @@ class ProximalPoints {
     const double size = size_of_(offer.lambda);
     offer.residual = law_residual(laws_, motion_.diagonal(), size, offer.lambda, offer.w);
     VecX change = offer.lambda - lambda_;
-    for (Index i = 0; i < stiffness_.size(); ++i) change.segment<3>(3 * i) /= rho_ * stiffness_(i);
+    for (Index i = 0; i < masses_.size(); ++i) change.segment<3>(3 * i) /= rho_ * masses_(i);
     offer.change = change.cwiseAbs().maxCoeff();
     offer.changed_residual = law_residual(laws_, motion_.diagonal(), size, offer.lambda, offer.w + change);
     return offer;
@@ -179,9 +177,9 @@ class ProximalPoints {
   const ContactMotion& motion_;
   const std::function<double(const VecX&)>& size_of_;
   const ProximalPointOptions& options_;
-  VecX stiffness_;  ///< 1 / mean diagonal of each contact's block: n.
-  VecX lambda_;     ///< λ⁰.
-  VecX v_;          ///< M⁻¹ Lᵀ λ⁰.
+  VecX masses_;  ///< effective_masses: n.
+  VecX lambda_;  ///< λ⁰.
+  VecX v_;       ///< M⁻¹ Lᵀ λ⁰.
   double rho_ = kFirstRho;
 };
 

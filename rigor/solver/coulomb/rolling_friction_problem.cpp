@@ -2,6 +2,7 @@
 
 #include "rigor/core/assert.hpp"
 #include "rigor/math/dense.hpp"
+#include "rigor/solver/linear/solved_residual.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,8 +14,6 @@ namespace rigor {
 using Eigen::Index;
 
 namespace {
-
-constexpr double kSolved = 1e-12;
 
 /// A disk (two rows) or an interval (one) that a normal force opens.
 struct Friction {
@@ -246,7 +245,7 @@ RollingFrictionSolution solve_rolling_friction(const RollingFrictionProblem& pro
   }
   solution.w = problem.A * solution.lambda + problem.b;
   solution.residual = rolling_friction_residual(problem, solution.lambda, solution.w);
-  solution.converged = solution.residual <= kSolved;
+  solution.converged = solution.residual <= solved_residual;
   return solution;
 }
 

@@ -25,7 +25,7 @@ struct RollingFrictionSolution {
   VecX w;           ///< A λ + b.
   double residual;  ///< rolling_friction_residual.
   int iterations;   ///< Newton steps and sweeps.
-  bool converged;   ///< residual ≤ 1e-12.
+  bool converged;   ///< residual ≤ solved_residual.
 };
 
 /// Sweeps of projected Gauss–Seidel bring the forces near, Newton's method on the natural map of the law

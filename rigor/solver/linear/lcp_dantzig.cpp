@@ -3,6 +3,7 @@
 #include "rigor/math/dense.hpp"
 #include "rigor/solver/linear/lcp.hpp"
 #include "rigor/solver/linear/lcp_residual.hpp"
+#include "rigor/solver/linear/solved_residual.hpp"
 
 #include <limits>
 #include <vector>
@@ -148,7 +149,7 @@ LcpSolution finish_lcp(const MatX& M, const VecX& q, const VecX& z, int pivots) 
   }
   solution.residual = size > 0 ? worst / size : 0.0;
   if (!z.allFinite()) solution.residual = std::numeric_limits<double>::infinity();
-  solution.converged = solution.residual <= 1e-12;
+  solution.converged = solution.residual <= solved_residual;
   return solution;
 }
 

@@ -2,6 +2,7 @@
 
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/solver/linear/solved_residual.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -179,8 +180,7 @@ class DualMethod {
         result.residual = std::max(result.residual, -lambda_[row] / lambda_.cwiseAbs().maxCoeff());
       }
     }
-    constexpr double tolerance = 1e-12;
-    result.converged = result.residual <= tolerance;
+    result.converged = result.residual <= solved_residual;
     return result;
   }
 

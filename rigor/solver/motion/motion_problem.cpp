@@ -138,13 +138,6 @@ class MotionSolver {
     return solution_of(*forces, modes.modes);
   }
 
-  bool has_unknown_slips(const ContactModes& modes) const {
-    for (std::size_t k = 0; k < modes.modes.size(); ++k)
-      if (modes.modes[k] == ContactMode::slide && laws_.rows[k] == FrictionRow::cone && laws_.mu[k] > 0)
-        return true;
-    return false;
-  }
-
   /// Solves for the guess's modes and moves the contacts that break the law, a few times.
   std::optional<CoulombSolution> settle(CoulombGuess guess, int most_moves, const char* method) const {
     std::set<std::vector<ContactMode>> visited;
@@ -155,7 +148,7 @@ class MotionSolver {
       // law holds for them.
       if (forces) {
         CoulombSolution solution = solution_of(*forces, guess.modes.modes);
-        if (has_unknown_slips(guess.modes) && solution.residual > kZeroMotion) {
+        if (has_unknown_slips(laws_, guess.modes) && solution.residual > kZeroMotion) {
           if (auto least = find_least_norm(laws_, guess.modes, kZeroMotion, forces_of_))
             solution = std::move(*least);
         }
