@@ -19,7 +19,7 @@ bool is_bouncy(const Contact& contact) {
 
 HybridStepper::HybridStepper(std::shared_ptr<const Model> model, const Method& method, double target_step)
     : EventDrivenStepper(std::move(model), method, target_step),
-      law_(restitution_law(method.impact)),
+      law_(method.impact),
       resting_velocity_(method.resting_velocity) {}
 
 /// The bodies bounce off each other and have not yet come near rest; what lasts and what the event is about

@@ -1,5 +1,6 @@
 #include "rigor/sim/event_driven/micro_collision.hpp"
 
+#include "rigor/contact/resting/rolling_friction.hpp"
 #include "rigor/core/index.hpp"
 
 #include <algorithm>
@@ -18,7 +19,7 @@ MicroCollision::MicroCollision(const ContactSystemAssembler& assembler, const Co
                                const Method& method, bool reverses)
     : assembler_(assembler),
       resolver_(resolver),
-      law_(restitution_law(method.impact)),
+      law_(method.impact),
       envelope_(method.contact_tolerance),
       reverses_(reverses) {}
 
@@ -51,10 +52,8 @@ void MicroCollision::collide(Cluster& cluster, AdvanceReport& report) const {
     restitutions.push_back(std::max(contact.restitution, std::min(1.0, slow / approach)));
 
   // Slow collisions reverse the velocities, others follow the law of the method.
-  const bool has_moments = std::any_of(contacts.begin(), contacts.end(), [](const Contact& contact) {
-    return contact.rolling_friction > 0 || contact.torsional_friction > 0;
-  });
-  if (reverses_ && approach <= slow && !has_moments) {
+  const bool has_rolling_friction = std::any_of(contacts.begin(), contacts.end(), resists_rotation);
+  if (reverses_ && approach <= slow && !has_rolling_friction) {
     if (const auto reversal = find_reversal(make_impact_problem(system, restitutions)))
       return resolver_.apply_impact(system, *reversal, cluster, report);
   }

@@ -27,18 +27,6 @@ double reach_of(const Body& body) {
   return std::isfinite(body.bounding_radius) ? std::max(body.bounding_radius, gyration) : gyration;
 }
 
-SimultaneousLaw simultaneous_law(SimultaneousMethod method) {
-  switch (method) {
-    case SimultaneousMethod::reflections:
-      return SimultaneousLaw::reflections;
-    case SimultaneousMethod::lcp:
-      return SimultaneousLaw::lcp;
-    case SimultaneousMethod::sequential:
-      break;
-  }
-  return SimultaneousLaw::sequential;
-}
-
 void note_paradox(const Paradox& paradox, const ContactSystem& system, double t, AdvanceReport& report) {
   if (paradox.kind == Paradox::Kind::none) return;
   const Contact& contact = system.contacts[paradox.contact];
@@ -49,24 +37,12 @@ void note_paradox(const Paradox& paradox, const ContactSystem& system, double t,
 
 }  // namespace
 
-RestitutionLaw restitution_law(ImpactMethod method) {
-  switch (method) {
-    case ImpactMethod::newton:
-      return RestitutionLaw::newton;
-    case ImpactMethod::poisson:
-      return RestitutionLaw::poisson;
-    case ImpactMethod::stronge:
-      break;
-  }
-  return RestitutionLaw::stronge;
-}
-
 ContactResolver::ContactResolver(const Model& model, const ContactSystemAssembler& assembler,
                                  const Method& method)
     : model_(model),
       assembler_(assembler),
-      collision_law_(restitution_law(method.impact)),
-      law_(simultaneous_law(method.simultaneous)),
+      collision_law_(method.impact),
+      law_(method.simultaneous),
       resting_velocity_(method.resting_velocity),
       still_(1e-6 * method.resting_velocity),
       contact_tolerance_(method.contact_tolerance),

@@ -19,9 +19,6 @@ struct LastingContacts {
   bool have_forces = true;
 };
 
-/// The law of a single collision that the method names.
-RestitutionLaw restitution_law(ImpactMethod method);
-
 /// Decides what happens at an event: which contacts collide, which last, which open.
 class ContactResolver {
  public:

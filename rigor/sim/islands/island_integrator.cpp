@@ -99,9 +99,9 @@ IslandIntegrator::Load IslandIntegrator::load(const Island& island, double t,
   VecX lambda, joint_lambda;
   if (!island.contacts.empty()) {
     const std::vector<Wrench> of_environment = wrenches;
-    wrenches = with_contact_moments(system, island.states, std::move(wrenches), direction_tolerance_,
-                                    resting_velocity_);
-    load.power += moment_power_of_prescribed(system, of_environment, wrenches);
+    wrenches = with_rolling_friction(system, island.states, std::move(wrenches), direction_tolerance_,
+                                     resting_velocity_);
+    load.power += rolling_power_of_prescribed(system, of_environment, wrenches);
     // Moments on prescribed bodies leave the island: their opposites are external to it.
     for (std::size_t b = 0; b < system.bodies.size(); ++b) {
       if (system.kinetics[b].inverse_mass == 0) load.external.tau_W -= wrenches[b].tau_W;

@@ -48,7 +48,7 @@ Parts parts_of(const Vec3& v, const Vec3& n) {
 Vec3 moment_on_B(const Contact& contact, const PenaltyContact& spring, const Vec3& w, double f_n) {
   const double rho = contact.rolling_friction, sigma = contact.torsional_friction;
   const Parts parts =
-      parts_of(spring.bristle_stiffness * spring.turn_W + spring.bristle_damping * w, contact.point.n_W);
+      parts_of(spring.bristle_stiffness * spring.rotation_W + spring.bristle_damping * w, contact.point.n_W);
   return -shortened(rho * rho * parts.across, rho * f_n) -
          shortened(sigma * sigma * parts.along, sigma * f_n);
 }
@@ -132,7 +132,7 @@ void move_bristles(double h, Touching& touching) {
     const Contact& contact = touching.system.contacts[i];
     if (!(spring.bristle_stiffness > 0)) continue;
     move_bristle(touching.system.frames[i], h * velocity_at(u, i).head<2>(), spring);
-    if (resists_turning(contact)) spring.turn_W += h * relative_turning_W(touching.system, contact);
+    if (resists_turning(contact)) spring.rotation_W += h * relative_turning_W(touching.system, contact);
   }
 }
 
@@ -146,11 +146,11 @@ void slide_bristles(Touching& touching) {
     slide_bristle(friction_limit(contact, touching.system.rows[i], f_n), spring);
     if (!resists_turning(contact)) continue;
     // k ρ² |φ| ≤ ρ f_n, and σ likewise.
-    const Parts turn = parts_of(spring.turn_W, contact.point.n_W);
+    const Parts turn = parts_of(spring.rotation_W, contact.point.n_W);
     const double rho = contact.rolling_friction, sigma = contact.torsional_friction;
-    spring.turn_W = Vec3::Zero();
-    if (rho > 0) spring.turn_W += shortened(turn.across, f_n / (rho * spring.bristle_stiffness));
-    if (sigma > 0) spring.turn_W += shortened(turn.along, f_n / (sigma * spring.bristle_stiffness));
+    spring.rotation_W = Vec3::Zero();
+    if (rho > 0) spring.rotation_W += shortened(turn.across, f_n / (rho * spring.bristle_stiffness));
+    if (sigma > 0) spring.rotation_W += shortened(turn.along, f_n / (sigma * spring.bristle_stiffness));
   }
 }
 

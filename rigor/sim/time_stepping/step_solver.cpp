@@ -149,7 +149,7 @@ StepLaws step_laws_of(const ContactSystem& system, double still) {
       laws.rolling.push_back(contact.stop ? 0.0 : contact.rolling_friction);
       laws.torsional.push_back(contact.stop ? 0.0 : contact.torsional_friction);
       if (!contact.stop)
-        laws.angular_velocities.segment<3>(3 * static_cast<Index>(i)) = relative_turning(system, i);
+        laws.angular_velocities.segment<3>(3 * static_cast<Index>(i)) = relative_angular_velocity(system, i);
     }
   }
   if (std::any_of(system.contacts.begin(), system.contacts.end(),
@@ -247,7 +247,7 @@ StepImpulses StepSolver::solve_frictions(const ContactSystem& system, const Step
   }
 
   // Forces and moments, contact by contact.
-  const MomentSolution solution = solve_moments(problem);
+  const RollingFrictionSolution solution = solve_rolling_friction(problem);
   StepImpulses impulses;
   if (response) impulses.springs = response->impulses(solution.lambda);
   impulses.lambda = impulses.moments = VecX::Zero(laws.contacts.b.size());
