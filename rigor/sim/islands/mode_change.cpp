@@ -54,9 +54,9 @@ ModeChangeSearch::Instant ModeChangeSearch::at(const Island& island, const Islan
 }
 
 std::vector<Wrench> ModeChangeSearch::wrenches(const Island& island, const Instant& instant) const {
-  return with_contact_moments(instant.system, island.states,
-                              assembler_.environment_wrenches(instant.system, instant.t),
-                              direction_tolerance_, resting_velocity_);
+  return with_rolling_friction(instant.system, island.states,
+                               assembler_.environment_wrenches(instant.system, instant.t),
+                               direction_tolerance_, resting_velocity_);
 }
 
 /// Speed along its slip of each sliding contact; infinite for the others.
