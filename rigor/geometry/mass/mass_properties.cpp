@@ -70,10 +70,35 @@ struct ClosedForm {
     const Vec3 sums(squares.y() + squares.z(), squares.z() + squares.x(), squares.x() + squares.y());
     return closed_form(mass, Vec3::Zero(), mass / 5 * sums);
   }
+  MassProperties operator()(const Revolution& s) const {
+    std::vector<MassProperties> frusta;
+    for (std::size_t i = 0; i + 1 < s.rings->size(); ++i)
+      frusta.push_back(of_frustum((*s.rings)[i], (*s.rings)[i + 1]));
+    return combined(frusta);
+  }
   MassProperties operator()(const HalfSpace&) const { return of_unbounded(); }
   MassProperties operator()(const Cavity&) const { return of_unbounded(); }
   MassProperties operator()(const Convex& c) const { return mass_properties(*c.hull, density); }
   MassProperties operator()(const Mesh& m) const { return mass_properties(*m.mesh, density); }
+
+  /// The frustum of a cone between two rings of radii a and b, h apart. With r(z) linear,
+  ///   volume π ∫ r² = π h q / 3,  q = a² + a b + b²,
+  ///   height of the centre over the ring of a: ∫ z r² / ∫ r² = h (a² + 2 a b + 3 b²) / (4 q),
+  ///   moment about the axis π/2 ∫ r⁴ = 3/10 (mass / q) (a⁴ + a³ b + a² b² + a b³ + b⁴),
+  ///   mean square height about the centre 3/80 h² (a⁴ + 4 a³ b + 10 a² b² + 4 a b³ + b⁴) / q².
+  MassProperties of_frustum(const Ring& lower, const Ring& upper) const {
+    const double a = lower.radius, b = upper.radius, h = upper.z - lower.z;
+    const double a2 = a * a, b2 = b * b, ab = a * b, q = a2 + ab + b2;
+    const double mass = density * kPi * h * q / 3;
+    const double center = lower.z + h * (a2 + 2 * ab + 3 * b2) / (4 * q);
+
+    // The disks at all heights have half the moment across the axis, and their heights add the rest.
+    const double along = 0.3 * mass / q * (a2 * a2 + a2 * ab + a2 * b2 + ab * b2 + b2 * b2);
+    const double heights =
+        0.0375 * h * h * (a2 * a2 + 4 * a2 * ab + 10 * a2 * b2 + 4 * ab * b2 + b2 * b2) / (q * q);
+    const double across = 0.5 * along + mass * heights;
+    return closed_form(mass, {0, 0, center}, {across, across, along});
+  }
 
   static MassProperties of_unbounded() {
     const bool shape_is_bounded = false;

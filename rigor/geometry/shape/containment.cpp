@@ -54,6 +54,10 @@ struct Inside {
     return true;
   }
   bool operator()(const Mesh& m) const { return winding_number(*m.mesh, p) >= 1; }
+  template <class Own>
+  bool operator()(const Own& s) const {
+    return s.contains(p);
+  }
 };
 
 }  // namespace

@@ -14,12 +14,32 @@ const char* shape_type_name(const Shape& shape) {
     const char* operator()(const Cavity&) const { return "cavity"; }
     const char* operator()(const Convex&) const { return "convex"; }
     const char* operator()(const Mesh&) const { return "mesh"; }
+    template <class Own>
+    const char* operator()(const Own&) const {
+      return Own::type_name;
+    }
   };
   return std::visit(Name{}, shape);
 }
 
 bool is_unbounded(const Shape& shape) {
-  return std::holds_alternative<HalfSpace>(shape) || std::holds_alternative<Cavity>(shape);
+  struct Unbounded {
+    bool operator()(const Sphere&) const { return false; }
+    bool operator()(const Box&) const { return false; }
+    bool operator()(const Capsule&) const { return false; }
+    bool operator()(const Cylinder&) const { return false; }
+    bool operator()(const Cone&) const { return false; }
+    bool operator()(const Ellipsoid&) const { return false; }
+    bool operator()(const HalfSpace&) const { return true; }
+    bool operator()(const Cavity&) const { return true; }
+    bool operator()(const Convex&) const { return false; }
+    bool operator()(const Mesh&) const { return false; }
+    template <class Own>
+    bool operator()(const Own&) const {
+      return Own::is_unbounded;
+    }
+  };
+  return std::visit(Unbounded{}, shape);
 }
 
 }  // namespace rigor

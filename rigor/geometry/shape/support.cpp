@@ -92,6 +92,10 @@ struct RadiusAbout {
   double operator()(const Cavity&) const { return std::numeric_limits<double>::infinity(); }
   double operator()(const Convex& s) const { return radius_of_points(s.hull->vertices, c); }
   double operator()(const Mesh& s) const { return radius_of_points(s.mesh->vertices, c); }
+  template <class Own>
+  double operator()(const Own& s) const {
+    return (s.farthest_point(c) - c).norm();
+  }
 };
 
 }  // namespace
@@ -133,6 +137,10 @@ struct FarthestFrom {
   Vec3 operator()(const Ellipsoid& s) const { return farthest_on_ellipsoid(s.radii, c); }
   Vec3 operator()(const Convex& s) const { return farthest_of_points(s.hull->vertices, c); }
   Vec3 operator()(const Mesh& s) const { return farthest_of_points(s.mesh->vertices, c); }
+  template <class Own>
+  Vec3 operator()(const Own& s) const {
+    return s.farthest_point(c);
+  }
   Vec3 operator()(const HalfSpace&) const { return Vec3::Zero(); }
   Vec3 operator()(const Cavity&) const { return Vec3::Zero(); }
 
