@@ -36,6 +36,7 @@ LowerSide ContactShape::polyhedron_lower_side(const Vec3& n, const Vec3& p_plane
     for (const int v : topology_->faces[f]) is_lower[at(v)] = true;
   }
 
+  // Those vertices within reach, and the edges between faces that look down or vertices that can be touched.
   LowerSide side;
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     const int index = static_cast<int>(v);
@@ -204,6 +205,7 @@ std::vector<SurfaceLine> ContactShape::lines_along(const Vec3& m, double reach) 
     }
     return lines;
   }
+  // Edges of a polyhedron with both ends within reach of the farthest vertex.
   const Vec3 m_S = turned_to_S(m);
   const std::vector<Vec3>& vertices = vertices_S();
   const double top = m_S.dot(core_support(core_, m_S).p);
@@ -256,6 +258,7 @@ Feature ContactShape::classify_on_polyhedron(const Vec3& p) const {
   const double near = 1e-7 * size_;
   const Vec3 p_S = in_S(p);
   const std::vector<Vec3>& vertices = vertices_S();
+  // The nearest vertex, if the point is on it.
   double best = std::numeric_limits<double>::infinity();
   Feature feature;
   for (std::size_t v = 0; v < vertices.size(); ++v) {

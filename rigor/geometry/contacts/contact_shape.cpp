@@ -245,6 +245,7 @@ std::optional<Vec3> ContactShape::surface_normal(const Feature& feature, const V
 
 SurfaceCurvature ContactShape::curvature(const Feature& feature, const Vec3& p, const Vec3& m) const {
   SurfaceCurvature result;
+  // A face is flat in two directions; a vertex is all normals at one point.
   if (feature.kind == Feature::Kind::face) result.flat_count = 2;
   if (feature.kind == Feature::Kind::face || feature.kind == Feature::Kind::vertex) return result;
   if (is_polyhedron()) {
