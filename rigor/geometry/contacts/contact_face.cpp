@@ -5,7 +5,7 @@ namespace rigor {
 namespace {
 
 /// In a contact with a face the face's side is flat; what rests on it is not: the ends of a line or a corner
-/// that lies on the face is a point that turns with its own body.
+/// that lies on the face is a point that rotates with its own body.
 SurfaceCurvature without_flat_directions(SurfaceCurvature curvature) {
   curvature.flat_count = 0;
   curvature.flat_W = Vec3::Zero();

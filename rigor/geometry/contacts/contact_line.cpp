@@ -8,7 +8,7 @@
 namespace rigor {
 namespace {
 
-/// Lines that turn away from each other by more than this are never taken for parallel.
+/// Lines at a larger angle to each other are never taken for parallel.
 constexpr double kLargestParallelAngle = 1e-3;
 
 /// Two lines side by side: the stretch where each runs beside the other.

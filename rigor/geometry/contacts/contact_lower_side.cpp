@@ -20,7 +20,7 @@ LowerSide ContactShape::lower_side(const Vec3& n, const Vec3& p_plane, double re
 }
 
 LowerSide ContactShape::polyhedron_lower_side(const Vec3& n, const Vec3& p_plane, double reach) const {
-  const Vec3 n_S = turned_to_S(n);
+  const Vec3 n_S = direction_in_S(n);
   const Vec3 origin_S = in_S(p_plane);
   const std::vector<Vec3>& vertices = vertices_S();
   std::vector<double> heights;
@@ -106,7 +106,7 @@ std::vector<SurfaceLine> ContactShape::facing_rulings(const Vec3& n, const Vec3&
   if (lines.size() <= 1) return lines;
 
   // Of several sides those that face the plane: the neighbours of the lowest ring, and what is within reach.
-  const int lowest = core_support(core_, turned_to_S(m)).piece;
+  const int lowest = core_support(core_, direction_in_S(m)).piece;
   std::erase_if(lines, [&](const SurfaceLine& line) {
     const int i = line.feature.index;
     const std::optional<Vec3> normal = surface_normal(line.feature, 0.5 * (line.a + line.b));
@@ -169,7 +169,7 @@ std::optional<double> ContactShape::height_above(const Vec3& p, const Vec3& n,
   }
   if (!is_polyhedron()) return {};
   // The line enters a convex body where the last of the faces that look down is crossed.
-  const Vec3 p_S = in_S(p), n_S = turned_to_S(n);
+  const Vec3 p_S = in_S(p), n_S = direction_in_S(n);
   const auto depth_below = [&](std::size_t f, const Vec3& q_S) {
     return face_normal_S(static_cast<int>(f)).dot(vertices_S()[at(topology_->faces[f].front())] - q_S);
   };
@@ -206,7 +206,7 @@ std::vector<SurfaceLine> ContactShape::lines_along(const Vec3& m, double reach) 
     return lines;
   }
   // Edges of a polyhedron with both ends within reach of the farthest vertex.
-  const Vec3 m_S = turned_to_S(m);
+  const Vec3 m_S = direction_in_S(m);
   const std::vector<Vec3>& vertices = vertices_S();
   const double top = m_S.dot(core_support(core_, m_S).p);
   for (std::size_t e = 0; e < topology_->edges.size(); ++e) {
@@ -222,7 +222,7 @@ Feature ContactShape::classify(const Vec3& p, const Vec3& m) const {
   if (is_plane()) return {Kind::face, 0};
   if (is_polyhedron()) return classify_on_polyhedron(p);
   const Vec3 p_S = in_S(p);
-  if (has_rings()) return ring_feature_at(p_S, turned_to_S(m));
+  if (has_rings()) return ring_feature_at(p_S, direction_in_S(m));
   const bool at_end = std::abs(p_S.z()) >= core_.size.z() - 1e-7 * size_;
   if (core_.kind == ConvexCore::Kind::segment && at_end) return {Kind::side, p_S.z() > 0 ? 2 : 1};
   return {Kind::side, 0};

@@ -130,7 +130,7 @@ Feature ContactShape::edge_feature(int v0, int v1) const {
 }
 
 Vec3 ContactShape::support(const Vec3& m) const {
-  const Vec3 m_S = turned_to_S(m);
+  const Vec3 m_S = direction_in_S(m);
   return in_O(core_support(core_, m_S).p) + core_.radius * m;
 }
 

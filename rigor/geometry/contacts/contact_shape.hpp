@@ -144,7 +144,7 @@ class ContactShape {
  private:
   Vec3 in_O(const Vec3& p_S) const { return X_OS_ * p_S; }
   Vec3 in_S(const Vec3& p_O) const { return X_OS_.R.transpose() * (p_O - X_OS_.p); }
-  Vec3 turned_to_S(const Vec3& d_O) const { return X_OS_.R.transpose() * d_O; }
+  Vec3 direction_in_S(const Vec3& d_O) const { return X_OS_.R.transpose() * d_O; }
   Vec3 axis() const { return X_OS_.R.col(2); }
 
   const std::vector<Vec3>& vertices_S() const;

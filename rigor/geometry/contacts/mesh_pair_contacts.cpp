@@ -97,7 +97,7 @@ class MeshPairContacts {
     (is_on_border ? sharp_ : contacts_).push_back(point);
   }
 
-  /// A contact whose normal turns with the face of one side.
+  /// A contact whose normal rotates with the face of one side.
   static ContactPoint on_face(const Vec3& p_A, const Vec3& p_B, const Vec3& n, double gap, int side_of_face) {
     return {.p_WA = p_A,
             .p_WB = p_B,
