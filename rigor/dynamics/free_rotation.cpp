@@ -1,17 +1,15 @@
 #include "rigor/dynamics/free_rotation.hpp"
 
+#include "rigor/core/rounding.hpp"
 #include "rigor/math/carlson.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace rigor {
 namespace {
-
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 /// Covers the rounding errors of |ω|, so that the bound holds for the motion as it is evaluated.
 constexpr double kSpeedMargin = 1 + 16 * kEpsilon;

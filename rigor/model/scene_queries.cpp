@@ -1,6 +1,7 @@
 #include "rigor/model/scene_queries.hpp"
 
 #include "rigor/core/assert.hpp"
+#include "rigor/core/rounding.hpp"
 #include "rigor/geometry/distance/distance.hpp"
 #include "rigor/geometry/distance/point_distance.hpp"
 #include "rigor/geometry/rays/box_bounds.hpp"
@@ -13,8 +14,6 @@
 
 namespace rigor {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 bool accepts(const SceneQueries::Filter& filter, int body) {
   return !filter || filter(body);
