@@ -9,6 +9,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "rigor/bulk/lanes/portable_begin.inl"
+
 namespace rigor::portable_lanes {
 
 #include "rigor/bulk/joints/joint_stages.inl"
