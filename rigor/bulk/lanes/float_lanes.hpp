@@ -11,7 +11,8 @@
 #include <xmmintrin.h>
 #endif
 
-// Functions that pass lanes by value are inlined, or called within one target only: there is no ABI to change.
+// Functions that pass lanes by value are inlined, or called within one target only: there is no ABI to
+// change.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace rigor {
