@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstring>
 
-#define RIGOR_LANES_HAVE_FMA 0
+#include "rigor/bulk/lanes/portable_begin.inl"
 
 namespace rigor::portable_lanes {
 

@@ -4,7 +4,7 @@
 
 #include <cstring>
 
-#define RIGOR_LANES_HAVE_FMA 0
+#include "rigor/bulk/lanes/portable_begin.inl"
 
 namespace rigor::portable_lanes {
 
