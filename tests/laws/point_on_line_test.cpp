@@ -27,7 +27,7 @@ struct Scheme {
 /// 10 rad/s.
 const std::vector<Scheme> kSchemes = {{"{scheme: event-driven}", 0.01, 1e-8},
                                       {"{scheme: time-stepping, solver: exact}", 0.0005, 1e-2},
-                                      {"{scheme: time-stepping, solver: substep}", 0.0005, 1e-2}};
+                                      {"{scheme: time-stepping, solver: substep}", 0.0005, 1e-3}};
 
 std::vector<State> states_of(const std::string& text) {
   const Scene scene = parse_scene(text, "line.yaml", ".");
