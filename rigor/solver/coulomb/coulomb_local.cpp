@@ -84,13 +84,13 @@ std::vector<double> find_roots(const TrigPolynomial& h) {
   companion.row(0) << -(2 * g.s1 - 4 * g.s2) / lead, -(2 * g.c0 - 6 * g.c2) / lead,
       -(2 * g.s1 + 4 * g.s2) / lead, -(g.c0 + g.c1 + g.c2) / lead;
   companion(1, 0) = companion(2, 1) = companion(3, 2) = 1;
-  const Eigen::EigenSolver<Eigen::Matrix4d> eigen(companion, false);
+  const Vec4 quartic_roots = real_parts_of_eigenvalues(companion);
 
   // Real parts are only near the roots: Newton's method on h decides which of them are real, and double roots
   // count once.
   std::vector<double> roots;
   for (int i = 0; i < 4; ++i) {
-    const double angle = refine_root(h, shift + 2 * std::atan(eigen.eigenvalues()(i).real()));
+    const double angle = refine_root(h, shift + 2 * std::atan(quartic_roots(i)));
     if (!(std::abs(h.value(angle)) <= kRounding * size)) continue;
     const auto is_same = [&](double other) {
       return std::abs(std::remainder(angle - other, 2 * std::numbers::pi)) < kSameAngle;
