@@ -264,7 +264,7 @@ TEST(Revolution, ContactsWithAPlaneAreItsLowestPoints) {
 TEST(Revolution, ACupOnItsSideTouchesWithBothRimsOfThatSide) {
   const Revolution cup = solid_of({{0.03, -0.06}, {0.045, 0.06}, {0.043, 0.064}});
   const double slope = std::atan2(0.015, 0.12);
-  Pose X_WS{rotation_matrix(rotation_exp((-0.5 * kPi - slope) * Vec3::UnitY())), Vec3::Zero()};
+  Pose X_WS{rotation_matrix(rotation_exp((-0.5 * kPi + slope) * Vec3::UnitY())), Vec3::Zero()};
   X_WS.p.z() = support_value(cup, -X_WS.R.transpose() * Vec3::UnitZ());
   const std::vector<ContactPoint> contacts =
       contact_set(HalfSpace{Vec3::UnitZ(), 0}, Pose{}, cup, X_WS, 1e-8);

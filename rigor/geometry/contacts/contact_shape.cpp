@@ -198,10 +198,10 @@ Mat3 ball_radius(double radius, const Vec3& m) {
 }
 
 /// Hessian of h(m) = |D m|, D = diag(radii): (D² - p pᵀ) / h with p = D² m / h.
-Mat3 ellipsoid_radius(const Ellipsoid& s, const Mat3& R_OS, const Vec3& m) {
+Mat3 ellipsoid_radius(const Vec3& radii, const Mat3& R_OS, const Vec3& m) {
   const Vec3 m_S = R_OS.transpose() * m;
-  const Vec3 squares = s.radii.cwiseAbs2();
-  const double h = s.radii.cwiseProduct(m_S).norm();
+  const Vec3 squares = radii.cwiseAbs2();
+  const double h = radii.cwiseProduct(m_S).norm();
   const Vec3 p = squares.cwiseProduct(m_S) / h;
   const Mat3 square_matrix = squares.asDiagonal();
   const Mat3 radius_S = (square_matrix - p * p.transpose()) / h;
@@ -256,8 +256,8 @@ SurfaceCurvature ContactShape::curvature(const Feature& feature, const Vec3& p, 
     result.flat_W = X_OS_.R * (vertices_S()[at(edge.v1)] - vertices_S()[at(edge.v0)]).normalized();
     return result;
   }
-  if (const Ellipsoid* s = std::get_if<Ellipsoid>(shape_)) {
-    result.radius_W = ellipsoid_radius(*s, X_OS_.R, m);
+  if (core_.kind == ConvexCore::Kind::ellipsoid) {
+    result.radius_W = ellipsoid_radius(core_.size, X_OS_.R, m);
   } else if (feature.kind == Feature::Kind::edge) {
     result.radius_W = rim_radius(ring_of(core_, feature.index).radius, axis(), m);
   } else if (!has_rings() && (core_.kind == ConvexCore::Kind::point || feature.index > 0)) {
