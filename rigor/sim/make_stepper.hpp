@@ -1,7 +1,7 @@
 #pragma once
 
 #include "rigor/model/model.hpp"
-#include "rigor/sim/make_stepper.hpp"
+#include "rigor/sim/fixed_steps/stepper.hpp"
 #include "rigor/sim/method/method.hpp"
 
 #include <memory>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "rigor/core/range.hpp"
-#include "rigor/dynamics/integrator.hpp"
-#include "rigor/geometry/broad_phase/broad_phase.hpp"
+#include "rigor/dynamics/orientation_form.hpp"
+#include "rigor/geometry/broad_phase/broad_phase_method.hpp"
 
 #include <span>
 #include <string>
@@ -67,7 +67,6 @@ struct MethodChoice {
   std::string_view value;    ///< "newton".
   std::string_view meaning;  ///< One line.
   std::string_view source;   ///< Where the method is from.
-  bool is_available;         ///< In this version.
 };
 
 /// One number of the method.
@@ -86,15 +85,13 @@ std::span<const MethodChoice> method_choices();
 std::span<const MethodNumber> method_numbers();
 /// Keys of the choices in the order of the documentation.
 std::vector<std::string> method_choice_keys();
-/// Values of a choice: all, or those of this version.
-std::vector<std::string> method_values(std::string_view key, bool only_available);
+/// Values of a choice, in the order of its enumerators; none for an unknown key.
+std::vector<std::string> method_values(std::string_view key);
 
-/// Sets the named choice. Empty, or the error: "unknown impact 'newtn'; did you mean 'newton'?" or
-/// "scheme 'penalty' is not available in this version; available: event-driven".
+/// Sets the named choice. Returns nothing, or the error: "unknown impact 'newtn'; did you mean 'newton'?".
 std::string set_method_choice(std::string_view key, std::string_view value, Method& method);
 
-/// The value's name of a choice that the method has made ("newton"); empty for an unknown key and for choices
-/// of later versions.
+/// The name of the value that the method has chosen for a key ("newton"); empty for an unknown key.
 std::string method_choice(const Method& method, std::string_view key);
 
 /// What is wrong with the combination, each message naming the values that go together; empty if nothing.

@@ -32,11 +32,11 @@ SchemeFacts scheme_facts(const Model& model, double contact_tolerance);
 struct SchemeRule {
   std::string_view when;  ///< "at most 40 bodies collide".
   bool (*applies)(const SchemeFacts& facts);
-  std::vector<Scheme> schemes;  ///< The first one that is available is taken.
+  std::vector<Scheme> schemes;  ///< The first one that does not refuse the scene is taken.
   std::string_view why;
 };
 
-/// The table; its last line always applies and ends with event-driven, which is always available.
+/// The table; its last line always applies, and every line ends with event-driven.
 std::span<const SchemeRule> scheme_rules();
 
 /// What was chosen, and why in a sentence without its full stop.
@@ -51,17 +51,15 @@ struct SchemeRefusal {
   std::string reason;  ///< As check_scheme and check_combination say it.
 };
 
-/// The schemes among those available that the model, or the rest of the method, does not go with.
-std::vector<SchemeRefusal> scheme_refusals(const Model& model, const Method& method,
-                                           std::span<const Scheme> available);
+/// All schemes, in the order of the enumerators; `auto` is not one of them.
+std::vector<Scheme> all_schemes();
 
-/// The scheme of the first rule that applies, among those available that do not refuse the scene; where the
-/// rule has none, the first one available that does not. Event-driven if all refuse.
-SchemeChoice choose_scheme(const SchemeFacts& facts, std::span<const Scheme> available,
-                           std::span<const SchemeRefusal> refusals = {});
+/// The schemes that do not go with the model or with the rest of the method.
+std::vector<SchemeRefusal> scheme_refusals(const Model& model, const Method& method);
 
-/// The schemes that this version offers; `auto` is none of them.
-std::vector<Scheme> available_schemes();
+/// The first scheme of the first rule that applies which does not refuse the scene; if all schemes of the
+/// rule refuse, the first of the others that does not. Event-driven if every scheme refuses.
+SchemeChoice choose_scheme(const SchemeFacts& facts, std::span<const SchemeRefusal> refusals = {});
 
 /// The method with the scheme that `auto` stands for in this scene, and the reason; any other method as it
 /// is, without a reason. The same Model gives the same answer at any time.
