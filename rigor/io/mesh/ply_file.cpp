@@ -162,7 +162,7 @@ class PlyReader {
     if (is_face && length < 3)
       values_.fail(fmt::format("face {} has {} vertices; at least 3 are needed", row, length));
     std::vector<int> loop;
-    for (std::size_t i = 0; i < at(length); ++i) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(length); ++i) {
       const double value = values_.next(property.type);
       if (!is_face) continue;
       if (value < 0 || value > std::numeric_limits<int>::max()) {

@@ -2,6 +2,7 @@
 
 #include "rigor/bulk/bulk_world.hpp"
 #include "rigor/sim/fixed_steps/stepper.hpp"
+#include "rigor/sim/method/method.hpp"
 
 #include <functional>
 #include <memory>
