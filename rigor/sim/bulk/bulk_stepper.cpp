@@ -4,6 +4,7 @@
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/sim/fixed_steps/fixed_steps.hpp"
+#include "rigor/sim/method/method.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -46,7 +47,7 @@ AdvanceReport BulkStepper::advance(State& state, double t_end) {
     }
     note(world_.step(steps.end(k) - t), t, steps.end(k), report);
     if (const int broken = find_broken_body(); broken >= 0) {
-      // The State stays as it was, where all is finite.
+      // The State stays as it was at the last output, where everything is finite.
       report.reason = StopReason::not_finite;
       report.detail = "body '" + model_->body(broken).name + "'";
       report.bodies = {broken};
@@ -66,7 +67,7 @@ AdvanceReport BulkStepper::advance(State& state, double t_end) {
   return report;
 }
 
-/// t, t_end: begin and end of the step [s].
+/// Enters the report of a step from t to t_end [s].
 void BulkStepper::note(const BulkStepReport& step, double t, double t_end, AdvanceReport& report) const {
   ++report.steps;
   report.distance_queries += step.pair_count;
@@ -77,17 +78,10 @@ void BulkStepper::note(const BulkStepReport& step, double t, double t_end, Advan
   }
   report.momentum_error += step.momentum_error;
   report.work += step.work;
-  report.max_iterations = 2 * settings_.substeps;  // Sweeps: with the springs and without.
-  if (step.max_overlap > report.max_penetration) {
-    report.max_penetration = step.max_overlap;
-    report.penetration_A = step.overlap_A;
-    report.penetration_B = step.overlap_B;
-    report.penetration_time = t;
-  }
-  if (step.max_joint_error > report.max_joint_drift) {
-    report.max_joint_drift = step.max_joint_error;
-    report.drift_joint = step.worst_joint;
-  }
+  // Each sub-step sweeps twice: with the springs, and without them.
+  report.max_iterations = 2 * settings_.substeps;
+  report.note_penetration(step.max_overlap, step.overlap_A, step.overlap_B, t);
+  report.note_joint_drift(step.max_joint_error, step.worst_joint);
 }
 
 /// A body whose position or velocity is not finite, or -1.
@@ -96,7 +90,7 @@ int BulkStepper::find_broken_body() const {
   for (int i = 0; i < bodies.count(); ++i) {
     const std::size_t k = at(i);
     const MotionRecord& motion = bodies.motion[k];
-    // A sum is not finite if one of its terms is not, and none of these is near the largest number.
+    // The sum is not finite if a term is not; finite velocities are far too small for it to overflow.
     float sum = 0;
     for (int axis = 0; axis < 3; ++axis) sum += motion.v[axis] + motion.w[axis];
     if (!std::isfinite(sum) || !bodies.x[k].allFinite() || !bodies.q[k].coeffs().allFinite()) return i;

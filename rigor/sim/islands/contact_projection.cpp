@@ -2,6 +2,7 @@
 
 #include "rigor/sim/islands/displacement.hpp"
 #include "rigor/sim/islands/energy_repair.hpp"
+#include "rigor/sim/report/ledger.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -41,15 +42,12 @@ void ContactProjection::restore_gaps(const Island& island, double t, IslandStep&
   };
   const double gained = energy(step.end) - std::max(energy(drifted), energy(island.start));
   if (gained <= 0) return;
-  const ClusterTotals before = totals_of_bodies(model_, island.bodies, step.end);
+  const MomentumScope momentum(model_, island.bodies, step.end);
   if (take_kinetic_energy(model_, island.bodies, gained, balance.is_free, step.end) < gained) {
     step.end = drifted;
     return;
   }
-  if (balance.is_free) return;
-  const ClusterTotals after = totals_of_bodies(model_, island.bodies, step.end);
-  step.impulse += after.P - before.P;
-  step.angular_impulse += after.L - before.L;
+  if (!balance.is_free) momentum.add_change(step.impulse, step.angular_impulse);
 }
 
 bool ContactProjection::project_positions(Cluster& cluster, AdvanceReport& report) const {

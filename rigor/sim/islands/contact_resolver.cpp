@@ -3,6 +3,8 @@
 #include "rigor/contact/impact/joint_stops.hpp"
 #include "rigor/contact/resting/paradox.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/sim/method/tolerances.hpp"
+#include "rigor/sim/report/ledger.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -65,7 +67,7 @@ ContactResolver::ContactResolver(const Model& model, const IslandIntegrator& int
       collision_law_(restitution_law(method.impact)),
       law_(simultaneous_law(method.simultaneous)),
       resting_velocity_(method.resting_velocity),
-      still_(1e-6 * method.resting_velocity),
+      still_(still_speed(method.resting_velocity)),
       contact_tolerance_(method.contact_tolerance),
       resting_(resting_choice(method)) {}
 
@@ -105,7 +107,7 @@ std::vector<double> ContactResolver::restitutions(const Cluster& cluster, const 
 
 void ContactResolver::add_impulses(const ContactSystem& system, const VecX& lambda, const VecX& moments,
                                    Cluster& cluster, AdvanceReport& report) const {
-  const ClusterTotals before = totals_of(model_, cluster);
+  const MomentumScope momentum(model_, cluster.bodies, cluster.phases);
   std::vector<Wrench> impulses = contact_wrenches(system, lambda);
   Wrench external;
   for (Eigen::Index i = 0; 3 * i < moments.size(); ++i) {
@@ -127,10 +129,7 @@ void ContactResolver::add_impulses(const ContactSystem& system, const VecX& lamb
     report.work += system.joints->supplied_power(joint_lambda);
   }
   add_to_momenta(system, impulses, cluster);
-  const Wrench of_contacts = external_wrench(system, lambda, joint_lambda);
-  const ClusterTotals after = totals_of(model_, cluster);
-  report.momentum_error += after.P - before.P - external.f_W - of_contacts.f_W;
-  report.angular_momentum_error += after.L - before.L - external.tau_W - of_contacts.tau_W;
+  momentum.book_error({external, external_wrench(system, lambda, joint_lambda)}, report);
   report.work += work_of_prescribed(system, lambda);
 }
 
@@ -140,10 +139,8 @@ void ContactResolver::settle(const ContactSystem& system, const VecX& u, Cluster
   const CoulombProblem problem{delassus(system), u, std::vector<double>(count, 0.0),
                                std::vector<FrictionRow>(count, FrictionRow::cone),
                                std::vector<Vec2>(count, Vec2::Zero())};
-  const double before = totals_of(model_, cluster).T;
-  const double work_before = report.work;
+  const EnergyScope energy(EnergyAccount::projection, model_, cluster.bodies, cluster.phases, report);
   add_impulses(system, solve_coulomb(problem).lambda, {}, cluster, report);
-  report.projection_loss += before - totals_of(model_, cluster).T + (report.work - work_before);
 }
 
 void ContactResolver::apply_impact(const ContactSystem& system, const ImpactSolution& impact,
@@ -152,11 +149,8 @@ void ContactResolver::apply_impact(const ContactSystem& system, const ImpactSolu
   report.max_iterations = std::max(report.max_iterations, impact.iterations);
   if (!impact.converged) ++report.fallbacks;
 
-  const double before = totals_of(model_, cluster).T;
-  const double work_before = report.work;
+  const EnergyScope energy(EnergyAccount::impact, model_, cluster.bodies, cluster.phases, report);
   add_impulses(system, impact.lambda, impact.moments, cluster, report);
-  const double change = totals_of(model_, cluster).T - before - (report.work - work_before);
-  (change < 0 ? report.impact_loss : report.impact_gain) += std::abs(change);
 
   // One event a pair of bodies, with its whole impulse.
   std::map<std::pair<int, int>, MotionEvent> events;
@@ -213,7 +207,7 @@ bool ContactResolver::apply_impulses(Cluster& cluster, AdvanceReport& report) co
 
 LastingContacts ContactResolver::find_lasting(const Cluster& cluster, AdvanceReport& report) const {
   // Touching and not parting.
-  const double parting = 1e-3 * resting_velocity_;
+  const double parting = parting_speed(resting_velocity_);
   std::vector<Contact> candidates;
   if (!cluster.contacts.empty()) {
     const VecX u = relative_velocities(system_of(cluster, cluster.contacts));
@@ -252,10 +246,8 @@ LastingContacts ContactResolver::find_lasting(const Cluster& cluster, AdvanceRep
 void ContactResolver::project_velocities(const LastingContacts& lasting, Cluster& cluster,
                                          AdvanceReport& report) const {
   const ContactSystem system = system_of(cluster, lasting.contacts);
-  const double before = totals_of(model_, cluster).T;
-  const double work_before = report.work;
+  const EnergyScope energy(EnergyAccount::projection, model_, cluster.bodies, cluster.phases, report);
   add_impulses(system, projection_impulses(system, lasting.states, resting_), {}, cluster, report);
-  report.projection_loss += before - totals_of(model_, cluster).T + (report.work - work_before);
 }
 
 bool ContactResolver::agrees_with_velocities(const LastingContacts& lasting, const Cluster& cluster) const {

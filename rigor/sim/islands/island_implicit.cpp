@@ -6,6 +6,7 @@
 #include "rigor/sim/islands/displacement.hpp"
 #include "rigor/sim/islands/energy_repair.hpp"
 #include "rigor/sim/islands/island.hpp"
+#include "rigor/sim/report/ledger.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -134,7 +135,7 @@ IslandStep IslandIntegrator::implicit_step(const Island& island, double h) const
 
 void IslandIntegrator::close_implicit_step(const Island& island, IslandStep& step) const {
   const EnergyBalance balance = energy_balance(island.begin, island.bodies, island.contacts);
-  const ClusterTotals before = totals_of_bodies(model_, island.bodies, step.end);
+  const MomentumScope momentum(model_, island.bodies, step.end);
   // The contacts have turned while they were taken as straight. What overlapped before may stay.
   constexpr double rounding = 1e-12;
   const ContactSystem at_end = contact_system(island, island.begin + step.h, step.end);
@@ -152,10 +153,7 @@ void IslandIntegrator::close_implicit_step(const Island& island, IslandStep& ste
     if (gained > 0) take_kinetic_energy(model_, island.bodies, gained, balance.is_free, step.end);
   }
   // What stands still around the bodies has taken the difference.
-  const ClusterTotals after = totals_of_bodies(model_, island.bodies, step.end);
-  if (balance.is_free) return;
-  step.impulse += after.P - before.P;
-  step.angular_impulse += after.L - before.L;
+  if (!balance.is_free) momentum.add_change(step.impulse, step.angular_impulse);
 }
 
 }  // namespace rigor

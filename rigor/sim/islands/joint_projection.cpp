@@ -3,6 +3,7 @@
 #include "rigor/core/index.hpp"
 #include "rigor/math/dense.hpp"
 #include "rigor/math/rotation.hpp"
+#include "rigor/sim/report/ledger.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -89,17 +90,13 @@ void JointProjection::restore_momenta(const Island& island, IslandStep& step) co
 void JointProjection::project_velocities(Cluster& cluster, AdvanceReport& report) const {
   if (integrator_.joints_of(cluster.bodies).empty()) return;
   const ContactSystem system = integrator_.system_of(cluster.t, cluster.bodies, cluster.phases, {});
-  const ClusterTotals before = totals_of(model_, cluster);
+  const MomentumScope momentum(model_, cluster.bodies, cluster.phases);
+  EnergyScope energy(EnergyAccount::projection, model_, cluster.bodies, cluster.phases, report);
   const JointReactions reactions =
       with_joint_impulses(system, std::vector<Wrench>(system.bodies.size()), -system.joints->rate_errors());
   add_to_momenta(system, reactions.wrenches, cluster);
-  const Wrench external = external_wrench(system, VecX(), reactions.lambda);
-  const double work = system.joints->supplied_power(reactions.lambda);
-  const ClusterTotals after = totals_of(model_, cluster);
-  report.work += work;
-  report.projection_loss += before.T - after.T + work;
-  report.momentum_error += after.P - before.P - external.f_W;
-  report.angular_momentum_error += after.L - before.L - external.tau_W;
+  energy.supply(system.joints->supplied_power(reactions.lambda));
+  momentum.book_error({external_wrench(system, VecX(), reactions.lambda)}, report);
 }
 
 }  // namespace rigor

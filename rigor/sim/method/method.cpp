@@ -13,7 +13,7 @@ namespace rigor {
 
 namespace {
 
-/// Position of the value among all values of its key: the number of its enumerator.
+/// Position of the value among all values of its key, which is the number of its enumerator.
 std::optional<int> value_index(std::string_view key, std::string_view value) {
   int index = 0;
   for (const MethodChoice& choice : method_choices()) {

@@ -38,9 +38,9 @@ std::span<const MethodChoice> method_choices() {
       MethodChoice{"integrator", "lie-rk4", "Runge-Kutta of order 4 on the rotation group",
                    "Munthe-Kaas, High Order Runge-Kutta Methods on Manifolds, 1999"},
 
-      MethodChoice{"orientation", "quaternion", "13 numbers a body",
+      MethodChoice{"orientation", "quaternion", "13 numbers per body",
                    "Baraff, An Introduction to Physically Based Modeling: Rigid Body Simulation, 1997"},
-      MethodChoice{"orientation", "matrix", "18 numbers a body, Gram-Schmidt after each step",
+      MethodChoice{"orientation", "matrix", "18 numbers per body, Gram-Schmidt after each step",
                    "Baraff, An Introduction to Physically Based Modeling: Rigid Body Simulation, 1997"},
 
       MethodChoice{"broad_phase", "tree", "boxes of the bodies in a dynamic tree",

@@ -16,11 +16,11 @@ namespace rigor {
 
 namespace {
 
-/// A heap of so many bouncing balls takes the event-driven engine ten seconds a simulated second
+/// A heap of this many bouncing balls takes the event-driven engine ten seconds per simulated second
 /// (docs/choosing.md).
 constexpr int few_bodies = 40;
 
-/// Bodies that the filters do not tell apart: group, mask, whether they are dynamic.
+/// What the collision filters know of a body: group, mask, whether it is dynamic.
 using FilterClass = std::tuple<std::uint32_t, std::uint32_t, bool>;
 
 FilterClass filter_class(const Body& body) {
@@ -35,7 +35,7 @@ bool has_partner_class(const Body& body, const std::set<FilterClass>& classes) {
   });
 }
 
-/// Dynamic bodies that may touch any other.
+/// Dynamic bodies that may touch any other body.
 std::vector<int> colliding_bodies(const Model& model) {
   std::set<FilterClass> classes;
   for (const Body& body : model.bodies()) {
@@ -73,7 +73,7 @@ std::set<int> materials_of_shapes(const Model& model) {
   return materials;
 }
 
-/// What touches at t = 0.
+/// The pairs that touch at t = 0, and their bodies.
 struct Touching {
   int pairs = 0;
   int bouncing_pairs = 0;  ///< Those of them whose restitution is between 0 and 1.
@@ -84,7 +84,7 @@ bool is_between_0_and_1(double restitution) {
   return restitution > 0 && restitution < 1;
 }
 
-/// Adds the pair of bodies if shapes of theirs touch.
+/// Adds the pair of bodies if any of their shapes touch.
 void add_pair(const Model& model, const State& state, int a, int b, double tolerance, Touching& touching) {
   const Pose X_WA = pose_of(state, a), X_WB = pose_of(state, b);
   bool is_touching = false, bounces = false;
