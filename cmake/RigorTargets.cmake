@@ -30,6 +30,17 @@ function(rigor_layer name)
   target_precompile_headers(rigor_${name} REUSE_FROM rigor_pch)
 endfunction()
 
+# rigor_lane_kernels(name): in rigor/<name>/ files *_avx2.cpp and *_portable.cpp have the kernels of one target each
+# (docs/decisions/0012). Each is compiled by itself. The portable ones, for processors without AVX2, are compiled with -O1:
+# vectors that such a processor does not have are so much code that -O3 takes several times as long, for little speed.
+function(rigor_lane_kernels name)
+  file(GLOB_RECURSE kernels CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/rigor/${name}/*_avx2.cpp
+    ${PROJECT_SOURCE_DIR}/rigor/${name}/*_portable.cpp)
+  set_source_files_properties(${kernels} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  list(FILTER kernels INCLUDE REGEX "_portable\\.cpp$")
+  set_source_files_properties(${kernels} PROPERTIES COMPILE_OPTIONS $<$<NOT:$<CONFIG:Debug>>:-O1>)
+endfunction()
+
 # rigor_embed_text(target file header function): function(), declared in the header, returns the text of the file.
 function(rigor_embed_text target file header function)
   set(source ${PROJECT_BINARY_DIR}/embedded/${function}.cpp)

@@ -78,6 +78,8 @@ int expected_rows(JointType type) {
       return 4;
     case JointType::distance:
       return 1;
+    case JointType::point_on_line:
+      return 2;
     default:
       return 5;  // hinge, slider, screw
   }

@@ -59,9 +59,9 @@ TEST(SetMethodChoice, EnumeratorsAreTheirNames) {
   set_method_choice("toi", "bisection", method);
   EXPECT_EQ(method.toi, ToiMethod::bisection);
   set_method_choice("simultaneous", "lcp", method);
-  EXPECT_EQ(method.simultaneous, SimultaneousMethod::lcp);
+  EXPECT_EQ(method.simultaneous, SimultaneousLaw::lcp);
   set_method_choice("simultaneous", "sequential", method);
-  EXPECT_EQ(method.simultaneous, SimultaneousMethod::sequential);
+  EXPECT_EQ(method.simultaneous, SimultaneousLaw::sequential);
   set_method_choice("resting", "contact-space", method);
   EXPECT_EQ(method.resting, RestingMethod::contact_space);
   set_method_choice("lcp", "lemke", method);

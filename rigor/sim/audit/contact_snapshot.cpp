@@ -5,9 +5,9 @@
 #include "rigor/contact/system/contact_kinematics.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/math/rotation.hpp"
-#include "rigor/sim/islands/cluster.hpp"
-#include "rigor/sim/islands/island.hpp"
+#include "rigor/sim/islands/contact_system_assembler.hpp"
 #include "rigor/sim/method/method.hpp"
+#include "rigor/sim/method/resting_choice.hpp"
 #include "rigor/sim/method/tolerances.hpp"
 #include "rigor/sim/pairs/near_pairs.hpp"
 #include "rigor/sim/penalty/penalty_forces.hpp"
@@ -71,9 +71,9 @@ Contact with_own_friction(const Method& method, Contact contact, const Vec2& u_t
 }
 
 /// The points of one group of bodies, with forces at those that are not parting.
-std::vector<TouchingPoint> points_of(const Method& method, const IslandIntegrator& integrator,
+std::vector<TouchingPoint> points_of(const Method& method, const ContactSystemAssembler& assembler,
                                      const Cluster& part) {
-  const ContactSystem touching = integrator.system_of(part.t, part.bodies, part.phases, part.contacts);
+  const ContactSystem touching = assembler.assemble(part, part.contacts);
   const double parting = parting_speed(method.resting_velocity);
   std::vector<TouchingPoint> points;
   std::vector<std::size_t> pressed;
@@ -94,8 +94,8 @@ std::vector<TouchingPoint> points_of(const Method& method, const IslandIntegrato
   }
   if (candidates.empty()) return points;
 
-  const ContactSystem system = integrator.system_of(part.t, part.bodies, part.phases, candidates);
-  const RestingSolution resting = solve_resting(system, integrator.environment_wrenches(system, part.t),
+  const ContactSystem system = assembler.assemble(part, candidates);
+  const RestingSolution resting = solve_resting(system, assembler.environment_wrenches(system, part.t),
                                                 part.slip_tolerance, resting_choice(method));
   for (std::size_t k = 0; k < pressed.size(); ++k) {
     TouchingPoint& point = points[pressed[k]];
@@ -107,10 +107,10 @@ std::vector<TouchingPoint> points_of(const Method& method, const IslandIntegrato
 
 /// The points at which the springs that the State remembers act, with their forces.
 std::vector<TouchingPoint> points_of_springs(const Model& model, const Method& method, const State& state,
-                                             const IslandIntegrator& integrator,
+                                             const ContactSystemAssembler& assembler,
                                              const Environment& environment) {
   const Touching touching =
-      PenaltyTouching(model, environment, integrator, method, TouchingForm::reachable).find(state, 0, 0);
+      PenaltyTouching(model, environment, assembler, method, TouchingForm::reachable).find(state, 0, 0);
   const VecX forces = penalty_forces(touching);
   std::vector<TouchingPoint> points;
   for (std::size_t i = 0; i < touching.springs.size(); ++i) {
@@ -147,12 +147,12 @@ void set_motion(const Joint& joint, const BodyMotion& A, const BodyMotion& B, Jo
 }
 
 /// Forces of the joints of one group of bodies under the forces of its contacts.
-void add_joint_forces(const Model& model, const Method& method, const IslandIntegrator& integrator,
+void add_joint_forces(const Model& model, const Method& method, const ContactSystemAssembler& assembler,
                       const Cluster& part, std::vector<JointReaction>& result) {
   constexpr Eigen::Index most_rows = 600;
-  const std::vector<int> joints = integrator.joints_of(part.bodies);
+  const std::vector<int> joints = assembler.joints_of(part.bodies);
   if (joints.empty()) return;
-  ContactSystem system = integrator.system_of(part.t, part.bodies, part.phases, part.contacts);
+  ContactSystem system = assembler.assemble(part, part.contacts);
   const double parting = parting_speed(method.resting_velocity);
   const VecX u = relative_velocities(system);
   std::vector<Contact> lasting =
@@ -172,8 +172,8 @@ void add_joint_forces(const Model& model, const Method& method, const IslandInte
     }
     return;
   }
-  system = integrator.system_of(part.t, part.bodies, part.phases, lasting);
-  std::vector<Wrench> wrenches = integrator.environment_wrenches(system, part.t);
+  system = assembler.assemble(part, lasting);
+  std::vector<Wrench> wrenches = assembler.environment_wrenches(system, part.t);
   if (!lasting.empty()) {
     const RestingSolution resting =
         solve_resting(system, wrenches, part.slip_tolerance, resting_choice(method));
@@ -201,10 +201,10 @@ std::vector<JointReaction> joint_snapshot(const Model& model, const Method& meth
   for (int j = 0; j < static_cast<int>(model.joints().size()); ++j) result.push_back({.joint = j});
   if (result.empty()) return result;
   const Environment environment(model);
-  const IslandIntegrator integrator(model, environment, method);
+  const ContactSystemAssembler assembler(model, environment);
   const Cluster cluster = touching_bodies(model, method, state);
   for (const Cluster& part : connected_parts(cluster, cluster.contacts, environment))
-    add_joint_forces(model, method, integrator, part, result);
+    add_joint_forces(model, method, assembler, part, result);
   return result;
 }
 
@@ -220,14 +220,14 @@ std::vector<JointReaction> joint_motions(const Model& model, const State& state)
 
 std::vector<TouchingPoint> contact_snapshot(const Model& model, const Method& method, const State& state) {
   const Environment environment(model);
-  const IslandIntegrator integrator(model, environment, method);
+  const ContactSystemAssembler assembler(model, environment);
   if (method.scheme == Scheme::penalty && !state.contacts.empty())
-    return points_of_springs(model, method, state, integrator, environment);
+    return points_of_springs(model, method, state, assembler, environment);
   const Cluster cluster = touching_bodies(model, method, state);
   std::vector<TouchingPoint> points;
   for (const Cluster& part : connected_parts(cluster, cluster.contacts, environment)) {
     if (part.contacts.empty()) continue;
-    const std::vector<TouchingPoint> of_part = points_of(method, integrator, part);
+    const std::vector<TouchingPoint> of_part = points_of(method, assembler, part);
     points.insert(points.end(), of_part.begin(), of_part.end());
   }
   std::stable_sort(points.begin(), points.end(), [](const TouchingPoint& a, const TouchingPoint& b) {

@@ -1,11 +1,9 @@
 #pragma once
 
 #include "rigor/bulk/bulk_world.hpp"
-#include "rigor/sim/fixed_steps/stepper.hpp"
+#include "rigor/sim/fixed_steps/fixed_step_stepper.hpp"
 
-#include <functional>
 #include <memory>
-#include <utility>
 
 namespace rigor {
 
@@ -20,22 +18,19 @@ struct Method;
 /// events are at the end of the step and have its whole impulse), the error of the linear momentum, the work
 /// of kinematic bodies and forces, and the sweeps per step as iterations. It lacks the work of motors, that
 /// of kinematic bodies on joints and springs, and the error of the angular momentum.
-class BulkStepper : public Stepper {
+class BulkStepper : public FixedStepStepper {
  public:
   /// target_step > 0 [s]: the longest step. threads >= 1.
   BulkStepper(std::shared_ptr<const Model> model, const Method& method, double target_step, int threads);
 
-  void set_interrupt(std::function<bool()> interrupt) override { interrupt_ = std::move(interrupt); }
-  AdvanceReport advance(State& state, double t_end) override;
-
  private:
-  void note(const BulkStepReport& step, double t, double t_end, AdvanceReport& report) const;
+  void begin_span(double first_end, State& state) override;
+  double step_towards(double t_end, double t, State& state) override;
+  void end_span(double t, State& state) override;
+  void note(const BulkStepReport& step, double t, double t_end);
   int find_broken_body() const;
 
-  std::shared_ptr<const Model> model_;
-  double target_step_;
   BulkSettings settings_;
-  std::function<bool()> interrupt_;
   BulkWorld world_;
 };
 

@@ -20,7 +20,7 @@ class ImpulseBasedStepper : public EventDrivenStepper {
  public:
   /// What a slow collision may do.
   enum class SlowCollision {
-    reverses,  ///< Twice the plastic impact: the velocity turns round as far as friction can do it.
+    reverses,  ///< Twice the plastic impact: the velocity reverses as far as friction can reverse it.
     bounces,   ///< As every other collision, with e near 1.
   };
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "rigor/contact/impact/restitution_law.hpp"
+#include "rigor/contact/impact/simultaneous_law.hpp"
 #include "rigor/core/range.hpp"
 #include "rigor/dynamics/orientation_form.hpp"
 #include "rigor/geometry/broad_phase/broad_phase_method.hpp"
@@ -17,8 +19,6 @@ enum class Scheme { event_driven, time_stepping, penalty, impulse_based, hybrid,
 enum class IntegratorMethod { exact, euler, semi_implicit_euler, midpoint, rk4, dopri5, dop853, lie_rk4 };
 enum class DistanceMethod { gjk, lin_canny };
 enum class ToiMethod { conservative, ratio, bisection };
-enum class ImpactMethod { newton, poisson, stronge };
-enum class SimultaneousMethod { reflections, lcp, sequential };
 enum class RestingMethod { contact_space, motion_space };
 /// The LCP solver of contact space, also where motion space hands over to it.
 enum class LcpMethod { dantzig, lemke };
@@ -39,8 +39,8 @@ struct Method {
   BroadPhaseMethod broad_phase = BroadPhaseMethod::tree;
   DistanceMethod distance = DistanceMethod::gjk;
   ToiMethod toi = ToiMethod::conservative;
-  ImpactMethod impact = ImpactMethod::stronge;
-  SimultaneousMethod simultaneous = SimultaneousMethod::reflections;
+  RestitutionLaw impact = RestitutionLaw::stronge;
+  SimultaneousLaw simultaneous = SimultaneousLaw::reflections;
   RestingMethod resting = RestingMethod::motion_space;
   LcpMethod lcp = LcpMethod::dantzig;
   PenaltyMethod penalty = PenaltyMethod::local;

@@ -1,10 +1,14 @@
 #include "rigor/sim/method/method.hpp"
 
 #include <array>
+#include <vector>
 
 namespace rigor {
 
-std::span<const MethodChoice> method_choices() {
+namespace {
+
+/// All but the laws of impact, which have tables of their own.
+std::span<const MethodChoice> own_choices() {
   // Within a key, in the order of the enumerators.
   static constexpr std::array choices = {
       MethodChoice{"scheme", "event-driven", "goes from event to event; every impact at its own time",
@@ -63,20 +67,6 @@ std::span<const MethodChoice> method_choices() {
       MethodChoice{"toi", "bisection", "halves the step until the pair is within the tolerance",
                    "Baraff, An Introduction to Physically Based Modeling: Rigid Body Simulation, 1997"},
 
-      MethodChoice{"impact", "newton", "relative normal velocity after is -e times before",
-                   "Newton, Philosophiae Naturalis Principia Mathematica, 1687"},
-      MethodChoice{"impact", "poisson", "impulse of restitution is e times that of compression",
-                   "Routh, Dynamics of a System of Rigid Bodies, 1905"},
-      MethodChoice{"impact", "stronge", "work of restitution is -e^2 times that of compression",
-                   "Stronge, Rigid Body Collisions with Friction, 1990"},
-
-      MethodChoice{"simultaneous", "reflections", "repeated reflections until nothing approaches",
-                   "Smith, Kaufman, Vouga, Tamstorf and Grinspun, Reflections on Simultaneous Impact, 2012"},
-      MethodChoice{"simultaneous", "lcp", "all impacts of an instant in one complementarity problem",
-                   "Glocker and Pfeiffer, Multiple Impacts with Friction in Rigid Multibody Systems, 1995"},
-      MethodChoice{"simultaneous", "sequential", "one impact after the other, the fastest first",
-                   "Hahn, Realistic Animation of Rigid Bodies, 1988"},
-
       MethodChoice{"resting", "contact-space", "contact forces from a complementarity problem",
                    "Baraff, Fast Contact Force Computation for Nonpenetrating Rigid Bodies, 1994"},
       MethodChoice{"resting", "motion-space", "nearest admissible accelerations (Gauss)",
@@ -120,6 +110,31 @@ std::span<const MethodChoice> method_choices() {
                    "groups of bodies that have come to rest are left alone until disturbed",
                    "docs/theory/bulk.md, section 7"},
   };
+  return choices;
+}
+
+template <typename Rule>
+void add_rules(std::string_view key, std::span<const Rule> rules, std::vector<MethodChoice>& choices) {
+  for (const Rule& rule : rules) choices.push_back({key, rule.name, rule.meaning, rule.source});
+}
+
+std::vector<MethodChoice> all_choices() {
+  std::vector<MethodChoice> choices;
+  for (const MethodChoice& choice : own_choices()) {
+    // The laws of impact stand before the choices of resting contact.
+    if (choice.key == "resting" && choices.back().key != "resting") {
+      add_rules("impact", restitution_rules(), choices);
+      add_rules("simultaneous", simultaneous_rules(), choices);
+    }
+    choices.push_back(choice);
+  }
+  return choices;
+}
+
+}  // namespace
+
+std::span<const MethodChoice> method_choices() {
+  static const std::vector<MethodChoice> choices = all_choices();
   return choices;
 }
 

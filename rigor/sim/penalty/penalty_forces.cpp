@@ -50,7 +50,7 @@ Vec3 moment_on_B(const Contact& contact, const PenaltyContact& spring, const Vec
   const double rho = contact.rolling_friction, sigma = contact.torsional_friction;
   // Spring and damper of the bristle [N/m rad], before the arms.
   const Parts parts =
-      parts_of(spring.bristle_stiffness * spring.turn_W + spring.bristle_damping * w, contact.point.n_W);
+      parts_of(spring.bristle_stiffness * spring.rotation_W + spring.bristle_damping * w, contact.point.n_W);
   return -shortened(rho * rho * parts.across, rho * f_n) -
          shortened(sigma * sigma * parts.along, sigma * f_n);
 }
@@ -140,7 +140,8 @@ void move_bristles(double h, Touching& touching) {
     if (!(spring.bristle_stiffness > 0)) continue;
     // Bristles follow the slip and the relative rotation.
     move_bristle(touching.system.frames[i], h * velocity_at(u, i).head<2>(), spring);
-    if (resists_rotation(contact)) spring.turn_W += h * relative_angular_velocity(touching.system, contact);
+    if (resists_rotation(contact))
+      spring.rotation_W += h * relative_angular_velocity(touching.system, contact);
   }
 }
 
@@ -155,11 +156,11 @@ void slide_bristles(Touching& touching) {
     slide_bristle(friction_limit(contact, touching.system.rows[i], f_n), spring);
     if (!resists_rotation(contact)) continue;
     // Rolling and spinning: k ρ² |φ| ≤ ρ f_n across the normal, and likewise with σ along it.
-    const Parts angle = parts_of(spring.turn_W, contact.point.n_W);
+    const Parts angle = parts_of(spring.rotation_W, contact.point.n_W);
     const double rho = contact.rolling_friction, sigma = contact.torsional_friction;
-    spring.turn_W = Vec3::Zero();
-    if (rho > 0) spring.turn_W += shortened(angle.across, f_n / (rho * spring.bristle_stiffness));
-    if (sigma > 0) spring.turn_W += shortened(angle.along, f_n / (sigma * spring.bristle_stiffness));
+    spring.rotation_W = Vec3::Zero();
+    if (rho > 0) spring.rotation_W += shortened(angle.across, f_n / (rho * spring.bristle_stiffness));
+    if (sigma > 0) spring.rotation_W += shortened(angle.along, f_n / (sigma * spring.bristle_stiffness));
   }
 }
 

@@ -1,10 +1,8 @@
 #include "rigor/sim/penalty/penalty_stepper.hpp"
 
 #include "rigor/contact/penalty/penalty_rates.hpp"
-#include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/dynamics/free_rotation.hpp"
-#include "rigor/sim/fixed_steps/fixed_steps.hpp"
 #include "rigor/sim/penalty/force_rates.hpp"
 #include "rigor/sim/penalty/penalty_forces.hpp"
 
@@ -47,14 +45,12 @@ PenaltyStepper::PenaltyStepper(std::shared_ptr<const Model> model, const Method&
 
 PenaltyStepper::PenaltyStepper(std::shared_ptr<const Model> model, const Method& method, double target_step,
                                TouchingForm form)
-    : model_(std::move(model)),
+    : FixedStepStepper(std::move(model), target_step),
       method_(method),
-      target_step_(target_step),
       environment_(*model_),
-      integrator_(*model_, environment_, method),
-      joints_(*model_, integrator_),
-      contacts_(*model_, environment_, integrator_, method, form) {
-  RIGOR_ASSERT(target_step > 0);
+      assembler_(*model_, environment_),
+      joints_(*model_, assembler_),
+      contacts_(*model_, environment_, assembler_, method, form) {
   // The forces of the scene are kicks: bodies that swing under them require short steps as contacts do, and
   // shorter ones, since they keep swinging: their energy is off by (ω h)²/4.
   constexpr double swing_share = 0.05;
@@ -63,37 +59,30 @@ PenaltyStepper::PenaltyStepper(std::shared_ptr<const Model> model, const Method&
   if (rates.damping > 0) target_step_ = std::min(target_step_, damping_share / rates.damping);
 }
 
-AdvanceReport PenaltyStepper::advance(State& state, double t_end) {
-  RIGOR_ASSERT(t_end >= state.t && state.body_count() == model_->body_count());
-  report_ = {};
-  if (t_end == state.t) return report_;
-  const FixedSteps steps(state.t, t_end, target_step_ / std::max(method_.substeps, 1.0));
-  // What is left of the last call is discarded: the State has all there is to know.
+double PenaltyStepper::longest_step() const {
+  return target_step_ / std::max(method_.substeps, 1.0);
+}
+
+void PenaltyStepper::begin_span(double first_end, State& state) {
   phases_ = contacts_.phases(state);
+
+  // Where nothing is remembered, springs begin as the forces of rigid contact press them.
   if (state.contacts.empty()) {
     state.contacts = contacts_.pressed_at_rest(state);
     for (const ContactMemory& pressed : state.contacts) report_.work += pressed.energy;
   }
-  touching_ = contacts_.find(state, horizon(state, steps.end(0)), 0);
-  for (long k = 0; k < steps.count() && report_.reason == StopReason::reached_end; ++k)
-    advance_to(steps.end(k), state);
-  return report_;
+  touching_ = contacts_.find(state, horizon(state, first_end), 0);
 }
 
-void PenaltyStepper::advance_to(double t_end, State& state) {
-  while (state.t < t_end && report_.reason == StopReason::reached_end) {
-    if (interrupt_ && interrupt_()) {
-      report_.reason = StopReason::interrupted;
-      return;
-    }
-    const double t_next = end_of_step(state.t, t_end);
-    if (!(t_next - state.t > 8 * std::numeric_limits<double>::epsilon() * std::abs(state.t))) {
-      report_.reason = StopReason::events_accumulate;
-      report_.detail = "the springs of contacts ask for shorter steps than time resolves";
-      return;
-    }
-    take_step(t_next, state);
+double PenaltyStepper::step_towards(double t_end, double t, State& state) {
+  const double t_next = end_of_step(t, t_end);
+  if (!(t_next - t > 8 * std::numeric_limits<double>::epsilon() * std::abs(t))) {
+    report_.reason = StopReason::events_accumulate;
+    report_.detail = "the springs of contacts ask for shorter steps than time resolves";
+    return t;
   }
+  take_step(t_next, state);
+  return state.t;
 }
 
 double PenaltyStepper::horizon(const State& state, double t_end) const {
@@ -157,7 +146,7 @@ PenaltyStepper::Kick PenaltyStepper::kick_at(double t, double h, const VecX* rat
   // Forces of the environment, with what they give from outside.
   const ContactSystem& system = touching_.system;
   Kick kick;
-  std::vector<Wrench> wrenches = integrator_.environment_wrenches(system, t);
+  std::vector<Wrench> wrenches = assembler_.environment_wrenches(system, t);
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     const BodyKinetics& body = system.kinetics[b];
     if (body.inverse_mass == 0) continue;
@@ -233,7 +222,7 @@ void PenaltyStepper::note_contact_work(const VecX& lambda, const VecX& u) {
   }
 }
 
-/// Books a kick in the ledger; u as above.
+/// The ledger of a kick; u as above.
 void PenaltyStepper::note_kick(const Kick& kick, const std::vector<BodyPhase>& before, const VecX& u) {
   note_contact_work(kick.lambda, u);
   report_.friction_loss += kick.moment_work;
@@ -282,11 +271,7 @@ void PenaltyStepper::write_state(double t, State& state) const {
     const BodyPhase& phase = phases_[i];
     state.set_body(contacts_.dynamic_bodies()[i], phase.x, phase.q, phase.P, phase.L);
   }
-  for (int i = 0; i < model_->body_count(); ++i) {
-    if (model_->body(i).motion == MotionType::dynamic) continue;
-    const PrescribedMotion motion = prescribed_motion(model_->body(i), t);
-    state.set_body(i, motion.p_WB, motion.q_WB, Vec3::Zero(), Vec3::Zero());
-  }
+  write_prescribed_bodies(state);
 }
 
 void PenaltyStepper::observe_contacts(double t) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rigor/sim/fixed_steps/stepper.hpp"
+#include "rigor/sim/fixed_steps/fixed_step_stepper.hpp"
 #include "rigor/sim/islands/joint_projection.hpp"
 #include "rigor/sim/penalty/penalty_forces.hpp"
 
@@ -13,18 +13,15 @@ namespace rigor {
 /// kick over its second half (velocity Verlet; the second kick is implicit in the velocities, by fixed-point
 /// iteration): order 2 while contacts last. With `integrator: semi-implicit-euler` one kick and the free
 /// motion: order 1. Joints constrain accelerations in the first kick and velocities in the second, and
-/// positions are projected in between. Sub-steps are at most 0.2/ω, ω² a bound of the spectrum of M⁻¹ K.
-/// Source of the step: Verlet, Computer "Experiments" on Classical Fluids, Phys. Rev. 159, 1967. Derivation:
-/// docs/theory/penalty.md.
-class PenaltyStepper : public Stepper {
+/// positions are projected in between. The report's steps are sub-steps. Its impacts are where and when
+/// contacts begin that approach faster than at rest, one per pair of bodies; they take time, and their
+/// impulse is not known then: it is told as zero.
+///
+/// Sub-steps are at most 0.2/ω, ω² a bound of the spectrum of M⁻¹ K. Source of the step: Verlet, Computer
+/// "Experiments" on Classical Fluids, Phys. Rev. 159, 1967. Derivation: docs/theory/penalty.md.
+class PenaltyStepper : public FixedStepStepper {
  public:
   PenaltyStepper(std::shared_ptr<const Model> model, const Method& method, double target_step);
-
-  void set_interrupt(std::function<bool()> interrupt) override { interrupt_ = std::move(interrupt); }
-  /// report.steps counts sub-steps. Its impacts are where and when contacts begin that approach faster than
-  /// at rest, one per pair of bodies. They take time, so that their impulse is not known yet and is reported
-  /// as zero.
-  AdvanceReport advance(State& state, double t_end) override;
 
  protected:
   /// Share of 1/ω of a step that resolves a spring of frequency ω: the energy error of an impact is then
@@ -65,26 +62,25 @@ class PenaltyStepper : public Stepper {
   void observe_contacts(double t);
   void note_impacts(double t);
   bool note_not_finite();
-  /// Books what the springs lost since `before`, and writes everything into the State.
+  /// The ledger of the springs, and all into the State.
   void end_step(const ElasticEnergies& before, double t, State& state);
 
-  std::shared_ptr<const Model> model_;
   Method method_;
-  double target_step_;
   Environment environment_;
-  IslandIntegrator integrator_;
+  ContactSystemAssembler assembler_;
   JointProjection joints_;
   PenaltyTouching contacts_;
 
   Touching touching_;
   std::vector<BodyPhase> phases_;
-  AdvanceReport report_;
 
  private:
-  void advance_to(double t_end, State& state);
+  double longest_step() const override;
+  void begin_span(double first_end, State& state) override;
+  double step_towards(double t_end, double t, State& state) override;
+  /// The State is complete after every sub-step.
+  void end_span(double, State&) override {}
   double horizon(const State& state, double t_end) const;
-
-  std::function<bool()> interrupt_;
 };
 
 }  // namespace rigor

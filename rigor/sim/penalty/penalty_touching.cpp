@@ -1,6 +1,7 @@
 #include "rigor/sim/penalty/penalty_touching.hpp"
 
 #include "rigor/contact/impact/joint_stops.hpp"
+#include "rigor/sim/method/resting_choice.hpp"
 #include "rigor/sim/method/tolerances.hpp"
 
 #include <algorithm>
@@ -48,7 +49,7 @@ double first_force(const PenaltyContact& spring) {
 
 /// The same for what the State remembers of a contact.
 double first_force(const State& state, const PenaltyChoice& choice, const Contact& contact) {
-  const auto key = empty_memory(contact).key();
+  const ContactKey key = contact.key();
   double gap = 0;
   for (auto place = std::partition_point(state.contacts.begin(), state.contacts.end(),
                                          [&](const ContactMemory& memory) { return memory.key() < key; });
@@ -69,18 +70,16 @@ class MemoryShelf {
   explicit MemoryShelf(const std::vector<ContactMemory>& memories) {
     for (const ContactMemory& memory : memories) shelf_[memory.key()].push_back(&memory);
   }
-  const ContactMemory* take(const ContactMemory& wanted) {
-    const auto found = shelf_.find(wanted.key());
+  const ContactMemory* take(const ContactKey& wanted) {
+    const auto found = shelf_.find(wanted);
     return found == shelf_.end() ? nullptr : take_first(found);
   }
-  const ContactMemory* take_of_same_shapes(ContactMemory wanted) {
+  const ContactMemory* take_of_same_shapes(ContactKey wanted) {
     wanted.feature = 0;
-    const auto found = shelf_.lower_bound(wanted.key());
+    const auto found = shelf_.lower_bound(wanted);
     if (found == shelf_.end()) return nullptr;
-    const auto& [a, b, i, k, feature] = found->first;
-    const bool is_same =
-        a == wanted.body_A && b == wanted.body_B && i == wanted.shape_A && k == wanted.shape_B;
-    return is_same ? take_first(found) : nullptr;
+    wanted.feature = found->first.feature;
+    return found->first == wanted ? take_first(found) : nullptr;
   }
   /// Number and energy of the memories that no contact took.
   std::pair<long, double> rest() const {
@@ -92,7 +91,7 @@ class MemoryShelf {
   }
 
  private:
-  using Shelf = std::map<decltype(std::declval<ContactMemory>().key()), std::vector<const ContactMemory*>>;
+  using Shelf = std::map<ContactKey, std::vector<const ContactMemory*>>;
   const ContactMemory* take_first(Shelf::iterator place) {
     const ContactMemory* const memory = place->second.front();
     place->second.erase(place->second.begin());
@@ -105,10 +104,11 @@ class MemoryShelf {
 }  // namespace
 
 PenaltyTouching::PenaltyTouching(const Model& model, const Environment& environment,
-                                 const IslandIntegrator& integrator, const Method& method, TouchingForm form)
+                                 const ContactSystemAssembler& assembler, const Method& method,
+                                 TouchingForm form)
     : model_(model),
       environment_(environment),
-      integrator_(integrator),
+      assembler_(assembler),
       contact_tolerance_(method.contact_tolerance),
       resting_velocity_(method.resting_velocity),
       slip_tolerance_(slip_tolerance(method)),
@@ -209,14 +209,13 @@ Touching PenaltyTouching::find(const State& state, double horizon, double lag) {
   // Contacts of shapes within reach, and stops of the joints.
   const std::vector<BodyPhase> now = phases(state);
   std::vector<Contact> near = finder_.find(state, reaches(state, horizon), contact_tolerance_);
-  const std::vector<int> joints = integrator_.joints_of(bodies_);
+  const std::vector<int> joints = assembler_.joints_of(bodies_);
   if (!joints.empty()) {
-    const ContactSystem held = integrator_.system_of(state.t, bodies_, now, {});
+    const ContactSystem held = assembler_.assemble(state.t, bodies_, now, {});
     const std::vector<Contact> stops = joint_stops(model_, joints, held.bodies, held.kinetics, infinite);
     near.insert(near.end(), stops.begin(), stops.end());
   }
-  // Active contacts, and how long the others leave the bodies free.
-  const ContactSystem all = integrator_.system_of(state.t, bodies_, now, near);
+  const ContactSystem all = assembler_.assemble(state.t, bodies_, now, near);
   const VecX u = relative_velocities(all);
   std::vector<Contact> active;
   for (std::size_t i = 0; i < all.contacts.size(); ++i) {
@@ -228,7 +227,7 @@ Touching PenaltyTouching::find(const State& state, double horizon, double lag) {
   }
   touching.system = active.size() == all.contacts.size()
                         ? all
-                        : integrator_.system_of(state.t, bodies_, now, std::move(active));
+                        : assembler_.assemble(state.t, bodies_, now, std::move(active));
   add_springs(state, touching);
   // Contacts that part or harden end the step, too.
   const VecX u_active = relative_velocities(touching.system);
@@ -251,7 +250,7 @@ void PenaltyTouching::add_springs(const State& state, Touching& touching) const 
   touching.springs.resize(n);
   std::vector<std::size_t> unknown;
   for (std::size_t i = 0; i < n; ++i) {
-    if (const ContactMemory* const memory = shelf.take(empty_memory(system.contacts[i]))) {
+    if (const ContactMemory* const memory = shelf.take(system.contacts[i].key())) {
       touching.springs[i] = penalty_contact(choice_, *memory);
     } else {
       unknown.push_back(i);
@@ -261,7 +260,7 @@ void PenaltyTouching::add_springs(const State& state, Touching& touching) const 
   MatX response;
   for (const std::size_t i : unknown) {
     const Contact& contact = system.contacts[i];
-    if (const ContactMemory* const memory = shelf.take_of_same_shapes(empty_memory(contact))) {
+    if (const ContactMemory* const memory = shelf.take_of_same_shapes(contact.key())) {
       touching.springs[i] = penalty_contact(choice_, *memory);
       continue;
     }
@@ -291,7 +290,7 @@ void PenaltyTouching::add_springs(const State& state, Touching& touching) const 
 void PenaltyTouching::update_velocities(double t, const std::vector<BodyPhase>& phases,
                                         Touching& touching) const {
   if (touching.system.joints) {
-    touching.system = integrator_.system_of(t, bodies_, phases, touching.system.contacts);
+    touching.system = assembler_.assemble(t, bodies_, phases, touching.system.contacts);
     return;
   }
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
@@ -343,7 +342,7 @@ std::vector<ContactMemory> PenaltyTouching::pressed_at_rest(const State& state) 
                 [this](const Contact& contact) { return std::abs(contact.point.gap) > contact_tolerance_; });
   std::vector<ContactMemory> memories;
   for (const Cluster& part : connected_parts(cluster, cluster.contacts, environment_)) {
-    if (!part.contacts.empty() && integrator_.joints_of(part.bodies).empty()) add_pressed(part, memories);
+    if (!part.contacts.empty() && assembler_.joints_of(part.bodies).empty()) add_pressed(part, memories);
   }
   put_in_order(memories);
   return memories;
@@ -351,8 +350,7 @@ std::vector<ContactMemory> PenaltyTouching::pressed_at_rest(const State& state) 
 
 void PenaltyTouching::add_pressed(const Cluster& part, std::vector<ContactMemory>& memories) const {
   if (part.contacts.size() > most_contacts_at_rest) return;
-  // Contacts that stay closed.
-  const ContactSystem touching = integrator_.system_of(part.t, part.bodies, part.phases, part.contacts);
+  const ContactSystem touching = assembler_.assemble(part, part.contacts);
   const VecX u = relative_velocities(touching);
   std::vector<Contact> pressed;
   for (std::size_t i = 0; i < part.contacts.size(); ++i) {
@@ -360,10 +358,9 @@ void PenaltyTouching::add_pressed(const Cluster& part, std::vector<ContactMemory
     if (std::abs(u_n) <= still_speed(resting_velocity_)) pressed.push_back(part.contacts[i]);
   }
   if (pressed.empty()) return;
-  // The forces of rigid contact at rest.
-  const ContactSystem system = integrator_.system_of(part.t, part.bodies, part.phases, std::move(pressed));
+  const ContactSystem system = assembler_.assemble(part, std::move(pressed));
   const CoulombSolution forces =
-      solve_resting(system, integrator_.environment_wrenches(system, part.t), slip_tolerance_, resting_)
+      solve_resting(system, assembler_.environment_wrenches(system, part.t), slip_tolerance_, resting_)
           .forces;
   if (!forces.converged) return;
   // Springs pressed by just these forces.

@@ -3,8 +3,8 @@
 #include "rigor/contact/penalty/penalty_contact.hpp"
 #include "rigor/contact/resting/resting.hpp"
 #include "rigor/model/state.hpp"
-#include "rigor/sim/islands/cluster.hpp"
-#include "rigor/sim/islands/island.hpp"
+#include "rigor/sim/islands/contact_system_assembler.hpp"
+#include "rigor/sim/method/method.hpp"
 #include "rigor/sim/pairs/contact_finder.hpp"
 
 #include <vector>
@@ -38,7 +38,7 @@ enum class TouchingForm {
 class PenaltyTouching {
  public:
   /// Holds references.
-  PenaltyTouching(const Model& model, const Environment& environment, const IslandIntegrator& integrator,
+  PenaltyTouching(const Model& model, const Environment& environment, const ContactSystemAssembler& assembler,
                   const Method& method, TouchingForm form);
 
   const PenaltyChoice& choice() const { return choice_; }
@@ -75,7 +75,7 @@ class PenaltyTouching {
 
   const Model& model_;
   const Environment& environment_;
-  const IslandIntegrator& integrator_;
+  const ContactSystemAssembler& assembler_;
   double contact_tolerance_, resting_velocity_, slip_tolerance_;
   RestingChoice resting_;
   PenaltyChoice choice_;

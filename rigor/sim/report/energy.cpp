@@ -27,7 +27,7 @@ Energy mechanical_energy(const Model& model, const Environment& environment, con
   CompensatedSum elastic;
   elastic.add(environment.spring_energy(view));
   for (const ContactMemory& contact : state.contacts) elastic.add(contact.energy);
-  for (std::size_t i = 0; i < state.manifolds.size(); ++i) elastic.add(state.manifolds.energy(i));
+  for (const ManifoldMemory& manifold : state.manifolds) elastic.add(manifold.energy);
   return {kinetic.value(), potential.value(), elastic.value()};
 }
 

@@ -3,7 +3,7 @@
 #include "rigor/contact/resting/rolling_friction.hpp"
 #include "rigor/contact/system/motion_rows.hpp"
 #include "rigor/core/index.hpp"
-#include "rigor/sim/islands/island.hpp"
+#include "rigor/sim/method/resting_choice.hpp"
 #include "rigor/sim/method/tolerances.hpp"
 #include "rigor/solver/cones/convex_cone.hpp"
 #include "rigor/solver/cones/pyramid_cone.hpp"
@@ -23,11 +23,9 @@ using Eigen::Index;
 
 namespace {
 
-/// Residual of a solved problem: two more digits of slip that changes its direction would take most of the
-/// time.
-constexpr double solved = 1e-10;
+constexpr double solved = 1e-10;  // The last two digits of slip that changes direction take most of the time.
 
-bool resists_rotation(const Contact& contact) {
+bool has_moments(const Contact& contact) {
   return !contact.stop && (contact.rolling_friction > 0 || contact.torsional_friction > 0);
 }
 
@@ -70,6 +68,8 @@ class SpringResponse {
     const Index contacts = rates.size();
     add_springs(springs, system, rows);
     const MatX all = contact_response(rows);
+
+    // The blocks of the springs, and their coupling with the contacts.
     const Index count = static_cast<Index>(springs.count());
     MatX of_springs(count, count);
     coupling_.resize(count, contacts);
@@ -78,6 +78,8 @@ class SpringResponse {
       coupling_.row(i) = all.row(row).head(contacts);
       for (Index k = 0; k < count; ++k) of_springs(i, k) = all(row, contacts + 3 * k + 2);
     }
+
+    // The Schur complement of the springs' rows.
     of_springs.diagonal() += springs.softness;
     stiffness_.compute(of_springs);
     free_ = springs.rates + springs.drive;
@@ -132,17 +134,21 @@ StepLaws step_laws_of(const ContactSystem& system, double still) {
   const std::size_t count = system.contacts.size();
   StepLaws laws;
   laws.contacts.b = relative_velocities(system);
+
+  // Sliding.
   laws.contacts.rows.assign(count, FrictionRow::cone);
   laws.contacts.slips.assign(count, Vec2::Zero());
   for (const Contact& contact : system.contacts) laws.contacts.mu.push_back(contact.friction);
-  if (std::any_of(system.contacts.begin(), system.contacts.end(), resists_rotation)) {
+
+  // Rolling and spinning, if anything has moments.
+  if (std::any_of(system.contacts.begin(), system.contacts.end(), has_moments)) {
     laws.angular_velocities = VecX::Zero(laws.contacts.b.size());
     for (std::size_t i = 0; i < count; ++i) {
       const Contact& contact = system.contacts[i];
       laws.rolling.push_back(contact.stop ? 0.0 : contact.rolling_friction);
       laws.torsional.push_back(contact.stop ? 0.0 : contact.torsional_friction);
       if (!contact.stop)
-        laws.angular_velocities.segment<3>(3 * static_cast<Index>(i)) = relative_turning(system, i);
+        laws.angular_velocities.segment<3>(3 * static_cast<Index>(i)) = relative_angular_velocity(system, i);
     }
   }
   if (std::any_of(system.contacts.begin(), system.contacts.end(),
@@ -186,6 +192,7 @@ StepImpulses StepSolver::solve_with(const ContactSystem& system, const StepLaws&
 /// Motion space has rows of bodies alone: what works through joints, stops and springs is solved in contact
 /// space.
 StepImpulses StepSolver::solve_cones(const ContactSystem& system, const StepLaws& laws) const {
+  // Springs are eliminated first.
   const bool has_stops = std::any_of(system.contacts.begin(), system.contacts.end(),
                                      [](const Contact& contact) { return contact.stop.has_value(); });
   CoulombProblem problem = laws.contacts;
@@ -197,6 +204,8 @@ StepImpulses StepSolver::solve_cones(const ContactSystem& system, const StepLaws
     impulses.springs = response.impulses(impulses.lambda);
     return impulses;
   }
+
+  // Rows of bodies alone: sparse; else by the Delassus operator.
   const bool is_sparse = !system.joints && !has_stops;
   if (cone_ == ConeMethod::convex && is_sparse)
     return impulses_of(solve_convex_cones(MotionProblem{motion_rows(system), problem}));
@@ -220,6 +229,7 @@ StepImpulses StepSolver::solve_dense(const CoulombProblem& problem, double resol
 
 /// Sliding, rolling and spinning friction together.
 StepImpulses StepSolver::solve_frictions(const ContactSystem& system, const StepLaws& laws) const {
+  // A and b with moments, without springs that act implicitly.
   ContactRows rows = moment_rows(system);
   RollingFrictionProblem problem{{},
                                  interleaved(laws.contacts.b, laws.angular_velocities),
@@ -234,7 +244,9 @@ StepImpulses StepSolver::solve_frictions(const ContactSystem& system, const Step
   } else {
     problem.A = contact_response(rows);
   }
-  const MomentSolution solution = solve_moments(problem);
+
+  // Forces and moments, contact by contact.
+  const RollingFrictionSolution solution = solve_rolling_friction(problem);
   StepImpulses impulses;
   if (response) impulses.springs = response->impulses(solution.lambda);
   impulses.lambda = impulses.moments = VecX::Zero(laws.contacts.b.size());

@@ -14,7 +14,7 @@ namespace rigor {
 /// impulses.
 struct StepLaws {
   CoulombProblem contacts;  ///< b (3n) [m/s], μ and rows; without A.
-  VecX angular_velocities;  ///< Relative ones (3n) [rad/s], contact frames; empty if nothing resists them.
+  VecX angular_velocities;  ///< Relative ones (3n) [rad/s], contact frames; empty if no contact has moments.
   std::vector<double> rolling;            ///< ρ, one per contact, or none [m].
   std::vector<double> torsional;          ///< σ, as above [m].
   std::vector<double> sticking_friction;  ///< μ_s ≥ μ, one per contact; or none: as μ.

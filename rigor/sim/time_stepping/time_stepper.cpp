@@ -2,12 +2,10 @@
 
 #include "rigor/contact/impact/joint_stops.hpp"
 #include "rigor/contact/time_of_impact.hpp"
-#include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/dynamics/dense_phase.hpp"
 #include "rigor/geometry/shape/aabb.hpp"
 #include "rigor/math/rotation.hpp"
-#include "rigor/sim/fixed_steps/fixed_steps.hpp"
 #include "rigor/sim/islands/displacement.hpp"
 #include "rigor/sim/method/tolerances.hpp"
 #include "rigor/sim/pairs/near_pairs.hpp"
@@ -27,14 +25,30 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
+/// The part of its half width that a shape may move in a step; less where it may be hollow or pointed.
+struct ThickShare {
+  double operator()(const Sphere&) const { return 1; }
+  double operator()(const Box&) const { return 1; }
+  double operator()(const Capsule&) const { return 1; }
+  double operator()(const Cylinder&) const { return 1; }
+  double operator()(const Cone&) const { return 0.25; }
+  double operator()(const Ellipsoid&) const { return 1; }
+  double operator()(const HalfSpace&) const { return 1; }
+  double operator()(const Cavity&) const { return 1; }
+  double operator()(const Convex&) const { return 0.25; }
+  double operator()(const Mesh&) const { return 0.02; }
+  template <class Own>
+  double operator()(const Own&) const {
+    return Own::thick_share;
+  }
+};
+
 /// Half the smallest width of a shape; less if it may be hollow or pointed [m].
 double thickness_of(const Shape& shape) {
-  if (std::holds_alternative<HalfSpace>(shape)) return infinite;
+  if (is_unbounded(shape)) return infinite;
   const Aabb box = axis_aligned_box(shape, Pose{Mat3::Identity(), Vec3::Zero()});
   const double half_width = 0.5 * (box.upper - box.lower).minCoeff();
-  if (std::holds_alternative<Mesh>(shape)) return 0.02 * half_width;
-  if (std::holds_alternative<Convex>(shape) || std::holds_alternative<Cone>(shape)) return 0.25 * half_width;
-  return half_width;
+  return std::visit(ThickShare{}, shape) * half_width;
 }
 
 bool is_finite(const BodyPhase& phase) {
@@ -44,16 +58,14 @@ bool is_finite(const BodyPhase& phase) {
 }  // namespace
 
 TimeStepper::TimeStepper(std::shared_ptr<const Model> model, const Method& method, double target_step)
-    : model_(std::move(model)),
+    : FixedStepStepper(std::move(model), target_step),
       method_(method),
-      target_step_(target_step),
       environment_(*model_),
-      integrator_(*model_, environment_, method),
-      resolver_(*model_, integrator_, method),
-      joints_(*model_, integrator_),
-      impulses_(*model_, environment_, integrator_, resolver_, joints_, method),
+      assembler_(*model_, environment_),
+      resolver_(*model_, assembler_, method),
+      joints_(*model_, assembler_),
+      impulses_(*model_, environment_, assembler_, resolver_, joints_, method),
       finder_(*model_, method.broad_phase) {
-  RIGOR_ASSERT(target_step > 0);
   for (int i = 0; i < model_->body_count(); ++i) {
     const Body& body = model_->body(i);
     if (body.motion == MotionType::dynamic)
@@ -64,26 +76,20 @@ TimeStepper::TimeStepper(std::shared_ptr<const Model> model, const Method& metho
   }
 }
 
-AdvanceReport TimeStepper::advance(State& state, double t_end) {
-  RIGOR_ASSERT(t_end >= state.t && state.body_count() == model_->body_count());
-  report_ = {};
-  if (t_end == state.t) return report_;
+void TimeStepper::begin_span([[maybe_unused]] double first_end, State& state) {
   admit_velocities(state);
-  const FixedSteps steps(state.t, t_end, target_step_);
-  for (long k = 0; k < steps.count() && report_.reason == StopReason::reached_end; ++k) {
-    while (state.t < steps.end(k) && report_.reason == StopReason::reached_end) {
-      if (interrupt_ && interrupt_()) {
-        report_.reason = StopReason::interrupted;
-        break;
-      }
-      const double left = steps.end(k) - state.t;
-      const double h = take_step(left, state);
-      // The end of a whole step is exact; a remainder below the resolution of time is skipped.
-      if (h >= left || state.t + h == state.t) state.t = steps.end(k);
-    }
-  }
+}
+
+double TimeStepper::step_towards(double t_end, double t, State& state) {
+  const double left = t_end - t;
+  const double h = take_step(left, state);
+  // The end of a whole step is exact; a remainder below the resolution of time is skipped.
+  if (h >= left || state.t + h == state.t) state.t = t_end;
+  return state.t;
+}
+
+void TimeStepper::end_span([[maybe_unused]] double t, State& state) {
   state.anchor_here();
-  return report_;
 }
 
 Cluster TimeStepper::cluster_in(const State& state) const {
@@ -104,12 +110,7 @@ void TimeStepper::write(const Cluster& cluster, State& state) const {
     const BodyPhase& phase = cluster.phases[i];
     state.set_body(cluster.bodies[i], phase.x, phase.q, phase.P, phase.L);
   }
-  for (int i = 0; i < model_->body_count(); ++i) {
-    const Body& body = model_->body(i);
-    if (body.motion == MotionType::dynamic) continue;
-    const PrescribedMotion motion = prescribed_motion(body, state.t);
-    state.set_body(i, motion.p_WB, motion.q_WB, Vec3::Zero(), Vec3::Zero());
-  }
+  write_prescribed_bodies(state);
 }
 
 /// One step of at most h; returns its length. Where the error of the step adds energy, it is taken in the
@@ -117,6 +118,8 @@ void TimeStepper::write(const Cluster& cluster, State& state) const {
 double TimeStepper::take_step(double h, State& state) {
   constexpr int most_halvings = 3;
   constexpr double tolerable = 1e-10;
+
+  // Trials, each half as long, until one adds no energy.
   const Energy before = mechanical_energy(*model_, environment_, state);
   std::optional<Trial> trial;
   for (int k = 0; k <= most_halvings; ++k) {
@@ -124,6 +127,8 @@ double TimeStepper::take_step(double h, State& state) {
     if (trial->gain <= tolerable * (before.kinetic + lift_) || trial->report.impact_gain > 0) break;
     h = 0.5 * trial->h;
   }
+
+  // A body whose state is not finite ends the run.
   for (std::size_t i = 0; i < trial->end.bodies.size(); ++i) {
     if (is_finite(trial->end.phases[i])) continue;
     report_.reason = StopReason::not_finite;
@@ -131,6 +136,8 @@ double TimeStepper::take_step(double h, State& state) {
     report_.bodies = {trial->end.bodies[i]};
     return trial->h;
   }
+
+  // The trial becomes the State.
   note_lasting(cluster_in(state), *trial);
   report_.add(trial->report);
   write(trial->end, state);
@@ -149,6 +156,8 @@ TimeStepper::Trial TimeStepper::try_calmly(double h, const Energy& before, const
     trial.gain = energy.total() - before.total() - trial.report.work - rounding * scale;
     return trial;
   };
+
+  // The form of second order, if it adds no energy; else the one that adds least.
   Trial trial = with_gain(try_step(h, 0.5, state));
   if (trial.gain <= negligible * (before.kinetic + lift_) || trial.report.impact_gain > 0) return trial;
   Trial safe = with_gain(try_step(trial.h, 1, state));
@@ -190,6 +199,8 @@ TimeStepper::Trial TimeStepper::try_with_reaches(double h, double theta, bool ta
   std::set<std::pair<int, int>> met;
   for (int k = 0;; ++k) {
     const bool is_last = k + 1 == most_tries;
+
+    // The contacts within reach, and pairs that move so far that their contacts cannot be foreseen.
     Trial trial{start, {}, reaches, h};
     std::vector<Contact> contacts = finder_.find(state, reaches, method_.contact_tolerance);
     for (const Contact& contact : contacts)
@@ -204,6 +215,8 @@ TimeStepper::Trial TimeStepper::try_with_reaches(double h, double theta, bool ta
     std::erase_if(contacts, [&](const Contact& contact) {
       return std::binary_search(far.begin(), far.end(), std::pair{contact.body_A, contact.body_B});
     });
+
+    // Those that may act in the step.
     if (!takes_all) contacts = acting_contacts(h, start, std::move(contacts));
     add_stops(start, contacts);
 
@@ -212,6 +225,8 @@ TimeStepper::Trial TimeStepper::try_with_reaches(double h, double theta, bool ta
       reaches = trial.reaches;
       continue;
     }
+
+    // Up to where the first of the far pairs meets, which the next try takes into account.
     const double until = far.empty() || is_last ? h : first_meeting(h, struck, trial, far);
     if (until == h) {
       trial.touching_before = std::move(touching_before);
@@ -254,9 +269,13 @@ void TimeStepper::grow_reaches(double h, const Cluster& cluster, std::vector<dou
     const double reach =
         h * (phase.P.norm() / body.mass +
              0.5 * h * environment_.steady_acceleration(cluster.bodies[i]).norm() + w * body.bounding_radius);
+
+    // Grown with a margin, so that it seldom grows twice.
     double& known = reaches[at(cluster.bodies[i])];
     if (reach > known) known = margin * reach;
   }
+
+  // Prescribed bodies that move.
   for (int i = 0; i < model_->body_count(); ++i) {
     const Body& body = model_->body(i);
     if (body.motion == MotionType::dynamic) continue;
@@ -284,6 +303,8 @@ std::vector<Contact> TimeStepper::acting_contacts(double h, const Cluster& start
                  ? dynamic_kinetics(model_->body(body), start.phase_of(body))
                  : prescribed_kinetics(model_->body(body), start.t);
     };
+
+    // The rate at which the gap closes, at most.
     const BodyKinetics A = kinetics(contact.body_A), B = kinetics(contact.body_B);
     const Vec3 u = B.velocity_at(contact.p_W()) - A.velocity_at(contact.p_W());
     double rate = std::min(0.0, contact.point.n_W.dot(u));
@@ -301,14 +322,14 @@ std::vector<Contact> TimeStepper::acting_contacts(double h, const Cluster& start
 
 /// Stops of all joints, limits at any distance.
 void TimeStepper::add_stops(const Cluster& start, std::vector<Contact>& contacts) const {
-  const std::vector<int> joints = integrator_.joints_of(start.bodies);
+  const std::vector<int> joints = assembler_.joints_of(start.bodies);
   if (joints.empty()) return;
-  const ContactSystem system = resolver_.system_of(start, {});
+  const ContactSystem system = assembler_.assemble(start, {});
   const std::vector<Contact> stops = joint_stops(*model_, joints, system.bodies, system.kinetics, infinite);
   contacts.insert(contacts.end(), stops.begin(), stops.end());
 }
 
-/// When the first of these pairs meets on the way from `start`, or h.
+/// When the first of these pairs meets on the path from `start`, or h.
 double TimeStepper::first_meeting(double h, const Cluster& start, const Trial& trial,
                                   const std::vector<std::pair<int, int>>& pairs) const {
   ToiOptions options;
@@ -320,6 +341,8 @@ double TimeStepper::first_meeting(double h, const Cluster& start, const Trial& t
     if (body.motion != MotionType::dynamic) return Motion::prescribed(body, start.t);
     const BodyPhase &begin = start.phase_of(i), &end = trial.end.phase_of(i);
     const BodyInertia inertia{body.mass, body.moments};
+
+    // In flight the closed form, with impulses the parabola that begins and ends as the trial.
     const FreeFlight flight(inertia, begin, start.t, environment_.steady_acceleration(i));
     const BodyPhase free = flight.at(start.t + h);
     if (free.P == end.P && free.L == end.L) return Motion::flight(flight, inertia);
@@ -355,7 +378,7 @@ void TimeStepper::admit_velocities(State& state) {
 
 /// Projects positions and velocities on the joints, in the metric of the masses.
 void TimeStepper::hold_joints(Cluster& part, AdvanceReport& report) const {
-  if (integrator_.joints_of(part.bodies).empty()) return;
+  if (assembler_.joints_of(part.bodies).empty()) return;
   const std::vector<BodyPhase> before = part.phases;
   joints_.project_positions(part.t, part.bodies, part.phases, report);
   for (std::size_t i = 0; i < part.bodies.size(); ++i)
@@ -363,8 +386,8 @@ void TimeStepper::hold_joints(Cluster& part, AdvanceReport& report) const {
   joints_.project_velocities(part, report);
 }
 
-/// Bodies that overlap are moved apart until they touch, by the smallest displacements; momenta stay, and so
-/// does the angular momentum about the origin.
+/// Bodies that overlap are put back to touching by the smallest displacements; momenta stay, and so does the
+/// angular momentum about the origin.
 void TimeStepper::correct_overlaps(const State& state, Trial& trial) {
   constexpr int most_passes = 8;
   std::vector<double> reaches(at(model_->body_count()), 0.0);
@@ -385,11 +408,13 @@ void TimeStepper::correct_overlaps(const State& state, Trial& trial) {
     // Nearby bodies may be in the way.
     for (const int body : end.bodies) reaches[at(body)] = 2 * largest;
     if (pass == 0 && deepest > method_.contact_tolerance) continue;
+
+    // Each part that overlaps, by the smallest displacement.
     for (Cluster& part : connected_parts(end, contacts, environment_)) {
       double of_part = 0;
       for (const Contact& contact : part.contacts) of_part = std::max(of_part, -contact.point.gap);
       if (of_part <= 0.2 * method_.contact_tolerance) continue;
-      const ContactSystem system = integrator_.system_of(part.t, part.bodies, part.phases, part.contacts);
+      const ContactSystem system = assembler_.assemble(part, part.contacts);
       const std::vector<double> lowest(part.contacts.size(), 0.0);
       apply_displacement(separating_impulses(system, lowest), system, part.bodies, part.phases);
       hold_joints(part, trial.report);
@@ -442,7 +467,7 @@ void TimeStepper::note_lasting(const Cluster& start, Trial& trial) const {
 }
 
 /// Overlap at the end of a step, as a share of the depth that can be corrected without doubt about the side
-/// from which the bodies came, and with small rotations; 0 if it is a few tolerances.
+/// from which the bodies came, and with a small rotation; 0 if it is a few tolerances.
 double TimeStepper::misjudgement_of(const Contact& contact) const {
   constexpr double noticeable = 10, share_of_thickness = 0.05, share_of_radius = 0.02;
   const double depth = -contact.point.gap;

@@ -1,10 +1,9 @@
 #pragma once
 
-#include "rigor/sim/fixed_steps/stepper.hpp"
+#include "rigor/sim/fixed_steps/fixed_step_stepper.hpp"
 #include "rigor/sim/pairs/contact_finder.hpp"
 #include "rigor/sim/time_stepping/impulse_step.hpp"
 
-#include <functional>
 #include <memory>
 #include <set>
 #include <utility>
@@ -18,15 +17,12 @@ struct Energy;
 /// at its beginning, all contact forces of a step are one impulse (ImpulseStep). A step is split only where
 /// bodies move so far that their contacts cannot be foreseen from its beginning: there the next step begins
 /// at their first contact, so that nothing tunnels. docs/theory/time_stepping.md.
-class TimeStepper : public Stepper {
+class TimeStepper : public FixedStepStepper {
  public:
   /// target_step H > 0 [s]: the longest step.
   TimeStepper(std::shared_ptr<const Model> model, const Method& method, double target_step);
   TimeStepper(const TimeStepper&) = delete;
   TimeStepper& operator=(const TimeStepper&) = delete;
-
-  void set_interrupt(std::function<bool()> interrupt) override { interrupt_ = std::move(interrupt); }
-  AdvanceReport advance(State& state, double t_end) override;
 
  private:
   /// A step that was tried: the bodies at its end, and how far it can be trusted.
@@ -39,6 +35,9 @@ class TimeStepper : public Stepper {
     double misjudgement = 0;      ///< Of the overlap at its end; above 1 the step was too long.
     std::vector<Contact> touching_before = {}, touching_after = {};  ///< Within the contact tolerance.
   };
+  void begin_span(double first_end, State& state) override;
+  double step_towards(double t_end, double t, State& state) override;
+  void end_span(double t, State& state) override;
   Cluster cluster_in(const State& state) const;
   double take_step(double h, State& state);
   Trial try_calmly(double h, const Energy& before, const State& state);
@@ -63,19 +62,15 @@ class TimeStepper : public Stepper {
   double misjudgement_of(const Contact& contact) const;
   void write(const Cluster& cluster, State& state) const;
 
-  std::shared_ptr<const Model> model_;
   Method method_;
-  double target_step_;
-  std::function<bool()> interrupt_;
   Environment environment_;
-  IslandIntegrator integrator_;
+  ContactSystemAssembler assembler_;
   ContactResolver resolver_;
   JointProjection joints_;
   ImpulseStep impulses_;
   ContactFinder finder_;
   std::vector<double> thickness_;  ///< Of each body: no point of it lies deeper inside [m].
   double lift_ = 0;                ///< Energy that lifts all bodies by the length of the scene [J].
-  AdvanceReport report_;
 };
 
 }  // namespace rigor

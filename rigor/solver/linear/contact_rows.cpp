@@ -50,11 +50,12 @@ Index for_each_joint_row(const ContactRows& rows, const std::function<void(Index
 
 namespace {
 
-// The base is dense: of more nodes its making takes longer than the sparse factors of their equations.
+// The base is dense: with more nodes it takes longer to make than the sparse factors of their equations.
 constexpr std::size_t kMostNodesWithBase = 30;
 
 /// Nullspace of G M^(-½) with M = C Cᵀ, by orthogonal factors of C⁻¹ Gᵀ; N = C⁻ᵀ times that.
 MatX motions_of(const ContactRows& rows) {
+  // C of each node that joints hold, and its place in the stack of these.
   const Index size = 6 * static_cast<Index>(rows.joint_nodes.size());
   std::vector<Eigen::LLT<Mat6>> roots;
   std::vector<Index> places(rows.node_count(), 0);
@@ -62,12 +63,16 @@ MatX motions_of(const ContactRows& rows) {
     places[at(node)] = 6 * static_cast<Index>(roots.size());
     roots.emplace_back(rows.masses[at(node)]);
   }
+
+  // Columns C⁻¹ Gᵀ.
   const Index count = for_each_joint_row(rows, [](Index, int, const Vec6&) {});
   MatX G = MatX::Zero(size, count);
   for_each_joint_row(rows, [&](Index row, int node, const Vec6& J) {
     const Index place = places[at(node)];
     G.col(row).segment<6>(place) = roots[at(place / 6)].matrixL().solve(J);
   });
+
+  // The last columns of their orthogonal factor Q span the nullspace; C⁻ᵀ leads back to velocities.
   MatX N = MatX::Zero(size, size - count);
   N.bottomRows(size - count).setIdentity();
   N.applyOnTheLeft(Eigen::HouseholderQR<MatX>(G).householderQ());

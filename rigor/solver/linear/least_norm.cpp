@@ -27,6 +27,7 @@ void LeastNormSystem::factor(double rank_tolerance) {
   VecX workspace(n);
   double threshold = 0;
   for (Index j = 0; j < n; ++j) {
+    // The column of which most is left is the pivot.
     Index pivot = 0;
     const double largest = factors_.bottomRightCorner(n - j, n - j).colwise().squaredNorm().maxCoeff(&pivot);
     if (j == 0) threshold = largest * rank_tolerance * rank_tolerance;
@@ -35,6 +36,8 @@ void LeastNormSystem::factor(double rank_tolerance) {
       factors_.col(j).swap(factors_.col(j + pivot));
       std::swap(permutation_(j), permutation_(j + pivot));
     }
+
+    // Its reflection, applied to the columns that remain.
     double beta = 0;
     factors_.col(j).tail(n - j).makeHouseholderInPlace(coefficients_(j), beta);
     factors_(j, j) = beta;
