@@ -124,36 +124,47 @@ Vec3 carried_direction(const Pose& before, const Pose& after, const Vec3& d_W) {
   return after.R * (before.R.transpose() * d_W);
 }
 
+bool has_core(const Shape& shape) {
+  return !is_unbounded(shape) && !std::holds_alternative<Mesh>(shape);
+}
+
+/// Of a core of rings whether its sides are parallel to the axis: a cylinder.
+bool is_cylinder(const ConvexCore& core) {
+  return core.kind == ConvexCore::Kind::rings && core.rings.empty() && core.size.x() == core.size.y();
+}
+
 /// Radius of a shape whose surface lies at one distance from a core (ball, capsule, side of a cylinder); 0
 /// for others.
 double round_radius(const Shape& shape) {
-  if (const Sphere* sphere = std::get_if<Sphere>(&shape)) return sphere->radius;
-  if (const Capsule* capsule = std::get_if<Capsule>(&shape)) return capsule->radius;
-  if (const Cylinder* cylinder = std::get_if<Cylinder>(&shape)) return cylinder->radius;
-  return 0;
+  if (!has_core(shape)) return 0;
+  const ConvexCore core = make_core(shape);
+  return is_cylinder(core) ? core.size.x() : core.radius;
 }
 
 /// Whether the surface at the contact is part of such a round surface (not a cylinder's rim or cap).
 bool is_round(const BodyShape& shape, const SurfaceCurvature& surface) {
-  if (surface.radius_W.isZero(0)) return false;
-  return !std::holds_alternative<Cylinder>(shape.shape) ? round_radius(shape.shape) > 0
-                                                        : surface.flat_count == 1;
+  if (surface.radius_W.isZero(0) || round_radius(shape.shape) == 0) return false;
+  return !is_cylinder(make_core(shape.shape)) || surface.flat_count == 1;
 }
 
-/// A cylinder that leans on a face with its rim or with an end of its side's line, seen in W.
-struct LeaningCylinder {
-  Vec3 axis, middle;  ///< Unit; centre of the cylinder.
+/// A rim, or the end of a line on a ruled side, that leans on a face: a circle about an axis, seen in W.
+struct LeaningCircle {
+  Vec3 axis, middle;  ///< Unit; origin of the shape, which the axis passes.
   double radius;
 };
 
-/// Such a cylinder, if the contact is one: its normal rotates about the axis, so it is neither a face nor an
-/// edge.
-std::optional<LeaningCylinder> leaning_cylinder(const BodyShape& shape, const SurfaceCurvature& surface,
-                                                const Pose& X_WB) {
-  const Cylinder* cylinder = std::get_if<Cylinder>(&shape.shape);
-  if (!cylinder || surface.flat_count > 0 || surface.radius_W.isZero(0)) return std::nullopt;
+/// Such a circle through p_W, if the contact is at one: its normal rotates about the axis, so neither at a
+/// face nor at an edge. (A cone leans with the rim of its base, which its support finds.)
+std::optional<LeaningCircle> leaning_circle(const BodyShape& shape, const SurfaceCurvature& surface,
+                                            const Pose& X_WB, const Vec3& p_W) {
+  if (!has_core(shape.shape) || surface.flat_count > 0 || surface.radius_W.isZero(0)) return std::nullopt;
+  const ConvexCore core = make_core(shape.shape);
+  if (core.kind != ConvexCore::Kind::rings || (core.rings.empty() && !is_cylinder(core))) return std::nullopt;
   const Pose X_WS = X_WB * shape.X_BS;
-  return LeaningCylinder{X_WS.R.col(2), X_WS.p, cylinder->radius};
+  const Vec3 axis = X_WS.R.col(2);
+  if (core.rings.empty()) return LeaningCircle{axis, X_WS.p, core.size.x()};
+  const Vec3 p_S = p_W - X_WS.p;
+  return LeaningCircle{axis, X_WS.p, (p_S - p_S.dot(axis) * axis).norm()};
 }
 
 /// Where the surface that leans on a face touches now; m_W0 and m_W are its outward normals before and now.
@@ -166,11 +177,12 @@ Vec3 leaning_point(const BodyShape& shape, const SurfaceCurvature& surface, cons
     return carried_point(before, after, p_W0 - radius * m_W0) + radius * m_W;
   }
   if (surface.radius_W.isZero(0) || surface.flat_count > 0) return carried_point(before, after, p_W0);
-  if (const std::optional<LeaningCylinder> now = leaning_cylinder(shape, surface, after)) {
+  if (const std::optional<LeaningCircle> then = leaning_circle(shape, surface, before, p_W0)) {
     // The circle about the axis on which it touched, at the point farthest along the normal.
-    const LeaningCylinder then = *leaning_cylinder(shape, surface, before);
-    const Vec3 outward = m_W - m_W.dot(now->axis) * now->axis;
-    return now->middle + (p_W0 - then.middle).dot(then.axis) * now->axis + now->radius * outward.normalized();
+    const Pose X_WS = after * shape.X_BS;
+    const Vec3 axis = X_WS.R.col(2);
+    const Vec3 outward = m_W - m_W.dot(axis) * axis;
+    return X_WS.p + (p_W0 - then->middle).dot(then->axis) * axis + then->radius * outward.normalized();
   }
   const Pose X_WS = after * shape.X_BS;
   return X_WS * support_point(shape.shape, X_WS.R.transpose() * m_W);
@@ -219,18 +231,20 @@ ContactPoint rolled_in_cavity(const Cavity& cavity, const Pose& X_WS, const Cont
   return point;
 }
 
-/// The curvature at the contact after the body moved: round surfaces look the same along every normal m_W, an
-/// ellipsoid's is that of the point with this normal, others are carried with the body.
+/// The curvature at the contact after the body moved, which now is at p_W with the outward normal m_W: round
+/// surfaces look the same along every normal, an ellipsoid's is that of the point with this normal, others
+/// are carried with the body.
 SurfaceCurvature carried_curvature(const BodyShape& shape, const SurfaceCurvature& old,
-                                   const std::pair<Pose, Pose>& poses, const Vec3& m_W) {
+                                   const std::pair<Pose, Pose>& poses, const std::pair<Vec3, Vec3>& touch) {
   const auto& [before, after] = poses;
+  const auto& [p_W, m_W] = touch;
   // Carried with the body.
   const Mat3 rotation = after.R * before.R.transpose();
   SurfaceCurvature surface{rotation * old.radius_W * rotation.transpose(), old.flat_count,
                            rotation * old.flat_W};
 
-  // The rim of a cylinder.
-  if (const std::optional<LeaningCylinder> now = leaning_cylinder(shape, old, after)) {
+  // The rim of a cylinder, or a ring of a solid of revolution.
+  if (const std::optional<LeaningCircle> now = leaning_circle(shape, old, after, p_W)) {
     // The point of a circle of radius r farthest along m moves by r / |m - (m·a) a| along the circle.
     const Vec3 outward = m_W - m_W.dot(now->axis) * now->axis;
     const Vec3 along = now->axis.cross(outward).normalized();
@@ -303,8 +317,8 @@ ContactPoint tracked_contact(const Model& model, const Contact& contact, const P
   }
 
   // The curvatures there.
-  point.curvature_A = carried_curvature(shape_A, old.curvature_A, {X_WA0, X_WA}, point.n_W);
-  point.curvature_B = carried_curvature(shape_B, old.curvature_B, {X_WB0, X_WB}, -point.n_W);
+  point.curvature_A = carried_curvature(shape_A, old.curvature_A, {X_WA0, X_WA}, {point.p_WA, point.n_W});
+  point.curvature_B = carried_curvature(shape_B, old.curvature_B, {X_WB0, X_WB}, {point.p_WB, -point.n_W});
   return point;
 }
 

@@ -63,6 +63,10 @@ struct BoxInWorld {
   Aabb operator()(const Cavity&) const { return box_around(Vec3::Zero(), Vec3::Constant(kInfinity)); }
   Aabb operator()(const Convex& s) const { return box_of_points(s.hull->vertices, X_WS); }
   Aabb operator()(const Mesh& s) const { return box_of_points(s.mesh->vertices, X_WS); }
+  template <class Own>
+  Aabb operator()(const Own& s) const {
+    return s.box(X_WS);
+  }
 };
 
 }  // namespace

@@ -25,14 +25,30 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Half the smallest width of a shape; less if it may be hollow or pointed [m].
+/// The part of its half width that a shape may move in a step; less where it may be hollow or pointed.
+struct ThickShare {
+  double operator()(const Sphere&) const { return 1; }
+  double operator()(const Box&) const { return 1; }
+  double operator()(const Capsule&) const { return 1; }
+  double operator()(const Cylinder&) const { return 1; }
+  double operator()(const Cone&) const { return 0.25; }
+  double operator()(const Ellipsoid&) const { return 1; }
+  double operator()(const HalfSpace&) const { return 1; }
+  double operator()(const Cavity&) const { return 1; }
+  double operator()(const Convex&) const { return 0.25; }
+  double operator()(const Mesh&) const { return 0.02; }
+  template <class Own>
+  double operator()(const Own&) const {
+    return Own::thick_share;
+  }
+};
+
+/// Half the smallest width of a shape, less where it may be hollow or pointed [m].
 double thickness_of(const Shape& shape) {
-  if (std::holds_alternative<HalfSpace>(shape)) return infinite;
+  if (is_unbounded(shape)) return infinite;
   const Aabb box = axis_aligned_box(shape, Pose{Mat3::Identity(), Vec3::Zero()});
   const double half_width = 0.5 * (box.upper - box.lower).minCoeff();
-  if (std::holds_alternative<Mesh>(shape)) return 0.02 * half_width;
-  if (std::holds_alternative<Convex>(shape) || std::holds_alternative<Cone>(shape)) return 0.25 * half_width;
-  return half_width;
+  return std::visit(ThickShare{}, shape) * half_width;
 }
 
 bool is_finite(const BodyPhase& phase) {
