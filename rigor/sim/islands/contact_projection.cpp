@@ -50,14 +50,14 @@ void ContactProjection::restore_gaps(const Island& island, double t, IslandStep&
   const double gained = energy(step.end) - std::max(energy(drifted), energy(island.start));
   if (gained <= 0) return;
 
-  // Who cannot pay stays where the step has left them.
+  // Bodies whose motion cannot pay for it stay where the step has left them.
   const MomentumScope momentum(model_, island.bodies, step.end);
   if (take_kinetic_energy(model_, island.bodies, gained, balance.is_free, step.end) < gained) {
     step.end = drifted;
     return;
   }
 
-  // What holds the bodies has taken the difference of the momenta.
+  // What stands still around the bodies has taken the difference of the momenta.
   if (!balance.is_free) momentum.add_change(step.impulse, step.angular_impulse);
 }
 

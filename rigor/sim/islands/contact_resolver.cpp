@@ -134,7 +134,7 @@ void ContactResolver::apply_impact(const ContactSystem& system, const ImpactSolu
   const EnergyScope energy(EnergyAccount::impact, model_, cluster.bodies, cluster.phases, report);
   add_impulses(system, impact.lambda, impact.moments, cluster, report);
 
-  // One event a pair of bodies, with its whole impulse.
+  // One event per pair of bodies, with its whole impulse.
   std::map<std::pair<int, int>, MotionEvent> events;
   for (std::size_t i = 0; i < system.contacts.size(); ++i) {
     const Contact& contact = system.contacts[i];

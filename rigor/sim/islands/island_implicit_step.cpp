@@ -155,7 +155,7 @@ void IslandIntegrator::close_implicit_step(const Island& island, IslandStep& ste
     if (gained > 0) take_kinetic_energy(model_, island.bodies, gained, balance.is_free, step.end);
   }
 
-  // What holds the bodies has taken the difference of the momenta.
+  // What stands still around the bodies has taken the difference of the momenta.
   if (!balance.is_free) momentum.add_change(step.impulse, step.angular_impulse);
 }
 

@@ -104,7 +104,7 @@ void JointProjection::project_velocities(Cluster& cluster, AdvanceReport& report
       with_joint_impulses(system, std::vector<Wrench>(system.bodies.size()), -system.joints->rate_errors());
   add_to_momenta(system, reactions.wrenches, cluster);
 
-  // What they took and supplied.
+  // What they supplied, and what of the momenta nothing outside accounts for.
   energy.supply(system.joints->supplied_power(reactions.lambda));
   momentum.book_error({external_wrench(system, VecX(), reactions.lambda)}, report);
 }

@@ -1,7 +1,5 @@
 #include "rigor/sim/method/resting_choice.hpp"
 
-#include "rigor/sim/method/tolerances.hpp"
-
 namespace rigor {
 
 RestingChoice resting_choice(const Method& method) {
@@ -14,7 +12,7 @@ double direction_tolerance(const Method& method) {
 }
 
 double slip_tolerance(const Method& method) {
-  return still_speed(method.resting_velocity);
+  return 1e-6 * method.resting_velocity;
 }
 
 }  // namespace rigor

@@ -21,7 +21,7 @@ Vec3 velocity_at(const VecX& u, std::size_t i) {
   return u.segment<3>(3 * static_cast<Eigen::Index>(i));
 }
 
-bool resists_rotation(const Contact& contact) {
+bool has_moments(const Contact& contact) {
   return !contact.stop && (contact.rolling_friction > 0 || contact.torsional_friction > 0);
 }
 
@@ -82,7 +82,7 @@ PenaltyMoments summed_moments(const Touching& touching, const OnB& on_B) {
   PenaltyMoments moments;
   for (std::size_t i = 0; i < touching.springs.size(); ++i) {
     const Contact& contact = system.contacts[i];
-    if (!resists_rotation(contact)) continue;
+    if (!has_moments(contact)) continue;
     moments.wrenches.resize(system.bodies.size());
     const Vec3 w = relative_angular_velocity(system, contact);
     const Vec3 tau = on_B(i, w);
@@ -115,7 +115,7 @@ PenaltyMoments stopping_moments(const Touching& touching, const VecX& forces, do
   // Contacts of each body: they share the moment that stops it.
   std::vector<double> sharers(system.bodies.size(), 0);
   for (const Contact& contact : system.contacts) {
-    if (!resists_rotation(contact)) continue;
+    if (!has_moments(contact)) continue;
     for (const int body : {contact.body_A, contact.body_B}) sharers[at(system.local_index(body))] += 1;
   }
   return summed_moments(touching, [&](std::size_t i, const Vec3& w) {
@@ -140,8 +140,7 @@ void move_bristles(double h, Touching& touching) {
     if (!(spring.bristle_stiffness > 0)) continue;
     // Bristles follow the slip and the relative rotation.
     move_bristle(touching.system.frames[i], h * velocity_at(u, i).head<2>(), spring);
-    if (resists_rotation(contact))
-      spring.rotation_W += h * relative_angular_velocity(touching.system, contact);
+    if (has_moments(contact)) spring.rotation_W += h * relative_angular_velocity(touching.system, contact);
   }
 }
 
@@ -154,7 +153,7 @@ void slide_bristles(Touching& touching) {
     // Sliding: the bristle of slip shrinks to what the friction limit holds.
     const double f_n = normal_force_at(touching, i, velocity_at(u, i));
     slide_bristle(friction_limit(contact, touching.system.rows[i], f_n), spring);
-    if (!resists_rotation(contact)) continue;
+    if (!has_moments(contact)) continue;
     // Rolling and spinning: k ρ² |φ| ≤ ρ f_n across the normal, and likewise with σ along it.
     const Parts angle = parts_of(spring.rotation_W, contact.point.n_W);
     const double rho = contact.rolling_friction, sigma = contact.torsional_friction;

@@ -222,7 +222,7 @@ void PenaltyStepper::note_contact_work(const VecX& lambda, const VecX& u) {
   }
 }
 
-/// The ledger of a kick; u as above.
+/// Books a kick in the ledger; u as above.
 void PenaltyStepper::note_kick(const Kick& kick, const std::vector<BodyPhase>& before, const VecX& u) {
   note_contact_work(kick.lambda, u);
   report_.friction_loss += kick.moment_work;

@@ -14,8 +14,8 @@ namespace rigor {
 /// iteration): order 2 while contacts last. With `integrator: semi-implicit-euler` one kick and the free
 /// motion: order 1. Joints constrain accelerations in the first kick and velocities in the second, and
 /// positions are projected in between. The report's steps are sub-steps. Its impacts are where and when
-/// contacts begin that approach faster than at rest, one per pair of bodies; they take time, and their
-/// impulse is not known then: it is told as zero.
+/// contacts begin that approach faster than at rest, one per pair of bodies. They take time, so that their
+/// impulse is not known yet and is reported as zero.
 ///
 /// Sub-steps are at most 0.2/ω, ω² a bound of the spectrum of M⁻¹ K. Source of the step: Verlet, Computer
 /// "Experiments" on Classical Fluids, Phys. Rev. 159, 1967. Derivation: docs/theory/penalty.md.
@@ -62,7 +62,7 @@ class PenaltyStepper : public FixedStepStepper {
   void observe_contacts(double t);
   void note_impacts(double t);
   bool note_not_finite();
-  /// The ledger of the springs, and all into the State.
+  /// Books what the springs lost since `before`, and writes everything into the State.
   void end_step(const ElasticEnergies& before, double t, State& state);
 
   Method method_;

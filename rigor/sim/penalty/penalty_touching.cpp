@@ -206,6 +206,7 @@ double PenaltyTouching::time_to_harden(const Touching& touching, std::size_t con
 Touching PenaltyTouching::find(const State& state, double horizon, double lag) {
   Touching touching;
   touching.free_time = horizon;
+
   // Contacts of shapes within reach, and stops of the joints.
   const std::vector<BodyPhase> now = phases(state);
   std::vector<Contact> near = finder_.find(state, reaches(state, horizon), contact_tolerance_);
@@ -215,6 +216,8 @@ Touching PenaltyTouching::find(const State& state, double horizon, double lag) {
     const std::vector<Contact> stops = joint_stops(model_, joints, held.bodies, held.kinetics, infinite);
     near.insert(near.end(), stops.begin(), stops.end());
   }
+
+  // Active contacts, and how long the others leave the bodies free.
   const ContactSystem all = assembler_.assemble(state.t, bodies_, now, near);
   const VecX u = relative_velocities(all);
   std::vector<Contact> active;
@@ -350,6 +353,8 @@ std::vector<ContactMemory> PenaltyTouching::pressed_at_rest(const State& state) 
 
 void PenaltyTouching::add_pressed(const Cluster& part, std::vector<ContactMemory>& memories) const {
   if (part.contacts.size() > most_contacts_at_rest) return;
+
+  // Contacts that stay closed.
   const ContactSystem touching = assembler_.assemble(part, part.contacts);
   const VecX u = relative_velocities(touching);
   std::vector<Contact> pressed;
@@ -358,6 +363,8 @@ void PenaltyTouching::add_pressed(const Cluster& part, std::vector<ContactMemory
     if (std::abs(u_n) <= still_speed(resting_velocity_)) pressed.push_back(part.contacts[i]);
   }
   if (pressed.empty()) return;
+
+  // The forces of rigid contact at rest.
   const ContactSystem system = assembler_.assemble(part, std::move(pressed));
   const CoulombSolution forces =
       solve_resting(system, assembler_.environment_wrenches(system, part.t), slip_tolerance_, resting_)

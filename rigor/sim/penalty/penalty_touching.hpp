@@ -29,8 +29,7 @@ enum class TouchingForm {
   /// Those that overlap: explicit steps are short enough to meet the others in time.
   overlapping,
   /// Also those that the step may reach: implicit steps catch them, and only impacts that bounce require
-  /// short
-  /// steps.
+  /// short steps.
   reachable,
 };
 

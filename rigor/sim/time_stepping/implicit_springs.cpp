@@ -87,7 +87,6 @@ SpringRows ImplicitSprings::rows(const StepSpan& span, const std::vector<int>& b
   for (const Spring* const spring : springs) {
     const Index i = static_cast<Index>(rows.count());
 
-    // Where its ends are at the beginning and half way.
     // Ends of the spring half way through the step, and at its beginning.
     const BodyKinetics A = end_body(spring->body_A, half, middle), B = end_body(spring->body_B, half, middle);
     const BodyKinetics A_begin = end_body(spring->body_A, span.t, begin),
@@ -103,15 +102,13 @@ SpringRows ImplicitSprings::rows(const StepSpan& span, const std::vector<int>& b
     const double stretch = (begin_B - begin_A).norm() - spring->length;
     const double rate = line.dot(rate_of(B_begin, B, p_WB) - rate_of(A_begin, A, p_WA));
 
-    // The row, with the rate of the end of the step without impulses.
     // The row along the line, with its rate at the end of the step without springs and contacts.
     rows.ends_A.push_back({spring->body_A, p_WA, A.velocity_at(p_WA)});
     rows.ends_B.push_back({spring->body_B, p_WB, B.velocity_at(p_WB)});
     rows.lines.push_back(line);
     rows.rates(i) = line.dot(rows.ends_B.back().v_W - rows.ends_A.back().v_W);
 
-    // Softness and drive of the mean force.
-    // Softness and drive: ν = h f solved for u⁺.
+    // Softness and drive: ν = h f, the mean force, solved for u⁺.
     const double answer = theta * h * spring->stiffness + spring->damping;
     if (!(answer > 0)) {
       // A spring without stiffness and damping: ν = 0.

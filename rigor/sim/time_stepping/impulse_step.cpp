@@ -25,8 +25,7 @@ Eigen::Index normal_row(std::size_t contact) {
 /// Replaces the accelerations at several contacts of one pair of bodies by the nearest that a rigid motion
 /// can have. The difference is of second order, and contacts that hold could not all obey it.
 void make_rigid(const ContactSystem& system, const std::vector<std::size_t>& contacts, VecX& accelerations) {
-  // The middle of the contacts, and their largest distance from it as the unit of length.
-  // Centre and size of the contacts, to scale the rotations.
+  // Centre of the contacts, and their largest distance from it as the unit of length.
   constexpr double dependent = 1e-9;
   Vec3 centre = Vec3::Zero();
   for (const std::size_t i : contacts)
@@ -35,7 +34,6 @@ void make_rigid(const ContactSystem& system, const std::vector<std::size_t>& con
   for (const std::size_t i : contacts) radius = std::max(radius, (system.contacts[i].p_W() - centre).norm());
   if (!(radius > 0)) radius = 1;
 
-  // The velocities that a rigid motion (v, radius ω) gives the points, and those wanted.
   // Least squares: accelerations at the contacts of all rigid motions, against those wanted.
   MatX motions(3 * static_cast<Eigen::Index>(contacts.size()), 6);
   VecX wanted(motions.rows());
@@ -145,8 +143,7 @@ void ImpulseStep::strike(double h, Cluster& part, AdvanceReport& report) const {
       std::swap(part.contacts, closing.contacts);
       continue;
     }
-    // A plastic impact: nothing closes within h any more. Bounded forces do nothing at an
-    // instant.
+    // A plastic impact: nothing closes within h afterwards. Bounded forces give no impulse at an instant.
     StepLaws laws = step_laws_of(system, still_);
     laws.contacts.b = std::move(closing.b);
     laws.resolution = resolution(h);
@@ -249,7 +246,7 @@ ImpulseStep::FreeEnd ImpulseStep::fly_under(const Environment& environment,
     return result;
   }
 
-  // Steps of the integrator as its error allows, with the joints put back after each.
+  // Steps of the integrator as its error allows, with positions projected on the joints after each.
   Island island{part.bodies, part.phases, {}, {}, part.t};
   double left = h, wanted = h;
   while (left > 0) {
@@ -307,7 +304,6 @@ bool ImpulseStep::stays_clear(double h, const Cluster& part, const FreeEnd& free
 /// The contacts half way through the step, with the velocities that the bodies would have at its end without
 /// them: rows and arms there balance the momenta exactly and make the step of second order in smooth motion.
 ContactSystem ImpulseStep::middle_system(double h, const Cluster& part, const FreeEnd& free) const {
-  // Where the bodies are half way.
   // Bodies half way, along the velocities of the beginning.
   std::vector<BodyPhase> middle = part.phases;
   for (std::size_t i = 0; i < part.bodies.size(); ++i) {
@@ -319,7 +315,6 @@ ContactSystem ImpulseStep::middle_system(double h, const Cluster& part, const Fr
   }
 
   // Contacts there, and the momenta that give the velocities of the free end with the inertia there.
-  // Contacts there; then the velocities of the free end, with the orientation half way.
   std::vector<Contact> contacts = contacts_at(part.t + 0.5 * h, part, middle);
   for (std::size_t i = 0; i < part.bodies.size(); ++i) {
     const Body& body = model_.body(part.bodies[i]);
@@ -337,7 +332,7 @@ StepLaws ImpulseStep::step_laws(double h, const Cluster& part, const ContactSyst
   StepLaws laws = step_laws_of(system, still_);
   laws.resolution = resolution(h);
   VecX& b = laws.contacts.b;
-  // The rows rotate until the end: the velocities there count, at which the next step begins.
+  // The rows rotate until the end of the step, and the laws hold for the velocities there.
   b += 0.5 * h * velocity_biases(system);
   b += closing_rates(part.contacts, system, h, resolution(h));
 
@@ -347,7 +342,7 @@ StepLaws ImpulseStep::step_laws(double h, const Cluster& part, const ContactSyst
       b[normal_row(i)] = -h * system.rows[i].load * system.rows[i].mobility;
   }
 
-  // What stuck is what touches and is still at the beginning.
+  // A contact stuck if it touches and is still at the beginning.
   if (!laws.sticks.empty()) {
     laws.sticks = step_laws_of(assembler_.assemble(part, part.contacts), still_).sticks;
     for (std::size_t i = 0; i < laws.sticks.size(); ++i) {
@@ -357,7 +352,7 @@ StepLaws ImpulseStep::step_laws(double h, const Cluster& part, const ContactSyst
   return laws;
 }
 
-/// Adds moments (3n or none) to the impulses of all bodies, and those of prescribed bodies to the ledger.
+/// Adds moments (3n or none) to the impulses of all bodies, and books those of prescribed bodies in `end`.
 void ImpulseStep::add_moments(const ContactSystem& system, const VecX& moments, std::vector<Wrench>& impulses,
                               FreeEnd& end) {
   for (std::size_t i = 0; moments.size() > 0 && i < system.contacts.size(); ++i) {
@@ -374,8 +369,8 @@ void ImpulseStep::add_moments(const ContactSystem& system, const VecX& moments, 
   }
 }
 
-/// The impulses of contacts, springs and joints on the bodies of the system; the part from outside goes into
-/// the ledger.
+/// The impulses of contacts, springs and joints on the bodies of the system; those from outside are booked in
+/// `end`.
 std::vector<Wrench> ImpulseStep::enter_impulses(const ContactSystem& system, const StepImpulses& solution,
                                                 const SpringRows& springs, FreeEnd& end) {
   std::vector<Wrench> impulses = contact_wrenches(system, solution.lambda);
@@ -417,7 +412,7 @@ void ImpulseStep::push(const StepSpan& span, const Cluster& part, const ContactS
     phase.q = (rotation_exp(theta * h * (kinetics.inverse_inertia * on_body.tau_W)) * phase.q).normalized();
     phase.P += on_body.f_W;
 
-    // The angular momentum about the origin that moving the body changes, beyond the moment of the impulse.
+    // Angular momentum about the origin that the displacement adds beyond the moment of the impulse.
     const Vec3 surplus = (phase.x - x_free).cross(P_free) + (phase.x - kinetics.x).cross(on_body.f_W);
     phase.L += on_body.tau_W - surplus;
   }
@@ -448,7 +443,7 @@ void ImpulseStep::move(double h, double theta, Cluster& part, AdvanceReport& rep
   part.phases = std::move(end.phases);
   part.t += h;
   report.work += end.work;
-  momentum.book_error({{end.impulse, end.angular_impulse}}, report);
+  momentum.book_error({Wrench{end.impulse, end.angular_impulse}}, report);
 }
 
 }  // namespace rigor

@@ -23,7 +23,9 @@ using Eigen::Index;
 
 namespace {
 
-constexpr double solved = 1e-10;  // The last two digits of slip that changes direction take most of the time.
+/// Residual of a solved problem: two more digits of slip that changes its direction would take most of the
+/// time.
+constexpr double solved = 1e-10;
 
 bool has_moments(const Contact& contact) {
   return !contact.stop && (contact.rolling_friction > 0 || contact.torsional_friction > 0);

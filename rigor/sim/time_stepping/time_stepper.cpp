@@ -43,7 +43,7 @@ struct ThickShare {
   }
 };
 
-/// Half the smallest width of a shape; less if it may be hollow or pointed [m].
+/// Half the smallest width of a shape, less where it may be hollow or pointed [m].
 double thickness_of(const Shape& shape) {
   if (is_unbounded(shape)) return infinite;
   const Aabb box = axis_aligned_box(shape, Pose{Mat3::Identity(), Vec3::Zero()});
@@ -386,8 +386,8 @@ void TimeStepper::hold_joints(Cluster& part, AdvanceReport& report) const {
   joints_.project_velocities(part, report);
 }
 
-/// Bodies that overlap are put back to touching by the smallest displacements; momenta stay, and so does the
-/// angular momentum about the origin.
+/// Bodies that overlap are moved apart until they touch, by the smallest displacements; momenta stay, and so
+/// does the angular momentum about the origin.
 void TimeStepper::correct_overlaps(const State& state, Trial& trial) {
   constexpr int most_passes = 8;
   std::vector<double> reaches(at(model_->body_count()), 0.0);
@@ -467,7 +467,7 @@ void TimeStepper::note_lasting(const Cluster& start, Trial& trial) const {
 }
 
 /// Overlap at the end of a step, as a share of the depth that can be corrected without doubt about the side
-/// from which the bodies came, and with a small rotation; 0 if it is a few tolerances.
+/// from which the bodies came, and with small rotations; 0 if it is a few tolerances.
 double TimeStepper::misjudgement_of(const Contact& contact) const {
   constexpr double noticeable = 10, share_of_thickness = 0.05, share_of_radius = 0.02;
   const double depth = -contact.point.gap;
