@@ -14,10 +14,8 @@ void print_choices() {
   for (const MethodChoice& choice : method_choices()) {
     if (choice.key != previous) fmt::print("{}\n", toned(choice.key, Tone::strong, stdout));
     previous = choice.key;
-    const bool is_default = choice.is_available && method_choice(defaults, choice.key) == choice.value;
-    const char* const mark = !choice.is_available ? "later" : is_default ? "default" : "yes";
-    fmt::print("  {:<20} {} {}\n", choice.value,
-               toned(fmt::format("{:<8}", mark), choice.is_available ? Tone::good : Tone::doubtful, stdout),
+    const char* const mark = method_choice(defaults, choice.key) == choice.value ? "default" : "";
+    fmt::print("  {:<20} {} {}\n", choice.value, toned(fmt::format("{:<8}", mark), Tone::good, stdout),
                choice.meaning);
     fmt::print("  {:<20} {:<8} {}\n", "", "", choice.source);
   }
@@ -27,8 +25,8 @@ void print_choices() {
 
 ExitCode execute(const MethodsOptions&) {
   fmt::print(
-      "Choices of 'method' in a scene, or --set method.KEY=VALUE. default, yes: in this version; later: not "
-      "yet.\n\n");
+      "Choices of 'method' in a scene, or --set method.KEY=VALUE; 'default' marks what holds without "
+      "one.\n\n");
   print_choices();
   fmt::print("\n{}\n", toned("numbers", Tone::strong, stdout));
   for (const MethodNumber& number : method_numbers()) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "rigor/dynamics/body_phase.hpp"
+#include "rigor/dynamics/orientation_form.hpp"
 
 #include <functional>
 #include <span>
@@ -15,10 +16,6 @@ namespace rigor {
 /// vector from the start of the step, q = exp(Φ/2) q₀, so |q| is kept to rounding and the form of the
 /// orientation makes no difference.
 enum class IntegratorName { euler, semi_implicit_euler, midpoint, rk4, dopri5, dop853, lie_rk4 };
-
-/// What is integrated for the attitude: the quaternion (13 numbers per body) or the matrix R with
-/// Gram-Schmidt after each step (18 numbers per body).
-enum class OrientationForm { quaternion, matrix };
 
 /// Forces at a given time and given phases of all bodies of the system: fills one wrench per body. Called at
 /// every stage.

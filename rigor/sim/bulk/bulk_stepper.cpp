@@ -3,6 +3,7 @@
 #include "rigor/bulk/state/prescribed_bodies.hpp"
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/sim/method/method.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -45,7 +46,7 @@ double BulkStepper::step_towards(double t_end, double t, [[maybe_unused]] State&
 }
 
 void BulkStepper::end_span(double t, State& state) {
-  // After a broken step the State stays as it was, where all is finite.
+  // After a broken step the State stays as it was at the last output, where everything is finite.
   if (report_.reason == StopReason::not_finite) return;
   world_.write(state);
   state.t = t;
@@ -60,7 +61,7 @@ void BulkStepper::end_span(double t, State& state) {
   state.anchor_here();
 }
 
-/// t, t_end: begin and end of the step [s].
+/// Enters the report of a step from t to t_end [s].
 void BulkStepper::note(const BulkStepReport& step, double t, double t_end) {
   ++report_.steps;
   report_.distance_queries += step.pair_count;
@@ -71,17 +72,10 @@ void BulkStepper::note(const BulkStepReport& step, double t, double t_end) {
   }
   report_.momentum_error += step.momentum_error;
   report_.work += step.work;
-  report_.max_iterations = 2 * settings_.substeps;  // Sweeps: with the springs and without.
-  if (step.max_overlap > report_.max_penetration) {
-    report_.max_penetration = step.max_overlap;
-    report_.penetration_A = step.overlap_A;
-    report_.penetration_B = step.overlap_B;
-    report_.penetration_time = t;
-  }
-  if (step.max_joint_error > report_.max_joint_drift) {
-    report_.max_joint_drift = step.max_joint_error;
-    report_.drift_joint = step.worst_joint;
-  }
+  // Each sub-step sweeps twice: with the springs, and without them.
+  report_.max_iterations = 2 * settings_.substeps;
+  report_.note_penetration(step.max_overlap, step.overlap_A, step.overlap_B, t);
+  report_.note_joint_drift(step.max_joint_error, step.worst_joint);
 }
 
 /// A body whose position or velocity is not finite, or -1.
@@ -90,7 +84,7 @@ int BulkStepper::find_broken_body() const {
   for (int i = 0; i < bodies.count(); ++i) {
     const std::size_t k = at(i);
     const MotionRecord& motion = bodies.motion[k];
-    // A sum is not finite if one of its terms is not, and none of these is near the largest number.
+    // The sum is not finite if a term is not; finite velocities are far too small for it to overflow.
     float sum = 0;
     for (int axis = 0; axis < 3; ++axis) sum += motion.v[axis] + motion.w[axis];
     if (!std::isfinite(sum) || !bodies.x[k].allFinite() || !bodies.q[k].coeffs().allFinite()) return i;

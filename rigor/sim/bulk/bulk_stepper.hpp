@@ -2,21 +2,22 @@
 
 #include "rigor/bulk/bulk_world.hpp"
 #include "rigor/sim/fixed_steps/fixed_step_stepper.hpp"
-#include "rigor/sim/method/method.hpp"
 
 #include <memory>
 
 namespace rigor {
 
+struct Method;
+
 /// Time stepping for many bodies, `solver: substep`: equal steps of the many-body path (BulkWorld).
-/// Velocities and impulses are 32-bit numbers; contacts and joints are stiff springs that give way by a
-/// little, so that bodies overlap slightly and energy is lost or gained at the same scale.
+/// Velocities and impulses are 32-bit numbers; contacts and joints are stiff springs that give way a little,
+/// so that bodies overlap slightly and energy is lost or gained on the same scale.
 ///
-/// The report has the steps, the pairs looked at, the worst overlap at the begin of a step and the worst
-/// error of a joint at the end of one, the impacts (manifolds that began to press at more than 1 cm/s; events
-/// at the end of their step, with all the impulse of it), the error of the linear momentum, the work of
-/// kinematic bodies and forces, and the sweeps of a step as its iterations. The work of motors is not known,
-/// nor that of kinematic bodies on joints and springs, nor the error of the angular momentum.
+/// The report has the steps, the pairs examined, the worst overlap at the beginning of a step and the worst
+/// error of a joint at the end of one, the impacts (manifolds that began to press at more than 1 cm/s; their
+/// events are at the end of the step and have its whole impulse), the error of the linear momentum, the work
+/// of kinematic bodies and forces, and the sweeps per step as iterations. It lacks the work of motors, that
+/// of kinematic bodies on joints and springs, and the error of the angular momentum.
 class BulkStepper : public FixedStepStepper {
  public:
   /// target_step > 0 [s]: the longest step. threads >= 1.

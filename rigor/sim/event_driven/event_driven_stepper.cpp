@@ -327,11 +327,7 @@ bool EventDrivenStepper::time_stands_still(const std::vector<int>& seeds) {
 
 void EventDrivenStepper::note_penetration(const std::vector<Contact>& contacts) {
   for (const Contact& contact : contacts) {
-    if (contact.stop || -contact.point.gap <= report_.max_penetration) continue;
-    report_.max_penetration = -contact.point.gap;
-    report_.penetration_A = contact.body_A;
-    report_.penetration_B = contact.body_B;
-    report_.penetration_time = t_;
+    if (!contact.stop) report_.note_penetration(-contact.point.gap, contact.body_A, contact.body_B, t_);
   }
 }
 

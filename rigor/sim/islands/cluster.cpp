@@ -84,23 +84,6 @@ std::vector<Cluster> connected_parts(const Cluster& cluster, const std::vector<C
   return result;
 }
 
-ClusterTotals totals_of(const Model& model, const Cluster& cluster) {
-  return totals_of_bodies(model, cluster.bodies, cluster.phases);
-}
-
-ClusterTotals totals_of_bodies(const Model& model, const std::vector<int>& bodies,
-                               const std::vector<BodyPhase>& phases) {
-  ClusterTotals sum;
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const Body& body = model.body(bodies[i]);
-    const BodyPhase& phase = phases[i];
-    sum.P += phase.P;
-    sum.L += phase.L + phase.x.cross(phase.P);
-    sum.T += kinetic_energy(BodyInertia{body.mass, body.moments}, phase);
-  }
-  return sum;
-}
-
 void add_to_momenta(const ContactSystem& system, const std::vector<Wrench>& impulses, Cluster& cluster) {
   for (std::size_t i = 0; i < cluster.bodies.size(); ++i) {
     const Wrench& impulse = impulses[at(system.local_index(cluster.bodies[i]))];

@@ -25,17 +25,6 @@ struct Cluster {
 std::vector<Cluster> connected_parts(const Cluster& cluster, const std::vector<Contact>& contacts,
                                      const Environment& environment);
 
-/// Of the dynamic bodies of a cluster.
-struct ClusterTotals {
-  Vec3 P = Vec3::Zero();  ///< Momentum [kg m/s].
-  Vec3 L = Vec3::Zero();  ///< Angular momentum about the origin of W [kg m²/s].
-  double T = 0;           ///< Kinetic energy [J].
-};
-ClusterTotals totals_of(const Model& model, const Cluster& cluster);
-/// The same of bodies with their phases.
-ClusterTotals totals_of_bodies(const Model& model, const std::vector<int>& bodies,
-                               const std::vector<BodyPhase>& phases);
-
 /// Adds impulses, one per body of the system (those of prescribed bodies are left out), to the momenta.
 void add_to_momenta(const ContactSystem& system, const std::vector<Wrench>& impulses, Cluster& cluster);
 

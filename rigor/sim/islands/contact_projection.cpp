@@ -3,6 +3,7 @@
 #include "rigor/sim/islands/displacement.hpp"
 #include "rigor/sim/islands/energy_repair.hpp"
 #include "rigor/sim/method/resting_choice.hpp"
+#include "rigor/sim/report/ledger.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -49,18 +50,15 @@ void ContactProjection::restore_gaps(const Island& island, double t, IslandStep&
   const double gained = energy(step.end) - std::max(energy(drifted), energy(island.start));
   if (gained <= 0) return;
 
-  // Who cannot pay stays where the step has left them.
-  const ClusterTotals before = totals_of_bodies(model_, island.bodies, step.end);
+  // Bodies whose motion cannot pay for it stay where the step has left them.
+  const MomentumScope momentum(model_, island.bodies, step.end);
   if (take_kinetic_energy(model_, island.bodies, gained, balance.is_free, step.end) < gained) {
     step.end = drifted;
     return;
   }
 
-  // What holds the bodies has taken the difference of the momenta.
-  if (balance.is_free) return;
-  const ClusterTotals after = totals_of_bodies(model_, island.bodies, step.end);
-  step.impulse += after.P - before.P;
-  step.angular_impulse += after.L - before.L;
+  // What stands still around the bodies has taken the difference of the momenta.
+  if (!balance.is_free) momentum.add_change(step.impulse, step.angular_impulse);
 }
 
 bool ContactProjection::project_positions(Cluster& cluster, AdvanceReport& report) const {

@@ -4,6 +4,8 @@
 #include "rigor/contact/resting/paradox.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/sim/method/resting_choice.hpp"
+#include "rigor/sim/method/tolerances.hpp"
+#include "rigor/sim/report/ledger.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +46,7 @@ ContactResolver::ContactResolver(const Model& model, const ContactSystemAssemble
       collision_law_(method.impact),
       law_(method.simultaneous),
       resting_velocity_(method.resting_velocity),
-      still_(1e-6 * method.resting_velocity),
+      still_(still_speed(method.resting_velocity)),
       contact_tolerance_(method.contact_tolerance),
       resting_(resting_choice(method)) {}
 
@@ -83,7 +85,7 @@ std::vector<double> ContactResolver::restitutions(const Cluster& cluster, const 
 
 void ContactResolver::add_impulses(const ContactSystem& system, const VecX& lambda, const VecX& moments,
                                    Cluster& cluster, AdvanceReport& report) const {
-  const ClusterTotals before = totals_of(model_, cluster);
+  const MomentumScope momentum(model_, cluster.bodies, cluster.phases);
   std::vector<Wrench> impulses = contact_wrenches(system, lambda);
   Wrench external;
   for (Eigen::Index i = 0; 3 * i < moments.size(); ++i) {
@@ -109,10 +111,7 @@ void ContactResolver::add_impulses(const ContactSystem& system, const VecX& lamb
 
   // The momenta, and what of them nothing outside accounts for.
   add_to_momenta(system, impulses, cluster);
-  const Wrench of_contacts = external_wrench(system, lambda, joint_lambda);
-  const ClusterTotals after = totals_of(model_, cluster);
-  report.momentum_error += after.P - before.P - external.f_W - of_contacts.f_W;
-  report.angular_momentum_error += after.L - before.L - external.tau_W - of_contacts.tau_W;
+  momentum.book_error({external, external_wrench(system, lambda, joint_lambda)}, report);
   report.work += work_of_prescribed(system, lambda);
 }
 
@@ -122,10 +121,8 @@ void ContactResolver::settle(const ContactSystem& system, const VecX& u, Cluster
   const CoulombProblem problem{delassus(system), u, std::vector<double>(count, 0.0),
                                std::vector<FrictionRow>(count, FrictionRow::cone),
                                std::vector<Vec2>(count, Vec2::Zero())};
-  const double before = totals_of(model_, cluster).T;
-  const double work_before = report.work;
+  const EnergyScope energy(EnergyAccount::projection, model_, cluster.bodies, cluster.phases, report);
   add_impulses(system, solve_coulomb(problem).lambda, {}, cluster, report);
-  report.projection_loss += before - totals_of(model_, cluster).T + (report.work - work_before);
 }
 
 void ContactResolver::apply_impact(const ContactSystem& system, const ImpactSolution& impact,
@@ -134,15 +131,10 @@ void ContactResolver::apply_impact(const ContactSystem& system, const ImpactSolu
   report.max_iterations = std::max(report.max_iterations, impact.iterations);
   if (!impact.converged) ++report.fallbacks;
 
-  const double before = totals_of(model_, cluster).T;
-  const double work_before = report.work;
+  const EnergyScope energy(EnergyAccount::impact, model_, cluster.bodies, cluster.phases, report);
   add_impulses(system, impact.lambda, impact.moments, cluster, report);
 
-  // The energy that the impact took or gave.
-  const double change = totals_of(model_, cluster).T - before - (report.work - work_before);
-  (change < 0 ? report.impact_loss : report.impact_gain) += std::abs(change);
-
-  // One event a pair of bodies, with its whole impulse.
+  // One event per pair of bodies, with its whole impulse.
   std::map<std::pair<int, int>, MotionEvent> events;
   for (std::size_t i = 0; i < system.contacts.size(); ++i) {
     const Contact& contact = system.contacts[i];
@@ -200,7 +192,7 @@ bool ContactResolver::apply_impulses(Cluster& cluster, AdvanceReport& report) co
 
 LastingContacts ContactResolver::find_lasting(const Cluster& cluster, AdvanceReport& report) const {
   // Touching and not parting.
-  const double parting = 1e-3 * resting_velocity_;
+  const double parting = parting_speed(resting_velocity_);
   std::vector<Contact> candidates;
   if (!cluster.contacts.empty()) {
     const VecX u = relative_velocities(assembler_.assemble(cluster, cluster.contacts));
@@ -242,10 +234,8 @@ LastingContacts ContactResolver::find_lasting(const Cluster& cluster, AdvanceRep
 void ContactResolver::project_velocities(const LastingContacts& lasting, Cluster& cluster,
                                          AdvanceReport& report) const {
   const ContactSystem system = assembler_.assemble(cluster, lasting.contacts);
-  const double before = totals_of(model_, cluster).T;
-  const double work_before = report.work;
+  const EnergyScope energy(EnergyAccount::projection, model_, cluster.bodies, cluster.phases, report);
   add_impulses(system, projection_impulses(system, lasting.states, resting_), {}, cluster, report);
-  report.projection_loss += before - totals_of(model_, cluster).T + (report.work - work_before);
 }
 
 bool ContactResolver::agrees_with_velocities(const LastingContacts& lasting, const Cluster& cluster) const {

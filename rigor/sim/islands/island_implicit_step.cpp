@@ -5,6 +5,7 @@
 #include "rigor/sim/islands/displacement.hpp"
 #include "rigor/sim/islands/energy_repair.hpp"
 #include "rigor/sim/islands/island_integrator.hpp"
+#include "rigor/sim/report/ledger.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -133,7 +134,7 @@ IslandStep IslandIntegrator::implicit_step(const Island& island, double h) const
 void IslandIntegrator::close_implicit_step(const Island& island, IslandStep& step) const {
   const EnergyBalance balance =
       energy_balance(model_, environment_, island.begin, island.bodies, island.contacts);
-  const ClusterTotals before = totals_of_bodies(model_, island.bodies, step.end);
+  const MomentumScope momentum(model_, island.bodies, step.end);
 
   // The normals have rotated while the step took them as constant. What overlapped before may stay.
   constexpr double rounding = 1e-12;
@@ -154,11 +155,8 @@ void IslandIntegrator::close_implicit_step(const Island& island, IslandStep& ste
     if (gained > 0) take_kinetic_energy(model_, island.bodies, gained, balance.is_free, step.end);
   }
 
-  // What holds the bodies has taken the difference of the momenta.
-  const ClusterTotals after = totals_of_bodies(model_, island.bodies, step.end);
-  if (balance.is_free) return;
-  step.impulse += after.P - before.P;
-  step.angular_impulse += after.L - before.L;
+  // What stands still around the bodies has taken the difference of the momenta.
+  if (!balance.is_free) momentum.add_change(step.impulse, step.angular_impulse);
 }
 
 }  // namespace rigor

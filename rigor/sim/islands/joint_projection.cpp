@@ -3,6 +3,7 @@
 #include "rigor/core/index.hpp"
 #include "rigor/math/dense.hpp"
 #include "rigor/math/rotation.hpp"
+#include "rigor/sim/report/ledger.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -28,10 +29,7 @@ void JointProjection::project_positions(double t, const std::vector<int>& bodies
       best = phases;
     }
     if (!is_better || residual <= rounding * model_.length_scale() || iteration == most_iterations) {
-      if (last > report.max_joint_drift) {
-        report.max_joint_drift = last;
-        report.drift_joint = joint;
-      }
+      report.note_joint_drift(last, joint);
       break;
     }
 
@@ -98,21 +96,17 @@ void JointProjection::restore_momenta(const Island& island, IslandStep& step) co
 void JointProjection::project_velocities(Cluster& cluster, AdvanceReport& report) const {
   if (assembler_.joints_of(cluster.bodies).empty()) return;
   const ContactSystem system = assembler_.assemble(cluster, {});
-  const ClusterTotals before = totals_of(model_, cluster);
+  const MomentumScope momentum(model_, cluster.bodies, cluster.phases);
+  EnergyScope energy(EnergyAccount::projection, model_, cluster.bodies, cluster.phases, report);
 
   // The impulses with which G V = rate.
   const JointReactions reactions =
       with_joint_impulses(system, std::vector<Wrench>(system.bodies.size()), -system.joints->rate_errors());
   add_to_momenta(system, reactions.wrenches, cluster);
 
-  // What they took and supplied.
-  const Wrench external = external_wrench(system, VecX(), reactions.lambda);
-  const double work = system.joints->supplied_power(reactions.lambda);
-  const ClusterTotals after = totals_of(model_, cluster);
-  report.work += work;
-  report.projection_loss += before.T - after.T + work;
-  report.momentum_error += after.P - before.P - external.f_W;
-  report.angular_momentum_error += after.L - before.L - external.tau_W;
+  // What they supplied, and what of the momenta nothing outside accounts for.
+  energy.supply(system.joints->supplied_power(reactions.lambda));
+  momentum.book_error({external_wrench(system, VecX(), reactions.lambda)}, report);
 }
 
 }  // namespace rigor

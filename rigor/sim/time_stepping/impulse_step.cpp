@@ -6,6 +6,8 @@
 #include "rigor/math/dense.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/sim/method/resting_choice.hpp"
+#include "rigor/sim/method/tolerances.hpp"
+#include "rigor/sim/report/ledger.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -21,9 +23,9 @@ Eigen::Index normal_row(std::size_t contact) {
 }
 
 /// Replaces the accelerations at several contacts of one pair of bodies by the nearest that a rigid motion
-/// can have. The rest is of second order, and contacts that hold could not all obey it.
+/// can have. The difference is of second order, and contacts that hold could not all obey it.
 void make_rigid(const ContactSystem& system, const std::vector<std::size_t>& contacts, VecX& accelerations) {
-  // The middle of the contacts, and their largest distance from it as the unit of length.
+  // Centre of the contacts, and their largest distance from it as the unit of length.
   constexpr double dependent = 1e-9;
   Vec3 centre = Vec3::Zero();
   for (const std::size_t i : contacts)
@@ -32,7 +34,7 @@ void make_rigid(const ContactSystem& system, const std::vector<std::size_t>& con
   for (const std::size_t i : contacts) radius = std::max(radius, (system.contacts[i].p_W() - centre).norm());
   if (!(radius > 0)) radius = 1;
 
-  // The velocities that a rigid motion (v, radius ω) gives the points, and those wanted.
+  // Least squares: accelerations at the contacts of all rigid motions, against those wanted.
   MatX motions(3 * static_cast<Eigen::Index>(contacts.size()), 6);
   VecX wanted(motions.rows());
   for (Eigen::Index k = 0; 3 * k < wanted.size(); ++k) {
@@ -50,8 +52,8 @@ void make_rigid(const ContactSystem& system, const std::vector<std::size_t>& con
   }
 }
 
-/// J̇ V of all contacts (3n), of one pair of bodies as of a rigid motion.
-VecX turning_biases(const ContactSystem& system) {
+/// J̇ V of all contacts (3n), for each pair of bodies that of a rigid motion.
+VecX velocity_biases(const ContactSystem& system) {
   VecX biases(3 * static_cast<Eigen::Index>(system.contacts.size()));
   std::map<std::pair<int, int>, std::vector<std::size_t>> pairs;
   for (std::size_t i = 0; i < system.contacts.size(); ++i) {
@@ -67,9 +69,9 @@ VecX turning_biases(const ContactSystem& system) {
   return biases;
 }
 
-/// g⁺/h of these contacts, as velocities at the contacts of the system (3n), of one pair of bodies as a rigid
-/// motion closes them where that changes no rate by more than `resolution` [m/s]: the points of a face would
-/// ask for motions that contradict each other a little.
+/// g⁺/h of these contacts, as velocities at the contacts of the system (3n). For each pair of bodies they are
+/// those of a rigid motion, where that changes no rate by more than `resolution` [m/s]: the points of a face
+/// would otherwise require motions that contradict each other a little.
 VecX closing_rates(const std::vector<Contact>& contacts, const ContactSystem& system, double h,
                    double resolution) {
   // g⁺/h of each contact.
@@ -141,8 +143,7 @@ void ImpulseStep::strike(double h, Cluster& part, AdvanceReport& report) const {
       std::swap(part.contacts, closing.contacts);
       continue;
     }
-    // A plastic impact: nothing closes within h any more. Bounded forces do nothing at an
-    // instant.
+    // A plastic impact: nothing closes within h afterwards. Bounded forces give no impulse at an instant.
     StepLaws laws = step_laws_of(system, still_);
     laws.contacts.b = std::move(closing.b);
     laws.resolution = resolution(h);
@@ -156,9 +157,8 @@ void ImpulseStep::strike(double h, Cluster& part, AdvanceReport& report) const {
     // Its impulses, and the energy that it took.
     const StepImpulses solution = solver_.solve(system, std::move(laws));
     note(solution, report);
-    const double before = totals_of(model_, part).T, work_before = report.work;
+    const EnergyScope energy(EnergyAccount::plastic_impact, model_, part.bodies, part.phases, report);
     resolver_.add_impulses(system, solution.lambda, solution.moments, part, report);
-    report.impact_loss += before - totals_of(model_, part).T + (report.work - work_before);
     return;
   }
 }
@@ -174,7 +174,8 @@ ImpulseStep::Closing ImpulseStep::find_closing(double h, const ContactSystem& sy
     const double rate = closing.b[normal_row(i)];
     const bool closes = h * rate < -rounding * contact_tolerance_;
     closing.closes |= closes;
-    // What closes by its weight only at the end of the step bounces now too: the step would stop it.
+    // Bodies that close only under their weight at the end of the step bounce now too: the step would stop
+    // them.
     const bool meets = h * (rate + h * closing_acceleration(contact)) < -rounding * contact_tolerance_;
     const bool bounces =
         meets && contact.restitution > 0 && u_n < (contact.restitution == 1 ? 0 : -resting_velocity_);
@@ -190,7 +191,7 @@ double ImpulseStep::resolution(double h) const {
   return negligible * contact_tolerance_ / h;
 }
 
-/// Steady acceleration of B against A along the normal, where it closes the contact [m/s²].
+/// Steady acceleration of B relative to A along the normal if it closes the contact, else 0 [m/s²].
 double ImpulseStep::closing_acceleration(const Contact& contact) const {
   if (contact.stop) return 0;
   const auto acceleration = [this](int body) {
@@ -200,7 +201,7 @@ double ImpulseStep::closing_acceleration(const Contact& contact) const {
   return std::min(0.0, contact.point.n_W.dot(acceleration(contact.body_B) - acceleration(contact.body_A)));
 }
 
-/// Where the part is after h without contacts.
+/// The part after h without contacts.
 struct ImpulseStep::FreeEnd {
   std::vector<BodyPhase> phases;
   Vec3 impulse = Vec3::Zero();          ///< Of all forces from outside [N s].
@@ -212,7 +213,7 @@ bool ImpulseStep::touches(const Contact& contact) const {
   return contact.is_bounded_force() || contact.point.gap <= contact_tolerance_;
 }
 
-/// Whether springs act implicitly: where they are stiff and contacts answer to them.
+/// Whether springs act implicitly: where they are stiff and contacts react to them.
 bool ImpulseStep::holds_springs(const StepSpan& span, const Cluster& part) const {
   if (!has_implicit_springs_) return false;
   const bool is_touching = std::any_of(part.contacts.begin(), part.contacts.end(),
@@ -224,7 +225,7 @@ ImpulseStep::FreeEnd ImpulseStep::fly(double h, const Cluster& part, AdvanceRepo
   return fly_under(environment_, integrator_, h, part, report);
 }
 
-/// Without contacts, under the forces of this environment.
+/// The motion without contacts, under the forces of this environment.
 ImpulseStep::FreeEnd ImpulseStep::fly_under(const Environment& environment,
                                             const IslandIntegrator& integrator, double h, const Cluster& part,
                                             AdvanceReport& report) const {
@@ -245,14 +246,13 @@ ImpulseStep::FreeEnd ImpulseStep::fly_under(const Environment& environment,
     return result;
   }
 
-  // Steps of the integrator as its error allows, with the joints put back after each.
-  constexpr double least_share = 1e-9;
+  // Steps of the integrator as its error allows, with positions projected on the joints after each.
   Island island{part.bodies, part.phases, {}, {}, part.t};
   double left = h, wanted = h;
   while (left > 0) {
     integrator.choose_joint_rows(island);
     const ControlledStep taken =
-        integrator.controlled_step(island, std::min(left, wanted), std::min(left, least_share * h));
+        integrator.controlled_step(island, std::min(left, wanted), std::min(left, least_step_share * h));
     ++report.steps;
     if (taken.step.error > 1) ++report.coarse_steps;
     report.quaternion_drift = std::max(report.quaternion_drift, taken.step.quaternion_drift);
@@ -264,7 +264,7 @@ ImpulseStep::FreeEnd ImpulseStep::fly_under(const Environment& environment,
     result.work += step.work;
     island.start = std::move(step.end);
     left = step.h < left ? left - step.h : 0;
-    wanted = std::max(taken.h_next, least_share * h);
+    wanted = std::max(taken.h_next, least_step_share * h);
   }
   result.phases = std::move(island.start);
   return result;
@@ -288,7 +288,7 @@ std::vector<Contact> ImpulseStep::contacts_at(double t, const Cluster& part,
   return contacts;
 }
 
-/// Whether no contact acts in the step: nothing touches before and nothing closes on the way without them.
+/// Whether no contact acts in the step: none touches at the beginning and none would at the end.
 bool ImpulseStep::stays_clear(double h, const Cluster& part, const FreeEnd& free) const {
   if (pushes_at_distance_) return false;
   const auto is_touching = [this](const Contact& contact) { return touches(contact); };
@@ -302,9 +302,9 @@ bool ImpulseStep::stays_clear(double h, const Cluster& part, const FreeEnd& free
 }
 
 /// The contacts half way through the step, with the velocities that the bodies would have at its end without
-/// them: rows and arms there balance the momenta exactly and make smooth motion of second order.
+/// them: rows and arms there balance the momenta exactly and make the step of second order in smooth motion.
 ContactSystem ImpulseStep::middle_system(double h, const Cluster& part, const FreeEnd& free) const {
-  // Where the bodies are half way.
+  // Bodies half way, along the velocities of the beginning.
   std::vector<BodyPhase> middle = part.phases;
   for (std::size_t i = 0; i < part.bodies.size(); ++i) {
     const Body& body = model_.body(part.bodies[i]);
@@ -332,8 +332,8 @@ StepLaws ImpulseStep::step_laws(double h, const Cluster& part, const ContactSyst
   StepLaws laws = step_laws_of(system, still_);
   laws.resolution = resolution(h);
   VecX& b = laws.contacts.b;
-  // The rows rotate until the end: the velocities there count, at which the next step begins.
-  b += 0.5 * h * turning_biases(system);
+  // The rows rotate until the end of the step, and the laws hold for the velocities there.
+  b += 0.5 * h * velocity_biases(system);
   b += closing_rates(part.contacts, system, h, resolution(h));
 
   // Bounded forces act all through h.
@@ -342,7 +342,7 @@ StepLaws ImpulseStep::step_laws(double h, const Cluster& part, const ContactSyst
       b[normal_row(i)] = -h * system.rows[i].load * system.rows[i].mobility;
   }
 
-  // What stuck is what touches and is still at the beginning.
+  // A contact stuck if it touches and is still at the beginning.
   if (!laws.sticks.empty()) {
     laws.sticks = step_laws_of(assembler_.assemble(part, part.contacts), still_).sticks;
     for (std::size_t i = 0; i < laws.sticks.size(); ++i) {
@@ -352,7 +352,7 @@ StepLaws ImpulseStep::step_laws(double h, const Cluster& part, const ContactSyst
   return laws;
 }
 
-/// Adds moments (3n or none) to the impulses of all bodies, and those of prescribed bodies to the ledger.
+/// Adds moments (3n or none) to the impulses of all bodies, and books those of prescribed bodies in `end`.
 void ImpulseStep::add_moments(const ContactSystem& system, const VecX& moments, std::vector<Wrench>& impulses,
                               FreeEnd& end) {
   for (std::size_t i = 0; moments.size() > 0 && i < system.contacts.size(); ++i) {
@@ -369,8 +369,8 @@ void ImpulseStep::add_moments(const ContactSystem& system, const VecX& moments, 
   }
 }
 
-/// The impulses of contacts, springs and joints on the bodies of the system; the part from outside goes into
-/// the ledger.
+/// The impulses of contacts, springs and joints on the bodies of the system; those from outside are booked in
+/// `end`.
 std::vector<Wrench> ImpulseStep::enter_impulses(const ContactSystem& system, const StepImpulses& solution,
                                                 const SpringRows& springs, FreeEnd& end) {
   std::vector<Wrench> impulses = contact_wrenches(system, solution.lambda);
@@ -395,7 +395,7 @@ std::vector<Wrench> ImpulseStep::enter_impulses(const ContactSystem& system, con
   return impulses;
 }
 
-/// Moves the bodies on from the free end of the step by these impulses.
+/// Displaces the bodies from the free end of the step by these impulses.
 void ImpulseStep::push(const StepSpan& span, const Cluster& part, const ContactSystem& system,
                        const std::vector<Wrench>& impulses, FreeEnd& end) const {
   const double h = span.h, theta = span.theta;
@@ -412,7 +412,7 @@ void ImpulseStep::push(const StepSpan& span, const Cluster& part, const ContactS
     phase.q = (rotation_exp(theta * h * (kinetics.inverse_inertia * on_body.tau_W)) * phase.q).normalized();
     phase.P += on_body.f_W;
 
-    // The angular momentum about the origin that moving the body changes, beyond the moment of the impulse.
+    // Angular momentum about the origin that the displacement adds beyond the moment of the impulse.
     const Vec3 surplus = (phase.x - x_free).cross(P_free) + (phase.x - kinetics.x).cross(on_body.f_W);
     phase.L += on_body.tau_W - surplus;
   }
@@ -439,13 +439,11 @@ void ImpulseStep::move(double h, double theta, Cluster& part, AdvanceReport& rep
   }
 
   // The end of the step, and its ledger.
-  const ClusterTotals before = totals_of(model_, part);
+  const MomentumScope momentum(model_, part.bodies, part.phases);
   part.phases = std::move(end.phases);
   part.t += h;
-  const ClusterTotals after = totals_of(model_, part);
   report.work += end.work;
-  report.momentum_error += after.P - before.P - end.impulse;
-  report.angular_momentum_error += after.L - before.L - end.angular_impulse;
+  momentum.book_error({Wrench{end.impulse, end.angular_impulse}}, report);
 }
 
 }  // namespace rigor

@@ -21,8 +21,8 @@ class ImpulseStep {
   ImpulseStep(const Model& model, const Environment& environment, const ContactSystemAssembler& assembler,
               const ContactResolver& resolver, const JointProjection& joints, const Method& method);
 
-  /// The impacts of the step, at its begin: contacts that would close within h [s] collide there. Changes the
-  /// momenta of the part; its contacts may be apart by their gaps.
+  /// The impacts of the step, at its beginning: contacts that would close within h [s] collide there, though
+  /// they may still be apart by their gaps. Changes the momenta of the part.
   void strike(double h, Cluster& part, AdvanceReport& report) const;
   /// Moves the part by h with the impulses of all its contacts. `theta` in [1/2, 1]: the share of the step at
   /// which the impulses act on the positions; 1/2 is of second order, at 1 energy never grows.

@@ -4,6 +4,7 @@
 #include "rigor/contact/system/motion_rows.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/sim/method/resting_choice.hpp"
+#include "rigor/sim/method/tolerances.hpp"
 #include "rigor/solver/cones/convex_cone.hpp"
 #include "rigor/solver/cones/pyramid_cone.hpp"
 #include "rigor/solver/coulomb/rolling_friction_problem.hpp"
@@ -22,7 +23,9 @@ using Eigen::Index;
 
 namespace {
 
-constexpr double solved = 1e-10;  // The last two digits of slip that changes direction take most of the time.
+/// Residual of a solved problem: two more digits of slip that changes its direction would take most of the
+/// time.
+constexpr double solved = 1e-10;
 
 bool has_moments(const Contact& contact) {
   return !contact.stop && (contact.rolling_friction > 0 || contact.torsional_friction > 0);
@@ -38,7 +41,7 @@ StepImpulses impulses_of(CoulombSolution solution) {
   return impulses;
 }
 
-/// Of problems whose b is known to the resolution.
+/// Options for problems whose b is known to the resolution.
 CoulombOptions options_for(double resolution) {
   CoulombOptions options;
   options.least_norm = false;
@@ -47,23 +50,21 @@ CoulombOptions options_for(double resolution) {
   return options;
 }
 
-/// What contacts with these forces do: friction at its bound slides.
+/// Modes of contacts with these forces: where friction is at its bound, they slide.
 std::vector<ContactMode> modes_of_forces(const VecX& lambda, const std::vector<double>& mu) {
-  constexpr double at_bound = 1 - 1e-9;
   std::vector<ContactMode> modes;
   for (std::size_t i = 0; i < mu.size(); ++i) {
     const Vec3 force = lambda.segment<3>(3 * static_cast<Index>(i));
-    const bool slides = force.head<2>().norm() >= at_bound * mu[i] * force.z();
+    const bool slides = force.head<2>().norm() >= sliding_share * mu[i] * force.z();
     modes.push_back(force.z() <= 0 ? ContactMode::open : slides ? ContactMode::slide : ContactMode::stick);
   }
   return modes;
 }
 
-/// A and b of contacts with the rows of springs eliminated: what the contacts see of bodies that springs
-/// hold.
+/// A and b of contacts after the rows of springs are eliminated: the response of bodies on springs.
 class SpringResponse {
  public:
-  /// rows: of the contacts (forces, and moments if any), with their rates without impulses.
+  /// rows of the contacts (forces, and moments if any), and their rates without impulses.
   SpringResponse(ContactRows rows, const VecX& rates, const SpringRows& springs,
                  const ContactSystem& system) {
     const Index contacts = rates.size();
@@ -228,7 +229,7 @@ StepImpulses StepSolver::solve_dense(const CoulombProblem& problem, double resol
   return impulses_of(solve_coulomb(problem, options));
 }
 
-/// Sliding, rolling and spinning together.
+/// Sliding, rolling and spinning friction together.
 StepImpulses StepSolver::solve_frictions(const ContactSystem& system, const StepLaws& laws) const {
   // A and b with moments, without springs that act implicitly.
   ContactRows rows = moment_rows(system);
@@ -262,8 +263,8 @@ StepImpulses StepSolver::solve_frictions(const ContactSystem& system, const Step
   return impulses;
 }
 
-/// The joints take part in the sweeps; what these leave of their equations is projected away with the
-/// impulses.
+/// Joints take part in the sweeps; the error that these leave in their equations is projected away when the
+/// impulses are applied.
 StepImpulses StepSolver::sweep(const ContactSystem& system, const CoulombProblem& laws) const {
   VelocityProblem problem{{motion_rows(system), laws}, VecX()};
   if (problem.contacts.rows.joints) {

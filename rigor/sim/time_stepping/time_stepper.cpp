@@ -7,7 +7,10 @@
 #include "rigor/geometry/shape/aabb.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/sim/islands/displacement.hpp"
+#include "rigor/sim/method/tolerances.hpp"
 #include "rigor/sim/pairs/near_pairs.hpp"
+#include "rigor/sim/report/energy.hpp"
+#include "rigor/sim/report/ledger.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -80,7 +83,7 @@ void TimeStepper::begin_span([[maybe_unused]] double first_end, State& state) {
 double TimeStepper::step_towards(double t_end, double t, State& state) {
   const double left = t_end - t;
   const double h = take_step(left, state);
-  // The end of a whole step is exact, and a rest that time cannot resolve is none.
+  // The end of a whole step is exact; a remainder below the resolution of time is skipped.
   if (h >= left || state.t + h == state.t) state.t = t_end;
   return state.t;
 }
@@ -110,8 +113,8 @@ void TimeStepper::write(const Cluster& cluster, State& state) const {
   write_prescribed_bodies(state);
 }
 
-/// One step of at most h: what it was. Where what the step leaves out adds energy, it is taken with the form
-/// that adds least, and with halves if that does not help.
+/// One step of at most h; returns its length. Where the error of the step adds energy, it is taken in the
+/// form that adds least, and in halves if that does not help.
 double TimeStepper::take_step(double h, State& state) {
   constexpr int most_halvings = 3;
   constexpr double tolerable = 1e-10;
@@ -141,7 +144,7 @@ double TimeStepper::take_step(double h, State& state) {
   return trial->h;
 }
 
-/// A trial that adds no energy if one of the forms of a step does not.
+/// A trial that adds no energy, if any form of a step does not.
 TimeStepper::Trial TimeStepper::try_calmly(double h, const Energy& before, const State& state) {
   constexpr double rounding = 1e-13, negligible = 1e-12;
   const auto with_gain = [&](Trial trial) {
@@ -158,7 +161,7 @@ TimeStepper::Trial TimeStepper::try_calmly(double h, const Energy& before, const
   Trial trial = with_gain(try_step(h, 0.5, state));
   if (trial.gain <= negligible * (before.kinetic + lift_) || trial.report.impact_gain > 0) return trial;
   Trial safe = with_gain(try_step(trial.h, 1, state));
-  // In between, where energy stays as it is or falls by a little: false position, from the side that gains.
+  // In between the energy stays the same or falls a little: regula falsi, from the side that gains.
   constexpr int most_trials = 3;
   constexpr double beyond = 1.05;
   double low = 0.5, gain = trial.gain;
@@ -171,7 +174,7 @@ TimeStepper::Trial TimeStepper::try_calmly(double h, const Energy& before, const
   return safe.gain < trial.gain ? safe : trial;
 }
 
-/// Halved where the contacts at the begin do not tell those at the end.
+/// A trial of h, halved where the contacts at the beginning do not foretell those at the end.
 TimeStepper::Trial TimeStepper::try_step(double h, double theta, const State& state) {
   constexpr int most_halvings = 6;
   std::vector<double> reaches(at(model_->body_count()), 0.0);
@@ -179,7 +182,7 @@ TimeStepper::Trial TimeStepper::try_step(double h, double theta, const State& st
   bool takes_all = false;
   for (int k = 0;; ++k) {
     Trial trial = try_with_reaches(h, theta, takes_all, state, reaches);
-    // Bodies were pushed where they did not go by themselves.
+    // Bodies were pushed where they would not have gone by themselves: all contacts within reach may act.
     if (!takes_all && trial.misjudgement > 0) {
       takes_all = true;
       continue;
@@ -192,7 +195,6 @@ TimeStepper::Trial TimeStepper::try_step(double h, double theta, const State& st
 TimeStepper::Trial TimeStepper::try_with_reaches(double h, double theta, bool takes_all, const State& state,
                                                  std::vector<double>& reaches) {
   constexpr int most_tries = 12;
-  constexpr double at_once = 1e-9;
   const Cluster start = cluster_in(state);
   std::set<std::pair<int, int>> met;
   for (int k = 0;; ++k) {
@@ -201,7 +203,8 @@ TimeStepper::Trial TimeStepper::try_with_reaches(double h, double theta, bool ta
     // The contacts within reach, and pairs that move so far that their contacts cannot be foreseen.
     Trial trial{start, {}, reaches, h};
     std::vector<Contact> contacts = finder_.find(state, reaches, method_.contact_tolerance);
-    note_penetration(state.t, contacts, trial.report);
+    for (const Contact& contact : contacts)
+      trial.report.note_penetration(-contact.point.gap, contact.body_A, contact.body_B, state.t);
     std::vector<Contact> touching_before = touching_of(contacts);
     std::set<std::pair<int, int>> touching = met;
     for (const Contact& contact : touching_before) touching.insert({contact.body_A, contact.body_B});
@@ -230,8 +233,8 @@ TimeStepper::Trial TimeStepper::try_with_reaches(double h, double theta, bool ta
       correct_overlaps(state, trial);
       return trial;
     }
-    // What meets at once is held by its rows.
-    if (until <= at_once * h) {
+    // Pairs that meet at once are kept apart by the rows of their contacts.
+    if (until <= least_step_share * h) {
       met.insert(far.begin(), far.end());
     } else {
       h = until;
@@ -239,8 +242,8 @@ TimeStepper::Trial TimeStepper::try_with_reaches(double h, double theta, bool ta
   }
 }
 
-/// The parts that these contacts join, each by itself. Returns them as they are after the impacts at the
-/// begin.
+/// Moves the parts that these contacts join, each by itself. Returns them as they are after the impacts at
+/// the beginning.
 Cluster TimeStepper::move_parts(double theta, const Cluster& start, const std::vector<Contact>& contacts,
                                 Trial& trial) const {
   Cluster struck = start;
@@ -255,17 +258,6 @@ Cluster TimeStepper::move_parts(double theta, const Cluster& start, const std::v
     for (std::size_t i = 0; i < part.bodies.size(); ++i) trial.end.phase_of(part.bodies[i]) = part.phases[i];
   }
   return struck;
-}
-
-void TimeStepper::note_penetration(double t, const std::vector<Contact>& contacts,
-                                   AdvanceReport& report) const {
-  for (const Contact& contact : contacts) {
-    if (-contact.point.gap <= report.max_penetration) continue;
-    report.max_penetration = -contact.point.gap;
-    report.penetration_A = contact.body_A;
-    report.penetration_B = contact.body_B;
-    report.penetration_time = t;
-  }
 }
 
 void TimeStepper::grow_reaches(double h, const Cluster& cluster, std::vector<double>& reaches) const {
@@ -300,8 +292,8 @@ bool TimeStepper::moves_far(int a, int b, const std::vector<double>& reaches) co
   return reaches[at(a)] + reaches[at(b)] > share * std::min(thickness_[at(a)], thickness_[at(b)]);
 }
 
-/// Contacts that may act: they touch or could close within twice the step, at the velocities of its begin or
-/// of its end without contacts.
+/// Contacts that may act: they touch or could close within twice the step, at the velocities of its beginning
+/// or of its end without contacts.
 std::vector<Contact> TimeStepper::acting_contacts(double h, const Cluster& start,
                                                   std::vector<Contact> found) const {
   std::vector<Contact> contacts;
@@ -316,7 +308,7 @@ std::vector<Contact> TimeStepper::acting_contacts(double h, const Cluster& start
     const BodyKinetics A = kinetics(contact.body_A), B = kinetics(contact.body_B);
     const Vec3 u = B.velocity_at(contact.p_W()) - A.velocity_at(contact.p_W());
     double rate = std::min(0.0, contact.point.n_W.dot(u));
-    // The convex cone holds what slides at a distance.
+    // The convex cone pushes on contacts that slide at a distance.
     if (method_.cone == ConeMethod::convex) rate -= contact.friction * (u - rate * contact.point.n_W).norm();
     for (const int body : {contact.body_A, contact.body_B}) {
       if (model_->body(body).motion == MotionType::dynamic)
@@ -343,7 +335,7 @@ double TimeStepper::first_meeting(double h, const Cluster& start, const Trial& t
   ToiOptions options;
   options.contact_tolerance = method_.contact_tolerance;
   options.time_tolerance = method_.time_tolerance;
-  options.rest_velocity = 1e-6 * method_.resting_velocity;
+  options.rest_velocity = still_speed(method_.resting_velocity);
   const auto motion = [&](int i) {
     const Body& body = model_->body(i);
     if (body.motion != MotionType::dynamic) return Motion::prescribed(body, start.t);
@@ -367,15 +359,15 @@ double TimeStepper::first_meeting(double h, const Cluster& start, const Trial& t
   return first;
 }
 
-/// Velocities that joints do not allow, as a scene may give them at its start, are put right before the first
-/// step: those that a step leaves take no noticeable part of the energy.
+/// Velocities that joints do not allow, as a scene may have at its start, are projected before the first
+/// step; those that a step leaves take no noticeable part of the energy and stay.
 void TimeStepper::admit_velocities(State& state) {
   constexpr double noticeable = 1e-12;
   if (model_->joints().empty()) return;
   Cluster all = cluster_in(state);
   for (Cluster& part : connected_parts(all, {}, environment_)) {
     AdvanceReport projection;
-    const double energy = totals_of(*model_, part).T;
+    const double energy = totals_of(*model_, part.bodies, part.phases).T;
     joints_.project_velocities(part, projection);
     if (projection.projection_loss <= noticeable * energy) continue;
     report_.add(projection);
@@ -384,7 +376,7 @@ void TimeStepper::admit_velocities(State& state) {
   write(all, state);
 }
 
-/// Positions and velocities of joints are put back, in the metric of the masses.
+/// Projects positions and velocities on the joints, in the metric of the masses.
 void TimeStepper::hold_joints(Cluster& part, AdvanceReport& report) const {
   if (assembler_.joints_of(part.bodies).empty()) return;
   const std::vector<BodyPhase> before = part.phases;
@@ -394,8 +386,8 @@ void TimeStepper::hold_joints(Cluster& part, AdvanceReport& report) const {
   joints_.project_velocities(part, report);
 }
 
-/// Bodies that overlap are put back to touching by the smallest displacements; momenta stay, and so does the
-/// angular momentum about the origin.
+/// Bodies that overlap are moved apart until they touch, by the smallest displacements; momenta stay, and so
+/// does the angular momentum about the origin.
 void TimeStepper::correct_overlaps(const State& state, Trial& trial) {
   constexpr int most_passes = 8;
   std::vector<double> reaches(at(model_->body_count()), 0.0);
@@ -413,7 +405,7 @@ void TimeStepper::correct_overlaps(const State& state, Trial& trial) {
     trial.touching_after = touching_of(contacts);
     largest = std::max(largest, deepest);
     if (deepest <= 0.2 * method_.contact_tolerance) break;
-    // What is near may be in the way.
+    // Nearby bodies may be in the way.
     for (const int body : end.bodies) reaches[at(body)] = 2 * largest;
     if (pass == 0 && deepest > method_.contact_tolerance) continue;
 
@@ -458,7 +450,7 @@ std::set<std::pair<int, int>> TimeStepper::lasting_pairs(const Cluster& cluster,
 }
 
 /// Pairs whose contact begins to last in the step come to rest on each other; pairs whose contact lasted
-/// before and does not any more separate. Both are known to the step only, at its end.
+/// before it and no longer does separate. The times of both are known no better than the end of the step.
 void TimeStepper::note_lasting(const Cluster& start, Trial& trial) const {
   const std::set<std::pair<int, int>> before = lasting_pairs(start, trial.touching_before),
                                       after = lasting_pairs(trial.end, trial.touching_after);
@@ -474,8 +466,8 @@ void TimeStepper::note_lasting(const Cluster& start, Trial& trial) const {
   }
 }
 
-/// Overlap at the end of a step, as a share of what can be put right without a doubt about the side from
-/// which the bodies came, and with a small rotation; 0 if it is a few tolerances.
+/// Overlap at the end of a step, as a share of the depth that can be corrected without doubt about the side
+/// from which the bodies came, and with small rotations; 0 if it is a few tolerances.
 double TimeStepper::misjudgement_of(const Contact& contact) const {
   constexpr double noticeable = 10, share_of_thickness = 0.05, share_of_radius = 0.02;
   const double depth = -contact.point.gap;
