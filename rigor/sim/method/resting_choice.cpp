@@ -1,5 +1,7 @@
 #include "rigor/sim/method/resting_choice.hpp"
 
+#include "rigor/sim/method/tolerances.hpp"
+
 namespace rigor {
 
 RestingChoice resting_choice(const Method& method) {
@@ -12,7 +14,7 @@ double direction_tolerance(const Method& method) {
 }
 
 double slip_tolerance(const Method& method) {
-  return 1e-6 * method.resting_velocity;
+  return still_speed(method.resting_velocity);
 }
 
 }  // namespace rigor
