@@ -1,5 +1,7 @@
 #pragma once
 
+#include "rigor/core/index.hpp"
+
 #include <algorithm>
 #include <functional>
 #include <vector>
@@ -13,6 +15,16 @@ std::vector<T> sorted_unique(std::vector<T> items, const Less& less = {}, const 
   std::sort(items.begin(), items.end(), less);
   items.erase(std::unique(items.begin(), items.end(), equal), items.end());
   return items;
+}
+
+/// Whether the item is in the list, which is in ascending order.
+inline bool holds(const std::vector<int>& ascending, int item) {
+  return std::binary_search(ascending.begin(), ascending.end(), item);
+}
+
+/// Where the item stands in the list, which is in ascending order and has it; else where it would stand.
+inline std::size_t place_of(const std::vector<int>& ascending, int item) {
+  return at(std::lower_bound(ascending.begin(), ascending.end(), item) - ascending.begin());
 }
 
 }  // namespace rigor

@@ -6,6 +6,7 @@
 #include "rigor/contact/impact/sequential_impacts.hpp"
 #include "rigor/contact/impact/single_collision.hpp"
 #include "rigor/contact/resting/rolling_friction.hpp"
+#include "rigor/core/index.hpp"
 
 #include <array>
 #include <cstddef>
@@ -23,7 +24,7 @@ ImpactSolution by_newton_on_all(const ImpactProblem& problem, RestitutionLaw) {
 }
 
 /// A new law is one more row here.
-constexpr std::array rules = {
+constexpr std::array simultaneous_table = {
     SimultaneousRule{SimultaneousLaw::reflections, "reflections",
                      "repeated reflections until nothing approaches",
                      "Smith, Kaufman, Vouga, Tamstorf and Grinspun, Reflections on Simultaneous Impact, 2012",
@@ -36,17 +37,14 @@ constexpr std::array rules = {
                      "Hahn, Realistic Animation of Rigid Bodies, 1988", true, solve_sequential_impacts},
 };
 
-constexpr std::size_t place_of(SimultaneousLaw law) {
-  return static_cast<std::size_t>(law);
-}
-constexpr bool rows_follow_the_enumerators() {
-  for (std::size_t i = 0; i < rules.size(); ++i) {
-    if (place_of(rules[i].law) != i) return false;
+constexpr bool simultaneous_table_is_in_order() {
+  for (std::size_t i = 0; i < simultaneous_table.size(); ++i) {
+    if (at(simultaneous_table[i].law) != i) return false;
   }
   return true;
 }
-static_assert(rules.size() == place_of(SimultaneousLaw::count), "every SimultaneousLaw needs one row");
-static_assert(rows_follow_the_enumerators(), "the rows stand in the order of the enumerators");
+static_assert(simultaneous_table.size() == at(SimultaneousLaw::count), "every SimultaneousLaw needs one row");
+static_assert(simultaneous_table_is_in_order(), "the rows stand in the order of the enumerators");
 
 ImpactSolution resolve_rolling_contact(const ContactSystem& system, double restitution, RestitutionLaw law) {
   const Contact& contact = system.contacts.front();
@@ -61,7 +59,7 @@ ImpactSolution resolve_rolling_contact(const ContactSystem& system, double resti
 }  // namespace
 
 std::span<const SimultaneousRule> simultaneous_rules() {
-  return rules;
+  return simultaneous_table;
 }
 
 ImpactSolution solve_impact(const ContactSystem& system, const std::vector<double>& restitutions,
@@ -74,7 +72,7 @@ ImpactSolution solve_impact(const ContactSystem& system, const std::vector<doubl
 
   // Several contacts are one collision where a patch of them carries it all; else the law for several
   // decides.
-  const SimultaneousRule& rule = rules[place_of(law)];
+  const SimultaneousRule& rule = simultaneous_table[at(law)];
   if (rule.joins_contacts) {
     if (const std::optional<ImpactSolution> single = find_single_collision(problem, collision_law))
       return *single;

@@ -1,5 +1,7 @@
 #include "rigor/contact/impact/restitution_law.hpp"
 
+#include "rigor/core/index.hpp"
+
 #include <array>
 #include <cstddef>
 
@@ -8,7 +10,7 @@ namespace rigor {
 namespace {
 
 /// A new law is one more row here.
-constexpr std::array rules = {
+constexpr std::array restitution_table = {
     RestitutionRule{RestitutionLaw::newton, "newton", "Newton",
                     "relative normal velocity after is -e times before",
                     "Newton, Philosophiae Naturalis Principia Mathematica, 1687", newton_restitution},
@@ -20,26 +22,23 @@ constexpr std::array rules = {
                     "Stronge, Rigid Body Collisions with Friction, 1990", stronge_restitution},
 };
 
-constexpr std::size_t place_of(RestitutionLaw law) {
-  return static_cast<std::size_t>(law);
-}
-constexpr bool rows_follow_the_enumerators() {
-  for (std::size_t i = 0; i < rules.size(); ++i) {
-    if (place_of(rules[i].law) != i) return false;
+constexpr bool restitution_table_is_in_order() {
+  for (std::size_t i = 0; i < restitution_table.size(); ++i) {
+    if (at(restitution_table[i].law) != i) return false;
   }
   return true;
 }
-static_assert(rules.size() == place_of(RestitutionLaw::count), "every RestitutionLaw needs one row");
-static_assert(rows_follow_the_enumerators(), "the rows stand in the order of the enumerators");
+static_assert(restitution_table.size() == at(RestitutionLaw::count), "every RestitutionLaw needs one row");
+static_assert(restitution_table_is_in_order(), "the rows stand in the order of the enumerators");
 
 }  // namespace
 
 std::span<const RestitutionRule> restitution_rules() {
-  return rules;
+  return restitution_table;
 }
 
 const RestitutionRule& rule_of(RestitutionLaw law) {
-  return rules[place_of(law)];
+  return restitution_table[at(law)];
 }
 
 }  // namespace rigor

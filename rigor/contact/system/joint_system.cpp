@@ -2,6 +2,7 @@
 
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/core/sorted_unique.hpp"
 #include "rigor/solver/linear/least_norm.hpp"
 
 #include <algorithm>
@@ -11,12 +12,6 @@
 namespace rigor {
 
 namespace {
-
-std::size_t place_of(const std::vector<int>& ascending, int body) {
-  const auto place = std::lower_bound(ascending.begin(), ascending.end(), body);
-  RIGOR_ASSERT(place != ascending.end() && *place == body);
-  return at(place - ascending.begin());
-}
 
 /// Place of a body among the sides of the rows, which get one more where it has none.
 std::size_t side_of(JointRows& rows, int body) {

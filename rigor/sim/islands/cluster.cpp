@@ -2,6 +2,7 @@
 
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/core/sorted_unique.hpp"
 
 #include <algorithm>
 #include <map>
@@ -11,13 +12,6 @@
 namespace rigor {
 
 namespace {
-
-std::size_t place_of(const std::vector<int>& ascending, int body) {
-  return at(std::lower_bound(ascending.begin(), ascending.end(), body) - ascending.begin());
-}
-bool holds(const std::vector<int>& ascending, int body) {
-  return std::binary_search(ascending.begin(), ascending.end(), body);
-}
 
 /// Representatives of a partition, with path halving.
 class Partition {

@@ -3,6 +3,7 @@
 #include "rigor/contact/impact/joint_stops.hpp"
 #include "rigor/contact/resting/paradox.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/core/sorted_unique.hpp"
 #include "rigor/sim/method/resting_choice.hpp"
 #include "rigor/sim/method/tolerances.hpp"
 #include "rigor/sim/report/ledger.hpp"
@@ -17,10 +18,6 @@
 namespace rigor {
 
 namespace {
-
-bool holds(const std::vector<int>& ascending, int body) {
-  return std::binary_search(ascending.begin(), ascending.end(), body);
-}
 
 /// How far a rotation of the body moves its points [m]: the arm to the end of its shapes, and if it has none
 /// to where its mass is.

@@ -12,22 +12,15 @@ namespace rigor {
 
 namespace {
 
-std::size_t place_of(const std::vector<int>& ascending, int body) {
-  return at(std::lower_bound(ascending.begin(), ascending.end(), body) - ascending.begin());
-}
-bool holds(const std::vector<int>& ascending, int body) {
-  return std::binary_search(ascending.begin(), ascending.end(), body);
-}
-
-Environment::BodyView view_of(const BodyKinetics& body) {
-  return {body.x, body.v, body.w, body.R, body.inverse_mass > 0};
-}
-
 Pose pose_of(const BodyPhase& phase) {
   return {rotation_matrix(phase.q), phase.x};
 }
 
 }  // namespace
+
+Environment::BodyView view_of(const BodyKinetics& body) {
+  return {body.x, body.v, body.w, body.R, body.inverse_mass > 0};
+}
 
 ContactSystemAssembler::ContactSystemAssembler(const Model& model, const Environment& environment)
     : model_(model), environment_(environment), joints_by_body_(joints_by_body(model)) {}

@@ -59,4 +59,7 @@ class ContactSystemAssembler {
   std::vector<std::vector<int>> joints_by_body_;
 };
 
+/// What forces of the environment see of a body.
+Environment::BodyView view_of(const BodyKinetics& body);
+
 }  // namespace rigor

@@ -3,6 +3,7 @@
 #include "rigor/contact/resting/rolling_friction.hpp"
 #include "rigor/contact/system/contact_kinematics.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/core/sorted_unique.hpp"
 #include "rigor/dynamics/dense_phase.hpp"
 #include "rigor/dynamics/step_control.hpp"
 #include "rigor/sim/method/resting_choice.hpp"
@@ -35,13 +36,6 @@ IntegratorName integrator_of(IntegratorMethod method) {
       break;
   }
   return IntegratorName::dopri5;
-}
-
-std::size_t place_of(const std::vector<int>& ascending, int body) {
-  return at(std::lower_bound(ascending.begin(), ascending.end(), body) - ascending.begin());
-}
-Environment::BodyView view_of(const BodyKinetics& body) {
-  return {body.x, body.v, body.w, body.R, body.inverse_mass > 0};
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "rigor/contact/penalty/penalty_rates.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/core/sorted_unique.hpp"
 #include "rigor/dynamics/free_rotation.hpp"
 #include "rigor/sim/penalty/force_rates.hpp"
 #include "rigor/sim/penalty/penalty_forces.hpp"
@@ -24,11 +25,6 @@ constexpr int kick_iterations = 4;
 
 BodyInertia inertia_of(const Body& body) {
   return {body.mass, body.moments};
-}
-
-/// Index of a body in the ascending list that holds it.
-std::size_t place_of(const std::vector<int>& bodies, int body) {
-  return at(static_cast<int>(std::lower_bound(bodies.begin(), bodies.end(), body) - bodies.begin()));
 }
 
 void add(const std::vector<Wrench>& more, std::vector<Wrench>& wrenches) {

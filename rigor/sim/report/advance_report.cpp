@@ -13,7 +13,7 @@ void ParadoxCount::add(const ParadoxCount& later) {
 }
 
 void AdvanceReport::note_penetration(double depth, int A, int B, double t) {
-  if (!(depth > max_penetration)) return;
+  if (depth <= max_penetration) return;
   max_penetration = depth;
   penetration_A = A;
   penetration_B = B;

@@ -2,6 +2,7 @@
 
 #include "rigor/contact/system/contact_kinematics.hpp"
 #include "rigor/contact/system/motion_rows.hpp"
+#include "rigor/core/sorted_unique.hpp"
 #include "rigor/dynamics/free_flight.hpp"
 #include "rigor/math/dense.hpp"
 #include "rigor/math/rotation.hpp"
@@ -93,11 +94,6 @@ VecX closing_rates(const std::vector<Contact>& contacts, const ContactSystem& sy
     if ((rigid - rates).cwiseAbs().maxCoeff() <= resolution) rates = rigid;
   }
   return rates;
-}
-
-std::size_t place_of(const std::vector<int>& ascending, int body) {
-  return static_cast<std::size_t>(std::lower_bound(ascending.begin(), ascending.end(), body) -
-                                  ascending.begin());
 }
 
 }  // namespace

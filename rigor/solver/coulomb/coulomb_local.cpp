@@ -1,5 +1,6 @@
 #include "rigor/solver/coulomb/coulomb_local.hpp"
 
+#include "rigor/core/rounding.hpp"
 #include "rigor/math/dense.hpp"
 #include "rigor/solver/coulomb/cone.hpp"
 
@@ -12,7 +13,6 @@
 namespace rigor {
 namespace {
 
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 // Rounding of a few sums of products, relative to the largest term.
 constexpr double kRounding = 64 * kEpsilon;
 // Two roots closer than this [rad] are one double root, whose halves are known to the square root of ε only.

@@ -15,7 +15,7 @@ using Eigen::Index;
 namespace {
 
 // Relative to the size of the sums they come from: anything smaller is round-off.
-constexpr double kRounding = 1e-12;
+constexpr double kSeedRounding = 1e-12;
 
 /// w = A z + q with lo ≤ z ≤ hi: w = 0 between the bounds, w ≥ 0 at lo, w ≤ 0 at hi. A symmetric positive
 /// semidefinite, lo ≤ 0 ≤ hi. Index after index is driven to its place while those before keep theirs.
@@ -44,10 +44,10 @@ class BoundedPivoting {
 
       // As far as w_d = 0, a bound of a moving index, or w = 0 of a held one that wants to leave its bound.
       Step step{std::numeric_limits<double>::infinity(), -1};
-      if (dw(d) * sign > kRounding * A_(d, d)) step.consider(-w_(d) / dw(d), d);
+      if (dw(d) * sign > kSeedRounding * A_(d, d)) step.consider(-w_(d) / dw(d), d);
       step.consider(room(d, sign), d);
       for (const Index i : free_)
-        if (std::abs(dz(i)) > kRounding) step.consider(room(i, dz(i)), i);
+        if (std::abs(dz(i)) > kSeedRounding) step.consider(room(i, dz(i)), i);
       for (Index i = 0; i < z_.size(); ++i)
         if (i != d && is_held_[at(i)] && crosses(i, dw(i))) step.consider(-w_(i) / dw(i), i);
       if (step.blocking < 0) return;
@@ -76,7 +76,7 @@ class BoundedPivoting {
   };
 
   bool is_placed(Index d) {
-    const double zero = kRounding * size_;
+    const double zero = kSeedRounding * size_;
     if ((w_(d) >= -zero && z_(d) <= lo_(d)) || (w_(d) <= zero && z_(d) >= hi_(d))) return hold(d);
     return std::abs(w_(d)) <= zero && hold(d);
   }
@@ -92,7 +92,7 @@ class BoundedPivoting {
 
   /// Whether a held index wants to leave its bound on the way.
   bool crosses(Index i, double rate) const {
-    if (!(lo_(i) < hi_(i)) || std::abs(rate) <= kRounding * A_(i, i)) return false;
+    if (!(lo_(i) < hi_(i)) || std::abs(rate) <= kSeedRounding * A_(i, i)) return false;
     return (z_(i) <= lo_(i) && rate < 0 && w_(i) >= 0) || (z_(i) >= hi_(i) && rate > 0 && w_(i) <= 0);
   }
 
@@ -106,14 +106,14 @@ class BoundedPivoting {
       is_held_[at(i)] = true;
       return;
     }
-    const bool is_at_bound = i == driven && std::abs(w_(i)) > kRounding * size_;
+    const bool is_at_bound = i == driven && std::abs(w_(i)) > kSeedRounding * size_;
     if (is_at_bound) {
       z_(i) = w_(i) < 0 ? hi_(i) : lo_(i);
       is_held_[at(i)] = true;
       return;
     }
     w_(i) = 0;
-    const bool is_independent = factor_.append(A_(free_, i), A_(i, i), kRounding * A_(i, i));
+    const bool is_independent = factor_.append(A_(free_, i), A_(i, i), kSeedRounding * A_(i, i));
     is_held_[at(i)] = !is_independent;
     if (is_independent) free_.push_back(i);
   }
@@ -231,7 +231,7 @@ LcpSeed seed_by_pyramid(const CoulombProblem& problem) {
   std::vector<bool> sticks(problem.mu.size(), false);
   for (std::size_t s = 0; s < speeds.size(); ++s)
     sticks[speeds[s].second] =
-        !(solution.z(forces + static_cast<Index>(s)) > kRounding * q.cwiseAbs().maxCoeff());
+        !(solution.z(forces + static_cast<Index>(s)) > kSeedRounding * q.cwiseAbs().maxCoeff());
   return {guess_of_pyramid(problem, lambda, sticks), solution.pivots};
 }
 

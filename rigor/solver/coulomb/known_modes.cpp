@@ -2,11 +2,11 @@
 
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/core/rounding.hpp"
 #include "rigor/math/dense.hpp"
 #include "rigor/solver/coulomb/cone.hpp"
 
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace rigor {
@@ -14,8 +14,6 @@ namespace rigor {
 using Eigen::Index;
 
 namespace {
-
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 std::vector<ContactVector> force_directions(const CoulombProblem& problem, const ContactModes& modes) {
   std::vector<ContactVector> columns;

@@ -16,7 +16,7 @@ namespace {
 // Times 1 / the mean diagonal of a contact's block. Longer steps multiply the rounding of the motion into the
 // forces.
 constexpr double kFirstRho = 10;
-constexpr double kLargestRho = 1e4;
+constexpr double kLargestPointRho = 1e4;
 constexpr double kGrowth = 10;
 
 class ProximalPoints {
@@ -60,7 +60,7 @@ class ProximalPoints {
       // The next point, with a longer step.
       lambda_ = next->lambda;
       v_ = motion_.lift(motion_.pull(lambda_));
-      rho_ = std::min(growth * rho_, kLargestRho);
+      rho_ = std::min(growth * rho_, kLargestPointRho);
     }
     return std::nullopt;
   }

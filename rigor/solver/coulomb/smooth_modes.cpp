@@ -1,6 +1,7 @@
 #include "rigor/solver/coulomb/smooth_modes.hpp"
 
 #include "rigor/core/index.hpp"
+#include "rigor/core/rounding.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +14,6 @@ using Eigen::Index;
 
 namespace {
 
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 // A rotation by more than this [rad] in one Newton step is cut: the equations are far from linear in the
 // angle.
 constexpr double kLargestRotation = 0.7;

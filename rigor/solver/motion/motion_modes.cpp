@@ -1,5 +1,6 @@
 #include "rigor/solver/motion/motion_modes.hpp"
 
+#include "rigor/core/rounding.hpp"
 #include "rigor/solver/coulomb/cone.hpp"
 
 #include <cmath>
@@ -11,7 +12,6 @@ using Eigen::Index;
 
 namespace {
 
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 // Parts of A's largest entry that make the node matrices regular. What they do to the solution the next round
 // takes away, by about their ratio to the stiffness of the contacts; but motions that the contacts leave free
 // are known to round-off divided by them. So the larger one comes first, and the smaller one where it is
