@@ -15,7 +15,7 @@ namespace rigor {
 
 namespace {
 
-using Description = ModelBuilder::JointDescription;
+using JointDescription = ModelBuilder::JointDescription;
 
 bool keeps_distance(JointType type) {
   return joint_traits(type).relation == JointRelation::distance;
@@ -36,7 +36,7 @@ bool check_direction(const std::string& quantity, const Vec3& v, Findings& findi
   return findings.require(v.stableNorm() > 0, quantity + " is " + vector_text(v) + ", must have a direction");
 }
 
-void check_axes(const Description& joint, Findings& findings) {
+void check_axes(const JointDescription& joint, Findings& findings) {
   if (!check_direction("axis", joint.axis, findings)) return;
   if (!joint.second_axis) {
     findings.require(joint_traits(joint.type).axes != JointAxes::z_and_x_of_K,
@@ -56,12 +56,12 @@ void check_axes(const Description& joint, Findings& findings) {
 }
 
 /// Length of the joint's line at t = 0; 0 for all but distance joints.
-double start_of(const Description& joint) {
+double start_of(const JointDescription& joint) {
   if (!keeps_distance(joint.type) || joint.anchors.size() != 2) return 0;
   return (joint.anchors[1] - joint.anchors[0]).stableNorm();
 }
 
-bool check_anchors(const Description& joint, Findings& findings) {
+bool check_anchors(const JointDescription& joint, Findings& findings) {
   const JointAnchors anchors = joint_traits(joint.type).anchors;
   const std::size_t count = anchors == JointAnchors::two ? 2 : 1;
   const bool has_anchors =
@@ -77,7 +77,7 @@ bool check_anchors(const Description& joint, Findings& findings) {
   return is_good;
 }
 
-void check_numbers(const Description& joint, Findings& findings) {
+void check_numbers(const JointDescription& joint, Findings& findings) {
   findings.check_name(joint.name);
   if (joint.type == JointType::gear) {
     check_joint_axes(joint.type, joint.axes, 0, findings);
@@ -110,7 +110,8 @@ std::optional<int> find_geared(const std::string& name, const JointTable& joints
   return found->second;
 }
 
-std::optional<Joint> make_gear(const Description& description, const JointTable& joints, Findings& findings) {
+std::optional<Joint> make_gear(const JointDescription& description, const JointTable& joints,
+                               Findings& findings) {
   const std::size_t count = description.joints.size();
   if (!findings.require(count == 2, fmt::format("it names {} joints, must name 2", count)))
     return std::nullopt;
@@ -127,7 +128,7 @@ std::optional<Joint> make_gear(const Description& description, const JointTable&
 }
 
 /// Axes of the joint's frame in W.
-Mat3 frame_of(const Description& joint) {
+Mat3 frame_of(const JointDescription& joint) {
   if (keeps_distance(joint.type)) return Mat3::Identity();
   const Vec3 z = joint.axis.stableNormalized();
   if (!has_second_axis(joint.type)) return frame_with_z(z);
@@ -155,7 +156,7 @@ Vec3 default_anchor(const std::vector<int>& indices, const std::vector<Body>& bo
   return Vec3::Zero();
 }
 
-void place_frames(const Description& description, const std::vector<int>& indices,
+void place_frames(const JointDescription& description, const std::vector<int>& indices,
                   const std::vector<Body>& bodies, Joint& joint) {
   joint.body_A = indices[0];
   joint.body_B = indices[1];
@@ -170,7 +171,7 @@ void place_frames(const Description& description, const std::vector<int>& indice
 
 }  // namespace
 
-std::optional<Joint> make_joint(const Description& description, const std::string& where,
+std::optional<Joint> make_joint(const JointDescription& description, const std::string& where,
                                 const BodyTable& bodies, const JointTable& joints,
                                 std::vector<std::string>& messages) {
   const std::size_t messages_before = messages.size();

@@ -13,6 +13,12 @@ namespace rigor {
 
 namespace {
 
+/// Where the body stands in the system, which has it.
+std::size_t place_in_system(const std::vector<int>& bodies, int body) {
+  RIGOR_ASSERT(holds(bodies, body));
+  return place_of(bodies, body);
+}
+
 /// Place of a body among the sides of the rows, which get one more where it has none.
 std::size_t side_of(JointRows& rows, int body) {
   const auto begin = rows.bodies.begin(), end = begin + rows.side_count;
@@ -50,7 +56,7 @@ std::vector<std::vector<int>> joints_by_body(const Model& model) {
 
 BodyMotion motion_of(int body, const std::vector<int>& bodies, const std::vector<BodyKinetics>& kinetics) {
   if (body == world_body) return {};
-  const BodyKinetics& of_body = kinetics[place_of(bodies, body)];
+  const BodyKinetics& of_body = kinetics[place_in_system(bodies, body)];
   return {of_body.x, of_body.R, of_body.v, of_body.w};
 }
 
@@ -161,7 +167,7 @@ JointSystem::Item JointSystem::make_item(const Model& model, int index, const st
     item.is_grounded |= source->body_A == world_body || source->body_B == world_body;
   for (int side = 0; side < item.rows.side_count; ++side) {
     const std::size_t s = at(side);
-    item.places[s] = place_of(bodies, item.rows.bodies[s]);
+    item.places[s] = place_in_system(bodies, item.rows.bodies[s]);
     item.is_grounded |= kinetics[item.places[s]].inverse_mass == 0;
     if (item.rows.bodies[s] == joint.body_B) item.side_B = side;
   }

@@ -19,7 +19,7 @@ namespace rigor {
 
 namespace {
 
-using Description = ModelBuilder::JointDescription;
+using JointDescription = ModelBuilder::JointDescription;
 using Indices = std::array<int, 3>;
 
 /// The type of a key table of the family "joint".
@@ -76,7 +76,7 @@ std::vector<JointAxis> read_coordinates(const ObjectReader& joint, JointType typ
   return axes;
 }
 
-void read_places(const ObjectReader& joint, Description& description) {
+void read_places(const ObjectReader& joint, JointDescription& description) {
   const JointTraits& traits = joint_traits(description.type);
   if (traits.anchors == JointAnchors::two) {
     description.anchors = joint.vectors("anchors");
@@ -93,7 +93,7 @@ void read_places(const ObjectReader& joint, Description& description) {
   if (traits.relation == JointRelation::screw) description.pitch = joint.number("pitch").value_or(0);
 }
 
-void read_body_joint(const ObjectReader& joint, Description& description) {
+void read_body_joint(const ObjectReader& joint, JointDescription& description) {
   const JointType type = description.type;
   description.bodies = joint.names("bodies");
   description.collide = joint.flag("collide").value_or(false);
@@ -142,8 +142,9 @@ std::string indexed_name(const std::string& name, const Indices& indices) {
   return text;
 }
 
-Description indexed_copy(const Description& description, const Indices& indices, const Vec3& spacing) {
-  Description copy = description;
+JointDescription indexed_copy(const JointDescription& description, const Indices& indices,
+                              const Vec3& spacing) {
+  JointDescription copy = description;
   copy.name += fmt::format("[{},{},{}]", indices[0], indices[1], indices[2]);
   for (std::string& name : copy.bodies) name = indexed_name(name, indices);
   for (std::string& name : copy.joints) name = indexed_name(name, indices);
@@ -175,7 +176,7 @@ void JointReader::read(const YamlNode& node, std::size_t index) {
   const std::size_t errors_before = errors_.count();
   const ObjectReader joint(node, *table, whose_text("joint", node, index) + " (" + table->object + ")",
                            errors_);
-  Description description;
+  JointDescription description;
   description.type = type_of(table->object);
   description.name = joint.text("name").value_or("");
   if (description.type == JointType::gear) {
@@ -201,7 +202,7 @@ bool JointReader::has_room(const ObjectReader& joint, double count) {
   return false;
 }
 
-void JointReader::add(const ObjectReader& joint, const Description& description) {
+void JointReader::add(const ObjectReader& joint, const JointDescription& description) {
   const std::string where = errors_.where(joint.node());
   if (!joint.has("repeat")) {
     if (has_room(joint, 1)) builder_.add_joint(description, where);
