@@ -5,6 +5,7 @@
 #include "rigor/contact/impact/rolling_friction_collision.hpp"
 #include "rigor/contact/impact/sequential_impacts.hpp"
 #include "rigor/contact/impact/single_collision.hpp"
+#include "rigor/contact/impact/velocity_projection.hpp"
 #include "rigor/contact/resting/rolling_friction.hpp"
 
 #include <optional>
@@ -35,6 +36,8 @@ ImpactSolution solve_impact(const ContactSystem& system, const std::vector<doubl
   const ImpactProblem problem = make_impact_problem(system, restitutions);
   if (problem.count() == 1) return resolve_lone_contact(problem, collision_law);
   if (law == SimultaneousLaw::lcp) return solve_newton_impacts(problem);
+  if (law == SimultaneousLaw::projection) return solve_projection(system, problem);
+  if (law == SimultaneousLaw::moreau) return solve_moreau(system, problem);
   if (const std::optional<ImpactSolution> single = find_single_collision(problem, collision_law))
     return *single;
   return law == SimultaneousLaw::sequential ? solve_sequential_impacts(problem, collision_law)

@@ -142,14 +142,14 @@ double add_friction(const ImpactProblem& problem, VecX& lambda) {
   return found.residual;
 }
 
-ImpactSolution solve_reflections(const ImpactProblem& problem) {
+ImpactSolution blend_with_plastic(const ImpactProblem& problem, const std::function<VecX()>& elastic) {
   const CoulombSolution plastic = solve_plastic(problem, problem.u);
   ImpactSolution solution{plastic.lambda, plastic.residual, plastic.converged, plastic.iterations};
   const bool is_plastic = std::all_of(problem.contacts.begin(), problem.contacts.end(),
                                       [](const ImpactContact& contact) { return contact.restitution == 0; });
   if (is_plastic) return solution;
 
-  solution.lambda = blended(problem, plastic.lambda, generalised_reflections(problem));
+  solution.lambda = blended(problem, plastic.lambda, elastic());
   solution.residual = std::max(solution.residual, add_friction(problem, solution.lambda));
   const VecX u = problem.u + problem.A * solution.lambda;
   if (fastest_approach(u) <= rounding_speed(problem.u)) return solution;
@@ -159,6 +159,10 @@ ImpactSolution solve_reflections(const ImpactProblem& problem) {
   solution.converged = solution.converged && last.converged;
   solution.iterations = std::max(solution.iterations, last.iterations);
   return solution;
+}
+
+ImpactSolution solve_reflections(const ImpactProblem& problem) {
+  return blend_with_plastic(problem, [&] { return generalised_reflections(problem); });
 }
 
 }  // namespace rigor

@@ -15,12 +15,12 @@ std::optional<ImpactSolution> find_reversal(const ImpactProblem& problem) {
 }
 
 MicroCollision::MicroCollision(const IslandIntegrator& integrator, const ContactResolver& resolver,
-                               const Method& method, bool reverses)
+                               const Method& method)
     : integrator_(integrator),
       resolver_(resolver),
       law_(restitution_law(method.impact)),
       envelope_(method.contact_tolerance),
-      reverses_(reverses) {}
+      is_patched_(method.micro_collisions == MicroCollisionMethod::patched) {}
 
 double MicroCollision::slow_speed(const ContactSystem& system, double t) const {
   // Several contacts of a body exchange their bounces: what one of them gets is not lost to it.
@@ -50,7 +50,7 @@ void MicroCollision::collide(Cluster& cluster, AdvanceReport& report) const {
   const bool resists_turning = std::any_of(contacts.begin(), contacts.end(), [](const Contact& contact) {
     return contact.rolling_friction > 0 || contact.torsional_friction > 0;
   });
-  if (reverses_ && approach <= slow && !resists_turning) {
+  if (is_patched_ && approach <= slow && !resists_turning) {
     if (const auto reversal = find_reversal(make_impact_problem(system, restitutions)))
       return resolver_.apply_impact(system, *reversal, cluster, report);
   }

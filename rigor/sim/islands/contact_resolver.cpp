@@ -31,6 +31,10 @@ SimultaneousLaw simultaneous_law(SimultaneousMethod method) {
       return SimultaneousLaw::reflections;
     case SimultaneousMethod::lcp:
       return SimultaneousLaw::lcp;
+    case SimultaneousMethod::projection:
+      return SimultaneousLaw::projection;
+    case SimultaneousMethod::moreau:
+      return SimultaneousLaw::moreau;
     case SimultaneousMethod::sequential:
       break;
   }

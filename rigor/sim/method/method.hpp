@@ -18,10 +18,12 @@ enum class IntegratorMethod { exact, euler, semi_implicit_euler, midpoint, rk4, 
 enum class DistanceMethod { gjk, lin_canny };
 enum class ToiMethod { conservative, ratio, bisection };
 enum class ImpactMethod { newton, poisson, stronge };
-enum class SimultaneousMethod { reflections, lcp, sequential };
+enum class SimultaneousMethod { reflections, lcp, sequential, projection, moreau };
 enum class RestingMethod { contact_space, motion_space };
 /// Of contact space, also where motion space hands over to it.
 enum class LcpMethod { dantzig, lemke };
+/// Of the impulse-based scheme: what its slow collisions do about creep (micro_collision.hpp).
+enum class MicroCollisionMethod { patched, plain };
 /// Springs at each contact by themselves, or all together in one system.
 enum class PenaltyMethod { local, global };
 /// Normal law of penalty contacts.
@@ -43,6 +45,7 @@ struct Method {
   SimultaneousMethod simultaneous = SimultaneousMethod::reflections;
   RestingMethod resting = RestingMethod::motion_space;
   LcpMethod lcp = LcpMethod::dantzig;
+  MicroCollisionMethod micro_collisions = MicroCollisionMethod::patched;
   PenaltyMethod penalty = PenaltyMethod::local;
   PenaltyLaw penalty_law = PenaltyLaw::linear;
   SolverMethod solver = SolverMethod::exact;

@@ -84,6 +84,14 @@ std::span<const MethodChoice> method_choices() {
                    true},
       MethodChoice{"simultaneous", "sequential", "one impact after the other, the fastest first",
                    "Hahn, Realistic Animation of Rigid Bodies, 1988", true},
+      MethodChoice{"simultaneous", "projection",
+                   "nearest admissible velocities, Newton's -e u_n at each contact; can gain energy",
+                   "Redon, Kheddar and Coquillart, Gauss' Least Constraints Principle and Rigid Body "
+                   "Simulations, 2002",
+                   true},
+      MethodChoice{"simultaneous", "moreau",
+                   "projection on velocities, passed beyond by e; the energy never grows",
+                   "Moreau, Unilateral Contact and Dry Friction in Finite Freedom Dynamics, 1988", true},
 
       MethodChoice{"resting", "contact-space", "contact forces from a complementarity problem",
                    "Baraff, Fast Contact Force Computation for Nonpenetrating Rigid Bodies, 1994", true},
@@ -96,6 +104,11 @@ std::span<const MethodChoice> method_choices() {
                    "Baraff, Fast Contact Force Computation for Nonpenetrating Rigid Bodies, 1994", true},
       MethodChoice{"lcp", "lemke", "complementary pivots with a covering vector",
                    "Lemke, Bimatrix Equilibrium Points and Mathematical Programming, 1965", true},
+
+      MethodChoice{"micro_collisions", "patched", "slow ones reverse the velocity: nothing creeps on slopes",
+                   "Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, 1996", true},
+      MethodChoice{"micro_collisions", "plain", "all by the law of impact: what rests on a slope creeps",
+                   "Mirtich and Canny, Impulse-based Simulation of Rigid Bodies, 1995", true},
 
       MethodChoice{"penalty", "local", "a spring and a damper at each contact by itself, in sub-steps",
                    "Moore and Wilhelms, Collision Detection and Response for Computer Animation, 1988", true},
