@@ -31,10 +31,8 @@ class Listing {
       if (!speaks({choice.key, choice.value, choice.meaning, choice.source})) continue;
       if (choice.key != previous) fmt::print("{}\n", toned(choice.key, Tone::strong, stdout));
       previous = choice.key;
-      const bool is_default = choice.is_available && method_choice(defaults, choice.key) == choice.value;
-      const char* const mark = !choice.is_available ? "later" : is_default ? "default" : "yes";
-      fmt::print("  {:<20} {} {}\n", choice.value,
-                 toned(fmt::format("{:<8}", mark), choice.is_available ? Tone::good : Tone::doubtful, stdout),
+      const char* const mark = method_choice(defaults, choice.key) == choice.value ? "default" : "";
+      fmt::print("  {:<20} {} {}\n", choice.value, toned(fmt::format("{:<8}", mark), Tone::good, stdout),
                  choice.meaning);
       fmt::print("  {:<20} {:<8} {}\n", "", "", choice.source);
     }
@@ -94,9 +92,8 @@ ExitCode execute(const MethodsOptions& options) {
   for (const std::string& part : options.words) word += (word.empty() ? "" : " ") + part;
   if (word.empty())
     fmt::print(
-        "Choices of 'method' in a scene, or --set method.KEY=VALUE. default, yes: in this version; later: "
-        "not "
-        "yet.\n'rigor methods WORD' says what stands for a word of the courses, and finds choices and "
+        "Choices of 'method' in a scene, or --set method.KEY=VALUE; 'default' marks what holds without "
+        "one.\n'rigor methods WORD' says what stands for a word of the courses, and finds choices and "
         "authors.\n\n");
   Listing listing(word);
   listing.print_choices();

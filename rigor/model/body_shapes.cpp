@@ -1,66 +1,36 @@
 #include "rigor/model/body_shapes.hpp"
 
+#include "rigor/geometry/shape/shape_data.hpp"
+
 #include <algorithm>
 #include <cstring>
 #include <functional>
-#include <type_traits>
 #include <variant>
 
 namespace rigor {
 
 namespace {
 
-bool are_equal(const Sphere& a, const Sphere& b) {
-  return a.radius == b.radius;
-}
-bool are_equal(const Box& a, const Box& b) {
-  return a.half_extents == b.half_extents;
-}
-bool are_equal(const Capsule& a, const Capsule& b) {
-  return a.radius == b.radius && a.half_length == b.half_length;
-}
-bool are_equal(const Cylinder& a, const Cylinder& b) {
-  return a.radius == b.radius && a.half_length == b.half_length;
-}
-bool are_equal(const Cone& a, const Cone& b) {
-  return a.radius == b.radius && a.half_length == b.half_length;
-}
-bool are_equal(const Ellipsoid& a, const Ellipsoid& b) {
-  return a.radii == b.radii;
-}
-bool are_equal(const HalfSpace& a, const HalfSpace& b) {
-  return a.normal == b.normal && a.offset == b.offset;
-}
-bool are_equal(const Convex& a, const Convex& b) {
-  return a.hull == b.hull;
-}
-bool are_equal(const Mesh& a, const Mesh& b) {
-  return a.mesh == b.mesh && a.tree == b.tree && a.solid == b.solid;
-}
-bool are_equal(const Cavity& a, const Cavity& b) {
-  return a.radius == b.radius;
+/// Whether the shapes are the same one: shared data are not compared number by number.
+bool are_equal(const Shape& a, const Shape& b) {
+  if (a.index() != b.index()) return false;
+  if (const Mesh* const mesh = std::get_if<Mesh>(&a)) {
+    const Mesh& other = std::get<Mesh>(b);
+    return mesh->mesh == other.mesh && mesh->tree == other.tree && mesh->solid == other.solid;
+  }
+  const ShapeData of_a = shape_data(a), of_b = shape_data(b);
+  return of_a.shared == of_b.shared && std::ranges::equal(of_a.numbers(), of_b.numbers());
 }
 
 bool are_same(const BodyShape& a, const BodyShape& b) {
-  const bool has_same_form =
-      a.shape.index() == b.shape.index() &&
-      std::visit(
-          [&](const auto& form) {
-            return are_equal(form, std::get<std::remove_cvref_t<decltype(form)>>(b.shape));
-          },
-          a.shape);
-  // Bit by bit, so that a pose keeps the signs of its zeros.
-  return has_same_form && std::memcmp(&a.X_BS, &b.X_BS, sizeof(Pose)) == 0 && a.material == b.material &&
-         a.radius == b.radius && a.color == b.color;
+  // Poses are compared bit by bit, so that they keep the signs of their zeros.
+  return are_equal(a.shape, b.shape) && std::memcmp(&a.X_BS, &b.X_BS, sizeof(Pose)) == 0 &&
+         a.material == b.material && a.radius == b.radius && a.color == b.color;
 }
 
-/// Equal for shapes that are the same.
+/// Equal for equal shapes.
 std::size_t hash_of(const BodyShape& shape) {
-  const Convex* const convex = std::get_if<Convex>(&shape.shape);
-  const Mesh* const mesh = std::get_if<Mesh>(&shape.shape);
-  const void* const form = convex ? static_cast<const void*>(convex->hull.get())
-                           : mesh ? mesh->mesh.get()
-                                  : nullptr;
+  const void* const form = shape_data(shape.shape).shared;
   std::size_t hash = shape.shape.index();
   for (const std::size_t part : {std::hash<double>()(shape.radius), std::hash<const void*>()(form),
                                  std::hash<double>()(shape.X_BS.p.x()),

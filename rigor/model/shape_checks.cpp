@@ -2,9 +2,11 @@
 
 #include "rigor/geometry/mesh/mesh_check.hpp"
 #include "rigor/geometry/shape/convex_hull.hpp"
+#include "rigor/geometry/shape/shape_data.hpp"
 #include "rigor/geometry/shape/triangle_mesh.hpp"
 #include "rigor/model/limits.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rigor {
@@ -78,6 +80,17 @@ struct ShapeCheck {
     return errors.empty() && vertices_in_range(s.mesh->vertices);
   }
 
+  bool operator()(const Revolution& s) {
+    if (!findings.require(s.rings && s.rings->size() >= 2, what + ": it has no profile")) return false;
+    double largest = 0;
+    for (const Ring& ring : *s.rings) {
+      largest = std::max(largest, ring.radius);
+      if (!findings.check(what + ": z of the profile", ring.z, limits::position, "m")) return false;
+    }
+    const bool radius_is_good = size("largest radius", largest);
+    return size("height", s.rings->back().z - s.rings->front().z) && radius_is_good;
+  }
+
   bool vertices_in_range(const std::vector<Vec3>& vertices) {
     for (const Vec3& vertex : vertices) {
       if (!findings.check(what + ": a vertex", vertex, limits::position, "m")) return false;
@@ -99,9 +112,7 @@ bool check_shape(const Shape& shape, bool needs_volume, const std::string& what,
 }
 
 MassProperties shape_mass(const Shape& shape, double density, ShapeMemory& memory) {
-  const void* shared = nullptr;
-  if (const Convex* convex = std::get_if<Convex>(&shape)) shared = convex->hull.get();
-  if (const Mesh* mesh = std::get_if<Mesh>(&shape)) shared = mesh->mesh.get();
+  const void* const shared = shape_data(shape).shared;
   if (!shared) return mass_properties(shape, density);
 
   const auto [entry, is_new] = memory.of_unit_density.try_emplace(shared);

@@ -4,6 +4,7 @@
 #include "rigor/core/index.hpp"
 #include "rigor/geometry/lanes/lane_target.hpp"
 #include "rigor/geometry/shape/aabb.hpp"
+#include "rigor/geometry/shape/corner_balls.hpp"
 #include "rigor/geometry/shape/support.hpp"
 
 #include <algorithm>
@@ -60,13 +61,6 @@ void set_rotation(const Quat& q_WB, float* R) {
   R[6] = 2 * (x * z - w * y), R[7] = 2 * (y * z + w * x), R[8] = 1 - 2 * (x * x + y * y);
 }
 
-/// Radius of the round part of a shape that is a core and all near it [m].
-double round_radius(const Shape& shape) {
-  if (const Sphere* sphere = std::get_if<Sphere>(&shape)) return sphere->radius;
-  if (const Capsule* capsule = std::get_if<Capsule>(&shape)) return capsule->radius;
-  return 0;
-}
-
 /// A little more, so that rounding to 32 bits takes nothing away.
 float rounded_up(double x) {
   return static_cast<float>(x * (1 + 1e-6));
@@ -77,7 +71,7 @@ float rounded_up(double x) {
 ShapeBound make_shape_bound(const BodyShape& shape) {
   const Aabb box = axis_aligned_box(shape.shape, Pose{});
   const Vec3 center_S = 0.5 * (box.lower + box.upper);
-  const double radius = round_radius(shape.shape);
+  const double radius = corner_radius(shape.shape);
   const Vec3 half = 0.5 * (box.upper - box.lower) - Vec3::Constant(radius);
   const Vec3 center_B = shape.X_BS * center_S;
   ShapeBound bound{};

@@ -166,42 +166,62 @@ FloatHulls::FloatHulls() {
   point = std::make_shared<const FloatHull>(make_line({Vec3::Zero()}));
 }
 
-BulkShape make_bulk_shape(const BodyShape& shape, FloatHulls& hulls) {
-  BulkShape bulk{.shape = &shape.shape, .X_BS = shape.X_BS};
-  bulk.is_body_frame = shape.X_BS.R.isIdentity(0) && shape.X_BS.p.isZero(0);
-  if (const Sphere* const sphere = std::get_if<Sphere>(&shape.shape)) {
+namespace {
+
+/// Fills in the kind, and with it the core of those that the narrow phase treats in 32 bits.
+struct FillCore {
+  FloatHulls& hulls;
+  BulkShape& bulk;
+
+  void operator()(const Sphere& s) const {
     bulk.kind = BulkShape::Kind::round;
     bulk.hull = hulls.point;
-    bulk.radius = static_cast<float>(sphere->radius);
-  } else if (const Capsule* const capsule = std::get_if<Capsule>(&shape.shape)) {
+    bulk.radius = static_cast<float>(s.radius);
+  }
+  void operator()(const Capsule& s) const {
     bulk.kind = BulkShape::Kind::round;
     bulk.hull = hulls.segment;
-    bulk.radius = static_cast<float>(capsule->radius);
-    bulk.extent = static_cast<float>(capsule->half_length);
+    bulk.radius = static_cast<float>(s.radius);
+    bulk.extent = static_cast<float>(s.half_length);
     bulk.scale.z() = bulk.extent;
     bulk.ball_way.z() = bulk.extent;
-  } else if (const Box* const box = std::get_if<Box>(&shape.shape)) {
+  }
+  void operator()(const Box& s) const {
     bulk.kind = BulkShape::Kind::box;
     bulk.hull = hulls.box;
-    bulk.scale = box->half_extents.cast<float>();
+    bulk.scale = s.half_extents.cast<float>();
     bulk.extent = bulk.scale.norm();
     bulk.ball_way = bulk.scale - Vec3f::Constant(bulk.hull->inner * bulk.scale.minCoeff());
-  } else if (std::holds_alternative<HalfSpace>(shape.shape)) {
-    bulk.kind = BulkShape::Kind::plane;
-  } else if (const Convex* const convex = std::get_if<Convex>(&shape.shape);
-             convex != nullptr && convex->hull->edges.size() < kMaxHullEdges) {
+  }
+  void operator()(const HalfSpace&) const { bulk.kind = BulkShape::Kind::plane; }
+  void operator()(const Convex& s) const {
+    if (s.hull->edges.size() >= kMaxHullEdges) return;
     bulk.kind = BulkShape::Kind::hull;
     const auto known = std::find_if(hulls.convex.begin(), hulls.convex.end(),
-                                    [&](const auto& entry) { return entry.first == convex->hull.get(); });
+                                    [&](const auto& entry) { return entry.first == s.hull.get(); });
     if (known != hulls.convex.end()) {
       bulk.hull = known->second;
     } else {
-      bulk.hull =
-          std::make_shared<const FloatHull>(make_float_hull(convex->hull->features, convex->hull->vertices));
-      hulls.convex.emplace_back(convex->hull.get(), bulk.hull);
+      bulk.hull = std::make_shared<const FloatHull>(make_float_hull(s.hull->features, s.hull->vertices));
+      hulls.convex.emplace_back(s.hull.get(), bulk.hull);
     }
     bulk.extent = bulk.hull->extent;
   }
+  // Only double precision treats these.
+  void operator()(const Cylinder&) const {}
+  void operator()(const Cone&) const {}
+  void operator()(const Ellipsoid&) const {}
+  void operator()(const Cavity&) const {}
+  void operator()(const Mesh&) const {}
+  void operator()(const Revolution&) const {}
+};
+
+}  // namespace
+
+BulkShape make_bulk_shape(const BodyShape& shape, FloatHulls& hulls) {
+  BulkShape bulk{.shape = &shape.shape, .X_BS = shape.X_BS};
+  bulk.is_body_frame = shape.X_BS.R.isIdentity(0) && shape.X_BS.p.isZero(0);
+  std::visit(FillCore{hulls, bulk}, shape.shape);
   return bulk;
 }
 

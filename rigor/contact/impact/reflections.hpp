@@ -8,13 +8,13 @@ namespace rigor {
 
 /// Several impacts at one instant by generalised reflections with restitution and friction:
 ///
-///   λ_P   plastic impulses: Coulomb's law with e = 0 on all contacts, exact cones;
-///   λ_R   elastic impulses: u is reflected about all contacts that approach, again and again until none
-///   does; λ     λ_P + e (λ_R - λ_P), contact by contact; different e are drawn together where they would
-///   give back
-///         more energy than Σ e_i of what each contact's compression took;
-///         then friction: of all tangential impulses |λ_t| ≤ μ λ_n those that leave the least energy;
-///         then a plastic impact of what friction brought together.
+///   λ_P  plastic impulses: Coulomb's law with e = 0 on all contacts, exact cones;
+///   λ_R  elastic impulses: u is reflected about all contacts that approach, until none does;
+///   λ    λ_P + e (λ_R - λ_P), contact by contact; different e move towards the smallest where they would
+///   give
+///        back more energy than Σ e_i of what each contact's compression took;
+///        then friction: of all tangential impulses |λ_t| ≤ μ λ_n those that leave the least energy;
+///        then a plastic impact of the contacts that friction made approach.
 ///
 /// Nothing approaches afterwards, momentum is exact, impulses are in the cones, and the energy never grows:
 /// it is a convex function of λ that is at most its value before at λ_P and λ_R (docs/theory/

@@ -41,20 +41,23 @@ Eigen::Matrix<double, 2, Eigen::Dynamic> flat_directions(const SurfaceCurvature&
 /// system in units of the length ℓ (so that it does not depend on the unit of length).
 WitnessMotion witness_motion_general(const Contact& contact, const BodyKinetics& A, const BodyKinetics& B,
                                      const Vec3& u_W) {
+  // The tangent plane, and the unit of length ℓ.
   const ContactPoint& point = contact.point;
   const Mat3 C = frame_with_z(point.n_W);
   const Eigen::Matrix<double, 3, 2> T = C.leftCols<2>();
   const double length = (point.p_WA - A.x).norm() + (point.p_WB - B.x).norm();
   const double unit = length > 0 ? length : 1;
 
+  // Curvature, flat directions and rates (of normals fixed to the bodies, of sliding) in the tangent plane.
   const Mat2 H_A = T.transpose() * point.curvature_A.radius_W * T / unit;
   const Mat2 H_B = T.transpose() * point.curvature_B.radius_W * T / unit;
   const Eigen::Matrix<double, 2, Eigen::Dynamic> D_A = flat_directions(point.curvature_A, T);
   const Eigen::Matrix<double, 2, Eigen::Dynamic> D_B = flat_directions(point.curvature_B, T);
-  const Vec2 turn_A = T.transpose() * A.w.cross(point.n_W);
-  const Vec2 turn_B = T.transpose() * B.w.cross(point.n_W);
+  const Vec2 n_rate_A = T.transpose() * A.w.cross(point.n_W);
+  const Vec2 n_rate_B = T.transpose() * B.w.cross(point.n_W);
   const Vec2 u_t = T.transpose() * u_W / unit;
 
+  // The equations of acceleration_bias: u_t + s_B - s_A = g ṅ, then Dᵀ (ṅ - ω × n) = 0 of both bodies.
   const Eigen::Index flats_A = D_A.cols(), flats_B = D_B.cols(), size = 2 + flats_A + flats_B;
   MatX system = MatX::Zero(size, size);
   VecX right(size);
@@ -63,12 +66,13 @@ WitnessMotion witness_motion_general(const Contact& contact, const BodyKinetics&
   system.block(0, 2 + flats_A, 2, flats_B) = D_B;
   system.block(2, 0, flats_A, 2) = D_A.transpose();
   system.block(2 + flats_A, 0, flats_B, 2) = D_B.transpose();
-  right << -u_t - H_A * turn_A - H_B * turn_B, D_A.transpose() * turn_A, D_B.transpose() * turn_B;
+  right << -u_t - H_A * n_rate_A - H_B * n_rate_B, D_A.transpose() * n_rate_A, D_B.transpose() * n_rate_B;
 
+  // Where several motions solve them, the smallest one.
   const VecX solution = least_norm_solution(system, right);
   const Vec2 n_rate = solution.head<2>();
-  const Vec2 s_A = unit * (H_A * (n_rate - turn_A) + D_A * solution.segment(2, flats_A));
-  const Vec2 s_B = unit * (-H_B * (n_rate - turn_B) + D_B * solution.tail(flats_B));
+  const Vec2 s_A = unit * (H_A * (n_rate - n_rate_A) + D_A * solution.segment(2, flats_A));
+  const Vec2 s_B = unit * (-H_B * (n_rate - n_rate_B) + D_B * solution.tail(flats_B));
   return {T * n_rate, T * s_A, T * s_B};
 }
 
@@ -96,8 +100,12 @@ WitnessMotion witness_motion(const Contact& contact, const BodyKinetics& A, cons
 
 Vec3 acceleration_bias(const Contact& contact, const BodyKinetics& A, const BodyKinetics& B) {
   const ContactPoint& point = contact.point;
+
+  // How the normal and the witness points move.
   const WitnessMotion motion = witness_motion(contact, A, B);
   const Vec3 u_W = B.velocity_at(contact.p_W()) - A.velocity_at(contact.p_W());
+
+  // d/dt of Cᵀ (v_B + ω_B × r_B - v_A - ω_A × r_A) without v̇ and ω̇.
   const Vec3 of_B = B.w.cross(B.w.cross(contact.p_W() - B.x) + motion.s_B);
   const Vec3 of_A = A.w.cross(A.w.cross(contact.p_W() - A.x) + motion.s_A);
   Vec3 bias = frame_with_z(point.n_W).transpose() * (of_B - of_A);
@@ -116,35 +124,47 @@ Vec3 carried_direction(const Pose& before, const Pose& after, const Vec3& d_W) {
   return after.R * (before.R.transpose() * d_W);
 }
 
+bool has_core(const Shape& shape) {
+  return !is_unbounded(shape) && !std::holds_alternative<Mesh>(shape);
+}
+
+/// Of a core of rings whether its sides are parallel to the axis: a cylinder.
+bool is_cylinder(const ConvexCore& core) {
+  return core.kind == ConvexCore::Kind::rings && core.rings.empty() && core.size.x() == core.size.y();
+}
+
 /// Radius of a shape whose surface lies at one distance from a core (ball, capsule, side of a cylinder); 0
 /// for others.
 double round_radius(const Shape& shape) {
-  if (const Sphere* sphere = std::get_if<Sphere>(&shape)) return sphere->radius;
-  if (const Capsule* capsule = std::get_if<Capsule>(&shape)) return capsule->radius;
-  if (const Cylinder* cylinder = std::get_if<Cylinder>(&shape)) return cylinder->radius;
-  return 0;
+  if (!has_core(shape)) return 0;
+  const ConvexCore core = make_core(shape);
+  return is_cylinder(core) ? core.size.x() : core.radius;
 }
 
 /// Whether the surface at the contact is part of such a round surface (not a cylinder's rim or cap).
 bool is_round(const BodyShape& shape, const SurfaceCurvature& surface) {
-  if (surface.radius_W.isZero(0)) return false;
-  return !std::holds_alternative<Cylinder>(shape.shape) ? round_radius(shape.shape) > 0
-                                                        : surface.flat_count == 1;
+  if (surface.radius_W.isZero(0) || round_radius(shape.shape) == 0) return false;
+  return !is_cylinder(make_core(shape.shape)) || surface.flat_count == 1;
 }
 
-/// A cylinder that leans on a face with its rim or with an end of its side's line, seen in W.
-struct LeaningCylinder {
-  Vec3 axis, middle;  ///< Unit; centre of the cylinder.
+/// A rim, or the end of a line on a ruled side, that leans on a face: a circle about an axis, seen in W.
+struct LeaningCircle {
+  Vec3 axis, middle;  ///< Unit; origin of the shape, which the axis passes.
   double radius;
 };
 
-/// Such a cylinder, if the contact is one: its normal turns about the axis, so neither a face nor an edge.
-std::optional<LeaningCylinder> leaning_cylinder(const BodyShape& shape, const SurfaceCurvature& surface,
-                                                const Pose& X_WB) {
-  const Cylinder* cylinder = std::get_if<Cylinder>(&shape.shape);
-  if (!cylinder || surface.flat_count > 0 || surface.radius_W.isZero(0)) return std::nullopt;
+/// Such a circle through p_W, if the contact is at one: its normal rotates about the axis, so neither at a
+/// face nor at an edge. (A cone leans with the rim of its base, which its support finds.)
+std::optional<LeaningCircle> leaning_circle(const BodyShape& shape, const SurfaceCurvature& surface,
+                                            const Pose& X_WB, const Vec3& p_W) {
+  if (!has_core(shape.shape) || surface.flat_count > 0 || surface.radius_W.isZero(0)) return std::nullopt;
+  const ConvexCore core = make_core(shape.shape);
+  if (core.kind != ConvexCore::Kind::rings || (core.rings.empty() && !is_cylinder(core))) return std::nullopt;
   const Pose X_WS = X_WB * shape.X_BS;
-  return LeaningCylinder{X_WS.R.col(2), X_WS.p, cylinder->radius};
+  const Vec3 axis = X_WS.R.col(2);
+  if (core.rings.empty()) return LeaningCircle{axis, X_WS.p, core.size.x()};
+  const Vec3 p_S = p_W - X_WS.p;
+  return LeaningCircle{axis, X_WS.p, (p_S - p_S.dot(axis) * axis).norm()};
 }
 
 /// Where the surface that leans on a face touches now; m_W0 and m_W are its outward normals before and now.
@@ -157,19 +177,21 @@ Vec3 leaning_point(const BodyShape& shape, const SurfaceCurvature& surface, cons
     return carried_point(before, after, p_W0 - radius * m_W0) + radius * m_W;
   }
   if (surface.radius_W.isZero(0) || surface.flat_count > 0) return carried_point(before, after, p_W0);
-  if (const std::optional<LeaningCylinder> now = leaning_cylinder(shape, surface, after)) {
+  if (const std::optional<LeaningCircle> then = leaning_circle(shape, surface, before, p_W0)) {
     // The circle about the axis on which it touched, at the point farthest along the normal.
-    const LeaningCylinder then = *leaning_cylinder(shape, surface, before);
-    const Vec3 outward = m_W - m_W.dot(now->axis) * now->axis;
-    return now->middle + (p_W0 - then.middle).dot(then.axis) * now->axis + now->radius * outward.normalized();
+    const Pose X_WS = after * shape.X_BS;
+    const Vec3 axis = X_WS.R.col(2);
+    const Vec3 outward = m_W - m_W.dot(axis) * axis;
+    return X_WS.p + (p_W0 - then->middle).dot(then->axis) * axis + then->radius * outward.normalized();
   }
   const Pose X_WS = after * shape.X_BS;
   return X_WS * support_point(shape.shape, X_WS.R.transpose() * m_W);
 }
 
-/// Closest points of two lines (points and unit directions), by A's parameter.
+/// Closest points of two edges that their bodies carry along.
 ContactPoint crossed_edges(const ContactPoint& old, const std::pair<Pose, Pose>& A,
                            const std::pair<Pose, Pose>& B) {
+  // The lines now, p + α a and q + β b, and their common normal on the same side as before.
   ContactPoint point = old;
   const Vec3 a = carried_direction(A.first, A.second, old.curvature_A.flat_W);
   const Vec3 b = carried_direction(B.first, B.second, old.curvature_B.flat_W);
@@ -192,7 +214,7 @@ ContactPoint crossed_edges(const ContactPoint& old, const std::pair<Pose, Pose>&
   return point;
 }
 
-/// The contact with its bodies exchanged, but of the same name.
+/// The contact with its bodies exchanged, but with the same feature.
 ContactPoint reversed(ContactPoint point) {
   std::swap(point.p_WA, point.p_WB);
   std::swap(point.curvature_A, point.curvature_B);
@@ -209,26 +231,36 @@ ContactPoint rolled_in_cavity(const Cavity& cavity, const Pose& X_WS, const Cont
   return point;
 }
 
-/// The curvature at the contact after the body moved: round surfaces look the same along every normal m_W, an
-/// ellipsoid's is that of the point with this normal, others are carried with the body.
+/// The curvature at the contact after the body moved, which now is at p_W with the outward normal m_W: round
+/// surfaces look the same along every normal, an ellipsoid's is that of the point with this normal, others
+/// are carried with the body.
 SurfaceCurvature carried_curvature(const BodyShape& shape, const SurfaceCurvature& old,
-                                   const std::pair<Pose, Pose>& poses, const Vec3& m_W) {
+                                   const std::pair<Pose, Pose>& poses, const std::pair<Vec3, Vec3>& touch) {
   const auto& [before, after] = poses;
-  const Mat3 turn = after.R * before.R.transpose();
-  SurfaceCurvature surface{turn * old.radius_W * turn.transpose(), old.flat_count, turn * old.flat_W};
-  if (const std::optional<LeaningCylinder> now = leaning_cylinder(shape, old, after)) {
+  const auto& [p_W, m_W] = touch;
+  // Carried with the body.
+  const Mat3 rotation = after.R * before.R.transpose();
+  SurfaceCurvature surface{rotation * old.radius_W * rotation.transpose(), old.flat_count,
+                           rotation * old.flat_W};
+
+  // The rim of a cylinder, or a ring of a solid of revolution.
+  if (const std::optional<LeaningCircle> now = leaning_circle(shape, old, after, p_W)) {
     // The point of a circle of radius r farthest along m moves by r / |m - (m·a) a| along the circle.
     const Vec3 outward = m_W - m_W.dot(now->axis) * now->axis;
     const Vec3 along = now->axis.cross(outward).normalized();
     surface.radius_W = now->radius / outward.norm() * along * along.transpose();
     return surface;
   }
+
+  // An ellipsoid: at the point with this normal.
   if (std::holds_alternative<Ellipsoid>(shape.shape)) {
     const Mat3 R_WS = (after * shape.X_BS).R;
     surface.radius_W =
         R_WS * piece_curvature(make_core(shape.shape), 0, R_WS.transpose() * m_W) * R_WS.transpose();
     return surface;
   }
+
+  // Round surfaces: one radius around the normal, or across the flat direction.
   if (!is_round(shape, old)) return surface;
   const double radius = round_radius(shape.shape);
   if (old.flat_count == 0) {
@@ -244,6 +276,7 @@ SurfaceCurvature carried_curvature(const BodyShape& shape, const SurfaceCurvatur
 
 ContactPoint tracked_contact(const Model& model, const Contact& contact, const Pose& X_WA0, const Pose& X_WB0,
                              const Pose& X_WA, const Pose& X_WB) {
+  // A ball in a cavity rolls: from the centre that its body carries.
   const ContactPoint& old = contact.point;
   const BodyShape& shape_A = model.body(contact.body_A).shapes[at(contact.shape_A)];
   const BodyShape& shape_B = model.body(contact.body_B).shapes[at(contact.shape_B)];
@@ -253,10 +286,14 @@ ContactPoint tracked_contact(const Model& model, const Contact& contact, const P
     return reversed(rolled_in_cavity(*cavity, X_WB * shape_B.X_BS, reversed(old), round_radius(shape_A.shape),
                                      {X_WA0, X_WA}));
   }
+
+  // Two edges that cross.
   const bool are_edges = old.curvature_A.flat_count == 1 && old.curvature_B.flat_count == 1 &&
                          old.curvature_A.radius_W.isZero(0) && old.curvature_B.radius_W.isZero(0);
   if (are_edges) return crossed_edges(old, {X_WA0, X_WA}, {X_WB0, X_WB});
 
+  // A face carries its normal, and the other surface leans on it; without a face the closest points are
+  // found anew.
   ContactPoint point = old;
   if (old.curvature_B.flat_count == 2) {
     point.n_W = carried_direction(X_WB0, X_WB, old.n_W);
@@ -278,8 +315,10 @@ ContactPoint tracked_contact(const Model& model, const Contact& contact, const P
     point.p_WB = found.p_WB;
     point.gap = found.distance;
   }
-  point.curvature_A = carried_curvature(shape_A, old.curvature_A, {X_WA0, X_WA}, point.n_W);
-  point.curvature_B = carried_curvature(shape_B, old.curvature_B, {X_WB0, X_WB}, -point.n_W);
+
+  // The curvatures there.
+  point.curvature_A = carried_curvature(shape_A, old.curvature_A, {X_WA0, X_WA}, {point.p_WA, point.n_W});
+  point.curvature_B = carried_curvature(shape_B, old.curvature_B, {X_WB0, X_WB}, {point.p_WB, -point.n_W});
   return point;
 }
 

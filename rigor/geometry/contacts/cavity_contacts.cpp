@@ -16,7 +16,7 @@ ContactPoint cavity_contact(const Cavity& cavity, const Pose& X_WA, const Vec3& 
   contact.p_WB = p_W - radius * n_W;
   contact.p_WA = contact.p_WB - contact.gap * n_W;
   contact.feature = 0;
-  // The wall's normal turns against its witness point.
+  // The wall's normal rotates against the motion of its witness point.
   contact.curvature_A.radius_W = -cavity.radius * across;
   contact.curvature_B.radius_W = radius * across;
   return contact;

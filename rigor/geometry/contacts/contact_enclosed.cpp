@@ -38,9 +38,11 @@ bool holds_point_of(const Shape& a, const Shape& b, const Pose& X_AB) {
 std::optional<ContactPoint> find_enclosed_contact(const Shape& a, const Pose& X_OA, const Shape& b,
                                                   const Pose& X_OB) {
   const Pose X_AB = X_OA.inverse() * X_OB;
+  // Surfaces that do not meet: one solid is inside the other if it holds any point of it.
   if (!holds_point_of(a, b, X_AB) && !holds_point_of(b, a, X_AB.inverse())) return std::nullopt;
   const DistanceResult way_out = signed_distance(a, X_OA, b, X_OB);
   if (!(way_out.distance < 0)) return std::nullopt;
+  // The shortest way out is the one contact.
   const Feature face{Feature::Kind::face, 0};
   return ContactPoint{.p_WA = way_out.p_WA,
                       .p_WB = way_out.p_WB,

@@ -5,7 +5,7 @@ namespace rigor {
 namespace {
 
 /// In a contact with a face the face's side is flat; what rests on it is not: the ends of a line or a corner
-/// that lies on the face is a point that turns with its own body.
+/// that lies on the face is a point that rotates with its own body.
 SurfaceCurvature without_flat_directions(SurfaceCurvature curvature) {
   curvature.flat_count = 0;
   curvature.flat_W = Vec3::Zero();
@@ -22,10 +22,12 @@ SurfaceCurvature flat_surface() {
 
 std::optional<std::vector<ContactPoint>> face_contacts(const ContactPair& pair, const FlatFace& face,
                                                        bool face_is_of_A) {
+  // What the other shape shows to the plane of the face.
   const ContactShape& owner = face_is_of_A ? pair.a : pair.b;
   const ContactShape& shape = face_is_of_A ? pair.b : pair.a;
   const LowerSide side = shape.lower_side(face.normal, face.center, pair.scale.tolerance);
 
+  // The part of the face under it, by its corners; those within the tolerance are contacts.
   std::vector<ContactPoint> contacts;
   bool is_covered = false;
   for (const ClipPoint& point : clip(owner, face, shape, side, pair.scale.slack)) {
@@ -33,6 +35,8 @@ std::optional<std::vector<ContactPoint>> face_contacts(const ContactPair& pair, 
     if (gap > pair.scale.tolerance) continue;
     is_covered = true;
     if (!point.is_real) continue;
+    // The witness points lie over each other along the normal of the face. Of a corner of the face it is the
+    // other side that is flat.
     const Vec3 p_face = point.p - gap * face.normal;
     const bool is_corner = point.kind == ClipPoint::Kind::face_corner;
     const SurfaceCurvature of_face = is_corner ? SurfaceCurvature{} : flat_surface();

@@ -8,7 +8,7 @@
 namespace rigor {
 namespace {
 
-/// Lines that turn away from each other by more than this are never taken for parallel.
+/// Lines at a larger angle to each other are never taken for parallel.
 constexpr double kLargestParallelAngle = 1e-3;
 
 /// Two lines side by side: the stretch where each runs beside the other.
@@ -36,6 +36,7 @@ std::optional<SideBySide> side_by_side(const ContactPair& pair, const SurfaceLin
   if (d_A.dot(d_B) < 0) d_B = -d_B;
   const Vec3 d = (d_A + d_B).normalized();
 
+  // The common stretch along the mean direction d.
   const auto lower_end = [&](const SurfaceLine& line) { return std::min(line.a.dot(d), line.b.dot(d)); };
   const auto upper_end = [&](const SurfaceLine& line) { return std::max(line.a.dot(d), line.b.dot(d)); };
   const std::array<double, 2> ends_A{lower_end(line_A), upper_end(line_A)};
@@ -44,6 +45,7 @@ std::optional<SideBySide> side_by_side(const ContactPair& pair, const SurfaceLin
   SideBySide result{.line_A = &line_A, .line_B = &line_B, .overlap = ends[1] - ends[0]};
   if (!(result.overlap > pair.scale.merge)) return {};
 
+  // At each end of it the two points, whether they lie over each other along n, and which line ends there.
   for (std::size_t k = 0; k < 2; ++k) {
     result.p_A[k] = point_at(line_A, d, ends[k]);
     result.p_B[k] = point_at(line_B, d, ends[k]);
@@ -91,6 +93,7 @@ std::vector<ContactPoint> parallel_contacts(const ContactPair& pair, const SideB
 /// The crossing of two lines whose common normal separates the bodies as well as n does.
 std::optional<ContactPoint> crossing_contact(const ContactPair& pair, const SurfaceLine& line_A,
                                              const SurfaceLine& line_B, const Vec3& n) {
+  // The common normal, if it separates the bodies as well as n.
   const Vec3 u = line_A.b - line_A.a, v = line_B.b - line_B.a;
   const Vec3 normal = u.cross(v);
   const double area = normal.norm();
@@ -104,6 +107,7 @@ std::optional<ContactPoint> crossing_contact(const ContactPair& pair, const Surf
   const double t = from.cross(u).dot(normal) / (area * area);
   const double slack_s = pair.scale.slack / u.norm(), slack_t = pair.scale.slack / v.norm();
   if (s < -slack_s || s > 1 + slack_s || t < -slack_t || t > 1 + slack_t) return {};
+  // Both points are on their segments: a contact.
   ContactPoint contact =
       contact_at(pair, line_A.a + s * u, line_B.a + t * v, n_cross, line_A.feature, line_B.feature);
   // At the end of an edge it is a vertex that touches.

@@ -20,7 +20,7 @@ LowerSide ContactShape::lower_side(const Vec3& n, const Vec3& p_plane, double re
 }
 
 LowerSide ContactShape::polyhedron_lower_side(const Vec3& n, const Vec3& p_plane, double reach) const {
-  const Vec3 n_S = turned_to_S(n);
+  const Vec3 n_S = direction_in_S(n);
   const Vec3 origin_S = in_S(p_plane);
   const std::vector<Vec3>& vertices = vertices_S();
   std::vector<double> heights;
@@ -36,6 +36,7 @@ LowerSide ContactShape::polyhedron_lower_side(const Vec3& n, const Vec3& p_plane
     for (const int v : topology_->faces[f]) is_lower[at(v)] = true;
   }
 
+  // Those vertices within reach, and the edges between faces that look down or vertices that can be touched.
   LowerSide side;
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     const int index = static_cast<int>(v);
@@ -57,40 +58,62 @@ LowerSide ContactShape::round_lower_side(const Vec3& n, const Vec3& p_plane, dou
   const Vec3 m = -n;
   const auto height = [&](const Vec3& p) { return n.dot(p - p_plane); };
 
-  // A cap whose whole disk is within reach, or flat to rounding.
-  for (int index = 0; index < cap_count(); ++index) {
-    const FlatFace disk = cap(index);
-    const double sine = disk.normal.cross(m).norm();
-    const bool is_flat = height(disk.center) + disk.radius * sine <= reach || sine <= 1e-12;
-    if (disk.normal.dot(m) < kFacing || !is_flat) continue;
+  // A cap whose whole disk is within reach, or flat to rounding, stands on four points of its rim.
+  for (const int index : {0, 1}) {
+    const std::optional<FlatFace> disk = cap(index);
+    if (!disk) continue;
+    const double sine = disk->normal.cross(m).norm();
+    const bool is_flat = height(disk->center) + disk->radius * sine <= reach || sine <= 1e-12;
+    if (disk->normal.dot(m) < kFacing || !is_flat) continue;
     for (int k = 0; k < 4; ++k) {
       const double sign = k < 2 ? 1 : -1;
-      const Vec3 p = disk.center + sign * disk.radius * X_OS_.R.col(k % 2);
+      const Vec3 p = disk->center + sign * disk->radius * X_OS_.R.col(k % 2);
       side.points.push_back({p, {Feature::Kind::vertex, 4 * index + k}});
     }
     side.disk = disk;
     return side;
   }
 
-  // Of a capsule or cylinder that stands, the higher end is not seen from below.
-  const bool shows_side = core_.kind == ConvexCore::Kind::cone || std::abs(axis().dot(m)) < kFacing;
-  const std::optional<SurfaceLine> line = shows_side ? ruling(m) : std::nullopt;
-  if (!line) {
+  // A surface that shows no straight line touches at its lowest point.
+  const std::vector<SurfaceLine> lines = facing_rulings(n, p_plane, reach);
+  if (lines.empty()) {
     const Vec3 lowest = support(m);
     side.points.push_back({lowest, classify(lowest, m)});
     return side;
   }
-  // Both ends of the line; at the lower end of a capsule the lowest point of its cap.
-  Vec3 a = line->a, b = line->b;
+  // The ends of the lines, each once; at the lower end of a capsule the lowest point of its cap.
+  Vec3 a = lines.front().a, b = lines.front().b;
   if (core_.kind == ConvexCore::Kind::segment) {
     const bool a_is_lower = height(a) <= height(b);
     const double sign = a_is_lower ? -1 : 1;
     (a_is_lower ? a : b) = X_OS_.p + sign * core_.size.z() * axis() + core_.radius * m;
   }
-  side.points.push_back({a, line->feature_a});
-  side.points.push_back({b, line->feature_b});
-  side.lines.push_back(*line);
+  side.points.push_back({a, lines.front().feature_a});
+  side.points.push_back({b, lines.front().feature_b});
+  for (std::size_t i = 1; i < lines.size(); ++i) side.points.push_back({lines[i].b, lines[i].feature_b});
+  side.lines = lines;
   return side;
+}
+
+std::vector<SurfaceLine> ContactShape::facing_rulings(const Vec3& n, const Vec3& p_plane,
+                                                      double reach) const {
+  // Of a capsule or cylinder that stands, the higher end is not seen from below.
+  const Vec3 m = -n;
+  const bool is_straight =
+      !has_rings() || (last_ring() == 1 && ring_of(core_, 0).radius == ring_of(core_, 1).radius);
+  if (is_straight && !(std::abs(axis().dot(m)) < kFacing)) return {};
+  std::vector<SurfaceLine> lines = rulings(m);
+  if (lines.size() <= 1) return lines;
+
+  // Of several sides those that face the plane: the neighbours of the lowest ring, and what is within reach.
+  const int lowest = core_support(core_, direction_in_S(m)).piece;
+  std::erase_if(lines, [&](const SurfaceLine& line) {
+    const int i = line.feature.index;
+    const std::optional<Vec3> normal = surface_normal(line.feature, 0.5 * (line.a + line.b));
+    const double lower_end = std::min(n.dot(line.a - p_plane), n.dot(line.b - p_plane));
+    return normal->dot(m) < kFacing || !(i == lowest || i + 1 == lowest || lower_end <= reach);
+  });
+  return lines;
 }
 
 SurfaceLine ContactShape::edge_line(int index) const {
@@ -103,28 +126,38 @@ SurfaceLine ContactShape::edge_line(int index) const {
           edge_is_real(index)};
 }
 
-std::optional<SurfaceLine> ContactShape::ruling(const Vec3& m) const {
-  using Kind = Feature::Kind;
-  const bool is_cone = core_.kind == ConvexCore::Kind::cone;
-  if (!is_cone && core_.kind != ConvexCore::Kind::segment && core_.kind != ConvexCore::Kind::cylinder)
-    return {};
+std::vector<SurfaceLine> ContactShape::rulings(const Vec3& m) const {
+  if (!has_rings() && core_.kind != ConvexCore::Kind::segment) return {};
   const Vec3 radial = m - m.dot(axis()) * axis();
   const double length = radial.norm();
   if (!(length > 0)) return {};
-  const double radius = core_.kind == ConvexCore::Kind::segment ? core_.radius : core_.size.x();
-  const Vec3 offset = radius / length * radial;
+  const auto outward = [&](double radius) -> Vec3 { return radius / length * radial; };
+  if (!has_rings()) return {capsule_ruling(outward(core_.radius))};
+
+  std::vector<SurfaceLine> lines;
+  for (int i = 0; i < last_ring(); ++i) {
+    const Ring lower = ring_of(core_, i), upper = ring_of(core_, i + 1);
+    lines.push_back({X_OS_.p + lower.z * axis() + outward(lower.radius),
+                     X_OS_.p + upper.z * axis() + outward(upper.radius),
+                     {Feature::Kind::side, i},
+                     ring_feature(i),
+                     ring_feature(i + 1)});
+  }
+  return lines;
+}
+
+SurfaceLine ContactShape::capsule_ruling(const Vec3& outward) const {
   const Vec3 along = core_.size.z() * axis();
-  SurfaceLine line{
-      X_OS_.p - along + offset, X_OS_.p + along + offset, {Kind::side, 0}, {Kind::edge, 0}, {Kind::edge, 1}};
-  if (is_cone) {
-    line.b = X_OS_.p + along;
-    line.feature_b = {Kind::vertex, 4};
-  }
-  if (core_.kind == ConvexCore::Kind::segment) {
-    line.feature_a = {Kind::side, 1};
-    line.feature_b = {Kind::side, 2};
-  }
-  return line;
+  return {X_OS_.p - along + outward,
+          X_OS_.p + along + outward,
+          {Feature::Kind::side, 0},
+          {Feature::Kind::side, 1},
+          {Feature::Kind::side, 2}};
+}
+
+Feature ContactShape::ring_feature(int ring) const {
+  if (ring_of(core_, ring).radius > 0) return {Feature::Kind::edge, ring};
+  return {Feature::Kind::vertex, ring == 0 ? 0 : 4};
 }
 
 std::optional<double> ContactShape::height_above(const Vec3& p, const Vec3& n,
@@ -136,7 +169,7 @@ std::optional<double> ContactShape::height_above(const Vec3& p, const Vec3& n,
   }
   if (!is_polyhedron()) return {};
   // The line enters a convex body where the last of the faces that look down is crossed.
-  const Vec3 p_S = in_S(p), n_S = turned_to_S(n);
+  const Vec3 p_S = in_S(p), n_S = direction_in_S(n);
   const auto depth_below = [&](std::size_t f, const Vec3& q_S) {
     return face_normal_S(static_cast<int>(f)).dot(vertices_S()[at(topology_->faces[f].front())] - q_S);
   };
@@ -166,12 +199,14 @@ std::vector<SurfaceLine> ContactShape::lines_along(const Vec3& m, double reach) 
   std::vector<SurfaceLine> lines;
   if (is_plane()) return lines;
   if (!is_polyhedron()) {
-    const std::optional<SurfaceLine> line = ruling(m);
     const double top = m.dot(support(m));
-    if (line && std::min(m.dot(line->a), m.dot(line->b)) >= top - reach) lines.push_back(*line);
+    for (const SurfaceLine& line : rulings(m)) {
+      if (std::min(m.dot(line.a), m.dot(line.b)) >= top - reach) lines.push_back(line);
+    }
     return lines;
   }
-  const Vec3 m_S = turned_to_S(m);
+  // Edges of a polyhedron with both ends within reach of the farthest vertex.
+  const Vec3 m_S = direction_in_S(m);
   const std::vector<Vec3>& vertices = vertices_S();
   const double top = m_S.dot(core_support(core_, m_S).p);
   for (std::size_t e = 0; e < topology_->edges.size(); ++e) {
@@ -186,33 +221,44 @@ Feature ContactShape::classify(const Vec3& p, const Vec3& m) const {
   using Kind = Feature::Kind;
   if (is_plane()) return {Kind::face, 0};
   if (is_polyhedron()) return classify_on_polyhedron(p);
+  const Vec3 p_S = in_S(p);
+  if (has_rings()) return ring_feature_at(p_S, direction_in_S(m));
+  const bool at_end = std::abs(p_S.z()) >= core_.size.z() - 1e-7 * size_;
+  if (core_.kind == ConvexCore::Kind::segment && at_end) return {Kind::side, p_S.z() > 0 ? 2 : 1};
+  return {Kind::side, 0};
+}
+
+Feature ContactShape::ring_feature_at(const Vec3& p_S, const Vec3& m_S) const {
+  using Kind = Feature::Kind;
   // What is nearer to a rim, an apex or a cap's border than this is on it.
   const double near = 1e-7 * size_;
-  const Vec3 p_S = in_S(p);
-  const double z = p_S.z(), half_length = core_.size.z();
-  const double from_axis = p_S.head<2>().norm();
-  const int end = z > 0 ? 1 : 0;
-  const bool at_end = std::abs(z) >= half_length - near;
-  switch (core_.kind) {
-    case ConvexCore::Kind::segment:
-      return at_end ? Feature{Kind::side, 1 + end} : Feature{Kind::side, 0};
-    case ConvexCore::Kind::cone:
-      if (end == 1 && at_end) return {Kind::vertex, 4};
-      [[fallthrough]];
-    case ConvexCore::Kind::cylinder:
-      if (!at_end) return {Kind::side, 0};
-      if (from_axis < core_.size.x() - near && turned_to_S(m).head<2>().norm() < 1e-6)
-        return {Kind::face, end};
-      return {Kind::edge, end};
-    default:
-      return {Kind::side, 0};
+  const double z = p_S.z(), from_axis = p_S.head<2>().norm();
+
+  // At the ends: an apex, the cap if the normal is its, else its rim.
+  const Ring lowest = ring_of(core_, 0), highest = ring_of(core_, last_ring());
+  const bool is_upper = z > 0.5 * (lowest.z + highest.z);
+  const Ring& end = is_upper ? highest : lowest;
+  if (is_upper ? z >= end.z - near : z <= end.z + near) {
+    const bool is_inside = end.radius > 0 && from_axis < end.radius - near;
+    if (is_inside && m_S.head<2>().norm() < 1e-6) return {Kind::face, is_upper ? 1 : 0};
+    return ring_feature(is_upper ? last_ring() : 0);
   }
+
+  // Between them a rim, or the side over the last ring below the point.
+  int below = 0;
+  for (int i = 1; i < last_ring(); ++i) {
+    const Ring ring = ring_of(core_, i);
+    if (std::hypot(from_axis - ring.radius, z - ring.z) <= near) return {Kind::edge, i};
+    if (ring.z <= z) below = i;
+  }
+  return {Kind::side, below};
 }
 
 Feature ContactShape::classify_on_polyhedron(const Vec3& p) const {
   const double near = 1e-7 * size_;
   const Vec3 p_S = in_S(p);
   const std::vector<Vec3>& vertices = vertices_S();
+  // The nearest vertex, if the point is on it.
   double best = std::numeric_limits<double>::infinity();
   Feature feature;
   for (std::size_t v = 0; v < vertices.size(); ++v) {

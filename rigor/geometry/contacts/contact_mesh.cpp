@@ -138,10 +138,12 @@ class TriangleContacts {
     const bool is_above = n.dot(shape_.support(-n) - face.X_OS().p) > tolerance_;
     const bool is_below = -n.dot(shape_.support(n) - face.X_OS().p) > tolerance_;
     if (is_above || is_below) return;
+    // The contact set of the triangle as a convex body of its own.
     const DistanceResult distance = convex_distance(face.core(), face.X_OS(), shape_.core(), shape_.X_OS());
     if (distance.distance > tolerance_) return;
     const ContactPair pair{face, shape_, contact_scale(face, shape_, tolerance_)};
     merge_ = std::max(merge_, pair.scale.merge);
+    // What touches through a side that is none of the surface is kept aside.
     bool is_blocked = false;
     for (const ContactPoint& contact : convex_contacts(pair, distance)) {
       const Vec3 n_M = X_OM_.R.transpose() * contact.n_W;

@@ -41,6 +41,7 @@ std::vector<ReferenceFace> faces_at_witnesses(const ContactPair& pair, const Dis
 /// Those whose normals separate the shapes as well as any direction known.
 std::vector<ReferenceFace> best_faces(const ContactPair& pair, std::vector<ReferenceFace> faces,
                                       const Vec3& n) {
+  // The largest separation known is the best bound of the signed distance.
   double best = separation(pair, n);
   for (const ReferenceFace& face : faces) best = std::max(best, face.separation);
   std::erase_if(faces, [&](const ReferenceFace& face) { return face.separation < best - pair.scale.tie; });
@@ -100,6 +101,8 @@ double separation(const ContactPair& pair, const Vec3& n) {
 std::vector<ContactPoint> convex_contacts(const ContactPair& pair, const DistanceResult& distance) {
   const std::vector<ReferenceFace> faces = best_faces(pair, faces_at_witnesses(pair, distance), distance.n_W);
   if (faces.empty()) return line_or_point_contacts(pair, distance);
+  // The region on the best face. What touches on its border, or as well on a face in another direction, has
+  // no sure normal.
   const ReferenceFace& reference = reference_face(faces);
   std::optional<std::vector<ContactPoint>> contacts = face_contacts(pair, reference.face, reference.is_of_A);
   if (!contacts) return line_or_point_contacts(pair, distance);
@@ -117,6 +120,7 @@ void add_witness(const ContactPair& pair, const DistanceResult& distance,
         return (contact.n_W - distance.n_W).norm() <= kSameNormal;
       });
   if (distance.distance < -pair.scale.merge && !is_their_way) return;
+  // One contact has to have the distance as its gap.
   const bool touches = std::any_of(contacts.begin(), contacts.end(), [&](const ContactPoint& contact) {
     return contact.gap <= distance.distance + pair.scale.merge;
   });

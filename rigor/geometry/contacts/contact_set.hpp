@@ -8,10 +8,10 @@
 
 namespace rigor {
 
-/// How a shape's surface bends at a witness point, as seen by the outward unit normal m there: a turn dm of
-/// the normal (relative to the body) moves the witness point by radius_W dm. Along a flat direction the
-/// normal cannot turn at all (infinite radius): two on a face, one along an edge's cone of normals... none on
-/// a vertex (radius_W = 0) or a ball (r 1).
+/// How a shape's surface bends at a witness point, as seen by the outward unit normal m there: a rotation of
+/// the normal by dm (relative to the body) moves the witness point by radius_W dm. Along a flat direction the
+/// normal cannot rotate at all (infinite radius): two on a face, one along an edge's cone of normals... none
+/// on a vertex (radius_W = 0) or a ball (r 1).
 struct SurfaceCurvature {
   Mat3 radius_W =
       Mat3::Zero();    ///< Finite radii of curvature [m], symmetric, zero along m and along flat directions.
@@ -39,11 +39,11 @@ struct ContactPoint {
 ///
 /// The normal of a region is that of a face whose normal separates the shapes as well as any direction (of
 /// two such faces the larger one's); p_WA or p_WB is then the projection to that face. On a face the other
-/// body's curvature has no flat direction: the ends of a line or a corner that lies on the face turns with
-/// its own body. A cap of a cylinder or cone that lies flat within the tolerance stands on the four points of
-/// its rim on the x and y axes of its shape, those that lie over the other face, with the points where its
-/// rim crosses that face's border and the corners of that face under it; where it is tilted, and does not
-/// overlap, the lowest point of its rim joins them. A mesh is the union over its
+/// body's curvature has no flat direction: the ends of a line or a corner that lies on the face rotates with
+/// its own body. A cap of a cylinder, a cone or a solid of revolution that lies flat within the tolerance
+/// stands on the four points of its rim on the x and y axes of its shape, those that lie over the other face,
+/// with the points where its rim crosses that face's border and the corners of that face under it; where it
+/// is tilted, and does not overlap, the lowest point of its rim joins them. A mesh is the union over its
 /// triangles near the other shape (two meshes: mesh_pair_contacts.hpp): edges inside flat patches and
 /// concave edges give no contact, and the back of a triangle only if the mesh is open. What lies wholly
 /// inside a closed mesh, or a mesh inside the other shape, gives the way out as one contact, marked

@@ -130,7 +130,7 @@ Feature ContactShape::edge_feature(int v0, int v1) const {
 }
 
 Vec3 ContactShape::support(const Vec3& m) const {
-  const Vec3 m_S = turned_to_S(m);
+  const Vec3 m_S = direction_in_S(m);
   return in_O(core_support(core_, m_S).p) + core_.radius * m;
 }
 
@@ -155,21 +155,17 @@ FlatFace ContactShape::polygon(int face) const {
   return result;
 }
 
-int ContactShape::cap_count() const {
-  if (!shape_) return 0;
-  if (std::holds_alternative<Cylinder>(*shape_)) return 2;
-  return std::holds_alternative<Cone>(*shape_) ? 1 : 0;
-}
-
-FlatFace ContactShape::cap(int index) const {
-  const double radius = core_.size.x();
+std::optional<FlatFace> ContactShape::cap(int index) const {
+  if (!has_rings()) return {};
+  const Ring end = ring_of(core_, index == 0 ? 0 : last_ring());
+  if (end.radius == 0) return {};
   const double sign = index == 0 ? -1 : 1;
-  return {.kind = FlatFace::Kind::disk,
-          .feature = {Feature::Kind::face, index},
-          .normal = sign * axis(),
-          .center = X_OS_.p + sign * core_.size.z() * axis(),
-          .radius = radius,
-          .area = std::numbers::pi * radius * radius};
+  return FlatFace{.kind = FlatFace::Kind::disk,
+                  .feature = {Feature::Kind::face, index},
+                  .normal = sign * axis(),
+                  .center = X_OS_.p + end.z * axis(),
+                  .radius = end.radius,
+                  .area = std::numbers::pi * end.radius * end.radius};
 }
 
 std::vector<FlatFace> ContactShape::faces_near(const Vec3& p, double reach) const {
@@ -181,9 +177,9 @@ std::vector<FlatFace> ContactShape::faces_near(const Vec3& p, double reach) cons
       if (std::abs(face_normal_S(f).dot(p_S - corner)) <= reach) faces.push_back(polygon(f));
     }
   }
-  for (int index = 0; index < cap_count(); ++index) {
-    const FlatFace disk = cap(index);
-    if (std::abs(disk.normal.dot(p - disk.center)) <= reach) faces.push_back(disk);
+  for (const int index : {0, 1}) {
+    const std::optional<FlatFace> disk = cap(index);
+    if (disk && std::abs(disk->normal.dot(p - disk->center)) <= reach) faces.push_back(*disk);
   }
   return faces;
 }
@@ -202,10 +198,10 @@ Mat3 ball_radius(double radius, const Vec3& m) {
 }
 
 /// Hessian of h(m) = |D m|, D = diag(radii): (D² - p pᵀ) / h with p = D² m / h.
-Mat3 ellipsoid_radius(const Ellipsoid& s, const Mat3& R_OS, const Vec3& m) {
+Mat3 ellipsoid_radius(const Vec3& radii, const Mat3& R_OS, const Vec3& m) {
   const Vec3 m_S = R_OS.transpose() * m;
-  const Vec3 squares = s.radii.cwiseAbs2();
-  const double h = s.radii.cwiseProduct(m_S).norm();
+  const Vec3 squares = radii.cwiseAbs2();
+  const double h = radii.cwiseProduct(m_S).norm();
   const Vec3 p = squares.cwiseProduct(m_S) / h;
   const Mat3 square_matrix = squares.asDiagonal();
   const Mat3 radius_S = (square_matrix - p * p.transpose()) / h;
@@ -233,13 +229,15 @@ std::optional<Vec3> ContactShape::surface_normal(const Feature& feature, const V
     case ConvexCore::Kind::segment:
       normal_S.z() -= std::clamp(p_S.z(), -half_length, half_length);
       break;
-    case ConvexCore::Kind::cylinder:
-      normal_S.z() = 0;
+    case ConvexCore::Kind::rings: {
+      // Square to the line between the two rings.
+      const Ring lower = ring_of(core_, feature.index), upper = ring_of(core_, feature.index + 1);
+      normal_S.z() = p_S.head<2>().norm() * (lower.radius - upper.radius) / (upper.z - lower.z);
       break;
-    case ConvexCore::Kind::cone:
-      normal_S.z() = p_S.head<2>().norm() * core_.size.x() / (2 * half_length);
-      break;
-    default:
+    }
+    case ConvexCore::Kind::point:
+    case ConvexCore::Kind::points:
+    case ConvexCore::Kind::box:
       break;
   }
   return X_OS_.R * normal_S.normalized();
@@ -247,6 +245,7 @@ std::optional<Vec3> ContactShape::surface_normal(const Feature& feature, const V
 
 SurfaceCurvature ContactShape::curvature(const Feature& feature, const Vec3& p, const Vec3& m) const {
   SurfaceCurvature result;
+  // A face is flat in two directions; a vertex is all normals at one point.
   if (feature.kind == Feature::Kind::face) result.flat_count = 2;
   if (feature.kind == Feature::Kind::face || feature.kind == Feature::Kind::vertex) return result;
   if (is_polyhedron()) {
@@ -257,11 +256,11 @@ SurfaceCurvature ContactShape::curvature(const Feature& feature, const Vec3& p, 
     result.flat_W = X_OS_.R * (vertices_S()[at(edge.v1)] - vertices_S()[at(edge.v0)]).normalized();
     return result;
   }
-  if (const Ellipsoid* s = std::get_if<Ellipsoid>(shape_)) {
-    result.radius_W = ellipsoid_radius(*s, X_OS_.R, m);
+  if (core_.kind == ConvexCore::Kind::ellipsoid) {
+    result.radius_W = ellipsoid_radius(core_.size, X_OS_.R, m);
   } else if (feature.kind == Feature::Kind::edge) {
-    result.radius_W = rim_radius(core_.size.x(), axis(), m);
-  } else if (core_.kind == ConvexCore::Kind::point || feature.index > 0) {
+    result.radius_W = rim_radius(ring_of(core_, feature.index).radius, axis(), m);
+  } else if (!has_rings() && (core_.kind == ConvexCore::Kind::point || feature.index > 0)) {
     result.radius_W = ball_radius(core_.radius, m);
   } else {
     // A ruled side: flat along the line, and across it the distance from the axis along the normal.

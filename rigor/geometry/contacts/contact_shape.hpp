@@ -15,13 +15,15 @@ namespace rigor {
 
 /// A feature of a shape's surface, by a name that does not depend on the pose:
 ///
-///   polyhedron   vertex, edge, face by the index in the hull (of a mesh: in the mesh; its faces are flat
-///   patches) half-space   face 0 cylinder     face and edge (rim) 0 at -z, 1 at +z; side 0; vertices 0 to 3
-///   and 4 to 7: the points of the rims on the
-///                x and y axes of the shape (+x +y -x -y), which stand for a cap that lies flat
-///   cone         face and edge (rim) 0 of the base; side 0; vertices 0 to 3 on the rim as above, 4 the apex
-///   capsule      side 0 the cylindrical part, 1 the cap at -z, 2 that at +z
-///   sphere, ellipsoid   side 0
+///   polyhedron    vertex, edge, face by the index in the hull (of a mesh: in the mesh; its faces are flat
+///   patches) half-space    face 0 cylinder, cone, revolution
+///                 face 0 the cap at the lowest ring, 1 that at the highest; edge (rim) by the index of its
+///                 ring from the lowest up; side by that of its lower ring; vertices 0 to 3 and 4 to 7: the
+///                 points of the outermost rims on the x and y axes of the shape (+x +y -x -y), which stand
+///                 for a cap that lies flat; of an apex there 0 or 4
+///   capsule       side 0 the cylindrical part, 1 the cap at -z, 2 that at +z
+///   sphere, ellipsoid
+///                 side 0
 struct Feature {
   enum class Kind : std::uint32_t { vertex, edge, face, side };
   Kind kind = Kind::vertex;
@@ -142,7 +144,7 @@ class ContactShape {
  private:
   Vec3 in_O(const Vec3& p_S) const { return X_OS_ * p_S; }
   Vec3 in_S(const Vec3& p_O) const { return X_OS_.R.transpose() * (p_O - X_OS_.p); }
-  Vec3 turned_to_S(const Vec3& d_O) const { return X_OS_.R.transpose() * d_O; }
+  Vec3 direction_in_S(const Vec3& d_O) const { return X_OS_.R.transpose() * d_O; }
   Vec3 axis() const { return X_OS_.R.col(2); }
 
   const std::vector<Vec3>& vertices_S() const;
@@ -150,14 +152,22 @@ class ContactShape {
   Feature face_feature(int face) const;
   bool vertex_is_real(int vertex) const;
   bool edge_is_real(int edge) const;
-  /// Cap 0 at -z, 1 at +z.
-  FlatFace cap(int index) const;
-  int cap_count() const;
+  /// Cap 0 at the lowest ring, 1 at the highest; nothing where the end is an apex or round.
+  std::optional<FlatFace> cap(int index) const;
+  bool has_rings() const { return core_.kind == ConvexCore::Kind::rings; }
+  int last_ring() const { return ring_count(core_) - 1; }
+  /// A rim, or the apex where the ring has no radius.
+  Feature ring_feature(int ring) const;
+  Feature ring_feature_at(const Vec3& p_S, const Vec3& m_S) const;
 
   LowerSide polyhedron_lower_side(const Vec3& n, const Vec3& p_plane, double reach) const;
   LowerSide round_lower_side(const Vec3& n, const Vec3& p_plane, double reach) const;
   SurfaceLine edge_line(int edge) const;
-  std::optional<SurfaceLine> ruling(const Vec3& m) const;
+  /// The straight lines of a ruled side on the half plane from the axis towards m, from the lowest up; none
+  /// if the surface has none or m lies along the axis.
+  std::vector<SurfaceLine> rulings(const Vec3& m) const;
+  SurfaceLine capsule_ruling(const Vec3& outward) const;
+  std::vector<SurfaceLine> facing_rulings(const Vec3& n, const Vec3& p_plane, double reach) const;
   Feature classify_on_polyhedron(const Vec3& p) const;
 
   const Shape* shape_ = nullptr;  ///< Null for a triangle.

@@ -29,6 +29,7 @@ std::optional<double> crossing(const Border& edge, const Vec3& a, const Vec3& b,
   const double height_a = edge.inward.dot(a - edge.a), height_b = edge.inward.dot(b - edge.a);
   const bool is_strict = std::min(height_a, height_b) < -slack && std::max(height_a, height_b) > slack;
   if (!is_strict) return {};
+  // Linear interpolation of the height over the border, then whether the crossing lies between its ends.
   const double place = height_a / (height_a - height_b);
   const double along = edge.along.dot(a + place * (b - a) - edge.a);
   if (along <= slack || along >= edge.length - slack) return {};
@@ -37,6 +38,7 @@ std::optional<double> crossing(const Border& edge, const Vec3& a, const Vec3& b,
 
 /// Where on the segment from a to b (0 to 1) it crosses the wall over the rim of a disk, strictly.
 std::vector<double> crossings(const FlatFace& disk, const Vec3& a, const Vec3& b, double slack) {
+  // The segment as seen along the normal of the disk.
   const Vec3 n = disk.normal;
   const Vec3 from = a - disk.center - n.dot(a - disk.center) * n;
   const Vec3 along = b - a - n.dot(b - a) * n;
@@ -47,6 +49,7 @@ std::vector<double> crossings(const FlatFace& disk, const Vec3& a, const Vec3& b
   const double off = (from + foot / length * along).norm();
   if (off >= disk.radius) return {};
   const double half_chord = std::sqrt((disk.radius - off) * (disk.radius + off));
+  // The two ends of the chord, as far as they are on the segment.
   std::vector<double> places;
   for (const double x : {foot - half_chord, foot + half_chord}) {
     if (x > slack && x < length - slack) places.push_back(x / length);
@@ -95,6 +98,7 @@ class Clipper {
     const auto lifted = [&](const Vec3& p) {
       return (p + (disk.center - p).dot(disk.normal) / face_.normal.dot(disk.normal) * face_.normal).eval();
     };
+    // Each crossing with the rim is a corner of the common region.
     const Vec3 a = lifted(edge.a), b = lifted(edge.b);
     int part = 0;
     for (const double place : crossings(disk, a, b, slack_)) {
@@ -104,11 +108,13 @@ class Clipper {
   }
 
   void clip_against_disk() {
+    // The four points that stand for the rim of this face count if the shape lies over them.
     for (int k = 0; k < 4; ++k) {
       const double sign = k < 2 ? 1 : -1;
       const Vec3 p = face_.center + sign * face_.radius * owner_.X_OS().R.col(k % 2);
       add_corner(p, {Feature::Kind::vertex, 4 * face_.feature.index + k}, true);
     }
+    // Edges and rulings of the shape that cross the rim.
     for (const SurfaceLine& line : side_.lines) {
       int part = 0;
       for (const double place : crossings(face_, line.a, line.b, slack_)) {
@@ -121,12 +127,15 @@ class Clipper {
 
   /// The two points where two rims cross as seen along the normal.
   void add_circle_crossings() {
+    // The centres as seen along the normal; circles apart or one in the other do not cross.
     const FlatFace& disk = *side_.disk;
     const Vec3& n = face_.normal;
     const Vec3 between = disk.center - face_.center - n.dot(disk.center - face_.center) * n;
     const double distance = between.norm();
     const double r1 = face_.radius, r2 = disk.radius;
     if (distance >= r1 + r2 - slack_ || distance <= std::abs(r1 - r2) + slack_) return;
+    // The common chord of two circles is square to the line of centres, at `along` from this one; its half is
+    // `aside`.
     const double along = 0.5 * (distance + (r1 - r2) * (r1 + r2) / distance);
     const double aside = std::sqrt(std::max(0.0, (r1 - along) * (r1 + along)));
     const Vec3 x = between / distance;
@@ -144,6 +153,7 @@ class Clipper {
 
   /// A corner of the face counts if a flat side of the shape lies over it, or one of its lines does.
   void add_corner(const Vec3& p, const Feature& feature, bool is_real) {
+    // Under a flat side of the shape.
     const std::optional<double> height = shape_.height_above(p, face_.normal, side_.disk, slack_);
     if (height) {
       const Vec3 p_shape = p + *height * face_.normal;
@@ -151,6 +161,7 @@ class Clipper {
           {ClipPoint::Kind::face_corner, p_shape, feature, shape_.classify(p_shape, -face_.normal), is_real});
       return;
     }
+    // Or under one of its lines: the point of the line over the corner, if it is that near.
     for (const SurfaceLine& line : side_.lines) {
       const Vec3 along = line.b - line.a;
       const Vec3 flat = along - face_.normal.dot(along) * face_.normal;

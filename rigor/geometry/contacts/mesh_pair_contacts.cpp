@@ -46,8 +46,10 @@ class MeshPairContacts {
     const Pose X_AB = relative_pose(X_OA_, X_OB_);
     const TrianglePairs pairs = find_near_triangles(a_, b_, X_AB, tolerance_ + slack_);
     if (pairs.empty()) return {};
+    // Surfaces that cross may overlap by as much as the way out is long; nothing deeper is a contact.
     depth_ = tolerance_;
     if (surfaces_meet(a_, b_, X_AB)) depth_ -= overlap_distance(a_, X_OA_, b_, X_OB_).distance;
+    // Corners over faces, both ways, and crossing edges; then what several features hold, and what none does.
     for (const auto& [t, u] : pairs) {
       add_corners(0, t, u);
       add_corners(1, u, t);
@@ -79,6 +81,7 @@ class MeshPairContacts {
     const Vec3 n = other.normal(u), p = mine.vertex(v);
     const double gap = n.dot(p - other.corner(u, 0));
     if (!is_within(gap)) return;
+    // Over the triangle: inside each of its sides as seen along the normal.
     bool is_on_border = false;
     for (int k = 0; k < 3; ++k) {
       const Vec3 start = other.corner(u, k), along = other.corner(u, k + 1) - start;
@@ -86,6 +89,7 @@ class MeshPairContacts {
       if (inside < -slack_) return;
       is_on_border |= inside <= sharp_reach() && other.is_edge(u, k);
     }
+    // The surface around the corner has to fall away from the face.
     if (!mine.falls_away_at_vertex(v, -n)) return;
     const Feature corner{Feature::Kind::vertex, v}, face{Feature::Kind::face, other.topology(u).patch};
     ContactPoint point = side == 0 ? on_face(p, p - gap * n, -n, gap, 1) : on_face(p - gap * n, p, n, gap, 0);
@@ -93,7 +97,7 @@ class MeshPairContacts {
     (is_on_border ? sharp_ : contacts_).push_back(point);
   }
 
-  /// A contact whose normal turns with the face of one side.
+  /// A contact whose normal rotates with the face of one side.
   static ContactPoint on_face(const Vec3& p_A, const Vec3& p_B, const Vec3& n, double gap, int side_of_face) {
     return {.p_WA = p_A,
             .p_WB = p_B,
@@ -169,6 +173,8 @@ class MeshPairContacts {
     const Vec3 across = along_A.cross(along_B);
     if (across.norm() <= 1e-6 * along_A.norm() * along_B.norm()) return;  // Their ends carry the contact.
 
+    // The normal is that of a face at one of the edges if two faces lie on each other, else that of the two
+    // edges.
     const auto faces = facing_faces(edge_A, edge_B, std::min(along_A.norm(), along_B.norm()));
     const bool face_is_of_A = faces && sides_[0].patch_area(faces->t) >= sides_[1].patch_area(faces->u);
     Vec3 n = across.normalized();
@@ -179,6 +185,7 @@ class MeshPairContacts {
     const double end_A = slack_ / along_A.norm(), end_B = slack_ / along_B.norm();
     if (!(s >= -end_A && s <= 1 + end_A && t >= -end_B && t <= 1 + end_B)) return;
     const Vec3 p = a + s * along_A, q = b + t * along_B;
+    // The sense of the normal, the depth and the shape of both edges decide whether it is a contact.
     if (!faces && !find_outward(edge_A, edge_B, q - p, n)) return;
     const double gap = n.dot(q - p);
     if (!is_within(gap)) return;
@@ -190,6 +197,7 @@ class MeshPairContacts {
       point.curvature_B = curvature_of(1, along_B.normalized());
     }
     point.feature = feature_pair({Feature::Kind::edge, edge_A}, {Feature::Kind::edge, edge_B});
+    // Near its end an edge shares the place with other features.
     const double from_end_A = std::min(s, 1 - s) * along_A.norm();
     const double from_end_B = std::min(t, 1 - t) * along_B.norm();
     const bool is_sharp = !faces || std::min(from_end_A, from_end_B) <= sharp_reach();
@@ -249,12 +257,14 @@ class MeshPairContacts {
 
   /// For each pair the first one of those that hang together: of both meshes they share a vertex.
   std::vector<std::size_t> connected_parts(const TrianglePairs& pairs) const {
+    // A forest of the pairs with path halving.
     std::vector<std::size_t> root(pairs.size());
     std::iota(root.begin(), root.end(), 0u);
     const auto root_of = [&](std::size_t i) {
       while (root[i] != i) i = root[i] = root[root[i]];
       return i;
     };
+    // Two pairs that share a vertex of A and one of B hang together.
     std::map<std::pair<int, int>, std::size_t> first;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       for (int k = 0; k < 9; ++k) {
@@ -271,6 +281,7 @@ class MeshPairContacts {
     const TriangleCorners t = corners(0, pair[0]), u = corners(1, pair[1]);
     const TriangleDistance distance = triangle_distance(t, u);
     const auto [p, q] = nearest_points(t, u, distance.feature);
+    // The line between the nearest points; where they touch, the mean of the normals of both surfaces.
     Vec3 n = q - p;
     if (!(n.norm() > slack_)) {
       n = X_OA_.R * nearest_mesh_point(a_, X_OA_.inverse() * p).normal_M.stableNormalized() -

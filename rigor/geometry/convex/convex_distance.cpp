@@ -37,7 +37,7 @@ CoreDistance of_gjk(const GjkState& gjk) {
 }
 
 bool has_caps(const ConvexCore& core) {
-  return core.kind == ConvexCore::Kind::cylinder || core.kind == ConvexCore::Kind::cone;
+  return core.kind == ConvexCore::Kind::rings;
 }
 
 /// The separation along the axis of a cylinder or cone whose cap the nearest points may lie on, if it is as

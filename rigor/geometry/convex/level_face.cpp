@@ -26,17 +26,17 @@ class LevelFace {
       case ConvexCore::Kind::points:
         add_level_pieces(core, static_cast<int>(core.points.size()), d, tolerance);
         return;
-      case ConvexCore::Kind::cylinder:
-      case ConvexCore::Kind::cone:
-        is_disk_ = core.size.x() * d.head<2>().norm() <= tolerance &&
-                   !(core.kind == ConvexCore::Kind::cone && d.z() > 0);
-        if (!is_disk_) add_level_pieces(core, 2, d, tolerance);
+      case ConvexCore::Kind::rings: {
+        // The cap that looks along d is level as a whole; else points of the rings are.
+        const Ring end = ring_of(core, d.z() > 0 ? ring_count(core) - 1 : 0);
+        is_disk_ = end.radius > 0 && end.radius * d.head<2>().norm() <= tolerance;
+        if (!is_disk_) add_level_pieces(core, ring_count(core), d, tolerance);
         if (is_disk_)
-          disk_ = {.kind = ConvexCore::Kind::cylinder,
-                   .size = {core.size.x(), core.size.x(), 0},
-                   .extent = core.extent};
-        height_ = d.z() > 0 ? core.size.z() : -core.size.z();
+          disk_ = {
+              .kind = ConvexCore::Kind::rings, .size = {end.radius, end.radius, 0}, .extent = core.extent};
+        height_ = end.z;
         return;
+      }
     }
   }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace rigor {
 namespace {
@@ -76,6 +77,35 @@ Height over_cone(double radius, double half_length, const Vec3& p) {
   return side;
 }
 
+/// Of the flat and conical sides of a solid of revolution: along the border of its half section, from the
+/// axis below around the rings to the axis above.
+Height over_rings(std::span<const Ring> rings, const Vec3& p) {
+  const Meridian at(p);
+  const std::size_t count = rings.size();
+  const auto corner = [&](std::size_t k) {
+    if (k == 0) return Vec2(0, rings.front().z);
+    return k <= count ? Vec2(rings[k - 1].radius, rings[k - 1].z) : Vec2(0, rings.back().z);
+  };
+  Height highest{-std::numeric_limits<double>::infinity(), Vec3::Zero()};
+  Height nearest{std::numeric_limits<double>::infinity(), Vec3::Zero()};
+  for (std::size_t k = 0; k <= count; ++k) {
+    const Vec2 start = corner(k), side = corner(k + 1) - start, from = Vec2(at.rho, at.z) - start;
+    const double length = side.norm();
+    if (length == 0) continue;  // An apex has no cap.
+
+    // Inside, the side whose plane is nearest decides; outside, the nearest point of all sides.
+    const Height over{(side.y() * from.x() - side.x() * from.y()) / length,
+                      at.vector(side.y() / length, -side.x() / length)};
+    if (over.value > highest.value) highest = over;
+    const double along = side.dot(from) / (length * length);
+    const Vec2 beyond = from - std::clamp(along, 0.0, 1.0) * side;
+    const bool is_beside = along >= 0 && along <= 1;
+    const Height reached = is_beside ? over : over_point(at.vector(beyond.x(), beyond.y()));
+    if (reached.value >= 0 && reached.value < nearest.value) nearest = reached;
+  }
+  return highest.value <= 0 ? highest : nearest;
+}
+
 std::optional<Height> find_height(const ConvexCore& core, const Vec3& p) {
   switch (core.kind) {
     case Kind::point:
@@ -84,10 +114,10 @@ std::optional<Height> find_height(const ConvexCore& core, const Vec3& p) {
       return over_segment(core.size.z(), p);
     case Kind::box:
       return over_box(core.size, p);
-    case Kind::cylinder:
+    case Kind::rings:
+      if (!core.rings.empty()) return over_rings(core.rings, p);
+      if (core.size.y() == 0) return over_cone(core.size.x(), core.size.z(), p);
       return over_cylinder(core.size.x(), core.size.z(), p);
-    case Kind::cone:
-      return over_cone(core.size.x(), core.size.z(), p);
     case Kind::points:
     case Kind::ellipsoid:
       break;

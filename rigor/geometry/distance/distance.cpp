@@ -5,7 +5,7 @@
 #include "rigor/geometry/distance/cavity_distance.hpp"
 #include "rigor/geometry/distance/mesh_distance.hpp"
 #include "rigor/geometry/distance/mesh_pair_distance.hpp"
-#include "rigor/geometry/shape/convex_hull.hpp"
+#include "rigor/geometry/shape/shape_data.hpp"
 #include "rigor/geometry/shape/support.hpp"
 
 #include <algorithm>
@@ -29,40 +29,13 @@ std::span<const double> numbers(const Mat3& m) {
 }
 
 /// Any total order of the sizes of two shapes of the same type.
-struct OrderOfSizes {
-  const Shape& other;
-  template <class T>
-  const T& rhs() const {
-    return *std::get_if<T>(&other);
-  }
-
-  std::partial_ordering operator()(const Sphere& a) const { return a.radius <=> rhs<Sphere>().radius; }
-  std::partial_ordering operator()(const Box& a) const {
-    return order(numbers(a.half_extents), numbers(rhs<Box>().half_extents));
-  }
-  std::partial_ordering operator()(const Ellipsoid& a) const {
-    return order(numbers(a.radii), numbers(rhs<Ellipsoid>().radii));
-  }
-  std::partial_ordering operator()(const Capsule& a) const { return by_radius_and_length(a); }
-  std::partial_ordering operator()(const Cylinder& a) const { return by_radius_and_length(a); }
-  std::partial_ordering operator()(const Cone& a) const { return by_radius_and_length(a); }
-  std::partial_ordering operator()(const Convex& a) const {
-    const ConvexHull& hull_a = *a.hull;
-    const ConvexHull& hull_b = *rhs<Convex>().hull;
-    if (&hull_a == &hull_b) return std::partial_ordering::equivalent;
-    return order({hull_a.vertices[0].data(), 3 * hull_a.vertices.size()},
-                 {hull_b.vertices[0].data(), 3 * hull_b.vertices.size()});
-  }
-  std::partial_ordering operator()(const HalfSpace&) const { return std::partial_ordering::equivalent; }
-  std::partial_ordering operator()(const Cavity&) const { return std::partial_ordering::equivalent; }
-  std::partial_ordering operator()(const Mesh& a) const { return compare_meshes(a, rhs<Mesh>()) <=> 0; }
-
-  template <class T>
-  std::partial_ordering by_radius_and_length(const T& a) const {
-    const T& b = rhs<T>();
-    return a.radius != b.radius ? a.radius <=> b.radius : a.half_length <=> b.half_length;
-  }
-};
+std::partial_ordering order_of_sizes(const Shape& a, const Shape& b) {
+  const Mesh* const mesh = std::get_if<Mesh>(&a);
+  if (mesh != nullptr) return compare_meshes(*mesh, std::get<Mesh>(b)) <=> 0;
+  const ShapeData of_a = shape_data(a), of_b = shape_data(b);
+  if (of_a.shared != nullptr && of_a.shared == of_b.shared) return std::partial_ordering::equivalent;
+  return order(of_a.numbers(), of_b.numbers());
+}
 
 /// What is unbounded comes first, then meshes, then the others by type.
 int rank_of(const Shape& shape) {
@@ -76,7 +49,7 @@ bool is_swapped(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_
   const int rank_a = rank_of(a);
   const int rank_b = rank_of(b);
   if (rank_a != rank_b) return rank_b < rank_a;
-  const std::partial_ordering sizes = std::visit(OrderOfSizes{b}, a);
+  const std::partial_ordering sizes = order_of_sizes(a, b);
   if (sizes != 0) return sizes > 0;
   const std::partial_ordering places = order(numbers(X_WA.p), numbers(X_WB.p));
   return places != 0 ? places > 0 : order(numbers(X_WA.R), numbers(X_WB.R)) > 0;

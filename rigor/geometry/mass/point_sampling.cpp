@@ -39,6 +39,8 @@ class CellSum {
   }
   void add_to(Estimate& estimate, double weight, int points) {
     if (inside_ == 0) return;
+    // The mean of the contributions of all points, those outside being zero; of its variance the sum of
+    // squares less n times the square of the mean, over n (n - 1).
     const double n = points;
     estimate.moments += (weight / n) * sum_;
     squares_.selfadjointView<Eigen::Lower>().rankUpdate(sum_, -1 / n);
@@ -54,6 +56,7 @@ class CellSum {
 
 Estimate sampled_moments(const std::function<bool(const Vec3&)>& inside, const Aabb& box,
                          const SamplingOptions& options) {
+  // Stratified sampling: in each cell of the grid some points at random places.
   const Vec3 center = 0.5 * (box.lower + box.upper), size = box.upper - box.lower;
   const int n = options.cells;
   const double width = 1.0 / n;
@@ -72,12 +75,14 @@ Estimate sampled_moments(const std::function<bool(const Vec3&)>& inside, const A
       }
     }
   }
+  // Only the lower half was summed.
   estimate.covariance = Covariance(estimate.covariance.selfadjointView<Eigen::Lower>());
   return estimate;
 }
 
 /// The same moments and covariance in the units of the box's frame, from its centre.
 Estimate scaled(const Estimate& unit, const Vec3& size) {
+  // Each moment scales with the volume of the box and the lengths of its monomial.
   const double volume = size.prod();
   Moments factors;
   factors << 1, size, size.cwiseAbs2(), size[0] * size[1], size[1] * size[2], size[2] * size[0];
@@ -126,6 +131,7 @@ SampledMassProperties sampled_mass_properties(const std::function<bool(const Vec
   const Moments& m = estimate.moments;
 
   SampledMassProperties result;
+  // The volume is a moment itself; a box without a point inside says nothing more.
   result.volume = m[0];
   result.volume_deviation = std::sqrt(estimate.covariance(0, 0));
   if (!(m[0] > 0)) {
@@ -133,6 +139,8 @@ SampledMassProperties sampled_mass_properties(const std::function<bool(const Vec
     return result;
   }
 
+  // Centre and inertia are functions of the moments: their deviations follow from their gradients and the
+  // covariance.
   const Vec3 c = m.segment<3>(1) / m[0];
   result.properties.mass = density * m[0];
   result.properties.center = 0.5 * (box.lower + box.upper) + c;

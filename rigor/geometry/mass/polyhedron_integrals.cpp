@@ -1,16 +1,14 @@
 #include "rigor/geometry/mass/polyhedron_integrals.hpp"
 
 #include "rigor/core/index.hpp"
+#include "rigor/core/rounding.hpp"
 #include "rigor/math/compensated_sum.hpp"
 
 #include <cmath>
-#include <limits>
 
 namespace rigor {
 
 namespace {
-
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon() / 2;  // 2⁻⁵³
 
 /// Roundings allowed to each term of a sum, in the error bounds.
 constexpr double kRoundings = 32;
@@ -65,11 +63,13 @@ struct ProjectionIntegrals {
 /// Adds the edge (a0, b0) -> (a1, b1), still without the constant factors of `finished`. Letters as in
 /// Mirtich's paper.
 void add_edge(double a0, double b0, double a1, double b1, ProjectionIntegrals& P) {
+  // Powers and products of the ends.
   const double da = a1 - a0, db = b1 - b0;
   const double a0_2 = a0 * a0, a0_3 = a0_2 * a0, b0_2 = b0 * b0, b0_3 = b0_2 * b0;
   const double a1_2 = a1 * a1, a1_3 = a1_2 * a1, b1_2 = b1 * b1, b1_3 = b1_2 * b1;
   const double a01 = a1 * a0, b01 = b1 * b0;
 
+  // Mirtich's polynomials of the two ends for each monomial on the edge.
   const double C1 = a1 + a0;
   const double Ca = a1 * C1 + a0_2;
   const double Caa = a1 * Ca + a0_3;
@@ -82,6 +82,7 @@ void add_edge(double a0, double b0, double a1, double b1, ProjectionIntegrals& P
   const double Cabb = 4 * b1_3 + 3 * b1_2 * b0 + 2 * b1 * b0_2 + b0_3;
   const double Kabb = b1_3 + 2 * b1_2 * b0 + 3 * b01 * b0 + 4 * b0_3;
 
+  // Green's theorem: monomials with a are integrated along b, those of b alone along a.
   P.one += db * C1;
   P.a += db * Ca;
   P.aa += db * Caa;
@@ -114,6 +115,7 @@ Vec3 area_normal(const std::vector<Vec3>& points, const std::vector<int>& face) 
 /// factors left to the end. The plane is na α + nb β + γ + w = 0: the normal is scaled so that its largest
 /// component, along γ, is 1.
 Terms face_terms(const std::vector<Vec3>& points, const std::vector<int>& face) {
+  // Projection along the largest component γ of the normal: the plane is there a graph over (α, β).
   const Vec3 normal = area_normal(points, face);
   int g;
   if (!(normal.cwiseAbs().maxCoeff(&g) > 0)) return Terms::Zero();
@@ -122,6 +124,7 @@ Terms face_terms(const std::vector<Vec3>& points, const std::vector<int>& face) 
   const Vec3& p0 = points[at(face[0])];
   const double w = -(na * p0[a] + nb * p0[b] + p0[g]);
 
+  // Green's theorem takes the projection's integrals to its edges.
   ProjectionIntegrals sums;
   const Vec3* p = &points[at(face[face.size() - 1])];
   for (const int v : face) {
@@ -143,6 +146,7 @@ Terms face_terms(const std::vector<Vec3>& points, const std::vector<int>& face) 
   const double Fcca =
       na * na * P.aaa + 2 * na * nb * P.aab + nb * nb * P.abb + w * (2 * (na * P.aa + nb * P.ab) + w * P.a);
 
+  // The fluxes, with the names α, β, γ put back to x, y, z.
   Terms terms;
   terms[0] = a == 0 ? na * P.a : (b == 0 ? nb * P.b : Fc);
   terms[1 + a] = na * P.aa, terms[1 + b] = nb * P.bb, terms[1 + g] = Fcc;
@@ -164,6 +168,7 @@ Terms face_terms(const std::vector<Vec3>& points, const std::array<int, 3>& face
     return Eigen::Array3d(p[1], p[2], p[0]);
   };  // y for x, z for y, x for z
 
+  // Sums over the corners of the monomials in the formulas.
   const Eigen::Array3d a2 = a * a, b2 = b * b, c2 = c * c;
   const Eigen::Array3d sum = a + b + c, squares = a2 + b2 + c2, cubes = a2 * a + b2 * b + c2 * c;
   const Eigen::Array3d an = next(a), bn = next(b), cn = next(c), sum_n = next(sum);
@@ -194,6 +199,7 @@ Terms face_factors(const TriangleFaces&) {
 
 /// Integrals over the tetrahedron from the origin, with the factors 1/6, 1/24, 1/120 left to the end.
 Terms tetrahedron_terms(const Vec3& a, const Vec3& b, const Vec3& c) {
+  // Six times the signed volume, times the means of the monomials over the corners.
   const double det = a.dot((b - a).cross(c - a));
   const Vec3 s = a + b + c;
   const Vec3 squares = a.cwiseAbs2() + b.cwiseAbs2() + c.cwiseAbs2() + s.cwiseAbs2();
@@ -237,13 +243,16 @@ CompensatedTerms summed_tetrahedra(const std::vector<Vec3>& points, const Faces&
 
 template <class Faces>
 PolyhedronIntegrals integrals_by_faces(const std::vector<Vec3>& vertices, const Faces& faces) {
+  // The first method, from the faces, about a point near the solid so that no digits are lost.
   const CenteredVertices centred = centered(vertices, faces);
   CompensatedTerms sums;
   for (const auto& face : faces) sums.add(face_terms(centred.points, face));
   const Terms factors = face_factors(faces);
   const Terms values = sums.value() * factors;
+  // The second method, from tetrahedra: the difference of the two shows what rounding bounds cannot, as faces
+  // that are not planar.
   const Terms others = summed_tetrahedra(centred.points, faces).value() * tetrahedron_factors();
-  const Terms errors = (values - others).abs() + kRoundings * kEpsilon * sums.magnitude() * factors;
+  const Terms errors = (values - others).abs() + kRoundings * kUnitRoundoff * sums.magnitude() * factors;
   return integrals_of(centred.origin, values, errors);
 }
 
@@ -252,7 +261,7 @@ PolyhedronIntegrals integrals_by_fans(const std::vector<Vec3>& vertices, const F
   const CenteredVertices centred = centered(vertices, faces);
   const CompensatedTerms sums = summed_tetrahedra(centred.points, faces);
   return integrals_of(centred.origin, sums.value() * tetrahedron_factors(),
-                      kRoundings * kEpsilon * sums.magnitude() * tetrahedron_factors());
+                      kRoundings * kUnitRoundoff * sums.magnitude() * tetrahedron_factors());
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "rigor/geometry/mesh/wide_tree.hpp"
 
 #include "rigor/core/index.hpp"
+#include "rigor/core/rounding.hpp"
 
 #include <Eigen/Eigenvalues>
 
@@ -11,7 +12,6 @@
 namespace rigor {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr std::size_t kBinCount = 12;  ///< Places where the heuristic tries to cut.
 

@@ -11,10 +11,11 @@ namespace rigor {
 
 double turning_radius(const Shape& shape, const Pose& X_BS, double radius) {
   const double offset = X_BS.p.norm();
-  if (std::holds_alternative<Sphere>(shape)) return offset;
-  if (const Capsule* capsule = std::get_if<Capsule>(&shape)) return offset + capsule->half_length;
   if (is_unbounded(shape)) return 0;
-  return offset + radius;
+  if (std::holds_alternative<Mesh>(shape)) return offset + radius;
+  // A ball around a core looks the same however the core rotates.
+  const ConvexCore core = make_core(shape);
+  return offset + (core.radius > 0 ? core.extent : radius);
 }
 
 MovingCore make_moving_core(const Shape& shape, const Pose& X_BS, double radius, const RigidMotion& motion) {

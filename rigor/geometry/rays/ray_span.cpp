@@ -2,6 +2,7 @@
 
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/core/rounding.hpp"
 #include "rigor/geometry/shape/convex_hull.hpp"
 
 #include <algorithm>
@@ -11,8 +12,6 @@
 
 namespace rigor {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 RaySpan empty_span() {
   return {kInfinity, -kInfinity, Vec3::Zero(), Vec3::Zero()};
@@ -129,6 +128,24 @@ RaySpan united(const RaySpan& a, const RaySpan& b) {
   return {first.in, last.out, first.n_in, last.n_out};
 }
 
+RaySpan common(const RaySpan& a, const RaySpan& b) {
+  const RaySpan& last = a.in > b.in ? a : b;
+  const RaySpan& first = a.out < b.out ? a : b;
+  return {last.in, first.out, last.n_in, first.n_out};
+}
+
+/// Inside of the unbounded cone or tube through two rings.
+RaySpan side_span(const Ring& lower, const Ring& upper, const ShapeLine& line) {
+  const double slope = (lower.radius - upper.radius) / (upper.z - lower.z);
+  if (slope == 0) return tube_span(lower.radius, line);
+  if (slope > 0) return cone_span(slope, upper.z + upper.radius / slope, line);
+  // One that opens upwards is seen in the mirror.
+  const auto mirrored = [](const Vec3& v) { return Vec3(v.x(), v.y(), -v.z()); };
+  const RaySpan span =
+      cone_span(-slope, -lower.z - lower.radius / slope, {mirrored(line.c), mirrored(line.u)});
+  return {span.in, span.out, mirrored(span.n_in), mirrored(span.n_out)};
+}
+
 struct SpanOf {
   const ShapeLine& line;
 
@@ -163,6 +180,16 @@ struct SpanOf {
     span.out /= speed;
     span.n_in = span.n_in.cwiseQuotient(s.radii).normalized();
     span.n_out = span.n_out.cwiseQuotient(s.radii).normalized();
+    return span;
+  }
+  RaySpan operator()(const Revolution& s) const {
+    // The solid is the common part of the cones of its sides and the half-spaces of its caps.
+    const std::vector<Ring>& rings = *s.rings;
+    RaySpan span;
+    clip(line, Vec3::UnitZ(), rings.back().z, span);
+    clip(line, -Vec3::UnitZ(), -rings.front().z, span);
+    for (std::size_t i = 0; i + 1 < rings.size() && !span.is_empty(); ++i)
+      span = common(span, side_span(rings[i], rings[i + 1], line));
     return span;
   }
   RaySpan operator()(const HalfSpace& s) const {

@@ -1,15 +1,13 @@
 #include "rigor/geometry/shape/aabb.hpp"
 
+#include "rigor/core/rounding.hpp"
 #include "rigor/geometry/shape/convex_hull.hpp"
 #include "rigor/geometry/shape/triangle_mesh.hpp"
 
 #include <cmath>
-#include <limits>
 
 namespace rigor {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Aabb box_around(const Vec3& p, const Vec3& reach) {
   return {p - reach, p + reach};
@@ -63,6 +61,10 @@ struct BoxInWorld {
   Aabb operator()(const Cavity&) const { return box_around(Vec3::Zero(), Vec3::Constant(kInfinity)); }
   Aabb operator()(const Convex& s) const { return box_of_points(s.hull->vertices, X_WS); }
   Aabb operator()(const Mesh& s) const { return box_of_points(s.mesh->vertices, X_WS); }
+  template <class Own>
+  Aabb operator()(const Own& s) const {
+    return s.box(X_WS);
+  }
 };
 
 }  // namespace

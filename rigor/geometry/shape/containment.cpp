@@ -22,9 +22,9 @@ int crossing(const TriangleMesh& mesh, int triangle, const Vec3& p) {
   const Vec3& b = mesh.vertices[at(corners[1])];
   const Vec3& c = mesh.vertices[at(corners[2])];
   if (std::max({a.z(), b.z(), c.z()}) < p.z()) return 0;
-  const int turns = turns_about(a.head<2>(), b.head<2>(), c.head<2>(), p.head<2>());
-  if (turns == 0) return 0;
-  return orientation(a, b, c, p) == -turns ? turns : 0;
+  const int winding = turns_about(a.head<2>(), b.head<2>(), c.head<2>(), p.head<2>());
+  if (winding == 0) return 0;
+  return orientation(a, b, c, p) == -winding ? winding : 0;
 }
 
 struct Inside {
@@ -54,6 +54,10 @@ struct Inside {
     return true;
   }
   bool operator()(const Mesh& m) const { return winding_number(*m.mesh, p) >= 1; }
+  template <class Own>
+  bool operator()(const Own& s) const {
+    return s.contains(p);
+  }
 };
 
 }  // namespace
@@ -63,9 +67,9 @@ bool contains(const Shape& shape, const Vec3& p_S) {
 }
 
 int winding_number(const TriangleMesh& mesh, const Vec3& p) {
-  int turns = 0;
-  for (int i = 0; i < static_cast<int>(mesh.triangles.size()); ++i) turns += crossing(mesh, i, p);
-  return turns;
+  int winding = 0;
+  for (int i = 0; i < static_cast<int>(mesh.triangles.size()); ++i) winding += crossing(mesh, i, p);
+  return winding;
 }
 
 WindingNumber::WindingNumber(const TriangleMesh& mesh)
@@ -112,9 +116,9 @@ int WindingNumber::column(double x, double y) const {
 int WindingNumber::operator()(const Vec3& p) const {
   if ((p.head<2>().array() < lower_.array()).any() || (p.head<2>().array() > upper_.array()).any()) return 0;
   const int c = column(p.x(), p.y());
-  int turns = 0;
-  for (int i = first_[at(c)]; i < first_[at(c + 1)]; ++i) turns += crossing(mesh_, triangles_[at(i)], p);
-  return turns;
+  int winding = 0;
+  for (int i = first_[at(c)]; i < first_[at(c + 1)]; ++i) winding += crossing(mesh_, triangles_[at(i)], p);
+  return winding;
 }
 
 std::function<bool(const Vec3&)> make_inside_test(const Shape& shape) {

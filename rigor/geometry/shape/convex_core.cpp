@@ -26,11 +26,11 @@ struct MakeCore {
   }
   ConvexCore operator()(const Cylinder& s) const {
     const Vec3 size(s.radius, s.radius, s.half_length);
-    return {.kind = ConvexCore::Kind::cylinder, .size = size, .extent = size.tail<2>().norm()};
+    return {.kind = ConvexCore::Kind::rings, .size = size, .extent = size.tail<2>().norm()};
   }
   ConvexCore operator()(const Cone& s) const {
-    const Vec3 size(s.radius, s.radius, s.half_length);
-    return {.kind = ConvexCore::Kind::cone, .size = size, .extent = size.tail<2>().norm()};
+    const double extent = Vec2(s.radius, s.half_length).norm();
+    return {.kind = ConvexCore::Kind::rings, .size = Vec3(s.radius, 0, s.half_length), .extent = extent};
   }
   ConvexCore operator()(const Ellipsoid& s) const {
     return {.kind = ConvexCore::Kind::ellipsoid, .size = s.radii, .extent = s.radii.maxCoeff()};
@@ -44,6 +44,10 @@ struct MakeCore {
   ConvexCore operator()(const HalfSpace&) const { return {}; }
   ConvexCore operator()(const Cavity&) const { return {}; }
   ConvexCore operator()(const Mesh&) const { return {}; }
+  template <class Own>
+  ConvexCore operator()(const Own& s) const {
+    return s.core();
+  }
 };
 
 int farthest_by_scan(std::span<const Vec3> points, const Vec3& d) {
@@ -59,11 +63,12 @@ int farthest_by_scan(std::span<const Vec3> points, const Vec3& d) {
   return best;
 }
 
-Vec3 circle_point(double radius, double z, const Vec3& d) {
+Vec3 ring_point(const Ring& ring, const Vec3& d) {
+  if (ring.radius == 0) return {0, 0, ring.z};
   const double length = std::sqrt(d.x() * d.x() + d.y() * d.y());
-  if (length == 0) return {radius, 0, z};
-  const double scale = radius / length;
-  return {scale * d.x(), scale * d.y(), z};
+  if (length == 0) return {ring.radius, 0, ring.z};
+  const double scale = ring.radius / length;
+  return {scale * d.x(), scale * d.y(), ring.z};
 }
 
 Vec3 ellipsoid_point(const Vec3& radii, const Vec3& d) {
@@ -77,11 +82,26 @@ Vec3 box_corner(const Vec3& half_extents, int signs) {
           (signs & 4) ? half_extents.z() : -half_extents.z()};
 }
 
-int upper_circle_is_farther(const ConvexCore& core, const Vec3& d) {
-  if (core.kind == ConvexCore::Kind::cylinder) return d.z() >= 0 ? 1 : 0;
-  // The apex of a cone against its base circle.
-  const double base = core.size.x() * std::sqrt(d.x() * d.x() + d.y() * d.y());
-  return 2 * core.size.z() * d.z() >= base ? 1 : 0;
+/// Whether of two rings the upper one reaches at least as far along d: it rises by its height and falls back
+/// by what its radius is smaller.
+bool upper_ring_is_farther(const Ring& lower, const Ring& upper, const Vec3& d) {
+  const double narrowing = lower.radius - upper.radius;
+  if (narrowing == 0) return d.z() >= 0;
+  return (upper.z - lower.z) * d.z() >= narrowing * std::sqrt(d.x() * d.x() + d.y() * d.y());
+}
+
+/// Along a convex profile the rings first come nearer to the farthest and then leave it: bisection.
+int farthest_ring(const ConvexCore& core, const Vec3& d) {
+  int lower = 0, upper = ring_count(core) - 1;
+  while (lower < upper) {
+    const int middle = (lower + upper) / 2;
+    if (upper_ring_is_farther(ring_of(core, middle), ring_of(core, middle + 1), d)) {
+      lower = middle + 1;
+    } else {
+      upper = middle;
+    }
+  }
+  return lower;
 }
 
 }  // namespace
@@ -114,30 +134,25 @@ CorePoint core_support(const ConvexCore& core, const Vec3& d, int start) {
     case ConvexCore::Kind::segment:
       piece = d.z() >= 0 ? 1 : 0;
       break;
-    case ConvexCore::Kind::cylinder:
-    case ConvexCore::Kind::cone:
-      piece = upper_circle_is_farther(core, d);
+    case ConvexCore::Kind::rings:
+      piece = farthest_ring(core, d);
       break;
   }
   return {piece_point(core, piece, d), piece};
 }
 
 Vec3 piece_point(const ConvexCore& core, int piece, const Vec3& d) {
-  const double z = piece ? core.size.z() : -core.size.z();
   switch (core.kind) {
     case ConvexCore::Kind::point:
       return Vec3::Zero();
     case ConvexCore::Kind::segment:
-      return {0, 0, z};
+      return {0, 0, piece ? core.size.z() : -core.size.z()};
     case ConvexCore::Kind::points:
       return core.points[at(piece)];
     case ConvexCore::Kind::box:
       return box_corner(core.size, piece);
-    case ConvexCore::Kind::cone:
-      if (piece) return {0, 0, z};
-      [[fallthrough]];
-    case ConvexCore::Kind::cylinder:
-      return circle_point(core.size.x(), z, d);
+    case ConvexCore::Kind::rings:
+      return ring_point(ring_of(core, piece), d);
     case ConvexCore::Kind::ellipsoid:
       return ellipsoid_point(core.size, d);
   }
@@ -145,14 +160,12 @@ Vec3 piece_point(const ConvexCore& core, int piece, const Vec3& d) {
 }
 
 Mat3 piece_curvature(const ConvexCore& core, int piece, const Vec3& d) {
-  const bool is_circle =
-      core.kind == ConvexCore::Kind::cylinder || (core.kind == ConvexCore::Kind::cone && piece == 0);
-  if (is_circle) {
+  if (core.kind == ConvexCore::Kind::rings) {
     // d(r e)/dn = r/|n_xy| t tᵀ with e = n_xy/|n_xy| and t = z × e.
     const double length = std::sqrt(d.x() * d.x() + d.y() * d.y());
     if (length == 0) return Mat3::Zero();
     const Vec3 t(-d.y() / length, d.x() / length, 0);
-    return core.size.x() / length * t * t.transpose();
+    return ring_of(core, piece).radius / length * t * t.transpose();
   }
   if (core.kind == ConvexCore::Kind::ellipsoid) {
     // p = D² n / h with h = |D n|, so dp/dn = (D² - p pᵀ) / h.
@@ -200,10 +213,11 @@ Vec3 nearest_face_normal(const ConvexCore& core, const Vec3& d) {
     case ConvexCore::Kind::points:
       if (core.hull) return nearest_hull_face_normal(*core.hull, d);
       return core.points.size() == 3 ? triangle_normal(core.points, d) : Vec3::Zero();
-    case ConvexCore::Kind::cylinder:
-      return {0, 0, d.z() >= 0 ? 1.0 : -1.0};
-    case ConvexCore::Kind::cone:
-      return {0, 0, d.z() < 0 ? -1.0 : 0.0};
+    case ConvexCore::Kind::rings: {
+      const bool is_up = d.z() >= 0;
+      const bool has_cap = ring_of(core, is_up ? ring_count(core) - 1 : 0).radius > 0;
+      return {0, 0, !has_cap ? 0.0 : is_up ? 1.0 : -1.0};
+    }
     case ConvexCore::Kind::point:
     case ConvexCore::Kind::segment:
     case ConvexCore::Kind::ellipsoid:

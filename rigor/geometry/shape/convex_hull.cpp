@@ -121,6 +121,7 @@ class QhullRun {
       if (links[i][0] != links[i + 1][0] || (!is_last && links[i][0] == links[i + 2][0])) return {};
     }
     if (links.empty()) return {};
+    // From each point to the neighbour that is not where the loop came from, until it closes.
     std::vector<int> loop = {links[0][0]};
     for (int before = links[0][1], here = links[0][0];;) {
       const auto first = std::lower_bound(links.begin(), links.end(), std::array<int, 2>{here, -1});
@@ -144,6 +145,7 @@ class QhullRun {
 /// Coordinates from the points' mean, scaled by a power of two to a size near 1: qhull's tolerances are then
 /// the same everywhere and for every unit.
 std::vector<double> normalized(const std::vector<Vec3>& points) {
+  // The mean, and the exponent of the largest coordinate from it.
   Vec3 mean = Vec3::Zero();
   for (const Vec3& p : points) mean += p / static_cast<double>(points.size());
   double size = 0;
@@ -191,6 +193,7 @@ bool complete(ConvexHull& hull) {
   }
   std::sort(edges.begin(), edges.end());
 
+  // Each directed edge has its reverse in the neighbouring face, once.
   hull.vertex_neighbours.resize(hull.vertices.size());
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const DirectedEdge& edge = edges[i];
@@ -233,6 +236,7 @@ std::variant<ConvexHull, std::string> make_convex_hull(const std::vector<Vec3>& 
   const std::string reason = obvious_reason(points);
   if (!reason.empty()) return reason;
 
+  // Qhull finds the facets; points without a volume are told apart.
   std::vector<double> coordinates = normalized(points);
   const QhullRun run(coordinates);
   if (run.exit_code() == qh_ERRsingular) {
@@ -241,6 +245,7 @@ std::variant<ConvexHull, std::string> make_convex_hull(const std::vector<Vec3>& 
   }
   if (run.exit_code() != qh_ERRnone) return "no convex hull: " + run.message();
 
+  // The faces as loops of the points, and what is made from them.
   std::optional<std::vector<std::vector<int>>> faces = run.faces(points);
   if (faces) {
     ConvexHull hull = with_used_points(points, std::move(*faces));

@@ -29,6 +29,7 @@ PolygonParts cut_polygon(const ConvexPolygon& polygon, const CutPlane& plane, do
     const double height = plane.height(p);
     sides.push_back(height > tolerance ? 1 : (height < -tolerance ? -1 : 0));
   }
+  // A side of the plane without a corner gets no part.
   const bool has_front = std::count(sides.begin(), sides.end(), 1) > 0;
   const bool has_back = std::count(sides.begin(), sides.end(), -1) > 0;
   parts.is_in_plane = !has_front && !has_back;
@@ -54,6 +55,7 @@ Vec3 area_vector(const ConvexPolygon& polygon) {
 
 double polygon_distance(const ConvexPolygon& polygon, const Vec3& p) {
   if (polygon.empty()) return std::numeric_limits<double>::infinity();
+  // Over the polygon the distance is the height, beside it that of the nearest side.
   const Vec3 normal = area_vector(polygon).normalized();
   bool is_above = true;
   double nearest = std::numeric_limits<double>::infinity();

@@ -1,5 +1,7 @@
 #include "rigor/geometry/shape/corner_balls.hpp"
 
+#include "rigor/geometry/shape/convex_core.hpp"
+
 namespace rigor {
 
 bool has_corner_balls(const Shape& shape) {
@@ -9,9 +11,9 @@ bool has_corner_balls(const Shape& shape) {
 }
 
 double corner_radius(const Shape& shape) {
-  if (const Sphere* sphere = std::get_if<Sphere>(&shape)) return sphere->radius;
-  if (const Capsule* capsule = std::get_if<Capsule>(&shape)) return capsule->radius;
-  return 0;
+  // The ball that grows a core stands around each of its corners.
+  if (is_unbounded(shape) || std::holds_alternative<Mesh>(shape)) return 0;
+  return make_core(shape).radius;
 }
 
 }  // namespace rigor

@@ -50,6 +50,7 @@ void add_spokes(std::size_t vertex_count, FeatureGraph& graph) {
   std::vector<int> first(vertex_count, -1);
   for (std::size_t h = graph.half_edges.size(); h-- > 0;)
     first[at(graph.half_edges[h].from)] = static_cast<int>(h);
+  // Around each vertex, from its first half-edge, to the twin of the one before it in its face.
   for (const int start : first) {
     RIGOR_ASSERT(start >= 0);
     graph.vertex_begin.push_back(static_cast<int>(graph.spokes.size()));

@@ -29,7 +29,7 @@ struct FeatureGraph {
   std::vector<HalfEdge> half_edges;  ///< Face by face, each loop counter-clockwise seen from outside.
   std::vector<Vec3> normals;         ///< Of the faces, outward, unit.
   std::vector<int> face_begin;       ///< First half-edge of each face, and the count of all at the end.
-  std::vector<Spoke> spokes;         ///< Vertex by vertex, in turn around each.
+  std::vector<Spoke> spokes;         ///< Vertex by vertex, in order around each.
   std::vector<int> vertex_begin;     ///< First spoke of each vertex, and the count of all at the end.
 
   int face_count() const { return static_cast<int>(normals.size()); }

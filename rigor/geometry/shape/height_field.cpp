@@ -70,6 +70,7 @@ class HeightFieldMesh {
   }
 
   void add_walls_and_bottom() {
+    // The rim once more at the bottom, and a point in the middle there.
     const double bottom = lowest_height(field_) - field_.base_depth;
     const std::vector<int> top = rim();
     const int count = static_cast<int>(top.size());
@@ -80,6 +81,7 @@ class HeightFieldMesh {
     }
     const int middle = first + count;
     mesh_.vertices.emplace_back(0, 0, bottom);
+    // Two triangles of wall and one of the bottom for each side of the rim.
     for (int i = 0; i < count; ++i) {
       const int next = (i + 1) % count;
       const int above = top[at(i)], above_next = top[at(next)];

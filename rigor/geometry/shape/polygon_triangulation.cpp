@@ -61,8 +61,8 @@ class EarClipper {
       nodes_[at(i)].next = (i + 1) % count_;
     }
     for (int i = 0; i < count_; ++i) {
-      nodes_[at(i)].turn = turn_at(i);
-      if (nodes_[at(i)].turn <= 0) reflex_.push_back(i);
+      nodes_[at(i)].corner_sign = corner_sign_at(i);
+      if (nodes_[at(i)].corner_sign <= 0) reflex_.push_back(i);
     }
   }
 
@@ -90,8 +90,8 @@ class EarClipper {
  private:
   struct Node {
     int previous, next;
-    int turn = 0;   ///< +1 convex corner, 0 straight, -1 reflex.
-    int stamp = 0;  ///< Entries of the queue with another number are out of date.
+    int corner_sign = 0;  ///< +1 convex corner, 0 straight, -1 reflex.
+    int stamp = 0;        ///< Entries of the queue with another number are out of date.
     bool is_clipped = false;
     std::vector<int> waiting;  ///< Corners that are no ears as long as this one is in the way.
   };
@@ -99,7 +99,7 @@ class EarClipper {
     int corner, stamp;
   };
 
-  int turn_at(int i) const {
+  int corner_sign_at(int i) const {
     const Node& node = nodes_[at(i)];
     return orientation(points_[at(node.previous)], points_[at(i)], points_[at(node.next)]);
   }
@@ -107,7 +107,7 @@ class EarClipper {
   void enqueue(int i) {
     Node& node = nodes_[at(i)];
     ++node.stamp;
-    if (!node.is_clipped && node.turn > 0) queue_.push_back({i, node.stamp});
+    if (!node.is_clipped && node.corner_sign > 0) queue_.push_back({i, node.stamp});
   }
 
   int next_candidate() {
@@ -128,7 +128,7 @@ class EarClipper {
     const Vec2 &a = points_[at(before)], &b = points_[at(i)], &c = points_[at(after)];
     const auto is_inside = [&](int j) {
       const Node& node = nodes_[at(j)];
-      if (node.is_clipped || node.turn > 0 || j == before || j == i || j == after) return false;
+      if (node.is_clipped || node.corner_sign > 0 || j == before || j == i || j == after) return false;
       const Vec2& p = points_[at(j)];
       if (p == a || p == b || p == c) return false;
       return orientation(a, b, p) >= 0 && orientation(b, c, p) >= 0 && orientation(c, a, p) >= 0;
@@ -139,7 +139,7 @@ class EarClipper {
   int forced(int start) const {
     int i = start;
     do {
-      if (nodes_[at(i)].turn > 0) return i;
+      if (nodes_[at(i)].corner_sign > 0) return i;
       i = nodes_[at(i)].next;
     } while (i != start);
     return start;
@@ -152,9 +152,9 @@ class EarClipper {
     nodes_[at(node.previous)].next = node.next;
     nodes_[at(node.next)].previous = node.previous;
     for (const int neighbour : {node.previous, node.next}) {
-      nodes_[at(neighbour)].turn = turn_at(neighbour);
+      nodes_[at(neighbour)].corner_sign = corner_sign_at(neighbour);
       enqueue(neighbour);
-      if (nodes_[at(neighbour)].turn > 0) wake(neighbour);
+      if (nodes_[at(neighbour)].corner_sign > 0) wake(neighbour);
     }
     wake(i);
   }

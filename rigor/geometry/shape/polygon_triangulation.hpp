@@ -13,7 +13,7 @@ Vec3 doubled_area_vector(const std::vector<Vec3>& vertices, const std::vector<in
 
 /// Cuts a simple polygon, possibly concave, into n - 2 triangles of the same orientation by clipping ears.
 /// The polygon is seen along the axis nearest to its normal, and all decisions are exact there. A polygon
-/// that crosses itself still gives n - 2 triangles with the same boundary, but some of them turn backwards.
+/// that crosses itself still gives n - 2 triangles with the same boundary, but some of them face backwards.
 /// Time about n log n for usual polygons.
 ///
 /// Source: the ears are those of Meisters, Polygons Have Ears, Amer. Math. Monthly 82, 1975; an ear that is

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "rigor/geometry/shape/revolution.hpp"
 #include "rigor/math/types.hpp"
 
 #include <memory>
@@ -13,6 +14,10 @@ struct TriangleMesh;  // rigor/geometry/shape/triangle_mesh.hpp
 struct TriangleTree;  // rigor/geometry/mesh/triangle_tree.hpp
 
 // Every shape lies in its own frame S. Lengths in m. Axes of revolution are z.
+//
+// The shapes below are plain numbers: each function of shapes has a visitor with one overload for each of
+// them. A shape in a file of its own (revolution.hpp) answers as members, which the last overload of a
+// visitor calls. A shape that does neither does not compile: docs/extending.md lists the places.
 
 /// Ball about the origin.
 struct Sphere {
@@ -64,10 +69,11 @@ struct Mesh {
   std::shared_ptr<const MeshSolid> solid{};  ///< Its inside, computed when it is needed.
 };
 
-using Shape = std::variant<Sphere, Box, Capsule, Cylinder, Cone, Ellipsoid, HalfSpace, Convex, Mesh, Cavity>;
+using Shape = std::variant<Sphere, Box, Capsule, Cylinder, Cone, Ellipsoid, HalfSpace, Convex, Mesh, Cavity,
+                           Revolution>;
 
 /// Name of the shape's type in a scene file: "sphere", "box", "capsule", "cylinder", "cone", "ellipsoid",
-/// "plane", "convex", "mesh" or "cavity".
+/// "plane", "convex", "mesh", "cavity" or "revolution".
 const char* shape_type_name(const Shape& shape);
 
 /// Half-spaces and cavities: solids without an end.

@@ -28,6 +28,7 @@ Vec3 excess_of(const Vec3& radii) {
 /// g(μ) = μ + Σ c² μ / (μ - a²), a dual whose every value is an upper bound. With t = μ - max a², g' < 0
 /// below its root and g' ≥ 0 at t = |a c|. Returns t, from above.
 double dual_of_ellipsoid(const Vec3& radii, const Vec3& c) {
+  // Bisection between 0 and |a c|, until no number lies in between.
   const double largest = radii.maxCoeff();
   const Vec3 excess = excess_of(radii);
   const Vec3 ac = radii.cwiseProduct(c);
@@ -50,6 +51,7 @@ double radius_of_ellipsoid(const Vec3& radii, const Vec3& c) {
 }
 
 Vec3 farthest_on_ellipsoid(const Vec3& radii, const Vec3& c) {
+  // Stationary points of the distance: x = -a² c / (max a² - a² + t).
   const double t = dual_of_ellipsoid(radii, c);
   const Vec3 excess = excess_of(radii);
   Eigen::Index longest = 0;
@@ -92,6 +94,10 @@ struct RadiusAbout {
   double operator()(const Cavity&) const { return std::numeric_limits<double>::infinity(); }
   double operator()(const Convex& s) const { return radius_of_points(s.hull->vertices, c); }
   double operator()(const Mesh& s) const { return radius_of_points(s.mesh->vertices, c); }
+  template <class Own>
+  double operator()(const Own& s) const {
+    return (s.farthest_point(c) - c).norm();
+  }
 };
 
 }  // namespace
@@ -133,6 +139,10 @@ struct FarthestFrom {
   Vec3 operator()(const Ellipsoid& s) const { return farthest_on_ellipsoid(s.radii, c); }
   Vec3 operator()(const Convex& s) const { return farthest_of_points(s.hull->vertices, c); }
   Vec3 operator()(const Mesh& s) const { return farthest_of_points(s.mesh->vertices, c); }
+  template <class Own>
+  Vec3 operator()(const Own& s) const {
+    return s.farthest_point(c);
+  }
   Vec3 operator()(const HalfSpace&) const { return Vec3::Zero(); }
   Vec3 operator()(const Cavity&) const { return Vec3::Zero(); }
 

@@ -96,6 +96,7 @@ SupportTable make_support_table(const ConvexHull& hull) {
     table.y.push_back(p.y());
     table.z.push_back(p.z());
   }
+  // Neighbours and faces of each vertex, one list after the other.
   put_in_a_row(hull.vertex_neighbours, table.first, table.neighbours);
   std::vector<std::vector<int>> vertex_faces(vertices.size());
   for (std::size_t f = 0; f < hull.faces.size(); ++f) {
@@ -104,6 +105,7 @@ SupportTable make_support_table(const ConvexHull& hull) {
   put_in_a_row(vertex_faces, table.first_face, table.faces);
   if (table.count <= kLargestScan) return table;
 
+  // Of large hulls the farthest vertex along the middle of each patch, where a walk begins.
   int start = 0;
   for (int patch = 0; patch < 6 * SupportTable::kGrid * SupportTable::kGrid; ++patch) {
     start = walk(table, middle_of_patch(patch), start);
@@ -148,6 +150,7 @@ __attribute__((target("avx2"))) int scan_with_avx2(const SupportTable& table, co
                                      _mm256_mul_pd(_mm256_loadu_pd(&table.y[i]), dy));
     return _mm256_add_pd(xy, _mm256_mul_pd(_mm256_loadu_pd(&table.z[i]), dz));
   };
+  // Four running maxima with the vertex of each.
   __m256d highest = heights(0);
   __m256d index = _mm256_set_pd(3, 2, 1, 0);
   __m256d best = index;

@@ -188,6 +188,9 @@ std::vector<KeyTable> shape_key_tables() {
           {{"vertices", ValueType::vectors, "m", "-", limits::position, "points whose hull it is; or file"},
            file,
            scale}),
+      shape_table("revolution", "a solid of revolution",
+                  {{"profile", ValueType::rows, "m", "required", limits::position,
+                    "points [radius, z], in any order; convex when rotated about z"}}),
       shape_table("mesh", "a mesh", {mesh_file, scale}),
       shape_table("heightfield", "a height field", height_field_keys()),
   };

@@ -1,11 +1,13 @@
 #include "rigor/io/scene/joint_reader.hpp"
 
+#include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/core/quoted.hpp"
 #include "rigor/io/scene/shape_reader.hpp"
 #include "rigor/model/limits.hpp"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <optional>
@@ -20,11 +22,12 @@ namespace {
 using Description = ModelBuilder::JointDescription;
 using Indices = std::array<int, 3>;
 
+/// The type of a key table of the family "joint".
 JointType type_of(const std::string& name) {
-  for (int i = 0; i < static_cast<int>(JointType::gear); ++i) {
-    if (name == joint_type_name(static_cast<JointType>(i))) return static_cast<JointType>(i);
-  }
-  return JointType::gear;
+  const auto row =
+      std::ranges::find_if(joint_table, [&](const JointTraits& traits) { return name == traits.name; });
+  RIGOR_ASSERT(row != joint_table.end());
+  return row->type;
 }
 
 JointMotor read_motor(const ObjectReader& coordinate) {
@@ -37,7 +40,7 @@ JointMotor read_motor(const ObjectReader& coordinate) {
 }
 
 /// What acts along one coordinate, from the keys of the joint itself or of an entry of `coordinates`.
-JointAxis read_axis(const ObjectReader& reader, bool is_ball, double default_rest) {
+JointAxis read_axis(const ObjectReader& reader, bool is_passive, double default_rest) {
   JointAxis axis;
   if (const std::optional<std::array<double, 2>> limits = reader.range("limits")) {
     axis.lower = (*limits)[0];
@@ -47,7 +50,7 @@ JointAxis read_axis(const ObjectReader& reader, bool is_ball, double default_res
   axis.stiffness = reader.number("stiffness").value_or(0);
   axis.rest = reader.number("rest").value_or(default_rest);
   axis.damping = reader.number("damping").value_or(0);
-  if (is_ball) return axis;
+  if (is_passive) return axis;
   axis.friction = reader.number("friction").value_or(0);
   if (reader.has("motor")) axis.motor = read_motor(reader);
   return axis;
@@ -59,9 +62,7 @@ std::vector<JointAxis> read_coordinates(const ObjectReader& joint, JointType typ
   const int count = coordinate_count(type);
   if (joint.find("coordinates")->kind == YamlNode::Kind::list && static_cast<int>(nodes.size()) != count) {
     joint.fail("coordinates", fmt::format("coordinates has {} entries, must have {}: {}", nodes.size(), count,
-                                          type == JointType::cylindrical ? "displacement, angle"
-                                          : type == JointType::universal ? "angle on A, angle on B"
-                                                                         : "two displacements, angle"));
+                                          joint_traits(type).coordinates_text));
     return {};
   }
   std::vector<JointAxis> axes;
@@ -76,8 +77,8 @@ std::vector<JointAxis> read_coordinates(const ObjectReader& joint, JointType typ
 }
 
 void read_places(const ObjectReader& joint, Description& description) {
-  const JointType type = description.type;
-  if (type == JointType::distance) {
+  const JointTraits& traits = joint_traits(description.type);
+  if (traits.anchors == JointAnchors::two) {
     description.anchors = joint.vectors("anchors");
     const std::size_t count = description.anchors.size();
     if (count != 0 && count != 2) {
@@ -86,12 +87,10 @@ void read_places(const ObjectReader& joint, Description& description) {
     return;
   }
   if (const std::optional<Vec3> anchor = joint.vector("anchor")) description.anchors = {*anchor};
-  if (type == JointType::fixed || type == JointType::ball) return;
+  if (traits.axes == JointAxes::none) return;
   description.axis = joint.vector("axis").value_or(Vec3::UnitZ());
-  if (type == JointType::universal || type == JointType::planar) {
-    description.second_axis = joint.vector("second_axis");
-  }
-  if (type == JointType::screw) description.pitch = joint.number("pitch").value_or(0);
+  if (has_second_axis(traits.type)) description.second_axis = joint.vector("second_axis");
+  if (traits.relation == JointRelation::screw) description.pitch = joint.number("pitch").value_or(0);
 }
 
 void read_body_joint(const ObjectReader& joint, Description& description) {
@@ -101,9 +100,10 @@ void read_body_joint(const ObjectReader& joint, Description& description) {
   read_places(joint, description);
   if (coordinate_count(type) > 1) description.axes = read_coordinates(joint, type);
   if (coordinate_count(type) != 1) return;
-  const bool has_distance = type == JointType::distance && description.anchors.size() == 2;
+  const bool has_distance =
+      joint_traits(type).relation == JointRelation::distance && description.anchors.size() == 2;
   const double rest = has_distance ? (description.anchors[1] - description.anchors[0]).stableNorm() : 0;
-  description.axes = {read_axis(joint, type == JointType::ball, rest)};
+  description.axes = {read_axis(joint, has_whole_angle(type), rest)};
 }
 
 /// An index as `repeat` allows it: a whole number, or i, j, k with or without a number added: "i+1".

@@ -1,13 +1,17 @@
 #include "rigor/io/scene/shape_reader.hpp"
 
+#include "rigor/core/assert.hpp"
 #include "rigor/core/quoted.hpp"
 #include "rigor/core/suggestion.hpp"
 #include "rigor/io/files/scalar_text.hpp"
 #include "rigor/io/scene/height_field_reader.hpp"
 #include "rigor/io/scene/pose_reader.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -49,28 +53,79 @@ std::optional<Shape> read_convex(const ObjectReader& shape, ShapeFiles& files) {
   return Convex{std::make_shared<const ConvexHull>(std::get<ConvexHull>(std::move(hull)))};
 }
 
-std::optional<Shape> read_geometry(const std::string& type, const ObjectReader& shape, ShapeFiles& files) {
-  if (type == "capsule") return read_round<Capsule>(shape);
-  if (type == "cylinder") return read_round<Cylinder>(shape);
-  if (type == "cone") return read_round<Cone>(shape);
-  if (type == "plane") return read_plane(shape);
-  if (type == "convex") return read_convex(shape, files);
-  if (type == "mesh") return files.mesh(shape);
-  if (type == "heightfield") return read_height_field(shape, files);
-  if (type == "sphere") {
-    const std::optional<double> radius = shape.number("radius");
-    if (radius) return Sphere{*radius};
-  } else if (type == "cavity") {
-    const std::optional<double> radius = shape.number("radius");
-    if (radius) return Cavity{*radius};
-  } else if (type == "box") {
-    const std::optional<Vec3> size = shape.vector("size");
-    if (size) return Box{*size / 2};
-  } else {
-    const std::optional<Vec3> radii = shape.vector("radii");
-    if (radii) return Ellipsoid{*radii};
+std::optional<Shape> read_revolution(const ObjectReader& shape) {
+  const std::vector<std::vector<double>> rows = shape.rows("profile");
+  if (rows.empty()) return std::nullopt;
+  if (rows.front().size() != 2) {
+    shape.fail("profile", "a point of the profile has " + std::to_string(rows.front().size()) +
+                              " numbers, must have 2: [radius, z]");
+    return std::nullopt;
   }
-  return std::nullopt;
+  std::vector<Vec2> profile;
+  for (const std::vector<double>& row : rows) profile.emplace_back(row[0], row[1]);
+  std::variant<Revolution, std::string> solid = make_revolution(profile);
+  if (const std::string* const reason = std::get_if<std::string>(&solid)) {
+    shape.fail("profile", *reason);
+    return std::nullopt;
+  }
+  return std::get<Revolution>(std::move(solid));
+}
+
+template <typename Ball>
+std::optional<Shape> read_ball(const ObjectReader& shape) {
+  const std::optional<double> radius = shape.number("radius");
+  if (!radius) return std::nullopt;
+  return Ball{*radius};
+}
+
+std::optional<Shape> read_box(const ObjectReader& shape) {
+  const std::optional<Vec3> size = shape.vector("size");
+  if (!size) return std::nullopt;
+  return Box{*size / 2};
+}
+
+std::optional<Shape> read_ellipsoid(const ObjectReader& shape) {
+  const std::optional<Vec3> radii = shape.vector("radii");
+  if (!radii) return std::nullopt;
+  return Ellipsoid{*radii};
+}
+
+std::optional<Shape> read_mesh(const ObjectReader& shape, ShapeFiles& files) {
+  return files.mesh(shape);
+}
+
+using ShapeFunction = std::optional<Shape> (*)(const ObjectReader& shape, ShapeFiles& files);
+
+/// Who reads which type; the types are those of shape_key_tables.
+struct ShapeRow {
+  std::string_view type;
+  ShapeFunction read;
+};
+template <std::optional<Shape> (*read)(const ObjectReader&)>
+std::optional<Shape> without_files(const ObjectReader& shape, ShapeFiles&) {
+  return read(shape);
+}
+constexpr ShapeRow shape_rows[] = {
+    {"sphere", without_files<read_ball<Sphere>>},
+    {"box", without_files<read_box>},
+    {"capsule", without_files<read_round<Capsule>>},
+    {"cylinder", without_files<read_round<Cylinder>>},
+    {"cone", without_files<read_round<Cone>>},
+    {"ellipsoid", without_files<read_ellipsoid>},
+    {"plane", without_files<read_plane>},
+    {"cavity", without_files<read_ball<Cavity>>},
+    {"convex", read_convex},
+    {"revolution", without_files<read_revolution>},
+    {"mesh", read_mesh},
+    {"heightfield", read_height_field},
+};
+// A height field is a mesh; every other shape has its own row.
+static_assert(std::size(shape_rows) == std::variant_size_v<Shape> + 1, "a shape without a reader");
+
+std::optional<Shape> read_geometry(const std::string& type, const ObjectReader& shape, ShapeFiles& files) {
+  const ShapeRow* const row = std::ranges::find(shape_rows, type, &ShapeRow::type);
+  RIGOR_ASSERT(row != std::end(shape_rows));  // The type comes from a key table.
+  return row->read(shape, files);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include "rigor/io/trajectory/fingerprint.hpp"
 
-#include "rigor/geometry/shape/convex_hull.hpp"
+#include "rigor/geometry/shape/shape_data.hpp"
 #include "rigor/geometry/shape/triangle_mesh.hpp"
 
 #include <bit>
@@ -28,24 +28,13 @@ class Hash {
   void add(const Quat& q) { add(q.w()), add(q.x()), add(q.y()), add(q.z()); }
   void add(const Pose& X) { add(Vec3(X.R.col(0))), add(Vec3(X.R.col(1))), add(Vec3(X.R.col(2))), add(X.p); }
 
-  void add(const Sphere& s) { add(s.radius); }
-  void add(const Box& s) { add(s.half_extents); }
-  void add(const Capsule& s) { add(s.radius), add(s.half_length); }
-  void add(const Cylinder& s) { add(s.radius), add(s.half_length); }
-  void add(const Cone& s) { add(s.radius), add(s.half_length); }
-  void add(const Ellipsoid& s) { add(s.radii); }
-  void add(const HalfSpace& s) { add(s.normal), add(s.offset); }
-  void add(const Cavity& s) { add(s.radius); }
-  void add(const Convex& s) {
-    for (const Vec3& v : s.hull->vertices) add(v);
-  }
-  void add(const Mesh& s) {
-    for (const Vec3& v : s.mesh->vertices) add(v);
-    for (const auto& triangle : s.mesh->triangles) add(triangle[0]), add(triangle[1]), add(triangle[2]);
-  }
   void add(const Shape& shape) {
     add(static_cast<int>(shape.index()));
-    std::visit([this](const auto& s) { add(s); }, shape);
+    const ShapeData data = shape_data(shape);
+    for (const double number : data.numbers()) add(number);
+    const Mesh* const mesh = std::get_if<Mesh>(&shape);
+    if (mesh == nullptr) return;
+    for (const auto& triangle : mesh->mesh->triangles) add(triangle[0]), add(triangle[1]), add(triangle[2]);
   }
 
   void add(const ConstantForce& f) {

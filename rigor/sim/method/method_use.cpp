@@ -1,5 +1,7 @@
 #include "rigor/sim/method/method_use.hpp"
 
+#include "rigor/sim/method/method.hpp"
+
 #include <algorithm>
 #include <array>
 
@@ -7,7 +9,7 @@ namespace rigor {
 
 namespace {
 
-/// Schemes that look at a choice: those that locate impacts are event-driven, impulse-based and hybrid.
+/// The kinds of schemes that read a choice: event-driven, impulse-based and hybrid locate impacts.
 struct ChoiceUse {
   std::string_view key;
   bool when_located, when_stepped, when_penalised;

@@ -35,10 +35,14 @@ class BoundedPivoting {
     while (pivots_++ < most_pivots) {
       if (is_placed(d)) return;
       const double sign = w_(d) < 0 ? 1 : -1;
+
+      // The direction that moves z_d by one and keeps w = 0 on the free indices.
       VecX dz = VecX::Zero(z_.size());
       dz(d) = sign;
       if (!free_.empty()) dz(free_) = -sign * factor_.solve(A_(free_, d));
       const VecX dw = A_ * dz;
+
+      // As far as w_d = 0, a bound of a moving index, or w = 0 of a held one that wants to leave its bound.
       Step step{std::numeric_limits<double>::infinity(), -1};
       if (dw(d) * sign > kRounding * A_(d, d)) step.consider(-w_(d) / dw(d), d);
       step.consider(room(d, sign), d);
@@ -47,6 +51,8 @@ class BoundedPivoting {
       for (Index i = 0; i < z_.size(); ++i)
         if (i != d && is_held_[at(i)] && crosses(i, dw(i))) step.consider(-w_(i) / dw(i), i);
       if (step.blocking < 0) return;
+
+      // The index that blocks changes its set.
       z_ += step.length * dz;
       w_ += step.length * dw;
       exchange(step.blocking, d);
@@ -143,6 +149,7 @@ LcpSeed seed_by_pivoting(const CoulombProblem& problem) {
   std::vector<bool> sticks(problem.mu.size(), true), last;
   LcpSeed seed;
   for (int round = 0; round < kRounds && (round < 3 || sticks != last); ++round) {
+    // Bounds of friction from the normal forces of the round before; known slips hold theirs.
     last = sticks;
     VecX lo = VecX::Zero(3 * count), hi = lo, held = lo;
     for (Index i = 0; i < count; ++i) {
@@ -156,11 +163,15 @@ LcpSeed seed_by_pivoting(const CoulombProblem& problem) {
         lo.segment<2>(3 * i).setConstant(-limit);
       }
     }
+
+    // The normal forces are driven first, then the tangential ones between their bounds.
     const VecX q = problem.b + problem.A * held;
     BoundedPivoting pivoting(problem.A, q, lo, hi);
     for (Index i = 0; i < count; ++i) pivoting.drive(3 * i + 2);
     for (Index i = 0; i < count; ++i)
       for (Index axis = 0; axis < 2; ++axis) pivoting.drive(3 * i + axis);
+
+    // What is at a bound slips; in the first round the bounds were zero and say nothing.
     forces = pivoting.z() + held;
     seed.pivots += pivoting.pivots();
     for (Index i = 0; i < count; ++i) {
@@ -193,6 +204,8 @@ LcpSeed seed_by_pyramid(const CoulombProblem& problem) {
       columns.push_back({i, side});
     }
   }
+
+  // The matrix of Stewart and Trinkle: forces, then the slip speeds that close the pyramids.
   const Index forces = static_cast<Index>(rows.size()), size = forces + static_cast<Index>(speeds.size());
   MatX M = MatX::Zero(size, size);
   VecX q = VecX::Zero(size);
@@ -207,6 +220,8 @@ LcpSeed seed_by_pyramid(const CoulombProblem& problem) {
     M.row(speed).segment<4>(first).setConstant(-1);
     M(speed, first - 1) = problem.mu[speeds[s].second];
   }
+
+  // Forces of the solution; a cone whose slip speed is zero sticks.
   const LcpSolution solution = lcp_lemke(M, q);
   VecX lambda = VecX::Zero(problem.b.size());
   for (Index c = 0; c < forces; ++c) {

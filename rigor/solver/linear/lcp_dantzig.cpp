@@ -3,6 +3,7 @@
 #include "rigor/math/dense.hpp"
 #include "rigor/solver/linear/lcp.hpp"
 #include "rigor/solver/linear/lcp_residual.hpp"
+#include "rigor/solver/linear/solved_residual.hpp"
 
 #include <limits>
 #include <vector>
@@ -76,6 +77,8 @@ class Dantzig {
       const VecX dz = push_direction(d);
       const VecX dw = M_ * dz;
       const VecX dw_size = M_.cwiseAbs() * dz.cwiseAbs();
+
+      // As far as w_d = 0, z = 0 of a clamped index, or w = 0 of an open one.
       double step = std::numeric_limits<double>::infinity();
       Index blocking = -1;
       const auto consider = [&](double length, Index i) {
@@ -92,6 +95,8 @@ class Dantzig {
         if (!is_clamped && w_(i) >= 0 && dw(i) < -kRounding * dw_size(i)) consider(-w_(i) / dw(i), i);
       }
       if (blocking < 0) return false;
+
+      // The index that blocks changes its set.
       z_ += step * dz;
       w_ += step * dw;
       exchange(blocking, d);
@@ -144,7 +149,7 @@ LcpSolution finish_lcp(const MatX& M, const VecX& q, const VecX& z, int pivots) 
   }
   solution.residual = size > 0 ? worst / size : 0.0;
   if (!z.allFinite()) solution.residual = std::numeric_limits<double>::infinity();
-  solution.converged = solution.residual <= 1e-12;
+  solution.converged = solution.residual <= solved_residual;
   return solution;
 }
 

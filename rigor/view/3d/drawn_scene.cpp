@@ -1,6 +1,7 @@
 #include "rigor/view/3d/drawn_scene.hpp"
 
 #include "rigor/core/index.hpp"
+#include "rigor/geometry/shape/shape_data.hpp"
 #include "rigor/geometry/shape/support.hpp"
 #include "rigor/view/3d/bowl.hpp"
 #include "rigor/view/3d/drawn_joints.hpp"
@@ -13,45 +14,18 @@ namespace rigor {
 
 namespace {
 
-/// Numbers that tell the surfaces of one type of shape apart.
-using Numbers = std::array<double, 3>;
-struct NumbersOf {
-  Numbers operator()(const Box& s) const {
-    return {s.half_extents.x(), s.half_extents.y(), s.half_extents.z()};
-  }
-  Numbers operator()(const Ellipsoid& s) const { return {s.radii.x(), s.radii.y(), s.radii.z()}; }
-  Numbers operator()(const Capsule& s) const { return {s.radius, s.half_length}; }
-  Numbers operator()(const Cylinder& s) const { return {s.radius, s.half_length}; }
-  Numbers operator()(const Cone& s) const { return {s.radius, s.half_length}; }
-};
-
 class SurfaceShelf {
  public:
   std::shared_ptr<const Surface> surface(const Shape& shape) {
-    return std::visit([&](const auto& s) { return surface_of(s, shape); }, shape);
+    const ShapeData data = shape_data(shape);
+    std::shared_ptr<const Surface>& kept =
+        data.shared != nullptr ? by_data_[data.shared] : by_numbers_[{shape.index(), data.own}];
+    if (!kept) kept = std::make_shared<const Surface>(make_surface(shape));
+    return kept->vertices.empty() ? nullptr : kept;
   }
 
  private:
-  std::shared_ptr<const Surface> surface_of(const Sphere&, const Shape&) { return nullptr; }
-  std::shared_ptr<const Surface> surface_of(const HalfSpace&, const Shape&) { return nullptr; }
-  std::shared_ptr<const Surface> surface_of(const Cavity&, const Shape&) { return nullptr; }
-  std::shared_ptr<const Surface> surface_of(const Convex& s, const Shape& shape) {
-    return shared(by_data_[s.hull.get()], shape);
-  }
-  std::shared_ptr<const Surface> surface_of(const Mesh& s, const Shape& shape) {
-    return shared(by_data_[s.mesh.get()], shape);
-  }
-  template <typename S>
-  std::shared_ptr<const Surface> surface_of(const S& s, const Shape& shape) {
-    return shared(by_numbers_[{shape.index(), NumbersOf{}(s)}], shape);
-  }
-
-  static std::shared_ptr<const Surface> shared(std::shared_ptr<const Surface>& kept, const Shape& shape) {
-    if (!kept) kept = std::make_shared<const Surface>(make_surface(shape));
-    return kept;
-  }
-
-  std::map<std::pair<std::size_t, Numbers>, std::shared_ptr<const Surface>> by_numbers_;
+  std::map<std::pair<std::size_t, std::array<double, 4>>, std::shared_ptr<const Surface>> by_numbers_;
   std::map<const void*, std::shared_ptr<const Surface>> by_data_;  ///< Looked up only, never walked through.
 };
 

@@ -154,6 +154,21 @@ Surface surface_of(const Cone& cone) {
   return surface;
 }
 
+/// Each frustum has normals of its own, so that the rims show.
+Surface surface_of(const Revolution& solid) {
+  const std::vector<Ring>& circles = *solid.rings;
+  Surface surface;
+  for (std::size_t i = 0; i + 1 < circles.size(); ++i) {
+    const Ring &lower = circles[i], &upper = circles[i + 1];
+    const double along_radius = upper.z - lower.z, along_z = lower.radius - upper.radius;
+    add_band({lower.radius, lower.z, along_radius, along_z}, {upper.radius, upper.z, along_radius, along_z},
+             surface);
+  }
+  if (circles.front().radius > 0) add_disk(circles.front().radius, circles.front().z, false, surface);
+  if (circles.back().radius > 0) add_disk(circles.back().radius, circles.back().z, true, surface);
+  return surface;
+}
+
 /// A unit sphere, stretched; normals stretch by the inverse.
 Surface surface_of(const Ellipsoid& ellipsoid) {
   std::vector<ProfilePoint> profile;

@@ -5,6 +5,7 @@
 #include "rigor/io/files/json_text.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/view/3d/bowl.hpp"
+#include "rigor/view/3d/surface.hpp"
 #include "rigor/view/page/page_block.hpp"
 
 #include <map>
@@ -49,7 +50,18 @@ class MeshTable {
   std::map<std::string, int> indices_;
 };
 
-/// The dimensions of a shape; a new shape does not compile until it is here.
+/// The faces of a drawing, cut into triangles.
+TriangleMesh triangles_of(const Surface& surface) {
+  PolygonMesh polygons{surface.vertices, {}};
+  for (const Surface::Face& face : surface.faces) {
+    const auto begin = surface.corners.begin() + face.begin;
+    polygons.faces.emplace_back(begin, begin + face.count);
+  }
+  return triangulated(polygons);
+}
+
+/// The dimensions of a shape that the viewer draws by itself; of another the mesh that pictures draw, as
+/// which the page then knows it.
 struct Dimensions {
   MeshTable& meshes;
 
@@ -66,6 +78,10 @@ struct Dimensions {
     return {{"mesh", meshes.index_of(triangulated({c.hull->vertices, c.hull->faces}))}};
   }
   Json operator()(const Mesh& m) const { return {{"mesh", meshes.index_of(*m.mesh)}}; }
+  template <class Own>
+  Json operator()(const Own& s) const {
+    return {{"type", "mesh"}, {"mesh", meshes.index_of(triangles_of(make_surface(s)))}};
+  }
 
  private:
   static Json round(double radius, double half_length) {
