@@ -385,7 +385,10 @@ void add_check(CLI::App& app, CheckOptions& check) {
   app.add_option("SCENE", check.scenes, "scene files")->required()->option_text("...");
 }
 
-void add_methods(CLI::App&, MethodsOptions&) {}
+void add_methods(CLI::App& app, MethodsOptions& methods) {
+  app.add_option("WORD", methods.words, "a choice, an author, or a word of the courses: contact region")
+      ->option_text("...");
+}
 
 /// A command whose options are kept in `chosen` when it is the one that is asked for.
 template <typename Options>
@@ -413,7 +416,8 @@ void add_commands(CLI::App& app, std::optional<Command>& chosen) {
   add_command(app, "distance", "signed distance and contacts of two bodies at t = 0; rays, points, pushes",
               add_distance, chosen);
   add_command(app, "convert", "a solid as convex pieces for a scene, or a mesh as .obj", add_convert, chosen);
-  add_command(app, "methods", "list every method, with its source", add_methods, chosen);
+  add_command(app, "methods", "list every method, with its source, or find a word of the courses",
+              add_methods, chosen);
   add_command(app, "render", "pictures and films of a scene or a trajectory", add_render, chosen);
   add_command(app, "plot", "plot quantities of a trajectory over time", add_plot, chosen);
   add_command(app, "impact", "one frictional impact in detail, under several laws", add_impact, chosen);

@@ -64,6 +64,7 @@ TEST(MethodUse, EachFamilyHasItsOwn) {
     EXPECT_TRUE(used_by(scheme, "toi"));
     EXPECT_FALSE(used_by(scheme, "solver"));
     EXPECT_FALSE(used_by(scheme, "penalty_law"));
+    EXPECT_EQ(used_by(scheme, "micro_collisions"), scheme == Scheme::impulse_based);
   }
   EXPECT_TRUE(used_by(Scheme::time_stepping, "solver"));
   EXPECT_FALSE(used_by(Scheme::time_stepping, "toi"));

@@ -5,6 +5,7 @@
 #include "rigor/contact/impact/rolling_friction_collision.hpp"
 #include "rigor/contact/impact/sequential_impacts.hpp"
 #include "rigor/contact/impact/single_collision.hpp"
+#include "rigor/contact/impact/velocity_projection.hpp"
 #include "rigor/contact/resting/rolling_friction.hpp"
 #include "rigor/core/index.hpp"
 
@@ -16,11 +17,20 @@ namespace rigor {
 
 namespace {
 
-ImpactSolution reflected(const ImpactProblem& problem, RestitutionLaw) {
+ImpactSolution reflected(const ContactSystem&, const ImpactProblem& problem, RestitutionLaw) {
   return solve_reflections(problem);
 }
-ImpactSolution by_newton_on_all(const ImpactProblem& problem, RestitutionLaw) {
+ImpactSolution by_newton_on_all(const ContactSystem&, const ImpactProblem& problem, RestitutionLaw) {
   return solve_newton_impacts(problem);
+}
+ImpactSolution in_sequence(const ContactSystem&, const ImpactProblem& problem, RestitutionLaw collision_law) {
+  return solve_sequential_impacts(problem, collision_law);
+}
+ImpactSolution projected(const ContactSystem& system, const ImpactProblem& problem, RestitutionLaw) {
+  return solve_projection(system, problem);
+}
+ImpactSolution by_moreau(const ContactSystem& system, const ImpactProblem& problem, RestitutionLaw) {
+  return solve_moreau(system, problem);
 }
 
 /// A new law is one more row here.
@@ -34,7 +44,16 @@ constexpr std::array simultaneous_table = {
                      false, by_newton_on_all},
     SimultaneousRule{SimultaneousLaw::sequential, "sequential",
                      "one impact after the other, the fastest first",
-                     "Hahn, Realistic Animation of Rigid Bodies, 1988", true, solve_sequential_impacts},
+                     "Hahn, Realistic Animation of Rigid Bodies, 1988", true, in_sequence},
+    SimultaneousRule{SimultaneousLaw::projection, "projection",
+                     "nearest admissible velocities, Newton's -e u_n at each contact; can gain energy",
+                     "Redon, Kheddar and Coquillart, Gauss' Least Constraints Principle and Rigid Body "
+                     "Simulations, 2002",
+                     false, projected},
+    SimultaneousRule{SimultaneousLaw::moreau, "moreau",
+                     "projection on velocities, passed beyond by e; the energy never grows",
+                     "Moreau, Unilateral Contact and Dry Friction in Finite Freedom Dynamics, 1988", false,
+                     by_moreau},
 };
 
 constexpr bool simultaneous_table_is_in_order() {
@@ -77,7 +96,7 @@ ImpactSolution solve_impact(const ContactSystem& system, const std::vector<doubl
     if (const std::optional<ImpactSolution> single = find_single_collision(problem, collision_law))
       return *single;
   }
-  return rule.solve(problem, collision_law);
+  return rule.solve(system, problem, collision_law);
 }
 
 }  // namespace rigor

@@ -12,8 +12,8 @@ namespace rigor {
 ///
 /// restitutions: e of each contact, as it is to be used here. A contact that is alone collides by
 /// `collision_law`, whatever the law for several (Newton's can gain energy with friction). The same holds,
-/// except under `lcp`, for several contacts that make one collision (find_single_collision). Otherwise `law`
-/// decides: solve_reflections, solve_newton_impacts or solve_sequential_impacts. Rolling and torsional
+/// under `reflections` and `sequential`, for several contacts that make one collision
+/// (find_single_collision). Otherwise `law` decides (simultaneous_rules). Rolling and torsional
 /// friction count where a contact is alone in its system (rolling_friction_collision.hpp).
 /// docs/theory/simultaneous_impacts.md compares the laws.
 ImpactSolution solve_impact(const ContactSystem& system, const std::vector<double>& restitutions,

@@ -142,7 +142,7 @@ double add_friction(const ImpactProblem& problem, VecX& lambda) {
   return found.residual;
 }
 
-ImpactSolution solve_reflections(const ImpactProblem& problem) {
+ImpactSolution blend_with_plastic(const ImpactProblem& problem, const std::function<VecX()>& elastic) {
   // λ_P: with e = 0 everywhere this is the answer.
   const CoulombSolution plastic = solve_plastic(problem, problem.u);
   ImpactSolution solution{plastic.lambda, plastic.residual, plastic.converged, plastic.iterations};
@@ -151,7 +151,7 @@ ImpactSolution solve_reflections(const ImpactProblem& problem) {
   if (is_plastic) return solution;
 
   // λ_R and the blend of the two, then friction for its normal impulses.
-  solution.lambda = blended(problem, plastic.lambda, generalised_reflections(problem));
+  solution.lambda = blended(problem, plastic.lambda, elastic());
   solution.residual = std::max(solution.residual, add_friction(problem, solution.lambda));
   const VecX u = problem.u + problem.A * solution.lambda;
   if (fastest_approach(u) <= rounding_speed(problem.u)) return solution;
@@ -163,6 +163,10 @@ ImpactSolution solve_reflections(const ImpactProblem& problem) {
   solution.converged = solution.converged && last.converged;
   solution.iterations = std::max(solution.iterations, last.iterations);
   return solution;
+}
+
+ImpactSolution solve_reflections(const ImpactProblem& problem) {
+  return blend_with_plastic(problem, [&] { return generalised_reflections(problem); });
 }
 
 }  // namespace rigor

@@ -2,6 +2,8 @@
 
 #include "rigor/contact/impact/impact_problem.hpp"
 
+#include <functional>
+
 namespace rigor {
 
 /// Several impacts at one instant by generalised reflections with restitution and friction:
@@ -22,6 +24,11 @@ namespace rigor {
 /// Source: Smith, Kaufman, Vouga, Tamstorf and Grinspun, Reflections on Simultaneous Impact, ACM Trans.
 /// Graph. 31(4), 2012, for λ_R; the rest is ours.
 ImpactSolution solve_reflections(const ImpactProblem& problem);
+
+/// What solve_reflections does with λ_R, for any normal impulses that keep the energy: λ_P + e (λ_R - λ_P),
+/// friction, and a plastic impact of what still approaches. `elastic` gives λ_R; it is asked only where a
+/// contact has restitution.
+ImpactSolution blend_with_plastic(const ImpactProblem& problem, const std::function<VecX()>& elastic);
 
 /// λ_R (3n): normal impulses that keep the energy.
 VecX generalised_reflections(const ImpactProblem& problem);

@@ -7,6 +7,7 @@
 
 namespace rigor {
 
+struct ContactSystem;
 struct ImpactProblem;
 struct ImpactSolution;
 
@@ -16,6 +17,8 @@ enum class SimultaneousLaw {
   reflections,  ///< Generalised reflections blended with the plastic impact: symmetric, never gains energy.
   lcp,  ///< Newton's law on all contacts at once: may gain energy and transmits too little through chains.
   sequential,  ///< One after the other, the fastest first.
+  projection,  ///< The velocities of lcp as the nearest that the contacts allow, in motion space.
+  moreau,      ///< The same projection, passed beyond by e: never gains energy.
   count,       ///< The number of laws, not a law.
 };
 
@@ -28,7 +31,8 @@ struct SimultaneousRule {
   /// Whether contacts that make one collision are resolved as that one, by the law of a single collision.
   bool joins_contacts;
   /// The law. (A reference: a row without it does not compile.)
-  ImpactSolution (&solve)(const ImpactProblem& problem, RestitutionLaw collision_law);
+  ImpactSolution (&solve)(const ContactSystem& system, const ImpactProblem& problem,
+                          RestitutionLaw collision_law);
 };
 
 /// All laws, in the order of the enumerators.

@@ -151,7 +151,7 @@ void Auditor::find_warnings(Audit& audit) const {
   if (audit.report.impact_gain > 1e-12 * energy_scale_) {
     audit.warnings.push_back(
         fmt::format("impacts added {:.3g} J: Newton's law with friction can gain energy, and so can several "
-                    "impacts by `lcp`",
+                    "impacts by `lcp` or `projection`",
                     audit.report.impact_gain));
   }
   if (audit.report.fallbacks > 0) {

@@ -26,9 +26,9 @@ ToiOptions envelope_search(const Model& model, const Method& method) {
 }  // namespace
 
 ImpulseBasedStepper::ImpulseBasedStepper(std::shared_ptr<const Model> model, const Method& method,
-                                         double target_step, SlowCollision slow)
+                                         double target_step)
     : EventDrivenStepper(model, method, target_step, envelope_search(*model, method)),
-      micro_collision_(assembler(), resolver(), method, slow == SlowCollision::reverses) {}
+      micro_collision_(assembler(), resolver(), method) {}
 
 bool ImpulseBasedStepper::takes_part(int a, int b) const {
   const QueuedEvent& event = present_event();

@@ -16,12 +16,12 @@ std::optional<ImpactSolution> find_reversal(const ImpactProblem& problem) {
 }
 
 MicroCollision::MicroCollision(const ContactSystemAssembler& assembler, const ContactResolver& resolver,
-                               const Method& method, bool reverses)
+                               const Method& method)
     : assembler_(assembler),
       resolver_(resolver),
       law_(method.impact),
       envelope_(method.contact_tolerance),
-      reverses_(reverses) {}
+      is_patched_(method.micro_collisions == MicroCollisionMethod::patched) {}
 
 double MicroCollision::slow_speed(const ContactSystem& system, double t) const {
   // Several contacts of a body exchange their bounces: what one of them gets is not lost to it.
@@ -53,7 +53,7 @@ void MicroCollision::collide(Cluster& cluster, AdvanceReport& report) const {
 
   // Slow collisions reverse the velocities, others follow the law of the method.
   const bool has_rolling_friction = std::any_of(contacts.begin(), contacts.end(), resists_rotation);
-  if (reverses_ && approach <= slow && !has_rolling_friction) {
+  if (is_patched_ && approach <= slow && !has_rolling_friction) {
     if (const auto reversal = find_reversal(make_impact_problem(system, restitutions)))
       return resolver_.apply_impact(system, *reversal, cluster, report);
   }

@@ -16,10 +16,11 @@ namespace rigor {
 /// Interactive 3D Graphics, 1995; the speed at which e' rises is ours (docs/theory/impulse_based.md).
 class MicroCollision {
  public:
-  /// Holds references to both. `reverses`: slow collisions without rolling or torsional friction
-  /// double the plastic impact (find_reversal).
+  /// Holds references to both. With `method.micro_collisions: patched` slow collisions without rolling or
+  /// torsional friction double the plastic impact (find_reversal), so that nothing creeps down a slope; with
+  /// `plain` they are as every other collision, with e near 1.
   MicroCollision(const ContactSystemAssembler& assembler, const ContactResolver& resolver,
-                 const Method& method, bool reverses);
+                 const Method& method);
 
   /// The contacts of the cluster that are no stops of joints, all of one pair of bodies, collide once, if
   /// they approach.
@@ -32,7 +33,7 @@ class MicroCollision {
   const ContactResolver& resolver_;
   RestitutionLaw law_;
   double envelope_;
-  bool reverses_;
+  bool is_patched_;
 };
 
 /// Twice the plastic impact λ. Where everything sticks in that one it is -2 A⁺ u, which reverses the relative

@@ -37,12 +37,38 @@ bool visit_choice(MethodType& method, std::string_view key, F f) {
   if (key == "simultaneous") return f(method.simultaneous), true;
   if (key == "resting") return f(method.resting), true;
   if (key == "lcp") return f(method.lcp), true;
+  if (key == "micro_collisions") return f(method.micro_collisions), true;
   if (key == "penalty") return f(method.penalty), true;
   if (key == "penalty_law") return f(method.penalty_law), true;
   if (key == "solver") return f(method.solver), true;
   if (key == "cone") return f(method.cone), true;
   if (key == "sleeping") return f(method.sleeping), true;
   return false;
+}
+
+/// Choices that would change nothing, though who makes them wants to see what they do.
+void check_collision_choices(const Method& method, std::vector<std::string>& messages) {
+  const bool is_open = method.scheme == Scheme::automatic;
+  const std::string scheme = "scheme '" + method_choice(method, "scheme") + "'";
+  if (method.micro_collisions == MicroCollisionMethod::plain && !is_open &&
+      method.scheme != Scheme::impulse_based) {
+    messages.push_back("micro_collisions 'plain' does not go with " + scheme +
+                       ", which has none; schemes that do: impulse-based");
+  }
+  const bool is_projection =
+      method.simultaneous == SimultaneousLaw::projection || method.simultaneous == SimultaneousLaw::moreau;
+  if (!is_projection) return;
+  const std::string law = "simultaneous '" + method_choice(method, "simultaneous") + "'";
+  if (method.scheme == Scheme::penalty || method.scheme == Scheme::impulse_based) {
+    messages.push_back(law + " does not go with " + scheme +
+                       ", which never solves several impacts together; schemes that do: event-driven, "
+                       "time-stepping, hybrid");
+  }
+  if (method.scheme == Scheme::time_stepping && method.solver == SolverMethod::substep) {
+    messages.push_back(law +
+                       " does not go with solver 'substep', whose contacts are soft; solvers that do: "
+                       "exact, pgs");
+  }
 }
 
 }  // namespace
@@ -170,6 +196,7 @@ std::vector<std::string> check_combination(const Method& method) {
     messages.push_back("solver '" + method_choice(method, "solver") + "' does not go with cone '" +
                        method_choice(method, "cone") + "'; cones that do: exact");
   }
+  check_collision_choices(method, messages);
   return messages;
 }
 

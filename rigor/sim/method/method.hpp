@@ -22,6 +22,8 @@ enum class ToiMethod { conservative, ratio, bisection };
 enum class RestingMethod { contact_space, motion_space };
 /// The LCP solver of contact space, also where motion space hands over to it.
 enum class LcpMethod { dantzig, lemke };
+/// Of the impulse-based scheme: what its slow collisions do about creep (micro_collision.hpp).
+enum class MicroCollisionMethod { patched, plain };
 /// Springs at each contact by itself, or all of them in one system.
 enum class PenaltyMethod { local, global };
 /// Normal law of penalty contacts.
@@ -43,6 +45,7 @@ struct Method {
   SimultaneousLaw simultaneous = SimultaneousLaw::reflections;
   RestingMethod resting = RestingMethod::motion_space;
   LcpMethod lcp = LcpMethod::dantzig;
+  MicroCollisionMethod micro_collisions = MicroCollisionMethod::patched;
   PenaltyMethod penalty = PenaltyMethod::local;
   PenaltyLaw penalty_law = PenaltyLaw::linear;
   SolverMethod solver = SolverMethod::exact;

@@ -78,6 +78,11 @@ std::span<const MethodChoice> own_choices() {
       MethodChoice{"lcp", "lemke", "complementary pivots with a covering vector",
                    "Lemke, Bimatrix Equilibrium Points and Mathematical Programming, 1965"},
 
+      MethodChoice{"micro_collisions", "patched", "slow ones reverse the velocity: nothing creeps on slopes",
+                   "Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, 1996"},
+      MethodChoice{"micro_collisions", "plain", "all by the law of impact: what rests on a slope creeps",
+                   "Mirtich and Canny, Impulse-based Simulation of Rigid Bodies, 1995"},
+
       MethodChoice{"penalty", "local", "a spring and a damper at each contact by itself, in sub-steps",
                    "Moore and Wilhelms, Collision Detection and Response for Computer Animation, 1988"},
       MethodChoice{"penalty", "global", "all springs solved together, implicitly",
