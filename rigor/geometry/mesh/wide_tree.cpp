@@ -12,7 +12,6 @@
 namespace rigor {
 namespace {
 
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr std::size_t kWideBinCount = 12;  ///< Places where the heuristic tries to cut.
 
 Mat3 axes_of(double w, double x, double y, double z) {
