@@ -16,7 +16,7 @@ namespace {
 
 // The state of an impact as one vector: velocities (6), work, impulses (6).
 constexpr Eigen::Index work_row = 6, impulse_row = 7, rows = 13;
-constexpr double tolerance = 1e-12;
+constexpr double path_tolerance = 1e-12;
 
 /// One of the three frictions.
 struct Friction {
@@ -97,7 +97,7 @@ class RollingFrictionImpactPath {
       h = std::min(h, longest_step());
       // A step of Dormand and Prince's method; too large an error means another with a smaller h.
       const RungeKuttaStep step = runge_kutta_step(tableau(), rate_function(), p_, y_, h);
-      const double error = (step.error.cwiseAbs().cwiseQuotient(scale_)).maxCoeff() / tolerance;
+      const double error = (step.error.cwiseAbs().cwiseQuotient(scale_)).maxCoeff() / path_tolerance;
       if (error > 1 && h > 1e-15 * p_scale_) {
         h *= std::max(0.2, 0.9 * std::pow(error, -0.2));
         continue;
@@ -128,7 +128,7 @@ class RollingFrictionImpactPath {
   }
 
   /// Slower counts as rest: above the errors of steps.
-  double still(const Friction& friction) const { return 100 * tolerance * scale_[friction.row]; }
+  double still(const Friction& friction) const { return 100 * path_tolerance * scale_[friction.row]; }
 
   /// Impulses per unit of normal impulse: greatest friction against what moves, what holds the others at
   /// rest.
