@@ -13,15 +13,15 @@
 namespace rigor {
 namespace {
 
-constexpr int sides = 96, rings = 24;
+constexpr int bowl_sides = 96, rings = 24;
 
 /// Vertices of the half sphere z ≤ 0: the pole, then ring after ring up to z = 0.
 void add_half_sphere(double radius, TriangleMesh& mesh) {
   mesh.vertices.push_back(Vec3(0, 0, -radius));
   for (int i = 1; i <= rings; ++i) {
     const double tilt = 0.5 * std::numbers::pi * i / rings;
-    for (int k = 0; k < sides; ++k) {
-      const double turn = 2 * std::numbers::pi * k / sides;
+    for (int k = 0; k < bowl_sides; ++k) {
+      const double turn = 2 * std::numbers::pi * k / bowl_sides;
       mesh.vertices.push_back(
           radius * Vec3(std::sin(tilt) * std::cos(turn), std::sin(tilt) * std::sin(turn), -std::cos(tilt)));
     }
@@ -36,7 +36,7 @@ std::shared_ptr<const TriangleMesh> bowl_mesh(double radius) {
   const int outer = static_cast<int>(mesh.vertices.size());
   add_half_sphere((1 + thickness) * radius, mesh);
   const auto vertex = [](int first, int ring, int k) {
-    return ring == 0 ? first : first + 1 + (ring - 1) * sides + k % sides;
+    return ring == 0 ? first : first + 1 + (ring - 1) * bowl_sides + k % bowl_sides;
   };
   const auto add_quad = [&](std::array<int, 4> corners, bool is_turned) {
     if (is_turned) std::swap(corners[1], corners[3]);
@@ -46,7 +46,7 @@ std::shared_ptr<const TriangleMesh> bowl_mesh(double radius) {
   };
   for (const int first : {0, outer}) {
     for (int ring = 0; ring < rings; ++ring) {
-      for (int k = 0; k < sides; ++k) {
+      for (int k = 0; k < bowl_sides; ++k) {
         // Seen from outside a ring's quad runs against the clock downwards, so the inner one is turned.
         add_quad({vertex(first, ring + 1, k), vertex(first, ring, k), vertex(first, ring, k + 1),
                   vertex(first, ring + 1, k + 1)},
@@ -54,7 +54,7 @@ std::shared_ptr<const TriangleMesh> bowl_mesh(double radius) {
       }
     }
   }
-  for (int k = 0; k < sides; ++k) {
+  for (int k = 0; k < bowl_sides; ++k) {
     add_quad(
         {vertex(0, rings, k), vertex(outer, rings, k), vertex(outer, rings, k + 1), vertex(0, rings, k + 1)},
         false);

@@ -13,8 +13,8 @@ namespace rigor {
 
 namespace {
 
-constexpr int sides = 96;  ///< Of a body of revolution.
-constexpr int rings = 20;  ///< From a pole to the equator.
+constexpr int round_sides = 96;  ///< Of a body of revolution.
+constexpr int rings = 20;        ///< From a pole to the equator.
 
 void add_face(const std::vector<int>& loop, Surface& surface) {
   // A face with many corners is drawn in parts.
@@ -50,18 +50,18 @@ struct ProfilePoint {
 /// The band between two rings of a surface of revolution.
 void add_band(const ProfilePoint& lower, const ProfilePoint& upper, Surface& surface) {
   const int first = static_cast<int>(surface.vertices.size());
-  for (int k = 0; k < sides; ++k) {
-    const double angle = 2 * M_PI * k / sides, c = std::cos(angle), s = std::sin(angle);
+  for (int k = 0; k < round_sides; ++k) {
+    const double angle = 2 * M_PI * k / round_sides, c = std::cos(angle), s = std::sin(angle);
     surface.vertices.push_back({lower.radius * c, lower.radius * s, lower.z});
     surface.vertices.push_back({upper.radius * c, upper.radius * s, upper.z});
   }
   const auto normal = [](const ProfilePoint& point, double k) {
-    const double angle = 2 * M_PI * k / sides;
+    const double angle = 2 * M_PI * k / round_sides;
     return Vec3(point.normal_radius * std::cos(angle), point.normal_radius * std::sin(angle), point.normal_z)
         .normalized();
   };
-  for (int k = 0; k < sides; ++k) {
-    const int a = first + 2 * k, b = first + 2 * ((k + 1) % sides);
+  for (int k = 0; k < round_sides; ++k) {
+    const int a = first + 2 * k, b = first + 2 * ((k + 1) % round_sides);
     // Towards a tip the band is of triangles, whose normal at the tip is that of their middle.
     if (upper.radius == 0) {
       add_smooth_face({a, b, a + 1},
@@ -82,8 +82,8 @@ void add_band(const ProfilePoint& lower, const ProfilePoint& upper, Surface& sur
 void add_disk(double radius, double z, bool faces_up, Surface& surface) {
   const int first = static_cast<int>(surface.vertices.size());
   std::vector<int> loop;
-  for (int k = 0; k < sides; ++k) {
-    const double angle = (faces_up ? 2 : -2) * M_PI * k / sides;
+  for (int k = 0; k < round_sides; ++k) {
+    const double angle = (faces_up ? 2 : -2) * M_PI * k / round_sides;
     surface.vertices.push_back({radius * std::cos(angle), radius * std::sin(angle), z});
     loop.push_back(first + k);
   }

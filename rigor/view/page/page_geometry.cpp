@@ -7,6 +7,7 @@
 #include "rigor/view/3d/bowl.hpp"
 #include "rigor/view/3d/surface.hpp"
 #include "rigor/view/page/page_block.hpp"
+#include "rigor/view/page/page_json.hpp"
 
 #include <map>
 
@@ -15,10 +16,6 @@ namespace rigor {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json json_of(const Vec3& v) {
-  return {v.x(), v.y(), v.z()};
-}
 
 std::string bytes_of(const TriangleMesh& mesh) {
   std::string bytes;

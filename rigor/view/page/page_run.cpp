@@ -4,6 +4,7 @@
 #include "rigor/io/trajectory/audit_json.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/view/page/page_geometry.hpp"
+#include "rigor/view/page/page_json.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -37,13 +38,6 @@ constexpr std::array quantities = {Quantity{"time", "s"},
                                    Quantity{"steps", "", Joined::sum},
                                    Quantity{"impacts", "", Joined::sum},
                                    Quantity{"iterations", "", Joined::largest}};
-
-Json json_of(const Vec3& v) {
-  return {v.x(), v.y(), v.z()};
-}
-Json json_of(const Quat& q) {
-  return {q.w(), q.x(), q.y(), q.z()};
-}
 
 const char* motion_name(MotionType motion) {
   switch (motion) {

@@ -14,7 +14,7 @@ using plot_style::bottom, plot_style::left, plot_style::legend_row, plot_style::
     plot_style::text, plot_style::tick_text;
 
 // In units of a drawing: as points on paper, 640 wide.
-constexpr double width = 640, panel_height = 190;
+constexpr double plot_width = 640, panel_height = 190;
 constexpr double top = 14, between = 16;
 
 struct Panel {
@@ -66,7 +66,7 @@ double add_legend(const Panel& panel, double y, Drawing& drawing) {
   double x = left, row = y + legend_row - 5;
   for (std::size_t i = 0; i < panel.series.size(); ++i) {
     const double needed = sample + 5 + text_width(panel.series[i]->key, tick_text) + gap;
-    if (x > left && x + needed > width - right) x = left, row += legend_row;
+    if (x > left && x + needed > plot_width - right) x = left, row += legend_row;
     drawing.strokes.push_back({{{x, row - 4}, {x + sample, row - 4}}, line_pen, color_of(panel.colors[i])});
     drawing.labels.push_back({panel.series[i]->key, x + sample + 5, row, tick_text});
     x += needed;
@@ -86,7 +86,7 @@ Polyline thinned(const Polyline& line, std::size_t columns) {
   Polyline kept = {line.front()};
   for (std::size_t i = 0; i < line.size();) {
     const auto column = [&](std::size_t k) {
-      return at((line[k].x() - begin) / span * static_cast<double>(columns));
+      return static_cast<std::size_t>((line[k].x() - begin) / span * static_cast<double>(columns));
     };
     std::size_t lowest = i, highest = i;
     const std::size_t here = column(i);
@@ -155,7 +155,7 @@ std::vector<Polyline> line_pieces(std::span<const double> time, std::span<const 
 
 Drawing make_plot(std::span<const double> time, std::span<const PlotSeries> series) {
   Drawing drawing;
-  drawing.width = width;
+  drawing.width = plot_width;
   const std::vector<Panel> panels = panels_by_quantity(series);
   const Extent times = time_extent(time, series);
   double y = top;
@@ -165,7 +165,7 @@ Drawing make_plot(std::span<const double> time, std::span<const PlotSeries> seri
     const PlotAxes axes{make_ticks(times.low, times.high, 8, false),
                         value_ticks(panel),
                         left,
-                        width - right,
+                        plot_width - right,
                         y,
                         y + panel_height};
     add_axes(axes, {.x = is_last, .y = true}, drawing);
@@ -175,8 +175,8 @@ Drawing make_plot(std::span<const double> time, std::span<const PlotSeries> seri
     add_lines(panel, time, axes, drawing);
     y = axes.bottom + between;
     if (is_last) {
-      drawing.labels.push_back({axis_title("time", "s", axes.x_ticks.exponent), 0.5 * (left + width - right),
-                                axes.bottom + 36, text, Anchor::middle});
+      drawing.labels.push_back({axis_title("time", "s", axes.x_ticks.exponent),
+                                0.5 * (left + plot_width - right), axes.bottom + 36, text, Anchor::middle});
     }
   }
   drawing.height = y - between + bottom;
