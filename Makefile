@@ -81,5 +81,5 @@ help:
 	@echo "make check   formatting, headers alone, clang++ with warnings as errors, its ASan and UBSan under the program and some tests, the viewer"
 	@echo "make check-all  the same with the tests of all layers under ASan and UBSan"
 	@echo "make bench   error and CPU time of the reference scenes, of pictures, impacts, chains, resting contact, distances and the broad phase, beside the peer engines that are installed"
-	@echo "make bench-bulk  scenes of many bodies: time a step with one and two threads and quality, beside Bullet"
+	@echo "make bench-bulk  scenes of many bodies: time per step with one and two threads and quality, beside Bullet"
 	@echo "make clean   remove build/"

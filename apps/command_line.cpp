@@ -1,6 +1,7 @@
 #include "apps/command_line.hpp"
 
 #include "apps/compare_output.hpp"
+#include "apps/impact_laws.hpp"
 #include "apps/usage_error.hpp"
 #include "rigor/core/quoted.hpp"
 #include "rigor/core/range.hpp"
@@ -85,10 +86,10 @@ void add_json(CLI::App& app, std::string& json, const std::string& what) {
 
 void add_run(CLI::App& app, RunOptions& run) {
   app.add_option("SCENE", run.scene, "scene file (.yaml or .json)")->required()->option_text(" ");
-  add_value(
-      app, "-o,--output", run.outputs,
-      "by suffix: trajectory .csv .h5 .json, page with the replay .html, key moments .png; may be repeated",
-      "OUT");
+  add_value(app, "-o,--output", run.outputs,
+            "by suffix: trajectory " + trajectory_suffixes() +
+                ", page with the replay .html, key moments .png; may be repeated",
+            "OUT");
   add_value(app, "--set", run.overrides,
             "override a value of the scene, such as method.integrator=rk4; may be repeated", "KEY=VALUE");
   add_value(app, "--duration", run.duration, "simulated time at which the run ends [s]", "S")
@@ -220,8 +221,8 @@ void add_impact(CLI::App& app, ImpactOptions& impact) {
   add_value(app, "--mu", impact.mu, "Coulomb friction; default: the pair's in the scene", "MU|inf");
   add_value(app, "--e", impact.e, "restitution, from 0 to 1; default: the pair's in the scene", "E");
   add_value(app, "--law", impact.laws,
-            "newton, poisson, stronge, compliant, chatterjee-ruina, several with commas; all (default): the "
-            "first three",
+            fmt::format("{}, several with commas; all (default): the first {}", law_names(),
+                        restitution_rules().size()),
             "LAW");
   add_value(app, "--stiffness-ratio", impact.stiffness_ratio,
             "tangential over normal stiffness of the contact, for compliant", "R");
@@ -384,7 +385,10 @@ void add_check(CLI::App& app, CheckOptions& check) {
   app.add_option("SCENE", check.scenes, "scene files")->required()->option_text("...");
 }
 
-void add_methods(CLI::App&, MethodsOptions&) {}
+void add_methods(CLI::App& app, MethodsOptions& methods) {
+  app.add_option("WORD", methods.words, "a choice, an author, or a word of the courses: contact region")
+      ->option_text("...");
+}
 
 /// A command whose options are kept in `chosen` when it is the one that is asked for.
 template <typename Options>
@@ -412,7 +416,8 @@ void add_commands(CLI::App& app, std::optional<Command>& chosen) {
   add_command(app, "distance", "signed distance and contacts of two bodies at t = 0; rays, points, pushes",
               add_distance, chosen);
   add_command(app, "convert", "a solid as convex pieces for a scene, or a mesh as .obj", add_convert, chosen);
-  add_command(app, "methods", "list every method, with its source", add_methods, chosen);
+  add_command(app, "methods", "list every method, with its source, or find a word of the courses",
+              add_methods, chosen);
   add_command(app, "render", "pictures and films of a scene or a trajectory", add_render, chosen);
   add_command(app, "plot", "plot quantities of a trajectory over time", add_plot, chosen);
   add_command(app, "impact", "one frictional impact in detail, under several laws", add_impact, chosen);

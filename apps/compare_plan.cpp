@@ -105,14 +105,14 @@ void read_run(const CompareOptions& options, const std::vector<std::string>& var
   run.start = make_run_start(options.scene, run.scene, options.separate);
 }
 
-/// All values of a choice such as "method.scheme", also of later versions; none for any other key.
+/// All values of a choice such as "method.scheme"; none for any other key.
 std::vector<std::string> choice_values(const std::string& key) {
   constexpr std::string_view method = "method.";
   if (!key.starts_with(method)) return {};
-  return method_values(key.substr(method.size()), false);
+  return method_values(key.substr(method.size()));
 }
 
-/// Whether all values of choices exist, in this version or another.
+/// Whether all values of choices exist.
 bool has_known_choices(const std::vector<Variation>& variations, const Combination& values) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     const std::vector<std::string> known = choice_values(variations[i].key);

@@ -43,7 +43,7 @@ void write_figure(const std::string& path, const ImpactReport& report) {
 
 ExitCode execute(const ImpactOptions& options) {
   check_outputs(options);
-  const LawChoice laws = read_law_choice(options);
+  const std::vector<ChosenLaw> laws = read_laws(options);
   ImpactReport report{read_given_impact(options), {}};
   report.results = resolve_by_laws(laws, report.problem.collision);
   for (const std::string& warning : impact_warnings(report)) print_warning(warning);

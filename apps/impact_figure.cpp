@@ -16,16 +16,16 @@ constexpr const char *compression_color = "#0072b2", *restitution_color = "#d55e
 constexpr const char *growing_color = "#cc79a7", *dying_color = "#009e73";
 constexpr const char *point_color = "#1d2733", *loss_color = "#0072b2", *gain_color = "#d55e00";
 
-/// The course as two kinds of curves; each point belongs to the stretch that leads to it.
+/// The impact path as two kinds of curves; each point belongs to the stretch that leads to it.
 std::vector<PlaneCurve> curves_of(const LawResult& result) {
   std::vector<PlaneCurve> curves;
-  for (std::size_t k = 1; k < result.course.size(); ++k) {
-    const bool compresses = result.course[k].is_compressing;
-    if (k == 1 || compresses != result.course[k - 1].is_compressing) {
+  for (std::size_t k = 1; k < result.path.size(); ++k) {
+    const bool compresses = result.path[k].is_compressing;
+    if (k == 1 || compresses != result.path[k - 1].is_compressing) {
       curves.push_back(
-          {{result.course[k - 1].at.u.head<2>()}, compresses ? compression_color : restitution_color});
+          {{result.path[k - 1].at.u.head<2>()}, compresses ? compression_color : restitution_color});
     }
-    curves.back().points.push_back(result.course[k].at.u.head<2>());
+    curves.back().points.push_back(result.path[k].at.u.head<2>());
   }
   return curves;
 }

@@ -16,73 +16,15 @@ namespace rigor {
 
 namespace {
 
-const char* const compliant_name = "compliant";
-const char* const algebraic_name = "chatterjee-ruina";
-
-struct NamedLaw {
-  const char* name;
-  const char* title;
-  RestitutionLaw law;
-};
-constexpr std::array restitution_laws = {NamedLaw{"newton", "Newton", RestitutionLaw::newton},
-                                         NamedLaw{"poisson", "Poisson", RestitutionLaw::poisson},
-                                         NamedLaw{"stronge", "Stronge", RestitutionLaw::stronge}};
-
-const NamedLaw* find_restitution_law(const std::string& name) {
-  const auto* const found = std::find_if(restitution_laws.begin(), restitution_laws.end(),
-                                         [&](const NamedLaw& law) { return name == law.name; });
-  return found == restitution_laws.end() ? nullptr : found;
-}
-
-/// Names that the list means, each once.
-std::vector<std::string> chosen_laws(const std::string& list) {
-  const std::vector<std::string> known = {"newton",       "poisson",      "stronge",
-                                          compliant_name, algebraic_name, "all"};
-  std::vector<std::string> chosen;
-  const auto add = [&](const std::string& name) {
-    if (std::find(chosen.begin(), chosen.end(), name) == chosen.end()) chosen.push_back(name);
-  };
-  for (std::size_t at = 0; at <= list.size();) {
-    const std::size_t end = std::min(list.find(',', at), list.size());
-    const std::string name = list.substr(at, end - at);
-    if (std::find(known.begin(), known.end(), name) == known.end())
-      throw UsageError(fmt::format("--law: unknown law {}{}", quoted_text(name), suggestion(name, known)));
-    if (name == "all") {
-      for (const NamedLaw& law : restitution_laws) add(law.name);
-    } else {
-      add(name);
-    }
-    at = end + 1;
-  }
-  return chosen;
-}
-
-/// The number that one of the laws needs; throws UsageError if it is missing or wrong, or given for nothing.
-struct LawNumber {
-  const char* option;
-  const char* law;
-  double lowest, highest;
-
-  double read(const std::string& text, const std::vector<std::string>& chosen) const {
-    const bool is_needed = std::find(chosen.begin(), chosen.end(), law) != chosen.end();
-    if (!is_needed && !text.empty())
-      throw UsageError(fmt::format("{} belongs to --law {}, which is not chosen", option, law));
-    if (is_needed && text.empty()) throw UsageError(fmt::format("--law {} needs {}", law, option));
-    return is_needed ? parse_number(option, text, lowest, highest) : 0;
-  }
-};
-constexpr double stiffest = 1e6;
-constexpr LawNumber stiffness_ratio{"--stiffness-ratio", "compliant", 1 / stiffest, stiffest};
-constexpr LawNumber tangential_restitution{"--et", "chatterjee-ruina", -1, 1};
-
-LawResult by_restitution(const NamedLaw& named, const Collision& collision) {
+/// What `rigor impact` says of an impact by one of the laws of restitution.
+LawResult by_restitution(const RestitutionRule& rule, const Collision& collision) {
   std::vector<CollisionPoint> path;
-  const CollisionOutcome outcome = resolve_collision(collision, named.law, &path);
+  const CollisionOutcome outcome = resolve_collision(collision, rule.law, &path);
   if (!outcome.is_resolved) {
     throw InputError(fmt::format(
-        "the law {} has no answer: the impulses at this contact cannot end the approach", named.name));
+        "the law {} has no answer: the impulses at this contact cannot end the approach", rule.name));
   }
-  return {named.name,
+  return {std::string(rule.name),
           outcome.end,
           outcome.energy_change,
           outcome.phases.empty() ? std::nullopt : std::optional(outcome.compression),
@@ -90,6 +32,8 @@ LawResult by_restitution(const NamedLaw& named, const Collision& collision) {
           impact_path_of(path, outcome),
           {}};
 }
+
+const char* const compliant_name = "compliant";
 
 LawResult by_compliance(const Collision& collision, double ratio) {
   const CompliantCollision compliant{collision, ratio};
@@ -109,6 +53,8 @@ LawResult by_compliance(const Collision& collision, double ratio) {
           {}};
 }
 
+const char* const algebraic_name = "chatterjee-ruina";
+
 LawResult by_algebra(const Collision& collision, double e_t) {
   if (!std::isfinite(condition_number(collision.matrix.K)))
     throw InputError(
@@ -116,6 +62,69 @@ LawResult by_algebra(const Collision& collision, double e_t) {
   const AlgebraicOutcome outcome = resolve_algebraic_impact(collision, e_t);
   const double not_known = std::numeric_limits<double>::quiet_NaN();
   return {algebraic_name, {outcome.u, outcome.lambda, not_known}, outcome.energy_change, {}, "", {}, outcome};
+}
+
+/// A law of a whole impact, which `rigor impact` knows and a scene's method does not, with its one parameter.
+/// A new one is one more row of the table.
+struct WholeImpactLaw {
+  const char* name;
+  const char* title;
+  const char* option;  ///< That gives the parameter.
+  std::string ImpactOptions::*parameter;
+  double lowest, highest;
+  LawResult (&resolve)(const Collision& collision, double parameter);
+};
+constexpr double stiffest = 1e6;
+constexpr std::array whole_impact_laws = {
+    WholeImpactLaw{compliant_name, "Compliant", "--stiffness-ratio", &ImpactOptions::stiffness_ratio,
+                   1 / stiffest, stiffest, by_compliance},
+    WholeImpactLaw{algebraic_name, "Chatterjee-Ruina", "--et", &ImpactOptions::tangential_restitution, -1, 1,
+                   by_algebra}};
+
+/// The row of this name, or null.
+template <class Laws>
+auto find_law(const Laws& laws, const std::string& name) {
+  const auto found =
+      std::find_if(laws.begin(), laws.end(), [&](const auto& law) { return name == law.name; });
+  return found == laws.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> known_laws() {
+  std::vector<std::string> names;
+  for (const RestitutionRule& rule : restitution_rules()) names.emplace_back(rule.name);
+  for (const WholeImpactLaw& law : whole_impact_laws) names.emplace_back(law.name);
+  return names;
+}
+
+/// Names that the list means, each once.
+std::vector<std::string> chosen_laws(const std::string& list) {
+  std::vector<std::string> known = known_laws();
+  known.emplace_back("all");
+  std::vector<std::string> chosen;
+  const auto add = [&](const std::string& name) {
+    if (std::find(chosen.begin(), chosen.end(), name) == chosen.end()) chosen.push_back(name);
+  };
+  for (std::size_t at = 0; at <= list.size();) {
+    const std::size_t end = std::min(list.find(',', at), list.size());
+    const std::string name = list.substr(at, end - at);
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw UsageError(fmt::format("--law: unknown law {}{}", quoted_text(name), suggestion(name, known)));
+    if (name == "all") {
+      for (const RestitutionRule& rule : restitution_rules()) add(std::string(rule.name));
+    } else {
+      add(name);
+    }
+    at = end + 1;
+  }
+  return chosen;
+}
+
+/// The parameter of a chosen law; throws UsageError if it is missing, wrong, or of a law that is not chosen.
+double read_parameter(const WholeImpactLaw& law, const std::string& text, bool is_chosen) {
+  if (!is_chosen && !text.empty())
+    throw UsageError(fmt::format("{} belongs to --law {}, which is not chosen", law.option, law.name));
+  if (is_chosen && text.empty()) throw UsageError(fmt::format("--law {} needs {}", law.name, law.option));
+  return is_chosen ? parse_number(law.option, text, law.lowest, law.highest) : 0;
 }
 
 /// Numbers far from each other can leave the range of doubles.
@@ -127,24 +136,36 @@ void check_finite(const LawResult& result) {
 
 }  // namespace
 
-std::string law_title(const std::string& law) {
-  if (const NamedLaw* const named = find_restitution_law(law)) return named->title;
-  return law == compliant_name ? "Compliant" : "Chatterjee-Ruina";
+std::string law_names() {
+  std::string names;
+  for (const std::string& name : known_laws()) names += (names.empty() ? "" : ", ") + name;
+  return names;
 }
 
-LawChoice read_law_choice(const ImpactOptions& options) {
-  const std::vector<std::string> chosen = chosen_laws(options.laws);
-  return {chosen, stiffness_ratio.read(options.stiffness_ratio, chosen),
-          tangential_restitution.read(options.tangential_restitution, chosen)};
+std::string law_title(const std::string& name) {
+  if (const RestitutionRule* const rule = find_law(restitution_rules(), name))
+    return std::string(rule->title);
+  return find_law(whole_impact_laws, name)->title;
 }
 
-std::vector<LawResult> resolve_by_laws(const LawChoice& choice, const Collision& collision) {
+std::vector<ChosenLaw> read_laws(const ImpactOptions& options) {
+  std::vector<ChosenLaw> chosen;
+  for (const std::string& name : chosen_laws(options.laws)) chosen.push_back({name});
+  for (const WholeImpactLaw& law : whole_impact_laws) {
+    const auto place = std::find_if(chosen.begin(), chosen.end(),
+                                    [&](const ChosenLaw& other) { return other.name == law.name; });
+    const double parameter = read_parameter(law, options.*law.parameter, place != chosen.end());
+    if (place != chosen.end()) place->parameter = parameter;
+  }
+  return chosen;
+}
+
+std::vector<LawResult> resolve_by_laws(const std::vector<ChosenLaw>& laws, const Collision& collision) {
   std::vector<LawResult> results;
-  for (const std::string& name : choice.laws) {
-    const NamedLaw* const named = find_restitution_law(name);
-    results.push_back(named                    ? by_restitution(*named, collision)
-                      : name == compliant_name ? by_compliance(collision, choice.stiffness_ratio)
-                                               : by_algebra(collision, choice.tangential_restitution));
+  for (const ChosenLaw& law : laws) {
+    const RestitutionRule* const rule = find_law(restitution_rules(), law.name);
+    results.push_back(rule ? by_restitution(*rule, collision)
+                           : find_law(whole_impact_laws, law.name)->resolve(collision, law.parameter));
     check_finite(results.back());
   }
   return results;

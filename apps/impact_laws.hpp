@@ -13,29 +13,31 @@ namespace rigor {
 /// What one law says of an impact.
 struct LawResult {
   std::string law;       ///< As on the command line.
-  CollisionPoint end;    ///< work is NaN for the laws without course.
+  CollisionPoint end;    ///< work is NaN for the laws that do not follow the impact.
   double energy_change;  ///< [J].
-  /// For laws that follow the impact; the others have no course, only a beginning and an end.
+  /// For laws that follow the impact; the others have no path, only a beginning and an end.
   std::optional<CollisionPoint> compression;
   std::string phases;
-  std::vector<ImpactPathPoint> course;
+  std::vector<ImpactPathPoint> path;
   /// Of the algebraic law.
   std::optional<AlgebraicOutcome> algebraic;
 };
 
+/// "newton, poisson, stronge, compliant, chatterjee-ruina": the names that --law knows, besides "all".
+std::string law_names();
 /// "Newton", "Chatterjee-Ruina".
 std::string law_title(const std::string& law);
 
-/// The laws of the command line with their parameters.
-struct LawChoice {
-  std::vector<std::string> laws;  ///< In the order of the options, each once.
-  double stiffness_ratio = 0;     ///< k_t/k_n, where `compliant` is chosen.
-  double tangential_restitution = 0;
+/// A law of the command line with its parameter.
+struct ChosenLaw {
+  std::string name;
+  double parameter = 0;  ///< Of the laws that have one: k_t/k_n of `compliant`, e_t of `chatterjee-ruina`.
 };
+/// The laws of the options in their order, each once.
 /// Throws UsageError for unknown names, and parameters that are wrong, missing or of no law chosen.
-LawChoice read_law_choice(const ImpactOptions& options);
+std::vector<ChosenLaw> read_laws(const ImpactOptions& options);
 
 /// What each of the laws says. Throws InputError where one does not apply to the impact.
-std::vector<LawResult> resolve_by_laws(const LawChoice& choice, const Collision& collision);
+std::vector<LawResult> resolve_by_laws(const std::vector<ChosenLaw>& laws, const Collision& collision);
 
 }  // namespace rigor

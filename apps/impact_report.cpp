@@ -121,10 +121,10 @@ std::string bodies_text(const SceneContact& scene, const LawResult& result) {
   return text;
 }
 
-std::string course_text(const LawResult& result) {
+std::string path_text(const LawResult& result) {
   if (result.algebraic) {
     const AlgebraicOutcome& outcome = *result.algebraic;
-    return line("course",
+    return line("path",
                 fmt::format("none; the share of the sticking impulse is {}{}", number_text(outcome.share),
                             outcome.is_limited ? ", limited by friction" : ""));
   }
@@ -141,7 +141,7 @@ std::string law_text(const GivenImpact& problem, const LawResult& result) {
   std::string text = toned(law_title(result.law), Tone::strong, stdout) + "\n";
   text += line("velocity", vector_text(result.end.u) + " m/s after");
   text += line("impulse", vector_text(result.end.lambda) + " N s on B");
-  text += course_text(result);
+  text += path_text(result);
   text += line("energy", number_text(result.energy_change) + " J change");
   return problem.scene ? text + bodies_text(*problem.scene, result) : text;
 }
@@ -247,12 +247,12 @@ std::string impact_table(const ImpactReport& report) {
                    std::isfinite(at.work) ? fmt::format("{:.17g}", at.work) : "", states);
   };
   for (const LawResult& result : report.results) {
-    for (const ImpactPathPoint& point : result.course) {
+    for (const ImpactPathPoint& point : result.path) {
       add_row(result.law, point.at,
               fmt::format("{},{}", point.is_compressing ? "compression" : "restitution",
                           point.is_sliding ? "slides" : "sticks"));
     }
-    if (!result.course.empty()) continue;
+    if (!result.path.empty()) continue;
     CollisionPoint before;
     before.u = report.problem.collision.u;
     add_row(result.law, before, ",");

@@ -18,7 +18,7 @@ struct ImpactReport {
 /// For people, on stdout.
 std::string impact_text(const ImpactReport& report);
 nlohmann::ordered_json impact_json(const ImpactReport& report);
-/// The courses as a table, one row a point.
+/// The impact paths as a table, one row per point.
 std::string impact_table(const ImpactReport& report);
 
 /// What is to be told on stderr: laws that gain energy, and impacts that are none.

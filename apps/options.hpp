@@ -58,7 +58,9 @@ struct DistanceOptions {
   std::string json;
 };
 
-struct MethodsOptions {};
+struct MethodsOptions {
+  std::vector<std::string> words;  ///< What to look for, as one text; empty: everything is listed.
+};
 
 struct RenderOptions {
   std::string input;           ///< Scene or trajectory.

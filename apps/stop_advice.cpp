@@ -33,8 +33,8 @@ std::string_view stop_advice(StopReason reason) {
              "bodies that are "
              "squeezed between others";
     case StopReason::impact_unsolved:
-      return "set method.simultaneous to another of its choices (reflections, lcp, sequential), or look for "
-             "a "
+      return "set method.simultaneous to another of its choices (reflections, lcp, sequential, projection, "
+             "moreau), or look for a "
              "body that is squeezed between two that cannot give way";
     case StopReason::not_finite:
       return "look for stiff springs, huge forces or velocities at these bodies; a smaller run.step or "

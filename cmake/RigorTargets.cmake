@@ -16,6 +16,34 @@ target_link_libraries(rigor_pch PUBLIC Eigen3::Eigen)
 target_precompile_headers(rigor_pch PRIVATE <Eigen/Dense> <string> <vector>)
 rigor_compile_options(rigor_pch)
 
+# Up to six sources of a folder are compiled as one: they include nearly the same, so that it takes half the time of six.
+# What lies in unnamed namespaces must therefore have different names within a room. Off: one by one, for clang-tidy.
+option(RIGOR_UNITY "Compile the sources of a room in batches" ON)
+set(RIGOR_BATCH_SIZE 6)
+
+# rigor_batches(target sources...): the sources of the target are compiled in batches, each of one folder.
+function(rigor_batches target)
+  if(NOT RIGOR_UNITY)
+    return()
+  endif()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  # A source in a batch is an included file: g++ warns of classes of this file alone whose members have unnamed types.
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+  set(count 0)
+  set(last_room "")
+  foreach(source ${ARGN})
+    get_filename_component(folder ${source} DIRECTORY)
+    get_filename_component(room ${folder} NAME)
+    if(NOT room STREQUAL last_room)
+      set(count 0)
+      set(last_room ${room})
+    endif()
+    math(EXPR batch "${count} / ${RIGOR_BATCH_SIZE}")
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${room}_${batch})
+    math(EXPR count "${count} + 1")
+  endforeach()
+endfunction()
+
 # rigor_layer(name deps...): the static library rigor_<name> of all sources in rigor/<name>/ and its rooms.
 function(rigor_layer name)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/rigor/${name}/*.cpp)
@@ -28,6 +56,18 @@ function(rigor_layer name)
   endforeach()
   rigor_compile_options(rigor_${name})
   target_precompile_headers(rigor_${name} REUSE_FROM rigor_pch)
+  rigor_batches(rigor_${name} ${sources})
+endfunction()
+
+# rigor_lane_kernels(name): in rigor/<name>/ files *_avx2.cpp and *_portable.cpp have the kernels of one target each
+# (docs/decisions/0012). Each is compiled by itself. The portable ones, for processors without AVX2, are compiled with -O1:
+# vectors that such a processor does not have are so much code that -O3 takes several times as long, for little speed.
+function(rigor_lane_kernels name)
+  file(GLOB_RECURSE kernels CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/rigor/${name}/*_avx2.cpp
+    ${PROJECT_SOURCE_DIR}/rigor/${name}/*_portable.cpp)
+  set_source_files_properties(${kernels} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  list(FILTER kernels INCLUDE REGEX "_portable\\.cpp$")
+  set_source_files_properties(${kernels} PROPERTIES COMPILE_OPTIONS $<$<NOT:$<CONFIG:Debug>>:-O1>)
 endfunction()
 
 # rigor_embed_text(target file header function): function(), declared in the header, returns the text of the file.

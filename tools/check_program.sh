@@ -34,6 +34,8 @@ calls() {
   for mesh in scenes/meshes/*.obj; do echo "0,3 mass $mesh"; done
   echo "0 check $(echo scenes/*.yaml)"
   echo "0 methods"
+  echo "0 methods contact region"
+  echo "2 methods projecton"
   echo "0 impact --K=3.5,0,0,3.5,0,1 --u=2,1,-3 --mu 0.2 --e 0.8"
   echo "0 distance scenes/dominoes.yaml floor domino1"
 }

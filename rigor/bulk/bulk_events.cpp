@@ -3,18 +3,19 @@
 #include "rigor/bulk/contacts/bulk_contacts.hpp"
 #include "rigor/bulk/contacts/contact_measures.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/model/contact_key.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
-#include <tuple>
 
 namespace rigor {
 
 namespace {
 
-std::tuple<int, int, int, int> key_of(const ContactEvent& event) {
-  return {event.body_A, event.body_B, event.shape_A, event.shape_B};
+/// All manifolds of a pair of shapes are one event.
+ContactKey key_of(const ContactEvent& event) {
+  return {event.body_A, event.body_B, event.shape_A, event.shape_B, 0};
 }
 
 /// The pairs that press, each with its impulse.

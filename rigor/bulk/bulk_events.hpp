@@ -1,8 +1,8 @@
 #pragma once
 
 #include "rigor/bulk/state/bulk_contact.hpp"
+#include "rigor/bulk/state/manifold_memories.hpp"
 #include "rigor/math/types.hpp"
-#include "rigor/model/manifold_memory.hpp"
 
 #include <vector>
 

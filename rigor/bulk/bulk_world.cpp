@@ -162,7 +162,7 @@ void BulkWorld::read(const State& state) {
 void BulkWorld::write(State& state) const {
   state.t = t_;
   write_bulk_bodies(*model_, bodies_, state);
-  state.manifolds = memory_;
+  state.manifolds = memory_.values();
   state.joint_impulses = scratch_->joint_impulses;
   state.quiet_time = scratch_->sleepers ? scratch_->sleepers->quiet_time() : std::vector<float>{};
 }

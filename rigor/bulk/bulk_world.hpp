@@ -4,9 +4,9 @@
 #include "rigor/bulk/narrow_phase/manifold.hpp"
 #include "rigor/bulk/sleep/sleep.hpp"
 #include "rigor/bulk/state/bulk_bodies.hpp"
+#include "rigor/bulk/state/manifold_memories.hpp"
 #include "rigor/bulk/threads/executor.hpp"
 #include "rigor/dynamics/body_phase.hpp"
-#include "rigor/model/manifold_memory.hpp"
 
 #include <functional>
 #include <memory>

@@ -3,6 +3,7 @@
 #include "rigor/bulk/bulk_world.hpp"
 #include "rigor/bulk/contacts/contact_measures.hpp"
 #include "rigor/bulk/graph/islands.hpp"
+#include "rigor/bulk/state/vector_of.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/model/force.hpp"
 
@@ -13,10 +14,6 @@
 namespace rigor {
 
 namespace {
-
-Vec3 vector_of(const float* p) {
-  return Vec3(p[0], p[1], p[2]);
-}
 
 /// Contacts that begin more slowly are no impacts [m/s]: the speed from which the solver lets them bounce.
 constexpr double impact_speed = 1e-2;

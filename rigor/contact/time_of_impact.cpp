@@ -31,7 +31,7 @@ struct Approach {
   std::vector<Vec3> normals_W{};  ///< With meshes: those of all contacts there.
 };
 
-/// A span at whose begin the signed distance is above a level and at whose end below it.
+/// A span at whose start the signed distance is above a level and at whose end below it.
 struct Crossing {
   double low, high;                    ///< [s].
   double distance_low, distance_high;  ///< [m].
@@ -44,7 +44,6 @@ struct MovingBodyShape {
   const Motion* motion;
 
   Pose pose(double t) const { return motion->sample(t).X_WB * shape->X_BS; }
-  double turning() const { return turning_radius(shape->shape, shape->X_BS, shape->radius); }
   MovingShape part() const { return {&shape->shape, shape->X_BS, motion}; }
   bool is_mesh() const { return std::holds_alternative<Mesh>(shape->shape); }
   bool is_half_space() const { return std::holds_alternative<HalfSpace>(shape->shape); }
@@ -121,9 +120,8 @@ Approach ShapePairSearch::approach(double t) {
   return now;
 }
 
-/// A mesh and another shape that touch do so at several places, and the line through nearest points as near
-/// as rounding has no direction. What counts is the contact that is closed first; if none approaches, nothing
-/// does.
+/// A mesh and another shape touch at several places, and between nearest points that are as close as rounding
+/// there is no direction. The contact that closes first counts; if no contact approaches, the pair does not.
 void ShapePairSearch::look_at_contacts(const Pose& X_WS, const Pose& X_WT, double t, Approach& now) const {
   const std::vector<ContactPoint> contacts =
       contact_set(A_.shape->shape, X_WS, B_.shape->shape, X_WT, options_.contact_tolerance);
@@ -232,9 +230,10 @@ double ShapePairSearch::advance(double t, const Approach& now, double t1) {
                          .n_W = now.normals_W});
 }
 
-/// The longest step that the normal shows, fixed or, where this loses to first order, turning: a face takes
-/// it along, and otherwise it turns as it is seen to do.
+/// The longest step that a separating direction proves: the normal held fixed or, where this loses to first
+/// order, rotated with a body (a face takes its normal along) or as the normal is seen to change.
 double ShapePairSearch::convex_step(double t, const Approach& now, double t1, double level) {
+  // The fixed normal. It is enough where it sees the gap shrink no faster than the gap does.
   const double span = t1 - t;
   const SeparationBound fixed(core_A_, core_B_, now.n_W, now.gap, t, t1);
   double step = fixed.safe_step(span, level);
@@ -243,16 +242,18 @@ double ShapePairSearch::convex_step(double t, const Approach& now, double t1, do
   constexpr double equal = 1e-6;
   if (B_.is_half_space() || step >= span || fixed.rate() >= now.rate - equal * speed) return step;
 
-  const auto try_turn = [&](const Vec3& turn_W) {
-    const SeparationBound bound(core_A_, core_B_, {now.n_W, turn_W}, now.gap, t, t1);
+  // The normal fixed on A or on B, then one that changes at the rate of the next instant.
+  const auto try_rotating_normal = [&](const Vec3& w_normal_W) {
+    const SeparationBound bound(core_A_, core_B_, {now.n_W, w_normal_W}, now.gap, t, t1);
     step = std::max(step, bound.safe_step(span, level));
     return bound.rate() >= now.rate - equal * speed;
   };
-  const bool is_exact = (!w_A.isZero(0) && try_turn(w_A)) || (!w_B.isZero(0) && try_turn(w_B));
+  const bool is_exact =
+      (!w_A.isZero(0) && try_rotating_normal(w_A)) || (!w_B.isZero(0) && try_rotating_normal(w_B));
   if (is_exact || step >= span) return step;
   const double after = std::min(span, 1e-6 * size_ / speed);
   const Vec3 later_W = distance(A_.pose(t + after), B_.pose(t + after)).n_W;
-  try_turn(now.n_W.cross(later_W - now.n_W) / after);
+  try_rotating_normal(now.n_W.cross(later_W - now.n_W) / after);
   return step;
 }
 
@@ -298,9 +299,11 @@ TimeOfImpact ShapePairSearch::find(double t0, double t1) {
   if (!can_meet(t0, t1)) return {false, t1, 0, 0};
   if (const std::optional<TimeOfImpact> found = find_in_closed_form(t0, t1)) return *found;
 
+  // Conservative advancement: each step is one for which no overlap can occur.
   double t = t0, before = t0, distance_before = 0;
   while (evaluations_ < options_.most_evaluations) {
     const Approach now = approach(t);
+    // Touching and approaching: a contact, here or, after a step that passed it, since the last time.
     const bool is_approaching = now.rate < -options_.rest_velocity;
     if (now.gap <= touch(t) && is_approaching) {
       if (now.gap >= -touch(t) || t == t0) return {true, t, finest(t), evaluations_};
@@ -318,11 +321,13 @@ TimeOfImpact ShapePairSearch::find(double t0, double t1) {
       const Crossing crossing{t, t + 2 * estimate, now.distance, distance_at(t + 2 * estimate)};
       if (crossing.distance_high < 0) return refined(crossing);
     }
+
+    // The safe step, but no less than time can be resolved.
     before = t;
     distance_before = now.distance;
     t = std::min(t1, t + std::max(advance(t, now, t1), finest(t)));
   }
-  // Only a pair that hovers at the contact for long comes here; what was passed is proven free.
+  // Only a pair that hovers at the contact for long comes here; the span up to t is proven free.
   return {false, t, 0, evaluations_};
 }
 

@@ -13,7 +13,7 @@ struct BodyPhase {
   Vec3 L = Vec3::Zero();      ///< Angular momentum about the centre of mass, in W [kg m²/s].
 };
 
-/// What resists motion; both as in the body frame B.
+/// Mass and principal moments of a body.
 struct BodyInertia {
   double mass = 1;              ///< [kg], > 0.
   Vec3 moments = Vec3::Ones();  ///< Principal moments I1, I2, I3 about the centre of mass [kg m²].

@@ -3,6 +3,7 @@
 namespace rigor {
 
 BodyPhase DensePhase::at(double theta) const {
+  // Horner's scheme, then the quaternion back on the unit sphere.
   Eigen::Matrix<double, 13, 1> y = coefficients.col(degree);
   for (int k = degree - 1; k >= 0; --k) y = y * theta + coefficients.col(k);
   const Vec4 q = y.segment<4>(dense_q_row).normalized();
@@ -17,11 +18,15 @@ DensePhase quadratic_dense_phase(const BodyPhase& start, const BodyPhase& end, c
     y << phase.x, phase.q.w(), phase.q.vec(), phase.P, phase.L;
     return y;
   };
-  const Quat turning = Quat(0, w.x(), w.y(), w.z()) * start.q;
+
+  // Rates at θ = 0: h v and h q̇ with q̇ = ½ (0, ω) q; P and L are linear, so their rate is their change.
+  const Quat w_q = Quat(0, w.x(), w.y(), w.z()) * start.q;
   Eigen::Matrix<double, 13, 1> rate = stacked(end) - stacked(start);
   const Eigen::Matrix<double, 13, 1> change = rate;
   rate.segment<3>(dense_x_row) = h * v;
-  rate.segment<4>(dense_q_row) = 0.5 * h * Vec4(turning.w(), turning.x(), turning.y(), turning.z());
+  rate.segment<4>(dense_q_row) = 0.5 * h * Vec4(w_q.w(), w_q.x(), w_q.y(), w_q.z());
+
+  // The parabola with this start, this rate and this change: y₀ + rate θ + (change - rate) θ².
   DensePhase dense;
   dense.degree = 2;
   dense.coefficients.col(0) = stacked(start);
@@ -33,7 +38,8 @@ DensePhase quadratic_dense_phase(const BodyPhase& start, const BodyPhase& end, c
 QuaternionFit fit_quaternions(const std::function<Quat(double theta)>& q, const Quat& start, int n) {
   const Vec4 first(start.w(), start.x(), start.y(), start.z());
 
-  // Differences from the start at θ = k/n, which are small: then the system's condition number costs nothing.
+  // Differences from the start at θ = k/n. They are small, so the condition number of the system does no
+  // harm.
   constexpr int most = DensePhase::max_degree;
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most, most> powers(n, n);
   Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::ColMajor, most, 4> differences(n, 4);
@@ -49,6 +55,7 @@ QuaternionFit fit_quaternions(const std::function<Quat(double theta)>& q, const 
     for (int m = 0; m < n; ++m, power *= theta) powers(k - 1, m) = power;
   }
 
+  // The polynomial through them has the coefficients V⁻¹ (differences), V the Vandermonde matrix.
   QuaternionFit coefficients(4, n + 1);
   coefficients.col(0) = first;
   coefficients.rightCols(n) = powers.partialPivLu().solve(differences).transpose();

@@ -1,23 +1,17 @@
 #include "rigor/dynamics/environment.hpp"
 
 #include "rigor/core/index.hpp"
+#include "rigor/core/sorted_unique.hpp"
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace rigor {
 
-namespace {
-
-void sort_and_unite(std::vector<int>& bodies) {
-  std::sort(bodies.begin(), bodies.end());
-  bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
-}
-
-}  // namespace
-
 Environment::Environment(const Model& model, PointSprings springs, bool with_joints)
     : model_(&model), records_(at(model.body_count()), 0), acting_(1) {
+  // The drag and damping of the bodies themselves; damping of P is a drag in proportion to the mass.
   for (int i = 0; i < model.body_count(); ++i) {
     const Body& body = model.body(i);
     const double linear = body.linear_drag + body.mass * body.linear_damping;
@@ -25,11 +19,12 @@ Environment::Environment(const Model& model, PointSprings springs, bool with_joi
     acting_on(i).linear_drag = linear;
     acting_on(i).angular_drag = body.angular_drag;
   }
+  // The forces of the scene, and then which bodies are under forces without a closed form.
   add_forces(springs);
   for (int i = 0; i < model.body_count(); ++i) {
     if (records_[at(i)] == 0) continue;
     Acting& acting = acting_on(i);
-    sort_and_unite(acting.spring_partners);
+    acting.spring_partners = sorted_unique(std::move(acting.spring_partners));
     acting.is_forced =
         model.body(i).motion == MotionType::dynamic &&
         (!acting.springs.empty() || !acting.forces.empty() || !acting.torques.empty() ||
@@ -38,7 +33,7 @@ Environment::Environment(const Model& model, PointSprings springs, bool with_joi
   if (with_joints) add_joints();
 }
 
-/// Its record, which is made if it has none.
+/// The record of a body, which is created if it has none.
 Environment::Acting& Environment::acting_on(int body) {
   int& record = records_[at(body)];
   if (record == 0) {
@@ -58,6 +53,7 @@ void Environment::add_forces(PointSprings springs) {
     if (const ConstantForce* constant = std::get_if<ConstantForce>(&force)) {
       const Body& body = model_->body(constant->body);
       Acting& acting = acting_on(constant->body);
+      // A force at the centre of mass that is constant in W only adds to gravity.
       const bool is_steady = !constant->frame_is_body && constant->p_BP.isZero(0);
       if (is_steady && body.motion == MotionType::dynamic) {
         acting.steady = steady_acceleration(constant->body) + constant->f / body.mass;
@@ -100,18 +96,21 @@ void Environment::add_joints() {
       if (has_springs(model_->joint(j))) acting.joint_springs.push_back(j);
     }
   }
-  for (Acting& acting : acting_) sort_and_unite(acting.joint_partners);
+  for (Acting& acting : acting_) acting.joint_partners = sorted_unique(std::move(acting.joint_partners));
 }
 
 Wrench Environment::own_forces(int body, const BodyView& view) const {
   const Body& own = model_->body(body);
+  // Gravity and steady forces, less drag.
   Wrench wrench;
   wrench.f_W = own.mass * steady_acceleration(body) - acts_on(body).linear_drag * view.v;
   wrench.tau_W = -acts_on(body).angular_drag * view.w;
+  // Damping torque -c L with L = R I_B Rᵀ ω.
   if (own.angular_damping > 0) {
     const Vec3 L_B = own.moments.cwiseProduct(view.R.transpose() * view.w);
     wrench.tau_W -= own.angular_damping * (view.R * L_B);
   }
+  // Forces with a lever about the centre of mass or fixed in the body, and torques.
   for (const ConstantForce& force : acts_on(body).forces) {
     const Vec3 f_W = force.frame_is_body ? Vec3(view.R * force.f) : force.f;
     wrench.f_W += f_W;
@@ -147,8 +146,9 @@ double Environment::stored_energy(const Spring& spring, const SpringEnd& A, cons
 Vec3 Environment::force_on_B(const Spring& spring, const SpringEnd& A, const SpringEnd& B) {
   const Vec3 d = B.p_W - A.p_W;
   const double length = d.norm();
-  // Where the ends meet the line has no direction; a spring of rest length 0 has no force there.
+  // Where the ends meet, the line has no direction; a spring of rest length 0 has no force there.
   if (length == 0) return Vec3::Zero();
+  // Tension k (d - length) + c ḋ along the line.
   const Vec3 direction = d / length;
   const double rate = direction.dot(B.v_W - A.v_W);
   return -(spring.stiffness * (length - spring.length) + spring.damping * rate) * direction;

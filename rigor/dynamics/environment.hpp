@@ -11,25 +11,25 @@
 
 namespace rigor {
 
-/// Whether the springs between points of bodies act, or are left to who treats them implicitly.
+/// Whether the springs between points of bodies act, or are left to a solver that treats them implicitly.
 enum class PointSprings { act, left_out };
 
-/// The forces of a scene other than those of contacts and of what joints hold: gravity, constant forces and
-/// torques, springs, springs and dampers of joints, drag.
+/// The forces of a scene other than those of contacts and the reactions of joints: gravity, constant forces
+/// and torques, springs, springs and dampers of joints, drag.
 class Environment {
  public:
-  /// with_joints: false where joints, their springs and dampers too, are somebody else's.
+  /// with_joints: false if the caller treats joints itself, with their springs and dampers.
   explicit Environment(const Model& model, PointSprings springs = PointSprings::act, bool with_joints = true);
 
-  /// Acceleration of a dynamic body by gravity and by the constant forces at its centre of mass [m/s²]: with
-  /// nothing else acting it flies a parabola.
+  /// Acceleration of a dynamic body due to gravity and the constant forces at its centre of mass [m/s²]: if
+  /// nothing else acts, its path is a parabola.
   Vec3 steady_acceleration(int body) const {
     return acts_on(body).steady ? *acts_on(body).steady : gravity_on(body);
   }
   /// Whether anything else acts on it or a joint holds it, so that its motion must be integrated.
   bool is_forced(int body) const { return acts_on(body).is_forced; }
-  /// Force per velocity [kg/s] and torque per angular velocity [kg m²/s] that the body meets, and the rate at
-  /// which its angular momentum is damped [1/s]; damping of the momentum is in the first.
+  /// Drag force per velocity [kg/s] and torque per angular velocity [kg m²/s], and the rate at which the
+  /// angular momentum decays [1/s]; damping of the linear momentum is part of the first.
   struct DragRates {
     double linear, angular, angular_damping;
   };
@@ -38,7 +38,8 @@ class Environment {
   }
   /// Dynamic bodies joined to this one by springs, ascending.
   const std::vector<int>& spring_partners(int body) const { return acts_on(body).spring_partners; }
-  /// Other dynamic bodies that a joint ties to this one, ascending; a gear ties all bodies of its two joints.
+  /// Other dynamic bodies that a joint couples to this one, ascending; a gear couples all bodies of its two
+  /// joints.
   const std::vector<int>& joint_partners(int body) const { return acts_on(body).joint_partners; }
 
   /// Position and velocity of a body as the forces need them.
@@ -47,15 +48,15 @@ class Environment {
     Mat3 R;
     bool is_dynamic;
   };
-  /// Forces on the listed bodies. `view(body)` must answer for them and for all that springs and joints tie
-  /// to them. wrenches: one a listed body, overwritten.
+  /// Forces on the listed bodies. `view(body)` must return the BodyView of these and of all bodies that
+  /// springs and joints couple to them. wrenches: one per listed body, overwritten.
   template <class View>
   void apply_env_forces(std::span<const int> bodies, const View& view, std::span<Wrench> wrenches) const {
     for (std::size_t i = 0; i < bodies.size(); ++i) wrenches[i] = force_on(bodies[i], view(bodies[i]), view);
   }
 
   /// Power [W] that forces without a potential supply to the body: constant torques, body-fixed forces. Drag
-  /// and dampers only take and are not counted.
+  /// and dampers only dissipate and are not counted.
   double supplied_power(int body, const BodyView& view) const;
   /// Potential energy of gravity and steady forces of a body at x [J].
   double potential(int body, const Vec3& x) const;
@@ -93,14 +94,14 @@ class Environment {
   }
   static double stored_energy(const Spring& spring, const SpringEnd& A, const SpringEnd& B);
   static Vec3 force_on_B(const Spring& spring, const SpringEnd& A, const SpringEnd& B);
-  /// All but gravity that acts on a body.
+  /// Everything except gravity that acts on a body.
   struct Acting {
     std::optional<Vec3> steady;  ///< Acceleration, with gravity, where constant forces add to it [m/s²].
     bool is_forced = false;
-    double linear_drag = 0, angular_drag = 0;  ///< Damping of the momentum is in the first.
-    std::vector<int> springs, joint_springs;   ///< That touch it, and joints with springs that hold it.
+    double linear_drag = 0, angular_drag = 0;          ///< The first includes the damping of the momentum.
+    std::vector<int> springs, joint_springs;           ///< Springs attached to it; joints with springs.
     std::vector<int> spring_partners, joint_partners;  ///< Ascending.
-    std::vector<ConstantForce> forces;                 ///< Those that do not act steadily at the centre.
+    std::vector<ConstantForce> forces;                 ///< All but the steady ones at the centre of mass.
     std::vector<ConstantTorque> torques;
   };
   const Acting& acts_on(int body) const {
@@ -143,7 +144,7 @@ class Environment {
 
   const Model* model_;
   std::vector<Spring> springs_;
-  std::vector<int> records_;  ///< Of each body, where among the following; 0 where there is only gravity.
+  std::vector<int> records_;  ///< For each body its index in acting_; 0 if only gravity acts.
   std::vector<Acting> acting_;
 };
 

@@ -7,7 +7,7 @@ namespace rigor {
 
 /// Motion of a body under a constant force (gravity and others together) and no torque, in closed form from
 /// its epoch: the centre of mass on a parabola, the attitude by FreeRotation. Every evaluation starts from
-/// the epoch, so that looking at the motion does not change it and rounding does not accumulate. L is
+/// the epoch, so that sampling the motion does not change it and rounding does not accumulate. L is
 /// constant bit for bit.
 struct FreeFlight {
   double epoch = 0;  ///< [s].
@@ -20,7 +20,7 @@ struct FreeFlight {
   FreeFlight() = default;
   FreeFlight(const BodyInertia& inertia, const BodyPhase& phase, double t, const Vec3& acceleration_W);
 
-  /// p_WB at t [m]: x + τ (v + ½ a τ), τ = t - epoch. Costs no elliptic function.
+  /// p_WB at t [m]: x + τ (v + ½ a τ), τ = t - epoch. No elliptic function is evaluated.
   Vec3 position(double t) const;
   /// v_WB at t [m/s].
   Vec3 velocity(double t) const;

@@ -1,23 +1,21 @@
 #include "rigor/dynamics/free_rotation.hpp"
 
+#include "rigor/core/rounding.hpp"
 #include "rigor/math/carlson.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace rigor {
 namespace {
 
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-
-/// Covers the roundings of |ω|, so that the bound holds for the motion that is evaluated.
+/// Covers the rounding errors of |ω|, so that the bound holds for the motion as it is evaluated.
 constexpr double kSpeedMargin = 1 + 16 * kEpsilon;
 
-/// Below this 1 - m the time to pass the intermediate axis exceeds 340/λ, and squares underflow: the
-/// separatrix serves.
+/// For a smaller 1 - m the passage of the intermediate axis takes longer than 340/λ, and squares underflow:
+/// the motion is then that on the separatrix.
 constexpr double kSmallestComplement = 0x1p-1000;
 
 /// Axes in the order of growing moments; ties keep their order.
@@ -51,7 +49,7 @@ Vec3 body_angular_momentum(const Quat& q_WB, const Vec3& L_W) {
   return (L_B.cwiseAbs().array() <= error.array()).select(Vec3::Zero(), L_B);
 }
 
-/// The rotation b with b ẑ = m/|m|, turned first about y (by β, sin β = m_x/|m|) and then about x (by α, tan
+/// The rotation b with b ẑ = m/|m|: first about y (by β, sin β = m_x/|m|) and then about x (by α, tan
 /// α = -m_y/m_z). m_z ≥ 0, so both angles stay in [-π/2, π/2] and b is continuous; half angles by square
 /// roots.
 Quat orbit_frame(const Vec3& m) {
@@ -64,7 +62,7 @@ Quat orbit_frame(const Vec3& m) {
   return Quat(cos_a * cos_b, sin_a * cos_b, cos_a * sin_b, sin_a * sin_b);
 }
 
-/// R_BO with x and z along the given axes of B, turned so that m_z ≥ 0 and the component `positive` (x or y)
+/// R_BO with x and z along the given axes of B, signed so that m_z ≥ 0 and the component `positive` (x or y)
 /// of m is ≥ 0.
 Mat3 orbit_axes(int axis_x, int axis_z, int positive, const Vec3& m_B) {
   Mat3 R_BO;
@@ -82,11 +80,13 @@ FreeRotation::FreeRotation(const Vec3& moments, const Quat& q_WB, const Vec3& L_
   const bool low_pair = are_equal(moments[axes[0]], moments[axes[1]]);
   const bool high_pair = are_equal(moments[axes[1]], moments[axes[2]]);
 
+  // Three equal moments: ω = L/I is constant.
   if (low_pair && high_pair) {
     spin_W_ = L_W / moments[axes[1]];
     max_angular_speed_ = spin_W_.norm() * kSpeedMargin;
     return;
   }
+  // Two equal moments, rotation about one principal axis, or the general motion.
   const Vec3 L_B = body_angular_momentum(q_WB, L_W);
   if (low_pair || high_pair) {
     set_symmetric(moments, low_pair ? axes[2] : axes[0], L_B, L_W);
@@ -101,11 +101,14 @@ FreeRotation::FreeRotation(const Vec3& moments, const Quat& q_WB, const Vec3& L_
   }
 }
 
+// R(t) = exp(t L/I_t) R(0) exp(t (1/I_s - 1/I_t) M_s e_s): precession about L, spin about the axis of
+// symmetry.
 void FreeRotation::set_symmetric(const Vec3& moments, int axis, const Vec3& L_B, const Vec3& L_W) {
   kind_ = Kind::symmetric;
   const double along = moments[axis], across = moments[(axis + 1) % 3];
   spin_W_ = L_W / across;
   spin_B_[axis] = L_B[axis] * ((across - along) / along) / across;
+  // |ω| is constant.
   Vec3 w_B = L_B / across;
   w_B[axis] = L_B[axis] / along;
   max_angular_speed_ = w_B.norm() * kSpeedMargin;
@@ -120,6 +123,7 @@ void FreeRotation::set_symmetric(const Vec3& moments, int axis, const Vec3& L_B,
 // so x² + δ_d y² = a² and z² + δ_p y² = c² are constant, with δ_d = |r_y - r_z|/|r_x - r_z|, δ_p = 1 - δ_d,
 // a² + c² = 1.
 void FreeRotation::set_asymmetric(const Vec3& moments, const Vec3& L_B, const Vec3& L_W) {
+  // δ between the reciprocal moments, from differences of the moments themselves.
   const std::array<int, 3> axes = sorted_axes(moments);
   const double I1 = moments[axes[0]], I2 = moments[axes[1]], I3 = moments[axes[2]];
   const double delta_12 = (I2 - I1) / (I3 - I1) * (I3 / I2);
@@ -127,7 +131,7 @@ void FreeRotation::set_asymmetric(const Vec3& moments, const Vec3& L_B, const Ve
   const double length = L_W.norm();
   const Vec3 m_B = L_B / L_B.norm();
 
-  // The side of the separatrix: the sign of 2 T I2 - |L|², without large terms.
+  // The side of the separatrix on which the orbit lies: the sign of 2 T I2 - |L|², without large terms.
   const double m1 = m_B[axes[0]], m2 = m_B[axes[1]], m3 = m_B[axes[2]];
   const double side = delta_12 * m1 * m1 - delta_23 * m3 * m3;
   const bool around_largest = side <= 0;
@@ -138,6 +142,7 @@ void FreeRotation::set_asymmetric(const Vec3& moments, const Vec3& L_B, const Ve
   const double complement = std::abs(side) / (delta_d * (m_z * m_z + delta_p * m2 * m2));
   kind_ = complement < kSmallestComplement ? Kind::separatrix : Kind::circulating;
 
+  // The orbit frame, and the constants of the motion in it.
   const int axis_x = around_largest ? axes[0] : axes[2], axis_z = around_largest ? axes[2] : axes[0];
   const Mat3 R_BO = orbit_axes(axis_x, axis_z, kind_ == Kind::separatrix ? 0 : 1, m_B);
   const Vec3 m_O = R_BO.transpose() * m_B;
@@ -169,6 +174,7 @@ void FreeRotation::set_frames(const Quat& q_BO) {
 // v is counted from the passage nearest to the intermediate axis: then the integrand of φ (circulating_point)
 // has one sign and its pole form 1 - b² sn² is a sum of positive terms.
 void FreeRotation::set_circulating(const Vec3& m_O, double delta_d, double delta_p, double rate) {
+  // Amplitudes and modulus of the elliptic functions, from the constants of the motion.
   const Vec3 squares = m_O.cwiseAbs2();
   const double c2 = squares.z() + delta_p * squares.y();
   const double complement = std::min(1.0, (delta_d * squares.z() - delta_p * squares.x()) / (delta_d * c2));
@@ -177,6 +183,7 @@ void FreeRotation::set_circulating(const Vec3& m_O, double delta_d, double delta
   b_ = a_ / root_delta;
   c_ = std::sqrt(c2);
   jacobi_ = JacobiFunctions(complement);
+  // The rates of v and φ.
   lambda_ = rate * root_delta * c_;
   kappa_ = epsilon_ * root_delta * complement * c_;
   half_period_integral_ = 2 * third_kind_integral(jacobi_.quarter_period(), {1, 0, std::sqrt(complement)});
@@ -205,11 +212,11 @@ Quat FreeRotation::orientation(double dt) const {
   if (kind_ == Kind::symmetric) {
     return (rotation_exp(dt * spin_W_) * q_WB_ * rotation_exp(dt * spin_B_)).normalized();
   }
-  // R(t) = R(0) B(0) Rz(φ) B(t)ᵀ: the frame built on M and the axis x turns about L by φ.
+  // R(t) = R(0) B(0) Rz(φ) B(t)ᵀ: the frame built on M and the axis x rotates about L by φ.
   const OrbitPoint point = orbit_point(dt);
   const double half = 0.5 * (point.phi - phi0_);
-  const Quat turn(std::cos(half), 0, 0, std::sin(half));
-  return (q_WN_ * turn * orbit_frame(point.m_O).conjugate() * q_OB_).normalized();
+  const Quat about_L(std::cos(half), 0, 0, std::sin(half));
+  return (q_WN_ * about_L * orbit_frame(point.m_O).conjugate() * q_OB_).normalized();
 }
 
 FreeRotation::OrbitPoint FreeRotation::orbit_point(double dt) const {
@@ -221,12 +228,14 @@ FreeRotation::OrbitPoint FreeRotation::orbit_point(double dt) const {
 //
 //   φ = |L| r_y t - κ Π(b²; v),   κ = ε √δ_d k'² c.
 FreeRotation::OrbitPoint FreeRotation::circulating_point(double dt) const {
+  // v reduced by whole half periods to w in [-K, K].
   const double K = jacobi_.quarter_period();
   const double v = lambda_ * dt + v0_;
   const double half_periods = std::nearbyint(v / (2 * K));
   const double w = std::clamp(v - 2 * half_periods * K, -K, K);
   const double sign = std::fmod(half_periods, 2) == 0 ? 1 : -1;
 
+  // M/|L| by the elliptic functions, and φ by the integral of the third kind.
   const JacobiValues f = jacobi_.at(w);
   const double root = std::sqrt(jacobi_.complement());
   const Vec3 m_O(-epsilon_ * sign * a_ * root * f.sn / f.dn, sign * b_ * f.cn / f.dn, c_ * root / f.dn);
@@ -243,7 +252,7 @@ FreeRotation::OrbitPoint FreeRotation::separatrix_point(double dt) const {
 
 double FreeRotation::third_kind_integral(double w, const JacobiValues& f) const {
   const double cn2 = f.cn * f.cn, dn2 = f.dn * f.dn;
-  // 1 - b² sn² = c² dn² + a² cn².
+  // Carlson's form: w + b² sn³ R_J(cn², dn², 1, 1 - b² sn²)/3, with 1 - b² sn² = c² dn² + a² cn².
   const double pole = c_ * c_ * dn2 + a_ * a_ * cn2;
   return w + b_ * b_ * f.sn * f.sn * f.sn * carlson_rj(cn2, dn2, 1, pole) / 3;
 }

@@ -16,8 +16,7 @@ namespace rigor {
 /// Source: R. van Zon and J. Schofield, Numerical implementation of the exact dynamics of free rigid bodies,
 /// J. Comput. Phys. 225, 2007; E. Celledoni, F. Fassò, N. Säfström, A. Zanna, The exact computation of the
 /// free rigid body motion and its use in splitting methods, SIAM J. Sci. Comput. 30, 2008. The integral of
-/// the third kind is taken by Carlson's R_J here. Derivation:
-/// docs/theory/free_rotation.md.
+/// the third kind is evaluated with Carlson's R_J here. Derivation: docs/theory/free_rotation.md.
 class FreeRotation {
  public:
   FreeRotation() = default;
@@ -31,11 +30,11 @@ class FreeRotation {
 
  private:
   /// uniform: ω constant in W. symmetric: constant rates about L and about the axis. circulating: M = Rᵀ L
-  /// goes round the axis of the largest or smallest moment. separatrix: M goes from one end of the
-  /// intermediate axis to the other.
+  /// circles the axis of the largest or smallest moment. separatrix: M moves from one end of the intermediate
+  /// axis to the other.
   enum class Kind { uniform, symmetric, circulating, separatrix };
 
-  /// M/|L| in the orbit frame O, and the angle φ that the frame built on it has turned about L.
+  /// M/|L| in the orbit frame O, and the angle φ by which the frame built on it has rotated about L.
   struct OrbitPoint {
     Vec3 m_O;
     double phi;

@@ -38,10 +38,11 @@ AttitudeChart chart_of(IntegratorName name, OrientationForm form) {
   return form == OrientationForm::matrix ? AttitudeChart::matrix : AttitudeChart::quaternion;
 }
 
-/// Largest error of a block of a body against its tolerance; 1 is just good.
+/// Largest error of any block (x, P, L, attitude) of any body relative to its tolerance; up to 1 it is
+/// accepted.
 double relative_error(const SystemOde& ode, const RungeKuttaStep& step, const VecX& error,
                       const IntegratorTolerances& tolerances) {
-  // A rotation by a small angle δ moves q by δ/2 and R by √2 δ.
+  // A rotation by a small angle δ changes q by δ/2 and R by √2 δ.
   const double attitude_scale = ode.chart() == AttitudeChart::matrix ? 2 * std::sqrt(2.0) : 1;
   const double scales[3] = {tolerances.length_scale, tolerances.momentum_scale,
                             tolerances.angular_momentum_scale};
@@ -58,7 +59,7 @@ double relative_error(const SystemOde& ode, const RungeKuttaStep& step, const Ve
   return error.allFinite() ? largest / tolerances.relative : std::numeric_limits<double>::infinity();
 }
 
-/// The same of the step's estimates together; NaN without one.
+/// The same for all error estimates of the step together; NaN if it has none.
 double relative_error(const SystemOde& ode, const RungeKuttaStep& step,
                       const IntegratorTolerances& tolerances) {
   if (step.error.size() == 0) return std::numeric_limits<double>::quiet_NaN();
@@ -68,6 +69,7 @@ double relative_error(const SystemOde& ode, const RungeKuttaStep& step,
 }
 
 DensePhase dense_phase(const SystemOde& ode, const RungeKuttaStep& step, int body, const Quat& start) {
+  // x, P and L are rows of the continuous extension.
   const int at = ode.offset(body);
   const int columns = static_cast<int>(step.dense.cols());
   DensePhase dense;
@@ -75,6 +77,7 @@ DensePhase dense_phase(const SystemOde& ode, const RungeKuttaStep& step, int bod
   dense.coefficients.block(dense_x_row, 0, 3, columns) = step.dense.middleRows<3>(at);
   dense.coefficients.block(dense_P_row, 0, 3, columns) = step.dense.middleRows<3>(at + 3);
   dense.coefficients.block(dense_L_row, 0, 3, columns) = step.dense.middleRows<3>(at + 6);
+  // So is the attitude as a quaternion; in another chart a polynomial is fitted through points of it.
   if (ode.chart() == AttitudeChart::quaternion) {
     dense.coefficients.block(dense_q_row, 0, 4, columns) = step.dense.middleRows<4>(at + 9);
   } else {
@@ -96,16 +99,18 @@ SystemStep integrate_step(IntegratorName name, OrientationForm form, std::span<c
     return semi_implicit_euler_step(form, inertias, start, t, h, wrenches);
   }
 
+  // A Runge-Kutta step of the whole system.
   SystemOde ode(chart_of(name, form), inertias, start, wrenches);
   const auto f = [&ode](double time, const VecX& y) { return ode.derivative(time, y); };
   const RungeKuttaStep step = runge_kutta_step(tableau_of(name), f, t, ode.start_vector(), h);
 
+  // The phases and the dense output of each body, back from the vector.
   SystemStep result;
   result.error = relative_error(ode, step, tolerances);
   result.quaternion_drift = 0;
   for (int i = 0; i < ode.body_count(); ++i) {
     Quat q = ode.orientation(step.end, i);
-    // A matrix forgets the sign of its quaternion.
+    // A matrix does not determine the sign of its quaternion.
     if (ode.chart() == AttitudeChart::matrix && q.dot(ode.start(i).q) < 0) q.coeffs() = -q.coeffs();
     const int at = ode.offset(i);
     result.end.push_back(

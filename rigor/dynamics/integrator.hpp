@@ -1,6 +1,7 @@
 #pragma once
 
 #include "rigor/dynamics/body_phase.hpp"
+#include "rigor/dynamics/orientation_form.hpp"
 
 #include <functional>
 #include <span>
@@ -16,11 +17,7 @@ namespace rigor {
 /// orientation makes no difference.
 enum class IntegratorName { euler, semi_implicit_euler, midpoint, rk4, dopri5, dop853, lie_rk4 };
 
-/// What is integrated for the attitude: the quaternion (13 numbers a body) or the matrix R with Gram-Schmidt
-/// after each step (18 numbers a body).
-enum class OrientationForm { quaternion, matrix };
-
-/// Forces at a given time and given phases of all bodies of the system: fills one wrench a body. Called at
+/// Forces at a given time and given phases of all bodies of the system: fills one wrench per body. Called at
 /// every stage.
 using WrenchField =
     std::function<void(double t, std::span<const BodyPhase> phases, std::span<Wrench> wrenches)>;
@@ -42,7 +39,7 @@ struct DensePhase {
 /// One step of a system of bodies.
 struct SystemStep {
   std::vector<BodyPhase> end;     ///< At t + h; q normalised.
-  std::vector<DensePhase> dense;  ///< One a body; agrees with start and end up to rounding and normalisation.
+  std::vector<DensePhase> dense;  ///< One per body; meets start and end up to rounding and normalisation.
   double error;  ///< Embedded local error estimate relative to the tolerance (dopri5, dop853: ≤ 1 is good);
                  ///< NaN for methods without one.
   double quaternion_drift;  ///< Largest | |q| - 1 | before normalisation (matrix form: |RᵀR - 1|).

@@ -17,8 +17,7 @@ bool has_spring(const JointAxis& axis) {
 /// How far the k-th coordinate is from the rest of its spring.
 double deviation(const Joint& joint, int k, double coordinate) {
   const double difference = coordinate - joint.axes[at(k)].rest;
-  const bool goes_round = is_angle(joint.type, k) && joint.type != JointType::ball;
-  return goes_round ? std::remainder(difference, 2 * std::numbers::pi) : difference;
+  return is_periodic(joint.type, k) ? std::remainder(difference, 2 * std::numbers::pi) : difference;
 }
 
 void add(const Vec6& force_and_torque, Wrench& wrench) {
@@ -37,15 +36,17 @@ JointForces spring_forces(const Joint& joint, const BodyMotion& A, const BodyMot
   for (int k = 0; k < static_cast<int>(joint.axes.size()); ++k) {
     const JointAxis& axis = joint.axes[at(k)];
     if (!has_spring(axis)) continue;
+    // Q = -stiffness (c - rest) - damping ċ; the damper of a whole rotation is isotropic.
     const JointCoordinate coordinate = joint_coordinate(joint, k, A, B);
     double force = -axis.stiffness * deviation(joint, k, coordinate.value);
-    if (joint.type == JointType::ball) {
+    if (has_whole_angle(joint.type)) {
       const Vec3 damping_torque = -axis.damping * (B.w - A.w);
       forces.on_A.tau_W -= damping_torque;
       forces.on_B.tau_W += damping_torque;
     } else {
       force -= axis.damping * coordinate.rate;
     }
+    // The wrench J_bᵀ Q on each body.
     add(force * coordinate.J_A, forces.on_A);
     add(force * coordinate.J_B, forces.on_B);
   }

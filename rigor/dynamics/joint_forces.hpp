@@ -12,8 +12,9 @@ struct JointForces {
   Wrench on_A, on_B;
 };
 /// Forces of the springs and dampers of a joint: along each coordinate c the force Q = -stiffness (c - rest)
-/// - damping ċ, which makes the wrench J_bᵀ Q on body b. A spring of an angle acts the shorter way round; it
-/// turns over half a turn from its rest. A ball joint's damper is isotropic: the torque -damping (ω_B - ω_A).
+/// - damping ċ, which makes the wrench J_bᵀ Q on body b. The spring of an angle acts along the shorter arc;
+/// its force changes sign half a turn from its rest. The damper of a whole rotation is isotropic: the torque
+/// -damping (ω_B - ω_A).
 JointForces spring_forces(const Joint& joint, const BodyMotion& A, const BodyMotion& B);
 /// Energy in its springs, ½ stiffness (c - rest)² each [J].
 double stored_energy(const Joint& joint, const BodyMotion& A, const BodyMotion& B);

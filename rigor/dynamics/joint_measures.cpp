@@ -78,23 +78,26 @@ JointCoordinate length_of(std::span<const JointCoordinate> components) {
     rate[static_cast<Eigen::Index>(i)] = components[i].rate;
   }
   const double length = value.norm(), speed = rate.norm();
+  // Its direction; that of the rate, or of the last component, where the vector is zero.
   Vec3 direction = Vec3::Unit(static_cast<Eigen::Index>(components.size()) - 1);
   if (length > 0) {
     direction = value / length;
   } else if (speed > 0) {
     direction = rate / speed;
   }
+  // ṙ = direction · rate.
   JointCoordinate result;
   for (std::size_t i = 0; i < components.size(); ++i) {
     result = result + direction[static_cast<Eigen::Index>(i)] * components[i];
   }
   result.value = length;
-  // What moves across its direction makes it longer: (|rate|² - ṙ²)/r.
+  // Motion across the direction makes the vector longer: r̈ gets (|rate|² - ṙ²)/r.
   if (length > 0) result.bias += (rate - result.rate * direction).squaredNorm() / length;
   return result;
 }
 
 JointMeasures::JointMeasures(const Joint& joint, const BodyMotion& A, const BodyMotion& B) : A_(A), B_(B) {
+  // The arms of the frames' origins about the centres of mass, and the displacement between them.
   R_WJ_ = A.R * joint.X_AJ.R;
   p_AJ_W_ = A.R * joint.X_AJ.p;
   p_BK_W_ = B.R * joint.X_BK.p;
@@ -109,6 +112,7 @@ JointMeasures::JointMeasures(const Joint& joint, const BodyMotion& A, const Body
 }
 
 JointCoordinate JointMeasures::displacement(int k) const {
+  // g = n·d along an axis n that rotates with A: ġ = n·(v_K - v_J) + (ω_A × n)·d.
   const Vec3 n = R_WJ_.col(k);
   JointCoordinate measure;
   measure.value = n.dot(p_JK_W_);
@@ -145,7 +149,7 @@ std::pair<JointCoordinate, JointCoordinate> swing(const JointMeasures& measures)
   const JointCoordinate w = measures.quaternion(0), x = measures.quaternion(1), y = measures.quaternion(2),
                         z = measures.quaternion(3);
   // q = s t with the twist t = (w, 0, 0, z)/c gives the swing s = (c, (w x - y z)/c, (w y + x z)/c, 0),
-  // c = cos θ/2. Where c = 0 any twist will do: t = 1.
+  // c = cos θ/2. Where c = 0 the twist is undetermined: t = 1.
   const JointCoordinate c = length_of(std::array{w, z});
   constexpr double smallest_cosine = 1e-9;
   if (c.value < smallest_cosine) return {4 * (x / (w + 1)), 4 * (y / (w + 1))};
@@ -159,7 +163,7 @@ JointCoordinate whole_rotation(const JointMeasures& measures, int k) {
 
 JointCoordinate whole_angle(const JointMeasures& measures) {
   std::array sines{measures.quaternion(1), measures.quaternion(2), measures.quaternion(3)};
-  // A vector of the size of rounding has no direction: it counts as zero.
+  // A vector of the size of rounding errors has no direction and counts as zero.
   constexpr double smallest_sine = 1e-13;
   if (Vec3(sines[0].value, sines[1].value, sines[2].value).norm() < smallest_sine) {
     for (JointCoordinate& sine : sines) sine.value = 0;

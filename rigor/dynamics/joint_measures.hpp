@@ -23,13 +23,13 @@ JointCoordinate angle_of(const JointCoordinate& y, const JointCoordinate& x);
 /// taken, or the last component's if that is 0 too.
 JointCoordinate length_of(std::span<const JointCoordinate> components);
 
-/// The elementary functions of the pose of a joint's frame K on B against its frame J on A; all others are
-/// made of these seven.
+/// The seven elementary functions of the pose of a joint's frame K on B against its frame J on A; all others
+/// are composed of these.
 class JointMeasures {
  public:
   JointMeasures(const Joint& joint, const BodyMotion& A, const BodyMotion& B);
 
-  /// Component k of the way from J to K, along the axes of J [m].
+  /// Component k of the displacement from J to K, along the axes of J [m].
   JointCoordinate displacement(int k) const;
   /// Component i of q_JK: w, x, y, z; w ≥ 0.
   JointCoordinate quaternion(int i) const;
@@ -43,11 +43,11 @@ class JointMeasures {
   Vec3 alpha_JK_J_;  ///< Its rate while the angular velocities of both are constant.
 };
 
-/// Angle [rad] by which K is turned about z of J: that of the twist, if the rotation is a twist about z
-/// followed by the smallest rotation (swing) that takes z of J to z of K. In [-π, π].
+/// Angle [rad] by which K is rotated about z of J: the angle of the twist, where the rotation is a twist
+/// about z followed by the smallest rotation (swing) that takes z of J to z of K. In [-π, π].
 JointCoordinate twist_angle(const JointMeasures& measures);
-/// The swing about x and about y of J, 4 tan(θ/4) each unit of its axis, θ in [0, π]: its size is 4 where z
-/// of K points against z of J.
+/// The components about x and y of J of the swing, 4 tan(θ/4) times the unit vector of its axis, θ in [0, π]:
+/// its length is 4 where z of K is opposite to z of J.
 std::pair<JointCoordinate, JointCoordinate> swing(const JointMeasures& measures);
 /// Component k of 4 tan(θ/4) e, with θ in [0, π] the angle and e the axis of the rotation from J to K.
 JointCoordinate whole_rotation(const JointMeasures& measures, int k);

@@ -15,9 +15,9 @@ namespace rigor {
 
 namespace {
 
-constexpr double whole_turn = 2 * std::numbers::pi;
+constexpr double whole_turn = 2 * std::numbers::pi;  ///< [rad].
 
-/// Place of the body among the sides; it is added, with rows of zeros, if it is new.
+/// Index of the body among the sides; it is added, with rows of zeros, if it is new.
 std::size_t side_of(int body, JointRows& rows) {
   int side = 0;
   while (side < rows.side_count && rows.bodies[at(side)] != body) ++side;
@@ -47,20 +47,17 @@ void add_row(const Joint& joint, const JointCoordinate& measure, JointRows& rows
   ++rows.size;
 }
 
-/// Displacements along the axes of J from `first` to `last`.
-void add_displacements(const Joint& joint, const JointMeasures& measures, int first, int last,
-                       JointRows& rows) {
-  for (int k = first; k <= last; ++k) add_row(joint, measures.displacement(k), rows);
+/// The displacements that the type holds, along the axes of J.
+void add_displacements(const Joint& joint, const JointMeasures& measures, JointRows& rows) {
+  for (int k = 0; k < 3; ++k) {
+    if (joint_traits(joint.type).holds_displacement[at(k)]) add_row(joint, measures.displacement(k), rows);
+  }
 }
 
 void add_swing(const Joint& joint, const JointMeasures& measures, JointRows& rows) {
   const auto [about_x, about_y] = swing(measures);
   add_row(joint, about_x, rows);
   add_row(joint, about_y, rows);
-}
-
-void add_rotation(const Joint& joint, const JointMeasures& measures, JointRows& rows) {
-  for (int k = 0; k < 3; ++k) add_row(joint, whole_rotation(measures, k), rows);
 }
 
 JointCoordinate distance_of(const JointMeasures& measures) {
@@ -74,16 +71,46 @@ JointCoordinate middle_angle(const JointMeasures& measures) {
   return angle_of(-1 * direction_cosine(measures, 2, 0), cosine);
 }
 
-/// Displacement less what the angle makes of it; whole turns are what is nearest to the displacement.
+/// Displacement less the pitch times the twist in turns; whole turns are those nearest to the displacement.
 JointCoordinate screw_residual(const Joint& joint, const JointMeasures& measures) {
   JointCoordinate residual = measures.displacement(2) - joint.pitch / whole_turn * twist_angle(measures);
   if (joint.pitch != 0) residual.value = std::remainder(residual.value, joint.pitch);
   return residual;
 }
 
+/// The rotations that the type holds, about the axes of J.
+void add_rotations(const Joint& joint, const JointMeasures& measures, JointRows& rows) {
+  switch (joint_traits(joint.type).held_rotation) {
+    case HeldRotation::none:
+      return;
+    case HeldRotation::all:
+      for (int k = 0; k < 3; ++k) add_row(joint, whole_rotation(measures, k), rows);
+      return;
+    case HeldRotation::swing:
+      return add_swing(joint, measures, rows);
+    case HeldRotation::middle_angle:
+      return add_row(joint, middle_angle(measures), rows);
+  }
+}
+
+/// The equation that is neither a displacement nor a rotation along an axis.
+void add_relation(const Joint& joint, const JointMeasures& measures, JointRows& rows) {
+  switch (joint_traits(joint.type).relation) {
+    case JointRelation::none:
+    case JointRelation::gear:
+      return;
+    case JointRelation::distance:
+      if (!joint.axes.empty() && joint.axes[0].is_limited()) return;
+      return add_row(joint, distance_of(measures) + -joint.length, rows);
+    case JointRelation::screw:
+      return add_row(joint, screw_residual(joint, measures), rows);
+  }
+}
+
 /// The denominator q of a ratio p/q of whole numbers, q ≤ 1000, that is the given one to rounding; 0 if there
 /// is none. If there is one it is a convergent of the continued fraction.
 int denominator_of(double ratio) {
+  // The convergents p/q of the continued fraction, until one agrees or q is too large.
   constexpr double most_teeth = 1000;
   double p = 1, p_before = 0, q = 0, q_before = 1;
   for (double rest = ratio;;) {
@@ -99,15 +126,15 @@ int denominator_of(double ratio) {
 }
 
 /// The part of second - ratio · first that whole turns of the angles among the two coordinates cannot make.
-double without_whole_turns(double difference, double ratio, bool first_turns, bool second_turns) {
-  if (first_turns && second_turns) {
-    // Turns change it by 2π (k₂ - (p/q) k₁): by all multiples of 2π/q. For other ratios they come as close to
-    // anything as one likes.
+double without_whole_turns(double difference, double ratio, bool first_is_angle, bool second_is_angle) {
+  if (first_is_angle && second_is_angle) {
+    // Whole turns change it by 2π (k₂ - (p/q) k₁): by all multiples of 2π/q. For other ratios these changes
+    // are dense in the real numbers.
     const int denominator = denominator_of(ratio);
     return denominator == 0 ? 0 : std::remainder(difference, whole_turn / denominator);
   }
-  if (first_turns && ratio != 0) return std::remainder(difference, whole_turn * ratio);
-  return second_turns ? std::remainder(difference, whole_turn) : difference;
+  if (first_is_angle && ratio != 0) return std::remainder(difference, whole_turn * ratio);
+  return second_is_angle ? std::remainder(difference, whole_turn) : difference;
 }
 
 }  // namespace
@@ -116,47 +143,9 @@ JointRows joint_rows(const Joint& joint, const BodyMotion& A, const BodyMotion& 
   RIGOR_ASSERT(joint.type != JointType::gear);
   const JointMeasures measures(joint, A, B);
   JointRows rows;
-  switch (joint.type) {
-    case JointType::fixed:
-      add_displacements(joint, measures, 0, 2, rows);
-      add_rotation(joint, measures, rows);
-      break;
-    case JointType::ball:
-      add_displacements(joint, measures, 0, 2, rows);
-      break;
-    case JointType::hinge:
-      add_displacements(joint, measures, 0, 2, rows);
-      add_swing(joint, measures, rows);
-      break;
-    case JointType::slider:
-      add_displacements(joint, measures, 0, 1, rows);
-      add_rotation(joint, measures, rows);
-      break;
-    case JointType::universal:
-      add_displacements(joint, measures, 0, 2, rows);
-      add_row(joint, middle_angle(measures), rows);
-      break;
-    case JointType::cylindrical:
-      add_displacements(joint, measures, 0, 1, rows);
-      add_swing(joint, measures, rows);
-      break;
-    case JointType::planar:
-      add_displacements(joint, measures, 2, 2, rows);
-      add_swing(joint, measures, rows);
-      break;
-    case JointType::distance:
-      if (joint.axes.empty() || !joint.axes[0].is_limited()) {
-        add_row(joint, distance_of(measures) + -joint.length, rows);
-      }
-      break;
-    case JointType::screw:
-      add_displacements(joint, measures, 0, 1, rows);
-      add_swing(joint, measures, rows);
-      add_row(joint, screw_residual(joint, measures), rows);
-      break;
-    case JointType::gear:
-      break;
-  }
+  add_displacements(joint, measures, rows);
+  add_rotations(joint, measures, rows);
+  add_relation(joint, measures, rows);
   return rows;
 }
 
@@ -164,6 +153,7 @@ JointRows gear_rows(const Joint& gear, const Joint& first, const BodyMotion& A1,
                     const Joint& second, const BodyMotion& A2, const BodyMotion& B2) {
   const JointCoordinate driving = joint_coordinate(first, 0, A1, B1);
   const JointCoordinate driven = joint_coordinate(second, 0, A2, B2);
+  // g = c₂ - ratio c₁, with the Jacobians and biases of both coordinates.
   JointRows rows;
   add_sides(first, driving, -gear.ratio, 0, rows);
   add_sides(second, driven, 1, 0, rows);
@@ -177,24 +167,25 @@ JointRows gear_rows(const Joint& gear, const Joint& first, const BodyMotion& A1,
 JointCoordinate joint_coordinate(const Joint& joint, int k, const BodyMotion& A, const BodyMotion& B) {
   RIGOR_ASSERT(k >= 0 && k < coordinate_count(joint.type));
   const JointMeasures measures(joint, A, B);
-  switch (joint.type) {
-    case JointType::ball:
-      return whole_angle(measures);
-    case JointType::distance:
-      return distance_of(measures);
-    case JointType::slider:
+  switch (joint_traits(joint.type).coordinates()[at(k)]) {
+    case CoordinateType::displacement_x:
+      return measures.displacement(0);
+    case CoordinateType::displacement_y:
+      return measures.displacement(1);
+    case CoordinateType::displacement_z:
       return measures.displacement(2);
-    case JointType::cylindrical:
-      return k == 0 ? measures.displacement(2) : twist_angle(measures);
-    case JointType::planar:
-      return k < 2 ? measures.displacement(k) : twist_angle(measures);
-    case JointType::universal:
-      // R = Rz(α) Ry(γ) Rx(β): α and β.
-      return k == 0 ? angle_of(direction_cosine(measures, 1, 0), direction_cosine(measures, 0, 0))
-                    : angle_of(direction_cosine(measures, 2, 1), direction_cosine(measures, 2, 2));
-    default:
-      return twist_angle(measures);  // hinge, screw
+    case CoordinateType::twist:
+      return twist_angle(measures);
+    case CoordinateType::angle_on_A:
+      return angle_of(direction_cosine(measures, 1, 0), direction_cosine(measures, 0, 0));
+    case CoordinateType::angle_on_B:
+      return angle_of(direction_cosine(measures, 2, 1), direction_cosine(measures, 2, 2));
+    case CoordinateType::whole_angle:
+      return whole_angle(measures);
+    case CoordinateType::distance:
+      break;
   }
+  return distance_of(measures);
 }
 
 }  // namespace rigor

@@ -42,13 +42,14 @@ struct JointCoordinate {
 
 /// Rows of any joint but a gear, of bodies A and B: first those of the displacement of K against J along the
 /// axes of J, then those of the rotation about them, so that λ are the force and the torque on B along these
-/// axes. Rotations are measured as 4 tan(θ/4) each unit of their axis: only the right branch is zero, and
-/// Newton's method finds it from anywhere. A distance joint with limits has no rows. A screw's whole turns
-/// are those nearest to its displacement. Derivation: docs/theory/joints.md.
+/// axes; last the row of the relation. Rotations are measured as 4 tan(θ/4) times the unit vector of their
+/// axis, which is zero on the right branch only, so that Newton's method finds it from anywhere. A distance
+/// joint with limits has no rows. A screw's whole turns are those nearest to its displacement. Derivation:
+/// docs/theory/joints.md.
 JointRows joint_rows(const Joint& joint, const BodyMotion& A, const BodyMotion& B);
 /// The row of a gear, g = (coordinate of the second) - ratio (of the first); its joints with their bodies.
-/// What whole turns of angles make of g is left out. For two angles this needs the ratio of two numbers of
-/// teeth, at most 1000 of the second wheel; for any other g = 0: only the rates are held.
+/// The part of g that stems from whole turns of the angles is left out. For two angles this needs the ratio
+/// of two numbers of teeth, at most 1000 of the second wheel; for any other g = 0: only the rates are held.
 JointRows gear_rows(const Joint& gear, const Joint& first, const BodyMotion& A1, const BodyMotion& B1,
                     const Joint& second, const BodyMotion& A2, const BodyMotion& B2);
 

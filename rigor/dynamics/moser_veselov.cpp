@@ -9,11 +9,13 @@ namespace rigor {
 
 MoserVeselovStep moser_veselov_step(const Vec3& moments, const Quat& q_WB, const Vec3& L_W, double h) {
   constexpr int kMaxIterations = 20;
+  // h M/2 in B: the right-hand side of the equation.
   const Vec3 target = 0.5 * h * (rotation_matrix(q_WB).transpose() * L_W);
   const double size = target.norm();
   if (size == 0) return {q_WB, true, 0, 0};
 
-  // Residual e₀ I e + e × I e - h M/2 with e₀ = √(1 - |e|²); derivative e₀ I - (I e) eᵀ/e₀ + e~ I - (I e)~.
+  // Newton's method from the increment at constant ω. Residual e₀ I e + e × I e - h M/2 with e₀ = √(1 -
+  // |e|²); derivative e₀ I - (I e) eᵀ/e₀ + e~ I - (I e)~.
   const Mat3 I_B = moments.asDiagonal();
   Vec3 e = target.cwiseQuotient(moments);
   double previous = std::numeric_limits<double>::infinity();
@@ -24,7 +26,7 @@ MoserVeselovStep moser_veselov_step(const Vec3& moments, const Quat& q_WB, const
     const Vec3 residual = e0 * I_e + e.cross(I_e) - target;
     const double error = residual.norm() / size;
 
-    // Done where another step no longer improves what is already at rounding.
+    // The iteration ends where another step no longer improves an error that is at rounding.
     if (error < 1e-14 && error >= 0.5 * previous) {
       const Quat F(e0, e.x(), e.y(), e.z());
       return {(q_WB * F).normalized(), true, error, iteration};

@@ -13,8 +13,8 @@ namespace rigor {
 
 namespace {
 
-/// Bound of |α| + |ω|² of a free body with |ω| ≤ speed. By the triangle inequality of the moments |I_j - I_k|
-/// ≤ I_i, so |α_i| ≤ |ω_j ω_k| and |α|² ≤ |ω|⁴ / 3.
+/// Bound of |α| + |ω|² of a free body with |ω| ≤ speed. The moments satisfy the triangle inequality |I_j -
+/// I_k| ≤ I_i, so |α_i| ≤ |ω_j ω_k| and |α|² ≤ |ω|⁴ / 3.
 double free_turn_acceleration(const Vec3& moments, double speed) {
   const bool is_spherical = moments.x() == moments.y() && moments.y() == moments.z();
   return (is_spherical ? 1.0 : 1.0 + 1 / std::sqrt(3.0)) * speed * speed;
@@ -36,6 +36,7 @@ double largest_magnitude(const Polynomial& p) {
 }  // namespace
 
 Motion Motion::prescribed(const Body& body, double t) {
+  // Constant velocities until the next point of the path.
   Motion motion;
   const PrescribedMotion now = prescribed_motion(body, t);
   motion.path_ = Prescribed{&body, now.v_WB, now.w_WB};
@@ -112,6 +113,7 @@ Vec3 Motion::position(double t) const {
     return prescribed_motion(*prescribed->body, t).p_WB;
   const DensePhase& dense = std::get<Step>(path_).dense;
   const double at = theta(t);
+  // Horner's scheme.
   Vec3 x = Vec3::Zero();
   for (int k = dense.degree; k >= 0; --k) x = x * at + dense.coefficients.col(k).head<3>();
   return x;
@@ -123,6 +125,7 @@ Vec3 Motion::velocity(double t) const {
   if (const Prescribed* prescribed = std::get_if<Prescribed>(&path_)) return prescribed->v;
   const DensePhase& dense = std::get<Step>(path_).dense;
   const double at = theta(t);
+  // Horner's scheme for dx/dθ, over dt/dθ = h.
   Vec3 rate = Vec3::Zero();
   for (int k = dense.degree; k > 0; --k) rate = rate * at + k * dense.coefficients.col(k).head<3>();
   return rate / (end_ - begin_);
@@ -132,6 +135,7 @@ Vec3 Motion::velocity(double t) const {
 Vec3 Motion::step_angular_velocity(double t) const {
   const DensePhase& dense = std::get<Step>(path_).dense;
   const double at = theta(t);
+  // Horner's scheme for q and dq/dθ at once.
   Vec4 value = Vec4::Zero(), rate = Vec4::Zero();
   for (int k = dense.degree; k >= 0; --k) {
     rate = rate * at + value;
@@ -161,6 +165,7 @@ double Motion::min_acceleration_along(const Vec3& n, double ta, double tb) const
   if (is_ballistic()) return n.dot(acceleration());
   const DensePhase& dense = std::get<Step>(path_).dense;
   const double h = end_ - begin_;
+  // n·x as a polynomial of θ, whose second derivative is bounded over the span.
   Polynomial along;
   along.degree = dense.degree;
   for (int k = 0; k <= dense.degree; ++k)

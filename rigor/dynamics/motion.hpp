@@ -13,14 +13,14 @@
 
 namespace rigor {
 
-/// The smooth motion of one body over a span of time, with bounds that hold for all of it: what the search
-/// for the next impact stands on. A body at rest or with a prescribed path, in closed-form flight, or along
-/// one step of an integrator.
+/// The smooth motion of one body over a span of time, with bounds that hold for all of it, on which the
+/// search for the next impact relies. The body is at rest, has a prescribed path, is in closed-form flight,
+/// or moves along one step of an integrator.
 class Motion : public RigidMotion {
  public:
-  /// Kinematic or fixed body from time t on (to the next point of its path).
+  /// Kinematic or fixed body from time t to the next point of its path.
   static Motion prescribed(const Body& body, double t);
-  /// Dynamic body that stays where it is (all forces balance).
+  /// Dynamic body that stays at rest: all forces balance.
   static Motion at_rest(const BodyPhase& phase, double t);
   /// Dynamic body in closed-form flight.
   static Motion flight(const FreeFlight& flight, const BodyInertia& inertia);

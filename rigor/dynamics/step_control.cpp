@@ -10,12 +10,13 @@ constexpr double kSafety = 0.9;
 constexpr double kShrink = 0.2;
 constexpr double kGrow = 5;
 
-/// Errors below this say no more about the next step.
+/// Smaller errors are mostly rounding and do not predict the next step.
 constexpr double kSmallestError = 1e-4;
 
 }  // namespace
 
 StepDecision StepController::decide(double h, double error) {
+  // A rejected step is repeated with a smaller one, as small as possible if the error is unknown.
   if (!std::isfinite(error)) {
     was_rejected_ = true;
     return {false, kShrink * h};
@@ -24,6 +25,7 @@ StepDecision StepController::decide(double h, double error) {
     was_rejected_ = true;
     return {false, h * std::max(kShrink, kSafety * std::pow(error, -1.0 / order_))};
   }
+  // An accepted step: proportional-integral control; it does not grow right after a rejection.
   const double bounded = std::max(error, kSmallestError);
   const double factor = kSafety * std::pow(bounded, -0.7 / order_) * std::pow(old_error_, 0.4 / order_);
   const double largest = was_rejected_ ? 1 : kGrow;

@@ -2,7 +2,7 @@
 
 namespace rigor {
 
-/// What to do after a step.
+/// Whether a step is accepted, and the size of the next one.
 struct StepDecision {
   bool is_accepted;
   double h_next;  ///< Next step size, after a rejection the one to try again with [s]; has the sign of h.

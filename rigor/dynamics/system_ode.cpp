@@ -73,21 +73,24 @@ double SystemOde::attitude_drift(const VecX& y, int body) const {
 }
 
 VecX SystemOde::attitude_rate(const VecX& attitude, const Mat3& R_WB, const Vec3& w_WB) const {
+  // q̇ = ½ (0, ω) q.
   if (chart_ == AttitudeChart::quaternion) {
     const Quat rate = Quat(0, w_WB.x(), w_WB.y(), w_WB.z()) * quaternion_at(attitude, 0);
     return 0.5 * Vec4(rate.w(), rate.x(), rate.y(), rate.z());
   }
+  // Ṙ = ω × R.
   if (chart_ == AttitudeChart::matrix) {
     const Mat3 rate = skew(w_WB) * R_WB;
     return Eigen::Map<const VecX>(rate.data(), 9);
   }
-  // Inverse of the differential of exp, to the order that a method of order four sees.
+  // Φ̇ by the inverse of the differential of exp, truncated as a method of order four allows.
   const Vec3 phi = attitude;
   const Vec3 bracket = phi.cross(w_WB);
   return w_WB - 0.5 * bracket + phi.cross(bracket) / 12;
 }
 
 VecX SystemOde::derivative(double t, const VecX& y) {
+  // The phases of all bodies, and the forces on them.
   for (int i = 0; i < body_count(); ++i) {
     const int first = offset(i);
     phases_[at(i)] = {y.segment<3>(first), orientation(y, i), y.segment<3>(first + 3),
@@ -96,13 +99,14 @@ VecX SystemOde::derivative(double t, const VecX& y) {
   }
   wrench_field_(t, phases_, wrenches_);
 
+  // Newton and Euler: ẋ = P/m, Ṗ = F, L̇ = τ, and the attitude with ω = R I_B⁻¹ Rᵀ L.
   VecX rate(y.size());
   for (int i = 0; i < body_count(); ++i) {
     const BodyPhase& phase = phases_[at(i)];
     const Wrench& wrench = wrenches_[at(i)];
     const BodyInertia& inertia = inertias_[at(i)];
     const int first = offset(i);
-    // The matrix form takes R as it stands, so that the right-hand side stays smooth in y.
+    // The matrix chart uses R as it stands, so that the right-hand side is smooth in y.
     const Mat3 R_WB = chart_ == AttitudeChart::matrix ? matrix_at(y, first + 9) : rotation_matrix(phase.q);
     const Vec3 w_B = (R_WB.transpose() * phase.L).cwiseQuotient(inertia.moments);
     rate.segment<3>(first) = phase.P / inertia.mass;

@@ -9,8 +9,8 @@
 
 namespace rigor {
 
-/// How an attitude stands in the vector of the differential equation. rotation_vector: Φ with q = exp(Φ/2)
-/// q₀, q₀ at the start of the step.
+/// How an attitude is written in the vector of the differential equation. rotation_vector: Φ with q =
+/// exp(Φ/2) q₀, q₀ at the start of the step.
 enum class AttitudeChart { quaternion, matrix, rotation_vector };
 
 /// The equations of motion of a system of bodies as an ordinary differential equation ẏ = f(t, y) for one
@@ -47,8 +47,9 @@ class SystemOde {
   std::span<const BodyInertia> inertias_;
   std::span<const BodyPhase> start_;
   const WrenchField& wrench_field_;
-  std::vector<BodyPhase> phases_;  // scratch of derivative()
-  std::vector<Wrench> wrenches_;   // scratch of derivative()
+  // Scratch of derivative():
+  std::vector<BodyPhase> phases_;
+  std::vector<Wrench> wrenches_;
 };
 
 }  // namespace rigor

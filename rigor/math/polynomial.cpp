@@ -1,17 +1,15 @@
 #include "rigor/math/polynomial.hpp"
 
 #include "rigor/core/assert.hpp"
+#include "rigor/core/rounding.hpp"
 #include "rigor/math/roots.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 
 namespace rigor {
 namespace {
-
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 /// Σ |cₖ| xᵏ: what the rounding errors of p near |x| are relative to.
 double absolute_value(const Polynomial& p, double x) {

@@ -1,15 +1,14 @@
 #include "rigor/math/principal_axes.hpp"
 
+#include "rigor/core/rounding.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace rigor {
 
 namespace {
-
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon() / 2;  // 2⁻⁵³
 
 /// Sweeps after which the rotations end at the latest. Quadratic convergence needs about five.
 constexpr int kMaxSweeps = 30;
@@ -37,7 +36,7 @@ void rotate(int p, int q, Mat3& A, Mat3& R) {
 }
 
 bool is_negligible(const Mat3& A, int p, int q) {
-  return std::abs(A(p, q)) <= kEpsilon * std::sqrt(std::abs(A(p, p))) * std::sqrt(std::abs(A(q, q)));
+  return std::abs(A(p, q)) <= kUnitRoundoff * std::sqrt(std::abs(A(p, p))) * std::sqrt(std::abs(A(q, q)));
 }
 
 /// Power of two near the largest element, so that nothing depends on the unit of mass and length.
@@ -54,7 +53,7 @@ PrincipalAxes principal_axes(const Mat3& inertia) {
       std::max({std::abs(symmetric(0, 1)), std::abs(symmetric(0, 2)), std::abs(symmetric(1, 2))});
   const int exponent = exponent_of(symmetric);
   Mat3 A = symmetric.unaryExpr([exponent](double x) { return std::scalbn(x, -exponent); });
-  if (std::scalbn(off_diagonal, -exponent) <= 16 * kEpsilon * A.norm()) {
+  if (std::scalbn(off_diagonal, -exponent) <= 16 * kUnitRoundoff * A.norm()) {
     return {Mat3::Identity(), symmetric.diagonal()};
   }
 

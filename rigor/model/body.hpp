@@ -37,7 +37,7 @@ struct Body {
   double angular_damping = 0;  ///< Torque -c L, the same of its angular momentum [1/s].
   double bounding_radius = 0;  ///< Of all shapes about the origin of B [m]; infinite with a plane.
 
-  // At t = 0.
+  // At t = 0:
   Vec3 p_WB = Vec3::Zero();  ///< [m].
   Quat q_WB = Quat::Identity();
   Vec3 v_WB = Vec3::Zero();  ///< Of the centre of mass [m/s]; constant for kinematic bodies without a path.

@@ -24,19 +24,19 @@ std::vector<std::string> names_of(const MaterialTable& materials) {
   return names;
 }
 
-/// Index of the shape's material; the default one, and a message, if there is none of that name.
-int find_material(const ShapeDescription& shape, const MaterialTable& materials, const std::string& what,
-                  Findings& findings) {
+/// Index of the shape's material; the default one, and a message, if no material has that name.
+int find_material(const ShapeDescription& shape, const MaterialTable& materials,
+                  const std::string& shape_name, Findings& findings) {
   if (shape.material.empty()) return 0;
   const auto found = materials.index.find(shape.material);
   if (found != materials.index.end()) return found->second;
-  findings.add(what + ": unknown material " + quoted_text(shape.material) +
+  findings.add(shape_name + ": unknown material " + quoted_text(shape.material) +
                suggestion(shape.material, names_of(materials)));
   return 0;
 }
 
-/// Whether two successive orientations are so near to half a turn apart that the way between them is not
-/// clear.
+/// Whether two successive orientations are so nearly half a turn apart that the sense of the rotation between
+/// them is undetermined.
 bool is_half_turn(const Quat& a, const Quat& b) {
   return rotation_angle_between(a.normalized(), b.normalized()) > std::numbers::pi - 1e-6;
 }
@@ -49,18 +49,18 @@ void check_path(const BodyDescription& body, Findings& findings) {
                    "its path gives position and velocities, so they may not be given as well");
   for (std::size_t i = 0; i < body.path.size(); ++i) {
     const PathPoint& point = body.path[i];
-    const std::string what = "path point " + std::to_string(i);
-    bool is_good = findings.check(what + ": time", point.time, limits::time, "s");
-    is_good &= findings.check(what + ": position", point.p_WL, limits::position, "m");
-    is_good &= findings.check(what + ": orientation", point.q_WL);
+    const std::string name = "path point " + std::to_string(i);
+    bool is_good = findings.check(name + ": time", point.time, limits::time, "s");
+    is_good &= findings.check(name + ": position", point.p_WL, limits::position, "m");
+    is_good &= findings.check(name + ": orientation", point.q_WL);
     if (!is_good || i == 0) continue;
     const PathPoint& before = body.path[i - 1];
-    findings.require(point.time > before.time, what + ": time is " + number_text(point.time) +
+    findings.require(point.time > before.time, name + ": time is " + number_text(point.time) +
                                                    " s, must be > " + number_text(before.time) +
                                                    " s, the time of the point before");
     findings.require(
         !is_half_turn(before.q_WL, point.q_WL),
-        what + ": it is half a turn from the point before, which may go either way; put a point between");
+        name + ": it is half a turn from the point before, which may go either way; put a point between");
   }
 }
 
@@ -86,13 +86,13 @@ std::vector<BodyShape> make_shapes(const BodyDescription& body, const MaterialTa
   std::vector<BodyShape> shapes;
   for (const ShapeDescription& shape : body.shapes) {
     const std::string type = shape.type_name.empty() ? shape_type_name(shape.shape) : shape.type_name;
-    const std::string what = "shape " + std::to_string(shapes.size()) + " (" + type + ")";
-    check_shape(shape.shape, body.motion == MotionType::dynamic, what, memory, findings);
-    findings.check(what + ": position", shape.p_LS, limits::position, "m");
-    findings.check(what + ": orientation", shape.q_LS);
+    const std::string name = "shape " + std::to_string(shapes.size()) + " (" + type + ")";
+    check_shape(shape.shape, body.motion == MotionType::dynamic, name, memory, findings);
+    findings.check(name + ": position", shape.p_LS, limits::position, "m");
+    findings.check(name + ": orientation", shape.q_LS);
     findings.require(shape.color.empty() || is_color(shape.color),
-                     what + ": color is " + quoted_text(shape.color) + ", must be '#rgb' or '#rrggbb'");
-    const int material = find_material(shape, materials, what, findings);
+                     name + ": color is " + quoted_text(shape.color) + ", must be '#rgb' or '#rrggbb'");
+    const int material = find_material(shape, materials, name, findings);
     BodyShape placed;
     placed.shape = shape.shape;
     placed.X_BS = {rotation_matrix(shape.q_LS), shape.p_LS};
@@ -103,7 +103,7 @@ std::vector<BodyShape> make_shapes(const BodyDescription& body, const MaterialTa
   return shapes;
 }
 
-/// Radii about each shape's origin and about the body's, and the trees of meshes that have none yet.
+/// Computes radii about each shape's origin and the body's, and the trees of meshes that have none yet.
 void complete_shapes(std::vector<BodyShape>& shapes, Body& body) {
   body.bounding_radius = 0;
   for (BodyShape& shape : shapes) {

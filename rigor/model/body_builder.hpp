@@ -15,8 +15,8 @@ struct MaterialTable {
   std::map<std::string, int> index;
 };
 
-/// Checks a body and computes its body frame, mass and bounding radius. What is wrong is added to the
-/// messages; the returned body is then incomplete and only good for its name and motion.
+/// Checks a body and computes its body frame, mass and bounding radius. Mistakes are added to the messages;
+/// of the returned body only the name and motion are then valid.
 Body make_body(const BodyDescription& description, const std::string& where, const MaterialTable& materials,
                ShapeMemory& memory, std::vector<std::string>& messages);
 

@@ -63,7 +63,7 @@ std::optional<BodyMass> body_mass(const BodyDescription& body, const std::vector
       body.inertia ? given_properties(*body.inertia, findings)
                    : properties_of_shapes(body, material_densities, memory, findings);
   if (!properties) return std::nullopt;
-  // Numbers that a user wrote are rounded; those of shapes are computed.
+  // Numbers that a user wrote are rounded, those of shapes are not: only the former have a tolerance.
   const std::vector<std::string> defects =
       body.inertia ? find_mass_defects(*properties, limits::triangle_error) : find_mass_defects(*properties);
   for (const std::string& defect : defects) findings.add((body.inertia ? "inertia: " : "") + defect);

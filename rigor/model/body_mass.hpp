@@ -17,8 +17,9 @@ struct BodyMass {
 };
 
 /// Mass properties by the rule of the scene file: the inertia that is given, or that of the shapes with
-/// `density` (or each with its material's, material_densities, one a shape [kg/m³]), scaled to `mass` if that
-/// is given. Nothing, and why in the findings, if the body cannot move so. The shapes are checked.
+/// `density` (or each with its material's: material_densities, one per shape [kg/m³]), scaled to `mass` if
+/// that is given. Nothing, and the reason in the findings, if no dynamic body has such an inertia. The shapes
+/// have been checked.
 std::optional<BodyMass> body_mass(const BodyDescription& body, const std::vector<double>& material_densities,
                                   ShapeMemory& memory, Findings& findings);
 

@@ -23,12 +23,12 @@ bool are_equal(const Shape& a, const Shape& b) {
 }
 
 bool are_same(const BodyShape& a, const BodyShape& b) {
-  // Bit by bit, so that a pose keeps the signs of its zeros.
+  // Poses are compared bit by bit, so that they keep the signs of their zeros.
   return are_equal(a.shape, b.shape) && std::memcmp(&a.X_BS, &b.X_BS, sizeof(Pose)) == 0 &&
          a.material == b.material && a.radius == b.radius && a.color == b.color;
 }
 
-/// Equal for shapes that are the same.
+/// Equal for equal shapes.
 std::size_t hash_of(const BodyShape& shape) {
   const void* const form = shape_data(shape.shape).shared;
   std::size_t hash = shape.shape.index();

@@ -21,7 +21,7 @@ struct BodyShape {
   std::string color;  ///< "#rgb" or "#rrggbb", or empty.
 };
 
-/// The shapes of a body: a vector that equal bodies share.
+/// The shapes of a body: a vector, which bodies with equal shapes share.
 class BodyShapes {
  public:
   BodyShapes() = default;
@@ -39,16 +39,16 @@ class BodyShapes {
   std::vector<BodyShape>::const_iterator end() const { return all().end(); }
 
  private:
-  std::shared_ptr<const std::vector<BodyShape>> shapes_;  ///< None if there are none.
+  std::shared_ptr<const std::vector<BodyShape>> shapes_;  ///< Null if there are none.
 };
 
-/// Lets bodies with equal shapes share them; hulls and meshes are equal if they are the same one.
+/// Lets bodies with equal shapes share them. Hulls and meshes are equal if they are the same object.
 class SharedShapes {
  public:
   void share(BodyShapes& shapes);
 
  private:
-  std::unordered_multimap<std::size_t, BodyShapes> known_;  ///< By a hash.
+  std::unordered_multimap<std::size_t, BodyShapes> known_;  ///< By their hash.
 };
 
 }  // namespace rigor

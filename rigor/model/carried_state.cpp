@@ -14,13 +14,13 @@ namespace rigor {
 
 namespace {
 
-/// Whether a phase means the same of both.
+/// Whether a phase means the same for both bodies.
 bool has_same_inertia(const Body& a, const Body& b) {
   return a.motion == b.motion && a.mass == b.mass && a.moments == b.moments && a.X_BL.R == b.X_BL.R &&
          a.X_BL.p == b.X_BL.p;
 }
 
-/// Whether contacts mean the same too, as far as can be told: shapes are compared by kind and place.
+/// Whether contacts mean the same too; shapes are compared by type, size and pose only.
 bool has_same_shapes(const Body& a, const Body& b) {
   return std::equal(a.shapes.begin(), a.shapes.end(), b.shapes.begin(), b.shapes.end(),
                     [](const BodyShape& s, const BodyShape& t) {
@@ -29,23 +29,23 @@ bool has_same_shapes(const Body& a, const Body& b) {
                     });
 }
 
-/// Copies `width` numbers of each body that is the same, by index.
+/// Copies the `width` numbers of a body to its place in the new State.
 void copy_bits(const std::vector<double>& from, int old_body, std::size_t width, int body,
                std::vector<double>& to) {
   std::copy_n(&from[width * at(old_body)], width, &to[width * at(body)]);
 }
 
-/// Bodies by number in the new model: what of the old one they are (-1: nothing), and the other way round.
+/// For each body of the new model its index in the old one (-1: it is new), and the inverse.
 struct BodyMap {
   std::vector<int> old_of, new_of;
-  std::vector<bool> is_same;  ///< Of the new ones: also their contacts mean the same.
+  std::vector<bool> is_same;  ///< For new indices: the body is unchanged, with its shapes.
 };
 
 BodyMap map_bodies(const Model& now, const Model& next) {
   BodyMap map{std::vector<int>(next.bodies().size(), -1), std::vector<int>(now.bodies().size(), -1),
               std::vector<bool>(next.bodies().size(), false)};
   for (int i = 0; i < next.body_count(); ++i) {
-    // Most stay where they were, or are moved by those that have gone before them.
+    // Most keep their index, or are shifted by removed bodies before them.
     const int guess = i == 0 ? 0 : map.old_of[at(i - 1)] + 1;
     const bool is_guess = guess < now.body_count() && now.body(guess).name == next.body(i).name;
     const int old = is_guess ? guess : now.find_body(next.body(i).name).value_or(-1);
@@ -81,16 +81,16 @@ void carry_body(const Model& now, const State& state, int old, const Model& next
   carried.set_body(body, X_WB.p, quaternion_of(X_WB.R), P, L);
 }
 
-/// Contacts of bodies that are the same in the same order, in the order of their keys. Who touched another
-/// one is no longer asleep.
+/// The contacts between unchanged bodies whose order is unchanged, sorted by key. Bodies that lose a contact
+/// wake.
 template <class Memories>
 Memories carry_contacts(const Memories& contacts, const BodyMap& map, State& carried) {
   using Memory = std::decay_t<decltype(*contacts.begin())>;
   std::vector<Memory> kept;
   for (const Memory& contact : contacts) {
     const int a = map.new_of[at(contact.body_A)], b = map.new_of[at(contact.body_B)];
-    const bool goes_on = a >= 0 && b >= 0 && a < b && map.is_same[at(a)] && map.is_same[at(b)];
-    if (goes_on) {
+    const bool continues = a >= 0 && b >= 0 && a < b && map.is_same[at(a)] && map.is_same[at(b)];
+    if (continues) {
       kept.push_back(contact);
       kept.back().body_A = a;
       kept.back().body_B = b;
@@ -105,8 +105,8 @@ Memories carry_contacts(const Memories& contacts, const BodyMap& map, State& car
   return kept;
 }
 
-/// Whether nothing that stays can wake a body: gravity, joints, kinematic and fixed bodies are the same, and
-/// there are no forces.
+/// Whether the surroundings wake no body: gravity, joints, kinematic and fixed bodies are the same, and there
+/// are no forces.
 bool has_same_surroundings(const Model& now, const Model& next, const BodyMap& map) {
   if (now.g_W() != next.g_W() || !now.forces().empty() || !next.forces().empty()) return false;
   for (int i = 0; i < next.body_count(); ++i) {

@@ -4,11 +4,11 @@
 
 namespace rigor {
 
-/// The State with which `next` goes on where `now` is in `state`: bodies and joints are the same if they have
-/// the same name. What is the same keeps its bits: phase, anchor, memory of contacts, sleep, impulses of
-/// joints. Bodies that are new begin as their Model says. A body of another shape or mass keeps the place of
-/// its frame and its velocities. Bodies that touched one that has gone or is another now are awake; all are,
-/// if gravity, joints or what does not move by itself differ, or forces act.
+/// The State with which the model `next` continues from `state`, which belongs to `now`. Bodies and joints
+/// are matched by name. Those that are unchanged keep their bits: phase, anchor, memory of contacts, sleep,
+/// joint impulses. New bodies start as their Model says. A body whose shape or mass has changed keeps the
+/// pose of its user's frame and its velocities. Bodies that touched one that is gone or changed are awake;
+/// all bodies are awake if gravity, joints, kinematic or fixed bodies differ, or if forces act.
 State carried_state(const Model& now, const State& state, const Model& next);
 
 }  // namespace rigor

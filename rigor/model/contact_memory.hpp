@@ -1,13 +1,15 @@
 #pragma once
 
+#include "rigor/model/contact_key.hpp"
+
 #include <array>
+#include <cstddef>
 #include <cstdint>
-#include <tuple>
 
 namespace rigor {
 
 /// What a scheme keeps of one contact from step to step: the deflections of springs, or where a solver begins
-/// its search. Part of the State, so that a fresh stepper goes on bit for bit.
+/// its search. Part of the State, so that a fresh stepper continues bit for bit.
 struct ContactMemory {
   static constexpr std::size_t value_count = 12;
 
@@ -19,10 +21,7 @@ struct ContactMemory {
   double energy = 0;  ///< Elastic energy that the contact holds at the State's time [J].
 
   bool operator==(const ContactMemory& other) const = default;
-  /// What tells contacts apart, in the order in which contacts are found.
-  std::tuple<int, int, int, int, std::uint64_t> key() const {
-    return {body_A, body_B, shape_A, shape_B, feature};
-  }
+  ContactKey key() const { return {body_A, body_B, shape_A, shape_B, feature}; }
 };
 
 }  // namespace rigor

@@ -9,11 +9,11 @@
 
 namespace rigor {
 
-/// Collects what is wrong with one thing: each message is where + "body 'ball': " + what was found and what
-/// is allowed.
+/// Collects the mistakes in the description of one object: each message is where + "body 'ball': " + what was
+/// found and what is allowed.
 class Findings {
  public:
-  /// messages outlives this.
+  /// The messages must outlive this.
   Findings(std::string where, std::string whose, std::vector<std::string>& messages)
       : prefix_(std::move(where) + std::move(whose) + ": "), messages_(messages) {}
 
@@ -21,11 +21,11 @@ class Findings {
   /// Adds the message unless the condition holds, and returns the condition.
   bool require(bool condition, std::string_view message);
   bool check(std::string_view quantity, double value, const Range& range, std::string_view unit);
-  /// Each component in the range.
+  /// The same for each component.
   bool check(std::string_view quantity, const Vec3& value, const Range& range, std::string_view unit);
-  /// Norm of q within limits::quaternion_error of 1.
+  /// The norm of q must be within limits::quaternion_error of 1.
   bool check(std::string_view quantity, const Quat& q);
-  /// Not empty, not too long, UTF-8 without control characters.
+  /// A name is not empty, not too long, and UTF-8 without control characters.
   bool check_name(std::string_view name);
 
  private:
@@ -36,7 +36,7 @@ class Findings {
 /// "[1, 0, -2.5]".
 std::string vector_text(const Vec3& v);
 
-/// Empty, or why this cannot be a name.
+/// Why this cannot be a name; empty if it can.
 std::string name_error(std::string_view name);
 
 /// Whether the text is "#rgb" or "#rrggbb".

@@ -9,7 +9,7 @@ namespace rigor {
 /// A body index of a force that means the world (fixed, user frame = W).
 inline constexpr int world_body = -1;
 
-/// Constant force on a body at a point fixed on it; with frame_is_body the force turns with the body.
+/// Constant force on a body at a point fixed on it; with frame_is_body the force rotates with the body.
 struct ConstantForce {
   int body;
   Vec3 f;                    ///< [N] in W (in B with frame_is_body).
@@ -22,8 +22,8 @@ struct ConstantTorque {
   Vec3 tau;  ///< [N m] in W (in B with frame_is_body).
   bool frame_is_body = false;
 };
-/// Linear spring and damper between points of two bodies, along the line that joins them: tension k (d -
-/// length) + c ḋ.
+/// Linear spring and damper between points of two bodies, along the line that joins them, of length d:
+/// tension k (d - length) + c ḋ.
 struct Spring {
   int body_A, body_B;  ///< world_body for the world.
   Vec3 p_AP, p_BQ;     ///< In A and in B [m].

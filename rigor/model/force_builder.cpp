@@ -10,24 +10,24 @@ namespace rigor {
 
 namespace {
 
-using Description = ModelBuilder::ForceDescription;
+using ForceDescription = ModelBuilder::ForceDescription;
 
-const char* type_name(Description::Type type) {
+const char* type_name(ForceDescription::Type type) {
   switch (type) {
-    case Description::Type::constant:
+    case ForceDescription::Type::constant:
       return "constant force";
-    case Description::Type::torque:
+    case ForceDescription::Type::torque:
       return "torque";
-    case Description::Type::spring:
+    case ForceDescription::Type::spring:
       return "spring";
-    case Description::Type::drag:
+    case ForceDescription::Type::drag:
       return "drag";
   }
   return "force";
 }
 
-void check_numbers(const Description& force, Findings& findings) {
-  const bool is_torque = force.type == Description::Type::torque;
+void check_numbers(const ForceDescription& force, Findings& findings) {
+  const bool is_torque = force.type == ForceDescription::Type::torque;
   findings.check(is_torque ? "torque" : "force", force.vector, limits::force, is_torque ? "N m" : "N");
   for (const Vec3& point : force.points) findings.check("point", point, limits::position, "m");
   findings.require(force.points.size() <= force.bodies.size(), "it has more points than bodies");
@@ -38,7 +38,7 @@ void check_numbers(const Description& force, Findings& findings) {
   if (force.length) findings.check("length", *force.length, limits::length, "m");
 }
 
-Spring make_spring(const Description& force, const std::vector<int>& indices,
+Spring make_spring(const ForceDescription& force, const std::vector<int>& indices,
                    const std::vector<Body>& bodies) {
   Vec3 points_B[2], points_W[2];
   for (std::size_t i = 0; i < 2; ++i) {
@@ -55,14 +55,14 @@ Spring make_spring(const Description& force, const std::vector<int>& indices,
 
 }  // namespace
 
-std::optional<Force> make_force(const Description& force, const std::string& where, const BodyTable& bodies,
-                                std::vector<std::string>& messages) {
+std::optional<Force> make_force(const ForceDescription& force, const std::string& where,
+                                const BodyTable& bodies, std::vector<std::string>& messages) {
   const std::size_t messages_before = messages.size();
   std::string whose = type_name(force.type);
   if (!force.bodies.empty()) whose += " on " + quoted_text(force.bodies[0]);
   Findings findings(where, whose, messages);
   check_numbers(force, findings);
-  const std::size_t count = force.type == Description::Type::spring ? 2 : 1;
+  const std::size_t count = force.type == ForceDescription::Type::spring ? 2 : 1;
   if (!findings.require(force.bodies.size() == count, "it names " + std::to_string(force.bodies.size()) +
                                                           " bodies, must name " + std::to_string(count))) {
     return std::nullopt;
@@ -70,14 +70,14 @@ std::optional<Force> make_force(const Description& force, const std::string& whe
   const std::optional<std::vector<int>> indices = find_bodies(force.bodies, bodies, findings);
   if (!indices || messages.size() > messages_before) return std::nullopt;
 
-  if (force.type == Description::Type::spring) return make_spring(force, *indices, bodies.bodies);
+  if (force.type == ForceDescription::Type::spring) return make_spring(force, *indices, bodies.bodies);
   const int index = indices->front();
   const Pose& X_BL = bodies.bodies[at(index)].X_BL;
   const Vec3 vector = force.frame_is_body ? Vec3(X_BL.R * force.vector) : force.vector;
   switch (force.type) {
-    case Description::Type::torque:
+    case ForceDescription::Type::torque:
       return ConstantTorque{index, vector, force.frame_is_body};
-    case Description::Type::drag:
+    case ForceDescription::Type::drag:
       return Drag{index, force.linear, force.angular};
     default:
       break;

@@ -12,11 +12,11 @@ namespace rigor {
 
 namespace {
 
-constexpr double half_turn = std::numbers::pi;
-/// Of an angle that was written as 180 deg.
+constexpr double half_turn = std::numbers::pi;  ///< [rad].
+/// Relative, of an angle that was written as 180 deg.
 constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
 
-/// A coordinate of a joint as messages speak of it.
+/// A coordinate of a joint as it appears in messages.
 struct Coordinate {
   JointType type;
   bool is_angle;
@@ -42,7 +42,7 @@ void check_limits(const JointAxis& axis, const Coordinate& coordinate, Findings&
                             coordinate.text(axis.upper) + "]";
   const bool are_numbers = !std::isnan(axis.lower) && !std::isnan(axis.upper);
   if (!findings.require(are_numbers, found + ", must be numbers")) return;
-  if (coordinate.type == JointType::ball) {
+  if (has_whole_angle(coordinate.type)) {
     const bool is_good = axis.lower <= 0 && axis.upper > 0 && axis.upper <= half_turn * (1 + rounding);
     findings.require(is_good, found +
                                   ": the angle of a ball joint begins at 0 deg, so the first must be 0 "
@@ -50,9 +50,10 @@ void check_limits(const JointAxis& axis, const Coordinate& coordinate, Findings&
     return;
   }
   const double most = half_turn * (1 + rounding);
-  const auto is_turn = [&](double limit) { return std::isinf(limit) || std::abs(limit) <= most; };
-  if (!findings.require(!coordinate.is_angle || (is_turn(axis.lower) && is_turn(axis.upper)),
-                        found + ", both must be from -180 deg to 180 deg")) {
+  const auto is_angle_in_range = [&](double limit) { return std::isinf(limit) || std::abs(limit) <= most; };
+  if (!findings.require(
+          !coordinate.is_angle || (is_angle_in_range(axis.lower) && is_angle_in_range(axis.upper)),
+          found + ", both must be from -180 deg to 180 deg")) {
     return;
   }
   if (!findings.require(axis.lower < axis.upper, found + ", the first must be less than the second")) return;
@@ -101,10 +102,12 @@ void check_joint_axes(JointType type, const std::vector<JointAxis>& axes, double
                                 count > 1 ? fmt::format("coordinate {}: ", k) : ""};
     check_limits(axis, coordinate, findings);
     check_numbers(axis, coordinate, findings);
-    findings.require(type != JointType::ball || (!axis.motor && axis.friction == 0),
-                     "a ball joint has neither a motor nor friction: it turns about no axis of its own; use "
-                     "damping, or a universal joint");
-    findings.require(type != JointType::distance || has_limits(axis) || !has_action(axis),
+    findings.require(!has_whole_angle(type) || (!axis.motor && axis.friction == 0),
+                     "a " + name +
+                         " joint has neither a motor nor friction: it turns about no axis of its own; use "
+                         "damping, or a universal joint");
+    const bool keeps_distance = joint_traits(type).relation == JointRelation::distance && !has_limits(axis);
+    findings.require(!keeps_distance || !has_action(axis),
                      "it keeps its distance, so motor, stiffness, damping and friction do nothing; give it "
                      "limits");
   }

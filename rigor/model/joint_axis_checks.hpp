@@ -5,8 +5,7 @@
 
 namespace rigor {
 
-/// Checks what acts along the coordinates of a joint. start: the first coordinate at t = 0 (all others are
-/// 0).
+/// Checks the laws along the coordinates of a joint. start: the first coordinate at t = 0 (all others are 0).
 void check_joint_axes(JointType type, const std::vector<JointAxis>& axes, double start, Findings& findings);
 
 }  // namespace rigor

@@ -15,15 +15,19 @@ namespace rigor {
 
 namespace {
 
-using Description = ModelBuilder::JointDescription;
+using JointDescription = ModelBuilder::JointDescription;
 
-bool has_second_axis(JointType type) {
-  return type == JointType::universal || type == JointType::planar;
+bool keeps_distance(JointType type) {
+  return joint_traits(type).relation == JointRelation::distance;
 }
 
-/// Whether the joint is the same wherever its anchor is, so that none needs to be given.
-bool may_lack_anchor(JointType type) {
-  return type == JointType::fixed || type == JointType::slider || type == JointType::planar;
+/// "universal and planar".
+std::string types_with_second_axis() {
+  std::string names;
+  for (const JointTraits& traits : joint_table) {
+    if (has_second_axis(traits.type)) names += (names.empty() ? "" : " and ") + std::string(traits.name);
+  }
+  return names;
 }
 
 /// Whether v has a direction; says so if not.
@@ -32,14 +36,15 @@ bool check_direction(const std::string& quantity, const Vec3& v, Findings& findi
   return findings.require(v.stableNorm() > 0, quantity + " is " + vector_text(v) + ", must have a direction");
 }
 
-void check_axes(const Description& joint, Findings& findings) {
+void check_axes(const JointDescription& joint, Findings& findings) {
   if (!check_direction("axis", joint.axis, findings)) return;
   if (!joint.second_axis) {
-    findings.require(joint.type != JointType::universal,
+    findings.require(joint_traits(joint.type).axes != JointAxes::z_and_x_of_K,
                      "second_axis is missing: the axis on the second body, perpendicular to axis");
     return;
   }
-  if (!findings.require(has_second_axis(joint.type), "only universal and planar joints have a second_axis")) {
+  if (!findings.require(has_second_axis(joint.type),
+                        "only " + types_with_second_axis() + " joints have a second_axis")) {
     return;
   }
   if (!check_direction("second_axis", *joint.second_axis, findings)) return;
@@ -51,15 +56,16 @@ void check_axes(const Description& joint, Findings& findings) {
 }
 
 /// Length of the joint's line at t = 0; 0 for all but distance joints.
-double start_of(const Description& joint) {
-  if (joint.type != JointType::distance || joint.anchors.size() != 2) return 0;
+double start_of(const JointDescription& joint) {
+  if (!keeps_distance(joint.type) || joint.anchors.size() != 2) return 0;
   return (joint.anchors[1] - joint.anchors[0]).stableNorm();
 }
 
-bool check_anchors(const Description& joint, Findings& findings) {
-  const std::size_t count = joint.type == JointType::distance ? 2 : 1;
+bool check_anchors(const JointDescription& joint, Findings& findings) {
+  const JointAnchors anchors = joint_traits(joint.type).anchors;
+  const std::size_t count = anchors == JointAnchors::two ? 2 : 1;
   const bool has_anchors =
-      joint.anchors.size() == count || (joint.anchors.empty() && may_lack_anchor(joint.type));
+      joint.anchors.size() == count || (joint.anchors.empty() && anchors == JointAnchors::optional);
   bool is_good = findings.require(
       has_anchors, fmt::format("it has {} anchors, must have {}", joint.anchors.size(), count));
   for (const Vec3& anchor : joint.anchors) {
@@ -71,7 +77,7 @@ bool check_anchors(const Description& joint, Findings& findings) {
   return is_good;
 }
 
-void check_numbers(const Description& joint, Findings& findings) {
+void check_numbers(const JointDescription& joint, Findings& findings) {
   findings.check_name(joint.name);
   if (joint.type == JointType::gear) {
     check_joint_axes(joint.type, joint.axes, 0, findings);
@@ -81,7 +87,7 @@ void check_numbers(const Description& joint, Findings& findings) {
   }
   if (check_anchors(joint, findings)) check_joint_axes(joint.type, joint.axes, start_of(joint), findings);
   check_axes(joint, findings);
-  if (joint.type != JointType::screw) return;
+  if (joint_traits(joint.type).relation != JointRelation::screw) return;
   findings.check("pitch", joint.pitch, limits::position, "m");
   findings.require(joint.pitch != 0, "pitch is 0 m, must not be 0; a hinge turns without sliding");
 }
@@ -96,7 +102,7 @@ std::optional<int> find_geared(const std::string& name, const JointTable& joints
     return std::nullopt;
   }
   const JointType type = joints.types[at(found->second)];
-  const bool can_be_tied = coordinate_count(type) > 0 && type != JointType::ball;
+  const bool can_be_tied = coordinate_count(type) > 0 && !has_whole_angle(type);
   if (!findings.require(can_be_tied, "it ties " + quoted_text(name) + ", but a " + joint_type_name(type) +
                                          " joint has no coordinate that a gear can tie")) {
     return std::nullopt;
@@ -104,7 +110,8 @@ std::optional<int> find_geared(const std::string& name, const JointTable& joints
   return found->second;
 }
 
-std::optional<Joint> make_gear(const Description& description, const JointTable& joints, Findings& findings) {
+std::optional<Joint> make_gear(const JointDescription& description, const JointTable& joints,
+                               Findings& findings) {
   const std::size_t count = description.joints.size();
   if (!findings.require(count == 2, fmt::format("it names {} joints, must name 2", count)))
     return std::nullopt;
@@ -121,8 +128,8 @@ std::optional<Joint> make_gear(const Description& description, const JointTable&
 }
 
 /// Axes of the joint's frame in W.
-Mat3 frame_of(const Description& joint) {
-  if (joint.type == JointType::distance) return Mat3::Identity();
+Mat3 frame_of(const JointDescription& joint) {
+  if (keeps_distance(joint.type)) return Mat3::Identity();
   const Vec3 z = joint.axis.stableNormalized();
   if (!has_second_axis(joint.type)) return frame_with_z(z);
   const Vec3 default_x = std::abs(z.x()) < 0.9 ? Vec3::UnitX() : Vec3::UnitY();
@@ -149,21 +156,22 @@ Vec3 default_anchor(const std::vector<int>& indices, const std::vector<Body>& bo
   return Vec3::Zero();
 }
 
-void place_frames(const Description& description, const std::vector<int>& indices,
+void place_frames(const JointDescription& description, const std::vector<int>& indices,
                   const std::vector<Body>& bodies, Joint& joint) {
   joint.body_A = indices[0];
   joint.body_B = indices[1];
   const Mat3 R_WJ = frame_of(description);
   const Vec3 p_WJ =
       description.anchors.empty() ? default_anchor(indices, bodies) : description.anchors.front();
-  const Vec3 p_WK = description.type == JointType::distance ? description.anchors[1] : p_WJ;
+  const bool has_two_anchors = joint_traits(description.type).anchors == JointAnchors::two;
+  const Vec3 p_WK = has_two_anchors ? description.anchors[1] : p_WJ;
   joint.X_AJ = start_pose(joint.body_A, bodies).inverse() * Pose{R_WJ, p_WJ};
   joint.X_BK = start_pose(joint.body_B, bodies).inverse() * Pose{R_WJ, p_WK};
 }
 
 }  // namespace
 
-std::optional<Joint> make_joint(const Description& description, const std::string& where,
+std::optional<Joint> make_joint(const JointDescription& description, const std::string& where,
                                 const BodyTable& bodies, const JointTable& joints,
                                 std::vector<std::string>& messages) {
   const std::size_t messages_before = messages.size();
@@ -190,8 +198,8 @@ std::optional<Joint> make_joint(const Description& description, const std::strin
   joint->length = start_of(description);
   joint->axes = description.axes;
   joint->axes.resize(at(coordinate_count(joint->type)));
-  // The angle of a ball joint is never negative, so its lower limit is none.
-  if (joint->type == JointType::ball) joint->axes[0].lower = -limits::infinity;
+  // The angle of a whole rotation is never negative, so its lower limit is none.
+  if (has_whole_angle(joint->type)) joint->axes[0].lower = -limits::infinity;
   return joint;
 }
 

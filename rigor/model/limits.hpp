@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <limits>
 
-/// What a scene may hold. Beyond these numbers a scene is a mistake (a unit, a sign, an exponent), or double
-/// precision could not tell it from one. docs/scene.md repeats them and a test holds both together.
+/// What a scene may hold. A number beyond these limits is almost certainly a mistake (in a unit, a sign, an
+/// exponent), or double precision could not resolve it. docs/scene.md repeats them; a test compares the two.
 namespace rigor::limits {
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -29,19 +29,19 @@ inline constexpr Range gravity_scale{-1e3, 1e3};
 inline constexpr Range time{-1e9, 1e9};   ///< [s].
 inline constexpr Range ratio{-1e6, 1e6};  ///< Of a gear; not 0.
 
-/// Bodies of a scene file; what is built in C++ may have as many as there is memory for.
+/// Bodies of a scene file; models built in C++ are limited by memory only.
 inline constexpr std::size_t body_count = 100000;
 /// Heights of a height field.
 inline constexpr std::size_t height_count = 1000000;
 /// Joints of a scene.
 inline constexpr std::size_t joint_count = 100000;
-/// Messages after which looking for more mistakes is of no use.
+/// Messages after which the search for mistakes ends.
 inline constexpr std::size_t message_count = 100;
 /// Bytes of a name.
 inline constexpr std::size_t name_length = 200;
 /// |q| - 1 of an orientation as written; it is normalised afterwards.
 inline constexpr double quaternion_error = 1e-3;
-/// Cosine of the angle between axes that are meant to be perpendicular; the second is then made so.
+/// Cosine of the angle between axes that are meant to be perpendicular; the second is then made exactly so.
 inline constexpr double perpendicular_error = 1e-3;
 /// Relative violation of I1 + I2 ≥ I3 that the rounding of written numbers may cause.
 inline constexpr double triangle_error = 1e-9;

@@ -1,210 +1,31 @@
 #pragma once
 
+#include "rigor/core/index.hpp"
+#include "rigor/model/contact_key.hpp"
+
 #include <array>
-#include <bit>
-#include <compare>
-#include <cstddef>
 #include <cstdint>
-#include <initializer_list>
-#include <iterator>
-#include <vector>
 
 namespace rigor {
 
-/// What of a touching pair of shapes goes on from step to step: where the solver begins. Part of the State,
-/// so that a fresh stepper goes on bit for bit.
+/// What the many-body path keeps of a touching pair of shapes from step to step: the impulses with which its
+/// solver starts. Part of the State, so that a fresh stepper continues bit for bit.
 struct ManifoldMemory {
   static constexpr int max_points = 4;
 
   int body_A = -1, body_B = -1;    ///< Model indices.
   int shape_A = -1, shape_B = -1;  ///< Of these bodies.
-  int part = 0;                    ///< Of a pair of shapes with several manifolds (meshes), its number.
-  int point_count = 0;             ///< At most max_points; of others there are no features and impulses.
+  int part = 0;                    ///< Number of the manifold if the pair has several (meshes).
+  int point_count = 0;             ///< At most max_points: how many features and impulses are used.
   std::array<std::uint32_t, max_points> feature{};
   std::array<float, max_points> normal_impulse{};  ///< Of the last substep [N s], >= 0.
   std::array<float, 3> friction_impulse_W{};       ///< On B, of the last substep [N s].
   float twist_impulse = 0;                         ///< About the normal, on B [N m s].
   std::array<float, 3> rolling_impulse_W{};        ///< Of rolling friction, on B [N m s].
-  float energy = 0;                                ///< That its springs hold [J].
+  float energy = 0;                                ///< Elastic energy of its springs [J].
 
   bool operator==(const ManifoldMemory& other) const = default;
-  std::array<int, 5> key() const { return {body_A, body_B, shape_A, shape_B, part}; }
-};
-
-/// A list of memories, in the order of keys in a State, each with no more numbers than it needs: 40 B of two
-/// balls, where ManifoldMemory has 88. Gives copies; what was put in comes out with the same bits.
-class ManifoldMemories {
- public:
-  /// Which numbers a memory has besides its bodies, friction and points. What is 0 need not be there.
-  struct Layout {
-    int point_count = 0;
-    bool has_shapes = true, has_twist = true, has_rolling = true, has_energy = true;
-  };
-  /// The numbers of a memory where they lie; until the list changes.
-  struct View {
-    int point_count = 0;
-    const float* feature = nullptr;  ///< Bits of 32-bit numbers.
-    const float* normal_impulse = nullptr;
-    const float* friction_impulse_W = nullptr;  ///< Behind its three numbers is another one.
-    float twist_impulse = 0;
-    const float* rolling_impulse_W = nullptr;  ///< None: zero.
-
-    bool is_there() const { return friction_impulse_W != nullptr; }
-  };
-
-  /// Where the numbers of a memory are to be written.
-  struct Slot {
-    int point_count = 0;
-    float* feature = nullptr;  ///< Bits of 32-bit numbers.
-    float* normal_impulse = nullptr;
-    float* friction_impulse_W = nullptr;
-    float* twist_impulse = nullptr;      ///< None: it is 0.
-    float* rolling_impulse_W = nullptr;  ///< None: it is 0.
-  };
-
-  ManifoldMemories() = default;
-  ManifoldMemories(std::initializer_list<ManifoldMemory> memories);
-  ManifoldMemories(const std::vector<ManifoldMemory>& memories);
-
-  using value_type = ManifoldMemory;
-
-  std::size_t size() const { return heads_.size(); }
-  bool empty() const { return heads_.empty(); }
-  void clear();
-  void push_back(const ManifoldMemory& memory);
-  ManifoldMemory operator[](std::size_t i) const;
-  bool operator==(const ManifoldMemories& other) const;
-
-  int body_A(std::size_t i) const { return heads_[i].body_A; }
-  int body_B(std::size_t i) const { return heads_[i].body_B; }
-  std::array<int, 5> key(std::size_t i) const {
-    const Head& head = heads_[i];
-    if (!head.has_shapes) return {head.body_A, head.body_B, 0, 0, 0};
-    const float* shapes = &numbers_[places_of(head).shapes];
-    return {head.body_A, head.body_B, std::bit_cast<int>(shapes[0]), std::bit_cast<int>(shapes[1]),
-            std::bit_cast<int>(shapes[2])};
-  }
-  /// Of the key of a memory to another one.
-  std::strong_ordering order(std::size_t i, const std::array<int, 5>& other) const {
-    const Head& head = heads_[i];
-    if (head.body_A != other[0]) return head.body_A <=> other[0];
-    if (head.body_B != other[1]) return head.body_B <=> other[1];
-    if (!head.has_shapes && (other[2] | other[3] | other[4]) == 0) return std::strong_ordering::equal;
-    return key(i) <=> other;
-  }
-  /// The first memory whose key is not less; the list is in the order of keys.
-  std::size_t find_from(const std::array<int, 5>& key) const;
-  float energy(std::size_t i) const;
-  View view(std::size_t i) const {
-    const Head& head = heads_[i];
-    const Places at = places_of(head);
-    const float* numbers = numbers_.data();
-    return {head.point_count,
-            numbers + at.features,
-            numbers + at.impulses,
-            numbers + at.friction,
-            head.has_twist ? numbers[at.twist] : 0,
-            head.has_rolling ? numbers + at.rolling : nullptr};
-  }
-
-  /// So many memories; layout_of(i) says what they have room for. All of them are to be written by what
-  /// follows, of different i from any thread.
-  template <class LayoutOf>
-  void arrange(std::size_t count, const LayoutOf& layout_of) {
-    make_heads(count);
-    std::size_t end = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-      heads_[i] = make_head(layout_of(i), end);
-      end = places_of(heads_[i]).end;
-    }
-    make_numbers(end);
-  }
-  /// Writes the key; all but the energy is to be written then.
-  Slot put_key(std::size_t i, const std::array<int, 5>& key) {
-    Head& head = heads_[i];
-    const Places at = places_of(head);
-    float* numbers = numbers_.data();
-    head.body_A = key[0];
-    head.body_B = key[1];
-    for (std::size_t k = 0; head.has_shapes && k < 3; ++k)
-      numbers[at.shapes + k] = std::bit_cast<float>(key[2 + k]);
-    return {head.point_count,
-            numbers + at.features,
-            numbers + at.impulses,
-            numbers + at.friction,
-            head.has_twist ? numbers + at.twist : nullptr,
-            head.has_rolling ? numbers + at.rolling : nullptr};
-  }
-  /// All but the energy.
-  void put(std::size_t i, const ManifoldMemory& memory);
-  void set_energy(std::size_t i, float energy);
-
-  /// In the order of the list.
-  class Iterator {
-   public:
-    using iterator_category = std::input_iterator_tag;
-    using value_type = ManifoldMemory;
-    using difference_type = std::ptrdiff_t;
-    using pointer = void;
-    using reference = ManifoldMemory;
-
-    Iterator(const ManifoldMemories& list, std::size_t i) : list_(&list), i_(i) {}
-    ManifoldMemory operator*() const { return (*list_)[i_]; }
-    Iterator& operator++() {
-      ++i_;
-      return *this;
-    }
-    Iterator operator++(int) { return Iterator(*list_, i_++); }
-    bool operator==(const Iterator& other) const { return i_ == other.i_; }
-
-   private:
-    const ManifoldMemories* list_;
-    std::size_t i_;
-  };
-  Iterator begin() const { return {*this, 0}; }
-  Iterator end() const { return {*this, size()}; }
-
- private:
-  struct Head {
-    int body_A, body_B;
-    std::uint32_t first;  ///< Of its numbers.
-    std::uint8_t point_count;
-    bool has_shapes : 1, has_twist : 1, has_rolling : 1, has_energy : 1;
-  };
-  /// Where numbers of a memory begin, as they lie.
-  struct Places {
-    std::size_t friction, twist, rolling, energy, shapes, features, impulses, end;
-  };
-  static Places places_of(const Head& head) {
-    Places at;
-    at.friction = head.first;
-    at.twist = at.friction + 3;
-    at.rolling = at.twist + head.has_twist;
-    at.energy = at.rolling + 3 * std::size_t{head.has_rolling};
-    at.shapes = at.energy + head.has_energy;
-    at.features = at.shapes + 3 * std::size_t{head.has_shapes};
-    at.impulses = at.features + head.point_count;
-    // At least four numbers from the friction on.
-    at.end = at.impulses + head.point_count;
-    if (at.end < at.friction + 4) at.end = at.friction + 4;
-    return at;
-  }
-  static Head make_head(const Layout& layout, std::size_t first) {
-    return {-1,
-            -1,
-            static_cast<std::uint32_t>(first),
-            static_cast<std::uint8_t>(layout.point_count),
-            layout.has_shapes,
-            layout.has_twist,
-            layout.has_rolling,
-            layout.has_energy};
-  }
-  void make_heads(std::size_t count);
-  void make_numbers(std::size_t count);
-
-  std::vector<Head> heads_;
-  /// Of each memory: friction (3), twist, rolling (3), energy, shapes and part (3), features, impulses.
-  std::vector<float> numbers_;
+  ContactKey key() const { return {body_A, body_B, shape_A, shape_B, at(part)}; }
 };
 
 }  // namespace rigor

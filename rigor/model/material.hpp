@@ -11,25 +11,26 @@ struct Material {
   double density = 1000;   ///< [kg/m³], > 0.
   double friction = 0.5;   ///< Coulomb μ, ≥ 0.
   double restitution = 0;  ///< e in [0, 1].
-  /// e_t in [0, 1]; 0: none, the slip during an impact is integrated instead.
+  /// e_t in [0, 1]; 0: the tangential impulse comes from friction alone, by integrating the slip in an
+  /// impact.
   double tangential_restitution = 0;
   double rolling_friction = 0;    ///< [m], ≥ 0.
   double torsional_friction = 0;  ///< [m], ≥ 0.
-  /// μ_s of what sticks, ≥ friction; none: as friction.
+  /// μ_s of sticking contacts, ≥ friction; missing: that of friction.
   std::optional<double> static_friction = std::nullopt;
 
   double sticking_friction() const { return static_friction.value_or(friction); }
 };
 
-/// Coefficients of a pair of materials: frictions sqrt(a b), restitutions max(a, b), unless a pair overrides
-/// them.
+/// Coefficients of a pair of materials: friction √(a b), restitution max(a, b), unless the scene overrides
+/// them for the pair.
 struct PairCoefficients {
   double friction;
   double restitution;
   double rolling_friction = 0;    ///< [m].
   double torsional_friction = 0;  ///< [m].
   double tangential_restitution = 0;
-  std::optional<double> static_friction = std::nullopt;  ///< μ_s ≥ friction; none: as friction.
+  std::optional<double> static_friction = std::nullopt;  ///< μ_s ≥ friction; missing: that of friction.
 
   double sticking_friction() const { return static_friction.value_or(friction); }
 };

@@ -1,8 +1,10 @@
 #include "rigor/model/model.hpp"
 
 #include "rigor/core/index.hpp"
+#include "rigor/core/sorted_unique.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace rigor {
 
@@ -21,9 +23,7 @@ std::vector<int> Model::bodies_of_joint(int i) const {
     bodies = {first.body_A, first.body_B, second.body_A, second.body_B};
   }
   std::erase(bodies, world_body);
-  std::sort(bodies.begin(), bodies.end());
-  bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
-  return bodies;
+  return sorted_unique(std::move(bodies));
 }
 
 PairCoefficients Model::coefficients(int material_a, int material_b) const {

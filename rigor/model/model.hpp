@@ -17,7 +17,8 @@ namespace rigor {
 
 struct ModelChanges;
 
-/// A scene as the engine sees it: checked once, constant while time runs, shared by any number of steppers.
+/// A scene as the engine sees it: checked once, constant during a simulation, shared by any number of
+/// steppers.
 class Model {
  public:
   const std::string& name() const { return name_; }
@@ -29,7 +30,7 @@ class Model {
   const std::vector<Force>& forces() const { return forces_; }
   const std::vector<Joint>& joints() const { return joints_; }
   const Joint& joint(int i) const { return joints_[at(i)]; }
-  /// Bodies that the i-th joint holds, but the world; of a gear those of both its joints. Ascending.
+  /// Bodies that the i-th joint holds, without the world; for a gear those of both its joints. Ascending.
   std::vector<int> bodies_of_joint(int i) const;
 
   /// Index of the named body, or nothing.
@@ -39,7 +40,7 @@ class Model {
   /// Whether two bodies can touch at all: at least one dynamic, groups and masks agree, both have shapes, and
   /// nothing excludes the pair.
   bool may_collide(int a, int b) const;
-  /// Pairs that never collide whatever their groups are, by index: sorted, the lower first.
+  /// Pairs of body indices that never collide, whatever their groups; sorted, the lower index first.
   const std::vector<std::pair<int, int>>& excluded_pairs() const { return excluded_pairs_; }
   /// Length of the scene [m]: the largest bounding radius of a bounded body, 1 if there is none. Tolerances
   /// scale with it.

@@ -3,6 +3,7 @@
 #include "rigor/core/index.hpp"
 #include "rigor/core/input_error.hpp"
 #include "rigor/core/quoted.hpp"
+#include "rigor/core/sorted_unique.hpp"
 #include "rigor/core/suggestion.hpp"
 #include "rigor/geometry/shape/corner_balls.hpp"
 #include "rigor/model/body_builder.hpp"
@@ -55,7 +56,8 @@ void check_material(const Material& material, Findings& findings) {
   check_static_friction(material.friction, material.static_friction, findings);
 }
 
-/// The default material at 0, unless the user gives one of that name, then the user's in their order.
+/// The default material at index 0 (the user's, if there is one of that name), then the user's in their
+/// order.
 MaterialTable make_materials(const std::vector<Placed<Material>>& parts, std::vector<std::string>& messages) {
   MaterialTable table{{Material{.name = "default"}}, {{"default", 0}}};
   std::set<std::string> names;
@@ -119,11 +121,6 @@ std::vector<std::pair<int, int>> make_excluded(const std::vector<Placed<NamedPai
   return excluded;
 }
 
-void sort_pairs(std::vector<std::pair<int, int>>& pairs) {
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-}
-
 JointTable make_joint_table(const std::vector<Placed<ModelBuilder::JointDescription>>& parts,
                             std::vector<std::string>& messages) {
   JointTable table;
@@ -138,7 +135,7 @@ JointTable make_joint_table(const std::vector<Placed<ModelBuilder::JointDescript
   return table;
 }
 
-/// Bodies with cavities may meet only bodies whose distance from a cavity is known.
+/// Bodies with cavities can collide only with bodies whose distance from a cavity is defined.
 void check_cavities(const Model& model, const std::vector<std::string>& wheres,
                     std::vector<std::string>& messages) {
   const auto has_cavity = [](const Body& body) {
@@ -265,7 +262,7 @@ Model ModelBuilder::assemble(std::vector<std::string>& messages) const {
     if (!index.emplace(body.name, model.body_count()).second) {
       messages.push_back(where + "body " + quoted_text(body.name) + ": there is already a body of this name");
     }
-    // Bodies from one place of a file (a repeated body) share their mistakes, which are told once.
+    // Bodies from one place of a file (a repeated body) share their mistakes, which are reported once.
     std::vector<std::string> findings;
     model.bodies_.push_back(make_body(body, where, materials, memory, findings));
     shared.share(model.bodies_.back().shapes);
@@ -301,7 +298,7 @@ void ModelBuilder::add_joints(const BodyTable& bodies, std::vector<std::string>&
   const JointTable joints = make_joint_table(parts_->joints, messages);
   std::string bad_where;
   for (const auto& [description, where] : parts_->joints) {
-    // Joints from one place of a file (a repeated joint) share their mistakes, which are told once.
+    // Joints from one place of a file (a repeated joint) share their mistakes, which are reported once.
     if (!where.empty() && where == bad_where) continue;
     if (messages.size() >= limits::message_count) return;
     const std::optional<Joint> joint = make_joint(description, where, bodies, joints, messages);
@@ -315,7 +312,7 @@ void ModelBuilder::add_joints(const BodyTable& bodies, std::vector<std::string>&
       model.excluded_pairs_.push_back(std::minmax({joint->body_A, joint->body_B}));
     }
   }
-  sort_pairs(model.excluded_pairs_);
+  model.excluded_pairs_ = sorted_unique(std::move(model.excluded_pairs_));
 }
 
 std::shared_ptr<const Model> ModelBuilder::build() const {

@@ -27,7 +27,7 @@ struct ShapeDescription {
   std::string type_name{};  ///< For messages, as the user calls the type; empty: shape_type_name.
 };
 
-/// A body as the user describes it; frames: L is the user's frame of the body.
+/// A body as the user describes it; L is the user's frame of the body.
 struct BodyDescription {
   std::string name;
   MotionType motion = MotionType::dynamic;
@@ -70,8 +70,8 @@ class ModelBuilder {
   void set_pair(const std::string& material_a, const std::string& material_b, PairCoefficients coefficients,
                 std::string where = {});
   void add_body(BodyDescription body, std::string where = {});
-  /// Takes a body out again, with the joints, gears of these joints, forces and exclusions that name it.
-  /// False if there is none of that name.
+  /// Removes a body with the joints, gears of these joints, forces and exclusions that name it. False if no
+  /// body has that name.
   bool remove_body(const std::string& name);
   void exclude_pair(const std::string& body_a, const std::string& body_b, std::string where = {});
   /// Forces name their bodies; "world" is the world. Points are in the user's frames L of the bodies.
@@ -81,7 +81,7 @@ class ModelBuilder {
     std::vector<Vec3> points;         ///< In the bodies' frames L [m]; missing ones are the origin of L
                                       ///< (constant: the centre of mass).
     Vec3 vector = Vec3::Zero();       ///< Force or torque.
-    bool frame_is_body = false;       ///< vector is given in L and turns with the body.
+    bool frame_is_body = false;       ///< vector is given in L and rotates with the body.
     double stiffness = 0, damping = 0, linear = 0, angular = 0;
     std::optional<double> length;  ///< Missing: the distance at t = 0.
   };
@@ -92,11 +92,11 @@ class ModelBuilder {
     std::string name;
     JointType type = JointType::fixed;
     std::vector<std::string> bodies;  ///< A and B; none for a gear.
-    std::vector<Vec3> anchors;        ///< One [m]; two (on A, on B) for a distance joint. None: fixed,
-                                      ///< slider, planar joints are at the centre of mass of B (of A if B
-                                      ///< is not dynamic).
+    std::vector<Vec3> anchors;        ///< One [m]; two (on A, on B) for a distance joint. Where they are
+                                      ///< optional, the default is the centre of mass of B (of A if B is
+                                      ///< not dynamic).
     Vec3 axis = Vec3::UnitZ();        ///< z of the joint's frame, of any length.
-    std::optional<Vec3> second_axis;  ///< x of it: a universal joint's axis on B; planar: first direction.
+    std::optional<Vec3> second_axis;  ///< x of that frame: the axis on B, or a direction (JointAxes).
     double pitch = 0;                 ///< Screw [m].
     std::vector<std::string> joints;  ///< Gear: the first and the second.
     double ratio = 0;                 ///< Gear.
@@ -108,8 +108,7 @@ class ModelBuilder {
   /// The Model, or an InputError with every message. Mass properties are computed here (exact closed forms,
   /// Mirtich's integrals for meshes, parallel axes, principal frame).
   std::shared_ptr<const Model> build() const;
-  /// Every message that build() would throw, in the order in which the parts were added; empty if there is
-  /// none.
+  /// Every message of the InputError that build() would throw, in the order in which the parts were added.
   std::vector<std::string> check() const;
 
  private:

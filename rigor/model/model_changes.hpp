@@ -8,22 +8,22 @@
 
 namespace rigor {
 
-/// What a model can be asked to differ in while its bodies stay as they are.
+/// The properties of a model that can change while its bodies stay as they are.
 struct ModelChanges {
   Vec3 g_W = Vec3::Zero();  ///< Gravity [m/s²].
   struct Surface {
     double friction;     ///< Coulomb μ, ≥ 0.
     double restitution;  ///< e in [0, 1].
   };
-  std::vector<Surface> surfaces;    ///< One a material. Pairs with coefficients of their own keep them.
+  std::vector<Surface> surfaces;    ///< One per material. Pairs with coefficients of their own keep them.
   std::vector<Force> added_forces;  ///< Besides the model's own.
 };
 
 /// No change: the gravity and the surfaces of the model.
 ModelChanges unchanged(const Model& model);
 
-/// The model with these changes; the bodies, and so the States that go with it, are the same. Throws
-/// InputError if a value is outside its limits. added_forces are trusted.
+/// The model with these changes; the bodies, and so the States that belong to it, are the same. Throws
+/// InputError if a value is outside its limits. added_forces are not checked.
 std::shared_ptr<const Model> changed_model(const Model& model, const ModelChanges& changes);
 
 }  // namespace rigor

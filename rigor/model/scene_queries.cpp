@@ -1,6 +1,7 @@
 #include "rigor/model/scene_queries.hpp"
 
 #include "rigor/core/assert.hpp"
+#include "rigor/core/rounding.hpp"
 #include "rigor/geometry/distance/distance.hpp"
 #include "rigor/geometry/distance/point_distance.hpp"
 #include "rigor/geometry/rays/box_bounds.hpp"
@@ -13,8 +14,6 @@
 
 namespace rigor {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 bool accepts(const SceneQueries::Filter& filter, int body) {
   return !filter || filter(body);
@@ -29,7 +28,7 @@ bool is_nearer(const NearBody& a, const NearBody& b) {
   return std::tie(a.distance, a.on.body) < std::tie(b.distance, b.on.body);
 }
 
-/// The box with room for the rounding of what is computed about its inside.
+/// The box grown by the rounding errors of what is computed for points inside it.
 Aabb with_rounding(const Aabb& box) {
   double largest = 0;
   for (const Vec3& corner : {box.lower, box.upper}) {
@@ -48,8 +47,8 @@ SceneQueries::SceneQueries(const Model& model, const State& state) : model_(mode
 
 void SceneQueries::update(const State& state) {
   RIGOR_ASSERT(state.body_count() == model_.body_count());
-  constexpr int updates_of_a_tree = 64;
-  const bool is_anew = updates_++ % updates_of_a_tree == 0;
+  constexpr int updates_per_tree = 64;
+  const bool is_rebuilt = updates_++ % updates_per_tree == 0;
   poses_.resize(model_.bodies().size());
   boxes_.resize(model_.bodies().size());
   std::vector<BoxItem> items;
@@ -62,13 +61,13 @@ void SceneQueries::update(const State& state) {
     for (const BodyShape& s : shapes) box = box.united(axis_aligned_box(s.shape, poses_[i] * s.X_BS));
     boxes_[i] = with_rounding(box);
     const bool is_bounded = (boxes_[i].upper - boxes_[i].lower).allFinite();
-    if (is_anew) {
+    if (is_rebuilt) {
       items.push_back({body, boxes_[i]});
     } else if (!is_bounded) {
       tree_.set(body, boxes_[i]);
     }
   }
-  if (is_anew) {
+  if (is_rebuilt) {
     tree_.build(items);
   } else {
     tree_.refit(boxes_);
@@ -112,13 +111,13 @@ std::vector<BodyRayHit> SceneQueries::all_hits(const Ray& ray, const Filter& fil
 }
 
 std::optional<BodyCastHit> SceneQueries::cast(const ShapeCast& cast, const Filter& filter) const {
-  // A box that is pushed along meets a box when its middle meets the box grown by half its sizes.
+  // A swept box meets a box when its centre meets that box grown by half its sizes (Minkowski sum).
   const Aabb box = with_rounding(axis_aligned_box(*cast.shape, cast.X_WS));
   const Vec3 half = 0.5 * (box.upper - box.lower), middle = 0.5 * (box.upper + box.lower);
   const bool is_bounded = half.allFinite();
-  const Ray way{middle, cast.translation_W, 1};
+  const Ray path{middle, cast.translation_W, 1};
   const auto bound = [&](const Aabb& other) {
-    return is_bounded ? ray_bound({other.lower - half, other.upper + half}, way) : 0.0;
+    return is_bounded ? ray_bound({other.lower - half, other.upper + half}, path) : 0.0;
   };
   std::optional<BodyCastHit> first;
   tree_.search(bound, [&](int body) {
@@ -164,11 +163,11 @@ std::vector<NearBody> SceneQueries::nearest(const Vec3& p_W, int k, const Filter
   });
 }
 
-std::vector<NearBody> SceneQueries::nearest(const Shape& asked, const Pose& X_WS, int k,
+std::vector<NearBody> SceneQueries::nearest(const Shape& query, const Pose& X_WS, int k,
                                             const Filter& filter) const {
-  const Aabb around = with_rounding(axis_aligned_box(asked, X_WS));
+  const Aabb around = with_rounding(axis_aligned_box(query, X_WS));
   return nearest(around, k, filter, [&](const ShapeIndex& at) {
-    const DistanceResult found = signed_distance(asked, X_WS, shape(at), shape_pose(at));
+    const DistanceResult found = signed_distance(query, X_WS, shape(at), shape_pose(at));
     return NearBody{at, found.distance, found.p_WA, found.p_WB, found.n_W};
   });
 }
@@ -186,13 +185,13 @@ std::vector<int> SceneQueries::containing(const Vec3& p_W, const Filter& filter)
   return bodies;
 }
 
-std::vector<int> SceneQueries::overlapping(const Shape& asked, const Pose& X_WS, const Filter& filter) const {
+std::vector<int> SceneQueries::overlapping(const Shape& query, const Pose& X_WS, const Filter& filter) const {
   std::vector<int> bodies;
-  for (const int body : tree_.overlapping(with_rounding(axis_aligned_box(asked, X_WS)))) {
+  for (const int body : tree_.overlapping(with_rounding(axis_aligned_box(query, X_WS)))) {
     const int count = static_cast<int>(model_.body(body).shapes.size());
     bool meets = false;
     for (ShapeIndex at{body, 0}; accepts(filter, body) && !meets && at.shape < count; ++at.shape) {
-      meets = signed_distance(asked, X_WS, shape(at), shape_pose(at)).distance <= 0;
+      meets = signed_distance(query, X_WS, shape(at), shape_pose(at)).distance <= 0;
     }
     if (meets) bodies.push_back(body);
   }

@@ -25,42 +25,42 @@ struct BodyRayHit {
   RayHit hit;
 };
 
-/// Where a shape that is pushed along meets a body.
+/// Where a shape that is swept along a path meets a body.
 struct BodyCastHit {
   ShapeIndex on;
   ShapeCastHit hit;
 };
 
-/// How far a body is from what was asked about.
+/// How far a body is from the point or shape of a query.
 struct NearBody {
   ShapeIndex on;             ///< Its nearest shape.
   double distance = 0;       ///< Signed [m]; negative inside or overlapping.
-  Vec3 p_WQ = Vec3::Zero();  ///< Witness point on what was asked about [m].
+  Vec3 p_WQ = Vec3::Zero();  ///< Witness point on the query [m].
   Vec3 p_WB = Vec3::Zero();  ///< Witness point on the body: p_WQ + distance · n_W [m].
-  Vec3 n_W = Vec3::Zero();   ///< Unit, from what was asked about to the body.
+  Vec3 n_W = Vec3::Zero();   ///< Unit, from the query to the body.
 };
 
-/// Questions about where the bodies of a scene are, at one instant: rays, pushed shapes, points, overlaps,
-/// the nearest bodies. All answers are const and do not change anything: one object may be asked by many
-/// threads. Equal questions have equal answers, bit for bit; of equals the lower indices come first.
+/// Queries about the bodies of a scene at one instant: rays, swept shapes, points, overlaps, the nearest
+/// bodies. All queries are const: many threads may share one object. Equal queries have equal answers, bit
+/// for bit; among equal distances the lower indices come first.
 /// docs/queries.md.
 class SceneQueries {
  public:
-  /// Which bodies are asked about; empty: all.
+  /// Which bodies a query considers; empty: all.
   using Filter = std::function<bool(int body)>;
 
   /// The Model must outlive this; the poses are copied from the State.
   SceneQueries(const Model& model, const State& state);
-  /// Other poses of the same bodies. O(n) but for each 64th time, when the tree is made anew.
+  /// Moves the bodies to the poses of another State. O(n), except every 64th time, when the tree is rebuilt.
   void update(const State& state);
 
   const Pose& pose(int body) const { return poses_[static_cast<std::size_t>(body)]; }
 
-  /// The first surface that the ray crosses. A ray that begins inside a body meets it where it comes out.
+  /// The first surface that the ray crosses. A ray that begins inside a body hits it where it leaves it.
   std::optional<BodyRayHit> first_hit(const Ray& ray, const Filter& filter = {}) const;
   /// All crossings, in the order of their fractions.
   std::vector<BodyRayHit> all_hits(const Ray& ray, const Filter& filter = {}) const;
-  /// The first body that a shape meets on its way, with the part of the way proven free.
+  /// The first body that a swept shape meets, with the part of its path that is proven free.
   std::optional<BodyCastHit> cast(const ShapeCast& cast, const Filter& filter = {}) const;
 
   /// Up to k bodies nearest to the point, in ascending order of their signed distance.

@@ -17,7 +17,7 @@ namespace rigor {
 /// Each body also has its *anchor*: the epoch and phase at which its present smooth motion began (its last
 /// event). A body in closed-form flight is evaluated from its anchor, never from the last output, so that
 /// looking at a trajectory does not change it and rounding does not accumulate. x, q, P, L are the phases at
-/// t; whoever changes them by hand calls anchor_here() (or uses set_body).
+/// t; code that changes them directly must call anchor_here() (or use set_body).
 struct State {
   double t = 0;           ///< [s].
   std::vector<double> x;  ///< 3n: p_WB of the centre of mass [m].
@@ -28,11 +28,11 @@ struct State {
   std::vector<double> epoch;   ///< n: time of each anchor, ≤ t [s].
   std::vector<double> anchor;  ///< 13n: x, q, P, L of each body at its epoch.
 
-  /// Of schemes that remember contacts from step to step; in the order of their keys.
+  /// Memory of contacts from step to step, for schemes that have one; in the order of the keys.
   std::vector<ContactMemory> contacts;
-  /// The same of the many-body path.
-  ManifoldMemories manifolds;
-  std::vector<float> joint_impulses;  ///< Of its joints, in the order of the model's.
+  /// The same for the many-body path, which packs them while it works.
+  std::vector<ManifoldMemory> manifolds;
+  std::vector<float> joint_impulses;  ///< Many-body path: six per joint, in the order of the model.
   /// How long each body has been slow [s], infinite if it sleeps; empty if none may sleep.
   std::vector<float> quiet_time;
 
@@ -53,8 +53,6 @@ struct State {
   void anchor_body(int body);
   /// Anchors every body at its present phase and time.
   void anchor_here();
-
- private:
 };
 
 /// The State at t = 0 that the Model describes.
@@ -66,7 +64,7 @@ Vec3 linear_velocity(const Model& model, const State& state, int body);
 Vec3 angular_velocity(const Model& model, const State& state, int body);
 
 /// Pose of a kinematic or fixed body at time t: constant velocities from t = 0, or along its path (positions
-/// piecewise linear, orientations turning at constant rate between path points).
+/// piecewise linear, orientations rotating at a constant rate between path points).
 struct PrescribedMotion {
   Vec3 p_WB;
   Quat q_WB;

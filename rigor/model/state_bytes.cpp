@@ -12,12 +12,12 @@ namespace rigor {
 
 namespace {
 
-// Layout, all little-endian: 8 bytes magic, version (u32), 0 (u32), the counts (u64 each) n of bodies, m of
-// remembered contacts, of remembered manifolds, of joint impulses and of quiet times, then the doubles t,
-// x (3n), q (4n), P (3n), L (3n), epoch (n), anchor (13n), then m times body_A, body_B, shape_A, shape_B,
-// feature (8 bytes each), values (12 doubles) and energy, then the manifolds (22 numbers of 4 bytes each),
-// the joint impulses and the quiet times (floats, two to 8 bytes), then the FNV-1a checksum (u64) of
-// everything before it.
+// The layout of the bytes, all little-endian: 8 bytes magic, version (u32), 0 (u32), the counts (u64 each) n
+// of bodies, m of remembered contacts, of remembered manifolds, of joint impulses and of quiet times, then
+// the doubles t, x (3n), q (4n), P (3n), L (3n), epoch (n), anchor (13n), then m times body_A, body_B,
+// shape_A, shape_B, feature (8 bytes each), values (12 doubles) and energy, then the manifolds (22 numbers of
+// 4 bytes each), the joint impulses and the quiet times (floats, two to 8 bytes), then the FNV-1a checksum
+// (u64) of everything before it.
 constexpr std::array<unsigned char, 8> magic = {'R', 'I', 'G', 'O', 'R', 'S', 'T', 0x1A};
 constexpr std::uint64_t version = 5;
 constexpr std::size_t header_length = 56;
@@ -42,7 +42,7 @@ std::uint64_t read_number(const Bytes& bytes, std::size_t at, std::size_t length
   return value;
 }
 
-/// Reads the numbers of eight bytes in turn.
+/// Reads the numbers of eight bytes one after the other.
 class WordReader {
  public:
   explicit WordReader(const Bytes& bytes) : bytes_(bytes) {}
@@ -71,7 +71,7 @@ std::uint64_t checksum(const Bytes& bytes, std::size_t length) {
   return hash;
 }
 
-/// How many of each kind there are, as the header says.
+/// The counts in the header.
 struct Counts {
   std::uint64_t bodies, contacts, manifolds, joint_impulses, quiet_times;
 };
@@ -81,7 +81,7 @@ Counts read_counts(const Bytes& bytes) {
           read_number(bytes, 40, 8), read_number(bytes, 48, 8)};
 }
 
-/// Whether these many take exactly `words` numbers of 8 bytes; no sum overflows.
+/// Whether these counts take exactly `words` numbers of 8 bytes, without overflow.
 bool do_fit(const Counts& counts, std::uint64_t words) {
   const std::pair<std::uint64_t, std::uint64_t> parts[] = {
       {counts.bodies, doubles_of_a_body},
@@ -195,7 +195,7 @@ ManifoldMemory read_manifold(WordReader& reader) {
     number = std::bit_cast<std::decay_t<decltype(number)>>(is_second ? high_half(word) : low_half(word));
     is_second = !is_second;
   });
-  // What indexes arrays is checked here, whoever wrote the bytes.
+  // A checksum does not protect from forged bytes, so a number that indexes arrays is checked.
   if (manifold.point_count < 0 || manifold.point_count > ManifoldMemory::max_points)
     throw InputError("state: damaged, a manifold has " + std::to_string(manifold.point_count) + " points");
   return manifold;

@@ -8,8 +8,8 @@
 
 namespace rigor {
 
-/// The stepper of the method's scheme, or of the one that `auto` stands for. target_step H > 0 [s]: the
-/// longest step. threads >= 1: of schemes that use several; the answer does not depend on it.
+/// The stepper of the method's scheme, or of the one that `auto` stands for. target_step H > 0 [s] is the
+/// longest step; threads >= 1 is for schemes that use several, whose results do not depend on it.
 std::unique_ptr<Stepper> make_stepper(std::shared_ptr<const Model> model, const Method& method,
                                       double target_step, int threads = 1);
 

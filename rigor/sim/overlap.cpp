@@ -9,14 +9,14 @@ namespace rigor {
 
 namespace {
 
-/// Deepest overlap of two bodies with its normal from A to B.
+/// The deepest overlap of two bodies, with its normal from A to B.
 struct Deepest {
   double depth = -std::numeric_limits<double>::infinity();
   Vec3 n_W = Vec3::UnitZ();
 };
 
-/// Signed distance, of overlapping solids with all of their insides. Meshes that touch within the tolerance
-/// are not cut into pieces for it.
+/// Signed distance of two shapes; the depth of overlapping solids is that of their full interiors. Meshes
+/// that overlap by no more than the tolerance are not decomposed for it.
 DistanceResult overlap_of(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB,
                           double tolerance) {
   const DistanceResult found = signed_distance(a, X_WA, b, X_WB);
@@ -67,7 +67,7 @@ std::vector<Overlap> apply_separation(const Model& model, double tolerance, Stat
       const Deepest deepest = deepest_overlap(model, state, {a, b}, tolerance);
       if (deepest.depth <= 0) continue;
       is_apart = is_apart && deepest.depth <= 0.5 * tolerance;
-      // A little more than the depth, so that the rounds end.
+      // A little more than the depth, so that the number of rounds is finite.
       const double share = (deepest.depth + 0.25 * tolerance) / (inverse_mass(a) + inverse_mass(b));
       move(a, -share * inverse_mass(a) * deepest.n_W);
       move(b, share * inverse_mass(b) * deepest.n_W);

@@ -17,24 +17,24 @@ RunResult run_simulation(std::shared_ptr<const Model> model, const Method& metho
   stepper->set_interrupt(interrupt);
   Auditor auditor(model, method, state);
 
-  bool goes_on = observer(state, {}, auditor);
+  bool continues = observer(state, {}, auditor);
   long output = static_cast<long>(state.t / settings.output_interval);
-  while (goes_on && state.t < settings.duration) {
-    // Multiples of the interval, not sums: output times carry one rounding.
+  while (continues && state.t < settings.duration) {
+    // Output times are multiples of the interval, not sums, so that they carry a single rounding.
     while (static_cast<double>(output) * settings.output_interval <= state.t) ++output;
     const double t_next = std::min(static_cast<double>(output) * settings.output_interval, settings.duration);
     const State before = state;
     const AdvanceReport report = stepper->advance(state, t_next);
     if (report.reason == StopReason::interrupted) {
       state = before;
-      goes_on = false;
+      continues = false;
       break;
     }
     auditor.observe(state, report);
-    goes_on = observer(state, report, auditor);
+    continues = observer(state, report, auditor);
     if (report.reason != StopReason::reached_end) break;
   }
-  result.was_stopped = !goes_on;
+  result.was_stopped = !continues;
   result.audit = auditor.audit(state);
   return result;
 }

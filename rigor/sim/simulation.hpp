@@ -9,21 +9,22 @@
 
 namespace rigor {
 
-/// Called at each output time with the state there and what happened since the last one. Returns whether to
-/// go on.
+/// Called at each output time with the state there and what happened since the last one. Returns whether the
+/// run continues.
 using Observer = std::function<bool(const State& state, const AdvanceReport& since, const Auditor& auditor)>;
 
 /// How a run ended.
 struct RunResult {
-  State state;  ///< The last one.
+  State state;  ///< At the end of the run.
   Audit audit;
-  bool was_stopped = false;  ///< The observer or the interrupt asked for it.
+  bool was_stopped = false;  ///< By the observer or the interrupt.
 };
 
 /// Runs a scene from the start state (the model's own if none is given) until `settings.duration` after t =
 /// 0. The observer sees the start and every output time k · output_interval; the result does not depend on
-/// whether it looks. Ends early when the stepper cannot go on: see audit.report.reason. The interrupt is
-/// asked at every event; when it says true the run ends as it was at the last output time.
+/// whether it looks. The run ends early when the stepper cannot continue: audit.report.reason says why. The
+/// interrupt is asked at every event or step; if it returns true, the run ends as it was at the last output
+/// time.
 RunResult run_simulation(std::shared_ptr<const Model> model, const Method& method,
                          const RunSettings& settings, const std::optional<State>& start,
                          const Observer& observer, const std::function<bool()>& interrupt = {});
@@ -36,8 +37,8 @@ struct Overlap {
 /// All overlaps deeper than the tolerance, by body indices.
 std::vector<Overlap> find_overlaps(const Model& model, const State& state, double tolerance);
 
-/// Pushes overlapping bodies apart by translations, lighter ones farther, and anchors them there. Returns
-/// what still overlaps by more than the tolerance (empty: done).
+/// Pushes overlapping bodies apart by translations, lighter ones farther, and anchors them there. Returns the
+/// overlaps that are still deeper than the tolerance; empty if it succeeded.
 std::vector<Overlap> apply_separation(const Model& model, double tolerance, State& state);
 
 }  // namespace rigor

@@ -70,7 +70,7 @@ void set_nested_extension(std::span<const double[ButcherTableau::max_stages]> we
     r[2] = r[0] - r[1] - (i == end_stage ? 1 : 0);
     for (int k = 3; k < count; ++k) r[k] = weights[at(k - 3)][i];
 
-    // From the innermost r outwards, times θ or 1 - θ by turns; the last factor is θ.
+    // From the innermost r outwards, alternately times θ and 1 - θ; the last factor is θ.
     double* powers = tableau.dense[i];
     std::fill_n(powers, ButcherTableau::max_dense_degree + 1, 0.0);
     for (int k = count - 1; k >= 0; --k) {

@@ -106,7 +106,8 @@ TEST_P(EachJointType, ChangesNoMomentum) {
 INSTANTIATE_TEST_SUITE_P(BulkJoints, EachJointType,
                          testing::Values(JointType::fixed, JointType::ball, JointType::hinge,
                                          JointType::slider, JointType::universal, JointType::cylindrical,
-                                         JointType::planar, JointType::distance, JointType::screw),
+                                         JointType::planar, JointType::distance, JointType::screw,
+                                         JointType::point_on_line),
                          [](const testing::TestParamInfo<JointType>& type) { return text_of(type.param); });
 
 /// A body that turns about z of the world, whose moment about the axis is 2 kg m²; or one of 2 kg that slides

@@ -144,7 +144,7 @@ SlipEnd follow_slip(const Collision& collision) {
   const auto rate = [&](const Course& y) {
     const Vec2 d(std::cos(y[0]), std::sin(y[0]));
     const double s = std::exp(y[1]);
-    return (Course() << flow.turning_rate(d), flow.radial_rate(d), s, s * flow.normal_rate(d),
+    return (Course() << flow.angular_rate(d), flow.radial_rate(d), s, s * flow.normal_rate(d),
             -flow.mu * s * d)
         .finished();
   };

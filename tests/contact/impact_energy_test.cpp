@@ -5,6 +5,7 @@
 #include "rigor/contact/impact/newton_impacts.hpp"
 #include "rigor/contact/impact/reflections.hpp"
 #include "rigor/contact/impact/sequential_impacts.hpp"
+#include "rigor/contact/impact/velocity_projection.hpp"
 #include "rigor/solver/coulomb/static_friction.hpp"
 
 #include <gtest/gtest.h>
@@ -24,18 +25,26 @@ struct Gains {
   double largest = 0;
 };
 
-/// `impulses`: of a problem. A gain counts from a thousand roundings of the kinetic energy on.
-Gains gains_of(double mu_max, const std::function<VecX(const ImpactProblem&)>& impulses) {
+using Impulses = std::function<VecX(const ContactSystem&, const ImpactProblem&)>;
+
+/// `impulses`: of a system and its problem. A gain counts from a thousand roundings of the kinetic energy on.
+Gains gains_of(double mu_max, const Impulses& impulses) {
   Gains gains;
   Random random(7);
   for (int k = 0; k < kSystems; ++k) {
     const ContactSystem system = random_system(random, mu_max);
     const ImpactProblem problem = make_impact_problem(system, restitutions_of(system));
-    const double gain = energy_change(problem, impulses(problem)) / kinetic_energy(system);
+    const double gain = energy_change(problem, impulses(system, problem)) / kinetic_energy(system);
     if (gain > 1e-13) ++gains.count;
     gains.largest = std::max(gains.largest, gain);
   }
   return gains;
+}
+
+/// The same of a law that needs the problem alone.
+Gains gains_of(double mu_max, const std::function<VecX(const ImpactProblem&)>& impulses) {
+  return gains_of(mu_max,
+                  [&](const ContactSystem&, const ImpactProblem& problem) { return impulses(problem); });
 }
 
 /// Plastic impact where every contact that stands still sticks with twice its kinetic friction.
@@ -62,6 +71,25 @@ TEST(ImpactEnergy, NewtonsLawOnAllContactsAtOnceGains) {
   EXPECT_GT(rough.count, kSystems / 100);
   EXPECT_GT(smooth.largest, 0.01);
   EXPECT_GT(rough.largest, 0.01);
+}
+
+TEST(ImpactEnergy, TheProjectionOnVelocitiesGainsAsMuchAsTheComplementarityProblem) {
+  const Gains lcp =
+      gains_of(0, [](const ImpactProblem& problem) { return solve_newton_impacts(problem).lambda; });
+  const Gains projection = gains_of(0, [](const ContactSystem& system, const ImpactProblem& problem) {
+    return solve_projection(system, problem).lambda;
+  });
+  EXPECT_EQ(projection.count, lcp.count);
+  EXPECT_NEAR(projection.largest, lcp.largest, 1e-11);
+}
+
+TEST(ImpactEnergy, MoreausProjectionGainsNone) {
+  for (const double mu_max : {0.0, 0.5, 1.0, 2.0}) {
+    const Gains gains = gains_of(mu_max, [](const ContactSystem& system, const ImpactProblem& problem) {
+      return solve_moreau(system, problem).lambda;
+    });
+    EXPECT_EQ(gains.count, 0) << mu_max << " " << gains.largest;
+  }
 }
 
 TEST(ImpactEnergy, NewtonsLawOfOneContactAfterTheOtherGainsByFrictionAlone) {

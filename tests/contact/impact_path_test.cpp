@@ -10,10 +10,10 @@
 namespace rigor::impact_path_test {
 namespace {
 
-/// States of a course without repetition: c, r (compressing or not) and s, k (sliding or not).
-std::string states_of(const std::vector<ImpactPathPoint>& course) {
+/// States of an impact path without repetition: c, r (compressing or not) and s, k (sliding or not).
+std::string states_of(const std::vector<ImpactPathPoint>& points) {
   std::string states;
-  for (const ImpactPathPoint& point : course) {
+  for (const ImpactPathPoint& point : points) {
     const std::string state = {point.is_compressing ? 'c' : 'r', point.is_sliding ? 's' : 'k', ' '};
     if (!states.ends_with(state)) states += state;
   }
@@ -27,7 +27,7 @@ TEST(ImpactPath, OfEveryReferenceImpactSaysWhatItsPhasesSay) {
                               json["e"].get<double>()};
     std::vector<CollisionPoint> path;
     const CollisionOutcome outcome = resolve_collision(collision, RestitutionLaw::stronge, &path);
-    const std::vector<ImpactPathPoint> course = impact_path_of(path, outcome);
+    const std::vector<ImpactPathPoint> points = impact_path_of(path, outcome);
     SCOPED_TRACE(json["id"].get<std::string>() + " " + outcome.phases);
     std::string expected;
     bool compresses = true, slides = false;
@@ -40,13 +40,13 @@ TEST(ImpactPath, OfEveryReferenceImpactSaysWhatItsPhasesSay) {
       const bool is_over = phase == '|' && collision.restitution == 0;
       if (!is_over && !expected.ends_with(state)) expected += state;
     }
-    EXPECT_EQ(states_of(course), expected);
-    // The point of greatest compression is one of the course.
-    EXPECT_TRUE(std::any_of(course.begin(), course.end(), [&](const ImpactPathPoint& point) {
+    EXPECT_EQ(states_of(points), expected);
+    // The point of greatest compression is one of the path.
+    EXPECT_TRUE(std::any_of(points.begin(), points.end(), [&](const ImpactPathPoint& point) {
       return point.at.lambda.z() == outcome.compression.lambda.z();
     }));
     EXPECT_TRUE(
-        std::is_sorted(course.begin(), course.end(), [](const ImpactPathPoint& a, const ImpactPathPoint& b) {
+        std::is_sorted(points.begin(), points.end(), [](const ImpactPathPoint& a, const ImpactPathPoint& b) {
           return a.at.lambda.z() < b.at.lambda.z();
         }));
   }

@@ -37,7 +37,7 @@ TEST(MomentRows, FormTheResponseOfForcesAndMoments) {
   const ContactSystem system = ball_on_floor(Vec3::Zero(), Vec3::Zero());
   ASSERT_EQ(system.contacts.size(), 1u);
   const MatX A = contact_response(moment_rows(system));
-  EXPECT_LE((A - moment_response(system, 0)).norm(), 1e-13 * A.norm());
+  EXPECT_LE((A - rolling_friction_delassus(system, 0)).norm(), 1e-13 * A.norm());
 }
 
 /// A rod whose lower end, a ball, touches the floor, hinged to the world by its upper end.
@@ -77,7 +77,7 @@ TEST(MomentRows, ResponseOfOneContactHasWhatJointsDo) {
       *model, find_contacts(*model, 0, 1, kinetics[0].pose(), kinetics[1].pose(), 1e-6), bodies, kinetics,
       std::make_shared<JointSystem>(*model, std::vector<int>{0}, bodies, kinetics));
   ASSERT_EQ(system.contacts.size(), 1u);
-  const Mat6 K = moment_response(system, 0);
+  const Mat6 K = rolling_friction_delassus(system, 0);
   for (int column = 0; column < 6; ++column) {
     Vec6 unit = Vec6::Zero();
     unit[column] = 1;
@@ -90,7 +90,7 @@ TEST(MomentRows, ResponseOfOneContactHasWhatJointsDo) {
     moved.kinetics[0].v = rod.inverse_mass * total.wrenches[0].f_W;
     moved.kinetics[0].w = rod.inverse_inertia * total.wrenches[0].tau_W;
     Vec6 change;
-    change << relative_velocities(moved), relative_turning(moved, 0);
+    change << relative_velocities(moved), relative_angular_velocity(moved, 0);
     EXPECT_LE((change - K.col(column)).norm(), 1e-12 * K.norm()) << column;
   }
 }
@@ -100,8 +100,8 @@ TEST(MomentRows, ARollingBallIsBrakedByRollingFriction) {
   const double g = 9.81, h = 0.01, rho = 1e-3, v = 0.5, R = 0.1;
   const ContactSystem system = ball_on_floor(Vec3(v, 0, -g * h), Vec3(0, v / R, 0));
   RollingFrictionProblem problem{contact_response(moment_rows(system)), VecX(6), {0.3}, {rho}, {0}};
-  problem.b << relative_velocities(system), relative_turning(system, 0);
-  const MomentSolution solution = solve_moments(problem);
+  problem.b << relative_velocities(system), relative_angular_velocity(system, 0);
+  const RollingFrictionSolution solution = solve_rolling_friction(problem);
   ASSERT_TRUE(solution.converged);
   EXPECT_NEAR(solution.w.segment<2>(3).norm(), (v - 5.0 / 7 * rho * g * h / R) / R, 1e-12);
 }

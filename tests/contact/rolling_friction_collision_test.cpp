@@ -40,7 +40,7 @@ TEST(RollingFrictionCollision, WithoutMomentsIsThePlainImpact) {
       const CollisionOutcome plain = resolve_collision(
           {{collision.K.topLeftCorner<3, 3>(), collision.mu}, collision.u, collision.restitution}, law);
       if (plain.phases.find_first_of("r;") != std::string::npos) continue;
-      const MomentOutcome outcome = resolve_rolling_friction_collision(collision, law);
+      const RollingFrictionOutcome outcome = resolve_rolling_friction_collision(collision, law);
       ASSERT_TRUE(outcome.is_resolved);
       // Dense output of order 4 within steps of error 1e-12.
       EXPECT_LT((outcome.u - plain.end.u).norm(), 1e-8 * collision.u.norm()) << plain.phases;
@@ -56,7 +56,7 @@ TEST(RollingFrictionCollision, OfASpinningBallLosesItsSpinByTheGreatestMoment) {
   const double impulse = (1 + e) * m * v, loss = sigma * impulse / I;
   for (const RestitutionLaw law : laws) {
     RollingFrictionCollision collision{ball_matrix(m, R, I), {0, 0, -v}, {0, 0, 2 * loss}, 0.3, 0, sigma, e};
-    MomentOutcome outcome = resolve_rolling_friction_collision(collision, law);
+    RollingFrictionOutcome outcome = resolve_rolling_friction_collision(collision, law);
     EXPECT_NEAR(outcome.w.z(), loss, 1e-12 * loss);
     EXPECT_NEAR(outcome.u.z(), e * v, 1e-14);
     collision.w.z() = -0.5 * loss;
@@ -73,7 +73,7 @@ TEST(RollingFrictionCollision, OfARollingBallSlowsItsRolling) {
   const double m = 2, R = 0.1, I = 0.4 * m * R * R, e = 0.5, v_n = 1, rho = 0.001;
   const double impulse = (1 + e) * m * v_n, omega = 30;
   for (const RestitutionLaw law : laws) {
-    const MomentOutcome outcome = resolve_rolling_friction_collision(
+    const RollingFrictionOutcome outcome = resolve_rolling_friction_collision(
         {ball_matrix(m, R, I), {0, 0, -v_n}, {0, omega, 0}, 0.5, rho, 0, e}, law);
     EXPECT_LT(outcome.u.head<2>().norm(), 1e-13);
     EXPECT_NEAR(outcome.w.y(), omega - rho * impulse / (I + m * R * R), 1e-10);
@@ -94,7 +94,7 @@ TEST(RollingFrictionCollision, NeverGainsEnergyUnderStrongeAndPoissonAndKeepsIts
     twist << collision.u, collision.w;
     const double energy = 0.5 * twist.dot(collision.K.ldlt().solve(twist));
     for (const RestitutionLaw law : {RestitutionLaw::poisson, RestitutionLaw::stronge}) {
-      const MomentOutcome outcome = resolve_rolling_friction_collision(collision, law);
+      const RollingFrictionOutcome outcome = resolve_rolling_friction_collision(collision, law);
       ASSERT_TRUE(outcome.is_resolved);
       EXPECT_LE(outcome.energy_change, 1e-9 * energy);
       const double p = outcome.lambda.z() * (1 + 1e-10);

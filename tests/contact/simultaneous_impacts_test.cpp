@@ -32,6 +32,10 @@ TEST(SimultaneousImpacts, TouchingChainsGoAsRationalArithmeticSays) {
             << c["name"] << " " << name << " " << i;
       }
     }
+    const ContactSystem projected = after_impact(before, SimultaneousLaw::projection);
+    for (int i = 0; i < static_cast<int>(before.bodies.size()); ++i)
+      EXPECT_NEAR(projected.of(i).v.x(), c["lcp"][static_cast<std::size_t>(i)].get<double>(), 2e-13)
+          << c["name"] << " projection " << i;
     const double ratio = kinetic_energy(after_impact(before, SimultaneousLaw::lcp)) / kinetic_energy(before);
     EXPECT_NEAR(ratio, c["lcp_energy_ratio"].get<double>(), 1e-14) << c["name"];
   }

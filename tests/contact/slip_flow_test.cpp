@@ -63,7 +63,7 @@ TEST(SlipFlow, HasOneDivergingDirectionExactlyWhereStickingIsUnstable) {
     if (sticking.is_stable) continue;
     ++unstable;
     const Vec2 ray = diverging_direction(flow);
-    EXPECT_NEAR(std::abs(flow.turning_rate(ray)), 0, 1e-13 * flow.rate_bound());
+    EXPECT_NEAR(std::abs(flow.angular_rate(ray)), 0, 1e-13 * flow.rate_bound());
     // A root that others nearly meet is known to the root of rounding.
     EXPECT_LT((ray - direction(theta)).norm(), 1e-6);
     // It leads out of contact: du_n/dp > μ λ.

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <sstream>
+
 // What the program promises to those who call it: commands, exit codes, messages. (Runs and their files:
 // run_command_test.)
 
@@ -311,9 +313,45 @@ TEST(CommandLine, MethodsListsEveryChoiceWithItsSource) {
   const ProgramFolder folder;
   const ProgramResult result = folder.run({"methods"});
   EXPECT_EQ(result.code, 0);
-  for (const char* part : {"event-driven", "stronge", "later", "default", "Baraff", "contact_tolerance"}) {
+  for (const char* part :
+       {"event-driven", "stronge", "later", "default", "Baraff", "contact_tolerance", "PQP"}) {
     expect_contains(result.out, part);
   }
+}
+
+TEST(CommandLine, MethodsFindsEveryWordOfTheCourses) {
+  const ProgramFolder folder;
+  // Rows "| name, name | what stands for it | ... |" of the table of the docs.
+  std::istringstream page(text_of(RIGOR_SOURCE_DIR "/docs/methods.md"));
+  std::string line;
+  while (std::getline(page, line) && line != "## The course's words") continue;
+  int count = 0;
+  while (std::getline(page, line) && !line.starts_with("## ")) {
+    if (!line.starts_with("| ") || line.starts_with("| word")) continue;
+    const std::size_t end = line.find(" | "), next = line.find(" | ", end + 3);
+    std::istringstream names(line.substr(2, end - 2));
+    for (std::string name; std::getline(names, name, ','); ++count) {
+      const ProgramResult result = folder.run({"methods", name});
+      EXPECT_EQ(result.code, 0) << name;
+      expect_contains(result.out, line.substr(end + 3, next - end - 3));
+    }
+  }
+  EXPECT_GE(count, 100);
+  const ProgramResult choice = folder.run({"methods", "Dormand"});
+  expect_contains(choice.out, "dopri5");
+  EXPECT_EQ(choice.out.find("gjk"), std::string::npos);
+  expect_contains(folder.run({"methods", "contact", "region"}).out, "each with its normal and gap");
+}
+
+TEST(CommandLine, MethodsTellsTheNearestOfAMisspeltWord) {
+  const ProgramFolder folder;
+  const ProgramResult result = folder.run({"methods", "projecton", "on", "velocites"});
+  EXPECT_EQ(result.code, 2);
+  expect_contains(result.error, "did you mean 'projection on velocities'?");
+  EXPECT_EQ(result.out, "");
+  const ProgramResult nothing = folder.run({"methods", "zzzzzzzzzz"});
+  EXPECT_EQ(nothing.code, 2);
+  expect_contains(nothing.error, "'rigor methods' lists all");
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ class JointSprings : public testing::TestWithParam<JointType> {};
 INSTANTIATE_TEST_SUITE_P(All, JointSprings,
                          testing::Values(JointType::ball, JointType::hinge, JointType::slider,
                                          JointType::universal, JointType::cylindrical, JointType::planar,
-                                         JointType::distance, JointType::screw));
+                                         JointType::distance, JointType::screw, JointType::point_on_line));
 
 TEST_P(JointSprings, SupplyTheEnergyThatTheyLose) {
   Random random(1);

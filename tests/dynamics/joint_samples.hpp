@@ -76,14 +76,17 @@ inline AllowedPose random_allowed_pose(const Joint& joint, test::Random& random)
       return {{turned(phi), joint.length * p.normalized()}, {joint.length}};
     case JointType::screw:  // two whole turns are in the displacement alone
       return {{about_z, joint.pitch * (angle / (2 * M_PI) + 2) * z}, {angle}};
+    case JointType::point_on_line:
+      return {{turned(phi), p.z() * z}, {p.z()}};
     default:
       return {};
   }
 }
 
 inline const std::vector<JointType> kTypesWithRows = {
-    JointType::fixed,       JointType::ball,   JointType::hinge,    JointType::slider, JointType::universal,
-    JointType::cylindrical, JointType::planar, JointType::distance, JointType::screw};
+    JointType::fixed,     JointType::ball,         JointType::hinge,  JointType::slider,
+    JointType::universal, JointType::cylindrical,  JointType::planar, JointType::distance,
+    JointType::screw,     JointType::point_on_line};
 
 }  // namespace rigor::tests
 

@@ -184,7 +184,7 @@ TEST(JointRefused, InAFile) {
   const std::vector<std::pair<std::string, std::string>> mistakes = {
       {"{name: j}",
        "s.yaml:5:10: joint 'j': the key 'type' is missing; one of: fixed, ball, hinge, slider, universal, "
-       "cylindrical, planar, distance, screw, gear"},
+       "cylindrical, planar, distance, screw, gear, point_on_line"},
       {"{name: j, type: hing}", "s.yaml:5:26: joint 'j': unknown type 'hing'; did you mean 'hinge'?"},
       {"{type: fixed, " + two + "}", "s.yaml:5:10: joint 0 (fixed): the key 'name' is missing: a text"},
       {"{name: j, type: ball, " + two + "}",

@@ -93,8 +93,8 @@ TEST(SceneReader, ReadsEveryKey) {
   method.integrator = IntegratorMethod::dopri5;
   method.orientation = OrientationForm::matrix;
   method.toi = ToiMethod::ratio;
-  method.impact = ImpactMethod::newton;
-  method.simultaneous = SimultaneousMethod::lcp;
+  method.impact = RestitutionLaw::newton;
+  method.simultaneous = SimultaneousLaw::lcp;
   method.contact_tolerance = 1e-5;
   method.time_tolerance = 1e-9;
   method.resting = RestingMethod::contact_space;

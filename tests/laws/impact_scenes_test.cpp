@@ -120,5 +120,28 @@ TEST(ImpactScenes, DieFallsAsTheReferenceThroughEightImpacts) {
   }
 }
 
+// Newton's law on both contacts holds the right one, which parts, at u_n⁺ = 0 while it presses.
+TEST(ImpactScenes, NewtonsLawOnAllContactsAddsEnergyToALightBallBetweenHeavyOnes) {
+  const double before = 25.0 / 4, gained = 605.0 / 76;
+  EXPECT_NEAR(gained / before, 121.0 / 95, 1e-15);
+  for (const char* law : {"lcp", "projection"}) {
+    const SceneRun run = run_scene("energy_gain.yaml", {std::string("method.simultaneous=") + law});
+    EXPECT_NEAR(run.audit().initial.total(), before, 1e-14);
+    EXPECT_NEAR(run.audit().final.total(), gained, 1e-13) << law;
+    EXPECT_NEAR(run.audit().report.impact_gain, gained - before, 1e-13) << law;
+    EXPECT_NEAR(run.end_of("left").velocity.x(), 7.0 / 38, 1e-14) << law;
+    EXPECT_NEAR(run.end_of("light").velocity.x(), 45.0 / 38, 1e-14) << law;
+    EXPECT_NEAR(run.end_of("right").velocity.x(), 45.0 / 38, 1e-14) << law;
+    EXPECT_EQ(run.audit().warnings.size(), 1u) << law;
+  }
+  for (const char* law : {"moreau", "reflections", "sequential"}) {
+    const SceneRun run = run_scene("energy_gain.yaml", {std::string("method.simultaneous=") + law});
+    EXPECT_NEAR(run.audit().final.total(), before, 1e-13) << law;
+    EXPECT_LE(run.audit().report.impact_gain, 1e-13) << law;
+    EXPECT_TRUE(run.audit().warnings.empty()) << law;
+    EXPECT_TRUE(run.audit().violations.empty()) << law;
+  }
+}
+
 }  // namespace
 }  // namespace rigor::test::impact_scenes_test

@@ -3,6 +3,7 @@
 #include "laws/reference_motion.hpp"
 #include "laws/scene_runs.hpp"
 
+#include "rigor/dynamics/environment.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/sim/audit/contact_snapshot.hpp"
 #include "solver/reference_data.hpp"

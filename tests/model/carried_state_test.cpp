@@ -83,9 +83,9 @@ TEST(CarriedState, OrderOfBodiesMayChangeAndContactsStaySorted) {
   for (const char* name : {"c", "d", "a", "b"}) builder.add_body(ball(name, 0));
   const State carried = carried_state(*sample.model, sample.state, *builder.build());
   ASSERT_EQ(carried.manifolds.size(), 2u);
-  EXPECT_EQ(carried.manifolds[0].key(), (std::array<int, 5>{0, 1, 0, 0, 0}));
+  EXPECT_EQ(carried.manifolds[0].key(), (ContactKey{0, 1, 0, 0, 0}));
   EXPECT_EQ(carried.manifolds[0].normal_impulse[0], 23);
-  EXPECT_EQ(carried.manifolds[1].key(), (std::array<int, 5>{2, 3, 0, 0, 0}));
+  EXPECT_EQ(carried.manifolds[1].key(), (ContactKey{2, 3, 0, 0, 0}));
 }
 
 TEST(CarriedState, BodyOfAnotherShapeKeepsItsPlaceAndVelocities) {

@@ -15,7 +15,7 @@ using samples::jointed_bodies;
 
 constexpr JointType kWithFrames[] = {JointType::fixed,  JointType::ball,      JointType::hinge,
                                      JointType::slider, JointType::universal, JointType::cylindrical,
-                                     JointType::planar, JointType::screw};
+                                     JointType::planar, JointType::screw,     JointType::point_on_line};
 /// Of positions of a few metres that went through two rotations.
 constexpr double kRounding = 1e-14;
 

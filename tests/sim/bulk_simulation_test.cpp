@@ -113,7 +113,7 @@ TEST(BulkSimulation, ContactsHaveThePointsNormalAndFrictionOfABlockThatIsPulled)
   const std::vector<BulkContact> contacts = simulation.contacts();
   ASSERT_EQ(contacts.size(), 1u);
   const BulkContact& contact = contacts[0];
-  EXPECT_EQ(contact.key(), (std::array<int, 5>{0, 1, 0, 0, 0}));
+  EXPECT_EQ(contact.key(), (ContactKey{0, 1, 0, 0, 0}));
   EXPECT_LT((contact.n_W - Vec3::UnitZ()).norm(), 1e-6);
   ASSERT_EQ(contact.point_count, 4);
   const double weight = g * kStep;

@@ -23,7 +23,7 @@ std::shared_ptr<const Model> light_ball_between_heavy_ones() {
   return builder.build();
 }
 
-Audit audit_with(SimultaneousMethod law) {
+Audit audit_with(SimultaneousLaw law) {
   Method method;
   method.simultaneous = law;
   RunSettings settings;
@@ -34,7 +34,7 @@ Audit audit_with(SimultaneousMethod law) {
 }
 
 TEST(ImpactGain, EnergyThatNewtonsLawOnAllContactsAddsIsReportedAndNamed) {
-  const Audit audit = audit_with(SimultaneousMethod::lcp);
+  const Audit audit = audit_with(SimultaneousLaw::lcp);
   // 25/4 J before, 605/76 J after.
   EXPECT_NEAR(audit.report.impact_gain, 605.0 / 76 - 25.0 / 4, 1e-13);
   ASSERT_EQ(audit.warnings.size(), 1u);
@@ -43,7 +43,7 @@ TEST(ImpactGain, EnergyThatNewtonsLawOnAllContactsAddsIsReportedAndNamed) {
 }
 
 TEST(ImpactGain, OtherLawsAddNone) {
-  for (const SimultaneousMethod law : {SimultaneousMethod::reflections, SimultaneousMethod::sequential}) {
+  for (const SimultaneousLaw law : {SimultaneousLaw::reflections, SimultaneousLaw::sequential}) {
     const Audit audit = audit_with(law);
     EXPECT_LE(audit.report.impact_gain, 1e-14);
     EXPECT_TRUE(audit.warnings.empty());

@@ -74,7 +74,7 @@ TEST(Mechanisms, ALightBobSwingsLikeAPoint) {
 }
 
 /// Kinetic energy after a double pendulum's tip struck a rough floor, against that before.
-double energy_ratio_of_struck_pendulum(ImpactMethod law, double friction, double restitution) {
+double energy_ratio_of_struck_pendulum(RestitutionLaw law, double friction, double restitution) {
   const double angles[] = {20 * std::numbers::pi / 180, 30 * std::numbers::pi / 180};
   const double rates[] = {-0.1, -0.2};
   ModelBuilder builder = empty_scene(Vec3::Zero());
@@ -119,11 +119,11 @@ double energy_ratio_of_struck_pendulum(ImpactMethod law, double friction, double
 
 TEST(Mechanisms, AnImpactGoesThroughTheJointsOfKanesPendulum) {
   // Kane and Levinson's example, the reference in 128 bits: Newton's law gains energy, the others do not.
-  EXPECT_NEAR(energy_ratio_of_struck_pendulum(ImpactMethod::newton, 0.7, 0.7), 3.111489586, 2e-9);
-  EXPECT_NEAR(energy_ratio_of_struck_pendulum(ImpactMethod::poisson, 0.7, 0.7), 0.5385416068, 1e-9);
-  EXPECT_NEAR(energy_ratio_of_struck_pendulum(ImpactMethod::stronge, 0.7, 0.7), 0.5707831253, 1e-9);
-  EXPECT_NEAR(energy_ratio_of_struck_pendulum(ImpactMethod::newton, 0.5, 1), 1.469142335, 2e-9);
-  EXPECT_NEAR(energy_ratio_of_struck_pendulum(ImpactMethod::stronge, 0.5, 1), 0.6907862943, 1e-9);
+  EXPECT_NEAR(energy_ratio_of_struck_pendulum(RestitutionLaw::newton, 0.7, 0.7), 3.111489586, 2e-9);
+  EXPECT_NEAR(energy_ratio_of_struck_pendulum(RestitutionLaw::poisson, 0.7, 0.7), 0.5385416068, 1e-9);
+  EXPECT_NEAR(energy_ratio_of_struck_pendulum(RestitutionLaw::stronge, 0.7, 0.7), 0.5707831253, 1e-9);
+  EXPECT_NEAR(energy_ratio_of_struck_pendulum(RestitutionLaw::newton, 0.5, 1), 1.469142335, 2e-9);
+  EXPECT_NEAR(energy_ratio_of_struck_pendulum(RestitutionLaw::stronge, 0.5, 1), 0.6907862943, 1e-9);
 }
 
 }  // namespace

@@ -18,33 +18,25 @@ TEST(MethodTable, EachValueOnceWithMeaningAndSource) {
     EXPECT_EQ(choice.meaning.find('\n'), std::string_view::npos);
   }
   // 5 schemes and `auto`, 8 integrators, 2 orientations, 2 broad phases, 2 distances, 3 times of impact, 3
-  // laws, 3 and 2 rules, 2 + 2 + 2 + 3 + 3 of time stepping and penalty, 2 of sleep.
-  EXPECT_EQ(seen.size(), 45u);
+  // laws, 5 and 2 rules, 2 of micro-collisions, 2 + 2 + 2 + 3 + 3 of time stepping and penalty, 2 of sleep.
+  EXPECT_EQ(seen.size(), 49u);
 }
 
-TEST(MethodTable, DefaultsAreAvailable) {
+TEST(MethodTable, DefaultsAreAmongTheValues) {
   const Method method;
   for (const std::string& key : method_choice_keys()) {
     const std::string value = method_choice(method, key);
-    const std::vector<std::string> available = method_values(key, true);
-    EXPECT_EQ(value.empty(), available.empty()) << key;
-    if (!value.empty()) {
-      EXPECT_NE(std::find(available.begin(), available.end(), value), available.end()) << key;
-    }
+    const std::vector<std::string> values = method_values(key);
+    EXPECT_NE(std::find(values.begin(), values.end(), value), values.end()) << key;
   }
   EXPECT_TRUE(check_combination(method).empty());
 }
 
-TEST(SetMethodChoice, EveryAvailableValueIsSetAndReadBack) {
+TEST(SetMethodChoice, EveryValueIsSetAndReadBack) {
   for (const MethodChoice& choice : method_choices()) {
     Method method;
-    const std::string error = set_method_choice(choice.key, choice.value, method);
-    EXPECT_EQ(error.empty(), choice.is_available) << error;
-    if (choice.is_available) {
-      EXPECT_EQ(method_choice(method, choice.key), choice.value);
-    } else {
-      EXPECT_EQ(method, Method{});
-    }
+    EXPECT_EQ(set_method_choice(choice.key, choice.value, method), "");
+    EXPECT_EQ(method_choice(method, choice.key), choice.value);
   }
 }
 
@@ -67,9 +59,15 @@ TEST(SetMethodChoice, EnumeratorsAreTheirNames) {
   set_method_choice("toi", "bisection", method);
   EXPECT_EQ(method.toi, ToiMethod::bisection);
   set_method_choice("simultaneous", "lcp", method);
-  EXPECT_EQ(method.simultaneous, SimultaneousMethod::lcp);
+  EXPECT_EQ(method.simultaneous, SimultaneousLaw::lcp);
   set_method_choice("simultaneous", "sequential", method);
-  EXPECT_EQ(method.simultaneous, SimultaneousMethod::sequential);
+  EXPECT_EQ(method.simultaneous, SimultaneousLaw::sequential);
+  set_method_choice("simultaneous", "projection", method);
+  EXPECT_EQ(method.simultaneous, SimultaneousLaw::projection);
+  set_method_choice("simultaneous", "moreau", method);
+  EXPECT_EQ(method.simultaneous, SimultaneousLaw::moreau);
+  set_method_choice("micro_collisions", "plain", method);
+  EXPECT_EQ(method.micro_collisions, MicroCollisionMethod::plain);
   set_method_choice("resting", "contact-space", method);
   EXPECT_EQ(method.resting, RestingMethod::contact_space);
   set_method_choice("lcp", "lemke", method);
@@ -113,6 +111,41 @@ TEST(CheckCombination, SweepsAreWholeAndHaveTheExactCone) {
   method.cone = ConeMethod::convex;
   EXPECT_EQ(check_combination(method),
             std::vector<std::string>{"solver 'pgs' does not go with cone 'convex'; cones that do: exact"});
+}
+
+TEST(CheckCombination, PlainMicroCollisionsNeedTheImpulseBasedScheme) {
+  Method method;
+  method.micro_collisions = MicroCollisionMethod::plain;
+  EXPECT_EQ(
+      check_combination(method),
+      std::vector<std::string>{"micro_collisions 'plain' does not go with scheme 'event-driven', which has "
+                               "none; schemes that do: impulse-based"});
+  for (const Scheme scheme : {Scheme::impulse_based, Scheme::automatic}) {
+    method.scheme = scheme;
+    EXPECT_TRUE(check_combination(method).empty());
+  }
+}
+
+TEST(CheckCombination, ProjectionsNeedASchemeThatSolvesImpactsTogether) {
+  for (const SimultaneousLaw law : {SimultaneousLaw::projection, SimultaneousLaw::moreau}) {
+    Method method;
+    method.simultaneous = law;
+    for (const Scheme scheme :
+         {Scheme::event_driven, Scheme::time_stepping, Scheme::hybrid, Scheme::automatic}) {
+      method.scheme = scheme;
+      EXPECT_TRUE(check_combination(method).empty());
+    }
+    for (const Scheme scheme : {Scheme::penalty, Scheme::impulse_based}) {
+      method.scheme = scheme;
+      ASSERT_EQ(check_combination(method).size(), 1u);
+      EXPECT_NE(check_combination(method)[0].find("schemes that do: event-driven, time-stepping, hybrid"),
+                std::string::npos);
+    }
+    method.scheme = Scheme::time_stepping;
+    method.solver = SolverMethod::substep;
+    ASSERT_EQ(check_combination(method).size(), 1u);
+    EXPECT_NE(check_combination(method)[0].find("solvers that do: exact, pgs"), std::string::npos);
+  }
 }
 
 TEST(MethodNumbers, DefaultsAreThoseOfTheStructAndInRange) {

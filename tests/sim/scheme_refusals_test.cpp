@@ -12,9 +12,6 @@
 namespace rigor::scheme_refusals_test {
 namespace {
 
-const std::vector<Scheme> kSchemes = {Scheme::event_driven, Scheme::time_stepping, Scheme::penalty,
-                                      Scheme::impulse_based, Scheme::hybrid};
-
 /// Facts of bodies so many that event-driven is not the first choice.
 SchemeFacts crowd(double restitution) {
   return {.dynamic_bodies = 1000, .colliding_bodies = 1000, .highest_restitution = restitution};
@@ -37,36 +34,36 @@ std::shared_ptr<const Model> rolling_crowd() {
 
 TEST(SchemeRefusals, ASchemeThatRefusesIsPassedOverAndTheReasonIsSaid) {
   const std::vector<SchemeRefusal> one = {{Scheme::hybrid, "no springs"}};
-  const SchemeChoice second = choose_scheme(crowd(0.5), kSchemes, one);
+  const SchemeChoice second = choose_scheme(crowd(0.5), one);
   EXPECT_EQ(second.scheme, Scheme::time_stepping);
   EXPECT_NE(second.reason.find("; hybrid would come before it and refuses the scene: no springs"),
             std::string::npos)
       << second.reason;
   const std::vector<SchemeRefusal> two = {{Scheme::hybrid, "no springs"},
                                           {Scheme::time_stepping, "no gears"}};
-  const SchemeChoice third = choose_scheme(crowd(0.5), kSchemes, two);
+  const SchemeChoice third = choose_scheme(crowd(0.5), two);
   EXPECT_EQ(third.scheme, Scheme::event_driven);
   EXPECT_NE(
       third.reason.find("no springs; time-stepping would come before it and refuses the scene: no gears"),
       std::string::npos)
       << third.reason;
   // What the rule does not want is not spoken of.
-  EXPECT_EQ(choose_scheme(crowd(0), kSchemes, one).reason.find("refuses"), std::string::npos);
+  EXPECT_EQ(choose_scheme(crowd(0), one).reason.find("refuses"), std::string::npos);
 }
 
 TEST(SchemeRefusals, WhereAllOfTheRuleRefuseAnyOtherIsTaken) {
   std::vector<SchemeRefusal> refusals;
   for (const Scheme scheme : {Scheme::event_driven, Scheme::time_stepping, Scheme::hybrid})
     refusals.push_back({scheme, "no"});
-  EXPECT_EQ(choose_scheme(crowd(0.5), kSchemes, refusals).scheme, Scheme::penalty);
+  EXPECT_EQ(choose_scheme(crowd(0.5), refusals).scheme, Scheme::penalty);
   refusals.push_back({Scheme::penalty, "no"});
-  EXPECT_EQ(choose_scheme(crowd(0.5), kSchemes, refusals).scheme, Scheme::impulse_based);
+  EXPECT_EQ(choose_scheme(crowd(0.5), refusals).scheme, Scheme::impulse_based);
 }
 
 TEST(SchemeRefusals, AreThoseOfTheChecks) {
   const std::shared_ptr<const Model> model = rolling_crowd();
-  const std::vector<SchemeRefusal> refusals = scheme_refusals(*model, Method{}, kSchemes);
-  for (const Scheme scheme : kSchemes) {
+  const std::vector<SchemeRefusal> refusals = scheme_refusals(*model, Method{});
+  for (const Scheme scheme : all_schemes()) {
     Method method;
     method.scheme = scheme;
     const std::vector<std::string> reasons = check_scheme(*model, method);
@@ -80,8 +77,7 @@ TEST(SchemeRefusals, AreThoseOfTheChecks) {
   // The rest of the method may not go with a scheme either.
   Method with_rk4;
   with_rk4.integrator = IntegratorMethod::rk4;
-  const std::vector<SchemeRefusal> of_rk4 =
-      scheme_refusals(*test::stepping_cube(1, 1), with_rk4, std::vector{Scheme::penalty, Scheme::hybrid});
+  const std::vector<SchemeRefusal> of_rk4 = scheme_refusals(*test::stepping_cube(1, 1), with_rk4);
   ASSERT_EQ(of_rk4.size(), 1u);
   EXPECT_EQ(of_rk4[0].scheme, Scheme::penalty);
   EXPECT_NE(of_rk4[0].reason.find("does not go with integrator 'rk4'"), std::string::npos);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double g = 9.81;
 
-Method stepping(SimultaneousMethod simultaneous = SimultaneousMethod::reflections) {
+Method stepping(SimultaneousLaw simultaneous = SimultaneousLaw::reflections) {
   Method method;
   method.scheme = Scheme::time_stepping;
   method.simultaneous = simultaneous;
@@ -134,7 +134,7 @@ TEST(TimeSteppingRuns, BallsRollOnAPushedBoxAlikeInAllDirections) {
 }
 
 /// Three balls in a row that touch: 10, 10/9 and 10 kg at 1, 0 and 1/2 m/s, e = 1.
-double energy_ratio_of_three_balls(SimultaneousMethod simultaneous) {
+double energy_ratio_of_three_balls(SimultaneousLaw simultaneous) {
   ModelBuilder builder;
   builder.set_gravity(Vec3::Zero());
   builder.add_material({"m", 1000, 0, 1});
@@ -155,8 +155,8 @@ double energy_ratio_of_three_balls(SimultaneousMethod simultaneous) {
 
 TEST(TimeSteppingRuns, NewtonsLawOnAllContactsAtOnceGainsEnergyAndReflectionsDoNot) {
   // LCP_ENERGY_GAIN of the reference catalogue.
-  EXPECT_NEAR(energy_ratio_of_three_balls(SimultaneousMethod::lcp), 1.273684210526, 1e-12);
-  EXPECT_NEAR(energy_ratio_of_three_balls(SimultaneousMethod::reflections), 1, 1e-12);
+  EXPECT_NEAR(energy_ratio_of_three_balls(SimultaneousLaw::lcp), 1.273684210526, 1e-12);
+  EXPECT_NEAR(energy_ratio_of_three_balls(SimultaneousLaw::reflections), 1, 1e-12);
 }
 
 TEST(TimeSteppingRuns, BoxesThatCollideInFreeFlightKeepTheirMomenta) {

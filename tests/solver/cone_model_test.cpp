@@ -1,6 +1,6 @@
-#include "rigor/solver/cones/cone_model.hpp"
-
 #include "rigor/solver/cones/convex_cone.hpp"
+#include "rigor/solver/cones/pyramid_cone.hpp"
+#include "rigor/solver/motion/motion_problem.hpp"
 
 #include "random_vectors.hpp"
 #include "solver/jointed_scenes.hpp"
@@ -96,6 +96,19 @@ TEST(PyramidCone, FrictionTakesTheNearestDirection) {
     const CoulombSolution exact = solve_coulomb(problem);
     EXPECT_NEAR(exact.lambda.head<2>().normalized().dot(exact.w.head<2>().normalized()), -1, 1e-14);
   }
+}
+
+enum class ConeModel { exact, convex, pyramid };
+
+/// The problem with this cone, each by the solver that time stepping uses for it.
+CoulombSolution solve_with_cone(const MotionProblem& problem, ConeModel cone) {
+  if (cone == ConeModel::convex) return solve_convex_cones(problem);
+  if (cone == ConeModel::exact) {
+    if (std::optional<CoulombSolution> solution = solve_in_motion_space(problem)) return *solution;
+  }
+  CoulombProblem dense = problem.laws;
+  dense.A = contact_response(problem.rows);
+  return cone == ConeModel::pyramid ? solve_pyramids(dense) : solve_coulomb(dense);
 }
 
 /// Velocity (across, down) after the time `end` of a block on a ramp of angle α that is thrown across with

@@ -99,7 +99,7 @@ TEST(OneContact, EverySolverOfTheExactConeReturnsOneOfThem) {
     moments.A.topLeftCorner<3, 3>() = contact.K;
     moments.A.bottomRightCorner<3, 3>().setIdentity();
     moments.b.head<3>() = contact.b;
-    expect_solution(contact, solve_moments(moments).lambda.head<3>(), 1e-11, "moments");
+    expect_solution(contact, solve_rolling_friction(moments).lambda.head<3>(), 1e-11, "moments");
   }
 }
 

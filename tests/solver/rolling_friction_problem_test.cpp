@@ -51,7 +51,7 @@ TEST(RollingFriction, ARollingBallIsBrakedByRollingFriction) {
   const double R = 0.1, rho = 1e-3, h = 1e-2, v = 0.5;
   const RollingFrictionProblem problem =
       rolling_friction_problem_of(ball(0.3, Vec3(v, 0, 0), Vec3(0, v / R, 0), h), rho, 0);
-  const MomentSolution s = solve_moments(problem);
+  const RollingFrictionSolution s = solve_rolling_friction(problem);
   ASSERT_TRUE(s.converged) << s.residual;
   const double slower = 5.0 / 7 * rho * kGravity * h / R;
   // It rolls on: the contact point rests, the ball turns with (v - slower) / R about y.
@@ -64,8 +64,8 @@ TEST(RollingFriction, ARollingBallIsBrakedByRollingFriction) {
 
 TEST(RollingFriction, ASlowBallStopsWithLessThanTheGreatestMoment) {
   const double R = 0.1, rho = 1e-3, h = 1e-2, v = 3e-4;
-  const MomentSolution s =
-      solve_moments(rolling_friction_problem_of(ball(0.3, Vec3(v, 0, 0), Vec3(0, v / R, 0), h), rho, 0));
+  const RollingFrictionSolution s = solve_rolling_friction(
+      rolling_friction_problem_of(ball(0.3, Vec3(v, 0, 0), Vec3(0, v / R, 0), h), rho, 0));
   ASSERT_TRUE(s.converged) << s.residual;
   EXPECT_LE(s.w.norm(), 1e-15);
   // 7/5 m R² v / R comes to rest about the point of contact.
@@ -77,11 +77,11 @@ TEST(RollingFriction, ASlowBallStopsWithLessThanTheGreatestMoment) {
 TEST(RollingFriction, SpinDecaysAndEnds) {
   const double R = 0.1, sigma = 2e-4, h = 1e-2;
   const double slower = sigma * kGravity * h / (0.4 * R * R);
-  const MomentSolution spins =
-      solve_moments(rolling_friction_problem_of(ball(0.3, Vec3::Zero(), Vec3(0, 0, 3), h), 0, sigma));
+  const RollingFrictionSolution spins = solve_rolling_friction(
+      rolling_friction_problem_of(ball(0.3, Vec3::Zero(), Vec3(0, 0, 3), h), 0, sigma));
   ASSERT_TRUE(spins.converged);
   EXPECT_NEAR(spins.w(5), 3 - slower, 1e-14);
-  const MomentSolution stops = solve_moments(
+  const RollingFrictionSolution stops = solve_rolling_friction(
       rolling_friction_problem_of(ball(0.3, Vec3::Zero(), Vec3(0, 0, -0.9 * slower), h), 0, sigma));
   EXPECT_NEAR(stops.w(5), 0, 1e-16);
   EXPECT_NEAR(stops.lambda(5), 0.9 * sigma * stops.lambda(2), 1e-18);
@@ -92,7 +92,7 @@ TEST(RollingFriction, TheThreeFrictionsOpposeEachItsOwnMotion) {
   const double mu = 0.2, rho = 1e-3, sigma = 2e-4, h = 1e-3;
   const RollingFrictionProblem problem =
       rolling_friction_problem_of(ball(mu, Vec3(0.3, 0.4, 0), Vec3(1, -2, 3), h), rho, sigma);
-  const MomentSolution s = solve_moments(problem);
+  const RollingFrictionSolution s = solve_rolling_friction(problem);
   ASSERT_TRUE(s.converged) << s.residual;
   const double normal = 2 * kGravity * h;
   EXPECT_NEAR(s.lambda(2), normal, 1e-15);
@@ -109,7 +109,7 @@ TEST(RollingFriction, WithoutMomentsItIsCoulombsProblem) {
     scene.contacts.pop_back();
     scene.bodies[0].v += 0.5 * random.vector();
     scene.bodies[0].omega = random.vector();
-    const MomentSolution s = solve_moments(rolling_friction_problem_of(scene, 0, 0));
+    const RollingFrictionSolution s = solve_rolling_friction(rolling_friction_problem_of(scene, 0, 0));
     const CoulombProblem problem = scenes::problem_of(scene);
     VecX lambda(9), w(9);
     for (Eigen::Index i = 0; i < 3; ++i) {
@@ -131,26 +131,27 @@ TEST(RollingFriction, HeapsOfBallsAndBoxesAreSolvedToRoundOff) {
       body.omega = random.vector();
     }
     const RollingFrictionProblem problem = rolling_friction_problem_of(scene, 0.02, 0.01);
-    const MomentSolution s = solve_moments(problem);
+    const RollingFrictionSolution s = solve_rolling_friction(problem);
     solved += s.converged ? 1 : 0;
     EXPECT_LE(s.residual, 1e-9) << trial;
-    EXPECT_EQ(s.residual, moment_residual(problem, s.lambda, s.w));
+    EXPECT_EQ(s.residual, rolling_friction_residual(problem, s.lambda, s.w));
     // Started from its own forces it is there at once.
-    EXPECT_LE(solve_moments(problem, s.lambda).residual, std::max(1e-12, s.residual)) << trial;
+    EXPECT_LE(solve_rolling_friction(problem, s.lambda).residual, std::max(1e-12, s.residual)) << trial;
   }
   EXPECT_GE(solved, 28);
 }
 
 TEST(RollingFriction, UnitsOfLengthAndMassDoNotMatter) {
   scenes::Scene scene = ball(0.2, Vec3(0.3, 0.4, 0), Vec3(1, -2, 3), 1e-3);
-  const MomentSolution metres = solve_moments(rolling_friction_problem_of(scene, 1e-3, 2e-4));
+  const RollingFrictionSolution metres =
+      solve_rolling_friction(rolling_friction_problem_of(scene, 1e-3, 2e-4));
   RollingFrictionProblem problem = rolling_friction_problem_of(scene, 1e-3 * 1000, 2e-4 * 1000);
   // Millimetres: velocities and ρ times 1000, A of forces and moments accordingly.
   for (Eigen::Index i = 0; i < 6; ++i) {
     if (i < 3) problem.b(i) *= 1000;
     for (Eigen::Index j = 0; j < 6; ++j) problem.A(i, j) *= (i < 3 ? 1000 : 1) * (j < 3 ? 1 : 1e-3);
   }
-  const MomentSolution millimetres = solve_moments(problem);
+  const RollingFrictionSolution millimetres = solve_rolling_friction(problem);
   for (Eigen::Index i = 0; i < 6; ++i)
     EXPECT_NEAR(millimetres.w(i), (i < 3 ? 1000 : 1) * metres.w(i), 1e-12 * (i < 3 ? 1000 : 1));
 }
@@ -159,7 +160,7 @@ TEST(RollingFriction, NumbersThatAreNoneAreNotSolved) {
   RollingFrictionProblem problem =
       rolling_friction_problem_of(ball(0.2, Vec3(0.3, 0.4, 0), Vec3::Zero(), 1e-3), 1e-3, 0);
   problem.b(0) = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(solve_moments(problem).converged);
+  EXPECT_FALSE(solve_rolling_friction(problem).converged);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace rigor {
 
 namespace {
 
-bool is_before(const NearBodies::Pair& p, const NearBodies::Pair& q) {
+bool is_pair_before(const NearBodies::Pair& p, const NearBodies::Pair& q) {
   return p.a != q.a ? p.a < q.a : p.b < q.b;
 }
 
@@ -149,7 +149,8 @@ void NearBodies::put_in_order(const std::vector<std::vector<Pair>>& parts, const
   // Each is the next one's first place by now.
   executor.for_ranges(static_cast<int>(begin.size()), 512, [&](int from, int to) {
     for (int i = from; i < to; ++i)
-      std::sort(pairs_.begin() + (i == 0 ? 0 : begin[at(i - 1)]), pairs_.begin() + begin[at(i)], is_before);
+      std::sort(pairs_.begin() + (i == 0 ? 0 : begin[at(i - 1)]), pairs_.begin() + begin[at(i)],
+                is_pair_before);
   });
 }
 
@@ -195,9 +196,9 @@ void NearBodies::find_pairs_of(int body, const PairFilter& filter, std::vector<P
 
 /// Of the pairs before, those of escaped bodies are forgotten.
 void NearBodies::merge_found() {
-  std::sort(found_.begin(), found_.end(), is_before);
+  std::sort(found_.begin(), found_.end(), is_pair_before);
   std::erase_if(pairs_, [&](const Pair& pair) { return is_out_[at(pair.a)] || is_out_[at(pair.b)]; });
-  merge_into(found_, is_before, pairs_);
+  merge_into(found_, is_pair_before, pairs_);
 }
 
 }  // namespace rigor

@@ -1,5 +1,6 @@
 #include "rigor/bulk/broad_phase/unbounded_shapes.hpp"
 
+#include "rigor/bulk/state/bulk_shape.hpp"
 #include "rigor/core/index.hpp"
 
 #include <algorithm>
@@ -10,14 +11,13 @@ namespace rigor {
 
 namespace {
 
-using Float3 = Eigen::Vector3f;
 using FloatRows = Eigen::Matrix<float, 3, 3, Eigen::RowMajor>;
 
-Float3 load(const float* p) {
-  return Float3(p[0], p[1], p[2]);
+Vec3f vector_at(const float* p) {
+  return Vec3f(p[0], p[1], p[2]);
 }
 
-void store(const Vec3& a, float* p) {
+void store_vector(const Vec3& a, float* p) {
   for (int k = 0; k < 3; ++k) p[k] = static_cast<float>(a[k]);
 }
 
@@ -33,7 +33,8 @@ UnboundedShape make_unbounded_shape(int body, int shape_index, const BodyShape& 
 
 UnboundedPlace place_of(const UnboundedShape& shape, const BulkBodies& bodies, const Vec3& origin) {
   const std::size_t k = at(shape.body);
-  const Vec3 v = load(bodies.motion[k].v).cast<double>(), w = load(bodies.motion[k].w).cast<double>();
+  const Vec3 v = vector_at(bodies.motion[k].v).cast<double>(),
+             w = vector_at(bodies.motion[k].w).cast<double>();
   const Vec3 normal_W = bodies.q[k] * shape.normal_B;
   Vec3 arm = bodies.q[k] * shape.point_B;
   // A plane goes by its point nearest to the origin, where few digits are lost.
@@ -44,31 +45,31 @@ UnboundedPlace place_of(const UnboundedShape& shape, const BulkBodies& bodies, c
   const Vec3 point = bodies.x[k] + arm - origin;
   constexpr double roundings = 1e-6;
   UnboundedPlace place;
-  store(point, place.point);
-  store(normal_W, place.normal);
-  store(v + w.cross(arm), place.u);
-  store(w, place.w);
+  store_vector(point, place.point);
+  store_vector(normal_W, place.normal);
+  store_vector(v + w.cross(arm), place.u);
+  store_vector(w, place.w);
   place.slack = static_cast<float>(roundings * (point.norm() + shape.radius));
   return place;
 }
 
 float approach_bound(const UnboundedPlace& a, const ShapePlace& b, float h) {
-  const Float3 d = load(b.center) - load(a.point), w = load(a.w);
-  const Float3 u = load(b.u) - load(a.u) - w.cross(d);
-  return h * (u.norm() + (load(b.w) - w).norm() * b.bound->reach);
+  const Vec3f d = vector_at(b.center) - vector_at(a.point), w = vector_at(a.w);
+  const Vec3f u = vector_at(b.u) - vector_at(a.u) - w.cross(d);
+  return h * (u.norm() + (vector_at(b.w) - w).norm() * b.bound->reach);
 }
 
 bool may_be_within(const UnboundedShape& shape, const UnboundedPlace& a, const ShapePlace& b,
                    const Quat& q_WB, float margin) {
   const ShapeBound& bound = *b.bound;
-  const Float3 d = load(b.center) - load(a.point);
+  const Vec3f d = vector_at(b.center) - vector_at(a.point);
   const float near = margin + a.slack + b.slack + bound.radius;
   if (shape.is_cavity) return static_cast<float>(shape.radius) - d.norm() - bound.reach <= near;
-  const Float3 n = load(a.normal);
+  const Vec3f n = vector_at(a.normal);
   if (n.dot(d) - bound.reach > near) return false;
   const BoxAxes axes = axes_of(bound, q_WB);
-  const Float3 along = Eigen::Map<const FloatRows>(axes.row).transpose() * n;
-  const float extent = along.cwiseAbs().dot(load(bound.half));
+  const Vec3f along = Eigen::Map<const FloatRows>(axes.row).transpose() * n;
+  const float extent = along.cwiseAbs().dot(vector_at(bound.half));
   return n.dot(d) - std::min(extent, bound.reach) <= near;
 }
 

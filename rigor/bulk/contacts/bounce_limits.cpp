@@ -1,6 +1,7 @@
 #include "rigor/bulk/contacts/bounce_limits.hpp"
 
 #include "rigor/bulk/contacts/contact_measures.hpp"
+#include "rigor/bulk/state/vector_of.hpp"
 #include "rigor/core/index.hpp"
 
 #include <algorithm>
@@ -9,10 +10,6 @@
 namespace rigor {
 
 namespace {
-
-Vec3 vector_of(const float* p) {
-  return Vec3(p[0], p[1], p[2]);
-}
 
 /// Work of the forces of a step on a body [J].
 double work_of_forces(const Model& model, int body, const MotionRow& acceleration, const BulkBodies& bodies) {
@@ -40,6 +37,7 @@ void BounceLimits::begin(const BulkBodies& bodies, const Executor& executor) {
 
 void BounceLimits::limit(const BulkBodies& bodies, const std::vector<MotionRow>& accelerations,
                          const Executor& executor, BulkContacts& contacts) {
+  // What each body has lost: E(begin) - E(now), with the work of forces in it.
   executor.for_ranges(bodies.count(), 256, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       if (!bodies.is_dynamic(i)) continue;
@@ -47,6 +45,8 @@ void BounceLimits::limit(const BulkBodies& bodies, const std::vector<MotionRow>&
           work_of_forces(*model_, i, accelerations[at(i)], bodies) - kinetic_energy_now(*model_, i, bodies);
     }
   });
+
+  // The sum over each island, with the work of bodies that move as they must.
   islands_.build(contacts.manifolds());
   std::fill(lost_.begin(), lost_.end(), 0);
   std::fill(wanted_.begin(), wanted_.end(), 0);
@@ -59,6 +59,8 @@ void BounceLimits::limit(const BulkBodies& bodies, const std::vector<MotionRow>&
   contacts.for_contacts([&](const SolvedManifold& manifold, const ManifoldMemory&, bool) {
     lost_[island_of(manifold.body_A, manifold.body_B)] += work_of_mover(manifold, bodies);
   });
+
+  // What the bounces of an island want, and the share that each of them gets.
   contacts.for_bounces(
       [&](int body_A, int body_B, double& most) { wanted_[island_of(body_A, body_B)] += most; });
   contacts.for_bounces([&](int body_A, int body_B, double& most) {

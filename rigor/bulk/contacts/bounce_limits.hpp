@@ -10,7 +10,7 @@
 namespace rigor {
 
 /// What bounces may give back: at most what the step has taken. Sums over manifolds by the impulses and
-/// velocities of a step know its dissipation up to what bodies turn and fall within it; so the bodies are
+/// velocities of a step know its dissipation, rotations and falls within the step aside; so the bodies are
 /// asked. With E the kinetic energy of an island less the work of forces and of bodies that move as they
 /// must, all bounces of the island get together at most E(begin) - E(now): no step with a bounce ends with
 /// more energy than it began.
@@ -18,7 +18,7 @@ class BounceLimits {
  public:
   explicit BounceLimits(const Model& model);
 
-  /// At the begin of a step.
+  /// At the beginning of a step.
   void begin(const BulkBodies& bodies, const Executor& executor);
   /// After the last substep, with the bounces of the contacts found: lessens what they may give back.
   /// accelerations: of the forces in the step.

@@ -35,6 +35,7 @@ void BulkContacts::colour(const BulkBodies& bodies) {
 
 template <class IsSwept>
 void BulkContacts::colour_those(const BulkBodies& bodies, const IsSwept& is_swept) {
+  // Pairs in their order; bodies that stand still may be in many manifolds of a colour.
   colouring_.begin(manifolds_.size());
   has_restitution_ = false;
   for (std::size_t i = 0; i < manifolds_.size(); ++i) {
@@ -53,12 +54,17 @@ void BulkContacts::colour_those(const BulkBodies& bodies, const IsSwept& is_swep
 
 void BulkContacts::prepare(const BulkBodies& bodies, double h, const DirectIslands& direct,
                            const Executor& executor) {
+  // Manifolds of islands that are solved directly get no block.
   if (direct.island_count() > 0)
     colour_those(bodies, [&](int a, int b) { return !direct.holds(a) && !direct.holds(b); });
   blocks_.arrange(colouring_.now());
+
+  // Springs (docs/theory/bulk.md, section 3).
   const double frequency = contact_frequency_a_substep / h;
   const Softness between_moving = make_softness(frequency, contact_damping, h);
   const Softness on_ground = make_softness(2 * frequency, contact_damping, h);
+
+  // Eight manifolds a block.
   executor.for_ranges(blocks_.count(), 16, [&](int begin, int end) {
     blocks_.for_blocks(begin, end, [&](auto& block, int number) {
       std::array<BlockLane, kLaneCount> lanes;
@@ -149,6 +155,7 @@ void BulkContacts::bounce_apart(const Model& model, BulkBodies& bodies, const Ex
 
 void BulkContacts::remember(const BulkBodies& bodies, double h, int substeps, const Executor& executor,
                             ManifoldMemories& memory) {
+  // Room for what each manifold keeps.
   const bool has_energy = blocks_.has_totals();
   memory.arrange(manifolds_.size(), [&](std::size_t i) {
     const ShapePair& pair = manifolds_.pair(i);
@@ -158,10 +165,14 @@ void BulkContacts::remember(const BulkBodies& bodies, double h, int substeps, co
     const int points = manifolds_.point_count(i);
     return ManifoldMemories::Layout{points, has_shapes, has_moments || points > 1, has_moments, has_energy};
   });
+
+  // Those of islands that were solved directly: DirectIslands writes their impulses.
   for (std::size_t i = 0; !is_all_swept_ && i < manifolds_.size(); ++i) {
     memory.put(i, manifolds_.key(i));
     if (has_energy) memory.set_energy(i, 0);
   }
+
+  // Impulses of the last substep, and the energies of the springs.
   const auto for_lanes = [&](int number, const auto& work) {
     for (int lane = 0; lane < kLaneCount; ++lane) {
       const int manifold = manifold_of(number, lane);
@@ -174,7 +185,7 @@ void BulkContacts::remember(const BulkBodies& bodies, double h, int substeps, co
         const ShapePair& pair = manifolds_.pair(i);
         const ManifoldView found = manifolds_.view(i);
         const ManifoldMemories::Slot slot =
-            memory.put_key(i, {pair.body_A, pair.body_B, pair.shape_A, pair.shape_B, manifolds_.part(i)});
+            memory.put_key(i, {pair.body_A, pair.body_B, pair.shape_A, pair.shape_B, at(manifolds_.part(i))});
         for (int k = 0; k < found.point_count; ++k)
           slot.feature[k] = std::bit_cast<float>(found.points[k].feature);
         read_lane(block, lane, slot);

@@ -7,9 +7,9 @@
 #include "rigor/bulk/matching/manifold_blocks.hpp"
 #include "rigor/bulk/matching/step_manifolds.hpp"
 #include "rigor/bulk/state/bulk_bodies.hpp"
+#include "rigor/bulk/state/manifold_memories.hpp"
 #include "rigor/bulk/threads/executor.hpp"
 #include "rigor/core/index.hpp"
-#include "rigor/model/manifold_memory.hpp"
 
 #include <array>
 #include <cstddef>
@@ -22,7 +22,7 @@ class BulkContacts {
  public:
   explicit BulkContacts(const Model& model);
 
-  /// At the begin of a step: which manifolds there are and what is remembered of them
+  /// At the beginning of a step: which manifolds there are and what is remembered of them
   /// (StepManifolds::match).
   void match(const std::vector<ShapePair>& pairs, const ManifoldList& manifolds,
              const ManifoldMemories& memory, const Executor& executor);
@@ -97,7 +97,7 @@ class BulkContacts {
   }
 
   LaneTarget target_ = best_lane_target();
-  std::vector<bool> is_round_;  ///< Of bodies: they turn as easily about all axes, or not at all.
+  std::vector<bool> is_round_;  ///< Of bodies: their inertia is the same about all axes, or infinite.
   StepManifolds manifolds_;
   KeptColouring colouring_;  ///< Of the manifolds in blocks, by their numbers.
   BlockLists blocks_;

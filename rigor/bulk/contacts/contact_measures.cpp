@@ -1,19 +1,12 @@
 #include "rigor/bulk/contacts/contact_measures.hpp"
 
+#include "rigor/bulk/state/vector_of.hpp"
 #include "rigor/core/index.hpp"
 
 #include <algorithm>
 #include <cstddef>
 
 namespace rigor {
-
-namespace {
-
-Vec3 vector_of(const float* p) {
-  return Vec3(p[0], p[1], p[2]);
-}
-
-}  // namespace
 
 ManifoldWrench total_wrench(const SolvedManifold& manifold) {
   const ManifoldFrame& f = manifold.frame;
@@ -50,9 +43,11 @@ double spring_energy(const SolvedManifold& manifold, const BulkBodies& bodies, d
   const ManifoldFrame& f = manifold.frame;
   const MotionRecord& A = bodies.motion[at(manifold.body_A)];
   const MotionRecord& B = bodies.motion[at(manifold.body_B)];
-  const Vec3 turn_A = vector_of(A.dr), turn_B = vector_of(B.dr), turn = turn_B - turn_A;
-  const Vec3 moved = vector_of(B.dp) + turn_B.cross(f.rB) - vector_of(A.dp) - turn_A.cross(f.rA);
-  const double u0 = f.n.dot(moved), u1 = f.t1.dot(turn), u2 = f.t2.dot(turn);
+  // Displacements of the step that change the gaps, and the gaps after it: u_n of section 2 with
+  // displacements in place of velocities.
+  const Vec3 dr_A = vector_of(A.dr), dr_B = vector_of(B.dr), rotation = dr_B - dr_A;
+  const Vec3 moved = vector_of(B.dp) + dr_B.cross(f.rB) - vector_of(A.dp) - dr_A.cross(f.rA);
+  const double u0 = f.n.dot(moved), u1 = f.t1.dot(rotation), u2 = f.t2.dot(rotation);
   // At rest λ = -(mass_scale / (1 - mass_scale)) m bias_rate s, an impulse of h k |s|.
   const double stiffness_of_mass = manifold.mass_scale / (1 - manifold.mass_scale) * manifold.bias_rate / h;
   double energy = 0, work = 0;

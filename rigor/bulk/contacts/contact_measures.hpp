@@ -23,8 +23,8 @@ double work_of_mover(const SolvedManifold& manifold, const BulkBodies& bodies);
 double spring_energy(const SolvedManifold& manifold, const BulkBodies& bodies, double h, int substeps,
                      double held);
 
-/// The fastest approach of its points at the begin of the step [m/s], >= 0, of points that were pressed in
-/// it; 0 if none was.
+/// The fastest approach of its points at the beginning of the step [m/s], >= 0, of points that were pressed
+/// in it; 0 if none was.
 double approach_speed(const SolvedManifold& manifold);
 
 }  // namespace rigor

@@ -1,5 +1,6 @@
 #include "rigor/bulk/contacts/manifold_bounce.hpp"
 
+#include "rigor/bulk/state/vector_of.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/math/rotation.hpp"
 
@@ -14,13 +15,8 @@ namespace {
 
 /// A point that meets more slowly does not bounce [m/s].
 constexpr float bounce_speed = 1e-2f;
-/// Points of a manifold are solved this often one after the other. Each time what is left of the error falls
-/// to a third or less.
+/// Sweeps over the points of a manifold, one point after the other; each leaves a third of the error or less.
 constexpr int point_sweeps = 8;
-
-Vec3 vector_of(const float* p) {
-  return Vec3(p[0], p[1], p[2]);
-}
 
 /// u = (n·v, t1·ω, t2·ω) of ManifoldBlock, of one body alone: the point at (p1, p2) moves along n with
 /// u·(1, p2, -p1), and its impulse is that multiple of a force and two moments. r: from the centre of mass.
@@ -35,12 +31,12 @@ Mat3 matrix_of(const InverseInertia& I) {
   return m;
 }
 
-/// What a wrench (force along n, moments about t1 and t2) changes of a body's velocities: dv n and dw times
-/// it, with the inertia that contacts have.
+/// The response of a body's velocities to a wrench (force along n, moments about t1 and t2): dv n and dw
+/// times it, with the inertia that contacts have.
 struct WrenchResponse {
   double dv;
   Mat3 dw;
-  Mat3 K;  ///< And of u.
+  Mat3 K;  ///< That of u.
 };
 WrenchResponse response_of(const InverseInertia& inertia, const ManifoldFrame& f, const Vec3& r) {
   Mat3 J;
@@ -64,7 +60,7 @@ struct Cost {
   }
 };
 
-/// Adds the kinetic energy that a body gets by the change of its velocities, as it is turned now.
+/// Adds the kinetic energy that a body gets by the change of its velocities, in its present orientation.
 void add_cost(const Model& model, int body, const BulkBodies& bodies, const Vec3& dv, const Vec3& dw,
               Cost& cost) {
   const Mat3 R_BW = rotation_matrix(orientation_now(body, bodies)).transpose();
@@ -146,25 +142,30 @@ double energy_taken(const SolvedManifold& manifold, const BulkBodies& bodies) {
 std::array<float, Manifold::max_points> bounce(const Model& model, const SolvedManifold& manifold,
                                                double most, BulkBodies& bodies) {
   const ManifoldFrame& f = manifold.frame;
-  const std::array<int, 2> who{manifold.body_A, manifold.body_B};
+  const std::array<int, 2> indices{manifold.body_A, manifold.body_B};
+
+  // u of B against A, and its response K to a wrench on both.
   std::array<WrenchResponse, 2> responses;
   Vec3 u = Vec3::Zero();
   Mat3 K = Mat3::Zero();
   for (const bool is_B : {false, true}) {
-    const std::size_t body = at(who[is_B]);
+    const std::size_t body = at(indices[is_B]);
     responses[is_B] = response_of(bodies.inertia[body], f, is_B ? f.rB : f.rA);
     K += responses[is_B].K;
     u += (is_B ? 1 : -1) * normal_motion(f, is_B ? f.rB : f.rA, bodies.motion[body]);
   }
+
+  // Newton's law.
   const BounceImpulses found = find_impulses(manifold, u, K);
 
+  // What the whole change of the velocities would cost.
   Cost cost;
   std::array<Vec3, 2> dv, dw;
   for (const bool is_B : {false, true}) {
     const Vec3 wrench = (is_B ? 1 : -1) * found.wrench;
     dv[is_B] = responses[is_B].dv * wrench[0] * f.n;
     dw[is_B] = responses[is_B].dw * wrench;
-    const int body = who[is_B];
+    const int body = indices[is_B];
     if (bodies.is_dynamic(body)) {
       add_cost(model, body, bodies, dv[is_B], dw[is_B], cost);
     } else {
@@ -173,10 +174,12 @@ std::array<float, Manifold::max_points> bounce(const Model& model, const SolvedM
       cost.linear += wrench.dot(normal_motion(f, is_B ? f.rB : f.rA, motion));
     }
   }
+
+  // The part of it that the energy pays for.
   const double part = cost.affordable_part(most);
   for (const bool is_B : {false, true}) {
-    if (!bodies.is_dynamic(who[is_B])) continue;
-    add_velocity(part * dv[is_B], part * dw[is_B], bodies.motion[at(who[is_B])]);
+    if (!bodies.is_dynamic(indices[is_B])) continue;
+    add_velocity(part * dv[is_B], part * dw[is_B], bodies.motion[at(indices[is_B])]);
   }
   std::array<float, Manifold::max_points> impulses;
   for (std::size_t k = 0; k < Manifold::max_points; ++k)

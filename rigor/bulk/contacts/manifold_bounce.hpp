@@ -21,8 +21,8 @@ double energy_taken(const SolvedManifold& manifold, const BulkBodies& bodies);
 
 /// Lets the points of a manifold that bounce part at e times the speed at which they met (Newton), as far as
 /// that costs no more than the energy `most` [J]; other points that were pressed are held. The energy is that
-/// of the bodies as they are turned now, less the work of one that moves as it must. Changes velocities of
-/// its bodies; returns the normal impulses of the points [N s].
+/// of the bodies in their present orientations, less the work of one that moves as it must. Changes
+/// velocities of its bodies; returns the normal impulses of the points [N s].
 ///
 /// Source: Pfeiffer and Glocker, Multibody Dynamics with Unilateral Contacts, 1996, chapter 8, for Newton's
 /// law with several points; the bound of the energy is ours.

@@ -1,5 +1,5 @@
 // Makes blocks of manifolds (docs/theory/bulk.md, section 2). Included once for each target, after
-// manifold_kernels.inl.
+// manifold_lanes.inl.
 
 /// Inverse of the matrix ((a, c), (c, b)); zero where it is singular (nothing moves).
 RIGOR_FLOAT_LANES void invert(const FloatLanes& a, const FloatLanes& b, const FloatLanes& c,
@@ -23,23 +23,29 @@ RIGOR_FLOAT_LANES TwoSquares gather_fours(const std::array<const float*, kLaneCo
                     load_halves(from[2], from[6]), load_halves(from[3], from[7])});
 }
 
-/// Adds to K what the turning of one body makes of impulses at the centre and moments: r is the centre from
-/// that of the body, I its inverse inertia.
-RIGOR_FLOAT_LANES void add_turning(const BlockFrame& f, const FloatVec3& r, const FloatSym3& I, FloatSym3& vv,
-                                   FloatSym3& ww, FloatLanes (&vw)[3][3]) {
+/// Adds to K the response by the rotation of one body to impulses at the centre of the manifold and to
+/// moments, for the vectors e = n, t1, t2. r: the centre of the manifold from that of the body; I: its
+/// inverse inertia.
+RIGOR_FLOAT_LANES void add_rotation_response(const BlockFrame& f, const FloatVec3& r, const FloatSym3& I,
+                                             FloatSym3& vv, FloatSym3& ww, FloatLanes (&vw)[3][3]) {
   const FloatVec3 axes[3] = {f.n, f.t1, f.t2};
+  // r × e_i, and the angular velocities I⁻¹ (r × e_i) and I⁻¹ e_i.
   FloatVec3 arm[3], by_impulse[3], by_moment[3];
   for (int i = 0; i < 3; ++i) {
     arm[i] = fused_cross(r, axes[i]);
     by_impulse[i] = fused_product(I, arm[i]);
     by_moment[i] = fused_product(I, axes[i]);
   }
+
+  // V by F: (r × e_i) · I⁻¹ (r × e_j).
   vv = {vv.xx + fused_dot(arm[0], by_impulse[0]), vv.yy + fused_dot(arm[1], by_impulse[1]),
         vv.zz + fused_dot(arm[2], by_impulse[2]), vv.xy + fused_dot(arm[0], by_impulse[1]),
         vv.xz + fused_dot(arm[0], by_impulse[2]), vv.yz + fused_dot(arm[1], by_impulse[2])};
+  // Ω by T: e_i · I⁻¹ e_j.
   ww = {ww.xx + fused_dot(axes[0], by_moment[0]), ww.yy + fused_dot(axes[1], by_moment[1]),
         ww.zz + fused_dot(axes[2], by_moment[2]), ww.xy + fused_dot(axes[0], by_moment[1]),
         ww.xz + fused_dot(axes[0], by_moment[2]), ww.yz + fused_dot(axes[1], by_moment[2])};
+  // V by T: (r × e_i) · I⁻¹ e_j.
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) vw[i][j] = vw[i][j] + fused_dot(arm[i], by_moment[j]);
   }
@@ -51,15 +57,18 @@ struct LaneMobilities {
   FloatLanes mA, mB;
 };
 
-/// K, and the inverses that friction needs; of one point that does not turn its mass too.
+/// K, and the inverses that friction needs; of one point without moments its mass, too.
 template <class Block>
 RIGOR_FLOAT_LANES void find_responses(const BlockFrame& f, const LaneMobilities& own, Block& block) {
   const FloatLanes zero = splat(0);
+  // K = (1/mA + 1/mB) of the impulses, and the rotations of both bodies.
   const FloatLanes m = own.mA + own.mB;
   FloatSym3 vv = {m, m, m, zero, zero, zero}, ww = {zero, zero, zero, zero, zero, zero};
   FloatLanes vw[3][3] = {{zero, zero, zero}, {zero, zero, zero}, {zero, zero, zero}};
-  add_turning(f, f.rA, own.IA, vv, ww, vw);
-  add_turning(f, f.rB, own.IB, vv, ww, vw);
+  add_rotation_response(f, f.rA, own.IA, vv, ww, vw);
+  add_rotation_response(f, f.rB, own.IB, vv, ww, vw);
+
+  // The rows that the kind of block reads.
   put(vv.xy, block.Kvt[0]);
   put(vv.xz, block.Kvt[1]);
   invert(vv.yy, vv.zz, vv.yz, block.tangent_mass);
@@ -88,14 +97,17 @@ RIGOR_FLOAT_LANES FloatVec3 tangent(const FloatVec3& n) {
   return {fused(sign * n.x, n.x * a, one), sign * (n.x * n.y * a), -(sign * n.x)};
 }
 
-RIGOR_FLOAT_LANES void gather_inertia(const std::array<std::int32_t, kLaneCount>& who,
+RIGOR_FLOAT_LANES void gather_inertia(const std::array<std::int32_t, kLaneCount>& indices,
                                       const BulkBodies& bodies, const IntLanes& is_there, FloatSym3& I,
                                       FloatLanes& m) {
+  // Two loads of four floats a body: xx yy zz xy, then xz yz 1/m and one that is not used.
   std::array<const float*, kLaneCount> from;
-  for (std::size_t i = 0; i < kLaneCount; ++i) from[i] = &bodies.inertia.data()[who[i]].xx;
+  for (std::size_t i = 0; i < kLaneCount; ++i) from[i] = &bodies.inertia.data()[indices[i]].xx;
   const TwoSquares first = gather_fours(from);
   for (std::size_t i = 0; i < kLaneCount; ++i) from[i] += 4;
   const TwoSquares second = gather_fours(from);
+
+  // Empty lanes do not respond to anything.
   const FloatLanes zero = splat(0);
   I = {is_there ? first.a : zero, is_there ? first.b : zero,  is_there ? first.c : zero,
        is_there ? first.d : zero, is_there ? second.a : zero, is_there ? second.b : zero};
@@ -113,6 +125,7 @@ RIGOR_FLOAT_LANES void put_inertia(const FloatSym3& I, LaneArray (&rows)[1]) {
 template <class Block>
 RIGOR_FLOAT_LANES BlockFrame fill_geometry(std::span<const BlockLane> lanes, const FloatVec3& x_BA,
                                            const IntLanes& is_there, Block& block) {
+  // Empty lanes repeat the first manifold.
   const FloatLanes zero = splat(0), one = splat(1);
   std::array<const float*, kLaneCount> from;
   std::array<std::int32_t, kLaneCount> counts;
@@ -124,6 +137,8 @@ RIGOR_FLOAT_LANES BlockFrame fill_geometry(std::span<const BlockLane> lanes, con
   }
   IntLanes point_counts;
   std::memcpy(&point_counts, counts.data(), sizeof point_counts);
+
+  // The frame: the normal and two tangents.
   const TwoSquares normals = gather_fours(from);
   BlockFrame f;
   f.n = {normals.a, normals.b, normals.c};
@@ -132,12 +147,13 @@ RIGOR_FLOAT_LANES BlockFrame fill_geometry(std::span<const BlockLane> lanes, con
   put(f.n, block.n);
   put(f.t1, block.t1);
 
+  // The points, from the centre of body A; those that a manifold does not have get no mass.
   FloatVec3 p[count];
   FloatVec3 sum = {zero, zero, zero};
   for (std::size_t k = 0; k < count; ++k) {
     for (std::size_t i = 0; i < kLaneCount; ++i) {
       const ManifoldView& manifold = lanes[i < lanes.size() ? i : 0].manifold;
-      from[i] = manifold.points[k < static_cast<std::size_t>(counts[i]) ? k : 0].p;
+      from[i] = manifold.points[k < at(counts[i]) ? k : 0].p;
     }
     const TwoSquares point = gather_fours(from);
     const IntLanes is_point = is_there & (point_counts > static_cast<std::int32_t>(k));
@@ -146,11 +162,15 @@ RIGOR_FLOAT_LANES BlockFrame fill_geometry(std::span<const BlockLane> lanes, con
     put(is_point ? point.d : zero, block.points[k].gap);
     put(is_point ? one : zero, block.points[k].mass);
   }
+
+  // The centre of the manifold is the mean of its points.
   const FloatLanes per_count = one / __builtin_convertvector(point_counts, FloatLanes);
   f.rA = per_count * sum;
   f.rB = f.rA - x_BA;
   put(f.rA, block.rA);
   put(f.rB, block.rB);
+
+  // Where the points are in the frame, from the centre.
   if constexpr (Block::kind.turns()) {
     for (std::size_t k = 0; k < count; ++k) {
       const FloatVec3 arm = p[k] - f.rA;
@@ -165,9 +185,10 @@ RIGOR_FLOAT_LANES BlockFrame fill_geometry(std::span<const BlockLane> lanes, con
   return f;
 }
 
-/// Impulses that the points and their friction begin with.
+/// Impulses that the points and their friction begin with: those that the State remembers, in the new frame.
 template <class Block>
 RIGOR_FLOAT_LANES void fill_impulses(std::span<const BlockLane> lanes, const BlockFrame& f, Block& block) {
+  // Where the impulses of each lane lie; zeros where nothing is remembered.
   static constexpr float nothing[4] = {};
   std::array<std::array<float, Manifold::max_points>, kLaneCount> normal{};
   std::array<const float*, kLaneCount> from, friction, rolling;
@@ -182,9 +203,13 @@ RIGOR_FLOAT_LANES void fill_impulses(std::span<const BlockLane> lanes, const Blo
     twist[i] = memory.twist_impulse;
     if (memory.rolling_impulse_W != nullptr) rolling[i] = memory.rolling_impulse_W;
   }
+
+  // Of the points, which are found by their features.
   const TwoSquares normals = gather_fours(from);
   const FloatLanes of_points[Manifold::max_points] = {normals.a, normals.b, normals.c, normals.d};
   for (std::size_t k = 0; k < Block::point_count; ++k) put(of_points[k], block.impulses.normal(k));
+
+  // Of friction: remembered as vectors in W, since the tangents are made anew each step.
   const TwoSquares tangential = gather_fours(friction);
   const FloatVec3 friction_W = {tangential.a, tangential.b, tangential.c};
   put(fused_dot(f.t1, friction_W), block.impulses.tangent(0));
@@ -198,6 +223,7 @@ RIGOR_FLOAT_LANES void fill_impulses(std::span<const BlockLane> lanes, const Blo
   }
 }
 
+/// Coefficients of friction and the springs.
 template <class Block>
 RIGOR_FLOAT_LANES void fill_laws(std::span<const BlockLane> lanes, Block& block) {
   std::array<const float*, kLaneCount> surfaces, springs;
@@ -216,15 +242,15 @@ RIGOR_FLOAT_LANES void fill_laws(std::span<const BlockLane> lanes, Block& block)
   put(spring.b, block.mass_scale);
 }
 
-/// Masses of the points and normal velocities at the begin of the step.
+/// Masses of the points and normal velocities at the beginning of the step.
 template <class Block>
 RIGOR_FLOAT_LANES void fill_points(const BlockFrame& f, const BulkBodies& bodies, Block& block) {
   const LaneTwists A = gather_velocities(block.body_A, bodies);
   const LaneTwists B = gather_velocities(block.body_B, bodies);
   const FloatLanes zero = splat(0), speed = fused_dot(f.n, relative_motion(f, A, B));
   if constexpr (Block::kind.turns()) {
-    const FloatVec3 turn = B.w - A.w;
-    const NormalMotion u = {speed, fused_dot(f.t1, turn), fused_dot(f.t2, turn)};
+    const FloatVec3 spin = B.w - A.w;
+    const NormalMotion u = {speed, fused_dot(f.t1, spin), fused_dot(f.t2, spin)};
     for (std::size_t k = 0; k < Block::point_count; ++k) {
       BlockPoint& point = block.points[k];
       const FloatLanes p1 = lane(block.arms[k].p1), p2 = lane(block.arms[k].p2);
@@ -237,8 +263,11 @@ RIGOR_FLOAT_LANES void fill_points(const BlockFrame& f, const BulkBodies& bodies
   }
 }
 
+/// Makes a block: section 2.
 template <BlockKind kind>
 void fill(std::span<const BlockLane> lanes, const BulkBodies& bodies, ManifoldBlock<kind>& block) {
+  // Which bodies the lanes have, which of them respond, and where B is from A; empty lanes have those of the
+  // first.
   std::array<std::int32_t, kLaneCount> there{};
   float x_BA[3][kLaneCount];
   block.moves_A = block.moves_B = 0;
@@ -246,7 +275,7 @@ void fill(std::span<const BlockLane> lanes, const BulkBodies& bodies, ManifoldBl
     const BlockLane& own = lanes[i < lanes.size() ? i : 0];
     block.body_A[i] = own.body_A;
     block.body_B[i] = own.body_B;
-    const std::size_t a = static_cast<std::size_t>(own.body_A), b = static_cast<std::size_t>(own.body_B);
+    const std::size_t a = at(own.body_A), b = at(own.body_B);
     for (std::size_t k = 0; k < 3; ++k) {
       const Eigen::Index axis = static_cast<Eigen::Index>(k);
       x_BA[k][i] = static_cast<float>(bodies.x[b][axis] - bodies.x[a][axis]);
@@ -258,8 +287,12 @@ void fill(std::span<const BlockLane> lanes, const BulkBodies& bodies, ManifoldBl
   }
   IntLanes is_there;
   std::memcpy(&is_there, there.data(), sizeof is_there);
+
+  // Nothing has been pressed or has moved yet.
   for (std::uint8_t& pressed : block.pressed) pressed = 0;
   for (LaneArray& moved : block.moved) put(splat(0), moved);
+
+  // The bodies' inertia, the frame and the points, impulses, laws, and the responses of it all.
   LaneMobilities own;
   gather_inertia(block.body_A, bodies, is_there, own.IA, own.mA);
   gather_inertia(block.body_B, bodies, is_there, own.IB, own.mB);

@@ -1,5 +1,6 @@
 #include "rigor/bulk/direct/direct_islands.hpp"
 
+#include "rigor/bulk/state/vector_of.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/solver/motion/motion_problem.hpp"
 
@@ -20,14 +21,10 @@ constexpr int most_bodies = 64;
 constexpr double least_mass_ratio = 10;
 /// Slower approaches do not bounce, as in the sweeps [m/s].
 constexpr double bounce_speed = 1e-2;
-/// Of an overlap that is put back in a step.
+/// The part of an overlap that is put back in a step.
 constexpr double put_back = 0.2;
-/// Of the size of the smallest body: overlaps that stay.
+/// Overlaps that stay, as a part of the size of the smallest body.
 constexpr double tolerated_overlap = 1e-5;
-
-Vec3 vector_of(const float* p) {
-  return Vec3(p[0], p[1], p[2]);
-}
 
 void set_floats(const Vec3& a, float* p) {
   for (int k = 0; k < 3; ++k) p[k] = static_cast<float>(a[k]);
@@ -48,6 +45,7 @@ Mat6 block_diagonal(double linear, const Mat3& angular) {
   return block;
 }
 
+/// Rows of J for one body: the velocity at r from its centre along the axes of the frame, positive for B.
 ContactRows::Block rows_of(const Mat3& frame, const Vec3& r, double sign) {
   ContactRows::Block J;
   for (Index k = 0; k < 3; ++k) {
@@ -68,10 +66,11 @@ void append(const Vec3& part, VecX& whole) {
   whole.tail<3>() = part;
 }
 
-/// Of the points of a manifold over the whole step, in the frame; the friction is shared as the normal
-/// impulses are.
+/// Impulses of the points of a manifold over the whole step, in the frame, as they are remembered: the
+/// friction is shared out in proportion to the normal impulses.
 std::vector<Vec3> step_impulses(const ManifoldMemories::View& memory, const ManifoldView& manifold,
                                 const Mat3& frame, int substeps) {
+  // Normal impulses, which are remembered of one substep and by the features of the points.
   std::vector<Vec3> impulses(at(manifold.point_count), Vec3::Zero());
   if (!memory.is_there()) return impulses;
   double pressed = 0;
@@ -80,12 +79,14 @@ std::vector<Vec3> step_impulses(const ManifoldMemories::View& memory, const Mani
     pressed += impulses[k].z();
   }
   if (!(pressed > 0)) return impulses;
+
+  // Friction, which is remembered of the manifold.
   const Vec3 friction = substeps * (frame * vector_of(memory.friction_impulse_W));
   for (Vec3& impulse : impulses) impulse.head<2>() = impulse.z() / pressed * friction.head<2>();
   return impulses;
 }
 
-/// Without impulses, at the velocities of the bodies.
+/// The contact of a manifold without its impulses; approach_speed: at the present velocities of the bodies.
 BulkContact contact_of(const StepManifolds& manifolds, std::size_t i, const BulkBodies& bodies) {
   const ShapePair& pair = manifolds.pair(i);
   const ManifoldView manifold = manifolds.view(i);
@@ -96,6 +97,8 @@ BulkContact contact_of(const StepManifolds& manifolds, std::size_t i, const Bulk
   contact.n_W = vector_of(manifold.normal);
   contact.point_count = manifold.point_count;
   contact.center_W = contact.friction_impulse_W = contact.friction_moment_W = Vec3::Zero();
+
+  // The points, their centre, and the fastest approach of one of them.
   const Vec3& x_A = bodies.x[at(pair.body_A)];
   const Vec3& x_B = bodies.x[at(pair.body_B)];
   contact.approach_speed = 0;
@@ -117,7 +120,7 @@ bool is_driven(const ShapePair& pair, const BulkBodies& bodies) {
   return moves(pair.body_A) || moves(pair.body_B);
 }
 
-/// Whether its bodies meet so fast that they part again.
+/// Whether the bodies of a manifold meet so fast that they part again.
 bool bounces(const StepManifolds& manifolds, std::size_t i, const BulkBodies& bodies) {
   if (!(manifolds.surface(i).restitution > 0)) return false;
   const ManifoldView manifold = manifolds.view(i);
@@ -131,7 +134,7 @@ bool bounces(const StepManifolds& manifolds, std::size_t i, const BulkBodies& bo
   return false;
 }
 
-/// Impulses of its points, three each along the rows of the frame.
+/// Gives a contact the impulses of its points: lambda has three each, along the rows of the frame.
 void set_impulses(const VecX& lambda, const Mat3& frame, BulkContact& contact) {
   bool is_pressed = false;
   for (int k = 0; k < contact.point_count; ++k) {
@@ -145,7 +148,7 @@ void set_impulses(const VecX& lambda, const Mat3& frame, BulkContact& contact) {
   if (!is_pressed) contact.approach_speed = 0;
 }
 
-/// Nothing if it was not solved to 1e-9 of its terms.
+/// The impulses λ of section 6; nothing if the problem was not solved to 1e-9 of its terms.
 std::optional<VecX> solve_impulses(const MotionProblem& problem, const VecX& start) {
   CoulombOptions options;
   options.tolerance = 1e-9;
@@ -159,6 +162,7 @@ std::optional<VecX> solve_impulses(const MotionProblem& problem, const VecX& sta
 
 DirectIslands::DirectIslands(const Model& model)
     : model_(&model), towers_(model), is_tied_(at(model.body_count()), false), islands_(model) {
+  // Whether a heavy body may come to rest on a light one at all.
   double least = std::numeric_limits<double>::infinity(), most = 0;
   for (const Body& body : model.bodies()) {
     if (body.motion != MotionType::dynamic) continue;
@@ -166,6 +170,8 @@ DirectIslands::DirectIslands(const Model& model)
     most = std::max(most, body.mass);
   }
   masses_differ_ = most >= least_mass_ratio * least;
+
+  // Bodies that joints or springs hold.
   for (int i = 0; i < static_cast<int>(model.joints().size()); ++i) {
     for (const int body : model.bodies_of_joint(i)) is_tied_[at(body)] = true;
   }
@@ -192,11 +198,15 @@ std::vector<DirectIslands::Island> DirectIslands::find_islands(const StepManifol
     double mass_of_tower = std::numeric_limits<double>::infinity();  // From which on one would be slender.
     int number = -1;                                                 // Among those found.
   };
+
+  // The number of bodies of each island.
   std::vector<Summary> summaries(at(bodies.count()));  // By the lowest body.
   for (int i = 0; i < bodies.count(); ++i) {
     if (bodies.is_dynamic(i)) ++summaries[at(islands_.island_of(i))].body_count;
   }
-  // Masses are far from each other in memory: few are asked.
+
+  // The masses of those that are small enough. (Masses lie far from each other in memory, so only these are
+  // read.)
   std::vector<int> candidates;
   for (int i = 0; i < bodies.count(); ++i) {
     if (!bodies.is_dynamic(i)) continue;
@@ -209,6 +219,8 @@ std::vector<DirectIslands::Island> DirectIslands::find_islands(const StepManifol
     island.most_mass = std::max(island.most_mass, mass);
     island.mass_of_tower = std::min(island.mass_of_tower, towers_.least_mass(i));
   }
+
+  // Islands of heavy bodies on light ones, or with the weight of a slender tower, and their bodies.
   std::vector<Island> found;
   for (const int i : candidates) {
     Summary& island = summaries[at(islands_.island_of(i))];
@@ -221,6 +233,8 @@ std::vector<DirectIslands::Island> DirectIslands::find_islands(const StepManifol
     found[at(island.number)].bodies.push_back(i);
   }
   if (found.empty()) return found;
+
+  // Their manifolds.
   for (std::size_t i = 0; i < manifolds.size(); ++i) {
     const int body = bodies.is_dynamic(manifolds.body_A(i)) ? manifolds.body_A(i) : manifolds.body_B(i);
     const int number = summaries[at(islands_.island_of(body))].number;
@@ -231,11 +245,14 @@ std::vector<DirectIslands::Island> DirectIslands::find_islands(const StepManifol
 
 bool DirectIslands::is_taken(const StepManifolds& manifolds, const Island& island,
                              const BulkBodies& bodies) const {
+  // Its bodies: free of joints and springs, heavy on light or a column.
   if (island.manifolds.empty()) return false;
   for (const int body : island.bodies) {
     if (is_tied_[at(body)]) return false;
   }
   if (!island.is_heavy_on_light && !is_column(manifolds, island, bodies)) return false;
+
+  // Its manifolds: with laws that the problem has.
   return std::none_of(island.manifolds.begin(), island.manifolds.end(), [&](std::size_t i) {
     const ManifoldSurface& surface = manifolds.surface(i);
     return surface.rolling_friction > 0 || surface.torsional_friction > 0 ||
@@ -302,13 +319,15 @@ struct DirectIslands::Problem {
     append(prescribed, given);
     append(impulse, start);
   }
-  /// Relative velocities at these of the bodies, with what gaps allow: of an overlap this share is put back.
+  /// u + max(s, 0)/h at the velocities V_bodies: relative velocities, with what gaps allow. Of an overlap s <
+  /// 0 this share is put back.
   VecX rates(const VecX& V_bodies, double h, double share) const {
     VecX b = contact_rates(motion.rows, V_bodies) + given;
     for (std::size_t i = 0; i < gaps.size(); ++i)
       b[3 * static_cast<Index>(i) + 2] += (gaps[i] > 0 ? gaps[i] : share * gaps[i]) / h;
     return b;
   }
+  /// V + M⁻¹ Jᵀ λ.
   VecX velocities_after(const VecX& V_bodies, const VecX& lambda) const {
     return V_bodies + node_accelerations(motion.rows, contact_wrenches(motion.rows, lambda));
   }
@@ -316,6 +335,7 @@ struct DirectIslands::Problem {
 
 DirectIslands::Problem DirectIslands::problem_of(const DirectStep& step, const Island& island,
                                                  const BulkBodies& bodies) const {
+  // The bodies: masses, and velocities at the end of the step without contacts.
   Problem problem;
   for (const int i : island.bodies) {
     const Body& body = model_->body(i);
@@ -328,6 +348,8 @@ DirectIslands::Problem DirectIslands::problem_of(const DirectStep& step, const I
     append(vector_of(bodies.motion[at(i)].v) + vector_of(change.data()), problem.V);
     append(vector_of(bodies.motion[at(i)].w) + vector_of(change.data() + 4), problem.V);
   }
+
+  // The points: rows along two tangents and the normal on each dynamic body; other bodies move as prescribed.
   for (const std::size_t i : island.manifolds) {
     const ManifoldView manifold = step.manifolds.view(i);
     const int a = step.manifolds.body_A(i), b = step.manifolds.body_B(i);
@@ -359,7 +381,7 @@ DirectIslands::Problem DirectIslands::problem_of(const DirectStep& step, const I
   return problem;
 }
 
-/// Least radius of its bodies about their centres [m].
+/// The size of its smallest body: the radius about the centre of mass [m].
 double DirectIslands::size_of(const Island& island) const {
   double size = std::numeric_limits<double>::infinity();
   for (const int body : island.bodies) size = std::min(size, model_->body(body).bounding_radius);
@@ -368,20 +390,25 @@ double DirectIslands::size_of(const Island& island) const {
 
 bool DirectIslands::solve_island(const DirectStep& step, const Island& island, BulkBodies& bodies) {
   Problem problem = problem_of(step, island, bodies);
-  std::vector<BulkContact> contacts;  // As they are at the velocities of the begin.
+  std::vector<BulkContact> contacts;  // At the velocities of the beginning.
   for (const std::size_t i : island.manifolds) contacts.push_back(contact_of(step.manifolds, i, bodies));
+
+  // Moreau's step: the velocities that Coulomb's law allows at the end of the step.
   problem.motion.laws.b = problem.rates(problem.V, step.h, 0);
   const std::optional<VecX> lambda = solve_impulses(problem.motion, problem.start);
   if (!lambda) return false;
   const VecX V_end = problem.velocities_after(problem.V, *lambda);
+
+  // Overlaps are put back by displacements alone: velocities without friction that end with the step.
   VecX V_moved = V_end;
-  // Overlaps are put back by displacements alone.
   if (*std::min_element(problem.gaps.begin(), problem.gaps.end()) < -tolerated_overlap * size_of(island)) {
     problem.motion.laws.mu.assign(problem.gaps.size(), 0.0);
     problem.motion.laws.b = problem.rates(V_end, step.h, put_back);
     if (const std::optional<VecX> push = solve_impulses(problem.motion, VecX()))
       V_moved = problem.velocities_after(V_end, *push);
   }
+
+  // The bodies move with these; the velocities of the end wait for finish().
   for (std::size_t k = 0; k < island.bodies.size(); ++k) {
     const Index six = 6 * static_cast<Index>(k);
     EndVelocity& end = ends_.emplace_back();
@@ -392,6 +419,8 @@ bool DirectIslands::solve_island(const DirectStep& step, const Island& island, B
     set_floats(V_moved.segment<3>(six), motion.v);
     set_floats(V_moved.segment<3>(six + 3), motion.w);
   }
+
+  // What acted at the contacts.
   Index first = 0;
   for (std::size_t k = 0; k < island.manifolds.size(); ++k) {
     const Index rows = 3 * static_cast<Index>(contacts[k].point_count);

@@ -5,8 +5,8 @@
 #include "rigor/bulk/matching/step_manifolds.hpp"
 #include "rigor/bulk/state/bulk_bodies.hpp"
 #include "rigor/bulk/state/bulk_contact.hpp"
+#include "rigor/bulk/state/manifold_memories.hpp"
 #include "rigor/core/index.hpp"
-#include "rigor/model/manifold_memory.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -14,23 +14,23 @@
 
 namespace rigor {
 
-/// What DirectIslands are given.
+/// What DirectIslands need to know of a step.
 struct DirectStep {
   double h;                                   ///< Of the whole step [s].
-  int substeps;                               ///< What is remembered is of one of them.
+  int substeps;                               ///< Remembered impulses are those of one of them.
   const StepManifolds& manifolds;             ///< In the order of keys.
   std::function<MotionRow(int)> free_change;  ///< Of a body's velocity within the step, without contacts.
 };
 
-/// Islands that sweeps do not carry. Where heavy bodies rest on light ones, sweeps bring the weight to the
+/// Islands that sweeps cannot hold. Where heavy bodies rest on light ones, sweeps bring the weight to the
 /// ground only after about (height × ratio) of them, and the stack comes down meanwhile; a slender tower
-/// buckles on the springs of its contacts. The contacts of such an island are solved exactly, in 64 bits,
+/// buckles on the springs of its contacts. So the contacts of such an island are solved exactly, in 64 bits,
 /// once a step: velocities that Coulomb's law allows at its end (Moreau's step, docs/theory/bulk.md, section
 /// 6), and displacements with them.
 ///
-/// Taken are islands of at most 64 bodies with masses that differ by a factor of ten, or of SlenderTowers
-/// each of whose bodies touches at most two others; without joints, springs, rolling and torsional friction,
-/// moving kinematic bodies and without a bounce in this step.
+/// It takes islands of at most 64 bodies with masses that differ by a factor of ten, and SlenderTowers each
+/// of whose bodies touches at most two others: those without joints, springs, rolling and torsional friction,
+/// moving kinematic bodies, and without a bounce in this step.
 class DirectIslands {
  public:
   explicit DirectIslands(const Model& model);
@@ -38,23 +38,23 @@ class DirectIslands {
   /// Whether islands may be taken: masses differ so much, or there are slender towers. memory: of the step
   /// before; substep [s].
   bool may_be_needed(const ManifoldMemories& memory, double substep);
-  /// Nothing is solved in this step.
+  /// Forgets the islands: none is solved in this step.
   void clear();
-  /// Which islands are to be solved.
+  /// Finds the islands that are to be solved.
   void find(const StepManifolds& manifolds, const BulkBodies& bodies);
   bool has_found_any() const { return !found_.empty(); }
-  /// Then solves those that can be: their bodies get the velocities that their displacements in the step
-  /// have.
+  /// Solves those of them that can be: their bodies get the velocities of their displacements in the step.
   void solve(const DirectStep& step, BulkBodies& bodies);
   /// Whether a body was in a solved island: then nothing else may change its velocity in this step.
   bool holds(int body) const { return !is_held_.empty() && is_held_[at(body)]; }
-  /// That were solved.
+  /// The number of islands that were solved.
   int island_count() const { return island_count_; }
   /// Gives the bodies their velocities at the end of the step.
   void finish(BulkBodies& bodies) const;
-  /// What acted in the solved islands.
+  /// The contacts of the solved islands, with their impulses.
   const std::vector<BulkContact>& contacts() const { return contacts_; }
-  /// Impulses of one of the substeps into the memories of their manifolds (all, in the order of find()).
+  /// Writes impulses of one substep into the memories of their manifolds; memory: of all manifolds, in the
+  /// order of find().
   void remember(int substeps, ManifoldMemories& memory) const;
 
  private:
@@ -64,7 +64,7 @@ class DirectIslands {
     bool is_heavy_on_light = false;
   };
   struct Problem;
-  /// Small enough, and of masses that differ or with a slender tower.
+  /// Islands that are small enough, and have masses that differ or may be a slender tower.
   std::vector<Island> find_islands(const StepManifolds& manifolds, const BulkBodies& bodies);
   bool is_taken(const StepManifolds& manifolds, const Island& island, const BulkBodies& bodies) const;
   bool is_column(const StepManifolds& manifolds, const Island& island, const BulkBodies& bodies) const;

@@ -12,18 +12,19 @@ namespace rigor {
 
 namespace {
 
+/// The sum of the normal impulses of a manifold [N s].
 float pressure(const ManifoldMemories::View& memory) {
   float sum = 0;
   for (int k = 0; k < memory.point_count; ++k) sum += memory.normal_impulse[k];
   return sum;
 }
 
-/// Whether the body is the first of two pairs with other dynamic bodies: then it is no tower's. Pairs are in
-/// the order of their first bodies.
+/// Whether the body is the first of two pairs with different dynamic bodies: then it is not the lowest of a
+/// tower. Pairs are in the order of their first bodies.
 bool meets_two(const ManifoldMemories& memory, const std::vector<std::uint8_t>& is_dynamic, int body) {
   int other = -1;
-  for (std::size_t i = memory.find_from({body, -1, -1, -1, -1});
-       i < memory.size() && memory.body_A(i) == body; ++i) {
+  for (std::size_t i = memory.find_from({.body_A = body}); i < memory.size() && memory.body_A(i) == body;
+       ++i) {
     if (is_dynamic[at(memory.body_B(i))] == 0 || memory.body_B(i) == other) continue;
     if (other >= 0) return true;
     other = memory.body_B(i);
@@ -44,9 +45,13 @@ SlenderTowers::SlenderTowers(const Model& model) : gravity_(model.g_W().norm()) 
 bool SlenderTowers::may_be_there(const ManifoldMemories& memory, double substep) {
   least_mass_.clear();
   if (!(gravity_ > 0)) return false;
+
+  // Cubes of the side a buckle from (ω² a/g)^(1/3) of them on.
   const double omega = 2 * std::numbers::pi * contact_frequency_a_substep / substep;
   const float cube = static_cast<float>(omega * omega / gravity_);  // Of the number that buckles, by size.
   const float h = static_cast<float>(substep);
+
+  // Bodies that press on what stands still with the weight of more than two thirds of that number of bodies.
   for (std::size_t i = 0; i < memory.size(); ++i) {
     const int a = memory.body_A(i), b = memory.body_B(i);
     if (is_dynamic_[at(a)] == is_dynamic_[at(b)]) continue;
@@ -62,14 +67,15 @@ bool SlenderTowers::may_be_there(const ManifoldMemories& memory, double substep)
   return !least_mass_.empty();
 }
 
-/// Forgets bodies that touch more than one other dynamic body, and those on which it does not press with half
-/// of that weight: they have just hit what stands still.
+/// Forgets bodies that touch more than one other dynamic body, and those on which the other one presses with
+/// less than half of that weight: they have just hit what stands still.
 void SlenderTowers::drop_others(const ManifoldMemories& memory, double substep) {
   struct Load {
     int from = -1;  // The other body.
     bool is_of_one = true;
     float pressure = 0;
   };
+  // What presses on each of the bodies from above.
   std::vector<Load> loads(is_dynamic_.size());
   const auto add = [&](int body, int other, float pressed) {
     Load& load = loads[at(body)];
@@ -85,6 +91,8 @@ void SlenderTowers::drop_others(const ManifoldMemories& memory, double substep) 
     add(a, b, pressed);
     add(b, a, pressed);
   }
+
+  // The bodies that remain.
   bool is_any_left = false;
   for (std::size_t i = 0; i < loads.size(); ++i) {
     if (std::isinf(least_mass_[i])) continue;

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "rigor/bulk/state/manifold_memories.hpp"
 #include "rigor/core/index.hpp"
-#include "rigor/model/manifold_memory.hpp"
 #include "rigor/model/model.hpp"
 
 #include <cstdint>

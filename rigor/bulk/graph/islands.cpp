@@ -2,10 +2,12 @@
 
 #include "rigor/bulk/lanes/list_room.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/core/sorted_unique.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <utility>
 #include <variant>
 
 namespace rigor {
@@ -46,10 +48,7 @@ void BulkIslands::add(int a, int b) {
 
 /// From the pairs before to those now.
 void BulkIslands::update() {
-  if (!std::is_sorted(next_.begin(), next_.end())) {
-    std::sort(next_.begin(), next_.end());
-    next_.erase(std::unique(next_.begin(), next_.end()), next_.end());
-  }
+  if (!std::is_sorted(next_.begin(), next_.end())) next_ = sorted_unique(std::move(next_));
   if (next_ == pairs_) return;
   lost_.clear();
   std::set_difference(pairs_.begin(), pairs_.end(), next_.begin(), next_.end(), std::back_inserter(lost_));

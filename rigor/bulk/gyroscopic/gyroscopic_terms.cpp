@@ -1,66 +1,14 @@
 #include "rigor/bulk/gyroscopic/gyroscopic_terms.hpp"
 
-#include "rigor/bulk/lanes/lane_bits.hpp"
+#include "rigor/bulk/gyroscopic/gyroscopic_groups.hpp"
+#include "rigor/core/index.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-
-#if defined(__x86_64__)
-#include <immintrin.h>
-#endif
 
 namespace rigor {
 
 namespace {
-
-/// Changes below this [rad/s] a substep are not worth finding: bodies at rest.
-constexpr float kLeastChange = 1e-7F;
-
-/// Records of eight bodies, and where their changes go.
-struct GyroscopicRecords {
-  const float* records[kLaneCount];
-  float* changes[kLaneCount];
-};
-
-namespace portable_lanes {
-#define RIGOR_LANES_HAVE_FMA 0
-#include "rigor/bulk/lanes/fused_lanes.inl"
-
-#include "rigor/bulk/lanes/rotation_lanes.inl"
-
-#include "rigor/bulk/gyroscopic/gyroscopic_kernels.inl"
-
-#include "rigor/bulk/gyroscopic/gyroscopic_groups.inl"
-#undef RIGOR_LANES_HAVE_FMA
-}  // namespace portable_lanes
-
-#if defined(__x86_64__)
-#if defined(__clang__)
-#pragma clang attribute push(__attribute__((target("avx2,fma"))), apply_to = function)
-#else
-#pragma GCC push_options
-#pragma GCC target("avx2,fma")
-#endif
-namespace avx2_lanes {
-#define RIGOR_LANES_HAVE_FMA 1
-#include "rigor/bulk/lanes/fused_lanes.inl"
-
-#include "rigor/bulk/lanes/rotation_lanes.inl"
-
-#include "rigor/bulk/gyroscopic/gyroscopic_kernels.inl"
-
-#include "rigor/bulk/gyroscopic/gyroscopic_groups.inl"
-#undef RIGOR_LANES_HAVE_FMA
-}  // namespace avx2_lanes
-#if defined(__clang__)
-#pragma clang attribute pop
-#else
-#pragma GCC pop_options
-#endif
-#else
-namespace avx2_lanes = portable_lanes;
-#endif
 
 void set_lane(const Vec3& a, std::size_t lane, FloatVec3& to) {
   const int i = static_cast<int>(lane);
@@ -81,10 +29,10 @@ std::optional<int> axis_of_revolution(const Body& body) {
 }
 
 GyroscopicTerms::GyroscopicTerms(const Model& model, LaneTarget target)
-    : target_(target), principals_(static_cast<std::size_t>(model.body_count())) {
+    : target_(target), principals_(at(model.body_count())) {
   for (int i = 0; i < model.body_count(); ++i) {
     const Body& body = model.body(i);
-    Principal& principal = principals_[static_cast<std::size_t>(i)];
+    Principal& principal = principals_[at(i)];
     const bool is_round = body.moments[0] == body.moments[1] && body.moments[1] == body.moments[2];
     if (body.motion != MotionType::dynamic || is_round) continue;
     const std::optional<int> axis = axis_of_revolution(body);
@@ -98,26 +46,29 @@ GyroscopicTerms::GyroscopicTerms(const Model& model, LaneTarget target)
   if (std::all_of(principals_.begin(), principals_.end(), is_round)) principals_ = std::vector<Principal>();
 }
 
-void GyroscopicTerms::prepare(const BulkBodies& bodies, const std::vector<int>& who,
+void GyroscopicTerms::prepare(const BulkBodies& bodies, const std::vector<int>& indices,
                               const Executor& executor) {
   if (principals_.empty()) return;
-  if (who != who_) {
-    who_ = who;
+  // Groups of eight bodies, kept while the bodies are the same.
+  if (indices != indices_) {
+    indices_ = indices;
     groups_.clear();
     add(Kind::revolution);
     add(Kind::other);
   }
+  // Their principal axes where they are now.
   executor.for_ranges(static_cast<int>(groups_.size()), 64, [&](int begin, int end) {
-    for (int g = begin; g < end; ++g) set_axes(bodies, groups_[static_cast<std::size_t>(g)]);
+    for (int g = begin; g < end; ++g) set_axes(bodies, groups_[at(g)]);
   });
 }
 
 /// Groups of the bodies of one kind.
 void GyroscopicTerms::add(Kind kind) {
   std::size_t lane = kLaneCount;
-  for (const int body : who_) {
-    const Principal& principal = principals_[static_cast<std::size_t>(body)];
+  for (const int body : indices_) {
+    const Principal& principal = principals_[at(body)];
     if (principal.kind != kind) continue;
+    // A new group, whose lanes without a body have unit moments.
     if (lane == kLaneCount) {
       lane = 0;
       Group& group = groups_.emplace_back();
@@ -126,6 +77,7 @@ void GyroscopicTerms::add(Kind kind) {
       group.start = GyroscopicState{};
       for (FloatLanes& moment : group.start.moments) moment = float_lanes(1);
     }
+    // The next lane.
     Group& group = groups_.back();
     group.bodies[lane] = body;
     for (int k = 0; k < 3; ++k) group.start.moments[k][static_cast<int>(lane)] = principal.moments[k];
@@ -136,7 +88,7 @@ void GyroscopicTerms::add(Kind kind) {
 
 void GyroscopicTerms::set_axes(const BulkBodies& bodies, Group& group) const {
   for (std::size_t lane = 0; lane < kLaneCount && group.bodies[lane] >= 0; ++lane) {
-    const std::size_t body = static_cast<std::size_t>(group.bodies[lane]);
+    const std::size_t body = at(group.bodies[lane]);
     const Mat3 R_WB = bodies.q[body].toRotationMatrix();
     for (int k = 0; k < 2; ++k)
       set_lane(R_WB.col((principals_[body].first + k) % 3), lane, group.start.axes[k]);
@@ -144,22 +96,24 @@ void GyroscopicTerms::set_axes(const BulkBodies& bodies, Group& group) const {
 }
 
 void GyroscopicTerms::find_changes(float h, const BulkBodies& bodies, const Executor& executor,
-                                   std::vector<std::array<float, kLaneCount>>& turns) const {
-  turns.resize(bodies.x.size());
+                                   std::vector<std::array<float, kLaneCount>>& changes) const {
+  changes.resize(bodies.x.size());
   executor.for_ranges(static_cast<int>(groups_.size()), 64, [&](int begin, int end) {
+    // Lanes without a body read a record of zeros and write to a place that nobody reads.
     const MotionRecord nothing;
     std::array<float, kLaneCount> nowhere{};
     for (int g = begin; g < end; ++g) {
-      const Group& group = groups_[static_cast<std::size_t>(g)];
-      GyroscopicRecords at;
+      const Group& group = groups_[at(g)];
+      GyroscopicRecords records;
       for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
-        const std::size_t body = static_cast<std::size_t>(group.bodies[lane]);
+        const std::size_t body = at(group.bodies[lane]);
         const bool is_used = group.bodies[lane] >= 0;
-        at.records[lane] = is_used ? bodies.motion[body].v : nothing.v;
-        at.changes[lane] = is_used ? turns[body].data() : nowhere.data();
+        records.of_bodies[lane] = is_used ? bodies.motion[body].v : nothing.v;
+        records.changes[lane] = is_used ? changes[body].data() : nowhere.data();
       }
-      target_ == LaneTarget::avx2 ? avx2_lanes::find_group(group.start, group.is_of_revolution, h, at)
-                                  : portable_lanes::find_group(group.start, group.is_of_revolution, h, at);
+      target_ == LaneTarget::avx2
+          ? avx2_lanes::find_group(group.start, group.is_of_revolution, h, records)
+          : portable_lanes::find_group(group.start, group.is_of_revolution, h, records);
     }
   });
 }

@@ -15,28 +15,28 @@ namespace rigor {
 /// equal in 32 bits. Of a round one the first.
 std::optional<int> axis_of_revolution(const Body& body);
 
-/// Principal axes and moments of eight bodies: what makes their angular velocities turn by themselves.
+/// Principal axes and moments of eight bodies, on which the gyroscopic torque depends.
 struct alignas(32) GyroscopicState {
   FloatVec3 axes[2];      ///< The first two axes, in W; the first is that of bodies of revolution.
   FloatLanes moments[3];  ///< [kg m²].
   FloatLanes spin;        ///< Of bodies of revolution: moments[0] / moments[1] - 1.
 };
 
-/// What the gyroscopic torque -ω × I ω changes of angular velocities in a substep: of bodies of revolution in
+/// Changes of angular velocities by the gyroscopic torque -ω × I ω in a substep: of bodies of revolution in
 /// closed form, of others by one Newton step of the implicit equation, shortened where it would gain energy.
-/// Bodies whose moments of inertia are equal turn without it.
+/// Bodies whose three moments of inertia are equal have no such torque.
 class GyroscopicTerms {
  public:
   explicit GyroscopicTerms(const Model& model, LaneTarget target = best_lane_target());
 
-  /// Whether any of the bodies that it was prepared for turns so.
+  /// Whether any of the bodies that it was prepared for has a gyroscopic torque.
   bool has_any() const { return !groups_.empty(); }
-  /// At the begin of a step, for some bodies.
-  void prepare(const BulkBodies& bodies, const std::vector<int>& who, const Executor& executor);
-  /// Changes of the angular velocities [rad/s] within h [s] where the bodies are now, in W: of body i the
-  /// first three numbers of turns[i] from the fifth on.
+  /// At the beginning of a step, for the bodies of these indices.
+  void prepare(const BulkBodies& bodies, const std::vector<int>& indices, const Executor& executor);
+  /// Changes of the angular velocities [rad/s] within h [s] where the bodies are now, in W: that of body i is
+  /// the fifth, sixth and seventh number of changes[i].
   void find_changes(float h, const BulkBodies& bodies, const Executor& executor,
-                    std::vector<std::array<float, kLaneCount>>& turns) const;
+                    std::vector<std::array<float, kLaneCount>>& changes) const;
 
  private:
   enum class Kind : char { round, revolution, other };
@@ -49,14 +49,14 @@ class GyroscopicTerms {
   struct alignas(32) Group {
     std::array<int, kLaneCount> bodies{};  ///< -1: none.
     bool is_of_revolution = false;         ///< All of them.
-    GyroscopicState start;                 ///< At the begin of the step.
+    GyroscopicState start;                 ///< At the beginning of the step.
   };
   void add(Kind kind);
   void set_axes(const BulkBodies& bodies, Group& group) const;
 
   LaneTarget target_;
   std::vector<Principal> principals_;  ///< Of all bodies; empty if all are round.
-  std::vector<int> who_;               ///< That the groups are of.
+  std::vector<int> indices_;           ///< Of the bodies in the groups.
   std::vector<Group> groups_;
 };
 

@@ -33,6 +33,7 @@ struct BulkJoints::Blocks {
 };
 
 BulkJoints::BulkJoints(const Model& model, LaneTarget target) : blocks_(std::make_unique<Blocks>()) {
+  // A dynamic body of each joint, if it has one: whether it sleeps tells whether the joint does.
   blocks_->model = &model;
   blocks_->target = target;
   for (int joint = 0; joint < static_cast<int>(model.joints().size()); ++joint) {
@@ -41,6 +42,8 @@ BulkJoints::BulkJoints(const Model& model, LaneTarget target) : blocks_(std::mak
     const auto found = std::find_if(bodies.begin(), bodies.end(), is_dynamic);
     blocks_->moved.push_back(found == bodies.end() ? bodies.front() : *found);
   }
+
+  // Blocks of eight alike systems, and the contact-free chains of those that can be.
   JointForest forest = make_joint_forest(model);
   std::vector<bool> is_other(model.joints().size(), true);
   for (JointSystems& systems : forest.systems) {
@@ -54,6 +57,8 @@ BulkJoints::BulkJoints(const Model& model, LaneTarget target) : blocks_(std::mak
                                                        : nullptr);
     blocks_->blocks.push_back(make_joint_block(model, std::move(systems)));
   }
+
+  // The joints whose errors no contact-free chains measure.
   for (int i = 0; i < static_cast<int>(model.joints().size()); ++i) {
     if (!is_other[at(i)] || model.joint(i).type == JointType::gear) continue;
     blocks_->other_joints.push_back(i);
@@ -75,6 +80,7 @@ void BulkJoints::find_contact_free_chains(const BulkBodies& bodies, const std::v
     BulkJointBlock& block = blocks_->blocks[i];
     const JointSystems& systems = block.lanes.systems;
     block.free_lanes = 0;
+    // A lane is free if none of its bodies touches anything, is prescribed or sleeps.
     for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
       bool is_free = true;
       for (std::size_t s = 0; s < systems.moved && is_free; ++s) {
@@ -115,7 +121,7 @@ void BulkJoints::prepare(BulkBodies& bodies, double h, const Executor& executor)
 
 void BulkJoints::solve(JointPass pass, const Executor& executor) {
   blocks_->for_each(executor, [&](BulkJointBlock& block) {
-    if (!block.stirs) return;
+    if (!block.is_moving) return;
     if (pass == JointPass::rates) {
       solve_after_displacements(blocks_->effort(), block);
     } else {
@@ -133,6 +139,7 @@ void BulkJoints::read_impulses(const BulkBodies& bodies, std::vector<float>& imp
       for (int lane = 0; lane < kLaneCount; ++lane) {
         const int joint = link.joints[at(lane)];
         if (joint < 0 || !bodies.is_dynamic(blocks_->moved[at(joint)])) continue;
+        // Contact-free chains keep their impulses themselves.
         if ((block.free_lanes >> lane & 1) != 0) {
           const FloatVec3& impulse = blocks_->contact_free_chains[b]->impulse(i);
           float* const to = &impulses[at(6 * joint)];
@@ -150,6 +157,7 @@ void BulkJoints::read_impulses(const BulkBodies& bodies, std::vector<float>& imp
 }
 
 std::pair<double, int> BulkJoints::worst_error(const BulkBodies& bodies) const {
+  // Ball joints without laws in trees.
   std::pair<double, int> worst{0, -1};
   const Model& model = *blocks_->model;
   for (const std::unique_ptr<ContactFreeChains>& trees : blocks_->contact_free_chains) {
@@ -157,6 +165,8 @@ std::pair<double, int> BulkJoints::worst_error(const BulkBodies& bodies) const {
     const std::pair<double, int> found = trees->worst_gap(blocks_->target, bodies);
     if (found.first > worst.first) worst = found;
   }
+
+  // All others but gears.
   for (const int i : blocks_->other_joints) {
     const Joint& joint = model.joint(i);
     const BodyPlace A = place_of(bodies, joint.body_A), B = place_of(bodies, joint.body_B);

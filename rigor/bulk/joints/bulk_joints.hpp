@@ -34,8 +34,8 @@ class BulkJoints {
   BulkJoints(const BulkJoints&) = delete;
   BulkJoints& operator=(const BulkJoints&) = delete;
 
-  /// At the begin of a step of substeps of h > 0 [s]; after begin_bulk_step(). The bodies stay where they are
-  /// in memory until its end.
+  /// At the beginning of a step of substeps of h > 0 [s]; after begin_bulk_step(). The bodies stay where they
+  /// are in memory until its end.
   void prepare(BulkBodies& bodies, double h, const Executor& executor);
   /// Trees of ball joints without laws that touch nothing need not wait for the contacts between substeps.
   /// touches: whether each body may touch another in the step. Before prepare(), which leaves them out; none
@@ -53,7 +53,7 @@ class BulkJoints {
   /// their order, on body B. Joints of bodies that sleep keep what they have there.
   void read_impulses(const BulkBodies& bodies, std::vector<float>& impulses) const;
   /// How far the worst joint is off [m] (angles count at a lever of the larger arm, at least the length scale
-  /// of the model) at the begin of a step, and which it is (-1: none).
+  /// of the model) at the beginning of a step, and which it is (-1: none).
   std::pair<double, int> worst_error(const BulkBodies& bodies) const;
 
  private:

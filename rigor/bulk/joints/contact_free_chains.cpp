@@ -1,61 +1,15 @@
 #include "rigor/bulk/joints/contact_free_chains.hpp"
 
 #include "rigor/bulk/gyroscopic/gyroscopic_terms.hpp"
-#include "rigor/bulk/lanes/lane_bits.hpp"
+#include "rigor/bulk/joints/contact_free_chain_kernels.hpp"
 #include "rigor/core/index.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <cstring>
-
-#if defined(__x86_64__)
-#include <immintrin.h>
-#endif
 
 namespace rigor {
 
 namespace {
-
-/// Anchors that a correction leaves farther apart than about this [m] get another one in the same substep.
-constexpr float kLeastMiss = 4e-5F;
-
-namespace portable_lanes {
-#define RIGOR_LANES_HAVE_FMA 0
-#include "rigor/bulk/lanes/fused_lanes.inl"
-
-#include "rigor/bulk/gyroscopic/gyroscopic_kernels.inl"
-#include "rigor/bulk/lanes/rotation_lanes.inl"
-
-#include "rigor/bulk/joints/contact_free_chains.inl"
-#undef RIGOR_LANES_HAVE_FMA
-}  // namespace portable_lanes
-
-#if defined(__x86_64__)
-#if defined(__clang__)
-#pragma clang attribute push(__attribute__((target("avx2,fma"))), apply_to = function)
-#else
-#pragma GCC push_options
-#pragma GCC target("avx2,fma")
-#endif
-namespace avx2_lanes {
-#define RIGOR_LANES_HAVE_FMA 1
-#include "rigor/bulk/lanes/fused_lanes.inl"
-
-#include "rigor/bulk/gyroscopic/gyroscopic_kernels.inl"
-#include "rigor/bulk/lanes/rotation_lanes.inl"
-
-#include "rigor/bulk/joints/contact_free_chains.inl"
-#undef RIGOR_LANES_HAVE_FMA
-}  // namespace avx2_lanes
-#if defined(__clang__)
-#pragma clang attribute pop
-#else
-#pragma GCC pop_options
-#endif
-#else
-namespace avx2_lanes = portable_lanes;
-#endif
 
 void set_lane(const Vec3& a, std::size_t lane, DoubleVec3& to) {
   const int k = static_cast<int>(lane);
@@ -93,6 +47,7 @@ ContactFreeChains::ContactFreeChains(const Model& model, const JointSystems& sys
   tables_.slots = systems.bodies;
   tables_.bodies.resize(systems.moved, Body{});
   tables_.joints.resize(systems.links.size(), Joint{});
+  // The bodies.
   for (std::size_t s = 0; s < systems.moved; ++s) {
     for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
       const int index = systems.bodies[s][lane];
@@ -101,10 +56,14 @@ ContactFreeChains::ContactFreeChains(const Model& model, const JointSystems& sys
       tables_.are_of_revolution &= body == nullptr || axis_of_revolution(*body).has_value();
     }
   }
+
+  // The joints: a link leads from the child of the same number to its parent.
   std::vector<bool> is_parent(systems.bodies.size());
   for (std::size_t i = 0; i < systems.links.size(); ++i) {
     const JointLink& link = systems.links[i];
     Joint& joint = tables_.joints[i];
+
+    // The shape of the trees, which the eight lanes share.
     joint.has_children = is_parent[i];
     joint.numbers = link.joints;
     if (!link.has_joint) continue;
@@ -113,6 +72,8 @@ ContactFreeChains::ContactFreeChains(const Model& model, const JointSystems& sys
     joint.parent_is_free = link.parent_is_free;
     joint.is_first = !is_parent[parent];
     is_parent[parent] = true;
+
+    // Of each lane: arms, and the reach of the bodies.
     for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
       const int k = static_cast<int>(lane);
       joint.sign[k] = link.child_is_B ? 1 : -1;

@@ -19,26 +19,26 @@ struct DoubleVec3 {
   DoubleLanes x, y, z;
 };
 
-/// Trees of ball joints without laws of which no body touches anything in a step: all its substeps at once,
-/// eight trees side by side. What they do is that of docs/theory/bulk_joints.md, §1 and §2; since nothing
-/// else acts on them between two substeps, bodies are read and written once a step.
+/// Trees of ball joints without laws of which no body touches anything in a step take all its substeps at
+/// once, eight trees side by side, by the method of docs/theory/bulk_joints.md, §1 and §2. Since nothing else
+/// acts on them between two substeps, bodies are read and written once a step.
 class ContactFreeChains {
  public:
-  /// Of `systems`, for which is_possible() holds.
+  /// For `systems` for which is_possible() holds.
   ContactFreeChains(const Model& model, const JointSystems& systems);
   static bool is_possible(const JointSystems& systems);
 
-  /// A step of all trees: of a number of substeps of h [s], with accelerations by body.
+  /// A step: `substeps` substeps of h [s], with the accelerations of all bodies.
   struct Step {
     float h;
     int substeps;
     const std::vector<MotionRow>& accelerations;
     LaneTarget target;
   };
-  /// Of the trees in the lanes of `lanes`, one bit each; the others stay as they are.
+  /// Advances the trees in the lanes of `lanes`, one bit each; the others stay as they are.
   void advance(const Step& step, unsigned lanes, BulkBodies& bodies);
-  /// How far the anchors of the worst joint are apart at the begin of a step [m], and which joint of the
-  /// Model that is (-1: none is off).
+  /// The greatest distance of the two anchors of a joint at the beginning of a step [m], and the index of
+  /// that joint in the Model (-1: all anchors meet).
   std::pair<double, int> worst_gap(LaneTarget target, const BulkBodies& bodies) const;
   /// Of joint i of the systems in the last substep, on body B [N s].
   const FloatVec3& impulse(std::size_t i) const { return impulses_[i].on_B; }

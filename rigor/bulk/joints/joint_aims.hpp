@@ -1,8 +1,11 @@
 #pragma once
 
-#include "rigor/bulk/joints/joint_turn.hpp"
+#include "rigor/bulk/joints/joint_rotations.hpp"
 
+#include <cmath>
+#include <cstddef>
 #include <numbers>
+#include <utility>
 
 namespace rigor {
 
@@ -17,7 +20,7 @@ struct JointRowWriter {
     joint.a_B[next] = a_B;
     ++next;
   }
-  /// Of the way from J to K along a direction that turns with A.
+  /// Of the vector from J to K along a direction that rotates with A.
   RIGOR_FLOAT_LANES void add_displacement(const JointPose& pose, const FloatVec3& n) {
     add(n, cross(pose.arm_A + pose.d, n), cross(pose.arm_B, n));
   }
@@ -25,7 +28,7 @@ struct JointRowWriter {
     const FloatLanes zero = float_lanes(0);
     add({zero, zero, zero}, a, a);
   }
-  /// Of the way from J to K along the axes of W.
+  /// Of the vector from J to K along the axes of W.
   RIGOR_FLOAT_LANES void add_point(const JointPose& pose) {
     const FloatLanes o = float_lanes(1), zero = float_lanes(0);
     const FloatVec3 &A = pose.arm_A, &B = pose.arm_B;
@@ -35,132 +38,139 @@ struct JointRowWriter {
   }
 };
 
-constexpr bool holds_point(JointType type) {
-  return type == JointType::fixed || type == JointType::ball || type == JointType::hinge ||
-         type == JointType::universal;
+/// What is left of a screw's displacement; whole turns are those nearest to it.
+RIGOR_FLOAT_LANES FloatLanes screw_residual(const JointLanes& joint, const JointPose& pose) {
+  const FloatLanes pitch = float_lanes(2 * std::numbers::pi_v<float>) * joint.lead;
+  const FloatLanes off = dot(pose.d, pose.z) - joint.lead * lane_twist(pose.JK);
+  float value[kLaneCount], turn[kLaneCount];
+  store_floats(off, value);
+  store_floats(pitch, turn);
+  for (int i = 0; i < kLaneCount; ++i) {
+    if (turn[i] != 0) value[i] = std::remainder(value[i], turn[i]);
+  }
+  return load_floats(value);
 }
-constexpr bool slides_along_z(JointType type) {
-  return type == JointType::slider || type == JointType::cylindrical || type == JointType::screw;
-}
-constexpr bool holds_swing(JointType type) {
-  return type == JointType::hinge || type == JointType::cylindrical || type == JointType::planar ||
-         type == JointType::screw;
-}
-constexpr bool holds_rotation(JointType type) {
-  return type == JointType::fixed || type == JointType::slider;
-}
-constexpr bool needs_frames(JointType type, bool has_laws) {
-  return type != JointType::distance && (has_laws || type != JointType::ball);
+
+/// From one anchor to the other; z of W where they meet.
+RIGOR_FLOAT_LANES FloatVec3 direction_of_distance(const JointPose& pose) {
+  const FloatLanes one = float_lanes(1), zero = float_lanes(0);
+  return unit_or(pose.d, {zero, zero, one});
 }
 
 /// What the joint holds at zero, in the order of its rows.
 template <JointType type, bool has_laws>
 RIGOR_FLOAT_LANES void joint_residuals(const JointLanes& joint, const JointPose& pose, FloatLanes* g) {
+  constexpr JointTraits traits = joint_traits(type);
   int k = 0;
-  if constexpr (holds_point(type)) {
+  // Displacements: along the axes of W if all are held, which needs no frames.
+  if constexpr (traits.holds_point()) {
     g[k++] = pose.d.x;
     g[k++] = pose.d.y;
     g[k++] = pose.d.z;
+  } else {
+    if constexpr (traits.holds_displacement[0]) g[k++] = dot(pose.d, pose.x);
+    if constexpr (traits.holds_displacement[1]) g[k++] = dot(pose.d, pose.y);
+    if constexpr (traits.holds_displacement[2]) g[k++] = dot(pose.d, pose.z);
   }
-  if constexpr (slides_along_z(type)) {
-    g[k++] = dot(pose.d, pose.x);
-    g[k++] = dot(pose.d, pose.y);
-  }
-  if constexpr (type == JointType::planar) g[k++] = dot(pose.d, pose.z);
-  if constexpr (holds_rotation(type)) {
+  // Rotations.
+  if constexpr (traits.held_rotation == HeldRotation::all) {
     g[k++] = 2.0F * pose.JK.v.x;
     g[k++] = 2.0F * pose.JK.v.y;
     g[k++] = 2.0F * pose.JK.v.z;
-  }
-  if constexpr (holds_swing(type)) {
+  } else if constexpr (traits.held_rotation == HeldRotation::swing) {
     const FloatVec3 z_K = axis_of(pose.JK, 2);
     g[k++] = -z_K.y;
     g[k++] = z_K.x;
+  } else if constexpr (traits.held_rotation == HeldRotation::middle_angle) {
+    g[k++] = axis_of(pose.JK, 0).z;
+  } else {
+    static_assert(traits.held_rotation == HeldRotation::none, "a rotation that no lanes hold");
   }
-  if constexpr (type == JointType::universal) g[k++] = axis_of(pose.JK, 0).z;
-  if constexpr (type == JointType::screw) {
-    // Whole turns are those nearest to the displacement.
-    const FloatLanes pitch = float_lanes(2 * std::numbers::pi_v<float>) * joint.lead;
-    const FloatLanes off = dot(pose.d, pose.z) - joint.lead * lane_twist(pose.JK);
-    float value[kLaneCount], turn[kLaneCount];
-    store_floats(off, value);
-    store_floats(pitch, turn);
-    for (int i = 0; i < kLaneCount; ++i) {
-      if (turn[i] != 0) value[i] = std::remainder(value[i], turn[i]);
-    }
-    g[k++] = load_floats(value);
-  }
-  if constexpr (type == JointType::distance && !has_laws) {
-    g[k++] = float_sqrt(dot(pose.d, pose.d)) - joint.length;
+  // The relation.
+  if constexpr (traits.relation == JointRelation::screw) {
+    g[k++] = screw_residual(joint, pose);
+  } else if constexpr (traits.relation == JointRelation::distance) {
+    if constexpr (!has_laws) g[k++] = float_sqrt(dot(pose.d, pose.d)) - joint.length;
+  } else {
+    static_assert(traits.relation == JointRelation::none, "a relation that no lanes hold");
   }
 }
 
+/// The rows of joint_residuals().
 template <JointType type, bool has_laws>
 RIGOR_FLOAT_LANES void add_held_rows(const JointPose& pose, JointRowWriter& rows, const JointLanes& joint) {
-  if constexpr (holds_point(type)) rows.add_point(pose);
-  if constexpr (slides_along_z(type)) {
-    rows.add_displacement(pose, pose.x);
-    rows.add_displacement(pose, pose.y);
+  constexpr JointTraits traits = joint_traits(type);
+  // Displacements.
+  if constexpr (traits.holds_point()) {
+    rows.add_point(pose);
+  } else {
+    if constexpr (traits.holds_displacement[0]) rows.add_displacement(pose, pose.x);
+    if constexpr (traits.holds_displacement[1]) rows.add_displacement(pose, pose.y);
+    if constexpr (traits.holds_displacement[2]) rows.add_displacement(pose, pose.z);
   }
-  if constexpr (type == JointType::planar) rows.add_displacement(pose, pose.z);
-  if constexpr (holds_rotation(type) || holds_swing(type)) {
+  // Rotations.
+  if constexpr (traits.held_rotation == HeldRotation::all || traits.held_rotation == HeldRotation::swing) {
     rows.add_rotation(pose.x);
     rows.add_rotation(pose.y);
   }
-  if constexpr (holds_rotation(type)) rows.add_rotation(pose.z);
-  if constexpr (type == JointType::universal) {
+  if constexpr (traits.held_rotation == HeldRotation::all) rows.add_rotation(pose.z);
+  if constexpr (traits.held_rotation == HeldRotation::middle_angle) {
     rows.add_rotation(cross(rotate(pose.J, axis_of(pose.JK, 0)), pose.z));
   }
-  if constexpr (type == JointType::screw) {
+  // The relation.
+  if constexpr (traits.relation == JointRelation::screw) {
     const FloatVec3 lead = joint.lead * pose.z;
     rows.add(pose.z, cross(pose.arm_A + pose.d, pose.z) - lead, cross(pose.arm_B, pose.z) - lead);
   }
-  if constexpr (type == JointType::distance && !has_laws) {
-    const FloatLanes one = float_lanes(1), zero = float_lanes(0);
-    rows.add_displacement(pose, unit_or(pose.d, {zero, zero, one}));
+  if constexpr (traits.relation == JointRelation::distance && !has_laws) {
+    rows.add_displacement(pose, direction_of_distance(pose));
   }
 }
 
-/// Rows and values of the coordinates.
-template <JointType type>
+/// Rows and value of a coordinate.
+template <CoordinateType coordinate>
 RIGOR_FLOAT_LANES void add_law_rows(const JointPose& pose, JointRowWriter& rows, JointLanes& joint) {
-  FloatLanes* value = joint.coordinate + rows.next;
-  if constexpr (type == JointType::ball) {
+  FloatLanes* const value = joint.coordinate + rows.next;
+  if constexpr (coordinate == CoordinateType::displacement_x) {
+    *value = dot(pose.d, pose.x);
+    rows.add_displacement(pose, pose.x);
+  } else if constexpr (coordinate == CoordinateType::displacement_y) {
+    *value = dot(pose.d, pose.y);
+    rows.add_displacement(pose, pose.y);
+  } else if constexpr (coordinate == CoordinateType::displacement_z) {
+    *value = dot(pose.d, pose.z);
+    rows.add_displacement(pose, pose.z);
+  } else if constexpr (coordinate == CoordinateType::twist) {
+    *value = lane_twist(pose.JK);
+    rows.add_rotation(pose.z);
+  } else if constexpr (coordinate == CoordinateType::angle_on_A) {
+    const FloatVec3 x_K = axis_of(pose.JK, 0);
+    *value = lane_angle(x_K.y, x_K.x);
+    rows.add_rotation(pose.z);
+  } else if constexpr (coordinate == CoordinateType::angle_on_B) {
+    const FloatVec3 y_K = axis_of(pose.JK, 1), z_K = axis_of(pose.JK, 2);
+    *value = lane_angle(y_K.z, z_K.z);
+    rows.add_rotation(rotate(pose.J, axis_of(pose.JK, 0)));
+  } else if constexpr (coordinate == CoordinateType::whole_angle) {
     const FloatVec3 axis = unit_or(rotate(pose.J, pose.JK.v), pose.z);
     const FloatVec3 across = unit_or(cross(axis, pose.x), pose.y);
-    *value++ = 2.0F * lane_angle(float_sqrt(dot(pose.JK.v, pose.JK.v)), pose.JK.w);
+    value[0] = 2.0F * lane_angle(float_sqrt(dot(pose.JK.v, pose.JK.v)), pose.JK.w);
+    value[1] = value[2] = float_lanes(0);
     rows.add_rotation(axis);
     rows.add_rotation(across);
     rows.add_rotation(cross(axis, across));
-    *value++ = float_lanes(0);
-    *value++ = float_lanes(0);
+  } else {
+    static_assert(coordinate == CoordinateType::distance, "a coordinate without rows in lanes");
+    *value = float_sqrt(dot(pose.d, pose.d));
+    rows.add_displacement(pose, direction_of_distance(pose));
   }
-  if constexpr (type == JointType::planar) {
-    for (const FloatVec3& n : {pose.x, pose.y}) {
-      *value++ = dot(pose.d, n);
-      rows.add_displacement(pose, n);
-    }
-  }
-  if constexpr (type == JointType::slider || type == JointType::cylindrical) {
-    *value++ = dot(pose.d, pose.z);
-    rows.add_displacement(pose, pose.z);
-  }
-  if constexpr (holds_swing(type)) {
-    *value++ = lane_twist(pose.JK);
-    rows.add_rotation(pose.z);
-  }
-  if constexpr (type == JointType::universal) {
-    const FloatVec3 x_K = axis_of(pose.JK, 0), y_K = axis_of(pose.JK, 1), z_K = axis_of(pose.JK, 2);
-    *value++ = lane_angle(x_K.y, x_K.x);
-    *value++ = lane_angle(y_K.z, z_K.z);
-    rows.add_rotation(pose.z);
-    rows.add_rotation(rotate(pose.J, x_K));
-  }
-  if constexpr (type == JointType::distance) {
-    const FloatLanes one = float_lanes(1), zero = float_lanes(0);
-    *value++ = float_sqrt(dot(pose.d, pose.d));
-    rows.add_displacement(pose, unit_or(pose.d, {zero, zero, one}));
-  }
+}
+
+/// Those of all coordinates of a type, in their order.
+template <JointType type, std::size_t... k>
+RIGOR_FLOAT_LANES void add_all_law_rows(const JointPose& pose, JointRowWriter& rows, JointLanes& joint,
+                                        std::index_sequence<k...>) {
+  (add_law_rows<joint_traits(type).coordinate_list[k]>(pose, rows, joint), ...);
 }
 
 /// The two bodies of a joint.
@@ -171,19 +181,21 @@ struct JointSides {
 
 template <JointType type, bool has_laws>
 RIGOR_FLOAT_LANES void aim_joint(const JointSides& sides, JointLanes& joint) {
-  const JointPose pose =
-      joint_pose<needs_frames(type, has_laws)>(joint, sides.A.turn, sides.B.turn, sides.B.dp - sides.A.dp);
+  const JointPose pose = joint_pose<needs_frames(type, has_laws)>(joint, sides.A.rotation, sides.B.rotation,
+                                                                  sides.B.dp - sides.A.dp);
   JointRowWriter rows{joint};
   add_held_rows<type, has_laws>(pose, rows, joint);
-  if constexpr (has_laws) add_law_rows<type>(pose, rows, joint);
+  if constexpr (has_laws) {
+    add_all_law_rows<type>(pose, rows, joint, std::make_index_sequence<at(coordinate_count(type))>());
+  }
 }
 
 /// Residuals of what the joint holds: what the rates must change by so that it holds after the time h.
 template <JointType type, bool has_laws>
 RIGOR_FLOAT_LANES void miss_joint(const JointSides& sides, float h, JointLanes& joint) {
-  const FloatVec3 way = (sides.B.dp - sides.A.dp) + float_lanes(h) * (sides.B.v - sides.A.v);
-  const JointPose pose =
-      joint_pose<needs_frames(type, has_laws)>(joint, sides.A.next_turn, sides.B.next_turn, way);
+  const FloatVec3 displacement = (sides.B.dp - sides.A.dp) + float_lanes(h) * (sides.B.v - sides.A.v);
+  const JointPose pose = joint_pose<needs_frames(type, has_laws)>(joint, sides.A.next_rotation,
+                                                                  sides.B.next_rotation, displacement);
   FloatLanes g[kMostJointRows];
   joint_residuals<type, has_laws>(joint, pose, g);
   for (int k = 0; k < held_row_count(type, has_laws); ++k) joint.residual[k] = g[k] * (1 / h);

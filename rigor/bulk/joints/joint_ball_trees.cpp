@@ -7,9 +7,9 @@ namespace rigor {
 
 namespace {
 
-/// Bodies that turn by less in a substep [rad] need one correction: it leaves this part of its own size, and
-/// its size is that of a substep's acceleration.
-constexpr float kSmallTurn = 0.01F;
+/// Bodies that rotate by less in a substep [rad] need one correction: it leaves this part of its own size,
+/// which is that of the change by a substep's accelerations.
+constexpr float kSmallAngle = 0.01F;
 
 JointSlot& parent_of(const JointLink& link, JointBlock& block) {
   return block.slots[at(link.parent)];
@@ -35,11 +35,11 @@ RIGOR_FLOAT_LANES void spread_all(JointBlock& block) {
   }
 }
 
-/// 1 in lanes with a body that turns far in a substep, else 0.
-RIGOR_FLOAT_LANES FloatLanes lanes_that_turn(float h, const JointBlock& block) {
+/// 1 in lanes with a body that rotates by more than kSmallAngle in a substep, else 0.
+RIGOR_FLOAT_LANES FloatLanes fast_lanes(float h, const JointBlock& block) {
   FloatLanes fastest = float_lanes(0);
   for (const JointSlot& slot : block.slots) fastest = float_max(fastest, dot(slot.w, slot.w));
-  const FloatLanes most = float_lanes(kSmallTurn * kSmallTurn / (h * h));
+  const FloatLanes most = float_lanes(kSmallAngle * kSmallAngle / (h * h));
   return fastest > most ? float_lanes(1) : float_lanes(0);
 }
 
@@ -49,12 +49,16 @@ RIGOR_FLOAT_LANES bool is_zero(const FloatLanes& x) {
   return all;
 }
 
-/// Lanes in which `part` is 0 stay as they are.
+/// One correction of the velocities, so that the joints hold after the substep. Lanes in which `part` is 0
+/// stay as they are.
 RIGOR_FLOAT_LANES void correct_places(float h, const FloatLanes& part, JointBlock& block) {
+  // Where the bodies will be, if velocities stay.
   clear_pushes(block);
   for (JointSlot& slot : block.slots) {
-    slot.next_turn = lane_turn(lane_turned(slot.dr, float_lanes(h) * slot.w));
+    slot.next_rotation = lane_rotation(compose_rotations(slot.dr, float_lanes(h) * slot.w));
   }
+
+  // From the leaves up: how far the joints will be off, and the pushes; then from the root down.
   for (std::size_t i = 0; i < block.systems.links.size(); ++i) {
     const JointLink& link = block.systems.links[i];
     if (!link.has_joint) {
@@ -69,19 +73,24 @@ RIGOR_FLOAT_LANES void correct_places(float h, const FloatLanes& part, JointBloc
   spread_all(block);
 }
 
+/// Step 2 of a substep (docs/theory/bulk_joints.md, section 1).
 RIGOR_FLOAT_LANES void hold_in_lanes(float h, JointBlock& block) {
   correct_places(h, float_lanes(1), block);
-  const FloatLanes part = lanes_that_turn(h, block);
+  const FloatLanes part = fast_lanes(h, block);
   if (!is_zero(part)) correct_places(h, part, block);
 }
 
+/// Step 4 of a substep; its factors serve step 2 of the next.
 RIGOR_FLOAT_LANES void slow_in_lanes(JointBlock& block) {
+  // Mass matrices where the bodies are.
   clear_pushes(block);
   for (JointSlot& slot : block.slots) {
-    slot.turn = lane_turn(slot.dr);
-    turn_inertia(slot);
+    slot.rotation = lane_rotation(slot.dr);
+    update_inertia(slot);
     set_resistance(slot);
   }
+
+  // From the leaves up: factors, rates and pushes; then from the root down.
   for (std::size_t i = 0; i < block.systems.links.size(); ++i) {
     const JointLink& link = block.systems.links[i];
     JointSlot& child = block.slots[i];

@@ -1,21 +1,22 @@
 #pragma once
 
 #include "rigor/bulk/joints/joint_factors.hpp"
-#include "rigor/bulk/joints/joint_turn.hpp"
+#include "rigor/bulk/joints/joint_rotations.hpp"
 
 namespace rigor {
 
 // Ball joints without laws, whose children are taken into a tree by what their anchors resist:
 // docs/theory/bulk_joints.md, §2. A is the resistance of a child, lower triangle: translation, then rotation.
 
+/// The arms where the bodies are.
 RIGOR_FLOAT_LANES void aim_ball(const JointLink& link, const JointSlot& child, const JointSlot& parent,
                                 const JointLanes& joint, BallLanes& ball) {
-  ball.arm_child = rotate(child.turn, link.child_is_B ? joint.arm_B : joint.arm_A);
-  ball.arm_parent = rotate(parent.turn, link.child_is_B ? joint.arm_A : joint.arm_B);
+  ball.arm_child = rotate(child.rotation, link.child_is_B ? joint.arm_B : joint.arm_A);
+  ball.arm_parent = rotate(parent.rotation, link.child_is_B ? joint.arm_A : joint.arm_B);
 }
 
-/// x = (L D Lᵀ)⁻¹ x.
-RIGOR_FLOAT_LANES FloatVec3 solve_turning(const BallLanes& ball, FloatVec3 x) {
+/// x = J⁻¹ x with the factors J = L D Lᵀ: forwards through L, by D, back through Lᵀ.
+RIGOR_FLOAT_LANES FloatVec3 solve_rotation(const BallLanes& ball, FloatVec3 x) {
   x.y -= ball.L[0] * x.x;
   x.z -= ball.L[1] * x.x + ball.L[2] * x.y;
   x = {x.x * ball.inverse_D[0], x.y * ball.inverse_D[1], x.z * ball.inverse_D[2]};
@@ -24,6 +25,8 @@ RIGOR_FLOAT_LANES FloatVec3 solve_turning(const BallLanes& ball, FloatVec3 x) {
   return x;
 }
 
+/// Factors of one joint, whose child has all of its resistance; adds what the anchor resists to that of the
+/// parent.
 RIGOR_FLOAT_LANES void factor_ball(const JointLink& link, const JointSlot& child, JointSlot& parent,
                                    BallLanes& ball) {
   // To the anchor, v = u + r × ω: Hᵀ = B - r~ M and J = A_ωω + Hᵀ r~ + (B r~)ᵀ.
@@ -53,7 +56,7 @@ RIGOR_FLOAT_LANES void factor_ball(const JointLink& link, const JointSlot& child
   ball.inverse_D[2] = 1.0F / (zz - ball.L[1] * zx - ball.L[2] * zy_rest);
 
   // S = M - H J⁻¹ Hᵀ.
-  for (int j = 0; j < 3; ++j) ball.G[j] = solve_turning(ball, H[j]);
+  for (int j = 0; j < 3; ++j) ball.G[j] = solve_rotation(ball, H[j]);
   FloatSym3& S = ball.S;
   S.xx = A[0] - dot(H[0], ball.G[0]);
   S.xy = A[1] - dot(H[1], ball.G[0]);
@@ -75,48 +78,52 @@ RIGOR_FLOAT_LANES void factor_ball(const JointLink& link, const JointSlot& child
   P[4] += S.yz;
   P[5] += S.zz;
   const FloatVec3 rows[3] = {{N[0].x, N[1].x, N[2].x}, {N[0].y, N[1].y, N[2].y}, {N[0].z, N[1].z, N[2].z}};
-  const FloatVec3 turn[3] = {cross(s, rows[0]), cross(s, rows[1]), cross(s, rows[2])};
+  // -s~ S s~ by columns.
+  const FloatVec3 about[3] = {cross(s, rows[0]), cross(s, rows[1]), cross(s, rows[2])};
   P[6] += rows[0].x;
   P[7] += rows[0].y;
   P[8] += rows[0].z;
-  P[9] += turn[0].x;
+  P[9] += about[0].x;
   P[10] += rows[1].x;
   P[11] += rows[1].y;
   P[12] += rows[1].z;
-  P[13] += turn[1].x;
-  P[14] += turn[1].y;
+  P[13] += about[1].x;
+  P[14] += about[1].y;
   P[15] += rows[2].x;
   P[16] += rows[2].y;
   P[17] += rows[2].z;
-  P[18] += turn[2].x;
-  P[19] += turn[2].y;
-  P[20] += turn[2].z;
+  P[18] += about[2].x;
+  P[19] += about[2].y;
+  P[20] += about[2].z;
 }
 
-/// By how much the anchors will be apart after the time h, over h.
+/// What is wanted of places: the anchors' distance after the time h, over h, is taken away.
 RIGOR_FLOAT_LANES void miss_ball(const JointLink& link, float h, const JointSlot& child,
                                  const JointSlot& parent, const JointLanes& joint, BallLanes& ball) {
   const JointSlot& A = link.child_is_B ? parent : child;
   const JointSlot& B = link.child_is_B ? child : parent;
-  const FloatVec3 way = (B.dp - A.dp) + float_lanes(h) * (B.v - A.v);
-  const JointPose pose = joint_pose<false>(joint, A.next_turn, B.next_turn, way);
+  const FloatVec3 displacement = (B.dp - A.dp) + float_lanes(h) * (B.v - A.v);
+  const JointPose pose = joint_pose<false>(joint, A.next_rotation, B.next_rotation, displacement);
   ball.wanted = float_lanes((link.child_is_B ? -1 : 1) / h) * pose.d;
 }
 
-/// The rates of the anchors.
+/// What is wanted of rates: the relative velocity of the anchors is taken away.
 RIGOR_FLOAT_LANES void drift_ball(const JointSlot& child, const JointSlot& parent, BallLanes& ball) {
   ball.wanted = (parent.v - cross(ball.arm_parent, parent.w)) - (child.v - cross(ball.arm_child, child.w));
 }
 
-/// On the way to the root.
+/// On the way to the root: what the anchor takes up of the child's push p, and what the parent feels.
 RIGOR_FLOAT_LANES void gather_ball(const JointLink& link, const JointSlot& child, JointSlot& parent,
                                    BallLanes& ball) {
+  // J⁻¹ p_ω, p_ω being about the anchor, and q = p_u - H J⁻¹ p_ω.
   const FloatLanes* p = child.push;
   const FloatVec3 force{p[0], p[1], p[2]};
   const FloatVec3 torque = FloatVec3{p[3], p[4], p[5]} - cross(ball.arm_child, force);
-  ball.turning = solve_turning(ball, torque);
+  ball.free_dw = solve_rotation(ball, torque);
   ball.pull = force - FloatVec3{dot(ball.G[0], torque), dot(ball.G[1], torque), dot(ball.G[2], torque)};
   if (!link.parent_is_free) return;
+
+  // The parent feels q - S b at its anchor.
   const FloatVec3 f = ball.pull - ball.S * ball.wanted;
   const FloatVec3 about = cross(ball.arm_parent, f);
   parent.push[0] += f.x;
@@ -127,15 +134,18 @@ RIGOR_FLOAT_LANES void gather_ball(const JointLink& link, const JointSlot& child
   parent.push[5] += about.z;
 }
 
-/// On the way back.
+/// On the way back: the change of the child and the impulse of the joint.
 RIGOR_FLOAT_LANES void spread_ball(const JointLink& link, const JointSlot& parent, JointSlot& child,
                                    JointLanes& joint, BallLanes& ball) {
+  // The velocity of the anchor, u = b + u_parent.
   FloatVec3 u = ball.wanted;
   if (link.parent_is_free) {
     const FloatLanes* c = parent.change;
     u = u + (FloatVec3{c[0], c[1], c[2]} - cross(ball.arm_parent, {c[3], c[4], c[5]}));
   }
-  const FloatVec3 w = ball.turning - (u.x * ball.G[0] + (u.y * ball.G[1] + u.z * ball.G[2]));
+
+  // Δω = J⁻¹ (p_ω - Hᵀ u), Δv = u + r × Δω.
+  const FloatVec3 w = ball.free_dw - (u.x * ball.G[0] + (u.y * ball.G[1] + u.z * ball.G[2]));
   const FloatVec3 v = u + cross(ball.arm_child, w);
   child.change[0] = v.x;
   child.change[1] = v.y;
@@ -143,7 +153,9 @@ RIGOR_FLOAT_LANES void spread_ball(const JointLink& link, const JointSlot& paren
   child.change[3] = w.x;
   child.change[4] = w.y;
   child.change[5] = w.z;
-  const FloatVec3 impulse = ball.S * u - ball.pull;  // On the child.
+
+  // λ = S u - q, on the child.
+  const FloatVec3 impulse = ball.S * u - ball.pull;
   const FloatLanes sign = float_lanes(link.child_is_B ? 1 : -1);
   joint.impulse[0] += sign * impulse.x;
   joint.impulse[1] += sign * impulse.y;

@@ -1,9 +1,10 @@
 #include "rigor/bulk/joints/joint_block.hpp"
 
-#include <numbers>
 #include "rigor/bulk/joints/joint_gears.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/math/rotation.hpp"
+
+#include <numbers>
 
 namespace rigor {
 
@@ -14,7 +15,7 @@ BodyPlace place_of(const BulkBodies& bodies, int body) {
 
 namespace {
 
-/// A joint at the begin of a step, in W.
+/// A joint at the beginning of a step, in W.
 struct JointStart {
   Vec3 arm_A, arm_B, offset;
   Quat J = Quat::Identity(), K = Quat::Identity();  ///< Where rows need them.
@@ -25,7 +26,7 @@ JointStart start_of(const Joint& joint, bool has_laws, const BulkBodies& bodies)
   start.arm_A = A.q * joint.X_AJ.p;
   start.arm_B = B.q * joint.X_BK.p;
   start.offset = (B.x - A.x) + start.arm_B - start.arm_A;
-  if (joint.type != JointType::distance && (has_laws || joint.type != JointType::ball)) {
+  if (needs_frames(joint.type, has_laws)) {
     start.J = A.q * quaternion_of(joint.X_AJ.R);
     start.K = B.q * quaternion_of(joint.X_BK.R);
   }
@@ -72,9 +73,10 @@ void set_all_masses(const Model& model, JointBlock& block) {
   }
 }
 
-/// Lanes of systems that sleep have records of their own: what is done to them is not done to bodies.
+/// Where the records of the bodies are. Lanes of systems that sleep, or are taken by ContactFreeChains, have
+/// records of their own, so that nothing is done to their bodies.
 void find_records(BulkBodies& bodies, BulkJointBlock& block) {
-  block.stirs = false;
+  block.is_moving = false;
   block.empty = {};
   for (std::size_t s = 0; s < block.records.size(); ++s) {
     const bool is_moved = s < block.lanes.systems.moved;
@@ -87,13 +89,14 @@ void find_records(BulkBodies& bodies, BulkJointBlock& block) {
       } else if (body >= 0) {
         static_assert(sizeof(bodies.motion[0]) == 16 * sizeof(float));
         record = bodies.motion[at(body)].v;
-        block.stirs = block.stirs || is_moved;
+        block.is_moving = block.is_moving || is_moved;
       }
       block.records[s][lane] = record;
     }
   }
 }
 
+/// Principal axes at the beginning of the step; nothing has moved or changed yet.
 void place_axes(const BulkBodies& bodies, JointBlock& block) {
   for (std::size_t s = 0; s < block.slots.size(); ++s) {
     JointSlot& slot = block.slots[s];
@@ -107,6 +110,7 @@ void place_axes(const BulkBodies& bodies, JointBlock& block) {
   }
 }
 
+/// Arms and frames of all joints at the beginning of the step; no law is on.
 void place_joints(const Model& model, const BulkBodies& bodies, JointBlock& block) {
   for (std::size_t i = 0; i < block.joints.size(); ++i) {
     JointLanes& joint = block.joints[i];
@@ -129,6 +133,7 @@ void place_joints(const Model& model, const BulkBodies& bodies, JointBlock& bloc
 }  // namespace
 
 BulkJointBlock make_joint_block(const Model& model, JointSystems systems) {
+  // Bodies, joints and what solves them: trees joint by joint, loops as a whole.
   BulkJointBlock block;
   block.lanes.slots.resize(systems.bodies.size(), JointSlot{});
   block.lanes.joints.resize(systems.links.size(), JointLanes{});
@@ -139,6 +144,8 @@ BulkJointBlock make_joint_block(const Model& model, JointSystems systems) {
     block.lanes.balls.resize(systems.links.size(), BallLanes{});
   }
   block.records.resize(systems.bodies.size());
+
+  // Joints with laws, and the rows of their coordinates.
   block.lanes.is_of_balls = !systems.has_loops;
   for (std::size_t i = 0; i < systems.links.size(); ++i) {
     const JointLink& link = systems.links[i];
@@ -159,7 +166,7 @@ BulkJointBlock make_joint_block(const Model& model, JointSystems systems) {
 
 void prepare_joint_block(const JointEffort& effort, BulkBodies& bodies, BulkJointBlock& block) {
   find_records(bodies, block);
-  if (!block.stirs) return;
+  if (!block.is_moving) return;
   place_axes(bodies, block.lanes);
   place_joints(effort.model, bodies, block.lanes);
   run_stage(JointStage::aim, effort.h, effort.target, block.lanes);

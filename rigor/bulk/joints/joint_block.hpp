@@ -11,7 +11,7 @@ namespace rigor {
 
 using LaneArray = std::array<float, kLaneCount>;
 
-/// Where a body, or the world, is at the begin of a step.
+/// Where a body, or the world, is at the beginning of a step.
 struct BodyPlace {
   Vec3 x = Vec3::Zero();      ///< p_WB [m].
   Quat q = Quat::Identity();  ///< q_WB.
@@ -27,14 +27,14 @@ struct BulkJointBlock {
   struct alignas(32) Velocities {
     FloatVec3 v, w;
   };
-  std::vector<Velocities> before;  ///< At the begin of a solve, of bodies that joints with laws move.
+  std::vector<Velocities> before;  ///< At the beginning of a solve, of bodies that joints with laws move.
   unsigned free_lanes = 0;         ///< Of trees that ContactFreeChains takes in this step, one bit each.
-  bool stirs = true;               ///< Whether one of its bodies moves in this step: not all of them sleep.
+  bool is_moving = true;           ///< Whether one of its bodies moves in this step: not all of them sleep.
   /// Of rows of laws, in the order of links, rows and lanes: what limits do after the displacements.
   struct Law {
     int link = 0, row = 0, axis = -1;  ///< Axis -1: a ball's damper across its axis.
     std::array<LawPiece, kLaneCount> pieces{};
-    LaneArray rate{};  ///< At the begin of the substep.
+    LaneArray rate{};  ///< At the beginning of the substep.
   };
   std::vector<Law> laws;
 };
@@ -48,7 +48,7 @@ struct JointEffort {
   LaneTarget target = LaneTarget::portable;
 };
 
-/// At the begin of a step; the bodies stay where they are until its end.
+/// At the beginning of a step; the bodies stay where they are until its end.
 void prepare_joint_block(const JointEffort& effort, BulkBodies& bodies, BulkJointBlock& block);
 /// What is solved before the displacements of a substep, and after them. `anew`: takes back first what joints
 /// have changed since the call of the same name before.

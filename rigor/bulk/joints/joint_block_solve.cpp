@@ -17,11 +17,12 @@ LaneArray read_lanes(const FloatLanes& lanes) {
   return values;
 }
 
-/// Times that a solve is repeated, against what turning makes of velocities.
+/// Times that a solve is repeated, since arms rotate within the substep.
 constexpr int kCorrections = 2;
-/// Changes of pieces of laws within a solve.
+/// Times that pieces of laws are chosen within a solve.
 constexpr int kPieceChanges = 6;
 
+/// Of the beginning of a solve: restore() takes them.
 void keep_velocities(Block& block) {
   for (std::size_t i = 0; i < block.before.size(); ++i) {
     block.before[i] = {block.lanes.slots[i].v, block.lanes.slots[i].w};
@@ -40,13 +41,18 @@ LawPiece find_piece(const Model& model, const Block& block, const Block::Law& la
   const JointLink& link = block.lanes.systems.links[at(law.link)];
   const JointLanes& lanes = block.lanes.joints[at(law.link)];
   const int index = link.joints[at(lane)];
+  // Empty lanes and coordinates without a law.
   if (index < 0) return {};
   if (std::max(law.axis, 0) >= static_cast<int>(model.joint(index).axes.size())) return {};
+
+  // The damper of a ball joint across its axis: a soft row.
   const Joint& joint = model.joint(index);
   if (law.axis < 0) {
     const double damping = joint.axes[0].damping;
     return damping > 0 ? LawPiece{true, 0, 1 / (h * damping), 0, 0} : LawPiece{};
   }
+
+  // Where the line of the coordinate's own mobility through the present rate and impulse meets the law.
   const CoordinateMotion motion{lanes.coordinate[law.row][lane], lanes.rate[law.row][lane],
                                 lanes.mobility[law.row][lane], lanes.impulse[law.row][lane]};
   return CoordinateLaw(joint, law.axis, motion, h).piece_at(motion.rate, motion.impulse);
@@ -58,6 +64,7 @@ bool is_same(const LawPiece& a, const LawPiece& b) {
 
 /// Writes the pieces of all laws into the rows; whether one has changed.
 bool choose_pieces(const Model& model, double h, Block& block) {
+  // The pieces.
   bool has_changed = false;
   for (Block::Law& law : block.laws) {
     for (int lane = 0; lane < kLaneCount; ++lane) {
@@ -67,6 +74,8 @@ bool choose_pieces(const Model& model, double h, Block& block) {
       old = piece;
     }
   }
+
+  // Their rows: held on jumps, soft on rising pieces, a given impulse on level ones.
   for (Block::Law& law : block.laws) {
     JointLanes& joint = block.lanes.joints[at(law.link)];
     for (int lane = 0; lane < kLaneCount; ++lane) {
@@ -95,6 +104,8 @@ void choose_rebounds(const Model& model, Block& block) {
       joint.given[law.row][lane] = 0;
       joint.target[law.row][lane] = 0;
       if (!stands) continue;
+
+      // -e times the rate with which the coordinate has come to the limit.
       const double e = model.joint(link.joints[k]).axes[at(law.axis)].restitution;
       const double approach = std::max(0.0, piece.limit * static_cast<double>(law.rate[k]));
       joint.target[law.row][lane] = static_cast<float>(-piece.limit * e * approach);
@@ -102,7 +113,7 @@ void choose_rebounds(const Model& model, Block& block) {
   }
 }
 
-/// Back to the begin of a solve, where the laws' given impulses are all there is.
+/// Back to the beginning of a solve, where the laws' given impulses are all there is.
 void restore(Block& block) {
   for (std::size_t i = 0; i < block.before.size(); ++i) {
     JointSlot& slot = block.lanes.slots[i];
@@ -130,6 +141,8 @@ void begin_substep(bool anew, Block& block) {
   }
 }
 
+/// Corrections of the places; of loops after a solve of the rates (docs/theory/bulk_joints.md, sections 1 and
+/// 3).
 void correct(float h, LaneTarget target, Block& block) {
   if (block.lanes.loops) {
     run_stage(JointStage::drift, h, target, block.lanes);
@@ -141,16 +154,22 @@ void correct(float h, LaneTarget target, Block& block) {
   }
 }
 
+/// Solves with the pieces of the laws until none of them changes (section 4).
 void solve_laws(const JointEffort& effort, Block& block) {
   const auto& [model, h, target] = effort;
+  // The first pieces follow from the rates before the solve.
   run_stage(JointStage::rates, h, target, block.lanes);
   begin_laws(block);
   choose_pieces(model, h, block);
+
   for (int k = 0; k < kPieceChanges; ++k) {
+    // Each solve begins where the first one did.
     restore(block);
     run_stage(JointStage::factor, h, target, block.lanes);
     block.lanes.gives = true;
     correct(h, target, block);
+
+    // The pieces at the rates that it has found.
     run_stage(JointStage::rates, h, target, block.lanes);
     if (k + 1 < kPieceChanges && !choose_pieces(model, h, block)) break;
   }
@@ -158,6 +177,7 @@ void solve_laws(const JointEffort& effort, Block& block) {
 
 }  // namespace
 
+// Step 2 of a substep.
 void solve_before_displacements(const JointEffort& effort, bool anew, BulkJointBlock& block) {
   const auto& [model, h, target] = effort;
   load_slots(block.records, target, block.lanes);
@@ -173,6 +193,7 @@ void solve_before_displacements(const JointEffort& effort, bool anew, BulkJointB
   store_slots(block.records, target, block.lanes);
 }
 
+// Step 4 of a substep, with the rows where the bodies are now; its factors serve step 2 of the next.
 void solve_after_displacements(const JointEffort& effort, BulkJointBlock& block) {
   const auto& [model, h, target] = effort;
   load_slots(block.records, target, block.lanes);

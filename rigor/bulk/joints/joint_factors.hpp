@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rigor/bulk/joints/joint_turn.hpp"
+#include "rigor/bulk/joints/joint_rotations.hpp"
 
 namespace rigor {
 
@@ -9,13 +9,17 @@ constexpr int lower(int row, int column) {
   return row * (row + 1) / 2 + column;
 }
 
-/// A = L Lᵀ in place; the diagonal holds inverses.
+// Factors and solves of a tree whose joints hold any rows: docs/theory/bulk_joints.md, §2.
+
+/// A = L Lᵀ in place, column after column; the diagonal holds the inverses of that of L.
 RIGOR_FLOAT_LANES void factor_lower(int size, FloatLanes* A) {
   for (int j = 0; j < size; ++j) {
+    // The diagonal element; rounding must not make it negative.
     FloatLanes s = A[lower(j, j)];
     for (int k = 0; k < j; ++k) s -= A[lower(j, k)] * A[lower(j, k)];
     const FloatLanes inverse = 1.0F / float_sqrt(float_max(s, float_lanes(1e-30F)));
     A[lower(j, j)] = inverse;
+    // The elements below.
     for (int i = j + 1; i < size; ++i) {
       FloatLanes e = A[lower(i, j)];
       for (int k = 0; k < j; ++k) e -= A[lower(i, k)] * A[lower(j, k)];
@@ -40,6 +44,7 @@ RIGOR_FLOAT_LANES void solve_upper(int size, const FloatLanes* L, FloatLanes* x)
   }
 }
 
+/// The resistance of a body alone: its mass matrix.
 RIGOR_FLOAT_LANES void set_resistance(JointSlot& slot) {
   for (FloatLanes& e : slot.resistance) e = float_lanes(0);
   const FloatSym3& I = slot.inertia;
@@ -55,20 +60,20 @@ RIGOR_FLOAT_LANES void set_resistance(JointSlot& slot) {
 /// Inertia in W where the body is: of principal axes e and moments I, with E the identity,
 ///
 ///   I_2 E + (I_0 - I_2) e_0 e_0ᵀ + (I_1 - I_2) e_1 e_1ᵀ.
-RIGOR_FLOAT_LANES FloatSym3 turned_moments(const JointSlot& slot, const FloatLanes* I) {
-  const FloatVec3 e0 = rotate(slot.turn, slot.axis0), e1 = rotate(slot.turn, slot.axis1);
+RIGOR_FLOAT_LANES FloatSym3 moments_in_W(const JointSlot& slot, const FloatLanes* I) {
+  const FloatVec3 e0 = rotate(slot.rotation, slot.axis0), e1 = rotate(slot.rotation, slot.axis1);
   const FloatVec3 a = (I[0] - I[2]) * e0, b = (I[1] - I[2]) * e1;
   return {I[2] + a.x * e0.x + b.x * e1.x, I[2] + a.y * e0.y + b.y * e1.y, I[2] + a.z * e0.z + b.z * e1.z,
           a.x * e0.y + b.x * e1.y,        a.x * e0.z + b.x * e1.z,        a.y * e0.z + b.y * e1.z};
 }
-RIGOR_FLOAT_LANES void turn_inertia(JointSlot& slot) {
-  slot.inertia = turned_moments(slot, slot.moments);
+RIGOR_FLOAT_LANES void update_inertia(JointSlot& slot) {
+  slot.inertia = moments_in_W(slot, slot.moments);
 }
-RIGOR_FLOAT_LANES void turn_inverse_inertia(JointSlot& slot) {
-  slot.inverse_inertia = turned_moments(slot, slot.inverse_moments);
+RIGOR_FLOAT_LANES void update_inverse_inertia(JointSlot& slot) {
+  slot.inverse_inertia = moments_in_W(slot, slot.inverse_moments);
 }
 
-/// Gives the body what the last solve has found.
+/// Adds the changes of the last solve to the velocities of the body.
 RIGOR_FLOAT_LANES void add_change(JointSlot& slot) {
   const FloatVec3 v{slot.change[0], slot.change[1], slot.change[2]};
   const FloatVec3 w{slot.change[3], slot.change[4], slot.change[5]};
@@ -83,12 +88,17 @@ struct JointSize {
   int rows, held;
 };
 
-/// Factors of one joint, whose child has all of its resistance; adds to that of its parent.
+/// Factors of one joint, whose child has all of its resistance A = L Lᵀ: F Fᵀ = K = C A⁻¹ Cᵀ + softness. Adds
+/// Pᵀ K⁻¹ P to the resistance of the parent.
 RIGOR_FLOAT_LANES void factor_joint(const JointLink& link, JointSize count, JointSlot& child,
                                     JointSlot& parent, JointLanes& joint) {
+  // L of the child.
   const auto [size, held] = count;
   for (int k = 0; k < 21; ++k) joint.L[k] = child.resistance[k];
   factor_lower(6, joint.L);
+
+  // W = L⁻¹ Cᵀ, row after row of C, and K = Wᵀ W + softness. Rows of laws count in the lanes where they are
+  // on.
   const FloatVec3* a_child = link.child_is_B ? joint.a_B : joint.a_A;
   const FloatVec3* a_parent = link.child_is_B ? joint.a_A : joint.a_B;
   const FloatLanes sign = float_lanes(link.child_is_B ? 1 : -1);
@@ -108,6 +118,8 @@ RIGOR_FLOAT_LANES void factor_joint(const JointLink& link, JointSize count, Join
   }
   factor_lower(size, joint.F);
   if (!link.parent_is_free) return;
+
+  // X = F⁻¹ P.
   for (int r = 0; r < size; ++r) {
     const FloatLanes s = r < held ? -sign : -sign * joint.on[r];
     const FloatVec3 n = s * joint.n[r], a = s * a_parent[r];
@@ -120,6 +132,8 @@ RIGOR_FLOAT_LANES void factor_joint(const JointLink& link, JointSize count, Join
       row[k] = e * joint.F[lower(r, r)];
     }
   }
+
+  // A_parent += Xᵀ X = Pᵀ K⁻¹ P.
   for (int i = 0; i < 6; ++i) {
     for (int k = 0; k <= i; ++k) {
       FloatLanes e = parent.resistance[lower(i, k)];
@@ -129,7 +143,7 @@ RIGOR_FLOAT_LANES void factor_joint(const JointLink& link, JointSize count, Join
   }
 }
 
-/// The root of a tree that floats.
+/// The root of a tree that floats: L Lᵀ is its resistance, t = L⁻¹ p, and its change is L⁻ᵀ t.
 RIGOR_FLOAT_LANES void factor_root(const JointSlot& slot, JointLanes& root) {
   for (int k = 0; k < 21; ++k) root.L[k] = slot.resistance[k];
   factor_lower(6, root.L);
@@ -143,11 +157,15 @@ RIGOR_FLOAT_LANES void spread_root(const JointLanes& root, JointSlot& slot) {
   solve_upper(6, root.L, slot.change);
 }
 
-/// On the way to the root: what the child's push and the residuals make the parent feel.
+/// On the way to the root: z = F⁻¹ (b - C A⁻¹ p) with the push p of the child and the residuals -b; the
+/// parent feels Pᵀ F⁻ᵀ z.
 RIGOR_FLOAT_LANES void gather_push(const JointLink& link, int size, const JointSlot& child, JointSlot& parent,
                                    JointLanes& joint) {
+  // t = L⁻¹ p.
   for (int k = 0; k < 6; ++k) joint.t[k] = child.push[k];
   solve_lower(6, joint.L, joint.t);
+
+  // C A⁻¹ p = Wᵀ t.
   for (int r = 0; r < size; ++r) {
     FloatLanes e = -joint.residual[r];
     for (int k = 0; k < 6; ++k) e -= joint.W[6 * r + k] * joint.t[k];
@@ -155,6 +173,8 @@ RIGOR_FLOAT_LANES void gather_push(const JointLink& link, int size, const JointS
   }
   solve_lower(size, joint.F, joint.z);
   if (!link.parent_is_free) return;
+
+  // p_parent += Xᵀ z.
   for (int k = 0; k < 6; ++k) {
     FloatLanes e = parent.push[k];
     for (int r = 0; r < size; ++r) e += joint.X[6 * r + k] * joint.z[r];
@@ -162,9 +182,11 @@ RIGOR_FLOAT_LANES void gather_push(const JointLink& link, int size, const JointS
   }
 }
 
-/// On the way back: the impulse of the joint and what its child does.
+/// On the way back: the impulse λ = F⁻ᵀ (z - X Δv_parent) of the joint, and the change Δv = L⁻ᵀ (t + W λ) of
+/// its child.
 RIGOR_FLOAT_LANES void spread_change(const JointLink& link, int size, const JointSlot& parent,
                                      JointSlot& child, JointLanes& joint) {
+  // The impulse.
   FloatLanes y[kMostJointRows];
   for (int r = 0; r < size; ++r) {
     y[r] = joint.z[r];
@@ -172,6 +194,8 @@ RIGOR_FLOAT_LANES void spread_change(const JointLink& link, int size, const Join
     for (int k = 0; k < 6; ++k) y[r] -= joint.X[6 * r + k] * parent.change[k];
   }
   solve_upper(size, joint.F, y);
+
+  // The change of the child.
   for (int k = 0; k < 6; ++k) {
     FloatLanes e = joint.t[k];
     for (int r = 0; r < size; ++r) e += joint.W[6 * r + k] * y[r];

@@ -17,13 +17,15 @@ bool is_free(const Model& model, int body) {
   return body != world_body && model.body(body).motion == MotionType::dynamic;
 }
 
+/// Whether a law acts along the coordinate.
 bool acts(const JointAxis& axis) {
   return axis.is_limited() || axis.motor || axis.stiffness > 0 || axis.damping > 0 || axis.friction > 0;
 }
 
 /// What keeps its distance has no coordinate for a spring to act on.
 bool keeps_distance(const Joint& joint) {
-  return joint.type == JointType::distance && (joint.axes.empty() || !joint.axes[0].is_limited());
+  return joint_traits(joint.type).relation == JointRelation::distance &&
+         (joint.axes.empty() || !joint.axes[0].is_limited());
 }
 
 /// Of each joint, whether its coordinates count.
@@ -63,6 +65,8 @@ struct Branches {
   std::vector<int> closing;
 };
 
+/// Takes joints into trees in their order: those between two dynamic bodies that are not yet held together,
+/// and the first that holds a tree to the ground.
 Branches choose_branches(const Model& model) {
   const std::size_t count = at(model.body_count());
   Branches branches{std::vector<std::vector<int>>(count), std::vector<int>(count, -1), {}};
@@ -73,6 +77,8 @@ Branches choose_branches(const Model& model) {
     const bool is_gear = joint.type == JointType::gear;
     const bool moves_A = !is_gear && is_free(model, joint.body_A);
     const bool moves_B = !is_gear && is_free(model, joint.body_B);
+
+    // Between two trees of which at most one is held to the ground.
     if (moves_A && moves_B) {
       const std::size_t a = at(sets.top(joint.body_A));
       const std::size_t b = at(sets.top(joint.body_B));
@@ -84,6 +90,7 @@ Branches choose_branches(const Model& model) {
         continue;
       }
     } else if (moves_A || moves_B) {
+      // To the ground, for a tree that floats.
       const int body = moves_A ? joint.body_A : joint.body_B;
       const std::size_t set = at(sets.top(body));
       if (!is_held[set]) {
@@ -102,6 +109,7 @@ struct Tree {
   std::vector<int> bodies, joints, parents;  ///< Parents: their place in `bodies`; -1: none.
 };
 
+/// The tree of a root: breadth first from there, then reversed, so that children come before their parents.
 Tree grow(const Model& model, const Branches& branches, int root) {
   Tree tree{{root}, {branches.holds[at(root)]}, {-1}};
   for (std::size_t i = 0; i < tree.bodies.size(); ++i) {
@@ -122,6 +130,8 @@ Tree grow(const Model& model, const Branches& branches, int root) {
   return tree;
 }
 
+/// The trees of all branches, in the order of their roots: the body that is held to the ground, else the
+/// lowest one.
 std::vector<Tree> find_trees(const Model& model, const Branches& branches) {
   BodySets sets(model.body_count());
   std::vector<int> roots(at(model.body_count()), -1);
@@ -141,7 +151,7 @@ std::vector<Tree> find_trees(const Model& model, const Branches& branches) {
   return trees;
 }
 
-/// What of a tree must be alike to share lanes.
+/// Trees with equal signatures share lanes: the same parents, types of joints, sides and coordinates.
 std::vector<int> signature(const Model& model, const std::vector<bool>& has_coordinates, const Tree& tree) {
   std::vector<int> signs;
   for (std::size_t i = 0; i < tree.bodies.size(); ++i) {
@@ -158,6 +168,7 @@ std::vector<int> signature(const Model& model, const std::vector<bool>& has_coor
   return signs;
 }
 
+/// Eight empty lanes of trees that are like this one.
 JointSystems begin_trees(const Model& model, const std::vector<bool>& has_coordinates, const Tree& tree) {
   JointSystems trees;
   std::array<int, 8> none;
@@ -210,6 +221,8 @@ std::vector<int> systems_of(const Model& model) {
     sets.join(j, joint.first_joint);
     sets.join(j, joint.second_joint);
   }
+
+  // The joints of a set are met in ascending order.
   std::vector<int> lowest(at(count + model.body_count()), -1), systems;
   for (int j = 0; j < count; ++j) {
     int& first = lowest[at(sets.top(j))];
@@ -258,12 +271,15 @@ class LaneFiller {
 }  // namespace
 
 JointForest make_joint_forest(const Model& model) {
+  // Systems with a joint that closes a loop, or with a gear, are no trees as a whole.
   const Branches branches = choose_branches(model);
   const std::vector<std::vector<int>> loops = find_loops(branches.closing, systems_of(model));
   std::vector<bool> is_in_loops(model.joints().size());
   for (const std::vector<int>& joints : loops) {
     for (const int j : joints) is_in_loops[at(j)] = true;
   }
+
+  // Trees.
   JointForest forest;
   forest.has_coordinates = coordinate_users(model);
   LaneFiller trees(forest.systems);
@@ -275,6 +291,8 @@ JointForest make_joint_forest(const Model& model) {
         [&] { return begin_trees(model, forest.has_coordinates, tree); },
         [&](std::size_t lane, JointSystems& systems) { add_lane(model, tree, lane, systems); });
   }
+
+  // Systems with loops or gears.
   LaneFiller others(forest.systems);
   for (const std::vector<int>& joints : loops) {
     const JointLoops system(model, forest.has_coordinates, joints);

@@ -10,21 +10,23 @@ namespace rigor {
 
 namespace {
 
-constexpr double whole_turn = 2 * std::numbers::pi;
+constexpr double revolution = 2 * std::numbers::pi;
 
-/// Numbers of teeth, at most 1000 of the second wheel, decide what whole turns of two angles make of a gear.
-double turn_period(double ratio, bool first_turns, bool second_turns) {
-  if (first_turns && second_turns) {
+/// The period of a gear in the difference of its coordinates [rad], GearLanes::period. For two angles it
+/// follows from the numbers of teeth p and q, ratio = p/q with q at most 1000: whole revolutions add
+/// multiples of 2π/q.
+double period_of(double ratio, bool first_rotates, bool second_rotates) {
+  if (first_rotates && second_rotates) {
     for (int q = 1; q <= 1000; ++q) {
       const double p = std::round(ratio * q);
       if (std::abs(ratio * q - p) <= 2 * std::numeric_limits<double>::epsilon() * std::abs(p)) {
-        return whole_turn / q;
+        return revolution / q;
       }
     }
     return 0;
   }
-  if (first_turns) return whole_turn * std::abs(ratio);
-  return second_turns ? whole_turn : std::numeric_limits<double>::infinity();
+  if (first_rotates) return revolution * std::abs(ratio);
+  return second_rotates ? revolution : std::numeric_limits<double>::infinity();
 }
 
 double dot_lane(const FloatVec3& a, const FloatVec3& b, int lane) {
@@ -85,14 +87,15 @@ void set_residuals(JointBlock& block, const Residual& residual) {
 
 std::vector<GearLanes> make_gears(const Model& model, const JointSystems& systems) {
   std::vector<GearLanes> gears;
-  const auto turns = [&](int joint) { return is_angle(model.joint(joint).type, 0); };
+  const auto is_rotation = [&](int joint) { return is_angle(model.joint(joint).type, 0); };
   for (const GearLink& link : systems.gears) {
     GearLanes gear{};
     for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
       if (link.joints[lane] < 0) continue;
       const Joint& joint = model.joint(link.joints[lane]);
       gear.ratio[lane] = joint.ratio;
-      gear.period[lane] = turn_period(joint.ratio, turns(joint.first_joint), turns(joint.second_joint));
+      gear.period[lane] =
+          period_of(joint.ratio, is_rotation(joint.first_joint), is_rotation(joint.second_joint));
     }
     gears.push_back(gear);
   }

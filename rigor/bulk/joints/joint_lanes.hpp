@@ -21,10 +21,10 @@ struct alignas(32) JointSlot {
   FloatVec3 v, w, dp, dr;
   FloatLanes inverse_mass, mass;
   FloatLanes moments[3], inverse_moments[3];  ///< About the principal axes.
-  FloatVec3 axis0, axis1;                     ///< The first two of them at the begin of the step.
+  FloatVec3 axis0, axis1;                     ///< The first two of them at the beginning of the step.
   FloatSym3 inertia, inverse_inertia;         ///< Where the body is.
-  FloatQuat turn;                             ///< Since the begin of the step.
-  FloatQuat next_turn;                        ///< The same at the end of the substep, if velocities stay.
+  FloatQuat rotation;                         ///< Since the beginning of the step.
+  FloatQuat next_rotation;                    ///< The same at the end of the substep, if velocities stay.
   FloatLanes resistance[21];  ///< To a push: of the body and of all that hangs on it; lower triangle.
   FloatLanes push[6];         ///< Impulse that is to be taken up.
   FloatLanes change[6];       ///< Of v and w, by the last solve.
@@ -67,11 +67,12 @@ struct alignas(32) JointLanes {
 struct alignas(32) BallLanes {
   FloatVec3 arm_child, arm_parent;  ///< From the centres to the anchor [m].
   FloatVec3 wanted;  ///< Change of the anchor's velocity on the child against that on the parent.
-  // Factors. Resistance of the child to velocities u of its anchor and turning ω: (S, H; Hᵀ, L D Lᵀ).
+  // Factors. Resistance of the child to velocities u of its anchor and ω: (S, H; Hᵀ, L D Lᵀ).
   FloatLanes inverse_D[3], L[3];  ///< L: elements 10, 20, 21.
   FloatVec3 G[3];                 ///< Rows of H (L D Lᵀ)⁻¹.
-  FloatSym3 S;                    ///< Resistance of the anchor to u if the child turns freely.
-  FloatVec3 turning, pull;  ///< Of the child, if its anchor is held: its change of ω, what it takes up.
+  FloatSym3 S;                    ///< Resistance of the anchor to u if the child rotates freely.
+  FloatVec3 free_dw,
+      pull;  ///< If the anchor is held: the change of the child's ω, and what the anchor takes up.
 };
 
 /// Gears in lanes.
@@ -97,43 +98,41 @@ struct JointBlock {
   bool gives = false;        ///< Whether the next solve begins with the given impulses.
 };
 
-/// Rows that a joint of this type holds, and those of its coordinates.
+/// Whether the rows need the orientations of the joint's frames: not those of a point or a distance.
+constexpr bool needs_frames(JointType type, bool has_laws) {
+  const JointTraits& traits = joint_traits(type);
+  if (traits.relation == JointRelation::distance) return false;
+  return has_laws || !traits.holds_point() || traits.held_rotation != HeldRotation::none ||
+         traits.relation != JointRelation::none;
+}
+
+/// Rows that a joint of this type holds. A distance joint with laws is one with limits (JointForest), which
+/// holds nothing.
 constexpr int held_row_count(JointType type, bool has_laws) {
-  switch (type) {
-    case JointType::fixed:
-      return 6;
-    case JointType::ball:
-      return 3;
-    case JointType::universal:
-    case JointType::cylindrical:
-      return 4;
-    case JointType::planar:
-      return 3;
-    case JointType::distance:
-      return has_laws ? 0 : 1;
-    case JointType::gear:
-      return 0;
-    default:
-      return 5;
-  }
+  const bool has_limits = has_laws && joint_traits(type).relation == JointRelation::distance;
+  return has_limits ? 0 : held_row_count(type);
 }
+/// Rows of a coordinate: those of a whole rotation are about three axes, since its damper is isotropic.
+constexpr int law_row_count(CoordinateType coordinate) {
+  return coordinate == CoordinateType::whole_angle ? 3 : 1;
+}
+/// Rows of the coordinates of a joint of this type.
 constexpr int law_row_count(JointType type, bool has_laws) {
-  if (!has_laws) return 0;
-  // A ball's damper acts about all axes.
-  switch (type) {
-    case JointType::fixed:
-    case JointType::gear:
-      return 0;
-    case JointType::ball:
-    case JointType::planar:
-      return 3;
-    case JointType::universal:
-    case JointType::cylindrical:
-      return 2;
-    default:
-      return 1;
-  }
+  int count = 0;
+  for (const CoordinateType coordinate : joint_traits(type).coordinates()) count += law_row_count(coordinate);
+  return has_laws ? count : 0;
 }
+/// Whether the lanes of a joint have room for the rows of each type, and the first row of the k-th coordinate
+/// is the k-th row behind those that are held.
+constexpr bool do_all_types_fit() {
+  for (const JointTraits& traits : joint_table) {
+    const int laws = law_row_count(traits.type, true);
+    if (held_row_count(traits.type, true) + laws > kMostJointRows) return false;
+    if (traits.coordinate_count > 1 && laws != traits.coordinate_count) return false;
+  }
+  return true;
+}
+static_assert(do_all_types_fit(), "a type of joint has rows for which its lanes have no room");
 constexpr int row_count(const JointLink& link) {
   if (!link.has_joint) return 0;
   return held_row_count(link.type, link.has_laws) + law_row_count(link.type, link.has_laws);

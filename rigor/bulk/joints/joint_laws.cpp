@@ -15,8 +15,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// How far the coordinate is from the rest of its spring; angles the shorter way round.
 double deviation(const Joint& joint, int k, double value) {
   const double difference = value - joint.axes[static_cast<std::size_t>(k)].rest;
-  const bool goes_round = is_angle(joint.type, k) && joint.type != JointType::ball;
-  return goes_round ? std::remainder(difference, 2 * std::numbers::pi) : difference;
+  return is_periodic(joint.type, k) ? std::remainder(difference, 2 * std::numbers::pi) : difference;
 }
 
 }  // namespace

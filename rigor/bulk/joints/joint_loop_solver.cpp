@@ -2,6 +2,7 @@
 
 #include "rigor/bulk/joints/joint_lanes.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/core/sorted_unique.hpp"
 #include "rigor/math/types.hpp"
 
 #include <Eigen/SparseCholesky>
@@ -111,16 +112,17 @@ void LoopSolver::Pattern::sort_by_slot(std::size_t slots) {
   for (std::size_t s = 0; s < slots; ++s) slot_begin[s + 1] += slot_begin[s];
 }
 
-/// Which elements there are, and where.
+/// Finds which elements the lower triangle has, and where the blocks of the pairs lie.
 void LoopSolver::Pattern::find_places() {
-  // Of each node those that share a body with it, from itself on.
+  // Of each node those that share a body with it, from itself on: D has a block wherever two of them do.
   std::vector<std::vector<int>> below(row_counts.size());
   for (std::size_t n = 0; n < below.size(); ++n) below[n].push_back(static_cast<int>(n));
   for_pairs([&](std::size_t i, std::size_t k) { below[at(sides[k].node)].push_back(sides[i].node); });
+
+  // Elements on and below the diagonal.
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t n = 0; n < below.size(); ++n) {
-    std::sort(below[n].begin(), below[n].end());
-    below[n].erase(std::unique(below[n].begin(), below[n].end()), below[n].end());
+    below[n] = sorted_unique(std::move(below[n]));
     for (int c = first_row[n]; c < first_row[n] + row_counts[n]; ++c) {
       for (const int node : below[n]) {
         const std::size_t b = at(node);
@@ -132,6 +134,8 @@ void LoopSolver::Pattern::find_places() {
   }
   lower.resize(size, size);
   lower.setFromTriplets(entries.begin(), entries.end());
+
+  // Where in its columns the block of each pair begins.
   for_pairs([&](std::size_t i, std::size_t k) {
     int place = 0;
     for (const int node : below[at(sides[k].node)]) {
@@ -159,11 +163,12 @@ struct LoopSolver::Lane {
   int lane = 0;
   std::vector<Rows> J, JM;  ///< Of each side: its rows, and J M⁻¹.
   Sparse lower;
-  VecX redundancy;  ///< Softness of that name, of each row.
+  VecX redundancy;  ///< The softness E of each row.
   std::unique_ptr<Eigen::SimplicialLLT<Sparse>> cholesky;
 };
 
 LoopSolver::LoopSolver(const JointSystems& systems) : pattern_(std::make_unique<const Pattern>(systems)) {
+  // One sparse matrix a lane; the order of little fill is found once.
   for (int lane = 0; lane < kLaneCount; ++lane) {
     if (systems.links[0].joints[at(lane)] < 0) continue;
     Lane& added = lanes_.emplace_back();
@@ -180,6 +185,7 @@ LoopSolver::LoopSolver(const JointSystems& systems) : pattern_(std::make_unique<
 LoopSolver::LoopSolver(LoopSolver&& other) noexcept = default;
 LoopSolver::~LoopSolver() = default;
 
+/// C and C M⁻¹ of each side, in 64 bits.
 void LoopSolver::read_rows(const JointBlock& block, Lane& lane) const {
   const int l = lane.lane;
   for (std::size_t i = 0; i < pattern_->sides.size(); ++i) {
@@ -187,8 +193,10 @@ void LoopSolver::read_rows(const JointBlock& block, Lane& lane) const {
     const JointLink& link = block.systems.links[at(side.link)];
     const JointLanes& joint = block.joints[at(side.link)];
     const int held = held_row_count(link.type, link.has_laws);
-    const int first = side.wheel > 0 ? held : 0;  // Wheels turn along the first coordinate.
+    const int first = side.wheel > 0 ? held : 0;  // The coordinate of a wheel is the first.
     const int count = pattern_->row_counts[at(side.node)];
+
+    // Rows of laws count where they are on; a gear has (second coordinate) - ratio (first one).
     Rows& J = lane.J[i];
     J.resize(count, 6);
     for (int r = 0; r < count; ++r) {
@@ -205,7 +213,7 @@ void LoopSolver::read_rows(const JointBlock& block, Lane& lane) const {
   }
 }
 
-/// C M⁻¹ Cᵀ.
+/// D = C M⁻¹ Cᵀ: each pair of sides on a body adds to the block of their nodes.
 void LoopSolver::assemble(Lane& lane) const {
   std::fill_n(lane.lower.valuePtr(), lane.lower.nonZeros(), 0.0);
   std::size_t pair = 0;
@@ -226,11 +234,15 @@ void LoopSolver::factor(const JointBlock& block) {
   for (Lane& lane : lanes_) {
     read_rows(block, lane);
     assemble(lane);
+
+    // E on the diagonal.
     for (int row = 0; row < pattern_->size; ++row) {
       double& element = lane.lower.valuePtr()[lane.lower.outerIndexPtr()[row]];
       lane.redundancy[row] = kRedundancy * element;
       element += lane.redundancy[row];
     }
+
+    // The softness of laws.
     for (std::size_t i = 0; i < block.joints.size(); ++i) {
       const JointLink& link = block.systems.links[i];
       for (int r = held_row_count(link.type, link.has_laws); r < row_count(link); ++r) {
@@ -242,6 +254,8 @@ void LoopSolver::factor(const JointBlock& block) {
   }
 }
 
+/// The parts of D⁻¹ b that are used for places and for rates, of the series x₁ = (D + E)⁻¹ b, x_(k+1) = (D +
+/// E)⁻¹ E x_k (docs/theory/bulk_joints.md, section 3).
 VecX LoopSolver::impulses(const Lane& lane, const VecX& b, bool of_places) const {
   const auto again = [&](const VecX& x) {
     return VecX(lane.cholesky->solve(lane.redundancy.cwiseProduct(x)));
@@ -255,6 +269,8 @@ VecX LoopSolver::impulses(const Lane& lane, const VecX& b, bool of_places) const
 void LoopSolver::solve_lane(const Lane& lane, JointBlock& block) const {
   // Only what is not finite cannot be factored: the State tells.
   if (lane.cholesky->info() != Eigen::Success) return;
+
+  // b, the change of the rates that is wanted.
   const int l = lane.lane;
   VecX b(pattern_->size);
   for (std::size_t i = 0; i < block.joints.size(); ++i) {
@@ -265,6 +281,8 @@ void LoopSolver::solve_lane(const Lane& lane, JointBlock& block) const {
   for (std::size_t g = 0; g < block.gears.size(); ++g) {
     b[pattern_->first_row[block.joints.size() + g]] = -block.gears[g].residual[l];
   }
+
+  // b - C M⁻¹ p with the pushes p.
   std::vector<Vec6> push(block.systems.moved);
   for (std::size_t s = 0; s < push.size(); ++s) {
     for (int k = 0; k < 6; ++k) push[s][k] = block.slots[s].push[k][l];
@@ -278,8 +296,10 @@ void LoopSolver::solve_lane(const Lane& lane, JointBlock& block) const {
     rows_of(side, b) -= lane.JM[i] * push[at(side.slot)];
   }
 
+  // D λ = b - C M⁻¹ p.
   VecX lambda = impulses(lane, b, block.misses);
 
+  // Δv = M⁻¹ (p + Cᵀ λ).
   for (std::size_t i = 0; i < pattern_->sides.size(); ++i) {
     const Side& side = pattern_->sides[i];
     push[at(side.slot)] += lane.J[i].transpose() * rows_of(side, lambda);
@@ -293,6 +313,8 @@ void LoopSolver::solve_lane(const Lane& lane, JointBlock& block) const {
       slot.change[3 + k][l] = static_cast<float>(w[k]);
     }
   }
+
+  // The impulses of the substep.
   for (std::size_t i = 0; i < block.joints.size(); ++i) {
     for (int r = 0; r < pattern_->row_counts[i]; ++r) {
       block.joints[i].impulse[r][l] += static_cast<float>(lambda[pattern_->first_row[i] + r]);

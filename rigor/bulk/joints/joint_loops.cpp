@@ -40,6 +40,8 @@ JointLoops::JointLoops(const Model& model, const std::vector<bool>& has_coordina
     const auto found = moved.find(body);
     return found == moved.end() ? add_slot(body) : found->second;
   };
+
+  // Joints with rows are links; gears refer to those of their wheels.
   std::map<int, int> link_of;
   for (const int j : joints) {
     const Joint& joint = model.joint(j);

@@ -1,293 +1,41 @@
 #include "rigor/bulk/joints/joint_stages.hpp"
 
-#include "rigor/bulk/joints/joint_aims.hpp"
-#include "rigor/bulk/joints/joint_balls.hpp"
 #include "rigor/bulk/joints/joint_factors.hpp"
 #include "rigor/bulk/joints/joint_gears.hpp"
-#include "rigor/core/index.hpp"
+#include "rigor/bulk/joints/joint_stage_kernels.hpp"
 
 namespace rigor {
 
 namespace {
 
-RIGOR_FLOAT_LANES void load_square(const JointRecords& records, int first, FloatSquare& square) {
-  for (int i = 0; i < kLaneCount; ++i) {
-    square.row[i] = load_floats(records[at(i)] + first);
-  }
-  square = transpose(square);
-}
-
-RIGOR_FLOAT_LANES void load_all(const std::vector<JointRecords>& records, JointBlock& block) {
-  for (std::size_t s = 0; s < records.size(); ++s) {
-    JointSlot& slot = block.slots[s];
-    FloatSquare square;
-    load_square(records[s], 0, square);
-    slot.v = {square.row[0], square.row[1], square.row[2]};
-    slot.inverse_mass = square.row[3];
-    slot.w = {square.row[4], square.row[5], square.row[6]};
-    load_square(records[s], 8, square);
-    slot.dp = {square.row[0], square.row[1], square.row[2]};
-    slot.dr = {square.row[4], square.row[5], square.row[6]};
-  }
-}
-
-RIGOR_FLOAT_LANES void store_all(const std::vector<JointRecords>& records, const JointBlock& block) {
-  for (std::size_t s = 0; s < block.systems.moved; ++s) {
-    const JointSlot& slot = block.slots[s];
-    const FloatSquare square = transpose(
-        {{slot.v.x, slot.v.y, slot.v.z, slot.inverse_mass, slot.w.x, slot.w.y, slot.w.z, float_lanes(0)}});
-    for (int i = 0; i < kLaneCount; ++i) {
-      store_floats(square.row[i], records[s][at(i)]);
-    }
-  }
-}
-
-RIGOR_FLOAT_LANES FloatLanes row_rate(const JointSides& sides, const JointLanes& joint, int r) {
-  return dot(joint.n[r], sides.B.v - sides.A.v) + dot(joint.a_B[r], sides.B.w) - dot(joint.a_A[r], sides.A.w);
-}
-
-/// Impulse of one row on a body, to be taken up by the next solve.
-RIGOR_FLOAT_LANES void add_push(const FloatVec3& n, const FloatVec3& a, const FloatLanes& impulse,
-                                JointSlot& slot) {
-  slot.push[0] += impulse * n.x;
-  slot.push[1] += impulse * n.y;
-  slot.push[2] += impulse * n.z;
-  slot.push[3] += impulse * a.x;
-  slot.push[4] += impulse * a.y;
-  slot.push[5] += impulse * a.z;
-}
-
-RIGOR_FLOAT_LANES void give(const JointLink& link, std::size_t i, int r, JointBlock& block) {
-  const JointLanes& joint = block.joints[i];
-  JointSlot& child = block.slots[at(link.child)];
-  JointSlot& parent = block.slots[at(link.parent)];
-  JointSlot& A = link.child_is_B ? parent : child;
-  JointSlot& B = link.child_is_B ? child : parent;
-  add_push(joint.n[r], joint.a_B[r], joint.given[r], B);
-  add_push(joint.n[r], joint.a_A[r], -joint.given[r], A);
-}
-
-/// Of a joint with laws: rates and mobilities of their rows.
-RIGOR_FLOAT_LANES void measure_rates(const JointSides& sides, JointSize count, JointLanes& joint) {
-  for (int r = count.held; r < count.rows; ++r) {
-    joint.rate[r] = row_rate(sides, joint, r);
-    joint.mobility[r] = (sides.A.inverse_mass + sides.B.inverse_mass) * dot(joint.n[r], joint.n[r]) +
-                        dot(joint.a_A[r], sides.A.inverse_inertia * joint.a_A[r]) +
-                        dot(joint.a_B[r], sides.B.inverse_inertia * joint.a_B[r]);
-  }
-}
-
-RIGOR_FLOAT_LANES void set_law_residuals(const JointSides& sides, JointSize count, JointLanes& joint) {
-  for (int r = count.held; r < count.rows; ++r) {
-    joint.residual[r] =
-        joint.on[r] * (row_rate(sides, joint, r) + joint.softness[r] * joint.impulse[r] - joint.target[r]);
-  }
-}
-
-template <JointType type, bool has_laws>
-RIGOR_FLOAT_LANES void run_kind(JointStage stage, float h, const JointSides& sides, JointLanes& joint) {
-  if (stage == JointStage::aim) {
-    aim_joint<type, has_laws>(sides, joint);
-  } else if constexpr (held_row_count(type, has_laws) > 0) {
-    miss_joint<type, has_laws>(sides, h, joint);
-  }
-}
-
-template <JointType type>
-RIGOR_FLOAT_LANES void run_type(JointStage stage, float h, bool has_laws, const JointSides& sides,
-                                JointLanes& joint) {
-  if constexpr (law_row_count(type, true) > 0) {
-    if (has_laws) return run_kind<type, true>(stage, h, sides, joint);
-  }
-  run_kind<type, false>(stage, h, sides, joint);
-}
-
-/// The stages that depend on the type of the joint.
-RIGOR_FLOAT_LANES void run_by_type(JointStage stage, float h, const JointLink& link, const JointSides& sides,
-                                   JointLanes& joint) {
-  switch (link.type) {
-    case JointType::fixed:
-      return run_type<JointType::fixed>(stage, h, link.has_laws, sides, joint);
-    case JointType::ball:
-      return run_type<JointType::ball>(stage, h, link.has_laws, sides, joint);
-    case JointType::hinge:
-      return run_type<JointType::hinge>(stage, h, link.has_laws, sides, joint);
-    case JointType::slider:
-      return run_type<JointType::slider>(stage, h, link.has_laws, sides, joint);
-    case JointType::universal:
-      return run_type<JointType::universal>(stage, h, link.has_laws, sides, joint);
-    case JointType::cylindrical:
-      return run_type<JointType::cylindrical>(stage, h, link.has_laws, sides, joint);
-    case JointType::planar:
-      return run_type<JointType::planar>(stage, h, link.has_laws, sides, joint);
-    case JointType::distance:
-      return run_type<JointType::distance>(stage, h, link.has_laws, sides, joint);
-    case JointType::screw:
-      return run_type<JointType::screw>(stage, h, link.has_laws, sides, joint);
-    case JointType::gear:
-      return;
-  }
-}
-
-/// The other stages, for a joint with so many rows.
-RIGOR_FLOAT_LANES void run_rows(JointStage stage, JointSize count, std::size_t i, JointBlock& block) {
-  const JointLink& link = block.systems.links[i];
-  JointLanes& joint = block.joints[i];
-  JointSlot& child = block.slots[i];
-  JointSlot& parent = block.slots[at(link.parent)];
-  if (stage == JointStage::factor) factor_joint(link, count, child, parent, joint);
-  if (stage == JointStage::solve) gather_push(link, count.rows, child, parent, joint);
-}
-
-RIGOR_FLOAT_LANES void run_ball(JointStage stage, float h, std::size_t i, JointBlock& block) {
-  const JointLink& link = block.systems.links[i];
-  JointLanes& joint = block.joints[i];
-  BallLanes& ball = block.balls[i];
-  const JointSlot& child = block.slots[i];
-  JointSlot& parent = block.slots[at(link.parent)];
-  switch (stage) {
-    case JointStage::aim:
-      return aim_ball(link, child, parent, joint, ball);
-    case JointStage::factor:
-      return factor_ball(link, child, parent, ball);
-    case JointStage::miss:
-      return miss_ball(link, h, child, parent, joint, ball);
-    case JointStage::drift:
-      return drift_ball(child, parent, ball);
-    case JointStage::solve:
-      return gather_ball(link, child, parent, ball);
-    case JointStage::rates:
-      return;
-  }
-}
-
-RIGOR_FLOAT_LANES void run_joint(JointStage stage, float h, std::size_t i, JointBlock& block) {
-  const JointLink& link = block.systems.links[i];
-  JointLanes& joint = block.joints[i];
-  const JointSlot& child = block.slots[at(link.child)];
-  const JointSlot& parent = block.slots[at(link.parent)];
-  const JointSides sides = link.child_is_B ? JointSides{parent, child} : JointSides{child, parent};
-  const JointSize count{row_count(link), held_row_count(link.type, link.has_laws)};
-  if (stage == JointStage::aim || stage == JointStage::miss) run_by_type(stage, h, link, sides, joint);
-  if (stage == JointStage::rates) measure_rates(sides, count, joint);
-  if (stage == JointStage::drift) {
-    for (int r = 0; r < count.held; ++r) joint.residual[r] = row_rate(sides, joint, r);
-  }
-  if (stage == JointStage::miss || stage == JointStage::drift) set_law_residuals(sides, count, joint);
-  for (int r = count.held; stage == JointStage::miss && block.gives && r < count.rows; ++r)
-    give(link, i, r, block);
-  if (!block.loops && (stage == JointStage::factor || stage == JointStage::solve)) {
-    run_rows(stage, count, i, block);
-  }
-}
-
-RIGOR_FLOAT_LANES void run_root(JointStage stage, std::size_t i, JointBlock& block) {
-  if (stage == JointStage::factor) factor_root(block.slots[i], block.joints[i]);
-  if (stage == JointStage::solve) gather_root(block.slots[i], block.joints[i]);
-}
-
-RIGOR_FLOAT_LANES void spread(std::size_t i, JointBlock& block) {
-  const JointLink& link = block.systems.links[i];
-  JointLanes& joint = block.joints[i];
-  JointSlot& child = block.slots[i];
-  const JointSlot& parent = block.slots[at(link.parent)];
-  if (!link.has_joint) {
-    spread_root(joint, child);
-  } else if (link.is_plain_ball()) {
-    spread_ball(link, parent, child, joint, block.balls[i]);
-  } else {
-    spread_change(link, row_count(link), parent, child, joint);
-  }
-}
-
-RIGOR_FLOAT_LANES void begin_stage(JointStage stage, float h, JointBlock& block) {
-  for (JointSlot& slot : block.slots) {
-    if (stage == JointStage::aim) {
-      slot.turn = lane_turn(slot.dr);
-      turn_inertia(slot);
-      turn_inverse_inertia(slot);
-    }
-    if (stage == JointStage::factor && !block.loops) set_resistance(slot);
-    if (stage == JointStage::miss) {
-      slot.next_turn = lane_turn(lane_turned(slot.dr, float_lanes(h) * slot.w));
-    }
-    if (stage == JointStage::miss || stage == JointStage::drift) {
-      for (FloatLanes& e : slot.push) e = float_lanes(0);
-    }
-  }
-}
-
-RIGOR_FLOAT_LANES void run_stage_in_lanes(JointStage stage, float h, JointBlock& block) {
-  begin_stage(stage, h, block);
-  const std::size_t count = block.systems.links.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const JointLink& link = block.systems.links[i];
-    if (!link.has_joint) {
-      run_root(stage, i, block);
-    } else if (link.is_plain_ball() && !block.loops) {
-      run_ball(stage, h, i, block);
-    } else if (stage != JointStage::rates || link.has_laws) {
-      run_joint(stage, h, i, block);
-    }
-  }
-  if (stage == JointStage::miss) block.gives = false;
-  if (stage == JointStage::solve && !block.loops) {
-    for (std::size_t i = count; i-- > 0;) spread(i, block);
-  }
-}
-
-RIGOR_FLOAT_LANES void add_changes(JointBlock& block) {
+void add_changes(JointBlock& block) {
   for (std::size_t s = 0; s < block.systems.moved; ++s) add_change(block.slots[s]);
-}
-
-#if defined(__x86_64__)
-[[gnu::target("avx2")]] void load_avx2(const std::vector<JointRecords>& records, JointBlock& block) {
-  load_all(records, block);
-}
-[[gnu::target("avx2")]] void store_avx2(const std::vector<JointRecords>& records, const JointBlock& block) {
-  store_all(records, block);
-}
-[[gnu::target("avx2")]] void run_avx2(JointStage stage, float h, JointBlock& block) {
-  run_stage_in_lanes(stage, h, block);
-}
-#else
-void load_avx2(const std::vector<JointRecords>& records, JointBlock& block) {
-  load_all(records, block);
-}
-void store_avx2(const std::vector<JointRecords>& records, const JointBlock& block) {
-  store_all(records, block);
-}
-void run_avx2(JointStage stage, float h, JointBlock& block) {
-  run_stage_in_lanes(stage, h, block);
-}
-#endif
-void load_portable(const std::vector<JointRecords>& records, JointBlock& block) {
-  load_all(records, block);
-}
-void store_portable(const std::vector<JointRecords>& records, const JointBlock& block) {
-  store_all(records, block);
-}
-void run_portable(JointStage stage, float h, JointBlock& block) {
-  run_stage_in_lanes(stage, h, block);
 }
 
 }  // namespace
 
 void load_slots(const std::vector<JointRecords>& records, LaneTarget target, JointBlock& block) {
-  target == LaneTarget::avx2 ? load_avx2(records, block) : load_portable(records, block);
+  target == LaneTarget::avx2 ? avx2_lanes::load_all(records, block)
+                             : portable_lanes::load_all(records, block);
 }
 
 void store_slots(const std::vector<JointRecords>& records, LaneTarget target, const JointBlock& block) {
-  target == LaneTarget::avx2 ? store_avx2(records, block) : store_portable(records, block);
+  target == LaneTarget::avx2 ? avx2_lanes::store_all(records, block)
+                             : portable_lanes::store_all(records, block);
 }
 
 void run_stage(JointStage stage, float h, LaneTarget target, JointBlock& block) {
-  target == LaneTarget::avx2 ? run_avx2(stage, h, block) : run_portable(stage, h, block);
+  // What each joint and body does, in lanes.
+  target == LaneTarget::avx2 ? avx2_lanes::run_stage_in_lanes(stage, h, block)
+                             : portable_lanes::run_stage_in_lanes(stage, h, block);
   if (stage == JointStage::miss || stage == JointStage::drift) block.misses = stage == JointStage::miss;
+
+  // What joins several joints: gears, and the equations of systems that are no trees.
   if (stage == JointStage::miss) set_gear_misses(h, block);
   if (stage == JointStage::drift) set_gear_drifts(block);
   if (block.loops && stage == JointStage::factor) block.loops->factor(block);
   if (block.loops && stage == JointStage::solve) block.loops->solve(block);
+
   if (stage == JointStage::solve) add_changes(block);
 }
 

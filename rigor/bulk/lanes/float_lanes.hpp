@@ -11,7 +11,9 @@
 #include <xmmintrin.h>
 #endif
 
-#pragma GCC diagnostic ignored "-Wpsabi"  // All functions here are inlined: there is no ABI to change.
+// Functions that pass lanes by value are inlined, or called within one target only: there is no ABI to
+// change.
+#pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace rigor {
 

@@ -1,6 +1,6 @@
 // Arithmetic with fused multiply and add (one rounding), which processors with FMA have and others compute
 // by the mathematics library: both give the same bits. Included once for each target, inside its namespace
-// and, for AVX2, its pragma; RIGOR_LANES_HAVE_FMA tells which.
+// and, for AVX2, between avx2_begin.inl and avx2_end.inl; RIGOR_LANES_HAVE_FMA tells which.
 
 /// (Of float_lanes(), which is compiled for any processor, g++ 12 makes insertions, lane by lane.)
 RIGOR_FLOAT_LANES FloatLanes splat(float x) {
@@ -16,7 +16,7 @@ RIGOR_FLOAT_LANES FloatLanes fused(const FloatLanes& a, const FloatLanes& b, con
   return FloatLanes(_mm256_fmadd_ps(__m256(a), __m256(b), __m256(c)));
 #else
   FloatLanes sum;
-  for (int i = 0; i < kLaneCount; ++i) sum[i] = __builtin_fmaf(a[i], b[i], c[i]);
+  fuse_floats(a, b, c, sum);
   return sum;
 #endif
 }

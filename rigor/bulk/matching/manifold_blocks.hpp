@@ -3,8 +3,8 @@
 #include "rigor/bulk/lanes/float_lanes.hpp"
 #include "rigor/bulk/narrow_phase/manifold.hpp"
 #include "rigor/bulk/state/bulk_bodies.hpp"
+#include "rigor/bulk/state/manifold_memories.hpp"
 #include "rigor/geometry/lanes/lane_target.hpp"
-#include "rigor/model/manifold_memory.hpp"
 
 #include <array>
 #include <cstddef>

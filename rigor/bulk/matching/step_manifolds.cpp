@@ -4,7 +4,6 @@
 #include "rigor/core/index.hpp"
 
 #include <algorithm>
-#include <array>
 #include <compare>
 
 namespace rigor {
@@ -52,7 +51,7 @@ void StepManifolds::match_range(std::size_t begin, std::size_t end) {
   std::size_t next = memory.size();
   for (std::size_t i = begin; i < end; ++i) {
     const ShapePair& own = pair(i);
-    const std::array<int, 5> key = {own.body_A, own.body_B, own.shape_A, own.shape_B, part(i)};
+    const ContactKey key = {own.body_A, own.body_B, own.shape_A, own.shape_B, at(part(i))};
     if (i == begin) next = memory.find_from(key);
     bool is_same = false;
     for (; next < memory.size(); ++next) {

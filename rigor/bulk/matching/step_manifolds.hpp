@@ -4,9 +4,9 @@
 #include "rigor/bulk/narrow_phase/manifold.hpp"
 #include "rigor/bulk/narrow_phase/manifold_list.hpp"
 #include "rigor/bulk/narrow_phase/narrow_phase.hpp"
+#include "rigor/bulk/state/manifold_memories.hpp"
 #include "rigor/bulk/threads/executor.hpp"
 #include "rigor/core/index.hpp"
-#include "rigor/model/manifold_memory.hpp"
 #include "rigor/model/model.hpp"
 
 #include <cstddef>

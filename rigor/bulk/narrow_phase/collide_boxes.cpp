@@ -1,7 +1,7 @@
 #include "rigor/bulk/narrow_phase/collide_boxes.hpp"
 
 #include "rigor/bulk/narrow_phase/box_features.hpp"
-#include "rigor/bulk/narrow_phase/box_lanes.hpp"
+#include "rigor/bulk/narrow_phase/box_kernels.hpp"
 #include "rigor/bulk/narrow_phase/collide_points.hpp"
 
 #include <cmath>
@@ -10,16 +10,6 @@
 namespace rigor {
 
 namespace {
-
-void collide_portable(const BoxPairs& pairs, BoxContacts& contacts) {
-  collide_box_lanes(pairs, contacts);
-}
-
-#if defined(__x86_64__)
-[[gnu::target("avx2")]] void collide_avx2(const BoxPairs& pairs, BoxContacts& contacts) {
-  collide_box_lanes(pairs, contacts);
-}
-#endif
 
 Vec3f axis_of(const PlacedShape& box, int k) {
   return Vec3f(box.R[k], box.R[3 + k], box.R[6 + k]);
@@ -76,11 +66,9 @@ bool cross_box_edges(const BoxPairs& pairs, const BoxContacts& contacts, int lan
   return true;
 }
 
-void collide_boxes(const BoxPairs& pairs, [[maybe_unused]] LaneTarget target, BoxContacts& contacts) {
-#if defined(__x86_64__)
-  if (target == LaneTarget::avx2) return collide_avx2(pairs, contacts);
-#endif
-  collide_portable(pairs, contacts);
+void collide_boxes(const BoxPairs& pairs, LaneTarget target, BoxContacts& contacts) {
+  target == LaneTarget::avx2 ? avx2_lanes::collide(pairs, contacts)
+                             : portable_lanes::collide(pairs, contacts);
 }
 
 }  // namespace rigor

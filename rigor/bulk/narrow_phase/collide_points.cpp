@@ -1,10 +1,12 @@
 #include "rigor/bulk/narrow_phase/collide_points.hpp"
 
 #include "rigor/core/index.hpp"
+#include "rigor/core/sorted_unique.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace rigor {
 
@@ -63,13 +65,13 @@ std::array<int, 4> choose_four(const Vec3f& normal, float equal_depth,
 }  // namespace
 
 Manifold make_manifold(const Vec3f& normal, float equal_depth, std::vector<ManifoldCandidate>& candidates) {
-  std::sort(candidates.begin(), candidates.end(), [](const ManifoldCandidate& a, const ManifoldCandidate& b) {
+  const auto comes_before = [](const ManifoldCandidate& a, const ManifoldCandidate& b) {
     return a.feature != b.feature ? a.feature < b.feature : a.gap < b.gap;
-  });
-  const auto same = [](const ManifoldCandidate& a, const ManifoldCandidate& b) {
+  };
+  const auto is_same = [](const ManifoldCandidate& a, const ManifoldCandidate& b) {
     return a.feature == b.feature;
   };
-  candidates.erase(std::unique(candidates.begin(), candidates.end(), same), candidates.end());
+  candidates = sorted_unique(std::move(candidates), comes_before, is_same);
 
   Manifold manifold{};
   for (int i = 0; i < 3; ++i) manifold.normal[i] = normal[i];

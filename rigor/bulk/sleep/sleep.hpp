@@ -2,6 +2,7 @@
 
 #include "rigor/bulk/graph/islands.hpp"
 #include "rigor/bulk/state/bulk_bodies.hpp"
+#include "rigor/bulk/state/manifold_memories.hpp"
 
 #include <limits>
 #include <utility>

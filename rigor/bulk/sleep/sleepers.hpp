@@ -2,8 +2,8 @@
 
 #include "rigor/bulk/narrow_phase/narrow_phase.hpp"
 #include "rigor/bulk/sleep/sleep.hpp"
+#include "rigor/bulk/state/manifold_memories.hpp"
 #include "rigor/core/index.hpp"
-#include "rigor/model/manifold_memory.hpp"
 
 #include <vector>
 

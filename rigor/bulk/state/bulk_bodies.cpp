@@ -1,5 +1,6 @@
 #include "rigor/bulk/state/bulk_bodies.hpp"
 
+#include "rigor/bulk/state/vector_of.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/math/rotation.hpp"
 
@@ -13,10 +14,6 @@ namespace {
 
 void set_floats(const Vec3& a, float* p) {
   for (int k = 0; k < 3; ++k) p[k] = static_cast<float>(a[k]);
-}
-
-Vec3 vector_of(const float* p) {
-  return Vec3(p[0], p[1], p[2]);
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "rigor/core/index.hpp"
 #include "rigor/math/types.hpp"
+#include "rigor/model/contact_key.hpp"
 #include "rigor/model/manifold_memory.hpp"
 
 #include <array>
@@ -29,7 +31,7 @@ struct BulkContact {
   double normal_impulse() const;  ///< Of all points [N s].
   /// Impulse on B [N s].
   Vec3 impulse_W() const { return normal_impulse() * n_W + friction_impulse_W; }
-  std::array<int, 5> key() const { return {body_A, body_B, shape_A, shape_B, part}; }
+  ContactKey key() const { return {body_A, body_B, shape_A, shape_B, at(part)}; }
 };
 
 }  // namespace rigor

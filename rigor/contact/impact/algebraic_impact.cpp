@@ -17,13 +17,16 @@ AlgebraicOutcome resolve_algebraic_impact(const Collision& collision, double tan
   if (u.z() >= 0) return outcome;
   RIGOR_ASSERT(is_positive_definite(K));
 
+  // The two impulses of impulse space that span the law, and its wish: k = 1 + e_t.
   const Vec3 plastic(0, 0, -u.z() / K(2, 2));               // P_I
   const Vec3 sticking = positive_definite_solution(K, -u);  // P_II
   const Vec3 change = sticking - plastic;
   double share = 1 + tangential_restitution;
   const Vec3 wished = (1 + e) * plastic + share * change;
   const double slip_impulse = change.head<2>().norm();
-  // Slipless from the start, `change` is nothing but rounding; λ_n < 0 is outside even where μ is infinite.
+
+  // Friction limits k. Without slip at the start `change` is nothing but rounding; λ_n < 0 is outside even
+  // where μ is infinite.
   const bool is_inside = slip_impulse == 0 || (wished.z() >= 0 && wished.head<2>().norm() <=
                                                                       (wished.z() > 0 ? mu * wished.z() : 0));
   if (!is_inside) {

@@ -14,7 +14,7 @@ struct AlgebraicOutcome {
   bool is_limited = false;  ///< By the friction cone.
 };
 
-/// The impact as two linear problems, without a course in between. With the impulse that stops the normal
+/// The impact as two linear problems, without a path in between. With the impulse that stops the normal
 /// motion without friction, P_I = -(u_n/κ) n, and the one that stops all, P_II = -K⁻¹ u,
 ///
 ///   λ = (1 + e) P_I + k (P_II - P_I),   k = 1 + e_t, or less so that |λ_t| ≤ μ λ_n.

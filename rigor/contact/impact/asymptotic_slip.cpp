@@ -8,9 +8,9 @@ namespace rigor {
 
 namespace {
 
-constexpr std::size_t order = TailSeries::order;
+constexpr std::size_t order = AsymptoticSlipSeries::order;
 template <class Value>
-using Coefficients = TailSeries::Coefficients<Value>;
+using Coefficients = AsymptoticSlipSeries::Coefficients<Value>;
 
 double product(const Coefficients<double>& a, const Coefficients<double>& b, std::size_t j) {
   double sum = 0;
@@ -58,60 +58,66 @@ double reach_of(const Size& size, double first) {
 
 }  // namespace
 
-TailSeries::TailSeries(const SlipFlow& flow, const Vec2& limit) {
+AsymptoticSlipSeries::AsymptoticSlipSeries(const SlipFlow& flow, const Vec2& limit) {
+  // λ, k and α of the invariant direction (docs/theory/impact.md).
   const double unit = flow.rate_bound();
   const Mat2 M = flow.M * (flow.mu / unit);
   const Vec2 across = perpendicular(limit);
   radial_rate = flow.radial_rate(limit) / unit;
-  slope = flow.turning_slope(limit) / unit;
+  slope = flow.angular_rate_slope(limit) / unit;
   exponent = radial_rate / slope;
   const double sign = radial_rate > 0 ? 1 : -1, mean = 1 / (std::abs(slope) + std::abs(radial_rate));
 
+  // Order by order: û, û⊥ and b - μ M û give f_r and ψ of this order, these the slip speed E.
   Coefficients<Vec2> normal, rate;  // û⊥ and b - μ M û
   Coefficients<double> radial, psi, inverse_psi, log_speed;
   theta[0] = 0, theta[1] = 1;
   direction[0] = limit, normal[0] = across, rate[0] = flow.slip_rate(limit) / unit;
   radial[0] = radial_rate, psi[0] = inverse_psi[0] = speed[0] = 1, log_speed[0] = 0;
   for (std::size_t j = 1; j <= order; ++j) {
-    const double J = static_cast<double>(j);
-    // û' = θ' û⊥, first without θ_j.
+    const double number = static_cast<double>(j);
+    // û' = θ' û⊥, at first without θ_j, which is not known yet.
     Vec2 d = Vec2::Zero();
     for (std::size_t i = 1; i < j; ++i) d += static_cast<double>(i) * theta[i] * normal[j - i];
-    direction[j] = d / J;
+    direction[j] = d / number;
     if (j > 1) {
-      // w ψ k θ' = f_θ, where θ_j enters f_θ as k θ_j.
+      // θ_j from w ψ k θ' = f_θ, where it enters f_θ as k θ_j.
       normal[j] = perpendicular(direction[j]);
       rate[j] = -(M * direction[j]);
       double lower = dot_product(normal, rate, j) / slope;
       for (std::size_t i = 1; i < j; ++i) lower -= psi[i] * static_cast<double>(j - i) * theta[j - i];
-      theta[j] = lower / (J - 1);
+      theta[j] = lower / (number - 1);
     }
     direction[j] += theta[j] * across;
     normal[j] = perpendicular(direction[j]);
     rate[j] = -(M * direction[j]);
     radial[j] = dot_product(direction, rate, j);
+    // ψ = (|k| ± f_r)/(|k| + |λ|) and 1/ψ.
     psi[j] = sign * mean * radial[j];
     inverse_psi[j] = 0;
     inverse_psi[j] = -product(psi, inverse_psi, j);
-    // (ln E)' = (f_r/(k ψ) - α)/w.
-    log_speed[j] = product(radial, inverse_psi, j) / (slope * J);
+    // (ln E)' = (f_r/(k ψ) - α)/w, and E' = E (ln E)'.
+    log_speed[j] = product(radial, inverse_psi, j) / (slope * number);
     double s = 0;
     for (std::size_t i = 1; i <= j; ++i) s += static_cast<double>(i) * log_speed[i] * speed[j - i];
-    speed[j] = s / J;
+    speed[j] = s / number;
   }
   for (std::size_t j = 0; j <= order; ++j) dp[j] = product(speed, inverse_psi, j) / slope;
 
+  // The series hold as far as the last terms of all of them are rounding.
   reach_ = std::min({reach_of([&](std::size_t j) { return direction[j].norm(); }, 1),
                      reach_of([&](std::size_t j) { return std::abs(dp[j]); }, std::abs(dp[0])),
                      reach_of([&](std::size_t j) { return std::abs(speed[j]); }, 1)});
+
   // Integrals of w^(α + j - 1) and w^(2 α + j - 1), j ≥ 1, that are nearly logarithms cancel.
   constexpr double resonance = 0.01;
   const double twice = 2 * exponent, nearest = std::round(twice);
   is_usable_ = exponent != 0 && (nearest >= 0 || std::abs(twice - nearest) > resonance);
 }
 
-std::optional<double> TailSeries::find_w(double target) const {
+std::optional<double> AsymptoticSlipSeries::find_w(double target) const {
   if (!is_usable_ || std::abs(target) > 1.5 * reach_) return std::nullopt;
+  // Newton's method on θ(w) = target.
   double w = target;
   constexpr int most_steps = 20;
   for (int step = 0; step < most_steps && std::abs(w) <= 1; ++step) {
@@ -133,25 +139,26 @@ std::optional<double> TailSeries::find_w(double target) const {
 std::optional<Vec2> find_near_attractor(const SlipFlow& flow, const Vec2& direction) {
   constexpr double near = 0.35;
   constexpr int most_steps = 10;
+  // Newton's method on f_θ(θ) = 0, which must stay where f_θ falls: an attractor.
   const double unit = flow.rate_bound();
   Vec2 d = direction;
-  double turned = 0;
+  double angle = 0;
   for (int step = 0; step < most_steps; ++step) {
-    const double slope = flow.turning_slope(d);
+    const double slope = flow.angular_rate_slope(d);
     if (slope >= 0) return std::nullopt;
-    const double turn = -flow.turning_rate(d) / slope;
-    turned += turn;
-    if (!(std::abs(turned) < near)) return std::nullopt;
-    d = (d + std::tan(turn) * perpendicular(d)).normalized();
-    if (std::abs(turn) < 1e-9) {
+    const double change = -flow.angular_rate(d) / slope;
+    angle += change;
+    if (!(std::abs(angle) < near)) return std::nullopt;
+    d = (d + std::tan(change) * perpendicular(d)).normalized();
+    if (std::abs(change) < 1e-9) {
       // Quadratic convergence: this was the last step that could be seen.
-      return std::abs(flow.turning_rate(d)) <= 1e-14 * unit ? std::optional<Vec2>(d) : std::nullopt;
+      return std::abs(flow.angular_rate(d)) <= 1e-14 * unit ? std::optional<Vec2>(d) : std::nullopt;
     }
   }
   return std::nullopt;
 }
 
-AsymptoticSlip::AsymptoticSlip(const SlipFlow& flow, const TailSeries& series, double w,
+AsymptoticSlip::AsymptoticSlip(const SlipFlow& flow, const AsymptoticSlipSeries& series, double w,
                                const ImpactState& start)
     : flow_(flow),
       start_(start),
@@ -162,14 +169,15 @@ AsymptoticSlip::AsymptoticSlip(const SlipFlow& flow, const TailSeries& series, d
       slip_direction_(series.direction),
       slip_speed_(series.speed),
       dp_(series.dp) {
+  // In powers of y = w/w_start, with the slip speed 1 at the start.
   scale(w, slip_direction_);
   scale(w, slip_speed_);
   scale(w, dp_);
   const double norm = 1 / value_at(slip_speed_, 1);
   for (std::size_t j = 0; j <= order; ++j) slip_speed_[j] *= norm, dp_[j] *= norm;
 
-  // With E_c = ∫ y^(c-1) dy from 1 = (y^c - 1)/c: p changes by Σ dp_j E_(α+j). The first term, E_α, is kept
-  // apart: it may be large.
+  // The integrals, term by term. With E_c = ∫ y^(c-1) dy from 1 = (y^c - 1)/c: p changes by Σ dp_j E_(α+j).
+  // The first term, E_α, is kept apart: it may be large.
   const double alpha = exponent_;
   Coefficients<double> u_n_rate;
   for (std::size_t j = 0; j <= order; ++j) {
@@ -190,6 +198,7 @@ AsymptoticSlip::AsymptoticSlip(const SlipFlow& flow, const TailSeries& series, d
   sums_ = {value_at(p_, 1), value_at(u_n_, 1), value_at(friction_, 1)};
   work_sum_ = value_at(work_, 1);
 
+  // z = |v - 1| ends at the stop, v = 0; where slip grows, before y is rounding.
   ends_in_stop_ = growth_ < 0;
   constexpr double most_growth = 1e6, log_rounding = -40;
   end_ = ends_in_stop_ ? 1 : std::min(most_growth, std::exp(std::min(20.0, log_rounding * exponent_)) - 1);

@@ -16,14 +16,14 @@ namespace rigor {
 /// w^(α + j - 1) are exact, so one piece reaches the stop (λ < 0), or as far as slip grows (λ > 0), where
 /// series in p need ever shorter steps. For ψ = 1 this is Koenigs' coordinate; with |λ| ≫ |k| (nearly every
 /// direction invariant) w^α is the slip speed; ψ serves both. Derivation: docs/theory/impact.md.
-class TailSeries {
+class AsymptoticSlipSeries {
  public:
   static constexpr std::size_t order = 20;
   template <class Value>
   using Coefficients = std::array<Value, order + 1>;
 
   /// Near the invariant direction, where f_θ' < 0.
-  TailSeries(const SlipFlow& flow, const Vec2& direction);
+  AsymptoticSlipSeries(const SlipFlow& flow, const Vec2& direction);
 
   const Vec2& limit() const { return direction[0]; }
   /// Whether the integrals can be formed: where slip grows, not for α near -1/2, -1, -3/2, ...
@@ -43,14 +43,15 @@ class TailSeries {
   bool is_usable_;
 };
 
-/// The invariant direction towards which slip turns from here, if it is near and attracts.
+/// The invariant direction that attracts slip from this direction, if it is near.
 std::optional<Vec2> find_near_attractor(const SlipFlow& flow, const Vec2& direction);
 
 /// Slip from w at the start to where it stops, or grows: z = |v - 1| with v = (w/w_start)^α, about the change
 /// of the slip speed over the speed at the start.
 class AsymptoticSlip final : public ImpactPiece {
  public:
-  AsymptoticSlip(const SlipFlow& flow, const TailSeries& series, double w, const ImpactState& start);
+  AsymptoticSlip(const SlipFlow& flow, const AsymptoticSlipSeries& series, double w,
+                 const ImpactState& start);
 
   NormalMotion normal(double z) const override;
   ImpactState state(double z) const override;
@@ -58,7 +59,7 @@ class AsymptoticSlip final : public ImpactPiece {
 
  private:
   template <class Value>
-  using Coefficients = TailSeries::Coefficients<Value>;
+  using Coefficients = AsymptoticSlipSeries::Coefficients<Value>;
   /// v, y = w/w_start and E_α = (v - 1)/α at z.
   struct Place {
     double v, y, first;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "rigor/contact/impact/restitution_law.hpp"
 #include "rigor/contact/impact/slip_flow.hpp"
 
 #include <string>
@@ -7,14 +8,7 @@
 
 namespace rigor {
 
-/// When the restitution of an impact ends.
-enum class RestitutionLaw {
-  newton,   ///< At u_n = -e u_n⁻. With friction it can add energy.
-  poisson,  ///< When the normal impulse is (1 + e) times that of compression.
-  stronge,  ///< When the work of the normal impulse is (1 - e²) times that of compression. Never adds energy.
-};
-
-/// A point of an impact's course.
+/// A point of an impact path.
 struct CollisionPoint {
   Vec3 u = Vec3::Zero();       ///< Relative velocity of B against A, contact frame [m/s].
   Vec3 lambda = Vec3::Zero();  ///< Impulse on B so far, contact frame [N s].
@@ -29,7 +23,7 @@ struct CollisionOutcome {
   double energy_change = 0;  ///< Of the kinetic energy, ½ λ·(u⁻ + u⁺) [J].
   /// What happened, in order: S slides, K sticks (to the end), U starts to slip again after it stopped, |
   /// ends a compression, r compresses again during restitution, ; begins anew (Newton's and Poisson's laws
-  /// can end while the bodies still approach). Sliding that goes on after | is written again.
+  /// can end while the bodies still approach). Sliding that continues after | is written again.
   std::string phases;
   /// False where the normal velocity cannot be changed (K_nn = 0, singular K): nothing is applied then.
   bool is_resolved = true;
@@ -42,13 +36,13 @@ struct Collision {
   double restitution = 0;  ///< e in [0, 1].
 };
 
-/// Integrates the impact in the normal impulse: Coulomb friction at every instant, sliding with its turning
-/// direction, stopping, sticking or starting again, compression and restitution. Nothing happens to a contact
+/// Integrates the impact in the normal impulse: Coulomb friction at every instant, sliding whose direction
+/// rotates, stopping, sticking or starting again, compression and restitution. Nothing happens to a contact
 /// that does not approach (u_n ≥ 0), except where u_n = 0 and sliding presses the bodies together (a jam).
 ///
 /// Errors are those of rounding, about 1e-14 of the velocities times the condition of the problem: slip is
-/// followed by power series (slip_series.hpp), all else in closed form. If `path` is given, points along the
-/// way are added to it: the first, and eight of each piece.
+/// followed by power series (slip_power_series.hpp, asymptotic_slip.hpp), all else in closed form. If `path`
+/// is given, points of the impact path are added to it: the first, and eight of each piece.
 ///
 /// Source: Routh, Dynamics of a System of Rigid Bodies, 1905; Keller, 1986; Bhatt and Koechling, 1995;
 /// Stronge, Rigid Body Collisions with Friction, Proc. R. Soc. A 431, 1990. Recompression and the jam after

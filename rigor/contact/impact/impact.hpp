@@ -2,25 +2,20 @@
 
 #include "rigor/contact/impact/collision.hpp"
 #include "rigor/contact/impact/impact_problem.hpp"
+#include "rigor/contact/impact/simultaneous_law.hpp"
 
 #include <vector>
 
 namespace rigor {
 
-/// How several impacts at one instant are resolved.
-enum class SimultaneousLaw {
-  reflections,  ///< Generalised reflections blended with the plastic impact: symmetric, never gains energy.
-  lcp,  ///< Newton's law on all contacts at once: may gain energy and transmits too little through chains.
-  sequential,  ///< One after the other, the fastest first.
-};
-
 /// Impulses that end the approach of all contacts of a connected system.
 ///
-/// restitutions: e of each contact, as it is to be used here. One contact collides by `collision_law`,
-/// whatever the law for several (Newton's can gain energy with friction). So does, but under `lcp`, what is
-/// one collision among several contacts (find_single_collision). Else `law` decides: solve_reflections,
-/// solve_newton_impacts, solve_sequential_impacts. Rolling and torsional friction count where a contact is
-/// alone in its system (moment_collision.hpp). docs/theory/simultaneous_impacts.md compares them.
+/// restitutions: e of each contact, as it is to be used here. A contact that is alone collides by
+/// `collision_law`, whatever the law for several (Newton's can gain energy with friction). The same holds,
+/// under `reflections` and `sequential`, for several contacts that make one collision
+/// (find_single_collision). Otherwise `law` decides (simultaneous_rules). Rolling and torsional
+/// friction count where a contact is alone in its system (rolling_friction_collision.hpp).
+/// docs/theory/simultaneous_impacts.md compares the laws.
 ImpactSolution solve_impact(const ContactSystem& system, const std::vector<double>& restitutions,
                             RestitutionLaw collision_law, SimultaneousLaw law);
 

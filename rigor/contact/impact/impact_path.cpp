@@ -22,16 +22,16 @@ std::vector<CollisionPoint> with_compression(std::span<const CollisionPoint> pat
   return points;
 }
 
-/// States of the stretches between points as those of the points that they lead to.
+/// Gives each point the state of the stretch that leads to it.
 template <class Sliding>
 std::vector<ImpactPathPoint> labelled(const std::vector<CollisionPoint>& points, const Sliding& is_sliding) {
-  std::vector<ImpactPathPoint> course;
+  std::vector<ImpactPathPoint> path;
   for (std::size_t k = 0; k < points.size(); ++k) {
     const CollisionPoint &from = points[k == 0 ? 0 : k - 1],
                          &to = points[k == 0 && k + 1 < points.size() ? 1 : k];
-    course.push_back({points[k], from.u.z() + to.u.z() < 0, is_sliding(from, to)});
+    path.push_back({points[k], from.u.z() + to.u.z() < 0, is_sliding(from, to)});
   }
-  return course;
+  return path;
 }
 
 std::string_view words_of(char phase) {

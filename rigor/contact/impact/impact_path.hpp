@@ -9,15 +9,16 @@
 
 namespace rigor {
 
-/// A point of an impact's course, with what led to it (for the first: with what follows).
+/// A point of an impact path and what the contact did on the stretch that leads to it (for the first point:
+/// on the stretch that follows).
 struct ImpactPathPoint {
   CollisionPoint at;
   bool is_compressing;
   bool is_sliding;
 };
 
-/// The course of an impact from the path that resolve_collision tells, with the point of greatest compression
-/// put in its place.
+/// The labelled path of an impact from the points of resolve_collision, with the point of greatest
+/// compression put in its place.
 std::vector<ImpactPathPoint> impact_path_of(std::span<const CollisionPoint> path,
                                             const CollisionOutcome& outcome);
 /// The same of an impact with compliance, where "sliding" is that of the surfaces, not of the bodies.

@@ -38,7 +38,7 @@ double slope_of(const NormalMotion& motion, ImpactQuantity quantity) {
 
 double ImpactPiece::where(ImpactQuantity quantity, double target, const PiecePoint& a,
                           const PiecePoint& b) const {
-  // Newton's method inside a bracket that it shrinks; where it leaves the bracket, halving.
+  // Newton's method inside a bracket that it shrinks; where it leaves the bracket, bisection.
   constexpr int most_steps = 100;
   const double sign = value_of(b.at, quantity) >= value_of(a.at, quantity) ? 1 : -1;
   const double share =

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "rigor/contact/impact/restitution_law.hpp"
 #include "rigor/contact/impact/slip_flow.hpp"
 
 #include <optional>
@@ -26,7 +27,6 @@ struct PiecePoint {
   double z;
   NormalMotion at;
 };
-enum class ImpactQuantity { p, u_n, work };
 double value_of(const NormalMotion& motion, ImpactQuantity quantity);
 
 /// A stretch of an impact during which one formula gives everything, over a parameter z in [0, end()] that
@@ -36,8 +36,6 @@ class ImpactPiece {
   virtual ~ImpactPiece() = default;
 
   double end() const { return end_; }  ///< May be infinite.
-  /// Whether slip has come to rest at end().
-  bool ends_in_stop() const { return ends_in_stop_; }
   virtual NormalMotion normal(double z) const = 0;
   virtual ImpactState state(double z) const = 0;
   /// Unit slip direction; zero where nothing slips.
@@ -50,7 +48,7 @@ class ImpactPiece {
 
  protected:
   double end_ = 0;
-  bool ends_in_stop_ = false;
+  bool ends_in_stop_ = false;  ///< Whether slip has come to rest at end().
 };
 
 /// Constant rates: the contact sticks, slips straight along an invariant direction until it stops or for

@@ -33,6 +33,11 @@ ImpactProblem part_of(const ImpactProblem& problem, const std::vector<std::size_
   return part;
 }
 
+double rounding_speed(const VecX& u) {
+  constexpr double rounding = 1e-13;
+  return rounding * u.cwiseAbs().maxCoeff();
+}
+
 double fastest_approach(const VecX& u) {
   double approach = 0;
   for (Eigen::Index row = 2; row < u.size(); row += 3) approach = std::max(approach, -u[row]);

@@ -56,6 +56,8 @@ inline double normal_velocity(const VecX& u, std::size_t contact) {
   return u[row_of(contact) + 2];
 }
 
+/// Approach slower than this is rounding of the velocities u [m/s].
+double rounding_speed(const VecX& u);
 /// The fastest approach, max(0, -u_n) over all contacts [m/s].
 double fastest_approach(const VecX& u);
 

@@ -7,11 +7,6 @@ namespace rigor {
 
 namespace {
 
-/// Approach slower than this is rounding of the velocities [m/s].
-double rounding_speed(const VecX& u) {
-  return 1e-13 * u.cwiseAbs().maxCoeff();
-}
-
 std::vector<std::size_t> approaching_contacts(const VecX& u, double tolerance) {
   std::vector<std::size_t> approaching;
   for (std::size_t i = 0; row_of(i) < u.size(); ++i) {
@@ -69,6 +64,7 @@ VecX blended(const ImpactProblem& problem, const VecX& plastic, const VecX& refl
   const VecX lambda = plastic + least * (reflected - plastic);
   if (least == greatest) return lambda;
 
+  // What larger coefficients than the smallest add, and how much energy the contacts may give back.
   VecX more = VecX::Zero(lambda.size());
   double returned = 0;
   const std::vector<double> losses = compression_losses(problem, plastic);
@@ -113,6 +109,7 @@ double add_friction(const ImpactProblem& problem, VecX& lambda) {
     if (problem.contacts[i].mu * lambda[row_of(i) + 2] > 0) pressed.push_back(i);
   }
   if (pressed.empty()) return 0;
+
   // A Coulomb problem whose normal impulses are known: the normal rows are cut off from the tangential ones
   // and say a (λ_n - known) = 0.
   ImpactProblem part = part_of(problem, pressed, problem.u + problem.A * lambda);
@@ -124,6 +121,7 @@ double add_friction(const ImpactProblem& problem, VecX& lambda) {
     part.A(normal, normal) = a;
     part.u[normal] = -a * lambda[row_of(pressed[i]) + 2];
   }
+
   // The motion is the same for every share of redundant contacts.
   CoulombOptions any_share;
   any_share.least_norm = false;
@@ -133,6 +131,8 @@ double add_friction(const ImpactProblem& problem, VecX& lambda) {
       {part.A, part.u, frictions(part), std::vector<FrictionRow>(part.count(), FrictionRow::cone),
        std::vector<Vec2>(part.count(), Vec2::Zero())},
       any_share);
+
+  // The friction found, brought inside the disks of the true normal impulses.
   for (std::size_t i = 0; i < pressed.size(); ++i) {
     Vec2 friction = found.lambda.segment<2>(row_of(i));
     const double bound = part.contacts[i].mu * lambda[row_of(pressed[i]) + 2];
@@ -142,23 +142,31 @@ double add_friction(const ImpactProblem& problem, VecX& lambda) {
   return found.residual;
 }
 
-ImpactSolution solve_reflections(const ImpactProblem& problem) {
+ImpactSolution blend_with_plastic(const ImpactProblem& problem, const std::function<VecX()>& elastic) {
+  // λ_P: with e = 0 everywhere this is the answer.
   const CoulombSolution plastic = solve_plastic(problem, problem.u);
   ImpactSolution solution{plastic.lambda, plastic.residual, plastic.converged, plastic.iterations};
   const bool is_plastic = std::all_of(problem.contacts.begin(), problem.contacts.end(),
                                       [](const ImpactContact& contact) { return contact.restitution == 0; });
   if (is_plastic) return solution;
 
-  solution.lambda = blended(problem, plastic.lambda, generalised_reflections(problem));
+  // λ_R and the blend of the two, then friction for its normal impulses.
+  solution.lambda = blended(problem, plastic.lambda, elastic());
   solution.residual = std::max(solution.residual, add_friction(problem, solution.lambda));
   const VecX u = problem.u + problem.A * solution.lambda;
   if (fastest_approach(u) <= rounding_speed(problem.u)) return solution;
+
+  // Friction can make contacts approach that were apart: a plastic impact ends that.
   const CoulombSolution last = solve_plastic(problem, u);
   solution.lambda += last.lambda;
   solution.residual = std::max(solution.residual, last.residual);
   solution.converged = solution.converged && last.converged;
   solution.iterations = std::max(solution.iterations, last.iterations);
   return solution;
+}
+
+ImpactSolution solve_reflections(const ImpactProblem& problem) {
+  return blend_with_plastic(problem, [&] { return generalised_reflections(problem); });
 }
 
 }  // namespace rigor

@@ -7,7 +7,10 @@ namespace rigor {
 
 std::optional<double> RestitutionWatch::follow(const ImpactPiece& piece, PiecePoint a, const PiecePoint& b) {
   while (true) {
+    // A law that counts impulse can end the impact at any time after the first compression.
     if (const std::optional<double> end = end_by_impulse(piece, a, b)) return end;
+
+    // Compression lasts until u_n comes to zero; what is left of the piece is restitution.
     if (is_compressing_) {
       if (!(b.at.u_n >= 0)) return std::nullopt;
       const double z = piece.where(ImpactQuantity::u_n, 0, a, b);
@@ -16,7 +19,8 @@ std::optional<double> RestitutionWatch::follow(const ImpactPiece& piece, PiecePo
       a = {z, piece.normal(z)};
       continue;
     }
-    // Restitution ends, or u_n falls back to zero first.
+
+    // Restitution ends where the law says, unless u_n falls back to zero first.
     PiecePoint limit = b;
     const bool falls_back = b.at.u_n < 0;
     if (falls_back) {
@@ -25,6 +29,8 @@ std::optional<double> RestitutionWatch::follow(const ImpactPiece& piece, PiecePo
     }
     if (const std::optional<double> end = end_by_motion(piece, a, limit)) return end;
     if (!falls_back) return std::nullopt;
+
+    // The bodies approach again: a further compression begins on the rest of the piece.
     is_compressing_ = true;
     phases_ += 'r';
     a = limit;
@@ -32,7 +38,10 @@ std::optional<double> RestitutionWatch::follow(const ImpactPiece& piece, PiecePo
 }
 
 void RestitutionWatch::set_end(ImpactState& state) const {
-  if (law_ == RestitutionLaw::newton || e_ == 0) state.u.z() = std::abs(u_n_target_);
+  if (e_ == 0)
+    state.u.z() = 0;
+  else if (end().quantity == ImpactQuantity::u_n)
+    state.u.z() = std::abs(end().value);
 }
 
 void RestitutionWatch::note(char phase) {
@@ -41,10 +50,12 @@ void RestitutionWatch::note(char phase) {
 }
 
 bool RestitutionWatch::leave_limit(ImpactState& state) {
+  // All that happened so far took no normal impulse and did no work (docs/theory/impact.md): a law that
+  // counts one of them has nothing to give back once compression is over.
   state.p = state.work = 0;
-  compression_.work = lowest_work_ = 0;
-  p_compression_ = 0;
-  return !is_compressing_ && law_ != RestitutionLaw::newton;
+  compression_.work = record_.work = 0;
+  record_.p = 0;
+  return !is_compressing_ && end().quantity != ImpactQuantity::u_n;
 }
 
 void RestitutionWatch::begin_restitution(const ImpactPiece& piece, double z) {
@@ -52,11 +63,11 @@ void RestitutionWatch::begin_restitution(const ImpactPiece& piece, double z) {
   if (!has_compression_) {
     has_compression_ = true;
     compression_ = {state.u, state.lambda, state.work};
-    p_compression_ = state.p - start_.p;
-    lowest_work_ = state.work;
+    record_.p = state.p - record_.p_before;
+    record_.work = state.work;
   }
-  // Compressed again: the lowest work counts.
-  lowest_work_ = std::min(lowest_work_, state.work);
+  // After a further compression the lowest work counts.
+  record_.work = std::min(record_.work, state.work);
   is_compressing_ = false;
   phases_ += '|';
   if (is_sliding_ && e_ > 0) phases_ += 'S';
@@ -64,19 +75,16 @@ void RestitutionWatch::begin_restitution(const ImpactPiece& piece, double z) {
 
 std::optional<double> RestitutionWatch::end_by_impulse(const ImpactPiece& piece, const PiecePoint& a,
                                                        const PiecePoint& b) const {
-  if (law_ != RestitutionLaw::poisson || !has_compression_) return std::nullopt;
-  const double target = start_.p + (1 + e_) * p_compression_;
-  if (b.at.p < target) return std::nullopt;
-  return piece.where(ImpactQuantity::p, target, a, b);
+  if (!has_compression_) return std::nullopt;
+  const auto [quantity, target] = end();
+  if (quantity != ImpactQuantity::p || b.at.p < target) return std::nullopt;
+  return piece.where(quantity, target, a, b);
 }
 
 std::optional<double> RestitutionWatch::end_by_motion(const ImpactPiece& piece, const PiecePoint& a,
                                                       const PiecePoint& b) const {
-  if (law_ == RestitutionLaw::poisson) return std::nullopt;
-  const bool is_newton = law_ == RestitutionLaw::newton;
-  const ImpactQuantity quantity = is_newton ? ImpactQuantity::u_n : ImpactQuantity::work;
-  const double target = is_newton ? u_n_target_ : (1 - e_ * e_) * lowest_work_;
-  if (value_of(b.at, quantity) < target) return std::nullopt;
+  const auto [quantity, target] = end();
+  if (quantity == ImpactQuantity::p || value_of(b.at, quantity) < target) return std::nullopt;
   return piece.where(quantity, target, a, b);
 }
 

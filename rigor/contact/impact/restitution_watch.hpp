@@ -10,13 +10,13 @@ namespace rigor {
 
 /// Follows compression and restitution along the pieces of an impact, and finds where the law ends it.
 ///
-/// Compression ends at u_n = 0. If u_n falls below zero again during restitution, compression begins anew;
-/// Stronge's law then takes the lowest work so far, Poisson's and Newton's keep to the first compression
+/// Compression ends at u_n = 0. If u_n falls below zero again during restitution, a further compression
+/// begins: the work of the record is then the lowest so far, its impulse stays that of the first compression
 /// (docs/theory/impact.md).
 class RestitutionWatch {
  public:
   RestitutionWatch(RestitutionLaw law, double e, const ImpactState& start)
-      : law_(law), e_(e), u_n_target_(-e * start.u.z()), start_(start) {}
+      : rule_(rule_of(law)), e_(e), record_{start.u.z(), start.p, 0, 0} {}
 
   /// Follows the piece, on which u_n is monotone between a and b. Returns where the impact ends, if it does.
   std::optional<double> follow(const ImpactPiece& piece, PiecePoint a, const PiecePoint& b);
@@ -39,16 +39,16 @@ class RestitutionWatch {
   std::optional<double> end_by_motion(const ImpactPiece& piece, const PiecePoint& a,
                                       const PiecePoint& b) const;
 
-  RestitutionLaw law_;
+  /// Where the law ends restitution, by the compression so far.
+  RestitutionEnd end() const { return rule_.end(e_, record_); }
+
+  const RestitutionRule& rule_;
   double e_;
-  double u_n_target_;
-  ImpactState start_;
+  CompressionRecord record_;
   bool is_sliding_ = false;
   bool is_compressing_ = true;
   bool has_compression_ = false;
   CollisionPoint compression_;
-  double p_compression_ = 0;  ///< p of the first compression.
-  double lowest_work_ = 0;
   std::string phases_;
 };
 

@@ -14,9 +14,9 @@ namespace rigor {
 
 namespace {
 
-// The course of an impact as one vector: velocities (6), work, impulses (6).
+// The state of an impact as one vector: velocities (6), work, impulses (6).
 constexpr Eigen::Index work_row = 6, impulse_row = 7, rows = 13;
-constexpr double tolerance = 1e-12;
+constexpr double path_tolerance = 1e-12;
 
 /// One of the three frictions.
 struct Friction {
@@ -41,9 +41,11 @@ ImpactState impact_state(const VecX& y, double p) {
 }
 
 /// One step of the integrator. z is the share of it.
-class MomentPiece final : public ImpactPiece {
+class RungeKuttaPiece final : public ImpactPiece {
  public:
-  MomentPiece(RungeKuttaStep step, double p, double h) : step_(std::move(step)), p_(p), h_(h) { end_ = 1; }
+  RungeKuttaPiece(RungeKuttaStep step, double p, double h) : step_(std::move(step)), p_(p), h_(h) {
+    end_ = 1;
+  }
 
   NormalMotion normal(double z) const override {
     double u_n = 0, work = 0, slope = 0;
@@ -76,7 +78,7 @@ class RollingFrictionImpactPath {
                                      Friction{5, 1, collision.torsional_friction}}) {
       if (friction.limit > 0) frictions_.push_back(friction);
     }
-    // Turning counts as the velocity that the same energy gives.
+    // An angular velocity counts as the velocity that has the same energy.
     const double arm = std::sqrt(K_.topLeftCorner<3, 3>().trace() / K_.bottomRightCorner<3, 3>().trace());
     scale_ = VecX::Ones(rows) * std::max(collision.u.norm(), arm * collision.w.norm());
     scale_.segment<3>(3) /= std::isfinite(arm) && arm > 0 ? arm : 1;
@@ -86,40 +88,47 @@ class RollingFrictionImpactPath {
     scale_.tail<3>() *= std::isfinite(arm) && arm > 0 ? arm : 1;
   }
 
+  /// False if the steps are used up before the law ends the impact.
   bool run() {
     constexpr int most_steps = 100000;
     decide();
     double h = 0.1 * p_scale_;
     for (int k = 0; k < most_steps; ++k) {
       h = std::min(h, longest_step());
-      const RungeKuttaStep step = take(h);
-      const double error = (step.error.cwiseAbs().cwiseQuotient(scale_)).maxCoeff() / tolerance;
+      // A step of Dormand and Prince's method; too large an error means another with a smaller h.
+      const RungeKuttaStep step = runge_kutta_step(tableau(), rate_function(), p_, y_, h);
+      const double error = (step.error.cwiseAbs().cwiseQuotient(scale_)).maxCoeff() / path_tolerance;
       if (error > 1 && h > 1e-15 * p_scale_) {
         h *= std::max(0.2, 0.9 * std::pow(error, -0.2));
         continue;
       }
-      if (follow(MomentPiece(step, p_, h), h)) return true;
+
+      // The step is good: the impact ends in it, or continues with the h that the error allows.
+      if (follow(RungeKuttaPiece(step, p_, h), h)) return true;
       h *= std::min(5.0, 0.9 * std::pow(std::max(error, 1e-10), -0.2));
     }
     return false;
   }
 
-  MomentOutcome outcome(const RollingFrictionCollision& collision) const {
-    MomentOutcome outcome{y_.head<3>(), y_.segment<3>(3), y_.segment<3>(impulse_row), y_.tail<3>(), 0, true};
+  RollingFrictionOutcome outcome(const RollingFrictionCollision& collision) const {
+    RollingFrictionOutcome outcome{
+        y_.head<3>(), y_.segment<3>(3), y_.segment<3>(impulse_row), y_.tail<3>(), 0, true};
     outcome.energy_change =
         0.5 * (outcome.lambda.dot(collision.u + outcome.u) + outcome.moment.dot(collision.w + outcome.w));
     return outcome;
   }
 
  private:
-  RungeKuttaStep take(double h) const {
-    static const ButcherTableau tableau = dopri5_tableau();
-    return runge_kutta_step(
-        tableau, [this](double, const VecX& y) { return rate(y); }, p_, y_, h);
+  static const ButcherTableau& tableau() {
+    static const ButcherTableau dopri5 = dopri5_tableau();
+    return dopri5;
+  }
+  OdeFunction rate_function() const {
+    return [this](double, const VecX& y) { return rate(y); };
   }
 
   /// Slower counts as rest: above the errors of steps.
-  double still(const Friction& friction) const { return 100 * tolerance * scale_[friction.row]; }
+  double still(const Friction& friction) const { return 100 * path_tolerance * scale_[friction.row]; }
 
   /// Impulses per unit of normal impulse: greatest friction against what moves, what holds the others at
   /// rest.
@@ -153,6 +162,7 @@ class RollingFrictionImpactPath {
   /// Whether what does not move stays at rest or starts: the friction of least energy rate ½ fᵀ K f within
   /// its limits.
   void decide() {
+    // The frictions whose motion has come to rest.
     std::vector<Friction*> resting;
     for (Friction& friction : frictions_) {
       if (friction.mode == Mode::moves && friction.part(y_).norm() > still(friction)) continue;
@@ -161,6 +171,8 @@ class RollingFrictionImpactPath {
       friction.start = VecX::Zero(friction.size);
       resting.push_back(&friction);
     }
+
+    // Projected Gauss-Seidel on the convex problem min ½ fᵀ K f within their limits.
     VecX f = impulse_rate(y_);
     constexpr int most_sweeps = 100000;
     for (int sweep = 0; sweep < most_sweeps && !resting.empty(); ++sweep) {
@@ -175,6 +187,8 @@ class RollingFrictionImpactPath {
       }
       if (change <= 1e-15) break;
     }
+
+    // Friction below its limit holds at rest; at its limit the motion starts against it.
     constexpr double below_limit = 1 - 1e-9;
     for (Friction* const friction : resting) {
       const VecX held = friction->part(f);
@@ -211,12 +225,15 @@ class RollingFrictionImpactPath {
 
   /// Returns whether the impact ends in this step; else goes to its end, or to where something at rest
   /// starts.
-  bool follow(const MomentPiece& piece, double h) {
+  bool follow(const RungeKuttaPiece& piece, double h) {
+    // The step is cut where a friction at rest comes to its limit.
     double z_end = 1;
     if (least_margin(piece.step().end) < 0) {
       const auto margin = [&](double z) { return least_margin(piece.step().at(z)); };
       if (margin(0) > 0 && margin(1) < 0) z_end = find_root_itp(margin, 0, 1, 1e-14).hi;
     }
+
+    // The watch needs pieces on which u_n is monotone: cuts at the root of its rate.
     PiecePoint a{0, piece.normal(0)};
     std::vector<double> cuts;
     const auto normal_rate = [&](double z) { return piece.normal(z).rate; };
@@ -234,6 +251,8 @@ class RollingFrictionImpactPath {
       }
       a = b;
     }
+
+    // No end: what has stopped or started in this step decides anew.
     go(z_end * h);
     bool changes = z_end < 1;
     for (Friction& friction : frictions_) {
@@ -248,7 +267,7 @@ class RollingFrictionImpactPath {
 
   void go(double h) {
     if (h == 0) return;
-    y_ = take(h).end;
+    y_ = runge_kutta_end(tableau(), rate_function(), p_, y_, h).end;
     p_ += h;
     for (const Friction& friction : frictions_) {
       if (friction.mode == Mode::rests) friction.clear(y_);
@@ -266,18 +285,18 @@ class RollingFrictionImpactPath {
 
 }  // namespace
 
-MomentOutcome resolve_rolling_friction_collision(const RollingFrictionCollision& collision,
-                                                 RestitutionLaw law) {
+RollingFrictionOutcome resolve_rolling_friction_collision(const RollingFrictionCollision& collision,
+                                                          RestitutionLaw law) {
   RIGOR_ASSERT(std::isfinite(collision.mu) && collision.mu >= 0 && collision.rolling_friction >= 0 &&
                collision.torsional_friction >= 0);
-  MomentOutcome outcome{collision.u, collision.w, Vec3::Zero(), Vec3::Zero(), 0, true};
+  RollingFrictionOutcome outcome{collision.u, collision.w, Vec3::Zero(), Vec3::Zero(), 0, true};
   if (!(collision.u.z() < 0)) return outcome;
-  RollingFrictionImpactPath course(collision, law);
-  if (!course.run()) {
+  RollingFrictionImpactPath impact(collision, law);
+  if (!impact.run()) {
     outcome.is_resolved = false;
     return outcome;
   }
-  return course.outcome(collision);
+  return impact.outcome(collision);
 }
 
 }  // namespace rigor

@@ -16,7 +16,7 @@ struct RollingFrictionCollision {
   double restitution = 0;
 };
 
-struct MomentOutcome {
+struct RollingFrictionOutcome {
   Vec3 u, w;             ///< After.
   Vec3 lambda, moment;   ///< Impulse [N s] and angular impulse [N m s] on B.
   double energy_change;  ///< ½ (λ·(u⁻ + u⁺) + l·(ω⁻ + ω⁺)) [J].
@@ -33,7 +33,7 @@ struct MomentOutcome {
 /// of least energy rate (unique, a convex problem). Source: the three frictions as dissipation in discs and
 /// an interval: Leine and Glocker, A Set-Valued Force Law for Spatial Coulomb-Contensou Friction, Eur. J.
 /// Mech. A/Solids 22, 2003, without the coupling of sliding and spinning there.
-MomentOutcome resolve_rolling_friction_collision(const RollingFrictionCollision& collision,
-                                                 RestitutionLaw law);
+RollingFrictionOutcome resolve_rolling_friction_collision(const RollingFrictionCollision& collision,
+                                                          RestitutionLaw law);
 
 }  // namespace rigor

@@ -52,9 +52,11 @@ ImpactSolution resolve_group(const ImpactProblem& part, RestitutionLaw law) {
 
 ImpactSolution solve_sequential_impacts(const ImpactProblem& problem, RestitutionLaw law) {
   const int most_impacts = 1000 * static_cast<int>(problem.count());
-  const double tolerance = 1e-13 * problem.u.cwiseAbs().maxCoeff();
+  const double tolerance = rounding_speed(problem.u);
   ImpactSolution solution{VecX::Zero(problem.u.size())};
   VecX u = problem.u;
+
+  // One round: all contacts that close as fast as the fastest, each group of coupled ones by itself.
   while (solution.iterations < most_impacts) {
     const double approach = fastest_approach(u);
     if (approach <= tolerance) return solution;
@@ -71,6 +73,8 @@ ImpactSolution solve_sequential_impacts(const ImpactProblem& problem, Restitutio
     }
     if (!solution.converged) break;
   }
+
+  // The impacts did not end by themselves: a plastic impact ends what is left.
   const CoulombSolution rest = solve_cones(problem.A, u, frictions(problem));
   solution.lambda += rest.lambda;
   solution.residual = std::max(solution.residual, rest.residual);

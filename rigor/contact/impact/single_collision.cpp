@@ -40,6 +40,7 @@ std::vector<std::size_t> candidates(const ImpactProblem& problem) {
   return alike;
 }
 
+/// The contacts alike that carry load in the plastic impact; their shares of it are the weights w.
 std::optional<Patch> find_patch(const ImpactProblem& problem) {
   const std::vector<std::size_t> alike = candidates(problem);
   if (alike.empty()) return std::nullopt;
@@ -118,15 +119,20 @@ ImpactSolution resolve_lone_contact(const ImpactProblem& problem, RestitutionLaw
 }
 
 std::optional<ImpactSolution> find_single_collision(const ImpactProblem& problem, RestitutionLaw law) {
+  // The patch that may collide as one.
   const std::optional<Patch> patch = find_patch(problem);
   if (!patch || patch->contacts.empty() || !has_one_material(problem, *patch)) return std::nullopt;
   const MatX shares = load_shares(problem, *patch);
   if (!slips_as_one(problem, *patch, shares)) return std::nullopt;
+
+  // Its collision at the centre of pressure, K = Σ w_i w_k A_ik.
   const ImpactContact& contact = problem.contacts[patch->contacts.front()];
   Mat3 K = shares.transpose() * problem.A * shares;
   K = 0.5 * (K + K.transpose()).eval();
   const Collided collided = collide(K, shares.transpose() * problem.u, contact, law);
   if (!collided.is_resolved) return std::nullopt;
+
+  // It was one collision only if nothing approaches afterwards.
   const VecX lambda = shares * collided.lambda;
   const VecX u = problem.u + problem.A * lambda;
   if (fastest_approach(u) > still * fastest_approach(problem.u)) return std::nullopt;

@@ -13,9 +13,9 @@ namespace rigor {
 
 namespace {
 
-/// f_θ (1 + t²)² as a polynomial in t = tan((θ - θ₀)/2), for θ₀ = 0 or π (turned by half a circle, where b
-/// changes its sign).
-Polynomial turning_polynomial(const SlipFlow& flow, double sign) {
+/// f_θ (1 + t²)² as a polynomial in t = tan((θ - θ₀)/2), for θ₀ = 0 or π (rotated by half a circle, where
+/// b changes its sign).
+Polynomial angular_rate_polynomial(const SlipFlow& flow, double sign) {
   const Polynomial c{1, 0, -1}, n{0, 2}, w{1, 0, 1};
   const Polynomial b1{sign * flow.drive * flow.b.x()}, b2{sign * flow.drive * flow.b.y()};
   const Polynomial a{flow.mu * (flow.M(0, 0) - flow.M(1, 1))}, k{flow.mu * flow.M(0, 1)};
@@ -26,9 +26,9 @@ Polynomial turning_polynomial(const SlipFlow& flow, double sign) {
 double polished(const SlipFlow& flow, double theta) {
   for (int step = 0; step < 2; ++step) {
     const Vec2 d{std::cos(theta), std::sin(theta)};
-    const double slope = flow.turning_slope(d);
+    const double slope = flow.angular_rate_slope(d);
     if (slope == 0) return theta;
-    const double change = flow.turning_rate(d) / slope;
+    const double change = flow.angular_rate(d) / slope;
     if (!(std::abs(change) < 1e-6)) return theta;
     theta -= change;
   }
@@ -43,11 +43,11 @@ SlipFlow::SlipFlow(const CollisionMatrix& collision)
       kappa(collision.K(2, 2)),
       mu(collision.mu) {}
 
-double SlipFlow::turning_rate(const Vec2& direction) const {
+double SlipFlow::angular_rate(const Vec2& direction) const {
   return perpendicular(direction).dot(slip_rate(direction));
 }
 
-double SlipFlow::turning_slope(const Vec2& direction) const {
+double SlipFlow::angular_rate_slope(const Vec2& direction) const {
   const Vec2 across = perpendicular(direction);
   return -radial_rate(direction) - mu * across.dot(M * across);
 }
@@ -59,9 +59,11 @@ double SlipFlow::rate_bound() const {
 std::vector<InvariantDirection> find_invariant_directions(const SlipFlow& flow) {
   // The chart t in [-1, 1] is half of the circle; roots at its ends are found in both halves.
   constexpr double apart = 1e-9;
+
+  // The roots of f_θ, as angles.
   std::vector<double> angles;
   for (const double sign : {1.0, -1.0}) {
-    const Polynomial f = turning_polynomial(flow, sign);
+    const Polynomial f = angular_rate_polynomial(flow, sign);
     if (std::all_of(f.c, f.c + f.degree + 1, [](double c) { return c == 0; })) return {};
     for (double from = -1; from <= 1;) {
       const std::optional<double> root = find_smallest_root(f, from, 1);
@@ -70,6 +72,8 @@ std::vector<InvariantDirection> find_invariant_directions(const SlipFlow& flow) 
       from = *root + apart;
     }
   }
+
+  // In ascending order, each once: a root on the border of the two halves was found twice.
   for (double& angle : angles) angle = std::remainder(angle, 2 * std::numbers::pi);
   std::sort(angles.begin(), angles.end());
   std::vector<InvariantDirection> result;
@@ -107,6 +111,8 @@ StickTest test_sticking(const CollisionMatrix& collision) {
       holds = std::abs(b[second] - l * b[first]) <= 1e-9 * b.norm();
     }
   }
+
+  // It sticks if that friction lies in the cone.
   const double ratio = holds ? f.norm() : std::numeric_limits<double>::infinity();
   // At the limit both answers agree (slip starts with a rate that vanishes there).
   constexpr double at_limit = 1 + 1e-12;

@@ -13,7 +13,7 @@ struct CollisionMatrix {
   double mu;  ///< Coulomb friction, ≥ 0; may be infinite.
 };
 
-/// v turned by a quarter of a circle: û⊥ of û.
+/// v rotated by a quarter of a circle: û⊥ of û.
 inline Vec2 perpendicular(const Vec2& v) {
   return {-v.y(), v.x()};
 }
@@ -43,10 +43,12 @@ struct SlipFlow {
 
   Vec2 slip_rate(const Vec2& direction) const { return drive * b - mu * (M * direction); }
   double normal_rate(const Vec2& direction) const { return drive * kappa - mu * b.dot(direction); }
+  /// f_r = ds/dp.
   double radial_rate(const Vec2& direction) const { return direction.dot(slip_rate(direction)); }
-  double turning_rate(const Vec2& direction) const;
+  /// f_θ: the rate at which the direction of slip rotates, times the slip speed.
+  double angular_rate(const Vec2& direction) const;
   /// df_θ/dθ = -f_r - μ û⊥ᵀ M û⊥.
-  double turning_slope(const Vec2& direction) const;
+  double angular_rate_slope(const Vec2& direction) const;
   /// Upper bound of |du_t/dp| over all directions.
   double rate_bound() const;
 };

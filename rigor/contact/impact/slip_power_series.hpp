@@ -6,7 +6,7 @@
 
 namespace rigor {
 
-/// Slip in a turning direction, as power series in the normal impulse:  u_t' = b - μ M û,  û = u_t/|u_t|.
+/// Slip in a rotating direction, as power series in the normal impulse:  u_t' = b - μ M û,  û = u_t/|u_t|.
 ///
 /// Coefficients by the recurrences of automatic differentiation (s' = û·u_t', s û = u_t); u_n and W are
 /// polynomials too. The stretch ends where the last terms are rounding (Jorba and Zou, A Software Package for

@@ -49,6 +49,8 @@ class CompliantImpactPath {
   TangentialMotion moved(const NormalPhase& phase, const TangentialMotion& from, double y) const {
     TangentialMotion to = from;
     to.y = y;
+    // Slip: the spring carries the limit μ cos(ν y), whose impulse brakes the bodies. Stick: x' = u and
+    // u' = -α r x, an oscillation.
     if (from.slip != 0) {
       to.x = mu_ * from.slip * phase.force(y) / ratio_;
       const double impulse = (std::sin(phase.rate * y) - std::sin(phase.rate * from.y)) / phase.rate;
@@ -90,9 +92,8 @@ class CompliantImpactPath {
   }
 
   /// First y at which the force of the spring leaves the cone on that side; infinite if not in this phase.
-  /// The margin F(y) = μ cos(ν y) - side r x(y) has |F''| ≤ C, so it stays positive for a step h with F + F'
-  /// h
-  /// - ½ C h² = 0: near the end this is Newton's method. Rounding of F counts as positive.
+  /// The margin F(y) = μ cos(ν y) - side r x(y) has |F''| ≤ C, so it stays positive for a step h with
+  /// F + F' h - ½ C h² = 0: near the end this is Newton's method. Rounding of F counts as positive.
   double end_of_stick(const NormalPhase& phase, const TangentialMotion& from, int side) const {
     constexpr int most_steps = 20000;
     const double omega2 = alpha_ * ratio_;
@@ -117,7 +118,7 @@ class CompliantImpactPath {
   double alpha_, ratio_, mu_;
 };
 
-/// The course back in units.
+/// The impact path in physical units.
 class ImpactPathScale {
  public:
   explicit ImpactPathScale(const Collision& collision)
@@ -190,17 +191,20 @@ CompliantOutcome resolve_compliant_collision(const CompliantCollision& compliant
   if (path) path->push_back(outcome.end);
   if (collision.u.z() >= 0) return outcome;
 
+  // Without units: times in 1/ω_n, speeds in that of the approach.
   const ImpactPathScale scale(collision);
-  const CompliantImpactPath course(scale.alpha(), compliant.ratio, collision.matrix.mu);
-  TangentialMotion motion = course.begin(scale.start());
+  const CompliantImpactPath impact(scale.alpha(), compliant.ratio, collision.matrix.mu);
+  TangentialMotion motion = impact.begin(scale.start());
   outcome.changes.push_back({0, motion.slip});
+
+  // Compression and restitution, each from one change between slip and stick to the next.
   for (const NormalPhase& phase :
        {NormalPhase{1, -quarter, 0}, NormalPhase{e > 0 ? 1 / e : 1, 0, e * quarter}}) {
     for (int change = 0; motion.y < phase.end && change < most_changes; ++change) {
-      const TangentialMotion next = course.next(phase, motion);
+      const TangentialMotion next = impact.next(phase, motion);
       for (int k = 1; path && k <= points; ++k) {
         const double y = motion.y + (next.y - motion.y) * k / points;
-        path->push_back(scale.at(phase, course.moved(phase, motion, y)));
+        path->push_back(scale.at(phase, impact.moved(phase, motion, y)));
       }
       if (next.slip != motion.slip)
         outcome.changes.push_back({next.y + quarter, next.slip, scale.at(phase, next).lambda.z()});
@@ -210,7 +214,8 @@ CompliantOutcome resolve_compliant_collision(const CompliantCollision& compliant
     outcome.end = scale.at(phase, motion);
     if (phase.begin < 0) outcome.compression = outcome.end;
   }
-  // As the law names it, without the rounding of sin(π/2).
+
+  // u_n as the law names it, without the rounding of sin(π/2).
   outcome.end.u.z() = -e * collision.u.z();
   outcome.energy_change = 0.5 * outcome.end.lambda.dot(collision.u + outcome.end.u);
   return outcome;

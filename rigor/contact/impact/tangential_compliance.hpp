@@ -5,7 +5,7 @@
 namespace rigor {
 
 /// An impact whose contact is a spring along the normal and one along the tangent plane, k_t/k_n = `ratio`,
-/// so that slip can end and turn round before the bodies part: what a superball does.
+/// so that slip can end and reverse before the bodies part: what a superball does.
 struct CompliantCollision {
   Collision collision;
   double ratio = 1;  ///< k_t/k_n > 0.

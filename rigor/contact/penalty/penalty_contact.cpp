@@ -20,14 +20,14 @@ PenaltyContact penalty_contact(const PenaltyChoice& choice, const ContactMemory&
           .bristle_stiffness = v[4],
           .bristle_damping = v[5],
           .slip_W = Vec3(v[6], v[7], v[8]),
-          .turn_W = Vec3(v[9], v[10], v[11])};
+          .rotation_W = Vec3(v[9], v[10], v[11])};
 }
 
 void remember(const PenaltyContact& contact, ContactMemory& memory) {
   memory.values = {contact.spring.stiffness, contact.spring.damping,    contact.speed,
                    contact.offset,           contact.bristle_stiffness, contact.bristle_damping,
                    contact.slip_W.x(),       contact.slip_W.y(),        contact.slip_W.z(),
-                   contact.turn_W.x(),       contact.turn_W.y(),        contact.turn_W.z()};
+                   contact.rotation_W.x(),   contact.rotation_W.y(),    contact.rotation_W.z()};
 }
 
 ContactMobility contact_mobility(const ContactSystem& system, std::size_t contact) {
@@ -114,8 +114,8 @@ double normal_energy(const PenaltyContact& contact, double gap) {
 double bristle_energy(const Contact& geometry, const PenaltyContact& contact) {
   const double rho = geometry.rolling_friction, sigma = geometry.torsional_friction;
   const Vec3 n = geometry.point.n_W;
-  const double spin = contact.turn_W.dot(n);
-  const double roll = (contact.turn_W - spin * n).squaredNorm();
+  const double spin = contact.rotation_W.dot(n);
+  const double roll = (contact.rotation_W - spin * n).squaredNorm();
   return 0.5 * contact.bristle_stiffness *
          (contact.slip_W.squaredNorm() + rho * rho * roll + sigma * sigma * spin * spin);
 }
@@ -134,8 +134,8 @@ Vec2 bristle_force(const PenaltyContact& contact, const Mat3& frame, const Vec3&
 void move_bristle(const Mat3& frame, const Vec2& slip, PenaltyContact& contact) {
   const Vec2 kept = (frame.transpose() * contact.slip_W).head<2>();
   const double length = kept.norm();
-  const Vec2 turned = length > 0 ? Vec2(kept * (contact.slip_W.norm() / length)) : kept;
-  contact.slip_W = frame.leftCols<2>() * (turned + slip);
+  const Vec2 carried = length > 0 ? Vec2(kept * (contact.slip_W.norm() / length)) : kept;
+  contact.slip_W = frame.leftCols<2>() * (carried + slip);
 }
 
 void slide_bristle(double limit, PenaltyContact& contact) {

@@ -32,12 +32,12 @@ struct PenaltyChoice {
 /// and carries a force counts it from before the touch (a negative offset), so that it need not sink first.
 struct PenaltyContact {
   PenaltySpring spring;
-  double speed = 0;              ///< Approach that the spring is made for [m/s].
-  double offset = 0;             ///< Depth at which the spring begins to push [m].
-  double bristle_stiffness = 0;  ///< [N/m].
-  double bristle_damping = 0;    ///< [N s/m].
-  Vec3 slip_W = Vec3::Zero();    ///< Deflection of the bristle [m], of B against A.
-  Vec3 turn_W = Vec3::Zero();    ///< The same of the bristle of angles [rad].
+  double speed = 0;                ///< Approach that the spring is made for [m/s].
+  double offset = 0;               ///< Depth at which the spring begins to push [m].
+  double bristle_stiffness = 0;    ///< [N/m].
+  double bristle_damping = 0;      ///< [N s/m].
+  Vec3 slip_W = Vec3::Zero();      ///< Deflection of the bristle [m], of B against A.
+  Vec3 rotation_W = Vec3::Zero();  ///< The same of the bristle of angles [rad].
 };
 
 /// What `memory.values` say, and the other way round.
@@ -80,7 +80,7 @@ double friction_limit(const Contact& geometry, const ContactJacobian& rows, doub
 /// the limit [N].
 Vec2 bristle_force(const PenaltyContact& contact, const Mat3& frame, const Vec3& u, double limit);
 
-/// Bristle after the contact frame turned and the bodies moved by slip (2, in the frame) [m]: in the new
+/// Bristle after the contact frame rotated and the bodies moved by slip (2, in the frame) [m]: in the new
 /// tangent plane, as long as it was.
 void move_bristle(const Mat3& frame, const Vec2& slip, PenaltyContact& contact);
 /// Lets the slider slip until the bristle carries no more than the limit [N].

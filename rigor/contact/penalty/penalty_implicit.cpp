@@ -63,8 +63,8 @@ class SpringRows {
     return F;
   }
 
-  /// Of j and parts of the step the one that leaves the smallest error of velocities: whole steps can go
-  /// round between two active sets.
+  /// Of j + step and j + parts of the step the one with the smallest error of velocities: whole steps can
+  /// alternate between two active sets.
   VecX best_along(const VecX& j, const VecX& step) const {
     VecX best = j + step;
     double least = error(best);
@@ -101,11 +101,11 @@ class SpringRows {
     constexpr bool is_symmetric = false;  // What slides is not.
     const NodeSystem nodes(rows_, W, 1, is_symmetric);
     if (!nodes.is_regular()) return VecX::Constant(F.size(), std::numeric_limits<double>::quiet_NaN());
-    const VecX turned = contact_rates(rows_, nodes.solve(contact_wrenches(rows_, -F)));
+    const VecX rates = contact_rates(rows_, nodes.solve(contact_wrenches(rows_, -F)));
     VecX x = -F;
     for (std::size_t i = 0; i < W.size(); ++i) {
       const Eigen::Index k = 3 * static_cast<Eigen::Index>(i);
-      x.segment<3>(k) -= W[i] * turned.segment<3>(k);
+      x.segment<3>(k) -= W[i] * rates.segment<3>(k);
     }
     return x;
   }
@@ -154,6 +154,7 @@ ImplicitSpringSolution solve_implicit_springs(const ContactRows& contacts, const
   best.impulses = j;
   best.residual = std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration <= most_iterations; ++iteration) {
+    // The residual at j, relative to the impulses; the best point so far is kept.
     const VecX F = rows.residual(j);
     const double scale = std::max(j.cwiseAbs().maxCoeff(), (j - F).cwiseAbs().maxCoeff());
     const double residual = scale > 0 ? F.cwiseAbs().maxCoeff() / scale : 0;
@@ -164,6 +165,8 @@ ImplicitSpringSolution solve_implicit_springs(const ContactRows& contacts, const
     best.iterations = iteration;
     best.converged = best.residual <= tolerance;
     if (best.converged || iteration == most_iterations) break;
+
+    // A semismooth Newton step, as far as it helps.
     const VecX step = rows.newton_step(j, F);
     if (!step.allFinite()) break;
     j = rows.best_along(j, step);

@@ -109,9 +109,9 @@ double damping_ratio(double restitution) {
   const double wanted = -0.5 * std::log(e);  // θ / tan θ, which is 1 at ζ = 1.
   if (wanted == 1) return 1;
   if (wanted < 1) {
-    const double quarter_turn = 2 * std::atan(1.0);
+    const double right_angle = 2 * std::atan(1.0);
     return std::cos(
-        root_of_falling(0, quarter_turn, [&](double theta) { return theta / std::tan(theta) - wanted; }));
+        root_of_falling(0, right_angle, [&](double theta) { return theta / std::tan(theta) - wanted; }));
   }
   return std::cosh(root_of_falling(0, 1 + wanted, [&](double eta) { return wanted - eta / std::tanh(eta); }));
 }

@@ -3,7 +3,6 @@
 #include "rigor/core/index.hpp"
 #include "rigor/math/dense.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -46,8 +45,7 @@ double largest_rate(const BodyKinetics& body, const Mat6& K) {
   L.topLeftCorner<3, 3>() = std::sqrt(body.inverse_mass) * Mat3::Identity();
   L.bottomRightCorner<3, 3>() = cholesky_factor(body.inverse_inertia);
   const Mat6 scaled = L.transpose() * K * L;
-  const Eigen::SelfAdjointEigenSolver<Mat6> solver(scaled, Eigen::EigenvaluesOnly);
-  return std::max(0.0, solver.eigenvalues()[5]);
+  return std::max(0.0, symmetric_eigenvalues(scaled)[5]);
 }
 
 }  // namespace

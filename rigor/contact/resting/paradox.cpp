@@ -17,6 +17,7 @@ Paradox paradox_of(int solutions) {
 
 Paradox find_paradox_of_one(const ContactSystem& system, const std::vector<Wrench>& wrenches, const Vec2& u_t,
                             double slip_tolerance) {
+  // A contact that slips: its sliding equation alone. One that may stick: all solutions of its local problem.
   const Mat3 K = delassus(system);
   const Vec3 b = free_contact_accelerations(system, wrenches);
   const double mu = system.contacts.front().friction;
@@ -37,6 +38,7 @@ Paradox find_paradox(const ContactSystem& system, const std::vector<Wrench>& wre
   const VecX u = relative_velocities(system);
   if (is_one) return find_paradox_of_one(system, wrenches, u.head<2>(), slip_tolerance);
 
+  // Several contacts without forces: the one whose friction helps pressing most is named.
   const MatX A = delassus(system);
   Paradox paradox;
   double least = std::numeric_limits<double>::infinity();

@@ -25,11 +25,11 @@ Vec2 slip_direction(const Mat3& frame, const Vec3& u, const Vec3& old_slip_W, do
   const double speed = u_t.norm();
   if (speed <= direction_tolerance && old.norm() > 0) return old.normalized();
   if (speed == 0) return Vec2::Zero();
-  // Beyond the end of the slip u_t points back: keep the friction's side.
+  // Past the instant where slip ends u_t points back: friction keeps its side.
   return (u_t.dot(old) < 0 ? -1.0 : 1.0) / speed * u_t;
 }
 
-/// Without A and b.
+/// The laws of the contacts, without A and b.
 CoulombProblem laws_of(const ContactSystem& system) {
   CoulombProblem problem;
   const std::size_t n = system.contacts.size();
@@ -52,6 +52,7 @@ std::optional<VecX> force_alone(const ContactSystem& system, const CoulombProble
   constexpr double least_ratio = 1e-6;
   if (modes.size() != 1 || system.joints) return std::nullopt;
   if (modes.front() == ContactMode::open) return Vec3::Zero();
+  // Slide: one unknown, λ_n, on the generator against the slip.
   const Mat3 A = delassus(system);
   const Vec3 b = laws.b;
   if (modes.front() == ContactMode::slide) {
@@ -61,6 +62,8 @@ std::optional<VecX> force_alone(const ContactSystem& system, const CoulombProble
     if (!(response > least_ratio * A(2, 2))) return std::nullopt;
     return Vec3(-b.z() / response * direction);
   }
+
+  // Stick: A λ = -b with one step of refinement.
   const Eigen::LLT<Mat3> factors(A);
   if (factors.info() != Eigen::Success || !(factors.rcond() > least_ratio)) return std::nullopt;
   const Vec3 lambda = factors.solve(-b);
@@ -81,7 +84,7 @@ VecX forces_of_modes(const ContactSystem& system, CoulombProblem laws, const std
   return solve_known_modes(laws, modes);
 }
 
-/// Accelerations with the slip directions of modes that are known; without A.
+/// The laws of contacts whose modes are known: accelerations and slip directions, without A.
 CoulombProblem laws_of_modes(const ContactSystem& system, const std::vector<ContactState>& states,
                              const std::vector<Wrench>& wrenches, double direction_tolerance) {
   CoulombProblem problem = laws_of(system);
@@ -114,7 +117,7 @@ VecX free_contact_accelerations(const ContactSystem& system, const std::vector<W
 
 namespace {
 
-// Part of the largest acceleration below which one is none.
+// Share of the largest acceleration below which one counts as none.
 constexpr double rounding = 1e-9;
 
 CoulombSolution solve_laws(const ContactSystem& system, CoulombProblem laws, const RestingChoice& choice,
@@ -135,6 +138,7 @@ CoulombSolution solve_laws(const ContactSystem& system, CoulombProblem laws, con
 RestingSolution solve_resting(const ContactSystem& system, const std::vector<Wrench>& wrenches,
                               double slip_tolerance, const RestingChoice& choice,
                               const std::vector<ContactMode>& start) {
+  // Contacts that slip already have known friction; the others may stick or start to slip.
   CoulombProblem problem = laws_of(system);
   problem.b = free_contact_accelerations(system, wrenches);
   const VecX u = relative_velocities(system);
@@ -145,6 +149,7 @@ RestingSolution solve_resting(const ContactSystem& system, const std::vector<Wre
     problem.slips[i] = u_t.normalized();
   }
 
+  // Forces and accelerations, and from them what each contact does.
   RestingSolution solution{solve_laws(system, problem, choice, start), {}};
   for (std::size_t i = 0; i < system.contacts.size(); ++i) {
     ContactState state{solution.forces.modes[i], Vec3::Zero()};

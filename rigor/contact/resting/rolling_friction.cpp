@@ -12,7 +12,7 @@ namespace rigor {
 
 namespace {
 
-/// Of a body by its principal moments' mean [m]; infinite for prescribed bodies.
+/// Of a body, from the mean of its principal moments [m]; infinite for prescribed bodies.
 double radius_of_gyration(const BodyKinetics& body) {
   if (body.inverse_mass == 0) return std::numeric_limits<double>::infinity();
   return std::sqrt(body.inertia.trace() / 3 * body.inverse_mass);
@@ -21,7 +21,7 @@ double radius_of_gyration(const BodyKinetics& body) {
 /// Moment on B for each unit of λ_n, in W [m].
 Vec3 moment_arm(const ContactSystem& system, std::size_t i, double still) {
   const Contact& contact = system.contacts[i];
-  const Vec3 w = relative_turning(system, i);
+  const Vec3 w = relative_angular_velocity(system, i);
   const double slow = still / std::min(radius_of_gyration(system.of(contact.body_A)),
                                        radius_of_gyration(system.of(contact.body_B)));
   Vec3 arm = Vec3::Zero();
@@ -33,7 +33,7 @@ Vec3 moment_arm(const ContactSystem& system, std::size_t i, double still) {
 
 }  // namespace
 
-Mat6 moment_response(const ContactSystem& system, std::size_t i) {
+Mat6 rolling_friction_delassus(const ContactSystem& system, std::size_t i) {
   if (system.joints) {
     // What joints do about an impulse is part of the response.
     const Eigen::Index row = 6 * static_cast<Eigen::Index>(i);
@@ -57,24 +57,23 @@ Mat6 moment_response(const ContactSystem& system, std::size_t i) {
   return 0.5 * (K + K.transpose());
 }
 
-Vec3 relative_turning(const ContactSystem& system, std::size_t i) {
+Vec3 relative_angular_velocity(const ContactSystem& system, std::size_t i) {
   const Contact& contact = system.contacts[i];
   return system.frames[i].transpose() * (system.of(contact.body_B).w - system.of(contact.body_A).w);
 }
 
-std::vector<Wrench> with_contact_moments(const ContactSystem& system, const std::vector<ContactState>& states,
-                                         std::vector<Wrench> wrenches, double direction_tolerance,
-                                         double still) {
-  const auto resists = [](const Contact& contact) {
-    return contact.rolling_friction > 0 || contact.torsional_friction > 0;
-  };
-  if (std::none_of(system.contacts.begin(), system.contacts.end(), resists)) return wrenches;
+std::vector<Wrench> with_rolling_friction(const ContactSystem& system,
+                                          const std::vector<ContactState>& states,
+                                          std::vector<Wrench> wrenches, double direction_tolerance,
+                                          double still) {
+  if (std::none_of(system.contacts.begin(), system.contacts.end(), resists_rotation)) return wrenches;
 
   constexpr int most_iterations = 50;
   constexpr double rounding = 1e-15;
   VecX lambda = contact_forces(system, states, wrenches, direction_tolerance);
   std::vector<Wrench> result;
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
+    // The moments of the present normal forces.
     result = wrenches;
     for (std::size_t i = 0; i < system.contacts.size(); ++i) {
       const double normal = std::max(0.0, lambda[3 * static_cast<Eigen::Index>(i) + 2]);
@@ -82,6 +81,8 @@ std::vector<Wrench> with_contact_moments(const ContactSystem& system, const std:
       result[at(system.local_index(system.contacts[i].body_A))].tau_W -= moment_W;
       result[at(system.local_index(system.contacts[i].body_B))].tau_W += moment_W;
     }
+
+    // The normal forces under them, until these change no more.
     const VecX next = contact_forces(system, states, result, direction_tolerance);
     const double change = (next - lambda).cwiseAbs().maxCoeff();
     lambda = next;
@@ -90,8 +91,8 @@ std::vector<Wrench> with_contact_moments(const ContactSystem& system, const std:
   return result;
 }
 
-double moment_power_of_prescribed(const ContactSystem& system, const std::vector<Wrench>& without,
-                                  const std::vector<Wrench>& with) {
+double rolling_power_of_prescribed(const ContactSystem& system, const std::vector<Wrench>& without,
+                                   const std::vector<Wrench>& with) {
   double power = 0;
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     if (system.kinetics[b].inverse_mass != 0) continue;

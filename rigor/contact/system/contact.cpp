@@ -10,13 +10,17 @@ namespace rigor {
 
 BodyKinetics dynamic_kinetics(const Body& body, const BodyPhase& phase) {
   BodyKinetics result;
+
+  // The pose, and v = P/m.
   result.x = phase.x;
   result.R = rotation_matrix(phase.q);
   result.v = phase.P / body.mass;
   result.inverse_mass = 1 / body.mass;
+
+  // I, I⁻¹ and ω = I⁻¹ L in W, from the principal moments in the frame of the body.
   const bool is_spherical = body.moments.x() == body.moments.y() && body.moments.y() == body.moments.z();
   if (is_spherical) {
-    // I is the same in every frame: no rounding from R.
+    // The same in every frame: no rounding from R.
     result.inertia = body.moments.x() * Mat3::Identity();
     result.inverse_inertia = 1 / body.moments.x() * Mat3::Identity();
     result.w = phase.L / body.moments.x();
@@ -66,9 +70,12 @@ std::vector<Contact> find_contacts(const Model& model, int a, int b, const Pose&
   std::vector<Contact> contacts;
   for (std::size_t i = 0; i < A.shapes.size(); ++i) {
     for (std::size_t k = 0; k < B.shapes.size(); ++k) {
+      // Shapes that are far apart have no contacts.
       const BodyShape& shape_a = A.shapes[i];
       const BodyShape& shape_b = B.shapes[k];
       if (!is_near(shape_a, X_WA, shape_b, X_WB, tolerance)) continue;
+
+      // The points at which the two shapes touch, with the coefficients of their materials.
       const PairCoefficients pair = model.coefficients(shape_a.material, shape_b.material);
       const std::vector<ContactPoint> points =
           contact_set(shape_a.shape, X_WA * shape_a.X_BS, shape_b.shape, X_WB * shape_b.X_BS, tolerance);
@@ -84,6 +91,8 @@ std::vector<Contact> find_contacts(const Model& model, int a, int b, const Pose&
                               pair.torsional_friction,
                               pair.tangential_restitution,
                               pair.sticking_friction()};
+
+        // What another pair of shapes has reported already is left out.
         const bool is_known = std::any_of(contacts.begin(), contacts.end(), [&](const Contact& other) {
           return (other.shape_A != contact.shape_A || other.shape_B != contact.shape_B) &&
                  is_same(other, contact, tolerance);

@@ -2,6 +2,7 @@
 
 #include "rigor/dynamics/body_phase.hpp"
 #include "rigor/geometry/contacts/contact_set.hpp"
+#include "rigor/model/contact_key.hpp"
 #include "rigor/model/model.hpp"
 
 #include <optional>
@@ -9,11 +10,11 @@
 
 namespace rigor {
 
-/// A coordinate of a joint that acts like a contact: at a limit, or held by a force that has a largest value.
+/// A coordinate of a joint that acts like a contact: at a limit, or held by a force that is bounded.
 struct JointStop {
   enum class Kind {
     lower,     ///< The coordinate is at its lower limit: a normal along it.
-    upper,     ///< The same at the upper limit, the other way.
+    upper,     ///< The same at the upper limit, in the opposite direction.
     friction,  ///< Dry friction holds the rate at zero, with |force| ≤ its largest.
     motor,     ///< A motor holds the rate at its velocity, with |force| ≤ its largest.
   };
@@ -39,13 +40,15 @@ struct Contact {
   /// (friction, motors) is the coordinate.
   std::optional<JointStop> stop = std::nullopt;
 
-  /// Whether it is dry friction or a motor: there is nothing that could open or collide.
+  /// Whether it is dry friction or a motor: nothing there could open or collide.
   bool is_bounded_force() const {
     return stop && (stop->kind == JointStop::Kind::friction || stop->kind == JointStop::Kind::motor);
   }
 
   /// Whether what sticks is held by more than μ λ_n.
   bool has_static_friction() const { return !stop && static_friction > friction; }
+
+  ContactKey key() const { return {body_A, body_B, shape_A, shape_B, point.feature}; }
 
   /// Where impulses act, on both bodies alike so that angular momentum is exact: half way between the witness
   /// points [m].
@@ -72,8 +75,8 @@ BodyKinetics dynamic_kinetics(const Body& body, const BodyPhase& phase);
 /// Kinetics of a kinematic or fixed body at time t.
 BodyKinetics prescribed_kinetics(const Body& body, double t);
 
-/// All contacts of two bodies closer than the tolerance [m], in the order of shapes and features. What two
-/// shapes of a body report alike (a corner that they share) is listed once.
+/// All contacts of two bodies closer than the tolerance [m], in the order of shapes and features. A point
+/// that two shapes of a body share (a common corner) is listed once.
 std::vector<Contact> find_contacts(const Model& model, int a, int b, const Pose& X_WA, const Pose& X_WB,
                                    double tolerance);
 

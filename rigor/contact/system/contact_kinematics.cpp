@@ -41,20 +41,23 @@ Eigen::Matrix<double, 2, Eigen::Dynamic> flat_directions(const SurfaceCurvature&
 /// system in units of the length ℓ (so that it does not depend on the unit of length).
 WitnessMotion witness_motion_general(const Contact& contact, const BodyKinetics& A, const BodyKinetics& B,
                                      const Vec3& u_W) {
+  // The tangent plane, and the unit of length ℓ.
   const ContactPoint& point = contact.point;
   const Mat3 C = frame_with_z(point.n_W);
   const Eigen::Matrix<double, 3, 2> T = C.leftCols<2>();
   const double length = (point.p_WA - A.x).norm() + (point.p_WB - B.x).norm();
   const double unit = length > 0 ? length : 1;
 
+  // Curvature, flat directions and rates (of normals fixed to the bodies, of sliding) in the tangent plane.
   const Mat2 H_A = T.transpose() * point.curvature_A.radius_W * T / unit;
   const Mat2 H_B = T.transpose() * point.curvature_B.radius_W * T / unit;
   const Eigen::Matrix<double, 2, Eigen::Dynamic> D_A = flat_directions(point.curvature_A, T);
   const Eigen::Matrix<double, 2, Eigen::Dynamic> D_B = flat_directions(point.curvature_B, T);
-  const Vec2 turn_A = T.transpose() * A.w.cross(point.n_W);
-  const Vec2 turn_B = T.transpose() * B.w.cross(point.n_W);
+  const Vec2 n_rate_A = T.transpose() * A.w.cross(point.n_W);
+  const Vec2 n_rate_B = T.transpose() * B.w.cross(point.n_W);
   const Vec2 u_t = T.transpose() * u_W / unit;
 
+  // The equations of acceleration_bias: u_t + s_B - s_A = g ṅ, then Dᵀ (ṅ - ω × n) = 0 of both bodies.
   const Eigen::Index flats_A = D_A.cols(), flats_B = D_B.cols(), size = 2 + flats_A + flats_B;
   MatX system = MatX::Zero(size, size);
   VecX right(size);
@@ -63,12 +66,13 @@ WitnessMotion witness_motion_general(const Contact& contact, const BodyKinetics&
   system.block(0, 2 + flats_A, 2, flats_B) = D_B;
   system.block(2, 0, flats_A, 2) = D_A.transpose();
   system.block(2 + flats_A, 0, flats_B, 2) = D_B.transpose();
-  right << -u_t - H_A * turn_A - H_B * turn_B, D_A.transpose() * turn_A, D_B.transpose() * turn_B;
+  right << -u_t - H_A * n_rate_A - H_B * n_rate_B, D_A.transpose() * n_rate_A, D_B.transpose() * n_rate_B;
 
+  // Where several motions solve them, the smallest one.
   const VecX solution = least_norm_solution(system, right);
   const Vec2 n_rate = solution.head<2>();
-  const Vec2 s_A = unit * (H_A * (n_rate - turn_A) + D_A * solution.segment(2, flats_A));
-  const Vec2 s_B = unit * (-H_B * (n_rate - turn_B) + D_B * solution.tail(flats_B));
+  const Vec2 s_A = unit * (H_A * (n_rate - n_rate_A) + D_A * solution.segment(2, flats_A));
+  const Vec2 s_B = unit * (-H_B * (n_rate - n_rate_B) + D_B * solution.tail(flats_B));
   return {T * n_rate, T * s_A, T * s_B};
 }
 
@@ -96,8 +100,12 @@ WitnessMotion witness_motion(const Contact& contact, const BodyKinetics& A, cons
 
 Vec3 acceleration_bias(const Contact& contact, const BodyKinetics& A, const BodyKinetics& B) {
   const ContactPoint& point = contact.point;
+
+  // How the normal and the witness points move.
   const WitnessMotion motion = witness_motion(contact, A, B);
   const Vec3 u_W = B.velocity_at(contact.p_W()) - A.velocity_at(contact.p_W());
+
+  // d/dt of Cᵀ (v_B + ω_B × r_B - v_A - ω_A × r_A) without v̇ and ω̇.
   const Vec3 of_B = B.w.cross(B.w.cross(contact.p_W() - B.x) + motion.s_B);
   const Vec3 of_A = A.w.cross(A.w.cross(contact.p_W() - A.x) + motion.s_A);
   Vec3 bias = frame_with_z(point.n_W).transpose() * (of_B - of_A);
@@ -180,9 +188,10 @@ Vec3 leaning_point(const BodyShape& shape, const SurfaceCurvature& surface, cons
   return X_WS * support_point(shape.shape, X_WS.R.transpose() * m_W);
 }
 
-/// Closest points of two lines (points and unit directions), by A's parameter.
+/// Closest points of two edges that their bodies carry along.
 ContactPoint crossed_edges(const ContactPoint& old, const std::pair<Pose, Pose>& A,
                            const std::pair<Pose, Pose>& B) {
+  // The lines now, p + α a and q + β b, and their common normal on the same side as before.
   ContactPoint point = old;
   const Vec3 a = carried_direction(A.first, A.second, old.curvature_A.flat_W);
   const Vec3 b = carried_direction(B.first, B.second, old.curvature_B.flat_W);
@@ -205,7 +214,7 @@ ContactPoint crossed_edges(const ContactPoint& old, const std::pair<Pose, Pose>&
   return point;
 }
 
-/// The contact with its bodies exchanged, but of the same name.
+/// The contact with its bodies exchanged, but with the same feature.
 ContactPoint reversed(ContactPoint point) {
   std::swap(point.p_WA, point.p_WB);
   std::swap(point.curvature_A, point.curvature_B);
@@ -229,8 +238,12 @@ SurfaceCurvature carried_curvature(const BodyShape& shape, const SurfaceCurvatur
                                    const std::pair<Pose, Pose>& poses, const std::pair<Vec3, Vec3>& touch) {
   const auto& [before, after] = poses;
   const auto& [p_W, m_W] = touch;
-  const Mat3 turn = after.R * before.R.transpose();
-  SurfaceCurvature surface{turn * old.radius_W * turn.transpose(), old.flat_count, turn * old.flat_W};
+  // Carried with the body.
+  const Mat3 rotation = after.R * before.R.transpose();
+  SurfaceCurvature surface{rotation * old.radius_W * rotation.transpose(), old.flat_count,
+                           rotation * old.flat_W};
+
+  // The rim of a cylinder, or a ring of a solid of revolution.
   if (const std::optional<LeaningCircle> now = leaning_circle(shape, old, after, p_W)) {
     // The point of a circle of radius r farthest along m moves by r / |m - (m·a) a| along the circle.
     const Vec3 outward = m_W - m_W.dot(now->axis) * now->axis;
@@ -238,12 +251,16 @@ SurfaceCurvature carried_curvature(const BodyShape& shape, const SurfaceCurvatur
     surface.radius_W = now->radius / outward.norm() * along * along.transpose();
     return surface;
   }
+
+  // An ellipsoid: at the point with this normal.
   if (std::holds_alternative<Ellipsoid>(shape.shape)) {
     const Mat3 R_WS = (after * shape.X_BS).R;
     surface.radius_W =
         R_WS * piece_curvature(make_core(shape.shape), 0, R_WS.transpose() * m_W) * R_WS.transpose();
     return surface;
   }
+
+  // Round surfaces: one radius around the normal, or across the flat direction.
   if (!is_round(shape, old)) return surface;
   const double radius = round_radius(shape.shape);
   if (old.flat_count == 0) {
@@ -259,6 +276,7 @@ SurfaceCurvature carried_curvature(const BodyShape& shape, const SurfaceCurvatur
 
 ContactPoint tracked_contact(const Model& model, const Contact& contact, const Pose& X_WA0, const Pose& X_WB0,
                              const Pose& X_WA, const Pose& X_WB) {
+  // A ball in a cavity rolls: from the centre that its body carries.
   const ContactPoint& old = contact.point;
   const BodyShape& shape_A = model.body(contact.body_A).shapes[at(contact.shape_A)];
   const BodyShape& shape_B = model.body(contact.body_B).shapes[at(contact.shape_B)];
@@ -268,10 +286,14 @@ ContactPoint tracked_contact(const Model& model, const Contact& contact, const P
     return reversed(rolled_in_cavity(*cavity, X_WB * shape_B.X_BS, reversed(old), round_radius(shape_A.shape),
                                      {X_WA0, X_WA}));
   }
+
+  // Two edges that cross.
   const bool are_edges = old.curvature_A.flat_count == 1 && old.curvature_B.flat_count == 1 &&
                          old.curvature_A.radius_W.isZero(0) && old.curvature_B.radius_W.isZero(0);
   if (are_edges) return crossed_edges(old, {X_WA0, X_WA}, {X_WB0, X_WB});
 
+  // A face carries its normal, and the other surface leans on it; without a face the closest points are
+  // found anew.
   ContactPoint point = old;
   if (old.curvature_B.flat_count == 2) {
     point.n_W = carried_direction(X_WB0, X_WB, old.n_W);
@@ -293,6 +315,8 @@ ContactPoint tracked_contact(const Model& model, const Contact& contact, const P
     point.p_WB = found.p_WB;
     point.gap = found.distance;
   }
+
+  // The curvatures there.
   point.curvature_A = carried_curvature(shape_A, old.curvature_A, {X_WA0, X_WA}, {point.p_WA, point.n_W});
   point.curvature_B = carried_curvature(shape_B, old.curvature_B, {X_WB0, X_WB}, {point.p_WB, -point.n_W});
   return point;

@@ -11,10 +11,11 @@ Vec3 relative_velocity(const Contact& contact, const BodyKinetics& A, const Body
 /// The part of u̇ that does not depend on accelerations, in the contact frame [m/s²]: with body accelerations
 /// a, α
 ///   u̇ = Cᵀ (a_B + α_B × r_B - a_A - α_A × r_A) + bias.
-/// It holds the turning of the normal and the motion of the witness points on both bodies, so that u̇_n = g̈.
+/// It contains the rotation of the normal and the motion of the witness points on both bodies, so that u̇_n =
+/// g̈.
 /// The tangential part is that of a contact that sticks or rolls (u_t = 0).
 ///
-/// The normal turns at ṅ and the witness points move on their bodies at s_A, s_B (tangential) with
+/// The normal rotates at ṅ and the witness points move on their bodies at s_A, s_B (tangential) with
 ///   s_A = H_A (ṅ - ω_A × n) + D_A α,   s_B = -H_B (ṅ - ω_B × n) + D_B β,
 ///   u_t + s_B - s_A = g ṅ,   D_Aᵀ (ṅ - ω_A × n) = 0,   D_Bᵀ (ṅ - ω_B × n) = 0,
 /// where H are the finite radii of curvature and D the flat directions of SurfaceCurvature.

@@ -1,8 +1,8 @@
 #include "rigor/contact/system/contact_system.hpp"
 
-#include "rigor/contact/system/contact_kinematics.hpp"
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/core/sorted_unique.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <algorithm>
@@ -33,21 +33,27 @@ double mobility_along(const BodyKinetics& body, const Vec6& J) {
   return body.inverse_mass * J.head<3>().squaredNorm() + J.tail<3>().dot(body.inverse_inertia * J.tail<3>());
 }
 
-/// A stop of a joint: its coordinate as normal (limits) or as first tangent.
+/// The rows of a joint's stop: its coordinate is the normal (limits) or the first tangent.
 ContactJacobian rows_of_stop(const Model& model, const JointStop& stop, const ContactSystem& system) {
   const Joint& joint = model.joint(stop.joint);
   const JointAxis& axis = joint.axes[at(stop.axis)];
   const JointCoordinate coordinate =
       joint_coordinate(joint, stop.axis, motion_of(joint.body_A, system.bodies, system.kinetics),
                        motion_of(joint.body_B, system.bodies, system.kinetics));
+
+  // Which of the three rows the coordinate is, and its sign.
   const bool is_bounded = stop.kind == JointStop::Kind::friction || stop.kind == JointStop::Kind::motor;
   const Eigen::Index row = is_bounded ? 0 : 2;
   const double sign = stop.kind == JointStop::Kind::upper ? -1 : 1;
+
+  // The Jacobian of the coordinate.
   ContactJacobian rows;
   // Of a joint to the world the only body takes the side of B, or of A if it is A.
   if (joint.body_A != world_body) rows.A.row(row) = sign * coordinate.J_A.transpose();
   if (joint.body_B != world_body) rows.B.row(row) = sign * coordinate.J_B.transpose();
   rows.bias[row] = sign * coordinate.bias;
+
+  // Dry friction and motors: the largest force, and a normal row that carries it.
   if (!is_bounded) return rows;
   const bool is_motor = stop.kind == JointStop::Kind::motor;
   rows.load = is_motor ? axis.motor->max_force : axis.friction;
@@ -113,7 +119,7 @@ bool is_held(const ContactSystem& system, std::size_t body) {
   return system.joints && system.joints->holds(body);
 }
 
-/// M⁻¹ Jᵀ of a body that no joint holds.
+/// M⁻¹ Jᵀ of a body without joints.
 Eigen::Matrix<double, 6, 3> response(const BodyKinetics& body, const Eigen::Matrix<double, 3, 6>& J) {
   Eigen::Matrix<double, 6, 3> result;
   result.topRows<3>() = body.inverse_mass * J.leftCols<3>().transpose();
@@ -121,16 +127,18 @@ Eigen::Matrix<double, 6, 3> response(const BodyKinetics& body, const Eigen::Matr
   return result;
 }
 
-/// Adds to A what goes through bodies that joints hold.
+/// Adds to A the response of the bodies that joints hold.
 void add_held(const ContactSystem& system, const std::vector<std::vector<Side>>& sides, MatX& A) {
   const std::vector<std::size_t>& held = system.joints->held_bodies();
-  std::vector<Eigen::Index> touching;  // Contacts of held bodies.
+  // The contacts of held bodies.
+  std::vector<Eigen::Index> touching;
   for (const std::size_t b : held) {
     for (const Side& side : sides[b]) touching.push_back(side.contact);
   }
-  std::sort(touching.begin(), touching.end());
-  touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
+  touching = sorted_unique(std::move(touching));
   if (touching.empty()) return;
+
+  // J: one block per contact and held body.
   MatX J =
       MatX::Zero(3 * static_cast<Eigen::Index>(touching.size()), 6 * static_cast<Eigen::Index>(held.size()));
   for (std::size_t n = 0; n < held.size(); ++n) {
@@ -140,6 +148,8 @@ void add_held(const ContactSystem& system, const std::vector<std::vector<Side>>&
       J.block<3, 6>(3 * i, 6 * static_cast<Eigen::Index>(n)) += *side.J;
     }
   }
+
+  // A += J (M⁻¹ - M⁻¹ Gᵀ (G M⁻¹ Gᵀ)⁺ G M⁻¹) Jᵀ.
   const MatX of_held = J * system.joints->respond(MatX(J.transpose()));
   for (std::size_t i = 0; i < touching.size(); ++i) {
     for (std::size_t k = 0; k < touching.size(); ++k) {
@@ -154,6 +164,8 @@ void add_held(const ContactSystem& system, const std::vector<std::vector<Side>>&
 MatX delassus(const ContactSystem& system) {
   const Eigen::Index size = 3 * static_cast<Eigen::Index>(system.contacts.size());
   MatX A = MatX::Zero(size, size);
+
+  // A_ik = Σ J_i M⁻¹ J_kᵀ over the bodies that contacts i and k share: the lower triangle.
   const std::vector<std::vector<Side>> sides = sides_by_body(system);
   for (std::size_t b = 0; b < sides.size(); ++b) {
     const BodyKinetics& body = system.kinetics[b];
@@ -166,6 +178,8 @@ MatX delassus(const ContactSystem& system) {
       }
     }
   }
+
+  // Bodies that joints hold respond together; loads have a mobility of their own.
   if (system.joints) add_held(system, sides, A);
   for (std::size_t i = 0; i < system.rows.size(); ++i) {
     const Eigen::Index normal = 3 * static_cast<Eigen::Index>(i) + 2;
@@ -192,9 +206,13 @@ VecX relative_velocities(const ContactSystem& system) {
     const Contact& contact = system.contacts[i];
     const BodyKinetics &A = system.of(contact.body_A), &B = system.of(contact.body_B);
     const ContactJacobian& rows = system.rows[i];
-    u.segment<3>(3 * static_cast<Eigen::Index>(i)) =
-        contact.stop ? Vec3(rows.A * velocity(A) + rows.B * velocity(B) - rows.rate)
-                     : relative_velocity(contact, A, B);
+    const Eigen::Index row = 3 * static_cast<Eigen::Index>(i);
+    if (contact.stop) {
+      u.segment<3>(row) = rows.A * velocity(A) + rows.B * velocity(B) - rows.rate;
+    } else {
+      const Vec3 p_W = contact.p_W();
+      u.segment<3>(row) = system.frames[i].transpose() * (B.velocity_at(p_W) - A.velocity_at(p_W));
+    }
   }
   return u;
 }
@@ -207,6 +225,8 @@ std::vector<Wrench> contact_wrenches(const ContactSystem& system, const VecX& la
   std::vector<Wrench> wrenches(system.bodies.size());
   for (std::size_t i = 0; i < system.contacts.size(); ++i) {
     const Contact& contact = system.contacts[i];
+
+    // The bodies that the impulse acts on, with opposite signs.
     Wrench& on_A = wrenches[at(system.local_index(contact.body_A))];
     Wrench& on_B = wrenches[at(system.local_index(contact.body_B))];
     if (contact.stop) {
@@ -217,6 +237,8 @@ std::vector<Wrench> contact_wrenches(const ContactSystem& system, const VecX& la
       on_B.tau_W += system.rows[i].B.rightCols<3>().transpose() * own;
       continue;
     }
+
+    // The impulse in W, at its arm from each centre of mass.
     const Vec3 j_W = world_impulse(system, lambda, static_cast<int>(i));
     on_A.f_W -= j_W;
     on_A.tau_W -= (contact.p_W() - system.of(contact.body_A).x).cross(j_W);
@@ -247,10 +269,13 @@ std::vector<Vec6> with_gyroscopic(const ContactSystem& system, const std::vector
 }  // namespace
 
 void apply_impulses(const VecX& lambda, ContactSystem& system) {
+  // Jᵀ λ on every body, and the response of those that joints hold.
   const std::vector<Wrench> impulses = contact_wrenches(system, lambda);
   std::vector<Vec6> of_held;
   if (system.joints)
     of_held = system.joints->respond(stacked(impulses), VecX::Zero(system.joints->residuals().size())).a;
+
+  // V += M⁻¹ Jᵀ λ.
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     BodyKinetics& body = system.kinetics[b];
     if (is_held(system, b)) {
@@ -264,9 +289,12 @@ void apply_impulses(const VecX& lambda, ContactSystem& system) {
 }
 
 std::vector<Vec6> accelerations(const ContactSystem& system, const std::vector<Wrench>& wrenches) {
+  // M a = f - ω × I ω + Gᵀ λ with G a = -bias, for the bodies that joints hold.
   const std::vector<Vec6> f = with_gyroscopic(system, wrenches);
   std::vector<Vec6> result(f.size());
   if (system.joints) result = system.joints->respond(f, -system.joints->biases()).a;
+
+  // M a = f - ω × I ω for the others.
   for (std::size_t b = 0; b < f.size(); ++b) {
     if (is_held(system, b)) continue;
     result[b] << system.kinetics[b].inverse_mass * f[b].head<3>(),
@@ -276,8 +304,11 @@ std::vector<Vec6> accelerations(const ContactSystem& system, const std::vector<W
 }
 
 JointReactions with_joint_reactions(const ContactSystem& system, std::vector<Wrench> wrenches) {
+  // The forces of the joints with which G a = -bias.
   const JointSystem::Response response =
       system.joints->respond(with_gyroscopic(system, wrenches), -system.joints->biases());
+
+  // The sum of all wrenches on a held body, from its acceleration: f = m a, τ = I α + ω × I ω.
   for (const std::size_t b : system.joints->held_bodies()) {
     const BodyKinetics& body = system.kinetics[b];
     wrenches[b].f_W = response.a[b].head<3>() / body.inverse_mass;
@@ -288,7 +319,10 @@ JointReactions with_joint_reactions(const ContactSystem& system, std::vector<Wre
 
 JointReactions with_joint_impulses(const ContactSystem& system, std::vector<Wrench> impulses,
                                    const VecX& change) {
+  // The impulses of the joints with which G ΔV = change.
   const JointSystem::Response response = system.joints->respond(stacked(impulses), change);
+
+  // The sum of all impulses on a held body, from its change of velocity: f = m Δv, τ = I Δω.
   for (const std::size_t b : system.joints->held_bodies()) {
     const BodyKinetics& body = system.kinetics[b];
     impulses[b] = {response.a[b].head<3>() / body.inverse_mass, body.inertia * response.a[b].tail<3>()};
@@ -302,6 +336,8 @@ Wrench external_wrench(const ContactSystem& system, const VecX& lambda, const Ve
     sum.f_W += wrench.head<3>();
     sum.tau_W += wrench.tail<3>() + system.kinetics[body].x.cross(wrench.head<3>());
   };
+
+  // Contacts between dynamic bodies cancel; of the others the dynamic side counts.
   for (std::size_t i = 0; i < system.contacts.size(); ++i) {
     const Contact& contact = system.contacts[i];
     const std::size_t a = at(system.local_index(contact.body_A));
@@ -312,6 +348,8 @@ Wrench external_wrench(const ContactSystem& system, const VecX& lambda, const Ve
     if (is_A) add(a, system.rows[i].A.transpose() * own);
     if (is_B) add(b, system.rows[i].B.transpose() * own);
   }
+
+  // Joints to prescribed bodies and the world.
   if (!system.joints) return sum;
   const std::vector<Vec6> of_joints = system.joints->external_wrenches(joint_lambda);
   for (std::size_t b = 0; b < of_joints.size(); ++b) add(b, of_joints[b]);
@@ -335,6 +373,8 @@ double work_of_prescribed(const ContactSystem& system, const VecX& lambda) {
     const Vec3 own = lambda.segment<3>(3 * static_cast<Eigen::Index>(i));
     const BodyKinetics& A = system.of(contact.body_A);
     const BodyKinetics& B = system.of(contact.body_B);
+
+    // λ · velocity of each prescribed side, and λ · rate of motors.
     if (A.inverse_mass == 0) work -= own.dot(rows.A * velocity(A));
     if (B.inverse_mass == 0) work -= own.dot(rows.B * velocity(B));
     work += own.dot(rows.rate);

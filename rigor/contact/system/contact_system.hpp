@@ -14,13 +14,13 @@ namespace rigor {
 /// A contact's three rows: u = A V_A + B V_B - rate, with V = (v, ω) of its bodies in W.
 ///
 /// Dry friction and motors are contacts of coefficient 1 whose normal force is their largest force F whatever
-/// the bodies do: a normal row of its own, A_nn = mobility, b_n = -F mobility.
+/// the bodies do: a separate normal row, A_nn = mobility, b_n = -F mobility.
 struct ContactJacobian {
   Eigen::Matrix<double, 3, 6> A = Eigen::Matrix<double, 3, 6>::Zero();
   Eigen::Matrix<double, 3, 6> B = Eigen::Matrix<double, 3, 6>::Zero();
   Vec3 rate = Vec3::Zero();  ///< Of a motor along t1.
   double load = 0;           ///< F [N] or [N m].
-  double mobility = 0;       ///< Of the row of its own; 0: the normal is as the bodies move.
+  double mobility = 0;       ///< Of that separate row; 0: the normal row follows the bodies.
   Vec3 bias = Vec3::Zero();  ///< Of joints: the part of u̇ that does not depend on accelerations.
 };
 
@@ -30,9 +30,9 @@ struct ContactJacobian {
 struct ContactSystem {
   std::vector<Contact> contacts;
   std::vector<int> bodies;  ///< Model indices, ascending; of the contacts' bodies and any others wanted.
-  std::vector<BodyKinetics> kinetics;         ///< One a body of `bodies`.
+  std::vector<BodyKinetics> kinetics;         ///< One per body of `bodies`.
   std::vector<Mat3> frames;                   ///< C = [t1 t2 n] of each contact.
-  std::vector<ContactJacobian> rows;          ///< One a contact.
+  std::vector<ContactJacobian> rows;          ///< One per contact.
   std::shared_ptr<const JointSystem> joints;  ///< At this instant; none if no joint holds a body.
 
   /// Position of a body in `bodies`, which must hold it.
@@ -60,8 +60,8 @@ VecX relative_velocities(const ContactSystem& system);
 /// Adds M⁻¹ Jᵀ λ to the velocities of the bodies; λ (3n) in the contact frames [N s].
 void apply_impulses(const VecX& lambda, ContactSystem& system);
 
-/// Accelerations (v̇, ω̇) of the bodies under wrenches, one each, and the joints; zero for prescribed bodies
-/// (they move at constant velocities). Newton and Euler: a = f/m, α = I⁻¹(τ - ω × I ω).
+/// Accelerations (v̇, ω̇) of the bodies under these wrenches (one per body) and the joints; zero for
+/// prescribed bodies (they move at constant velocities). Newton and Euler: a = f/m, α = I⁻¹(τ - ω × I ω).
 std::vector<Vec6> accelerations(const ContactSystem& system, const std::vector<Wrench>& wrenches);
 
 /// Wrenches Jᵀ λ of the contacts on the bodies, without what joints do about them.
@@ -69,12 +69,12 @@ std::vector<Wrench> contact_wrenches(const ContactSystem& system, const VecX& la
 
 /// What acts on the bodies together with the joints, and the forces λ of these.
 struct JointReactions {
-  /// All together, one a body of the system. For bodies that joints hold they are made of the accelerations:
-  /// a light link's own share would drown in the rounding of what goes through it.
+  /// All together, one per body of the system. For bodies that joints hold they are computed from the
+  /// accelerations: what moves a light link would drown in the rounding of the forces that pass through it.
   std::vector<Wrench> wrenches;
   VecX lambda;
 };
-/// When these wrenches act besides. The system must have joints.
+/// When these wrenches act on the bodies. The system must have joints.
 JointReactions with_joint_reactions(const ContactSystem& system, std::vector<Wrench> wrenches);
 /// The same for impulses that change velocities: those of the joints make G ΔV = `change`.
 JointReactions with_joint_impulses(const ContactSystem& system, std::vector<Wrench> impulses,
@@ -83,8 +83,8 @@ JointReactions with_joint_impulses(const ContactSystem& system, std::vector<Wren
 /// Impulse of contact i in W [N s] (or force, if λ are forces): +on B, -on A. Not for stops of joints.
 Vec3 world_impulse(const ContactSystem& system, const VecX& lambda, int i);
 
-/// Of all impulses (forces) λ of contacts and λ of joints (empty without joints): what comes from prescribed
-/// bodies and the world, as impulse and its moment about the origin of W.
+/// The part of all impulses (forces) λ of contacts and of joints (empty without joints) that prescribed
+/// bodies and the world exert: the impulse and its moment about the origin of W.
 Wrench external_wrench(const ContactSystem& system, const VecX& lambda, const VecX& joint_lambda);
 
 /// Kinetic energy of the dynamic bodies [J].

@@ -2,6 +2,7 @@
 
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/core/sorted_unique.hpp"
 #include "rigor/solver/linear/least_norm.hpp"
 
 #include <algorithm>
@@ -12,10 +13,10 @@ namespace rigor {
 
 namespace {
 
-std::size_t place_of(const std::vector<int>& ascending, int body) {
-  const auto place = std::lower_bound(ascending.begin(), ascending.end(), body);
-  RIGOR_ASSERT(place != ascending.end() && *place == body);
-  return at(place - ascending.begin());
+/// Where the body stands in the system, which has it.
+std::size_t place_in_system(const std::vector<int>& bodies, int body) {
+  RIGOR_ASSERT(holds(bodies, body));
+  return place_of(bodies, body);
 }
 
 /// Place of a body among the sides of the rows, which get one more where it has none.
@@ -55,19 +56,22 @@ std::vector<std::vector<int>> joints_by_body(const Model& model) {
 
 BodyMotion motion_of(int body, const std::vector<int>& bodies, const std::vector<BodyKinetics>& kinetics) {
   if (body == world_body) return {};
-  const BodyKinetics& of_body = kinetics[place_of(bodies, body)];
+  const BodyKinetics& of_body = kinetics[place_in_system(bodies, body)];
   return {of_body.x, of_body.R, of_body.v, of_body.w};
 }
 
 JointSystem::JointSystem(const Model& model, std::vector<int> joints, const std::vector<int>& bodies,
                          const std::vector<BodyKinetics>& kinetics, const RowChoice* choice)
     : joints_(std::move(joints)), node_of_(bodies.size(), -1), velocities_(bodies.size()) {
+  // The rows of each joint, one below the other.
   int rows = 0;
   for (const int joint : joints_) {
     items_.push_back(make_item(model, joint, bodies, kinetics));
     items_.back().first = rows;
     rows += items_.back().rows.size;
   }
+
+  // Which bodies they tie, which blocks of G M⁻¹ Gᵀ that makes, and their numbers at this instant.
   residuals_ = rate_errors_ = biases_ = VecX::Zero(rows);
   find_nodes(kinetics);
   make_solver();
@@ -79,6 +83,8 @@ JointSystem::JointSystem(const Model& model, std::vector<int> joints, const std:
 void JointSystem::update(const Model& model, const std::vector<int>& bodies,
                          const std::vector<BodyKinetics>& kinetics, const RowChoice* choice) {
   RIGOR_ASSERT(bodies.size() == velocities_.size());
+
+  // The rows anew; which bodies they tie stays.
   for (std::size_t i = 0; i < items_.size(); ++i) {
     const int first = items_[i].first;
     items_[i] = make_item(model, joints_[i], bodies, kinetics);
@@ -97,6 +103,8 @@ void JointSystem::find_nodes(const std::vector<BodyKinetics>& kinetics) {
       if (kinetics[place].inverse_mass > 0) node_of_[place] = 0;
     }
   }
+
+  // They are numbered as nodes of the constraint graph.
   for (std::size_t b = 0; b < node_of_.size(); ++b) {
     if (node_of_[b] < 0) continue;
     node_of_[b] = static_cast<int>(bodies_of_nodes_.size());
@@ -105,6 +113,7 @@ void JointSystem::find_nodes(const std::vector<BodyKinetics>& kinetics) {
 }
 
 void JointSystem::make_solver() {
+  // One link per joint between the nodes that it ties.
   ConstraintGraph graph;
   graph.node_count = static_cast<int>(bodies_of_nodes_.size());
   for (const Item& item : items_) {
@@ -123,6 +132,7 @@ void JointSystem::make_solver() {
 
 JointSystem::Item JointSystem::make_item(const Model& model, int index, const std::vector<int>& bodies,
                                          const std::vector<BodyKinetics>& kinetics) const {
+  // The rows of the joint itself, and of motors without a limit of force.
   const Joint& joint = model.joint(index);
   const auto motion = [&](int body) { return motion_of(body, bodies, kinetics); };
   Item item;
@@ -151,11 +161,13 @@ JointSystem::Item JointSystem::make_item(const Model& model, int index, const st
     }
     item.arm = B.x + B.R * joint.X_BK.p - (joint.body_B == world_body ? A.x : B.x);
   }
+
+  // Where its bodies are in the list, and whether the world or a prescribed body takes part.
   for (const Joint* source : sources_of(model, index))
     item.is_grounded |= source->body_A == world_body || source->body_B == world_body;
   for (int side = 0; side < item.rows.side_count; ++side) {
     const std::size_t s = at(side);
-    item.places[s] = place_of(bodies, item.rows.bodies[s]);
+    item.places[s] = place_in_system(bodies, item.rows.bodies[s]);
     item.is_grounded |= kinetics[item.places[s]].inverse_mass == 0;
     if (item.rows.bodies[s] == joint.body_B) item.side_B = side;
   }
@@ -165,6 +177,8 @@ JointSystem::Item JointSystem::make_item(const Model& model, int index, const st
 void JointSystem::stack() {
   for (const Item& item : items_) {
     const int size = item.rows.size;
+
+    // G V - rate.
     Vec6 rate = -item.rate;
     for (int side = 0; side < item.rows.side_count; ++side) {
       const std::size_t s = at(side);
@@ -177,6 +191,7 @@ void JointSystem::stack() {
 }
 
 void JointSystem::factor(const std::vector<BodyKinetics>& kinetics, const RowChoice* choice) {
+  // G: the rows of each link on its nodes.
   std::size_t link = 0;
   for (const Item& item : items_) {
     if (item.rows.size == 0) continue;
@@ -187,6 +202,8 @@ void JointSystem::factor(const std::vector<BodyKinetics>& kinetics, const RowCho
     }
     ++link;
   }
+
+  // The mass matrices, and the factors of both.
   for (std::size_t n = 0; n < masses_.size(); ++n) masses_[n] = mass_matrix(kinetics[bodies_of_nodes_[n]]);
   solver_->factor(masses_, rows_, choice);
 }
@@ -205,10 +222,15 @@ std::pair<double, int> JointSystem::largest_residual() const {
 }
 
 JointSystem::Response JointSystem::respond(const std::vector<Vec6>& f, const VecX& c) const {
+  // The wrenches on the held bodies.
   VecX stacked(6 * static_cast<Eigen::Index>(bodies_of_nodes_.size()));
   for (std::size_t n = 0; n < bodies_of_nodes_.size(); ++n)
     stacked.segment<6>(6 * static_cast<Eigen::Index>(n)) = f[bodies_of_nodes_[n]];
+
+  // M a = f + Gᵀ λ, G a = c.
   ConstrainedMass::Solution solution = solver_->solve(stacked, c);
+
+  // The accelerations in the order of the list.
   Response response{std::vector<Vec6>(node_of_.size(), Vec6::Zero()), std::move(solution.lambda)};
   for (std::size_t n = 0; n < bodies_of_nodes_.size(); ++n)
     response.a[bodies_of_nodes_[n]] = solution.a.segment<6>(6 * static_cast<Eigen::Index>(n));
@@ -232,6 +254,7 @@ std::vector<Vec6> JointSystem::wrenches(const VecX& lambda) const {
 }
 
 std::vector<Vec6> JointSystem::external_wrenches(const VecX& lambda) const {
+  // Gᵀ λ of the grounded joints alone, on dynamic bodies.
   VecX grounded = lambda;
   for (const Item& item : items_) {
     if (!item.is_grounded) grounded.segment(item.first, item.rows.size).setZero();
@@ -244,7 +267,7 @@ std::vector<Vec6> JointSystem::external_wrenches(const VecX& lambda) const {
 }
 
 VecX JointSystem::least_norm(const VecX& lambda, double length) const {
-  // Rows without a force turn bodies: λ = unit λ', all λ' in N.
+  // G of all rows. Rows without a force exert torques: λ = unit λ', all λ' in N.
   MatX G = MatX::Zero(lambda.size(), 6 * static_cast<Eigen::Index>(bodies_of_nodes_.size()));
   VecX unit = VecX::Ones(lambda.size());
   for (const Item& item : items_) {
@@ -260,6 +283,8 @@ VecX JointSystem::least_norm(const VecX& lambda, double length) const {
       if (pull[row] == 0) unit[item.first + row] = length;
     }
   }
+
+  // λ' of least norm with (unit G)ᵀ λ' = Gᵀ λ.
   const MatX scaled = unit.asDiagonal() * G;
   const LeastNormSystem system(scaled * scaled.transpose());
   return unit.cwiseProduct(system.solve(scaled * (G.transpose() * lambda)));
@@ -271,6 +296,8 @@ Wrench JointSystem::reaction(std::size_t joint, const VecX& lambda) const {
   // Where B is the world, the reaction is the opposite of what acts on A.
   const std::size_t s = at(std::max(item.side_B, 0));
   const double sign = item.side_B < 0 ? -1 : 1;
+
+  // Gᵀ λ about the centre of mass, moved to the anchor.
   const Vec6 wrench =
       sign * (item.rows.J[s].topRows(item.own).transpose() * lambda.segment(item.first, item.own));
   const Vec3 f_W = wrench.head<3>(), tau_W = wrench.tail<3>();
@@ -284,6 +311,8 @@ double JointSystem::supplied_power(const VecX& lambda) const {
     Vec6 rate = item.rate;
     for (int side = 0; side < item.rows.side_count; ++side) {
       const std::size_t s = at(side);
+
+      // What prescribed bodies move.
       if (node_of_[item.places[s]] >= 0) continue;
       rate.head(size) -= item.rows.J[s].topRows(size) * velocities_[item.places[s]];
     }

@@ -29,7 +29,7 @@ class JointSystem {
   JointSystem(const Model& model, std::vector<int> joints, const std::vector<int>& bodies,
               const std::vector<BodyKinetics>& kinetics, const RowChoice* choice = nullptr);
 
-  /// The same joints and bodies where they are now.
+  /// The same joints and bodies at another instant.
   void update(const Model& model, const std::vector<int>& bodies, const std::vector<BodyKinetics>& kinetics,
               const RowChoice* choice = nullptr);
 
@@ -37,7 +37,7 @@ class JointSystem {
   const RowChoice& choice() const { return solver_->choice(); }
   /// Whether the i-th body of the list is dynamic and held by a joint.
   bool holds(std::size_t body) const { return node_of_[body] >= 0; }
-  /// Number of bodies that it holds, and the place of each in the list.
+  /// The places of the held bodies in the list.
   const std::vector<std::size_t>& held_bodies() const { return bodies_of_nodes_; }
 
   /// The equations on the held bodies.
@@ -56,20 +56,20 @@ class JointSystem {
 
   /// What held bodies do under wrenches (or impulses): M a = f + Gᵀ λ, G a = c.
   struct Response {
-    std::vector<Vec6> a;  ///< One a body of the list; zero if it is not held.
+    std::vector<Vec6> a;  ///< One per body of the list; zero if it is not held.
     VecX lambda;          ///< Forces (impulses) of the rows.
   };
   Response respond(const std::vector<Vec6>& f, const VecX& c) const;
-  /// Accelerations of the held bodies, 6 a body in the order of held_bodies(), for many wrenches at c = 0:
+  /// Accelerations of the held bodies, 6 per body in the order of held_bodies(), for many wrenches at c = 0:
   /// one column each.
   MatX respond(const MatX& f) const;
 
   /// Wrench of the rows' forces λ on each body of the list, prescribed ones too: Gᵀ λ.
   std::vector<Vec6> wrenches(const VecX& lambda) const;
-  /// Those of it on held bodies that come from prescribed bodies and the world, not from each other.
+  /// The part that prescribed bodies and the world exert on held bodies, not these on each other.
   std::vector<Vec6> external_wrenches(const VecX& lambda) const;
-  /// The forces of least norm that make the same wrenches: where joints hold more than once, others would do
-  /// as well. Torques count as forces at the arm `length` [m].
+  /// The forces of least norm that make the same wrenches: where redundant joints hold, others would do as
+  /// well. Torques count as forces at the arm `length` [m].
   VecX least_norm(const VecX& lambda, double length) const;
   /// Forces of one joint's rows (without motors) as the wrench on body B about the joint's anchor on B [N],
   /// [N m].

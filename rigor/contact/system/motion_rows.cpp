@@ -26,6 +26,8 @@ int add_node(const Mat6& mass, const Mat6& inverse_mass, ContactRows& rows) {
 
 ContactRows motion_rows(const ContactSystem& system) {
   ContactRows rows;
+
+  // One node per dynamic body.
   std::vector<int> nodes;
   for (const BodyKinetics& body : system.kinetics) {
     const bool gives_way = body.inverse_mass > 0;
@@ -33,6 +35,8 @@ ContactRows motion_rows(const ContactSystem& system) {
                                          block_diagonal(body.inverse_mass, body.inverse_inertia), rows)
                               : -1);
   }
+
+  // J of each contact on the nodes of its bodies, and on that of its load.
   int loads = 0, load_node = -1;
   for (std::size_t i = 0; i < system.contacts.size(); ++i) {
     const Contact& contact = system.contacts[i];
@@ -55,6 +59,8 @@ ContactRows motion_rows(const ContactSystem& system) {
     }
     rows.contacts.push_back(sides);
   }
+
+  // The nodes that joints hold respond together.
   if (!system.joints || system.joints->held_bodies().empty()) return rows;
   std::vector<int> held;
   for (const std::size_t body : system.joints->held_bodies()) held.push_back(nodes[body]);
@@ -69,11 +75,13 @@ ContactRows moment_rows(const ContactSystem& system) {
   for (std::size_t i = 0; i < rows.contacts.size(); ++i) {
     ContactRows::Sides moments = rows.contacts[i];
     for (ContactRows::Side& side : moments) {
-      // The axes that forces have on a body's velocity, moments have on its turning.
+      // The axes along which forces act on a body's velocity are those about which moments act on its
+      // angular velocity.
       const Mat3 axes = side.J.leftCols<3>();
       side.J.setZero();
       if (!system.contacts[i].stop) side.J.rightCols<3>() = axes;
     }
+    // Forces and moments of each contact in turn.
     entries.push_back(rows.contacts[i]);
     entries.push_back(moments);
   }

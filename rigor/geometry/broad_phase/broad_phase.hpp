@@ -1,14 +1,12 @@
 #pragma once
 
+#include "rigor/geometry/broad_phase/broad_phase_method.hpp"
 #include "rigor/geometry/shape/aabb.hpp"
 
 #include <memory>
 #include <vector>
 
 namespace rigor {
-
-/// How pairs of boxes that overlap are found among many.
-enum class BroadPhaseMethod { tree, sweep_and_prune };
 
 /// Boxes by number, and which of them overlap a given one. What it answers depends on the boxes alone, not on
 /// the method or on the calls that led there. Boxes may be unbounded.

@@ -1,9 +1,11 @@
 #include "rigor/geometry/broad_phase/sweep_and_prune.hpp"
 
 #include "rigor/core/assert.hpp"
+#include "rigor/core/sorted_unique.hpp"
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace rigor {
 
@@ -110,8 +112,7 @@ void SweepAndPrune::sort_axis(std::vector<End>& ends, std::span<const Aabb> boxe
 }
 
 void SweepAndPrune::apply_changes(std::span<const Aabb> boxes) {
-  std::sort(changed_.begin(), changed_.end());
-  changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
+  changed_ = sorted_unique(std::move(changed_));
   // What changed is in exactly one of the old and the new set.
   std::vector<BoxPair> now;
   now.reserve(pairs_.size() + changed_.size());

@@ -19,7 +19,7 @@
 namespace rigor {
 namespace {
 
-constexpr double kRounding = 1e-12;  ///< Of sizes: this far outside a border still counts as on it.
+constexpr double kBorderSlack = 1e-12;  ///< Of sizes: this far outside a border still counts as on it.
 
 using TrianglePairs = std::vector<std::array<int, 2>>;
 
@@ -40,7 +40,7 @@ class MeshPairContacts {
         X_OB_(X_OB),
         tolerance_(tolerance),
         sides_{MeshSide(a, X_OA, 2 * tolerance), MeshSide(b, X_OB, 2 * tolerance)},
-        slack_(kRounding * (a.tree->size + b.tree->size)) {}
+        slack_(kBorderSlack * (a.tree->size + b.tree->size)) {}
 
   std::vector<ContactPoint> find() {
     const Pose X_AB = relative_pose(X_OA_, X_OB_);

@@ -10,7 +10,7 @@ namespace rigor {
 namespace {
 
 /// A smaller sine of the angle of two edges gives no direction of its own: those of the faces are as good.
-constexpr double kParallel = 1e-12;
+constexpr double kParallelAxes = 1e-12;
 
 int face_along(const FeatureGraph& graph, const Vec3& d) {
   int best = 0;
@@ -65,7 +65,7 @@ BoxAxis find_box_axis(const PolytopePair& pair, double rounding) {
     for (int j = 0; j < 3; ++j) {
       const Vec3 product = Vec3::Unit(i).cross(R.col(j));
       const double sine = product.norm();
-      if (sine < kParallel) continue;
+      if (sine < kParallelAxes) continue;
       const Vec3 m = product / sine;
       const double separation =
           std::abs(m.dot(t)) - a.dot(m.cwiseAbs()) - b.dot((R.transpose() * m).cwiseAbs());

@@ -14,11 +14,7 @@ using Kind = PolytopeFeature::Kind;
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 /// Far more pairs than any walk seen has visited.
-constexpr int kMaxSteps = 400;
-/// Direction cosines below this are zero to rounding.
-constexpr double kLevel = 8 * epsilon;
-/// Edges at a smaller angle [rad] are parallel: their common perpendicular is lost in rounding.
-constexpr double kParallel = 1e-13;
+constexpr int kMaxWalkSteps = 400;
 
 /// The neighbour that a feature would give way to, and by how much its plane is violated.
 struct Violation {
@@ -39,7 +35,7 @@ class Walk {
   FeatureWalk run() {
     int steps = 0;
     while (step()) {
-      if (++steps > kMaxSteps) {
+      if (++steps > kMaxWalkSteps) {
         result_.outcome = Outcome::undecided;
         break;
       }
@@ -202,7 +198,7 @@ class Walk {
     if (std::abs(height) <= rounding_) return end(Outcome::overlapping);
     if (height < 0) return enter(s, x, x - height * normal);
     const Violation of_v = steepest_spoke(s, v, -pair_.direction_to_other(t, normal));
-    if (of_v.amount > kLevel) {
+    if (of_v.amount > kLevelCosine) {
       go_along_spoke(s, of_v.index);
       const HalfEdge& edge = half_edge(s, feature_[s].index);
       return clip_edge(s, f, x, {edge.to, pair_.direction_to_other(s, edge.direction)});
@@ -289,7 +285,7 @@ class Walk {
     const double squared = cross.squaredNorm();
     const Vec3 b_from = pair_.vertex(1, edge_b.from);
     const Vec3 r = b_from - vertex(0, edge_a.from);
-    if (squared < kParallel * kParallel) return leave_edges(0, 0.0);
+    if (squared < kParallelAngle * kParallelAngle) return leave_edges(0, 0.0);
 
     const double along_a = r.cross(direction_b).dot(cross) / squared;
     const double along_b = r.cross(edge_a.direction).dot(cross) / squared;
@@ -320,7 +316,7 @@ class Walk {
       const Vec3 outward = s == 0 ? n : Vec3(-(pair_.X_AB().R.transpose() * n));
       const double violation = std::max(outward.dot(edge.side), outward.dot(twin.side));
       shortfall += cost(s, violation, 1);
-      if (violation <= kLevel) continue;
+      if (violation <= kLevelCosine) continue;
       const Vec3 y = pair_.point_from_a(s, s == 0 ? result_.a : result_.b);
       const Vec3 x = pair_.point_from_a(s, s == 0 ? result_.b : result_.a);
       const int face = face_above(s, edge, twin, outward);

@@ -11,12 +11,8 @@ namespace {
 using HalfEdge = FeatureGraph::HalfEdge;
 using Kind = PolytopeFeature::Kind;
 
-/// Direction cosines below this are zero to rounding.
-constexpr double kLevel = 8 * std::numeric_limits<double>::epsilon();
-/// Edges at a smaller angle [rad] are parallel.
-constexpr double kParallel = 1e-13;
 /// Far more faces than any climb seen has visited.
-constexpr int kMaxSteps = 400;
+constexpr int kMaxClimbSteps = 400;
 /// Faces visited without gain, as among coplanar ones, before the climb ends.
 constexpr int kMaxLevelSteps = 12;
 
@@ -38,7 +34,7 @@ Crossing first_crossing(const FeatureGraph& graph, int v, const Vec3& u0, const 
   for (int k = graph.first_of_vertex(v); k < last; ++k) {
     const FeatureGraph::Spoke& spoke = graph.spokes[at(k)];
     const double at_end = spoke.direction.dot(u1);
-    if (at_end <= kLevel || spoke.half_edge == skipped) continue;
+    if (at_end <= kLevelCosine || spoke.half_edge == skipped) continue;
     const double at_start = std::min(0.0, spoke.direction.dot(u0));
     const double t = -at_start / (at_end - at_start);
     if (t < first.t) first = {spoke.half_edge, t};
@@ -76,7 +72,7 @@ class Climb {
   GaussPoint run() {
     if (!is_face_of_difference()) reseed(pair_.X_AB().p.squaredNorm() > 0 ? pair_.X_AB().p : Vec3::UnitX());
     int level_steps = 0;
-    for (int step = 0; step < kMaxSteps && level_steps < kMaxLevelSteps; ++step) {
+    for (int step = 0; step < kMaxClimbSteps && level_steps < kMaxLevelSteps; ++step) {
       const bool is_last = visit();
       best_.steps = step;
       if (here_.separation > best_.separation + (is_last ? 0 : rounding_)) {
@@ -176,7 +172,8 @@ class Climb {
     const Vec3 d_b = pair_.X_AB().R * edge[1]->direction;
     const Vec3 cross = d_a.cross(d_b);
     const double squared = cross.squaredNorm();
-    if (squared < kParallel * kParallel) return leave_to(pair_.direction_in_a(0, mean_normal(0, *edge[0])));
+    if (squared < kParallelAngle * kParallelAngle)
+      return leave_to(pair_.direction_in_a(0, mean_normal(0, *edge[0])));
 
     Vec3 n = cross / std::sqrt(squared);
     n -= n.dot(d_a) * d_a;
@@ -217,8 +214,8 @@ class Climb {
   }
 
   bool is_on_arc(int s, const HalfEdge& edge, const Vec3& outward) const {
-    return outward.dot(edge.side) <= kLevel &&
-           outward.dot(pair_.graph(s).half_edge(edge.twin).side) <= kLevel;
+    return outward.dot(edge.side) <= kLevelCosine &&
+           outward.dot(pair_.graph(s).half_edge(edge.twin).side) <= kLevelCosine;
   }
 
   /// The present pair is no face of the difference: on with one near n. Only once, so that the climb ends.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "rigor/core/rounding.hpp"
 #include "rigor/geometry/shape/feature_graph.hpp"
 #include "rigor/geometry/shape/shape.hpp"
 #include "rigor/math/pose.hpp"
@@ -7,6 +8,11 @@
 #include <array>
 
 namespace rigor {
+
+/// Direction cosines below this are zero to rounding.
+inline constexpr double kLevelCosine = 8 * kEpsilon;
+/// Edges at a smaller angle [rad] are parallel: their common perpendicular is lost in rounding.
+inline constexpr double kParallelAngle = 1e-13;
 
 /// A box or a convex polyhedron with its features. Owns nothing of a hull, which must outlive it; the corners
 /// of a box are kept here.

@@ -14,7 +14,7 @@ namespace {
 
 using Tangents = Eigen::Matrix<double, 3, 2>;
 
-constexpr int kMaxIterations = 12;
+constexpr int kMaxNewtonSteps = 12;
 /// Pieces taken away or added before giving up.
 constexpr int kMaxChanges = 8;
 /// Longest step of Newton's method [rad].
@@ -105,7 +105,7 @@ class Polish {
 
  private:
   std::optional<Vec3> find_maximum(Vec3 n) {
-    for (int i = 0; i < kMaxIterations; ++i) {
+    for (int i = 0; i < kMaxNewtonSteps; ++i) {
       const std::optional<Vec3> step = newton_step(n);
       if (!step) return std::nullopt;
       const double length = step->norm();

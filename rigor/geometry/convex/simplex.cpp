@@ -1,6 +1,7 @@
 #include "rigor/geometry/convex/simplex.hpp"
 
 #include "rigor/core/assert.hpp"
+#include "rigor/core/rounding.hpp"
 #include "rigor/geometry/exact/double_double.hpp"
 
 #include <cmath>
@@ -8,8 +9,6 @@
 
 namespace rigor {
 namespace {
-
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 const Vec3& at(const std::array<Vec3, 4>& points, int i) {
   return points[static_cast<std::size_t>(i)];

@@ -1,6 +1,7 @@
 #include "rigor/geometry/decomposition/convex_patches.hpp"
 
 #include "rigor/core/index.hpp"
+#include "rigor/core/sorted_unique.hpp"
 #include "rigor/geometry/decomposition/face_planes.hpp"
 #include "rigor/geometry/decomposition/solid_parts.hpp"
 #include "rigor/geometry/mesh/mesh_shells.hpp"
@@ -83,8 +84,7 @@ class Growth {
       }
       part.fragments.push_back({planes_.plane_of[at(t)], std::move(polygon)});
     }
-    std::sort(corners.begin(), corners.end());
-    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+    corners = sorted_unique(std::move(corners));
     std::vector<Vec3> points;
     for (const int v : corners) points.push_back(mesh_.vertices[at(v)]);
     std::variant<ConvexHull, std::string> hull = make_convex_hull(points);

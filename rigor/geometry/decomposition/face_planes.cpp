@@ -1,6 +1,7 @@
 #include "rigor/geometry/decomposition/face_planes.hpp"
 
 #include "rigor/core/index.hpp"
+#include "rigor/core/rounding.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +16,6 @@ namespace {
 constexpr double kRelativeTolerance = 1e-13;
 /// The direction of a thin triangle is uncertain; its plane is never given more than this part of the size.
 constexpr double kMostSlack = 1e-7;
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 /// Two triangles that share an edge, and their corners off it.
 struct Neighbours {

@@ -1,10 +1,12 @@
 #include "rigor/geometry/decomposition/solid_cell.hpp"
 
 #include "rigor/core/index.hpp"
+#include "rigor/core/sorted_unique.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace rigor {
 namespace {
@@ -149,8 +151,7 @@ std::vector<Vec3> solid_points(const SolidCell& cell, const WindingNumber& windi
   const auto comes_before = [](const Vec3& p, const Vec3& q) {
     return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end());
   };
-  std::sort(points.begin(), points.end(), comes_before);
-  points.erase(std::unique(points.begin(), points.end()), points.end());
+  points = sorted_unique(std::move(points), comes_before);
 
   const std::vector<Vec3> corners = corners_of(cell, tolerance);
   Vec3 middle = Vec3::Zero();
@@ -168,9 +169,7 @@ std::vector<Vec3> solid_points(const SolidCell& cell, const WindingNumber& windi
 std::vector<int> planes_of(const SolidCell& cell) {
   std::vector<int> used;
   for (const SurfaceFragment& fragment : cell.fragments) used.push_back(fragment.plane);
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
-  return used;
+  return sorted_unique(std::move(used));
 }
 
 std::vector<int> conflict_planes(const SolidCell& cell, const std::vector<Vec3>& points,

@@ -1,5 +1,6 @@
 #include "rigor/geometry/distance/mesh_overlap.hpp"
 
+#include "rigor/core/rounding.hpp"
 #include "rigor/geometry/distance/mesh_pair.hpp"
 #include "rigor/geometry/distance/mesh_side.hpp"
 #include "rigor/geometry/mesh/triangle_pair.hpp"
@@ -14,8 +15,6 @@
 
 namespace rigor {
 namespace {
-
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 /// The shortest way out of two triangles that meet.
 struct WayOut {

@@ -1,6 +1,7 @@
 #include "rigor/geometry/distance/mesh_pair.hpp"
 
 #include "rigor/core/assert.hpp"
+#include "rigor/core/rounding.hpp"
 #include "rigor/geometry/distance/mesh_pair_search.hpp"
 
 #include <algorithm>
@@ -8,8 +9,6 @@
 
 namespace rigor {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double gap_along(const Vec3& n, const TriangleCorners& a, const TriangleCorners& b) {
   return std::min({n.dot(b[0]), n.dot(b[1]), n.dot(b[2])}) -

@@ -1,17 +1,15 @@
 #include "rigor/geometry/exact/orientation.hpp"
 
 #include "rigor/core/index.hpp"
+#include "rigor/core/rounding.hpp"
 #include "rigor/math/compensated_sum.hpp"
 
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace rigor {
 
 namespace {
-
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon() / 2;  // 2⁻⁵³
 
 /// A sum held exactly as parts that do not overlap, in increasing magnitude, none of them zero.
 class ExactSum {
@@ -84,7 +82,7 @@ int orientation(const Vec2& a, const Vec2& b, const Vec2& c) {
   const double left = (b.x() - a.x()) * (c.y() - a.y());
   const double right = (b.y() - a.y()) * (c.x() - a.x());
   const double area = left - right;
-  if (std::abs(area) > (3 + 16 * kEpsilon) * kEpsilon * (std::abs(left) + std::abs(right)))
+  if (std::abs(area) > (3 + 16 * kUnitRoundoff) * kUnitRoundoff * (std::abs(left) + std::abs(right)))
     return sign_of(area);
   return exact_orientation(a, b, c);
 }
@@ -95,7 +93,7 @@ int orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const Vec3 right(u.z() * v.y(), u.x() * v.z(), u.y() * v.x());
   const double volume = (left - right).dot(w);
   const double magnitude = (left.cwiseAbs() + right.cwiseAbs()).dot(w.cwiseAbs());
-  if (std::abs(volume) > (7 + 56 * kEpsilon) * kEpsilon * magnitude) return sign_of(volume);
+  if (std::abs(volume) > (7 + 56 * kUnitRoundoff) * kUnitRoundoff * magnitude) return sign_of(volume);
 
   ExactSum sum;
   if (is_exact(b, a, u) && is_exact(c, a, v) && is_exact(d, a, w)) {

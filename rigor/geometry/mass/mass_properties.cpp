@@ -2,6 +2,7 @@
 
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/core/rounding.hpp"
 #include "rigor/geometry/shape/convex_hull.hpp"
 #include "rigor/math/compensated_sum.hpp"
 #include "rigor/math/principal_axes.hpp"
@@ -18,11 +19,10 @@ namespace rigor {
 
 namespace {
 
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon() / 2;  // 2⁻⁵³
 constexpr double kPi = std::numbers::pi;
 
 /// Roundings in the closed forms: fewer than ten operations each.
-constexpr double kClosedFormError = 16 * kEpsilon;
+constexpr double kClosedFormError = 16 * kUnitRoundoff;
 
 MassProperties closed_form(double mass, const Vec3& center, const Vec3& moments) {
   return {mass, center, moments.asDiagonal(), kClosedFormError};
@@ -125,7 +125,7 @@ double relative_error(const PolyhedronIntegrals& integrals, const Vec3& center, 
   const double inertia_error = (2 * integrals.second_error + volume * center.norm() * size * center_error +
                                 integrals.volume_error * center.squaredNorm()) /
                                inertia.trace();
-  return std::max({volume_error, center_error, inertia_error}) + 8 * kEpsilon;
+  return std::max({volume_error, center_error, inertia_error}) + 8 * kUnitRoundoff;
 }
 
 }  // namespace
@@ -159,7 +159,7 @@ MassProperties transformed(const MassProperties& properties, const Pose& X_AB) {
   // The tensor is rotated, and made symmetric again to the bit.
   const Mat3 inertia = X_AB.R * properties.inertia * X_AB.R.transpose();
   return {properties.mass, X_AB * properties.center, 0.5 * (inertia + inertia.transpose()),
-          properties.error_bound + 8 * kEpsilon};
+          properties.error_bound + 8 * kUnitRoundoff};
 }
 
 MassProperties combined(std::span<const MassProperties> parts) {
@@ -183,7 +183,7 @@ MassProperties combined(std::span<const MassProperties> parts) {
   for (const MassProperties& part : parts) {
     whole.inertia += part.inertia + point_inertia(part.mass, (part.center - origin) - center);
   }
-  if (parts.size() > 1) whole.error_bound = 2 * whole.error_bound + 8 * kEpsilon;
+  if (parts.size() > 1) whole.error_bound = 2 * whole.error_bound + 8 * kUnitRoundoff;
   return whole;
 }
 
@@ -206,7 +206,7 @@ std::vector<std::string> find_mass_defects(const MassProperties& properties, dou
   std::sort(moments.data(), moments.data() + 3);
   const std::string listed = fmt::format("principal moments are {:.6g}, {:.6g} and {:.6g} kg m²", moments[0],
                                          moments[1], moments[2]);
-  if (!(moments[0] > 16 * kEpsilon * moments[2])) {
+  if (!(moments[0] > 16 * kUnitRoundoff * moments[2])) {
     defects.push_back(listed + ", each must be > 0");
   } else if (moments[2] - moments[1] > moments[0] + allowed) {
     defects.push_back(listed + ": the largest must not exceed the sum of the other two");

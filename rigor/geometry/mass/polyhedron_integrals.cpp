@@ -1,16 +1,14 @@
 #include "rigor/geometry/mass/polyhedron_integrals.hpp"
 
 #include "rigor/core/index.hpp"
+#include "rigor/core/rounding.hpp"
 #include "rigor/math/compensated_sum.hpp"
 
 #include <cmath>
-#include <limits>
 
 namespace rigor {
 
 namespace {
-
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon() / 2;  // 2⁻⁵³
 
 /// Roundings allowed to each term of a sum, in the error bounds.
 constexpr double kRoundings = 32;
@@ -254,7 +252,7 @@ PolyhedronIntegrals integrals_by_faces(const std::vector<Vec3>& vertices, const 
   // The second method, from tetrahedra: the difference of the two shows what rounding bounds cannot, as faces
   // that are not planar.
   const Terms others = summed_tetrahedra(centred.points, faces).value() * tetrahedron_factors();
-  const Terms errors = (values - others).abs() + kRoundings * kEpsilon * sums.magnitude() * factors;
+  const Terms errors = (values - others).abs() + kRoundings * kUnitRoundoff * sums.magnitude() * factors;
   return integrals_of(centred.origin, values, errors);
 }
 
@@ -263,7 +261,7 @@ PolyhedronIntegrals integrals_by_fans(const std::vector<Vec3>& vertices, const F
   const CenteredVertices centred = centered(vertices, faces);
   const CompensatedTerms sums = summed_tetrahedra(centred.points, faces);
   return integrals_of(centred.origin, sums.value() * tetrahedron_factors(),
-                      kRoundings * kEpsilon * sums.magnitude() * tetrahedron_factors());
+                      kRoundings * kUnitRoundoff * sums.magnitude() * tetrahedron_factors());
 }
 
 }  // namespace

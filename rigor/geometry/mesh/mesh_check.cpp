@@ -1,6 +1,7 @@
 #include "rigor/geometry/mesh/mesh_check.hpp"
 
 #include "rigor/core/index.hpp"
+#include "rigor/core/rounding.hpp"
 #include "rigor/geometry/mass/mass_properties.hpp"
 #include "rigor/geometry/mass/polyhedron_integrals.hpp"
 #include "rigor/geometry/mesh/mesh_shells.hpp"
@@ -9,15 +10,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
 namespace rigor {
 
 namespace {
-
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon() / 2;  // 2⁻⁵³
 
 /// Numbers written out in a message before it goes on with "and n more".
 constexpr std::size_t kListed = 5;
@@ -185,7 +183,7 @@ void MeshChecker::check_faces() {
     for (const int v : loop) length = std::max(length, (mesh_.vertices[at(v)] - p0).norm());
     const Vec3 area = doubled_area_vector(mesh_.vertices, loop);
     // A height below the rounding of the coordinates is none.
-    if (!(area.norm() > 4 * kEpsilon * scale_ * length)) {
+    if (!(area.norm() > 4 * kUnitRoundoff * scale_ * length)) {
       flat.push_back(static_cast<int>(f));
       continue;
     }

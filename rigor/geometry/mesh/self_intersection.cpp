@@ -20,10 +20,6 @@ int viewing_axis(const Corners& t) {
   return axis;
 }
 
-Vec2 seen(const Vec3& p, int axis) {
-  return {p[(axis + 1) % 3], p[(axis + 2) % 3]};
-}
-
 /// Triangles that share corner 0 of both: they meet elsewhere if the edge opposite to it of one meets the
 /// other.
 bool triangles_at_vertex_meet(const Corners& t, const Corners& u) {
@@ -36,8 +32,8 @@ bool triangles_at_vertex_meet(const Corners& t, const Corners& u) {
 bool triangles_at_edge_meet(const Corners& t, const Corners& u) {
   if (orientation(t[0], t[1], t[2], u[2]) != 0) return false;
   const int axis = viewing_axis(t);
-  const Vec2 p = seen(t[0], axis), q = seen(t[1], axis);
-  return orientation(p, q, seen(t[2], axis)) * orientation(p, q, seen(u[2], axis)) > 0;
+  const Vec2 p = seen_along(t[0], axis), q = seen_along(t[1], axis);
+  return orientation(p, q, seen_along(t[2], axis)) * orientation(p, q, seen_along(u[2], axis)) > 0;
 }
 
 /// The triangles' corners, those that they share first and in the same order in both.

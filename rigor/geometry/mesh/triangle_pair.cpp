@@ -170,16 +170,12 @@ bool segments_meet(const Vec2& p, const Vec2& q, const Vec2& r, const Vec2& s) {
          (rsp == 0 && is_between(r, s, p)) || (rsq == 0 && is_between(r, s, q));
 }
 
-Vec2 seen(const Vec3& p, int axis) {
-  return {p[(axis + 1) % 3], p[(axis + 2) % 3]};
-}
-
 /// Whether the segment pq, in the plane of the triangle, meets it.
 bool segment_in_plane_meets(const Vec3& p, const Vec3& q, const TriangleCorners& t) {
   int axis;
   (t[1] - t[0]).cross(t[2] - t[0]).cwiseAbs().maxCoeff(&axis);
-  const Vec2 p2 = seen(p, axis), q2 = seen(q, axis);
-  const std::array<Vec2, 3> c = {seen(t[0], axis), seen(t[1], axis), seen(t[2], axis)};
+  const Vec2 p2 = seen_along(p, axis), q2 = seen_along(q, axis);
+  const std::array<Vec2, 3> c = {seen_along(t[0], axis), seen_along(t[1], axis), seen_along(t[2], axis)};
   for (std::size_t i = 0; i < 3; ++i) {
     if (segments_meet(p2, q2, c[i], c[(i + 1) % 3])) return true;
   }

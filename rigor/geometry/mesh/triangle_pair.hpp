@@ -9,6 +9,11 @@ namespace rigor {
 
 using TriangleCorners = std::array<Vec3, 3>;
 
+/// The point as seen along the coordinate axis: its two other coordinates.
+inline Vec2 seen_along(const Vec3& p, int axis) {
+  return {p[(axis + 1) % 3], p[(axis + 2) % 3]};
+}
+
 /// Whether two triangles have a point in common, borders included: exact for the coordinates as they are.
 bool triangles_meet(const TriangleCorners& t, const TriangleCorners& u);
 

@@ -1,6 +1,7 @@
 #include "rigor/geometry/mesh/wide_tree.hpp"
 
 #include "rigor/core/index.hpp"
+#include "rigor/core/rounding.hpp"
 
 #include <Eigen/Eigenvalues>
 
@@ -11,9 +12,7 @@
 namespace rigor {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-constexpr std::size_t kBinCount = 12;  ///< Places where the heuristic tries to cut.
+constexpr std::size_t kWideBinCount = 12;  ///< Places where the heuristic tries to cut.
 
 Mat3 axes_of(double w, double x, double y, double z) {
   const double s = 1 / (w * w + x * x + y * y + z * z), t = s + s;
@@ -129,11 +128,11 @@ class WideBuilder {
     for (auto item = begin; item != end; ++item) centers.unite(item->center());
     int axis = 0;
     const float length = (centers.upper - centers.lower).head<3>().maxCoeff(&axis);
-    const float origin = centers.lower[axis], scale = static_cast<float>(kBinCount) / length;
+    const float origin = centers.lower[axis], scale = static_cast<float>(kWideBinCount) / length;
     int left_count = left.count / 2;
     if (length > 0 && std::isfinite(scale)) {
       const auto bin_of = [axis, origin, scale](const Item& item) {
-        return std::min(kBinCount - 1, static_cast<std::size_t>((item.center()[axis] - origin) * scale));
+        return std::min(kWideBinCount - 1, static_cast<std::size_t>((item.center()[axis] - origin) * scale));
       };
       const std::size_t place = cheapest_cut(left, bin_of);
       left_count = static_cast<int>(
@@ -151,17 +150,17 @@ class WideBuilder {
   /// Least area · count on both sides; the extreme bins are never empty, so that both sides have triangles.
   template <typename BinOf>
   std::size_t cheapest_cut(const Range& range, const BinOf& bin_of) const {
-    std::array<RoughBox, kBinCount> boxes;
-    std::array<int, kBinCount> counts{};
+    std::array<RoughBox, kWideBinCount> boxes;
+    std::array<int, kWideBinCount> counts{};
     for (int k = range.first; k < range.first + range.count; ++k) {
       const std::size_t bin = bin_of(items_[at(k)]);
       boxes[bin].unite(items_[at(k)].box);
       ++counts[bin];
     }
-    std::array<float, kBinCount> right_cost{};
+    std::array<float, kWideBinCount> right_cost{};
     RoughBox side;
     int count = 0;
-    for (std::size_t b = kBinCount; b-- > 1;) {
+    for (std::size_t b = kWideBinCount; b-- > 1;) {
       side.unite(boxes[b]);
       count += counts[b];
       right_cost[b] = side.half_area() * static_cast<float>(count);
@@ -170,7 +169,7 @@ class WideBuilder {
     count = 0;
     float best_cost = std::numeric_limits<float>::infinity();
     std::size_t best = 1;
-    for (std::size_t b = 1; b < kBinCount; ++b) {
+    for (std::size_t b = 1; b < kWideBinCount; ++b) {
       side.unite(boxes[b - 1]);
       count += counts[b - 1];
       const float cost = side.half_area() * static_cast<float>(count) + right_cost[b];

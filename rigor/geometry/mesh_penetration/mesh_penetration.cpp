@@ -2,6 +2,7 @@
 
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/core/rounding.hpp"
 #include "rigor/geometry/decomposition/mesh_solid.hpp"
 #include "rigor/geometry/distance/distance.hpp"
 #include "rigor/geometry/distance/mesh_distance.hpp"
@@ -17,8 +18,6 @@
 
 namespace rigor {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// One body as convex pieces in the same frame.
 struct Pieces {

@@ -2,6 +2,7 @@
 
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/core/rounding.hpp"
 #include "rigor/geometry/convex/convex_distance.hpp"
 #include "rigor/geometry/distance/distance.hpp"
 #include "rigor/geometry/mesh/triangle_tree.hpp"
@@ -12,14 +13,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <queue>
 
 namespace rigor {
 namespace {
-
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 /// Two parts that are proven apart until `time`.
 struct PartPair {

@@ -2,6 +2,7 @@
 
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/core/rounding.hpp"
 #include "rigor/geometry/shape/convex_hull.hpp"
 
 #include <algorithm>
@@ -11,8 +12,6 @@
 
 namespace rigor {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 RaySpan empty_span() {
   return {kInfinity, -kInfinity, Vec3::Zero(), Vec3::Zero()};

@@ -1,15 +1,13 @@
 #include "rigor/geometry/shape/aabb.hpp"
 
+#include "rigor/core/rounding.hpp"
 #include "rigor/geometry/shape/convex_hull.hpp"
 #include "rigor/geometry/shape/triangle_mesh.hpp"
 
 #include <cmath>
-#include <limits>
 
 namespace rigor {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Aabb box_around(const Vec3& p, const Vec3& reach) {
   return {p - reach, p + reach};

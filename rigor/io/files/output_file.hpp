@@ -7,6 +7,9 @@
 
 namespace rigor {
 
+/// Writers of long files flush when this many bytes wait, and whenever their FlushTimer is due.
+inline constexpr std::size_t kMostPendingBytes = std::size_t{1} << 20;
+
 /// A text file that is written from its start. What was flushed survives the end of the process, however it
 /// comes.
 class OutputFile {

@@ -10,29 +10,29 @@ namespace rigor {
 
 namespace {
 
-using Description = ModelBuilder::ForceDescription;
+using ForceDescription = ModelBuilder::ForceDescription;
 
 /// Body, frame and point of the forces on one body.
-void read_body(const ObjectReader& force, Description& description) {
+void read_body(const ObjectReader& force, ForceDescription& description) {
   if (const std::optional<std::string> body = force.text("body")) description.bodies = {*body};
 }
 
-void read_constant(const ObjectReader& force, Description& description) {
+void read_constant(const ObjectReader& force, ForceDescription& description) {
   read_body(force, description);
   description.vector = force.vector("force").value_or(Vec3::Zero());
   description.frame_is_body = force.text("frame") == "body";
   if (const std::optional<Vec3> point = force.vector("point")) description.points = {*point};
 }
 
-void read_torque(const ObjectReader& force, Description& description) {
-  description.type = Description::Type::torque;
+void read_torque(const ObjectReader& force, ForceDescription& description) {
+  description.type = ForceDescription::Type::torque;
   read_body(force, description);
   description.vector = force.vector("torque").value_or(Vec3::Zero());
   description.frame_is_body = force.text("frame") == "body";
 }
 
-void read_spring(const ObjectReader& force, Description& description) {
-  description.type = Description::Type::spring;
+void read_spring(const ObjectReader& force, ForceDescription& description) {
+  description.type = ForceDescription::Type::spring;
   description.bodies = force.names("between");
   description.points = force.vectors("points");
   if (force.has("points") && !description.points.empty() && description.points.size() != 2) {
@@ -43,8 +43,8 @@ void read_spring(const ObjectReader& force, Description& description) {
   description.length = force.number("length");
 }
 
-void read_drag(const ObjectReader& force, Description& description) {
-  description.type = Description::Type::drag;
+void read_drag(const ObjectReader& force, ForceDescription& description) {
+  description.type = ForceDescription::Type::drag;
   read_body(force, description);
   description.linear = force.number("linear").value_or(0);
   description.angular = force.number("angular").value_or(0);
@@ -58,7 +58,7 @@ void read_force(const YamlNode& node, std::size_t index, SceneErrors& errors, Mo
   if (!table) return;
   const std::size_t errors_before = errors.count();
   const ObjectReader force(node, *table, whose + " (" + table->object + ")", errors);
-  Description description{Description::Type::constant};
+  ForceDescription description{ForceDescription::Type::constant};
   if (table->object == "constant") read_constant(force, description);
   if (table->object == "torque") read_torque(force, description);
   if (table->object == "spring") read_spring(force, description);

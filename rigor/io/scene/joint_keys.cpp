@@ -1,4 +1,5 @@
 #include "rigor/io/scene/scene_keys.hpp"
+#include "rigor/model/joint_traits.hpp"
 #include "rigor/model/limits.hpp"
 
 namespace rigor {
@@ -44,73 +45,103 @@ Keys distance_keys() {
   return keys;
 }
 
-KeyTable joint_table(const std::string& type, const std::string& title, const Keys& own) {
+Key direction(const std::string& name, const std::string& fallback, const std::string& meaning) {
+  return {name, ValueType::vector, "", fallback, {-1e9, 1e9}, meaning};
+}
+
+/// The anchors, where they are required or, as a last key of the place, where they are not.
+Keys anchor_keys(const JointTraits& traits, bool are_required) {
+  Key anchor{"anchor",   ValueType::vector, "m",
+             "required", limits::position,  "point of the joint, in the world at t = 0"};
+  switch (traits.anchors) {
+    case JointAnchors::none:
+      break;
+    case JointAnchors::optional:
+      anchor.fallback = "the centre of mass of B, or of A if B is not dynamic";
+      return are_required ? Keys{} : Keys{anchor};
+    case JointAnchors::required:
+      return are_required ? Keys{anchor} : Keys{};
+    case JointAnchors::two:
+      anchor = {"anchors",  ValueType::vectors, "m",
+                "required", limits::position,   "a point of A and one of B, in the world at t = 0"};
+      return are_required ? Keys{anchor} : Keys{};
+  }
+  return {};
+}
+
+Keys axis_keys(const JointTraits& traits) {
+  const Key axis = direction("axis", "required", "in the world at t = 0; any length but zero");
+  switch (traits.axes) {
+    case JointAxes::none:
+      break;
+    case JointAxes::z:
+      return {axis};
+    case JointAxes::z_and_direction:
+      return {axis, direction("second_axis", "the world's x, in the plane",
+                              "of the first coordinate, perpendicular to `axis`")};
+    case JointAxes::z_and_x_of_K:
+      return {axis, direction("second_axis", "required", "on B, perpendicular to `axis`, which is on A")};
+  }
+  return {};
+}
+
+/// What the equation of its relation needs besides places and directions.
+Keys relation_keys(const JointTraits& traits) {
+  switch (traits.relation) {
+    case JointRelation::none:
+    case JointRelation::distance:
+      break;
+    case JointRelation::screw:
+      return {{"pitch", ValueType::number, "m", "required", limits::position,
+               "sliding along the axis a turn; not 0, negative: left-handed"}};
+    case JointRelation::gear:
+      return {{"joints", ValueType::names, "", "required", {}, "names of the first and second joint"},
+              {"ratio", ValueType::number, "", "required", limits::ratio,
+               "change of the second's first coordinate by that of the first's; not 0"}};
+  }
+  return {};
+}
+
+/// What acts along the coordinates: keys of the joint itself if it has one, else a list of mappings.
+Keys law_keys(const JointTraits& traits) {
+  if (traits.coordinate_count == 0) return {};
+  if (traits.coordinate_count > 1) {
+    return {{"coordinates",
+             ValueType::objects,
+             "",
+             "all free",
+             {},
+             "one mapping for each coordinate, `{}` for a free one",
+             {},
+             "coordinate"}};
+  }
+  if (has_whole_angle(traits.type)) return passive_keys(true);
+  if (traits.relation == JointRelation::distance) return distance_keys();
+  return coordinate_keys(is_angle(traits.type, 0));
+}
+
+KeyTable type_table(const JointTraits& traits) {
   const Keys front = {
-      {"type", ValueType::choice, "", "required", {}, "which joint", {type}},
+      {"type", ValueType::choice, "", "required", {}, "which joint", {traits.name}},
       {"name", ValueType::text, "", "required", {}, "unique among the joints"},
   };
+  const Key bodies{"bodies", ValueType::names, "", "required", {}, "names of A and B; `world` is one"};
+  const Key collide{"collide", ValueType::flag, "", "false", {}, "whether A and B can touch each other"};
   const Key repeat{
       "repeat", ValueType::object, "", "-", {}, "a grid of such joints, named `pin[0,0,0]` and so on",
       {},       "joint_repeat"};
-  return {type, title, "joint", front + own + Keys{repeat}};
-}
-
-/// Joint of two bodies: their names, then what is its own.
-KeyTable body_joint_table(const std::string& type, const std::string& title, const Keys& own) {
-  const Key bodies{"bodies", ValueType::names, "", "required", {}, "names of A and B; `world` is one"};
-  const Key collide{"collide", ValueType::flag, "", "false", {}, "whether A and B can touch each other"};
-  return joint_table(type, title, Keys{bodies} + own + Keys{collide});
-}
-
-Key direction(const std::string& name, const std::string& fallback, const std::string& meaning) {
-  return {name, ValueType::vector, "", fallback, {-1e9, 1e9}, meaning};
+  Keys own = anchor_keys(traits, true) + axis_keys(traits) + relation_keys(traits) +
+             anchor_keys(traits, false) + law_keys(traits);
+  if (traits.relation != JointRelation::gear) own = Keys{bodies} + own + Keys{collide};
+  return {traits.name, traits.title, "joint", front + own + Keys{repeat}};
 }
 
 }  // namespace
 
 std::vector<KeyTable> joint_key_tables() {
-  const Key anchor{"anchor",   ValueType::vector, "m",
-                   "required", limits::position,  "point of the joint, in the world at t = 0"};
-  Key any_anchor = anchor;
-  any_anchor.fallback = "the centre of mass of B, or of A if B is not dynamic";
-  const Key axis = direction("axis", "required", "in the world at t = 0; any length but zero");
-  const Key coordinates{"coordinates",
-                        ValueType::objects,
-                        "",
-                        "all free",
-                        {},
-                        "one mapping for each coordinate, `{}` for a free one",
-                        {},
-                        "coordinate"};
-  return {
-      body_joint_table("fixed", "a fixed joint", {any_anchor}),
-      body_joint_table("ball", "a ball joint", Keys{anchor} + passive_keys(true)),
-      body_joint_table("hinge", "a hinge", Keys{anchor, axis} + coordinate_keys(true)),
-      body_joint_table("slider", "a slider", Keys{axis, any_anchor} + coordinate_keys(false)),
-      body_joint_table(
-          "universal", "a universal joint",
-          {anchor, axis, direction("second_axis", "required", "on B, perpendicular to `axis`, which is on A"),
-           coordinates}),
-      body_joint_table("cylindrical", "a cylindrical joint", {anchor, axis, coordinates}),
-      body_joint_table("planar", "a planar joint",
-                       {axis,
-                        direction("second_axis", "the world's x, in the plane",
-                                  "of the first coordinate, perpendicular to `axis`"),
-                        any_anchor, coordinates}),
-      body_joint_table("distance", "a distance joint",
-                       Keys{{"anchors", ValueType::vectors, "m", "required", limits::position,
-                             "a point of A and one of B, in the world at t = 0"}} +
-                           distance_keys()),
-      body_joint_table("screw", "a screw",
-                       Keys{anchor,
-                            axis,
-                            {"pitch", ValueType::number, "m", "required", limits::position,
-                             "sliding along the axis a turn; not 0, negative: left-handed"}} +
-                           coordinate_keys(true)),
-      joint_table("gear", "a gear",
-                  {{"joints", ValueType::names, "", "required", {}, "names of the first and second joint"},
-                   {"ratio", ValueType::number, "", "required", limits::ratio,
-                    "change of the second's first coordinate by that of the first's; not 0"}}),
+  std::vector<KeyTable> tables;
+  for (const JointTraits& traits : joint_table) tables.push_back(type_table(traits));
+  const std::vector<KeyTable> parts = {
       {"angle_coordinate", "an angle", "coordinate", coordinate_keys(true)},
       {"length_coordinate", "a displacement", "coordinate", coordinate_keys(false)},
       {"motor",
@@ -130,6 +161,8 @@ std::vector<KeyTable> joint_key_tables() {
             "distances of the anchors along x, y, z of the world"},
        }},
   };
+  tables.insert(tables.end(), parts.begin(), parts.end());
+  return tables;
 }
 
 }  // namespace rigor

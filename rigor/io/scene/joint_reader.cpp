@@ -1,11 +1,13 @@
 #include "rigor/io/scene/joint_reader.hpp"
 
+#include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/core/quoted.hpp"
 #include "rigor/io/scene/shape_reader.hpp"
 #include "rigor/model/limits.hpp"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <optional>
@@ -17,14 +19,15 @@ namespace rigor {
 
 namespace {
 
-using Description = ModelBuilder::JointDescription;
+using JointDescription = ModelBuilder::JointDescription;
 using Indices = std::array<int, 3>;
 
+/// The type of a key table of the family "joint".
 JointType type_of(const std::string& name) {
-  for (int i = 0; i < static_cast<int>(JointType::gear); ++i) {
-    if (name == joint_type_name(static_cast<JointType>(i))) return static_cast<JointType>(i);
-  }
-  return JointType::gear;
+  const auto row =
+      std::ranges::find_if(joint_table, [&](const JointTraits& traits) { return name == traits.name; });
+  RIGOR_ASSERT(row != joint_table.end());
+  return row->type;
 }
 
 JointMotor read_motor(const ObjectReader& coordinate) {
@@ -37,7 +40,7 @@ JointMotor read_motor(const ObjectReader& coordinate) {
 }
 
 /// What acts along one coordinate, from the keys of the joint itself or of an entry of `coordinates`.
-JointAxis read_axis(const ObjectReader& reader, bool is_ball, double default_rest) {
+JointAxis read_axis(const ObjectReader& reader, bool is_passive, double default_rest) {
   JointAxis axis;
   if (const std::optional<std::array<double, 2>> limits = reader.range("limits")) {
     axis.lower = (*limits)[0];
@@ -47,7 +50,7 @@ JointAxis read_axis(const ObjectReader& reader, bool is_ball, double default_res
   axis.stiffness = reader.number("stiffness").value_or(0);
   axis.rest = reader.number("rest").value_or(default_rest);
   axis.damping = reader.number("damping").value_or(0);
-  if (is_ball) return axis;
+  if (is_passive) return axis;
   axis.friction = reader.number("friction").value_or(0);
   if (reader.has("motor")) axis.motor = read_motor(reader);
   return axis;
@@ -59,9 +62,7 @@ std::vector<JointAxis> read_coordinates(const ObjectReader& joint, JointType typ
   const int count = coordinate_count(type);
   if (joint.find("coordinates")->kind == YamlNode::Kind::list && static_cast<int>(nodes.size()) != count) {
     joint.fail("coordinates", fmt::format("coordinates has {} entries, must have {}: {}", nodes.size(), count,
-                                          type == JointType::cylindrical ? "displacement, angle"
-                                          : type == JointType::universal ? "angle on A, angle on B"
-                                                                         : "two displacements, angle"));
+                                          joint_traits(type).coordinates_text));
     return {};
   }
   std::vector<JointAxis> axes;
@@ -75,9 +76,9 @@ std::vector<JointAxis> read_coordinates(const ObjectReader& joint, JointType typ
   return axes;
 }
 
-void read_places(const ObjectReader& joint, Description& description) {
-  const JointType type = description.type;
-  if (type == JointType::distance) {
+void read_places(const ObjectReader& joint, JointDescription& description) {
+  const JointTraits& traits = joint_traits(description.type);
+  if (traits.anchors == JointAnchors::two) {
     description.anchors = joint.vectors("anchors");
     const std::size_t count = description.anchors.size();
     if (count != 0 && count != 2) {
@@ -86,24 +87,23 @@ void read_places(const ObjectReader& joint, Description& description) {
     return;
   }
   if (const std::optional<Vec3> anchor = joint.vector("anchor")) description.anchors = {*anchor};
-  if (type == JointType::fixed || type == JointType::ball) return;
+  if (traits.axes == JointAxes::none) return;
   description.axis = joint.vector("axis").value_or(Vec3::UnitZ());
-  if (type == JointType::universal || type == JointType::planar) {
-    description.second_axis = joint.vector("second_axis");
-  }
-  if (type == JointType::screw) description.pitch = joint.number("pitch").value_or(0);
+  if (has_second_axis(traits.type)) description.second_axis = joint.vector("second_axis");
+  if (traits.relation == JointRelation::screw) description.pitch = joint.number("pitch").value_or(0);
 }
 
-void read_body_joint(const ObjectReader& joint, Description& description) {
+void read_body_joint(const ObjectReader& joint, JointDescription& description) {
   const JointType type = description.type;
   description.bodies = joint.names("bodies");
   description.collide = joint.flag("collide").value_or(false);
   read_places(joint, description);
   if (coordinate_count(type) > 1) description.axes = read_coordinates(joint, type);
   if (coordinate_count(type) != 1) return;
-  const bool has_distance = type == JointType::distance && description.anchors.size() == 2;
+  const bool has_distance =
+      joint_traits(type).relation == JointRelation::distance && description.anchors.size() == 2;
   const double rest = has_distance ? (description.anchors[1] - description.anchors[0]).stableNorm() : 0;
-  description.axes = {read_axis(joint, type == JointType::ball, rest)};
+  description.axes = {read_axis(joint, has_whole_angle(type), rest)};
 }
 
 /// An index as `repeat` allows it: a whole number, or i, j, k with or without a number added: "i+1".
@@ -142,8 +142,9 @@ std::string indexed_name(const std::string& name, const Indices& indices) {
   return text;
 }
 
-Description indexed_copy(const Description& description, const Indices& indices, const Vec3& spacing) {
-  Description copy = description;
+JointDescription indexed_copy(const JointDescription& description, const Indices& indices,
+                              const Vec3& spacing) {
+  JointDescription copy = description;
   copy.name += fmt::format("[{},{},{}]", indices[0], indices[1], indices[2]);
   for (std::string& name : copy.bodies) name = indexed_name(name, indices);
   for (std::string& name : copy.joints) name = indexed_name(name, indices);
@@ -175,7 +176,7 @@ void JointReader::read(const YamlNode& node, std::size_t index) {
   const std::size_t errors_before = errors_.count();
   const ObjectReader joint(node, *table, whose_text("joint", node, index) + " (" + table->object + ")",
                            errors_);
-  Description description;
+  JointDescription description;
   description.type = type_of(table->object);
   description.name = joint.text("name").value_or("");
   if (description.type == JointType::gear) {
@@ -201,7 +202,7 @@ bool JointReader::has_room(const ObjectReader& joint, double count) {
   return false;
 }
 
-void JointReader::add(const ObjectReader& joint, const Description& description) {
+void JointReader::add(const ObjectReader& joint, const JointDescription& description) {
   const std::string where = errors_.where(joint.node());
   if (!joint.has("repeat")) {
     if (has_room(joint, 1)) builder_.add_joint(description, where);

@@ -35,8 +35,7 @@ Method read_method(const ObjectReader& scene) {
   const ObjectReader reader(*scene.find("method"), key_table("method"), "method", scene.errors());
   for (const std::string& key : method_choice_keys()) {
     const YamlNode* const value = reader.find(key);
-    // Keys of which this version offers nothing have been told.
-    if (!value || method_values(key, true).empty()) continue;
+    if (!value) continue;
     if (value->kind != YamlNode::Kind::scalar) {
       reader.fail(key, key + " must be a text, found " + found_text(*value));
       continue;

@@ -11,14 +11,12 @@ namespace rigor {
 namespace {
 
 Key method_choice_key(const std::string& name) {
-  Key key{name, ValueType::choice, "", "-", {}, "see `rigor methods`", method_values(name, true)};
-  key.is_available = !key.choices.empty();
+  Key key{name, ValueType::choice, "", "-", {}, "see `rigor methods`", method_values(name)};
   key.fallback = method_choice(Method{}, name);
   if (key.choices == std::vector<std::string>{"false", "true"}) {
     key.type = ValueType::flag;
     key.choices.clear();
   }
-  if (!key.is_available) key.instead = "leave it out";
   return key;
 }
 

@@ -8,8 +8,6 @@ namespace rigor {
 
 namespace {
 
-constexpr std::size_t most_pending_bytes = std::size_t{1} << 20;
-
 void append_numbers(const double* values, std::size_t count, std::string& row) {
   for (std::size_t i = 0; i < count; ++i) fmt::format_to(std::back_inserter(row), ",{:.17g}", values[i]);
 }
@@ -84,7 +82,7 @@ void CsvWriter::write(const TrajectorySample& sample, std::span<const MotionEven
   append_numbers(energies, 3, row);
   // Only whole rows are flushed.
   file_.append(row + "\n");
-  if (flush_timer_.is_due() || file_.pending() > most_pending_bytes) file_.flush();
+  if (flush_timer_.is_due() || file_.pending() > kMostPendingBytes) file_.flush();
 }
 
 void CsvWriter::close(const Audit&) {

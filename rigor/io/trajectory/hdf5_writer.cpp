@@ -18,8 +18,6 @@ namespace rigor {
 
 namespace {
 
-constexpr std::size_t most_pending_bytes = std::size_t{1} << 20;
-
 Hdf5Handle string_type(std::size_t length) {
   Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
   H5Tset_size(type, std::max<std::size_t>(1, length));
@@ -320,7 +318,7 @@ void Hdf5Writer::write(const TrajectorySample& sample, std::span<const MotionEve
   file.energy->append(energies, 3);
   file.penetration->append(sample.penetration);
   file.time->append(sample.time);
-  if (file.flush_timer.is_due() || file.pending_bytes() > most_pending_bytes) flush();
+  if (file.flush_timer.is_due() || file.pending_bytes() > kMostPendingBytes) flush();
 }
 
 void Hdf5Writer::flush() {

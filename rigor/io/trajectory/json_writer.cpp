@@ -13,8 +13,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t most_pending_bytes = std::size_t{1} << 20;
-
 /// Values as a list of rows.
 Json rows(const std::vector<double>& values, std::size_t width) {
   Json list = Json::array();
@@ -89,7 +87,7 @@ void JsonWriter::write(const TrajectorySample& sample, std::span<const MotionEve
   file_.append(is_first_ ? "\n" : ",\n");
   file_.append(json_line(row));
   is_first_ = false;
-  if (flush_timer_.is_due() || file_.pending() > most_pending_bytes) file_.flush();
+  if (flush_timer_.is_due() || file_.pending() > kMostPendingBytes) file_.flush();
 }
 
 void JsonWriter::close(const Audit& audit) {

@@ -27,7 +27,7 @@ std::unique_ptr<TrajectoryWriter> make_writer(const std::filesystem::path& path,
   return std::make_unique<Writer>(path, header);
 }
 
-/// A new format is one more line here.
+/// A new format is one more row of the table (docs/extending.md).
 struct Format {
   std::string_view suffix;
   MakeWriter make;
@@ -92,14 +92,19 @@ void add_joint_motion(const Model& model, const Method& method, const State& sta
   }
 }
 
+std::string trajectory_suffixes() {
+  std::string suffixes;
+  for (const Format& format : formats) suffixes += (suffixes.empty() ? "" : " ") + std::string(format.suffix);
+  return suffixes;
+}
+
 std::string check_output_suffix(const std::filesystem::path& path,
                                 std::span<const std::string_view> written_elsewhere) {
   const std::string suffix = path.extension().string(), name = quoted_text(path.string());
   const bool is_elsewhere =
       std::find(written_elsewhere.begin(), written_elsewhere.end(), suffix) != written_elsewhere.end();
   if (find_format(path) || is_elsewhere) return {};
-  std::string available;
-  for (const Format& format : formats) available += fmt::format(" {}", format.suffix);
+  std::string available = " " + trajectory_suffixes();
   for (const std::string_view other : written_elsewhere) available += fmt::format(" {}", other);
   if (suffix.empty()) return fmt::format("output {}: the name has no suffix; available:{}", name, available);
   return fmt::format("output {}: {} is not available in this version; available:{}", name, suffix, available);

@@ -67,9 +67,12 @@ class TrajectoryWriter {
   virtual void close(const Audit& audit) = 0;
 };
 
-/// Empty if a trajectory can be written to a file with this suffix (.csv, .h5, .json, or one of those that
-/// other layers write), or why not: "run.mp4: .mp4 is not available in this version; available: .csv .h5
-/// .json .html .png".
+/// The suffixes of the files that trajectories are written to: ".csv .h5 .json".
+std::string trajectory_suffixes();
+
+/// Empty if a trajectory can be written to a file with this suffix (one of trajectory_suffixes, or one of
+/// those that other layers write), or why not: "run.mp4: .mp4 is not available in this version; available:
+/// .csv .h5 .json .html .png".
 std::string check_output_suffix(const std::filesystem::path& path,
                                 std::span<const std::string_view> written_elsewhere = {});
 

@@ -1,8 +1,10 @@
 #include "rigor/sim/audit/audit.hpp"
 
 #include "rigor/bulk/sleep/sleep.hpp"
+#include "rigor/dynamics/environment.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/sim/audit/contact_snapshot.hpp"
+#include "rigor/sim/audit/promises_of.hpp"
 #include "rigor/sim/method/scheme_choice.hpp"
 
 #include <fmt/format.h>
@@ -10,40 +12,30 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
-#include <variant>
 
 namespace rigor {
 
 namespace {
 
-bool is_kinematic(const Model& model, int body) {
-  return body != world_body && model.body(body).motion == MotionType::kinematic;
-}
-
-/// Whether there is work that the many-body path does not know: of motors, and of kinematic bodies on joints
-/// and springs.
-bool has_unknown_work(const Model& model) {
-  for (const Joint& joint : model.joints()) {
-    if (is_kinematic(model, joint.body_A) || is_kinematic(model, joint.body_B)) return true;
-    for (const JointAxis& axis : joint.axes) {
-      if (axis.motor) return true;
-    }
-  }
-  for (const Force& force : model.forces()) {
-    const Spring* const spring = std::get_if<Spring>(&force);
-    if (spring && (is_kinematic(model, spring->body_A) || is_kinematic(model, spring->body_B))) return true;
-  }
-  return false;
+/// How fast a body's points move by its rotation alone, as a momentum [kg m/s].
+double momentum_of_rotation(const Model& model, const State& state, int i) {
+  const double radius = model.body(i).bounding_radius;
+  return state.angular_momentum(i).norm() /
+         (radius > 0 && std::isfinite(radius) ? radius : model.length_scale());
 }
 
 }  // namespace
 
 Auditor::Auditor(std::shared_ptr<const Model> model, const Method& method, const State& start)
-    : model_(std::move(model)), environment_(*model_), start_time_(start.t), time_(start.t) {
+    : model_(std::move(model)),
+      environment_(std::make_shared<const Environment>(*model_)),
+      start_time_(start.t),
+      time_(start.t) {
   ResolvedMethod resolved = resolve_scheme(*model_, method);
   method_ = resolved.method;
   scheme_reason_ = std::move(resolved.scheme_reason);
-  initial_ = energy_ = mechanical_energy(*model_, environment_, start);
+  promises_ = promises_of(*model_, method_);
+  initial_ = energy_ = mechanical_energy(*model_, *environment_, start);
   lowest_ = initial_.total();
   observe(start, {});
 }
@@ -52,39 +44,42 @@ void Auditor::observe(const State& state, const AdvanceReport& report) {
   AdvanceReport without_events = report;
   without_events.events.clear();
   sum_.add(without_events);
-  energy_ = mechanical_energy(*model_, environment_, state);
+  energy_ = mechanical_energy(*model_, *environment_, state);
   const double balance = energy_.total() - sum_.work;
   max_increase_ = std::max(max_increase_, balance - lowest_);
   lowest_ = std::min(lowest_, balance);
   energy_scale_ = std::max({energy_scale_, energy_.kinetic, std::abs(energy_.total() - initial_.total()),
                             std::abs(energy_.potential - initial_.potential), std::abs(sum_.work)});
-  // What forces hand over and contacts take back in a step is never seen in a body at rest, but its rounding.
-  const double span = method_.scheme == Scheme::event_driven ? 0 : state.t - time_;
+  observe_scales(state, report.events);
   time_ = state.t;
-  double momentum = 0, angular_momentum = 0, turning = 0;
+}
+
+void Auditor::observe_scales(const State& state, const std::vector<MotionEvent>& events) {
+  // A body at rest never shows the momentum that forces give and contacts take back within one step, but it
+  // shows its rounding.
+  const double span = promises_.acts_in_steps ? state.t - time_ : 0;
+  double momentum = 0, angular_momentum = 0, of_rotation = 0;
   for (int i = 0; i < model_->body_count(); ++i) {
     momentum += state.linear_momentum(i).norm();
     angular_momentum +=
         state.angular_momentum(i).norm() + state.position(i).norm() * state.linear_momentum(i).norm();
     const Body& body = model_->body(i);
-    const double radius = body.bounding_radius;
     if (body.motion == MotionType::dynamic && span > 0) {
-      const double speed = span * environment_.steady_acceleration(i).norm();
+      const double speed = span * environment_->steady_acceleration(i).norm();
       momentum += body.mass * speed;
       angular_momentum += body.mass * speed * (state.position(i).norm() + model_->length_scale());
       energy_scale_ = std::max(energy_scale_, 0.5 * body.mass * speed * speed);
     }
-    turning += state.angular_momentum(i).norm() /
-               (radius > 0 && std::isfinite(radius) ? radius : model_->length_scale());
+    of_rotation += momentum_of_rotation(*model_, state, i);
   }
-  // What moves between the outputs only is seen by its impacts.
-  for (const MotionEvent& event : report.events) {
+  // Motion that begins and ends between two outputs shows in its impacts only.
+  for (const MotionEvent& event : events) {
     momentum = std::max(momentum, event.j_W.norm());
     angular_momentum = std::max(angular_momentum, event.p_W.norm() * event.j_W.norm());
   }
-  // Of wheels that only turn, the linear momentum is the rounding of what their parts have.
+  // The linear momentum of wheels that only rotate is the rounding of the momenta of their parts.
   constexpr double rounding_share = 1e-6;
-  momentum_scale_ = std::max({momentum_scale_, momentum, rounding_share * turning});
+  momentum_scale_ = std::max({momentum_scale_, momentum, rounding_share * of_rotation});
   angular_momentum_scale_ = std::max(angular_momentum_scale_, angular_momentum);
 }
 
@@ -114,66 +109,49 @@ Audit Auditor::audit(const State& state) const {
   }
   audit.sleeping_count =
       static_cast<int>(std::count(state.quiet_time.begin(), state.quiet_time.end(), asleep));
-  judge(audit);
+  find_violations(audit);
+  find_warnings(audit);
   return audit;
 }
 
-void Auditor::judge(Audit& audit) const {
-  // Energy and momentum of what is solved exactly hold to rounding; integrated phases to their tolerance. A
-  // millionth is what no method that deserves its name exceeds; the energy of springs that steps of a fifth
-  // of their time scale integrate is a thousandth off.
-  constexpr double share = 1e-6;
-  const bool is_penalty = method_.scheme == Scheme::penalty;
-  const bool is_substep = method_.scheme == Scheme::time_stepping && method_.solver == SolverMethod::substep;
-  const double energy_share = is_penalty || is_substep ? 1e-3 : share;
-  const auto check = [&](const char* what, double value, double bound, const char* unit) {
+void Auditor::find_violations(Audit& audit) const {
+  const auto check = [&](const char* quantity, double value, double bound, const char* unit) {
     if (value > bound) {
       audit.violations.push_back(
-          fmt::format("{} is {:.3g} {}, the tolerance is {:.3g} {}", what, value, unit, bound, unit));
+          fmt::format("{} is {:.3g} {}, the tolerance is {:.3g} {}", quantity, value, unit, bound, unit));
     }
   };
-  const bool knows_work = !is_substep || !has_unknown_work(*model_);
-  double lift = 0;  // Its contacts push bodies that overlap apart, also upwards.
-  for (int i = 0; is_substep && i < model_->body_count(); ++i)
-    lift += model_->body(i).mass * environment_.steady_acceleration(i).norm() * model_->length_scale();
-  if (knows_work) {
-    check("unexplained rise of energy", audit.max_increase, energy_share * (energy_scale_ + lift), "J");
+  if (promises_.knows_work) {
+    check("unexplained rise of energy", audit.max_increase,
+          promises_.energy_share * (energy_scale_ + promises_.energy_floor), "J");
   }
-  // Springs carry the weights of bodies at rest in many small impulses: their roundings add up.
+  // The momenta that the weights of all bodies have given in the run, and their moments.
   double carried = 0, carried_moment = 0;
-  for (std::size_t i = 0; is_penalty && i < audit.bodies.size(); ++i) {
+  for (std::size_t i = 0; promises_.weight_share > 0 && i < audit.bodies.size(); ++i) {
     const double impulse = model_->body(static_cast<int>(i)).mass * model_->g_W().norm() * audit.sim_time;
-    carried += 1e-12 * impulse;
-    carried_moment += 1e-12 * impulse * (audit.bodies[i].position.norm() + model_->length_scale());
+    carried += promises_.weight_share * impulse;
+    carried_moment +=
+        promises_.weight_share * impulse * (audit.bodies[i].position.norm() + model_->length_scale());
   }
-  // Velocities of 32 bits are rounded in each sweep, at some ten contacts: errors walk at random. Joints are
-  // swept as often as contacts.
-  const double sweeps = static_cast<double>(audit.report.steps) * audit.report.max_iterations *
-                        (model_->joints().empty() ? 1 : 2);
-  const double momentum_share = is_substep ? 0x1p-24 * std::sqrt(10 * sweeps) : share;
+  // Roundings of velocities in each sweep of the contacts walk at random.
+  const double sweeps = static_cast<double>(audit.report.steps) * audit.report.max_iterations;
+  const double momentum_share =
+      promises_.rounding_share > 0
+          ? promises_.rounding_share * std::sqrt(promises_.roundings_per_sweep * sweeps)
+          : promises_.momentum_share;
   check("error of linear momentum", audit.linear_momentum_error, momentum_share * momentum_scale_ + carried,
         "kg m/s");
   check("error of angular momentum", audit.angular_momentum_error,
-        share * angular_momentum_scale_ + carried_moment, "kg m²/s");
-  const double joint_share = is_substep ? 1e-2 : 1e-9;
-  check("drift of joints", audit.report.max_joint_drift, joint_share * std::max(1.0, model_->length_scale()),
-        "m or rad");
-  // Several impacts at once press deeper than the one that a spring is made for; of a spring of given
-  // stiffness nothing is promised.
-  if (is_substep) {
-    // Its contacts give way; deeper than this they have failed.
-    check("penetration", audit.report.max_penetration, 0.05 * model_->length_scale(), "m");
-  } else if (!is_penalty) {
-    check("penetration", audit.report.max_penetration, method_.contact_tolerance, "m");
-  } else if (method_.stiffness == 0) {
-    check("penetration", audit.report.max_penetration,
-          std::max(method_.contact_tolerance, 2 * method_.penalty_depth), "m");
-  }
+        promises_.momentum_share * angular_momentum_scale_ + carried_moment, "kg m²/s");
+  check("drift of joints", audit.report.max_joint_drift, promises_.joint_drift, "m or rad");
+  check("penetration", audit.report.max_penetration, promises_.penetration, "m");
+}
 
+void Auditor::find_warnings(Audit& audit) const {
   if (audit.report.impact_gain > 1e-12 * energy_scale_) {
     audit.warnings.push_back(
         fmt::format("impacts added {:.3g} J: Newton's law with friction can gain energy, and so can several "
-                    "impacts by `lcp`",
+                    "impacts by `lcp` or `projection`",
                     audit.report.impact_gain));
   }
   if (audit.report.fallbacks > 0) {
@@ -181,11 +159,11 @@ void Auditor::judge(Audit& audit) const {
         fmt::format("{} contact problems did not reach their tolerance; largest residual {:.3g}",
                     audit.report.fallbacks, audit.report.max_residual));
   }
-  const auto report_paradox = [&](const ParadoxCount& count, const char* what, const char* resolved) {
+  const auto report_paradox = [&](const ParadoxCount& count, const char* finding, const char* resolved) {
     if (count.instants == 0) return;
     audit.warnings.push_back(fmt::format(
-        "{} at {} and {} at t = {:.6g} s, {}: {} (Painlevé's paradox)", what, model_->body(count.body_A).name,
-        model_->body(count.body_B).name, count.first,
+        "{} at {} and {} at t = {:.6g} s, {}: {} (Painlevé's paradox)", finding,
+        model_->body(count.body_A).name, model_->body(count.body_B).name, count.first,
         count.instants == 1 ? "once" : fmt::format("the first of {} times", count.instants), resolved));
   };
   report_paradox(audit.report.inconsistent, "no finite contact force", "impulses resolve it");

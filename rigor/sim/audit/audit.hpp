@@ -4,6 +4,7 @@
 #include "rigor/sim/method/method.hpp"
 #include "rigor/sim/report/advance_report.hpp"
 #include "rigor/sim/report/energy.hpp"
+#include "rigor/sim/report/scheme_promises.hpp"
 
 #include <memory>
 #include <string>
@@ -11,13 +12,15 @@
 
 namespace rigor {
 
-/// How far a run can be trusted: everything is balanced against what caused it.
+class Environment;
+
+/// How far a run can be trusted: every change is balanced against its causes.
 struct Audit {
   std::string scene;
-  Method method;              ///< With the scheme that was at work.
+  Method method;              ///< With the scheme that ran, never `automatic`.
   std::string scheme_reason;  ///< Which scheme `auto` chose, and why; empty if the scene names one.
   double sim_time = 0;        ///< Simulated [s].
-  double wall_time = 0;       ///< [s]; set by whoever has a clock.
+  double wall_time = 0;       ///< [s]; set by the caller, who has a clock.
   AdvanceReport report;       ///< Sums over the whole run; its events are left out.
 
   Energy initial, final;
@@ -43,30 +46,35 @@ struct Audit {
   std::vector<JointEnd> joints;
   int sleeping_count = 0;  ///< Bodies that sleep at the end.
   std::vector<std::string> warnings;
-  /// What is outside its tolerance, each with its value and the bound; empty: the run can be trusted.
+  /// Quantities outside their tolerance, each with its value and the bound; if there are none, the run can be
+  /// trusted.
   std::vector<std::string> violations;
 };
 
-/// Keeps the books while a run goes on.
+/// Keeps the ledger of a run while it goes on, and compares it with what the scheme promises.
 class Auditor {
  public:
   Auditor(std::shared_ptr<const Model> model, const Method& method, const State& start);
 
-  /// Takes note of the state after an advance and of what its report says.
+  /// Enters the state after an advance and what its report says.
   void observe(const State& state, const AdvanceReport& report);
-  /// The books so far, with the state they end at.
+  /// The audit of the run so far, which ends at this state.
   Audit audit(const State& state) const;
   /// Mechanical energy at the last observation [J] and its largest unexplained rise, for progress displays.
   const Energy& energy() const { return energy_; }
   double max_increase() const { return max_increase_; }
 
  private:
-  void judge(Audit& audit) const;
+  /// The largest momenta and energies of the run, to which errors are relative.
+  void observe_scales(const State& state, const std::vector<MotionEvent>& events);
+  void find_violations(Audit& audit) const;
+  void find_warnings(Audit& audit) const;
 
   std::shared_ptr<const Model> model_;
   Method method_;
   std::string scheme_reason_;
-  Environment environment_;
+  SchemePromises promises_;
+  std::shared_ptr<const Environment> environment_;
   double start_time_, time_;  ///< Of the first and the last observation [s].
   Energy initial_, energy_;
   AdvanceReport sum_;

@@ -5,9 +5,10 @@
 #include "rigor/contact/system/contact_kinematics.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/math/rotation.hpp"
-#include "rigor/sim/islands/cluster.hpp"
-#include "rigor/sim/islands/island.hpp"
+#include "rigor/sim/islands/contact_system_assembler.hpp"
 #include "rigor/sim/method/method.hpp"
+#include "rigor/sim/method/resting_choice.hpp"
+#include "rigor/sim/method/tolerances.hpp"
 #include "rigor/sim/pairs/near_pairs.hpp"
 #include "rigor/sim/penalty/penalty_forces.hpp"
 
@@ -19,9 +20,7 @@ namespace rigor {
 
 namespace {
 
-/// The problem of a group is dense: beyond this its cost (a minute) is not worth a picture.
-constexpr std::size_t most_contacts_of_group = 400;
-/// With joints it is dearer, and every audit asks for it.
+/// With joints the problem costs more, and every audit asks for it.
 constexpr std::size_t most_contacts_with_joints = 100;
 
 Cluster touching_bodies(const Model& model, const Method& method, const State& state) {
@@ -63,19 +62,19 @@ TouchingPoint::Mode mode_of(ContactMode mode) {
   return TouchingPoint::Mode::unknown;
 }
 
-/// The contact with the coefficient that holds it: that of sticking if it slips by u_t no faster than what
-/// sticks.
+/// The contact with the coefficient of friction that holds: that of sticking, if its slip u_t is so slow that
+/// it counts as sticking.
 Contact with_own_friction(const Method& method, Contact contact, const Vec2& u_t) {
   if (contact.has_static_friction() && u_t.norm() <= direction_tolerance(method))
     contact.friction = contact.static_friction;
   return contact;
 }
 
-/// The points of one group of bodies, with forces at those that do not part.
-std::vector<TouchingPoint> points_of(const Method& method, const IslandIntegrator& integrator,
+/// The points of one group of bodies, with forces at those that are not parting.
+std::vector<TouchingPoint> points_of(const Method& method, const ContactSystemAssembler& assembler,
                                      const Cluster& part) {
-  const ContactSystem touching = integrator.system_of(part.t, part.bodies, part.phases, part.contacts);
-  const double parting = 1e-3 * method.resting_velocity;
+  const ContactSystem touching = assembler.assemble(part, part.contacts);
+  const double parting = parting_speed(method.resting_velocity);
   std::vector<TouchingPoint> points;
   std::vector<std::size_t> pressed;
   std::vector<Contact> candidates;
@@ -86,7 +85,7 @@ std::vector<TouchingPoint> points_of(const Method& method, const IslandIntegrato
     const Vec3 u = touching.frames[i].transpose() * points.back().u_W;
     candidates.push_back(with_own_friction(method, part.contacts[i], u.head<2>()));
   }
-  if (candidates.size() > most_contacts_of_group) {
+  if (candidates.size() > most_contacts_at_rest) {
     for (const std::size_t i : pressed) {
       points[i].mode = TouchingPoint::Mode::unknown;
       points[i].force_W.setConstant(std::numeric_limits<double>::quiet_NaN());
@@ -95,8 +94,8 @@ std::vector<TouchingPoint> points_of(const Method& method, const IslandIntegrato
   }
   if (candidates.empty()) return points;
 
-  const ContactSystem system = integrator.system_of(part.t, part.bodies, part.phases, candidates);
-  const RestingSolution resting = solve_resting(system, integrator.environment_wrenches(system, part.t),
+  const ContactSystem system = assembler.assemble(part, candidates);
+  const RestingSolution resting = solve_resting(system, assembler.environment_wrenches(system, part.t),
                                                 part.slip_tolerance, resting_choice(method));
   for (std::size_t k = 0; k < pressed.size(); ++k) {
     TouchingPoint& point = points[pressed[k]];
@@ -106,13 +105,12 @@ std::vector<TouchingPoint> points_of(const Method& method, const IslandIntegrato
   return points;
 }
 
-/// What the springs that the State remembers do.
+/// The points at which the springs that the State remembers act, with their forces.
 std::vector<TouchingPoint> points_of_springs(const Model& model, const Method& method, const State& state,
-                                             const IslandIntegrator& integrator,
+                                             const ContactSystemAssembler& assembler,
                                              const Environment& environment) {
-  constexpr double rounding = 1e-9;
   const Touching touching =
-      PenaltyTouching(model, environment, integrator, method, TouchingForm::reachable).find(state, 0, 0);
+      PenaltyTouching(model, environment, assembler, method, TouchingForm::reachable).find(state, 0, 0);
   const VecX forces = penalty_forces(touching);
   std::vector<TouchingPoint> points;
   for (std::size_t i = 0; i < touching.springs.size(); ++i) {
@@ -126,7 +124,7 @@ std::vector<TouchingPoint> points_of_springs(const Model& model, const Method& m
     const double limit = friction_limit(contact, touching.system.rows[i], force.z());
     const Vec3 slip_W = point.u_W - point.u_W.dot(point.n_W) * point.n_W;
     const bool slides =
-        force.head<2>().norm() >= (1 - rounding) * limit && slip_W.norm() > slip_tolerance(method);
+        force.head<2>().norm() >= sliding_share * limit && slip_W.norm() > slip_tolerance(method);
     point.mode = slides ? TouchingPoint::Mode::slide : TouchingPoint::Mode::stick;
   }
   return points;
@@ -138,7 +136,7 @@ BodyMotion motion_at(const Model& model, const State& state, int body) {
           angular_velocity(model, state, body)};
 }
 
-/// What the joint does but for its forces.
+/// Everything of a joint but its forces.
 void set_motion(const Joint& joint, const BodyMotion& A, const BodyMotion& B, JointReaction& reaction) {
   reaction.p_W = B.x + B.R * joint.X_BK.p;
   for (int k = 0; k < static_cast<int>(joint.axes.size()); ++k) {
@@ -148,14 +146,14 @@ void set_motion(const Joint& joint, const BodyMotion& A, const BodyMotion& B, Jo
   }
 }
 
-/// Forces of the joints of one group, with its contacts.
-void add_joint_forces(const Model& model, const Method& method, const IslandIntegrator& integrator,
+/// Forces of the joints of one group of bodies under the forces of its contacts.
+void add_joint_forces(const Model& model, const Method& method, const ContactSystemAssembler& assembler,
                       const Cluster& part, std::vector<JointReaction>& result) {
   constexpr Eigen::Index most_rows = 600;
-  const std::vector<int> joints = integrator.joints_of(part.bodies);
+  const std::vector<int> joints = assembler.joints_of(part.bodies);
   if (joints.empty()) return;
-  ContactSystem system = integrator.system_of(part.t, part.bodies, part.phases, part.contacts);
-  const double parting = 1e-3 * method.resting_velocity;
+  ContactSystem system = assembler.assemble(part, part.contacts);
+  const double parting = parting_speed(method.resting_velocity);
   const VecX u = relative_velocities(system);
   std::vector<Contact> lasting =
       joint_stops(model, joints, system.bodies, system.kinetics, method.contact_tolerance);
@@ -174,8 +172,8 @@ void add_joint_forces(const Model& model, const Method& method, const IslandInte
     }
     return;
   }
-  system = integrator.system_of(part.t, part.bodies, part.phases, lasting);
-  std::vector<Wrench> wrenches = integrator.environment_wrenches(system, part.t);
+  system = assembler.assemble(part, lasting);
+  std::vector<Wrench> wrenches = assembler.environment_wrenches(system, part.t);
   if (!lasting.empty()) {
     const RestingSolution resting =
         solve_resting(system, wrenches, part.slip_tolerance, resting_choice(method));
@@ -203,10 +201,10 @@ std::vector<JointReaction> joint_snapshot(const Model& model, const Method& meth
   for (int j = 0; j < static_cast<int>(model.joints().size()); ++j) result.push_back({.joint = j});
   if (result.empty()) return result;
   const Environment environment(model);
-  const IslandIntegrator integrator(model, environment, method);
+  const ContactSystemAssembler assembler(model, environment);
   const Cluster cluster = touching_bodies(model, method, state);
   for (const Cluster& part : connected_parts(cluster, cluster.contacts, environment))
-    add_joint_forces(model, method, integrator, part, result);
+    add_joint_forces(model, method, assembler, part, result);
   return result;
 }
 
@@ -222,14 +220,14 @@ std::vector<JointReaction> joint_motions(const Model& model, const State& state)
 
 std::vector<TouchingPoint> contact_snapshot(const Model& model, const Method& method, const State& state) {
   const Environment environment(model);
-  const IslandIntegrator integrator(model, environment, method);
+  const ContactSystemAssembler assembler(model, environment);
   if (method.scheme == Scheme::penalty && !state.contacts.empty())
-    return points_of_springs(model, method, state, integrator, environment);
+    return points_of_springs(model, method, state, assembler, environment);
   const Cluster cluster = touching_bodies(model, method, state);
   std::vector<TouchingPoint> points;
   for (const Cluster& part : connected_parts(cluster, cluster.contacts, environment)) {
     if (part.contacts.empty()) continue;
-    const std::vector<TouchingPoint> of_part = points_of(method, integrator, part);
+    const std::vector<TouchingPoint> of_part = points_of(method, assembler, part);
     points.insert(points.end(), of_part.begin(), of_part.end());
   }
   std::stable_sort(points.begin(), points.end(), [](const TouchingPoint& a, const TouchingPoint& b) {

@@ -1,16 +1,17 @@
 #pragma once
 
 #include "rigor/model/state.hpp"
-#include "rigor/sim/method/method.hpp"
 
 #include <vector>
 
 namespace rigor {
 
-/// One point where two bodies touch, as a picture shows it.
+struct Method;
+
+/// A point where two bodies touch, as a picture shows it.
 struct TouchingPoint {
   enum class Mode {
-    open,     ///< Touches without a force: about to part, or just met.
+    open,     ///< Touches without a force: is about to part, or has just met.
     stick,    ///< Carries a force and does not slip.
     slide,    ///< Carries a force and slips.
     unknown,  ///< In a group of more contacts than are solved for; the force is NaN.
@@ -24,20 +25,20 @@ struct TouchingPoint {
   Mode mode = Mode::open;
 };
 
-/// All points closer than the method's contact tolerance, with the forces that rest and friction ask for at
-/// this instant: Coulomb's problem of the accelerations (solve_resting), for each group of bodies that touch
-/// each other by itself. Points that part faster than a thousandth of the resting velocity carry none. Under
-/// `method.scheme: penalty`, where the State remembers springs, the forces of these. In the order of bodies,
-/// shapes and features. A function of its arguments alone: it draws what a stepper did, and
-/// is no part of one.
+/// All points closer than the method's contact tolerance, with the forces that rest and friction require at
+/// this instant: Coulomb's problem of the accelerations (solve_resting), solved for each group of touching
+/// bodies by itself. Points that part faster than a thousandth of the resting velocity carry no force. Under
+/// `method.scheme: penalty`, where the State remembers springs, the forces are those of the springs. Points
+/// are in the order of bodies, shapes and features. A function of its arguments alone: it shows what a
+/// stepper did, and is not part of one.
 std::vector<TouchingPoint> contact_snapshot(const Model& model, const Method& method, const State& state);
 
-/// What a joint does at an instant.
+/// Coordinates and reaction of a joint at an instant.
 struct JointReaction {
-  int joint;                        ///< Model index.
-  Vec3 p_W = Vec3::Zero();          ///< Its anchor on B [m].
-  Vec3 force_W = Vec3::Zero();      ///< Reaction of its rows on B [N]; of least norm where joints hold twice.
-  Vec3 torque_W = Vec3::Zero();     ///< About the anchor, on B [N m].
+  int joint;                     ///< Model index.
+  Vec3 p_W = Vec3::Zero();       ///< Its anchor on B [m].
+  Vec3 force_W = Vec3::Zero();   ///< Reaction of its rows on B [N]; of least norm where joints are redundant.
+  Vec3 torque_W = Vec3::Zero();  ///< About the anchor, on B [N m].
   std::vector<double> coordinates;  ///< [rad] or [m].
   std::vector<double> rates;        ///< [rad/s] or [m/s].
   double residual = 0;              ///< Largest |g| [m or 1].
@@ -48,7 +49,8 @@ struct JointReaction {
 /// function of its arguments alone, like contact_snapshot.
 std::vector<JointReaction> joint_snapshot(const Model& model, const Method& method, const State& state);
 
-/// The same without what costs: only anchors, coordinates and rates, as far as the state alone tells them.
+/// The same without the reactions, which are costly: anchors, coordinates and rates, which follow from the
+/// State alone.
 std::vector<JointReaction> joint_motions(const Model& model, const State& state);
 
 }  // namespace rigor

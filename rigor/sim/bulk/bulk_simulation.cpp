@@ -22,7 +22,7 @@ BulkSimulation::BulkSimulation(std::shared_ptr<const Model> model, const Options
 
 BulkSimulation::~BulkSimulation() = default;
 
-/// A world of the model in this State.
+/// Makes a world of the model in this State.
 void BulkSimulation::start(const State& state) {
   BulkSettings settings;
   settings.substeps = options_.substeps;

@@ -3,7 +3,7 @@
 #include "rigor/bulk/state/prescribed_bodies.hpp"
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
-#include "rigor/sim/fixed_steps/fixed_steps.hpp"
+#include "rigor/sim/method/method.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -25,37 +25,33 @@ BulkSettings settings_of(const Method& method, int threads) {
 
 BulkStepper::BulkStepper(std::shared_ptr<const Model> model, const Method& method, double target_step,
                          int threads)
-    : model_(std::move(model)),
-      target_step_(target_step),
+    : FixedStepStepper(std::move(model), target_step),
       settings_(settings_of(method, threads)),
       world_(model_, settings_) {
-  RIGOR_ASSERT(target_step > 0 && threads >= 1);
+  RIGOR_ASSERT(threads >= 1);
 }
 
-AdvanceReport BulkStepper::advance(State& state, double t_end) {
-  RIGOR_ASSERT(t_end >= state.t && state.body_count() == model_->body_count());
-  AdvanceReport report;
-  if (t_end == state.t) return report;
+void BulkStepper::begin_span([[maybe_unused]] double first_end, State& state) {
   world_.read(state);
-  const FixedSteps steps(state.t, t_end, target_step_);
-  double t = state.t;
-  for (long k = 0; k < steps.count(); ++k) {
-    if (interrupt_ && interrupt_()) {
-      report.reason = StopReason::interrupted;
-      break;
-    }
-    note(world_.step(steps.end(k) - t), t, steps.end(k), report);
-    if (const int broken = find_broken_body(); broken >= 0) {
-      // The State stays as it was, where all is finite.
-      report.reason = StopReason::not_finite;
-      report.detail = "body '" + model_->body(broken).name + "'";
-      report.bodies = {broken};
-      return report;
-    }
-    t = steps.end(k);
+}
+
+double BulkStepper::step_towards(double t_end, double t, [[maybe_unused]] State& state) {
+  note(world_.step(t_end - t), t, t_end);
+  if (const int broken = find_broken_body(); broken >= 0) {
+    report_.reason = StopReason::not_finite;
+    report_.detail = "body '" + model_->body(broken).name + "'";
+    report_.bodies = {broken};
   }
+  return t_end;
+}
+
+void BulkStepper::end_span(double t, State& state) {
+  // After a broken step the State stays as it was at the last output, where everything is finite.
+  if (report_.reason == StopReason::not_finite) return;
   world_.write(state);
   state.t = t;
+
+  // Where paths take kinematic bodies, in double precision.
   for (int i = 0; i < model_->body_count(); ++i) {
     const Body& body = model_->body(i);
     if (body.motion != MotionType::kinematic || PrescribedBodies::is_free(body)) continue;
@@ -63,31 +59,23 @@ AdvanceReport BulkStepper::advance(State& state, double t_end) {
     state.set_body(i, motion.p_WB, motion.q_WB, Vec3::Zero(), Vec3::Zero());
   }
   state.anchor_here();
-  return report;
 }
 
-/// t, t_end: begin and end of the step [s].
-void BulkStepper::note(const BulkStepReport& step, double t, double t_end, AdvanceReport& report) const {
-  ++report.steps;
-  report.distance_queries += step.pair_count;
-  report.impacts += static_cast<long>(step.impacts.size());
+/// Enters the report of a step from t to t_end [s].
+void BulkStepper::note(const BulkStepReport& step, double t, double t_end) {
+  ++report_.steps;
+  report_.distance_queries += step.pair_count;
+  report_.impacts += static_cast<long>(step.impacts.size());
   for (const BulkImpact& impact : step.impacts) {
-    report.events.push_back(
+    report_.events.push_back(
         {MotionEvent::Kind::impact, t_end, impact.body_A, impact.body_B, impact.p_W, impact.j_W});
   }
-  report.momentum_error += step.momentum_error;
-  report.work += step.work;
-  report.max_iterations = 2 * settings_.substeps;  // Sweeps: with the springs and without.
-  if (step.max_overlap > report.max_penetration) {
-    report.max_penetration = step.max_overlap;
-    report.penetration_A = step.overlap_A;
-    report.penetration_B = step.overlap_B;
-    report.penetration_time = t;
-  }
-  if (step.max_joint_error > report.max_joint_drift) {
-    report.max_joint_drift = step.max_joint_error;
-    report.drift_joint = step.worst_joint;
-  }
+  report_.momentum_error += step.momentum_error;
+  report_.work += step.work;
+  // Each sub-step sweeps twice: with the springs, and without them.
+  report_.max_iterations = 2 * settings_.substeps;
+  report_.note_penetration(step.max_overlap, step.overlap_A, step.overlap_B, t);
+  report_.note_joint_drift(step.max_joint_error, step.worst_joint);
 }
 
 /// A body whose position or velocity is not finite, or -1.
@@ -96,7 +84,7 @@ int BulkStepper::find_broken_body() const {
   for (int i = 0; i < bodies.count(); ++i) {
     const std::size_t k = at(i);
     const MotionRecord& motion = bodies.motion[k];
-    // A sum is not finite if one of its terms is not, and none of these is near the largest number.
+    // The sum is not finite if a term is not; finite velocities are far too small for it to overflow.
     float sum = 0;
     for (int axis = 0; axis < 3; ++axis) sum += motion.v[axis] + motion.w[axis];
     if (!std::isfinite(sum) || !bodies.x[k].allFinite() || !bodies.q[k].coeffs().allFinite()) return i;

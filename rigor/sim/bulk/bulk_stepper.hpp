@@ -1,40 +1,36 @@
 #pragma once
 
 #include "rigor/bulk/bulk_world.hpp"
-#include "rigor/sim/fixed_steps/stepper.hpp"
-#include "rigor/sim/method/method.hpp"
+#include "rigor/sim/fixed_steps/fixed_step_stepper.hpp"
 
-#include <functional>
 #include <memory>
-#include <utility>
 
 namespace rigor {
 
+struct Method;
+
 /// Time stepping for many bodies, `solver: substep`: equal steps of the many-body path (BulkWorld).
-/// Velocities and impulses are 32-bit numbers; contacts and joints are stiff springs that give way by a
-/// little, so that bodies overlap slightly and energy is lost or gained at the same scale.
+/// Velocities and impulses are 32-bit numbers; contacts and joints are stiff springs that give way a little,
+/// so that bodies overlap slightly and energy is lost or gained on the same scale.
 ///
-/// The report has the steps, the pairs looked at, the worst overlap at the begin of a step and the worst
-/// error of a joint at the end of one, the impacts (manifolds that began to press at more than 1 cm/s; events
-/// at the end of their step, with all the impulse of it), the error of the linear momentum, the work of
-/// kinematic bodies and forces, and the sweeps of a step as its iterations. The work of motors is not known,
-/// nor that of kinematic bodies on joints and springs, nor the error of the angular momentum.
-class BulkStepper : public Stepper {
+/// The report has the steps, the pairs examined, the worst overlap at the beginning of a step and the worst
+/// error of a joint at the end of one, the impacts (manifolds that began to press at more than 1 cm/s; their
+/// events are at the end of the step and have its whole impulse), the error of the linear momentum, the work
+/// of kinematic bodies and forces, and the sweeps per step as iterations. It lacks the work of motors, that
+/// of kinematic bodies on joints and springs, and the error of the angular momentum.
+class BulkStepper : public FixedStepStepper {
  public:
   /// target_step > 0 [s]: the longest step. threads >= 1.
   BulkStepper(std::shared_ptr<const Model> model, const Method& method, double target_step, int threads);
 
-  void set_interrupt(std::function<bool()> interrupt) override { interrupt_ = std::move(interrupt); }
-  AdvanceReport advance(State& state, double t_end) override;
-
  private:
-  void note(const BulkStepReport& step, double t, double t_end, AdvanceReport& report) const;
+  void begin_span(double first_end, State& state) override;
+  double step_towards(double t_end, double t, State& state) override;
+  void end_span(double t, State& state) override;
+  void note(const BulkStepReport& step, double t, double t_end);
   int find_broken_body() const;
 
-  std::shared_ptr<const Model> model_;
-  double target_step_;
   BulkSettings settings_;
-  std::function<bool()> interrupt_;
   BulkWorld world_;
 };
 

@@ -3,13 +3,12 @@
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/math/rotation.hpp"
+#include "rigor/sim/method/resting_choice.hpp"
 #include "rigor/sim/method/toi_choice.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <limits>
-#include <tuple>
 
 namespace rigor {
 
@@ -26,10 +25,6 @@ BodyPhase anchor_in(const State& state, int body) {
           Vec3(y[10], y[11], y[12])};
 }
 
-bool is_finite(const BodyPhase& phase) {
-  return phase.x.allFinite() && phase.q.coeffs().allFinite() && phase.P.allFinite() && phase.L.allFinite();
-}
-
 }  // namespace
 
 EventDrivenStepper::EventDrivenStepper(std::shared_ptr<const Model> model, const Method& method,
@@ -42,11 +37,12 @@ EventDrivenStepper::EventDrivenStepper(std::shared_ptr<const Model> model, const
       method_(method),
       target_step_(target_step),
       environment_(*model_),
-      integrator_(*model_, environment_, method),
-      stepping_(*model_, integrator_, method, target_step),
-      resolver_(*model_, integrator_, method),
-      joints_(*model_, integrator_),
-      contacts_(*model_, environment_, integrator_, method_),
+      assembler_(*model_, environment_),
+      integrator_(*model_, environment_, assembler_, method),
+      stepping_(*model_, assembler_, integrator_, method, target_step),
+      resolver_(*model_, assembler_, method),
+      joints_(*model_, assembler_),
+      contacts_(*model_, environment_, assembler_, method_),
       trajectories_(*model_, toi, method.broad_phase) {
   RIGOR_ASSERT(target_step > 0);
 }
@@ -177,8 +173,8 @@ void EventDrivenStepper::handle_event(const std::vector<int>& seeds, std::vector
   drop_stale_events();
 }
 
-/// The end of a window changes nothing but the window, unless a path turns there: then what stands on the
-/// body notices.
+/// The end of a window changes nothing but the window, unless it is a point of a path: then what stands on
+/// the body notices.
 void EventDrivenStepper::begin_new_window(int body) {
   if (trajectories_.motion(body).end() > t_) return trajectories_.predict({body}, t_, queue_);
   renew_prescribed(body);
@@ -194,6 +190,8 @@ Cluster EventDrivenStepper::compute_new_body_states(const std::vector<int>& seed
   for (const int body : seeds) {
     if (is_dynamic(body)) add_body(body, cluster);
   }
+
+  // All that touches joins, body by body.
   std::set<std::pair<int, int>> visited;
   while (!joined_.empty()) {
     const int body = joined_.back();
@@ -201,11 +199,11 @@ Cluster EventDrivenStepper::compute_new_body_states(const std::vector<int>& seed
     find_touching(body, cluster, visited);
   }
   cluster.slip_tolerance = std::max(cluster.slip_tolerance, stepping_.slip_tolerance_of(cluster.bodies));
+
+  // The stops of their joints are contacts, too.
   const auto put_in_order = [&cluster] {
-    std::sort(cluster.contacts.begin(), cluster.contacts.end(), [](const Contact& a, const Contact& b) {
-      return std::tie(a.body_A, a.body_B, a.shape_A, a.shape_B, a.point.feature) <
-             std::tie(b.body_A, b.body_B, b.shape_A, b.shape_B, b.point.feature);
-    });
+    std::sort(cluster.contacts.begin(), cluster.contacts.end(),
+              [](const Contact& a, const Contact& b) { return a.key() < b.key(); });
   };
   const auto add_stops = [&] {
     const std::vector<Contact> stops = resolver_.stops_of(cluster);
@@ -237,52 +235,6 @@ void EventDrivenStepper::add_body(int body, Cluster& cluster) {
   joined_.push_back(body);
 }
 
-/// All bodies of an island leave it now: at the end of its step, or before, by the same integrator with a
-/// shorter step.
-void EventDrivenStepper::finish_island(int number, Cluster& cluster) {
-  const RunningIsland running = std::move(islands_.at(number));
-  islands_.erase(number);
-  const bool is_at_end = t_ >= running.end;
-  const bool has_moved = t_ > running.island.begin;
-  stepping_.note_end(running, is_at_end ? running.step.h : t_ - running.island.begin);
-  IslandStep step;
-  if (is_at_end) {
-    step = running.step;
-  } else if (has_moved) {
-    const double h = t_ - running.island.begin;
-    step = running.step.is_implicit ? integrator_.implicit_step(running.island, h)
-                                    : integrator_.step(running.island, h);
-  } else {
-    step.end = running.island.start;
-  }
-  if (has_moved && !step.is_implicit) contacts_.restore_gaps(running.island, t_, step);
-  joints_.project_positions(t_, running.island.bodies, step.end, report_);
-  joints_.restore_momenta(running.island, step);
-  Vec3 P = Vec3::Zero(), L = Vec3::Zero();
-  for (std::size_t i = 0; i < running.island.bodies.size(); ++i) {
-    const int body = running.island.bodies[i];
-    island_of_[at(body)] = -1;
-    const std::ptrdiff_t offset =
-        std::lower_bound(cluster.bodies.begin(), cluster.bodies.end(), body) - cluster.bodies.begin();
-    cluster.bodies.insert(cluster.bodies.begin() + offset, body);
-    cluster.phases.insert(cluster.phases.begin() + offset, step.end[i]);
-    joined_.push_back(body);
-    const BodyPhase& start = running.island.start[i];
-    P += step.end[i].P - start.P;
-    L += step.end[i].L + step.end[i].x.cross(step.end[i].P) - start.L - start.x.cross(start.P);
-  }
-  ++report_.steps;
-  report_.work += step.work;
-  report_.momentum_error += P - step.impulse;
-  report_.angular_momentum_error += L - step.angular_impulse;
-  report_.quaternion_drift = std::max(report_.quaternion_drift, step.quaternion_drift);
-  if (is_at_end && running.change && running.change->kind == ModeChange::Kind::slip_ends) {
-    cluster.slip_tolerance = std::max(cluster.slip_tolerance, 4 * running.change->slip_speed);
-    ++report_.slip_to_stick;
-    report_.events.push_back({MotionEvent::Kind::slip_to_stick, t_, running.island.bodies.front()});
-  }
-}
-
 /// Contacts of a body that is in the cluster; dynamic bodies that it touches join.
 void EventDrivenStepper::find_touching(int body, Cluster& cluster, std::set<std::pair<int, int>>& visited) {
   const auto pose_of = [&](int other) -> Pose {
@@ -291,10 +243,14 @@ void EventDrivenStepper::find_touching(int body, Cluster& cluster, std::set<std:
     const BodyPhase& phase = cluster.phase_of(other);
     return {rotation_matrix(phase.q), phase.x};
   };
+
+  // Springs and joints tie.
   for (const int partner : environment_.spring_partners(body)) add_body(partner, cluster);
   for (const int partner : environment_.joint_partners(body)) add_body(partner, cluster);
   for (const int other : trajectories_.neighbours(body, t_, method_.contact_tolerance)) {
     if (!takes_part(body, other) || !visited.insert(std::minmax(body, other)).second) continue;
+
+    // The contacts of the pair; anew where the other body comes out of an island.
     const auto [a, b] = std::minmax(body, other);
     std::vector<Contact> found =
         find_contacts(*model_, a, b, pose_of(a), pose_of(b), method_.contact_tolerance);
@@ -324,6 +280,8 @@ void EventDrivenStepper::apply_forces(Cluster& cluster) {
         keeps_contacts() && stepping_.is_at_velocity_level(part.bodies) && !part.contacts.empty();
     // There the approach is what closes the gaps within a step.
     part.least_impact = (is_at_velocity_level ? 1 : 1e-3) * method_.resting_velocity;
+
+    // Impulses until nothing approaches.
     joints_.project_velocities(part, report_);
     if (!apply_impulses(part)) {
       report_.reason = StopReason::impact_unsolved;
@@ -331,11 +289,13 @@ void EventDrivenStepper::apply_forces(Cluster& cluster) {
       report_.detail = "an impact left bodies approaching each other";
     }
     if (!keeps_contacts()) std::erase_if(part.contacts, [](const Contact& c) { return !c.stop; });
+
+    // Which contacts last, and the motion with them.
     LastingContacts lasting;
     if (!is_at_velocity_level) lasting = resolver_.update_active(part, report_);
     if (!lasting.have_forces) stepping_.go_to_velocity_level(part.bodies);
     if (is_at_velocity_level || !lasting.have_forces) {
-      // Steps at velocity level take all contacts, whatever they do: their problem decides again.
+      // Steps at velocity level take all contacts, whatever they do: their own problem decides again.
       for (const Contact& contact : part.contacts) {
         if (!contact.stop) trajectories_.set_lasting_contact(contact.body_A, contact.body_B);
       }
@@ -346,81 +306,6 @@ void EventDrivenStepper::apply_forces(Cluster& cluster) {
     }
   }
   note_transitions(lasting_before, cluster);
-}
-
-/// Whether contacts or joints hold the bodies of a group.
-bool EventDrivenStepper::is_held(const Cluster& group, const LastingContacts& lasting) const {
-  return !lasting.contacts.empty() || !integrator_.joints_of(group.bodies).empty();
-}
-
-/// Gives the bodies of a part their motion to the next event: at rest, in flight, or by steps with their
-/// contacts.
-void EventDrivenStepper::move_together(const Cluster& part, const LastingContacts& lasting) {
-  for (const Contact& contact : lasting.contacts) {
-    if (!contact.stop) trajectories_.set_lasting_contact(contact.body_A, contact.body_B);
-  }
-  for (const Cluster& group : connected_parts(part, lasting.contacts, environment_)) {
-    LastingContacts of_group{group.contacts, {}};
-    // Both lists keep the order of the contacts.
-    std::size_t next = 0;
-    for (const Contact& contact : group.contacts) {
-      while (lasting.contacts[next].body_A != contact.body_A ||
-             lasting.contacts[next].body_B != contact.body_B ||
-             lasting.contacts[next].shape_A != contact.shape_A ||
-             lasting.contacts[next].shape_B != contact.shape_B ||
-             lasting.contacts[next].point.feature != contact.point.feature) {
-        ++next;
-      }
-      of_group.states.push_back(lasting.states[next]);
-    }
-    const bool is_free = of_group.contacts.empty() && method_.integrator == IntegratorMethod::exact &&
-                         !environment_.is_forced(group.bodies.front());
-    if (is_free) {
-      const int body = group.bodies.front();
-      trajectories_.set_motion(body,
-                               Motion::flight(FreeFlight(inertia(body), group.phases.front(), t_,
-                                                         environment_.steady_acceleration(body)),
-                                              inertia(body)),
-                               t_);
-    } else if (is_held(group, of_group) && resolver_.is_balanced(group, of_group)) {
-      for (std::size_t i = 0; i < group.bodies.size(); ++i) {
-        const BodyPhase rest{group.phases[i].x, group.phases[i].q, Vec3::Zero(), Vec3::Zero()};
-        trajectories_.set_motion(group.bodies[i], Motion::at_rest(rest, t_), t_);
-      }
-    } else {
-      begin_step({group.bodies, group.phases, of_group.contacts, of_group.states, t_});
-    }
-  }
-}
-
-/// The next step of an island, not beyond where the path of a body under it turns.
-void EventDrivenStepper::begin_step(Island island) {
-  double h = std::min(target_step_, t_end_ - t_);
-  for (const Contact& contact : island.contacts) {
-    for (const int body : {contact.body_A, contact.body_B}) {
-      if (!is_dynamic(body)) h = std::min(h, trajectories_.motion(body).end() - t_);
-    }
-  }
-  for (const int body : integrator_.jointed_prescribed(island.bodies))
-    h = std::min(h, trajectories_.motion(body).end() - t_);
-  integrator_.choose_joint_rows(island);
-  RunningIsland running = stepping_.take_step(std::move(island), h, report_);
-  const bool is_whole = !running.change && running.step.h == t_end_ - t_;
-  running.end = is_whole ? t_end_ : t_ + running.step.h;
-
-  const int number = next_island_++;
-  for (std::size_t i = 0; i < running.island.bodies.size(); ++i) {
-    const int body = running.island.bodies[i];
-    island_of_[at(body)] = number;
-    trajectories_.set_motion(body, Motion::step(running.step.dense[i], t_, running.end - t_), t_);
-    if (!is_finite(running.step.end[i])) {
-      report_.reason = StopReason::not_finite;
-      report_.bodies = {body};
-      report_.detail = "body '" + model_->body(body).name + "' has a state that is not finite";
-    }
-  }
-  queue_.push({running.end, QueuedEvent::Kind::step_end, number, -1, 0, 0, 0});
-  islands_.emplace(number, std::move(running));
 }
 
 bool EventDrivenStepper::time_stands_still(const std::vector<int>& seeds) {
@@ -442,11 +327,7 @@ bool EventDrivenStepper::time_stands_still(const std::vector<int>& seeds) {
 
 void EventDrivenStepper::note_penetration(const std::vector<Contact>& contacts) {
   for (const Contact& contact : contacts) {
-    if (contact.stop || -contact.point.gap <= report_.max_penetration) continue;
-    report_.max_penetration = -contact.point.gap;
-    report_.penetration_A = contact.body_A;
-    report_.penetration_B = contact.body_B;
-    report_.penetration_time = t_;
+    if (!contact.stop) report_.note_penetration(-contact.point.gap, contact.body_A, contact.body_B, t_);
   }
 }
 
@@ -465,8 +346,9 @@ void EventDrivenStepper::note_transitions(const std::set<std::pair<int, int>>& b
   }
 }
 
-/// All bodies at the end of the span. Islands end here, so that the State alone says how they go on.
+/// All bodies at the end of the span. Islands end here, so that the State alone says how they continue.
 void EventDrivenStepper::write_state_to_bodies(State& state) {
+  // Islands end, with velocities that their joints allow.
   Cluster ended;
   ended.t = t_;
   while (!islands_.empty()) finish_island(islands_.begin()->first, ended);
@@ -475,6 +357,8 @@ void EventDrivenStepper::write_state_to_bodies(State& state) {
     const BodyPhase& phase = ended.phases[i];
     trajectories_.set_motion(ended.bodies[i], Motion::at_rest(phase, t_), t_);
   }
+
+  // Each body: its anchor, and where it is now.
   state.t = t_;
   for (int body = 0; body < model_->body_count(); ++body) {
     const Motion& motion = trajectories_.motion(body);

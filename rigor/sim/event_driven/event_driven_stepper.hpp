@@ -40,7 +40,7 @@ class EventDrivenStepper : public Stepper {
   AdvanceReport advance(State& state, double t_end) override;
 
  protected:
-  /// For schemes that go from event to event too, but treat contacts otherwise.
+  /// For schemes that also advance from event to event, but treat contacts differently.
   EventDrivenStepper(std::shared_ptr<const Model> model, const Method& method, double target_step,
                      const ToiOptions& toi);
   /// Whether contacts may last: if not, they have impacts only, and positions are never put back.
@@ -49,7 +49,7 @@ class EventDrivenStepper : public Stepper {
   virtual bool takes_part([[maybe_unused]] int a, [[maybe_unused]] int b) const { return true; }
   /// Whether these contacts of a pair that takes part are left to an event of their own.
   virtual bool is_in_transition([[maybe_unused]] const std::vector<Contact>& contacts) const { return false; }
-  /// Impulses until no contact of the part approaches; false if some still do.
+  /// Applies impulses until no contact of the part approaches; false if some still do.
   virtual bool apply_impulses(Cluster& part) { return resolver_.apply_impulses(part, report_); }
 
   const QueuedEvent& present_event() const { return next_; }
@@ -62,11 +62,11 @@ class EventDrivenStepper : public Stepper {
   int repeats(int body) const { return repeats_[at(body)]; }
   const Motion& motion(int body) const { return trajectories_.motion(body); }
   const ContactResolver& resolver() const { return resolver_; }
-  const IslandIntegrator& integrator() const { return integrator_; }
+  const ContactSystemAssembler& assembler() const { return assembler_; }
   AdvanceReport& report() { return report_; }
 
  private:
-  // The loop of the course.
+  // The loop of docs/architecture.md.
   void read_state_from_bodies(const State& state);
   bool compute_time_step();
   Cluster compute_new_body_states(const std::vector<int>& seeds);
@@ -96,6 +96,7 @@ class EventDrivenStepper : public Stepper {
   double target_step_;
   std::function<bool()> interrupt_;
   Environment environment_;
+  ContactSystemAssembler assembler_;
   IslandIntegrator integrator_;
   IslandStepping stepping_;
   ContactResolver resolver_;

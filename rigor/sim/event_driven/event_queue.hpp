@@ -7,8 +7,8 @@
 
 namespace rigor {
 
-/// What is due at a time. Stamps are the versions of the motions it was predicted from: an event whose bodies
-/// have moved on since is stale.
+/// An event that is due at a time. Stamps are the versions of the motions it was predicted from: an event
+/// whose bodies have moved on since is stale.
 struct QueuedEvent {
   enum class Kind : std::uint8_t { step_end, contact, window_end, search };
 

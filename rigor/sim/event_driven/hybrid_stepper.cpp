@@ -10,11 +10,6 @@ namespace rigor {
 
 namespace {
 
-bool is_same(const Contact& a, const Contact& b) {
-  return a.body_A == b.body_A && a.body_B == b.body_B && a.shape_A == b.shape_A && a.shape_B == b.shape_B &&
-         a.point.feature == b.point.feature;
-}
-
 /// Whether it may bounce, and may be kept from it.
 bool is_bouncy(const Contact& contact) {
   return !contact.stop && contact.restitution > 0 && contact.restitution < 1;
@@ -24,11 +19,11 @@ bool is_bouncy(const Contact& contact) {
 
 HybridStepper::HybridStepper(std::shared_ptr<const Model> model, const Method& method, double target_step)
     : EventDrivenStepper(std::move(model), method, target_step),
-      law_(restitution_law(method.impact)),
+      law_(method.impact),
       resting_velocity_(method.resting_velocity) {}
 
 /// The bodies bounce off each other and have not yet come near rest; what lasts and what the event is about
-/// never is. Nothing is where all is judged afresh (at the start, and where the path of a body turns), and
+/// never is. Nothing is where all is judged afresh (at the start, and at the points of a body's path), and
 /// where one collision after the other does not lead on from an instant.
 bool HybridStepper::is_in_transition(const std::vector<Contact>& contacts) const {
   const QueuedEvent& event = present_event();
@@ -66,19 +61,23 @@ void HybridStepper::hold_lasting(const std::pair<int, int>& pair, Cluster& part)
   if (std::none_of(part.contacts.begin(), part.contacts.end(),
                    [&](const Contact& contact) { return is_bouncy(contact) && !is_of_pair(contact); }))
     return;
+
+  // The contacts that do not move, but for those of the pair.
   const double still = 1e-3 * resting_velocity_;
-  const VecX u = relative_velocities(resolver().system_of(part, part.contacts));
+  const VecX u = relative_velocities(assembler().assemble(part, part.contacts));
   Cluster calm = part;
   calm.contacts.clear();
   for (std::size_t i = 0; i < part.contacts.size(); ++i) {
     const bool moves = std::abs(u[3 * static_cast<Eigen::Index>(i) + 2]) > still;
     if (!moves && !is_of_pair(part.contacts[i])) calm.contacts.push_back(part.contacts[i]);
   }
+
+  // Those of them that are pressed do not bounce.
   AdvanceReport unused;
   const LastingContacts lasting = resolver().find_lasting(calm, unused);
   for (Contact& contact : part.contacts) {
     if (is_bouncy(contact) && std::any_of(lasting.contacts.begin(), lasting.contacts.end(),
-                                          [&](const Contact& other) { return is_same(contact, other); }))
+                                          [&](const Contact& other) { return other.key() == contact.key(); }))
       contact.restitution = 0;
   }
 }
@@ -89,13 +88,17 @@ void HybridStepper::collide(const std::pair<int, int>& pair, Cluster& part) {
                [&](const Contact& contact) {
                  return !contact.stop && std::pair(contact.body_A, contact.body_B) == pair;
                });
+
+  // They collide by themselves where there are others, approach, and may bounce.
   if (contacts.empty() || contacts.size() == part.contacts.size()) return;
-  const ContactSystem system = resolver().system_of(part, contacts);
+  const ContactSystem system = assembler().assemble(part, contacts);
   if (fastest_approach(relative_velocities(system)) <= part.least_impact) return;
   AdvanceReport ends;
   const std::vector<double> restitutions = resolver().restitutions(part, system, ends);
   const bool bounces = std::any_of(restitutions.begin(), restitutions.end(), [](double e) { return e > 0; });
   if (!bounces) return;
+
+  // The collision.
   report().events.insert(report().events.end(), ends.events.begin(), ends.events.end());
   const ImpactSolution impact = solve_impact(system, restitutions, law_, SimultaneousLaw::sequential);
   resolver().apply_impact(system, impact, part, report());

@@ -12,7 +12,7 @@ namespace {
 ToiOptions envelope_search(const Model& model, const Method& method) {
   ToiOptions options = toi_choice(method);
   const double half = 0.5 * method.contact_tolerance;
-  // Slower approaches go on until gravity has made them faster, so that no two collisions crowd.
+  // Slower approaches continue until gravity has made them faster, so that no two collisions crowd.
   constexpr double share = 0.05;
   const double fall = std::sqrt(model.g_W().norm() * method.contact_tolerance);
   options.contact_gap = -half;
@@ -26,9 +26,9 @@ ToiOptions envelope_search(const Model& model, const Method& method) {
 }  // namespace
 
 ImpulseBasedStepper::ImpulseBasedStepper(std::shared_ptr<const Model> model, const Method& method,
-                                         double target_step, SlowCollision slow)
+                                         double target_step)
     : EventDrivenStepper(model, method, target_step, envelope_search(*model, method)),
-      micro_collision_(integrator(), resolver(), method, slow == SlowCollision::reverses) {}
+      micro_collision_(assembler(), resolver(), method) {}
 
 bool ImpulseBasedStepper::takes_part(int a, int b) const {
   const QueuedEvent& event = present_event();

@@ -18,15 +18,8 @@ namespace rigor {
 /// 1995; Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, thesis, 1996.
 class ImpulseBasedStepper : public EventDrivenStepper {
  public:
-  /// What a slow collision may do.
-  enum class SlowCollision {
-    reverses,  ///< Twice the plastic impact: the velocity turns round as far as friction can do it.
-    bounces,   ///< As every other collision, with e near 1.
-  };
-
   /// target_step H > 0 [s]: the longest step of bodies whose motion has no closed form.
-  ImpulseBasedStepper(std::shared_ptr<const Model> model, const Method& method, double target_step,
-                      SlowCollision slow = SlowCollision::reverses);
+  ImpulseBasedStepper(std::shared_ptr<const Model> model, const Method& method, double target_step);
 
  protected:
   bool keeps_contacts() const override { return false; }

@@ -11,11 +11,11 @@ namespace rigor {
 Trajectories::Trajectories(const Model& model, const ToiOptions& options, BroadPhaseMethod method)
     : model_(model), options_(options), tracks_(at(model.body_count())), boxes_(make_broad_phase(method)) {
   for (int i = 0; i < model.body_count(); ++i) {
-    double turning = 0;
+    double radius = 0;
     for (const BodyShape& shape : model.body(i).shapes) {
-      turning = std::max(turning, turning_radius(shape.shape, shape.X_BS, shape.radius));
+      radius = std::max(radius, turning_radius(shape.shape, shape.X_BS, shape.radius));
     }
-    turning_radii_.push_back(turning);
+    turning_radii_.push_back(radius);
     if (!is_bounded(i) && !model.body(i).shapes.empty()) unbounded_.push_back(i);
   }
 }
@@ -54,7 +54,8 @@ Aabb Trajectories::box_of(int body, double ta, double tb) const {
   const Body& of_body = model_.body(body);
   if (motion.max_angular_speed() > 0 && turning_radii_[at(body)] > 0)
     return motion.path_box(ta, tb).grown(of_body.bounding_radius);
-  // A body that does not turn has a tight box that moves along.
+
+  // A body that does not rotate has a tight box that moves along.
   Aabb tight{Vec3::Constant(std::numeric_limits<double>::infinity()),
              Vec3::Constant(-std::numeric_limits<double>::infinity())};
   const Pose X_WB = motion.sample(ta).X_WB;
@@ -66,6 +67,8 @@ Aabb Trajectories::box_of(int body, double ta, double tb) const {
 
 double Trajectories::window_end(int body, double t) const {
   const Motion& motion = tracks_[at(body)].motion;
+
+  // Bodies without a box are watched as long as their motion lasts.
   const bool is_tracked = is_bounded(body) && !model_.body(body).shapes.empty();
   return is_tracked ? std::min(motion.end(), t + window_length(body, t)) : motion.end();
 }
@@ -104,9 +107,13 @@ void Trajectories::predict_pair(int a, int b, double from, EventQueue& queue) {
   if (!can_meet(a, b)) return;
   const Track& A = tracks_[at(a)];
   const Track& B = tracks_[at(b)];
+
+  // The common span of both windows, from where the pair is proven free.
   const double t0 = std::max({A.window_begin, B.window_begin, from});
   const double t1 = std::min(A.window_end, B.window_end);
   if (!(t1 > t0)) return;
+
+  // The first contact in it; a search that is not finished waits in the queue.
   const TimeOfImpact found =
       find_time_of_impact(model_.body(a), A.motion, model_.body(b), B.motion, t0, t1, options_);
   distance_queries_ += found.evaluations;

@@ -29,11 +29,11 @@ class Trajectories {
   void set_motion(int body, const Motion& motion, double t);
   /// Begins new windows at t for these bodies and queues the contacts and window ends that follow.
   void predict(const std::vector<int>& bodies, double t, EventQueue& queue);
-  /// Windows as they are at t for bodies whose motions have been going on since their begins.
+  /// Windows as they are at t for bodies whose motions began earlier.
   void restore(const std::vector<int>& bodies, double t, EventQueue& queue);
   /// The contacts of these bodies with each other, in the windows that they have.
   void predict_among(const std::vector<int>& bodies, EventQueue& queue);
-  /// Goes on where the search of a pair left off: until then it is proven free.
+  /// Continues the search of a pair from where it stopped: until then it is proven free.
   void continue_search(const QueuedEvent& event, EventQueue& queue) {
     predict_pair(event.a, event.b, event.time, queue);
   }

@@ -3,8 +3,8 @@
 namespace rigor {
 
 /// A span of time in the fewest equal steps that are not longer than the target step: what the schemes of
-/// fixed steps take between two outputs. Depends on the span and the target alone, so that a run goes on from
-/// any output as if it had never stopped.
+/// fixed steps take between two outputs. Depends on the span and the target alone, so that a run
+/// continues from any output as if it had never stopped.
 class FixedSteps {
  public:
   /// t_end > t [s]; target_step > 0 [s].

@@ -14,7 +14,7 @@ class Stepper {
   virtual ~Stepper() = default;
   /// Asked at every event or step of advance(): true ends it there.
   virtual void set_interrupt(std::function<bool()> interrupt) = 0;
-  /// Advances the State to t_end ≥ state.t, or to where the report says that it could not go on.
+  /// Advances the State to t_end ≥ state.t, or to where the report says that it could not continue.
   virtual AdvanceReport advance(State& state, double t_end) = 0;
 };
 

@@ -2,6 +2,7 @@
 
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/core/sorted_unique.hpp"
 
 #include <algorithm>
 #include <map>
@@ -11,13 +12,6 @@
 namespace rigor {
 
 namespace {
-
-std::size_t place_of(const std::vector<int>& ascending, int body) {
-  return at(std::lower_bound(ascending.begin(), ascending.end(), body) - ascending.begin());
-}
-bool holds(const std::vector<int>& ascending, int body) {
-  return std::binary_search(ascending.begin(), ascending.end(), body);
-}
 
 /// Representatives of a partition, with path halving.
 class Partition {
@@ -48,6 +42,7 @@ BodyPhase& Cluster::phase_of(int body) {
 
 std::vector<Cluster> connected_parts(const Cluster& cluster, const std::vector<Contact>& contacts,
                                      const Environment& environment) {
+  // Bodies that contacts, springs or joints connect are of one part.
   Partition partition(cluster.bodies.size());
   for (const Contact& contact : contacts) {
     if (!holds(cluster.bodies, contact.body_A) || !holds(cluster.bodies, contact.body_B)) continue;
@@ -61,6 +56,8 @@ std::vector<Cluster> connected_parts(const Cluster& cluster, const std::vector<C
       }
     }
   }
+
+  // The bodies of each part, then its contacts, in the order of the cluster.
   std::map<std::size_t, Cluster> parts;
   for (std::size_t i = 0; i < cluster.bodies.size(); ++i) {
     Cluster& part = parts[partition.find(i)];
@@ -74,26 +71,11 @@ std::vector<Cluster> connected_parts(const Cluster& cluster, const std::vector<C
     const int body = holds(cluster.bodies, contact.body_A) ? contact.body_A : contact.body_B;
     parts[partition.find(place_of(cluster.bodies, body))].contacts.push_back(contact);
   }
+
+  // In the order of their representatives: the first body of each.
   std::vector<Cluster> result;
   for (auto& [representative, part] : parts) result.push_back(std::move(part));
   return result;
-}
-
-ClusterTotals totals_of(const Model& model, const Cluster& cluster) {
-  return totals_of_bodies(model, cluster.bodies, cluster.phases);
-}
-
-ClusterTotals totals_of_bodies(const Model& model, const std::vector<int>& bodies,
-                               const std::vector<BodyPhase>& phases) {
-  ClusterTotals sum;
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const Body& body = model.body(bodies[i]);
-    const BodyPhase& phase = phases[i];
-    sum.P += phase.P;
-    sum.L += phase.L + phase.x.cross(phase.P);
-    sum.T += kinetic_energy(BodyInertia{body.mass, body.moments}, phase);
-  }
-  return sum;
 }
 
 void add_to_momenta(const ContactSystem& system, const std::vector<Wrench>& impulses, Cluster& cluster) {

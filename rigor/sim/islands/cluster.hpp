@@ -11,7 +11,7 @@ namespace rigor {
 struct Cluster {
   double t = 0;                   ///< [s].
   std::vector<int> bodies;        ///< Dynamic, ascending.
-  std::vector<BodyPhase> phases;  ///< One a body.
+  std::vector<BodyPhase> phases;  ///< One per body.
   std::vector<Contact> contacts;  ///< Among these bodies and with prescribed ones.
   double slip_tolerance = 0;      ///< Slower slip counts as sticking [m/s].
   double least_impact = 0;        ///< Slower approach is ended without an impact [m/s].
@@ -21,23 +21,11 @@ struct Cluster {
 };
 
 /// Parts of a cluster that are joined neither by contacts (of the given list) between dynamic bodies nor by
-/// joints or springs, in the order of their first bodies. Each takes its own contacts along, from the given
-/// list.
+/// joints or springs, in the order of their first bodies. Each has its share of the given contacts.
 std::vector<Cluster> connected_parts(const Cluster& cluster, const std::vector<Contact>& contacts,
                                      const Environment& environment);
 
-/// Of the dynamic bodies of a cluster.
-struct ClusterTotals {
-  Vec3 P = Vec3::Zero();  ///< Momentum [kg m/s].
-  Vec3 L = Vec3::Zero();  ///< Angular momentum about the origin of W [kg m²/s].
-  double T = 0;           ///< Kinetic energy [J].
-};
-ClusterTotals totals_of(const Model& model, const Cluster& cluster);
-/// The same of bodies with their phases.
-ClusterTotals totals_of_bodies(const Model& model, const std::vector<int>& bodies,
-                               const std::vector<BodyPhase>& phases);
-
-/// Adds impulses, one a body of the system (those of prescribed ones are left out), to the momenta.
+/// Adds impulses, one per body of the system (those of prescribed bodies are left out), to the momenta.
 void add_to_momenta(const ContactSystem& system, const std::vector<Wrench>& impulses, Cluster& cluster);
 
 }  // namespace rigor

@@ -2,6 +2,8 @@
 
 #include "rigor/sim/islands/displacement.hpp"
 #include "rigor/sim/islands/energy_repair.hpp"
+#include "rigor/sim/method/resting_choice.hpp"
+#include "rigor/sim/report/ledger.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,16 +11,18 @@
 namespace rigor {
 
 ContactProjection::ContactProjection(const Model& model, const Environment& environment,
-                                     const IslandIntegrator& integrator, const Method& method)
+                                     const ContactSystemAssembler& assembler, const Method& method)
     : model_(model),
       environment_(environment),
-      integrator_(integrator),
+      assembler_(assembler),
       contact_tolerance_(method.contact_tolerance),
       resting_(resting_choice(method)) {}
 
 void ContactProjection::restore_gaps(const Island& island, double t, IslandStep& step) const {
   if (island.contacts.empty()) return;
-  const ContactSystem system = integrator_.contact_system(island, t, step.end);
+  const ContactSystem system = assembler_.assemble(island, t, step.end);
+
+  // How far each gap has drifted over the step.
   VecX drift = VecX::Zero(3 * static_cast<Eigen::Index>(island.contacts.size()));
   std::vector<ContactMode> modes;
   for (std::size_t i = 0; i < island.contacts.size(); ++i) {
@@ -32,36 +36,44 @@ void ContactProjection::restore_gaps(const Island& island, double t, IslandStep&
   // A contact that is found on other features than before is not the one that drifted.
   const double largest = drift.cwiseAbs().maxCoeff();
   if (largest <= rounding * model_.length_scale() || largest > 0.1 * contact_tolerance_) return;
+
+  // The smallest displacement that takes the drift back.
   const std::vector<BodyPhase> drifted = step.end;
   apply_displacement(normal_impulses(system, drift, modes, resting_), system, island.bodies, step.end);
-  const EnergyBalance balance = integrator_.energy_balance(t, island.bodies, island.contacts);
+
+  // What it has lifted is paid for by the motion, where the energy of the bodies is theirs to account for.
+  const EnergyBalance balance = energy_balance(model_, environment_, t, island.bodies, island.contacts);
   if (!balance.is_closed) return;
   const auto energy = [&](const std::vector<BodyPhase>& phases) {
     return energy_of_bodies(model_, environment_, island.bodies, phases);
   };
   const double gained = energy(step.end) - std::max(energy(drifted), energy(island.start));
   if (gained <= 0) return;
-  const ClusterTotals before = totals_of_bodies(model_, island.bodies, step.end);
+
+  // Bodies whose motion cannot pay for it stay where the step has left them.
+  const MomentumScope momentum(model_, island.bodies, step.end);
   if (take_kinetic_energy(model_, island.bodies, gained, balance.is_free, step.end) < gained) {
     step.end = drifted;
     return;
   }
-  if (balance.is_free) return;
-  const ClusterTotals after = totals_of_bodies(model_, island.bodies, step.end);
-  step.impulse += after.P - before.P;
-  step.angular_impulse += after.L - before.L;
+
+  // What stands still around the bodies has taken the difference of the momenta.
+  if (!balance.is_free) momentum.add_change(step.impulse, step.angular_impulse);
 }
 
 bool ContactProjection::project_positions(Cluster& cluster, AdvanceReport& report) const {
+  // Small overlaps may stay.
   double deepest = 0;
   for (const Contact& contact : cluster.contacts) deepest = std::min(deepest, contact.point.gap);
   if (deepest >= -0.2 * contact_tolerance_) return false;
+
+  // The smallest displacement at which no gap is below zero.
   const std::vector<BodyPhase> before = cluster.phases;
-  const ContactSystem system =
-      integrator_.system_of(cluster.t, cluster.bodies, cluster.phases, cluster.contacts);
+  const ContactSystem system = assembler_.assemble(cluster, cluster.contacts);
   apply_displacement(separating_impulses(system, std::vector<double>(cluster.contacts.size(), 0.0)), system,
                      cluster.bodies, cluster.phases);
-  const EnergyBalance balance = integrator_.energy_balance(cluster.t, cluster.bodies, cluster.contacts);
+  const EnergyBalance balance =
+      energy_balance(model_, environment_, cluster.t, cluster.bodies, cluster.contacts);
   if (!balance.is_closed) return true;
   const double gained = energy_of_bodies(model_, environment_, cluster.bodies, cluster.phases) -
                         energy_of_bodies(model_, environment_, cluster.bodies, before);

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "rigor/sim/islands/cluster.hpp"
-#include "rigor/sim/islands/island.hpp"
+#include "rigor/sim/islands/contact_system_assembler.hpp"
 #include "rigor/sim/method/method.hpp"
 #include "rigor/sim/report/advance_report.hpp"
 
@@ -13,10 +12,10 @@ namespace rigor {
 /// (docs/decisions/0010-positions-put-back.md).
 class ContactProjection {
  public:
-  ContactProjection(const Model& model, const Environment& environment, const IslandIntegrator& integrator,
-                    const Method& method);
+  ContactProjection(const Model& model, const Environment& environment,
+                    const ContactSystemAssembler& assembler, const Method& method);
 
-  /// Lasting contacts keep their gaps: what the integrator's error has added to them by the end of a step is
+  /// Lasting contacts keep their gaps: what the error of the integrator has added to them in a step is
   /// taken back, by the smallest displacement in the metric of the mass matrix. It adds no energy: what it
   /// would add is taken from the motion, and bodies that cannot pay stay where the step has left them.
   void restore_gaps(const Island& island, double t, IslandStep& step) const;
@@ -28,7 +27,7 @@ class ContactProjection {
  private:
   const Model& model_;
   const Environment& environment_;
-  const IslandIntegrator& integrator_;
+  const ContactSystemAssembler& assembler_;
   double contact_tolerance_;
   RestingChoice resting_;
 };

@@ -3,6 +3,10 @@
 #include "rigor/contact/impact/joint_stops.hpp"
 #include "rigor/contact/resting/paradox.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/core/sorted_unique.hpp"
+#include "rigor/sim/method/resting_choice.hpp"
+#include "rigor/sim/method/tolerances.hpp"
+#include "rigor/sim/report/ledger.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,26 +19,11 @@ namespace rigor {
 
 namespace {
 
-bool holds(const std::vector<int>& ascending, int body) {
-  return std::binary_search(ascending.begin(), ascending.end(), body);
-}
-
-/// How far a body's turning reaches [m]: to the end of its shapes, and if it has none to where its mass is.
+/// How far a rotation of the body moves its points [m]: the arm to the end of its shapes, and if it has none
+/// to where its mass is.
 double reach_of(const Body& body) {
   const double gyration = std::sqrt(body.moments.maxCoeff() / body.mass);
   return std::isfinite(body.bounding_radius) ? std::max(body.bounding_radius, gyration) : gyration;
-}
-
-SimultaneousLaw simultaneous_law(SimultaneousMethod method) {
-  switch (method) {
-    case SimultaneousMethod::reflections:
-      return SimultaneousLaw::reflections;
-    case SimultaneousMethod::lcp:
-      return SimultaneousLaw::lcp;
-    case SimultaneousMethod::sequential:
-      break;
-  }
-  return SimultaneousLaw::sequential;
 }
 
 void note_paradox(const Paradox& paradox, const ContactSystem& system, double t, AdvanceReport& report) {
@@ -47,36 +36,21 @@ void note_paradox(const Paradox& paradox, const ContactSystem& system, double t,
 
 }  // namespace
 
-RestitutionLaw restitution_law(ImpactMethod method) {
-  switch (method) {
-    case ImpactMethod::newton:
-      return RestitutionLaw::newton;
-    case ImpactMethod::poisson:
-      return RestitutionLaw::poisson;
-    case ImpactMethod::stronge:
-      break;
-  }
-  return RestitutionLaw::stronge;
-}
-
-ContactResolver::ContactResolver(const Model& model, const IslandIntegrator& integrator, const Method& method)
+ContactResolver::ContactResolver(const Model& model, const ContactSystemAssembler& assembler,
+                                 const Method& method)
     : model_(model),
-      integrator_(integrator),
-      collision_law_(restitution_law(method.impact)),
-      law_(simultaneous_law(method.simultaneous)),
+      assembler_(assembler),
+      collision_law_(method.impact),
+      law_(method.simultaneous),
       resting_velocity_(method.resting_velocity),
-      still_(1e-6 * method.resting_velocity),
+      still_(still_speed(method.resting_velocity)),
       contact_tolerance_(method.contact_tolerance),
       resting_(resting_choice(method)) {}
 
-ContactSystem ContactResolver::system_of(const Cluster& cluster, const std::vector<Contact>& contacts) const {
-  return integrator_.system_of(cluster.t, cluster.bodies, cluster.phases, contacts);
-}
-
 std::vector<Contact> ContactResolver::stops_of(const Cluster& cluster) const {
-  const std::vector<int> joints = integrator_.joints_of(cluster.bodies);
+  const std::vector<int> joints = assembler_.joints_of(cluster.bodies);
   if (joints.empty()) return {};
-  const ContactSystem system = system_of(cluster, {});
+  const ContactSystem system = assembler_.assemble(cluster, {});
   return joint_stops(model_, joints, system.bodies, system.kinetics, contact_tolerance_);
 }
 
@@ -85,13 +59,16 @@ std::vector<Contact> ContactResolver::stops_of(const Cluster& cluster) const {
 /// the whole series with what the contact force does until its limit time.
 std::vector<double> ContactResolver::restitutions(const Cluster& cluster, const ContactSystem& system,
                                                   AdvanceReport& report) const {
+  // Velocities at the contacts, and what the forces would make of them.
   const VecX u = relative_velocities(system);
-  const VecX a = free_contact_accelerations(system, integrator_.environment_wrenches(system, cluster.t));
+  const VecX a = free_contact_accelerations(system, assembler_.environment_wrenches(system, cluster.t));
   std::vector<double> result;
   for (std::size_t i = 0; i < system.contacts.size(); ++i) {
     const Eigen::Index normal = 3 * static_cast<Eigen::Index>(i) + 2;
     const Contact& contact = system.contacts[i];
     const double e = contact.restitution;
+
+    // A slow approach under a force that presses ends the series, at the sum of its bounces.
     const bool ends = e < 1 && u[normal] < 0 && u[normal] > -resting_velocity_ && a[normal] < 0;
     result.push_back(ends ? 0.0 : e);
     if (!ends || e == 0) continue;
@@ -105,7 +82,7 @@ std::vector<double> ContactResolver::restitutions(const Cluster& cluster, const 
 
 void ContactResolver::add_impulses(const ContactSystem& system, const VecX& lambda, const VecX& moments,
                                    Cluster& cluster, AdvanceReport& report) const {
-  const ClusterTotals before = totals_of(model_, cluster);
+  const MomentumScope momentum(model_, cluster.bodies, cluster.phases);
   std::vector<Wrench> impulses = contact_wrenches(system, lambda);
   Wrench external;
   for (Eigen::Index i = 0; 3 * i < moments.size(); ++i) {
@@ -118,6 +95,8 @@ void ContactResolver::add_impulses(const ContactSystem& system, const VecX& lamb
       report.work -= sign * l_W.dot(system.of(body).w);
     }
   }
+
+  // What the joints do about them.
   VecX joint_lambda;
   if (system.joints) {
     JointReactions reactions =
@@ -126,11 +105,10 @@ void ContactResolver::add_impulses(const ContactSystem& system, const VecX& lamb
     joint_lambda = reactions.lambda;
     report.work += system.joints->supplied_power(joint_lambda);
   }
+
+  // The momenta, and what of them nothing outside accounts for.
   add_to_momenta(system, impulses, cluster);
-  const Wrench of_contacts = external_wrench(system, lambda, joint_lambda);
-  const ClusterTotals after = totals_of(model_, cluster);
-  report.momentum_error += after.P - before.P - external.f_W - of_contacts.f_W;
-  report.angular_momentum_error += after.L - before.L - external.tau_W - of_contacts.tau_W;
+  momentum.book_error({external, external_wrench(system, lambda, joint_lambda)}, report);
   report.work += work_of_prescribed(system, lambda);
 }
 
@@ -140,10 +118,8 @@ void ContactResolver::settle(const ContactSystem& system, const VecX& u, Cluster
   const CoulombProblem problem{delassus(system), u, std::vector<double>(count, 0.0),
                                std::vector<FrictionRow>(count, FrictionRow::cone),
                                std::vector<Vec2>(count, Vec2::Zero())};
-  const double before = totals_of(model_, cluster).T;
-  const double work_before = report.work;
+  const EnergyScope energy(EnergyAccount::projection, model_, cluster.bodies, cluster.phases, report);
   add_impulses(system, solve_coulomb(problem).lambda, {}, cluster, report);
-  report.projection_loss += before - totals_of(model_, cluster).T + (report.work - work_before);
 }
 
 void ContactResolver::apply_impact(const ContactSystem& system, const ImpactSolution& impact,
@@ -152,13 +128,10 @@ void ContactResolver::apply_impact(const ContactSystem& system, const ImpactSolu
   report.max_iterations = std::max(report.max_iterations, impact.iterations);
   if (!impact.converged) ++report.fallbacks;
 
-  const double before = totals_of(model_, cluster).T;
-  const double work_before = report.work;
+  const EnergyScope energy(EnergyAccount::impact, model_, cluster.bodies, cluster.phases, report);
   add_impulses(system, impact.lambda, impact.moments, cluster, report);
-  const double change = totals_of(model_, cluster).T - before - (report.work - work_before);
-  (change < 0 ? report.impact_loss : report.impact_gain) += std::abs(change);
 
-  // One event a pair of bodies, with its whole impulse.
+  // One event per pair of bodies, with its whole impulse.
   std::map<std::pair<int, int>, MotionEvent> events;
   for (std::size_t i = 0; i < system.contacts.size(); ++i) {
     const Contact& contact = system.contacts[i];
@@ -188,7 +161,9 @@ bool ContactResolver::apply_impulses(Cluster& cluster, AdvanceReport& report) co
                [](const Contact& contact) { return !contact.is_bounded_force(); });
   for (int pass = 0; pass < most_passes; ++pass) {
     if (colliding.empty()) return true;
-    const ContactSystem system = system_of(cluster, colliding);
+
+    // The fastest approach; none that is more than rounding ends the passes.
+    const ContactSystem system = assembler_.assemble(cluster, colliding);
     const VecX u = relative_velocities(system);
     double approach = 0;
     for (Eigen::Index row = 2; row < u.size(); row += 3) approach = std::min(approach, u[row]);
@@ -204,6 +179,7 @@ bool ContactResolver::apply_impulses(Cluster& cluster, AdvanceReport& report) co
       continue;
     }
 
+    // Faster ones collide by the law of the method.
     const ImpactSolution impact =
         solve_impact(system, restitutions(cluster, system, report), collision_law_, law_);
     apply_impact(system, impact, cluster, report);
@@ -213,18 +189,19 @@ bool ContactResolver::apply_impulses(Cluster& cluster, AdvanceReport& report) co
 
 LastingContacts ContactResolver::find_lasting(const Cluster& cluster, AdvanceReport& report) const {
   // Touching and not parting.
-  const double parting = 1e-3 * resting_velocity_;
+  const double parting = parting_speed(resting_velocity_);
   std::vector<Contact> candidates;
   if (!cluster.contacts.empty()) {
-    const VecX u = relative_velocities(system_of(cluster, cluster.contacts));
+    const VecX u = relative_velocities(assembler_.assemble(cluster, cluster.contacts));
     for (std::size_t i = 0; i < cluster.contacts.size(); ++i) {
       if (u[3 * static_cast<Eigen::Index>(i) + 2] <= parting) candidates.push_back(cluster.contacts[i]);
     }
   }
   if (candidates.empty()) return {};
 
-  const ContactSystem touching = system_of(cluster, candidates);
-  const std::vector<Wrench> wrenches = integrator_.environment_wrenches(touching, cluster.t);
+  // The forces that keep them in contact, and whether the law of friction names any.
+  const ContactSystem touching = assembler_.assemble(cluster, candidates);
+  const std::vector<Wrench> wrenches = assembler_.environment_wrenches(touching, cluster.t);
   const RestingSolution resting = solve_resting(touching, wrenches, cluster.slip_tolerance, resting_);
   LastingContacts lasting;
   lasting.have_forces = resting.forces.converged;
@@ -235,6 +212,8 @@ LastingContacts ContactResolver::find_lasting(const Cluster& cluster, AdvanceRep
     lasting.have_forces = false;
     return lasting;
   }
+
+  // Those that carry a force last.
   report.max_residual = std::max(report.max_residual, resting.forces.residual);
   report.max_iterations = std::max(report.max_iterations, resting.forces.iterations);
   if (!lasting.have_forces) {
@@ -251,20 +230,20 @@ LastingContacts ContactResolver::find_lasting(const Cluster& cluster, AdvanceRep
 
 void ContactResolver::project_velocities(const LastingContacts& lasting, Cluster& cluster,
                                          AdvanceReport& report) const {
-  const ContactSystem system = system_of(cluster, lasting.contacts);
-  const double before = totals_of(model_, cluster).T;
-  const double work_before = report.work;
+  const ContactSystem system = assembler_.assemble(cluster, lasting.contacts);
+  const EnergyScope energy(EnergyAccount::projection, model_, cluster.bodies, cluster.phases, report);
   add_impulses(system, projection_impulses(system, lasting.states, resting_), {}, cluster, report);
-  report.projection_loss += before - totals_of(model_, cluster).T + (report.work - work_before);
 }
 
 bool ContactResolver::agrees_with_velocities(const LastingContacts& lasting, const Cluster& cluster) const {
-  const VecX u = relative_velocities(system_of(cluster, cluster.contacts));
+  const VecX u = relative_velocities(assembler_.assemble(cluster, cluster.contacts));
   for (std::size_t i = 0; i < cluster.contacts.size(); ++i) {
     if (!cluster.contacts[i].is_bounded_force() && u[3 * static_cast<Eigen::Index>(i) + 2] < -still_)
       return false;
   }
-  const ContactSystem system = system_of(cluster, lasting.contacts);
+
+  // No lasting contact slips against its friction.
+  const ContactSystem system = assembler_.assemble(cluster, lasting.contacts);
   const VecX of_lasting = relative_velocities(system);
   for (std::size_t i = 0; i < lasting.contacts.size(); ++i) {
     const Vec3 slip = system.frames[i].transpose() * lasting.states[i].slip_W;
@@ -277,7 +256,7 @@ bool ContactResolver::agrees_with_velocities(const LastingContacts& lasting, con
 
 LastingContacts ContactResolver::update_active(Cluster& cluster, AdvanceReport& report) const {
   // Where contacts are almost redundant, putting one speed right changes others by many times as much: slip
-  // may turn, and open contacts may approach. Then what lasts is asked again.
+  // may change its direction, and open contacts may approach. Then the lasting contacts are found anew.
   constexpr int most_rounds = 5;
   LastingContacts lasting = find_lasting(cluster, report);
   for (int round = 1; !lasting.contacts.empty(); ++round) {
@@ -290,7 +269,8 @@ LastingContacts ContactResolver::update_active(Cluster& cluster, AdvanceReport& 
 }
 
 bool ContactResolver::is_balanced(const Cluster& cluster, const LastingContacts& lasting) const {
-  const ContactSystem system = system_of(cluster, lasting.contacts);
+  // Nothing moves: neither what the bodies touch nor the bodies themselves.
+  const ContactSystem system = assembler_.assemble(cluster, lasting.contacts);
   for (const BodyKinetics& body : system.kinetics) {
     if (body.inverse_mass == 0 && (!body.v.isZero(0) || !body.w.isZero(0))) return false;
   }
@@ -299,7 +279,9 @@ bool ContactResolver::is_balanced(const Cluster& cluster, const LastingContacts&
     const double radius = reach_of(model_.body(index));
     if (body.v.norm() > still_ || body.w.norm() * radius > still_) return false;
   }
-  std::vector<Wrench> wrenches = integrator_.environment_wrenches(system, cluster.t);
+
+  // All forces together, with those of contacts and joints.
+  std::vector<Wrench> wrenches = assembler_.environment_wrenches(system, cluster.t);
   const std::vector<Wrench> free = wrenches;
   if (!lasting.contacts.empty())
     add_contact_wrenches(

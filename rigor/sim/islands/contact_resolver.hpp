@@ -2,8 +2,7 @@
 
 #include "rigor/contact/impact/impact.hpp"
 #include "rigor/contact/resting/resting.hpp"
-#include "rigor/sim/islands/cluster.hpp"
-#include "rigor/sim/islands/island.hpp"
+#include "rigor/sim/islands/contact_system_assembler.hpp"
 #include "rigor/sim/method/method.hpp"
 #include "rigor/sim/report/advance_report.hpp"
 
@@ -11,7 +10,7 @@
 
 namespace rigor {
 
-/// What lasts after an event: contacts that hold, with what they do.
+/// The contacts that last after an event, with their states.
 struct LastingContacts {
   std::vector<Contact> contacts;
   std::vector<ContactState> states;
@@ -20,13 +19,10 @@ struct LastingContacts {
   bool have_forces = true;
 };
 
-/// The law of a single collision that the method names.
-RestitutionLaw restitution_law(ImpactMethod method);
-
-/// Decides what happens at an event: who collides, who rests, who parts.
+/// Decides what happens at an event: which contacts collide, which last, which open.
 class ContactResolver {
  public:
-  ContactResolver(const Model& model, const IslandIntegrator& integrator, const Method& method);
+  ContactResolver(const Model& model, const ContactSystemAssembler& assembler, const Method& method);
 
   /// Stops of the joints of the cluster's bodies: limits that are reached, dry friction, motors.
   std::vector<Contact> stops_of(const Cluster& cluster) const;
@@ -47,12 +43,10 @@ class ContactResolver {
   /// Whether bodies with these lasting contacts stand still and stay so: all forces balance.
   bool is_balanced(const Cluster& cluster, const LastingContacts& lasting) const;
 
-  /// Adds impulses λ (3n) with what joints do about them to the momenta, and to the books of the report.
+  /// Adds impulses λ (3n) with what joints do about them to the momenta, and to the ledger of the report.
   /// moments: angular impulses in the contact frames, 3n, or none.
   void add_impulses(const ContactSystem& system, const VecX& lambda, const VecX& moments, Cluster& cluster,
                     AdvanceReport& report) const;
-  /// The contacts of the cluster with all bodies that they touch.
-  ContactSystem system_of(const Cluster& cluster, const std::vector<Contact>& contacts) const;
 
  private:
   /// Ends an approach slower than any impact (what the error of a step leaves at a lasting contact): the
@@ -64,7 +58,7 @@ class ContactResolver {
   bool agrees_with_velocities(const LastingContacts& lasting, const Cluster& cluster) const;
 
   const Model& model_;
-  const IslandIntegrator& integrator_;
+  const ContactSystemAssembler& assembler_;
   RestitutionLaw collision_law_;
   SimultaneousLaw law_;
   double resting_velocity_;

@@ -7,6 +7,7 @@
 namespace rigor {
 
 VecX separating_impulses(const ContactSystem& system, const std::vector<double>& lowest) {
+  // The Coulomb problem without friction, with displacements for velocities: A δ + gap - lowest.
   const std::size_t count = system.contacts.size();
   CoulombProblem problem{delassus(system), VecX::Zero(3 * static_cast<Eigen::Index>(count)),
                          std::vector<double>(count, 0.0), std::vector<FrictionRow>(count, FrictionRow::cone),
@@ -21,8 +22,11 @@ VecX separating_impulses(const ContactSystem& system, const std::vector<double>&
 
 void apply_displacement(const VecX& delta, ContactSystem system, const std::vector<int>& bodies,
                         std::vector<BodyPhase>& phases) {
+  // M⁻¹ Jᵀ δ, as velocities from rest.
   for (BodyKinetics& body : system.kinetics) body.v = body.w = Vec3::Zero();
   apply_impulses(delta, system);
+
+  // x, q, and L, so that L + x × P stays.
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const BodyKinetics& moved = system.of(bodies[i]);
     phases[i].x += moved.v;

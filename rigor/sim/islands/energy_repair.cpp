@@ -15,7 +15,7 @@ Mat3 inertia_in_W(const Body& body, const BodyPhase& phase) {
   return R * body.moments.asDiagonal() * R.transpose();
 }
 
-/// Motion of a group as one rigid body: v of its centre, w.
+/// Motion of a group as one rigid body: v of its centre of mass, ω.
 struct RigidMotion {
   Vec3 centre = Vec3::Zero(), v = Vec3::Zero(), w = Vec3::Zero();
 };
@@ -55,7 +55,7 @@ struct Group {
     motion.w = symmetric_solution(inertia, L);
     return motion;
   }
-  /// Momenta that body i has in the rigid motion.
+  /// Momentum and angular momentum that body i has in the rigid motion.
   Vec3 momentum(std::size_t i, const RigidMotion& motion) const {
     return body(i).mass * (motion.v + motion.w.cross(phases[i].x - motion.centre));
   }
@@ -77,8 +77,25 @@ double energy_of_bodies(const Model& model, const Environment& environment, cons
   return energy;
 }
 
+EnergyBalance energy_balance(const Model& model, const Environment& environment, double t,
+                             const std::vector<int>& bodies, const std::vector<Contact>& contacts) {
+  // Forces besides gravity and steady ones, then prescribed bodies, and whether these move.
+  EnergyBalance balance{true, true};
+  for (const int body : bodies) balance.is_closed = balance.is_closed && !environment.is_forced(body);
+  for (const Contact& contact : contacts) {
+    for (const int body : {contact.body_A, contact.body_B}) {
+      if (model.body(body).motion == MotionType::dynamic) continue;
+      const BodyKinetics prescribed = prescribed_kinetics(model.body(body), t);
+      balance.is_free = false;
+      balance.is_closed = balance.is_closed && prescribed.v.isZero(0) && prescribed.w.isZero(0);
+    }
+  }
+  return balance;
+}
+
 double take_kinetic_energy(const Model& model, const std::vector<int>& bodies, double amount, bool is_free,
                            std::vector<BodyPhase>& phases) {
+  // The rigid motion U that carries the momenta of a free group; otherwise none.
   const std::vector<BodyPhase> now = phases;
   const Group group{model, bodies, now};
   RigidMotion rigid;
@@ -87,6 +104,8 @@ double take_kinetic_energy(const Model& model, const std::vector<int>& bodies, d
     for (const BodyPhase& phase : now) P += phase.P;
     rigid = group.rigid_motion(P, group.angular_momentum(group.centre()));
   }
+
+  // The rest W = V - U, and T(W).
   std::vector<BodyPhase> rest = now;
   double T = 0;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -95,10 +114,13 @@ double take_kinetic_energy(const Model& model, const std::vector<int>& bodies, d
     T += kinetic_energy(BodyInertia{group.body(i).mass, group.body(i).moments}, rest[i]);
   }
   if (!(T > 0)) return 0;
+
+  // What can be taken, and 1 - s without cancellation.
   const double taken = std::min(amount, T);
-  // 1 - s without cancellation.
   const double share = taken / T;
   const double less = share / (1 + std::sqrt(1 - share));
+
+  // V = U + s W.
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     phases[i].P -= less * rest[i].P;
     phases[i].L -= less * rest[i].L;

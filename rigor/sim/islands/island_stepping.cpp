@@ -1,6 +1,7 @@
 #include "rigor/sim/islands/island_stepping.hpp"
 
 #include "rigor/core/index.hpp"
+#include "rigor/sim/method/resting_choice.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +14,8 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Weight of short steps in a row before an island goes on at velocity level. Slip that turns fast is worth
-/// many steps, but one that time can hardly resolve weighs fifty times as much.
+/// Weight of short steps in a row before an island continues at velocity level. Slip that changes its
+/// direction fast is worth many steps, but a step that time can hardly resolve weighs fifty times as much.
 constexpr int patience = 300;
 constexpr int weight_of_tiny_step = 50;
 
@@ -30,10 +31,11 @@ constexpr int most_halvings = 12;
 
 }  // namespace
 
-IslandStepping::IslandStepping(const Model& model, const IslandIntegrator& integrator, const Method& method,
-                               double target_step)
-    : integrator_(integrator),
-      mode_changes_(model, integrator, method),
+IslandStepping::IslandStepping(const Model& model, const ContactSystemAssembler& assembler,
+                               const IslandIntegrator& integrator, const Method& method, double target_step)
+    : assembler_(assembler),
+      integrator_(integrator),
+      mode_changes_(model, assembler, method),
       time_tolerance_(method.time_tolerance),
       contact_tolerance_(method.contact_tolerance),
       slip_tolerance_(slip_tolerance(method)),
@@ -83,16 +85,21 @@ void IslandStepping::take_implicit_step(double h, double resolved, RunningIsland
   const Island& island = running.island;
   h = std::min(h, 0.1 * target_step_);
   running.step = integrator_.implicit_step(island, h);
-  // What the joints are off by then is put back, and must not push bodies into each other.
+
+  // Halved until the joints hold over it: putting them back must not push bodies into each other.
   const auto off = [&] {
-    return integrator_.joint_residual(island.begin + running.step.h, island.bodies, running.step.end);
+    return assembler_.joint_residual(island.begin + running.step.h, island.bodies, running.step.end);
   };
   for (int k = 0; k < most_halvings && h > resolved && off() > 0.2 * contact_tolerance_; ++k) {
     h *= 0.5;
     running.step = integrator_.implicit_step(island, h);
   }
+
+  // It ends where further points meet; its modes are those of its own problem.
   running.change = mode_changes_.find_meeting(island, running.step);
   if (running.change) running.step = integrator_.implicit_step(island, std::max(running.change->h, resolved));
+
+  // One step less at velocity level.
   ++report.coarse_steps;
   const int crowding = crowding_of(island.bodies) - 1;
   for (const int body : island.bodies) crowding_[at(body)] = crowding;
@@ -100,6 +107,7 @@ void IslandStepping::take_implicit_step(double h, double resolved, RunningIsland
 
 void IslandStepping::take_accurate_step(double h, double resolved, RunningIsland& running,
                                         AdvanceReport& report) {
+  // The size: at most what the error of the last step suggests, at least what time resolves.
   const Island& island = running.island;
   const int tiny_steps = crowding_of(island.bodies) / weight_of_tiny_step;
   const double least = std::min(h, std::max(resolved, target_step_ * 1e-9 * std::pow(4.0, tiny_steps)));
@@ -108,6 +116,8 @@ void IslandStepping::take_accurate_step(double h, double resolved, RunningIsland
 
   ControlledStep taken = integrator_.controlled_step(island, std::max(first, least), least);
   running.step = std::move(taken.step);
+
+  // It ends where the modes of its contacts no longer hold.
   running.change = mode_changes_.find(island, running.step);
   if (running.change) running.step = integrator_.step(island, std::max(running.change->h, least));
   if (running.step.error > 1) ++report.coarse_steps;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rigor/sim/islands/island.hpp"
+#include "rigor/sim/islands/island_integrator.hpp"
 #include "rigor/sim/islands/mode_change.hpp"
 #include "rigor/sim/report/advance_report.hpp"
 
@@ -19,24 +19,25 @@ struct RunningIsland {
 };
 
 /// How far each step of an island goes: as far as the error and the modes of its contacts allow. Where modes
-/// end as they begin or slip turns on the spot, each very short step in a row must cover more than the last;
+/// end as they begin or slip changes its direction on the spot, each very short step in a row must cover more
+/// than the last;
 /// when that does not help, steps at velocity level lead out of it (docs/decisions/0003).
 ///
 /// What is remembered of each body (its step size, how short its last steps were) is scratch, dropped by
 /// restart().
 class IslandStepping {
  public:
-  IslandStepping(const Model& model, const IslandIntegrator& integrator, const Method& method,
-                 double target_step);
+  IslandStepping(const Model& model, const ContactSystemAssembler& assembler,
+                 const IslandIntegrator& integrator, const Method& method, double target_step);
 
   /// Forgets all earlier steps.
   void restart();
   /// Whether the next step of these bodies is one at velocity level, if they touch anything.
   bool is_at_velocity_level(const std::vector<int>& bodies) const;
-  /// Makes the next steps of these bodies such steps.
+  /// Makes the next steps of these bodies steps at velocity level.
   void go_to_velocity_level(const std::vector<int>& bodies);
   /// Slip slower than this counts as none [m/s]. Where contacts of one body stop one after the other within
-  /// no time, it grows with each very short step, so that the last slips stop with the first.
+  /// no time, it grows with each very short step, so that the last slip stops with the first.
   double slip_tolerance_of(const std::vector<int>& bodies) const;
   /// The next step, of at most h ≤ target step [s].
   RunningIsland take_step(Island island, double h, AdvanceReport& report);
@@ -48,6 +49,7 @@ class IslandStepping {
   void take_accurate_step(double h, double resolved, RunningIsland& running, AdvanceReport& report);
   void take_implicit_step(double h, double resolved, RunningIsland& running, AdvanceReport& report);
 
+  const ContactSystemAssembler& assembler_;
   const IslandIntegrator& integrator_;
   ModeChangeSearch mode_changes_;
   double time_tolerance_, contact_tolerance_, slip_tolerance_, direction_tolerance_, target_step_;

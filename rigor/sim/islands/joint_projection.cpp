@@ -3,6 +3,7 @@
 #include "rigor/core/index.hpp"
 #include "rigor/math/dense.hpp"
 #include "rigor/math/rotation.hpp"
+#include "rigor/sim/report/ledger.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -12,13 +13,14 @@ namespace rigor {
 
 void JointProjection::project_positions(double t, const std::vector<int>& bodies,
                                         std::vector<BodyPhase>& phases, AdvanceReport& report) const {
-  if (integrator_.joints_of(bodies).empty()) return;
+  if (assembler_.joints_of(bodies).empty()) return;
   constexpr int most_iterations = 8;
   constexpr double rounding = 1e-15;
   double last = std::numeric_limits<double>::infinity();
   std::vector<BodyPhase> best = phases;
   for (int iteration = 0; iteration <= most_iterations; ++iteration) {
-    const ContactSystem system = integrator_.system_of(t, bodies, phases, {});
+    // The residual; Newton's method ends where it no longer falls.
+    const ContactSystem system = assembler_.assemble(t, bodies, phases, {});
     const auto [residual, joint] = system.joints->largest_residual();
     if (iteration == 0) report.max_joint_projection = std::max(report.max_joint_projection, residual);
     const bool is_better = residual < last;
@@ -27,12 +29,11 @@ void JointProjection::project_positions(double t, const std::vector<int>& bodies
       best = phases;
     }
     if (!is_better || residual <= rounding * model_.length_scale() || iteration == most_iterations) {
-      if (last > report.max_joint_drift) {
-        report.max_joint_drift = last;
-        report.drift_joint = joint;
-      }
+      report.note_joint_drift(last, joint);
       break;
     }
+
+    // The displacement M⁻¹ Gᵀ λ with G Δ = -g.
     const JointSystem::Response moved = system.joints->respond(
         std::vector<Vec6>(system.bodies.size(), Vec6::Zero()), -system.joints->residuals());
     for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -45,7 +46,7 @@ void JointProjection::project_positions(double t, const std::vector<int>& bodies
 }
 
 void JointProjection::restore_momenta(const Island& island, IslandStep& step) const {
-  const std::vector<int> joints = integrator_.joints_of(island.bodies);
+  const std::vector<int> joints = assembler_.joints_of(island.bodies);
   const auto is_grounded = [this](int joint) {
     const Joint& description = model_.joint(joint);
     if (description.type == JointType::gear) return false;  // Those that it ties are in the list.
@@ -53,9 +54,11 @@ void JointProjection::restore_momenta(const Island& island, IslandStep& step) co
   };
   if (joints.empty() || !(island.contacts.empty() || step.is_implicit) ||
       std::any_of(joints.begin(), joints.end(), is_grounded) ||
-      !integrator_.jointed_prescribed(island.bodies).empty())
+      !assembler_.jointed_prescribed(island.bodies).empty())
     return;
-  const ContactSystem system = integrator_.system_of(island.begin + step.h, island.bodies, step.end, {});
+
+  // Mass, centre and inertia of the group as one rigid body.
+  const ContactSystem system = assembler_.assemble(island.begin + step.h, island.bodies, step.end, {});
   double mass = 0;
   Vec3 centre = Vec3::Zero();
   for (const BodyKinetics& body : system.kinetics) {
@@ -69,7 +72,9 @@ void JointProjection::restore_momenta(const Island& island, IslandStep& step) co
     inertia +=
         body.inertia + (arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose()) / body.inverse_mass;
   }
-  // What is missing, as a sum of small differences: rounding relative to the sums themselves would add up.
+
+  // The momenta that are missing, as a sum of small differences: rounding relative to the sums themselves
+  // would add up.
   Vec3 P = step.impulse, L = step.angular_impulse;
   for (std::size_t i = 0; i < island.bodies.size(); ++i) {
     const BodyPhase &start = island.start[i], &end = step.end[i];
@@ -78,6 +83,8 @@ void JointProjection::restore_momenta(const Island& island, IslandStep& step) co
     L -= (end.L - start.L) + dx.cross(end.P) + start.x.cross(dP);
   }
   L -= centre.cross(P);
+
+  // The rigid motion that carries them.
   const Vec3 v = P / mass, w = symmetric_solution(inertia, L);
   for (std::size_t i = 0; i < island.bodies.size(); ++i) {
     const BodyKinetics& body = system.of(island.bodies[i]);
@@ -87,19 +94,19 @@ void JointProjection::restore_momenta(const Island& island, IslandStep& step) co
 }
 
 void JointProjection::project_velocities(Cluster& cluster, AdvanceReport& report) const {
-  if (integrator_.joints_of(cluster.bodies).empty()) return;
-  const ContactSystem system = integrator_.system_of(cluster.t, cluster.bodies, cluster.phases, {});
-  const ClusterTotals before = totals_of(model_, cluster);
+  if (assembler_.joints_of(cluster.bodies).empty()) return;
+  const ContactSystem system = assembler_.assemble(cluster, {});
+  const MomentumScope momentum(model_, cluster.bodies, cluster.phases);
+  EnergyScope energy(EnergyAccount::projection, model_, cluster.bodies, cluster.phases, report);
+
+  // The impulses with which G V = rate.
   const JointReactions reactions =
       with_joint_impulses(system, std::vector<Wrench>(system.bodies.size()), -system.joints->rate_errors());
   add_to_momenta(system, reactions.wrenches, cluster);
-  const Wrench external = external_wrench(system, VecX(), reactions.lambda);
-  const double work = system.joints->supplied_power(reactions.lambda);
-  const ClusterTotals after = totals_of(model_, cluster);
-  report.work += work;
-  report.projection_loss += before.T - after.T + work;
-  report.momentum_error += after.P - before.P - external.f_W;
-  report.angular_momentum_error += after.L - before.L - external.tau_W;
+
+  // What they supplied, and what of the momenta nothing outside accounts for.
+  energy.supply(system.joints->supplied_power(reactions.lambda));
+  momentum.book_error({external_wrench(system, VecX(), reactions.lambda)}, report);
 }
 
 }  // namespace rigor

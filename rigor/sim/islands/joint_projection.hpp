@@ -1,7 +1,6 @@
 #pragma once
 
-#include "rigor/sim/islands/cluster.hpp"
-#include "rigor/sim/islands/island.hpp"
+#include "rigor/sim/islands/contact_system_assembler.hpp"
 #include "rigor/sim/report/advance_report.hpp"
 
 #include <vector>
@@ -11,25 +10,25 @@ namespace rigor {
 /// What keeps joints from drifting: positions and velocities are put back after each step.
 class JointProjection {
  public:
-  JointProjection(const Model& model, const IslandIntegrator& integrator)
-      : model_(model), integrator_(integrator) {}
+  JointProjection(const Model& model, const ContactSystemAssembler& assembler)
+      : model_(model), assembler_(assembler) {}
 
-  /// Puts bodies back to where their joints hold, by the smallest displacements in the metric of the mass
-  /// matrix (Newton's method); the momenta stay. One phase a body, of dynamic bodies with all that are
+  /// Moves bodies back to where their joints hold, by the smallest displacements in the metric of the mass
+  /// matrix (Newton's method); the momenta stay. One phase per body, of dynamic bodies with all that are
   /// jointed to them.
   void project_positions(double t, const std::vector<int>& bodies, std::vector<BodyPhase>& phases,
                          AdvanceReport& report) const;
-  /// Gives bodies that joints hold to each other and to nothing else the sums of momenta that the impulses of
-  /// the step say, by a velocity as of one rigid body, which no joint notices: what the integrator and the
-  /// projection of positions leave would else add up. Other islands stay as they are; so do those with
-  /// contacts after an accurate step.
+  /// Gives bodies that joints hold to each other and to nothing else the sums of momenta that follow from the
+  /// impulses of the step, by a velocity as of one rigid body, which no joint notices: what the integrator
+  /// and the projection of positions leave would else add up. Other islands stay as they are; so do those
+  /// with contacts after an accurate step.
   void restore_momenta(const Island& island, IslandStep& step) const;
   /// Puts velocities back to what the joints allow: the projection in the metric of the mass matrix.
   void project_velocities(Cluster& cluster, AdvanceReport& report) const;
 
  private:
   const Model& model_;
-  const IslandIntegrator& integrator_;
+  const ContactSystemAssembler& assembler_;
 };
 
 }  // namespace rigor

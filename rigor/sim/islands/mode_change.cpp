@@ -1,7 +1,9 @@
 #include "rigor/sim/islands/mode_change.hpp"
 
 #include "rigor/contact/impact/joint_stops.hpp"
+#include "rigor/contact/resting/rolling_friction.hpp"
 #include "rigor/math/roots.hpp"
+#include "rigor/sim/method/resting_choice.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -12,14 +14,9 @@ namespace rigor {
 
 namespace {
 
-bool is_same(const Contact& a, const Contact& b) {
-  return a.body_A == b.body_A && a.body_B == b.body_B && a.shape_A == b.shape_A && a.shape_B == b.shape_B &&
-         a.point.feature == b.point.feature;
-}
-
 bool is_among(const Contact& contact, const std::vector<Contact>& others) {
   return std::any_of(others.begin(), others.end(),
-                     [&](const Contact& other) { return is_same(contact, other); });
+                     [&](const Contact& other) { return other.key() == contact.key(); });
 }
 
 bool has_limits(const Model& model, const std::vector<int>& joints) {
@@ -31,14 +28,15 @@ bool has_limits(const Model& model, const std::vector<int>& joints) {
 
 }  // namespace
 
-ModeChangeSearch::ModeChangeSearch(const Model& model, const IslandIntegrator& integrator,
+ModeChangeSearch::ModeChangeSearch(const Model& model, const ContactSystemAssembler& assembler,
                                    const Method& method)
     : model_(model),
-      integrator_(integrator),
+      assembler_(assembler),
       contact_tolerance_(method.contact_tolerance),
       time_tolerance_(method.time_tolerance),
       slip_tolerance_(slip_tolerance(method)),
       direction_tolerance_(direction_tolerance(method)),
+      resting_velocity_(method.resting_velocity),
       resting_(resting_choice(method)) {}
 
 /// The island somewhere in its step.
@@ -52,13 +50,13 @@ ModeChangeSearch::Instant ModeChangeSearch::at(const Island& island, const Islan
   std::vector<BodyPhase> phases;
   for (const DensePhase& dense : step.dense) phases.push_back(dense.at(theta));
   const double t = island.begin + theta * step.h;
-  return {t,
-          integrator_.contact_system(island, t, theta == 1 ? std::span<const BodyPhase>(step.end) : phases)};
+  return {t, assembler_.assemble(island, t, theta == 1 ? std::span<const BodyPhase>(step.end) : phases)};
 }
 
 std::vector<Wrench> ModeChangeSearch::wrenches(const Island& island, const Instant& instant) const {
-  return integrator_.with_moments(instant.system, island.states,
-                                  integrator_.environment_wrenches(instant.system, instant.t));
+  return with_rolling_friction(instant.system, island.states,
+                               assembler_.environment_wrenches(instant.system, instant.t),
+                               direction_tolerance_, resting_velocity_);
 }
 
 /// Speed along its slip of each sliding contact; infinite for the others.
@@ -77,13 +75,15 @@ std::vector<double> ModeChangeSearch::slip_speeds(const Island& island, const In
 
 std::optional<ModeChange> ModeChangeSearch::find_slip_end(const Island& island, const IslandStep& step,
                                                           double end) const {
-  // Slip that begins from rest may creep back by what the velocities are uncertain, and no more.
+  // Slip that begins from rest may creep back by the uncertainty of the velocities, and no more.
   std::vector<double> levels = slip_speeds(island, at(island, step, 0));
   double uncertainty = 0;
   for (double& level : levels) {
     level = level > 0 ? 0 : 2 * level - slip_tolerance_;
     uncertainty = std::max(uncertainty, -level);
   }
+
+  // The first time at which one of them falls below its level.
   const auto margin = [&](double theta) {
     const std::vector<double> speeds = slip_speeds(island, at(island, step, theta));
     double least = std::numeric_limits<double>::infinity();
@@ -100,10 +100,14 @@ std::optional<ModeChange> ModeChangeSearch::find_slip_end(const Island& island, 
 /// little below zero is allowed for rounding.
 double ModeChangeSearch::force_margin(const Island& island, const Instant& instant) const {
   constexpr double rounding = 1e-10;
+
+  // The contact forces there, relative to the largest.
   const VecX lambda = contact_forces(instant.system, island.states, wrenches(island, instant),
                                      direction_tolerance_, resting_);
   const double scale = lambda.cwiseAbs().maxCoeff();
   if (scale == 0) return rounding;
+
+  // How far each is inside its cone.
   double margin = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < island.states.size(); ++i) {
     if (island.states[i].mode == ContactMode::open) continue;
@@ -141,7 +145,7 @@ double ModeChangeSearch::overlap_margin(const Island& island, const Instant& ins
   for (const Contact& contact : contacts_of_pairs(island, instant)) {
     double lowest = is_among(contact, island.contacts) ? -0.5 * contact_tolerance_ : landing;
     const auto before = std::find_if(at_start.begin(), at_start.end(),
-                                     [&](const Contact& other) { return is_same(contact, other); });
+                                     [&](const Contact& other) { return other.key() == contact.key(); });
     if (before != at_start.end()) lowest = std::min(lowest, before->point.gap - rounding);
     margin = std::min(margin, contact.point.gap - lowest);
   }
@@ -149,19 +153,21 @@ double ModeChangeSearch::overlap_margin(const Island& island, const Instant& ins
 }
 
 std::vector<double> ModeChangeSearch::clearances(const Island& island, const Instant& instant) const {
-  return limit_clearances(model_, integrator_.joints_of(island.bodies), instant.system.bodies,
+  return limit_clearances(model_, assembler_.joints_of(island.bodies), instant.system.bodies,
                           instant.system.kinetics, island.contacts);
 }
 
 std::optional<ModeChange> ModeChangeSearch::find_limit(const Island& island, const IslandStep& step) const {
-  if (!has_limits(model_, integrator_.joints_of(island.bodies))) return std::nullopt;
+  if (!has_limits(model_, assembler_.joints_of(island.bodies))) return std::nullopt;
   constexpr int probes = 8, most_halvings = 40;
+
+  // Each limit by itself, before the first that was found.
   const std::vector<double> start = clearances(island, at(island, step, 0));
   double end = 1;
   std::optional<ModeChange> first;
   for (std::size_t i = 0; i < start.size(); ++i) {
     const auto clearance = [&](double theta) { return clearances(island, at(island, step, theta))[i]; };
-    // What is at a limit or a little beyond it as it leaves has come back when it is as far again.
+    // What leaves from a limit, or from a little beyond it, is back when it is as far again.
     double level = std::min(0.0, start[i]);
     const double lowest = level - 0.01 * contact_tolerance_;
     double lo = 0;
@@ -174,7 +180,7 @@ std::optional<ModeChange> ModeChangeSearch::find_limit(const Island& island, con
       if (lo == 0) lo = probe;
       for (int halvings = 0; halvings < most_halvings && clearance(lo) <= level; ++halvings) lo *= 0.5;
       if (clearance(lo) <= level) {
-        // It never left: it creeps on by what the velocities are uncertain.
+        // It never left: it creeps by the uncertainty of the velocities.
         if (clearance(probe) >= lowest) break;
         lo = 0;
         level = lowest;
@@ -216,7 +222,7 @@ std::optional<ModeChange> ModeChangeSearch::find_meeting(const Island& island, c
 
 std::optional<ModeChange> ModeChangeSearch::find(const Island& island, const IslandStep& step) const {
   std::optional<ModeChange> first;
-  if (island.contacts.empty() && !has_limits(model_, integrator_.joints_of(island.bodies))) return first;
+  if (island.contacts.empty() && !has_limits(model_, assembler_.joints_of(island.bodies))) return first;
   const double tolerance = time_tolerance_ / step.h;
   double end = 1;
   const auto shorten = [&](ModeChange::Kind kind, double theta) {
@@ -238,6 +244,8 @@ std::optional<ModeChange> ModeChangeSearch::find(const Island& island, const Isl
     first = overlap;
     end = overlap->h / step.h;
   }
+
+  // Forces last: probes at the middle and at the end, then the root between.
   const auto force = [&](double theta) { return force_margin(island, at(island, step, theta)); };
   const auto signature = [&](double theta) {
     return modes_hold(island, at(island, step, theta)) ? 1.0 : -1.0;

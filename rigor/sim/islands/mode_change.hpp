@@ -1,6 +1,7 @@
 #pragma once
 
-#include "rigor/sim/islands/island.hpp"
+#include "rigor/sim/islands/contact_system_assembler.hpp"
+#include "rigor/sim/method/method.hpp"
 
 #include <optional>
 #include <vector>
@@ -23,7 +24,7 @@ struct ModeChange {
 /// output; nothing if they hold to the end.
 class ModeChangeSearch {
  public:
-  ModeChangeSearch(const Model& model, const IslandIntegrator& integrator, const Method& method);
+  ModeChangeSearch(const Model& model, const ContactSystemAssembler& assembler, const Method& method);
 
   std::optional<ModeChange> find(const Island& island, const IslandStep& step) const;
   /// The first time at which further points of the bodies in contact meet or a joint meets a limit, and
@@ -49,8 +50,8 @@ class ModeChangeSearch {
   bool modes_hold(const Island& island, const Instant& instant) const;
 
   const Model& model_;
-  const IslandIntegrator& integrator_;
-  double contact_tolerance_, time_tolerance_, slip_tolerance_, direction_tolerance_;
+  const ContactSystemAssembler& assembler_;
+  double contact_tolerance_, time_tolerance_, slip_tolerance_, direction_tolerance_, resting_velocity_;
   RestingChoice resting_;
 };
 

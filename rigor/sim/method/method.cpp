@@ -13,7 +13,7 @@ namespace rigor {
 
 namespace {
 
-/// Position of the value among all values of its key: the number of its enumerator.
+/// Position of the value among all values of its key, which is the number of its enumerator.
 std::optional<int> value_index(std::string_view key, std::string_view value) {
   int index = 0;
   for (const MethodChoice& choice : method_choices()) {
@@ -24,7 +24,7 @@ std::optional<int> value_index(std::string_view key, std::string_view value) {
   return std::nullopt;
 }
 
-/// Calls f with the member that holds the choice of the key; false if this version has none.
+/// Calls f with the member that holds the choice of the key; false for an unknown key.
 template <typename MethodType, typename F>
 bool visit_choice(MethodType& method, std::string_view key, F f) {
   if (key == "scheme") return f(method.scheme), true;
@@ -37,6 +37,7 @@ bool visit_choice(MethodType& method, std::string_view key, F f) {
   if (key == "simultaneous") return f(method.simultaneous), true;
   if (key == "resting") return f(method.resting), true;
   if (key == "lcp") return f(method.lcp), true;
+  if (key == "micro_collisions") return f(method.micro_collisions), true;
   if (key == "penalty") return f(method.penalty), true;
   if (key == "penalty_law") return f(method.penalty_law), true;
   if (key == "solver") return f(method.solver), true;
@@ -45,10 +46,29 @@ bool visit_choice(MethodType& method, std::string_view key, F f) {
   return false;
 }
 
-std::string joined(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
+/// Choices that would change nothing, though who makes them wants to see what they do.
+void check_collision_choices(const Method& method, std::vector<std::string>& messages) {
+  const bool is_open = method.scheme == Scheme::automatic;
+  const std::string scheme = "scheme '" + method_choice(method, "scheme") + "'";
+  if (method.micro_collisions == MicroCollisionMethod::plain && !is_open &&
+      method.scheme != Scheme::impulse_based) {
+    messages.push_back("micro_collisions 'plain' does not go with " + scheme +
+                       ", which has none; schemes that do: impulse-based");
+  }
+  const bool is_projection =
+      method.simultaneous == SimultaneousLaw::projection || method.simultaneous == SimultaneousLaw::moreau;
+  if (!is_projection) return;
+  const std::string law = "simultaneous '" + method_choice(method, "simultaneous") + "'";
+  if (method.scheme == Scheme::penalty || method.scheme == Scheme::impulse_based) {
+    messages.push_back(law + " does not go with " + scheme +
+                       ", which never solves several impacts together; schemes that do: event-driven, "
+                       "time-stepping, hybrid");
+  }
+  if (method.scheme == Scheme::time_stepping && method.solver == SolverMethod::substep) {
+    messages.push_back(law +
+                       " does not go with solver 'substep', whose contacts are soft; solvers that do: "
+                       "exact, pgs");
+  }
 }
 
 }  // namespace
@@ -116,26 +136,20 @@ std::vector<std::string> method_choice_keys() {
   return keys;
 }
 
-std::vector<std::string> method_values(std::string_view key, bool only_available) {
+std::vector<std::string> method_values(std::string_view key) {
   std::vector<std::string> values;
   for (const MethodChoice& choice : method_choices()) {
-    if (choice.key == key && (choice.is_available || !only_available)) values.emplace_back(choice.value);
+    if (choice.key == key) values.emplace_back(choice.value);
   }
   return values;
 }
 
 std::string set_method_choice(std::string_view key, std::string_view value, Method& method) {
-  const std::vector<std::string> available = method_values(key, true);
   const std::optional<int> index = value_index(key, value);
   if (!index) {
-    const std::vector<std::string> all = method_values(key, false);
-    if (all.empty()) return "unknown choice " + quoted_text(key) + suggestion(key, method_choice_keys());
-    return "unknown " + std::string(key) + " " + quoted_text(value) +
-           suggestion(value, available.empty() ? all : available);
-  }
-  if (std::find(available.begin(), available.end(), value) == available.end()) {
-    return std::string(key) + " '" + std::string(value) + "' is not available in this version; available: " +
-           (available.empty() ? "none, leave '" + std::string(key) + "' out" : joined(available));
+    const std::vector<std::string> values = method_values(key);
+    if (values.empty()) return "unknown choice " + quoted_text(key) + suggestion(key, method_choice_keys());
+    return "unknown " + std::string(key) + " " + quoted_text(value) + suggestion(value, values);
   }
   visit_choice(method, key,
                [&](auto& choice) { choice = static_cast<std::decay_t<decltype(choice)>>(*index); });
@@ -144,8 +158,7 @@ std::string set_method_choice(std::string_view key, std::string_view value, Meth
 
 std::string method_choice(const Method& method, std::string_view key) {
   std::string name;
-  if (method_values(key, true).empty()) return name;
-  visit_choice(method, key, [&](const auto& choice) { name = method_values(key, false)[at(choice)]; });
+  visit_choice(method, key, [&](const auto& choice) { name = method_values(key)[at(choice)]; });
   return name;
 }
 
@@ -183,6 +196,7 @@ std::vector<std::string> check_combination(const Method& method) {
     messages.push_back("solver '" + method_choice(method, "solver") + "' does not go with cone '" +
                        method_choice(method, "cone") + "'; cones that do: exact");
   }
+  check_collision_choices(method, messages);
   return messages;
 }
 

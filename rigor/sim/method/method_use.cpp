@@ -1,5 +1,7 @@
 #include "rigor/sim/method/method_use.hpp"
 
+#include "rigor/sim/method/method.hpp"
+
 #include <algorithm>
 #include <array>
 
@@ -7,7 +9,7 @@ namespace rigor {
 
 namespace {
 
-/// Schemes that look at a choice: those that locate impacts are event-driven, impulse-based and hybrid.
+/// The kinds of schemes that read a choice: event-driven, impulse-based and hybrid locate impacts.
 struct ChoiceUse {
   std::string_view key;
   bool when_located, when_stepped, when_penalised;
@@ -31,6 +33,8 @@ constexpr std::array<ChoiceUse, 10> choice_uses = {{
 bool uses_choice(const Method& method, std::string_view key) {
   if (key == "sleeping" && method.scheme != Scheme::automatic)
     return method.scheme == Scheme::time_stepping && method.solver == SolverMethod::substep;
+  if (key == "micro_collisions" && method.scheme != Scheme::automatic)
+    return method.scheme == Scheme::impulse_based;
   const auto use = std::find_if(choice_uses.begin(), choice_uses.end(),
                                 [&](const ChoiceUse& each) { return each.key == key; });
   if (use == choice_uses.end() || method.scheme == Scheme::automatic) return true;

@@ -2,6 +2,8 @@
 
 #include "rigor/core/index.hpp"
 #include "rigor/core/range.hpp"
+#include "rigor/model/model.hpp"
+#include "rigor/sim/method/method.hpp"
 
 #include <cmath>
 #include <functional>
@@ -15,7 +17,7 @@ bool has_moments(const PairCoefficients& pair) {
   return pair.rolling_friction > 0 || pair.torsional_friction > 0;
 }
 
-/// What the many-body path cannot do.
+/// Settings that the many-body path does not take.
 std::vector<std::string> check_substep(const Method& method) {
   constexpr double most_substeps = 1000;
   if (method.substeps <= most_substeps && method.substeps == std::floor(method.substeps)) return {};

@@ -16,11 +16,11 @@ namespace rigor {
 
 namespace {
 
-/// A heap of so many bouncing balls takes the event-driven engine ten seconds a simulated second
+/// A heap of this many bouncing balls takes the event-driven engine ten seconds per simulated second
 /// (docs/choosing.md).
 constexpr int few_bodies = 40;
 
-/// Bodies that the filters do not tell apart: group, mask, whether they are dynamic.
+/// What the collision filters know of a body: group, mask, whether it is dynamic.
 using FilterClass = std::tuple<std::uint32_t, std::uint32_t, bool>;
 
 FilterClass filter_class(const Body& body) {
@@ -35,7 +35,7 @@ bool has_partner_class(const Body& body, const std::set<FilterClass>& classes) {
   });
 }
 
-/// Dynamic bodies that may touch any other.
+/// Dynamic bodies that may touch any other body.
 std::vector<int> colliding_bodies(const Model& model) {
   std::set<FilterClass> classes;
   for (const Body& body : model.bodies()) {
@@ -73,7 +73,7 @@ std::set<int> materials_of_shapes(const Model& model) {
   return materials;
 }
 
-/// What touches at t = 0.
+/// The pairs that touch at t = 0, and their bodies.
 struct Touching {
   int pairs = 0;
   int bouncing_pairs = 0;  ///< Those of them whose restitution is between 0 and 1.
@@ -84,7 +84,7 @@ bool is_between_0_and_1(double restitution) {
   return restitution > 0 && restitution < 1;
 }
 
-/// Adds the pair of bodies if shapes of theirs touch.
+/// Adds the pair of bodies if any of their shapes touch.
 void add_pair(const Model& model, const State& state, int a, int b, double tolerance, Touching& touching) {
   const Pose X_WA = pose_of(state, a), X_WB = pose_of(state, b);
   bool is_touching = false, bounces = false;
@@ -212,10 +212,9 @@ std::span<const SchemeRule> scheme_rules() {
   return rules;
 }
 
-std::vector<SchemeRefusal> scheme_refusals(const Model& model, const Method& method,
-                                           std::span<const Scheme> available) {
+std::vector<SchemeRefusal> scheme_refusals(const Model& model, const Method& method) {
   std::vector<SchemeRefusal> refusals;
-  for (const Scheme scheme : available) {
+  for (const Scheme scheme : all_schemes()) {
     Method candidate = method;
     candidate.scheme = scheme;
     std::vector<std::string> reasons = check_scheme(model, candidate);
@@ -225,34 +224,29 @@ std::vector<SchemeRefusal> scheme_refusals(const Model& model, const Method& met
   return refusals;
 }
 
-SchemeChoice choose_scheme(const SchemeFacts& facts, std::span<const Scheme> available,
-                           std::span<const SchemeRefusal> refusals) {
-  const auto is_possible = [&](Scheme scheme) {
-    return std::find(available.begin(), available.end(), scheme) != available.end() &&
-           !refusal_of(scheme, refusals);
-  };
+SchemeChoice choose_scheme(const SchemeFacts& facts, std::span<const SchemeRefusal> refusals) {
   const std::span<const SchemeRule> rules = scheme_rules();
   const SchemeRule& rule =
       *std::find_if(rules.begin(), rules.end(), [&](const SchemeRule& each) { return each.applies(facts); });
   std::vector<Scheme> candidates = rule.schemes;
-  candidates.insert(candidates.end(), available.begin(), available.end());
-  const auto chosen = std::find_if(candidates.begin(), candidates.end(), is_possible);
+  const std::vector<Scheme> others = all_schemes();
+  candidates.insert(candidates.end(), others.begin(), others.end());
+  const auto chosen = std::find_if(candidates.begin(), candidates.end(),
+                                   [&](Scheme each) { return !refusal_of(each, refusals); });
   const Scheme scheme = chosen == candidates.end() ? Scheme::event_driven : *chosen;
   std::string reason =
       fmt::format("{}, since {}: {} ({})", scheme_name(scheme), rule.when, rule.why, facts_text(facts));
   for (const Scheme better : rule.schemes) {
     if (better == scheme) break;
-    const SchemeRefusal* const refusal = refusal_of(better, refusals);
-    reason +=
-        fmt::format("; {} would come before it and {}", scheme_name(better),
-                    refusal ? "refuses the scene: " + refusal->reason : "is not available in this version");
+    reason += fmt::format("; {} would come before it and refuses the scene: {}", scheme_name(better),
+                          refusal_of(better, refusals)->reason);
   }
   return {scheme, std::move(reason)};
 }
 
-std::vector<Scheme> available_schemes() {
+std::vector<Scheme> all_schemes() {
   std::vector<Scheme> schemes;
-  for (const std::string& name : method_values("scheme", true)) {
+  for (const std::string& name : method_values("scheme")) {
     Method method;
     set_method_choice("scheme", name, method);
     if (method.scheme != Scheme::automatic) schemes.push_back(method.scheme);
@@ -262,9 +256,8 @@ std::vector<Scheme> available_schemes() {
 
 ResolvedMethod resolve_scheme(const Model& model, const Method& method) {
   if (method.scheme != Scheme::automatic) return {method, {}};
-  const std::vector<Scheme> available = available_schemes();
-  SchemeChoice choice = choose_scheme(scheme_facts(model, method.contact_tolerance), available,
-                                      scheme_refusals(model, method, available));
+  SchemeChoice choice =
+      choose_scheme(scheme_facts(model, method.contact_tolerance), scheme_refusals(model, method));
   ResolvedMethod resolved{method, std::move(choice.reason)};
   resolved.method.scheme = choice.scheme;
   return resolved;

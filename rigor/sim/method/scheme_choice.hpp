@@ -1,6 +1,5 @@
 #pragma once
 
-#include "rigor/model/model.hpp"
 #include "rigor/sim/method/method.hpp"
 
 #include <span>
@@ -10,14 +9,17 @@
 
 namespace rigor {
 
-/// What of a scene the choice of a scheme rests on: the Model and its start, nothing that time changes.
+class Model;
+
+/// The facts of a scene on which the choice of a scheme rests: of the Model and its start, so that they never
+/// change in a run.
 struct SchemeFacts {
   int dynamic_bodies = 0;
   int colliding_bodies = 0;  ///< Dynamic bodies that may touch any other body.
   int touching_pairs = 0;    ///< Pairs of bodies that touch at t = 0.
   int bouncing_pairs = 0;    ///< Those of them whose restitution is between 0 and 1.
-  int bouncing_apart =
-      0;  ///< Colliding bodies that touch nothing at t = 0, with a restitution between 0 and 1.
+  /// Colliding bodies that touch nothing at t = 0, with a restitution between 0 and 1.
+  int bouncing_apart = 0;
   int joints = 0;
   bool has_closed_form = false;    ///< Nothing but gravity acts between contacts.
   double lowest_restitution = 0;   ///< Of the materials of bodies that may touch; 0 if none may.
@@ -32,39 +34,37 @@ SchemeFacts scheme_facts(const Model& model, double contact_tolerance);
 struct SchemeRule {
   std::string_view when;  ///< "at most 40 bodies collide".
   bool (*applies)(const SchemeFacts& facts);
-  std::vector<Scheme> schemes;  ///< The first one that is available is taken.
+  std::vector<Scheme> schemes;  ///< The first one that does not refuse the scene is taken.
   std::string_view why;
 };
 
-/// The table; its last line always applies and ends with event-driven, which is always available.
+/// The table; its last line always applies, and every line ends with event-driven.
 std::span<const SchemeRule> scheme_rules();
 
-/// What was chosen, and why in a sentence without its full stop.
+/// The scheme that was chosen, and why, in a sentence without its full stop.
 struct SchemeChoice {
   Scheme scheme;
   std::string reason;
 };
 
-/// A scheme that cannot run the scene.
+/// A scheme that cannot run the scene, and why.
 struct SchemeRefusal {
   Scheme scheme;
   std::string reason;  ///< As check_scheme and check_combination say it.
 };
 
-/// The schemes among those available that the model, or the rest of the method, does not go with.
-std::vector<SchemeRefusal> scheme_refusals(const Model& model, const Method& method,
-                                           std::span<const Scheme> available);
+/// All schemes, in the order of the enumerators; `auto` is not one of them.
+std::vector<Scheme> all_schemes();
 
-/// The scheme of the first rule that applies, among those available that do not refuse the scene; where the
-/// rule has none, the first one available that does not. Event-driven if all refuse.
-SchemeChoice choose_scheme(const SchemeFacts& facts, std::span<const Scheme> available,
-                           std::span<const SchemeRefusal> refusals = {});
+/// The schemes that do not go with the model or with the rest of the method.
+std::vector<SchemeRefusal> scheme_refusals(const Model& model, const Method& method);
 
-/// The schemes that this version offers; `auto` is none of them.
-std::vector<Scheme> available_schemes();
+/// The first scheme of the first rule that applies which does not refuse the scene; if all schemes of the
+/// rule refuse, the first of the others that does not. Event-driven if every scheme refuses.
+SchemeChoice choose_scheme(const SchemeFacts& facts, std::span<const SchemeRefusal> refusals = {});
 
-/// The method with the scheme that `auto` stands for in this scene, and the reason; any other method as it
-/// is, without a reason. The same Model gives the same answer at any time.
+/// The method with the scheme that `auto` stands for in this scene, and the reason; a method that names its
+/// scheme stays as it is, without a reason. The same Model always gives the same answer.
 struct ResolvedMethod {
   Method method;
   std::string scheme_reason;

@@ -1,5 +1,8 @@
 #include "rigor/sim/method/toi_choice.hpp"
 
+#include "rigor/sim/method/method.hpp"
+#include "rigor/sim/method/tolerances.hpp"
+
 namespace rigor {
 
 ToiOptions toi_choice(const Method& method) {
@@ -10,7 +13,7 @@ ToiOptions toi_choice(const Method& method) {
   options.distance = method.distance == DistanceMethod::lin_canny ? ToiDistance::lin_canny : ToiDistance::gjk;
   options.contact_tolerance = method.contact_tolerance;
   options.time_tolerance = method.time_tolerance;
-  options.rest_velocity = 1e-6 * method.resting_velocity;
+  options.rest_velocity = still_speed(method.resting_velocity);
   return options;
 }
 

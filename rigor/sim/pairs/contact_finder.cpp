@@ -15,12 +15,16 @@ ContactFinder::ContactFinder(const Model& model, BroadPhaseMethod method)
 std::vector<std::pair<int, int>> ContactFinder::near_pairs(const State& state,
                                                            const std::vector<double>& reaches) {
   RIGOR_ASSERT(reaches.size() == box_of_.size());
+
+  // The boxes of all bodies, grown by their reaches.
   for (int i = 0; i < model_.body_count(); ++i) {
     if (model_.body(i).shapes.empty()) continue;
     const std::size_t k = at(i);
     box_of_[k] = body_box(model_, state, i).grown(reaches[k]);
     boxes_->set(i, box_of_[k]);
   }
+
+  // Boxes that meet, of bodies that may collide.
   std::vector<std::pair<int, int>> pairs;
   std::vector<int> near;
   for (int i = 0; i < model_.body_count(); ++i) {

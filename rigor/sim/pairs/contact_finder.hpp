@@ -21,7 +21,7 @@ class ContactFinder {
   /// its body [m], meet; lower index first, in order.
   std::vector<std::pair<int, int>> near_pairs(const State& state, const std::vector<double>& reaches);
   /// All contacts of these pairs with gaps up to tolerance + the reaches of both bodies, in the order of
-  /// bodies, shapes and features. `reaches`, one a body: how far its points may come in the step [m].
+  /// bodies, shapes and features. `reaches`, one per body: how far its points may move in the step [m].
   std::vector<Contact> find(const State& state, const std::vector<double>& reaches, double tolerance);
 
  private:

@@ -24,6 +24,7 @@ Aabb body_box(const Model& model, const State& state, int body) {
 }
 
 std::vector<std::pair<int, int>> near_pairs(const Model& model, const State& state, double margin) {
+  // Bounded bodies in a tree; planes meet everything.
   AabbTree tree;
   std::vector<Aabb> boxes;
   std::vector<int> unbounded;
@@ -36,6 +37,8 @@ std::vector<std::pair<int, int>> near_pairs(const Model& model, const State& sta
       unbounded.push_back(i);
     }
   }
+
+  // Boxes that meet, of bodies that may collide.
   std::vector<std::pair<int, int>> pairs;
   std::vector<int> near;
   for (int i = 0; i < model.body_count(); ++i) {

@@ -5,9 +5,9 @@
 
 namespace rigor {
 
-/// Bounds of how fast the springs, dampers and drags of the scene's forces and bodies make bodies swing and
-/// settle [1/s]: what steps that take them explicitly must resolve. 0 if there are none; the springs and
-/// dampers of joints are not counted.
+/// Bounds of the rates [1/s] at which the springs, dampers and drags of the scene make bodies swing and
+/// settle: explicit steps must resolve them. 0 if there are none; the springs and dampers of joints are not
+/// counted.
 ///
 /// With μ = 1/m + r²/I of a spring's end on a body (r: its distance from the centre of mass, I: the least
 /// moment), the energy of the springs in units of that of the masses is Σ_b (Σ_i √(k_i μ_ib) x_i)² ≤ 2 max_b

@@ -9,6 +9,7 @@ namespace rigor {
 
 namespace {
 
+/// Normal force of contact i at its relative velocity u; none of forces with a largest value.
 double normal_force_at(const Touching& touching, std::size_t i, const Vec3& u) {
   const Contact& contact = touching.system.contacts[i];
   if (contact.is_bounded_force()) return 0;
@@ -20,15 +21,15 @@ Vec3 velocity_at(const VecX& u, std::size_t i) {
   return u.segment<3>(3 * static_cast<Eigen::Index>(i));
 }
 
-bool resists_turning(const Contact& contact) {
+bool has_moments(const Contact& contact) {
   return !contact.stop && (contact.rolling_friction > 0 || contact.torsional_friction > 0);
 }
 
-Vec3 relative_turning_W(const ContactSystem& system, const Contact& contact) {
+Vec3 relative_angular_velocity(const ContactSystem& system, const Contact& contact) {
   return system.of(contact.body_B).w - system.of(contact.body_A).w;
 }
 
-/// v no longer than the limit.
+/// v, shortened to the limit if it is longer.
 Vec3 shortened(const Vec3& v, double limit) {
   const double length = v.norm();
   return length > limit ? Vec3(v * (limit / length)) : v;
@@ -43,12 +44,13 @@ Parts parts_of(const Vec3& v, const Vec3& n) {
   return {along, v - along};
 }
 
-/// Moment on B: a bristle of angles, stiff and damped as that of slip at the arms ρ and σ, within ρ f_n
-/// across the normal and σ f_n along it.
+/// Moment on B at relative angular velocity w: a bristle of angles, stiff and damped as that of slip at the
+/// arms ρ and σ, bounded by ρ f_n across the normal and by σ f_n along it.
 Vec3 moment_on_B(const Contact& contact, const PenaltyContact& spring, const Vec3& w, double f_n) {
   const double rho = contact.rolling_friction, sigma = contact.torsional_friction;
+  // Spring and damper of the bristle [N/m rad], before the arms.
   const Parts parts =
-      parts_of(spring.bristle_stiffness * spring.turn_W + spring.bristle_damping * w, contact.point.n_W);
+      parts_of(spring.bristle_stiffness * spring.rotation_W + spring.bristle_damping * w, contact.point.n_W);
   return -shortened(rho * rho * parts.across, rho * f_n) -
          shortened(sigma * sigma * parts.along, sigma * f_n);
 }
@@ -60,6 +62,7 @@ VecX penalty_forces(const Touching& touching) {
   const VecX u = relative_velocities(system);
   VecX forces(u.size());
   for (std::size_t i = 0; i < touching.springs.size(); ++i) {
+    // Normal force of the spring and its damper; friction of the bristle, bounded by Coulomb's cone.
     const Vec3 own = velocity_at(u, i);
     const double f_n = normal_force_at(touching, i, own);
     const double limit = friction_limit(system.contacts[i], system.rows[i], f_n);
@@ -71,24 +74,26 @@ VecX penalty_forces(const Touching& touching) {
 
 namespace {
 
-/// Moments of all contacts that resist turning; `on_B(i, w)`: that of the i-th on B at relative turning w.
+/// Moments of all contacts that resist rotation; on_B(i, w): that of contact i on B at relative angular
+/// velocity w.
 template <class OnB>
 PenaltyMoments summed_moments(const Touching& touching, const OnB& on_B) {
   const ContactSystem& system = touching.system;
   PenaltyMoments moments;
   for (std::size_t i = 0; i < touching.springs.size(); ++i) {
     const Contact& contact = system.contacts[i];
-    if (!resists_turning(contact)) continue;
+    if (!has_moments(contact)) continue;
     moments.wrenches.resize(system.bodies.size());
-    const Vec3 w = relative_turning_W(system, contact);
+    const Vec3 w = relative_angular_velocity(system, contact);
     const Vec3 tau = on_B(i, w);
     moments.power_taken -= tau.dot(w);
+    // The moment acts on B, its opposite on A.
     for (const auto& [body, sign] : {std::pair{contact.body_A, -1.0}, std::pair{contact.body_B, 1.0}}) {
       const BodyKinetics& kinetics = system.of(body);
       if (kinetics.inverse_mass > 0) {
         moments.wrenches[at(system.local_index(body))].tau_W += sign * tau;
       } else {
-        // What the prescribed body gets comes from outside; the other gets the opposite from it.
+        // A prescribed body takes its moment from outside, and exerts the opposite on the other body.
         moments.external_W -= sign * tau;
         moments.power_of_prescribed -= sign * tau.dot(kinetics.w);
       }
@@ -107,18 +112,20 @@ PenaltyMoments penalty_moments(const Touching& touching, const VecX& forces) {
 
 PenaltyMoments stopping_moments(const Touching& touching, const VecX& forces, double h) {
   const ContactSystem& system = touching.system;
-  // Several contacts of a body share what stops it.
+  // Contacts of each body: they share the moment that stops it.
   std::vector<double> sharers(system.bodies.size(), 0);
   for (const Contact& contact : system.contacts) {
-    if (!resists_turning(contact)) continue;
+    if (!has_moments(contact)) continue;
     for (const int body : {contact.body_A, contact.body_B}) sharers[at(system.local_index(body))] += 1;
   }
   return summed_moments(touching, [&](std::size_t i, const Vec3& w) {
     const Contact& contact = system.contacts[i];
+    // The moment that stops the relative rotation within h, as if each contact had its share of the bodies.
     double mobility = 0;
     for (const int body : {contact.body_A, contact.body_B})
       mobility += sharers[at(system.local_index(body))] * system.of(body).inverse_inertia.trace();
     const Parts parts = parts_of(w / (h * mobility), contact.point.n_W);
+    // Within the same limits as the bristles.
     const double f_n = velocity_at(forces, i).z();
     return Vec3(-shortened(parts.across, contact.rolling_friction * f_n) -
                 shortened(parts.along, contact.torsional_friction * f_n));
@@ -131,8 +138,9 @@ void move_bristles(double h, Touching& touching) {
     PenaltyContact& spring = touching.springs[i];
     const Contact& contact = touching.system.contacts[i];
     if (!(spring.bristle_stiffness > 0)) continue;
+    // Bristles follow the slip and the relative rotation.
     move_bristle(touching.system.frames[i], h * velocity_at(u, i).head<2>(), spring);
-    if (resists_turning(contact)) spring.turn_W += h * relative_turning_W(touching.system, contact);
+    if (has_moments(contact)) spring.rotation_W += h * relative_angular_velocity(touching.system, contact);
   }
 }
 
@@ -142,15 +150,16 @@ void slide_bristles(Touching& touching) {
     PenaltyContact& spring = touching.springs[i];
     const Contact& contact = touching.system.contacts[i];
     if (!(spring.bristle_stiffness > 0)) continue;
+    // Sliding: the bristle of slip shrinks to what the friction limit holds.
     const double f_n = normal_force_at(touching, i, velocity_at(u, i));
     slide_bristle(friction_limit(contact, touching.system.rows[i], f_n), spring);
-    if (!resists_turning(contact)) continue;
-    // k ρ² |φ| ≤ ρ f_n, and σ likewise.
-    const Parts turn = parts_of(spring.turn_W, contact.point.n_W);
+    if (!has_moments(contact)) continue;
+    // Rolling and spinning: k ρ² |φ| ≤ ρ f_n across the normal, and likewise with σ along it.
+    const Parts angle = parts_of(spring.rotation_W, contact.point.n_W);
     const double rho = contact.rolling_friction, sigma = contact.torsional_friction;
-    spring.turn_W = Vec3::Zero();
-    if (rho > 0) spring.turn_W += shortened(turn.across, f_n / (rho * spring.bristle_stiffness));
-    if (sigma > 0) spring.turn_W += shortened(turn.along, f_n / (sigma * spring.bristle_stiffness));
+    spring.rotation_W = Vec3::Zero();
+    if (rho > 0) spring.rotation_W += shortened(angle.across, f_n / (rho * spring.bristle_stiffness));
+    if (sigma > 0) spring.rotation_W += shortened(angle.along, f_n / (sigma * spring.bristle_stiffness));
   }
 }
 

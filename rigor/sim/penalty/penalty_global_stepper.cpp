@@ -14,28 +14,26 @@ namespace rigor {
 
 namespace {
 
-/// Share of 1/ω of a step that resolves an impact that bounces.
-constexpr double step_share = 0.2;
-/// Steps of at most this times 1/ω are midpoint steps.
+/// Steps of at most this share of 1/ω are midpoint steps.
 constexpr double midpoint_share = 1;
-/// Steps whose springs could not be solved for are halved down to this share of the target step.
+/// Steps for which the solver of the springs does not converge are halved, down to this share of the target
+/// step.
 constexpr double least_share = 1e-3;
 
-/// The straight line that stands for a spring in a step: its value at the step's begin [N], and its slope
-/// [N/m].
+/// The straight line that stands for a spring in a step: its force at the beginning [N], and its slope [N/m].
 struct Line {
   double force, slope;
 };
 
-/// Linear springs are one; of others the chord to the depth that would be reached without them.
+/// A linear spring is its own line; of others it is the chord to the depth reached without them.
 Line line_of(const PenaltySpring& spring, double depth, double reached) {
   if (spring.law == PenaltyNormalLaw::linear) return {spring.stiffness * depth, spring.stiffness};
   if (!(depth > 0)) {
-    // From the touch on.
+    // The contact begins within the step: the chord from the touch on.
     const double slope = reached > 0 ? normal_force(spring, reached, 0) / reached : 0;
     return {slope * depth, slope};
   }
-  constexpr double least_growth = 1e-3;  // Shorter chords are all rounding.
+  constexpr double least_growth = 1e-3;  // Shorter chords consist of rounding.
   const double force = normal_force(spring, depth, 0);
   if (!(reached > (1 + least_growth) * depth)) return {force, stiffness_at(spring, depth)};
   return {force, (normal_force(spring, reached, 0) - force) / (reached - depth)};
@@ -68,6 +66,7 @@ double GlobalPenaltyStepper::end_of_step(double t, double t_end) const {
 }
 
 void GlobalPenaltyStepper::take_step(double t_next, State& state) {
+  // Midpoint rule where the step resolves the springs, backward Euler otherwise.
   const double t = state.t, h = t_next - t;
   const PenaltyRates rates = penalty_rates(touching_.system, touching_.springs, method_.penalty_depth);
   const double theta = h * rates.frequency <= midpoint_share ? 0.5 : 1;
@@ -78,26 +77,29 @@ void GlobalPenaltyStepper::take_step(double t_next, State& state) {
   contacts_.update_velocities(t, phases_, touching_);
   const VecX u_before = relative_velocities(touching_.system);
 
+  // Kick by the environment (half of it if joints split the step), then the impulses of all springs.
   apply_kick(t, is_split ? 0.5 * h : h, KickForm::explicit_kick);
   const VecX u_free = relative_velocities(touching_.system);
   const std::optional<VecX> solved = solve_contacts(u_before, u_free, h, theta);
   if (!solved) {
-    // Half the step is an easier problem.
+    // Half of the step is an easier problem.
     phases_ = before;
     report_ = noted;
     take_step(t + 0.5 * h, state);
     return;
   }
   const VecX& lambda = *solved;
+  // Impulses, bristles and positions, with the velocities at θ.
   apply_contacts(lambda, h);
   contacts_.update_velocities(t, phases_, touching_);
   const VecX u_after = relative_velocities(touching_.system);
   note_contact_work(lambda, 0.5 * (u_free + u_after));
   move_springs((1 - theta) * u_before + theta * u_after, lambda, h);
   move(before, lambda, h, theta);
-  if (is_split) put_joints_back(t_next);
+  if (is_split) project_joints(t_next);
   if (note_not_finite()) return;
 
+  // Contacts at the end of the step, and the second half of the kick.
   state.contacts = contacts_.memories(touching_);
   write_state(t_next, state);
   touching_ = contacts_.find(state, target_step_, 0);
@@ -113,9 +115,11 @@ std::vector<ImplicitSpring> GlobalPenaltyStepper::springs(const VecX& u_free, do
   for (std::size_t i = 0; i < touching_.springs.size(); ++i) {
     const Contact& contact = system.contacts[i];
     const PenaltyContact& spring = touching_.springs[i];
+    // Normal: the line of the spring with its damper.
     const double depth = -contact.point.gap - spring.offset;
     const Line normal = line_of(spring.spring, depth, depth - h * u_free[row_of(i) + 2]);
     const double c = depth > 0 ? damping_at(spring.spring, depth) : 0;
+    // Tangential: the bristle, linear in the slip of the step.
     const Vec2 slip = (system.frames[i].transpose() * spring.slip_W).head<2>();
     const double k_t = spring.bristle_stiffness, S_t = theta * h * k_t + spring.bristle_damping;
     rows.push_back({.force = Vec3(-k_t * slip.x(), -k_t * slip.y(), normal.force),
@@ -144,14 +148,17 @@ void GlobalPenaltyStepper::apply_contacts(const VecX& lambda, double h) {
   const ContactSystem& system = touching_.system;
   if (lambda.size() == 0) return;
   Kick kick;
-  kick.lambda = VecX::Zero(lambda.size());  // Their work is noted with the velocities around them alone.
+  // The work of λ is booked by the caller, with the velocities just before and after it.
+  kick.lambda = VecX::Zero(lambda.size());
   kick.impulses = contact_wrenches(system, lambda);
   kick.work = work_of_prescribed(system, lambda);
+  // Moments of rolling and torsional friction.
   const PenaltyMoments moments = stopping_moments(touching_, lambda / h, h);
   for (std::size_t b = 0; b < moments.wrenches.size(); ++b)
     kick.impulses[b].tau_W += h * moments.wrenches[b].tau_W;
-  kick.turning_work = h * moments.power_taken;
+  kick.moment_work = h * moments.power_taken;
   kick.work += h * moments.power_of_prescribed;
+  // Joints answer to both.
   VecX of_joints;
   if (system.joints) {
     JointReactions reactions = with_joint_impulses(system, std::move(kick.impulses),
@@ -169,7 +176,7 @@ void GlobalPenaltyStepper::apply_contacts(const VecX& lambda, double h) {
 
 void GlobalPenaltyStepper::move(const std::vector<BodyPhase>& before, const VecX& lambda, double h,
                                 double theta) {
-  // Bodies that no spring pushes fly along the mean of their velocities: parabolas are exact.
+  // Bodies without a spring move along the mean of their velocities, which is exact for parabolas.
   std::vector<bool> is_pushed(at(model_->body_count()), false);
   for (std::size_t i = 0; i < touching_.springs.size(); ++i) {
     if (lambda.segment<3>(row_of(i)).isZero(0)) continue;
@@ -180,7 +187,7 @@ void GlobalPenaltyStepper::move(const std::vector<BodyPhase>& before, const VecX
   for (std::size_t i = 0; i < phases_.size(); ++i) {
     const int body = contacts_.dynamic_bodies()[i];
     const Body& B = model_->body(body);
-    // With half kicks the velocity in between is the mean.
+    // Between two half kicks the velocity is the mean already.
     const double own = is_split || is_pushed[at(body)] ? (is_split ? 1 : theta) : 0.5;
     BodyPhase& phase = phases_[i];
     const Vec3 P = (1 - own) * before[i].P + own * phase.P, L = (1 - own) * before[i].L + own * phase.L;

@@ -8,8 +8,9 @@
 namespace rigor {
 
 /// `method.scheme: penalty` with `method.penalty: global`: the springs of all contacts that touch or that the
-/// step may reach are solved together, implicitly, so that steps need not resolve them: backward Euler (θ =
-/// 1), or the midpoint rule (θ = ½) where steps do resolve them. Only impacts that bounce ask for sub-steps.
+/// step may reach are solved together, implicitly, so that steps need not resolve them: by backward Euler (θ
+/// = 1), or by the midpoint rule (θ = ½) where steps do resolve them. Only impacts that bounce require
+/// sub-steps.
 ///
 /// A step is a kick by the forces of the environment, the impulses of all springs
 /// (solve_implicit_springs), and the motion of each body along its velocity at θ. With joints the kick is
@@ -24,8 +25,8 @@ class GlobalPenaltyStepper : public PenaltyStepper {
   VecX contact_forces() const override;
 
   std::vector<ImplicitSpring> springs(const VecX& u_free, double h, double theta) const;
-  /// Impulses of the contacts of one step; u_before, u_free: before it, and after it without them. None if
-  /// they could not be found and a shorter step may help.
+  /// Impulses of the contacts in a step; u_before, u_free: their velocities before it, and after it without
+  /// impulses. None if the solver did not converge and a shorter step may help.
   std::optional<VecX> solve_contacts(const VecX& u_before, const VecX& u_free, double h, double theta);
   void apply_contacts(const VecX& lambda, double h);
   void move(const std::vector<BodyPhase>& before, const VecX& lambda, double h, double theta);

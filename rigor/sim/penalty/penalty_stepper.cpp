@@ -1,10 +1,9 @@
 #include "rigor/sim/penalty/penalty_stepper.hpp"
 
 #include "rigor/contact/penalty/penalty_rates.hpp"
-#include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/core/sorted_unique.hpp"
 #include "rigor/dynamics/free_rotation.hpp"
-#include "rigor/sim/fixed_steps/fixed_steps.hpp"
 #include "rigor/sim/penalty/force_rates.hpp"
 #include "rigor/sim/penalty/penalty_forces.hpp"
 
@@ -17,22 +16,15 @@ namespace rigor {
 
 namespace {
 
-/// Share of 1/ω that an explicit sub-step takes: the energy error of an impact is then below a percent.
-constexpr double step_share = 0.2;
 /// Largest product of a sub-step and the rate of the dampers.
 constexpr double damping_share = 1;
 /// How far ahead contacts are looked for, in sub-steps.
 constexpr double steps_ahead = 50;
-/// Of the implicit kick; each takes (h/2) × (rate of the dampers) ≤ 1/2 of the error.
+/// Iterations of the implicit kick; each leaves (h/2) × (rate of the dampers) ≤ 1/2 of the error.
 constexpr int kick_iterations = 4;
 
 BodyInertia inertia_of(const Body& body) {
   return {body.mass, body.moments};
-}
-
-/// Place of a body in the ascending list that holds it.
-std::size_t place_of(const std::vector<int>& bodies, int body) {
-  return at(static_cast<int>(std::lower_bound(bodies.begin(), bodies.end(), body) - bodies.begin()));
 }
 
 void add(const std::vector<Wrench>& more, std::vector<Wrench>& wrenches) {
@@ -49,53 +41,44 @@ PenaltyStepper::PenaltyStepper(std::shared_ptr<const Model> model, const Method&
 
 PenaltyStepper::PenaltyStepper(std::shared_ptr<const Model> model, const Method& method, double target_step,
                                TouchingForm form)
-    : model_(std::move(model)),
+    : FixedStepStepper(std::move(model), target_step),
       method_(method),
-      target_step_(target_step),
       environment_(*model_),
-      integrator_(*model_, environment_, method),
-      joints_(*model_, integrator_),
-      contacts_(*model_, environment_, integrator_, method, form) {
-  RIGOR_ASSERT(target_step > 0);
-  // The forces of the scene are kicks: what they make swing asks for short steps as contacts do, and shorter
-  // ones, since it swings on: its energy is off by (ω h)²/4.
+      assembler_(*model_, environment_),
+      joints_(*model_, assembler_),
+      contacts_(*model_, environment_, assembler_, method, form) {
+  // The forces of the scene are kicks: bodies that swing under them require short steps as contacts do, and
+  // shorter ones, since they keep swinging: their energy is off by (ω h)²/4.
   constexpr double swing_share = 0.05;
   const PenaltyRates rates = rates_of_forces(*model_);
   if (rates.frequency > 0) target_step_ = std::min(target_step_, swing_share / rates.frequency);
   if (rates.damping > 0) target_step_ = std::min(target_step_, damping_share / rates.damping);
 }
 
-AdvanceReport PenaltyStepper::advance(State& state, double t_end) {
-  RIGOR_ASSERT(t_end >= state.t && state.body_count() == model_->body_count());
-  report_ = {};
-  if (t_end == state.t) return report_;
-  const FixedSteps steps(state.t, t_end, target_step_ / std::max(method_.substeps, 1.0));
-  // What was known at the end of the last call is forgotten: the State says it all.
+double PenaltyStepper::longest_step() const {
+  return target_step_ / std::max(method_.substeps, 1.0);
+}
+
+void PenaltyStepper::begin_span(double first_end, State& state) {
   phases_ = contacts_.phases(state);
+
+  // Where nothing is remembered, springs begin as the forces of rigid contact press them.
   if (state.contacts.empty()) {
     state.contacts = contacts_.pressed_at_rest(state);
     for (const ContactMemory& pressed : state.contacts) report_.work += pressed.energy;
   }
-  touching_ = contacts_.find(state, horizon(state, steps.end(0)), 0);
-  for (long k = 0; k < steps.count() && report_.reason == StopReason::reached_end; ++k)
-    advance_to(steps.end(k), state);
-  return report_;
+  touching_ = contacts_.find(state, horizon(state, first_end), 0);
 }
 
-void PenaltyStepper::advance_to(double t_end, State& state) {
-  while (state.t < t_end && report_.reason == StopReason::reached_end) {
-    if (interrupt_ && interrupt_()) {
-      report_.reason = StopReason::interrupted;
-      return;
-    }
-    const double t_next = end_of_step(state.t, t_end);
-    if (!(t_next - state.t > 8 * std::numeric_limits<double>::epsilon() * std::abs(state.t))) {
-      report_.reason = StopReason::events_accumulate;
-      report_.detail = "the springs of contacts ask for shorter steps than time resolves";
-      return;
-    }
-    take_step(t_next, state);
+double PenaltyStepper::step_towards(double t_end, double t, State& state) {
+  const double t_next = end_of_step(t, t_end);
+  if (!(t_next - t > 8 * std::numeric_limits<double>::epsilon() * std::abs(t))) {
+    report_.reason = StopReason::events_accumulate;
+    report_.detail = "the springs of contacts ask for shorter steps than time resolves";
+    return t;
   }
+  take_step(t_next, state);
+  return state.t;
 }
 
 double PenaltyStepper::horizon(const State& state, double t_end) const {
@@ -122,17 +105,20 @@ double PenaltyStepper::equal_part(double t, double t_end, double longest) {
 }
 
 void PenaltyStepper::take_step(double t_next, State& state) {
+  // First kick by all forces, and the free motion.
   const double h = t_next - state.t;
   const bool is_first_order = method_.integrator == IntegratorMethod::semi_implicit_euler;
   const ElasticEnergies before = elastic_energies(touching_);
   apply_kick(state.t, is_first_order ? h : 0.5 * h, KickForm::explicit_kick);
   drift(h, t_next);
   if (note_not_finite()) return;
+  // Contacts at the new positions, and the second kick.
   write_state(t_next, state);
   touching_ = contacts_.find(state, horizon(state, t_next + target_step_), 0.5 * h);
   move_bristles(h, touching_);
   observe_contacts(t_next);
   if (!is_first_order) apply_kick(t_next, 0.5 * h, KickForm::implicit_kick);
+  // Friction lets bristles slide; springs of impacts that have calmed down soften.
   slide_bristles(touching_);
   contacts_.soften(h, touching_);
   if (note_not_finite()) return;
@@ -153,9 +139,10 @@ VecX PenaltyStepper::contact_forces() const {
 }
 
 PenaltyStepper::Kick PenaltyStepper::kick_at(double t, double h, const VecX* rate_errors) const {
+  // Forces of the environment, with what they give from outside.
   const ContactSystem& system = touching_.system;
   Kick kick;
-  std::vector<Wrench> wrenches = integrator_.environment_wrenches(system, t);
+  std::vector<Wrench> wrenches = assembler_.environment_wrenches(system, t);
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     const BodyKinetics& body = system.kinetics[b];
     if (body.inverse_mass == 0) continue;
@@ -163,16 +150,18 @@ PenaltyStepper::Kick PenaltyStepper::kick_at(double t, double h, const VecX* rat
     kick.external.tau_W += h * (wrenches[b].tau_W + body.x.cross(wrenches[b].f_W));
     kick.work += h * environment_.supplied_power(system.bodies[b], {body.x, body.v, body.w, body.R, true});
   }
+  // Forces and moments of the contacts.
   const VecX forces = contact_forces();
   add(contact_wrenches(system, forces), wrenches);
   kick.lambda = h * forces;
   kick.work += work_of_prescribed(system, kick.lambda);
   const PenaltyMoments moments = penalty_moments(touching_, forces);
   add(moments.wrenches, wrenches);
-  kick.turning_work = h * moments.power_taken;
+  kick.moment_work = h * moments.power_taken;
   kick.work += h * moments.power_of_prescribed;
   kick.external.tau_W += h * moments.external_W;
 
+  // Reactions of the joints: to the forces for accelerations, to the impulses for velocities.
   VecX of_joints;
   if (system.joints && !rate_errors) {
     JointReactions reactions = with_joint_reactions(system, std::move(wrenches));
@@ -185,6 +174,7 @@ PenaltyStepper::Kick PenaltyStepper::kick_at(double t, double h, const VecX* rat
     wrenches = std::move(reactions.wrenches);
     of_joints = reactions.lambda;
   }
+  // Work of motors, and what comes from outside through contacts and joints.
   if (system.joints) kick.work += system.joints->supplied_power(of_joints);
   const Wrench external = external_wrench(system, kick.lambda, of_joints);
   kick.external.f_W += external.f_W;
@@ -202,7 +192,7 @@ void PenaltyStepper::apply_kick(double t, double h, KickForm form) {
   if (touching_.system.joints) rate_errors = touching_.system.joints->rate_errors();
   Kick kick;
   for (int iteration = 0; iteration < (is_implicit ? kick_iterations : 1); ++iteration) {
-    // The implicit kick: the forces are those at the velocities after it.
+    // The forces of the implicit kick are those at the velocities after it: fixed-point iteration.
     kick = kick_at(t, h, is_implicit ? &rate_errors : nullptr);
     phases_ = before;
     add_impulses(kick);
@@ -220,7 +210,7 @@ void PenaltyStepper::add_impulses(const Kick& kick) {
   }
 }
 
-/// What impulses take through the springs; u: mean of the velocities of the contacts before and after.
+/// Books the energy that impulses λ of contacts take; u: mean of their velocities before and after.
 void PenaltyStepper::note_contact_work(const VecX& lambda, const VecX& u) {
   for (Eigen::Index k = 0; k < u.size(); ++k) {
     double& loss = k % 3 == 2 ? report_.damping_loss : report_.friction_loss;
@@ -228,11 +218,12 @@ void PenaltyStepper::note_contact_work(const VecX& lambda, const VecX& u) {
   }
 }
 
-/// Books of a kick; u as above.
+/// Books a kick in the ledger; u as above.
 void PenaltyStepper::note_kick(const Kick& kick, const std::vector<BodyPhase>& before, const VecX& u) {
   note_contact_work(kick.lambda, u);
-  report_.friction_loss += kick.turning_work;
+  report_.friction_loss += kick.moment_work;
   report_.work += kick.work;
+  // Change of the momenta, as a sum of small differences, without what came from outside.
   Vec3 P = -kick.external.f_W, L = -kick.external.tau_W;
   for (std::size_t i = 0; i < phases_.size(); ++i) {
     const Vec3 dP = phases_[i].P - before[i].P;
@@ -250,12 +241,12 @@ void PenaltyStepper::drift(double h, double t_next) {
     phase.q = FreeRotation(inertia.moments, phase.q, phase.L).orientation(h);
     phase.x += h / inertia.mass * phase.P;
   }
-  if (touching_.system.joints) put_joints_back(t_next);
+  if (touching_.system.joints) project_joints(t_next);
 }
 
-/// Positions back to where joints hold. What the shift makes of the angular momentum of groups that nothing
-/// outside holds is put back too.
-void PenaltyStepper::put_joints_back(double t) {
+/// Projects the positions on the joints, and restores the angular momentum of groups on which nothing outside
+/// acts.
+void PenaltyStepper::project_joints(double t) {
   const std::vector<int>& bodies = contacts_.dynamic_bodies();
   const Cluster before{.t = t, .bodies = bodies, .phases = phases_};
   joints_.project_positions(t, bodies, phases_, report_);
@@ -269,33 +260,25 @@ void PenaltyStepper::put_joints_back(double t) {
   }
 }
 
-/// Puts the phases into the State, with those of prescribed bodies.
+/// Writes the phases into the State, with those of prescribed bodies.
 void PenaltyStepper::write_state(double t, State& state) const {
   state.t = t;
   for (std::size_t i = 0; i < phases_.size(); ++i) {
     const BodyPhase& phase = phases_[i];
     state.set_body(contacts_.dynamic_bodies()[i], phase.x, phase.q, phase.P, phase.L);
   }
-  for (int i = 0; i < model_->body_count(); ++i) {
-    if (model_->body(i).motion == MotionType::dynamic) continue;
-    const PrescribedMotion motion = prescribed_motion(model_->body(i), t);
-    state.set_body(i, motion.p_WB, motion.q_WB, Vec3::Zero(), Vec3::Zero());
-  }
+  write_prescribed_bodies(state);
 }
 
 void PenaltyStepper::observe_contacts(double t) {
   note_impacts(t);
   report_.separations += touching_.lost;
   for (const Contact& contact : touching_.system.contacts) {
-    if (contact.stop || -contact.point.gap <= report_.max_penetration) continue;
-    report_.max_penetration = -contact.point.gap;
-    report_.penetration_A = contact.body_A;
-    report_.penetration_B = contact.body_B;
-    report_.penetration_time = t;
+    if (!contact.stop) report_.note_penetration(-contact.point.gap, contact.body_A, contact.body_B, t);
   }
 }
 
-/// Impacts that begin, one a pair of bodies, with their first point in the order of the contacts.
+/// Impacts that begin, one per pair of bodies, with their first point in the order of the contacts.
 void PenaltyStepper::note_impacts(double t) {
   std::pair<int, int> last{-1, -1};
   for (const std::size_t i : touching_.begun) {

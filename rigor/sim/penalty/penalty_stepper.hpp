@@ -1,42 +1,43 @@
 #pragma once
 
-#include "rigor/sim/fixed_steps/stepper.hpp"
+#include "rigor/sim/fixed_steps/fixed_step_stepper.hpp"
 #include "rigor/sim/islands/joint_projection.hpp"
 #include "rigor/sim/penalty/penalty_forces.hpp"
 
 namespace rigor {
 
-/// `method.scheme: penalty` with springs by themselves: contacts are springs and dampers
-/// (penalty_contact.hpp) that may overlap a little, integrated in sub-steps that resolve the stiffest of
-/// them.
+/// `method.scheme: penalty` with local springs: contacts are springs and dampers (penalty_contact.hpp) that
+/// let bodies overlap a little, integrated in sub-steps that resolve the stiffest of them.
 ///
 /// A sub-step is a kick by all forces over its first half, the free motion of each body over all of it, and a
 /// kick over its second half (velocity Verlet; the second kick is implicit in the velocities, by fixed-point
 /// iteration): order 2 while contacts last. With `integrator: semi-implicit-euler` one kick and the free
-/// motion: order 1. Joints hold accelerations in the first kick and velocities in the second, and positions
-/// are put back in between. Sub-steps are at most 0.2/ω, ω² a bound of the spectrum of M⁻¹ K. Source of the
-/// step: Verlet, Computer "Experiments" on Classical Fluids, Phys. Rev. 159, 1967. Derivation:
-/// docs/theory/penalty.md.
-class PenaltyStepper : public Stepper {
+/// motion: order 1. Joints constrain accelerations in the first kick and velocities in the second, and
+/// positions are projected in between. The report's steps are sub-steps. Its impacts are where and when
+/// contacts begin that approach faster than at rest, one per pair of bodies. They take time, so that their
+/// impulse is not known yet and is reported as zero.
+///
+/// Sub-steps are at most 0.2/ω, ω² a bound of the spectrum of M⁻¹ K. Source of the step: Verlet, Computer
+/// "Experiments" on Classical Fluids, Phys. Rev. 159, 1967. Derivation: docs/theory/penalty.md.
+class PenaltyStepper : public FixedStepStepper {
  public:
   PenaltyStepper(std::shared_ptr<const Model> model, const Method& method, double target_step);
 
-  void set_interrupt(std::function<bool()> interrupt) override { interrupt_ = std::move(interrupt); }
-  /// report.steps counts sub-steps. Its impacts are where and when contacts begin that approach faster than
-  /// at rest, one a pair of bodies; they take time, and their impulse is not known then: it is told as zero.
-  AdvanceReport advance(State& state, double t_end) override;
-
  protected:
+  /// Share of 1/ω of a step that resolves a spring of frequency ω: the energy error of an impact is then
+  /// below a percent.
+  static constexpr double step_share = 0.2;
+
   PenaltyStepper(std::shared_ptr<const Model> model, const Method& method, double target_step,
                  TouchingForm form);
 
   /// Impulses on all bodies of the system, joints included, and their part of the ledger.
   struct Kick {
     std::vector<Wrench> impulses;
-    VecX lambda;              ///< Of the contacts, 3 each.
-    double work = 0;          ///< Supplied from outside [J].
-    double turning_work = 0;  ///< Taken by rolling and torsional friction [J].
-    Wrench external;          ///< Impulse from outside and its moment about the origin of W.
+    VecX lambda;             ///< Of the contacts, 3 per contact.
+    double work = 0;         ///< Supplied from outside [J].
+    double moment_work = 0;  ///< Taken by the moments of rolling and torsional friction [J].
+    Wrench external;         ///< Impulse from outside and its moment about the origin of W.
   };
   enum class KickForm { explicit_kick, implicit_kick };
 
@@ -46,41 +47,40 @@ class PenaltyStepper : public Stepper {
   /// Forces of contacts in kicks [N].
   virtual VecX contact_forces() const;
 
-  /// End of the first of the fewest equal parts of t to t_end that are not longer than this.
+  /// End of the first of the fewest equal parts from t to t_end that are not longer than this.
   static double equal_part(double t, double t_end, double longest);
-  /// Forces at the velocities that the contacts know over h. rate_errors: of the joints at the velocities
-  /// that the impulses change; without them joints hold accelerations.
+  /// The impulses over h of all forces at the velocities of the contacts. rate_errors: of the joints at the
+  /// velocities that the impulses change; without them joints constrain accelerations.
   Kick kick_at(double t, double h, const VecX* rate_errors) const;
   void apply_kick(double t, double h, KickForm form);
   void add_impulses(const Kick& kick);
   void note_contact_work(const VecX& lambda, const VecX& u);
   void note_kick(const Kick& kick, const std::vector<BodyPhase>& before, const VecX& u);
   void drift(double h, double t_next);
-  void put_joints_back(double t);
+  void project_joints(double t);
   void write_state(double t, State& state) const;
   void observe_contacts(double t);
   void note_impacts(double t);
   bool note_not_finite();
-  /// Books of the springs, and all into the State.
+  /// Books what the springs lost since `before`, and writes everything into the State.
   void end_step(const ElasticEnergies& before, double t, State& state);
 
-  std::shared_ptr<const Model> model_;
   Method method_;
-  double target_step_;
   Environment environment_;
-  IslandIntegrator integrator_;
+  ContactSystemAssembler assembler_;
   JointProjection joints_;
   PenaltyTouching contacts_;
 
   Touching touching_;
   std::vector<BodyPhase> phases_;
-  AdvanceReport report_;
 
  private:
-  void advance_to(double t_end, State& state);
+  double longest_step() const override;
+  void begin_span(double first_end, State& state) override;
+  double step_towards(double t_end, double t, State& state) override;
+  /// The State is complete after every sub-step.
+  void end_span(double, State&) override {}
   double horizon(const State& state, double t_end) const;
-
-  std::function<bool()> interrupt_;
 };
 
 }  // namespace rigor

@@ -1,6 +1,8 @@
 #include "rigor/sim/penalty/penalty_touching.hpp"
 
 #include "rigor/contact/impact/joint_stops.hpp"
+#include "rigor/sim/method/resting_choice.hpp"
+#include "rigor/sim/method/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,13 +15,14 @@ namespace rigor {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-/// How many times the weight of a body presses its contact by the depth: room for what lies on it.
+/// How many times the weight of a body presses its contact by the depth, in reserve for bodies on top of it.
 constexpr double weights_on_top = 100;
-/// Share of 1/ω by which a step may miss the instant at which a contact begins or ends: of an impact it costs
-/// a share of ½ (0.02)² of the energy. What lies still may miss it by a whole step.
+/// Share of 1/ω by which a step may miss the instant at which a contact begins or ends: in an impact that
+/// costs a share of ½ (0.02)² of the energy. Bodies at rest may miss it by a whole step.
 constexpr double miss_share = 0.02, resting_share = 0.2;
 
-/// Springs whose stiffness follows from the depth harden beyond it; implicit steps take each as one line.
+/// Springs whose stiffness follows from the depth harden beyond it; implicit steps take each as a straight
+/// line.
 PenaltyChoice choice_of(const Method& method, TouchingForm form) {
   PenaltyChoice choice;
   choice.law =
@@ -46,7 +49,7 @@ double first_force(const PenaltyContact& spring) {
 
 /// The same for what the State remembers of a contact.
 double first_force(const State& state, const PenaltyChoice& choice, const Contact& contact) {
-  const auto key = empty_memory(contact).key();
+  const ContactKey key = contact.key();
   double gap = 0;
   for (auto place = std::partition_point(state.contacts.begin(), state.contacts.end(),
                                          [&](const ContactMemory& memory) { return memory.key() < key; });
@@ -60,27 +63,25 @@ void put_in_order(std::vector<ContactMemory>& memories) {
                    [](const ContactMemory& a, const ContactMemory& b) { return a.key() < b.key(); });
 }
 
-/// What the State remembers, given out once each: to the contact of the same key, or of the same shapes where
-/// features changed.
+/// The memories of the State, each of which is taken once: by the contact of the same key, or by one of the
+/// same shapes if the features have changed.
 class MemoryShelf {
  public:
   explicit MemoryShelf(const std::vector<ContactMemory>& memories) {
     for (const ContactMemory& memory : memories) shelf_[memory.key()].push_back(&memory);
   }
-  const ContactMemory* take(const ContactMemory& wanted) {
-    const auto found = shelf_.find(wanted.key());
+  const ContactMemory* take(const ContactKey& wanted) {
+    const auto found = shelf_.find(wanted);
     return found == shelf_.end() ? nullptr : take_first(found);
   }
-  const ContactMemory* take_of_same_shapes(ContactMemory wanted) {
+  const ContactMemory* take_of_same_shapes(ContactKey wanted) {
     wanted.feature = 0;
-    const auto found = shelf_.lower_bound(wanted.key());
+    const auto found = shelf_.lower_bound(wanted);
     if (found == shelf_.end()) return nullptr;
-    const auto& [a, b, i, k, feature] = found->first;
-    const bool is_same =
-        a == wanted.body_A && b == wanted.body_B && i == wanted.shape_A && k == wanted.shape_B;
-    return is_same ? take_first(found) : nullptr;
+    wanted.feature = found->first.feature;
+    return found->first == wanted ? take_first(found) : nullptr;
   }
-  /// Number and energy of those that nobody took.
+  /// Number and energy of the memories that no contact took.
   std::pair<long, double> rest() const {
     std::pair<long, double> rest{0, 0};
     for (const auto& [key, memories] : shelf_) {
@@ -90,7 +91,7 @@ class MemoryShelf {
   }
 
  private:
-  using Shelf = std::map<decltype(std::declval<ContactMemory>().key()), std::vector<const ContactMemory*>>;
+  using Shelf = std::map<ContactKey, std::vector<const ContactMemory*>>;
   const ContactMemory* take_first(Shelf::iterator place) {
     const ContactMemory* const memory = place->second.front();
     place->second.erase(place->second.begin());
@@ -103,10 +104,11 @@ class MemoryShelf {
 }  // namespace
 
 PenaltyTouching::PenaltyTouching(const Model& model, const Environment& environment,
-                                 const IslandIntegrator& integrator, const Method& method, TouchingForm form)
+                                 const ContactSystemAssembler& assembler, const Method& method,
+                                 TouchingForm form)
     : model_(model),
       environment_(environment),
-      integrator_(integrator),
+      assembler_(assembler),
       contact_tolerance_(method.contact_tolerance),
       resting_velocity_(method.resting_velocity),
       slip_tolerance_(slip_tolerance(method)),
@@ -131,7 +133,7 @@ std::vector<BodyPhase> PenaltyTouching::phases(const State& state) const {
 double PenaltyTouching::least_speed(const Contact& contact) const {
   const double a = std::max(environment_.steady_acceleration(contact.body_A).norm(),
                             environment_.steady_acceleration(contact.body_B).norm());
-  // k d = 100 m a with k = m v²/d².
+  // k d = 100 m a, with k = m v²/d².
   return std::max(resting_velocity_, std::sqrt(weights_on_top * a * choice_.depth));
 }
 
@@ -143,7 +145,7 @@ std::vector<double> PenaltyTouching::reaches(const State& state, double horizon)
     const double speed = linear_velocity(model_, state, i).norm() +
                          angular_velocity(model_, state, i).norm() * radius +
                          0.5 * horizon * environment_.steady_acceleration(i).norm();
-    // Also of bodies at rest boxes meet that touch by less than the tolerance.
+    // The boxes of bodies at rest that touch within the tolerance must meet too.
     reaches.push_back(contact_tolerance_ + horizon * speed);
   }
   return reaches;
@@ -151,6 +153,7 @@ std::vector<double> PenaltyTouching::reaches(const State& state, double horizon)
 
 double PenaltyTouching::time_to_touch(const ContactSystem& system, std::size_t contact, double u,
                                       double lag) const {
+  // Bound of the relative acceleration: steady forces, and the rotation of the arms.
   const Contact& geometry = system.contacts[contact];
   double a = 0;
   for (const int body : {geometry.body_A, geometry.body_B}) {
@@ -158,12 +161,13 @@ double PenaltyTouching::time_to_touch(const ContactSystem& system, std::size_t c
     a += environment_.steady_acceleration(body).norm() +
          of_body.w.squaredNorm() * (geometry.p_W() - of_body.x).norm();
   }
-  // gap = u t + ½ a t², u: speed of approach; the form without cancellation.
+  // Solve gap = u t + ½ a t² for t, u: speed of approach, in the form without cancellation.
   u += a * lag;
   const double gap = std::max(0.0, geometry.point.gap);
   const double root = std::sqrt(u * u + 2 * a * gap);
   const double until_touch =
       u > 0 ? (u + root > 0 ? 2 * gap / (u + root) : infinite) : (a > 0 ? (root - u) / a : infinite);
+  // Frequency of the spring that this contact will get.
   const ContactMobility mobility = contact_mobility(system, contact);
   if (!(mobility.normal > 0)) return infinite;
   const double speed = std::max(root, least_speed(geometry));
@@ -171,7 +175,7 @@ double PenaltyTouching::time_to_touch(const ContactSystem& system, std::size_t c
   double frequency = speed / choice_.depth * std::sqrt(stretch);
   if (choice_.stiffness) frequency = std::sqrt(*choice_.stiffness * mobility.normal * stretch);
   const bool is_impact = root > least_speed(geometry);
-  // Flights end before the contact begins: half of their length would be a kick by its first force.
+  // The flight ends just before the contact begins: otherwise its first force would act over half the flight.
   const double miss = (is_impact ? miss_share : resting_share) / frequency;
   return until_touch > miss ? until_touch - 0.5 * miss : miss;
 }
@@ -189,8 +193,8 @@ double PenaltyTouching::time_to_part(const Touching& touching, std::size_t conta
   return until_part > miss ? until_part - 0.5 * miss : miss;
 }
 
-/// Until the contact has come a fifth of its hardening length further into where it hardens: there its force
-/// grows by more than sub-steps of its present frequency resolve.
+/// Time until the contact is a fifth of its hardening length deep in the range where it hardens: beyond, its
+/// force grows by more than sub-steps of its present frequency resolve.
 double PenaltyTouching::time_to_harden(const Touching& touching, std::size_t contact, double u) {
   constexpr double share = 0.2;
   const PenaltyContact& spring = touching.springs[contact];
@@ -202,15 +206,19 @@ double PenaltyTouching::time_to_harden(const Touching& touching, std::size_t con
 Touching PenaltyTouching::find(const State& state, double horizon, double lag) {
   Touching touching;
   touching.free_time = horizon;
+
+  // Contacts of shapes within reach, and stops of the joints.
   const std::vector<BodyPhase> now = phases(state);
   std::vector<Contact> near = finder_.find(state, reaches(state, horizon), contact_tolerance_);
-  const std::vector<int> joints = integrator_.joints_of(bodies_);
+  const std::vector<int> joints = assembler_.joints_of(bodies_);
   if (!joints.empty()) {
-    const ContactSystem held = integrator_.system_of(state.t, bodies_, now, {});
+    const ContactSystem held = assembler_.assemble(state.t, bodies_, now, {});
     const std::vector<Contact> stops = joint_stops(model_, joints, held.bodies, held.kinetics, infinite);
     near.insert(near.end(), stops.begin(), stops.end());
   }
-  const ContactSystem all = integrator_.system_of(state.t, bodies_, now, near);
+
+  // Active contacts, and how long the others leave the bodies free.
+  const ContactSystem all = assembler_.assemble(state.t, bodies_, now, near);
   const VecX u = relative_velocities(all);
   std::vector<Contact> active;
   for (std::size_t i = 0; i < all.contacts.size(); ++i) {
@@ -222,8 +230,9 @@ Touching PenaltyTouching::find(const State& state, double horizon, double lag) {
   }
   touching.system = active.size() == all.contacts.size()
                         ? all
-                        : integrator_.system_of(state.t, bodies_, now, std::move(active));
+                        : assembler_.assemble(state.t, bodies_, now, std::move(active));
   add_springs(state, touching);
+  // Contacts that part or harden end the step, too.
   const VecX u_active = relative_velocities(touching.system);
   for (std::size_t i = 0; i < touching.springs.size(); ++i) {
     if (touching.system.contacts[i].is_bounded_force()) continue;
@@ -239,23 +248,26 @@ void PenaltyTouching::add_springs(const State& state, Touching& touching) const 
   const ContactSystem& system = touching.system;
   const std::size_t n = system.contacts.size();
   const VecX u = relative_velocities(system);
+  // Springs of contacts that the State remembers under the same key.
   MemoryShelf shelf(state.contacts);
   touching.springs.resize(n);
   std::vector<std::size_t> unknown;
   for (std::size_t i = 0; i < n; ++i) {
-    if (const ContactMemory* const memory = shelf.take(empty_memory(system.contacts[i]))) {
+    if (const ContactMemory* const memory = shelf.take(system.contacts[i].key())) {
       touching.springs[i] = penalty_contact(choice_, *memory);
     } else {
       unknown.push_back(i);
     }
   }
+  // The others take over a spring of the same shapes, or get a fresh one for their approach.
   MatX response;
   for (const std::size_t i : unknown) {
     const Contact& contact = system.contacts[i];
-    if (const ContactMemory* const memory = shelf.take_of_same_shapes(empty_memory(contact))) {
+    if (const ContactMemory* const memory = shelf.take_of_same_shapes(contact.key())) {
       touching.springs[i] = penalty_contact(choice_, *memory);
       continue;
     }
+    // What the contact moves: with joints, by the response of the whole mechanism.
     ContactMobility mobility = contact_mobility(system, i);
     if (system.joints) {
       if (response.size() == 0) response = delassus(system);
@@ -270,6 +282,7 @@ void PenaltyTouching::add_springs(const State& state, Touching& touching) const 
     if (is_fresh_impact) touching.begun.push_back(i);
     touching.springs[i] = make_penalty_contact(contact, mobility, choice, approach, -contact.point.gap);
   }
+  // Springs that began pressed forget their offset as the contact opens.
   for (std::size_t i = 0; i < n; ++i) {
     PenaltyContact& spring = touching.springs[i];
     spring.offset = std::min(spring.offset, std::max(0.0, -system.contacts[i].point.gap));
@@ -280,7 +293,7 @@ void PenaltyTouching::add_springs(const State& state, Touching& touching) const 
 void PenaltyTouching::update_velocities(double t, const std::vector<BodyPhase>& phases,
                                         Touching& touching) const {
   if (touching.system.joints) {
-    touching.system = integrator_.system_of(t, bodies_, phases, touching.system.contacts);
+    touching.system = assembler_.assemble(t, bodies_, phases, touching.system.contacts);
     return;
   }
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
@@ -292,13 +305,14 @@ void PenaltyTouching::update_velocities(double t, const std::vector<BodyPhase>& 
 
 void PenaltyTouching::soften(double h, Touching& touching) const {
   if (choice_.stiffness) return;
-  constexpr double slowness = 50;  // Time of softening in 1/ω.
+  constexpr double slowness = 50;  // Time constant of softening in 1/ω.
   const VecX u = relative_velocities(touching.system);
   for (std::size_t i = 0; i < touching.springs.size(); ++i) {
     PenaltyContact& spring = touching.springs[i];
     const Contact& contact = touching.system.contacts[i];
     const double least = least_speed(contact);
     if (contact.is_bounded_force() || contact.point.gap > 0 || !(spring.speed > 0)) continue;
+    // Only springs that have calmed down: (depth/d)² + (rate/v)² is small.
     const double pressed = pressed_depth(spring, contact.point.gap) / choice_.depth;
     const double moving = u[3 * static_cast<Eigen::Index>(i) + 2] / spring.speed;
     if (pressed * pressed + moving * moving > calm_share * calm_share) continue;
@@ -331,29 +345,32 @@ std::vector<ContactMemory> PenaltyTouching::pressed_at_rest(const State& state) 
                 [this](const Contact& contact) { return std::abs(contact.point.gap) > contact_tolerance_; });
   std::vector<ContactMemory> memories;
   for (const Cluster& part : connected_parts(cluster, cluster.contacts, environment_)) {
-    if (!part.contacts.empty() && integrator_.joints_of(part.bodies).empty()) add_pressed(part, memories);
+    if (!part.contacts.empty() && assembler_.joints_of(part.bodies).empty()) add_pressed(part, memories);
   }
   put_in_order(memories);
   return memories;
 }
 
 void PenaltyTouching::add_pressed(const Cluster& part, std::vector<ContactMemory>& memories) const {
-  constexpr std::size_t most_contacts = 400;
-  constexpr double still_share = 1e-6;
-  if (part.contacts.size() > most_contacts) return;
-  const ContactSystem touching = integrator_.system_of(part.t, part.bodies, part.phases, part.contacts);
+  if (part.contacts.size() > most_contacts_at_rest) return;
+
+  // Contacts that stay closed.
+  const ContactSystem touching = assembler_.assemble(part, part.contacts);
   const VecX u = relative_velocities(touching);
   std::vector<Contact> pressed;
   for (std::size_t i = 0; i < part.contacts.size(); ++i) {
     const double u_n = u[3 * static_cast<Eigen::Index>(i) + 2];
-    if (std::abs(u_n) <= still_share * resting_velocity_) pressed.push_back(part.contacts[i]);
+    if (std::abs(u_n) <= still_speed(resting_velocity_)) pressed.push_back(part.contacts[i]);
   }
   if (pressed.empty()) return;
-  const ContactSystem system = integrator_.system_of(part.t, part.bodies, part.phases, std::move(pressed));
+
+  // The forces of rigid contact at rest.
+  const ContactSystem system = assembler_.assemble(part, std::move(pressed));
   const CoulombSolution forces =
-      solve_resting(system, integrator_.environment_wrenches(system, part.t), slip_tolerance_, resting_)
+      solve_resting(system, assembler_.environment_wrenches(system, part.t), slip_tolerance_, resting_)
           .forces;
   if (!forces.converged) return;
+  // Springs pressed by just these forces.
   for (std::size_t i = 0; i < system.contacts.size(); ++i) {
     const Contact& contact = system.contacts[i];
     const Vec3 force = forces.lambda.segment<3>(3 * static_cast<Eigen::Index>(i));

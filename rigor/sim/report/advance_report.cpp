@@ -12,6 +12,20 @@ void ParadoxCount::add(const ParadoxCount& later) {
   }
 }
 
+void AdvanceReport::note_penetration(double depth, int A, int B, double t) {
+  if (depth <= max_penetration) return;
+  max_penetration = depth;
+  penetration_A = A;
+  penetration_B = B;
+  penetration_time = t;
+}
+
+void AdvanceReport::note_joint_drift(double drift, int joint) {
+  if (!(drift > max_joint_drift)) return;
+  max_joint_drift = drift;
+  drift_joint = joint;
+}
+
 void AdvanceReport::add(const AdvanceReport& later) {
   reason = later.reason;
   detail = later.detail;
@@ -24,16 +38,8 @@ void AdvanceReport::add(const AdvanceReport& later) {
   distance_queries += later.distance_queries;
   events.insert(events.end(), later.events.begin(), later.events.end());
   toi_bracket = std::max(toi_bracket, later.toi_bracket);
-  if (later.max_penetration > max_penetration) {
-    max_penetration = later.max_penetration;
-    penetration_A = later.penetration_A;
-    penetration_B = later.penetration_B;
-    penetration_time = later.penetration_time;
-  }
-  if (later.max_joint_drift > max_joint_drift) {
-    max_joint_drift = later.max_joint_drift;
-    drift_joint = later.drift_joint;
-  }
+  note_penetration(later.max_penetration, later.penetration_A, later.penetration_B, later.penetration_time);
+  note_joint_drift(later.max_joint_drift, later.drift_joint);
   max_joint_projection = std::max(max_joint_projection, later.max_joint_projection);
   work += later.work;
   impact_loss += later.impact_loss;

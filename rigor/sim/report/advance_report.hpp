@@ -36,13 +36,14 @@ struct ParadoxCount {
   void add(const ParadoxCount& later);
 };
 
-/// What one call of a stepper did. Never read back.
+/// What one call of a stepper did. The engine never reads it back.
 struct AdvanceReport {
   StopReason reason = StopReason::reached_end;
   std::string detail;       ///< Which bodies, when reason is not reached_end.
   std::vector<int> bodies;  ///< Concerned, when reason is not reached_end.
 
-  long steps = 0;  ///< Integrator steps of groups of bodies in contact or under forces.
+  /// Integrator steps of groups of bodies that are in contact or under forces.
+  long steps = 0;
   long impacts = 0, resting = 0, separations = 0, slip_to_stick = 0;
   long distance_queries = 0;
   std::vector<MotionEvent> events;
@@ -54,30 +55,35 @@ struct AdvanceReport {
 
   double max_joint_drift = 0;  ///< Largest |g| of a joint left at the end of a step [m or 1].
   int drift_joint = -1;        ///< Which joint that was.
-  double max_joint_projection =
-      0;  ///< Largest |g| that a step made, before positions were put back [m or 1].
+  /// Largest |g| at the end of a step before positions were projected [m or 1].
+  double max_joint_projection = 0;
 
   double work = 0;             ///< Supplied by kinematic bodies, motors, torques and body-fixed forces [J].
   double impact_loss = 0;      ///< Kinetic energy taken by impacts [J].
   double impact_gain = 0;      ///< Energy that impacts added (Newton's law with friction can) [J].
-  double damping_loss = 0;     ///< Taken by the dampers of penalty contacts [J].
-  double friction_loss = 0;    ///< Taken by the sliders of penalty contacts [J].
+  double damping_loss = 0;     ///< Energy taken by the dampers of penalty contacts [J].
+  double friction_loss = 0;    ///< Energy taken by the sliders of penalty contacts [J].
   double projection_loss = 0;  ///< Kinetic energy taken by the projections on the contacts [J].
   Vec3 momentum_error = Vec3::Zero();          ///< Σ over events of ΔP minus external impulse [kg m/s].
   Vec3 angular_momentum_error = Vec3::Zero();  ///< The same for L about the origin of W [kg m²/s].
 
-  double max_residual = 0;  ///< Of the contact problems, relative.
-  int max_iterations = 0;
-  long fallbacks = 0;  ///< Problems that did not converge to their tolerance.
+  double max_residual = 0;  ///< Largest relative residual of a contact problem.
+  int max_iterations = 0;   ///< Most iterations of a contact problem.
+  long fallbacks = 0;       ///< Contact problems that did not converge to their tolerance.
   /// Steps at velocity level (first order, where slip or modes change faster than time resolves) or with an
   /// error estimate above the tolerance.
   long coarse_steps = 0;
-  /// No finite contact forces exist: impulses of steps at velocity level resolve it (Painlevé).
+  /// Instants at which no finite contact forces exist (Painlevé): impulses of steps at velocity level resolve
+  /// them.
   ParadoxCount inconsistent;
-  /// Several forces are possible at a contact that is alone.
+  /// Instants at which several forces are possible at a contact that is alone.
   ParadoxCount indeterminate;
   double quaternion_drift = 0;  ///< Largest | |q| - 1 | before normalisation.
 
+  /// Notes an overlap of two bodies at t [s], if it is deeper than any before [m].
+  void note_penetration(double depth, int A, int B, double t);
+  /// Notes what |g| of a joint is left at the end of a step, if it is larger than any before [m or 1].
+  void note_joint_drift(double drift, int joint);
   /// Adds what a later call reported; reason, detail and bodies become the later ones.
   void add(const AdvanceReport& later);
 };

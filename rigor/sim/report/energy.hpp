@@ -1,15 +1,18 @@
 #pragma once
 
-#include "rigor/dynamics/environment.hpp"
-#include "rigor/model/state.hpp"
+#include "rigor/math/types.hpp"
 
 namespace rigor {
+
+class Environment;
+class Model;
+struct State;
 
 /// Mechanical energy of all dynamic bodies [J].
 struct Energy {
   double kinetic = 0;
   double potential = 0;  ///< Gravity and steady forces, zero at the origin of W.
-  double elastic = 0;    ///< In springs, those of soft contacts among them.
+  double elastic = 0;    ///< In springs, including those of soft contacts.
 
   double total() const { return kinetic + potential + elastic; }
 };

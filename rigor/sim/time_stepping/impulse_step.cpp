@@ -2,9 +2,13 @@
 
 #include "rigor/contact/system/contact_kinematics.hpp"
 #include "rigor/contact/system/motion_rows.hpp"
+#include "rigor/core/sorted_unique.hpp"
 #include "rigor/dynamics/free_flight.hpp"
 #include "rigor/math/dense.hpp"
 #include "rigor/math/rotation.hpp"
+#include "rigor/sim/method/resting_choice.hpp"
+#include "rigor/sim/method/tolerances.hpp"
+#include "rigor/sim/report/ledger.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -20,8 +24,9 @@ Eigen::Index normal_row(std::size_t contact) {
 }
 
 /// Replaces the accelerations at several contacts of one pair of bodies by the nearest that a rigid motion
-/// can have. The rest is of second order, and contacts that hold could not all obey it.
+/// can have. The difference is of second order, and contacts that hold could not all obey it.
 void make_rigid(const ContactSystem& system, const std::vector<std::size_t>& contacts, VecX& accelerations) {
+  // Centre of the contacts, and their largest distance from it as the unit of length.
   constexpr double dependent = 1e-9;
   Vec3 centre = Vec3::Zero();
   for (const std::size_t i : contacts)
@@ -29,6 +34,8 @@ void make_rigid(const ContactSystem& system, const std::vector<std::size_t>& con
   double radius = 0;
   for (const std::size_t i : contacts) radius = std::max(radius, (system.contacts[i].p_W() - centre).norm());
   if (!(radius > 0)) radius = 1;
+
+  // Least squares: accelerations at the contacts of all rigid motions, against those wanted.
   MatX motions(3 * static_cast<Eigen::Index>(contacts.size()), 6);
   VecX wanted(motions.rows());
   for (Eigen::Index k = 0; 3 * k < wanted.size(); ++k) {
@@ -37,6 +44,8 @@ void make_rigid(const ContactSystem& system, const std::vector<std::size_t>& con
     motions.block<3, 3>(3 * k, 3) = -skew((system.contacts[i].p_W() - centre) / radius);
     wanted.segment<3>(3 * k) = system.frames[i] * accelerations.segment<3>(normal_row(i) - 2);
   }
+
+  // The nearest of them, in the frames of the contacts.
   const VecX rigid = motions * least_norm_solution(motions, wanted, dependent);
   for (Eigen::Index k = 0; 3 * k < wanted.size(); ++k) {
     const std::size_t i = contacts[static_cast<std::size_t>(k)];
@@ -44,8 +53,8 @@ void make_rigid(const ContactSystem& system, const std::vector<std::size_t>& con
   }
 }
 
-/// J̇ V of all contacts (3n), of one pair of bodies as of a rigid motion.
-VecX turning_biases(const ContactSystem& system) {
+/// J̇ V of all contacts (3n), for each pair of bodies that of a rigid motion.
+VecX velocity_biases(const ContactSystem& system) {
   VecX biases(3 * static_cast<Eigen::Index>(system.contacts.size()));
   std::map<std::pair<int, int>, std::vector<std::size_t>> pairs;
   for (std::size_t i = 0; i < system.contacts.size(); ++i) {
@@ -61,11 +70,12 @@ VecX turning_biases(const ContactSystem& system) {
   return biases;
 }
 
-/// g⁺/h of these contacts, as velocities at the contacts of the system (3n), of one pair of bodies as a rigid
-/// motion closes them where that changes no rate by more than `resolution` [m/s]: the points of a face would
-/// ask for motions that contradict each other a little.
+/// g⁺/h of these contacts, as velocities at the contacts of the system (3n). For each pair of bodies they are
+/// those of a rigid motion, where that changes no rate by more than `resolution` [m/s]: the points of a face
+/// would otherwise require motions that contradict each other a little.
 VecX closing_rates(const std::vector<Contact>& contacts, const ContactSystem& system, double h,
                    double resolution) {
+  // g⁺/h of each contact.
   VecX rates = VecX::Zero(3 * static_cast<Eigen::Index>(contacts.size()));
   std::map<std::pair<int, int>, std::vector<std::size_t>> pairs;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -73,6 +83,8 @@ VecX closing_rates(const std::vector<Contact>& contacts, const ContactSystem& sy
     rates[normal_row(i)] = std::max(0.0, contacts[i].point.gap) / h;
     if (!contacts[i].stop) pairs[{contacts[i].body_A, contacts[i].body_B}].push_back(i);
   }
+
+  // As one rigid motion closes them, where that is near.
   for (const auto& [pair, of_pair] : pairs) {
     const bool is_apart =
         std::any_of(of_pair.begin(), of_pair.end(), [&](std::size_t i) { return rates[normal_row(i)] > 0; });
@@ -84,25 +96,22 @@ VecX closing_rates(const std::vector<Contact>& contacts, const ContactSystem& sy
   return rates;
 }
 
-std::size_t place_of(const std::vector<int>& ascending, int body) {
-  return static_cast<std::size_t>(std::lower_bound(ascending.begin(), ascending.end(), body) -
-                                  ascending.begin());
-}
-
 }  // namespace
 
 ImpulseStep::ImpulseStep(const Model& model, const Environment& environment,
-                         const IslandIntegrator& integrator, const ContactResolver& resolver,
+                         const ContactSystemAssembler& assembler, const ContactResolver& resolver,
                          const JointProjection& joints, const Method& method)
     : model_(model),
       environment_(environment),
-      integrator_(integrator),
+      assembler_(assembler),
+      integrator_(model, environment, assembler, method),
       resolver_(resolver),
       joints_(joints),
       solver_(method),
       springs_(model),
       without_springs_(model, PointSprings::left_out),
-      integrator_without_springs_(model, without_springs_, method),
+      assembler_without_springs_(model, without_springs_),
+      integrator_without_springs_(model, without_springs_, assembler_without_springs_, method),
       has_implicit_springs_(method.solver == SolverMethod::exact && springs_.has_any()),
       pushes_at_distance_(method.cone == ConeMethod::convex),
       contact_tolerance_(method.contact_tolerance),
@@ -118,17 +127,19 @@ void ImpulseStep::note(const StepImpulses& solution, AdvanceReport& report) cons
 void ImpulseStep::strike(double h, Cluster& part, AdvanceReport& report) const {
   constexpr int most_passes = 50;
   for (int pass = 0; pass < most_passes && !part.contacts.empty(); ++pass) {
-    const ContactSystem system = resolver_.system_of(part, part.contacts);
+    // Which contacts close within h, and which of them bounce.
+    const ContactSystem system = assembler_.assemble(part, part.contacts);
     Closing closing = find_closing(h, system);
     if (!closing.closes && !closing.bounces) return;
+
+    // Those that bounce collide by the law of the method, as often as it takes.
     if (closing.bounces && pass + 1 < most_passes) {
       std::swap(part.contacts, closing.contacts);
       resolver_.apply_impulses(part, report);
       std::swap(part.contacts, closing.contacts);
       continue;
     }
-    // A plastic impact: nothing closes within h any more. Forces that have a largest value do nothing at an
-    // instant.
+    // A plastic impact: nothing closes within h afterwards. Bounded forces give no impulse at an instant.
     StepLaws laws = step_laws_of(system, still_);
     laws.contacts.b = std::move(closing.b);
     laws.resolution = resolution(h);
@@ -138,11 +149,12 @@ void ImpulseStep::strike(double h, Cluster& part, AdvanceReport& report) const {
       laws.contacts.mu[i] = 0;
       if (!laws.sticks.empty()) laws.sticks[i] = false;
     }
+
+    // Its impulses, and the energy that it took.
     const StepImpulses solution = solver_.solve(system, std::move(laws));
     note(solution, report);
-    const double before = totals_of(model_, part).T, work_before = report.work;
+    const EnergyScope energy(EnergyAccount::plastic_impact, model_, part.bodies, part.phases, report);
     resolver_.add_impulses(system, solution.lambda, solution.moments, part, report);
-    report.impact_loss += before - totals_of(model_, part).T + (report.work - work_before);
     return;
   }
 }
@@ -158,7 +170,8 @@ ImpulseStep::Closing ImpulseStep::find_closing(double h, const ContactSystem& sy
     const double rate = closing.b[normal_row(i)];
     const bool closes = h * rate < -rounding * contact_tolerance_;
     closing.closes |= closes;
-    // What closes by its weight only at the end of the step bounces now too: the step would stop it.
+    // Bodies that close only under their weight at the end of the step bounce now too: the step would stop
+    // them.
     const bool meets = h * (rate + h * closing_acceleration(contact)) < -rounding * contact_tolerance_;
     const bool bounces =
         meets && contact.restitution > 0 && u_n < (contact.restitution == 1 ? 0 : -resting_velocity_);
@@ -174,7 +187,7 @@ double ImpulseStep::resolution(double h) const {
   return negligible * contact_tolerance_ / h;
 }
 
-/// Steady acceleration of B against A along the normal, where it closes the contact [m/s²].
+/// Steady acceleration of B relative to A along the normal if it closes the contact, else 0 [m/s²].
 double ImpulseStep::closing_acceleration(const Contact& contact) const {
   if (contact.stop) return 0;
   const auto acceleration = [this](int body) {
@@ -184,7 +197,7 @@ double ImpulseStep::closing_acceleration(const Contact& contact) const {
   return std::min(0.0, contact.point.n_W.dot(acceleration(contact.body_B) - acceleration(contact.body_A)));
 }
 
-/// Where the part is after h without contacts.
+/// The part after h without contacts.
 struct ImpulseStep::FreeEnd {
   std::vector<BodyPhase> phases;
   Vec3 impulse = Vec3::Zero();          ///< Of all forces from outside [N s].
@@ -196,20 +209,20 @@ bool ImpulseStep::touches(const Contact& contact) const {
   return contact.is_bounded_force() || contact.point.gap <= contact_tolerance_;
 }
 
-/// Whether springs act implicitly: where they are stiff and contacts answer to them.
+/// Whether springs act implicitly: where they are stiff and contacts react to them.
 bool ImpulseStep::holds_springs(const StepSpan& span, const Cluster& part) const {
   if (!has_implicit_springs_) return false;
   const bool is_touching = std::any_of(part.contacts.begin(), part.contacts.end(),
                                        [this](const Contact& contact) { return touches(contact); });
-  return is_touching && springs_.are_stiff(span, part.bodies, resolver_.system_of(part, part.contacts));
+  return is_touching && springs_.are_stiff(span, part.bodies, assembler_.assemble(part, part.contacts));
 }
 
 ImpulseStep::FreeEnd ImpulseStep::fly(double h, const Cluster& part, AdvanceReport& report) const {
-  return fly_among(environment_, integrator_, h, part, report);
+  return fly_under(environment_, integrator_, h, part, report);
 }
 
-/// Without contacts, under the forces of this environment.
-ImpulseStep::FreeEnd ImpulseStep::fly_among(const Environment& environment,
+/// The motion without contacts, under the forces of this environment.
+ImpulseStep::FreeEnd ImpulseStep::fly_under(const Environment& environment,
                                             const IslandIntegrator& integrator, double h, const Cluster& part,
                                             AdvanceReport& report) const {
   FreeEnd result;
@@ -228,13 +241,14 @@ ImpulseStep::FreeEnd ImpulseStep::fly_among(const Environment& environment,
     }
     return result;
   }
-  constexpr double least_share = 1e-9;
+
+  // Steps of the integrator as its error allows, with positions projected on the joints after each.
   Island island{part.bodies, part.phases, {}, {}, part.t};
   double left = h, wanted = h;
   while (left > 0) {
     integrator.choose_joint_rows(island);
     const ControlledStep taken =
-        integrator.controlled_step(island, std::min(left, wanted), std::min(left, least_share * h));
+        integrator.controlled_step(island, std::min(left, wanted), std::min(left, least_step_share * h));
     ++report.steps;
     if (taken.step.error > 1) ++report.coarse_steps;
     report.quaternion_drift = std::max(report.quaternion_drift, taken.step.quaternion_drift);
@@ -246,7 +260,7 @@ ImpulseStep::FreeEnd ImpulseStep::fly_among(const Environment& environment,
     result.work += step.work;
     island.start = std::move(step.end);
     left = step.h < left ? left - step.h : 0;
-    wanted = std::max(taken.h_next, least_share * h);
+    wanted = std::max(taken.h_next, least_step_share * h);
   }
   result.phases = std::move(island.start);
   return result;
@@ -270,7 +284,7 @@ std::vector<Contact> ImpulseStep::contacts_at(double t, const Cluster& part,
   return contacts;
 }
 
-/// Whether no contact acts in the step: nothing touches before and nothing closes on the way without them.
+/// Whether no contact acts in the step: none touches at the beginning and none would at the end.
 bool ImpulseStep::stays_clear(double h, const Cluster& part, const FreeEnd& free) const {
   if (pushes_at_distance_) return false;
   const auto is_touching = [this](const Contact& contact) { return touches(contact); };
@@ -284,8 +298,9 @@ bool ImpulseStep::stays_clear(double h, const Cluster& part, const FreeEnd& free
 }
 
 /// The contacts half way through the step, with the velocities that the bodies would have at its end without
-/// them: rows and arms there balance the momenta exactly and make smooth motion of second order.
+/// them: rows and arms there balance the momenta exactly and make the step of second order in smooth motion.
 ContactSystem ImpulseStep::middle_system(double h, const Cluster& part, const FreeEnd& free) const {
+  // Bodies half way, along the velocities of the beginning.
   std::vector<BodyPhase> middle = part.phases;
   for (std::size_t i = 0; i < part.bodies.size(); ++i) {
     const Body& body = model_.body(part.bodies[i]);
@@ -294,6 +309,8 @@ ContactSystem ImpulseStep::middle_system(double h, const Cluster& part, const Fr
     phase.x += 0.5 * h / body.mass * phase.P;
     phase.q = (rotation_exp(0.5 * h * w) * phase.q).normalized();
   }
+
+  // Contacts there, and the momenta that give the velocities of the free end with the inertia there.
   std::vector<Contact> contacts = contacts_at(part.t + 0.5 * h, part, middle);
   for (std::size_t i = 0; i < part.bodies.size(); ++i) {
     const Body& body = model_.body(part.bodies[i]);
@@ -303,24 +320,27 @@ ContactSystem ImpulseStep::middle_system(double h, const Cluster& part, const Fr
     middle[i].P = end.P;
     middle[i].L = R * body.moments.cwiseProduct(R.transpose() * w);
   }
-  return integrator_.system_of(part.t + 0.5 * h, part.bodies, middle, std::move(contacts));
+  return assembler_.assemble(part.t + 0.5 * h, part.bodies, middle, std::move(contacts));
 }
 
-/// 0 ≤ λ_n ⊥ u_n⁺ + gap/h ≥ 0 with friction against u_t⁺; forces with a largest value act all through h.
+/// 0 ≤ λ_n ⊥ u_n⁺ + gap/h ≥ 0 with friction against u_t⁺; bounded forces act all through h.
 StepLaws ImpulseStep::step_laws(double h, const Cluster& part, const ContactSystem& system) const {
   StepLaws laws = step_laws_of(system, still_);
   laws.resolution = resolution(h);
   VecX& b = laws.contacts.b;
-  // The rows turn until the end: the velocities there count, at which the next step begins.
-  b += 0.5 * h * turning_biases(system);
+  // The rows rotate until the end of the step, and the laws hold for the velocities there.
+  b += 0.5 * h * velocity_biases(system);
   b += closing_rates(part.contacts, system, h, resolution(h));
+
+  // Bounded forces act all through h.
   for (std::size_t i = 0; i < system.contacts.size(); ++i) {
     if (system.contacts[i].is_bounded_force())
       b[normal_row(i)] = -h * system.rows[i].load * system.rows[i].mobility;
   }
-  // What stuck is what touches and is still at the begin.
+
+  // A contact stuck if it touches and is still at the beginning.
   if (!laws.sticks.empty()) {
-    laws.sticks = step_laws_of(resolver_.system_of(part, part.contacts), still_).sticks;
+    laws.sticks = step_laws_of(assembler_.assemble(part, part.contacts), still_).sticks;
     for (std::size_t i = 0; i < laws.sticks.size(); ++i) {
       if (part.contacts[i].point.gap > contact_tolerance_) laws.sticks[i] = false;
     }
@@ -328,7 +348,7 @@ StepLaws ImpulseStep::step_laws(double h, const Cluster& part, const ContactSyst
   return laws;
 }
 
-/// Adds moments (3n or none) to the impulses of all bodies, and those of prescribed bodies to the books.
+/// Adds moments (3n or none) to the impulses of all bodies, and books those of prescribed bodies in `end`.
 void ImpulseStep::add_moments(const ContactSystem& system, const VecX& moments, std::vector<Wrench>& impulses,
                               FreeEnd& end) {
   for (std::size_t i = 0; moments.size() > 0 && i < system.contacts.size(); ++i) {
@@ -345,13 +365,15 @@ void ImpulseStep::add_moments(const ContactSystem& system, const VecX& moments, 
   }
 }
 
-/// The impulses of contacts, springs and joints on the bodies of the system; what of them comes from outside
-/// goes into the books.
+/// The impulses of contacts, springs and joints on the bodies of the system; those from outside are booked in
+/// `end`.
 std::vector<Wrench> ImpulseStep::enter_impulses(const ContactSystem& system, const StepImpulses& solution,
                                                 const SpringRows& springs, FreeEnd& end) {
   std::vector<Wrench> impulses = contact_wrenches(system, solution.lambda);
   add_moments(system, solution.moments, impulses, end);
   const OutsideImpulse of_springs = add_spring_impulses(springs, solution.springs, system, impulses);
+
+  // What the joints do about them.
   VecX joint_lambda;
   if (system.joints) {
     JointReactions reactions =
@@ -360,6 +382,8 @@ std::vector<Wrench> ImpulseStep::enter_impulses(const ContactSystem& system, con
     joint_lambda = reactions.lambda;
     end.work += system.joints->supplied_power(joint_lambda);
   }
+
+  // What comes from outside.
   const Wrench of_contacts = external_wrench(system, solution.lambda, joint_lambda);
   end.impulse += of_contacts.f_W + of_springs.impulse.f_W;
   end.angular_impulse += of_contacts.tau_W + of_springs.impulse.tau_W;
@@ -367,7 +391,7 @@ std::vector<Wrench> ImpulseStep::enter_impulses(const ContactSystem& system, con
   return impulses;
 }
 
-/// Moves the bodies on from the free end of the step by these impulses.
+/// Displaces the bodies from the free end of the step by these impulses.
 void ImpulseStep::push(const StepSpan& span, const Cluster& part, const ContactSystem& system,
                        const std::vector<Wrench>& impulses, FreeEnd& end) const {
   const double h = span.h, theta = span.theta;
@@ -378,38 +402,44 @@ void ImpulseStep::push(const StepSpan& span, const Cluster& part, const ContactS
     const BodyKinetics& kinetics = system.kinetics[local];
     BodyPhase& phase = end.phases[i];
     const Vec3 P_free = phase.P, x_free = phase.x, of_forces = P_free - part.phases[i].P;
+
+    // The impulses act on the positions for the share θ of the step.
     phase.x += h * kinetics.inverse_mass * ((theta - 0.5) * of_forces + theta * on_body.f_W);
     phase.q = (rotation_exp(theta * h * (kinetics.inverse_inertia * on_body.tau_W)) * phase.q).normalized();
     phase.P += on_body.f_W;
-    // The moment of momentum that moving the body changes, beyond what the impulse says about the origin.
+
+    // Angular momentum about the origin that the displacement adds beyond the moment of the impulse.
     const Vec3 surplus = (phase.x - x_free).cross(P_free) + (phase.x - kinetics.x).cross(on_body.f_W);
     phase.L += on_body.tau_W - surplus;
   }
 }
 
 void ImpulseStep::move(double h, double theta, Cluster& part, AdvanceReport& report) const {
+  // The smooth motion without contacts.
   const StepSpan span{part.t, h, theta};
   const bool has_springs = holds_springs(span, part);
-  FreeEnd end = has_springs ? fly_among(without_springs_, integrator_without_springs_, h, part, report)
+  FreeEnd end = has_springs ? fly_under(without_springs_, integrator_without_springs_, h, part, report)
                             : fly(h, part, report);
+
+  // The impulses of the whole step from one Coulomb problem, where contacts act.
   if (has_springs || (!part.contacts.empty() && !stays_clear(h, part, end))) {
     const ContactSystem system = middle_system(h, part, end);
     StepLaws laws = step_laws(h, part, system);
     if (has_springs)
-      laws.springs = springs_.rows(span, part.bodies, resolver_.system_of(part, part.contacts), system);
+      laws.springs = springs_.rows(span, part.bodies, assembler_.assemble(part, part.contacts), system);
     const SpringRows springs = laws.springs.value_or(SpringRows{});
     const StepImpulses solution = solver_.solve(system, std::move(laws));
     note(solution, report);
     ++report.steps;
     push(span, part, system, enter_impulses(system, solution, springs, end), end);
   }
-  const ClusterTotals before = totals_of(model_, part);
+
+  // The end of the step, and its ledger.
+  const MomentumScope momentum(model_, part.bodies, part.phases);
   part.phases = std::move(end.phases);
   part.t += h;
-  const ClusterTotals after = totals_of(model_, part);
   report.work += end.work;
-  report.momentum_error += after.P - before.P - end.impulse;
-  report.angular_momentum_error += after.L - before.L - end.angular_impulse;
+  momentum.book_error({Wrench{end.impulse, end.angular_impulse}}, report);
 }
 
 }  // namespace rigor

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "rigor/sim/islands/contact_resolver.hpp"
+#include "rigor/sim/islands/island_integrator.hpp"
 #include "rigor/sim/islands/joint_projection.hpp"
 #include "rigor/sim/time_stepping/step_solver.hpp"
 
@@ -17,11 +18,11 @@ namespace rigor {
 /// Stewart and Trinkle, An Implicit Time-Stepping Scheme for Rigid Body Dynamics, 1996.
 class ImpulseStep {
  public:
-  ImpulseStep(const Model& model, const Environment& environment, const IslandIntegrator& integrator,
+  ImpulseStep(const Model& model, const Environment& environment, const ContactSystemAssembler& assembler,
               const ContactResolver& resolver, const JointProjection& joints, const Method& method);
 
-  /// The impacts of the step, at its begin: contacts that would close within h [s] collide there. Changes the
-  /// momenta of the part; its contacts may be apart by their gaps.
+  /// The impacts of the step, at its beginning: contacts that would close within h [s] collide there, though
+  /// they may still be apart by their gaps. Changes the momenta of the part.
   void strike(double h, Cluster& part, AdvanceReport& report) const;
   /// Moves the part by h with the impulses of all its contacts. `theta` in [1/2, 1]: the share of the step at
   /// which the impulses act on the positions; 1/2 is of second order, at 1 energy never grows.
@@ -41,7 +42,7 @@ class ImpulseStep {
   bool touches(const Contact& contact) const;
   bool holds_springs(const StepSpan& span, const Cluster& part) const;
   FreeEnd fly(double h, const Cluster& part, AdvanceReport& report) const;
-  FreeEnd fly_among(const Environment& environment, const IslandIntegrator& integrator, double h,
+  FreeEnd fly_under(const Environment& environment, const IslandIntegrator& integrator, double h,
                     const Cluster& part, AdvanceReport& report) const;
   bool stays_clear(double h, const Cluster& part, const FreeEnd& free) const;
   std::vector<Contact> contacts_at(double t, const Cluster& part, const std::vector<BodyPhase>& phases) const;
@@ -57,12 +58,14 @@ class ImpulseStep {
 
   const Model& model_;
   const Environment& environment_;
-  const IslandIntegrator& integrator_;
+  const ContactSystemAssembler& assembler_;
+  IslandIntegrator integrator_;
   const ContactResolver& resolver_;
   const JointProjection& joints_;
   StepSolver solver_;
   ImplicitSprings springs_;
   Environment without_springs_;
+  ContactSystemAssembler assembler_without_springs_;
   IslandIntegrator integrator_without_springs_;
   bool has_implicit_springs_;
   bool pushes_at_distance_;  ///< The convex cone holds what slides at the distance h μ |u_t|.

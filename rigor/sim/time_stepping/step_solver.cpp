@@ -3,7 +3,8 @@
 #include "rigor/contact/resting/rolling_friction.hpp"
 #include "rigor/contact/system/motion_rows.hpp"
 #include "rigor/core/index.hpp"
-#include "rigor/sim/islands/island.hpp"
+#include "rigor/sim/method/resting_choice.hpp"
+#include "rigor/sim/method/tolerances.hpp"
 #include "rigor/solver/cones/convex_cone.hpp"
 #include "rigor/solver/cones/pyramid_cone.hpp"
 #include "rigor/solver/coulomb/rolling_friction_problem.hpp"
@@ -22,9 +23,11 @@ using Eigen::Index;
 
 namespace {
 
-constexpr double solved = 1e-10;  // The last two digits of slip that turns take most of the time.
+/// Residual of a solved problem: two more digits of slip that changes its direction would take most of the
+/// time.
+constexpr double solved = 1e-10;
 
-bool resists_turning(const Contact& contact) {
+bool has_moments(const Contact& contact) {
   return !contact.stop && (contact.rolling_friction > 0 || contact.torsional_friction > 0);
 }
 
@@ -38,7 +41,7 @@ StepImpulses impulses_of(CoulombSolution solution) {
   return impulses;
 }
 
-/// Of problems whose b is known to the resolution.
+/// Options for problems whose b is known to the resolution.
 CoulombOptions options_for(double resolution) {
   CoulombOptions options;
   options.least_norm = false;
@@ -47,28 +50,28 @@ CoulombOptions options_for(double resolution) {
   return options;
 }
 
-/// What contacts with these forces do: friction at its bound slides.
+/// Modes of contacts with these forces: where friction is at its bound, they slide.
 std::vector<ContactMode> modes_of_forces(const VecX& lambda, const std::vector<double>& mu) {
-  constexpr double at_bound = 1 - 1e-9;
   std::vector<ContactMode> modes;
   for (std::size_t i = 0; i < mu.size(); ++i) {
     const Vec3 force = lambda.segment<3>(3 * static_cast<Index>(i));
-    const bool slides = force.head<2>().norm() >= at_bound * mu[i] * force.z();
+    const bool slides = force.head<2>().norm() >= sliding_share * mu[i] * force.z();
     modes.push_back(force.z() <= 0 ? ContactMode::open : slides ? ContactMode::slide : ContactMode::stick);
   }
   return modes;
 }
 
-/// A and b of contacts with the rows of springs eliminated: what the contacts see of bodies that springs
-/// hold.
+/// A and b of contacts after the rows of springs are eliminated: the response of bodies on springs.
 class SpringResponse {
  public:
-  /// rows: of the contacts (forces, and moments if any), with their rates without impulses.
+  /// rows of the contacts (forces, and moments if any), and their rates without impulses.
   SpringResponse(ContactRows rows, const VecX& rates, const SpringRows& springs,
                  const ContactSystem& system) {
     const Index contacts = rates.size();
     add_springs(springs, system, rows);
     const MatX all = contact_response(rows);
+
+    // The blocks of the springs, and their coupling with the contacts.
     const Index count = static_cast<Index>(springs.count());
     MatX of_springs(count, count);
     coupling_.resize(count, contacts);
@@ -77,6 +80,8 @@ class SpringResponse {
       coupling_.row(i) = all.row(row).head(contacts);
       for (Index k = 0; k < count; ++k) of_springs(i, k) = all(row, contacts + 3 * k + 2);
     }
+
+    // The Schur complement of the springs' rows.
     of_springs.diagonal() += springs.softness;
     stiffness_.compute(of_springs);
     free_ = springs.rates + springs.drive;
@@ -131,16 +136,21 @@ StepLaws step_laws_of(const ContactSystem& system, double still) {
   const std::size_t count = system.contacts.size();
   StepLaws laws;
   laws.contacts.b = relative_velocities(system);
+
+  // Sliding.
   laws.contacts.rows.assign(count, FrictionRow::cone);
   laws.contacts.slips.assign(count, Vec2::Zero());
   for (const Contact& contact : system.contacts) laws.contacts.mu.push_back(contact.friction);
-  if (std::any_of(system.contacts.begin(), system.contacts.end(), resists_turning)) {
-    laws.turning = VecX::Zero(laws.contacts.b.size());
+
+  // Rolling and spinning, if anything has moments.
+  if (std::any_of(system.contacts.begin(), system.contacts.end(), has_moments)) {
+    laws.angular_velocities = VecX::Zero(laws.contacts.b.size());
     for (std::size_t i = 0; i < count; ++i) {
       const Contact& contact = system.contacts[i];
       laws.rolling.push_back(contact.stop ? 0.0 : contact.rolling_friction);
       laws.torsional.push_back(contact.stop ? 0.0 : contact.torsional_friction);
-      if (!contact.stop) laws.turning.segment<3>(3 * static_cast<Index>(i)) = relative_turning(system, i);
+      if (!contact.stop)
+        laws.angular_velocities.segment<3>(3 * static_cast<Index>(i)) = relative_angular_velocity(system, i);
     }
   }
   if (std::any_of(system.contacts.begin(), system.contacts.end(),
@@ -176,7 +186,7 @@ StepImpulses StepSolver::solve(const ContactSystem& system, StepLaws laws) const
 }
 
 StepImpulses StepSolver::solve_with(const ContactSystem& system, const StepLaws& laws) const {
-  if (laws.turning.size() > 0) return solve_frictions(system, laws);
+  if (laws.angular_velocities.size() > 0) return solve_frictions(system, laws);
   if (solver_ == SolverMethod::pgs) return sweep(system, laws.contacts);
   return solve_cones(system, laws);
 }
@@ -184,6 +194,7 @@ StepImpulses StepSolver::solve_with(const ContactSystem& system, const StepLaws&
 /// Motion space has rows of bodies alone: what works through joints, stops and springs is solved in contact
 /// space.
 StepImpulses StepSolver::solve_cones(const ContactSystem& system, const StepLaws& laws) const {
+  // Springs are eliminated first.
   const bool has_stops = std::any_of(system.contacts.begin(), system.contacts.end(),
                                      [](const Contact& contact) { return contact.stop.has_value(); });
   CoulombProblem problem = laws.contacts;
@@ -195,6 +206,8 @@ StepImpulses StepSolver::solve_cones(const ContactSystem& system, const StepLaws
     impulses.springs = response.impulses(impulses.lambda);
     return impulses;
   }
+
+  // Rows of bodies alone: sparse; else by the Delassus operator.
   const bool is_sparse = !system.joints && !has_stops;
   if (cone_ == ConeMethod::convex && is_sparse)
     return impulses_of(solve_convex_cones(MotionProblem{motion_rows(system), problem}));
@@ -216,11 +229,15 @@ StepImpulses StepSolver::solve_dense(const CoulombProblem& problem, double resol
   return impulses_of(solve_coulomb(problem, options));
 }
 
-/// Sliding, rolling and spinning together.
+/// Sliding, rolling and spinning friction together.
 StepImpulses StepSolver::solve_frictions(const ContactSystem& system, const StepLaws& laws) const {
+  // A and b with moments, without springs that act implicitly.
   ContactRows rows = moment_rows(system);
-  RollingFrictionProblem problem{
-      {}, interleaved(laws.contacts.b, laws.turning), laws.contacts.mu, laws.rolling, laws.torsional};
+  RollingFrictionProblem problem{{},
+                                 interleaved(laws.contacts.b, laws.angular_velocities),
+                                 laws.contacts.mu,
+                                 laws.rolling,
+                                 laws.torsional};
   std::optional<SpringResponse> response;
   if (laws.springs) {
     response.emplace(std::move(rows), problem.b, *laws.springs, system);
@@ -229,7 +246,9 @@ StepImpulses StepSolver::solve_frictions(const ContactSystem& system, const Step
   } else {
     problem.A = contact_response(rows);
   }
-  const MomentSolution solution = solve_moments(problem);
+
+  // Forces and moments, contact by contact.
+  const RollingFrictionSolution solution = solve_rolling_friction(problem);
   StepImpulses impulses;
   if (response) impulses.springs = response->impulses(solution.lambda);
   impulses.lambda = impulses.moments = VecX::Zero(laws.contacts.b.size());
@@ -244,8 +263,8 @@ StepImpulses StepSolver::solve_frictions(const ContactSystem& system, const Step
   return impulses;
 }
 
-/// The joints take part in the sweeps; what these leave of their equations is projected away with the
-/// impulses.
+/// Joints take part in the sweeps; the error that these leave in their equations is projected away when the
+/// impulses are applied.
 StepImpulses StepSolver::sweep(const ContactSystem& system, const CoulombProblem& laws) const {
   VelocityProblem problem{{motion_rows(system), laws}, VecX()};
   if (problem.contacts.rows.joints) {

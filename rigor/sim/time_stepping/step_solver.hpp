@@ -10,31 +10,31 @@
 
 namespace rigor {
 
-/// What the contacts of a group must do in a step: velocities without their impulses, and the bounds of
-/// these.
+/// The laws of the contacts of a group in a step: their velocities without impulses, and the bounds of the
+/// impulses.
 struct StepLaws {
   CoulombProblem contacts;  ///< b (3n) [m/s], μ and rows; without A.
-  VecX turning;             ///< Relative turning (3n) [rad/s], contact frames; empty if nothing resists it.
-  std::vector<double> rolling;            ///< ρ, one a contact, or none [m].
+  VecX angular_velocities;  ///< Relative ones (3n) [rad/s], contact frames; empty if no contact has moments.
+  std::vector<double> rolling;            ///< ρ, one per contact, or none [m].
   std::vector<double> torsional;          ///< σ, as above [m].
-  std::vector<double> sticking_friction;  ///< μ_s ≥ μ, one a contact; or none: as μ.
-  std::vector<bool> sticks;               ///< Whether a contact stuck at the begin: as above.
+  std::vector<double> sticking_friction;  ///< μ_s ≥ μ, one per contact; or none: as μ.
+  std::vector<bool> sticks;               ///< Whether a contact stuck at the beginning: as above.
   std::optional<SpringRows> springs;      ///< Those that act implicitly (not with solver pgs).
-  /// What b is known to [m/s]: contacts that contradict each other by less may hold together.
+  /// Accuracy of b [m/s]: contacts that contradict each other by less may hold together.
   double resolution = 0;
 };
 
-/// The laws of the system's contacts at its velocities, with b = u. What slips no faster than `still` [m/s]
-/// sticks.
+/// The laws of the system's contacts at its velocities, with b = u. Contacts that slip no faster than `still`
+/// [m/s] stick.
 StepLaws step_laws_of(const ContactSystem& system, double still);
 
-/// Impulses of the contacts in their frames, with what the solver says about them.
+/// Impulses of the contacts in their frames, and how well the solver found them.
 struct StepImpulses {
   VecX lambda;                     ///< 3n [N s].
   VecX moments;                    ///< 3n [N m s], or empty.
-  VecX springs;                    ///< Of the springs of the laws [N s].
+  VecX springs;                    ///< ν of the springs of the laws [N s].
   std::vector<ContactMode> modes;  ///< n.
-  double residual = 0;             ///< Relative, of the law that the cone stands for.
+  double residual = 0;             ///< Relative, of the law of the cone that was chosen.
   int iterations = 0;
   bool converged = false;  ///< Residual at most 1e-10.
 };

@@ -2,14 +2,15 @@
 
 #include "rigor/contact/impact/joint_stops.hpp"
 #include "rigor/contact/time_of_impact.hpp"
-#include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/dynamics/dense_phase.hpp"
 #include "rigor/geometry/shape/aabb.hpp"
 #include "rigor/math/rotation.hpp"
-#include "rigor/sim/fixed_steps/fixed_steps.hpp"
 #include "rigor/sim/islands/displacement.hpp"
+#include "rigor/sim/method/tolerances.hpp"
 #include "rigor/sim/pairs/near_pairs.hpp"
+#include "rigor/sim/report/energy.hpp"
+#include "rigor/sim/report/ledger.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -57,16 +58,14 @@ bool is_finite(const BodyPhase& phase) {
 }  // namespace
 
 TimeStepper::TimeStepper(std::shared_ptr<const Model> model, const Method& method, double target_step)
-    : model_(std::move(model)),
+    : FixedStepStepper(std::move(model), target_step),
       method_(method),
-      target_step_(target_step),
       environment_(*model_),
-      integrator_(*model_, environment_, method),
-      resolver_(*model_, integrator_, method),
-      joints_(*model_, integrator_),
-      impulses_(*model_, environment_, integrator_, resolver_, joints_, method),
+      assembler_(*model_, environment_),
+      resolver_(*model_, assembler_, method),
+      joints_(*model_, assembler_),
+      impulses_(*model_, environment_, assembler_, resolver_, joints_, method),
       finder_(*model_, method.broad_phase) {
-  RIGOR_ASSERT(target_step > 0);
   for (int i = 0; i < model_->body_count(); ++i) {
     const Body& body = model_->body(i);
     if (body.motion == MotionType::dynamic)
@@ -77,26 +76,20 @@ TimeStepper::TimeStepper(std::shared_ptr<const Model> model, const Method& metho
   }
 }
 
-AdvanceReport TimeStepper::advance(State& state, double t_end) {
-  RIGOR_ASSERT(t_end >= state.t && state.body_count() == model_->body_count());
-  report_ = {};
-  if (t_end == state.t) return report_;
+void TimeStepper::begin_span([[maybe_unused]] double first_end, State& state) {
   admit_velocities(state);
-  const FixedSteps steps(state.t, t_end, target_step_);
-  for (long k = 0; k < steps.count() && report_.reason == StopReason::reached_end; ++k) {
-    while (state.t < steps.end(k) && report_.reason == StopReason::reached_end) {
-      if (interrupt_ && interrupt_()) {
-        report_.reason = StopReason::interrupted;
-        break;
-      }
-      const double left = steps.end(k) - state.t;
-      const double h = take_step(left, state);
-      // The end of a whole step is exact, and a rest that time cannot resolve is none.
-      if (h >= left || state.t + h == state.t) state.t = steps.end(k);
-    }
-  }
+}
+
+double TimeStepper::step_towards(double t_end, double t, State& state) {
+  const double left = t_end - t;
+  const double h = take_step(left, state);
+  // The end of a whole step is exact; a remainder below the resolution of time is skipped.
+  if (h >= left || state.t + h == state.t) state.t = t_end;
+  return state.t;
+}
+
+void TimeStepper::end_span([[maybe_unused]] double t, State& state) {
   state.anchor_here();
-  return report_;
 }
 
 Cluster TimeStepper::cluster_in(const State& state) const {
@@ -117,19 +110,16 @@ void TimeStepper::write(const Cluster& cluster, State& state) const {
     const BodyPhase& phase = cluster.phases[i];
     state.set_body(cluster.bodies[i], phase.x, phase.q, phase.P, phase.L);
   }
-  for (int i = 0; i < model_->body_count(); ++i) {
-    const Body& body = model_->body(i);
-    if (body.motion == MotionType::dynamic) continue;
-    const PrescribedMotion motion = prescribed_motion(body, state.t);
-    state.set_body(i, motion.p_WB, motion.q_WB, Vec3::Zero(), Vec3::Zero());
-  }
+  write_prescribed_bodies(state);
 }
 
-/// One step of at most h: what it was. Where what the step leaves out adds energy, it is taken with the form
-/// that adds least, and with halves if that does not help.
+/// One step of at most h; returns its length. Where the error of the step adds energy, it is taken in the
+/// form that adds least, and in halves if that does not help.
 double TimeStepper::take_step(double h, State& state) {
   constexpr int most_halvings = 3;
   constexpr double tolerable = 1e-10;
+
+  // Trials, each half as long, until one adds no energy.
   const Energy before = mechanical_energy(*model_, environment_, state);
   std::optional<Trial> trial;
   for (int k = 0; k <= most_halvings; ++k) {
@@ -137,6 +127,8 @@ double TimeStepper::take_step(double h, State& state) {
     if (trial->gain <= tolerable * (before.kinetic + lift_) || trial->report.impact_gain > 0) break;
     h = 0.5 * trial->h;
   }
+
+  // A body whose state is not finite ends the run.
   for (std::size_t i = 0; i < trial->end.bodies.size(); ++i) {
     if (is_finite(trial->end.phases[i])) continue;
     report_.reason = StopReason::not_finite;
@@ -144,13 +136,15 @@ double TimeStepper::take_step(double h, State& state) {
     report_.bodies = {trial->end.bodies[i]};
     return trial->h;
   }
+
+  // The trial becomes the State.
   note_lasting(cluster_in(state), *trial);
   report_.add(trial->report);
   write(trial->end, state);
   return trial->h;
 }
 
-/// A trial that adds no energy if one of the forms of a step does not.
+/// A trial that adds no energy, if any form of a step does not.
 TimeStepper::Trial TimeStepper::try_calmly(double h, const Energy& before, const State& state) {
   constexpr double rounding = 1e-13, negligible = 1e-12;
   const auto with_gain = [&](Trial trial) {
@@ -162,10 +156,12 @@ TimeStepper::Trial TimeStepper::try_calmly(double h, const Energy& before, const
     trial.gain = energy.total() - before.total() - trial.report.work - rounding * scale;
     return trial;
   };
+
+  // The form of second order, if it adds no energy; else the one that adds least.
   Trial trial = with_gain(try_step(h, 0.5, state));
   if (trial.gain <= negligible * (before.kinetic + lift_) || trial.report.impact_gain > 0) return trial;
   Trial safe = with_gain(try_step(trial.h, 1, state));
-  // In between, where energy stays as it is or falls by a little: false position, from the side that gains.
+  // In between the energy stays the same or falls a little: regula falsi, from the side that gains.
   constexpr int most_trials = 3;
   constexpr double beyond = 1.05;
   double low = 0.5, gain = trial.gain;
@@ -178,7 +174,7 @@ TimeStepper::Trial TimeStepper::try_calmly(double h, const Energy& before, const
   return safe.gain < trial.gain ? safe : trial;
 }
 
-/// Halved where the contacts at the begin do not tell those at the end.
+/// A trial of h, halved where the contacts at the beginning do not foretell those at the end.
 TimeStepper::Trial TimeStepper::try_step(double h, double theta, const State& state) {
   constexpr int most_halvings = 6;
   std::vector<double> reaches(at(model_->body_count()), 0.0);
@@ -186,7 +182,7 @@ TimeStepper::Trial TimeStepper::try_step(double h, double theta, const State& st
   bool takes_all = false;
   for (int k = 0;; ++k) {
     Trial trial = try_with_reaches(h, theta, takes_all, state, reaches);
-    // Bodies were pushed where they did not go by themselves.
+    // Bodies were pushed where they would not have gone by themselves: all contacts within reach may act.
     if (!takes_all && trial.misjudgement > 0) {
       takes_all = true;
       continue;
@@ -199,14 +195,16 @@ TimeStepper::Trial TimeStepper::try_step(double h, double theta, const State& st
 TimeStepper::Trial TimeStepper::try_with_reaches(double h, double theta, bool takes_all, const State& state,
                                                  std::vector<double>& reaches) {
   constexpr int most_tries = 12;
-  constexpr double at_once = 1e-9;
   const Cluster start = cluster_in(state);
   std::set<std::pair<int, int>> met;
   for (int k = 0;; ++k) {
     const bool is_last = k + 1 == most_tries;
+
+    // The contacts within reach, and pairs that move so far that their contacts cannot be foreseen.
     Trial trial{start, {}, reaches, h};
     std::vector<Contact> contacts = finder_.find(state, reaches, method_.contact_tolerance);
-    note_penetration(state.t, contacts, trial.report);
+    for (const Contact& contact : contacts)
+      trial.report.note_penetration(-contact.point.gap, contact.body_A, contact.body_B, state.t);
     std::vector<Contact> touching_before = touching_of(contacts);
     std::set<std::pair<int, int>> touching = met;
     for (const Contact& contact : touching_before) touching.insert({contact.body_A, contact.body_B});
@@ -217,6 +215,8 @@ TimeStepper::Trial TimeStepper::try_with_reaches(double h, double theta, bool ta
     std::erase_if(contacts, [&](const Contact& contact) {
       return std::binary_search(far.begin(), far.end(), std::pair{contact.body_A, contact.body_B});
     });
+
+    // Those that may act in the step.
     if (!takes_all) contacts = acting_contacts(h, start, std::move(contacts));
     add_stops(start, contacts);
 
@@ -225,14 +225,16 @@ TimeStepper::Trial TimeStepper::try_with_reaches(double h, double theta, bool ta
       reaches = trial.reaches;
       continue;
     }
+
+    // Up to where the first of the far pairs meets, which the next try takes into account.
     const double until = far.empty() || is_last ? h : first_meeting(h, struck, trial, far);
     if (until == h) {
       trial.touching_before = std::move(touching_before);
       correct_overlaps(state, trial);
       return trial;
     }
-    // What meets at once is held by its rows.
-    if (until <= at_once * h) {
+    // Pairs that meet at once are kept apart by the rows of their contacts.
+    if (until <= least_step_share * h) {
       met.insert(far.begin(), far.end());
     } else {
       h = until;
@@ -240,8 +242,8 @@ TimeStepper::Trial TimeStepper::try_with_reaches(double h, double theta, bool ta
   }
 }
 
-/// The parts that these contacts join, each by itself. Returns them as they are after the impacts at the
-/// begin.
+/// Moves the parts that these contacts join, each by itself. Returns them as they are after the impacts at
+/// the beginning.
 Cluster TimeStepper::move_parts(double theta, const Cluster& start, const std::vector<Contact>& contacts,
                                 Trial& trial) const {
   Cluster struck = start;
@@ -258,17 +260,6 @@ Cluster TimeStepper::move_parts(double theta, const Cluster& start, const std::v
   return struck;
 }
 
-void TimeStepper::note_penetration(double t, const std::vector<Contact>& contacts,
-                                   AdvanceReport& report) const {
-  for (const Contact& contact : contacts) {
-    if (-contact.point.gap <= report.max_penetration) continue;
-    report.max_penetration = -contact.point.gap;
-    report.penetration_A = contact.body_A;
-    report.penetration_B = contact.body_B;
-    report.penetration_time = t;
-  }
-}
-
 void TimeStepper::grow_reaches(double h, const Cluster& cluster, std::vector<double>& reaches) const {
   constexpr double margin = 1.25;
   for (std::size_t i = 0; i < cluster.bodies.size(); ++i) {
@@ -278,9 +269,13 @@ void TimeStepper::grow_reaches(double h, const Cluster& cluster, std::vector<dou
     const double reach =
         h * (phase.P.norm() / body.mass +
              0.5 * h * environment_.steady_acceleration(cluster.bodies[i]).norm() + w * body.bounding_radius);
+
+    // Grown with a margin, so that it seldom grows twice.
     double& known = reaches[at(cluster.bodies[i])];
     if (reach > known) known = margin * reach;
   }
+
+  // Prescribed bodies that move.
   for (int i = 0; i < model_->body_count(); ++i) {
     const Body& body = model_->body(i);
     if (body.motion == MotionType::dynamic) continue;
@@ -297,8 +292,8 @@ bool TimeStepper::moves_far(int a, int b, const std::vector<double>& reaches) co
   return reaches[at(a)] + reaches[at(b)] > share * std::min(thickness_[at(a)], thickness_[at(b)]);
 }
 
-/// Contacts that may act: they touch or could close within twice the step, at the velocities of its begin or
-/// of its end without contacts.
+/// Contacts that may act: they touch or could close within twice the step, at the velocities of its beginning
+/// or of its end without contacts.
 std::vector<Contact> TimeStepper::acting_contacts(double h, const Cluster& start,
                                                   std::vector<Contact> found) const {
   std::vector<Contact> contacts;
@@ -308,10 +303,12 @@ std::vector<Contact> TimeStepper::acting_contacts(double h, const Cluster& start
                  ? dynamic_kinetics(model_->body(body), start.phase_of(body))
                  : prescribed_kinetics(model_->body(body), start.t);
     };
+
+    // The rate at which the gap closes, at most.
     const BodyKinetics A = kinetics(contact.body_A), B = kinetics(contact.body_B);
     const Vec3 u = B.velocity_at(contact.p_W()) - A.velocity_at(contact.p_W());
     double rate = std::min(0.0, contact.point.n_W.dot(u));
-    // The convex cone holds what slides at a distance.
+    // The convex cone pushes on contacts that slide at a distance.
     if (method_.cone == ConeMethod::convex) rate -= contact.friction * (u - rate * contact.point.n_W).norm();
     for (const int body : {contact.body_A, contact.body_B}) {
       if (model_->body(body).motion == MotionType::dynamic)
@@ -325,25 +322,27 @@ std::vector<Contact> TimeStepper::acting_contacts(double h, const Cluster& start
 
 /// Stops of all joints, limits at any distance.
 void TimeStepper::add_stops(const Cluster& start, std::vector<Contact>& contacts) const {
-  const std::vector<int> joints = integrator_.joints_of(start.bodies);
+  const std::vector<int> joints = assembler_.joints_of(start.bodies);
   if (joints.empty()) return;
-  const ContactSystem system = resolver_.system_of(start, {});
+  const ContactSystem system = assembler_.assemble(start, {});
   const std::vector<Contact> stops = joint_stops(*model_, joints, system.bodies, system.kinetics, infinite);
   contacts.insert(contacts.end(), stops.begin(), stops.end());
 }
 
-/// When the first of these pairs meets on the way from `start`, or h.
+/// When the first of these pairs meets on the path from `start`, or h.
 double TimeStepper::first_meeting(double h, const Cluster& start, const Trial& trial,
                                   const std::vector<std::pair<int, int>>& pairs) const {
   ToiOptions options;
   options.contact_tolerance = method_.contact_tolerance;
   options.time_tolerance = method_.time_tolerance;
-  options.rest_velocity = 1e-6 * method_.resting_velocity;
+  options.rest_velocity = still_speed(method_.resting_velocity);
   const auto motion = [&](int i) {
     const Body& body = model_->body(i);
     if (body.motion != MotionType::dynamic) return Motion::prescribed(body, start.t);
     const BodyPhase &begin = start.phase_of(i), &end = trial.end.phase_of(i);
     const BodyInertia inertia{body.mass, body.moments};
+
+    // In flight the closed form, with impulses the parabola that begins and ends as the trial.
     const FreeFlight flight(inertia, begin, start.t, environment_.steady_acceleration(i));
     const BodyPhase free = flight.at(start.t + h);
     if (free.P == end.P && free.L == end.L) return Motion::flight(flight, inertia);
@@ -360,15 +359,15 @@ double TimeStepper::first_meeting(double h, const Cluster& start, const Trial& t
   return first;
 }
 
-/// Velocities that joints do not allow, as a scene may give them at its start, are put right before the first
-/// step: those that a step leaves take no noticeable part of the energy.
+/// Velocities that joints do not allow, as a scene may have at its start, are projected before the first
+/// step; those that a step leaves take no noticeable part of the energy and stay.
 void TimeStepper::admit_velocities(State& state) {
   constexpr double noticeable = 1e-12;
   if (model_->joints().empty()) return;
   Cluster all = cluster_in(state);
   for (Cluster& part : connected_parts(all, {}, environment_)) {
     AdvanceReport projection;
-    const double energy = totals_of(*model_, part).T;
+    const double energy = totals_of(*model_, part.bodies, part.phases).T;
     joints_.project_velocities(part, projection);
     if (projection.projection_loss <= noticeable * energy) continue;
     report_.add(projection);
@@ -377,9 +376,9 @@ void TimeStepper::admit_velocities(State& state) {
   write(all, state);
 }
 
-/// Positions and velocities of joints are put back, in the metric of the masses.
+/// Projects positions and velocities on the joints, in the metric of the masses.
 void TimeStepper::hold_joints(Cluster& part, AdvanceReport& report) const {
-  if (integrator_.joints_of(part.bodies).empty()) return;
+  if (assembler_.joints_of(part.bodies).empty()) return;
   const std::vector<BodyPhase> before = part.phases;
   joints_.project_positions(part.t, part.bodies, part.phases, report);
   for (std::size_t i = 0; i < part.bodies.size(); ++i)
@@ -387,8 +386,8 @@ void TimeStepper::hold_joints(Cluster& part, AdvanceReport& report) const {
   joints_.project_velocities(part, report);
 }
 
-/// Bodies that overlap are put back to touching by the smallest displacements; momenta stay, and so does the
-/// moment of momentum about the origin.
+/// Bodies that overlap are moved apart until they touch, by the smallest displacements; momenta stay, and so
+/// does the angular momentum about the origin.
 void TimeStepper::correct_overlaps(const State& state, Trial& trial) {
   constexpr int most_passes = 8;
   std::vector<double> reaches(at(model_->body_count()), 0.0);
@@ -406,14 +405,16 @@ void TimeStepper::correct_overlaps(const State& state, Trial& trial) {
     trial.touching_after = touching_of(contacts);
     largest = std::max(largest, deepest);
     if (deepest <= 0.2 * method_.contact_tolerance) break;
-    // What is near may be in the way.
+    // Nearby bodies may be in the way.
     for (const int body : end.bodies) reaches[at(body)] = 2 * largest;
     if (pass == 0 && deepest > method_.contact_tolerance) continue;
+
+    // Each part that overlaps, by the smallest displacement.
     for (Cluster& part : connected_parts(end, contacts, environment_)) {
       double of_part = 0;
       for (const Contact& contact : part.contacts) of_part = std::max(of_part, -contact.point.gap);
       if (of_part <= 0.2 * method_.contact_tolerance) continue;
-      const ContactSystem system = integrator_.system_of(part.t, part.bodies, part.phases, part.contacts);
+      const ContactSystem system = assembler_.assemble(part, part.contacts);
       const std::vector<double> lowest(part.contacts.size(), 0.0);
       apply_displacement(separating_impulses(system, lowest), system, part.bodies, part.phases);
       hold_joints(part, trial.report);
@@ -449,7 +450,7 @@ std::set<std::pair<int, int>> TimeStepper::lasting_pairs(const Cluster& cluster,
 }
 
 /// Pairs whose contact begins to last in the step come to rest on each other; pairs whose contact lasted
-/// before and does not any more separate. Both are known to the step only, at its end.
+/// before it and no longer does separate. The times of both are known no better than the end of the step.
 void TimeStepper::note_lasting(const Cluster& start, Trial& trial) const {
   const std::set<std::pair<int, int>> before = lasting_pairs(start, trial.touching_before),
                                       after = lasting_pairs(trial.end, trial.touching_after);
@@ -465,8 +466,8 @@ void TimeStepper::note_lasting(const Cluster& start, Trial& trial) const {
   }
 }
 
-/// Overlap at the end of a step, as a share of what can be put right without a doubt about the side from
-/// which the bodies came, and with a small turn; 0 if it is a few tolerances.
+/// Overlap at the end of a step, as a share of the depth that can be corrected without doubt about the side
+/// from which the bodies came, and with small rotations; 0 if it is a few tolerances.
 double TimeStepper::misjudgement_of(const Contact& contact) const {
   constexpr double noticeable = 10, share_of_thickness = 0.05, share_of_radius = 0.02;
   const double depth = -contact.point.gap;

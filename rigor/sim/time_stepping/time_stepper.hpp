@@ -1,11 +1,9 @@
 #pragma once
 
-#include "rigor/sim/fixed_steps/stepper.hpp"
+#include "rigor/sim/fixed_steps/fixed_step_stepper.hpp"
 #include "rigor/sim/pairs/contact_finder.hpp"
-#include "rigor/sim/report/energy.hpp"
 #include "rigor/sim/time_stepping/impulse_step.hpp"
 
-#include <functional>
 #include <memory>
 #include <set>
 #include <utility>
@@ -13,31 +11,33 @@
 
 namespace rigor {
 
+struct Energy;
+
 /// Time stepping on velocities and impulses: equal steps, whatever happens in them. Impacts of a step happen
-/// at its begin, all contact forces of a step are one impulse (ImpulseStep). A step is split only where
-/// bodies move so far that their contacts cannot be foreseen from its begin: there the next step begins at
-/// their first contact, so that nothing tunnels. docs/theory/time_stepping.md.
-class TimeStepper : public Stepper {
+/// at its beginning, all contact forces of a step are one impulse (ImpulseStep). A step is split only where
+/// bodies move so far that their contacts cannot be foreseen from its beginning: there the next step begins
+/// at their first contact, so that nothing tunnels. docs/theory/time_stepping.md.
+class TimeStepper : public FixedStepStepper {
  public:
   /// target_step H > 0 [s]: the longest step.
   TimeStepper(std::shared_ptr<const Model> model, const Method& method, double target_step);
   TimeStepper(const TimeStepper&) = delete;
   TimeStepper& operator=(const TimeStepper&) = delete;
 
-  void set_interrupt(std::function<bool()> interrupt) override { interrupt_ = std::move(interrupt); }
-  AdvanceReport advance(State& state, double t_end) override;
-
  private:
-  /// A step that was tried: what became of the bodies, and how far it holds.
+  /// A step that was tried: the bodies at its end, and how far it can be trusted.
   struct Trial {
     Cluster end;
     AdvanceReport report;
     std::vector<double> reaches;  ///< How far the points of each body may have come [m].
-    double h = 0;                 ///< Shorter than asked for where bodies that move far meet [s].
-    double gain = 0;              ///< Of energy, beyond work and rounding [J].
-    double misjudgement = 0;      ///< Of the overlap at its end: beyond 1 the step was too long.
+    double h = 0;                 ///< Shorter than requested where bodies that move far meet [s].
+    double gain = 0;              ///< Energy gained beyond work and rounding [J].
+    double misjudgement = 0;      ///< Of the overlap at its end; above 1 the step was too long.
     std::vector<Contact> touching_before = {}, touching_after = {};  ///< Within the contact tolerance.
   };
+  void begin_span(double first_end, State& state) override;
+  double step_towards(double t_end, double t, State& state) override;
+  void end_span(double t, State& state) override;
   Cluster cluster_in(const State& state) const;
   double take_step(double h, State& state);
   Trial try_calmly(double h, const Energy& before, const State& state);
@@ -46,7 +46,6 @@ class TimeStepper : public Stepper {
                          std::vector<double>& reaches);
   Cluster move_parts(double theta, const Cluster& start, const std::vector<Contact>& contacts,
                      Trial& trial) const;
-  void note_penetration(double t, const std::vector<Contact>& contacts, AdvanceReport& report) const;
   void grow_reaches(double h, const Cluster& cluster, std::vector<double>& reaches) const;
   std::vector<Contact> acting_contacts(double h, const Cluster& start, std::vector<Contact> found) const;
   void add_stops(const Cluster& start, std::vector<Contact>& contacts) const;
@@ -63,19 +62,15 @@ class TimeStepper : public Stepper {
   double misjudgement_of(const Contact& contact) const;
   void write(const Cluster& cluster, State& state) const;
 
-  std::shared_ptr<const Model> model_;
   Method method_;
-  double target_step_;
-  std::function<bool()> interrupt_;
   Environment environment_;
-  IslandIntegrator integrator_;
+  ContactSystemAssembler assembler_;
   ContactResolver resolver_;
   JointProjection joints_;
   ImpulseStep impulses_;
   ContactFinder finder_;
-  std::vector<double> thickness_;  ///< Of each body: its points lie no deeper [m].
+  std::vector<double> thickness_;  ///< Of each body: no point of it lies deeper inside [m].
   double lift_ = 0;                ///< Energy that lifts all bodies by the length of the scene [J].
-  AdvanceReport report_;
 };
 
 }  // namespace rigor

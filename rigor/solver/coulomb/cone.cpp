@@ -33,7 +33,8 @@ Mat3 cone_projection_derivative(const Vec3& x, double mu) {
   const ConeRegion region = cone_region(x, mu);
   if (region == ConeRegion::apex) return Mat3::Zero();
   if (region == ConeRegion::inside) return Mat3::Identity();
-  // P = α (μ û, 1), α = (x_n + μ |x_t|) / (1 + μ²): along the generator, and turning with û.
+  // On the boundary P = α (μ û, 1) with α = (x_n + μ |x_t|) / (1 + μ²): it changes along the generator with
+  // α, and across it with the direction û.
   const Vec3 side = nearest_generator(x, mu);
   const double alpha = side.dot(x) / (1.0 + mu * mu);
   const double tangential = x.head<2>().norm();

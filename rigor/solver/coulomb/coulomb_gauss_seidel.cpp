@@ -12,8 +12,7 @@ using Eigen::Index;
 
 namespace {
 
-// Blocks with an eigenvalue below this part of their trace get a proximal term of kProximal times their
-// trace.
+// A block with an eigenvalue below this share of its trace gets a proximal term of kProximal times its trace.
 constexpr double kSingular = 1e-8;
 constexpr double kProximal = 1e-3;
 
@@ -31,6 +30,7 @@ CoulombGaussSeidel::CoulombGaussSeidel(const CoulombProblem& problem, CoulombGue
 }
 
 double CoulombGaussSeidel::sweep() {
+  // Forth and back: the symmetric sweep depends less on the order of the contacts.
   const Index count = static_cast<Index>(blocks_.size());
   largest_change_ = 0;
   for (Index i = 0; i < count; ++i) relax(i);
@@ -53,11 +53,13 @@ void CoulombGaussSeidel::relax(Index contact) {
 void CoulombGaussSeidel::relax_cone(Index contact, const Block& block) {
   const std::size_t k = at(contact);
   const Vec3 lambda = guess_.lambda.segment<3>(3 * contact);
-  // w = K (λ' - λ) + w_old, with the proximal term inside K: it vanishes when λ' = λ.
+  // The other contacts held, w = K (λ' - λ) + w_old; the proximal term is inside K and vanishes at λ' = λ.
   const Vec3 b = w_.segment<3>(3 * contact) - block.K * lambda;
   const bool slid = guess_.modes.modes[k] == ContactMode::slide;
   const LocalCoulombSolution local = solve_coulomb_local(
       block.K, b, problem_.mu[k], slid ? std::optional<Vec2>(guess_.modes.slips[k]) : std::nullopt);
+
+  // What the contact does is read off the local solution, the slip direction off its friction.
   const double speed = local.w.head<2>().norm();
   guess_.modes.modes[k] = local.mode;
   if (local.mode == ContactMode::stick && problem_.mu[k] == 0) guess_.modes.modes[k] = ContactMode::slide;
@@ -71,11 +73,12 @@ void CoulombGaussSeidel::relax_slide(Index contact, const Block& block) {
   const std::size_t k = at(contact);
   const double mu = problem_.mu[k];
   const Vec2 slip = mu > 0 ? problem_.slips[k] : Vec2::Zero();
+  // The force stays on the generator against the known slip: one unknown, its normal part.
   const Vec3 direction(-mu * slip(0), -mu * slip(1), 1.0);
   const double stiffness = block.K.row(2).dot(direction);
   const double normal = guess_.lambda(3 * contact + 2);
   const double b = w_(3 * contact + 2) - stiffness * normal;
-  // Stiffness ≤ 0 is Painlevé's case: no force, whatever b says; the residual will tell.
+  // A stiffness ≤ 0 is Painlevé's case: no force is given, whatever b says, and the residual will tell.
   const double solved = stiffness > 0 && b < 0 ? -b / stiffness : 0.0;
   guess_.modes.modes[k] = solved > 0 ? ContactMode::slide : ContactMode::open;
   set_force(contact, solved * direction);

@@ -9,6 +9,14 @@ Vec2 slip_of_force(const Vec3& lambda, const Vec2& fallback) {
   return friction > 0 ? Vec2(-lambda.head<2>() / friction) : fallback;
 }
 
+bool has_unknown_slips(const CoulombProblem& laws, const ContactModes& modes) {
+  for (std::size_t k = 0; k < laws.mu.size(); ++k) {
+    if (modes.modes[k] == ContactMode::slide && laws.rows[k] == FrictionRow::cone && laws.mu[k] > 0)
+      return true;
+  }
+  return false;
+}
+
 CoulombGuess open_guess(const CoulombProblem& problem) {
   CoulombGuess guess;
   guess.lambda = VecX::Zero(problem.b.size());

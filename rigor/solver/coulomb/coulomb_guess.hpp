@@ -14,6 +14,9 @@ struct CoulombGuess {
 /// Unit vector opposite to the friction force of λ (3); `fallback` where there is none.
 Vec2 slip_of_force(const Vec3& lambda, const Vec2& fallback);
 
+/// Whether a contact slides with friction in a direction that is to be found.
+bool has_unknown_slips(const CoulombProblem& laws, const ContactModes& modes);
+
 /// Everything open.
 CoulombGuess open_guess(const CoulombProblem& problem);
 
@@ -21,7 +24,8 @@ CoulombGuess open_guess(const CoulombProblem& problem);
 CoulombGuess guess_of_forces(const CoulombProblem& problem, const VecX& lambda,
                              const std::vector<ContactMode>& modes);
 
-/// λ with each contact clamped to its cone (or, for slide rows, to its known friction direction).
+/// λ with the force of each contact clamped to its cone (or, for slide rows, to its known friction
+/// direction).
 VecX clamp_to_cones(const CoulombProblem& problem, const VecX& lambda);
 
 /// The solution record of forces: w, residual and whether that is small enough.

@@ -12,6 +12,8 @@ double law_residual(const CoulombProblem& laws, const VecX& diagonal, double siz
                     const VecX& w) {
   if (!lambda.allFinite() || !w.allFinite()) return std::numeric_limits<double>::infinity();
   if (!(size > 0)) return 0.0;
+
+  // The natural map of Alart and Curnier, contact by contact; the worst miss counts.
   const double largest = diagonal.maxCoeff();
   double worst = 0;
   for (std::size_t k = 0; k < laws.mu.size(); ++k) {
@@ -21,7 +23,11 @@ double law_residual(const CoulombProblem& laws, const VecX& diagonal, double siz
     const Vec3 force = lambda.segment<3>(row);
     const Vec3 motion = w.segment<3>(row);
     const double mu = laws.mu[k];
+
+    // Signorini's law: λ_n = max(0, λ_n - ρ w_n).
     const double normal = std::abs(force(2) - std::max(0.0, force(2) - rho * motion(2)));
+
+    // Friction: λ_t is the point of the disk of radius μ λ_n nearest to λ_t - ρ w_t, or is known.
     Vec2 target = Vec2::Zero();
     if (laws.rows[k] == FrictionRow::slide) {
       if (mu > 0) target = -mu * force(2) * laws.slips[k];
@@ -42,6 +48,7 @@ ContactModes modes_of_motion(const CoulombProblem& laws, const VecX& lambda, con
   for (std::size_t k = 0; k < face.modes.size(); ++k) {
     const Vec3 motion = w.segment<3>(3 * static_cast<Index>(k));
     const Vec3 force = lambda.segment<3>(3 * static_cast<Index>(k));
+    // A contact that parts stays open; of the others only those without slip may stick.
     if (motion(2) > zero) continue;
     const double speed = motion.head<2>().norm();
     const bool may_stick = laws.rows[k] == FrictionRow::cone && laws.mu[k] > 0;
@@ -59,6 +66,8 @@ void move_contacts(const CoulombProblem& laws, const VecX& diagonal, const VecX&
     const double mu = laws.mu[k];
     const double stiffness = diagonal.segment<3>(row).mean();
     const bool may_stick = laws.rows[k] == FrictionRow::cone && mu > 0;
+    // Each mode has one condition of its own; the contact that breaks it gets the mode that the sign asks
+    // for.
     ContactMode& mode = guess.modes.modes[k];
     if (mode == ContactMode::open) {
       if (w(row + 2) < -zero) mode = may_stick ? ContactMode::stick : ContactMode::slide;

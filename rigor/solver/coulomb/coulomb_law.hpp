@@ -18,8 +18,9 @@ double law_residual(const CoulombProblem& laws, const VecX& diagonal, double siz
 /// stick. A slip direction is that of the friction force, which is known better than that of a slow w.
 ContactModes modes_of_motion(const CoulombProblem& laws, const VecX& lambda, const VecX& w, double zero);
 
-/// Contacts that pull open; open ones that sink close; backward slides stick; sticks outside the cone slide.
-/// `zero` is the largest w that counts as none.
+/// Moves each contact that breaks Coulomb's law to the mode it asks for: one that pulls opens, an open one
+/// that sinks closes, one that slides backwards sticks, one that sticks outside its cone slides. `zero` is
+/// the largest w that counts as none.
 void move_contacts(const CoulombProblem& laws, const VecX& diagonal, const VecX& w, double zero,
                    CoulombGuess& guess);
 

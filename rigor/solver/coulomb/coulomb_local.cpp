@@ -1,5 +1,6 @@
 #include "rigor/solver/coulomb/coulomb_local.hpp"
 
+#include "rigor/core/rounding.hpp"
 #include "rigor/math/dense.hpp"
 #include "rigor/solver/coulomb/cone.hpp"
 
@@ -12,11 +13,9 @@
 namespace rigor {
 namespace {
 
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-// Round-off of a few sums of products, relative to the largest term.
+// Rounding of a few sums of products, relative to the largest term.
 constexpr double kRounding = 64 * kEpsilon;
-// Two roots closer than this [rad] are one double root (its two halves are known to the square root of ε
-// only).
+// Two roots closer than this [rad] are one double root, whose halves are known to the square root of ε only.
 constexpr double kSameAngle = 1e-7;
 
 // h(θ) = c₀ + c₁ cos θ + s₁ sin θ + c₂ cos 2θ + s₂ sin 2θ.
@@ -40,7 +39,7 @@ struct TrigPolynomial {
   }
 };
 
-// Condition that the slip is along û(θ), multiplied by κ - μ k·û.
+// h(θ) of the header: the condition that the slip is along û(θ), multiplied by κ - μ k·û.
 TrigPolynomial slip_condition(const Mat3& K, const Vec3& b, double mu) {
   const Vec2 k = K.block<2, 1>(0, 2);
   const Vec2 p = K(2, 2) * b.head<2>() - b(2) * k;
@@ -49,7 +48,7 @@ TrigPolynomial slip_condition(const Mat3& K, const Vec3& b, double mu) {
           -0.5 * mu * (k(1) * b(1) - k(0) * b(0)) + 0.5 * mu * b(2) * (K(1, 1) - K(0, 0))};
 }
 
-// Newton from a near root; keeps the best point.
+// Newton's method from a point near a root; keeps the best point.
 double refine_root(const TrigPolynomial& h, double angle) {
   double best = angle;
   double best_value = std::abs(h.value(angle));
@@ -65,10 +64,12 @@ double refine_root(const TrigPolynomial& h, double angle) {
   return best;
 }
 
-// All real roots, as angles. Quartic in t = tan(ψ/2), the frame turned so that ψ = π is far from a root.
+// All real roots, as angles: those of a quartic in t = tan(ψ/2), θ = ψ + shift.
 std::vector<double> find_roots(const TrigPolynomial& h) {
   const double size = h.size();
   if (!(size > 0)) return {};
+
+  // t is infinite at ψ = π: the shift is the one of eight that puts that point farthest from a root.
   double shift = 0;
   for (int i = 1; i < 8; ++i) {
     const double angle = i * std::numbers::pi / 4;
@@ -76,15 +77,20 @@ std::vector<double> find_roots(const TrigPolynomial& h) {
       shift = angle;
   }
   const TrigPolynomial g = h.shifted(shift);
+
+  // The roots t are the eigenvalues of the quartic's companion matrix.
   const double lead = g.c0 - g.c1 + g.c2;
   Eigen::Matrix4d companion = Eigen::Matrix4d::Zero();
   companion.row(0) << -(2 * g.s1 - 4 * g.s2) / lead, -(2 * g.c0 - 6 * g.c2) / lead,
       -(2 * g.s1 + 4 * g.s2) / lead, -(g.c0 + g.c1 + g.c2) / lead;
   companion(1, 0) = companion(2, 1) = companion(3, 2) = 1;
-  const Eigen::EigenSolver<Eigen::Matrix4d> eigen(companion, false);
+  const Vec4 quartic_roots = real_parts_of_eigenvalues(companion);
+
+  // Real parts are only near the roots: Newton's method on h decides which of them are real, and double roots
+  // count once.
   std::vector<double> roots;
   for (int i = 0; i < 4; ++i) {
-    const double angle = refine_root(h, shift + 2 * std::atan(eigen.eigenvalues()(i).real()));
+    const double angle = refine_root(h, shift + 2 * std::atan(quartic_roots(i)));
     if (!(std::abs(h.value(angle)) <= kRounding * size)) continue;
     const auto is_same = [&](double other) {
       return std::abs(std::remainder(angle - other, 2 * std::numbers::pi)) < kSameAngle;
@@ -94,8 +100,8 @@ std::vector<double> find_roots(const TrigPolynomial& h) {
   return roots;
 }
 
-// The slide along û(θ), if its force pushes and opposes the slip; a slip slower than `slack` backwards still
-// counts.
+// The slide along û(θ), if its force pushes and opposes the slip; backward slip slower than `slack` counts
+// too.
 std::optional<LocalCoulombSolution> find_slide(const Mat3& K, const Vec3& b, double mu, double angle,
                                                double slack) {
   const Vec2 u(std::cos(angle), std::sin(angle));
@@ -120,7 +126,7 @@ double slip_rounding(const Mat3& K, const Vec3& b, const LocalCoulombSolution& s
   return kRounding * (b.lpNorm<Eigen::Infinity>() + (K.cwiseAbs() * slide.lambda.cwiseAbs()).maxCoeff());
 }
 
-// Every slide; those too slow to be told from sticking only if nothing sticks.
+// Every slide; one too slow to be told from sticking counts only if nothing sticks.
 std::vector<LocalCoulombSolution> find_slides(const Mat3& K, const Vec3& b, double mu, bool sticks) {
   std::vector<LocalCoulombSolution> slides;
   for (const double angle : find_roots(slip_condition(K, b, mu))) {
@@ -151,9 +157,12 @@ std::vector<LocalCoulombSolution> solve_coulomb_local_all(const Mat3& K, const V
 
 LocalCoulombSolution solve_coulomb_local(const Mat3& K, const Vec3& b, double mu,
                                          const std::optional<Vec2>& slip_hint) {
+  // In the order of solve_coulomb_local_all: open, then stick.
   if (b(2) >= 0) return {Vec3::Zero(), b, ContactMode::open};
   const std::optional<LocalCoulombSolution> stick = find_stick(K, b, mu);
   if (stick) return *stick;
+
+  // A near slip direction leads Newton's method to its root at once; else all slides are found.
   if (slip_hint) {
     const TrigPolynomial h = slip_condition(K, b, mu);
     const double angle = refine_root(h, std::atan2((*slip_hint)(1), (*slip_hint)(0)));
@@ -164,7 +173,8 @@ LocalCoulombSolution solve_coulomb_local(const Mat3& K, const Vec3& b, double mu
   }
   const std::vector<LocalCoulombSolution> slides = find_slides(K, b, mu, false);
   if (!slides.empty()) return slides.front();
-  // Only round-off leads here (K close to singular): the nearest force of the cone.
+
+  // Only rounding leads here, where K is close to singular: the nearest force of the cone.
   const Vec3 lambda = clamp_to_cone(-symmetric_solution(K, b), mu);
   return {lambda, K * lambda + b, ContactMode::slide};
 }

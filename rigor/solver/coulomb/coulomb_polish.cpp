@@ -22,8 +22,11 @@ class Polisher {
   CoulombSolution run(CoulombGuess guess) {
     CoulombSolution best =
         make_solution(problem_, clamp_to_cones(problem_, guess.lambda), guess.modes.modes, tolerance_);
+
+    // Solve the equations of the modes, check signs and cones, move the contacts that break them: until the
+    // law holds to rounding, the modes have been met before or the moves are used up.
     std::set<std::vector<ContactMode>> visited;
-    std::size_t loosened = 0;
+    std::size_t released = 0;
     for (int move = 0; move < kMaxMoves && visited.insert(guess.modes.modes).second; ++move) {
       const CoulombSolution candidate = solve_modes(guess);
       if (candidate.residual < best.residual) best = candidate;
@@ -32,8 +35,9 @@ class Polisher {
       const VecX w = problem_.A * guess.lambda + problem_.b;
       const double zero = kZero * largest_term(problem_, guess.lambda);
       move_contacts(problem_, problem_.A.diagonal(), w, zero, guess);
-      if (guess.modes.modes == before && loosened < problem_.mu.size() && loosen(w, zero, guess)) {
-        ++loosened;
+      // Equations that contradict each other break no sign: then a contact lets go, which is no move.
+      if (guess.modes.modes == before && released < problem_.mu.size() && release_worst(w, zero, guess)) {
+        ++released;
         --move;
       }
     }
@@ -41,9 +45,9 @@ class Polisher {
   }
 
  private:
-  /// Redundant contacts whose equations contradict each other by a little cannot all hold: the one that
-  /// misses its equation most lets go. False if all equations hold.
-  bool loosen(const VecX& w, double zero, CoulombGuess& guess) const {
+  /// Redundant contacts whose equations contradict each other by a little cannot all hold: the one with the
+  /// largest miss is released. False if all equations hold.
+  bool release_worst(const VecX& w, double zero, CoulombGuess& guess) const {
     std::vector<ContactMode>& modes = guess.modes.modes;
     double opening = zero, slipping = zero;
     std::size_t opens = modes.size(), slips = modes.size();
@@ -65,31 +69,28 @@ class Polisher {
     return true;
   }
 
-  bool has_turning_slips(const CoulombGuess& guess) const {
-    for (std::size_t k = 0; k < problem_.mu.size(); ++k)
-      if (guess.modes.modes[k] == ContactMode::slide && problem_.rows[k] == FrictionRow::cone &&
-          problem_.mu[k] > 0)
-        return true;
-    return false;
-  }
-
   // Solves the equations of the guess's modes (changes its forces and slips), then looks for forces that do
   // the same and are in the cones.
   CoulombSolution solve_modes(CoulombGuess& guess) const {
     const std::vector<ContactMode>& modes = guess.modes.modes;
-    const bool turning = has_turning_slips(guess);
-    if (turning) guess = solve_smooth_modes(problem_, std::move(guess));
+    const bool has_slips = has_unknown_slips(problem_, guess.modes);
+    if (has_slips) guess = solve_smooth_modes(problem_, std::move(guess));
     const auto solution_of = [&](const VecX& forces) {
       return make_solution(problem_, clamp_to_cones(problem_, forces), modes, tolerance_);
     };
-    if (turning) {
+    if (has_slips) {
       const CoulombSolution smooth = solution_of(guess.lambda);
       if (smooth.residual <= kZero) return smooth;
     }
+
+    // Forces for the slips as they are now; where slips were unknowns the forces are those of Newton's
+    // method.
     const KnownModesSystem system(problem_, guess.modes);
-    if (!turning) guess.lambda = system.solve_near(guess.lambda);
+    if (!has_slips) guess.lambda = system.solve_near(guess.lambda);
     CoulombSolution best = solution_of(guess.lambda);
     if (best.residual <= kZero || system.is_regular()) return best;
+
+    // Redundant contacts: another share of the same load may be in the cones.
     const std::optional<VecX> forces = system.find_in_cones();
     if (!forces) return best;
     CoulombSolution shifted = solution_of(*forces);

@@ -40,7 +40,7 @@ bool never_approaches(const CoulombProblem& problem) {
   return true;
 }
 
-// No contact has to find its slip direction: a linear complementarity problem.
+// Whether no contact has to find its slip direction: then it is a linear complementarity problem.
 bool is_linear(const CoulombProblem& problem) {
   for (std::size_t k = 0; k < problem.mu.size(); ++k)
     if (problem.mu[k] > 0 && problem.rows[k] == FrictionRow::cone) return false;
@@ -87,7 +87,7 @@ const char* name_of(LcpName name) {
   return name == LcpName::dantzig ? "dantzig" : "lemke";
 }
 
-// Normal rows alone: w_n = (A_nn - μ A_nt slip) λ_n + b_n.
+// The linear complementarity problem of the normal rows alone: w_n = (A_nn - μ A_nt slip) λ_n + b_n.
 CoulombSolution solve_linear(const CoulombProblem& problem, LcpName name, double tolerance) {
   CoulombGuess guess = open_guess(problem);
   std::vector<ContactVector> rows, columns;
@@ -101,11 +101,15 @@ CoulombSolution solve_linear(const CoulombProblem& problem, LcpName name, double
     q(i) = problem.b(3 * i + 2);
   }
   const MatX M = reduce(problem.A, rows, columns);
+
+  // Dantzig's pivoting promises nothing for the unsymmetric M of sliding contacts: Lemke's method then.
   LcpSolution lcp = name == LcpName::dantzig ? lcp_dantzig(M, q) : lcp_lemke(M, q);
   if (!lcp.converged && name == LcpName::dantzig) {
     name = LcpName::lemke;
     lcp = lcp_lemke(M, q);
   }
+
+  // The pivots tell what the contacts do; the polish makes the forces exact.
   for (Index i = 0; i < q.size(); ++i) {
     guess.lambda.segment<3>(3 * i) = lcp.z(i) * columns[at(i)].direction;
     if (lcp.z(i) > 0) guess.modes.modes[at(i)] = ContactMode::slide;
@@ -119,7 +123,7 @@ CoulombSolution solve_single(const CoulombProblem& problem, double tolerance) {
   return labelled(std::move(solution), 1, "one contact");
 }
 
-/// Proximal Newton and Gauss–Seidel by turns, each guess polished; keeps the best point so far.
+/// Alternates proximal Newton and Gauss–Seidel, polishes each guess and keeps the best point so far.
 class Chain {
  public:
   Chain(const CoulombProblem& problem, const CoulombOptions& options, CoulombSolution start)
@@ -138,7 +142,7 @@ class Chain {
 
   CoulombSolution run() {
     // A few proximal steps show the modes of most problems; strong friction may need the other method, or
-    // patience.
+    // many more steps.
     if (proximal_until(20) || is_enough()) return best_;
     constexpr int kFewSweeps = 256;
     if (gauss_seidel_until(std::min(kFewSweeps, options_.max_iterations)) || is_enough()) return best_;
@@ -217,7 +221,7 @@ CoulombSolution of_less_force(const CoulombSolution& seeded, const CoulombSoluti
   return other.converged && other.lambda.norm() < (1 - kSame) * seeded.lambda.norm() ? other : seeded;
 }
 
-/// That every contact holds, where it does: with the forces of least norm.
+/// The guess that every contact holds, with the forces of least norm.
 CoulombSolution try_holding(const CoulombProblem& problem, double tolerance) {
   CoulombGuess guess = open_guess(problem);
   for (std::size_t k = 0; k < problem.mu.size(); ++k) {
@@ -229,8 +233,8 @@ CoulombSolution try_holding(const CoulombProblem& problem, double tolerance) {
                   "holding");
 }
 
-/// By proximal points; where the equations of what the contacts do hold beyond the resolution, with their
-/// digits.
+/// By proximal points; the equations of the modes that these find refine the forces where they hold beyond
+/// the resolution.
 std::optional<CoulombSolution> solve_to_resolution(const CoulombProblem& problem,
                                                    const CoulombOptions& options, double enough) {
   std::optional<CoulombSolution> solution = solve_by_proximal_points(
@@ -246,12 +250,15 @@ std::optional<CoulombSolution> solve_to_resolution(const CoulombProblem& problem
 }
 
 CoulombSolution solve_scaled(const CoulombProblem& problem, const CoulombOptions& options) {
+  // Without unknown slips pivoting alone solves it.
   if (is_linear(problem)) {
     const LcpName fitting = is_frictionless(problem) ? LcpName::dantzig : LcpName::lemke;
     CoulombSolution linear = solve_linear(problem, options.lcp.value_or(fitting), options.tolerance);
     if (linear.converged || !options.resolution) return linear;
     return solve_to_resolution(problem, options, options.tolerance).value_or(std::move(linear));
   }
+
+  // The baseline is that every contact opens; one contact alone is solved in closed form.
   CoulombSolution start = labelled(make_solution(problem, VecX::Zero(problem.b.size()),
                                                  open_guess(problem).modes.modes, options.tolerance),
                                    0, "open");
@@ -259,7 +266,9 @@ CoulombSolution solve_scaled(const CoulombProblem& problem, const CoulombOptions
     CoulombSolution single = solve_single(problem, options.tolerance);
     if (single.converged) return single;
   }
-  // Lemke's table of the pyramid has 12 columns a contact: beyond this it takes minutes.
+
+  // If a complementarity method was asked for, it says first what the contacts do. Lemke's table of the
+  // pyramid has 12 columns per contact: with more contacts than this it takes minutes.
   constexpr std::size_t kMostOfPyramid = 60;
   if (options.lcp == LcpName::dantzig || (options.lcp && problem.mu.size() <= kMostOfPyramid)) {
     const CoulombSolution seeded = solve_seeded(problem, *options.lcp, options.tolerance);
@@ -267,7 +276,13 @@ CoulombSolution solve_scaled(const CoulombProblem& problem, const CoulombOptions
       return holds_all(seeded) ? seeded : of_less_force(seeded, Chain(problem, options, start).run_briefly());
     if (seeded.residual < start.residual) start = seeded;
   }
+
+  // b is exact: the chain alone.
   if (!options.resolution) return Chain(problem, options, std::move(start)).run();
+
+  // b is known to a resolution: contacts may contradict each other by as much, and proximal points decide.
+  // They come first where any share of redundant contacts will do, and after the chain where it must be the
+  // least.
   if (!options.least_norm) {
     const CoulombSolution holding = try_holding(problem, options.tolerance);
     if (holding.converged) return holding;
@@ -294,6 +309,8 @@ CoulombSolution solve_coulomb(const CoulombProblem& problem, const CoulombOption
     return failed;
   }
   if (never_approaches(problem)) return open;
+
+  // Scaling by powers of two is exact: all thresholds below may be relative to 1.
   const ScaledProblem unit = scaled(problem);
   CoulombOptions unit_options = options;
   if (options.resolution) unit_options.resolution = std::ldexp(*options.resolution, -unit.b_exponent);

@@ -2,6 +2,7 @@
 
 #include "rigor/math/types.hpp"
 #include "rigor/solver/linear/lcp.hpp"
+#include "rigor/solver/linear/solved_residual.hpp"
 
 #include <optional>
 #include <string>
@@ -43,16 +44,16 @@ struct CoulombSolution {
 };
 
 struct CoulombOptions {
-  /// Largest residual that counts as solved (dimensionless): ten thousand roundings of the largest term.
-  double tolerance = 1e-12;
+  /// Largest residual that counts as solved (dimensionless).
+  double tolerance = solved_residual;
   /// Residual at which the search ends when its cheap part has not reached the tolerance: the last digits of
   /// ill-conditioned problems are not worth thousands of sweeps.
   double enough = 1e-9;
   /// Whether redundant contacts must share their load by the rule of least norm. Where any share will do, a
   /// guess that reaches the tolerance is taken as it is.
   bool least_norm = true;
-  /// What b is known to [its unit]: contacts that contradict each other by less may hold together, and then
-  /// share as they come. None: b is exact.
+  /// Uncertainty of b [its unit]: contacts that contradict each other by less may hold together, with any
+  /// share of the load. None: b is exact.
   std::optional<double> resolution;
   /// Cap on the symmetric Gauss–Seidel sweeps. At 256 or less nothing is tried after them.
   int max_iterations = 2000;
@@ -70,10 +71,10 @@ struct CoulombOptions {
 /// Coulomb's law itself may have several solutions (large μ, strong coupling): then all b_n ≥ 0 gives λ = 0,
 /// and else the first one found is returned, always the same for the same input.
 ///
-/// A chain of methods, cheapest first; each only guesses what the contacts do, polish_coulomb makes the
-/// digits: pivoting (no friction, or known slips), one contact exactly, proximal Newton, block Gauss–Seidel.
-/// With a resolution, proximal points (proximal_points.hpp) too: without `least_norm` before the last two,
-/// else after them.
+/// A chain of methods, cheapest first; each only guesses what the contacts do, and polish_coulomb refines the
+/// guess to round-off: pivoting (no friction, or known slips), one contact exactly, proximal Newton, block
+/// Gauss–Seidel. With a resolution, proximal points (proximal_points.hpp) too: without `least_norm` before
+/// the last two, else after them.
 CoulombSolution solve_coulomb(const CoulombProblem& problem, const CoulombOptions& options = {});
 
 /// Forces for modes that are already known: stick rows get w = 0, slide rows w_n = 0 with λ_t = -μ λ_n slip

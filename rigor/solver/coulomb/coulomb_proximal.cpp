@@ -27,14 +27,12 @@ constexpr double kDamping = 0.5;
 
 CoulombProximal::CoulombProximal(const CoulombProblem& problem, const ContactMotion& motion,
                                  CoulombGuess start, ProximalOptions options)
-    : problem_(problem), motion_(motion), options_(options), guess_(std::move(start)) {
+    : problem_(problem),
+      motion_(motion),
+      options_(options),
+      guess_(std::move(start)),
+      masses_(effective_masses(motion.diagonal())) {
   const Index count = static_cast<Index>(problem.mu.size());
-  const double largest = motion.diagonal().maxCoeff();
-  stiffness_.resize(count);
-  for (Index i = 0; i < count; ++i) {
-    const double mean = motion.diagonal().segment<3>(3 * i).mean();
-    stiffness_(i) = 1.0 / (mean > 1e-12 * largest ? mean : largest);
-  }
   // Without shifts at first: a guess of the slip that is far too fast would open the contacts for good.
   q_ = problem.b;
   shift_ = VecX::Zero(count);
@@ -45,8 +43,11 @@ CoulombProximal::CoulombProximal(const CoulombProblem& problem, const ContactMot
 }
 
 void CoulombProximal::step() {
+  // The next multipliers: the forces at the minimum of the augmented Lagrangian.
   minimise();
   update_guess(evaluate(v_));
+
+  // New shifts s from the new w, and a larger ρ.
   const VecX w = moved(guess_.lambda) + problem_.b;
   ++steps_;
   update_shift(w, steps_ <= kUndampedSteps ? 1.0 : kDamping);
@@ -65,10 +66,11 @@ Vec3 CoulombProximal::project(Index contact, const Vec3& x) const {
 }
 
 CoulombProximal::Inner CoulombProximal::evaluate(const VecX& v) const {
+  // φ(v) = ½ vᵀM v + Σ |proj(x_i)|² / (2 ρ_i) with x = λ - ρ (L v + q); its gradient is M v - Lᵀ proj(x).
   const VecX weighed = motion_.weigh(v);
   Inner inner{0.5 * v.dot(weighed), weighed, motion_.rates(v) + q_, VecX(q_.size())};
-  for (Index i = 0; i < stiffness_.size(); ++i) {
-    const double rho = rho_ * stiffness_(i);
+  for (Index i = 0; i < masses_.size(); ++i) {
+    const double rho = rho_ * masses_(i);
     const Vec3 x = guess_.lambda.segment<3>(3 * i) - rho * inner.argument.segment<3>(3 * i);
     const Vec3 force = project(i, x);
     inner.argument.segment<3>(3 * i) = x;
@@ -80,12 +82,12 @@ CoulombProximal::Inner CoulombProximal::evaluate(const VecX& v) const {
   return inner;
 }
 
-// The derivatives D of the forces by the motion, one a contact: the Newton matrix is M + Lᵀ D L.
+// The derivatives D of the forces by the motion, one per contact: the Newton matrix is M + Lᵀ D L.
 std::vector<Mat3> CoulombProximal::stiffnesses(const VecX& argument) const {
   std::vector<Mat3> D(problem_.mu.size(), Mat3::Zero());
-  for (Index i = 0; i < stiffness_.size(); ++i) {
+  for (Index i = 0; i < masses_.size(); ++i) {
     const std::size_t k = at(i);
-    const double rho = rho_ * stiffness_(i);
+    const double rho = rho_ * masses_(i);
     const Vec3 x = argument.segment<3>(3 * i);
     if (problem_.rows[k] == FrictionRow::slide) {
       if (x(2) > 0) D[k](2, 2) = rho;
@@ -108,12 +110,14 @@ void CoulombProximal::minimise() {
   for (int step = 0; step < kMaxSteps; ++step) {
     const double error = inner.gradient.norm();
     if (error <= tolerance * (motion_.weigh(v_).norm() + inner.pulled.norm())) return;
+
+    // Newton's direction, and halving until Armijo's condition holds.
     const VecX direction =
         -motion_.newton_step(stiffnesses(inner.argument), inner.gradient, Symmetry::positive);
     const double slope = inner.gradient.dot(direction);
     double length = 1;
     Inner trial = evaluate(v_ + direction);
-    // Near the end the values differ by rounding alone; then the gradients tell.
+    // Near the minimum the values differ by rounding alone; there a smaller gradient counts as progress.
     const auto is_flatter = [&] { return options_.makes_digits && trial.gradient.norm() <= 0.5 * error; };
     for (int halving = 0;
          halving < 30 && !(trial.value <= inner.value + 1e-4 * length * slope) && !is_flatter(); ++halving) {
@@ -127,10 +131,11 @@ void CoulombProximal::minimise() {
 }
 
 void CoulombProximal::update_guess(const Inner& inner) {
-  for (Index i = 0; i < stiffness_.size(); ++i) {
+  for (Index i = 0; i < masses_.size(); ++i) {
     const std::size_t k = at(i);
     const Vec3 x = inner.argument.segment<3>(3 * i);
     Vec3 force = inner.force.segment<3>(3 * i);
+    // The region of the argument shows the mode: outside, inside or on the side of the cone.
     const double mu = capped_mu(k);
     ContactMode mode = force(2) > 0 ? ContactMode::slide : ContactMode::open;
     if (problem_.rows[k] == FrictionRow::slide) {
@@ -145,8 +150,8 @@ void CoulombProximal::update_guess(const Inner& inner) {
   }
 }
 
-// q = b + A (friction of slide rows) + s n; the forces of `evaluate` are then all others. The shift follows μ
-// |w_t|, with damping when it made matters worse.
+// Sets q = b + A (friction of slide rows) + s n, so that the forces of `evaluate` are all others, and v to
+// the motion that these make. The shift follows μ |w_t|, damped where it has not settled at once.
 void CoulombProximal::update_shift(const VecX& w, double damping) {
   VecX held = VecX::Zero(w.size());
   for (Index i = 0; i < shift_.size(); ++i) {

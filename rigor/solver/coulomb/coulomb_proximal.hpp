@@ -11,11 +11,10 @@ enum class NormalShift { de_saxce, none };
 
 struct ProximalOptions {
   NormalShift normal_shift = NormalShift::de_saxce;
-  /// Whether the forces themselves are wanted to round-off, not only what the contacts do: each step is then
-  /// solved as far as it goes.
+  /// Whether the forces themselves are wanted to round-off, not only what the contacts do: each inner problem
+  /// is then solved to round-off.
   bool makes_digits = false;
-  /// Whether the start is near the solution: the shifts begin with its motion, and the steps are long at
-  /// once.
+  /// Whether the start is near the solution: the shifts begin with its motion, and ρ begins large.
   bool is_warm = false;
 };
 
@@ -65,10 +64,10 @@ class CoulombProximal {
   const ContactMotion& motion_;
   ProximalOptions options_;
   CoulombGuess guess_;
-  VecX v_;          ///< w = L v + b (without the held friction of slide rows).
-  VecX q_;          ///< b, shift and held friction: 3n.
-  VecX shift_;      ///< s: n.
-  VecX stiffness_;  ///< 1 / mean diagonal of each contact's block: n.
+  VecX masses_;  ///< effective_masses: n.
+  VecX v_;       ///< w = L v + b (without the held friction of slide rows).
+  VecX q_;       ///< b, shift and held friction: 3n.
+  VecX shift_;   ///< s: n.
   double rho_ = 10;
   int steps_ = 0;
 };

@@ -15,7 +15,7 @@ using Eigen::Index;
 namespace {
 
 // Relative to the size of the sums they come from: anything smaller is round-off.
-constexpr double kRounding = 1e-12;
+constexpr double kSeedRounding = 1e-12;
 
 /// w = A z + q with lo ≤ z ≤ hi: w = 0 between the bounds, w ≥ 0 at lo, w ≤ 0 at hi. A symmetric positive
 /// semidefinite, lo ≤ 0 ≤ hi. Index after index is driven to its place while those before keep theirs.
@@ -35,18 +35,24 @@ class BoundedPivoting {
     while (pivots_++ < most_pivots) {
       if (is_placed(d)) return;
       const double sign = w_(d) < 0 ? 1 : -1;
+
+      // The direction that moves z_d by one and keeps w = 0 on the free indices.
       VecX dz = VecX::Zero(z_.size());
       dz(d) = sign;
       if (!free_.empty()) dz(free_) = -sign * factor_.solve(A_(free_, d));
       const VecX dw = A_ * dz;
+
+      // As far as w_d = 0, a bound of a moving index, or w = 0 of a held one that wants to leave its bound.
       Step step{std::numeric_limits<double>::infinity(), -1};
-      if (dw(d) * sign > kRounding * A_(d, d)) step.consider(-w_(d) / dw(d), d);
+      if (dw(d) * sign > kSeedRounding * A_(d, d)) step.consider(-w_(d) / dw(d), d);
       step.consider(room(d, sign), d);
       for (const Index i : free_)
-        if (std::abs(dz(i)) > kRounding) step.consider(room(i, dz(i)), i);
+        if (std::abs(dz(i)) > kSeedRounding) step.consider(room(i, dz(i)), i);
       for (Index i = 0; i < z_.size(); ++i)
         if (i != d && is_held_[at(i)] && crosses(i, dw(i))) step.consider(-w_(i) / dw(i), i);
       if (step.blocking < 0) return;
+
+      // The index that blocks changes its set.
       z_ += step.length * dz;
       w_ += step.length * dw;
       exchange(step.blocking, d);
@@ -70,7 +76,7 @@ class BoundedPivoting {
   };
 
   bool is_placed(Index d) {
-    const double zero = kRounding * size_;
+    const double zero = kSeedRounding * size_;
     if ((w_(d) >= -zero && z_(d) <= lo_(d)) || (w_(d) <= zero && z_(d) >= hi_(d))) return hold(d);
     return std::abs(w_(d)) <= zero && hold(d);
   }
@@ -86,7 +92,7 @@ class BoundedPivoting {
 
   /// Whether a held index wants to leave its bound on the way.
   bool crosses(Index i, double rate) const {
-    if (!(lo_(i) < hi_(i)) || std::abs(rate) <= kRounding * A_(i, i)) return false;
+    if (!(lo_(i) < hi_(i)) || std::abs(rate) <= kSeedRounding * A_(i, i)) return false;
     return (z_(i) <= lo_(i) && rate < 0 && w_(i) >= 0) || (z_(i) >= hi_(i) && rate > 0 && w_(i) <= 0);
   }
 
@@ -100,14 +106,14 @@ class BoundedPivoting {
       is_held_[at(i)] = true;
       return;
     }
-    const bool is_at_bound = i == driven && std::abs(w_(i)) > kRounding * size_;
+    const bool is_at_bound = i == driven && std::abs(w_(i)) > kSeedRounding * size_;
     if (is_at_bound) {
       z_(i) = w_(i) < 0 ? hi_(i) : lo_(i);
       is_held_[at(i)] = true;
       return;
     }
     w_(i) = 0;
-    const bool is_independent = factor_.append(A_(free_, i), A_(i, i), kRounding * A_(i, i));
+    const bool is_independent = factor_.append(A_(free_, i), A_(i, i), kSeedRounding * A_(i, i));
     is_held_[at(i)] = !is_independent;
     if (is_independent) free_.push_back(i);
   }
@@ -143,6 +149,7 @@ LcpSeed seed_by_pivoting(const CoulombProblem& problem) {
   std::vector<bool> sticks(problem.mu.size(), true), last;
   LcpSeed seed;
   for (int round = 0; round < kRounds && (round < 3 || sticks != last); ++round) {
+    // Bounds of friction from the normal forces of the round before; known slips hold theirs.
     last = sticks;
     VecX lo = VecX::Zero(3 * count), hi = lo, held = lo;
     for (Index i = 0; i < count; ++i) {
@@ -156,11 +163,15 @@ LcpSeed seed_by_pivoting(const CoulombProblem& problem) {
         lo.segment<2>(3 * i).setConstant(-limit);
       }
     }
+
+    // The normal forces are driven first, then the tangential ones between their bounds.
     const VecX q = problem.b + problem.A * held;
     BoundedPivoting pivoting(problem.A, q, lo, hi);
     for (Index i = 0; i < count; ++i) pivoting.drive(3 * i + 2);
     for (Index i = 0; i < count; ++i)
       for (Index axis = 0; axis < 2; ++axis) pivoting.drive(3 * i + axis);
+
+    // What is at a bound slips; in the first round the bounds were zero and say nothing.
     forces = pivoting.z() + held;
     seed.pivots += pivoting.pivots();
     for (Index i = 0; i < count; ++i) {
@@ -193,6 +204,8 @@ LcpSeed seed_by_pyramid(const CoulombProblem& problem) {
       columns.push_back({i, side});
     }
   }
+
+  // The matrix of Stewart and Trinkle: forces, then the slip speeds that close the pyramids.
   const Index forces = static_cast<Index>(rows.size()), size = forces + static_cast<Index>(speeds.size());
   MatX M = MatX::Zero(size, size);
   VecX q = VecX::Zero(size);
@@ -207,6 +220,8 @@ LcpSeed seed_by_pyramid(const CoulombProblem& problem) {
     M.row(speed).segment<4>(first).setConstant(-1);
     M(speed, first - 1) = problem.mu[speeds[s].second];
   }
+
+  // Forces of the solution; a cone whose slip speed is zero sticks.
   const LcpSolution solution = lcp_lemke(M, q);
   VecX lambda = VecX::Zero(problem.b.size());
   for (Index c = 0; c < forces; ++c) {
@@ -216,7 +231,7 @@ LcpSeed seed_by_pyramid(const CoulombProblem& problem) {
   std::vector<bool> sticks(problem.mu.size(), false);
   for (std::size_t s = 0; s < speeds.size(); ++s)
     sticks[speeds[s].second] =
-        !(solution.z(forces + static_cast<Index>(s)) > kRounding * q.cwiseAbs().maxCoeff());
+        !(solution.z(forces + static_cast<Index>(s)) > kSeedRounding * q.cwiseAbs().maxCoeff());
   return {guess_of_pyramid(problem, lambda, sticks), solution.pivots};
 }
 

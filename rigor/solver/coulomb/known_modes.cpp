@@ -1,11 +1,12 @@
 #include "rigor/solver/coulomb/known_modes.hpp"
 
 #include "rigor/core/assert.hpp"
+#include "rigor/core/index.hpp"
+#include "rigor/core/rounding.hpp"
 #include "rigor/math/dense.hpp"
 #include "rigor/solver/coulomb/cone.hpp"
 
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace rigor {
@@ -14,12 +15,10 @@ using Eigen::Index;
 
 namespace {
 
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-
 std::vector<ContactVector> force_directions(const CoulombProblem& problem, const ContactModes& modes) {
   std::vector<ContactVector> columns;
   for (Index i = 0; i < static_cast<Index>(modes.modes.size()); ++i) {
-    const std::size_t k = static_cast<std::size_t>(i);
+    const std::size_t k = at(i);
     if (modes.modes[k] == ContactMode::stick) {
       for (int axis = 0; axis < 3; ++axis) columns.push_back({i, Vec3::Unit(axis)});
     } else if (modes.modes[k] == ContactMode::slide) {
@@ -34,7 +33,7 @@ std::vector<ContactVector> force_directions(const CoulombProblem& problem, const
 std::vector<ContactVector> equations(const ContactModes& modes) {
   std::vector<ContactVector> rows;
   for (Index i = 0; i < static_cast<Index>(modes.modes.size()); ++i) {
-    const ContactMode mode = modes.modes[static_cast<std::size_t>(i)];
+    const ContactMode mode = modes.modes[at(i)];
     if (mode == ContactMode::open) continue;
     for (int axis = mode == ContactMode::stick ? 0 : 2; axis < 3; ++axis)
       rows.push_back({i, Vec3::Unit(axis)});
@@ -45,7 +44,7 @@ std::vector<ContactVector> equations(const ContactModes& modes) {
 VecX right_side(const VecX& b, const std::vector<ContactVector>& rows) {
   VecX c(static_cast<Index>(rows.size()));
   for (Index r = 0; r < c.size(); ++r) {
-    const ContactVector& row = rows[static_cast<std::size_t>(r)];
+    const ContactVector& row = rows[at(r)];
     c(r) = -row.direction.dot(b.segment<3>(3 * row.contact));
   }
   return c;
@@ -57,10 +56,10 @@ MatX reduce(const MatX& A, const std::vector<ContactVector>& rows,
             const std::vector<ContactVector>& columns) {
   MatX reduced(static_cast<Index>(rows.size()), static_cast<Index>(columns.size()));
   for (Index j = 0; j < reduced.cols(); ++j) {
-    const ContactVector& column = columns[static_cast<std::size_t>(j)];
+    const ContactVector& column = columns[at(j)];
     const VecX image = A.middleCols<3>(3 * column.contact) * column.direction;
     for (Index r = 0; r < reduced.rows(); ++r) {
-      const ContactVector& row = rows[static_cast<std::size_t>(r)];
+      const ContactVector& row = rows[at(r)];
       reduced(r, j) = row.direction.dot(image.segment<3>(3 * row.contact));
     }
   }
@@ -74,8 +73,8 @@ KnownModesSystem::KnownModesSystem(const CoulombProblem& problem, const ContactM
       right_side_(right_side(problem.b, equations(modes))),
       x_least_(system_.solve(right_side_)) {
   for (Index j = 0; j < x_least_.size();) {
-    const Index contact = columns_[static_cast<std::size_t>(j)].contact;
-    const std::size_t k = static_cast<std::size_t>(contact);
+    const Index contact = columns_[at(j)].contact;
+    const std::size_t k = at(contact);
     const bool sticks = modes.modes[k] == ContactMode::stick;
     blocks_.push_back({contact, j, sticks, problem.mu[k]});
     j += sticks ? 3 : 1;
@@ -85,7 +84,7 @@ KnownModesSystem::KnownModesSystem(const CoulombProblem& problem, const ContactM
 VecX KnownModesSystem::expand(const VecX& x) const {
   VecX lambda = VecX::Zero(3 * contact_count_);
   for (Index j = 0; j < x.size(); ++j) {
-    const ContactVector& column = columns_[static_cast<std::size_t>(j)];
+    const ContactVector& column = columns_[at(j)];
     lambda.segment<3>(3 * column.contact) += x(j) * column.direction;
   }
   return lambda;
@@ -94,7 +93,7 @@ VecX KnownModesSystem::expand(const VecX& x) const {
 VecX KnownModesSystem::solve_near(const VecX& lambda) const {
   VecX x(x_least_.size());
   for (Index j = 0; j < x.size(); ++j) {
-    const ContactVector& column = columns_[static_cast<std::size_t>(j)];
+    const ContactVector& column = columns_[at(j)];
     x(j) = column.direction.dot(lambda.segment<3>(3 * column.contact));
   }
   x += system_.solve(right_side_ - system_.matrix() * x);
@@ -128,9 +127,9 @@ MatX KnownModesSystem::project_derivative(const VecX& x, const MatX& basis) cons
   return basis.transpose() * scaled;
 }
 
-// The least-norm point of an affine set {x : Zᵀx = d} (Z orthonormal, x_least = Z d) in a cone C is proj_C(Z
-// y) where y minimises the convex, once differentiable  φ(y) = ½|proj_C(Z y)|² - dᵀy:  Newton with a line
-// search. Without such a point y runs away.
+// The least-norm point of an affine set {x : Zᵀx = d} (Z orthonormal, x_least = Z d) in a cone C is
+// proj_C(Z y) where y minimises the convex, once differentiable  φ(y) = ½|proj_C(Z y)|² - dᵀy:  Newton's
+// method with a line search. Without such a point y grows without bound.
 std::optional<VecX> KnownModesSystem::find_in_cones() const {
   constexpr int kMaxSteps = 40;
   constexpr double kRunaway = 1e6;
@@ -140,25 +139,27 @@ std::optional<VecX> KnownModesSystem::find_in_cones() const {
   const VecX d = Z.transpose() * x_least_;
   const double size = d.norm();
   const double tolerance = 8 * kEpsilon * size * std::sqrt(static_cast<double>(d.size()));
-  DualPoint at = evaluate_dual(d, Z, d);
-  for (int step = 0; step < kMaxSteps && at.y.norm() <= kRunaway * size; ++step) {
-    const double error = at.gradient.norm();
-    if (error <= tolerance) return expand(at.x);
-    MatX H = project_derivative(Z * at.y, Z);
+  DualPoint point = evaluate_dual(d, Z, d);
+  for (int step = 0; step < kMaxSteps && point.y.norm() <= kRunaway * size; ++step) {
+    const double error = point.gradient.norm();
+    if (error <= tolerance) return expand(point.x);
+
+    // The derivative of the projection is only semidefinite: a little is added that vanishes with the error.
+    MatX H = project_derivative(Z * point.y, Z);
     H.diagonal().array() += 1e-3 * std::min(1e-3, error / size) + kEpsilon;
-    const VecX direction = -symmetric_solution(H, at.gradient);
-    const double slope = at.gradient.dot(direction);
+    const VecX direction = -symmetric_solution(H, point.gradient);
+    const double slope = point.gradient.dot(direction);
     double length = 1;
     const auto is_better = [&](const DualPoint& trial) {
-      return trial.value <= at.value + 1e-4 * length * slope || trial.gradient.norm() <= 0.5 * error;
+      return trial.value <= point.value + 1e-4 * length * slope || trial.gradient.norm() <= 0.5 * error;
     };
-    DualPoint trial = evaluate_dual(at.y + direction, Z, d);
+    DualPoint trial = evaluate_dual(point.y + direction, Z, d);
     for (int halving = 0; halving < 30 && !is_better(trial); ++halving) {
       length *= 0.5;
-      trial = evaluate_dual(at.y + length * direction, Z, d);
+      trial = evaluate_dual(point.y + length * direction, Z, d);
     }
     if (!is_better(trial)) break;
-    at = std::move(trial);
+    point = std::move(trial);
   }
   return std::nullopt;
 }

@@ -19,18 +19,19 @@ class LeastNormSlips {
       : forces_of_(forces_of), modes_(face), accepted_(accepted) {
     for (std::size_t k = 0; k < face.modes.size(); ++k)
       if (face.modes[k] == ContactMode::slide && laws.rows[k] == FrictionRow::cone && laws.mu[k] > 0)
-        turning_.push_back(k);
+        free_slips_.push_back(k);
   }
 
   std::optional<CoulombSolution> solve() {
     constexpr int kMaxRounds = 50;
     VecX angles = slip_angles();
     first_ = angles;
+    // The fixed point of slip angles → forces → slip angles.
     for (int round = 0; round < kMaxRounds; ++round) {
       const std::optional<CoulombSolution> solution = forces_for(angles);
       if (!solution || solution->residual <= accepted_) return solution;
       const std::optional<VecX> change = find_angle_change(*solution);
-      if (!change || turning_.empty()) return std::nullopt;
+      if (!change || free_slips_.empty()) return std::nullopt;
       angles = accelerated(angles, *change);
       if (!angles.allFinite()) return std::nullopt;
     }
@@ -39,9 +40,9 @@ class LeastNormSlips {
 
  private:
   VecX slip_angles() const {
-    VecX angles(static_cast<Index>(turning_.size()));
+    VecX angles(static_cast<Index>(free_slips_.size()));
     for (Index i = 0; i < angles.size(); ++i) {
-      const Vec2& slip = modes_.slips[turning_[at(i)]];
+      const Vec2& slip = modes_.slips[free_slips_[at(i)]];
       angles(i) = std::atan2(slip(1), slip(0));
     }
     return angles;
@@ -51,15 +52,15 @@ class LeastNormSlips {
   std::optional<CoulombSolution> forces_for(const VecX& angles) {
     for (Index i = 0; i < angles.size(); ++i)
       if (angles(i) != first_(i))
-        modes_.slips[turning_[at(i)]] = Vec2(std::cos(angles(i)), std::sin(angles(i)));
+        modes_.slips[free_slips_[at(i)]] = Vec2(std::cos(angles(i)), std::sin(angles(i)));
     return forces_of_(modes_);
   }
 
   // From the assumed slips to those of w.
   std::optional<VecX> find_angle_change(const CoulombSolution& solution) const {
-    VecX change(static_cast<Index>(turning_.size()));
+    VecX change(static_cast<Index>(free_slips_.size()));
     for (Index i = 0; i < change.size(); ++i) {
-      const std::size_t k = turning_[at(i)];
+      const std::size_t k = free_slips_[at(i)];
       const Vec2 w = solution.w.segment<2>(3 * static_cast<Index>(k));
       const Vec2& slip = modes_.slips[k];
       if (!(w.dot(slip) > 0)) return std::nullopt;
@@ -68,7 +69,8 @@ class LeastNormSlips {
     return change;
   }
 
-  // Anderson: the combination of the last points whose change would be least, were the map linear.
+  // Anderson's acceleration: the combination of the last points whose change would be least, were the map
+  // linear.
   VecX accelerated(const VecX& angles, const VecX& change) {
     constexpr std::size_t kMemory = 5;
     if (last_change_.size() > 0) {
@@ -96,8 +98,8 @@ class LeastNormSlips {
   const ForcesOfModes& forces_of_;
   ContactModes modes_;
   double accepted_;
-  std::vector<std::size_t> turning_;
-  VecX first_;  ///< Angles at the start.
+  std::vector<std::size_t> free_slips_;  ///< Contacts whose slip direction is unknown.
+  VecX first_;                           ///< Angles at the start.
   VecX last_angles_, last_change_;
   std::deque<VecX> angle_differences_, change_differences_;
 };

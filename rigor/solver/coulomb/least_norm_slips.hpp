@@ -13,7 +13,7 @@ namespace rigor {
 /// Mostly one linear solve. But where redundant contacts slide in different directions, other forces make
 /// other slips: wanted are slips û such that the forces of least norm for û make motions w_t along û. This
 /// fixed point of the map (slip angles → forces → slip angles) is found by Anderson's acceleration from the
-/// slips in `face`. Nothing if it was not found, or a contact stops or turns back on the way.
+/// slips in `face`. Nothing if it was not found, or a contact stops or reverses on the way.
 std::optional<CoulombSolution> find_least_norm(const CoulombProblem& problem, const ContactModes& face,
                                                double accepted);
 

@@ -16,21 +16,19 @@ namespace {
 // Times 1 / the mean diagonal of a contact's block. Longer steps multiply the rounding of the motion into the
 // forces.
 constexpr double kFirstRho = 10;
-constexpr double kLargestRho = 1e4;
+constexpr double kLargestPointRho = 1e4;
 constexpr double kGrowth = 10;
 
 class ProximalPoints {
  public:
   ProximalPoints(const CoulombProblem& laws, const ContactMotion& motion,
                  const std::function<double(const VecX&)>& size_of, const ProximalPointOptions& options)
-      : laws_(laws), motion_(motion), size_of_(size_of), options_(options) {
+      : laws_(laws),
+        motion_(motion),
+        size_of_(size_of),
+        options_(options),
+        masses_(effective_masses(motion.diagonal())) {
     const Index count = static_cast<Index>(laws.mu.size());
-    const double largest = motion.diagonal().maxCoeff();
-    stiffness_.resize(count);
-    for (Index i = 0; i < count; ++i) {
-      const double mean = motion.diagonal().segment<3>(3 * i).mean();
-      stiffness_(i) = 1.0 / (mean > 1e-12 * largest ? mean : largest);
-    }
     lambda_ = options.start.size() > 0 ? clamp_to_cones(laws, options.start) : VecX::Zero(3 * count);
     v_ = motion_.lift(motion_.pull(lambda_));
   }
@@ -47,6 +45,8 @@ class ProximalPoints {
         growth = std::max(1.5, std::sqrt(growth));
         continue;
       }
+
+      // How well its forces solve the law with b, and with the b' that the point has.
       const Offer offer = offer_of(*next);
       stalls = offer.residual < 0.5 * least ? 0 : stalls + 1;
       least = std::min(least, offer.residual);
@@ -56,9 +56,11 @@ class ProximalPoints {
         if (offer.change <= options_.resolution && offer.changed_residual <= options_.enough)
           return solution_of(*next, offer, offer.changed_residual, point);
       }
+
+      // The next point, with a longer step.
       lambda_ = next->lambda;
       v_ = motion_.lift(motion_.pull(lambda_));
-      rho_ = std::min(growth * rho_, kLargestRho);
+      rho_ = std::min(growth * rho_, kLargestPointRho);
     }
     return std::nullopt;
   }
@@ -68,7 +70,7 @@ class ProximalPoints {
   struct Forces {
     VecX lambda;  ///< 3n.
     std::vector<ContactMode> modes;
-    std::vector<Mat3> slopes;  ///< -dλ / dw, one a contact.
+    std::vector<Mat3> slopes;  ///< -dλ / dw, one per contact.
     VecX pulled;               ///< Lᵀ λ.
     VecX miss;                 ///< M v - Lᵀ λ.
     double error;              ///< Of the miss, in the metric of M⁻¹.
@@ -92,9 +94,10 @@ class ProximalPoints {
 
   void set_force(std::size_t k, const VecX& w, Forces& forces) const {
     const Index row = 3 * static_cast<Index>(k);
-    const double rho = rho_ * stiffness_(row / 3), mu = laws_.mu[k];
+    const double rho = rho_ * masses_(row / 3), mu = laws_.mu[k];
     const Vec3 x = lambda_.segment<3>(row) - rho * w.segment<3>(row);
     forces.lambda.segment<3>(row).setZero();
+    // Alart and Curnier's functions: open, stick inside the disk of radius μ x_n, slide on its border.
     if (!(x.z() > 0)) return;
     Mat3& slope = forces.slopes[k];
     const double radius = mu * x.z(), length = x.head<2>().norm();
@@ -108,16 +111,16 @@ class ProximalPoints {
     forces.lambda(row + 2) = x.z();
     slope(2, 2) = rho;
     if (mu == 0) return;
-    const bool turns = laws_.rows[k] == FrictionRow::cone;
-    const Vec2 along = turns ? Vec2(x.head<2>() / length) : Vec2(-laws_.slips[k]);
+    const bool has_free_slip = laws_.rows[k] == FrictionRow::cone;
+    const Vec2 along = has_free_slip ? Vec2(x.head<2>() / length) : Vec2(-laws_.slips[k]);
     forces.lambda.segment<2>(row) = radius * along;
     slope.topRightCorner<2, 1>() = mu * rho * along;
-    if (!turns) return;
+    if (!has_free_slip) return;
     const Vec2 across(-along.y(), along.x());
     slope.topLeftCorner<2, 2>() = (rho * radius / length) * across * across.transpose();
   }
 
-  /// Solves M v = Lᵀ λ(v) from v_; nothing where the search along Newton's direction does not go on.
+  /// Solves M v = Lᵀ λ(v) from v_; nothing where the search along Newton's direction stops.
   std::optional<Forces> next_point() {
     constexpr int kMaxSteps = 30, kMaxHalvings = 25;
     constexpr double kSolved = 1e-13, kStuck = 1e-9, kDecrease = 1e-4;
@@ -127,6 +130,8 @@ class ProximalPoints {
       const double size =
           std::sqrt(at.pulled.dot(motion_.lift(at.pulled))) + std::sqrt(v.dot(motion_.weigh(v)));
       if (at.error <= kSolved * size) return at;
+
+      // Newton's direction, and halving until the error falls in proportion to the step.
       const VecX direction = -motion_.newton_step(at.slopes, at.miss, Symmetry::none);
       if (!direction.allFinite()) return std::nullopt;
       double length = 1;
@@ -157,7 +162,7 @@ class ProximalPoints {
     const double size = size_of_(offer.lambda);
     offer.residual = law_residual(laws_, motion_.diagonal(), size, offer.lambda, offer.w);
     VecX change = offer.lambda - lambda_;
-    for (Index i = 0; i < stiffness_.size(); ++i) change.segment<3>(3 * i) /= rho_ * stiffness_(i);
+    for (Index i = 0; i < masses_.size(); ++i) change.segment<3>(3 * i) /= rho_ * masses_(i);
     offer.change = change.cwiseAbs().maxCoeff();
     offer.changed_residual = law_residual(laws_, motion_.diagonal(), size, offer.lambda, offer.w + change);
     return offer;
@@ -172,9 +177,9 @@ class ProximalPoints {
   const ContactMotion& motion_;
   const std::function<double(const VecX&)>& size_of_;
   const ProximalPointOptions& options_;
-  VecX stiffness_;  ///< 1 / mean diagonal of each contact's block: n.
-  VecX lambda_;     ///< λ⁰.
-  VecX v_;          ///< M⁻¹ Lᵀ λ⁰.
+  VecX masses_;  ///< effective_masses: n.
+  VecX lambda_;  ///< λ⁰.
+  VecX v_;       ///< M⁻¹ Lᵀ λ⁰.
   double rho_ = kFirstRho;
 };
 

@@ -27,13 +27,13 @@ struct ProximalPointOptions {
 /// a problem with one regular matrix however redundant the contacts are: with Alart and Curnier's functions
 /// λ_n = max(0, x_n) and λ_t = the point of the disk of radius μ λ_n nearest to x_t, x = λ⁰ - ρ (L v + b), it
 /// is M v = Lᵀ λ(v) for the motion v (A = L M⁻¹ Lᵀ), solved by Newton's method with a search along its line.
-/// Slips turn in it as unknowns do, so none is held from step to step. ρ grows; where a problem is not solved
-/// it shrinks.
+/// Slip directions are unknowns in it, so none is held from step to step. ρ grows; where a problem is not
+/// solved it shrinks.
 ///
-/// λ is the exact solution of the law with b' = b + (λ - λ⁰) / ρ. Contacts that contradict each other - no
-/// forces make them hold, nor do they quite let go - show as a b' that stays as far from b, while forces that
+/// λ is the exact solution of the law with b' = b + (λ - λ⁰) / ρ. Contacts that contradict each other (no
+/// forces make them hold, nor do they quite let go) show as a b' that stays as far from b, while forces that
 /// do nothing grow from point to point. If that is no farther than b is known, λ is the answer, and
-/// `residual` that of the law with b'. Among the shares of redundant contacts any may come.
+/// `residual` that of the law with b'. Of the shares of redundant contacts any may result.
 ///
 /// Sources: Alart and Curnier, A Mixed Formulation for Frictional Contact Problems Prone to Newton Like
 /// Solution Methods, 1991; Acary, Brémond and Huber, On Solving Contact Problems with Coulomb Friction:

@@ -2,6 +2,7 @@
 
 #include "rigor/core/assert.hpp"
 #include "rigor/math/dense.hpp"
+#include "rigor/solver/linear/solved_residual.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,9 +15,7 @@ using Eigen::Index;
 
 namespace {
 
-constexpr double kSolved = 1e-12;
-
-/// A disc (two rows) or an interval (one) that a normal force opens.
+/// A disk (two rows) or an interval (one) that a normal force opens.
 struct Friction {
   Index normal, first, size;
   double coefficient;
@@ -73,15 +72,17 @@ UnitProblem in_units(const RollingFrictionProblem& problem) {
   return unit;
 }
 
-class MomentSolver {
+class RollingFrictionSolver {
  public:
-  MomentSolver(const RollingFrictionProblem& problem, VecX start)
+  RollingFrictionSolver(const RollingFrictionProblem& problem, VecX start)
       : problem_(problem), frictions_(frictions_of(problem)), lambda_(std::move(start)) {}
 
   VecX run() {
     constexpr int kMaxRounds = 30, kFirstSweeps = 20, kMostSweeps = 2000;
-    // What rounding leaves of the largest term.
+    // Smaller is rounding of the largest term.
     const double zero = 1e-15 * problem_.b.cwiseAbs().maxCoeff();
+
+    // Sweeps find what the contacts do, Newton's method the forces; where it fails, more sweeps.
     int sweeps = kFirstSweeps;
     for (int round = 0; round < kMaxRounds; ++round) {
       for (int sweep = 0; sweep < sweeps; ++sweep) relax();
@@ -159,6 +160,7 @@ class MomentSolver {
   void add_friction(const Friction& friction, const VecX& lambda, const VecX& w, VecX& F,
                     MatX* derivative) const {
     const Index first = friction.first, size = friction.size;
+    // F = λ - proj(λ - ρ w) onto the disk of radius μ λ_n (an interval for one row).
     const VecX own = lambda.segment(first, size), rate = w.segment(first, size);
     const VecX target = own - friction.step * rate;
     const double radius = friction.coefficient * std::max(0.0, lambda(friction.normal));
@@ -169,15 +171,17 @@ class MomentSolver {
         derivative->middleRows(first, size) = friction.step * problem_.A.middleRows(first, size);
       return;
     }
+
+    // Outside: the nearest point lies on the circle, rotates with the target and grows with λ_n.
     const VecX direction = length > 0 ? VecX(target / length) : VecX(VecX::Zero(size));
     F.segment(first, size) = own - radius * direction;
     if (derivative == nullptr) return;
     derivative->block(first, first, size, size) = MatX::Identity(size, size);
     if (!(length > 0) || lambda(friction.normal) <= 0) return;
-    MatX turned = -friction.step * problem_.A.middleRows(first, size);
-    turned.middleCols(first, size) += MatX::Identity(size, size);
+    MatX target_slope = -friction.step * problem_.A.middleRows(first, size);
+    target_slope.middleCols(first, size) += MatX::Identity(size, size);
     const MatX across = MatX::Identity(size, size) - direction * direction.transpose();
-    derivative->middleRows(first, size) -= radius / length * across * turned;
+    derivative->middleRows(first, size) -= radius / length * across * target_slope;
     derivative->col(friction.normal).segment(first, size) -= friction.coefficient * direction;
   }
 
@@ -189,6 +193,8 @@ class MomentSolver {
     for (int step = 0; step < kMaxSteps; ++step) {
       if (F.cwiseAbs().maxCoeff() <= zero) return true;
       ++iterations_;
+
+      // Newton's step of least norm, halved until |F| falls.
       const VecX change = -least_norm_solution(derivative, F);
       if (!change.allFinite()) return false;
       double length = 1;
@@ -220,34 +226,39 @@ bool is_finite(const RollingFrictionProblem& problem) {
 
 }  // namespace
 
-MomentSolution solve_moments(const RollingFrictionProblem& problem, const VecX& start) {
+RollingFrictionSolution solve_rolling_friction(const RollingFrictionProblem& problem, const VecX& start) {
   const Index size = problem.b.size();
   RIGOR_ASSERT(size == 6 * static_cast<Index>(problem.mu.size()) && problem.A.rows() == size);
   RIGOR_ASSERT(problem.rolling.size() == problem.mu.size() && problem.torsional.size() == problem.mu.size());
   RIGOR_ASSERT(start.size() == 0 || start.size() == size);
-  MomentSolution solution{VecX::Zero(size), problem.b, std::numeric_limits<double>::infinity(), 0, false};
+  RollingFrictionSolution solution{VecX::Zero(size), problem.b, std::numeric_limits<double>::infinity(), 0,
+                                   false};
   if (!is_finite(problem)) return solution;
+
+  // Forces and moments in units of their own, so that one step length fits both.
   const UnitProblem unit = in_units(problem);
   const VecX begin = start.size() > 0 ? VecX(start.cwiseQuotient(unit.units)) : solution.lambda;
   if (size > 0) {
-    MomentSolver solver(unit.problem, begin);
+    RollingFrictionSolver solver(unit.problem, begin);
     solution.lambda = unit.units.cwiseProduct(solver.run());
     solution.iterations = solver.iterations();
   }
   solution.w = problem.A * solution.lambda + problem.b;
-  solution.residual = moment_residual(problem, solution.lambda, solution.w);
-  solution.converged = solution.residual <= kSolved;
+  solution.residual = rolling_friction_residual(problem, solution.lambda, solution.w);
+  solution.converged = solution.residual <= solved_residual;
   return solution;
 }
 
-double moment_residual(const RollingFrictionProblem& problem, const VecX& lambda, const VecX& w) {
+double rolling_friction_residual(const RollingFrictionProblem& problem, const VecX& lambda, const VecX& w) {
   if (!lambda.allFinite() || !w.allFinite()) return std::numeric_limits<double>::infinity();
   const VecX terms = (problem.A.cwiseAbs() * lambda.cwiseAbs()).cwiseMax(problem.b.cwiseAbs());
-  double velocity = 0, turning = 0;
+  double velocity = 0, angular_velocity = 0;
   for (Index row = 0; row < terms.size(); ++row) {
-    double& size = row % 6 < 3 ? velocity : turning;
+    double& size = row % 6 < 3 ? velocity : angular_velocity;
     size = std::max(size, terms(row));
   }
+
+  // The natural map of each normal row and each friction.
   double worst = 0;
   for (const Friction& friction : frictions_of(problem)) {
     const Index n = friction.normal;
@@ -259,7 +270,7 @@ double moment_residual(const RollingFrictionProblem& problem, const VecX& lambda
     VecX target = force - friction.step * w.segment(friction.first, friction.size);
     const double radius = friction.coefficient * std::max(0.0, lambda(n)), length = target.norm();
     if (length > radius) target *= radius / length;
-    const double size = friction.first % 6 == 0 ? velocity : turning;
+    const double size = friction.first % 6 == 0 ? velocity : angular_velocity;
     if (size > 0) worst = std::max(worst, (force - target).norm() / (friction.step * size));
   }
   return worst;

@@ -20,26 +20,29 @@ struct RollingFrictionProblem {
   std::vector<double> mu, rolling, torsional;  ///< n each: μ, ρ [m], σ [m], ≥ 0.
 };
 
-struct MomentSolution {
+struct RollingFrictionSolution {
   VecX lambda;      ///< 6n, within the bounds.
   VecX w;           ///< A λ + b.
-  double residual;  ///< moment_residual.
+  double residual;  ///< rolling_friction_residual.
   int iterations;   ///< Newton steps and sweeps.
-  bool converged;   ///< residual ≤ 1e-12.
+  bool converged;   ///< residual ≤ solved_residual.
 };
 
 /// Sweeps of projected Gauss–Seidel bring the forces near, Newton's method on the natural map of the law
-/// (which is piecewise smooth) makes the digits, by turns until both gain no more. Never throws: what is not
-/// solved is in `residual`. Redundant contacts share as they come. `start`: forces of a similar problem, or
+/// (which is piecewise smooth) refines them to round-off; the two alternate
+/// until neither gains any more. Never throws: what is not
+/// solved is in `residual`. Among redundant contacts any share of the load may
+/// result. `start`: forces of a similar problem, or
 /// nothing.
 ///
 /// Sources: the three frictions as discs and an interval: Leine and Glocker, A set-valued force law for
 /// spatial Coulomb-Contensou friction, Eur. J. Mech. A/Solids 22, 2003, without their coupling; the natural
 /// map and its Newton method: Alart and Curnier, Comput. Methods Appl. Mech. Eng. 92, 1991.
-MomentSolution solve_moments(const RollingFrictionProblem& problem, const VecX& start = VecX());
+RollingFrictionSolution solve_rolling_friction(const RollingFrictionProblem& problem,
+                                               const VecX& start = VecX());
 
 /// How far λ and w are from the law (dimensionless): the natural map as in coulomb_residual, of velocities
-/// and of turning each relative to their own largest term.
-double moment_residual(const RollingFrictionProblem& problem, const VecX& lambda, const VecX& w);
+/// and of angular velocities, each relative to their own largest term.
+double rolling_friction_residual(const RollingFrictionProblem& problem, const VecX& lambda, const VecX& w);
 
 }  // namespace rigor

@@ -1,6 +1,7 @@
 #include "rigor/solver/coulomb/smooth_modes.hpp"
 
 #include "rigor/core/index.hpp"
+#include "rigor/core/rounding.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,11 +14,11 @@ using Eigen::Index;
 
 namespace {
 
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-// A turn by more than this [rad] in one Newton step is cut: the equations are far from linear in the angle.
-constexpr double kLargestTurn = 0.7;
+// A rotation by more than this [rad] in one Newton step is cut: the equations are far from linear in the
+// angle.
+constexpr double kLargestRotation = 0.7;
 
-Vec2 turned(const Vec2& u, double angle) {
+Vec2 rotated(const Vec2& u, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   const Vec2 v(c * u(0) - s * u(1), s * u(0) + c * u(1));
   return v / v.norm();
@@ -36,6 +37,7 @@ class SmoothModes {
     double best_error = std::numeric_limits<double>::infinity();
     int failures = 0;
     for (int step = 0; step < kMaxSteps && failures < 3; ++step) {
+      // Newton's step, until the equations hold to rounding or three steps gained less than half.
       linearise();
       const double error = F_.size() > 0 ? F_.cwiseAbs().maxCoeff() : 0.0;
       if (!std::isfinite(error)) break;
@@ -54,7 +56,7 @@ class SmoothModes {
   double mu(Index i) const { return problem_.mu[at(i)]; }
   ContactMode mode(Index i) const { return modes_[at(i)]; }
   Vec2& slip(Index i) { return guess_.modes.slips[at(i)]; }
-  bool turns(Index i) const {
+  bool has_unknown_slip(Index i) const {
     const std::size_t k = at(i);
     return modes_[k] == ContactMode::slide && problem_.rows[k] == FrictionRow::cone && problem_.mu[k] > 0;
   }
@@ -72,8 +74,8 @@ class SmoothModes {
   void linearise() {
     rows_.clear();
     columns_.clear();
-    turn_scales_.clear();
-    turn_terms_.clear();
+    angle_scales_.clear();
+    angle_terms_.clear();
     const VecX w = problem_.A * guess_.lambda + problem_.b;
     for (Index i = 0; i < static_cast<Index>(modes_.size()); ++i) {
       if (mode(i) == ContactMode::open) continue;
@@ -81,9 +83,11 @@ class SmoothModes {
         for (int axis = 0; axis < 3; ++axis) add(i, Vec3::Unit(axis), Vec3::Unit(axis));
       } else {
         add(i, Vec3::UnitZ(), generator(i) / std::sqrt(1.0 + mu(i) * mu(i)));
-        if (turns(i)) add_turn(i, w.segment<2>(3 * i));
+        if (has_unknown_slip(i)) add_rotation(i, w.segment<2>(3 * i));
       }
     }
+
+    // Their values at the present forces and slips.
     F_.resize(static_cast<Index>(rows_.size()));
     for (Index r = 0; r < F_.size(); ++r) {
       const ContactVector& row = rows_[at(r)];
@@ -91,16 +95,16 @@ class SmoothModes {
     }
   }
 
-  void add(Index i, const Vec3& row, const Vec3& column, double turn_scale = 0, double turn_term = 0) {
+  void add(Index i, const Vec3& row, const Vec3& column, double angle_scale = 0, double angle_term = 0) {
     rows_.push_back({i, row});
     columns_.push_back({i, column});
-    turn_scales_.push_back(turn_scale);
-    turn_terms_.push_back(turn_term);
+    angle_scales_.push_back(angle_scale);
+    angle_terms_.push_back(angle_term);
   }
 
   // û⊥·w_t = 0 with unknown angle: dF = û⊥·dw_t - (û·w_t) dθ,  dλ_t = -μ λ_n û⊥ dθ. The unknown is a force, m
   // dθ, so that its column has the size of the others.
-  void add_turn(Index i, const Vec2& w_t) {
+  void add_rotation(Index i, const Vec2& w_t) {
     const Vec2 u = slip(i);
     const Vec3 across(-u(1), u(0), 0.0);
     const double stiffness = problem_.A.diagonal().segment<3>(3 * i).mean();
@@ -112,15 +116,18 @@ class SmoothModes {
   }
 
   void newton_step() {
+    // The least-norm step of the linear equations.
     MatX jacobian = reduce(problem_.A, rows_, columns_);
-    for (Index j = 0; j < jacobian.cols(); ++j) jacobian(j, j) += turn_terms_[at(j)];
+    for (Index j = 0; j < jacobian.cols(); ++j) jacobian(j, j) += angle_terms_[at(j)];
     const VecX step = LeastNormSystem(std::move(jacobian)).solve(-F_);
+
+    // Angles rotate the slips, all other unknowns are forces.
     for (Index j = 0; j < step.size(); ++j) {
       const ContactVector& column = columns_[at(j)];
-      const double m = turn_scales_[at(j)];
+      const double m = angle_scales_[at(j)];
       if (m > 0) {
         slip(column.contact) =
-            turned(slip(column.contact), std::clamp(step(j) / m, -kLargestTurn, kLargestTurn));
+            rotated(slip(column.contact), std::clamp(step(j) / m, -kLargestRotation, kLargestRotation));
       } else {
         guess_.lambda.segment<3>(3 * column.contact) += step(j) * column.direction;
       }
@@ -132,7 +139,7 @@ class SmoothModes {
   CoulombGuess guess_;
   const std::vector<ContactMode> modes_;
   std::vector<ContactVector> rows_, columns_;
-  std::vector<double> turn_scales_, turn_terms_;  ///< Per column; zero where the unknown is a force.
+  std::vector<double> angle_scales_, angle_terms_;  ///< Per column; zero where the unknown is a force.
   VecX F_;
 };
 

@@ -11,12 +11,14 @@ StaticFrictionSolution solve_static_friction(
     const std::function<CoulombSolution(const std::vector<double>& mu)>& solve) {
   const std::size_t count = friction.mu.size();
   RIGOR_ASSERT(friction.mu_static.size() == count && friction.sticks.size() == count);
+  // At first all contacts that stuck before get μ_s.
   std::vector<double> mu = friction.mu;
   std::vector<bool> is_static = friction.sticks;
   for (std::size_t k = 0; k < count; ++k) {
     RIGOR_ASSERT(friction.mu_static[k] >= friction.mu[k]);
     if (is_static[k]) mu[k] = friction.mu_static[k];
   }
+  // A contact that slips though it has μ_s gets μ for good, so this ends after n + 1 rounds.
   for (int round = 1;; ++round) {
     CoulombSolution solution = solve(mu);
     bool breaks_loose = false;

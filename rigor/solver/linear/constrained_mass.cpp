@@ -1,6 +1,7 @@
 #include "rigor/solver/linear/constrained_mass.hpp"
 
 #include "rigor/core/assert.hpp"
+#include "rigor/core/sorted_unique.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -109,8 +110,7 @@ void ConstrainedMass::set_active_rows(const RowChoice* choice) {
       if (i < graph_.links[link].rows && !is_active) choice_.push_back(first_rows_[link] + i);
     }
   }
-  std::sort(choice_.begin(), choice_.end());
-  choice_.erase(std::unique(choice_.begin(), choice_.end()), choice_.end());
+  choice_ = sorted_unique(std::move(choice_));
   for (const Eigen::Index row : choice_) {
     const auto next = std::upper_bound(first_rows_.begin(), first_rows_.end(), static_cast<int>(row));
     const std::size_t link = static_cast<std::size_t>(next - first_rows_.begin()) - 1;
@@ -122,7 +122,7 @@ void ConstrainedMass::factor_trees() {
   loops_.resize(forest_.loop_links.size());
   for (Loop& loop : loops_) loop.active = active_[static_cast<std::size_t>(loop.link)];
 
-  // The place of K_D holds D until its node's turn comes.
+  // The place of K_D holds D until its node is reached.
   for (std::size_t place = 0; place < pivots_.size(); ++place)
     pivots_[place].K_D = masses_[static_cast<std::size_t>(forest_.nodes[place].node)];
   for (std::size_t place = pivots_.size(); place-- > 0;) {

@@ -52,4 +52,15 @@ VecX SparseMotion::newton_step(const std::vector<Mat3>& D, const VecX& g, Symmet
   return NodeSystem(rows_, D, 1.0, symmetry == Symmetry::positive).solve(g);
 }
 
+VecX effective_masses(const VecX& diagonal) {
+  constexpr double vanishing = 1e-12;
+  const double largest = diagonal.maxCoeff();
+  VecX masses(diagonal.size() / 3);
+  for (Eigen::Index i = 0; i < masses.size(); ++i) {
+    const double mean = diagonal.segment<3>(3 * i).mean();
+    masses(i) = 1.0 / (mean > vanishing * largest ? mean : largest);
+  }
+  return masses;
+}
+
 }  // namespace rigor

@@ -58,4 +58,8 @@ class SparseMotion : public ContactMotion {
   VecX diagonal_;
 };
 
+/// 1 / mean diagonal of A of each contact (n, [kg] where A is in [1/kg]); a contact whose block vanishes
+/// against the others gets the mass of the largest entry.
+VecX effective_masses(const VecX& diagonal);
+
 }  // namespace rigor

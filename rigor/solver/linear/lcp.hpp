@@ -14,7 +14,7 @@ struct LcpSolution {
   double residual;  ///< Largest |min(z_i M_ii, w_i)|, relative to the largest term max(|q|, |M| |z|).
                     ///< Dimensionless.
   int pivots;
-  bool converged;  ///< residual ≤ 1e-12.
+  bool converged;  ///< residual ≤ solved_residual.
 };
 
 /// Dantzig's principal pivoting for a symmetric positive semidefinite M, as in Baraff 1994 (resting contacts

@@ -3,6 +3,7 @@
 #include "rigor/math/dense.hpp"
 #include "rigor/solver/linear/lcp.hpp"
 #include "rigor/solver/linear/lcp_residual.hpp"
+#include "rigor/solver/linear/solved_residual.hpp"
 
 #include <limits>
 #include <vector>
@@ -13,7 +14,7 @@ namespace {
 using Eigen::Index;
 
 // Relative to the size of the sums they come from: anything smaller is round-off.
-constexpr double kRounding = 1e-13;
+constexpr double kPivotRounding = 1e-13;
 
 class Dantzig {
  public:
@@ -44,7 +45,7 @@ class Dantzig {
   Index most_negative() const {
     if (q_.size() == 0) return -1;
     Index driven = 0;
-    return w_.minCoeff(&driven) < -kRounding * size() ? driven : -1;
+    return w_.minCoeff(&driven) < -kPivotRounding * size() ? driven : -1;
   }
 
   std::vector<Index> clamped_indices() const {
@@ -76,6 +77,8 @@ class Dantzig {
       const VecX dz = push_direction(d);
       const VecX dw = M_ * dz;
       const VecX dw_size = M_.cwiseAbs() * dz.cwiseAbs();
+
+      // As far as w_d = 0, z = 0 of a clamped index, or w = 0 of an open one.
       double step = std::numeric_limits<double>::infinity();
       Index blocking = -1;
       const auto consider = [&](double length, Index i) {
@@ -83,15 +86,17 @@ class Dantzig {
         step = std::max(0.0, length);
         blocking = i;
       };
-      if (dw(d) > kRounding * dw_size(d)) consider(-w_(d) / dw(d), d);
+      if (dw(d) > kPivotRounding * dw_size(d)) consider(-w_(d) / dw(d), d);
       for (Index i = 0; i < q_.size(); ++i) {
         if (i == d) continue;
         const bool is_clamped = clamped_[at(i)];
-        if (is_clamped && dz(i) < -kRounding) consider(-z_(i) / dz(i), i);
+        if (is_clamped && dz(i) < -kPivotRounding) consider(-z_(i) / dz(i), i);
         // A redundant index (dw is round-off) can neither help nor hinder.
-        if (!is_clamped && w_(i) >= 0 && dw(i) < -kRounding * dw_size(i)) consider(-w_(i) / dw(i), i);
+        if (!is_clamped && w_(i) >= 0 && dw(i) < -kPivotRounding * dw_size(i)) consider(-w_(i) / dw(i), i);
       }
       if (blocking < 0) return false;
+
+      // The index that blocks changes its set.
       z_ += step * dz;
       w_ += step * dw;
       exchange(blocking, d);
@@ -113,7 +118,7 @@ class Dantzig {
       const MatX M_CC = M_(C, C);
       VecX z = -solve(M_CC, q_(C));
       z -= solve(M_CC, M_CC * z + q_(C));
-      if (z.allFinite() && z.minCoeff() >= -kRounding * z.cwiseAbs().maxCoeff()) {
+      if (z.allFinite() && z.minCoeff() >= -kPivotRounding * z.cwiseAbs().maxCoeff()) {
         z_.setZero();
         z_(C) = z.cwiseMax(0.0);
       }
@@ -144,7 +149,7 @@ LcpSolution finish_lcp(const MatX& M, const VecX& q, const VecX& z, int pivots) 
   }
   solution.residual = size > 0 ? worst / size : 0.0;
   if (!z.allFinite()) solution.residual = std::numeric_limits<double>::infinity();
-  solution.converged = solution.residual <= 1e-12;
+  solution.converged = solution.residual <= solved_residual;
   return solution;
 }
 

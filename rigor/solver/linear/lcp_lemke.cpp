@@ -25,9 +25,12 @@ class Lemke {
 
   /// Runs to a solution (true) or a secondary ray.
   bool run(int pivot_cap) {
+    // The covering variable z₀ enters where q is most negative: then the basis is feasible.
     Index row = 0;
     if (n_ == 0 || tableau_.col(2 * n_ + 1).minCoeff(&row) >= 0) return true;
     Index entering = 2 * n_;
+
+    // The complement of what left enters, until z₀ leaves (a solution) or nothing does (a ray).
     while (pivots_ < pivot_cap) {
       const Index leaving = basis_[at(row)];
       pivot(row, entering);

@@ -1,6 +1,7 @@
 #include "rigor/solver/linear/least_norm.hpp"
 
 #include "rigor/core/assert.hpp"
+#include "rigor/math/dense.hpp"
 
 #include <numeric>
 #include <utility>
@@ -14,7 +15,7 @@ LeastNormSystem::LeastNormSystem(MatX B, double rank_tolerance) : B_(std::move(B
   factor(rank_tolerance);
   if (rank_ > 0 && rank_ < B_.cols()) {
     const MatX R = factors_.topRows(rank_).template triangularView<Eigen::Upper>();
-    row_factors_.compute(R.transpose());
+    row_factors_ = householder_factors(R.transpose());
   }
 }
 
@@ -27,6 +28,7 @@ void LeastNormSystem::factor(double rank_tolerance) {
   VecX workspace(n);
   double threshold = 0;
   for (Index j = 0; j < n; ++j) {
+    // The column of which most is left is the pivot.
     Index pivot = 0;
     const double largest = factors_.bottomRightCorner(n - j, n - j).colwise().squaredNorm().maxCoeff(&pivot);
     if (j == 0) threshold = largest * rank_tolerance * rank_tolerance;
@@ -35,6 +37,8 @@ void LeastNormSystem::factor(double rank_tolerance) {
       factors_.col(j).swap(factors_.col(j + pivot));
       std::swap(permutation_(j), permutation_(j + pivot));
     }
+
+    // Its reflection, applied to the columns that remain.
     double beta = 0;
     factors_.col(j).tail(n - j).makeHouseholderInPlace(coefficients_(j), beta);
     factors_(j, j) = beta;
@@ -72,7 +76,7 @@ MatX LeastNormSystem::row_space() const {
   const Index n = B_.cols();
   if (rank_ == n) return MatX::Identity(n, n);
   MatX permuted = MatX::Identity(n, rank_);
-  if (rank_ > 0) permuted.applyOnTheLeft(row_factors_.householderQ());
+  if (rank_ > 0) apply_householder_q(row_factors_, permuted);
   MatX basis(n, rank_);
   for (Index j = 0; j < n; ++j) basis.row(permutation_(j)) = permuted.row(j);
   return basis;

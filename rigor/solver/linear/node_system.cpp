@@ -13,7 +13,7 @@ using Eigen::Index;
 
 namespace {
 
-// So few are solved faster without an order.
+// Up to so many unknowns the dense factorisation is faster than the sparse one.
 constexpr Index kDenseUnknowns = 144;
 
 /// Calls add(row node, column node, block) for each block of the sum.
@@ -104,6 +104,7 @@ NodeSystem::~NodeSystem() = default;
 NodeSystem::NodeSystem(const ContactRows& rows, const std::vector<Mat3>& D, double mass_factor,
                        bool is_symmetric)
     : rows_(rows), scales_(unknown_scales(rows)), factors_(std::make_unique<Factors>()) {
+  // On the base of the motions that joints allow, where it is small enough for dense factors.
   if (rows.has_held_motions()) {
     find_places();
     if (size_ <= kDenseUnknowns) {
@@ -112,6 +113,9 @@ NodeSystem::NodeSystem(const ContactRows& rows, const std::vector<Mat3>& D, doub
     }
     places_.clear();
   }
+
+  // Else on all nodes, with the joints' independent rows as a border: scaled so that pivots compare like
+  // units.
   const auto scaled = [this](int i, int k, const Mat6& block) {
     return Mat6(scales_.segment<6>(6 * i).asDiagonal() * block * scales_.segment<6>(6 * k).asDiagonal());
   };
@@ -218,10 +222,13 @@ VecX NodeSystem::solve(const VecX& c) const {
       is_held_[k] ? on_held(6 * static_cast<Index>(k), places_[k])
                   : on_free(6 * static_cast<Index>(k), places_[k]);
   };
+  // The right side on the base: free nodes, then Nᵀ c of those that joints hold.
   VecX reduced(size_), held(rows_.held_motions.rows()), x(c.size());
   for_each_node([&](Index row, Index place) { reduced.segment<6>(place) = c.segment<6>(row); },
                 [&](Index row, Index place) { held.segment<6>(place) = c.segment<6>(row); });
   reduced.tail(size_ - free_) = rows_.held_motions.transpose() * held;
+
+  // Solved on the base, and back to all nodes.
   const VecX y = factors_->solve(reduced);
   held = rows_.held_motions * y.tail(size_ - free_);
   for_each_node([&](Index row, Index place) { x.segment<6>(row) = y.segment<6>(place); },

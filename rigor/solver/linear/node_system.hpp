@@ -19,8 +19,8 @@ namespace rigor {
 /// grows about in proportion to the nodes in stacks and rows.
 class NodeSystem {
  public:
-  /// One 3 × 3 matrix D a contact. Symmetric: all D are, and are positive semidefinite. Holds a reference to
-  /// the rows.
+  /// One 3 × 3 matrix D per contact. Symmetric: all D are, and are positive semidefinite. Holds a reference
+  /// to the rows.
   NodeSystem(const ContactRows& rows, const std::vector<Mat3>& D, double mass_factor, bool is_symmetric);
   NodeSystem(NodeSystem&& other) noexcept;
   ~NodeSystem();
@@ -29,7 +29,7 @@ class NodeSystem {
   VecX solve(const VecX& c) const;
 
  private:
-  struct Factors;  ///< Of the matrix: kept apart, for Eigen's sparse templates take long to compile.
+  struct Factors;  ///< Of the matrix: kept apart, since Eigen's sparse templates take long to compile.
   void factor_on_motions(const std::vector<Mat3>& D, double mass_factor, bool is_symmetric);
   void find_places();
 

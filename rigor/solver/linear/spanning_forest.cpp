@@ -2,10 +2,12 @@
 
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/core/sorted_unique.hpp"
 
 #include <algorithm>
 #include <functional>
 #include <numeric>
+#include <utility>
 
 namespace rigor {
 namespace {
@@ -104,8 +106,7 @@ std::vector<SpanningForest::PathNode> SpanningForest::path(std::span<const int> 
     for (int place = places[at(node)]; place >= 0; place = nodes[at(place)].parent) reached.push_back(place);
   }
   // Children have higher places than their parents.
-  std::sort(reached.begin(), reached.end(), std::greater<>());
-  reached.erase(std::unique(reached.begin(), reached.end()), reached.end());
+  reached = sorted_unique(std::move(reached), std::greater<>());
 
   std::vector<PathNode> path;
   for (const int place : reached) {

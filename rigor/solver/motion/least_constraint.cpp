@@ -2,6 +2,7 @@
 
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/solver/linear/solved_residual.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +36,7 @@ class ActiveSet {
   }
 
   void add(Eigen::Index row, VecX parts) {
-    // Rotations that leave of the part across the active rows its length alone.
+    // Rotations turn the part across the active rows into one entry, its length.
     for (Eigen::Index i = parts.size() - 1; i > count(); --i) {
       Eigen::JacobiRotation<double> rotation;
       rotation.makeGivens(parts[i - 1], parts[i], &parts[i - 1]);
@@ -49,7 +50,7 @@ class ActiveSet {
   void drop(Eigen::Index place) {
     rows_.erase(rows_.begin() + place);
     for (Eigen::Index k = place; k < count(); ++k) R_.col(k).head(k + 2) = R_.col(k + 1).head(k + 2);
-    // Below the diagonal one entry a column is left: rotate it away.
+    // Below the diagonal one entry per column is left: rotations take it away.
     for (Eigen::Index k = place; k < count(); ++k) {
       Eigen::JacobiRotation<double> rotation;
       rotation.makeGivens(R_(k, k), R_(k + 1, k));
@@ -112,6 +113,7 @@ class DualMethod {
     double own = 0;
     while (iterations_ < most_steps) {
       ++iterations_;
+      // The step direction across the active rows, and how their multipliers fall along it.
       const double missing = violation(row);
       if (missing == 0 && own == 0) return;
       const double sign = missing < 0 ? -1 : 1;
@@ -120,6 +122,7 @@ class DualMethod {
       const VecX falls = sign * active_.multiplier_rates(parts);
       const bool is_dependent = direction.norm() <= dependent * norms_[row];
 
+      // The partial step: as far as the first multiplier of an inequality falls to zero.
       double blocked = infinity;
       Eigen::Index blocking = -1;
       for (Eigen::Index i = 0; i < active_.count(); ++i) {
@@ -128,6 +131,8 @@ class DualMethod {
         const double step = std::max(0.0, lambda_[other]) / falls[i];
         if (step < blocked) blocked = step, blocking = i;
       }
+
+      // The full step: until the row holds. The shorter of the two is taken.
       const double full = is_dependent ? infinity : std::abs(missing) / direction.squaredNorm();
       const double step = std::min(full, blocked);
       if (!std::isfinite(step)) {
@@ -142,6 +147,8 @@ class DualMethod {
       }
       own += step;
       lambda_[row] += sign * step;
+
+      // After a full step the row is active; after a partial one the row that blocks is dropped.
       if (full <= blocked) {
         active_.add(row, parts);
         return;
@@ -154,6 +161,8 @@ class DualMethod {
 
   LeastConstraintSolution solution() const {
     LeastConstraintSolution result{y_, lambda_, active_.rows(), 0, false, iterations_};
+
+    // Rows that are violated.
     const VecX image = problem_.G * y_;
     for (Eigen::Index row = 0; row < problem_.G.rows(); ++row) {
       const double size = std::abs(problem_.d[row]) + norms_[row] * y_.norm();
@@ -161,6 +170,8 @@ class DualMethod {
       if (size > 0)
         result.residual = std::max(result.residual, (is_equality(row) ? std::abs(miss) : miss) / size);
     }
+
+    // y = Gᵀ λ and λ ≥ 0.
     const double forces = problem_.G.cwiseAbs().transpose().lazyProduct(lambda_.cwiseAbs()).norm();
     if (forces > 0) {
       const VecX balance = y_ - problem_.G.transpose() * lambda_;
@@ -169,8 +180,7 @@ class DualMethod {
         result.residual = std::max(result.residual, -lambda_[row] / lambda_.cwiseAbs().maxCoeff());
       }
     }
-    constexpr double tolerance = 1e-12;
-    result.converged = result.residual <= tolerance;
+    result.converged = result.residual <= solved_residual;
     return result;
   }
 

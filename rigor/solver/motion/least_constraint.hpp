@@ -29,7 +29,7 @@ struct LeastConstraintSolution {
   /// Largest violation of a row, of y = Gᵀ λ, or λ below zero; relative to the largest term of each. Where
   /// nothing satisfies all rows it is that of the rows that were given up.
   double residual;
-  bool converged;  ///< residual ≤ 1e-12.
+  bool converged;  ///< residual ≤ solved_residual.
   int iterations;  ///< Steps of the active set.
 };
 

@@ -1,5 +1,6 @@
 #include "rigor/solver/motion/motion_modes.hpp"
 
+#include "rigor/core/rounding.hpp"
 #include "rigor/solver/coulomb/cone.hpp"
 
 #include <cmath>
@@ -11,7 +12,6 @@ using Eigen::Index;
 
 namespace {
 
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 // Parts of A's largest entry that make the node matrices regular. What they do to the solution the next round
 // takes away, by about their ratio to the stiffness of the contacts; but motions that the contacts leave free
 // are known to round-off divided by them. So the larger one comes first, and the smaller one where it is
@@ -106,6 +106,7 @@ void MotionModesSystem::refine(const NodeSystem& to_motion, const NodeSystem& to
   const ContactRows& rows = problem_.rows;
   VecX lambda = lambda_, z = z_;
   for (int round = 0; round < kMaxRounds; ++round) {
+    // The misses of the equations; rounds continue while these fall.
     const VecX p = with_joints(rows, contact_wrenches(rows, lambda));
     const VecX w = contact_rates(rows, node_accelerations(rows, p)) + problem_.laws.b;
     const VecX misses = restrict_to_equations(-w);
@@ -115,6 +116,8 @@ void MotionModesSystem::refine(const NodeSystem& to_motion, const NodeSystem& to
     lambda_ = lambda;
     z_ = z;
     if (miss <= 0.5 * kEpsilon) return;
+
+    // Accelerations a that take away the misses, and forces along the force directions that make them.
     const VecX a = to_motion.solve(contact_wrenches(rows, expand_equations(misses)));
     const VecX dz = to_forces.solve(node_wrenches(rows, a));
     z += dz;
@@ -155,8 +158,8 @@ MotionModesSystem::Dual MotionModesSystem::evaluate(const VecX& z, const VecX& p
 }
 
 // The least-norm point of {x : E x = p} in a cone C is proj_C(Eᵀ z) where z minimises the convex, once
-// differentiable  φ(z) = ½|proj_C(Eᵀ z)|² - pᵀz:  Newton with a line search. Without such a point z runs
-// away.
+// differentiable  φ(z) = ½|proj_C(Eᵀ z)|² - pᵀz:  Newton's method with a line search. Without such a point z
+// grows without bound.
 std::optional<VecX> MotionModesSystem::find_in_cones() const {
   constexpr int kMaxSteps = 40, kPatience = 8;
   constexpr double kRunaway = 1e6;
@@ -174,6 +177,8 @@ std::optional<VecX> MotionModesSystem::find_in_cones() const {
   double least_error = error;
   for (int step = 0, stalls = 0; step < kMaxSteps && error > 4 * kEpsilon; ++step) {
     if (!(at.lambda.norm() <= kRunaway * lambda_.norm())) return std::nullopt;
+
+    // Newton's direction; the matrix is made regular by a little that vanishes with the error.
     const double softening = scale_ * (1e-3 * std::min(1e-3, error) + kLessRegular);
     const NodeSystem hessian(rows, projection_weights(restrict_to_forces(contact_rates(rows, at.z))),
                              softening, true);
@@ -186,6 +191,8 @@ std::optional<VecX> MotionModesSystem::find_in_cones() const {
     const auto is_better = [&] {
       return trial.value <= at.value + 1e-4 * length * slope || trial_error <= 0.5 * error;
     };
+
+    // Halving until the value falls enough, or, near the minimum, the error does.
     for (int halving = 0; halving < 30 && !is_better(); ++halving) {
       length *= 0.5;
       trial = evaluate(at.z + length * direction, p);

@@ -20,7 +20,7 @@ using Eigen::Index;
 
 namespace {
 
-// Of contacts to other modes, before the guess is given up.
+// Times that contacts are moved to other modes before the guess is given up.
 constexpr int kMoves = 5;
 
 class MotionSolver {
@@ -34,14 +34,19 @@ class MotionSolver {
         forces_of_([this](const ContactModes& modes) { return forces_of(modes); }) {}
 
   std::optional<CoulombSolution> run(const std::vector<ContactMode>& start) {
+    // Without friction the nearest point shows the modes. A start near the solution is best refined itself.
     if (is_frictionless() && is_dense_enough())
       return settle(guess_of(least_constraint_modes()), kMoves, "least constraint");
     if (start_.size() > 0 && !options_.least_norm) return share_somehow();
+
+    // The modes of a similar problem before, then that every contact holds: most problems are solved by that.
     if (!start.empty()) {
       if (std::optional<CoulombSolution> solution = settle(guess_of(start), 1, "motion")) return solution;
     }
     const std::vector<ContactMode> holding(laws_.mu.size(), ContactMode::stick);
     if (std::optional<CoulombSolution> solution = settle(guess_of(holding), 1, "motion")) return solution;
+
+    // Else the motion has to be searched.
     if (options_.resolution && !options_.least_norm) return solve_to_resolution();
     return options_.least_norm ? approach() : share_somehow();
   }
@@ -133,29 +138,26 @@ class MotionSolver {
     return solution_of(*forces, modes.modes);
   }
 
-  bool has_turning_slips(const ContactModes& modes) const {
-    for (std::size_t k = 0; k < modes.modes.size(); ++k)
-      if (modes.modes[k] == ContactMode::slide && laws_.rows[k] == FrictionRow::cone && laws_.mu[k] > 0)
-        return true;
-    return false;
-  }
-
   /// Solves for the guess's modes and moves the contacts that break the law, a few times.
   std::optional<CoulombSolution> settle(CoulombGuess guess, int most_moves, const char* method) const {
     std::set<std::vector<ContactMode>> visited;
     for (int move = 0; move < most_moves && visited.insert(guess.modes.modes).second; ++move) {
       const MotionModesSystem system(problem_, guess.modes);
       const std::optional<VecX> forces = system.find_in_cones();
+      // Forces for the modes, with their slips followed if these are unknown; they are the solution if the
+      // law holds for them.
       if (forces) {
         CoulombSolution solution = solution_of(*forces, guess.modes.modes);
-        if (has_turning_slips(guess.modes) && solution.residual > kZeroMotion) {
-          if (auto turned = find_least_norm(laws_, guess.modes, kZeroMotion, forces_of_))
-            solution = std::move(*turned);
+        if (has_unknown_slips(laws_, guess.modes) && solution.residual > kZeroMotion) {
+          if (auto least = find_least_norm(laws_, guess.modes, kZeroMotion, forces_of_))
+            solution = std::move(*least);
         }
         if (solution.converged)
           return labelled(options_.least_norm ? with_least_norm(std::move(solution)) : std::move(solution),
                           move + 1, method);
       }
+
+      // The law is broken somewhere: the contacts that break it move.
       guess.lambda = system.least_norm();
       move_contacts(laws_, motion_.diagonal(), motion_of(guess.lambda),
                     kZeroMotion * largest_of(guess.lambda), guess);

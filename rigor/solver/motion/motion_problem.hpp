@@ -20,12 +20,12 @@ namespace rigor {
 /// solved by that.
 ///
 /// λ is of least norm as with solve_coulomb, and so are the accelerations the same. Without
-/// options.least_norm redundant contacts share as they come. With options.resolution proximal points then
-/// solve what does not hold (proximal_points.hpp): the steps of a time-stepping scheme. Else the augmented
-/// Lagrangian makes the digits itself, beginning with `forces` (3n, of a similar problem; or nothing): for
-/// piles of a hundred bodies and more, whose contacts are nearly all redundant; a tolerance of 1e-10 is soon
-/// reached then. Nothing if it was not solved to options.tolerance: slip that turns and jams are left to
-/// contact space.
+/// options.least_norm redundant contacts may have any share of the load. With options.resolution proximal
+/// points then solve what does not hold (proximal_points.hpp): the steps of a time-stepping scheme. Else the
+/// augmented Lagrangian refines the forces to round-off itself, beginning with `forces` (3n, of a similar
+/// problem; or nothing): for piles of a hundred bodies and more, whose contacts are nearly all redundant; a
+/// tolerance of 1e-10 is soon reached then. Nothing if it was not solved to options.tolerance: slip of
+/// changing direction and jams are left to contact space.
 std::optional<CoulombSolution> solve_in_motion_space(const MotionProblem& problem,
                                                      const std::vector<ContactMode>& start = {},
                                                      const CoulombOptions& options = {},

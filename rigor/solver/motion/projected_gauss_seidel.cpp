@@ -137,11 +137,14 @@ class Sweeper {
   }
 
   void relax_contact(std::size_t i) {
+    // The normal force first, from the newest motion.
     const ContactResponse& response = contacts_[i];
     const Vec3 before = lambda_.segment<3>(3 * static_cast<Index>(i));
     double normal = before(2);
     if (response.normal > 0) normal = std::max(0.0, normal - rate_of(i)(2) / response.normal);
     change_force(i, Vec3(0, 0, normal - before(2)));
+
+    // Then friction, with the new λ_n as its bound.
     const double mu = laws_.mu[i];
     Vec2 friction = Vec2::Zero();
     if (mu > 0 && laws_.rows[i] == FrictionRow::slide) {
@@ -197,10 +200,6 @@ VelocitySolution solve_projected_gauss_seidel(const VelocityProblem& problem, in
   Sweeper sweeper(problem, start);
   for (int sweep = 0; sweep < sweeps; ++sweep) sweeper.sweep();
   return solution_of(problem, sweeper.lambda(), sweeper.nu());
-}
-
-double velocity_residual(const VelocityProblem& problem, const VecX& lambda, const VecX& nu) {
-  return solution_of(problem, lambda, nu).residual;
 }
 
 }  // namespace rigor

@@ -8,14 +8,16 @@ namespace rigor {
 /// ΔV = M⁻¹ (Jᵀ λ + Gᵀ ν), contacts end with w = J ΔV + b, joints with r = G ΔV + c.
 struct VelocityProblem {
   MotionProblem contacts;  ///< b is of the bodies alone, without what joints do (unlike motion space).
-  VecX c;                  ///< One a row of contacts.rows.joints, redundant ones too; empty without joints.
+  VecX c;                  ///< One per row of contacts.rows.joints, redundant ones too; empty without joints.
 };
 
 struct VelocitySolution {
-  VecX lambda;      ///< 3n. Every λ_i is in its cone.
-  VecX nu;          ///< Of all rows of the joints.
-  VecX w, r;        ///< What is left at contacts and joints.
-  double residual;  ///< velocity_residual of all of it.
+  VecX lambda;  ///< 3n. Every λ_i is in its cone.
+  VecX nu;      ///< Of all rows of the joints.
+  VecX w, r;    ///< What is left at contacts and joints.
+  /// As coulomb_residual, without forming A: the larger of that of the contacts' law and of |r|, relative to
+  /// the largest term.
+  double residual;
 };
 
 /// Forces to begin with; of size 0: zeros.
@@ -30,9 +32,10 @@ struct VelocityStart {
 ///   ν_j ← ν_j - r_j / G_j M⁻¹ G_jᵀ,
 ///   λ_n ← max(0, λ_n - w_n / A_nn),   λ_t ← λ_t - w_t / ρ, scaled back to |λ_t| ≤ μ λ_n,
 ///
-/// with the λ_n of the moment and ρ the larger eigenvalue of the contact's own A_tt. What it converges to
+/// with the newest λ_n and ρ the larger eigenvalue of the contact's own A_tt. What it converges to
 /// (linearly, and slowly where many bodies lean on each other or masses differ) is a solution of Coulomb's
-/// law with the exact cone; redundant contacts and rows share as chance has it. `laws.slips` are used at
+/// law with the exact cone; of the shares of redundant contacts and rows any may
+/// result. `laws.slips` are used at
 /// slide rows. What it has not solved is in `residual`.
 ///
 /// Source: Jourdan, Alart and Jean, A Gauss-Seidel like algorithm to solve frictional contact problems,
@@ -41,9 +44,5 @@ struct VelocityStart {
 /// with Temporal Coherence, GDC 2005 (with a box in place of the disc).
 VelocitySolution solve_projected_gauss_seidel(const VelocityProblem& problem, int sweeps,
                                               const VelocityStart& start = {});
-
-/// The residual (as coulomb_residual, without forming A) of forces: the larger of that of the contacts' law
-/// and of |r|, relative to the largest term.
-double velocity_residual(const VelocityProblem& problem, const VecX& lambda, const VecX& nu);
 
 }  // namespace rigor

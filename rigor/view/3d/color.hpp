@@ -22,7 +22,7 @@ class SrgbTable {
   /// Value of a channel; light outside 0 to 1 is cut.
   std::uint8_t operator[](float light) const {
     const float cut = std::min(std::max(0.0F, light), 1.0F);
-    return bytes_[at(cut * static_cast<float>(steps) + 0.5F)];
+    return bytes_[static_cast<std::size_t>(cut * static_cast<float>(steps) + 0.5F)];
   }
 
  private:

@@ -75,7 +75,7 @@ void add_joint(const Model& model, const Joint& joint, DrawnScene& scene) {
   const std::array<Side, 2> sides = sides_of(joint);
   const double radius = slenderness * std::max(arm(model, sides[0]), arm(model, sides[1]));
   for (const Side& side : sides) add_rod(model, side, radius, scene);
-  if (radius == 0 || joint.type == JointType::fixed || joint.type == JointType::distance) return;
+  if (radius == 0 || joint_traits(joint.type).drawing != JointDrawing::rods_and_ball) return;
   const Side& side = can_move(model, sides[0].body) ? sides[0] : sides[1];
   const double ball_radius = ball_to_rod * radius;
   DrawnShape ball = joint_part(model, side.body, Sphere{ball_radius}, Pose{Mat3::Identity(), side.p_BP});
@@ -117,9 +117,10 @@ std::vector<double> joint_reaches(const Model& model) {
 
 void add_joints(const Model& model, DrawnScene& scene) {
   for (const Joint& joint : model.joints()) {
-    if (joint.type == JointType::gear) continue;
+    const JointDrawing drawing = joint_traits(joint.type).drawing;
+    if (drawing == JointDrawing::nothing) continue;
     add_joint(model, joint, scene);
-    if (joint.type == JointType::distance) {
+    if (drawing == JointDrawing::rods_and_line) {
       scene.lines.push_back(line_between(model, sides_of(joint), rod_color()));
     }
   }

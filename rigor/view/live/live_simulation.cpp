@@ -318,9 +318,8 @@ std::string LiveSimulation::status() const {
   }
   Json method = Json::array();
   for (const std::string& key : method_choice_keys()) {
-    const std::string value = method_choice(run_->method(), key);
-    if (!value.empty())
-      method.push_back({{"key", key}, {"value", value}, {"values", method_values(key, true)}});
+    method.push_back(
+        {{"key", key}, {"value", method_choice(run_->method(), key)}, {"values", method_values(key)}});
   }
   return json_line(Json{{"type", "status"},
                         {"generation", generation_},

@@ -100,18 +100,16 @@ Json springs_json(const Model& model) {
 
 /// Direction of an axis that a joint has on its body A (side 0) or B; null if it has none there.
 Json axis_json(const Joint& joint, std::size_t side) {
-  const bool is_universal = joint.type == JointType::universal;
-  const bool has_axis =
-      joint.type != JointType::fixed && joint.type != JointType::ball && joint.type != JointType::distance;
-  if (side == 0) return has_axis ? json_of(Vec3(joint.X_AJ.R.col(2))) : Json();
-  return is_universal ? json_of(Vec3(joint.X_BK.R.col(0))) : Json();
+  const JointAxes axes = joint_traits(joint.type).axes;
+  if (side == 0) return axes == JointAxes::none ? Json() : json_of(Vec3(joint.X_AJ.R.col(2)));
+  return axes == JointAxes::z_and_x_of_K ? json_of(Vec3(joint.X_BK.R.col(0))) : Json();
 }
 
 /// All joints that have a place: gears have none.
 Json joints_json(const Model& model) {
   Json joints = Json::array();
   for (const Joint& joint : model.joints()) {
-    if (joint.type == JointType::gear) continue;
+    if (joint_traits(joint.type).drawing == JointDrawing::nothing) continue;
     joints.push_back({{"name", joint.name},
                       {"type", joint_type_name(joint.type)},
                       {"bodies", {joint.body_A, joint.body_B}},

@@ -10,13 +10,13 @@ namespace rigor {
 
 namespace {
 
-using plot_style::axis_color, plot_style::axis_pen, plot_style::line_pen, plot_style::text,
-    plot_style::tick_text;
+using plot_style::axis_color, plot_style::axis_pen, plot_style::bottom, plot_style::left,
+    plot_style::legend_row, plot_style::line_pen, plot_style::right, plot_style::text, plot_style::tick_text;
 
 // In units of a drawing: as points on paper.
-constexpr double left = 74, right = 22, top = 12, bottom = 46, between = 18;
+constexpr double panels_top = 12, panel_gap = 18;
 constexpr double all_panels = 780, widest_panel = 420, lowest_panel = 130, highest_panel = 320;
-constexpr double legend_row = 17, title_row = 22;
+constexpr double title_row = 22;
 constexpr double ray_pen = 0.8, arrow = 7, marker_radius = 4, dot_width = 7.5;
 
 void add_marker(MarkerShape shape, const Vec2& at, const std::string& color, Drawing& drawing) {
@@ -46,7 +46,7 @@ void add_marker(MarkerShape shape, const Vec2& at, const std::string& color, Dra
 /// Legend rows; returns the height they take.
 double add_legend(const std::vector<LegendEntry>& legend, double width, Drawing& drawing) {
   constexpr double sample = 20, gap = 16;
-  double x = left, row = top + legend_row - 5;
+  double x = left, row = panels_top + legend_row - 5;
   for (const LegendEntry& entry : legend) {
     const double needed = sample + 5 + text_width(entry.text, tick_text) + gap;
     if (x > left && x + needed > width - right) x = left, row += legend_row;
@@ -58,7 +58,7 @@ double add_legend(const std::vector<LegendEntry>& legend, double width, Drawing&
     drawing.labels.push_back({entry.text, x + sample + 5, row, tick_text});
     x += needed;
   }
-  return legend.empty() ? 0 : row - top + 8;
+  return legend.empty() ? 0 : row - panels_top + 8;
 }
 
 /// What all panels show: their points and the origin.
@@ -144,10 +144,10 @@ void add_panel(const PlotAxes& axes, const CurvePanel& panel, bool is_first, Dra
 
 Drawing make_curve_plot(const CurvePlot& plot) {
   const double count = static_cast<double>(std::max<std::size_t>(1, plot.panels.size()));
-  const double panel_width = std::min(widest_panel, (all_panels - (count - 1) * between) / count);
+  const double panel_width = std::min(widest_panel, (all_panels - (count - 1) * panel_gap) / count);
   Drawing drawing;
-  drawing.width = left + count * panel_width + (count - 1) * between + right;
-  const double y = top + add_legend(plot.legend, drawing.width, drawing) + title_row;
+  drawing.width = left + count * panel_width + (count - 1) * panel_gap + right;
+  const double y = panels_top + add_legend(plot.legend, drawing.width, drawing) + title_row;
   double height = 0;
   const PlaneExtent shown = fitted_extent(extent_of(plot), panel_width, height);
   // At least three marks wished for, so that there are two, and with them a scale.
@@ -162,7 +162,7 @@ Drawing make_curve_plot(const CurvePlot& plot) {
     add_panel(axes, panel, &panel == &plot.panels.front(), drawing);
     drawing.labels.push_back({axis_title(plot.x_quantity, plot.unit, x_ticks.exponent),
                               0.5 * (axes.left + axes.right), axes.bottom + 36, text, Anchor::middle});
-    x = axes.right + between;
+    x = axes.right + panel_gap;
   }
   drawing.labels.push_back({axis_title(plot.y_quantity, plot.unit, y_ticks.exponent), 16, y + 0.5 * height,
                             text, Anchor::middle, true});
@@ -194,7 +194,7 @@ Drawing make_bar_plot(const std::string& title, const std::vector<Bar>& bars, do
     y += row;
   }
   drawing.strokes.push_back({{{zero, head}, {zero, y}}, axis_pen, axis_color});
-  drawing.height = y + top;
+  drawing.height = y + panels_top;
   return drawing;
 }
 

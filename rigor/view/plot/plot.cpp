@@ -10,12 +10,12 @@ namespace rigor {
 
 namespace {
 
-using plot_style::line_pen, plot_style::text, plot_style::tick_text;
+using plot_style::bottom, plot_style::left, plot_style::legend_row, plot_style::line_pen, plot_style::right,
+    plot_style::text, plot_style::tick_text;
 
 // In units of a drawing: as points on paper, 640 wide.
 constexpr double width = 640, panel_height = 190;
-constexpr double left = 74, right = 22, top = 14, bottom = 46, between = 16;
-constexpr double legend_row = 17;
+constexpr double top = 14, between = 16;
 
 struct Panel {
   std::vector<const PlotSeries*> series;

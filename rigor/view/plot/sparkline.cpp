@@ -44,7 +44,7 @@ std::string sparkline(std::span<const double> values, int width, bool is_ascii) 
       continue;
     }
     const double share = high > low ? (mean - low) / (high - low) : 0.5;
-    line += levels[at(std::min(7.0, std::floor(share * 8)))];
+    line += levels[static_cast<std::size_t>(std::min(7.0, std::floor(share * 8)))];
   }
   return line;
 }

@@ -1,4 +1,4 @@
-#include "rigor/model/manifold_memory.hpp"
+#include "rigor/bulk/state/manifold_memories.hpp"
 
 #include "rigor/core/assert.hpp"
 
@@ -9,25 +9,40 @@ namespace rigor {
 
 namespace {
 
-/// Not 0, which is what numbers are that are not there.
+/// Whether a number must be stored: those that are not stored are +0.
 bool is_set(float number) {
   return std::bit_cast<std::uint32_t>(number) != 0;
 }
 
-/// Lists take what they hold and an eighth, not up to twice that.
+/// Lists grow by an eighth, not to twice their size, since they are most of the memory of a large scene.
 template <class T>
 void make_room(std::size_t count, std::vector<T>& list) {
   if (count > list.capacity()) list.reserve(count + count / 8);
 }
 
-}  // namespace
-
-ManifoldMemories::ManifoldMemories(std::initializer_list<ManifoldMemory> memories) {
-  for (const ManifoldMemory& memory : memories) push_back(memory);
+/// Room for the numbers of the memory that are not 0.
+ManifoldMemories::Layout layout_of(const ManifoldMemory& memory) {
+  RIGOR_ASSERT(memory.point_count >= 0 && memory.point_count <= ManifoldMemory::max_points);
+  return {memory.point_count, memory.shape_A != 0 || memory.shape_B != 0 || memory.part != 0,
+          is_set(memory.twist_impulse),
+          std::any_of(memory.rolling_impulse_W.begin(), memory.rolling_impulse_W.end(), is_set),
+          is_set(memory.energy)};
 }
 
+}  // namespace
+
 ManifoldMemories::ManifoldMemories(const std::vector<ManifoldMemory>& memories) {
-  for (const ManifoldMemory& memory : memories) push_back(memory);
+  arrange(memories.size(), [&](std::size_t i) { return layout_of(memories[i]); });
+  for (std::size_t i = 0; i < memories.size(); ++i) {
+    put(i, memories[i]);
+    if (heads_[i].has_energy) set_energy(i, memories[i].energy);
+  }
+}
+
+std::vector<ManifoldMemory> ManifoldMemories::values() const {
+  std::vector<ManifoldMemory> memories(size());
+  for (std::size_t i = 0; i < size(); ++i) memories[i] = (*this)[i];
+  return memories;
 }
 
 void ManifoldMemories::clear() {
@@ -47,17 +62,12 @@ void ManifoldMemories::make_numbers(std::size_t count) {
 }
 
 void ManifoldMemories::push_back(const ManifoldMemory& memory) {
-  const Layout layout{memory.point_count, memory.shape_A != 0 || memory.shape_B != 0 || memory.part != 0,
-                      is_set(memory.twist_impulse),
-                      std::any_of(memory.rolling_impulse_W.begin(), memory.rolling_impulse_W.end(), is_set),
-                      is_set(memory.energy)};
-  RIGOR_ASSERT(memory.point_count >= 0 && memory.point_count <= ManifoldMemory::max_points);
-  const Head head = make_head(layout, numbers_.size());
+  const Head head = make_head(layout_of(memory), numbers_.size());
   make_room(heads_.size() + 1, heads_);
   heads_.push_back(head);
   make_numbers(places_of(head).end);
   put(size() - 1, memory);
-  if (layout.has_energy) set_energy(size() - 1, memory.energy);
+  if (head.has_energy) set_energy(size() - 1, memory.energy);
 }
 
 void ManifoldMemories::put(std::size_t i, const ManifoldMemory& memory) {
@@ -77,7 +87,7 @@ void ManifoldMemories::set_energy(std::size_t i, float energy) {
   numbers_[places_of(heads_[i]).energy] = energy;
 }
 
-std::size_t ManifoldMemories::find_from(const std::array<int, 5>& wanted) const {
+std::size_t ManifoldMemories::find_from(const ContactKey& wanted) const {
   std::size_t begin = 0, end = size();
   while (begin < end) {
     const std::size_t middle = begin + (end - begin) / 2;
@@ -96,11 +106,11 @@ float ManifoldMemories::energy(std::size_t i) const {
 
 ManifoldMemory ManifoldMemories::operator[](std::size_t i) const {
   const View own = view(i);
-  const std::array<int, 5> whose = key(i);
+  const ContactKey own_key = key(i);
   ManifoldMemory memory;
-  memory.body_A = whose[0], memory.body_B = whose[1];
-  memory.shape_A = whose[2], memory.shape_B = whose[3];
-  memory.part = whose[4];
+  memory.body_A = own_key.body_A, memory.body_B = own_key.body_B;
+  memory.shape_A = own_key.shape_A, memory.shape_B = own_key.shape_B;
+  memory.part = static_cast<int>(own_key.feature);
   memory.point_count = own.point_count;
   for (std::size_t k = 0; k < heads_[i].point_count; ++k) {
     memory.feature[k] = std::bit_cast<std::uint32_t>(own.feature[k]);

@@ -1,11 +1,11 @@
-#include "rigor/model/manifold_memory.hpp"
+#include "rigor/bulk/state/manifold_memories.hpp"
 
 #include <gtest/gtest.h>
 
 #include <bit>
 #include <vector>
 
-namespace rigor::manifold_memory_test {
+namespace rigor::manifold_memories_test {
 namespace {
 
 /// Every number of it is another one.
@@ -52,7 +52,10 @@ TEST(ManifoldMemories, GiveBackWhatWasPutIn) {
     EXPECT_EQ(list.energy(i), all[i].energy) << i;
   }
   EXPECT_EQ(std::vector<ManifoldMemory>(list.begin(), list.end()), all);
-  EXPECT_EQ(ManifoldMemories(all), list);
+  EXPECT_EQ(list.values(), all);
+  ManifoldMemories one_by_one;
+  for (const ManifoldMemory& m : all) one_by_one.push_back(m);
+  EXPECT_EQ(one_by_one, list);
 }
 
 TEST(ManifoldMemories, KeepTheSignOfZero) {
@@ -98,4 +101,4 @@ TEST(ManifoldMemories, HaveANumberBehindTheFriction) {
 }
 
 }  // namespace
-}  // namespace rigor::manifold_memory_test
+}  // namespace rigor::manifold_memories_test

@@ -6,17 +6,19 @@
 
 namespace rigor {
 
-/// Rotation of a vector r [rad], exact to rounding up to a turn and a quarter (the sine and cosine of an
-/// eighth by their series, then doubled three times).
-RIGOR_FLOAT_LANES FloatQuat lane_turn(const FloatVec3& r) {
+/// Rotation by the vector r [rad], exact to rounding up to 5/4 of a revolution.
+RIGOR_FLOAT_LANES FloatQuat lane_rotation(const FloatVec3& r) {
+  // An eighth of the rotation, by the series of the sine and the cosine of its half angle |u|.
   const FloatVec3 u = float_lanes(1.0F / 16) * r;
   const FloatLanes s = dot(u, u);
   const FloatLanes sinc = float_lanes(1) - s * (1.0F / 6 - s * (1.0F / 120 - s * (1.0F / 5040)));
   FloatQuat q{float_lanes(1) - s * (0.5F - s * (1.0F / 24 - s * (1.0F / 720))), sinc * u};
+  // Squared three times, which doubles the angle.
   for (int k = 0; k < 3; ++k) q = {q.w * q.w - dot(q.v, q.v), (q.w + q.w) * q.v};
   return q;
 }
 
+/// R a = a + w c + v × c with c = 2 v × a.
 RIGOR_FLOAT_LANES FloatVec3 rotate(const FloatQuat& q, const FloatVec3& a) {
   const FloatVec3 c = float_lanes(2) * cross(q.v, a);
   return a + q.w * c + cross(q.v, c);
@@ -27,17 +29,19 @@ RIGOR_FLOAT_LANES FloatQuat operator*(const FloatQuat& a, const FloatQuat& b) {
 RIGOR_FLOAT_LANES FloatQuat conjugate(const FloatQuat& q) {
   return {q.w, float_lanes(-1) * q.v};
 }
+/// The k-th column of the rotation matrix.
 RIGOR_FLOAT_LANES FloatVec3 axis_of(const FloatQuat& q, int k) {
   const FloatLanes one = float_lanes(1), zero = float_lanes(0);
   return rotate(q, k == 0 ? FloatVec3{one, zero, zero}
                           : (k == 1 ? FloatVec3{zero, one, zero} : FloatVec3{zero, zero, one}));
 }
-/// Rotation vector of a turn by a small s [rad] after one by r: log(exp(s) exp(r)) to first order in s and
-/// third in r (Baker, Campbell, Hausdorff).
-RIGOR_FLOAT_LANES FloatVec3 lane_turned(const FloatVec3& r, const FloatVec3& s) {
+/// Rotation vector of a rotation by a small s [rad] after one by r: log(exp(s) exp(r)) to first order in s
+/// and third in r (Baker, Campbell, Hausdorff).
+RIGOR_FLOAT_LANES FloatVec3 compose_rotations(const FloatVec3& r, const FloatVec3& s) {
   const FloatVec3 across = cross(r, s);
   return r + (s + (float_lanes(1.0F / 12) * cross(r, across) - float_lanes(0.5F) * across));
 }
+/// a with unit length; `instead` where a has hardly any.
 RIGOR_FLOAT_LANES FloatVec3 unit_or(const FloatVec3& a, const FloatVec3& instead) {
   const FloatLanes length = float_sqrt(dot(a, a));
   const FloatLanes inverse = 1.0F / length;
@@ -45,6 +49,7 @@ RIGOR_FLOAT_LANES FloatVec3 unit_or(const FloatVec3& a, const FloatVec3& instead
   return {is_long ? a.x * inverse : instead.x, is_long ? a.y * inverse : instead.y,
           is_long ? a.z * inverse : instead.z};
 }
+/// atan2(y, x), lane by lane.
 RIGOR_FLOAT_LANES FloatLanes lane_angle(const FloatLanes& y, const FloatLanes& x) {
   float a[kLaneCount], b[kLaneCount];
   store_floats(y, a);
@@ -61,17 +66,20 @@ struct JointPose {
   FloatVec3 x, y, z;       ///< Axes of J in W.
 };
 
-/// The turns and displacements are those of the bodies since the begin of the step.
+/// rotation_A, rotation_B, displacement: of the bodies (of B against A) since the beginning of the step.
 template <bool with_frames>
-RIGOR_FLOAT_LANES JointPose joint_pose(const JointLanes& joint, const FloatQuat& turn_A,
-                                       const FloatQuat& turn_B, const FloatVec3& way) {
+RIGOR_FLOAT_LANES JointPose joint_pose(const JointLanes& joint, const FloatQuat& rotation_A,
+                                       const FloatQuat& rotation_B, const FloatVec3& displacement) {
+  // Arms, and what displacements and arms change of the vector from J to K.
   JointPose pose;
-  pose.arm_A = rotate(turn_A, joint.arm_A);
-  pose.arm_B = rotate(turn_B, joint.arm_B);
-  pose.d = joint.offset + way + ((pose.arm_B - joint.arm_B) - (pose.arm_A - joint.arm_A));
+  pose.arm_A = rotate(rotation_A, joint.arm_A);
+  pose.arm_B = rotate(rotation_B, joint.arm_B);
+  pose.d = joint.offset + displacement + ((pose.arm_B - joint.arm_B) - (pose.arm_A - joint.arm_A));
   if constexpr (with_frames) {
-    pose.J = turn_A * joint.J;
-    pose.JK = conjugate(pose.J) * (turn_B * joint.K);
+    // The rotation of K in J; of the two quaternions that are the same rotation, the one of less than half a
+    // revolution.
+    pose.J = rotation_A * joint.J;
+    pose.JK = conjugate(pose.J) * (rotation_B * joint.K);
     const FloatLanes sign = pose.JK.w < float_lanes(0) ? float_lanes(-1) : float_lanes(1);
     pose.JK = {sign * pose.JK.w, sign * pose.JK.v};
     pose.x = axis_of(pose.J, 0);

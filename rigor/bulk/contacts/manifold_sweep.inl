@@ -1,189 +1,45 @@
-// Sweeps over blocks of manifolds (docs/theory/bulk.md, section 2). Included once for each target, inside its
-// namespace and after fused_lanes.inl.
+// Sweeps over blocks of manifolds (docs/theory/bulk.md, sections 2 to 4). Included once for each target,
+// inside its namespace and after manifold_lanes.inl.
 
-RIGOR_FLOAT_LANES FloatLanes lane(const LaneArray& a) {
-  return load(a.data());
-}
-RIGOR_FLOAT_LANES FloatVec3 lane(const LaneArray (&a)[3]) {
-  return {lane(a[0]), lane(a[1]), lane(a[2])};
-}
-RIGOR_FLOAT_LANES FloatSym3 lane(const LaneArray (&a)[6]) {
-  return {lane(a[0]), lane(a[1]), lane(a[2]), lane(a[3]), lane(a[4]), lane(a[5])};
-}
-RIGOR_FLOAT_LANES void put(const FloatLanes& x, LaneArray& a) {
-  store_floats(x, a.data());
-}
-RIGOR_FLOAT_LANES void put(const FloatVec3& v, LaneArray (&a)[3]) {
-  put(v.x, a[0]);
-  put(v.y, a[1]);
-  put(v.z, a[2]);
-}
-RIGOR_FLOAT_LANES void put(const FloatSym3& m, LaneArray (&a)[6]) {
-  put(m.xx, a[0]);
-  put(m.yy, a[1]);
-  put(m.zz, a[2]);
-  put(m.xy, a[3]);
-  put(m.xz, a[4]);
-  put(m.yz, a[5]);
-}
+/// Fastest at which overlaps are put back [m/s]: a deep one is not an explosion.
+constexpr float max_push_speed = 3;
+/// Sweeps over the points of a manifold, one point after the other: three are near enough to solving them as
+/// a block.
+constexpr int block_sweeps = 3;
 
-/// Velocities (displacements, impulses and moments) of eight bodies along W's axes, or of B against A along
-/// the axes n, t1, t2 of the manifolds.
-struct LaneTwists {
-  FloatVec3 v, w;
-};
-
-/// Four floats of each of eight records; `at` floats behind their begin.
-RIGOR_FLOAT_LANES TwoSquares gather(const std::array<std::int32_t, kLaneCount>& who, const BulkBodies& bodies,
-                                    std::size_t at) {
-  const float* motion = reinterpret_cast<const float*>(bodies.motion.data()) + at;
-  constexpr std::int64_t size = sizeof(MotionRecord) / sizeof(float);
-  return transpose({load_halves(motion + size * who[0], motion + size * who[4]),
-                    load_halves(motion + size * who[1], motion + size * who[5]),
-                    load_halves(motion + size * who[2], motion + size * who[6]),
-                    load_halves(motion + size * who[3], motion + size * who[7])});
-}
-RIGOR_FLOAT_LANES FloatVec3 gather_vectors(const std::array<std::int32_t, kLaneCount>& who,
-                                           const BulkBodies& bodies, std::size_t at) {
-  const TwoSquares columns = gather(who, bodies, at);
-  return {columns.a, columns.b, columns.c};
-}
-/// Velocities of eight bodies, and the inverse masses that stand between them.
-struct LaneBodies : LaneTwists {
-  FloatLanes inv_mass;
-};
-RIGOR_FLOAT_LANES LaneBodies gather_velocities(const std::array<std::int32_t, kLaneCount>& who,
-                                               const BulkBodies& bodies) {
-  const TwoSquares v = gather(who, bodies, 0);
-  return {{{v.a, v.b, v.c}, gather_vectors(who, bodies, offsetof(MotionRecord, w) / sizeof(float))}, v.d};
-}
-RIGOR_FLOAT_LANES LaneTwists gather_displacements(const std::array<std::int32_t, kLaneCount>& who,
-                                                  const BulkBodies& bodies) {
-  return {gather_vectors(who, bodies, offsetof(MotionRecord, dp) / sizeof(float)),
-          gather_vectors(who, bodies, offsetof(MotionRecord, dr) / sizeof(float))};
-}
-
-/// Velocities of the lanes whose body is dynamic; the inverse mass stays.
-RIGOR_FLOAT_LANES void scatter_velocities(const std::array<std::int32_t, kLaneCount>& who, std::uint8_t moves,
-                                          const LaneBodies& own, BulkBodies& bodies) {
-  const TwoSquares v = transpose({own.v.x, own.v.y, own.v.z, own.inv_mass});
-  const TwoSquares w = transpose({own.w.x, own.w.y, own.w.z, splat(0)});
-  const FloatSquare rows = {{FloatLanes(__builtin_shufflevector(v.a, w.a, 0, 1, 2, 3, 8, 9, 10, 11)),
-                             FloatLanes(__builtin_shufflevector(v.b, w.b, 0, 1, 2, 3, 8, 9, 10, 11)),
-                             FloatLanes(__builtin_shufflevector(v.c, w.c, 0, 1, 2, 3, 8, 9, 10, 11)),
-                             FloatLanes(__builtin_shufflevector(v.d, w.d, 0, 1, 2, 3, 8, 9, 10, 11)),
-                             FloatLanes(__builtin_shufflevector(v.a, w.a, 4, 5, 6, 7, 12, 13, 14, 15)),
-                             FloatLanes(__builtin_shufflevector(v.b, w.b, 4, 5, 6, 7, 12, 13, 14, 15)),
-                             FloatLanes(__builtin_shufflevector(v.c, w.c, 4, 5, 6, 7, 12, 13, 14, 15)),
-                             FloatLanes(__builtin_shufflevector(v.d, w.d, 4, 5, 6, 7, 12, 13, 14, 15))}};
-  MotionRecord* motion = bodies.motion.data();
-#pragma GCC unroll 8
-  for (std::size_t i = 0; i < kLaneCount; ++i) {
-    if (moves >> i & 1) store_floats(rows.row[i], motion[who[i]].v);
-  }
-}
-
-/// Frame and arms of a block.
-struct BlockFrame {
-  FloatVec3 n, t1, t2, rA, rB;
-};
-template <class Block>
-RIGOR_FLOAT_LANES BlockFrame frame_of(const Block& block) {
-  BlockFrame frame;
-  frame.n = lane(block.n);
-  frame.t1 = lane(block.t1);
-  frame.t2 = fused_cross(frame.n, frame.t1);
-  frame.rA = lane(block.rA);
-  frame.rB = lane(block.rB);
-  return frame;
-}
-
-RIGOR_FLOAT_LANES FloatVec3 along_axes(const BlockFrame& f, const FloatVec3& a_W) {
-  return {fused_dot(f.n, a_W), fused_dot(f.t1, a_W), fused_dot(f.t2, a_W)};
-}
-RIGOR_FLOAT_LANES FloatVec3 along_W(const BlockFrame& f, const FloatVec3& a) {
-  return fused(a.z, f.t2, fused(a.y, f.t1, a.x * f.n));
-}
-
-/// Velocity (or displacement) of B against A at the centre of the manifold, along W's axes.
-RIGOR_FLOAT_LANES FloatVec3 relative_motion(const BlockFrame& f, const LaneTwists& A, const LaneTwists& B) {
-  return fused_cross(B.w, f.rB, B.v) - fused_cross(A.w, f.rA, A.v);
-}
-
-/// What an angular impulse changes of the angular velocity: I has the elements of a symmetric matrix, or the
-/// one number of a round body.
-RIGOR_FLOAT_LANES FloatVec3 turned(const LaneArray (&I)[6], const FloatVec3& a) {
-  return fused_product(lane(I), a);
-}
-RIGOR_FLOAT_LANES FloatVec3 turned(const LaneArray (&I)[1], const FloatVec3& a) {
-  return lane(I[0]) * a;
-}
-
-/// An impulse at the centre and a moment on B (their opposites on A), along the axes of the manifold.
-template <class Block>
-RIGOR_FLOAT_LANES void apply_wrench(const Block& block, const BlockFrame& f, const LaneTwists& wrench,
-                                    LaneBodies& A, LaneBodies& B) {
-  const FloatVec3 impulse = along_W(f, wrench.v), moment = along_W(f, wrench.w);
-  A.v = fused(-A.inv_mass, impulse, A.v);
-  A.w = A.w - turned(block.IA, fused_cross(f.rA, impulse, moment));
-  B.v = fused(B.inv_mass, impulse, B.v);
-  B.w = B.w + turned(block.IB, fused_cross(f.rB, impulse, moment));
-}
-/// An impulse alone.
-template <class Block>
-RIGOR_FLOAT_LANES void apply_impulse(const Block& block, const BlockFrame& f, const FloatVec3& impulse_C,
-                                     LaneBodies& A, LaneBodies& B) {
-  const FloatVec3 impulse = along_W(f, impulse_C);
-  A.v = fused(-A.inv_mass, impulse, A.v);
-  A.w = A.w - turned(block.IA, fused_cross(f.rA, impulse));
-  B.v = fused(B.inv_mass, impulse, B.v);
-  B.w = B.w + turned(block.IB, fused_cross(f.rB, impulse));
-}
-
-/// u = (n.V, t1.W, t2.W): what the normal velocities of the points are made of; also the wrench (F, T1, T2)
-/// of their impulses.
-struct NormalMotion {
-  FloatLanes u0, u1, u2;
-};
-RIGOR_FLOAT_LANES FloatLanes at_point(const NormalMotion& u, const FloatLanes& p1, const FloatLanes& p2) {
-  return fused(-p1, u.u2, fused(p2, u.u1, u.u0));
-}
-/// How u answers to an impulse at a point.
-template <class Block>
-RIGOR_FLOAT_LANES NormalMotion response_to(const Block& block, const FloatLanes& p1, const FloatLanes& p2) {
-  const FloatLanes k01 = lane(block.Kvw[0][1]), k02 = lane(block.Kvw[0][2]);
-  const FloatLanes k11 = lane(block.Kww[1]), k22 = lane(block.Kww[2]), k12 = lane(block.Kww[5]);
-  return {fused(-p1, k02, fused(p2, k01, lane(block.Kvn))), fused(-p1, k12, fused(p2, k11, k01)),
-          fused(-p1, k22, fused(p2, k12, k02))};
-}
-
-/// Displacements of B against A that change the gaps of the points.
+/// Displacements of B against A since the beginning of the step, as far as they change the gaps of the
+/// points.
 template <class Block>
 RIGOR_FLOAT_LANES NormalMotion find_displacements(const BlockFrame& f, const Block& block,
                                                   const BulkBodies& bodies) {
   const LaneTwists A = gather_displacements(block.body_A, bodies);
   const LaneTwists B = gather_displacements(block.body_B, bodies);
-  const FloatVec3 turn = B.w - A.w;
-  return {fused_dot(f.n, relative_motion(f, A, B)), fused_dot(f.t1, turn), fused_dot(f.t2, turn)};
+  const FloatVec3 rotation = B.w - A.w;
+  return {fused_dot(f.n, relative_motion(f, A, B)), fused_dot(f.t1, rotation), fused_dot(f.t2, rotation)};
 }
 
-/// The impulse of a point is to become max(keep old - (meet u_n + shift), 0).
+/// The impulse of a point becomes max(keep old - (meet u_n + shift), 0).
 struct PointRule {
   FloatLanes keep, meet, shift;
 };
-/// gap [m]: as bodies are now.
+/// The soft constraint of section 3 for one point; gap [m]: where the bodies are now.
 template <BlockPass pass, class Block>
 RIGOR_FLOAT_LANES PointRule rule_of(float h, const FloatLanes& gap, const Block& block,
                                     const BlockPoint& point) {
   const FloatLanes zero = splat(0), one = splat(1);
+  // A point that is apart may close its gap within the substep: m (u_n + gap/h).
   const FloatLanes mass = lane(point.mass);
   const FloatLanes closing = mass * larger(gap, zero) * splat(1 / h);
   if constexpr (pass == BlockPass::relax) return {one, mass, closing};
-  const IntLanes is_apart = gap > zero;
-  // The spring keeps as much of the old impulse as it meets of the speed: make_softness.
+
+  // A point that overlaps is a spring, which puts the gap back at its rate, but not faster than
+  // max_push_speed. It keeps as much of the old impulse as it meets of the speed: 1 - 1/(1+a2) is a2/(1+a2),
+  // the scale (make_softness).
   const FloatLanes scale = lane(block.mass_scale);
   const FloatLanes soft_mass = mass * scale;
   const FloatLanes back = larger(lane(block.bias_rate) * gap, splat(-max_push_speed));
+
+  const IntLanes is_apart = gap > zero;
   return {is_apart ? one : scale, is_apart ? mass : soft_mass, is_apart ? closing : soft_mass * back};
 }
 RIGOR_FLOAT_LANES FloatLanes next_impulse(const PointRule& rule, const FloatLanes& speed,
@@ -206,9 +62,11 @@ RIGOR_FLOAT_LANES NormalMotion solve_normals(float h, const NormalMotion& moved,
   const FloatLanes zero = splat(0);
   PointRule rule[count];
   FloatLanes p1[count], p2[count], old[count], impulse[count], speed[count], response[count][count];
+  // The rule, the speed and the impulse of each point, and its response a_jk to the impulse of every other
+  // one.
 #pragma GCC unroll 4
   for (int k = 0; k < count; ++k) {
-    const std::size_t i = static_cast<std::size_t>(k);
+    const std::size_t i = at(k);
     p1[k] = lane(block.arms[i].p1);
     p2[k] = lane(block.arms[i].p2);
     rule[k] =
@@ -219,7 +77,9 @@ RIGOR_FLOAT_LANES NormalMotion solve_normals(float h, const NormalMotion& moved,
 #pragma GCC unroll 4
     for (int j = 0; j <= k; ++j) response[j][k] = response[k][j] = at_point(answer, p1[j], p2[j]);
   }
-  // One point alone is solved by one sweep: what it does to itself is the inverse of its mass.
+
+  // Gauss-Seidel: each change of an impulse changes the speeds of all points. One point alone is solved by
+  // one sweep, since its response to itself is the inverse of its mass.
   for (int sweep = 0; sweep < (count == 1 ? 1 : block_sweeps); ++sweep) {
 #pragma GCC unroll 4
     for (int k = 0; k < count; ++k) {
@@ -230,12 +90,14 @@ RIGOR_FLOAT_LANES NormalMotion solve_normals(float h, const NormalMotion& moved,
       for (int j = 0; j < count; ++j) speed[j] = fused(response[j][k], change, speed[j]);
     }
   }
+
+  // The wrench (F_n, T_t1, T_t2) of all changes.
   NormalMotion wrench{zero, zero, zero};
 #pragma GCC unroll 4
   for (int k = 0; k < count; ++k) {
     const FloatLanes change = impulse[k] - old[k];
     wrench = {wrench.u0 + change, fused(p2[k], change, wrench.u1), fused(-p1[k], change, wrench.u2)};
-    put_normal(static_cast<std::size_t>(k), impulse[k], block);
+    put_normal(at(k), impulse[k], block);
   }
   return wrench;
 }
@@ -249,16 +111,18 @@ RIGOR_FLOAT_LANES void clamp_to_disc(const FloatLanes& radius, FloatLanes& x, Fl
   y = y * scale;
 }
 
-/// Coulomb friction at the centre of the manifold, on the disc of all its normal impulses. u: of B against A
-/// there. What it changes of the impulses along t1 and t2.
+/// Changes of the impulses along t1 and t2.
 struct SlipImpulse {
   FloatLanes f1, f2;
 };
+/// Coulomb friction at the centre of the manifold, on the disc μ Σ λ of all its normal impulses. u: of B
+/// against A there.
 template <class Block>
 RIGOR_FLOAT_LANES SlipImpulse solve_slip(const FloatLanes& pressed, const FloatVec3& u, Block& block) {
   const FloatLanes old1 = lane(block.impulses.tangent(0)), old2 = lane(block.impulses.tangent(1));
   const FloatLanes m11 = lane(block.tangent_mass[0]), m22 = lane(block.tangent_mass[1]),
                    m12 = lane(block.tangent_mass[2]);
+  // The impulse that stops all slip, shortened to the radius of the disc.
   FloatLanes f1 = fused(-m12, u.z, fused(-m11, u.y, old1));
   FloatLanes f2 = fused(-m22, u.z, fused(-m12, u.y, old2));
   clamp_to_disc(lane(block.friction) * pressed, f1, f2);
@@ -267,20 +131,23 @@ RIGOR_FLOAT_LANES SlipImpulse solve_slip(const FloatLanes& pressed, const FloatV
   return {f1 - old1, f2 - old2};
 }
 
-/// Rolling friction: a disc of moments along t1 and t2.
+/// Rolling friction: a disc of moments along t1 and t2. Changes u by them and adds them to the wrench.
 template <class Block>
 RIGOR_FLOAT_LANES void solve_rolling(const FloatLanes& pressed, Block& block, LaneTwists& u,
                                      LaneTwists& wrench) {
-  const FloatLanes was1 = lane(block.impulses.roll(0)), was2 = lane(block.impulses.roll(1));
+  const FloatLanes old1 = lane(block.impulses.roll(0)), old2 = lane(block.impulses.roll(1));
   const FloatLanes r11 = lane(block.roll_mass[0]), r22 = lane(block.roll_mass[1]),
                    r12 = lane(block.roll_mass[2]);
-  FloatLanes m1 = fused(-r12, u.w.z, fused(-r11, u.w.y, was1));
-  FloatLanes m2 = fused(-r22, u.w.z, fused(-r12, u.w.y, was2));
+  // The moment that stops all rolling, shortened to the radius of the disc.
+  FloatLanes m1 = fused(-r12, u.w.z, fused(-r11, u.w.y, old1));
+  FloatLanes m2 = fused(-r22, u.w.z, fused(-r12, u.w.y, old2));
   clamp_to_disc(lane(block.rolling_friction) * pressed, m1, m2);
   put(m1, block.impulses.roll(0));
   put(m2, block.impulses.roll(1));
-  m1 = m1 - was1;
-  m2 = m2 - was2;
+
+  // The changes, and the response of what solve_normals() reads.
+  m1 = m1 - old1;
+  m2 = m2 - old2;
   wrench.w.y = wrench.w.y + m1;
   wrench.w.z = wrench.w.z + m2;
   u.v.x = fused(lane(block.Kvw[0][2]), m2, fused(lane(block.Kvw[0][1]), m1, u.v.x));
@@ -288,54 +155,64 @@ RIGOR_FLOAT_LANES void solve_rolling(const FloatLanes& pressed, Block& block, La
   u.w.z = fused(lane(block.Kww[2]), m2, fused(lane(block.Kww[5]), m1, u.w.z));
 }
 
-/// All friction of a patch: against turning about n, against slip, against rolling. u: B against A, changed
-/// by it but for the slip itself; wrench: its impulses are added.
+/// All friction of a patch: against twist (rotation about n), against slip, against rolling. u: B against A,
+/// changed by it but for the slip itself; wrench: its impulses are added.
 template <class Block>
 RIGOR_FLOAT_LANES void solve_friction(Block& block, LaneTwists& u, LaneTwists& wrench) {
+  // The normal impulses Σ λ and Σ λ |p|, which bound friction.
   FloatLanes pressed = splat(0), spread = splat(0);
   for (std::size_t i = 0; i < Block::point_count; ++i) {
     const FloatLanes impulse = lane(block.impulses.normal(i));
     pressed = pressed + impulse;
     spread = fused(impulse, lane(block.arms[i].length), spread);
   }
+
+  // Twist: the moment about n that stops it, within ±(μ Σ λ |p| + μ_t Σ λ).
   FloatLanes twist_limit = lane(block.friction) * spread;
   if constexpr (Block::kind.has_moments)
     twist_limit = fused(lane(block.torsional_friction), pressed, twist_limit);
   const FloatLanes old_twist = lane(block.impulses.twist());
   const FloatLanes free_twist = fused(-lane(block.twist_mass), u.w.x, old_twist);
   const FloatLanes twist = smaller(larger(free_twist, -twist_limit), twist_limit);
-  const FloatLanes turn = twist - old_twist;
+  const FloatLanes change = twist - old_twist;
   put(twist, block.impulses.twist());
-  wrench.w.x = wrench.w.x + turn;
-  u.v = fused(turn, {lane(block.Kvw[0][0]), lane(block.Kvw[1][0]), lane(block.Kvw[2][0])}, u.v);
-  u.w = fused(turn, {lane(block.Kww[0]), lane(block.Kww[3]), lane(block.Kww[4])}, u.w);
+  wrench.w.x = wrench.w.x + change;
+  u.v = fused(change, {lane(block.Kvw[0][0]), lane(block.Kvw[1][0]), lane(block.Kvw[2][0])}, u.v);
+  u.w = fused(change, {lane(block.Kww[0]), lane(block.Kww[3]), lane(block.Kww[4])}, u.w);
 
+  // Slip: a disc of impulses at the centre.
   const SlipImpulse slip = solve_slip(pressed, u.v, block);
   wrench.v.y = wrench.v.y + slip.f1;
   wrench.v.z = wrench.v.z + slip.f2;
   u.v.x = fused(lane(block.Kvt[1]), slip.f2, fused(lane(block.Kvt[0]), slip.f1, u.v.x));
   u.w = fused(slip.f2, lane(block.Kvw[2]), fused(slip.f1, lane(block.Kvw[1]), u.w));
 
+  // Rolling: a disc of moments.
   if constexpr (Block::kind.has_moments) solve_rolling(pressed, block, u, wrench);
 }
 
-/// What normal impulses change of the rest of the motion.
+/// The response of all velocities that friction reads to a change of the normal impulses, as a wrench (F_n,
+/// T_t1, T_t2).
 template <class Block>
 RIGOR_FLOAT_LANES void add_normals(const Block& block, const NormalMotion& change, LaneTwists& u) {
+  // V_t1 and V_t2 by F_n, then by the moments.
   u.v.y = fused(lane(block.Kvt[0]), change.u0, u.v.y);
   u.v.z = fused(lane(block.Kvt[1]), change.u0, u.v.z);
   u.v.y = fused(lane(block.Kvw[1][2]), change.u2, fused(lane(block.Kvw[1][1]), change.u1, u.v.y));
   u.v.z = fused(lane(block.Kvw[2][2]), change.u2, fused(lane(block.Kvw[2][1]), change.u1, u.v.z));
+
+  // Ω by F_n and by the moments.
   u.w = fused(change.u0, lane(block.Kvw[0]), u.w);
   u.w = fused(change.u1, {lane(block.Kww[3]), lane(block.Kww[1]), lane(block.Kww[5])}, u.w);
   u.w = fused(change.u2, {lane(block.Kww[4]), lane(block.Kww[5]), lane(block.Kww[2])}, u.w);
 }
 
-// Friction first while overlaps are put back: that bodies do not enter each other matters more. Last where
-// its bound is that of the impulse that remains: the spring gives way before, and takes a part of the
-// pressure with it.
+// Friction comes first while overlaps are put back, since it matters more that bodies do not enter each
+// other. It comes last in the sweep without springs, where its bound is that of the normal impulses that
+// remain: the spring has given way before and taken a part of the pressure with it.
 
-/// The wrench of a patch in a sweep. u: of B against A.
+/// The changes of the wrench of a patch in a sweep. moved: displacements since the beginning of the step; u:
+/// of B against A.
 template <BlockPass pass, class Block>
 RIGOR_FLOAT_LANES LaneTwists solve_patch(float h, const NormalMotion& moved, LaneTwists& u, Block& block) {
   const FloatLanes zero = splat(0);
@@ -352,19 +229,25 @@ RIGOR_FLOAT_LANES LaneTwists solve_patch(float h, const NormalMotion& moved, Lan
   return wrench;
 }
 
-/// The impulse of one point without moments in a sweep. u: of B against A there.
+/// The changes of the impulse of one point without moments in a sweep, along n, t1, t2: the same with V
+/// alone. moved: its displacement along n; u: of B against A there.
 template <BlockPass pass, class Block>
 RIGOR_FLOAT_LANES FloatVec3 solve_point(float h, const FloatLanes& moved, FloatVec3& u, Block& block) {
+  // Friction first while overlaps are put back.
   const FloatLanes old = lane(block.impulses.normal(0));
   SlipImpulse slip;
   if constexpr (pass == BlockPass::push) {
     slip = solve_slip(old, u, block);
     u.x = fused(lane(block.Kvt[1]), slip.f2, fused(lane(block.Kvt[0]), slip.f1, u.x));
   }
+
+  // The normal impulse.
   const PointRule rule = rule_of<pass>(h, lane(block.points[0].gap) + moved, block, block.points[0]);
   const FloatLanes impulse = next_impulse(rule, u.x, old);
   const FloatLanes change = impulse - old;
   put_normal(0, impulse, block);
+
+  // Friction last in the sweep without springs.
   if constexpr (pass == BlockPass::relax) {
     u.y = fused(lane(block.Kvt[0]), change, u.y);
     u.z = fused(lane(block.Kvt[1]), change, u.z);
@@ -373,13 +256,18 @@ RIGOR_FLOAT_LANES FloatVec3 solve_point(float h, const FloatLanes& moved, FloatV
   return {change, slip.f1, slip.f2};
 }
 
+/// One sweep over a block: the bodies are read once, all impulses are found in six numbers, or three, and the
+/// bodies are written once.
 template <BlockPass pass, class Block>
 void solve_pass(float h, Block& block, BulkBodies& bodies) {
+  // (V, Ω) of B against A, along n, t1, t2.
   const BlockFrame f = frame_of(block);
   LaneBodies A = gather_velocities(block.body_A, bodies);
   LaneBodies B = gather_velocities(block.body_B, bodies);
   FloatVec3 u = along_axes(f, relative_motion(f, A, B));
-  // Bodies stay where they are between the second sweep of a substep and the first of the next.
+
+  // Impulses of friction and of the points. Displacements are those that the second sweep of the substep
+  // before has found, since bodies do not move between it and the first sweep of the next.
   if constexpr (Block::kind.turns()) {
     LaneTwists twist = {u, along_axes(f, B.w - A.w)};
     NormalMotion moved{lane(block.moved[0]), lane(block.moved[1]), lane(block.moved[2])};
@@ -398,6 +286,7 @@ void solve_pass(float h, Block& block, BulkBodies& bodies) {
     }
     apply_impulse(block, f, solve_point<pass>(h, moved, u, block), A, B);
   }
+
   scatter_velocities(block.body_A, block.moves_A, A, bodies);
   scatter_velocities(block.body_B, block.moves_B, B, bodies);
 }
@@ -412,11 +301,14 @@ void solve(BlockPass pass, float h, ManifoldBlock<kind>& block, BulkBodies& bodi
   }
 }
 
+/// Applies the impulses that the block begins with (section 4).
 template <BlockKind kind>
 void warm_start(ManifoldBlock<kind>& block, BulkBodies& bodies) {
   const BlockFrame f = frame_of(block);
   LaneBodies A = gather_velocities(block.body_A, bodies);
   LaneBodies B = gather_velocities(block.body_B, bodies);
+
+  // The wrench of all impulses of a manifold: friction, twist, rolling and the points.
   const auto& impulses = block.impulses;
   const FloatVec3 slip = {splat(0), lane(impulses.tangent(0)), lane(impulses.tangent(1))};
   if constexpr (kind.turns()) {
@@ -435,6 +327,7 @@ void warm_start(ManifoldBlock<kind>& block, BulkBodies& bodies) {
   } else {
     apply_impulse(block, f, {lane(impulses.normal(0)), slip.y, slip.z}, A, B);
   }
+
   scatter_velocities(block.body_A, block.moves_A, A, bodies);
   scatter_velocities(block.body_B, block.moves_B, B, bodies);
 }

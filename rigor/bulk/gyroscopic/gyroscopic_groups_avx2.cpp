@@ -1,0 +1,25 @@
+#include "rigor/bulk/gyroscopic/gyroscopic_groups.hpp"
+#include "rigor/bulk/lanes/fused_floats.hpp"
+#include "rigor/bulk/lanes/lane_bits.hpp"
+
+#include <cstring>
+
+#if defined(__x86_64__)
+
+#include "rigor/bulk/lanes/avx2_begin.inl"
+
+namespace rigor::avx2_lanes {
+
+#include "rigor/bulk/lanes/fused_lanes.inl"
+
+#include "rigor/bulk/lanes/rotation_lanes.inl"
+
+#include "rigor/bulk/gyroscopic/gyroscopic_kernels.inl"
+
+#include "rigor/bulk/gyroscopic/gyroscopic_groups.inl"
+
+}  // namespace rigor::avx2_lanes
+
+#include "rigor/bulk/lanes/avx2_end.inl"
+
+#endif

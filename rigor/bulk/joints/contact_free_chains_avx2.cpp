@@ -1,0 +1,31 @@
+#include "rigor/bulk/joints/contact_free_chain_kernels.hpp"
+#include "rigor/bulk/joints/contact_free_chains.hpp"
+#include "rigor/bulk/lanes/fused_floats.hpp"
+#include "rigor/bulk/lanes/lane_bits.hpp"
+#include "rigor/core/index.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+
+#if defined(__x86_64__)
+
+#include "rigor/bulk/lanes/avx2_begin.inl"
+
+namespace rigor::avx2_lanes {
+
+#include "rigor/bulk/lanes/fused_lanes.inl"
+
+#include "rigor/bulk/lanes/rotation_lanes.inl"
+
+#include "rigor/bulk/gyroscopic/gyroscopic_kernels.inl"
+
+#include "rigor/bulk/joints/contact_free_substeps.inl"
+
+#include "rigor/bulk/joints/contact_free_chains.inl"
+
+}  // namespace rigor::avx2_lanes
+
+#include "rigor/bulk/lanes/avx2_end.inl"
+
+#endif

@@ -1,0 +1,25 @@
+#include "rigor/bulk/joints/joint_stages.hpp"
+
+#include "rigor/bulk/joints/joint_aims.hpp"
+#include "rigor/bulk/joints/joint_balls.hpp"
+#include "rigor/bulk/joints/joint_factors.hpp"
+#include "rigor/bulk/joints/joint_stage_kernels.hpp"
+#include "rigor/bulk/joints/joint_stage_steps.hpp"
+#include "rigor/core/index.hpp"
+
+#include <cstddef>
+#include <utility>
+
+#if defined(__x86_64__)
+
+#include "rigor/bulk/lanes/avx2_begin.inl"
+
+namespace rigor::avx2_lanes {
+
+#include "rigor/bulk/joints/joint_stages.inl"
+
+}  // namespace rigor::avx2_lanes
+
+#include "rigor/bulk/lanes/avx2_end.inl"
+
+#endif

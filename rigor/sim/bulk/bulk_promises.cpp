@@ -1,0 +1,53 @@
+#include "rigor/sim/bulk/bulk_promises.hpp"
+
+#include "rigor/dynamics/environment.hpp"
+
+#include <algorithm>
+#include <variant>
+
+namespace rigor {
+
+namespace {
+
+bool is_kinematic(const Model& model, int body) {
+  return body != world_body && model.body(body).motion == MotionType::kinematic;
+}
+
+/// Whether there is work that the many-body path does not know: of motors, and of kinematic bodies on joints
+/// and springs.
+bool has_unknown_work(const Model& model) {
+  for (const Joint& joint : model.joints()) {
+    if (is_kinematic(model, joint.body_A) || is_kinematic(model, joint.body_B)) return true;
+    for (const JointAxis& axis : joint.axes) {
+      if (axis.motor) return true;
+    }
+  }
+  for (const Force& force : model.forces()) {
+    const Spring* const spring = std::get_if<Spring>(&force);
+    if (spring && (is_kinematic(model, spring->body_A) || is_kinematic(model, spring->body_B))) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+SchemePromises bulk_promises(const Model& model) {
+  SchemePromises promises;
+  promises.knows_work = !has_unknown_work(model);
+  promises.energy_share = 1e-3;
+  // Its contacts push bodies that overlap apart, also upwards: no higher than the scene is long.
+  const Environment environment(model);
+  for (int i = 0; i < model.body_count(); ++i)
+    promises.energy_floor +=
+        model.body(i).mass * environment.steady_acceleration(i).norm() * model.length_scale();
+  // Velocities of 32 bits are rounded in each sweep, at some ten contacts of each body. Joints are swept as
+  // often as contacts.
+  promises.rounding_share = 0x1p-24;
+  promises.roundings_per_sweep = model.joints().empty() ? 10 : 20;
+  promises.joint_drift = 1e-2 * std::max(1.0, model.length_scale());
+  // Its contacts give way; deeper than this they have failed.
+  promises.penetration = 0.05 * model.length_scale();
+  return promises;
+}
+
+}  // namespace rigor

@@ -1,0 +1,150 @@
+#include "rigor/core/index.hpp"
+#include "rigor/sim/event_driven/event_driven_stepper.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace rigor {
+
+namespace {
+
+bool is_finite(const BodyPhase& phase) {
+  return phase.x.allFinite() && phase.q.coeffs().allFinite() && phase.P.allFinite() && phase.L.allFinite();
+}
+
+}  // namespace
+
+/// Whether contacts or joints hold the bodies of a group.
+bool EventDrivenStepper::is_held(const Cluster& group, const LastingContacts& lasting) const {
+  return !lasting.contacts.empty() || !assembler_.joints_of(group.bodies).empty();
+}
+
+/// Gives the bodies of a part their motion to the next event: at rest, in flight, or by steps with their
+/// contacts.
+void EventDrivenStepper::move_together(const Cluster& part, const LastingContacts& lasting) {
+  for (const Contact& contact : lasting.contacts) {
+    if (!contact.stop) trajectories_.set_lasting_contact(contact.body_A, contact.body_B);
+  }
+  for (const Cluster& group : connected_parts(part, lasting.contacts, environment_)) {
+    LastingContacts of_group{group.contacts, {}};
+    // Both lists keep the order of the contacts.
+    std::size_t next = 0;
+    for (const Contact& contact : group.contacts) {
+      while (lasting.contacts[next].key() != contact.key()) ++next;
+      of_group.states.push_back(lasting.states[next]);
+    }
+
+    // Flight in closed form, rest, or steps.
+    const bool is_free = of_group.contacts.empty() && method_.integrator == IntegratorMethod::exact &&
+                         !environment_.is_forced(group.bodies.front());
+    if (is_free) {
+      const int body = group.bodies.front();
+      trajectories_.set_motion(body,
+                               Motion::flight(FreeFlight(inertia(body), group.phases.front(), t_,
+                                                         environment_.steady_acceleration(body)),
+                                              inertia(body)),
+                               t_);
+    } else if (is_held(group, of_group) && resolver_.is_balanced(group, of_group)) {
+      for (std::size_t i = 0; i < group.bodies.size(); ++i) {
+        const BodyPhase rest{group.phases[i].x, group.phases[i].q, Vec3::Zero(), Vec3::Zero()};
+        trajectories_.set_motion(group.bodies[i], Motion::at_rest(rest, t_), t_);
+      }
+    } else {
+      begin_step({group.bodies, group.phases, of_group.contacts, of_group.states, t_});
+    }
+  }
+}
+
+/// The next step of an island, not beyond the next path point of a body under it.
+void EventDrivenStepper::begin_step(Island island) {
+  // Not beyond where the path of a prescribed body ends.
+  double h = std::min(target_step_, t_end_ - t_);
+  for (const Contact& contact : island.contacts) {
+    for (const int body : {contact.body_A, contact.body_B}) {
+      if (!is_dynamic(body)) h = std::min(h, trajectories_.motion(body).end() - t_);
+    }
+  }
+  for (const int body : assembler_.jointed_prescribed(island.bodies))
+    h = std::min(h, trajectories_.motion(body).end() - t_);
+
+  // The step; it may end early where a mode changes.
+  integrator_.choose_joint_rows(island);
+  RunningIsland running = stepping_.take_step(std::move(island), h, report_);
+  const bool is_whole = !running.change && running.step.h == t_end_ - t_;
+  running.end = is_whole ? t_end_ : t_ + running.step.h;
+
+  // Its bodies move along it, and its end is an event.
+  const int number = next_island_++;
+  for (std::size_t i = 0; i < running.island.bodies.size(); ++i) {
+    const int body = running.island.bodies[i];
+    island_of_[at(body)] = number;
+    trajectories_.set_motion(body, Motion::step(running.step.dense[i], t_, running.end - t_), t_);
+    if (!is_finite(running.step.end[i])) {
+      report_.reason = StopReason::not_finite;
+      report_.bodies = {body};
+      report_.detail = "body '" + model_->body(body).name + "' has a state that is not finite";
+    }
+  }
+  queue_.push({running.end, QueuedEvent::Kind::step_end, number, -1, 0, 0, 0});
+  islands_.emplace(number, std::move(running));
+}
+
+/// All bodies of an island leave it now: at the end of its step, or before, by the same integrator with a
+/// shorter step.
+void EventDrivenStepper::finish_island(int number, Cluster& cluster) {
+  // The island is taken out, and remembers how far its step came.
+  const RunningIsland running = std::move(islands_.at(number));
+  islands_.erase(number);
+  const bool is_at_end = t_ >= running.end;
+  const bool has_moved = t_ > running.island.begin;
+  stepping_.note_end(running, is_at_end ? running.step.h : t_ - running.island.begin);
+
+  // Its phases now.
+  IslandStep step;
+  if (is_at_end) {
+    step = running.step;
+  } else if (has_moved) {
+    const double h = t_ - running.island.begin;
+    step = running.step.is_implicit ? integrator_.implicit_step(running.island, h)
+                                    : integrator_.step(running.island, h);
+  } else {
+    step.end = running.island.start;
+  }
+
+  // Gaps, joints and momenta are put back to what the contacts, joints and impulses say.
+  if (has_moved && !step.is_implicit) contacts_.restore_gaps(running.island, t_, step);
+  joints_.project_positions(t_, running.island.bodies, step.end, report_);
+  joints_.restore_momenta(running.island, step);
+
+  // The bodies join the cluster.
+  Vec3 P = Vec3::Zero(), L = Vec3::Zero();
+  for (std::size_t i = 0; i < running.island.bodies.size(); ++i) {
+    const int body = running.island.bodies[i];
+    island_of_[at(body)] = -1;
+    const std::ptrdiff_t offset =
+        std::lower_bound(cluster.bodies.begin(), cluster.bodies.end(), body) - cluster.bodies.begin();
+    cluster.bodies.insert(cluster.bodies.begin() + offset, body);
+    cluster.phases.insert(cluster.phases.begin() + offset, step.end[i]);
+    joined_.push_back(body);
+    const BodyPhase& start = running.island.start[i];
+    P += step.end[i].P - start.P;
+    L += step.end[i].L + step.end[i].x.cross(step.end[i].P) - start.L - start.x.cross(start.P);
+  }
+
+  // The ledger of the step.
+  ++report_.steps;
+  report_.work += step.work;
+  report_.momentum_error += P - step.impulse;
+  report_.angular_momentum_error += L - step.angular_impulse;
+  report_.quaternion_drift = std::max(report_.quaternion_drift, step.quaternion_drift);
+
+  // Slip that ends here ends for all contacts that have slowed down as much.
+  if (is_at_end && running.change && running.change->kind == ModeChange::Kind::slip_ends) {
+    cluster.slip_tolerance = std::max(cluster.slip_tolerance, 4 * running.change->slip_speed);
+    ++report_.slip_to_stick;
+    report_.events.push_back({MotionEvent::Kind::slip_to_stick, t_, running.island.bodies.front()});
+  }
+}
+
+}  // namespace rigor

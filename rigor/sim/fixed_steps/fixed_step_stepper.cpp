@@ -1,0 +1,46 @@
+#include "rigor/sim/fixed_steps/fixed_step_stepper.hpp"
+
+#include "rigor/core/assert.hpp"
+#include "rigor/sim/fixed_steps/fixed_steps.hpp"
+
+namespace rigor {
+
+FixedStepStepper::FixedStepStepper(std::shared_ptr<const Model> model, double target_step)
+    : model_(std::move(model)), target_step_(target_step) {
+  RIGOR_ASSERT(target_step > 0);
+}
+
+AdvanceReport FixedStepStepper::advance(State& state, double t_end) {
+  RIGOR_ASSERT(t_end >= state.t && state.body_count() == model_->body_count());
+  report_ = {};
+  if (t_end == state.t) return report_;
+
+  // What an earlier call left behind is forgotten: the State says it all.
+  const FixedSteps steps(state.t, t_end, longest_step());
+  double t = state.t;
+  begin_span(steps.end(0), state);
+
+  // Each fixed step, in as many parts as the scheme needs.
+  for (long k = 0; k < steps.count() && report_.reason == StopReason::reached_end; ++k) {
+    while (t < steps.end(k) && report_.reason == StopReason::reached_end) {
+      if (interrupt_ && interrupt_()) {
+        report_.reason = StopReason::interrupted;
+      } else {
+        t = step_towards(steps.end(k), t, state);
+      }
+    }
+  }
+  end_span(t, state);
+  return report_;
+}
+
+void FixedStepStepper::write_prescribed_bodies(State& state) const {
+  for (int i = 0; i < model_->body_count(); ++i) {
+    const Body& body = model_->body(i);
+    if (body.motion == MotionType::dynamic) continue;
+    const PrescribedMotion motion = prescribed_motion(body, state.t);
+    state.set_body(i, motion.p_WB, motion.q_WB, Vec3::Zero(), Vec3::Zero());
+  }
+}
+
+}  // namespace rigor

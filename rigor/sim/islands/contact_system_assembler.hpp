@@ -1,0 +1,65 @@
+#pragma once
+
+#include "rigor/dynamics/environment.hpp"
+#include "rigor/sim/islands/cluster.hpp"
+#include "rigor/sim/islands/island.hpp"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace rigor {
+
+/// Assembles the equations of a group of bodies at an instant, of which all schemes ask what acts at the
+/// contacts: the ContactSystem of dynamic bodies with everything that they touch and the joints that hold
+/// them, and what the environment (gravity, springs, drag, given forces) loads its bodies with.
+///
+/// It knows nothing of integrators and laws of contact, and keeps nothing from call to call.
+class ContactSystemAssembler {
+ public:
+  /// Holds references to both.
+  ContactSystemAssembler(const Model& model, const Environment& environment);
+
+  /// Dynamic bodies (ascending, with one phase each) at time t [s] with the prescribed bodies that they
+  /// touch, these contacts, and the joints of the dynamic ones.
+  ContactSystem assemble(double t, const std::vector<int>& bodies, std::span<const BodyPhase> phases,
+                         std::vector<Contact> contacts) const;
+  /// The bodies of a cluster with these contacts.
+  ContactSystem assemble(const Cluster& cluster, std::vector<Contact> contacts) const {
+    return assemble(cluster.t, cluster.bodies, cluster.phases, std::move(contacts));
+  }
+  /// An island at time t [s], its contacts tracked from where it began to these phases. `joints`: room for
+  /// the island's joints that is filled anew and may be used again once the system is gone.
+  ContactSystem assemble(const Island& island, double t, std::span<const BodyPhase> phases,
+                         std::shared_ptr<JointSystem>* joints = nullptr) const;
+
+  /// Forces and torques of the environment on each body of the system (zero for prescribed ones) [N, N m].
+  std::vector<Wrench> environment_wrenches(const ContactSystem& system, double t) const;
+
+  /// Joints that hold any of these bodies, ascending.
+  std::vector<int> joints_of(const std::vector<int>& bodies) const;
+  /// Prescribed bodies that joints tie to any of these bodies, ascending.
+  std::vector<int> jointed_prescribed(const std::vector<int>& bodies) const;
+  /// Largest |g| of the joints of these bodies at these phases [m or 1].
+  double joint_residual(double t, const std::vector<int>& bodies, std::span<const BodyPhase> phases) const;
+
+ private:
+  /// The bodies of contacts, joints and others, ascending, with how they move.
+  struct Bodies {
+    std::vector<int> indices;
+    std::vector<BodyKinetics> kinetics;
+  };
+  Bodies bodies_at(double t, const std::vector<int>& bodies, std::span<const BodyPhase> phases,
+                   const std::vector<Contact>& contacts, const std::vector<int>& joints) const;
+  std::vector<int> bodies_of_joints(const std::vector<int>& joints) const;
+  void track_contacts(const Island& island, const Bodies& now, std::vector<Contact>& contacts) const;
+
+  const Model& model_;
+  const Environment& environment_;
+  std::vector<std::vector<int>> joints_by_body_;
+};
+
+/// What forces of the environment see of a body.
+Environment::BodyView view_of(const BodyKinetics& body);
+
+}  // namespace rigor

@@ -1,0 +1,201 @@
+#include "rigor/sim/islands/island_integrator.hpp"
+
+#include "rigor/contact/resting/rolling_friction.hpp"
+#include "rigor/contact/system/contact_kinematics.hpp"
+#include "rigor/core/index.hpp"
+#include "rigor/core/sorted_unique.hpp"
+#include "rigor/dynamics/dense_phase.hpp"
+#include "rigor/dynamics/step_control.hpp"
+#include "rigor/sim/method/resting_choice.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace rigor {
+
+namespace {
+
+IntegratorName integrator_of(IntegratorMethod method) {
+  switch (method) {
+    case IntegratorMethod::euler:
+      return IntegratorName::euler;
+    case IntegratorMethod::semi_implicit_euler:
+      return IntegratorName::semi_implicit_euler;
+    case IntegratorMethod::midpoint:
+      return IntegratorName::midpoint;
+    case IntegratorMethod::rk4:
+      return IntegratorName::rk4;
+    case IntegratorMethod::lie_rk4:
+      return IntegratorName::lie_rk4;
+    case IntegratorMethod::dop853:
+      return IntegratorName::dop853;
+    case IntegratorMethod::exact:
+    case IntegratorMethod::dopri5:
+      break;
+  }
+  return IntegratorName::dopri5;
+}
+
+}  // namespace
+
+/// The wrench on each body and, as two bodies more, what the ledger integrates: the external force and torque
+/// (about the origin of W), and the supplied power as the x component of a force.
+struct IslandIntegrator::Load {
+  std::vector<Wrench> wrenches;
+  Wrench external;
+  double power = 0;
+};
+
+IslandIntegrator::IslandIntegrator(const Model& model, const Environment& environment,
+                                   const ContactSystemAssembler& assembler, const Method& method)
+    : model_(model),
+      environment_(environment),
+      assembler_(assembler),
+      integrator_(method.integrator),
+      orientation_(method.orientation),
+      tolerance_(method.tolerance),
+      direction_tolerance_(direction_tolerance(method)),
+      resting_velocity_(method.resting_velocity),
+      resting_(resting_choice(method)) {}
+
+void IslandIntegrator::choose_joint_rows(Island& island) const {
+  const ContactSystem system = assembler_.assemble(island.begin, island.bodies, island.start, {});
+  if (system.joints) island.joint_rows = system.joints->choice();
+}
+
+/// The closed form is for flight. Where forces act its place is taken by integrators that control their
+/// error: of order 8 where motion is smooth, of order 5 where contacts may end the step early.
+IntegratorName IslandIntegrator::integrator_for(const Island& island) const {
+  if (integrator_ != IntegratorMethod::exact) return integrator_of(integrator_);
+  return island.contacts.empty() ? IntegratorName::dop853 : IntegratorName::dopri5;
+}
+
+IslandIntegrator::Load IslandIntegrator::load(const Island& island, double t,
+                                              std::span<const BodyPhase> phases,
+                                              std::shared_ptr<JointSystem>& joints) const {
+  const ContactSystem system = assembler_.assemble(island, t, phases, &joints);
+
+  // The forces of the environment.
+  std::vector<Wrench> wrenches = assembler_.environment_wrenches(system, t);
+  Load load;
+  // What springs do inside the island cancels in the sum; those to prescribed bodies and the world are
+  // external.
+  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+    if (system.kinetics[b].inverse_mass == 0) continue;
+    load.external.f_W += wrenches[b].f_W;
+    load.external.tau_W += wrenches[b].tau_W + system.kinetics[b].x.cross(wrenches[b].f_W);
+    load.power += environment_.supplied_power(system.bodies[b], view_of(system.kinetics[b]));
+  }
+
+  // The contacts: moments of rolling and torsional friction, then the forces of the active modes.
+  VecX lambda, joint_lambda;
+  if (!island.contacts.empty()) {
+    const std::vector<Wrench> of_environment = wrenches;
+    wrenches = with_rolling_friction(system, island.states, std::move(wrenches), direction_tolerance_,
+                                     resting_velocity_);
+    load.power += rolling_power_of_prescribed(system, of_environment, wrenches);
+    // Moments on prescribed bodies leave the island: their opposites are external to it.
+    for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+      if (system.kinetics[b].inverse_mass == 0) load.external.tau_W -= wrenches[b].tau_W;
+    }
+    lambda = contact_forces(system, island.states, wrenches, direction_tolerance_, resting_);
+    add_contact_wrenches(system, lambda, wrenches);
+    load.power += work_of_prescribed(system, lambda);
+  }
+
+  // The joints.
+  if (system.joints) {
+    JointReactions reactions = with_joint_reactions(system, std::move(wrenches));
+    wrenches = std::move(reactions.wrenches);
+    joint_lambda = reactions.lambda;
+    load.power += system.joints->supplied_power(joint_lambda);
+  }
+
+  // What of it comes from outside, and the wrenches in the order of the island.
+  const Wrench external = external_wrench(system, lambda, joint_lambda);
+  load.external.f_W += external.f_W;
+  load.external.tau_W += external.tau_W;
+  for (const int body : island.bodies) load.wrenches.push_back(wrenches[place_of(system.bodies, body)]);
+  return load;
+}
+
+IntegratorTolerances IslandIntegrator::tolerances(const Island& island) const {
+  IntegratorTolerances result;
+  result.relative = tolerance_;
+  // A linear momentum below this share of what the rotation carries is rounding of it, as of a wheel on its
+  // axle.
+  constexpr double rounding_share = 1e-4;
+
+  // The largest of the bodies: size, momentum or what gravity gives in its size, and angular momentum.
+  double length = 0, momentum = 0, angular_momentum = 0, of_rotation = 0;
+  for (std::size_t i = 0; i < island.bodies.size(); ++i) {
+    const Body& body = model_.body(island.bodies[i]);
+    const double size = std::isfinite(body.bounding_radius) && body.bounding_radius > 0
+                            ? body.bounding_radius
+                            : model_.length_scale();
+    const double speed = std::sqrt(size * environment_.steady_acceleration(island.bodies[i]).norm());
+    length = std::max(length, size);
+    momentum = std::max(momentum, std::max(island.start[i].P.norm(), body.mass * speed));
+    angular_momentum =
+        std::max(angular_momentum, std::max(island.start[i].L.norm(), body.mass * speed * size));
+    of_rotation = std::max(of_rotation, island.start[i].L.norm() / size);
+  }
+
+  // The scales that the tolerance is relative to.
+  if (length > 0) result.length_scale = length;
+  if (momentum > 0) result.momentum_scale = std::max(momentum, rounding_share * of_rotation);
+  if (angular_momentum > 0) result.angular_momentum_scale = angular_momentum;
+  return result;
+}
+
+IslandStep IslandIntegrator::step(const Island& island, double h) const {
+  // The bodies of the island.
+  const std::size_t count = island.bodies.size();
+  std::vector<BodyInertia> inertias;
+  for (const int body : island.bodies)
+    inertias.push_back({model_.body(body).mass, model_.body(body).moments});
+
+  // The ledger is integrated as two more bodies that do not move: their paths would only disturb the estimate
+  // of the error.
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  inertias.resize(count + 2, {infinite, Vec3::Constant(infinite)});
+  std::vector<BodyPhase> start = island.start;
+  start.resize(count + 2);
+
+  // The contact forces are solved for at every stage.
+  std::shared_ptr<JointSystem> joints;
+  const WrenchField field = [&](double t, std::span<const BodyPhase> phases, std::span<Wrench> wrenches) {
+    const Load now = load(island, t, phases.first(count), joints);
+    std::copy(now.wrenches.begin(), now.wrenches.end(), wrenches.begin());
+    wrenches[count] = now.external;
+    wrenches[count + 1] = {now.power * Vec3::UnitX(), Vec3::Zero()};
+  };
+  SystemStep taken = integrate_step(integrator_for(island), orientation_, inertias, start, island.begin, h,
+                                    field, tolerances(island));
+
+  // The step of the bodies, and the ledger.
+  IslandStep result{h, {}, {}, taken.error, taken.quaternion_drift};
+  result.impulse = taken.end[count].P;
+  result.angular_impulse = taken.end[count].L;
+  result.work = taken.end[count + 1].P.x();
+  taken.end.resize(count);
+  taken.dense.resize(count);
+  result.end = std::move(taken.end);
+  result.dense = std::move(taken.dense);
+  return result;
+}
+
+ControlledStep IslandIntegrator::controlled_step(const Island& island, double h, double least) const {
+  StepController controller(integrator_order(integrator_for(island)));
+  while (true) {
+    IslandStep taken = step(island, h);
+    if (std::isnan(taken.error)) return {std::move(taken), std::numeric_limits<double>::infinity()};
+    const StepDecision decision = controller.decide(h, taken.error);
+    if (decision.is_accepted || h <= least) return {std::move(taken), decision.h_next};
+    h = std::max(least, decision.h_next);
+  }
+}
+
+}  // namespace rigor

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "rigor/dynamics/integrator.hpp"
+#include "rigor/sim/islands/contact_system_assembler.hpp"
+#include "rigor/sim/islands/island.hpp"
+#include "rigor/sim/method/method.hpp"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace rigor {
+
+/// A step whose size the error estimate chose, and the size it suggests for the next.
+struct ControlledStep {
+  IslandStep step;
+  double h_next;  ///< [s]; infinite if the method has no estimate.
+};
+
+/// Smooth motion of islands: the contact forces are solved for at every stage of the integrator, so that its
+/// order survives the contacts.
+class IslandIntegrator {
+ public:
+  /// Holds references to all but the method. The assembler is of the same model and environment.
+  IslandIntegrator(const Model& model, const Environment& environment,
+                   const ContactSystemAssembler& assembler, const Method& method);
+
+  /// Chooses the rows of the island's redundant joints that count, where a step begins.
+  void choose_joint_rows(Island& island) const;
+  /// One step of exactly h with the contact modes held fixed.
+  IslandStep step(const Island& island, double h) const;
+  /// A step of at most h, shorter where the error estimate asks for it, but not shorter than `least`: there
+  /// `error` may exceed 1.
+  ControlledStep controlled_step(const Island& island, double h, double least) const;
+  /// A first-order step at velocity level (Moreau-Jean): impulses of the whole step by one Coulomb problem on
+  /// all contacts, whatever their modes. It never fails where slip directions change faster than an
+  /// integrator can follow or where forces have no finite value (Painlevé). It ends where no contact
+  /// overlaps, and where nothing but gravity and contacts act it takes energy only. Source: Moreau,
+  /// Unilateral Contact and Dry Friction in Finite Freedom Dynamics, CISM 302, 1988.
+  IslandStep implicit_step(const Island& island, double h) const;
+
+ private:
+  struct Load;  ///< All wrenches at one stage with their part of the ledger.
+  Load load(const Island& island, double t, std::span<const BodyPhase> phases,
+            std::shared_ptr<JointSystem>& joints) const;
+  /// Puts the end of an implicit step on its contacts, without more energy than the step began with.
+  void close_implicit_step(const Island& island, IslandStep& step) const;
+  IntegratorName integrator_for(const Island& island) const;
+  IntegratorTolerances tolerances(const Island& island) const;
+
+  const Model& model_;
+  const Environment& environment_;
+  const ContactSystemAssembler& assembler_;
+  IntegratorMethod integrator_;
+  OrientationForm orientation_;
+  double tolerance_;
+  double direction_tolerance_;
+  double resting_velocity_;
+  RestingChoice resting_;
+};
+
+}  // namespace rigor

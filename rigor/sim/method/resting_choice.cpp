@@ -1,0 +1,20 @@
+#include "rigor/sim/method/resting_choice.hpp"
+
+#include "rigor/sim/method/tolerances.hpp"
+
+namespace rigor {
+
+RestingChoice resting_choice(const Method& method) {
+  return {method.resting == RestingMethod::motion_space ? RestingSpace::motion : RestingSpace::contact,
+          method.lcp == LcpMethod::dantzig ? LcpName::dantzig : LcpName::lemke};
+}
+
+double direction_tolerance(const Method& method) {
+  return 1e-3 * method.resting_velocity;
+}
+
+double slip_tolerance(const Method& method) {
+  return still_speed(method.resting_velocity);
+}
+
+}  // namespace rigor

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <limits>
+
+namespace rigor {
+
+/// What a scheme guarantees of any run in a scene: each room of a scheme says it of its own, and the Auditor
+/// compares. The defaults are those of schemes that solve their problems to rounding and integrate to a
+/// tolerance: a millionth is what no method that deserves its name exceeds.
+struct SchemePromises {
+  /// Forces act as impulses of whole steps: of what they hand over and contacts take back in one, a body at
+  /// rest shows nothing but its rounding.
+  bool acts_in_steps = true;
+  /// Whether all work done from outside is in the report; if not, nothing is promised about the energy.
+  bool knows_work = true;
+  /// Unexplained rise of the energy, relative to the energies of the run and `energy_floor`.
+  double energy_share = 1e-6;
+  double energy_floor = 0;  ///< [J].
+  /// Error of the momenta, relative to those of the run.
+  double momentum_share = 1e-6;
+  /// The same of the linear momentum for each rounding of a velocity, where velocities are rounded in every
+  /// sweep over the contacts, `roundings_per_sweep` times each: their errors walk at random. 0: they are not.
+  double rounding_share = 0, roundings_per_sweep = 0;
+  /// Error of the momenta besides, relative to the impulse that the weights of all bodies give in the run.
+  double weight_share = 0;
+  double joint_drift = 0;                                        ///< Of any joint [m or rad].
+  double penetration = std::numeric_limits<double>::infinity();  ///< Of any pair of bodies [m].
+};
+
+}  // namespace rigor
