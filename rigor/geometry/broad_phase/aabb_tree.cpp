@@ -181,7 +181,7 @@ void AabbTree::refit(int index) {
   node.height = 1 + std::max(left.height, right.height);
 }
 
-/// Brings boxes and heights up to date from the node to the root, and rotates on the way.
+/// Brings boxes and heights up to date from the node to the root, and rotates each node on this path.
 void AabbTree::refit_upwards(int index) {
   while (index >= 0) {
     refit(index);

@@ -19,7 +19,7 @@ class PairSet {
   /// margin: distance that a box may move before its candidates are searched for again [m], ≥ 0.
   PairSet(BroadPhaseMethod method, double margin);
 
-  /// Sets the boxes of all items, by id. If their number has changed, everything begins anew.
+  /// Sets the boxes of all items, by id. If their number has changed, the set starts afresh.
   void update(std::span<const Aabb> boxes);
   /// All pairs of boxes that overlap or touch, in ascending order.
   const std::vector<BoxPair>& pairs() const { return pairs_; }

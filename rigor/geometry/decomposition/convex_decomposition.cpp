@@ -107,7 +107,7 @@ std::optional<ConvexDecomposition> Cutter::cut_exactly() const {
     }
     if (!goes_on(parts.size(), std::numeric_limits<double>::infinity())) return std::nullopt;
   }
-  // Joining undoes the cuts that turned out not to be needed.
+  // Joining undoes cuts that proved to be unnecessary.
   ConvexDecomposition exact = result(std::move(parts), most_excess_);
   if (exact.pieces.size() > most_pieces_) return std::nullopt;
   return exact;

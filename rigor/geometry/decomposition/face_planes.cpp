@@ -31,8 +31,8 @@ class Finder {
       : mesh_(mesh), flatness_(flatness), group_(mesh.triangles.size()) {}
 
   FacePlanes run() {
-    // Union-find over the edges gives groups of coplanar triangles; groups that turn out curved are broken up
-    // again, and their planes are made anew.
+    // Union-find over the edges gives groups of coplanar triangles; groups that prove to be curved are broken
+    // up again, and their planes are made again.
     measure();
     find_neighbours();
     std::iota(group_.begin(), group_.end(), 0);

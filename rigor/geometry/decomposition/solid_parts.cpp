@@ -63,7 +63,8 @@ std::optional<SolidPart> find_union(const SolidPart& a, const SolidPart& b, cons
   if (of_a.count != 1) return std::nullopt;
   const PlanesBetween of_b = planes_between(b.hull, a.hull, middle, room);
   if (of_b.count != 1) return std::nullopt;
-  // If the volume of the hull is that of the parts, nothing is between them: the union is convex.
+  // If the volume of the hull is the sum of those of the parts, there is no space between them: the union is
+  // convex.
   std::variant<ConvexHull, std::string> hull = make_convex_hull(points);
   if (!std::holds_alternative<ConvexHull>(hull)) return std::nullopt;
   const double added = hull_volume(std::get<ConvexHull>(hull)) - hull_volume(a.hull) - hull_volume(b.hull);
@@ -84,7 +85,7 @@ std::vector<SolidPart> joined_parts(std::vector<SolidPart> parts, const FacePlan
   std::vector<Aabb> boxes;
   for (const SolidPart& part : parts) boxes.push_back(box_of(part.hull, planes.tolerance));
   bool has_changed = true;
-  // A union may be joined in turn, so the pairs are examined until none is left. Only parts whose boxes meet
+  // A union may be joined further, so the pairs are examined until none is left. Only parts whose boxes meet
   // can be neighbours.
   while (has_changed) {
     has_changed = false;
@@ -116,7 +117,7 @@ std::vector<double> real_shares(const SolidPart& part, const FacePlanes& planes)
     for (const SurfaceFragment& fragment : part.fragments) {
       const FacePlanes::Plane& plane = planes.planes[at(fragment.plane)];
       const double room = kRoom * planes.tolerance + plane.slack;
-      // A fragment covers part of the face if it lies in the plane of the face and looks the same way.
+      // A fragment covers part of the face if it lies in the plane of the face and has the same outward side.
       const auto is_off = [&](const Vec3& p) {
         return std::abs(hull.face_normals[f].dot(p - corner)) > room;
       };

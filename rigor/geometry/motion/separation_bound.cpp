@@ -91,15 +91,14 @@ SeparationBound::SeparationBound(const MovingCore& A, const MovingCore& B, const
   if (!along.turn_W.isZero(0)) add_loss_by_turning(A, B, along);
 }
 
-/// Adds what the rotation of the normal takes from the gap at most. Let c be a point that continues with the
-/// velocity of B. Then for a point p of either part
+/// Subtracts the most that the rotation of the normal can take from the gap. Let c be a point that continues
+/// with the velocity of B. Then for a point p of either part
 ///   d²/dτ² n·(p - c) = n̈·(p - c) + 2 ṅ·(v_p - v_c) + n·a_p,    |n̈| ≤ Ω², |ṅ| ≤ Ω, |n(τ) - n| ≤ Ω τ.
 void SeparationBound::add_loss_by_turning(const MovingCore& A, const MovingCore& B,
                                           const PartingDirection& along) {
   const RigidMotion::Sample in_A = sample_of(A, t_), in_B = sample_of(B, t_);
   const double spin = along.turn_W.norm();
-  // Rate of the gap: the centres move apart along the normal, and the normal rotates over the line between
-  // them.
+  // Rate of the gap: to the relative velocity of the centres along n is added ṅ · (x_B - x_A).
   rate_ += along.turn_W.cross(along.n_W).dot(in_B.X_WB.p - in_A.X_WB.p);
   // Each part adds its bounds of |p - c| and |v_p - v_c| at time t, which grow with the acceleration; the
   // second derivative integrated twice gives the coefficients of τ², τ³ and τ⁴.

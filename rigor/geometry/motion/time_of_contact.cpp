@@ -38,7 +38,7 @@ bool is_cavity(const MovingShape& moving) {
   return std::holds_alternative<Cavity>(*moving.shape);
 }
 
-/// What is known of a pair of parts at one instant.
+/// The distance of a pair of parts at one instant, with its rate.
 struct Approach {
   DistanceResult distance;
   double rate = 0;   ///< [m/s], negative when approaching.
@@ -140,7 +140,8 @@ class Search {
       accept(pair, pair.time, pair.time + later, now);
       return;
     }
-    // Close to contact the bracket is closed directly: time cannot be resolved any finer.
+    // Once the contact is expected within half the width that the bracket may have, its upper end is looked
+    // for directly.
     if (is_whole && meets_within(pair, a, b, now, width)) return;
 
     // The step that SeparationBound (or the bound for a cavity) proves free, from the certified lower bound
