@@ -6,11 +6,11 @@
 namespace rigor {
 namespace {
 
-/// R_C(1, q) with q = 1 + e > 0: atan(√e)/√e, its continuation for e < 0, or its series. Both e and q are
-/// given because neither follows from the other without loss: q may be tiny, and so may e.
+/// R_C(1, q) with q = 1 + e > 0: atan(√e)/√e, its continuation to e < 0, or its series. Both e and q are
+/// arguments because neither follows from the other without loss: either may be tiny.
 double carlson_rc1(double e, double q) {
   if (std::abs(e) < 0.02) {
-    // Σ (-e)ᵏ/(2k + 1); the first term left out is below 0.02⁹/19 = 3e-17.
+    // Σ (-e)ᵏ/(2k + 1); the first term omitted is below 0.02⁹/19 = 3e-17.
     double sum = 1.0 / 17;
     for (int k = 7; k >= 0; --k) sum = 1.0 / (2 * k + 1) - e * sum;
     return sum;
@@ -23,8 +23,11 @@ double carlson_rc1(double e, double q) {
 
 double carlson_rf(double x, double y, double z) {
   double mean = (x + y + z) / 3;
-  // Taylor series of degree five: the rest is below rounding once the spread is below 1/430 of the mean.
+  // The remainder of the Taylor series of degree five is below rounding once the spread of the arguments is
+  // below 1/430 of their mean.
   double spread = 430 * std::max({std::abs(mean - x), std::abs(mean - y), std::abs(mean - z)});
+  // Duplication theorem: R_F does not change when λ is added to all arguments and the sums are divided by
+  // four; this quarters their spread.
   while (spread > mean) {
     const double sx = std::sqrt(x), sy = std::sqrt(y), sz = std::sqrt(z);
     const double lambda = sx * sy + sy * sz + sz * sx;
@@ -34,6 +37,7 @@ double carlson_rf(double x, double y, double z) {
     mean = 0.25 * (mean + lambda);
     spread *= 0.25;
   }
+  // The Taylor series in the elementary symmetric functions of the relative deviations, whose sum is zero.
   const double X = (mean - x) / mean, Y = (mean - y) / mean, Z = -(X + Y);
   const double E2 = X * Y - Z * Z, E3 = X * Y * Z;
   return (1 - E2 / 10 + E3 / 14 + E2 * E2 / 24 - 3 * E2 * E3 / 44) / std::sqrt(mean);
@@ -41,9 +45,11 @@ double carlson_rf(double x, double y, double z) {
 
 double carlson_rj(double x, double y, double z, double p) {
   double mean = (x + y + z + 2 * p) / 5;
-  // Taylor series of degree five: the rest is below rounding once the spread is below 1/600 of the mean.
+  // The remainder of the Taylor series of degree five is below rounding once the spread of the arguments is
+  // below 1/600 of their mean.
   double spread =
       600 * std::max({std::abs(mean - x), std::abs(mean - y), std::abs(mean - z), std::abs(mean - p)});
+  // Duplication as for R_F; each step splits off a term with R_C, and what is left is divided by four.
   double power = 1;  // 4⁻ⁿ
   double sum = 0;
   while (spread > mean) {
@@ -63,6 +69,7 @@ double carlson_rj(double x, double y, double z, double p) {
     spread *= 0.25;
     power *= 0.25;
   }
+  // The Taylor series in the elementary symmetric functions of the deviations, in which p counts twice.
   const double X = (mean - x) / mean, Y = (mean - y) / mean, Z = (mean - z) / mean;
   const double P = -(X + Y + Z) / 2;
   const double XYZ = X * Y * Z;

@@ -4,13 +4,13 @@
 
 namespace rigor {
 
-/// A rounded result and the exact rest that the rounding dropped: value + error is exact.
+/// A rounded result and the exact remainder that rounding dropped: value + error is exact.
 struct Exact {
   double value;
   double error;
 };
 
-/// a + b without rounding (barring overflow), for any order of magnitudes.
+/// a + b without loss (barring overflow), whatever the magnitudes.
 ///
 /// Source: Knuth, The Art of Computer Programming, vol. 2, section 4.2.2.
 inline Exact two_sum(double a, double b) {
@@ -19,14 +19,14 @@ inline Exact two_sum(double a, double b) {
   return {sum, (a - (sum - b_part)) + (b - b_part)};
 }
 
-/// a b without rounding (barring overflow and underflow).
+/// a b without loss (barring overflow and underflow).
 inline Exact two_product(double a, double b) {
   const double product = a * b;
   return {product, std::fma(a, b, -product)};
 }
 
-/// Sum that keeps the rounding errors of its additions: the result is as good as rounded once, unless the
-/// terms cancel by more than the square of the machine precision.
+/// A sum that keeps the rounding errors of its additions. The result is as good as if it had been rounded
+/// once, unless the terms cancel by more than the square of the machine precision.
 ///
 /// Source: Neumaier, Rundungsfehleranalyse einiger Verfahren zur Summation endlicher Summen, ZAMM 54, 1974.
 /// There the error of each addition is found by a comparison of magnitudes, here by two_sum, which gives the

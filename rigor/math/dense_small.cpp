@@ -9,6 +9,7 @@ Vec3 symmetric_solution(const Mat3& A, const Vec3& b) {
 Vec3 refined_symmetric_solution(const Mat3& A, const Vec3& b) {
   const Eigen::LDLT<Mat3> factors(A);
   Vec3 x = factors.solve(b);
+  // The residual of the first solution, solved with the same factors, gives the correction.
   x += factors.solve(b - A * x);
   return x;
 }

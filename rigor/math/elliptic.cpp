@@ -9,10 +9,10 @@
 namespace rigor {
 namespace {
 
-/// Below this the next mean agrees to rounding: the relative gap shrinks from g to g²/8.
+/// Relative gap of the two means below which the next ones agree to rounding: it shrinks from g to g²/8.
 constexpr double kLastGap = 1e-8;
 
-/// Below this u² is below rounding.
+/// Arguments below this have a square below rounding.
 constexpr double kTinyArgument = 0x1p-27;
 
 }  // namespace
@@ -20,6 +20,7 @@ constexpr double kTinyArgument = 0x1p-27;
 double complete_elliptic_k(double complement) {
   RIGOR_ASSERT(complement >= 0 && complement <= 1);
   if (complement == 0) return std::numeric_limits<double>::infinity();
+  // Arithmetic-geometric mean: the two means converge quadratically.
   double a = 1, b = std::sqrt(complement);
   while (a - b > kLastGap * a) {
     const double mean = 0.5 * (a + b);
@@ -36,6 +37,7 @@ JacobiFunctions::JacobiFunctions(double complement) : complement_(complement) {
   quarter_period_ = std::numeric_limits<double>::infinity();
   if (complement == 0) return;
 
+  // All means are kept, for the Landen transformation climbs back through them.
   bool last = false;
   while (!last) {
     last = a_[levels_] - b_[levels_] <= kLastGap * a_[levels_];
@@ -48,11 +50,13 @@ JacobiFunctions::JacobiFunctions(double complement) : complement_(complement) {
 }
 
 JacobiValues JacobiFunctions::at(double u) const {
+  // At m = 1 the functions are hyperbolic.
   if (complement_ == 0) {
     const double sech = 1 / std::cosh(u);
     return {std::tanh(u), sech, sech};
   }
   if (std::abs(u) <= quarter_period_) return at_reduced(u);
+  // The argument is reduced by multiples of 2 K, of which each changes the signs of sn and cn.
   const double half_periods = std::nearbyint(u / (2 * quarter_period_));
   JacobiValues values = at_reduced(u - 2 * half_periods * quarter_period_);
   if (std::fmod(half_periods, 2) != 0) {
@@ -65,8 +69,8 @@ JacobiValues JacobiFunctions::at(double u) const {
 JacobiValues JacobiFunctions::at_reduced(double u) const {
   if (std::abs(u) < kTinyArgument) return {u, 1, 1};
 
-  // With tₙ = aₙ cn/sn and dₙ = dn of the n-th mean's modulus at aₙ u, from the last mean (a circle) up to
-  // the first:
+  // Descending Landen transformation: let tₙ = aₙ cn/sn and dₙ = dn for the modulus of the n-th means at the
+  // argument aₙ u. At the last means the functions are circular, and from there up to the first
   //   w = tₙ₊₁²/aₙ₊₁,   tₙ = tₙ₊₁ dₙ₊₁,   dₙ = (bₙ + w)/(aₙ + w).
   const double phase = a_[levels_] * u;
   double t = a_[levels_] * std::cos(phase) / std::sin(phase);

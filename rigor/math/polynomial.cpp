@@ -11,7 +11,7 @@
 namespace rigor {
 namespace {
 
-/// Σ |cₖ| xᵏ: what the rounding errors of p near |x| are relative to.
+/// Σ |cₖ| xᵏ: the magnitude to which the rounding errors of p near |x| are relative.
 double absolute_value(const Polynomial& p, double x) {
   double sum = 0;
   for (int k = p.degree; k >= 0; --k) sum = sum * x + std::abs(p.c[k]);
@@ -23,15 +23,16 @@ double evaluation_error(const Polynomial& p, double x) {
   return (p.degree + 1) * kEpsilon * absolute_value(p, std::abs(x));
 }
 
-/// flat: p cannot be told from zero anywhere in the interval.
+/// The number of roots in an interval; flat: p cannot be told from zero anywhere in it.
 enum class RootsInside { none, one, flat, unknown };
 
-/// Descartes' rule in Bernstein's basis: number of roots in (a, b), where it can be told.
+/// Descartes' rule of signs in the Bernstein basis: the number of roots in (a, b), where it is certain.
 RootsInside count_roots(const BernsteinForm& form) {
   int changes = 0;
   int sign = 0;
   bool is_certain = true;
   bool is_flat = true;
+  // Sign changes are counted. A coefficient below its rounding error has no certain sign.
   for (int k = 0; k <= form.degree; ++k) {
     is_flat = is_flat && std::abs(form.b[k]) <= 2 * form.rounding;
     if (std::abs(form.b[k]) <= form.rounding) {
@@ -51,7 +52,8 @@ double end_nearer_to_zero(const Polynomial& p, double a, double b) {
   return std::abs(p(a)) <= std::abs(p(b)) ? a : b;
 }
 
-/// A root in an interval that cannot be divided further.
+/// A root in an interval that cannot be divided further: there is one if the sign of p changes, or if p is
+/// within its rounding error of zero at an end.
 std::optional<double> find_root_in_grain(const Polynomial& p, double a, double b) {
   const double at_a = p(a), at_b = p(b);
   const bool is_near_a = std::abs(at_a) <= evaluation_error(p, a);
@@ -109,7 +111,7 @@ BernsteinForm bernstein_form(const Polynomial& p, double a, double b) {
   const int n = p.degree;
   const double width = b - a;
 
-  // Taylor shift to a by repeated synthetic division, then x = a + s width.
+  // Taylor shift to a by repeated synthetic division, then the substitution x = a + s width.
   double c[Polynomial::max_degree + 1];
   std::copy(std::begin(p.c), std::end(p.c), c);
   for (int i = 0; i < n; ++i) {
@@ -118,7 +120,7 @@ BernsteinForm bernstein_form(const Polynomial& p, double a, double b) {
   double power = 1;
   for (int k = 0; k <= n; ++k, power *= width) c[k] *= power;
 
-  // bₖ = Σ_{i ≤ k} C(k, i)/C(n, i) cᵢ.
+  // Change of basis: bₖ = Σ_{i ≤ k} C(k, i)/C(n, i) cᵢ.
   BernsteinForm form;
   form.degree = n;
   for (int k = 0; k <= n; ++k) {
@@ -128,7 +130,7 @@ BernsteinForm bernstein_form(const Polynomial& p, double a, double b) {
       weight *= static_cast<double>(k - i) / (n - i > 0 ? n - i : 1);
     }
   }
-  // At most 6n + 4 roundings on the way of each term, of half an epsilon each.
+  // Each term undergoes at most 6n + 4 roundings, of half an epsilon each.
   form.rounding = (3 * n + 2) * kEpsilon * absolute_value(p, std::abs(a) + std::abs(width));
   return form;
 }
@@ -142,7 +144,7 @@ Bounds polynomial_bounds(const Polynomial& p, double a, double b) {
 QuadraticRoots find_quadratic_roots(double a, double b, double c) {
   const double largest = std::max({std::abs(a), std::abs(b), std::abs(c)});
   if (!(largest > 0) || (a == 0 && b == 0)) return {};
-  // A common power of two keeps the products in range and changes no digit.
+  // Scaling by a common power of two keeps the products in range and changes no digit.
   int exponent = 0;
   std::frexp(largest, &exponent);
   a = std::ldexp(a, -exponent);
@@ -150,11 +152,13 @@ QuadraticRoots find_quadratic_roots(double a, double b, double c) {
   c = std::ldexp(c, -exponent);
   if (a == 0) return {1, {-c / b, 0}};
 
-  // b² - 4ac with the rounding errors of both products given back.
+  // Discriminant b² - 4ac: fma recovers the rounding errors of both products.
   const double square = b * b, product = 4 * a * c;
   const double discriminant = (square - product) + (std::fma(b, b, -square) - std::fma(4 * a, c, -product));
   if (discriminant < 0) return {};
   if (discriminant == 0) return {1, {-b / (2 * a), 0}};
+  // The root of larger magnitude is a sum without cancellation; the other one follows from the product c/a of
+  // the roots.
   const double t = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
   const double first = t / a, second = c / t;
   return {2, {std::min(first, second), std::max(first, second)}};
@@ -162,7 +166,8 @@ QuadraticRoots find_quadratic_roots(double a, double b, double c) {
 
 std::optional<double> find_smallest_root(const Polynomial& p, double a, double b) {
   RIGOR_ASSERT(a <= b);
-  // Intervals still to be searched, the leftmost on top; each halving leaves one for later.
+  // Stack of the intervals that are still to be searched, the leftmost on top; each bisection leaves one for
+  // later.
   struct Interval {
     double a, b;
   };
@@ -175,12 +180,15 @@ std::optional<double> find_smallest_root(const Polynomial& p, double a, double b
     const Interval interval = waiting[--count];
     if (std::abs(p(interval.a)) <= evaluation_error(p, interval.a)) return interval.a;
 
+    // No sign change excludes a root. One sign change proves exactly one, which ITP then finds in its
+    // bracket.
     const RootsInside roots = count_roots(bernstein_form(p, interval.a, interval.b));
     if (roots == RootsInside::none) continue;
     if (roots == RootsInside::flat) return end_nearer_to_zero(p, interval.a, interval.b);
     if (roots == RootsInside::one && (p(interval.a) < 0) != (p(interval.b) < 0)) {
       return find_root_itp([&p](double x) { return p(x); }, interval.a, interval.b, 0).best();
     }
+    // Otherwise the interval is bisected, down to the resolution of doubles.
     const double middle = interval.a + 0.5 * (interval.b - interval.a);
     const double grain = 2 * kEpsilon * std::max(std::abs(interval.a), std::abs(interval.b));
     if (interval.b - interval.a <= grain || middle == interval.a || count + 2 > kMaxHalvings) {

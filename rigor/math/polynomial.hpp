@@ -5,14 +5,15 @@
 
 namespace rigor {
 
-/// Polynomial Σ cₖ xᵏ of small degree, without heap.
+/// A polynomial Σ cₖ xᵏ of small degree, without heap allocation.
 struct Polynomial {
   static constexpr int max_degree = 12;
   double c[max_degree + 1] = {};  ///< Ascending; zero above the degree.
   int degree = 0;
 
   Polynomial() = default;
-  /// From c₀, c₁, ...; the degree is the number of coefficients less one, whatever their values.
+  /// The polynomial with the coefficients c₀, c₁, ...; its degree is their number less one, whatever their
+  /// values.
   Polynomial(std::initializer_list<double> coefficients);
 
   /// Value at x, by Horner's rule.
@@ -22,11 +23,11 @@ struct Polynomial {
 
 Polynomial operator+(const Polynomial& p, const Polynomial& q);
 Polynomial operator-(const Polynomial& p, const Polynomial& q);
-/// Product; the degrees may add to at most max_degree.
+/// Product; the sum of the degrees must not exceed max_degree.
 Polynomial operator*(const Polynomial& p, const Polynomial& q);
 
-/// Coefficients b of p on [a, b] in Bernstein's basis: p(a + s (b - a)) = Σ bₖ C(n, k) sᵏ (1 - s)ⁿ⁻ᵏ. The
-/// first and the last are the values at the ends; p lies between the smallest and the largest on [a, b].
+/// Coefficients b of p on [a, b] in the Bernstein basis: p(a + s (b - a)) = Σ bₖ C(n, k) sᵏ (1 - s)ⁿ⁻ᵏ. The
+/// first and the last are the values at the ends; on [a, b], p lies between the smallest and the largest.
 struct BernsteinForm {
   double b[Polynomial::max_degree + 1] = {};
   int degree = 0;
@@ -34,26 +35,26 @@ struct BernsteinForm {
 };
 BernsteinForm bernstein_form(const Polynomial& p, double a, double b);
 
-/// Bounds of p on [a, b] that hold in exact arithmetic: Bernstein coefficients, widened by their rounding
-/// errors. Sharp to second order in b - a.
+/// Bounds of p on [a, b] that hold for exact values of p: the Bernstein coefficients, widened by their
+/// rounding errors. Sharp to second order in b - a.
 struct Bounds {
   double min, max;
 };
 Bounds polynomial_bounds(const Polynomial& p, double a, double b);
 
-/// Real roots of a x² + b x + c in ascending order; count is 0, 1 (double root, or a = 0) or 2. No
-/// cancellation: the discriminant is computed with one rounding, the smaller root from the product of roots.
-/// a = b = 0 has no roots.
+/// Real roots of a x² + b x + c in ascending order; count is 0, 1 (double root, or a = 0) or 2. Nothing
+/// cancels: the discriminant is computed with one rounding, and the root of smaller magnitude from the
+/// product of the roots. There are no roots if a = b = 0.
 struct QuadraticRoots {
   int count = 0;
   double x[2] = {0, 0};
 };
 QuadraticRoots find_quadratic_roots(double a, double b, double c);
 
-/// Smallest root of p in [a, b], correct to rounding, or nothing. A place where |p| is below its own rounding
-/// error counts as a root, so a double root (p touches zero) is found, up to the square root of rounding. The
-/// zero polynomial has the root a. By subdivision in Bernstein's basis: no sign change among the coefficients
-/// excludes a root, one proves one.
+/// Smallest root of p in [a, b], correct to rounding, or nothing. A point at which |p| is below its own
+/// rounding error counts as a root; so a double root (p touches zero) is found, up to the square root of
+/// rounding. The zero polynomial has the root a. The interval is subdivided in the Bernstein basis: no sign
+/// change among the coefficients excludes a root, and one proves one.
 std::optional<double> find_smallest_root(const Polynomial& p, double a, double b);
 
 }  // namespace rigor

@@ -26,6 +26,8 @@ Vec3 rotation_log(const Quat& q) {
   const Vec3 v = q.vec();
   const double sine = v.norm();
   if (sine == 0) return Vec3::Zero();
+  // q and -q are the same rotation; the sign with w ≥ 0 gives the shorter one. atan2 is accurate at all
+  // angles.
   const double sign = q.w() < 0 ? -1 : 1;
   return sign * 2 * std::atan2(sine, sign * q.w()) / sine * v;
 }

@@ -4,11 +4,12 @@
 
 namespace rigor {
 
-/// Rotation matrix of q by the factor s = 2/|q|²: orthonormal to rounding for any non-zero q, so that the
-/// drift of |q| changes nothing.
+/// Rotation matrix of q with the factor s = 2/|q|²: orthonormal to rounding for any non-zero q, so that drift
+/// of |q| has no effect.
 Mat3 rotation_matrix(const Quat& q);
 
-/// Quaternion exp(φ/2) of the rotation vector φ [rad]; Taylor branch of sinc for small |φ|.
+/// Unit quaternion exp(φ/2) of the rotation vector φ [rad]; for small |φ| sinc is replaced by its Taylor
+/// series.
 Quat rotation_exp(const Vec3& phi);
 
 /// Rotation vector φ [rad], |φ| ≤ π, with rotation_exp(φ) = ±q; q need not be normalised.
@@ -20,7 +21,7 @@ double rotation_angle_between(const Quat& a, const Quat& b);
 /// Quaternion of the rotation matrix R (orthonormal, det +1); w ≥ 0.
 Quat quaternion_of(const Mat3& R);
 
-/// Columns orthonormalised from the first to the last (biased to the first, as in the course).
+/// Columns orthonormalised from the first to the last (Gram-Schmidt, which favours the first column).
 Mat3 gram_schmidt(const Mat3& R);
 
 /// Skew matrix a~ with a~ b = a × b.

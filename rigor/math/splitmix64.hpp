@@ -4,7 +4,7 @@
 
 namespace rigor {
 
-/// Small generator of 64 random bits a call, the same on every machine (unlike the distributions of the
+/// A small generator of 64 random bits per call, the same on every machine (unlike the distributions of the
 /// standard library).
 ///
 /// Source: Steele, Lea and Flood, Fast Splittable Pseudorandom Number Generators, OOPSLA 2014.

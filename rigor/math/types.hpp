@@ -13,7 +13,7 @@ using Vec6 = Eigen::Matrix<double, 6, 1>;
 using Mat6 = Eigen::Matrix<double, 6, 6>;
 using VecX = Eigen::VectorXd;
 using MatX = Eigen::MatrixXd;
-/// Unit quaternion q_WB: takes coordinates of B to W. Constructed as (w, x, y, z).
+/// Unit quaternion q_WB; it maps coordinates in B to coordinates in W. The constructor takes (w, x, y, z).
 using Quat = Eigen::Quaterniond;
 
 }  // namespace rigor

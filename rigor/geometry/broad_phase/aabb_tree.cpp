@@ -21,13 +21,14 @@ void AabbTree::set(int id, const Aabb& box) {
   if (index >= leaf_of_.size()) leaf_of_.resize(index + 1, -1);
   const int old_leaf = leaf_of_[index];
 
+  // An unbounded box goes into the list beside the tree.
   if (!is_bounded(box)) {
     remove(id);
     unbounded_.push_back({id, box});
     return;
   }
   if (old_leaf >= 0) {
-    // A small motion inside the parent's box only needs new bounds on the way up.
+    // An item that moves inside its parent's box keeps its place; only the bounds of its ancestors change.
     const int parent = nodes_[at(old_leaf)].parent;
     if (parent >= 0 && nodes_[at(parent)].box.contains(box)) {
       nodes_[at(old_leaf)].box = box;
@@ -35,6 +36,7 @@ void AabbTree::set(int id, const Aabb& box) {
       return;
     }
   }
+  // Any other item is taken out and inserted where it now costs least.
   remove(id);
   const int leaf = new_node();
   nodes_[at(leaf)].box = box;
@@ -64,7 +66,8 @@ void AabbTree::overlapping(const Aabb& box, std::vector<int>& ids) const {
   for (const Unbounded& item : unbounded_) {
     if (item.box.overlaps(box)) ids.push_back(item.id);
   }
-  // Depth first without a stack: down to the left, and along the parents to the next right sibling.
+  // Depth first without a stack: down the left children, and back along the parents to the next right
+  // sibling.
   int index = root_;
   while (index >= 0) {
     const Node& node = nodes_[at(index)];
@@ -107,6 +110,8 @@ int AabbTree::new_node() {
   return index;
 }
 
+/// The node beside which a new leaf adds least to the surfaces on its path (surface-area heuristic): a random
+/// box meets a node with a probability in proportion to its surface.
 int AabbTree::find_sibling(const Aabb& box) const {
   int index = root_;
   double inherited = 0;  // Growth of the ancestors' areas if the leaf goes below them.
@@ -116,8 +121,8 @@ int AabbTree::find_sibling(const Aabb& box) const {
     const double cost_here = inherited + joint_area;
     inherited += joint_area - half_area(node.box);
 
-    // Best that can happen below a child: a leaf is joined, an inner node grows and holds the new pair deeper
-    // down.
+    // Lower bound of the cost below a child: a leaf is joined with the new one; an inner node grows, and the
+    // new pair is at least as large as the new box.
     const auto cost_below = [&](int child_index) {
       const Node& child = nodes_[at(child_index)];
       const double joint = half_area(child.box.united(box));
@@ -126,6 +131,7 @@ int AabbTree::find_sibling(const Aabb& box) const {
     const double cost_left = cost_below(node.left);
     const double cost_right = cost_below(node.right);
     if (cost_here < cost_left && cost_here < cost_right) break;
+    // Of equally good children the lower one keeps the tree balanced.
     const bool left_is_lower = nodes_[at(node.left)].height <= nodes_[at(node.right)].height;
     const bool goes_left = cost_left < cost_right || (cost_left == cost_right && left_is_lower);
     index = goes_left ? node.left : node.right;
@@ -138,6 +144,7 @@ void AabbTree::insert_leaf(int leaf) {
     root_ = leaf;
     return;
   }
+  // A new node takes the place of the sibling and becomes the parent of both.
   const int sibling = find_sibling(nodes_[at(leaf)].box);
   const int parent = new_node();
   const int grandparent = nodes_[at(sibling)].parent;
@@ -157,6 +164,7 @@ void AabbTree::remove_leaf(int leaf) {
     root_ = -1;
     return;
   }
+  // The sibling of the leaf takes the place of their parent.
   const Node& joint = nodes_[at(parent)];
   const int sibling = joint.left == leaf ? joint.right : joint.left;
   const int grandparent = joint.parent;
@@ -173,6 +181,7 @@ void AabbTree::refit(int index) {
   node.height = 1 + std::max(left.height, right.height);
 }
 
+/// Brings boxes and heights up to date from the node to the root, and rotates each node on this path.
 void AabbTree::refit_upwards(int index) {
   while (index >= 0) {
     refit(index);
@@ -181,8 +190,8 @@ void AabbTree::refit_upwards(int index) {
   }
 }
 
-/// Swaps a child of the node with a child of its sibling where that shrinks the sibling most; with equal
-/// areas, where it makes the node lower (items in one place would otherwise form a list).
+/// Tree rotation: exchanges a child of the node with a child of its sibling where that shrinks the sibling
+/// most; among equal areas, where it makes the node lower (items in one place would otherwise form a list).
 void AabbTree::rotate(int index) {
   const Node& node = nodes_[at(index)];
   int best_child = -1, best_grandchild = -1;
@@ -197,6 +206,7 @@ void AabbTree::rotate(int index) {
     for (const int grandchild : {sibling.left, sibling.right}) {
       const Node& stays = nodes_[at(grandchild == sibling.left ? sibling.right : sibling.left)];
       const Node& rises = nodes_[at(grandchild)];
+      // The sibling keeps one of its children and gets the child of the node in place of the other.
       const double gain = half_area(sibling.box) - half_area(stays.box.united(moved.box));
       const int height_after = 1 + std::max(rises.height, 1 + std::max(stays.height, moved.height));
       const int drop = node.height - height_after;

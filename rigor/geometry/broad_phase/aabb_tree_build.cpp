@@ -12,15 +12,17 @@
 namespace rigor {
 namespace {
 
-constexpr std::size_t kBinCount = 16;  ///< Places where the heuristic tries to cut.
+constexpr std::size_t kBinCount = 16;  ///< The heuristic tries the cuts between the bins.
 
 struct Bin {
   Aabb box = empty_box();
   std::size_t count = 0;
 };
 
-/// The bins before `cut` go to the left: least area · count on both sides.
+/// The cut with the least sum of area · count over both sides (Wald 2007). The bins before it go to the left.
 std::size_t cheapest_cut(const std::array<Bin, kBinCount>& bins) {
+  // Two sweeps suffice: the first, from the right, leaves the cost of everything right of each cut; the
+  // second, from the left, adds the left side.
   std::array<double, kBinCount> right_cost{};
   Bin right, left;
   for (std::size_t b = kBinCount; b-- > 1;) {
@@ -42,10 +44,10 @@ std::size_t cheapest_cut(const std::array<Bin, kBinCount>& bins) {
   return best;
 }
 
-/// How many items go to the left, which are put first: cut between bins along the longest side of the box of
-/// centres, or in the middle where all centres fall together.
+/// Puts the items of the left child first and returns their number. The cut is between bins along the longest
+/// side of the box of the centres, or in the middle if all centres coincide.
 std::size_t partition(std::span<BoxItem> items) {
-  Aabb range = empty_box();  // Of twice the centres.
+  Aabb range = empty_box();  // Of the doubled centres.
   for (const BoxItem& item : items) {
     const Vec3 twice = item.box.lower + item.box.upper;
     range = range.united({twice, twice});
@@ -58,6 +60,7 @@ std::size_t partition(std::span<BoxItem> items) {
     const double place = (item.box.lower(axis) + item.box.upper(axis) - range.lower(axis)) / length;
     return std::min(kBinCount - 1, static_cast<std::size_t>(static_cast<double>(kBinCount) * place));
   };
+  // Binning: each bin knows the number and the box of the items whose centres it holds.
   std::array<Bin, kBinCount> bins;
   for (const BoxItem& item : items) {
     Bin& bin = bins[bin_of(item)];
@@ -85,11 +88,13 @@ void AabbTree::build(std::span<const BoxItem> items) {
       unbounded_.push_back({item.id, item.box});
     }
   }
+  // A binary tree with n leaves has 2 n - 1 nodes.
   if (bounded.empty()) return;
   nodes_.reserve(2 * bounded.size() - 1);
   root_ = build_range(bounded, -1);
 }
 
+/// Builds the subtree of the items, top down, and returns its root.
 int AabbTree::build_range(std::span<BoxItem> items, int parent) {
   const int index = new_node();
   nodes_[at(index)].parent = parent;
@@ -110,7 +115,7 @@ int AabbTree::build_range(std::span<BoxItem> items, int parent) {
 }
 
 void AabbTree::refit(std::span<const Aabb> boxes) {
-  // Children before their parents: the nodes in the order of a walk from the root, backwards.
+  // Children come before their parents: the nodes in breadth-first order, backwards.
   std::vector<int> order;
   order.reserve(nodes_.size());
   if (root_ >= 0) order.push_back(root_);
@@ -133,7 +138,8 @@ void AabbTree::refit(std::span<const Aabb> boxes) {
 std::vector<BoxPair> AabbTree::overlapping_pairs() const {
   std::vector<BoxPair> pairs;
   const auto add = [&](int a, int b) { pairs.push_back({std::min(a, b), std::max(a, b)}); };
-  // Two subtrees to be compared; a subtree with itself stands for the pairs inside it.
+  // Pairs of subtrees that are still to be compared. A subtree paired with itself stands for the pairs of
+  // items inside it.
   std::vector<std::pair<int, int>> waiting;
   if (root_ >= 0) waiting.emplace_back(root_, root_);
   while (!waiting.empty()) {
@@ -146,6 +152,7 @@ std::vector<BoxPair> AabbTree::overlapping_pairs() const {
                      {{node_a.left, node_a.left}, {node_a.right, node_a.right}, {node_a.left, node_a.right}});
       continue;
     }
+    // Of two subtrees whose boxes overlap the higher one is replaced by its children, until both are leaves.
     if (!node_a.box.overlaps(node_b.box)) continue;
     if (node_a.id >= 0 && node_b.id >= 0) {
       add(node_a.id, node_b.id);
@@ -155,6 +162,7 @@ std::vector<BoxPair> AabbTree::overlapping_pairs() const {
       waiting.insert(waiting.end(), {{a, node_b.left}, {a, node_b.right}});
     }
   }
+  // Unbounded items are compared with all others; a pair of two of them is found twice and added once.
   std::vector<int> ids;
   for (const Unbounded& item : unbounded_) {
     overlapping(item.box, ids);

@@ -8,10 +8,10 @@
 namespace rigor {
 namespace {
 
-/// A node that waits to be looked at, or an item beside the tree.
+/// A node that is still to be examined, or an item beside the tree.
 struct Waiting {
   double bound;
-  int id;  ///< Of the item; -1 for an inner node, which goes before the items with the same bound.
+  int id;  ///< Id of the item; -1 for an inner node, which comes before items with the same bound.
   int node;
 
   bool operator>(const Waiting& other) const {
@@ -35,6 +35,8 @@ void AabbTree::search(const std::function<double(const Aabb&)>& bound,
     const Node& root = nodes_[at(root_)];
     push(root.box, root.id, root_);
   }
+  // Best first: when an item is at the top, no box that is left can have a smaller bound. Inner nodes come
+  // before items of the same bound, so that all of these are known before the first is visited.
   while (!waiting.empty() && waiting.top().bound <= limit) {
     const Waiting next = waiting.top();
     waiting.pop();

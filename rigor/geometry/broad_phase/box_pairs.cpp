@@ -8,10 +8,10 @@ namespace rigor {
 
 namespace {
 
-/// Boxes of a leaf. A few are cheaper to compare one by one than to sort further.
+/// Number of boxes in a leaf. So few are cheaper to compare one by one than to divide further.
 constexpr int kLeafSize = 4;
 
-/// Binary tree over the boxes; each node holds a range of `order_`, its children the halves.
+/// Binary tree over the boxes. Each node holds a range of `order_`, its children the two halves of the range.
 class BoxTree {
  public:
   explicit BoxTree(const std::vector<Aabb>& boxes) : boxes_(boxes), order_(boxes.size()) {
@@ -39,6 +39,8 @@ class BoxTree {
     nodes_.push_back(node);
     if (count <= kLeafSize) return id;
 
+    // The median of the centres along the longest side divides the range in halves; ties are broken by index,
+    // so that the result is the same everywhere.
     int axis;
     (node.box.upper - node.box.lower).maxCoeff(&axis);
     const int half = count / 2;
@@ -55,6 +57,8 @@ class BoxTree {
     return id;
   }
 
+  /// Compares two subtrees; one with itself stands for the pairs inside it. Of two different ones the larger
+  /// is opened.
   void visit(int a, int b) {
     const Node &node_a = nodes_[at(a)], &node_b = nodes_[at(b)];
     if (!node_a.box.overlaps(node_b.box)) return;

@@ -8,24 +8,24 @@
 
 namespace rigor {
 
-/// Boxes by number, and which of them overlap a given one. What it answers depends on the boxes alone, not on
-/// the method or on the calls that led there. Boxes may be unbounded.
+/// Boxes with ids, and queries for those that overlap a given box. The answers depend on the boxes alone, not
+/// on the method or on the calls that led there. Boxes may be unbounded.
 class BroadPhase {
  public:
   virtual ~BroadPhase() = default;
-  /// Puts the box of the item in, or replaces the box it had. id ≥ 0, small (used as an index).
+  /// Inserts the box of the item, or replaces the box it had. id ≥ 0 and small (it is used as an index).
   virtual void set(int id, const Aabb& box) = 0;
-  /// Takes the item out; nothing happens if it is not there.
+  /// Removes the item; nothing happens if it is not there.
   virtual void remove(int id) = 0;
-  /// Ids of all items whose box overlaps or touches, in ascending order, into a buffer of the caller (cleared
-  /// first).
+  /// Ids of all items whose box overlaps or touches the given one, in ascending order, into a buffer of the
+  /// caller, which is cleared first.
   virtual void overlapping(const Aabb& box, std::vector<int>& ids) const = 0;
 };
 
-/// An empty one.
+/// An empty broad phase of the given method.
 std::unique_ptr<BroadPhase> make_broad_phase(BroadPhaseMethod method);
 
-/// A box with its number.
+/// A box with the id of its item.
 struct BoxItem {
   int id;
   Aabb box;

@@ -2,7 +2,7 @@
 
 namespace rigor {
 
-/// How pairs of boxes that overlap are found among many.
+/// The method that finds the pairs of boxes that overlap among many.
 enum class BroadPhaseMethod { tree, sweep_and_prune };
 
 }  // namespace rigor

@@ -10,8 +10,8 @@ namespace rigor {
 
 namespace {
 
-/// If more than this part of all items have left their boxes, the tree is built anew: cheaper than taking
-/// them out and in one by one.
+/// If more than one in this many items have left their grown boxes, the tree is rebuilt: that is cheaper than
+/// inserting them one by one.
 constexpr std::size_t kRebuildPart = 16;
 
 }  // namespace
@@ -21,6 +21,7 @@ PairSet::PairSet(BroadPhaseMethod method, double margin) : method_(method), marg
 }
 
 void PairSet::update(std::span<const Aabb> boxes) {
+  // Tree: the candidates whose own boxes overlap. Sweep and prune keeps the pairs themselves.
   std::vector<BoxPair> now;
   if (method_ == BroadPhaseMethod::tree) {
     update_candidates(boxes);
@@ -33,6 +34,7 @@ void PairSet::update(std::span<const Aabb> boxes) {
     sweep_.update(boxes);
     now = sweep_.pairs();
   }
+  // The changes are the differences of the two sorted lists.
   entered_.clear();
   left_.clear();
   std::set_difference(now.begin(), now.end(), pairs_.begin(), pairs_.end(), std::back_inserter(entered_));
@@ -45,6 +47,7 @@ void PairSet::update_candidates(std::span<const Aabb> boxes) {
     rebuild(boxes);
     return;
   }
+  // The candidates of a box that is still inside its grown box are still valid.
   std::vector<int> escaped;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     if (!grown_[i].contains(boxes[i])) escaped.push_back(static_cast<int>(i));
@@ -72,7 +75,7 @@ void PairSet::rebuild(std::span<const Aabb> boxes) {
   candidates_ = tree_.overlapping_pairs();
 }
 
-/// The candidates of these items anew.
+/// Finds the candidates of these items anew; those of all others remain.
 void PairSet::replace(const std::vector<int>& escaped) {
   if (escaped.empty()) return;
   std::vector<bool> has_escaped(grown_.size(), false);
@@ -84,7 +87,7 @@ void PairSet::replace(const std::vector<int>& escaped) {
   for (const int id : escaped) {
     tree_.overlapping(grown_[at(id)], near);
     for (const int other : near) {
-      // A pair of two that escaped is found twice: taken once.
+      // A pair of two escaped items is found twice and added once.
       if (other == id || (has_escaped[at(other)] && other < id)) continue;
       candidates_.push_back({std::min(id, other), std::max(id, other)});
     }

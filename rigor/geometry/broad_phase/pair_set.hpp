@@ -8,21 +8,23 @@
 
 namespace rigor {
 
-/// The pairs of boxes that overlap, kept while all boxes move: for schemes that step all bodies together. The
-/// pairs are those of the last boxes given, whatever came before, and the same for both methods.
+/// The pairs of boxes that overlap, maintained while all boxes move: for schemes that step all bodies
+/// together. The pairs are those of the latest boxes, whatever came before, and the same for both methods.
 ///
-/// With the tree, items have boxes grown by a margin: as long as a box stays inside, its candidates stand.
-/// When few have left theirs, these are put into the tree anew; when many, the whole tree is built again.
+/// With the tree, each item has a box grown by a margin: as long as the box of the item stays inside, its
+/// candidates remain valid. If a few boxes have left theirs, these are inserted into the tree again; if many
+/// have, the whole tree is rebuilt.
 class PairSet {
  public:
-  /// margin: how far a box may move before its candidates are looked for again [m], ≥ 0.
+  /// margin: distance that a box may move before its candidates are searched for again [m], ≥ 0.
   PairSet(BroadPhaseMethod method, double margin);
 
-  /// New boxes of all items, by id; as many as the last time, or else all begins anew.
+  /// Sets the boxes of all items, by id. If their number has changed, the set starts afresh.
   void update(std::span<const Aabb> boxes);
   /// All pairs of boxes that overlap or touch, in ascending order.
   const std::vector<BoxPair>& pairs() const { return pairs_; }
-  /// Those that did not in the update before, and those that did but do not now; in ascending order.
+  /// The pairs that overlap now but did not at the previous update, and those that did but no longer do; in
+  /// ascending order.
   const std::vector<BoxPair>& entered() const { return entered_; }
   const std::vector<BoxPair>& left() const { return left_; }
 
@@ -34,7 +36,7 @@ class PairSet {
   BroadPhaseMethod method_;
   double margin_;
   AabbTree tree_;
-  std::vector<Aabb> grown_;          ///< Of the tree.
+  std::vector<Aabb> grown_;          ///< Boxes in the tree.
   std::vector<BoxPair> candidates_;  ///< Pairs of grown boxes that overlap.
   SweepAndPrune sweep_;
   std::vector<BoxPair> pairs_, entered_, left_;

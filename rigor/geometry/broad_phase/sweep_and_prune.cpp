@@ -44,7 +44,7 @@ void SweepAndPrune::erase_ends(int id) {
 
 void SweepAndPrune::overlapping(const Aabb& box, std::vector<int>& ids) const {
   ids.clear();
-  // Those whose lower ends do not lie beyond the box on x.
+  // Only boxes whose lower ends are not beyond the given box on the x axis can overlap it.
   for (const End& end : ends_[0]) {
     if (end.value > box.upper.x()) break;
     if (!end.is_upper && items_[static_cast<std::size_t>(end.id)].box.overlaps(box)) ids.push_back(end.id);
@@ -62,7 +62,7 @@ void SweepAndPrune::update(std::span<const Aabb> boxes) {
   apply_changes(boxes);
 }
 
-/// The lists sorted from nothing, and the pairs by one sweep along x.
+/// Sorts the lists from scratch and finds the pairs by one sweep along the x axis.
 void SweepAndPrune::start(std::span<const Aabb> boxes) {
   items_.clear();
   pairs_.clear();
@@ -77,6 +77,8 @@ void SweepAndPrune::start(std::span<const Aabb> boxes) {
     }
     std::sort(ends.begin(), ends.end());
   }
+  // The sweep: a box is open between its two ends, and overlaps on x exactly the boxes that are open where it
+  // begins.
   std::vector<int> open;
   for (const End& end : ends_[0]) {
     if (end.is_upper) {
@@ -93,6 +95,7 @@ void SweepAndPrune::start(std::span<const Aabb> boxes) {
   std::sort(pairs_.begin(), pairs_.end());
 }
 
+/// Insertion sort of one axis: its time is that of the number of exchanges, which is small for small motions.
 void SweepAndPrune::sort_axis(std::vector<End>& ends, std::span<const Aabb> boxes, int axis) {
   for (End& end : ends) end.value = value_of(boxes[static_cast<std::size_t>(end.id)], axis, end.is_upper);
   for (std::size_t k = 1; k < ends.size(); ++k) {
@@ -101,7 +104,7 @@ void SweepAndPrune::sort_axis(std::vector<End>& ends, std::span<const Aabb> boxe
     for (; at > 0 && moved < ends[at - 1]; --at) {
       const End& passed = ends[at - 1];
       ends[at] = passed;
-      // Only where a lower end passes an upper one can the boxes begin or cease to overlap.
+      // Two boxes begin or cease to overlap only where a lower end passes an upper one.
       if (passed.is_upper == moved.is_upper || passed.id == moved.id) continue;
       const std::size_t i = static_cast<std::size_t>(passed.id), j = static_cast<std::size_t>(moved.id);
       const bool did = items_[i].box.overlaps(items_[j].box), does = boxes[i].overlaps(boxes[j]);
@@ -113,7 +116,8 @@ void SweepAndPrune::sort_axis(std::vector<End>& ends, std::span<const Aabb> boxe
 
 void SweepAndPrune::apply_changes(std::span<const Aabb> boxes) {
   changed_ = sorted_unique(std::move(changed_));
-  // What changed is in exactly one of the old and the new set.
+  // A pair that changed is in exactly one of the old and the new set, so the new set is the symmetric
+  // difference.
   std::vector<BoxPair> now;
   now.reserve(pairs_.size() + changed_.size());
   std::set_symmetric_difference(pairs_.begin(), pairs_.end(), changed_.begin(), changed_.end(),

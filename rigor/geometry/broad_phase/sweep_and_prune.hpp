@@ -9,10 +9,10 @@
 
 namespace rigor {
 
-/// Sorted lists of the ends of all boxes along the three axes: the textbook broad phase. A box that moves a
-/// little changes places with few neighbours. For boxes that all move at once, update() sorts the lists by
-/// insertion and sees which pairs come together or part as their ends pass each other. A query for one box
-/// runs through the list of one axis: O(n).
+/// The textbook broad phase: for each of the three axes, a sorted list of the ends of all boxes. A box that
+/// moves a little exchanges places with few neighbours. For boxes that all move at once, update() sorts the
+/// lists by insertion and sees which pairs begin or cease to overlap as their ends pass each other. A query
+/// for one box runs through the list of one axis: O(n).
 ///
 /// Source: Cohen, Lin, Manocha and Ponamgi, I-COLLIDE: An Interactive and Exact Collision Detection System
 /// for Large-Scale Environments, ACM Symposium on Interactive 3D Graphics, 1995.
@@ -22,15 +22,15 @@ class SweepAndPrune : public BroadPhase {
   void remove(int id) override;
   void overlapping(const Aabb& box, std::vector<int>& ids) const override;
 
-  /// New boxes of the items 0 ... n - 1, all at once.
+  /// Sets the boxes of the items 0 ... n - 1, all at once.
   void update(std::span<const Aabb> boxes);
-  /// After update: all pairs of items whose boxes overlap or touch, in ascending order. Items must only have
-  /// been changed by update().
+  /// All pairs of items whose boxes overlap or touch, in ascending order. Valid after update(), if the items
+  /// are changed by update() only.
   const std::vector<BoxPair>& pairs() const { return pairs_; }
 
  private:
-  /// One end of a box on an axis. Of equal values the lower ends come first, so that boxes that touch
-  /// overlap.
+  /// One end of a box on an axis. Among equal values lower ends come first, so that boxes that touch count as
+  /// overlapping.
   struct End {
     double value;
     int id;
@@ -57,7 +57,7 @@ class SweepAndPrune : public BroadPhase {
   std::array<std::vector<End>, 3> ends_;
   std::vector<Item> items_;
   std::vector<BoxPair> pairs_;
-  std::vector<BoxPair> changed_;  ///< Pairs that came together or parted in this update, some twice.
+  std::vector<BoxPair> changed_;  ///< Pairs whose overlap changed in this update, some twice.
 };
 
 }  // namespace rigor

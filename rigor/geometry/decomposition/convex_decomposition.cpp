@@ -17,26 +17,26 @@
 namespace rigor {
 namespace {
 
-/// Parts before joining, for each piece allowed after it; half of all cells looked at.
+/// Number of parts allowed before joining, per piece allowed after it; half as many as the cells examined.
 constexpr std::size_t kPartsAPiece = 4;
-/// How well excesses are known: to choose what is cut next, and for the result.
+/// Accuracy of the excesses: for the choice of the next cut, and for the result.
 constexpr MaximumGoal kQuick{.relative_gap = 0.25, .max_evaluations = 1000};
 constexpr MaximumGoal kStated{.relative_gap = 0.05, .max_evaluations = 5000};
-/// Excesses below this part of the size are not told apart.
+/// Excesses below this fraction of the size are not distinguished.
 constexpr double kFinest = 1e-4;
-/// Faces are taken for coplanar to this part of the tolerance: an edge at an acute angle multiplies it.
+/// Faces count as coplanar to the tolerance divided by this, because an acute edge multiplies the error.
 constexpr double kFlatness = 32;
 
-/// A cell with solid in it.
+/// A cell that contains part of the solid, with the hull of that part.
 struct OpenCell {
   SolidCell cell;
   std::vector<Vec3> points;
   ConvexHull hull;
-  std::vector<CutPlane> conflicts;  ///< Face planes that points stand in front of; none if it is convex.
+  std::vector<CutPlane> conflicts;  ///< Face planes with points in front of them; none if the part is convex.
   MaximumBounds excess;
 };
 
-/// Cuts one mesh, with lengths below a flatness as rounding.
+/// Decomposes one mesh; lengths below the flatness count as rounding.
 class Cutter {
  public:
   Cutter(const Mesh& mesh, const WindingNumber& winding, const DecompositionOptions& options, double flatness)
@@ -47,10 +47,10 @@ class Cutter {
         most_pieces_(at(std::max(1, options.max_pieces))),
         most_excess_(flatness > 0 ? options.tolerance : std::numeric_limits<double>::infinity()) {}
 
-  /// All notches resolved; nothing if that takes too many pieces. Excesses are what rounding and flatness may
-  /// add.
+  /// Resolves all notches; returns nothing if that takes too many pieces. The excesses are what rounding and
+  /// flatness may add.
   std::optional<ConvexDecomposition> cut_exactly() const;
-  /// The cell that stands out most is cut until all are within the tolerance.
+  /// Cuts the cell with the largest excess until all cells are within the tolerance.
   ConvexDecomposition cut_roughly() const;
 
  private:
@@ -67,10 +67,11 @@ class Cutter {
   const DecompositionOptions& options_;
   FacePlanes planes_;
   std::size_t most_pieces_;
-  double most_excess_;  ///< Of pieces joined after exact cuts [m].
+  double most_excess_;  ///< Largest excess of pieces joined after exact cuts [m].
 };
 
-/// Nothing if there is no solid in the cell, or no more than a film of rounding.
+/// The cell with its hull and its conflicts; nothing if it contains no solid, or no more than a film of
+/// rounding.
 std::optional<OpenCell> Cutter::opened(SolidCell cell) const {
   OpenCell open{std::move(cell), {}, {}, {}, {}};
   open.points = solid_points(open.cell, winding_, planes_.tolerance);
@@ -85,6 +86,7 @@ std::optional<OpenCell> Cutter::opened(SolidCell cell) const {
 
 std::optional<ConvexDecomposition> Cutter::cut_exactly() const {
   std::vector<SolidPart> parts;
+  // Cells are cut depth first, beginning with a box about the whole mesh.
   std::vector<SolidCell> waiting = {make_whole_cell(*mesh_.mesh, planes_)};
   const std::size_t most_cells = 2 * kPartsAPiece * most_pieces_;
   for (std::size_t cells = 0; !waiting.empty(); ++cells) {
@@ -92,6 +94,8 @@ std::optional<ConvexDecomposition> Cutter::cut_exactly() const {
     std::optional<OpenCell> open = opened(std::move(waiting.back()));
     waiting.pop_back();
     if (!open) continue;
+    // No conflict: the part of the solid in the cell is convex and is a piece. Otherwise a notch is resolved
+    // by a cut, and both halves are examined.
     if (open->conflicts.empty()) {
       const double excess = shallow_excess(open->cell, open->points, planes_, winding_);
       parts.push_back({std::move(open->hull), std::move(open->cell.fragments), excess});
@@ -103,6 +107,7 @@ std::optional<ConvexDecomposition> Cutter::cut_exactly() const {
     }
     if (!goes_on(parts.size(), std::numeric_limits<double>::infinity())) return std::nullopt;
   }
+  // Joining undoes cuts that proved to be unnecessary.
   ConvexDecomposition exact = result(std::move(parts), most_excess_);
   if (exact.pieces.size() > most_pieces_) return std::nullopt;
   return exact;
@@ -110,10 +115,11 @@ std::optional<ConvexDecomposition> Cutter::cut_exactly() const {
 
 MaximumBounds Cutter::excess_of(const OpenCell& open, MaximumGoal goal) const {
   goal.absolute_gap = kFinest * planes_.size;
+  // The bound for shallow pockets is cheap; where it is already small, branch and bound is not needed.
   const double shallow = shallow_excess(open.cell, open.points, planes_, winding_);
   if (shallow <= goal.absolute_gap) return {0, shallow, open.points[0]};
   MaximumBounds bounds = hull_excess(open.hull, mesh_, winding_, goal, open.conflicts);
-  // A pocket too fine to be seen is still one.
+  // A conflict means an excess, even if the pocket is too fine for the search to see.
   bounds.upper = std::max(std::min(bounds.upper, shallow), planes_.tolerance);
   return bounds;
 }
@@ -128,12 +134,15 @@ void Cutter::add_cell(SolidCell cell, std::vector<OpenCell>& cells) const {
 ConvexDecomposition Cutter::cut_roughly() const {
   std::vector<OpenCell> cells;
   add_cell(make_whole_cell(*mesh_.mesh, planes_), cells);
+  // The cell with the largest bound of its excess is replaced by its two halves.
   while (!cells.empty() && cells.size() < most_pieces_) {
     const auto worst = std::max_element(cells.begin(), cells.end(), [](const OpenCell& a, const OpenCell& b) {
       return a.excess.upper < b.excess.upper;
     });
     const double excess = worst->excess.upper;
     if (excess <= options_.tolerance || !goes_on(cells.size(), excess)) break;
+    // The cut passes through the bottom of the deepest pocket, which is the point of the solid nearest to the
+    // farthest point of the hull.
     const Vec3 deepest = worst->excess.place;
     const Vec3 nearest = nearest_mesh_point(mesh_, deepest).p_M;
     const CutPlane cut = choose_rough_cut(worst->cell, worst->points, planes_, deepest, nearest);
@@ -141,6 +150,7 @@ ConvexDecomposition Cutter::cut_roughly() const {
     cells.erase(worst);
     for (SolidCell& half : halves) add_cell(std::move(half), cells);
   }
+  // The excesses of the cells that are left are bounded more closely, since they are the stated error.
   std::vector<SolidPart> parts;
   for (OpenCell& open : cells) {
     const double stated = open.conflicts.empty() ? 0 : excess_of(open, kStated).upper;
@@ -165,7 +175,7 @@ ConvexDecomposition Cutter::result(std::vector<SolidPart> parts, double most_exc
   return result;
 }
 
-/// Exact up to rounding, of which nothing is said.
+/// The exact decomposition. Its excesses are rounding only and are stated as 0.
 std::optional<ConvexDecomposition> exact_pieces(const Cutter& cutter) {
   std::optional<ConvexDecomposition> exact = cutter.cut_exactly();
   if (!exact) return exact;
@@ -186,13 +196,15 @@ ConvexDecomposition decompose(const Mesh& mesh, const DecompositionOptions& opti
     const bool is_good = other.error <= options.tolerance;
     if (!best || (is_good && other.pieces.size() < best->pieces.size())) best = std::move(other);
   };
+  // Faces that are flat in single precision only give many notches. With a flatness their triangles are one
+  // face, and the bound for shallow pockets says what that costs.
   if (options.tolerance > 0) {
     const Cutter flat(mesh, winding, options, options.tolerance / kFlatness);
     std::optional<ConvexDecomposition> nearly = flat.cut_exactly();
     if (nearly && nearly->error <= options.tolerance) take_if_better(std::move(*nearly));
   }
   if (best && best->pieces.size() == 1) return *best;
-  // More pieces than there are already would be no better.
+  // Approximate decomposition: one with more pieces than the best so far would be no better.
   DecompositionOptions fewer = options;
   if (best) fewer.max_pieces = static_cast<int>(best->pieces.size()) - 1;
   take_if_better(Cutter(mesh, winding, fewer, 0).cut_roughly());

@@ -14,11 +14,13 @@
 namespace rigor {
 namespace {
 
+/// Grows the patches of one mesh, one after the other.
 class Growth {
  public:
   explicit Growth(const TriangleMesh& mesh)
       : mesh_(mesh), planes_(find_face_planes(mesh)), patch_(mesh.triangles.size(), -1) {
     neighbours_.resize(mesh.triangles.size());
+    // In the sorted list the two sides of an edge are next to each other, which gives the neighbours.
     const std::vector<FaceEdge> edges = sorted_edges(as_polygons(mesh));
     for (std::size_t i = 0; i + 1 < edges.size(); i += 2) {
       neighbours_[at(edges[i].face)].push_back(edges[i + 1].face);
@@ -38,7 +40,7 @@ class Growth {
  private:
   const FacePlanes::Plane& plane(int t) const { return planes_.planes[at(planes_.plane_of[at(t)])]; }
 
-  /// The patch and the triangle are all behind each other's planes.
+  /// Whether the patch stays convex with the triangle t: each is behind the planes of the other.
   bool stays_on_hull(const std::vector<int>& triangles, const std::vector<int>& corners, int t) const {
     const FacePlanes::Plane& own = plane(t);
     for (const int v : corners) {
@@ -53,6 +55,7 @@ class Growth {
     return true;
   }
 
+  /// The patch that grows from the seed over triangles not yet in a patch.
   ConvexPatch grown(int seed, int number) {
     ConvexPatch patch;
     std::vector<int> corners;
@@ -73,6 +76,8 @@ class Growth {
     return patch;
   }
 
+  /// Gives the patch the hull of its corners and the share of each hull face that it covers; a flat patch has
+  /// none.
   void add_hull(ConvexPatch& patch) const {
     SolidPart part;
     std::vector<int> corners;

@@ -8,21 +8,23 @@
 
 namespace rigor {
 
-/// Triangles that hang together by edges and lie on the hull of their own corners.
+/// A set of triangles that is connected through edges and lies on the hull of its own corners.
 struct ConvexPatch {
-  std::vector<int> triangles;              ///< Of the mesh, ascending.
-  std::shared_ptr<const ConvexHull> hull;  ///< Convex piece of the patch; none if the patch is flat.
-  /// Of each face of the hull, the share of its area that the patch covers: 1 for a real face, 0 for a
-  /// virtual one, which is no surface of the mesh.
+  std::vector<int> triangles;              ///< Indices in the mesh, ascending.
+  std::shared_ptr<const ConvexHull> hull;  ///< Hull of the patch; null if the patch is flat.
+  /// For each face of the hull, the share of its area that the patch covers: 1 for a real face, 0 for a
+  /// virtual one, which is not part of the surface of the mesh.
   std::vector<double> real_share;
 };
 
-/// Cuts a surface into convex patches: each grows over the neighbours of its triangles, breadth first, as
-/// long as it stays on its own hull, up to rounding. Every triangle is in one patch. The hull of a patch may
-/// reach beyond the solid, through its virtual faces (that of the outside of a ring closes the ring's hole):
-/// for pieces of the solid see convex_decomposition.hpp. In order of the patches' least triangles.
+/// Cuts a surface into convex patches. Each patch grows breadth first over the neighbours of its triangles as
+/// long as it stays on its own hull, up to rounding. Every triangle is in exactly one patch; the patches are
+/// in the order of their least triangles. The hull of a patch may extend beyond the solid through its virtual
+/// faces (that of the outside of a ring closes the hole); for pieces of the solid see
+/// convex_decomposition.hpp.
 ///
-/// Every edge has two triangles that run through it in opposite directions, and each triangle an area.
+/// The mesh must be closed and consistently oriented (two triangles run through each edge, in opposite
+/// directions), and every triangle must have an area.
 ///
 /// Source: the idea of a surface as convex patches is that of Ehmann and Lin, Accurate and Fast Proximity
 /// Queries Between Polyhedra Using Convex Surface Decomposition, Eurographics 2001 (cited for the idea only).

@@ -13,14 +13,14 @@
 namespace rigor {
 namespace {
 
-/// Notches and faces that planes are made of: more are passed over at even steps.
+/// Number of notches and faces from which planes are made; of more than that, evenly spaced ones are taken.
 constexpr std::size_t kMostSampled = 64;
-/// Planes that are compared by the fragments they cut, or by the volumes of hulls.
+/// Number of planes that are compared by the fragments they cut.
 constexpr std::size_t kMostCompared = 24;
-/// Planes along the way out of a pocket, at even angles.
+/// Number of planes through the line out of a pocket, at even angles.
 constexpr int kTurns = 6;
 
-/// At most `count` entries at even steps.
+/// At most `count` entries, evenly spaced.
 template <typename T>
 std::vector<T> sampled(const std::vector<T>& all, std::size_t count) {
   if (all.size() <= count) return all;
@@ -33,7 +33,8 @@ bool is_in_plane(const Notch& notch, const CutPlane& plane, double tolerance) {
   return std::abs(plane.height(notch.p)) <= tolerance && std::abs(plane.height(notch.q)) <= tolerance;
 }
 
-/// Notches of both cells after the cut.
+/// Number of notches of both cells after the cut: a notch that is crossed counts twice, one that is resolved
+/// not at all.
 std::size_t notches_left(const SolidCell& cell, const CutPlane& plane, double tolerance) {
   std::size_t count = 0;
   for (const Notch& notch : cell.notches) {
@@ -45,7 +46,7 @@ std::size_t notches_left(const SolidCell& cell, const CutPlane& plane, double to
   return count;
 }
 
-/// Fragments that the plane passes through.
+/// Number of fragments that the plane cuts in two.
 std::size_t fragments_cut(const SolidCell& cell, const CutPlane& plane, double tolerance) {
   std::size_t count = 0;
   for (const SurfaceFragment& fragment : cell.fragments) {
@@ -59,7 +60,7 @@ std::size_t fragments_cut(const SolidCell& cell, const CutPlane& plane, double t
   return count;
 }
 
-/// A plane that may be cut along, and how welcome it is among equals: 0 or, half-way between two faces, 1.
+/// A plane that may be cut along, and its rank among equally good ones: 0, or 1 half-way between two faces.
 struct Candidate {
   CutPlane plane;
   int rank;
@@ -71,19 +72,23 @@ void add_plane(const Vec3& normal, const Vec3& through, std::vector<CutPlane>& p
   planes.push_back({unit, unit.dot(through)});
 }
 
-/// Planes that resolve a notch at least.
+/// Planes that resolve at least one notch.
 std::vector<Candidate> notch_planes(const SolidCell& cell, const FacePlanes& planes) {
   std::vector<Candidate> result;
   const std::vector<Notch> notches = sampled(cell.notches, kMostSampled);
   for (std::size_t i = 0; i < notches.size(); ++i) {
     const Notch& notch = notches[i];
     const Vec3 along = notch.q - notch.p;
+    // Along one of the faces of the notch.
     for (const int f : notch.face_plane) result.push_back({planes.planes[at(f)].plane, 0});
+    // Half-way between the two faces.
     std::vector<CutPlane> between;
     add_plane(notch.in_face[0] - notch.in_face[1], notch.p, between);
     for (const CutPlane& plane : between) result.push_back({plane, 1});
     for (std::size_t k = i + 1; k < notches.size(); ++k) {
       const Notch& other = notches[k];
+      // Through a second notch that is coplanar with the first: one cut may resolve both. The farther end of
+      // the second notch determines the plane best.
       const Vec3 to_p = other.p - notch.p, to_q = other.q - notch.p;
       const bool is_p_farther = to_p.cross(along).norm() > to_q.cross(along).norm();
       std::vector<CutPlane> common;
@@ -95,7 +100,7 @@ std::vector<Candidate> notch_planes(const SolidCell& cell, const FacePlanes& pla
   return result;
 }
 
-/// Planes along faces that some of the points stand in front of.
+/// Planes of faces that have some of the points in front of them.
 std::vector<Candidate> planes_in_conflict(const SolidCell& cell, const std::vector<Vec3>& points,
                                           const FacePlanes& planes) {
   std::vector<Candidate> result;
@@ -105,9 +110,11 @@ std::vector<Candidate> planes_in_conflict(const SolidCell& cell, const std::vect
   return result;
 }
 
-/// Volume of the hulls of what lies on each side of the plane; infinite if all lies on one side.
+/// Sum of the volumes of the hulls of what lies on each side of the plane; infinite if everything lies on one
+/// side.
 double hull_volumes(const SolidCell& cell, const std::vector<Vec3>& points, const CutPlane& plane,
                     double tolerance) {
+  // The points on each side are those of the part itself and the corners that the cut makes on the fragments.
   std::array<std::vector<Vec3>, 2> sides;
   for (const Vec3& p : points) {
     const double height = plane.height(p);
@@ -135,6 +142,7 @@ CutPlane choose_exact_cut(const SolidCell& cell, const std::vector<Vec3>& points
   std::vector<Candidate> candidates = notch_planes(cell, planes);
   if (candidates.empty()) candidates = planes_in_conflict(cell, points, planes);
   RIGOR_ASSERT(!candidates.empty());
+  // The fewest notches left decide first, then the rank.
   std::vector<std::tuple<std::size_t, int, std::size_t>> order;  // notches left, rank, index
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const std::size_t left = notches_left(cell, candidates[i].plane, planes.tolerance);
@@ -142,7 +150,7 @@ CutPlane choose_exact_cut(const SolidCell& cell, const std::vector<Vec3>& points
   }
   std::sort(order.begin(), order.end());
 
-  // Of those that are as good as the first, the one that cuts the fewest fragments.
+  // Among equals, the plane that cuts the fewest fragments keeps the pieces simple.
   const auto& [least_left, least_rank, first] = order[0];
   std::size_t best = first, least_cut = std::numeric_limits<std::size_t>::max();
   for (std::size_t n = 0; n < std::min(order.size(), kMostCompared); ++n) {
@@ -159,6 +167,8 @@ CutPlane choose_exact_cut(const SolidCell& cell, const std::vector<Vec3>& points
 CutPlane choose_rough_cut(const SolidCell& cell, const std::vector<Vec3>& points, const FacePlanes& planes,
                           const Vec3& deepest, const Vec3& nearest) {
   std::vector<CutPlane> candidates;
+  // Six planes contain the line out of the pocket, three are perpendicular to the axes; all pass through its
+  // bottom.
   for (int axis = 0; axis < 3; ++axis) add_plane(Vec3::Unit(axis), nearest, candidates);
   const Vec3 way = deepest - nearest;
   if (way.norm() > planes.tolerance) {
@@ -168,6 +178,7 @@ CutPlane choose_rough_cut(const SolidCell& cell, const std::vector<Vec3>& points
       add_plane(std::cos(angle) * x + std::sin(angle) * y, nearest, candidates);
     }
   }
+  // The volume of the hulls measures how much of the pockets is left.
   CutPlane best = candidates[0];
   double least = std::numeric_limits<double>::infinity();
   for (const CutPlane& plane : candidates) {

@@ -18,6 +18,7 @@ double mesh_area(const TriangleMesh& mesh) {
   return area;
 }
 
+/// Largest penetration depth of two pieces, whose interiors should be disjoint [m].
 double deepest_overlap(const std::vector<ConvexPiece>& pieces) {
   double deepest = 0;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -36,6 +37,8 @@ double deepest_overlap(const std::vector<ConvexPiece>& pieces) {
 DecompositionCheck check_decomposition(const Mesh& mesh, const ConvexDecomposition& decomposition,
                                        double resolution) {
   DecompositionCheck check;
+  // Volumes and real areas of the pieces must add up to those of the solid, and no piece may extend beyond
+  // it.
   double volume = 0, area = 0;
   const WindingNumber winding(*mesh.mesh);
   const MaximumGoal goal{.relative_gap = 0.1, .absolute_gap = resolution, .enough = resolution};

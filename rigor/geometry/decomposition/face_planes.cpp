@@ -12,24 +12,27 @@
 namespace rigor {
 namespace {
 
-/// Rounding of computed corners against the size of the mesh, with room for a few hundred cuts.
+/// Rounding of computed corners relative to the size of the mesh, with room for a few hundred cuts.
 constexpr double kRelativeTolerance = 1e-13;
-/// The direction of a thin triangle is uncertain; its plane is never given more than this part of the size.
+/// The direction of a thin triangle is uncertain, but its slack never exceeds this fraction of the size.
 constexpr double kMostSlack = 1e-7;
 
-/// Two triangles that share an edge, and their corners off it.
+/// Two triangles that share an edge, and their corners opposite to it.
 struct Neighbours {
   int a, b;            ///< Triangles.
   int u, v;            ///< The edge as triangle a runs through it.
   int apex_a, apex_b;  ///< The third corners.
 };
 
+/// Merges coplanar neighbours into faces, fits a plane to each, and collects the edges that are notches.
 class Finder {
  public:
   Finder(const TriangleMesh& mesh, double flatness)
       : mesh_(mesh), flatness_(flatness), group_(mesh.triangles.size()) {}
 
   FacePlanes run() {
+    // Union-find over the edges gives groups of coplanar triangles; groups that prove to be curved are broken
+    // up again, and their planes are made again.
     measure();
     find_neighbours();
     std::iota(group_.begin(), group_.end(), 0);
@@ -52,6 +55,7 @@ class Finder {
                      (vertex(c[2]) - vertex(c[0])).norm()});
   }
 
+  /// Size of the mesh, and the lengths that count as rounding.
   void measure() {
     Vec3 lower = mesh_.vertices[0], upper = lower;
     double largest = 0;
@@ -64,6 +68,8 @@ class Finder {
     result_.tolerance = std::max({kRelativeTolerance * result_.size, 16 * kEpsilon * largest, flatness_});
   }
 
+  /// Pairs of triangles with a common edge: sorting the sides by their vertices puts the two of an edge next
+  /// to each other.
   void find_neighbours() {
     struct Side {
       int low, high, triangle, apex;
@@ -88,12 +94,13 @@ class Finder {
     }
   }
 
+  /// Representative of the group of the triangle: its least triangle.
   int root(int t) const {
     while (group_[at(t)] != t) t = group_[at(t)];
     return t;
   }
 
-  /// The far corner of each is in the plane of the other.
+  /// Joins the groups of two triangles if the far corner of each is in the plane of the other.
   void join_if_flat(const Neighbours& n) {
     const Vec3 normal_a = doubled_area(n.a).normalized(), normal_b = doubled_area(n.b).normalized();
     const Vec3 across = vertex(n.apex_b) - vertex(n.apex_a);
@@ -106,6 +113,8 @@ class Finder {
     group_[at(std::max(a, b))] = std::min(a, b);
   }
 
+  /// Makes one plane for each group: normal from the sum of the area vectors, offset from the corners, slack
+  /// from the rounding.
   void make_planes() {
     const std::size_t count = mesh_.triangles.size();
     result_.planes.clear();
@@ -126,6 +135,8 @@ class Finder {
     }
     for (FacePlanes::Plane& p : result_.planes) p.plane.normal.normalize();
     fit_offsets();
+    // The slack covers the fit, the rounding of corners, and the error of the direction: a normal that is
+    // known across a small width only is off at a distance.
     for (std::size_t p = 0; p < result_.planes.size(); ++p) {
       const double turn = result_.tolerance * 0.01 * result_.size / std::max(width[p], 1e-300);
       result_.planes[p].slack =
@@ -133,7 +144,8 @@ class Finder {
     }
   }
 
-  /// Triangles that are flat one by one may still make a curved surface: each is its own plane then.
+  /// Breaks up groups that are curved although each two neighbours are coplanar: each triangle is its own
+  /// plane then. Returns whether there were any.
   bool part_bent_groups() {
     bool has_parted = false;
     for (std::size_t t = 0; t < group_.size(); ++t) {
@@ -144,7 +156,7 @@ class Finder {
     return has_parted;
   }
 
-  /// The offset in the middle of the heights of the plane's own corners.
+  /// Puts each plane in the middle of the heights of its own corners; half their range is the fit.
   void fit_offsets() {
     const double infinity = std::numeric_limits<double>::infinity();
     std::vector<std::array<double, 2>> heights(result_.planes.size(), {infinity, -infinity});
@@ -161,6 +173,8 @@ class Finder {
     }
   }
 
+  /// Adds the edge as a notch if its faces bend inwards, that is, if either far corner is in front of the
+  /// other face.
   void add_if_notch(const Neighbours& n) {
     const int a = result_.plane_of[at(n.a)], b = result_.plane_of[at(n.b)];
     if (a == b) return;

@@ -11,11 +11,15 @@ namespace rigor {
 
 MaximumBounds hull_excess(const ConvexHull& hull, const Mesh& mesh, const WindingNumber& winding,
                           const MaximumGoal& goal, std::span<const CutPlane> in_front_of) {
+  // Branch and bound: the signed distance from the solid changes by no more than the distance between two
+  // points, so its value at the centre of a box bounds it in the whole box.
   LipschitzFunction distance;
   distance.value = [&](const Vec3& p) {
     const double length = nearest_mesh_point(mesh, p).distance;
     return winding(p) >= 1 ? -length : length;
   };
+  // Lower bound of the distance of a point from the set to be searched: the hull, and the front of one of the
+  // planes.
   distance.beyond = [&](const Vec3& p) {
     double highest = -std::numeric_limits<double>::infinity();
     for (const CutPlane& plane : in_front_of) highest = std::max(highest, plane.height(p));
@@ -32,6 +36,8 @@ MaximumBounds hull_excess(const ConvexHull& hull, const Mesh& mesh, const Windin
 }
 
 double hull_volume(const ConvexHull& hull) {
+  // Sum of the signed volumes of the tetrahedra from one corner to the triangles of the faces; the
+  // compensation keeps it accurate where they cancel.
   CompensatedSum sum;
   const Vec3& origin = hull.vertices[0];
   for (const std::vector<int>& face : hull.faces) {

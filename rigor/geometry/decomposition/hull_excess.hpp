@@ -10,9 +10,9 @@
 
 namespace rigor {
 
-/// Bounds of the largest distance of a point of the hull from the solid that the closed mesh bounds [m]:
-/// how far the hull stands out, its concavity. `place` is the farthest point met. Where it is known that only
-/// points in front of one of some planes can be outside the solid, the search keeps to them.
+/// Bounds of the largest distance of a point of the hull from the solid inside the closed mesh [m]: how far
+/// the hull extends beyond the solid, its concavity. `place` is the farthest point met. Where only points in
+/// front of one of some planes can be outside the solid, `in_front_of` confines the search to them.
 MaximumBounds hull_excess(const ConvexHull& hull, const Mesh& mesh, const WindingNumber& winding,
                           const MaximumGoal& goal, std::span<const CutPlane> in_front_of = {});
 

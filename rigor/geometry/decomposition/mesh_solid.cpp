@@ -12,7 +12,7 @@
 namespace rigor {
 namespace {
 
-/// Pieces nearer than this part of the mesh's size touch: they were cut apart, up to rounding.
+/// Pieces closer than this fraction of the size of the mesh touch: a cut separated them, up to rounding.
 constexpr double kTouching = 1e-9;
 
 }  // namespace
@@ -32,6 +32,8 @@ void MeshSolid::decompose_once() const {
       pieces_.push_back({piece.hull});
       boxes.push_back(axis_aligned_box(pieces_.back(), {}).grown(kTouching * tree_->size));
     }
+    // Pieces that touch are found once, among pairs whose boxes meet; regions of overlap are joined across
+    // them.
     for (const std::array<int, 2>& pair : overlapping_pairs(boxes)) {
       const Convex& a = pieces_[at(pair[0])];
       const Convex& b = pieces_[at(pair[1])];

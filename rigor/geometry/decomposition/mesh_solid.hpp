@@ -11,20 +11,21 @@
 
 namespace rigor {
 
-/// What is known of the inside of a closed mesh: computed when it is first asked for and kept, shared by all
-/// copies of the Mesh. The answers do not depend on when or how often; several threads may ask at once.
+/// The inside of a closed mesh: convex pieces and winding number, computed when first asked for, kept, and
+/// shared by all copies of the Mesh. The answers do not depend on when or how often they are asked for, and
+/// several threads may ask at once.
 class MeshSolid {
  public:
-  /// The mesh and its tree outlive this: they are shared.
+  /// The mesh and its tree are shared, so that they live as long as this object.
   MeshSolid(std::shared_ptr<const TriangleMesh> mesh, std::shared_ptr<const TriangleTree> tree);
 
-  /// Most pieces of an exact decomposition that is kept.
+  /// Largest number of pieces of an exact decomposition that is kept.
   static constexpr int kMostPieces = 512;
 
-  /// The solid as convex pieces in the mesh's frame, exact up to rounding; none if that takes more than
-  /// kMostPieces or the mesh is not closed.
+  /// The solid as convex pieces in the frame of the mesh, exact up to rounding. Empty if there would be more
+  /// than kMostPieces, or if the mesh is not closed.
   const std::vector<Convex>& pieces() const;
-  /// Pairs i < k of pieces that touch.
+  /// Pairs of indices i < k of pieces that touch.
   const std::vector<std::array<int, 2>>& touching_pieces() const;
   const WindingNumber& winding() const;
 
@@ -39,7 +40,7 @@ class MeshSolid {
   mutable std::unique_ptr<const WindingNumber> winding_;
 };
 
-/// That of the mesh, or a new one if the mesh was made without.
+/// The solid of the mesh, or a new one if the mesh was made without.
 std::shared_ptr<const MeshSolid> solid_of(const Mesh& mesh);
 
 }  // namespace rigor

@@ -11,12 +11,13 @@
 namespace rigor {
 namespace {
 
-/// Room between the mesh and the first cell, as a part of the mesh's size.
+/// Margin between the mesh and the first cell, as a fraction of the size of the mesh.
 constexpr double kMargin = 0.1;
 /// A face at this angle to a plane lies in it [rad].
 constexpr double kParallel = 1e-9;
 
-/// The new side of both cells: the corners that the cut left on the plane, sorted around their middle.
+/// The side that the cut adds to both cells: the corners that the cut left on the plane, sorted around their
+/// mean.
 ConvexPolygon cut_face(const std::vector<ConvexPolygon>& sides, const CutPlane& plane, double tolerance) {
   ConvexPolygon points;
   for (const ConvexPolygon& side : sides) {
@@ -26,6 +27,7 @@ ConvexPolygon cut_face(const std::vector<ConvexPolygon>& sides, const CutPlane& 
       if (std::none_of(points.begin(), points.end(), is_same)) points.push_back(p);
     }
   }
+  // A convex polygon is its corners in the order of their angles about an inner point.
   if (points.size() < 3) return {};
   Vec3 middle = Vec3::Zero();
   for (const Vec3& p : points) middle += p / static_cast<double>(points.size());
@@ -53,7 +55,7 @@ void cut_fragments(const SolidCell& cell, const CutPlane& plane, const FacePlane
   for (const SurfaceFragment& fragment : cell.fragments) {
     PolygonParts parts = cut_polygon(fragment.polygon, plane, planes.tolerance);
     if (parts.is_in_plane) {
-      // The solid is behind the fragment.
+      // A fragment in the cutting plane goes to the side on which the solid is, which is behind it.
       const bool faces_front = planes.planes[at(fragment.plane)].plane.normal.dot(plane.normal) > 0;
       result[faces_front ? 0 : 1].fragments.push_back(fragment);
     }
@@ -62,7 +64,8 @@ void cut_fragments(const SolidCell& cell, const CutPlane& plane, const FacePlane
   }
 }
 
-/// A notch in the plane goes to the sides on which both its faces are.
+/// Distributes the notches. One that lies in the plane goes to the side of its faces and vanishes if it is
+/// resolved; one that crosses the plane is cut in two.
 void cut_notches(const SolidCell& cell, const CutPlane& plane, double tolerance,
                  std::array<SolidCell, 2>& result) {
   for (const Notch& notch : cell.notches) {
@@ -85,7 +88,7 @@ void cut_notches(const SolidCell& cell, const CutPlane& plane, double tolerance,
   }
 }
 
-/// Corners of the cell, each once, and their mean.
+/// The corners of the cell, each once.
 std::vector<Vec3> corners_of(const SolidCell& cell, double tolerance) {
   std::vector<Vec3> corners;
   for (const ConvexPolygon& side : cell.sides) {
@@ -112,6 +115,7 @@ SolidCell make_whole_cell(const TriangleMesh& mesh, const FacePlanes& planes) {
                 (i & 4) ? upper.z() : lower.z());
   };
   SolidCell cell;
+  // The loops run counter-clockwise as seen from outside.
   for (const std::array<int, 4>& loop : {std::array<int, 4>{0, 2, 3, 1},
                                          {4, 5, 7, 6},
                                          {0, 1, 5, 4},
@@ -153,11 +157,13 @@ std::vector<Vec3> solid_points(const SolidCell& cell, const WindingNumber& windi
   };
   points = sorted_unique(std::move(points), comes_before);
 
+  // The corners of the cell in the solid belong to the hull too, because there the cell bounds the part.
   const std::vector<Vec3> corners = corners_of(cell, tolerance);
   Vec3 middle = Vec3::Zero();
   for (const Vec3& p : corners) middle += p / static_cast<double>(corners.size());
   for (const Vec3& p : corners) {
-    // On the surface: a fragment has this corner. Otherwise a point nearer to it than the surface decides.
+    // A corner on the surface is a corner of a fragment already. Any other is judged by the winding number of
+    // a point nearer to it than the nearest fragment: no surface lies between the two.
     double room = (middle - p).norm();
     for (const SurfaceFragment& f : cell.fragments) room = std::min(room, polygon_distance(f.polygon, p));
     if (room <= tolerance) continue;
@@ -187,6 +193,8 @@ double shallow_excess(const SolidCell& cell, const std::vector<Vec3>& points, co
                       const WindingNumber& winding) {
   Vec3 middle = Vec3::Zero();
   for (const Vec3& p : points) middle += p / static_cast<double>(points.size());
+  // h: the largest height of a point above the planes of the fragments. ρ: the depth of the mean point behind
+  // all of them.
   double depth = std::numeric_limits<double>::infinity(), highest = 0, farthest = 0;
   for (const int i : planes_of(cell)) {
     const FacePlanes::Plane& p = planes.planes[at(i)];
@@ -194,6 +202,8 @@ double shallow_excess(const SolidCell& cell, const std::vector<Vec3>& points, co
     for (const Vec3& point : points) highest = std::max(highest, p.plane.height(point) + p.fit);
   }
   for (const Vec3& point : points) farthest = std::max(farthest, (point - middle).norm());
+  // Moving a point towards the mean by the fraction h/(h + ρ) takes it behind all planes, hence into the
+  // solid; that displacement bounds the excess.
   if (!(depth > 0) || winding(middle) < 1) return std::numeric_limits<double>::infinity();
   return farthest * highest / (highest + depth);
 }

@@ -13,7 +13,7 @@
 namespace rigor {
 namespace {
 
-/// Heights of hulls' corners over planes that count as none, in tolerances: both were rounded.
+/// Heights up to this multiple of the tolerance count as zero: the corners and the planes were both rounded.
 constexpr double kRoom = 8;
 
 Aabb box_of(const ConvexHull& hull, double margin) {
@@ -22,11 +22,11 @@ Aabb box_of(const ConvexHull& hull, double margin) {
   return box.grown(margin);
 }
 
-/// What the hull b is to the face planes of the hull a.
+/// Position of the hull b relative to the face planes of the hull a.
 struct PlanesBetween {
-  int count = 0;                                           ///< Planes that b stands in front of.
-  double highest = 0;                                      ///< Height of b over the others [m].
-  double depth = std::numeric_limits<double>::infinity();  ///< Of a point behind the others [m].
+  int count = 0;       ///< Number of planes that b is in front of.
+  double highest = 0;  ///< Largest height of b above the other planes [m].
+  double depth = std::numeric_limits<double>::infinity();  ///< Depth of `middle` behind the other planes [m].
 };
 
 PlanesBetween planes_between(const ConvexHull& a, const ConvexHull& b, const Vec3& middle, double room) {
@@ -51,9 +51,9 @@ Vec3 mean_of(const std::vector<Vec3>& points) {
   return sum / static_cast<double>(points.size());
 }
 
-/// The union of two convex parts that lie side by side, if it is convex. Then each is in front of one plane
-/// of the other and behind all its other planes, and the volumes add up. A union that is so only up to the
-/// tolerance stands out by the bound of section 3 of docs/theory/decomposition.md.
+/// The union of two convex parts that lie side by side, if it is convex: then each is in front of one plane
+/// of the other and behind all its other planes, and the volumes add up. A union that is convex only up to
+/// the tolerance has the excess that section 3 of docs/theory/decomposition.md gives.
 std::optional<SolidPart> find_union(const SolidPart& a, const SolidPart& b, const FacePlanes& planes) {
   const double room = kRoom * planes.tolerance;
   std::vector<Vec3> points = a.hull.vertices;
@@ -63,11 +63,14 @@ std::optional<SolidPart> find_union(const SolidPart& a, const SolidPart& b, cons
   if (of_a.count != 1) return std::nullopt;
   const PlanesBetween of_b = planes_between(b.hull, a.hull, middle, room);
   if (of_b.count != 1) return std::nullopt;
+  // If the volume of the hull is the sum of those of the parts, there is no space between them: the union is
+  // convex.
   std::variant<ConvexHull, std::string> hull = make_convex_hull(points);
   if (!std::holds_alternative<ConvexHull>(hull)) return std::nullopt;
   const double added = hull_volume(std::get<ConvexHull>(hull)) - hull_volume(a.hull) - hull_volume(b.hull);
   if (std::abs(added) > planes.tolerance * planes.size * planes.size) return std::nullopt;
 
+  // Excess of a shallow pocket: h/(h + ρ) times the largest distance from the mean.
   double farthest = 0;
   for (const Vec3& p : points) farthest = std::max(farthest, (p - middle).norm());
   const double highest = std::max(of_a.highest, of_b.highest), depth = std::min(of_a.depth, of_b.depth);
@@ -82,6 +85,8 @@ std::vector<SolidPart> joined_parts(std::vector<SolidPart> parts, const FacePlan
   std::vector<Aabb> boxes;
   for (const SolidPart& part : parts) boxes.push_back(box_of(part.hull, planes.tolerance));
   bool has_changed = true;
+  // A union may be joined further, so the pairs are examined until none is left. Only parts whose boxes meet
+  // can be neighbours.
   while (has_changed) {
     has_changed = false;
     for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -112,6 +117,7 @@ std::vector<double> real_shares(const SolidPart& part, const FacePlanes& planes)
     for (const SurfaceFragment& fragment : part.fragments) {
       const FacePlanes::Plane& plane = planes.planes[at(fragment.plane)];
       const double room = kRoom * planes.tolerance + plane.slack;
+      // A fragment covers part of the face if it lies in the plane of the face and has the same outward side.
       const auto is_off = [&](const Vec3& p) {
         return std::abs(hull.face_normals[f].dot(p - corner)) > room;
       };
@@ -121,7 +127,7 @@ std::vector<double> real_shares(const SolidPart& part, const FacePlanes& planes)
     }
     const double area = 0.5 * doubled_area_vector(hull.vertices, hull.faces[f]).norm();
     const double share = area > 0 ? covered / area : 0;
-    // Rounding of the cuts is no share.
+    // Slivers that the rounding of the cuts leaves do not count.
     const double grain = planes.tolerance * planes.size / std::max(area, 1e-300) + 1e-9;
     shares.push_back(share < grain ? 0 : (share > 1 - grain ? 1 : share));
   }

@@ -8,7 +8,7 @@
 
 namespace rigor {
 
-/// A number of about 32 digits: high + low, high being the sum rounded.
+/// A number of about 32 digits, high + low, where high is the sum rounded to double.
 ///
 /// Source: Dekker, A Floating-Point Technique for Extending the Available Precision, Numer. Math. 18, 1971.
 struct DoubleDouble {
@@ -16,6 +16,7 @@ struct DoubleDouble {
   double low;
 };
 
+/// The same value with `high` as the rounded sum.
 inline DoubleDouble renormalized(double high, double low) {
   const Exact sum = two_sum(high, low);
   return {sum.value, sum.error};
@@ -37,7 +38,7 @@ inline DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
   const Exact product = two_product(a.high, b.high);
   return renormalized(product.value, product.error + (a.high * b.low + a.low * b.high));
 }
-/// By long division: two quotients and the rounding of a third.
+/// Long division: two quotient digits, and the rounding of a third.
 inline DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
   const double first = a.high / b.high;
   const DoubleDouble rest = a - b * DoubleDouble{first, 0};

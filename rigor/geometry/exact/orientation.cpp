@@ -11,9 +11,11 @@ namespace rigor {
 
 namespace {
 
-/// A sum held exactly as parts that do not overlap, in increasing magnitude, none of them zero.
+/// A sum held exactly as non-overlapping parts of increasing magnitude, none of them zero: an expansion in
+/// the sense of Shewchuk.
 class ExactSum {
  public:
+  /// Grow-expansion: the sum passes through all parts by two_sum, whose errors become the new parts.
   void add(double term) {
     int kept = 0;
     for (int i = 0; i < size_; ++i) {
@@ -34,6 +36,7 @@ class ExactSum {
     add_product(product.error, c);
     add_product(product.value, c);
   }
+  /// The last part is larger than the sum of all others, so its sign is that of the sum.
   int sign() const {
     if (size_ == 0) return 0;
     return parts_[at(size_ - 1)] > 0 ? 1 : -1;
@@ -48,6 +51,7 @@ int sign_of(double x) {
   return x > 0 ? 1 : (x < 0 ? -1 : 0);
 }
 
+/// a × b + b × c + c × a, with all six products held exactly.
 int exact_orientation(const Vec2& a, const Vec2& b, const Vec2& c) {
   ExactSum sum;
   sum.add_product(a.x(), b.y());
@@ -79,6 +83,7 @@ bool is_exact(const Vec3& a, const Vec3& b, const Vec3& difference) {
 }  // namespace
 
 int orientation(const Vec2& a, const Vec2& b, const Vec2& c) {
+  // First try in double: its sign is right if the magnitude exceeds the error bound of the computation.
   const double left = (b.x() - a.x()) * (c.y() - a.y());
   const double right = (b.y() - a.y()) * (c.x() - a.x());
   const double area = left - right;
@@ -88,6 +93,7 @@ int orientation(const Vec2& a, const Vec2& b, const Vec2& c) {
 }
 
 int orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  // First try in double, as above.
   const Vec3 u = b - a, v = c - a, w = d - a;
   const Vec3 left(u.y() * v.z(), u.z() * v.x(), u.x() * v.y());
   const Vec3 right(u.z() * v.y(), u.x() * v.z(), u.y() * v.x());
@@ -95,12 +101,13 @@ int orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const double magnitude = (left.cwiseAbs() + right.cwiseAbs()).dot(w.cwiseAbs());
   if (std::abs(volume) > (7 + 56 * kUnitRoundoff) * kUnitRoundoff * magnitude) return sign_of(volume);
 
+  // The exact determinant. Where the differences are exact, as between nearby points, it takes fewer terms.
   ExactSum sum;
   if (is_exact(b, a, u) && is_exact(c, a, v) && is_exact(d, a, w)) {
     if (magnitude == 0) return 0;  // a zero in each product
     add_triple_product(1, w, u, v, sum);
   } else {
-    // det of the rows (p, 1), expanded along the ones.
+    // Otherwise the determinant of the rows (p, 1) is expanded along the column of ones.
     add_triple_product(1, b, c, d, sum);
     add_triple_product(-1, a, c, d, sum);
     add_triple_product(1, a, b, d, sum);

@@ -4,13 +4,14 @@
 
 namespace rigor {
 
-/// Sign of the area of the triangle abc: +1 counter-clockwise, -1 clockwise, 0 on one line. Exact, for
-/// coordinates whose products neither overflow nor underflow (sizes between about 1e-100 and 1e100).
+/// Sign of the area of the triangle abc: +1 if it is counter-clockwise, -1 if clockwise, 0 if its corners are
+/// on one line. Exact for coordinates whose products neither overflow nor underflow (magnitudes between about
+/// 1e-100 and 1e100).
 int orientation(const Vec2& a, const Vec2& b, const Vec2& c);
 
 /// Sign of (b - a) × (c - a) · (d - a): +1 if d lies on the side of the plane abc from which the triangle is
-/// seen counter-clockwise, -1 on the other side, 0 in the plane. Exact as above (sizes between about 1e-80
-/// and 1e80).
+/// seen counter-clockwise, -1 if on the other side, 0 if in the plane. Exact as above (magnitudes between
+/// about 1e-80 and 1e80).
 ///
 /// Source: Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates,
 /// Discrete Comput. Geom. 18, 1997 (the error bound of the first try and the exact sums; not the stages

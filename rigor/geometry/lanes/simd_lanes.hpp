@@ -1,7 +1,8 @@
 #pragma once
 
-// Four doubles at a time, written once for every processor: the compiler makes AVX2 of it inside functions
-// with that target and pairs of two otherwise. Both give the same bits (no operation is contracted).
+// Arithmetic on four doubles at a time, written once for every processor: inside functions with that target
+// the compiler makes AVX2 instructions of it, and otherwise instructions on pairs of doubles. Both give the
+// same bits, since no operation is contracted.
 
 #include <cstdint>
 #include <cstring>
@@ -48,7 +49,7 @@ RIGOR_LANES Lanes lane_abs(const Lanes& a) {
   return lane_max(a, -a);
 }
 
-/// Three coordinates in lanes.
+/// Four vectors at a time: one lane of each coordinate belongs to each vector.
 struct LaneVec3 {
   Lanes x, y, z;
 };

@@ -19,14 +19,14 @@
 namespace rigor {
 namespace {
 
-/// One body as convex pieces in the same frame.
+/// A solid as convex pieces in the frame of its shape.
 struct Pieces {
   std::vector<Shape> shapes;
   std::vector<std::array<int, 2>> touching;
   std::vector<Aabb> boxes_W;
 };
 
-/// None if the shape is a mesh of too many pieces.
+/// The pieces of a shape; empty if it is a mesh of too many pieces.
 Pieces make_pieces(const Shape& shape, const Pose& X_WS) {
   Pieces result;
   if (const Mesh* const mesh = std::get_if<Mesh>(&shape)) {
@@ -41,20 +41,20 @@ Pieces make_pieces(const Shape& shape, const Pose& X_WS) {
   return result;
 }
 
-/// A lower bound of the signed distance of what is in the boxes: their own.
+/// Lower bound of the signed distance of the contents of two boxes: that of the boxes themselves [m].
 double signed_box_distance(const Aabb& a, const Aabb& b) {
   const Vec3 gap = (b.lower - a.upper).cwiseMax(a.lower - b.upper);
   return gap.maxCoeff() < 0 ? gap.maxCoeff() : gap.cwiseMax(0.0).norm();
 }
 
-/// Two pieces that may be the nearest.
+/// Two pieces, with a lower bound of their signed distance.
 struct PiecePair {
   double bound;
   std::size_t i, k;
   bool operator<(const PiecePair& other) const { return bound > other.bound; }  // nearest on top of a heap
 };
 
-/// Rounding of the boxes against the distances of pieces [m].
+/// Rounding of the box distances relative to the distances of pieces [m].
 double box_rounding(const Pieces& a, const Pieces& b) {
   double largest = 0;
   for (const Pieces* pieces : {&a, &b}) {
@@ -65,6 +65,7 @@ double box_rounding(const Pieces& a, const Pieces& b) {
   return 64 * std::numeric_limits<double>::epsilon() * largest;
 }
 
+/// The least signed distance of two pieces, best first.
 DistanceResult least_distance(const Pieces& a, const Pose& X_WA, const Pieces& b, const Pose& X_WB) {
   std::vector<PiecePair> pairs;
   for (std::size_t i = 0; i < a.shapes.size(); ++i) {
@@ -72,6 +73,8 @@ DistanceResult least_distance(const Pieces& a, const Pose& X_WA, const Pieces& b
       pairs.push_back({signed_box_distance(a.boxes_W[i], b.boxes_W[k]), i, k});
     }
   }
+  // The pair of boxes with the least distance comes first; the search ends when no pair that is left can be
+  // nearer, so most pairs are never measured.
   std::make_heap(pairs.begin(), pairs.end());
   const double rounding = box_rounding(a, b);
   DistanceResult best{kInfinity, kInfinity, kInfinity, X_WA.p, X_WB.p, Vec3::UnitZ()};
@@ -85,7 +88,7 @@ DistanceResult least_distance(const Pieces& a, const Pose& X_WA, const Pieces& b
     best.lower = lower;
     best.upper = upper;
   }
-  // What was passed over may be nearer by the rounding of the boxes.
+  // Pairs that were left out may be nearer by the rounding of the boxes.
   best.lower = std::min(best.lower, best.distance - 2 * rounding);
   return best;
 }
@@ -106,7 +109,7 @@ bool is_open_mesh(const Shape& shape) {
   return std::holds_alternative<Mesh>(shape) && !is_closed_mesh(shape);
 }
 
-/// Whether the solid holds a ball of that radius about the point.
+/// Whether the solid contains the ball of the radius [m] about the point.
 bool holds_ball(const Shape& solid, const Vec3& p_S, double radius) {
   const Mesh* const mesh = std::get_if<Mesh>(&solid);
   if (mesh == nullptr) {
@@ -117,6 +120,7 @@ bool holds_ball(const Shape& solid, const Vec3& p_S, double radius) {
   return nearest.distance >= radius && (p_S - nearest.p_M).dot(nearest.normal_M) < 0;
 }
 
+/// Whether both solids contain a ball of the radius `depth` below the middle of some triangle of a.
 bool has_triangle_over(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB, double depth) {
   const Mesh* const mesh = std::get_if<Mesh>(&a);
   if (mesh == nullptr) return false;
@@ -130,7 +134,7 @@ bool has_triangle_over(const Shape& a, const Pose& X_WA, const Shape& b, const P
   return false;
 }
 
-/// Sets of overlapping pairs that are joined.
+/// Disjoint sets of overlapping pairs of pieces (union-find).
 class PairSets {
  public:
   explicit PairSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
@@ -186,6 +190,7 @@ std::vector<OverlapRegion> find_overlap_regions(const Mesh& a, const Pose& X_WA,
     if (deepest.distance < 0) return {{deepest, 0}};
     return {};
   }
+  // All pairs of pieces that overlap, with their depths.
   std::vector<PiecePair> pairs;
   std::vector<DistanceResult> depths;
   for (std::size_t i = 0; i < pieces_a.shapes.size(); ++i) {
@@ -197,6 +202,7 @@ std::vector<OverlapRegion> find_overlap_regions(const Mesh& a, const Pose& X_WA,
       depths.push_back(d);
     }
   }
+  // Pairs whose pieces are the same or touch on both sides belong to one connected region.
   PairSets sets(pairs.size());
   for (std::size_t p = 0; p < pairs.size(); ++p) {
     for (std::size_t q = 0; q < p; ++q) {
@@ -206,6 +212,7 @@ std::vector<OverlapRegion> find_overlap_regions(const Mesh& a, const Pose& X_WA,
       }
     }
   }
+  // Each region keeps its deepest pair. The root of a set is its least pair, so it comes before the others.
   std::vector<OverlapRegion> regions;
   std::vector<std::size_t> region_of(pairs.size());
   for (std::size_t p = 0; p < pairs.size(); ++p) {

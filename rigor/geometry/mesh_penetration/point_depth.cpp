@@ -16,15 +16,16 @@ namespace rigor {
 namespace {
 
 constexpr MaximumGoal kGoal{.relative_gap = 0.01, .max_evaluations = 20000};
-/// Depths below this part of the smaller body are not searched for.
+/// Depths below this fraction of the size of the smaller solid are not searched for.
 constexpr double kFinest = 1e-6;
 
-/// A point seen from one body.
+/// The depth of a point in one solid.
 struct PointDepth {
   double depth;       ///< Distance from the surface, negative outside [m].
   Vec3 on_surface_W;  ///< Nearest point of the surface [m].
 };
 
+/// The depth of points in one solid, as a function of their position in W.
 class DepthField {
  public:
   DepthField(const Shape& shape, const Pose& X_WS)
@@ -63,6 +64,8 @@ DistanceResult deepest_point(const Mesh& a, const Pose& X_WA, const Shape& b, co
   const DepthField in_a(shape_a, X_WA), in_b(b, X_WB);
   if (!in_a.box_W().overlaps(in_b.box_W())) return result;
 
+  // Branch and bound: the depth changes by no more than the distance between two points. The vertices of the
+  // meshes are good first points, since overlaps often begin at them.
   LipschitzFunction depth;
   depth.box = {in_a.box_W().lower.cwiseMax(in_b.box_W().lower),
                in_a.box_W().upper.cwiseMin(in_b.box_W().upper)};
@@ -73,6 +76,7 @@ DistanceResult deepest_point(const Mesh& a, const Pose& X_WA, const Shape& b, co
     if (mesh == nullptr) continue;
     for (const Vec3& v : mesh->mesh->vertices) depth.starts.push_back(*X_WS * v);
   }
+  // The accuracy is relative to the depth, but no finer than a small fraction of the smaller solid.
   MaximumGoal goal = kGoal;
   const double size = std::min((in_a.box_W().upper - in_a.box_W().lower).maxCoeff(),
                                (in_b.box_W().upper - in_b.box_W().lower).maxCoeff());
@@ -82,6 +86,8 @@ DistanceResult deepest_point(const Mesh& a, const Pose& X_WA, const Shape& b, co
     result.lower = -found.upper;
     return result;
   }
+  // Witnesses: the deepest point, and the nearest surface point of the solid in which it is deeper. The
+  // normal is the direction from the one to the other.
   const PointDepth of_a = in_a(found.place), of_b = in_b(found.place);
   const bool is_deeper_in_a = of_a.depth >= of_b.depth;
   const double deepest = std::max(of_a.depth, of_b.depth);

@@ -16,12 +16,14 @@
 namespace rigor {
 namespace {
 
+/// Upper bound of the speed that the rotation gives to points of the shape, relative to the origin of its
+/// body [m/s].
 double turning_speed(const MovingShape& moving) {
   const double radius = radius_about(*moving.shape, Vec3::Zero());
   return moving.motion->max_angular_speed() * turning_radius(*moving.shape, moving.X_BS, radius);
 }
 
-/// How long two triangles near each other are known to go on.
+/// The time, at most `span`, for which two triangles near each other are known not to overlap [s].
 double safe_triangle_step(const MovingTriangle& a, const MovingTriangle& b, const MeshAdvance& from,
                           double span) {
   const TriangleDistance found = triangle_distance(a.corners_W, b.corners_W);
@@ -30,10 +32,13 @@ double safe_triangle_step(const MovingTriangle& a, const MovingTriangle& b, cons
   const auto try_direction = [&](const Vec3& n_W) {
     parting.try_direction(n_W, b.place(n_W) + a.place(-n_W), is_meeting);
   };
+  // The direction of the nearest points gives the largest gap now. It does not exist where the triangles
+  // meet.
   if (!is_meeting) {
     const auto [p, q] = nearest_points(a.corners_W, b.corners_W, found.feature);
     try_direction((q - p).stableNormalized());
   }
+  // Along the normal of a contact, or of a face, a pair that slides keeps its gap to first order.
   for (const Vec3& n_W : from.n_W) try_direction(n_W);
   try_direction(a.normal_W);
   try_direction(-b.normal_W);
@@ -50,6 +55,8 @@ double ClosingBound::time_for(double distance) const {
 }
 
 ClosingBound closing_bound(const MovingShape& A, const MovingShape& B, double t, double t_end) {
+  // The relative acceleration of the origins is bounded along the six directions of the axes; the sum of
+  // these bounds is at least its norm.
   double acceleration = 0;
   for (int axis = 0; axis < 3; ++axis) {
     for (const double sign : {-1.0, 1.0}) {
@@ -58,6 +65,7 @@ ClosingBound closing_bound(const MovingShape& A, const MovingShape& B, double t,
                                       A.motion->min_acceleration_along(-d, t, t_end)));
     }
   }
+  // The relative speed of any two points is at most that of the origins plus that of both rotations.
   const double speed = (B.motion->velocity(t) - A.motion->velocity(t)).norm();
   return {speed + turning_speed(A) + turning_speed(B), acceleration};
 }
@@ -69,13 +77,17 @@ double safe_mesh_step(const MovingShape& A, const MovingShape& B, const MeshAdva
   if (b == nullptr) return safe_mesh_convex_step(A, B, from);
   double step = from.t_end - from.t;
   const ClosingBound closing = closing_bound(A, B, from.t, from.t_end);
-  // Far apart, many pairs are about as near as the nearest: their common bound will do.
+  // Far apart, many pairs of triangles are about as near as the nearest pair, so the bound that all of them
+  // share is good enough.
   constexpr double far = 0.05, near = 0.01;
   const double size = std::min(a->tree->size, b->tree->size);
   if (from.distance > far * size) return std::min(step, closing.time_for(from.distance));
 
+  // Near contact, the step is limited such that few pairs of triangles can come together within it.
   const double reach = std::max(1.5 * from.distance, near * size);
   step = std::min(step, closing.time_for(reach));
+  // Only pairs within the distance that points can travel in this step matter; each has its own separation
+  // bound, and the least of the pairs' steps is safe for all.
   const RigidMotion::Sample body_A = A.motion->sample(from.t), body_B = B.motion->sample(from.t);
   const Pose X_AB = relative_pose(body_A.X_WB * A.X_BS, body_B.X_WB * B.X_BS);
   const double travel = step * (closing.speed + 0.5 * closing.acceleration * step);

@@ -4,7 +4,7 @@
 
 namespace rigor {
 
-/// safe_mesh_step of a mesh A and a bounded convex shape B.
+/// safe_mesh_step() for a mesh A and a bounded convex shape B.
 double safe_mesh_convex_step(const MovingShape& A, const MovingShape& B, const MeshAdvance& from);
 
 }  // namespace rigor

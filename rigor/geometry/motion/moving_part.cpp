@@ -27,6 +27,7 @@ std::vector<PartName> parts_of_node(const Mesh& mesh, int node) {
 
 MovingPart::MovingPart(const MovingShape& moving, const PartName& name, const RigidMotion::Sample* sample) {
   const Shape& shape = *moving.shape;
+  // The whole shape: its own core.
   if (name.kind == PartName::Kind::whole) {
     core_ = make_moving_core(shape, moving.X_BS, radius_about(shape, Vec3::Zero()), *moving.motion);
     core_.sample = sample;
@@ -36,6 +37,7 @@ MovingPart::MovingPart(const MovingShape& moving, const PartName& name, const Ri
   core_.X_BC = moving.X_BS;
   core_.motion = moving.motion;
   core_.sample = sample;
+  // A node: its box about the box's centre, which holds all triangles below the node.
   if (name.is_node()) {
     const Aabb& box = node_box(*mesh.tree, static_cast<std::size_t>(name.index));
     core_.core = make_core(Box{0.5 * (box.upper - box.lower)});
@@ -43,7 +45,8 @@ MovingPart::MovingPart(const MovingShape& moving, const PartName& name, const Ri
     core_.turning_radius = core_.X_BC.p.norm() + core_.core.extent;
     return;
   }
-  // A triangle: about its first corner, so that nothing is lost far from the origin of the mesh.
+  // A triangle: its corners are taken relative to the first one, so that no digits are lost far from the
+  // origin of the mesh.
   const std::array<int, 3>& vertices = mesh.mesh->triangles[static_cast<std::size_t>(name.index)];
   const Vec3& origin = mesh.mesh->vertices[static_cast<std::size_t>(vertices[0])];
   core_.turning_radius = 0;

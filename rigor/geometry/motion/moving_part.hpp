@@ -9,8 +9,8 @@
 
 namespace rigor {
 
-/// A convex part of a shape, by its name: the whole shape, what the box of a node of a mesh's tree holds, or
-/// a triangle.
+/// The name of a convex part of a shape: the whole shape, the box of a node of a mesh's tree (standing for
+/// all that it holds), or a triangle.
 struct PartName {
   enum class Kind { whole, node, triangle };
   Kind kind = Kind::whole;
@@ -19,21 +19,22 @@ struct PartName {
   bool is_node() const { return kind == Kind::node; }
 };
 
-/// The part that a search over the shape begins with. Against a half-space a mesh is as its hull: one part.
+/// The part with which a search over the shape begins. Against a half-space a mesh behaves like its hull, so
+/// it is a single part.
 PartName first_part(const Shape& shape, bool against_unbounded);
-/// The parts that a node is made of.
+/// The parts into which a node is split: its children, or the triangles of a leaf.
 std::vector<PartName> parts_of_node(const Mesh& mesh, int node);
 
-/// A part on its moving body. Stays where it is made: its core refers to it.
+/// A part on its moving body. It can be neither copied nor moved, because its core refers to its own corners.
 class MovingPart {
  public:
-  /// `sample` is of the motion at the time of interest, if at hand; it must outlive this.
+  /// `sample`, if at hand, is the sample of the motion at the time of interest; it must outlive this object.
   MovingPart(const MovingShape& moving, const PartName& name, const RigidMotion::Sample* sample = nullptr);
   MovingPart(const MovingPart&) = delete;
   MovingPart& operator=(const MovingPart&) = delete;
 
   const MovingCore& core() const { return core_; }
-  double size() const { return 2 * core_.core.extent; }  ///< About its diameter [m].
+  double size() const { return 2 * core_.core.extent; }  ///< Approximate diameter [m].
 
  private:
   MovingCore core_;

@@ -10,7 +10,8 @@ namespace rigor {
 
 void PartingStep::try_direction(const Vec3& n_W, double gap, bool may_touch) {
   try_turning(n_W, gap, may_touch);
-  // A face takes its normal along.
+  // The normal of a face rotates with the body of the face: along it the gap over that face is kept to first
+  // order.
   for (const MovingCore* part : {&a_, &b_}) {
     const Vec3 w_W = part->sample->w;
     if (!w_W.isZero(0)) try_turning({n_W, w_W}, gap, may_touch);
@@ -18,8 +19,12 @@ void PartingStep::try_direction(const Vec3& n_W, double gap, bool may_touch) {
 }
 
 void PartingStep::try_turning(const PartingDirection& along, double gap, bool may_touch) {
+  // Once a direction is good for the whole span no better one is needed, and one along which the parts
+  // already overlap by more than they may proves nothing.
   if (is_whole() || gap < -2 * from_.slack) return;
   const SeparationBound bound(a_, b_, along, gap, from_.t, from_.t + span_);
+  // The slack rule: a pair in contact that does not approach may use a lower level, since at level 0 its
+  // rounding would forbid every step.
   const bool is_held = gap <= from_.slack && (may_touch || bound.rate() >= -from_.rest_velocity);
   const double level = is_held ? std::min(-from_.slack, gap - from_.slack) : 0;
   step_ = std::max(step_, bound.safe_step(span_, level));

@@ -7,18 +7,19 @@
 
 namespace rigor {
 
-/// How long two convex parts of moving bodies are known not to overlap more than they may: the longest time
-/// for which one of the directions tried parts them.
+/// The time for which two convex parts of moving bodies are known not to overlap by more than they may: the
+/// longest for which one of the directions tried separates them.
 class PartingStep {
  public:
-  /// Times up to `span` after that of `from` [s]; all must outlive this.
+  /// Steps of up to `span` [s] from the time of `from`. All arguments must outlive this object.
   PartingStep(const MovingCore& a, const MovingCore& b, const MeshAdvance& from, double span)
       : a_(a), b_(b), from_(from), span_(span) {}
 
-  /// The parts are `gap` apart along n_W, fixed or turning with either body. Parts that touch by the slack
-  /// and do not approach, or that the caller knows may touch, may come to overlap by the slack.
+  /// Tries the direction n_W, along which the parts are `gap` apart [m]: fixed, and rotating with either
+  /// body. Parts whose gap is at most the slack may come to overlap by the slack if they do not approach, or
+  /// if the caller knows that they may touch (`may_touch`).
   void try_direction(const Vec3& n_W, double gap, bool may_touch);
-  /// The same along one that turns at this rate.
+  /// The same for a direction that rotates at the rate given with it.
   void try_turning(const PartingDirection& along, double gap, bool may_touch);
 
   double step() const { return step_; }
@@ -32,12 +33,12 @@ class PartingStep {
   double step_ = 0;
 };
 
-/// A triangle of a moving mesh at an instant.
+/// A triangle of a moving mesh at one instant.
 struct MovingTriangle {
-  /// `body` is a sample of the motion that must outlive this.
+  /// `body` is the sample of the motion at that instant; it must outlive this object.
   MovingTriangle(const MovingShape& moving, const RigidMotion::Sample& body, int triangle);
 
-  /// Where it ends along n_W: least n·p.
+  /// The lower end of the triangle along n_W: the least n·p [m].
   double place(const Vec3& n_W) const;
 
   MovingPart part;

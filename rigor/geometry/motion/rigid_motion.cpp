@@ -7,6 +7,8 @@
 namespace rigor {
 
 double largest_acceleration(const RigidMotion& motion, double ta, double tb) {
+  // The largest acceleration in the direction d is minus the least along -d. The largest absolute values
+  // along the three axes bound the norm.
   Vec3 along_axes = Vec3::Zero();
   for (int axis = 0; axis < 3; ++axis) {
     for (const double sign : {-1.0, 1.0}) {
@@ -26,7 +28,8 @@ RigidMotion::Sample TwistMotion::sample(double t) const {
 ScrewMotion make_screw_motion(const Pose& X_WL, const Vec3& w_W, const Vec3& v_W) {
   const double squared = w_W.squaredNorm();
   if (squared == 0) return {TwistMotion(X_WL, v_W, w_W), Pose{}};
-  // The axis passes through ω × v / |ω|²; along it the body glides.
+  // The screw axis passes through the point ω × v / |ω|², and the velocity along it is the part of v parallel
+  // to ω.
   const Pose X_WB{Mat3::Identity(), w_W.cross(v_W) / squared};
   const Vec3 glide = w_W.dot(v_W) / squared * w_W;
   return {TwistMotion(X_WB, glide, w_W), X_WB.inverse() * X_WL};

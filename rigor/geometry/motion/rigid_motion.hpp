@@ -4,23 +4,23 @@
 
 namespace rigor {
 
-/// How a rigid body moves over a span of time, with bounds that hold for all of it: what the search for the
-/// first contact stands on. The body frame B has its origin where it is simplest to describe, as in the
-/// centre of mass.
+/// The motion of a rigid body over a span of time, with bounds that hold for the whole span: the input of the
+/// search for the first contact. The origin of the body frame B is the point whose motion is simplest to
+/// describe, such as the centre of mass.
 class RigidMotion {
  public:
   /// Pose and velocities at an instant.
   struct Sample {
     Pose X_WB;
-    Vec3 v;  ///< Of the origin of B [m/s].
-    Vec3 w;  ///< In W [rad/s].
+    Vec3 v;  ///< Velocity of the origin of B, in W [m/s].
+    Vec3 w;  ///< Angular velocity, in W [rad/s].
 
     Vec3 velocity_at(const Vec3& p_WP) const { return v + w.cross(p_WP - X_WB.p); }
   };
 
   virtual ~RigidMotion() = default;
   virtual Sample sample(double t) const = 0;
-  virtual Vec3 velocity(double t) const = 0;  ///< Of the origin of B [m/s].
+  virtual Vec3 velocity(double t) const = 0;  ///< Velocity of the origin of B, in W [m/s].
   /// Lower bound over [ta, tb] of the acceleration of the origin of B along n [m/s²].
   virtual double min_acceleration_along(const Vec3& n, double ta, double tb) const = 0;
   /// Upper bound over the whole motion of |ω| [rad/s].
@@ -33,12 +33,12 @@ class RigidMotion {
 /// Upper bound over [ta, tb] of the acceleration of the origin of B in any direction [m/s²].
 double largest_acceleration(const RigidMotion& motion, double ta, double tb);
 
-/// The origin of B flies on a parabola while B turns at a constant angular velocity: at rest, at constant
-/// velocities, thrown, or along a screw.
+/// A motion in which the origin of B follows a parabola and B rotates at a constant angular velocity. It
+/// covers bodies at rest, at constant velocity, thrown, or on a screw.
 class TwistMotion : public RigidMotion {
  public:
-  /// At time t the body is at X_WB, its origin moves at v_W [m/s] and accelerates by a_W [m/s²] always, and
-  /// it turns at w_W [rad/s].
+  /// At time t the body is at X_WB, its origin moves at v_W [m/s] and it rotates at w_W [rad/s]; at all times
+  /// the origin accelerates by a_W [m/s²].
   TwistMotion(const Pose& X_WB, const Vec3& v_W, const Vec3& w_W, const Vec3& a_W = Vec3::Zero(),
               double t = 0)
       : X_(X_WB), v_(v_W), w_(w_W), a_(a_W), t_(t) {}
@@ -55,15 +55,16 @@ class TwistMotion : public RigidMotion {
   double t_;
 };
 
-/// A motion and where on its body the user's frame L is.
+/// A motion together with the pose X_BL of the user's frame L on its body.
 struct ScrewMotion {
   TwistMotion motion;
   Pose X_BL;
 };
 
-/// The motion with constant twist: X_WL(t) = exp(t [ω v]) X_WL, where v_W is the velocity of the point of the
-/// body that passes through the origin of W. A turn about a fixed axis of W with a glide along it: B lies on
-/// the axis. Without turning it is a translation.
+/// The motion with constant twist, X_WL(t) = exp(t [ω v]) X_WL, where v_W is the velocity of the point of the
+/// body that passes through the origin of W [m/s]. It is a rotation about a fixed axis of W combined with a
+/// translation along that axis (Chasles); the origin of B lies on the axis. With w_W = 0 it is a pure
+/// translation.
 ScrewMotion make_screw_motion(const Pose& X_WL, const Vec3& w_W, const Vec3& v_W);
 
 }  // namespace rigor

@@ -42,7 +42,8 @@ Vec3 SeparationBound::Support::farthest(const Vec3& direction_W) const {
 
 double SeparationBound::Support::growth(double tau) const {
   if (core == nullptr) return 0;
-  // The radius of a round core adds the same in every direction.
+  // The support is that in the direction m + τ (Ω - ω) × m. The radius of a round core adds the same in every
+  // direction, so that only the core counts.
   const Vec3 turned = direction + tau * turn;
   return turned.dot(offset_W + farthest(turned)) - start;
 }
@@ -50,7 +51,8 @@ double SeparationBound::Support::growth(double tau) const {
 double SeparationBound::Support::rate() const {
   const double length = turn.norm();
   if (core == nullptr || length == 0) return 0;
-  // Of points as far along the direction, that which the turn lets come farther: a very small turn shows it.
+  // The derivative is that of the support point; of several that are equally far along the direction it is
+  // the one that the rotation carries farther, which a very small rotation of the direction selects.
   constexpr double very_small = 1e-10;
   return turn.dot(offset_W + farthest(direction + very_small / length * turn));
 }
@@ -58,6 +60,7 @@ double SeparationBound::Support::rate() const {
 SeparationBound::Support SeparationBound::make_support(const MovingCore& part, const Vec3& outward_W,
                                                        const Vec3& turn_W, double t) {
   Support support;
+  // The support of a part that neither rotates nor is seen along a rotating direction does not grow.
   const bool turns = part.motion->max_turn_acceleration() > 0 && part.turning_radius > 0;
   if (!turns && turn_W.isZero(0)) return support;
   const RigidMotion::Sample body = sample_of(part, t);
@@ -65,7 +68,8 @@ SeparationBound::Support SeparationBound::make_support(const MovingCore& part, c
   support.R_CW = (body.X_WB.R * part.X_BC.R).transpose();
   support.offset_W = body.X_WB.R * part.X_BC.p;
   support.direction = outward_W;
-  // n · (ω × r) = (n × ω) · r, and (turn × n) · r.
+  // To first order the support is that in a slightly rotated direction, because n · (ω × r) = (n × ω) · r and
+  // ṅ = Ω × n.
   support.turn = (turn_W - body.w).cross(outward_W);
   support.start = outward_W.dot(support.offset_W + support.farthest(outward_W));
   return support;
@@ -79,6 +83,7 @@ SeparationBound::SeparationBound(const MovingCore& A, const MovingCore& B, const
       rate_(along.n_W.dot(B.motion->velocity(t) - A.motion->velocity(t))),
       A_(make_support(A, along.n_W, along.turn_W, t)),
       B_(make_support(B, -along.n_W, along.turn_W, t)) {
+  // Taylor remainder of the centres, ½ min(a, 0) τ², and of the arms, ½ (|α| + |ω|²) ρ τ².
   loss_[0] = 0.5 * std::max(0.0, -(B.motion->min_acceleration_along(along.n_W, t, t_end) +
                                    A.motion->min_acceleration_along(-along.n_W, t, t_end)));
   for (const MovingCore* part : {&A, &B})
@@ -86,13 +91,17 @@ SeparationBound::SeparationBound(const MovingCore& A, const MovingCore& B, const
   if (!along.turn_W.isZero(0)) add_loss_by_turning(A, B, along);
 }
 
-/// With n̈, ṅ and a point p of either part, relative to a point c that goes on with the velocity of B:
+/// Subtracts the most that the rotation of the normal can take from the gap. Let c be a point that continues
+/// with the velocity of B. Then for a point p of either part
 ///   d²/dτ² n·(p - c) = n̈·(p - c) + 2 ṅ·(v_p - v_c) + n·a_p,    |n̈| ≤ Ω², |ṅ| ≤ Ω, |n(τ) - n| ≤ Ω τ.
 void SeparationBound::add_loss_by_turning(const MovingCore& A, const MovingCore& B,
                                           const PartingDirection& along) {
   const RigidMotion::Sample in_A = sample_of(A, t_), in_B = sample_of(B, t_);
   const double spin = along.turn_W.norm();
+  // Rate of the gap: to the relative velocity of the centres along n is added ṅ · (x_B - x_A).
   rate_ += along.turn_W.cross(along.n_W).dot(in_B.X_WB.p - in_A.X_WB.p);
+  // Each part adds its bounds of |p - c| and |v_p - v_c| at time t, which grow with the acceleration; the
+  // second derivative integrated twice gives the coefficients of τ², τ³ and τ⁴.
   const Vec3 c_W = in_B.X_WB * B.X_BC.p, v_c = B.motion->velocity(t_);
   for (const MovingCore* part : {&A, &B}) {
     const RigidMotion::Sample& body = part == &A ? in_A : in_B;

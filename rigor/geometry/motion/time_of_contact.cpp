@@ -22,7 +22,7 @@ namespace {
 /// Two parts that are proven apart until `time`.
 struct PartPair {
   double time;
-  long order;  ///< Decides between equal times.
+  long order;  ///< Breaks ties between equal times.
   int shape_A, shape_B;
   PartName a, b;
 
@@ -38,13 +38,14 @@ bool is_cavity(const MovingShape& moving) {
   return std::holds_alternative<Cavity>(*moving.shape);
 }
 
-/// A part pair with what is known of it at an instant.
+/// The distance of a pair of parts at one instant, with its rate.
 struct Approach {
   DistanceResult distance;
   double rate = 0;   ///< [m/s], negative when approaching.
-  double touch = 0;  ///< Distances that rounding cannot tell from contact [m].
+  double touch = 0;  ///< Distances up to this cannot be told from contact [m].
 };
 
+/// The best-first search. Its queue holds the pairs of parts that are not yet proven free until the end.
 class Search {
  public:
   Search(std::span<const MovingShape> A, std::span<const MovingShape> B, double end,
@@ -54,9 +55,11 @@ class Search {
   }
 
   TimeOfContact find(double t0) {
+    // Every pair of shapes begins as one pair of parts, free until t0.
     for (int a = 0; a < static_cast<int>(A_.size()); ++a) {
       for (int b = 0; b < static_cast<int>(B_.size()); ++b) begin(t0, a, b);
     }
+    // The pair with the least time goes first: whatever touches there does so before any other pair can.
     while (!queue_.empty() && !result_.is_contact) {
       const PartPair next = queue_.top();
       queue_.pop();
@@ -70,6 +73,7 @@ class Search {
   const MovingShape& A(const PartPair& pair) const { return A_[at(pair.shape_A)]; }
   const MovingShape& B(const PartPair& pair) const { return B_[at(pair.shape_B)]; }
 
+  /// Puts a pair of shapes into the queue, and looks once for a solid that encloses the other shape.
   void begin(double t0, int a, int b) {
     PartPair pair{t0, 0, a, b, {}, {}};
     RIGOR_ASSERT(!is_unbounded(A(pair)) || !is_unbounded(B(pair)));
@@ -77,7 +81,8 @@ class Search {
     pair.b = first_part(*B(pair).shape, is_unbounded(A(pair)));
     const bool is_inside = holds_a_point_of(A(pair), B(pair), t0) || holds_a_point_of(B(pair), A(pair), t0);
     if (is_inside && !result_.is_contact) {
-      // A surface within a closed mesh overlaps it without touching its triangles.
+      // A surface inside a closed mesh overlaps its solid without touching its triangles. This is examined at
+      // t0 only: later a shape could get inside only through the surface.
       accept(pair, t0, t0,
              Approach{.distance =
                           DistanceResult{0, 0, 0, A(pair).pose(t0).p, A(pair).pose(t0).p, Vec3::UnitZ()}});
@@ -85,7 +90,8 @@ class Search {
     push(pair);
   }
 
-  /// Whether the solid of a closed mesh holds one point of the other shape (then all, or the surfaces meet).
+  /// Whether the solid of a closed mesh contains one point of the other shape (and hence all of it, unless
+  /// the surfaces meet).
   static bool holds_a_point_of(const MovingShape& mesh, const MovingShape& other, double t) {
     const Mesh* of = std::get_if<Mesh>(mesh.shape);
     if (of == nullptr || !of->tree->is_closed || is_unbounded(other)) return false;
@@ -98,6 +104,7 @@ class Search {
     queue_.push(pair);
   }
 
+  /// The signed distance of two parts at time t, with its rate and the distance that rounding blurs.
   Approach approach(const PartPair& pair, const MovingPart& a, const MovingPart& b, double t) {
     ++result_.evaluations;
     const RigidMotion::Sample in_A = A(pair).motion->sample(t), in_B = B(pair).motion->sample(t);
@@ -109,13 +116,17 @@ class Search {
       now.distance =
           convex_distance(a.core().core, in_A.X_WB * a.core().X_BC, b.core().core, in_B.X_WB * b.core().X_BC);
     }
+    // The rate of the gap is the relative velocity along the normal at the midpoint of the witness points.
     const Vec3 p_W = 0.5 * (now.distance.p_WA + now.distance.p_WB);
     now.rate = now.distance.n_W.dot(in_B.velocity_at(p_W) - in_A.velocity_at(p_W));
+    // A few tens of roundings of sizes and coordinates cannot be told from contact.
     now.touch = 32 * kEpsilon *
                 (a.size() + b.size() + in_A.X_WB.p.cwiseAbs().maxCoeff() + in_B.X_WB.p.cwiseAbs().maxCoeff());
     return now;
   }
 
+  /// One step of conservative advancement for one pair: ends the search with a contact, drops the pair if it
+  /// is free until the end, or puts it (or its children) back into the queue with a later time.
   void advance(const PartPair& pair) {
     const MovingPart a(A(pair), pair.a), b(B(pair), pair.b);
     const Approach now = approach(pair, a, b, pair.time);
@@ -123,14 +134,18 @@ class Search {
     const double finest = 4 * kEpsilon * std::abs(pair.time);
     const double width = std::max(options_.time_tolerance, finest);
     if (is_whole && now.distance.distance <= now.touch) {
-      // The exact contact may be later by the time in which the bodies pass the rounding of the distance.
+      // Contact. In exact arithmetic it may come later than this time, by as much as the shapes take to pass
+      // the distance that rounding blurs.
       const double later = now.rate < 0 ? std::min(width, 2 * now.touch / -now.rate) : 0;
       accept(pair, pair.time, pair.time + later, now);
       return;
     }
+    // Once the contact is expected within half the width that the bracket may have, its upper end is looked
+    // for directly.
     if (is_whole && meets_within(pair, a, b, now, width)) return;
 
-    // The certified lower bound of the distance, unless the parts have boxes that overlap.
+    // The step that SeparationBound (or the bound for a cavity) proves free, from the certified lower bound
+    // of the distance. There is none where the boxes of the parts overlap.
     const double gap = std::min(now.distance.lower, now.distance.distance);
     double step = 0;
     if (gap > 0 && (is_cavity(A(pair)) || is_cavity(B(pair)))) {
@@ -140,19 +155,24 @@ class Search {
       const SeparationBound bound(a.core(), b.core(), now.distance.n_W, gap, pair.time, end_);
       step = bound.safe_step(end_ - pair.time, 0);
     }
+    // A pair that is free until the end of the span is forgotten.
     if (step >= end_ - pair.time) return;
+    // A pair with a box is replaced by the pairs of its children: they lie inside it, so they are free until
+    // the same time.
     PartPair next = pair;
     if (!is_whole) {
       next.time += step;
       split(next, a.size(), b.size());
       return;
     }
-    // Time has no finer steps than that.
+    // A pair of convex parts continues itself, by no less than the resolution of time so that the search
+    // always proceeds.
     next.time = std::min(end_, pair.time + std::max(step, finest));
     push(next);
   }
 
-  /// Ends the search if the pair touches at the other end of a bracket that is as wide as is allowed.
+  /// Whether the pair touches one allowed bracket width later; if so, that is the contact and the search
+  /// ends.
   bool meets_within(const PartPair& pair, const MovingPart& a, const MovingPart& b, const Approach& now,
                     double width) {
     if (!(now.rate < 0) || now.distance.distance > 0.5 * width * -now.rate) return false;
@@ -163,7 +183,8 @@ class Search {
     return true;
   }
 
-  /// The larger of two boxes is cut.
+  /// Replaces a pair by the pairs of the children of its larger box, which keeps the two parts of a pair of
+  /// similar size.
   void split(const PartPair& pair, double size_a, double size_b) {
     const bool cuts_a = pair.a.is_node() && (!pair.b.is_node() || size_a >= size_b);
     const Mesh& mesh = *std::get_if<Mesh>(cuts_a ? A(pair).shape : B(pair).shape);

@@ -9,10 +9,10 @@
 
 namespace rigor {
 
-/// A shape on a moving body. Both must outlive it.
+/// A shape on a moving body. The shape and the motion must outlive it.
 struct MovingShape {
   const Shape* shape;
-  Pose X_BS;  ///< Place of the shape on the body.
+  Pose X_BS;  ///< Pose of the shape on the body.
   const RigidMotion* motion;
 
   Pose pose(double t) const { return motion->sample(t).X_WB * X_BS; }
@@ -20,33 +20,32 @@ struct MovingShape {
 
 struct TimeOfContactOptions {
   double time_tolerance = 1e-12;  ///< Width of the bracket [s]; never less than the resolution of time.
-  int most_evaluations = 200000;  ///< Distances before the search gives up.
+  int most_evaluations = 200000;  ///< Number of distance computations before the search gives up.
 };
 
-/// The first contact of two moving bodies with its proof.
+/// The first contact of two moving bodies, with the bracket that proves it.
 struct TimeOfContact {
   bool is_contact = false;
-  /// False if the search gave up, as for bodies that glide along each other at no distance: then the span is
-  /// free until `lower`, and nothing is known of the rest.
+  /// False if the search gave up, as it does for bodies that glide along each other at almost no distance.
+  /// Then the span is free until `lower`, and nothing is known of the rest.
   bool is_complete = true;
-  double lower =
-      0;  ///< At no time from t0 to here the bodies touch [s]; without contact the end of the span.
-  double upper = 0;           ///< At this time they do, to rounding [s].
-  DistanceResult distance{};  ///< In the bracket, of the parts that touch: witness points and normal.
-  int shape_A = 0;            ///< Which shapes touch.
-  int shape_B = 0;
-  int evaluations = 0;  ///< Distances computed.
+  double lower = 0;  ///< The bodies touch at no time in [t0, lower) [s]; without contact the end of the span.
+  double upper = 0;  ///< The bodies touch at this time, to rounding [s].
+  DistanceResult distance{};  ///< Of the parts that touch, at a time in the bracket.
+  int shape_A = 0;            ///< Index in A of the shape that touches.
+  int shape_B = 0;            ///< Index in B of the shape that touches.
+  int evaluations = 0;        ///< Number of distances computed.
 };
 
 /// First time in [t0, t1] at which a shape of A touches a shape of B, or none. The bracket [lower, upper] is
 /// no wider than the time tolerance; the span before it is proven free, not sampled. Shapes that touch or
-/// overlap at t0 are in contact there, whichever way they move.
+/// overlap at t0 are in contact there, however they move.
 ///
 /// Conservative advancement, best first: every pair of convex parts (shapes, boxes of the nodes of a mesh's
-/// tree, triangles) knows until when it is free. The pair with the least time is advanced by its certified
-/// lower bound of the distance and the bound of SeparationBound, which is of second order; a box is then cut
-/// into its children, which go on from that time. So parts that never come near are looked at once. Any pair
-/// of shapes but two half-spaces; a half-space may turn about its normal only.
+/// tree, triangles) has a time until which it is proven free. The pair with the least time is advanced by its
+/// certified lower bound of the distance and by SeparationBound, which is of second order; a box is then
+/// split into its children, which continue from that time. So parts that never come near are examined once.
+/// Any pair of shapes is allowed except two half-spaces; a half-space may rotate about its normal only.
 ///
 /// Sources: Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, thesis, 1996, ch. 2; Tang, Kim
 /// and Manocha, C2A: Controlled Conservative Advancement for Continuous Collision Detection of Polygonal

@@ -15,9 +15,12 @@ double signed_distance_bound(const Aabb& a, const Aabb& b) {
 double ray_bound(const Aabb& box, const Ray& ray) {
   constexpr double never = std::numeric_limits<double>::infinity();
   constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+  // Slab method: the ray is in the box where it is between the two planes of each axis. The ends are widened
+  // by their rounding, so that the result stays a bound.
   double in = 0, out = ray.max_fraction;
   for (int axis = 0; axis < 3; ++axis) {
     const double o = ray.origin_W(axis), d = ray.direction_W(axis);
+    // A ray along the slab is between its planes everywhere or nowhere.
     if (d == 0) {
       if (o < box.lower(axis) || o > box.upper(axis)) return never;
       continue;

@@ -5,11 +5,11 @@
 
 namespace rigor {
 
-/// No shapes inside the boxes have a smaller signed distance [m]: the distance of the boxes, or minus the
-/// least way that takes them apart.
+/// Lower bound of the signed distance of shapes inside the boxes [m]: the distance of the boxes or, if they
+/// overlap, minus the length of the shortest translation that separates them.
 double signed_distance_bound(const Aabb& a, const Aabb& b);
 
-/// No shape inside the box is met by the ray at a smaller fraction; infinity if none is met at all.
+/// Lower bound of the fraction at which the ray meets a shape inside the box; infinity if it cannot meet one.
 double ray_bound(const Aabb& box, const Ray& ray);
 
 }  // namespace rigor

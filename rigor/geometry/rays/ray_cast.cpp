@@ -10,13 +10,13 @@
 namespace rigor {
 namespace {
 
-/// The ray in the frame of the shape: the line from its point nearest to the origin of S, where coordinates
-/// have most digits, and where on it the ray begins and ends [m].
+/// The ray in the frame S of the shape: a line parametrised from its point nearest to the origin of S, where
+/// coordinates have the most digits, and the parameters at which the ray begins and ends [m].
 struct LocalRay {
   ShapeLine line;
   Vec3 start_S;
   double begin, end;
-  double length;  ///< Of the direction [m].
+  double length;  ///< Length of the direction [m].
 
   LocalRay(const Pose& X_WS, const Ray& ray) : length(ray.direction_W.stableNorm()) {
     RIGOR_ASSERT(length > 0 && std::isfinite(length) && ray.origin_W.allFinite() && ray.max_fraction >= 0);
@@ -39,6 +39,7 @@ struct LocalRay {
   MeshRay in_mesh() const { return {line, start_S, begin, end}; }
 };
 
+/// The ends of the span of a convex shape that lie on the ray.
 std::vector<RayHit> span_hits(const RaySpan& span, const LocalRay& local, const Pose& X_WS) {
   std::vector<RayHit> hits;
   if (span.is_empty()) return hits;

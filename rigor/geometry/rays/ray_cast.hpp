@@ -9,11 +9,12 @@
 
 namespace rigor {
 
-/// A half-line or a segment in W. A place on it is given by its fraction: origin_W + fraction · direction_W.
+/// A half-line or a segment in W. A point on it is given by its fraction: origin_W + fraction · direction_W.
 struct Ray {
   Vec3 origin_W;     ///< [m].
   Vec3 direction_W;  ///< Of any length > 0 [m].
-  /// Where it ends, ≥ 0. With the direction q - p from the origin p, 1 makes it the segment from p to q.
+  /// Fraction at which the ray ends, ≥ 0. With the direction q - p from the origin p, 1 makes it the segment
+  /// from p to q.
   double max_fraction = std::numeric_limits<double>::infinity();
 
   Vec3 at(double fraction) const { return origin_W + fraction * direction_W; }
@@ -24,24 +25,24 @@ struct RayHit {
   double fraction = 0;      ///< In [0, max_fraction].
   Vec3 p_W = Vec3::Zero();  ///< The point [m].
   Vec3 n_W = Vec3::Zero();  ///< Outward unit normal of the surface there.
-  bool enters = true;       ///< Whether the ray goes in there; false where it comes out.
-  int triangle = -1;        ///< Of a mesh: which one; -1 for all other shapes.
+  bool enters = true;       ///< Whether the ray enters the shape there; false where it leaves.
+  int triangle = -1;        ///< Index of the triangle of a mesh; -1 for all other shapes.
 };
 
-/// All points where the ray crosses the surface, in the order of their fractions. A ray that begins inside
-/// the shape has none where it would have come in, so its first one is where it comes out. Convex shapes have
-/// at most two. Whether a ray that begins on the surface crosses it there is left to rounding.
+/// All points where the ray crosses the surface, in the order of their fractions. The first hit of a ray that
+/// begins inside the shape is thus where it leaves. Convex shapes have at most two hits. Whether a ray that
+/// begins on the surface crosses it there is left to rounding.
 ///
-/// Closed forms for all shapes with curved surfaces; polyhedra are clipped face by face. A mesh is
-/// watertight: no ray slips through between two triangles or meets both, also where it runs through an edge
-/// or a vertex (the triangles are projected along the ray and the decision is exact).
+/// Shapes with curved surfaces have closed forms; polyhedra are clipped face by face. A mesh is watertight:
+/// no ray passes between two neighbouring triangles or hits both, not even through an edge or a vertex (the
+/// triangles are projected along the ray and the decision is exact).
 ///
 /// Sources: Cyrus and Beck, Generalized Two- and Three-Dimensional Clipping, Computers & Graphics 3(1), 1978;
 /// Woop, Benthin and Wald, Watertight Ray/Triangle Intersection, J. Computer Graphics Techniques 2(1), 2013
 /// (here with exact signs in place of a second try in double).
 std::vector<RayHit> find_ray_hits(const Shape& shape, const Pose& X_WS, const Ray& ray);
 
-/// The first of them, or nothing. For a mesh without the cost of the others.
+/// The first of these hits, or nothing. For a mesh this is cheaper than finding all of them.
 std::optional<RayHit> find_ray_hit(const Shape& shape, const Pose& X_WS, const Ray& ray);
 
 }  // namespace rigor

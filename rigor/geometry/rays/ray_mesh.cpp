@@ -18,19 +18,22 @@ bool is_before(const MeshCrossing& a, const MeshCrossing& b) {
   return std::tie(a.s, a.triangle) < std::tie(b.s, b.triangle);
 }
 
-/// One line against one mesh. Every vertex is sheared along the line in the same way for all its triangles,
-/// so that the exact decisions in the plane across the line fit together.
+/// One line against one mesh (Woop, Benthin and Wald 2013). Every vertex is sheared along the line in the
+/// same way for all triangles that share it, so the exact decisions in the plane across the line are
+/// consistent.
 class Search {
  public:
   Search(const Mesh& mesh, const MeshRay& ray, bool first_only)
       : mesh_(mesh), ray_(ray), first_only_(first_only), to_(ray.to) {
+    // The axis along which the line runs fastest becomes z; the shear then takes the line to the z axis.
+    // Exchanging x and y where the line runs downwards keeps the orientation of the triangles.
     const Vec3& u = ray.line.u;
     u.cwiseAbs().maxCoeff(&z_);
     x_ = (z_ + 1) % 3;
     y_ = (z_ + 2) % 3;
     if (u(z_) < 0) std::swap(x_, y_);
     shear_ = Vec2(u(x_), u(y_)) / u(z_);
-    // What a corner may be moved by in the plane, and the line beside its exact place.
+    // Bound of the rounding of a sheared corner, and of the distance of the line from its exact position.
     margin_ = 16 * std::numeric_limits<double>::epsilon() *
               (mesh.tree->size + node_box(*mesh.tree, 0).upper.cwiseAbs().maxCoeff() +
                node_box(*mesh.tree, 0).lower.cwiseAbs().maxCoeff() + ray.line.c.cwiseAbs().maxCoeff());
@@ -40,7 +43,8 @@ class Search {
   std::vector<MeshCrossing> crossings;
 
  private:
-  /// Where the line enters the box grown by the margin; infinity if it does not in the wanted part.
+  /// Parameter at which the line enters the box grown by the margin (slab method); infinity if it does not do
+  /// so in the part that is wanted.
   double entry(const Aabb& box) const {
     double in = ray_.from - margin_, out = to_ + margin_;
     for (int axis = 0; axis < 3; ++axis) {
@@ -56,6 +60,8 @@ class Search {
     return in <= out ? in : kNever;
   }
 
+  /// Visits the nodes that the line meets, nearest first: a hit that is found early excludes the boxes behind
+  /// it.
   void visit(std::size_t node) {
     const TriangleTree& tree = *mesh_.tree;
     if (entry(node_box(tree, node)) == kNever) return;
@@ -75,6 +81,8 @@ class Search {
 
   void try_triangle(int t) {
     const std::array<int, 3>& corners = mesh_.mesh->triangles[at(t)];
+    // The corners in the sheared frame: `across` in the plane across the line, and their parameters `along`
+    // the line.
     std::array<Vec3, 3> p;
     std::array<Vec2, 3> across;
     Vec3 along;
@@ -85,10 +93,12 @@ class Search {
       along(static_cast<int>(k)) = v(z_) / ray_.line.u(z_);
     }
     const int turns = turns_about(across[0], across[1], across[2], Vec2::Zero());
-    // turns > 0: seen from ahead counter-clockwise, so the line comes out. What lies behind the start is
-    // decided exactly.
+    // turns > 0: the triangle is counter-clockwise seen from ahead, so the line comes out through it. Whether
+    // the triangle is behind the start of the ray is decided exactly.
     if (turns == 0 || orientation(p[0], p[1], p[2], ray_.start_M) * turns > 0) return;
 
+    // The barycentric coordinates of the crossing give its parameter. Weights that rounding made negative are
+    // 0.
     Vec3 weight;
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec2 &a = across[(k + 1) % 3], &b = across[(k + 2) % 3];
@@ -102,6 +112,7 @@ class Search {
     add({s, t, n_M, turns < 0});
   }
 
+  /// Keeps the crossing. If only the first is wanted, the line then ends there.
   void add(const MeshCrossing& crossing) {
     if (!first_only_) {
       crossings.push_back(crossing);

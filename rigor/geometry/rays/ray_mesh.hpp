@@ -7,16 +7,16 @@
 
 namespace rigor {
 
-/// Where a line crosses a triangle of a mesh.
+/// A point where a line crosses a triangle of a mesh.
 struct MeshCrossing {
-  double s = 0;  ///< Along the line [m].
+  double s = 0;  ///< Parameter on the line [m].
   int triangle = -1;
   Vec3 n_M = Vec3::Zero();  ///< Unit normal of the triangle.
-  bool enters = true;       ///< Against the normal.
+  bool enters = true;       ///< Whether the line runs against the normal.
 };
 
-/// Which crossings are wanted: not before s = from, decided exactly (the line's point there must be start_M),
-/// nor after s = to.
+/// The part of a line whose crossings are wanted: not before s = from, which is decided exactly (start_M must
+/// be the point of the line there), nor after s = to.
 struct MeshRay {
   ShapeLine line;
   Vec3 start_M;
@@ -26,7 +26,7 @@ struct MeshRay {
 /// All crossings, sorted by s, then by triangle.
 std::vector<MeshCrossing> mesh_crossings(const Mesh& mesh, const MeshRay& ray);
 
-/// The first of them.
+/// The first of these crossings, or nothing.
 std::optional<MeshCrossing> first_mesh_crossing(const Mesh& mesh, const MeshRay& ray);
 
 }  // namespace rigor

@@ -17,7 +17,7 @@ RaySpan empty_span() {
   return {kInfinity, -kInfinity, Vec3::Zero(), Vec3::Zero()};
 }
 
-/// Keeps the part of the line in the half-space n · p ≤ offset.
+/// Keeps the part of the line in the half-space n · p ≤ offset (Cyrus and Beck 1978).
 void clip(const ShapeLine& line, const Vec3& n, double offset, RaySpan& span) {
   const double height = n.dot(line.c) - offset;
   const double rate = n.dot(line.u);
@@ -26,6 +26,7 @@ void clip(const ShapeLine& line, const Vec3& n, double offset, RaySpan& span) {
     return;
   }
   const double s = -height / rate;
+  // The line enters the half-space where its height falls and leaves it where its height rises.
   if (rate < 0 && s > span.in) {
     span.in = s;
     span.n_in = n;
@@ -53,6 +54,7 @@ std::optional<double> half_chord(double r, double h) {
 
 RaySpan sphere_span(double radius, const Vec3& center, const ShapeLine& line) {
   const Vec3 c = line.c - center;
+  // The half chord follows from the distance of the centre from the line; the ends are roots of a quadratic.
   const Vec3 across = c - c.dot(line.u) * line.u;
   const std::optional<double> chord = half_chord(radius, across.norm());
   if (!chord) return empty_span();
@@ -61,7 +63,7 @@ RaySpan sphere_span(double radius, const Vec3& center, const ShapeLine& line) {
   return {s[0], s[1], (c + s[0] * line.u).normalized(), (c + s[1] * line.u).normalized()};
 }
 
-/// Inside of the unbounded cylinder x² + y² ≤ r².
+/// Span in the unbounded cylinder x² + y² ≤ r².
 RaySpan tube_span(double radius, const ShapeLine& line) {
   const Vec2 c = line.c.head<2>(), u = line.u.head<2>();
   const double speed = u.norm(), distance = c.norm();
@@ -76,9 +78,11 @@ RaySpan tube_span(double radius, const ShapeLine& line) {
   return span;
 }
 
-/// Inside of the unbounded cone x² + y² ≤ k² w², w = height - z ≥ 0, with its apex at z = height. Along the
-/// line  a s² + 2 b s + c ≤ 0,  and  b² - a c = k² |w₀ u + u_z c|² - (c × u)²  with x and y parts only.
+/// Span in the unbounded cone x² + y² ≤ k² w², w = height - z ≥ 0, with its apex at z = height. Along the
+/// line this is  a s² + 2 b s + c ≤ 0,  and  b² - a c = k² |w₀ u + u_z c|² - (c × u)²  with x and y parts
+/// only.
 RaySpan cone_span(double k, double height, const ShapeLine& line) {
+  // The differences of squares are written as products, which do not cancel.
   const Vec2 c = line.c.head<2>(), u = line.u.head<2>();
   const double w = height - line.c.z(), rise = line.u.z();
   const double speed = u.norm(), distance = c.norm();
@@ -96,15 +100,16 @@ RaySpan cone_span(double k, double height, const ShapeLine& line) {
   };
   RaySpan span;
   if (a > 0) {
-    // Inside between the roots, all on one nappe.
+    // The line is flatter than the side: it is inside between the roots, both of which are on the same nappe.
+    // The other nappe is not part of the cone.
     const std::optional<double> chord = half_chord(half, cross);
     if (!chord) return empty_span();
     const std::array<double, 2> s = roots(a, b, constant, *chord);
     if (w - 0.5 * (s[0] + s[1]) * rise < 0) return empty_span();
     return {s[0], s[1], normal_at(s[0]), normal_at(s[1])};
   }
-  // Steeper than the side: inside before the first root on the way up, after the last on the way down. Along
-  // a generator there is one root.
+  // The line is steeper than the side: it is inside before the first root if it rises, after the last if it
+  // falls. Along a generator there is only one root.
   if (a == 0 && b == 0) return constant <= 0 && w >= 0 ? span : empty_span();
   if (a == 0 && b * rise < 0) return empty_span();
   std::array<double, 2> s{-0.5 * constant / b, -0.5 * constant / b};
@@ -119,7 +124,7 @@ RaySpan cone_span(double k, double height, const ShapeLine& line) {
   return span;
 }
 
-/// The convex union of overlapping parts.
+/// The union of two overlapping spans whose union is convex.
 RaySpan united(const RaySpan& a, const RaySpan& b) {
   if (a.is_empty()) return b;
   if (b.is_empty()) return a;
@@ -128,24 +133,26 @@ RaySpan united(const RaySpan& a, const RaySpan& b) {
   return {first.in, last.out, first.n_in, last.n_out};
 }
 
+/// The intersection of two spans.
 RaySpan common(const RaySpan& a, const RaySpan& b) {
   const RaySpan& last = a.in > b.in ? a : b;
   const RaySpan& first = a.out < b.out ? a : b;
   return {last.in, first.out, last.n_in, first.n_out};
 }
 
-/// Inside of the unbounded cone or tube through two rings.
+/// Span in the unbounded cone or cylinder through two rings.
 RaySpan side_span(const Ring& lower, const Ring& upper, const ShapeLine& line) {
   const double slope = (lower.radius - upper.radius) / (upper.z - lower.z);
   if (slope == 0) return tube_span(lower.radius, line);
   if (slope > 0) return cone_span(slope, upper.z + upper.radius / slope, line);
-  // One that opens upwards is seen in the mirror.
+  // A cone that opens upwards is mirrored in the plane z = 0.
   const auto mirrored = [](const Vec3& v) { return Vec3(v.x(), v.y(), -v.z()); };
   const RaySpan span =
       cone_span(-slope, -lower.z - lower.radius / slope, {mirrored(line.c), mirrored(line.u)});
   return {span.in, span.out, mirrored(span.n_in), mirrored(span.n_out)};
 }
 
+/// Span in each kind of shape. A convex shape is the intersection of simple unbounded ones.
 struct SpanOf {
   const ShapeLine& line;
 
@@ -172,7 +179,8 @@ struct SpanOf {
     return span;
   }
   RaySpan operator()(const Ellipsoid& s) const {
-    // A ball in coordinates divided by the radii; normals are multiplied by the inverse once more.
+    // In coordinates divided by the radii the ellipsoid is a unit ball; its normals are divided by the radii
+    // once more.
     const Vec3 c = line.c.cwiseQuotient(s.radii), u = line.u.cwiseQuotient(s.radii);
     const double speed = u.norm();
     RaySpan span = sphere_span(1, Vec3::Zero(), {c, u / speed});
@@ -183,7 +191,7 @@ struct SpanOf {
     return span;
   }
   RaySpan operator()(const Revolution& s) const {
-    // The solid is the common part of the cones of its sides and the half-spaces of its caps.
+    // The solid is the intersection of the cones of its sides and the half-spaces of its caps.
     const std::vector<Ring>& rings = *s.rings;
     RaySpan span;
     clip(line, Vec3::UnitZ(), rings.back().z, span);

@@ -6,8 +6,8 @@
 
 namespace rigor {
 
-/// A line p(s) = c + s u in the frame of a shape; u is a unit vector, s is in metres. c is best near the
-/// shape.
+/// A line p(s) = c + s u in the frame of a shape, with a unit vector u and s in metres. Rounding is least if
+/// c is near the shape.
 struct ShapeLine {
   Vec3 c;
   Vec3 u;
@@ -25,8 +25,8 @@ struct RaySpan {
   bool is_empty() const { return !(in <= out); }
 };
 
-/// What of the line lies inside the shape (not a mesh: a broken promise). Of a cavity's two parts the one
-/// behind the far wall: what a ray from within meets.
+/// The part of the line inside the shape, which must not be a mesh (a broken promise otherwise). A cavity has
+/// two parts; the result is the one behind the far wall, which a ray from within meets.
 RaySpan ray_span(const Shape& shape, const ShapeLine& line);
 
 }  // namespace rigor

@@ -17,6 +17,8 @@ namespace {
 
 constexpr double kSolved = 1e-10;
 
+/// Residual of λ ∈ K, w ∈ K*, λ ⊥ w: the distance of λ from the projection of λ - ρ w on the cone, which is
+/// zero exactly at a solution. ρ is the inverse of the mean diagonal element of the contact.
 double convex_residual(const CoulombProblem& laws, const VecX& diagonal, double size, const VecX& lambda,
                        const VecX& w) {
   if (!lambda.allFinite() || !w.allFinite()) return std::numeric_limits<double>::infinity();
@@ -35,7 +37,8 @@ double convex_residual(const CoulombProblem& laws, const VecX& diagonal, double 
   return worst / size;
 }
 
-/// Steps until the residual is round-off or gets no smaller.
+/// Steps of the augmented Lagrangian until the residual is round-off or stops decreasing; the best iterate is
+/// returned.
 CoulombSolution solve_on(const CoulombProblem& laws, const ContactMotion& motion,
                          const std::function<double(const VecX&)>& largest_term_of) {
   constexpr int kMaxSteps = 100, kPatience = 10;
@@ -45,6 +48,8 @@ CoulombSolution solve_on(const CoulombProblem& laws, const ContactMotion& motion
   CoulombSolution best{
       VecX::Zero(laws.b.size()), laws.b, open_guess(laws).modes.modes, 0.0, 0, false, "convex"};
   best.residual = convex_residual(laws, motion.diagonal(), largest_term_of(best.lambda), best.lambda, best.w);
+  // Each step is measured at forces clamped to the cones, with the velocities that exactly these forces
+  // cause.
   for (int step = 1, stalls = 0; step <= kMaxSteps && stalls < kPatience && best.residual > kRoundOff;
        ++step) {
     proximal.step();

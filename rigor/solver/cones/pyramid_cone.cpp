@@ -23,17 +23,21 @@ int exponent_of(double x) {
   return exponent;
 }
 
-/// c of all contacts, then β of those with a pyramid, then their s.
+/// The complementarity problem. Its unknowns are c of all contacts, then β of those with a pyramid, then
+/// their s.
 struct PyramidLcp {
-  std::vector<ContactVector> rows, columns;  ///< Of c and β: what w is measured along and what forces do.
+  std::vector<ContactVector> rows, columns;  ///< Of c and β: directions of w, and of forces.
   std::vector<std::size_t> slipping;         ///< Contacts with a pyramid.
   MatX M;
   VecX q;
 };
 
+/// Assembles the matrix and the right side in the form of Stewart and Trinkle 1996.
 PyramidLcp make_lcp(const CoulombProblem& problem, const FrictionPyramid& pyramid) {
   PyramidLcp lcp;
   const Index count = static_cast<Index>(problem.mu.size()), m = pyramid.directions;
+  // Normal rows: 0 ≤ c ⊥ w_n ≥ 0. A contact with a prescribed slip direction adds its friction to the column
+  // of c.
   for (Index i = 0; i < count; ++i) {
     const std::size_t k = at(i);
     lcp.rows.push_back({i, Vec3::UnitZ()});
@@ -42,6 +46,7 @@ PyramidLcp make_lcp(const CoulombProblem& problem, const FrictionPyramid& pyrami
       lcp.columns.back().direction.head<2>() = -problem.mu[k] * problem.slips[k];
     if (has_pyramid(problem, k)) lcp.slipping.push_back(k);
   }
+  // Tangential rows: one for each direction of each pyramid.
   for (const std::size_t k : lcp.slipping) {
     for (int j = 0; j < m; ++j) {
       const double angle = pyramid.first_angle + 2 * std::numbers::pi * j / static_cast<double>(m);
@@ -52,11 +57,13 @@ PyramidLcp make_lcp(const CoulombProblem& problem, const FrictionPyramid& pyrami
   const Index forces = static_cast<Index>(lcp.rows.size()), slips = static_cast<Index>(lcp.slipping.size());
   lcp.M = MatX::Zero(forces + slips, forces + slips);
   lcp.q = VecX::Zero(forces + slips);
+  // The block of the forces: the matrix A between their directions.
   lcp.M.topLeftCorner(forces, forces) = reduce(problem.A, lcp.rows, lcp.columns);
   for (Index r = 0; r < forces; ++r) {
     const ContactVector& row = lcp.rows[at(r)];
     lcp.q(r) = row.direction.dot(problem.b.segment<3>(3 * row.contact));
   }
+  // The blocks of the slip speeds: e in the rows of β, and μ c - eᵀ β in those of s.
   for (Index s = 0; s < slips; ++s) {
     const std::size_t k = lcp.slipping[at(s)];
     lcp.M.block(count + m * s, forces + s, m, 1).setOnes();
@@ -79,7 +86,8 @@ CoulombSolution solve_pyramids(const CoulombProblem& problem, const FrictionPyra
   const Index count = static_cast<Index>(problem.mu.size());
   CoulombSolution solution{VecX::Zero(problem.b.size()), problem.b, {}, 0.0, 0, true, "pyramid"};
   if (count == 0) return solution;
-  // Slip speeds and forces of the same size: Lemke's pivots compare them.
+  // Lemke's pivots compare velocities and forces, so both are scaled to the same size; powers of two change
+  // no digit.
   CoulombProblem unit = problem;
   const int A_exponent = exponent_of(problem.A.cwiseAbs().maxCoeff()),
             b_exponent = exponent_of(problem.b.cwiseAbs().maxCoeff());
@@ -87,10 +95,12 @@ CoulombSolution solve_pyramids(const CoulombProblem& problem, const FrictionPyra
   unit.b *= std::ldexp(1.0, -b_exponent);
   const PyramidLcp lcp = make_lcp(unit, pyramid);
   const LcpSolution found = lcp_lemke(lcp.M, lcp.q);
+  // λ = Σ of the forces along their columns, scaled back.
   for (std::size_t c = 0; c < lcp.columns.size(); ++c)
     solution.lambda.segment<3>(3 * lcp.columns[c].contact) +=
         std::ldexp(found.z(static_cast<Index>(c)), b_exponent - A_exponent) * lcp.columns[c].direction;
   solution.w = problem.A * solution.lambda + problem.b;
+  // A contact sticks if its slip is round-off; one with a force and without a pyramid always slides.
   const double zero = 1e-12 * problem.b.cwiseAbs().maxCoeff();
   for (std::size_t k = 0; k < problem.mu.size(); ++k) {
     const Index row = 3 * static_cast<Index>(k);
