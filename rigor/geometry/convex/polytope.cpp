@@ -9,6 +9,7 @@
 namespace rigor {
 namespace {
 
+/// The features of all boxes: the graph holds directions only, and these do not depend on the size.
 const FeatureGraph& box_graph() {
   static const FeatureGraph graph = make_box_hull(Vec3::Ones()).features;
   return graph;
@@ -27,6 +28,8 @@ Polytope::Polytope(const Box& box) : graph_(&box_graph()), extent_(box.half_exte
 Polytope::Polytope(const ConvexHull& hull)
     : graph_(&hull.features), vertices_(hull.vertices.data()), extent_(hull.extent) {}
 
+/// Hill climbing: the highest neighbour of a vertex is next, until none is higher. On a convex polyhedron a
+/// local maximum is the global one.
 int Polytope::climb(const Vec3& d, int start, double& height) const {
   const FeatureGraph& graph = *graph_;
   for (int best = start;;) {
