@@ -9,7 +9,7 @@ struct FeatureWalk {
   enum class Outcome {
     apart,        ///< The features are the nearest ones, proven.
     overlapping,  ///< The bodies overlap, or are closer than rounding can tell; the features are where that
-                  ///< was seen.
+                  ///< was found.
     undecided     ///< Rounding permits no proof, or the steps ran out: another method has to answer.
   };
   Outcome outcome = Outcome::undecided;

@@ -13,6 +13,7 @@ constexpr double kConeSlack = 1e-9;
 }  // namespace
 
 int MeshSide::edge(int t, int k) const {
+  // The lower of the two triangles names the edge; the shared edge runs the other way in it.
   const int other = topology(t).neighbour[at(k)];
   if (other < 0 || other > t) return 3 * t + k;
   for (int j = 0; j < 3; ++j) {

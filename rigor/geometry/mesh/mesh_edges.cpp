@@ -10,11 +10,11 @@
 namespace rigor {
 namespace {
 
-/// Two triangles are one flat piece if each corner of one lies in the plane of the other but for this part of
-/// their size: more than the rounding of coordinates in single precision, as mesh files hold them.
+/// Two triangles form one flat piece if each corner of one lies in the plane of the other, up to this part of
+/// their size. It is more than the rounding of coordinates in single precision, as mesh files hold them.
 constexpr double kFlatness = 1e-7;
 
-/// One side of one triangle, named by its ends in ascending order.
+/// One side of one triangle, identified by its end vertices in ascending order.
 struct Side {
   int low, high;
   int triangle;
@@ -45,6 +45,7 @@ Vec3 triangle_normal(const TriangleMesh& mesh, int t) {
   return n / area;
 }
 
+/// All sides, sorted so that those between the same two vertices follow each other.
 std::vector<Side> sorted_sides(const TriangleMesh& mesh) {
   std::vector<Side> sides;
   for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
@@ -59,10 +60,13 @@ std::vector<Side> sorted_sides(const TriangleMesh& mesh) {
   return sides;
 }
 
+/// The kind of the edge that two triangles share.
 MeshEdgeKind edge_kind(const TriangleMesh& mesh, const TriangleTree& tree, const Side& a, const Side& b) {
   const Vec3& n_a = tree.triangles[at(a.triangle)].normal;
   const Vec3& n_b = tree.triangles[at(b.triangle)].normal;
   if (n_a.isZero(0) || n_b.isZero(0)) return MeshEdgeKind::boundary;
+  // Heights of the two opposite corners over the plane of the other triangle: negative where the surface
+  // bends away. Their sum decides, as one of the two may be rounding.
   const Vec3& p = corner(mesh, a.triangle, a.k);
   const double rise_b = n_a.dot(corner(mesh, b.triangle, b.k + 2) - p);
   const double rise_a = n_b.dot(corner(mesh, a.triangle, a.k + 2) - p);
@@ -72,6 +76,7 @@ MeshEdgeKind edge_kind(const TriangleMesh& mesh, const TriangleTree& tree, const
   return rise_a + rise_b < 0 ? MeshEdgeKind::convex : MeshEdgeKind::concave;
 }
 
+/// Links the triangles across their edges and classifies these.
 void find_neighbours(const TriangleMesh& mesh, TriangleTree& tree) {
   const std::vector<Side> sides = sorted_sides(mesh);
   tree.is_closed = !sides.empty();
@@ -80,6 +85,8 @@ void find_neighbours(const TriangleMesh& mesh, TriangleTree& tree) {
     while (last < sides.size() && sides[last].low == sides[first].low &&
            sides[last].high == sides[first].high)
       ++last;
+    // An orientable surface has exactly two triangles at an edge, which run through it in opposite
+    // directions. Any other edge stays a boundary and leaves the mesh open.
     const Side& a = sides[first];
     const bool is_pair = last - first == 2;
     const bool runs_both_ways =
@@ -99,7 +106,7 @@ void find_neighbours(const TriangleMesh& mesh, TriangleTree& tree) {
   }
 }
 
-/// Spreads the least triangle index over flat edges.
+/// Finds the flat patches by flooding across flat edges; each is named by its least triangle index.
 void find_patches(TriangleTree& tree) {
   for (TriangleTree::Triangle& t : tree.triangles) t.patch = -1;
   std::vector<int> todo;
@@ -130,7 +137,7 @@ void find_patch_areas(const TriangleMesh& mesh, TriangleTree& tree) {
   }
 }
 
-/// Walks over all edges from each triangle that was not seen before.
+/// Finds one vertex of each shell, by flooding across all edges from each triangle that was not seen before.
 void find_shell_vertices(const TriangleMesh& mesh, TriangleTree& tree) {
   tree.shell_vertices.clear();
   std::vector<bool> is_seen(mesh.triangles.size(), false);
@@ -152,8 +159,8 @@ void find_shell_vertices(const TriangleMesh& mesh, TriangleTree& tree) {
   }
 }
 
-/// Do the creases at a vertex, given by their directions away from it, leave a corner? Not if there are none,
-/// or two that make one straight line.
+/// Whether the creases at a vertex, given by their directions away from it, form a corner. They do not if
+/// there are none, or two that make one straight line.
 bool is_corner(const std::vector<Vec3>& creases) {
   if (creases.empty()) return false;
   if (creases.size() != 2) return true;
@@ -182,6 +189,8 @@ std::vector<Vec3> creases_at(const TriangleMesh& mesh, const TriangleTree& tree,
   return directions;
 }
 
+/// Collects the triangles about each vertex, and its pseudonormal: the sum of their normals weighted by their
+/// angles, which gives the sign of a distance whatever the triangulation (Bærentzen and Aanæs 2005).
 void find_vertices(const TriangleMesh& mesh, TriangleTree& tree) {
   tree.vertex_triangles.assign(mesh.vertices.size(), {});
   tree.vertex_normals.assign(mesh.vertices.size(), Vec3::Zero());
@@ -198,6 +207,7 @@ void find_vertices(const TriangleMesh& mesh, TriangleTree& tree) {
   }
 }
 
+/// Marks the corners of the creases of the surface, and those of each flat patch by itself.
 void find_corners(const TriangleMesh& mesh, TriangleTree& tree) {
   tree.is_crease_corner.assign(mesh.vertices.size(), false);
   for (int v = 0; v < static_cast<int>(mesh.vertices.size()); ++v) {
