@@ -16,9 +16,6 @@ namespace rigor {
 /// that ellipsoid, no direction separates the bodies by a shorter translation, and whether it does is a
 /// question of one eigenvalue: docs/theory/distance.md. Against a segment or a point, the witness takes the
 /// place of the second ellipsoid.
-///   h(m) = |A m| + |B m| ≥ |(A + S B) m| for any rotation S, with equality at n if S turns B n into A n
-/// up to length. A ball inside that one parts no sooner, and whether it lies inside is a question of one
-/// eigenvalue: docs/theory/distance.md. Of a segment the witness takes the place of the second ellipsoid.
 std::optional<Penetration> find_ellipsoid_penetration(const CorePair& pair, const Vec3& start);
 
 }  // namespace rigor

@@ -46,6 +46,7 @@ class LevelFace {
 
  private:
   void add_level_pieces(const ConvexCore& core, int count, const Vec3& d, double tolerance) {
+    // Pieces within the tolerance of the farthest point are level with it.
     const double top = d.dot(core_support(core, d).p);
     for (int i = 0; i < count; ++i) {
       const Vec3 p = piece_point(core, i, d);
@@ -74,6 +75,7 @@ Separation with_level_witnesses(const CorePair& pair, const Separation& separati
   GjkState gjk = start_gjk(faces);
   advance_gjk(faces, 0, gjk);
 
+  // The witnesses, moved back from the frame of A's face to that of A.
   Separation result{separation.n, separation.value, p_A, p_A};
   for (int i = 0; i < gjk.nearest.count; ++i) {
     const std::size_t k = at(i);

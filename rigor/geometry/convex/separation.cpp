@@ -129,6 +129,7 @@ class Polish {
     const std::size_t i = a_.lightest();
     const std::size_t j = b_.lightest();
     if (a_.weight[i] >= 0 && b_.weight[j] >= 0) return false;
+    // The most negative weight of both cores first: removing it changes the others.
     if (a_.weight[i] < b_.weight[j]) {
       a_.remove(i);
     } else {
@@ -139,6 +140,8 @@ class Polish {
 
   /// Adds the pieces that are farther out along n than the active ones, if there are any.
   bool add_farther(const Vec3& n, const DifferencePoint& lowest) {
+    // A whole core may reach farther along n than its active pieces, which are all level with the first. Such
+    // a piece joins with weight 0 and gets its weight in the next solution.
     const bool is_farther_a = n.dot(lowest.a - a_.point[0]) > pair_.rounding && !a_.has(lowest.piece_a);
     const bool is_farther_b =
         n.dot(b_.point[0] + pair_.X_AB.p - lowest.b) > pair_.rounding && !b_.has(lowest.piece_b);
@@ -159,6 +162,7 @@ class Polish {
   /// R_A + R_B + s in the tangent plane [m].
   Mat2 curvature(const Vec3& n, const Tangents& tangents, double separation) const {
     Mat2 sum = separation * Mat2::Identity();
+    // Vertices have no curvature; a curved piece counts by its weight, as the weights mix the pieces' points.
     if (!is_polytope(pair_.a)) {
       for (std::size_t i = 0; i < at(a_.count); ++i) {
         sum += a_.weight[i] * (tangents.transpose() * piece_curvature(pair_.a, a_.piece[i], n) * tangents);
@@ -182,6 +186,8 @@ class Polish {
     for (const bool in_a : {true, false}) {
       const ActivePieces& side = in_a ? a_ : b_;
       for (std::size_t i = 1; i < at(side.count) && tie_count_ < 2; ++i) {
+        // Each further piece of a core must stay level with the heaviest one. A condition that depends on the
+        // first to rounding would leave the system singular.
         const Vec3 u = (in_a ? -1 : 1) * (side.point[i] - side.point[0]);
         const Vec2 tangent = tangents.transpose() * u;
         const Vec2& first = ties_[0].tangent;
@@ -270,6 +276,7 @@ class Polish {
     for (std::size_t i = 0; i < at(tie_count_); ++i) {
       const Tie& tie = ties_[i];
       ActivePieces& side = tie.in_a ? a_ : b_;
+      // The weights of each core sum to 1.
       side.weight[tie.index] = tie.multiplier;
       side.weight[0] -= tie.multiplier;
     }
@@ -286,6 +293,7 @@ class Polish {
   /// Where more pieces are level than are needed to determine n, as for two faces, the witnesses are the
   /// nearest points of the hulls of the pieces.
   void find_witnesses(Separation& result) const {
+    // The points of the active pieces as hulls of their own, along the axes of A.
     const ConvexCore a = make_points_core({a_.point.data(), at(a_.count)});
     const ConvexCore b = make_points_core({b_.point.data(), at(b_.count)});
     const CorePair pieces(a, b, {.p = pair_.X_AB.p});

@@ -32,6 +32,7 @@ std::span<const double> numbers(const Mat3& m) {
 std::partial_ordering order_of_sizes(const Shape& a, const Shape& b) {
   const Mesh* const mesh = std::get_if<Mesh>(&a);
   if (mesh != nullptr) return compare_meshes(*mesh, std::get<Mesh>(b)) <=> 0;
+  // Shapes that share their data are equal without a look at the numbers.
   const ShapeData of_a = shape_data(a), of_b = shape_data(b);
   if (of_a.shared != nullptr && of_a.shared == of_b.shared) return std::partial_ordering::equivalent;
   return order(of_a.numbers(), of_b.numbers());
@@ -49,6 +50,7 @@ bool is_swapped(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_
   const int rank_a = rank_of(a);
   const int rank_b = rank_of(b);
   if (rank_a != rank_b) return rank_b < rank_a;
+  // Equal shapes are ordered by their poses; where these are equal too, the order does not matter.
   const std::partial_ordering sizes = order_of_sizes(a, b);
   if (sizes != 0) return sizes > 0;
   const std::partial_ordering places = order(numbers(X_WA.p), numbers(X_WB.p));
@@ -58,6 +60,7 @@ bool is_swapped(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_
 /// A half-space can be left along its normal only, so that one support point gives the exact distance.
 DistanceResult plane_distance(const HalfSpace& plane, const Pose& X_WA, const Shape& b, const Pose& X_WB) {
   RIGOR_ASSERT(!is_unbounded(b));
+  // The relative pose first: its position keeps its digits far from the origin.
   const Mat3 R_AW = X_WA.R.transpose();
   const Pose X_AB{R_AW * X_WB.R, R_AW * (X_WB.p - X_WA.p)};
   const Vec3 p_BP = support_point(b, X_AB.R.transpose() * -plane.normal);
@@ -96,6 +99,7 @@ DistanceResult unknown_distance() {
 DistanceResult signed_distance(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB) {
   if (!is_placed(X_WA, X_WB)) return unknown_distance();
   if (!is_swapped(a, X_WA, b, X_WB)) return ordered_distance(a, X_WA, b, X_WB);
+  // The result of the reversed pair, with witnesses and normal exchanged.
   DistanceResult result = ordered_distance(b, X_WB, a, X_WA);
   std::swap(result.p_WA, result.p_WB);
   result.n_W = -result.n_W;

@@ -72,6 +72,7 @@ class Query {
     const std::optional<PolytopePenetration> found =
         find_polytope_penetration(pair_, start, rounding_, cache_.proof);
     if (!found || !found->best.is_maximum) return std::nullopt;
+    // The next query begins at this face, and at once with the climb if the bodies still overlap.
     const GaussPoint& best = found->best;
     cache_.features = best.features;
     cache_.is_known = true;
@@ -102,6 +103,7 @@ class Query {
 DistanceResult walked_distance(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB,
                                DistanceCache& cache) {
   if (!has_features(a) || !has_features(b)) return signed_distance(a, X_WA, b, X_WB);
+  // The query works in the frame of A, with a relative position that keeps its digits far from the origin.
   const Polytope polytope_a = make_polytope(a);
   const Polytope polytope_b = make_polytope(b);
   const Mat3 R_AW = X_WA.R.transpose();

@@ -83,6 +83,7 @@ class MeshPairSearch {
         continue;
       }
       const int child_A = tree_A_.child_at(entry.a), child_B = tree_B_.child_at(entry.b);
+      // Pairs of boxes are opened; two leaves are two triangles, which the visitor decides about.
       if (child_A >= 0 || child_B >= 0) {
         open(entry, child_A, child_B, visitor);
       } else if (visitor.meet(entry.a, entry.b)) {
@@ -106,6 +107,7 @@ class MeshPairSearch {
   template <typename Visitor>
   void open(const Entry& entry, int child_A, int child_B, Visitor& visitor) {
     const OrientedBox box_A = tree_A_.box_at(entry.a), box_B = tree_B_.box_at(entry.b);
+    // The larger box is opened, since its bounds are the coarser ones; a leaf cannot be.
     const bool open_A = child_B < 0 || (child_A >= 0 && box_A.half.squaredNorm() >= box_B.half.squaredNorm());
     const int node_index = open_A ? child_A : child_B;
     const WideTree::Node& node = (open_A ? tree_A_ : tree_B_).nodes[at(node_index)];

@@ -25,6 +25,7 @@ int MeshSide::edge(int t, int k) const {
 
 bool MeshSide::falls_away(int t, const Vec3& p_M, const Vec3& n_M) const {
   return std::ranges::all_of(mesh_.mesh->triangles[at(t)], [&](int v) {
+    // A vertex counts as below the plane if its height is within the tolerances of slope and reach.
     const Vec3 along = mesh_.mesh->vertices[at(v)] - p_M;
     return n_M.dot(along) <= kConeSlack * along.norm() + reach_;
   });

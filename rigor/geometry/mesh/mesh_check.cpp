@@ -57,6 +57,7 @@ class MeshChecker {
   MeshChecker(const PolygonMesh& mesh, const MeshCheckOptions& options) : mesh_(mesh), options_(options) {}
 
   std::vector<MeshDefect> run() {
+    // Later checks rely on earlier ones: faces need valid indices, volumes a surface without errors.
     check_vertices();
     check_indices();
     if (!has_errors(defects_)) {
@@ -111,6 +112,7 @@ void MeshChecker::check_vertices() {
 }
 
 void MeshChecker::check_size() {
+  // The box about the mesh, and the largest coordinate, whose rounding no decision can go below.
   lower_ = upper_ = mesh_.vertices[0];
   double largest = 0;
   for (const Vec3& v : mesh_.vertices) {
@@ -139,6 +141,7 @@ void MeshChecker::check_indices() {
   std::vector<int> out_of_range, degenerate;
   const int count = static_cast<int>(mesh_.vertices.size());
   for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
+    // Sorted vertices show at once whether one occurs twice.
     std::vector<int> loop = mesh_.faces[f];
     const bool is_valid =
         std::all_of(loop.begin(), loop.end(), [count](int v) { return v >= 0 && v < count; });
@@ -177,6 +180,7 @@ void MeshChecker::check_faces() {
   std::vector<int> flat, bent;
   double worst = 0;
   for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
+    // Length from the first vertex and area of the face: together they give its height.
     const std::vector<int>& loop = mesh_.faces[f];
     const Vec3& p0 = mesh_.vertices[at(loop[0])];
     double length = 0;
@@ -251,6 +255,7 @@ void MeshChecker::check_solid() {
 
 void MeshChecker::check_volume(const PolyhedronIntegrals& integrals) {
   const bool is_error = !options_.may_be_open;
+  // A volume within its own error bound has no sign; the sign tells the orientation.
   const double volume = integrals.volume, box = (upper_ - lower_).prod();
   if (std::abs(volume) <= integrals.volume_error) {
     add(MeshDefectKind::zero_volume, is_error, 1,
@@ -281,6 +286,7 @@ void MeshChecker::check_shells() {
 }
 
 void MeshChecker::check_inertia(const PolyhedronIntegrals& integrals) {
+  // The mass properties at density 1 must be those of a solid, with the centre of mass inside the box.
   const MassProperties properties = mass_properties(integrals, 1.0);
   // Twice the error bound of the integrals, so that rounding is never blamed on the mesh.
   const double tolerance = std::max(1e-14, 2 * properties.error_bound);

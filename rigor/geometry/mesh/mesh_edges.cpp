@@ -71,6 +71,8 @@ MeshEdgeKind edge_kind(const TriangleMesh& mesh, const TriangleTree& tree, const
   const double rise_b = n_a.dot(corner(mesh, b.triangle, b.k + 2) - p);
   const double rise_a = n_b.dot(corner(mesh, a.triangle, a.k + 2) - p);
   const double size = std::max(longest_side(mesh, a.triangle), longest_side(mesh, b.triangle));
+  // Coplanar triangles are flat only if they face alike; folded onto each other they are a convex or concave
+  // edge.
   const bool is_flat = std::max(std::abs(rise_a), std::abs(rise_b)) <= kFlatness * size;
   if (is_flat && n_a.dot(n_b) > 0) return MeshEdgeKind::flat;
   return rise_a + rise_b < 0 ? MeshEdgeKind::convex : MeshEdgeKind::concave;
@@ -173,6 +175,8 @@ std::vector<Vec3> creases_at(const TriangleMesh& mesh, const TriangleTree& tree,
   std::vector<std::pair<int, Vec3>> creases;
   for (const int t : tree.vertex_triangles[at(v)]) {
     const TriangleTree::Triangle& triangle = tree.triangles[at(t)];
+    // Edges of the triangle that leave the vertex and are not flat. Both triangles of a crease name it; the
+    // far end tells it apart.
     if (patch >= 0 && triangle.patch != patch) continue;
     for (int k = 0; k < 3; ++k) {
       const int a = corner_index(mesh, t, k), b = corner_index(mesh, t, k + 1);
@@ -199,6 +203,7 @@ void find_vertices(const TriangleMesh& mesh, TriangleTree& tree) {
     if (normal.isZero(0)) continue;
     for (int k = 0; k < 3; ++k) {
       const std::size_t v = at(corner_index(mesh, t, k));
+      // The angle of the triangle at this corner is its weight.
       const Vec3 a = corner(mesh, t, k + 1) - corner(mesh, t, k);
       const Vec3 b = corner(mesh, t, k + 2) - corner(mesh, t, k);
       tree.vertex_triangles[v].push_back(t);
@@ -229,10 +234,12 @@ void find_mesh_edges(const TriangleMesh& mesh, TriangleTree& tree) {
   tree.triangles.assign(mesh.triangles.size(), {});
   for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
     for (int k = 0; k < 3; ++k) {
+      // All later passes rely on valid indices.
       RIGOR_ASSERT(corner_index(mesh, t, k) >= 0 && corner_index(mesh, t, k) < vertex_count);
     }
     tree.triangles[at(t)].normal = triangle_normal(mesh, t);
   }
+  // Patches need the kinds of edges, and corners need the patches.
   find_neighbours(mesh, tree);
   find_patches(tree);
   find_patch_areas(mesh, tree);

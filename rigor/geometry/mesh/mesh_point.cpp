@@ -60,6 +60,7 @@ Vec3 pseudo_normal(const Mesh& mesh, std::size_t t, const TrianglePoint& point) 
     if (corner_count == 1) {
       return mesh.tree->vertex_normals[at(mesh.mesh->triangles[t][k])];
     }
+    // Two corners: the edge from corner k to the next.
     if (!point.corners[(k + 1) % 3]) continue;
     const int neighbour = triangle.neighbour[k];
     if (neighbour < 0) return triangle.normal;
@@ -89,6 +90,7 @@ class NearestPoint {
   void search(std::size_t index) {
     const TriangleTree& tree = *mesh_.tree;
     const TriangleTree::Node& node = tree.nodes[index];
+    // Bound: no point of the box is nearer than the box itself.
     if (squared_distance(node.box, q_M_) >= squared_) return;
     for (int k = 0; k < node.count; ++k) try_triangle(tree.order[at(node.first + k)]);
     if (node.count > 0) return;
@@ -106,6 +108,7 @@ class NearestPoint {
     for (std::size_t k = 0; k < 3; ++k) {
       corners[k] = mesh_.mesh->vertices[at(mesh_.mesh->triangles[index][k])];
     }
+    // Of equally near triangles the first one stays.
     const TrianglePoint point = nearest_on_triangle(corners, mesh_.tree->triangles[index].normal, q_M_);
     const double squared = (point.p - q_M_).squaredNorm();
     if (squared >= squared_) return;

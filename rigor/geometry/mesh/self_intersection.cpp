@@ -23,6 +23,7 @@ int viewing_axis(const Corners& t) {
 /// Triangles that share corner 0: they meet elsewhere too if the edge of one opposite to that corner meets
 /// the other.
 bool triangles_at_vertex_meet(const Corners& t, const Corners& u) {
+  // An edge strictly on one side of the plane of u cannot meet u.
   const int t1 = orientation(u[0], u[1], u[2], t[1]), t2 = orientation(u[0], u[1], u[2], t[2]);
   if (t1 * t2 > 0) return false;
   return segment_meets(t[1], t[2], u) || segment_meets(u[1], u[2], t);
@@ -31,6 +32,8 @@ bool triangles_at_vertex_meet(const Corners& t, const Corners& u) {
 /// Triangles that share the edge from corner 0 to corner 1: they overlap if one is folded flat onto the
 /// other.
 bool triangles_at_edge_meet(const Corners& t, const Corners& u) {
+  // Triangles of different planes have only their common edge in common. In one plane they overlap if their
+  // third corners are on the same side of that edge.
   if (orientation(t[0], t[1], t[2], u[2]) != 0) return false;
   const int axis = viewing_axis(t);
   const Vec2 p = seen_along(t[0], axis), q = seen_along(t[1], axis);
@@ -77,6 +80,7 @@ bool faces_meet(const TriangleMesh& mesh, int a, int b) {
 }  // namespace
 
 std::vector<std::array<int, 2>> find_self_intersections(const TriangleMesh& mesh, int max_pairs) {
+  // Only triangles whose boxes overlap can meet: the broad phase leaves few pairs for the exact tests.
   std::vector<Aabb> boxes;
   boxes.reserve(mesh.triangles.size());
   for (const std::array<int, 3>& triangle : mesh.triangles) {

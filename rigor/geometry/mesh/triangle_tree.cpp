@@ -62,6 +62,7 @@ class Builder {
     Aabb range = empty_box();
     for (int k = first; k < first + count; ++k)
       range = range.united({center(triangle(k)), center(triangle(k))});
+    // Centres that coincide cannot be told apart by a plane.
     int axis = 0;
     const double length = (range.upper - range.lower).maxCoeff(&axis);
     if (!(length > 0)) return count / 2;
@@ -72,6 +73,7 @@ class Builder {
     };
     const int cut = cheapest_cut(first, count, bin_of);
     const auto begin = tree_.order.begin() + first;
+    // A stable partition, so that the tree depends on the mesh alone.
     const auto middle = std::stable_partition(begin, begin + count, [&](int t) { return bin_of(t) < cut; });
     return static_cast<int>(middle - begin);
   }

@@ -71,6 +71,7 @@ class WideBuilder {
       : mesh_(mesh), tree_(tree) {
     items_.resize(triangles.size());
     for (std::size_t k = 0; k < triangles.size(); ++k) {
+      // Boxes in single precision suffice to choose cuts.
       items_[k].triangle = triangles[k];
       for (const int v : mesh.triangles[at(triangles[k])]) {
         const Eigen::Vector3f p = mesh.vertices[at(v)].cast<float>();
@@ -86,6 +87,7 @@ class WideBuilder {
   int build(const Range& range) {
     const int index = static_cast<int>(tree_.nodes.size());
     tree_.nodes.emplace_back();
+    // The boxes of all children are fitted first, because they share the grid of the node.
     std::array<Range, WideTree::kWidth> ranges;
     const int count = split(range, ranges);
     std::array<FittedBox, WideTree::kWidth> boxes;
@@ -133,6 +135,7 @@ class WideBuilder {
     RoughBox centers;
     for (auto item = begin; item != end; ++item) centers.unite(item->center());
     int axis = 0;
+    // Bins along the axis on which the centres spread most.
     const float length = (centers.upper - centers.lower).head<3>().maxCoeff(&axis);
     const float origin = centers.lower[axis], scale = static_cast<float>(kWideBinCount) / length;
     int left_count = left.count / 2;
@@ -195,6 +198,7 @@ class WideBuilder {
   /// rounded ones, so that it holds the triangles.
   FittedBox fitted(const Range& range) const {
     FittedBox box;
+    // The quaternion is scaled so that its largest component uses all of the 16 bits.
     const Quat q(range.count == 1 ? triangle_axes(range.first) : principal_axes(range));
     const double scale = 32767 / q.coeffs().cwiseAbs().maxCoeff();
     const std::array<double, 4> turn = {q.w(), q.x(), q.y(), q.z()};
@@ -269,6 +273,7 @@ class WideBuilder {
         const double rounded = std::round(place[static_cast<Eigen::Index>(i)]);
         node.center[i][at(k)] = static_cast<std::int16_t>(std::clamp(rounded, 0.0, 32767.0));
       }
+      // Measured from the centre as it will be read, along the axes of the box.
       const Vec3 center = box.axes.transpose() * packed_center(node, k);
       const double rounding = 8 * kEpsilon * (box.lower.cwiseAbs() + box.upper.cwiseAbs()).sum();
       halves[at(k)] = (box.upper - center).cwiseMax(center - box.lower) + Vec3::Constant(rounding);
@@ -321,6 +326,7 @@ WideTree make_wide_tree(const TriangleMesh& mesh, const std::vector<int>& triang
       upper = upper.cwiseMax(mesh.vertices[at(v)]);
     }
   }
+  // The root is a box along the axes of the mesh, with room for its own rounding.
   const double rounding = 4 * kEpsilon * (lower.cwiseAbs() + upper.cwiseAbs()).maxCoeff();
   tree.root = {0.5 * (lower + upper), Mat3::Identity(), 0.5 * (upper - lower) + Vec3::Constant(rounding)};
   WideBuilder(mesh, triangles, tree);
