@@ -206,8 +206,8 @@ class Walk {
     const int outside = side_nearest_to(t, f, x);
     if (outside >= 0) return go(t, Kind::edge, outside);
 
-    // Over the face only the height counts. A vertex below it is looked at from where the line to it enters
-    // the body.
+    // Over the face only the height counts. Where the vertex is below it, the segment to its foot comes from
+    // inside the body, and the walk continues where that segment enters.
     const Vec3& normal = graph.normal(f);
     const double height = normal.dot(x - vertex(t, graph.half_edge(graph.first_of_face(f)).from));
     if (std::abs(height) <= rounding_) return end(Outcome::overlapping);

@@ -68,8 +68,8 @@ class Search {
     return std::isfinite(result_.best.value) ? std::max(smaller, std::abs(result_.best.value)) : smaller;
   }
 
-  /// Expands the polytope at its lowest facet until the height of that facet, an upper bound, meets the best
-  /// separation known, a lower bound.
+  /// Expands the polytope at its lowest facet until minus the height of that facet, an upper bound of the
+  /// signed distance, meets the best separation known, a lower bound.
   void expand(ExpandingPolytope& polytope) {
     double relative_tolerance = is_polytope_ ? 0 : kCurvedTolerance;
     const int limit = is_polytope_ ? kMaxExpansions : kMaxCurvedExpansions;

@@ -14,12 +14,12 @@
 
 namespace rigor {
 
-/// The walk over two trees that all queries of two meshes share. A visitor tells what is of interest:
+/// The walk over two trees that all queries of two meshes share. A visitor decides which pairs matter:
 ///
-///   double limit()                pairs of boxes whose bound (as of child_bounds) is greater are passed over
+///   double limit()                pairs of boxes with a greater bound (see child_bounds) are skipped
 ///   Vec3 direction()              a unit vector, in A, along which B may be apart from A, or zero
-///   void pass(a, b)               hears of those; a and b are places in the trees
-///   bool meet(a, b)               two triangles (at these places); true ends the walk
+///   void pass(a, b)               is told of these; a and b are places in the trees
+///   bool meet(a, b)               visits two triangles (at these places); true ends the walk
 class MeshPairSearch {
  public:
   /// A pair of places in both trees that is still to be visited.
