@@ -9,9 +9,10 @@
 namespace rigor {
 namespace {
 
-/// A smaller sine of the angle of two edges gives no direction of its own: those of the faces are as good.
+/// Edges whose angle has a smaller sine give no direction of their own: the face normals are as good.
 constexpr double kParallelAxes = 1e-12;
 
+/// The face whose normal is nearest to d.
 int face_along(const FeatureGraph& graph, const Vec3& d) {
   int best = 0;
   for (int f = 1; f < graph.face_count(); ++f) {
@@ -29,6 +30,7 @@ int edge_along(const FeatureGraph& graph, int corner, int axis) {
   return -1;
 }
 
+/// The farthest corner along d: its index has a bit for each positive coordinate.
 int corner_along(const Vec3& d) {
   return (d.x() >= 0 ? 1 : 0) | (d.y() >= 0 ? 2 : 0) | (d.z() >= 0 ? 4 : 0);
 }
@@ -43,7 +45,9 @@ BoxAxis find_box_axis(const PolytopePair& pair, double rounding) {
   const Vec3& b = pair.side(1).vertex(7);
   const Mat3 magnitude = R.cwiseAbs();
 
-  // Separation along a direction n: |n·t| less the half widths of both.
+  // Separation along a direction n: |n·t| less the half widths of both boxes. The normals of A's faces come
+  // first, then B's: a later direction replaces an earlier one only if it is better by more than the
+  // rounding, so that the choice does not change while boxes rest on each other.
   double best = -std::numeric_limits<double>::infinity();
   Vec3 n = Vec3::UnitX();
   int axis_a = -1, axis_b = -1;
@@ -61,6 +65,7 @@ BoxAxis find_box_axis(const PolytopePair& pair, double rounding) {
     axis_a = -1;
     axis_b = j;
   }
+  // The nine products of an edge of A and an edge of B.
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
       const Vec3 product = Vec3::Unit(i).cross(R.col(j));
@@ -77,6 +82,7 @@ BoxAxis find_box_axis(const PolytopePair& pair, double rounding) {
     }
   }
 
+  // The direction from A to B, and the features that are farthest along it.
   if (axis_b < 0) n = Vec3::Unit(axis_a);
   if (axis_a < 0) n = R.col(axis_b);
   if (n.dot(t) < 0) n = -n;

@@ -17,15 +17,16 @@
 namespace rigor {
 namespace {
 
-/// Cosine of the widest angle between the best direction known and an axis that is tried instead.
+/// Cosine of the widest angle between the best direction known and a cap's axis that is tried in its place.
 constexpr double kCapCosine = 0.9;
 
-/// What is known of the signed distance of the cores, in the frame of A.
+/// Bounds and witnesses of the signed distance of the cores, in the frame of A.
 struct CoreDistance {
   Separation best;
   double upper;
 };
 
+/// The bounds of GJK, with the witnesses that the points of its simplex combine to.
 CoreDistance of_gjk(const GjkState& gjk) {
   CoreDistance result{{gjk.n, gjk.separation, Vec3::Zero(), Vec3::Zero()}, gjk.upper};
   for (int i = 0; i < gjk.nearest.count; ++i) {
@@ -40,8 +41,8 @@ bool has_caps(const ConvexCore& core) {
   return core.kind == ConvexCore::Kind::rings;
 }
 
-/// The separation along the axis of a cylinder or cone whose cap the nearest points may lie on, if it is as
-/// good as the best known. On a cap Newton's method has no circle to follow.
+/// The separation along the axis of a cylinder or cone on whose cap the nearest points may lie, if it is as
+/// good as the best known. On a cap, Newton's method has no circle to follow.
 std::optional<Separation> cap_separation(const CorePair& pair, const GjkState& gjk) {
   const Mat3& R = pair.X_AB.R;
   const Vec3 cap_a = has_caps(pair.a) ? nearest_face_normal(pair.a, gjk.n) : Vec3::Zero();
@@ -55,7 +56,8 @@ std::optional<Separation> cap_separation(const CorePair& pair, const GjkState& g
   return std::nullopt;
 }
 
-/// The nearest points made exact, on a cap or by Newton's method, where that makes the bounds meet.
+/// The nearest points of GJK made exact, on a cap or by Newton's method, where that brings the bounds
+/// together.
 CoreDistance polished(const CorePair& pair, const GjkState& gjk) {
   CoreDistance result = of_gjk(gjk);
   const auto take = [&](const std::optional<Separation>& candidate) {
@@ -69,29 +71,35 @@ CoreDistance polished(const CorePair& pair, const GjkState& gjk) {
   return result;
 }
 
-/// First gap between the bounds at which Newton's method is tried on curved shapes, relative to their size,
-/// and how much smaller it is each time that was too early.
+/// Gap between the bounds at which Newton's method is first tried on curved shapes, relative to their size,
+/// and the factor by which the gap shrinks each time that was too early.
 constexpr double kFirstGap = 1e-3;
 constexpr double kGapFactor = 1e-2;
 
-/// Overlapping, touching, or so near that the nearest points give no sure direction.
+/// The signed distance of cores that overlap, touch, or are so near that their nearest points give no
+/// reliable direction.
 CoreDistance touching_distance(const CorePair& pair, const GjkState& gjk, CoreDistance found) {
+  // First the methods whose proof is cheap: the faces of polytopes, then the third ellipsoid.
   if (const std::optional<Penetration> exact = find_polytope_penetration(pair, gjk.n))
     return {exact->best, std::max(exact->upper, exact->best.value)};
   if (const std::optional<Penetration> proved = find_ellipsoid_penetration(pair, gjk.n))
     return {proved->best, proved->upper};
   if (gjk.nearest.count == 4) {
-    // The origin is inside: the points found are no witnesses.
+    // With the origin inside the simplex, its points are no witnesses, and the depth is at least zero.
     found.best.value = -std::numeric_limits<double>::infinity();
     found.upper = pair.rounding;
   }
+  // For all other pairs an expanding polytope.
   const std::span<const DifferencePoint> simplex(gjk.points.data(), gjk.nearest.count == 4 ? 4 : 0);
   const Penetration penetration = find_penetration(pair, {found.best, found.upper}, simplex);
   return {penetration.best, std::max(penetration.upper, penetration.best.value)};
 }
 
+/// The signed distance of the cores without their radii.
 CoreDistance core_distance(const CorePair& pair) {
   if (const std::optional<Separation> exact = find_point_separation(pair)) return {*exact, exact->value};
+  // GJK finds the nearest points of polytopes exactly. Curved shapes would take it many iterations: it stops
+  // early, Newton's method takes over, and GJK continues with a smaller tolerance where that was too early.
   const bool is_flat_faced = is_polytope(pair.a) && is_polytope(pair.b);
   double tolerance = is_flat_faced ? 0.5 * pair.rounding : kFirstGap * (pair.a.extent + pair.b.extent);
   GjkState gjk = start_gjk(pair);
@@ -113,8 +121,8 @@ DistanceResult convex_distance(const ConvexCore& a, const Pose& X_WA, const Conv
   const CorePair pair(a, b, {R_AW * X_WB.R, R_AW * (X_WB.p - X_WA.p)});
   const CoreDistance core = core_distance(pair);
 
-  // The balls around the cores move the surfaces towards each other along n. The witnesses are set exactly
-  // along n, about the middle of those of the cores.
+  // The balls around the cores move both surfaces towards each other along n. The witnesses are placed
+  // exactly along n, about the midpoint of those of the cores.
   const double radii = a.radius + b.radius;
   const double rounding = pair.rounding + std::numeric_limits<double>::epsilon() * radii;
   const Vec3 n_W = X_WA.R * core.best.n;

@@ -6,14 +6,14 @@
 
 namespace rigor {
 
-/// Signed distance of two convex cores (their radii included), with bounds, witness points and the normal
-/// from A to B. For a triangle: make_points_core of its three vertices. A triangle or a segment has no
-/// inside: what it pierces has the depth of the shortest way out.
+/// Signed distance of two convex cores (including their radii), with bounds, witness points and the normal
+/// from A to B. A triangle is the make_points_core of its three vertices. A triangle or a segment has no
+/// inside: where it pierces a body, the depth is that of the shortest translation out.
 ///
-/// GJK on the cores; near touching and when they overlap an expanding polytope; then Newton on the separation
-/// s(n) = min n·b - max n·a, whose maximum over the unit vectors n is the signed distance. lower is s(n) less
-/// the rounding, upper is the distance of two points of the bodies, or minus the inner radius of the
-/// polytope, plus the rounding.
+/// GJK on the cores; an expanding polytope where they nearly touch or overlap; then Newton's method on the
+/// separation s(n) = min n·b - max n·a, whose maximum over the unit vectors n is the signed distance. lower
+/// is s(n) less the rounding; upper is the distance of two points of the bodies, or minus the inner radius of
+/// the polytope, plus the rounding.
 ///
 /// Source: Gilbert, Johnson and Keerthi, A Fast Procedure for Computing the Distance Between Complex Objects
 /// in Three-Dimensional Space, IEEE J. Robotics and Automation 4(2), 1988; van den Bergen, Proximity Queries

@@ -4,7 +4,7 @@
 
 namespace rigor {
 
-/// Signed distance of two shapes with its proof.
+/// Signed distance of two shapes, with the bounds that prove it.
 struct DistanceResult {
   double distance;  ///< [m]; negative when the interiors overlap: minus the penetration depth.
   double lower;     ///< Certified lower bound of the true signed distance [m].

@@ -10,14 +10,16 @@
 namespace rigor {
 namespace {
 
-/// A simplex is begun with if its volume is this part of the cube of its longest edge: flat ones make poor
-/// polytopes.
+/// The simplex of the search is used as the start if its volume is at least this part of the cube of its
+/// longest edge: flat simplices make poor polytopes.
 constexpr double kLeastVolume = 1e-3;
 
+/// Six times the signed volume of the tetrahedron.
 double volume_of(const std::array<DifferencePoint, 4>& p) {
   return (p[1].w - p[0].w).cross(p[2].w - p[0].w).dot(p[3].w - p[0].w);
 }
 
+/// Whether the simplex is large and thick enough that its facet normals are not rounding.
 bool has_volume(const std::array<DifferencePoint, 4>& p, double rounding) {
   double longest = 0;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -31,6 +33,8 @@ bool has_volume(const std::array<DifferencePoint, 4>& p, double rounding) {
 ExpandingPolytope::ExpandingPolytope(const CorePair& pair, const Vec3& n,
                                      std::span<const DifferencePoint> simplex)
     : pair_(pair) {
+  // Start with the simplex of GJK, or else with four points far from each other. Fewer mean that the
+  // difference is flat, and then the polytope stays without facets.
   std::array<DifferencePoint, 4> corners;
   if (simplex.size() == 4) std::copy(simplex.begin(), simplex.end(), corners.begin());
   const bool is_good = simplex.size() == 4 && has_volume(corners, 1e6 * pair.rounding);
@@ -39,6 +43,8 @@ ExpandingPolytope::ExpandingPolytope(const CorePair& pair, const Vec3& n,
   facets_.reserve(128);
   open_heights_.reserve(128);
   points_.assign(corners.begin(), corners.end());
+  // Orient the tetrahedron so that all four facets are counter-clockwise seen from outside, and link each
+  // facet to its neighbours across its sides.
   if (volume_of(corners) > 0) std::swap(points_[1], points_[2]);
   add_facet(0, 1, 2);
   add_facet(0, 3, 1);
@@ -51,9 +57,11 @@ ExpandingPolytope::ExpandingPolytope(const CorePair& pair, const Vec3& n,
   facet_from_.assign(points_.size(), -1);
 }
 
-/// Each new corner is the one farthest from the point, the line, the plane of those before, of a few support
-/// points. Returns how many corners there are.
+/// Finds four corners of a tetrahedron. Each new corner is, among a few support points, the one farthest from
+/// the point, line or plane through the corners before it. Returns how many corners were found.
 int ExpandingPolytope::find_tetrahedron(const Vec3& n, std::array<DifferencePoint, 4>& corners) {
+  // First the support point along n, and the one farthest from it: without a second one the difference is a
+  // point.
   Mat3 frame = frame_with_z(n);
   corners[0] = pair_.lowest(n);
   flat_normal_ = n;
@@ -61,6 +69,7 @@ int ExpandingPolytope::find_tetrahedron(const Vec3& n, std::array<DifferencePoin
   const auto from_point = [](const Vec3& e) { return e.norm(); };
   if (!find_corner(around, from_point, corners[0], corners[1])) return 1;
 
+  // The point farthest from the line through both: without one the difference is a segment.
   const Vec3 axis = (corners[1].w - corners[0].w).normalized();
   frame = frame_with_z(axis);
   flat_normal_ = frame.col(0);
@@ -68,14 +77,15 @@ int ExpandingPolytope::find_tetrahedron(const Vec3& n, std::array<DifferencePoin
   const auto from_line = [&](const Vec3& e) { return axis.cross(e).norm(); };
   if (!find_corner(across, from_line, corners[0], corners[2])) return 2;
 
+  // The point farthest from the plane of the three, on either side: without one the difference is flat.
   flat_normal_ = axis.cross(corners[2].w - corners[0].w).normalized();
   const std::array<Vec3, 2> off_plane{flat_normal_, -flat_normal_};
   const auto from_plane = [&](const Vec3& e) { return std::abs(flat_normal_.dot(e)); };
   return find_corner(off_plane, from_plane, corners[0], corners[3]) ? 4 : 3;
 }
 
-/// Of the points lowest along the directions the one with the largest distance(w - w_0); false if that is
-/// rounding.
+/// Among the support points along the directions, the one with the largest distance(w - w_0); false if that
+/// distance is rounding.
 template <class Directions, class Distance>
 bool ExpandingPolytope::find_corner(const Directions& directions, const Distance& distance,
                                     const DifferencePoint& first, DifferencePoint& corner) const {
@@ -92,10 +102,13 @@ bool ExpandingPolytope::find_corner(const Directions& directions, const Distance
   return is_found;
 }
 
+/// Adds a facet in a free place, if there is one, and returns its index.
 int ExpandingPolytope::add_facet(int i, int j, int k) {
   const Vec3& p = point(i).w;
   const Vec3& q = point(j).w;
   const Vec3& r = point(k).w;
+  // The height is that of the lowest corner: a lower bound of all three, whatever the rounding of m. A facet
+  // without area keeps an infinite height, so that it is never expanded.
   const Vec3 area = (q - p).cross(r - p);
   const double length = area.norm();
   Facet facet{{i, j, k}, {-1, -1, -1}, Vec3::Zero(), std::numeric_limits<double>::infinity()};
@@ -131,14 +144,16 @@ std::array<DifferencePoint, 3> ExpandingPolytope::corners(int i) const {
   return {point(f.v[0]), point(f.v[1]), point(f.v[2])};
 }
 
+/// Its place is taken again by a new facet, so that memory does not grow with the number of expansions.
 void ExpandingPolytope::remove(int facet) {
   facets_[at(facet)].is_removed = true;
   open_heights_[at(facet)] = kClosed;
   free_.push_back(facet);
 }
 
-/// Removes the facets that w sees, spreading from the given one, and collects the horizon around them. A
-/// facet in whose plane w lies counts as seen, so that no facet without area comes up along its side.
+/// Removes the facets that w sees, spreading from the given one across their sides, and collects the horizon
+/// around them. A facet in whose plane w lies counts as seen, so that no facet without area arises along its
+/// side.
 void ExpandingPolytope::remove_seen_facets(int first, const Vec3& w) {
   const double tolerance = 0.5 * pair_.rounding;
   horizon_.clear();
@@ -160,12 +175,15 @@ void ExpandingPolytope::remove_seen_facets(int first, const Vec3& w) {
   }
 }
 
-/// Fan of facets from the horizon to the apex; false if the horizon is not one simple loop.
+/// Closes the surface with a fan of facets from the horizon to the apex; false if the horizon is not one
+/// simple loop, because rounding made the seen facets inconsistent.
 bool ExpandingPolytope::close(int apex) {
+  // One facet for each side of the horizon. Two sides that begin at the same point are no simple loop.
   for (const Side& side : horizon_) {
     if (facet_from_[at(side.from)] >= 0) return false;
     facet_from_[at(side.from)] = add_facet(side.from, side.to, apex);
   }
+  // Link each new facet with the facet that stays beyond the horizon and with the next one of the fan.
   for (const Side& side : horizon_) {
     const int inner = facet_from_[at(side.from)];
     const int next = facet_from_[at(side.to)];
@@ -183,6 +201,7 @@ bool ExpandingPolytope::close(int apex) {
 }
 
 bool ExpandingPolytope::expand(int i, const DifferencePoint& p) {
+  // A support point that is already a corner of the facet cannot raise it.
   for (const int v : facet(i).v) {
     if (point(v).w == p.w) return false;
   }

@@ -13,8 +13,8 @@
 
 namespace rigor {
 
-/// Polytope of triangles inside the difference B - A that grows point by point towards its boundary. Heights
-/// of facets over the origin are signed, so that the origin may be outside.
+/// Polytope of triangles inside the difference B - A that grows point by point towards the boundary of the
+/// difference. The heights of its facets over the origin are signed, so that the origin may be outside.
 class ExpandingPolytope {
  public:
   struct Facet {
@@ -25,9 +25,9 @@ class ExpandingPolytope {
     bool is_removed = false;
   };
 
-  /// Begins with the simplex that a search has found, if it has four points and some volume; else with a
-  /// tetrahedron of points far from each other, the first one lowest along n. If the difference is flat there
-  /// is none, and flat_normal() tells in which direction it has no thickness.
+  /// Begins with the simplex that a search has found, if it has four points and enough volume; otherwise with
+  /// a tetrahedron of points far from each other, the first one lowest along n. A flat difference has no such
+  /// tetrahedron; flat_normal() is then the direction in which it has no thickness.
   ExpandingPolytope(const CorePair& pair, const Vec3& n, std::span<const DifferencePoint> simplex = {});
   ExpandingPolytope(const ExpandingPolytope&) = delete;
   ExpandingPolytope& operator=(const ExpandingPolytope&) = delete;
@@ -35,16 +35,16 @@ class ExpandingPolytope {
   bool is_flat() const { return facets_.empty(); }
   const Vec3& flat_normal() const { return flat_normal_; }
 
-  /// Index of the facet with the smallest height of those below the limit [m] and not set aside; nothing if
-  /// there is none.
+  /// Index of the facet with the smallest height among those below the limit [m] that are not set aside;
+  /// nothing if there is none.
   std::optional<int> lowest_facet(double limit = std::numeric_limits<double>::infinity()) const;
   void set_aside(int facet) { open_heights_[at(facet)] = kClosed; }
   const Facet& facet(int i) const { return facets_[at(i)]; }
   const DifferencePoint& point(int i) const { return points_[at(i)]; }
   std::array<DifferencePoint, 3> corners(int facet) const;
 
-  /// Grows to hold p, which is above the facet. False if rounding allows no closed surface any more: then the
-  /// polytope is of no further use.
+  /// Grows to hold p, which is above the facet. False if rounding permits no closed surface any more; the
+  /// polytope must not be used after that.
   bool expand(int facet, const DifferencePoint& p);
 
  private:

@@ -13,20 +13,22 @@ using Outcome = FeatureWalk::Outcome;
 using Kind = PolytopeFeature::Kind;
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-/// Far more pairs than any walk seen has visited.
+/// Limit of the pairs that one walk visits: far more than any known walk has needed.
 constexpr int kMaxWalkSteps = 400;
 
-/// The neighbour that a feature would give way to, and by how much its plane is violated.
+/// The neighbour that would replace a feature, and by how much the plane between them is violated.
 struct Violation {
   double amount = -std::numeric_limits<double>::infinity();
   int index = -1;
 };
 
+/// The walk from pair to pair of features, until the difference of their nearest points lies in both normal
+/// cones.
 class Walk {
  public:
   Walk(const PolytopePair& pair, const FeaturePair& start, double rounding)
       : pair_(pair), rounding_(rounding), feature_{start.a, start.b} {
-    // A face waits for a vertex.
+    // A face is paired with a vertex only: any other feature gives way to one of its vertices.
     for (const int s : {0, 1}) {
       if (feature_[1 - s].kind == Kind::face && feature_[s].kind != Kind::vertex) go_to_vertex(s);
     }
@@ -49,7 +51,7 @@ class Walk {
   const HalfEdge& half_edge(int s, int h) const { return pair_.graph(s).half_edge(h); }
   const Vec3& vertex(int s, int v) const { return pair_.side(s).vertex(v); }
 
-  /// One visit to the present pair; false when it is the last.
+  /// Visits the present pair; false if it is the last one.
   bool step() {
     const Kind a = feature_[0].kind, b = feature_[1].kind;
     if (a == Kind::edge && b == Kind::edge) return visit_edges();
@@ -71,7 +73,8 @@ class Walk {
     result_.outcome = outcome;
     return false;
   }
-  /// The present pair is the nearest one: d is the difference of its points, along n.
+  /// Ends at the present pair as the nearest one, at this distance along n. It is proved if the violations of
+  /// both cones cost no more than a few roundings.
   bool end_apart(const Vec3& n, double distance, double shortfall) {
     result_.n = n;
     result_.distance = distance;
@@ -80,7 +83,7 @@ class Walk {
     return end(is_proved ? Outcome::apart : Outcome::undecided);
   }
 
-  /// The edge at vertex v of side s that goes farthest along d (in the frame of s).
+  /// The edge at vertex v of side s with the largest slope along d (in the frame of s).
   Violation steepest_spoke(int s, int v, const Vec3& d) const {
     const FeatureGraph& graph = pair_.graph(s);
     Violation worst;
@@ -94,11 +97,13 @@ class Walk {
   bool go_along_spoke(int s, int spoke) {
     return go(s, Kind::edge, pair_.graph(s).spokes[static_cast<std::size_t>(spoke)].half_edge);
   }
-  /// What a violation [m] of a difference of the given length costs in separation, over the whole of side s.
+  /// The separation lost, over the whole of side s, by a violation [m] of a difference of the given length.
   double cost(int s, double violation, double length) const {
     return violation > 0 ? 2 * pair_.side(s).extent() * violation / length : 0;
   }
 
+  /// Two vertices. Each gives way to an edge along which the other vertex comes nearer; if there is none, c
+  /// lies in both normal cones.
   bool visit_vertices() {
     const Vec3& a = vertex(0, feature_[0].index);
     const Vec3 b = pair_.vertex(1, feature_[1].index);
@@ -114,7 +119,7 @@ class Walk {
     return end_apart(c / length, length, cost(0, of_a.amount, length) + cost(1, of_b.amount, length));
   }
 
-  /// A vertex of side s and an edge of the other.
+  /// A vertex of side s and an edge of side t.
   bool visit_vertex_and_edge(int s) {
     const int t = 1 - s;
     const int v = feature_[s].index;
@@ -122,10 +127,13 @@ class Walk {
     const HalfEdge& twin = half_edge(t, edge.twin);
     const Vec3 x = pair_.point_to_other(s, vertex(s, v));
     const Vec3 r = x - vertex(t, edge.from);
+    // The Voronoi planes at the ends: a vertex beyond an end is nearer to that end.
     const double along = r.dot(edge.direction);
     if (along <= 0) return go(t, Kind::vertex, edge.from);
     if ((x - vertex(t, edge.to)).dot(edge.direction) >= 0) return go(t, Kind::vertex, edge.to);
 
+    // The perpendicular from the edge to the vertex, made orthogonal once more. If it leans into a face next
+    // to the edge, that face is nearer, or the perpendicular comes from inside the body.
     Vec3 c = r - along * edge.direction;
     c -= c.dot(edge.direction) * edge.direction;
     const double left = c.dot(edge.side);
@@ -134,6 +142,7 @@ class Walk {
       const int face = face_above(t, edge, twin, c);
       return face >= 0 ? go(t, Kind::face, face) : enter(s, x, x - c);
     }
+    // The vertex gives way to an edge of its own along which side s comes nearer.
     const Violation of_v = steepest_spoke(s, v, -pair_.direction_to_other(t, c));
     if (of_v.amount > rounding_) return go_along_spoke(s, of_v.index);
     const double length = c.norm();
@@ -143,7 +152,8 @@ class Walk {
                      cost(t, std::max(left, right), length) + cost(s, of_v.amount, length));
   }
 
-  /// The face next to the edge that a point at c from it is above and towards; -1 if c goes into the body.
+  /// The face next to the edge that a point at c from the edge is above and beside; -1 if c points into the
+  /// body.
   int face_above(int t, const HalfEdge& edge, const HalfEdge& twin, const Vec3& c) const {
     const FeatureGraph& graph = pair_.graph(t);
     const double left = c.dot(edge.side) > 0 ? graph.normal(edge.face).dot(c) : 0;
@@ -152,7 +162,7 @@ class Walk {
     return left >= right ? edge.face : twin.face;
   }
 
-  /// Nearest points in the frame of side t: x on the other side, y on side t.
+  /// Sets the nearest points: x on side s and y on side t, both in the frame of t.
   void set_points(int s, const Vec3& x, const Vec3& y) {
     const int t = 1 - s;
     const Vec3 x_A = t == 0 ? x : pair_.X_AB() * x;
@@ -161,7 +171,8 @@ class Walk {
     result_.b = s == 0 ? y_A : x_A;
   }
 
-  /// The side of face f of side t that x is outside of and that is nearest to it; -1 if x is over the face.
+  /// Among the sides of face f of side t that x is beyond, the one nearest to x; -1 if x is over the face.
+  /// The nearest one is taken so that the distance cannot rise.
   int side_nearest_to(int t, int f, const Vec3& x) const {
     const FeatureGraph& graph = pair_.graph(t);
     int nearest = -1;
@@ -172,6 +183,7 @@ class Walk {
       const Vec3 r = x - vertex(t, edge.from);
       const double outside = -r.dot(edge.side);
       if (outside <= rounding_) continue;
+      // Squared distance from the side as a segment, within the plane of the face.
       const double past_from = std::max(0.0, -r.dot(edge.direction));
       const double past_to = std::max(0.0, (x - vertex(t, edge.to)).dot(edge.direction));
       const double squared = outside * outside + past_from * past_from + past_to * past_to;
@@ -183,20 +195,24 @@ class Walk {
     return nearest;
   }
 
-  /// A vertex of side s and a face of the other.
+  /// A vertex of side s and a face of side t.
   bool visit_vertex_and_face(int s) {
     const int t = 1 - s;
     const int v = feature_[s].index;
     const int f = feature_[t].index;
     const FeatureGraph& graph = pair_.graph(t);
     const Vec3 x = pair_.point_to_other(s, vertex(s, v));
+    // The Voronoi planes of the face: a vertex beyond a side is nearer to that side.
     const int outside = side_nearest_to(t, f, x);
     if (outside >= 0) return go(t, Kind::edge, outside);
 
+    // Over the face only the height counts. Where the vertex is below it, the segment to its foot comes from
+    // inside the body, and the walk continues where that segment enters.
     const Vec3& normal = graph.normal(f);
     const double height = normal.dot(x - vertex(t, graph.half_edge(graph.first_of_face(f)).from));
     if (std::abs(height) <= rounding_) return end(Outcome::overlapping);
     if (height < 0) return enter(s, x, x - height * normal);
+    // An edge of the vertex that goes down towards the face is followed to where it leaves the face's prism.
     const Violation of_v = steepest_spoke(s, v, -pair_.direction_to_other(t, normal));
     if (of_v.amount > kLevelCosine) {
       go_along_spoke(s, of_v.index);
@@ -207,17 +223,19 @@ class Walk {
     return end_apart((s == 0 ? -1 : 1) * pair_.direction_in_a(t, normal), height, cost(s, of_v.amount, 1));
   }
 
-  /// An edge's rest beyond one of its points.
+  /// The part of an edge beyond one of its points.
   struct Ray {
     int to;          ///< The vertex where it ends.
     Vec3 direction;  ///< In the frame of the other side, unit.
   };
 
-  /// An edge of side s goes from x, which is over face f of the other side, down towards it: on to where it
-  /// leaves the face's prism, or to its end. It overlaps if it meets the face before.
+  /// Clips an edge of side s by the Voronoi planes of face f of side t. From x, which is over the face, the
+  /// edge goes down towards it: it is followed to where it leaves the prism over the face, or to its end. If
+  /// it meets the face first, the bodies overlap.
   bool clip_edge(int s, int f, const Vec3& x, const Ray& ray) {
     const int t = 1 - s;
     const FeatureGraph& graph = pair_.graph(t);
+    // The first plane through which the ray leaves; a start that is outside by rounding leaves at once.
     const Vec3 end_point = pair_.point_to_other(s, vertex(s, ray.to));
     double length = (end_point - x).dot(ray.direction);
     int exit = -1;
@@ -232,6 +250,8 @@ class Walk {
         exit = h;
       }
     }
+    // Height over the face there: an edge that is above leaves to the edge of its exit, or ends over the face
+    // in a vertex.
     const Vec3& corner = vertex(t, graph.half_edge(graph.first_of_face(f)).from);
     const double height = graph.normal(f).dot(x + length * ray.direction - corner);
     if (height <= 0) {
@@ -243,7 +263,8 @@ class Walk {
     return go(s, Kind::vertex, ray.to);
   }
 
-  /// An edge of side s and a face of side t, where x (in the frame of t) is the edge's point to begin with.
+  /// An edge of side s and a face of side t; x (in the frame of t) is the point of the edge from which it is
+  /// clipped. This pair is no state of rest: it becomes another one at once.
   bool visit_edge_and_face(int s, int f, const Vec3& x) {
     const int t = 1 - s;
     const int outside = side_nearest_to(t, f, x);
@@ -254,11 +275,13 @@ class Walk {
     return clip_edge(s, f, x, is_downward ? Ray{edge.to, direction} : Ray{edge.from, -direction});
   }
 
-  /// The point x of side s sees the point y of side t through t's inside: on at the face through which the
-  /// line enters, or x is inside itself. In the frame of t.
+  /// The segment from x of side s to y of side t comes to y from inside t. The walk continues at the face
+  /// through which the segment enters: the entry is nearer to x than y is. If x is above no face it is
+  /// inside, and the bodies overlap. In the frame of t.
   bool enter(int s, const Vec3& x, const Vec3& y) {
     const int t = 1 - s;
     const FeatureGraph& graph = pair_.graph(t);
+    // The entry is the last of the planes that the segment crosses from outside.
     double latest = -1;
     int face = -1;
     for (int f = 0; f < graph.face_count(); ++f) {
@@ -277,6 +300,7 @@ class Walk {
     return go(t, Kind::face, face);
   }
 
+  /// Two edges: the nearest points are the feet of the common perpendicular, if both are inside.
   bool visit_edges() {
     const HalfEdge& edge_a = half_edge(0, feature_[0].index);
     const HalfEdge& edge_b = half_edge(1, feature_[1].index);
@@ -287,6 +311,7 @@ class Walk {
     const Vec3 r = b_from - vertex(0, edge_a.from);
     if (squared < kParallelAngle * kParallelAngle) return leave_edges(0, 0.0);
 
+    // Feet of the common perpendicular on both lines.
     const double along_a = r.cross(direction_b).dot(cross) / squared;
     const double along_b = r.cross(edge_a.direction).dot(cross) / squared;
     const double length_a = (vertex(0, edge_a.to) - vertex(0, edge_a.from)).dot(edge_a.direction);
@@ -294,6 +319,8 @@ class Walk {
     const bool is_inside = along_a > 0 && along_a < length_a && along_b > 0 && along_b < length_b;
     if (!is_inside) return leave_edges(squared, along_a);
 
+    // Its direction from A to B, made orthogonal to A's edge once more, so that a small angle between the
+    // edges does not matter.
     Vec3 n = cross / std::sqrt(squared);
     n -= n.dot(edge_a.direction) * edge_a.direction;
     double distance = n.dot(r);
@@ -307,7 +334,8 @@ class Walk {
     return judge_edges(n, distance);
   }
 
-  /// The edges' common perpendicular meets both: is it in the normal cones of both?
+  /// The common perpendicular meets both edges: checks whether it lies in the normal cones of both. An edge
+  /// that is violated gives way to the face towards which the perpendicular leans.
   bool judge_edges(const Vec3& n, double distance) {
     double shortfall = 0;
     for (const int s : {0, 1}) {
@@ -325,8 +353,8 @@ class Walk {
     return end_apart(n, distance, shortfall);
   }
 
-  /// The nearest points of the two edges are not inside both: the edge that it is not inside of gives way to
-  /// its end there. `along` is where on A's edge the lines are nearest (if they are not parallel).
+  /// The nearest points of the two lines are not inside both edges: an edge that they are beyond gives way to
+  /// its end there. `along` is where on A's line the lines are nearest (if they are not parallel).
   bool leave_edges(double squared_sine, double along) {
     const HalfEdge& edge_a = half_edge(0, feature_[0].index);
     const HalfEdge& edge_b = half_edge(1, feature_[1].index);
@@ -341,6 +369,8 @@ class Walk {
     const auto foot_on_b = [&](double lambda) {
       return direction_b.dot(a_from + lambda * edge_a.direction - b_from);
     };
+    // Nearest points of two segments: clamp the foot on A's line to the edge, take its foot on B's, and,
+    // where that is beyond B's edge, the foot of B's end on A's.
     double lambda = squared_sine > 0 ? std::clamp(along, 0.0, length_a) : 0.0;
     double mu = foot_on_b(lambda);
     if (mu <= 0 || mu >= length_b) {
@@ -349,7 +379,8 @@ class Walk {
       go(1, Kind::vertex, mu <= 0 ? edge_b.from : edge_b.to);
     }
     if (lambda <= 0 || lambda >= length_a) go(0, Kind::vertex, lambda <= 0 ? edge_a.from : edge_a.to);
-    // Both feet inside to rounding only: the end of A's edge that is nearer to where the lines meet.
+    // Where both feet are inside after all, by rounding, A's edge gives way to its end nearer to where the
+    // lines meet, so that the walk moves on.
     if (feature_[0].kind == Kind::edge && feature_[1].kind == Kind::edge)
       go(0, Kind::vertex, 2 * lambda < length_a ? edge_a.from : edge_a.to);
     return true;

@@ -11,19 +11,20 @@ namespace {
 using HalfEdge = FeatureGraph::HalfEdge;
 using Kind = PolytopeFeature::Kind;
 
-/// Far more faces than any climb seen has visited.
+/// Limit of the steps of one climb: far more faces than any known climb has visited.
 constexpr int kMaxClimbSteps = 400;
-/// Faces visited without gain, as among coplanar ones, before the climb ends.
+/// Number of faces visited in a row without gain, as among coplanar ones, after which the climb ends.
 constexpr int kMaxLevelSteps = 12;
 
-/// The outward direction n_t of side t as one of the other side.
+/// The outward direction of the other side that belongs to the outward direction n_t of side t, in the other
+/// side's frame.
 Vec3 seen_from_other(const PolytopePair& pair, int t, const Vec3& n_t) {
   return -pair.direction_to_other(t, n_t);
 }
 
-/// The outward direction of one polytope goes along an arc, linear in t, from u0 to u1 and leaves the region
-/// of vertex v on the Gauss map: the half-edge from v whose arc it crosses first, and where; -1 if it stays.
-/// The edge `skipped` is not looked at.
+/// Where the outward direction of one polytope, on its way from u0 to u1 (linear in t), leaves the region of
+/// vertex v on the Gauss map: the half-edge from v whose arc it crosses first, and the parameter t; -1 if it
+/// stays inside. The edge `skipped` is ignored.
 struct Crossing {
   int half_edge = -1;
   double t = std::numeric_limits<double>::infinity();
@@ -33,6 +34,8 @@ Crossing first_crossing(const FeatureGraph& graph, int v, const Vec3& u0, const 
   const int last = graph.first_of_vertex(v + 1);
   for (int k = graph.first_of_vertex(v); k < last; ++k) {
     const FeatureGraph::Spoke& spoke = graph.spokes[at(k)];
+    // Inside the region every edge from v points downward along u. The arc of an edge is crossed where its
+    // slope becomes zero; a slope that begins above zero, by rounding, is crossed at once.
     const double at_end = spoke.direction.dot(u1);
     if (at_end <= kLevelCosine || spoke.half_edge == skipped) continue;
     const double at_start = std::min(0.0, spoke.direction.dot(u0));
@@ -46,12 +49,13 @@ Crossing first_crossing(const FeatureGraph& graph, int v, const Vec3& u0, const 
 struct Arc {
   int t;
   int half_edge;
-  int face;   ///< At its end.
-  Vec3 from;  ///< Outward directions of the other side.
+  int face;   ///< The face whose normal is the end of the arc.
+  Vec3 from;  ///< Start and end, as outward directions of the other side.
   Vec3 to;
 };
 
-/// The face of the difference that the arc meets first while v is the other side's farthest vertex.
+/// The first face of the difference along the arc, while v is the farthest vertex of the other side: a pair
+/// of edges if the arc crosses one of the other side's arcs, otherwise the face at its end over v.
 std::array<PolytopeFeature, 2> face_on_arc(const PolytopePair& pair, const Arc& arc, int v,
                                            int skipped = -1) {
   const Crossing crossing = first_crossing(pair.graph(1 - arc.t), v, arc.from, arc.to, skipped);
@@ -64,6 +68,7 @@ std::array<PolytopeFeature, 2> face_on_arc(const PolytopePair& pair, const Arc& 
   return features;
 }
 
+/// The climb from face to face of the difference to a local maximum of the separation.
 class Climb {
  public:
   Climb(const PolytopePair& pair, const FeaturePair& start, double rounding)
@@ -71,6 +76,8 @@ class Climb {
 
   GaussPoint run() {
     if (!is_face_of_difference()) reseed(pair_.X_AB().p.squaredNorm() > 0 ? pair_.X_AB().p : Vec3::UnitX());
+    // Every visit evaluates the present face and moves to the neighbour where the separation grows. Coplanar
+    // faces bring no gain beyond rounding; after a few of them the climb ends rather than circle.
     int level_steps = 0;
     for (int step = 0; step < kMaxClimbSteps && level_steps < kMaxLevelSteps; ++step) {
       const bool is_last = visit();
@@ -80,6 +87,7 @@ class Climb {
       } else {
         ++level_steps;
       }
+      // A true maximum is preferred to a face of the same separation to rounding: it has witnesses.
       if (here_.separation > best_.separation ||
           (is_last && here_.separation >= best_.separation - rounding_)) {
         const int steps = best_.steps;
@@ -100,6 +108,7 @@ class Climb {
            (a == Kind::vertex && b == Kind::face);
   }
 
+  /// Begins again at the face uphill from n.
   void reseed(const Vec3& n) {
     const std::array<int, 2> start = {feature_[0].kind == Kind::vertex ? feature_[0].index : 0,
                                       feature_[1].kind == Kind::vertex ? feature_[1].index : 0};
@@ -108,7 +117,8 @@ class Climb {
     feature_[1] = pair.b;
   }
 
-  /// Evaluates the present face and moves on; true if it is a local maximum, or there is no way on.
+  /// Evaluates the present face and moves to the next; true if the face is a local maximum, or if no next
+  /// face is known.
   bool visit() {
     here_ = {};
     here_.features = {feature_[0], feature_[1]};
@@ -116,17 +126,20 @@ class Climb {
     return visit_face(feature_[0].kind == Kind::vertex ? 0 : 1);
   }
 
-  /// A vertex of side s under a face of the other.
+  /// A face of the other side, t, over the farthest vertex of side s.
   bool visit_face(int s) {
     const int t = 1 - s;
     const FeatureGraph& graph = pair_.graph(t);
     const int f = feature_[t].index;
+    // The Gauss map decides which vertex is under the face: the farthest one along the reversed normal.
     const Vec3& normal = graph.normal(f);
     const Vec3 outward = seen_from_other(pair_, t, normal);
     const int v = pair_.side(s).farthest(outward, feature_[s].index);
     feature_[s].index = v;
     const Vec3 x = pair_.point_to_other(s, vertex(s, v));
 
+    // The face is a maximum if the vertex projects into it. Otherwise the separation grows across the side
+    // that the projection is farthest beyond.
     int crossed = -1;
     double worst = rounding_;
     const int last = graph.first_of_face(f + 1);
@@ -138,11 +151,13 @@ class Climb {
         crossed = h;
       }
     }
+    // The separation along the normal, and the witnesses: the vertex and its projection.
     const double height = normal.dot(x - vertex(t, graph.half_edge(graph.first_of_face(f)).from));
     set_here(s, height, x, x - height * normal, crossed < 0);
     here_.n = (s == 0 ? -1 : 1) * pair_.direction_in_a(t, normal);
     if (crossed < 0) return true;
 
+    // On the Gauss map, crossing a side means following its arc towards the normal of the face beyond it.
     const int next = graph.half_edge(graph.half_edge(crossed).twin).face;
     go_along({t, crossed, next, outward, seen_from_other(pair_, t, graph.normal(next))}, v);
     return false;
@@ -154,7 +169,7 @@ class Climb {
     feature_[1] = next[1];
   }
 
-  /// x on side s and y on side t, in the frame of t.
+  /// Sets the present point: x on side s and y on side t, both in the frame of t.
   void set_here(int s, double separation, const Vec3& x, const Vec3& y, bool is_maximum) {
     const Vec3 x_A = s == 1 ? x : pair_.X_AB() * x;
     const Vec3 y_A = s == 1 ? y : pair_.X_AB() * y;
@@ -165,7 +180,9 @@ class Climb {
     here_.b = s == 0 ? y_A : x_A;
   }
 
+  /// Two edges whose arcs cross on the Gauss map: their common perpendicular is a normal of the difference.
   bool visit_edges() {
+    // Parallel edges have arcs that coincide or do not meet, and no perpendicular of their own.
     const HalfEdge* const edge[2] = {&pair_.graph(0).half_edge(feature_[0].index),
                                      &pair_.graph(1).half_edge(feature_[1].index)};
     const Vec3& d_a = edge[0]->direction;
@@ -175,12 +192,16 @@ class Climb {
     if (squared < kParallelAngle * kParallelAngle)
       return leave_to(pair_.direction_in_a(0, mean_normal(0, *edge[0])));
 
+    // The common perpendicular, made orthogonal to A's edge a second time, because edges at a small angle
+    // lose digits in the cross product; then directed outward from A. If it is not on both arcs, the pair is
+    // no face of the difference at the present pose.
     Vec3 n = cross / std::sqrt(squared);
     n -= n.dot(d_a) * d_a;
     if (n.dot(edge[0]->side + pair_.graph(0).half_edge(edge[0]->twin).side) > 0) n = -n;
     const Vec3 outward[2] = {n, seen_from_other(pair_, 0, n)};
     if (!is_on_arc(0, *edge[0], outward[0]) || !is_on_arc(1, *edge[1], outward[1])) return leave_to(n);
 
+    // The separation and the feet of the common perpendicular on both lines.
     const Vec3 b_from = pair_.vertex(1, edge[1]->from);
     const Vec3 r = b_from - vertex(0, edge[0]->from);
     const double along[2] = {r.cross(d_b).dot(cross) / squared, r.cross(d_a).dot(cross) / squared};
@@ -189,6 +210,8 @@ class Climb {
     here_.a = vertex(0, edge[0]->from) + along[0] * d_a;
     here_.b = b_from + along[1] * d_b;
 
+    // The pair is a maximum if both feet are inside their edges. Otherwise the climb leaves beyond the end
+    // that a foot is farthest past.
     int side = -1;
     bool is_at_end = false;
     double worst = rounding_;
@@ -218,7 +241,8 @@ class Climb {
            outward.dot(pair_.graph(s).half_edge(edge.twin).side) <= kLevelCosine;
   }
 
-  /// The present pair is no face of the difference: on with one near n. Only once, so that the climb ends.
+  /// The present pair is no face of the difference: continues with one near n. This is done only once, so
+  /// that the climb ends.
   bool leave_to(const Vec3& n) {
     if (is_reseeded_) return true;
     is_reseeded_ = true;
@@ -226,13 +250,15 @@ class Climb {
     return false;
   }
 
-  /// Beyond one end of the edge of side s: along the arc of the other edge, to the side on which that end is
-  /// the farthest vertex.
+  /// Leaves beyond one end of the edge of side s: follows the arc of the other edge in the direction in which
+  /// that end is the farthest vertex.
   void leave_edge(int s, bool is_at_end, const HalfEdge& other, const Vec3& outward) {
     const int t = 1 - s;
     const FeatureGraph& graph = pair_.graph(s);
     const int half = is_at_end ? graph.half_edge(feature_[s].index).twin : feature_[s].index;
     const HalfEdge& edge = graph.half_edge(half);  // leaves the vertex
+    // Of the two ends of the other edge's arc, the one along which the edge of side s falls away from the
+    // vertex.
     const int faces[2] = {other.face, pair_.graph(t).half_edge(other.twin).face};
     const Vec3 ends[2] = {seen_from_other(pair_, t, pair_.graph(t).normal(faces[0])),
                           seen_from_other(pair_, t, pair_.graph(t).normal(faces[1]))};
@@ -255,14 +281,16 @@ FeaturePair face_uphill(const PolytopePair& pair, const Vec3& n, const std::arra
   const int vertex[2] = {pair.side(0).farthest(n, start[0]), pair.side(1).farthest(n_B, start[1])};
   const Vec3 c = pair.vertex(1, vertex[1]) - pair.side(0).vertex(vertex[0]);
 
-  // Uphill, along a great circle, to the first edge of either Gauss map. Where the bodies overlap there is
-  // one before the separation is zero, a right angle away.
+  // The gradient of s on the sphere is c without its part along n. Uphill, along a great circle, to the first
+  // arc of either Gauss map. Where the bodies overlap there is one before the separation reaches zero, a
+  // right angle away.
   const Vec3 uphill = c - n.dot(c) * n;
   const Crossing crossing[2] = {
       first_crossing(pair.graph(0), vertex[0], n, uphill),
       first_crossing(pair.graph(1), vertex[1], n_B, seen_from_other(pair, 0, uphill))};
   const int t = crossing[0].t <= crossing[1].t ? 0 : 1;
   const FeatureGraph& graph = pair.graph(t);
+  // Without a crossing, as where c is along n, any face at A's vertex is a start.
   if (crossing[t].half_edge < 0) {
     const FeatureGraph& graph_a = pair.graph(0);
     const std::size_t spoke = at(graph_a.first_of_vertex(vertex[0]));
@@ -271,7 +299,8 @@ FeaturePair face_uphill(const PolytopePair& pair, const Vec3& n, const std::arra
   }
   const Vec3 here = (1 - crossing[t].t) * n + crossing[t].t * uphill;
 
-  // Uphill along its arc.
+  // Uphill along that arc, to its end or to the first crossing with an arc of the other body. The direction
+  // is the one in which s grows on the arc.
   const HalfEdge& edge = graph.half_edge(crossing[t].half_edge);
   const int faces[2] = {edge.face, graph.half_edge(edge.twin).face};
   const Vec3 gradient = c - here.dot(c) / here.squaredNorm() * here;

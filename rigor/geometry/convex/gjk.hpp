@@ -8,7 +8,7 @@
 
 namespace rigor {
 
-/// Where the search for the point of the difference B - A nearest to the origin stands. Every separation and
+/// State of the search for the point of the difference B - A nearest to the origin. Every separation and
 /// every length seen is a bound: separation ≤ distance ≤ upper, to rounding.
 struct GjkState {
   enum class Outcome {
@@ -22,15 +22,15 @@ struct GjkState {
   double upper = std::numeric_limits<double>::infinity();  ///< |nearest.v| [m].
   double separation =
       -std::numeric_limits<double>::infinity();  ///< Largest n · w of any support point seen [m].
-  Vec3 n = Vec3::UnitX();                        ///< The unit direction that has it: from A to B.
+  Vec3 n = Vec3::UnitX();                        ///< The unit direction of that separation, from A to B.
   int iterations = 0;
 };
 
-/// First point of the search, along the line of the origins.
+/// First support point of the search, along the line through the origins of the frames.
 GjkState start_gjk(const CorePair& pair);
 
-/// Goes on until upper - separation ≤ tolerance [m], or until it cannot. Can be called again with a smaller
-/// tolerance.
+/// Iterates until upper - separation ≤ tolerance [m], or until no further progress is possible. May be called
+/// again with a smaller tolerance, and then continues.
 ///
 /// Source: Gilbert, Johnson and Keerthi, A Fast Procedure for Computing the Distance Between Complex Objects
 /// in Three-Dimensional Space, IEEE J. Robotics and Automation 4(2), 1988.

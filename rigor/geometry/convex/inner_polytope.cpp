@@ -9,13 +9,14 @@ bool InnerPolytope::begin(const std::array<Name, 3>& triangle, const Vec3& n) {
   point_count_ = 0;
   facet_count_ = 0;
   removed_count_ = 0;
+  // The triangle and the support point on the other side of the origin.
   for (const Name& name : triangle) add_point(name[0], name[1]);
   add_point(pair_.side(0).farthest(-n, triangle[0][0]),
             pair_.side(1).farthest(pair_.direction_from_a(1, n), triangle[0][1]));
   const Vec3 &p = points_[0], &q = points_[1], &r = points_[2], &s = points_[3];
   const double volume = (q - p).cross(r - p).dot(s - p);
   if (volume == 0) return false;
-  // Outward orientation: facet k leaves out point k.
+  // Outward orientation: facet k is opposite to point k.
   if (volume > 0) {
     facets_[0] = {{1, 2, 3}, {3, 1, 2}};
     facets_[1] = {{0, 3, 2}, {2, 0, 3}};
@@ -37,6 +38,8 @@ bool InnerPolytope::begin(const std::array<Name, 3>& triangle, const Vec3& n) {
 }
 
 bool InnerPolytope::begin(const CachedProof& proof) {
+  // The points are names of vertices, so that the former surface moves with the bodies. It is still a proof
+  // if all its facets face outward at the present poses; its topology, closed and oriented, is as before.
   point_count_ = 0;
   removed_count_ = 0;
   facet_count_ = proof.facet_count;
@@ -69,8 +72,8 @@ int InnerPolytope::add_point(int a, int b) {
   return point_count_++;
 }
 
-/// Normal and height of a facet: whatever the rounding of the normal, no corner is lower than the height.
-/// False if it has no area.
+/// Computes normal and height of a facet. The height is that of the lowest corner, so that it is a lower
+/// bound whatever the rounding of the normal. False if the facet has no area.
 bool InnerPolytope::measure(int facet) {
   const Facet& f = facets_[at(facet)];
   const Vec3 &p = points_[at(f.corners[0])], &q = points_[at(f.corners[1])], &r = points_[at(f.corners[2])];
@@ -83,9 +86,12 @@ bool InnerPolytope::measure(int facet) {
   return true;
 }
 
-/// Marks the facets that w is clearly above as removed and lists the sides around them.
+/// Marks as removed the facets that w is clearly above, spreading from the given one, and collects the
+/// horizon around them. False if there is no room or no horizon.
 bool InnerPolytope::find_visible(int facet, const Vec3& w) {
   horizon_count_ = 0;
+  // Breadth first across the sides of visible facets; `removed_` is the queue, and later the list of free
+  // places.
   const int first = removed_count_;
   is_removed_[at(facet)] = true;
   removed_[at(removed_count_++)] = facet;
@@ -100,6 +106,7 @@ bool InnerPolytope::find_visible(int facet, const Vec3& w) {
       removed_[at(removed_count_++)] = other;
     }
   }
+  // The horizon: sides between a removed facet and one that stays.
   for (int i = first; i < removed_count_; ++i) {
     const Facet& f = facets_[at(removed_[at(i)])];
     for (std::size_t k = 0; k < 3; ++k) {
@@ -110,14 +117,17 @@ bool InnerPolytope::find_visible(int facet, const Vec3& w) {
   return horizon_count_ >= 3;
 }
 
-/// Triangles from the horizon to the apex. False if the horizon is not one loop.
+/// Closes the surface with triangles from the horizon to the apex. False if the horizon is not one loop.
 bool InnerPolytope::close(int apex) {
+  // Each point of the horizon must begin one side only.
   for (int i = 0; i < point_count_; ++i) side_from_[at(i)] = -1;
   for (int i = 0; i < horizon_count_; ++i) {
     int& side = side_from_[at(horizon_[at(i)].from)];
     if (side >= 0) return false;
     side = i;
   }
+  // Follow the loop side by side. Each side gives one triangle, linked with the facet beyond the horizon and
+  // with the triangle before it; the loop must close after the last side and not sooner.
   int before = -1, first = -1, side = 0;
   for (int i = 0; i < horizon_count_; ++i) {
     const Side& s = horizon_[at(side)];
@@ -151,7 +161,7 @@ void InnerPolytope::store(CachedProof& proof) const {
   proof.point_count = 0;
   proof.facet_count = 0;
   if (facet_count_ - removed_count_ > CachedProof::kMaxFacets) return;
-  // Points and facets that are in use, numbered anew.
+  // Only points and facets in use are stored, and are renumbered.
   std::array<int, kMaxPoints> point_number;
   point_number.fill(-1);
   std::array<std::uint8_t, kMaxFacets> facet_number;

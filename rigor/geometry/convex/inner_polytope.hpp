@@ -8,8 +8,8 @@
 
 namespace rigor {
 
-/// Vertices of the difference B - A, by the vertices of A and B, and triangles over them that closed around
-/// the origin: what is left of a proof, to begin the next one nearby with.
+/// Vertices of the difference B - A, named by the vertices of A and B, and triangles over them that enclosed
+/// the origin: an earlier proof, with which the next one nearby can begin.
 struct CachedProof {
   static constexpr int kMaxPoints = 40;
   static constexpr int kMaxFacets = 2 * kMaxPoints - 4;
@@ -24,20 +24,21 @@ struct CachedProof {
 
 /// Closed surface of triangles whose corners are points of the difference B - A of two overlapping polytopes,
 /// in the frame of A. If the heights of all facets over the origin are at least h > 0, the ball of radius h
-/// lies inside the difference: its triangles all turn the same way as seen from the origin, so that they wind
-/// around all of the ball, and nothing outside a convex set can be wound around by its points. So no
-/// direction parts the bodies by less than h. Convexity of the surface is not needed.
+/// lies inside the difference: all triangles have the same orientation as seen from the origin, so that the
+/// surface winds around every point of the ball, and points of a convex set cannot wind around a point
+/// outside it. So no direction separates the bodies by a translation shorter than h. The surface need not be
+/// convex.
 class InnerPolytope {
  public:
   InnerPolytope(const PolytopePair& pair, double rounding) : pair_(pair), rounding_(rounding) {}
 
-  /// Vertices of A and of B.
+  /// A point of the difference, by its vertex of A and its vertex of B.
   using Name = std::array<int, 2>;
 
-  /// Begins with a tetrahedron: a triangle, in which the origin's foot should lie, and the point farthest
-  /// from it, along n. False if that is flat.
+  /// Begins with a tetrahedron: a triangle, which should hold the foot of the origin, and the point farthest
+  /// from it, along n. False if the tetrahedron is flat.
   bool begin(const std::array<Name, 3>& triangle, const Vec3& n);
-  /// Begins with a former proof at the present poses; false if it is none any more.
+  /// Begins with an earlier proof at the present poses; false if it is no longer one.
   bool begin(const CachedProof& proof);
 
   /// The facet with the smallest height.
@@ -45,14 +46,14 @@ class InnerPolytope {
   double height(int facet) const { return heights_[at(facet)]; }
   /// Outward unit normal.
   const Vec3& normal(int facet) const { return normals_[at(facet)]; }
-  /// Vertices of A and B that make the facet's first corner.
+  /// Vertices of A and B whose difference is the facet's first corner.
   const Name& corner(int facet) const { return names_[at(facets_[at(facet)].corners[0])]; }
 
-  /// Grows to hold the difference of vertices `b` - `a`, which is above the facet. False if there is no room
-  /// or rounding allows no closed surface; then the polytope is of no further use.
+  /// Grows to hold the difference `b` - `a` of two vertices, which is above the facet. False if there is no
+  /// room or rounding permits no closed surface; the polytope must not be used after that.
   bool expand(int facet, int a, int b);
 
-  /// Leaves the proof for later; nothing if it is too large.
+  /// Stores the proof for the next query; stores none if it is too large.
   void store(CachedProof& proof) const;
 
  private:

@@ -9,8 +9,8 @@
 namespace rigor {
 namespace {
 
-/// All points of a core that are farthest along d to `tolerance`: a disk about z, or the hull of a few
-/// points.
+/// All points of a core that are farthest along d, to `tolerance` [m]: a disk about z, or the convex hull of
+/// a few points.
 class LevelFace {
  public:
   LevelFace(const ConvexCore& core, const Vec3& d, double tolerance) {
@@ -27,7 +27,7 @@ class LevelFace {
         add_level_pieces(core, static_cast<int>(core.points.size()), d, tolerance);
         return;
       case ConvexCore::Kind::rings: {
-        // The cap that looks along d is level as a whole; else points of the rings are.
+        // The cap that faces d is level as a whole if its rim is; otherwise points of the rings are.
         const Ring end = ring_of(core, d.z() > 0 ? ring_count(core) - 1 : 0);
         is_disk_ = end.radius > 0 && end.radius * d.head<2>().norm() <= tolerance;
         if (!is_disk_) add_level_pieces(core, ring_count(core), d, tolerance);
@@ -46,6 +46,7 @@ class LevelFace {
 
  private:
   void add_level_pieces(const ConvexCore& core, int count, const Vec3& d, double tolerance) {
+    // Pieces within the tolerance of the farthest point are level with it.
     const double top = d.dot(core_support(core, d).p);
     for (int i = 0; i < count; ++i) {
       const Vec3 p = piece_point(core, i, d);
@@ -62,6 +63,7 @@ class LevelFace {
 }  // namespace
 
 Separation with_level_witnesses(const CorePair& pair, const Separation& separation) {
+  // The faces that are level along n, as cores of their own.
   const LevelFace face_a(pair.a, separation.n, pair.rounding);
   const LevelFace face_b(pair.b, pair.X_AB.R.transpose() * -separation.n, pair.rounding);
   const ConvexCore a = face_a.core();
@@ -69,9 +71,11 @@ Separation with_level_witnesses(const CorePair& pair, const Separation& separati
   const Pose X_AB = pair.X_AB * face_b.pose();
   const Vec3 p_A = face_a.pose().p;
   const CorePair faces(a, b, {X_AB.R, X_AB.p - p_A});
+  // The nearest points of the two faces, to the last digit: tolerance zero.
   GjkState gjk = start_gjk(faces);
   advance_gjk(faces, 0, gjk);
 
+  // The witnesses, moved back from the frame of A's face to that of A.
   Separation result{separation.n, separation.value, p_A, p_A};
   for (int i = 0; i < gjk.nearest.count; ++i) {
     const std::size_t k = at(i);

@@ -19,14 +19,16 @@ double larger_eigenvalue(const Mat2& m) {
   return m(0, 0) + m(1, 1) - smaller_eigenvalue(m);
 }
 
-/// Halvings of the range of cosines.
+/// Number of bisections of the range of cosines.
 constexpr int kHalvings = 8;
 
-/// An ellipsoid as seen along d; a side that is none adds no roundness.
+/// One side of the pair as seen along d. Only an ellipsoid adds roundness.
 class RoundSide {
  public:
   RoundSide(const ConvexCore& core, const Vec3& d, const Tangents& tangents) {
     if (core.kind != ConvexCore::Kind::ellipsoid) return;
+    // h_E is the support value along d, t the part of the support point across d; the radii of curvature in
+    // the tangent plane are (E² - t tᵀ) / h_E.
     largest_ = core.size.maxCoeff();
     smallest_ = core.size.minCoeff();
     const Vec3 p = core_support(core, d).p;
@@ -38,8 +40,8 @@ class RoundSide {
     radii_ = (squares - across * across.transpose()) / h_;
   }
 
-  /// A matrix below the radii of curvature along the great circles through d, anywhere within the angle: on
-  /// each of them the radius goes as 1 / h^3.
+  /// A lower bound of the radii of curvature along the great circles through d, anywhere within the angle: on
+  /// each circle the radius goes as 1 / h_E³, and h_E(θ)² ≤ h_E² + sin²θ (a² - h_E²) + sin 2θ h_E |t|.
   Mat2 radii_within(double cosine, double sine) const {
     if (h_ == 0) return Mat2::Zero();
     const double twice = cosine * cosine < 0.5 ? 1 : 2 * sine * cosine;
@@ -49,6 +51,7 @@ class RoundSide {
     return ratio * ratio * ratio * radii_;
   }
 
+  /// The smallest radius of curvature of the ellipsoid, c²/a.
   double radius_anywhere() const { return h_ == 0 ? 0 : smallest_ * smallest_ / largest_; }
 
  private:
@@ -71,9 +74,11 @@ double cap_cosine(const CorePair& pair, const Separation& maximum) {
   const RoundSide a(pair.a, maximum.n, tangents);
   const RoundSide b(pair.b, R_BA * -maximum.n, R_BA * tangents);
   const double needed = -maximum.value + pair.rounding;
+  // Where even the smallest radii of curvature c²/a sum to the depth, the cap is the whole sphere.
   if (a.radius_anywhere() + b.radius_anywhere() >= needed) return -1;
 
-  // The radii shrink as the cap grows.
+  // By Sturm's comparison no direction within the angle is better if the radii of curvature there are at
+  // least the depth. Their bound falls as the cap grows, so that bisection finds the largest cap.
   double proved = 1;
   double unproved = 0;
   for (int i = 0; i < kHalvings; ++i) {

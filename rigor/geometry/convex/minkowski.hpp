@@ -7,7 +7,7 @@
 
 namespace rigor {
 
-/// A point of the difference {b - a : a in A, b in B} on its boundary, expressed in A.
+/// A point on the boundary of the difference {b - a : a in A, b in B}, expressed in A.
 struct DifferencePoint {
   Vec3 w;       ///< b - a [m].
   Vec3 a;       ///< Point of A [m].
@@ -16,13 +16,13 @@ struct DifferencePoint {
   int piece_b;
 };
 
-/// Two cores in the frame of A, and how well numbers about them can be known. The origin of the difference is
-/// at distance d from it exactly if the cores are d apart.
+/// Two cores in the frame of A, and the rounding of lengths computed from them. The distance of the origin
+/// from the difference is the distance of the cores.
 struct CorePair {
   const ConvexCore& a;
   const ConvexCore& b;
   Pose X_AB;
-  /// No separation computed from support points is wrong by more [m]: some 20 roundings of the largest
+  /// Bound of the error of any separation computed from support points [m]: some 20 roundings of the largest
   /// length.
   double rounding;
 
@@ -33,8 +33,8 @@ struct CorePair {
         rounding(10 * std::numeric_limits<double>::epsilon() *
                  (pose_AB.p.norm() + core_a.extent + core_b.extent)) {}
 
-  /// The point of the difference with the smallest n · w: n · w is the separation along n. `near` is a point
-  /// found before, where the search may begin.
+  /// The support point of the difference: the one with the smallest n · w, which is the separation along n.
+  /// `near` is an earlier point, from which the search may begin.
   DifferencePoint lowest(const Vec3& n, const DifferencePoint* near = nullptr) const {
     const CorePoint in_a = core_support(a, n, near ? near->piece_a : 0);
     const Vec3 d_B = X_AB.R.transpose() * -n;

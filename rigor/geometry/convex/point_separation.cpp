@@ -9,7 +9,7 @@ namespace {
 
 using Kind = ConvexCore::Kind;
 
-/// Signed distance of a point from a surface and the outward unit normal that leads there.
+/// Signed distance of a point from a surface, and the outward unit normal along which it is measured.
 struct Height {
   double value;
   Vec3 normal;
@@ -27,6 +27,7 @@ Height over_segment(double half_length, const Vec3& p) {
 }
 
 Height over_box(const Vec3& half_extents, const Vec3& p) {
+  // Inside, the nearest face decides; outside, the nearest point of the box.
   const Vec3 over_faces = p.cwiseAbs() - half_extents;
   Eigen::Index axis = 0;
   const double highest = over_faces.maxCoeff(&axis);
@@ -51,6 +52,8 @@ Height over_cylinder(double radius, double half_length, const Vec3& p) {
   const double over_side = at.rho - radius;
   const double over_cap = std::abs(at.z) - half_length;
   const double up = at.z >= 0 ? 1 : -1;
+  // Beyond both side and cap the rim is nearest; otherwise the side or the cap over which the point is
+  // higher.
   if (over_side > 0 && over_cap > 0) return over_point(at.vector(over_side, up * over_cap));
   if (over_side > over_cap) return {over_side, at.radial};
   return {over_cap, Vec3(0, 0, up)};
@@ -58,6 +61,7 @@ Height over_cylinder(double radius, double half_length, const Vec3& p) {
 
 Height over_cone(double radius, double half_length, const Vec3& p) {
   const Meridian at(p);
+  // Heights over the side, whose normal in the half-plane is (length, radius) / slant, and over the base.
   const double length = 2 * half_length;
   const double slant = std::sqrt(radius * radius + length * length);
   const double below_apex = half_length - at.z;
@@ -67,18 +71,20 @@ Height over_cone(double radius, double half_length, const Vec3& p) {
   const Height base{over_base, Vec3(0, 0, -1)};
   if (over_side <= 0 && over_base <= 0) return over_side > over_base ? side : base;
 
+  // Below the base: the base itself or its rim.
   if (over_base > 0) {
     return at.rho <= radius ? base : over_point(at.vector(at.rho - radius, -over_base));
   }
-  // Along the side from the apex (0) to the rim (1).
+  // Beside the cone: the apex, the rim or the side, by the position along the side from the apex (0) to the
+  // rim (1).
   const double along = (at.rho * radius + below_apex * length) / (slant * slant);
   if (along <= 0) return over_point(at.vector(at.rho, -below_apex));
   if (along >= 1) return over_point(at.vector(at.rho - radius, -over_base));
   return side;
 }
 
-/// Of the flat and conical sides of a solid of revolution: along the border of its half section, from the
-/// axis below around the rings to the axis above.
+/// Height over the flat and conical sides of a solid of revolution, along the border of its half section:
+/// from the axis at the bottom around the rings to the axis at the top.
 Height over_rings(std::span<const Ring> rings, const Vec3& p) {
   const Meridian at(p);
   const std::size_t count = rings.size();

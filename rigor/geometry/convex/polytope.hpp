@@ -11,11 +11,11 @@ namespace rigor {
 
 /// Direction cosines below this are zero to rounding.
 inline constexpr double kLevelCosine = 8 * kEpsilon;
-/// Edges at a smaller angle [rad] are parallel: their common perpendicular is lost in rounding.
+/// Edges at a smaller angle [rad] count as parallel: their common perpendicular is lost in rounding.
 inline constexpr double kParallelAngle = 1e-13;
 
-/// A box or a convex polyhedron with its features. Owns nothing of a hull, which must outlive it; the corners
-/// of a box are kept here.
+/// A box or a convex polyhedron with its features. It owns nothing of a hull, which must outlive it; the
+/// corners of a box are stored here.
 class Polytope {
  public:
   explicit Polytope(const Box& box);
@@ -27,15 +27,16 @@ class Polytope {
   bool is_box() const { return vertices_ == corners_.data(); }
   const FeatureGraph& graph() const { return *graph_; }
   const Vec3& vertex(int v) const { return vertices_[v]; }
-  /// No vertex is farther from the origin of the frame [m].
+  /// Largest distance of a vertex from the origin of the frame [m].
   double extent() const { return extent_; }
 
-  /// Farthest vertex along d, by climbing from vertex `start`.
+  /// Farthest vertex along d, by hill climbing from vertex `start`.
   int farthest(const Vec3& d, int start) const {
     double height = d.dot(vertex(start));
     return climb(d, start, height);
   }
-  /// The same where the height d · vertex of the start is known; it becomes that of the farthest.
+  /// The same where the height d · vertex of the start is known; `height` becomes that of the farthest
+  /// vertex.
   int climb(const Vec3& d, int start, double& height) const;
 
  private:
@@ -59,7 +60,7 @@ struct FeaturePair {
   bool operator==(const FeaturePair& other) const = default;
 };
 
-/// Two polytopes, as algorithms see them that treat both alike: side 0 is A, side 1 is B.
+/// Two polytopes for algorithms that treat both alike: side 0 is A, side 1 is B.
 class PolytopePair {
  public:
   PolytopePair(const Polytope& a, const Polytope& b, const Pose& X_AB) : sides_{&a, &b}, X_AB_(X_AB) {}

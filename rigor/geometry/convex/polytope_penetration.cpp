@@ -12,7 +12,8 @@ namespace {
 
 using Triangle = std::array<InnerPolytope::Name, 3>;
 
-/// The part of the crossing of two edges, a parallelogram in the difference, that the foot is in.
+/// The face of the difference that two crossing edges make is a parallelogram. Of its two triangles, the one
+/// that holds the foot of the origin.
 Triangle triangle_of_edges(const PolytopePair& pair, const GaussPoint& at) {
   const FeatureGraph::HalfEdge& a = pair.graph(0).half_edge(at.features.a.index);
   const FeatureGraph::HalfEdge& b = pair.graph(1).half_edge(at.features.b.index);
@@ -21,13 +22,15 @@ Triangle triangle_of_edges(const PolytopePair& pair, const GaussPoint& at) {
     const Vec3 along = pair.vertex(s, edge.to) - from;
     return (foot - from).dot(along) / along.squaredNorm();
   };
+  // The diagonal of the parallelogram is where the two fractions sum to one.
   const bool is_near = fraction(0, a, at.a) + fraction(1, b, at.b) <= 1;
   const InnerPolytope::Name corner =
       is_near ? InnerPolytope::Name{a.from, b.from} : InnerPolytope::Name{a.to, b.to};
   return {corner, {a.to, b.from}, {a.from, b.to}};
 }
 
-/// The part of the face of side t, cut into a fan, that the foot is in; v is the vertex of the other side.
+/// The face of side t, moved by vertex v of the other side, is a polygon of the difference. Of the fan of
+/// triangles from its first corner, the one that holds the foot of the origin.
 Triangle triangle_of_face(const PolytopePair& pair, const GaussPoint& at, int t, int v) {
   const FeatureGraph& graph = pair.graph(t);
   const int face = (t == 0 ? at.features.a : at.features.b).index;
@@ -36,7 +39,7 @@ Triangle triangle_of_face(const PolytopePair& pair, const GaussPoint& at, int t,
   const Vec3& apex = pair.side(t).vertex(graph.half_edge(first).from);
   int h = first + 1;
   for (; h + 2 < graph.first_of_face(face + 1); ++h) {
-    // On the inner side of the fan's next cut?
+    // The foot is on the inner side of the fan's next cut.
     const Vec3 cut = pair.side(t).vertex(graph.half_edge(h).to) - apex;
     if (graph.normal(face).cross(cut).dot(foot - apex) <= 0) break;
   }
@@ -49,6 +52,7 @@ Triangle triangle_of_face(const PolytopePair& pair, const GaussPoint& at, int t,
   return triangle;
 }
 
+/// The triangle of the face found in which the foot of the origin lies: the proof starts with it.
 Triangle triangle_at(const PolytopePair& pair, const GaussPoint& at) {
   const FeaturePair& features = at.features;
   if (features.a.kind == PolytopeFeature::Kind::edge) return triangle_of_edges(pair, at);
@@ -56,34 +60,39 @@ Triangle triangle_at(const PolytopePair& pair, const GaussPoint& at) {
   return triangle_of_face(pair, at, 1, features.a.index);
 }
 
-/// Takes the result of a climb if it is better.
+/// Takes the result of a climb if it is better; the steps of both add up.
 void take(const GaussPoint& found, GaussPoint& best) {
   const int steps = best.steps + found.steps;
   if (found.separation > best.separation) best = found;
   best.steps = steps;
 }
 
-/// Grows the polytope until no facet is lower than the depth by more than rounding. False if it cannot.
+/// Expands the polytope until no facet is lower than the depth by more than the rounding, which proves the
+/// depth. False if the proof fails.
 bool prove(const PolytopePair& pair, double rounding, InnerPolytope& inner, GaussPoint& best) {
   for (;;) {
     const int lowest = inner.lowest();
     if (-inner.height(lowest) <= best.separation + rounding) return true;
+    // The support point of the difference over the lowest facet, by climbing from the vertices of its corner.
     const Vec3& m = inner.normal(lowest);
     const InnerPolytope::Name near = inner.corner(lowest);
     const int a = pair.side(0).farthest(-m, near[0]);
     const int b = pair.side(1).farthest(pair.direction_from_a(1, m), near[1]);
     const double separation = -m.dot(pair.vertex(1, b) - pair.side(0).vertex(a));
+    // The direction of the facet is better than the local maximum known: climb from there.
     if (separation > best.separation + rounding) {
       take(climb_gauss_map(pair, face_uphill(pair, -m, {a, b}), rounding), best);
       // The climb ends at least as high as the facet's own direction, up to rounding of the proof.
       if (separation > best.separation + rounding) return false;
     }
-    // The facet is on the boundary of the difference, and no better than the best.
+    // The facet is on the boundary of the difference, so that it cannot rise; the depth is proved if the
+    // facet's direction is no better than the best to rounding.
     if (-separation <= inner.height(lowest) + rounding) return separation <= best.separation + 2 * rounding;
     if (!inner.expand(lowest, a, b)) return false;
   }
 }
 
+/// Whether the core is a box or a hull with a feature graph.
 bool has_faces(const ConvexCore& core) {
   return core.kind == ConvexCore::Kind::box ||
          (core.kind == ConvexCore::Kind::points && core.hull != nullptr);
@@ -99,16 +108,22 @@ Polytope make_polytope(const ConvexCore& core) {
 std::optional<PolytopePenetration> find_polytope_penetration(const PolytopePair& pair,
                                                              const FeaturePair& start, double rounding,
                                                              CachedProof& proof) {
+  // A local maximum: for boxes from the best of their fifteen axes, otherwise by climbing from the start.
   const bool are_boxes = pair.side(0).is_box() && pair.side(1).is_box();
   const BoxAxis axis = are_boxes ? find_box_axis(pair, rounding) : BoxAxis{start, 0};
   GaussPoint best = climb_gauss_map(pair, axis.features, rounding);
+  // Touching to rounding. A maximum there is proved by its own witnesses, without a polytope; bodies that are
+  // apart at something else than this face belong to another method.
   if (best.separation > -2 * rounding) {
     if (best.is_maximum) return PolytopePenetration{best, std::abs(best.separation)};
     if (best.separation > 2 * rounding) return std::nullopt;
     return PolytopePenetration{best, std::numeric_limits<double>::infinity()};
   }
+  // The fifteen axes of boxes are all faces that the difference can have: no proof is needed.
   if (are_boxes) return PolytopePenetration{best, std::max(best.separation, axis.separation)};
 
+  // The polytope of the previous proof, at the present poses, often proves the depth at once. Where it does
+  // not, the proof begins anew with the face found.
   InnerPolytope inner(pair, rounding);
   const bool is_warm = proof.point_count > 0 && inner.begin(proof) && prove(pair, rounding, inner, best);
   if (!is_warm) {
@@ -122,6 +137,7 @@ std::optional<PolytopePenetration> find_polytope_penetration(const PolytopePair&
 
 std::optional<Penetration> find_polytope_penetration(const CorePair& pair, const Vec3& n) {
   if (!has_faces(pair.a) || !has_faces(pair.b)) return std::nullopt;
+  // The climb starts at the face uphill from n.
   const Polytope a = make_polytope(pair.a);
   const Polytope b = make_polytope(pair.b);
   const PolytopePair polytopes(a, b, pair.X_AB);
@@ -129,6 +145,8 @@ std::optional<Penetration> find_polytope_penetration(const CorePair& pair, const
   const std::optional<PolytopePenetration> found =
       find_polytope_penetration(polytopes, face_uphill(polytopes, n, {0, 0}), pair.rounding, proof);
   if (!found) return std::nullopt;
+  // A maximum has its witnesses. Otherwise they are taken from the level faces, and their distance bounds the
+  // signed distance from above.
   const GaussPoint& best = found->best;
   const Separation separation{best.n, best.separation, best.a, best.b};
   if (best.is_maximum) return Penetration{separation, found->upper};

@@ -10,28 +10,29 @@ namespace rigor {
 
 /// The signed distance of two overlapping or touching polytopes: minus their depth.
 struct PolytopePenetration {
-  GaussPoint best;  ///< The direction, and the face of the difference, that part them.
+  GaussPoint best;  ///< The direction that separates them, and its face of the difference.
   double upper;     ///< No direction has a larger separation, rounding apart [m].
 };
 
-/// Global maximum of the separation over all directions, for polytopes that overlap or touch: climbs the
+/// Global maximum of the separation over all directions, for polytopes that overlap or touch. Climbs the
 /// Gauss map from `start` to a local maximum, then grows a polytope inside the difference until its lowest
-/// facet proves that no direction is better; a better one met on the way is climbed from in turn. So the
-/// answer is never a local maximum only. Two boxes try all directions there are instead. Nothing if the
-/// bodies are apart and not nearest at a face or two edges, or if rounding or the size of the proof is in the
-/// way (very round and deep pairs): to be answered by another method.
+/// facet proves that no direction is better; from a better one met on the way the climb continues. So the
+/// answer is never merely a local maximum. For two boxes all candidate directions are tried instead. Nothing
+/// if the bodies are apart and nearest neither at a face nor at two edges, or if the proof fails by rounding
+/// or by its size (very round and deep pairs): another method has to answer then.
 ///
-/// Faces that touch to rounding may be coplanar with others: then best.is_maximum is false, and upper, which
-/// the witness points have to tell, infinite.
+/// Faces that touch to rounding may be coplanar with others. Then best.is_maximum is false and upper is
+/// infinite: it has to come from witness points.
 ///
-/// `proof` is where the proof begins if it holds one of before, and where it is left. The depth does not
-/// depend on it beyond rounding; which of several equally short ways out is returned may depend on `start`.
+/// `proof` is the start of the proof if it holds an earlier one, and receives the new one. The depth does not
+/// depend on it beyond rounding; which of several equally short translations out of the overlap is returned
+/// may depend on `start`.
 std::optional<PolytopePenetration> find_polytope_penetration(const PolytopePair& pair,
                                                              const FeaturePair& start, double rounding,
                                                              CachedProof& proof);
 
-/// The same for two cores with flat faces (boxes and hulls) that overlap or touch, from direction n, with
-/// witness points in every case. Nothing for all others.
+/// The same for two cores with flat faces (boxes and hulls) that overlap or touch, starting from direction n,
+/// with witness points in every case. Nothing for all other cores.
 std::optional<Penetration> find_polytope_penetration(const CorePair& pair, const Vec3& n);
 
 }  // namespace rigor

@@ -15,7 +15,7 @@ namespace {
 using Tangents = Eigen::Matrix<double, 3, 2>;
 
 constexpr int kMaxNewtonSteps = 12;
-/// Pieces taken away or added before giving up.
+/// Number of times that pieces are removed or added before the method gives up.
 constexpr int kMaxChanges = 8;
 /// Longest step of Newton's method [rad].
 constexpr double kLongestStep = 0.3;
@@ -34,6 +34,7 @@ struct ActivePieces {
     return std::find(piece.begin(), piece.begin() + count, p) != piece.begin() + count;
   }
 
+  /// Adds weight w to piece p and keeps the pieces in the order of falling weight.
   void add(int p, double w) {
     std::size_t i = 0;
     while (i < at(count) && piece[i] != p) ++i;
@@ -58,6 +59,7 @@ struct ActivePieces {
     weight[at(count)] = 0;
   }
 
+  /// The witness point: the mean of the points by their weights.
   Vec3 mean() const {
     Vec3 sum = Vec3::Zero();
     for (std::size_t i = 0; i < at(count); ++i) sum += weight[i] * point[i];
@@ -67,13 +69,14 @@ struct ActivePieces {
 
 /// The condition that two pieces of one core are at the same height along n.
 struct Tie {
-  Vec3 u;        ///< Adds weight · u to b - a; u·n = 0 wanted [m].
+  Vec3 u;        ///< The piece adds weight · u to b - a; the condition is u·n = 0 [m].
   Vec2 tangent;  ///< u in the tangent plane.
   bool in_a;
   std::size_t index;      ///< Of the piece that is not the heaviest.
   double multiplier = 0;  ///< Its weight.
 };
 
+/// Newton's method for the maximum of s on the unit sphere, with an active set of pieces.
 class Polish {
  public:
   Polish(const CorePair& pair, const WeightedPoints& points) : pair_(pair) {
@@ -84,8 +87,9 @@ class Polish {
     }
   }
 
-  /// Newton's method on the pieces there are, then one piece less or more, until no weight is negative and no
-  /// other piece is farther out.
+  /// Newton's method with the active pieces; then one piece is removed or added, until no weight is negative
+  /// and no other piece is farther out. These are the conditions of Karush, Kuhn and Tucker for a maximum of
+  /// s.
   std::optional<Separation> solve(const Vec3& start) {
     std::optional<Separation> best;
     Vec3 n = start;
@@ -94,6 +98,7 @@ class Polish {
       if (!maximum) break;
       n = *maximum;
       evaluate_points(n);
+      // The separation of the whole cores, not only of the active pieces, is the certified value.
       const DifferencePoint lowest = pair_.lowest(n);
       const double value = n.dot(lowest.w);
       if (!best || value > best->value) best = with_witnesses(n, value);
@@ -104,10 +109,13 @@ class Polish {
   }
 
  private:
+  /// Newton's method with the active pieces, from n; nothing if it does not converge.
   std::optional<Vec3> find_maximum(Vec3 n) {
     for (int i = 0; i < kMaxNewtonSteps; ++i) {
       const std::optional<Vec3> step = newton_step(n);
       if (!step) return std::nullopt;
+      // Long steps are shortened: the quadratic model holds near n only. Convergence is quadratic, so that
+      // after a short step none is needed.
       const double length = step->norm();
       n = (n + std::min(1.0, kLongestStep / length) * *step).normalized();
       if (length <= kLastStep) return n;
@@ -115,10 +123,13 @@ class Polish {
     return std::nullopt;
   }
 
+  /// Removes the piece with the most negative weight, if there is one: s grows when that piece falls behind
+  /// the others of its core.
   bool remove_negative() {
     const std::size_t i = a_.lightest();
     const std::size_t j = b_.lightest();
     if (a_.weight[i] >= 0 && b_.weight[j] >= 0) return false;
+    // The most negative weight of both cores first: removing it changes the others.
     if (a_.weight[i] < b_.weight[j]) {
       a_.remove(i);
     } else {
@@ -127,7 +138,10 @@ class Polish {
     return true;
   }
 
+  /// Adds the pieces that are farther out along n than the active ones, if there are any.
   bool add_farther(const Vec3& n, const DifferencePoint& lowest) {
+    // A whole core may reach farther along n than its active pieces, which are all level with the first. Such
+    // a piece joins with weight 0 and gets its weight in the next solution.
     const bool is_farther_a = n.dot(lowest.a - a_.point[0]) > pair_.rounding && !a_.has(lowest.piece_a);
     const bool is_farther_b =
         n.dot(b_.point[0] + pair_.X_AB.p - lowest.b) > pair_.rounding && !b_.has(lowest.piece_b);
@@ -136,6 +150,7 @@ class Polish {
     return is_farther_a || is_farther_b;
   }
 
+  /// Moves the points of the active pieces to where they are farthest along n.
   void evaluate_points(const Vec3& n) {
     for (std::size_t i = 0; i < at(a_.count); ++i) a_.point[i] = piece_point(pair_.a, a_.piece[i], n);
     const Vec3 d_B = pair_.X_AB.R.transpose() * -n;
@@ -147,6 +162,7 @@ class Polish {
   /// R_A + R_B + s in the tangent plane [m].
   Mat2 curvature(const Vec3& n, const Tangents& tangents, double separation) const {
     Mat2 sum = separation * Mat2::Identity();
+    // Vertices have no curvature; a curved piece counts by its weight, as the weights mix the pieces' points.
     if (!is_polytope(pair_.a)) {
       for (std::size_t i = 0; i < at(a_.count); ++i) {
         sum += a_.weight[i] * (tangents.transpose() * piece_curvature(pair_.a, a_.piece[i], n) * tangents);
@@ -163,12 +179,15 @@ class Polish {
     return sum;
   }
 
-  /// At most two conditions that are independent in the tangent plane; the heavier pieces come first.
+  /// Collects the conditions of equal height, at most two, that are independent in the tangent plane. The
+  /// pieces are visited from the heaviest down.
   void find_ties(const Tangents& tangents) {
     tie_count_ = 0;
     for (const bool in_a : {true, false}) {
       const ActivePieces& side = in_a ? a_ : b_;
       for (std::size_t i = 1; i < at(side.count) && tie_count_ < 2; ++i) {
+        // Each further piece of a core must stay level with the heaviest one. A condition that depends on the
+        // first to rounding would leave the system singular.
         const Vec3 u = (in_a ? -1 : 1) * (side.point[i] - side.point[0]);
         const Vec2 tangent = tangents.transpose() * u;
         const Vec2& first = ties_[0].tangent;
@@ -181,13 +200,16 @@ class Polish {
     }
   }
 
-  /// Step of n in the tangent plane, and the weights that go with it.
+  /// Newton's step of n in the tangent plane, and the weights of the pieces that go with it.
   std::optional<Vec3> newton_step(const Vec3& n) {
     evaluate_points(n);
+    // Gradient and negative Hessian of s in the tangent plane: r is the part of b - a across n, and K = R_A +
+    // R_B + s.
     const Tangents tangents = frame_with_z(n).leftCols<2>();
     const Vec3 c = (b_.point[0] + pair_.X_AB.p) - a_.point[0];
     const Vec2 r = tangents.transpose() * c;
     const Mat2 K = curvature(n, tangents, n.dot(c));
+    // The tangent plane has two dimensions, of which every condition of equal height takes one.
     find_ties(tangents);
     const std::optional<Vec2> step = tie_count_ == 0   ? free_step(K, r)
                                      : tie_count_ == 1 ? step_along_tie(n, K, r)
@@ -197,8 +219,8 @@ class Polish {
     return tangents * *step;
   }
 
-  /// Newton's step for one gradient and one curvature. A direction in which s is level to rounding, as around
-  /// the axis of two coaxial cylinders, needs no step; where s is not curved like a maximum there is none.
+  /// Newton's step for one gradient and one curvature. A direction in which s is level to rounding, as about
+  /// the common axis of two cylinders, needs no step; where s does not curve downwards there is none.
   std::optional<double> step_of(double gradient, double curvature) const {
     const double noise = 100 * pair_.rounding;
     if (curvature > noise) return gradient / curvature;
@@ -207,7 +229,8 @@ class Polish {
   }
 
   std::optional<Vec2> free_step(const Mat2& K, const Vec2& r) const {
-    // The principal axis of the larger curvature is the eigenvector of [d o; o -d].
+    // Newton's step is taken along each principal axis by itself, because s may be level along one of them.
+    // The axis of the larger curvature is the eigenvector of [d o; o -d].
     const double d = 0.5 * (K(0, 0) - K(1, 1));
     const double o = K(0, 1);
     const double m = std::sqrt(d * d + o * o);
@@ -220,7 +243,8 @@ class Polish {
     return Vec2(*along_p * p + *along_q * q);
   }
 
-  /// Along the tie's tangent the condition decides, across it Newton.
+  /// One condition: it fixes the step along its tangent g; across g Newton's step applies. The multiplier
+  /// makes the gradient of s vanish along g.
   std::optional<Vec2> step_along_tie(const Vec3& n, const Mat2& K, const Vec2& r) {
     const Vec2 g = ties_[0].tangent;
     const Vec2 q = Vec2(-g.y(), g.x()) / g.norm();
@@ -232,7 +256,9 @@ class Polish {
     return step;
   }
 
+  /// Two conditions leave no freedom to maximize s.
   std::optional<Vec2> step_to_ties(const Vec3& n, const Mat2& K, const Vec2& r) {
+    // The linearised conditions alone fix the step, the stationarity of s the two multipliers.
     Mat2 G;
     G << ties_[0].tangent.transpose(), ties_[1].tangent.transpose();
     const Mat2 inverse = G.inverse();
@@ -243,17 +269,20 @@ class Polish {
     return step;
   }
 
+  /// The multiplier of a condition is the weight of its piece; the first piece has the rest of the sum 1.
   void set_weights() {
     a_.weight = {1};
     b_.weight = {1};
     for (std::size_t i = 0; i < at(tie_count_); ++i) {
       const Tie& tie = ties_[i];
       ActivePieces& side = tie.in_a ? a_ : b_;
+      // The weights of each core sum to 1.
       side.weight[tie.index] = tie.multiplier;
       side.weight[0] -= tie.multiplier;
     }
   }
 
+  /// The witnesses are the weighted means of the active points if no weight is negative.
   Separation with_witnesses(const Vec3& n, double value) const {
     Separation result{n, value, a_.mean(), b_.mean() + pair_.X_AB.p};
     const bool is_inside = a_.weight[a_.lightest()] >= 0 && b_.weight[b_.lightest()] >= 0;
@@ -261,8 +290,10 @@ class Polish {
     return result;
   }
 
-  /// Where more pieces are level than needed to fix n, as for two faces: the nearest points of their hulls.
+  /// Where more pieces are level than are needed to determine n, as for two faces, the witnesses are the
+  /// nearest points of the hulls of the pieces.
   void find_witnesses(Separation& result) const {
+    // The points of the active pieces as hulls of their own, along the axes of A.
     const ConvexCore a = make_points_core({a_.point.data(), at(a_.count)});
     const ConvexCore b = make_points_core({b_.point.data(), at(b_.count)});
     const CorePair pieces(a, b, {.p = pair_.X_AB.p});

@@ -12,6 +12,8 @@ Vec3 inward_normal(const Vec3& r_W) {
 }
 
 DistanceResult cavity_distance(const Cavity& cavity, const Pose& X_WA, const Shape& b, const Pose& X_WB) {
+  // The depth in the wall is decided by the point of the shape farthest from the centre of the cavity, c_B in
+  // the frame of B.
   const Vec3 to_b = X_WB.p - X_WA.p;
   const Vec3 c_B = X_WB.R.transpose() * -to_b;
   const Vec3 farthest = to_b + X_WB.R * farthest_point(b, c_B);

@@ -6,11 +6,11 @@
 
 namespace rigor {
 
-/// Signed distance of the wall and a bounded shape, negative where it sticks into the wall: R less the
-/// largest distance of a point of the shape from the centre. A has the cavity.
+/// Signed distance of the wall and a bounded shape, negative where the shape penetrates the wall: R less the
+/// largest distance of a point of the shape from the centre. A is the cavity.
 DistanceResult cavity_distance(const Cavity& cavity, const Pose& X_WA, const Shape& b, const Pose& X_WB);
 
-/// Unit normal of the wall, inwards, at a point at r_W from the centre; +z at the centre itself.
+/// Inward unit normal of the wall at a point at r_W from the centre; +z at the centre itself.
 Vec3 inward_normal(const Vec3& r_W);
 
 }  // namespace rigor

@@ -28,41 +28,45 @@ std::span<const double> numbers(const Mat3& m) {
   return {m.data(), 9};
 }
 
-/// Any total order of the sizes of two shapes of the same type.
+/// A total order of two shapes of the same type by their sizes; any will do.
 std::partial_ordering order_of_sizes(const Shape& a, const Shape& b) {
   const Mesh* const mesh = std::get_if<Mesh>(&a);
   if (mesh != nullptr) return compare_meshes(*mesh, std::get<Mesh>(b)) <=> 0;
+  // Shapes that share their data are equal without a look at the numbers.
   const ShapeData of_a = shape_data(a), of_b = shape_data(b);
   if (of_a.shared != nullptr && of_a.shared == of_b.shared) return std::partial_ordering::equivalent;
   return order(of_a.numbers(), of_b.numbers());
 }
 
-/// What is unbounded comes first, then meshes, then the others by type.
+/// Unbounded shapes come first, then meshes, then the others by type.
 int rank_of(const Shape& shape) {
   if (is_unbounded(shape)) return -2;
   if (std::holds_alternative<Mesh>(shape)) return -1;
   return static_cast<int>(shape.index());
 }
 
-/// Whether (b, a) is the order in which the pair is computed, so that (a, b) and (b, a) give the same bits.
+/// Whether the pair is computed in the order (b, a), so that (a, b) and (b, a) give the same bits.
 bool is_swapped(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB) {
   const int rank_a = rank_of(a);
   const int rank_b = rank_of(b);
   if (rank_a != rank_b) return rank_b < rank_a;
+  // Equal shapes are ordered by their poses; where these are equal too, the order does not matter.
   const std::partial_ordering sizes = order_of_sizes(a, b);
   if (sizes != 0) return sizes > 0;
   const std::partial_ordering places = order(numbers(X_WA.p), numbers(X_WB.p));
   return places != 0 ? places > 0 : order(numbers(X_WA.R), numbers(X_WB.R)) > 0;
 }
 
-/// A half-space can be left along its normal only: exact with one support point.
+/// A half-space can be left along its normal only, so that one support point gives the exact distance.
 DistanceResult plane_distance(const HalfSpace& plane, const Pose& X_WA, const Shape& b, const Pose& X_WB) {
   RIGOR_ASSERT(!is_unbounded(b));
+  // The relative pose first: its position keeps its digits far from the origin.
   const Mat3 R_AW = X_WA.R.transpose();
   const Pose X_AB{R_AW * X_WB.R, R_AW * (X_WB.p - X_WA.p)};
   const Vec3 p_BP = support_point(b, X_AB.R.transpose() * -plane.normal);
   const Vec3 p_AP = X_AB * p_BP;
   const double distance = plane.normal.dot(p_AP) - plane.offset;
+  // The bounds allow for the rounding of all lengths involved.
   const double size = X_AB.p.norm() + radius_about(b, Vec3::Zero()) + std::abs(plane.offset);
   const double rounding = 10 * std::numeric_limits<double>::epsilon() * size;
   const Vec3 n_W = X_WA.R * plane.normal;
@@ -70,6 +74,7 @@ DistanceResult plane_distance(const HalfSpace& plane, const Pose& X_WA, const Sh
   return {distance, distance - rounding, distance + rounding, p_WA, p_WA + distance * n_W, n_W};
 }
 
+/// Chooses the algorithm by the type of A, which comes first in the order of shapes.
 DistanceResult ordered_distance(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB) {
   if (const HalfSpace* const plane = std::get_if<HalfSpace>(&a)) return plane_distance(*plane, X_WA, b, X_WB);
   if (const Cavity* const cavity = std::get_if<Cavity>(&a)) return cavity_distance(*cavity, X_WA, b, X_WB);
@@ -94,6 +99,7 @@ DistanceResult unknown_distance() {
 DistanceResult signed_distance(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB) {
   if (!is_placed(X_WA, X_WB)) return unknown_distance();
   if (!is_swapped(a, X_WA, b, X_WB)) return ordered_distance(a, X_WA, b, X_WB);
+  // The result of the reversed pair, with witnesses and normal exchanged.
   DistanceResult result = ordered_distance(b, X_WB, a, X_WA);
   std::swap(result.p_WA, result.p_WB);
   result.n_W = -result.n_W;

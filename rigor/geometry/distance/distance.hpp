@@ -6,12 +6,12 @@
 
 namespace rigor {
 
-/// Distance(A,B) of the course, signed. Exact closed forms where they exist, GJK and a penetration algorithm
-/// otherwise, in double and in a frame near both shapes. signed_distance(A,B) and signed_distance(B,A) agree
-/// bit for bit in `distance`. Mesh against convex is the minimum over the triangles; two meshes as in
-/// mesh_pair_distance.hpp. Not for two half-spaces (a broken promise).
+/// Distance(A,B) of the course: the signed distance of two shapes. Closed forms where they exist, GJK and a
+/// penetration algorithm otherwise, in double precision and in a frame near both shapes. signed_distance(A,B)
+/// and signed_distance(B,A) agree bit for bit in `distance`. Mesh against convex shape is the minimum over
+/// the triangles; for two meshes see mesh_pair_distance.hpp. Not defined for two half-spaces (asserted).
 ///
-/// Of poses that are not finite, or so far apart that the square of their distance is not, nothing is known:
+/// Nothing is known of poses that are not finite, or so far apart that the square of their distance is not:
 /// the distance and `upper` are infinite, `lower` is minus infinity, the points are zero and the normal is
 /// +z.
 DistanceResult signed_distance(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB);

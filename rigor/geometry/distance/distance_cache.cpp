@@ -20,7 +20,8 @@ Polytope make_polytope(const Shape& shape) {
   return Polytope(*std::get<Convex>(shape).hull);
 }
 
-/// A pair of features for the climb on the Gauss map to begin with, where the walk saw the overlap.
+/// The pair of features from which the climb on the Gauss map starts, from the pair where the walk found the
+/// overlap. A face needs a vertex on the other side, so that an edge gives way to its first vertex.
 FeaturePair start_of_climb(const PolytopePair& pair, FeaturePair at) {
   if (at.a.kind != PolytopeFeature::Kind::face && at.b.kind != PolytopeFeature::Kind::face) return at;
   for (const int s : {0, 1}) {
@@ -36,12 +37,14 @@ class Query {
   Query(const PolytopePair& pair, const Pose& X_WA, DistanceCache& cache)
       : pair_(pair), X_WA_(X_WA), cache_(cache), rounding_(rounding_of(pair)) {}
 
-  /// Nothing where another method has to answer.
+  /// The distance or the depth; nothing if another method has to answer.
   std::optional<DistanceResult> answer() {
     cache_.steps = 0;
+    // Bodies that overlapped in the last query probably still do: climb from the last face of the difference.
     if (cache_.is_known && cache_.is_overlapping) {
       if (const std::optional<DistanceResult> depth = penetration(cache_.features)) return depth;
     }
+    // Otherwise walk from the last nearest features, or from the vertices that face each other.
     const FeatureWalk walk =
         walk_features(pair_, cache_.is_known ? cache_.features : facing_vertices(pair_), rounding_);
     cache_.steps += walk.steps;
@@ -50,6 +53,7 @@ class Query {
     cache_.is_overlapping = false;
     if (walk.outcome == FeatureWalk::Outcome::apart) return separation(walk);
     if (walk.outcome == FeatureWalk::Outcome::undecided) return std::nullopt;
+    // The walk has found an overlap: the depth comes from the climb, with a proof begun anew.
     cache_.proof.point_count = 0;
     return penetration(start_of_climb(pair_, walk.nearest));
   }
@@ -68,6 +72,7 @@ class Query {
     const std::optional<PolytopePenetration> found =
         find_polytope_penetration(pair_, start, rounding_, cache_.proof);
     if (!found || !found->best.is_maximum) return std::nullopt;
+    // The next query begins at this face, and at once with the climb if the bodies still overlap.
     const GaussPoint& best = found->best;
     cache_.features = best.features;
     cache_.is_known = true;
@@ -98,6 +103,7 @@ class Query {
 DistanceResult walked_distance(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB,
                                DistanceCache& cache) {
   if (!has_features(a) || !has_features(b)) return signed_distance(a, X_WA, b, X_WB);
+  // The query works in the frame of A, with a relative position that keeps its digits far from the origin.
   const Polytope polytope_a = make_polytope(a);
   const Polytope polytope_b = make_polytope(b);
   const Mat3 R_AW = X_WA.R.transpose();

@@ -27,11 +27,14 @@ class Search {
   }
 
   MaximumBounds run() {
+    // Good points first raise the lower bound, so that fewer boxes have to be halved.
     for (const Vec3& p : function_.starts) {
       if (function_.beyond(p) <= 0) take(p, function_.value(p));
     }
     add(function_.box, std::numeric_limits<double>::infinity());
     while (!boxes_.empty()) {
+      // The box with the largest bound limits the maximum everywhere. The search ends when that bound is
+      // close enough to the best value.
       const BoundedBox top = boxes_.top();
       result_.upper = std::max(top.upper, result_.lower);
       const double gap = std::max(goal_.relative_gap * result_.lower, goal_.absolute_gap);
@@ -62,6 +65,8 @@ class Search {
   }
 
   void add(const Aabb& box, double parent_upper) {
+    // No point of the box is farther from its centre than its half diagonal, and the value changes by no more
+    // than that.
     const Vec3 center = 0.5 * (box.lower + box.upper);
     const double radius = 0.5 * (box.upper - box.lower).norm();
     const double beyond = function_.beyond(center);

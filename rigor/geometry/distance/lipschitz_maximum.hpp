@@ -7,8 +7,8 @@
 
 namespace rigor {
 
-/// A function whose value changes by no more than the way between two points, over a region of a box.
-/// Negative values count as 0.
+/// A function with Lipschitz constant 1 (its value changes by no more than the distance between two points)
+/// over a region within a box. Negative values count as 0.
 struct LipschitzFunction {
   std::function<double(const Vec3&)> value;
   /// A lower bound of the distance from the region: 0 in it, and somewhere positive outside.
@@ -22,7 +22,7 @@ struct MaximumGoal {
   double relative_gap = 0.1;    ///< Between the bounds, against the lower one.
   double absolute_gap = 0;      ///< Or this one.
   double enough = 0;            ///< Or the maximum is known to be no larger than this.
-  int max_evaluations = 20000;  ///< Or so many points were looked at.
+  int max_evaluations = 20000;  ///< Or this many points were evaluated.
 };
 
 /// Bounds of a maximum.
@@ -32,8 +32,8 @@ struct MaximumBounds {
   Vec3 place = Vec3::Zero();  ///< The best point met.
 };
 
-/// Branch and bound: boxes are halved, those with the largest bound (value in the middle plus the way to the
-/// corner) first. Both bounds hold whenever it ends.
+/// Branch and bound: boxes are halved, the one with the largest bound (value at its centre plus half its
+/// diagonal) first. Both bounds hold whenever the search ends.
 MaximumBounds lipschitz_maximum(const LipschitzFunction& function, const MaximumGoal& goal);
 
 }  // namespace rigor

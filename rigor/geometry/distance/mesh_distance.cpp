@@ -18,8 +18,8 @@
 namespace rigor {
 namespace {
 
-/// Signed distance of two boxes: no shapes inside them can be closer, nor need more than its negative to come
-/// apart.
+/// Signed distance of two boxes, a lower bound for any shapes inside them: these are no closer, and need no
+/// longer translation to separate.
 double box_distance(const Aabb& a, const Aabb& b) {
   const Vec3 gaps = (a.lower - b.upper).cwiseMax(b.lower - a.upper);
   const double largest = gaps.maxCoeff();
@@ -52,22 +52,23 @@ class NearestTriangle {
     best_.p_WA = best_.p_WB = X_WM.p;
     best_.n_W = Vec3::UnitZ();
     if (!mesh.tree->nodes.empty()) search(0);
-    // What was passed over may be closer by the rounding of the bounds.
+    // Triangles that were skipped may be closer by the rounding of the bounds.
     best_.lower = std::min(best_.lower, best_.distance - 2 * rounding_);
   }
 
   const DistanceResult& result() const { return best_; }
 
  private:
-  /// Nothing in the box can be closer than the best so far: by its bound, or because the plane through the
-  /// shape's point nearest to the best triangle keeps it away.
+  /// Whether nothing in the box can be closer than the best so far: by its bound, or because the plane
+  /// through the point of the shape nearest to the best triangle separates it.
   bool is_too_far(const Aabb& box) const {
     const Vec3 half = 0.5 * (box.upper - box.lower);
     const double top = n_M_.dot(box.lower + half) + n_M_.cwiseAbs().dot(half);
     return std::max(bound(box), lowest_ - top) >= best_.distance - rounding_;
   }
 
-  /// No triangle in the box has a smaller signed distance: from the box of the shape and from its ball.
+  /// A lower bound of the signed distance of any triangle in the box: from the box of the shape and from its
+  /// ball.
   double bound(const Aabb& box) const {
     const double from_center = (box.lower - center_M_).cwiseMax(center_M_ - box.upper).cwiseMax(0.0).norm();
     return std::max(box_distance(box, box_M_), from_center - radius_);
@@ -79,6 +80,7 @@ class NearestTriangle {
     if (is_too_far(node.box)) return;
     for (int k = 0; k < node.count; ++k) try_triangle(tree.order[at(node.first + k)]);
     if (node.count > 0) return;
+    // The nearer child first, so that the bound falls early.
     const std::size_t left = index + 1, right = at(node.first);
     const bool left_first = bound(tree.nodes[left].box) <= bound(tree.nodes[right].box);
     search(left_first ? left : right);
@@ -93,10 +95,12 @@ class NearestTriangle {
       corners[k] = mesh_.mesh->vertices[at(v)];
       box = box.united({corners[k], corners[k]});
     }
+    // The triangle's own box is tighter than that of its leaf.
     if (is_too_far(box)) return;
     const DistanceResult d = convex_distance(make_points_core(corners), X_WM_, core_, X_WB_);
     const double lower = std::min(best_.lower, d.lower);
     const double upper = std::min(best_.upper, d.upper);
+    // The plane through the shape's lowest point along the new normal bounds all other triangles.
     if (d.distance < best_.distance) {
       best_ = d;
       n_M_ = X_WM_.R.transpose() * d.n_W;
@@ -121,7 +125,7 @@ class NearestTriangle {
   double lowest_ = -kInfinity;  ///< Height of the shape's lowest point along it [m].
 };
 
-/// Least height of the vertices over the plane.
+/// Mesh against half-space: the least height of the vertices over the plane.
 DistanceResult plane_distance(const Mesh& mesh, const Pose& X_WM, const HalfSpace& plane, const Pose& X_WB) {
   const Vec3 n_W = X_WB.R * plane.normal;
   const double offset = plane.offset + n_W.dot(X_WB.p - X_WM.p);
@@ -140,10 +144,12 @@ DistanceResult plane_distance(const Mesh& mesh, const Pose& X_WM, const HalfSpac
   return {least, least - rounding, least + rounding, p_WA, p_WA - least * n_W, -n_W};
 }
 
-/// Minus the way that the shape must go along the outward normal of the surface point nearest to its centre
-/// (which lies inside the mesh) until it is past that point.
+/// Minus the displacement of the shape along the outward normal at the surface point nearest to its centre
+/// (which lies inside the mesh) that brings all of it past that point.
 DistanceResult distance_from_inside(const MeshPoint& nearest, const Vec3& c_M, const Pose& X_WM,
                                     const Shape& b, const Pose& X_WB) {
+  // From inside, the direction to the nearest point is the outward normal; on the surface itself only the
+  // pseudonormal is left.
   const bool is_on_surface = !(nearest.distance > 0);
   const Vec3 n_M =
       is_on_surface ? nearest.normal_M.normalized() : ((nearest.p_M - c_M) / nearest.distance).eval();
@@ -163,6 +169,8 @@ DistanceResult mesh_signed_distance(const Mesh& mesh, const Pose& X_WM, const Sh
   if (const HalfSpace* plane = std::get_if<HalfSpace>(&b)) return plane_distance(mesh, X_WM, *plane, X_WB);
 
   if (mesh.tree->is_closed) {
+    // The centre decides whether the shape is inside. A shape that has passed through the surface is pushed
+    // out along the normal at the nearest point, not out of the triangles that it happens to cut.
     const Vec3 c_M = X_WM.inverse() * (X_WB * inner_point(b));
     const MeshPoint nearest = nearest_mesh_point(mesh, c_M);
     const bool is_inside = (c_M - nearest.p_M).dot(nearest.normal_M) < 0;

@@ -16,14 +16,14 @@
 namespace rigor {
 namespace {
 
-/// The shortest way out of two triangles that meet.
+/// The shortest translation that separates two triangles that meet.
 struct WayOut {
   double depth = std::numeric_limits<double>::infinity();  ///< ≥ 0 [m].
-  Vec3 n_A;                                                ///< In which B goes, unit.
-  Vec3 p_AP;                                               ///< The point of A that parts last.
+  Vec3 n_A;                                                ///< Direction in which B moves, unit.
+  Vec3 p_AP;                                               ///< The point of A that loses contact last.
 };
 
-/// The ways out of pairs of triangles of two meshes, both in the frame of A.
+/// The separating translations of pairs of triangles of two meshes, both in the frame of A.
 class WaysOut {
  public:
   WaysOut(const Mesh& a, const Mesh& b, const Pose& X_AB, double rounding)
@@ -46,7 +46,8 @@ class WaysOut {
   }
 
  private:
-  /// The shortest along the directions of the pair and of those that share a vertex of both meshes with it.
+  /// The shortest translation along the directions of the pair and of those pairs that share a vertex of both
+  /// meshes with it. Near an edge the right direction is often that of a neighbouring pair.
   WayOut way_out(int t, int u) const {
     std::set<std::size_t> near;
     for (int k = 0; k < 9; ++k) {
@@ -62,7 +63,7 @@ class WaysOut {
     return best;
   }
 
-  /// A direction, and what decides where along it the bodies part last.
+  /// A direction, and the features that decide where along it the bodies lose contact last.
   struct Direction {
     Vec3 n;
     int edge_A = -1, edge_B = -1;  ///< The edges whose common normal it is, or
@@ -71,6 +72,7 @@ class WaysOut {
 
   void consider(const Direction& direction, const TriangleCorners& a, const TriangleCorners& b,
                 WayOut& best) const {
+    // The triangles are separated along n when the lowest corner of B is past the highest one of A.
     const Vec3& n = direction.n;
     const auto lower = [&n](const Vec3& p, const Vec3& q) { return n.dot(p) < n.dot(q); };
     const Vec3 p = *std::max_element(a.begin(), a.end(), lower);
@@ -82,7 +84,7 @@ class WaysOut {
     if (direction.edge_A >= 0) best.p_AP = point_on_edge(direction.edge_A, direction.edge_B, n);
   }
 
-  /// The point of an edge of A that lies over one of B along their common normal.
+  /// The point of an edge of A that lies over an edge of B along their common normal.
   Vec3 point_on_edge(int edge_A, int edge_B, const Vec3& n) const {
     const Vec3 a = a_.corner(edge_A / 3, edge_A % 3), b = b_.corner(edge_B / 3, edge_B % 3);
     const Vec3 along_A = a_.corner(edge_A / 3, edge_A % 3 + 1) - a;
@@ -91,7 +93,7 @@ class WaysOut {
     return a + std::clamp(place, 0.0, 1.0) * along_A;
   }
 
-  /// The normals of the faces, and those of two edges from which both surfaces bend away.
+  /// The normals of the two faces, and the common normals of two edges from which both surfaces bend away.
   std::vector<Direction> directions_of(int t, int u) const {
     std::vector<Direction> directions = {{a_.normal(t), -1, -1, true}, {-b_.normal(u)}};
     for (int i = 0; i < 3; ++i) {
@@ -103,6 +105,7 @@ class WaysOut {
   void add_directions_of_edges(int edge_A, int edge_B, std::vector<Direction>& directions) const {
     const int t = edge_A / 3, i = edge_A % 3, u = edge_B / 3, k = edge_B % 3;
     if (!a_.is_edge(t, i) || !b_.is_edge(u, k)) return;
+    // Parallel edges have no common normal of their own.
     const Vec3 side_A = a_.corner(t, i + 1) - a_.corner(t, i), side_B = b_.corner(u, k + 1) - b_.corner(u, k);
     const Vec3 across = side_A.cross(side_B);
     if (across.norm() <= 1e-9 * side_A.norm() * side_B.norm()) return;
@@ -138,15 +141,19 @@ double rounding_of(const Mesh& a, const Mesh& b, const Pose& X_AB) {
 DistanceResult overlap_distance(const Mesh& a, const Pose& X_WA, const Mesh& b, const Pose& X_WB) {
   const Pose X_AB = relative_pose(X_WA, X_WB);
   const double rounding = rounding_of(a, b, X_AB);
+  // The measure of the overlap: the deepest of the pairs that meet.
   const WayOut deepest = WaysOut(a, b, X_AB, rounding).deepest();
   const double depth = deepest.depth;
   const Vec3 n_W = X_WA.R * deepest.n_A;
+  // Along the same direction the bodies as a whole separate when the lowest vertex of B is past the highest
+  // one of A: a translation that certainly suffices, so that its negative bounds the distance from below.
   const double apart = top(a, Pose{}, deepest.n_A) + top(b, X_AB, -deepest.n_A);
   const Vec3 p_WA = X_WA * deepest.p_AP;
   return {-depth, -std::max(depth, apart) - rounding, rounding, p_WA, p_WA - depth * n_W, n_W};
 }
 
 DistanceResult enclosed_distance(const Mesh& a, const Pose& X_WA, const Vec3& p_WA, const Vec3& p_WB) {
+  // A moves out along the line of the nearest points until its rearmost vertex is past the point of B.
   const Vec3 out_W = (p_WB - p_WA).stableNormalized();
   const double depth = out_W.dot(p_WB - X_WA.p) + top(a, {X_WA.R, Vec3::Zero()}, -out_W);
   const double rounding = 32 * kEpsilon * (p_WA.norm() + p_WB.norm() + depth);

@@ -10,12 +10,13 @@
 namespace rigor {
 namespace {
 
+/// The gap of two triangles along n.
 double gap_along(const Vec3& n, const TriangleCorners& a, const TriangleCorners& b) {
   return std::min({n.dot(b[0]), n.dot(b[1]), n.dot(b[2])}) -
          std::max({n.dot(a[0]), n.dot(a[1]), n.dot(a[2])});
 }
 
-/// The direction of the widest gap that a few directions show between two boxes, as a part of a front.
+/// A part of a front: two boxes, with the widest gap between them that a few directions show.
 MeshPairCache::Front apart(const MeshPairSearch& search, int a, int b, const Vec3& n_A) {
   const OrientedBox box_A = search.box_A(a), box_B = search.box_B(b);
   const Pose& X_AB = search.X_AB();
@@ -27,7 +28,8 @@ MeshPairCache::Front apart(const MeshPairSearch& search, int a, int b, const Vec
                        (axes_B.transpose() * n).cwiseAbs().dot(box_B.half) - search.rounding();
     if (gap > front.gap) front.gap = gap, front.n_A = n;
   };
-  // Where one box ends along its axes and the other begins, as a vector.
+  // The vector of the gaps along the axes of one box: the direction from that box to the nearest corner of
+  // the box about the other.
   const auto corner_gap = [&](const OrientedBox& box, const Mat3& axes, const Mat3& other_axes,
                               const Vec3& other_half) {
     const Vec3 along = axes.transpose() * between;
@@ -42,8 +44,8 @@ MeshPairCache::Front apart(const MeshPairSearch& search, int a, int b, const Vec
   return front;
 }
 
-/// Keeps the nearest pair of triangles; of equals the first in order, so that neither the order of the walk
-/// nor a cache shows in the result.
+/// Visitor that keeps the nearest pair of triangles; of equally near ones the first in index order, so that
+/// the result depends neither on the order of the walk nor on a cache.
 class NearestPair {
  public:
   NearestPair(const MeshPairSearch& search, std::vector<MeshPairCache::Front>* front)
@@ -53,7 +55,7 @@ class NearestPair {
   Vec3 direction() const { return n_A_; }
   double squared() const { return squared_; }
   double distance() const { return distance_; }
-  /// Of the nearest pair, if it was met on the walk.
+  /// Places of the nearest pair in the trees, if the walk met it.
   int place_A() const { return place_A_; }
   int place_B() const { return place_B_; }
   int triangle_A() const { return triangle_A_; }
@@ -71,7 +73,7 @@ class NearestPair {
   }
   void try_triangles(int a, int b) {
     const TriangleCorners corners_A = search_.corners_A(a), corners_B = search_.corners_B(b);
-    // Most triangles that come here lie off the plane through the nearest points.
+    // Most pairs that come here are separated by a wider gap along the direction of the nearest points.
     if (gap_along(n_A_, corners_A, corners_B) > distance_ + search_.rounding()) return;
     const TriangleDistance found = triangle_distance(corners_A, corners_B);
     const bool is_nearer = found.squared < squared_ ||
@@ -102,8 +104,9 @@ class NearestPair {
   int feature_ = -1, triangle_A_ = -1, triangle_B_ = -1;
 };
 
-/// A pair that is near, so that the search from the top has little to open: the leaves that going down at the
-/// nearest child leads to, then the triangle of A nearest to that of B, then that of B nearest to this one.
+/// Tries a pair that is near, so that the search from the top has little to open: the leaves that descending
+/// into the nearest child leads to, then the triangle of A nearest to that of B, then that of B nearest to
+/// this one.
 void try_near_pair(const Mesh& a, const Mesh& b, MeshPairSearch& search, NearestPair& nearest) {
   if (a.tree->wide.nodes.empty() || b.tree->wide.nodes.empty()) return;
   NearestPair start(search, nullptr);
@@ -114,19 +117,23 @@ void try_near_pair(const Mesh& a, const Mesh& b, MeshPairSearch& search, Nearest
   nearest.try_triangles(start.triangle_A(), start.triangle_B());
 }
 
-/// Opens the parts of the front whose carried gap is too small; false if they are so many that a new front
-/// pays.
+/// Opens the parts of the front whose gap, carried along with the motion, is too small; false if they are so
+/// many that a new front is cheaper.
 bool follow_front(const MeshPairCache& cache, MeshPairSearch& search, NearestPair& nearest) {
+  // The chord 2 sin(θ/2) of the angle between the poses is the Frobenius norm of the difference of the
+  // rotations over √2: no point at distance 1 from the centre has moved farther.
   const Mat3 turn = search.X_AB().R - cache.X_AB.R;
   const Vec3 shift = search.X_AB().p - cache.X_AB.p;
   const double chord = turn.norm() / std::sqrt(2.0) * (1 + 1e-12);  // 2 sin(θ/2).
   const double slack = 4 * search.rounding();
   std::vector<std::pair<double, const MeshPairCache::Front*>> near;
   for (const MeshPairCache::Front& part : cache.front) {
+    // g + n·(X c - X₀ c) - 2 sin(θ/2) r: a lower bound of the gap at the present pose.
     const double gap = part.gap + part.n_A.dot(turn * part.p_BC + shift) - chord * part.radius - slack;
     if (gap <= nearest.distance()) near.emplace_back(gap, &part);
   }
   if (static_cast<int>(near.size()) > 8 + cache.cost / 2) return false;
+  // The nearest parts first; those farther than the best distance are skipped.
   std::sort(near.begin(), near.end());
   const int most_tests = search.cost() + 8 + cache.cost / 2;
   for (const auto& [gap, part] : near) {
@@ -153,6 +160,7 @@ MeshPairDistance mesh_pair_distance(const Mesh& a, const Mesh& b, const Pose& X_
     return nearest.result();
   }
 
+  // The last nearest triangles, at the new pose, limit the distance from the start.
   const auto finished = [cache](const NearestPair& nearest) {
     const MeshPairDistance result = nearest.result();
     cache->triangle_A = result.triangle_A;
@@ -170,12 +178,13 @@ MeshPairDistance mesh_pair_distance(const Mesh& a, const Mesh& b, const Pose& X_
     if (!cache->front.empty() && follow_front(*cache, search, from_front)) return finished(from_front);
   }
 
+  // A new front: the walk from the top records every pair at which it stops.
   cache->front.clear();
   const int cost_before = search.cost();
   NearestPair nearest(search, &cache->front);
   if (is_warm) nearest.try_triangles(cache->triangle_A, cache->triangle_B);
   const bool is_ended = search.walk({0, -1, -1}, nearest);
-  // A walk that ended at a common point leaves no complete front.
+  // A walk that ended early, at a common point, leaves no complete front.
   if (is_ended) cache->front.clear();
   cache->X_AB = X_AB;
   cache->cost = search.cost() - cost_before;
@@ -184,7 +193,7 @@ MeshPairDistance mesh_pair_distance(const Mesh& a, const Mesh& b, const Pose& X_
 
 namespace {
 
-/// Ends at two triangles that meet.
+/// Visitor that ends the walk at the first two triangles that meet.
 struct FirstMeeting {
   const MeshPairSearch& search;
   bool is_found = false;
@@ -199,7 +208,7 @@ struct FirstMeeting {
   }
 };
 
-/// Collects the pairs that are near enough.
+/// Visitor that collects all pairs of triangles that are near enough.
 struct AllNear {
   const MeshPairSearch& search;
   const double squared_tolerance;

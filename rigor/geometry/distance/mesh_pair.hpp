@@ -8,24 +8,25 @@
 
 namespace rigor {
 
-// Two meshes as surfaces: how near their triangles are. What lies inside is mesh_signed_distance's business.
-// All functions take meshes that hold their trees; X_AB is the pose of mesh B in the frame of mesh A.
+// Queries of two meshes as surfaces: how near their triangles are. The inside of a mesh is the subject of
+// mesh_signed_distance. All functions take meshes that hold their trees; X_AB is the pose of mesh B in the
+// frame of mesh A.
 
-/// What a caller may keep of one pair of meshes between queries, so that the next one at a nearby pose is
-/// faster. It changes no answer. One cache a pair, and a thread at a time.
+/// State that a caller may keep of one pair of meshes between queries, so that the next one at a nearby pose
+/// is faster. It changes no answer. One cache per pair, used by one thread at a time.
 struct MeshPairCache {
   /// Parts of the two trees and a direction along which they were apart when the front was made.
   struct Front {
     Vec3 n_A;       ///< Unit, in A, from the part of A to that of B; zero if they were not apart.
-    Vec3 p_BC;      ///< A point about which the part of B lies, in B [m].
+    Vec3 p_BC;      ///< Centre of the part of B, in B [m].
     double gap;     ///< Along n_A [m].
     double radius;  ///< Of the part of B about the point [m].
     int a, b;       ///< Places in the trees.
   };
   int triangle_A = -1, triangle_B = -1;  ///< The last nearest pair.
-  std::vector<Front> front;              ///< Together all pairs of triangles.
-  Pose X_AB;                             ///< At which the front was made.
-  int cost = 0;                          ///< Tests of nodes that it took.
+  std::vector<Front> front;              ///< Parts that together hold all pairs of triangles.
+  Pose X_AB;                             ///< Pose at which the front was made.
+  int cost = 0;                          ///< Node tests that making it took.
 };
 
 /// The nearest points of two surfaces.
@@ -37,10 +38,10 @@ struct MeshPairDistance {
                                ///< the surfaces meet.
 };
 
-/// Branch and bound over both trees, the nearer boxes first. With a cache it starts from the distance of the
-/// last nearest triangles and opens only the parts of the front whose gap, carried on along its direction
-/// with the motion since, is less than that. A part of B with radius r about a point C that turned by the
-/// angle θ has lost no more of its gap than what C has come nearer along n and 2 sin(θ/2) r.
+/// Branch and bound over both trees, the nearer boxes first. With a cache the search starts from the distance
+/// of the last nearest triangles and opens only the parts of the front whose gap, carried along its direction
+/// with the motion since, is less than that. A part of B with radius r about a point C, rotated by the angle
+/// θ since, has lost no more of its gap than the approach of C along n plus 2 sin(θ/2) r.
 ///
 /// Source: Larsen, Gottschalk, Lin and Manocha, Fast Proximity Queries with Swept Sphere Volumes, UNC
 /// TR99-018, 1999 (two trees, nearer first); the front of gaps that are carried with the motion is ours.

@@ -19,6 +19,8 @@ bool is_enclosed(const Mesh& a, const Mesh& b, const Pose& X_BA) {
   if (!b.tree->is_closed || b.tree->wide.nodes.empty()) return false;
   const OrientedBox& box = b.tree->wide.root;
   return std::ranges::any_of(a.tree->shell_vertices, [&](int v) {
+    // One vertex of a shell stands for all of it, as the surfaces do not meet. A vertex outside the box of B
+    // is outside B.
     const Vec3 p_B = X_BA * a.mesh->vertices[at(v)];
     if (((p_B - box.center).cwiseAbs() - box.half).maxCoeff() > 0) return false;
     const MeshPoint nearest = nearest_mesh_point(b, p_B);
@@ -44,6 +46,7 @@ std::span<const int> numbers(const std::vector<std::array<int, 3>>& triangles) {
 DistanceResult mesh_pair_signed_distance(const Mesh& a, const Pose& X_WA, const Mesh& b, const Pose& X_WB) {
   const Pose X_AB = relative_pose(X_WA, X_WB);
   const MeshPairDistance found = mesh_pair_distance(a, b, X_AB);
+  // Surfaces that meet overlap; surfaces that do not may still lie one inside the other.
   if (found.distance == 0) return overlap_distance(a, X_WA, b, X_WB);
   const Vec3 p_WA = X_WA * found.p_AP, p_WB = X_WA * found.p_AQ;
   if (is_enclosed(a, b, X_AB.inverse())) return enclosed_distance(a, X_WA, p_WA, p_WB);

@@ -7,15 +7,15 @@
 namespace rigor {
 
 /// Signed distance of two meshes that hold their trees. Exact where the surfaces are apart and neither lies
-/// in the other; then the bounds are a few roundings wide. Otherwise as
-/// rigor/geometry/distance/mesh_overlap.hpp says. Of open meshes the surfaces alone count.
+/// inside the other; the bounds are then a few roundings wide. Otherwise as defined in
+/// rigor/geometry/distance/mesh_overlap.hpp. Of open meshes only the surfaces count.
 DistanceResult mesh_pair_signed_distance(const Mesh& a, const Pose& X_WA, const Mesh& b, const Pose& X_WB);
 
-/// Negative, zero or positive: an order of two meshes by their numbers, so that (a, b) and (b, a) can be
+/// Order of two meshes by their numbers (negative, zero or positive), so that (a, b) and (b, a) can be
 /// computed alike.
 int compare_meshes(const Mesh& a, const Mesh& b);
 
-/// Whether (b, a) is the order in which the pair is computed.
+/// Whether the pair is computed in the order (b, a).
 bool is_mesh_pair_swapped(const Mesh& a, const Pose& X_WA, const Mesh& b, const Pose& X_WB);
 
 }  // namespace rigor

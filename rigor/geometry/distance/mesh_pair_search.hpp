@@ -14,15 +14,15 @@
 
 namespace rigor {
 
-/// The walk over two trees that all queries of two meshes share. A visitor tells what is of interest:
+/// The walk over two trees that all queries of two meshes share. A visitor decides which pairs matter:
 ///
-///   double limit()                pairs of boxes whose bound (as of child_bounds) is greater are passed over
+///   double limit()                pairs of boxes with a greater bound (see child_bounds) are skipped
 ///   Vec3 direction()              a unit vector, in A, along which B may be apart from A, or zero
-///   void pass(a, b)               hears of those; a and b are places in the trees
-///   bool meet(a, b)               two triangles (at these places); true ends the walk
+///   void pass(a, b)               is told of these; a and b are places in the trees
+///   bool meet(a, b)               visits two triangles (at these places); true ends the walk
 class MeshPairSearch {
  public:
-  /// Places in both trees that are still to be looked at.
+  /// A pair of places in both trees that is still to be visited.
   struct Entry {
     double bound;
     int a, b;
@@ -36,9 +36,9 @@ class MeshPairSearch {
     stack_.reserve(256);
   }
 
-  /// Roundings of the coordinates of both meshes in one frame, a few times over [m].
+  /// A few roundings of the coordinates of both meshes in one frame [m].
   double rounding() const { return rounding_; }
-  /// Tests of a node so far.
+  /// Number of node tests so far.
   int cost() const { return cost_; }
 
   TriangleCorners corners_A(int triangle) const { return corners(*a_.mesh, triangle); }
@@ -55,8 +55,8 @@ class MeshPairSearch {
   int triangle_A(int place) const { return ~tree_A_.child_at(place); }
   int triangle_B(int place) const { return ~tree_B_.child_at(place); }
 
-  /// The pair of leaves that going down at the nearest child leads to. Both trees have nodes, and the
-  /// visitor's limit is infinite.
+  /// The pair of leaves that descending into the nearest child leads to. Both trees must have nodes, and the
+  /// visitor's limit must be infinite.
   template <typename Visitor>
   Entry nearest_leaves(Visitor& visitor) {
     Entry entry{0, -1, -1};
@@ -69,12 +69,13 @@ class MeshPairSearch {
     }
   }
 
-  /// Everything below a pair of places; true if the visitor ended the walk.
+  /// Visits everything below a pair of places; true if the visitor ended the walk.
   template <typename Visitor>
   bool walk(const Entry& start, Visitor& visitor) {
     if (tree_A_.nodes.empty() || tree_B_.nodes.empty()) return false;
     stack_.assign(1, start);
     while (!stack_.empty()) {
+      // The limit may have fallen since the pair was pushed.
       const Entry entry = stack_.back();
       stack_.pop_back();
       if (entry.bound > visitor.limit()) {
@@ -82,6 +83,7 @@ class MeshPairSearch {
         continue;
       }
       const int child_A = tree_A_.child_at(entry.a), child_B = tree_B_.child_at(entry.b);
+      // Pairs of boxes are opened; two leaves are two triangles, which the visitor decides about.
       if (child_A >= 0 || child_B >= 0) {
         open(entry, child_A, child_B, visitor);
       } else if (visitor.meet(entry.a, entry.b)) {
@@ -100,13 +102,16 @@ class MeshPairSearch {
     return {X * box.center, X.R * box.axes, box.half};
   }
 
-  /// Replaces a pair by those of the children of its larger box that may matter, the nearest on top.
+  /// Replaces a pair by the pairs of the children of its larger box with the other box, without those beyond
+  /// the limit; the nearest is on top.
   template <typename Visitor>
   void open(const Entry& entry, int child_A, int child_B, Visitor& visitor) {
     const OrientedBox box_A = tree_A_.box_at(entry.a), box_B = tree_B_.box_at(entry.b);
+    // The larger box is opened, since its bounds are the coarser ones; a leaf cannot be.
     const bool open_A = child_B < 0 || (child_A >= 0 && box_A.half.squaredNorm() >= box_B.half.squaredNorm());
     const int node_index = open_A ? child_A : child_B;
     const WideTree::Node& node = (open_A ? tree_A_ : tree_B_).nodes[at(node_index)];
+    // One test bounds all children of the opened node, in the frame of their mesh.
     const Vec3 n_A = visitor.direction();
     const OtherBox other = open_A ? OtherBox{moved(X_AB_, box_B), -n_A, rounding_}
                                   : OtherBox{moved(X_BA_, box_A), X_BA_.R * n_A, rounding_};
@@ -121,7 +126,7 @@ class MeshPairSearch {
         visitor.pass(next.a, next.b);
         continue;
       }
-      // Insertion: descending from the bottom up.
+      // Insertion sort: bounds fall from the bottom to the top.
       stack_.push_back(next);
       std::size_t spot = stack_.size() - 1;
       for (; spot > first && stack_[spot - 1].bound < next.bound; --spot) stack_[spot] = stack_[spot - 1];

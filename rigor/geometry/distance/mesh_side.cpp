@@ -13,6 +13,7 @@ constexpr double kConeSlack = 1e-9;
 }  // namespace
 
 int MeshSide::edge(int t, int k) const {
+  // The lower of the two triangles names the edge; the shared edge runs the other way in it.
   const int other = topology(t).neighbour[at(k)];
   if (other < 0 || other > t) return 3 * t + k;
   for (int j = 0; j < 3; ++j) {
@@ -24,6 +25,7 @@ int MeshSide::edge(int t, int k) const {
 
 bool MeshSide::falls_away(int t, const Vec3& p_M, const Vec3& n_M) const {
   return std::ranges::all_of(mesh_.mesh->triangles[at(t)], [&](int v) {
+    // A vertex counts as below the plane if its height is within the tolerances of slope and reach.
     const Vec3 along = mesh_.mesh->vertices[at(v)] - p_M;
     return n_M.dot(along) <= kConeSlack * along.norm() + reach_;
   });

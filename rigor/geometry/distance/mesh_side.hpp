@@ -10,8 +10,8 @@
 
 namespace rigor {
 
-/// A mesh placed in a common frame O, as one side of a pair: its corners, edges and faces with what lies
-/// about them.
+/// A mesh placed in a common frame O, as one side of a pair: its corners, edges and faces with their
+/// neighbourhoods.
 class MeshSide {
  public:
   /// reach: neighbours that rise by no more than this along a normal still count as falling away [m].
@@ -24,23 +24,24 @@ class MeshSide {
   const TriangleTree::Triangle& topology(int t) const { return mesh_.tree->triangles[at(t)]; }
   bool is_corner(int v) const { return mesh_.tree->is_crease_corner[at(v)]; }
   double patch_area(int t) const { return mesh_.tree->patch_areas[at(topology(t).patch)]; }
-  /// Does the surface bend away there, or end?
+  /// Whether the surface bends away at this edge, or ends there.
   bool is_edge(int t, int k) const {
     const MeshEdgeKind kind = topology(t).edge[at(k)];
     return kind == MeshEdgeKind::convex || kind == MeshEdgeKind::boundary;
   }
   /// A number for edge k of triangle t, the same from both of its sides: 3 t + k of the lower triangle.
   int edge(int t, int k) const;
-  /// The triangles at an edge of this number; the second is -1 at a border.
+  /// The triangles at the edge with this number; the second is -1 at a border.
   std::array<int, 2> triangles_at(int edge) const {
     return {edge / 3, topology(edge / 3).neighbour[at(edge % 3)]};
   }
 
-  /// Does the surface about the vertex, or at the edge, fall away from the direction n?
+  /// Whether the surface about the vertex, or at the edge, falls away from the direction n.
   bool falls_away_at_vertex(int v, const Vec3& n) const;
   bool falls_away_at_edge(int edge, const Vec3& n) const;
 
  private:
+  /// Whether triangle t lies below the plane through p_M with the normal n_M, up to the slack and the reach.
   bool falls_away(int t, const Vec3& p_M, const Vec3& n_M) const;
 
   const Mesh& mesh_;

@@ -15,7 +15,7 @@
 namespace rigor {
 namespace {
 
-/// The same in the frame of the shape, for a point p.
+/// Signed distance of a point p and the gradient of the distance, in the frame of the shape.
 struct LocalDistance {
   double distance;
   Vec3 n;
@@ -34,6 +34,8 @@ Vec3 nearest_on_ellipsoid(const Vec3& radii, const Vec3& p) {
   const Vec3 excess = (radii.array() - m) * (radii.array() + m);
   const Vec3 rp = radii.cwiseProduct(p.cwiseAbs());
 
+  // Each term of F alone must be ≤ 1 at the root, which bounds the root from below. Without a positive bound
+  // the point may have no root: its nearest point is then off the plane across the shortest axis.
   double u = std::max(0.0, (rp - excess).maxCoeff());
   if (u == 0) {
     Vec3 x = Vec3::Zero();
@@ -48,6 +50,7 @@ Vec3 nearest_on_ellipsoid(const Vec3& radii, const Vec3& p) {
       return x;
     }
   }
+  // Newton's method rises monotonically to the root, until rounding stops it.
   constexpr int most_steps = 100;  // Each multiplies u by at least nearly 1.5 until the end is quadratic.
   for (int k = 0; k < most_steps; ++k) {
     double F = -1, slope = 0;
@@ -93,6 +96,8 @@ struct DistanceOfPoint {
     return {n.dot(p - x), n};
   }
   LocalDistance operator()(const Convex& s) const {
+    // From inside the nearest face decides, which is the one of the largest (least negative) height; from
+    // outside GJK.
     LocalDistance nearest{-std::numeric_limits<double>::infinity(), Vec3::UnitZ()};
     for (std::size_t f = 0; f < s.hull->faces.size(); ++f) {
       const Vec3& n = s.hull->face_normals[f];
@@ -103,6 +108,7 @@ struct DistanceOfPoint {
   }
   LocalDistance operator()(const Mesh& s) const {
     const MeshPoint nearest = nearest_mesh_point(s, p);
+    // The pseudonormal at the nearest point gives the sign of a closed mesh.
     const Vec3 away = p - nearest.p_M;
     const double side = away.dot(nearest.normal_M);
     if (nearest.distance == 0) return {0, nearest.normal_M.normalized()};

@@ -17,10 +17,10 @@ namespace rigor {
 
 namespace {
 
-/// Numbers written out in a message before it goes on with "and n more".
+/// Number of items written out in a message before "and n more".
 constexpr std::size_t kListed = 5;
 
-/// Pairs of faces that cut each other, found before the search ends.
+/// Number of pairs of faces that cut each other after which the search ends.
 constexpr int kMaxPairs = 1000;
 
 /// "3, 5 and 7" or "3, 5, 6, 8, 9 and 12 more".
@@ -57,6 +57,7 @@ class MeshChecker {
   MeshChecker(const PolygonMesh& mesh, const MeshCheckOptions& options) : mesh_(mesh), options_(options) {}
 
   std::vector<MeshDefect> run() {
+    // Later checks rely on earlier ones: faces need valid indices, volumes a surface without errors.
     check_vertices();
     check_indices();
     if (!has_errors(defects_)) {
@@ -96,7 +97,7 @@ class MeshChecker {
   std::vector<MeshDefect> defects_;
   std::vector<FaceEdge> edges_;
   Vec3 lower_ = Vec3::Zero(), upper_ = Vec3::Zero();
-  double scale_ = 0;  ///< Largest coordinate or extent: its rounding blurs everything.
+  double scale_ = 0;  ///< Largest coordinate or extent: its rounding limits all decisions.
 };
 
 void MeshChecker::check_vertices() {
@@ -111,6 +112,7 @@ void MeshChecker::check_vertices() {
 }
 
 void MeshChecker::check_size() {
+  // The box about the mesh, and the largest coordinate, whose rounding no decision can go below.
   lower_ = upper_ = mesh_.vertices[0];
   double largest = 0;
   for (const Vec3& v : mesh_.vertices) {
@@ -121,8 +123,8 @@ void MeshChecker::check_size() {
   const double size = (upper_ - lower_).maxCoeff();
   scale_ = std::max(size, largest);
 
-  // Inertia grows with the fifth power of the size and its determinant with the fifteenth: that must stay a
-  // normal double.
+  // Inertia grows with the fifth power of the size and its determinant with the fifteenth; the determinant
+  // must stay a normal double.
   const double smallest_size = std::exp2(-1022.0 / 15), largest_size = std::exp2(1022.0 / 15);
   if (size == 0) {
     add(MeshDefectKind::size_out_of_range, true, 1, "all vertices lie at one point");
@@ -139,6 +141,7 @@ void MeshChecker::check_indices() {
   std::vector<int> out_of_range, degenerate;
   const int count = static_cast<int>(mesh_.vertices.size());
   for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
+    // Sorted vertices show at once whether one occurs twice.
     std::vector<int> loop = mesh_.faces[f];
     const bool is_valid =
         std::all_of(loop.begin(), loop.end(), [count](int v) { return v >= 0 && v < count; });
@@ -177,16 +180,18 @@ void MeshChecker::check_faces() {
   std::vector<int> flat, bent;
   double worst = 0;
   for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
+    // Length from the first vertex and area of the face: together they give its height.
     const std::vector<int>& loop = mesh_.faces[f];
     const Vec3& p0 = mesh_.vertices[at(loop[0])];
     double length = 0;
     for (const int v : loop) length = std::max(length, (mesh_.vertices[at(v)] - p0).norm());
     const Vec3 area = doubled_area_vector(mesh_.vertices, loop);
-    // A height below the rounding of the coordinates is none.
+    // A height over the longest side below the rounding of the coordinates is no height.
     if (!(area.norm() > 4 * kUnitRoundoff * scale_ * length)) {
       flat.push_back(static_cast<int>(f));
       continue;
     }
+    // Distances of the vertices from the plane through the first vertex along the mean normal.
     double height = 0;
     for (const int v : loop)
       height = std::max(height, std::abs(area.normalized().dot(mesh_.vertices[at(v)] - p0)));
@@ -205,10 +210,11 @@ void MeshChecker::check_faces() {
   }
 }
 
-/// Whether every edge is run through once in each direction.
+/// Reports edges that are open, flipped or crowded; true if every edge is traversed once in each direction.
 bool MeshChecker::check_edges() {
   std::vector<std::string> open, flipped, crowded;
   for (std::size_t i = 0; i < edges_.size();) {
+    // Sides between the same two vertices follow each other.
     std::size_t end = i;
     while (end < edges_.size() && edges_[end].low == edges_[i].low && edges_[end].high == edges_[i].high)
       ++end;
@@ -237,6 +243,8 @@ bool MeshChecker::check_edges() {
   return open.empty() && flipped.empty() && crowded.empty();
 }
 
+/// Each check needs the one before: shells are judged by their volumes, and the inertia of a misplaced shell
+/// is meaningless.
 void MeshChecker::check_solid() {
   const PolyhedronIntegrals integrals = polyhedron_integrals(mesh_.vertices, mesh_.faces);
   const std::size_t before = defects_.size();
@@ -247,6 +255,7 @@ void MeshChecker::check_solid() {
 
 void MeshChecker::check_volume(const PolyhedronIntegrals& integrals) {
   const bool is_error = !options_.may_be_open;
+  // A volume within its own error bound has no sign; the sign tells the orientation.
   const double volume = integrals.volume, box = (upper_ - lower_).prod();
   if (std::abs(volume) <= integrals.volume_error) {
     add(MeshDefectKind::zero_volume, is_error, 1,
@@ -277,8 +286,9 @@ void MeshChecker::check_shells() {
 }
 
 void MeshChecker::check_inertia(const PolyhedronIntegrals& integrals) {
+  // The mass properties at density 1 must be those of a solid, with the centre of mass inside the box.
   const MassProperties properties = mass_properties(integrals, 1.0);
-  // Twice the allowance of the integrals' own bound, so that rounding is never blamed on the mesh.
+  // Twice the error bound of the integrals, so that rounding is never blamed on the mesh.
   const double tolerance = std::max(1e-14, 2 * properties.error_bound);
   std::vector<std::string> reasons = find_mass_defects(properties, tolerance);
   const Vec3 margin = tolerance * Vec3::Constant(scale_);
@@ -292,6 +302,7 @@ void MeshChecker::check_inertia(const PolyhedronIntegrals& integrals) {
 }
 
 void MeshChecker::check_self_intersections() {
+  // The triangulation takes the faces in order and splits one with n vertices into n - 2 triangles.
   std::vector<int> face_of;
   for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
     face_of.insert(face_of.end(), mesh_.faces[f].size() - 2, static_cast<int>(f));

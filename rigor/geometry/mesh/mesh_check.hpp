@@ -16,7 +16,7 @@ enum class MeshDefectKind {
   zero_area_face,      ///< The vertices of a face lie on one line.
   not_planar,          ///< The vertices of a face do not lie in one plane.
   open_edge,           ///< An edge with one face only: the surface is not closed.
-  flipped_face,        ///< Two neighbours run through their edge in the same direction.
+  flipped_face,        ///< Two neighbours traverse their edge in the same direction.
   non_manifold_edge,   ///< More than two faces at an edge.
   inverted,            ///< Faces are clockwise seen from outside: the volume is negative.
   zero_volume,         ///< The volume is zero or hidden by rounding errors.
@@ -36,7 +36,7 @@ struct MeshDefect {
 };
 
 struct MeshCheckOptions {
-  /// Open edges are warnings, and nothing is said of the volume: for static bodies, which need no mass.
+  /// Open edges are only warnings, and the volume is not checked: for static bodies, which need no mass.
   bool may_be_open = false;
   /// Allowed distance of a vertex from the plane of its face, relative to the largest coordinate or extent.
   /// The default allows for the rounding of the coordinates: 64 ε.
@@ -48,7 +48,7 @@ struct MeshCheckOptions {
 };
 
 /// All faults of a mesh as the surface of a solid, in the order of the enum; empty if there are none. Faults
-/// that hide others come alone: coordinates and indices first, then the surface, then the volume.
+/// that hide others are reported alone: coordinates and indices first, then the surface, then the volume.
 std::vector<MeshDefect> find_mesh_defects(const PolygonMesh& mesh, const MeshCheckOptions& options = {});
 std::vector<MeshDefect> find_mesh_defects(const TriangleMesh& mesh, const MeshCheckOptions& options = {});
 

@@ -10,11 +10,11 @@
 namespace rigor {
 namespace {
 
-/// Two triangles are one flat piece if each corner of one lies in the plane of the other but for this part of
-/// their size: more than the rounding of coordinates in single precision, as mesh files hold them.
+/// Two triangles form one flat piece if each corner of one lies in the plane of the other, up to this part of
+/// their size. It is more than the rounding of coordinates in single precision, as mesh files hold them.
 constexpr double kFlatness = 1e-7;
 
-/// One side of one triangle, named by its ends in ascending order.
+/// One side of one triangle, identified by its end vertices in ascending order.
 struct Side {
   int low, high;
   int triangle;
@@ -45,6 +45,7 @@ Vec3 triangle_normal(const TriangleMesh& mesh, int t) {
   return n / area;
 }
 
+/// All sides, sorted so that those between the same two vertices follow each other.
 std::vector<Side> sorted_sides(const TriangleMesh& mesh) {
   std::vector<Side> sides;
   for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
@@ -59,19 +60,25 @@ std::vector<Side> sorted_sides(const TriangleMesh& mesh) {
   return sides;
 }
 
+/// The kind of the edge that two triangles share.
 MeshEdgeKind edge_kind(const TriangleMesh& mesh, const TriangleTree& tree, const Side& a, const Side& b) {
   const Vec3& n_a = tree.triangles[at(a.triangle)].normal;
   const Vec3& n_b = tree.triangles[at(b.triangle)].normal;
   if (n_a.isZero(0) || n_b.isZero(0)) return MeshEdgeKind::boundary;
+  // Heights of the two opposite corners over the plane of the other triangle: negative where the surface
+  // bends away. Their sum decides, as one of the two may be rounding.
   const Vec3& p = corner(mesh, a.triangle, a.k);
   const double rise_b = n_a.dot(corner(mesh, b.triangle, b.k + 2) - p);
   const double rise_a = n_b.dot(corner(mesh, a.triangle, a.k + 2) - p);
   const double size = std::max(longest_side(mesh, a.triangle), longest_side(mesh, b.triangle));
+  // Coplanar triangles are flat only if they face alike; folded onto each other they are a convex or concave
+  // edge.
   const bool is_flat = std::max(std::abs(rise_a), std::abs(rise_b)) <= kFlatness * size;
   if (is_flat && n_a.dot(n_b) > 0) return MeshEdgeKind::flat;
   return rise_a + rise_b < 0 ? MeshEdgeKind::convex : MeshEdgeKind::concave;
 }
 
+/// Links the triangles across their edges and classifies these.
 void find_neighbours(const TriangleMesh& mesh, TriangleTree& tree) {
   const std::vector<Side> sides = sorted_sides(mesh);
   tree.is_closed = !sides.empty();
@@ -80,6 +87,8 @@ void find_neighbours(const TriangleMesh& mesh, TriangleTree& tree) {
     while (last < sides.size() && sides[last].low == sides[first].low &&
            sides[last].high == sides[first].high)
       ++last;
+    // An orientable surface has exactly two triangles at an edge, which run through it in opposite
+    // directions. Any other edge stays a boundary and leaves the mesh open.
     const Side& a = sides[first];
     const bool is_pair = last - first == 2;
     const bool runs_both_ways =
@@ -99,7 +108,7 @@ void find_neighbours(const TriangleMesh& mesh, TriangleTree& tree) {
   }
 }
 
-/// Spreads the least triangle index over flat edges.
+/// Finds the flat patches by flooding across flat edges; each is named by its least triangle index.
 void find_patches(TriangleTree& tree) {
   for (TriangleTree::Triangle& t : tree.triangles) t.patch = -1;
   std::vector<int> todo;
@@ -130,7 +139,7 @@ void find_patch_areas(const TriangleMesh& mesh, TriangleTree& tree) {
   }
 }
 
-/// Walks over all edges from each triangle that was not seen before.
+/// Finds one vertex of each shell, by flooding across all edges from each triangle that was not seen before.
 void find_shell_vertices(const TriangleMesh& mesh, TriangleTree& tree) {
   tree.shell_vertices.clear();
   std::vector<bool> is_seen(mesh.triangles.size(), false);
@@ -152,8 +161,8 @@ void find_shell_vertices(const TriangleMesh& mesh, TriangleTree& tree) {
   }
 }
 
-/// Do the creases at a vertex, given by their directions away from it, leave a corner? Not if there are none,
-/// or two that make one straight line.
+/// Whether the creases at a vertex, given by their directions away from it, form a corner. They do not if
+/// there are none, or two that make one straight line.
 bool is_corner(const std::vector<Vec3>& creases) {
   if (creases.empty()) return false;
   if (creases.size() != 2) return true;
@@ -166,6 +175,8 @@ std::vector<Vec3> creases_at(const TriangleMesh& mesh, const TriangleTree& tree,
   std::vector<std::pair<int, Vec3>> creases;
   for (const int t : tree.vertex_triangles[at(v)]) {
     const TriangleTree::Triangle& triangle = tree.triangles[at(t)];
+    // Edges of the triangle that leave the vertex and are not flat. Both triangles of a crease name it; the
+    // far end tells it apart.
     if (patch >= 0 && triangle.patch != patch) continue;
     for (int k = 0; k < 3; ++k) {
       const int a = corner_index(mesh, t, k), b = corner_index(mesh, t, k + 1);
@@ -182,6 +193,8 @@ std::vector<Vec3> creases_at(const TriangleMesh& mesh, const TriangleTree& tree,
   return directions;
 }
 
+/// Collects the triangles about each vertex, and its pseudonormal: the sum of their normals weighted by their
+/// angles, which gives the sign of a distance whatever the triangulation (Bærentzen and Aanæs 2005).
 void find_vertices(const TriangleMesh& mesh, TriangleTree& tree) {
   tree.vertex_triangles.assign(mesh.vertices.size(), {});
   tree.vertex_normals.assign(mesh.vertices.size(), Vec3::Zero());
@@ -190,6 +203,7 @@ void find_vertices(const TriangleMesh& mesh, TriangleTree& tree) {
     if (normal.isZero(0)) continue;
     for (int k = 0; k < 3; ++k) {
       const std::size_t v = at(corner_index(mesh, t, k));
+      // The angle of the triangle at this corner is its weight.
       const Vec3 a = corner(mesh, t, k + 1) - corner(mesh, t, k);
       const Vec3 b = corner(mesh, t, k + 2) - corner(mesh, t, k);
       tree.vertex_triangles[v].push_back(t);
@@ -198,6 +212,7 @@ void find_vertices(const TriangleMesh& mesh, TriangleTree& tree) {
   }
 }
 
+/// Marks the corners of the creases of the surface, and those of each flat patch by itself.
 void find_corners(const TriangleMesh& mesh, TriangleTree& tree) {
   tree.is_crease_corner.assign(mesh.vertices.size(), false);
   for (int v = 0; v < static_cast<int>(mesh.vertices.size()); ++v) {
@@ -219,10 +234,12 @@ void find_mesh_edges(const TriangleMesh& mesh, TriangleTree& tree) {
   tree.triangles.assign(mesh.triangles.size(), {});
   for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
     for (int k = 0; k < 3; ++k) {
+      // All later passes rely on valid indices.
       RIGOR_ASSERT(corner_index(mesh, t, k) >= 0 && corner_index(mesh, t, k) < vertex_count);
     }
     tree.triangles[at(t)].normal = triangle_normal(mesh, t);
   }
+  // Patches need the kinds of edges, and corners need the patches.
   find_neighbours(mesh, tree);
   find_patches(tree);
   find_patch_areas(mesh, tree);

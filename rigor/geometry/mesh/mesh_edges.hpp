@@ -5,7 +5,7 @@
 
 namespace rigor {
 
-/// Fills everything of the tree that does not need its boxes: normals, neighbours, kinds of edges, flat
+/// Fills the parts of the tree that do not depend on its boxes: normals, neighbours, kinds of edges, flat
 /// patches and their corners. Vertices are the same if their indices are.
 void find_mesh_edges(const TriangleMesh& mesh, TriangleTree& tree);
 

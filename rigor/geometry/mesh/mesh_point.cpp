@@ -13,14 +13,14 @@
 namespace rigor {
 namespace {
 
-/// Nearest point of a triangle and where it lies: corners[k] says whether corner k takes part, so that one is
-/// a vertex, two an edge and three the face.
+/// Nearest point of a triangle and its location: corners[k] says whether corner k takes part, so that one
+/// corner is a vertex, two are an edge and three the face.
 struct TrianglePoint {
   Vec3 p;
   std::array<bool, 3> corners;
 };
 
-/// Nearest point of the segment ab, as the corners i and j of a triangle.
+/// Nearest point of the segment ab, whose ends are the corners i and j of a triangle.
 TrianglePoint nearest_on_side(const Vec3& a, const Vec3& b, std::size_t i, std::size_t j, const Vec3& q) {
   const Vec3 ab = b - a;
   const double along = (q - a).dot(ab);
@@ -33,14 +33,14 @@ TrianglePoint nearest_on_side(const Vec3& a, const Vec3& b, std::size_t i, std::
 }
 
 TrianglePoint nearest_on_triangle(const std::array<Vec3, 3>& corners, const Vec3& normal, const Vec3& q) {
-  // The face, if q lies above it.
+  // The face, if q projects into it.
   bool is_above = true;
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3 side = corners[(k + 1) % 3] - corners[k];
     is_above = is_above && normal.cross(side).dot(q - corners[k]) > 0;
   }
   if (is_above) return {q - normal.dot(q - corners[0]) * normal, {true, true, true}};
-  // Else the nearest of the sides.
+  // Otherwise the nearest side.
   TrianglePoint best = nearest_on_side(corners[0], corners[1], 0, 1, q);
   for (std::size_t k = 1; k < 3; ++k) {
     const TrianglePoint next = nearest_on_side(corners[k], corners[(k + 1) % 3], k, (k + 1) % 3, q);
@@ -49,7 +49,8 @@ TrianglePoint nearest_on_triangle(const std::array<Vec3, 3>& corners, const Vec3
   return best;
 }
 
-/// Normal for the sign of the distance at the part of the triangle that the point lies on.
+/// The angle-weighted pseudonormal at the point: the face normal, the sum of both face normals at an edge, or
+/// the weighted sum at a vertex. Its product with q - p has the sign of the distance.
 Vec3 pseudo_normal(const Mesh& mesh, std::size_t t, const TrianglePoint& point) {
   const TriangleTree::Triangle& triangle = mesh.tree->triangles[t];
   const long corner_count = std::count(point.corners.begin(), point.corners.end(), true);
@@ -59,6 +60,7 @@ Vec3 pseudo_normal(const Mesh& mesh, std::size_t t, const TrianglePoint& point) 
     if (corner_count == 1) {
       return mesh.tree->vertex_normals[at(mesh.mesh->triangles[t][k])];
     }
+    // Two corners: the edge from corner k to the next.
     if (!point.corners[(k + 1) % 3]) continue;
     const int neighbour = triangle.neighbour[k];
     if (neighbour < 0) return triangle.normal;
@@ -71,6 +73,7 @@ double squared_distance(const Aabb& box, const Vec3& q) {
   return (box.lower - q).cwiseMax(q - box.upper).cwiseMax(0.0).squaredNorm();
 }
 
+/// Branch and bound over the tree: a box farther away than the best point is skipped.
 class NearestPoint {
  public:
   NearestPoint(const Mesh& mesh, const Vec3& q_M) : mesh_(mesh), q_M_(q_M) {
@@ -87,9 +90,11 @@ class NearestPoint {
   void search(std::size_t index) {
     const TriangleTree& tree = *mesh_.tree;
     const TriangleTree::Node& node = tree.nodes[index];
+    // Bound: no point of the box is nearer than the box itself.
     if (squared_distance(node.box, q_M_) >= squared_) return;
     for (int k = 0; k < node.count; ++k) try_triangle(tree.order[at(node.first + k)]);
     if (node.count > 0) return;
+    // The nearer child first, so that the bound falls early.
     const std::size_t left = index + 1, right = at(node.first);
     const bool left_first =
         squared_distance(tree.nodes[left].box, q_M_) <= squared_distance(tree.nodes[right].box, q_M_);
@@ -103,6 +108,7 @@ class NearestPoint {
     for (std::size_t k = 0; k < 3; ++k) {
       corners[k] = mesh_.mesh->vertices[at(mesh_.mesh->triangles[index][k])];
     }
+    // Of equally near triangles the first one stays.
     const TrianglePoint point = nearest_on_triangle(corners, mesh_.tree->triangles[index].normal, q_M_);
     const double squared = (point.p - q_M_).squaredNorm();
     if (squared >= squared_) return;

@@ -11,8 +11,8 @@ struct MeshPoint {
   double distance;  ///< ≥ 0 [m]; infinite if the mesh has no triangles.
 };
 
-/// Nearest point by branch and bound over the tree. For a closed mesh (q - p_M) · normal_M < 0 says that q
-/// lies inside.
+/// Nearest point by branch and bound over the tree. For a closed mesh, q lies inside if (q - p_M) · normal_M
+/// < 0.
 ///
 /// Source: Bærentzen and Aanæs, Signed Distance Computation Using the Angle Weighted Pseudonormal, IEEE TVCG
 /// 11(3), 2005.

@@ -12,10 +12,11 @@ namespace rigor {
 
 namespace {
 
-/// Vertices of a shell that are tried: enough that a few on the surface of a touching shell do not decide.
+/// Number of vertices of a shell that are tried: enough that a few on the surface of a touching shell do not
+/// decide.
 constexpr std::size_t kTriedVertices = 8;
 
-/// Number of the set of each face, by joining faces along their edges.
+/// Union-find over the faces, joined along their edges: the set of a face is named by its lowest face.
 class FaceSets {
  public:
   explicit FaceSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
@@ -72,7 +73,7 @@ MeshShells find_shells(const PolygonMesh& mesh, const std::vector<FaceEdge>& edg
     if (is_same) sets.join(edges[i].face, edges[i - 1].face);
   }
 
-  // A face that is the lowest of its set starts a shell; the others come after it.
+  // The lowest face of a set starts a shell; the other faces of the set come after it.
   MeshShells result;
   std::vector<int> shell_of(mesh.faces.size(), -1);
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
@@ -86,6 +87,8 @@ MeshShells find_shells(const PolygonMesh& mesh, const std::vector<FaceEdge>& edg
     result.shells[at(shell_of[f])].faces.push_back(mesh.faces[f]);
   }
 
+  // Each shell gets its own vertices, numbered as its faces name them. A vertex where shells touch is copied
+  // to each.
   std::vector<int> number(mesh.vertices.size(), -1), owner(mesh.vertices.size(), -1);
   for (std::size_t s = 0; s < result.shells.size(); ++s) {
     PolygonMesh& shell = result.shells[s];
@@ -114,6 +117,8 @@ std::vector<int> find_misplaced_shells(const std::vector<PolygonMesh>& shells) {
     is_cavity.push_back(polyhedron_integrals(shell.vertices, shell.faces).volume < 0);
   }
 
+  // The winding number of all other shells about a vertex is 0 outside every solid and 1 inside one: a solid
+  // belongs outside, a cavity inside.
   std::vector<int> misplaced;
   for (std::size_t s = 0; s < shells.size(); ++s) {
     const std::vector<Vec3>& vertices = shells[s].vertices;

@@ -13,30 +13,34 @@ namespace {
 
 using Corners = TriangleCorners;
 
-/// Axis along which the triangle is seen with an area.
+/// The coordinate axis along which the projection of the triangle has the largest area.
 int viewing_axis(const Corners& t) {
   int axis;
   (t[1] - t[0]).cross(t[2] - t[0]).cwiseAbs().maxCoeff(&axis);
   return axis;
 }
 
-/// Triangles that share corner 0 of both: they meet elsewhere if the edge opposite to it of one meets the
-/// other.
+/// Triangles that share corner 0: they meet elsewhere too if the edge of one opposite to that corner meets
+/// the other.
 bool triangles_at_vertex_meet(const Corners& t, const Corners& u) {
+  // An edge strictly on one side of the plane of u cannot meet u.
   const int t1 = orientation(u[0], u[1], u[2], t[1]), t2 = orientation(u[0], u[1], u[2], t[2]);
   if (t1 * t2 > 0) return false;
   return segment_meets(t[1], t[2], u) || segment_meets(u[1], u[2], t);
 }
 
-/// Triangles that share the edge of corners 0 and 1 of both: they overlap if one is folded flat on the other.
+/// Triangles that share the edge from corner 0 to corner 1: they overlap if one is folded flat onto the
+/// other.
 bool triangles_at_edge_meet(const Corners& t, const Corners& u) {
+  // Triangles of different planes have only their common edge in common. In one plane they overlap if their
+  // third corners are on the same side of that edge.
   if (orientation(t[0], t[1], t[2], u[2]) != 0) return false;
   const int axis = viewing_axis(t);
   const Vec2 p = seen_along(t[0], axis), q = seen_along(t[1], axis);
   return orientation(p, q, seen_along(t[2], axis)) * orientation(p, q, seen_along(u[2], axis)) > 0;
 }
 
-/// The triangles' corners, those that they share first and in the same order in both.
+/// The corners of two triangles, with those that they share first and in the same order.
 struct SharedFirst {
   Corners t, u;
   int shared = 0;
@@ -58,6 +62,7 @@ SharedFirst shared_first(const TriangleMesh& mesh, std::array<int, 3> a, std::ar
   return result;
 }
 
+/// Whether two triangles meet other than at the vertices and edges that they share.
 bool faces_meet(const TriangleMesh& mesh, int a, int b) {
   const SharedFirst pair = shared_first(mesh, mesh.triangles[at(a)], mesh.triangles[at(b)]);
   switch (pair.shared) {
@@ -75,6 +80,7 @@ bool faces_meet(const TriangleMesh& mesh, int a, int b) {
 }  // namespace
 
 std::vector<std::array<int, 2>> find_self_intersections(const TriangleMesh& mesh, int max_pairs) {
+  // Only triangles whose boxes overlap can meet: the broad phase leaves few pairs for the exact tests.
   std::vector<Aabb> boxes;
   boxes.reserve(mesh.triangles.size());
   for (const std::array<int, 3>& triangle : mesh.triangles) {

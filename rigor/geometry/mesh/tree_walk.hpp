@@ -7,8 +7,8 @@
 
 namespace rigor {
 
-// How the hierarchy of a mesh is walked, by those who do not care how its nodes are laid out. The root is
-// node 0, if the tree is not empty.
+// Traversal of the hierarchy of a mesh for callers that do not depend on the layout of its nodes. The root is
+// node 0 if the tree is not empty.
 
 inline bool has_triangles(const TriangleTree& tree) {
   return !tree.nodes.empty();

@@ -11,8 +11,8 @@
 namespace rigor {
 namespace {
 
-constexpr int kLeafSize = 4;   ///< Triangles a leaf may hold: fewer cost more boxes than they save.
-constexpr int kBinCount = 16;  ///< Places where the heuristic tries to cut.
+constexpr int kLeafSize = 4;   ///< Most triangles of a leaf: fewer cost more box tests than they save.
+constexpr int kBinCount = 16;  ///< Bins of centres between which the heuristic may cut.
 
 /// Recursive top-down build over `order[first, first + count)`.
 class Builder {
@@ -33,6 +33,7 @@ class Builder {
     const std::size_t index = tree_.nodes.size();
     tree_.nodes.push_back({bounds(first, count), first, count});
     if (count <= kLeafSize) return;
+    // The left subtree follows its parent, so that only the index of the right child is stored.
     const int left_count = partition(first, count);
     build(first, left_count);
     tree_.nodes[index].first = static_cast<int>(tree_.nodes.size());
@@ -55,12 +56,13 @@ class Builder {
     return box;
   }
 
-  /// Reorders the range and returns how many triangles go to the left: by the cheapest of the cuts between
-  /// bins along the longest side of the box of centres, or at the median where all centres fall together.
+  /// Reorders the range and returns how many triangles belong to the left child: at the cheapest cut between
+  /// bins along the longest side of the box of centres, or at the median where all centres coincide.
   int partition(int first, int count) {
     Aabb range = empty_box();
     for (int k = first; k < first + count; ++k)
       range = range.united({center(triangle(k)), center(triangle(k))});
+    // Centres that coincide cannot be told apart by a plane.
     int axis = 0;
     const double length = (range.upper - range.lower).maxCoeff(&axis);
     if (!(length > 0)) return count / 2;
@@ -71,11 +73,13 @@ class Builder {
     };
     const int cut = cheapest_cut(first, count, bin_of);
     const auto begin = tree_.order.begin() + first;
+    // A stable partition, so that the tree depends on the mesh alone.
     const auto middle = std::stable_partition(begin, begin + count, [&](int t) { return bin_of(t) < cut; });
     return static_cast<int>(middle - begin);
   }
 
-  /// Least area · count on both sides; the extreme bins are never empty, so that both sides have triangles.
+  /// Surface-area heuristic: the cut with the least sum of area · count of both sides. The extreme bins are
+  /// never empty, so that both sides have triangles.
   template <typename BinOf>
   int cheapest_cut(int first, int count, const BinOf& bin_of) const {
     std::array<Bin, kBinCount> bins;
@@ -84,6 +88,7 @@ class Builder {
       bin.box = bin.box.united(boxes_[at(triangle(k))]);
       ++bin.count;
     }
+    // One sweep from the right for the cost of every right side, one from the left for the sum.
     std::array<double, kBinCount> right_cost{};
     Bin right;
     for (std::size_t b = kBinCount; b-- > 1;) {
@@ -114,6 +119,7 @@ class Builder {
 }  // namespace
 
 std::vector<int> TriangleTree::overlapping(const Aabb& box) const {
+  // Depth first, with the right children still to be visited on a stack.
   std::vector<int> hits;
   std::size_t index = 0;
   std::vector<std::size_t> right_children;
@@ -138,6 +144,7 @@ std::shared_ptr<const TriangleTree> make_triangle_tree(const TriangleMesh& mesh)
   const std::shared_ptr<TriangleTree> tree = std::make_shared<TriangleTree>();
   find_mesh_edges(mesh, *tree);
   for (std::size_t t = 0; t < tree->triangles.size(); ++t) {
+    // Triangles without area have no normal and are left out.
     if (!tree->triangles[t].normal.isZero(0)) tree->order.push_back(static_cast<int>(t));
   }
   tree->wide = make_wide_tree(mesh, tree->order);

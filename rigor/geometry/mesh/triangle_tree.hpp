@@ -21,8 +21,8 @@ enum class MeshEdgeKind : std::uint8_t {
              ///< first.
 };
 
-/// Hierarchy of boxes over the triangles of a mesh, and what neighbouring triangles make of each edge and
-/// corner. Immutable once built; everything is in the mesh's frame.
+/// Hierarchy of boxes over the triangles of a mesh, with the kind of each edge and corner that neighbouring
+/// triangles form. Immutable once built; everything is in the mesh's frame.
 struct TriangleTree {
   struct Node {
     Aabb box;
@@ -42,16 +42,16 @@ struct TriangleTree {
   WideTree wide;                     ///< For mesh against mesh.
   std::vector<Node> nodes;           ///< Root first; empty for an empty mesh.
   std::vector<int> order;            ///< Triangle indices, leaf by leaf; those without area are left out.
-  std::vector<Triangle> triangles;   ///< One a triangle of the mesh.
+  std::vector<Triangle> triangles;   ///< One per triangle of the mesh.
   std::vector<Vec3> vertex_normals;  ///< Sums of normals weighted by angle, for the sign of a distance.
-  std::vector<std::vector<int>> vertex_triangles;  ///< Triangles about each vertex, ascending.
+  std::vector<std::vector<int>> vertex_triangles;  ///< Triangles at each vertex, ascending.
   std::vector<double> patch_areas;  ///< Of each flat patch at its least triangle [m²]; 0 elsewhere.
-  std::vector<int> shell_vertices;  ///< One vertex of each part that hangs together by edges.
+  std::vector<int> shell_vertices;  ///< One vertex of each part that is connected by edges.
   std::vector<bool>
       is_crease_corner;  ///< Vertex where creases end or bend: not inside a flat patch or a straight crease.
   bool is_closed =
       false;        ///< Every edge has exactly two triangles, which run through it in opposite directions.
-  double size = 0;  ///< Longest side of the box of all [m].
+  double size = 0;  ///< Longest side of the box about the mesh [m].
 
   /// Triangles whose boxes overlap the box, ascending.
   std::vector<int> overlapping(const Aabb& box) const;

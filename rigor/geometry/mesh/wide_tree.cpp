@@ -12,8 +12,14 @@
 namespace rigor {
 namespace {
 
+<<<<<<< HEAD
 constexpr std::size_t kWideBinCount = 12;  ///< Places where the heuristic tries to cut.
+=======
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+constexpr std::size_t kWideBinCount = 12;  ///< Bins of centres between which the heuristic may cut.
+>>>>>>> c1
 
+/// Rotation matrix of a quaternion that is not normalised: exactly orthogonal whatever its length.
 Mat3 axes_of(double w, double x, double y, double z) {
   const double s = 1 / (w * w + x * x + y * y + z * z), t = s + s;
   Mat3 R;
@@ -23,7 +29,7 @@ Mat3 axes_of(double w, double x, double y, double z) {
   return R;
 }
 
-/// A box of single precision: only the choice of cuts depends on it.
+/// A box in single precision: only the choice of cuts depends on it.
 struct RoughBox {
   Eigen::Array4f lower = Eigen::Array4f::Constant(std::numeric_limits<float>::infinity());
   Eigen::Array4f upper = Eigen::Array4f::Constant(-std::numeric_limits<float>::infinity());
@@ -42,19 +48,20 @@ struct RoughBox {
   }
 };
 
+/// A triangle to be sorted into the tree.
 struct Item {
   RoughBox box;
   int triangle = 0;
   Eigen::Array4f center() const { return 0.5f * (box.lower + box.upper); }
 };
 
-/// Items that become one child.
+/// A range of items that becomes one child.
 struct Range {
   int first = 0, count = 0;
   float half_area = 0;
 };
 
-/// A box before it is packed: what the triangles reach along its axes.
+/// A box before it is packed: the extent of the triangles along its axes.
 struct FittedBox {
   std::array<std::int16_t, 4> turn{};
   Mat3 axes;
@@ -68,6 +75,7 @@ class WideBuilder {
       : mesh_(mesh), tree_(tree) {
     items_.resize(triangles.size());
     for (std::size_t k = 0; k < triangles.size(); ++k) {
+      // Boxes in single precision suffice to choose cuts.
       items_[k].triangle = triangles[k];
       for (const int v : mesh.triangles[at(triangles[k])]) {
         const Eigen::Vector3f p = mesh.vertices[at(v)].cast<float>();
@@ -83,12 +91,15 @@ class WideBuilder {
   int build(const Range& range) {
     const int index = static_cast<int>(tree_.nodes.size());
     tree_.nodes.emplace_back();
+    // The boxes of all children are fitted first, because they share the grid of the node.
     std::array<Range, WideTree::kWidth> ranges;
     const int count = split(range, ranges);
     std::array<FittedBox, WideTree::kWidth> boxes;
     for (int k = 0; k < count; ++k) boxes[at(k)] = fitted(ranges[at(k)]);
     pack(boxes, count, tree_.nodes[at(index)]);
     for (int k = 0; k < count; ++k) {
+      // Nodes are appended depth first; the reference to this node is looked up again, since the vector may
+      // have moved.
       const Range& part = ranges[at(k)];
       const int child = part.count == 1 ? ~items_[at(part.first)].triangle : build(part);
       tree_.nodes[at(index)].child[at(k)] = child;
@@ -96,8 +107,9 @@ class WideBuilder {
     return index;
   }
 
-  /// Cuts the range into at most eight parts: always the one with the largest surface of those that need
-  /// more than a node of their own. What then fits into places that are left goes there triangle by triangle.
+  /// Cuts the range into at most eight parts. The next part to be cut is always the one with the largest
+  /// surface among those too large for a node of their own. Small parts that fit into the places left are
+  /// then taken in triangle by triangle.
   int split(const Range& range, std::array<Range, WideTree::kWidth>& parts) {
     parts[0] = range;
     int count = 1;
@@ -120,13 +132,14 @@ class WideBuilder {
     return count;
   }
 
-  /// Leaves one part of the range in `left` and gives the other to `right`: by the cheapest cut between bins
-  /// along the longest side of the box of centres, or at the middle where all centres fall together.
+  /// Cuts the range `left`, keeps one part there and gives the other to `right`: at the cheapest cut between
+  /// bins along the longest side of the box of centres, or in the middle where all centres coincide.
   void cut(Range& left, Range& right) {
     const auto begin = items_.begin() + left.first, end = begin + left.count;
     RoughBox centers;
     for (auto item = begin; item != end; ++item) centers.unite(item->center());
     int axis = 0;
+    // Bins along the axis on which the centres spread most.
     const float length = (centers.upper - centers.lower).head<3>().maxCoeff(&axis);
     const float origin = centers.lower[axis], scale = static_cast<float>(kWideBinCount) / length;
     int left_count = left.count / 2;
@@ -147,7 +160,8 @@ class WideBuilder {
     }
   }
 
-  /// Least area · count on both sides; the extreme bins are never empty, so that both sides have triangles.
+  /// Surface-area heuristic: the cut with the least sum of area · count of both sides. The extreme bins are
+  /// never empty, so that both sides have triangles.
   template <typename BinOf>
   std::size_t cheapest_cut(const Range& range, const BinOf& bin_of) const {
     std::array<RoughBox, kWideBinCount> boxes;
@@ -157,6 +171,7 @@ class WideBuilder {
       boxes[bin].unite(items_[at(k)].box);
       ++counts[bin];
     }
+    // One sweep from the right for the cost of every right side, one from the left for the sum.
     std::array<float, kWideBinCount> right_cost{};
     RoughBox side;
     int count = 0;
@@ -182,9 +197,12 @@ class WideBuilder {
     return mesh_.vertices[at(mesh_.triangles[at(items_[at(item)].triangle)][k])];
   }
 
-  /// A box along the principal axes of the corners; of one triangle along its normal and its longest side.
+  /// A box along the principal axes of the corners or, for a single triangle, along its normal and its
+  /// longest side. The axes are rounded to an integer quaternion first, and the box is measured along the
+  /// rounded ones, so that it holds the triangles.
   FittedBox fitted(const Range& range) const {
     FittedBox box;
+    // The quaternion is scaled so that its largest component uses all of the 16 bits.
     const Quat q(range.count == 1 ? triangle_axes(range.first) : principal_axes(range));
     const double scale = 32767 / q.coeffs().cwiseAbs().maxCoeff();
     const std::array<double, 4> turn = {q.w(), q.x(), q.y(), q.z()};
@@ -217,6 +235,8 @@ class WideBuilder {
     return axes;
   }
 
+  /// Eigenvectors of the covariance of the corners, about the first corner to keep digits far from the
+  /// origin; the axes of the mesh where rounding leaves no rotation.
   Mat3 principal_axes(const Range& range) const {
     const Vec3 origin = corner(range.first, 0);
     Vec3 sum = Vec3::Zero();
@@ -238,6 +258,7 @@ class WideBuilder {
 
   /// Rounds the boxes outwards to the grid of their node.
   static void pack(const std::array<FittedBox, WideTree::kWidth>& boxes, int count, WideTree::Node& node) {
+    // The grid of centres spans the box of all centres.
     Vec3 lower = Vec3::Constant(kInfinity), upper = Vec3::Constant(-kInfinity);
     for (int k = 0; k < count; ++k) {
       lower = lower.cwiseMin(boxes[at(k)].center());
@@ -246,6 +267,7 @@ class WideBuilder {
     node.count = count;
     for (std::size_t i = 0; i < 3; ++i) node.origin[i] = lower[static_cast<Eigen::Index>(i)];
     node.center_unit = std::max((upper - lower).maxCoeff() / 32767, std::numeric_limits<double>::min());
+    // Half lengths are measured from the rounded centre, with room for the rounding of the axes.
     std::array<Vec3, WideTree::kWidth> halves;
     double longest = 0;
     for (int k = 0; k < count; ++k) {
@@ -255,11 +277,13 @@ class WideBuilder {
         const double rounded = std::round(place[static_cast<Eigen::Index>(i)]);
         node.center[i][at(k)] = static_cast<std::int16_t>(std::clamp(rounded, 0.0, 32767.0));
       }
+      // Measured from the centre as it will be read, along the axes of the box.
       const Vec3 center = box.axes.transpose() * packed_center(node, k);
       const double rounding = 8 * kEpsilon * (box.lower.cwiseAbs() + box.upper.cwiseAbs()).sum();
       halves[at(k)] = (box.upper - center).cwiseMax(center - box.lower) + Vec3::Constant(rounding);
       longest = std::max(longest, halves[at(k)].maxCoeff());
     }
+    // Half lengths are rounded upwards, so that the box always holds its triangles.
     node.half_unit = std::max(longest / 65534, std::numeric_limits<double>::min());
     for (int k = 0; k < count; ++k) {
       for (std::size_t i = 0; i < 3; ++i) {
@@ -268,7 +292,7 @@ class WideBuilder {
       }
       for (std::size_t i = 0; i < 4; ++i) node.turn[i][at(k)] = boxes[at(k)].turn[i];
     }
-    // Empty places hold a valid turn, so that no lane divides by zero.
+    // Empty places hold a valid quaternion, so that no lane divides by zero.
     for (int k = count; k < WideTree::kWidth; ++k) node.turn[0][at(k)] = 1;
   }
 
@@ -306,6 +330,7 @@ WideTree make_wide_tree(const TriangleMesh& mesh, const std::vector<int>& triang
       upper = upper.cwiseMax(mesh.vertices[at(v)]);
     }
   }
+  // The root is a box along the axes of the mesh, with room for its own rounding.
   const double rounding = 4 * kEpsilon * (lower.cwiseAbs() + upper.cwiseAbs()).maxCoeff();
   tree.root = {0.5 * (lower + upper), Mat3::Identity(), 0.5 * (upper - lower) + Vec3::Constant(rounding)};
   WideBuilder(mesh, triangles, tree);

@@ -17,9 +17,9 @@ struct OrientedBox {
   Vec3 half;  ///< Half lengths along them [m].
 };
 
-/// Hierarchy of oriented boxes over the triangles of a mesh, eight children a node, one triangle a leaf. The
-/// boxes are quantised to 16 bits a number (centre and half lengths on a grid of the node, the axes as an
-/// integer quaternion), always so that they hold their triangles.
+/// Hierarchy of oriented boxes over the triangles of a mesh, with up to eight children per node and one
+/// triangle per leaf. The boxes are quantised to 16 bits per number (centre and half lengths on a grid of the
+/// node, the axes as an integer quaternion), always so that they hold their triangles.
 ///
 /// Oriented boxes: Gottschalk, Lin and Manocha, OBBTree: A Hierarchical Structure for Rapid Interference
 /// Detection, SIGGRAPH 1996. Cuts by the surface-area heuristic: Wald, On Fast Construction of SAH-based
@@ -34,7 +34,7 @@ struct WideTree {
     std::array<std::array<std::int16_t, kWidth>, 3> center{};
     std::array<std::array<std::uint16_t, kWidth>, 3> half{};
     std::array<std::array<std::int16_t, kWidth>, 4> turn{};  ///< w, x, y, z, not normalised.
-    /// A node, or ~t for triangle t.
+    /// Index of a node, or ~t for triangle t.
     std::array<std::int32_t, kWidth> child{};
     int count = 0;  ///< Children.
   };
@@ -42,7 +42,7 @@ struct WideTree {
   std::vector<Node> nodes;  ///< Root first; empty if no triangle has an area.
   OrientedBox root;         ///< Holds all; along the axes of the mesh.
 
-  /// A place in the tree: child `lane` of node `slot / kWidth`, or the root (-1).
+  /// A place in the tree is child `slot % kWidth` of node `slot / kWidth`, or the root (-1).
   int child_at(int slot) const { return slot < 0 ? 0 : nodes[at(slot / kWidth)].child[lane_of(slot)]; }
   OrientedBox box_at(int slot) const;
 
@@ -61,13 +61,12 @@ struct OtherBox {
   double slack = 0;               ///< All bounds are lowered by this [m].
 };
 
-/// How near the children of a node can be to another box: for each child d² where d is a lower bound of the
-/// distance less the slack, if that is positive; else a number ≤ 0 that is the lower the deeper the boxes
+/// Bounds of the distance of each child of a node from another box: d², where d is a lower bound of the
+/// distance less the slack, if that is positive; otherwise a number ≤ 0, the lower the deeper the boxes
 /// overlap.
 ///
-/// d is the largest of four: the distance of the child from the box about the other one along the child's
-/// axes; the same with the roles exchanged; the gap along the line of the two centres; the gap along the
-/// direction.
+/// d is the largest of four gaps: along the axes of the child, between the child and the box about the other
+/// one; the same with the roles exchanged; along the line of the two centres; and along the direction.
 using ChildBounds = std::array<double, WideTree::kWidth>;
 ChildBounds child_bounds(const WideTree::Node& node, const OtherBox& other,
                          LaneTarget target = best_lane_target());

@@ -9,7 +9,7 @@
 namespace rigor {
 namespace {
 
-/// The rotation matrix of an integer quaternion, row by row: columns are the axes of the box.
+/// The rotation matrices of four integer quaternions; the columns are the axes of the boxes.
 struct LaneAxes {
   LaneVec3 axis[3];
 };
@@ -36,7 +36,7 @@ RIGOR_LANES Lanes square_if_positive(const Lanes& x) {
   return positive * positive;
 }
 
-/// Four children, from `first` on.
+/// Bounds of four children, beginning with `first`: one child per lane.
 RIGOR_LANES void bound_four(const WideTree::Node& node, int first, const OtherBox& against, double* bounds) {
   const std::size_t k = at(first);
   const OrientedBox& other = against.box;
@@ -51,7 +51,9 @@ RIGOR_LANES void bound_four(const WideTree::Node& node, int first, const OtherBo
   const LaneVec3 between = offset + lanes_of(node.center_unit) * grid;
   const LaneAxes axes = load_axes(node, first);
 
-  // Along the axes of the child: the other box reaches Σ |a_i · b_j| half_j.
+  // Along the axes of the child, the other box reaches Σ |a_i · b_j| half_j; along those of the other box,
+  // the child reaches Σ |a_i · b_j| half_i. The same loops collect the gaps along the direction and along the
+  // line of centres.
   const LaneVec3 b[3] = {lanes_of_vector(other.axes.col(0)), lanes_of_vector(other.axes.col(1)),
                          lanes_of_vector(other.axes.col(2))};
   Lanes gap_b[3], squared = {}, squared_b = {}, largest = {};
@@ -83,7 +85,7 @@ RIGOR_LANES void bound_four(const WideTree::Node& node, int first, const OtherBo
     squared_b += square_if_positive(gap_b[j]);
     largest = lane_max(largest, gap_b[j]);
   }
-  // Along the line of centres.
+  // The gap along the line of centres, over the length of the vector between them.
   const Lanes length = dot(between, between);
   const Lanes manhattan = lane_abs(between.x) + lane_abs(between.y) + lane_abs(between.z);
   const Lanes gap = lane_max(length - reach_along_centers - loose * manhattan, Lanes{});
@@ -91,7 +93,7 @@ RIGOR_LANES void bound_four(const WideTree::Node& node, int first, const OtherBo
 
   const Lanes bound =
       lane_max(lane_max(squared, square_if_positive(gap_along)), lane_max(squared_b, along_centers));
-  // Four roundings of the squares and their sums.
+  // Lowered by four roundings of the squares and their sums.
   store_lanes(bound > Lanes{} ? bound * lanes_of(1 - 1e-15) : lane_min(largest, Lanes{}), bounds);
 }
 
