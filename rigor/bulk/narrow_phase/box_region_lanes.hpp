@@ -102,7 +102,8 @@ RIGOR_FLOAT_LANES void choose_face(const FloatLanes* half_A, const FloatLanes* h
   face.hv = pick(face.other_axis, other[2], other[0], other[1]);
 }
 
-/// Places the other face in the coordinates of the face; t_A and t_B are
+/// Places the other face in the coordinates of the face; t_A and t_B hold the vector from the centre of A to
+/// that of B along the axes of A and of B.
 RIGOR_FLOAT_LANES void place_face(const FloatLanes* t_A, const FloatLanes* t_B, const IntLanes& is_B,
                                   BoxFace& face) {
   // The centre of the other box; z is flipped so that the face is on the positive side, and counted from it.
