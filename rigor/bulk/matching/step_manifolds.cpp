@@ -45,13 +45,15 @@ void StepManifolds::match(const std::vector<ShapePair>& pairs, const ManifoldLis
                       [&](int begin, int end) { match_range(at(begin), at(end)); });
 }
 
-/// Both lists are in the order of keys.
+/// Matches the manifolds [begin, end) with the memories of the step before. Both lists are in the order of
+/// keys, so one pass over each is enough.
 void StepManifolds::match_range(std::size_t begin, std::size_t end) {
   const ManifoldMemories& memory = *memory_;
   std::size_t next = memory.size();
   for (std::size_t i = begin; i < end; ++i) {
     const ShapePair& own = pair(i);
     const ContactKey key = {own.body_A, own.body_B, own.shape_A, own.shape_B, at(part(i))};
+    // The memory of the same shapes and part, or the first one behind it.
     if (i == begin) next = memory.find_from(key);
     bool is_same = false;
     for (; next < memory.size(); ++next) {
@@ -59,6 +61,7 @@ void StepManifolds::match_range(std::size_t begin, std::size_t end) {
       is_same = order == 0;
       if (order >= 0) break;
     }
+    // A manifold without a memory begins with no impulse and no energy.
     Match& match = matches_[i];
     match = {};
     match.surface =
