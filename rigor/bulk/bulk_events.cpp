@@ -22,6 +22,7 @@ ContactKey key_of(const ContactEvent& event) {
 std::vector<ContactEvent> pressing_pairs(const ManifoldMemories& memory, ContactEvent::Kind kind) {
   std::vector<ContactEvent> pairs;
   for (const ManifoldMemory& manifold : memory) {
+    // Only manifolds with an impulse press, however near the shapes are.
     float impulse = 0;
     for (int i = 0; i < manifold.point_count; ++i) impulse += manifold.normal_impulse[at(i)];
     if (!(impulse > 0)) continue;
@@ -47,6 +48,7 @@ std::vector<ContactEvent> contact_events(const ManifoldMemories& before, const M
   std::size_t i = 0, k = 0;
   while (i < old_pairs.size() || k < new_pairs.size()) {
     const bool has_both = i < old_pairs.size() && k < new_pairs.size();
+    // A pair that is in both lists pressed before and still does: that is no event.
     if (has_both && key_of(old_pairs[i]) == key_of(new_pairs[k])) {
       ++i, ++k;
     } else if (k == new_pairs.size() || (has_both && key_of(old_pairs[i]) < key_of(new_pairs[k]))) {

@@ -96,7 +96,8 @@ void BulkWorld::add_impulse(int body, const Wrench& impulse) {
   RIGOR_ASSERT(own.motion == MotionType::dynamic);
   const Quat& q_WB = bodies_.q[at(body)];
   MotionRecord& motion = bodies_.motion[at(body)];
-  // Δv = P / m, and Δω = I⁻¹ ΔL along the principal axes.
+  // An impulse changes the linear velocity by P / m and the angular velocity by I⁻¹ L, along the principal
+  // axes.
   const Vec3 dv = impulse.f_W / own.mass;
   const Vec3 dw = q_WB * (q_WB.conjugate() * impulse.tau_W).cwiseQuotient(own.moments);
   for (int k = 0; k < 3; ++k) {
@@ -141,7 +142,8 @@ void BulkWorld::set_target(int body, const Vec3& x, const Quat& q) {
 
 std::vector<BulkContact> BulkWorld::contacts() const {
   std::vector<BulkContact> contacts = read_contacts(scratch_->contacts, bodies_);
-  // Contacts of islands that were solved directly are in a list of their own.
+  // Contacts of islands that were solved directly are in a list of their own; both are put into the order of
+  // keys.
   const std::vector<BulkContact>& direct = scratch_->direct.contacts();
   contacts.insert(contacts.end(), direct.begin(), direct.end());
   std::sort(contacts.begin(), contacts.end(),
@@ -253,9 +255,11 @@ BulkStepReport BulkWorld::step(double h) {
 /// is looked for too, until no island wakes.
 void BulkWorld::find_contacts(double h) {
   Scratch& s = *scratch_;
+  // The margin is the distance of free fall, g t²/2; what a body's velocity adds to it is each pair's own.
   const double margin = 0.5 * model_->g_W().norm() * (margin_steps * h) * (margin_steps * h);
   bool is_done = false;
   while (!is_done) {
+    // Sleeping bodies stand, so that pairs of two of them are not looked for.
     if (s.sleepers) s.sleepers->lay_down(bodies_);
     s.pair_finder.find_pairs(bodies_, h, margin, s.executor, s.pairs);
     s.narrow_phase.find_manifolds(bodies_, s.pairs, s.executor, s.manifolds);
@@ -314,13 +318,14 @@ int BulkWorld::solve_directly(double h) {
   if (!s.direct.has_found_any()) return 0;
   const float step = static_cast<float>(h);
   if (s.gyroscopic_terms.has_any()) s.gyroscopic_terms.find_changes(step, bodies_, s.executor, s.turns);
-  // The change of velocity of a body in the whole step without contacts.
+  // Without contacts a body's velocity changes by this much in the whole step.
   const auto free_change = [&](int body) {
     const std::size_t k = at(body);
     MotionRow change = s.gyroscopic_terms.has_any() ? s.turns[k] : MotionRow{};
     for (std::size_t j = 0; j < change.size(); ++j) change[j] += step * s.accelerations[k][j];
     return change;
   };
+  // The islands are solved to the end of the step, in motion space (section 6 of docs/theory/bulk.md).
   s.direct.solve({h, settings_.substeps, s.contacts.manifolds(), free_change}, bodies_);
   return s.direct.island_count();
 }
@@ -341,7 +346,8 @@ void BulkWorld::compute_accelerations(double h) {
       MotionRow& row = s.accelerations[at(i)];
       row = {};
       if (!bodies_.is_dynamic(i)) continue;
-      // Gravity alone, or all forces; drag is integrated over the step, so that none is too strong for it.
+      // Gravity and constant forces are known once for all; other forces are those of now, and drag is
+      // integrated over the step, so that none is too strong for it.
       Vec3 a = s.environment.steady_acceleration(i), alpha = Vec3::Zero();
       if (s.environment.is_forced(i)) {
         Wrench wrench;
@@ -379,11 +385,13 @@ void BulkWorld::add_given_wrenches() {
 double BulkWorld::work_of_forces() const {
   const Scratch& s = *scratch_;
   double work = 0;
+  // Wrenches that the user gave are constant in the step.
   for (const Scratch::GivenWrench& given : s.given) {
     const MotionRecord& m = bodies_.motion[at(given.body)];
     work += given.wrench.f_W.dot(Vec3(m.dp[0], m.dp[1], m.dp[2])) +
             given.wrench.tau_W.dot(Vec3(m.dr[0], m.dr[1], m.dr[2]));
   }
+  // Forces of the environment are those of the beginning of the step too.
   for (int i = 0; i < bodies_.count(); ++i) {
     if (!bodies_.is_dynamic(i) || !s.environment.is_forced(i)) continue;
     const std::size_t k = at(i);
@@ -453,7 +461,7 @@ BulkStepReport BulkWorld::describe_contacts() const {
   for (std::size_t k = 0; k < found.size(); ++k) {
     report.point_count += found.point_count(k);
     for (int i = 0; i < found.point_count(k); ++i) {
-      // The deepest point of all, and its bodies.
+      // The deepest of all points counts, the first of equal ones.
       const double overlap = -found.view(k).points[i].gap;
       if (overlap <= report.max_overlap) continue;
       const ShapePair& pair = scratch_->pairs[at(found.pair(k))];

@@ -65,12 +65,13 @@ void StepBalance::book(const BulkBodies& bodies, int body_A, int body_B, const V
 void StepBalance::end(const BulkBodies& bodies, const std::vector<MotionRow>& accelerations, double h,
                       const BulkContacts& contacts, const DirectIslands& direct,
                       BulkStepReport& report) const {
-  // What forces give to the bodies of the balance.
+  // Forces give their impulse to the bodies of the balance.
   Vec3 given = Vec3::Zero();
   for (int i = 0; i < bodies.count(); ++i) {
     if (is_booked(bodies, i)) given += h * masses_[at(i)] * vector_of(accelerations[at(i)].data());
   }
-  // What contacts with other bodies give, the impacts among them, and the work of kinematic bodies.
+  // Contacts give the impulse that comes from other bodies; impacts and the work of kinematic bodies are read
+  // on the way.
   contacts.for_contacts([&](const SolvedManifold& manifold, const ManifoldMemory& key, bool is_new) {
     const ManifoldWrench on_B = total_wrench(manifold);
     if (is_new && approach_speed(manifold) > impact_speed) {
@@ -80,13 +81,14 @@ void StepBalance::end(const BulkBodies& bodies, const std::vector<MotionRow>& ac
     book(bodies, key.body_A, key.body_B, on_B.impulse, given);
     report.work += work_of_mover(manifold, bodies);
   });
-  // The same for islands that were solved directly.
+  // Islands that were solved directly have contacts of their own.
   for (const BulkContact& contact : direct.contacts()) {
     if (contact.is_new && contact.approach_speed > impact_speed)
       report.impacts.push_back({contact.body_A, contact.body_B, contact.center_W, contact.impulse_W()});
     book(bodies, contact.body_A, contact.body_B, contact.impulse_W(), given);
   }
-  // Impacts in the order of bodies, whatever the blocks are; what is left of the momentum is the error.
+  // Impacts are put into the order of bodies, whatever the blocks are. The change of momentum that nothing
+  // gave is the error.
   std::stable_sort(report.impacts.begin(), report.impacts.end(),
                    [](const BulkImpact& a, const BulkImpact& b) {
                      return std::pair(a.body_A, a.body_B) < std::pair(b.body_A, b.body_B);

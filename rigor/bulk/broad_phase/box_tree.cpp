@@ -82,6 +82,7 @@ std::vector<BoxTree::Entry> sorted_by_cells(const std::vector<FloatBox>& boxes, 
   for (int shift = 0; shift < 64; shift += 8) {
     if ((differing >> shift & 0xff) == 0) continue;
     std::array<std::uint32_t, 257> begin{};
+    // Entries are counted by their byte; entries of the same byte keep their order.
     for (const BoxTree::Entry& entry : order) ++begin[(entry.key >> shift & 0xff) + 1];
     for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
     for (const BoxTree::Entry& entry : order) sorting[begin[entry.key >> shift & 0xff]++] = entry;

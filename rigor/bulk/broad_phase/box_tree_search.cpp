@@ -102,6 +102,7 @@ struct BoxSearch {
     std::array<Place, 96> waiting;  // As above.
     std::size_t count = 0;
     if (tree.unions_.empty()) return;
+    // From the root down, eight boxes at a time.
     waiting[count++] = {static_cast<unsigned>(tree.levels_.size()) - 1, 0};
     while (count > 0) {
       const Place place = waiting[--count];

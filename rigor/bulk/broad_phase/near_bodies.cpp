@@ -21,6 +21,7 @@ FloatBox shifted(const FloatBox& box, const float* shift) {
   constexpr float rounding = 1e-6f;
   FloatBox moved;
   for (int k = 0; k < 3; ++k) {
+    // Both the numbers and their sum are rounded.
     const float slack =
         rounding * (std::max(std::abs(box.lower[k]), std::abs(box.upper[k])) + std::abs(shift[k]));
     moved.lower[k] = box.lower[k] + shift[k] - slack;
@@ -54,6 +55,7 @@ NearBodies::NearBodies(std::vector<int> moving, std::vector<int> standing, std::
 /// The box with some room on all sides, and more in the direction of motion: it then stays inside for several
 /// steps.
 FloatBox NearBodies::wide_box(const Boxes& boxes, int body) const {
+  // Four hundredths of a body's size on all sides, and its displacement in four steps.
   constexpr float room = 0.04f, steps = 4;
   const Vec3 d = boxes.origin - origin_;
   const float shift[] = {static_cast<float>(d.x()), static_cast<float>(d.y()), static_cast<float>(d.z())};
@@ -122,6 +124,7 @@ void NearBodies::build(const Boxes& boxes, const PairFilter& filter, const Execu
 }
 
 void NearBodies::search_blocks(int begin, int end, const PairFilter& filter, std::vector<Pair>& found) const {
+  // Boxes of moving bodies among themselves, and against those of standing ones.
   std::vector<BoxTree::Pair> own, other;
   for (int block = begin; block < end; ++block) {
     moving_.tree.find_own_pairs(block, own);
@@ -200,6 +203,7 @@ void NearBodies::find_pairs_of(int body, const PairFilter& filter, std::vector<P
     }
   };
   add_overlaps(moving_);
+  // Two bodies that stand are no pair.
   if (slot_[at(body)] >= 0) add_overlaps(standing_);
 }
 

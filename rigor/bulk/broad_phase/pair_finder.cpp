@@ -142,6 +142,7 @@ void PairFinder::Tables::update(const Step& step, const Executor& executor) {
   if (!moving.empty()) origin = step.bodies.x[at(moving[moving.size() / 2])];
   executor.for_ranges(step.bodies.count(), grain, [&](int begin, int end) {
     for (int body = begin; body < end;) {
+      // Eight simple bodies at once; others one by one. Both give the same bits.
       if (body + 8 <= end && are_simple[at(body)]) {
         update_eight(step, body);
         body += 8;
@@ -166,6 +167,7 @@ void PairFinder::Tables::update_eight(const Step& step, int body) {
 
 /// Updates the bounded shapes of a body; returns the box of them all.
 FloatBox PairFinder::Tables::update_body(const Step& step, int body) {
+  // The box of the body is the union of those of its shapes.
   FloatBox all{};
   for (int s = shape_begin[at(body)]; s < shape_begin[at(body) + 1]; ++s) {
     const BoundedShape& shape = shapes[at(s)];
@@ -225,6 +227,7 @@ void PairFinder::Tables::for_shapes(const NearBodies::Pair& near, const Add& add
   const auto [a, b] = near;
   const int begin_A = shape_begin[at(a)], end_A = shape_begin[at(a) + 1];
   const int begin_B = shape_begin[at(b)], end_B = shape_begin[at(b) + 1];
+  // Bodies with one shape each have no other boxes to test.
   if (end_A - begin_A == 1 && end_B - begin_B == 1) return add(ShapePair{a, b, begin_A, begin_B, 0});
   for (int i = begin_A; i < end_A; ++i) {
     for (int j = begin_B; j < end_B; ++j) {
@@ -249,6 +252,7 @@ void PairFinder::Tables::add_those_near(const Step& step, std::span<const ShapeP
   const PairMargins margins = find_pair_margins(both, step.h, step.margin, target);
   for (std::size_t i = 0; i < found.size(); ++i) {
     const ShapePair& pair = found[i];
+    // Balls first, then the box of the larger shape.
     if ((margins.near >> i & 1) == 0) continue;
     if ((margins.asks_box >> i & 1) != 0 &&
         !find_pair_margin(
@@ -272,6 +276,7 @@ void PairFinder::Tables::add_unbounded(const Step& step, std::vector<ShapePair>&
         // The margin, with how far both can come to each other within the step.
         const float margin = step.margin + approach_bound(place, places[at(s)], step.h);
         if (!may_be_within(other, place, places[at(s)], step.bodies.q[at(body)], margin)) continue;
+        // Pairs are named with the lower body first.
         if (other.body < body) {
           pairs.push_back({other.body, body, other.shape, shapes[at(s)].shape, margin});
         } else {

@@ -43,6 +43,7 @@ RIGOR_FLOAT_LANES LanePlaces load_places(const std::array<const ShapePlace*, kLa
   static_assert(offsetof(ShapePlace, slack) == 9 * sizeof(float) && sizeof(ShapePlace) >= 12 * sizeof(float));
   static_assert(offsetof(ShapeBound, reach) == 6 * sizeof(float) &&
                 offsetof(ShapeBound, radius) == 7 * sizeof(float));
+  // Three rows of eight floats hold all that the kernel needs of a place and its bound.
   const FloatSquare head = gather([&](std::size_t i) { return places[i]->center; });
   const FloatSquare tail = gather([&](std::size_t i) { return places[i]->u + 1; });
   const FloatSquare bound = gather([&](std::size_t i) { return places[i]->bound->center_B; });

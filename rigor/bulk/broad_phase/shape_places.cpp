@@ -82,6 +82,7 @@ ShapeBound make_shape_bound(const BodyShape& shape) {
     bound.half[k] = rounded_up(std::max(half[k], 0.0));
     for (int j = 0; j < 3; ++j) bound.R_BS[3 * k + j] = static_cast<float>(shape.X_BS.R(k, j));
   }
+  // Sizes are rounded up: the bound holds the shape.
   bound.radius = rounded_up(radius);
   bound.reach = rounded_up(std::max(radius_about(shape.shape, center_S) - radius, 0.0));
   bound.is_centred_ball = std::holds_alternative<Sphere>(shape.shape) && center_B.isZero(0);

@@ -42,6 +42,7 @@ UnboundedPlace place_of(const UnboundedShape& shape, const BulkBodies& bodies, c
     const Vec3 from_body = origin - bodies.x[k];
     arm = from_body + (arm - from_body).dot(normal_W) * normal_W;
   }
+  // All of it is computed in 64 bits and rounded once.
   const Vec3 point = bodies.x[k] + arm - origin;
   constexpr double roundings = 1e-6;
   UnboundedPlace place;

@@ -20,6 +20,7 @@ class BlockLists {
  public:
   /// Makes room for the blocks of a colouring; the caller fills them. There are no totals afterwards.
   void arrange(const GraphColouring& colouring) {
+    // Each section of a colour is a stretch of the list of its kind.
     std::array<int, block_kind_count> counts{};
     sections_.clear();
     const auto& all = colouring.sections;

@@ -36,7 +36,7 @@ std::vector<std::uint8_t> find_colours(const std::vector<ConstraintEdge>& edges,
   std::vector<std::uint8_t> colours(edges.size());
   std::vector<std::uint64_t> used(at(body_count));
   std::vector<std::uint64_t> of_pairs(groups.count(), 0);  // Colours of edges with two dynamic bodies.
-  // First pairs between tiles, then those of the tiles, which share no body with each other.
+  // Pairs between tiles are coloured first, then those of each tile: no two tiles share a body.
   for (const bool is_between : {true, false}) {
     if (is_between && groups.count() == 2) continue;
     std::fill(used.begin(), used.end(), 0);
@@ -66,6 +66,7 @@ std::vector<std::uint8_t> find_colours(const std::vector<ConstraintEdge>& edges,
 /// Adds the colours of a group up to its last one. `counts` become the lanes of the first edges of each
 /// colour and kind, counted over all blocks.
 void add_colours(Counts& counts, int& block_count, GraphColouring& colouring) {
+  // Colours behind the last one that has edges are not listed.
   int last = serial_colour;
   while (last >= 0 && counts[at(last)] == std::array<int, max_edge_kinds>{}) --last;
   for (int colour = 0; colour <= last; ++colour) {

@@ -21,8 +21,7 @@ struct GraphColouring {
   /// Edges of each block, -1 for an empty lane; blocks of one colour in a row.
   std::vector<std::array<std::int32_t, kLaneCount>> blocks;
   std::vector<int> colour_begin;  ///< First block of each colour, and their count at the end.
-  std::vector<bool>
-      is_serial;  ///< Whether the blocks of a colour may share bodies, and so are solved in order.
+  std::vector<bool> is_serial;    ///< Whether a colour's blocks may share bodies.
   /// Blocks of one colour and one kind of edges.
   struct Section {
     int kind;

@@ -51,7 +51,7 @@ void BulkIslands::add(int a, int b) {
 /// Goes from the islands of the previous pairs to those of the current ones.
 void BulkIslands::update() {
   if (!std::is_sorted(next_.begin(), next_.end())) next_ = sorted_unique(std::move(next_));
-  // In what rests nothing changes.
+  // While bodies rest, the pairs stay the same.
   if (next_ == pairs_) return;
   // Only islands that lost a contact are taken apart; then all contacts join again.
   lost_.clear();

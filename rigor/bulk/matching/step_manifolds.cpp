@@ -23,6 +23,7 @@ bool does_press(const ManifoldMemories::View& memory) {
 }  // namespace
 
 StepManifolds::StepManifolds(const Model& model) : material_count_(model.materials().size()) {
+  // Coefficients of all pairs of materials are looked up once.
   const int count = static_cast<int>(material_count_);
   for (int a = 0; a < count; ++a) {
     for (int b = 0; b < count; ++b) surfaces_.push_back(surface_of(model.coefficients(a, b)));
@@ -53,7 +54,7 @@ void StepManifolds::match_range(std::size_t begin, std::size_t end) {
   for (std::size_t i = begin; i < end; ++i) {
     const ShapePair& own = pair(i);
     const ContactKey key = {own.body_A, own.body_B, own.shape_A, own.shape_B, at(part(i))};
-    // The memory of the same shapes and part, or the first one behind it.
+    // The search stops at the memory of the same shapes and part, or at the first one behind it.
     if (i == begin) next = memory.find_from(key);
     bool is_same = false;
     for (; next < memory.size(); ++next) {
@@ -80,6 +81,7 @@ int StepManifolds::material_of(int body, int shape) const {
 }
 
 ManifoldMemory StepManifolds::key(std::size_t i) const {
+  // The key names the shapes and the part; features name the points.
   const ShapePair& own = pair(i);
   const ManifoldView found = view(i);
   ManifoldMemory key;

@@ -36,6 +36,7 @@ float foot_radius(const PlacedPolytopes& pair, const SeparatingAxis& axis) {
   const Vec3f p = other.vertex(is_of_A ? axis.b : axis.a);
   const FloatHull& hull = *own.hull;
   const int begin = hull.loop_begin[at(face)], end = hull.loop_begin[at(face + 1)];
+  // The distance of the vertex from each side of the face, counted inwards.
   float radius = std::numeric_limits<float>::infinity();
   Vec3f corner = own.vertex(hull.loop[at(end - 1)]);
   for (int k = begin; k < end; ++k) {

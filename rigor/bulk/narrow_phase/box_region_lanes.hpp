@@ -326,6 +326,7 @@ RIGOR_FLOAT_LANES void set_in_order(RegionPoint& first, RegionPoint& second) {
 
 /// The features of corners, by their places; `rows` are the rows of their faces in kFeatureRows.
 RIGOR_FLOAT_LANES IntLanes features_of(const IntLanes& rows, const IntLanes& places) {
+  // Table look-ups, lane by lane.
   std::int32_t row[kLaneCount], place[kLaneCount], feature[kLaneCount];
   std::memcpy(row, &rows, sizeof row);
   std::memcpy(place, &places, sizeof place);

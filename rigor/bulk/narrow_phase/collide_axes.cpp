@@ -274,6 +274,7 @@ SeparatingAxis search_all(PlacedPolytopes& pair, const BallBound& bound, float f
 }  // namespace
 
 AxisCode code_of(const SeparatingAxis& axis) {
+  // The kind and the proof are in the highest bits, two edges or one face below them.
   const AxisCode kind =
       static_cast<AxisCode>(axis.kind) << (2 * kEdgeBits) | (axis.is_proven ? 0 : kUnproven);
   switch (axis.kind) {
@@ -293,6 +294,7 @@ namespace {
 
 /// The axis that a code names, for the cores as they are now.
 SeparatingAxis axis_of(const PlacedPolytopes& pair, AxisCode code) {
+  // The bits of code_of(); separations are computed anew.
   const int first = static_cast<int>(code & ((1u << kEdgeBits) - 1)),
             second = static_cast<int>(code >> kEdgeBits & ((1u << kEdgeBits) - 1));
   switch (static_cast<SeparatingAxis::Kind>(code >> (2 * kEdgeBits) & 3)) {
@@ -353,6 +355,8 @@ bool find_parting_direction(const PlacedPolytopes& pair, float limit, Vec3f& n) 
     if (!(square > 0)) return false;
     n /= std::sqrt(square);
     const Vec3f w = pair.b.vertex(pair.b.farthest(-n)) - pair.a.vertex(pair.a.farthest(n));
+    // A direction that separates the support vertices by more than the limit is an answer. One that separates
+    // them by less ends the search: a reflection would bring the vertices together.
     const float separation = n.dot(w);
     if (separation > limit) return true;
     if (separation >= 0) return false;

@@ -24,6 +24,7 @@ BoxEdge farthest_edge(const PlacedShape& box, const Vec3f& p, const Vec3f& n, in
   BoxEdge edge{p};
   for (int k = 0; k < 3; ++k) {
     if (k == axis) continue;
+    // Along each other axis the edge is on the side of n.
     const Vec3f a = axis_of(box, k);
     const bool is_positive = n.dot(a) > 0;
     edge.middle += (is_positive ? box.half[k] : -box.half[k]) * a;

@@ -19,6 +19,7 @@ EdgePoints nearest_on_edges(const PlacedPolytopes& pair, int i, int j) {
   const FloatHull::Edge &edge_A = pair.a.edge(i), &edge_B = pair.b.edge(j);
   const Vec3f p0 = pair.a.vertex(edge_A.v0), q0 = pair.b.vertex(edge_B.v0);
   const Vec3f u = pair.a.edge_vector(i), v = pair.b.edge_vector(j);
+  // A parameter at 0 or 1 is an end of its edge.
   const SegmentPoints points = nearest_on_segments(p0, u, q0, v);
   // The features: ends of the edges, or the edges themselves where the points are inside.
   const int vertex_A = points.s <= 0 ? edge_A.v0 : points.s >= 1 ? edge_A.v1 : -1;

@@ -30,6 +30,7 @@ FaceAxes axes_of(const FaceOutline& face, const Vec3f& normal) {
 void list_borders(const FaceOutline& face, const FaceAxes& axes, std::vector<Border>& borders) {
   const std::size_t count = face.corners.size();
   borders.resize(count);
+  // Each corner is flattened once; the last border ends at the first.
   const FlatPoint first = axes.flat(face.corner(0));
   FlatPoint corner = first;
   for (std::size_t k = 0; k < count; ++k) {

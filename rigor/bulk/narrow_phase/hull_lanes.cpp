@@ -120,6 +120,7 @@ RIGOR_FLOAT_LANES FloatLanes turned(const FloatVec3& row, const FloatVec3& p) {
 }
 
 RIGOR_FLOAT_LANES void columns_kernel(const LaneColumns& points, const Mat3f& M, const Vec3f& t, float* to) {
+  // The matrix in all lanes, then eight points at a time.
   FloatVec3 row[3];
   for (int i = 0; i < 3; ++i) row[i] = {float_lanes(M(i, 0)), float_lanes(M(i, 1)), float_lanes(M(i, 2))};
   const FloatVec3 shift = spread(t);
@@ -210,6 +211,7 @@ RIGOR_FLOAT_LANES EdgeChoice edges_kernel(const ArcBlocks& a, const ArcBlocks& b
     for (std::size_t k = 0; k < b.blocks().size(); ++k) {
       unsigned bits = cross_block(arc, b.blocks()[k], best.separation, separations);
       for (; bits != 0; bits &= bits - 1) {
+        // The best may have grown since the block was tested.
         const int lane = std::countr_zero(bits);
         if (!(separations[lane] > best.separation)) continue;
         best = {static_cast<int>(i), static_cast<int>(k) * kLaneCount + lane, separations[lane]};

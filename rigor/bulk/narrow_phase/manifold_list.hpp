@@ -30,6 +30,7 @@ class ManifoldList {
   void push_back(const PairManifold& found) {
     const Manifold& own = found.manifold;
     const std::size_t first = points_.size(), count = at(own.point_count);
+    // Lists grow by an eighth, not to twice their size.
     if (heads_.size() == heads_.capacity()) make_room(heads_.size() + kMore, heads_);
     if (first + count > points_.capacity()) make_room(first + kMore, points_);
     heads_.push_back({{own.normal[0], own.normal[1], own.normal[2]},

@@ -310,6 +310,7 @@ void NarrowPhase::Tables::sort_block(const BulkBodies& bodies, const std::vector
   scratch.boxes.count = scratch.balls.count = 0;
   for (int k = begin; k < end; ++k) {
     const ShapePair& pair = pairs[at(k)];
+    // Centres are subtracted in 64 bits; the rest is relative to the centre of body A.
     const Vec3 p_OB = bodies.x[at(pair.body_B)] - bodies.x[at(pair.body_A)];
     PairPlace& place = scratch.places[at(k - begin)];
     place = {placed_form(pair.body_A, pair.shape_A), placed_form(pair.body_B, pair.shape_B),

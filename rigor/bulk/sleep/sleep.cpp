@@ -25,6 +25,7 @@ bool is_driving(const JointAxis& axis) {
 /// Pairs of bodies that joints and springs tie together.
 std::vector<std::pair<int, int>> ties_of(const Model& model) {
   std::vector<std::pair<int, int>> ties;
+  // A joint ties its first body to each of the others; a spring to the world ties nothing.
   for (int i = 0; i < static_cast<int>(model.joints().size()); ++i) {
     const std::vector<int> bodies = model.bodies_of_joint(i);
     for (std::size_t k = 1; k < bodies.size(); ++k) ties.emplace_back(bodies[0], bodies[k]);
@@ -73,13 +74,15 @@ bool SleepKeeper::wake(const BulkBodies& bodies, const ManifoldMemories& before,
   const auto is_moved_by = [&](int body, int other) {
     return radius_[at(body)] >= 0 && radius_[at(other)] < 0 && speed_of(bodies.motion[at(other)], 1) > 0;
   };
-  // What was disturbed by the user, what motors drive, and what is tied to a kinematic body that moves.
+  // The user's disturbances, motors, and kinematic bodies that move keep awake the bodies that they act on or
+  // are tied to.
   for (const int body : disturbances.bodies) disturb(body);
   for (const int body : driven_) disturb(body);
   for (const auto& [body, driver] : drivers_) {
     if (is_moved_by(body, driver)) disturb(body);
   }
-  // What lost a contact: both lists are in the order of keys, so one pass finds those that are gone.
+  // A body that lost a contact wakes. Both lists are in the order of keys, so one pass finds the contacts
+  // that are gone.
   std::size_t k = 0;
   for (std::size_t i = 0; i < before.size(); ++i) {
     while (k < now.size() && now[k].key() < before.key(i)) ++k;
@@ -88,7 +91,7 @@ bool SleepKeeper::wake(const BulkBodies& bodies, const ManifoldMemories& before,
       if (quiet_time[at(body)] == asleep) disturb(body);
     }
   }
-  // What touches a kinematic body that moves.
+  // A kinematic body that moves wakes what it touches.
   for (const ManifoldMemory& contact : now) {
     for (const auto& [body, other] :
          {std::pair(contact.body_A, contact.body_B), std::pair(contact.body_B, contact.body_A)}) {
@@ -113,7 +116,7 @@ bool SleepKeeper::wake(const BulkBodies& bodies, const ManifoldMemories& before,
 void SleepKeeper::settle(double h, const ManifoldMemories& contacts, BulkBodies& bodies,
                          std::vector<float>& quiet_time) {
   RIGOR_ASSERT(quiet_time.size() == radius_.size());
-  // How long each body has been quiet, and the least of each island.
+  // Each body counts how long it has been quiet; its island takes the least of its bodies.
   islands_.build(contacts);
   least_quiet_.assign(radius_.size(), asleep);
   for (int i = 0; i < static_cast<int>(radius_.size()); ++i) {

@@ -119,6 +119,7 @@ namespace {
 /// |φ|²/4, by Horner's scheme.
 constexpr double kSeries = 1;
 Quat exp_by_series(const Vec3& phi) {
+  // The half angle squared, s = |φ|²/4: sin √s / √s and cos √s, from the highest term down.
   const double s = phi.squaredNorm() / 4;
   double sine = -1.0 / 1307674368000, cosine = -1.0 / 87178291200;
   sine = s * sine + 1.0 / 6227020800, cosine = s * cosine + 1.0 / 479001600;

@@ -64,12 +64,14 @@ void turn_far(const float* s, float* r);
 /// in dr (Baker, Campbell, Hausdorff) where both are small, exactly where they are not.
 inline void turn_further(float h, MotionRecord& motion) {
   const FloatRow r = load_row(motion.dr), s = h * load_row(motion.w);
+  // Far rotations are composed by their quaternions.
   const FloatRow squares = r * r + s * s;
   if (squares[0] + squares[1] + squares[2] > kFarTurn * kFarTurn) {
     float turn[4];
     store_row(s, turn);
     return turn_far(turn, motion.dr);
   }
+  // Near ones by the series r + s - (r × s)/2 + r × (r × s)/12.
   const FloatRow c = cross(r, s), cc = cross(r, c);
   store_row(r + (s + ((1.0F / 12) * cc - 0.5F * c)), motion.dr);
 }

@@ -75,6 +75,7 @@ void add_faces(const FeatureGraph& graph, FloatHull& hull) {
 }
 
 void add_fans(FloatHull& hull) {
+  // The faces around each vertex, in ascending order.
   std::vector<std::vector<int>> faces(at(hull.vertex_count));
   for (int f = 0; f < hull.face_count; ++f)
     for (int k = hull.loop_begin[at(f)]; k < hull.loop_begin[at(f + 1)]; ++k)
@@ -87,6 +88,7 @@ void add_fans(FloatHull& hull) {
 }
 
 void add_arcs(FloatHull& hull) {
+  // An arc has what the test on the Gauss map needs of its edge, in two rows of lanes.
   hull.arcs.clear();
   for (const FloatHull::Edge& edge : hull.edges) {
     FloatHull::ArcRecord& arc = hull.arcs.emplace_back();

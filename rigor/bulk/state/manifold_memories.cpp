@@ -108,6 +108,7 @@ float ManifoldMemories::energy(std::size_t i) const {
 }
 
 ManifoldMemory ManifoldMemories::operator[](std::size_t i) const {
+  // Numbers that are not stored are 0 in the view, or stay 0 in the copy.
   const View own = view(i);
   const ContactKey own_key = key(i);
   ManifoldMemory memory;

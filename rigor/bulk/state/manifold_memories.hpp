@@ -114,6 +114,7 @@ class ManifoldMemories {
     float* numbers = numbers_.data();
     head.body_A = key.body_A;
     head.body_B = key.body_B;
+    // Most pairs are of the first shapes of two bodies and have one part: these zeros are not stored.
     if (head.has_shapes) {
       numbers[at.shapes] = std::bit_cast<float>(key.shape_A);
       numbers[at.shapes + 1] = std::bit_cast<float>(key.shape_B);
