@@ -185,8 +185,7 @@ BulkStepReport BulkWorld::step(double h) {
   Scratch& s = *scratch_;
   const Executor::Team team(s.executor);
   const double substep = h / settings_.substeps;
-  // find_pairs, find_manifolds and match: kinematic bodies first, since pairs are found with their
-  // velocities.
+  // Kinematic bodies come first, since pairs are found and matched with their velocities.
   s.prescribed.place(*model_, t_, h, bodies_);
   find_contacts(h);
   s.contacts.match(s.pairs, s.manifolds, memory_, s.executor);
@@ -198,16 +197,14 @@ BulkStepReport BulkWorld::step(double h) {
                         find_touching_bodies();
                         find_direct_islands(substep);
                       });
-  // Forces are constant for the step; gyroscopic terms and joints are prepared for the bodies whose substeps
-  // are taken here.
+  // Forces are constant for the step; gyroscopic terms and joints are prepared for it.
   begin_bulk_step(*model_, s.executor, bodies_, s.touches);
   compute_accelerations(h);
   add_given_wrenches();
   find_loose_bodies();
   s.gyroscopic_terms.prepare(bodies_, s.loose, s.executor);
   s.joints.prepare(bodies_, substep, s.executor);
-  // The balance begins before anything changes a velocity. Islands that are solved directly are left out of
-  // the sweeps.
+  // The balance begins before velocities change. Islands solved directly are left out of the sweeps.
   if (settings_.measures) s.books.begin(bodies_);
   report.direct_islands = solve_directly(h);
   s.contacts.prepare(bodies_, substep, s.direct, s.executor);
