@@ -29,7 +29,8 @@ namespace rigor {
 
 namespace {
 
-/// Points are found before they touch if a body that is let fall from rest comes that far in this many steps.
+/// The margin is how far a body falls from rest in this many steps, so that points are found before they
+/// touch.
 constexpr double margin_steps = 2;
 
 }  // namespace
@@ -59,7 +60,7 @@ struct BulkWorld::Scratch {
   BounceLimits bounce_limits;
   StepBalance books;
   Environment environment;
-  std::optional<Sleepers> sleepers;  ///< If bodies may sleep.
+  std::optional<Sleepers> sleepers;  ///< Only if bodies may sleep.
   std::vector<ShapePair> pairs;
   ManifoldList manifolds;
   std::vector<float> joint_impulses;
@@ -67,12 +68,12 @@ struct BulkWorld::Scratch {
     int body;
     Wrench wrench;
   };
-  std::vector<GivenWrench> given;        ///< For the next step, in the order of the calls.
-  std::vector<MotionRow> accelerations;  ///< By forces of the environment.
-  std::vector<MotionRow> turns;          ///< What turning changes of angular velocities.
+  std::vector<GivenWrench> given;        ///< Wrenches for the next step, in the order of the calls.
+  std::vector<MotionRow> accelerations;  ///< Changes of velocity per second, by forces of the environment.
+  std::vector<MotionRow> turns;          ///< Changes of angular velocity in a substep, by gyroscopic terms.
   std::vector<MotionRow> unconstrained;  ///< Velocities of a substep before its constraints.
   std::vector<char> touches;             ///< Whether each body may touch another in the step.
-  std::vector<int> loose;                ///< Bodies that move, but for those of contact-free chains.
+  std::vector<int> loose;                ///< Bodies that move and are not in a contact-free chain.
 };
 
 BulkWorld::BulkWorld(std::shared_ptr<const Model> model, const BulkSettings& settings)
@@ -95,6 +96,8 @@ void BulkWorld::add_impulse(int body, const Wrench& impulse) {
   RIGOR_ASSERT(own.motion == MotionType::dynamic);
   const Quat& q_WB = bodies_.q[at(body)];
   MotionRecord& motion = bodies_.motion[at(body)];
+  // An impulse changes the linear velocity by P / m and the angular velocity by I⁻¹ L, along the principal
+  // axes.
   const Vec3 dv = impulse.f_W / own.mass;
   const Vec3 dw = q_WB * (q_WB.conjugate() * impulse.tau_W).cwiseQuotient(own.moments);
   for (int k = 0; k < 3; ++k) {
@@ -109,7 +112,8 @@ void BulkWorld::set_pose(int body, const Pose& X_WB) {
   bodies_.x[at(body)] = X_WB.p;
   bodies_.q[at(body)] = quaternion_of(X_WB.R);
   if (model_->body(body).motion == MotionType::dynamic) set_momentum(*model_, body, bodies_);
-  // What it leaves loses a contact; what it meets is found by it, if it moves by itself.
+  // A dynamic body wakes what it leaves, which loses a contact, and what it meets. A kinematic body that only
+  // changes its place does neither: all bodies wake.
   if (model_->body(body).motion == MotionType::dynamic) {
     wake(body);
   } else {
@@ -138,6 +142,8 @@ void BulkWorld::set_target(int body, const Vec3& x, const Quat& q) {
 
 std::vector<BulkContact> BulkWorld::contacts() const {
   std::vector<BulkContact> contacts = read_contacts(scratch_->contacts, bodies_);
+  // Contacts of islands that were solved directly are in a list of their own; both are put into the order of
+  // keys.
   const std::vector<BulkContact>& direct = scratch_->direct.contacts();
   contacts.insert(contacts.end(), direct.begin(), direct.end());
   std::sort(contacts.begin(), contacts.end(),
@@ -179,9 +185,11 @@ BulkStepReport BulkWorld::step(double h) {
   Scratch& s = *scratch_;
   const Executor::Team team(s.executor);
   const double substep = h / settings_.substeps;
+  // Kinematic bodies come first, since pairs are found and matched with their velocities.
   s.prescribed.place(*model_, t_, h, bodies_);
   find_contacts(h);
   s.contacts.match(s.pairs, s.manifolds, memory_, s.executor);
+  // Colours do not depend on the islands to be solved directly: both at once.
   BulkStepReport report;
   s.executor.run_both([&] { s.contacts.colour(bodies_); },
                       [&] {
@@ -189,28 +197,35 @@ BulkStepReport BulkWorld::step(double h) {
                         find_touching_bodies();
                         find_direct_islands(substep);
                       });
+  // Forces are constant for the step; gyroscopic terms and joints are prepared for it.
   begin_bulk_step(*model_, s.executor, bodies_, s.touches);
   compute_accelerations(h);
   add_given_wrenches();
   find_loose_bodies();
   s.gyroscopic_terms.prepare(bodies_, s.loose, s.executor);
   s.joints.prepare(bodies_, substep, s.executor);
+  // The balance begins before velocities change. Islands solved directly are left out of the sweeps.
   if (settings_.measures) s.books.begin(bodies_);
   report.direct_islands = solve_directly(h);
   s.contacts.prepare(bodies_, substep, s.direct, s.executor);
   if (s.contacts.has_restitution()) s.bounce_limits.begin(bodies_, s.executor);
+  // Chains that touch nothing need no contacts and take all of their substeps at once.
   s.joints.advance_contact_free_chains(s.accelerations, settings_.substeps, bodies_, s.executor);
+  // Substeps, whose impulses are added up where somebody needs the sum.
   const bool adds_up = settings_.measures || s.contacts.has_restitution();
   for (int k = 0; k < settings_.substeps; ++k) {
     take_substep(k == 0, static_cast<float>(substep));
     if (adds_up) s.contacts.add_up(s.executor);
   }
+  // Restitution comes once, after the substeps; then velocities that only put back overlaps end.
   if (s.contacts.has_restitution()) bounce_apart();
   s.direct.finish(bodies_);
+  // The balance is made before bodies are moved: arms are those of the beginning of the step.
   if (settings_.measures) {
     s.books.end(bodies_, s.accelerations, h, s.contacts, s.direct, report);
     report.work += work_of_forces();
   }
+  // The step ends: bodies are where their displacements take them, and contacts and joints are remembered.
   s.given.clear();
   end_bulk_step(s.executor, bodies_);
   s.prescribed.arrive(bodies_);
@@ -218,10 +233,12 @@ BulkStepReport BulkWorld::step(double h) {
   s.direct.remember(settings_.substeps, memory_);
   s.joints.read_impulses(bodies_, s.joint_impulses);
   std::tie(report.max_joint_error, report.worst_joint) = s.joints.worst_error(bodies_);
+  // Sleep is decided by the velocities at the end of the step.
   if (s.sleepers) {
     s.sleepers->settle(h, bodies_, memory_);
     report.sleeping_count = s.sleepers->count();
   }
+  // The State holds angular momenta, from which a fresh world would read the angular velocities.
   s.executor.for_ranges(bodies_.count(), 256, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       if (bodies_.is_dynamic(i)) set_momentum(*model_, i, bodies_);
@@ -231,13 +248,15 @@ BulkStepReport BulkWorld::step(double h) {
   return report;
 }
 
-/// Pairs and manifolds of all that moves. Whoever is disturbed by them wakes, and then what it touches is
-/// looked for too.
+/// Finds the pairs and manifolds of all that moves. Islands that these disturb wake, and then what they touch
+/// is looked for too, until no island wakes.
 void BulkWorld::find_contacts(double h) {
   Scratch& s = *scratch_;
+  // The margin is the distance of free fall, g t²/2; what a body's velocity adds to it is each pair's own.
   const double margin = 0.5 * model_->g_W().norm() * (margin_steps * h) * (margin_steps * h);
   bool is_done = false;
   while (!is_done) {
+    // Sleeping bodies stand, so that pairs of two of them are not looked for.
     if (s.sleepers) s.sleepers->lay_down(bodies_);
     s.pair_finder.find_pairs(bodies_, h, margin, s.executor, s.pairs);
     s.narrow_phase.find_manifolds(bodies_, s.pairs, s.executor, s.manifolds);
@@ -245,7 +264,7 @@ void BulkWorld::find_contacts(double h) {
   }
 }
 
-/// Marks the bodies that have manifolds.
+/// Marks the bodies that have manifolds: only they need inertia in W.
 void BulkWorld::find_touching_bodies() {
   Scratch& s = *scratch_;
   s.touches.assign(bodies_.x.size(), 0);
@@ -257,20 +276,24 @@ void BulkWorld::find_touching_bodies() {
 
 void BulkWorld::take_substep(bool is_first, float h) {
   Scratch& s = *scratch_;
+  // The first substep begins with the impulses that the State remembers, the others with the change of the
+  // substep before.
   integrate_velocities(is_first, h);
   if (is_first) {
     s.contacts.warm_start(bodies_, s.executor);
-    // So that contacts meet bodies that are held, as in the other substeps.
+    // Joints come first once, so that contacts meet bodies that are held, as in the other substeps.
     if (!s.manifolds.empty()) s.joints.solve(JointPass::places, s.executor);
   }
+  // One sweep that puts overlaps back at the rate of the spring, then the joints hold.
   s.contacts.solve(BlockPass::push, h, bodies_, s.executor);
   s.joints.solve(JointPass::places_anew, s.executor);
   integrate_positions(h);
+  // After positions have moved, a sweep of velocities alone, so that springs add no speed.
   s.joints.solve(JointPass::rates, s.executor);
   s.contacts.solve(BlockPass::relax, h, bodies_, s.executor);
 }
 
-/// What met fast in the step parts again.
+/// Lets bodies bounce that met fast in the step, as far as the step's energy allows.
 void BulkWorld::bounce_apart() {
   Scratch& s = *scratch_;
   if (!s.contacts.find_bounces(bodies_, s.executor)) return;
@@ -286,18 +309,20 @@ void BulkWorld::find_direct_islands(double substep) {
     direct.clear();
 }
 
-/// Those islands that can be; their number.
+/// Solves directly those islands that can be; returns their number.
 int BulkWorld::solve_directly(double h) {
   Scratch& s = *scratch_;
   if (!s.direct.has_found_any()) return 0;
   const float step = static_cast<float>(h);
   if (s.gyroscopic_terms.has_any()) s.gyroscopic_terms.find_changes(step, bodies_, s.executor, s.turns);
+  // Without contacts a body's velocity changes by this much in the whole step.
   const auto free_change = [&](int body) {
     const std::size_t k = at(body);
     MotionRow change = s.gyroscopic_terms.has_any() ? s.turns[k] : MotionRow{};
     for (std::size_t j = 0; j < change.size(); ++j) change[j] += step * s.accelerations[k][j];
     return change;
   };
+  // The islands are solved to the end of the step, in motion space (section 6 of docs/theory/bulk.md).
   s.direct.solve({h, settings_.substeps, s.contacts.manifolds(), free_change}, bodies_);
   return s.direct.island_count();
 }
@@ -318,6 +343,8 @@ void BulkWorld::compute_accelerations(double h) {
       MotionRow& row = s.accelerations[at(i)];
       row = {};
       if (!bodies_.is_dynamic(i)) continue;
+      // Gravity and constant forces are known once for all; other forces are those of now, and drag is
+      // integrated over the step, so that none is too strong for it.
       Vec3 a = s.environment.steady_acceleration(i), alpha = Vec3::Zero();
       if (s.environment.is_forced(i)) {
         Wrench wrench;
@@ -341,6 +368,7 @@ void BulkWorld::add_given_wrenches() {
     const Body& body = model_->body(given.body);
     const Quat& q_WB = bodies_.q[at(given.body)];
     const Vec3 a = given.wrench.f_W / body.mass;
+    // α = I⁻¹ τ along the principal axes.
     const Vec3 alpha = q_WB * (q_WB.conjugate() * given.wrench.tau_W).cwiseQuotient(body.moments);
     MotionRow& row = s.accelerations[at(given.body)];
     for (std::size_t k = 0; k < 3; ++k) {
@@ -350,15 +378,17 @@ void BulkWorld::add_given_wrenches() {
   }
 }
 
-/// Of forces that have no potential, over the displacements of the step: they are those of its begin.
+/// The work of forces that have no potential: the forces of the beginning of the step over its displacements.
 double BulkWorld::work_of_forces() const {
   const Scratch& s = *scratch_;
   double work = 0;
+  // Wrenches that the user gave are constant in the step.
   for (const Scratch::GivenWrench& given : s.given) {
     const MotionRecord& m = bodies_.motion[at(given.body)];
     work += given.wrench.f_W.dot(Vec3(m.dp[0], m.dp[1], m.dp[2])) +
             given.wrench.tau_W.dot(Vec3(m.dr[0], m.dr[1], m.dr[2]));
   }
+  // Forces of the environment are those of the beginning of the step too.
   for (int i = 0; i < bodies_.count(); ++i) {
     if (!bodies_.is_dynamic(i) || !s.environment.is_forced(i)) continue;
     const std::size_t k = at(i);
@@ -370,7 +400,7 @@ double BulkWorld::work_of_forces() const {
   return work;
 }
 
-/// Bodies whose substeps are taken here: not those of trees that touch nothing.
+/// Finds the bodies whose substeps are taken here: all that move, except those of trees that touch nothing.
 void BulkWorld::find_loose_bodies() {
   Scratch& s = *scratch_;
   if (s.joints.may_have_contact_free_chains()) s.joints.find_contact_free_chains(bodies_, s.touches);
@@ -382,6 +412,7 @@ void BulkWorld::find_loose_bodies() {
 
 void BulkWorld::integrate_velocities(bool is_first, float h) {
   Scratch& s = *scratch_;
+  // Gyroscopic terms depend on the velocities at the beginning of the substep.
   const bool has_turns = s.gyroscopic_terms.has_any();
   if (has_turns) s.gyroscopic_terms.find_changes(h, bodies_, s.executor, s.turns);
   s.executor.for_ranges(static_cast<int>(s.loose.size()), 256, [&](int begin, int end) {
@@ -393,7 +424,8 @@ void BulkWorld::integrate_velocities(bool is_first, float h) {
       if (s.direct.holds(i)) continue;
       float* const v = motion[i].v;
       float* const free = unconstrained[i].data();
-      // What the constraints changed in the substep before is what they begin with in this one.
+      // Warm start: what the constraints changed in the substep before is what they begin with in this one.
+      // Linear velocity first, then angular.
       for (int half : {0, 4}) {
         const FloatRow now = load_row(v + half), before = load_row(free + half);
         FloatRow next = now + h * load_row(accelerations[i].data() + half);
@@ -411,6 +443,7 @@ void BulkWorld::integrate_positions(float h) {
     MotionRecord* const records = bodies_.motion.data();
     for (int place = begin; place < end; ++place) {
       MotionRecord& motion = records[loose[at(place)]];
+      // Displacements are added up relative to the beginning of the step, in 32 bits.
       for (int j = 0; j < 3; ++j) motion.dp[j] += h * motion.v[j];
       turn_further(h, motion);
     }
@@ -425,6 +458,7 @@ BulkStepReport BulkWorld::describe_contacts() const {
   for (std::size_t k = 0; k < found.size(); ++k) {
     report.point_count += found.point_count(k);
     for (int i = 0; i < found.point_count(k); ++i) {
+      // The deepest of all points counts, the first of equal ones.
       const double overlap = -found.view(k).points[i].gap;
       if (overlap <= report.max_overlap) continue;
       const ShapePair& pair = scratch_->pairs[at(found.pair(k))];

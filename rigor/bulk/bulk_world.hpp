@@ -17,29 +17,29 @@ namespace rigor {
 struct BulkSettings {
   int substeps = 6;       ///< >= 1, of equal length.
   int threads = 1;        ///< >= 1. The answer does not depend on it.
-  bool measures = false;  ///< Whether a step tells its impacts, work and error of momentum, and its contacts.
+  bool measures = false;  ///< Whether a step reports impacts, work, momentum error and contacts.
   bool sleeping = false;  ///< Whether bodies at rest are left alone (Sleepers).
   SleepRules sleep_rules;
 };
 
-/// What a step did.
+/// What happened in a step.
 struct BulkStepReport {
-  int pair_count = 0;      ///< Of shapes whose boxes overlap.
-  int manifold_count = 0;  ///< Of those with points.
+  int pair_count = 0;      ///< Pairs of shapes whose boxes overlap.
+  int manifold_count = 0;  ///< Manifolds that have points.
   int point_count = 0;
   int direct_islands = 0;              ///< Islands whose contacts were solved directly.
   int sleeping_count = 0;              ///< Bodies that sleep at the end of the step.
-  std::vector<BulkImpact> impacts;     ///< By bodies.
-  Vec3 momentum_error = Vec3::Zero();  ///< Of StepBalance [kg m/s].
-  double work = 0;                     ///< By kinematic bodies, torques and forces fixed in bodies [J].
-  double max_overlap = 0;              ///< At the begin of the step [m].
-  int overlap_A = -1, overlap_B = -1;  ///< Its bodies.
-  double max_joint_error = 0;          ///< At the end of the step [m]: BulkJoints::worst_error.
-  int worst_joint = -1;                ///< Which joint that was.
+  std::vector<BulkImpact> impacts;     ///< In the order of their bodies.
+  Vec3 momentum_error = Vec3::Zero();  ///< See StepBalance [kg m/s].
+  double work = 0;                     ///< Work of kinematic bodies, torques and forces fixed in bodies [J].
+  double max_overlap = 0;              ///< Deepest overlap at the beginning of the step [m].
+  int overlap_A = -1, overlap_B = -1;  ///< Bodies of the deepest overlap.
+  double max_joint_error = 0;  ///< Largest joint error at the end of the step [m]: BulkJoints::worst_error.
+  int worst_joint = -1;        ///< The joint with that error.
 };
 
-/// Many bodies at work: the path for thousands of them (docs/theory/bulk.md). Bodies and what their contacts
-/// remember; read from a State and written back to it.
+/// The world of the many-body path, for thousands of bodies (docs/theory/bulk.md): the bodies and what their
+/// contacts remember, read from a State and written back to it.
 class BulkWorld {
  public:
   BulkWorld(std::shared_ptr<const Model> model, const BulkSettings& settings);
@@ -47,36 +47,36 @@ class BulkWorld {
   BulkWorld(const BulkWorld&) = delete;
   BulkWorld& operator=(const BulkWorld&) = delete;
 
-  /// Force [N] and torque about the centre of mass [N m] on a dynamic body during the next step, in W; added
-  /// to what it has been given before. Wakes it.
+  /// Applies a force [N] and a torque about the centre of mass [N m] to a dynamic body during the next step,
+  /// in W, besides those that it has been given before. Wakes the body.
   void add_wrench(int body, const Wrench& wrench);
-  /// Impulse [N s] and angular impulse about the centre of mass [N m s] on a dynamic body, in W, at once.
-  /// Wakes it.
+  /// Applies an impulse [N s] and an angular impulse about the centre of mass [N m s] to a dynamic body, in
+  /// W, at once. Wakes the body.
   void add_impulse(int body, const Wrench& impulse);
-  /// Puts a body somewhere else between two steps: its body frame, with the velocities that it has. Wakes it
-  /// and what it touched; a kinematic body wakes all.
+  /// Moves a body to another place between two steps: the pose of its body frame; it keeps its velocities.
+  /// Wakes the body and what it touched; a kinematic body wakes all bodies.
   void set_pose(int body, const Pose& X_WB);
-  /// Other velocities of a dynamic body, in W. Wakes it.
+  /// Sets the velocities of a dynamic body, in W [m/s, rad/s]. Wakes the body.
   void set_velocity(int body, const Vec3& v_W, const Vec3& w_W);
-  /// Where a kinematic body without velocity and path (PrescribedBodies::is_free) is to be at the end of the
-  /// next step: centre p_WB [m], orientation q_WB. It moves there at a constant velocity and stays.
+  /// Sets where a kinematic body without velocity and path (PrescribedBodies::is_free) is to be at the end of
+  /// the next step: centre p_WB [m], orientation q_WB. It moves there at a constant velocity and stays there.
   void set_target(int body, const Vec3& x, const Quat& q);
   /// See PairFinder::set_contact_filter.
   void set_contact_filter(std::function<bool(int, int)> may_touch);
   void read(const State& state);
   void write(State& state) const;
-  /// One step of h > 0 [s].
+  /// Takes one step of h > 0 [s].
   BulkStepReport step(double h);
 
   double time() const { return t_; }
   const BulkBodies& bodies() const { return bodies_; }
   bool is_asleep(int body) const;
-  /// Is awake in the next step, and all that it touches.
+  /// Keeps a body awake in the next step, with all that it touches.
   void wake(int body);
-  /// All manifolds of the last step in the order of their keys, if it was measured; those of sleeping bodies,
-  /// of which nothing was computed, are not among them.
+  /// All manifolds of the last step in the order of their keys, if it was measured, except those of sleeping
+  /// bodies, for which nothing was computed.
   std::vector<BulkContact> contacts() const;
-  /// Of the contacts at the end of the last step, in the order of their keys.
+  /// The memories of the contacts at the end of the last step, in the order of their keys.
   const ManifoldMemories& memory() const { return memory_; }
 
  private:

@@ -15,12 +15,15 @@ namespace rigor {
 
 namespace {
 
-/// Contacts that begin more slowly are no impacts [m/s]: the speed from which the solver lets them bounce.
+/// Contacts that begin more slowly than this are not impacts [m/s]: the speed from which the solver lets them
+/// bounce.
 constexpr double impact_speed = 1e-2;
 
 }  // namespace
 
 StepBalance::StepBalance(const Model& model) {
+  // An island of joints that is tied to the world, or to a body that is not dynamic, has no balance of its
+  // own: the joint's impulse is not known.
   BulkIslands islands(model);
   std::vector<bool> is_grounded(at(model.body_count()), false);
   for (int j = 0; j < static_cast<int>(model.joints().size()); ++j) {
@@ -33,6 +36,7 @@ StepBalance::StepBalance(const Model& model) {
       if (is_tied && islands.island_of(body) >= 0) is_grounded[at(islands.island_of(body))] = true;
     }
   }
+  // Momentum is balanced over the bodies of all other islands.
   for (int i = 0; i < model.body_count(); ++i) {
     const int island = islands.island_of(i);
     masses_.push_back(model.body(i).mass);
@@ -61,10 +65,13 @@ void StepBalance::book(const BulkBodies& bodies, int body_A, int body_B, const V
 void StepBalance::end(const BulkBodies& bodies, const std::vector<MotionRow>& accelerations, double h,
                       const BulkContacts& contacts, const DirectIslands& direct,
                       BulkStepReport& report) const {
+  // Forces give their impulse to the bodies of the balance.
   Vec3 given = Vec3::Zero();
   for (int i = 0; i < bodies.count(); ++i) {
     if (is_booked(bodies, i)) given += h * masses_[at(i)] * vector_of(accelerations[at(i)].data());
   }
+  // Contacts give the impulse that comes from other bodies; impacts and the work of kinematic bodies are read
+  // on the way.
   contacts.for_contacts([&](const SolvedManifold& manifold, const ManifoldMemory& key, bool is_new) {
     const ManifoldWrench on_B = total_wrench(manifold);
     if (is_new && approach_speed(manifold) > impact_speed) {
@@ -74,11 +81,14 @@ void StepBalance::end(const BulkBodies& bodies, const std::vector<MotionRow>& ac
     book(bodies, key.body_A, key.body_B, on_B.impulse, given);
     report.work += work_of_mover(manifold, bodies);
   });
+  // Islands that were solved directly have contacts of their own.
   for (const BulkContact& contact : direct.contacts()) {
     if (contact.is_new && contact.approach_speed > impact_speed)
       report.impacts.push_back({contact.body_A, contact.body_B, contact.center_W, contact.impulse_W()});
     book(bodies, contact.body_A, contact.body_B, contact.impulse_W(), given);
   }
+  // Impacts are put into the order of bodies, whatever the blocks are. The change of momentum that nothing
+  // gave is the error.
   std::stable_sort(report.impacts.begin(), report.impacts.end(),
                    [](const BulkImpact& a, const BulkImpact& b) {
                      return std::pair(a.body_A, a.body_B) < std::pair(b.body_A, b.body_B);

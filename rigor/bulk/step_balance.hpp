@@ -10,22 +10,23 @@ namespace rigor {
 
 struct BulkStepReport;
 
-/// What a step was given and what it made of it: impacts, work, linear momentum. Momentum is balanced over
-/// the dynamic bodies that joints do not tie to bodies of other kinds or to the world: its change is the
-/// impulse of forces and of contacts with all other bodies, or there is an error (of rounding, or in the
-/// solver).
+/// The balance of a step: impacts, work, linear momentum. Momentum is balanced over the dynamic bodies that
+/// joints do not tie to bodies of other kinds or to the world: its change is the impulse of forces and of
+/// contacts with all other bodies; what is left is an error (of rounding, or in the solver).
 class StepBalance {
  public:
   explicit StepBalance(const Model& model);
 
-  /// Before the first substep and before islands are solved directly.
+  /// Begins the balance, before the first substep and before islands are solved directly.
   void begin(const BulkBodies& bodies);
-  /// After the last one, before bodies are moved. accelerations: of forces in a step of h [s].
+  /// Ends the balance, after the last substep and before bodies are moved. `accelerations` are those of
+  /// forces in a step of h [s].
   void end(const BulkBodies& bodies, const std::vector<MotionRow>& accelerations, double h,
            const BulkContacts& contacts, const DirectIslands& direct, BulkStepReport& report) const;
 
  private:
-  /// Impulse on B.
+  /// Adds to `given` what an impulse on B gives to the bodies of the balance, if it is not between two of
+  /// them.
   void book(const BulkBodies& bodies, int body_A, int body_B, const Vec3& impulse, Vec3& given) const;
   bool is_booked(const BulkBodies& bodies, int body) const {
     return is_free_[at(body)] && bodies.is_dynamic(body);
@@ -34,7 +35,7 @@ class StepBalance {
 
   std::vector<double> masses_;  ///< [kg].
   std::vector<bool> is_free_;
-  Vec3 begin_ = Vec3::Zero();  ///< Momentum at the begin [kg m/s].
+  Vec3 begin_ = Vec3::Zero();  ///< Momentum at the beginning [kg m/s].
 };
 
 }  // namespace rigor

@@ -14,7 +14,7 @@ namespace {
 
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
-/// The lower 21 bits, with two zeros between each and the next.
+/// The lower 21 bits of x, with two zeros between each and the next.
 std::uint64_t spread_bits(std::uint64_t x) {
   x &= 0x1fffff;
   x = (x | x << 32) & 0x1f00000000ffff;
@@ -24,7 +24,7 @@ std::uint64_t spread_bits(std::uint64_t x) {
   return (x | x << 2) & 0x1249249249249249;
 }
 
-/// Number of the cell along an axis; what is far outside or not a number is in the first or the last one.
+/// Index of the cell along an axis; what is far outside or not a number is in the first or the last cell.
 std::uint64_t cell_number(float cells) {
   constexpr float last = 2097151;
   if (!(cells > 0)) return 0;
@@ -57,8 +57,8 @@ void set_lane(const FloatBox& box, int lane, BoxTree::Block& block) {
 
 namespace {
 
-/// By the interleaved bits of the cells' numbers (Morton's order), least significant byte first. Bytes that
-/// are equal in all keys are passed over.
+/// The boxes sorted by the interleaved bits of their cells' indices (Morton's order), by radix sort from the
+/// least significant byte on. Bytes that are equal in all keys are skipped.
 ///
 /// Source: Morton, A Computer Oriented Geodetic Data Base and a New Technique in File Sequencing, IBM, 1966.
 std::vector<BoxTree::Entry> sorted_by_cells(const std::vector<FloatBox>& boxes, float cell) {
@@ -66,6 +66,7 @@ std::vector<BoxTree::Entry> sorted_by_cells(const std::vector<FloatBox>& boxes, 
   for (const FloatBox& box : boxes) {
     for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], box.lower[k]);
   }
+  // Keys: cells are counted from the lowest corner of all boxes.
   std::vector<BoxTree::Entry> order(boxes.size()), sorting(boxes.size());
   std::uint64_t differing = 0;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -77,9 +78,11 @@ std::vector<BoxTree::Entry> sorted_by_cells(const std::vector<FloatBox>& boxes, 
     order[i] = {key, static_cast<int>(i)};
     differing |= key ^ order[0].key;
   }
+  // One stable counting sort per byte.
   for (int shift = 0; shift < 64; shift += 8) {
     if ((differing >> shift & 0xff) == 0) continue;
     std::array<std::uint32_t, 257> begin{};
+    // Entries are counted by their byte; entries of the same byte keep their order.
     for (const BoxTree::Entry& entry : order) ++begin[(entry.key >> shift & 0xff) + 1];
     for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
     for (const BoxTree::Entry& entry : order) sorting[begin[entry.key >> shift & 0xff]++] = entry;
@@ -102,6 +105,7 @@ void BoxTree::fill_blocks(const std::vector<FloatBox>& boxes, const std::vector<
     levels_[depth].resize(blocks_for(count));
     return levels_[depth++];
   };
+  // The first level: the boxes in the order of the curve, eight in a block.
   numbers_.resize(blocks_for(boxes.size()) * width);
   unions_.resize(blocks_for(boxes.size()));
   std::vector<Block>& first = level_of(boxes.size());
@@ -110,9 +114,11 @@ void BoxTree::fill_blocks(const std::vector<FloatBox>& boxes, const std::vector<
     set_lane(i < boxes.size() ? boxes[at(numbers_[i])] : nothing(), static_cast<int>(i % width),
              first[i / width]);
   }
+  // Where each box is, for replace(), and the union of each block.
   places_.resize(boxes.size());
   for (std::size_t i = 0; i < boxes.size(); ++i) places_[at(numbers_[i])] = static_cast<int>(i);
   for (std::size_t i = 0; i < first.size(); ++i) unions_[i] = union_of(first[i]);
+  // Level upon level until one block is left: its lanes are the unions of eight blocks below.
   for (std::size_t count = unions_.size(); count > 1; count = blocks_for(count)) {
     level_of(count);
     const std::vector<Block>& below = levels_[depth - 2];
@@ -125,6 +131,7 @@ void BoxTree::fill_blocks(const std::vector<FloatBox>& boxes, const std::vector<
 }
 
 void BoxTree::replace(int number, const FloatBox& box) {
+  // The box itself, and then the union that holds it on each level above.
   std::size_t place = at(places_[at(number)]);
   set_lane(box, static_cast<int>(place % width), levels_[0][place / width]);
   unions_[place / width] = union_of(levels_[0][place / width]);

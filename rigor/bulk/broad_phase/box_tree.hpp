@@ -5,7 +5,7 @@
 
 namespace rigor {
 
-/// Box along the axes of W, from an origin of the caller's [m].
+/// A box along the axes of W, relative to an origin of the caller's [m].
 struct FloatBox {
   float lower[3];
   float upper[3];
@@ -18,9 +18,9 @@ struct FloatBox {
   }
 };
 
-/// Boxes by number that overlap or touch, in 32 bits. The boxes are sorted along a space-filling curve when
-/// it is built, eight neighbours make a block and eight blocks a block of the level above, so that one box is
-/// compared with eight at once.
+/// A tree that finds the boxes that overlap or touch, by number, in 32 bits. When it is built, the boxes are
+/// sorted along a space-filling curve; eight neighbours make a block, and eight blocks make a block of the
+/// level above, so that one box is compared with eight at once.
 class BoxTree {
  public:
   static constexpr int width = 8;
@@ -29,19 +29,20 @@ class BoxTree {
     int a, b;
   };
 
-  /// `cell` [m], > 0: about the size of a box; boxes are sorted by the cells that their centres are in.
+  /// Builds the tree. `cell` [m], > 0, is about the size of a box; boxes are sorted by the cells that their
+  /// centres are in.
   void build(const std::vector<FloatBox>& boxes, float cell);
-  /// Blocks that the pairs are asked for.
+  /// Number of blocks that pairs can be asked for.
   int block_count() const { return static_cast<int>(unions_.size()); }
-  /// Adds the pairs of different boxes of which the one is in this block and the other in it or in a later
-  /// one: each pair is in one block. In no particular order.
+  /// Adds the pairs of different boxes of which one is in this block and the other in it or in a later one,
+  /// in no particular order: each pair belongs to one block.
   void find_own_pairs(int block, std::vector<Pair>& pairs) const;
   /// Adds the pairs of a box a of this block and a box b of the other tree.
   void find_pairs_with(const BoxTree& other, int block, std::vector<Pair>& pairs) const;
 
-  /// Another box of a number, in its old place: what is far from the old one makes the search slower.
+  /// Replaces the box of a number in its old place: what is far from the old box makes the search slower.
   void replace(int number, const FloatBox& box);
-  /// Adds the numbers of all boxes that overlap this one.
+  /// Adds the numbers of all boxes that overlap the given one.
   void find_overlaps(const FloatBox& box, std::vector<int>& numbers) const;
 
   /// Eight boxes in lanes; lanes without a box overlap nothing.
@@ -60,10 +61,10 @@ class BoxTree {
 
   void fill_blocks(const std::vector<FloatBox>& boxes, const std::vector<Entry>& order);
 
-  std::vector<std::vector<Block>> levels_;  ///< The boxes themselves first, one block last.
-  std::vector<FloatBox> unions_;            ///< Of each block of the first level.
-  std::vector<int> numbers_;                ///< Of the boxes in the lanes of the first level.
-  std::vector<int> places_;                 ///< Of the boxes by number: where in the first level they are.
+  std::vector<std::vector<Block>> levels_;  ///< The boxes themselves come first, one single block last.
+  std::vector<FloatBox> unions_;            ///< The union of each block of the first level.
+  std::vector<int> numbers_;                ///< Numbers of the boxes in the lanes of the first level.
+  std::vector<int> places_;                 ///< By number of the box: its lane in the first level.
 };
 
 }  // namespace rigor

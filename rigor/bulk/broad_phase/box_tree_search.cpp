@@ -25,7 +25,7 @@ RIGOR_FLOAT_LANES FloatBox box_in_lane(const BoxTree::Block& block, unsigned lan
           {block.upper[0][lane], block.upper[1][lane], block.upper[2][lane]}};
 }
 
-/// Number of the lowest bit that is set, which is cleared.
+/// Index of the lowest bit that is set; clears it.
 RIGOR_FLOAT_LANES unsigned take_lowest(unsigned& bits) {
   const unsigned lane = static_cast<unsigned>(std::countr_zero(bits));
   bits &= bits - 1;
@@ -34,7 +34,7 @@ RIGOR_FLOAT_LANES unsigned take_lowest(unsigned& bits) {
 
 }  // namespace
 
-/// A block of one tree against all of another (or of the same, from this block on).
+/// Searches all of a tree (or of the same tree, from this block on) for boxes that overlap those of a block.
 struct BoxTreeSearch {
   const BoxTree& own;
   const BoxTree& other;
@@ -45,10 +45,12 @@ struct BoxTreeSearch {
     const BoxTree::Block& mine = own.levels_[0][block];
     const BoxTree::Block& theirs = other.levels_[0][other_block];
     const bool is_itself = is_same && block == other_block;
+    // Only boxes that overlap the union of the other block are compared with its eight.
     unsigned lanes = overlap_bits(other.unions_[other_block], mine);
     while (lanes != 0) {
       const unsigned lane = take_lowest(lanes);
       unsigned hits = overlap_bits(box_in_lane(mine, lane), theirs);
+      // Within one block each pair is taken once, and no box with itself.
       if (is_itself) hits &= ~((2u << lane) - 1);
       while (hits != 0) {
         const unsigned hit = take_lowest(hits);
@@ -62,9 +64,11 @@ struct BoxTreeSearch {
     struct Place {
       unsigned level, block;
     };
-    // Each level adds at most seven to what waits, and there are at most eleven of them for 2³¹ boxes.
+    // Each level adds at most seven blocks to those that wait, and there are at most eleven levels for 2³¹
+    // boxes.
     std::array<Place, 96> waiting;
     std::size_t count = 0;
+    // From the root down, blocks that overlap the union of this one.
     const FloatBox all = own.unions_[block];
     if (other.unions_.empty()) return;
     waiting[count++] = {static_cast<unsigned>(other.levels_.size()) - 1, 0};
@@ -77,7 +81,8 @@ struct BoxTreeSearch {
       unsigned lanes = overlap_bits(all, other.levels_[place.level][place.block]);
       while (lanes != 0) {
         const unsigned child = place.block * BoxTree::width + take_lowest(lanes);
-        // Blocks of the first level below it end here.
+        // Blocks of the first level under this child end here: those before the own block have had their
+        // pairs.
         const std::uint64_t end = (std::uint64_t{child} + 1) << (3 * (place.level - 1));
         if (is_same && end <= block) continue;
         waiting[count++] = {place.level - 1, child};
@@ -86,7 +91,7 @@ struct BoxTreeSearch {
   }
 };
 
-/// One box against all of a tree.
+/// Searches all of a tree for boxes that overlap one.
 struct BoxSearch {
   const BoxTree& tree;
 
@@ -97,6 +102,7 @@ struct BoxSearch {
     std::array<Place, 96> waiting;  // As above.
     std::size_t count = 0;
     if (tree.unions_.empty()) return;
+    // From the root down, eight boxes at a time.
     waiting[count++] = {static_cast<unsigned>(tree.levels_.size()) - 1, 0};
     while (count > 0) {
       const Place place = waiting[--count];

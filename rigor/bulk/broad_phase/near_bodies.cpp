@@ -16,11 +16,12 @@ bool is_pair_before(const NearBodies::Pair& p, const NearBodies::Pair& q) {
   return p.a != q.a ? p.a < q.a : p.b < q.b;
 }
 
-/// The box as seen from another origin, a little larger than rounding can make that.
+/// The box relative to another origin, a little larger than rounding can make it.
 FloatBox shifted(const FloatBox& box, const float* shift) {
   constexpr float rounding = 1e-6f;
   FloatBox moved;
   for (int k = 0; k < 3; ++k) {
+    // Both the numbers and their sum are rounded.
     const float slack =
         rounding * (std::max(std::abs(box.lower[k]), std::abs(box.upper[k])) + std::abs(shift[k]));
     moved.lower[k] = box.lower[k] + shift[k] - slack;
@@ -44,14 +45,17 @@ NearBodies::NearBodies(std::vector<int> moving, std::vector<int> standing, std::
   moving_.bodies = std::move(moving);
   standing_.bodies = std::move(standing);
   is_out_.resize(radii_.size());
+  // Where the wide box of each body is.
   slot_.resize(radii_.size());
   for (std::size_t i = 0; i < moving_.bodies.size(); ++i) slot_[at(moving_.bodies[i])] = static_cast<int>(i);
   for (std::size_t i = 0; i < standing_.bodies.size(); ++i)
     slot_[at(standing_.bodies[i])] = -1 - static_cast<int>(i);
 }
 
-/// The box with some room on all sides, and more where it goes.
+/// The box with some room on all sides, and more in the direction of motion: it then stays inside for several
+/// steps.
 FloatBox NearBodies::wide_box(const Boxes& boxes, int body) const {
+  // Four hundredths of a body's size on all sides, and its displacement in four steps.
   constexpr float room = 0.04f, steps = 4;
   const Vec3 d = boxes.origin - origin_;
   const float shift[] = {static_cast<float>(d.x()), static_cast<float>(d.y()), static_cast<float>(d.z())};
@@ -68,6 +72,8 @@ void NearBodies::find_escaped(const Boxes& boxes, const Executor& executor) {
   constexpr int grain = 512;
   const Vec3 d = boxes.origin - origin_;
   const float shift[] = {static_cast<float>(d.x()), static_cast<float>(d.y()), static_cast<float>(d.z())};
+  // In parallel which bodies have left their wide boxes; their list is then in the order of bodies for any
+  // number of threads.
   escaped_.clear();
   for (Side* side : {&moving_, &standing_}) {
     executor.for_ranges(static_cast<int>(side->bodies.size()), grain, [&](int begin, int end) {
@@ -85,7 +91,8 @@ void NearBodies::update(const Boxes& boxes, const PairFilter& filter, const Exec
   if (is_built_) {
     find_escaped(boxes, executor);
     if (escaped_.empty()) return;
-    // Boxes that were replaced make the tree worse.
+    // A few boxes are replaced in the trees. Replaced boxes make a tree worse, so all of them are searched
+    // again when they add up to a quarter.
     replaced_ += escaped_.size();
     if (4 * replaced_ < moving_.bodies.size()) return replace(boxes, filter, executor);
   }
@@ -97,6 +104,7 @@ void NearBodies::build(const Boxes& boxes, const PairFilter& filter, const Execu
   is_built_ = true;
   replaced_ = 0;
   origin_ = boxes.origin;
+  // Wide boxes of all bodies, and a tree of each kind.
   for (Side* side : {&moving_, &standing_}) {
     side->wide.resize(side->bodies.size());
     executor.for_ranges(static_cast<int>(side->bodies.size()), 512, [&](int begin, int end) {
@@ -104,6 +112,7 @@ void NearBodies::build(const Boxes& boxes, const PairFilter& filter, const Execu
     });
     side->tree.build(side->wide, cell_);
   }
+  // All pairs, in parts of a few blocks; their order is made afterwards.
   const int block_count = moving_.tree.block_count();
   std::vector<std::vector<Pair>> parts(at((block_count + blocks_of_a_part - 1) / blocks_of_a_part));
   executor.for_ranges(static_cast<int>(parts.size()), 1, [&](int begin, int end) {
@@ -115,6 +124,7 @@ void NearBodies::build(const Boxes& boxes, const PairFilter& filter, const Execu
 }
 
 void NearBodies::search_blocks(int begin, int end, const PairFilter& filter, std::vector<Pair>& found) const {
+  // Boxes of moving bodies among themselves, and against those of standing ones.
   std::vector<BoxTree::Pair> own, other;
   for (int block = begin; block < end; ++block) {
     moving_.tree.find_own_pairs(block, own);
@@ -127,7 +137,7 @@ void NearBodies::search_blocks(int begin, int end, const PairFilter& filter, std
   for (const BoxTree::Pair& pair : other) add(moving_.bodies[at(pair.a)], standing_.bodies[at(pair.b)]);
 }
 
-/// Of two bodies whose wide boxes overlap.
+/// Whether two bodies may touch whose wide boxes overlap: by their rounded boxes, and by the Model.
 bool NearBodies::may_meet(int a, int b, const PairFilter& filter) const {
   return rounded_boxes_touch(wide_of(a), radius(a), wide_of(b), radius(b)) && filter.may_collide(a, b);
 }
@@ -137,8 +147,10 @@ const FloatBox& NearBodies::wide_of(int body) const {
   return slot >= 0 ? moving_.wide[at(slot)] : standing_.wide[at(-1 - slot)];
 }
 
-/// Each pair goes to the part of the list that its first body has, in the order of the second ones there.
+/// Sorts all pairs: each goes to the section of the list that belongs to its first body, and sections are
+/// sorted by the second.
 void NearBodies::put_in_order(const std::vector<std::vector<Pair>>& parts, const Executor& executor) {
+  // Counting sort by the first body.
   std::vector<int> begin(slot_.size() + 1, 0);
   for (const std::vector<Pair>& part : parts)
     for (const Pair& pair : part) ++begin[at(pair.a) + 1];
@@ -146,7 +158,7 @@ void NearBodies::put_in_order(const std::vector<std::vector<Pair>>& parts, const
   renew(at(begin.back()), pairs_);
   for (const std::vector<Pair>& part : parts)
     for (const Pair& pair : part) pairs_[at(begin[at(pair.a)]++)] = pair;
-  // Each is the next one's first place by now.
+  // Each entry is now the beginning of the next body's section.
   executor.for_ranges(static_cast<int>(begin.size()), 512, [&](int from, int to) {
     for (int i = from; i < to; ++i)
       std::sort(pairs_.begin() + (i == 0 ? 0 : begin[at(i - 1)]), pairs_.begin() + begin[at(i)],
@@ -154,7 +166,7 @@ void NearBodies::put_in_order(const std::vector<std::vector<Pair>>& parts, const
   });
 }
 
-/// New wide boxes for those that have left theirs, and their pairs.
+/// Replaces the wide boxes of bodies that have left theirs, and finds their pairs.
 void NearBodies::replace(const Boxes& boxes, const PairFilter& filter, const Executor& executor) {
   for (const int body : escaped_) {
     const bool is_moving = slot_[at(body)] >= 0;
@@ -163,6 +175,7 @@ void NearBodies::replace(const Boxes& boxes, const PairFilter& filter, const Exe
     side.wide[at(slot)] = wide_box(boxes, body);
     side.tree.replace(slot, side.wide[at(slot)]);
   }
+  // Their pairs, in parts; all wide boxes are in place by now.
   constexpr int bodies_of_a_part = 16;
   const int count = static_cast<int>(escaped_.size());
   std::vector<std::vector<Pair>> parts(at((count + bodies_of_a_part - 1) / bodies_of_a_part));
@@ -177,7 +190,7 @@ void NearBodies::replace(const Boxes& boxes, const PairFilter& filter, const Exe
   merge_found();
 }
 
-/// Of a body that has escaped.
+/// Adds the pairs of a body that has escaped.
 void NearBodies::find_pairs_of(int body, const PairFilter& filter, std::vector<Pair>& found) const {
   std::vector<int> touched;
   const auto add_overlaps = [&](const Side& side) {
@@ -185,16 +198,17 @@ void NearBodies::find_pairs_of(int body, const PairFilter& filter, std::vector<P
     side.tree.find_overlaps(wide_of(body), touched);
     for (const int slot : touched) {
       const int other = side.bodies[at(slot)];
-      // A pair of two that have escaped is found twice.
+      // A pair of two that have escaped is found twice, and taken once.
       if (other == body || (is_out_[at(other)] && other < body) || !may_meet(body, other, filter)) continue;
       found.push_back({std::min(body, other), std::max(body, other)});
     }
   };
   add_overlaps(moving_);
+  // Two bodies that stand are no pair.
   if (slot_[at(body)] >= 0) add_overlaps(standing_);
 }
 
-/// Of the pairs before, those of escaped bodies are forgotten.
+/// Replaces the pairs of escaped bodies by those that were found.
 void NearBodies::merge_found() {
   std::sort(found_.begin(), found_.end(), is_pair_before);
   std::erase_if(pairs_, [&](const Pair& pair) { return is_out_[at(pair.a)] || is_out_[at(pair.b)]; });

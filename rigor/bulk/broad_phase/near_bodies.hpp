@@ -11,8 +11,8 @@
 
 namespace rigor {
 
-/// Whether two boxes with rounded edges and corners may touch: all points within a radius [m] of the box that
-/// is smaller by it on all sides.
+/// Whether two boxes with rounded edges and corners may touch: a rounded box is all points within a radius
+/// [m] of the box that is smaller by it on all sides.
 inline bool rounded_boxes_touch(const FloatBox& a, float radius_A, const FloatBox& b, float radius_B) {
   if (!a.overlaps(b)) return false;
   const float radius = radius_A + radius_B;
@@ -20,26 +20,27 @@ inline bool rounded_boxes_touch(const FloatBox& a, float radius_A, const FloatBo
   float squared = 0;
   for (int k = 0; k < 3; ++k) {
     const float apart = std::max(a.lower[k] - b.upper[k], b.lower[k] - a.upper[k]);
-    const float between = std::max(apart + radius, 0.0f);  // The smaller boxes.
+    const float between = std::max(apart + radius, 0.0f);  // Distance of the smaller boxes.
     squared += between * between;
   }
   return squared <= radius * radius;
 }
 
-/// Pairs of bodies whose rounded boxes may touch, and others: kept from call to call while each box stays
-/// inside a wider one, so that a call finds anew only the pairs of boxes that have left theirs. Which others
-/// there are depends on the calls before: the caller asks the boxes again.
+/// The pairs of bodies whose rounded boxes may touch, and some others. They are kept from call to call while
+/// each box stays inside a wider one, so that a call only searches for the pairs of boxes that have left
+/// theirs. Which other pairs there are depends on the calls before: the caller tests the boxes themselves.
 class NearBodies {
  public:
   struct Pair {
     int a, b;  ///< a < b.
   };
-  /// Bodies by number, ascending; pairs of two that stand are not looked for. radii: of the rounded boxes of
-  /// all bodies by number.
+  /// `moving` and `standing` are bodies by number, ascending; pairs of two that stand are not looked for.
+  /// `radii` are those of the rounded boxes of all bodies, by number; `cell` is the mean size of a moving
+  /// body [m].
   NearBodies(std::vector<int> moving, std::vector<int> standing, std::vector<float> radii, float cell);
 
-  /// Boxes of all bodies by number, from an origin that may change from call to call; h [s]: of a step, in
-  /// which each box goes a way at its velocity.
+  /// The boxes of all bodies by number, relative to an origin that may change from call to call; h [s] is the
+  /// length of a step, in which each box moves at its velocity.
   struct Boxes {
     const std::vector<FloatBox>& box;
     const std::vector<MotionRecord>& motion;
@@ -47,7 +48,7 @@ class NearBodies {
     Vec3 origin;
   };
   void update(const Boxes& boxes, const PairFilter& filter, const Executor& executor);
-  /// In the order of their numbers; those that may not collide are left out.
+  /// All pairs in the order of their numbers, without those that may not collide.
   const std::vector<Pair>& pairs() const { return pairs_; }
   const std::vector<int>& moving() const { return moving_.bodies; }
   float radius(int body) const { return radii_[at(body)]; }
@@ -73,11 +74,11 @@ class NearBodies {
   Side moving_, standing_;
   std::vector<float> radii_;  ///< [m].
   float cell_;
-  Vec3 origin_ = Vec3::Zero();  ///< Of the wide boxes.
+  Vec3 origin_ = Vec3::Zero();  ///< Origin of the wide boxes.
   bool is_built_ = false;
-  std::size_t replaced_ = 0;  ///< Since the trees were built.
-  std::vector<char> is_out_;  ///< By body.
-  std::vector<int> slot_;     ///< Place of each body on its side, -1 - place on the standing one.
+  std::size_t replaced_ = 0;  ///< How many boxes were replaced since the trees were built.
+  std::vector<char> is_out_;  ///< Whether a body has left its wide box.
+  std::vector<int> slot_;     ///< Index of each body on its side; -1 - index on the standing side.
   std::vector<int> escaped_;
   std::vector<Pair> pairs_, found_;
 };

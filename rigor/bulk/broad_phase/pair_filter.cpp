@@ -8,11 +8,13 @@ namespace rigor {
 
 PairFilter::PairFilter(const Model& model) {
   const std::size_t count = at(model.body_count());
+  // The excluded partners of each body, both ways.
   std::vector<std::vector<int>> partners(count);
   for (const auto& [a, b] : model.excluded_pairs()) {
     partners[at(a)].push_back(b);
     partners[at(b)].push_back(a);
   }
+  // One list for all bodies, each with its section, ascending.
   for (std::size_t i = 0; i < count; ++i) {
     const Body& body = model.bodies()[i];
     const int begin = static_cast<int>(excluded_.size());
@@ -22,7 +24,7 @@ PairFilter::PairFilter(const Model& model) {
   }
 }
 
-/// In the shorter of the two lists.
+/// Searches the shorter of the two bodies' lists.
 bool PairFilter::is_excluded(int a, int b) const {
   const Entry *list = &entries_[at(a)], *other = &entries_[at(b)];
   int wanted = b;

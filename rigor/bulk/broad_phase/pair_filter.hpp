@@ -8,7 +8,8 @@
 
 namespace rigor {
 
-/// Model::may_collide for bodies with shapes, of which one is dynamic, in nanoseconds.
+/// Model::may_collide for pairs of bodies with shapes of which one is dynamic, fast enough to be asked of
+/// each pair in each step.
 class PairFilter {
  public:
   explicit PairFilter(const Model& model);
@@ -22,7 +23,7 @@ class PairFilter {
  private:
   struct Entry {
     std::uint32_t group, mask;
-    int excluded_begin, excluded_end;  ///< Of the list of excluded bodies, ascending.
+    int excluded_begin, excluded_end;  ///< Section of the list of excluded bodies, ascending.
   };
   bool is_excluded(int a, int b) const;
 

@@ -22,16 +22,16 @@ namespace rigor {
 
 namespace {
 
-/// A shape with an end, of a body.
+/// A bounded shape of a body.
 struct BoundedShape {
-  int shape;  ///< Of the body.
-  int bound;  ///< Its number among the bounds.
-  int box;    ///< Its number among the boxes; -1: it is the box of the body.
+  int shape;  ///< Index among the shapes of the body.
+  int bound;  ///< Index among the bounds.
+  int box;    ///< Index among the boxes of shapes; -1 if its box is that of the body.
 };
 
 }  // namespace
 
-/// What of the Model it needs, and room to work.
+/// What the search needs of the Model, and its working memory.
 struct PairFinder::Tables {
   struct Step {
     const BulkBodies& bodies;
@@ -53,20 +53,21 @@ struct PairFinder::Tables {
   void add_unbounded(const Step& step, std::vector<ShapePair>& pairs) const;
 
   PairFilter filter;
-  std::function<bool(int, int)> may_touch;  ///< The caller's, or none.
-  std::vector<BoundedShape> shapes;         ///< Of all bodies.
-  std::vector<int> shape_begin;             ///< Of each body, and the end.
-  std::vector<char> are_simple;    ///< Whether this body and the next seven have one shape each, not turned.
-  std::vector<ShapeBound> bounds;  ///< Bodies that share their shapes share these.
+  std::function<bool(int, int)> may_touch;  ///< The caller's filter, or none.
+  std::vector<BoundedShape> shapes;         ///< Bounded shapes of all bodies.
+  std::vector<int> shape_begin;             ///< Index of the first shape of each body, and the end.
+  std::vector<char> are_simple;    ///< Whether this body and the next seven have one unrotated shape each.
+  std::vector<ShapeBound> bounds;  ///< Bounds; bodies that share their shapes share these.
   std::unordered_map<const BodyShape*, int> bound_numbers;
   std::vector<UnboundedShape> unbounded;
   std::unique_ptr<NearBodies> near_bodies;
   LaneTarget target = best_lane_target();
 
-  Vec3 origin = Vec3::Zero();  ///< Of what is in 32 bits: a body's place, so that far scenes lose nothing.
+  Vec3 origin = Vec3::Zero();  ///< Origin of all 32-bit numbers: the position of a body, so that scenes far
+                               ///< from the origin of W lose no digits.
   std::vector<ShapePlace> places;
   std::vector<FloatBox> shape_boxes, body_boxes;
-  std::vector<std::vector<ShapePair>> parts;  ///< Of several threads.
+  std::vector<std::vector<ShapePair>> parts;  ///< Pairs found by several threads.
   std::vector<ShapePair> at_unbounded;
 };
 
@@ -79,6 +80,7 @@ PairFinder::Tables::Tables(const Model& model) : filter(model) {
   for (int i = 0; i < model.body_count(); ++i) {
     const Body& body = model.body(i);
     shape_begin.push_back(static_cast<int>(shapes.size()));
+    // Unbounded shapes are tested against all moving bodies; only bounded ones have boxes.
     for (std::size_t s = 0; s < body.shapes.size(); ++s)
       if (is_unbounded(body.shapes[s].shape))
         unbounded.push_back(make_unbounded_shape(i, static_cast<int>(s), body.shapes[s]));
@@ -89,8 +91,10 @@ PairFinder::Tables::Tables(const Model& model) : filter(model) {
     if (is_dynamic) size += 2 * body.bounding_radius;
   }
   shape_begin.push_back(static_cast<int>(shapes.size()));
+  // Where eight bodies in a row have one shape each, along the axes of the body, their boxes are made in
+  // lanes.
   are_simple.resize(at(model.body_count()), 0);
-  int simple = 0;  // From this body on, at most eight.
+  int simple = 0;  // How many from this body on, at most eight.
   for (int i = model.body_count() - 1; i >= 0; --i) {
     const int begin = shape_begin[at(i)];
     const bool is_simple =
@@ -98,14 +102,14 @@ PairFinder::Tables::Tables(const Model& model) : filter(model) {
     simple = is_simple ? std::min(simple + 1, 8) : 0;
     are_simple[at(i)] = simple == 8;
   }
-  // The mean size of the dynamic bodies.
+  // The size of a cell is the mean size of the dynamic bodies.
   const float cell = moving.empty() ? 1.0f : static_cast<float>(size / static_cast<double>(moving.size()));
   near_bodies = std::make_unique<NearBodies>(std::move(moving), std::move(standing), std::move(radii), cell);
   places.resize(shapes.size());
-  body_boxes.resize(at(model.body_count()) + 1);  // Behind each is room (RoundBoxPair).
+  body_boxes.resize(at(model.body_count()) + 1);  // Each box has two more numbers behind it (RoundBoxPair).
 }
 
-/// Its bounded shapes; returns the radius of the edges of the box around them all.
+/// Adds the bounded shapes of a body; returns the radius of the rounded edges of the box around them all.
 float PairFinder::Tables::add_body(const Body& body) {
   const std::size_t first = shapes.size();
   float radius = std::numeric_limits<float>::infinity();
@@ -115,6 +119,7 @@ float PairFinder::Tables::add_body(const Body& body) {
     shapes.push_back({static_cast<int>(s), bound, -1});
     radius = std::min(radius, bounds[at(bound)].radius);
   }
+  // A single shape has the box of its body; several have one each besides.
   const std::size_t count = shapes.size() - first;
   for (std::size_t k = first; k < shapes.size() && count > 1; ++k) {
     shapes[k].box = static_cast<int>(shape_boxes.size());
@@ -129,13 +134,15 @@ int PairFinder::Tables::bound_of(const BodyShape& shape) {
   return known->second;
 }
 
-/// Places and boxes of all shapes, and which bodies are near.
+/// Updates the places and swept boxes of all shapes, and which bodies are near each other.
 void PairFinder::Tables::update(const Step& step, const Executor& executor) {
   constexpr int grain = 64;
   const std::vector<int>& moving = near_bodies->moving();
+  // The origin is the position of a moving body, so that a scene far away has the same bits.
   if (!moving.empty()) origin = step.bodies.x[at(moving[moving.size() / 2])];
   executor.for_ranges(step.bodies.count(), grain, [&](int begin, int end) {
     for (int body = begin; body < end;) {
+      // Eight simple bodies at once; others one by one. Both give the same bits.
       if (body + 8 <= end && are_simple[at(body)]) {
         update_eight(step, body);
         body += 8;
@@ -148,7 +155,7 @@ void PairFinder::Tables::update(const Step& step, const Executor& executor) {
   near_bodies->update({body_boxes, step.bodies.motion, step.h, origin}, filter, executor);
 }
 
-/// From this body on, of which are_simple is true.
+/// Updates this body and the next seven, where are_simple is true.
 void PairFinder::Tables::update_eight(const Step& step, int body) {
   std::array<const ShapeBound*, 8> of_eight;
   for (int i = 0; i < 8; ++i) {
@@ -158,8 +165,9 @@ void PairFinder::Tables::update_eight(const Step& step, int body) {
                      &places[at(shape_begin[at(body)])], &body_boxes[at(body)]);
 }
 
-/// Returns the box of all its bounded shapes.
+/// Updates the bounded shapes of a body; returns the box of them all.
 FloatBox PairFinder::Tables::update_body(const Step& step, int body) {
+  // The box of the body is the union of those of its shapes.
   FloatBox all{};
   for (int s = shape_begin[at(body)]; s < shape_begin[at(body) + 1]; ++s) {
     const BoundedShape& shape = shapes[at(s)];
@@ -177,11 +185,11 @@ FloatBox PairFinder::Tables::update_body(const Step& step, int body) {
   return all;
 }
 
-/// Of a range of the pairs of bodies that are near each other.
+/// Adds the pairs of shapes of a range of the pairs of bodies that are near each other.
 void PairFinder::Tables::add_near(const Step& step, int begin, int end, std::vector<ShapePair>& pairs) const {
   const std::vector<NearBodies::Pair>& near = near_bodies->pairs();
   make_room(pairs.size() + at(end - begin), pairs);
-  std::array<ShapePair, kLaneCount> waiting;  // With the numbers of their shapes among all shapes.
+  std::array<ShapePair, kLaneCount> waiting;  // With the indices of their shapes among all shapes.
   std::size_t count = 0;
   const auto add = [&](const ShapePair& pair) {
     waiting[count++] = pair;
@@ -189,10 +197,12 @@ void PairFinder::Tables::add_near(const Step& step, int begin, int end, std::vec
     add_those_near(step, waiting, pairs);
     count = 0;
   };
+  // The boxes of eight pairs of bodies at a time; the pairs of shapes that are left fill lanes of their own.
   for (int i = begin; i < end; i += kLaneCount) {
     unsigned touching = find_touching(&near[at(i)], std::min(kLaneCount, end - i));
     for (; touching != 0; touching &= touching - 1) {
       const NearBodies::Pair& pair = near[at(i + std::countr_zero(touching))];
+      // Contacts of two bodies that do not move stay as they are.
       if (!step.bodies.stirs(pair.a) && !step.bodies.stirs(pair.b)) continue;
       if (may_touch && !may_touch(pair.a, pair.b)) continue;
       for_shapes(pair, add);
@@ -201,7 +211,7 @@ void PairFinder::Tables::add_near(const Step& step, int begin, int end, std::vec
   add_those_near(step, std::span(waiting.data(), count), pairs);
 }
 
-/// Bits of those, of 1 to 8 pairs, whose boxes touch.
+/// The bits of those of 1 to 8 pairs whose boxes touch.
 unsigned PairFinder::Tables::find_touching(const NearBodies::Pair* near, int count) const {
   std::array<RoundBoxPair, kLaneCount> boxes;
   for (int i = 0; i < kLaneCount; ++i) {
@@ -211,13 +221,13 @@ unsigned PairFinder::Tables::find_touching(const NearBodies::Pair* near, int cou
   return find_touching_boxes(boxes, target) & ((1u << count) - 1);
 }
 
-/// Calls add(pair) for each two shapes of two bodies, a < b, whose boxes overlap, those of the bodies doing
-/// so.
+/// Calls add(pair) for each two shapes, of two bodies a < b whose boxes overlap, whose own boxes overlap too.
 template <class Add>
 void PairFinder::Tables::for_shapes(const NearBodies::Pair& near, const Add& add) const {
   const auto [a, b] = near;
   const int begin_A = shape_begin[at(a)], end_A = shape_begin[at(a) + 1];
   const int begin_B = shape_begin[at(b)], end_B = shape_begin[at(b) + 1];
+  // Bodies with one shape each have no other boxes to test.
   if (end_A - begin_A == 1 && end_B - begin_B == 1) return add(ShapePair{a, b, begin_A, begin_B, 0});
   for (int i = begin_A; i < end_A; ++i) {
     for (int j = begin_B; j < end_B; ++j) {
@@ -229,7 +239,7 @@ void PairFinder::Tables::for_shapes(const NearBodies::Pair& near, const Add& add
   }
 }
 
-/// Of at most eight pairs.
+/// Adds those of at most eight pairs of shapes that may come within their margins.
 void PairFinder::Tables::add_those_near(const Step& step, std::span<const ShapePair> found,
                                         std::vector<ShapePair>& pairs) const {
   if (found.empty()) return;
@@ -238,9 +248,11 @@ void PairFinder::Tables::add_those_near(const Step& step, std::span<const ShapeP
     const ShapePair& pair = found[i < found.size() ? i : 0];
     both[i] = {&places[at(pair.shape_A)], &places[at(pair.shape_B)]};
   }
+  // Margins and balls in lanes; the box of the larger shape is asked for only where it may tell more.
   const PairMargins margins = find_pair_margins(both, step.h, step.margin, target);
   for (std::size_t i = 0; i < found.size(); ++i) {
     const ShapePair& pair = found[i];
+    // Balls first, then the box of the larger shape.
     if ((margins.near >> i & 1) == 0) continue;
     if ((margins.asks_box >> i & 1) != 0 &&
         !find_pair_margin(
@@ -252,7 +264,7 @@ void PairFinder::Tables::add_those_near(const Step& step, std::span<const ShapeP
   }
 }
 
-/// Dynamic bodies against all shapes without an end.
+/// Adds the pairs of dynamic bodies and unbounded shapes.
 void PairFinder::Tables::add_unbounded(const Step& step, std::vector<ShapePair>& pairs) const {
   for (const UnboundedShape& other : unbounded) {
     const UnboundedPlace place = place_of(other, step.bodies, origin);
@@ -261,8 +273,10 @@ void PairFinder::Tables::add_unbounded(const Step& step, std::vector<ShapePair>&
       if (!filter.may_collide(other.body, body)) continue;
       if (may_touch && !may_touch(std::min(other.body, body), std::max(other.body, body))) continue;
       for (int s = shape_begin[at(body)]; s < shape_begin[at(body) + 1]; ++s) {
+        // The margin, with how far both can come to each other within the step.
         const float margin = step.margin + approach_bound(place, places[at(s)], step.h);
         if (!may_be_within(other, place, places[at(s)], step.bodies.q[at(body)], margin)) continue;
+        // Pairs are named with the lower body first.
         if (other.body < body) {
           pairs.push_back({other.body, body, other.shape, shapes[at(s)].shape, margin});
         } else {
@@ -291,6 +305,7 @@ void PairFinder::set_contact_filter(std::function<bool(int, int)> may_touch) {
 
 void PairFinder::find_pairs(const BulkBodies& bodies, double h, double margin, const Executor& executor,
                             std::vector<ShapePair>& pairs) {
+  // Bodies near each other first, then pairs of their shapes, in parts.
   constexpr int pairs_of_a_part = 512;
   Tables& tables = *tables_;
   const Tables::Step step{bodies, static_cast<float>(h), static_cast<float>(margin)};
@@ -304,12 +319,12 @@ void PairFinder::find_pairs(const BulkBodies& bodies, double h, double margin, c
   if (executor.threads() == 1) {
     for (int k = 0; k < part_count; ++k) add_part(k, pairs);
   } else {
-    // Each part has its own list; one behind the other they are in order.
+    // Each part has its own list; one behind the other they are in order, whichever thread made them.
     if (tables.parts.size() < at(part_count)) tables.parts.resize(at(part_count));
     executor.for_ranges(part_count, 1, [&](int begin, int end) {
       for (int k = begin; k < end; ++k) {
         std::vector<ShapePair> found;
-        found.swap(tables.parts[at(k)]);  // Heads of lists side by side are in one line of the cache.
+        found.swap(tables.parts[at(k)]);  // Neighbouring list heads share a cache line.
         found.clear();
         add_part(k, found);
         found.swap(tables.parts[at(k)]);
@@ -320,6 +335,7 @@ void PairFinder::find_pairs(const BulkBodies& bodies, double h, double margin, c
       pairs.insert(pairs.end(), tables.parts[at(k)].begin(), tables.parts[at(k)].end());
     }
   }
+  // Pairs with unbounded shapes are merged in, so that all are in the order of their keys.
   if (tables.unbounded.empty()) return;
   tables.at_unbounded.clear();
   tables.add_unbounded(step, tables.at_unbounded);

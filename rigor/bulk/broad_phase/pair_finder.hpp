@@ -11,7 +11,7 @@
 namespace rigor {
 
 /// The broad phase of the many-body path: pairs of shapes whose bodies may touch within a step. Which bodies
-/// are near each other is kept from call to call (NearBodies); no answer depends on the calls before.
+/// are near each other is kept from call to call (NearBodies), but no answer depends on the calls before.
 class PairFinder {
  public:
   explicit PairFinder(const Model& model);
@@ -19,17 +19,18 @@ class PairFinder {
   PairFinder(const PairFinder&) = delete;
   PairFinder& operator=(const PairFinder&) = delete;
 
-  /// From now on two bodies collide only if the filter says so too: may_touch(a, b), a < b, model indices. It
-  /// is asked in each search, of bodies that are near each other and may collide by the Model; from several
-  /// threads at once, in no particular order, so it must be a function of its arguments. None: all do.
+  /// From now on two bodies collide only if the filter agrees: may_touch(a, b), with model indices a < b. It
+  /// is asked in each search about bodies that are near each other and may collide by the Model, from several
+  /// threads at once and in no particular order, so it must be a function of its arguments. Without a filter
+  /// all of them collide.
   void set_contact_filter(std::function<bool(int, int)> may_touch);
 
-  /// All pairs that may touch within h [s] from now, at the velocities of now, or come closer than `margin`
-  /// [m], as far as the Model lets them collide: in the order (body_A, body_B, shape_A, shape_B); at least
-  /// one body is dynamic and awake, or one moves as it must and the other sleeps (the buffer is cleared
-  /// first). A pair's margin is `margin` and how far its points can come to each other within h (to first
-  /// order: find_pair_margin). The answer depends on the bodies alone, not on earlier calls or threads.
-  /// Nothing is promised for bodies that are not finite.
+  /// Finds all pairs that may touch within h [s] from now at their present velocities, or come closer than
+  /// `margin` [m], as far as the Model lets them collide, in the order (body_A, body_B, shape_A, shape_B). At
+  /// least one of the bodies is dynamic and awake, or one is kinematic and moves while the other sleeps. The
+  /// buffer is cleared first. A pair's margin is `margin` plus how far its points can come to each other
+  /// within h (to first order: find_pair_margin). The answer depends on the bodies alone, not on earlier
+  /// calls or on threads. Nothing is promised for bodies whose state is not finite.
   void find_pairs(const BulkBodies& bodies, double h, double margin, const Executor& executor,
                   std::vector<ShapePair>& pairs);
 

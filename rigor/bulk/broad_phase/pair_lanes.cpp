@@ -19,6 +19,7 @@ RIGOR_FLOAT_LANES FloatSquare gather(const AddressOf& address_of) {
 RIGOR_FLOAT_LANES unsigned touching_kernel(const std::array<RoundBoxPair, kLaneCount>& pairs) {
   const FloatSquare a = gather([&](std::size_t i) { return pairs[i].a->lower; });
   const FloatSquare b = gather([&](std::size_t i) { return pairs[i].b->lower; });
+  // As rounded_boxes_touch(): per axis how far the boxes are apart, and how far the smaller boxes inside are.
   FloatLanes radius;
   for (std::size_t i = 0; i < kLaneCount; ++i) radius[static_cast<int>(i)] = pairs[i].radius;
   const FloatLanes zero = float_lanes(0);
@@ -32,7 +33,7 @@ RIGOR_FLOAT_LANES unsigned touching_kernel(const std::array<RoundBoxPair, kLaneC
   return lane_bits((most <= zero) & (squared <= radius * radius));
 }
 
-/// What lanes need of a shape and its place.
+/// What the kernel needs of eight shapes and their places.
 struct LanePlaces {
   FloatVec3 center, u, w;
   FloatLanes slack, reach, radius;
@@ -42,6 +43,7 @@ RIGOR_FLOAT_LANES LanePlaces load_places(const std::array<const ShapePlace*, kLa
   static_assert(offsetof(ShapePlace, slack) == 9 * sizeof(float) && sizeof(ShapePlace) >= 12 * sizeof(float));
   static_assert(offsetof(ShapeBound, reach) == 6 * sizeof(float) &&
                 offsetof(ShapeBound, radius) == 7 * sizeof(float));
+  // Three rows of eight floats hold all that the kernel needs of a place and its bound.
   const FloatSquare head = gather([&](std::size_t i) { return places[i]->center; });
   const FloatSquare tail = gather([&](std::size_t i) { return places[i]->u + 1; });
   const FloatSquare bound = gather([&](std::size_t i) { return places[i]->bound->center_B; });
@@ -53,7 +55,7 @@ RIGOR_FLOAT_LANES LanePlaces load_places(const std::array<const ShapePlace*, kLa
           bound.row[7]};
 }
 
-/// In the order of find_pair_margin().
+/// The margins of eight pairs; operations are in the order of find_pair_margin(), for the same bits.
 RIGOR_FLOAT_LANES void margins_kernel(const std::array<ShapePlacePair, kLaneCount>& pairs, float step,
                                       float least, PairMargins& found) {
   std::array<const ShapePlace*, kLaneCount> small_places, large_places;
@@ -62,11 +64,14 @@ RIGOR_FLOAT_LANES void margins_kernel(const std::array<ShapePlacePair, kLaneCoun
     small_places[i] = is_a_large ? pairs[i].b : pairs[i].a;
     large_places[i] = is_a_large ? pairs[i].a : pairs[i].b;
   }
+  // How far the small shape can come to the large one within the step, in the frame that moves with the large
+  // one.
   const LanePlaces small = load_places(small_places), large = load_places(large_places);
   const FloatVec3 d = small.center - large.center;
   const FloatVec3 u = small.u - large.u - cross(large.w, d), w = small.w - large.w;
   const FloatLanes turning = float_sqrt(dot(w, w)) * small.reach;
   const FloatLanes margin = float_lanes(least) + float_lanes(step) * (float_sqrt(dot(u, u)) + turning);
+  // Balls that are farther apart than that have no points.
   const FloatLanes near = small.reach + small.radius + large.radius + margin + small.slack + large.slack;
   const FloatLanes far = near + large.reach;
   store_floats(margin, found.margin);

@@ -9,15 +9,15 @@
 
 namespace rigor {
 
-// What the broad phase asks of pairs, of eight at a time. Answers are a bit for each pair.
+// What the broad phase asks of eight pairs at a time. Answers are one bit per pair.
 
-/// Boxes with round edges: `radius` [m] is the sum of the two. Behind each box in memory is room for two more
-/// numbers, which are read and not used.
+/// A pair of boxes with round edges; `radius` [m] is the sum of both radii. Each box in memory has room for
+/// two more numbers behind it, which are read and not used.
 struct RoundBoxPair {
   const FloatBox *a, *b;
   float radius;
 };
-/// As rounded_boxes_touch().
+/// Bits of the pairs for which rounded_boxes_touch() is true.
 unsigned find_touching_boxes(const std::array<RoundBoxPair, kLaneCount>& pairs, LaneTarget target);
 
 struct ShapePlacePair {
@@ -25,8 +25,8 @@ struct ShapePlacePair {
 };
 struct PairMargins {
   float margin[kLaneCount];  ///< As find_pair_margin(), to the last bit [m].
-  unsigned near;             ///< Whose balls are not farther apart than that.
-  unsigned asks_box;  ///< Which of these may be told apart by the box of the larger: find_pair_margin().
+  unsigned near;             ///< Bits of the pairs whose balls are no farther apart than that.
+  unsigned asks_box;         ///< Bits of those for which find_pair_margin() also asks the box of the larger.
 };
 PairMargins find_pair_margins(const std::array<ShapePlacePair, kLaneCount>& pairs, float h, float margin,
                               LaneTarget target);

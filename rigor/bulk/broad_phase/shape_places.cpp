@@ -52,7 +52,7 @@ Float3 turned_back(const float* R, const Float3& a) {
           R[2] * a.x + R[5] * a.y + R[8] * a.z};
 }
 
-/// Rows of the matrix of a unit quaternion.
+/// Writes the rows of the rotation matrix of a unit quaternion.
 void set_rotation(const Quat& q_WB, float* R) {
   const float w = static_cast<float>(q_WB.w()), x = static_cast<float>(q_WB.x()),
               y = static_cast<float>(q_WB.y()), z = static_cast<float>(q_WB.z());
@@ -61,7 +61,7 @@ void set_rotation(const Quat& q_WB, float* R) {
   R[6] = 2 * (x * z - w * y), R[7] = 2 * (y * z + w * x), R[8] = 1 - 2 * (x * x + y * y);
 }
 
-/// A little more, so that rounding to 32 bits takes nothing away.
+/// A number a little larger, so that rounding to 32 bits takes nothing away.
 float rounded_up(double x) {
   return static_cast<float>(x * (1 + 1e-6));
 }
@@ -69,6 +69,7 @@ float rounded_up(double x) {
 }  // namespace
 
 ShapeBound make_shape_bound(const BodyShape& shape) {
+  // The core is the box of the shape less the radius of its round edges.
   const Aabb box = axis_aligned_box(shape.shape, Pose{});
   const Vec3 center_S = 0.5 * (box.lower + box.upper);
   const double radius = corner_radius(shape.shape);
@@ -81,6 +82,7 @@ ShapeBound make_shape_bound(const BodyShape& shape) {
     bound.half[k] = rounded_up(std::max(half[k], 0.0));
     for (int j = 0; j < 3; ++j) bound.R_BS[3 * k + j] = static_cast<float>(shape.X_BS.R(k, j));
   }
+  // Sizes are rounded up: the bound holds the shape.
   bound.radius = rounded_up(radius);
   bound.reach = rounded_up(std::max(radius_about(shape.shape, center_S) - radius, 0.0));
   bound.is_centred_ball = std::holds_alternative<Sphere>(shape.shape) && center_B.isZero(0);
@@ -111,10 +113,10 @@ BoxAxes axes_of(const ShapeBound& bound, const Quat& q_WB) {
 
 namespace {
 
-/// Of the numbers that make a place and a box, in all.
+/// Relative rounding of the numbers that a place and a box are made of, in all.
 constexpr float kRoundings = 1e-6f;
 
-/// arm_W: of its centre from that of the body.
+/// The place of a shape; arm_W is the centre of its box relative to the centre of the body.
 ShapePlace place_of(const ShapeBound& bound, const BulkBodies& bodies, std::size_t body, const Vec3& origin,
                     const Float3& arm_W) {
   const MotionRecord& motion = bodies.motion[body];
@@ -132,7 +134,7 @@ ShapePlace place_of(const ShapeBound& bound, const BulkBodies& bodies, std::size
   return place;
 }
 
-/// extent: half of the box along W's axes.
+/// The box of a place, swept by its motion over h; extent is half of the core's box along W's axes.
 FloatBox swept_box(const ShapePlace& place, const Float3& extent, const MotionRecord& motion, float h,
                    float margin) {
   const ShapeBound& bound = *place.bound;
@@ -177,7 +179,7 @@ SweptShape sweep_shape(const ShapeBound& bound, const BulkBodies& bodies, int bo
 
 namespace {
 
-/// Eight floats of each of eight places, transposed.
+/// Eight floats from each of eight addresses, transposed.
 RIGOR_FLOAT_LANES FloatSquare gather_rows(const std::array<const float*, 8>& from) {
   FloatSquare rows;
   for (int i = 0; i < kLaneCount; ++i) rows.row[i] = load_floats(from[at(i)]);
@@ -193,8 +195,10 @@ struct EightShapes {
   std::size_t first_body;
   const SweepStep& step;
 
-  /// As sweep_shape().
+  /// Sweeps the eight shapes as sweep_shape() does, operation by operation.
   RIGOR_FLOAT_LANES void sweep(ShapePlace* places, FloatBox* boxes) const {
+    // Positions and orientations are rounded to 32 bits relative to the origin; the rest is already in 32
+    // bits.
     alignas(32) float from_origin[3][kLaneCount], quaternions[4][kLaneCount];
     std::array<const float*, 8> bound_rows, motion_rows;
     for (std::size_t i = 0; i < 8; ++i) {
@@ -205,6 +209,7 @@ struct EightShapes {
       bound_rows[i] = bounds[i]->center_B;
       motion_rows[i] = bodies.motion[first_body + i].v;
     }
+    // Rotation matrices from the quaternions, as in set_rotation().
     const FloatLanes one = float_lanes(1), two = float_lanes(2), zero = float_lanes(0);
     const FloatLanes x = load_floats(quaternions[0]), y = load_floats(quaternions[1]),
                      z = load_floats(quaternions[2]), w = load_floats(quaternions[3]);
@@ -218,6 +223,7 @@ struct EightShapes {
     const FloatVec3 v{motion.row[0], motion.row[1], motion.row[2]};
     const FloatVec3 turning{motion.row[4], motion.row[5], motion.row[6]};
 
+    // Centres and their velocities, as in place_of().
     const FloatVec3 arm{dot(R[0], center_B), dot(R[1], center_B), dot(R[2], center_B)};
     const FloatVec3 center =
         FloatVec3{load_floats(from_origin[0]), load_floats(from_origin[1]), load_floats(from_origin[2])} +
@@ -227,6 +233,7 @@ struct EightShapes {
     const FloatLanes slack = float_lanes(kRoundings) * (magnitude(center.x) + magnitude(center.y) +
                                                         magnitude(center.z) + reach + radius + arm_length);
 
+    // Boxes, as in swept_box(): the core along W's axes, what rotation adds, and the displacement.
     const FloatLanes h = float_lanes(step.h);
     const FloatLanes angle = float_min(float_sqrt(dot(turning, turning)) * h, two);
     const FloatLanes turn = angle * (arm_length + reach);
@@ -241,6 +248,7 @@ struct EightShapes {
       box.row[k] = middle - half + float_min(way, zero);
       box.row[3 + k] = middle + half + float_max(way, zero);
     }
+    // Back from lanes to one place and one box per body.
     box.row[6] = turning.z;
     box.row[7] = slack;
     const FloatSquare place =
@@ -277,12 +285,12 @@ void sweep_eight_shapes(const std::array<const ShapeBound*, 8>& bounds, const Bu
 
 namespace {
 
-/// How far the shapes can come to each other; d: from the centre of the large one to that of the small one.
+/// How far the shapes can come to each other; d is from the centre of the large one to that of the small one.
 ///
 /// The distance of the cores changes as fast as their witness points P and Q move along the line n between
-/// them. With c the centre of the core of b: velocity_b(Q) - velocity_a(P) = [u_b - velocity_a(c)] +
-/// (w_b - w_a) × (Q - c) + w_a × (Q - P), and the last term has no part along n. All n count, also those
-/// along which the shapes part: what turns a body within the step finds its contacts there.
+/// them. With c the centre of the core of b: velocity_b(Q) - velocity_a(P) = [u_b - velocity_a(c)] + (w_b -
+/// w_a) × (Q - c) + w_a × (Q - P), and the last term has no part along n. All n count, also those along which
+/// the shapes move apart: a body that is rotated within the step finds its contacts there.
 float approach_bound(const ShapePlace& small, const ShapePlace& large, const Float3& d, float h) {
   const Float3 u = load(small.u) - load(large.u) - cross(load(large.w), d);
   const float reach = small.bound->reach;
@@ -293,17 +301,21 @@ float approach_bound(const ShapePlace& small, const ShapePlace& large, const Flo
 }  // namespace
 
 std::optional<float> find_pair_margin(const PairPlaces& pair, float h, float margin) {
+  // The motion is seen from the large shape: its rotation about the small one then costs no margin, that of
+  // the small one only its reach.
   const bool is_a_large = pair.b.bound->reach <= pair.a.bound->reach;
   const ShapePlace &small = is_a_large ? pair.b : pair.a, &large = is_a_large ? pair.a : pair.b;
   const ShapeBound &of_small = *small.bound, &of_large = *large.bound;
   const Float3 d = load(small.center) - load(large.center);
   const float pair_margin = margin + approach_bound(small, large, d, h);
+  // Balls about both shapes first.
   const float near =
       of_small.reach + of_small.radius + of_large.radius + pair_margin + small.slack + large.slack;
   const float far = near + of_large.reach;
   if (squared(d) > far * far) return std::nullopt;
-  // Of shapes of one size the box of the one tells little more than its ball.
+  // Where both are of about the same size, the box of one tells little more than its ball.
   if (of_large.reach < 2 * (of_small.reach + of_small.radius)) return pair_margin;
+  // The ball of the small shape against the box of the large one.
   const BoxAxes axes = axes_of(of_large, is_a_large ? pair.q_WA : pair.q_WB);
   const Float3 local = turned_back(axes.row, d);
   const Float3 outside{std::max(std::abs(local.x) - of_large.half[0], 0.0f),

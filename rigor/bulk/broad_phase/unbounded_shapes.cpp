@@ -37,11 +37,12 @@ UnboundedPlace place_of(const UnboundedShape& shape, const BulkBodies& bodies, c
              w = vector_at(bodies.motion[k].w).cast<double>();
   const Vec3 normal_W = bodies.q[k] * shape.normal_B;
   Vec3 arm = bodies.q[k] * shape.point_B;
-  // A plane goes by its point nearest to the origin, where few digits are lost.
+  // A plane is represented by its point nearest to the origin, where few digits are lost.
   if (!shape.is_cavity) {
     const Vec3 from_body = origin - bodies.x[k];
     arm = from_body + (arm - from_body).dot(normal_W) * normal_W;
   }
+  // All of it is computed in 64 bits and rounded once.
   const Vec3 point = bodies.x[k] + arm - origin;
   constexpr double roundings = 1e-6;
   UnboundedPlace place;
@@ -54,6 +55,7 @@ UnboundedPlace place_of(const UnboundedShape& shape, const BulkBodies& bodies, c
 }
 
 float approach_bound(const UnboundedPlace& a, const ShapePlace& b, float h) {
+  // The motion is seen from the unbounded shape, as in find_pair_margin().
   const Vec3f d = vector_at(b.center) - vector_at(a.point), w = vector_at(a.w);
   const Vec3f u = vector_at(b.u) - vector_at(a.u) - w.cross(d);
   return h * (u.norm() + (vector_at(b.w) - w).norm() * b.bound->reach);
@@ -64,6 +66,7 @@ bool may_be_within(const UnboundedShape& shape, const UnboundedPlace& a, const S
   const ShapeBound& bound = *b.bound;
   const Vec3f d = vector_at(b.center) - vector_at(a.point);
   const float near = margin + a.slack + b.slack + bound.radius;
+  // A cavity holds the ball; over a plane the ball is asked first, then the box.
   if (shape.is_cavity) return static_cast<float>(shape.radius) - d.norm() - bound.reach <= near;
   const Vec3f n = vector_at(a.normal);
   if (n.dot(d) - bound.reach > near) return false;

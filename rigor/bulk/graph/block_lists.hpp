@@ -14,12 +14,13 @@
 
 namespace rigor {
 
-/// The blocks of all contacts, those of a kind in a row, and their impulses of a step. They are numbered as
-/// those of a colouring, whose kinds of edges are block_kinds.
+/// The blocks of all contacts, in one list per kind, and their impulses of a step. They are numbered as the
+/// blocks of a colouring whose kinds of edges are block_kinds.
 class BlockLists {
  public:
-  /// Makes room for the blocks of a colouring; whoever calls fills them. There are no totals then.
+  /// Makes room for the blocks of a colouring; the caller fills them. There are no totals afterwards.
   void arrange(const GraphColouring& colouring) {
+    // Each section of a colour is a stretch of the list of its kind.
     std::array<int, block_kind_count> counts{};
     sections_.clear();
     const auto& all = colouring.sections;
@@ -60,7 +61,7 @@ class BlockLists {
     for_lists([](auto& list, int) { list.totals.clear(); });
     has_totals_ = false;
   }
-  /// Totals of zero.
+  /// Makes totals, all of them zero.
   void make_totals() {
     for_lists([](auto& list, int) {
       make_room(list.blocks.size(), list.totals);
@@ -73,7 +74,7 @@ class BlockLists {
   template <BlockKind kind>
   struct List {
     std::vector<ManifoldBlock<kind>> blocks;
-    std::vector<BlockImpulses<kind>> totals;  ///< If they are wanted.
+    std::vector<BlockImpulses<kind>> totals;  ///< Impulses of the step, if they are wanted.
   };
   template <class Numbers>
   struct ListsOf;
@@ -85,7 +86,7 @@ class BlockLists {
   /// Blocks of one colour and kind.
   struct Section {
     int kind, begin, end;
-    int first_place;  ///< Of the first of them in the list of the kind.
+    int first_place;  ///< Index of the first of them in the list of the kind.
   };
 
   template <class Work>

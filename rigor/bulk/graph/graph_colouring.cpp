@@ -13,7 +13,7 @@ namespace {
 /// How many edges a group has of each colour and kind.
 using Counts = std::array<std::array<int, max_edge_kinds>, serial_colour + 1>;
 
-/// Groups that are coloured by themselves: 0 between tiles, then the tiles.
+/// Groups of edges that are coloured by themselves: group 0 between tiles, then one group per tile.
 class Groups {
  public:
   Groups(int body_count, int tile) : tile_(tile), count_(1 + std::max(1, (body_count + tile - 1) / tile)) {}
@@ -29,22 +29,25 @@ class Groups {
   int tile_, count_;
 };
 
-/// The colour of each edge. Counts them, by groups.
+/// Finds the colour of each edge, and counts them by group.
 std::vector<std::uint8_t> find_colours(const std::vector<ConstraintEdge>& edges,
                                        const std::vector<std::uint8_t>& kinds, const Groups& groups,
                                        int body_count, std::vector<Counts>& counts) {
   std::vector<std::uint8_t> colours(edges.size());
   std::vector<std::uint64_t> used(at(body_count));
-  std::vector<std::uint64_t> of_pairs(groups.count(), 0);  // Colours that edges of two dynamic bodies have.
+  std::vector<std::uint64_t> of_pairs(groups.count(), 0);  // Colours of edges with two dynamic bodies.
+  // Pairs between tiles are coloured first, then those of each tile: no two tiles share a body.
   for (const bool is_between : {true, false}) {
     if (is_between && groups.count() == 2) continue;
     std::fill(used.begin(), used.end(), 0);
+    // Edges with one dynamic body come behind all edges of two: the ground has the last word.
     for (const bool is_pair : {true, false}) {
       for (std::size_t i = 0; i < edges.size(); ++i) {
         const auto [a, b] = edges[i];
         if ((a >= 0 && b >= 0) != is_pair) continue;
         const std::size_t group = groups.of(edges[i]);
         if ((group == 0) != is_between) continue;
+        // The first colour that neither body has; edges that find none share the last one.
         const std::uint64_t taken =
             (is_pair ? 0 : of_pairs[group]) | (a < 0 ? 0 : used[at(a)]) | (b < 0 ? 0 : used[at(b)]);
         const int colour = std::min(std::countr_one(taken), serial_colour);
@@ -60,13 +63,15 @@ std::vector<std::uint8_t> find_colours(const std::vector<ConstraintEdge>& edges,
   return colours;
 }
 
-/// Adds the colours of a group up to its last one. counts become the lanes that its first edges get, over all
-/// blocks.
+/// Adds the colours of a group up to its last one. `counts` become the lanes of the first edges of each
+/// colour and kind, counted over all blocks.
 void add_colours(Counts& counts, int& block_count, GraphColouring& colouring) {
+  // Colours behind the last one that has edges are not listed.
   int last = serial_colour;
   while (last >= 0 && counts[at(last)] == std::array<int, max_edge_kinds>{}) --last;
   for (int colour = 0; colour <= last; ++colour) {
     for (int kind = 0; kind < max_edge_kinds; ++kind) {
+      // A block holds one kind; of the last colour it holds one edge.
       int& count = counts[at(colour)][at(kind)];
       if (count > 0) colouring.sections.push_back({kind, block_count});
       const int first_lane = block_count * kLaneCount;
@@ -90,11 +95,13 @@ void colour_graph(const std::vector<ConstraintEdge>& edges, const std::vector<st
     return counts[groups.of(edges[edge])][colours[edge]][has_kinds ? kinds[edge] : std::size_t{0}];
   };
 
+  // Blocks in the order of groups, colours and kinds.
   colouring.colour_begin.assign(1, 0);
   colouring.is_serial.clear();
   colouring.sections.clear();
   int block_count = 0;
   for (Counts& of_group : counts) add_colours(of_group, block_count, colouring);
+  // Each edge takes the next lane of its colour and kind, so that the order of edges decides.
   std::array<std::int32_t, kLaneCount> none;
   none.fill(-1);
   colouring.blocks.assign(at(block_count), none);

@@ -14,6 +14,7 @@ namespace rigor {
 
 BulkIslands::BulkIslands(const Model& model) {
   for (const Body& body : model.bodies()) is_dynamic_.push_back(body.motion == MotionType::dynamic);
+  // Joints and springs hold bodies together for the whole life of the Model.
   for (int i = 0; i < static_cast<int>(model.joints().size()); ++i) {
     const std::vector<int> bodies = model.bodies_of_joint(i);
     for (std::size_t k = 1; k < bodies.size(); ++k) lasting_.emplace_back(bodies[0], bodies[k]);
@@ -23,6 +24,7 @@ BulkIslands::BulkIslands(const Model& model) {
     if (spring && spring->body_A != world_body && spring->body_B != world_body)
       lasting_.emplace_back(spring->body_A, spring->body_B);
   }
+  // Without contacts, each dynamic body is an island, but for those that are tied.
   for (std::size_t i = 0; i < is_dynamic_.size(); ++i)
     islands_.push_back(is_dynamic_[i] ? static_cast<int>(i) : -1);
   std::erase_if(lasting_, [&](const Pair& pair) {
@@ -46,10 +48,12 @@ void BulkIslands::add(int a, int b) {
   next_.push_back(pair);
 }
 
-/// From the pairs before to those now.
+/// Goes from the islands of the previous pairs to those of the current ones.
 void BulkIslands::update() {
   if (!std::is_sorted(next_.begin(), next_.end())) next_ = sorted_unique(std::move(next_));
+  // While bodies rest, the pairs stay the same.
   if (next_ == pairs_) return;
+  // Only islands that lost a contact are taken apart; then all contacts join again.
   lost_.clear();
   std::set_difference(pairs_.begin(), pairs_.end(), next_.begin(), next_.end(), std::back_inserter(lost_));
   if (!lost_.empty()) dissolve_those_that_lost();
@@ -58,7 +62,7 @@ void BulkIslands::update() {
   pairs_.swap(next_);
 }
 
-/// Their bodies are alone then, but for what lasts.
+/// Takes apart the islands that lost a contact: their bodies are alone again, but for joints and springs.
 void BulkIslands::dissolve_those_that_lost() {
   has_lost_.assign(islands_.size(), 0);
   for (const Pair& pair : lost_) has_lost_[at(island_of(pair.first))] = 1;
@@ -76,8 +80,8 @@ int BulkIslands::root_of(int body) {
   return body;
 }
 
-/// Union by the lower number, paths halved: Tarjan and van Leeuwen, Worst-Case Analysis of Set Union
-/// Algorithms, J. ACM 31(2), 1984.
+/// Joins two islands: union by the lower number, with path halving (Tarjan and van Leeuwen, Worst-Case
+/// Analysis of Set Union Algorithms, J. ACM 31(2), 1984).
 void BulkIslands::join(const Pair& pair) {
   const int a = root_of(pair.first), b = root_of(pair.second);
   islands_[at(std::max(a, b))] = std::min(a, b);

@@ -10,15 +10,15 @@
 
 namespace rigor {
 
-/// Dynamic bodies that hang together: by contacts, joints and springs, one by one; bodies that are not
-/// dynamic do not join what they touch. Kept from one list of contacts to the next: contacts that are new
-/// join islands, and only islands that have lost one are found again. The answer depends on the last list
+/// Islands: dynamic bodies that are connected by contacts, joints and springs. Bodies that are not dynamic do
+/// not connect what they touch. Islands are kept from one list of contacts to the next: new contacts join
+/// islands, and only islands that have lost a contact are found again. The result depends on the last list
 /// alone.
 class BulkIslands {
  public:
   explicit BulkIslands(const Model& model);
 
-  /// Of a list of contacts that tells their body_A(i) and body_B(i).
+  /// Finds the islands of a list of contacts that has body_A(i) and body_B(i).
   template <class Contacts>
   void build(const Contacts& contacts) {
     next_.clear();
@@ -39,10 +39,11 @@ class BulkIslands {
 
   std::vector<bool> is_dynamic_;
   std::vector<Pair> lasting_;       ///< Pairs that joints and springs hold together.
-  std::vector<Pair> pairs_, next_;  ///< Of the contacts before, and of those now; ascending, each once.
-  std::vector<Pair> lost_;          ///< Of the pairs before.
-  std::vector<char> has_lost_;      ///< Islands before, by their lowest bodies.
-  std::vector<int> islands_;        ///< While they are built, a body nearer to the root.
+  std::vector<Pair> pairs_, next_;  ///< Pairs of the previous and the current contacts; ascending, each once.
+  std::vector<Pair> lost_;          ///< Previous pairs that are no longer there.
+  std::vector<char> has_lost_;      ///< Whether a previous island lost a pair, by its lowest body.
+  std::vector<int> islands_;  ///< The lowest body of each body's island; while islands are built, a body
+                              ///< nearer to the root.
 };
 
 }  // namespace rigor

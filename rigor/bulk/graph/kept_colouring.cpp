@@ -7,7 +7,7 @@ namespace rigor {
 
 namespace {
 
-/// Of more edges some change in each step: they are not kept.
+/// Among more edges than this some change in each step: they are not kept.
 constexpr std::size_t most_kept = 16384;
 
 }  // namespace
@@ -17,7 +17,7 @@ void KeptColouring::begin(std::size_t most) {
   make_room(most, kinds_);
   edges_.resize(most);
   kinds_.resize(most);
-  // Blocks with numbers of their own are not those of the next step.
+  // Blocks whose edges have numbers of their own are not those of the next step.
   is_same_ = body_count_ >= 0 && numbers_.empty() && size_ <= most_kept;
   last_size_ = size_;
   size_ = 0;
@@ -31,6 +31,7 @@ void KeptColouring::set_number(int number) {
 
 void KeptColouring::finish(int body_count) {
   if (is_same_ && size_ == last_size_ && numbers_.empty() && body_count == body_count_) return;
+  // The edges have changed: all of them are coloured.
   edges_.resize(size_);
   kinds_.resize(size_);
   body_count_ = body_count;
@@ -40,6 +41,7 @@ void KeptColouring::finish(int body_count) {
     edges_ = std::vector<ConstraintEdge>();
     kinds_ = std::vector<std::uint8_t>();
   }
+  // Blocks hold the numbers that the caller gave.
   if (numbers_.empty()) return;
   for (auto& block : colouring_.blocks) {
     for (std::int32_t& edge : block) edge = edge < 0 ? -1 : numbers_[at(edge)];

@@ -14,34 +14,34 @@
 
 namespace rigor {
 
-/// Eight floats, one a lane.
+/// Eight floats, one per lane.
 using LaneArray = std::array<float, kLaneCount>;
 
-/// Frequency of the spring of a contact of two dynamic bodies, a substep [1]: what one sweep a substep holds
-/// quietly. Twice that against what stands still.
+/// Frequency of the spring of a contact of two dynamic bodies, in cycles per substep [1]: the stiffest spring
+/// that one sweep per substep holds without trembling. Contacts with bodies that stand still have twice that.
 inline constexpr double contact_frequency_a_substep = 1.0 / 6;
 
 /// Contact as a stiff, strongly damped spring of the overlap (docs/theory/bulk.md, section 3).
 struct Softness {
-  float bias_rate = 0;      ///< Speed by which an overlap is put back, a metre [1/s].
-  float mass_scale = 1;     ///< Of the impulse that meets the speed.
-  float impulse_scale = 0;  ///< Part of the impulse that the spring gives way.
-  float pad = 0;            ///< To four floats, which are loaded at once.
+  float bias_rate = 0;      ///< Speed at which an overlap is put back, per metre of overlap [1/s].
+  float mass_scale = 1;     ///< Factor of the impulse that stops the approach.
+  float impulse_scale = 0;  ///< Fraction of the accumulated impulse by which the spring yields.
+  float pad = 0;            ///< Fills up four floats, which are loaded at once.
 };
-/// frequency [Hz], damping_ratio (1: critical), h [s] of a substep.
+/// The softness of a spring of a frequency [Hz] and damping ratio (1: critical), in substeps of h [s].
 Softness make_softness(double frequency, double damping_ratio, double h);
 
 /// What the manifolds of a block have in common, so that it holds and computes no more than they need.
 struct BlockKind {
-  int points;        ///< 1, 2 or 4; one of three points has a fourth without mass.
-  bool has_moments;  ///< Torsional or rolling friction.
-  bool is_round;     ///< The inertia of all bodies is the same about all axes. Told apart for one point only.
+  int points;        ///< 1, 2 or 4; a manifold of three points has a fourth without mass.
+  bool has_moments;  ///< Whether there is torsional or rolling friction.
+  bool is_round;  ///< The inertia of all bodies is the same about all axes; distinguished for one point only.
 
-  /// Whether moments act: with one point and without friction against turning only forces do.
+  /// Whether moments act: with one point and neither torsional nor rolling friction only forces do.
   constexpr bool turns() const { return points > 1 || has_moments; }
   constexpr bool operator==(const BlockKind& other) const = default;
 };
-/// All of them.
+/// All kinds of blocks.
 constexpr std::array<BlockKind, 7> block_kinds{{{1, false, true},
                                                 {1, false, false},
                                                 {2, false, false},
@@ -51,8 +51,8 @@ constexpr std::array<BlockKind, 7> block_kinds{{{1, false, true},
                                                 {4, true, false}}};
 constexpr int block_kind_count = static_cast<int>(block_kinds.size());
 
-/// Impulses of eight manifolds: of one substep, or added up over those of a step, since each substep ends
-/// with all that its contacts have done in it.
+/// Impulses of eight manifolds, of one substep or added up over those of a step, since each substep ends with
+/// all that its contacts have done in it.
 template <BlockKind kind>
 struct BlockImpulses {
   static constexpr std::size_t points = kind.points;
@@ -70,19 +70,19 @@ struct BlockImpulses {
   const LaneArray& roll(std::size_t k) const { return row[points + 3 + k]; }
 };
 
-/// The point of one corner of eight manifolds.
+/// One point of each of eight manifolds.
 struct BlockPoint {
-  LaneArray gap;   ///< At the begin of the step [m].
+  LaneArray gap;   ///< Gap at the beginning of the step [m].
   LaneArray mass;  ///< Inverse of the response of u_n to its own impulse [kg]; 0: there is no such point.
-  LaneArray first_speed;  ///< Normal velocity at the begin of the step [m/s].
+  LaneArray first_speed;  ///< Normal velocity at the beginning of the step [m/s].
 };
-/// Where it is.
+/// Where a point is.
 struct BlockArm {
   LaneArray p1, p2;  ///< From the centre of the manifold, along t1 and t2 [m].
   LaneArray length;  ///< [m].
 };
 
-/// Rows of blocks where moments act.
+/// What a block has besides where moments act.
 template <int points>
 struct PatchRows {
   std::array<BlockArm, points> arms;
@@ -91,7 +91,7 @@ struct PatchRows {
   LaneArray Kvw[3][3];   ///< Of K: V (first) by moments, W (second) by impulses [1/(kg m)].
   LaneArray twist_mass;  ///< Inverse of the response to a moment about n [kg m^2].
 };
-/// Of those with friction against turning.
+/// What a block has besides where there is torsional or rolling friction.
 struct RollingRows {
   LaneArray torsional_friction, rolling_friction;  ///< [m].
   LaneArray roll_mass[3];  ///< Inverse of the response to moments along t1, t2: 11 22 12 [kg m^2].
@@ -99,11 +99,11 @@ struct RollingRows {
 template <int number>
 struct NoRows {};
 
-/// Eight manifolds of one kind of which no two share a dynamic body: solved together, one a lane. Each has a
-/// frame (t1, t2, n) at its centre c. V and W being the velocity of B against A at c and their relative
+/// Eight manifolds of one kind of which no two share a dynamic body, solved together, one per lane. Each has
+/// a frame (t1, t2, n) at its centre c. V and W being the velocity of B against A at c and their relative
 /// angular velocity along n, t1, t2, the normal velocity at the point (p1, p2) is V_n + p2 W_t1 - p1 W_t2. An
 /// impulse at c and a moment change (V, W) by the symmetric 6 x 6 matrix K, so that a whole sweep needs the
-/// bodies at its begin and at its end only. Where no moments act only V matters.
+/// bodies at its beginning and at its end only. Where no moments act, only V matters.
 template <BlockKind block_kind>
 struct alignas(32) ManifoldBlock
     : std::conditional_t<block_kind.turns(), PatchRows<block_kind.points>, NoRows<1>>,
@@ -111,7 +111,7 @@ struct alignas(32) ManifoldBlock
   static constexpr BlockKind kind = block_kind;
   static constexpr std::size_t point_count = kind.points;
 
-  std::array<std::int32_t, kLaneCount> body_A, body_B;  ///< Empty lanes: those of the first.
+  std::array<std::int32_t, kLaneCount> body_A, body_B;  ///< Empty lanes have those of the first.
   std::uint8_t moves_A = 0, moves_B = 0;                ///< Bits of lanes whose body is dynamic.
   std::uint8_t pressed[point_count] = {};  ///< Bits of lanes whose point had an impulse in this step.
 
@@ -124,9 +124,9 @@ struct alignas(32) ManifoldBlock
   /// Displacements that change the gaps: along n [m], about t1, t2 [rad].
   LaneArray moved[kind.turns() ? 3 : 1];
   std::array<BlockPoint, point_count> points;
-  BlockImpulses<kind> impulses;     ///< Of the last substep.
+  BlockImpulses<kind> impulses;     ///< Impulses of the last substep.
   LaneArray friction;               ///< Coulomb's coefficient.
-  LaneArray bias_rate, mass_scale;  ///< Softness.
+  LaneArray bias_rate, mass_scale;  ///< The softness of its springs.
 };
 
 /// What a manifold needs besides its points.
@@ -140,23 +140,23 @@ struct BlockLane {
   ManifoldView manifold;
   const ManifoldSurface* surface = nullptr;
   const Softness* softness = nullptr;
-  ManifoldMemories::View memory;  ///< Where its impulses begin; none: from zero.
+  ManifoldMemories::View memory;  ///< Where its impulses begin; without one, at zero.
   int body_A = -1, body_B = -1;
 };
 
-/// The normal impulse that the memory has of a feature [N s]; 0 if it has none.
+/// The normal impulse that the memory holds for a feature [N s]; 0 if it has none.
 float remembered_impulse(const ManifoldMemories::View& memory, std::uint32_t feature);
-/// Of each point of a manifold.
+/// The remembered normal impulse of each point of a manifold [N s].
 std::array<float, Manifold::max_points> remembered_impulses(const ManifoldMemories::View& memory,
                                                             const ManifoldView& manifold);
 
-/// The kind of block for a manifold, as an index into block_kinds. is_round: BlockKind::is_round.
+/// The kind of block for a manifold, as an index into block_kinds. is_round is that of BlockKind.
 int find_block_kind(int point_count, const ManifoldSurface& surface, bool is_round);
 
-// Templates, since blocks differ in what they hold; for all block_kinds.
+// These are templates, since blocks differ in what they hold; they exist for all block_kinds.
 
-/// Makes a block of one to eight manifolds: frames, points and responses, and the velocities at the begin of
-/// the step.
+/// Makes a block of one to eight manifolds: frames, points and responses, and the velocities at the beginning
+/// of the step.
 template <BlockKind kind>
 void fill_block(LaneTarget target, std::span<const BlockLane> lanes, const BulkBodies& bodies,
                 ManifoldBlock<kind>& block);
@@ -165,10 +165,10 @@ template <BlockKind kind>
 void warm_start_block(LaneTarget target, ManifoldBlock<kind>& block, BulkBodies& bodies);
 
 enum class BlockPass {
-  push,  ///< Overlaps are put back, as fast as the spring does.
+  push,  ///< Overlaps are put back, at the rate of the spring.
   relax  ///< Velocities alone, without the spring.
 };
-/// One sweep over a block. h [s]: of the substep.
+/// One sweep over a block; h [s] is the length of the substep.
 template <BlockKind kind>
 void solve_block(LaneTarget target, BlockPass pass, float h, ManifoldBlock<kind>& block, BulkBodies& bodies);
 

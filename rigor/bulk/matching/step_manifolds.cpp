@@ -23,6 +23,7 @@ bool does_press(const ManifoldMemories::View& memory) {
 }  // namespace
 
 StepManifolds::StepManifolds(const Model& model) : material_count_(model.materials().size()) {
+  // Coefficients of all pairs of materials are looked up once.
   const int count = static_cast<int>(material_count_);
   for (int a = 0; a < count; ++a) {
     for (int b = 0; b < count; ++b) surfaces_.push_back(surface_of(model.coefficients(a, b)));
@@ -45,13 +46,15 @@ void StepManifolds::match(const std::vector<ShapePair>& pairs, const ManifoldLis
                       [&](int begin, int end) { match_range(at(begin), at(end)); });
 }
 
-/// Both lists are in the order of keys.
+/// Matches the manifolds [begin, end) with the memories of the step before. Both lists are in the order of
+/// keys, so one pass over each is enough.
 void StepManifolds::match_range(std::size_t begin, std::size_t end) {
   const ManifoldMemories& memory = *memory_;
   std::size_t next = memory.size();
   for (std::size_t i = begin; i < end; ++i) {
     const ShapePair& own = pair(i);
     const ContactKey key = {own.body_A, own.body_B, own.shape_A, own.shape_B, at(part(i))};
+    // The search stops at the memory of the same shapes and part, or at the first one behind it.
     if (i == begin) next = memory.find_from(key);
     bool is_same = false;
     for (; next < memory.size(); ++next) {
@@ -59,6 +62,7 @@ void StepManifolds::match_range(std::size_t begin, std::size_t end) {
       is_same = order == 0;
       if (order >= 0) break;
     }
+    // A manifold without a memory begins with no impulse and no energy.
     Match& match = matches_[i];
     match = {};
     match.surface =
@@ -77,6 +81,7 @@ int StepManifolds::material_of(int body, int shape) const {
 }
 
 ManifoldMemory StepManifolds::key(std::size_t i) const {
+  // The key names the shapes and the part; features name the points.
   const ShapePair& own = pair(i);
   const ManifoldView found = view(i);
   ManifoldMemory key;

@@ -15,14 +15,14 @@
 
 namespace rigor {
 
-/// The manifolds of a step with what belongs to them: whose they are, what is remembered of them, and how
-/// their materials rub and bounce.
+/// The manifolds of a step with what belongs to them: their shapes, what is remembered of them, and the
+/// friction and restitution of their materials.
 class StepManifolds {
  public:
   explicit StepManifolds(const Model& model);
 
-  /// At the begin of a step. memory: of the contacts of the step before, in the order of keys. It is held
-  /// until the next memory is written, the others until the next step.
+  /// Takes the manifolds of a step, at its beginning. `memory` holds the contacts of the step before, in the
+  /// order of keys. It must live until the next memory is written, the other lists until the next step.
   void match(const std::vector<ShapePair>& pairs, const ManifoldList& manifolds,
              const ManifoldMemories& memory, const Executor& executor);
 
@@ -34,36 +34,36 @@ class StepManifolds {
   int point_count(std::size_t i) const { return manifolds_->point_count(i); }
   ManifoldView view(std::size_t i) const { return manifolds_->view(i); }
   const ManifoldSurface& surface(std::size_t i) const { return surfaces_[at(matches_[i].surface)]; }
-  /// Of the step before; or none.
+  /// The memory of the step before, or none.
   ManifoldMemories::View memory(std::size_t i) const {
     const int number = matches_[i].memory;
     return number < 0 ? ManifoldMemories::View{} : memory_->view(at(number));
   }
-  /// That its springs held at the end of the step before [J].
+  /// Energy that its springs held at the end of the step before [J].
   float energy(std::size_t i) const { return matches_[i].energy; }
-  /// It did not press at the end of the step before.
+  /// Whether it did not press at the end of the step before.
   bool is_new(std::size_t i) const { return matches_[i].is_new; }
-  /// Whose it is, and its points; no impulses.
+  /// The shapes and the points of a manifold, without impulses.
   ManifoldMemory key(std::size_t i) const;
 
  private:
   struct Match {
-    int memory = -1;                 ///< Its number among those of the step before; -1: none.
-    float energy = 0;                ///< Of its springs [J].
-    std::uint32_t surface : 31 = 0;  ///< Its number among the surfaces.
+    int memory = -1;                 ///< Index among the memories of the step before; -1 if there is none.
+    float energy = 0;                ///< Energy of its springs [J].
+    std::uint32_t surface : 31 = 0;  ///< Index among the surfaces.
     bool is_new : 1 = true;
   };
   void match_range(std::size_t begin, std::size_t end);
   int material_of(int body, int shape) const;
 
-  std::vector<int> first_shape_;  ///< Of each body.
-  std::vector<int> materials_;    ///< Of each shape of all bodies.
+  std::vector<int> first_shape_;  ///< Index of the first shape of each body.
+  std::vector<int> materials_;    ///< Material of each shape of all bodies.
   std::size_t material_count_;
-  std::vector<ManifoldSurface> surfaces_;  ///< Of two materials, by first * count + second.
+  std::vector<ManifoldSurface> surfaces_;  ///< Surfaces of two materials, by first * count + second.
   const std::vector<ShapePair>* pairs_ = nullptr;
   const ManifoldList* manifolds_ = nullptr;
-  const ManifoldMemories* memory_ = nullptr;  ///< Of the step before.
-  std::vector<Match> matches_;                ///< Of the manifolds.
+  const ManifoldMemories* memory_ = nullptr;  ///< Memories of the step before.
+  std::vector<Match> matches_;                ///< One per manifold.
 };
 
 }  // namespace rigor

@@ -1,6 +1,6 @@
 #pragma once
 
-// The names of what meets where two boxes touch.
+// The names of the features that meet where two boxes touch.
 
 #include "rigor/bulk/narrow_phase/collide_points.hpp"
 #include "rigor/core/index.hpp"
@@ -37,21 +37,26 @@ struct RegionFaces {
 
 /// Feature of a corner of the region, by the order in which clip_boxes finds them.
 constexpr std::uint32_t region_feature(const RegionFaces& faces, int place) {
+  // Axes of the two boxes, each from the normal of its face on: z, x, y and w, u, v. The sign bits of the
+  // faces are set in all vertices on them.
   const bool is_B = faces.face >= 3;
   const int z = is_B ? faces.face - 3 : faces.face, x = (z + 1) % 3, y = (z + 2) % 3;
   const int w = faces.other, u = (w + 1) % 3, v = (w + 2) % 3;
   const int own_face = bit_if((faces.signs & 1) == 0, z);
   const int other_face = bit_if((faces.signs & 2) == 0, w);
   const bool first = (place & 1) != 0, second = (place & 2) != 0;
+  // A corner of the other face over the face.
   if (place < RegionPlace::corners_of_face) {
     const int vertex = other_face | bit_if(first, u) | bit_if(second, v);
     return is_B ? vertex_A_feature(vertex) : vertex_B_feature(vertex);
   }
+  // A corner of the face under the other face.
   if (place < RegionPlace::crossings) {
     const int vertex = own_face | bit_if(first, x) | bit_if(second, y);
     return is_B ? vertex_B_feature(vertex) : vertex_A_feature(vertex);
   }
-  // Place: side of the other face (8), which of its sides (4), lines along y or x (2), which of these (1).
+  // The bits of a crossing's place: which of the other face's sides (8), whether these run along v (4),
+  // whether the line of the face is along x (2), and which of its two lines it is (1).
   const int code = place - RegionPlace::crossings;
   const bool is_along_v = (code & 4) != 0, is_far = (code & 8) != 0;
   const int other_edge = box_edge(is_along_v ? v : u, other_face | bit_if(is_far, is_along_v ? u : v));

@@ -5,7 +5,7 @@
 
 namespace rigor {
 
-/// What collide_boxes() is for one target.
+/// The kernel of collide_boxes() for each lane target.
 RIGOR_FOR_LANE_TARGETS(void collide(const BoxPairs& pairs, BoxContacts& contacts);)
 
 }  // namespace rigor

@@ -47,8 +47,7 @@ RIGOR_FLOAT_LANES FloatLanes sign_of(const FloatLanes& x) {
   return x < float_lanes(0) ? float_lanes(-1) : float_lanes(1);
 }
 
-/// A face of one box and that of the other which is turned to it. Coordinates of the face: x and y along the
-/// next axes of its box, z outwards, from the face's middle.
+/// A face of one box and the face of the other that faces it.
 struct BoxFace {
   FloatLanes slack, separation;
   FloatLanes preference;   ///< For a face instead of edges [m].
@@ -56,7 +55,7 @@ struct BoxFace {
   IntLanes axis, other_axis;
   FloatLanes sign, other_sign;   ///< -1 on the negative side of its box.
   FloatLanes hx, hy, hz;         ///< Half extents of the box of the face.
-  FloatLanes hu, hv;             ///< Of the other face.
+  FloatLanes hu, hv;             ///< Half extents of the other face.
   FloatVec3 other[3];            ///< Half axes of the other box, in the coordinates of its own box's axes.
   FloatVec3 c, u, v;             ///< The other face: middle and half sides.
   FloatVec3 middle, ex, ey, ez;  ///< The coordinates in O.
@@ -65,20 +64,24 @@ struct BoxFace {
   IntLanes is_near;              ///< The region has a point within the margin.
 };
 
-/// The face and its axes: cosines of the other box's axes along those of its own, in turn from the face's.
+/// Fills in the axes of the face and the half axes of the other box; C holds the cosines between the axes of
+/// A and those of B.
 RIGOR_FLOAT_LANES void choose_face(const FloatLanes* half_A, const FloatLanes* half_B,
                                    const FloatLanes (*C)[3], const IntLanes& axis_A, const IntLanes& axis_B,
                                    const IntLanes& is_B, BoxFace& face) {
   face.axis = is_B ? axis_B : axis_A;
   face.to_B = is_B ? float_lanes(-1) : float_lanes(1);
+  // Half extents of the owner of the face and of the other box, in either order of the bodies.
   FloatLanes own[3], other[3];
   for (int k = 0; k < 3; ++k) {
     own[k] = is_B ? half_B[k] : half_A[k];
     other[k] = is_B ? half_A[k] : half_B[k];
   }
+  // Coordinates of the face are those of its box, rotated cyclically so that z is the normal.
   face.hz = pick(face.axis, own[0], own[1], own[2]);
   face.hx = pick(face.axis, own[1], own[2], own[0]);
   face.hy = pick(face.axis, own[2], own[0], own[1]);
+  // Half axes of the other box in these coordinates.
   for (int j = 0; j < 3; ++j) {
     FloatLanes along[3];
     for (int i = 0; i < 3; ++i) along[i] = is_B ? C[j][i] : C[i][j];
@@ -99,10 +102,11 @@ RIGOR_FLOAT_LANES void choose_face(const FloatLanes* half_A, const FloatLanes* h
   face.hv = pick(face.other_axis, other[2], other[0], other[1]);
 }
 
-/// The other face in the coordinates of the face; t are the coordinates of B's centre along A's axes and
-/// along B's own.
+/// Places the other face in the coordinates of the face; t_A and t_B hold the vector from the centre of A to
+/// that of B along the axes of A and of B.
 RIGOR_FLOAT_LANES void place_face(const FloatLanes* t_A, const FloatLanes* t_B, const IntLanes& is_B,
                                   BoxFace& face) {
+  // The centre of the other box; z is flipped so that the face is on the positive side, and counted from it.
   FloatLanes t[3];
   for (int k = 0; k < 3; ++k) t[k] = is_B ? -t_B[k] : t_A[k];
   face.c.z = pick(face.axis, t[0], t[1], t[2]);
@@ -111,6 +115,7 @@ RIGOR_FLOAT_LANES void place_face(const FloatLanes* t_A, const FloatLanes* t_B, 
   face.sign = sign_of(face.c.z);
   face.c.z = face.sign * face.c.z - face.hz;
   for (int j = 0; j < 3; ++j) face.other[j].z = face.sign * face.other[j].z;
+  // From that centre to the middle of the other face, which is on the side towards the face.
   const FloatVec3* f = face.other;
   const FloatVec3 w = pick(face.other_axis, f[0], f[1], f[2]);
   face.u = pick(face.other_axis, f[1], f[2], f[0]);
@@ -129,7 +134,8 @@ RIGOR_FLOAT_LANES void orient_face(const FloatVec3* axis_A, const FloatVec3* axi
   face.middle = pick(is_B, p_B, p_A) + face.hz * face.ez;
 }
 
-/// A corner that the region of some lane has; in lanes that have none there, x is no number and z infinite.
+/// A corner that the region of at least one lane has; in the lanes that do not have it, x is not a number and
+/// z is infinite.
 struct RegionCorner {
   FloatLanes x, y, z;
   IntLanes place;
@@ -138,19 +144,21 @@ struct RegionCorner {
 /// The corners of the region within the margin, in the order of their places.
 struct RegionCorners {
   FloatLanes margin;
-  FloatLanes least;  ///< Of the heights of all corners, within the margin or not; infinite: there are none.
+  FloatLanes least;  ///< Least height of all corners, within the margin or not; infinite if there are none.
   int count = 0;
   RegionCorner corners[RegionPlace::count];
 
   std::span<const RegionCorner> listed() const { return {corners, static_cast<std::size_t>(count)}; }
 };
 
-/// No branch: which lane has what corner follows no pattern.
+/// Adds a corner. There is no branch, since which lane has which corner follows no pattern.
 RIGOR_FLOAT_LANES void add_corner(const FloatVec3& p, const IntLanes& is_there, int place,
                                   RegionCorners& region) {
   const FloatLanes none = float_lanes(std::numeric_limits<float>::infinity());
   const FloatLanes z = is_there ? p.z : none;
   region.least = float_min(region.least, z);
+  // Corners beyond the margin tell the least height and nothing else. A corner that no lane has is
+  // overwritten by the next one.
   const IntLanes counts = z <= region.margin;
   RegionCorner& corner = region.corners[region.count];
   corner.x = counts ? p.x : float_lanes(std::numeric_limits<float>::quiet_NaN());
@@ -160,8 +168,9 @@ RIGOR_FLOAT_LANES void add_corner(const FloatVec3& p, const IntLanes& is_there, 
   region.count += lane_bits(counts) == 0 ? 0 : 1;
 }
 
-/// The four corners of either face that lie over the other one, but for the slack.
+/// Adds the corners of either face that lie over the other one, up to the slack.
 RIGOR_FLOAT_LANES void find_region_corners(const BoxFace& face, RegionCorners& region) {
+  // Corners of the other face over this one.
   const FloatLanes one = float_lanes(1), reach_x = face.hx + face.slack, reach_y = face.hy + face.slack;
   for (int k = 0; k < 4; ++k) {
     const FloatLanes su = float_lanes(k & 1 ? 1.0f : -1.0f), sv = float_lanes(k & 2 ? 1.0f : -1.0f);
@@ -169,11 +178,12 @@ RIGOR_FLOAT_LANES void find_region_corners(const BoxFace& face, RegionCorners& r
     add_corner(p, (float_abs(p.x) <= reach_x) & (float_abs(p.y) <= reach_y),
                RegionPlace::corners_of_other + k, region);
   }
+  // Corners of this face over the other one, a parallelogram c + s u + t v with |s|, |t| <= 1.
   const FloatLanes reach_u = one + float_lanes(2) * face.slack / face.hu;
   const FloatLanes reach_v = one + float_lanes(2) * face.slack / face.hv;
   const FloatLanes scale = one / (face.u.x * face.v.y - face.u.y * face.v.x);
   for (int k = 0; k < 4; ++k) {
-    // The corner of the face is c + s u + t v, seen along z.
+    // Seen along z, the corner of the face is c + s u + t v: solve for s and t by Cramer's rule.
     const FloatLanes x = float_lanes(k & 1 ? 1.0f : -1.0f) * face.hx,
                      y = float_lanes(k & 2 ? 1.0f : -1.0f) * face.hy;
     const FloatLanes dx = x - face.c.x, dy = y - face.c.y;
@@ -184,14 +194,18 @@ RIGOR_FLOAT_LANES void find_region_corners(const BoxFace& face, RegionCorners& r
   }
 }
 
-/// Where the side from p - u to p + u crosses the lines x = +-hx; with x and y exchanged the others.
+/// Adds the points where the side from p - u to p + u crosses the lines x = ±hx (or, if not is_along_x, y =
+/// ±hy).
 RIGOR_FLOAT_LANES void cross_side(const BoxFace& face, const FloatVec3& p, const FloatVec3& u,
                                   const FloatLanes& half_length, bool is_along_x, int place,
                                   RegionCorners& region) {
   const FloatLanes one = float_lanes(1);
+  // A side that is nearly parallel to the lines crosses neither of them: no corner would be lost.
   const FloatLanes start = is_along_x ? p.x : p.y, step = is_along_x ? u.x : u.y;
   const IntLanes is_steep = float_abs(step) > face.slack;
   if (lane_bits(is_steep) == 0) return;
+  // A crossing counts if it is inside both the border and the side by more than the slack; on their ends it
+  // is a corner already.
   const FloatLanes across = is_along_x ? p.y : p.x, slope = is_along_x ? u.y : u.x;
   const FloatLanes line = is_along_x ? face.hx : face.hy;
   const FloatLanes reach = (is_along_x ? face.hy : face.hx) - face.slack;
@@ -208,6 +222,7 @@ RIGOR_FLOAT_LANES void find_region_crossings(const BoxFace& face, RegionCorners&
   for (int k = 0; k < 2; ++k) {
     const FloatLanes s = float_lanes(k == 0 ? -1.0f : 1.0f);
     const int place = RegionPlace::crossings + 8 * k;
+    // The sides of the other face at -v, +v and at -u, +u.
     const FloatVec3 along_u = face.c + s * face.v, along_v = face.c + s * face.u;
     cross_side(face, along_u, face.u, face.hu, true, place, region);
     cross_side(face, along_u, face.u, face.hu, false, place + 2, region);
@@ -220,12 +235,12 @@ RIGOR_FLOAT_LANES void find_region_crossings(const BoxFace& face, RegionCorners&
 struct ChosenCorner {
   FloatLanes x, y, z;
   IntLanes place;
-  FloatLanes needed;  ///< Of the measure of a better one.
+  FloatLanes needed;  ///< The measure that a better one must exceed.
 };
 /// A later corner must be better by this factor.
 constexpr float kClearlyBetter = 1.0001f;
-/// Takes the corner where its measure is what a better one needs; of a corner that does not count it is no
-/// number.
+/// Takes the corner in the lanes where its measure exceeds what a better one needs. The measure of a corner
+/// that does not count is not a number, and so never does.
 RIGOR_FLOAT_LANES void choose_clearly(const FloatLanes& measure, const RegionCorner& corner,
                                       ChosenCorner& best) {
   const IntLanes is_better = measure > best.needed;
@@ -242,11 +257,12 @@ RIGOR_FLOAT_LANES FloatLanes area_with(const ChosenCorner& a, const ChosenCorner
   return (b.x - a.x) * (corner.y - a.y) - (b.y - a.y) * (corner.x - a.x);
 }
 
-/// A deepest corner, the farthest from it, and two that span the largest area with them. What is closer than
-/// the slack to those chosen is no corner of its own.
+/// Chooses a deepest corner, the farthest from it, and two that span the largest area with them. A corner
+/// that is closer than the slack to those chosen does not count as one of its own.
 RIGOR_FLOAT_LANES void choose_corners(const BoxFace& face, const RegionCorners& region,
                                       ChosenCorner* chosen) {
   const FloatLanes zero = float_lanes(0), equal = region.least + face.equal_depth;
+  // The first of the deepest: going backwards, the last one taken is the first in order.
   ChosenCorner a{zero, zero, zero, int_lanes(-1), zero};
   for (int k = region.count - 1; k >= 0; --k) {
     const RegionCorner& corner = region.corners[k];
@@ -256,16 +272,19 @@ RIGOR_FLOAT_LANES void choose_corners(const BoxFace& face, const RegionCorners& 
     a.z = is_deepest ? corner.z : a.z;
     a.place = is_deepest ? corner.place : a.place;
   }
+  // The farthest from it.
   ChosenCorner b{a.x, a.y, a.z, int_lanes(-1), float_lanes(kClearlyBetter) * (face.slack * face.slack)};
   for (const RegionCorner& corner : region.listed()) {
     const FloatLanes dx = corner.x - a.x, dy = corner.y - a.y;
     choose_clearly(dx * dx + dy * dy, corner, b);
   }
+  // The one that makes the largest triangle with them, on either side.
   const FloatLanes dx = b.x - a.x, dy = b.y - a.y;
   const FloatLanes least_area = float_lanes(kClearlyBetter) * (face.slack * (float_abs(dx) + float_abs(dy)));
   ChosenCorner c{a.x, a.y, a.z, int_lanes(-1), least_area};
   for (const RegionCorner& corner : region.listed())
     choose_clearly(float_abs(area_with(a, b, corner)), corner, c);
+  // The one that adds most to the triangle: the farthest beyond one of its sides.
   const FloatLanes turn = sign_of((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
   ChosenCorner d{a.x, a.y, a.z, int_lanes(-1), least_area};
   for (const RegionCorner& corner : region.listed()) {
@@ -280,8 +299,8 @@ RIGOR_FLOAT_LANES void choose_corners(const BoxFace& face, const RegionCorners& 
   chosen[3] = d;
 }
 
-/// Points of manifolds. Features are shifted so that their order is that of signed numbers; those of no point
-/// are the last.
+/// A point of eight manifolds. Features are shifted so that they have the order of signed numbers; "no point"
+/// comes last.
 struct RegionPoint {
   FloatVec3 p;
   FloatLanes gap;
@@ -291,6 +310,7 @@ constexpr std::int32_t kNoFeature = std::numeric_limits<std::int32_t>::max(),
                        kFeatureShift = std::numeric_limits<std::int32_t>::min();
 
 RIGOR_FLOAT_LANES void set_in_order(RegionPoint& first, RegionPoint& second) {
+  // Exchanges the two points in the lanes where they are out of order.
   const IntLanes is_later = first.feature > second.feature;
   const auto exchange = [&](auto& a, auto& b) __attribute__((always_inline)) {
     const auto lower = is_later ? b : a;
@@ -304,8 +324,9 @@ RIGOR_FLOAT_LANES void set_in_order(RegionPoint& first, RegionPoint& second) {
   exchange(first.feature, second.feature);
 }
 
-/// The features of corners by their places; rows: of the faces.
+/// The features of corners, by their places; `rows` are the rows of their faces in kFeatureRows.
 RIGOR_FLOAT_LANES IntLanes features_of(const IntLanes& rows, const IntLanes& places) {
+  // Table look-ups, lane by lane.
   std::int32_t row[kLaneCount], place[kLaneCount], feature[kLaneCount];
   std::memcpy(row, &rows, sizeof row);
   std::memcpy(place, &places, sizeof place);
@@ -327,16 +348,18 @@ RIGOR_FLOAT_LANES FloatLanes bits_as_floats(const IntLanes& x) {
   return y;
 }
 
-/// The manifolds of the chosen corners, their points in the order of their features.
+/// Stores the manifolds of the chosen corners, their points in the order of their features.
 RIGOR_FLOAT_LANES void store_manifolds(const BoxFace& face, const IntLanes& is_B, const FloatVec3& normal,
                                        const ChosenCorner* chosen, Manifold* manifolds) {
   constexpr int rows = 3, words = rows * kLaneCount;
   static_assert(sizeof(Manifold) == words * sizeof(float));
+  // The row of the pair of faces in the table of features.
   const IntLanes zero = int_lanes(0), one = int_lanes(1);
   const IntLanes signs =
       (face.sign < float_lanes(0) ? one : zero) | (face.other_sign < float_lanes(0) ? int_lanes(2) : zero);
   const IntLanes of_B = is_B ? int_lanes(3) : zero;
   const IntLanes feature_rows = int_lanes(4) * (int_lanes(3) * (face.axis + of_B) + face.other_axis) + signs;
+  // The points, from the coordinates of the face back into O, midway between the boxes.
   RegionPoint points[Manifold::max_points];
   IntLanes count = zero;
   for (int k = 0; k < Manifold::max_points; ++k) {
@@ -346,6 +369,7 @@ RIGOR_FLOAT_LANES void store_manifolds(const BoxFace& face, const IntLanes& is_B
     points[k].feature = features_of(feature_rows, c.place);
     count += c.place < zero ? zero : one;
   }
+  // A sorting network of four brings them into the order of their features.
   set_in_order(points[0], points[1]);
   set_in_order(points[2], points[3]);
   set_in_order(points[0], points[2]);
@@ -378,6 +402,8 @@ RIGOR_FLOAT_LANES void clip_boxes(BoxFace& face, const IntLanes& is_B, const Flo
   region.least = float_lanes(std::numeric_limits<float>::infinity());
   find_region_corners(face, region);
   find_region_crossings(face, region);
+  // The separation along the normal is explained if the region has a point about as deep; else an edge or a
+  // corner beside the face is nearest.
   face.is_near = region.least <= margin;
   face.is_explained = region.least <= face.separation + face.preference + face.slack;
   ChosenCorner chosen[Manifold::max_points];

@@ -15,6 +15,7 @@ RIGOR_FLOAT_LANES void store_vectors(const FloatVec3& a, float (*p)[kLaneCount])
 
 RIGOR_FLOAT_LANES void balls_kernel(const BallPairs& pairs, BallContacts& contacts) {
   constexpr float rounding = 1e-6f;  // The direction between centres nearer than this is lost.
+  // The normal is along the centres, and z where these coincide to rounding.
   const FloatVec3 d = load_vectors(pairs.d);
   const FloatLanes radius_A = load_floats(pairs.radius_A), radius_B = load_floats(pairs.radius_B);
   const FloatLanes distance = float_sqrt(dot(d, d));
@@ -23,6 +24,7 @@ RIGOR_FLOAT_LANES void balls_kernel(const BallPairs& pairs, BallContacts& contac
   const FloatLanes scale = one / (has_direction ? distance : one);
   const FloatVec3 n{has_direction ? scale * d.x : zero, has_direction ? scale * d.y : zero,
                     has_direction ? scale * d.z : one};
+  // The point is midway between the two surfaces.
   const FloatLanes half = float_lanes(0.5f);
   store_vectors(n, contacts.normal);
   store_vectors(load_vectors(pairs.p) + half * d + (half * (radius_A - radius_B)) * n, contacts.p);

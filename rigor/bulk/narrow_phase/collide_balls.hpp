@@ -13,15 +13,17 @@ struct BallPairs {
   alignas(32) float radius_A[kLaneCount];
   alignas(32) float radius_B[kLaneCount];
 };
-/// Where they are nearest.
+/// The points where they are nearest to each other.
 struct BallContacts {
   alignas(32) float normal[3][kLaneCount];  ///< From A to B; z where the centres coincide.
   alignas(32) float p[3][kLaneCount];       ///< As in a Manifold.
   alignas(32) float gap[kLaneCount];
 };
 
+/// The contacts of eight pairs of balls, whether they touch or not.
 void collide_balls(const BallPairs& pairs, LaneTarget target, BallContacts& contacts);
 
+/// The contact of one lane as a manifold of one point.
 Manifold ball_manifold(const BallContacts& contacts, int lane);
 
 }  // namespace rigor

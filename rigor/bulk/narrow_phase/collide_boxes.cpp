@@ -24,6 +24,7 @@ BoxEdge farthest_edge(const PlacedShape& box, const Vec3f& p, const Vec3f& n, in
   BoxEdge edge{p};
   for (int k = 0; k < 3; ++k) {
     if (k == axis) continue;
+    // Along each other axis the edge is on the side of n.
     const Vec3f a = axis_of(box, k);
     const bool is_positive = n.dot(a) > 0;
     edge.middle += (is_positive ? box.half[k] : -box.half[k]) * a;
@@ -35,6 +36,7 @@ BoxEdge farthest_edge(const PlacedShape& box, const Vec3f& p, const Vec3f& n, in
 }  // namespace
 
 Vec3f box_axis(const BoxPairs& pairs, const BoxContacts& contacts, int lane) {
+  // The normal of the face is already known; edges are crossed anew, since few pairs need them.
   if (contacts.is_edge[lane] == 0)
     return Vec3f(contacts.normal[0][lane], contacts.normal[1][lane], contacts.normal[2][lane]);
   const BoxPairRow& pair = pairs.pair[lane];
@@ -50,13 +52,16 @@ bool cross_box_edges(const BoxPairs& pairs, const BoxContacts& contacts, int lan
   const Vec3f p_B = bodies + b.position();
   const int i = contacts.edge_A[lane], j = contacts.edge_B[lane];
   const Vec3f u = axis_of(a, i), v = axis_of(b, j), n = box_axis(pairs, contacts, lane);
+  // Of the four parallel edges, those that face each other.
   const BoxEdge edge_A = farthest_edge(a, a.position(), n, i), edge_B = farthest_edge(b, p_B, -n, j);
-  // On the lines: s - t uv = uw, s uv - t = vw.
+  // The points of the two lines nearest to each other: s - t uv = uw, s uv - t = vw.
   const Vec3f w = edge_B.middle - edge_A.middle;
   const float uv = u.dot(v), uw = u.dot(w), vw = v.dot(w), square = u.cross(v).squaredNorm();
   const float s = (uw - vw * uv) / square, t = (uw * uv - vw) / square;
+  // Where the crossing is beyond their ends, the boxes are nearest at a corner.
   const float slack = 4 * kCollisionRounding * (a.extent + b.extent + bodies.norm());
   if (!(std::abs(s) <= a.half[i] + slack && std::abs(t) <= b.half[j] + slack)) return false;
+  // The manifold: one point midway, named by its two edges.
   const Vec3f middle = 0.5f * (edge_A.middle + s * u + edge_B.middle + t * v);
   const std::uint32_t feature =
       crossing_feature(box_edge(i, edge_A.vertex), box_edge(j, edge_B.vertex), kBoxEdgeCount);

@@ -15,7 +15,7 @@ struct NormalGroup {
   std::vector<ManifoldCandidate> candidates;
 };
 
-/// 32 bits of the name of a pair of features (Knuth's multiplicative hashing).
+/// A 32-bit name of a pair of features (Knuth's multiplicative hashing).
 std::uint32_t short_feature(std::uint64_t feature) {
   return static_cast<std::uint32_t>((feature * 0x9e3779b97f4a7c15ULL) >> 32);
 }
@@ -30,6 +30,8 @@ NormalGroup& group_of(const Vec3& n, std::vector<NormalGroup>& groups) {
 
 void add_contact(const ContactPoint& contact, NormalGroup& group) {
   const Vec3 middle = 0.5 * (contact.p_WA + contact.p_WB);
+  // Two names may share their 32 bits: the later contact takes the next name, so that features differ within
+  // a manifold.
   std::uint32_t feature = short_feature(contact.feature);
   const auto is_taken = [&](const ManifoldCandidate& candidate) { return candidate.feature == feature; };
   while (std::any_of(group.candidates.begin(), group.candidates.end(), is_taken)) ++feature;

@@ -6,9 +6,9 @@
 
 namespace rigor {
 
-/// The manifolds of any two shapes by contact_set, in double precision: contacts of one normal (to a
-/// milliradian) are one manifold. Poses are relative to the centre of body A. They are added with the number
-/// of the pair.
+/// Adds the manifolds of any two shapes, by contact_set in double precision, with the number of the pair:
+/// contacts whose normals are the same (to a milliradian) are one manifold. Poses are relative to the centre
+/// of body A.
 void add_exact_manifolds(const Shape& a, const Pose& X_OA, const Shape& b, const Pose& X_OB, float margin,
                          int pair, ManifoldList& manifolds);
 

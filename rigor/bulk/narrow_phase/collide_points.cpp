@@ -15,7 +15,8 @@ namespace {
 /// A later candidate must be better by this factor.
 constexpr float kClearly = 1.0001f;
 
-/// Index of the candidate with the largest positive measure; that of the best before, if none is.
+/// Index of the candidate with the largest positive measure, the first of those that are equally good; -1 if
+/// no measure is positive.
 template <typename Measure>
 int find_largest(const std::vector<ManifoldCandidate>& candidates, const Measure& measure) {
   int best = -1;
@@ -37,19 +38,21 @@ int find_deepest(const std::vector<ManifoldCandidate>& candidates, float equal_d
   return k;
 }
 
-/// Up to four indices, ascending; -1 are none.
+/// Up to four indices, ascending; -1 stands for none.
 std::array<int, 4> choose_four(const Vec3f& normal, float equal_depth,
                                const std::vector<ManifoldCandidate>& candidates) {
   const auto point = [&](int k) -> const Vec3f& { return candidates[at(k)].p; };
   std::array<int, 4> chosen = {find_deepest(candidates, equal_depth), -1, -1, -1};
   const Vec3f p0 = point(chosen[0]);
+  // The one farthest from the deepest.
   chosen[1] = find_largest(candidates, [&](const Vec3f& p) { return (p - p0).squaredNorm(); });
   if (chosen[1] < 0) return chosen;
-  // Twice the area of the triangle, positive to the left.
+  // The one that makes the largest triangle with them; the measure is twice its area, positive to the left.
   const Vec3f p1 = point(chosen[1]);
   const Vec3f left = normal.cross(p1 - p0);
   chosen[2] = find_largest(candidates, [&](const Vec3f& p) { return std::abs(left.dot(p - p0)); });
   if (chosen[2] >= 0) {
+    // The one that adds most to the triangle: the farthest beyond one of its sides.
     const Vec3f p2 = point(chosen[2]);
     const float turn = left.dot(p2 - p0) > 0 ? 1.0f : -1.0f;
     const Vec3f right_01 = -turn * left;
@@ -65,6 +68,8 @@ std::array<int, 4> choose_four(const Vec3f& normal, float equal_depth,
 }  // namespace
 
 Manifold make_manifold(const Vec3f& normal, float equal_depth, std::vector<ManifoldCandidate>& candidates) {
+  // Sorted by feature and each feature once: the result does not depend on the order in which candidates were
+  // found.
   const auto comes_before = [](const ManifoldCandidate& a, const ManifoldCandidate& b) {
     return a.feature != b.feature ? a.feature < b.feature : a.gap < b.gap;
   };
@@ -79,6 +84,7 @@ Manifold make_manifold(const Vec3f& normal, float equal_depth, std::vector<Manif
     ManifoldPoint& point = manifold.points[at(manifold.point_count++)];
     point = {{c.p.x(), c.p.y(), c.p.z()}, c.gap, c.feature};
   };
+  // All candidates if there are no more than four, else four of them.
   if (candidates.size() <= Manifold::max_points) {
     for (const ManifoldCandidate& candidate : candidates) add(candidate);
     return manifold;

@@ -16,10 +16,10 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 /// One core over a face of another.
 struct FaceView {
-  const PlacedPolytope& owner;  ///< Of the face.
+  const PlacedPolytope& owner;  ///< The core of the face.
   const PlacedPolytope& other;
   int face;
-  int lowest;  ///< Vertex of the other core.
+  int lowest;  ///< The vertex of the other core that is lowest over the face.
   bool is_of_A;
   Vec3f m;  ///< Outward normal of the face.
   float offset;
@@ -35,19 +35,19 @@ FaceView view_of(const SeparatingAxis& axis, const PlacedPolytopes& pair) {
   return {owner, other, face, lowest, is_of_A, m, m.dot(other.vertex(lowest)) - axis.separation};
 }
 
-/// Adds the point of the other core, which is `height` above its foot on the face.
+/// Adds the point p of the other core, which is `height` above its foot on the face; returns its gap.
 float add_above(const FaceView& view, const Vec3f& p, float height, std::uint32_t feature, float margin,
                 PlacedPolytopes& pair) {
   const float gap = height - pair.a.radius - pair.b.radius;
   if (gap > margin) return gap;
-  // The middle of the cores' points, moved to the middle of the surfaces'.
+  // The point is midway between those of the cores, moved to the middle of the two surfaces.
   const float shift = 0.5f * (pair.a.radius - pair.b.radius);
   const Vec3f middle = p - 0.5f * height * view.m + (view.is_of_A ? shift : -shift) * view.m;
   pair.candidates.push_back({middle, gap, feature});
   return gap;
 }
 
-/// The face around the vertex that is turned to the view most; -1 if there are none.
+/// The face around the vertex that faces the view most; -1 if there are none.
 int facing_face(const FaceView& view, int vertex) {
   const FloatHull& hull = *view.other.hull;
   int face = -1;
@@ -63,7 +63,7 @@ std::uint32_t vertex_feature(bool is_of_A, int vertex) {
   return is_of_A ? vertex_A_feature(vertex) : vertex_B_feature(vertex);
 }
 
-/// Corners of the other outline over the face.
+/// Adds the corners of the other outline that are over the face; returns the least gap.
 float add_corners_over(const FaceView& view, const FaceOutline& outline, float margin,
                        PlacedPolytopes& pair) {
   float least = kInfinity;
@@ -75,7 +75,8 @@ float add_corners_over(const FaceView& view, const FaceOutline& outline, float m
   return least;
 }
 
-/// Where the side from p0 to p1 of the other outline crosses the line through two corners of the face.
+/// The point where the side from p0 to p1 of the other outline crosses the line through two corners of the
+/// face.
 Vec3f crossing_of(const FaceView& view, const Vec3f& corner, const Vec3f& next, const Vec3f& p0,
                   const Vec3f& p1) {
   const Vec3f side = next - corner;
@@ -84,7 +85,8 @@ Vec3f crossing_of(const FaceView& view, const Vec3f& corner, const Vec3f& next, 
   return p0 + d0 / (d0 - d1) * (p1 - p0);
 }
 
-/// Where sides of the other outline, which are these edges, cross the border of the face.
+/// Adds the points where sides of the other outline, which are these edges, cross the border of the face;
+/// returns the least gap.
 float add_crossings(const FaceView& view, const FaceOutline& own, const FaceOutline& outline,
                     std::span<const int> edges, float margin, PlacedPolytopes& pair) {
   const std::span<const int> own_edges = view.owner.hull->border_edges(view.face);
@@ -100,7 +102,7 @@ float add_crossings(const FaceView& view, const FaceOutline& own, const FaceOutl
   return least;
 }
 
-/// Corners of the face of the view that are under the face of the other core.
+/// Adds the corners of the view's face that are under the face of the other core; returns the least gap.
 float add_corners_under(const FaceView& view, const FaceOutline& own, int face, float margin,
                         PlacedPolytopes& pair) {
   constexpr float least_slope = 0.05f;  // Heights above steeper faces are lost in rounding.
@@ -118,7 +120,7 @@ float add_corners_under(const FaceView& view, const FaceOutline& own, int face, 
   return least;
 }
 
-/// The lowest point of the other core, wherever it is.
+/// Adds the lowest point of the other core, wherever it is.
 void add_lowest(const SeparatingAxis& axis, float margin, PlacedPolytopes& pair) {
   const FaceView view = view_of(axis, pair);
   add_above(view, view.other.vertex(view.lowest), axis.separation, vertex_feature(!view.is_of_A, view.lowest),
@@ -138,11 +140,11 @@ void place_polytope(const BulkShape& shape, const PlacedShape& placed, const Vec
   for (int f = 0; core.is_box && f < kLaneCount; ++f)
     core.box_offsets[f] = f < hull.face_count ? hull.normal(f).cwiseAbs().dot(shape.scale) : 0;
   core.vertex_columns.place(hull.vertices(), core.place.M, core.place.t, best_lane_target());
-  const Vec3f nothing = Vec3f::Constant(-0.0f);  // What is added to zeros of either sign and changes no bit.
+  const Vec3f nothing = Vec3f::Constant(-0.0f);  // Adding -0 changes no bit, also of zeros.
   core.normal_columns.place(hull.normals(), R, nothing, best_lane_target());
 }
 
-/// Puts the ball inside a core as near to a point as it goes.
+/// Moves the ball inside a core as near to a point as it can be: the bound by the balls is the better for it.
 void move_ball(const BulkShape& shape, const Vec3f& to, PlacedPolytope& core) {
   if (shape.ball_way.isZero(0)) return;
   const CorePlace& place = core.place;
@@ -161,9 +163,11 @@ void place_polytopes(const BulkShape& a, const PlacedShape& placed_A, const Bulk
   if (pair.shape_A != &placed_A) place_polytope(a, placed_A, Vec3f::Zero(), pair.a);
   pair.shape_A = &placed_A;
   place_polytope(b, placed_B, d, pair.b);
+  // The rounding of separations, 1e-6 of the lengths in the pair, and what depends on the size of the cores.
   pair.rounding = kCollisionRounding * (a.extent + b.extent + d.norm());
   pair.thinnest = std::min(a.inner_radius(), b.inner_radius());
   pair.equal_depth = pair.rounding + kEqualDepthOfSize * pair.thinnest;
+  // Balls inside both cores, as near to each other as they can be.
   pair.a.center = middle_of(pair.a);
   pair.b.center = middle_of(pair.b);
   move_ball(a, pair.b.center, pair.a);
@@ -173,7 +177,8 @@ void place_polytopes(const BulkShape& a, const PlacedShape& placed_A, const Bulk
 float clip_on_face(const SeparatingAxis& axis, float margin, PlacedPolytopes& pair) {
   const FaceView view = view_of(axis, pair);
   const std::span<const int> border = view.owner.hull->border_vertices(view.face);
-  // The points of the other core that count: of its face that is turned to this one, or of the segment.
+  // The outline of the other core that may touch the face: of its face that faces this one, or of the
+  // segment.
   const FloatHull& hull = *view.other.hull;
   const int face = facing_face(view, view.lowest);
   constexpr int segment_edges[] = {0};
@@ -182,6 +187,8 @@ float clip_on_face(const SeparatingAxis& axis, float margin, PlacedPolytopes& pa
                                         ? std::span<const int>(segment_ends, hull.vertex_count == 1 ? 1u : 2u)
                                         : hull.border_vertices(face);
   const std::span<const int> edges = face < 0 ? std::span<const int>(segment_edges) : hull.border_edges(face);
+  // Which corners are over the other outline and which sides cross is decided in the plane of the face; the
+  // points and their heights are those in space.
   const FaceOutline own{view.owner.vertices(), border, border.size()},
       other{view.other.vertices(), loop, face < 0 ? loop.size() - 1 : loop.size()};
   meet_outlines(own, view.m, other, 4 * pair.rounding, pair.meeting);
@@ -192,9 +199,9 @@ float clip_on_face(const SeparatingAxis& axis, float margin, PlacedPolytopes& pa
 
 namespace {
 
-/// The face at one of two edges that parts the cores best (of A, unless that of B is better by more than the
-/// rounding), if it does by more than `least`; else none. Cores that turn about a point of two edges come to
-/// lie on one of these.
+/// The face at one of two edges that separates the cores best (of A, unless that of B is better by more than
+/// the rounding), if it does so by more than `least`; else none. Cores that rotate about a point of two edges
+/// come to lie on one of these.
 SeparatingAxis find_face_at(const SeparatingAxis& edges, float least, const PlacedPolytopes& pair) {
   SeparatingAxis best;
   for (const bool is_of_A : {true, false}) {
@@ -204,9 +211,9 @@ SeparatingAxis find_face_at(const SeparatingAxis& edges, float least, const Plac
     const Vec3f corner = own.vertex(edge.v0);
     const Vec3f first = other.vertex(other_edge.v0) - corner, second = other.vertex(other_edge.v1) - corner;
     for (const int f : {edge.f0, edge.f1}) {
-      if (f < 0) continue;  // Of a segment.
+      if (f < 0) continue;  // The edge of a segment has no faces.
       const float needed = std::max(least, best.separation + (is_of_A ? 0 : pair.rounding));
-      // No face parts the cores by more than the heights of the other edge's ends over it.
+      // No face separates the cores by more than the heights of the other edge's ends over it.
       const Vec3f m = own.normal(f);
       if (std::min(m.dot(first), m.dot(second)) < needed - 4 * pair.rounding) continue;
       const SeparatingAxis face = face_axis(pair, is_of_A, f);
@@ -216,14 +223,18 @@ SeparatingAxis find_face_at(const SeparatingAxis& edges, float least, const Plac
   return best;
 }
 
-/// Contacts over a face that parts the cores nearly as well as two edges do, if they are nearly as deep; or
-/// nothing, and what may take their place within the step is pair.beside.
+/// Contacts over a face that separates the cores nearly as well as two edges do, if they are nearly as deep;
+/// returns the normal. Otherwise nothing; the face that may replace the edges within the step is then
+/// pair.beside.
 std::optional<Vec3f> prefer_face(const SeparatingAxis& edges, float margin, PlacedPolytopes& pair) {
+  // A face gives up to four points, edges give one: the face is preferred up to a tenth of the overlap and a
+  // fiftieth of the smaller ball inside.
   const float gap = edges.separation - pair.a.radius - pair.b.radius;
   const float preference =
       kFacePreferenceOfOverlap * std::max(-gap, 0.0f) + kFacePreferenceOfSize * pair.thinnest;
   const SeparatingAxis face = find_face_at(edges, edges.separation - std::max(preference, margin), pair);
   if (face.kind == SeparatingAxis::Kind::none) return std::nullopt;
+  // The region over the face has to explain the overlap; it does not if the cores overlap beside the face.
   if (face.separation >= edges.separation - preference) {
     if (clip_on_face(face, margin, pair) <= gap + preference) return face.n;
     pair.candidates.clear();
@@ -246,14 +257,18 @@ std::optional<Vec3f> find_polytope_candidates(PlacedPolytopes& pair, float margi
   pair.candidates.clear();
   pair.beside = {};
   const float radii = pair.a.radius + pair.b.radius;
+  // The axis of largest separation.
   axis = find_separating_axis(pair, margin + radii, guess);
   if (!(axis.separation <= margin + radii)) return std::nullopt;
   const bool is_apart = axis.separation > 0;
+  // Two edges: a face nearly as good, or the point where they cross, or the nearest edges.
   if (axis.kind == SeparatingAxis::Kind::edges) {
     if (const std::optional<Vec3f> n = prefer_face(axis, margin, pair)) return n;
     if (cross_edges(axis, pair)) return axis.n;
     return join_nearest_edges(axis.n, axis.separation, margin, pair);
   }
+  // A face: the region over it, if a point of it has the separation. If none has, cores that are apart are
+  // nearest at an edge or a vertex, and of cores that overlap the lowest vertex is a point.
   const float least = clip_on_face(axis, margin, pair);
   if (least <= axis.separation - radii + 4 * pair.rounding) return axis.n;
   if (is_apart) {

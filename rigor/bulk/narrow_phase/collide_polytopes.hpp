@@ -17,51 +17,52 @@ namespace rigor {
 /// eight in lanes, which takes less time than to place those that are asked for.
 struct PlacedPolytope {
   const FloatHull* hull = nullptr;
-  CorePlace place;   ///< Of the shape in O.
-  Vec3f center;      ///< Of a ball inside.
-  float inner = 0;   ///< Its radius [m].
-  float radius = 0;  ///< Of the ball added to the core [m].
+  CorePlace place;   ///< The shape in O.
+  Vec3f center;      ///< Centre of a ball inside the core, in O [m].
+  float inner = 0;   ///< Radius of the ball inside [m].
+  float radius = 0;  ///< Radius by which the core is grown [m].
   float extent = 0;  ///< No vertex is farther from the shape's origin [m].
   bool is_box = false;
-  alignas(32) float box_offsets[kLaneCount];  ///< Of the faces of a box from its middle [m].
+  alignas(32) float box_offsets[kLaneCount];  ///< Offsets of the faces of a box from its middle [m].
   PlacedColumns vertex_columns, normal_columns;
 
   LaneColumns vertices() const { return vertex_columns.columns(); }
   LaneColumns normals() const { return normal_columns.columns(); }
   Vec3f vertex(int v) const { return vertex_columns[v]; }
   Vec3f normal(int f) const { return normal_columns[f]; }
-  /// Of the faces' planes from the shape's origin, in whole lanes [m].
+  /// Offsets of the faces' planes from the shape's origin, in whole lanes [m].
   const float* offsets() const { return is_box ? box_offsets : hull->offset.data(); }
   const FloatHull::Edge& edge(int e) const { return hull->edges[at(e)]; }
   Vec3f edge_vector(int e) const { return vertex(edge(e).v1) - vertex(edge(e).v0); }
-  /// The vertex farthest along n (of equal ones the first). Asked in the shape's frame, where the vertices
-  /// are rounded once.
+  /// The vertex farthest along n (the first of equal ones). It is searched for in the shape's frame, where
+  /// the vertices are rounded once.
   int farthest(const Vec3f& n) const {
     return find_support(hull->vertices(), place.M.transpose() * n, best_lane_target()).index;
   }
 };
 
-/// The direction that parts two cores best, of the normals of faces and of pairs of edges.
+/// A direction that may separate two cores best: the normal of a face, or across a pair of edges.
 struct SeparatingAxis {
   enum class Kind : std::int8_t { none, face_of_A, face_of_B, edges };
   Kind kind = Kind::none;
   int a = -1, b = -1;  ///< A face and the vertex of the other core that is lowest over it; or two edges.
   Vec3f n = Vec3f::UnitZ();                                    ///< Unit, from A to B.
   float separation = -std::numeric_limits<float>::infinity();  ///< min n · b - max n · a [m].
-  bool is_proven = true;  ///< False if it took a search of all to know that it is the best.
+  bool is_proven = true;  ///< False if only the whole search showed that it is the best.
 };
 
-/// Which of the axes of two cores it is and whether it was proven, in 32 bits, to be tried again in the next
-/// step.
+/// Names an axis of two cores, and whether it was proven, in 32 bits, so that it can be tried again in the
+/// next step.
 using AxisCode = std::uint32_t;
-AxisCode code_of(const SeparatingAxis& axis);  ///< 0 of none.
+AxisCode code_of(const SeparatingAxis& axis);  ///< 0 for no axis.
 
-/// Two cores, and where the search keeps its lists, to be used again.
+/// Two cores, and the lists that the search uses again and again.
 struct PlacedPolytopes {
   PlacedPolytope a, b;
-  const PlacedShape* shape_A = nullptr;  ///< Where `a` was placed: pairs of one body follow each other.
+  const PlacedShape* shape_A =
+      nullptr;            ///< The shape that `a` was placed from: pairs of one body follow each other.
   float rounding = 0;     ///< Of separations: kCollisionRounding of the lengths in the pair [m].
-  float thinnest = 0;     ///< Radius of the smaller of the balls inside, with those added to the cores [m].
+  float thinnest = 0;     ///< Radius of the smaller of the balls inside the shapes [m].
   float equal_depth = 0;  ///< Points whose gaps differ by less are equally deep [m].
   std::vector<float> heights, along_A, along_B, heights_A, heights_B;
   ArcBlocks arcs_A, arcs_B;
@@ -72,13 +73,13 @@ struct PlacedPolytopes {
   SeparatingAxis beside;  ///< Where edges touch, the face of a second manifold; or none.
 };
 
-/// Places both cores; d: from the centre of body A to that of body B. If placed_A is that of the call before,
-/// it must not have changed since then.
+/// Places both cores; d is from the centre of body A to that of body B. If placed_A is that of the previous
+/// call, it must not have changed since then.
 void place_polytopes(const BulkShape& a, const PlacedShape& placed_A, const BulkShape& b,
                      const PlacedShape& placed_B, const Vec3f& d, PlacedPolytopes& pair);
 
-/// Beyond this the exact rounding of any way to measure them does not matter: cores that are parted by so
-/// much more than a limit along some direction are farther apart than it in every answer [m].
+/// Slack beyond which the rounding of a separation does not matter, however it is measured: cores that some
+/// direction separates by a limit and so much more are farther apart than the limit by every computation [m].
 inline float parting_slack(float rounding) {
   return 64 * rounding;
 }
@@ -87,26 +88,26 @@ inline float parting_slack(float rounding) {
 /// than `limit`. False is no proof of the contrary. n becomes the last direction.
 ///
 /// Source: Chung and Wang, Quick Collision Detection of Polytopes in Virtual Environments, ACM VRST 1996: a
-/// direction that does not part the support vertices is reflected at the plane across their difference.
+/// direction that does not separate the support vertices is reflected at the plane across their difference.
 bool find_parting_direction(const PlacedPolytopes& pair, float limit, Vec3f& n);
 
 /// Where to look first.
 struct AxisGuess {
   Vec3f n;            ///< A direction, not 0.
-  AxisCode axis = 0;  ///< Of these cores; 0 if there is none.
+  AxisCode axis = 0;  ///< An axis of these cores; 0 if there is none.
 };
 
 /// The axis of the whole search, whatever the guess: the best face (of A, unless that of B is better by more
 /// than the rounding), or the best edge pair if that is better than it by more than the rounding. Where the
-/// cores are farther apart than `limit`, any axis that shows it. The axis of the guess is tried first, then
-/// those around it: where one of them proves itself, no other is. What could not be proven in the step before
-/// is seldom proven in this one: it is only tried, and then all are.
+/// cores are farther apart than `limit`, it is any axis that shows this. The axis of the guess is tried
+/// first, then those around it: where one of them proves itself, no other is tried. An axis that could not be
+/// proven in the step before is seldom proven in this one: it is only tried, and the whole search follows.
 SeparatingAxis find_separating_axis(PlacedPolytopes& pair, float limit, const AxisGuess& guess);
 
 /// Contacts of two cores with their balls, in pair.candidates; nothing beyond the margin. Returns their
-/// normal. `axis` becomes the axis found. Where that is of edges, but a face parts the cores nearly as well
-/// (kFacePreferenceOfOverlap), contacts are those over the face; and where it may do so within the step,
-/// pair.beside is it (find_contacts_beside()).
+/// normal. `axis` becomes the axis found. Where that is of edges, but a face separates the cores nearly as
+/// well (kFacePreferenceOfOverlap), contacts are those over the face; where a face may do so within the step,
+/// pair.beside is that face (find_contacts_beside()).
 ///
 /// Source: Gregorius, The Separating Axis Test between Convex Polyhedra, GDC 2013: faces, and the edges whose
 /// arcs cross on the Gauss map. Ours: only directions are tried for which the balls inside the cores leave
@@ -116,43 +117,46 @@ SeparatingAxis find_separating_axis(PlacedPolytopes& pair, float limit, const Ax
 std::optional<Vec3f> find_polytope_candidates(PlacedPolytopes& pair, float margin, const AxisGuess& guess,
                                               SeparatingAxis& axis);
 
-/// After that, the contacts over pair.beside; nothing if there is none.
+/// After find_polytope_candidates(): the contacts over pair.beside, or nothing if there is none.
 std::optional<Vec3f> find_contacts_beside(PlacedPolytopes& pair, float margin);
 
-// The parts of this.
+// The parts of find_polytope_candidates().
 
-/// The face of one core and the vertex of the other that is lowest over it.
+/// The axis of a face of one core and the vertex of the other that is lowest over it.
 SeparatingAxis face_axis(const PlacedPolytopes& pair, bool is_of_A, int face);
-/// Two edges; none if they are parallel.
+/// The axis of two edges; none if they are parallel.
 SeparatingAxis edge_axis(const PlacedPolytopes& pair, int i, int j);
-/// The region in which the cores lie over the face of the axis; returns its least gap (infinite: empty).
+/// Finds the region in which the cores lie over the face of the axis; returns its least gap (infinite if it
+/// is empty).
 float clip_on_face(const SeparatingAxis& axis, float margin, PlacedPolytopes& pair);
-/// Where two edges cross; false if the cores are apart and it is beyond their ends.
+/// Finds the point where two edges cross; false if the cores are apart and it is beyond their ends.
 bool cross_edges(const SeparatingAxis& axis, PlacedPolytopes& pair);
-/// The nearest points of two cores that are parted along n, both of them on edges. Returns the normal, or
-/// nothing beyond the margin. The answer does not depend on n, unless the cores touch to rounding.
+/// Finds the nearest points of two cores that n separates, both of them on edges. Returns the normal, or
+/// nothing if they are beyond the margin. The answer does not depend on n, unless the cores touch to
+/// rounding.
 std::optional<Vec3f> join_nearest_edges(const Vec3f& n, float separation, float margin,
                                         PlacedPolytopes& pair);
 
-/// No direction n parts the cores by more than n · between - balls.
+/// The bound by the balls inside: no direction n separates the cores by more than n · between - balls.
 struct BallBound {
   Vec3f between;  ///< From the ball inside A to that inside B [m].
   float balls;    ///< Sum of their radii [m].
 };
 BallBound ball_bound(const PlacedPolytopes& pair);
 
-/// Whether rounding changes the separation of the axis by no more than pair.rounding: not of edges that are
-/// nearly parallel.
+/// Whether rounding changes the separation of the axis by no more than pair.rounding; it may do so for edges
+/// that are nearly parallel.
 bool is_well_conditioned(const PlacedPolytopes& pair, const SeparatingAxis& axis);
-/// Whether no direction parts the cores better than the axis by more than the rounding: false is no proof of
-/// the contrary.
+/// Whether it is proven that no direction separates the cores by more than the axis does, up to the rounding.
+/// False proves nothing.
 bool is_best(const PlacedPolytopes& pair, const BallBound& bound, const SeparatingAxis& axis);
-/// The axis of the whole search, if the given one tells it: a proof like that, with some room, and no other
-/// feature that is as good.
+/// The axis that the whole search would find, if the given one proves it: by a proof as in is_best(), with
+/// some room, and without any other feature that is as good.
 std::optional<SeparatingAxis> settle(const PlacedPolytopes& pair, const BallBound& bound,
                                      const SeparatingAxis& axis);
 
-/// Nearest points of two segments: parameters in [0, 1] from their first ends; of parallel ones at an end.
+/// Nearest points of two segments, as parameters in [0, 1] from their first ends; those of parallel segments
+/// are at an end.
 struct SegmentPoints {
   float s, t;
 };

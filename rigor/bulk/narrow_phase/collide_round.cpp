@@ -22,7 +22,7 @@ CoreSegment core_segment(const BulkShape& shape, const PlacedShape& placed, cons
   return {p_OB + placed.position() - half, 2 * half};
 }
 
-/// Unit vector across both segments, or across the one that has a length.
+/// A unit vector across both segments, or across the one that has a length.
 Vec3f across(const Vec3f& u, const Vec3f& v) {
   Vec3f w = u.cross(v);
   if (w.squaredNorm() > 0) return w.normalized();
@@ -51,6 +51,7 @@ std::optional<Vec3f> find_round_candidates(const BulkShape& a, const PlacedShape
                                            float margin, std::vector<ManifoldCandidate>& candidates) {
   const CoreSegment core_A = core_segment(a, placed_A, Vec3f::Zero());
   const CoreSegment core_B = core_segment(b, placed_B, p_OB);
+  // The nearest points of the two axes; across both where they meet and no direction is left.
   const SegmentPoints nearest = nearest_on_segments(core_A.p, core_A.u, core_B.p, core_B.u);
   const Vec3f way = core_B.p + nearest.t * core_B.u - core_A.p - nearest.s * core_A.u;
   const float distance = way.norm();
@@ -63,6 +64,8 @@ std::optional<Vec3f> find_round_candidates(const BulkShape& a, const PlacedShape
     if (gap <= margin)
       candidates.push_back({0.5f * (p_A + p_B) + 0.5f * (a.radius - b.radius) * n, gap, feature});
   };
+  // One point, or two at the ends of the stretch where capsules lie side by side: one point would let them
+  // rock.
   std::array<float, 2> ends;
   if (!find_side_by_side(core_A, core_B, ends)) {
     add(nearest.s, nearest.t, 0);

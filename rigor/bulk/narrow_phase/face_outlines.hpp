@@ -12,8 +12,8 @@ namespace rigor {
 /// back to the first.
 struct FaceOutline {
   LaneColumns points;
-  std::span<const int> corners;  ///< Of the points.
-  std::size_t side_count;        ///< 1 of a segment, 0 of a point.
+  std::span<const int> corners;  ///< Indices of its points.
+  std::size_t side_count;        ///< 1 for a segment, 0 for a point.
 
   Vec3f corner(std::size_t k) const {
     const std::size_t i = at(corners[k]);
@@ -22,7 +22,7 @@ struct FaceOutline {
   std::size_t next(std::size_t k) const { return k + 1 == corners.size() ? 0 : k + 1; }
 };
 
-/// Where two outlines meet, seen along the normal of the first, a face.
+/// The features of two outlines that meet, seen along the normal of the first, a face.
 struct OutlineMeeting {
   /// A corner in coordinates of the face, from its first corner: x along its first side, y to the left.
   struct FlatPoint {
@@ -39,16 +39,17 @@ struct OutlineMeeting {
     std::size_t border, side;  ///< Of the face and of the other outline.
   };
   std::vector<Border> borders;
-  std::vector<FlatPoint> other;    ///< Corners of the other outline; the first again behind the last.
-  std::vector<float> inside;       ///< Of these corners, border by border.
+  std::vector<FlatPoint> other;    ///< Corners of the other outline; the first is repeated at the end.
+  std::vector<float> inside;       ///< Distances of these corners inwards from each border [m].
   std::vector<std::size_t> over;   ///< Corners of the other outline that are over the face.
   std::vector<std::size_t> under;  ///< Corners of the face that are under the other polygon.
   std::vector<Crossing> crossings;
 };
 
-/// Corners count that are outside by no more than `slack`; crossings only where the sides pass each other by
-/// more than that, so that no corner is lost where sides coincide. The corners of the face run
-/// counter-clockwise about its normal; those of another polygon run clockwise, as of a face turned to it.
+/// Finds where the outline of a face and another one meet. Corners count if they are outside by no more than
+/// `slack`; crossings count only where the sides pass each other by more than that, so that no corner is lost
+/// where sides coincide. The corners of the face run counter-clockwise about its normal; those of another
+/// polygon run clockwise, as those of a face that faces it do.
 void meet_outlines(const FaceOutline& face, const Vec3f& normal, const FaceOutline& other, float slack,
                    OutlineMeeting& meeting);
 

@@ -13,7 +13,7 @@ namespace rigor {
 
 namespace {
 
-/// The direction in lanes.
+/// The same vector in all lanes.
 RIGOR_FLOAT_LANES FloatVec3 spread(const Vec3f& n) {
   return {float_lanes(n.x()), float_lanes(n.y()), float_lanes(n.z())};
 }
@@ -21,13 +21,15 @@ RIGOR_FLOAT_LANES FloatLanes heights_at(const LaneColumns& points, const FloatVe
   return n.x * load_floats(points.x + k) + n.y * load_floats(points.y + k) + n.z * load_floats(points.z + k);
 }
 
-/// How high the highest is, and then who that is: two short chains of what has to wait for each other.
+/// First how high the highest point is, then which one it is: two short chains of dependent operations
+/// instead of a long one.
 RIGOR_FLOAT_LANES Support support_kernel(const LaneColumns& points, const Vec3f& n) {
   constexpr std::size_t block_count = 8, mask_size = block_count * kLaneCount;
   const FloatVec3 direction = spread(n);
   Support best{0, -std::numeric_limits<float>::infinity()};
   for (std::size_t first = 0; first < points.count; first += mask_size) {
     const std::size_t blocks = std::min(block_count, (points.count - first) / kLaneCount);
+    // The largest height of up to 64 points.
     FloatLanes heights[block_count], highest = heights_at(points, direction, first);
     heights[0] = highest;
     for (std::size_t k = 1; k < blocks; ++k) {
@@ -36,6 +38,7 @@ RIGOR_FLOAT_LANES Support support_kernel(const LaneColumns& points, const Vec3f&
     }
     const FloatLanes top = spread_max(highest);
     if (!(top[0] > best.height)) continue;
+    // The first point of that height; later points of the same height do not replace it.
     std::uint64_t is_top = 0;
     for (std::size_t k = 0; k < blocks; ++k)
       is_top |= std::uint64_t{lane_bits(heights[k] == top)} << (k * kLaneCount);
@@ -45,15 +48,17 @@ RIGOR_FLOAT_LANES Support support_kernel(const LaneColumns& points, const Vec3f&
 }
 
 RIGOR_FLOAT_LANES Summit summit_kernel(const LaneColumns& points, int count, const Vec3f& n, float drop) {
+  // The largest height of all points.
   const FloatVec3 direction = spread(n);
   FloatLanes highest = heights_at(points, direction, 0);
   for (std::size_t k = kLaneCount; k < points.count; k += kLaneCount)
     highest = float_max(highest, heights_at(points, direction, k));
   const FloatLanes top = spread_max(highest), least = top - float_lanes(drop);
+  // How many points are lower by no more than the drop.
   Summit summit{top[0], 0};
   for (std::size_t k = 0; k < points.count; k += kLaneCount) {
     unsigned bits = lane_bits(heights_at(points, direction, k) >= least);
-    // What pads the columns does not count.
+    // The padding of the columns does not count.
     const int left = count - static_cast<int>(k);
     if (left < kLaneCount) bits &= (1u << left) - 1;
     summit.count += std::popcount(bits);
@@ -80,9 +85,11 @@ RIGOR_FLOAT_LANES void above_kernel(const float* x, float least_x, const float* 
   }
 }
 
-/// How far a core reaches along n from the origin of its frame.
+/// How far a core reaches along n = (x, y, z) from the origin of its frame.
 RIGOR_FLOAT_LANES float reach_of(const SupportCore& core, float x, float y, float z) {
   const float* R = core.placed->R;
+  // The direction goes into the frame of the core, where the vertices are: one rotation instead of one per
+  // vertex.
   const FloatVec3 direction{float_lanes((R[0] * x + R[3] * y + R[6] * z) * core.scale.x()),
                             float_lanes((R[1] * x + R[4] * y + R[7] * z) * core.scale.y()),
                             float_lanes((R[2] * x + R[5] * y + R[8] * z) * core.scale.z())};
@@ -106,12 +113,14 @@ RIGOR_FLOAT_LANES void place_part(const FloatLanes* from, const Mat3f& M, const 
                  to[row]);
 }
 
-/// As the product of a matrix and a vector adds them up, so that it has the same bits.
+/// One row of a rotation times a vector, added up as the product of a matrix and a vector is, so that it has
+/// the same bits.
 RIGOR_FLOAT_LANES FloatLanes turned(const FloatVec3& row, const FloatVec3& p) {
   return row.x * p.x + (row.y * p.y + row.z * p.z);
 }
 
 RIGOR_FLOAT_LANES void columns_kernel(const LaneColumns& points, const Mat3f& M, const Vec3f& t, float* to) {
+  // The matrix in all lanes, then eight points at a time.
   FloatVec3 row[3];
   for (int i = 0; i < 3; ++i) row[i] = {float_lanes(M(i, 0)), float_lanes(M(i, 1)), float_lanes(M(i, 2))};
   const FloatVec3 shift = spread(t);
@@ -123,7 +132,7 @@ RIGOR_FLOAT_LANES void columns_kernel(const LaneColumns& points, const Mat3f& M,
   }
 }
 
-/// Up to eight of the edges.
+/// Places up to eight of the edges; what fills the block crosses nothing, since its normals are zero.
 RIGOR_FLOAT_LANES void arcs_kernel(const FloatHull& hull, std::span<const int> edges, const CorePlace& place,
                                    ArcBlocks::Block& block) {
   static constexpr FloatHull::ArcRecord nothing{};
@@ -135,6 +144,7 @@ RIGOR_FLOAT_LANES void arcs_kernel(const FloatHull& hull, std::span<const int> e
   }
   first = transpose(first);
   second = transpose(second);
+  // Edge vectors and points by the scaled rotation, normals by the rotation.
   FloatLanes local[ArcBlocks::part_count];
   for (int k = 0; k < ArcBlocks::part_count; ++k) local[k] = k < 8 ? first.row[k] : second.row[k - 8];
   const Vec3f none = Vec3f::Zero();
@@ -154,12 +164,13 @@ RIGOR_FLOAT_LANES FloatVec3 load_part(const ArcBlocks::Block& block, ArcBlocks::
           load_floats(block.part[part + 2])};
 }
 
-/// One edge of A.
+/// One edge of A in all lanes: its vector, its two normals and a point of it.
 struct ArcLanes {
   FloatVec3 u, n0, n1, p;
 };
 
-/// Which of the edges of the block cross it with more separation than `least`, and these separations.
+/// Which edges of the block cross the edge of A on the Gauss map with more separation than `least`; their
+/// separations.
 ///
 /// Source: Gregorius, The Separating Axis Test between Convex Polyhedra, GDC 2013.
 RIGOR_FLOAT_LANES unsigned cross_block(const ArcLanes& a, const ArcBlocks::Block& b, float least,
@@ -167,13 +178,17 @@ RIGOR_FLOAT_LANES unsigned cross_block(const ArcLanes& a, const ArcBlocks::Block
   constexpr float least_square_sine = 1e-8f;
   const FloatVec3 v = load_part(b, ArcBlocks::along);
   const FloatVec3 n_B0 = load_part(b, ArcBlocks::normal_0), n_B1 = load_part(b, ArcBlocks::normal_1);
+  // The arcs cross if the ends of each are on either side of the circle of the other, and the crossing is on
+  // the same half of the sphere.
   const FloatLanes a0 = dot(a.n0, v), a1 = dot(a.n1, v), b0 = dot(n_B0, a.u), b1 = dot(n_B1, a.u);
   const FloatLanes zero = float_lanes(0);
   const IntLanes is_crossing = (a0 * a1 < zero) & (b0 * b1 < zero) & (b0 * a1 < zero);
   if (lane_bits(is_crossing) == 0) return 0;
+  // The axis is across both edges, with the sign that points out of A.
   const FloatVec3 w = cross(a.u, v);
   const FloatLanes square = dot(w, w), outward = dot(w, a.n0 + a.n1) - dot(w, n_B0 + n_B1);
-  // Of all four ends: nearly parallel edges give an axis that is a little off, never too much separation.
+  // The separation over all four ends: nearly parallel edges give an axis that is a little off, never a
+  // separation that is too large.
   const FloatLanes sign = outward < zero ? float_lanes(-1) : float_lanes(1);
   const FloatLanes height = sign * dot(w, load_part(b, ArcBlocks::point) - a.p) +
                             float_min(sign * dot(w, v), zero) - float_max(sign * dot(w, a.u), zero);
@@ -189,12 +204,14 @@ RIGOR_FLOAT_LANES EdgeChoice edges_kernel(const ArcBlocks& a, const ArcBlocks& b
   for (std::size_t i = 0; i < a.count(); ++i) {
     const ArcBlocks::Block& block = a.blocks()[i / kLaneCount];
     const std::size_t own = i % kLaneCount;
+    // One edge of A against all blocks of B. Ties go to the earlier pair.
     const ArcLanes arc{
         spread_part(block, ArcBlocks::along, own), spread_part(block, ArcBlocks::normal_0, own),
         spread_part(block, ArcBlocks::normal_1, own), spread_part(block, ArcBlocks::point, own)};
     for (std::size_t k = 0; k < b.blocks().size(); ++k) {
       unsigned bits = cross_block(arc, b.blocks()[k], best.separation, separations);
       for (; bits != 0; bits &= bits - 1) {
+        // The best may have grown since the block was tested.
         const int lane = std::countr_zero(bits);
         if (!(separations[lane] > best.separation)) continue;
         best = {static_cast<int>(i), static_cast<int>(k) * kLaneCount + lane, separations[lane]};
@@ -204,7 +221,7 @@ RIGOR_FLOAT_LANES EdgeChoice edges_kernel(const ArcBlocks& a, const ArcBlocks& b
   return best;
 }
 
-/// As nearest_on_segments.
+/// The squared distances of eight segments from one, as in nearest_on_segments().
 RIGOR_FLOAT_LANES void distances_kernel(const Vec3f& p, const Vec3f& along, const SegmentLanes& segments,
                                         float* squares) {
   constexpr float least_square_sine = 1e-6f;
@@ -221,6 +238,7 @@ RIGOR_FLOAT_LANES void distances_kernel(const Vec3f& p, const Vec3f& along, cons
   const auto clamp = [&](const FloatLanes& x) __attribute__((always_inline)) {
     return float_min(one, float_max(zero, x));
   };
+  // Nearest points of the lines, clamped to one segment, then to the other, and back.
   const IntLanes is_oblique = determinant > float_lanes(least_square_sine) * uu * vv;
   FloatLanes s = is_oblique ? clamp((uw * vv - vw * uv) / determinant) : zero;
   FloatLanes t = clamp((s * uv - vw) * inverse_vv);

@@ -12,7 +12,7 @@ namespace rigor {
 
 // The loops over vertices, faces and edges of hulls, eight at a time, for either target.
 
-/// The point that is farthest along a direction (of equal ones the first), and how far that is.
+/// The point that is farthest along a direction (the first of equal ones), and how far that is.
 struct Support {
   int index;
   float height;
@@ -27,10 +27,10 @@ struct Summit {
 };
 Summit find_summit(const LaneColumns& points, int count, const Vec3f& n, float drop, LaneTarget target);
 
-/// n · p of all of them, less their offsets, if there are any.
+/// Writes n · p for all points, less their offsets, if there are any.
 void find_heights(const LaneColumns& points, const Vec3f& n, const float* offsets, LaneTarget target,
                   float* heights);
-/// The first `count` places at which x > least_x and y > least_y, both in whole lanes.
+/// Lists the places among the first `count` at which x > least_x and y > least_y, both in whole lanes.
 void list_above(const std::vector<float>& x, float least_x, const std::vector<float>& y, float least_y,
                 int count, LaneTarget target, std::vector<int>& places);
 
@@ -40,19 +40,19 @@ struct SupportCore {
   const PlacedShape* placed;
   Vec3f scale;
 };
-/// min n · b - max n · a of two cores; d: from the origin of a's frame to that of b's.
+/// The separation min n · b - max n · a of two cores along n; d is from
 float find_separation(const SupportCore& a, const SupportCore& b, const Vec3f& d, const Vec3f& n,
                       LaneTarget target);
 
-/// How a core is placed: its vertices by p -> M p + t, its normals by R.
+/// The placement of a core: vertices by p -> M p + t, normals by R.
 struct CorePlace {
   Mat3f M, R;
   Vec3f t;
 };
-/// Points or directions, placed.
+/// Columns of points or directions after placing.
 class PlacedColumns {
  public:
-  /// p -> M p + t.
+  /// Places all points by p -> M p + t.
   void place(const LaneColumns& points, const Mat3f& M, const Vec3f& t, LaneTarget target);
   LaneColumns columns() const { return {place_of(0), place_of(1), place_of(2), count_}; }
   Vec3f operator[](int i) const {
@@ -64,11 +64,11 @@ class PlacedColumns {
   const float* place_of(std::size_t column) const { return numbers_.data() + column * count_; }
 
   std::size_t count_ = 0;
-  std::vector<float> numbers_;  ///< Column after column.
+  std::vector<float> numbers_;  ///< The columns, one after the other.
 };
 
 /// Edges of a core with the normals of their faces, placed, in blocks of eight, for the test of their arcs on
-/// the Gauss map. What fills the last block crosses nothing.
+/// the Gauss map. The padding of the last block crosses nothing.
 class ArcBlocks {
  public:
   /// Edge vector, first and second normal, a point of the edge: three coordinates each.
@@ -87,9 +87,9 @@ class ArcBlocks {
   std::vector<Block> blocks_;
 };
 
-/// The pair of edges of A and B whose arcs cross and that parts the cores best, if it does by more than
-/// `least`: numbers among the arcs, -1 if there is none. B's normals are those of its faces, its arcs on the
-/// Gauss map the opposite. Of equally good ones the first is taken.
+/// The pair of edges of A and B whose arcs cross and that separates the cores best, if it does so by more
+/// than `least`: indices among the arcs, -1 if there is none. The normals of B are those of its faces; on the
+/// Gauss map its arcs are negated. The first of equally good pairs is taken.
 struct EdgeChoice {
   int a = -1, b = -1;
   float separation;
@@ -101,10 +101,10 @@ struct SegmentLanes {
   alignas(32) float q[3][kLaneCount];
   alignas(32) float v[3][kLaneCount];
 };
-/// The squared distances of all of these from the segment from p along u, in whole lanes.
+/// Writes the squared distances of all of these from the segment from p along u, in whole lanes.
 void find_square_distances(const Vec3f& p, const Vec3f& u, const std::vector<SegmentLanes>& segments,
                            LaneTarget target, float* squares);
-/// Of whole lanes: the least, and the places of all that are no more than `most`.
+/// The least number of whole lanes, and the places of all numbers that are at most `most`.
 float least_of(const std::vector<float>& x, LaneTarget target);
 void list_up_to(const std::vector<float>& x, float most, LaneTarget target, std::vector<int>& places);
 

@@ -10,7 +10,7 @@ struct ManifoldPoint {
   float p[3];  ///< Midway between the witness points, relative to the centre of body A, along W's axes [m].
   float gap;   ///< [m], negative when overlapping.
   std::uint32_t
-      feature;  ///< Which features of the two shapes meet: stable while they do, different within a manifold.
+      feature;  ///< Names the features that meet; stable while they do, different within a manifold.
 };
 
 /// Where two convex shapes touch or nearly do: one normal and up to four points, in ascending order of
@@ -23,16 +23,16 @@ struct Manifold {
   std::array<ManifoldPoint, max_points> points;
 };
 
-/// A manifold that lies somewhere else.
+/// A view of a manifold that is stored elsewhere.
 struct ManifoldView {
-  const float* normal = nullptr;  ///< Behind its three numbers is another one.
+  const float* normal = nullptr;  ///< A fourth number follows, so that lanes may load four.
   const ManifoldPoint* points = nullptr;
   int point_count = 0;
 
   ManifoldView() = default;
   ManifoldView(const float* n, const ManifoldPoint* p, int count)
       : normal(n), points(p), point_count(count) {}
-  /// Of one that outlives it.
+  /// A view of a manifold that outlives it.
   explicit ManifoldView(const Manifold& manifold)
       : ManifoldView(manifold.normal, manifold.points.data(), manifold.point_count) {}
 };

@@ -11,14 +11,14 @@
 
 namespace rigor {
 
-/// A manifold and whose it is.
+/// A manifold and the pair of shapes that it belongs to.
 struct PairManifold {
   int pair;  ///< Index into the pairs.
   int part;  ///< Number of the manifold within the pair (meshes have several), ascending.
   Manifold manifold;
 };
 
-/// Manifolds that take no more room than the points that they have: 44 B of one, 104 B of four.
+/// A list of manifolds that take no more room than their points need: 44 B for one point, 104 B for four.
 class ManifoldList {
  public:
   std::size_t size() const { return heads_.size(); }
@@ -30,6 +30,7 @@ class ManifoldList {
   void push_back(const PairManifold& found) {
     const Manifold& own = found.manifold;
     const std::size_t first = points_.size(), count = at(own.point_count);
+    // Lists grow by an eighth, not to twice their size.
     if (heads_.size() == heads_.capacity()) make_room(heads_.size() + kMore, heads_);
     if (first + count > points_.capacity()) make_room(first + kMore, points_);
     heads_.push_back({{own.normal[0], own.normal[1], own.normal[2]},
@@ -54,7 +55,7 @@ class ManifoldList {
     std::copy_n(view(i).points, head.points(), found.manifold.points.begin());
     return found;
   }
-  /// All of them.
+  /// Copies of all manifolds.
   std::vector<PairManifold> copies() const {
     std::vector<PairManifold> all;
     for (std::size_t i = 0; i < size(); ++i) all.push_back((*this)[i]);
@@ -62,12 +63,12 @@ class ManifoldList {
   }
 
   std::size_t all_points() const { return points_.size(); }
-  /// Makes room for so many manifolds and points, which put() then writes, from any thread.
+  /// Makes room for this many manifolds and points, which put() then writes, from any thread.
   void arrange(std::size_t manifolds, std::size_t points) {
     renew(manifolds, heads_);
     renew(points, points_);
   }
-  /// Copies a list to its place: its first manifold and its first point.
+  /// Copies a list to its place among all, given by its first manifold and its first point.
   void put(const ManifoldList& list, std::size_t first, std::size_t first_point) {
     std::copy(list.points_.begin(), list.points_.end(),
               points_.begin() + static_cast<std::ptrdiff_t>(first_point));

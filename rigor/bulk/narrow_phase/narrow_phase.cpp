@@ -22,12 +22,12 @@ namespace {
 using Kind = BulkShape::Kind;
 
 constexpr int kBlock = PairHints::block;  ///< Pairs that are put into lanes together.
-constexpr int kPartGrain = 256;           ///< Pairs; a part of them has its own lists.
+constexpr int kPartGrain = 256;           ///< Pairs of a part, which has its own lists.
 constexpr int kPlaceGrain = 1024;         ///< Shapes.
 constexpr float kRounding = kCollisionRounding;
 
-/// A shape of a body: its form and its place, by their numbers. Balls about the centres of their bodies share
-/// a place, which is the same for ever.
+/// A shape of a body: its form and its place, as indices. Balls about the centres of their bodies share a
+/// place, which never changes.
 struct PlacedForm {
   int form;
   int place;
@@ -36,14 +36,14 @@ struct PlacedForm {
   bool has_core, has_faces;
 };
 
-/// A pair of shapes.
+/// A pair of shapes, placed.
 struct PairPlace {
   PlacedForm a, b;
   Vec3f d;                   ///< From the centre of body A to that of body B [m].
   PairHint* hint = nullptr;  ///< If it has one.
 };
 
-/// Pairs of one kind in lanes.
+/// The pairs of a block that are of one kind, in lanes.
 template <class Pairs, class Contacts>
 struct LaneList {
   int count = 0;
@@ -55,7 +55,7 @@ struct LaneList {
   bool is_next(int place, int pair) const { return place < count && pairs[at(place)] == pair; }
 };
 
-/// What one thread works with: a block of pairs at a time.
+/// The working memory of one thread, for one block of pairs at a time.
 struct BlockScratch {
   std::array<PairPlace, kBlock> places;
   std::array<bool, kBlock> is_parted;
@@ -64,11 +64,11 @@ struct BlockScratch {
   PlacedPolytopes polytopes;
 };
 
-/// A part of the pairs, and what was found of it.
+/// A part of the pairs, and the manifolds found in it.
 struct alignas(64) Part {
   BlockScratch scratch;
   ManifoldList manifolds;
-  std::size_t begin = 0, begin_of_points = 0;  ///< Of these among all.
+  std::size_t begin = 0, begin_of_points = 0;  ///< Index of the first of these among all.
 };
 
 }  // namespace
@@ -78,7 +78,7 @@ namespace {
 bool is_ball(const BulkShape& shape) {
   return shape.kind == Kind::round && shape.extent == 0;
 }
-/// Turning does not move it.
+/// Whether rotating the body does not move the shape.
 bool is_centred_ball(const BulkShape& shape) {
   return is_ball(shape) && shape.X_BS.p.isZero(0);
 }
@@ -97,15 +97,15 @@ struct NarrowPhase::Tables {
   }
   const BulkShape& form(const PlacedForm& shape) const { return forms[at(shape.form)]; }
   const PlacedShape& place_of(const PlacedForm& shape) const { return placed[at(shape.place)]; }
-  /// Whether the search of the pair's contacts begins where it ended.
+  /// Whether the search for the pair's contacts begins where the last one ended.
   bool needs_hint(const ShapePair& pair) const;
   void place(const BulkBodies& bodies, const std::vector<ShapePair>& pairs, const Executor& executor);
-  /// Of the pairs [begin, end), added in their order.
+  /// Adds the manifolds of the pairs [begin, end) in their order.
   void find(const BulkBodies& bodies, const std::vector<ShapePair>& pairs, int begin, int end,
             BlockScratch& scratch, ManifoldList& manifolds);
   void sort_block(const BulkBodies& bodies, const std::vector<ShapePair>& pairs, int begin, int end,
                   BlockScratch& scratch);
-  /// Whether the direction of the pair's hint still parts it.
+  /// Whether the direction of the pair's hint still separates the shapes.
   bool is_parted(const PairPlace& place, float margin) const;
   void add_boxes(const PairPlace& place, int number, float margin,
                  LaneList<BoxPairs, BoxContacts>& boxes) const;
@@ -118,9 +118,9 @@ struct NarrowPhase::Tables {
                       ManifoldList& manifolds);
 
   FloatHulls hulls;
-  std::vector<BulkShape> forms;  ///< Bodies that share their shapes share these.
-  std::unordered_map<const BodyShape*, PlacedForm> known_forms;  ///< With the places of balls at centres.
-  std::vector<int> first_shape;                                  ///< Of each body, and the end.
+  std::vector<BulkShape> forms;  ///< Forms; bodies that share their shapes share these.
+  std::unordered_map<const BodyShape*, PlacedForm> known_forms;  ///< Including the places of centred balls.
+  std::vector<int> first_shape;  ///< Index of the first shape of each body, and the end.
   std::vector<PlacedForm> shapes;
   std::vector<PlacedShape> placed;
   std::vector<char> is_in_pair;  ///< Each body.
@@ -135,6 +135,7 @@ NarrowPhase::Tables::Tables(const Model& model) {
   for (int i = 0; i < model.body_count(); ++i) {
     first_shape.push_back(static_cast<int>(shapes.size()));
     for (const BodyShape& shape : model.body(i).shapes) {
+      // Bodies that share a shape share its form.
       const auto [known, is_new] = known_forms.emplace(
           &shape, PlacedForm{static_cast<int>(forms.size()), no_place, Kind::other, false, false, false});
       if (is_new) forms.push_back(make_bulk_shape(shape, hulls));
@@ -143,6 +144,7 @@ NarrowPhase::Tables::Tables(const Model& model) {
       own.is_ball = is_ball(form(own));
       own.has_faces = own.kind == Kind::box || own.kind == Kind::hull;
       own.has_core = own.has_faces || own.kind == Kind::round;
+      // Each shape has a place of its own, only balls about the centres of their bodies share one.
       if (own.place == no_place) {
         own.place = static_cast<int>(placed.size());
         make_room(placed.size() + 1, placed);
@@ -155,7 +157,7 @@ NarrowPhase::Tables::Tables(const Model& model) {
   first_shape.push_back(static_cast<int>(shapes.size()));
 }
 
-/// The shapes of all bodies that are in pairs.
+/// Places the shapes of all bodies that are in pairs.
 void NarrowPhase::Tables::place(const BulkBodies& bodies, const std::vector<ShapePair>& pairs,
                                 const Executor& executor) {
   is_in_pair.assign(bodies.x.size(), 0);
@@ -183,23 +185,26 @@ Pose pose_of(const BulkShape& shape, const Quat& q_WB, const Vec3& p_OB) {
   return Pose{q_WB.toRotationMatrix(), p_OB} * shape.X_BS;
 }
 
-/// The manifold of a core and a plane; `plane_is_A` tells which is which.
+/// Adds the manifold of a core and a plane; `plane_is_A` tells which is which.
 void add_plane_manifold(const BulkShape& plane, const Pose& X_OP, const BulkShape& core,
                         const PlacedShape& placed, const Vec3& p_OB, bool plane_is_A, const ShapePair& pair,
                         int number, std::vector<ManifoldCandidate>& candidates, ManifoldList& manifolds) {
+  // The height of the other body over the plane is found in 64 bits.
   const PlaneView view =
       view_plane(std::get<HalfSpace>(*plane.shape), X_OP, plane_is_A ? p_OB : Vec3::Zero());
   find_plane_candidates(view, core, placed, pair.margin, candidates);
   if (candidates.empty()) return;
+  // Points are relative to body A.
   if (plane_is_A)
     for (ManifoldCandidate& candidate : candidates) candidate.p += p_OB.cast<float>();
+  // At most four of the vertices below the margin.
   const float equal_depth = kRounding * (std::abs(view.height) + core.extent + core.radius) +
                             kEqualDepthOfSize * core.inner_radius();
   const Vec3f n = plane_is_A ? view.n : Vec3f(-view.n);
   manifolds.push_back({number, 0, make_manifold(n, equal_depth, candidates)});
 }
 
-/// False if there are no points.
+/// Adds the manifold of the candidates; false if there are none.
 bool add_manifold(const std::optional<Vec3f>& n, int number, PlacedPolytopes& pair, ManifoldList& manifolds,
                   int part = 0) {
   if (!n || pair.candidates.empty()) return false;
@@ -209,7 +214,7 @@ bool add_manifold(const std::optional<Vec3f>& n, int number, PlacedPolytopes& pa
 
 }  // namespace
 
-/// Any two shapes that are not in lanes.
+/// Any two shapes that are not collided in lanes.
 void NarrowPhase::Tables::find_pair(const BulkBodies& bodies, const ShapePair& pair, const PairPlace& place,
                                     int number, PlacedPolytopes& polytopes, ManifoldList& manifolds) {
   const BulkShape &a = form(place.a), &b = form(place.b);
@@ -217,6 +222,7 @@ void NarrowPhase::Tables::find_pair(const BulkBodies& bodies, const ShapePair& p
   const bool is_other = a.kind == Kind::other || b.kind == Kind::other;
   const bool has_plane = a.kind == Kind::plane || b.kind == Kind::plane;
   polytopes.candidates.clear();
+  // Planes and shapes without a core need the poses in 64 bits.
   if (is_other || has_plane) {
     const Vec3 p_OB = bodies.x[at(pair.body_B)] - bodies.x[at(pair.body_A)];
     const Pose X_OA = pose_of(a, bodies.q[at(pair.body_A)], Vec3::Zero());
@@ -229,6 +235,7 @@ void NarrowPhase::Tables::find_pair(const BulkBodies& bodies, const ShapePair& p
       add_plane_manifold(b, X_OB, a, placed_A, p_OB, false, pair, number, polytopes.candidates, manifolds);
     return;
   }
+  // Cores with faces are searched for the axis of largest separation; spheres and capsules are segments.
   if (a.kind != Kind::round || b.kind != Kind::round)
     return find_polytopes(place, number, pair.margin, polytopes, manifolds);
   const std::optional<Vec3f> n =
@@ -242,6 +249,7 @@ void NarrowPhase::Tables::find_polytopes(const PairPlace& place, int number, flo
   const BulkShape &a = form(place.a), &b = form(place.b);
   PairHint& hint = *place.hint;
   place_polytopes(a, place_of(place.a), b, place_of(place.b), place.d, polytopes);
+  // Apart: a direction that separated the pair in the step before is tried first.
   AxisGuess guess{hint.n, hint.axis};
   if (guess.n.isZero(0)) guess.n = polytopes.b.center - polytopes.a.center;
   const float limit = margin + a.radius + b.radius + parting_slack(polytopes.rounding);
@@ -249,6 +257,7 @@ void NarrowPhase::Tables::find_polytopes(const PairPlace& place, int number, flo
     hint.n = guess.n;
     return;
   }
+  // The search begins at the axis of the step before, and what it finds is the hint for the next.
   SeparatingAxis axis;
   const std::optional<Vec3f> n = find_polytope_candidates(polytopes, margin, guess, axis);
   const bool is_touching = add_manifold(n, number, polytopes, manifolds);
@@ -259,6 +268,8 @@ void NarrowPhase::Tables::find_polytopes(const PairPlace& place, int number, flo
 bool NarrowPhase::Tables::is_parted(const PairPlace& place, float margin) const {
   if (!place.hint || place.hint->axis != 0 || place.hint->n.isZero(0)) return false;
   const BulkShape &a = form(place.a), &b = form(place.b);
+  // Pairs are passed over only where the separation exceeds the margin by far more than the rounding, so that
+  // they have no points by any computation.
   const float rounding = kRounding * (a.extent + b.extent + place.d.lpNorm<1>());
   const Vec3f d = place.d + place_of(place.b).position() - place_of(place.a).position();
   return find_separation(core_of(a, place_of(place.a)), core_of(b, place_of(place.b)), d, place.hint->n,
@@ -278,6 +289,7 @@ void NarrowPhase::Tables::add_balls(const PairPlace& place, int number,
   BallPairs& lanes = balls.lanes[at(balls.count / kLaneCount)];
   balls.pairs[at(balls.count++)] = number;
   const PlacedShape &a = place_of(place.a), &b = place_of(place.b);
+  // The first pair of a block fills all of its lanes, so that lanes left over hold numbers.
   for (int k = lane; k < (lane == 0 ? kLaneCount : lane + 1); ++k) {
     for (int c = 0; c < 3; ++c) {
       lanes.p[c][k] = a.p[c];
@@ -288,19 +300,22 @@ void NarrowPhase::Tables::add_balls(const PairPlace& place, int number,
   }
 }
 
-/// Parts what is known to be apart, and puts boxes and balls into lanes.
+/// Leaves out the pairs that are known to be apart, puts boxes and balls into lanes and collides them.
 void NarrowPhase::Tables::sort_block(const BulkBodies& bodies, const std::vector<ShapePair>& pairs, int begin,
                                      int end, BlockScratch& scratch) {
+  // Hints are in the order of pairs: those of the block follow each other here and in the step before.
   int number = hints.first_of(begin / kBlock);
   const int last_number = hints.first_of(begin / kBlock + 1);
   std::size_t before = hints.find_before(pairs[at(begin)]);
   scratch.boxes.count = scratch.balls.count = 0;
   for (int k = begin; k < end; ++k) {
     const ShapePair& pair = pairs[at(k)];
+    // Centres are subtracted in 64 bits; the rest is relative to the centre of body A.
     const Vec3 p_OB = bodies.x[at(pair.body_B)] - bodies.x[at(pair.body_A)];
     PairPlace& place = scratch.places[at(k - begin)];
     place = {placed_form(pair.body_A, pair.shape_A), placed_form(pair.body_B, pair.shape_B),
              p_OB.cast<float>(), nullptr};
+    // The direction of the hint is tried first; most pairs that do not touch end here.
     if (number < last_number && needs_hint(pair)) place.hint = &hints.take_over(pair, number++, before);
     scratch.is_parted[at(k - begin)] = is_parted(place, pair.margin);
     if (scratch.is_parted[at(k - begin)]) continue;
@@ -310,7 +325,7 @@ void NarrowPhase::Tables::sort_block(const BulkBodies& bodies, const std::vector
       add_boxes(place, k, pair.margin, scratch.boxes);
     }
   }
-  // Lanes that are left over hold the first pair of their block.
+  // Lanes left over hold the first pair of their block.
   for (int k = scratch.boxes.count; k % kLaneCount != 0; ++k) {
     BoxPairs& last = scratch.boxes.lanes[at(k / kLaneCount)];
     last.pair[k % kLaneCount] = last.pair[0];
@@ -321,17 +336,19 @@ void NarrowPhase::Tables::sort_block(const BulkBodies& bodies, const std::vector
     collide_balls(scratch.balls.lanes[at(k)], best_lane_target(), scratch.balls.contacts[at(k)]);
 }
 
-/// A pair of boxes that is at a place of the lanes.
+/// Adds the manifolds of a pair of boxes, whose contacts are at a place of the lanes.
 void NarrowPhase::Tables::find_boxes(const PairPlace& place, int lane_place, int number, float margin,
                                      BlockScratch& scratch, ManifoldList& manifolds) {
   const BoxPairs& lanes = scratch.boxes.lanes[at(lane_place / kLaneCount)];
   const BoxContacts& contacts = scratch.boxes.contacts[at(lane_place / kLaneCount)];
   const int lane = lane_place % kLaneCount;
   PairHint& hint = *place.hint;
+  // Apart: the axis is the hint.
   if (contacts.outcome[lane] == BoxContacts::apart) {
     hint = {box_axis(lanes, contacts, lane), 0};
     return;
   }
+  // The point of two edges, the region over a face, or both.
   const std::int32_t outcome = contacts.outcome[lane];
   const bool has_crossing = outcome == BoxContacts::edges || outcome == BoxContacts::edges_and_region;
   const bool has_region = outcome == BoxContacts::region || outcome == BoxContacts::edges_and_region;
@@ -343,11 +360,11 @@ void NarrowPhase::Tables::find_boxes(const PairPlace& place, int lane_place, int
   if (has_region && (crosses || !has_crossing) && region.point_count > 0)
     manifolds.push_back({number, crosses ? 1 : 0, region});
   if (manifolds.size() > count) {
-    if (hint.axis == 0) hint.axis = 1;  // What is not written need not be brought back to memory.
+    if (hint.axis == 0) hint.axis = 1;  // An unchanged hint is not written: its cache line stays clean.
     return;
   }
   if (outcome == BoxContacts::region) return;
-  // Nearest at an edge or a corner of both.
+  // The boxes are nearest at an edge or a corner of both: the nearest points of their edges are searched.
   PlacedPolytopes& polytopes = scratch.polytopes;
   const BulkShape &a = form(place.a), &b = form(place.b);
   place_polytopes(a, place_of(place.a), b, place_of(place.b), place.d, polytopes);
@@ -363,15 +380,17 @@ void NarrowPhase::Tables::find_boxes(const PairPlace& place, int lane_place, int
 
 void NarrowPhase::Tables::find(const BulkBodies& bodies, const std::vector<ShapePair>& pairs, int begin,
                                int end, BlockScratch& scratch, ManifoldList& manifolds) {
-  scratch.polytopes.shape_A = nullptr;  // Bodies have moved since the last call.
+  scratch.polytopes.shape_A = nullptr;  // No core is placed yet: bodies have moved since the last call.
   for (int first = begin; first < end; first += kBlock) {
     const int last = std::min(end, first + kBlock);
     sort_block(bodies, pairs, first, last, scratch);
+    // Manifolds are added in the order of pairs, whether they come from lanes or not.
     int box = 0, ball = 0;
     for (int k = first; k < last; ++k) {
       const ShapePair& pair = pairs[at(k)];
       const PairPlace& place = scratch.places[at(k - first)];
       if (scratch.is_parted[at(k - first)]) continue;
+      // The lanes hold the pairs of their kind in the same order.
       if (scratch.boxes.is_next(box, k)) {
         find_boxes(place, box++, k, pair.margin, scratch, manifolds);
       } else if (scratch.balls.is_next(ball, k)) {
@@ -396,6 +415,8 @@ void NarrowPhase::find_manifolds(const BulkBodies& bodies, const std::vector<Sha
   tables.place(bodies, pairs, executor);
   const int count = static_cast<int>(pairs.size());
   tables.hints.begin(pairs, [&](const ShapePair& pair) { return tables.needs_hint(pair); });
+  // The pairs in parts, each with its own list; a part is made of whole blocks, so that lanes do not depend
+  // on the number of parts.
   const int most = executor.threads() == 1 ? 1 : parts_of_a_thread * executor.threads();
   const int part_count = std::clamp(count / kPartGrain, 1, most);
   while (tables.parts.size() < at(part_count)) tables.parts.push_back(std::make_unique<Part>());
@@ -416,6 +437,7 @@ void NarrowPhase::find_manifolds(const BulkBodies& bodies, const std::vector<Sha
       tables.find(bodies, pairs, begin_of(k), begin_of(k + 1), part.scratch, part.manifolds);
     }
   });
+  // One behind the other, the lists of the parts are in the order of pairs.
   std::size_t total = 0, total_points = 0;
   for (int k = 0; k < part_count; ++k) {
     Part& part = *tables.parts[at(k)];

@@ -12,13 +12,13 @@ namespace rigor {
 /// Two shapes that may touch within the step; body_A < body_B.
 struct ShapePair {
   int body_A, body_B;
-  int shape_A, shape_B;  ///< Of these bodies.
-  float margin;          ///< Points up to here apart count [m], >= 0.
+  int shape_A, shape_B;  ///< Indices among the shapes of these bodies.
+  float margin;          ///< Largest gap of a point that counts [m], >= 0.
 };
 
-/// Where pairs of shapes touch, in 32 bits relative to the pair: the answers of contact_set within that
-/// rounding, reduced to four points a manifold. Holds what of the Model's shapes it needs; its answers depend
-/// on the bodies alone.
+/// Finds where pairs of shapes touch, in 32 bits relative to the pair: the answers of contact_set up to that
+/// rounding, reduced to four points per manifold. It holds what it needs of the Model's shapes; its answers
+/// depend on the bodies alone.
 class NarrowPhase {
  public:
   explicit NarrowPhase(const Model& model);
@@ -26,7 +26,8 @@ class NarrowPhase {
   NarrowPhase(const NarrowPhase&) = delete;
   NarrowPhase& operator=(const NarrowPhase&) = delete;
 
-  /// The manifolds of all pairs that have points, in the order of the pairs (the buffer is cleared first).
+  /// Finds the manifolds of all pairs that have points, in the order of the pairs (the buffer is cleared
+  /// first).
   void find_manifolds(const BulkBodies& bodies, const std::vector<ShapePair>& pairs, const Executor& executor,
                       ManifoldList& manifolds);
 

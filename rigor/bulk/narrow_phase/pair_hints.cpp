@@ -13,6 +13,7 @@ std::size_t PairHints::find_before(const ShapePair& pair) const {
 }
 
 PairHint& PairHints::take_from_before(const ShapePair& pair, int number, std::size_t& from) {
+  // Both lists are in the order of keys: one pass over each.
   const std::size_t k = at(number);
   const Key key = key_of(pair);
   while (from < before_.keys.size() && before_.keys[from] < key) ++from;

@@ -11,29 +11,29 @@
 
 namespace rigor {
 
-/// Where the narrow phase found its answer of a pair in the call before, and so looks first. It changes no
-/// answer, only the time.
+/// Where the narrow phase found the answer for a pair in the previous call, and so looks first. It never
+/// changes an answer, only the time.
 struct PairHint {
-  Vec3f n = Vec3f::Zero();  ///< A direction from A to B that parted the pair, or 0.
-  AxisCode axis = 0;        ///< Of cores that touched; not 0 if they did.
+  Vec3f n = Vec3f::Zero();  ///< A direction from A to B that separated the pair, or 0.
+  AxisCode axis = 0;        ///< The axis of cores that touched; not 0 if they did.
 };
 
-/// The hints of those pairs that need them, by their numbers among these; handed on from one list of pairs to
-/// the next: both are in the order of (body_A, body_B, shape_A, shape_B).
+/// The hints of the pairs that need them, by their indices among these pairs, handed on from one list of
+/// pairs to the next: both are in the order of (body_A, body_B, shape_A, shape_B).
 class PairHints {
  public:
-  /// Pairs of which the first number is kept.
+  /// Pairs in a block; the index of the first hint of each block is kept.
   static constexpr int block = 128;
 
-  /// Begins a list of pairs; what was is the list before it. needs_hint(pair): of a pair of shapes always the
-  /// same.
+  /// Begins a list of pairs; the current one becomes the list before it. needs_hint(pair) has the same answer
+  /// for a pair of shapes each time.
   template <class NeedsHint>
   void begin(const std::vector<ShapePair>& pairs, const NeedsHint& needs_hint);
-  /// How many pairs before this block need hints; blocks: one more than there are.
+  /// How many pairs before this block need hints; there is one entry more than there are blocks.
   int first_of(int block_number) const { return first_[at(block_number)]; }
-  /// Takes over the hint of the pair as the one of this number. from: where in the list before to look, for
-  /// the first pair of several find_before(); it goes on with them. From several threads at once. If the list
-  /// is the one before, it is there.
+  /// Takes over the hint of the pair as the one of this index. `from` is where to look in the list before:
+  /// find_before() for the first of several pairs, and then left where the next one continues. May be called
+  /// from several threads at once. If the pairs are the same as before, the hint is already in its place.
   PairHint& take_over(const ShapePair& pair, int number, std::size_t& from) {
     return is_same_ ? now_.hints[at(number)] : take_from_before(pair, number, from);
   }
@@ -63,6 +63,8 @@ class PairHints {
 
 template <class NeedsHint>
 void PairHints::begin(const std::vector<ShapePair>& pairs, const NeedsHint& needs_hint) {
+  // Counts the hints before each block, and compares the pairs with those before: in what rests they are the
+  // same, and nothing is moved.
   first_.clear();
   int count = 0;
   is_same_ = true;
@@ -75,6 +77,7 @@ void PairHints::begin(const std::vector<ShapePair>& pairs, const NeedsHint& need
   first_.push_back(count);
   is_same_ = is_same_ && now_.keys.size() == at(count);
   if (is_same_) return;
+  // Otherwise hints are taken over one by one.
   std::swap(now_, before_);
   renew(at(count), now_.keys);
   renew(at(count), now_.hints);

@@ -22,9 +22,10 @@ bool is_driving(const JointAxis& axis) {
   return axis.motor && axis.motor->velocity != 0;
 }
 
-/// Bodies that joints and springs tie together, by twos.
+/// Pairs of bodies that joints and springs tie together.
 std::vector<std::pair<int, int>> ties_of(const Model& model) {
   std::vector<std::pair<int, int>> ties;
+  // A joint ties its first body to each of the others; a spring to the world ties nothing.
   for (int i = 0; i < static_cast<int>(model.joints().size()); ++i) {
     const std::vector<int> bodies = model.bodies_of_joint(i);
     for (std::size_t k = 1; k < bodies.size(); ++k) ties.emplace_back(bodies[0], bodies[k]);
@@ -42,10 +43,12 @@ std::vector<std::pair<int, int>> ties_of(const Model& model) {
 SleepKeeper::SleepKeeper(const Model& model, const SleepRules& rules) : rules_(rules), islands_(model) {
   for (const Body& body : model.bodies())
     radius_.push_back(body.motion == MotionType::dynamic ? static_cast<float>(body.bounding_radius) : -1);
+  // Kinematic bodies keep awake what is tied to them, while they move.
   for (const auto& [a, b] : ties_of(model)) {
     if (model.body(b).motion == MotionType::kinematic) drivers_.emplace_back(a, b);
     if (model.body(a).motion == MotionType::kinematic) drivers_.emplace_back(b, a);
   }
+  // Motors keep their bodies awake.
   for (int i = 0; i < static_cast<int>(model.joints().size()); ++i) {
     const std::vector<JointAxis>& axes = model.joint(i).axes;
     if (std::none_of(axes.begin(), axes.end(), is_driving)) continue;
@@ -67,15 +70,19 @@ bool SleepKeeper::wake(const BulkBodies& bodies, const ManifoldMemories& before,
     has_woken = has_woken || quiet_time[at(body)] == asleep;
     quiet_time[at(body)] = 0;
   };
-  // Of bodies that are not dynamic only those that move do anything.
+  // Of bodies that are not dynamic, only those that move wake others.
   const auto is_moved_by = [&](int body, int other) {
     return radius_[at(body)] >= 0 && radius_[at(other)] < 0 && speed_of(bodies.motion[at(other)], 1) > 0;
   };
+  // The user's disturbances, motors, and kinematic bodies that move keep awake the bodies that they act on or
+  // are tied to.
   for (const int body : disturbances.bodies) disturb(body);
   for (const int body : driven_) disturb(body);
   for (const auto& [body, driver] : drivers_) {
     if (is_moved_by(body, driver)) disturb(body);
   }
+  // A body that lost a contact wakes. Both lists are in the order of keys, so one pass finds the contacts
+  // that are gone.
   std::size_t k = 0;
   for (std::size_t i = 0; i < before.size(); ++i) {
     while (k < now.size() && now[k].key() < before.key(i)) ++k;
@@ -84,12 +91,15 @@ bool SleepKeeper::wake(const BulkBodies& bodies, const ManifoldMemories& before,
       if (quiet_time[at(body)] == asleep) disturb(body);
     }
   }
+  // A kinematic body that moves wakes what it touches.
   for (const ManifoldMemory& contact : now) {
     for (const auto& [body, other] :
          {std::pair(contact.body_A, contact.body_B), std::pair(contact.body_B, contact.body_A)}) {
       if (is_moved_by(body, other)) disturb(body);
     }
   }
+  // An island wakes as a whole if one of its bodies is awake, so that a chain of any length wakes in one
+  // step.
   islands_.build(now);
   least_quiet_.assign(radius_.size(), asleep);
   for (int i = 0; i < static_cast<int>(radius_.size()); ++i) {
@@ -106,6 +116,7 @@ bool SleepKeeper::wake(const BulkBodies& bodies, const ManifoldMemories& before,
 void SleepKeeper::settle(double h, const ManifoldMemories& contacts, BulkBodies& bodies,
                          std::vector<float>& quiet_time) {
   RIGOR_ASSERT(quiet_time.size() == radius_.size());
+  // Each body counts how long it has been quiet; its island takes the least of its bodies.
   islands_.build(contacts);
   least_quiet_.assign(radius_.size(), asleep);
   for (int i = 0; i < static_cast<int>(radius_.size()); ++i) {
@@ -115,6 +126,7 @@ void SleepKeeper::settle(double h, const ManifoldMemories& contacts, BulkBodies&
     quiet = is_quiet(bodies, i) ? quiet + static_cast<float>(h) : 0;
     least_quiet_[at(island)] = std::min(least_quiet_[at(island)], quiet);
   }
+  // An island falls asleep as a whole once all of its bodies have been quiet for the delay.
   for (int i = 0; i < static_cast<int>(radius_.size()); ++i) {
     const int island = islands_.island_of(i);
     if (island < 0 || least_quiet_[at(island)] < static_cast<float>(rules_.delay)) continue;

@@ -43,10 +43,12 @@ void Sleepers::lay_down(BulkBodies& bodies) const {
 
 bool Sleepers::wake(const BulkBodies& bodies, const ManifoldMemories& memory,
                     const std::vector<ShapePair>& pairs, const ManifoldList& manifolds) {
+  // Contacts of which neither body moves were not searched for: they are as they were.
   kept_.clear();
   for (std::size_t i = 0; i < memory.size(); ++i) {
     if (!bodies.stirs(memory.body_A(i)) && !bodies.stirs(memory.body_B(i))) kept_.push_back(memory[i]);
   }
+  // With the manifolds that were found, they are the contacts of this step, in the order of keys.
   found_.resize(manifolds.size());
   for (std::size_t i = 0; i < manifolds.size(); ++i) {
     const ShapePair& pair = pairs[at(manifolds.pair(i))];
@@ -64,6 +66,7 @@ bool Sleepers::wake(const BulkBodies& bodies, const ManifoldMemories& memory,
 
 void Sleepers::settle(double h, BulkBodies& bodies, ManifoldMemories& memory) {
   disturbances_.bodies.clear();
+  // Memories of sleeping contacts are kept with their impulses, with which they wake.
   if (!kept_.empty()) {
     ManifoldMemories merged;
     std::merge(kept_.begin(), kept_.end(), memory.begin(), memory.end(), std::back_inserter(merged),

@@ -21,7 +21,8 @@ void set_floats(const Vec3& a, float* p) {
 void turn_far(const float* s, float* r) {
   const Vec3 before = vector_of(r), by = vector_of(s);
   const Vec3 shortest = rotation_log(rotation_exp(by) * rotation_exp(before));
-  // exp(shortest) = exp((1 + 2 π n / |shortest|) shortest) for whole n.
+  // Rotation vectors that differ by whole turns are the same rotation: exp(shortest) = exp((1 + 2 π n /
+  // |shortest|) shortest) for whole n. The one nearest to the sum is taken.
   const double angle = shortest.norm(), turn = 2 * std::numbers::pi;
   if (!(angle > 0)) return set_floats(before + by, r);
   const double along = (before + by).dot(shortest) / angle;
@@ -40,6 +41,8 @@ BulkBodies read_bulk_bodies(const Model& model, const State& state) {
     const std::size_t k = at(i);
     bodies.x[k] = state.position(i);
     bodies.q[k] = state.orientation(i);
+    // Velocities of all bodies, also of kinematic ones; mass and momentum of the dynamic ones only, so that
+    // the others stand.
     set_floats(linear_velocity(model, state, i), bodies.motion[k].v);
     set_floats(angular_velocity(model, state, i), bodies.motion[k].w);
     if (model.body(i).motion != MotionType::dynamic) continue;
@@ -64,8 +67,10 @@ void set_momentum(const Model& model, int body, BulkBodies& bodies) {
   const std::size_t k = at(body);
   const Vec3& moments = model.body(body).moments;
   const Mat3 R_WB = rotation_matrix(bodies.q[k]);
+  // L = R I Rᵀ ω, with the moments of inertia along the principal axes.
   bodies.L[k] = R_WB * moments.cwiseProduct(R_WB.transpose() * vector_of(bodies.motion[k].w));
-  // As angular_velocity() of a State, to the last bit.
+  // Computed back as angular_velocity() of a State does, to the last bit, so that a fresh world continues
+  // with the same velocity.
   set_floats(R_WB * (R_WB.transpose() * bodies.L[k]).cwiseQuotient(moments), bodies.motion[k].w);
 }
 
@@ -82,6 +87,7 @@ constexpr int kGrain = 256;  ///< Bodies.
 
 void set_inertia(const Vec3& moments, const Quat& q_WB, InverseInertia& inertia) {
   const Mat3 R_WB = q_WB.toRotationMatrix();
+  // I⁻¹ in W at the beginning of the step; it is constant for all of its substeps.
   const Mat3 inverse_W = R_WB * moments.cwiseInverse().asDiagonal() * R_WB.transpose();
   inertia.xx = static_cast<float>(inverse_W(0, 0));
   inertia.yy = static_cast<float>(inverse_W(1, 1));
@@ -109,9 +115,11 @@ void begin_bulk_step(const Model& model, const Executor& executor, BulkBodies& b
 
 namespace {
 
-/// exp(φ/2) by its series: to rounding for |φ|² <= kSeries.
+/// The quaternion exp(φ/2) by its series, exact to rounding for |φ|² <= kSeries. Both series are in powers of
+/// |φ|²/4, by Horner's scheme.
 constexpr double kSeries = 1;
 Quat exp_by_series(const Vec3& phi) {
+  // The half angle squared, s = |φ|²/4: sin √s / √s and cos √s, from the highest term down.
   const double s = phi.squaredNorm() / 4;
   double sine = -1.0 / 1307674368000, cosine = -1.0 / 87178291200;
   sine = s * sine + 1.0 / 6227020800, cosine = s * cosine + 1.0 / 479001600;
@@ -129,12 +137,15 @@ Quat exp_by_series(const Vec3& phi) {
 Quat orientation_now(int body, const BulkBodies& bodies) {
   const std::size_t k = at(body);
   const Vec3 dr = vector_of(bodies.motion[k].dr);
+  // The rotation vector of the step is small for nearly all bodies: a series takes less time than sine and
+  // cosine.
   const Quat turn = dr.squaredNorm() <= kSeries ? exp_by_series(dr) : rotation_exp(dr);
   return (turn * bodies.q[k]).normalized();
 }
 
 double kinetic_energy_now(const Model& model, int body, const BulkBodies& bodies) {
   const MotionRecord& motion = bodies.motion[at(body)];
+  // The angular part along the principal axes, where these are now.
   const Vec3 w_B = orientation_now(body, bodies).conjugate() * vector_of(motion.w);
   const double linear = model.body(body).mass * vector_of(motion.v).squaredNorm();
   return 0.5 * (linear + model.body(body).moments.dot(w_B.cwiseAbs2()));

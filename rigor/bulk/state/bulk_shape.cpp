@@ -52,11 +52,12 @@ FloatHull make_line(const std::vector<Vec3>& vertices) {
   return hull;
 }
 
-/// Faces and their loops; edges in the order of the half-edges that stand first.
+/// Adds the faces with their loops; edges are in the order of the half-edges that come first.
 void add_faces(const FeatureGraph& graph, FloatHull& hull) {
   std::vector<int> edge_of(graph.half_edges.size(), -1);
   for (std::size_t h = 0; h < graph.half_edges.size(); ++h) {
     const FeatureGraph::HalfEdge& half = graph.half_edges[h];
+    // Of two half-edges, the first makes the edge.
     if (edge_of[at(half.twin)] >= 0) {
       edge_of[h] = edge_of[at(half.twin)];
     } else {
@@ -74,6 +75,7 @@ void add_faces(const FeatureGraph& graph, FloatHull& hull) {
 }
 
 void add_fans(FloatHull& hull) {
+  // The faces around each vertex, in ascending order.
   std::vector<std::vector<int>> faces(at(hull.vertex_count));
   for (int f = 0; f < hull.face_count; ++f)
     for (int k = hull.loop_begin[at(f)]; k < hull.loop_begin[at(f + 1)]; ++k)
@@ -86,6 +88,7 @@ void add_fans(FloatHull& hull) {
 }
 
 void add_arcs(FloatHull& hull) {
+  // An arc has what the test on the Gauss map needs of its edge, in two rows of lanes.
   hull.arcs.clear();
   for (const FloatHull::Edge& edge : hull.edges) {
     FloatHull::ArcRecord& arc = hull.arcs.emplace_back();
@@ -107,7 +110,8 @@ void find_lone_faces(FloatHull& hull) {
       if (hull.normal(f).dot(hull.normal(g)) > cosine) hull.is_lone[at(f)] = hull.is_lone[at(g)] = 0;
 }
 
-/// Numbers the edges of a box by axis and then by their vertices: 4 axis + the sign bits but for the axis.
+/// Numbers the edges of a box by axis and then by their vertices: 4 axis + the sign bits without that of the
+/// axis.
 void number_box_edges(FloatHull& hull) {
   std::vector<int> order(hull.edges.size()), number(hull.edges.size());
   std::iota(order.begin(), order.end(), 0);
@@ -115,12 +119,14 @@ void number_box_edges(FloatHull& hull) {
     const FloatHull::Edge& edge = hull.edges[at(e)];
     return std::pair(edge.v0 ^ edge.v1, std::min(edge.v0, edge.v1));
   };
+  // The vertices of an edge differ in the bit of its axis.
   std::sort(order.begin(), order.end(), [&](int d, int e) { return key(d) < key(e); });
   std::vector<FloatHull::Edge> edges;
   for (const int e : order) {
     number[at(e)] = static_cast<int>(edges.size());
     edges.push_back(hull.edges[at(e)]);
   }
+  // All lists that name edges take the new numbers.
   hull.edges = edges;
   for (int& e : hull.loop_edges) e = number[at(e)];
   for (int& e : hull.sharp_edges) e = number[at(e)];
@@ -132,12 +138,14 @@ void number_box_edges(FloatHull& hull) {
 
 FloatHull make_float_hull(const FeatureGraph& graph, const std::vector<Vec3>& vertices) {
   FloatHull hull;
+  // The middle of the vertices, which is the centre of a ball inside.
   Vec3 center = Vec3::Zero();
   for (const Vec3& v : vertices) add_vertex(v, hull), center += v;
   center /= static_cast<double>(vertices.size());
   add_faces(graph, hull);
   add_fans(hull);
   add_spokes(hull);
+  // Planes of the faces; the ball reaches to the nearest of them.
   double inner = hull.extent;
   for (int f = 0; f < hull.face_count; ++f) {
     const Vec3& n = graph.normal(f);
@@ -168,7 +176,7 @@ FloatHulls::FloatHulls() {
 
 namespace {
 
-/// Fills in the kind, and with it the core of those that the narrow phase treats in 32 bits.
+/// Fills in the kind of a shape, and the core of those that the narrow phase treats in 32 bits.
 struct FillCore {
   FloatHulls& hulls;
   BulkShape& bulk;
@@ -197,6 +205,7 @@ struct FillCore {
   void operator()(const Convex& s) const {
     if (s.hull->edges.size() >= kMaxHullEdges) return;
     bulk.kind = BulkShape::Kind::hull;
+    // Shapes that share a hull share its copy in 32 bits.
     const auto known = std::find_if(hulls.convex.begin(), hulls.convex.end(),
                                     [&](const auto& entry) { return entry.first == s.hull.get(); });
     if (known != hulls.convex.end()) {
@@ -207,7 +216,7 @@ struct FillCore {
     }
     bulk.extent = bulk.hull->extent;
   }
-  // Only double precision treats these.
+  // These are only treated in double precision.
   void operator()(const Cylinder&) const {}
   void operator()(const Cone&) const {}
   void operator()(const Ellipsoid&) const {}
@@ -226,6 +235,7 @@ BulkShape make_bulk_shape(const BodyShape& shape, FloatHulls& hulls) {
 }
 
 PlacedShape place_shape(const BulkShape& shape, const Quat& q_WB) {
+  // The products are in 64 bits and rounded once.
   const Mat3 R_WB = q_WB.toRotationMatrix();
   const Mat3 R_WS = shape.is_body_frame ? R_WB : Mat3(R_WB * shape.X_BS.R);
   const Vec3 p = shape.is_body_frame ? Vec3(Vec3::Zero()) : Vec3(R_WB * shape.X_BS.p);

@@ -14,10 +14,10 @@ namespace rigor {
 using Vec3f = Eigen::Vector3f;
 using Mat3f = Eigen::Matrix<float, 3, 3, Eigen::RowMajor>;
 
-/// Parts of separations that rounding may take, of the lengths in a pair.
+/// The rounding of separations, relative to the lengths in a pair.
 constexpr float kCollisionRounding = 1e-6f;
 
-/// Hulls have fewer edges than this: two of them and a few bits more name an axis in 32 bits.
+/// Hulls have fewer edges than this, so that two edges and a few bits more name an axis in 32 bits.
 constexpr std::size_t kMaxHullEdges = 16384;
 
 /// Points or directions in columns of whole lanes.
@@ -32,7 +32,7 @@ struct FloatHull {
   struct Edge {
     int v0, v1;        ///< The edge runs v0 -> v1 in the loop of face f0 and v1 -> v0 in that of f1.
     int f0, f1;        ///< -1 where there are no faces.
-    float cosine = 1;  ///< Of the angle between their normals.
+    float cosine = 1;  ///< Cosine of the angle between their normals.
   };
   /// An edge and its arc on the Gauss map, in two rows of lanes.
   struct alignas(64) ArcRecord {
@@ -42,17 +42,17 @@ struct FloatHull {
   int vertex_count = 0, face_count = 0;
   std::vector<float> x, y, z;            ///< Vertices [m].
   std::vector<float> nx, ny, nz;         ///< Outward unit normals of the faces.
-  std::vector<float> offset;             ///< Of the faces: n · v of their vertices [m].
-  std::vector<char> is_lone;             ///< Of the faces: no other normal is within 0.02 rad of theirs.
-  std::vector<Edge> edges;               ///< Each once.
-  std::vector<int> sharp_edges;          ///< Between faces whose normals are at an obtuse angle.
-  std::vector<ArcRecord> arcs;           ///< Of the edges; none without faces.
-  std::vector<int> loop_begin;           ///< First place of each face in the loops, and their length.
+  std::vector<float> offset;             ///< Offsets of the faces: n · v of their vertices [m].
+  std::vector<char> is_lone;             ///< Whether no other normal is within 0.02 rad of a face's.
+  std::vector<Edge> edges;               ///< Each edge once.
+  std::vector<int> sharp_edges;          ///< Edges between faces whose normals are at an obtuse angle.
+  std::vector<ArcRecord> arcs;           ///< Arcs of the edges; none without faces.
+  std::vector<int> loop_begin;           ///< Beginning of each face's loop, and the end of the last.
   std::vector<int> loop, loop_edges;     ///< Vertices counter-clockwise, and the edge to the next one.
   std::vector<int> fan_begin, fan;       ///< The faces around each vertex.
   std::vector<int> spoke_begin, spokes;  ///< The edges around each vertex.
-  Vec3f center = Vec3f::Zero();          ///< Of a ball inside [m].
-  float inner = 0;                       ///< Its radius [m].
+  Vec3f center = Vec3f::Zero();          ///< Centre of a ball inside [m].
+  float inner = 0;                       ///< Radius of that ball [m].
   float extent = 0;                      ///< No vertex is farther from the origin [m].
 
   LaneColumns vertices() const { return {x.data(), y.data(), z.data(), x.size()}; }
@@ -79,14 +79,14 @@ struct FloatHull {
 
 FloatHull make_float_hull(const FeatureGraph& graph, const std::vector<Vec3>& vertices);
 
-/// What the narrow phase knows of a shape: a core of vertices, which is `hull` stretched by `scale` along its
-/// axes, grown by `radius`; or a half-space; or something that only double precision treats.
+/// What the narrow phase knows of a shape: a core of vertices, which is `hull` scaled by `scale` along its
+/// axes, grown by `radius`; or a half-space; or a shape that is only treated in double precision.
 struct BulkShape {
   enum class Kind : std::int8_t { round, box, hull, plane, other };
   Kind kind = Kind::other;
   const Shape* shape = nullptr;
   Pose X_BS;
-  bool is_body_frame = false;  ///< S is B.
+  bool is_body_frame = false;  ///< Whether the shape's frame S is the body frame B.
   std::shared_ptr<const FloatHull> hull;
   Vec3f scale = Vec3f::Ones();  ///< Half extents of a box; (1, 1, half length) of a segment [m].
   float radius = 0;             ///< [m].
@@ -94,30 +94,31 @@ struct BulkShape {
   /// How far the ball inside the core can be moved along the axes of S, both ways [m].
   Vec3f ball_way = Vec3f::Zero();
 
-  /// Of a ball inside the shape, if it has a core [m].
+  /// Radius of a ball inside the shape, if it has a core [m].
   float inner_radius() const { return hull->inner * scale.minCoeff() + radius; }
 };
 
 /// The hulls that shapes share.
 struct FloatHulls {
   FloatHulls();
-  /// |x|, |y|, |z| <= 1; edge 4 axis + the sign bits of its vertices but for the axis.
+  /// The cube |x|, |y|, |z| <= 1; edges are numbered 4 axis + the sign bits of their vertices without that of
+  /// the axis.
   std::shared_ptr<const FloatHull> box;
-  std::shared_ptr<const FloatHull> segment;  ///< |z| <= 1 on the axis.
+  std::shared_ptr<const FloatHull> segment;  ///< The segment |z| <= 1 on the axis.
   std::shared_ptr<const FloatHull> point;    ///< The origin.
   std::vector<std::pair<const ConvexHull*, std::shared_ptr<const FloatHull>>> convex;
 };
 
-/// The shape must outlive the answer.
+/// The form of a body's shape in 32 bits; the shape must outlive it.
 BulkShape make_bulk_shape(const BodyShape& shape, FloatHulls& hulls);
 
-/// Where a shape's frame S is, relative to the centre of its body along W's axes, with what box pairs need
-/// besides: one line of the cache.
+/// Where a shape's frame S is, relative to the centre of its body along W's axes, with what pairs of boxes
+/// need besides: one cache line.
 struct alignas(64) PlacedShape {
   float R[9];     ///< R_WS, row by row.
   float p[3];     ///< [m].
   float half[3];  ///< Half extents of a box [m].
-  float extent;   ///< As of the BulkShape [m].
+  float extent;   ///< As in the BulkShape [m].
 
   Mat3f rotation() const { return Eigen::Map<const Mat3f>(R); }
   Vec3f position() const { return Vec3f(p[0], p[1], p[2]); }

@@ -4,14 +4,15 @@
 
 namespace rigor {
 
-/// What the velocities of a body change by in a step, a second.
+/// The mean change of a body's velocities over a step, per second.
 struct MeanAcceleration {
   Vec3 a;      ///< [m/s²].
   Vec3 alpha;  ///< [rad/s²].
 };
 
-/// Mean accelerations over a step of h > 0 [s] of a body on which forces act that are those of its begin but
-/// for the drag, which follows the velocity. R_WB and the wrench (drag in it) are those of the begin.
+/// Mean accelerations over a step of h > 0 [s] of a body whose forces are those at the beginning of the step,
+/// except for the drag, which follows the velocity. R_WB and the wrench (drag included) are those at the
+/// beginning.
 ///
 ///   v' = a - c (v - v₀)   gives   v(h) = v₀ + h φ(c h) a,   φ(z) = (1 - e⁻ᶻ)/z
 ///

@@ -9,18 +9,19 @@ namespace rigor {
 
 namespace {
 
-/// Whether a number must be stored: those that are not stored are +0.
+/// Whether a number must be stored: one that is not stored is +0.
 bool is_set(float number) {
   return std::bit_cast<std::uint32_t>(number) != 0;
 }
 
-/// Lists grow by an eighth, not to twice their size, since they are most of the memory of a large scene.
+/// Makes room in a list. Lists grow by an eighth, not to twice their size, since they are most of the memory
+/// of a large scene.
 template <class T>
 void make_room(std::size_t count, std::vector<T>& list) {
   if (count > list.capacity()) list.reserve(count + count / 8);
 }
 
-/// Room for the numbers of the memory that are not 0.
+/// The layout with room for the numbers of the memory that are not 0.
 ManifoldMemories::Layout layout_of(const ManifoldMemory& memory) {
   RIGOR_ASSERT(memory.point_count >= 0 && memory.point_count <= ManifoldMemory::max_points);
   return {memory.point_count, memory.shape_A != 0 || memory.shape_B != 0 || memory.part != 0,
@@ -71,6 +72,7 @@ void ManifoldMemories::push_back(const ManifoldMemory& memory) {
 }
 
 void ManifoldMemories::put(std::size_t i, const ManifoldMemory& memory) {
+  // Numbers without a place are 0 by the layout.
   const Slot slot = put_key(i, memory.key());
   for (std::size_t k = 0; k < heads_[i].point_count; ++k) {
     slot.feature[k] = std::bit_cast<float>(memory.feature[k]);
@@ -88,6 +90,7 @@ void ManifoldMemories::set_energy(std::size_t i, float energy) {
 }
 
 std::size_t ManifoldMemories::find_from(const ContactKey& wanted) const {
+  // Binary search for the first key that is not less.
   std::size_t begin = 0, end = size();
   while (begin < end) {
     const std::size_t middle = begin + (end - begin) / 2;
@@ -105,6 +108,7 @@ float ManifoldMemories::energy(std::size_t i) const {
 }
 
 ManifoldMemory ManifoldMemories::operator[](std::size_t i) const {
+  // Numbers that are not stored are 0 in the view, or stay 0 in the copy.
   const View own = view(i);
   const ContactKey own_key = key(i);
   ManifoldMemory memory;

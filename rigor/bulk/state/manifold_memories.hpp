@@ -14,16 +14,16 @@
 namespace rigor {
 
 /// The memories of a State's manifolds while the many-body path works on them: packed, each with no more
-/// numbers than it needs (40 B for two balls, where ManifoldMemory has 88), and written by all threads. Gives
-/// copies; what was put in comes out with the same bits.
+/// numbers than it needs (40 B for two balls, where ManifoldMemory has 88), and written by all threads.
+/// Elements are read as copies, with the same bits as were put in.
 class ManifoldMemories {
  public:
-  /// Which numbers a memory has besides its bodies, friction and points. What is 0 need not be there.
+  /// Which numbers a memory has besides its bodies, friction and points. Those that are 0 need not be stored.
   struct Layout {
     int point_count = 0;
     bool has_shapes = true, has_twist = true, has_rolling = true, has_energy = true;
   };
-  /// The numbers of a memory where they lie; valid until the list changes.
+  /// The numbers of a memory where they are stored; valid until the list changes.
   struct View {
     int point_count = 0;
     const float* feature = nullptr;  ///< Bits of 32-bit numbers.
@@ -71,7 +71,7 @@ class ManifoldMemories {
     return {head.body_A, head.body_B, std::bit_cast<int>(shapes[0]), std::bit_cast<int>(shapes[1]),
             std::bit_cast<std::uint32_t>(shapes[2])};
   }
-  /// The order of the key of a memory and another key.
+  /// Compares the key of a memory with another key.
   std::strong_ordering order(std::size_t i, const ContactKey& other) const {
     const Head& head = heads_[i];
     if (head.body_A != other.body_A) return head.body_A <=> other.body_A;
@@ -95,8 +95,8 @@ class ManifoldMemories {
             head.has_rolling ? numbers + at.rolling : nullptr};
   }
 
-  /// Makes `count` memories; layout_of(i) says what the i-th has room for. All of them must be written by the
-  /// functions below, different ones from any threads.
+  /// Makes `count` memories; layout_of(i) says what the i-th has room for. All of them must then be written
+  /// by the functions below, different ones from any threads.
   template <class LayoutOf>
   void arrange(std::size_t count, const LayoutOf& layout_of) {
     make_heads(count);
@@ -114,6 +114,7 @@ class ManifoldMemories {
     float* numbers = numbers_.data();
     head.body_A = key.body_A;
     head.body_B = key.body_B;
+    // Most pairs are of the first shapes of two bodies and have one part: these zeros are not stored.
     if (head.has_shapes) {
       numbers[at.shapes] = std::bit_cast<float>(key.shape_A);
       numbers[at.shapes + 1] = std::bit_cast<float>(key.shape_B);
@@ -126,11 +127,11 @@ class ManifoldMemories {
             head.has_twist ? numbers + at.twist : nullptr,
             head.has_rolling ? numbers + at.rolling : nullptr};
   }
-  /// All but the energy.
+  /// Writes all of a memory but the energy.
   void put(std::size_t i, const ManifoldMemory& memory);
   void set_energy(std::size_t i, float energy);
 
-  /// In the order of the list.
+  /// Reads the list in its order.
   class Iterator {
    public:
     using iterator_category = std::input_iterator_tag;
@@ -158,11 +159,11 @@ class ManifoldMemories {
  private:
   struct Head {
     int body_A, body_B;
-    std::uint32_t first;  ///< Of its numbers.
+    std::uint32_t first;  ///< Index of its first number.
     std::uint8_t point_count;
     bool has_shapes : 1, has_twist : 1, has_rolling : 1, has_energy : 1;
   };
-  /// Where numbers of a memory begin, as they lie.
+  /// Where the numbers of a memory begin, in the order in which they are stored.
   struct Places {
     std::size_t friction, twist, rolling, energy, shapes, features, impulses, end;
   };
@@ -175,7 +176,7 @@ class ManifoldMemories {
     at.shapes = at.energy + head.has_energy;
     at.features = at.shapes + 3 * std::size_t{head.has_shapes};
     at.impulses = at.features + head.point_count;
-    // At least four numbers from the friction on.
+    // There are at least four numbers from the friction on, so that lanes may load four.
     at.end = at.impulses + head.point_count;
     if (at.end < at.friction + 4) at.end = at.friction + 4;
     return at;
@@ -194,7 +195,8 @@ class ManifoldMemories {
   void make_numbers(std::size_t count);
 
   std::vector<Head> heads_;
-  /// Of each memory: friction (3), twist, rolling (3), energy, shapes and part (3), features, impulses.
+  /// The numbers of each memory: friction (3), twist, rolling (3), energy, shapes and part (3), features,
+  /// impulses.
   std::vector<float> numbers_;
 };
 

@@ -17,7 +17,7 @@ void set_velocities(const Vec3& v, const Vec3& w, MotionRecord& motion) {
   }
 }
 
-/// So that the body is at x, q after h.
+/// Sets the constant velocities that take a body to x, q within h.
 void set_velocities_to(const Vec3& x, const Quat& q, double h, std::size_t body, BulkBodies& bodies) {
   set_velocities((x - bodies.x[body]) / h, rotation_log(q * bodies.q[body].conjugate()) / h,
                  bodies.motion[body]);
@@ -50,12 +50,15 @@ void PrescribedBodies::set_target(int body, const Vec3& x, const Quat& q) {
 void PrescribedBodies::place(const Model& model, double t, double h, BulkBodies& bodies) const {
   for (const int i : given_) {
     const std::size_t k = at(i);
+    // Where the path has the body now; its velocities reach the path again at the end of the step, however
+    // the path curves.
     const PrescribedMotion now = prescribed_motion(model.body(i), t);
     const PrescribedMotion then = prescribed_motion(model.body(i), t + h);
     bodies.x[k] = now.p_WB;
     bodies.q[k] = now.q_WB;
     set_velocities_to(then.p_WB, then.q_WB, h, k, bodies);
   }
+  // Free bodies stand, but for those that have a target.
   for (const int i : free_) set_velocities(Vec3::Zero(), Vec3::Zero(), bodies.motion[at(i)]);
   for (const Target& target : targets_) set_velocities_to(target.x, target.q, h, at(target.body), bodies);
 }

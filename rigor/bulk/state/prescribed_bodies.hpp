@@ -6,22 +6,21 @@
 
 namespace rigor {
 
-/// The kinematic bodies of a Model among the many. Those with a velocity or a path are where these take them.
-/// The others stand where the State has them, unless they are given a place to be at the end of the next
-/// step.
+/// The kinematic bodies of a BulkWorld. Those with a velocity or a path are where these take them. The others
+/// stand where the State has them, unless they are given a place to be at the end of the next step.
 class PrescribedBodies {
  public:
   explicit PrescribedBodies(const Model& model);
 
   /// Whether the body may be given places: it is kinematic and has neither a velocity nor a path.
   static bool is_free(const Body& body);
-  /// Of a free body, for the end of the next step: centre p_WB [m] and orientation q_WB.
+  /// Gives a free body its place at the end of the next step: centre p_WB [m] and orientation q_WB.
   void set_target(int body, const Vec3& x, const Quat& q);
 
-  /// At the begin of a step of h [s] at t [s]: puts them where they are to be, with the velocities that take
-  /// them to where they are to be at its end.
+  /// Puts the bodies, at the beginning of a step of h [s] at t [s], where they are to be, with the velocities
+  /// that take them to where they are to be at its end.
   void place(const Model& model, double t, double h, BulkBodies& bodies) const;
-  /// At the end of a step: free bodies are exactly where they were to be.
+  /// At the end of a step, puts free bodies exactly where they were to be.
   void arrive(BulkBodies& bodies);
 
  private:
@@ -31,7 +30,7 @@ class PrescribedBodies {
     Quat q;
   };
   std::vector<int> given_, free_;
-  std::vector<Target> targets_;  ///< One a body at most.
+  std::vector<Target> targets_;  ///< At most one per body.
 };
 
 }  // namespace rigor

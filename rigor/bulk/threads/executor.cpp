@@ -55,12 +55,15 @@ Executor::Executor(Executor&& other) noexcept = default;
 Executor& Executor::operator=(Executor&& other) noexcept = default;
 
 void Executor::for_ranges(int count, int grain, const std::function<void(int, int)>& body) const {
-  // More ranges than threads: a thread that the machine takes away for a while holds up a part of its share.
+  // There are more ranges than threads, so that a thread that the operating system suspends for a while
+  // delays only a part of its share.
   constexpr int ranges_of_a_thread = 4;
   if (count <= 0) return;
   const int ranges =
       std::min({count / std::max(grain, 1), ranges_of_a_thread * threads_, SharedLoop::most_ranges});
+  // A loop inside a loop runs alone: the threads are taken.
   if (!pool_ || ranges <= 1 || pool_->loop.is_running()) return body(0, count);
+  // A team waits for loops already; otherwise threads are woken.
   if (pool_->has_team) return pool_->loop.run(count, ranges, body);
   const auto begin_of = [&](int k) {
     return static_cast<int>(static_cast<std::int64_t>(count) * k / ranges);

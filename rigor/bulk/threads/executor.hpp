@@ -5,30 +5,31 @@
 
 namespace rigor {
 
-/// Runs the rounds of a loop, on one or more threads. Loops are such that their answer does not depend on who
-/// runs which round: nothing is added up across rounds, no round writes what another reads.
+/// Runs the iterations of a loop on one or more threads. Loops must be such that their result does not depend
+/// on which thread runs which iteration: nothing is added up across iterations, and no iteration writes what
+/// another reads.
 class Executor {
  public:
-  /// threads >= 1. One means the caller's own thread: nothing else is started. There are never more than the
-  /// machine has processors.
+  /// threads >= 1. One means the caller's own thread: no other is started. There are never more threads than
+  /// the machine has processors.
   explicit Executor(int threads);
   ~Executor();
   Executor(Executor&& other) noexcept;
   Executor& operator=(Executor&& other) noexcept;
 
   int threads() const { return threads_; }
-  /// body(begin, end) over ranges that make up [0, count); ranges of less than `grain` rounds are not split
-  /// off. With one thread, or less than two grains, it is one range. Returns when all are done; what a body
-  /// throws comes out here.
+  /// Calls body(begin, end) for ranges that make up [0, count); ranges of fewer than `grain` iterations are
+  /// not split off. With one thread, or less than two grains, there is one range. Returns when all are done;
+  /// what a body throws is thrown from here.
   void for_ranges(int count, int grain, const std::function<void(int, int)>& body) const;
 
-  /// Runs both, of which neither may touch what the other writes: at once, if there is another thread. Loops
-  /// inside them may be run by one thread alone.
+  /// Runs both functions, of which neither may touch what the other writes: at once, if there is another
+  /// thread. Loops inside them may be run by one thread alone.
   void run_both(const std::function<void()>& one, const std::function<void()>& other) const;
 
-  /// As long as it lives, the other threads wait for loops and do nothing else, so that short ones are worth
-  /// to be shared: a thread that is woken comes after some 10 µs, one that waits after less than one. One at
-  /// a time, on the thread that calls for_ranges().
+  /// As long as a Team lives, the other threads wait for loops and do nothing else, so that short loops are
+  /// worth sharing: a thread that has to be woken arrives after some 10 µs, one that waits after less than
+  /// one. There is one Team at a time, on the thread that calls for_ranges().
   class Team {
    public:
     explicit Team(const Executor& executor);
@@ -45,7 +46,7 @@ class Executor {
   struct Pool;
 
   int threads_;
-  std::unique_ptr<Pool> pool_;  ///< None for one thread.
+  std::unique_ptr<Pool> pool_;  ///< Null for one thread.
 };
 
 }  // namespace rigor

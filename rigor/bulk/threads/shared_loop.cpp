@@ -9,8 +9,8 @@ namespace rigor {
 
 namespace {
 
-/// Waits a moment: the shorter the wait so far, the shorter the moment. A thread that the machine needs
-/// elsewhere is given back.
+/// Waits for a moment, at first only a pause of the processor; later the thread yields, so that the machine
+/// may use its processor elsewhere.
 class Patience {
  public:
   void wait() {
@@ -32,6 +32,7 @@ class Patience {
 
 void SharedLoop::run(int count, int ranges, const Body& body) {
   RIGOR_ASSERT(ranges >= 1 && ranges <= most_ranges);
+  // All of the loop is written before its ticket is released: a thread that takes a range sees it.
   body_ = &body;
   count_ = count;
   is_running_.store(true, std::memory_order_relaxed);
@@ -39,6 +40,7 @@ void SharedLoop::run(int count, int ranges, const Body& body) {
   ++number_;
   ticket_.store(std::uint64_t{number_} << 32 | static_cast<std::uint64_t>(ranges) << 16,
                 std::memory_order_release);
+  // The calling thread takes ranges too, and then waits for those that others have taken.
   while (take_range()) {
   }
   for (Patience patience; done_.load(std::memory_order_acquire) < ranges;) patience.wait();
@@ -56,8 +58,10 @@ void SharedLoop::help() {
   }
 }
 
-/// False if there is none.
+/// Takes the next range and runs it; false if there is none.
 bool SharedLoop::take_range() {
+  // The next range of the loop that the ticket names: if the loop has changed meanwhile, so has the ticket,
+  // and the exchange fails.
   std::uint64_t ticket = ticket_.load(std::memory_order_acquire);
   int ranges = 0, k = 0;
   do {
@@ -68,6 +72,7 @@ bool SharedLoop::take_range() {
   const auto begin_of = [&](int i) {
     return static_cast<int>(static_cast<std::int64_t>(count_) * i / ranges);
   };
+  // The first exception is kept and thrown by run().
   try {
     (*body_)(begin_of(k), begin_of(k + 1));
   } catch (...) {

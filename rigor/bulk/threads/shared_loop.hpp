@@ -8,18 +8,18 @@
 
 namespace rigor {
 
-/// A loop whose ranges are taken by whoever comes: the thread that runs it, and others that wait for loops
-/// meanwhile. It is done when all ranges are, whether or not anybody else came, so it waits for no thread
-/// that the machine has not started.
+/// A loop whose ranges are taken by any thread that comes: the one that runs it, and others that wait for
+/// loops meanwhile. It is done when all ranges are, whether or not another thread came, so it never waits for
+/// a thread that the machine has not started.
 class SharedLoop {
  public:
   using Body = std::function<void(int, int)>;
   static constexpr int most_ranges = 0xffff;
 
-  /// body(begin, end) over `ranges` (1 to most_ranges) of [0, count). From one thread at a time. What a body
-  /// throws comes out here when all are done.
+  /// Calls body(begin, end) for `ranges` (1 to most_ranges) of [0, count). Only one thread may call it at a
+  /// time. What a body throws is thrown from here when all are done.
   void run(int count, int ranges, const Body& body);
-  /// Takes part in all loops until close(). For the other threads.
+  /// Takes part in all loops until close(); for the other threads.
   void help();
   void close() { is_closed_.store(true, std::memory_order_release); }
   void open() { is_closed_.store(false, std::memory_order_relaxed); }
