@@ -12,12 +12,7 @@
 namespace rigor {
 namespace {
 
-<<<<<<< HEAD
-constexpr std::size_t kWideBinCount = 12;  ///< Places where the heuristic tries to cut.
-=======
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr std::size_t kWideBinCount = 12;  ///< Bins of centres between which the heuristic may cut.
->>>>>>> c1
 
 /// Rotation matrix of a quaternion that is not normalised: exactly orthogonal whatever its length.
 Mat3 axes_of(double w, double x, double y, double z) {
