@@ -55,16 +55,16 @@ class TwistMotion : public RigidMotion {
   double t_;
 };
 
-/// A motion together with the pose X_BL of the user's frame L on its body.
+/// A motion together with the pose X_BU of the user's frame U on its body.
 struct ScrewMotion {
   TwistMotion motion;
-  Pose X_BL;
+  Pose X_BU;
 };
 
-/// The motion with constant twist, X_WL(t) = exp(t [ω v]) X_WL, where v_W is the velocity of the point of the
+/// The motion with constant twist, X_WU(t) = exp(t [ω v]) X_WU, where v_W is the velocity of the point of the
 /// body that passes through the origin of W [m/s]. It is a rotation about a fixed axis of W combined with a
 /// translation along that axis (Chasles); the origin of B lies on the axis. With w_W = 0 it is a pure
 /// translation.
-ScrewMotion make_screw_motion(const Pose& X_WL, const Vec3& w_W, const Vec3& v_W);
+ScrewMotion make_screw_motion(const Pose& X_WU, const Vec3& w_W, const Vec3& v_W);
 
 }  // namespace rigor

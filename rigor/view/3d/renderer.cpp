@@ -66,13 +66,13 @@ Vec3 sun_direction(const Camera& camera, const Vec3& up) {
   return (1.1 * up - 0.65 * axes.col(0) - 0.45 * axes.col(2)).normalized();
 }
 
-Image Renderer::draw(const DrawnScene& scene, std::span<const Pose> X_WL, const Camera& camera, int width,
+Image Renderer::draw(const DrawnScene& scene, std::span<const Pose> X_WU, const Camera& camera, int width,
                      int height) {
-  RIGOR_ASSERT(static_cast<int>(X_WL.size()) == scene.body_count);
+  RIGOR_ASSERT(static_cast<int>(X_WU.size()) == scene.body_count);
   const Projection projection(camera, width, height);
   const double distance = (camera.target - camera.eye).norm();
   near_ = 1e-3 * distance;
-  place(scene, X_WL, projection.X_KW());
+  place(scene, X_WU, projection.X_KW());
 
   const Vec3 sun_W = sun_direction(camera, scene.up);
   // Shadows of all that is in the picture about its middle, and of what stands half as far beside it.
@@ -94,22 +94,22 @@ Image Renderer::draw(const DrawnScene& scene, std::span<const Pose> X_WL, const 
   return image;
 }
 
-void Renderer::place(const DrawnScene& scene, std::span<const Pose> X_WL, const Pose& X_KW) {
+void Renderer::place(const DrawnScene& scene, std::span<const Pose> X_WU, const Pose& X_KW) {
   placed_.clear();
   for (const DrawnShape& shape : scene.shapes)
-    placed_.push_back({&shape, X_WL[static_cast<std::size_t>(shape.body)] * shape.X_LS});
-  place_lines(scene, X_WL);
+    placed_.push_back({&shape, X_WU[static_cast<std::size_t>(shape.body)] * shape.X_US});
+  place_lines(scene, X_WU);
   const auto depth = [&](const ShownShape& placed) { return X_KW.R.row(2).dot(placed.X_WS.p); };
   std::stable_sort(placed_.begin(), placed_.end(),
                    [&](const ShownShape& a, const ShownShape& b) { return depth(a) < depth(b); });
 }
 
 /// Lines as rods of the lengths that they have now.
-void Renderer::place_lines(const DrawnScene& scene, std::span<const Pose> X_WL) {
+void Renderer::place_lines(const DrawnScene& scene, std::span<const Pose> X_WU) {
   rods_.clear();
   rods_.reserve(scene.lines.size());  // The placed shapes point at them.
   for (const DrawnLine& line : scene.lines) {
-    const auto [from, to] = line.ends(X_WL);
+    const auto [from, to] = line.ends(X_WU);
     const double length = (to - from).norm();
     if (!(length > 0)) continue;
     const Cylinder rod{line.radius, length / 2};
