@@ -122,26 +122,26 @@ void ConstrainedMass::factor_trees() {
   loops_.resize(forest_.loop_links.size());
   for (Loop& loop : loops_) loop.active = active_[static_cast<std::size_t>(loop.link)];
 
-  // The place of K_D holds D until its node is reached.
+  // The place of K_Y holds D until its node is reached.
   for (std::size_t place = 0; place < pivots_.size(); ++place)
-    pivots_[place].K_D = masses_[static_cast<std::size_t>(forest_.nodes[place].node)];
+    pivots_[place].K_Y = masses_[static_cast<std::size_t>(forest_.nodes[place].node)];
   for (std::size_t place = pivots_.size(); place-- > 0;) {
     const SpanningForest::Node& node = forest_.nodes[place];
     Pivot& pivot = pivots_[place];
     ActiveRows all;
     all.fill(true);
-    pivot.K_D = inverse_factor(pivot.K_D, 0, all);
+    pivot.K_Y = inverse_factor(pivot.K_Y, 0, all);
     if (node.link < 0) continue;
     factor_link(node, pivot);
     if (node.parent < 0) continue;
-    pivots_[static_cast<std::size_t>(node.parent)].K_D += pivot.Z.transpose() * pivot.Z;
+    pivots_[static_cast<std::size_t>(node.parent)].K_Y += pivot.Z.transpose() * pivot.Z;
   }
 }
 
 void ConstrainedMass::factor_link(const SpanningForest::Node& node, Pivot& pivot) {
   const Mat6& J = block(node.link, node.is_first_end ? 0 : 1);
   const Mat6& J_parent = block(node.link, node.is_first_end ? 1 : 0);
-  const Mat6 Y = pivot.K_D * J.transpose();
+  const Mat6 Y = pivot.K_Y * J.transpose();
   const Mat6 A = Y.transpose() * Y;
 
   // A row that has no hold on the node, or none of its own, waits for the dense system.
@@ -152,9 +152,9 @@ void ConstrainedMass::factor_link(const SpanningForest::Node& node, Pivot& pivot
     for (int i = 0; i < 6; ++i)
       if (sizes(i) <= kVanishedRow * parent_sizes(i)) active[static_cast<std::size_t>(i)] = false;
   }
-  pivot.K_A = inverse_factor(A, kDependentRow, active);
-  pivot.W.noalias() = pivot.K_A * Y.transpose();
-  if (node.parent >= 0) pivot.Z.noalias() = pivot.K_A * J_parent;
+  pivot.K_D = inverse_factor(A, kDependentRow, active);
+  pivot.W.noalias() = pivot.K_D * Y.transpose();
+  if (node.parent >= 0) pivot.Z.noalias() = pivot.K_D * J_parent;
   if (active == counting) return;
 
   add_loop(node.link);
@@ -181,12 +181,12 @@ void ConstrainedMass::eliminate(Loop& loop) const {
     for (int i = 0; i < 6; ++i)
       if (loop.active[static_cast<std::size_t>(i)])
         loop.U[static_cast<std::size_t>(at - loop.path.begin())].col(i) = G.col(i);
-    loop.sizes += (pivots_[static_cast<std::size_t>(place)].K_D * G).colwise().squaredNorm().transpose();
+    loop.sizes += (pivots_[static_cast<std::size_t>(place)].K_Y * G).colwise().squaredNorm().transpose();
   }
   for (std::size_t i = 0; i < loop.path.size(); ++i) {
     const std::size_t place = static_cast<std::size_t>(loop.path[i].place);
     const Pivot& pivot = pivots_[place];
-    loop.U[i] = pivot.K_D * loop.U[i];
+    loop.U[i] = pivot.K_Y * loop.U[i];
     loop.P[i] = loop.U[i];
     if (forest_.nodes[place].link < 0) continue;
     const Mat6 V = -pivot.W * loop.U[i];

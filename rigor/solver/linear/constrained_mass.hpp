@@ -60,17 +60,17 @@ class ConstrainedMass {
   using ActiveRows = std::array<bool, 6>;
   /// One step of the elimination along a tree: a node and its link towards the root.
   struct Pivot {
-    Mat6 K_D;  ///< K_Dᵀ K_D = D⁻¹, D the node's mass with all that hangs on it.
-    Mat6 K_A;  ///< K_Aᵀ K_A = A⁻¹, A = J D⁻¹ Jᵀ of the link's rows on the node; 0 at rows that do not count.
-    Mat6 W;  ///< K_A J K_Dᵀ: orthonormal rows.
-    Mat6 Z;  ///< K_A J of the link's rows on the parent.
+    Mat6 K_Y;  ///< K_Yᵀ K_Y = D⁻¹, D the node's mass with all that hangs on it.
+    Mat6 K_D;  ///< K_Dᵀ K_D = A⁻¹, A = J D⁻¹ Jᵀ of the link's rows on the node; 0 at rows that do not count.
+    Mat6 W;  ///< K_D J K_Yᵀ: orthonormal rows.
+    Mat6 Z;  ///< K_D J of the link's rows on the parent.
   };
   /// Rows of a link that are no pivots of a tree, eliminated along the ways to the roots.
   struct Loop {
     int link = 0;
     ActiveRows active{};
     std::vector<SpanningForest::PathNode> path;
-    std::vector<Mat6> U;  ///< One a place of the path: K_D times what the rows' wrenches become there.
+    std::vector<Mat6> U;  ///< One a place of the path: K_Y times what the rows' wrenches become there.
     std::vector<Mat6> P;  ///< U without what the tree's links hold.
     Vec6 sizes;           ///< Of each row: Σ J D⁻¹ Jᵀ of its nodes.
     std::array<Eigen::Index, 6> dense{};  ///< Its rows in the dense system; -1 if not active.

@@ -119,8 +119,8 @@ MatX ConstrainedMass::solve(const MatX& F) const {
   return a;
 }
 
-// With u = K_D f and s = K_A c - W u the unknowns of a node and its link stand for
-//   a = K_Dᵀ (u - Wᵀ t),   λ = -K_Aᵀ t,   t = Z a_parent - s;
+// With u = K_Y f and s = K_D c - W u the unknowns of a node and its link stand for
+//   a = K_Yᵀ (u - Wᵀ t),   λ = -K_Dᵀ t,   t = Z a_parent - s;
 // what the node leaves to its parent is f_parent + Zᵀ s. Here f becomes u, and s goes to the place of λ.
 void ConstrainedMass::eliminate(Eigen::Ref<VecX> a, Eigen::Ref<VecX> lambda, const VecX* c) const {
   for (std::size_t place = pivots_.size(); place-- > 0;) {
@@ -128,11 +128,11 @@ void ConstrainedMass::eliminate(Eigen::Ref<VecX> a, Eigen::Ref<VecX> lambda, con
     const Pivot& pivot = pivots_[place];
     Vec6 u = a.segment<6>(6 * node.node);
     const bool is_still = c == nullptr && u.isZero(0);
-    if (!is_still) a.segment<6>(6 * node.node) = u = pivot.K_D * u;
+    if (!is_still) a.segment<6>(6 * node.node) = u = pivot.K_Y * u;
     if (node.link < 0) continue;
     Vec6 s = Vec6::Zero();
     if (!is_still) s = -pivot.W * u;
-    if (c != nullptr) s += pivot.K_A * padded(*c, node.link);
+    if (c != nullptr) s += pivot.K_D * padded(*c, node.link);
     store(s, node.link, lambda);
     if (is_still || node.parent < 0) continue;
     a.segment<6>(6 * forest_.nodes[at(node.parent)].node) += pivot.Z.transpose() * s;
@@ -181,9 +181,9 @@ void ConstrainedMass::substitute(Eigen::Ref<VecX> a, Eigen::Ref<VecX> lambda) co
       Vec6 t = -padded(lambda, node.link);
       if (node.parent >= 0) t += pivot.Z * a.segment<6>(6 * forest_.nodes[at(node.parent)].node);
       u -= pivot.W.transpose() * t;
-      store(-pivot.K_A.transpose() * t, node.link, lambda);
+      store(-pivot.K_D.transpose() * t, node.link, lambda);
     }
-    if (!u.isZero(0)) a.segment<6>(6 * node.node) = pivot.K_D.transpose() * u;
+    if (!u.isZero(0)) a.segment<6>(6 * node.node) = pivot.K_Y.transpose() * u;
   }
 }
 
