@@ -122,7 +122,7 @@ void ConstrainedMass::factor_trees() {
   loops_.resize(forest_.loop_links.size());
   for (Loop& loop : loops_) loop.active = active_[static_cast<std::size_t>(loop.link)];
 
-  // The place of K_Y holds D until its node is reached.
+  // The place of K_Y holds Y until its node is reached.
   for (std::size_t place = 0; place < pivots_.size(); ++place)
     pivots_[place].K_Y = masses_[static_cast<std::size_t>(forest_.nodes[place].node)];
   for (std::size_t place = pivots_.size(); place-- > 0;) {

@@ -60,8 +60,8 @@ class ConstrainedMass {
   using ActiveRows = std::array<bool, 6>;
   /// One step of the elimination along a tree: a node and its link towards the root.
   struct Pivot {
-    Mat6 K_Y;  ///< K_Yᵀ K_Y = D⁻¹, D the node's mass with all that hangs on it.
-    Mat6 K_D;  ///< K_Dᵀ K_D = A⁻¹, A = J D⁻¹ Jᵀ of the link's rows on the node; 0 at rows that do not count.
+    Mat6 K_Y;  ///< K_Yᵀ K_Y = Y⁻¹, Y the node's mass with all that hangs on it.
+    Mat6 K_D;  ///< K_Dᵀ K_D = D⁻¹, D = J Y⁻¹ Jᵀ of the link's rows on the node; 0 at rows that do not count.
     Mat6 W;  ///< K_D J K_Yᵀ: orthonormal rows.
     Mat6 Z;  ///< K_D J of the link's rows on the parent.
   };
