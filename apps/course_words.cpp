@@ -35,7 +35,7 @@ bool speaks_of(std::string_view text, std::string_view written) {
   return !sought.empty() && folded(text).find(sought) != std::string::npos;
 }
 
-std::span<const CourseWord> course_words() {
+std::span<const CourseWord> course_words() {  // NOLINT(readability-function-size): a table.
   static constexpr std::array words = {
       // Bodies and their motion
       CourseWord{"state vector, X(t), Y(t)", "`State`: position, quaternion, linear and angular momentum",

@@ -10,7 +10,7 @@ packages=(g++ make cmake ninja-build git ca-certificates libeigen3-dev libyaml-c
 case "${1:-build}" in
   build) ;;
   check)
-    packages+=(clang libclang-rt-dev clang-format chromium)
+    packages+=(clang libclang-rt-dev clang-format clang-tidy chromium)
     # Node may have come from elsewhere; Debian's npm would not go with it.
     command -v npm >/dev/null || packages+=(nodejs npm) ;;
   bench) packages+=(libbenchmark-dev) ;;

@@ -46,7 +46,7 @@ struct BulkWorld::Scratch {
         gyroscopic_terms(model),
         prescribed(model),
         bounce_limits(model),
-        books(model),
+        balance(model),
         environment(model, PointSprings::act, false) {}
 
   Executor executor;
@@ -58,7 +58,7 @@ struct BulkWorld::Scratch {
   GyroscopicTerms gyroscopic_terms;
   PrescribedBodies prescribed;
   BounceLimits bounce_limits;
-  StepBalance books;
+  StepBalance balance;
   Environment environment;
   std::optional<Sleepers> sleepers;  ///< Only if bodies may sleep.
   std::vector<ShapePair> pairs;
@@ -73,7 +73,7 @@ struct BulkWorld::Scratch {
   std::vector<MotionRow> turns;          ///< Changes of angular velocity in a substep, by gyroscopic terms.
   std::vector<MotionRow> unconstrained;  ///< Velocities of a substep before its constraints.
   std::vector<char> touches;             ///< Whether each body may touch another in the step.
-  std::vector<int> loose;                ///< Bodies that move and are not in a contact-free chain.
+  std::vector<int> outside_chains;       ///< Bodies that move and are not in a contact-free chain.
 };
 
 BulkWorld::BulkWorld(std::shared_ptr<const Model> model, const BulkSettings& settings)
@@ -201,11 +201,11 @@ BulkStepReport BulkWorld::step(double h) {
   begin_bulk_step(*model_, s.executor, bodies_, s.touches);
   compute_accelerations(h);
   add_given_wrenches();
-  find_loose_bodies();
-  s.gyroscopic_terms.prepare(bodies_, s.loose, s.executor);
+  find_bodies_outside_chains();
+  s.gyroscopic_terms.prepare(bodies_, s.outside_chains, s.executor);
   s.joints.prepare(bodies_, substep, s.executor);
   // The balance begins before velocities change. Islands solved directly are left out of the sweeps.
-  if (settings_.measures) s.books.begin(bodies_);
+  if (settings_.measures) s.balance.begin(bodies_);
   report.direct_islands = solve_directly(h);
   s.contacts.prepare(bodies_, substep, s.direct, s.executor);
   if (s.contacts.has_restitution()) s.bounce_limits.begin(bodies_, s.executor);
@@ -222,14 +222,20 @@ BulkStepReport BulkWorld::step(double h) {
   s.direct.finish(bodies_);
   // The balance is made before bodies are moved: arms are those of the beginning of the step.
   if (settings_.measures) {
-    s.books.end(bodies_, s.accelerations, h, s.contacts, s.direct, report);
+    s.balance.end(bodies_, s.accelerations, h, s.contacts, s.direct, report);
     report.work += work_of_forces();
   }
+  end_step(h, report);
+  return report;
+}
+
+void BulkWorld::end_step(double h, BulkStepReport& report) {
+  Scratch& s = *scratch_;
   // The step ends: bodies are where their displacements take them, and contacts and joints are remembered.
   s.given.clear();
   end_bulk_step(s.executor, bodies_);
   s.prescribed.arrive(bodies_);
-  s.contacts.remember(bodies_, substep, settings_.substeps, s.executor, memory_);
+  s.contacts.remember(bodies_, h / settings_.substeps, settings_.substeps, s.executor, memory_);
   s.direct.remember(settings_.substeps, memory_);
   s.joints.read_impulses(bodies_, s.joint_impulses);
   std::tie(report.max_joint_error, report.worst_joint) = s.joints.worst_error(bodies_);
@@ -245,7 +251,6 @@ BulkStepReport BulkWorld::step(double h) {
     }
   });
   t_ += h;
-  return report;
 }
 
 /// Finds the pairs and manifolds of all that moves. Islands that these disturb wake, and then what they touch
@@ -401,12 +406,12 @@ double BulkWorld::work_of_forces() const {
 }
 
 /// Finds the bodies whose substeps are taken here: all that move, except those of trees that touch nothing.
-void BulkWorld::find_loose_bodies() {
+void BulkWorld::find_bodies_outside_chains() {
   Scratch& s = *scratch_;
   if (s.joints.may_have_contact_free_chains()) s.joints.find_contact_free_chains(bodies_, s.touches);
-  s.loose.clear();
+  s.outside_chains.clear();
   for (int i = 0; i < bodies_.count(); ++i) {
-    if (bodies_.stirs(i) && !s.joints.is_free(i)) s.loose.push_back(i);
+    if (bodies_.stirs(i) && !s.joints.is_free(i)) s.outside_chains.push_back(i);
   }
 }
 
@@ -415,12 +420,12 @@ void BulkWorld::integrate_velocities(bool is_first, float h) {
   // Gyroscopic terms depend on the velocities at the beginning of the substep.
   const bool has_turns = s.gyroscopic_terms.has_any();
   if (has_turns) s.gyroscopic_terms.find_changes(h, bodies_, s.executor, s.turns);
-  s.executor.for_ranges(static_cast<int>(s.loose.size()), 256, [&](int begin, int end) {
+  s.executor.for_ranges(static_cast<int>(s.outside_chains.size()), 256, [&](int begin, int end) {
     MotionRecord* const motion = bodies_.motion.data();
     MotionRow* const unconstrained = s.unconstrained.data();
     const MotionRow* const accelerations = s.accelerations.data();
     for (int place = begin; place < end; ++place) {
-      const int i = s.loose[at(place)];
+      const int i = s.outside_chains[at(place)];
       if (s.direct.holds(i)) continue;
       float* const v = motion[i].v;
       float* const free = unconstrained[i].data();
@@ -438,11 +443,11 @@ void BulkWorld::integrate_velocities(bool is_first, float h) {
 }
 
 void BulkWorld::integrate_positions(float h) {
-  const std::vector<int>& loose = scratch_->loose;
-  scratch_->executor.for_ranges(static_cast<int>(loose.size()), 256, [&](int begin, int end) {
+  const std::vector<int>& moving = scratch_->outside_chains;
+  scratch_->executor.for_ranges(static_cast<int>(moving.size()), 256, [&](int begin, int end) {
     MotionRecord* const records = bodies_.motion.data();
     for (int place = begin; place < end; ++place) {
-      MotionRecord& motion = records[loose[at(place)]];
+      MotionRecord& motion = records[moving[at(place)]];
       // Displacements are added up relative to the beginning of the step, in 32 bits.
       for (int j = 0; j < 3; ++j) motion.dp[j] += h * motion.v[j];
       turn_further(h, motion);

@@ -81,6 +81,8 @@ class BulkWorld {
 
  private:
   struct Scratch;
+  /// Moves the bodies and remembers what goes into the next step, after the velocities are final.
+  void end_step(double h, BulkStepReport& report);
   void find_contacts(double h);
   void compute_accelerations(double h);
   void wake_all();
@@ -91,7 +93,7 @@ class BulkWorld {
   int solve_directly(double h);
   void bounce_apart();
   void find_touching_bodies();
-  void find_loose_bodies();
+  void find_bodies_outside_chains();
   void integrate_velocities(bool is_first, float h);
   void integrate_positions(float h);
   BulkStepReport describe_contacts() const;

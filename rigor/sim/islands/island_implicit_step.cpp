@@ -39,6 +39,44 @@ void add(std::vector<Wrench>& sum, const std::vector<Wrench>& wrenches) {
   }
 }
 
+/// Gives the bodies the velocities that their joints allow; the impulses that this takes.
+JointReactions give_joint_impulses(ContactSystem& system) {
+  JointReactions reactions;
+  reactions.wrenches.resize(system.bodies.size());
+  if (!system.joints) return reactions;
+  reactions = with_joint_impulses(system, std::move(reactions.wrenches), -system.joints->rate_errors());
+  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+    BodyKinetics& body = system.kinetics[b];
+    body.v += body.inverse_mass * reactions.wrenches[b].f_W;
+    body.w += body.inverse_inertia * reactions.wrenches[b].tau_W;
+  }
+  return reactions;
+}
+
+/// The step is of first order: more digits would be noise, and closing the step corrects what approach they
+/// leave.
+CoulombOptions first_order_options() {
+  CoulombOptions coarse;
+  coarse.tolerance = 1e-7;
+  coarse.enough = 1e-4;
+  coarse.max_iterations = 256;
+  coarse.least_norm = false;
+  return coarse;
+}
+
+/// The displacement of the mean velocity: exact where the acceleration is constant, and no contact closes by
+/// more than its gap.
+void move_by_mean_velocities(const Island& island, const ContactSystem& before, const ContactSystem& after,
+                             double h, std::vector<BodyPhase>& phases) {
+  for (std::size_t i = 0; i < island.bodies.size(); ++i) {
+    const BodyKinetics& first = before.of(island.bodies[i]);
+    const BodyKinetics& last = after.of(island.bodies[i]);
+    BodyPhase& phase = phases[i];
+    phase.x += 0.5 * h * (first.v + last.v);
+    phase.q = (rotation_exp(0.5 * h * (first.w + last.w)) * phase.q).normalized();
+  }
+}
+
 }  // namespace
 
 IslandStep IslandIntegrator::implicit_step(const Island& island, double h) const {
@@ -63,28 +101,12 @@ IslandStep IslandIntegrator::implicit_step(const Island& island, double h) const
 
   // The velocities after the impulses of the joints, without those of the contacts.
   ContactSystem system = assembler_.assemble(island, island.begin, phases);
-  std::vector<Wrench> impulses(system.bodies.size());
-  VecX joint_lambda;
-  if (system.joints) {
-    const JointReactions reactions =
-        with_joint_impulses(system, std::move(impulses), -system.joints->rate_errors());
-    impulses = reactions.wrenches;
-    joint_lambda = reactions.lambda;
-    for (std::size_t b = 0; b < system.bodies.size(); ++b) {
-      BodyKinetics& body = system.kinetics[b];
-      body.v += body.inverse_mass * impulses[b].f_W;
-      body.w += body.inverse_inertia * impulses[b].tau_W;
-    }
-  }
+  JointReactions of_joints = give_joint_impulses(system);
+  std::vector<Wrench>& impulses = of_joints.wrenches;
+  VecX& joint_lambda = of_joints.lambda;
 
-  // One Coulomb problem for the impulses of the whole step. The step is of first order: more digits would be
-  // noise, and closing the step corrects what approach they leave.
-  CoulombOptions coarse;
-  coarse.tolerance = 1e-7;
-  coarse.enough = 1e-4;
-  coarse.max_iterations = 256;
-  coarse.least_norm = false;
-  const VecX lambda = solve_coulomb(implicit_problem(system, h), coarse).lambda;
+  // One Coulomb problem for the impulses of the whole step.
+  const VecX lambda = solve_coulomb(implicit_problem(system, h), first_order_options()).lambda;
 
   // What the contacts do, and what the joints do about it.
   std::vector<Wrench> of_contacts = contact_wrenches(system, lambda);
@@ -112,14 +134,7 @@ IslandStep IslandIntegrator::implicit_step(const Island& island, double h) const
     phases[i].L += impulse.tau_W + (island.start[i].x - middle(i)).cross(impulse.f_W);
   }
 
-  // The displacement of the mean velocity: exact where the acceleration is constant, and no contact closes by
-  // more than its gap.
-  for (std::size_t i = 0; i < island.bodies.size(); ++i) {
-    const BodyKinetics& before = at_start.of(island.bodies[i]);
-    BodyPhase& phase = phases[i];
-    phase.x += 0.5 * h * (before.v + after.of(island.bodies[i]).v);
-    phase.q = (rotation_exp(0.5 * h * (before.w + after.of(island.bodies[i]).w)) * phase.q).normalized();
-  }
+  move_by_mean_velocities(island, at_start, after, h, phases);
 
   // The end without overlap and without more energy, and the path to it.
   result.end = std::move(phases);

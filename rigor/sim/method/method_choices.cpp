@@ -8,7 +8,7 @@ namespace rigor {
 namespace {
 
 /// All but the laws of impact, which have tables of their own.
-std::span<const MethodChoice> own_choices() {
+std::span<const MethodChoice> own_choices() {  // NOLINT(readability-function-size): a table.
   // Within a key, in the order of the enumerators.
   static constexpr std::array choices = {
       MethodChoice{"scheme", "event-driven", "goes from event to event; every impact at its own time",
