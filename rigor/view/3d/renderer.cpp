@@ -114,8 +114,8 @@ void Renderer::place(const DrawnScene& scene, std::span<const Pose> X_WL, const 
 /// Places the lines as thin rods, each as long as it is at this moment.
 void Renderer::place_lines(const DrawnScene& scene, std::span<const Pose> X_WL) {
   rods_.clear();
-  rods_.reserve(
-      scene.lines.size());  // The placed shapes keep pointers to the rods, so the vector must not reallocate.
+  // The placed shapes keep pointers to the rods, so the vector must not reallocate.
+  rods_.reserve(scene.lines.size());
   for (const DrawnLine& line : scene.lines) {
     const auto [from, to] = line.ends(X_WL);
     const double length = (to - from).norm();

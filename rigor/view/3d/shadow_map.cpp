@@ -93,7 +93,7 @@ void ShadowMap::draw_surface(const ShownShape& placed, Occlusion& occlusion) {
   occlusion.add(box);
   for (const Surface::Face& face : surface.faces) {
     const Vec3 normal = X_JS.R * face.normal;
-    // Faces that point away from the sun lie behind others of the same closed surface.
+    // Only the faces that point towards the sun are drawn.
     if (normal.z() >= 0) continue;
     corners_.clear();
     for (int i = 0; i < face.count; ++i) {
