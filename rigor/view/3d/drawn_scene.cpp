@@ -26,8 +26,8 @@ class SurfaceShelf {
 
  private:
   std::map<std::pair<std::size_t, std::array<double, 4>>, std::shared_ptr<const Surface>> by_numbers_;
-  std::map<const void*, std::shared_ptr<const Surface>>
-      by_data_;  ///< Only looked up, never iterated: the order of pointers does not matter.
+  // Only looked up, never iterated: the order of pointers does not matter.
+  std::map<const void*, std::shared_ptr<const Surface>> by_data_;
 };
 
 /// The solid box with these principal moments of inertia: I_x = m (b² + c²) / 12 of the sides a, b, c and so
