@@ -28,7 +28,7 @@ Keys passive_keys(bool is_angle) {
   };
 }
 
-/// All that may act along a coordinate.
+/// Everything that may act along a coordinate.
 Keys coordinate_keys(bool is_angle) {
   return passive_keys(is_angle) +
          Keys{{"friction", ValueType::number, is_angle ? "N m" : "N", "0", limits::coefficient,
@@ -49,7 +49,7 @@ Key direction(const std::string& name, const std::string& fallback, const std::s
   return {name, ValueType::vector, "", fallback, {-1e9, 1e9}, meaning};
 }
 
-/// The anchors, where they are required or, as a last key of the place, where they are not.
+/// The anchor keys: in front if they are required, or as a last key of the place if they are optional.
 Keys anchor_keys(const JointTraits& traits, bool are_required) {
   Key anchor{"anchor",   ValueType::vector, "m",
              "required", limits::position,  "point of the joint, in the world at t = 0"};
@@ -85,7 +85,7 @@ Keys axis_keys(const JointTraits& traits) {
   return {};
 }
 
-/// What the equation of its relation needs besides places and directions.
+/// Parameters of the relation of a joint besides places and directions.
 Keys relation_keys(const JointTraits& traits) {
   switch (traits.relation) {
     case JointRelation::none:
@@ -102,7 +102,8 @@ Keys relation_keys(const JointTraits& traits) {
   return {};
 }
 
-/// What acts along the coordinates: keys of the joint itself if it has one, else a list of mappings.
+/// Keys of what acts along the coordinates: keys of the joint itself if it has one coordinate, otherwise a
+/// list of mappings.
 Keys law_keys(const JointTraits& traits) {
   if (traits.coordinate_count == 0) return {};
   if (traits.coordinate_count > 1) {
