@@ -60,7 +60,7 @@ const char* const examples =
     "could not go on,\n"
     "            5 file or system error, 130 interrupted (files closed).\n";
 
-/// Checks the text of a number: decimal, inside the range.
+/// Checks the text of a number: it must be decimal and inside the range.
 CLI::Validator number_in(const Range& range, const std::string& unit) {
   return CLI::Validator(
       [range, unit](const std::string& text) -> std::string {
@@ -73,7 +73,7 @@ CLI::Validator number_in(const Range& range, const std::string& unit) {
       "");
 }
 
-/// Adds an option whose value is the next argument; never more than one.
+/// Adds an option whose value is the next argument, and never more than one.
 template <typename Value>
 CLI::Option* add_value(CLI::App& app, const std::string& name, Value& value, const std::string& what,
                        const std::string& placeholder) {
@@ -271,8 +271,8 @@ std::vector<std::string> command_names(const CLI::App& app) {
   return names;
 }
 
-/// Refuses what neither the program nor the chosen command knows; options first, as the rest may follow from
-/// them.
+/// Refuses arguments that neither the program nor the chosen command knows; options first, because the rest
+/// may follow from them.
 void check_unknown(const CLI::App& app) {
   const std::vector<CLI::App*> chosen = app.get_subcommands();
   const CLI::App& command = chosen.empty() ? app : *chosen.front();
@@ -293,7 +293,7 @@ void check_unknown(const CLI::App& app) {
 }
 
 bool is_same_file(const std::string& a, const std::string& b) {
-  // Absolute first: of a relative path to nothing, a leading "./" would stay.
+  // The path is made absolute first: otherwise a leading "./" would remain of a relative path to nothing.
   const auto whole = [](const std::string& path) {
     std::error_code ignored;
     return std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored);
@@ -301,7 +301,7 @@ bool is_same_file(const std::string& a, const std::string& b) {
   return whole(a) == whole(b);
 }
 
-/// Of what the view layer draws, beside the trajectories.
+/// Suffixes of the outputs that the view layer draws, in addition to the trajectories.
 constexpr std::array<std::string_view, 2> drawn_suffixes = {page_suffixes[0], picture_suffixes[0]};
 
 /// Refuses outputs that would overwrite the scene or each other.
@@ -362,7 +362,7 @@ void check_convert(ConvertOptions& convert) {
   check_written(convert.input, written);
 }
 
-/// The options as the command they make.
+/// The options as the command that they form.
 template <typename Options>
 Command checked(const Options& options) {
   return options;
@@ -387,14 +387,14 @@ void add_check(CLI::App& app, CheckOptions& check) {
 
 void add_methods(CLI::App&, MethodsOptions&) {}
 
-/// A command whose options are kept in `chosen` when it is the one that is asked for.
+/// Adds a command whose options are kept in `chosen` when it is the one that is requested.
 template <typename Options>
 void add_command(CLI::App& app, const std::string& name, const std::string& what,
                  void (*add_options)(CLI::App&, Options&), std::optional<Command>& chosen) {
   CLI::App& command = *app.add_subcommand(name, what);
   const std::shared_ptr<Options> options = std::make_shared<Options>();
   add_options(command, *options);
-  // What is unknown is told by us, with the nearest name; and before what is wrong with the rest.
+  // Unknown arguments are reported here, with the nearest name, and before errors in the rest.
   command.allow_extras();
   command.final_callback([&app, &chosen, options] {
     check_unknown(app);

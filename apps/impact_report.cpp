@@ -17,7 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string vector_text(const Vec3& v) {
-  // Without -0, which tells a reader nothing.
+  // Avoids -0, which means nothing to a reader.
   return fmt::format("[{}, {}, {}]", number_text(v.x() + 0.0), number_text(v.y() + 0.0),
                      number_text(v.z() + 0.0));
 }
@@ -97,7 +97,7 @@ ContactSystem after_impact(const SceneContact& scene, const LawResult& result) {
   return system;
 }
 
-/// Index of A and of B in the system's lists.
+/// Indices of A and B in the lists of the system.
 std::array<std::size_t, 2> places_of(const ContactSystem& system) {
   const Contact& contact = system.contacts[0];
   return {static_cast<std::size_t>(system.local_index(contact.body_A)),
@@ -192,7 +192,8 @@ Json json_of_result(const GivenImpact& problem, const LawResult& result) {
   return json;
 }
 
-/// Relative to what can be lost, else to the work of friction and normal impulse: rounding is no gain.
+/// Relative to the energy that can be lost, otherwise to the work of friction and the normal impulse, so that
+/// rounding does not count as a gain.
 bool gains_energy(const GivenImpact& problem, const LawResult& result) {
   constexpr double rounding = 1e-12;
   const Vec3& u = problem.collision.u;

@@ -30,8 +30,7 @@ struct Scene {
   RunSettings run;
   std::string name;
   std::vector<ExpectedPlace> expected;  ///< What `rigor compare` measures errors against.
-  std::vector<std::string>
-      warnings;  ///< Things that are allowed but probably unintended, with their positions.
+  std::vector<std::string> warnings;    ///< Allowed but probably unintended, each with its position.
 };
 
 /// Reads a scene file (strict YAML; JSON is read in the same way). docs/scene.md lists every key.
