@@ -52,7 +52,7 @@ void add_motion(const Audit& audit, std::string& text) {
     add_line(text, "penetration", "{:.3g} m at most", report.max_penetration);
   }
   if (!audit.joints.empty()) {
-    add_line(text, "joints", "off by {:.3g} at most{}; steps moved them by {:.3g} before they were put back",
+    add_line(text, "joints", "off by {:.3g} at most{}; steps moved them by {:.3g} before they were corrected",
              report.max_joint_drift,
              at(report.drift_joint) >= audit.joints.size()
                  ? std::string()

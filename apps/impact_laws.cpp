@@ -43,7 +43,7 @@ LawResult by_compliance(const Collision& collision, double ratio) {
   const CompliantOutcome outcome = resolve_compliant_collision(compliant, &path);
   if (!outcome.is_resolved)
     throw InputError(
-        fmt::format("the law {} has no answer: it slips and sticks without end", compliant_name));
+        fmt::format("the law {} has no answer: slip and stick alternate endlessly", compliant_name));
   return {compliant_name,
           outcome.end,
           outcome.energy_change,

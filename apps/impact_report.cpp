@@ -56,7 +56,7 @@ std::string direction_text(const CollisionMatrix& matrix) {
   const std::vector<InvariantDirection> directions = invariant_directions_of(matrix);
   if (matrix.mu == 0)
     return line("directions", "without friction slip changes by the same in all directions");
-  if (directions.empty()) return line("directions", "slip goes straight in every direction");
+  if (directions.empty()) return line("directions", "slip keeps its direction, whatever it is");
   std::string text;
   for (const InvariantDirection& direction : directions) {
     text += line(text.empty() ? "directions" : "", fmt::format("{:>8.3f} degrees: slip {} at {} m/s per N s",
@@ -84,7 +84,7 @@ std::string problem_text(const GivenImpact& problem) {
   const double energy = removable_energy(K, collision.u);
   text +=
       line("energy", std::isfinite(energy) ? number_text(energy) + " J at most can be lost at this contact"
-                                           : "K is singular: what can be lost is not known");
+                                           : "K is singular: the energy that can be lost is not known");
   return text;
 }
 

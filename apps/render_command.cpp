@@ -176,7 +176,7 @@ void write_film(const RenderOptions& options, const PictureSize& size, const std
   MovieFile film(options.mp4, size.width, size.height);
   for (const std::size_t frame : frames) film.add(photographer.picture(frame));
   film.close();
-  fmt::print(stderr, "wrote {}: {} pictures, {} a second\n", options.mp4, frames.size(),
+  fmt::print(stderr, "wrote {}: {} pictures, {} per second\n", options.mp4, frames.size(),
              MovieFile::frames_per_second);
 }
 

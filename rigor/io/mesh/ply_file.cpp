@@ -115,7 +115,7 @@ class PlyReader {
       for (std::size_t row = 0; row < element.count; ++row) read_row(element, row);
     }
     // Nothing may follow, and the faces must refer to vertices of the file.
-    if (!values_.is_at_end()) values_.fail("the file goes on after the last element");
+    if (!values_.is_at_end()) values_.fail("the file continues after the last element");
     if (mesh_.faces.empty()) values_.fail("the file has no faces");
     check_indices();
     return std::move(mesh_);

@@ -18,7 +18,12 @@ Keys passive_keys(bool is_angle) {
   const ValueType range = is_angle ? ValueType::angle_range : ValueType::range;
   const ValueType number = is_angle ? ValueType::angle : ValueType::number;
   return {
-      {"limits", range, is_angle ? "rad" : "m", "-", {}, "lowest and highest coordinate; holds the start"},
+      {"limits",
+       range,
+       is_angle ? "rad" : "m",
+       "-",
+       {},
+       "lowest and highest coordinate; must include the start"},
       {"restitution", ValueType::number, "", "0", limits::restitution, "of impacts at the limits"},
       {"stiffness", ValueType::number, is_angle ? "N m/rad" : "N/m", "0", limits::coefficient,
        "of a spring along the coordinate"},
@@ -31,15 +36,16 @@ Keys passive_keys(bool is_angle) {
 /// Everything that may act along a coordinate.
 Keys coordinate_keys(bool is_angle) {
   return passive_keys(is_angle) +
-         Keys{{"friction", ValueType::number, is_angle ? "N m" : "N", "0", limits::coefficient,
-               "dry friction: largest force against the rate"},
-              {"motor", ValueType::object, "", "-", {}, "holds the rate of the coordinate", {}, "motor"}};
+         Keys{
+             {"friction", ValueType::number, is_angle ? "N m" : "N", "0", limits::coefficient,
+              "dry friction: largest force opposing the rate"},
+             {"motor", ValueType::object, "", "-", {}, "drives the coordinate at a given rate", {}, "motor"}};
 }
 
 Keys distance_keys() {
   Keys keys = coordinate_keys(false);
   for (Key& key : keys) {
-    if (key.name == "limits") key.meaning = "lowest and highest distance, instead of keeping it";
+    if (key.name == "limits") key.meaning = "lowest and highest distance, instead of a fixed one";
     if (key.name == "rest") key.fallback = "the distance at t = 0";
   }
   return keys;
@@ -93,11 +99,11 @@ Keys relation_keys(const JointTraits& traits) {
       break;
     case JointRelation::screw:
       return {{"pitch", ValueType::number, "m", "required", limits::position,
-               "sliding along the axis a turn; not 0, negative: left-handed"}};
+               "sliding along the axis per revolution; not 0, negative: left-handed"}};
     case JointRelation::gear:
       return {{"joints", ValueType::names, "", "required", {}, "names of the first and second joint"},
               {"ratio", ValueType::number, "", "required", limits::ratio,
-               "change of the second's first coordinate by that of the first's; not 0"}};
+               "change of the second joint's first coordinate per change of the first's; not 0"}};
   }
   return {};
 }
@@ -149,9 +155,9 @@ std::vector<KeyTable> joint_key_tables() {
        "a motor",
        "",
        {
-           {"velocity", ValueType::number, "rad/s or m/s", "0", limits::speed, "rate that it holds"},
+           {"velocity", ValueType::number, "rad/s or m/s", "0", limits::speed, "rate that it maintains"},
            {"max_force", ValueType::number, "N m or N", "-", limits::coefficient,
-            "largest torque or force; without it there is none too large"},
+            "largest torque or force; unlimited if absent"},
        }},
       {"joint_repeat",
        "repeat of a joint",
