@@ -17,11 +17,11 @@ struct BodyPlace {
 };
 
 BodyPlace place_of(const Body& body, const double* position, const double* orientation) {
-  const Quat q_WL(orientation[0], orientation[1], orientation[2], orientation[3]);
-  const Vec3 p_LB = body.X_BL.inverse().p;
-  const Vec3 p_WB = Vec3::Map(position) + q_WL * p_LB;
+  const Quat q_WU(orientation[0], orientation[1], orientation[2], orientation[3]);
+  const Vec3 p_UB = body.X_BU.inverse().p;
+  const Vec3 p_WB = Vec3::Map(position) + q_WU * p_UB;
   // The rotation from L to B is the same in both motions, so the rotation of L serves as well.
-  return {p_WB, q_WL};
+  return {p_WB, q_WU};
 }
 
 }  // namespace

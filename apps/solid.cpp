@@ -56,19 +56,19 @@ SolidReport mesh_report(const MassOptions& options) {
   return report;
 }
 
-/// The shapes of a body as parts of one solid in the user frame L.
+/// The shapes of a body as parts of one solid in the user frame U.
 struct Part {
   const Shape* shape;
-  Pose X_LS;
+  Pose X_US;
   double density;  ///< [kg/m³].
 };
 
 std::vector<Part> parts_of(const Body& body, const Model& model, const MassOptions& options) {
   std::vector<Part> parts;
-  const Pose X_LB = body.X_BL.inverse();
+  const Pose X_UB = body.X_BU.inverse();
   for (const BodyShape& shape : body.shapes) {
     const double material = model.materials()[at(shape.material)].density;
-    parts.push_back({&shape.shape, X_LB * shape.X_BS, options.density.value_or(material)});
+    parts.push_back({&shape.shape, X_UB * shape.X_BS, options.density.value_or(material)});
   }
   return parts;
 }
@@ -76,28 +76,28 @@ std::vector<Part> parts_of(const Body& body, const Model& model, const MassOptio
 /// Estimate from sample points inside any of the parts, which all have the same density.
 SampledMassProperties sampled(const std::vector<Part>& parts, const MassOptions& options) {
   std::vector<std::pair<std::function<bool(const Vec3&)>, Pose>> tests;
-  Aabb box = axis_aligned_box(*parts[0].shape, parts[0].X_LS);
+  Aabb box = axis_aligned_box(*parts[0].shape, parts[0].X_US);
   for (const Part& part : parts) {
-    tests.emplace_back(make_inside_test(*part.shape), part.X_LS.inverse());
-    box = box.united(axis_aligned_box(*part.shape, part.X_LS));
+    tests.emplace_back(make_inside_test(*part.shape), part.X_US.inverse());
+    box = box.united(axis_aligned_box(*part.shape, part.X_US));
   }
-  const auto inside = [&](const Vec3& p_L) {
+  const auto inside = [&](const Vec3& p_U) {
     return std::any_of(tests.begin(), tests.end(),
-                       [&](const auto& test) { return test.first(test.second * p_L); });
+                       [&](const auto& test) { return test.first(test.second * p_U); });
   };
   return sampled_mass_properties(inside, box, parts[0].density, sampling(options));
 }
 
 SolidReport body_report(const Body& body, const Model& model, const MassOptions& options) {
   SolidReport report{.name = body.name};
-  const Pose X_LB = body.X_BL.inverse();
+  const Pose X_UB = body.X_BU.inverse();
   const Mat3 inertia = body.moments.asDiagonal();
-  report.simulated = transformed({.mass = body.mass, .inertia = inertia}, X_LB);
+  report.simulated = transformed({.mass = body.mass, .inertia = inertia}, X_UB);
   const std::vector<Part> parts = parts_of(body, model, options);
   std::vector<MassProperties> properties;
   bool is_uniform = true;
   for (const Part& part : parts) {
-    properties.push_back(transformed(mass_properties(*part.shape, part.density), part.X_LS));
+    properties.push_back(transformed(mass_properties(*part.shape, part.density), part.X_US));
     report.volume += mass_properties(*part.shape, 1.0).mass;
     is_uniform = is_uniform && part.density == parts[0].density;
   }

@@ -148,7 +148,7 @@ void BulletBulkEngine::add_body(const Body& body) {
 /// Ball joints; their bodies do not collide.
 void BulletBulkEngine::add_joint(const Joint& joint) {
   joints_.push_back(std::make_unique<btPoint2PointConstraint>(
-      at(joint.body_A), at(joint.body_B), to_bullet(joint.X_AJ.p), to_bullet(joint.X_BK.p)));
+      at(joint.body_A), at(joint.body_B), to_bullet(joint.X_AF.p), to_bullet(joint.X_BK.p)));
   world_.addConstraint(joints_.back().get(), true);
 }
 

@@ -91,9 +91,9 @@ double ball_joint_error(const Model& model, const State& state) {
   double worst = 0;
   for (const Joint& joint : model.joints()) {
     if (joint.type != JointType::ball) continue;
-    const Vec3 p_WJ = joint.body_A == world_body ? joint.X_AJ.p : pose_of(state, joint.body_A) * joint.X_AJ.p;
+    const Vec3 p_WF = joint.body_A == world_body ? joint.X_AF.p : pose_of(state, joint.body_A) * joint.X_AF.p;
     const Vec3 p_WK = joint.body_B == world_body ? joint.X_BK.p : pose_of(state, joint.body_B) * joint.X_BK.p;
-    worst = std::max(worst, (p_WK - p_WJ).norm());
+    worst = std::max(worst, (p_WK - p_WF).norm());
   }
   return worst;
 }

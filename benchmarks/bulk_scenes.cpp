@@ -26,16 +26,16 @@ ModelBuilder scene_builder(const std::string& name) {
   return builder;
 }
 
-ShapeDescription shape_at(const Shape& shape, const Vec3& p_LS) {
-  return {shape, p_LS, Quat::Identity(), "m", ""};
+ShapeDescription shape_at(const Shape& shape, const Vec3& p_US) {
+  return {shape, p_US, Quat::Identity(), "m", ""};
 }
 
 void add_body(const std::string& name, const Shape& shape, const Vec3& p_W, const Quat& q_W,
               ModelBuilder& builder) {
   BodyDescription body;
   body.name = name;
-  body.p_WL = p_W;
-  body.q_WL = q_W;
+  body.p_WU = p_W;
+  body.q_WU = q_W;
   body.shapes.push_back(shape_at(shape, Vec3::Zero()));
   builder.add_body(body);
 }
@@ -45,8 +45,8 @@ void add_fixed(const std::string& name, const Shape& shape, const Vec3& p_W, con
   BodyDescription body;
   body.name = name;
   body.motion = MotionType::fixed;
-  body.p_WL = p_W;
-  body.q_WL = q_W;
+  body.p_WU = p_W;
+  body.q_WU = q_W;
   body.shapes.push_back(shape_at(shape, Vec3::Zero()));
   builder.add_body(body);
 }
@@ -185,7 +185,7 @@ void add_drum(ModelBuilder& builder) {
   BodyDescription drum;
   drum.name = "drum";
   drum.motion = MotionType::kinematic;
-  drum.p_WL = Vec3(0, 8, 0);
+  drum.p_WU = Vec3(0, 8, 0);
   drum.angular_velocity = Vec3(0, 0, 0.6);
   for (const double sign : {1.0, -1.0}) {
     drum.shapes.push_back(shape_at(Box{Vec3(t, w + 2 * t, w + 2 * t)}, Vec3(sign * (w + t), 0, 0)));
@@ -204,8 +204,8 @@ std::shared_ptr<const Model> make_hulls() {
     const int i = n % 10, j = n / 10 % 10, k = n / 100;
     BodyDescription body;
     body.name = fmt::format("hull{}", n);
-    body.p_WL = Vec3(1.1 * (i - 4.5), 8 + 1.1 * (k - 4.5), 1.1 * (j - 4.5));
-    body.q_WL = draw_rotation(draws);
+    body.p_WU = Vec3(1.1 * (i - 4.5), 8 + 1.1 * (k - 4.5), 1.1 * (j - 4.5));
+    body.q_WU = draw_rotation(draws);
     const double wx = draws.between(-5, 5), wy = draws.between(-5, 5), wz = draws.between(-5, 5);
     body.angular_velocity = Vec3(wx, wy, wz);
     body.shapes.push_back(shape_at(hulls[static_cast<std::size_t>(n) % hulls.size()], Vec3::Zero()));

@@ -33,7 +33,7 @@ double wall_seconds() {
   BodyDescription body;
   body.name = name;
   body.motion = motion;
-  body.p_WL = place;
+  body.p_WU = place;
   const ShapeDescription description{shape, Vec3::Zero(), Quat::Identity(), "", ""};
   body.shapes.push_back(description);
   builder.add_body(body);
@@ -75,8 +75,8 @@ std::shared_ptr<const Model> heap(int count, bool is_of_balls, double pitch) {
   for (int i = 0; i < count; ++i) {
     BodyDescription body;
     body.name = "b" + std::to_string(i);
-    body.p_WL = pitch * Vec3(i % side, i / side % side, i / (side * side)) + 0.05 * vector();
-    body.q_WL =
+    body.p_WU = pitch * Vec3(i % side, i / side % side, i / (side * side)) + 0.05 * vector();
+    body.q_WU =
         Quat(uniform(generator), uniform(generator), uniform(generator), uniform(generator)).normalized();
     body.velocity = 0.1 * vector();
     body.angular_velocity = 0.1 * vector();

@@ -36,7 +36,7 @@ void measure(const char* what, const Scene& scene) {
   const DrawnScene drawn = make_drawn_scene(*scene.model);
   std::vector<Pose> poses;
   for (const Body& body : scene.model->bodies())
-    poses.push_back(Pose{rotation_matrix(body.q_WB), body.p_WB} * body.X_BL);
+    poses.push_back(Pose{rotation_matrix(body.q_WB), body.p_WB} * body.X_BU);
   const Camera camera = make_camera(drawn, poses, {}, static_cast<double>(width) / height);
   Renderer renderer;
   Image image = renderer.draw(drawn, poses, camera, width, height);

@@ -198,7 +198,7 @@ void add_scaling(std::vector<Row>& rows) {
     for (int k = 0; k < n * n * n; ++k) {
       BodyDescription ball;
       ball.name = fmt::format("ball{}", k);
-      ball.p_WL = Vec3(0.25 + 0.5 * (k % n), 0.25 + 0.5 * (k / n % n), 0.25 + 0.5 * (k / n / n));
+      ball.p_WU = Vec3(0.25 + 0.5 * (k % n), 0.25 + 0.5 * (k / n % n), 0.25 + 0.5 * (k / n / n));
       const double vx = draw(), vy = draw(), vz = draw();
       ball.velocity = Vec3(vx, vy, vz);
       ball.mass = 1;

@@ -98,28 +98,28 @@ JointCoordinate length_of(std::span<const JointCoordinate> components) {
 
 JointMeasures::JointMeasures(const Joint& joint, const BodyMotion& A, const BodyMotion& B) : A_(A), B_(B) {
   // The arms of the frames' origins about the centres of mass, and the displacement between them.
-  R_WJ_ = A.R * joint.X_AJ.R;
-  p_AJ_W_ = A.R * joint.X_AJ.p;
+  R_WF_ = A.R * joint.X_AF.R;
+  p_AJ_W_ = A.R * joint.X_AF.p;
   p_BK_W_ = B.R * joint.X_BK.p;
   p_AK_W_ = (B.x - A.x) + p_BK_W_;
   p_JK_W_ = p_AK_W_ - p_AJ_W_;
   // Equal frames give a symmetric product, so q = 1 without rounding.
   const Mat3 R_WK = B.R * joint.X_BK.R;
-  q_JK_ = quaternion_of(R_WJ_.transpose() * R_WK);
+  q_FK_ = quaternion_of(R_WF_.transpose() * R_WK);
   // d/dt R_WJᵀ (ω_B - ω_A) = R_WJᵀ (ω̇_B - ω̇_A - ω_A × (ω_B - ω_A)).
-  w_JK_J_ = R_WJ_.transpose() * (B.w - A.w);
-  alpha_JK_J_ = -(R_WJ_.transpose() * A.w.cross(B.w));
+  w_FK_F_ = R_WF_.transpose() * (B.w - A.w);
+  alpha_JK_J_ = -(R_WF_.transpose() * A.w.cross(B.w));
 }
 
 JointCoordinate JointMeasures::displacement(int k) const {
-  // g = n·d along an axis n that rotates with A: ġ = n·(v_K - v_J) + (ω_A × n)·d.
-  const Vec3 n = R_WJ_.col(k);
+  // g = n·d along an axis n that rotates with A: ġ = n·(v_K - v_F) + (ω_A × n)·d.
+  const Vec3 n = R_WF_.col(k);
   JointCoordinate measure;
   measure.value = n.dot(p_JK_W_);
   measure.J_A = stacked(-n, -p_AK_W_.cross(n));
   measure.J_B = stacked(n, p_BK_W_.cross(n));
   measure.rate = power(measure.J_A, A_) + power(measure.J_B, B_);
-  // d = p_K - p_J. g̈ = n·d̈ + 2 ṅ·ḋ + n̈·d, with ṅ = ω_A × n.
+  // d = p_K - p_F. g̈ = n·d̈ + 2 ṅ·ḋ + n̈·d, with ṅ = ω_A × n.
   const Vec3 n_rate = A_.w.cross(n);
   const Vec3 d_rate = (B_.v - A_.v) + B_.w.cross(p_BK_W_) - A_.w.cross(p_AJ_W_);
   const Vec3 centripetal = B_.w.cross(B_.w.cross(p_BK_W_)) - A_.w.cross(A_.w.cross(p_AJ_W_));
@@ -128,17 +128,17 @@ JointCoordinate JointMeasures::displacement(int k) const {
 }
 
 JointCoordinate JointMeasures::quaternion(int i) const {
-  // q̇ = ½ Ω q with Ω = w_JK_J, so that q̈ = ½ Ω̇ q - ¼ |Ω|² q.
-  Vec3 gradient = -0.5 * q_JK_.vec();
-  double value = q_JK_.w();
+  // q̇ = ½ Ω q with Ω = w_FK_F, so that q̈ = ½ Ω̇ q - ¼ |Ω|² q.
+  Vec3 gradient = -0.5 * q_FK_.vec();
+  double value = q_FK_.w();
   if (i > 0) {
     const Vec3 axis = Vec3::Unit(i - 1);
-    gradient = 0.5 * (q_JK_.w() * axis + q_JK_.vec().cross(axis));
-    value = q_JK_.vec()[i - 1];
+    gradient = 0.5 * (q_FK_.w() * axis + q_FK_.vec().cross(axis));
+    value = q_FK_.vec()[i - 1];
   }
-  const Vec3 gradient_W = R_WJ_ * gradient;
-  return {value, gradient.dot(w_JK_J_), stacked(Vec3::Zero(), -gradient_W), stacked(Vec3::Zero(), gradient_W),
-          gradient.dot(alpha_JK_J_) - 0.25 * w_JK_J_.squaredNorm() * value};
+  const Vec3 gradient_W = R_WF_ * gradient;
+  return {value, gradient.dot(w_FK_F_), stacked(Vec3::Zero(), -gradient_W), stacked(Vec3::Zero(), gradient_W),
+          gradient.dot(alpha_JK_J_) - 0.25 * w_FK_F_.squaredNorm() * value};
 }
 
 JointCoordinate twist_angle(const JointMeasures& measures) {

@@ -23,37 +23,37 @@ JointCoordinate angle_of(const JointCoordinate& y, const JointCoordinate& x);
 /// taken, or the last component's if that is 0 too.
 JointCoordinate length_of(std::span<const JointCoordinate> components);
 
-/// The seven elementary functions of the pose of a joint's frame K on B against its frame J on A; all others
+/// The seven elementary functions of the pose of a joint's frame K on B against its frame F on A; all others
 /// are composed of these.
 class JointMeasures {
  public:
   JointMeasures(const Joint& joint, const BodyMotion& A, const BodyMotion& B);
 
-  /// Component k of the displacement from J to K, along the axes of J [m].
+  /// Component k of the displacement from F to K, along the axes of F [m].
   JointCoordinate displacement(int k) const;
-  /// Component i of q_JK: w, x, y, z; w ≥ 0.
+  /// Component i of q_FK: w, x, y, z; w ≥ 0.
   JointCoordinate quaternion(int i) const;
 
  private:
   BodyMotion A_, B_;
-  Mat3 R_WJ_;
+  Mat3 R_WF_;
   Vec3 p_AJ_W_, p_BK_W_, p_AK_W_, p_JK_W_;
-  Quat q_JK_;
-  Vec3 w_JK_J_;      ///< Angular velocity of B against A along the axes of J.
+  Quat q_FK_;
+  Vec3 w_FK_F_;      ///< Angular velocity of B against A along the axes of F.
   Vec3 alpha_JK_J_;  ///< Its rate while the angular velocities of both are constant.
 };
 
-/// Angle [rad] by which K is rotated about z of J: the angle of the twist, where the rotation is a twist
-/// about z followed by the smallest rotation (swing) that takes z of J to z of K. In [-π, π].
+/// Angle [rad] by which K is rotated about z of F: the angle of the twist, where the rotation is a twist
+/// about z followed by the smallest rotation (swing) that takes z of F to z of K. In [-π, π].
 JointCoordinate twist_angle(const JointMeasures& measures);
-/// The components about x and y of J of the swing, 4 tan(θ/4) times the unit vector of its axis, θ in [0, π]:
-/// its length is 4 where z of K is opposite to z of J.
+/// The components about x and y of F of the swing, 4 tan(θ/4) times the unit vector of its axis, θ in [0, π]:
+/// its length is 4 where z of K is opposite to z of F.
 std::pair<JointCoordinate, JointCoordinate> swing(const JointMeasures& measures);
-/// Component k of 4 tan(θ/4) e, with θ in [0, π] the angle and e the axis of the rotation from J to K.
+/// Component k of 4 tan(θ/4) e, with θ in [0, π] the angle and e the axis of the rotation from F to K.
 JointCoordinate whole_rotation(const JointMeasures& measures, int k);
 /// Angle θ of the whole rotation, in [0, π].
 JointCoordinate whole_angle(const JointMeasures& measures);
-/// Cosine of the angle between axis i of J and axis j of K.
+/// Cosine of the angle between axis i of F and axis j of K.
 JointCoordinate direction_cosine(const JointMeasures& measures, int i, int j);
 
 }  // namespace rigor

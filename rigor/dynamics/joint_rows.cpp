@@ -47,7 +47,7 @@ void add_row(const Joint& joint, const JointCoordinate& measure, JointRows& rows
   ++rows.size;
 }
 
-/// The displacements that the type holds, along the axes of J.
+/// The displacements that the type holds, along the axes of F.
 void add_displacements(const Joint& joint, const JointMeasures& measures, JointRows& rows) {
   for (int k = 0; k < 3; ++k) {
     if (joint_traits(joint.type).holds_displacement[at(k)]) add_row(joint, measures.displacement(k), rows);
@@ -78,7 +78,7 @@ JointCoordinate screw_residual(const Joint& joint, const JointMeasures& measures
   return residual;
 }
 
-/// The rotations that the type holds, about the axes of J.
+/// The rotations that the type holds, about the axes of F.
 void add_rotations(const Joint& joint, const JointMeasures& measures, JointRows& rows) {
   switch (joint_traits(joint.type).held_rotation) {
     case HeldRotation::none:

@@ -41,7 +41,7 @@ struct JointCoordinate {
 };
 
 /// Rows of any joint but a gear, of bodies A and B: first those of the displacement of K against J along the
-/// axes of J, then those of the rotation about them, so that λ are the force and the torque on B along these
+/// axes of F, then those of the rotation about them, so that λ are the force and the torque on B along these
 /// axes; last the row of the relation. Rotations are measured as 4 tan(θ/4) times the unit vector of their
 /// axis, which is zero on the right branch only, so that Newton's method finds it from anywhere. A distance
 /// joint with limits has no rows. A screw's whole turns are those nearest to its displacement. Derivation:
@@ -54,7 +54,7 @@ JointRows gear_rows(const Joint& gear, const Joint& first, const BodyMotion& A1,
                     const Joint& second, const BodyMotion& A2, const BodyMotion& B2);
 
 /// The k-th coordinate of a joint. A ball's angle is in [0, π]; where it or a distance is zero, it grows in
-/// the direction of the motion (along z of J if there is none).
+/// the direction of the motion (along z of F if there is none).
 JointCoordinate joint_coordinate(const Joint& joint, int k, const BodyMotion& A, const BodyMotion& B);
 
 }  // namespace rigor

@@ -11,22 +11,22 @@ namespace rigor {
 
 enum class MotionType { dynamic, kinematic, fixed };  // `static` in scene files
 
-/// Pose of a kinematic body's user frame L at a time of its path.
+/// Pose of a kinematic body's user frame U at a time of its path.
 struct PathPoint {
   double time;  ///< [s].
-  Vec3 p_WL;    ///< [m].
-  Quat q_WL;
+  Vec3 p_WU;    ///< [m].
+  Quat q_WU;
 };
 
 /// One body as it is built. The body frame B has its origin at the centre of mass and the principal axes of
-/// inertia; the user's frame L (the scene file's `position` and `orientation`) is tied to it by X_BL. For
+/// inertia; the user's frame U (the scene file's `position` and `orientation`) is tied to it by X_BU. For
 /// kinematic and fixed bodies B = L.
 struct Body {
   std::string name;
   MotionType motion = MotionType::dynamic;
   double mass = 0;              ///< [kg]; 0 for kinematic and fixed bodies.
   Vec3 moments = Vec3::Zero();  ///< Principal moments about the centre of mass [kg m²]; 0 as above.
-  Pose X_BL;                    ///< Pose of the user's frame in B.
+  Pose X_BU;                    ///< Pose of the user's frame in B.
   BodyShapes shapes;
   std::uint32_t group = 1;  ///< Collides with a body whose mask has a bit of this group, and vice versa.
   std::uint32_t mask = 65535;

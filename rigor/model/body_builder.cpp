@@ -44,29 +44,29 @@ bool is_half_turn(const Quat& a, const Quat& b) {
 void check_path(const BodyDescription& body, Findings& findings) {
   if (body.path.empty()) return;
   findings.require(body.motion == MotionType::kinematic, "only a kinematic body has a 'path'");
-  const bool has_start = !body.p_WL.isZero(0) || !body.q_WL.isApprox(Quat::Identity(), 0);
+  const bool has_start = !body.p_WU.isZero(0) || !body.q_WU.isApprox(Quat::Identity(), 0);
   findings.require(!has_start && body.velocity.isZero(0) && body.angular_velocity.isZero(0),
                    "its path gives position and velocities, so they may not be given as well");
   for (std::size_t i = 0; i < body.path.size(); ++i) {
     const PathPoint& point = body.path[i];
     const std::string name = "path point " + std::to_string(i);
     bool is_good = findings.check(name + ": time", point.time, limits::time, "s");
-    is_good &= findings.check(name + ": position", point.p_WL, limits::position, "m");
-    is_good &= findings.check(name + ": orientation", point.q_WL);
+    is_good &= findings.check(name + ": position", point.p_WU, limits::position, "m");
+    is_good &= findings.check(name + ": orientation", point.q_WU);
     if (!is_good || i == 0) continue;
     const PathPoint& before = body.path[i - 1];
     findings.require(point.time > before.time, name + ": time is " + number_text(point.time) +
                                                    " s, must be > " + number_text(before.time) +
                                                    " s, the time of the point before");
     findings.require(
-        !is_half_turn(before.q_WL, point.q_WL),
+        !is_half_turn(before.q_WU, point.q_WU),
         name + ": it is half a turn from the point before, which may go either way; put a point between");
   }
 }
 
 void check_numbers(const BodyDescription& body, Findings& findings) {
-  findings.check("position", body.p_WL, limits::position, "m");
-  findings.check("orientation", body.q_WL);
+  findings.check("position", body.p_WU, limits::position, "m");
+  findings.check("orientation", body.q_WU);
   findings.check("velocity", body.velocity, limits::speed, "m/s");
   findings.check("angular_velocity", body.angular_velocity, limits::angular_speed, "rad/s");
   findings.check("linear_drag", body.linear_drag, limits::coefficient, "kg/s");
@@ -80,7 +80,7 @@ void check_numbers(const BodyDescription& body, Findings& findings) {
   check_path(body, findings);
 }
 
-/// Shapes on the user's frame, checked; X_BS still is X_LS.
+/// Shapes on the user's frame, checked; X_BS still is X_US.
 std::vector<BodyShape> make_shapes(const BodyDescription& body, const MaterialTable& materials,
                                    ShapeMemory& memory, Findings& findings) {
   std::vector<BodyShape> shapes;
@@ -88,14 +88,14 @@ std::vector<BodyShape> make_shapes(const BodyDescription& body, const MaterialTa
     const std::string type = shape.type_name.empty() ? shape_type_name(shape.shape) : shape.type_name;
     const std::string name = "shape " + std::to_string(shapes.size()) + " (" + type + ")";
     check_shape(shape.shape, body.motion == MotionType::dynamic, name, memory, findings);
-    findings.check(name + ": position", shape.p_LS, limits::position, "m");
-    findings.check(name + ": orientation", shape.q_LS);
+    findings.check(name + ": position", shape.p_US, limits::position, "m");
+    findings.check(name + ": orientation", shape.q_US);
     findings.require(shape.color.empty() || is_color(shape.color),
                      name + ": color is " + quoted_text(shape.color) + ", must be '#rgb' or '#rrggbb'");
     const int material = find_material(shape, materials, name, findings);
     BodyShape placed;
     placed.shape = shape.shape;
-    placed.X_BS = {rotation_matrix(shape.q_LS), shape.p_LS};
+    placed.X_BS = {rotation_matrix(shape.q_US), shape.p_US};
     placed.material = material;
     placed.color = shape.color;
     shapes.push_back(std::move(placed));
@@ -115,17 +115,17 @@ void complete_shapes(std::vector<BodyShape>& shapes, Body& body) {
   }
 }
 
-/// Moves everything from the user's frame L to the body frame B.
+/// Moves everything from the user's frame U to the body frame B.
 void use_body_frame(const BodyMass& mass, const BodyDescription& description, std::vector<BodyShape>& shapes,
                     Body& body) {
   body.mass = mass.mass;
   body.moments = mass.moments;
-  body.X_BL = mass.X_LB.inverse();
-  for (BodyShape& shape : shapes) shape.X_BS = body.X_BL * shape.X_BS;
-  const bool axes_agree = mass.X_LB.R.isIdentity(0);
-  const Quat q_WL = body.q_WB;
-  body.p_WB = description.p_WL + rotation_matrix(q_WL) * mass.X_LB.p;
-  if (!axes_agree) body.q_WB = (q_WL * quaternion_of(mass.X_LB.R)).normalized();
+  body.X_BU = mass.X_UB.inverse();
+  for (BodyShape& shape : shapes) shape.X_BS = body.X_BU * shape.X_BS;
+  const bool axes_agree = mass.X_UB.R.isIdentity(0);
+  const Quat q_WU = body.q_WB;
+  body.p_WB = description.p_WU + rotation_matrix(q_WU) * mass.X_UB.p;
+  if (!axes_agree) body.q_WB = (q_WU * quaternion_of(mass.X_UB.R)).normalized();
 }
 
 }  // namespace
@@ -149,12 +149,12 @@ Body make_body(const BodyDescription& description, const std::string& where, con
   body.linear_damping = description.linear_damping;
   body.angular_damping = description.angular_damping;
   std::vector<BodyShape> shapes = make_shapes(description, materials, memory, findings);
-  body.p_WB = description.p_WL;
-  body.q_WB = description.q_WL.normalized();
+  body.p_WB = description.p_WU;
+  body.q_WB = description.q_WU.normalized();
   body.v_WB = description.velocity;
   body.w_WB = description.angular_velocity;
   body.path = description.path;
-  for (PathPoint& point : body.path) point.q_WL.normalize();
+  for (PathPoint& point : body.path) point.q_WU.normalize();
   if (messages.size() > messages_before) return body;
 
   if (body.motion == MotionType::dynamic) {

@@ -34,8 +34,8 @@ std::optional<MassProperties> properties_of_shapes(const BodyDescription& body,
   for (std::size_t i = 0; i < body.shapes.size(); ++i) {
     const ShapeDescription& shape = body.shapes[i];
     const double density = body.density ? *body.density : material_densities[i];
-    const Pose X_LS{rotation_matrix(shape.q_LS), shape.p_LS};
-    parts.push_back(transformed(shape_mass(shape.shape, density, memory), X_LS));
+    const Pose X_US{rotation_matrix(shape.q_US), shape.p_US};
+    parts.push_back(transformed(shape_mass(shape.shape, density, memory), X_US));
   }
   MassProperties properties = combined(parts);
   if (body.mass && properties.mass > 0) {

@@ -9,11 +9,11 @@
 
 namespace rigor {
 
-/// Mass of a dynamic body and its body frame B (centre of mass, principal axes) in the user's frame L.
+/// Mass of a dynamic body and its body frame B (centre of mass, principal axes) in the user's frame U.
 struct BodyMass {
   double mass;   ///< [kg].
   Vec3 moments;  ///< Principal moments [kg m²].
-  Pose X_LB;
+  Pose X_UB;
 };
 
 /// Mass properties by the rule of the scene file: the inertia that is given, or that of the shapes with

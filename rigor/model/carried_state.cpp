@@ -16,8 +16,8 @@ namespace {
 
 /// Whether a phase means the same for both bodies.
 bool has_same_inertia(const Body& a, const Body& b) {
-  return a.motion == b.motion && a.mass == b.mass && a.moments == b.moments && a.X_BL.R == b.X_BL.R &&
-         a.X_BL.p == b.X_BL.p;
+  return a.motion == b.motion && a.mass == b.mass && a.moments == b.moments && a.X_BU.R == b.X_BU.R &&
+         a.X_BU.p == b.X_BU.p;
 }
 
 /// Whether contacts mean the same too; shapes are compared by type, size and pose only.
@@ -69,8 +69,8 @@ void carry_body(const Model& now, const State& state, int old, const Model& next
     copy_bits(state.anchor, old, 13, body, carried.anchor);
     return;
   }
-  const Pose X_WL = Pose{rotation_matrix(state.orientation(old)), state.position(old)} * from.X_BL;
-  const Pose X_WB = X_WL * to.X_BL.inverse();
+  const Pose X_WU = Pose{rotation_matrix(state.orientation(old)), state.position(old)} * from.X_BU;
+  const Pose X_WB = X_WU * to.X_BU.inverse();
   Vec3 P = Vec3::Zero(), L = Vec3::Zero();
   if (to.motion == MotionType::dynamic) {
     const Vec3 w = angular_velocity(now, state, old);

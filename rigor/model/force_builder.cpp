@@ -42,11 +42,11 @@ Spring make_spring(const ForceDescription& force, const std::vector<int>& indice
                    const std::vector<Body>& bodies) {
   Vec3 points_B[2], points_W[2];
   for (std::size_t i = 0; i < 2; ++i) {
-    const Vec3 p_L = i < force.points.size() ? force.points[i] : Vec3::Zero();
-    points_B[i] = points_W[i] = p_L;
+    const Vec3 p_U = i < force.points.size() ? force.points[i] : Vec3::Zero();
+    points_B[i] = points_W[i] = p_U;
     if (indices[i] == world_body) continue;
     const Body& body = bodies[at(indices[i])];
-    points_B[i] = body.X_BL * p_L;
+    points_B[i] = body.X_BU * p_U;
     points_W[i] = rotation_matrix(body.q_WB) * points_B[i] + body.p_WB;
   }
   const double length = force.length ? *force.length : (points_W[1] - points_W[0]).norm();
@@ -72,8 +72,8 @@ std::optional<Force> make_force(const ForceDescription& force, const std::string
 
   if (force.type == ForceDescription::Type::spring) return make_spring(force, *indices, bodies.bodies);
   const int index = indices->front();
-  const Pose& X_BL = bodies.bodies[at(index)].X_BL;
-  const Vec3 vector = force.frame_is_body ? Vec3(X_BL.R * force.vector) : force.vector;
+  const Pose& X_BU = bodies.bodies[at(index)].X_BU;
+  const Vec3 vector = force.frame_is_body ? Vec3(X_BU.R * force.vector) : force.vector;
   switch (force.type) {
     case ForceDescription::Type::torque:
       return ConstantTorque{index, vector, force.frame_is_body};
@@ -82,7 +82,7 @@ std::optional<Force> make_force(const ForceDescription& force, const std::string
     default:
       break;
   }
-  const Vec3 p_BP = force.points.empty() ? Vec3::Zero() : X_BL * force.points[0];
+  const Vec3 p_BP = force.points.empty() ? Vec3::Zero() : X_BU * force.points[0];
   return ConstantForce{index, vector, p_BP, force.frame_is_body};
 }
 

@@ -34,14 +34,14 @@ struct JointAxis {
   }
 };
 
-/// A joint between two bodies. Its frame J on A and its frame K on B coincide at t = 0, except for the
+/// A joint between two bodies. Its frame F on A and its frame K on B coincide at t = 0, except for the
 /// origins of a distance joint.
 struct Joint {
   std::string name;
   JointType type = JointType::fixed;
   /// Indices into the model, or world_body; at least one is dynamic. A gear's are both world_body.
   int body_A = 0, body_B = 0;
-  Pose X_AJ, X_BK;    ///< In the body frames A and B (W for the world).
+  Pose X_AF, X_BK;    ///< In the body frames A and B (W for the world).
   double pitch = 0;   ///< Screw: displacement along +z per turn [m].
   double length = 0;  ///< Distance: the distance that is kept [m], unless it has limits.
   int first_joint = -1, second_joint = -1;  ///< Gear: the joints that it ties, by index.

@@ -160,13 +160,13 @@ void place_frames(const JointDescription& description, const std::vector<int>& i
                   const std::vector<Body>& bodies, Joint& joint) {
   joint.body_A = indices[0];
   joint.body_B = indices[1];
-  const Mat3 R_WJ = frame_of(description);
-  const Vec3 p_WJ =
+  const Mat3 R_WF = frame_of(description);
+  const Vec3 p_WF =
       description.anchors.empty() ? default_anchor(indices, bodies) : description.anchors.front();
   const bool has_two_anchors = joint_traits(description.type).anchors == JointAnchors::two;
-  const Vec3 p_WK = has_two_anchors ? description.anchors[1] : p_WJ;
-  joint.X_AJ = start_pose(joint.body_A, bodies).inverse() * Pose{R_WJ, p_WJ};
-  joint.X_BK = start_pose(joint.body_B, bodies).inverse() * Pose{R_WJ, p_WK};
+  const Vec3 p_WK = has_two_anchors ? description.anchors[1] : p_WF;
+  joint.X_AF = start_pose(joint.body_A, bodies).inverse() * Pose{R_WF, p_WF};
+  joint.X_BK = start_pose(joint.body_B, bodies).inverse() * Pose{R_WF, p_WK};
 }
 
 }  // namespace

@@ -25,12 +25,12 @@ enum class JointType {
 };
 constexpr JointType last_joint_type = JointType::point_on_line;
 
-/// Which rotations from J to K a joint holds at zero.
+/// Which rotations from F to K a joint holds at zero.
 enum class HeldRotation {
   none,
   all,
-  swing,         ///< Two rows: z of K stays parallel to z of J.
-  middle_angle,  ///< One row: x of K stays perpendicular to z of J.
+  swing,         ///< Two rows: z of K stays parallel to z of F.
+  middle_angle,  ///< One row: x of K stays perpendicular to z of F.
 };
 
 /// An equation besides those of directions that are held.
@@ -46,8 +46,8 @@ enum class CoordinateType {
   displacement_x,
   displacement_y,
   displacement_z,
-  twist,        ///< Angle about z of J.
-  angle_on_A,   ///< α in R_JK = Rz(α) Ry(γ) Rx(β): the angle about z of J.
+  twist,        ///< Angle about z of F.
+  angle_on_A,   ///< α in R_FK = Rz(α) Ry(γ) Rx(β): the angle about z of F.
   angle_on_B,   ///< β: the angle about x of K.
   whole_angle,  ///< The angle of the whole rotation, in [0, π]: about no axis of the joint's own.
   distance,     ///< Of the two anchors.
@@ -64,8 +64,8 @@ enum class JointAnchors {
 /// The directions that a scene file gives.
 enum class JointAxes {
   none,
-  z,                ///< `axis`, z of J.
-  z_and_direction,  ///< And perhaps `second_axis`, x of J: the direction of the first coordinate.
+  z,                ///< `axis`, z of F.
+  z_and_direction,  ///< And perhaps `second_axis`, x of F: the direction of the first coordinate.
   z_and_x_of_K,     ///< And `second_axis`, an axis of the joint on B.
 };
 
@@ -78,7 +78,7 @@ struct JointTraits {
   JointType type;
   const char* name;                          ///< In scene files: "hinge".
   const char* title;                         ///< With its article, for messages: "a hinge".
-  std::array<bool, 3> holds_displacement{};  ///< From J to K along x, y, z of J.
+  std::array<bool, 3> holds_displacement{};  ///< From F to K along x, y, z of F.
   HeldRotation held_rotation = HeldRotation::none;
   JointRelation relation = JointRelation::none;
   int coordinate_count = 0;

@@ -9,10 +9,10 @@
 
 namespace rigor {
 
-/// Mass and inertia given by the user, about the user's frame L.
+/// Mass and inertia given by the user, about the user's frame U.
 struct GivenInertia {
   double mass;                   ///< [kg].
-  Vec3 center = Vec3::Zero();    ///< Centre of mass in L [m].
+  Vec3 center = Vec3::Zero();    ///< Centre of mass in U [m].
   Vec3 moments = Vec3::Zero();   ///< Ixx, Iyy, Izz about the centre of mass, axes of L [kg m²].
   Vec3 products = Vec3::Zero();  ///< Ixy, Ixz, Iyz: elements of the tensor (so -∫xy dm) [kg m²].
 };
@@ -20,8 +20,8 @@ struct GivenInertia {
 /// A shape as the user places it.
 struct ShapeDescription {
   Shape shape;
-  Vec3 p_LS = Vec3::Zero();
-  Quat q_LS = Quat::Identity();
+  Vec3 p_US = Vec3::Zero();
+  Quat q_US = Quat::Identity();
   std::string material;  ///< Name; empty: the default material.
   std::string color;
   std::string type_name{};  ///< For messages, as the user calls the type; empty: shape_type_name.
@@ -31,8 +31,8 @@ struct ShapeDescription {
 struct BodyDescription {
   std::string name;
   MotionType motion = MotionType::dynamic;
-  Vec3 p_WL = Vec3::Zero();
-  Quat q_WL = Quat::Identity();
+  Vec3 p_WU = Vec3::Zero();
+  Quat q_WU = Quat::Identity();
   Vec3 velocity = Vec3::Zero();          ///< Of the centre of mass, in W [m/s].
   Vec3 angular_velocity = Vec3::Zero();  ///< In W [rad/s].
   std::optional<double> mass;            ///< [kg]: shapes' inertia scaled to this mass.
@@ -81,7 +81,7 @@ class ModelBuilder {
     std::vector<Vec3> points;         ///< In the bodies' frames L [m]; missing ones are the origin of L
                                       ///< (constant: the centre of mass).
     Vec3 vector = Vec3::Zero();       ///< Force or torque.
-    bool frame_is_body = false;       ///< vector is given in L and rotates with the body.
+    bool frame_is_body = false;       ///< vector is given in U and rotates with the body.
     double stiffness = 0, damping = 0, linear = 0, angular = 0;
     std::optional<double> length;  ///< Missing: the distance at t = 0.
   };

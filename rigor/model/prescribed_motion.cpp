@@ -8,15 +8,15 @@ namespace rigor {
 namespace {
 
 PrescribedMotion at_rest(const PathPoint& point) {
-  return {point.p_WL, point.q_WL, Vec3::Zero(), Vec3::Zero()};
+  return {point.p_WU, point.q_WU, Vec3::Zero(), Vec3::Zero()};
 }
 
 /// On the leg from a to b: positions on the line, rotation about one fixed axis of W.
 PrescribedMotion along_leg(const PathPoint& a, const PathPoint& b, double t) {
   const double duration = b.time - a.time;
   const double s = (t - a.time) / duration;
-  const Vec3 rotation_W = rotation_log(b.q_WL * a.q_WL.conjugate());
-  return {a.p_WL + s * (b.p_WL - a.p_WL), rotation_exp(s * rotation_W) * a.q_WL, (b.p_WL - a.p_WL) / duration,
+  const Vec3 rotation_W = rotation_log(b.q_WU * a.q_WU.conjugate());
+  return {a.p_WU + s * (b.p_WU - a.p_WU), rotation_exp(s * rotation_W) * a.q_WU, (b.p_WU - a.p_WU) / duration,
           rotation_W / duration};
 }
 

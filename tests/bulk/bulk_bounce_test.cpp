@@ -25,7 +25,7 @@ constexpr double kGravity = 9.81;
 BodyDescription bounce_body(const std::string& name, const Shape& shape, const Vec3& p_W) {
   BodyDescription body;
   body.name = name;
-  body.p_WL = p_W;
+  body.p_WU = p_W;
   body.mass = 1;
   body.shapes.push_back({shape, Vec3::Zero(), Quat::Identity(), "m", ""});
   return body;
@@ -63,7 +63,7 @@ std::shared_ptr<const Model> heap(HeapKind kind, double e, double friction, unsi
         kind == HeapKind::mixed ? static_cast<std::size_t>(i % 3) : static_cast<std::size_t>(kind);
     BodyDescription body = bounce_body("b" + std::to_string(i), shapes[which],
                                        Vec3(0.9 * (i % 3 - 1), 0.9 * (i / 3 % 3 - 1), 0.6 + 0.9 * (i / 9)));
-    body.q_WL = Quat(number(random), number(random), number(random), number(random)).normalized();
+    body.q_WU = Quat(number(random), number(random), number(random), number(random)).normalized();
     body.velocity = Vec3(number(random), number(random), number(random));
     body.angular_velocity = 3 * Vec3(number(random), number(random), number(random));
     builder.add_body(body);

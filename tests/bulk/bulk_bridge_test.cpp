@@ -29,9 +29,9 @@ std::shared_ptr<const Model> loaded_bridge(int planks, int crates) {
   for (int i = 0; i < planks; ++i) {
     BodyDescription plank;
     plank.name = "plank" + std::to_string(i);
-    plank.p_WL = 0.5 * (point(i) + point(i + 1));
+    plank.p_WU = 0.5 * (point(i) + point(i + 1));
     const double turn = 2 * i < planks ? slope : -slope;
-    plank.q_WL = Quat(std::cos(turn / 2), 0, std::sin(turn / 2), 0);
+    plank.q_WU = Quat(std::cos(turn / 2), 0, std::sin(turn / 2), 0);
     plank.shapes = {box(Vec3(0.23, 1, 0.05))};
     plank.linear_drag = 40;  // So that it comes to rest.
     plank.angular_drag = 10;
@@ -53,7 +53,7 @@ std::shared_ptr<const Model> loaded_bridge(int planks, int crates) {
     crate.name = "crate" + std::to_string(i);
     const double x = 0.7 * (i - 0.5 * (crates - 1));
     const double plank_height = -std::tan(slope) * (0.5 * planks * length * std::cos(slope) - std::abs(x));
-    crate.p_WL = Vec3(x, 0.2 * (i % 3 - 1), plank_height + 0.45);
+    crate.p_WU = Vec3(x, 0.2 * (i % 3 - 1), plank_height + 0.45);
     crate.shapes = {box(Vec3(0.25, 0.25, 0.25))};
     builder.add_body(crate);
   }

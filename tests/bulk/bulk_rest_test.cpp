@@ -17,7 +17,7 @@ namespace {
 BodyDescription resting_body(const std::string& name, const Shape& shape, const Vec3& p_W) {
   BodyDescription body;
   body.name = name;
-  body.p_WL = p_W;
+  body.p_WU = p_W;
   body.shapes.push_back({shape, Vec3::Zero(), Quat::Identity(), "m", ""});
   return body;
 }
@@ -35,7 +35,7 @@ std::shared_ptr<const Model> askew_tower(int count, unsigned seed) {
   for (int i = 0; i < count; ++i) {
     BodyDescription cube = resting_body("cube " + std::to_string(i), Box{Vec3(0.5, 0.5, 0.5)},
                                         Vec3(0.1 * number(random), 0.1 * number(random), 0.5 + i));
-    cube.q_WL = Quat(Eigen::AngleAxisd(0.6 * number(random), Vec3::UnitZ()));
+    cube.q_WU = Quat(Eigen::AngleAxisd(0.6 * number(random), Vec3::UnitZ()));
     builder.add_body(cube);
   }
   return builder.build();

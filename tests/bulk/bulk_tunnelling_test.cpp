@@ -18,7 +18,7 @@ constexpr double step = 1.0 / 60;
 BodyDescription tunnelling_body(const std::string& name, const Shape& shape, const Vec3& p_W) {
   BodyDescription body;
   body.name = name;
-  body.p_WL = p_W;
+  body.p_WU = p_W;
   body.shapes.push_back({shape, Vec3::Zero(), Quat::Identity(), "m", ""});
   return body;
 }

@@ -25,7 +25,7 @@ BodyDescription floor_body() {
 BodyDescription thrown(const Shape& shape, double height) {
   BodyDescription body;
   body.name = "thrown";
-  body.p_WL = Vec3(0, 0, height);
+  body.p_WU = Vec3(0, 0, height);
   body.velocity = Vec3(speed, 0, 0);
   body.shapes.emplace_back().shape = shape;
   body.shapes[0].material = "wood";

@@ -30,7 +30,7 @@ std::shared_ptr<const Model> tower(int height, double ratio, double friction = 0
     const double mass = i + 1 == height ? 1000 * ratio : 1000;
     BodyDescription cube;
     cube.name = "cube" + std::to_string(i);
-    cube.p_WL = Vec3(0, 0, 0.5 + i);
+    cube.p_WU = Vec3(0, 0, 0.5 + i);
     cube.inertia = GivenInertia{mass, Vec3::Zero(), Vec3::Constant(mass / 6), Vec3::Zero()};
     cube.shapes.emplace_back().shape = Box{Vec3::Constant(0.5)};
     cube.shapes[0].material = "stone";

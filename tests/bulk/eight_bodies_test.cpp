@@ -34,8 +34,8 @@ Crowd random_crowd(int count, double speed, Random& random) {
   for (int i = 0; i < count; ++i) {
     BodyDescription body;
     body.name = "b" + std::to_string(i);
-    body.p_WL = 3 * random.vector();
-    body.q_WL = rotation_exp(3 * random.vector());
+    body.p_WU = 3 * random.vector();
+    body.q_WU = rotation_exp(3 * random.vector());
     body.shapes = {{.shape = shapes[i % 3]}};
     body.density = 1000;
     builder.add_body(body);

@@ -171,7 +171,7 @@ std::shared_ptr<const Model> plank_bridge(int planks) {
     BodyDescription plank = tests::bulk_body("plank" + std::to_string(i), 0.5 * (point(i) + point(i + 1)), 15,
                                              Vec3(5, 0.3125, 5.3));
     const double turn = 2 * i < planks ? slope : -slope;
-    plank.q_WL = Quat(std::cos(turn / 2), 0, std::sin(turn / 2), 0);
+    plank.q_WU = Quat(std::cos(turn / 2), 0, std::sin(turn / 2), 0);
     builder.add_body(plank);
   }
   for (int i = 0; i <= planks; ++i) {

@@ -16,11 +16,11 @@
 namespace rigor::tests {
 
 /// A body of the given mass and moments.
-inline BodyDescription bulk_body(const std::string& name, const Vec3& p_WL, double mass,
+inline BodyDescription bulk_body(const std::string& name, const Vec3& p_WU, double mass,
                                  const Vec3& moments) {
   BodyDescription body;
   body.name = name;
-  body.p_WL = p_WL;
+  body.p_WU = p_WU;
   body.inertia = GivenInertia{.mass = mass, .moments = moments};
   return body;
 }

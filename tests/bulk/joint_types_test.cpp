@@ -28,17 +28,17 @@ std::shared_ptr<const Model> random_chain(JointType type, int count, unsigned se
     BodyDescription body =
         tests::bulk_body("b" + std::to_string(i), anchor + Vec3(0.3, 0.1 * random.number(), 0), mass,
                          Vec3(0.02, 0.03, 0.04) * mass);
-    body.q_WL = rotation_exp(3 * random.vector());
+    body.q_WU = rotation_exp(3 * random.vector());
     builder.add_body(body);
-    anchor = body.p_WL + Vec3(0.3, 0.1 * random.number(), 0);
+    anchor = body.p_WU + Vec3(0.3, 0.1 * random.number(), 0);
     if (i == 0) continue;
     ModelBuilder::JointDescription joint;
     joint.name = "j" + std::to_string(i);
     joint.type = type;
     joint.bodies = {"b" + std::to_string(i - 1), "b" + std::to_string(i)};
     joint.axis = random.vector();
-    joint.anchors = {body.p_WL - Vec3(0.3, 0, 0)};
-    if (type == JointType::distance) joint.anchors.push_back(body.p_WL + 0.1 * random.vector());
+    joint.anchors = {body.p_WU - Vec3(0.3, 0, 0)};
+    if (type == JointType::distance) joint.anchors.push_back(body.p_WU + 0.1 * random.vector());
     if (type == JointType::universal) joint.second_axis = joint.axis.cross(random.vector());
     if (type == JointType::screw) joint.pitch = 0.4;
     builder.add_joint(joint);

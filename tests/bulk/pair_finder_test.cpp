@@ -45,8 +45,8 @@ BodyDescription random_body(test::Random& random, int number, double room) {
   body.name = "b" + std::to_string(number);
   if (number % 9 == 0) body.motion = MotionType::fixed;
   if (number % 9 == 1) body.motion = MotionType::kinematic;
-  body.p_WL = room * random.vector();
-  body.q_WL = random_rotation(random);
+  body.p_WU = room * random.vector();
+  body.q_WU = random_rotation(random);
   if (body.motion != MotionType::fixed) {
     body.velocity = 2 * random.vector();
     body.angular_velocity = 3 * random.vector();
@@ -54,8 +54,8 @@ BodyDescription random_body(test::Random& random, int number, double room) {
   const int shape_count = number % 4 == 0 ? 3 : 1;
   for (int s = 0; s < shape_count; ++s) {
     ShapeDescription shape{random_shape(random), Vec3::Zero(), Quat::Identity(), "", ""};
-    if (shape_count > 1) shape.p_LS = random.vector();
-    if (number % 3 == 0) shape.q_LS = random_rotation(random);
+    if (shape_count > 1) shape.p_US = random.vector();
+    if (number % 3 == 0) shape.q_US = random_rotation(random);
     body.shapes.push_back(shape);
   }
   body.group = number % 5 == 0 ? 2 : 1;
@@ -72,7 +72,7 @@ std::shared_ptr<const Model> random_scene(unsigned seed, int count) {
     BodyDescription body;
     body.name = name;
     body.motion = MotionType::kinematic;
-    body.p_WL = place;
+    body.p_WU = place;
     body.velocity = random.vector();
     body.angular_velocity = 0.1 * random.vector();
     body.shapes.push_back({shape, 0.1 * random.vector(), random_rotation(random), "", ""});
@@ -235,7 +235,7 @@ BodyDescription body_of(const std::string& name, MotionType motion, const Shape&
   BodyDescription body;
   body.name = name;
   body.motion = motion;
-  body.p_WL = place;
+  body.p_WU = place;
   body.shapes.push_back({shape, Vec3::Zero(), Quat::Identity(), "", ""});
   return body;
 }

@@ -24,7 +24,7 @@ BodyDescription body_at(double x, const std::string& name, MotionType motion, co
   BodyDescription body;
   body.name = name;
   body.motion = motion;
-  body.p_WL = Vec3(x, 0, 0);
+  body.p_WU = Vec3(x, 0, 0);
   body.shapes.push_back({shape, Vec3::Zero(), Quat::Identity(), "", ""});
   return body;
 }

@@ -20,7 +20,7 @@ BodyDescription body_at(const std::string& name, const Shape& shape, const Vec3&
   BodyDescription body;
   body.name = name;
   body.motion = motion;
-  body.p_WL = x;
+  body.p_WU = x;
   body.shapes.push_back({shape, Vec3::Zero(), Quat::Identity(), "m", ""});
   return body;
 }

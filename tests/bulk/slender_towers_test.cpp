@@ -34,7 +34,7 @@ std::shared_ptr<const Model> tower(int height, double side, double rolling_frict
   for (int i = 0; i < height; ++i) {
     BodyDescription cube;
     cube.name = "cube" + std::to_string(i);
-    cube.p_WL = Vec3(0, 0, side * (0.5 + i));
+    cube.p_WU = Vec3(0, 0, side * (0.5 + i));
     cube.shapes.emplace_back().shape = Box{Vec3::Constant(0.5 * side)};
     cube.shapes[0].material = "stone";
     builder.add_body(cube);

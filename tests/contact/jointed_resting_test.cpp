@@ -33,7 +33,7 @@ Scene hinged_boxes(int boxes, const JointAxis& axis) {
   for (int i = 0; i < boxes; ++i) {
     BodyDescription box;
     box.name = "box" + std::to_string(i);
-    box.p_WL = Vec3(1.5 * i, 0, 0.5);
+    box.p_WU = Vec3(1.5 * i, 0, 0.5);
     box.shapes.push_back({Box{Vec3(0.5, 0.5, 0.5)}, Vec3::Zero(), Quat::Identity(), "m", ""});
     builder.add_body(box);
     if (i == 0) continue;

@@ -14,7 +14,7 @@ ContactSystem ball_on_floor(const Vec3& v, const Vec3& omega) {
   builder.add_material({"m", 1000, 0.3, 0});
   BodyDescription ball;
   ball.name = "ball";
-  ball.p_WL = Vec3(0, 0, 0.1);
+  ball.p_WU = Vec3(0, 0, 0.1);
   ball.shapes.push_back({Sphere{0.1}, Vec3::Zero(), Quat::Identity(), "m", ""});
   builder.add_body(ball);
   BodyDescription floor;
@@ -47,7 +47,7 @@ std::shared_ptr<const Model> hinged_rod() {
       {.name = "m", .friction = 1.2, .restitution = 0, .rolling_friction = 0.01, .torsional_friction = 0.02});
   BodyDescription rod;
   rod.name = "rod";
-  rod.p_WL = Vec3(0, 0, 0.6);
+  rod.p_WU = Vec3(0, 0, 0.6);
   rod.mass = 2;
   rod.shapes.push_back({Capsule{0.1, 0.5}, Vec3::Zero(), Quat::Identity(), "m", ""});
   builder.add_body(rod);

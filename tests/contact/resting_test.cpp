@@ -31,7 +31,7 @@ Scene stack(int boxes, double mu, double tilt, const Vec3& v = Vec3::Zero()) {
   for (int i = 0; i < boxes; ++i) {
     BodyDescription box;
     box.name = "box" + std::to_string(i);
-    box.p_WL = Vec3(0, 0, 0.5 + i);
+    box.p_WU = Vec3(0, 0, 0.5 + i);
     box.velocity = v;
     box.shapes.push_back({Box{Vec3(0.5, 0.5, 0.5)}, Vec3::Zero(), Quat::Identity(), "m", ""});
     builder.add_body(box);

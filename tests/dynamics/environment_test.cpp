@@ -13,7 +13,7 @@ using Force = ModelBuilder::ForceDescription;
 BodyDescription ball(const std::string& name, const Vec3& x) {
   BodyDescription body;
   body.name = name;
-  body.p_WL = x;
+  body.p_WU = x;
   body.mass = 2;
   body.shapes.push_back({Sphere{0.1}});
   return body;

@@ -42,7 +42,7 @@ TEST_P(JointSprings, SupplyTheEnergyThatTheyLose) {
     const Joint joint = sprung_joint(GetParam(), 0, random);
     const BodyMotion A = tests::random_motion(random);
     BodyMotion B = tests::random_motion(random);
-    place(joint, A, tests::random_allowed_pose(joint, random).X_JK, B);
+    place(joint, A, tests::random_allowed_pose(joint, random).X_FK, B);
     B.x += 0.05 * random.vector();
     const JointForces forces = spring_forces(joint, A, B);
     const auto energy = [&](double t) {

@@ -52,7 +52,7 @@ Pair random_pair(JointType type, Random& random) {
   Pair pair{
       tests::random_joint(type, random), tests::random_motion(random), tests::random_motion(random), {}};
   const tests::AllowedPose allowed = tests::random_allowed_pose(pair.joint, random);
-  place(pair.joint, pair.A, allowed.X_JK, pair.B);
+  place(pair.joint, pair.A, allowed.X_FK, pair.B);
   pair.coordinates = allowed.coordinates;
   return pair;
 }
@@ -110,7 +110,7 @@ TEST_P(JointTypes, RowsAreZeroWhereTheJointHoldsAndLeaveTheRightNumberOfFreedoms
 TEST_P(JointTypes, RowsOfBodiesWhoseFramesAreOneAreExactlyZero) {
   Random random(2);
   Joint joint = tests::random_joint(GetParam(), random);
-  joint.X_BK = joint.X_AJ;
+  joint.X_BK = joint.X_AF;
   joint.length = 0;
   const BodyMotion body = tests::random_motion(random);
   EXPECT_TRUE(joint_rows(joint, body, body).g.isZero(0));
@@ -210,12 +210,12 @@ TEST_P(JointTypes, NewtonsMethodOnTheRowsEndsOnTheRightBranch) {
     pair.B.x += 0.05 * random.vector();
     solve_for_B(pair.joint, pair.A, pair.B);
     EXPECT_LE(joint_rows(pair.joint, pair.A, pair.B).g.norm(), 1e-12);
-    const Mat3 R_JK = (pair.A.R * pair.joint.X_AJ.R).transpose() * pair.B.R * pair.joint.X_BK.R;
+    const Mat3 R_FK = (pair.A.R * pair.joint.X_AF.R).transpose() * pair.B.R * pair.joint.X_BK.R;
     const JointType type = GetParam();
     if (type == JointType::fixed || type == JointType::slider) {
-      EXPECT_LE((R_JK - Mat3::Identity()).norm(), 1e-11);
+      EXPECT_LE((R_FK - Mat3::Identity()).norm(), 1e-11);
     } else if (joint_traits(type).held_rotation == HeldRotation::swing) {
-      EXPECT_NEAR(R_JK(2, 2), 1, 1e-11);
+      EXPECT_NEAR(R_FK(2, 2), 1, 1e-11);
     }
   }
 }

@@ -33,9 +33,9 @@ inline Joint random_joint(JointType type, test::Random& random) {
   joint.type = type;
   joint.body_A = 0;
   joint.body_B = 1;
-  const Vec3 turn_J = 2 * random.vector(), p_J = random.vector(), turn_K = 2 * random.vector(),
+  const Vec3 turn_F = 2 * random.vector(), p_F = random.vector(), turn_K = 2 * random.vector(),
              p_K = random.vector();
-  joint.X_AJ = {turned(turn_J), p_J};
+  joint.X_AF = {turned(turn_F), p_F};
   joint.X_BK = {turned(turn_K), p_K};
   joint.pitch = 0.3;
   joint.length = 1.7;
@@ -44,15 +44,15 @@ inline Joint random_joint(JointType type, test::Random& random) {
 }
 
 /// Puts B where K is at the given pose in J; velocities stay.
-inline void place(const Joint& joint, const BodyMotion& A, const Pose& X_JK, BodyMotion& B) {
-  const Pose X_WB = Pose{A.R, A.x} * joint.X_AJ * X_JK * joint.X_BK.inverse();
+inline void place(const Joint& joint, const BodyMotion& A, const Pose& X_FK, BodyMotion& B) {
+  const Pose X_WB = Pose{A.R, A.x} * joint.X_AF * X_FK * joint.X_BK.inverse();
   B.x = X_WB.p;
   B.R = X_WB.R;
 }
 
 /// A pose that the joint allows, and its coordinates.
 struct AllowedPose {
-  Pose X_JK;
+  Pose X_FK;
   std::vector<double> coordinates;
 };
 inline AllowedPose random_allowed_pose(const Joint& joint, test::Random& random) {

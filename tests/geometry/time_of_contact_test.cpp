@@ -123,13 +123,13 @@ TEST(TimeOfContact, AlongAScrewIsThatOfTheTurnAndTheGlide) {
   const ScrewMotion screw = make_screw_motion(start, omega, velocity);
   const TwistMotion still = at_rest();
   const TimeOfContact found =
-      find_time_of_contact({&ball, screw.X_BL, &screw.motion}, {&wall, Pose{}, &still}, 0, 3);
+      find_time_of_contact({&ball, screw.X_BU, &screw.motion}, {&wall, Pose{}, &still}, 0, 3);
   ASSERT_TRUE(found.is_contact);
   const double t = std::asin(0.5 * (1 - r)) / w;
   EXPECT_NEAR(found.lower, t, 1.1e-12);
   EXPECT_GE(found.upper, t - 1e-15);
   // All points keep their distance from the axis, and the pose is the exponential of the twist.
-  const Pose X = MovingShape{&ball, screw.X_BL, &screw.motion}.pose(t);
+  const Pose X = MovingShape{&ball, screw.X_BU, &screw.motion}.pose(t);
   EXPECT_NEAR((X.p - Vec3(1, 0, X.p.z())).norm(), 2, 1e-14);
   EXPECT_NEAR(X.p.z(), 5 * t, 1e-14);
 }

@@ -53,9 +53,9 @@ TEST(JointReader, ReadsTheContractsExampleOfAHinge) {
   EXPECT_EQ(joint.body_A, 0);
   EXPECT_EQ(joint.body_B, 1);
   // The bodies lie along the world's axes, so only their places count.
-  EXPECT_LT((joint.X_AJ.p - Vec3(-1, 0, 1)).norm(), kRounding);
+  EXPECT_LT((joint.X_AF.p - Vec3(-1, 0, 1)).norm(), kRounding);
   EXPECT_LT((joint.X_BK.p - Vec3(0, -2, 1)).norm(), kRounding);
-  EXPECT_LT((joint.X_AJ.R.col(2) - Vec3::UnitY()).norm(), kRounding);
+  EXPECT_LT((joint.X_AF.R.col(2) - Vec3::UnitY()).norm(), kRounding);
   ASSERT_EQ(joint.axes.size(), 1u);
   const JointAxis& axis = joint.axes[0];
   EXPECT_NEAR(axis.lower, -30 * kDegree, kRounding);
@@ -79,7 +79,7 @@ TEST(JointReader, ReadsEveryType) {
   const Joint universal = joint_of("type: universal" + two + at + axis + ", second_axis: [0, 3, 0]");
   EXPECT_LT((universal.X_BK.R.col(0) - Vec3::UnitY()).norm(), kRounding);
   const Joint planar = joint_of("type: planar" + two + axis + ", second_axis: [0, 3, 0]");
-  EXPECT_LT((planar.X_AJ.R.col(0) - Vec3::UnitY()).norm(), kRounding);
+  EXPECT_LT((planar.X_AF.R.col(0) - Vec3::UnitY()).norm(), kRounding);
   const Scene geared = scene_of(with_joints("{name: p, type: hinge, bodies: [world, a], anchor: [1, 0, 0]" +
                                             axis + "}, {name: q, type: slider, bodies: [world, b]" + axis +
                                             "}, {name: g, type: gear, joints: [p, q], ratio: -0.5}"));
@@ -144,7 +144,7 @@ TEST(JointRepeat, MakesAChainOfRepeatedBodies) {
     EXPECT_EQ(joint.body_A, i - 1);
     EXPECT_EQ(joint.body_B, i);
     // Each pin is half a link from either centre of mass, up to the rounding of places up to 1000 m.
-    EXPECT_LT((joint.X_AJ.p.cwiseAbs() - Vec3(0.5, 0, 0)).norm(), 1e-12);
+    EXPECT_LT((joint.X_AF.p.cwiseAbs() - Vec3(0.5, 0, 0)).norm(), 1e-12);
     EXPECT_LT((joint.X_BK.p.cwiseAbs() - Vec3(0.5, 0, 0)).norm(), 1e-12);
   }
 }

@@ -22,8 +22,8 @@ constexpr double g = 9.81;
 ContactSystem sliding_rod(const Model& model, double lean, double mu, double spin) {
   const Vec3 axis(std::cos(lean), 0, std::sin(lean)), w(0, spin, 0);
   const int rod = model.find_body("rod").value();
-  const Pose X_WL{rotation_matrix(rotation_exp(Vec3(0, pi / 2 - lean, 0))), Vec3(0, 0, std::sin(lean))};
-  const Pose X_WB = X_WL * model.body(rod).X_BL.inverse();
+  const Pose X_WU{rotation_matrix(rotation_exp(Vec3(0, pi / 2 - lean, 0))), Vec3(0, 0, std::sin(lean))};
+  const Pose X_WB = X_WU * model.body(rod).X_BU.inverse();
   BodyKinetics kinetics =
       dynamic_kinetics(model.body(rod), {X_WB.p, quaternion_of(X_WB.R), Vec3::Zero(), Vec3::Zero()});
   kinetics.w = w;
@@ -107,9 +107,9 @@ TEST(Painleve, TheTipJamsByAnImpulseAndTheAuditSaysSo) {
     EXPECT_GT(report.coarse_steps, 0);
     EXPECT_TRUE(has_warning(run, "no finite contact force at floor and rod at t = 0 s, once"));
     const int rod = run.body("rod");
-    const Mat3 R_BL = run.scene.model->body(rod).X_BL.R;
+    const Mat3 R_BU = run.scene.model->body(rod).X_BU.R;
     const auto tip = [&](const State& state) {
-      return Vec3(state.position(rod) - rotation_matrix(state.orientation(rod)) * R_BL.col(2));
+      return Vec3(state.position(rod) - rotation_matrix(state.orientation(rod)) * R_BU.col(2));
     };
     // The impulse comes with the first step, a tenth of run.step; the tip stands from its start.
     EXPECT_LE((tip(run.states.back()) - tip(run.states.front())).norm(), 1e-4);

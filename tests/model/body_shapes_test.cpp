@@ -85,7 +85,7 @@ TEST(BodyShapes, BodiesOfAModelShareThemAndAreFoundByTheirNames) {
   for (const int i : {3, 1, 2, 0}) {
     BodyDescription body;
     body.name = "ball" + std::to_string(i);
-    body.p_WL = Vec3(3 * i, 0, 0);
+    body.p_WU = Vec3(3 * i, 0, 0);
     body.shapes.emplace_back().shape = Sphere{i == 2 ? 0.5 : 1};
     builder.add_body(body);
   }

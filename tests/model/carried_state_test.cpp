@@ -14,7 +14,7 @@ namespace {
 BodyDescription ball(const std::string& name, double x) {
   BodyDescription body;
   body.name = name;
-  body.p_WL = Vec3(x, 0, 0);
+  body.p_WU = Vec3(x, 0, 0);
   body.mass = 1;
   body.shapes.push_back({Sphere{0.1}});
   return body;
@@ -92,15 +92,15 @@ TEST(CarriedState, BodyOfAnotherShapeKeepsItsPlaceAndVelocities) {
   Sample sample;
   sample.builder.remove_body("a");
   BodyDescription other = ball("a", 0);
-  other.shapes[0].p_LS = Vec3(0.2, 0, 0);
+  other.shapes[0].p_US = Vec3(0.2, 0, 0);
   other.mass = 5;
   sample.builder.add_body(other);
   const std::shared_ptr<const Model> next = sample.builder.build();
   const int body = *next->find_body("a");
   const State carried = carried_state(*sample.model, sample.state, *next);
-  const Pose X_WL =
-      Pose{rotation_matrix(carried.orientation(body)), carried.position(body)} * next->body(body).X_BL;
-  EXPECT_LT((X_WL.p - sample.state.position(0)).norm(), 1e-15);
+  const Pose X_WU =
+      Pose{rotation_matrix(carried.orientation(body)), carried.position(body)} * next->body(body).X_BU;
+  EXPECT_LT((X_WU.p - sample.state.position(0)).norm(), 1e-15);
   const Vec3 w = angular_velocity(*sample.model, sample.state, 0);
   EXPECT_LT((angular_velocity(*next, carried, body) - w).norm(), 1e-13 * w.norm());
   const Vec3 v = linear_velocity(*sample.model, sample.state, 0) +

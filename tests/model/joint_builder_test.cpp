@@ -26,9 +26,9 @@ std::shared_ptr<const Model> model_with(const JointDescription& joint) {
 }
 
 /// Pose in W at t = 0 of a frame that is given on a body.
-Pose start_pose(const Model& model, int body, const Pose& X_BJ) {
-  if (body == world_body) return X_BJ;
-  return Pose{rotation_matrix(model.body(body).q_WB), model.body(body).p_WB} * X_BJ;
+Pose start_pose(const Model& model, int body, const Pose& X_BF) {
+  if (body == world_body) return X_BF;
+  return Pose{rotation_matrix(model.body(body).q_WB), model.body(body).p_WB} * X_BF;
 }
 
 TEST(JointBuilder, BothFramesAreAtTheAnchorAlongTheAxisAtTheStart) {
@@ -37,13 +37,13 @@ TEST(JointBuilder, BothFramesAreAtTheAnchorAlongTheAxisAtTheStart) {
     description.axis = Vec3(0, 3, 4);
     const std::shared_ptr<const Model> model = model_with(description);
     const Joint& joint = model->joint(0);
-    const Pose X_WJ = start_pose(*model, joint.body_A, joint.X_AJ);
+    const Pose X_WF = start_pose(*model, joint.body_A, joint.X_AF);
     const Pose X_WK = start_pose(*model, joint.body_B, joint.X_BK);
-    EXPECT_LT((X_WJ.p - Vec3(1, 1, 1)).norm(), kRounding) << joint_type_name(type);
-    EXPECT_LT((X_WJ.R.col(2) - Vec3(0, 0.6, 0.8)).norm(), kRounding) << joint_type_name(type);
-    EXPECT_LT((X_WJ.p - X_WK.p).norm(), kRounding) << joint_type_name(type);
-    EXPECT_LT((X_WJ.R - X_WK.R).norm(), kRounding) << joint_type_name(type);
-    EXPECT_NEAR(X_WJ.R.determinant(), 1, kRounding) << joint_type_name(type);
+    EXPECT_LT((X_WF.p - Vec3(1, 1, 1)).norm(), kRounding) << joint_type_name(type);
+    EXPECT_LT((X_WF.R.col(2) - Vec3(0, 0.6, 0.8)).norm(), kRounding) << joint_type_name(type);
+    EXPECT_LT((X_WF.p - X_WK.p).norm(), kRounding) << joint_type_name(type);
+    EXPECT_LT((X_WF.R - X_WK.R).norm(), kRounding) << joint_type_name(type);
+    EXPECT_NEAR(X_WF.R.determinant(), 1, kRounding) << joint_type_name(type);
   }
 }
 
@@ -54,25 +54,25 @@ TEST(JointBuilder, TheSecondAxisIsTheFramesX) {
     // Off by 1e-4 rad as rounded numbers in a file are: the frame is orthonormal nevertheless.
     description.second_axis = Vec3(0, 8, -6 + 1e-3);
     const std::shared_ptr<const Model> model = model_with(description);
-    const Pose X_WJ = start_pose(*model, 0, model->joint(0).X_AJ);
-    EXPECT_LT((X_WJ.R.col(0) - Vec3(0, 0.8, -0.6)).norm(), kRounding);
-    EXPECT_LT((X_WJ.R.transpose() * X_WJ.R - Mat3::Identity()).norm(), kRounding);
+    const Pose X_WF = start_pose(*model, 0, model->joint(0).X_AF);
+    EXPECT_LT((X_WF.R.col(0) - Vec3(0, 0.8, -0.6)).norm(), kRounding);
+    EXPECT_LT((X_WF.R.transpose() * X_WF.R - Mat3::Identity()).norm(), kRounding);
   }
 }
 
 TEST(JointBuilder, APlanarJointsXIsTheWorldsWhereItCanBe) {
   JointDescription description = joint_of(JointType::planar);
   std::shared_ptr<const Model> model = model_with(description);
-  EXPECT_LT((start_pose(*model, 0, model->joint(0).X_AJ).R - Mat3::Identity()).norm(), kRounding);
+  EXPECT_LT((start_pose(*model, 0, model->joint(0).X_AF).R - Mat3::Identity()).norm(), kRounding);
   description.axis = Vec3(1, 0, 0);
   model = model_with(description);
-  EXPECT_LT((start_pose(*model, 0, model->joint(0).X_AJ).R.col(0) - Vec3::UnitY()).norm(), kRounding);
+  EXPECT_LT((start_pose(*model, 0, model->joint(0).X_AF).R.col(0) - Vec3::UnitY()).norm(), kRounding);
 }
 
 TEST(JointBuilder, ADistanceJointHasItsAnchorsOnTheBodiesAndTheLengthOfTheStart) {
   const std::shared_ptr<const Model> model = model_with(joint_of(JointType::distance));
   const Joint& joint = model->joint(0);
-  EXPECT_LT((start_pose(*model, 0, joint.X_AJ).p - Vec3(1, 1, 1)).norm(), kRounding);
+  EXPECT_LT((start_pose(*model, 0, joint.X_AF).p - Vec3(1, 1, 1)).norm(), kRounding);
   EXPECT_LT((start_pose(*model, 1, joint.X_BK).p - Vec3(4, 5, 1)).norm(), kRounding);
   EXPECT_EQ(joint.length, 5);
 }
@@ -84,7 +84,7 @@ TEST(JointBuilder, AJointToTheWorldHasItsFrameInTheWorld) {
   const Joint& joint = model->joint(0);
   EXPECT_EQ(joint.body_A, world_body);
   EXPECT_EQ(joint.body_B, 1);
-  EXPECT_EQ(joint.X_AJ.p, Vec3(1, 1, 1));
+  EXPECT_EQ(joint.X_AF.p, Vec3(1, 1, 1));
 }
 
 TEST(JointBuilder, WithoutAnAnchorItIsAtTheCentreOfMassOfTheDynamicBody) {
@@ -93,9 +93,9 @@ TEST(JointBuilder, WithoutAnAnchorItIsAtTheCentreOfMassOfTheDynamicBody) {
     description.anchors.clear();
     EXPECT_LT(model_with(description)->joint(0).X_BK.p.norm(), kRounding);
     description.bodies = {"a", "world"};
-    EXPECT_LT(model_with(description)->joint(0).X_AJ.p.norm(), kRounding);
+    EXPECT_LT(model_with(description)->joint(0).X_AF.p.norm(), kRounding);
     description.bodies = {"a", "wall"};
-    EXPECT_LT(model_with(description)->joint(0).X_AJ.p.norm(), kRounding);
+    EXPECT_LT(model_with(description)->joint(0).X_AF.p.norm(), kRounding);
   }
 }
 

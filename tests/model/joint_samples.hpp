@@ -17,14 +17,14 @@ inline ModelBuilder jointed_bodies() {
   for (const char* const name : {"a", "b"}) {
     BodyDescription body;
     body.name = name;
-    body.p_WL = name[0] == 'a' ? Vec3(1, 2, 3) : Vec3(-2, 0.5, 1);
-    body.q_WL = rotation_exp(Vec3(0.3, -0.7, name[0] == 'a' ? 0.2 : 1.1));
+    body.p_WU = name[0] == 'a' ? Vec3(1, 2, 3) : Vec3(-2, 0.5, 1);
+    body.q_WU = rotation_exp(Vec3(0.3, -0.7, name[0] == 'a' ? 0.2 : 1.1));
     body.inertia = GivenInertia{2, Vec3(0.1, 0.2, -0.3), Vec3(1, 1.5, 2), Vec3(0.1, 0, 0.2)};
     builder.add_body(body);
   }
   BodyDescription wall = body_of(Box{Vec3(1, 1, 1)}, "wall");
   wall.motion = MotionType::fixed;
-  wall.p_WL = Vec3(0, 0, -5);
+  wall.p_WU = Vec3(0, 0, -5);
   builder.add_body(wall);
   return builder;
 }

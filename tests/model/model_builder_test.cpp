@@ -63,14 +63,14 @@ TEST(BodyMass, SeveralShapesByParallelAxes) {
   // A dumbbell of two balls of radius 1 at x = -3 and x = 5 in L.
   BodyDescription body = body_of(Sphere{1});
   body.shapes.push_back({Sphere{1}});
-  body.shapes[0].p_LS = Vec3(-3, 0, 0);
-  body.shapes[1].p_LS = Vec3(5, 0, 0);
+  body.shapes[0].p_US = Vec3(-3, 0, 0);
+  body.shapes[1].p_US = Vec3(5, 0, 0);
   body.mass = 2;
-  body.p_WL = Vec3(0, 7, 0);
+  body.p_WU = Vec3(0, 7, 0);
   const Body dumbbell = model_of(body)->body(0);
   EXPECT_LT((dumbbell.moments - Vec3(0.8, 0.8 + 2 * 16, 0.8 + 2 * 16)).norm(), 1e-13);
   EXPECT_EQ(dumbbell.p_WB, Vec3(1, 7, 0));
-  EXPECT_EQ(dumbbell.X_BL.p, Vec3(-1, 0, 0));
+  EXPECT_EQ(dumbbell.X_BU.p, Vec3(-1, 0, 0));
   EXPECT_EQ(dumbbell.shapes[0].X_BS.p, Vec3(-4, 0, 0));
   EXPECT_EQ(dumbbell.bounding_radius, 5);
   EXPECT_EQ(dumbbell.shapes[1].radius, 1);
@@ -78,20 +78,20 @@ TEST(BodyMass, SeveralShapesByParallelAxes) {
 
 TEST(BodyMass, ConeKeepsTheUsersFrameAtHalfHeight) {
   BodyDescription body = body_of(Cone{1, 2});
-  body.p_WL = Vec3(0, 0, 10);
+  body.p_WU = Vec3(0, 0, 10);
   const Body cone = model_of(body)->body(0);
   // The centre of mass lies at a quarter of the height 4 above the base at z = -2.
   EXPECT_NEAR(cone.p_WB.z(), 9, 1e-15);
-  EXPECT_NEAR(cone.X_BL.p.z(), 1, 1e-15);
+  EXPECT_NEAR(cone.X_BU.p.z(), 1, 1e-15);
 }
 
 TEST(BodyMass, BodyFrameHasThePrincipalAxesAndTheShapeStaysWhereItWas) {
   BodyDescription body = body_of(Box{Vec3(0.5, 1, 1.5)});
   body.mass = 12;
-  body.shapes[0].q_LS = rotation_exp(Vec3(0.2, -0.5, 0.4));
-  body.shapes[0].p_LS = Vec3(1, 2, 3);
-  body.q_WL = rotation_exp(Vec3(-1, 0.3, 0.2));
-  body.p_WL = Vec3(-2, 0, 1);
+  body.shapes[0].q_US = rotation_exp(Vec3(0.2, -0.5, 0.4));
+  body.shapes[0].p_US = Vec3(1, 2, 3);
+  body.q_WU = rotation_exp(Vec3(-1, 0.3, 0.2));
+  body.p_WU = Vec3(-2, 0, 1);
   const Body built = model_of(body)->body(0);
   std::vector<double> moments(built.moments.begin(), built.moments.end());
   std::sort(moments.begin(), moments.end());
@@ -99,23 +99,23 @@ TEST(BodyMass, BodyFrameHasThePrincipalAxesAndTheShapeStaysWhereItWas) {
   EXPECT_NEAR(moments[1], 10, 1e-13);
   EXPECT_NEAR(moments[2], 13, 1e-13);
 
-  const Pose X_WL{rotation_matrix(body.q_WL), body.p_WL};
+  const Pose X_WU{rotation_matrix(body.q_WU), body.p_WU};
   const Pose X_WB{rotation_matrix(built.q_WB), built.p_WB};
-  const Pose X_WS = X_WL * Pose{rotation_matrix(body.shapes[0].q_LS), body.shapes[0].p_LS};
+  const Pose X_WS = X_WU * Pose{rotation_matrix(body.shapes[0].q_US), body.shapes[0].p_US};
   const Pose by_body = X_WB * built.shapes[0].X_BS;
   EXPECT_LT((by_body.R - X_WS.R).norm(), 1e-14);
   EXPECT_LT((by_body.p - X_WS.p).norm(), 1e-14);
-  const Pose L_again = X_WB * built.X_BL;
-  EXPECT_LT((L_again.p - body.p_WL).norm(), 1e-14);
+  const Pose L_again = X_WB * built.X_BU;
+  EXPECT_LT((L_again.p - body.p_WU).norm(), 1e-14);
   EXPECT_NEAR(built.q_WB.norm(), 1, 1e-15);
 }
 
 TEST(BodyMass, AxesOfTheUserAreKeptWhenTheyArePrincipal) {
   BodyDescription body = body_of(Box{Vec3(1, 0.5, 2)});
-  body.q_WL = Quat(0, 0, 0, 1);
+  body.q_WU = Quat(0, 0, 0, 1);
   const Body built = model_of(body)->body(0);
-  EXPECT_EQ(built.X_BL.R, Mat3::Identity());
-  EXPECT_EQ(built.q_WB.coeffs(), body.q_WL.coeffs());
+  EXPECT_EQ(built.X_BU.R, Mat3::Identity());
+  EXPECT_EQ(built.q_WB.coeffs(), body.q_WU.coeffs());
 }
 
 TEST(BodyMass, GivenInertiaWithProducts) {
@@ -128,10 +128,10 @@ TEST(BodyMass, GivenInertiaWithProducts) {
   EXPECT_NEAR(built.moments.head<2>().minCoeff(), 1.5, 1e-15);
   EXPECT_NEAR(built.moments.head<2>().maxCoeff(), 2.5, 1e-15);
   EXPECT_EQ(built.moments.z(), 3);
-  const Mat3 R_LB = built.X_BL.R.transpose();
+  const Mat3 R_UB = built.X_BU.R.transpose();
   Mat3 I_L;
   I_L << 2, 0.5, 0, 0.5, 2, 0, 0, 0, 3;
-  EXPECT_LT((R_LB * built.moments.asDiagonal() * R_LB.transpose() - I_L).norm(), 1e-15);
+  EXPECT_LT((R_UB * built.moments.asDiagonal() * R_UB.transpose() - I_L).norm(), 1e-15);
 }
 
 TEST(BodyMass, FlatBodiesAreAllowedAndTheirRoundingToo) {
@@ -173,7 +173,7 @@ TEST(BodyMass, ScalesByPowersOfTwoBitForBit) {
   BodyDescription small = body_of(Cylinder{0.3, 0.7});
   small.shapes.emplace_back(Box{Vec3(0.1, 0.2, 0.3)}, Vec3(1, 0.1, -0.4), rotation_exp(Vec3(0.1, 0.2, 0.3)));
   BodyDescription large = body_of(Cylinder{0.6, 1.4});
-  large.shapes.emplace_back(Box{Vec3(0.2, 0.4, 0.6)}, Vec3(2, 0.2, -0.8), small.shapes[1].q_LS);
+  large.shapes.emplace_back(Box{Vec3(0.2, 0.4, 0.6)}, Vec3(2, 0.2, -0.8), small.shapes[1].q_US);
   const Body a = model_of(small)->body(0), b = model_of(large)->body(0);
   EXPECT_EQ(b.mass, 8 * a.mass);
   EXPECT_EQ(b.moments, 32 * a.moments);
@@ -188,7 +188,7 @@ TEST(BodyMass, StaticAndKinematicBodiesHaveNoneAndKeepTheirFrame) {
   const Body built = model_of(body)->body(0);
   EXPECT_EQ(built.mass, 0);
   EXPECT_EQ(built.moments, Vec3::Zero());
-  EXPECT_EQ(built.X_BL.p, Vec3::Zero());
+  EXPECT_EQ(built.X_BU.p, Vec3::Zero());
   EXPECT_EQ(built.p_WB, Vec3::Zero());
 }
 
@@ -270,7 +270,7 @@ TEST(MayCollide, FollowsMotionGroupsMasksShapesAndExclusions) {
 TEST(Forces, PointsAndVectorsAreTakenToTheBodyFrame) {
   ModelBuilder builder;
   BodyDescription cone = body_of(Cone{1, 2}, "cone");  // Centre of mass at z = -1 of L.
-  cone.p_WL = Vec3(0, 0, 5);
+  cone.p_WU = Vec3(0, 0, 5);
   builder.add_body(cone);
   ForceDescription push{ForceDescription::Type::constant, {"cone"}};
   push.vector = Vec3(1, 2, 3);
@@ -294,7 +294,7 @@ TEST(Forces, PointsAndVectorsAreTakenToTheBodyFrame) {
 TEST(Forces, AVectorOfTheBodyTurnsIntoThePrincipalFrame) {
   ModelBuilder builder;
   BodyDescription body = body_of(Box{Vec3(0.5, 1, 1.5)}, "box");
-  body.shapes[0].q_LS = rotation_exp(Vec3(0.3, 0.1, 0.2));
+  body.shapes[0].q_US = rotation_exp(Vec3(0.3, 0.1, 0.2));
   builder.add_body(body);
   ForceDescription torque{ForceDescription::Type::torque, {"box"}};
   torque.vector = Vec3(1, 2, 3);
@@ -302,7 +302,7 @@ TEST(Forces, AVectorOfTheBodyTurnsIntoThePrincipalFrame) {
   builder.add_force(torque);
   const std::shared_ptr<const Model> model = builder.build();
   const ConstantTorque& built = std::get<ConstantTorque>(model->forces()[0]);
-  const Vec3 tau_L = model->body(0).X_BL.R.transpose() * built.tau;
+  const Vec3 tau_L = model->body(0).X_BU.R.transpose() * built.tau;
   EXPECT_LT((tau_L - Vec3(1, 2, 3)).norm(), 1e-14);
 }
 

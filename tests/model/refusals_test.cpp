@@ -55,8 +55,8 @@ TEST(BodyRefused, ForItsInertia) {
 
 TEST(BodyRefused, ForNumbersOutOfRange) {
   BodyDescription body = body_of(Sphere{1});
-  body.p_WL.x() = 1e30;
-  body.q_WL = Quat(1e-200, 0, 0, 0);
+  body.p_WU.x() = 1e30;
+  body.q_WU = Quat(1e-200, 0, 0, 0);
   body.angular_velocity.y() = kNan;
   body.linear_drag = -1;
   body.angular_drag = kNan;
@@ -131,7 +131,7 @@ TEST(BodyRefused, ForItsMotion) {
   EXPECT_EQ(errors_of(body), "here: body 'ball': only a kinematic body has a 'path'\n");
   body.motion = MotionType::kinematic;
   EXPECT_EQ(errors_of(body), "");
-  body.p_WL.x() = 1;
+  body.p_WU.x() = 1;
   EXPECT_EQ(errors_of(body),
             "here: body 'ball': its path gives position and velocities, so they may not be given as well\n");
 }

@@ -29,8 +29,8 @@ std::shared_ptr<const Model> random_scene(int count) {
   for (int i = 0; i < count; ++i) {
     BodyDescription body;
     body.name = "b" + std::to_string(i);
-    body.p_WL = 5 * random.vector();
-    body.q_WL = rotation_exp(3 * random.vector());
+    body.p_WU = 5 * random.vector();
+    body.q_WU = rotation_exp(3 * random.vector());
     const Vec3 size = Vec3(0.4, 0.4, 0.4) + 0.2 * random.vector();
     const Shape shape = i % 3 == 0   ? Shape(Box{size})
                         : i % 3 == 1 ? Shape(Ellipsoid{size})

@@ -25,8 +25,8 @@ BodyDescription box(const std::string& name) {
 std::shared_ptr<const Model> two_bodies() {
   ModelBuilder builder;
   BodyDescription moving = box("moving");
-  moving.p_WL = Vec3(1, 2, 3);
-  moving.q_WL = rotation_exp(Vec3(0.3, -0.2, 0.9));
+  moving.p_WU = Vec3(1, 2, 3);
+  moving.q_WU = rotation_exp(Vec3(0.3, -0.2, 0.9));
   moving.velocity = Vec3(0.1, -0.2, 0.3);
   moving.angular_velocity = Vec3(-1, 2, 0.5);
   builder.add_body(moving);

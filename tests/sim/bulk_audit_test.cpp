@@ -118,7 +118,7 @@ TEST(BulkAudit, WorkOfALiftIsKnownAndThatOfAMotorIsNot) {
   BodyDescription lift = test::stepping_body("lift", Box{Vec3(0.5, 0.5, 0.05)}, Vec3(0, 0, 1));
   lift.motion = MotionType::kinematic;
   lift.mass.reset();
-  lift.p_WL = Vec3::Zero();
+  lift.p_WU = Vec3::Zero();
   lift.path = {{1, Vec3(0, 0, 1), Quat::Identity()}, {3, Vec3(0, 0, 3), Quat::Identity()}};
   builder.add_body(lift);
   builder.add_body(test::stepping_body("load", Box{Vec3(0.2, 0.2, 0.2)}, Vec3(0, 0, 1.25)));

@@ -29,8 +29,8 @@ std::shared_ptr<const Model> hinged_bridge(int planks) {
     const Vec3 along(0.5 * std::cos(slope), 0, -0.5 * std::sin(slope));
     BodyDescription plank;
     plank.name = name(i);
-    plank.p_WL = p + 0.5 * along;
-    plank.q_WL = rotation_exp(Vec3(0, slope, 0));
+    plank.p_WU = p + 0.5 * along;
+    plank.q_WU = rotation_exp(Vec3(0, slope, 0));
     plank.inertia = GivenInertia{.mass = 15, .moments = Vec3(5, 0.3125, 5.3)};
     builder.add_body(plank);
     hinge(i == 0 ? "world" : name(i - 1), name(i));

@@ -23,8 +23,8 @@ TEST(BulkSimulationDocs, TheProgramOnThePageIsThisOne) {
 ModelBuilder builder;
 builder.set_gravity(Vec3(0, 0, -9.81));
 builder.add_body({.name = "floor", .motion = MotionType::fixed, .shapes = {{HalfSpace{Vec3::UnitZ(), 0}}}});
-builder.add_body({.name = "crate", .p_WL = Vec3(0, 0, 0.25), .shapes = {{Box{Vec3(0.25, 0.25, 0.25)}}}});
-builder.add_body({.name = "paddle", .motion = MotionType::kinematic, .p_WL = Vec3(-1, 0, 0.25),
+builder.add_body({.name = "crate", .p_WU = Vec3(0, 0, 0.25), .shapes = {{Box{Vec3(0.25, 0.25, 0.25)}}}});
+builder.add_body({.name = "paddle", .motion = MotionType::kinematic, .p_WU = Vec3(-1, 0, 0.25),
                   .shapes = {{Box{Vec3(0.05, 0.2, 0.2)}}}});
 
 BulkSimulation simulation(builder.build(), {.step = 1.0 / 60, .threads = 2});
@@ -49,7 +49,7 @@ const std::optional<BodyRayHit> seen = simulation.queries().first_hit(
     {Vec3(0.3, 0, 2), Vec3(0, 0, -1)}, [&](int body) { return body != paddle; });
 
 // A second crate comes in, the paddle goes out; what has not changed goes on bit for bit.
-builder.add_body({.name = "crate 2", .p_WL = Vec3(0.3, 0, 1), .shapes = {{Box{Vec3(0.2, 0.2, 0.2)}}},
+builder.add_body({.name = "crate 2", .p_WU = Vec3(0.3, 0, 1), .shapes = {{Box{Vec3(0.2, 0.2, 0.2)}}},
                   .linear_damping = 0.5});
 builder.remove_body("paddle");
 simulation.set_model(builder.build());

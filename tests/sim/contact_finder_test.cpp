@@ -15,7 +15,7 @@ std::shared_ptr<const Model> balls_in_a_row() {
   const auto add = [&](const std::string& name, const Shape& shape, const Vec3& x, MotionType motion) {
     BodyDescription body;
     body.name = name;
-    body.p_WL = x;
+    body.p_WU = x;
     body.motion = motion;
     if (motion == MotionType::dynamic) body.mass = 1;
     body.shapes.push_back({shape, Vec3::Zero(), Quat::Identity(), "m", ""});

@@ -15,7 +15,7 @@ constexpr double g = 9.81, mass = 2, mu = 0.4;
 BodyDescription body_of(const std::string& name, const Shape& shape, const Vec3& x) {
   BodyDescription body;
   body.name = name;
-  body.p_WL = x;
+  body.p_WU = x;
   body.shapes.push_back({shape, Vec3::Zero(), Quat::Identity(), "m", ""});
   return body;
 }

@@ -27,7 +27,7 @@ std::shared_ptr<const Model> elastic_cube(int n) {
     BodyDescription ball;
     ball.name = "ball" + std::to_string(k);
     const double x = 0.21 * (k % n) + jitter(), y = 0.21 * (k / n % n) + jitter();
-    ball.p_WL = Vec3(x, y, 1.101 + 0.21 * (k / (n * n)) + jitter());
+    ball.p_WU = Vec3(x, y, 1.101 + 0.21 * (k / (n * n)) + jitter());
     ball.mass = 10;
     ball.shapes.push_back({Sphere{0.1}, Vec3::Zero(), Quat::Identity(), "m", ""});
     builder.add_body(ball);

@@ -27,7 +27,7 @@ ModelBuilder builder_with_floor(double restitution, double friction, double grav
 BodyDescription body_of(const std::string& name, const Shape& shape, const Vec3& x) {
   BodyDescription body;
   body.name = name;
-  body.p_WL = x;
+  body.p_WU = x;
   body.mass = 1;
   body.shapes.push_back({shape, Vec3::Zero(), Quat::Identity(), "m", ""});
   return body;
@@ -37,7 +37,7 @@ BodyDescription body_of(const std::string& name, const Shape& shape, const Vec3&
 std::shared_ptr<const Model> cube_drop(double length, double time) {
   ModelBuilder builder = builder_with_floor(0.6, 0.4, g * length / (time * time));
   BodyDescription cube = body_of("cube", Box{length * Vec3(0.1, 0.1, 0.1)}, length * Vec3(0, 0, 0.5));
-  cube.q_WL = Quat(0.9, 0.3, -0.2, 0.1).normalized();
+  cube.q_WU = Quat(0.9, 0.3, -0.2, 0.1).normalized();
   cube.velocity = length / time * Vec3(0.5, 0.2, 0);
   cube.angular_velocity = Vec3(3, -2, 1) / time;
   builder.add_body(cube);
@@ -121,7 +121,7 @@ TEST(EventDrivenStepper, ThinRodStrikesTheFloorWithItsTip) {
   ModelBuilder builder = builder_with_floor(e, 0, 0);
   BodyDescription rod;
   rod.name = "rod";
-  rod.p_WL = Vec3(0, 0, 0.5);
+  rod.p_WU = Vec3(0, 0, 0.5);
   rod.velocity = Vec3(0, 0, -v);
   rod.inertia = GivenInertia{1, Vec3::Zero(), Vec3(1.0 / 12, 1.0 / 12, 1.0 / 12), Vec3::Zero()};
   // The tip is a ball of radius 0 in the limit; its size only shifts the instant.

@@ -16,8 +16,8 @@ std::shared_ptr<const Model> tumbling_cube_on_a_stack() {
   const auto add = [&](const std::string& name, const Shape& shape, const Vec3& x, const Quat& q) {
     BodyDescription body;
     body.name = name;
-    body.p_WL = x;
-    body.q_WL = q;
+    body.p_WU = x;
+    body.q_WU = q;
     if (std::holds_alternative<HalfSpace>(shape)) {
       body.motion = MotionType::fixed;
     } else {

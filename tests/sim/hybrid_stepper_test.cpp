@@ -27,7 +27,7 @@ ModelBuilder builder_on(const Vec3& gravity, double friction, double restitution
 BodyDescription body_of(const std::string& name, const Shape& shape, const Vec3& x) {
   BodyDescription body;
   body.name = name;
-  body.p_WL = x;
+  body.p_WU = x;
   body.mass = 1;
   body.shapes.push_back({shape, Vec3::Zero(), Quat::Identity(), "m", ""});
   return body;
@@ -143,7 +143,7 @@ TEST(HybridStepper, FreshStepperContinuesBitForBit) {
   ModelBuilder builder = builder_on(Vec3(0, 0, -g), 0.4, 0.3);
   add_stack(2, builder);
   BodyDescription cube = body_of("falling", Box{Vec3(0.1, 0.1, 0.1)}, Vec3(0.05, 0.02, 0.7));
-  cube.q_WL = Quat(0.9, 0.3, -0.2, 0.1).normalized();
+  cube.q_WU = Quat(0.9, 0.3, -0.2, 0.1).normalized();
   builder.add_body(cube);
   const std::shared_ptr<const Model> model = builder.build();
   State state = make_initial_state(*model);

@@ -14,7 +14,7 @@ std::shared_ptr<const Model> light_ball_between_heavy_ones() {
   for (int i = 0; i < 3; ++i) {
     BodyDescription ball;
     ball.name = "ball" + std::to_string(i);
-    ball.p_WL = Vec3(0.2 * i, 0, 0);
+    ball.p_WU = Vec3(0.2 * i, 0, 0);
     ball.velocity = Vec3(speeds[i], 0, 0);
     ball.mass = masses[i];
     ball.shapes.push_back({Sphere{0.1}, Vec3::Zero(), Quat::Identity(), "m", ""});

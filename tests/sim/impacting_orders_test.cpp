@@ -45,7 +45,7 @@ std::shared_ptr<const Model> falling_ball(double height, double drag_of_model, d
   BodyDescription ball;
   ball.name = "ball";
   ball.mass = 1;
-  ball.p_WL = Vec3(0, 0, radius + height);
+  ball.p_WU = Vec3(0, 0, radius + height);
   ball.shapes.push_back({Sphere{radius}, Vec3::Zero(), Quat::Identity(), "m", ""});
   builder.add_body(ball);
   if (drag_of_model > 0) {

@@ -28,7 +28,7 @@ ModelBuilder builder_on(const Vec3& gravity, double friction, double restitution
 BodyDescription body_of(const std::string& name, const Shape& shape, const Vec3& x) {
   BodyDescription body;
   body.name = name;
-  body.p_WL = x;
+  body.p_WU = x;
   body.mass = 1;
   body.shapes.push_back({shape, Vec3::Zero(), Quat::Identity(), "m", ""});
   return body;
@@ -144,7 +144,7 @@ TEST(ImpulseBasedStepper, StacksNeedMoreImpactsForEachCubeTheHigherTheyAre) {
 TEST(ImpulseBasedStepper, MomentaAreExactWhereBodiesRub) {
   ModelBuilder builder = builder_on(Vec3(0, 0, -g), 0.4, 0.5);
   BodyDescription cube = body_of("cube", Box{Vec3(0.1, 0.1, 0.1)}, Vec3(0, 0, 0.4));
-  cube.q_WL = Quat(0.9, 0.3, -0.2, 0.1).normalized();
+  cube.q_WU = Quat(0.9, 0.3, -0.2, 0.1).normalized();
   cube.velocity = Vec3(1, 0.5, 0);
   builder.add_body(cube);
   const std::shared_ptr<const Model> model = builder.build();

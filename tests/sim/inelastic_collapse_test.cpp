@@ -22,7 +22,7 @@ std::shared_ptr<const Model> three_balls(const nlohmann::json& c) {
   for (std::size_t i = 0; i < 3; ++i) {
     BodyDescription ball;
     ball.name = "ball" + std::to_string(i);
-    ball.p_WL = Vec3(c["x"][i].get<double>() + 0.2 * static_cast<double>(i), 0, 0);
+    ball.p_WU = Vec3(c["x"][i].get<double>() + 0.2 * static_cast<double>(i), 0, 0);
     ball.velocity = Vec3(c["v"][i], 0, 0);
     ball.mass = 1;
     ball.shapes.push_back({Sphere{0.1}, Vec3::Zero(), Quat::Identity(), "m", ""});

@@ -25,7 +25,7 @@ ModelBuilder scene_with_gravity(const Vec3& g_W) {
 BodyDescription block(const std::string& name, const Vec3& x) {
   BodyDescription body;
   body.name = name;
-  body.p_WL = x;
+  body.p_WU = x;
   body.inertia = GivenInertia{2, Vec3::Zero(), Vec3(1, 2, 3), Vec3::Zero()};
   return body;
 }

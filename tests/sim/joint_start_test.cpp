@@ -38,7 +38,7 @@ TEST_P(VelocitiesThatJointsForbid, ArePutRightByTheImpulseOfTheJoint) {
   const Vec3 along = slider.axis.dot(ball.velocity) * slider.axis;
   EXPECT_LE((linear_velocity(*model, state, 0) - along).norm(), 1e-12);
   EXPECT_LE(angular_velocity(*model, state, 0).norm(), 1e-12);
-  EXPECT_LE((state.position(0) - ball.p_WL - 0.5 * along).norm(), 1e-12);
+  EXPECT_LE((state.position(0) - ball.p_WU - 0.5 * along).norm(), 1e-12);
   const Audit audit = auditor.audit(state);
   EXPECT_LE(audit.linear_momentum_error, 1e-12);
   EXPECT_LE(audit.angular_momentum_error, 1e-12);

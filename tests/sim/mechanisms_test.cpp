@@ -24,7 +24,7 @@ ModelBuilder empty_scene(const Vec3& gravity = Vec3(0, 0, -g)) {
 BodyDescription body_of(const std::string& name, const Vec3& x, double mass, const Vec3& moments) {
   BodyDescription body;
   body.name = name;
-  body.p_WL = x;
+  body.p_WU = x;
   body.inertia = GivenInertia{mass, Vec3::Zero(), moments, Vec3::Zero()};
   return body;
 }
@@ -32,7 +32,7 @@ BodyDescription body_of(const std::string& name, const Vec3& x, double mass, con
 /// A thin rod of length and mass 1 along the direction, with its middle at x.
 BodyDescription rod(const std::string& name, const Vec3& x, const Vec3& direction) {
   BodyDescription body = body_of(name, x, 1, Vec3(1.0 / 12, 1.0 / 12, 1e-4));
-  body.q_WL = quaternion_of(frame_with_z(direction));
+  body.q_WU = quaternion_of(frame_with_z(direction));
   return body;
 }
 

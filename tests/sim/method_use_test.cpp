@@ -23,7 +23,7 @@ class ChoicesOfAScheme : public testing::TestWithParam<Scheme> {
     ModelBuilder builder = test::stepping_builder(0.4, 0.4, Vec3(0, 0, -9.81));
     const Shape cube = Box{Vec3(0.1, 0.1, 0.1)};
     BodyDescription tumbling = test::stepping_body("tumbling", cube, Vec3(0, 0, 0.25));
-    tumbling.q_WL = Quat(0.9, 0.3, -0.2, 0.1).normalized();
+    tumbling.q_WU = Quat(0.9, 0.3, -0.2, 0.1).normalized();
     tumbling.velocity = Vec3(0.5, 0.2, -3);
     tumbling.angular_velocity = Vec3(3, -2, 1);
     builder.add_body(tumbling);

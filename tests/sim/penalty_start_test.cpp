@@ -40,7 +40,7 @@ BodyDescription body_of(const std::string& name, const Shape& shape, double z) {
   BodyDescription body;
   body.name = name;
   body.mass = 1;
-  body.p_WL = Vec3(0, 0, z);
+  body.p_WU = Vec3(0, 0, z);
   body.shapes.push_back({shape, Vec3::Zero(), Quat::Identity(), "m", ""});
   return body;
 }

@@ -51,7 +51,7 @@ std::shared_ptr<const Model> body_on_floor(const Shape& shape, const Vec3& x, co
   BodyDescription body;
   body.name = "body";
   body.mass = 1;
-  body.p_WL = x;
+  body.p_WU = x;
   body.velocity = v;
   body.shapes.push_back({shape, Vec3::Zero(), Quat::Identity(), "m", ""});
   builder.add_body(body);
@@ -260,7 +260,7 @@ TEST(PenaltyStepper, ALightBallUnderAHeavyOneIsNotPressedThroughTheFloor) {
       BodyDescription ball;
       ball.name = name;
       ball.mass = mass;
-      ball.p_WL = Vec3(0, 0, z);
+      ball.p_WU = Vec3(0, 0, z);
       ball.velocity = Vec3(0, 0, v_z);
       ball.shapes.push_back({Sphere{radius}, Vec3::Zero(), Quat::Identity(), "m", ""});
       builder.add_body(ball);

@@ -33,8 +33,8 @@ std::shared_ptr<const Model> small_pile(unsigned seed) {
                                      : Shape(Capsule{0.5 * size, size});
     BodyDescription body;
     body.name = "b" + std::to_string(k);
-    body.p_WL = Vec3(0.1 * random.number(), 0.1 * random.number(), 0.4 + 0.45 * k);
-    body.q_WL = rotation_exp(3 * random.vector()).normalized();
+    body.p_WU = Vec3(0.1 * random.number(), 0.1 * random.number(), 0.4 + 0.45 * k);
+    body.q_WU = rotation_exp(3 * random.vector()).normalized();
     body.mass = std::pow(10.0, 1 + random.number());
     body.velocity = 0.5 * random.vector();
     body.angular_velocity = 4 * random.vector();

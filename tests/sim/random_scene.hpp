@@ -42,7 +42,7 @@ class RandomScene {
     BodyDescription body;
     body.name = name;
     body.motion = MotionType::fixed;
-    body.p_WL = position;
+    body.p_WU = position;
     body.shapes.push_back({shape, Vec3::Zero(), Quat::Identity(), "m", ""});
     builder_.add_body(body);
   }
@@ -88,8 +88,8 @@ class RandomScene {
     const Vec3 cell(0.5 * (k % 2) - 0.25, 0.5 * (k / 2 % 2) - 0.25, 0.5 * (k / 4));
     BodyDescription body;
     body.name = "b" + std::to_string(k);
-    body.p_WL = cell + Vec3(0, 0, 0.5);
-    body.q_WL = one_in(4) ? Quat::Identity() : rotation_exp(3 * random_.vector()).normalized();
+    body.p_WU = cell + Vec3(0, 0, 0.5);
+    body.q_WU = one_in(4) ? Quat::Identity() : rotation_exp(3 * random_.vector()).normalized();
     body.mass = std::pow(10.0, 2 * random_.number());
     body.velocity = one_in(4) ? Vec3::Zero() : Vec3(3 * random_.vector());
     body.angular_velocity = one_in(4) ? Vec3::Zero() : Vec3(8 * random_.vector());

@@ -53,14 +53,14 @@ std::shared_ptr<const Model> two_balls(double restitution) {
   for (const auto& [name, height] : {std::pair("low", 0.5), std::pair("high", 1.5 + 1e-3)}) {
     BodyDescription ball;
     ball.name = name;
-    ball.p_WL = Vec3(0, 0, height);
+    ball.p_WU = Vec3(0, 0, height);
     ball.mass = 1;
     ball.shapes.push_back({Sphere{0.5}, Vec3::Zero(), Quat::Identity(), "m", ""});
     builder.add_body(ball);
   }
   BodyDescription ghost;
   ghost.name = "ghost";
-  ghost.p_WL = Vec3(9, 0, 9);
+  ghost.p_WU = Vec3(9, 0, 9);
   ghost.mass = 1;
   ghost.mask = 0;
   ghost.shapes.push_back({Sphere{0.5}, Vec3::Zero(), Quat::Identity(), "m", ""});

@@ -168,7 +168,7 @@ TEST(StepChoices, ProjectedGaussSeidelConvergesToExactWithItsSweeps) {
   for (int i = 0; i < 4; ++i) {
     BodyDescription body = block(Vec3(i == 0 ? 1 : 0, 0, 0));
     body.name += std::to_string(i);
-    body.p_WL.z() += 0.2 * i;
+    body.p_WU.z() += 0.2 * i;
     builder.add_body(body);
   }
   const std::shared_ptr<const Model> model = builder.build();
@@ -210,7 +210,7 @@ TEST(StepChoices, ElasticBallsKeepTheirEnergyWhereverTheirStepsFall) {
   for (int i = 0; i < count; ++i) {
     BodyDescription body = ball(0, 0);
     body.name += std::to_string(i);
-    body.p_WL = Vec3(i, 0, 1 + 0.001 * i);
+    body.p_WU = Vec3(i, 0, 1 + 0.001 * i);
     builder.add_body(body);
   }
   const std::shared_ptr<const Model> model = builder.build();
@@ -230,7 +230,7 @@ TEST(StepChoices, ReportTellsContactsThatEndAndBeginToLast) {
   table.mass.reset();
   builder.add_body(table);
   BodyDescription rolling = ball(v, 0);
-  rolling.p_WL = Vec3(-way, 0, height + radius);
+  rolling.p_WU = Vec3(-way, 0, height + radius);
   builder.add_body(rolling);
   const std::shared_ptr<const Model> model = builder.build();
   State state = make_initial_state(*model);

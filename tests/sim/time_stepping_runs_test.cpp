@@ -31,7 +31,7 @@ std::shared_ptr<const Model> wall_scene(const Shape& shape, double wall, double 
   BodyDescription plate;
   plate.name = "wall";
   plate.motion = MotionType::fixed;
-  plate.p_WL = Vec3(1, 0, 0);
+  plate.p_WU = Vec3(1, 0, 0);
   plate.shapes.push_back({Box{Vec3(0.5 * wall, 2, 2)}, Vec3::Zero(), Quat::Identity(), "m", ""});
   builder.add_body(plate);
   BodyDescription body = test::stepping_body("body", shape, Vec3::Zero());
@@ -166,7 +166,7 @@ TEST(TimeSteppingRuns, BoxesThatCollideInFreeFlightKeepTheirMomenta) {
   for (int i = 0; i < 4; ++i) {
     BodyDescription box = test::stepping_body("box" + std::to_string(i), Box{Vec3(0.1, 0.15, 0.2)},
                                               0.6 * Vec3(i % 2 - 0.5, i / 2 - 0.5, 0.1 * i));
-    box.velocity = -2 * box.p_WL;
+    box.velocity = -2 * box.p_WU;
     box.angular_velocity = Vec3(1 + i, 2 - i, 0.5 * i);
     builder.add_body(box);
   }

@@ -24,7 +24,7 @@ inline ModelBuilder stepping_builder(double restitution, double friction, const 
 inline BodyDescription stepping_body(const std::string& name, const Shape& shape, const Vec3& x) {
   BodyDescription body;
   body.name = name;
-  body.p_WL = x;
+  body.p_WU = x;
   body.mass = 1;
   body.shapes.push_back({shape, Vec3::Zero(), Quat::Identity(), "m", ""});
   return body;
@@ -34,7 +34,7 @@ inline BodyDescription stepping_body(const std::string& name, const Shape& shape
 inline std::shared_ptr<const Model> stepping_cube(double length, double time) {
   ModelBuilder builder = stepping_builder(0.6, 0.4, Vec3(0, 0, -9.81 * length / (time * time)));
   BodyDescription cube = stepping_body("cube", Box{length * Vec3(0.1, 0.1, 0.1)}, length * Vec3(0, 0, 0.5));
-  cube.q_WL = Quat(0.9, 0.3, -0.2, 0.1).normalized();
+  cube.q_WU = Quat(0.9, 0.3, -0.2, 0.1).normalized();
   cube.velocity = length / time * Vec3(0.5, 0.2, 0);
   cube.angular_velocity = Vec3(3, -2, 1) / time;
   builder.add_body(cube);

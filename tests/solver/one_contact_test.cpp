@@ -39,7 +39,7 @@ CoulombProblem dense(const OneContact& contact) {
   return {contact.K, contact.b, {contact.mu}, {FrictionRow::cone}, {Vec2::UnitX()}};
 }
 
-/// The same on one node: K = J M⁻¹ Jᵀ with M = 1 and the Cholesky factor of K in J.
+/// The same on one node: K = J M⁻¹ Jᵀ with M = 1 and the Cholesky factor of K in F.
 MotionProblem sparse(const OneContact& contact) {
   MotionProblem problem;
   problem.rows.masses.push_back(Mat6::Identity());

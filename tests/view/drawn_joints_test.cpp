@@ -44,8 +44,8 @@ TEST(DrawnJoints, ARodGoesFromTheCentreOfMassToABallAtTheAnchor) {
   const Scene scene = jointed_scene(pivot);
   const std::vector<DrawnShape> parts = joint_parts(make_drawn_scene(*scene.model));
   ASSERT_EQ(parts.size(), 2u);
-  const std::vector<Pose> X_WL = start_poses(*scene.model);
-  const Pose X_WR = X_WL[0] * parts[0].X_LS;
+  const std::vector<Pose> X_WU = start_poses(*scene.model);
+  const Pose X_WR = X_WU[0] * parts[0].X_US;
   const Cylinder& rod = std::get<Cylinder>(parts[0].shape);
   const Vec3 center = scene.model->body(0).p_WB, anchor(1, 2, 5);
   EXPECT_LT((X_WR * Vec3(0, 0, -rod.half_length) - center).norm(), kRounding);
@@ -53,7 +53,7 @@ TEST(DrawnJoints, ARodGoesFromTheCentreOfMassToABallAtTheAnchor) {
   EXPECT_LT(rod.radius, 0.02 * rod.half_length * 2);
   EXPECT_NEAR(parts[0].radius, std::hypot(rod.radius, rod.half_length), kRounding);
   ASSERT_TRUE(std::holds_alternative<Sphere>(parts[1].shape));
-  EXPECT_LT((X_WL[0] * parts[1].X_LS.p - anchor).norm(), kRounding);
+  EXPECT_LT((X_WU[0] * parts[1].X_US.p - anchor).norm(), kRounding);
   EXPECT_GT(std::get<Sphere>(parts[1].shape).radius, rod.radius);
 }
 
@@ -87,13 +87,13 @@ TEST(DrawnJoints, ADistanceJointAndASpringAreLinesBetweenTheirPoints) {
       "forces: [{type: spring, between: [world, block], points: [[5, 5, 5], [0.5, 0, 0]], stiffness: 1}]\n");
   const DrawnScene drawn = make_drawn_scene(*scene.model);
   ASSERT_EQ(drawn.lines.size(), 2u);
-  std::vector<Pose> X_WL = start_poses(*scene.model);
-  EXPECT_LT((drawn.lines[0].ends(X_WL)[0] - Vec3(1, 2, 4)).norm(), kRounding);
-  EXPECT_LT((drawn.lines[0].ends(X_WL)[1] - Vec3(4, 3, 3)).norm(), kRounding);
-  EXPECT_EQ(drawn.lines[1].ends(X_WL)[0], Vec3(5, 5, 5));
-  EXPECT_LT((drawn.lines[1].ends(X_WL)[1] - Vec3(4.5, 2, 3)).norm(), kRounding);
-  X_WL[1].p += Vec3(0, 0, 1);
-  EXPECT_LT((drawn.lines[1].ends(X_WL)[1] - Vec3(4.5, 2, 4)).norm(), kRounding) << "they go with the bodies";
+  std::vector<Pose> X_WU = start_poses(*scene.model);
+  EXPECT_LT((drawn.lines[0].ends(X_WU)[0] - Vec3(1, 2, 4)).norm(), kRounding);
+  EXPECT_LT((drawn.lines[0].ends(X_WU)[1] - Vec3(4, 3, 3)).norm(), kRounding);
+  EXPECT_EQ(drawn.lines[1].ends(X_WU)[0], Vec3(5, 5, 5));
+  EXPECT_LT((drawn.lines[1].ends(X_WU)[1] - Vec3(4.5, 2, 3)).norm(), kRounding);
+  X_WU[1].p += Vec3(0, 0, 1);
+  EXPECT_LT((drawn.lines[1].ends(X_WU)[1] - Vec3(4.5, 2, 4)).norm(), kRounding) << "they go with the bodies";
 }
 
 TEST(DrawnJoints, ALineIsSeenInThePictureAndItsWorldsEndIsInIt) {

@@ -20,7 +20,7 @@ namespace {
 BodyDescription body_of(const std::string& name, const Shape& shape, const Vec3& x) {
   BodyDescription body;
   body.name = name;
-  body.p_WL = x;
+  body.p_WU = x;
   body.shapes.push_back({shape, Vec3::Zero(), Quat::Identity(), "", ""});
   return body;
 }

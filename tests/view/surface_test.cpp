@@ -110,7 +110,7 @@ TEST(DrawnScene, ABodyWithoutShapesIsTheBoxOfItsInertia) {
   const DrawnShape& shape = drawn.shapes[0];
   ASSERT_TRUE(std::holds_alternative<Box>(shape.shape));
   // In the user's frame, whatever the order of the principal axes.
-  const Vec3 sides = 2 * (shape.X_LS.R * std::get<Box>(shape.shape).half_extents).cwiseAbs();
+  const Vec3 sides = 2 * (shape.X_US.R * std::get<Box>(shape.shape).half_extents).cwiseAbs();
   EXPECT_LT((sides - Vec3(1, 2, 3)).norm(), 1e-12);
 }
 

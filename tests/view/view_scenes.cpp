@@ -11,7 +11,7 @@ Scene scene_of(const std::string& bodies) {
 std::vector<Pose> start_poses(const Model& model) {
   std::vector<Pose> poses;
   for (const Body& body : model.bodies())
-    poses.push_back(Pose{rotation_matrix(body.q_WB), body.p_WB} * body.X_BL);
+    poses.push_back(Pose{rotation_matrix(body.q_WB), body.p_WB} * body.X_BU);
   return poses;
 }
 

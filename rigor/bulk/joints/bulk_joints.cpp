@@ -172,9 +172,9 @@ std::pair<double, int> BulkJoints::worst_error(const BulkBodies& bodies) const {
     const BodyPlace A = place_of(bodies, joint.body_A), B = place_of(bodies, joint.body_B);
     double error = 0;
     if (joint.type == JointType::ball) {
-      error = ((B.x - A.x) + B.q * joint.X_BK.p - A.q * joint.X_AJ.p).norm();
+      error = ((B.x - A.x) + B.q * joint.X_BK.p - A.q * joint.X_AF.p).norm();
     } else {
-      const double lever = std::max({joint.X_AJ.p.norm(), joint.X_BK.p.norm(), model.length_scale()});
+      const double lever = std::max({joint.X_AF.p.norm(), joint.X_BK.p.norm(), model.length_scale()});
       error = joint_error(joint, {rotation_matrix(A.q), A.x}, {rotation_matrix(B.q), B.x}, lever);
     }
     if (error > worst.first) worst = {error, i};

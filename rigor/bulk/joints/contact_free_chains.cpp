@@ -79,7 +79,7 @@ ContactFreeChains::ContactFreeChains(const Model& model, const JointSystems& sys
       joint.sign[k] = link.child_is_B ? 1 : -1;
       if (link.joints[lane] < 0) continue;
       const rigor::Joint& own = model.joint(link.joints[lane]);
-      const Vec3 &arm_A = own.X_AJ.p, &arm_B = own.X_BK.p;
+      const Vec3 &arm_A = own.X_AF.p, &arm_B = own.X_BK.p;
       const Vec3 &arm_child = link.child_is_B ? arm_B : arm_A, &arm_parent = link.child_is_B ? arm_A : arm_B;
       set_lane(arm_child, lane, joint.arm_child_B);
       set_lane(arm_parent, lane, joint.arm_parent_B);

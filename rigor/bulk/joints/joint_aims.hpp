@@ -20,7 +20,7 @@ struct JointRowWriter {
     joint.a_B[next] = a_B;
     ++next;
   }
-  /// Of the vector from J to K along a direction that rotates with A.
+  /// Of the vector from F to K along a direction that rotates with A.
   RIGOR_FLOAT_LANES void add_displacement(const JointPose& pose, const FloatVec3& n) {
     add(n, cross(pose.arm_A + pose.d, n), cross(pose.arm_B, n));
   }
@@ -28,7 +28,7 @@ struct JointRowWriter {
     const FloatLanes zero = float_lanes(0);
     add({zero, zero, zero}, a, a);
   }
-  /// Of the vector from J to K along the axes of W.
+  /// Of the vector from F to K along the axes of W.
   RIGOR_FLOAT_LANES void add_point(const JointPose& pose) {
     const FloatLanes o = float_lanes(1), zero = float_lanes(0);
     const FloatVec3 &A = pose.arm_A, &B = pose.arm_B;

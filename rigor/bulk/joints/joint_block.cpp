@@ -23,11 +23,11 @@ struct JointStart {
 JointStart start_of(const Joint& joint, bool has_laws, const BulkBodies& bodies) {
   const BodyPlace A = place_of(bodies, joint.body_A), B = place_of(bodies, joint.body_B);
   JointStart start;
-  start.arm_A = A.q * joint.X_AJ.p;
+  start.arm_A = A.q * joint.X_AF.p;
   start.arm_B = B.q * joint.X_BK.p;
   start.offset = (B.x - A.x) + start.arm_B - start.arm_A;
   if (needs_frames(joint.type, has_laws)) {
-    start.J = A.q * quaternion_of(joint.X_AJ.R);
+    start.J = A.q * quaternion_of(joint.X_AF.R);
     start.K = B.q * quaternion_of(joint.X_BK.R);
   }
   return start;

@@ -11,7 +11,7 @@ namespace rigor {
 
 namespace {
 
-/// What the joint holds of the displacement d from J to K, along the axes of J.
+/// What the joint holds of the displacement d from F to K, along the axes of F.
 Vec3 held_displacement(const Joint& joint, const Vec3& d, double twist) {
   const JointTraits& traits = joint_traits(joint.type);
   Vec3 held = Vec3::Zero();
@@ -37,16 +37,16 @@ Vec3 held_displacement(const Joint& joint, const Vec3& d, double twist) {
 }
 
 /// The angle of what the joint holds of the rotation [rad].
-double held_angle(JointType type, const Mat3& R_JK) {
+double held_angle(JointType type, const Mat3& R_FK) {
   switch (joint_traits(type).held_rotation) {
     case HeldRotation::none:
       break;
     case HeldRotation::all:
-      return rotation_log(quaternion_of(R_JK)).norm();
+      return rotation_log(quaternion_of(R_FK)).norm();
     case HeldRotation::swing:
-      return std::atan2(std::hypot(R_JK(0, 2), R_JK(1, 2)), R_JK(2, 2));
+      return std::atan2(std::hypot(R_FK(0, 2), R_FK(1, 2)), R_FK(2, 2));
     case HeldRotation::middle_angle:
-      return std::abs(std::asin(std::min(1.0, std::max(-1.0, R_JK(2, 0)))));
+      return std::abs(std::asin(std::min(1.0, std::max(-1.0, R_FK(2, 0)))));
   }
   return 0;
 }
@@ -54,10 +54,10 @@ double held_angle(JointType type, const Mat3& R_JK) {
 }  // namespace
 
 double joint_error(const Joint& joint, const Pose& X_WA, const Pose& X_WB, double lever) {
-  const Pose X_JK = (X_WA * joint.X_AJ).inverse() * (X_WB * joint.X_BK);
-  const Quat q_JK = quaternion_of(X_JK.R);
-  const double twist = 2 * std::atan2(q_JK.z(), q_JK.w());
-  return std::hypot(held_displacement(joint, X_JK.p, twist).norm(), lever * held_angle(joint.type, X_JK.R));
+  const Pose X_FK = (X_WA * joint.X_AF).inverse() * (X_WB * joint.X_BK);
+  const Quat q_FK = quaternion_of(X_FK.R);
+  const double twist = 2 * std::atan2(q_FK.z(), q_FK.w());
+  return std::hypot(held_displacement(joint, X_FK.p, twist).norm(), lever * held_angle(joint.type, X_FK.R));
 }
 
 }  // namespace rigor

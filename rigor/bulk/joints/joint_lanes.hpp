@@ -41,7 +41,7 @@ constexpr int kMostJointRows = 6;
 struct alignas(32) JointLanes {
   // Constant within a step: W's axes, at its begin.
   FloatVec3 arm_A, arm_B;  ///< From the centres to the anchors [m].
-  FloatVec3 offset;        ///< From J to K [m].
+  FloatVec3 offset;        ///< From F to K [m].
   FloatQuat J, K;          ///< Orientations of the joint's frames.
   FloatLanes length;       ///< Of a distance joint [m].
   FloatLanes lead;         ///< Of a screw [m/rad].

@@ -61,22 +61,22 @@ RIGOR_FLOAT_LANES FloatLanes lane_angle(const FloatLanes& y, const FloatLanes& x
 /// Where the frame K of a joint is against J, in lanes.
 struct JointPose {
   FloatVec3 arm_A, arm_B;  ///< In W [m].
-  FloatVec3 d;             ///< From J to K in W [m].
+  FloatVec3 d;             ///< From F to K in W [m].
   FloatQuat J, JK;         ///< JK: w ≥ 0.
-  FloatVec3 x, y, z;       ///< Axes of J in W.
+  FloatVec3 x, y, z;       ///< Axes of F in W.
 };
 
 /// rotation_A, rotation_B, displacement: of the bodies (of B against A) since the beginning of the step.
 template <bool with_frames>
 RIGOR_FLOAT_LANES JointPose joint_pose(const JointLanes& joint, const FloatQuat& rotation_A,
                                        const FloatQuat& rotation_B, const FloatVec3& displacement) {
-  // Arms, and what displacements and arms change of the vector from J to K.
+  // Arms, and what displacements and arms change of the vector from F to K.
   JointPose pose;
   pose.arm_A = rotate(rotation_A, joint.arm_A);
   pose.arm_B = rotate(rotation_B, joint.arm_B);
   pose.d = joint.offset + displacement + ((pose.arm_B - joint.arm_B) - (pose.arm_A - joint.arm_A));
   if constexpr (with_frames) {
-    // The rotation of K in J; of the two quaternions that are the same rotation, the one of less than half a
+    // The rotation of K in F; of the two quaternions that are the same rotation, the one of less than half a
     // revolution.
     pose.J = rotation_A * joint.J;
     pose.JK = conjugate(pose.J) * (rotation_B * joint.K);

@@ -23,13 +23,13 @@ RigidMotion::Sample TwistMotion::sample(double t) const {
   return {{R, X_.p + tau * (v_ + 0.5 * tau * a_)}, v_ + tau * a_, w_};
 }
 
-ScrewMotion make_screw_motion(const Pose& X_WL, const Vec3& w_W, const Vec3& v_W) {
+ScrewMotion make_screw_motion(const Pose& X_WU, const Vec3& w_W, const Vec3& v_W) {
   const double squared = w_W.squaredNorm();
-  if (squared == 0) return {TwistMotion(X_WL, v_W, w_W), Pose{}};
+  if (squared == 0) return {TwistMotion(X_WU, v_W, w_W), Pose{}};
   // The axis passes through ω × v / |ω|²; along it the body glides.
   const Pose X_WB{Mat3::Identity(), w_W.cross(v_W) / squared};
   const Vec3 glide = w_W.dot(v_W) / squared * w_W;
-  return {TwistMotion(X_WB, glide, w_W), X_WB.inverse() * X_WL};
+  return {TwistMotion(X_WB, glide, w_W), X_WB.inverse() * X_WU};
 }
 
 }  // namespace rigor

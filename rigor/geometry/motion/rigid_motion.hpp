@@ -55,15 +55,15 @@ class TwistMotion : public RigidMotion {
   double t_;
 };
 
-/// A motion and where on its body the user's frame L is.
+/// A motion and where on its body the user's frame U is.
 struct ScrewMotion {
   TwistMotion motion;
-  Pose X_BL;
+  Pose X_BU;
 };
 
-/// The motion with constant twist: X_WL(t) = exp(t [ω v]) X_WL, where v_W is the velocity of the point of the
+/// The motion with constant twist: X_WU(t) = exp(t [ω v]) X_WU, where v_W is the velocity of the point of the
 /// body that passes through the origin of W. A turn about a fixed axis of W with a glide along it: B lies on
 /// the axis. Without turning it is a translation.
-ScrewMotion make_screw_motion(const Pose& X_WL, const Vec3& w_W, const Vec3& v_W);
+ScrewMotion make_screw_motion(const Pose& X_WU, const Vec3& w_W, const Vec3& v_W);
 
 }  // namespace rigor

@@ -64,8 +64,8 @@ void BodyReader::read(const YamlNode& node, std::size_t index) {
   const std::optional<std::string> name = body.text("name");
   description.name = name.value_or("");
   description.motion = read_motion(body);
-  description.p_WL = read_position(body);
-  description.q_WL = read_orientation(body);
+  description.p_WU = read_position(body);
+  description.q_WU = read_orientation(body);
   description.velocity = body.vector("velocity").value_or(Vec3::Zero());
   description.angular_velocity = body.vector("angular_velocity").value_or(Vec3::Zero());
   read_mass(body, description);
@@ -130,7 +130,7 @@ void BodyReader::add_repeated(const ObjectReader& body, const BodyDescription& d
         const Vec3 grid_point = Vec3(i, j, k).cwiseProduct(spacing);
         Vec3 shift;
         for (double& component : shift) component = jitter * random.symmetric();
-        copy.p_WL += grid_point + shift;
+        copy.p_WU += grid_point + shift;
         builder_.add_body(std::move(copy), errors_.where(body.node()));
       }
     }

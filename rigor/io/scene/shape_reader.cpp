@@ -164,8 +164,8 @@ ShapeDescription read_shape(const YamlNode& node, std::size_t index, const std::
   std::optional<Shape> geometry = read_geometry(table->object, shape, files);
   if (geometry) description.shape = std::move(*geometry);
   description.type_name = table->object;
-  description.p_LS = read_position(shape);
-  description.q_LS = read_orientation(shape);
+  description.p_US = read_position(shape);
+  description.q_US = read_orientation(shape);
   description.material = shape.text("material").value_or("");
   description.color = shape.text("color").value_or("");
   return description;

@@ -58,20 +58,20 @@ class Hash {
   void add(const Joint& joint) {
     add(std::string_view(joint.name)), add(static_cast<int>(joint.type)), add(joint.body_A),
         add(joint.body_B);
-    add(joint.X_AJ), add(joint.X_BK), add(joint.pitch), add(joint.length);
+    add(joint.X_AF), add(joint.X_BK), add(joint.pitch), add(joint.length);
     add(joint.first_joint), add(joint.second_joint), add(joint.ratio);
     for (const JointAxis& axis : joint.axes) add(axis);
   }
 
   void add(const Body& body) {
     add(std::string_view(body.name)), add(static_cast<int>(body.motion)), add(body.mass), add(body.moments);
-    add(body.X_BL);
+    add(body.X_BU);
     for (const BodyShape& shape : body.shapes) add(shape.shape), add(shape.X_BS), add(shape.material);
     add(std::uint64_t{body.group}), add(std::uint64_t{body.mask}), add(body.linear_drag),
         add(body.angular_drag);
     add(body.gravity_scale), add(body.linear_damping), add(body.angular_damping);
     add(body.p_WB), add(body.q_WB), add(body.v_WB), add(body.w_WB);
-    for (const PathPoint& point : body.path) add(point.time), add(point.p_WL), add(point.q_WL);
+    for (const PathPoint& point : body.path) add(point.time), add(point.p_WU), add(point.q_WU);
   }
 
  private:

@@ -53,10 +53,10 @@ TrajectorySample make_sample(const Model& model, const State& state, const Energ
   TrajectorySample sample{.time = state.t, .energy = energy};
   for (int i = 0; i < model.body_count(); ++i) {
     const Pose X_WB{rotation_matrix(state.orientation(i)), state.position(i)};
-    const Pose X_WL = X_WB * model.body(i).X_BL;
-    const Quat q_WL = quaternion_of(X_WL.R);
-    append(X_WL.p, sample.position);
-    sample.orientation.insert(sample.orientation.end(), {q_WL.w(), q_WL.x(), q_WL.y(), q_WL.z()});
+    const Pose X_WU = X_WB * model.body(i).X_BU;
+    const Quat q_WU = quaternion_of(X_WU.R);
+    append(X_WU.p, sample.position);
+    sample.orientation.insert(sample.orientation.end(), {q_WU.w(), q_WU.x(), q_WU.y(), q_WU.z()});
     append(linear_velocity(model, state, i), sample.velocity);
     append(angular_velocity(model, state, i), sample.angular_velocity);
   }

@@ -99,8 +99,8 @@ Audit Auditor::audit(const State& state) const {
   for (int i = 0; i < model_->body_count(); ++i) {
     const Body& body = model_->body(i);
     const Quat q_WB = state.orientation(i);
-    const Pose X_WL = Pose{rotation_matrix(q_WB), state.position(i)} * body.X_BL;
-    audit.bodies.push_back({body.name, X_WL.p, quaternion_of(X_WL.R), linear_velocity(*model_, state, i),
+    const Pose X_WU = Pose{rotation_matrix(q_WB), state.position(i)} * body.X_BU;
+    audit.bodies.push_back({body.name, X_WU.p, quaternion_of(X_WU.R), linear_velocity(*model_, state, i),
                             angular_velocity(*model_, state, i)});
   }
   for (const JointReaction& forces : joint_snapshot(*model_, method_, state)) {

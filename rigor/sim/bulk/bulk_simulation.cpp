@@ -57,7 +57,7 @@ void BulkSimulation::set_state(const State& state) {
 
 Pose BulkSimulation::pose(int body) const {
   const std::size_t k = at(body);
-  return Pose{rotation_matrix(world_->bodies().q[k]), centre(body)} * model_->body(body).X_BL;
+  return Pose{rotation_matrix(world_->bodies().q[k]), centre(body)} * model_->body(body).X_BU;
 }
 
 Vec3 BulkSimulation::velocity(int body) const {
@@ -94,15 +94,15 @@ void BulkSimulation::apply_angular_impulse(int body, const Vec3& l_W) {
   world_->add_impulse(body, {Vec3::Zero(), l_W});
 }
 
-void BulkSimulation::move_to(int body, const Pose& X_WL) {
-  const Pose X_WB = X_WL * model_->body(body).X_BL.inverse();
+void BulkSimulation::move_to(int body, const Pose& X_WU) {
+  const Pose X_WB = X_WU * model_->body(body).X_BU.inverse();
   world_->set_target(body, X_WB.p, quaternion_of(X_WB.R));
 }
 
-void BulkSimulation::set_pose(int body, const Pose& X_WL) {
+void BulkSimulation::set_pose(int body, const Pose& X_WU) {
   const Body& own = model_->body(body);
   RIGOR_ASSERT(own.motion == MotionType::dynamic || PrescribedBodies::is_free(own));
-  world_->set_pose(body, X_WL * own.X_BL.inverse());
+  world_->set_pose(body, X_WU * own.X_BU.inverse());
   is_asked_ = false;
 }
 

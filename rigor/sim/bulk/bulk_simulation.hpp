@@ -62,10 +62,10 @@ class BulkSimulation {
 
   /// Where a kinematic body without velocity and path is to be at the end of the next step. It moves there at
   /// constant velocity, carries and pushes what it touches, and then stays.
-  void move_to(int body, const Pose& X_WL);
+  void move_to(int body, const Pose& X_WU);
   /// Puts a body there at once, through whatever is in between; its velocities stay. For dynamic bodies, and
   /// for kinematic ones as in move_to().
-  void set_pose(int body, const Pose& X_WL);
+  void set_pose(int body, const Pose& X_WU);
   void set_velocity(int body, const Vec3& v_W, const Vec3& w_W);  ///< Of a dynamic body.
 
   /// Continues with another Model: bodies and joints of the same names are the same (carried_state). Body

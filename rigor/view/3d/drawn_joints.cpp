@@ -34,7 +34,7 @@ struct Side {
   Vec3 p_BP;  ///< In the body frame B [m].
 };
 std::array<Side, 2> sides_of(const Joint& joint) {
-  return {Side{joint.body_A, joint.X_AJ.p}, Side{joint.body_B, joint.X_BK.p}};
+  return {Side{joint.body_A, joint.X_AF.p}, Side{joint.body_B, joint.X_BK.p}};
 }
 
 bool can_move(const Model& model, int body) {
@@ -52,7 +52,7 @@ DrawnShape joint_part(const Model& model, int body, const Shape& shape, const Po
   part.can_move = true;
   part.is_joint = true;
   part.shape = shape;
-  part.X_LS = model.body(body).X_BL.inverse() * X_BS;
+  part.X_US = model.body(body).X_BU.inverse() * X_BS;
   part.box = axis_aligned_box(shape, Pose{});
   part.color = ball_color();
   return part;
@@ -92,7 +92,7 @@ DrawnLine line_between(const Model& model, const std::array<Side, 2>& sides, con
     line.bodies[i] = body;
     line.points[i] = p_W[i] = p_BP;
     if (body == world_body) continue;
-    line.points[i] = model.body(body).X_BL.inverse() * p_BP;
+    line.points[i] = model.body(body).X_BU.inverse() * p_BP;
     p_W[i] = rotation_matrix(model.body(body).q_WB) * p_BP + model.body(body).p_WB;
   }
   const double length = (p_W[1] - p_W[0]).norm();

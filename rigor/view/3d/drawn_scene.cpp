@@ -53,10 +53,10 @@ std::vector<BodyShape> drawn_shapes(const Body& body, double reach) {
 
 }  // namespace
 
-std::array<Vec3, 2> DrawnLine::ends(std::span<const Pose> X_WL) const {
+std::array<Vec3, 2> DrawnLine::ends(std::span<const Pose> X_WU) const {
   std::array<Vec3, 2> p_W = points;
   for (std::size_t i = 0; i < 2; ++i) {
-    if (bodies[i] != world_body) p_W[i] = X_WL[at(bodies[i])] * points[i];
+    if (bodies[i] != world_body) p_W[i] = X_WU[at(bodies[i])] * points[i];
   }
   return p_W;
 }
@@ -74,10 +74,10 @@ DrawnScene make_drawn_scene(const Model& model) {
   const std::vector<double> reaches = joint_reaches(model);
   for (int i = 0; i < model.body_count(); ++i) {
     const Body& body = model.body(i);
-    const Pose X_LB = body.X_BL.inverse();
+    const Pose X_UB = body.X_BU.inverse();
     for (const BodyShape& shape : drawn_shapes(body, reaches[at(i)])) {
       const Shape form = drawn_form(shape.shape);
-      scene.shapes.push_back({i, body.motion != MotionType::fixed, form, X_LB * shape.X_BS,
+      scene.shapes.push_back({i, body.motion != MotionType::fixed, form, X_UB * shape.X_BS,
                               shelf.surface(form), axis_aligned_box(form, Pose{}), form_radius(shape, form),
                               shape_color(body, shape, i)});
     }

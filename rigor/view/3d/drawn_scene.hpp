@@ -17,7 +17,7 @@ struct DrawnShape {
   int body = 0;           ///< Model index.
   bool can_move = false;  ///< The body is not static.
   Shape shape;
-  Pose X_LS;                               ///< Pose of the shape in the body's user frame L.
+  Pose X_US;                               ///< Pose of the shape in the body's user frame U.
   std::shared_ptr<const Surface> surface;  ///< Null for spheres and planes.
   Aabb box;                                ///< In S; infinite for planes.
   double radius = 0;  ///< Radius of the ball around the origin of S that contains it [m].
@@ -32,8 +32,8 @@ struct DrawnLine {
   double radius = 0;            ///< [m].
   Color color = Color::Zero();
 
-  /// The ends of the line when the user frames of the bodies are at X_WL.
-  std::array<Vec3, 2> ends(std::span<const Pose> X_WL) const;
+  /// The ends of the line when the user frames of the bodies are at X_WU.
+  std::array<Vec3, 2> ends(std::span<const Pose> X_WU) const;
 };
 
 /// The drawing of a model. The poses of the bodies come with each picture, as poses of their user frames,

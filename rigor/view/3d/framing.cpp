@@ -15,9 +15,9 @@ constexpr double margin = 0.07;  ///< Share of the picture's half width and heig
 constexpr double flying_off = 4, most_radii = 100;
 
 /// The extent of a drawn shape: a ball, its vertices, or the corners of its box if it has many.
-void add_extent(const DrawnShape& shape, const Pose& X_WL, std::vector<FramedBall>& balls) {
+void add_extent(const DrawnShape& shape, const Pose& X_WU, std::vector<FramedBall>& balls) {
   constexpr std::size_t most_vertices = 400;
-  const Pose X_WS = X_WL * shape.X_LS;
+  const Pose X_WS = X_WU * shape.X_US;
   if (const Sphere* const sphere = std::get_if<Sphere>(&shape.shape)) {
     balls.push_back({X_WS.p, sphere->radius});
     return;
@@ -65,7 +65,7 @@ std::vector<FramedBall> framed_balls(const DrawnScene& scene, std::span<const Po
     if (!is_bounded(shape)) continue;
     const bool is_moving = shape.can_move || nothing_moves;
     (is_moving ? moving : fixed).push_back(&shape);
-    if (is_moving) starts.push_back(poses[at(shape.body)] * shape.X_LS.p);
+    if (is_moving) starts.push_back(poses[at(shape.body)] * shape.X_US.p);
   }
   if (moving.empty()) return {};
 
@@ -77,9 +77,9 @@ std::vector<FramedBall> framed_balls(const DrawnScene& scene, std::span<const Po
     double reach = 0;
     largest = std::max(largest, shape->radius);
     start_reach =
-        std::max(start_reach, (poses[at(shape->body)] * shape->X_LS.p - middle).norm() + shape->radius);
+        std::max(start_reach, (poses[at(shape->body)] * shape->X_US.p - middle).norm() + shape->radius);
     for (std::size_t i = at(shape->body); i < poses.size(); i += n)
-      reach = std::max(reach, (poses[i] * shape->X_LS.p - middle).norm() + shape->radius);
+      reach = std::max(reach, (poses[i] * shape->X_US.p - middle).norm() + shape->radius);
     reaches.push_back(reach);
   }
   // Beyond this distance a body has flown off and would be too small to see.
@@ -89,12 +89,12 @@ std::vector<FramedBall> framed_balls(const DrawnScene& scene, std::span<const Po
   std::vector<FramedBall> balls;
   for (const DrawnShape* const shape : moving) {
     for (std::size_t i = at(shape->body); i < poses.size(); i += n) {
-      if ((poses[i] * shape->X_LS.p - middle).norm() <= limit) add_extent(*shape, poses[i], balls);
+      if ((poses[i] * shape->X_US.p - middle).norm() <= limit) add_extent(*shape, poses[i], balls);
     }
   }
   for (const DrawnShape* const shape : fixed) {
-    const Pose& X_WL = poses[at(shape->body)];
-    if ((X_WL * shape->X_LS.p - middle).norm() + shape->radius <= limit) add_extent(*shape, X_WL, balls);
+    const Pose& X_WU = poses[at(shape->body)];
+    if ((X_WU * shape->X_US.p - middle).norm() + shape->radius <= limit) add_extent(*shape, X_WU, balls);
   }
   for (const DrawnLine& line : scene.lines) {
     for (std::size_t first = 0; first + n <= poses.size(); first += n) {

@@ -65,7 +65,7 @@ double covered(const PictureBox& box, const DrawnScene& scene, const std::vector
   for (std::size_t first = 0; first + count <= poses.size(); first += count) {
     for (const DrawnShape& shape : scene.shapes) {
       if (!shape.can_move) continue;
-      const Vec3 p_K = projection.X_KW() * (poses[first + at(shape.body)] * shape.X_LS.p);
+      const Vec3 p_K = projection.X_KW() * (poses[first + at(shape.body)] * shape.X_US.p);
       if (p_K.z() <= 0) continue;
       const PicturePoint seen = projection.project(p_K);
       const double r = projection.focal_length() * shape.radius * seen.nearness;

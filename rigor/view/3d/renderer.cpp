@@ -68,14 +68,14 @@ Vec3 sun_direction(const Camera& camera, const Vec3& up) {
   return (1.1 * up - 0.65 * axes.col(0) - 0.45 * axes.col(2)).normalized();
 }
 
-Image Renderer::draw(const DrawnScene& scene, std::span<const Pose> X_WL, const Camera& camera, int width,
+Image Renderer::draw(const DrawnScene& scene, std::span<const Pose> X_WU, const Camera& camera, int width,
                      int height) {
-  RIGOR_ASSERT(static_cast<int>(X_WL.size()) == scene.body_count);
+  RIGOR_ASSERT(static_cast<int>(X_WU.size()) == scene.body_count);
   // Place the shapes, sorted from near to far, in front of the camera.
   const Projection projection(camera, width, height);
   const double distance = (camera.target - camera.eye).norm();
   near_ = 1e-3 * distance;
-  place(scene, X_WL, projection.X_KW());
+  place(scene, X_WU, projection.X_KW());
 
   const Vec3 sun_W = sun_direction(camera, scene.up);
   // Draw the shadow map. It covers everything visible around the centre of the picture and half as much
@@ -100,11 +100,11 @@ Image Renderer::draw(const DrawnScene& scene, std::span<const Pose> X_WL, const 
   return image;
 }
 
-void Renderer::place(const DrawnScene& scene, std::span<const Pose> X_WL, const Pose& X_KW) {
+void Renderer::place(const DrawnScene& scene, std::span<const Pose> X_WU, const Pose& X_KW) {
   placed_.clear();
   for (const DrawnShape& shape : scene.shapes)
-    placed_.push_back({&shape, X_WL[static_cast<std::size_t>(shape.body)] * shape.X_LS});
-  place_lines(scene, X_WL);
+    placed_.push_back({&shape, X_WU[static_cast<std::size_t>(shape.body)] * shape.X_US});
+  place_lines(scene, X_WU);
   // Sorting by depth lets near shapes hide far ones before these are drawn.
   const auto depth = [&](const ShownShape& placed) { return X_KW.R.row(2).dot(placed.X_WS.p); };
   std::stable_sort(placed_.begin(), placed_.end(),
@@ -112,12 +112,12 @@ void Renderer::place(const DrawnScene& scene, std::span<const Pose> X_WL, const 
 }
 
 /// Places the lines as thin rods, each as long as it is at this moment.
-void Renderer::place_lines(const DrawnScene& scene, std::span<const Pose> X_WL) {
+void Renderer::place_lines(const DrawnScene& scene, std::span<const Pose> X_WU) {
   rods_.clear();
   // The placed shapes keep pointers to the rods, so the vector must not reallocate.
   rods_.reserve(scene.lines.size());
   for (const DrawnLine& line : scene.lines) {
-    const auto [from, to] = line.ends(X_WL);
+    const auto [from, to] = line.ends(X_WU);
     const double length = (to - from).norm();
     if (!(length > 0)) continue;
     const Cylinder rod{line.radius, length / 2};

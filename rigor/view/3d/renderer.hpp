@@ -22,13 +22,13 @@ Vec3 sun_direction(const Camera& camera, const Vec3& up);
 /// buffers, so that further pictures need no allocations.
 class Renderer {
  public:
-  /// Picture of width × height pixels of the scene with the bodies' user frames at X_WL.
-  Image draw(const DrawnScene& scene, std::span<const Pose> X_WL, const Camera& camera, int width,
+  /// Picture of width × height pixels of the scene with the bodies' user frames at X_WU.
+  Image draw(const DrawnScene& scene, std::span<const Pose> X_WU, const Camera& camera, int width,
              int height);
 
  private:
-  void place(const DrawnScene& scene, std::span<const Pose> X_WL, const Pose& X_KW);
-  void place_lines(const DrawnScene& scene, std::span<const Pose> X_WL);
+  void place(const DrawnScene& scene, std::span<const Pose> X_WU, const Pose& X_KW);
+  void place_lines(const DrawnScene& scene, std::span<const Pose> X_WU);
   void see(const Projection& projection, int width, int height);
   void see_surface(const ShownShape& placed, const Projection& projection, Occlusion& occlusion);
   void see_face(const Surface& surface, const Surface::Face& face, const Pose& X_KS,

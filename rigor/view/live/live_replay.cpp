@@ -27,9 +27,9 @@ State state_at(const StoredTrajectory& stored, std::size_t row, const Model& mod
     const Body& body = model.body(i);
     const std::size_t at = row * stored.bodies.size() + static_cast<std::size_t>(i);
     const double* const q = &stored.orientation[4 * at];
-    const Mat3 R_WL = rotation_matrix(Quat(q[0], q[1], q[2], q[3]));
-    const Mat3 R_WB = R_WL * body.X_BL.R.transpose();
-    const Vec3 p_WB = vector_at(stored.position, at) - R_WB * body.X_BL.p;
+    const Mat3 R_WU = rotation_matrix(Quat(q[0], q[1], q[2], q[3]));
+    const Mat3 R_WB = R_WU * body.X_BU.R.transpose();
+    const Vec3 p_WB = vector_at(stored.position, at) - R_WB * body.X_BU.p;
     const Vec3 w_WB = vector_at(stored.angular_velocity, at);
     const Vec3 L_W = R_WB * body.moments.cwiseProduct(R_WB.transpose() * w_WB);
     state.set_body(i, p_WB, quaternion_of(R_WB), body.mass * vector_at(stored.velocity, at), L_W);

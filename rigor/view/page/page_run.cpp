@@ -63,7 +63,7 @@ Json body_json(const Body& body, int look) {
           {"mass", body.mass},
           {"moments", json_of(body.moments)},
           {"radius", body.bounding_radius},
-          {"frame", {{"p", json_of(body.X_BL.p)}, {"q", json_of(quaternion_of(body.X_BL.R))}}},
+          {"frame", {{"p", json_of(body.X_BU.p)}, {"q", json_of(quaternion_of(body.X_BU.R))}}},
           {"start", {{"p", json_of(body.p_WB)}, {"q", json_of(body.q_WB)}}},
           {"look", look}};
 }
@@ -101,7 +101,7 @@ Json springs_json(const Model& model) {
 /// Direction of an axis of the joint fixed to its body A (side 0) or B; null if there is none on that side.
 Json axis_json(const Joint& joint, std::size_t side) {
   const JointAxes axes = joint_traits(joint.type).axes;
-  if (side == 0) return axes == JointAxes::none ? Json() : json_of(Vec3(joint.X_AJ.R.col(2)));
+  if (side == 0) return axes == JointAxes::none ? Json() : json_of(Vec3(joint.X_AF.R.col(2)));
   return axes == JointAxes::z_and_x_of_K ? json_of(Vec3(joint.X_BK.R.col(0))) : Json();
 }
 
@@ -113,7 +113,7 @@ Json joints_json(const Model& model) {
     joints.push_back({{"name", joint.name},
                       {"type", joint_type_name(joint.type)},
                       {"bodies", {joint.body_A, joint.body_B}},
-                      {"points", {json_of(joint.X_AJ.p), json_of(joint.X_BK.p)}},
+                      {"points", {json_of(joint.X_AF.p), json_of(joint.X_BK.p)}},
                       {"axes", {axis_json(joint, 0), axis_json(joint, 1)}}});
   }
   return joints;
