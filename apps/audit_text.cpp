@@ -14,7 +14,7 @@ namespace rigor {
 
 namespace {
 
-/// Beyond these a list belongs into a file.
+/// Longer lists belong in a file.
 constexpr std::size_t most_bodies = 10;
 
 template <typename... Values>
@@ -23,7 +23,7 @@ void add_line(std::string& text, const char* title, fmt::format_string<const Val
   fmt::format_to(std::back_inserter(text), "  {:<14}{}\n", title, fmt::format(format, values...));
 }
 
-/// The choices that the scheme looks at.
+/// The choices that apply to the scheme.
 std::string method_text(const Method& method) {
   std::string text;
   for (const std::string& key : method_choice_keys()) {
@@ -52,7 +52,7 @@ void add_motion(const Audit& audit, std::string& text) {
     add_line(text, "penetration", "{:.3g} m at most", report.max_penetration);
   }
   if (!audit.joints.empty()) {
-    add_line(text, "joints", "off by {:.3g} at most{}; steps moved them by {:.3g} before they were put back",
+    add_line(text, "joints", "off by {:.3g} at most{}; steps moved them by {:.3g} before they were corrected",
              report.max_joint_drift,
              at(report.drift_joint) >= audit.joints.size()
                  ? std::string()

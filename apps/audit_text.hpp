@@ -7,7 +7,7 @@
 
 namespace rigor {
 
-/// The audit as lines for a reader; colours if the stream, where it will be printed, is a terminal.
+/// The audit as lines for a reader; in colour if the stream to which they will be printed is a terminal.
 std::string audit_text(const Audit& audit, std::FILE* stream);
 
 }  // namespace rigor

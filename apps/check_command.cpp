@@ -40,7 +40,7 @@ std::string summary(const Scene& scene) {
       method_choice(resolve_scheme(*scene.model, scene.method).method, "scheme"));
 }
 
-/// Which scheme `auto` chooses, and why, as a line; nothing if the scene names one.
+/// A line with the scheme that `auto` chooses and the reason; empty if the scene names a scheme.
 std::string choice_line(const Scene& scene) {
   const std::string reason = resolve_scheme(*scene.model, scene.method).scheme_reason;
   return reason.empty() ? "" : fmt::format("  scheme auto: {}\n", reason);

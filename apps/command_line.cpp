@@ -49,18 +49,18 @@ const char* const examples =
     "  rigor check scenes/*.yaml\n"
     "  rigor mass part.stl --density 7850\n"
     "  rigor distance ball.yaml ball floor\n"
-    "  rigor distance pile.yaml --ray=\"0,0,9 0,0,-1\"              what a ray meets\n"
+    "  rigor distance pile.yaml --ray=\"0,0,9 0,0,-1\"              what a ray hits\n"
     "  rigor convert gear.stl gear.yaml --exact                  a solid as convex pieces, ready for a "
     "scene\n"
     "  rigor render ball.h5 --time 0.5 -o ball.png\n"
     "  rigor plot ball.h5 energy.kinetic energy.total body.ball.position.z -o ball.svg\n"
     "  rigor impact --K=3.5,0,0,3.5,0,1 --u=2,1,-3 --mu 0.2 --e 0.8 -o paths.svg\n"
     "  rigor impact scene.yaml floor box --law stronge --path path.csv\n"
-    "Exit codes: 0 done, 1 the audit broke its tolerance, 2 usage, 3 bad scene or input, 4 the simulation "
-    "could not go on,\n"
+    "Exit codes: 0 done, 1 a tolerance of the audit was violated, 2 usage, 3 bad scene or input, 4 the "
+    "simulation could not continue,\n"
     "            5 file or system error, 130 interrupted (files closed).\n";
 
-/// Checks the text of a number: decimal, inside the range.
+/// Checks the text of a number: it must be decimal and inside the range.
 CLI::Validator number_in(const Range& range, const std::string& unit) {
   return CLI::Validator(
       [range, unit](const std::string& text) -> std::string {
@@ -73,7 +73,7 @@ CLI::Validator number_in(const Range& range, const std::string& unit) {
       "");
 }
 
-/// Adds an option whose value is the next argument; never more than one.
+/// Adds an option whose value is the next argument, and never more than one.
 template <typename Value>
 CLI::Option* add_value(CLI::App& app, const std::string& name, Value& value, const std::string& what,
                        const std::string& placeholder) {
@@ -99,19 +99,19 @@ void add_run(CLI::App& app, RunOptions& run) {
       ->check(CLI::Range(1, most_threads));
   add_json(app, run.json, "the audit");
   app.add_flag("--quiet", run.is_quiet, "print no audit and no progress");
-  app.add_flag("--separate", run.separate, "push apart what overlaps at t = 0");
+  app.add_flag("--separate", run.separate, "push apart bodies that overlap at t = 0");
   add_value(app, "--checkpoint", run.checkpoint,
             "keep a file to resume from: written at the end or when interrupted", "FILE");
   add_value(app, "--checkpoint-every", run.checkpoint_every, "write it also after each S s of simulated time",
             "S")
       ->check(number_in(time_span, "s"));
-  add_value(app, "--resume", run.resume, "go on from a checkpoint of the same scene, bit for bit", "FILE");
+  add_value(app, "--resume", run.resume, "continue from a checkpoint of the same scene, bit for bit", "FILE");
 }
 
 void add_compare(CLI::App& app, CompareOptions& compare) {
   app.add_option("SCENE", compare.scene, "scene file (.yaml or .json)")->required()->option_text(" ");
   add_value(app, "--vary", compare.variations,
-            "a value of the scene and what it takes one after the other, such as "
+            "a key of the scene and its values in turn, such as "
             "method.scheme=event-driven,hybrid or run.step=0.01,0.005; repeated: all combinations, 64 runs "
             "at most",
             "KEY=a,b,c")
@@ -140,7 +140,7 @@ void add_compare(CLI::App& app, CompareOptions& compare) {
       ->check(number_in(time_span, "s"));
   add_json(app, compare.json, "the table with all audits");
   app.add_flag("--quiet", compare.is_quiet, "print no table and no progress");
-  app.add_flag("--separate", compare.separate, "push apart what overlaps at t = 0");
+  app.add_flag("--separate", compare.separate, "push apart bodies that overlap at t = 0");
 }
 
 void add_view(CLI::App& app, ViewOptions& view) {
@@ -148,7 +148,7 @@ void add_view(CLI::App& app, ViewOptions& view) {
       ->required()
       ->option_text(" ");
   add_value(app, "--set", view.overrides, "override a value of the scene; may be repeated", "KEY=VALUE");
-  add_value(app, "--port", view.port, "of 127.0.0.1; default: a free one", "P")
+  add_value(app, "--port", view.port, "port on 127.0.0.1; default: a free one", "P")
       ->check(CLI::Range(1, highest_port));
   app.add_flag("--open", view.opens_browser, "open the page in the browser");
 }
@@ -158,7 +158,7 @@ void add_mass(CLI::App& app, MassOptions& mass) {
   add_value(app, "--density", mass.density, "[kg/m^3]; default 1000 for a mesh, the materials' for a scene",
             "D")
       ->check(number_in(density, "kg/m³"));
-  add_value(app, "--samples", mass.samples, "points a body of the sampled estimate", "N")
+  add_value(app, "--samples", mass.samples, "points per body of the sampled estimate", "N")
       ->check(CLI::Range(fewest_samples, most_samples));
   add_json(app, mass.json, "the result");
 }
@@ -170,13 +170,13 @@ void add_distance(CLI::App& app, DistanceOptions& distance) {
   add_value(app, "--tolerance", distance.tolerance,
             "of the contact set [m]; default: the scene's contact_tolerance", "D")
       ->check(number_in(length, "m"));
-  add_value(app, "--ray", distance.ray, "instead: what a ray meets, its origin and direction [m]",
+  add_value(app, "--ray", distance.ray, "instead: the bodies that a ray hits, its origin and direction [m]",
             "\"X,Y,Z DX,DY,DZ\"");
   add_value(app, "--point", distance.point, "instead: the body closest to a point [m]", "X,Y,Z");
   add_value(app, "--closest", distance.closest, "instead: the K bodies closest to BODY_A, or to --point", "K")
       ->check(CLI::Range(1, most_contacts));
-  add_value(app, "--push", distance.push, "instead: what BODY_A first meets when it is pushed so far [m]",
-            "X,Y,Z");
+  add_value(app, "--push", distance.push,
+            "instead: the first body that BODY_A hits when it is moved by this displacement [m]", "X,Y,Z");
   add_json(app, distance.json, "the result");
 }
 
@@ -190,7 +190,8 @@ void add_render(CLI::App& app, RenderOptions& render) {
       ->check(CLI::Range(1, most_frames));
   app.add_flag("--sheet", render.is_sheet, "the key moments side by side (default)");
   add_value(app, "--size", render.size, "of each picture [px]", "WxH");
-  add_value(app, "--eye", render.eye, "place of the camera [m]; default: found from the motion", "X,Y,Z");
+  add_value(app, "--eye", render.eye, "position of the camera [m]; default: derived from the motion",
+            "X,Y,Z");
   add_value(app, "--target", render.target, "point in the middle of the picture [m]", "X,Y,Z");
   add_value(app, "--field-of-view", render.field_of_view, "from the upper to the lower edge [degrees]", "A")
       ->check(number_in(view_angle, "degrees"));
@@ -231,10 +232,10 @@ void add_impact(CLI::App& app, ImpactOptions& impact) {
   add_value(app, "--contact", impact.contact, "which contact point of the two bodies, from 1", "N")
       ->check(CLI::Range(1, most_contacts));
   add_value(app, "--tolerance", impact.tolerance,
-            "how near touching bodies are [m]; default: the scene's contact_tolerance", "D")
+            "largest gap of touching bodies [m]; default: the scene's contact_tolerance", "D")
       ->check(number_in(length, "m"));
   add_value(app, "--set", impact.overrides, "override a value of the scene; may be repeated", "KEY=VALUE");
-  add_value(app, "--path", impact.path, "table of what happens during the impact", "FILE.csv");
+  add_value(app, "--path", impact.path, "table of the impact path", "FILE.csv");
   add_json(app, impact.json, "the result");
   add_value(app, "-o,--output", impact.output, "figure of the paths and the energy lost, .svg or .png",
             "OUT");
@@ -251,7 +252,7 @@ void add_convert(CLI::App& app, ConvertOptions& convert) {
   add_value(app, "--max-pieces", convert.max_pieces, "most pieces; default 64", "N")
       ->check(CLI::Range(1, most_pieces));
   add_value(app, "--tolerance", convert.tolerance,
-            "how far a piece may stand out of the solid [m]; default: 1 % of its size", "M")
+            "how far a piece may protrude from the solid [m]; default: 1 % of its size", "M")
       ->check(number_in(length, "m"));
   add_json(app, convert.json, "the result");
 }
@@ -271,8 +272,8 @@ std::vector<std::string> command_names(const CLI::App& app) {
   return names;
 }
 
-/// Refuses what neither the program nor the chosen command knows; options first, as the rest may follow from
-/// them.
+/// Refuses arguments that neither the program nor the chosen command knows; options first, because the rest
+/// may follow from them.
 void check_unknown(const CLI::App& app) {
   const std::vector<CLI::App*> chosen = app.get_subcommands();
   const CLI::App& command = chosen.empty() ? app : *chosen.front();
@@ -293,7 +294,7 @@ void check_unknown(const CLI::App& app) {
 }
 
 bool is_same_file(const std::string& a, const std::string& b) {
-  // Absolute first: of a relative path to nothing, a leading "./" would stay.
+  // The path is made absolute first: otherwise a leading "./" would remain of a relative path to nothing.
   const auto whole = [](const std::string& path) {
     std::error_code ignored;
     return std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored);
@@ -301,7 +302,7 @@ bool is_same_file(const std::string& a, const std::string& b) {
   return whole(a) == whole(b);
 }
 
-/// Of what the view layer draws, beside the trajectories.
+/// Suffixes of the outputs that the view layer draws, in addition to the trajectories.
 constexpr std::array<std::string_view, 2> drawn_suffixes = {page_suffixes[0], picture_suffixes[0]};
 
 /// Refuses outputs that would overwrite the scene or each other.
@@ -352,7 +353,7 @@ void check_convert(ConvertOptions& convert) {
   }
   convert.is_mesh_output = suffix == ".obj";
   if (convert.is_exact && convert.tolerance) {
-    throw UsageError("--exact does not go with --tolerance: exact pieces do not stand out");
+    throw UsageError("--exact does not go with --tolerance: exact pieces do not protrude");
   }
   if (convert.is_mesh_output && (convert.is_exact || convert.tolerance || !convert.json.empty())) {
     throw UsageError("--exact, --tolerance and --json are for pieces, which need an output .yaml");
@@ -362,7 +363,7 @@ void check_convert(ConvertOptions& convert) {
   check_written(convert.input, written);
 }
 
-/// The options as the command they make.
+/// The options as the command that they form.
 template <typename Options>
 Command checked(const Options& options) {
   return options;
@@ -390,14 +391,14 @@ void add_methods(CLI::App& app, MethodsOptions& methods) {
       ->option_text("...");
 }
 
-/// A command whose options are kept in `chosen` when it is the one that is asked for.
+/// Adds a command whose options are kept in `chosen` when it is the one that is requested.
 template <typename Options>
 void add_command(CLI::App& app, const std::string& name, const std::string& what,
                  void (*add_options)(CLI::App&, Options&), std::optional<Command>& chosen) {
   CLI::App& command = *app.add_subcommand(name, what);
   const std::shared_ptr<Options> options = std::make_shared<Options>();
   add_options(command, *options);
-  // What is unknown is told by us, with the nearest name; and before what is wrong with the rest.
+  // Unknown arguments are reported here, with the nearest name, and before errors in the rest.
   command.allow_extras();
   command.final_callback([&app, &chosen, options] {
     check_unknown(app);

@@ -8,7 +8,7 @@
 namespace rigor {
 
 /// A command to execute, or none: then help or the version was printed, and the exit code says how that was
-/// asked for.
+/// requested.
 struct ParsedCommandLine {
   std::optional<Command> command;
   ExitCode exit_code = exit_done;

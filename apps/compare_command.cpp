@@ -16,7 +16,7 @@ namespace rigor {
 
 namespace {
 
-/// What cannot be written is known before the runs; throws FileError.
+/// Finds out before the runs what cannot be written; throws FileError.
 void check_files(const CompareOptions& options) {
   for (const std::string& output : options.outputs) check_can_write(output);
   if (!options.json.empty() && options.json != "-") check_can_write(options.json);
@@ -54,7 +54,7 @@ Comparison run_all(ComparePlan plan, CompareRunner& runner) {
       continue;
     }
     comparison.runs.push_back(runner.execute(planned));
-    // The model is not needed any more.
+    // The model is no longer needed.
     planned.scene.model.reset();
   }
   return comparison;
@@ -69,7 +69,7 @@ void print_comparison(const CompareOptions& options, const Comparison& compariso
   if (!options.is_quiet) fmt::print(stream, "{}", compare_table(comparison, width, stream));
 }
 
-/// Writes all files, also after one that cannot be; whether all are written.
+/// Writes all files, even after one of them fails; whether all were written.
 bool write_files(const CompareOptions& options, const Comparison& comparison) {
   bool is_done = true;
   const auto attempt = [&](const auto& write) {
@@ -86,7 +86,7 @@ bool write_files(const CompareOptions& options, const Comparison& comparison) {
   return is_done;
 }
 
-/// Says which runs are not what they should be, and tells the caller.
+/// Reports the runs that failed in some way, and returns the exit code.
 ExitCode report_ends(const Comparison& comparison) {
   bool has_stopped = false, has_failed = false, has_refused = false;
   for (const ComparedRun& run : comparison.runs) {
@@ -119,7 +119,7 @@ ExitCode execute(const CompareOptions& options) {
   ComparePlan plan = read_compare_plan(options);
   check_files(options);
   for (const std::string& warning : plan.warnings) print_warning(warning);
-  // Lives on while the files are written: an interrupt does not leave them half.
+  // It stays alive while the files are written, so that an interrupt does not leave them half written.
   CompareRunner runner(all_wishes(options), plan, {options.error_bound, options.cpu_limit}, options.is_quiet);
   const Comparison comparison = run_all(std::move(plan), runner);
   if (comparison.runs.empty()) return report_ends(comparison);

@@ -44,7 +44,7 @@ constexpr std::array difference_parts = {
     DifferencePart{"orientation", "rad", &MotionDifference::rotation},
     DifferencePart{"angular_velocity", "rad/s", &MotionDifference::spin}};
 
-/// Why the run stopped ("events_accumulate") or was refused; empty if it did not.
+/// The reason why the run stopped ("events_accumulate") or was refused; empty if it did not.
 std::string reason_of(const ComparedRun& run) {
   if (run.end == RunEnd::refused) return run.refusal;
   return run.end == RunEnd::stopped ? std::string(stop_reason_name(run.audit.report.reason)) : "";
@@ -188,7 +188,7 @@ std::vector<std::string> csv_errors(const Comparison& comparison, std::size_t i)
   return fields;
 }
 
-/// A refused run has its values and the reason; all else is empty.
+/// A refused run has its values and the reason; everything else is empty.
 std::vector<std::string> csv_row(const Comparison& comparison, std::size_t i) {
   const ComparedRun& run = comparison.runs[i];
   const AdvanceReport& report = run.audit.report;
@@ -215,7 +215,7 @@ std::vector<std::string> csv_row(const Comparison& comparison, std::size_t i) {
 }
 
 Drawing energy_plot(const Comparison& comparison) {
-  constexpr std::size_t longest_label = 80;  // As much as there is room for.
+  constexpr std::size_t longest_label = 80;  // As much as fits.
   std::vector<PlotSeries> series;
   for (const ComparedRun& run : comparison.runs) {
     if (run.end == RunEnd::refused) continue;

@@ -14,7 +14,7 @@ namespace rigor {
 
 namespace {
 
-/// The mistakes of all combinations.
+/// Collects the errors of all combinations.
 class PlanErrors {
  public:
   void add(const std::string& label, const std::vector<std::string>& messages) {
@@ -34,7 +34,7 @@ class PlanErrors {
     if (mistakes_.empty()) return;
     std::vector<std::string> messages;
     for (const Mistake& mistake : mistakes_) {
-      // A message about a varied value names it already.
+      // A message about a varied value already names it.
       const bool tells_whose = mistake.run_count == run_count || mistake.message.starts_with("--vary ");
       messages.push_back(mistake.message + (tells_whose ? "" : whose(mistake)));
     }
@@ -44,7 +44,7 @@ class PlanErrors {
  private:
   struct Mistake {
     std::string message;
-    std::string label;  ///< Of the first run that has it.
+    std::string label;  ///< Label of the first run that has it.
     std::size_t run_count;
   };
 
@@ -77,7 +77,7 @@ void check_drawn(const std::vector<std::string>& outputs, std::size_t run_count)
   if (run_count <= most_drawn_runs) return;
   for (const std::string& output : outputs) {
     const std::string suffix = std::filesystem::path(output).extension().string();
-    // A page holds the motion of the first ones, and the numbers of all.
+    // A page holds the motion of the first runs, and the numbers of all of them.
     if (suffix == ".json" || suffix == ".csv" || suffix == ".html") continue;
     throw UsageError(
         fmt::format("output {} shows at most {} runs, and these are {}; .json, .csv and .html take them all",
@@ -85,7 +85,7 @@ void check_drawn(const std::vector<std::string>& outputs, std::size_t run_count)
   }
 }
 
-/// "key=value" of the values whose keys are wanted.
+/// "key=value" for the values whose keys are selected.
 template <typename IsWanted>
 std::vector<std::string> varied_overrides(const std::vector<Variation>& variations, const Combination& values,
                                           IsWanted is_wanted) {
@@ -121,14 +121,14 @@ bool has_known_choices(const std::vector<Variation>& variations, const Combinati
   return true;
 }
 
-/// A combination that is wrong, with what was found.
+/// An invalid combination, with the errors that were found.
 struct WrongRun {
   std::size_t run;
   std::vector<std::string> messages;
 };
 
-/// Whether a combination is wrong by choices of its method alone: they exist, and with other choices it is
-/// not wrong. What would be a mistake in a scene is an answer then.
+/// Whether a combination is invalid only because of choices of its method: they exist, and with other choices
+/// it is valid. An error in a scene is a result in a comparison.
 bool is_refusal(const std::vector<Variation>& variations, const std::vector<PlannedRun>& runs,
                 const PlannedRun& wrong) {
   const auto others = [&](const Combination& values) {
@@ -141,7 +141,7 @@ bool is_refusal(const std::vector<Variation>& variations, const std::vector<Plan
   });
 }
 
-/// What is wrong, without the place in the command line, which the run's label tells.
+/// The error without the position in the command line, which the label of the run gives.
 std::string refusal_text(const std::vector<std::string>& messages) {
   const std::string& first = messages.front();
   const std::size_t place = first.starts_with("--vary ") ? first.find(": ") : std::string::npos;
@@ -149,7 +149,7 @@ std::string refusal_text(const std::vector<std::string>& messages) {
   return messages.size() == 1 ? reason : fmt::format("{} (and {} more)", reason, messages.size() - 1);
 }
 
-/// Gives each run the reference of its values that are not numerical.
+/// Assigns to each run the reference that belongs to its values that are not numerical.
 void plan_references(const CompareOptions& options, const std::vector<Variation>& variations,
                      ComparePlan& plan) {
   if (!wants_reference(options, plan.keys)) return;

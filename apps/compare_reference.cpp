@@ -19,7 +19,7 @@ bool is_none(const CompareOptions& options) {
   return options.references.size() == 1 && options.references[0] == "none";
 }
 
-/// Choices that the converged run makes itself.
+/// Choices that the converged run makes by itself.
 bool is_replaced(const std::string& text) {
   const std::string key = text.substr(0, text.find('='));
   return key == "method.scheme" || key == "method.integrator" || key == "method.orientation";
@@ -35,7 +35,7 @@ Scene read_reference_scene(const CompareOptions& options, const std::vector<std:
   return scene;
 }
 
-/// Whether what happens is still what the scene file says: only how it is computed, how long, and what is
+/// Whether the motion is still that of the scene file: only how it is computed, for how long, and what is
 /// written is overridden.
 bool is_as_expected(const std::vector<std::string>& overrides) {
   return std::all_of(overrides.begin(), overrides.end(), [](const std::string& text) {
@@ -44,7 +44,7 @@ bool is_as_expected(const std::vector<std::string>& overrides) {
   });
 }
 
-/// The scene as the event-driven engine solves it best.
+/// The scene with the best settings of the event-driven scheme.
 Scene converged(const Scene& scene) {
   constexpr double finer = 0.01;
   Scene fine = scene;
@@ -56,7 +56,7 @@ Scene converged(const Scene& scene) {
   return fine;
 }
 
-/// Twice the step, and a hundred times the tolerance.
+/// The scene with twice the step and a hundred times the tolerance.
 Scene roughened(const Scene& scene) {
   constexpr double coarser = 100;
   Scene rough = scene;

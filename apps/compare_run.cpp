@@ -25,7 +25,7 @@ double process_time() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// Real and processor time since it began, less the processor time of pauses.
+/// Real and processor time since the start, without the processor time of pauses.
 class RunClock {
  public:
   void pause() { paused_at_ = process_time(); }
@@ -40,7 +40,7 @@ class RunClock {
   double cpu_begin_ = process_time(), paused_at_ = 0;
 };
 
-/// What the energy of a run is compared with: the largest kinetic energy and change of energy.
+/// Scale of the energy of a run: the largest kinetic energy or change of energy.
 class EnergyScale {
  public:
   void add(const Energy& energy) {
@@ -55,7 +55,7 @@ class EnergyScale {
   double value_ = 0;
 };
 
-/// The longest step: the target step, or what makes equal steps from output to output that are not longer.
+/// The longest step: the target step, or the largest smaller one that divides the output interval evenly.
 double step_of(const RunSettings& run) {
   return run.output_interval / static_cast<double>(FixedSteps(0, run.output_interval, run.step).count());
 }
@@ -66,8 +66,8 @@ RunEnd end_of(const RunResult& result, const RunSettings& settings) {
   return result.audit.violations.empty() ? RunEnd::passed : RunEnd::audit_failed;
 }
 
-/// Rise of the energy over its scale; none where it is below the rounding of the energies themselves, as of
-/// bodies that rest.
+/// Rise of the energy relative to its scale; zero where it is below the rounding of the energies themselves,
+/// as for bodies at rest.
 double relative_rise(const Audit& audit, double scale) {
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   const double largest = std::max(std::abs(audit.initial.total()), std::abs(audit.final.total()));

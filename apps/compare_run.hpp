@@ -20,77 +20,77 @@ enum class RunEnd { passed, audit_failed, stopped, interrupted, out_of_time, ref
 /// "ok", "audit failed", "stopped", "interrupted", "out of time", "refused".
 std::string_view run_end_name(RunEnd end);
 
-/// What a comparison tells of one run.
+/// The results of one run in a comparison.
 struct ComparedRun {
   Combination values;
   std::string label;
   RunEnd end = RunEnd::passed;
   double end_time = 0;  ///< [s].
-  double cpu_time = 0;  ///< Of the program for the simulation alone, without what watches it [s].
-  double step = 0;      ///< The longest step [s]: run.step, but none is longer than the output interval.
-  std::string refusal;  ///< Why it is refused.
+  double cpu_time = 0;  ///< CPU time of the simulation alone, without its observers [s].
+  double step = 0;      ///< The longest step [s]: at most run.step and the output interval.
+  std::string refusal;  ///< Reason of the refusal.
   Audit audit;
-  double relative_rise = 0;                    ///< Unexplained rise of the energy over its scale.
-  std::optional<std::size_t> reference;        ///< What the error is measured against.
+  double relative_rise = 0;                    ///< Unexplained rise of the energy relative to its scale.
+  std::optional<std::size_t> reference;        ///< Index of the reference for the error.
   std::optional<MotionError> error;            ///< None if no time could be compared.
   std::optional<MotionDifference> difference;  ///< From the first run.
-  std::vector<double> times, energies;         ///< At the output times, if wished for [s], [J].
-  std::vector<PageBlock> page;                 ///< If wished for.
+  std::vector<double> times, energies;         ///< At the output times, if requested [s], [J].
+  std::vector<PageBlock> page;                 ///< If requested.
 };
 
-/// What a comparison tells of a reference.
+/// The results of a reference in a comparison.
 struct ComparedReference {
   std::string name;
-  bool is_run = false;             ///< Otherwise places that the scene knows.
+  bool is_run = false;             ///< Otherwise the reference consists of places.
   RunEnd end = RunEnd::passed;     ///< Of the run.
   double cpu_time = 0;             ///< Of the run [s].
-  double bound = 0;                ///< Of the error of a motion that is good [m].
-  std::optional<MotionError> own;  ///< Estimate of its own error; of places the largest that they tell.
+  double bound = 0;                ///< Largest error of a good motion [m].
+  std::optional<MotionError> own;  ///< Estimate of its own error; for places the largest stated one.
 };
 
 /// The runs of a comparison, as far as they were done.
 struct Comparison {
   std::string scene;              ///< Name.
-  std::vector<std::string> keys;  ///< That are varied.
+  std::vector<std::string> keys;  ///< The varied keys.
   std::vector<ComparedReference> references;
-  std::vector<ComparedRun> runs;     ///< The others are compared with the first that is not refused.
-  std::vector<std::string> not_run;  ///< Labels of those that an interrupt left out.
+  std::vector<ComparedRun> runs;     ///< All are compared with the first that is not refused.
+  std::vector<std::string> not_run;  ///< Labels of the runs that an interrupt skipped.
 };
 /// Index of the run that the others are compared with; the number of runs if all are refused.
 std::size_t base_run(const Comparison& comparison);
 
-/// What is kept of each run beside its numbers.
+/// The data of each run that is kept in addition to its numbers.
 struct CompareWishes {
   bool energies = false, page = false;
 };
 
-/// What ends a run, or its good part.
+/// Limits that end a run, or its good part.
 struct CompareLimits {
-  std::optional<double> error_bound;  ///< Of a motion that is good [m]; by default that of its scene.
+  std::optional<double> error_bound;  ///< Largest error of a good motion [m]; by default from its scene.
   std::optional<double> cpu_time;     ///< Of each run [s]; none by default.
 };
 
-/// Does the runs of a comparison, one after the other.
+/// Carries out the runs of a comparison, one after the other.
 class CompareRunner {
  public:
   CompareRunner(const CompareWishes& wishes, const ComparePlan& plan, const CompareLimits& limits,
                 bool is_quiet);
 
-  /// Prepares the i-th reference, with an estimate of its own error.
+  /// Prepares the i-th reference with an estimate of its own error.
   ComparedReference execute(const PlannedReference& planned);
-  /// The next run; the first one is what the others are compared with. An interrupt ends it at an output
-  /// time. References come first.
+  /// Carries out the next run; all are compared with the first one. An interrupt ends it at an output time.
+  /// References must be prepared before.
   ComparedRun execute(const PlannedRun& planned);
   bool was_interrupted() const { return interrupt_.is_requested(); }
 
  private:
-  /// What errors are measured against, ready for use.
+  /// A reference that is ready for use.
   struct Reference {
     std::vector<ExpectedPlace> places;
-    std::unique_ptr<MotionKeeper> motion;  ///< None: places, or no reference at all.
-    double bound = 0, horizon = 0;         ///< [m]; until when the reference itself is good [s].
+    std::unique_ptr<MotionKeeper> motion;  ///< Null for places, or without a reference.
+    double bound = 0, horizon = 0;         ///< [m]; time until which the reference itself is good [s].
   };
-  /// A run as it went.
+  /// The outcome of a run.
   struct Course {
     RunResult result;
     double cpu_time = 0, wall_time = 0;  ///< [s].
@@ -104,7 +104,7 @@ class CompareRunner {
   void show_progress(const State& state, const AdvanceReport& since, const Auditor& auditor);
 
   CompareWishes wishes_;
-  std::size_t run_count_, number_ = 0;  ///< Of the run, from 1.
+  std::size_t run_count_, number_ = 0;  ///< Number of the run, counted from 1.
   std::size_t most_reference_bytes_;
   CompareLimits limits_;
   InterruptWatch interrupt_;

@@ -13,7 +13,7 @@ namespace rigor {
 
 namespace {
 
-// Longer texts are cut.
+// Longer texts are truncated.
 constexpr std::size_t longest_value = 32, longest_body = 24;
 
 std::string number_cell(double value) {
@@ -41,7 +41,7 @@ TableCell end_cell(const ComparedRun& run) {
   return {};
 }
 
-/// A column of the runs' numbers; "-" for those that did not run.
+/// A column with a number of each run; "-" for runs that did not take place.
 template <typename Value>
 TableColumn number_column(const std::string& top, const std::string& bottom, const Comparison& comparison,
                           Value value_of) {
@@ -97,7 +97,7 @@ TableColumn error_column(const char* top, const char* unit, const Comparison& co
   return column;
 }
 
-/// Errors against the references, how the errors go with the step, and how long the motion is good.
+/// Errors relative to the references, their observed order in the step, and how long the motion is good.
 void add_error_columns(const Comparison& comparison, std::vector<TableColumn>& columns) {
   if (comparison.references.empty()) return;
   columns.push_back(error_column("error", "[m]", comparison, &MotionError::position));
@@ -133,7 +133,7 @@ void add_run_columns(const Comparison& comparison, std::vector<TableColumn>& col
   add("impact", "gain [J]", [](const ComparedRun& run) { return run.audit.report.impact_gain; });
 }
 
-/// "1.23e-09 ball": the numbers of a column end at the same place.
+/// "1.23e-09 ball": the numbers of a column are right-aligned.
 void add_difference_columns(const Comparison& comparison, std::vector<TableColumn>& columns) {
   if (comparison.runs.size() < 2) return;
   const std::size_t base = base_run(comparison);
@@ -161,7 +161,7 @@ void add_difference_columns(const Comparison& comparison, std::vector<TableColum
   add("angular vel.", "Δ [rad/s]", &MotionDifference::spin);
 }
 
-/// Texts, each with the runs that it is about.
+/// Texts, each with the runs that it concerns.
 class Notes {
  public:
   void add(const std::string& label, const std::string& text, Tone tone) {
@@ -189,7 +189,7 @@ class Notes {
   std::vector<Note> notes_;
 };
 
-/// What the errors are measured against, and how far that can be trusted.
+/// The reference of the errors, and how far it can be trusted.
 std::string reference_text(const ComparedReference& reference) {
   if (!reference.is_run) {
     const double own = reference.own ? reference.own->position.value : 0;
@@ -244,7 +244,7 @@ void add_run_notes(const Comparison& comparison, const ComparedRun& run, Notes& 
     notes.add(run.label, "scheme auto: " + run.audit.scheme_reason, Tone::plain);
   if (!run.difference) return;
   const double end = std::max(run.end_time, comparison.runs[base].end_time);
-  // Where both end, up to the rounding of output times.
+  // The end of both, up to the rounding of output times.
   if (run.difference->time < end * (1 - 1e-12)) {
     notes.add(run.label,
               fmt::format("compared with run {} at t = {:.6g} s, the last output time of both", base + 1,

@@ -23,10 +23,10 @@ namespace rigor {
 
 namespace {
 
-/// Excess of a piece that is allowed if nothing is said, as a part of the mesh's longest side.
+/// Default of the largest excess of a piece, as a fraction of the longest side of the mesh.
 constexpr double usual_tolerance = 0.01;
 
-/// A solid's mesh, checked. Throws InputError for what bounds no solid.
+/// The checked mesh of a solid. Throws InputError for a mesh that bounds no solid.
 PolygonMesh read_solid(const std::string& path) {
   PolygonMesh polygons = read_mesh(path);
   std::vector<std::string> errors;
@@ -42,7 +42,7 @@ PolygonMesh read_solid(const std::string& path) {
   return polygons;
 }
 
-/// What the file is called, without folder and suffix, in the characters of a name.
+/// The name of the file without folder and suffix, restricted to the characters of a name.
 std::string name_of(const std::string& path) {
   std::string name = std::filesystem::path(path).stem().string();
   for (char& c : name) {

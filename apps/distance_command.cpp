@@ -29,7 +29,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Shapes of the two bodies, by their places in the lists.
+/// Shapes of the two bodies, by their indices.
 struct ShapePair {
   std::size_t a, b;
 };

@@ -23,7 +23,7 @@ namespace rigor {
 namespace {
 
 constexpr double most_friction = 1e9;
-/// So that no product of the numbers given leaves the range of doubles.
+/// Bound that keeps all products of the given numbers in the range of doubles.
 constexpr double most_velocity = 1e30, most_mobility = 1e30, least_mobility = 1e-30;
 
 std::optional<double> number_of(std::string_view text) {
@@ -33,7 +33,7 @@ std::optional<double> number_of(std::string_view text) {
   return value;
 }
 
-/// Numbers with commas between them, none beyond `most`. Throws UsageError.
+/// Numbers separated by commas, none of them beyond `most`. Throws UsageError.
 std::vector<double> parse_list(const std::string& option, const std::string& text, double most) {
   std::vector<double> numbers;
   for (std::size_t at = 0; at <= text.size();) {
@@ -78,7 +78,7 @@ Vec3 parse_velocity(const std::string& text) {
   return Vec3::Map(u.data());
 }
 
-/// Whether a scene is given; throws UsageError for what is neither that nor numbers, or both.
+/// Whether a scene is given; throws UsageError if neither a scene nor numbers are given, or both.
 bool is_of_scene(const ImpactOptions& options) {
   const bool has_numbers = !options.K.empty() || !options.u.empty();
   if (options.scene.empty()) {
@@ -118,7 +118,7 @@ std::string point_list(const std::vector<Contact>& contacts) {
   return contacts.size() > most_listed ? list + ", ..." : list;
 }
 
-/// The contact that is meant; throws UsageError if that is not clear.
+/// The selected contact; throws UsageError if the selection is ambiguous.
 std::size_t choose_contact(const std::vector<Contact>& contacts, const std::optional<int>& wanted,
                            const std::string& pair) {
   if (!wanted && contacts.size() == 1) return 0;
@@ -208,7 +208,7 @@ double parse_number(const std::string& option, const std::string& text, double l
 }
 
 GivenImpact read_given_impact(const ImpactOptions& options) {
-  // Options first: a wrong one is told without reading a scene.
+  // Options are checked first, so that an invalid one is reported without reading a scene.
   const bool has_scene = is_of_scene(options);
   std::optional<double> mu, e;
   if (!options.mu.empty()) mu = parse_number("--mu", options.mu, 0, most_friction, true);

@@ -12,22 +12,22 @@ namespace rigor {
 
 /// A contact of two bodies of a scene, at t = 0.
 struct SceneContact {
-  std::array<std::string, 2> names;  ///< Of A and B.
-  int number, count;                 ///< Which of how many contact points, from 1.
+  std::array<std::string, 2> names;  ///< Names of A and B.
+  int number, count;                 ///< Number of the contact point, counted from 1, and of all of them.
   ContactSystem system;              ///< The one contact and its bodies.
 };
 
-/// What `rigor impact` is asked about.
+/// The impact that `rigor impact` examines.
 struct GivenImpact {
   Collision collision;
   std::optional<SceneContact> scene;
 };
 
-/// The impact of the options: K and u as numbers, or as two bodies of a scene have them where they touch.
-/// Throws UsageError for values that make no sense, InputError for what the scene does not have.
+/// The impact that the options give: K and u as numbers, or as those of two bodies of a scene where they
+/// touch. Throws UsageError for invalid values, InputError for things that the scene does not have.
 GivenImpact read_given_impact(const ImpactOptions& options);
 
-/// The text as a number of the range; "inf" is one where that is allowed. Throws UsageError.
+/// The text as a number in the range; "inf" counts as one where that is allowed. Throws UsageError.
 double parse_number(const std::string& option, const std::string& text, double lowest, double highest,
                     bool may_be_infinite = false);
 

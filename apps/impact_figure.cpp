@@ -11,12 +11,12 @@ namespace rigor {
 
 namespace {
 
-// Of the palette for all kinds of colour vision.
+// From the palette for all kinds of colour vision.
 constexpr const char *compression_color = "#0072b2", *restitution_color = "#d55e00";
 constexpr const char *growing_color = "#cc79a7", *dying_color = "#009e73";
 constexpr const char *point_color = "#1d2733", *loss_color = "#0072b2", *gain_color = "#d55e00";
 
-/// The impact path as two kinds of curves; each point belongs to the stretch that leads to it.
+/// The impact path as two kinds of curves; each point belongs to the segment that leads to it.
 std::vector<PlaneCurve> curves_of(const LawResult& result) {
   std::vector<PlaneCurve> curves;
   for (std::size_t k = 1; k < result.path.size(); ++k) {

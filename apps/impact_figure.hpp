@@ -5,8 +5,8 @@
 
 namespace rigor {
 
-/// The paths of the laws in the plane of the tangential velocity beside each other, with the invariant
-/// directions, and below them the energy that each law loses.
+/// The paths of the laws side by side in the plane of the tangential velocity, with the invariant directions,
+/// and below them the energy that each law dissipates.
 Drawing impact_figure(const ImpactReport& report);
 
 }  // namespace rigor

@@ -16,7 +16,7 @@ namespace rigor {
 
 namespace {
 
-/// What `rigor impact` says of an impact by one of the laws of restitution.
+/// The result of `rigor impact` for one of the laws of restitution.
 LawResult by_restitution(const RestitutionRule& rule, const Collision& collision) {
   std::vector<CollisionPoint> path;
   const CollisionOutcome outcome = resolve_collision(collision, rule.law, &path);
@@ -43,7 +43,7 @@ LawResult by_compliance(const Collision& collision, double ratio) {
   const CompliantOutcome outcome = resolve_compliant_collision(compliant, &path);
   if (!outcome.is_resolved)
     throw InputError(
-        fmt::format("the law {} has no answer: it slips and sticks without end", compliant_name));
+        fmt::format("the law {} has no answer: slip and stick alternate endlessly", compliant_name));
   return {compliant_name,
           outcome.end,
           outcome.energy_change,
@@ -64,12 +64,12 @@ LawResult by_algebra(const Collision& collision, double e_t) {
   return {algebraic_name, {outcome.u, outcome.lambda, not_known}, outcome.energy_change, {}, "", {}, outcome};
 }
 
-/// A law of a whole impact, which `rigor impact` knows and a scene's method does not, with its one parameter.
-/// A new one is one more row of the table.
+/// A law of a whole impact that `rigor impact` knows and the method of a scene does not, with its one
+/// parameter. A new law is one more row of the table.
 struct WholeImpactLaw {
   const char* name;
   const char* title;
-  const char* option;  ///< That gives the parameter.
+  const char* option;  ///< Option that gives the parameter.
   std::string ImpactOptions::*parameter;
   double lowest, highest;
   LawResult (&resolve)(const Collision& collision, double parameter);
@@ -96,7 +96,7 @@ std::vector<std::string> known_laws() {
   return names;
 }
 
-/// Names that the list means, each once.
+/// The names in the list, each once.
 std::vector<std::string> chosen_laws(const std::string& list) {
   std::vector<std::string> known = known_laws();
   known.emplace_back("all");
@@ -119,7 +119,8 @@ std::vector<std::string> chosen_laws(const std::string& list) {
   return chosen;
 }
 
-/// The parameter of a chosen law; throws UsageError if it is missing, wrong, or of a law that is not chosen.
+/// The parameter of a chosen law; throws UsageError if it is missing, invalid, or belongs to a law that is
+/// not chosen.
 double read_parameter(const WholeImpactLaw& law, const std::string& text, bool is_chosen) {
   if (!is_chosen && !text.empty())
     throw UsageError(fmt::format("{} belongs to --law {}, which is not chosen", law.option, law.name));
@@ -127,7 +128,7 @@ double read_parameter(const WholeImpactLaw& law, const std::string& text, bool i
   return is_chosen ? parse_number(law.option, text, law.lowest, law.highest) : 0;
 }
 
-/// Numbers far from each other can leave the range of doubles.
+/// Numbers of very different magnitude can leave the range of doubles.
 void check_finite(const LawResult& result) {
   if (result.end.u.allFinite() && result.end.lambda.allFinite() && std::isfinite(result.energy_change))
     return;

@@ -10,16 +10,16 @@
 
 namespace rigor {
 
-/// What one law says of an impact.
+/// The result of one law for an impact.
 struct LawResult {
-  std::string law;       ///< As on the command line.
+  std::string law;       ///< Name as on the command line.
   CollisionPoint end;    ///< work is NaN for the laws that do not follow the impact.
   double energy_change;  ///< [J].
-  /// For laws that follow the impact; the others have no path, only a beginning and an end.
+  /// Only for laws that follow the impact; the others have no path but only a beginning and an end.
   std::optional<CollisionPoint> compression;
   std::string phases;
   std::vector<ImpactPathPoint> path;
-  /// Of the algebraic law.
+  /// Only for the algebraic law.
   std::optional<AlgebraicOutcome> algebraic;
 };
 
@@ -31,13 +31,13 @@ std::string law_title(const std::string& law);
 /// A law of the command line with its parameter.
 struct ChosenLaw {
   std::string name;
-  double parameter = 0;  ///< Of the laws that have one: k_t/k_n of `compliant`, e_t of `chatterjee-ruina`.
+  double parameter = 0;  ///< For the laws that have one: k_t/k_n of `compliant`, e_t of `chatterjee-ruina`.
 };
 /// The laws of the options in their order, each once.
 /// Throws UsageError for unknown names, and parameters that are wrong, missing or of no law chosen.
 std::vector<ChosenLaw> read_laws(const ImpactOptions& options);
 
-/// What each of the laws says. Throws InputError where one does not apply to the impact.
+/// The result of each of the laws. Throws InputError where a law does not apply to the impact.
 std::vector<LawResult> resolve_by_laws(const std::vector<ChosenLaw>& laws, const Collision& collision);
 
 }  // namespace rigor

@@ -17,7 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string vector_text(const Vec3& v) {
-  // Without -0, which tells a reader nothing.
+  // Avoids -0, which means nothing to a reader.
   return fmt::format("[{}, {}, {}]", number_text(v.x() + 0.0), number_text(v.y() + 0.0),
                      number_text(v.z() + 0.0));
 }
@@ -56,7 +56,7 @@ std::string direction_text(const CollisionMatrix& matrix) {
   const std::vector<InvariantDirection> directions = invariant_directions_of(matrix);
   if (matrix.mu == 0)
     return line("directions", "without friction slip changes by the same in all directions");
-  if (directions.empty()) return line("directions", "slip goes straight in every direction");
+  if (directions.empty()) return line("directions", "slip keeps its direction, whatever it is");
   std::string text;
   for (const InvariantDirection& direction : directions) {
     text += line(text.empty() ? "directions" : "", fmt::format("{:>8.3f} degrees: slip {} at {} m/s per N s",
@@ -84,7 +84,7 @@ std::string problem_text(const GivenImpact& problem) {
   const double energy = removable_energy(K, collision.u);
   text +=
       line("energy", std::isfinite(energy) ? number_text(energy) + " J at most can be lost at this contact"
-                                           : "K is singular: what can be lost is not known");
+                                           : "K is singular: the energy that can be lost is not known");
   return text;
 }
 
@@ -97,7 +97,7 @@ ContactSystem after_impact(const SceneContact& scene, const LawResult& result) {
   return system;
 }
 
-/// Index of A and of B in the system's lists.
+/// Indices of A and B in the lists of the system.
 std::array<std::size_t, 2> places_of(const ContactSystem& system) {
   const Contact& contact = system.contacts[0];
   return {static_cast<std::size_t>(system.local_index(contact.body_A)),
@@ -192,7 +192,8 @@ Json json_of_result(const GivenImpact& problem, const LawResult& result) {
   return json;
 }
 
-/// Relative to what can be lost, else to the work of friction and normal impulse: rounding is no gain.
+/// Relative to the energy that can be lost, otherwise to the work of friction and the normal impulse, so that
+/// rounding does not count as a gain.
 bool gains_energy(const GivenImpact& problem, const LawResult& result) {
   constexpr double rounding = 1e-12;
   const Vec3& u = problem.collision.u;

@@ -9,19 +9,19 @@
 
 namespace rigor {
 
-/// What `rigor impact` found.
+/// The findings of `rigor impact`.
 struct ImpactReport {
   GivenImpact problem;
   std::vector<LawResult> results;
 };
 
-/// For people, on stdout.
+/// Text for people, on stdout.
 std::string impact_text(const ImpactReport& report);
 nlohmann::ordered_json impact_json(const ImpactReport& report);
 /// The impact paths as a table, one row per point.
 std::string impact_table(const ImpactReport& report);
 
-/// What is to be told on stderr: laws that gain energy, and impacts that are none.
+/// Warnings for stderr: laws that gain energy, and bodies that do not approach.
 std::vector<std::string> impact_warnings(const ImpactReport& report);
 
 /// The invariant directions; with infinite friction those of its limit, where rates are per friction impulse.

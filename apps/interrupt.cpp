@@ -9,11 +9,11 @@ namespace {
 
 constexpr std::array signals = {SIGINT, SIGTERM, SIGHUP};
 
-// Signals leave no other way than a variable of the whole program.
+// A signal handler can reach nothing but a variable of the whole program.
 volatile std::sig_atomic_t interrupt_count = 0;
 
 void note_interrupt(int signal) {
-  // The next one does what it always does.
+  // The next signal has its default effect.
   std::signal(signal, SIG_DFL);
   interrupt_count = interrupt_count + 1;
 }
@@ -26,7 +26,7 @@ InterruptWatch::InterruptWatch() {
   action.sa_handler = note_interrupt;
   for (std::size_t i = 0; i < signals.size(); ++i) {
     ::sigaction(signals[i], nullptr, &previous_[i]);
-    // A signal that the caller has us ignore (nohup) stays ignored.
+    // A signal that the caller has set to be ignored (nohup) stays ignored.
     if (previous_[i].sa_handler != SIG_IGN) ::sigaction(signals[i], &action, nullptr);
   }
 }

@@ -4,8 +4,8 @@
 
 namespace rigor {
 
-/// While this lives, the first SIGINT, SIGTERM or SIGHUP asks for an orderly end instead of ending the
-/// process; the second one ends it. One at a time.
+/// While this object exists, the first SIGINT, SIGTERM or SIGHUP requests an orderly end instead of ending
+/// the process; the second one ends it. Only one object may exist at a time.
 class InterruptWatch {
  public:
   InterruptWatch();

@@ -13,7 +13,7 @@
 namespace rigor {
 namespace {
 
-/// Runs what the command line asks for; every error ends here, as lines on stderr and an exit code.
+/// Runs the command of the command line; every error ends here, as lines on stderr and an exit code.
 ExitCode run_program(int argc, const char* const* argv) {
   try {
     const ParsedCommandLine parsed = parse_command_line(argc, argv);
@@ -41,7 +41,7 @@ ExitCode run_program(int argc, const char* const* argv) {
 }  // namespace rigor
 
 int main(int argc, char** argv) {
-  // A file beyond the allowed size is an error like a full disk, not the end of the process.
+  // A file beyond the size limit is an error like a full disk, and must not end the process.
   std::signal(SIGXFSZ, SIG_IGN);
   const int code = rigor::run_program(argc, argv);
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {

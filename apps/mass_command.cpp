@@ -78,7 +78,7 @@ std::vector<Row> rows_of(const SolidReport& report) {
   return rows;
 }
 
-/// Text padded by its characters, not its bytes.
+/// Text padded by counting its characters, not its bytes.
 std::string padded(const std::string& text, std::size_t width) {
   std::size_t characters = 0;
   for (const char c : text) characters += (static_cast<unsigned char>(c) & 0xC0) != 0x80;

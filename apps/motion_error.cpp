@@ -10,7 +10,7 @@ namespace rigor {
 
 namespace {
 
-/// Place of a body's frame B in a row of stored user frames.
+/// Pose of the body frame B from a row of stored user frames.
 struct BodyPlace {
   Vec3 p_WB;
   Quat q_WB;
@@ -20,7 +20,7 @@ BodyPlace place_of(const Body& body, const double* position, const double* orien
   const Quat q_WU(orientation[0], orientation[1], orientation[2], orientation[3]);
   const Vec3 p_UB = body.X_BU.inverse().p;
   const Vec3 p_WB = Vec3::Map(position) + q_WU * p_UB;
-  // The rotation from L to B is the same in both motions, so that of L does as well.
+  // The rotation from U to B is the same in both motions, so the rotation of U serves as well.
   return {p_WB, q_WU};
 }
 

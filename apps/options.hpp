@@ -8,7 +8,7 @@
 
 namespace rigor {
 
-// What the command line asks for. An empty path: not asked for; the JSON path "-": stdout.
+// The options of the command line. An empty path means not requested; the JSON path "-" means stdout.
 
 struct RunOptions {
   std::string scene;
@@ -29,9 +29,9 @@ struct CompareOptions {
   std::vector<std::string> variations;  ///< "key=a,b,c".
   std::vector<std::string> outputs;
   std::vector<std::string> overrides;   ///< "key=value".
-  std::vector<std::string> references;  ///< "key=value" of the reference run; "none" alone: no errors.
+  std::vector<std::string> references;  ///< "key=value" of the reference run; "none": no errors.
   std::optional<double> error_bound;    ///< [m].
-  std::optional<double> cpu_limit;      ///< Of each run [s].
+  std::optional<double> cpu_limit;      ///< Limit of each run [s].
   std::optional<double> duration;       ///< [s].
   std::string json;
   bool is_quiet = false;
@@ -45,16 +45,16 @@ struct CheckOptions {
 struct MassOptions {
   std::string file;
   std::optional<double> density;  ///< [kg/m³].
-  int samples = 500000;           ///< Points a body.
+  int samples = 500000;           ///< Points per body.
   std::string json;
 };
 
 struct DistanceOptions {
-  std::string scene, body_A, body_B;  ///< A body that is not given is empty.
+  std::string scene, body_A, body_B;  ///< Empty for a body that is not given.
   std::optional<double> tolerance;    ///< Of the contact set [m].
   std::string ray;                    ///< Six numbers, "X,Y,Z DX,DY,DZ" [m], or empty.
   std::string point, push;            ///< "X,Y,Z" [m], or empty.
-  std::optional<int> closest;         ///< How many bodies.
+  std::optional<int> closest;         ///< Number of bodies.
   std::string json;
 };
 
@@ -64,9 +64,9 @@ struct MethodsOptions {
 
 struct RenderOptions {
   std::string input;           ///< Scene or trajectory.
-  std::string output;          ///< Empty: named after the input.
+  std::string output;          ///< Empty: derived from the input.
   std::optional<double> time;  ///< [s].
-  std::optional<int> frames;   ///< Pictures of a sequence or a film.
+  std::optional<int> frames;   ///< Number of pictures of a sequence or a film.
   bool is_sheet = false;
   std::string size;                     ///< "1280x720" [px], or empty.
   std::string eye, target;              ///< "x,y,z" [m], or empty.
@@ -83,13 +83,13 @@ struct PlotOptions {
 
 struct ImpactOptions {
   std::string scene, body_A, body_B;   ///< Empty: K and u are given.
-  std::string K, u;                    ///< Numbers with commas, or empty.
+  std::string K, u;                    ///< Numbers separated by commas, or empty.
   std::string mu, e;                   ///< Texts of numbers; empty: those of the scene.
-  std::string laws = "all";            ///< Names with commas.
+  std::string laws = "all";            ///< Names separated by commas.
   std::string stiffness_ratio;         ///< k_t/k_n; for the law `compliant` only.
   std::string tangential_restitution;  ///< For the law `chatterjee-ruina` only.
-  std::optional<int> contact;          ///< Which contact point, from 1.
-  std::optional<double> tolerance;     ///< Of touching [m].
+  std::optional<int> contact;          ///< Number of the contact point, from 1.
+  std::optional<double> tolerance;     ///< Largest gap of touching bodies [m].
   std::vector<std::string> overrides;  ///< "key=value"; scenes only.
   std::string path, json, output;      ///< Table .csv; JSON; figure .svg or .png.
 };
@@ -100,7 +100,7 @@ struct ConvertOptions {
   bool is_mesh_output = false;
   bool is_exact = false;
   int max_pieces = 64;
-  std::optional<double> tolerance;  ///< Largest distance of a piece's points from the solid [m].
+  std::optional<double> tolerance;  ///< Largest distance of points of a piece from the solid [m].
   std::string json;
 };
 

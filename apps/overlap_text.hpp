@@ -7,8 +7,8 @@
 
 namespace rigor {
 
-/// The bodies that overlap at t = 0, a line each (the first ten, then a count), and what to do about it;
-/// none: no lines.
+/// The bodies that overlap at t = 0, one per line (the first ten, then a count), and what to do about it; no
+/// lines without overlaps.
 std::vector<std::string> overlap_messages(const std::string& scene, const Model& model,
                                           const std::vector<Overlap>& overlaps, double tolerance);
 

@@ -34,7 +34,7 @@ std::string progress_text(const Progress& progress, int width) {
       fmt::format("{:.3g}x real time, ETA {}, {} impacts, {} at rest, energy drift {:.1g} J", speed,
                   duration_text(speed > 0 ? (span - done) / speed : -1), progress.impacts, progress.resting,
                   progress.energy_drift);
-  // The bar takes the room that the numbers leave.
+  // The bar takes the space that the numbers leave.
   const int room = width - static_cast<int>(times.size() + rest.size()) - 3;
   const int bar = room < narrowest_bar ? 0 : std::min(room, widest_bar);
   const int filled = static_cast<int>(share * bar);

@@ -5,33 +5,33 @@
 
 namespace rigor {
 
-/// What a progress line tells.
+/// The contents of a progress line.
 struct Progress {
   double time;             ///< Simulated so far [s].
-  double start, end;       ///< Of the run [s].
+  double start, end;       ///< Start and end of the run [s].
   double elapsed;          ///< Real time [s].
   long impacts, resting;   ///< Events so far.
   double energy_drift;     ///< Largest unexplained rise of energy [J].
-  std::string label = {};  ///< Comes first, if there is any.
+  std::string label = {};  ///< Comes first, if not empty.
 };
 
 /// One line of plain text, at most `width` characters: simulated and total time, a bar, the real-time factor,
-/// the time that is left, contacts and energy drift.
+/// the remaining time, contacts and energy drift.
 std::string progress_text(const Progress& progress, int width);
 
-/// How far the cutting of a solid into convex pieces is.
+/// Progress of the decomposition of a solid into convex pieces.
 struct CuttingProgress {
-  std::string label;  ///< What is cut.
+  std::string label;  ///< Name of the solid.
   int pieces;         ///< So far.
   int most_pieces;
-  double excess;  ///< Of the piece that stands out most [m]; infinite while it is not known.
+  double excess;  ///< Excess of the worst piece [m]; infinite while not known.
 };
 
 /// One line of plain text, at most `width` characters.
 std::string progress_text(const CuttingProgress& progress, int width);
 
-/// A line on stderr that tells how far the work is, at most ten times a second; nothing unless stderr is a
-/// terminal. Goes with this object.
+/// A line on stderr that shows the progress, updated at most ten times per second; nothing unless stderr is a
+/// terminal. The line disappears with this object.
 class ProgressLine {
  public:
   explicit ProgressLine(bool is_wanted);

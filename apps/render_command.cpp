@@ -23,7 +23,7 @@ namespace rigor {
 
 namespace {
 
-/// The numbers of a text, separated by a character, all of it; nothing if that is not what it is.
+/// The numbers of a text, separated by a character; nothing if any part of it is not a number.
 template <typename Number, std::size_t count>
 std::optional<std::array<Number, count>> parse_numbers(const std::string& text, char separator) {
   std::array<Number, count> numbers{};
@@ -92,7 +92,7 @@ void check_options(const RenderOptions& options) {
   if (!options.mp4.empty()) check_suffix(options.mp4, ".mp4");
 }
 
-/// A recording, and why its simulation did not reach its end, if it did not.
+/// A recording, and the reason why its simulation did not reach its end, if so.
 struct Shot {
   Recording recording;
   std::string stop;
@@ -126,7 +126,7 @@ Shot simulate(const RenderOptions& options) {
   return {keeper.recording(), stop_text(result.audit, result.state.t)};
 }
 
-/// `count` output times from the first to the last, evenly.
+/// `count` output times from the first to the last, evenly spaced.
 std::vector<std::size_t> even_frames(const Recording& recording, int count) {
   const double begin = recording.motion.time.front(), end = recording.motion.time.back();
   std::vector<std::size_t> frames;
@@ -137,7 +137,7 @@ std::vector<std::size_t> even_frames(const Recording& recording, int count) {
   return frames;
 }
 
-/// In real time, but for runs too short to see or too long to watch.
+/// Films run in real time, except for runs too short to see or too long to watch.
 int film_frames(const Recording& recording) {
   constexpr double shortest = 4, longest = 30;  // [s]
   const double span = recording.motion.time.back() - recording.motion.time.front();
@@ -176,7 +176,7 @@ void write_film(const RenderOptions& options, const PictureSize& size, const std
   MovieFile film(options.mp4, size.width, size.height);
   for (const std::size_t frame : frames) film.add(photographer.picture(frame));
   film.close();
-  fmt::print(stderr, "wrote {}: {} pictures, {} a second\n", options.mp4, frames.size(),
+  fmt::print(stderr, "wrote {}: {} pictures, {} per second\n", options.mp4, frames.size(),
              MovieFile::frames_per_second);
 }
 

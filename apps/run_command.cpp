@@ -19,7 +19,7 @@ namespace {
 /// Where a run begins.
 struct Start {
   State state;
-  std::optional<Audit> earlier;  ///< Books of the run that is resumed.
+  std::optional<Audit> earlier;  ///< Audit of the resumed run.
   std::vector<std::string> warnings;
 };
 
@@ -46,14 +46,14 @@ void print_audit(const RunOptions& options, const Audit& audit) {
   if (!options.is_quiet) fmt::print(stream, "{}", audit_text(audit, stream));
 }
 
-/// Plots in the terminal, for a user who sits before one.
+/// Plots in the terminal, for an interactive user.
 void print_sparkline(const RunOptions& options, const RunSparkline& course) {
   if (options.is_quiet || !is_terminal(stderr)) return;
   std::fflush(stdout);
   fmt::print(stderr, "{}", course.text(terminal_width(stderr), !speaks_utf8()));
 }
 
-/// Says why a run is not what it should be, and tells the caller.
+/// Reports why a run failed, and returns the exit code.
 ExitCode report_end(const RunResult& result, const RunRecorder& recorder, const Audit& audit) {
   if (!recorder.file_error().empty()) {
     print_error(recorder.file_error());

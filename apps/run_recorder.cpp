@@ -91,7 +91,7 @@ void RunRecorder::record(const State& state, const AdvanceReport& since, const A
     for (const auto& writer : writers_) writer->write(sample, since.events);
   }
   for (PageWriter& page : pages_) page.write(state, since, auditor.energy());
-  // What stopped the run would only stop it again.
+  // The cause of the stop would only stop a resumed run again.
   if (!options_.checkpoint_every || since.reason != StopReason::reached_end) return;
   const long passed = static_cast<long>(std::floor(state.t / *options_.checkpoint_every));
   if (passed <= checkpoint_count_) return;

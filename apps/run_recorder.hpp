@@ -19,23 +19,23 @@
 
 namespace rigor {
 
-/// Watches a run: writes trajectories and checkpoints, shows the progress, and ends the run when the user
-/// asks for it or a file fails.
+/// Observes a run: it writes trajectories and checkpoints, shows the progress, and ends the run when the user
+/// requests it or a file fails.
 class RunRecorder {
  public:
-  /// Opens all outputs, so that what cannot be written is known before the run; throws FileError. earlier:
-  /// the books of the run that is resumed.
+  /// Opens all outputs, so that failures to write show before the run; throws FileError. earlier: the audit
+  /// of the resumed run.
   RunRecorder(const RunOptions& options, const Scene& scene, double start_time, std::optional<Audit> earlier);
 
-  /// The observer of the run: whether to go on.
+  /// The observer of the run: whether to continue.
   bool observe(const State& state, const AdvanceReport& since, const Auditor& auditor);
-  /// Completes and closes all files; returns the books of the whole run.
+  /// Completes and closes all files; returns the audit of the whole run.
   Audit finish(const RunResult& result, const std::vector<std::string>& warnings);
 
-  /// How energy and penetration went.
+  /// Energy and penetration over the run.
   const RunSparkline& course() const { return course_; }
   bool was_interrupted() const { return interrupt_.is_requested(); }
-  /// What went wrong with a file, or empty.
+  /// The error of a file, or empty.
   const std::string& file_error() const { return file_error_; }
 
  private:
@@ -54,7 +54,7 @@ class RunRecorder {
   Progress progress_;
   RunSparkline course_;
   std::vector<std::unique_ptr<TrajectoryWriter>> writers_;
-  bool has_trajectory_ = false;  ///< Whether a writer wants the joints; pictures do without.
+  bool has_trajectory_ = false;  ///< Whether a writer needs the joints; pictures do not.
   std::vector<PageWriter> pages_;
   std::unique_ptr<OutputFile> json_;
   long checkpoint_count_ = 0;  ///< Multiples of the interval that have passed.

@@ -13,7 +13,7 @@ namespace rigor {
 
 namespace {
 
-/// How far the bodies were pushed, as a warning; none if nothing moved.
+/// A warning with the distance that bodies were pushed; none if nothing moved.
 std::vector<std::string> separation_warning(const State& before, const State& after) {
   int moved = 0;
   double farthest = 0;

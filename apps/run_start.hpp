@@ -11,11 +11,11 @@ namespace rigor {
 /// Where the run of a scene begins.
 struct RunStart {
   State state;
-  std::vector<std::string> warnings;  ///< How far bodies were pushed apart.
+  std::vector<std::string> warnings;  ///< Distances by which bodies were pushed apart.
 };
 
-/// The state at t = 0. Bodies that overlap there are pushed apart if `separate`; InputError, which names the
-/// scene's file, if they are not or it fails.
+/// The state at t = 0. Bodies that overlap there are pushed apart if `separate`; if they are not, or that
+/// fails, throws an InputError that names the scene file.
 RunStart make_run_start(const std::string& scene_file, const Scene& scene, bool separate);
 
 }  // namespace rigor

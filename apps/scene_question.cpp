@@ -23,7 +23,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr double largest_number = 1e9;
 
-/// Numbers between commas or spaces, `count` of them.
+/// `count` numbers separated by commas or spaces.
 std::vector<double> parse_numbers(const char* option, const std::string& text, std::size_t count,
                                   const char* example) {
   const auto refuse = [&](const std::string& what) {
@@ -121,7 +121,7 @@ bool has_unbounded_shape(const Body& body) {
                      [](const BodyShape& s) { return is_unbounded(s.shape); });
 }
 
-/// Throws InputError for a body that the question cannot be asked of.
+/// Throws InputError for a body to which the question does not apply.
 void check_has_shapes(const Body& body) {
   if (body.shapes.empty()) throw InputError(fmt::format("body {} has no shapes", quoted_text(body.name)));
 }
@@ -131,7 +131,7 @@ Answer answer_closest(const DistanceOptions& options, const Scene& scene, const 
   const int body_A = find_body_or_throw(scene, options.body_A);
   const Body& A = model.body(body_A);
   check_has_shapes(A);
-  // Of every other body the nearest to any shape of A. Two shapes without an end have no distance.
+  // For every other body, the distance to the nearest shape of A. Two unbounded shapes have no distance.
   std::vector<NearBody> near;
   for (const BodyShape& a : A.shapes) {
     const auto others = [&](int body) {

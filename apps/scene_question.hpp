@@ -9,7 +9,7 @@
 
 namespace rigor {
 
-/// What `rigor distance` prints and writes.
+/// The output of `rigor distance`: text and JSON.
 struct Answer {
   std::string text;
   nlohmann::ordered_json json;
@@ -19,7 +19,7 @@ struct Answer {
 /// UsageError for options that do not go together.
 bool is_scene_question(const DistanceOptions& options);
 
-/// The answer to that, from the scene at t = 0. Throws UsageError and InputError.
+/// The answer to that question, from the scene at t = 0. Throws UsageError and InputError.
 Answer answer_scene_question(const DistanceOptions& options, const Scene& scene);
 
 /// Index of the named body; UsageError with the nearest name if there is none.

@@ -29,7 +29,7 @@ bool is_mesh_file(const std::filesystem::path& path) {
   return suffix == ".obj" || suffix == ".stl" || suffix == ".ply";
 }
 
-/// As many cells as the points allow with two in each.
+/// As many cells as the points allow with two points in each.
 SamplingOptions sampling(const MassOptions& options) {
   SamplingOptions sampling;
   sampling.points_per_cell = 2;
@@ -56,7 +56,7 @@ SolidReport mesh_report(const MassOptions& options) {
   return report;
 }
 
-/// A body's shapes as parts of one solid in the user's frame U.
+/// The shapes of a body as parts of one solid in the user frame U.
 struct Part {
   const Shape* shape;
   Pose X_US;
@@ -73,7 +73,7 @@ std::vector<Part> parts_of(const Body& body, const Model& model, const MassOptio
   return parts;
 }
 
-/// Points that lie in any of the parts, which have the same density.
+/// Estimate from sample points inside any of the parts, which all have the same density.
 SampledMassProperties sampled(const std::vector<Part>& parts, const MassOptions& options) {
   std::vector<std::pair<std::function<bool(const Vec3&)>, Pose>> tests;
   Aabb box = axis_aligned_box(*parts[0].shape, parts[0].X_US);

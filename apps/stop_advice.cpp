@@ -40,7 +40,7 @@ std::string_view stop_advice(StopReason reason) {
       return "look for stiff springs, huge forces or velocities at these bodies; a smaller run.step or "
              "method.integrator=dopri5 helps with stiff ones";
     case StopReason::interrupted:
-      return "run it again, or go on from the checkpoint with --resume";
+      return "run it again, or continue from the checkpoint with --resume";
   }
   return "";
 }

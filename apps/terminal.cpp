@@ -45,7 +45,7 @@ std::string toned(std::string_view text, Tone tone, std::FILE* stream) {
 }
 
 void print_error(std::string_view message) {
-  // Results that were printed before come before.
+  // Results that were printed earlier must appear earlier.
   std::fflush(stdout);
   fmt::print(stderr, "{} {}\n", toned("error:", Tone::bad, stderr), message);
 }

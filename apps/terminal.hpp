@@ -6,16 +6,16 @@
 
 namespace rigor {
 
-/// Whether the stream is a terminal that moves its cursor as told.
+/// Whether the stream is a terminal that can move its cursor.
 bool is_terminal(std::FILE* stream);
-/// Columns of the terminal, 80 if it does not say.
+/// Number of columns of the terminal; 80 if unknown.
 int terminal_width(std::FILE* stream);
 
 /// Whether the locale of the environment (LC_ALL, LC_CTYPE or LANG) writes UTF-8.
 bool speaks_utf8();
 
 enum class Tone { plain, strong, good, bad, doubtful };
-/// The text in a colour if the stream is a terminal and NO_COLOR is not set, else as it is.
+/// The text in colour if the stream is a terminal and NO_COLOR is not set, else as it is.
 ///
 /// Source: https://no-color.org.
 std::string toned(std::string_view text, Tone tone, std::FILE* stream);

@@ -28,7 +28,7 @@ std::size_t width_of(const std::vector<const TableColumn*>& columns) {
 
 using Block = std::vector<const TableColumn*>;
 
-/// Room that a column and those that are to stand beside it take, with the gaps before them.
+/// Width of a column together with those that belong beside it, with the gaps before them.
 std::size_t group_width(const std::vector<TableColumn>& columns, std::size_t first) {
   std::size_t width = gap + width_of(columns[first]);
   for (std::size_t i = first; i + 1 < columns.size() && columns[i].is_with_next; ++i)
@@ -36,7 +36,7 @@ std::size_t group_width(const std::vector<TableColumn>& columns, std::size_t fir
   return width;
 }
 
-/// Which columns stand side by side.
+/// The groups of columns that stand side by side.
 std::vector<Block> blocks_of(const std::vector<TableColumn>& columns, std::size_t key_count,
                              std::size_t width) {
   Block keys;
@@ -44,7 +44,7 @@ std::vector<Block> blocks_of(const std::vector<TableColumn>& columns, std::size_
   if (width_of(keys) > width / 2) keys.resize(1);
   std::vector<Block> blocks = {keys};
   for (std::size_t i = keys.size(); i < columns.size(); ++i) {
-    // A group that is too wide for any line is parted where it must be.
+    // A group that is too wide for any line is split where necessary.
     const std::size_t group = group_width(columns, i), one = gap + width_of(columns[i]);
     const std::size_t wanted = width_of(keys) + group <= width ? group : one;
     const bool fits = width_of(blocks.back()) + wanted <= width;
@@ -54,7 +54,7 @@ std::vector<Block> blocks_of(const std::vector<TableColumn>& columns, std::size_
   return blocks;
 }
 
-/// Puts the cells of a line side by side; the tone is of the cell's text, not of the spaces around it.
+/// Joins the cells of a line; the tone applies to the text of a cell, not to the spaces around it.
 class Line {
  public:
   explicit Line(std::FILE* stream) : stream_(stream) {}
@@ -69,13 +69,13 @@ class Line {
     spaces_ += (column.is_right ? 0 : room) + gap;
   }
 
-  /// Without spaces at its end.
+  /// The line without trailing spaces.
   std::string text() const { return text_ + "\n"; }
 
  private:
   std::FILE* stream_;
   std::string text_;
-  std::size_t spaces_ = 0;  ///< Before the next text.
+  std::size_t spaces_ = 0;  ///< Spaces before the next text.
 };
 
 std::string block_text(const Block& block, std::FILE* stream) {

@@ -4,7 +4,7 @@
 
 namespace rigor {
 
-/// A command line that makes no sense; the message says what is wrong and what would be right.
+/// An invalid command line; the message says what is wrong and what would be right.
 class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

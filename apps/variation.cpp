@@ -25,10 +25,10 @@ std::string trimmed(std::string_view text) {
   throw UsageError(fmt::format("--vary {}: {}", quoted_text(text), what));
 }
 
-/// Reads values as YAML would, only so far that it knows which commas part them.
+/// Reads values as YAML would, but only far enough to know which commas separate them.
 class ValueScanner {
  public:
-  /// Takes the next character; whether it is a comma between values.
+  /// Reads the next character; whether it is a comma between values.
   bool parts_at(char c) {
     if (!quote_.empty()) {
       take_quoted(c);
@@ -39,7 +39,7 @@ class ValueScanner {
     return is_comma;
   }
 
-  /// What is still open at the end: a bracket or a quote; or nothing.
+  /// What is still open at the end: a bracket or a quote, or nothing.
   std::string open() const {
     return quote_.empty() && !open_.empty() ? open_.substr(open_.size() - 1) : quote_;
   }
@@ -52,7 +52,7 @@ class ValueScanner {
       is_escaped_ = true;
     } else if (c == quote_[0]) {
       quote_.clear();
-      // Two single quotes in a row open the text again, which is what they mean: a quote in it.
+      // Two single quotes in a row, which stand for a quote, reopen the text.
       can_open_quote_ = c == '\'';
     }
   }
@@ -61,13 +61,13 @@ class ValueScanner {
     if ((c == '"' || c == '\'') && can_open_quote_) quote_ = c;
     if (c == '[' || c == '{') open_ += c;
     if (!open_.empty() && c == (open_.back() == '[' ? ']' : '}')) open_.pop_back();
-    // An apostrophe inside a word is no quote.
+    // An apostrophe inside a word is not a quote.
     if (blanks.find(c) == std::string_view::npos)
       can_open_quote_ = std::string_view("[{,:").find(c) != std::string_view::npos;
   }
 
   std::string open_;   ///< Brackets and braces, the innermost last.
-  std::string quote_;  ///< The one that is open, or empty.
+  std::string quote_;  ///< The open quote, or empty.
   bool is_escaped_ = false;
   bool can_open_quote_ = true;
 };
@@ -129,7 +129,7 @@ std::vector<Combination> combinations(const std::vector<Variation>& variations, 
     }
     count *= variations[i].values.size();
     factors += fmt::format("{}{}", i == 0 ? "" : " x ", variations[i].values.size());
-    // Nothing is lost by counting no further: the numbers of values are all at least one.
+    // Counting can stop here, because all factors are at least one.
     if (count > most)
       throw UsageError(fmt::format("--vary asks for {} runs{}, must be at most {}", count,
                                    i > 0 ? fmt::format(" ({})", factors) : "", most));

@@ -6,15 +6,15 @@
 
 namespace rigor {
 
-/// A key of a scene and the values that it takes, one after the other.
+/// A key of a scene and the values that it takes in turn.
 struct Variation {
-  std::string key;                  ///< As of --set: "method.toi".
-  std::vector<std::string> values;  ///< As they were written, at least one, none twice.
+  std::string key;                  ///< As given with --set: "method.toi".
+  std::vector<std::string> values;  ///< As written; at least one, none twice.
 };
 
-/// The variation of "KEY=a,b,c", as of --vary. Values are parted at commas outside of brackets [], braces {}
-/// and quotes, and lose the spaces around them. Throws UsageError: no key, an empty value, a value twice (as
-/// text or as a number), a bracket or quote that is not closed.
+/// Parses the variation "KEY=a,b,c" of --vary. Values are separated by commas outside brackets [], braces {}
+/// and quotes, and are stripped of surrounding spaces. Throws UsageError: no key, an empty value, a repeated
+/// value (as text or as a number), or an unclosed bracket or quote.
 Variation parse_variation(const std::string& text);
 
 /// One value of each variation; the last variation changes fastest.

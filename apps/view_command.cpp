@@ -22,7 +22,7 @@ bool has_display() {
   return std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
 }
 
-/// Opens the address in the user's browser, or says why not.
+/// Opens the address in the browser of the user, or says why it could not.
 void open_browser(std::string url) {
   if (!has_display())
     return print_warning("there is no display to open a browser on; open the address yourself");

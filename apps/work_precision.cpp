@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 
 const std::string step_key = "run.step";
 
-/// The values of a run but its step.
+/// The values of a run except its step.
 std::vector<std::string> other_values(const Comparison& comparison, const ComparedRun& run) {
   std::vector<std::string> others;
   for (std::size_t k = 0; k < comparison.keys.size(); ++k) {
@@ -34,7 +34,7 @@ std::string label_of(const Comparison& comparison, const ComparedRun& run) {
   return label;
 }
 
-/// Error of a whole run that is not the reference's own.
+/// The error of a whole run, if it is well above that of the reference.
 std::optional<double> sound_error(const Comparison& comparison, const ComparedRun& run) {
   constexpr double margin = 10, rounding = 1e-9;
   const bool is_whole = run.end == RunEnd::passed || run.end == RunEnd::audit_failed;

@@ -6,12 +6,12 @@
 
 namespace rigor {
 
-/// Input that makes no sense: a file's or a user's fault. Each message says where (file, line, column, name),
-/// what was found with its unit, and what is allowed. Thrown only by builders, io/, view/ and apps/.
+/// Invalid input: the fault of a file or a user. Each message says where (file, line, column, name), what was
+/// found with its unit, and what is allowed. Thrown only by builders, io/, view/ and apps/.
 class InputError : public std::runtime_error {
  public:
   explicit InputError(std::string message);
-  /// All errors of one input in one go; messages must not be empty.
+  /// All errors of one input at once; messages must not be empty.
   explicit InputError(std::vector<std::string> messages);
 
   const std::vector<std::string>& messages() const { return messages_; }

@@ -47,7 +47,7 @@ std::string quoted_text(std::string_view text) {
   while (i < text.size()) {
     if (i >= longest_quoted) return result + "...'";
     const std::size_t length = at(utf8_length(text.substr(i)));
-    // C0 and C1 controls and DEL drive terminals.
+    // C0 and C1 control characters and DEL control terminals.
     const std::uint32_t first = byte_at(text, i);
     const bool is_control =
         first < 0x20 || first == 0x7F || (first == 0xC2 && length == 2 && byte_at(text, i + 1) < 0xA0);

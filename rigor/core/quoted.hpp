@@ -5,8 +5,8 @@
 
 namespace rigor {
 
-/// 'text' for a message: cut after 60 bytes (at a character's border), control characters and bytes that are
-/// not UTF-8 written as \xNN, so that no message can break a terminal, a log or a JSON file.
+/// 'text' for a message: truncated after 60 bytes (at a character boundary), with control characters and
+/// bytes that are not UTF-8 written as \xNN, so that no message can corrupt a terminal, a log or a JSON file.
 std::string quoted_text(std::string_view text);
 
 /// Length in bytes of the UTF-8 character at the start of the text (1 to 4), or 0 if there is none: not UTF-8

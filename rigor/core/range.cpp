@@ -12,7 +12,7 @@ std::string with_space(std::string_view unit) {
   return unit.empty() ? "" : fmt::format(" {}", unit);
 }
 
-/// A limit in few digits, but never another number.
+/// A limit with few digits, but never rounded to another number.
 std::string limit_text(double limit) {
   const std::string text = fmt::format("{:g}", limit);
   double read_back = 0;

@@ -23,7 +23,7 @@ std::string lower_case(std::string_view text) {
 }  // namespace
 
 int edit_distance(std::string_view a, std::string_view b) {
-  // Rows of the table d[i][j]: distance of the first i letters of a from the first j letters of b.
+  // Rows of the table d[i][j]: the distance between the first i letters of a and the first j letters of b.
   std::vector<int> before_last(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) last[j] = static_cast<int>(j);
   for (std::size_t i = 1; i <= a.size(); ++i) {

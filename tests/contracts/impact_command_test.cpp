@@ -163,7 +163,7 @@ TEST(ImpactCommand, TheTextSaysWhatHappensInWords) {
   for (const char* part :
        {"condition   3.5\n", "velocity    [2, 1, -3] m/s before", "mu, e       0.2, 0.8\n",
         "sticking    stable: it needs friction 0 of the normal force, mu is 0.2",
-        "slip goes straight in every direction", "Stronge\n", "[0, 0, 2.4] m/s after",
+        "slip keeps its direction, whatever it is", "Stronge\n", "[0, 0, 2.4] m/s after",
         "S|SK: slides, greatest compression, slides, sticks", "of the normal impulse: -4.5 J"}) {
     expect_contains(result.out, part);
   }

@@ -121,7 +121,7 @@ TEST(SceneErrors, OfRunAndMethod) {
            "s.yaml:3:18: method: unknown scheme 'time-steping'; did you mean 'time-stepping'?"},
           {"method: {scheme: [a]}", "s.yaml:3:18: method: scheme must be a text, found a list of 1"},
           {"method: {orientation: matrix}",
-           "s.yaml:3:9: method: orientation 'matrix' does not go with integrator 'exact', which turns "
+           "s.yaml:3:9: method: orientation 'matrix' does not go with integrator 'exact', which integrates "
            "quaternions; "
            "integrators that do: euler, semi-implicit-euler, midpoint, rk4, dopri5, dop853"},
           {"method: {contact_tolerance: 0}",

@@ -36,16 +36,15 @@ TEST(SchemeRefusals, ASchemeThatRefusesIsPassedOverAndTheReasonIsSaid) {
   const std::vector<SchemeRefusal> one = {{Scheme::hybrid, "no springs"}};
   const SchemeChoice second = choose_scheme(crowd(0.5), one);
   EXPECT_EQ(second.scheme, Scheme::time_stepping);
-  EXPECT_NE(second.reason.find("; hybrid would come before it and refuses the scene: no springs"),
+  EXPECT_NE(second.reason.find("; hybrid would be preferred but refuses the scene: no springs"),
             std::string::npos)
       << second.reason;
   const std::vector<SchemeRefusal> two = {{Scheme::hybrid, "no springs"},
                                           {Scheme::time_stepping, "no gears"}};
   const SchemeChoice third = choose_scheme(crowd(0.5), two);
   EXPECT_EQ(third.scheme, Scheme::event_driven);
-  EXPECT_NE(
-      third.reason.find("no springs; time-stepping would come before it and refuses the scene: no gears"),
-      std::string::npos)
+  EXPECT_NE(third.reason.find("no springs; time-stepping would be preferred but refuses the scene: no gears"),
+            std::string::npos)
       << third.reason;
   // What the rule does not want is not spoken of.
   EXPECT_EQ(choose_scheme(crowd(0), one).reason.find("refuses"), std::string::npos);

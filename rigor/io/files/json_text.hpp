@@ -6,9 +6,8 @@
 
 namespace rigor {
 
-/// JSON text of a value: two spaces an indent, lists of numbers on one line, numbers with 17 significant
-/// digits (whole ones of integer type as they are), infinite and NaN numbers as null, bytes that are not
-/// UTF-8 replaced.
+/// JSON text of a value: indented by two spaces, lists of numbers on one line, numbers with 17 significant
+/// digits (integers as they are), infinite and NaN numbers as null, bytes that are not UTF-8 replaced.
 std::string json_text(const nlohmann::ordered_json& value);
 /// The same on one line.
 std::string json_line(const nlohmann::ordered_json& value);

@@ -17,7 +17,7 @@ namespace rigor {
 
 namespace {
 
-/// A name beside the file, on the same file system, that no other process uses.
+/// A name in the same folder, hence on the same file system, that no other process uses.
 std::filesystem::path temporary_path(const std::filesystem::path& path) {
   std::filesystem::path temporary = path;
   temporary += fmt::format(".{}.tmp", ::getpid());
@@ -52,7 +52,7 @@ void OutputFile::flush() {
 
 void OutputFile::sync() {
   flush();
-  // EINVAL: not a kind of file that can be synchronised.
+  // EINVAL: this kind of file cannot be synchronised.
   if (::fsync(descriptor_) != 0 && errno != EINVAL) throw write_error(path_, errno);
 }
 

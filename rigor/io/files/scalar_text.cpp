@@ -53,7 +53,7 @@ NumberText parse_number(std::string_view text) {
   const NumberText none{std::nullopt, number_hint(text)};
   std::string_view digits = text;
   if (digits.starts_with('+')) digits.remove_prefix(1);
-  // from_chars alone would accept words and "-+1".
+  // from_chars alone would accept words such as "inf" and the text "-+1".
   if (digits.empty() || !has_only(digits, "+-.0123456789eE") || digits[0] == '+') return none;
   if (text.starts_with('+') && digits[0] == '-') return none;
 

@@ -4,7 +4,7 @@
 
 namespace rigor {
 
-/// Version of this program; the build file says the same.
+/// Version of this program, equal to that in the build file.
 inline constexpr std::string_view version = "0.2.0";
 
 }  // namespace rigor

@@ -84,7 +84,7 @@ class TreeBuilder : public YAML::EventHandler {
     bool has_key = false;
   };
 
-  /// Line and column from 1, or zeros.
+  /// Line and column, counted from 1, or zeros.
   std::pair<int, int> place(const YAML::Mark& mark) const {
     return has_lines_ && mark.line >= 0 ? std::pair{mark.line + 1, mark.column + 1} : std::pair{0, 0};
   }
@@ -136,7 +136,7 @@ class TreeBuilder : public YAML::EventHandler {
     attach(node);
   }
 
-  /// Puts a finished node where it belongs.
+  /// Attaches a finished node to the node that contains it.
   void attach(const Node& node) {
     if (open_.empty()) {
       root_ = node;
@@ -178,7 +178,8 @@ std::uint32_t escaped_unit(const std::string& text, std::size_t at) {
 }
 
 /// JSON writes characters beyond U+FFFF as two escapes \uD83D\uDE00, which YAML does not know: they become
-/// \U0001F600. Only done in text that starts like JSON; the line keeps its length up to two characters.
+/// \U0001F600. This is done only in text that starts like JSON; the length of the line changes by at most two
+/// characters.
 std::string with_long_escapes(std::string text) {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   if (first == std::string::npos || (text[first] != '{' && text[first] != '[')) return text;

@@ -8,49 +8,49 @@
 
 namespace rigor {
 
-/// A value of a YAML document with its place. Immutable once read; parts may be shared (aliases).
+/// A value of a YAML document with its position. It is immutable once read; parts may be shared (aliases).
 struct YamlNode {
   enum class Kind { null, scalar, list, map };
   using Pointer = std::shared_ptr<const YamlNode>;
   struct Entry {
     std::string key;           ///< Empty in a list.
-    int line = 0, column = 0;  ///< Of the key.
+    int line = 0, column = 0;  ///< Position of the key.
     Pointer value;
   };
 
   Kind kind = Kind::null;
-  bool is_quoted = false;      ///< Scalars: written in quotes, so it is text even if it looks like a number.
+  bool is_quoted = false;      ///< A scalar in quotes, which is text even if it looks like a number.
   int source = 0;              ///< Index into YamlSources.
   int line = 0, column = 0;    ///< From 1; 0 if the source has no lines.
   int height = 0;              ///< Levels below this one.
-  std::size_t size = 1;        ///< Values in it, itself included, aliases written out.
-  std::string text;            ///< Scalars.
-  std::vector<Entry> entries;  ///< Of a list or map, in their order; a map may still hold a key twice.
+  std::size_t size = 1;        ///< Number of values in it, including itself, with aliases expanded.
+  std::string text;            ///< Text of a scalar.
+  std::vector<Entry> entries;  ///< Of a list or map, in order; a map may still contain a key twice.
 
-  /// First entry of the key in a map, or nothing.
+  /// The first entry with this key in a map, or nothing.
   const Entry* find(std::string_view key) const;
 };
 
-/// Names of what was read: the file, then each override.
+/// Names of the sources: the file, then each override.
 struct YamlSources {
   std::vector<std::string> names;
 
-  /// "scene.yaml:12:5: ", or "--set a.b=1: " where there are no lines.
+  /// "scene.yaml:12:5: ", or "--set a.b=1: " for sources without lines.
   std::string where(int source, int line, int column) const;
   std::string where(const YamlNode& node) const { return where(node.source, node.line, node.column); }
 };
 
-/// What a document may hold. The limits are far above any scene and far below what hurts.
+/// Limits on a document, far above any scene and far below what would exhaust memory or time.
 struct YamlLimits {
   std::size_t max_bytes = std::size_t{32} << 20;
-  std::size_t max_nodes = 500000;  ///< Aliases written out.
+  std::size_t max_nodes = 500000;  ///< With aliases expanded.
   int max_depth = 32;
 };
 
-/// The one document of the text; has_lines: whether places in it mean something to the user. JSON is read as
-/// well, surrogate pairs in its strings included. Refused: other encodings than UTF-8, syntax errors, several
-/// documents, tags, keys that are not plain text, aliases that lead into themselves, too much of anything.
-/// Throws InputError.
+/// Reads the single document of the text. has_lines: positions in it are meaningful to the user. JSON is read
+/// as well, including surrogate pairs in its strings. Refused are encodings other than UTF-8, syntax errors,
+/// several documents, tags, keys that are not plain text, aliases that refer to themselves, and documents
+/// beyond the limits. Throws InputError.
 YamlNode::Pointer parse_yaml(const std::string& text, int source, const YamlSources& sources,
                              bool has_lines = true, const YamlLimits& limits = {});
 

@@ -18,12 +18,12 @@ namespace rigor {
 
 namespace {
 
-/// As many heights as allowed with 24 bytes each, as long as doubles are written out.
+/// The largest file: as many heights as allowed, with 24 bytes each, the length of a double with all digits.
 constexpr std::uintmax_t max_bytes = 32 * std::uintmax_t{limits::height_count};
 
 constexpr std::string_view blanks = " \t\r";
 
-/// Reads the text line by line, keeping the place.
+/// Reads the text line by line and keeps track of the position.
 class HeightParser {
  public:
   HeightParser(std::string_view text, const std::string& name) : text_(text), name_(name) {}
@@ -60,7 +60,7 @@ class HeightParser {
     rows_.push_back(std::move(row));
   }
 
-  /// column: of the cell's first byte, counting from 1.
+  /// column: that of the first byte of the cell, counted from 1.
   double height(std::string_view cell, std::size_t column) const {
     const std::size_t start = cell.find_first_not_of(blanks);
     if (start == std::string_view::npos) fail(column, "nothing between commas, must be a number (m)");

@@ -22,7 +22,7 @@ char lowered(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-/// Without the plus sign that std::from_chars does not take.
+/// Removes the plus sign, which std::from_chars does not accept.
 std::string_view without_plus(std::string_view word) {
   const bool has_plus = word.size() > 1 && word[0] == '+' && word[1] != '-' && word[1] != '+';
   return has_plus ? word.substr(1) : word;
@@ -32,7 +32,7 @@ std::string_view without_plus(std::string_view word) {
 
 MeshText::MeshText(std::string_view text, std::string name, char comment)
     : text_(text), name_(std::move(name)), comment_(comment) {
-  if (text_.starts_with("\xEF\xBB\xBF")) position_ = 3;  // byte-order mark of UTF-8
+  if (text_.starts_with("\xEF\xBB\xBF")) position_ = 3;  // byte order mark of UTF-8
 }
 
 bool MeshText::next_line() {

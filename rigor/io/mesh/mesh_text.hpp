@@ -7,10 +7,10 @@
 
 namespace rigor {
 
-/// The text of a mesh file as lines of words. Every complaint names the file and the line.
+/// The text of a mesh file as lines of words. Every error message names the file and the line.
 class MeshText {
  public:
-  /// A line is cut off at the comment sign, unless that is 0.
+  /// A line ends at the comment sign, unless that is 0.
   MeshText(std::string_view text, std::string name, char comment);
 
   /// Moves to the next line that has words; false at the end.
@@ -18,16 +18,16 @@ class MeshText {
   /// Adds the words of the next line to this one; false at the end.
   bool append_line();
   std::vector<std::string_view>& words() { return words_; }
-  /// Bytes that have not been read.
+  /// Number of bytes that have not been read.
   std::size_t bytes_left() const { return text_.size() - position_; }
   std::size_t line() const { return line_; }
 
   /// The word as a finite number: digits with a point and an exponent, nothing else.
   double number(std::string_view word) const;
-  /// The word as a whole number, within ± 2⁶³.
+  /// The word as an integer, within ± 2⁶³.
   std::int64_t whole_number(std::string_view word) const;
 
-  /// Throws InputError with the file and the current line in front.
+  /// Throws InputError; the message begins with the file and the current line.
   [[noreturn]] void fail(const std::string& what) const;
   [[noreturn]] void fail_at(std::size_t line, const std::string& what) const;
 
@@ -42,7 +42,7 @@ class MeshText {
   std::vector<std::string_view> words_;
 };
 
-/// Whether the words are equal but for the case of ASCII letters; keyword is in lower case.
+/// Whether the words are equal except for the case of ASCII letters; keyword is in lower case.
 bool is_keyword(std::string_view word, std::string_view keyword);
 
 }  // namespace rigor

@@ -20,10 +20,10 @@ constexpr std::array<std::string_view, 24> kIgnored = {
     "mtllib",    "usemap", "maplib", "lod",  "bevel", "c_interp", "d_interp", "shadow_obj",
     "trace_obj", "p",      "l",      "call", "csh",   "scmp",     "sp",       "maptex"};
 
-/// A face whose vertices may still be missing from the file, and the line it stands on.
+/// A face whose vertices may still follow in the file, and its line.
 struct FaceLine {
   std::size_t line;
-  std::int64_t highest;  ///< Highest vertex index, from 0.
+  std::int64_t highest;  ///< Highest vertex index, counted from 0.
 };
 
 /// Reads the statements of one file into a mesh.
@@ -70,7 +70,7 @@ class ObjReader {
   }
 
   void read_vertex() {
-    // x y z, x y z w, or x y z r g b.
+    // A vertex is x y z, x y z w, or x y z r g b.
     const std::vector<std::string_view>& words = text_.words();
     if (words.size() != 4 && words.size() != 5 && words.size() != 7) {
       text_.fail(fmt::format("a vertex with {} numbers; allowed are x y z, x y z w and x y z red green blue",
@@ -95,12 +95,12 @@ class ObjReader {
       face.highest = std::max(face.highest, vertex);
       loop.push_back(static_cast<int>(vertex));
     }
-    // Only faces that run ahead of their vertices are looked at again.
+    // Only faces that precede their vertices are checked again.
     if (face.highest >= vertex_count()) faces_.push_back(face);
     mesh_.faces.push_back(std::move(loop));
   }
 
-  /// Vertex index, from 0, of v, v/vt, v//vn or v/vt/vn.
+  /// Vertex index, counted from 0, of a corner v, v/vt, v//vn or v/vt/vn.
   std::int64_t read_corner(std::string_view corner) const {
     std::array<std::string_view, 3> parts;
     std::size_t count = 0;

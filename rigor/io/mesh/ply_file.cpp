@@ -18,7 +18,7 @@ namespace rigor {
 
 namespace {
 
-/// The values after the header, one after the other. Each fits exactly in a double.
+/// The values after the header, in their order. Each fits exactly in a double.
 class PlyValues {
  public:
   virtual ~PlyValues() = default;
@@ -26,15 +26,15 @@ class PlyValues {
   virtual double next(PlyType type) = 0;
   virtual void end_row() = 0;
   virtual std::size_t bytes_left() const = 0;
-  /// Bytes that a value of the type takes at least.
+  /// Smallest number of bytes that a value of the type takes.
   virtual std::size_t smallest(PlyType type) const = 0;
-  /// Values of the type that the row can still have.
+  /// Largest number of values of the type that the row can still have.
   virtual std::size_t values_left(PlyType type) const = 0;
   virtual bool is_at_end() = 0;
   [[noreturn]] virtual void fail(const std::string& what) const = 0;
 };
 
-/// One row a line.
+/// Values in text, with one row per line.
 class AsciiValues : public PlyValues {
  public:
   explicit AsciiValues(MeshText& text) : text_(text) {}
@@ -114,14 +114,15 @@ class PlyReader {
       if (element.name == "vertex") mesh_.vertices.reserve(element.count);
       for (std::size_t row = 0; row < element.count; ++row) read_row(element, row);
     }
-    if (!values_.is_at_end()) values_.fail("the file goes on after the last element");
+    // Nothing may follow, and the faces must refer to vertices of the file.
+    if (!values_.is_at_end()) values_.fail("the file continues after the last element");
     if (mesh_.faces.empty()) values_.fail("the file has no faces");
     check_indices();
     return std::move(mesh_);
   }
 
  private:
-  /// The file must be long enough for the rows before memory is set aside for them.
+  /// Checks that the file is long enough for the rows before memory is reserved for them.
   void check_size(const PlyElement& element) const {
     std::size_t row = 0;
     for (const PlyProperty& p : element.properties)
@@ -154,6 +155,7 @@ class PlyReader {
   }
 
   void read_list(const PlyProperty& property, bool is_face, std::size_t row) {
+    // The length of the list must fit into the file, and a face needs three vertices.
     const double length = values_.next(property.count_type);
     if (length < 0 || length > static_cast<double>(values_.values_left(property.type))) {
       values_.fail(fmt::format("a list of {:.0f} values in row {}; only {} are left", length, row,
@@ -161,6 +163,7 @@ class PlyReader {
     }
     if (is_face && length < 3)
       values_.fail(fmt::format("face {} has {} vertices; at least 3 are needed", row, length));
+    // Values of lists other than faces are read and dropped.
     std::vector<int> loop;
     for (std::size_t i = 0; i < static_cast<std::size_t>(length); ++i) {
       const double value = values_.next(property.type);

@@ -14,14 +14,14 @@ enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64
 
 bool is_real(PlyType type);
 std::size_t size_of(PlyType type);
-/// Smallest and largest value of a whole-number type.
+/// Smallest and largest value of an integer type.
 std::pair<double, double> range_of(PlyType type);
 
 struct PlyProperty {
   std::string name;
   PlyType type;
   bool is_list = false;
-  PlyType count_type = PlyType::uint8;  ///< Of a list's length.
+  PlyType count_type = PlyType::uint8;  ///< Type of the length of a list.
 
   bool is_vertex_list() const { return is_list && (name == "vertex_indices" || name == "vertex_index"); }
   /// 0, 1, 2 for the coordinates x, y, z; otherwise -1.
@@ -31,7 +31,7 @@ struct PlyProperty {
 /// A table of the file.
 struct PlyElement {
   std::string name;
-  std::size_t count;  ///< Rows.
+  std::size_t count;  ///< Number of rows.
   std::vector<PlyProperty> properties;
 };
 
@@ -40,8 +40,8 @@ struct PlyHeader {
   std::vector<PlyElement> elements;
 };
 
-/// The header, up to and with its last line: checked to describe vertices with x, y, z and faces with a list
-/// of vertex indices. Throws InputError.
+/// The header, up to and including its last line, checked to describe vertices with x, y, z and faces with a
+/// list of vertex indices. Throws InputError.
 PlyHeader parse_ply_header(MeshText& text);
 
 }  // namespace rigor

@@ -17,11 +17,13 @@ namespace rigor {
 
 namespace {
 
-constexpr std::size_t kHeaderBytes = 84;    // 80 of text, 4 of the count
+constexpr std::size_t kHeaderBytes = 84;    // 80 bytes of text and 4 of the count
 constexpr std::size_t kTriangleBytes = 50;  // 12 floats and 2 bytes of attributes
 
-/// Corners, three for each triangle, as a mesh in which equal points are one vertex, numbered as they come.
+/// Welds the corners, three for each triangle, to a mesh in which equal points are one vertex; vertices are
+/// numbered in order of appearance.
 PolygonMesh welded(const std::vector<Vec3>& corners) {
+  // Sort the corners by coordinates, and equal ones by index.
   std::vector<int> order(corners.size());
   std::iota(order.begin(), order.end(), 0);
   const auto point = [&corners](int i) -> const Vec3& { return corners[at(i)]; };
@@ -33,13 +35,14 @@ PolygonMesh welded(const std::vector<Vec3>& corners) {
     return i < j;
   });
 
-  // The first corner of each group of equal ones stands for all.
+  // The first corner of each group of equal ones represents the group.
   std::vector<int> first(corners.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
     const bool is_equal = i > 0 && point(order[i]) == point(order[i - 1]);
     first[at(order[i])] = is_equal ? first[at(order[i - 1])] : order[i];
   }
 
+  // Number the representatives in order of appearance and collect the triangles.
   PolygonMesh mesh;
   std::vector<int> number(corners.size(), -1);
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -76,7 +79,7 @@ PolygonMesh parse_binary(std::string_view bytes, const std::string& name) {
   return welded(corners);
 }
 
-/// Reads the words of an ASCII file one after the other, across lines.
+/// Reads the words of an ASCII file in their order, across lines.
 class AsciiStl {
  public:
   AsciiStl(std::string_view text, const std::string& name) : text_(text, name, 0) {}
@@ -107,7 +110,7 @@ class AsciiStl {
       text_.fail(quoted_text(found) + " stands where '" + std::string(keyword) + "' must be");
   }
 
-  /// The end of a solid may stand where a facet begins.
+  /// The end of a solid may come where a facet could begin.
   bool skip_if(std::string_view keyword) {
     if (!has_word()) text_.fail("the file is cut off: 'endsolid' is missing");
     if (!is_keyword(text_.words()[next_], keyword)) return false;
@@ -115,7 +118,7 @@ class AsciiStl {
     return true;
   }
 
-  /// The name of a solid may hold any words up to the end of its line.
+  /// The name of a solid may consist of any words up to the end of its line.
   void skip_line() { next_ = text_.words().size(); }
 
   void read_facet(std::vector<Vec3>& corners) {
@@ -154,7 +157,7 @@ PolygonMesh parse_stl(std::string_view bytes, const std::string& name) {
     count = header.read(4);
     if (bytes.size() == kHeaderBytes + kTriangleBytes * count) return parse_binary(bytes, name);
   }
-  // Not a binary file of the right size: text, if it says so and holds no byte that text cannot.
+  // The size is not that of a binary file, so it is text if it begins as such and has no NUL byte.
   if (starts_with_solid(bytes) && bytes.find('\0') == std::string_view::npos)
     return AsciiStl(bytes, name).read();
   if (!has_header) {

@@ -7,9 +7,9 @@
 
 namespace rigor {
 
-/// Mesh from the bytes of an STL file, binary or ASCII (told apart by the size, not by the word "solid").
-/// Vertices with equal coordinates become one; normals are ignored, the order of the vertices counts. Throws
-/// InputError.
+/// Mesh from the bytes of an STL file, binary or ASCII (distinguished by the size and not by the word
+/// "solid"). Vertices with equal coordinates are merged; normals are ignored, since the order of the vertices
+/// gives the orientation. Throws InputError.
 PolygonMesh parse_stl(std::string_view bytes, const std::string& name);
 
 }  // namespace rigor

@@ -15,8 +15,8 @@ std::vector<Key> pose_keys(const std::string& of_what) {
        "rad",
        "-",
        {-1e6, 1e6},
-       "instead: turns about the fixed axes x, then y, then z"},
-      {"axis_angle", ValueType::object, "", "-", {}, "instead: one turn", {}, "axis_angle"},
+       "alternatively: rotations about the fixed axes x, then y, then z"},
+      {"axis_angle", ValueType::object, "", "-", {}, "alternatively: one rotation", {}, "axis_angle"},
   };
 }
 
@@ -28,7 +28,7 @@ std::vector<Key> body_keys() {
        "",
        "dynamic",
        {},
-       "what moves it: forces, nothing, or its velocities or path",
+       "moved by forces, by nothing, or by its velocities or path",
        {"dynamic", "static", "kinematic"}},
   };
   for (const Key& key : pose_keys("the body's frame")) keys.push_back(key);
@@ -39,7 +39,7 @@ std::vector<Key> body_keys() {
       {"mass", ValueType::number, "kg", "-", limits::mass, "the shapes' inertia is scaled to it"},
       {"density", ValueType::number, "kg/m³", "the materials'", limits::density, "of all shapes"},
       {"inertia", ValueType::object, "", "the shapes'", {}, "instead of the shapes' inertia", {}, "inertia"},
-      {"shapes", ValueType::objects, "", "[]", {}, "what it collides with and is seen as", {}, "shape"},
+      {"shapes", ValueType::objects, "", "[]", {}, "shapes for collisions and pictures", {}, "shape"},
       {"group",
        ValueType::whole,
        "",
@@ -60,7 +60,7 @@ std::vector<Key> body_keys() {
        "",
        "-",
        {},
-       "kinematic bodies: poses in the order of time",
+       "kinematic bodies: poses in chronological order",
        {},
        "path_point"},
       {"repeat",
@@ -121,7 +121,7 @@ std::vector<KeyTable> body_key_tables() {
        "",
        {
            {"axis", ValueType::vector, "", "required", {-1e9, 1e9}, "any length but zero"},
-           {"angle", ValueType::angle, "rad", "required", {-1e6, 1e6}, "turn about it"},
+           {"angle", ValueType::angle, "rad", "required", {-1e6, 1e6}, "rotation about it"},
        }},
       {"inertia",
        "inertia",
@@ -155,13 +155,13 @@ std::vector<KeyTable> shape_key_tables() {
   const Key file{
       "file", ValueType::text, "", "-", {}, "OBJ, STL or PLY file, in the scene's folder or below"};
   const Key scale{"scale", ValueType::scale, "",
-                  "1",     {1e-9, 1e9},      "factor of the file's numbers, or one for each axis"};
+                  "1",     {1e-9, 1e9},      "factor for the file's coordinates, or one for each axis"};
   Key mesh_file = file;
   mesh_file.fallback = "required";
   return {
       shape_table("sphere", "a sphere", {radius}),
       shape_table("box", "a box",
-                  {{"size", ValueType::vector, "m", "required", limits::size, "full edges along x, y, z"}}),
+                  {{"size", ValueType::vector, "m", "required", limits::size, "edge lengths along x, y, z"}}),
       shape_table("capsule", "a capsule",
                   {radius,
                    {"length", ValueType::number, "m", "required", limits::length,
@@ -172,7 +172,7 @@ std::vector<KeyTable> shape_key_tables() {
           {{"radius", ValueType::number, "m", "required", limits::size, "of the base, at z = -length/2"},
            length}),
       shape_table("ellipsoid", "an ellipsoid",
-                  {{"radii", ValueType::vector, "m", "required", limits::size, "half axes along x, y, z"}}),
+                  {{"radii", ValueType::vector, "m", "required", limits::size, "semi-axes along x, y, z"}}),
       shape_table(
           "plane", "a plane",
           {{"normal",
@@ -183,11 +183,11 @@ std::vector<KeyTable> shape_key_tables() {
             "out of the solid; any length but zero"},
            {"offset", ValueType::number, "m", "0", limits::position, "of the surface, along the normal"}}),
       shape_table("cavity", "a cavity", {radius}),
-      shape_table(
-          "convex", "a convex shape",
-          {{"vertices", ValueType::vectors, "m", "-", limits::position, "points whose hull it is; or file"},
-           file,
-           scale}),
+      shape_table("convex", "a convex shape",
+                  {{"vertices", ValueType::vectors, "m", "-", limits::position,
+                    "points whose convex hull it is; or file"},
+                   file,
+                   scale}),
       shape_table("revolution", "a solid of revolution",
                   {{"profile", ValueType::rows, "m", "required", limits::position,
                     "points [radius, z], in any order; convex when rotated about z"}}),
@@ -198,14 +198,14 @@ std::vector<KeyTable> shape_key_tables() {
 
 std::vector<KeyTable> force_key_tables() {
   const Key body{"body", ValueType::text, "", "required", {}, "name of the body"};
-  const Key frame{"frame",          ValueType::choice, "", "world", {}, "`body`: it turns with the body",
+  const Key frame{"frame",          ValueType::choice, "", "world", {}, "`body`: it rotates with the body",
                   {"world", "body"}};
   return {
       force_table("constant", "a constant force",
                   {body,
                    {"force", ValueType::vector, "N", "required", limits::force, "force"},
                    {"point", ValueType::vector, "m", "the centre of mass", limits::position,
-                    "of attack, in the body's frame"},
+                    "point of application, in the body's frame"},
                    frame}),
       force_table("torque", "a torque",
                   {body, {"torque", ValueType::vector, "N m", "required", limits::force, "torque"}, frame}),
@@ -216,7 +216,7 @@ std::vector<KeyTable> force_key_tables() {
             "its ends, each in its body's frame"},
            {"stiffness", ValueType::number, "N/m", "0", limits::coefficient, "force per elongation"},
            {"damping", ValueType::number, "N s/m", "0", limits::coefficient, "force per rate of elongation"},
-           {"length", ValueType::number, "m", "its length at t = 0", limits::length, "without tension"}}),
+           {"length", ValueType::number, "m", "its length at t = 0", limits::length, "rest length"}}),
       force_table("drag", "a drag",
                   {body,
                    {"linear", ValueType::number, "kg/s", "0", limits::coefficient, "force per velocity"},

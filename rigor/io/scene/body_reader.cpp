@@ -30,7 +30,7 @@ void read_mass(const ObjectReader& body, BodyDescription& description) {
   given.center = inertia.vector("center").value_or(Vec3::Zero());
   const std::optional<Vec3> moments = inertia.vector("moments");
   const Vec3 products = inertia.vector("products").value_or(Vec3::Zero());
-  // Moments that could not be read must not be found in conflict with products that could.
+  // Moments that could not be read must not be reported as inconsistent with products that could.
   given.moments = moments.value_or(Vec3::Ones());
   if (moments) given.products = products;
   description.inertia = given;
@@ -48,7 +48,7 @@ std::vector<PathPoint> read_path(const ObjectReader& body) {
   return path;
 }
 
-/// FNV-1a: gives each repeated body random numbers of its own.
+/// FNV-1a hash, which gives each repeated body random numbers of its own.
 std::uint64_t hash_of(const std::string& name) {
   std::uint64_t hash = 14695981039346656037u;
   for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
@@ -83,7 +83,7 @@ void BodyReader::read(const YamlNode& node, std::size_t index) {
   description.path = read_path(body);
   warn_of_unused(body, description);
 
-  // A name that could not be read has been told; nothing can refer to this body.
+  // The error for an unreadable name has been reported; nothing can refer to this body.
   if (!name) return;
   if (body.has("repeat")) {
     add_repeated(body, description);

@@ -12,10 +12,10 @@
 
 namespace rigor {
 
-/// What the rest of a scene says of its bodies.
+/// What the rest of a scene says about its bodies.
 struct BodySurroundings {
-  std::uint64_t seed;                   ///< Of the jitter of repeated bodies.
-  std::set<std::string> jointed_names;  ///< Bodies that joints speak of: they may well have no shapes.
+  std::uint64_t seed;                   ///< Seed of the jitter of repeated bodies.
+  std::set<std::string> jointed_names;  ///< Bodies that joints refer to: these may have no shapes.
 };
 
 /// Reads the bodies of a scene into a builder.
@@ -24,7 +24,7 @@ class BodyReader {
   BodyReader(BodySurroundings surroundings, ShapeFiles& files, SceneErrors& errors, ModelBuilder& builder)
       : surroundings_(std::move(surroundings)), files_(files), errors_(errors), builder_(builder) {}
 
-  /// Adds the body, or the grid of bodies that `repeat` makes of it; index: of the body in the file.
+  /// Adds the body, or the grid of bodies that `repeat` makes of it; index: position of the body in the file.
   void read(const YamlNode& node, std::size_t index);
 
  private:

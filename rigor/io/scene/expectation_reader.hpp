@@ -7,10 +7,10 @@
 
 namespace rigor {
 
-/// The places that the scene expects its bodies at. Whether the bodies exist is checked later.
+/// The places where the scene expects its bodies. Whether the bodies exist is checked later.
 std::vector<ExpectedPlace> read_expectations(const ObjectReader& scene);
 
-/// Tells names that are not those of dynamic bodies.
+/// Reports names that are not those of dynamic bodies.
 void check_expectations(const ObjectReader& scene, const std::vector<ExpectedPlace>& expected,
                         const Model& model);
 

@@ -7,7 +7,8 @@
 
 namespace rigor {
 
-/// Reads the force number `index` of a scene into the builder. One that cannot be read is told and left out.
+/// Reads force number `index` of a scene into the builder. A force that cannot be read is reported and
+/// skipped.
 void read_force(const YamlNode& node, std::size_t index, SceneErrors& errors, ModelBuilder& builder);
 
 }  // namespace rigor

@@ -16,10 +16,11 @@ namespace rigor {
 
 namespace {
 
-/// The default base as a part of the grid's longer side.
+/// The default base as a fraction of the longer side of the grid.
 constexpr double base_of_side = 0.1;
 
-/// Whether the rows are a grid of an allowed size; if not, that is said at the key that they come from.
+/// Whether the rows form a grid of an allowed size; otherwise reports an error at the key that they come
+/// from.
 bool check_grid(const ObjectReader& shape, const std::string& key, const HeightRows& rows) {
   const std::size_t row_count = rows.size(), column_count = rows.front().size();
   const std::string found = fmt::format("the heights are {} by {}", row_count, column_count);
@@ -32,7 +33,7 @@ bool check_grid(const ObjectReader& shape, const std::string& key, const HeightR
   return false;
 }
 
-/// Whether the bottom lies below the lowest height after rounding.
+/// Whether the bottom lies below the lowest height even after rounding.
 bool check_base(const ObjectReader& shape, const HeightField& field) {
   const double lowest = lowest_height(field);
   if (lowest - field.base_depth < lowest) return true;

@@ -7,7 +7,7 @@
 
 namespace rigor {
 
-/// The height field as a closed mesh; nothing, and why in the errors, if it is none.
+/// The height field as a closed mesh; nothing, and the reason in the errors, if it is invalid.
 std::optional<Shape> read_height_field(const ObjectReader& shape, ShapeFiles& files);
 
 }  // namespace rigor

@@ -18,7 +18,12 @@ Keys passive_keys(bool is_angle) {
   const ValueType range = is_angle ? ValueType::angle_range : ValueType::range;
   const ValueType number = is_angle ? ValueType::angle : ValueType::number;
   return {
-      {"limits", range, is_angle ? "rad" : "m", "-", {}, "lowest and highest coordinate; holds the start"},
+      {"limits",
+       range,
+       is_angle ? "rad" : "m",
+       "-",
+       {},
+       "lowest and highest coordinate; must include the start"},
       {"restitution", ValueType::number, "", "0", limits::restitution, "of impacts at the limits"},
       {"stiffness", ValueType::number, is_angle ? "N m/rad" : "N/m", "0", limits::coefficient,
        "of a spring along the coordinate"},
@@ -28,18 +33,19 @@ Keys passive_keys(bool is_angle) {
   };
 }
 
-/// All that may act along a coordinate.
+/// Everything that may act along a coordinate.
 Keys coordinate_keys(bool is_angle) {
   return passive_keys(is_angle) +
-         Keys{{"friction", ValueType::number, is_angle ? "N m" : "N", "0", limits::coefficient,
-               "dry friction: largest force against the rate"},
-              {"motor", ValueType::object, "", "-", {}, "holds the rate of the coordinate", {}, "motor"}};
+         Keys{
+             {"friction", ValueType::number, is_angle ? "N m" : "N", "0", limits::coefficient,
+              "dry friction: largest force opposing the rate"},
+             {"motor", ValueType::object, "", "-", {}, "drives the coordinate at a given rate", {}, "motor"}};
 }
 
 Keys distance_keys() {
   Keys keys = coordinate_keys(false);
   for (Key& key : keys) {
-    if (key.name == "limits") key.meaning = "lowest and highest distance, instead of keeping it";
+    if (key.name == "limits") key.meaning = "lowest and highest distance, instead of a fixed one";
     if (key.name == "rest") key.fallback = "the distance at t = 0";
   }
   return keys;
@@ -49,7 +55,7 @@ Key direction(const std::string& name, const std::string& fallback, const std::s
   return {name, ValueType::vector, "", fallback, {-1e9, 1e9}, meaning};
 }
 
-/// The anchors, where they are required or, as a last key of the place, where they are not.
+/// The anchor keys: in front if they are required, or as a last key of the place if they are optional.
 Keys anchor_keys(const JointTraits& traits, bool are_required) {
   Key anchor{"anchor",   ValueType::vector, "m",
              "required", limits::position,  "point of the joint, in the world at t = 0"};
@@ -85,7 +91,7 @@ Keys axis_keys(const JointTraits& traits) {
   return {};
 }
 
-/// What the equation of its relation needs besides places and directions.
+/// Parameters of the relation of a joint besides places and directions.
 Keys relation_keys(const JointTraits& traits) {
   switch (traits.relation) {
     case JointRelation::none:
@@ -93,16 +99,17 @@ Keys relation_keys(const JointTraits& traits) {
       break;
     case JointRelation::screw:
       return {{"pitch", ValueType::number, "m", "required", limits::position,
-               "sliding along the axis a turn; not 0, negative: left-handed"}};
+               "sliding along the axis per revolution; not 0, negative: left-handed"}};
     case JointRelation::gear:
       return {{"joints", ValueType::names, "", "required", {}, "names of the first and second joint"},
               {"ratio", ValueType::number, "", "required", limits::ratio,
-               "change of the second's first coordinate by that of the first's; not 0"}};
+               "change of the second joint's first coordinate per change of the first's; not 0"}};
   }
   return {};
 }
 
-/// What acts along the coordinates: keys of the joint itself if it has one, else a list of mappings.
+/// Keys of what acts along the coordinates: keys of the joint itself if it has one coordinate, otherwise a
+/// list of mappings.
 Keys law_keys(const JointTraits& traits) {
   if (traits.coordinate_count == 0) return {};
   if (traits.coordinate_count > 1) {
@@ -148,9 +155,9 @@ std::vector<KeyTable> joint_key_tables() {
        "a motor",
        "",
        {
-           {"velocity", ValueType::number, "rad/s or m/s", "0", limits::speed, "rate that it holds"},
+           {"velocity", ValueType::number, "rad/s or m/s", "0", limits::speed, "rate that it maintains"},
            {"max_force", ValueType::number, "N m or N", "-", limits::coefficient,
-            "largest torque or force; without it there is none too large"},
+            "largest torque or force; unlimited if absent"},
        }},
       {"joint_repeat",
        "repeat of a joint",

@@ -22,7 +22,7 @@ namespace {
 using JointDescription = ModelBuilder::JointDescription;
 using Indices = std::array<int, 3>;
 
-/// The type of a key table of the family "joint".
+/// The joint type that belongs to a key table of the family "joint".
 JointType type_of(const std::string& name) {
   const auto row =
       std::ranges::find_if(joint_table, [&](const JointTraits& traits) { return name == traits.name; });
@@ -106,7 +106,7 @@ void read_body_joint(const ObjectReader& joint, JointDescription& description) {
   description.axes = {read_axis(joint, has_whole_angle(type), rest)};
 }
 
-/// An index as `repeat` allows it: a whole number, or i, j, k with or without a number added: "i+1".
+/// An index as `repeat` allows it: an integer, or i, j, k with or without an added number: "i+1".
 std::optional<int> index_value(std::string_view text, const Indices& indices) {
   int value = 0;
   if (!text.empty() && text[0] >= 'i' && text[0] <= 'k') {
@@ -125,7 +125,8 @@ std::optional<int> index_value(std::string_view text, const Indices& indices) {
   return value + number;
 }
 
-/// "link[i+1,0,0]" with the indices of one joint of a grid: "link[4,0,0]". Other names stay as they are.
+/// "link[i+1,0,0]" with the indices of one joint of a grid inserted: "link[4,0,0]". Other names stay as they
+/// are.
 std::string indexed_name(const std::string& name, const Indices& indices) {
   const std::size_t open = name.rfind('[');
   if (open == std::string::npos || name.back() != ']') return name;
@@ -185,7 +186,7 @@ void JointReader::read(const YamlNode& node, std::size_t index) {
   } else {
     read_body_joint(joint, description);
   }
-  // A gear may speak of a joint that could not be read, which has been told.
+  // A gear may refer to a joint that could not be read, which has been reported.
   const bool is_readable =
       errors_.count() == (description.type == JointType::gear ? errors_before_ : errors_before);
   if (is_readable) add(joint, description);

@@ -9,7 +9,7 @@
 
 namespace rigor {
 
-/// Names of the bodies that the joints of a scene are written with; of repeated bodies without their indices.
+/// Names of the bodies that the joints of a scene refer to; those of repeated bodies without their indices.
 std::set<std::string> jointed_names(const ObjectReader& scene);
 
 /// Reads the joints of a scene into a builder.
@@ -18,8 +18,8 @@ class JointReader {
   JointReader(SceneErrors& errors, ModelBuilder& builder)
       : errors_(errors), builder_(builder), errors_before_(errors.count()) {}
 
-  /// Adds the joint, or the grid of joints that `repeat` makes of it; index: of the joint in the file. One
-  /// that cannot be read is told and left out.
+  /// Adds the joint, or the grid of joints that `repeat` makes of it; index: position of the joint in the
+  /// file. A joint that cannot be read is reported and skipped.
   void read(const YamlNode& node, std::size_t index);
 
  private:

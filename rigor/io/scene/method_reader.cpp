@@ -8,7 +8,7 @@ namespace rigor {
 
 namespace {
 
-/// Outputs of a run: more would fill any disk.
+/// Largest number of outputs of a run: more would fill any disk.
 constexpr double most_outputs = 1e8;
 
 }  // namespace

@@ -6,11 +6,11 @@
 
 namespace rigor {
 
-/// The key `run` of a scene; defaults where it is absent.
+/// Reads the key `run` of a scene; defaults apply where it is absent.
 RunSettings read_run(const ObjectReader& scene);
 
-/// The key `method` of a scene; defaults where it is absent. Methods of later versions and combinations that
-/// make no sense are told.
+/// Reads the key `method` of a scene; defaults apply where it is absent. Methods of later versions and
+/// invalid combinations are reported.
 Method read_method(const ObjectReader& scene);
 
 }  // namespace rigor

@@ -74,7 +74,7 @@ bool is_empty(const YamlNode& node) {
   return node.kind == YamlNode::Kind::null || (node.kind != YamlNode::Kind::scalar && node.entries.empty());
 }
 
-/// What may help with an unknown key: a near one, the object that has it, or that "1,5" is no number.
+/// A hint for an unknown key: a similar one, the object that has it, or that "1,5" is not a number.
 std::string unknown_key_hint(const YamlNode::Entry& entry, const KeyTable& table) {
   const std::vector<std::string> names = table.names();
   const bool is_digits = entry.key.find_first_not_of("0123456789") == std::string::npos;
@@ -89,7 +89,7 @@ std::string unknown_key_hint(const YamlNode::Entry& entry, const KeyTable& table
   return suggestion(entry.key, names);
 }
 
-/// Reads numbers of one key; tells each mistake at its place.
+/// Reads the numbers of one key and reports each mistake at its position.
 class NumberReader {
  public:
   NumberReader(const Key& key, const std::string& whose, SceneErrors& errors)
@@ -106,7 +106,7 @@ class NumberReader {
     return value;
   }
 
-  /// Exactly `count` numbers; empty if anything is wrong.
+  /// Reads exactly `count` numbers; empty if anything is wrong.
   std::vector<double> numbers(const YamlNode& node, std::size_t count) const {
     if (node.kind != YamlNode::Kind::list || node.entries.size() != count)
       return wrong_type(node), std::vector<double>{};
@@ -119,7 +119,7 @@ class NumberReader {
     return values;
   }
 
-  /// As many rows as the list has, each of as many numbers as the first; empty if anything is wrong.
+  /// Reads all rows of the list, each with as many numbers as the first; empty if anything is wrong.
   std::vector<std::vector<double>> rows(const YamlNode& list) const {
     std::vector<std::vector<double>> rows;
     std::size_t count = 0;

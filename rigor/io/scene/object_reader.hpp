@@ -13,12 +13,12 @@
 
 namespace rigor {
 
-/// Reads one mapping of a scene by its key table. Making one checks the keys: unknown, given twice, missing,
-/// of a later version. Each value is checked when it is asked for; a wrong one is told and counts as absent,
-/// so that one mistake gives one message.
+/// Reads one mapping of a scene by its key table. The constructor checks the keys: unknown, duplicate,
+/// missing, or of a later version. Each value is checked when it is requested; an invalid one is reported and
+/// counts as absent, so that one mistake gives one message.
 class ObjectReader {
  public:
-  /// whose: "body 'ball'". All arguments outlive this.
+  /// whose: "body 'ball'". All arguments must outlive this object.
   ObjectReader(const YamlNode& node, const KeyTable& table, std::string whose, SceneErrors& errors);
 
   const YamlNode& node() const { return node_; }
@@ -32,18 +32,18 @@ class ObjectReader {
   std::optional<double> number(std::string_view key) const;     ///< number, whole, angle [rad].
   std::optional<std::string> text(std::string_view key) const;  ///< text, choice.
   std::optional<bool> flag(std::string_view key) const;
-  /// range, angle_range [rad]: lowest and highest as written.
+  /// For range and angle_range [rad]: lowest and highest value as written.
   std::optional<std::array<double, 2>> range(std::string_view key) const;
   std::optional<Vec2> vector2(std::string_view key) const;
   std::optional<Vec3> vector(std::string_view key) const;      ///< vector, whole_vector, angles [rad], scale.
-  std::optional<Quat> quaternion(std::string_view key) const;  ///< As written: its norm is near 1.
+  std::optional<Quat> quaternion(std::string_view key) const;  ///< As written, with a norm near 1.
   std::vector<Vec3> vectors(std::string_view key) const;       ///< Empty if absent or wrong.
   /// Rows of one length, at least 1 by 1; empty if absent or wrong.
   std::vector<std::vector<double>> rows(std::string_view key) const;
   std::vector<std::string> names(std::string_view key) const;     ///< Two names, or none.
   std::vector<const YamlNode*> list(std::string_view key) const;  ///< Of objects or name_pairs.
 
-  /// Says "body 'ball': message" at the value of the key, or at the object if it is absent.
+  /// Reports "body 'ball': message" at the value of the key, or at the object if the key is absent.
   void fail(std::string_view key, const std::string& message) const;
 
  private:
@@ -59,7 +59,7 @@ class ObjectReader {
 /// "body 'ball'" for an object with a name, "body 3" for one without.
 std::string whose_text(const std::string& kind, const YamlNode& object, std::size_t index);
 
-/// The two names of a pair; none, and a message that starts with whose, if it is not a list of two texts.
+/// The two names of a pair; none, and a message that starts with `whose`, if it is not a list of two texts.
 std::vector<std::string> read_name_pair(const YamlNode& node, const std::string& whose, SceneErrors& errors);
 
 }  // namespace rigor

@@ -6,7 +6,7 @@ namespace rigor {
 
 namespace {
 
-/// Turns about the fixed axes x, then y, then z: q = q_z q_y q_x.
+/// Rotations about the fixed axes x, then y, then z: q = q_z q_y q_x.
 Quat from_rpy(const Vec3& rpy) {
   return rotation_exp(rpy.z() * Vec3::UnitZ()) * rotation_exp(rpy.y() * Vec3::UnitY()) *
          rotation_exp(rpy.x() * Vec3::UnitX());

@@ -4,10 +4,10 @@
 
 namespace rigor {
 
-/// Position [m] of an object with pose keys; the origin by default.
+/// Position [m] of an object with pose keys; by default the origin.
 Vec3 read_position(const ObjectReader& object);
 
-/// Orientation by one of the keys `orientation`, `rpy` and `axis_angle`; the identity by default.
+/// Orientation from one of the keys `orientation`, `rpy` and `axis_angle`; by default the identity.
 Quat read_orientation(const ObjectReader& object);
 
 }  // namespace rigor

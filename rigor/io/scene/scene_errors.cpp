@@ -10,7 +10,7 @@ namespace rigor {
 
 namespace {
 
-/// Source, line and column of a message "name:12:5: ...", read back from its front.
+/// Source, line and column of a message "name:12:5: ...", parsed from its beginning.
 std::tuple<std::size_t, int, int> place_of(const std::string& message,
                                            const std::vector<std::string>& names) {
   for (std::size_t source = 0; source < names.size(); ++source) {
@@ -28,7 +28,7 @@ std::tuple<std::size_t, int, int> place_of(const std::string& message,
 
 void SceneErrors::add_at_key(const YamlNode& object, const YamlNode::Entry& entry,
                              const std::string& message) {
-  // An entry that an override put there has its own source.
+  // An entry that comes from an override has its own source.
   const int source = entry.line == 0 ? entry.value->source : object.source;
   add_text(sources_.where(source, entry.line, entry.column) + message);
 }

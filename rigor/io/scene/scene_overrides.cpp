@@ -15,7 +15,7 @@ namespace rigor {
 
 namespace {
 
-/// A step down the path: the entry's index in its list or map, and the path below it.
+/// One level of the path: the index of the entry in its list or map, and the rest of the path.
 struct Step {
   std::size_t index;
   std::string_view rest;
@@ -25,7 +25,7 @@ std::string_view without_point(std::string_view path) {
   return path.starts_with('.') ? path.substr(1) : path;
 }
 
-/// Whether the path goes through `name`, which may hold points itself.
+/// Whether the path goes through `name`, which may contain points itself.
 bool leads_through(std::string_view path, std::string_view name) {
   if (!path.starts_with(name)) return false;
   const std::string_view rest = path.substr(name.size());
@@ -36,7 +36,7 @@ class Override {
  public:
   Override(std::string where, YamlNode::Pointer value) : where_(std::move(where)), value_(std::move(value)) {}
 
-  /// Copy of the node with the value at the path below it.
+  /// A copy of the node with the value placed at the end of the path.
   YamlNode::Pointer applied(const YamlNode& node, std::string_view path) const {
     if (path.empty()) return value_;
     if (node.kind == YamlNode::Kind::list) return in_list(node, path);
@@ -78,7 +78,7 @@ class Override {
     return name && name->value->kind == YamlNode::Kind::scalar ? std::string_view(name->value->text) : "";
   }
 
-  /// The entry with the longest name that fits: names may hold points.
+  /// The entry with the longest matching name, because names may contain points.
   static std::optional<Step> by_name(const YamlNode& node, std::string_view path) {
     std::optional<Step> best;
     std::size_t length = 0;

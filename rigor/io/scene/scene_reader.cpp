@@ -75,7 +75,7 @@ void read_pairs(const ObjectReader& scene, const Materials& materials, ModelBuil
         pair.number("tangential_restitution").value_or(coefficients.tangential_restitution);
     coefficients.rolling_friction = rolling.value_or(coefficients.rolling_friction);
     coefficients.torsional_friction = torsional.value_or(coefficients.torsional_friction);
-    // That of the materials belongs to their own friction.
+    // The static friction of the materials belongs to their own friction.
     if (friction || pair.has("static_friction"))
       coefficients.static_friction = pair.number("static_friction");
     builder.set_pair(names[0], names[1], coefficients, scene.errors().where(*node));
@@ -117,7 +117,7 @@ void read_joints(const ObjectReader& scene, ModelBuilder& builder) {
   }
 }
 
-/// All mistakes that the reader and the builder find, in one go.
+/// Collects all errors that the reader and the builder find, so that they are reported at once.
 void check_all(const ModelBuilder& builder, SceneErrors& errors) {
   if (errors.count() == 0) return;
   if (!errors.is_full()) {

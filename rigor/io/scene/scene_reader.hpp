@@ -13,37 +13,38 @@
 
 namespace rigor {
 
-/// Where a body is at a time, known from elsewhere: a closed form, or a reference of many digits.
+/// The place of a body at a certain time, known independently: from a closed form or a reference of many
+/// digits.
 struct ExpectedPlace {
   std::string body;
   double time = 0;                  ///< [s].
-  std::optional<Vec3> position;     ///< Of the user's frame's origin [m].
-  std::optional<Quat> orientation;  ///< Of the user's frame.
-  double error = 0;                 ///< How far the position may be wrong itself [m].
+  std::optional<Vec3> position;     ///< Position of the origin of the user frame [m].
+  std::optional<Quat> orientation;  ///< Orientation of the user frame.
+  double error = 0;                 ///< Uncertainty of the position itself [m].
 };
 
-/// What a scene file says: what is simulated, how, and for how long.
+/// The contents of a scene file: what is simulated, how, and for how long.
 struct Scene {
   std::shared_ptr<const Model> model;
   Method method;
   RunSettings run;
   std::string name;
   std::vector<ExpectedPlace> expected;  ///< What `rigor compare` measures errors against.
-  std::vector<std::string> warnings;    ///< What is allowed but probably not meant, each with its place.
+  std::vector<std::string> warnings;    ///< Allowed but probably unintended, each with its position.
 };
 
-/// Reads a scene file (strict YAML; JSON is the same thing). docs/scene.md lists every key.
+/// Reads a scene file (strict YAML; JSON is read in the same way). docs/scene.md lists every key.
 ///
 /// overrides: "key.path=value" as of `--set`: keys joined by points, list entries by their name or index
 /// ("bodies.ball.velocity=[0, 0, 1]"); the value is YAML. Overrides are checked like the file.
-/// The last `varied` of them are called `--vary` in messages.
+/// Messages call the last `varied` of them `--vary`.
 ///
 /// Throws InputError with all errors of the file, in the order of its lines.
 Scene read_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides = {},
                  std::size_t varied = 0);
 
-/// The same from text; file_name is what messages show, folder is where mesh files are looked for (and kept
-/// inside).
+/// The same from text; file_name appears in messages, and folder is where mesh files are looked for (and may
+/// not lie outside of).
 Scene parse_scene(const std::string& text, const std::string& file_name, const std::filesystem::path& folder,
                   const std::vector<std::string>& overrides = {}, std::size_t varied = 0);
 

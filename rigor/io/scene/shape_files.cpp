@@ -18,16 +18,16 @@ namespace rigor {
 
 namespace {
 
-/// Looking for faces that cut each other is the slowest check and only a warning; for larger meshes it is
-/// left out.
+/// Searching for faces that intersect each other is the slowest check and yields only a warning; it is
+/// skipped for larger meshes.
 constexpr std::size_t most_faces_searched = 200000;
 
 Vec3 scale_of(const ObjectReader& shape) {
   return shape.vector("scale").value_or(Vec3::Ones());
 }
 
-/// Whether the polygons are a surface, perhaps open; a dynamic body's mesh is checked to be closed when it is
-/// built.
+/// Whether the polygons form a surface, possibly open; the mesh of a dynamic body is checked to be closed
+/// when the body is built.
 bool check_surface(const ObjectReader& shape, const PolygonMesh& mesh) {
   MeshCheckOptions options;
   options.may_be_open = true;
@@ -43,7 +43,8 @@ bool check_surface(const ObjectReader& shape, const PolygonMesh& mesh) {
   return !has_errors(defects);
 }
 
-/// Whether the path, links and ".." followed, stays in the folder (followed already).
+/// Whether the path, after following links and "..", stays in the folder, whose links have been followed
+/// already.
 bool is_inside(const std::filesystem::path& path, const std::filesystem::path& folder) {
   const auto [end_of_folder, rest] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
   return end_of_folder == folder.end() && rest != path.end();
@@ -59,7 +60,7 @@ auto ShapeFiles::read_file(const ObjectReader& shape, const std::string& file, c
   try {
     content = read(*path);
   } catch (const InputError& error) {
-    // The message starts with the path where the file was found: shown as the user wrote it.
+    // The message starts with the path where the file was found; it is shown as the user wrote it.
     for (std::string message : error.messages()) {
       if (message.starts_with(path->string())) message.replace(0, path->string().size(), file);
       shape.fail("file", message);
@@ -120,7 +121,7 @@ std::optional<std::filesystem::path> ShapeFiles::find_file(const ObjectReader& s
     shape.fail("file", "file " + quoted_text(file) + " cannot be read (" + error.message() + ")");
     return std::nullopt;
   }
-  // Checked before anything is said of what is there.
+  // This is checked before any message reveals what exists there.
   if (!is_inside(path, folder)) {
     shape.fail("file",
                "file " + quoted_text(file) + " is outside of the scene's folder, must be in it or below");

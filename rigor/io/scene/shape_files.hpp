@@ -16,25 +16,25 @@
 
 namespace rigor {
 
-/// The mesh and hull files of a scene. Each file is read once, each shape made once for each scale. Files lie
-/// in the scene's folder or below: links and ".." that lead out of it are refused.
+/// The mesh and hull files of a scene. Each file is read once, and each shape is made once per scale. Files
+/// must lie in the folder of the scene or below: links and ".." that leave it are refused.
 class ShapeFiles {
  public:
   explicit ShapeFiles(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  /// Surface of the key `file`, scaled by the key `scale`, as triangles; nothing, and why in the errors, if
-  /// it is none.
+  /// Surface from the key `file`, scaled by the key `scale`, as triangles; nothing, and the reason in the
+  /// errors, if it is invalid.
   std::optional<Mesh> mesh(const ObjectReader& shape);
-  /// Rows of heights of the key `file`; empty, and why in the errors, if it has none.
+  /// Rows of heights from the key `file`; empty, and the reason in the errors, if there are none.
   HeightRows heights(const ObjectReader& shape);
-  /// Hull of the vertices of the key `file`, scaled.
+  /// Hull of the vertices from the key `file`, scaled.
   std::optional<Convex> convex(const ObjectReader& shape);
 
  private:
   std::optional<std::filesystem::path> find_file(const ObjectReader& shape, const std::string& file) const;
   std::optional<PolygonMesh> read_scaled(const ObjectReader& shape, const std::string& file,
                                          const Vec3& scale);
-  /// What read(path) makes of the file; nothing, and why in the errors, if it cannot be read.
+  /// The result of read(path); nothing, and the reason in the errors, if the file cannot be read.
   template <typename Read>
   auto read_file(const ObjectReader& shape, const std::string& file, const Read& read) const;
 

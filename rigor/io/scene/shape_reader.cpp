@@ -96,7 +96,7 @@ std::optional<Shape> read_mesh(const ObjectReader& shape, ShapeFiles& files) {
 
 using ShapeFunction = std::optional<Shape> (*)(const ObjectReader& shape, ShapeFiles& files);
 
-/// Who reads which type; the types are those of shape_key_tables.
+/// The reader of each type; the types are those of shape_key_tables.
 struct ShapeRow {
   std::string_view type;
   ShapeFunction read;
@@ -119,7 +119,7 @@ constexpr ShapeRow shape_rows[] = {
     {"mesh", read_mesh},
     {"heightfield", read_height_field},
 };
-// A height field is a mesh; every other shape has its own row.
+// A height field becomes a mesh; every other shape has its own row.
 static_assert(std::size(shape_rows) == std::variant_size_v<Shape> + 1, "a shape without a reader");
 
 std::optional<Shape> read_geometry(const std::string& type, const ObjectReader& shape, ShapeFiles& files) {

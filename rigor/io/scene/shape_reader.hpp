@@ -9,13 +9,13 @@
 
 namespace rigor {
 
-/// The key table of an object whose `type` says which it is ("shape" or "force" family); null, and why in the
-/// errors, if it has none or an unknown one.
+/// The key table of an object whose key `type` selects it (families "shape" and "force"); null, and the
+/// reason in the errors, if the type is missing or unknown.
 const KeyTable* find_typed_table(const YamlNode& node, const std::string& family, const std::string& whose,
                                  SceneErrors& errors);
 
-/// The shape number `index` of the body ("body 'ball'"). What cannot be read is told and replaced by a ball
-/// of radius 1, so that the body's other mistakes are found too.
+/// Reads shape number `index` of the body ("body 'ball'"). A shape that cannot be read is reported and
+/// replaced by a ball of radius 1, so that other errors of the body are found too.
 ShapeDescription read_shape(const YamlNode& node, std::size_t index, const std::string& body,
                             ShapeFiles& files, SceneErrors& errors);
 

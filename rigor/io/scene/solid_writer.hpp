@@ -7,13 +7,13 @@
 
 namespace rigor {
 
-/// The mesh as the text of a Wavefront OBJ file, coordinates with 17 significant digits: parse_obj gives the
-/// same mesh back bit for bit.
+/// The mesh as the text of a Wavefront OBJ file, coordinates with 17 significant digits: parse_obj returns
+/// the same mesh bit for bit.
 std::string obj_text(const PolygonMesh& mesh);
 
-/// A complete scene of one dynamic body of that name, whose shapes are the pieces, in the mesh's frame. The
-/// comment (one line or more) stands at the top, and what the pieces are beside them. Names are letters,
-/// digits, '_' and '-'.
+/// A complete scene with one dynamic body of that name, whose shapes are the pieces, in the frame of the
+/// mesh. The comment (one or more lines) comes first, and a description stands beside each piece. Names
+/// consist of letters, digits, '_' and '-'.
 std::string pieces_scene(const ConvexDecomposition& decomposition, const std::string& name,
                          const std::string& comment);
 

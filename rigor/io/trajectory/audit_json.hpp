@@ -7,7 +7,8 @@
 namespace rigor {
 
 /// The audit as JSON (docs/output.md lists the keys, in their order). Numbers have 17 significant digits;
-/// what is not computed is null. What broke its tolerance comes first among the warnings, as "violated: ...".
+/// quantities that are not computed are null. Violated tolerances come first among the warnings, as
+/// "violated: ...".
 std::string audit_json(const Audit& audit);
 
 }  // namespace rigor

@@ -27,7 +27,7 @@ std::uint64_t checksum(std::string_view bytes) {
   return hash;
 }
 
-/// Every number of the books, named once for writing and for reading. Part is Audit or const Audit.
+/// Visits every number of the audit, listed once for both writing and reading. Part is Audit or const Audit.
 template <typename Part, typename Visit>
 void visit_numbers(Part& audit, Visit visit) {
   auto& report = audit.report;
@@ -70,8 +70,8 @@ class ByteWriter {
   std::string bytes_{magic};
 };
 
-/// Reads what ByteWriter wrote. The checksum has been compared, so only a bug could make it fall off the end;
-/// that too is an InputError.
+/// Reads what ByteWriter wrote. The checksum has been compared, so only a bug could make it read past the
+/// end; that too is an InputError.
 class ByteReader {
  public:
   ByteReader(std::string_view bytes, const std::string& name) : bytes_(bytes), name_(name) {}
@@ -112,7 +112,7 @@ std::string read_bytes(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// What is between magic and checksum.
+/// The bytes between the magic number and the checksum.
 std::string_view checked_content(std::string_view bytes, const std::string& name) {
   if (!bytes.starts_with(magic)) throw InputError(name + ": this is not a checkpoint of this version");
   if (bytes.size() < magic.size() + 8) throw InputError(name + ": the checkpoint is cut off");

@@ -5,7 +5,7 @@
 
 namespace rigor {
 
-/// Trajectory as a table: a header row with units, then one row an output time (docs/output.md). Fields with
+/// Trajectory as a table: a header row with units, then one row per output time (docs/output.md). Fields with
 /// commas or quotes are quoted; lines end with LF; numbers have 17 significant digits, which restore the same
 /// double.
 ///
@@ -20,13 +20,13 @@ class CsvWriter : public TrajectoryWriter {
  private:
   OutputFile file_;
   FlushTimer flush_timer_;
-  std::vector<std::size_t> coordinate_counts_;  ///< Of each joint.
+  std::vector<std::size_t> coordinate_counts_;  ///< Number of coordinates of each joint.
 };
 
-/// A field of a CSV row: in quotes where it has to be.
+/// A field of a CSV row, in quotes if necessary.
 std::string csv_field(const std::string& text);
 
-/// The columns' titles, such as "ball.position.x [m]", in their order.
+/// Titles of the columns, such as "ball.position.x [m]", in order.
 std::vector<std::string> csv_columns(const TrajectoryHeader& header);
 
 }  // namespace rigor

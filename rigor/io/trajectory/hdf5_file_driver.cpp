@@ -22,7 +22,7 @@ using Superblock = std::array<unsigned char, superblock_size>;
 
 constexpr haddr_t smallest_reserve = haddr_t{1} << 16;
 
-/// The file as the driver sees it. HDF5 allocates none of it; base comes first, as HDF5 asks.
+/// The file as the driver sees it. HDF5 allocates none of it; base must come first, as HDF5 requires.
 struct DriverFile {
   H5FD_t base{};
   int descriptor = -1;
@@ -40,8 +40,8 @@ const DriverFile* driver_file(const H5FD_t* file) {
   return reinterpret_cast<const DriverFile*>(file);
 }
 
-/// Jenkins' hash, by which HDF5 protects its structures, of bytes whose number is 8 more than a multiple
-/// of 12.
+/// Jenkins' hash, with which HDF5 protects its structures, for a number of bytes that is 8 more than a
+/// multiple of 12.
 ///
 /// Source: Jenkins, lookup3 (hashlittle with initial value 0), 2006.
 std::uint32_t lookup3(const unsigned char* bytes, std::uint32_t length) {
@@ -86,8 +86,8 @@ void write_bytes(DriverFile& file, haddr_t address, const void* bytes, std::size
   }
 }
 
-/// Writes the superblock; while HDF5 marks the file as open, without the mark and with all reserved space as
-/// its own.
+/// Writes the superblock. While HDF5 marks the file as open, it is written without this mark and with all
+/// reserved space as part of the file.
 void write_superblock(DriverFile& file) {
   Superblock bytes = file.superblock;
   if (bytes[version_at] == 3 && bytes[marks_at] != 0) {
@@ -98,8 +98,8 @@ void write_superblock(DriverFile& file) {
   write_bytes(file, 0, bytes.data(), bytes.size());
 }
 
-/// Makes the file on the disk at least so large, and says so in its superblock, before anything is written
-/// there.
+/// Grows the file on the disk at least to this size, and records the size in its superblock, before anything
+/// is written there.
 void reserve(DriverFile& file, haddr_t end) {
   if (end <= file.reserved || file.status->error != 0) return;
   file.reserved = std::max(smallest_reserve, end + end / 4);
@@ -110,7 +110,7 @@ void reserve(DriverFile& file, haddr_t end) {
   }
 }
 
-// The driver's functions, as H5FDpublic.h declares them.
+// The functions of the driver, as declared by H5FDpublic.h.
 
 H5FD_t* open_file(const char* name, unsigned, hid_t access_list, haddr_t) {
   Hdf5FileStatus* const* const status = static_cast<Hdf5FileStatus* const*>(H5Pget_driver_info(access_list));
@@ -139,7 +139,7 @@ int compare(const H5FD_t* a, const H5FD_t* b) {
 }
 
 herr_t query(const H5FD_t*, unsigned long* flags) {
-  // Nothing that gathers metadata: HDF5's order of writes must reach the disk as it is.
+  // No flag may let HDF5 cache metadata in the driver: the order of its writes must reach the disk unchanged.
   *flags = H5FD_FEAT_AGGREGATE_METADATA | H5FD_FEAT_AGGREGATE_SMALLDATA | H5FD_FEAT_SUPPORTS_SWMR_IO |
            H5FD_FEAT_DEFAULT_VFD_COMPATIBLE;
   return 0;
@@ -170,7 +170,7 @@ herr_t read(H5FD_t* base, H5FD_mem_t, hid_t, haddr_t address, std::size_t size, 
     if (count <= 0) break;
     done += static_cast<std::size_t>(count);
   }
-  // What lies behind the end reads as zeros.
+  // Bytes beyond the end of the file read as zeros.
   std::memset(to + done, 0, size - done);
   return 0;
 }

@@ -6,7 +6,7 @@
 
 namespace rigor {
 
-/// An HDF5 identifier that is closed when it goes. Negative: none.
+/// An HDF5 identifier that is closed on destruction. Negative: none.
 class Hdf5Handle {
  public:
   using Close = herr_t (*)(hid_t);
@@ -34,7 +34,7 @@ class Hdf5Handle {
   Close close_ = nullptr;
 };
 
-/// HDF5 prints its errors to stderr; while this lives, it does not.
+/// HDF5 prints its errors to stderr; while an object of this class exists, it does not.
 class Hdf5Quiet {
  public:
   Hdf5Quiet() {
@@ -43,8 +43,8 @@ class Hdf5Quiet {
   }
   Hdf5Quiet(const Hdf5Quiet&) = delete;
   Hdf5Quiet& operator=(const Hdf5Quiet&) = delete;
-  /// Also when this has gone: HDF5 cannot let go of a file with damaged parts, and would say so at the end of
-  /// the process.
+  /// Keeps HDF5 silent even after destruction: it cannot release a file with damaged parts, and would report
+  /// that at the end of the process.
   void stay() { print_ = nullptr, client_ = nullptr; }
   ~Hdf5Quiet() { H5Eset_auto2(H5E_DEFAULT, print_, client_); }
 

@@ -18,7 +18,7 @@ namespace rigor {
 
 namespace {
 
-/// Reads the parts of one file; what is missing or of another form is an InputError.
+/// Reads the parts of one file; a part that is missing or of another form is an InputError.
 class Reader {
  public:
   Reader(const std::filesystem::path& path, Hdf5Quiet& quiet)
@@ -42,8 +42,8 @@ class Reader {
   /// "it is cut off, 100 of 200 bytes are left".
   const std::string& lost() const { return lost_; }
 
-  /// Rows that all the datasets hold: those of the first one, from which the others may not differ unless the
-  /// file is cut off.
+  /// Number of rows that all datasets hold: that of the first one, from which the others may not differ
+  /// unless the file is truncated.
   std::size_t common_rows(const std::vector<const char*>& names) const {
     std::size_t rows = row_count(names.front());
     if (!is_cut_off()) return rows;
@@ -63,10 +63,10 @@ class Reader {
   }
 
   bool has_attribute(const char* name) const { return H5Aexists(file_, name) > 0; }
-  /// Whether there is such a dataset, whose group, if it is in one, is there.
+  /// Whether the dataset exists; if it is in a group, the group must exist.
   bool has(const char* name) const { return H5Lexists(file_, name, H5P_DEFAULT) > 0; }
 
-  /// Of a dataset that does not grow.
+  /// Number of values of a dataset that does not grow.
   std::size_t value_count(const char* name) const { return value_count(open(name)); }
   std::vector<std::string> texts(const char* name) const {
     const Hdf5Handle dataset = open(name);
@@ -80,15 +80,15 @@ class Reader {
     return texts;
   }
 
-  /// The first rows of a dataset, of `width` numbers each: what comes behind belongs to rows that are not
-  /// complete, because the writer was killed or the file is cut off.
+  /// The first rows of a dataset, with `width` numbers each: whatever follows belongs to incomplete rows,
+  /// because the writer was killed or the file is truncated.
   std::vector<double> numbers(const char* name, std::size_t rows, std::size_t width = 1) const {
     return values<double>(name, H5T_NATIVE_DOUBLE, rows, width);
   }
   std::vector<int> integers(const char* name, std::size_t rows, std::size_t width) const {
     return values<int>(name, H5T_NATIVE_INT, rows, width);
   }
-  /// An enumeration's values as numbers.
+  /// The values of an enumeration as numbers.
   std::vector<int> kinds(const char* name, std::size_t rows) const {
     const Hdf5Handle dataset = open(name);
     const Hdf5Handle type(H5Dget_type(dataset), H5Tclose);
@@ -103,11 +103,13 @@ class Reader {
     if (rows * width == 0) return {};
     const Hdf5Handle dataset = open(name);
     const Hdf5Handle space(H5Dget_space(dataset), H5Sclose);
+    // The dataset must have enough rows, each of the expected width.
     std::vector<hsize_t> shape(at(std::max(1, H5Sget_simple_extent_ndims(space))), 0);
     check(H5Sget_simple_extent_dims(space, shape.data(), nullptr) >= 1 && shape[0] >= rows, name);
     hsize_t row_size = 1;
     for (std::size_t i = 1; i < shape.size(); ++i) row_size *= shape[i];
     check(row_size == width, name);
+    // Select the first rows and read them.
     shape[0] = rows;
     const std::vector<hsize_t> start(shape.size(), 0);
     H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, shape.data(), nullptr);
@@ -149,7 +151,7 @@ class Reader {
   }
 
   std::string name_, lost_;
-  std::uint64_t present_ = 0;  ///< Bytes of a file that is cut off.
+  std::uint64_t present_ = 0;  ///< Present bytes of a truncated file.
   Hdf5Handle file_;
 };
 
@@ -160,7 +162,7 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-/// Datasets with a row each output time, the times first, of a file with so many bodies.
+/// Datasets with one row per output time, the times first, for a file with this many bodies.
 std::vector<const char*> motion_parts(const Reader& reader, std::size_t body_count) {
   std::vector<const char*> parts = {"time", "energy"};
   if (body_count > 0) parts.insert(parts.end(), {"position", "orientation", "velocity", "angular_velocity"});
@@ -192,6 +194,7 @@ StoredTrajectory read_hdf5_trajectory(const std::filesystem::path& path) {
   Hdf5Quiet quiet;
   const Reader reader(path, quiet);
   StoredTrajectory stored;
+  // Header: the program, the scene and the names of the bodies.
   stored.rigor = reader.attribute("rigor");
   stored.scene = reader.attribute("scene");
   stored.scene_text = reader.texts("scene_text").at(0);
@@ -199,6 +202,7 @@ StoredTrajectory read_hdf5_trajectory(const std::filesystem::path& path) {
   stored.overrides = lines_of(reader.attribute("overrides"));
   stored.bodies = reader.texts("bodies/names");
   const std::size_t n = stored.bodies.size();
+  // Motion: only the rows that every dataset holds.
   const std::size_t rows = reader.common_rows(motion_parts(reader, n));
   stored.time = reader.numbers("time", rows);
   stored.position = reader.numbers("position", rows, 3 * n);
@@ -212,6 +216,7 @@ StoredTrajectory read_hdf5_trajectory(const std::filesystem::path& path) {
     stored.penetration.resize(rows, std::nan(""));
   }
 
+  // Events have rows of their own.
   const std::size_t events =
       reader.common_rows({"events/time", "events/kind", "events/bodies", "events/point", "events/impulse"});
   stored.event_time = reader.numbers("events/time", events);
@@ -219,6 +224,7 @@ StoredTrajectory read_hdf5_trajectory(const std::filesystem::path& path) {
   stored.event_bodies = reader.integers("events/bodies", events, 2);
   stored.event_point = reader.numbers("events/point", events, 3);
   stored.event_impulse = reader.numbers("events/impulse", events, 3);
+  // A truncated file must have at least one output time, and its message says how many.
   if (!reader.is_cut_off()) return stored;
   if (rows == 0)
     throw InputError(

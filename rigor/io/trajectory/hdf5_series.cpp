@@ -6,7 +6,7 @@ namespace rigor {
 
 namespace {
 
-/// Aimed at for a chunk: large against its entry in the index, small against memory.
+/// Target size of a chunk: large compared with its entry in the index, small compared with memory.
 constexpr hsize_t chunk_bytes = hsize_t{1} << 15;
 
 std::vector<hsize_t> with_rows(hsize_t rows, const std::vector<hsize_t>& row_shape) {

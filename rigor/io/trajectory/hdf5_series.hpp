@@ -12,8 +12,8 @@ namespace rigor {
 template <typename Value>
 class Hdf5Series {
  public:
-  /// row_shape: lengths of a row's own axes (none for one value a row); file_type: how values are stored;
-  /// expected_rows: chunks have no more rows than this. Not open if HDF5 fails.
+  /// row_shape: extents of a row (empty for one value per row); file_type: how values are stored;
+  /// expected_rows: chunks have at most this many rows. The dataset is not open if HDF5 fails.
   Hdf5Series(hid_t parent, const std::string& name, std::vector<hsize_t> row_shape, hid_t file_type,
              hsize_t expected_rows = most_chunk_rows);
 
@@ -26,7 +26,7 @@ class Hdf5Series {
   }
   void append(Value value) { pending_.push_back(value); }
   std::size_t pending_bytes() const { return pending_.size() * sizeof(Value); }
-  /// Gives all whole rows to HDF5; false if it fails.
+  /// Passes all complete rows to HDF5; false if it fails.
   bool write_pending();
 
  private:
@@ -35,7 +35,7 @@ class Hdf5Series {
   hsize_t rows_ = 0;
   std::vector<Value> pending_;
   Hdf5Handle dataset_;
-  Hdf5Handle memory_type_;  ///< Of a Value.
+  Hdf5Handle memory_type_;  ///< HDF5 type of Value.
 };
 
 }  // namespace rigor

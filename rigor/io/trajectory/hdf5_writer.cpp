@@ -63,7 +63,7 @@ void write_integers(hid_t parent, const char* name, const std::vector<int>& valu
   H5Dwrite(dataset, H5T_NATIVE_INT, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
 }
 
-/// The kinds of events as an enumeration, so that a reader sees their names.
+/// The kinds of events as an enumeration, so that readers see their names.
 Hdf5Handle event_kind_type() {
   Hdf5Handle type(H5Tenum_create(H5T_STD_I8LE), H5Tclose);
   for (const MotionEvent::Kind kind : {MotionEvent::Kind::impact, MotionEvent::Kind::rest,
@@ -96,7 +96,7 @@ void write_header(hid_t file, const TrajectoryHeader& header) {
   write_texts(bodies, "names", header.bodies);
 }
 
-/// Joints and coordinates of all of them.
+/// Number of joints, and of the coordinates of all of them.
 struct JointSizes {
   explicit JointSizes(const TrajectoryHeader& header)
       : joints(header.joints.size()), has_forces(header.has_joint_forces) {
@@ -106,7 +106,7 @@ struct JointSizes {
   bool has_forces;
 };
 
-/// Names of the joints; joint and unit of each coordinate.
+/// Writes the names of the joints, and the joint and unit of each coordinate.
 void write_joints(hid_t group, const std::vector<TrajectoryJoint>& joints) {
   std::vector<std::string> names, units;
   std::vector<int> owners;
@@ -121,26 +121,26 @@ void write_joints(hid_t group, const std::vector<TrajectoryJoint>& joints) {
   write_texts(group, "coordinate_unit", units);
 }
 
-/// Describes a dataset that was just made.
+/// Describes a dataset that has just been created.
 template <typename Value>
 void describe(const Hdf5Series<Value>& series, const char* unit, const char* columns) {
   write_attribute(series.id(), "unit", unit);
   write_attribute(series.id(), "columns", columns);
 }
 
-/// Output times of a run that goes to its end.
+/// Number of output times of a run that reaches its end.
 hsize_t expected_rows(const RunSettings& run) {
-  constexpr double most = Hdf5Series<double>::most_chunk_rows;  // More make no difference.
+  constexpr double most = Hdf5Series<double>::most_chunk_rows;  // Larger values make no difference.
   return static_cast<hsize_t>(std::clamp(std::ceil(run.duration / run.output_interval) + 1, 1.0, most));
 }
 
-/// Opens a new file through the driver, in the newest format, as single-writer mode asks; closed if HDF5
-/// fails.
+/// Creates a file through the driver, in the newest format, as single-writer mode requires; the handle is
+/// closed if HDF5 fails.
 Hdf5Handle create_file(const std::filesystem::path& path, const Hdf5FileDriver& driver) {
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST);
-  // A killed process can leave a write half done where it crosses a page of memory: what HDF5 rewrites while
-  // datasets grow (headers and indices of less than 300 bytes) is kept from crossing one.
+  // A killed process can leave a write half done where it crosses a memory page: the alignment keeps what
+  // HDF5 rewrites while datasets grow (headers and indices of less than 300 bytes) from crossing one.
   constexpr hsize_t smallest_header = 64, block = 512;
   H5Pset_alignment(access, smallest_header, block);
   if (!driver.set_in(access)) return {};
@@ -166,7 +166,7 @@ struct Hdf5Writer::File {
   JointSizes joint_sizes;
   // A model without bodies has no motion to store.
   std::optional<Hdf5Series<double>> position, orientation, velocity, angular_velocity;
-  // The same holds for joints.
+  // Likewise for a model without joints.
   std::optional<Hdf5Series<double>> joint_coordinate, joint_rate, joint_force, joint_torque;
   std::optional<Hdf5Series<double>> energy, penetration, time;
   std::optional<Hdf5Series<double>> event_time, event_point, event_impulse;
@@ -242,8 +242,8 @@ void Hdf5Writer::File::check(bool is_good) const {
     throw FileError(fmt::format("cannot write {}: the HDF5 library failed", quoted_text(path.string())));
 }
 
-/// In three rounds, so that at any instant every event's time in the file has the rest of the event, and
-/// every output time has its motion and the events before it.
+/// Writes in three rounds, so that at any instant every event time in the file has the rest of its event, and
+/// every output time has its motion and all earlier events.
 bool Hdf5Writer::File::write_pending() {
   bool is_good = true;
   const auto write_one = [&](auto& series) { is_good = is_good && (!series || series->write_pending()); };

@@ -5,15 +5,16 @@
 namespace rigor {
 
 /// Trajectory as an HDF5 file (docs/output.md gives its layout), written so that it can be opened and read at
-/// any instant, also after its writer was killed (see Hdf5FileDriver): then it holds all but the last moment.
+/// any instant, even after its writer was killed (see Hdf5FileDriver): then it holds everything but the last
+/// moment.
 class Hdf5Writer : public TrajectoryWriter {
  public:
   Hdf5Writer(const std::filesystem::path& path, const TrajectoryHeader& header);
-  /// Closes without a word; call close() to hear of errors.
+  /// Closes silently; call close() to learn of errors.
   ~Hdf5Writer() override;
   void write(const TrajectorySample& sample, std::span<const MotionEvent> events) override;
   void close(const Audit& audit) override;
-  /// Gives all that was written to the system.
+  /// Passes everything written so far to the system.
   void flush();
 
  private:

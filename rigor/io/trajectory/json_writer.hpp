@@ -6,8 +6,8 @@
 namespace rigor {
 
 /// Trajectory and audit as one JSON object {"rigor", "scene", "bodies", "joints" if there are any,
-/// "trajectory": [one object an output time, on one line], "audit"} (docs/output.md). The object is complete
-/// when the file is closed; the lines before can be saved from a file that was not.
+/// "trajectory": [one object per output time, on one line], "audit"} (docs/output.md). The object is complete
+/// when the file is closed; from a file that was not closed, the lines before can be recovered.
 class JsonWriter : public TrajectoryWriter {
  public:
   JsonWriter(const std::filesystem::path& path, const TrajectoryHeader& header);
@@ -17,7 +17,7 @@ class JsonWriter : public TrajectoryWriter {
  private:
   OutputFile file_;
   FlushTimer flush_timer_;
-  std::vector<std::size_t> coordinate_counts_;  ///< Of each joint.
+  std::vector<std::size_t> coordinate_counts_;  ///< Number of coordinates of each joint.
   bool is_first_ = true;
 };
 

@@ -27,7 +27,7 @@ std::unique_ptr<TrajectoryWriter> make_writer(const std::filesystem::path& path,
   return std::make_unique<Writer>(path, header);
 }
 
-/// A new format is one more row of the table (docs/extending.md).
+/// A new format is one more row of this table (docs/extending.md).
 struct Format {
   std::string_view suffix;
   MakeWriter make;

@@ -12,13 +12,13 @@
 
 namespace rigor {
 
-/// A joint whose motion a trajectory file holds.
+/// A joint whose motion is stored in a trajectory file.
 struct TrajectoryJoint {
   std::string name;
-  std::vector<std::string> units;  ///< Of its coordinates: "rad" or "m".
+  std::vector<std::string> units;  ///< Units of its coordinates: "rad" or "m".
 };
 
-/// What a trajectory file says once, at its start.
+/// The constant data of a trajectory file, written at its start.
 struct TrajectoryHeader {
   std::string scene;                   ///< Name.
   std::string scene_text;              ///< The scene file as it was read.
@@ -43,31 +43,31 @@ struct TrajectorySample {
   std::vector<double> joint_coordinate;  ///< C: joint by joint [rad] or [m].
   std::vector<double> joint_rate;        ///< C [rad/s] or [m/s].
   std::vector<double> joint_force;       ///< 3J: reaction on B [N]; empty if the header has none.
-  std::vector<double> joint_torque;      ///< 3J: about the anchor, on B [N m]; so too.
+  std::vector<double> joint_torque;      ///< 3J: about the anchor, on B [N m]; likewise.
 };
-/// The motion of the bodies; that of the joints is left empty.
+/// The motion of the bodies; the motion of the joints is left empty.
 TrajectorySample make_sample(const Model& model, const State& state, const Energy& energy);
 
 /// The joints of the model as a header names them.
 std::vector<TrajectoryJoint> trajectory_joints(const Model& model);
-/// Whether trajectories hold the joints' forces: not of more than 200 joints, since they would be solved for
-/// at every output time.
+/// Whether trajectories contain the forces of the joints: not for more than 200 joints, since they would be
+/// solved for at every output time.
 bool has_joint_forces(const Model& model);
-/// Sets what the joints do; forces and torques only if has_joint_forces(model).
+/// Sets the motion of the joints; forces and torques only if has_joint_forces(model).
 void add_joint_motion(const Model& model, const Method& method, const State& state, TrajectorySample& sample);
 
-/// A file that a trajectory is written to while it comes about. What has been written survives a kill of the
-/// process, but for the last moment. All functions throw FileError.
+/// A file to which a trajectory is written as it is computed. What has been written survives the death of the
+/// process, except for the last moment. All functions throw FileError.
 class TrajectoryWriter {
  public:
   virtual ~TrajectoryWriter() = default;
-  /// One output time, with what happened since the last one.
+  /// Writes one output time, with what happened since the last one.
   virtual void write(const TrajectorySample& sample, std::span<const MotionEvent> events) = 0;
   /// Completes the file.
   virtual void close(const Audit& audit) = 0;
 };
 
-/// The suffixes of the files that trajectories are written to: ".csv .h5 .json".
+/// The suffixes of trajectory files: ".csv .h5 .json".
 std::string trajectory_suffixes();
 
 /// Empty if a trajectory can be written to a file with this suffix (one of trajectory_suffixes, or one of
@@ -76,11 +76,11 @@ std::string trajectory_suffixes();
 std::string check_output_suffix(const std::filesystem::path& path,
                                 std::span<const std::string_view> written_elsewhere = {});
 
-/// The writer that the suffix asks for; the suffix is one of those. Creates the file.
+/// The writer for the suffix, which must be one of those. Creates the file.
 std::unique_ptr<TrajectoryWriter> make_trajectory_writer(const std::filesystem::path& path,
                                                          const TrajectoryHeader& header);
 
-/// Name of an event's kind as files write it: "impact", "rest", "separation", "slip_to_stick".
+/// Name of a kind of event as written in files: "impact", "rest", "separation", "slip_to_stick".
 const char* event_kind_name(MotionEvent::Kind kind);
 
 }  // namespace rigor

@@ -168,11 +168,11 @@ void Auditor::find_warnings(Audit& audit) const {
   };
   report_paradox(audit.report.inconsistent, "no finite contact force", "impulses resolve it");
   report_paradox(audit.report.indeterminate, "more than one possible contact force",
-                 "the motion may go on in several ways and one was taken");
+                 "the motion can continue in several ways and one was chosen");
   if (audit.report.coarse_steps > 0) {
     audit.warnings.push_back(fmt::format(
         "{} steps were of first order or above their error tolerance: slip or contact modes changed "
-        "faster than time resolves",
+        "faster than the resolution of time",
         audit.report.coarse_steps));
   }
 }

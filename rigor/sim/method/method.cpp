@@ -81,7 +81,12 @@ std::span<const MethodNumber> method_numbers() {
        {1e-15, 1e6},
        "pairs closer than this touch",
        &Method::contact_tolerance},
-      {"time_tolerance", "s", "1e-12", {1e-18, 1}, "width of a time of impact", &Method::time_tolerance},
+      {"time_tolerance",
+       "s",
+       "1e-12",
+       {1e-18, 1},
+       "width of the interval around a time of impact",
+       &Method::time_tolerance},
       {"resting_velocity",
        "m/s",
        "1e-3",
@@ -98,7 +103,7 @@ std::span<const MethodNumber> method_numbers() {
        "m",
        "1e-4",
        {1e-12, 1e3},
-       "how deep an impact presses a penalty contact",
+       "depth to which an impact compresses a penalty contact",
        &Method::penalty_depth},
       {"stiffness",
        "N/m",
@@ -116,7 +121,7 @@ std::span<const MethodNumber> method_numbers() {
        "",
        "0",
        {0, 1e6},
-       "in a step: least number of the penalty scheme, number of solver substep; 0: 1 or 6",
+       "per step: least number for the penalty scheme, number for solver substep; 0: 1 or 6",
        &Method::substeps},
       {"iterations",
        "",
@@ -169,7 +174,7 @@ std::vector<std::string> check_combination(const Method& method) {
   if (method.orientation == OrientationForm::matrix && is_on_group) {
     messages.push_back(
         "orientation 'matrix' does not go with integrator '" + method_choice(method, "integrator") +
-        "', which turns quaternions; integrators that do: euler, semi-implicit-euler, midpoint, rk4, "
+        "', which integrates quaternions; integrators that do: euler, semi-implicit-euler, midpoint, rk4, "
         "dopri5, dop853");
   }
   if (method.scheme == Scheme::penalty) {
@@ -185,7 +190,7 @@ std::vector<std::string> check_combination(const Method& method) {
       if (is_local) message += ", semi-implicit-euler";
       messages.push_back(message);
     } else if (method.orientation == OrientationForm::matrix && !is_on_group) {
-      std::string message = "scheme 'penalty' turns quaternions; it does not go with";
+      std::string message = "scheme 'penalty' integrates quaternions; it does not go with";
       message += " orientation 'matrix'";
       messages.push_back(message);
     }

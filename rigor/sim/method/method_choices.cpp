@@ -11,7 +11,7 @@ namespace {
 std::span<const MethodChoice> own_choices() {  // NOLINT(readability-function-size): a table.
   // Within a key, in the order of the enumerators.
   static constexpr std::array choices = {
-      MethodChoice{"scheme", "event-driven", "goes from event to event; every impact at its own time",
+      MethodChoice{"scheme", "event-driven", "advances from event to event; every impact at its own time",
                    "Baraff, Analytical Methods for Dynamic Simulation of Non-penetrating Rigid Bodies, 1989"},
       MethodChoice{"scheme", "time-stepping", "fixed steps, velocities and impulses solved together",
                    "Stewart and Trinkle, An Implicit Time-Stepping Scheme for Rigid Body Dynamics, 1996"},
@@ -49,7 +49,7 @@ std::span<const MethodChoice> own_choices() {  // NOLINT(readability-function-si
 
       MethodChoice{"broad_phase", "tree", "boxes of the bodies in a dynamic tree",
                    "Goldsmith and Salmon, Automatic Creation of Object Hierarchies for Ray Tracing, 1987"},
-      MethodChoice{"broad_phase", "sweep-and-prune", "ends of the boxes in sorted lists",
+      MethodChoice{"broad_phase", "sweep-and-prune", "endpoints of the boxes in sorted lists",
                    "Cohen, Lin, Manocha and Ponamgi, I-COLLIDE: An Interactive and Exact Collision Detection "
                    "System, 1995"},
 
@@ -91,7 +91,7 @@ std::span<const MethodChoice> own_choices() {  // NOLINT(readability-function-si
       MethodChoice{"penalty_law", "linear", "force in proportion to depth and its rate",
                    "Moore and Wilhelms, Collision Detection and Response for Computer Animation, 1988"},
       MethodChoice{
-          "penalty_law", "hunt-crossley", "force as of two balls, damped in proportion to it",
+          "penalty_law", "hunt-crossley", "Hertzian force, damped in proportion to it",
           "Hunt and Crossley, Coefficient of Restitution Interpreted as Damping in Vibroimpact, 1975"},
 
       MethodChoice{"solver", "exact", "exact Coulomb cone",
@@ -102,9 +102,9 @@ std::span<const MethodChoice> own_choices() {  // NOLINT(readability-function-si
       MethodChoice{"solver", "substep", "many small steps of one iteration",
                    "Macklin et al., Small Steps in Physics Simulation, 2019"},
 
-      MethodChoice{"cone", "exact", "Coulomb's cone, friction against the slip",
+      MethodChoice{"cone", "exact", "Coulomb's cone, friction opposite to the slip",
                    "De Saxce and Feng, The Bipotential Method, 1998"},
-      MethodChoice{"cone", "convex", "a convex problem; what slides lifts off by h mu |u_t|",
+      MethodChoice{"cone", "convex", "a convex problem; sliding contacts separate by h mu |u_t|",
                    "Anitescu, Optimization-based Simulation of Nonsmooth Rigid Multibody Dynamics, 2006"},
       MethodChoice{"cone", "pyramid", "friction in the directions of a frame, wrong in between",
                    "Stewart and Trinkle, An Implicit Time-Stepping Scheme for Rigid Body Dynamics, 1996"},

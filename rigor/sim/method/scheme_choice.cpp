@@ -183,19 +183,19 @@ std::span<const SchemeRule> scheme_rules() {
        [](const SchemeFacts& facts) { return facts.colliding_bodies == 0; },
        {Scheme::event_driven},
        "the sub-problems are solved at the stages of the integrator, whose order event-driven keeps"},
-      {"only gravity acts, nothing touches at t = 0 and no impact takes energy (restitution 1)",
+      {"only gravity acts, nothing touches at t = 0 and no impact dissipates energy (restitution 1)",
        [](const SchemeFacts& facts) {
          return facts.has_closed_form && facts.touching_pairs == 0 && facts.lowest_restitution == 1;
        },
        {Scheme::event_driven},
-       "nothing comes to rest: one sub-problem an impact, and closed forms in between"},
+       "nothing comes to rest: one sub-problem per impact, and closed forms in between"},
       {"at most 40 bodies collide, some touch at t = 0 and some are apart, all with restitutions between 0 "
        "and 1",
        [](const SchemeFacts& facts) {
          return facts.colliding_bodies <= few_bodies && facts.bouncing_pairs > 0 && facts.bouncing_apart > 0;
        },
        {Scheme::hybrid, Scheme::event_driven},
-       "what bounces falls on what rests, which must not bounce in each of its impacts"},
+       "bouncing bodies fall on resting ones, which must not bounce in each of their impacts"},
       {"at most 40 bodies collide",
        [](const SchemeFacts& facts) { return facts.colliding_bodies <= few_bodies; },
        {Scheme::event_driven},
@@ -207,7 +207,7 @@ std::span<const SchemeRule> scheme_rules() {
       {"more bodies collide, and none bounces",
        [](const SchemeFacts&) { return true; },
        {Scheme::time_stepping, Scheme::hybrid, Scheme::event_driven},
-       "contacts last: one sub-problem a step for all of them, however many events there are"},
+       "contacts last: one sub-problem per step for all of them, however many events there are"},
   }};
   return rules;
 }
@@ -238,7 +238,7 @@ SchemeChoice choose_scheme(const SchemeFacts& facts, std::span<const SchemeRefus
       fmt::format("{}, since {}: {} ({})", scheme_name(scheme), rule.when, rule.why, facts_text(facts));
   for (const Scheme better : rule.schemes) {
     if (better == scheme) break;
-    reason += fmt::format("; {} would come before it and refuses the scene: {}", scheme_name(better),
+    reason += fmt::format("; {} would be preferred but refuses the scene: {}", scheme_name(better),
                           refusal_of(better, refusals)->reason);
   }
   return {scheme, std::move(reason)};

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int bowl_sides = 96, rings = 24;
 
-/// Vertices of the half sphere z ≤ 0: the pole, then ring after ring up to z = 0.
+/// Vertices of the hemisphere z ≤ 0: the pole, then ring after ring up to z = 0.
 void add_half_sphere(double radius, TriangleMesh& mesh) {
   mesh.vertices.push_back(Vec3(0, 0, -radius));
   for (int i = 1; i <= rings; ++i) {
@@ -28,7 +28,7 @@ void add_half_sphere(double radius, TriangleMesh& mesh) {
   }
 }
 
-/// Inner and outer half sphere and the rim between them, turned outwards.
+/// Inner and outer hemisphere and the rim between them, with normals pointing outwards.
 std::shared_ptr<const TriangleMesh> bowl_mesh(double radius) {
   constexpr double thickness = 0.02;
   TriangleMesh mesh;
@@ -47,7 +47,8 @@ std::shared_ptr<const TriangleMesh> bowl_mesh(double radius) {
   for (const int first : {0, outer}) {
     for (int ring = 0; ring < rings; ++ring) {
       for (int k = 0; k < bowl_sides; ++k) {
-        // Seen from outside a ring's quad runs against the clock downwards, so the inner one is turned.
+        // Seen from outside, the quads of a ring run clockwise downwards, so those of the inner hemisphere
+        // are reversed.
         add_quad({vertex(first, ring + 1, k), vertex(first, ring, k), vertex(first, ring, k + 1),
                   vertex(first, ring + 1, k + 1)},
                  first == 0);

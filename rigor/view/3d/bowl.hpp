@@ -4,8 +4,8 @@
 
 namespace rigor {
 
-/// What is drawn of a shape: of a cavity its lower half as a thin bowl, so that one sees what is inside; else
-/// the shape itself.
+/// The drawing of a shape: the lower half of a cavity as a thin bowl, so that its inside is visible; any
+/// other shape as it is.
 Shape drawn_form(const Shape& shape);
 
 }  // namespace rigor

@@ -8,19 +8,20 @@ namespace rigor {
 
 namespace {
 
-constexpr double capital_share = 0.72;  ///< Height of capitals by the size of a text.
-constexpr double pen_share = 0.085;     ///< Width of a text's pen by its size.
+constexpr double capital_share = 0.72;  ///< Height of capitals relative to the text size.
+constexpr double pen_share = 0.085;     ///< Width of the pen relative to the text size.
 
 double font_scale(double size) {
   return capital_share * size / capital_height;
 }
 
-/// Part of a picture with the share of each pixel that lines cover.
+/// Coverage mask of a part of a picture: the share of each pixel that lines cover.
 struct Mask {
   int left, top, width, height;
   std::vector<float> share;
 
-  /// The segment a-b of a pen: a pixel is covered as far as its middle is inside the pen's outline.
+  /// Adds the segment a-b of a pen: a pixel is covered as far as its centre is inside the outline of the
+  /// stroke.
   void add(const Vec2& a, const Vec2& b, double pen) {
     const double reach = 0.5 * pen + 0.5;
     const Vec2 along = b - a;
@@ -52,7 +53,7 @@ struct Mask {
   }
 };
 
-/// A mask for the lines, cut to the picture.
+/// A mask for the lines, clipped to the picture.
 Mask make_mask(std::span<const Polyline> lines, double pen, const Image& image) {
   Vec2 low(HUGE_VAL, HUGE_VAL), high(-HUGE_VAL, -HUGE_VAL);
   for (const Polyline& line : lines) {

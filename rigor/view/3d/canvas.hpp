@@ -12,11 +12,11 @@ namespace rigor {
 
 enum class Anchor { start, middle, end };
 
-/// How a text stands on a picture.
+/// How a text is set on a picture.
 struct TextStyle {
-  double size = 14;  ///< Of the letters from one base line to the next; capitals are 0.72 of it [px].
+  double size = 14;  ///< Distance of base lines; capitals are 0.72 of it [px].
   Color color = Color::Zero();
-  Anchor anchor = Anchor::start;  ///< Which part of the text is at the given place.
+  Anchor anchor = Anchor::start;  ///< Which part of the text is at the given position.
   bool is_vertical = false;       ///< Runs upwards.
 };
 
@@ -25,13 +25,13 @@ double text_width(std::string_view text, double size);
 /// The text cut to the width, with "..." at its end if something is missing.
 std::string fitted_text(std::string_view text, double size, double width);
 
-/// Draws lines, text and rectangles on a picture, each pixel by the share that they cover. Places in pixels
-/// from the upper left corner, x right and y down; what lies outside is left out.
+/// Draws lines, text and rectangles on a picture; each pixel is mixed by the share that they cover. Positions
+/// are in pixels from the upper left corner, x right and y down; anything outside the picture is clipped.
 class Canvas {
  public:
   explicit Canvas(Image& image) : image_(image) {}
 
-  /// Lines of one colour with round ends; where they cross they are not drawn twice.
+  /// Lines of one colour with round ends; where they cross, they are not blended twice.
   void stroke(std::span<const Polyline> lines, double width, const Color& color);
   /// The text with its base line at y.
   void text(std::string_view text, double x, double y, const TextStyle& style);

@@ -10,7 +10,8 @@
 
 namespace rigor {
 
-/// A colour as light: linear, 0 to 1 a channel. Sums and averages of colours mean something here only.
+/// A colour as linear light, 0 to 1 per channel. Only in this form are sums and averages of colours
+/// meaningful.
 using Color = Eigen::Vector3f;
 
 /// Light of "#rgb" or "#rrggbb" (sRGB).
@@ -19,7 +20,7 @@ Color color_from_hex(std::string_view text);
 class SrgbTable {
  public:
   SrgbTable();
-  /// Value of a channel; light outside 0 to 1 is cut.
+  /// Value of a channel; light outside 0 to 1 is clamped.
   std::uint8_t operator[](float light) const {
     const float cut = std::min(std::max(0.0F, light), 1.0F);
     return bytes_[static_cast<std::size_t>(cut * static_cast<float>(steps) + 0.5F)];

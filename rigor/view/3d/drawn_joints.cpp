@@ -12,9 +12,9 @@ namespace rigor {
 
 namespace {
 
-/// Of a rod's radius to the longer arm of its joint, and of the ball at its end to the rod's radius.
+/// Ratios of the radius of a rod to the longer arm of its joint, and of the ball at its end to that radius.
 constexpr double slenderness = 0.012, ball_to_rod = 1.9;
-/// A rod is no thicker than this part of its length.
+/// The radius of a rod is at most this part of its length.
 constexpr double most_thickness = 0.2;
 constexpr double line_slenderness = 0.006;
 
@@ -28,7 +28,7 @@ Color spring_color() {
   return color_from_hex("#b0762a");
 }
 
-/// A joint's place on one of its bodies.
+/// The anchor of a joint on one of its bodies.
 struct Side {
   int body;
   Vec3 p_BP;  ///< In the body frame B [m].
@@ -70,7 +70,7 @@ void add_rod(const Model& model, const Side& side, double radius, DrawnScene& sc
   scene.shapes.push_back(std::move(part));
 }
 
-/// Rods and ball of a joint that has a place.
+/// Rods and ball of a joint that has an anchor.
 void add_joint(const Model& model, const Joint& joint, DrawnScene& scene) {
   const std::array<Side, 2> sides = sides_of(joint);
   const double radius = slenderness * std::max(arm(model, sides[0]), arm(model, sides[1]));

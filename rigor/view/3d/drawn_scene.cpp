@@ -26,11 +26,12 @@ class SurfaceShelf {
 
  private:
   std::map<std::pair<std::size_t, std::array<double, 4>>, std::shared_ptr<const Surface>> by_numbers_;
-  std::map<const void*, std::shared_ptr<const Surface>> by_data_;  ///< Looked up only, never walked through.
+  // Only looked up, never iterated: the order of pointers does not matter.
+  std::map<const void*, std::shared_ptr<const Surface>> by_data_;
 };
 
-/// The solid box with these principal moments: I_x = m (b² + c²) / 12 of the sides a, b, c and so on, so that
-/// a² = 6 (I_y + I_z - I_x) / m. A side of no length is drawn as a hundredth of the longest.
+/// The solid box with these principal moments of inertia: I_x = m (b² + c²) / 12 of the sides a, b, c and so
+/// on, so that a² = 6 (I_y + I_z - I_x) / m. A side of no length is drawn as a hundredth of the longest.
 BodyShape inertia_box(const Body& body) {
   const Vec3& I = body.moments;
   const Vec3 squares = 6 / body.mass * (Vec3::Constant(I.sum()) - 2 * I);
@@ -39,7 +40,7 @@ BodyShape inertia_box(const Body& body) {
   return {Box{half}, Pose{}, 0, half.norm(), ""};
 }
 
-/// What is drawn of a body whose joints are as far as `reach` from its centre of mass.
+/// The shapes drawn for a body whose joints reach this far from its centre of mass.
 std::vector<BodyShape> drawn_shapes(const Body& body, double reach) {
   constexpr double least_part = 0.05;
   if (!body.shapes.empty() || body.motion != MotionType::dynamic || !(body.moments.maxCoeff() > 0))
@@ -60,7 +61,7 @@ std::array<Vec3, 2> DrawnLine::ends(std::span<const Pose> X_WU) const {
   return p_W;
 }
 
-/// Of the ball about the origin of S that holds what is drawn [m].
+/// Radius of the ball around the origin of S that contains the drawing [m].
 double form_radius(const BodyShape& shape, const Shape& form) {
   return std::holds_alternative<Cavity>(shape.shape) ? radius_about(form, Vec3::Zero()) : shape.radius;
 }

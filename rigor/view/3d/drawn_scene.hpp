@@ -20,9 +20,9 @@ struct DrawnShape {
   Pose X_US;                               ///< Pose of the shape in the body's user frame U.
   std::shared_ptr<const Surface> surface;  ///< Null for spheres and planes.
   Aabb box;                                ///< In S; infinite for planes.
-  double radius = 0;                       ///< Of the ball about the origin of S that holds it [m].
+  double radius = 0;  ///< Radius of the ball around the origin of S that contains it [m].
   Color color = Color::Zero();
-  bool is_joint = false;  ///< Not a shape of the body, but its rod to a joint.
+  bool is_joint = false;  ///< Not a shape of the body but its rod to a joint.
 };
 
 /// A thin line between points of two bodies: a distance joint, a spring.
@@ -32,22 +32,22 @@ struct DrawnLine {
   double radius = 0;            ///< [m].
   Color color = Color::Zero();
 
-  /// Where its ends are with the bodies' user frames at X_WU.
+  /// The ends of the line when the user frames of the bodies are at X_WU.
   std::array<Vec3, 2> ends(std::span<const Pose> X_WU) const;
 };
 
-/// What is seen of a model. Poses of the bodies come with each picture, as those of their user frames, which
-/// is how trajectories store them.
+/// The drawing of a model. The poses of the bodies come with each picture, as poses of their user frames,
+/// which is how trajectories store them.
 struct DrawnScene {
   std::vector<DrawnShape> shapes;
   std::vector<DrawnLine> lines;
   int body_count = 0;
-  Vec3 up = Vec3::UnitZ();  ///< Against gravity, unit.
+  Vec3 up = Vec3::UnitZ();  ///< Opposite to gravity, unit.
 };
 
 /// Equal boxes, cylinders, ... share their surfaces. A dynamic body without shapes is drawn as the solid box
-/// that has its mass, with the inertia that it has; as a ball where this were small beside the way to its
-/// joints. What joints look like: drawn_joints.hpp.
+/// that has its mass and inertia, or as a ball where that box were small compared with the distance to its
+/// joints. For joints see drawn_joints.hpp.
 DrawnScene make_drawn_scene(const Model& model);
 
 }  // namespace rigor

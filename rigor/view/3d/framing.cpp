@@ -11,7 +11,7 @@ namespace rigor {
 namespace {
 
 constexpr double usual_field_of_view = 30 * M_PI / 180;
-constexpr double margin = 0.07;  ///< Of the picture's half width and height, left free.
+constexpr double margin = 0.07;  ///< Share of the picture's half width and height that stays empty.
 constexpr double flying_off = 4, most_radii = 100;
 
 /// The extent of a drawn shape: a ball, its vertices, or the corners of its box if it has many.
@@ -50,7 +50,7 @@ Vec3 median(const std::vector<Vec3>& points) {
   return result;
 }
 
-/// All that the picture should hold.
+/// Everything that the picture should contain.
 std::vector<FramedBall> framed_balls(const DrawnScene& scene, std::span<const Pose> poses) {
   const std::size_t n = at(scene.body_count);
   const auto is_bounded = [](const DrawnShape& shape) {
@@ -58,6 +58,7 @@ std::vector<FramedBall> framed_balls(const DrawnScene& scene, std::span<const Po
   };
   const bool nothing_moves = std::none_of(scene.shapes.begin(), scene.shapes.end(),
                                           [&](const DrawnShape& s) { return s.can_move && is_bounded(s); });
+  // Sort the bounded shapes into moving and fixed ones; if nothing moves, all of them count as moving.
   std::vector<Vec3> starts;
   std::vector<const DrawnShape*> moving, fixed;
   for (const DrawnShape& shape : scene.shapes) {
@@ -68,6 +69,7 @@ std::vector<FramedBall> framed_balls(const DrawnScene& scene, std::span<const Po
   }
   if (moving.empty()) return {};
 
+  // How far each moving shape ever gets from the middle of the start.
   const Vec3 middle = median(starts);
   double start_reach = 0, largest = 0;
   std::vector<double> reaches;
@@ -80,6 +82,7 @@ std::vector<FramedBall> framed_balls(const DrawnScene& scene, std::span<const Po
       reach = std::max(reach, (poses[i] * shape->X_US.p - middle).norm() + shape->radius);
     reaches.push_back(reach);
   }
+  // Beyond this distance a body has flown off and would be too small to see.
   const double limit =
       std::min(flying_off * median(reaches), std::max(1.5 * start_reach, most_radii * largest));
 
@@ -118,12 +121,12 @@ double farthest_depth(const std::vector<FramedBall>& seen, int axis, double t) {
   return -0.5 * (upper + lower) / t;
 }
 
-/// Place of the eye along an axis of the picture from which the balls reach equally far to both sides.
+/// Position of the eye along an axis of the picture from which the balls reach equally far to both sides.
 double centered(const std::vector<FramedBall>& seen, int axis, double depth) {
   double low = HUGE_VAL, high = -HUGE_VAL;
   for (const FramedBall& ball : seen)
     low = std::min(low, ball.p_W[axis] - ball.radius), high = std::max(high, ball.p_W[axis] + ball.radius);
-  // How far they reach to the one side, less how far to the other, falls as the eye moves: bisection.
+  // Bisection: the reach to one side minus the reach to the other decreases as the eye moves.
   for (int halving = 0; halving < 50; ++halving) {
     const double eye = 0.5 * (low + high);
     double least = HUGE_VAL, most = -HUGE_VAL;
@@ -138,9 +141,9 @@ double centered(const std::vector<FramedBall>& seen, int axis, double depth) {
   return 0.5 * (low + high);
 }
 
-/// How the balls are spread: along two level axes and upwards.
+/// Spread of the balls along two horizontal axes and upwards.
 struct Spread {
-  Vec3 first, second;                         ///< Level, unit.
+  Vec3 first, second;                         ///< Horizontal, unit.
   double along_first, along_second, upwards;  ///< Standard deviations [m].
 };
 Spread spread_of(const std::vector<FramedBall>& balls, const Vec3& up) {
@@ -152,13 +155,13 @@ Spread spread_of(const std::vector<FramedBall>& balls, const Vec3& up) {
   for (const FramedBall& ball : balls) mean += axes.transpose() * ball.p_W / count;
   for (const FramedBall& ball : balls) {
     squares += (axes.transpose() * ball.p_W - mean).cwiseAbs2() / count;
-    squares += Vec3::Constant(ball.radius * ball.radius / 5 / count);  // Of the points of a ball.
+    squares += Vec3::Constant(ball.radius * ball.radius / 5 / count);  // Variance of the points of a ball.
   }
   return {first, second, std::sqrt(squares.x()), std::sqrt(squares.y()), std::sqrt(squares.z())};
 }
 
-/// Line of sight across the longer side of the ground that the balls cover, a little turned; the steeper from
-/// above, the flatter they are spread.
+/// Line of sight across the longer side of the ground that the balls cover, slightly rotated. The flatter the
+/// balls are spread, the steeper the view from above.
 Vec3 line_of_sight(const std::vector<FramedBall>& balls, const Vec3& up) {
   constexpr double degree = M_PI / 180, turn = 24 * degree, least_dip = 10 * degree, more_dip = 30 * degree;
   const Spread spread = spread_of(balls, up);
@@ -178,9 +181,11 @@ Camera framing_camera(std::span<const FramedBall> balls, const Vec3& forward, co
   const Mat3 axes = camera_axes(forward, up);
   std::vector<FramedBall> seen;
   for (const FramedBall& ball : balls) seen.push_back({axes.transpose() * ball.p_W, ball.radius});
+  // Move the eye back until all balls fit both the width and the height.
   const double half_height = std::tan(0.5 * field_of_view) * (1 - margin);
   const double depth =
       std::min(farthest_depth(seen, 0, half_height * width_to_height), farthest_depth(seen, 1, half_height));
+  // Look at the mean depth of the balls, with the eye centred.
   double middle = 0;
   for (const FramedBall& ball : seen) middle += ball.p_W.z() / static_cast<double>(seen.size());
   const Vec3 eye = axes * Vec3(centered(seen, 0, depth), centered(seen, 1, depth), depth);
@@ -194,6 +199,7 @@ Camera make_camera(const DrawnScene& scene, std::span<const Pose> poses, const C
   const Vec3 forward = line_of_sight(balls, scene.up);
   const double field_of_view = wishes.field_of_view.value_or(usual_field_of_view);
   Camera camera = framing_camera(balls, forward, scene.up, field_of_view, width_to_height);
+  // What the user asked for overrides the framing.
   if (wishes.target) {
     if (!wishes.eye) camera.eye += *wishes.target - camera.target;
     camera.target = *wishes.target;

@@ -8,7 +8,7 @@
 
 namespace rigor {
 
-/// What the user asked for; the rest is found from the motion.
+/// What the user asked for; everything else is derived from the motion.
 struct CameraWishes {
   std::optional<Vec3> eye, target;      ///< p_W [m].
   std::optional<double> field_of_view;  ///< Between the upper and the lower edge [rad].
@@ -17,8 +17,9 @@ struct CameraWishes {
 /// A camera that sees the motion, from obliquely above and across the longer side of the ground that it
 /// covers, with a margin.
 ///
-/// poses: the bodies' user frames at some moments, body_count a moment. All dynamic and kinematic bodies are
-/// in the picture all the time, but for those that fly off: of a body, only the way counts that it makes
+/// poses: the bodies' user frames at some moments, body_count per moment. All dynamic and kinematic bodies
+/// are in the picture all the time, except those that fly off: of the path of a body only the part counts
+/// that lies
 ///   within four times the distance, from the middle of the start, that half of the bodies ever reach,
 ///   and within a hundred radii of the largest body, or 1.5 times the distance of the farthest at the start,
 /// because farther off the bodies would be too small to see. Static bodies count if they are within that.

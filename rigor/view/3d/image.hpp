@@ -8,7 +8,7 @@
 
 namespace rigor {
 
-/// Picture of 8-bit sRGB colours, three bytes a pixel, rows from the top.
+/// Picture of 8-bit sRGB colours: three bytes per pixel, rows from the top.
 struct Image {
   int width = 0, height = 0;      ///< [px].
   std::vector<std::uint8_t> rgb;  ///< 3 × width × height.

@@ -15,7 +15,7 @@ constexpr int impact = static_cast<int>(MotionEvent::Kind::impact);
 constexpr int rest = static_cast<int>(MotionEvent::Kind::rest);
 constexpr int slip_to_stick = static_cast<int>(MotionEvent::Kind::slip_to_stick);
 
-/// Collects moments that are far enough from each other.
+/// Collects moments that are far enough apart from each other.
 class Choice {
  public:
   Choice(const Recording& recording, std::size_t most)
@@ -25,7 +25,7 @@ class Choice {
              (4 * static_cast<double>(most))) {}
 
   bool is_full() const { return moments_.size() >= most_; }
-  /// Whether it was taken.
+  /// Adds a moment unless it is too close to another; whether it was added.
   bool add(std::size_t frame, std::string what) {
     const double t = time(frame);
     const bool is_near = std::any_of(moments_.begin(), moments_.end(), [&](const KeyMoment& moment) {
@@ -37,7 +37,7 @@ class Choice {
     moments_.insert(after, {frame, std::move(what)});
     return true;
   }
-  /// The middle of the longest span between two moments; false if there is nothing in between.
+  /// Adds the middle of the longest span between two moments; false if there is nothing in between.
   bool add_in_longest_span() {
     std::size_t longest = 0;
     for (std::size_t i = 1; i + 1 < moments_.size(); ++i) {

@@ -24,11 +24,11 @@ namespace {
 
 std::vector<std::string> arguments(const std::filesystem::path& path, int width, int height) {
   const std::string rate = std::to_string(MovieFile::frames_per_second);
-  // "file:" keeps ffmpeg from taking a name with a colon for an address.
+  // The prefix "file:" keeps ffmpeg from taking a name with a colon for an address.
   return {"ffmpeg", "-y", "-loglevel", "error", "-f", "rawvideo", "-pixel_format", "rgb24", "-video_size",
           fmt::format("{}x{}", width, height), "-framerate", rate, "-i", "-", "-an", "-c:v", "libx264",
           "-pix_fmt", "yuv420p",
-          // Said in the file, because players guess the colours of large and small films differently.
+          // The file states its colour space, because players guess it differently for large and small films.
           "-vf", "scale=out_color_matrix=bt709", "-colorspace", "bt709", "-color_primaries", "bt709",
           "-color_trc", "bt709", "-crf", "18", "-movflags", "+faststart", "-f", "mp4",
           "file:" + path.string()};
@@ -47,7 +47,7 @@ bool has_program(const std::string& name) {
 }
 
 MovieFile::MovieFile(const std::filesystem::path& path, int width, int height) : path_(path) {
-  // A socket in place of a pipe: writing to a program that has ended is an error there and no signal.
+  // A socket replaces the pipe: writing to a program that has ended is then an error and not a signal.
   int ends[2];
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) throw write_error(path, errno);
   std::vector<std::string> words = arguments(path, width, height);
@@ -93,7 +93,7 @@ FileError MovieFile::ended_error(int code) const {
                                quoted_text(path_.string()), code));
 }
 
-/// Waits for ffmpeg; its exit code, 0 if it was waited for before.
+/// Waits for ffmpeg and returns its exit code, or 0 if that has happened before.
 int MovieFile::end() {
   if (input_ >= 0) ::close(std::exchange(input_, -1));
   if (process_ < 0) return 0;

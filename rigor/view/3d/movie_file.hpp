@@ -13,17 +13,17 @@ namespace rigor {
 /// Whether a program of that name is on the PATH.
 bool has_program(const std::string& name);
 
-/// A film that the program ffmpeg makes of pictures given to it one by one (H.264 in an MP4 file, which plays
-/// everywhere). All functions throw FileError.
+/// A film encoded by the program ffmpeg from pictures that are handed over one by one (H.264 in an MP4 file,
+/// which plays everywhere). All functions throw FileError.
 class MovieFile {
  public:
   static constexpr int frames_per_second = 30;
 
-  /// Starts ffmpeg, without a shell. Width and height are even, as the format asks.
+  /// Starts ffmpeg without a shell. Width and height must be even, as the format requires.
   MovieFile(const std::filesystem::path& path, int width, int height);
   MovieFile(const MovieFile&) = delete;
   MovieFile& operator=(const MovieFile&) = delete;
-  /// Ends ffmpeg without a word; call close() to hear of errors.
+  /// Ends ffmpeg silently; call close() to learn of errors.
   ~MovieFile();
 
   void add(const Image& image);

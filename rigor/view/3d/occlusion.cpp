@@ -16,6 +16,7 @@ Occlusion::Occlusion(std::span<const SampleGrid> grids, int width, int height)
       is_outdated_(farthest_.size(), 0) {}
 
 Occlusion::Tiles Occlusion::tiles_of(const PictureBox& box) const {
+  // The tiles that the box touches, clamped to the picture.
   const auto first = [](double value, int count) {
     return static_cast<int>(std::clamp(value / tile, 0.0, static_cast<double>(count)));
   };
@@ -29,12 +30,13 @@ Occlusion::Tiles Occlusion::tiles_of(const PictureBox& box) const {
 float Occlusion::farthest(int column, int row) {
   const std::size_t at =
       static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+  // The cached value holds until something is drawn in the tile.
   if (!is_outdated_[at]) return farthest_[at];
   is_outdated_[at] = 0;
   const int begin = column * tile;
   const std::size_t columns = static_cast<std::size_t>(std::min(tile, width_ - begin));
   const int bottom = std::min((row + 1) * tile, height_);
-  // The least of each column first: a loop that becomes vector code.
+  // The minimum of each column comes first, because this loop vectorises.
   std::array<float, tile> least;
   least.fill(HUGE_VALF);
   for (const SampleGrid& grid : grids_) {

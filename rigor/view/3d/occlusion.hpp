@@ -7,14 +7,15 @@
 
 namespace rigor {
 
-/// Rectangle of the picture and the nearest that anything in it comes.
+/// A rectangle of the picture and the largest nearness of anything in it.
 struct PictureBox {
   double left, right, top, bottom;  ///< [px].
   double nearness;                  ///< [1/m].
 };
 
-/// Tells what is hidden before it is drawn, when things are drawn from near to far: by the farthest sample
-/// of each tile of 16 × 16 pixels, looked up again only when something was drawn there.
+/// Occlusion culling: tells whether a shape is hidden before it is drawn, given that shapes come from near to
+/// far. It compares the shape with the farthest sample of each tile of 16 × 16 pixels, which is computed
+/// again only after something was drawn there.
 class Occlusion {
  public:
   Occlusion(std::span<const SampleGrid> grids, int width, int height);

@@ -30,7 +30,7 @@ struct LegendLine {
   std::string name;
   Color color;
 };
-/// The bodies that can move and are drawn; none if they are many.
+/// The bodies that can move and are drawn; empty if there are many.
 std::vector<LegendLine> legend(const Model& model, const DrawnScene& scene) {
   std::vector<LegendLine> lines;
   int last = -1;
@@ -56,8 +56,8 @@ void add_legend(const std::vector<LegendLine>& lines, double x, double y, double
   }
 }
 
-/// How much of the box the drawn shapes that can move cover, each as the square about its ball, summed over
-/// all moments [px²].
+/// Area of the box that the moving shapes cover, each taken as the square around its ball, summed over all
+/// moments [px²].
 double covered(const PictureBox& box, const DrawnScene& scene, const std::vector<Pose>& poses,
                const Projection& projection) {
   double sum = 0;
@@ -77,7 +77,8 @@ double covered(const PictureBox& box, const DrawnScene& scene, const std::vector
   return sum;
 }
 
-/// Moments at which the motion is looked at to frame it: all, or evenly spread if they were too many points.
+/// Moments at which the motion is sampled to frame it: all of them, or evenly spaced ones if all would give
+/// too many points.
 std::vector<Pose> sampled_poses(const Recording& recording) {
   constexpr std::size_t most_poses = 20000;
   const std::size_t n = std::max<std::size_t>(1, recording.motion.bodies.size());
@@ -118,7 +119,7 @@ Photographer::Photographer(const Recording& recording, const CameraWishes& wishe
   place_legend(poses);
 }
 
-/// Below the scene's name, below the time, or in the lower corners.
+/// Candidate positions of the legend: below the scene's name, below the time, or in the lower corners.
 void Photographer::place_legend(const std::vector<Pose>& poses) {
   const std::vector<LegendLine> lines = legend(*recording_.model, scene_);
   if (lines.empty()) return;
@@ -173,7 +174,7 @@ Image Photographer::sheet(const std::vector<KeyMoment>& moments) {
   const std::vector<LegendLine> lines = legend(*recording_.model, scene_);
   double legend_width = 0;
   for (const LegendLine& line : lines) legend_width += text_width(line.name, size) + 2.4 * size;
-  // The legend stands in the head if it finds room there.
+  // The legend goes into the head line if there is room for it.
   if (legend_width + text_width(recording_.name, 1.2 * size) + 4 * gap < image.width) {
     x_legend -= legend_width;
     for (const LegendLine& line : lines) {

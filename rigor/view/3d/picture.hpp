@@ -17,17 +17,17 @@ inline constexpr int least_picture_side = 16, most_picture_side = 16384;
 /// Makes pictures of one recording, all through the same camera.
 class Photographer {
  public:
-  /// The recording outlives this object.
+  /// The recording must outlive this object.
   Photographer(const Recording& recording, const CameraWishes& wishes, const PictureSize& size);
 
   const Camera& camera() const { return camera_; }
   /// The scene at an output time, without text.
   Image draw(std::size_t frame);
-  /// The same with the scene's name, the time and the names of the moving bodies if they are few: in that
-  /// corner where they cover the least of the motion, the same in all pictures.
+  /// The same with the scene's name, the time and the names of the moving bodies if they are few: these stand
+  /// in the corner where they cover the least of the motion, the same one in all pictures.
   Image picture(std::size_t frame);
-  /// All moments side by side in one picture, each of this photographer's size, with their times and what
-  /// they show below them and the scene's name above.
+  /// All moments side by side in one picture, each of the size given to this object, with their times and
+  /// captions below them and the name of the scene above.
   Image sheet(const std::vector<KeyMoment>& moments);
 
  private:
@@ -38,15 +38,15 @@ class Photographer {
   DrawnScene scene_;
   Camera camera_;
   Renderer renderer_;
-  PictureBox legend_{};  ///< Empty: there is none.
+  PictureBox legend_{};  ///< Empty if there is no legend.
 };
 
-/// Columns of a sheet of that many pictures.
+/// Number of columns of a sheet with that many pictures.
 int sheet_columns(std::size_t count);
-/// Size of one picture of a sheet of the given width: 16 to 9, three beside each other.
+/// Size of one picture of a sheet of the given width: 16 to 9, three side by side.
 PictureSize sheet_tile(int sheet_width);
 
-/// "t = 0.25 s", with as many digits as tell the recording's output times apart.
+/// "t = 0.25 s", with enough digits to tell the output times of the recording apart.
 std::string time_text(const Recording& recording, std::size_t frame);
 
 }  // namespace rigor

@@ -22,7 +22,7 @@ class PictureWriter : public MotionKeeper {
 /// Suffixes of the outputs of a run that this layer writes.
 inline constexpr std::array<std::string_view, 1> picture_suffixes = {".png"};
 
-/// Pictures on a sheet of key moments, and the sheet's width [px].
+/// Number of pictures on a sheet of key moments, and width of the sheet [px].
 inline constexpr std::size_t sheet_pictures = 6;
 inline constexpr int sheet_width = 1440;
 

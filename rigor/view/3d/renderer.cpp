@@ -24,12 +24,14 @@ void clip_before(const std::vector<Vec3>& polygon, double near, std::vector<Vec3
 /// three of its corners.
 void set_smooth_normal(std::span<const PicturePoint, 3> at, std::span<const Vec3, 3> normals,
                        SeenThing& thing) {
+  // Three corners of the picture give the three coefficients of an affine function.
   Mat3 places;
   for (int i = 0; i < 3; ++i) {
     const PicturePoint& point = at[static_cast<std::size_t>(i)];
     places.row(i) << 1, point.x, point.y;
   }
-  if (std::abs(places.determinant()) < 1e-6) return;  // Less than a pixel: flat.
+  if (std::abs(places.determinant()) < 1e-6) return;  // Smaller than a pixel: it stays flat.
+  // The function is that of the normal times the nearness; its scale is free, so the first corner sets it.
   Mat3 values;
   for (int i = 0; i < 3; ++i)
     values.row(i) =
@@ -42,7 +44,7 @@ void set_smooth_normal(std::span<const PicturePoint, 3> at, std::span<const Vec3
   thing.along_y = (scale * affine.row(2)).transpose().cast<float>();
 }
 
-/// A box on the picture that holds the ball's outline: that of a cube about it.
+/// Bounding box on the picture of the cube around the ball, which holds the outline of the ball.
 PictureBox box_around(const Vec3& p_K, double radius, const Projection& projection) {
   const double front = p_K.z() - radius, back = p_K.z() + radius, f = projection.focal_length();
   if (front <= 0) return {-HUGE_VAL, HUGE_VAL, -HUGE_VAL, HUGE_VAL, HUGE_VAL};
@@ -52,7 +54,7 @@ PictureBox box_around(const Vec3& p_K, double radius, const Projection& projecti
           projection.center_y() + low(p_K.y()), projection.center_y() + high(p_K.y()), 1 / front};
 }
 
-/// 1, 2 or 5 times a power of ten, about the value.
+/// The number 1, 2 or 5 times a power of ten that is close to the value.
 double round_number(double value) {
   const double power = std::pow(10, std::floor(std::log10(value)));
   const double lead = value / power;
@@ -69,22 +71,26 @@ Vec3 sun_direction(const Camera& camera, const Vec3& up) {
 Image Renderer::draw(const DrawnScene& scene, std::span<const Pose> X_WU, const Camera& camera, int width,
                      int height) {
   RIGOR_ASSERT(static_cast<int>(X_WU.size()) == scene.body_count);
+  // Place the shapes, sorted from near to far, in front of the camera.
   const Projection projection(camera, width, height);
   const double distance = (camera.target - camera.eye).norm();
   near_ = 1e-3 * distance;
   place(scene, X_WU, projection.X_KW());
 
   const Vec3 sun_W = sun_direction(camera, scene.up);
-  // Shadows of all that is in the picture about its middle, and of what stands half as far beside it.
+  // Draw the shadow map. It covers everything visible around the centre of the picture and half as much
+  // beyond it.
   const double visible = distance * std::tan(0.5 * camera.field_of_view) * std::hypot(width, height) / height;
   const Region region{camera.target, 1.5 * visible};
   shadows_.draw(placed_, sun_W, region, std::clamp(std::max(width, height) * 4 / 5, 1024, 4096));
   shadows_.set_camera(projection.X_KW());
 
+  // First pass: visibility. Each sample finds the nearest face, ball or plane.
   for (SampleGrid& grid : grids_) grid.clear(width, height);
   things_.assign(1, SeenThing{});
   see(projection, width, height);
 
+  // Second pass: shading. Each pixel gets the colour of what its samples see.
   const Mat3& R_KW = projection.X_KW().R;
   const Look look{(R_KW * sun_W).cast<float>(), (R_KW * scene.up).cast<float>(),
                   static_cast<float>(round_number(0.08 * distance)), static_cast<float>(7 * distance)};
@@ -99,15 +105,17 @@ void Renderer::place(const DrawnScene& scene, std::span<const Pose> X_WU, const 
   for (const DrawnShape& shape : scene.shapes)
     placed_.push_back({&shape, X_WU[static_cast<std::size_t>(shape.body)] * shape.X_US});
   place_lines(scene, X_WU);
+  // Sorting by depth lets near shapes hide far ones before these are drawn.
   const auto depth = [&](const ShownShape& placed) { return X_KW.R.row(2).dot(placed.X_WS.p); };
   std::stable_sort(placed_.begin(), placed_.end(),
                    [&](const ShownShape& a, const ShownShape& b) { return depth(a) < depth(b); });
 }
 
-/// Lines as rods of the lengths that they have now.
+/// Places the lines as thin rods, each as long as it is at this moment.
 void Renderer::place_lines(const DrawnScene& scene, std::span<const Pose> X_WU) {
   rods_.clear();
-  rods_.reserve(scene.lines.size());  // The placed shapes point at them.
+  // The placed shapes keep pointers to the rods, so the vector must not reallocate.
+  rods_.reserve(scene.lines.size());
   for (const DrawnLine& line : scene.lines) {
     const auto [from, to] = line.ends(X_WU);
     const double length = (to - from).norm();
@@ -132,7 +140,7 @@ void Renderer::see(const Projection& projection, int width, int height) {
       see_surface(placed, projection, occlusion);
     }
   }
-  // Planes last: most of their samples are hidden.
+  // Planes come last, because most of their samples are hidden by then.
   for (const ShownShape& placed : placed_) {
     if (const HalfSpace* const plane = std::get_if<HalfSpace>(&placed.shape->shape))
       see_plane(placed, *plane, projection);
@@ -142,6 +150,7 @@ void Renderer::see(const Projection& projection, int width, int height) {
 void Renderer::see_ball(const ShownShape& placed, double radius, const Projection& projection,
                         Occlusion& occlusion) {
   const Vec3 p_K = projection.X_KW() * placed.X_WS.p;
+  // Skip balls around or behind the eye, and those that nearer shapes hide.
   if (p_K.norm() <= radius + near_ || p_K.z() <= near_) return;
   const PictureBox box = box_around(p_K, radius, projection);
   if (occlusion.hides(box)) return;
@@ -159,12 +168,13 @@ void Renderer::see_plane(const ShownShape& placed, const HalfSpace& plane, const
   const Vec3 normal = X_KS.R * plane.normal;
   const Vec3 p = X_KS * (plane.offset * plane.normal);
   const double offset = normal.dot(p);
-  if (offset >= 0) return;  // Seen from inside the solid: left out, so that it hides nothing.
+  if (offset >= 0) return;  // The eye is inside the solid: the plane is left out so that it hides nothing.
   const std::uint32_t id = static_cast<std::uint32_t>(things_.size());
   SeenThing& ground = things_.emplace_back();
   ground.kind = SeenThing::Kind::plane;
   ground.color = placed.shape->color;
   ground.normal = normal.cast<float>();
+  // The pattern of squares lies along these two axes of the plane.
   const Mat3 axes = X_KS.R * frame_with_z(plane.normal);
   ground.along_x = axes.col(0).cast<float>();
   ground.along_y = axes.col(1).cast<float>();
@@ -177,6 +187,7 @@ void Renderer::see_surface(const ShownShape& placed, const Projection& projectio
   const Surface& surface = *placed.shape->surface;
   const Pose X_KS = projection.X_KW() * placed.X_WS;
   if (X_KS.p.z() <= -placed.shape->radius) return;
+  // Project all vertices and find the bounding box of the shape on the picture.
   points_.clear();
   seen_points_.clear();
   PictureBox box{HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL, 0};
@@ -189,10 +200,11 @@ void Renderer::see_surface(const ShownShape& placed, const Projection& projectio
     box = {std::min(box.left, seen.x), std::max(box.right, seen.x), std::min(box.top, seen.y),
            std::max(box.bottom, seen.y), std::max(box.nearness, seen.nearness)};
   }
-  // A shape that reaches behind the near plane is never hidden, and its box is not known.
+  // A shape that reaches behind the near plane has no bounded box and is never skipped as hidden.
   if (box.nearness >= 1 / near_) box = {-HUGE_VAL, HUGE_VAL, -HUGE_VAL, HUGE_VAL, HUGE_VAL};
   if (occlusion.hides(box)) return;
   occlusion.add(box);
+  // Draw the faces that point towards the eye.
   for (const Surface::Face& face : surface.faces) {
     const Vec3 normal = X_KS.R * face.normal;
     const std::size_t first = static_cast<std::size_t>(face.begin);
@@ -208,7 +220,7 @@ void Renderer::see_surface(const ShownShape& placed, const Projection& projectio
   }
 }
 
-/// The face's corners on the picture, into corners_, and the normals of a smooth one.
+/// Writes the corners of the face on the picture to corners_, and the normals of a smooth face to its thing.
 void Renderer::see_face(const Surface& surface, const Surface::Face& face, const Pose& X_KS,
                         const Projection& projection) {
   const auto vertex = [&](int i) {
@@ -220,6 +232,7 @@ void Renderer::see_face(const Surface& surface, const Surface::Face& face, const
     corners_.push_back(seen_points_[vertex(i)]);
     is_before = is_before && points_[vertex(i)].z() >= near_;
   }
+  // A face that crosses the near plane is clipped; it is shaded flat.
   if (!is_before) {
     std::vector<Vec3> polygon;
     for (int i = 0; i < face.count; ++i) polygon.push_back(points_[vertex(i)]);
@@ -274,16 +287,17 @@ void Renderer::color_row(const Shader& shader, int row, std::span<Color> colors)
   }
 }
 
-/// Colour of the pixel whose upper left corner is (x, y): of each thing that its samples see at their middle,
-/// weighted by their number.
+/// Colour of the pixel whose upper left corner is (x, y): the average over its samples, where each visible
+/// thing is shaded once, at the mean position of the samples that see it.
 Color Renderer::pixel_color(const Shader& shader, const std::array<PixelSample, 4>& samples, float x,
                             float y) const {
+  // The common case: all four samples see the same thing.
   if (samples[0].id == samples[1].id && samples[0].id == samples[2].id && samples[0].id == samples[3].id) {
     const float sum = samples[0].nearness + samples[1].nearness + samples[2].nearness + samples[3].nearness;
     return shader.color(samples[0].id, x + 0.5F, y + 0.5F, 0.25F * sum);
   }
   Color color = Color::Zero();
-  unsigned waiting = 0b1111;  // Samples whose colour is not in yet.
+  unsigned waiting = 0b1111;  // Bit mask of the samples that are not shaded yet.
   for (std::size_t s = 0; s < 4; ++s) {
     if (!(waiting >> s & 1U)) continue;
     float count = 0, sum_x = 0, sum_y = 0, sum = 0;

@@ -17,9 +17,9 @@ Vec3 sun_direction(const Camera& camera, const Vec3& up);
 
 /// Draws scenes without any graphics hardware or library. Same input, same bits.
 ///
-/// Two passes: who is seen (four samples a pixel find the nearest face, ball or plane), and how it looks
-/// (each pixel is lit once, or once for each thing that its samples see). An object keeps its buffers, so
-/// that further pictures are made without allocations.
+/// It works in two passes: visibility (four samples per pixel find the nearest face, ball or plane) and
+/// shading (each pixel is lit once, or once for each thing that its samples see). An object keeps its
+/// buffers, so that further pictures need no allocations.
 class Renderer {
  public:
   /// Picture of width × height pixels of the scene with the bodies' user frames at X_WU.
@@ -48,10 +48,10 @@ class Renderer {
   std::vector<ShownShape> placed_;  ///< From near to far.
   std::array<SampleGrid, 4> grids_ = {SampleGrid(0.375, 0.125), SampleGrid(0.875, 0.375),
                                       SampleGrid(0.125, 0.625), SampleGrid(0.625, 0.875)};
-  std::vector<SeenThing> things_;  ///< By id; the first is nothing.
+  std::vector<SeenThing> things_;  ///< By id; the first one stands for the background.
   ShadowMap shadows_;
   double near_ = 0;  ///< Nothing nearer to the eye than this is drawn [m].
-  // Scratch: a surface's vertices in K and on the picture, a face's corners.
+  // Scratch: the vertices of a surface in K and on the picture, and the corners of a face.
   std::vector<Vec3> points_, clipped_;
   std::vector<Vec2> seen_points_, corners_;
 };

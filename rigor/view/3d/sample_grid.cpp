@@ -9,7 +9,7 @@ namespace rigor {
 
 namespace {
 
-/// First whole number that is not below the value, within 0 to limit.
+/// Smallest integer that is not below the value, clamped to 0 ... limit.
 int clamped_ceil(double value, int limit) {
   if (!(value > 0)) return 0;
   if (value >= limit) return limit;
@@ -17,14 +17,14 @@ int clamped_ceil(double value, int limit) {
   return whole + (value > whole ? 1 : 0);
 }
 
-/// Keeps the nearer of two things at a sample. Without branches, so that loops over it become vector code.
+/// Keeps the nearer of two things at a sample. It has no branches, so that loops over it vectorise.
 inline void keep_nearer(float here, std::uint32_t id, float& nearness, std::uint32_t& kept_id) {
   const std::uint32_t is_nearer = here > nearness ? ~std::uint32_t{0} : 0;
   nearness = here > nearness ? here : nearness;
   kept_id = (id & is_nearer) | (kept_id & ~is_nearer);
 }
 
-/// Columns or rows that a ball may cover: bounds of its outline along one axis of the picture.
+/// Bounds of the columns or rows that a ball may cover: those of its outline along one axis of the picture.
 ///
 /// In the plane of the line of sight (z) and the axis (x), the rays that touch the circle about (x, z) of
 /// radius r have the slopes (x z ± r √(x² + z² - r²)) / (z² - r²).
@@ -56,7 +56,7 @@ void SampleGrid::clear(int width, int height) {
   width_ = width, height_ = height;
   const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   nearness_.assign(count, 0);
-  ids_.resize(count);  // Of a sample that sees nothing, the id is not looked at.
+  ids_.resize(count);  // The id of a sample that sees nothing is never read.
   begin_.resize(static_cast<std::size_t>(height));
   end_.resize(static_cast<std::size_t>(height));
 }
@@ -66,6 +66,7 @@ int SampleGrid::first_row(double y) const {
 }
 
 void SampleGrid::fill(const Outline& outline, const NearnessPlane& plane, std::uint32_t id) {
+  // Scan conversion: walk along the edges and note where the face begins and ends in each row.
   int top = height_, bottom = 0;
   for (const OutlineEdge& edge : outline.edges()) {
     const int first = first_row(edge.y), last = first_row(edge.y_lower);
@@ -106,7 +107,7 @@ void SampleGrid::fill(const SeenBall& ball, const Projection& projection, std::u
   const int top = first_row(projection.center_y() + f * down.lower);
   const int bottom = first_row(projection.center_y() + f * down.upper);
 
-  // The ray is z d with d = (u, v, 1). With b = d·c and k = |c|² - r² its nearer hit has
+  // A ray is z d with d = (u, v, 1). With b = d·c and k = |c|² - r², its nearer intersection has
   //   1/z = (b + √D) / k,   D = b² - |d|² k = |d|² r² - |c × d|²,
   // and c × d = c × (d - c/c_z) does not cancel for a small ball.
   const double cx = ball.p_K.x(), cy = ball.p_K.y(), cz = ball.p_K.z(), r = ball.radius;

@@ -14,7 +14,7 @@ struct OutlineEdge {
   double x, y;     ///< Upper end [px].
   double y_lower;  ///< [px].
   double slope;    ///< dx/dy.
-  bool is_left;    ///< The outline lies to the right of it.
+  bool is_left;    ///< The interior lies to the right of it.
 };
 
 /// Outline of a convex face that is seen from outside.
@@ -38,12 +38,12 @@ struct SeenBall {
   double radius;  ///< [m]; the eye is outside.
 };
 
-/// A grid of samples, one a pixel at the same place in each: what is nearest there and how near it is.
+/// A grid with one sample per pixel, at the same offset in each: what is nearest there and how near it is.
 /// Whether a sample is inside a face is decided by comparing its place with the face's edges; a sample on
 /// the common edge of two faces belongs to exactly one of them.
 class SampleGrid {
  public:
-  /// offset_x, offset_y: place of the sample in its pixel, 0 to 1.
+  /// offset_x, offset_y: offset of the sample in its pixel, 0 to 1.
   SampleGrid(double offset_x, double offset_y) : offset_x_(offset_x), offset_y_(offset_y) {}
 
   void clear(int width, int height);

@@ -7,14 +7,14 @@ namespace rigor {
 
 namespace {
 
-// Chosen by eye: a white matt surface facing the sun comes out just below white.
+// Chosen by eye, so that a white matt surface facing the sun comes out just below white.
 constexpr float sky_light = 0.42F, ground_light = 0.20F, sun_light = 0.62F, highlight = 0.35F;
 /// Brightness of the darker squares of a plane.
 constexpr float dark_square = 0.86F;
 
 /// Distance of the value from the nearest even number, 0 to 1: a zigzag.
 float zigzag(float value) {
-  // Adding and taking away this number rounds to the nearest whole one (below 2^22; farther planes fade).
+  // Adding and subtracting this number rounds to the nearest integer (below 2^22; planes fade before that).
   constexpr float rounding = 12582912.0F;
   const float half = 0.5F * value;
   return 2 * std::abs(half - ((half + rounding) - rounding));
@@ -36,7 +36,7 @@ float sky_on(const Eigen::Vector3f& normal, const Look& look) {
   return ground_light + (sky_light - ground_light) * upward;
 }
 
-/// If nothing is between.
+/// Sunlight on a surface that nothing shades.
 float sun_on(const Eigen::Vector3f& normal, const Look& look) {
   return sun_light * std::max(0.0F, normal.dot(look.sun_K));
 }
@@ -76,7 +76,7 @@ float Shader::light_on_flat(const SeenThing& thing, const Eigen::Vector3f& p_K) 
 
 Color Shader::plane(const SeenThing& plane, const Eigen::Vector3f& p_K, float y) const {
   const Eigen::Vector3f from = p_K - plane.origin;
-  // A pixel covers more of the plane the farther and the flatter it is seen.
+  // The footprint of a pixel on the plane grows with the distance and with a flatter view.
   const float pixel =
       p_K.z() * p_K.z() * inverse_focal_ * checks_per_meter_ / std::max(plane.height, 1e-6F * p_K.z());
   const float share = light_share(from.dot(plane.along_x) * checks_per_meter_,
@@ -100,7 +100,7 @@ Color Shader::curved(const SeenThing& thing, const Eigen::Vector3f& normal,
 Color Shader::color(std::uint32_t id, float x, float y, float nearness) const {
   const SeenThing& thing = things_[id];
   if (thing.kind == SeenThing::Kind::nothing) return background(y);
-  // In its own shadow it does not matter where.
+  // A flat face that is turned away from the sun looks the same everywhere.
   if (thing.is_flat && thing.sun <= 0) return thing.color * thing.sky;
   const float depth = 1 / nearness, scale = depth * inverse_focal_;
   const Eigen::Vector3f p_K((x - center_x_) * scale, (y - center_y_) * scale, depth);

@@ -7,39 +7,39 @@
 
 namespace rigor {
 
-/// What a sample can see, with all that its look needs. In the camera's frame K.
+/// A thing that a sample can see, with everything its shading needs, in the frame K of the camera.
 struct SeenThing {
   enum class Kind : std::uint8_t { nothing, face, ball, plane };
   Kind kind = Kind::nothing;
   bool is_flat = false;  ///< A face whose normal is the same everywhere.
   Color color = Color::Zero();
-  /// Of a face: its normal at (x, y) has the direction normal + along_x x + along_y y. Of a ball: its center
+  /// A face: its normal at (x, y) has the direction normal + along_x x + along_y y. Of a ball: its center
   /// and, as along_x.x(), its inverse radius. Of a plane: its normal, and its two axes.
   Eigen::Vector3f normal = Eigen::Vector3f::Zero();
   Eigen::Vector3f along_x = Eigen::Vector3f::Zero();
   Eigen::Vector3f along_y = Eigen::Vector3f::Zero();
-  Eigen::Vector3f origin = Eigen::Vector3f::Zero();  ///< Of a plane's pattern.
-  float height = 0;                                  ///< Of the eye above a plane [m].
+  Eigen::Vector3f origin = Eigen::Vector3f::Zero();  ///< Origin of the pattern of a plane.
+  float height = 0;                                  ///< Height of the eye above a plane [m].
   float sky = 0, sun = 0;  ///< Light on flat faces and planes, see light_flat_things().
 };
 
 /// Light, background and pattern of a picture.
 struct Look {
-  Eigen::Vector3f sun_K;  ///< Unit, towards the sun.
-  Eigen::Vector3f up_K;   ///< Unit.
+  Eigen::Vector3f sun_K;  ///< Unit vector towards the sun.
+  Eigen::Vector3f up_K;   ///< Unit vector.
   float check_size;       ///< Side of a square of a plane's pattern [m].
-  float fade_distance;    ///< Where planes fade into the background [m].
+  float fade_distance;    ///< Distance at which planes have faded into the background [m].
 };
 
-/// Sets the light of the sky on flat faces and planes, and that of the sun if nothing is between: the same
-/// all over them.
+/// Precomputes the light of the sky and of the unshaded sun on flat faces and planes, which is the same all
+/// over them.
 void light_flat_things(const Look& look, std::vector<SeenThing>& things);
 
-/// How things look at a place of the picture: light of the sky from above, of the sun with its shadows, and a
-/// faint highlight; the squares of planes fade where they are smaller than pixels.
+/// Shades the things at a point of the picture: skylight from above, sunlight with its shadows, and a faint
+/// highlight. The squares of planes fade where they are smaller than pixels.
 class Shader {
  public:
-  /// The things' flat ones are lit already.
+  /// The flat things must have been lit by light_flat_things().
   Shader(const Projection& projection, const std::vector<SeenThing>& things, const ShadowMap& shadows,
          const Look& look);
 
@@ -59,7 +59,7 @@ class Shader {
   const std::vector<SeenThing>& things_;
   const ShadowMap& shadows_;
   Look look_;
-  Color top_, bottom_;  ///< Of the background.
+  Color top_, bottom_;  ///< Colours of the background.
   const SrgbTable& srgb_;
 };
 

@@ -10,9 +10,11 @@ namespace rigor {
 void ShadowMap::draw(std::span<const ShownShape> shapes, const Vec3& sun_W, const Region& region, int size) {
   size_ = size;
   texel_ = 2 * region.radius / size;
-  // A grid point is (x, y) / texel; the corner of the map and the plane farthest from the sun are at zero.
+  // Frame J of the map: a grid point is (x, y) / texel, with the corner of the map and the plane farthest
+  // from the sun at zero.
   const Mat3 R_WJ = camera_axes(-sun_W, frame_with_z(sun_W).col(0));
   X_JW_ = Pose{R_WJ.transpose(), Vec3::Constant(region.radius) - R_WJ.transpose() * region.center};
+  // Draw the shapes that reach into the region, the ones nearest to the sun first.
   grid_.clear(size, size);
   Occlusion occlusion({&grid_, 1}, size, size);
   for (const ShownShape& placed : nearest_first(shapes)) {
@@ -37,7 +39,7 @@ void ShadowMap::find_bounds() {
   const std::size_t size = at(size_);
   std::vector<float> lowest(size), highest(size);
   for (int j = 0; j < squares_; ++j) {
-    // First down the columns of a row of squares, then along it.
+    // Reduce each row of squares along its columns first (this loop vectorises), ...
     const int top = j * square, bottom = std::min(top + square + block - 1, size_);
     std::copy_n(grid_.nearness(top), size, lowest.begin());
     std::copy_n(grid_.nearness(top), size, highest.begin());
@@ -48,6 +50,7 @@ void ShadowMap::find_bounds() {
         highest[x] = row[x] > highest[x] ? row[x] : highest[x];
       }
     }
+    // ... and then along the row.
     for (int i = 0; i < squares_; ++i) {
       const long left = long{i} * square, right = std::min<long>(left + square + block - 1, size_);
       bounds_.push_back({*std::min_element(lowest.begin() + left, lowest.begin() + right),
@@ -76,6 +79,7 @@ void ShadowMap::draw_surface(const ShownShape& placed, Occlusion& occlusion) {
   const Surface& surface = *placed.shape->surface;
   const Pose X_JS = X_JW_ * placed.X_WS;
   const double far = size_ * texel_;
+  // Vertices in texels, and the bounding box of the shape on the map.
   points_.clear();
   PictureBox box{HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL, 0};
   for (const Vec3& vertex : surface.vertices) {
@@ -89,13 +93,14 @@ void ShadowMap::draw_surface(const ShownShape& placed, Occlusion& occlusion) {
   occlusion.add(box);
   for (const Surface::Face& face : surface.faces) {
     const Vec3 normal = X_JS.R * face.normal;
+    // Only the faces that point towards the sun are drawn.
     if (normal.z() >= 0) continue;
     corners_.clear();
     for (int i = 0; i < face.count; ++i) {
       const Vec3& p = points_[at(surface.corners[at(face.begin + i)])];
       corners_.push_back(p.head<2>());
     }
-    // n·p = d, solved for the depth z; nearness is far - z.
+    // The plane n·p = d is solved for the depth z; the nearness is far - z.
     const Vec3& p = points_[at(surface.corners[at(face.begin)])];
     const double d = normal.dot(Vec3(texel_ * p.x(), texel_ * p.y(), p.z()));
     grid_.fill(Outline(corners_),
@@ -113,28 +118,31 @@ void ShadowMap::set_camera(const Pose& X_KW) {
 }
 
 float ShadowMap::light(const Eigen::Vector3f& p_K, const Eigen::Vector3f& normal_K) const {
-  // Looked up a little above the surface, so that it does not shade itself where the map is coarse.
+  // The lookup is a little above the surface, so that it does not shade itself where the map is coarse.
   constexpr float lift = 2;
   const float texel = static_cast<float>(texel_);
   const Eigen::Vector3f above = p_K + lift * texel * normal_K;
   const Eigen::Vector4f p = texels_of_K_.col(0) * above.x() + texels_of_K_.col(1) * above.y() +
                             texels_of_K_.col(2) * above.z() + texels_at_K_;
+  // The 4 × 4 block of texels around the point; outside the map everything is lit.
   const float x = p.x() - 2, y = p.y() - 2;
   if (!(x >= 0 && y >= 0 && x < static_cast<float>(size_ - 4) && y < static_cast<float>(size_ - 4))) return 1;
   const int column = static_cast<int>(x), row = static_cast<int>(y);
   const float fx = x - static_cast<float>(column), fy = y - static_cast<float>(row);
-  // Behind the region the map knows of nothing that is farther than its empty texels.
+  // Points behind the region are treated as if they were on its back: empty texels have nearness zero.
   const float nearness = std::max(p.z() + texel, 0.0F);
   const Bounds& bounds = bounds_[at(row / square * squares_ + column / square)];
+  // The bounds of the block often decide without a look at its texels.
   if (bounds.highest <= nearness) return 1;
   if (bounds.lowest > nearness) return 0;
-  // 1 where the map is nearer, else 0; written so that it becomes vector code.
+  // 1 where the map is nearer to the sun, otherwise 0; written so that it vectorises.
   const auto hides = [&](int j) {
     using Texels = Eigen::Array4f;
     const float* const map = grid_.nearness(row + j) + column;
     const Texels step = (Eigen::Map<const Texels>(map) - nearness) * std::numeric_limits<float>::max();
     return Texels(step.max(Texels::Zero()).min(Texels::Ones()));
   };
+  // Percentage-closer filtering: inner texels count fully, outer ones by the position in the texel.
   const Eigen::Array4f down = (1 - fy) * hides(0) + hides(1) + hides(2) + fy * hides(3);
   const float hidden = (1 - fx) * down[0] + down[1] + down[2] + fx * down[3];
   return 1 - hidden * (1 / 9.0F);

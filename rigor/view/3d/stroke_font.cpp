@@ -124,7 +124,7 @@ constexpr std::array letters = {
 };
 constexpr std::string_view unknown = "4 0007474000";
 
-/// Raised digits and signs are those of the line, smaller.
+/// Superscript digits and signs are those of the base line, only smaller.
 struct Raised {
   std::string_view character, base;
 };
@@ -146,7 +146,7 @@ Polyline points_of(std::string_view stroke) {
   return points;
 }
 
-/// The curve of the control points as short lines: parabolas that meet halfway between control points.
+/// The curve of the control points as short segments: parabolas that meet halfway between control points.
 Polyline curve(const Polyline& controls) {
   constexpr int pieces = 8;
   Polyline line = {controls.front()};
@@ -170,7 +170,7 @@ std::string_view strokes_of(std::string_view character) {
 struct Place {
   double x, y, scale;
 };
-/// Adds a letter's lines; returns its width.
+/// Adds the lines of a letter and returns its width.
 double add_letter(std::string_view strokes, const Place& place, std::vector<Polyline>& lines) {
   const double width = strokes[0] - '0';
   for (std::size_t at = 1; at < strokes.size();) {

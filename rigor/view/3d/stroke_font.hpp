@@ -9,9 +9,9 @@ namespace rigor {
 
 using Polyline = std::vector<Vec2>;
 
-/// Lines of a text in Rigor's own font, whose letters are strokes of a pen: capitals are 7 units high, small
-/// letters 5, x to the right and y up, the first letter at (0, 0) on the base line. A character that the font
-/// does not have becomes an empty frame.
+/// Lines of a text in Rigor's own font, whose letters are pen strokes: capitals are 7 units high and small
+/// letters 5, with x to the right and y up, and the first letter at (0, 0) on the base line. A character that
+/// the font lacks becomes an empty frame.
 struct TextLines {
   std::vector<Polyline> lines;  ///< A dot is a line of two equal points.
   double width;                 ///< From the left end of the first letter to the right end of the last.

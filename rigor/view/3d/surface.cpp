@@ -13,11 +13,11 @@ namespace rigor {
 
 namespace {
 
-constexpr int round_sides = 96;  ///< Of a body of revolution.
-constexpr int rings = 20;        ///< From a pole to the equator.
+constexpr int round_sides = 96;  ///< Number of sides of a body of revolution.
+constexpr int rings = 20;        ///< Number of rings from a pole to the equator.
 
 void add_face(const std::vector<int>& loop, Surface& surface) {
-  // A face with many corners is drawn in parts.
+  // A face with many corners is split into parts.
   constexpr std::size_t most = 48;
   if (loop.size() > most) {
     std::vector<int> rest = {loop[0]};
@@ -41,7 +41,7 @@ void add_smooth_face(const std::vector<int>& loop, std::span<const Vec3> normals
   std::copy(normals.begin(), normals.end(), surface.corner_normals.end() - static_cast<long>(loop.size()));
 }
 
-/// A point of the half plane x ≥ 0 that is turned about z, with the normal there.
+/// A point of the half plane x ≥ 0 that is rotated about z, with the normal there.
 struct ProfilePoint {
   double radius, z;
   double normal_radius, normal_z;
@@ -62,7 +62,7 @@ void add_band(const ProfilePoint& lower, const ProfilePoint& upper, Surface& sur
   };
   for (int k = 0; k < round_sides; ++k) {
     const int a = first + 2 * k, b = first + 2 * ((k + 1) % round_sides);
-    // Towards a tip the band is of triangles, whose normal at the tip is that of their middle.
+    // Towards a tip the band consists of triangles, whose normal at the tip is that of their middle.
     if (upper.radius == 0) {
       add_smooth_face({a, b, a + 1},
                       std::array{normal(lower, k), normal(lower, k + 1), normal(upper, k + 0.5)}, surface);
@@ -97,7 +97,7 @@ Surface revolved(const std::vector<ProfilePoint>& profile) {
   return surface;
 }
 
-/// Lower or upper half of a unit sphere, from the pole or to it; moved along z.
+/// Profile of the lower or upper half of a unit sphere, from the pole or towards it, shifted along z.
 void add_hemisphere(double radius, double shift, bool is_upper, std::vector<ProfilePoint>& profile) {
   for (int i = 0; i <= rings; ++i) {
     const double angle = (is_upper ? i : i - rings) * 0.5 * M_PI / rings;
@@ -114,7 +114,7 @@ Surface surface_of(const HalfSpace&) {
   return {};
 }
 
-/// Drawn as a mesh (drawn_form).
+/// The caller draws this shape as a mesh instead (drawn_form).
 Surface surface_of(const Cavity&) {
   return {};
 }
@@ -154,7 +154,7 @@ Surface surface_of(const Cone& cone) {
   return surface;
 }
 
-/// Each frustum has normals of its own, so that the rims show.
+/// Each frustum has its own normals, so that the rims stay visible.
 Surface surface_of(const Revolution& solid) {
   const std::vector<Ring>& circles = *solid.rings;
   Surface surface;
@@ -169,7 +169,7 @@ Surface surface_of(const Revolution& solid) {
   return surface;
 }
 
-/// A unit sphere, stretched; normals stretch by the inverse.
+/// A stretched unit sphere; its normals stretch by the inverse factors.
 Surface surface_of(const Ellipsoid& ellipsoid) {
   std::vector<ProfilePoint> profile;
   add_hemisphere(1, 0, false, profile);
@@ -183,8 +183,8 @@ Surface surface_of(const Ellipsoid& ellipsoid) {
   return surface;
 }
 
-/// Normals of triangles meeting at a vertex, weighted by area: one for each corner, of those triangles that
-/// turn less than the crease angle from the corner's own.
+/// Normals of the triangles that meet at a vertex, weighted by area: one for each corner, from those
+/// triangles whose normals differ from that of the corner by less than the crease angle.
 Surface surface_of(const Mesh& shape) {
   constexpr double crease_cosine = 0.8660254;  // 30 degrees
   const TriangleMesh& mesh = *shape.mesh;

@@ -6,12 +6,13 @@
 
 namespace rigor {
 
-/// What is drawn of a shape: flat convex faces, counter-clockwise seen from outside, in the shape's frame S.
+/// The drawing of a shape: flat convex faces, counter-clockwise when seen from outside, in the frame S of the
+/// shape.
 struct Surface {
   struct Face {
-    int begin, count;  ///< Its corners: a range of `corners` (and of `corner_normals`).
+    int begin, count;  ///< Range of its corners in `corners` (and of `corner_normals`).
     Vec3 normal;       ///< Unit, outward.
-    bool is_smooth;    ///< Shaded by the normals of its corners, which stand for a curved surface.
+    bool is_smooth;    ///< Shaded with the normals of its corners, to look like a curved surface.
   };
   std::vector<Vec3> vertices;  ///< p_SV [m].
   std::vector<Face> faces;
@@ -19,8 +20,8 @@ struct Surface {
   std::vector<Vec3> corner_normals;  ///< Unit.
 };
 
-/// Faces of a shape; those of curved shapes are so many that the outline looks round. A sphere or a plane is
-/// drawn as such and has no faces: the result is empty.
+/// The faces of a shape; curved shapes get enough of them to make the outline look round. A sphere or a plane
+/// is drawn directly and has no faces: its result is empty.
 Surface make_surface(const Shape& shape);
 
 }  // namespace rigor

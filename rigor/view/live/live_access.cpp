@@ -18,7 +18,7 @@ std::string_view token_of(std::string_view target) {
   return query.starts_with(key) ? query.substr(key.size()) : std::string_view{};
 }
 
-/// Takes the same time wherever the difference is.
+/// Compares in constant time, so that the time does not reveal where the texts differ.
 bool is_equal(std::string_view a, std::string_view b) {
   if (a.size() != b.size()) return false;
   unsigned difference = 0;

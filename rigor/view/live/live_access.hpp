@@ -6,13 +6,13 @@
 
 namespace rigor {
 
-/// What of a request decides whether it is answered.
+/// The parts of a request that decide whether it is answered.
 struct LiveRequestHead {
   std::string_view method;  ///< "GET".
   std::string_view target;  ///< "/live?token=...".
   std::string_view host;    ///< Empty if the request has none.
   std::string_view origin;  ///< Empty if the request has none.
-  bool is_upgrade = false;  ///< Asks for a WebSocket.
+  bool is_upgrade = false;  ///< Requests a WebSocket.
   bool has_body = false;
 };
 
@@ -22,16 +22,16 @@ class LiveAccess {
  public:
   enum class Resource { none, page, script, socket };
   struct Verdict {
-    Resource resource;       ///< none: refused.
-    unsigned status;         ///< Of HTTP: 200, 101 or why it is refused.
-    std::string_view words;  ///< For the reader.
+    Resource resource;       ///< `none` if refused.
+    unsigned status;         ///< HTTP status: 200, 101, or the reason for the refusal.
+    std::string_view words;  ///< Message for the reader.
   };
 
   LiveAccess(std::uint16_t port, std::string token);
 
-  /// Host names another than 127.0.0.1, localhost or [::1] with our port: 421 (a page elsewhere whose name
-  /// was made to point here). Page and socket without the token: 403. Socket from a page that is not ours:
-  /// 403.
+  /// Refusals: 421 if Host is not 127.0.0.1, localhost or [::1] with our port (a page elsewhere whose name
+  /// was made to point here); 403 for a page or socket without the token, and for a socket from a page that
+  /// is not ours.
   Verdict judge(const LiveRequestHead& request) const;
   std::string url() const;
   const std::string& token() const { return token_; }
@@ -46,7 +46,8 @@ class LiveAccess {
 /// 32 hexadecimal digits from the system's source of randomness.
 std::string make_live_token();
 
-/// Content-Security-Policy of a page that is served at this host: its script, its data, its socket, no more.
+/// Content-Security-Policy of a page that is served at this host: it allows the page's own script, data and
+/// socket and nothing else.
 std::string live_policy(std::string_view host);
 
 }  // namespace rigor

@@ -23,7 +23,7 @@ using Json = nlohmann::json;
 constexpr Range speed{1e-6, 1e6};
 constexpr Range any_number{};
 
-/// Takes the values of a command by name; what is not taken is an error.
+/// Reads the values of a command by name; values that nobody reads are an error.
 class Fields {
  public:
   explicit Fields(const Json& object) : object_(object) {}

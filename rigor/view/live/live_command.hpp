@@ -9,21 +9,21 @@
 
 namespace rigor {
 
-/// What a live page can ask for; docs/live.md gives the form in which it asks.
+/// The requests of a live page; docs/live.md gives their form.
 namespace live {
 struct Run {};
 struct Pause {};
-/// To the next output time, then pause.
+/// Advances to the next output time, then pauses.
 struct Step {};
-/// Back to t = 0.
+/// Returns to t = 0.
 struct Reset {};
-/// The file again, from t = 0.
+/// Reads the file again and starts from t = 0.
 struct Reload {};
-/// Whether the file is read again by itself when it changes.
+/// Whether the file is read again automatically when it changes.
 struct Follow {
   bool value;
 };
-/// Simulated seconds a second.
+/// Simulated seconds per real second.
 struct Speed {
   double value;
 };
@@ -49,9 +49,9 @@ struct Push {
   Vec3 p_BP;  ///< [m] in B.
   Vec3 j_W;   ///< [N s].
 };
-/// A checkpoint to keep.
+/// Asks for a checkpoint to keep.
 struct Save {};
-/// The recording as a page to keep.
+/// Asks for the recording as a page to keep.
 struct Export {};
 }  // namespace live
 
@@ -60,7 +60,8 @@ using LiveCommand =
                  live::Gravity, live::Surface, live::TargetStep, live::MethodValue, live::Pull, live::Release,
                  live::Push, live::Save, live::Export>;
 
-/// Reads a command: a JSON object with "do" and what that needs, nothing else. Throws InputError.
+/// Reads a command: a JSON object with "do" and the values that it needs, and nothing else. Throws
+/// InputError.
 LiveCommand parse_live_command(std::string_view text);
 
 }  // namespace rigor

@@ -12,7 +12,7 @@ LiveFile::LiveFile(std::filesystem::path path, std::vector<std::string> override
     : path_(std::move(path)), overrides_(std::move(overrides)) {}
 
 Scene LiveFile::read() {
-  // The stamp first: what is written after it is seen as a change.
+  // The stamp is taken first, so that anything written afterwards counts as a change.
   stamp_ = stamp();
   has_changed_ = false;
   text_.clear();

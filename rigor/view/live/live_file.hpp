@@ -9,16 +9,16 @@
 
 namespace rigor {
 
-/// A scene file that may be changed by its author while it is looked at.
+/// A scene file that its author may change while it is being viewed.
 class LiveFile {
  public:
-  /// overrides: as of --set.
+  /// overrides: as given with --set.
   LiveFile(std::filesystem::path path, std::vector<std::string> overrides);
 
   /// Reads the scene as it is now. Throws InputError.
   Scene read();
-  /// Whether the file has other contents than those read last (or cannot be read any more); looks at them
-  /// only when its time or size is new.
+  /// Whether the contents of the file differ from those last read (or cannot be read any more); it reads them
+  /// only when the time stamp or the size of the file is new.
   bool has_changed();
   std::string name() const { return path_.filename().string(); }
 
@@ -32,7 +32,7 @@ class LiveFile {
 
   std::filesystem::path path_;
   std::vector<std::string> overrides_;
-  std::optional<Stamp> stamp_;  ///< When last looked at.
+  std::optional<Stamp> stamp_;  ///< At the last look.
   std::string text_;
   bool has_changed_ = false;
 };

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint32_t history_kind = 3;
 
-/// Joins neighbours two by two; one without a neighbour stays as it is.
+/// Merges neighbours in pairs; a last one without a neighbour stays as it is.
 template <typename Value, typename Join>
 void halve(std::vector<Value>& values, Join join) {
   std::size_t kept = 0;

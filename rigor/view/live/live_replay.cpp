@@ -19,7 +19,7 @@ Vec3 vector_at(const std::vector<double>& numbers, std::size_t i) {
   return Vec3::Map(&numbers[3 * i]);
 }
 
-/// The State of a stored row: body frames from the user's frames, momenta from the velocities.
+/// The State of a stored row: body frames follow from the user frames, momenta from the velocities.
 State state_at(const StoredTrajectory& stored, std::size_t row, const Model& model) {
   State state = make_initial_state(model);
   state.t = stored.time[row];
@@ -37,7 +37,7 @@ State state_at(const StoredTrajectory& stored, std::size_t row, const Model& mod
   return state;
 }
 
-/// The stored events after the given one up to a time; counts up to the first that is later.
+/// The stored events from `next` up to a time; moves `next` to the first one that is later.
 AdvanceReport events_until(const StoredTrajectory& stored, double time, std::size_t& next) {
   AdvanceReport report;
   for (; next < stored.event_time.size() && stored.event_time[next] <= time; ++next) {
@@ -70,6 +70,7 @@ LiveReplay read_live_replay(const std::filesystem::path& path) {
   const Model& model = *scene.model;
   check(stored, model, path.string());
 
+  // Replay the rows as if they came from a simulation; events after the last row belong to it.
   State state = state_at(stored, 0, model);
   PageRun run(scene, state);
   Audit audit{.scene = stored.scene, .method = scene.method};

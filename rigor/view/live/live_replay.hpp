@@ -15,8 +15,8 @@ struct LiveReplay {
 };
 
 /// Reads a trajectory (.h5) with the scene that it carries; mesh files of the scene are looked for beside it.
-/// The file holds no audit and no solver's effort: energies and impacts are those stored, the rest is empty.
-/// Throws InputError.
+/// The file holds neither an audit nor the effort of the solver: energies and impacts are the stored ones,
+/// everything else is empty. Throws InputError.
 LiveReplay read_live_replay(const std::filesystem::path& path);
 
 }  // namespace rigor

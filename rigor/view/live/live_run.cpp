@@ -39,9 +39,9 @@ void check_overlaps(const Model& model, const State& state, double tolerance) {
   if (!messages.empty()) throw InputError(std::move(messages));
 }
 
-/// The pull as forces: a spring of rest length 0 and drag. Chosen by the body's mass so that it feels the
-/// same for all: ω² = max((2π 1.5 Hz)², 20 g / L), which lets a body of the scene's length L sag by a
-/// twentieth of it; the drag damps its swing critically.
+/// The pull as forces: a spring of rest length 0 and a drag, both scaled with the mass of the body so that
+/// the pull feels the same for all bodies. With ω² = max((2π 1.5 Hz)², 20 g / L) a body sags by at most a
+/// twentieth of the length L of the scene; the drag damps the oscillation critically.
 std::vector<Force> pull_forces(const LivePull& pull, const Model& model) {
   const Body& body = model.body(pull.body);
   const double slowest = 2 * std::numbers::pi * 1.5;
@@ -87,9 +87,10 @@ void LiveRun::reset() {
 void LiveRun::advance(double longest) {
   if (!stop_text_.empty()) return;
   const double interval = scene_.run.output_interval;
-  // Multiples of the interval, not sums: output times carry one rounding.
+  // The next output time is a multiple of the interval and not a sum, so that it carries a single rounding.
   double k = std::floor(state_.t / interval);
   while (k * interval <= state_.t) ++k;
+  // Advance to it, or by the longest time allowed, and account for what happened.
   const bool reaches_output = k * interval - state_.t <= longest * (1 + 1e-9);
   const AdvanceReport report = stepper_->advance(state_, reaches_output ? k * interval : state_.t + longest);
   contacts_.reset();
@@ -160,30 +161,34 @@ void LiveRun::release() {
 }
 
 void LiveRun::change(ModelChanges changes) {
-  // Throws before anything is changed.
+  // This throws before anything is changed.
   free_model_ = changed_model(*scene_.model, changes);
   changes_ = std::move(changes);
   rebuild();
 }
 
-/// Everything that hangs on model, method or step, for the State as it is.
+/// Rebuilds everything that depends on the model, the method or the step, for the present State.
 void LiveRun::rebuild() {
+  // The pull is a force of the model that is simulated, but not of the one that is recorded.
   model_ = free_model_;
   if (pull_) {
     ModelChanges with_pull = changes_;
     with_pull.added_forces = pull_forces(*pull_, *free_model_);
     model_ = changed_model(*scene_.model, with_pull);
   }
+  // A new stepper continues from the present State, with all bodies awake: the change may move those that
+  // slept.
   state_.anchor_here();
-  state_.quiet_time.clear();  // Whatever was changed may move what sleeps.
+  state_.quiet_time.clear();  // Wakes all bodies.
   stepper_ = make_stepper(model_, method_, step_);
+  // Recording, audit and contacts follow the new model.
   if (recording_) recording_->continue_with(free_model_);
   begin_books();
   contacts_.reset();
   stop_text_.clear();
 }
 
-/// Energy and momentum are balanced for each model by itself: what the change gave or took is no error.
+/// Energy and momentum are balanced for each model separately: what the change added or removed is no error.
 void LiveRun::begin_books() {
   if (auditor_) earlier_ = audit();
   auditor_ = std::make_unique<Auditor>(model_, method_, state_);
@@ -195,6 +200,7 @@ void LiveRun::begin_recording() {
 
 void LiveRun::record() {
   const std::size_t bodies = at(std::max(1, model_->body_count()));
+  // A recording that has become too large starts over.
   if (recorded_frames() > 1 && recorded_frames() * bodies >= most_recorded) begin_recording();
   recording_->add(state_, unrecorded_, auditor_->energy(), contacts());
   history_.add(recording_->last_row(), unrecorded_.events);
@@ -243,7 +249,7 @@ std::string LiveRun::page() const {
 }
 
 std::vector<PageBlock> LiveRun::blocks() {
-  // From the start state: the origin is that of the frames.
+  // The page begins with the start state, because its origin is that of the frames.
   PageRun moment(present(), make_initial_state(*free_model_));
   moment.add(state_, {}, auditor_->energy(), contacts());
   return moment.finish(audit());

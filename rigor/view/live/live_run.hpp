@@ -15,16 +15,16 @@
 
 namespace rigor {
 
-/// A point of a body that is pulled to a point of the world by a spring.
+/// A pull: a spring draws a point of a body towards a point of the world.
 struct LivePull {
   int body;     ///< Model index of a dynamic body.
-  Vec3 p_BP;    ///< Where it is held, in B [m].
-  Vec3 target;  ///< Where it is pulled to, in W [m].
+  Vec3 p_BP;    ///< Point that is held, in B [m].
+  Vec3 target;  ///< Point that it is pulled to, in W [m].
 };
 
 /// A simulation whose scene may be changed while it runs. A changed scene is a new Model with the same State
-/// (anchored anew, so that the past stays what it was) and a fresh stepper. All functions that change
-/// something throw InputError and leave everything as it was if the change makes no sense.
+/// (anchored anew, so that the past stays as it was) and a new stepper. All functions that change something
+/// throw InputError and leave everything as it was if the change is invalid.
 class LiveRun {
  public:
   /// Throws InputError if bodies overlap.
@@ -36,14 +36,14 @@ class LiveRun {
   const Method& method() const { return method_; }
   double target_step() const { return step_; }  ///< H [s].
   const ModelChanges& changes() const { return changes_; }
-  /// Empty, or why the simulation cannot go on; a change or reset lets it try again.
+  /// Empty, or the reason why the simulation cannot continue; a change or reset lets it try again.
   const std::string& stop_text() const { return stop_text_; }
 
-  /// Goes on by at most this [s] > 0, not past the next output time.
+  /// Advances by at most this time [s] > 0, and not past the next output time.
   void advance(double longest);
-  /// Goes on to the next output time.
+  /// Advances to the next output time.
   void step() { advance(scene_.run.output_interval); }
-  /// Back to t = 0, with the changes that were made.
+  /// Returns to t = 0 and keeps the changes that were made.
   void reset();
 
   void set_gravity(const Vec3& g_W);
@@ -51,25 +51,25 @@ class LiveRun {
                    std::optional<double> restitution);
   void set_target_step(double step);
   void set_method(const std::string& key, const std::string& value);
-  /// Impulse [N s] in W on a dynamic body at p_BP [m] in B.
+  /// Applies an impulse [N s], in W, to a dynamic body at p_BP [m], in B.
   void push(int body, const Vec3& p_BP, const Vec3& j_W);
   void pull(const LivePull& pull);
   void release();
 
   /// Contacts at this moment.
   const std::vector<TouchingPoint>& contacts();
-  /// The frame of this moment as docs/live.md gives it. generation: which scene it belongs to.
+  /// The frame of this moment in the format of docs/live.md. generation: the scene that it belongs to.
   std::string frame(std::uint32_t generation);
   /// What happened since the last reset.
   const LiveHistory& history() const { return history_; }
-  /// Points in frames and histories are sent from here [m].
+  /// Points in frames and histories are sent relative to this point [m].
   const Vec3& origin() const { return scale_.origin; }
-  /// Format of `rigor run --resume`, of the scene with its changes but without the pull.
+  /// A checkpoint in the format of `rigor run --resume`, of the scene with its changes but without the pull.
   std::string checkpoint() const;
-  /// What was recorded since the last reset, as a page of its own. The recording begins anew when it holds
+  /// The recording since the last reset, as a page of its own. The recording starts over when it holds
   /// most_recorded positions of bodies.
   std::string page() const;
-  /// This moment alone as the data of a page: what a live page begins with.
+  /// This moment alone as the data of a page, with which a live page begins.
   std::vector<PageBlock> blocks();
   static constexpr std::size_t most_recorded = 20'000'000;
   std::size_t recorded_frames() const { return at(recording_->frame_count()); }
@@ -85,20 +85,20 @@ class LiveRun {
   Scene present() const;
   Audit audit() const;
 
-  Scene scene_;  ///< As the file has it.
+  Scene scene_;  ///< As read from the file.
   ModelChanges changes_;
   Method method_;
   double step_;
   std::optional<LivePull> pull_;
-  std::shared_ptr<const Model> free_model_;  ///< With the changes, without the pull.
-  std::shared_ptr<const Model> model_;       ///< That is simulated.
+  std::shared_ptr<const Model> free_model_;  ///< With the changes but without the pull.
+  std::shared_ptr<const Model> model_;       ///< The one that is simulated.
   State state_;
   std::unique_ptr<Stepper> stepper_;
   std::unique_ptr<Auditor> auditor_;
-  std::optional<Audit> earlier_;  ///< Books of the models before.
+  std::optional<Audit> earlier_;  ///< Balances of the previous models.
   std::unique_ptr<PageRun> recording_;
   LiveHistory history_;
-  AdvanceReport unrecorded_;  ///< Since the last output time.
+  AdvanceReport unrecorded_;  ///< What happened since the last output time.
   PageScale scale_;
   std::optional<std::vector<TouchingPoint>> contacts_;  ///< Of the state, when they are known.
   std::string stop_text_;

@@ -44,18 +44,19 @@ std::string_view view_of(beast::string_view text) {
   return {text.data(), text.size()};
 }
 
-constexpr std::size_t most_replies = 16;  // that wait for a slow client
+constexpr std::size_t most_replies = 16;  // waiting for a slow client
 
 }  // namespace
 
-/// All of it runs on the thread that serves; notify() and reply() come from the simulation's.
+/// Everything here runs on the serving thread, except notify() and reply(), which the simulation's thread
+/// calls.
 class LiveServer::Impl {
  public:
   Impl(std::uint16_t port, const LiveLimits& limits);
   void serve(const std::function<bool()>& should_end);
   std::string url() const { return access_.url(); }
 
-  /// A connection until it has been answered.
+  /// An HTTP connection, until its request has been answered.
   class Request;
   /// A connection that has become a WebSocket.
   class Socket;
@@ -67,7 +68,8 @@ class LiveServer::Impl {
   void update_watched() { simulation->set_watched(!sockets.empty()); }
   Text page(std::string_view host);
 
-  /// Connections without token, the oldest first. They leave it when they end, some with the context.
+  /// Connections that have not shown the token, the oldest first. They leave this list when they end, some of
+  /// them together with the context.
   std::map<std::uint64_t, std::weak_ptr<Request>> strangers;
   asio::io_context context{1};
   tcp::acceptor acceptor{context};
@@ -76,8 +78,8 @@ class LiveServer::Impl {
   const LiveLimits limits;
   LiveAccess access_;
   LiveSimulation* simulation = nullptr;
-  std::string title;             ///< Of a page that stands still.
-  std::vector<PageBlock> still;  ///< Its data.
+  std::string title;             ///< Title of the page of a recorded run.
+  std::vector<PageBlock> still;  ///< Data of that page.
   std::uint64_t last_number = 0;
   std::map<std::uint64_t, std::shared_ptr<Socket>> sockets;
   std::atomic<bool> is_notified{false};
@@ -86,8 +88,8 @@ class LiveServer::Impl {
   void open(std::uint16_t port);
 };
 
-/// Frames, history, status and answers to a browser; commands from it. What is not yet sent when something
-/// newer comes is left out, so a slow client costs nothing but its own pictures.
+/// Sends frames, history, status and answers to a browser, and receives commands from it. Whatever has not
+/// been sent when something newer arrives is dropped, so a slow client loses nothing but pictures of its own.
 class LiveServer::Impl::Socket : public std::enable_shared_from_this<Socket> {
  public:
   Socket(Impl& server, std::uint64_t number, beast::tcp_stream stream)
@@ -109,7 +111,7 @@ class LiveServer::Impl::Socket : public std::enable_shared_from_this<Socket> {
     });
   }
 
-  /// Sends what is newest, unless something is still on its way.
+  /// Sends the newest data unless something is still being sent.
   void send() {
     if (!is_open_ || on_its_way_) return;
     const LiveSnapshot newest = server_.simulation->newest();
@@ -196,9 +198,10 @@ class LiveServer::Impl::Socket : public std::enable_shared_from_this<Socket> {
   std::uint64_t number_;
   websocket::stream<beast::tcp_stream, false> stream_;  ///< Without compression.
   beast::flat_buffer buffer_;
-  bool is_open_ = false, is_text_ = false, is_reply_ = false;  ///< The last two: of what is on its way.
+  bool is_open_ = false, is_text_ = false,
+       is_reply_ = false;  ///< The last two describe the message being sent.
   bool awaits_file_ = false;
-  Text on_its_way_, status_, history_, frame_;  ///< The last three: sent last.
+  Text on_its_way_, status_, history_, frame_;  ///< The last three: as sent last.
   std::deque<LiveReply> replies_;
   Clock::time_point second_;
   int messages_ = 0;
@@ -302,7 +305,7 @@ class LiveServer::Impl::Request : public std::enable_shared_from_this<Request> {
   http::response<http::span_body<const char>> response_;
   std::string host_, policy_ = "default-src 'none'";
   std::string_view script_;
-  Text text_;  ///< Holds the body while it is sent.
+  Text text_;  ///< Keeps the body alive while it is sent.
 };
 
 LiveServer::Impl::Impl(std::uint16_t port, const LiveLimits& given) : limits(given), access_(0, "") {
@@ -314,7 +317,7 @@ void LiveServer::Impl::open(std::uint16_t port) {
   const tcp::endpoint endpoint(asio::ip::address_v4::loopback(), port);
   error_code error;
   acceptor.open(endpoint.protocol(), error);
-  // A port that was used a moment ago may be used again; one that is in use may not.
+  // A port that was in use a moment ago may be reused; one that is still in use may not.
   if (!error) acceptor.set_option(tcp::acceptor::reuse_address(true), error);
   if (!error) acceptor.bind(endpoint, error);
   if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
@@ -324,8 +327,8 @@ void LiveServer::Impl::open(std::uint16_t port) {
   }
 }
 
-/// Connections beyond a burst are taken with a pause between them, so that a flood of them takes little time;
-/// of those that have not shown the token the oldest goes when there are too many.
+/// After a burst, connections are accepted with a pause between them, so that a flood of them costs little
+/// time; when too many have not shown the token, the oldest of these is closed.
 void LiveServer::Impl::accept() {
   acceptor.async_accept([this](error_code error, tcp::socket socket) {
     if (error == asio::error::operation_aborted) return;

@@ -10,37 +10,37 @@
 
 namespace rigor {
 
-/// What a client may take.
+/// Limits on what a client may use.
 struct LiveLimits {
   std::size_t header_bytes = 8192, message_bytes = 4096;
-  std::size_t connections = 32;  ///< That have not shown the token.
+  std::size_t connections = 32;  ///< Connections that have not shown the token.
   std::size_t sockets = 8;
-  int messages = 240;           ///< A second and socket.
-  double request_time = 5;      ///< [s] until a request is there.
-  double response_time = 60;    ///< [s] until its answer is taken.
-  double idle_time = 30;        ///< [s] without a sign of life on a socket.
+  int messages = 240;           ///< Per second and socket.
+  double request_time = 5;      ///< [s] until a request has arrived.
+  double response_time = 60;    ///< [s] until its answer has been sent.
+  double idle_time = 30;        ///< [s] without any traffic on a socket.
   int burst = 32;               ///< Connections at once.
-  double accept_pause = 10e-3;  ///< [s] between connections after them.
+  double accept_pause = 10e-3;  ///< [s] between later connections.
 };
 
 /// Serves one page on 127.0.0.1: a recorded run, or a live simulation with a WebSocket for frames and
-/// commands (docs/live.md). Nothing is read from the disk, so there is nothing to ask for but the page and
-/// the viewer. Everything a client may take is limited: bytes, time, connections, messages.
+/// commands (docs/live.md). Nothing is read from disk, so there is nothing to request but the page and the
+/// viewer. Everything that a client may use is limited: bytes, time, connections, messages.
 class LiveServer {
  public:
-  /// Takes the port (0: a free one). Throws FileError if that cannot be had.
+  /// Binds the port (0: a free one). Throws FileError if it is not available.
   explicit LiveServer(std::uint16_t port, const LiveLimits& limits = {});
   LiveServer(const LiveServer&) = delete;
   LiveServer& operator=(const LiveServer&) = delete;
   ~LiveServer();
 
-  /// For the simulation's callbacks; from any thread, at once.
+  /// For the callbacks of the simulation; callable from any thread, return at once.
   void notify();
   void reply(LiveReply reply);
 
   /// Address of the page, with the token.
   std::string url() const;
-  /// Serves on this thread until should_end says so (asked twenty times a second).
+  /// Serves on this thread until should_end returns true (it is called twenty times per second).
   void serve(LiveSimulation& simulation, const std::function<bool()>& should_end);
   void serve(const std::string& title, std::vector<PageBlock> blocks,
              const std::function<bool()>& should_end);

@@ -22,14 +22,14 @@ using Seconds = std::chrono::duration<double>;
 constexpr Seconds frame_interval{1.0 / 60};
 constexpr Seconds file_interval{0.5};
 constexpr Seconds rate_interval{0.5}, status_interval{0.25}, history_interval{0.25};
-/// Farther behind the clock than this the simulation does not try to catch up.
+/// If the simulation is farther behind the clock than this, it does not try to catch up.
 constexpr Seconds most_behind{0.1};
 
 std::string error_text(const std::vector<std::string>& messages) {
   return json_line(Json{{"type", "error"}, {"messages", messages}});
 }
 
-/// File names of letters, digits and "-_." only, whatever the scene is called.
+/// File names consist of letters, digits and "-_." only, whatever the name of the scene.
 std::string file_name(const std::string& scene, double time, const char* suffix) {
   std::string name = fmt::format("{}-{:.4g}s", scene.substr(0, 60), time);
   for (char& c : name) {
@@ -113,7 +113,7 @@ void LiveSimulation::run() {
   }
 }
 
-/// Until the next step or look at the file is due, or somebody asks for something or begins to look.
+/// Waits until the next step or check of the file is due, a request arrives or a viewer connects.
 void LiveSimulation::wait() {
   const auto after = [](Clock::time_point from, Seconds span) {
     return from + std::chrono::duration_cast<Clock::duration>(span);
@@ -151,7 +151,7 @@ void LiveSimulation::carry_out(const Request& request) {
   } catch (const InputError& error) {
     reply_({request.client, true, error_text(error.messages())});
   } catch (const std::exception& error) {
-    // Memory that a huge recording asks for, say: the simulation itself is as it was.
+    // For example the memory for a huge recording: the simulation itself is unaffected.
     reply_({request.client, true, error_text({error.what()})});
   }
 }
@@ -211,7 +211,7 @@ void LiveSimulation::look_at_file() {
   try {
     reload();
   } catch (const InputError&) {
-    // The status tells what is wrong; the old scene goes on.
+    // The status reports the error; the old scene continues.
   }
 }
 
@@ -231,13 +231,13 @@ void LiveSimulation::reload() {
   publish_frame();
 }
 
-/// As far as the clock has come, times the speed, in parts no longer than a frame.
+/// Advances as far as the clock, times the speed, has come, in parts no longer than a frame.
 void LiveSimulation::go_on() {
   const Clock::time_point begin = Clock::now();
   const Seconds passed = begin - paced_from_;
   const double wanted = pace_time_ + speed_ * passed.count();
   const double longest = std::min(run_->scene().run.output_interval, speed_ * frame_interval.count());
-  // Not for long without a look at the requests.
+  // The loop returns before long, so that requests are served.
   const Clock::time_point until = begin + std::chrono::duration_cast<Clock::duration>(frame_interval);
   while (run_->time() < wanted && run_->stop_text().empty() && Clock::now() < until) {
     run_->advance(longest);

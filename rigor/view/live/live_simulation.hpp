@@ -18,14 +18,14 @@
 
 namespace rigor {
 
-/// What a live simulation shows of itself: always the newest, shared, never changed afterwards.
+/// What a live simulation publishes: always the newest state, shared, and immutable once published.
 struct LiveSnapshot {
-  std::uint32_t generation = 0;                ///< Counts the scenes: one more with each that is read anew.
+  std::uint32_t generation = 0;                ///< Counts the scenes: increases whenever one is read anew.
   std::shared_ptr<const std::string> frame;    ///< live_frame_bytes.
   std::shared_ptr<const std::string> history;  ///< live_history_bytes.
   std::shared_ptr<const std::string> status;   ///< JSON, docs/live.md.
   std::shared_ptr<const std::vector<PageBlock>> blocks;  ///< Data of the page, of this generation.
-  std::string scene;                                     ///< Its name.
+  std::string scene;                                     ///< Name of the scene.
 };
 
 /// An answer to one client: a text (JSON), or a file to keep (live_file_bytes).
@@ -35,24 +35,24 @@ struct LiveReply {
   std::string bytes;
 };
 
-/// A LiveRun on a thread of its own. It goes with the clock, times the speed; where it cannot keep up, time
-/// passes more slowly. Commands wait in a queue of limited length; what it shows is the newest snapshot, so
-/// nobody who looks can hold it up.
+/// A LiveRun on a thread of its own. It follows the clock, times the speed; where it cannot keep up, time
+/// passes more slowly. Commands wait in a queue of limited length, and viewers see the newest snapshot, so no
+/// viewer can slow it down.
 class LiveSimulation {
  public:
-  /// Reads the file: throws InputError. notify is called on the simulation's thread when there is a new
-  /// snapshot, reply with an answer; both must be quick.
+  /// Reads the file; throws InputError. notify is called on the simulation's thread when there is a new
+  /// snapshot, and reply with an answer; both must be quick.
   LiveSimulation(LiveFile file, std::function<void()> notify, std::function<void(LiveReply)> reply);
   LiveSimulation(const LiveSimulation&) = delete;
   LiveSimulation& operator=(const LiveSimulation&) = delete;
-  /// Ends the thread when its present step is done.
+  /// Ends the thread once its present step is done.
   ~LiveSimulation();
 
-  /// Puts a command of a client into the queue; false if it is full. A pull takes the place of the same
-  /// client's pull that is still waiting. A release always finds room.
+  /// Queues a command of a client; false if the queue is full. A pull replaces a pull of the same client that
+  /// is still waiting. A release always finds room.
   bool post(std::uint64_t client, LiveCommand command);
   LiveSnapshot newest() const;
-  /// Whether anybody looks: without, no frames are made.
+  /// Tells whether anybody is watching: otherwise no frames are made.
   void set_watched(bool is_watched);
   const std::vector<std::string>& warnings() const { return warnings_; }
 
@@ -84,19 +84,19 @@ class LiveSimulation {
   const std::function<void(LiveReply)> reply_;
   std::vector<std::string> warnings_;
 
-  // Of the simulation's thread alone.
+  // Used by the simulation's thread only.
   std::unique_ptr<LiveRun> run_;
   std::uint32_t generation_ = 1;
   bool is_running_ = false, follows_file_ = true, file_has_changed_ = false, frame_is_new_ = true,
        status_is_new_ = true;
   double speed_ = 1;
-  std::uint64_t puller_ = 0;  ///< The client whose pull it is.
+  std::uint64_t puller_ = 0;  ///< The client that pulls.
   std::vector<std::string> file_messages_;
   Clock::time_point paced_from_, looked_at_file_, published_, remembered_, told_, rated_from_;
-  std::uint64_t history_revision_ = 0;               ///< Of the history that was published last.
-  double pace_time_ = 0, rate_time_ = 0, rate_ = 0;  ///< Simulated [s]; simulated seconds a second.
+  std::uint64_t history_revision_ = 0;               ///< Revision of the history published last.
+  double pace_time_ = 0, rate_time_ = 0, rate_ = 0;  ///< Simulated [s]; simulated seconds per second.
 
-  mutable std::mutex mutex_;  ///< Guards what follows.
+  mutable std::mutex mutex_;  ///< Guards the members below.
   std::condition_variable wake_;
   std::deque<Request> requests_;
   LiveSnapshot newest_;

@@ -30,7 +30,7 @@ PageBlock make_page_block(std::string kind, std::string_view bytes) {
   std::string deflated(size, '\0');
   const int result = compress2(reinterpret_cast<Bytef*>(deflated.data()), &size, bytes_of(bytes),
                                static_cast<uLong>(bytes.size()), Z_DEFAULT_COMPRESSION);
-  RIGOR_ASSERT(result == Z_OK);  // The buffer is as large as zlib asks for.
+  RIGOR_ASSERT(result == Z_OK);  // The buffer has the size that zlib asks for.
   deflated.resize(size);
   const uLong checksum = crc32_z(0, bytes_of(deflated), deflated.size());
   return {std::move(kind), bytes.size(), std::move(deflated), static_cast<std::uint32_t>(checksum)};
@@ -69,12 +69,14 @@ void append_f64(double value, std::string& bytes) {
 }
 
 void append_varint(std::int64_t value, std::string& bytes) {
+  // Zigzag: the sign moves to the lowest bit, so that small numbers of either sign take few bytes.
   std::uint64_t folded = static_cast<std::uint64_t>(value) << 1 ^ static_cast<std::uint64_t>(value >> 63);
   for (; folded >= 128; folded >>= 7) bytes += static_cast<char>((folded & 127) | 128);
   bytes += static_cast<char>(folded);
 }
 
 void append_column(std::span<const std::int64_t> values, std::string& bytes) {
+  // Linear prediction: from the third value on, the last two are extrapolated.
   std::int64_t last = 0, before = 0;
   for (std::size_t k = 0; k < values.size(); ++k) {
     append_varint(values[k] - (k < 2 ? last : 2 * last - before), bytes);
@@ -84,16 +86,18 @@ void append_column(std::span<const std::int64_t> values, std::string& bytes) {
 }
 
 void append_exact_column(std::span<const double> values, std::string& bytes) {
+  // Linear prediction of the bit patterns as integers, with zigzag folding of the residuals.
   std::vector<std::uint64_t> folded;
   std::uint64_t last = 0, before = 0;
   for (std::size_t k = 0; k < values.size(); ++k) {
     const std::uint64_t bits = std::bit_cast<std::uint64_t>(values[k]);
-    // Wraps around, there and back.
+    // Unsigned arithmetic wraps around here and, in the reader, back again.
     const std::uint64_t step = bits - (k < 2 ? last : 2 * last - before);
     folded.push_back(step << 1 ^ (step >> 63 ? ~std::uint64_t{0} : 0));
     before = last;
     last = bits;
   }
+  // Byte planes, the highest bytes first, which are mostly zero and compress well.
   for (int shift = 56; shift >= 0; shift -= 8) {
     for (const std::uint64_t value : folded) bytes += static_cast<char>(value >> shift & 0xff);
   }

@@ -8,7 +8,7 @@
 
 namespace rigor {
 
-/// A piece of a page's data, compressed, with what is needed to see whether it arrived whole.
+/// A compressed piece of the data of a page, with the numbers that tell whether it arrived intact.
 struct PageBlock {
   std::string kind;        ///< "header", "frames", ...: letters only.
   std::size_t raw_size;    ///< Bytes before compression.
@@ -17,9 +17,9 @@ struct PageBlock {
 };
 PageBlock make_page_block(std::string kind, std::string_view bytes);
 
-/// The block as an element of an HTML file that browsers neither run nor show: attributes data-run,
-/// data-kind, data-raw and data-size [bytes before and after compression], data-crc (8 hexadecimal digits);
-/// text: base64.
+/// The block as an element of an HTML file that browsers neither run nor show. Attributes: data-run, data-
+/// kind, data-raw and data-size [bytes before and after compression] and data-crc (8 hexadecimal digits).
+/// Text: base64.
 std::string block_html(const PageBlock& block, int run);
 
 /// Base64 of the bytes with padding. Source: Josefsson, The Base16, Base32, and Base64 Data Encodings, RFC
@@ -31,20 +31,20 @@ void append_u32(std::uint32_t value, std::string& bytes);
 void append_f32(float value, std::string& bytes);
 void append_f64(double value, std::string& bytes);
 
-/// A whole number in groups of seven bits, the lowest first, each but the last with its high bit set; the
-/// sign is folded in: 0, -1, 1, -2, ... become 0, 1, 2, 3, ...
+/// An integer in groups of seven bits, the lowest first, each but the last with its high bit set (a varint);
+/// the sign is folded in: 0, -1, 1, -2, ... become 0, 1, 2, 3, ...
 void append_varint(std::int64_t value, std::string& bytes);
 
-/// A column of whole numbers as what differs from going on in a straight line: x_0, x_1 - x_0, then x_k -
-/// (2 x_{k-1} - x_{k-2}), each as a varint. Smooth motion gives small numbers, rest gives zeros.
+/// A column of integers as residuals of linear extrapolation: x_0, x_1 - x_0, then x_k - (2 x_{k-1} -
+/// x_{k-2}), each as a varint. Smooth motion gives small numbers, rest gives zeros.
 void append_column(std::span<const std::int64_t> values, std::string& bytes);
 
-/// A column of numbers to the last bit: of their bits as whole numbers what differs from going on in a
-/// straight line (as in append_column), sign folded in; of these first the highest byte of all, then the
-/// next, and so on: numbers that change slowly share their high bytes, which compress.
+/// A column of doubles without loss: the residuals of linear extrapolation of their bit patterns as integers
+/// (as in append_column), with the sign folded in; the highest bytes of all of them come first, then the next
+/// ones, and so on. Numbers that change slowly share their high bytes, which compress well.
 void append_exact_column(std::span<const double> values, std::string& bytes);
 
-/// The multiple of the step [same unit] that is nearest to the value, held within ±2⁵⁰ so that JavaScript's
+/// The multiple of the step [same unit] that is nearest to the value, clamped to ±2⁵⁰ so that JavaScript's
 /// numbers hold its differences exactly; 0 for what is not finite.
 std::int64_t quantised(double value, double step);
 

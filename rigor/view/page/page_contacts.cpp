@@ -11,10 +11,10 @@ namespace rigor {
 
 namespace {
 
-/// A chunk is full with so many contacts, or frames: then it takes some MB while it is filled.
+/// A chunk is full with this many contacts or frames: it takes some MB while it is filled.
 constexpr std::size_t contacts_of_chunk = 50000, frames_of_chunk = 256;
 
-/// Forces are told to 1/1024 of the chunk's largest.
+/// Forces are quantised to 1/1024 of the largest one of the chunk.
 double force_step_of(const std::vector<std::vector<TouchingPoint>>& frames) {
   double largest = 0;
   for (const std::vector<TouchingPoint>& points : frames) {
@@ -51,12 +51,13 @@ PageContacts::Numbers PageContacts::numbers_of(const TouchingPoint& point, doubl
   return result;
 }
 
-/// What the numbers of a contact would be if it went on as before.
+/// Prediction of the numbers of a contact from the same contact in the last two frames.
 PageContacts::Numbers PageContacts::expected(const Name& name, const Frame& last, const Frame& before) {
   const auto newer = last.find(name), older = before.find(name);
   if (newer == last.end()) return {};
   Numbers result = newer->second;
   if (older == before.end()) return result;
+  // Only point and normal are extrapolated; the other numbers jump too much.
   constexpr std::size_t first_smooth = 2, end_smooth = 8;  // point and normal
   for (std::size_t k = first_smooth; k < end_smooth; ++k) result[k] += newer->second[k] - older->second[k];
   return result;
@@ -64,6 +65,7 @@ PageContacts::Numbers PageContacts::expected(const Name& name, const Frame& last
 
 std::optional<PageBlock> PageContacts::finish() {
   if (frames_.empty()) return std::nullopt;
+  // Each number of a contact goes to its own column, as the residual of its prediction.
   const double force_step = force_step_of(frames_);
   std::array<std::string, 3 + numbers> columns;
   Frame before, last, now;
@@ -71,6 +73,7 @@ std::optional<PageBlock> PageContacts::finish() {
     append_varint(static_cast<std::int64_t>(points.size()), columns[0]);
     int last_A = 0, last_B = -1, which = 0;
     for (const TouchingPoint& point : points) {
+      // Contacts of the same pair are numbered in their order, so that frames can be matched.
       which = point.body_A == last_A && point.body_B == last_B ? which + 1 : 0;
       append_varint(point.body_A - last_A, columns[1]);
       append_varint(point.body_B - point.body_A, columns[2]);
@@ -82,6 +85,7 @@ std::optional<PageBlock> PageContacts::finish() {
     }
     before = std::exchange(last, std::exchange(now, {}));
   }
+  // The header of the chunk, then one column after the other.
   std::string bytes;
   for (const double step : {force_step, gap_step_, place_step_}) append_f64(step, bytes);
   append_u32(static_cast<std::uint32_t>(frames_.size()), bytes);

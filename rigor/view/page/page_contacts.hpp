@@ -15,37 +15,37 @@ namespace rigor {
 
 struct PageScale;
 
-/// Collects the contacts of each frame and packs them in chunks. A chunk stands by itself: f64 force step
-/// [N], f64 gap step [m], f64 place step [m], u32 frames; then columns of varints, one whole after the other:
-/// of each frame the number of contacts; of each contact the first body less that of the contact before it in
-/// the frame, the second body less the first, and eleven numbers: mode (TouchingPoint::Mode), gap, point,
-/// normal in 1/1024, force. Of these numbers there is what differs from the same contact (the k-th of its
-/// pair) in the frame before, where there was one; of point and normal from going on in a straight line,
-/// where it was in the two frames before.
+/// Collects the contacts of each frame and packs them in chunks. A chunk is self-contained: f64 force step
+/// [N], f64 gap step [m], f64 place step [m], u32 frames; then columns of varints, one after the other: for
+/// each frame the number of contacts; for each contact the first body minus that of the previous contact in
+/// the frame, the second body minus the first, and eleven numbers: mode (TouchingPoint::Mode), gap, point,
+/// normal in 1/1024, force. These numbers are stored as differences from the same contact (the k-th of its
+/// pair) in the previous frame, where it existed; point and normal as differences from linear extrapolation,
+/// where it existed in the two previous frames.
 class PageContacts {
  public:
-  /// Of more contacts in a frame the first ones are kept.
+  /// If a frame has more contacts, the first ones are kept.
   static constexpr std::size_t most_in_frame = 20000;
 
-  /// contact_tolerance [m]: gaps are told to a sixteenth of it.
+  /// contact_tolerance [m]: gaps are quantised to a sixteenth of it.
   PageContacts(const PageScale& scale, double contact_tolerance);
-  /// The contacts of one more frame. Gives a chunk when it is full.
+  /// Adds the contacts of one more frame; returns a chunk when it is full.
   std::optional<PageBlock> add(const std::vector<TouchingPoint>& points);
-  /// The frames since the last chunk, if there are any.
+  /// Packs the frames since the last chunk, if there are any.
   std::optional<PageBlock> finish();
 
  private:
   static constexpr std::size_t numbers = 11;
   using Numbers = std::array<std::int64_t, numbers>;
-  using Name = std::tuple<int, int, int>;  ///< Bodies and which of their contacts.
+  using Name = std::tuple<int, int, int>;  ///< The two bodies and the index of the contact among theirs.
   using Frame = std::map<Name, Numbers>;
   Numbers numbers_of(const TouchingPoint& point, double force_step) const;
   static Numbers expected(const Name& name, const Frame& last, const Frame& before);
 
   Vec3 origin_;
   double place_step_, gap_step_;
-  std::vector<std::vector<TouchingPoint>> frames_;  ///< Of the chunk that is being filled.
-  std::size_t count_ = 0;                           ///< Contacts in them.
+  std::vector<std::vector<TouchingPoint>> frames_;  ///< Frames of the chunk that is being filled.
+  std::size_t count_ = 0;                           ///< Number of contacts in them.
 };
 
 }  // namespace rigor

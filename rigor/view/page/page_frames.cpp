@@ -12,11 +12,11 @@ namespace rigor {
 
 namespace {
 
-/// Numbers of a chunk: enough that its first frame costs little, few enough to be read at a glance.
+/// Size of a chunk: large enough that its first frame costs little, small enough to be decoded instantly.
 constexpr int bodies_times_frames = 200000;
 constexpr int fewest_frames = 16, most_frames = 256;
 
-/// Velocities are told to 1/4096 of the chunk's largest, angular and linear by themselves.
+/// Velocities are quantised to 1/4096 of the largest one of the chunk, angular and linear ones separately.
 double velocity_step(double largest) {
   constexpr double parts = 4096;
   const bool is_usable = std::isfinite(largest) && largest / parts > std::numeric_limits<double>::min();
@@ -26,6 +26,7 @@ double velocity_step(double largest) {
 }  // namespace
 
 PageScale page_scale(const Model& model, const State& start) {
+  // Bounding box of the moving bodies at the start, and the smallest of their radii.
   Aabb around{Vec3::Constant(std::numeric_limits<double>::infinity()),
               Vec3::Constant(-std::numeric_limits<double>::infinity())};
   double smallest = std::numeric_limits<double>::infinity();
@@ -39,8 +40,10 @@ PageScale page_scale(const Model& model, const State& start) {
     around = around.united(Aabb{x, x}.grown(radius));
     if (radius > 0) smallest = std::min(smallest, radius);
   }
+  // Without moving bodies any scale will do.
   if (!(around.lower.array() <= around.upper.array()).all())
     return {Vec3::Zero(), 1, power_of_two_below(2e-5), power_of_two_below(8e-5)};
+  // The steps follow from the extent, but stay small compared with the smallest body.
   const double diagonal = (around.upper - around.lower).norm();
   const double extent = diagonal > 0 ? diagonal : model.length_scale();
   const double step = power_of_two_below(std::min(2e-5 * extent, 2e-3 * smallest));
@@ -48,6 +51,7 @@ PageScale page_scale(const Model& model, const State& start) {
 }
 
 PackedQuaternion packed(const Quat& q) {
+  // Drop the component of largest magnitude, which follows from the unit norm; a sign makes it positive.
   const std::array<double, 4> all = {q.w(), q.x(), q.y(), q.z()};
   int largest = 0;
   for (int i = 1; i < 4; ++i) {
@@ -55,6 +59,7 @@ PackedQuaternion packed(const Quat& q) {
   }
   const double sign = all[at(largest)] < 0 ? -1 : 1;
   constexpr double step = 0.70710678118654757 / 32767;
+  // Quantise the other three.
   PackedQuaternion result{largest, {}};
   std::size_t place = 0;
   for (int i = 0; i < 4; ++i) {
@@ -95,6 +100,7 @@ std::optional<PageBlock> PageFrames::add(const State& state) {
 
 std::optional<PageBlock> PageFrames::finish() {
   if (frames_in_chunk_ == 0) return std::nullopt;
+  // The velocity steps follow from the largest components of the chunk.
   double speed = 0, spin = 0;
   for (const BodyColumns& columns : columns_) {
     for (std::size_t k = 0; k < 6; ++k) {
@@ -104,11 +110,13 @@ std::optional<PageBlock> PageFrames::finish() {
   }
   const double speed_step = velocity_step(speed), spin_step = velocity_step(spin);
 
+  // The header of the chunk.
   std::string bytes;
   append_f64(speed_step, bytes);
   append_f64(spin_step, bytes);
   append_u32(static_cast<std::uint32_t>(frames_in_chunk_), bytes);
   append_u32(static_cast<std::uint32_t>(moving_.size()), bytes);
+  // Thirteen columns per body: those of the pose are quantised already, those of the velocities are now.
   std::vector<std::int64_t> whole;
   for (BodyColumns& columns : columns_) {
     for (std::vector<std::int64_t>& column : columns.pose) {

@@ -11,44 +11,45 @@
 
 namespace rigor {
 
-/// How finely a page stores places.
+/// The resolution with which a page stores positions.
 struct PageScale {
   Vec3 origin;    ///< Middle of the bodies that move, at the start [m]; stored positions count from it.
   double extent;  ///< Diagonal of the box around them [m].
-  double position_step;  ///< [m]; a stored coordinate is wrong by half of it at most.
-  double contact_step;   ///< [m]; the same for the points of contacts: a dot on the screen.
+  double position_step;  ///< [m]; stored coordinates are off by half of it at most.
+  double contact_step;   ///< [m]; the same for contact points, which are dots on the screen.
 };
-/// The steps are powers of two, at most 2e-5 of the extent (an error of 1e-5) and 2e-3 of the smallest body
-/// that moves; that of positions is 64 times finer where at most 64 bodies move, since that costs little
-/// there; that of contacts is 4 times coarser.
+/// The steps are powers of two, at most 2e-5 of the extent (an error of 1e-5) and 2e-3 of the smallest moving
+/// body. The step of positions is 64 times finer where at most 64 bodies move, since that costs little there;
+/// the step of contacts is 4 times coarser.
 PageScale page_scale(const Model& model, const State& start);
 
 /// A unit quaternion by its three smaller components, each in ±32767 for ±1/√2.
 struct PackedQuaternion {
-  int largest;  ///< Place of the component that is left out, in w x y z; it is positive.
+  int largest;  ///< Index of the omitted component in w x y z; it is positive.
   std::array<std::int64_t, 3> others;
 };
 PackedQuaternion packed(const Quat& q);
 /// Largest angle between an orientation and its packed form [rad].
 inline constexpr double packing_error = 8e-5;
 
-/// Collects the motion of all bodies but the fixed ones, quantised, and packs it in chunks of many frames
-/// each. A chunk stands by itself: f64 speed step [m/s], f64 spin step [rad/s], u32 frames, u32 bodies; then
-/// for each body 13 columns (append_column): x y z of the centre of mass in position steps from the origin;
-/// place of the quaternion's largest component and the three others; velocity x y z; angular velocity x y z.
+/// Collects the motion of all bodies except fixed ones, quantised, and packs it in chunks of many frames
+/// each. A chunk is self-contained: f64 speed step [m/s], f64 spin step [rad/s], u32 frames, u32 bodies; then
+/// 13 columns for each body (append_column): x y z of the centre of mass in position steps from the origin;
+/// index of the largest component of the quaternion and the three others; velocity x y z; angular velocity x
+/// y z.
 class PageFrames {
  public:
   PageFrames(const Model& model, const PageScale& scale);
-  /// One more frame. Gives a chunk when it is full.
+  /// Adds one more frame; returns a chunk when it is full.
   std::optional<PageBlock> add(const State& state);
   int frame_count() const { return frame_count_; }
-  /// The frames since the last chunk, if there are any.
+  /// Packs the frames since the last chunk, if there are any.
   std::optional<PageBlock> finish();
 
  private:
   struct BodyColumns {
     std::array<std::vector<std::int64_t>, 7> pose;
-    std::array<std::vector<double>, 6> velocity;  ///< Quantised when the chunk's largest is known.
+    std::array<std::vector<double>, 6> velocity;  ///< Quantised once the largest of the chunk is known.
   };
   const Model& model_;
   PageScale scale_;

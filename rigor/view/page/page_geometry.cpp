@@ -28,7 +28,7 @@ std::string bytes_of(const TriangleMesh& mesh) {
   return bytes;
 }
 
-/// Writes each mesh once and tells its index.
+/// Writes each mesh once and returns its index.
 class MeshTable {
  public:
   explicit MeshTable(PageGeometry& geometry) : geometry_(geometry) {}
@@ -57,8 +57,8 @@ TriangleMesh triangles_of(const Surface& surface) {
   return triangulated(polygons);
 }
 
-/// The dimensions of a shape that the viewer draws by itself; of another the mesh that pictures draw, as
-/// which the page then knows it.
+/// The dimensions of a shape that the viewer draws by itself; for any other shape the mesh that pictures
+/// draw, which is all that the page then knows of it.
 struct Dimensions {
   MeshTable& meshes;
 
@@ -69,7 +69,7 @@ struct Dimensions {
   Json operator()(const Cone& c) const { return round(c.radius, c.half_length); }
   Json operator()(const Ellipsoid& e) const { return {{"radii", json_of(e.radii)}}; }
   Json operator()(const HalfSpace& h) const { return {{"normal", json_of(h.normal)}, {"offset", h.offset}}; }
-  /// Drawn as a mesh (drawn_form).
+  /// The caller draws this shape as a mesh instead (drawn_form).
   Json operator()(const Cavity&) const { return Json::object(); }
   Json operator()(const Convex& c) const {
     return {{"mesh", meshes.index_of(triangulated({c.hull->vertices, c.hull->faces}))}};

@@ -9,12 +9,13 @@
 
 namespace rigor {
 
-/// The shapes of a model as a page draws them. Bodies that look alike share a look, equal polyhedra a mesh.
+/// The shapes of a model as a page draws them. Bodies that look alike share a look, equal polyhedra share a
+/// mesh.
 struct PageGeometry {
-  /// One list of shapes a look: {"type", its dimensions under the names of rigor/geometry/shape/shape.hpp or
-  /// "mesh": index, "p", "q" (pose in the body frame, w x y z), "material": index, "color"}.
+  /// One list of shapes per look: {"type", its dimensions under the names of rigor/geometry/shape/shape.hpp
+  /// or "mesh": index, "p", "q" (pose in the body frame, w x y z), "material": index, "colour"}.
   nlohmann::ordered_json looks = nlohmann::ordered_json::array();
-  std::vector<int> look_of_body;  ///< Index into looks, one a body.
+  std::vector<int> look_of_body;  ///< Index into looks, one per body.
   nlohmann::ordered_json meshes =
       nlohmann::ordered_json::array();  ///< {"vertices": count, "triangles": count}.
   std::string mesh_bytes;  ///< For each mesh its vertices (f32 x y z) [m], then its triangles (u32 × 3).

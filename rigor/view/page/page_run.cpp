@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// How the values of two intervals make that of both.
+/// How the values of two successive intervals combine.
 enum class Joined { last, sum, largest };
 struct Quantity {
   const char* name;
@@ -92,14 +92,14 @@ Json springs_json(const Model& model) {
   return springs;
 }
 
-/// Direction of an axis that a joint has on its body A (side 0) or B; null if it has none there.
+/// Direction of an axis of the joint fixed to its body A (side 0) or B; null if there is none on that side.
 Json axis_json(const Joint& joint, std::size_t side) {
   const JointAxes axes = joint_traits(joint.type).axes;
   if (side == 0) return axes == JointAxes::none ? Json() : json_of(Vec3(joint.X_AF.R.col(2)));
   return axes == JointAxes::z_and_x_of_K ? json_of(Vec3(joint.X_BK.R.col(0))) : Json();
 }
 
-/// All joints that have a place: gears have none.
+/// All joints that have an anchor; gears have none.
 Json joints_json(const Model& model) {
   Json joints = Json::array();
   for (const Joint& joint : model.joints()) {
@@ -143,6 +143,7 @@ void PageRun::add(const State& state, const AdvanceReport& since, const Energy& 
                   const std::vector<TouchingPoint>& contacts) {
   keep(frames_.add(state));
   keep(contacts_.add(contacts));
+  // One row of the series, in the order of `quantities`.
   work_ += since.work;
   const Momentum momentum = total_momentum(*latest_model_, state);
   const std::array<double, quantities.size()> row = {state.t,
@@ -169,7 +170,7 @@ std::vector<double> PageRun::last_row() const {
 std::vector<PageBlock> PageRun::finish(const Audit& audit) {
   const PageGeometry geometry = page_geometry(*model_);
   Json audit_of_run = Json::parse(audit_json(audit));
-  audit_of_run.erase("bodies");  // Where they end is in the frames.
+  audit_of_run.erase("bodies");  // The frames hold their final poses.
   Json header = {{"format", 1},
                  {"rigor", version},
                  {"scene", name_},
@@ -193,10 +194,12 @@ std::vector<PageBlock> PageRun::finish(const Audit& audit) {
                  {"springs", springs_json(*latest_model_)},
                  {"joints", joints_json(*model_)},
                  {"audit", audit_of_run}};
+  // On a page of several runs, each says its label and why it stopped.
   if (!label_.empty()) {
     header["label"] = label_;
     if (audit.report.reason != StopReason::reached_end) header["stopped"] = audit.report.detail;
   }
+  // The blocks of the run: header, meshes, series, events, then the chunks of frames and contacts.
   std::vector<PageBlock> blocks = {
       make_page_block("header", header.dump(-1, ' ', false, Json::error_handler_t::replace)),
       make_page_block("meshes", geometry.mesh_bytes), series_block(), events_block()};
@@ -217,6 +220,7 @@ PageBlock PageRun::series_block() const {
 }
 
 PageBlock PageRun::events_block() const {
+  // Steps of times and impulses; points take the step of positions.
   double largest = 0;
   std::vector<std::int64_t> times;
   const double time_step = power_of_two_below(1e-9 * run_.output_interval);
@@ -226,6 +230,7 @@ PageBlock PageRun::events_block() const {
   }
   const double impulse_step = largest > 1e-300 ? power_of_two_below(largest / 32768) : 1;
   std::string bytes;
+  // Columns of times, points, impulses, then bodies and kinds.
   append_f64(time_step, bytes);
   append_f64(impulse_step, bytes);
   append_column(times, bytes);

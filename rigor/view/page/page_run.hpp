@@ -13,24 +13,24 @@
 
 namespace rigor {
 
-/// One run as a page shows it, collected while it goes on: what is kept grows by the quantised motion alone,
-/// a few bytes a body a frame.
+/// One run as a page shows it, collected while it runs: memory grows with the quantised motion alone, a few
+/// bytes per body and frame.
 class PageRun {
  public:
-  /// label: its name on a page with several runs, else empty.
+  /// label: name of the run on a page with several runs, otherwise empty.
   PageRun(const Scene& scene, const State& start, std::string label = {});
 
-  /// An output time with what happened since the last one.
+  /// Adds an output time with what happened since the last one.
   void add(const State& state, const AdvanceReport& since, const Energy& energy);
-  /// The same where the contacts at the state are known already.
+  /// The same for known contacts of the state.
   void add(const State& state, const AdvanceReport& since, const Energy& energy,
            const std::vector<TouchingPoint>& contacts);
-  /// From now on the run is one of this model, which has the same bodies; the header tells of the last one.
+  /// Continues with another model that has the same bodies; the header describes the last one.
   void continue_with(std::shared_ptr<const Model> model) { latest_model_ = std::move(model); }
-  /// Values of the series at the last output time, in the order of the header's list.
+  /// Values of the series at the last output time, in the order of the list in the header.
   std::vector<double> last_row() const;
   int frame_count() const { return frames_.frame_count(); }
-  /// Everything, the header first (docs/page.md gives the format). The run ends with it.
+  /// Returns all blocks, the header first (docs/page.md gives the format), and ends the run.
   std::vector<PageBlock> finish(const Audit& audit);
 
   const std::string& name() const { return name_; }
@@ -47,14 +47,14 @@ class PageRun {
   PageScale scale_;
   PageFrames frames_;
   PageContacts contacts_;
-  std::vector<PageBlock> chunks_;            ///< Of frames and contacts, as they were filled.
-  std::vector<std::vector<double>> series_;  ///< One column a quantity.
-  double work_ = 0;                          ///< Supplied so far [J].
+  std::vector<PageBlock> chunks_;  ///< Chunks of frames and contacts, in the order they were filled.
+  std::vector<std::vector<double>> series_;  ///< One column per quantity.
+  double work_ = 0;                          ///< Work supplied so far [J].
   std::vector<MotionEvent> events_;
 };
 
-/// The row of the series for two intervals that follow each other, from the rows of each: values at its end,
-/// sums of what is counted, the larger of what is the worst.
+/// Merges the rows of the series of two successive intervals: values at the end of the later one, sums of
+/// counts, and the larger of two maxima.
 std::vector<double> joined_rows(const std::vector<double>& earlier, const std::vector<double>& later);
 
 }  // namespace rigor

@@ -11,13 +11,13 @@ namespace rigor {
 
 namespace {
 
-// The policy lets the page run what is in it and reach nothing outside.
+// The policy allows the page to run its own content and to reach nothing outside.
 constexpr std::string_view policy =
     "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:";
 constexpr std::string_view no_script =
     "<noscript>This page shows a simulation; it needs JavaScript, and nothing from the network.</noscript>\n";
 
-/// The head up to the viewer's script.
+/// The head of the page up to the viewer's script.
 std::string head(std::string_view title, std::string_view content_policy) {
   return fmt::format(
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
@@ -27,12 +27,12 @@ std::string head(std::string_view title, std::string_view content_policy) {
       markup_text(content_policy), markup_text(title));
 }
 
-/// Gives the body, with all blocks, to `append`, piece by piece.
+/// Passes the body, with all blocks, to `append`, piece by piece.
 template <typename Append>
 void append_body(const std::vector<std::vector<PageBlock>>& runs, Append append) {
   append("<body>\n");
   append(no_script);
-  // The number of blocks comes first, so that a page that was cut off knows.
+  // The number of blocks comes first, so that the viewer notices a page that was cut off.
   std::size_t count = 0;
   for (const std::vector<PageBlock>& blocks : runs) count += blocks.size();
   append(fmt::format("<meta name=\"rigor-blocks\" content=\"{}\">\n", count));

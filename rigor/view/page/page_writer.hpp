@@ -14,15 +14,15 @@ namespace rigor {
 /// Suffixes of the files that PageWriter writes.
 inline constexpr std::array<std::string_view, 1> page_suffixes = {".html"};
 
-/// The viewer: one script (viewer/dist/viewer.js) that finds the data blocks of the page it is in.
+/// The viewer: one script (viewer/dist/viewer.js) that finds the data blocks of the page that contains it.
 std::string_view viewer_script();
 
-/// Writes a page that shows these runs (at first the second one as the ghost of the first): the viewer, then
+/// Writes a page that shows these runs (initially the second one as the ghost of the first): the viewer, then
 /// the blocks of each run. It needs no network and no other file. Throws FileError.
 void write_page(const std::filesystem::path& path, std::string_view title,
                 const std::vector<std::vector<PageBlock>>& runs);
 
-/// What of a page is not as in a file that stands alone; empty: as there.
+/// Parts of a page that differ from a file of its own; where they are empty, they do not differ.
 struct ServedPage {
   std::string policy;  ///< Content-Security-Policy.
   std::string script;  ///< Address of the viewer.
@@ -32,19 +32,19 @@ struct ServedPage {
 std::string page_text(std::string_view title, const std::vector<std::vector<PageBlock>>& runs,
                       const ServedPage& served);
 
-/// Watches a run and leaves it as a page of its own. The page is written when the run ends.
+/// Watches a run and writes it as a page of its own when the run ends.
 class PageWriter {
  public:
   /// Throws FileError if the file cannot be written.
   PageWriter(std::filesystem::path path, const Scene& scene);
   void write(const State& state, const AdvanceReport& since, const Energy& energy);
-  /// Writes the page, with what there is. Throws FileError.
+  /// Writes the page with what has been recorded. Throws FileError.
   void close(const Audit& audit);
 
  private:
   std::filesystem::path path_;
   const Scene& scene_;
-  std::optional<PageRun> run_;  ///< From the first output time on.
+  std::optional<PageRun> run_;  ///< Exists from the first output time on.
 };
 
 }  // namespace rigor

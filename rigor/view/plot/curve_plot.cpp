@@ -13,7 +13,7 @@ namespace {
 using plot_style::axis_color, plot_style::axis_pen, plot_style::bottom, plot_style::left,
     plot_style::legend_row, plot_style::line_pen, plot_style::right, plot_style::text, plot_style::tick_text;
 
-// In units of a drawing: as points on paper.
+// Sizes in units of a drawing, which are points on paper.
 constexpr double panels_top = 12, panel_gap = 18;
 constexpr double all_panels = 780, widest_panel = 420, lowest_panel = 130, highest_panel = 320;
 constexpr double title_row = 22;
@@ -43,7 +43,7 @@ void add_marker(MarkerShape shape, const Vec2& at, const std::string& color, Dra
   }
 }
 
-/// Legend rows; returns the height they take.
+/// Draws the rows of the legend; returns the height that they take.
 double add_legend(const std::vector<LegendEntry>& legend, double width, Drawing& drawing) {
   constexpr double sample = 20, gap = 16;
   double x = left, row = panels_top + legend_row - 5;
@@ -61,7 +61,7 @@ double add_legend(const std::vector<LegendEntry>& legend, double width, Drawing&
   return legend.empty() ? 0 : row - panels_top + 8;
 }
 
-/// What all panels show: their points and the origin.
+/// The extent of all panels: their points and the origin.
 struct PlaneExtent {
   Vec2 low = Vec2::Zero(), high = Vec2::Zero();
 
@@ -83,8 +83,8 @@ PlaneExtent extent_of(const CurvePlot& plot) {
   return extent;
 }
 
-/// The extent with a margin, as wide and high as a panel of that width that has the same scale in both
-/// directions; `height` becomes the panel's.
+/// The extent with a margin, made as wide and as high as a panel of this width that has the same scale in
+/// both directions; sets `height` to the height of the panel.
 PlaneExtent fitted_extent(const PlaneExtent& data, double width, double& height) {
   constexpr double margin = 0.08;
   Vec2 span = data.span();
@@ -96,7 +96,7 @@ PlaneExtent fitted_extent(const PlaneExtent& data, double width, double& height)
   return {middle - half, middle + half};
 }
 
-/// Length of the half-line inside the panel (which holds its beginning).
+/// Length of the half-line inside the panel, which contains its start.
 double length_inside(const PlotAxes& axes, const PlaneRay& ray) {
   const Vec2 low(axes.x_ticks.low, axes.y_ticks.low), high(axes.x_ticks.high, axes.y_ticks.high);
   double length = HUGE_VAL;
@@ -150,7 +150,7 @@ Drawing make_curve_plot(const CurvePlot& plot) {
   const double y = panels_top + add_legend(plot.legend, drawing.width, drawing) + title_row;
   double height = 0;
   const PlaneExtent shown = fitted_extent(extent_of(plot), panel_width, height);
-  // At least three marks wished for, so that there are two, and with them a scale.
+  // Three marks are requested at least, so that there are two of them and with them a scale.
   const auto marks = [](double length, double apart) {
     return std::max(3, static_cast<int>(length / apart));
   };

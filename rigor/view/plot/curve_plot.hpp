@@ -9,7 +9,7 @@ namespace rigor {
 
 enum class MarkerShape { dot, ring, cross };
 
-/// A curve in a plane of two quantities; its points are joined in their order.
+/// A curve in the plane of two quantities; its points are joined in order.
 struct PlaneCurve {
   Polyline points;
   std::string color;  ///< "#rrggbb".
@@ -19,14 +19,14 @@ struct PlaneMarker {
   MarkerShape shape;
   std::string color;
 };
-/// A half-line to the panel's edge, with an arrow along it or against it.
+/// A half-line to the edge of the panel, with an arrow along it or against it.
 struct PlaneRay {
-  Vec2 from, direction;  ///< The direction has length one.
+  Vec2 from, direction;  ///< The direction is a unit vector.
   bool leads_away;       ///< The arrow points along the direction.
   std::string color;
 };
 
-/// What stands in one panel.
+/// The contents of one panel.
 struct CurvePanel {
   std::string title;
   std::vector<PlaneCurve> curves;
@@ -34,7 +34,7 @@ struct CurvePanel {
   std::vector<PlaneRay> rays;
 };
 
-/// A line of a legend: a marker or, without one, a stroke.
+/// An entry of a legend: a marker or, without one, a stroke.
 struct LegendEntry {
   std::string text;
   std::string color;
@@ -42,12 +42,12 @@ struct LegendEntry {
   MarkerShape shape = MarkerShape::dot;
 };
 
-/// Panels beside each other with common axes.
+/// Panels side by side with common axes.
 struct CurvePlot {
   std::vector<CurvePanel> panels;
   std::vector<LegendEntry> legend;
   std::string x_quantity, y_quantity;
-  std::string unit;  ///< Of both.
+  std::string unit;  ///< Unit of both quantities.
 };
 
 /// The panels with the same scale along x and y, so that angles are true. All curves and markers are inside,
@@ -57,7 +57,7 @@ Drawing make_curve_plot(const CurvePlot& plot);
 struct Bar {
   std::string label;
   double value;
-  std::string text;  ///< Beside the bar.
+  std::string text;  ///< Shown beside the bar.
   std::string color;
 };
 /// Horizontal bars from a common zero, one below the other.

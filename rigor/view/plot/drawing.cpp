@@ -60,7 +60,7 @@ Image rasterised(const Drawing& drawing, double scale) {
   for (const Drawing::Stroke& stroke : drawing.strokes) {
     Polyline line = stroke.points;
     for (Vec2& point : line) point *= scale;
-    // A pen of less than a pixel gives a fainter line, not a broken one.
+    // A pen thinner than a pixel gives a fainter line, not a broken one.
     canvas.stroke({&line, 1}, stroke.width * scale, color_from_hex(stroke.color));
   }
   for (const Drawing::Label& label : drawing.labels) {

@@ -21,7 +21,7 @@ struct Drawing {
   };
   struct Label {
     std::string text;
-    double x, y;  ///< Of the base line.
+    double x, y;  ///< Position of the base line.
     double size;
     Anchor anchor = Anchor::start;
     bool is_vertical = false;  ///< Runs upwards.
@@ -34,7 +34,7 @@ struct Drawing {
 
 /// The drawing as an SVG document of its own, on white.
 std::string svg_text(const Drawing& drawing);
-/// The drawing in pixels, `scale` of them a unit, on white.
+/// The drawing in pixels, `scale` of them per unit, on white.
 Image rasterised(const Drawing& drawing, double scale);
 
 }  // namespace rigor

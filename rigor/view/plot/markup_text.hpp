@@ -5,7 +5,7 @@
 
 namespace rigor {
 
-/// Text as it stands between tags and inside quotation marks of HTML and SVG.
+/// The text escaped for use between tags and inside quotation marks of HTML and SVG.
 std::string markup_text(std::string_view text);
 
 }  // namespace rigor

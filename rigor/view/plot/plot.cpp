@@ -13,13 +13,13 @@ namespace {
 using plot_style::bottom, plot_style::left, plot_style::legend_row, plot_style::line_pen, plot_style::right,
     plot_style::text, plot_style::tick_text;
 
-// In units of a drawing: as points on paper, 640 wide.
+// Sizes in units of a drawing, which are points on paper; a plot is 640 wide.
 constexpr double plot_width = 640, panel_height = 190;
 constexpr double top = 14, between = 16;
 
 struct Panel {
   std::vector<const PlotSeries*> series;
-  std::vector<std::size_t> colors;  ///< Of the palette.
+  std::vector<std::size_t> colors;  ///< Colours by their index in the palette.
 };
 
 std::vector<Panel> panels_by_quantity(std::span<const PlotSeries> series) {
@@ -60,7 +60,7 @@ std::string color_of(std::size_t index) {
   return hex_text(palette_color(static_cast<int>(index)));
 }
 
-/// Legend rows above a panel; returns the height they take.
+/// Draws the rows of the legend above a panel; returns the height that they take.
 double add_legend(const Panel& panel, double y, Drawing& drawing) {
   constexpr double sample = 20, gap = 16;
   double x = left, row = y + legend_row - 5;
@@ -80,7 +80,7 @@ std::string spaced(std::string name) {
   return name;
 }
 
-/// Keeps the lowest and the highest point of each column, in their order.
+/// Keeps the lowest and the highest point of each column, in order.
 Polyline thinned(const Polyline& line, std::size_t columns) {
   const double begin = line.front().x(), span = line.back().x() - begin;
   Polyline kept = {line.front()};

@@ -9,7 +9,7 @@ namespace rigor {
 
 namespace {
 
-/// A vector of each body that the trajectory stores.
+/// A vector that the trajectory stores for each body.
 struct BodyQuantity {
   std::string_view name, unit;
   std::vector<double> StoredTrajectory::*values;
@@ -23,9 +23,9 @@ const std::array<BodyQuantity, 4> body_quantities = {{
     {"orientation", "1", &StoredTrajectory::orientation, "wxyz", false},
 }};
 
-/// What the trajectory stores of each joint: a number for each coordinate, or a vector.
+/// A quantity that the trajectory stores for each joint: a number for each coordinate, or a vector.
 struct JointQuantity {
-  std::string_view name, unit;  ///< Of a quantity of coordinates the unit is what follows theirs.
+  std::string_view name, unit;  ///< For a quantity of coordinates, the suffix of their unit.
   std::vector<double> StoredTrajectory::*values;
   bool is_vector;
 };
@@ -37,7 +37,7 @@ const std::array<JointQuantity, 4> joint_quantities = {{
 }};
 
 constexpr std::array<std::string_view, 4> energies = {"kinetic", "potential", "elastic", "total"};
-/// Ending of a vector's keys: its length, then its components.
+/// Suffixes of the keys of a vector: its length, then its components.
 const std::array<std::string, 4> vector_endings = {"", ".x", ".y", ".z"};
 
 PlotSeries energy_series(const Recording& recording, std::size_t which) {
@@ -86,7 +86,7 @@ std::vector<std::string> endings_of(const BodyQuantity& quantity) {
   return endings;
 }
 
-/// A key of a body, taken apart.
+/// The parts of a key of a body.
 struct BodyKey {
   std::string body;
   const BodyQuantity* quantity;
@@ -98,7 +98,7 @@ std::optional<BodyKey> parse_body_key(std::string_view key) {
   for (const BodyQuantity& quantity : body_quantities) {
     const std::vector<std::string> endings = endings_of(quantity);
     for (std::size_t i = 0; i < endings.size(); ++i) {
-      // Names may have points: the quantity is what stands at the end.
+      // Names may contain points, so the quantity is what follows the last ones.
       const std::string tail = fmt::format(".{}{}", quantity.name, endings[i]);
       if (!key.ends_with(tail) || key.size() <= prefix.size() + tail.size()) continue;
       return BodyKey{std::string(key.substr(prefix.size(), key.size() - prefix.size() - tail.size())),
@@ -115,11 +115,11 @@ std::optional<PlotSeries> find_body_series(const Recording& recording, std::stri
   return body_series(recording, *body, *parts->quantity, parts->ending);
 }
 
-/// A key of a joint, taken apart.
+/// The parts of a key of a joint.
 struct JointKey {
   std::string joint;
   const JointQuantity* quantity;
-  std::string ending;  ///< What stands behind the quantity.
+  std::string ending;  ///< Suffix after the quantity.
 };
 bool may_end(const JointQuantity& quantity, std::string_view ending) {
   if (quantity.is_vector)
@@ -128,7 +128,7 @@ bool may_end(const JointQuantity& quantity, std::string_view ending) {
 }
 std::optional<JointKey> parse_joint_key(std::string_view key) {
   for (const JointQuantity& quantity : joint_quantities) {
-    // Names may have points: the quantity is the last one.
+    // Names may contain points, so the last part that fits is the quantity.
     const std::string middle = fmt::format(".{}", quantity.name);
     const std::size_t at = key.rfind(middle);
     if (at == std::string_view::npos || at == 0) continue;
@@ -139,8 +139,8 @@ std::optional<JointKey> parse_joint_key(std::string_view key) {
   return {};
 }
 
-/// Endings of the keys of a joint with so many coordinates: of a vector as vector_endings, else "" or [0],
-/// [1], ...; none if the trajectory does not hold the quantity.
+/// Suffixes of the keys of a joint with this many coordinates: for a vector as vector_endings, else "" or
+/// [0], [1], ...; none if the trajectory does not hold the quantity.
 std::vector<std::string> endings_of(const Recording& recording, const JointQuantity& quantity,
                                     std::size_t coordinates) {
   if ((recording.motion.*quantity.values).empty()) return {};

@@ -11,11 +11,11 @@ namespace rigor {
 
 /// A quantity over the output times of a recording.
 struct PlotSeries {
-  std::string key;                 ///< As it was asked for: the line's name in a legend.
+  std::string key;                 ///< As requested: the name of the line in a legend.
   std::string quantity;            ///< "energy", "position", ...
   std::string unit;                ///< "J", "m", ...
-  std::vector<double> values;      ///< One an output time; NaN: not known.
-  std::vector<double> times = {};  ///< Its own output times [s]; empty: those of the others.
+  std::vector<double> values;      ///< One per output time; NaN if not known.
+  std::vector<double> times = {};  ///< Its own output times [s]; empty if it shares those of the others.
 };
 
 /// The quantity of that key, or nothing if there is none:

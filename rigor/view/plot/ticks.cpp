@@ -13,7 +13,7 @@ namespace rigor {
 
 namespace {
 
-/// The step 1, 2 or 5 times a power of ten that gives the number of marks nearest to the one wished for.
+/// The step, 1, 2 or 5 times a power of ten, whose number of marks is nearest to the requested one.
 double round_step(double span, int count) {
   const double ideal = span / count, power = std::pow(10, std::floor(std::log10(ideal)));
   const double lead = ideal / power;
@@ -37,7 +37,7 @@ Ticks make_ticks(double low, double high, int count, bool fits_marks) {
     low = middle - 0.5 * least_change * size, high = middle + 0.5 * least_change * size;
   }
   const double step = round_step(high - low, count);
-  // A mark that rounding puts just outside belongs to the range.
+  // A mark that rounding puts just outside still belongs to the range.
   constexpr double slack = 1e-9;
   long first = std::lround(std::ceil(low / step - slack)),
        last = std::lround(std::floor(high / step + slack));

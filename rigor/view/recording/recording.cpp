@@ -13,7 +13,8 @@ namespace rigor {
 
 namespace {
 
-/// Files of a scene are beside it; if it was moved together with the trajectory, beside that.
+/// Folder of the files of a scene: that of the scene, or that of the trajectory if the scene was moved
+/// together with it.
 std::filesystem::path scene_folder(const StoredTrajectory& motion, const std::filesystem::path& trajectory) {
   std::error_code ignored;
   const std::filesystem::path folder = std::filesystem::path(motion.scene_file).parent_path();
@@ -28,7 +29,7 @@ void check_bodies(const Recording& recording, const std::string& path) {
     throw InputError(fmt::format("cannot show {}: its motion is not that of its scene's bodies", path));
 }
 
-/// Files of Rigor 0.1.0 tell nothing of joints, and neither does a motion that was kept in memory.
+/// Files of Rigor 0.1.0 and motions kept in memory hold no joints.
 void check_joints(const Recording& recording, const std::string& path) {
   const StoredTrajectory& motion = recording.motion;
   if (motion.joints.empty()) return;
