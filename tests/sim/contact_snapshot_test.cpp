@@ -1,6 +1,7 @@
 #include "rigor/sim/audit/contact_snapshot.hpp"
 
 #include "rigor/model/model_builder.hpp"
+#include "rigor/sim/method/method.hpp"
 
 #include <gtest/gtest.h>
 
