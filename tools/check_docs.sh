@@ -116,7 +116,7 @@ check_links() {
 # --- Names ------------------------------------------------------------------------------------------------------------
 
 # Names of examples, of other programs and of what is written, which are not in the tree.
-strange='name.cpp name_test.cpp name_test out/ /// --toggle-collect'
+strange='name.cpp name_test.cpp name_test linear_restitution rigor_test_io out/ /// --toggle-collect'
 
 # Files, folders, tests and identifiers in backticks; files also in headers' short form, with the end of their path.
 check_names() {

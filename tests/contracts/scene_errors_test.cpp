@@ -327,7 +327,7 @@ TEST(SceneErrors, OfShapes) {
           {"{radius: 1}",
            "s.yaml:3:24: shape 0 of body 'b': the key 'type' is missing; one of: sphere, box, capsule, "
            "cylinder, cone, "
-           "ellipsoid, plane, cavity, convex, mesh, heightfield"},
+           "ellipsoid, plane, cavity, convex, revolution, mesh, heightfield"},
           {"box", "s.yaml:3:24: shape 0 of body 'b': must be a mapping of keys, found the text 'box'"},
           {"{type: plane}",
            "s.yaml:3:5: body 'b': shape 0 (plane): a plane has no mass; only static and kinematic bodies "

@@ -37,20 +37,20 @@ TEST(RevolutionReader, RefusesWithThePlaceAndTheReason) {
   const std::vector<std::pair<std::string, std::string>> mistakes = {
       {"radius: 1", "s.yaml:5:"},
       {"profile: [[1, 0]]",
-       "s.yaml:5:51: shape 0 (revolution) of body 'a': the profile has 1 points, must have at least 2"},
+       "s.yaml:5:52: shape 0 (revolution) of body 'a': the profile has 1 points, must have at least 2"},
       {"profile: [[1, 0, 0], [1, 1, 0]]",
-       "s.yaml:5:51: shape 0 (revolution) of body 'a': a point of the profile has 3 numbers, must have 2: "
+       "s.yaml:5:52: shape 0 (revolution) of body 'a': a point of the profile has 3 numbers, must have 2: "
        "[radius, z]"},
       {"profile: [[-1, 0], [1, 1]]",
-       "s.yaml:5:51: shape 0 (revolution) of body 'a': point 0 of the profile has radius -1 m, must be >= 0"},
+       "s.yaml:5:52: shape 0 (revolution) of body 'a': point 0 of the profile has radius -1 m, must be >= 0"},
       {"profile: [[0, 0], [0, 1]]",
-       "s.yaml:5:51: shape 0 (revolution) of body 'a': the profile lies on the axis: the solid has no "
+       "s.yaml:5:52: shape 0 (revolution) of body 'a': the profile lies on the axis: the solid has no "
        "volume"},
       {"profile: [[1, 0], [0.5, 1], [1, 2]]",
-       "s.yaml:5:51: shape 0 (revolution) of body 'a': the profile is not convex: point 1 [0.5, 1] lies 0.5 "
+       "s.yaml:5:52: shape 0 (revolution) of body 'a': the profile is not convex: point 1 [0.5, 1] lies 0.5 "
        "m inside"},
       {"profile: [[1e-10, 0], [0, 1]]",
-       "s.yaml:5:30: body 'a': shape 0 (revolution): largest radius is 1e-10 m, must be from 1e-09 to 1e+09 "
+       "s.yaml:5:5: body 'a': shape 0 (revolution): largest radius is 1e-10 m, must be from 1e-09 to 1e+09 "
        "m"},
   };
   for (const auto& [shape, message] : mistakes) {
