@@ -118,7 +118,7 @@ VecX free_contact_accelerations(const ContactSystem& system, const std::vector<W
 namespace {
 
 // Share of the largest acceleration below which one counts as none.
-constexpr double rounding = 1e-9;
+constexpr double resting_rounding = 1e-9;
 
 CoulombSolution solve_laws(const ContactSystem& system, CoulombProblem laws, const RestingChoice& choice,
                            const std::vector<ContactMode>& start) {
@@ -128,7 +128,7 @@ CoulombSolution solve_laws(const ContactSystem& system, CoulombProblem laws, con
   }
   laws.A = delassus(system);
   CoulombOptions options;
-  options.resolution = rounding * laws.b.cwiseAbs().maxCoeff();
+  options.resolution = resting_rounding * laws.b.cwiseAbs().maxCoeff();
   if (choice.space == RestingSpace::contact) options.lcp = choice.lcp;
   return solve_coulomb(laws, options);
 }
@@ -158,7 +158,7 @@ RestingSolution solve_resting(const ContactSystem& system, const std::vector<Wre
       // Slip begins along the tangential acceleration. Without one the force is at the limit and nothing
       // slips.
       const Vec2 w_t = solution.forces.w.segment<2>(3 * static_cast<Eigen::Index>(i));
-      if (w_t.norm() <= rounding * problem.b.cwiseAbs().maxCoeff()) {
+      if (w_t.norm() <= resting_rounding * problem.b.cwiseAbs().maxCoeff()) {
         state.mode = ContactMode::stick;
       } else {
         slip = w_t.normalized();

@@ -27,7 +27,7 @@ int weight_of_step(double relative) {
 /// How many steps at velocity level are taken then.
 constexpr int implicit_steps = 60;
 /// How often such a step is halved where joints do not hold over it.
-constexpr int most_halvings = 12;
+constexpr int most_step_halvings = 12;
 
 }  // namespace
 
@@ -90,7 +90,7 @@ void IslandStepping::take_implicit_step(double h, double resolved, RunningIsland
   const auto off = [&] {
     return assembler_.joint_residual(island.begin + running.step.h, island.bodies, running.step.end);
   };
-  for (int k = 0; k < most_halvings && h > resolved && off() > 0.2 * contact_tolerance_; ++k) {
+  for (int k = 0; k < most_step_halvings && h > resolved && off() > 0.2 * contact_tolerance_; ++k) {
     h *= 0.5;
     running.step = integrator_.implicit_step(island, h);
   }
