@@ -33,7 +33,7 @@ LawResult by_restitution(const RestitutionRule& rule, const Collision& collision
           {}};
 }
 
-const char* const compliant_name = "compliant";
+constexpr const char* compliant_name = "compliant";
 
 LawResult by_compliance(const Collision& collision, double ratio) {
   const CompliantCollision compliant{collision, ratio};
@@ -53,7 +53,7 @@ LawResult by_compliance(const Collision& collision, double ratio) {
           {}};
 }
 
-const char* const algebraic_name = "chatterjee-ruina";
+constexpr const char* algebraic_name = "chatterjee-ruina";
 
 LawResult by_algebra(const Collision& collision, double e_t) {
   if (!std::isfinite(condition_number(collision.matrix.K)))
@@ -75,7 +75,7 @@ struct WholeImpactLaw {
   LawResult (&resolve)(const Collision& collision, double parameter);
 };
 constexpr double stiffest = 1e6;
-constexpr std::array whole_impact_laws = {
+const std::array whole_impact_laws = {
     WholeImpactLaw{compliant_name, "Compliant", "--stiffness-ratio", &ImpactOptions::stiffness_ratio,
                    1 / stiffest, stiffest, by_compliance},
     WholeImpactLaw{algebraic_name, "Chatterjee-Ruina", "--et", &ImpactOptions::tangential_restitution, -1, 1,

@@ -11,7 +11,8 @@ namespace rigor {
 namespace {
 
 using plot_style::axis_color, plot_style::axis_pen, plot_style::bottom, plot_style::left,
-    plot_style::legend_row, plot_style::line_pen, plot_style::right, plot_style::text, plot_style::tick_text;
+    plot_style::legend_row, plot_style::line_pen, plot_style::right, plot_style::text_size,
+    plot_style::tick_text;
 
 // Sizes in units of a drawing, which are points on paper.
 constexpr double panels_top = 12, panel_gap = 18;
@@ -137,7 +138,8 @@ void add_panel(const PlotAxes& axes, const CurvePanel& panel, bool is_first, Dra
   }
   for (const PlaneMarker& marker : panel.markers)
     add_marker(marker.shape, axes.place(marker.at), marker.color, drawing);
-  drawing.labels.push_back({panel.title, 0.5 * (axes.left + axes.right), axes.top - 7, text, Anchor::middle});
+  drawing.labels.push_back(
+      {panel.title, 0.5 * (axes.left + axes.right), axes.top - 7, text_size, Anchor::middle});
 }
 
 }  // namespace
@@ -161,11 +163,11 @@ Drawing make_curve_plot(const CurvePlot& plot) {
     const PlotAxes axes{x_ticks, y_ticks, x, x + panel_width, y, y + height};
     add_panel(axes, panel, &panel == &plot.panels.front(), drawing);
     drawing.labels.push_back({axis_title(plot.x_quantity, plot.unit, x_ticks.exponent),
-                              0.5 * (axes.left + axes.right), axes.bottom + 36, text, Anchor::middle});
+                              0.5 * (axes.left + axes.right), axes.bottom + 36, text_size, Anchor::middle});
     x = axes.right + panel_gap;
   }
   drawing.labels.push_back({axis_title(plot.y_quantity, plot.unit, y_ticks.exponent), 16, y + 0.5 * height,
-                            text, Anchor::middle, true});
+                            text_size, Anchor::middle, true});
   drawing.height = y + height + bottom;
   return drawing;
 }
@@ -174,10 +176,10 @@ Drawing make_bar_plot(const std::string& title, const std::vector<Bar>& bars, do
   constexpr double row = 24, thickness = 13, space = 8, head = 26;
   Drawing drawing;
   drawing.width = width;
-  drawing.labels.push_back({title, left, head - 8, text});
+  drawing.labels.push_back({title, left, head - 8, text_size});
   double label_width = 0, text_space = 0, low = 0, high = 0;
   for (const Bar& bar : bars) {
-    label_width = std::max(label_width, text_width(bar.label, text));
+    label_width = std::max(label_width, text_width(bar.label, text_size));
     text_space = std::max(text_space, text_width(bar.text, tick_text));
     low = std::min(low, bar.value), high = std::max(high, bar.value);
   }
@@ -189,7 +191,7 @@ Drawing make_bar_plot(const std::string& title, const std::vector<Bar>& bars, do
     const double tip = zero + bar.value * scale, middle = y + 0.5 * row;
     drawing.boxes.push_back({std::min(zero, tip), middle - 0.5 * thickness, std::max(zero, tip),
                              middle + 0.5 * thickness, bar.color});
-    drawing.labels.push_back({bar.label, left, middle + 4, text});
+    drawing.labels.push_back({bar.label, left, middle + 4, text_size});
     drawing.labels.push_back({bar.text, std::max(zero, tip) + space, middle + 4, tick_text});
     y += row;
   }

@@ -11,7 +11,7 @@ namespace rigor {
 namespace {
 
 using plot_style::bottom, plot_style::left, plot_style::legend_row, plot_style::line_pen, plot_style::right,
-    plot_style::text, plot_style::tick_text;
+    plot_style::text_size, plot_style::tick_text;
 
 // Sizes in units of a drawing, which are points on paper; a plot is 640 wide.
 constexpr double plot_width = 640, panel_height = 190;
@@ -171,12 +171,13 @@ Drawing make_plot(std::span<const double> time, std::span<const PlotSeries> seri
     add_axes(axes, {.x = is_last, .y = true}, drawing);
     drawing.labels.push_back(
         {axis_title(spaced(panel.series[0]->quantity), panel.series[0]->unit, axes.y_ticks.exponent), 16,
-         0.5 * (axes.top + axes.bottom), text, Anchor::middle, true});
+         0.5 * (axes.top + axes.bottom), text_size, Anchor::middle, true});
     add_lines(panel, time, axes, drawing);
     y = axes.bottom + between;
     if (is_last) {
       drawing.labels.push_back({axis_title("time", "s", axes.x_ticks.exponent),
-                                0.5 * (left + plot_width - right), axes.bottom + 36, text, Anchor::middle});
+                                0.5 * (left + plot_width - right), axes.bottom + 36, text_size,
+                                Anchor::middle});
     }
   }
   drawing.height = y - between + bottom;

@@ -23,7 +23,7 @@ struct PlotAxes {
 namespace plot_style {
 /// Margins of a plot, and the height of a row of its legend.
 inline constexpr double left = 74, right = 22, bottom = 46, legend_row = 17;
-inline constexpr double text = 12, tick_text = 11, tick_length = 4;
+inline constexpr double text_size = 12, tick_text = 11, tick_length = 4;
 inline constexpr double axis_pen = 0.9, grid_pen = 0.5, line_pen = 1.4;
 inline constexpr const char *axis_color = "#1d2733", *grid_color = "#dfe3e8";
 }  // namespace plot_style
