@@ -78,7 +78,7 @@ help:
 	@echo "make test    build, then all tests"
 	@echo "make build   build all, the program and its tests (Release, in $(BUILD))"
 	@echo "make program  build only the program, $(RIGOR)"
-	@echo "make check   formatting, clang-tidy, headers alone, clang++ with warnings as errors, its ASan and UBSan under the program and some tests, the viewer"
+	@echo "make check   formatting, headers alone, clang++ with warnings as errors, its ASan and UBSan under the program and some tests, the viewer"
 	@echo "make check-all  the same with the tests of all layers under ASan and UBSan"
 	@echo "make bench   error and CPU time of the reference scenes, of pictures, impacts, chains, resting contact, distances and the broad phase, beside the peer engines that are installed"
 	@echo "make bench-bulk  scenes of many bodies: time per step with one and two threads and quality, beside Bullet"
