@@ -321,11 +321,7 @@ Shape scaled_shape(const Shape& shape, double s) {
     Shape operator()(const HalfSpace& x) const { return HalfSpace{x.normal, s * x.offset}; }
     Shape operator()(const Cavity& x) const { return Cavity{s * x.radius}; }
     Shape operator()(const Mesh& x) const { return x; }
-    Shape operator()(const Revolution& x) const {
-      std::vector<Vec2> profile;
-      for (const Ring& ring : *x.rings) profile.push_back(s * Vec2(ring.radius, ring.z));
-      return std::get<Revolution>(make_revolution(profile));
-    }
+    Shape operator()(const Revolution& x) const { return test::scaled(x, s); }
     Shape operator()(const Convex& x) const {
       ConvexHull hull = *x.hull;
       for (Vec3& v : hull.vertices) v *= s;

@@ -85,4 +85,11 @@ inline double separation_along(const Vec3& n_W, const Shape& a, const Pose& X_WA
   return n_W.dot(p_WB - p_WA);
 }
 
+/// The solid with all its lengths multiplied by s.
+inline Revolution scaled(const Revolution& solid, double s) {
+  std::vector<Vec2> profile;
+  for (const Ring& ring : *solid.rings) profile.push_back(s * Vec2(ring.radius, ring.z));
+  return std::get<Revolution>(make_revolution(profile));
+}
+
 }  // namespace rigor::test
