@@ -496,6 +496,5 @@ TEST(Distance, ChangesSignContinuouslyAsBodiesMeet) {
     }
   }
 }
-
 }  // namespace
 }  // namespace rigor::distance_test
