@@ -52,10 +52,12 @@ void ContactProjection::restore_gaps(const Island& island, double t, IslandStep&
 
   // Bodies whose motion cannot pay for it stay where the step has left them.
   const MomentumScope momentum(model_, island.bodies, step.end);
-  if (take_kinetic_energy(model_, island.bodies, gained, balance.is_free, step.end) < gained) {
+  const TakenEnergy taken = take_kinetic_energy(model_, island.bodies, gained, balance, step.end);
+  if (taken.energy < gained) {
     step.end = drifted;
     return;
   }
+  step.work += taken.work;
 
   // What stands still around the bodies has taken the difference of the momenta.
   if (!balance.is_free) momentum.add_change(step.impulse, step.angular_impulse);
@@ -78,14 +80,15 @@ bool ContactProjection::project_positions(Cluster& cluster, AdvanceReport& repor
   const double gained = energy_of_bodies(model_, environment_, cluster.bodies, cluster.phases) -
                         energy_of_bodies(model_, environment_, cluster.bodies, before);
   if (gained <= 0) return true;
-  const double taken = take_kinetic_energy(model_, cluster.bodies, gained, balance.is_free, cluster.phases);
+  const TakenEnergy taken = take_kinetic_energy(model_, cluster.bodies, gained, balance, cluster.phases);
   // Bodies that hardly move cannot pay. They may stay as they are, unless the overlap is more than is
   // allowed.
-  if (taken < gained && deepest > -0.8 * contact_tolerance_) {
+  if (taken.energy < gained && deepest > -0.8 * contact_tolerance_) {
     cluster.phases = before;
     return false;
   }
-  report.projection_loss += taken;
+  report.projection_loss += taken.energy;
+  report.work += taken.work;
   return true;
 }
 

@@ -15,11 +15,6 @@ Mat3 inertia_in_W(const Body& body, const BodyPhase& phase) {
   return R * body.moments.asDiagonal() * R.transpose();
 }
 
-/// Motion of a group as one rigid body: v of its centre of mass, ω.
-struct RigidMotion {
-  Vec3 centre = Vec3::Zero(), v = Vec3::Zero(), w = Vec3::Zero();
-};
-
 struct Group {
   const Model& model;
   const std::vector<int>& bodies;
@@ -41,8 +36,8 @@ struct Group {
     return L;
   }
   /// With this momentum and angular momentum about the centre.
-  RigidMotion rigid_motion(const Vec3& P, const Vec3& L) const {
-    RigidMotion motion{centre(), Vec3::Zero(), Vec3::Zero()};
+  RigidVelocity rigid_motion(const Vec3& P, const Vec3& L) const {
+    RigidVelocity motion{centre(), Vec3::Zero(), Vec3::Zero()};
     double mass = 0;
     Mat3 inertia = Mat3::Zero();
     for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -56,10 +51,10 @@ struct Group {
     return motion;
   }
   /// Momentum and angular momentum that body i has in the rigid motion.
-  Vec3 momentum(std::size_t i, const RigidMotion& motion) const {
+  Vec3 momentum(std::size_t i, const RigidVelocity& motion) const {
     return body(i).mass * (motion.v + motion.w.cross(phases[i].x - motion.centre));
   }
-  Vec3 spin(std::size_t i, const RigidMotion& motion) const {
+  Vec3 spin(std::size_t i, const RigidVelocity& motion) const {
     return inertia_in_W(body(i), phases[i]) * motion.w;
   }
 };
@@ -79,41 +74,49 @@ double energy_of_bodies(const Model& model, const Environment& environment, cons
 
 EnergyBalance energy_balance(const Model& model, const Environment& environment, double t,
                              const std::vector<int>& bodies, const std::vector<Contact>& contacts) {
-  // Forces besides gravity and steady ones, then prescribed bodies, and whether these move.
-  EnergyBalance balance{true, true};
+  // Forces besides gravity and steady ones.
+  EnergyBalance balance{true, true, {}};
   for (const int body : bodies) balance.is_closed = balance.is_closed && !environment.is_forced(body);
+
+  // The prescribed bodies: all stand still, or it is one that moves.
+  int carrier = -1;
   for (const Contact& contact : contacts) {
     for (const int body : {contact.body_A, contact.body_B}) {
-      if (model.body(body).motion == MotionType::dynamic) continue;
+      if (model.body(body).motion == MotionType::dynamic || body == carrier) continue;
       const BodyKinetics prescribed = prescribed_kinetics(model.body(body), t);
+      const bool stands = prescribed.v.isZero(0) && prescribed.w.isZero(0);
+      const bool stood = balance.carrier.v.isZero(0) && balance.carrier.w.isZero(0);
+      balance.is_closed = balance.is_closed && (balance.is_free || (stands && stood));
       balance.is_free = false;
-      balance.is_closed = balance.is_closed && prescribed.v.isZero(0) && prescribed.w.isZero(0);
+      balance.carrier = {prescribed.x, prescribed.v, prescribed.w};
+      carrier = body;
     }
   }
   return balance;
 }
 
-double take_kinetic_energy(const Model& model, const std::vector<int>& bodies, double amount, bool is_free,
-                           std::vector<BodyPhase>& phases) {
-  // The rigid motion U that carries the momenta of a free group; otherwise none.
+TakenEnergy take_kinetic_energy(const Model& model, const std::vector<int>& bodies, double amount,
+                                const EnergyBalance& balance, std::vector<BodyPhase>& phases) {
+  // The rigid motion U: of the carrier, or the one that carries the momenta of a free group.
   const std::vector<BodyPhase> now = phases;
   const Group group{model, bodies, now};
-  RigidMotion rigid;
-  if (is_free) {
+  RigidVelocity rigid = balance.carrier;
+  if (balance.is_free) {
     Vec3 P = Vec3::Zero();
     for (const BodyPhase& phase : now) P += phase.P;
     rigid = group.rigid_motion(P, group.angular_momentum(group.centre()));
   }
 
-  // The rest W = V - U, and T(W).
+  // The rest W = V - U, with T(W) and U·M W.
   std::vector<BodyPhase> rest = now;
-  double T = 0;
+  double T = 0, power = 0;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     rest[i].P -= group.momentum(i, rigid);
     rest[i].L -= group.spin(i, rigid);
     T += kinetic_energy(BodyInertia{group.body(i).mass, group.body(i).moments}, rest[i]);
+    power += rest[i].P.dot(rigid.v + rigid.w.cross(now[i].x - rigid.centre)) + rest[i].L.dot(rigid.w);
   }
-  if (!(T > 0)) return 0;
+  if (!(T > 0)) return {};
 
   // What can be taken, and 1 - s without cancellation.
   const double taken = std::min(amount, T);
@@ -125,7 +128,7 @@ double take_kinetic_energy(const Model& model, const std::vector<int>& bodies, d
     phases[i].P -= less * rest[i].P;
     phases[i].L -= less * rest[i].L;
   }
-  return taken;
+  return {taken, balance.is_free ? 0 : -less * power};
 }
 
 }  // namespace rigor

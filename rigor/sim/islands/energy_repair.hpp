@@ -11,22 +11,37 @@ namespace rigor {
 double energy_of_bodies(const Model& model, const Environment& environment, const std::vector<int>& bodies,
                         const std::vector<BodyPhase>& phases);
 
+/// A motion as one rigid body: the velocity v [m/s] of the point at `centre` [m], and w [rad/s].
+struct RigidVelocity {
+  Vec3 centre = Vec3::Zero(), v = Vec3::Zero(), w = Vec3::Zero();
+};
+
 /// Whether the energy of bodies is theirs to account for.
 struct EnergyBalance {
-  bool is_closed = false;  ///< Nothing acts but gravity, steady forces and contacts with what stands still.
-  bool is_free = false;    ///< They touch no prescribed body.
+  /// Nothing acts but gravity, steady forces and contacts with what stands still or moves as one body.
+  bool is_closed = false;
+  bool is_free = false;   ///< They touch no prescribed body.
+  RigidVelocity carrier;  ///< How the prescribed bodies move that they touch, if it is as one.
 };
 /// Of dynamic bodies with all their contacts at time t [s].
 EnergyBalance energy_balance(const Model& model, const Environment& environment, double t,
                              const std::vector<int>& bodies, const std::vector<Contact>& contacts);
 
-/// Takes up to `amount` ≥ 0 [J] of kinetic energy: all velocities shrink by one factor, which keeps
-/// every contact at rest, rolling or sliding as it is. In a free group only the velocities relative to its
-/// motion as a rigid body shrink, so that its momentum and angular momentum stay. Returns what was taken.
+/// What was taken: the energy that nothing else accounts for, and the work that the carrier does meanwhile
+/// [J].
+struct TakenEnergy {
+  double energy = 0, work = 0;
+};
+
+/// Takes up to `amount` ≥ 0 [J] of kinetic energy less the carrier's work: all velocities relative to the
+/// carrier shrink by one factor, which keeps every contact at rest, rolling or sliding as it is. In a free
+/// group it is the velocities relative to its own motion as a rigid body, so that its momentum and angular
+/// momentum stay.
 ///
-/// With V = U + W, U of the rigid motion and W the rest, T = T(U) + T(W) since U carries all momentum; then
-/// T(s W) = s² T(W), s² = 1 - amount / T(W).
-double take_kinetic_energy(const Model& model, const std::vector<int>& bodies, double amount, bool is_free,
-                           std::vector<BodyPhase>& phases);
+/// With V = U + W, U of the rigid motion and W the rest, T = T(U) + U·M W + T(W); the momentum that the
+/// carrier gives as W shrinks to s W supplies (s - 1) U·M W, so that T less this work falls by (1 - s²) T(W),
+/// and s² = 1 - amount / T(W). In a free group U·M W is zero.
+TakenEnergy take_kinetic_energy(const Model& model, const std::vector<int>& bodies, double amount,
+                                const EnergyBalance& balance, std::vector<BodyPhase>& phases);
 
 }  // namespace rigor

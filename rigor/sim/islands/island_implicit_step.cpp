@@ -147,8 +147,8 @@ IslandStep IslandIntegrator::implicit_step(const Island& island, double h) const
 }
 
 void IslandIntegrator::close_implicit_step(const Island& island, IslandStep& step) const {
-  const EnergyBalance balance =
-      energy_balance(model_, environment_, island.begin, island.bodies, island.contacts);
+  EnergyBalance balance = energy_balance(model_, environment_, island.begin, island.bodies, island.contacts);
+  balance.carrier.centre += step.h * balance.carrier.v;
   const MomentumScope momentum(model_, island.bodies, step.end);
 
   // The normals have rotated while the step took them as constant. What overlapped before may stay.
@@ -167,7 +167,7 @@ void IslandIntegrator::close_implicit_step(const Island& island, IslandStep& ste
   if (balance.is_closed) {
     const double gained = energy_of_bodies(model_, environment_, island.bodies, step.end) -
                           energy_of_bodies(model_, environment_, island.bodies, island.start) - step.work;
-    if (gained > 0) take_kinetic_energy(model_, island.bodies, gained, balance.is_free, step.end);
+    if (gained > 0) step.work += take_kinetic_energy(model_, island.bodies, gained, balance, step.end).work;
   }
 
   // What stands still around the bodies has taken the difference of the momenta.

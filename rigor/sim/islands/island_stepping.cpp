@@ -95,9 +95,16 @@ void IslandStepping::take_implicit_step(double h, double resolved, RunningIsland
     running.step = integrator_.implicit_step(island, h);
   }
 
-  // It ends where further points meet; its modes are those of its own problem.
-  running.change = mode_changes_.find_meeting(island, running.step);
-  if (running.change) running.step = integrator_.implicit_step(island, std::max(running.change->h, resolved));
+  // It ends where further points meet; its modes are those of its own problem. The shorter step goes another
+  // way, on which they may meet earlier still.
+  for (int k = 0; k < most_step_halvings; ++k) {
+    const std::optional<ModeChange> meeting = mode_changes_.find_meeting(island, running.step);
+    if (!meeting) break;
+    running.change = meeting;
+    const double until = std::max(std::min(meeting->h, 0.9 * running.step.h), resolved);
+    if (until >= running.step.h) break;
+    running.step = integrator_.implicit_step(island, until);
+  }
 
   // One step less at velocity level.
   ++report.coarse_steps;

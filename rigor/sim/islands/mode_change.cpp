@@ -14,11 +14,6 @@ namespace rigor {
 
 namespace {
 
-bool is_among(const Contact& contact, const std::vector<Contact>& others) {
-  return std::any_of(others.begin(), others.end(),
-                     [&](const Contact& other) { return other.key() == contact.key(); });
-}
-
 bool has_limits(const Model& model, const std::vector<int>& joints) {
   return std::any_of(joints.begin(), joints.end(), [&](int joint) {
     const std::vector<JointAxis>& axes = model.joint(joint).axes;
@@ -32,6 +27,7 @@ ModeChangeSearch::ModeChangeSearch(const Model& model, const ContactSystemAssemb
                                    const Method& method)
     : model_(model),
       assembler_(assembler),
+      overlaps_(model, method),
       contact_tolerance_(method.contact_tolerance),
       time_tolerance_(method.time_tolerance),
       slip_tolerance_(slip_tolerance(method)),
@@ -120,38 +116,6 @@ double ModeChangeSearch::force_margin(const Island& island, const Instant& insta
   return margin + rounding;
 }
 
-/// All contacts of the pairs in contact.
-std::vector<Contact> ModeChangeSearch::contacts_of_pairs(const Island& island, const Instant& instant) const {
-  std::set<std::pair<int, int>> pairs;
-  for (const Contact& contact : island.contacts) {
-    if (!contact.stop) pairs.insert({contact.body_A, contact.body_B});
-  }
-  std::vector<Contact> contacts;
-  for (const auto& [a, b] : pairs) {
-    const std::vector<Contact> found = find_contacts(model_, a, b, instant.system.of(a).pose(),
-                                                     instant.system.of(b).pose(), contact_tolerance_);
-    contacts.insert(contacts.end(), found.begin(), found.end());
-  }
-  return contacts;
-}
-
-/// Least gap of the pairs in contact, above the lowest that each may have [m]: at active contacts half the
-/// tolerance below zero, for errors of the step. Further points land a little below zero; where one is there
-/// as the step begins, it has come back when it is as low again.
-double ModeChangeSearch::overlap_margin(const Island& island, const Instant& instant,
-                                        const std::vector<Contact>& at_start) const {
-  const double landing = -0.01 * contact_tolerance_, rounding = 1e-5 * contact_tolerance_;
-  double margin = std::numeric_limits<double>::infinity();
-  for (const Contact& contact : contacts_of_pairs(island, instant)) {
-    double lowest = is_among(contact, island.contacts) ? -0.5 * contact_tolerance_ : landing;
-    const auto before = std::find_if(at_start.begin(), at_start.end(),
-                                     [&](const Contact& other) { return other.key() == contact.key(); });
-    if (before != at_start.end()) lowest = std::min(lowest, before->point.gap - rounding);
-    margin = std::min(margin, contact.point.gap - lowest);
-  }
-  return margin;
-}
-
 std::vector<double> ModeChangeSearch::clearances(const Island& island, const Instant& instant) const {
   return limit_clearances(model_, assembler_.joints_of(island.bodies), instant.system.bodies,
                           instant.system.kinetics, island.contacts);
@@ -202,16 +166,9 @@ bool ModeChangeSearch::modes_hold(const Island& island, const Instant& instant) 
 
 std::optional<ModeChange> ModeChangeSearch::find_overlap(const Island& island, const IslandStep& step,
                                                          double end) const {
-  const std::vector<Contact> at_start = contacts_of_pairs(island, at(island, step, 0));
-  const auto overlap = [&](double theta) {
-    return overlap_margin(island, at(island, step, theta), at_start);
-  };
-  for (const double probe : {0.5 * end, end}) {
-    if (overlap(probe) >= 0) continue;
-    const RootBracket root = find_root_bisection(overlap, 0, probe, time_tolerance_ / step.h);
-    return ModeChange{ModeChange::Kind::overlap, root.hi * step.h};
-  }
-  return std::nullopt;
+  const std::optional<double> theta = overlaps_.find(island, step, end);
+  if (!theta) return std::nullopt;
+  return ModeChange{ModeChange::Kind::overlap, *theta * step.h};
 }
 
 std::optional<ModeChange> ModeChangeSearch::find_meeting(const Island& island, const IslandStep& step) const {

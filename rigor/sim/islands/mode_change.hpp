@@ -1,6 +1,7 @@
 #pragma once
 
 #include "rigor/sim/islands/contact_system_assembler.hpp"
+#include "rigor/sim/islands/overlap_search.hpp"
 #include "rigor/sim/method/method.hpp"
 
 #include <optional>
@@ -44,13 +45,11 @@ class ModeChangeSearch {
   std::vector<double> slip_speeds(const Island& island, const Instant& instant) const;
   double force_margin(const Island& island, const Instant& instant) const;
   std::vector<double> clearances(const Island& island, const Instant& instant) const;
-  std::vector<Contact> contacts_of_pairs(const Island& island, const Instant& instant) const;
-  double overlap_margin(const Island& island, const Instant& instant,
-                        const std::vector<Contact>& at_start) const;
   bool modes_hold(const Island& island, const Instant& instant) const;
 
   const Model& model_;
   const ContactSystemAssembler& assembler_;
+  OverlapSearch overlaps_;
   double contact_tolerance_, time_tolerance_, slip_tolerance_, direction_tolerance_, resting_velocity_;
   RestingChoice resting_;
 };

@@ -42,14 +42,19 @@ std::vector<std::pair<int, int>> ContactFinder::near_pairs(const State& state,
 std::vector<Contact> ContactFinder::find(const State& state, const std::vector<double>& reaches,
                                          double tolerance) {
   std::vector<Contact> contacts;
-  for (const auto& [a, b] : near_pairs(state, reaches)) {
-    const double margin = tolerance + reaches[at(a)] + reaches[at(b)];
-    const std::vector<Contact> found =
-        find_contacts(model_, a, b, pose_of(state, a), pose_of(state, b), margin);
+  for (const auto& pair : near_pairs(state, reaches)) {
+    const double margin = tolerance + reaches[at(pair.first)] + reaches[at(pair.second)];
+    const std::vector<Contact> found = find(state, pair, margin);
     contacts.insert(contacts.end(), found.begin(), found.end());
   }
   // Pairs are in order, and so are the shapes of each.
   return contacts;
+}
+
+std::vector<Contact> ContactFinder::find(const State& state, const std::pair<int, int>& pair,
+                                         double margin) const {
+  const auto& [a, b] = pair;
+  return find_contacts(model_, a, b, pose_of(state, a), pose_of(state, b), margin);
 }
 
 }  // namespace rigor

@@ -1,16 +1,15 @@
 #include "rigor/sim/time_stepping/time_stepper.hpp"
 
 #include "rigor/contact/impact/joint_stops.hpp"
-#include "rigor/contact/time_of_impact.hpp"
 #include "rigor/core/index.hpp"
-#include "rigor/dynamics/dense_phase.hpp"
-#include "rigor/geometry/shape/aabb.hpp"
+#include "rigor/geometry/shape/thickness.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/sim/islands/displacement.hpp"
 #include "rigor/sim/method/tolerances.hpp"
 #include "rigor/sim/pairs/near_pairs.hpp"
 #include "rigor/sim/report/energy.hpp"
 #include "rigor/sim/report/ledger.hpp"
+#include "rigor/sim/time_stepping/trial_path.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,32 +23,6 @@ namespace rigor {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-
-/// The part of its half width that a shape may move in a step; less where it may be hollow or pointed.
-struct ThickShare {
-  double operator()(const Sphere&) const { return 1; }
-  double operator()(const Box&) const { return 1; }
-  double operator()(const Capsule&) const { return 1; }
-  double operator()(const Cylinder&) const { return 1; }
-  double operator()(const Cone&) const { return 0.25; }
-  double operator()(const Ellipsoid&) const { return 1; }
-  double operator()(const HalfSpace&) const { return 1; }
-  double operator()(const Cavity&) const { return 1; }
-  double operator()(const Convex&) const { return 0.25; }
-  double operator()(const Mesh&) const { return 0.02; }
-  template <class Own>
-  double operator()(const Own&) const {
-    return Own::thick_share;
-  }
-};
-
-/// Half the smallest width of a shape, less where it may be hollow or pointed [m].
-double thickness_of(const Shape& shape) {
-  if (is_unbounded(shape)) return infinite;
-  const Aabb box = axis_aligned_box(shape, Pose{Mat3::Identity(), Vec3::Zero()});
-  const double half_width = 0.5 * (box.upper - box.lower).minCoeff();
-  return std::visit(ThickShare{}, shape) * half_width;
-}
 
 bool is_finite(const BodyPhase& phase) {
   return phase.x.allFinite() && phase.q.coeffs().allFinite() && phase.P.allFinite() && phase.L.allFinite();
@@ -194,52 +167,67 @@ TimeStepper::Trial TimeStepper::try_step(double h, double theta, const State& st
 
 TimeStepper::Trial TimeStepper::try_with_reaches(double h, double theta, bool takes_all, const State& state,
                                                  std::vector<double>& reaches) {
-  constexpr int most_tries = 12;
+  constexpr int most_growths = 12, patient_tries = 12, most_tries = 60;
   const Cluster start = cluster_in(state);
   std::set<std::pair<int, int>> met;
-  for (int k = 0;; ++k) {
-    const bool is_last = k + 1 == most_tries;
-
+  for (int k = 0, growths = 0;; ++k) {
     // The contacts within reach, and pairs that move so far that their contacts cannot be foreseen.
     Trial trial{start, {}, reaches, h};
-    std::vector<Contact> contacts = finder_.find(state, reaches, method_.contact_tolerance);
-    for (const Contact& contact : contacts)
+    NearContacts near = contacts_in_reach(state, reaches, met);
+    for (const Contact& contact : near.contacts)
       trial.report.note_penetration(-contact.point.gap, contact.body_A, contact.body_B, state.t);
-    std::vector<Contact> touching_before = touching_of(contacts);
-    std::set<std::pair<int, int>> touching = met;
-    for (const Contact& contact : touching_before) touching.insert({contact.body_A, contact.body_B});
-    std::vector<std::pair<int, int>> far;
-    for (const auto& pair : finder_.near_pairs(state, reaches)) {
-      if (!touching.contains(pair) && moves_far(pair.first, pair.second, reaches)) far.push_back(pair);
-    }
-    std::erase_if(contacts, [&](const Contact& contact) {
-      return std::binary_search(far.begin(), far.end(), std::pair{contact.body_A, contact.body_B});
-    });
+    std::vector<Contact> touching_before = touching_of(near.contacts);
+    std::vector<Contact> contacts = std::move(near.contacts);
 
     // Those that may act in the step.
     if (!takes_all) contacts = acting_contacts(h, start, std::move(contacts));
     add_stops(start, contacts);
 
     const Cluster struck = move_parts(theta, start, contacts, trial);
-    if (trial.reaches != reaches && !is_last) {
+    if (trial.reaches != reaches && growths < most_growths) {
       reaches = trial.reaches;
+      ++growths;
       continue;
     }
 
-    // Up to where the first of the far pairs meets, which the next try takes into account.
-    const double until = far.empty() || is_last ? h : first_meeting(h, struck, trial, far);
-    if (until == h) {
+    // Up to where the first of the far pairs meets, or one that touches goes too deep, which the next try
+    // takes into account.
+    double until = first_obstacle(h, struck, trial, near);
+    if (until == h || k >= most_tries) {
       trial.touching_before = std::move(touching_before);
       correct_overlaps(state, trial);
       return trial;
     }
+    // Where one try after the other meets something else, halves come to an end.
+    if (k >= patient_tries) until = std::min(until, 0.5 * h);
     // Pairs that meet at once are kept apart by the rows of their contacts.
     if (until <= least_step_share * h) {
-      met.insert(far.begin(), far.end());
+      met.insert(near.far.begin(), near.far.end());
+      if (!near.far_but_touching.empty()) h *= 0.5;
     } else {
       h = until;
     }
   }
+}
+
+/// The contacts from which a step can foresee what happens: within reach, but of pairs that move far only if
+/// they touch, or have just been found to meet.
+TimeStepper::NearContacts TimeStepper::contacts_in_reach(const State& state,
+                                                         const std::vector<double>& reaches,
+                                                         const std::set<std::pair<int, int>>& met) {
+  NearContacts near;
+  for (const auto& pair : finder_.near_pairs(state, reaches)) {
+    if (moves_far(pair.first, pair.second, reaches)) {
+      const bool touches =
+          met.contains(pair) || !touching_of(finder_.find(state, pair, method_.contact_tolerance)).empty();
+      (touches ? near.far_but_touching : near.far).push_back(pair);
+      if (!touches) continue;
+    }
+    const double margin = method_.contact_tolerance + reaches[at(pair.first)] + reaches[at(pair.second)];
+    const std::vector<Contact> found = finder_.find(state, pair, margin);
+    near.contacts.insert(near.contacts.end(), found.begin(), found.end());
+  }
+  return near;
 }
 
 /// Moves the parts that these contacts join, each by itself. Returns them as they are after the impacts at
@@ -329,34 +317,17 @@ void TimeStepper::add_stops(const Cluster& start, std::vector<Contact>& contacts
   contacts.insert(contacts.end(), stops.begin(), stops.end());
 }
 
-/// When the first of these pairs meets on the path from `start`, or h.
-double TimeStepper::first_meeting(double h, const Cluster& start, const Trial& trial,
-                                  const std::vector<std::pair<int, int>>& pairs) const {
+/// When the first of the pairs that move far meets on the path from `start`, or the first of those that touch
+/// goes too deep, or h.
+double TimeStepper::first_obstacle(double h, const Cluster& start, const Trial& trial,
+                                   const NearContacts& near) const {
+  if (near.far.empty() && near.far_but_touching.empty()) return h;
   ToiOptions options;
   options.contact_tolerance = method_.contact_tolerance;
   options.time_tolerance = method_.time_tolerance;
   options.rest_velocity = still_speed(method_.resting_velocity);
-  const auto motion = [&](int i) {
-    const Body& body = model_->body(i);
-    if (body.motion != MotionType::dynamic) return Motion::prescribed(body, start.t);
-    const BodyPhase &begin = start.phase_of(i), &end = trial.end.phase_of(i);
-    const BodyInertia inertia{body.mass, body.moments};
-
-    // In flight the closed form, with impulses the parabola that begins and ends as the trial.
-    const FreeFlight flight(inertia, begin, start.t, environment_.steady_acceleration(i));
-    const BodyPhase free = flight.at(start.t + h);
-    if (free.P == end.P && free.L == end.L) return Motion::flight(flight, inertia);
-    return Motion::step(quadratic_dense_phase(begin, end, begin.P / body.mass,
-                                              angular_velocity(inertia, begin.q, begin.L), h),
-                        start.t, h);
-  };
-  double first = h;
-  for (const auto& [a, b] : pairs) {
-    const TimeOfImpact found = find_time_of_impact(model_->body(a), motion(a), model_->body(b), motion(b),
-                                                   start.t, start.t + first, options);
-    if (found.is_contact) first = std::min(first, found.time - start.t);
-  }
-  return first;
+  TrialPath path(*model_, environment_, options, start, trial.end, h);
+  return std::min(path.first_meeting(near.far), path.without_overlap(near.far_but_touching, thickness_));
 }
 
 /// Velocities that joints do not allow, as a scene may have at its start, are projected before the first

@@ -35,6 +35,11 @@ class TimeStepper : public FixedStepStepper {
     double misjudgement = 0;      ///< Of the overlap at its end; above 1 the step was too long.
     std::vector<Contact> touching_before = {}, touching_after = {};  ///< Within the contact tolerance.
   };
+  /// Contacts at the beginning of a step, and the pairs that move so far in it that the way must be watched.
+  struct NearContacts {
+    std::vector<Contact> contacts;
+    std::vector<std::pair<int, int>> far, far_but_touching;
+  };
   void begin_span(double first_end, State& state) override;
   double step_towards(double t_end, double t, State& state) override;
   void end_span(double t, State& state) override;
@@ -47,11 +52,12 @@ class TimeStepper : public FixedStepStepper {
   Cluster move_parts(double theta, const Cluster& start, const std::vector<Contact>& contacts,
                      Trial& trial) const;
   void grow_reaches(double h, const Cluster& cluster, std::vector<double>& reaches) const;
+  NearContacts contacts_in_reach(const State& state, const std::vector<double>& reaches,
+                                 const std::set<std::pair<int, int>>& met);
   std::vector<Contact> acting_contacts(double h, const Cluster& start, std::vector<Contact> found) const;
   void add_stops(const Cluster& start, std::vector<Contact>& contacts) const;
   bool moves_far(int a, int b, const std::vector<double>& reaches) const;
-  double first_meeting(double h, const Cluster& start, const Trial& trial,
-                       const std::vector<std::pair<int, int>>& pairs) const;
+  double first_obstacle(double h, const Cluster& start, const Trial& trial, const NearContacts& near) const;
   void hold_joints(Cluster& part, AdvanceReport& report) const;
   void admit_velocities(State& state);
   void correct_overlaps(const State& state, Trial& trial);

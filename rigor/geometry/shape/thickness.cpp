@@ -1,0 +1,39 @@
+#include "rigor/geometry/shape/thickness.hpp"
+
+#include "rigor/geometry/shape/aabb.hpp"
+
+#include <limits>
+#include <variant>
+
+namespace rigor {
+
+namespace {
+
+/// The part of its half width that counts: less than 1 where a shape may be hollow or pointed.
+struct ThickShare {
+  double operator()(const Sphere&) const { return 1; }
+  double operator()(const Box&) const { return 1; }
+  double operator()(const Capsule&) const { return 1; }
+  double operator()(const Cylinder&) const { return 1; }
+  double operator()(const Cone&) const { return 0.25; }
+  double operator()(const Ellipsoid&) const { return 1; }
+  double operator()(const HalfSpace&) const { return 1; }
+  double operator()(const Cavity&) const { return 1; }
+  double operator()(const Convex&) const { return 0.25; }
+  double operator()(const Mesh&) const { return 0.02; }
+  template <class Own>
+  double operator()(const Own&) const {
+    return Own::thick_share;
+  }
+};
+
+}  // namespace
+
+double thickness_of(const Shape& shape) {
+  if (is_unbounded(shape)) return std::numeric_limits<double>::infinity();
+  const Aabb box = axis_aligned_box(shape, Pose{Mat3::Identity(), Vec3::Zero()});
+  const double half_width = 0.5 * (box.upper - box.lower).minCoeff();
+  return std::visit(ThickShare{}, shape) * half_width;
+}
+
+}  // namespace rigor

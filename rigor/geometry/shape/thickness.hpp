@@ -1,0 +1,12 @@
+#pragma once
+
+#include "rigor/geometry/shape/shape.hpp"
+
+namespace rigor {
+
+/// How far a point may go into a shape before it can no longer be told from which side it came: half the
+/// smallest width of the shape's box, and less of it where the shape may be hollow or pointed [m]. Infinite
+/// for half-spaces and cavities.
+double thickness_of(const Shape& shape);
+
+}  // namespace rigor

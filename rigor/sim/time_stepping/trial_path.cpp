@@ -1,0 +1,114 @@
+#include "rigor/sim/time_stepping/trial_path.hpp"
+
+#include "rigor/contact/bounded_overlap.hpp"
+#include "rigor/contact/system/contact.hpp"
+#include "rigor/core/index.hpp"
+#include "rigor/dynamics/dense_phase.hpp"
+#include "rigor/geometry/distance/distance.hpp"
+
+#include <algorithm>
+
+namespace rigor {
+
+namespace {
+
+/// The deepest that a shape of one body lies in a shape of the other [m]; 0 if they are apart.
+double depth_of(const Body& A, const Pose& X_WA, const Body& B, const Pose& X_WB) {
+  double deepest = 0;
+  for (const BodyShape& a : A.shapes) {
+    for (const BodyShape& b : B.shapes) {
+      deepest = std::max(deepest, -signed_distance(a.shape, X_WA * a.X_BS, b.shape, X_WB * b.X_BS).distance);
+    }
+  }
+  return deepest;
+}
+
+}  // namespace
+
+TrialPath::TrialPath(const Model& model, const Environment& environment, const ToiOptions& options,
+                     const Cluster& start, const Cluster& end, double h)
+    : model_(model),
+      environment_(environment),
+      options_(options),
+      start_(start),
+      end_(end),
+      h_(h),
+      motions_(at(model.body_count())) {}
+
+const Motion& TrialPath::motion(int i) {
+  std::optional<Motion>& known = motions_[at(i)];
+  if (known) return *known;
+  const Body& body = model_.body(i);
+  if (body.motion != MotionType::dynamic) return known.emplace(Motion::prescribed(body, start_.t));
+  const BodyPhase &begin = start_.phase_of(i), &end = end_.phase_of(i);
+  const BodyInertia inertia{body.mass, body.moments};
+
+  const FreeFlight flight(inertia, begin, start_.t, environment_.steady_acceleration(i));
+  const BodyPhase free = flight.at(start_.t + h_);
+  if (free.P == end.P && free.L == end.L) return known.emplace(Motion::flight(flight, inertia));
+  return known.emplace(Motion::step(
+      quadratic_dense_phase(begin, end, begin.P / body.mass, angular_velocity(inertia, begin.q, begin.L), h_),
+      start_.t, h_));
+}
+
+/// The time in which neither body of a pair turns farther than a parabola can follow [s].
+double TrialPath::longest_arc(Pair pair) {
+  constexpr double most = 1;  // [rad]
+  double longest = h_;
+  for (const int i : {pair.first, pair.second}) {
+    const Body& body = model_.body(i);
+    if (body.motion != MotionType::dynamic || motion(i).is_ballistic()) continue;
+    for (const BodyPhase& phase : {start_.phase_of(i), end_.phase_of(i)}) {
+      const double speed = angular_velocity(BodyInertia{body.mass, body.moments}, phase.q, phase.L).norm();
+      if (speed * longest > most) longest = most / speed;
+    }
+  }
+  return longest;
+}
+
+double TrialPath::first_meeting(std::span<const Pair> pairs) {
+  double first = h_;
+  for (const Pair& pair : pairs) {
+    const auto& [a, b] = pair;
+    first = std::min(first, longest_arc(pair));
+    const TimeOfImpact found = find_time_of_impact(model_.body(a), motion(a), model_.body(b), motion(b),
+                                                   start_.t, start_.t + first, options_);
+    // A search that was broken off has proven the time before it, and nothing beyond.
+    if (found.is_contact || found.time < start_.t + first) first = found.time - start_.t;
+  }
+  return first;
+}
+
+double TrialPath::without_overlap(std::span<const Pair> pairs, std::span<const double> thickness) {
+  constexpr double share = 0.1;
+  double first = h_;
+  for (const Pair& pair : pairs) {
+    first = std::min(first, longest_arc(pair));
+    const double thin = std::min(thickness[at(pair.first)], thickness[at(pair.second)]);
+    first = without_overlap(pair, std::max(options_.contact_tolerance, share * thin), first);
+  }
+  return first;
+}
+
+/// Instant by instant, at none of which the bodies may lie deeper in each other than the slack or than they
+/// did at the beginning.
+double TrialPath::without_overlap(Pair pair, double slack, double span) {
+  const Body &A = model_.body(pair.first), &B = model_.body(pair.second);
+  const Motion &of_A = motion(pair.first), &of_B = motion(pair.second);
+  const auto depth = [&](double tau) {
+    return depth_of(A, of_A.sample(start_.t + tau).X_WB, B, of_B.sample(start_.t + tau).X_WB);
+  };
+  const double allowed = depth(0) + slack;
+  constexpr int most_instants = 1000;
+  double tau = 0;
+  for (int k = 0; k < most_instants && tau < span; ++k) {
+    const double step = bounded_overlap_step(A, of_A, B, of_B, start_.t + tau, start_.t + span, allowed);
+    const double next = std::min(span, tau + step);
+    if (depth(next) > allowed) return std::max(tau, 0.5 * next);
+    if (!(next > tau)) break;
+    tau = next;
+  }
+  return tau;
+}
+
+}  // namespace rigor
