@@ -145,6 +145,13 @@ void Auditor::find_violations(Audit& audit) const {
         promises_.momentum_share * angular_momentum_scale_ + carried_moment, "kg m²/s");
   check("drift of joints", audit.report.max_joint_drift, promises_.joint_drift, "m or rad");
   check("penetration", audit.report.max_penetration, promises_.penetration, "m");
+  if (audit.report.passages > 0) {
+    audit.violations.push_back(fmt::format(
+        "the inside of '{}' went into '{}' at t = {:.6g} s{}: bodies passed each other unseen",
+        model_->body(audit.report.passage_A).name, model_->body(audit.report.passage_B).name,
+        audit.report.passage_time,
+        audit.report.passages == 1 ? "" : fmt::format(", the first of {} times", audit.report.passages)));
+  }
 }
 
 void Auditor::find_warnings(Audit& audit) const {

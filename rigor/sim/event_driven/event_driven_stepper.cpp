@@ -43,7 +43,8 @@ EventDrivenStepper::EventDrivenStepper(std::shared_ptr<const Model> model, const
       resolver_(*model_, assembler_, method),
       joints_(*model_, assembler_),
       contacts_(*model_, environment_, assembler_, method_),
-      trajectories_(*model_, toi, method.broad_phase) {
+      trajectories_(*model_, toi, method.broad_phase),
+      witness_(model_) {
   RIGOR_ASSERT(target_step > 0);
 }
 
@@ -55,7 +56,9 @@ AdvanceReport EventDrivenStepper::advance(State& state, double t_end) {
   t_end_ = t_end;
   const long queries = trajectories_.distance_queries();
 
+  trajectories_.begin_paths(t_end);  // The motions until now belong to the last call.
   read_state_from_bodies(state);
+  trajectories_.begin_paths(state.t);
   while (report_.reason == StopReason::reached_end && compute_time_step()) {
     if (interrupt_ && interrupt_()) report_.reason = StopReason::interrupted;
     if (next_.kind == QueuedEvent::Kind::window_end) {
@@ -66,6 +69,7 @@ AdvanceReport EventDrivenStepper::advance(State& state, double t_end) {
       handle_event(seeds, {});
     }
   }
+  witness_.watch(trajectories_.take_paths(t_), report_);
   write_state_to_bodies(state);
   report_.distance_queries = trajectories_.distance_queries() - queries;
   return report_;
@@ -171,6 +175,8 @@ void EventDrivenStepper::handle_event(const std::vector<int>& seeds, std::vector
   changed.insert(changed.end(), cluster.bodies.begin(), cluster.bodies.end());
   trajectories_.predict(changed, t_, queue_);
   drop_stale_events();
+  constexpr std::size_t most_pieces = 4096;
+  if (trajectories_.piece_count() > most_pieces) witness_.watch(trajectories_.take_paths(t_), report_);
 }
 
 /// The end of a window changes nothing but the window, unless it is a point of a path: then what stands on

@@ -10,6 +10,7 @@
 #include "rigor/sim/islands/contact_resolver.hpp"
 #include "rigor/sim/islands/island_stepping.hpp"
 #include "rigor/sim/islands/joint_projection.hpp"
+#include "rigor/sim/witness/passage_witness.hpp"
 
 #include <functional>
 #include <map>
@@ -109,6 +110,7 @@ class EventDrivenStepper : public Stepper {
   EventQueue queue_;
   std::size_t most_queued_ = 1024;  ///< Beyond it stale events are dropped.
   Trajectories trajectories_;
+  PassageWitness witness_;
   std::map<int, RunningIsland> islands_;
   std::vector<int> island_of_;  ///< Of each body, or -1.
   int next_island_ = 0;

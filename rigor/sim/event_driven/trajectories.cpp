@@ -26,9 +26,30 @@ bool Trajectories::is_bounded(int body) const {
 
 void Trajectories::set_motion(int body, const Motion& motion, double t) {
   Track& track = tracks_[at(body)];
+  if (t > track.followed && !paths_.empty()) {
+    paths_[at(body)].emplace_back(track.followed, t, track.motion);
+    track.followed = t;
+    ++piece_count_;
+  }
   track.motion = motion;
   track.window_begin = t;
   ++track.version;
+}
+
+void Trajectories::begin_paths(double t) {
+  paths_.assign(tracks_.size(), {});
+  piece_count_ = 0;
+  for (Track& track : tracks_) track.followed = t;
+}
+
+std::vector<BodyPath> Trajectories::take_paths(double t) {
+  for (std::size_t body = 0; body < tracks_.size(); ++body) {
+    if (t > tracks_[body].followed)
+      paths_[body].emplace_back(tracks_[body].followed, t, tracks_[body].motion);
+  }
+  std::vector<BodyPath> paths = std::move(paths_);
+  begin_paths(t);
+  return paths;
 }
 
 void Trajectories::clear_lasting_contacts(int body) {

@@ -5,6 +5,7 @@
 #include "rigor/dynamics/motion.hpp"
 #include "rigor/geometry/broad_phase/broad_phase.hpp"
 #include "rigor/sim/event_driven/event_queue.hpp"
+#include "rigor/sim/witness/body_path.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -49,6 +50,12 @@ class Trajectories {
 
   /// Bodies that may be within the tolerance of this one at time t (which lies in its window), ascending.
   std::vector<int> neighbours(int body, double t, double tolerance) const;
+  /// The paths of all bodies, followed since this call from t on.
+  void begin_paths(double t);
+  /// The paths from there to t, which are followed anew from t on.
+  std::vector<BodyPath> take_paths(double t);
+  /// How many pieces they have that are complete.
+  std::size_t piece_count() const { return piece_count_; }
   /// Distance queries made so far.
   long distance_queries() const { return distance_queries_; }
 
@@ -58,6 +65,7 @@ class Trajectories {
     double window_begin = 0, window_end = 0;
     Aabb box;  ///< Holds the body all through its window (bounded bodies).
     std::uint64_t version = 0;
+    double followed = 0;  ///< From when on the motion is not in the path yet [s].
   };
   bool is_bounded(int body) const;
   double window_length(int body, double t) const;
@@ -76,6 +84,8 @@ class Trajectories {
   std::vector<int> unbounded_;         ///< Bodies with a plane.
   std::unique_ptr<BroadPhase> boxes_;  ///< Windows of the others.
   std::set<std::pair<int, int>> lasting_;
+  std::vector<BodyPath> paths_;
+  std::size_t piece_count_ = 0;
   long distance_queries_ = 0;
 };
 

@@ -6,7 +6,7 @@
 namespace rigor {
 
 FixedStepStepper::FixedStepStepper(std::shared_ptr<const Model> model, double target_step)
-    : model_(std::move(model)), target_step_(target_step) {
+    : model_(std::move(model)), target_step_(target_step), witness_(model_) {
   RIGOR_ASSERT(target_step > 0);
 }
 
@@ -26,7 +26,10 @@ AdvanceReport FixedStepStepper::advance(State& state, double t_end) {
       if (interrupt_ && interrupt_()) {
         report_.reason = StopReason::interrupted;
       } else {
+        const State before = state;
         t = step_towards(steps.end(k), t, state);
+        show_step(t, state);
+        witness_.watch(before, state, report_);
       }
     }
   }

@@ -2,6 +2,7 @@
 
 #include "rigor/model/model.hpp"
 #include "rigor/sim/fixed_steps/stepper.hpp"
+#include "rigor/sim/witness/passage_witness.hpp"
 
 #include <functional>
 #include <memory>
@@ -28,6 +29,8 @@ class FixedStepStepper : public Stepper {
   /// Moves from t towards the end of a fixed step. Returns the time reached [s]: a scheme may divide the
   /// step, and is then asked again. If it cannot continue, `report_.reason` says why.
   virtual double step_towards(double t_end, double t, State& state) = 0;
+  /// Brings the State to the time reached, where the scheme keeps its bodies elsewhere during a span.
+  virtual void show_step([[maybe_unused]] double t, [[maybe_unused]] State& state) {}
   /// Completes the State at the time reached [s], also after a stop.
   virtual void end_span(double t, State& state) = 0;
 
@@ -39,6 +42,7 @@ class FixedStepStepper : public Stepper {
   AdvanceReport report_;
 
  private:
+  PassageWitness witness_;
   std::function<bool()> interrupt_;
 };
 

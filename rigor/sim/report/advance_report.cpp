@@ -20,6 +20,13 @@ void AdvanceReport::note_penetration(double depth, int A, int B, double t) {
   penetration_time = t;
 }
 
+void AdvanceReport::note_passage(int A, int B, double t) {
+  if (passages++ > 0 && t >= passage_time) return;
+  passage_A = A;
+  passage_B = B;
+  passage_time = t;
+}
+
 void AdvanceReport::note_joint_drift(double drift, int joint) {
   if (!(drift > max_joint_drift)) return;
   max_joint_drift = drift;
@@ -39,6 +46,10 @@ void AdvanceReport::add(const AdvanceReport& later) {
   events.insert(events.end(), later.events.begin(), later.events.end());
   toi_bracket = std::max(toi_bracket, later.toi_bracket);
   note_penetration(later.max_penetration, later.penetration_A, later.penetration_B, later.penetration_time);
+  if (later.passages > 0) {
+    note_passage(later.passage_A, later.passage_B, later.passage_time);
+    passages += later.passages - 1;
+  }
   note_joint_drift(later.max_joint_drift, later.drift_joint);
   max_joint_projection = std::max(max_joint_projection, later.max_joint_projection);
   work += later.work;

@@ -53,6 +53,11 @@ struct AdvanceReport {
   int penetration_A = -1, penetration_B = -1;
   double penetration_time = 0;
 
+  /// How often the inside of a body went into another body (PassageWitness); which and when, of the first.
+  long passages = 0;
+  int passage_A = -1, passage_B = -1;
+  double passage_time = 0;  ///< [s].
+
   double max_joint_drift = 0;  ///< Largest |g| of a joint left at the end of a step [m or 1].
   int drift_joint = -1;        ///< Which joint that was.
   /// Largest |g| at the end of a step before positions were projected [m or 1].
@@ -82,6 +87,8 @@ struct AdvanceReport {
 
   /// Notes an overlap of two bodies at t [s], if it is deeper than any before [m].
   void note_penetration(double depth, int A, int B, double t);
+  /// Notes that the inside of body A entered body B at t [s].
+  void note_passage(int A, int B, double t);
   /// Notes what |g| of a joint is left at the end of a step, if it is larger than any before [m or 1].
   void note_joint_drift(double drift, int joint);
   /// Adds what a later call reported; reason, detail and bodies become the later ones.

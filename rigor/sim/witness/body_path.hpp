@@ -1,0 +1,48 @@
+#pragma once
+
+#include "rigor/dynamics/motion.hpp"
+
+#include <variant>
+#include <vector>
+
+namespace rigor {
+
+/// A body on its way from one pose to another in equal measure: what is known of a step with fixed length.
+struct StraightWay {
+  Vec3 from = Vec3::Zero(), to = Vec3::Zero();  ///< p_WB [m].
+  Quat q = Quat::Identity();                    ///< q_WB at the beginning.
+  Vec3 turn_W = Vec3::Zero();                   ///< Rotation vector to the end, of any number of turns [rad].
+  bool keeps_axis = true;                       ///< Whether it is known to turn about this axis all the way.
+};
+
+/// Where a body was over a span of time.
+class PathPiece {
+ public:
+  /// A part of a motion, which is copied.
+  PathPiece(double begin, double end, const Motion& motion);
+  PathPiece(double begin, double end, const StraightWay& way);
+
+  double begin() const { return begin_; }
+  double end() const { return end_; }
+  Pose pose(double t) const;
+  /// Box that holds the centre of mass over [ta, tb].
+  Aabb centre_box(double ta, double tb) const;
+  /// Upper bound of |ω| [rad/s].
+  double angular_speed() const { return angular_speed_; }
+  /// Whether the orientation on the way is known, and not only at its ends.
+  bool knows_orientation() const;
+
+ private:
+  double begin_, end_, angular_speed_;
+  std::variant<Motion, StraightWay> way_;
+};
+
+/// The pieces of one body, one after the other.
+using BodyPath = std::vector<PathPiece>;
+
+/// The straight way between two poses, h apart [s], in about as many turns as these angular velocities make
+/// [rad/s].
+StraightWay straight_way(const Vec3& from, const Quat& q_from, const Vec3& to, const Quat& q_to,
+                         const Vec3& w_from, const Vec3& w_to, double h);
+
+}  // namespace rigor

@@ -1,0 +1,102 @@
+// Random bodies of all shapes against thin plates, with the schemes that promise that nothing passes. The
+// larger study, with blades and meshes, is tools/passing_study.py.
+
+#include "random_vectors.hpp"
+#include "rigor/geometry/shape/convex_hull.hpp"
+#include "rigor/math/rotation.hpp"
+#include "rigor/sim/make_stepper.hpp"
+#include "sim/time_stepping_scenes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace rigor::nothing_passes_test {
+namespace {
+
+constexpr double plate = 0.001;  // Half its thickness [m].
+
+Shape random_shape(test::Random& random, double size) {
+  const auto share = [&] { return random.uniform(0.1, 1) * size / std::sqrt(3); };
+  switch (static_cast<int>(random.uniform(0, 7))) {
+    case 0:
+      return Sphere{size};
+    case 1:
+      return Box{Vec3(share(), share(), share())};
+    case 2:
+      return Cylinder{share(), share()};
+    case 3:
+      return Cone{share(), share()};
+    case 4:
+      return Capsule{share(), share()};
+    case 5:
+      return Ellipsoid{Vec3(share(), share(), share())};
+    default: {
+      std::vector<Vec3> points;
+      for (int k = 0; k < 20; ++k) points.push_back(size * random.vector().normalized());
+      return Convex{std::make_shared<ConvexHull>(std::get<ConvexHull>(make_convex_hull(points)))};
+    }
+  }
+}
+
+struct Shot {
+  std::shared_ptr<const Model> model;
+  double until;  ///< [s].
+  double step;   ///< [s].
+};
+
+/// A body above the plate, of any shape, with 30 to 3,000 m/s and up to 1,000 rad/s an axis.
+Shot random_shot(unsigned seed) {
+  test::Random random(seed);
+  const double size = random.uniform(0.01, 0.05), speed = std::pow(10, random.uniform(1.5, 3.5));
+  const double down = random.uniform(0.3, 1), angle = random.uniform(0, 2 * M_PI);
+  const double along = std::sqrt(1 - down * down);
+  const double steps[] = {1.0 / 60, 0.01, 0.004, 0.001};
+  const double step = steps[static_cast<int>(random.uniform(0, 4))];
+  const double height = size * random.uniform(1.01, 2) + speed * step * random.uniform(0, 1);
+  const double until = height / (speed * down) + step * random.uniform(1, 3);
+  const double width = 2 * speed * until + 1;
+  const double restitutions[] = {0, 0, 0.5, 1};
+
+  ModelBuilder builder;
+  builder.set_gravity(Vec3(0, 0, -9.81));
+  builder.add_material(
+      {"m", 1000, random.uniform(0, 0.8), restitutions[static_cast<int>(random.uniform(0, 4))]});
+  BodyDescription fixed = test::stepping_body("plate", Box{Vec3(width, width, plate)}, Vec3::Zero());
+  fixed.motion = MotionType::fixed;
+  fixed.mass = {};
+  builder.add_body(fixed);
+  BodyDescription body = test::stepping_body("body", random_shape(random, size), Vec3(0, 0, plate + height));
+  body.q_WU = rotation_exp(2 * random.vector());
+  body.velocity = speed * Vec3(along * std::cos(angle), along * std::sin(angle), -down);
+  body.angular_velocity = std::pow(10, random.uniform(0, 3)) * random.vector();
+  builder.add_body(body);
+  return {builder.build(), until, step};
+}
+
+class NothingPasses : public testing::TestWithParam<Scheme> {};
+
+TEST_P(NothingPasses, AThinPlateAtAnySpeedSpinAndStep) {
+  Method method;
+  method.scheme = GetParam();
+  for (unsigned seed = 1; seed <= 60; ++seed) {
+    const Shot shot = random_shot(seed);
+    State state = make_initial_state(*shot.model);
+    const auto stepper = make_stepper(shot.model, method, shot.step);
+    AdvanceReport sum;
+    for (int k = 1; k <= 4; ++k) {
+      const AdvanceReport report = stepper->advance(state, k * shot.until / 4);
+      ASSERT_EQ(report.reason, StopReason::reached_end) << "seed " << seed << ": " << report.detail;
+      sum.add(report);
+      EXPECT_GT(state.position(1).z(), plate) << "seed " << seed << " at " << state.t << " s";
+    }
+    EXPECT_EQ(sum.passages, 0) << "seed " << seed << " at " << sum.passage_time << " s, body "
+                               << sum.passage_A;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Schemes, NothingPasses,
+                         testing::Values(Scheme::event_driven, Scheme::hybrid, Scheme::time_stepping));
+
+}  // namespace
+}  // namespace rigor::nothing_passes_test
