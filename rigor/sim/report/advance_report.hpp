@@ -15,6 +15,7 @@ enum class StopReason {
   impact_unsolved,    ///< An impact left bodies approaching each other.
   not_finite,         ///< A state became infinite or NaN.
   interrupted,        ///< The caller's interrupt asked for it.
+  broken_promise,     ///< A promise within the program did not hold: a defect of the program.
 };
 
 /// Something that happened at an instant.
