@@ -17,10 +17,16 @@ namespace {
 
 constexpr std::uintmax_t most_scene_bytes = std::uintmax_t{32} << 20;
 
+/// The scene's file as a trajectory may name it: where it lies is the user's own affair.
+std::filesystem::path scene_file(const RunOptions& options) {
+  const std::filesystem::path path = std::filesystem::absolute(options.scene);
+  return options.keeps_path ? path : path.filename();
+}
+
 TrajectoryHeader make_header(const RunOptions& options, const Scene& scene) {
   TrajectoryHeader header{.scene = scene.name,
                           .scene_text = read_text_file(options.scene, most_scene_bytes),
-                          .scene_file = std::filesystem::absolute(options.scene).string(),
+                          .scene_file = scene_file(options).string(),
                           .overrides = options.overrides,
                           .method = scene.method,
                           .run = scene.run};
