@@ -52,7 +52,7 @@ def calls():
             outputs = ["out.csv", "out.h5", "out.json"]
             yield (["run", f"{scene}.yaml", "--quiet", "--json", "audit.json", "--set", f"method.scheme={scheme}",
                     *(word for output in outputs for word in ("-o", output))], outputs)
-    yield ["run", "heap.yaml", "--quiet", "-o", "out.html", "-o", "out.png"], []
+    yield ["run", "motor.yaml", "--quiet", "-o", "out.html", "-o", "out.png"], []
     yield ["run", "crowd.yaml", "--quiet", "--separate"], []
     yield ["check", "crowd.yaml"], []
     yield ["view", "drag.yaml"], []

@@ -39,7 +39,7 @@ TEST_P(ReaderFuzz, ChangedFilesAreReadOrRefused) {
   const test::ReaderTarget& target = test::reader_targets()[GetParam()];
   EXPECT_NO_THROW(target.read(target.seed)) << target.name;
   std::mt19937_64 engine(GetParam() + 1);
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < 150; ++i) {
     EXPECT_EQ(test::fault_of_reader(target, mutated(target.seed, engine)), "") << i;
   }
   // Bytes of the beginning alone, and nothing at all.
