@@ -6,6 +6,7 @@
 #include "rigor/io/trajectory/checkpoint.hpp"
 #include "rigor/io/trajectory/fingerprint.hpp"
 #include "rigor/model/state_check.hpp"
+#include "rigor/sim/make_stepper.hpp"
 #include "rigor/sim/simulation.hpp"
 
 #include <gtest/gtest.h>
@@ -60,6 +61,11 @@ std::optional<Checkpoint> read(const Sample& sample, const std::string& bytes,
   }
 }
 
+Checkpoint checkpoint_of(const Sample& sample) {
+  const TemporaryFolder folder;
+  return *read(sample, sample.bytes, folder);
+}
+
 bool is_finite(const State& state) {
   const auto all = [](const std::vector<double>& values) {
     return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
@@ -104,14 +110,27 @@ TEST(ForgedCheckpoint, OfTheSubstepSolverIsRefusedOrRuns) {
   try_forgeries("{scheme: time-stepping, solver: substep}", 400, 15, 2);
 }
 TEST(ForgedCheckpoint, OfThePenaltySchemeIsRefusedOrRuns) {
-  try_forgeries("{scheme: penalty, penalty: local}", 400, 15, 3);
+  try_forgeries("{scheme: penalty, penalty: local}", 200, 10, 3);
+}
+
+TEST(ForgedCheckpoint, AFlightOfYearsIsLeftOffWhenAsked) {
+  // The windows of a flight are gone through again from its anchor on: of this one there are ten million.
+  const Sample own = sample("{scheme: event-driven}", 0.2);
+  Checkpoint checkpoint = checkpoint_of(own);
+  checkpoint.state.t = 1e6;
+  const std::unique_ptr<Stepper> stepper =
+      make_stepper(own.scene.model, own.scene.method, own.scene.run.step);
+  long asked = 0;
+  stepper->set_interrupt([&asked] { return ++asked > 100; });
+  EXPECT_EQ(stepper->advance(checkpoint.state, 1e6 + 0.1).reason, StopReason::interrupted);
+  EXPECT_LE(asked, 102);
 }
 
 TEST(ForgedCheckpoint, NamesWhatCannotBe) {
   const Sample own = sample("{scheme: event-driven}", 0.2);
   const TemporaryFolder folder;
   const auto refusal = [&](const auto& change) {
-    Checkpoint checkpoint = *read(own, own.bytes, folder);
+    Checkpoint checkpoint = checkpoint_of(own);
     change(checkpoint);
     write_checkpoint(folder / "a.cp", checkpoint);
     try {

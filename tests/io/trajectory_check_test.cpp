@@ -74,6 +74,28 @@ TEST(TrajectoryCheck, ARunThatDidNotReachItsEndSaysHowFarItCame) {
   EXPECT_EQ(ended(13), ": the run ended at t = 1.2 s of 2 s");
 }
 
+TEST(TrajectoryCheck, AFileThatClaimsToHaveBeenHugeTakesNoMemoryForIt) {
+  const TemporaryFolder folder;
+  {
+    Hdf5Writer writer(folder / "a.h5", sample_header({"a"}));
+    writer.write(sample_row(0, 1), {});
+    writer.close({});
+  }
+  std::ifstream file(folder / "a.h5", std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  // The address of the end of the file, in the superblock: 2^29.
+  const std::string address("\0\0\0\x20\0\0\0\0", 8);
+  bytes.replace(28, 8, address);
+  std::ofstream(folder / "b.h5", std::ios::binary) << bytes;
+  try {
+    read_hdf5_trajectory(folder / "b.h5");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("of 536870912 bytes are left"), std::string::npos)
+        << error.what();
+  }
+}
+
 TEST(TrajectoryCheck, ChangedBytesOfAFileAreReadOrRefused) {
   const TemporaryFolder folder;
   {

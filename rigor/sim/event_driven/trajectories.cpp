@@ -1,5 +1,6 @@
 #include "rigor/sim/event_driven/trajectories.hpp"
 
+#include "rigor/core/interrupt.hpp"
 #include "rigor/geometry/motion/separation_bound.hpp"
 
 #include <algorithm>
@@ -143,7 +144,10 @@ void Trajectories::restore(const std::vector<int>& bodies, double t, EventQueue&
   for (const int body : bodies) {
     // The windows since the motion began, as they came to be.
     double begin = tracks_[at(body)].motion.begin();
-    for (double end = window_end(body, begin); end < t; end = window_end(body, begin)) begin = end;
+    for (double end = window_end(body, begin); end < t; end = window_end(body, begin)) {
+      poll_interrupt();
+      begin = end;
+    }
     begin_window(body, begin, queue);
   }
 }
