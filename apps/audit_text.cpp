@@ -2,6 +2,7 @@
 
 #include "apps/terminal.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/core/quoted.hpp"
 #include "rigor/sim/method/method_use.hpp"
 
 #include <fmt/format.h>
@@ -45,7 +46,7 @@ void add_motion(const Audit& audit, std::string& text) {
   add_line(text, "momentum", "error {:.3g} kg m/s linear, {:.3g} kg m²/s angular",
            audit.linear_momentum_error, audit.angular_momentum_error);
   if (report.penetration_A >= 0 && report.penetration_B >= 0) {
-    const auto name = [&](int body) { return audit.bodies[at(body)].name; };
+    const auto name = [&](int body) { return escaped_text(audit.bodies[at(body)].name); };
     add_line(text, "penetration", "{:.3g} m at most, of {} and {} at {:.6g} s", report.max_penetration,
              name(report.penetration_A), name(report.penetration_B), report.penetration_time);
   } else {
@@ -56,7 +57,7 @@ void add_motion(const Audit& audit, std::string& text) {
              report.max_joint_drift,
              at(report.drift_joint) >= audit.joints.size()
                  ? std::string()
-                 : " at " + audit.joints[at(report.drift_joint)].name,
+                 : " at " + escaped_text(audit.joints[at(report.drift_joint)].name),
              report.max_joint_projection);
   }
   if (uses_choice(audit.method, "sleeping") && audit.method.sleeping)
@@ -73,7 +74,7 @@ void add_bodies(const Audit& audit, std::string& text) {
     ++shown;
     const Vec3 &p = body.position, &v = body.velocity, &w = body.angular_velocity;
     const Quat& q = body.orientation;
-    fmt::format_to(std::back_inserter(text), "  {}\n", body.name);
+    fmt::format_to(std::back_inserter(text), "  {}\n", escaped_text(body.name));
     fmt::format_to(std::back_inserter(text), "    position         [{:.17g}, {:.17g}, {:.17g}] m\n", p.x(),
                    p.y(), p.z());
     fmt::format_to(std::back_inserter(text), "    orientation      [{:.17g}, {:.17g}, {:.17g}, {:.17g}]\n",
@@ -97,7 +98,7 @@ void add_joints(const Audit& audit, std::string& text) {
   std::size_t shown = 0;
   for (const Audit::JointEnd& joint : audit.joints) {
     if (shown++ == most_bodies) break;
-    fmt::format_to(std::back_inserter(text), "  joint {}\n", joint.name);
+    fmt::format_to(std::back_inserter(text), "  joint {}\n", escaped_text(joint.name));
     if (!joint.coordinates.empty()) {
       fmt::format_to(std::back_inserter(text), "    coordinates      [{}], rates [{}]\n",
                      numbers_text(joint.coordinates), numbers_text(joint.rates));
@@ -120,10 +121,10 @@ void add_joints(const Audit& audit, std::string& text) {
 
 void add_verdict(const Audit& audit, std::FILE* stream, std::string& text) {
   for (const std::string& warning : audit.warnings) {
-    text += fmt::format("  {} {}\n", toned("warning:", Tone::doubtful, stream), warning);
+    text += fmt::format("  {} {}\n", toned("warning:", Tone::doubtful, stream), escaped_lines(warning));
   }
   for (const std::string& violation : audit.violations) {
-    text += fmt::format("  {} {}\n", toned("violated:", Tone::bad, stream), violation);
+    text += fmt::format("  {} {}\n", toned("violated:", Tone::bad, stream), escaped_lines(violation));
   }
   text += audit.violations.empty()
               ? fmt::format("  {}: energy, momentum, joints and penetration are within their tolerances\n",

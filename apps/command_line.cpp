@@ -100,6 +100,8 @@ void add_run(CLI::App& app, RunOptions& run) {
   add_json(app, run.json, "the audit");
   app.add_flag("--quiet", run.is_quiet, "print no audit and no progress");
   app.add_flag("--separate", run.separate, "push apart bodies that overlap at t = 0");
+  app.add_flag("--keep-path", run.keeps_path,
+               "store the scene's full path in .h5, so that its mesh files are found from elsewhere");
   add_value(app, "--checkpoint", run.checkpoint,
             "keep a file to resume from: written at the end or when interrupted", "FILE");
   add_value(app, "--checkpoint-every", run.checkpoint_every, "write it also after each S s of simulated time",

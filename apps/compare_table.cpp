@@ -1,8 +1,10 @@
 #include "apps/compare_table.hpp"
 
 #include "apps/stop_advice.hpp"
+#include "apps/terminal.hpp"
 #include "apps/text_table.hpp"
 #include "apps/work_precision.hpp"
+#include "rigor/core/quoted.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -177,7 +179,7 @@ class Notes {
   std::string text(std::FILE* stream) const {
     std::string text;
     for (const Note& note : notes_)
-      text += fmt::format("  {}: {}\n", toned(note.labels, note.tone, stream), note.text);
+      text += fmt::format("  {}: {}\n", toned(note.labels, note.tone, stream), escaped_lines(note.text));
     return text;
   }
 
@@ -194,10 +196,10 @@ std::string reference_text(const ComparedReference& reference) {
   if (!reference.is_run) {
     const double own = reference.own ? reference.own->position.value : 0;
     return fmt::format(
-        "errors are distances from {} ({})", reference.name,
+        "errors are distances from {} ({})", escaped_text(reference.name),
         own > 0 ? fmt::format("which may be wrong by {:.3g} m", own) : std::string("closed forms"));
   }
-  std::string text = fmt::format("errors against a run of its own: {}; ", reference.name);
+  std::string text = fmt::format("errors against a run of its own: {}; ", escaped_text(reference.name));
   if (reference.end == RunEnd::stopped || reference.end == RunEnd::out_of_time)
     text += fmt::format("it ended early ({}); ", run_end_name(reference.end));
   if (!reference.own) return text + "its own error is not known";

@@ -2,8 +2,12 @@
 #include "apps/commands.hpp"
 #include "apps/terminal.hpp"
 #include "apps/usage_error.hpp"
+#include "rigor/core/broken_promise.hpp"
 #include "rigor/core/input_error.hpp"
+#include "rigor/core/interrupt.hpp"
 #include "rigor/io/files/file_error.hpp"
+
+#include <fmt/format.h>
 
 #include <csignal>
 #include <cstdio>
@@ -28,6 +32,12 @@ ExitCode run_program(int argc, const char* const* argv) {
   } catch (const FileError& error) {
     print_error(error.what());
     return exit_file_error;
+  } catch (const BrokenPromise& error) {
+    print_error(fmt::format("{}; this is a defect of the program, please report it", error.what()));
+    return exit_stopped;
+  } catch (const Interrupted&) {
+    print_error("interrupted");
+    return exit_interrupted;
   } catch (const std::bad_alloc&) {
     print_error("out of memory");
     return exit_file_error;

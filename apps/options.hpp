@@ -18,6 +18,7 @@ struct RunOptions {
   int threads = 1;
   std::string json;
   bool is_quiet = false;
+  bool keeps_path = false;  ///< Whether a trajectory may tell where the scene lies.
   bool separate = false;
   std::string checkpoint;
   std::optional<double> checkpoint_every;  ///< Simulated time [s].

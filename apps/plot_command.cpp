@@ -41,7 +41,9 @@ ExitCode execute(const PlotOptions& options) {
         fmt::format("output {}: its name must end in .svg or .png", quoted_text(options.output)));
   }
   const Recording recording = read_recording(options.input);
-  if (!recording.motion.cut_off.empty()) print_warning(recording.motion.cut_off);
+  for (const std::string& text : {recording.motion.cut_off, recording.motion.ended_early}) {
+    if (!text.empty()) print_warning(text);
+  }
   std::vector<PlotSeries> series;
   for (const std::string& key : options.keys) series.push_back(wanted_series(recording, key));
   const Drawing plot = make_plot(recording.motion.time, series);

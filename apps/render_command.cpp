@@ -204,7 +204,9 @@ ExitCode execute(const RenderOptions& options) {
 
   const Shot shot = is_trajectory(options) ? Shot{read_recording(options.input), ""} : simulate(options);
   const Recording& recording = shot.recording;
-  if (!recording.motion.cut_off.empty()) print_warning(recording.motion.cut_off);
+  for (const std::string& text : {recording.motion.cut_off, recording.motion.ended_early}) {
+    if (!text.empty()) print_warning(text);
+  }
   if (is_single) check_time(*options.time, recording);
   Photographer photographer(recording, wishes, size);
   if (is_sheet) {

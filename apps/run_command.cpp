@@ -25,7 +25,7 @@ struct Start {
 
 Start resumed(const RunOptions& options, const Scene& scene) {
   const Checkpoint checkpoint =
-      read_checkpoint(options.resume, fingerprint(*scene.model, scene.method, scene.run.step));
+      read_checkpoint(options.resume, fingerprint(*scene.model, scene.method, scene.run.step), *scene.model);
   if (checkpoint.state.t >= scene.run.duration) {
     throw UsageError(
         fmt::format("the checkpoint is at t = {:g} s, and the run ends at {:g} s; give a longer --duration",

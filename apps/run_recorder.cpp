@@ -1,5 +1,6 @@
 #include "apps/run_recorder.hpp"
 
+#include "apps/terminal.hpp"
 #include "rigor/io/files/file_error.hpp"
 #include "rigor/io/files/text_file.hpp"
 #include "rigor/io/trajectory/audit_json.hpp"
@@ -17,10 +18,16 @@ namespace {
 
 constexpr std::uintmax_t most_scene_bytes = std::uintmax_t{32} << 20;
 
+/// The scene's file as a trajectory may name it: where it lies is the user's own affair.
+std::filesystem::path scene_file(const RunOptions& options) {
+  const std::filesystem::path path = std::filesystem::absolute(options.scene);
+  return options.keeps_path ? path : path.filename();
+}
+
 TrajectoryHeader make_header(const RunOptions& options, const Scene& scene) {
   TrajectoryHeader header{.scene = scene.name,
                           .scene_text = read_text_file(options.scene, most_scene_bytes),
-                          .scene_file = std::filesystem::absolute(options.scene).string(),
+                          .scene_file = scene_file(options).string(),
                           .overrides = options.overrides,
                           .method = scene.method,
                           .run = scene.run};
@@ -55,7 +62,7 @@ RunRecorder::RunRecorder(const RunOptions& options, const Scene& scene, double s
         pages_.emplace_back(output, scene);
       } else {
         writers_.push_back(make_output(output, header, scene));
-        has_trajectory_ = has_trajectory_ || std::filesystem::path(output).extension() != ".png";
+        (std::filesystem::path(output).extension() == ".png" ? has_pictures_ : has_trajectory_) = true;
       }
     }
   }
@@ -126,6 +133,10 @@ Audit RunRecorder::finish(const RunResult& result, const std::vector<std::string
     }
   };
   if (!options_.checkpoint.empty() && can_go_on) attempt([&] { write_checkpoint_at(result.state, audit); });
+  // Pages and pictures are made of the whole run at its end, which may take a while.
+  if (was_interrupted() && (!pages_.empty() || has_pictures_))
+    print_warning(
+        "interrupted: the page or picture is being written; a second signal ends the program at once");
   audit.warnings.insert(audit.warnings.begin(), warnings.begin(), warnings.end());
   for (const auto& writer : writers_) attempt([&] { writer->close(audit); });
   for (PageWriter& page : pages_) attempt([&] { page.close(audit); });

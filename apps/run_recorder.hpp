@@ -55,6 +55,7 @@ class RunRecorder {
   RunSparkline course_;
   std::vector<std::unique_ptr<TrajectoryWriter>> writers_;
   bool has_trajectory_ = false;  ///< Whether a writer needs the joints; pictures do not.
+  bool has_pictures_ = false;
   std::vector<PageWriter> pages_;
   std::unique_ptr<OutputFile> json_;
   long checkpoint_count_ = 0;  ///< Multiples of the interval that have passed.

@@ -108,7 +108,7 @@ Answer answer_point(const DistanceOptions& options, const Model& model, const Sc
   }
   std::string names;
   for (const int body : queries.containing(p_W)) {
-    names += (names.empty() ? "" : ", ") + model.body(body).name;
+    names += (names.empty() ? "" : ", ") + escaped_text(model.body(body).name);
     inside.push_back(model.body(body).name);
   }
   answer.text += fmt::format("  inside of {}\n", names.empty() ? "no body" : names);
@@ -207,7 +207,8 @@ int find_body_or_throw(const Scene& scene, const std::string& name) {
 }
 
 std::string shape_title(const Body& body, std::size_t shape) {
-  return fmt::format("{}.shapes[{}] ({})", body.name, shape, shape_type_name(body.shapes[shape].shape));
+  return fmt::format("{}.shapes[{}] ({})", escaped_text(body.name), shape,
+                     shape_type_name(body.shapes[shape].shape));
 }
 
 std::string all_digits(const Vec3& v) {

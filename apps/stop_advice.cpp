@@ -20,6 +20,8 @@ std::string_view stop_reason_name(StopReason reason) {
       return "not_finite";
     case StopReason::interrupted:
       return "interrupted";
+    case StopReason::broken_promise:
+      return "broken_promise";
   }
   return "";
 }
@@ -41,6 +43,9 @@ std::string_view stop_advice(StopReason reason) {
              "method.integrator=dopri5 helps with stiff ones";
     case StopReason::interrupted:
       return "run it again, or continue from the checkpoint with --resume";
+    case StopReason::broken_promise:
+      return "report this defect of the program with the scene; meanwhile another method.scheme or run.step "
+             "may go round it";
   }
   return "";
 }

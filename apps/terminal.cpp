@@ -1,5 +1,6 @@
 #include "apps/terminal.hpp"
 
+#include "rigor/core/quoted.hpp"
 #include "rigor/io/files/output_file.hpp"
 
 #include <fmt/format.h>
@@ -36,23 +37,35 @@ bool speaks_utf8() {
   return false;
 }
 
-std::string toned(std::string_view text, Tone tone, std::FILE* stream) {
+std::string toned(std::string_view given, Tone tone, std::FILE* stream) {
+  const std::string text = escaped_text(given);
   const char* const no_color = std::getenv("NO_COLOR");
   const bool has_colors = is_terminal(stream) && (no_color == nullptr || *no_color == 0);
-  if (!has_colors || tone == Tone::plain) return std::string(text);
+  if (!has_colors || tone == Tone::plain) return text;
   const int code = tone == Tone::strong ? 1 : tone == Tone::good ? 32 : tone == Tone::bad ? 31 : 33;
   return fmt::format("\x1b[{}m{}\x1b[0m", code, text);
+}
+
+std::string escaped_lines(std::string_view text) {
+  std::string result;
+  while (true) {
+    const std::size_t end = text.find('\n');
+    result += escaped_text(text.substr(0, end));
+    if (end == std::string_view::npos) return result;
+    result += '\n';
+    text.remove_prefix(end + 1);
+  }
 }
 
 void print_error(std::string_view message) {
   // Results that were printed earlier must appear earlier.
   std::fflush(stdout);
-  fmt::print(stderr, "{} {}\n", toned("error:", Tone::bad, stderr), message);
+  fmt::print(stderr, "{} {}\n", toned("error:", Tone::bad, stderr), escaped_lines(message));
 }
 
 void print_warning(std::string_view message) {
   std::fflush(stdout);
-  fmt::print(stderr, "{} {}\n", toned("warning:", Tone::doubtful, stderr), message);
+  fmt::print(stderr, "{} {}\n", toned("warning:", Tone::doubtful, stderr), escaped_lines(message));
 }
 
 void write_text(const std::string& path, std::string_view text) {

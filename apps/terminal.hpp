@@ -15,11 +15,14 @@ int terminal_width(std::FILE* stream);
 bool speaks_utf8();
 
 enum class Tone { plain, strong, good, bad, doubtful };
-/// The text in colour if the stream is a terminal and NO_COLOR is not set, else as it is.
+/// The text, escaped (escaped_text), in colour if the stream is a terminal and NO_COLOR is not set, else as
+/// it is.
 ///
 /// Source: https://no-color.org.
 std::string toned(std::string_view text, Tone tone, std::FILE* stream);
 
+/// The text with each of its lines escaped: what may hold names of a scene is printed through it.
+std::string escaped_lines(std::string_view text);
 /// "error: message" as a line on stderr.
 void print_error(std::string_view message);
 /// "warning: message" as a line on stderr.

@@ -21,9 +21,9 @@ namespace {
 
 using namespace rigor;
 
-constexpr double duration = 0.5;    // [s] of a run.
-constexpr long most_events = 5000;  // Of a run, then it is said to take too long.
-constexpr unsigned hang = 120;      // [s] after which a run counts as hanging.
+constexpr double duration = 0.5;     // [s] of a run.
+constexpr long most_polls = 250000;  // Of a run, then it is said to take too long.
+constexpr unsigned hang = 120;       // [s] after which a run counts as hanging.
 
 unsigned present_seed = 0;
 const char* present_scheme = "";
@@ -49,7 +49,7 @@ void run(unsigned seed, const std::shared_ptr<const Model>& model, Tally& tally)
   present_seed = seed;
   present_scheme = tally.name.c_str();
   alarm(hang);
-  const test::FuzzOutcome outcome = test::fuzz_run(model, tally.method, duration, most_events);
+  const test::FuzzOutcome outcome = test::fuzz_run(model, tally.method, duration, most_polls);
   alarm(0);
   ++tally.runs;
   tally.too_long += outcome.took_too_long ? 1 : 0;

@@ -53,6 +53,24 @@ nice -n 19 cmake --build --preset asan -j "$jobs" --target rigor $(printf 'rigor
 nice -n 19 tools/check_program.sh build/asan/rigor "$jobs"
 LSAN_OPTIONS=suppressions=$PWD/tools/leaks.txt:print_suppressions=0 ctest --preset asan -j "$jobs" --no-tests=error -R "^($(paste -sd'|' <<<"$layers")):"
 
+if [ "$scope" = all ]; then
+  echo "== random bodies against thin plates and blades: 10,000 for each scheme"
+  nice -n 19 tools/passing_study.py --program build/release/rigor --jobs "$jobs" --bodies 10000 --cpu-limit 60
+
+  echo "== hostile scenes, changed files, and ends by SIGTERM"
+  nice -n 19 tools/fuzz_program.py build/release/rigor --jobs "$jobs"
+  nice -n 19 tools/check_interrupts.py build/release/rigor
+
+  echo "== libFuzzer on every reader, ten minutes in all"
+  [ -f build/fuzz/build.ninja ] || cmake --preset fuzz >/dev/null
+  nice -n 19 cmake --build --preset fuzz -j "$jobs" --target rigor_fuzzers
+  fuzzers=(build/fuzz/tests/rigor_fuzz_*)
+  # -len_control=0: the seeds are whole files. Memory that the libraries keep is not what is looked for.
+  printf '%s\n' "${fuzzers[@]}" | ASAN_OPTIONS=detect_leaks=0 nice -n 19 xargs -P "$jobs" -I{} {} \
+    -max_total_time=$((600 * jobs / ${#fuzzers[@]})) -max_len=65536 -len_control=0 -timeout=10 -rss_limit_mb=2048 \
+    -verbosity=0 -print_final_stats=1 -artifact_prefix=build/fuzz/
+fi
+
 if [ -n "$viewer" ]; then
   viewer_code=0
   wait "$viewer" || viewer_code=$?

@@ -1,5 +1,6 @@
 #include "rigor/contact/time_of_impact.hpp"
 
+#include "rigor/core/interrupt.hpp"
 #include "rigor/geometry/contacts/contact_set.hpp"
 #include "rigor/geometry/distance/distance.hpp"
 #include "rigor/geometry/distance/distance_cache.hpp"
@@ -302,6 +303,7 @@ TimeOfImpact ShapePairSearch::find(double t0, double t1) {
   // Conservative advancement: each step is one for which no overlap can occur.
   double t = t0, before = t0, distance_before = 0;
   while (evaluations_ < options_.most_evaluations) {
+    poll_interrupt();
     const Approach now = approach(t);
     // Touching and approaching: a contact, here or, after a step that passed it, since the last time.
     const bool is_approaching = now.rate < -options_.rest_velocity;

@@ -2,12 +2,12 @@
 
 namespace rigor {
 
-/// Prints the failed assertion with its source location and aborts. Use it through RIGOR_ASSERT.
+/// Throws BrokenPromise with the condition and its place. Use it through RIGOR_ASSERT.
 [[noreturn]] void assertion_failed(const char* condition, const char* file, int line);
 
 }  // namespace rigor
 
-/// An assertion between parts of the program (never about input): it is always checked, and a failure aborts.
+/// An assertion between parts of the program (never about input): it is always checked, and a failure throws.
 #define RIGOR_ASSERT(condition) \
   ((condition) ? static_cast<void>(0) : ::rigor::assertion_failed(#condition, __FILE__, __LINE__))
 

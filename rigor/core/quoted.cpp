@@ -2,6 +2,7 @@
 
 #include "rigor/core/index.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -19,6 +20,23 @@ std::uint32_t byte_at(std::string_view text, std::size_t i) {
 std::string escaped_byte(std::uint32_t byte) {
   constexpr std::string_view digits = "0123456789abcdef";
   return {'\\', 'x', digits[byte >> 4], digits[byte & 15]};
+}
+
+/// The code point of a text that is one character in UTF-8.
+std::uint32_t code_point(std::string_view character) {
+  if (character.size() == 1) return byte_at(character, 0);
+  std::uint32_t code = byte_at(character, 0) & (0x7Fu >> character.size());
+  for (std::size_t i = 1; i < character.size(); ++i) code = code << 6 | (byte_at(character, i) & 0x3F);
+  return code;
+}
+
+/// What drives a terminal or changes how its neighbours look: C0 and C1 control characters and DEL, marks of
+/// the direction of writing, separators of lines and paragraphs.
+bool is_deceptive(std::uint32_t code) {
+  const bool is_control = code < 0x20 || (code >= 0x7F && code < 0xA0);
+  const bool is_direction = code == 0x061C || code == 0x200E || code == 0x200F ||
+                            (code >= 0x202A && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
+  return is_control || is_direction || code == 0x2028 || code == 0x2029;
 }
 
 }  // namespace
@@ -41,26 +59,27 @@ int utf8_length(std::string_view text) {
   return length;
 }
 
-std::string quoted_text(std::string_view text) {
-  std::string result = "'";
-  std::size_t i = 0;
-  while (i < text.size()) {
-    if (i >= longest_quoted) return result + "...'";
+std::string escaped_text(std::string_view text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size();) {
     const std::size_t length = at(utf8_length(text.substr(i)));
-    // C0 and C1 control characters and DEL control terminals.
-    const std::uint32_t first = byte_at(text, i);
-    const bool is_control =
-        first < 0x20 || first == 0x7F || (first == 0xC2 && length == 2 && byte_at(text, i + 1) < 0xA0);
-    if (length == 0 || is_control) {
-      for (std::size_t k = 0; k < (length == 0 ? 1 : length); ++k)
-        result += escaped_byte(byte_at(text, i + k));
-      i += length == 0 ? 1 : length;
-      continue;
+    const std::size_t taken = length == 0 ? 1 : length;
+    if (length == 0 || is_deceptive(code_point(text.substr(i, length)))) {
+      for (std::size_t k = 0; k < taken; ++k) result += escaped_byte(byte_at(text, i + k));
+    } else {
+      result += text.substr(i, length);
     }
-    result += text.substr(i, length);
-    i += length;
+    i += taken;
   }
-  return result + "'";
+  return result;
+}
+
+std::string quoted_text(std::string_view text) {
+  // The cut comes before a character that begins beyond the limit.
+  std::size_t end = 0;
+  while (end < text.size() && end < longest_quoted) end += at(std::max(1, utf8_length(text.substr(end))));
+  const char* const rest = end < text.size() ? "...'" : "'";
+  return "'" + escaped_text(text.substr(0, end)) + rest;
 }
 
 }  // namespace rigor

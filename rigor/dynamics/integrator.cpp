@@ -1,6 +1,7 @@
 #include "rigor/dynamics/integrator.hpp"
 
 #include "rigor/core/assert.hpp"
+#include "rigor/core/interrupt.hpp"
 #include "rigor/dynamics/dense_phase.hpp"
 #include "rigor/dynamics/semi_implicit_euler.hpp"
 #include "rigor/dynamics/system_ode.hpp"
@@ -95,6 +96,7 @@ SystemStep integrate_step(IntegratorName name, OrientationForm form, std::span<c
                           std::span<const BodyPhase> start, double t, double h, const WrenchField& wrenches,
                           const IntegratorTolerances& tolerances) {
   RIGOR_ASSERT(inertias.size() == start.size());
+  poll_interrupt();
   if (name == IntegratorName::semi_implicit_euler) {
     return semi_implicit_euler_step(form, inertias, start, t, h, wrenches);
   }

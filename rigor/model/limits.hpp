@@ -26,8 +26,9 @@ inline constexpr Range restitution{0, 1};
 inline constexpr Range force{-1e15, 1e15};    ///< [N] or [N m], each component.
 inline constexpr Range coefficient{0, 1e15};  ///< Stiffness, damping, drag, in their units.
 inline constexpr Range gravity_scale{-1e3, 1e3};
-inline constexpr Range time{-1e9, 1e9};   ///< [s].
-inline constexpr Range ratio{-1e6, 1e6};  ///< Of a gear; not 0.
+inline constexpr Range time{-1e9, 1e9};       ///< [s].
+inline constexpr Range interval{1e-12, 1e9};  ///< [s], of steps and outputs.
+inline constexpr Range ratio{-1e6, 1e6};      ///< Of a gear; not 0.
 
 /// Bodies of a scene file; models built in C++ are limited by memory only.
 inline constexpr std::size_t body_count = 100000;

@@ -1,8 +1,13 @@
 #include "rigor/sim/simulation.hpp"
 
+#include "rigor/dynamics/environment.hpp"
 #include "rigor/sim/make_stepper.hpp"
+#include "rigor/sim/report/energy.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace rigor {
@@ -16,6 +21,7 @@ RunResult run_simulation(std::shared_ptr<const Model> model, const Method& metho
   const std::unique_ptr<Stepper> stepper = make_stepper(model, method, settings.step, settings.threads);
   stepper->set_interrupt(interrupt);
   Auditor auditor(model, method, state);
+  const Environment environment(*model);
 
   bool continues = observer(state, {}, auditor);
   long output = static_cast<long>(state.t / settings.output_interval);
@@ -24,14 +30,22 @@ RunResult run_simulation(std::shared_ptr<const Model> model, const Method& metho
     while (static_cast<double>(output) * settings.output_interval <= state.t) ++output;
     const double t_next = std::min(static_cast<double>(output) * settings.output_interval, settings.duration);
     const State before = state;
-    const AdvanceReport report = stepper->advance(state, t_next);
+    AdvanceReport report = stepper->advance(state, t_next);
     if (report.reason == StopReason::interrupted) {
       state = before;
       continues = false;
       break;
     }
+    // Momenta whose energy overflows are no numbers for those who read the outputs.
+    if (!std::isfinite(mechanical_energy(*model, environment, state).total())) {
+      report = {};
+      report.reason = StopReason::not_finite;
+      report.detail = fmt::format("the energy overflows before t = {:.17g} s", state.t);
+      state = before;
+    }
     auditor.observe(state, report);
-    continues = observer(state, report, auditor);
+    // A stop without a valid State leaves that of the last output, which has been seen.
+    if (state.t > before.t) continues = observer(state, report, auditor);
     if (report.reason != StopReason::reached_end) break;
   }
   result.was_stopped = !continues;

@@ -65,6 +65,33 @@ TEST(ViewCommand, ServesATrajectoryAsAReplayWithoutASocket) {
   EXPECT_EQ(viewing.end(SIGTERM).code, 130);
 }
 
+TEST(ViewCommand, OpeningABrowserNeitherWaitsNorTellsTheTokenToOthers) {
+  const ProgramFolder folder;
+  folder.write("ball.yaml", ball_scene);
+  // An opener that notes what it was given and what that is, and then takes its time.
+  folder.write("xdg-open",
+               "#!/bin/sh\nstat -c '%a %n' \"$1\" \"${1%/*}\" > opened.part\ncat \"$1\" >> opened.part\n"
+               "mv opened.part opened\nexec sleep 5\n");
+  std::filesystem::permissions(folder / "xdg-open", std::filesystem::perms::owner_all);
+  const std::string old_path = std::getenv("PATH");
+  ::setenv("PATH", ((folder / "").string() + ":" + old_path).c_str(), 1);
+  ::setenv("DISPLAY", ":99", 1);
+  Viewing viewing(folder, {"ball.yaml", "--open"});
+  ::setenv("PATH", old_path.c_str(), 1);
+  ::unsetenv("DISPLAY");
+  EXPECT_EQ(test::status_of(test::get(viewing.address, "/?token=" + viewing.address.token)), 200);
+  for (int i = 0; i < 200 && !folder.has("opened"); ++i) std::this_thread::sleep_for(20ms);
+  const std::string opened = folder.read("opened");
+  const std::string page = opened.substr(4, opened.find('\n') - 4);
+  EXPECT_EQ(page.find(viewing.address.token), std::string::npos);
+  EXPECT_TRUE(opened.starts_with("600 ")) << opened;
+  expect_contains(opened, "\n700 ");
+  expect_contains(opened, "url=http://127.0.0.1:" + std::to_string(viewing.address.port) +
+                              "/?token=" + viewing.address.token);
+  EXPECT_EQ(viewing.end(SIGTERM).code, 130);
+  EXPECT_FALSE(std::filesystem::exists(page)) << page;
+}
+
 TEST(ViewCommand, APortInUseIsAnErrorOfTheSystem) {
   const ProgramFolder folder, other;
   folder.write("ball.yaml", ball_scene);

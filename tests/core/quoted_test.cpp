@@ -19,6 +19,21 @@ TEST(Quoted, EscapesWhatDrivesATerminal) {
   EXPECT_EQ(quoted_text("\xc2\x9b"), "'\\xc2\\x9b'");
 }
 
+TEST(Quoted, EscapesWhatTurnsTheDirectionOfWriting) {
+  EXPECT_EQ(quoted_text("a\u202Eb"), "'a\\xe2\\x80\\xaeb'");
+  for (const char* const mark :
+       {"\u061C", "\u200E", "\u200F", "\u202A", "\u202E", "\u2066", "\u2069", "\u2028", "\u2029"})
+    EXPECT_EQ(escaped_text(mark).find(mark), std::string::npos) << escaped_text(mark);
+  for (const char* const letter :
+       {"\u00A0", "\u061B", "\u0627", "\u05D0", "\u200D", "\u2027", "\u202F", "\u206A"})
+    EXPECT_EQ(escaped_text(letter), letter);
+}
+
+TEST(Quoted, TextThatIsShownIsNotCut) {
+  EXPECT_EQ(escaped_text(std::string(1000, 'x')), std::string(1000, 'x'));
+  EXPECT_EQ(escaped_text("a\x1b[2J\xff"), "a\\x1b[2J\\xff");
+}
+
 TEST(Quoted, EscapesWhatIsNotUtf8) {
   EXPECT_EQ(quoted_text("a\xff\xfe\x80"), "'a\\xff\\xfe\\x80'");
 }

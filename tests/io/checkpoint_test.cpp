@@ -29,6 +29,10 @@ bodies:
 Scene scene_of(const std::string& text) {
   return parse_scene(text, "scene.yaml", ".");
 }
+const Scene& balls() {
+  static const Scene scene = scene_of(two_balls);
+  return scene;
+}
 std::uint64_t fingerprint_of(const Scene& scene) {
   return fingerprint(*scene.model, scene.method, scene.run.step);
 }
@@ -42,7 +46,7 @@ RunResult run(const Scene& scene, double duration, const std::optional<State>& s
 
 Checkpoint sample_checkpoint() {
   Checkpoint checkpoint{.fingerprint = 42};
-  checkpoint.state = make_initial_state(*scene_of(two_balls).model);
+  checkpoint.state = make_initial_state(*balls().model);
   checkpoint.audit.sim_time = 1.5;
   checkpoint.audit.report.impacts = 7;
   checkpoint.audit.report.penetration_A = -1;
@@ -59,7 +63,7 @@ TEST(Checkpoint, ARunInTwoPartsEndsAsTheRunInOneGoBitForBit) {
   const RunResult first = run(scene, 1, std::nullopt);
   write_checkpoint(folder / "run.cp", {fingerprint_of(scene), first.state, first.audit});
 
-  const Checkpoint checkpoint = read_checkpoint(folder / "run.cp", fingerprint_of(scene));
+  const Checkpoint checkpoint = read_checkpoint(folder / "run.cp", fingerprint_of(scene), *scene.model);
   const RunResult second = run(scene_of(two_balls), 2, checkpoint.state);
   EXPECT_EQ(second.state, whole.state);
 
@@ -78,7 +82,7 @@ TEST(Checkpoint, ReadsBackWhatWasWritten) {
   const TemporaryFolder folder;
   const Checkpoint written = sample_checkpoint();
   write_checkpoint(folder / "a.cp", written);
-  const Checkpoint read = read_checkpoint(folder / "a.cp", 42);
+  const Checkpoint read = read_checkpoint(folder / "a.cp", 42, *balls().model);
   EXPECT_EQ(read.state, written.state);
   EXPECT_EQ(read.audit.sim_time, 1.5);
   EXPECT_EQ(read.audit.report.impacts, 7);
@@ -96,7 +100,7 @@ TEST(Checkpoint, OfAnotherSimulationIsRefused) {
   const TemporaryFolder folder;
   write_checkpoint(folder / "a.cp", sample_checkpoint());
   try {
-    read_checkpoint(folder / "a.cp", 43);
+    read_checkpoint(folder / "a.cp", 43, *balls().model);
     FAIL();
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("another simulation"), std::string::npos);
@@ -112,12 +116,12 @@ TEST(Checkpoint, DamageAnywhereIsFound) {
     std::string damaged = bytes;
     damaged[i] = static_cast<char>(damaged[i] ^ 0x10);
     std::ofstream(folder / "b.cp", std::ios::binary) << damaged;
-    EXPECT_THROW(read_checkpoint(folder / "b.cp", 42), InputError) << i;
+    EXPECT_THROW(read_checkpoint(folder / "b.cp", 42, *balls().model), InputError) << i;
     std::ofstream(folder / "b.cp", std::ios::binary) << bytes.substr(0, i);
-    EXPECT_THROW(read_checkpoint(folder / "b.cp", 42), InputError) << i;
+    EXPECT_THROW(read_checkpoint(folder / "b.cp", 42, *balls().model), InputError) << i;
   }
-  EXPECT_THROW(read_checkpoint(folder / "missing.cp", 42), InputError);
-  EXPECT_THROW(read_checkpoint(folder.path(), 42), InputError);
+  EXPECT_THROW(read_checkpoint(folder / "missing.cp", 42, *balls().model), InputError);
+  EXPECT_THROW(read_checkpoint(folder.path(), 42, *balls().model), InputError);
 }
 
 TEST(Checkpoint, LeavesNoTemporaryFileAndKeepsTheOldOneOnFailure) {

@@ -90,8 +90,8 @@ TEST_P(NothingPasses, AThinPlateAtAnySpeedSpinAndStep) {
       sum.add(report);
       EXPECT_GT(state.position(1).z(), plate) << "seed " << seed << " at " << state.t << " s";
     }
-    EXPECT_EQ(sum.passages, 0) << "seed " << seed << " at " << sum.passage_time << " s, body "
-                               << sum.passage_A;
+    EXPECT_EQ(sum.passages.instants, 0)
+        << "seed " << seed << " at " << sum.passages.first << " s, body " << sum.passages.body_A;
   }
 }
 

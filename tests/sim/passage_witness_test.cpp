@@ -42,21 +42,22 @@ TEST(PassageWitness, NamesThePairAndTheTimeOfABodyThatJumpsThroughAPlate) {
   const AdvanceReport report =
       watched(model, still(), {Vec3(0, 0, 3), Vec3(0, 0, -1), Quat::Identity(), Vec3::Zero()}, 2);
   // The plate's middle enters the ball first, then the ball's middle the plate.
-  EXPECT_EQ(report.passages, 2);
-  EXPECT_EQ(report.passage_A, 0);
-  EXPECT_EQ(report.passage_B, 1);
-  EXPECT_NEAR(report.passage_time, 2 * (3 - 0.05) / 4, 1e-12);
+  EXPECT_EQ(report.passages.instants, 2);
+  EXPECT_EQ(report.passages.body_A, 0);
+  EXPECT_EQ(report.passages.body_B, 1);
+  EXPECT_NEAR(report.passages.first, 2 * (3 - 0.05) / 4, 1e-12);
 }
 
 TEST(PassageWitness, SaysNothingOfBodiesThatTouchOrPassBeside) {
   const auto model = pair_of(Box{Vec3(1, 1, 0.001)}, Sphere{0.05});
   // Along the surface, half as deep in it as it is thick; then beside the edge.
   const double z = 0.001 + 0.05 - 0.0005;
-  EXPECT_EQ(
-      watched(model, still(), {Vec3(-2, 0, z), Vec3(2, 0, z), Quat::Identity(), Vec3(0, 90, 0)}).passages, 0);
-  EXPECT_EQ(
-      watched(model, still(), {Vec3(1.06, 0, 1), Vec3(1.06, 0, -1), Quat::Identity(), Vec3::Zero()}).passages,
-      0);
+  EXPECT_EQ(watched(model, still(), {Vec3(-2, 0, z), Vec3(2, 0, z), Quat::Identity(), Vec3(0, 90, 0)})
+                .passages.instants,
+            0);
+  EXPECT_EQ(watched(model, still(), {Vec3(1.06, 0, 1), Vec3(1.06, 0, -1), Quat::Identity(), Vec3::Zero()})
+                .passages.instants,
+            0);
 }
 
 TEST(PassageWitness, SeesABladeThatTurnsManyTimesInAStep) {
@@ -64,11 +65,11 @@ TEST(PassageWitness, SeesABladeThatTurnsManyTimesInAStep) {
   const StraightWay spinning{Vec3::Zero(), Vec3::Zero(), Quat::Identity(), Vec3(0, 60, 0)};
   const StraightWay resting{Vec3(0.5, 0, 0.5), Vec3(0.5, 0, 0.5), Quat::Identity(), Vec3::Zero()};
   const AdvanceReport report = watched(model, spinning, resting);
-  EXPECT_EQ(report.passages, 1);
+  EXPECT_EQ(report.passages.instants, 1);
   // The blade's end first points at the body after three eighths of a turn about +y.
-  EXPECT_NEAR(report.passage_time * 60, 0.75 * M_PI, 0.01);
+  EXPECT_NEAR(report.passages.first * 60, 0.75 * M_PI, 0.01);
   const StraightWay beyond{Vec3(0.8, 0, 0.8), Vec3(0.8, 0, 0.8), Quat::Identity(), Vec3::Zero()};
-  EXPECT_EQ(watched(model, spinning, beyond).passages, 0);
+  EXPECT_EQ(watched(model, spinning, beyond).passages.instants, 0);
 }
 
 TEST(PassageWitness, StraightWayMakesTheTurnsThatTheVelocitiesSay) {
@@ -110,7 +111,7 @@ TEST(PassageWitness, AgreesWithBruteForceOnRandomWays) {
     if ((start.cwiseAbs().array() < box.half_extents.array()).all()) continue;
     // Chords leave the way by a quarter of the radius: within that both answers are right. The box's own
     // markers may enter the ball, which is a passage too, if they come as near to its centre.
-    const bool is_found = watched(model, solid, body).passages > 0;
+    const bool is_found = watched(model, solid, body).passages.instants > 0;
     if (deepest > 0.25 * radius) {
       EXPECT_TRUE(is_found) << "case " << k;
     }

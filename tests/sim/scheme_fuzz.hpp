@@ -10,7 +10,7 @@ namespace rigor::test {
 
 /// How a scheme came through a scene.
 struct FuzzOutcome {
-  bool took_too_long = false;  ///< It was ended after `most_events` events or steps.
+  bool took_too_long = false;  ///< It was ended after `most_polls` questions whether it should end.
   std::string trouble;         ///< What it should not have done; empty if nothing.
   double energy_rise = 0;      ///< That no work explains [J].
   State state;                 ///< At the end.
@@ -19,15 +19,15 @@ struct FuzzOutcome {
 /// Runs the model in ten parts. Trouble is a stop, a state that is no number, or whatever the audit of the
 /// scheme does not allow: a rise of the energy, an error of a momentum, an overlap, a joint that is off.
 inline FuzzOutcome fuzz_run(const std::shared_ptr<const Model>& model, const Method& method, double duration,
-                            long most_events) {
+                            long most_polls) {
   constexpr int parts = 10;
   FuzzOutcome outcome;
   outcome.state = make_initial_state(*model);
   State& state = outcome.state;
   Auditor auditor(model, method, state);
   const std::unique_ptr<Stepper> stepper = make_stepper(model, method, 0.01);
-  long events = 0;
-  stepper->set_interrupt([&] { return ++events > most_events; });
+  long polls = 0;
+  stepper->set_interrupt([&] { return ++polls > most_polls; });
   for (int k = 1; k <= parts && outcome.trouble.empty() && !outcome.took_too_long; ++k) {
     const AdvanceReport report = stepper->advance(state, k * duration / parts);
     auditor.observe(state, report);

@@ -105,7 +105,9 @@ TEST(LiveRun, WhatMakesNoSenseIsRefusedAndChangesNothing) {
   const State before = run.state();
   EXPECT_THROW(run.set_surface("rubber", -1.0, std::nullopt), InputError);
   EXPECT_THROW(run.set_surface("steel", 0.1, std::nullopt), InputError);
-  EXPECT_THROW(run.set_target_step(0), InputError);
+  // As in a scene file.
+  for (const double step : {0.0, -1.0, 9e-13, 2e9, std::nan("")})
+    EXPECT_THROW(run.set_target_step(step), InputError);
   EXPECT_THROW(run.set_method("integrator", "rk5"), InputError);
   EXPECT_THROW(run.set_gravity(Vec3(0, 0, 1e9)), InputError);
   EXPECT_EQ(run.state(), before);
@@ -145,7 +147,7 @@ TEST(LiveRun, ItsCheckpointGoesOnBitForBitInTheSceneWithTheSameChanges) {
   std::ofstream(path, std::ios::binary) << run.checkpoint();
   const Scene changed = parse_scene(test::live_ball, "live.yaml", ".", {"world.gravity=[0, 0, -5]"});
   const Checkpoint checkpoint =
-      read_checkpoint(path, fingerprint(*changed.model, changed.method, changed.run.step));
+      read_checkpoint(path, fingerprint(*changed.model, changed.method, changed.run.step), *changed.model);
   EXPECT_EQ(checkpoint.state, run.state());
   std::filesystem::remove(path);
 }

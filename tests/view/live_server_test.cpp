@@ -164,6 +164,15 @@ TEST_F(LiveServerTest, AFloodOfConnectionsIsLimitedAndAnHonestClientIsServed) {
   EXPECT_EQ(time_of(frame_after(watching, 0)), 0.01) << "who has the token keeps its connection";
 }
 
+TEST_F(LiveServerTest, AnHonestClientWaitsNoSecondBehindManyIdleOnes) {
+  std::deque<Connection> idle;
+  for (int i = 0; i < 700; ++i) idle.emplace_back(address.port);
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_EQ(status_of(get(address, "/?token=" + address.token)), 200);
+  const std::chrono::duration<double> waited = std::chrono::steady_clock::now() - begin;
+  EXPECT_LT(waited.count(), 1);
+}
+
 TEST_F(LiveServerTest, MoreSocketsThanAllowedAreRefused) {
   std::deque<LiveSocket> sockets;
   for (std::size_t i = 0; i < limits.sockets; ++i) {
@@ -313,6 +322,38 @@ TEST(LiveServer, APortInUseIsAnErrorThatSaysSo) {
   } catch (const FileError& error) {
     EXPECT_NE(std::string(error.what()).find("choose another --port"), std::string::npos) << error.what();
   }
+}
+
+TEST(LiveSimulation, APauseBreaksOffAStepWithoutEnd) {
+  const std::filesystem::path path = std::filesystem::temp_directory_path() / "rigor_live_stiff.yaml";
+  std::ofstream(path)
+      << "rigor: 1\nrun: {step: 0.005, output_interval: 0.02}\nmethod: {scheme: time-stepping}\n"
+         "bodies:\n  - {name: a, position: [0, 0, 1], velocity: [1, 0, 0], linear_drag: 1e15, "
+         "angular_drag: 1e15, shapes: [{type: box, size: [0.2, 0.2, 0.2]}]}\n";
+  LiveSimulation simulation(
+      LiveFile(path, {}), [] {}, [](const LiveReply&) {});
+  const auto seconds_until = [&simulation](const char* part) {
+    const auto begin = std::chrono::steady_clock::now();
+    const auto passed = [&begin] {
+      return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    };
+    while (simulation.newest().status->find(part) == std::string::npos && passed() < 10)
+      std::this_thread::sleep_for(5ms);
+    return passed();
+  };
+  // The status of a run appears before its first step or not at all.
+  ASSERT_TRUE(simulation.post(1, live::Speed{2}));
+  seconds_until("\"speed\": 2");
+  ASSERT_TRUE(simulation.post(1, live::Run{}));
+  std::this_thread::sleep_for(300ms);
+  ASSERT_TRUE(simulation.post(1, live::Pause{}));
+  ASSERT_TRUE(simulation.post(1, live::Speed{3}));
+  EXPECT_LT(seconds_until("\"speed\": 3"), 1);
+  EXPECT_NE(simulation.newest().status->find("\"running\": false"), std::string::npos);
+  ASSERT_TRUE(simulation.post(1, live::Run{}));
+  std::this_thread::sleep_for(100ms);
+  // Its end does not wait for the step either.
+  std::filesystem::remove(path);
 }
 
 TEST(LiveSimulation, AQueueThatIsFullTakesNoMoreButReleasesAndNewerPulls) {

@@ -65,6 +65,19 @@ WrittenPage page_of(const Scene& scene) {
   return page;
 }
 
+TEST(PageWriter, ThePolicyNamesTheOneScriptByItsHash) {
+  const WrittenPage page = page_of(scene_of("bouncing_ball.yaml"));
+  const std::string head = page.html.substr(0, page.html.find("<title>"));
+  EXPECT_NE(head.find("default-src 'none'; script-src 'sha256-"), std::string::npos) << head;
+  EXPECT_EQ(head.find("unsafe"), std::string::npos) << head;
+  // The text of the element is what the hash is of, to the byte.
+  const std::string script(viewer_script());
+  EXPECT_NE(page.html.find("<script>" + script + "</script>"), std::string::npos);
+  const std::string file = text_of(std::string(RIGOR_SOURCE_DIR) + "/viewer/dist/viewer.js");
+  EXPECT_EQ(script, file);
+  EXPECT_EQ(viewer_script_sha256().size(), 64u);
+}
+
 TEST(PageWriter, APageHoldsTheViewerAndSoundBlocksOfTheRun) {
   const WrittenPage page = page_of(scene_of("cradle.yaml"));
   EXPECT_EQ(page.html.rfind("<!doctype html>", 0), 0u);

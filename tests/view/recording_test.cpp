@@ -9,8 +9,18 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace rigor::recording_test {
 namespace {
+
+/// A row whose orientations are some.
+TrajectorySample possible_row(int k, std::size_t body_count, std::size_t joint_count = 0) {
+  TrajectorySample sample = sample_row(k, body_count, joint_count);
+  for (std::size_t i = 0; i < body_count; ++i)
+    Vec4::Map(&sample.orientation[4 * i]) = Vec4(0.5, 0.5, -0.5, 0.5);
+  return sample;
+}
 
 TEST(Recording, IsReadFromATrajectoryWithItsSceneAndOverrides) {
   const TemporaryFolder folder;
@@ -19,7 +29,7 @@ TEST(Recording, IsReadFromATrajectoryWithItsSceneAndOverrides) {
   header.scene_file = "/no/such/folder/two.yaml";
   header.overrides = {"bodies.a.mass=7", "name=renamed"};
   Hdf5Writer writer(folder / "a.h5", header);
-  for (int k = 0; k < 5; ++k) writer.write(sample_row(k, 2), {});
+  for (int k = 0; k < 5; ++k) writer.write(possible_row(k, 2), {});
   writer.close({});
   const Recording recording = read_recording(folder / "a.h5");
   EXPECT_EQ(recording.name, "renamed");
@@ -34,13 +44,41 @@ TEST(Recording, AMotionOfOtherBodiesOrWithoutTimesIsRefused) {
   header.scene_text = "rigor: 1\nbodies:\n" + two_balls;
   {
     Hdf5Writer writer(folder / "other.h5", header);
-    writer.write(sample_row(0, 2), {});
+    writer.write(possible_row(0, 2), {});
     writer.close({});
   }
   EXPECT_THROW(read_recording(folder / "other.h5"), InputError);
   header.bodies = {"a", "b.c"};
   Hdf5Writer(folder / "empty.h5", header).close({});
   EXPECT_THROW(read_recording(folder / "empty.h5"), InputError);
+}
+
+TEST(Recording, NumbersThatNoRunWritesAreRefused) {
+  const TemporaryFolder folder;
+  TrajectoryHeader header = sample_header({"a", "b.c"});
+  header.scene_text = "rigor: 1\nbodies:\n" + two_balls;
+  const auto refusal = [&](const auto& change) {
+    TrajectorySample sample = possible_row(1, 2);
+    MotionEvent event{MotionEvent::Kind::impact, 0.1, 0, 1};
+    change(sample, event);
+    Hdf5Writer writer(folder / "a.h5", header);
+    writer.write(possible_row(0, 2), {});
+    writer.write(sample, {&event, 1});
+    writer.close({});
+    try {
+      read_recording(folder / "a.h5");
+    } catch (const InputError& error) {
+      const std::string text = error.what();
+      return text.substr(text.find("a.h5': ") + 7);
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refusal([](TrajectorySample&, MotionEvent&) {}), "");
+  EXPECT_EQ(refusal([](TrajectorySample& s, MotionEvent&) { s.position[0] = std::nan(""); }),
+            "a position in row 1 is nan");
+  EXPECT_EQ(refusal([](TrajectorySample& s, MotionEvent&) { s.time = -1; }),
+            "the time goes back after row 0");
+  EXPECT_EQ(refusal([](TrajectorySample&, MotionEvent& e) { e.body_B = 2; }), "an event names body 2 of 2");
 }
 
 TEST(Recording, JointsAreThoseOfTheSceneOrNone) {
@@ -53,7 +91,7 @@ TEST(Recording, JointsAreThoseOfTheSceneOrNone) {
   const auto recording_with = [&](const std::vector<TrajectoryJoint>& joints, std::size_t count) {
     header.joints = joints;
     Hdf5Writer writer(folder / "a.h5", header);
-    writer.write(sample_row(1, 2, count), {});
+    writer.write(possible_row(1, 2, count), {});
     writer.close({});
     return read_recording(folder / "a.h5");
   };

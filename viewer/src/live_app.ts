@@ -1,4 +1,4 @@
-import { button, el } from "./dom";
+import { button, el, shown } from "./dom";
 import { extentOf } from "./extent";
 import * as format from "./format";
 import { liveKeyHelp } from "./keys";
@@ -115,7 +115,7 @@ export class LiveApp extends ScenePage<LiveSource> {
     this.runButton.textContent = status.running ? "❚❚" : "▶";
     if (document.activeElement !== this.speed) this.speed.value = String(status.speed);
     this.stopped.hidden = status.stopped === "";
-    this.stopped.textContent = `${status.stopped}. Change something or reset.`;
+    this.stopped.textContent = shown(`${status.stopped}. Change something or reset.`);
     this.invalidate();
   }
 

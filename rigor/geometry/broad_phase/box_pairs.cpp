@@ -1,6 +1,7 @@
 #include "rigor/geometry/broad_phase/box_pairs.hpp"
 
 #include "rigor/core/index.hpp"
+#include "rigor/core/interrupt.hpp"
 
 #include <algorithm>
 
@@ -62,6 +63,7 @@ class BoxTree {
   void visit(int a, int b) {
     const Node &node_a = nodes_[at(a)], &node_b = nodes_[at(b)];
     if (!node_a.box.overlaps(node_b.box)) return;
+    poll_interrupt();
     if (a == b && node_a.left >= 0) {
       visit(node_a.left, node_a.left);
       visit(node_a.left, node_a.right);

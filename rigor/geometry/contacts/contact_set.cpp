@@ -1,6 +1,7 @@
 #include "rigor/geometry/contacts/contact_set.hpp"
 
 #include "rigor/core/assert.hpp"
+#include "rigor/core/interrupt.hpp"
 #include "rigor/geometry/contacts/cavity_contacts.hpp"
 #include "rigor/geometry/contacts/contact_enclosed.hpp"
 #include "rigor/geometry/contacts/contact_mesh.hpp"
@@ -87,6 +88,7 @@ std::vector<ContactPoint> contact_set(const Shape& a, const Pose& X_WA, const Sh
                                       double tolerance) {
   RIGOR_ASSERT(tolerance >= 0);
   RIGOR_ASSERT(!(is_unbounded(a) && is_unbounded(b)));
+  poll_interrupt();
   const bool is_exchanged = is_exchanged_pair(a, X_WA, b, X_WB);
 
   // Everything happens in a frame at a bounded shape, so that the distance to the origin of W costs no

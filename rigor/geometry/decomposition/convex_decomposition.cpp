@@ -2,6 +2,7 @@
 
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/core/interrupt.hpp"
 #include "rigor/geometry/decomposition/cut_choice.hpp"
 #include "rigor/geometry/decomposition/hull_excess.hpp"
 #include "rigor/geometry/decomposition/solid_parts.hpp"
@@ -90,6 +91,7 @@ std::optional<ConvexDecomposition> Cutter::cut_exactly() const {
   std::vector<SolidCell> waiting = {make_whole_cell(*mesh_.mesh, planes_)};
   const std::size_t most_cells = 2 * kPartsAPiece * most_pieces_;
   for (std::size_t cells = 0; !waiting.empty(); ++cells) {
+    poll_interrupt();
     if (cells + waiting.size() > most_cells) return std::nullopt;
     std::optional<OpenCell> open = opened(std::move(waiting.back()));
     waiting.pop_back();
@@ -136,6 +138,7 @@ ConvexDecomposition Cutter::cut_roughly() const {
   add_cell(make_whole_cell(*mesh_.mesh, planes_), cells);
   // The cell with the largest bound of its excess is replaced by its two halves.
   while (!cells.empty() && cells.size() < most_pieces_) {
+    poll_interrupt();
     const auto worst = std::max_element(cells.begin(), cells.end(), [](const OpenCell& a, const OpenCell& b) {
       return a.excess.upper < b.excess.upper;
     });

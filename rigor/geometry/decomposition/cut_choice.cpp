@@ -2,6 +2,7 @@
 
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/core/interrupt.hpp"
 #include "rigor/geometry/decomposition/hull_excess.hpp"
 
 #include <algorithm>
@@ -154,6 +155,7 @@ CutPlane choose_exact_cut(const SolidCell& cell, const std::vector<Vec3>& points
   const auto& [least_left, least_rank, first] = order[0];
   std::size_t best = first, least_cut = std::numeric_limits<std::size_t>::max();
   for (std::size_t n = 0; n < std::min(order.size(), kMostCompared); ++n) {
+    poll_interrupt();
     const auto& [left, rank, i] = order[n];
     if (left != least_left || rank != least_rank) break;
     const std::size_t cut = fragments_cut(cell, candidates[i].plane, planes.tolerance);

@@ -1,6 +1,7 @@
 #include "rigor/geometry/decomposition/solid_parts.hpp"
 
 #include "rigor/core/index.hpp"
+#include "rigor/core/interrupt.hpp"
 #include "rigor/geometry/decomposition/hull_excess.hpp"
 #include "rigor/geometry/shape/aabb.hpp"
 #include "rigor/geometry/shape/polygon_triangulation.hpp"
@@ -90,6 +91,7 @@ std::vector<SolidPart> joined_parts(std::vector<SolidPart> parts, const FacePlan
   while (has_changed) {
     has_changed = false;
     for (std::size_t i = 0; i < parts.size(); ++i) {
+      poll_interrupt();
       for (std::size_t k = i + 1; k < parts.size(); ++k) {
         if (!boxes[i].overlaps(boxes[k])) continue;
         std::optional<SolidPart> both = find_union(parts[i], parts[k], planes);

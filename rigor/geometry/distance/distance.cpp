@@ -1,6 +1,7 @@
 #include "rigor/geometry/distance/distance.hpp"
 
 #include "rigor/core/assert.hpp"
+#include "rigor/core/interrupt.hpp"
 #include "rigor/geometry/convex/convex_distance.hpp"
 #include "rigor/geometry/distance/cavity_distance.hpp"
 #include "rigor/geometry/distance/mesh_distance.hpp"
@@ -98,6 +99,7 @@ DistanceResult unknown_distance() {
 
 DistanceResult signed_distance(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB) {
   if (!is_placed(X_WA, X_WB)) return unknown_distance();
+  poll_interrupt();
   if (!is_swapped(a, X_WA, b, X_WB)) return ordered_distance(a, X_WA, b, X_WB);
   // The result of the reversed pair, with witnesses and normal exchanged.
   DistanceResult result = ordered_distance(b, X_WB, a, X_WA);

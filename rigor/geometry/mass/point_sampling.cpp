@@ -1,6 +1,7 @@
 #include "rigor/geometry/mass/point_sampling.hpp"
 
 #include "rigor/core/assert.hpp"
+#include "rigor/core/interrupt.hpp"
 #include "rigor/math/splitmix64.hpp"
 
 #include <algorithm>
@@ -64,6 +65,7 @@ Estimate sampled_moments(const std::function<bool(const Vec3&)>& inside, const A
   Estimate estimate;
   CellSum cell;
   for (int z = 0; z < n; ++z) {
+    poll_interrupt();
     for (int y = 0; y < n; ++y) {
       for (int x = 0; x < n; ++x) {
         for (int k = 0; k < options.points_per_cell; ++k) {

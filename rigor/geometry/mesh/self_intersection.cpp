@@ -1,6 +1,7 @@
 #include "rigor/geometry/mesh/self_intersection.hpp"
 
 #include "rigor/core/index.hpp"
+#include "rigor/core/interrupt.hpp"
 #include "rigor/geometry/broad_phase/box_pairs.hpp"
 #include "rigor/geometry/exact/orientation.hpp"
 #include "rigor/geometry/mesh/triangle_pair.hpp"
@@ -91,6 +92,7 @@ std::vector<std::array<int, 2>> find_self_intersections(const TriangleMesh& mesh
   }
   std::vector<std::array<int, 2>> found;
   for (const std::array<int, 2>& pair : overlapping_pairs(boxes)) {
+    poll_interrupt();
     if (static_cast<int>(found.size()) >= max_pairs) break;
     if (faces_meet(mesh, pair[0], pair[1])) found.push_back(pair);
   }

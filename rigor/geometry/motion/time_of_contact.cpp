@@ -2,6 +2,7 @@
 
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/core/interrupt.hpp"
 #include "rigor/core/rounding.hpp"
 #include "rigor/geometry/convex/convex_distance.hpp"
 #include "rigor/geometry/distance/distance.hpp"
@@ -61,6 +62,7 @@ class Search {
     }
     // The pair with the least time goes first: whatever touches there does so before any other pair can.
     while (!queue_.empty() && !result_.is_contact) {
+      poll_interrupt();
       const PartPair next = queue_.top();
       queue_.pop();
       if (result_.evaluations >= options_.most_evaluations) return given_up(next.time);

@@ -2,6 +2,7 @@
 
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/core/interrupt.hpp"
 #include "rigor/geometry/exact/orientation.hpp"
 
 #include <algorithm>
@@ -72,6 +73,7 @@ class EarClipper {
     int left = count_;
     int anywhere = 0;  // some corner that is still there
     while (left > 3) {
+      poll_interrupt();
       int ear = next_candidate();
       if (ear < 0) {
         ear = forced(anywhere);  // the polygon crosses itself: no ear is left

@@ -27,8 +27,6 @@ class OutputFile {
   std::size_t pending() const { return pending_.size(); }
   /// Passes all text to the system. Throws FileError; text that could not be written is discarded.
   void flush();
-  /// Also waits until the text is on the disk.
-  void sync();
   void close();
 
  private:
@@ -47,10 +45,12 @@ class FlushTimer {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::time_point::min();
 };
 
-/// Throws FileError unless a file of this name could be created or overwritten; it changes nothing.
+/// Throws FileError unless a file of this name could be created or overwritten; it changes nothing but that
+/// it removes what a killed process left behind.
 void check_can_write(const std::filesystem::path& path);
-/// Writes the bytes atomically: at any instant the file holds either its previous contents or all of them.
-/// Throws FileError.
+/// Writes the bytes atomically: at any instant, a failure of power included, the file holds either its
+/// previous contents or all of them. A process that is killed meanwhile leaves a temporary file beside it,
+/// which the next one that writes this file removes. Throws FileError.
 void write_atomically(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace rigor

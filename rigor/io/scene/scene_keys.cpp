@@ -76,7 +76,7 @@ std::vector<std::string> KeyTable::names() const {
 }
 
 std::vector<KeyTable> top_key_tables() {
-  const Range interval{1e-12, 1e9};
+  const Range interval = limits::interval;
   return {
       scene_table(),
       {"world",

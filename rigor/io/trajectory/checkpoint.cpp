@@ -4,9 +4,11 @@
 #include "rigor/core/input_error.hpp"
 #include "rigor/core/quoted.hpp"
 #include "rigor/io/files/output_file.hpp"
+#include "rigor/model/state_check.hpp"
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <string_view>
@@ -19,7 +21,7 @@ namespace {
 // Layout, all numbers little-endian of 8 bytes: magic, fingerprint, the audit's numbers in the order of
 // visit_numbers, its warnings and violations (count, then length and bytes of each), length and bytes of the
 // serialised State, and the FNV-1a hash of everything before it.
-constexpr std::string_view magic = "RIGORCP\x05";
+constexpr std::string_view magic = "RIGORCP\x06";
 
 std::uint64_t checksum(std::string_view bytes) {
   std::uint64_t hash = 14695981039346656037ull;
@@ -43,12 +45,53 @@ void visit_numbers(Part& audit, Visit visit) {
       visit(report.fallbacks), visit(report.coarse_steps);
   visit(report.quaternion_drift), visit(report.max_joint_drift), visit(report.drift_joint);
   visit(report.max_joint_projection);
-  for (auto* paradox : {&report.inconsistent, &report.indeterminate}) {
-    visit(paradox->instants), visit(paradox->body_A), visit(paradox->body_B), visit(paradox->first);
+  for (auto* pair : {&report.passages, &report.inconsistent, &report.indeterminate}) {
+    visit(pair->instants), visit(pair->body_A), visit(pair->body_B), visit(pair->first);
   }
   for (auto* error : {&report.momentum_error, &report.angular_momentum_error}) {
     visit((*error)[0]), visit((*error)[1]), visit((*error)[2]);
   }
+}
+
+bool is_finite(const Audit& audit) {
+  bool is_finite = true;
+  visit_numbers(
+      audit, [&](const auto& value) { is_finite = is_finite && std::isfinite(static_cast<double>(value)); });
+  return is_finite;
+}
+
+/// Why the audit cannot be one of a run of the Model, or empty.
+std::string audit_error(const Model& model, const Audit& audit) {
+  const AdvanceReport& report = audit.report;
+  const auto is_body = [&](int body) { return body >= -1 && body < model.body_count(); };
+  if (!is_finite(audit)) return "a number of its audit is not finite";
+  if (!(audit.sim_time >= 0 && audit.wall_time >= 0)) return "its audit has a negative time";
+
+  // Counts, and values that are largest ones.
+  for (const long count :
+       {report.steps, report.impacts, report.resting, report.separations, report.slip_to_stick,
+        report.distance_queries, report.fallbacks, report.coarse_steps, long{report.max_iterations},
+        report.passages.instants, report.inconsistent.instants, report.indeterminate.instants}) {
+    if (count < 0) return "a count of its audit is negative";
+  }
+  for (const double largest : {report.toi_bracket, report.max_penetration, report.max_joint_drift,
+                               report.max_joint_projection, report.max_residual, report.quaternion_drift}) {
+    if (largest < 0) return "an error in its audit is negative";
+  }
+
+  // Indices.
+  for (const int body : {report.penetration_A, report.penetration_B, report.passages.body_A,
+                         report.passages.body_B, report.inconsistent.body_A, report.inconsistent.body_B,
+                         report.indeterminate.body_A, report.indeterminate.body_B}) {
+    if (!is_body(body)) return "its audit names a body that does not exist";
+  }
+  for (const PairInstants* pair : {&report.passages, &report.inconsistent, &report.indeterminate}) {
+    if (pair->instants > 0 && (pair->body_A < 0 || pair->body_B < 0))
+      return "its audit counts instants of a pair without its bodies";
+  }
+  if (report.drift_joint < -1 || report.drift_joint >= static_cast<int>(model.joints().size()))
+    return "its audit names a joint that does not exist";
+  return {};
 }
 
 class ByteWriter {
@@ -70,8 +113,8 @@ class ByteWriter {
   std::string bytes_{magic};
 };
 
-/// Reads what ByteWriter wrote. The checksum has been compared, so only a bug could make it read past the
-/// end; that too is an InputError.
+/// Reads what ByteWriter wrote. Lengths may be wrong although the checksum is right: to read past the end is
+/// an InputError.
 class ByteReader {
  public:
   ByteReader(std::string_view bytes, const std::string& name) : bytes_(bytes), name_(name) {}
@@ -83,6 +126,7 @@ class ByteReader {
       value |= std::uint64_t{static_cast<unsigned char>(field[i])} << (8 * i);
     return value;
   }
+  bool is_at_end() const { return bytes_.empty(); }
   std::string_view read_text() { return take(read()); }
   std::vector<std::string> read_texts() {
     std::vector<std::string> texts;
@@ -123,6 +167,14 @@ std::string_view checked_content(std::string_view bytes, const std::string& name
   return bytes.substr(magic.size(), end - magic.size());
 }
 
+State state_of(std::string_view bytes, const std::string& name) {
+  try {
+    return deserialise({bytes.begin(), bytes.end()});
+  } catch (const InputError& error) {
+    throw InputError(name + ": " + error.what());
+  }
+}
+
 }  // namespace
 
 std::string checkpoint_bytes(const Checkpoint& checkpoint) {
@@ -147,7 +199,7 @@ void write_checkpoint(const std::filesystem::path& path, const Checkpoint& check
   write_atomically(path, checkpoint_bytes(checkpoint));
 }
 
-Checkpoint read_checkpoint(const std::filesystem::path& path, std::uint64_t fingerprint) {
+Checkpoint read_checkpoint(const std::filesystem::path& path, std::uint64_t fingerprint, const Model& model) {
   const std::string name = path.string(), bytes = read_bytes(path);
   ByteReader reader(checked_content(bytes, name), name);
   Checkpoint checkpoint;
@@ -163,13 +215,20 @@ Checkpoint read_checkpoint(const std::filesystem::path& path, std::uint64_t fing
     if constexpr (std::is_floating_point_v<Value>) {
       value = std::bit_cast<double>(reader.read());
     } else {
-      value = static_cast<Value>(reader.read());
+      const std::int64_t number = static_cast<std::int64_t>(reader.read());
+      value = static_cast<Value>(number);
+      if (value != number) throw InputError(name + ": the checkpoint is damaged (a count is too large)");
     }
   });
   checkpoint.audit.warnings = reader.read_texts();
   checkpoint.audit.violations = reader.read_texts();
   const std::string_view state = reader.read_text();
-  checkpoint.state = deserialise({state.begin(), state.end()});
+  if (!reader.is_at_end()) throw InputError(name + ": the checkpoint is damaged (bytes follow its end)");
+  checkpoint.state = state_of(state, name);
+  // The checksum is right; whether the values are, only the Model knows.
+  std::string error = state_error(model, checkpoint.state);
+  if (error.empty()) error = audit_error(model, checkpoint.audit);
+  if (!error.empty()) throw InputError(name + ": the checkpoint cannot be of a run of this scene: " + error);
   return checkpoint;
 }
 

@@ -20,9 +20,10 @@ std::string checkpoint_bytes(const Checkpoint& checkpoint);
 /// Writes a checkpoint; a file of that name is replaced atomically, so that there is always a complete one.
 /// Throws FileError.
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint);
-/// Reads it back. Throws InputError if the file is not a checkpoint, is damaged, or belongs to a simulation
-/// with another fingerprint.
-Checkpoint read_checkpoint(const std::filesystem::path& path, std::uint64_t fingerprint);
+/// Reads it back. Throws InputError if the file is not a checkpoint, is damaged, belongs to a simulation with
+/// another fingerprint, or holds a number or an index that a run of the Model cannot have: a right checksum
+/// does not make the values right.
+Checkpoint read_checkpoint(const std::filesystem::path& path, std::uint64_t fingerprint, const Model& model);
 
 /// Joins the audits of a run in two parts: sums and largest values of both, the start of the first and the
 /// end of the second. (A rise of energy is measured within each part.)

@@ -1,5 +1,7 @@
 #include "rigor/io/trajectory/csv_writer.hpp"
 
+#include "rigor/core/quoted.hpp"
+
 #include <fmt/format.h>
 
 #include <iterator>
@@ -33,7 +35,8 @@ void append_joint_columns(const TrajectoryJoint& joint, bool has_forces, std::ve
 
 }  // namespace
 
-std::string csv_field(const std::string& text) {
+std::string csv_field(const std::string& given) {
+  const std::string text = escaped_text(given);
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string field = "\"";
   for (const char c : text) field.append(c == '"' ? 2 : 1, c);

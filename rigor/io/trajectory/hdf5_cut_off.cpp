@@ -11,8 +11,10 @@ namespace rigor {
 
 namespace {
 
-/// Larger files are not completed in memory.
+/// Larger files are not completed in memory, nor those of which hardly anything is left: a few bytes that
+/// claim to be many must not take the memory of many.
 constexpr std::uint64_t most_bytes = std::uint64_t{1} << 30;
+constexpr std::uint64_t most_growth = 64, always_completed = std::uint64_t{1} << 20;
 
 /// End-of-file address of a superblock of version 2 or 3 with 8-byte addresses (the only ones that Hdf5Writer
 /// makes), 0 if the bytes do not begin with one.
@@ -71,6 +73,7 @@ CutOffFile open_cut_off_file(const std::filesystem::path& path) {
   cut_off.whole = end_of_file_address(bytes);
   cut_off.present = bytes.size();
   if (cut_off.whole <= cut_off.present || cut_off.whole > most_bytes) return cut_off;
+  if (cut_off.whole > std::max(always_completed, most_growth * cut_off.present)) return cut_off;
   // Fill the lost part with zeros, so that HDF5 opens the file.
   bytes.resize(cut_off.whole, '\0');
   cut_off.file = open_in_memory(bytes);

@@ -18,6 +18,11 @@ namespace rigor {
 
 namespace {
 
+/// The library keeps attributes of this size at most outside their object's header.
+constexpr std::size_t most_attribute_bytes = std::size_t{1} << 26;
+/// More than any memory: what is beyond is a damaged number.
+constexpr hsize_t most_dataset_bytes = hsize_t{1} << 40;
+
 /// Reads the parts of one file; a part that is missing or of another form is an InputError.
 class Reader {
  public:
@@ -55,11 +60,22 @@ class Reader {
     const Hdf5Handle attribute(H5Aopen(file_, name, H5P_DEFAULT), H5Aclose);
     check(attribute.is_open(), name);
     const Hdf5Handle type(H5Aget_type(attribute), H5Tclose);
+    const Hdf5Handle space(H5Aget_space(attribute), H5Sclose);
+    check(H5Sget_simple_extent_npoints(space) == 1 && H5Tget_size(type) <= most_attribute_bytes, name);
     std::string text(H5Tget_size(type), '\0');
     check(H5Tget_class(type) == H5T_STRING && !H5Tis_variable_str(type) &&
               H5Aread(attribute, type, text.data()) >= 0,
           name);
     return trimmed(text);
+  }
+  double number_attribute(const char* name) const {
+    const Hdf5Handle attribute(H5Aopen(file_, name, H5P_DEFAULT), H5Aclose);
+    check(attribute.is_open(), name);
+    const Hdf5Handle space(H5Aget_space(attribute), H5Sclose);
+    double value = 0;
+    check(H5Sget_simple_extent_npoints(space) == 1 && H5Aread(attribute, H5T_NATIVE_DOUBLE, &value) >= 0,
+          name);
+    return value;
   }
 
   bool has_attribute(const char* name) const { return H5Aexists(file_, name) > 0; }
@@ -73,11 +89,19 @@ class Reader {
     const Hdf5Handle type(H5Dget_type(dataset), H5Tclose);
     check(H5Tget_class(type) == H5T_STRING && !H5Tis_variable_str(type), name);
     const std::size_t length = H5Tget_size(type), count = value_count(dataset);
+    check_stored(dataset, count, length, name);
     std::string bytes(length * count, '\0');
     check(count == 0 || H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()) >= 0, name);
     std::vector<std::string> texts;
     for (std::size_t i = 0; i < count; ++i) texts.push_back(trimmed(bytes.substr(i * length, length)));
     return texts;
+  }
+
+  /// A dataset of one text.
+  std::string text(const char* name) const {
+    std::vector<std::string> found = texts(name);
+    check(found.size() == 1, name);
+    return std::move(found.front());
   }
 
   /// The first rows of a dataset, with `width` numbers each: whatever follows belongs to incomplete rows,
@@ -109,6 +133,8 @@ class Reader {
     hsize_t row_size = 1;
     for (std::size_t i = 1; i < shape.size(); ++i) row_size *= shape[i];
     check(row_size == width, name);
+    const Hdf5Handle file_type(H5Dget_type(dataset), H5Tclose);
+    check_stored(dataset, rows * width, H5Tget_size(file_type), name);
     // Select the first rows and read them.
     shape[0] = rows;
     const std::vector<hsize_t> start(shape.size(), 0);
@@ -134,6 +160,13 @@ class Reader {
     Hdf5Handle dataset(H5Dopen2(file_, name, H5P_DEFAULT), H5Dclose);
     check(dataset.is_open(), name);
     return dataset;
+  }
+
+  /// A dataset may claim more values than its file holds; memory is allocated for what is there only. What a
+  /// cut-off file has lost was counted before.
+  void check_stored(const Hdf5Handle& dataset, std::size_t count, std::size_t bytes, const char* name) const {
+    const hsize_t stored = H5Dget_storage_size(dataset);
+    check(bytes > 0 && count <= stored / bytes && stored <= most_dataset_bytes, name);
   }
 
   static std::size_t value_count(const Hdf5Handle& dataset) {
@@ -197,7 +230,7 @@ StoredTrajectory read_hdf5_trajectory(const std::filesystem::path& path) {
   // Header: the program, the scene and the names of the bodies.
   stored.rigor = reader.attribute("rigor");
   stored.scene = reader.attribute("scene");
-  stored.scene_text = reader.texts("scene_text").at(0);
+  stored.scene_text = reader.text("scene_text");
   if (reader.has_attribute("scene_file")) stored.scene_file = reader.attribute("scene_file");
   stored.overrides = lines_of(reader.attribute("overrides"));
   stored.bodies = reader.texts("bodies/names");
@@ -224,6 +257,13 @@ StoredTrajectory read_hdf5_trajectory(const std::filesystem::path& path) {
   stored.event_bodies = reader.integers("events/bodies", events, 2);
   stored.event_point = reader.numbers("events/point", events, 3);
   stored.event_impulse = reader.numbers("events/impulse", events, 3);
+  if (reader.has_attribute("duration") && !stored.time.empty()) {
+    const double duration = reader.number_attribute("duration"), end = stored.time.back();
+    constexpr double rounding = 1e-9;
+    if (end < duration * (1 - rounding))
+      stored.ended_early =
+          fmt::format("{}: the run ended at t = {:g} s of {:g} s", reader.name(), end, duration);
+  }
   // A truncated file must have at least one output time, and its message says how many.
   if (!reader.is_cut_off()) return stored;
   if (rows == 0)

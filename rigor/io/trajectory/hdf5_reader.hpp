@@ -10,7 +10,7 @@ namespace rigor {
 struct StoredTrajectory {
   std::string rigor, scene,
       scene_text;                      ///< Version of the program that wrote it, name and text of the scene.
-  std::string scene_file;              ///< Path of the scene; empty in files of Rigor 0.1.0.
+  std::string scene_file;              ///< Name or path of the scene; empty in files of Rigor 0.1.0.
   std::vector<std::string> overrides;  ///< "key=value", as of --set.
   std::vector<std::string> bodies;     ///< n names.
   std::vector<double> time;            ///< T [s].
@@ -33,6 +33,9 @@ struct StoredTrajectory {
   std::vector<double> event_impulse;     ///< N × 3 [N s].
   /// Empty, or what is left of a truncated file: "'run.h5': it is cut off, ...".
   std::string cut_off;
+  /// Empty, or how far a run has come that was killed or stopped: "'run.h5': the run ended at t = 1 s of 2
+  /// s".
+  std::string ended_early;
 };
 
 /// Reads a file that Hdf5Writer has written, is writing, or was writing when it was killed: the T output

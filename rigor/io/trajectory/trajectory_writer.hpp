@@ -22,7 +22,7 @@ struct TrajectoryJoint {
 struct TrajectoryHeader {
   std::string scene;                   ///< Name.
   std::string scene_text;              ///< The scene file as it was read.
-  std::string scene_file;              ///< Its full path: mesh files are looked for beside it.
+  std::string scene_file;              ///< Its name; its full path if the user wants it to be known.
   std::vector<std::string> overrides;  ///< "key=value", as of --set.
   Method method;
   RunSettings run;

@@ -145,12 +145,11 @@ void Auditor::find_violations(Audit& audit) const {
         promises_.momentum_share * angular_momentum_scale_ + carried_moment, "kg m²/s");
   check("drift of joints", audit.report.max_joint_drift, promises_.joint_drift, "m or rad");
   check("penetration", audit.report.max_penetration, promises_.penetration, "m");
-  if (audit.report.passages > 0) {
-    audit.violations.push_back(fmt::format(
-        "the inside of '{}' went into '{}' at t = {:.6g} s{}: bodies passed each other unseen",
-        model_->body(audit.report.passage_A).name, model_->body(audit.report.passage_B).name,
-        audit.report.passage_time,
-        audit.report.passages == 1 ? "" : fmt::format(", the first of {} times", audit.report.passages)));
+  if (const PairInstants& passages = audit.report.passages; passages.instants > 0) {
+    audit.violations.push_back(
+        fmt::format("the inside of '{}' went into '{}' at t = {:.6g} s{}: bodies passed each other unseen",
+                    model_->body(passages.body_A).name, model_->body(passages.body_B).name, passages.first,
+                    passages.instants == 1 ? "" : fmt::format(", the first of {} times", passages.instants)));
   }
 }
 
@@ -166,7 +165,7 @@ void Auditor::find_warnings(Audit& audit) const {
         fmt::format("{} contact problems did not reach their tolerance; largest residual {:.3g}",
                     audit.report.fallbacks, audit.report.max_residual));
   }
-  const auto report_paradox = [&](const ParadoxCount& count, const char* finding, const char* resolved) {
+  const auto report_paradox = [&](const PairInstants& count, const char* finding, const char* resolved) {
     if (count.instants == 0) return;
     audit.warnings.push_back(fmt::format(
         "{} at {} and {} at t = {:.6g} s, {}: {} (Painlevé's paradox)", finding,

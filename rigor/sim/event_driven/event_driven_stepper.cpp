@@ -48,7 +48,7 @@ EventDrivenStepper::EventDrivenStepper(std::shared_ptr<const Model> model, const
   RIGOR_ASSERT(target_step > 0);
 }
 
-AdvanceReport EventDrivenStepper::advance(State& state, double t_end) {
+AdvanceReport EventDrivenStepper::advance_span(State& state, double t_end) {
   RIGOR_ASSERT(t_end >= state.t && state.body_count() == model_->body_count());
   report_ = {};
   if (t_end == state.t) return report_;
@@ -60,7 +60,7 @@ AdvanceReport EventDrivenStepper::advance(State& state, double t_end) {
   read_state_from_bodies(state);
   trajectories_.begin_paths(state.t);
   while (report_.reason == StopReason::reached_end && compute_time_step()) {
-    if (interrupt_ && interrupt_()) report_.reason = StopReason::interrupted;
+    if (is_interrupted()) report_.reason = StopReason::interrupted;
     if (next_.kind == QueuedEvent::Kind::window_end) {
       begin_new_window(next_.a);
     } else if (next_.kind == QueuedEvent::Kind::search) {

@@ -12,7 +12,6 @@
 #include "rigor/sim/islands/joint_projection.hpp"
 #include "rigor/sim/witness/passage_witness.hpp"
 
-#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -37,13 +36,13 @@ class EventDrivenStepper : public Stepper {
   EventDrivenStepper(const EventDrivenStepper&) = delete;
   EventDrivenStepper& operator=(const EventDrivenStepper&) = delete;
 
-  void set_interrupt(std::function<bool()> interrupt) override { interrupt_ = std::move(interrupt); }
-  AdvanceReport advance(State& state, double t_end) override;
-
  protected:
   /// For schemes that also advance from event to event, but treat contacts differently.
   EventDrivenStepper(std::shared_ptr<const Model> model, const Method& method, double target_step,
                      const ToiOptions& toi);
+  AdvanceReport advance_span(State& state, double t_end) override;
+  double time_reached() const override { return t_; }
+
   /// Whether contacts may last: if not, they have impacts only, and positions are never put back.
   virtual bool keeps_contacts() const { return true; }
   /// Whether the contacts of these bodies are looked at in the present event.
@@ -95,7 +94,6 @@ class EventDrivenStepper : public Stepper {
   std::shared_ptr<const Model> model_;
   Method method_;
   double target_step_;
-  std::function<bool()> interrupt_;
   Environment environment_;
   ContactSystemAssembler assembler_;
   IslandIntegrator integrator_;

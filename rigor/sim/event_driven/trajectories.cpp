@@ -1,5 +1,7 @@
 #include "rigor/sim/event_driven/trajectories.hpp"
 
+#include "rigor/core/interrupt.hpp"
+#include "rigor/core/rounding.hpp"
 #include "rigor/geometry/motion/separation_bound.hpp"
 
 #include <algorithm>
@@ -91,7 +93,9 @@ double Trajectories::window_end(int body, double t) const {
 
   // Bodies without a box are watched as long as their motion lasts.
   const bool is_tracked = is_bounded(body) && !model_.body(body).shapes.empty();
-  return is_tracked ? std::min(motion.end(), t + window_length(body, t)) : motion.end();
+  // No shorter than time can be resolved, however small and fast the body is.
+  return is_tracked ? std::min(motion.end(), t + std::max(window_length(body, t), 8 * kEpsilon * std::abs(t)))
+                    : motion.end();
 }
 
 void Trajectories::begin_window(int body, double t, EventQueue& queue) {
@@ -164,7 +168,10 @@ void Trajectories::restore(const std::vector<int>& bodies, double t, EventQueue&
   for (const int body : bodies) {
     // The windows since the motion began, as they came to be.
     double begin = tracks_[at(body)].motion.begin();
-    for (double end = window_end(body, begin); end < t; end = window_end(body, begin)) begin = end;
+    for (double end = window_end(body, begin); end < t; end = window_end(body, begin)) {
+      poll_interrupt();
+      begin = end;
+    }
     begin_window(body, begin, queue);
   }
 }

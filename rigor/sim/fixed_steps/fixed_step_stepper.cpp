@@ -3,6 +3,8 @@
 #include "rigor/core/assert.hpp"
 #include "rigor/sim/fixed_steps/fixed_steps.hpp"
 
+#include <utility>
+
 namespace rigor {
 
 FixedStepStepper::FixedStepStepper(std::shared_ptr<const Model> model, double target_step)
@@ -10,30 +12,30 @@ FixedStepStepper::FixedStepStepper(std::shared_ptr<const Model> model, double ta
   RIGOR_ASSERT(target_step > 0);
 }
 
-AdvanceReport FixedStepStepper::advance(State& state, double t_end) {
+AdvanceReport FixedStepStepper::advance_span(State& state, double t_end) {
   RIGOR_ASSERT(t_end >= state.t && state.body_count() == model_->body_count());
   report_ = {};
   if (t_end == state.t) return report_;
 
   // What an earlier call left behind is forgotten: the State says it all.
   const FixedSteps steps(state.t, t_end, longest_step());
-  double t = state.t;
+  t_ = state.t;
   begin_span(steps.end(0), state);
 
   // Each fixed step, in as many parts as the scheme needs.
   for (long k = 0; k < steps.count() && report_.reason == StopReason::reached_end; ++k) {
-    while (t < steps.end(k) && report_.reason == StopReason::reached_end) {
-      if (interrupt_ && interrupt_()) {
+    while (t_ < steps.end(k) && report_.reason == StopReason::reached_end) {
+      if (is_interrupted()) {
         report_.reason = StopReason::interrupted;
       } else {
         const State before = state;
-        t = step_towards(steps.end(k), t, state);
-        show_step(t, state);
+        t_ = step_towards(steps.end(k), t_, state);
+        show_step(t_, state);
         witness_.watch(before, state, report_);
       }
     }
   }
-  end_span(t, state);
+  end_span(t_, state);
   return report_;
 }
 

@@ -4,9 +4,7 @@
 #include "rigor/sim/fixed_steps/stepper.hpp"
 #include "rigor/sim/witness/passage_witness.hpp"
 
-#include <functional>
 #include <memory>
-#include <utility>
 
 namespace rigor {
 
@@ -14,10 +12,6 @@ namespace rigor {
 /// the scheme to take them one by one, until the end is reached, the scheme stops, or the caller interrupts.
 /// A scheme supplies what happens before the first step, in a step, and after the last one.
 class FixedStepStepper : public Stepper {
- public:
-  void set_interrupt(std::function<bool()> interrupt) override { interrupt_ = std::move(interrupt); }
-  AdvanceReport advance(State& state, double t_end) final;
-
  protected:
   /// target_step > 0 [s].
   FixedStepStepper(std::shared_ptr<const Model> model, double target_step);
@@ -37,13 +31,16 @@ class FixedStepStepper : public Stepper {
   /// Puts kinematic and fixed bodies where they are at the State's time.
   void write_prescribed_bodies(State& state) const;
 
+  AdvanceReport advance_span(State& state, double t_end) final;
+  double time_reached() const final { return t_; }
+
   std::shared_ptr<const Model> model_;
   double target_step_;
   AdvanceReport report_;
 
  private:
   PassageWitness witness_;
-  std::function<bool()> interrupt_;
+  double t_ = 0;
 };
 
 }  // namespace rigor

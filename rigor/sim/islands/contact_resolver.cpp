@@ -29,7 +29,7 @@ double reach_of(const Body& body) {
 void note_paradox(const Paradox& paradox, const ContactSystem& system, double t, AdvanceReport& report) {
   if (paradox.kind == Paradox::Kind::none) return;
   const Contact& contact = system.contacts[paradox.contact];
-  ParadoxCount& count =
+  PairInstants& count =
       paradox.kind == Paradox::Kind::inconsistent ? report.inconsistent : report.indeterminate;
   count.add({1, contact.body_A, contact.body_B, t});
 }

@@ -3,6 +3,7 @@
 #include "rigor/contact/resting/resting.hpp"
 #include "rigor/dynamics/dense_phase.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -31,6 +32,19 @@ struct IslandStep {
   Vec3 impulse = Vec3::Zero();          ///< Of all forces from outside the island [N s].
   Vec3 angular_impulse = Vec3::Zero();  ///< The same about the origin of W [N m s].
   bool is_implicit = false;             ///< Of first order: contacts answered with impulses.
+
+  /// Whether the phases are finite, at the end and half way along the paths: explicit integrators overflow
+  /// where stiff forces meet long steps.
+  bool is_finite() const;
 };
+
+inline bool IslandStep::is_finite() const {
+  const auto is_whole = [](const BodyPhase& phase) {
+    return phase.x.allFinite() && phase.q.coeffs().allFinite() && phase.P.allFinite() && phase.L.allFinite();
+  };
+  return std::all_of(end.begin(), end.end(), is_whole) &&
+         std::all_of(dense.begin(), dense.end(),
+                     [&](const DensePhase& path) { return is_whole(path.at(0.5)); });
+}
 
 }  // namespace rigor

@@ -191,8 +191,12 @@ ControlledStep IslandIntegrator::controlled_step(const Island& island, double h,
   StepController controller(integrator_order(integrator_for(island)));
   while (true) {
     IslandStep taken = step(island, h);
-    if (std::isnan(taken.error)) return {std::move(taken), std::numeric_limits<double>::infinity()};
-    const StepDecision decision = controller.decide(h, taken.error);
+    // A step that overflows is too long, whatever estimate of its error there is.
+    const bool is_finite = taken.is_finite();
+    if (is_finite && std::isnan(taken.error))
+      return {std::move(taken), std::numeric_limits<double>::infinity()};
+    const StepDecision decision =
+        controller.decide(h, is_finite ? taken.error : std::numeric_limits<double>::infinity());
     if (decision.is_accepted || h <= least) return {std::move(taken), decision.h_next};
     h = std::max(least, decision.h_next);
   }

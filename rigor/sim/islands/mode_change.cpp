@@ -14,6 +14,12 @@ namespace rigor {
 
 namespace {
 
+/// Whether f falls to zero between the two places; false where it is no number, as in a motion that
+/// overflows.
+bool falls(const ScalarFunction& f, double from, double to) {
+  return f(from) >= 0 && f(to) <= 0;
+}
+
 bool has_limits(const Model& model, const std::vector<int>& joints) {
   return std::any_of(joints.begin(), joints.end(), [&](int joint) {
     const std::vector<JointAxis>& axes = model.joint(joint).axes;
@@ -86,7 +92,7 @@ std::optional<ModeChange> ModeChangeSearch::find_slip_end(const Island& island, 
     for (std::size_t i = 0; i < speeds.size(); ++i) least = std::min(least, speeds[i] - levels[i]);
     return least;
   };
-  if (margin(end) >= 0) return std::nullopt;
+  if (!(margin(end) < 0) || !falls(margin, 0, end)) return std::nullopt;
   const RootBracket root = find_root_itp(margin, 0, end, time_tolerance_ / step.h);
   return ModeChange{ModeChange::Kind::slip_ends, root.hi * step.h,
                     std::max({0.0, root.f_lo, -root.f_hi}) + uncertainty};
@@ -150,6 +156,7 @@ std::optional<ModeChange> ModeChangeSearch::find_limit(const Island& island, con
         level = lowest;
       }
       const auto above = [&](double theta) { return clearance(theta) - level; };
+      if (!falls(above, lo, probe)) break;
       end = find_root_itp(above, lo, probe, time_tolerance_ / step.h).hi;
       first = ModeChange{ModeChange::Kind::overlap, end * step.h};
       break;
@@ -172,6 +179,7 @@ std::optional<ModeChange> ModeChangeSearch::find_overlap(const Island& island, c
 }
 
 std::optional<ModeChange> ModeChangeSearch::find_meeting(const Island& island, const IslandStep& step) const {
+  if (!step.is_finite()) return std::nullopt;
   const std::optional<ModeChange> limit = find_limit(island, step);
   const std::optional<ModeChange> overlap = find_overlap(island, step, limit ? limit->h / step.h : 1);
   return overlap ? overlap : limit;
@@ -179,6 +187,8 @@ std::optional<ModeChange> ModeChangeSearch::find_meeting(const Island& island, c
 
 std::optional<ModeChange> ModeChangeSearch::find(const Island& island, const IslandStep& step) const {
   std::optional<ModeChange> first;
+  // A motion that is not finite has no modes: the stepper stops where it begins.
+  if (!step.is_finite()) return first;
   if (island.contacts.empty() && !has_limits(model_, assembler_.joints_of(island.bodies))) return first;
   const double tolerance = time_tolerance_ / step.h;
   double end = 1;
@@ -208,7 +218,7 @@ std::optional<ModeChange> ModeChangeSearch::find(const Island& island, const Isl
     return modes_hold(island, at(island, step, theta)) ? 1.0 : -1.0;
   };
   for (const double probe : {0.5 * end, end}) {
-    if (force(probe) >= 0 || signature(probe) > 0) continue;
+    if (!(force(probe) < 0) || signature(probe) > 0) continue;
     const bool is_bracketed = force(0) > 0;
     if (is_bracketed) {
       shorten(ModeChange::Kind::force_limit, find_root_itp(force, 0, probe, tolerance).hi);

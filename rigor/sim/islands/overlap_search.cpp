@@ -137,7 +137,9 @@ std::optional<double> OverlapSearch::find(const Island& island, const IslandStep
   Instants instants(model_, island, step, contact_tolerance_, thickness_);
   for (double theta = 0; theta < end;) {
     const double probe = instants.next(pairs, theta, theta < 0.5 * end ? 0.5 * end : end);
-    if (overlap(probe) < 0) return find_root_bisection(overlap, theta, probe, time_tolerance_ / step.h).hi;
+    // A motion that overflows has margins that are no numbers.
+    if (overlap(probe) < 0 && overlap(theta) >= 0)
+      return find_root_bisection(overlap, theta, probe, time_tolerance_ / step.h).hi;
     theta = probe;
   }
   return std::nullopt;

@@ -1,6 +1,7 @@
 #include "rigor/sim/pairs/near_pairs.hpp"
 
 #include "rigor/core/index.hpp"
+#include "rigor/core/interrupt.hpp"
 #include "rigor/geometry/broad_phase/aabb_tree.hpp"
 #include "rigor/math/rotation.hpp"
 
@@ -43,6 +44,7 @@ std::vector<std::pair<int, int>> near_pairs(const Model& model, const State& sta
   std::vector<int> near;
   for (int i = 0; i < model.body_count(); ++i) {
     if (model.body(i).shapes.empty() || !std::isfinite(model.body(i).bounding_radius)) continue;
+    poll_interrupt();
     tree.overlapping(boxes[at(i)], near);
     for (const int other : near) {
       if (other > i && model.may_collide(i, other)) pairs.push_back({i, other});

@@ -4,12 +4,11 @@
 
 namespace rigor {
 
-void ParadoxCount::add(const ParadoxCount& later) {
-  if (instants == 0) {
-    *this = later;
-  } else {
-    instants += later.instants;
-  }
+void PairInstants::add(const PairInstants& later) {
+  // The first of both is kept.
+  const long sum = instants + later.instants;
+  if (later.instants > 0 && (instants == 0 || later.first < first)) *this = later;
+  instants = sum;
 }
 
 void AdvanceReport::note_penetration(double depth, int A, int B, double t) {
@@ -21,10 +20,7 @@ void AdvanceReport::note_penetration(double depth, int A, int B, double t) {
 }
 
 void AdvanceReport::note_passage(int A, int B, double t) {
-  if (passages++ > 0 && t >= passage_time) return;
-  passage_A = A;
-  passage_B = B;
-  passage_time = t;
+  passages.add({1, A, B, t});
 }
 
 void AdvanceReport::note_joint_drift(double drift, int joint) {
@@ -46,10 +42,7 @@ void AdvanceReport::add(const AdvanceReport& later) {
   events.insert(events.end(), later.events.begin(), later.events.end());
   toi_bracket = std::max(toi_bracket, later.toi_bracket);
   note_penetration(later.max_penetration, later.penetration_A, later.penetration_B, later.penetration_time);
-  if (later.passages > 0) {
-    note_passage(later.passage_A, later.passage_B, later.passage_time);
-    passages += later.passages - 1;
-  }
+  passages.add(later.passages);
   note_joint_drift(later.max_joint_drift, later.drift_joint);
   max_joint_projection = std::max(max_joint_projection, later.max_joint_projection);
   work += later.work;

@@ -15,6 +15,7 @@ enum class StopReason {
   impact_unsolved,    ///< An impact left bodies approaching each other.
   not_finite,         ///< A state became infinite or NaN.
   interrupted,        ///< The caller's interrupt asked for it.
+  broken_promise,     ///< A promise within the program did not hold: a defect of the program.
 };
 
 /// Something that happened at an instant.
@@ -27,13 +28,13 @@ struct MotionEvent {
   Vec3 j_W = Vec3::Zero();       ///< Impulse on B (impacts) [N s].
 };
 
-/// Instants at which the law of friction did not say which forces act.
-struct ParadoxCount {
+/// Instants at which something was wrong with a pair of bodies.
+struct PairInstants {
   long instants = 0;
   int body_A = -1, body_B = -1;  ///< Of the first one.
   double first = 0;              ///< Its time [s].
 
-  void add(const ParadoxCount& later);
+  void add(const PairInstants& later);
 };
 
 /// What one call of a stepper did. The engine never reads it back.
@@ -53,10 +54,8 @@ struct AdvanceReport {
   int penetration_A = -1, penetration_B = -1;
   double penetration_time = 0;
 
-  /// How often the inside of a body went into another body (PassageWitness); which and when, of the first.
-  long passages = 0;
-  int passage_A = -1, passage_B = -1;
-  double passage_time = 0;  ///< [s].
+  /// Instants at which the inside of body A went into body B (PassageWitness).
+  PairInstants passages;
 
   double max_joint_drift = 0;  ///< Largest |g| of a joint left at the end of a step [m or 1].
   int drift_joint = -1;        ///< Which joint that was.
@@ -80,9 +79,9 @@ struct AdvanceReport {
   long coarse_steps = 0;
   /// Instants at which no finite contact forces exist (Painlevé): impulses of steps at velocity level resolve
   /// them.
-  ParadoxCount inconsistent;
+  PairInstants inconsistent;
   /// Instants at which several forces are possible at a contact that is alone.
-  ParadoxCount indeterminate;
+  PairInstants indeterminate;
   double quaternion_drift = 0;  ///< Largest | |q| - 1 | before normalisation.
 
   /// Notes an overlap of two bodies at t [s], if it is deeper than any before [m].

@@ -1,6 +1,7 @@
 #include "rigor/sim/witness/passage_witness.hpp"
 
 #include "rigor/core/index.hpp"
+#include "rigor/core/interrupt.hpp"
 #include "rigor/core/rounding.hpp"
 #include "rigor/geometry/mesh/triangle_tree.hpp"
 #include "rigor/geometry/rays/ray_cast.hpp"
@@ -147,6 +148,7 @@ void PassageWitness::watch(std::span<const BodyPath> paths, AdvanceReport& repor
   std::vector<int> near;
   for (int a = 0; a < model_->body_count(); ++a) {
     if (markers_[at(a)].empty() || paths[at(a)].empty()) continue;
+    poll_interrupt();
     tree_.overlapping(box_of(paths[at(a)], offset_[at(a)]), near);
     for (const int b : near) {
       if (b == a || !model_->may_collide(a, b)) continue;

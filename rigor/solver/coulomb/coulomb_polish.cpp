@@ -1,5 +1,6 @@
 #include "rigor/solver/coulomb/coulomb_polish.hpp"
 
+#include "rigor/core/interrupt.hpp"
 #include "rigor/solver/coulomb/coulomb_law.hpp"
 #include "rigor/solver/coulomb/least_norm_slips.hpp"
 #include "rigor/solver/coulomb/smooth_modes.hpp"
@@ -28,6 +29,7 @@ class Polisher {
     std::set<std::vector<ContactMode>> visited;
     std::size_t released = 0;
     for (int move = 0; move < kMaxMoves && visited.insert(guess.modes.modes).second; ++move) {
+      poll_interrupt();
       const CoulombSolution candidate = solve_modes(guess);
       if (candidate.residual < best.residual) best = candidate;
       if (best.residual <= kZero) break;

@@ -2,6 +2,7 @@
 
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/core/interrupt.hpp"
 #include "rigor/solver/coulomb/coulomb_gauss_seidel.hpp"
 #include "rigor/solver/coulomb/coulomb_law.hpp"
 #include "rigor/solver/coulomb/coulomb_local.hpp"
@@ -169,6 +170,7 @@ class Chain {
   bool proximal_until(int last) {
     std::vector<ContactMode> offered;
     while (proximal_steps_ < last) {
+      poll_interrupt();
       proximal_.step();
       ++proximal_steps_;
       const CoulombGuess& guess = proximal_.guess();
@@ -183,6 +185,7 @@ class Chain {
   bool gauss_seidel_until(int last) {
     double change = 1;
     while (sweeps_ < last && change > 0) {
+      poll_interrupt();
       change = gauss_seidel_.sweep();
       ++sweeps_;
       const bool is_power = (sweeps_ & (sweeps_ - 1)) == 0;

@@ -1,6 +1,7 @@
 #include "rigor/solver/coulomb/coulomb_proximal.hpp"
 
 #include "rigor/core/index.hpp"
+#include "rigor/core/interrupt.hpp"
 #include "rigor/solver/coulomb/cone.hpp"
 
 #include <cmath>
@@ -108,6 +109,7 @@ void CoulombProximal::minimise() {
   const double tolerance = options_.makes_digits ? 1e-14 : 1e-11;
   Inner inner = evaluate(v_);
   for (int step = 0; step < kMaxSteps; ++step) {
+    poll_interrupt();
     const double error = inner.gradient.norm();
     if (error <= tolerance * (motion_.weigh(v_).norm() + inner.pulled.norm())) return;
 

@@ -1,6 +1,7 @@
 #include "rigor/solver/coulomb/coulomb_seed.hpp"
 
 #include "rigor/core/index.hpp"
+#include "rigor/core/interrupt.hpp"
 #include "rigor/solver/linear/growing_cholesky.hpp"
 
 #include <algorithm>
@@ -33,6 +34,7 @@ class BoundedPivoting {
   void drive(Index d) {
     const int most_pivots = pivots_ + 4 * static_cast<int>(z_.size()) + 20;
     while (pivots_++ < most_pivots) {
+      poll_interrupt();
       if (is_placed(d)) return;
       const double sign = w_(d) < 0 ? 1 : -1;
 

@@ -1,5 +1,6 @@
 #include "rigor/solver/coulomb/proximal_points.hpp"
 
+#include "rigor/core/interrupt.hpp"
 #include "rigor/solver/coulomb/coulomb_law.hpp"
 
 #include <algorithm>
@@ -38,6 +39,7 @@ class ProximalPoints {
     double growth = kGrowth, least = std::numeric_limits<double>::infinity();
     int stalls = 0;
     for (int point = 1; point <= kMaxPoints; ++point) {
+      poll_interrupt();
       const std::optional<Forces> next = next_point();
       if (!next) {
         // Too far for Newton's method: nearer points, and smaller steps from then on.

@@ -1,6 +1,7 @@
 #include "rigor/solver/coulomb/rolling_friction_problem.hpp"
 
 #include "rigor/core/assert.hpp"
+#include "rigor/core/interrupt.hpp"
 #include "rigor/math/dense.hpp"
 #include "rigor/solver/linear/solved_residual.hpp"
 
@@ -85,7 +86,10 @@ class RollingFrictionSolver {
     // Sweeps find what the contacts do, Newton's method the forces; where it fails, more sweeps.
     int sweeps = kFirstSweeps;
     for (int round = 0; round < kMaxRounds; ++round) {
-      for (int sweep = 0; sweep < sweeps; ++sweep) relax();
+      for (int sweep = 0; sweep < sweeps; ++sweep) {
+        poll_interrupt();
+        relax();
+      }
       if (polish(zero)) break;
       sweeps = std::min(2 * sweeps, kMostSweeps);
     }

@@ -1,5 +1,6 @@
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/core/interrupt.hpp"
 #include "rigor/math/dense.hpp"
 #include "rigor/solver/linear/lcp.hpp"
 #include "rigor/solver/linear/lcp_residual.hpp"
@@ -74,6 +75,7 @@ class Dantzig {
   // push.
   bool drive_to_zero(Index d, int pivot_cap) {
     while (pivots_++ < pivot_cap) {
+      poll_interrupt();
       const VecX dz = push_direction(d);
       const VecX dw = M_ * dz;
       const VecX dw_size = M_.cwiseAbs() * dz.cwiseAbs();

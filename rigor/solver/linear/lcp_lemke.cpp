@@ -1,5 +1,6 @@
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/core/interrupt.hpp"
 #include "rigor/solver/linear/lcp.hpp"
 #include "rigor/solver/linear/lcp_residual.hpp"
 
@@ -32,6 +33,7 @@ class Lemke {
 
     // The complement of what left enters, until z₀ leaves (a solution) or nothing does (a ray).
     while (pivots_ < pivot_cap) {
+      poll_interrupt();
       const Index leaving = basis_[at(row)];
       pivot(row, entering);
       if (leaving == 2 * n_) return true;

@@ -2,6 +2,7 @@
 
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/core/interrupt.hpp"
 #include "rigor/solver/linear/solved_residual.hpp"
 
 #include <algorithm>
@@ -112,6 +113,7 @@ class DualMethod {
     const VecX normal = problem_.G.row(row).transpose();
     double own = 0;
     while (iterations_ < most_steps) {
+      poll_interrupt();
       ++iterations_;
       // The step direction across the active rows, and how their multipliers fall along it.
       const double missing = violation(row);

@@ -2,6 +2,7 @@
 
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/core/interrupt.hpp"
 #include "rigor/math/dense.hpp"
 #include "rigor/solver/coulomb/coulomb_law.hpp"
 #include "rigor/solver/coulomb/coulomb_proximal.hpp"
@@ -142,6 +143,7 @@ class MotionSolver {
   std::optional<CoulombSolution> settle(CoulombGuess guess, int most_moves, const char* method) const {
     std::set<std::vector<ContactMode>> visited;
     for (int move = 0; move < most_moves && visited.insert(guess.modes.modes).second; ++move) {
+      poll_interrupt();
       const MotionModesSystem system(problem_, guess.modes);
       const std::optional<VecX> forces = system.find_in_cones();
       // Forces for the modes, with their slips followed if these are unknown; they are the solution if the

@@ -2,6 +2,7 @@
 
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/core/interrupt.hpp"
 #include "rigor/solver/coulomb/coulomb_law.hpp"
 
 #include <algorithm>
@@ -198,7 +199,10 @@ VelocitySolution solution_of(const VelocityProblem& problem, const VecX& lambda,
 VelocitySolution solve_projected_gauss_seidel(const VelocityProblem& problem, int sweeps,
                                               const VelocityStart& start) {
   Sweeper sweeper(problem, start);
-  for (int sweep = 0; sweep < sweeps; ++sweep) sweeper.sweep();
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    poll_interrupt();
+    sweeper.sweep();
+  }
   return solution_of(problem, sweeper.lambda(), sweeper.nu());
 }
 

@@ -70,7 +70,7 @@ std::string make_live_token() {
 
 std::string live_policy(std::string_view host) {
   return fmt::format(
-      "default-src 'none'; script-src 'self'; style-src 'unsafe-inline'; img-src data: blob:; "
+      "default-src 'none'; script-src 'self'; img-src data: blob:; "
       "connect-src ws://{}; base-uri 'none'; form-action 'none'",
       host);
 }

@@ -3,6 +3,7 @@
 #include "rigor/core/input_error.hpp"
 #include "rigor/io/scene/scene_reader.hpp"
 #include "rigor/io/trajectory/hdf5_reader.hpp"
+#include "rigor/io/trajectory/trajectory_check.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/view/page/page_run.hpp"
 
@@ -54,6 +55,8 @@ AdvanceReport events_until(const StoredTrajectory& stored, double time, std::siz
 }
 
 void check(const StoredTrajectory& stored, const Model& model, const std::string& path) {
+  if (const std::string error = trajectory_error(stored); !error.empty())
+    throw InputError(fmt::format("{}: {}", path, error));
   if (stored.time.empty()) throw InputError(path + ": the trajectory holds no output time");
   bool is_same = static_cast<std::size_t>(model.body_count()) == stored.bodies.size();
   for (int i = 0; is_same && i < model.body_count(); ++i)
@@ -90,7 +93,13 @@ LiveReplay read_live_replay(const std::filesystem::path& path) {
   }
   audit.sim_time = stored.time.back() - stored.time.front();
   audit.warnings = {"made from a trajectory, which holds no audit"};
-  return {scene.name, run.finish(audit)};
+  std::vector<std::string> warnings;
+  for (const std::string& text : {stored.cut_off, stored.ended_early}) {
+    if (text.empty()) continue;
+    warnings.push_back(text);
+    audit.warnings.push_back(text);
+  }
+  return {scene.name, run.finish(audit), std::move(warnings)};
 }
 
 }  // namespace rigor

@@ -12,6 +12,7 @@ namespace rigor {
 struct LiveReplay {
   std::string title;
   std::vector<PageBlock> blocks;
+  std::vector<std::string> warnings;  ///< That the run ended early, or the file is truncated.
 };
 
 /// Reads a trajectory (.h5) with the scene that it carries; mesh files of the scene are looked for beside it.

@@ -24,8 +24,6 @@ namespace rigor {
 
 namespace {
 
-constexpr Range step_range{0, 1e9, true};  // [s]
-
 void check_overlaps(const Model& model, const State& state, double tolerance) {
   constexpr std::size_t most_messages = 10;
   std::vector<std::string> messages;
@@ -72,6 +70,11 @@ LiveRun::LiveRun(Scene scene)
   reset();
 }
 
+void LiveRun::set_interrupt(std::function<bool()> interrupt) {
+  interrupt_ = std::move(interrupt);
+  stepper_->set_interrupt(interrupt_);
+}
+
 void LiveRun::reset() {
   pull_.reset();
   state_ = make_initial_state(*scene_.model);
@@ -92,14 +95,19 @@ void LiveRun::advance(double longest) {
   while (k * interval <= state_.t) ++k;
   // Advance to it, or by the longest time allowed, and account for what happened.
   const bool reaches_output = k * interval - state_.t <= longest * (1 + 1e-9);
+  const State before = state_;
   const AdvanceReport report = stepper_->advance(state_, reaches_output ? k * interval : state_.t + longest);
+  if (report.reason == StopReason::interrupted) {
+    state_ = before;
+    return;
+  }
   contacts_.reset();
   auditor_->observe(state_, report);
   unrecorded_.add(report);
   if (report.reason != StopReason::reached_end) {
     stop_text_ = fmt::format("the simulation stopped at t = {:.6g} s: {}", state_.t, report.detail);
   }
-  if (reaches_output) record();
+  if (reaches_output && state_.t > before.t) record();
 }
 
 void LiveRun::set_gravity(const Vec3& g_W) {
@@ -122,7 +130,7 @@ void LiveRun::set_surface(const std::string& material, std::optional<double> fri
 }
 
 void LiveRun::set_target_step(double step) {
-  const std::string message = range_error("step", step, step_range, "s");
+  const std::string message = range_error("step", step, limits::interval, "s");
   if (!message.empty()) throw InputError(message);
   step_ = step;
   rebuild();
@@ -181,6 +189,7 @@ void LiveRun::rebuild() {
   state_.anchor_here();
   state_.quiet_time.clear();  // Wakes all bodies.
   stepper_ = make_stepper(model_, method_, step_);
+  stepper_->set_interrupt(interrupt_);
   // Recording, audit and contacts follow the new model.
   if (recording_) recording_->continue_with(free_model_);
   begin_books();

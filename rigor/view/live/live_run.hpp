@@ -8,6 +8,7 @@
 #include "rigor/view/page/page_run.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -29,6 +30,9 @@ class LiveRun {
  public:
   /// Throws InputError if bodies overlap.
   explicit LiveRun(Scene scene);
+
+  /// Asked within advance(): true ends it with everything as it was before.
+  void set_interrupt(std::function<bool()> interrupt);
 
   double time() const { return state_.t; }
   const Scene& scene() const { return scene_; }
@@ -93,6 +97,7 @@ class LiveRun {
   std::shared_ptr<const Model> free_model_;  ///< With the changes but without the pull.
   std::shared_ptr<const Model> model_;       ///< The one that is simulated.
   State state_;
+  std::function<bool()> interrupt_;
   std::unique_ptr<Stepper> stepper_;
   std::unique_ptr<Auditor> auditor_;
   std::optional<Audit> earlier_;  ///< Balances of the previous models.

@@ -1,6 +1,7 @@
 #include "rigor/view/live/live_simulation.hpp"
 
 #include "rigor/core/input_error.hpp"
+#include "rigor/core/interrupt.hpp"
 #include "rigor/io/files/json_text.hpp"
 #include "rigor/view/live/live_frame.hpp"
 
@@ -22,6 +23,8 @@ using Seconds = std::chrono::duration<double>;
 constexpr Seconds frame_interval{1.0 / 60};
 constexpr Seconds file_interval{0.5};
 constexpr Seconds rate_interval{0.5}, status_interval{0.25}, history_interval{0.25};
+/// A pause, reset or reload breaks off a step that has lasted this long: it is undone.
+constexpr Seconds patience{0.2};
 /// If the simulation is farther behind the clock than this, it does not try to catch up.
 constexpr Seconds most_behind{0.1};
 
@@ -40,6 +43,12 @@ std::string file_name(const std::string& scene, double time, const char* suffix)
   return name + suffix;
 }
 
+/// Whether a command ends or replaces what is being computed.
+bool is_urgent(const LiveCommand& command) {
+  return std::holds_alternative<live::Pause>(command) || std::holds_alternative<live::Reset>(command) ||
+         std::holds_alternative<live::Reload>(command);
+}
+
 Json vector_json(const Vec3& v) {
   return {v.x(), v.y(), v.z()};
 }
@@ -51,7 +60,7 @@ LiveSimulation::LiveSimulation(LiveFile file, std::function<void()> notify,
     : file_(std::move(file)), notify_(std::move(notify)), reply_(std::move(reply)) {
   Scene scene = file_.read();
   warnings_ = scene.warnings;
-  run_ = std::make_unique<LiveRun>(std::move(scene));
+  begin_run(std::move(scene));
   publish_frame();
   publish_status();
   thread_ = std::thread([this] { run(); });
@@ -60,7 +69,7 @@ LiveSimulation::LiveSimulation(LiveFile file, std::function<void()> notify,
 LiveSimulation::~LiveSimulation() {
   {
     const std::lock_guard lock(mutex_);
-    is_ending_ = true;
+    is_ending_ = true;  // Under the mutex, so that a wait that begins now sees it.
   }
   wake_.notify_one();
   thread_.join();
@@ -76,6 +85,7 @@ bool LiveSimulation::post(std::uint64_t client, LiveCommand command) {
       return true;
     }
     if (requests_.size() >= most_waiting && !std::holds_alternative<live::Release>(command)) return false;
+    if (is_urgent(command)) is_urgent_ = true;
     requests_.push_back({client, std::move(command)});
   }
   wake_.notify_one();
@@ -95,22 +105,45 @@ void LiveSimulation::set_watched(bool is_watched) {
   wake_.notify_one();
 }
 
+bool LiveSimulation::should_break_off() const {
+  return is_ending_ || (is_urgent_ && Clock::now() - busy_since_ > patience);
+}
+
+void LiveSimulation::begin_run(Scene scene) {
+  run_ = std::make_unique<LiveRun>(std::move(scene));
+  run_->set_interrupt([this] { return should_break_off(); });
+}
+
 void LiveSimulation::run() {
+  // What is read or drawn is broken off at the end only.
+  const std::function<bool()> ends = [this] { return is_ending_.load(); };
+  const InterruptScope scope(ends);
   pace_anew();
-  while (true) {
-    {
-      const std::lock_guard lock(mutex_);
-      if (is_ending_) return;
+  while (!is_ending_) {
+    try {
+      work();
+    } catch (const Interrupted&) {
+      return;
+    } catch (const std::exception& error) {
+      // A defect of the program, or no memory: the page says so, and the next command may help.
+      is_running_ = false;
+      frame_is_new_ = false;
+      failure_ = error.what();
+      status_is_new_ = true;
     }
-    carry_out_requests();
-    look_at_file();
-    if (is_running_) go_on();
-    if (frame_is_new_ && Clock::now() - published_ >= frame_interval) publish_frame();
-    if (run_->history().revision() != history_revision_ && Clock::now() - remembered_ >= history_interval)
-      publish_history();
-    if (status_is_new_ || Clock::now() - told_ >= status_interval) publish_status();
     wait();
   }
+}
+
+/// What is due now.
+void LiveSimulation::work() {
+  carry_out_requests();
+  look_at_file();
+  if (is_running_) go_on();
+  if (frame_is_new_ && Clock::now() - published_ >= frame_interval) publish_frame();
+  if (run_->history().revision() != history_revision_ && Clock::now() - remembered_ >= history_interval)
+    publish_history();
+  if (status_is_new_ || Clock::now() - told_ >= status_interval) publish_status();
 }
 
 /// Waits until the next step or check of the file is due, a request arrives or a viewer connects.
@@ -138,6 +171,9 @@ void LiveSimulation::carry_out_requests() {
       if (requests_.empty() || is_ending_) return;
       request = std::move(requests_.front());
       requests_.pop_front();
+      is_urgent_ = std::any_of(requests_.begin(), requests_.end(),
+                               [](const Request& waiting) { return is_urgent(waiting.command); });
+      failure_.clear();
     }
     carry_out(request);
   }
@@ -145,6 +181,7 @@ void LiveSimulation::carry_out_requests() {
 
 void LiveSimulation::carry_out(const Request& request) {
   status_is_new_ = true;
+  busy_since_ = Clock::now();
   try {
     apply(request.command, request.client);
     frame_is_new_ = true;
@@ -218,7 +255,7 @@ void LiveSimulation::look_at_file() {
 void LiveSimulation::reload() {
   try {
     file_has_changed_ = false;
-    run_ = std::make_unique<LiveRun>(file_.read());
+    begin_run(file_.read());
     file_messages_.clear();
   } catch (const InputError& error) {
     file_messages_ = error.messages();
@@ -240,8 +277,10 @@ void LiveSimulation::go_on() {
   // The loop returns before long, so that requests are served.
   const Clock::time_point until = begin + std::chrono::duration_cast<Clock::duration>(frame_interval);
   while (run_->time() < wanted && run_->stop_text().empty() && Clock::now() < until) {
+    busy_since_ = Clock::now();
     run_->advance(longest);
     frame_is_new_ = true;
+    if (should_break_off()) return;
   }
   if (!run_->stop_text().empty()) is_running_ = false;
   if (wanted - run_->time() > speed_ * most_behind.count()) pace_anew();
@@ -330,7 +369,7 @@ std::string LiveSimulation::status() const {
                         {"surfaces", surfaces},
                         {"target_step", run_->target_step()},
                         {"method", method},
-                        {"stopped", run_->stop_text()},
+                        {"stopped", failure_.empty() ? run_->stop_text() : failure_},
                         {"recorded", run_->recorded_frames()},
                         {"file",
                          {{"name", file_.name()},

@@ -4,6 +4,7 @@
 #include "rigor/view/live/live_file.hpp"
 #include "rigor/view/live/live_run.hpp"
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
@@ -45,7 +46,7 @@ class LiveSimulation {
   LiveSimulation(LiveFile file, std::function<void()> notify, std::function<void(LiveReply)> reply);
   LiveSimulation(const LiveSimulation&) = delete;
   LiveSimulation& operator=(const LiveSimulation&) = delete;
-  /// Ends the thread once its present step is done.
+  /// Ends the thread; a step that takes long is broken off.
   ~LiveSimulation();
 
   /// Queues a command of a client; false if the queue is full. A pull replaces a pull of the same client that
@@ -66,7 +67,10 @@ class LiveSimulation {
   };
 
   void run();
+  void work();
   void wait();
+  bool should_break_off() const;
+  void begin_run(Scene scene);
   void carry_out_requests();
   void carry_out(const Request& request);
   void apply(const LiveCommand& command, std::uint64_t client);
@@ -92,6 +96,7 @@ class LiveSimulation {
   double speed_ = 1;
   std::uint64_t puller_ = 0;  ///< The client that pulls.
   std::vector<std::string> file_messages_;
+  std::string failure_;  ///< Of the program itself; ends with the next command.
   Clock::time_point paced_from_, looked_at_file_, published_, remembered_, told_, rated_from_;
   std::uint64_t history_revision_ = 0;               ///< Revision of the history published last.
   double pace_time_ = 0, rate_time_ = 0, rate_ = 0;  ///< Simulated [s]; simulated seconds per second.
@@ -100,7 +105,12 @@ class LiveSimulation {
   std::condition_variable wake_;
   std::deque<Request> requests_;
   LiveSnapshot newest_;
-  bool is_ending_ = false, is_watched_ = false;
+  bool is_watched_ = false;
+
+  // Asked within long steps, without the mutex.
+  std::atomic<bool> is_ending_{false};
+  std::atomic<bool> is_urgent_{false};  ///< A command waits that ends or replaces the present step.
+  Clock::time_point busy_since_;        ///< When the present step began; the simulation's thread only.
 
   std::thread thread_;
 };

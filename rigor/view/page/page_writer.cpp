@@ -11,9 +11,28 @@ namespace rigor {
 
 namespace {
 
-// The policy allows the page to run its own content and to reach nothing outside.
-constexpr std::string_view policy =
-    "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:";
+int digit_value(char digit) {
+  return digit <= '9' ? digit - '0' : digit - 'a' + 10;
+}
+
+/// The policy allows the page to run this very script and to reach nothing outside. Scripts are named by the
+/// base64 of their hash.
+std::string own_policy() {
+  const std::string_view digits = viewer_script_sha256();
+  std::string hash;
+  for (std::size_t i = 0; i + 1 < digits.size(); i += 2)
+    hash += static_cast<char>(16 * digit_value(digits[i]) + digit_value(digits[i + 1]));
+  return fmt::format(
+      "default-src 'none'; script-src 'sha256-{}'; img-src data: blob:; base-uri 'none'; "
+      "form-action 'none'",
+      base64(hash));
+}
+
+/// The viewer in the page. Its text is what the policy names: not even a line may be added.
+std::string inline_viewer() {
+  return std::string("<script>").append(viewer_script()).append("</script>\n");
+}
+
 constexpr std::string_view no_script =
     "<noscript>This page shows a simulation; it needs JavaScript, and nothing from the network.</noscript>\n";
 
@@ -46,11 +65,11 @@ void append_body(const std::vector<std::vector<PageBlock>>& runs, Append append)
 
 std::string page_text(std::string_view title, const std::vector<std::vector<PageBlock>>& runs,
                       const ServedPage& served) {
-  std::string text = head(title, served.policy.empty() ? policy : served.policy);
+  std::string text = head(title, served.policy.empty() ? own_policy() : served.policy);
   if (!served.mark.empty())
     text += fmt::format("<meta name=\"rigor-live\" content=\"{}\">\n", markup_text(served.mark));
   if (served.script.empty()) {
-    text.append("<script>\n").append(viewer_script()).append("</script>\n");
+    text += inline_viewer();
   } else {
     text += fmt::format("<script src=\"{}\"></script>\n", markup_text(served.script));
   }
@@ -62,10 +81,9 @@ std::string page_text(std::string_view title, const std::vector<std::vector<Page
 void write_page(const std::filesystem::path& path, std::string_view title,
                 const std::vector<std::vector<PageBlock>>& runs) {
   OutputFile file(path);
-  file.append(head(title, policy));
-  file.append("<script>\n");
-  file.append(viewer_script());
-  file.append("</script>\n</head>\n");
+  file.append(head(title, own_policy()));
+  file.append(inline_viewer());
+  file.append("</head>\n");
   append_body(runs, [&file](std::string_view part) {
     file.append(part);
     file.flush();

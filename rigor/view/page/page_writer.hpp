@@ -16,6 +16,8 @@ inline constexpr std::array<std::string_view, 1> page_suffixes = {".html"};
 
 /// The viewer: one script (viewer/dist/viewer.js) that finds the data blocks of the page that contains it.
 std::string_view viewer_script();
+/// Its SHA-256 in hexadecimal digits.
+std::string_view viewer_script_sha256();
 
 /// Writes a page that shows these runs (initially the second one as the ghost of the first): the viewer, then
 /// the blocks of each run. It needs no network and no other file. Throws FileError.

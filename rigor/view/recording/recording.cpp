@@ -2,6 +2,7 @@
 
 #include "rigor/core/input_error.hpp"
 #include "rigor/core/quoted.hpp"
+#include "rigor/io/trajectory/trajectory_check.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <fmt/format.h>
@@ -13,13 +14,30 @@ namespace rigor {
 
 namespace {
 
-/// Folder of the files of a scene: that of the scene, or that of the trajectory if the scene was moved
-/// together with it.
+/// Folder of the files of a scene: that of the scene, or that of the trajectory if the path was not stored,
+/// or the scene was moved together with it.
 std::filesystem::path scene_folder(const StoredTrajectory& motion, const std::filesystem::path& trajectory) {
   std::error_code ignored;
   const std::filesystem::path folder = std::filesystem::path(motion.scene_file).parent_path();
   return !folder.empty() && std::filesystem::is_directory(folder, ignored) ? folder
                                                                            : trajectory.parent_path();
+}
+
+/// The scene that the trajectory carries. Throws InputError.
+Scene stored_scene(const StoredTrajectory& motion, const std::filesystem::path& path,
+                   const std::string& scene_file) {
+  try {
+    return parse_scene(motion.scene_text, fmt::format("{}: {}", path.string(), scene_file),
+                       scene_folder(motion, path), motion.overrides);
+  } catch (const InputError& error) {
+    if (std::filesystem::path(motion.scene_file).has_parent_path()) throw;
+    std::vector<std::string> messages = error.messages();
+    messages.push_back(
+        fmt::format("{}: files of the scene are looked for beside it; put it beside the scene, "
+                    "or run the scene with --keep-path",
+                    path.string()));
+    throw InputError(std::move(messages));
+  }
 }
 
 void check_bodies(const Recording& recording, const std::string& path) {
@@ -64,12 +82,12 @@ Recording read_recording(const std::filesystem::path& path) {
   Recording recording;
   recording.motion = read_hdf5_trajectory(path);
   const std::string name = quoted_text(path.string());
+  if (const std::string error = trajectory_error(recording.motion); !error.empty())
+    throw InputError(fmt::format("cannot show {}: {}", name, error));
   if (recording.motion.time.empty())
     throw InputError(fmt::format("cannot show {}: it holds no output time", name));
   const std::string scene_file = std::filesystem::path(recording.motion.scene_file).filename().string();
-  const Scene scene =
-      parse_scene(recording.motion.scene_text, fmt::format("{}: {}", path.string(), scene_file),
-                  scene_folder(recording.motion, path), recording.motion.overrides);
+  const Scene scene = stored_scene(recording.motion, path, scene_file);
   recording.model = scene.model;
   recording.name = scene.name;
   recording.contact_tolerance = scene.method.contact_tolerance;
