@@ -23,6 +23,10 @@
 #include <optional>
 #include <utility>
 
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <sys/socket.h>
+
 namespace rigor {
 
 namespace {
@@ -321,6 +325,13 @@ void LiveServer::Impl::open(std::uint16_t port) {
   if (!error) acceptor.set_option(tcp::acceptor::reuse_address(true), error);
   if (!error) acceptor.bind(endpoint, error);
   if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
+#ifdef TCP_DEFER_ACCEPT
+  // Where the system can, it keeps connections to itself until they have sent something: idle ones cost
+  // nothing and stand in nobody's way.
+  const int patience = static_cast<int>(limits.request_time);
+  if (!error && patience > 0)
+    ::setsockopt(acceptor.native_handle(), IPPROTO_TCP, TCP_DEFER_ACCEPT, &patience, sizeof patience);
+#endif
   if (error) {
     throw FileError(fmt::format("cannot serve on port {} of 127.0.0.1: {}; choose another --port, or none",
                                 port, error.message()));

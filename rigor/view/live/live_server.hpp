@@ -15,12 +15,12 @@ struct LiveLimits {
   std::size_t header_bytes = 8192, message_bytes = 4096;
   std::size_t connections = 32;  ///< Connections that have not shown the token.
   std::size_t sockets = 8;
-  int messages = 240;            ///< Per second and socket.
-  double request_time = 5;       ///< [s] until a request has arrived.
-  double response_time = 60;     ///< [s] until its answer has been sent.
-  double idle_time = 30;         ///< [s] without any traffic on a socket.
-  int burst = 32;                ///< Connections at once.
-  double accept_pause = 0.5e-3;  ///< [s] between later connections.
+  int messages = 240;          ///< Per second and socket.
+  double request_time = 5;     ///< [s] until a request has arrived.
+  double response_time = 60;   ///< [s] until its answer has been sent.
+  double idle_time = 30;       ///< [s] without any traffic on a socket.
+  int burst = 32;              ///< Connections at once.
+  double accept_pause = 1e-3;  ///< [s] between later connections.
 };
 
 /// Serves one page on 127.0.0.1: a recorded run, or a live simulation with a WebSocket for frames and
