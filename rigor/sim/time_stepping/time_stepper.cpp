@@ -4,6 +4,7 @@
 #include "rigor/contact/time_of_impact.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/dynamics/dense_phase.hpp"
+#include "rigor/geometry/mesh/triangle_tree.hpp"
 #include "rigor/geometry/shape/aabb.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/sim/islands/displacement.hpp"
@@ -44,7 +45,8 @@ struct ThickShare {
 };
 
 /// Half the smallest width of a shape, less where it may be hollow or pointed [m].
-double thickness_of(const Shape& shape) {
+double thickness_of(const Shape& of) {
+  const Shape& shape = convex_solid(of);
   if (is_unbounded(shape)) return infinite;
   const Aabb box = axis_aligned_box(shape, Pose{Mat3::Identity(), Vec3::Zero()});
   const double half_width = 0.5 * (box.upper - box.lower).minCoeff();
