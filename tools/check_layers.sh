@@ -22,7 +22,7 @@ view: core math geometry model dynamics sim io
 '
 # layer: its rooms from the lowest up; `.` stands for the files that lie in the folder of the layer itself.
 rooms='
-geometry: exact lanes shape mass broad_phase convex mesh distance decomposition mesh_penetration contacts motion rays
+geometry: exact lanes shape mass broad_phase convex mesh decomposition distance mesh_penetration contacts motion rays
 solver: linear coulomb motion cones .
 contact: system resting impact penalty .
 bulk: lanes threads state narrow_phase broad_phase matching graph direct contacts gyroscopic joints sleep .

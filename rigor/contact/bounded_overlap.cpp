@@ -1,6 +1,7 @@
 #include "rigor/contact/bounded_overlap.hpp"
 
 #include "rigor/geometry/distance/distance.hpp"
+#include "rigor/geometry/mesh/triangle_tree.hpp"
 #include "rigor/geometry/motion/cavity_step.hpp"
 #include "rigor/geometry/motion/mesh_advance.hpp"
 #include "rigor/geometry/motion/separation_bound.hpp"
@@ -22,7 +23,7 @@ struct ShapeInMotion {
   Pose pose(double t) const { return motion.sample(t).X_WB * shape.X_BS; }
   MovingShape part() const { return {&shape.shape, shape.X_BS, &motion}; }
   MovingCore core() const { return make_moving_core(shape.shape, shape.X_BS, shape.radius, motion); }
-  bool is_mesh() const { return std::holds_alternative<Mesh>(shape.shape); }
+  bool is_mesh() const { return std::holds_alternative<Mesh>(convex_solid(shape.shape)); }
 };
 
 /// The same for two convex shapes, or a shape and a half-space; 0 where no direction proves a step.

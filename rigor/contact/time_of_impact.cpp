@@ -4,6 +4,7 @@
 #include "rigor/geometry/contacts/contact_set.hpp"
 #include "rigor/geometry/distance/distance.hpp"
 #include "rigor/geometry/distance/distance_cache.hpp"
+#include "rigor/geometry/mesh/triangle_tree.hpp"
 #include "rigor/geometry/motion/cavity_step.hpp"
 #include "rigor/geometry/motion/mesh_advance.hpp"
 #include "rigor/geometry/motion/separation_bound.hpp"
@@ -44,12 +45,14 @@ struct MovingBodyShape {
   const BodyShape* shape;
   const Motion* motion;
 
+  /// A mesh that bounds a convex solid moves as that solid.
+  const Shape& solid() const { return convex_solid(shape->shape); }
   Pose pose(double t) const { return motion->sample(t).X_WB * shape->X_BS; }
-  MovingShape part() const { return {&shape->shape, shape->X_BS, motion}; }
-  bool is_mesh() const { return std::holds_alternative<Mesh>(shape->shape); }
-  bool is_half_space() const { return std::holds_alternative<HalfSpace>(shape->shape); }
-  bool is_cavity() const { return std::holds_alternative<Cavity>(shape->shape); }
-  MovingCore core() const { return make_moving_core(shape->shape, shape->X_BS, shape->radius, *motion); }
+  MovingShape part() const { return {&solid(), shape->X_BS, motion}; }
+  bool is_mesh() const { return std::holds_alternative<Mesh>(solid()); }
+  bool is_half_space() const { return std::holds_alternative<HalfSpace>(solid()); }
+  bool is_cavity() const { return std::holds_alternative<Cavity>(solid()); }
+  MovingCore core() const { return make_moving_core(solid(), shape->X_BS, shape->radius, *motion); }
 };
 
 /// The search of one pair of shapes.
@@ -67,7 +70,7 @@ class ShapePairSearch {
 
  private:
   static double finite_radius(const MovingBodyShape& moving) {
-    if (const Cavity* cavity = std::get_if<Cavity>(&moving.shape->shape)) return cavity->radius;
+    if (const Cavity* cavity = std::get_if<Cavity>(&moving.solid())) return cavity->radius;
     return std::isinf(moving.shape->radius) ? 0 : moving.shape->radius;
   }
   /// Gap at which this pair counts as touching: surfaces that are not convex have no envelope.
@@ -77,7 +80,7 @@ class ShapePairSearch {
   double distance_at(double t) { return distance(A_.pose(t), B_.pose(t)).distance; }
   Approach approach(double t);
   /// Whether a surface that is not convex is met: a half-space or a cavity sees of a mesh its hull.
-  bool has_mesh() const { return A_.is_mesh() && !is_unbounded(B_.shape->shape); }
+  bool has_mesh() const { return A_.is_mesh() && !is_unbounded(B_.solid()); }
   void look_at_contacts(const Pose& X_WS, const Pose& X_WT, double t, Approach& now) const;
   bool can_meet(double t0, double t1) const;
   std::optional<TimeOfImpact> find_in_closed_form(double t0, double t1) const;
@@ -104,8 +107,8 @@ class ShapePairSearch {
 DistanceResult ShapePairSearch::distance(const Pose& X_WS, const Pose& X_WT) {
   ++evaluations_;
   DistanceResult found = options_.distance == ToiDistance::lin_canny
-                             ? walked_distance(A_.shape->shape, X_WS, B_.shape->shape, X_WT, cache_)
-                             : signed_distance(A_.shape->shape, X_WS, B_.shape->shape, X_WT);
+                             ? walked_distance(A_.solid(), X_WS, B_.solid(), X_WT, cache_)
+                             : signed_distance(A_.solid(), X_WS, B_.solid(), X_WT);
   found.distance -= envelope();
   return found;
 }
@@ -125,7 +128,7 @@ Approach ShapePairSearch::approach(double t) {
 /// there is no direction. The contact that closes first counts; if no contact approaches, the pair does not.
 void ShapePairSearch::look_at_contacts(const Pose& X_WS, const Pose& X_WT, double t, Approach& now) const {
   const std::vector<ContactPoint> contacts =
-      contact_set(A_.shape->shape, X_WS, B_.shape->shape, X_WT, options_.contact_tolerance);
+      contact_set(A_.solid(), X_WS, B_.solid(), X_WT, options_.contact_tolerance);
   if (contacts.empty()) return;
   const Motion::Sample A = A_.motion->sample(t), B = B_.motion->sample(t);
   now.rate = 0;
@@ -158,7 +161,7 @@ bool ShapePairSearch::can_meet(double t0, double t1) const {
 
 /// Radius and centre's body of a ball whose centre is the centre of mass; such a pair needs no search.
 const Sphere* centred_ball(const MovingBodyShape& moving) {
-  const Sphere* sphere = std::get_if<Sphere>(&moving.shape->shape);
+  const Sphere* sphere = std::get_if<Sphere>(&moving.solid());
   return sphere != nullptr && moving.shape->X_BS.p.isZero(0) ? sphere : nullptr;
 }
 
@@ -185,7 +188,7 @@ std::optional<TimeOfImpact> ShapePairSearch::find_in_closed_form(double t0, doub
   if (!A_.motion->is_ballistic() || !B_.motion->is_ballistic()) return std::nullopt;
   const Sphere* a = centred_ball(A_);
   const Sphere* b = centred_ball(B_);
-  const HalfSpace* plane = std::get_if<HalfSpace>(&B_.shape->shape);
+  const HalfSpace* plane = std::get_if<HalfSpace>(&B_.solid());
   const Vec3 dx = B_.motion->position(t0) - A_.motion->position(t0);
   const Vec3 dv = B_.motion->velocity(t0) - A_.motion->velocity(t0);
   const Vec3 da = B_.motion->acceleration() - A_.motion->acceleration();

@@ -22,6 +22,12 @@ Pose at(double x, double y, double z) {
   return {Mat3::Identity(), Vec3(x, y, z)};
 }
 
+/// The cube of half side 1 with a notch along its edge x = y = -1, far from where the tests are.
+Mesh notched_cube() {
+  return as_mesh(
+      moved(make_prism({{-0.9, -1}, {1, -1}, {1, 1}, {-1, 1}, {-1, -0.9}, {-0.9, -0.9}}, 2), at(0, 0, -1)));
+}
+
 /// One contact: out through the side x = 1 by the way that is left and the width of b.
 void expect_way_out(const Shape& a, const Shape& b, double half_width) {
   constexpr double place = 0.6;
@@ -39,9 +45,23 @@ void expect_way_out(const Shape& a, const Shape& b, double half_width) {
 }
 
 TEST(EnclosedContact, OfAShapeInsideAMeshIsTheWayOut) {
-  expect_way_out(cube(1), Sphere{0.1}, 0.1);
-  expect_way_out(cube(1), Box{Vec3(0.2, 0.1, 0.1)}, 0.2);
-  expect_way_out(cube(1), cube(0.1), 0.1);
+  expect_way_out(notched_cube(), Sphere{0.1}, 0.1);
+  expect_way_out(notched_cube(), Box{Vec3(0.2, 0.1, 0.1)}, 0.2);
+  expect_way_out(notched_cube(), cube(0.1), 0.1);
+}
+
+TEST(EnclosedContact, OfAConvexMeshIsThatOfTheConvex) {
+  for (const Shape& inner : {Shape(Sphere{0.1}), Shape(Box{Vec3(0.2, 0.1, 0.1)}), Shape(cube(0.1))}) {
+    const std::vector<ContactPoint> found = contact_set(cube(1), Pose{}, inner, at(0.6, 0, 0), 1e-6);
+    const std::vector<ContactPoint> expected =
+        contact_set(Box{Vec3::Ones()}, Pose{}, inner, at(0.6, 0, 0), 1e-6);
+    ASSERT_EQ(found.size(), expected.size());
+    ASSERT_FALSE(found.empty());
+    for (const ContactPoint& contact : found) {
+      EXPECT_NEAR((contact.n_W - Vec3::UnitX()).norm(), 0, 1e-12);
+      EXPECT_NEAR((contact.p_WB - contact.p_WA - contact.gap * contact.n_W).norm(), 0, 1e-12);
+    }
+  }
 }
 
 TEST(EnclosedContact, ThereIsNoneInAHollowOrBesideTheMesh) {

@@ -3,6 +3,7 @@
 #include "rigor/geometry/shape/triangle_mesh.hpp"
 #include "rigor/math/pose.hpp"
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -117,6 +118,104 @@ inline TriangleMesh make_uv_sphere(int stacks, int segments) {
       mesh.triangles.push_back({a, b + segments, a + segments});
     }
     mesh.triangles.push_back({north, top + i, top + j});
+  }
+  return mesh;
+}
+
+/// The box with each of its faces cut into a grid of `cells` x `cells` squares of two triangles.
+inline TriangleMesh make_grid_box(const Vec3& half_extents, int cells) {
+  TriangleMesh mesh;
+  std::map<std::array<int, 3>, int> numbers;  // Of the points of the grid, by their places.
+  const auto vertex = [&](const std::array<int, 3>& place) {
+    const auto [entry, is_new] = numbers.try_emplace(place, static_cast<int>(mesh.vertices.size()));
+    if (is_new) {
+      Vec3 p;
+      for (std::size_t i = 0; i < 3; ++i)
+        p(static_cast<int>(i)) =
+            half_extents(static_cast<int>(i)) * static_cast<double>(2 * place[i] - cells) / cells;
+      mesh.vertices.push_back(p);
+    }
+    return entry->second;
+  };
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (const bool is_upper : {false, true}) {
+      const auto at = [&](int i, int j) {
+        std::array<int, 3> place{};
+        place[axis] = is_upper ? cells : 0;
+        place[(axis + 1) % 3] = is_upper ? i : cells - i;
+        place[(axis + 2) % 3] = j;
+        return vertex(place);
+      };
+      for (int i = 0; i < cells; ++i) {
+        for (int j = 0; j < cells; ++j) {
+          mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+          mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+        }
+      }
+    }
+  }
+  return mesh;
+}
+
+/// Surface of unit cubes of a grid, those for which is_full(i, j, k) is true, with i, j, k from 0 to count -
+/// 1: two triangles a square. Cubes that share an edge but no square must have a common neighbour.
+template <typename IsFull>
+TriangleMesh make_cube_mesh(const std::array<int, 3>& count, const IsFull& is_full) {
+  TriangleMesh mesh;
+  std::map<std::array<int, 3>, int> numbers;
+  const auto vertex = [&](const std::array<int, 3>& p) {
+    const auto [entry, is_new] = numbers.try_emplace(p, static_cast<int>(mesh.vertices.size()));
+    if (is_new) mesh.vertices.emplace_back(p[0], p[1], p[2]);
+    return entry->second;
+  };
+  const auto is_solid = [&](const std::array<int, 3>& c) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (c[i] < 0 || c[i] >= count[i]) return false;
+    }
+    return is_full(c[0], c[1], c[2]);
+  };
+  for (int i = 0; i < count[0]; ++i) {
+    for (int j = 0; j < count[1]; ++j) {
+      for (int k = 0; k < count[2]; ++k) {
+        const std::array<int, 3> cube{i, j, k};
+        if (!is_solid(cube)) continue;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          for (const int side : {0, 1}) {
+            std::array<int, 3> next = cube;
+            next[axis] += 2 * side - 1;
+            if (is_solid(next)) continue;
+            // The square between the two, counter-clockwise seen from outside.
+            const auto corner = [&](int u, int v) {
+              std::array<int, 3> p = cube;
+              p[axis] += side;
+              p[(axis + 1) % 3] += side == 1 ? u : v;
+              p[(axis + 2) % 3] += side == 1 ? v : u;
+              return vertex(p);
+            };
+            mesh.triangles.push_back({corner(0, 0), corner(1, 0), corner(1, 1)});
+            mesh.triangles.push_back({corner(0, 0), corner(1, 1), corner(0, 1)});
+          }
+        }
+      }
+    }
+  }
+  return mesh;
+}
+
+/// Open sheet z = 0 over |x|, |y| <= half_size, its front above, of `cells` x `cells` squares of two
+/// triangles.
+inline TriangleMesh make_grid_sheet(double half_size, int cells) {
+  TriangleMesh mesh;
+  for (int i = 0; i <= cells; ++i) {
+    for (int j = 0; j <= cells; ++j)
+      mesh.vertices.emplace_back(half_size * (2 * i - cells) / cells, half_size * (2 * j - cells) / cells, 0);
+  }
+  const auto vertex = [&](int i, int j) { return i * (cells + 1) + j; };
+  for (int i = 0; i < cells; ++i) {
+    for (int j = 0; j < cells; ++j) {
+      mesh.triangles.push_back({vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1)});
+      mesh.triangles.push_back({vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
+    }
   }
   return mesh;
 }

@@ -120,7 +120,7 @@ SurfaceLine ContactShape::edge_line(int index) const {
   const ConvexHull::Edge& edge = topology_->edges[at(index)];
   return {in_O(vertices_S()[at(edge.v0)]),
           in_O(vertices_S()[at(edge.v1)]),
-          {Feature::Kind::edge, triangle_ ? triangle_->edges[at(index)] : index},
+          {Feature::Kind::edge, facet_ ? facet_->edges[at(index)] : index},
           vertex_feature(edge.v0),
           vertex_feature(edge.v1),
           edge_is_real(index)};
@@ -179,12 +179,13 @@ std::optional<double> ContactShape::height_above(const Vec3& p, const Vec3& n,
     if (slope < -kSteep) t = std::max(t, depth_below(f, p_S) / slope);
   }
   if (!std::isfinite(t)) return {};
-  // A triangle has no side faces: there its edges decide.
+  // A facet has no side faces: there its edges decide.
   const Vec3 q_S = p_S + t * n_S;
-  if (triangle_) {
-    for (std::size_t k = 0; k < 3; ++k) {
+  if (facet_) {
+    const std::size_t count = own_vertices_S_.size();
+    for (std::size_t k = 0; k < count; ++k) {
       const Vec3 inward =
-          triangle_->normal.cross(own_vertices_S_[(k + 1) % 3] - own_vertices_S_[k]).normalized();
+          facet_->normal.cross(own_vertices_S_[(k + 1) % count] - own_vertices_S_[k]).normalized();
       if (inward.dot(q_S - own_vertices_S_[k]) < -slack) return {};
     }
     return t;
@@ -277,7 +278,7 @@ Feature ContactShape::classify_on_polyhedron(const Vec3& p) const {
     const double distance = (from - place * along).norm();
     if (distance >= best) continue;
     best = distance;
-    feature = {Feature::Kind::edge, triangle_ ? triangle_->edges[e] : static_cast<int>(e)};
+    feature = {Feature::Kind::edge, facet_ ? facet_->edges[e] : static_cast<int>(e)};
   }
   if (best <= near) return feature;
   best = std::numeric_limits<double>::infinity();

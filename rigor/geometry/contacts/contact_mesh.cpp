@@ -2,7 +2,9 @@
 
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/core/sorted_unique.hpp"
 #include "rigor/geometry/contacts/contact_pair.hpp"
+#include "rigor/geometry/contacts/face_clip.hpp"
 #include "rigor/geometry/convex/convex_distance.hpp"
 #include "rigor/geometry/mesh/mesh_point.hpp"
 #include "rigor/geometry/mesh/triangle_tree.hpp"
@@ -12,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -20,27 +23,61 @@ namespace {
 
 /// A normal this far outside the cone of an edge or vertex (as a sine) counts as on its border.
 constexpr double kConeSlack = 1e-9;
+/// Directions that differ by less are the same.
+constexpr double kAlongNormal = 1e-6;
 
-MeshTriangle mesh_triangle(const Mesh& mesh, int t) {
+/// A triangle that is not part of a larger face, with the kinds of its sides.
+MeshFacet triangle_facet(const Mesh& mesh, int t) {
   const TriangleTree::Triangle& topology = mesh.tree->triangles[at(t)];
-  MeshTriangle triangle{
-      .normal = topology.normal, .vertices = mesh.mesh->triangles[at(t)], .patch = topology.patch};
+  const std::array<int, 3>& vertices = mesh.mesh->triangles[at(t)];
+  MeshFacet facet{.normal = topology.normal,
+                  .vertices = {vertices.begin(), vertices.end()},
+                  .patch = topology.patch,
+                  .patch_area = mesh.tree->patch_areas[at(topology.patch)]};
   for (std::size_t k = 0; k < 3; ++k) {
-    triangle.corners[k] = mesh.mesh->vertices[at(triangle.vertices[k])];
-    triangle.corner_is_real[k] = topology.is_patch_corner[k];
-    triangle.edge_is_real[k] = topology.edge[k] != MeshEdgeKind::flat;
-    triangle.edges[k] = 3 * t + static_cast<int>(k);
+    facet.corners.push_back(mesh.mesh->vertices[at(vertices[k])]);
+    facet.corner_is_real.push_back(topology.is_patch_corner[k]);
+    facet.edge_is_real.push_back(topology.edge[k] != MeshEdgeKind::flat);
+    facet.edges.push_back(3 * t + static_cast<int>(k));
     // The neighbour's number where that is the lower one.
     const int neighbour = topology.neighbour[k];
     if (neighbour < 0 || neighbour > t) continue;
     const std::array<int, 3>& other = mesh.mesh->triangles[at(neighbour)];
     for (std::size_t j = 0; j < 3; ++j) {
-      if (other[j] == triangle.vertices[(k + 1) % 3] && other[(j + 1) % 3] == triangle.vertices[k]) {
-        triangle.edges[k] = 3 * neighbour + static_cast<int>(j);
-      }
+      if (other[j] == vertices[(k + 1) % 3] && other[(j + 1) % 3] == vertices[k])
+        facet.edges[k] = 3 * neighbour + static_cast<int>(j);
     }
   }
-  return triangle;
+  return facet;
+}
+
+MeshFacet face_facet(const Mesh& mesh, const MeshFace& face) {
+  MeshFacet facet{.normal = face.normal,
+                  .vertices = face.corners,
+                  .edges = face.edges,
+                  .corner_is_real = face.is_corner,
+                  .edge_is_real = std::vector<bool>(face.corners.size(), true),
+                  .patch = face.patch,
+                  .patch_area = mesh.tree->patch_areas[at(face.patch)]};
+  for (const int v : face.corners) facet.corners.push_back(mesh.mesh->vertices[at(v)]);
+  return facet;
+}
+
+/// The facets of the mesh near a box, each once: faces, and triangles that belong to none.
+std::vector<MeshFacet> facets_near(const Mesh& mesh, const Aabb& box_M) {
+  std::vector<MeshFacet> facets;
+  std::vector<int> faces;
+  for (const int t : mesh.tree->overlapping(box_M)) {
+    const int face = mesh.tree->face_of_patch[at(mesh.tree->triangles[at(t)].patch)];
+    if (face < 0) {
+      facets.push_back(triangle_facet(mesh, t));
+    } else {
+      faces.push_back(face);
+    }
+  }
+  for (const int face : sorted_unique(std::move(faces)))
+    facets.push_back(face_facet(mesh, mesh.tree->faces[at(face)]));
+  return facets;
 }
 
 /// Does the surface fall away from the direction n at vertex v, that is, does no side at v rise along n?
@@ -70,10 +107,11 @@ bool is_in_edge_cone(const Mesh& mesh, int edge, const Vec3& n_M) {
   return true;
 }
 
-/// Is n a normal of the mesh at the contact's feature? The back of a closed surface has none.
-bool is_surface_normal(const Mesh& mesh, const Feature& feature, const Vec3& n_M,
-                       const Vec3& triangle_normal) {
-  const double facing = n_M.dot(triangle_normal);
+/// Is n a normal of the mesh at the contact's feature? The back of a closed surface has none. On a face it is
+/// the face's, up to the sine of the tilt given.
+bool is_surface_normal(const Mesh& mesh, const Feature& feature, const Vec3& n_M, const Vec3& normal,
+                       double most_tilt) {
+  const double facing = n_M.dot(normal);
   if (mesh.tree->is_closed && facing < -kConeSlack) return false;
   switch (feature.kind) {
     case Feature::Kind::vertex:
@@ -81,7 +119,7 @@ bool is_surface_normal(const Mesh& mesh, const Feature& feature, const Vec3& n_M
     case Feature::Kind::edge:
       return is_in_edge_cone(mesh, feature.index, n_M);
     default:
-      return std::abs(facing) > 0.5;
+      return std::abs(facing) > 0.5 && n_M.cross(normal).norm() <= most_tilt;
   }
 }
 
@@ -109,18 +147,16 @@ std::vector<ContactPoint> plane_contacts(const Mesh& mesh, const Pose& X_OM, con
   return contacts;
 }
 
-Vec3 triangle_lower(const MeshTriangle& t) {
-  return t.corners[0].cwiseMin(t.corners[1]).cwiseMin(t.corners[2]);
+Aabb box_of(const std::vector<Vec3>& corners) {
+  Aabb box{corners.front(), corners.front()};
+  for (const Vec3& p : corners) box = box.united({p, p});
+  return box;
 }
 
-Vec3 triangle_upper(const MeshTriangle& t) {
-  return t.corners[0].cwiseMax(t.corners[1]).cwiseMax(t.corners[2]);
-}
-
-/// Collects the contacts triangle by triangle.
-class TriangleContacts {
+/// Collects the contacts facet by facet.
+class FacetContacts {
  public:
-  TriangleContacts(const Mesh& mesh, const Pose& X_OM, const Shape& b, const Pose& X_OB, double tolerance)
+  FacetContacts(const Mesh& mesh, const Pose& X_OM, const Shape& b, const Pose& X_OB, double tolerance)
       : mesh_(mesh),
         X_OM_(X_OM),
         shape_(b, X_OB),
@@ -128,55 +164,66 @@ class TriangleContacts {
         center_M_(X_OM.inverse() * X_OB.p),
         radius_(radius_about(b, Vec3::Zero())) {}
 
-  void add(int t) {
-    const MeshTriangle triangle = mesh_triangle(mesh_, t);
-    const ContactShape face(triangle, X_OM_);
-    // Most triangles near a shape lie off its ball or in planes that it does not reach.
-    const Vec3 nearest = triangle_lower(triangle).cwiseMax(center_M_.cwiseMin(triangle_upper(triangle)));
+  void add(const MeshFacet& facet) {
+    // Most facets near a shape lie off its ball or in planes that it does not reach.
+    const Aabb box = box_of(facet.corners);
+    const Vec3 nearest = box.lower.cwiseMax(center_M_.cwiseMin(box.upper));
     if ((nearest - center_M_).norm() > radius_ + tolerance_) return;
-    const Vec3 n = X_OM_.R * triangle.normal;
-    const bool is_above = n.dot(shape_.support(-n) - face.X_OS().p) > tolerance_;
-    const bool is_below = -n.dot(shape_.support(n) - face.X_OS().p) > tolerance_;
+    const Vec3 n = X_OM_.R * facet.normal, p = X_OM_ * facet.corners.front();
+    const bool is_above = n.dot(shape_.support(-n) - p) > tolerance_;
+    const bool is_below = -n.dot(shape_.support(n) - p) > tolerance_;
     if (is_above || is_below) return;
-    // The contact set of the triangle as a convex body of its own.
+    // The contact set of the facet as a convex body of its own.
+    const ContactShape face(facet, X_OM_);
     const DistanceResult distance = convex_distance(face.core(), face.X_OS(), shape_.core(), shape_.X_OS());
     if (distance.distance > tolerance_) return;
     const ContactPair pair{face, shape_, contact_scale(face, shape_, tolerance_)};
     merge_ = std::max(merge_, pair.scale.merge);
-    // What touches through a side that is none of the surface is kept aside.
-    bool is_blocked = false;
-    for (const ContactPoint& contact : convex_contacts(pair, distance)) {
+    std::vector<ContactPoint> found = convex_contacts(pair, distance);
+    // A part of a patch is asked for its nearest point only if the patch has none that is nearer.
+    const bool is_part = !is_whole(facet);
+    const bool is_nearest = !is_part || distance.distance <= of_hull(facet).distance + pair.scale.merge;
+    if (is_nearest) add_witness(pair, distance, found);
+    // What touches through a side that is none of the surface is kept aside. The shape may leave a part along
+    // a normal of its own that would not part it from the patch: within the tolerance it lies flat on both.
+    const double most_tilt = !is_part ? 1 : kAlongNormal + 4 * tolerance_ / face.size();
+    bool is_blocked = is_part && found.empty();
+    for (const ContactPoint& contact : found) {
       const Vec3 n_M = X_OM_.R.transpose() * contact.n_W;
-      if (is_surface_normal(mesh_, first_feature(contact.feature), n_M, triangle.normal)) {
-        contacts_.push_back({contact, triangle.patch});
+      if (is_surface_normal(mesh_, first_feature(contact.feature), n_M, facet.normal, most_tilt)) {
+        contacts_.push_back({contact, facet.patch});
       } else {
         is_blocked = true;
         if (!nearest_blocked_ || contact.gap < nearest_blocked_->gap) nearest_blocked_ = contact;
       }
     }
-    if (is_blocked && distance.distance < 0) blocked_.push_back(t);
+    if (is_blocked && distance.distance < 0) blocked_.push_back(facet);
   }
 
-  /// A shape that is pressed into a flat patch may leave one of its triangles faster through a side that is
-  /// no side of the surface. It is then held by the face, as deep as by the others of the patch.
+  /// A shape that is pressed into a flat patch may leave one of its facets faster through a side that is no
+  /// side of the surface. It is then held by the face, as deep as by the others of the patch or as it would
+  /// be by the convex hull of the patch, if that is left the same way.
   void add_blocked() {
-    for (const int t : blocked_) {
-      const MeshTriangle triangle = mesh_triangle(mesh_, t);
-      const ContactShape face(triangle, X_OM_);
+    for (const MeshFacet& facet : blocked_) {
+      const ContactShape face(facet, X_OM_);
       const ContactPair pair{face, shape_, contact_scale(face, shape_, tolerance_)};
       const FlatFace front = face.polygon(0);
+      const bool leaves_hull_along = !is_whole(facet) && is_along(of_hull(facet), facet);
       double depth = tolerance_;
+      if (leaves_hull_along) depth = std::max(depth, tolerance_ - of_hull(facet).distance);
       for (const auto& [contact, patch] : contacts_) {
-        if (patch == triangle.patch) depth = std::max(depth, -contact.gap + tolerance_);
+        if (patch == facet.patch) depth = std::max(depth, -contact.gap + tolerance_);
       }
       if (separation(pair, front.normal) < -depth) continue;
-      const std::optional<std::vector<ContactPoint>> contacts = face_contacts(pair, front, true);
+      std::optional<std::vector<ContactPoint>> contacts = face_contacts(pair, front, true);
       if (!contacts) continue;
-      for (const ContactPoint& contact : *contacts) contacts_.push_back({contact, triangle.patch});
+      if (leaves_hull_along && lies_over(front, of_hull(facet).p_WB, pair.scale.slack))
+        add_witness(pair, of_hull(facet), *contacts);
+      for (const ContactPoint& contact : *contacts) contacts_.push_back({contact, facet.patch});
     }
   }
 
-  /// Where a corner touches a corner of the mesh without any distance, the directions that the triangles see
+  /// Where a corner touches a corner of the mesh without any distance, the directions that the facets see
   /// are arbitrary and may all be blocked. The mean normal of the surface is the one to take then.
   void add_corner_if_empty() {
     if (!contacts_.empty() || !nearest_blocked_) return;
@@ -184,6 +231,7 @@ class TriangleContacts {
     const Vec3 p_M = X_OM_.inverse() * contact.p_WA;
     contact.n_W = X_OM_.R * nearest_mesh_point(mesh_, p_M).normal_M.normalized();
     contact.gap = contact.n_W.dot(contact.p_WB - contact.p_WA);
+    contact.p_WB = contact.p_WA + contact.gap * contact.n_W;
     contact.degenerate = true;
     contacts_.push_back({contact, 0});
   }
@@ -196,6 +244,19 @@ class TriangleContacts {
   }
 
  private:
+  bool is_whole(const MeshFacet& facet) const { return mesh_.tree->hull_of_patch[at(facet.patch)] < 0; }
+  bool is_along(const DistanceResult& distance, const MeshFacet& facet) const {
+    return (distance.n_W - X_OM_.R * facet.normal).norm() <= kAlongNormal;
+  }
+  /// Signed distance of the shape from the convex hull of the patch that the facet is a part of.
+  const DistanceResult& of_hull(const MeshFacet& facet) {
+    const auto known = of_hulls_.find(facet.patch);
+    if (known != of_hulls_.end()) return known->second;
+    const std::vector<Vec3>& hull = mesh_.tree->patch_hulls[at(mesh_.tree->hull_of_patch[at(facet.patch)])];
+    const DistanceResult d = convex_distance(make_points_core(hull), X_OM_, shape_.core(), shape_.X_OS());
+    return of_hulls_.emplace(facet.patch, d).first->second;
+  }
+
   const Mesh& mesh_;
   const Pose& X_OM_;
   const ContactShape shape_;
@@ -203,8 +264,9 @@ class TriangleContacts {
   const Vec3 center_M_;  ///< Of a ball that holds the shape.
   const double radius_;
   double merge_ = 0;
-  std::vector<std::pair<ContactPoint, int>> contacts_;  ///< With the patch of the triangle.
-  std::vector<int> blocked_;
+  std::vector<std::pair<ContactPoint, int>> contacts_;  ///< With the patch of the facet.
+  std::map<int, DistanceResult> of_hulls_;              ///< By patch.
+  std::vector<MeshFacet> blocked_;
   std::optional<ContactPoint> nearest_blocked_;
 };
 
@@ -216,9 +278,9 @@ std::vector<ContactPoint> mesh_contacts(const Mesh& mesh, const Pose& X_OM, cons
   if (const HalfSpace* plane = std::get_if<HalfSpace>(&b)) {
     return plane_contacts(mesh, X_OM, *plane, X_OB, tolerance);
   }
-  TriangleContacts contacts(mesh, X_OM, b, X_OB, tolerance);
+  FacetContacts contacts(mesh, X_OM, b, X_OB, tolerance);
   const Aabb box_M = axis_aligned_box(b, X_OM.inverse() * X_OB).grown(tolerance);
-  for (const int t : mesh.tree->overlapping(box_M)) contacts.add(t);
+  for (const MeshFacet& facet : facets_near(mesh, box_M)) contacts.add(facet);
   contacts.add_blocked();
   contacts.add_corner_if_empty();
   return contacts.merged();

@@ -9,6 +9,7 @@
 #include "rigor/geometry/contacts/mesh_pair_contacts.hpp"
 #include "rigor/geometry/distance/distance.hpp"
 #include "rigor/geometry/distance/mesh_pair_distance.hpp"
+#include "rigor/geometry/mesh/triangle_tree.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -22,14 +23,12 @@ bool is_wide(const Shape& shape) {
 }
 
 /// Whether the pair is computed with its shapes exchanged: a cavity is A, else a mesh is treated as A, else a
-/// plane, else the shapes as they come; of two meshes always the same one.
-bool is_exchanged_pair(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB) {
+/// plane, else the shapes as they come.
+bool is_exchanged_pair(const Shape& a, const Shape& b) {
   if (std::holds_alternative<Cavity>(a) || std::holds_alternative<Cavity>(b))
     return std::holds_alternative<Cavity>(b);
-  const Mesh* const mesh_a = std::get_if<Mesh>(&a);
-  const Mesh* const mesh_b = std::get_if<Mesh>(&b);
-  if (mesh_a != nullptr && mesh_b != nullptr) return is_mesh_pair_swapped(*mesh_a, X_WA, *mesh_b, X_WB);
-  return mesh_b != nullptr || (std::holds_alternative<HalfSpace>(b) && mesh_a == nullptr);
+  const bool is_a_mesh = std::holds_alternative<Mesh>(a);
+  return std::holds_alternative<Mesh>(b) || (std::holds_alternative<HalfSpace>(b) && !is_a_mesh);
 }
 
 /// The contacts with the two shapes exchanged.
@@ -84,16 +83,21 @@ std::vector<ContactPoint> local_contacts(const Shape& a, const Pose& X_OA, const
 
 }  // namespace
 
-std::vector<ContactPoint> contact_set(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB,
-                                      double tolerance) {
+std::vector<ContactPoint> contact_set(const Shape& shape_a, const Pose& X_WA, const Shape& shape_b,
+                                      const Pose& X_WB, double tolerance) {
   RIGOR_ASSERT(tolerance >= 0);
+  // A mesh that bounds a convex solid is that solid, however its faces are cut.
+  const Shape &a = convex_solid(shape_a), &b = convex_solid(shape_b);
   RIGOR_ASSERT(!(is_unbounded(a) && is_unbounded(b)));
   poll_interrupt();
-  const bool is_exchanged = is_exchanged_pair(a, X_WA, b, X_WB);
+  // Two meshes of which both or neither are convex go in an order of their own.
+  const Mesh *const mesh_a = std::get_if<Mesh>(&shape_a), *const mesh_b = std::get_if<Mesh>(&shape_b);
+  const bool are_meshes = mesh_a != nullptr && mesh_b != nullptr && a.index() == b.index();
+  const bool is_exchanged =
+      are_meshes ? is_mesh_pair_swapped(*mesh_a, X_WA, *mesh_b, X_WB) : is_exchanged_pair(a, b);
 
   // Everything happens in a frame at a bounded shape, so that the distance to the origin of W costs no
   // digits.
-  const bool are_meshes = std::holds_alternative<Mesh>(a) && std::holds_alternative<Mesh>(b);
   const bool is_at_b = are_meshes ? !is_exchanged : is_wide(a);
   const Vec3 origin = is_at_b ? X_WB.p : X_WA.p;
   const Pose X_OA{X_WA.R, X_WA.p - origin}, X_OB{X_WB.R, X_WB.p - origin};

@@ -18,13 +18,22 @@ const ConvexHull& box_topology() {
   return topology;
 }
 
-/// A triangle as a polyhedron with a front and a back. Edge k runs from corner k to k + 1.
+/// A polygon as a polyhedron with a front and a back. Edge k runs from corner k to the next.
+ConvexHull make_polygon_topology(int count) {
+  ConvexHull topology;
+  topology.vertices.assign(at(count), Vec3::Zero());
+  topology.face_normals = {Vec3::UnitZ(), -Vec3::UnitZ()};
+  topology.faces.resize(2);
+  for (int k = 0; k < count; ++k) {
+    topology.faces[0].push_back(k);
+    topology.faces[1].push_back((count - k) % count);
+    topology.edges.push_back({k, (k + 1) % count, 0, 1});
+  }
+  return topology;
+}
+
 const ConvexHull& triangle_topology() {
-  static const ConvexHull topology = {.vertices = {Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY()},
-                                      .faces = {{0, 1, 2}, {0, 2, 1}},
-                                      .face_normals = {Vec3::UnitZ(), -Vec3::UnitZ()},
-                                      .edges = {{0, 1, 0, 1}, {1, 2, 0, 1}, {2, 0, 0, 1}},
-                                      .vertex_neighbours = {{1, 2}, {2, 0}, {0, 1}}};
+  static const ConvexHull topology = make_polygon_topology(3);
   return topology;
 }
 
@@ -84,13 +93,14 @@ ContactShape::ContactShape(const Shape& shape, const Pose& X_OS) : shape_(&shape
   if (const Convex* s = std::get_if<Convex>(&shape)) topology_ = s->hull.get();
 }
 
-ContactShape::ContactShape(const MeshTriangle& triangle, const Pose& X_OM)
-    : topology_(&triangle_topology()), triangle_(triangle) {
-  // A frame at the first corner keeps the digits of small triangles far from the origin of the mesh.
-  X_OS_ = {X_OM.R, X_OM * triangle.corners[0]};
-  for (const Vec3& p_M : triangle.corners) own_vertices_S_.push_back(p_M - triangle.corners[0]);
+ContactShape::ContactShape(const MeshFacet& facet, const Pose& X_OM) : facet_(facet) {
+  // A frame at the first corner keeps the digits of small facets far from the origin of the mesh.
+  X_OS_ = {X_OM.R, X_OM * facet.corners[0]};
+  for (const Vec3& p_M : facet.corners) own_vertices_S_.push_back(p_M - facet.corners[0]);
   core_ = make_points_core(own_vertices_S_);
   size_ = longest_side(own_vertices_S_);
+  if (facet.corners.size() > 3) own_topology_ = make_polygon_topology(static_cast<int>(facet.corners.size()));
+  topology_ = own_topology_ ? &*own_topology_ : &triangle_topology();
 }
 
 const std::vector<Vec3>& ContactShape::vertices_S() const {
@@ -98,31 +108,31 @@ const std::vector<Vec3>& ContactShape::vertices_S() const {
 }
 
 Vec3 ContactShape::face_normal_S(int face) const {
-  if (triangle_) return face == 0 ? triangle_->normal : (-triangle_->normal).eval();
+  if (facet_) return face == 0 ? facet_->normal : (-facet_->normal).eval();
   return topology_->face_normals[at(face)];
 }
 
 Feature ContactShape::vertex_feature(int vertex) const {
-  return {Feature::Kind::vertex, triangle_ ? triangle_->vertices[at(vertex)] : vertex};
+  return {Feature::Kind::vertex, facet_ ? facet_->vertices[at(vertex)] : vertex};
 }
 
 Feature ContactShape::face_feature(int face) const {
-  return {Feature::Kind::face, triangle_ ? triangle_->patch : face};
+  return {Feature::Kind::face, facet_ ? facet_->patch : face};
 }
 
 bool ContactShape::vertex_is_real(int vertex) const {
-  return !triangle_ || triangle_->corner_is_real[at(vertex)];
+  return !facet_ || facet_->corner_is_real[at(vertex)];
 }
 
 bool ContactShape::edge_is_real(int edge) const {
-  return !triangle_ || triangle_->edge_is_real[at(edge)];
+  return !facet_ || facet_->edge_is_real[at(edge)];
 }
 
 Feature ContactShape::edge_feature(int v0, int v1) const {
   for (std::size_t e = 0; e < topology_->edges.size(); ++e) {
     const ConvexHull::Edge& edge = topology_->edges[e];
     const bool matches = (edge.v0 == v0 && edge.v1 == v1) || (edge.v0 == v1 && edge.v1 == v0);
-    if (matches) return {Feature::Kind::edge, triangle_ ? triangle_->edges[e] : static_cast<int>(e)};
+    if (matches) return {Feature::Kind::edge, facet_ ? facet_->edges[e] : static_cast<int>(e)};
   }
   const bool is_edge = false;  // Every two neighbours in the loop of a face share one.
   RIGOR_ASSERT(is_edge);
@@ -141,17 +151,16 @@ FlatFace ContactShape::polygon(int face) const {
   const std::vector<int>& loop = topology_->faces[at(face)];
   for (std::size_t k = 0; k < loop.size(); ++k) {
     FaceCorner corner{in_O(vertices_S()[at(loop[k])]), loop[k]};
-    if (triangle_) {
-      // In the loop of the back, 0 2 1, edge k runs from the next corner to this one.
-      const int edge = face == 0 ? static_cast<int>(k) : 2 - static_cast<int>(k);
+    if (facet_) {
+      // In the loop of the back, 0 n-1 n-2 ... 1, the edges follow each other from the last to the first.
+      const int edge = static_cast<int>(face == 0 ? k : loop.size() - 1 - k);
       corner.is_real = vertex_is_real(loop[k]);
       corner.edge_is_real = edge_is_real(edge);
     }
     result.corners.push_back(corner);
   }
   // On a tie between two faces the larger one gives the normal; a face of a mesh stands for its whole patch.
-  result.area =
-      triangle_ ? std::numeric_limits<double>::infinity() : polygon_area(result.corners, result.normal);
+  result.area = facet_ ? facet_->patch_area : polygon_area(result.corners, result.normal);
   return result;
 }
 
@@ -250,7 +259,7 @@ SurfaceCurvature ContactShape::curvature(const Feature& feature, const Vec3& p, 
   if (feature.kind == Feature::Kind::face || feature.kind == Feature::Kind::vertex) return result;
   if (is_polyhedron()) {
     int e = feature.index;
-    if (triangle_) e = static_cast<int>(std::ranges::find(triangle_->edges, e) - triangle_->edges.begin());
+    if (facet_) e = static_cast<int>(std::ranges::find(facet_->edges, e) - facet_->edges.begin());
     const ConvexHull::Edge& edge = topology_->edges[at(e)];
     result.flat_count = 1;
     result.flat_W = X_OS_.R * (vertices_S()[at(edge.v1)] - vertices_S()[at(edge.v0)]).normalized();

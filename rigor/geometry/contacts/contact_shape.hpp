@@ -87,24 +87,24 @@ struct ContactScale {
   double merge;      ///< Contacts this close are one.
 };
 
-/// One triangle of a mesh with what the mesh makes of its corners and sides.
-struct MeshTriangle {
-  std::array<Vec3, 3> corners;  ///< In the frame of the mesh [m].
-  Vec3 normal;                  ///< Unit.
-  std::array<int, 3> vertices;  ///< Their indices.
-  std::array<int, 3> edges;     ///< A number for each side, the same for both of its triangles.
-  std::array<bool, 3> corner_is_real;
-  std::array<bool, 3> edge_is_real;
+/// A flat piece of a mesh, a face or a triangle, with what the mesh makes of its corners and sides.
+struct MeshFacet {
+  std::vector<Vec3> corners;  ///< Of a convex polygon, in the frame of the mesh [m].
+  Vec3 normal;                ///< Unit.
+  std::vector<int> vertices;  ///< Their indices.
+  std::vector<int> edges;  ///< A number for the side from corner k to the next, the same from its other face.
+  std::vector<bool> corner_is_real, edge_is_real;
   int patch;
+  double patch_area;  ///< [m²].
 };
 
 /// A shape placed in a frame O: axes of W, origin near both shapes, so that differences of coordinates keep
-/// their digits. Knows its features. Half-spaces are allowed, meshes only triangle by triangle.
+/// their digits. Knows its features. Half-spaces are allowed, meshes only facet by facet.
 class ContactShape {
  public:
   /// The shape must outlive this.
   ContactShape(const Shape& shape, const Pose& X_OS);
-  ContactShape(const MeshTriangle& triangle, const Pose& X_OM);
+  ContactShape(const MeshFacet& facet, const Pose& X_OM);
   ContactShape(const ContactShape&) = delete;
   ContactShape& operator=(const ContactShape&) = delete;
 
@@ -135,7 +135,7 @@ class ContactShape {
   /// How the feature bends at p, where the outward normal is m.
   SurfaceCurvature curvature(const Feature& feature, const Vec3& p, const Vec3& m) const;
 
-  /// Face of a polyhedron by its index; of a triangle 0 is the front.
+  /// Face of a polyhedron by its index; of a facet 0 is the front.
   FlatFace polygon(int face) const;
   Feature vertex_feature(int vertex) const;
   /// Edge of a polyhedron between two vertices.
@@ -170,13 +170,14 @@ class ContactShape {
   std::vector<SurfaceLine> facing_rulings(const Vec3& n, const Vec3& p_plane, double reach) const;
   Feature classify_on_polyhedron(const Vec3& p) const;
 
-  const Shape* shape_ = nullptr;  ///< Null for a triangle.
+  const Shape* shape_ = nullptr;  ///< Null for a facet.
   Pose X_OS_;
   ConvexCore core_;
   double size_ = 0;
-  const ConvexHull* topology_ = nullptr;  ///< Of a polyhedron; its coordinates hold only for a Convex.
-  std::vector<Vec3> own_vertices_S_;      ///< Of a box or a triangle.
-  std::optional<MeshTriangle> triangle_;
+  const ConvexHull* topology_ = nullptr;    ///< Of a polyhedron; its coordinates hold only for a Convex.
+  std::vector<Vec3> own_vertices_S_;        ///< Of a box or a facet.
+  std::optional<ConvexHull> own_topology_;  ///< Of a facet that is no triangle.
+  std::optional<MeshFacet> facet_;
 };
 
 }  // namespace rigor

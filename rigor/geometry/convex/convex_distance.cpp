@@ -4,6 +4,7 @@
 #include "rigor/geometry/convex/ellipsoid_penetration.hpp"
 #include "rigor/geometry/convex/gjk.hpp"
 #include "rigor/geometry/convex/level_face.hpp"
+#include "rigor/geometry/convex/parallel_penetration.hpp"
 #include "rigor/geometry/convex/penetration.hpp"
 #include "rigor/geometry/convex/point_separation.hpp"
 #include "rigor/geometry/convex/polytope_penetration.hpp"
@@ -79,11 +80,14 @@ constexpr double kGapFactor = 1e-2;
 /// The signed distance of cores that overlap, touch, or are so near that their nearest points give no
 /// reliable direction.
 CoreDistance touching_distance(const CorePair& pair, const GjkState& gjk, CoreDistance found) {
-  // First the methods whose proof is cheap: the faces of polytopes, then the third ellipsoid.
+  // First the methods whose proof is cheap: the faces of polytopes, then the third ellipsoid and
+  // the profiles of solids on parallel axes.
   if (const std::optional<Penetration> exact = find_polytope_penetration(pair, gjk.n))
     return {exact->best, std::max(exact->upper, exact->best.value)};
   if (const std::optional<Penetration> proved = find_ellipsoid_penetration(pair, gjk.n))
     return {proved->best, proved->upper};
+  if (const std::optional<Penetration> parallel = find_parallel_penetration(pair, gjk.n))
+    return {parallel->best, parallel->upper};
   if (gjk.nearest.count == 4) {
     // With the origin inside the simplex, its points are no witnesses, and the depth is at least zero.
     found.best.value = -std::numeric_limits<double>::infinity();
@@ -124,7 +128,8 @@ DistanceResult convex_distance(const ConvexCore& a, const Pose& X_WA, const Conv
   // The balls around the cores move both surfaces towards each other along n. The witnesses are placed
   // exactly along n, about the midpoint of those of the cores.
   const double radii = a.radius + b.radius;
-  const double rounding = pair.rounding + std::numeric_limits<double>::epsilon() * radii;
+  // The sum of the radii, its difference from the separation and the bounds themselves are rounded.
+  const double rounding = pair.rounding + 4 * std::numeric_limits<double>::epsilon() * radii;
   const Vec3 n_W = X_WA.R * core.best.n;
   const Vec3 middle = 0.5 * (core.best.a + core.best.b);
   DistanceResult result;

@@ -14,4 +14,11 @@ struct DistanceResult {
   Vec3 n_W;         ///< Unit normal from A to B.
 };
 
+/// The same with the two shapes exchanged.
+inline DistanceResult exchanged(DistanceResult result) {
+  result.p_WA.swap(result.p_WB);
+  result.n_W = -result.n_W;
+  return result;
+}
+
 }  // namespace rigor

@@ -63,9 +63,13 @@ class LevelFace {
 }  // namespace
 
 Separation with_level_witnesses(const CorePair& pair, const Separation& separation) {
+  return with_level_witnesses(pair, separation, pair.rounding);
+}
+
+Separation with_level_witnesses(const CorePair& pair, const Separation& separation, double tolerance) {
   // The faces that are level along n, as cores of their own.
-  const LevelFace face_a(pair.a, separation.n, pair.rounding);
-  const LevelFace face_b(pair.b, pair.X_AB.R.transpose() * -separation.n, pair.rounding);
+  const LevelFace face_a(pair.a, separation.n, tolerance);
+  const LevelFace face_b(pair.b, pair.X_AB.R.transpose() * -separation.n, tolerance);
   const ConvexCore a = face_a.core();
   const ConvexCore b = face_b.core();
   const Pose X_AB = pair.X_AB * face_b.pose();

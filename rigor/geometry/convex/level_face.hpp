@@ -9,5 +9,7 @@ namespace rigor {
 /// vertex, an edge, a polygon, a disk or a line on the side of a cylinder. If n is the best direction, the
 /// witnesses are s(n) n apart.
 Separation with_level_witnesses(const CorePair& pair, const Separation& separation);
+/// The same with all points that are level to the tolerance [m].
+Separation with_level_witnesses(const CorePair& pair, const Separation& separation, double tolerance);
 
 }  // namespace rigor

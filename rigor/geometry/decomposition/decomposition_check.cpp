@@ -1,6 +1,6 @@
+#include "rigor/geometry/convex/convex_distance.hpp"
 #include "rigor/geometry/decomposition/convex_decomposition.hpp"
 #include "rigor/geometry/decomposition/hull_excess.hpp"
-#include "rigor/geometry/distance/distance.hpp"
 #include "rigor/geometry/mass/mass_properties.hpp"
 #include "rigor/geometry/shape/polygon_triangulation.hpp"
 
@@ -25,8 +25,8 @@ double deepest_overlap(const std::vector<ConvexPiece>& pieces) {
     const Aabb box = axis_aligned_box(Convex{pieces[i].hull}, {});
     for (std::size_t k = 0; k < i; ++k) {
       if (!box.overlaps(axis_aligned_box(Convex{pieces[k].hull}, {}))) continue;
-      const DistanceResult d = signed_distance(Convex{pieces[i].hull}, {}, Convex{pieces[k].hull}, {});
-      deepest = std::max(deepest, -d.distance);
+      const ConvexCore a = make_core(Convex{pieces[i].hull}), b = make_core(Convex{pieces[k].hull});
+      deepest = std::max(deepest, -convex_distance(a, {}, b, {}).distance);
     }
   }
   return deepest;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rigor/geometry/distance/lipschitz_maximum.hpp"
+#include "rigor/geometry/decomposition/lipschitz_maximum.hpp"
 #include "rigor/geometry/shape/containment.hpp"
 #include "rigor/geometry/shape/convex_hull.hpp"
 #include "rigor/geometry/shape/convex_polygon.hpp"

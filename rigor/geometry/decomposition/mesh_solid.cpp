@@ -3,8 +3,8 @@
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/geometry/broad_phase/box_pairs.hpp"
+#include "rigor/geometry/convex/convex_distance.hpp"
 #include "rigor/geometry/decomposition/convex_decomposition.hpp"
-#include "rigor/geometry/distance/distance.hpp"
 #include "rigor/geometry/mesh/triangle_tree.hpp"
 
 #include <utility>
@@ -35,9 +35,8 @@ void MeshSolid::decompose_once() const {
     // Pieces that touch are found once, among pairs whose boxes meet; regions of overlap are joined across
     // them.
     for (const std::array<int, 2>& pair : overlapping_pairs(boxes)) {
-      const Convex& a = pieces_[at(pair[0])];
-      const Convex& b = pieces_[at(pair[1])];
-      if (signed_distance(a, {}, b, {}).distance <= kTouching * tree_->size) touching_.push_back(pair);
+      const ConvexCore a = make_core(pieces_[at(pair[0])]), b = make_core(pieces_[at(pair[1])]);
+      if (convex_distance(a, {}, b, {}).distance <= kTouching * tree_->size) touching_.push_back(pair);
     }
   });
 }

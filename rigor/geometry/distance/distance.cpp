@@ -6,6 +6,7 @@
 #include "rigor/geometry/distance/cavity_distance.hpp"
 #include "rigor/geometry/distance/mesh_distance.hpp"
 #include "rigor/geometry/distance/mesh_pair_distance.hpp"
+#include "rigor/geometry/mesh/triangle_tree.hpp"
 #include "rigor/geometry/shape/shape_data.hpp"
 #include "rigor/geometry/shape/support.hpp"
 
@@ -86,6 +87,12 @@ DistanceResult ordered_distance(const Shape& a, const Pose& X_WA, const Shape& b
   return convex_distance(make_core(a), X_WA, make_core(b), X_WB);
 }
 
+/// How far a mesh may differ from the convex solid that stands for it [m].
+double convex_error(const Shape& shape) {
+  const Mesh* const mesh = std::get_if<Mesh>(&shape);
+  return mesh != nullptr && mesh->tree != nullptr ? mesh->tree->convex_error : 0;
+}
+
 bool is_placed(const Pose& X_WA, const Pose& X_WB) {
   return std::isfinite((X_WB.p - X_WA.p).squaredNorm() + X_WA.R.sum() + X_WB.R.sum());
 }
@@ -100,12 +107,15 @@ DistanceResult unknown_distance() {
 DistanceResult signed_distance(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB) {
   if (!is_placed(X_WA, X_WB)) return unknown_distance();
   poll_interrupt();
-  if (!is_swapped(a, X_WA, b, X_WB)) return ordered_distance(a, X_WA, b, X_WB);
-  // The result of the reversed pair, with witnesses and normal exchanged.
-  DistanceResult result = ordered_distance(b, X_WB, a, X_WA);
-  std::swap(result.p_WA, result.p_WB);
-  result.n_W = -result.n_W;
-  return result;
+  // A mesh that bounds a convex solid is that solid, however its faces are cut.
+  const Shape &solid_A = convex_solid(a), &solid_B = convex_solid(b);
+  const double error = convex_error(a) + convex_error(b);
+  const bool is_reversed = is_swapped(solid_A, X_WA, solid_B, X_WB);
+  DistanceResult result = is_reversed ? ordered_distance(solid_B, X_WB, solid_A, X_WA)
+                                      : ordered_distance(solid_A, X_WA, solid_B, X_WB);
+  result.lower -= error;
+  result.upper += error;
+  return is_reversed ? exchanged(result) : result;
 }
 
 }  // namespace rigor

@@ -4,6 +4,8 @@
 #include "rigor/core/index.hpp"
 #include "rigor/core/rounding.hpp"
 #include "rigor/geometry/convex/convex_distance.hpp"
+#include "rigor/geometry/decomposition/pieces_distance.hpp"
+#include "rigor/geometry/distance/mesh_exit.hpp"
 #include "rigor/geometry/mesh/mesh_point.hpp"
 #include "rigor/geometry/mesh/triangle_tree.hpp"
 #include "rigor/geometry/shape/convex_hull.hpp"
@@ -14,6 +16,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <span>
+#include <vector>
 
 namespace rigor {
 namespace {
@@ -26,6 +31,14 @@ double box_distance(const Aabb& a, const Aabb& b) {
   return largest <= 0 ? largest : gaps.cwiseMax(0.0).norm();
 }
 
+/// Whether a point may lie inside the mesh.
+bool may_enclose(const Mesh& mesh, const Pose& X_WM, const Vec3& p_W) {
+  if (mesh.tree->nodes.empty()) return false;
+  const Aabb& box = mesh.tree->nodes.front().box;
+  const Vec3 p_M = X_WM.inverse() * p_W;
+  return (p_M.array() >= box.lower.array()).all() && (p_M.array() <= box.upper.array()).all();
+}
+
 /// A point inside the shape, in S.
 Vec3 inner_point(const Shape& shape) {
   const Convex* convex = std::get_if<Convex>(&shape);
@@ -35,10 +48,11 @@ Vec3 inner_point(const Shape& shape) {
   return sum / static_cast<double>(convex->hull->vertices.size());
 }
 
-/// Branch and bound for the triangle with the least signed distance.
-class NearestTriangle {
+/// Branch and bound for the facet with the least signed distance: faces as a whole, and triangles that belong
+/// to none.
+class NearestFacet {
  public:
-  NearestTriangle(const Mesh& mesh, const Pose& X_WM, const Shape& b, const Pose& X_WB)
+  NearestFacet(const Mesh& mesh, const Pose& X_WM, const Shape& b, const Pose& X_WB)
       : mesh_(mesh),
         X_WM_(X_WM),
         X_WB_(X_WB),
@@ -97,6 +111,19 @@ class NearestTriangle {
     }
     // The triangle's own box is tighter than that of its leaf.
     if (is_too_far(box)) return;
+    const int face = mesh_.tree->face_of_patch[at(mesh_.tree->triangles[at(t)].patch)];
+    if (face < 0) {
+      try_facet(corners);
+    } else if (std::ranges::find(tried_faces_, face) == tried_faces_.end()) {
+      tried_faces_.push_back(face);
+      face_corners_.clear();
+      for (const int v : mesh_.tree->faces[at(face)].corners)
+        face_corners_.push_back(mesh_.mesh->vertices[at(v)]);
+      try_facet(face_corners_);
+    }
+  }
+
+  void try_facet(std::span<const Vec3> corners) {
     const DistanceResult d = convex_distance(make_points_core(corners), X_WM_, core_, X_WB_);
     const double lower = std::min(best_.lower, d.lower);
     const double upper = std::min(best_.upper, d.upper);
@@ -120,6 +147,8 @@ class NearestTriangle {
   const Vec3 center_M_;
   const double radius_;
   const double rounding_;
+  std::vector<int> tried_faces_;
+  std::vector<Vec3> face_corners_;
   DistanceResult best_;
   Vec3 n_M_ = Vec3::Zero();     ///< Normal of the best.
   double lowest_ = -kInfinity;  ///< Height of the shape's lowest point along it [m].
@@ -144,22 +173,35 @@ DistanceResult plane_distance(const Mesh& mesh, const Pose& X_WM, const HalfSpac
   return {least, least - rounding, least + rounding, p_WA, p_WA - least * n_W, -n_W};
 }
 
-/// Minus the displacement of the shape along the outward normal at the surface point nearest to its centre
-/// (which lies inside the mesh) that brings all of it past that point.
-DistanceResult distance_from_inside(const MeshPoint& nearest, const Vec3& c_M, const Pose& X_WM,
-                                    const Shape& b, const Pose& X_WB) {
+/// Depths up to this part of the size of the mesh are measured on its surface alone: for bodies that rest on
+/// each other its inside need not be cut into pieces.
+constexpr double kShallow = 1e-6;
+
+/// The overlap of the ball about the centre c of the shape, in it, with the ball about c in the mesh or,
+/// where c lies outside, with the nearest point of the mesh: no shorter translation parts even these.
+DistanceResult ball_overlap(const MeshPoint& nearest, const Vec3& c_M, const Pose& X_WM,
+                            const ConvexCore& core, const Pose& X_WB) {
+  const Vec3 c_W = X_WM * c_M;
+  const std::array<Vec3, 1> centre{c_W};
+  const double radius = std::max(0.0, -convex_distance(core, X_WB, make_points_core(centre), Pose{}).upper);
   // From inside, the direction to the nearest point is the outward normal; on the surface itself only the
   // pseudonormal is left.
   const bool is_on_surface = !(nearest.distance > 0);
-  const Vec3 n_M =
-      is_on_surface ? nearest.normal_M.normalized() : ((nearest.p_M - c_M) / nearest.distance).eval();
+  const bool is_inside = (c_M - nearest.p_M).dot(nearest.normal_M) < 0;
+  const double inside = is_inside ? nearest.distance : -nearest.distance;
+  const Vec3 n_M = is_on_surface ? nearest.normal_M.normalized() : ((nearest.p_M - c_M) / inside).eval();
   const Vec3 n_W = X_WM.R * n_M;
-  const Vec3 p_WB = X_WB * support_point(b, -(X_WB.R.transpose() * n_W));
-  const Vec3 p_WM = X_WM * nearest.p_M;
-  const double distance = n_W.dot(p_WB - p_WM);
-  const double rounding =
-      16 * std::numeric_limits<double>::epsilon() * (p_WB.norm() + p_WM.norm() + nearest.p_M.norm());
-  return {distance, distance - rounding, distance + rounding, p_WB - distance * n_W, p_WB, n_W};
+  const double depth = inside + radius;
+  const double rounding = 16 * kEpsilon * (c_W.norm() + nearest.p_M.norm() + depth);
+  return {-depth, -depth - rounding, -depth + rounding, c_W + inside * n_W, c_W - radius * n_W, n_W};
+}
+
+/// The overlap of a closed mesh by its convex pieces; nothing if there are too many.
+std::optional<DistanceResult> solid_overlap(const Mesh& mesh, const Pose& X_WM, const Shape& b,
+                                            const Pose& X_WB, const DistanceResult& known) {
+  const PlacedPieces pieces = placed_pieces(mesh, X_WM);
+  if (pieces.empty()) return std::nullopt;
+  return pieces_distance(pieces, placed_pieces(b, X_WB), &known);
 }
 
 }  // namespace
@@ -168,15 +210,24 @@ DistanceResult mesh_signed_distance(const Mesh& mesh, const Pose& X_WM, const Sh
   RIGOR_ASSERT(mesh.tree != nullptr && !std::holds_alternative<Mesh>(b));
   if (const HalfSpace* plane = std::get_if<HalfSpace>(&b)) return plane_distance(mesh, X_WM, *plane, X_WB);
 
-  if (mesh.tree->is_closed) {
-    // The centre decides whether the shape is inside. A shape that has passed through the surface is pushed
-    // out along the normal at the nearest point, not out of the triangles that it happens to cut.
+  // Apart, or what of the surface lies deepest in the shape. A centre inside a closed mesh is deeper still.
+  DistanceResult deepest = NearestFacet(mesh, X_WM, b, X_WB).result();
+  if (mesh.tree->is_closed && (deepest.distance <= 0 || may_enclose(mesh, X_WM, X_WB * inner_point(b)))) {
     const Vec3 c_M = X_WM.inverse() * (X_WB * inner_point(b));
     const MeshPoint nearest = nearest_mesh_point(mesh, c_M);
-    const bool is_inside = (c_M - nearest.p_M).dot(nearest.normal_M) < 0;
-    if (is_inside) return distance_from_inside(nearest, c_M, X_WM, b, X_WB);
+    const DistanceResult of_balls = ball_overlap(nearest, c_M, X_WM, make_core(b), X_WB);
+    if (of_balls.distance < std::min(deepest.distance, 0.0)) deepest = of_balls;
   }
-  return NearestTriangle(mesh, X_WM, b, X_WB).result();
+  if (deepest.distance > 0) return deepest;
+
+  // They overlap: no shorter translation than that of a part of the solid parts them. One that does is found
+  // along the normal, unless the pieces of the solid tell more.
+  if (mesh.tree->is_closed && deepest.distance < -kShallow * mesh.tree->size) {
+    if (const std::optional<DistanceResult> solid = solid_overlap(mesh, X_WM, b, X_WB, deepest))
+      return *solid;
+  }
+  deepest.lower = std::min(deepest.lower, -exit_length(mesh, X_WM, b, X_WB, deepest.n_W));
+  return deepest;
 }
 
 }  // namespace rigor

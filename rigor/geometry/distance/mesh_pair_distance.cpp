@@ -2,6 +2,8 @@
 
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/core/rounding.hpp"
+#include "rigor/geometry/decomposition/pieces_distance.hpp"
 #include "rigor/geometry/distance/mesh_overlap.hpp"
 #include "rigor/geometry/distance/mesh_pair.hpp"
 #include "rigor/geometry/mesh/mesh_point.hpp"
@@ -9,7 +11,10 @@
 #include "rigor/geometry/shape/triangle_mesh.hpp"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <span>
+#include <vector>
 
 namespace rigor {
 namespace {
@@ -26,6 +31,48 @@ bool is_enclosed(const Mesh& a, const Mesh& b, const Pose& X_BA) {
     const MeshPoint nearest = nearest_mesh_point(b, p_B);
     return (p_B - nearest.p_M).dot(nearest.normal_M) < 0;
   });
+}
+
+/// The overlap of two closed meshes by their convex pieces; nothing if they only touch or have too many.
+std::optional<DistanceResult> solid_overlap(const Mesh& a, const Pose& X_WA, const Mesh& b,
+                                            const Pose& X_WB) {
+  if (!a.tree->is_closed || !b.tree->is_closed) return std::nullopt;
+  const PlacedPieces of_a = placed_pieces(a, X_WA);
+  if (of_a.empty()) return std::nullopt;
+  const PlacedPieces of_b = placed_pieces(b, X_WB);
+  if (of_b.empty()) return std::nullopt;
+  const DistanceResult found = pieces_distance(of_a, of_b);
+  return found.distance < 0 ? std::optional(found) : std::nullopt;
+}
+
+/// The overlap of two surfaces that meet, with the length of a translation along its normal that parts them
+/// as the lower bound, where that is shorter than the way past all.
+DistanceResult surface_overlap(const Mesh& a, const Pose& X_WA, const Mesh& b, const Pose& X_WB) {
+  DistanceResult result = overlap_distance(a, X_WA, b, X_WB);
+  const Pose X_AB = relative_pose(X_WA, X_WB);
+  const Vec3 n_A = X_WA.R.transpose() * result.n_W;
+  const double rounding = result.upper;
+  const auto moved = [&](double t) { return Pose{X_AB.R, X_AB.p + t * n_A}; };
+  const auto height = [&](const Mesh& mesh, const Pose& X, int t, const Vec3& n) {
+    double top = -kInfinity;
+    for (const int v : mesh.mesh->triangles[at(t)])
+      top = std::max(top, n.dot(X * mesh.mesh->vertices[at(v)]));
+    return top;
+  };
+  // Triangles that meet are parted, for good, once that of B is past that of A; that may bring others
+  // together.
+  double t = 0;
+  for (std::vector<std::array<int, 2>> pairs = find_meeting_triangles(a, b, X_AB); !pairs.empty();
+       pairs = find_meeting_triangles(a, b, moved(t))) {
+    double needed = t;
+    for (const auto& [i, k] : pairs)
+      needed = std::max(needed, height(a, Pose{}, i, n_A) + height(b, X_AB, k, -n_A));
+    t = needed + rounding;
+    if (t >= -result.lower) return result;
+  }
+  const bool is_apart = !is_enclosed(a, b, moved(t).inverse()) && !is_enclosed(b, a, moved(t));
+  if (is_apart) result.lower = std::max(result.lower, std::min(result.distance, -t) - rounding);
+  return result;
 }
 
 template <typename Number>
@@ -47,14 +94,13 @@ DistanceResult mesh_pair_signed_distance(const Mesh& a, const Pose& X_WA, const 
   const Pose X_AB = relative_pose(X_WA, X_WB);
   const MeshPairDistance found = mesh_pair_distance(a, b, X_AB);
   // Surfaces that meet overlap; surfaces that do not may still lie one inside the other.
-  if (found.distance == 0) return overlap_distance(a, X_WA, b, X_WB);
   const Vec3 p_WA = X_WA * found.p_AP, p_WB = X_WA * found.p_AQ;
-  if (is_enclosed(a, b, X_AB.inverse())) return enclosed_distance(a, X_WA, p_WA, p_WB);
-  if (is_enclosed(b, a, X_AB)) {
-    DistanceResult result = enclosed_distance(b, X_WB, p_WB, p_WA);
-    std::swap(result.p_WA, result.p_WB);
-    result.n_W = -result.n_W;
-    return result;
+  const bool meet = found.distance == 0, a_is_inside = !meet && is_enclosed(a, b, X_AB.inverse());
+  if (meet || a_is_inside || is_enclosed(b, a, X_AB)) {
+    if (const std::optional<DistanceResult> solid = solid_overlap(a, X_WA, b, X_WB)) return *solid;
+    if (meet) return surface_overlap(a, X_WA, b, X_WB);
+    return a_is_inside ? enclosed_distance(a, X_WA, p_WA, p_WB)
+                       : exchanged(enclosed_distance(b, X_WB, p_WB, p_WA));
   }
   // The difference of points in A keeps its digits far from the origin.
   const Vec3 n_W = X_WA.R * (found.p_AQ - found.p_AP).stableNormalized();

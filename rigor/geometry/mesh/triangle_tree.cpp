@@ -2,6 +2,7 @@
 
 #include "rigor/core/index.hpp"
 #include "rigor/geometry/mesh/mesh_edges.hpp"
+#include "rigor/geometry/mesh/mesh_faces.hpp"
 #include "rigor/geometry/shape/box_area.hpp"
 
 #include <algorithm>
@@ -151,6 +152,7 @@ std::shared_ptr<const TriangleTree> make_triangle_tree(const TriangleMesh& mesh)
   if (tree->order.empty()) return tree;
   Builder(mesh, *tree).build(0, static_cast<int>(tree->order.size()));
   tree->size = (tree->nodes.front().box.upper - tree->nodes.front().box.lower).maxCoeff();
+  find_mesh_faces(mesh, *tree);
   return tree;
 }
 

@@ -21,6 +21,17 @@ enum class MeshEdgeKind : std::uint8_t {
              ///< first.
 };
 
+/// Several coplanar triangles whose border is a convex polygon.
+struct MeshFace {
+  std::vector<int>
+      corners;  ///< Vertices where creases end, bend or meet, counter-clockwise seen from the front.
+  std::vector<int> edges;  ///< Number of the edge from corner k to the next: 3 t + k of its lowest triangle.
+  std::vector<bool>
+      is_corner;               ///< Whether the border turns at corner k, or only another crease begins there.
+  Vec3 normal = Vec3::Zero();  ///< Unit, outward.
+  int patch = 0;               ///< The patch that it is.
+};
+
 /// Hierarchy of boxes over the triangles of a mesh, with the kind of each edge and corner that neighbouring
 /// triangles form. Immutable once built; everything is in the mesh's frame.
 struct TriangleTree {
@@ -46,6 +57,12 @@ struct TriangleTree {
   std::vector<Vec3> vertex_normals;  ///< Sums of normals weighted by angle, for the sign of a distance.
   std::vector<std::vector<int>> vertex_triangles;  ///< Triangles at each vertex, ascending.
   std::vector<double> patch_areas;  ///< Of each flat patch at its least triangle [m²]; 0 elsewhere.
+  std::vector<MeshFace> faces;      ///< Patches of several triangles that are convex polygons.
+  std::vector<int> face_of_patch;   ///< Index in `faces` of each patch at its least triangle; else -1.
+  std::vector<std::vector<Vec3>> patch_hulls;  ///< Corners of the convex hulls of the other patches [m].
+  std::vector<int> hull_of_patch;              ///< Index there, as face_of_patch.
+  std::shared_ptr<const Shape> convex;         ///< The solid inside, if it is convex; else null.
+  double convex_error = 0;          ///< How far the two may differ: the surface is flat to this [m].
   std::vector<int> shell_vertices;  ///< One vertex of each part that is connected by edges.
   std::vector<bool>
       is_crease_corner;  ///< Vertex where creases end or bend: not inside a flat patch or a straight crease.
@@ -56,6 +73,13 @@ struct TriangleTree {
   /// Triangles whose boxes overlap the box, ascending.
   std::vector<int> overlapping(const Aabb& box) const;
 };
+
+/// The convex solid that a mesh bounds, or the shape itself.
+inline const Shape& convex_solid(const Shape& shape) {
+  const Mesh* const mesh = std::get_if<Mesh>(&shape);
+  return mesh != nullptr && mesh->tree != nullptr && mesh->tree->convex != nullptr ? *mesh->tree->convex
+                                                                                   : shape;
+}
 
 /// Builds the hierarchy by the surface-area heuristic on binned centres.
 ///

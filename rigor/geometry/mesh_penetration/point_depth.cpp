@@ -1,8 +1,8 @@
 #include "rigor/geometry/mesh_penetration/point_depth.hpp"
 
 #include "rigor/geometry/convex/convex_distance.hpp"
+#include "rigor/geometry/decomposition/lipschitz_maximum.hpp"
 #include "rigor/geometry/decomposition/mesh_solid.hpp"
-#include "rigor/geometry/distance/lipschitz_maximum.hpp"
 #include "rigor/geometry/mesh/mesh_point.hpp"
 #include "rigor/geometry/shape/aabb.hpp"
 #include "rigor/geometry/shape/triangle_mesh.hpp"

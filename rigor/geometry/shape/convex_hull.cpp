@@ -248,13 +248,18 @@ std::variant<ConvexHull, std::string> make_convex_hull(const std::vector<Vec3>& 
   // The faces as loops of the points, and what is made from them.
   std::optional<std::vector<std::vector<int>>> faces = run.faces(points);
   if (faces) {
-    ConvexHull hull = with_used_points(points, std::move(*faces));
-    if (complete(hull)) {
-      add_features(hull);
-      return hull;
-    }
+    std::optional<ConvexHull> hull = make_hull_of_faces(points, std::move(*faces));
+    if (hull) return std::move(*hull);
   }
   return "no convex hull: its faces do not close, the points are too close to each other or to a plane";
+}
+
+std::optional<ConvexHull> make_hull_of_faces(const std::vector<Vec3>& points,
+                                             std::vector<std::vector<int>> faces) {
+  ConvexHull hull = with_used_points(points, std::move(faces));
+  if (!complete(hull)) return std::nullopt;
+  add_features(hull);
+  return hull;
 }
 
 ConvexHull make_box_hull(const Vec3& half_extents) {

@@ -5,6 +5,7 @@
 #include "rigor/math/types.hpp"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -31,6 +32,11 @@ struct ConvexHull {
 /// Hull of the points by qhull, or the reason why there is none (fewer than 4 points, all in one plane or
 /// line, not finite, ...), ready to be put behind "body 'x': ".
 std::variant<ConvexHull, std::string> make_convex_hull(const std::vector<Vec3>& points);
+
+/// Polyhedron of known faces: vertex loops as indices of the points, counter-clockwise seen from outside. The
+/// caller knows that it is convex; nothing if the faces do not close.
+std::optional<ConvexHull> make_hull_of_faces(const std::vector<Vec3>& points,
+                                             std::vector<std::vector<int>> faces);
 
 /// Box as a hull, vertices in the order of the sign bits (x lowest); never fails for positive half extents.
 ConvexHull make_box_hull(const Vec3& half_extents);

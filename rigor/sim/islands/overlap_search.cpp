@@ -4,7 +4,7 @@
 #include "rigor/core/index.hpp"
 #include "rigor/core/rounding.hpp"
 #include "rigor/core/sorted_unique.hpp"
-#include "rigor/geometry/shape/thickness.hpp"
+#include "rigor/geometry/distance/thickness.hpp"
 #include "rigor/math/roots.hpp"
 #include "rigor/math/rotation.hpp"
 

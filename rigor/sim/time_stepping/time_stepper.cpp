@@ -2,7 +2,7 @@
 
 #include "rigor/contact/impact/joint_stops.hpp"
 #include "rigor/core/index.hpp"
-#include "rigor/geometry/shape/thickness.hpp"
+#include "rigor/geometry/distance/thickness.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/sim/islands/displacement.hpp"
 #include "rigor/sim/method/tolerances.hpp"

@@ -1,4 +1,4 @@
-#include "rigor/geometry/distance/lipschitz_maximum.hpp"
+#include "rigor/geometry/decomposition/lipschitz_maximum.hpp"
 
 #include <algorithm>
 #include <limits>

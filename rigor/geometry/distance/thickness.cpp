@@ -1,5 +1,6 @@
-#include "rigor/geometry/shape/thickness.hpp"
+#include "rigor/geometry/distance/thickness.hpp"
 
+#include "rigor/geometry/mesh/triangle_tree.hpp"
 #include "rigor/geometry/shape/aabb.hpp"
 
 #include <limits>
@@ -29,7 +30,8 @@ struct ThickShare {
 
 }  // namespace
 
-double thickness_of(const Shape& shape) {
+double thickness_of(const Shape& of) {
+  const Shape& shape = convex_solid(of);
   if (is_unbounded(shape)) return std::numeric_limits<double>::infinity();
   const Aabb box = axis_aligned_box(shape, Pose{Mat3::Identity(), Vec3::Zero()});
   const double half_width = 0.5 * (box.upper - box.lower).minCoeff();
