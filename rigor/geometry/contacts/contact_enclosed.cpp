@@ -3,7 +3,6 @@
 #include "rigor/core/index.hpp"
 #include "rigor/geometry/contacts/contact_shape.hpp"
 #include "rigor/geometry/distance/distance.hpp"
-#include "rigor/geometry/distance/mesh_pair.hpp"
 #include "rigor/geometry/mesh/mesh_point.hpp"
 #include "rigor/geometry/mesh/triangle_tree.hpp"
 #include "rigor/geometry/mesh/wide_tree.hpp"
@@ -34,11 +33,10 @@ bool holds_point_of(const Shape& a, const Shape& b, const Pose& X_AB) {
                              [&](int v) { return holds(a, X_AB * mesh->mesh->vertices[at(v)]); });
 }
 
-/// Whether the surfaces of a mesh and another shape may meet.
-bool meet(const Shape& a, const Shape& b, const Pose& X_AB) {
-  const Mesh &mesh = std::get<Mesh>(a), *const other = std::get_if<Mesh>(&b);
-  if (other != nullptr) return surfaces_meet(mesh, *other, X_AB);
-  return !mesh.tree->overlapping(axis_aligned_box(b, X_AB)).empty();
+/// Whether the surfaces of a mesh and a convex shape may meet. Those of two meshes that do have a contact.
+bool may_meet(const Shape& a, const Shape& b, const Pose& X_AB) {
+  if (std::holds_alternative<Mesh>(b)) return false;
+  return !std::get<Mesh>(a).tree->overlapping(axis_aligned_box(b, X_AB)).empty();
 }
 
 }  // namespace
@@ -48,7 +46,7 @@ std::optional<ContactPoint> find_enclosed_contact(const Shape& a, const Pose& X_
   const Pose X_AB = X_OA.inverse() * X_OB;
   // Where the surfaces do not meet, one solid is inside the other if it holds any point of it.
   const bool may_overlap =
-      meet(a, b, X_AB) || holds_point_of(a, b, X_AB) || holds_point_of(b, a, X_AB.inverse());
+      may_meet(a, b, X_AB) || holds_point_of(a, b, X_AB) || holds_point_of(b, a, X_AB.inverse());
   if (!may_overlap) return std::nullopt;
   const DistanceResult way_out = signed_distance(a, X_OA, b, X_OB);
   if (!(way_out.distance < 0)) return std::nullopt;

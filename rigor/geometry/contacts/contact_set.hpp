@@ -43,11 +43,11 @@ struct ContactPoint {
 /// its own body. A cap of a cylinder, a cone or a solid of revolution that lies flat within the tolerance
 /// stands on the four points of its rim on the x and y axes of its shape, those that lie over the other face,
 /// with the points where its rim crosses that face's border and the corners of that face under it; where it
-/// is tilted, and does not overlap, the lowest point of its rim joins them. A mesh is the union over its
-/// triangles near the other shape (two meshes: mesh_pair_contacts.hpp): edges inside flat patches and
-/// concave edges give no contact, and the back of a triangle only if the mesh is open. What lies wholly
-/// inside a closed mesh, or a mesh inside the other shape, gives the way out as one contact, marked
-/// degenerate.
+/// is tilted, and does not overlap, the lowest point of its rim joins them. A convex mesh is its solid.
+/// Another is the union over its faces near the other shape (two: mesh_pair_contacts.hpp): edges inside
+/// flat patches and concave edges give no contact, and the back of a face only if the mesh is open. Where no
+/// face has one although the shapes overlap, as when one lies inside the other, the way out is the one
+/// contact, marked degenerate.
 std::vector<ContactPoint> contact_set(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB,
                                       double tolerance);
 
