@@ -19,7 +19,7 @@ namespace {
 // Layout, all numbers little-endian of 8 bytes: magic, fingerprint, the audit's numbers in the order of
 // visit_numbers, its warnings and violations (count, then length and bytes of each), length and bytes of the
 // serialised State, and the FNV-1a hash of everything before it.
-constexpr std::string_view magic = "RIGORCP\x05";
+constexpr std::string_view magic = "RIGORCP\x06";
 
 std::uint64_t checksum(std::string_view bytes) {
   std::uint64_t hash = 14695981039346656037ull;
@@ -32,6 +32,9 @@ template <typename Part, typename Visit>
 void visit_numbers(Part& audit, Visit visit) {
   auto& report = audit.report;
   visit(audit.sim_time), visit(audit.wall_time), visit(audit.max_increase);
+  auto& books = audit.books;
+  visit(books.start_time), visit(books.lowest), visit(books.energy_scale);
+  visit(books.momentum_scale), visit(books.angular_momentum_scale);
   for (auto* energy : {&audit.initial, &audit.final})
     visit(energy->kinetic), visit(energy->potential), visit(energy->elastic);
   visit(report.steps), visit(report.impacts), visit(report.resting), visit(report.separations);

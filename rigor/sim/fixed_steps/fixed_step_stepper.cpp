@@ -1,7 +1,8 @@
 #include "rigor/sim/fixed_steps/fixed_step_stepper.hpp"
 
 #include "rigor/core/assert.hpp"
-#include "rigor/sim/fixed_steps/fixed_steps.hpp"
+
+#include <algorithm>
 
 namespace rigor {
 
@@ -10,23 +11,27 @@ FixedStepStepper::FixedStepStepper(std::shared_ptr<const Model> model, double ta
   RIGOR_ASSERT(target_step > 0);
 }
 
-AdvanceReport FixedStepStepper::advance(State& state, double t_end) {
-  RIGOR_ASSERT(t_end >= state.t && state.body_count() == model_->body_count());
+/// Takes the steps from the State to t_end as far as t_look.
+AdvanceReport FixedStepStepper::pass(State& state, double t_end, double t_look) {
+  RIGOR_ASSERT(t_end >= t_look && t_look >= state.t && state.body_count() == model_->body_count());
   report_ = {};
-  if (t_end == state.t) return report_;
+  if (t_look == state.t) return report_;
 
   // What an earlier call left behind is forgotten: the State says it all.
   const FixedSteps steps(state.t, t_end, longest_step());
+  const double rounding = FixedSteps::rounding * longest_step();
   double t = state.t;
   begin_span(steps.end(0), state);
 
   // Each fixed step, in as many parts as the scheme needs.
-  for (long k = 0; k < steps.count() && report_.reason == StopReason::reached_end; ++k) {
-    while (t < steps.end(k) && report_.reason == StopReason::reached_end) {
+  for (long k = 0; k < steps.count() && t < t_look - rounding && report_.reason == StopReason::reached_end; ++k) {
+    whole_step_ = steps.end(k) - t;
+    const double end = steps.end(k) < t_look + rounding ? steps.end(k) : t_look;
+    while (t < end && report_.reason == StopReason::reached_end) {
       if (interrupt_ && interrupt_()) {
         report_.reason = StopReason::interrupted;
       } else {
-        t = step_towards(steps.end(k), t, state);
+        t = step_towards(end, t, state);
       }
     }
   }

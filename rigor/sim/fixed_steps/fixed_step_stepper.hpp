@@ -1,6 +1,7 @@
 #pragma once
 
 #include "rigor/model/model.hpp"
+#include "rigor/sim/fixed_steps/fixed_steps.hpp"
 #include "rigor/sim/fixed_steps/stepper.hpp"
 
 #include <functional>
@@ -15,7 +16,10 @@ namespace rigor {
 class FixedStepStepper : public Stepper {
  public:
   void set_interrupt(std::function<bool()> interrupt) override { interrupt_ = std::move(interrupt); }
-  AdvanceReport advance(State& state, double t_end) final;
+  AdvanceReport advance(State& state, double t_end) final { return pass(state, t_end, t_end); }
+  /// The steps are those of advance(state, t_end); the last one is as much of such a step as is left.
+  AdvanceReport look(State& state, double t_end, double t) final { return pass(state, t_end, t); }
+  double time_rounding() const final { return FixedSteps::rounding * target_step_; }
 
  protected:
   /// target_step > 0 [s].
@@ -31,6 +35,8 @@ class FixedStepStepper : public Stepper {
   /// Completes the State at the time reached [s], also after a stop.
   virtual void end_span(double t, State& state) = 0;
 
+  /// The length of the whole step of which step_towards() takes a part, or all [s].
+  double whole_step() const { return whole_step_; }
   /// Puts kinematic and fixed bodies where they are at the State's time.
   void write_prescribed_bodies(State& state) const;
 
@@ -39,6 +45,9 @@ class FixedStepStepper : public Stepper {
   AdvanceReport report_;
 
  private:
+  AdvanceReport pass(State& state, double t_end, double t_look);
+
+  double whole_step_ = 0;
   std::function<bool()> interrupt_;
 };
 
