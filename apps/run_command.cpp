@@ -85,8 +85,9 @@ ExitCode execute(const RunOptions& options) {
                                         const Auditor& auditor) {
     return recorder.observe(state, since, auditor);
   };
-  const RunResult result = run_simulation(scene.model, scene.method, scene.run, start.state, observer,
-                                          [&recorder] { return recorder.was_interrupted(); }, start.earlier);
+  const RunResult result = run_simulation(
+      scene.model, scene.method, scene.run, start.state, observer,
+      [&recorder] { return recorder.was_interrupted(); }, start.earlier);
   const Audit audit = recorder.finish(result, start.warnings);
   print_audit(options, audit);
   print_sparkline(options, recorder.course());

@@ -26,9 +26,9 @@ struct RunResult {
 
 /// Runs a scene from the start state (the model's own if none is given) until `settings.duration` after t =
 /// 0. The observer sees the start and every output time k · output_interval; the result does not depend on
-/// whether it looks, nor on when the run ends. The run ends early when the stepper cannot continue: audit.report.reason says why. The
-/// interrupt is asked at every event or step; if it returns true, the run ends as it was at the last output
-/// time. earlier: the audit of a run that is resumed from `start`.
+/// whether it looks, nor on when the run ends. The run ends early when the stepper cannot continue:
+/// audit.report.reason says why. The interrupt is asked at every event or step; if it returns true, the run
+/// ends as it was at the last output time. earlier: the audit of a run that is resumed from `start`.
 RunResult run_simulation(std::shared_ptr<const Model> model, const Method& method,
                          const RunSettings& settings, const std::optional<State>& start,
                          const Observer& observer, const std::function<bool()>& interrupt = {},

@@ -15,6 +15,9 @@ namespace {
 
 /// Gains below this part of the energies of which they are differences are roundings of velocities.
 constexpr double rounding = 1e-6;
+/// So are, for bodies at rest, those of this part of the energy that lifts a body by its radius: springs do
+/// not know better what they hold while they swing.
+constexpr double lift_share = 0.1;
 
 /// Kinetic energy between two steps, when the momenta are known.
 double kinetic_energy(const Model& model, int body, const BulkBodies& bodies) {
@@ -26,10 +29,15 @@ double kinetic_energy(const Model& model, int body, const BulkBodies& bodies) {
 }  // namespace
 
 EnergyBound::EnergyBound(const Model& model)
-    : model_(&model), islands_(model),
+    : model_(&model),
+      islands_(model),
       is_unknown_(at(model.body_count()), 0),
       is_anchored_(at(model.body_count()), 0),
       is_jointed_(at(model.body_count()), 0) {
+  for (const Body& body : model.bodies()) {
+    const bool is_lifted = body.motion == MotionType::dynamic;
+    lift_.push_back(is_lifted ? lift_share * body.mass * model.g_W().norm() * body.bounding_radius : 0);
+  }
   const auto mark = [&](int body) {
     if (body != world_body) is_unknown_[at(body)] = 1;
   };
@@ -91,7 +99,7 @@ void EnergyBound::hold(const BulkContacts& contacts, const Executor& executor, M
   double gained = 0, scale = 0;
   for (int i = 0; i < bodies.count(); ++i) {
     gained += std::max(0.0, gain_[at(i)]);
-    scale += std::abs(begin_[at(i)]);
+    scale += std::abs(begin_[at(i)]) + lift_[at(i)];
   }
   const StepManifolds& manifolds = contacts.manifolds();
   for (std::size_t i = 0; i < manifolds.size(); ++i)
@@ -123,7 +131,8 @@ void EnergyBound::hold(const BulkContacts& contacts, const Executor& executor, M
   contacts.for_contacts([&](const SolvedManifold& manifold, const ManifoldMemory&, bool) {
     const bool is_A = bodies.is_dynamic(manifold.body_A);
     if (is_A && bodies.is_dynamic(manifold.body_B)) return;
-    Island& island = islands[at(island_at_[at(islands_.island_of(is_A ? manifold.body_A : manifold.body_B))])];
+    Island& island =
+        islands[at(island_at_[at(islands_.island_of(is_A ? manifold.body_A : manifold.body_B))])];
     for (const float impulse : manifold.impulses.normal) island.is_pressed = island.is_pressed || impulse > 0;
   });
   for (int i = 0; i < bodies.count(); ++i) {
@@ -139,7 +148,7 @@ void EnergyBound::hold(const BulkContacts& contacts, const Executor& executor, M
     Island& island = islands[at(number)];
     island.bodies.push_back(i);
     island.gain += gain_[at(i)];
-    island.scale += std::abs(begin_[at(i)]);
+    island.scale += std::abs(begin_[at(i)]) + lift_[at(i)];
     if (is_unknown_[at(i)] != 0) island.is_known = false;
     if (is_anchored_[at(i)] != 0) island.is_pressed = true;
   }
@@ -150,12 +159,12 @@ void EnergyBound::hold(const BulkContacts& contacts, const Executor& executor, M
     const Island& island = islands[at(island_at_[at(islands_.island_of(bodies.is_dynamic(a) ? a : b))])];
     const double before = static_cast<double>(manifolds.energy(i));
     const double grown = static_cast<double>(memory.energy(i)) - before;
-    if (!island.is_known || !(island.gain > 0) || !(grown > 0)) continue;
+    if (!island.is_known || !(island.gain > rounding * island.scale) || !(grown > 0)) continue;
     const double part = std::max(0.0, 1 - island.gain / island.stored);
     memory.set_energy(i, static_cast<float>(before + part * grown));
   }
   for (Island& island : islands) {
-    island.gain -= std::min(std::max(0.0, island.gain), island.stored);
+    if (island.gain > rounding * island.scale) island.gain -= std::min(island.gain, island.stored);
     if (island.is_known && island.gain > rounding * island.scale) calm(island, bodies);
   }
 }

@@ -34,7 +34,7 @@ class EnergyBound {
 
  private:
   struct Island {
-    double gain = 0;   ///< E(end) - E(begin) [J].
+    double gain = 0;    ///< E(end) - E(begin) [J].
     double scale = 0;   ///< Of the energies of which it is a difference [J].
     double stored = 0;  ///< What springs have come to hold, those that gave back aside [J].
     bool is_known = true, is_pressed = false;
@@ -50,11 +50,12 @@ class EnergyBound {
 
   const Model* model_;
   BulkIslands islands_;
-  std::vector<char> is_unknown_;  ///< Bodies whose work is not known.
+  std::vector<char> is_unknown_;                ///< Bodies whose work is not known.
   std::vector<char> is_anchored_, is_jointed_;  ///< Bodies that joints tie to something fixed, or to others.
-  std::vector<double> begin_;     ///< Of bodies: kinetic energy at the beginning, then with the work [J].
-  std::vector<double> gain_;      ///< Of bodies: kinetic energy that nothing explains [J].
-  std::vector<int> island_at_;    ///< Number of the island of which a body is the lowest; -1: none.
+  std::vector<double> lift_;                    ///< Of bodies: what is nothing to them at rest [J].
+  std::vector<double> begin_;   ///< Of bodies: kinetic energy at the beginning, then with the work [J].
+  std::vector<double> gain_;    ///< Of bodies: kinetic energy that nothing explains [J].
+  std::vector<int> island_at_;  ///< Number of the island of which a body is the lowest; -1: none.
 };
 
 }  // namespace rigor

@@ -149,26 +149,17 @@ void set_impulses(const VecX& lambda, const Mat3& frame, BulkContact& contact) {
   if (!is_pressed) contact.approach_speed = 0;
 }
 
-/// The impulses λ of section 6; nothing if the problem was not solved to 1e-9 of its terms. Terms are those of
-/// the heaviest body, so that the lightest one needs as many more digits as it is lighter, if they are there.
+/// The impulses λ of section 6; nothing if the problem was not solved to 1e-9 of its terms.
 std::optional<VecX> solve_impulses(const MotionProblem& problem, const VecX& start) {
-  constexpr double tolerance = 1e-9, least_tolerance = 1e-14;
-  double least = std::numeric_limits<double>::infinity(), most = 0;
-  for (const Mat6& mass : problem.rows.masses) {
-    least = std::min(least, mass(0, 0));
-    most = std::max(most, mass(0, 0));
-  }
   CoulombOptions options;
+  options.tolerance = 1e-9;
   options.least_norm = false;
-  for (const double wanted :
-       {std::max(least_tolerance, tolerance * std::min(1.0, least_mass_ratio * least / most)), tolerance}) {
-    options.tolerance = wanted;
-    // From what is remembered, by iteration; else what seems to hold is taken as equations.
-    for (const VecX& from : {start, VecX()}) {
-      const std::optional<CoulombSolution> solution = solve_in_motion_space(problem, {}, options, from);
-      if (solution && solution->lambda.allFinite()) return solution->lambda;
-    }
-    if (wanted == tolerance) break;
+  // From what is remembered, by iteration; else what seems to hold is taken as equations, which loads of any
+  // mass ratio solve.
+  for (const VecX& from : {start, VecX()}) {
+    const std::optional<CoulombSolution> solution = solve_in_motion_space(problem, {}, options, from);
+    if (solution && solution->lambda.allFinite()) return solution->lambda;
+    if (from.size() == 0) break;
   }
   return std::nullopt;
 }
@@ -337,12 +328,20 @@ struct DirectIslands::Problem {
     }
     return sum;
   }
-  /// The part of the velocities at the end that takes no more than there was: Moreau's step gives nothing, but
-  /// between bodies of the mass ratio 1e10 rounding does.
-  VecX affordable(const VecX& V_end) const {
-    constexpr double rounding = 1e-9;
+  /// The energy that velocities at the end add beyond rounding [J].
+  double gain(const VecX& V_end) const {
+    constexpr double rounding = 1e-9, share = 1e-5;
     const double before = kinetic(V_begin), after = kinetic(V_end), worked = work(V_end);
-    if (after - worked - before <= rounding * (after + before + std::abs(worked))) return V_end;
+    return after - worked - before - rounding * (after + before + std::abs(worked)) -
+           share * kinetic(V - V_begin);
+  }
+  /// The part of the velocities at the end that takes no more than there was: Moreau's step gives nothing,
+  /// but between bodies of the mass ratio 1e10 rounding does: a part of what forces would do in the step.
+  VecX affordable(const VecX& V_end) const {
+    constexpr double rounding = 1e-9, share = 1e-2;
+    const double before = kinetic(V_begin), after = kinetic(V_end), worked = work(V_end);
+    const double tolerated = rounding * (after + before + std::abs(worked)) + share * kinetic(V - V_begin);
+    if (after - worked - before <= tolerated) return V_end;
     return (worked + std::sqrt(worked * worked + 4 * after * before)) / (2 * after) * V_end;
   }
   void add_point(const Mat3& frame, double gap, double friction, const ContactRows::Sides& sides,
@@ -461,8 +460,15 @@ bool DirectIslands::solve_island(const DirectStep& step, const Island& island, B
 
   // Moreau's step: the velocities that Coulomb's law allows at the end of the step.
   problem.motion.laws.b = problem.rates(problem.V, step.h, 0);
-  const std::optional<VecX> lambda = solve_impulses(problem.motion, problem.start);
+  std::optional<VecX> lambda = solve_impulses(problem.motion, problem.start);
   if (!lambda) return false;
+  // Where the mass ratio leaves an iterated solution too few digits, one of equations has them.
+  if (problem.gain(problem.velocities_after(problem.V, *lambda)) > 0) {
+    const std::optional<VecX> other = solve_impulses(problem.motion, VecX());
+    if (other && problem.gain(problem.velocities_after(problem.V, *other)) <
+                     problem.gain(problem.velocities_after(problem.V, *lambda)))
+      lambda = other;
+  }
   const VecX V_end = problem.affordable(problem.velocities_after(problem.V, *lambda));
 
   // Overlaps are put back by displacements alone, which end with the step. What they lift is paid for by the
@@ -499,8 +505,9 @@ bool DirectIslands::solve_island(const DirectStep& step, const Island& island, B
     const Index rows = 3 * static_cast<Index>(contacts[k].point_count);
     set_impulses(lambda->segment(first, rows), problem.frames[at(static_cast<int>(first / 3))], contacts[k]);
     first += rows;
-    solved_.push_back({island.manifolds[k], lasting,
-                       static_cast<float>(kept * static_cast<double>(step.manifolds.energy(island.manifolds[k])))});
+    solved_.push_back(
+        {island.manifolds[k], lasting,
+         static_cast<float>(kept * static_cast<double>(step.manifolds.energy(island.manifolds[k])))});
   }
   contacts_.insert(contacts_.end(), contacts.begin(), contacts.end());
   return true;
@@ -521,7 +528,8 @@ void DirectIslands::remember(int substeps, bool keeps_energy, ManifoldMemories& 
     const double lasting = solved_[i].lasting;
     ManifoldMemory remembered = memory[number];
     for (std::size_t k = 0; k < at(remembered.point_count); ++k)
-      remembered.normal_impulse[k] = static_cast<float>(lasting * contacts_[i].points[k].normal_impulse / substeps);
+      remembered.normal_impulse[k] =
+          static_cast<float>(lasting * contacts_[i].points[k].normal_impulse / substeps);
     set_floats(lasting * contacts_[i].friction_impulse_W / substeps, remembered.friction_impulse_W.data());
     memory.put(number, remembered);
   }

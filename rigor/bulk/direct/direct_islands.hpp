@@ -53,8 +53,9 @@ class DirectIslands {
   void finish(BulkBodies& bodies) const;
   /// The contacts of the solved islands, with their impulses.
   const std::vector<BulkContact>& contacts() const { return contacts_; }
-  /// Writes impulses of one substep into the memories of their manifolds, where they last, and what is left of
-  /// the energy of their overlaps, if there is room for it; memory: of all manifolds, in the order of find().
+  /// Writes impulses of one substep into the memories of their manifolds, where they last, and what is left
+  /// of the energy of their overlaps, if there is room for it; memory: of all manifolds, in the order of
+  /// find().
   void remember(int substeps, bool keeps_energy, ManifoldMemories& memory) const;
 
  private:

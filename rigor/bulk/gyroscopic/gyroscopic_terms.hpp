@@ -43,7 +43,7 @@ class GyroscopicTerms {
   /// Of a body.
   struct Principal {
     Kind kind = Kind::round;
-    int first = 0;  ///< The axis that comes first.
+    int first = 0;          ///< The axis that comes first.
     float moments[3] = {};  ///< In units of a power of two near the largest.
   };
   struct alignas(32) Group {

@@ -78,7 +78,8 @@ class Walk {
   /// a triangle is not stopped by it.
   double mesh_step(double t, const DistanceResult& now, double slack) const {
     const bool is_A = std::holds_alternative<Mesh>(A_.shape->shape);
-    const MovingShape a{&A_.shape->shape, A_.shape->X_BS, &motion_A_}, b{&B_.shape->shape, B_.shape->X_BS, &motion_B_};
+    const MovingShape a{&A_.shape->shape, A_.shape->X_BS, &motion_A_},
+        b{&B_.shape->shape, B_.shape->X_BS, &motion_B_};
     const Vec3 n_W = is_A ? now.n_W : Vec3(-now.n_W);
     const MeshAdvance from{t, 1, now.distance, 0, slack, slack, std::span(&n_W, 1)};
     return safe_mesh_convex_step(is_A ? a : b, is_A ? b : a, from);

@@ -107,10 +107,9 @@ double PassingGuard::reach(int body, const BulkBodies& bodies) const {
 /// Whether the bodies have moved so far against each other that their contacts could not be foreseen.
 bool PassingGuard::is_far(const ShapePair& pair, const BulkBodies& bodies) const {
   const MotionRecord &A = bodies.motion[at(pair.body_A)], &B = bodies.motion[at(pair.body_B)];
-  const double way = (vector_of(A.dp) - vector_of(B.dp)).norm() +
-                     turning_[at(pair.body_A)] * norm_of(A.dr) + turning_[at(pair.body_B)] * norm_of(B.dr);
-  const double thinner =
-      std::min(thickness(pair.body_A, pair.shape_A), thickness(pair.body_B, pair.shape_B));
+  const double way = (vector_of(A.dp) - vector_of(B.dp)).norm() + turning_[at(pair.body_A)] * norm_of(A.dr) +
+                     turning_[at(pair.body_B)] * norm_of(B.dr);
+  const double thinner = std::min(thickness(pair.body_A, pair.shape_A), thickness(pair.body_B, pair.shape_B));
   return way > near_share * thinner;
 }
 
@@ -132,7 +131,8 @@ void PassingGuard::find_far(const std::vector<ShapePair>& pairs, double margin, 
   // And those of bodies that contacts and forces have taken beyond where pairs were looked for.
   for (int i = 0; i < bodies.count(); ++i) {
     const double known = static_cast<double>(expected_[at(i)]) + margin;
-    if (bodies.is_dynamic(i) && static_cast<double>(reach_[at(i)]) > known * (1 + 1e-3)) add_escaped(i, bodies);
+    if (bodies.is_dynamic(i) && static_cast<double>(reach_[at(i)]) > known * (1 + 1e-3))
+      add_escaped(i, bodies);
   }
 }
 

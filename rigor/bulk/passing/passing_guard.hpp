@@ -61,8 +61,8 @@ class PassingGuard {
   std::vector<double> turning_;    ///< Of each body: how far from its centre rotation moves points [m].
   std::vector<int> group_;         ///< The lowest body that joints connect with each body.
   std::vector<char> is_jointed_;
-  double least_thickness_;   ///< Of all shapes [m].
-  bool may_need_parts_;      ///< Whether there are joints or kinematic bodies.
+  double least_thickness_;       ///< Of all shapes [m].
+  bool may_need_parts_;          ///< Whether there are joints or kinematic bodies.
   std::vector<float> expected_;  ///< Reach of each body at the velocities of the beginning [m].
   std::vector<float> reach_;     ///< And as it has moved [m].
   std::vector<FarPair> far_;

@@ -47,8 +47,7 @@ void PrescribedBodies::set_target(int body, const Vec3& x, const Quat& q) {
   }
 }
 
-void PrescribedBodies::place(const Model& model, double t, double h, double left,
-                             BulkBodies& bodies) const {
+void PrescribedBodies::place(const Model& model, double t, double h, double left, BulkBodies& bodies) const {
   for (const int i : given_) {
     const std::size_t k = at(i);
     // Where the path has the body now; its velocities reach the path again at the end of the step, however

@@ -24,7 +24,8 @@ AdvanceReport FixedStepStepper::pass(State& state, double t_end, double t_look) 
   begin_span(steps.end(0), state);
 
   // Each fixed step, in as many parts as the scheme needs.
-  for (long k = 0; k < steps.count() && t < t_look - rounding && report_.reason == StopReason::reached_end; ++k) {
+  for (long k = 0; k < steps.count() && t < t_look - rounding && report_.reason == StopReason::reached_end;
+       ++k) {
     whole_step_ = steps.end(k) - t;
     const double end = steps.end(k) < t_look + rounding ? steps.end(k) : t_look;
     while (t < end && report_.reason == StopReason::reached_end) {

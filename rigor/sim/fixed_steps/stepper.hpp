@@ -16,8 +16,8 @@ class Stepper {
   virtual void set_interrupt(std::function<bool()> interrupt) = 0;
   /// Advances the State to t_end ≥ state.t, or to where the report says that it could not continue.
   virtual AdvanceReport advance(State& state, double t_end) = 0;
-  /// Shows the State at t on its way to t_end > t [s], for a run that ends there. Schemes of fixed steps go on
-  /// from the State before it, as if nobody had looked; others from this one.
+  /// Shows the State at t on its way to t_end > t [s], for a run that ends there. Schemes of fixed steps go
+  /// on from the State before it, as if nobody had looked; others from this one.
   virtual AdvanceReport look(State& state, [[maybe_unused]] double t_end, double t) {
     return advance(state, t);
   }
