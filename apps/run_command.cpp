@@ -80,13 +80,14 @@ ExitCode execute(const RunOptions& options) {
   const Start start = options.resume.empty() ? begun(options, scene) : resumed(options, scene);
   for (const std::string& warning : start.warnings) print_warning(warning);
 
-  RunRecorder recorder(options, scene, start.state.t, start.earlier);
+  RunRecorder recorder(options, scene, start.state.t, start.earlier ? start.earlier->wall_time : 0);
   const Observer observer = [&recorder](const State& state, const AdvanceReport& since,
                                         const Auditor& auditor) {
     return recorder.observe(state, since, auditor);
   };
-  const RunResult result = run_simulation(scene.model, scene.method, scene.run, start.state, observer,
-                                          [&recorder] { return recorder.was_interrupted(); });
+  const RunResult result = run_simulation(
+      scene.model, scene.method, scene.run, start.state, observer,
+      [&recorder] { return recorder.was_interrupted(); }, start.earlier);
   const Audit audit = recorder.finish(result, start.warnings);
   print_audit(options, audit);
   print_sparkline(options, recorder.course());

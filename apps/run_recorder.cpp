@@ -46,10 +46,10 @@ std::unique_ptr<TrajectoryWriter> make_output(const std::filesystem::path& path,
 }  // namespace
 
 RunRecorder::RunRecorder(const RunOptions& options, const Scene& scene, double start_time,
-                         std::optional<Audit> earlier)
+                         double earlier_time)
     : options_(options),
       scene_(scene),
-      earlier_(std::move(earlier)),
+      earlier_time_(earlier_time),
       begin_(std::chrono::steady_clock::now()),
       progress_line_(!options.is_quiet),
       progress_{.time = start_time, .start = start_time, .end = scene.run.duration} {
@@ -75,8 +75,8 @@ double RunRecorder::elapsed() const {
 }
 
 Audit RunRecorder::whole(Audit audit) const {
-  audit.wall_time = elapsed();
-  return earlier_ ? joined_audit(*earlier_, audit) : audit;
+  audit.wall_time = earlier_time_ + elapsed();
+  return audit;
 }
 
 bool RunRecorder::observe(const State& state, const AdvanceReport& since, const Auditor& auditor) {
@@ -100,6 +100,7 @@ void RunRecorder::record(const State& state, const AdvanceReport& since, const A
   for (PageWriter& page : pages_) page.write(state, since, auditor.energy());
   // The cause of the stop would only stop a resumed run again.
   if (!options_.checkpoint_every || since.reason != StopReason::reached_end) return;
+  if (state.t >= scene_.run.duration) return;  // finish() writes it.
   const long passed = static_cast<long>(std::floor(state.t / *options_.checkpoint_every));
   if (passed <= checkpoint_count_) return;
   checkpoint_count_ = passed;
@@ -132,7 +133,9 @@ Audit RunRecorder::finish(const RunResult& result, const std::vector<std::string
       if (file_error_.empty()) file_error_ = error.what();
     }
   };
-  if (!options_.checkpoint.empty() && can_go_on) attempt([&] { write_checkpoint_at(result.state, audit); });
+  if (!options_.checkpoint.empty() && can_go_on) {
+    attempt([&] { write_checkpoint_at(result.resumable, whole(result.resumable_audit)); });
+  }
   // Pages and pictures are made of the whole run at its end, which may take a while.
   if (was_interrupted() && (!pages_.empty() || has_pictures_))
     print_warning(

@@ -23,9 +23,9 @@ namespace rigor {
 /// requests it or a file fails.
 class RunRecorder {
  public:
-  /// Opens all outputs, so that failures to write show before the run; throws FileError. earlier: the audit
-  /// of the resumed run.
-  RunRecorder(const RunOptions& options, const Scene& scene, double start_time, std::optional<Audit> earlier);
+  /// Opens all outputs, so that failures to write show before the run; throws FileError. earlier_time: wall
+  /// time of the resumed run [s].
+  RunRecorder(const RunOptions& options, const Scene& scene, double start_time, double earlier_time);
 
   /// The observer of the run: whether to continue.
   bool observe(const State& state, const AdvanceReport& since, const Auditor& auditor);
@@ -47,7 +47,7 @@ class RunRecorder {
 
   const RunOptions& options_;
   const Scene& scene_;
-  std::optional<Audit> earlier_;
+  double earlier_time_;
   std::chrono::steady_clock::time_point begin_;
   InterruptWatch interrupt_;
   ProgressLine progress_line_;

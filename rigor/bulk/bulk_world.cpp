@@ -3,11 +3,13 @@
 #include "rigor/bulk/broad_phase/pair_finder.hpp"
 #include "rigor/bulk/contacts/bounce_limits.hpp"
 #include "rigor/bulk/contacts/bulk_contacts.hpp"
+#include "rigor/bulk/contacts/energy_bound.hpp"
 #include "rigor/bulk/direct/direct_islands.hpp"
 #include "rigor/bulk/gyroscopic/gyroscopic_terms.hpp"
 #include "rigor/bulk/joints/bulk_joints.hpp"
 #include "rigor/bulk/lanes/float_lanes.hpp"
 #include "rigor/bulk/narrow_phase/narrow_phase.hpp"
+#include "rigor/bulk/passing/passing_guard.hpp"
 #include "rigor/bulk/sleep/sleepers.hpp"
 #include "rigor/bulk/state/drag.hpp"
 #include "rigor/bulk/state/prescribed_bodies.hpp"
@@ -46,6 +48,8 @@ struct BulkWorld::Scratch {
         gyroscopic_terms(model),
         prescribed(model),
         bounce_limits(model),
+        energy_bound(model),
+        passing(model),
         balance(model),
         environment(model, PointSprings::act, false) {}
 
@@ -58,6 +62,8 @@ struct BulkWorld::Scratch {
   GyroscopicTerms gyroscopic_terms;
   PrescribedBodies prescribed;
   BounceLimits bounce_limits;
+  EnergyBound energy_bound;
+  PassingGuard passing;
   StepBalance balance;
   Environment environment;
   std::optional<Sleepers> sleepers;  ///< Only if bodies may sleep.
@@ -152,6 +158,7 @@ std::vector<BulkContact> BulkWorld::contacts() const {
 }
 
 void BulkWorld::set_contact_filter(std::function<bool(int, int)> may_touch) {
+  scratch_->passing.set_contact_filter(may_touch);
   scratch_->pair_finder.set_contact_filter(std::move(may_touch));
   wake_all();
 }
@@ -181,13 +188,59 @@ void BulkWorld::wake(int body) {
   if (scratch_->sleepers) scratch_->sleepers->disturb(body);
 }
 
-BulkStepReport BulkWorld::step(double h) {
+void BulkStepReport::add(const BulkStepReport& later) {
+  pair_count = later.pair_count, manifold_count = later.manifold_count, point_count = later.point_count;
+  direct_islands = later.direct_islands, sleeping_count = later.sleeping_count;
+  impacts.insert(impacts.end(), later.impacts.begin(), later.impacts.end());
+  momentum_error += later.momentum_error;
+  work += later.work;
+  if (later.max_overlap > max_overlap) {
+    max_overlap = later.max_overlap;
+    overlap_A = later.overlap_A, overlap_B = later.overlap_B;
+  }
+  if (later.max_joint_error > max_joint_error) {
+    max_joint_error = later.max_joint_error;
+    worst_joint = later.worst_joint;
+  }
+}
+
+BulkStepReport BulkWorld::step(double h, double whole) {
   Scratch& s = *scratch_;
+  RIGOR_ASSERT(0 < h && h <= whole);
+  // Forces of the step before act for a shorter time.
+  if (h != whole) memory_ = memory_.scaled(static_cast<float>(h / whole));
   const Executor::Team team(s.executor);
-  const double substep = h / settings_.substeps;
   // Kinematic bodies come first, since pairs are found and matched with their velocities.
-  s.prescribed.place(*model_, t_, h, bodies_);
+  s.prescribed.place(*model_, t_, h, h, bodies_);
   find_contacts(h);
+  const int parts = s.passing.parts_of(bodies_, s.pairs, h);
+  BulkStepReport report = parts > 1 ? step_in_parts(h, whole, parts) : take_step(h, whole);
+  // What was given for this step ends with it.
+  s.given.clear();
+  s.prescribed.arrive(bodies_);
+  return report;
+}
+
+/// A step in equal parts, each with its own contacts.
+BulkStepReport BulkWorld::step_in_parts(double h, double whole, int parts) {
+  Scratch& s = *scratch_;
+  BulkStepReport report;
+  memory_ = memory_.scaled(1 / static_cast<float>(parts));
+  for (int k = 0; k < parts; ++k) {
+    s.prescribed.place(*model_, t_, h / parts, h * (parts - k) / parts, bodies_);
+    find_contacts(h / parts);
+    report.add(take_step(h / parts, whole / parts));
+  }
+  memory_ = memory_.scaled(static_cast<float>(parts));
+  return report;
+}
+
+/// Takes a step with the pairs and manifolds that were found for it.
+BulkStepReport BulkWorld::take_step(double h, double whole) {
+  Scratch& s = *scratch_;
+  const double substep = h / settings_.substeps;
+  s.passing.begin(bodies_, h);
+  s.energy_bound.begin(bodies_, s.executor);
   s.contacts.match(s.pairs, s.manifolds, memory_, s.executor);
   // Colours do not depend on the islands to be solved directly: both at once.
   BulkStepReport report;
@@ -207,19 +260,19 @@ BulkStepReport BulkWorld::step(double h) {
   // The balance begins before velocities change. Islands solved directly are left out of the sweeps.
   if (settings_.measures) s.balance.begin(bodies_);
   report.direct_islands = solve_directly(h);
-  s.contacts.prepare(bodies_, substep, s.direct, s.executor);
+  s.contacts.prepare(bodies_, substep, whole / settings_.substeps, s.direct, s.executor);
   if (s.contacts.has_restitution()) s.bounce_limits.begin(bodies_, s.executor);
   // Chains that touch nothing need no contacts and take all of their substeps at once.
   s.joints.advance_contact_free_chains(s.accelerations, settings_.substeps, bodies_, s.executor);
-  // Substeps, whose impulses are added up where somebody needs the sum.
-  const bool adds_up = settings_.measures || s.contacts.has_restitution();
+  // Substeps, whose impulses are added up: the energies of the springs follow from the sums.
   for (int k = 0; k < settings_.substeps; ++k) {
     take_substep(k == 0, static_cast<float>(substep));
-    if (adds_up) s.contacts.add_up(s.executor);
+    s.contacts.add_up(s.executor);
   }
   // Restitution comes once, after the substeps; then velocities that only put back overlaps end.
   if (s.contacts.has_restitution()) bounce_apart();
   s.direct.finish(bodies_);
+  stop_passing(h);
   // The balance is made before bodies are moved: arms are those of the beginning of the step.
   if (settings_.measures) {
     s.balance.end(bodies_, s.accelerations, h, s.contacts, s.direct, report);
@@ -229,27 +282,52 @@ BulkStepReport BulkWorld::step(double h) {
   return report;
 }
 
+/// Stops bodies that would pass others; for them the step ends there, and with it what forces do to those
+/// that fall.
+void BulkWorld::stop_passing(double h) {
+  Scratch& s = *scratch_;
+  const std::vector<PassingGuard::Stopped>& all =
+      s.passing.stop(s.pairs, pair_margin(h), s.executor, bodies_);
+  // Displacements are final now, and the work of the forces over them.
+  s.energy_bound.add_work(bodies_, s.accelerations, s.executor);
+  for (const PassingGuard::Stopped& stopped : all) {
+    MotionRow& row = s.accelerations[at(stopped.body)];
+    MotionRecord& motion = bodies_.motion[at(stopped.body)];
+    if (!(row[0] * motion.dp[0] + row[1] * motion.dp[1] + row[2] * motion.dp[2] > 0)) continue;
+    const float share = static_cast<float>(stopped.share);
+    for (std::size_t k = 0; k < 3; ++k) {
+      motion.v[k] -= static_cast<float>(h) * (1 - share) * row[k];
+      row[k] *= share;
+    }
+  }
+}
+
+/// Pairs within the distance of free fall are contacts, g t²/2; what a body's velocity adds to it is each
+/// pair's own.
+double BulkWorld::pair_margin(double h) const {
+  return 0.5 * model_->g_W().norm() * (margin_steps * h) * (margin_steps * h);
+}
+
 void BulkWorld::end_step(double h, BulkStepReport& report) {
   Scratch& s = *scratch_;
   // The step ends: bodies are where their displacements take them, and contacts and joints are remembered.
-  s.given.clear();
   end_bulk_step(s.executor, bodies_);
-  s.prescribed.arrive(bodies_);
   s.contacts.remember(bodies_, h / settings_.substeps, settings_.substeps, s.executor, memory_);
-  s.direct.remember(settings_.substeps, memory_);
+  s.direct.remember(settings_.substeps, s.contacts.keeps_energy(), memory_);
   s.joints.read_impulses(bodies_, s.joint_impulses);
   std::tie(report.max_joint_error, report.worst_joint) = s.joints.worst_error(bodies_);
-  // Sleep is decided by the velocities at the end of the step.
-  if (s.sleepers) {
-    s.sleepers->settle(h, bodies_, memory_);
-    report.sleeping_count = s.sleepers->count();
-  }
   // The State holds angular momenta, from which a fresh world would read the angular velocities.
   s.executor.for_ranges(bodies_.count(), 256, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       if (bodies_.is_dynamic(i)) set_momentum(*model_, i, bodies_);
     }
   });
+  s.energy_bound.hold(s.contacts, s.executor, memory_, bodies_);
+  // Sleep is decided by the velocities at the end of the step.
+  if (s.sleepers) {
+    s.sleepers->settle(h, bodies_, memory_);
+    report.sleeping_count = s.sleepers->count();
+  }
   t_ += h;
 }
 
@@ -257,8 +335,7 @@ void BulkWorld::end_step(double h, BulkStepReport& report) {
 /// is looked for too, until no island wakes.
 void BulkWorld::find_contacts(double h) {
   Scratch& s = *scratch_;
-  // The margin is the distance of free fall, g t²/2; what a body's velocity adds to it is each pair's own.
-  const double margin = 0.5 * model_->g_W().norm() * (margin_steps * h) * (margin_steps * h);
+  const double margin = pair_margin(h);
   bool is_done = false;
   while (!is_done) {
     // Sleeping bodies stand, so that pairs of two of them are not looked for.

@@ -36,6 +36,9 @@ struct BulkStepReport {
   int overlap_A = -1, overlap_B = -1;  ///< Bodies of the deepest overlap.
   double max_joint_error = 0;  ///< Largest joint error at the end of the step [m]: BulkJoints::worst_error.
   int worst_joint = -1;        ///< The joint with that error.
+
+  /// Adds what happened in a later part of the step.
+  void add(const BulkStepReport& later);
 };
 
 /// The world of the many-body path, for thousands of bodies (docs/theory/bulk.md): the bodies and what their
@@ -66,7 +69,11 @@ class BulkWorld {
   void read(const State& state);
   void write(State& state) const;
   /// Takes one step of h > 0 [s].
-  BulkStepReport step(double h);
+  BulkStepReport step(double h) { return step(h, h); }
+  /// The first h of a step of the length `whole` >= h [s], after steps of that length: its springs and
+  /// impulses are those of such steps. For a look at the bodies between two steps; what contacts remember of
+  /// it is of no use.
+  BulkStepReport step(double h, double whole);
 
   double time() const { return t_; }
   const BulkBodies& bodies() const { return bodies_; }
@@ -81,6 +88,10 @@ class BulkWorld {
 
  private:
   struct Scratch;
+  BulkStepReport step_in_parts(double h, double whole, int parts);
+  BulkStepReport take_step(double h, double whole);
+  void stop_passing(double h);
+  double pair_margin(double h) const;
   /// Moves the bodies and remembers what goes into the next step, after the velocities are final.
   void end_step(double h, BulkStepReport& report);
   void find_contacts(double h);

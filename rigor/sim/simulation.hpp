@@ -17,17 +17,22 @@ using Observer = std::function<bool(const State& state, const AdvanceReport& sin
 struct RunResult {
   State state;  ///< At the end of the run.
   Audit audit;
+  /// From where a resumed run goes on as if this one had not ended, with the audit so far: the end; or the
+  /// last output before it, where a scheme of fixed steps ends between two outputs.
+  State resumable;
+  Audit resumable_audit;
   bool was_stopped = false;  ///< By the observer or the interrupt.
 };
 
 /// Runs a scene from the start state (the model's own if none is given) until `settings.duration` after t =
 /// 0. The observer sees the start and every output time k · output_interval; the result does not depend on
-/// whether it looks. The run ends early when the stepper cannot continue: audit.report.reason says why. The
-/// interrupt is asked at every event or step; if it returns true, the run ends as it was at the last output
-/// time.
+/// whether it looks, nor on when the run ends. The run ends early when the stepper cannot continue:
+/// audit.report.reason says why. The interrupt is asked at every event or step; if it returns true, the run
+/// ends as it was at the last output time. earlier: the audit of a run that is resumed from `start`.
 RunResult run_simulation(std::shared_ptr<const Model> model, const Method& method,
                          const RunSettings& settings, const std::optional<State>& start,
-                         const Observer& observer, const std::function<bool()>& interrupt = {});
+                         const Observer& observer, const std::function<bool()>& interrupt = {},
+                         const std::optional<Audit>& earlier = std::nullopt);
 
 /// Two bodies that overlap by more than the tolerance.
 struct Overlap {

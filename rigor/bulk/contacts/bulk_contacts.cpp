@@ -52,7 +52,7 @@ void BulkContacts::colour_those(const BulkBodies& bodies, const IsSwept& is_swep
   colouring_.finish(bodies.count());
 }
 
-void BulkContacts::prepare(const BulkBodies& bodies, double h, const DirectIslands& direct,
+void BulkContacts::prepare(const BulkBodies& bodies, double h, double whole, const DirectIslands& direct,
                            const Executor& executor) {
   // Manifolds of islands that are solved directly get no block.
   if (direct.island_count() > 0)
@@ -60,7 +60,7 @@ void BulkContacts::prepare(const BulkBodies& bodies, double h, const DirectIslan
   blocks_.arrange(colouring_.now());
 
   // Springs (docs/theory/bulk.md, section 3).
-  const double frequency = contact_frequency_a_substep / h;
+  const double frequency = contact_frequency_a_substep / whole;
   const Softness between_moving = make_softness(frequency, contact_damping, h);
   const Softness on_ground = make_softness(2 * frequency, contact_damping, h);
 

@@ -30,8 +30,9 @@ class BulkContacts {
   /// Then: which of them are solved at once. bodies: which are dynamic.
   void colour(const BulkBodies& bodies);
   /// Then: blocks of the manifolds, but for those of the islands that were solved directly. h [s]: of the
-  /// substeps.
-  void prepare(const BulkBodies& bodies, double h, const DirectIslands& direct, const Executor& executor);
+  /// substeps; whole [s]: of those to which the springs belong.
+  void prepare(const BulkBodies& bodies, double h, double whole, const DirectIslands& direct,
+               const Executor& executor);
   /// Applies the impulses that the blocks begin with; once, in the first substep.
   void warm_start(BulkBodies& bodies, const Executor& executor);
   /// One sweep over all colours. h [s]: of the substep.
@@ -40,6 +41,8 @@ class BulkContacts {
   /// Adds the impulses of a substep to those of the step; after the last sweep of each substep, if the totals
   /// are wanted.
   void add_up(const Executor& executor);
+  /// Whether they were added up in this step: then memories have the energies of their springs.
+  bool keeps_energy() const { return blocks_.has_totals(); }
   /// After the last substep, if has_restitution() and the impulses were added up: which contacts bounce, and
   /// how much energy each may give back; whether there are any.
   bool find_bounces(const BulkBodies& bodies, const Executor& executor);

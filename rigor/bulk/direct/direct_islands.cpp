@@ -5,6 +5,7 @@
 #include "rigor/solver/motion/motion_problem.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <map>
@@ -153,9 +154,14 @@ std::optional<VecX> solve_impulses(const MotionProblem& problem, const VecX& sta
   CoulombOptions options;
   options.tolerance = 1e-9;
   options.least_norm = false;
-  const std::optional<CoulombSolution> solution = solve_in_motion_space(problem, {}, options, start);
-  if (!solution || !solution->lambda.allFinite()) return std::nullopt;
-  return solution->lambda;
+  // From what is remembered, by iteration; else what seems to hold is taken as equations, which loads of any
+  // mass ratio solve.
+  for (const VecX& from : {start, VecX()}) {
+    const std::optional<CoulombSolution> solution = solve_in_motion_space(problem, {}, options, from);
+    if (solution && solution->lambda.allFinite()) return solution->lambda;
+    if (from.size() == 0) break;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -307,7 +313,37 @@ struct DirectIslands::Problem {
   std::vector<Mat3> frames;
   std::vector<double> gaps;  ///< [m].
   VecX start;                ///< Impulses of the step before [N s].
+  VecX V_begin;              ///< Velocities at the beginning of the step.
 
+  /// Kinetic energy at these velocities [J].
+  double kinetic(const VecX& V_bodies) const { return 0.5 * product(V_bodies, V_bodies); }
+  /// Work of the forces of the step over the displacements at these velocities [J].
+  double work(const VecX& V_bodies) const { return product(V - V_begin, V_bodies); }
+  /// a · M b.
+  double product(const VecX& a, const VecX& b) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < motion.rows.masses.size(); ++k) {
+      const Index six = 6 * static_cast<Index>(k);
+      sum += a.segment<6>(six).dot(motion.rows.masses[k] * b.segment<6>(six));
+    }
+    return sum;
+  }
+  /// The energy that velocities at the end add beyond rounding [J].
+  double gain(const VecX& V_end) const {
+    constexpr double rounding = 1e-9, share = 1e-5;
+    const double before = kinetic(V_begin), after = kinetic(V_end), worked = work(V_end);
+    return after - worked - before - rounding * (after + before + std::abs(worked)) -
+           share * kinetic(V - V_begin);
+  }
+  /// The part of the velocities at the end that takes no more than there was: Moreau's step gives nothing,
+  /// but between bodies of the mass ratio 1e10 rounding does: a part of what forces would do in the step.
+  VecX affordable(const VecX& V_end) const {
+    constexpr double rounding = 1e-9, share = 1e-2;
+    const double before = kinetic(V_begin), after = kinetic(V_end), worked = work(V_end);
+    const double tolerated = rounding * (after + before + std::abs(worked)) + share * kinetic(V - V_begin);
+    if (after - worked - before <= tolerated) return V_end;
+    return (worked + std::sqrt(worked * worked + 4 * after * before)) / (2 * after) * V_end;
+  }
   void add_point(const Mat3& frame, double gap, double friction, const ContactRows::Sides& sides,
                  const Vec3& prescribed, const Vec3& impulse) {
     frames.push_back(frame);
@@ -345,8 +381,10 @@ DirectIslands::Problem DirectIslands::problem_of(const DirectStep& step, const I
     problem.motion.rows.inverse_masses.push_back(
         block_diagonal(1 / body.mass, R_WB * body.moments.cwiseInverse().asDiagonal() * R_WB.transpose()));
     const MotionRow change = step.free_change(i);
-    append(vector_of(bodies.motion[at(i)].v) + vector_of(change.data()), problem.V);
-    append(vector_of(bodies.motion[at(i)].w) + vector_of(change.data() + 4), problem.V);
+    append(vector_of(bodies.motion[at(i)].v), problem.V_begin);
+    append(vector_of(bodies.motion[at(i)].w), problem.V_begin);
+    append(problem.V_begin.tail<6>().head<3>() + vector_of(change.data()), problem.V);
+    append(problem.V_begin.tail<3>() + vector_of(change.data() + 4), problem.V);
   }
 
   // The points: rows along two tangents and the normal on each dynamic body; other bodies move as prescribed.
@@ -381,6 +419,33 @@ DirectIslands::Problem DirectIslands::problem_of(const DirectStep& step, const I
   return problem;
 }
 
+/// The velocities without friction that put back a share of the overlaps; zero if they are not found.
+VecX DirectIslands::find_push(Problem& problem, double h, const VecX& V_end) {
+  problem.motion.laws.mu.assign(problem.gaps.size(), 0.0);
+  problem.motion.laws.b = problem.rates(V_end, h, put_back);
+  const std::optional<VecX> push = solve_impulses(problem.motion, VecX());
+  if (!push) return VecX::Zero(V_end.size());
+  return problem.velocities_after(V_end, *push) - V_end;
+}
+
+/// The part of the impulses with which the next step may begin: so much that they change no body's velocity
+/// by more than twice what forces do. Those of an impact would throw the bodies that it has stopped.
+double DirectIslands::lasting_part(const Problem& problem, const Island& island, const VecX& V_end) const {
+  constexpr double most_share = 2;
+  const auto largest_change = [&](const VecX& change) {
+    double most = 0;
+    for (std::size_t k = 0; k < island.bodies.size(); ++k) {
+      const Index six = 6 * static_cast<Index>(k);
+      const double radius = model_->body(island.bodies[k]).bounding_radius;
+      most = std::max(most, change.segment<3>(six).norm() + radius * change.segment<3>(six + 3).norm());
+    }
+    return most;
+  };
+  const double by_contacts = largest_change(V_end - problem.V);
+  const double by_forces = most_share * largest_change(problem.V - problem.V_begin);
+  return by_contacts > by_forces ? by_forces / by_contacts : 1;
+}
+
 /// The size of its smallest body: the radius about the centre of mass [m].
 double DirectIslands::size_of(const Island& island) const {
   double size = std::numeric_limits<double>::infinity();
@@ -395,17 +460,30 @@ bool DirectIslands::solve_island(const DirectStep& step, const Island& island, B
 
   // Moreau's step: the velocities that Coulomb's law allows at the end of the step.
   problem.motion.laws.b = problem.rates(problem.V, step.h, 0);
-  const std::optional<VecX> lambda = solve_impulses(problem.motion, problem.start);
+  std::optional<VecX> lambda = solve_impulses(problem.motion, problem.start);
   if (!lambda) return false;
-  const VecX V_end = problem.velocities_after(problem.V, *lambda);
+  // Where the mass ratio leaves an iterated solution too few digits, one of equations has them.
+  if (problem.gain(problem.velocities_after(problem.V, *lambda)) > 0) {
+    const std::optional<VecX> other = solve_impulses(problem.motion, VecX());
+    if (other && problem.gain(problem.velocities_after(problem.V, *other)) <
+                     problem.gain(problem.velocities_after(problem.V, *lambda)))
+      lambda = other;
+  }
+  const VecX V_end = problem.affordable(problem.velocities_after(problem.V, *lambda));
 
-  // Overlaps are put back by displacements alone: velocities without friction that end with the step.
+  // Overlaps are put back by displacements alone, which end with the step. What they lift is paid for by the
+  // energy that the step takes, then by what the springs of the sweeps have left in the overlaps.
   VecX V_moved = V_end;
+  double held = 0;
+  for (const std::size_t i : island.manifolds) held += static_cast<double>(step.manifolds.energy(i));
+  double kept = 0;  // The part of it that remains.
   if (*std::min_element(problem.gaps.begin(), problem.gaps.end()) < -tolerated_overlap * size_of(island)) {
-    problem.motion.laws.mu.assign(problem.gaps.size(), 0.0);
-    problem.motion.laws.b = problem.rates(V_end, step.h, put_back);
-    if (const std::optional<VecX> push = solve_impulses(problem.motion, VecX()))
-      V_moved = problem.velocities_after(V_end, *push);
+    const VecX push = find_push(problem, step.h, V_end);
+    const double taken = problem.kinetic(problem.V_begin) + problem.work(V_end) - problem.kinetic(V_end);
+    const double lift = -problem.work(push), paid = std::max(0.0, taken) + held;
+    const double part = lift > paid ? paid / lift : 1;
+    V_moved += part * push;
+    if (held > 0) kept = 1 - std::clamp((part * lift - std::max(0.0, taken)) / held, 0.0, 1.0);
   }
 
   // The bodies move with these; the velocities of the end wait for finish().
@@ -421,12 +499,15 @@ bool DirectIslands::solve_island(const DirectStep& step, const Island& island, B
   }
 
   // What acted at the contacts.
+  const double lasting = lasting_part(problem, island, V_end);
   Index first = 0;
   for (std::size_t k = 0; k < island.manifolds.size(); ++k) {
     const Index rows = 3 * static_cast<Index>(contacts[k].point_count);
     set_impulses(lambda->segment(first, rows), problem.frames[at(static_cast<int>(first / 3))], contacts[k]);
     first += rows;
-    solved_.push_back(island.manifolds[k]);
+    solved_.push_back(
+        {island.manifolds[k], lasting,
+         static_cast<float>(kept * static_cast<double>(step.manifolds.energy(island.manifolds[k])))});
   }
   contacts_.insert(contacts_.end(), contacts.begin(), contacts.end());
   return true;
@@ -440,13 +521,17 @@ void DirectIslands::finish(BulkBodies& bodies) const {
   }
 }
 
-void DirectIslands::remember(int substeps, ManifoldMemories& memory) const {
+void DirectIslands::remember(int substeps, bool keeps_energy, ManifoldMemories& memory) const {
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
-    ManifoldMemory remembered = memory[solved_[i]];
+    const std::size_t number = solved_[i].manifold;
+    if (keeps_energy) memory.set_energy(number, solved_[i].energy);
+    const double lasting = solved_[i].lasting;
+    ManifoldMemory remembered = memory[number];
     for (std::size_t k = 0; k < at(remembered.point_count); ++k)
-      remembered.normal_impulse[k] = static_cast<float>(contacts_[i].points[k].normal_impulse / substeps);
-    set_floats(contacts_[i].friction_impulse_W / substeps, remembered.friction_impulse_W.data());
-    memory.put(solved_[i], remembered);
+      remembered.normal_impulse[k] =
+          static_cast<float>(lasting * contacts_[i].points[k].normal_impulse / substeps);
+    set_floats(lasting * contacts_[i].friction_impulse_W / substeps, remembered.friction_impulse_W.data());
+    memory.put(number, remembered);
   }
 }
 

@@ -53,9 +53,10 @@ class DirectIslands {
   void finish(BulkBodies& bodies) const;
   /// The contacts of the solved islands, with their impulses.
   const std::vector<BulkContact>& contacts() const { return contacts_; }
-  /// Writes impulses of one substep into the memories of their manifolds; memory: of all manifolds, in the
-  /// order of find().
-  void remember(int substeps, ManifoldMemories& memory) const;
+  /// Writes impulses of one substep into the memories of their manifolds, where they last, and what is left
+  /// of the energy of their overlaps, if there is room for it; memory: of all manifolds, in the order of
+  /// find().
+  void remember(int substeps, bool keeps_energy, ManifoldMemories& memory) const;
 
  private:
   struct Island {
@@ -69,6 +70,8 @@ class DirectIslands {
   bool is_taken(const StepManifolds& manifolds, const Island& island, const BulkBodies& bodies) const;
   bool is_column(const StepManifolds& manifolds, const Island& island, const BulkBodies& bodies) const;
   Problem problem_of(const DirectStep& step, const Island& island, const BulkBodies& bodies) const;
+  static VecX find_push(Problem& problem, double h, const VecX& V_end);
+  double lasting_part(const Problem& problem, const Island& island, const VecX& V_end) const;
   double size_of(const Island& island) const;
   bool solve_island(const DirectStep& step, const Island& island, BulkBodies& bodies);
 
@@ -85,7 +88,12 @@ class DirectIslands {
     float v[3], w[3];
   };
   std::vector<EndVelocity> ends_;
-  std::vector<std::size_t> solved_;    ///< Numbers of the manifolds of solved islands.
+  struct Solved {
+    std::size_t manifold;  ///< Its number.
+    double lasting;        ///< The part of its impulses with which the next step may begin.
+    float energy;          ///< That its overlap holds [J].
+  };
+  std::vector<Solved> solved_;         ///< The manifolds of solved islands.
   std::vector<BulkContact> contacts_;  ///< Of those.
 };
 

@@ -44,12 +44,18 @@ SlenderTowers::SlenderTowers(const Model& model) : gravity_(model.g_W().norm()) 
 
 bool SlenderTowers::may_be_there(const ManifoldMemories& memory, double substep) {
   least_mass_.clear();
-  if (!(gravity_ > 0)) return false;
+  if (!(gravity_ > 0) || weight_.empty()) return false;
 
   // Cubes of the side a buckle from (ω² a/g)^(1/3) of them on.
   const double omega = 2 * std::numbers::pi * contact_frequency_a_substep / substep;
   const float cube = static_cast<float>(omega * omega / gravity_);  // Of the number that buckles, by size.
   const float h = static_cast<float>(substep);
+
+  // Where nothing is remembered any body may be the lowest.
+  if (memory.empty()) {
+    for (std::size_t i = 0; i < size_.size(); ++i) least_mass_.push_back(slender_mass(i, cube));
+    return true;
+  }
 
   // Bodies that press on what stands still with the weight of more than two thirds of that number of bodies.
   for (std::size_t i = 0; i < memory.size(); ++i) {
@@ -60,11 +66,16 @@ bool SlenderTowers::may_be_there(const ManifoldMemories& memory, double substep)
     if (27 * number * number * number < 8 * cube * size_[at(body)]) continue;
     if (meets_two(memory, is_dynamic_, body)) continue;
     least_mass_.resize(is_dynamic_.size(), std::numeric_limits<double>::infinity());
-    least_mass_[at(body)] = 2.0 / 3 * std::cbrt(static_cast<double>(cube * size_[at(body)])) *
-                            static_cast<double>(weight_[at(body)]) / gravity_;
+    least_mass_[at(body)] = slender_mass(at(body), cube);
   }
   if (!least_mass_.empty()) drop_others(memory, substep);
   return !least_mass_.empty();
+}
+
+/// Two thirds of the mass that buckles on this body; cube: of the number of cubes that does, by their size.
+double SlenderTowers::slender_mass(std::size_t body, float cube) const {
+  return 2.0 / 3 * std::cbrt(static_cast<double>(cube * size_[body])) * static_cast<double>(weight_[body]) /
+         gravity_;
 }
 
 /// Forgets bodies that touch more than one other dynamic body, and those on which the other one presses with

@@ -4,6 +4,7 @@
 #include "rigor/core/index.hpp"
 #include "rigor/model/model.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -20,7 +21,8 @@ class SlenderTowers {
   explicit SlenderTowers(const Model& model);
 
   /// Whether there may be any: bodies that were pressed, by what stands still, with more than two thirds of
-  /// the weight that buckles, at the end of the step before. substep [s].
+  /// the weight that buckles, at the end of the step before; in the first step, of which nothing is known,
+  /// all bodies. substep [s].
   bool may_be_there(const ManifoldMemories& memory, double substep);
   /// What the tower of which this body is the lowest weighs at least if it is slender [kg]; infinite if the
   /// body was not pressed so.
@@ -29,6 +31,7 @@ class SlenderTowers {
   }
 
  private:
+  double slender_mass(std::size_t body, float cube) const;
   void drop_others(const ManifoldMemories& memory, double substep);
 
   std::vector<std::uint8_t> is_dynamic_;  ///< Bytes, which are read faster than bits.

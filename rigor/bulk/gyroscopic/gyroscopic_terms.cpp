@@ -38,8 +38,11 @@ GyroscopicTerms::GyroscopicTerms(const Model& model, LaneTarget target)
     const std::optional<int> axis = axis_of_revolution(body);
     principal.kind = axis ? Kind::revolution : Kind::other;
     principal.first = axis.value_or(0);
+    // Only ratios matter. In units of a power of two near the largest moment, products of three do not
+    // underflow, and every other bit is the same.
+    const int unit = std::ilogb(body.moments.maxCoeff());
     for (int k = 0; k < 3; ++k) {
-      principal.moments[k] = static_cast<float>(body.moments[(principal.first + k) % 3]);
+      principal.moments[k] = static_cast<float>(std::ldexp(body.moments[(principal.first + k) % 3], -unit));
     }
   }
   const auto is_round = [](const Principal& principal) { return principal.kind == Kind::round; };

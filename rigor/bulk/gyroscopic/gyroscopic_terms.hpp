@@ -18,7 +18,7 @@ std::optional<int> axis_of_revolution(const Body& body);
 /// Principal axes and moments of eight bodies, on which the gyroscopic torque depends.
 struct alignas(32) GyroscopicState {
   FloatVec3 axes[2];      ///< The first two axes, in W; the first is that of bodies of revolution.
-  FloatLanes moments[3];  ///< [kg m²].
+  FloatLanes moments[3];  ///< In units of a power of two near the largest.
   FloatLanes spin;        ///< Of bodies of revolution: moments[0] / moments[1] - 1.
 };
 
@@ -43,8 +43,8 @@ class GyroscopicTerms {
   /// Of a body.
   struct Principal {
     Kind kind = Kind::round;
-    int first = 0;  ///< The axis that comes first.
-    float moments[3] = {};
+    int first = 0;          ///< The axis that comes first.
+    float moments[3] = {};  ///< In units of a power of two near the largest.
   };
   struct alignas(32) Group {
     std::array<int, kLaneCount> bodies{};  ///< -1: none.

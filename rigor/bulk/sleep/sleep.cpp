@@ -132,6 +132,7 @@ void SleepKeeper::settle(double h, const ManifoldMemories& contacts, BulkBodies&
     if (island < 0 || least_quiet_[at(island)] < static_cast<float>(rules_.delay)) continue;
     quiet_time[at(i)] = asleep;
     for (int axis = 0; axis < 3; ++axis) bodies.motion[at(i)].v[axis] = bodies.motion[at(i)].w[axis] = 0;
+    bodies.L[at(i)] = Vec3::Zero();
   }
 }
 

@@ -128,6 +128,17 @@ ManifoldMemory ManifoldMemories::operator[](std::size_t i) const {
   return memory;
 }
 
+ManifoldMemories ManifoldMemories::scaled(float factor) const {
+  std::vector<ManifoldMemory> memories = values();
+  for (ManifoldMemory& memory : memories) {
+    for (float& impulse : memory.normal_impulse) impulse *= factor;
+    for (float& impulse : memory.friction_impulse_W) impulse *= factor;
+    for (float& impulse : memory.rolling_impulse_W) impulse *= factor;
+    memory.twist_impulse *= factor;
+  }
+  return memories;
+}
+
 bool ManifoldMemories::operator==(const ManifoldMemories& other) const {
   if (size() != other.size()) return false;
   for (std::size_t i = 0; i < size(); ++i) {

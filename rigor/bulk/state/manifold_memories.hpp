@@ -60,6 +60,8 @@ class ManifoldMemories {
   void clear();
   void push_back(const ManifoldMemory& memory);
   ManifoldMemory operator[](std::size_t i) const;
+  /// With all impulses times this factor.
+  ManifoldMemories scaled(float factor) const;
   bool operator==(const ManifoldMemories& other) const;
 
   int body_A(std::size_t i) const { return heads_[i].body_A; }

@@ -47,7 +47,7 @@ void PrescribedBodies::set_target(int body, const Vec3& x, const Quat& q) {
   }
 }
 
-void PrescribedBodies::place(const Model& model, double t, double h, BulkBodies& bodies) const {
+void PrescribedBodies::place(const Model& model, double t, double h, double left, BulkBodies& bodies) const {
   for (const int i : given_) {
     const std::size_t k = at(i);
     // Where the path has the body now; its velocities reach the path again at the end of the step, however
@@ -60,7 +60,7 @@ void PrescribedBodies::place(const Model& model, double t, double h, BulkBodies&
   }
   // Free bodies stand, but for those that have a target.
   for (const int i : free_) set_velocities(Vec3::Zero(), Vec3::Zero(), bodies.motion[at(i)]);
-  for (const Target& target : targets_) set_velocities_to(target.x, target.q, h, at(target.body), bodies);
+  for (const Target& target : targets_) set_velocities_to(target.x, target.q, left, at(target.body), bodies);
 }
 
 void PrescribedBodies::arrive(BulkBodies& bodies) {

@@ -18,8 +18,8 @@ class PrescribedBodies {
   void set_target(int body, const Vec3& x, const Quat& q);
 
   /// Puts the bodies, at the beginning of a step of h [s] at t [s], where they are to be, with the velocities
-  /// that take them to where they are to be at its end.
-  void place(const Model& model, double t, double h, BulkBodies& bodies) const;
+  /// that take them to where they are to be at its end; free bodies reach their places after `left` >= h [s].
+  void place(const Model& model, double t, double h, double left, BulkBodies& bodies) const;
   /// At the end of a step, puts free bodies exactly where they were to be.
   void arrive(BulkBodies& bodies);
 

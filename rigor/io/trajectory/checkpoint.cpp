@@ -34,6 +34,9 @@ template <typename Part, typename Visit>
 void visit_numbers(Part& audit, Visit visit) {
   auto& report = audit.report;
   visit(audit.sim_time), visit(audit.wall_time), visit(audit.max_increase);
+  auto& books = audit.books;
+  visit(books.start_time), visit(books.lowest), visit(books.energy_scale);
+  visit(books.momentum_scale), visit(books.angular_momentum_scale);
   for (auto* energy : {&audit.initial, &audit.final})
     visit(energy->kinetic), visit(energy->potential), visit(energy->elastic);
   visit(report.steps), visit(report.impacts), visit(report.resting), visit(report.separations);

@@ -40,6 +40,19 @@ Auditor::Auditor(std::shared_ptr<const Model> model, const Method& method, const
   observe(start, {});
 }
 
+Auditor::Auditor(std::shared_ptr<const Model> model, const Method& method, const State& state,
+                 const Audit& earlier)
+    : Auditor(std::move(model), method, state) {
+  start_time_ = earlier.books.start_time;
+  initial_ = earlier.initial;
+  sum_ = earlier.report;
+  lowest_ = earlier.books.lowest;
+  max_increase_ = earlier.max_increase;
+  energy_scale_ = earlier.books.energy_scale;
+  momentum_scale_ = earlier.books.momentum_scale;
+  angular_momentum_scale_ = earlier.books.angular_momentum_scale;
+}
+
 void Auditor::observe(const State& state, const AdvanceReport& report) {
   AdvanceReport without_events = report;
   without_events.events.clear();
@@ -109,6 +122,7 @@ Audit Auditor::audit(const State& state) const {
   }
   audit.sleeping_count =
       static_cast<int>(std::count(state.quiet_time.begin(), state.quiet_time.end(), asleep));
+  audit.books = {start_time_, lowest_, energy_scale_, momentum_scale_, angular_momentum_scale_};
   find_violations(audit);
   find_warnings(audit);
   return audit;

@@ -45,6 +45,14 @@ struct Audit {
   };
   std::vector<JointEnd> joints;
   int sleeping_count = 0;  ///< Bodies that sleep at the end.
+  /// What else an Auditor needs to go on where this audit ends.
+  struct Books {
+    double start_time = 0;    ///< Of the first observation [s].
+    double lowest = 0;        ///< Of E - work [J].
+    double energy_scale = 0;  ///< Largest energies [J] and momenta seen, to which errors are relative.
+    double momentum_scale = 0, angular_momentum_scale = 0;
+  };
+  Books books;
   std::vector<std::string> warnings;
   /// Quantities outside their tolerance, each with its value and the bound; if there are none, the run can be
   /// trusted.
@@ -55,6 +63,8 @@ struct Audit {
 class Auditor {
  public:
   Auditor(std::shared_ptr<const Model> model, const Method& method, const State& start);
+  /// Goes on where an earlier audit of the same scene ended, at this state.
+  Auditor(std::shared_ptr<const Model> model, const Method& method, const State& state, const Audit& earlier);
 
   /// Enters the state after an advance and what its report says.
   void observe(const State& state, const AdvanceReport& report);

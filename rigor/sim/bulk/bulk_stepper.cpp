@@ -36,7 +36,7 @@ void BulkStepper::begin_span([[maybe_unused]] double first_end, State& state) {
 }
 
 double BulkStepper::step_towards(double t_end, double t, [[maybe_unused]] State& state) {
-  note(world_.step(t_end - t), t, t_end);
+  note(world_.step(t_end - t, whole_step()), t, t_end);
   if (const int broken = find_broken_body(); broken >= 0) {
     report_.reason = StopReason::not_finite;
     report_.detail = "body '" + model_->body(broken).name + "'";

@@ -1,7 +1,8 @@
 #include "rigor/sim/fixed_steps/fixed_step_stepper.hpp"
 
 #include "rigor/core/assert.hpp"
-#include "rigor/sim/fixed_steps/fixed_steps.hpp"
+
+#include <algorithm>
 
 #include <utility>
 
@@ -12,24 +13,29 @@ FixedStepStepper::FixedStepStepper(std::shared_ptr<const Model> model, double ta
   RIGOR_ASSERT(target_step > 0);
 }
 
-AdvanceReport FixedStepStepper::advance_span(State& state, double t_end) {
-  RIGOR_ASSERT(t_end >= state.t && state.body_count() == model_->body_count());
+/// Takes the steps from the State to t_end as far as t_look.
+AdvanceReport FixedStepStepper::pass(State& state, double t_end, double t_look) {
+  RIGOR_ASSERT(t_end >= t_look && t_look >= state.t && state.body_count() == model_->body_count());
   report_ = {};
-  if (t_end == state.t) return report_;
+  if (t_look == state.t) return report_;
 
   // What an earlier call left behind is forgotten: the State says it all.
   const FixedSteps steps(state.t, t_end, longest_step());
+  const double rounding = FixedSteps::rounding * longest_step();
   t_ = state.t;
   begin_span(steps.end(0), state);
 
   // Each fixed step, in as many parts as the scheme needs.
-  for (long k = 0; k < steps.count() && report_.reason == StopReason::reached_end; ++k) {
-    while (t_ < steps.end(k) && report_.reason == StopReason::reached_end) {
+  for (long k = 0; k < steps.count() && t_ < t_look - rounding && report_.reason == StopReason::reached_end;
+       ++k) {
+    whole_step_ = steps.end(k) - t_;
+    const double end = steps.end(k) < t_look + rounding ? steps.end(k) : t_look;
+    while (t_ < end && report_.reason == StopReason::reached_end) {
       if (is_interrupted()) {
         report_.reason = StopReason::interrupted;
       } else {
         const State before = state;
-        t_ = step_towards(steps.end(k), t_, state);
+        t_ = step_towards(end, t_, state);
         show_step(t_, state);
         witness_.watch(before, state, report_);
       }

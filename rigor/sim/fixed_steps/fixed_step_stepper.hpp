@@ -1,6 +1,7 @@
 #pragma once
 
 #include "rigor/model/model.hpp"
+#include "rigor/sim/fixed_steps/fixed_steps.hpp"
 #include "rigor/sim/fixed_steps/stepper.hpp"
 #include "rigor/sim/witness/passage_witness.hpp"
 
@@ -12,6 +13,9 @@ namespace rigor {
 /// the scheme to take them one by one, until the end is reached, the scheme stops, or the caller interrupts.
 /// A scheme supplies what happens before the first step, in a step, and after the last one.
 class FixedStepStepper : public Stepper {
+ public:
+  double time_rounding() const final { return FixedSteps::rounding * target_step_; }
+
  protected:
   /// target_step > 0 [s].
   FixedStepStepper(std::shared_ptr<const Model> model, double target_step);
@@ -28,10 +32,14 @@ class FixedStepStepper : public Stepper {
   /// Completes the State at the time reached [s], also after a stop.
   virtual void end_span(double t, State& state) = 0;
 
+  /// The length of the whole step of which step_towards() takes a part, or all [s].
+  double whole_step() const { return whole_step_; }
   /// Puts kinematic and fixed bodies where they are at the State's time.
   void write_prescribed_bodies(State& state) const;
 
-  AdvanceReport advance_span(State& state, double t_end) final;
+  AdvanceReport advance_span(State& state, double t_end) final { return pass(state, t_end, t_end); }
+  /// The steps are those of advance(state, t_end); the last one is as much of such a step as is left.
+  AdvanceReport look_span(State& state, double t_end, double t) final { return pass(state, t_end, t); }
   double time_reached() const final { return t_; }
 
   std::shared_ptr<const Model> model_;
@@ -39,8 +47,11 @@ class FixedStepStepper : public Stepper {
   AdvanceReport report_;
 
  private:
+  AdvanceReport pass(State& state, double t_end, double t_look);
+
   PassageWitness witness_;
   double t_ = 0;
+  double whole_step_ = 0;
 };
 
 }  // namespace rigor

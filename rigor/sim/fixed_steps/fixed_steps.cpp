@@ -9,8 +9,6 @@ namespace rigor {
 
 FixedSteps::FixedSteps(double t, double t_end, double target_step) : begin_(t), end_(t_end) {
   RIGOR_ASSERT(t_end > t && target_step > 0);
-  // Output times carry a rounding each: a step may be longer than the target by that.
-  constexpr double rounding = 1e-9;
   count_ = std::max(1L, static_cast<long>(std::ceil((t_end - t) / target_step - rounding)));
 }
 

@@ -7,6 +7,9 @@ namespace rigor {
 /// continues from any output as if it had never stopped.
 class FixedSteps {
  public:
+  /// Output times carry a rounding each: a step may be longer than the target by this part of it.
+  static constexpr double rounding = 1e-9;
+
   /// t_end > t [s]; target_step > 0 [s].
   FixedSteps(double t, double t_end, double target_step);
 

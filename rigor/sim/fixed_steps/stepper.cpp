@@ -34,11 +34,20 @@ AdvanceReport stop(StopReason reason, std::string detail) {
 }  // namespace
 
 AdvanceReport Stepper::advance(State& state, double t_end) {
+  return guarded(state, [&] { return advance_span(state, t_end); });
+}
+
+AdvanceReport Stepper::look(State& state, double t_end, double t) {
+  return guarded(state, [&] { return look_span(state, t_end, t); });
+}
+
+/// What the span reports, if it leaves a valid State; else the State of before, and why.
+AdvanceReport Stepper::guarded(State& state, const std::function<AdvanceReport()>& span) {
   const State before = state;
   AdvanceReport report;
   try {
     const InterruptScope scope(interrupt_);
-    report = advance_span(state, t_end);
+    report = span();
   } catch (const Interrupted&) {
     report = stop(StopReason::interrupted, {});
     state = before;

@@ -20,15 +20,26 @@ class Stepper {
   /// place has no valid State (not_finite, broken_promise, an interrupt within a step), the State stays as it
   /// was, and the report says nothing but why.
   AdvanceReport advance(State& state, double t_end);
+  /// Shows the State at t on its way to t_end > t [s], for a run that ends there. Schemes of fixed steps go
+  /// on from the State before it, as if nobody had looked; others from this one.
+  AdvanceReport look(State& state, double t_end, double t);
+  /// Shorter spans are roundings of times that are to be the same [s]; 0: there are no fixed steps.
+  virtual double time_rounding() const { return 0; }
 
  protected:
   /// What advance() promises, but it may throw Interrupted and BrokenPromise.
   virtual AdvanceReport advance_span(State& state, double t_end) = 0;
+  /// The same of look().
+  virtual AdvanceReport look_span(State& state, [[maybe_unused]] double t_end, double t) {
+    return advance_span(state, t);
+  }
   /// The time that a call of advance_span() has reached [s].
   virtual double time_reached() const = 0;
   bool is_interrupted() const { return interrupt_ && interrupt_(); }
 
  private:
+  AdvanceReport guarded(State& state, const std::function<AdvanceReport()>& span);
+
   std::function<bool()> interrupt_;
 };
 

@@ -1,0 +1,240 @@
+#include "rigor/bulk/contacts/energy_bound.hpp"
+
+#include "rigor/bulk/state/vector_of.hpp"
+#include "rigor/core/index.hpp"
+#include "rigor/math/rotation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <variant>
+
+namespace rigor {
+
+namespace {
+
+/// Gains below this part of the energies of which they are differences are roundings of velocities.
+constexpr double rounding = 1e-6;
+/// So are, for bodies at rest, those of this part of the energy that lifts a body by its radius: springs do
+/// not know better what they hold while they swing.
+constexpr double lift_share = 0.1;
+
+/// Kinetic energy between two steps, when the momenta are known.
+double kinetic_energy(const Model& model, int body, const BulkBodies& bodies) {
+  const MotionRecord& motion = bodies.motion[at(body)];
+  return 0.5 * (model.body(body).mass * vector_of(motion.v).squaredNorm() +
+                vector_of(motion.w).dot(bodies.L[at(body)]));
+}
+
+}  // namespace
+
+EnergyBound::EnergyBound(const Model& model)
+    : model_(&model),
+      islands_(model),
+      is_unknown_(at(model.body_count()), 0),
+      is_anchored_(at(model.body_count()), 0),
+      is_jointed_(at(model.body_count()), 0) {
+  for (const Body& body : model.bodies()) {
+    const bool is_lifted = body.motion == MotionType::dynamic;
+    lift_.push_back(is_lifted ? lift_share * body.mass * model.g_W().norm() * body.bounding_radius : 0);
+  }
+  const auto mark = [&](int body) {
+    if (body != world_body) is_unknown_[at(body)] = 1;
+  };
+  for (const Force& force : model.forces()) {
+    const Spring* const spring = std::get_if<Spring>(&force);
+    if (spring != nullptr) mark(spring->body_A), mark(spring->body_B);
+  }
+  for (int j = 0; j < static_cast<int>(model.joints().size()); ++j) {
+    const std::vector<int> bodies = model.bodies_of_joint(j);
+    bool is_unknown = false;
+    for (const JointAxis& axis : model.joint(j).axes)
+      is_unknown = is_unknown || axis.motor.has_value() || axis.stiffness > 0;
+    bool is_anchored = model.joint(j).body_A == world_body || model.joint(j).body_B == world_body;
+    for (const int body : bodies) {
+      is_jointed_[at(body)] = 1;
+      is_unknown = is_unknown || model.body(body).motion == MotionType::kinematic;
+      is_anchored = is_anchored || model.body(body).motion != MotionType::dynamic;
+    }
+    if (is_anchored) {
+      for (const int body : bodies) is_anchored_[at(body)] = 1;
+    }
+    if (is_unknown) std::for_each(bodies.begin(), bodies.end(), mark);
+  }
+}
+
+void EnergyBound::begin(const BulkBodies& bodies, const Executor& executor) {
+  begin_.resize(bodies.x.size());
+  executor.for_ranges(bodies.count(), 1024, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i)
+      begin_[at(i)] = bodies.is_dynamic(i) ? kinetic_energy(*model_, i, bodies) : 0;
+  });
+}
+
+void EnergyBound::add_work(const BulkBodies& bodies, const std::vector<MotionRow>& accelerations,
+                           const Executor& executor) {
+  executor.for_ranges(bodies.count(), 1024, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      if (!bodies.is_dynamic(i)) continue;
+      const Body& body = model_->body(i);
+      const MotionRecord& moved = bodies.motion[at(i)];
+      const MotionRow& row = accelerations[at(i)];
+      begin_[at(i)] += body.mass * vector_of(row.data()).dot(vector_of(moved.dp));
+      const Vec3 alpha = vector_of(row.data() + 4);
+      if (alpha.isZero(0)) continue;
+      const Mat3 R_BW = rotation_matrix(bodies.q[at(i)]).transpose();
+      begin_[at(i)] += body.moments.cwiseProduct(R_BW * alpha).dot(R_BW * vector_of(moved.dr));
+    }
+  });
+}
+
+void EnergyBound::hold(const BulkContacts& contacts, const Executor& executor, ManifoldMemories& memory,
+                       BulkBodies& bodies) {
+  // What nothing explains, of each body. Where all of it is rounding there is nothing to do.
+  gain_.resize(bodies.x.size());
+  executor.for_ranges(bodies.count(), 1024, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i)
+      gain_[at(i)] = bodies.is_dynamic(i) ? kinetic_energy(*model_, i, bodies) - begin_[at(i)] : 0;
+  });
+  double gained = 0, scale = 0;
+  for (int i = 0; i < bodies.count(); ++i) {
+    gained += std::max(0.0, gain_[at(i)]);
+    scale += std::abs(begin_[at(i)]) + lift_[at(i)];
+  }
+  const StepManifolds& manifolds = contacts.manifolds();
+  for (std::size_t i = 0; i < manifolds.size(); ++i)
+    gained += std::max(0.0, static_cast<double>(memory.energy(i)) - static_cast<double>(manifolds.energy(i)));
+  if (!(gained > rounding * scale)) return;
+
+  // The islands of bodies that have manifolds, with what their springs have come to hold.
+  islands_.build(manifolds);
+  std::vector<Island> islands;
+  island_at_.assign(bodies.x.size(), -1);
+  for (std::size_t i = 0; i < manifolds.size(); ++i) {
+    const int a = manifolds.body_A(i), b = manifolds.body_B(i);
+    int& number = island_at_[at(islands_.island_of(bodies.is_dynamic(a) ? a : b))];
+    if (number < 0) {
+      number = static_cast<int>(islands.size());
+      islands.emplace_back();
+    }
+    Island& island = islands[at(number)];
+    const double grown = static_cast<double>(memory.energy(i)) - static_cast<double>(manifolds.energy(i));
+    island.gain += grown;
+    island.stored += std::max(0.0, grown);
+    if (bodies.is_dynamic(a) && bodies.is_dynamic(b)) continue;
+    const ManifoldMemories::View view = memory.view(i);
+    for (int k = 0; k < view.point_count; ++k)
+      island.is_pressed = island.is_pressed || view.normal_impulse[k] > 0;
+    if (bodies.has_velocity(bodies.is_dynamic(a) ? b : a)) island.is_known = false;
+  }
+  // What pressed on something fixed in an earlier substep shows in the sums.
+  contacts.for_contacts([&](const SolvedManifold& manifold, const ManifoldMemory&, bool) {
+    const bool is_A = bodies.is_dynamic(manifold.body_A);
+    if (is_A && bodies.is_dynamic(manifold.body_B)) return;
+    Island& island =
+        islands[at(island_at_[at(islands_.island_of(is_A ? manifold.body_A : manifold.body_B))])];
+    for (const float impulse : manifold.impulses.normal) island.is_pressed = island.is_pressed || impulse > 0;
+  });
+  for (int i = 0; i < bodies.count(); ++i) {
+    if (!bodies.is_dynamic(i)) continue;
+    const int number = island_at_[at(islands_.island_of(i))];
+    if (number < 0) {
+      // One that flies alone: rotations by several radians a substep are not exact.
+      const bool is_alone = is_jointed_[at(i)] == 0 && is_unknown_[at(i)] == 0;
+      if (is_alone && gain_[at(i)] > rounding * std::abs(begin_[at(i)]))
+        calm({gain_[at(i)], 0, 0, true, false, {i}}, bodies);
+      continue;
+    }
+    Island& island = islands[at(number)];
+    island.bodies.push_back(i);
+    island.gain += gain_[at(i)];
+    island.scale += std::abs(begin_[at(i)]) + lift_[at(i)];
+    if (is_unknown_[at(i)] != 0) island.is_known = false;
+    if (is_anchored_[at(i)] != 0) island.is_pressed = true;
+  }
+
+  // Springs hold no more than was paid: what forces of impacts over linear displacements say may be more.
+  for (std::size_t i = 0; i < manifolds.size(); ++i) {
+    const int a = manifolds.body_A(i), b = manifolds.body_B(i);
+    const Island& island = islands[at(island_at_[at(islands_.island_of(bodies.is_dynamic(a) ? a : b))])];
+    const double before = static_cast<double>(manifolds.energy(i));
+    const double grown = static_cast<double>(memory.energy(i)) - before;
+    if (!island.is_known || !(island.gain > rounding * island.scale) || !(grown > 0)) continue;
+    const double part = std::max(0.0, 1 - island.gain / island.stored);
+    memory.set_energy(i, static_cast<float>(before + part * grown));
+  }
+  for (Island& island : islands) {
+    if (island.gain > rounding * island.scale) island.gain -= std::min(island.gain, island.stored);
+    if (island.is_known && island.gain > rounding * island.scale) calm(island, bodies);
+  }
+}
+
+/// The motion of an island's bodies if they moved as one rigid body with their momenta, M V = P and I W = L
+/// about their centre of mass.
+EnergyBound::RigidMotion EnergyBound::common_motion(const Island& island, const BulkBodies& bodies) const {
+  RigidMotion common;
+  double mass = 0;
+  for (const int i : island.bodies) {
+    const double m = model_->body(i).mass;
+    mass += m;
+    common.center += m * bodies.x[at(i)];
+    common.V += m * vector_of(bodies.motion[at(i)].v);
+  }
+  common.center /= mass;
+  common.V /= mass;
+
+  Mat3 inertia = Mat3::Zero();
+  Vec3 L = Vec3::Zero();
+  for (const int i : island.bodies) {
+    const Body& body = model_->body(i);
+    const Mat3 R_WB = rotation_matrix(bodies.q[at(i)]);
+    const Vec3 r = bodies.x[at(i)] - common.center;
+    inertia += R_WB * body.moments.asDiagonal() * R_WB.transpose() +
+               body.mass * (r.squaredNorm() * Mat3::Identity() - r * r.transpose());
+    L += bodies.L[at(i)] + body.mass * r.cross(vector_of(bodies.motion[at(i)].v) - common.V);
+  }
+  common.W = inertia.llt().solve(L);
+  return common;
+}
+
+/// The kinetic energy of the bodies against a rigid motion [J].
+double EnergyBound::energy_against(const RigidMotion& common, const Island& island,
+                                   const BulkBodies& bodies) const {
+  double energy = 0;
+  for (const int i : island.bodies) {
+    const Body& body = model_->body(i);
+    const Mat3 R_BW = rotation_matrix(bodies.q[at(i)]).transpose();
+    const Vec3 v = vector_of(bodies.motion[at(i)].v) - common.velocity_at(bodies.x[at(i)]);
+    const Vec3 w = R_BW * (vector_of(bodies.motion[at(i)].w) - common.W);
+    energy += 0.5 * (body.mass * v.squaredNorm() + w.dot(body.moments.cwiseProduct(w)));
+  }
+  return energy;
+}
+
+/// Takes the gain of an island from the motion of its bodies against each other.
+void EnergyBound::calm(const Island& island, BulkBodies& bodies) const {
+  // Something fixed may have changed all momenta. Of a free island the impulses of a step, whose arms turn
+  // meanwhile, may have changed the angular momentum by more than can be taken: it is not kept then.
+  RigidMotion common;
+  if (!island.is_pressed) {
+    common = common_motion(island, bodies);
+    if (energy_against(common, island, bodies) < island.gain) common.W.setZero();
+  }
+
+  // The part of the velocities that leaves the rest of their energy.
+  const double energy = energy_against(common, island, bodies);
+  const double part = energy > island.gain ? std::sqrt(1 - island.gain / energy) : 0;
+  for (const int i : island.bodies) {
+    MotionRecord& motion = bodies.motion[at(i)];
+    const Vec3 v = common.velocity_at(bodies.x[at(i)]);
+    const Vec3 v_next = v + part * (vector_of(motion.v) - v);
+    const Vec3 w_next = common.W + part * (vector_of(motion.w) - common.W);
+    for (int k = 0; k < 3; ++k) {
+      motion.v[k] = static_cast<float>(v_next[k]);
+      motion.w[k] = static_cast<float>(w_next[k]);
+    }
+    set_momentum(*model_, i, bodies);
+  }
+}
+
+}  // namespace rigor

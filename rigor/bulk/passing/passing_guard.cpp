@@ -1,0 +1,229 @@
+#include "rigor/bulk/passing/passing_guard.hpp"
+
+#include "rigor/bulk/passing/free_way.hpp"
+#include "rigor/bulk/passing/shape_thickness.hpp"
+#include "rigor/bulk/state/vector_of.hpp"
+#include "rigor/core/index.hpp"
+#include "rigor/geometry/motion/separation_bound.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+
+namespace rigor {
+
+namespace {
+
+/// A pair whose bodies move less against each other than this part of the thinner one's thickness is left to
+/// its contacts.
+constexpr double near_share = 0.5;
+
+double norm_of(const float* a) {
+  return vector_of(a).norm();
+}
+
+}  // namespace
+
+PassingGuard::PassingGuard(const Model& model)
+    : model_(&model),
+      filter_(model),
+      group_(at(model.body_count())),
+      is_jointed_(at(model.body_count()), 0),
+      least_thickness_(std::numeric_limits<double>::infinity()),
+      may_need_parts_(!model.joints().empty()),
+      shares_(at(model.body_count()), 1.0) {
+  // How thick the shapes are, and how far from the centre a rotation moves points.
+  for (const Body& body : model.bodies()) {
+    first_shape_.push_back(static_cast<int>(thickness_.size()));
+    double turning = 0;
+    for (const BodyShape& shape : body.shapes) {
+      thickness_.push_back(shape_thickness(shape.shape));
+      least_thickness_ = std::min(least_thickness_, thickness_.back());
+      turning = std::max(turning, turning_radius(shape.shape, shape.X_BS, shape.radius));
+    }
+    turning_.push_back(turning);
+    may_need_parts_ = may_need_parts_ || body.motion == MotionType::kinematic;
+  }
+
+  // Bodies that joints connect move together.
+  std::iota(group_.begin(), group_.end(), 0);
+  const auto root_of = [&](int body) {
+    while (group_[at(body)] != body) body = group_[at(body)];
+    return body;
+  };
+  for (int j = 0; j < static_cast<int>(model.joints().size()); ++j) {
+    int first = -1;
+    for (const int body : model.bodies_of_joint(j)) {
+      if (model.body(body).motion != MotionType::dynamic) continue;
+      is_jointed_[at(body)] = 1;
+      if (first < 0) first = body;
+      const int a = root_of(first), b = root_of(body);
+      group_[at(std::max(a, b))] = std::min(a, b);
+    }
+  }
+  for (int i = 0; i < model.body_count(); ++i) group_[at(i)] = root_of(i);
+}
+
+int PassingGuard::parts_of(const BulkBodies& bodies, const std::vector<ShapePair>& pairs, double h) const {
+  constexpr double most_turn = 0.5;  // [rad], so that an arc is near to its chord.
+  constexpr double most_parts = 256;
+  if (!may_need_parts_) return 1;
+  double parts = 1;
+  for (const ShapePair& pair : pairs) {
+    const double th_A = thickness(pair.body_A, pair.shape_A), th_B = thickness(pair.body_B, pair.shape_B);
+    for (const bool is_A : {true, false}) {
+      const int body = is_A ? pair.body_A : pair.body_B;
+      const bool is_driven = !bodies.is_dynamic(body) && bodies.has_velocity(body);
+      if (!is_driven && is_jointed_[at(body)] == 0) continue;
+      const MotionRecord& m = bodies.motion[at(body)];
+      // A turn by more than half a circle looks shorter.
+      const double speed = is_driven ? std::max(norm_of(m.w), model_->body(body).w_WB.norm()) : norm_of(m.w);
+      const double turn = h * speed, way = turning_[at(body)] * turn;
+      if (way + (is_driven ? h * norm_of(m.v) : 0) <= near_share * std::min(th_A, th_B)) continue;
+      parts = std::max(parts, turn / most_turn);
+      const double other = is_A ? th_B : th_A;
+      if (is_driven && std::isfinite(other))
+        parts = std::max(parts, (way + h * norm_of(m.v)) / (near_share * other));
+    }
+  }
+  return static_cast<int>(std::ceil(std::min(parts, most_parts)));
+}
+
+void PassingGuard::begin(const BulkBodies& bodies, double h) {
+  expected_.resize(bodies.x.size());
+  for (int i = 0; i < bodies.count(); ++i) {
+    const MotionRecord& m = bodies.motion[at(i)];
+    expected_[at(i)] = static_cast<float>(h * (norm_of(m.v) + turning_[at(i)] * norm_of(m.w)));
+  }
+}
+
+double PassingGuard::reach(int body, const BulkBodies& bodies) const {
+  const MotionRecord& m = bodies.motion[at(body)];
+  return norm_of(m.dp) + turning_[at(body)] * norm_of(m.dr);
+}
+
+/// Whether the bodies have moved so far against each other that their contacts could not be foreseen.
+bool PassingGuard::is_far(const ShapePair& pair, const BulkBodies& bodies) const {
+  const MotionRecord &A = bodies.motion[at(pair.body_A)], &B = bodies.motion[at(pair.body_B)];
+  const double way = (vector_of(A.dp) - vector_of(B.dp)).norm() + turning_[at(pair.body_A)] * norm_of(A.dr) +
+                     turning_[at(pair.body_B)] * norm_of(B.dr);
+  const double thinner = std::min(thickness(pair.body_A, pair.shape_A), thickness(pair.body_B, pair.shape_B));
+  return way > near_share * thinner;
+}
+
+void PassingGuard::find_far(const std::vector<ShapePair>& pairs, double margin, const BulkBodies& bodies) {
+  far_.clear();
+  // Most steps end here: nothing moves far.
+  reach_.resize(bodies.x.size());
+  double most = 0;
+  for (int i = 0; i < bodies.count(); ++i) {
+    reach_[at(i)] = static_cast<float>(reach(i, bodies));
+    most = std::max(most, static_cast<double>(reach_[at(i)]));
+  }
+  if (2 * most <= near_share * least_thickness_) return;
+
+  // Pairs that were looked for.
+  for (const ShapePair& pair : pairs) {
+    if (is_far(pair, bodies)) far_.push_back({pair.body_A, pair.body_B, pair.shape_A, pair.shape_B});
+  }
+  // And those of bodies that contacts and forces have taken beyond where pairs were looked for.
+  for (int i = 0; i < bodies.count(); ++i) {
+    const double known = static_cast<double>(expected_[at(i)]) + margin;
+    if (bodies.is_dynamic(i) && static_cast<double>(reach_[at(i)]) > known * (1 + 1e-3))
+      add_escaped(i, bodies);
+  }
+}
+
+void PassingGuard::add_escaped(int body, const BulkBodies& bodies) {
+  const double radius = model_->body(body).bounding_radius + static_cast<double>(reach_[at(body)]);
+  for (int other = 0; other < bodies.count(); ++other) {
+    if (other == body || !filter_.may_collide(body, other)) continue;
+    const double apart = (bodies.x[at(other)] - bodies.x[at(body)]).norm();
+    const double near = radius + model_->body(other).bounding_radius + static_cast<double>(reach_[at(other)]);
+    if (apart > near) continue;
+    const int a = std::min(body, other), b = std::max(body, other);
+    if (may_touch_ && !may_touch_(a, b)) continue;
+    for (int i = 0; i < static_cast<int>(model_->body(a).shapes.size()); ++i) {
+      for (int k = 0; k < static_cast<int>(model_->body(b).shapes.size()); ++k) {
+        if (is_far({a, b, i, k, 0}, bodies)) far_.push_back({a, b, i, k});
+      }
+    }
+  }
+}
+
+double PassingGuard::free_share(const FarPair& pair, const BulkBodies& bodies) const {
+  const auto shape_of = [&](int body, int shape) {
+    const MotionRecord& m = bodies.motion[at(body)];
+    const double share = bodies.is_dynamic(body) ? shares_[at(group_[at(body)])] : 1;
+    return WayOfShape{&model_->body(body).shapes[at(shape)],
+                      {bodies.q[at(body)].toRotationMatrix(), bodies.x[at(body)] - bodies.x[at(pair.body_A)]},
+                      share * vector_of(m.dp),
+                      share * vector_of(m.dr),
+                      turning_[at(body)],
+                      thickness(body, shape)};
+  };
+  return free_way(shape_of(pair.body_A, pair.shape_A), shape_of(pair.body_B, pair.shape_B));
+}
+
+/// Takes over how far a pair may go; returns whether that is less than before.
+bool PassingGuard::shorten(const FarPair& pair, const BulkBodies& bodies) {
+  if (!(pair.share < 1)) return false;
+  for (const int body : {pair.body_A, pair.body_B}) {
+    if (bodies.is_dynamic(body)) shares_[at(group_[at(body)])] *= pair.share;
+  }
+  return true;
+}
+
+const std::vector<PassingGuard::Stopped>& PassingGuard::stop(const std::vector<ShapePair>& pairs,
+                                                             double margin, const Executor& executor,
+                                                             BulkBodies& bodies) {
+  constexpr int most_rounds = 8;
+  stopped_.clear();
+  find_far(pairs, margin, bodies);
+  if (far_.empty()) return stopped_;
+
+  // A body that stops earlier may meet others: pairs are examined until none has to go less far. Who goes
+  // nowhere meets nobody, so that the last round ends it.
+  std::fill(shares_.begin(), shares_.end(), 1.0);
+  std::vector<double> before;
+  for (int round = 0; round < most_rounds; ++round) {
+    const auto is_known = [&](const FarPair& pair) {
+      const auto changed = [&](int body) {
+        const std::size_t k = at(group_[at(body)]);
+        return !before.empty() && before[k] != shares_[k];
+      };
+      return pair.is_checked && !changed(pair.body_A) && !changed(pair.body_B);
+    };
+    executor.for_ranges(static_cast<int>(far_.size()), 1, [&](int begin, int end) {
+      for (int k = begin; k < end; ++k) {
+        FarPair& pair = far_[at(k)];
+        const bool is_old = is_known(pair);
+        pair.share = is_old ? 1 : free_share(pair, bodies);
+        pair.is_checked = true;
+      }
+    });
+    before = shares_;
+    bool is_done = true;
+    for (FarPair& pair : far_) {
+      if (round + 1 == most_rounds && pair.share < 1) pair.share = 0;
+      if (shorten(pair, bodies)) is_done = false;
+    }
+    if (is_done) break;
+  }
+
+  for (int i = 0; i < bodies.count(); ++i) {
+    const double share = shares_[at(group_[at(i)])];
+    if (!bodies.is_dynamic(i) || share == 1) continue;
+    MotionRecord& motion = bodies.motion[at(i)];
+    for (int k = 0; k < 3; ++k) {
+      motion.dp[k] *= static_cast<float>(share);
+      motion.dr[k] *= static_cast<float>(share);
+    }
+    stopped_.push_back({i, share});
+  }
+  return stopped_;
+}
+
+}  // namespace rigor

@@ -1,0 +1,73 @@
+#pragma once
+
+#include "rigor/bulk/broad_phase/pair_filter.hpp"
+#include "rigor/bulk/narrow_phase/narrow_phase.hpp"
+#include "rigor/bulk/state/bulk_bodies.hpp"
+#include "rigor/bulk/threads/executor.hpp"
+#include "rigor/model/model.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace rigor {
+
+/// Keeps bodies from passing through each other within a step (docs/theory/bulk.md, section 9). Contacts are
+/// those of the beginning of the step; a body that moves farther than it is thick may meet others elsewhere.
+/// It is stopped where it first overlaps one of them by a quarter of the thinner one's thickness, with its
+/// velocity, and the contact there is one of the next step.
+class PassingGuard {
+ public:
+  explicit PassingGuard(const Model& model);
+
+  /// See PairFinder::set_contact_filter.
+  void set_contact_filter(std::function<bool(int, int)> may_touch) { may_touch_ = std::move(may_touch); }
+  /// Into how many equal parts a step of h [s] is to be divided, so that bodies of joints turn little within
+  /// one and kinematic ones, which nothing stops, do not pass what they push. 1 unless such a body is near
+  /// another.
+  int parts_of(const BulkBodies& bodies, const std::vector<ShapePair>& pairs, double h) const;
+  /// At the beginning of a step of h [s]: how far bodies go at their present velocities.
+  void begin(const BulkBodies& bodies, double h);
+
+  /// A body that was stopped after this share of its displacement.
+  struct Stopped {
+    int body;
+    double share;
+  };
+  /// After the last substep: shortens the displacements of bodies that would pass others. pairs: those that
+  /// were looked for at the beginning, up to `margin` [m] beyond how far bodies were to go.
+  const std::vector<Stopped>& stop(const std::vector<ShapePair>& pairs, double margin,
+                                   const Executor& executor, BulkBodies& bodies);
+
+ private:
+  /// Two shapes whose bodies move far against each other, and how far they may go.
+  struct FarPair {
+    int body_A, body_B, shape_A, shape_B;
+    double share = 1;
+    bool is_checked = false;
+  };
+  double thickness(int body, int shape) const { return thickness_[at(first_shape_[at(body)] + shape)]; }
+  double reach(int body, const BulkBodies& bodies) const;
+  bool is_far(const ShapePair& pair, const BulkBodies& bodies) const;
+  void find_far(const std::vector<ShapePair>& pairs, double margin, const BulkBodies& bodies);
+  void add_escaped(int body, const BulkBodies& bodies);
+  double free_share(const FarPair& pair, const BulkBodies& bodies) const;
+  bool shorten(const FarPair& pair, const BulkBodies& bodies);
+
+  const Model* model_;
+  PairFilter filter_;
+  std::function<bool(int, int)> may_touch_;
+  std::vector<int> first_shape_;   ///< Of each body, among all shapes.
+  std::vector<double> thickness_;  ///< Of each shape: no point of it lies deeper inside, nearly [m].
+  std::vector<double> turning_;    ///< Of each body: how far from its centre rotation moves points [m].
+  std::vector<int> group_;         ///< The lowest body that joints connect with each body.
+  std::vector<char> is_jointed_;
+  double least_thickness_;       ///< Of all shapes [m].
+  bool may_need_parts_;          ///< Whether there are joints or kinematic bodies.
+  std::vector<float> expected_;  ///< Reach of each body at the velocities of the beginning [m].
+  std::vector<float> reach_;     ///< And as it has moved [m].
+  std::vector<FarPair> far_;
+  std::vector<double> shares_;  ///< Of the displacement of each body, by its group.
+  std::vector<Stopped> stopped_;
+};
+
+}  // namespace rigor

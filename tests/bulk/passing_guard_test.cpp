@@ -1,0 +1,118 @@
+// Random fast bodies against thin plates, and spinning blades against bodies at rest: nothing passes, and
+// nothing gains energy. The truth: on which side of the plate the centre is, and that a body in the way of a
+// blade has been hit.
+
+#include "random_bodies.hpp"
+#include "rigor/bulk/bulk_world.hpp"
+
+#include <gtest/gtest.h>
+
+namespace rigor::passing_guard_test {
+namespace {
+
+using random_bodies_test::Draw;
+using random_bodies_test::random_body;
+using random_bodies_test::random_shape;
+
+double kinetic(const Model& model, const State& state) {
+  double sum = 0;
+  for (int i = 0; i < model.body_count(); ++i) {
+    if (model.body(i).motion != MotionType::dynamic) continue;
+    const Vec3 L_B = state.orientation(i).conjugate() * state.angular_momentum(i);
+    sum += 0.5 * state.linear_momentum(i).squaredNorm() / model.body(i).mass +
+           0.5 * L_B.cwiseAbs2().cwiseQuotient(model.body(i).moments).sum();
+  }
+  return sum;
+}
+
+/// A body on its way to a plate of 2 mm at z = 0.
+std::shared_ptr<const Model> plate_and_body(Draw& draw) {
+  ModelBuilder builder;
+  builder.set_gravity(Vec3::Zero());
+  builder.add_material({"m", 2000, draw.between(0, 0.8), draw.below(2) == 0 ? 0 : draw.between(0, 1)});
+  BodyDescription plate = random_body("plate", Box{Vec3(20, 20, 1e-3)}, Vec3::Zero());
+  plate.motion = MotionType::fixed;
+  builder.add_body(plate);
+
+  const double size = draw.spread(1e-3, 0.1), speed = draw.spread(30, 3000);
+  Vec3 way = draw.direction();
+  way.z() = -std::max(0.15, std::abs(way.z()));
+  way.normalize();
+  BodyDescription body =
+      random_body("body", random_shape(draw, size), -way * (speed * draw.between(1e-3, 0.04) + 20 * size));
+  body.q_WU = draw.orientation();
+  body.velocity = speed * way;
+  body.angular_velocity = draw.spread(1, 1000) * draw.direction();
+  builder.add_body(body);
+  return builder.build();
+}
+
+TEST(PassingGuard, NoRandomBodyPassesAPlate) {
+  Draw draw(1);
+  for (int k = 0; k < 120; ++k) {
+    SCOPED_TRACE(k);
+    const std::shared_ptr<const Model> model = plate_and_body(draw);
+    State state = make_initial_state(*model);
+    const double energy = kinetic(*model, state), step = draw.spread(1e-3, 1.0 / 60);
+    BulkWorld world(model, {});
+    world.read(state);
+    bool was_near = false;
+    while (world.time() < 0.1) {
+      world.step(step);
+      world.write(state);
+      const Vec3 x = state.position(1);
+      ASSERT_TRUE(x.allFinite());
+      if (std::max(std::abs(x.x()), std::abs(x.y())) > 19) break;
+      ASSERT_GT(x.z(), 0);
+      was_near = was_near || state.linear_momentum(1).z() >
+                                 -0.999 * model->body(1).mass *
+                                     -linear_velocity(*model, make_initial_state(*model), 1).z();
+      ASSERT_LE(kinetic(*model, state), energy * (1 + 1e-4));
+    }
+    EXPECT_TRUE(was_near);
+  }
+}
+
+TEST(PassingGuard, NoBladePassesABodyAtRest) {
+  Draw draw(2);
+  for (int k = 0; k < 40; ++k) {
+    SCOPED_TRACE(k);
+    ModelBuilder builder;
+    builder.set_gravity(Vec3::Zero());
+    builder.add_material({"m", 2000, 0.3, draw.below(2) == 0 ? 0 : 0.5});
+    const double length = draw.between(0.3, 1), width = draw.between(0.03, 0.1), spin = draw.spread(5, 1000);
+    BodyDescription blade = random_body("blade", Box{0.5 * Vec3(length, 0.002, width)}, Vec3::Zero());
+    blade.mass = draw.spread(0.1, 100);
+    blade.angular_velocity = Vec3(0, 0, spin);
+    builder.add_body(blade);
+    const double angle = draw.between(0.6, 2.5), radius = 0.5 * length * draw.between(0.3, 0.9);
+    builder.add_body(random_body("body", random_shape(draw, draw.between(0.02, 0.1)),
+                                 radius * Vec3(std::cos(angle), std::sin(angle), 0)));
+    const bool is_hinged = k % 2 == 0;
+    if (is_hinged) {
+      ModelBuilder::JointDescription hinge;
+      hinge.name = "hinge";
+      hinge.type = JointType::hinge;
+      hinge.bodies = {"world", "blade"};
+      hinge.anchors = {Vec3::Zero()};
+      hinge.axis = Vec3::UnitZ();
+      builder.add_joint(hinge);
+    }
+    const std::shared_ptr<const Model> model = builder.build();
+
+    State state = make_initial_state(*model);
+    const double energy = kinetic(*model, state), step = draw.spread(1e-3, 1.0 / 60);
+    BulkWorld world(model, {});
+    world.read(state);
+    // One turn at least: the body is in the way.
+    while (world.time() < 6.3 / spin + 2 * step) {
+      world.step(step);
+      world.write(state);
+      ASSERT_LE(kinetic(*model, state), energy * (1 + 1e-4));
+    }
+    EXPECT_GT(state.linear_momentum(1).norm(), 0);
+  }
+}
+
+}  // namespace
+}  // namespace rigor::passing_guard_test
