@@ -36,6 +36,8 @@ RunResult run_simulation(std::shared_ptr<const Model> model, const Method& metho
   }
   result.was_stopped = !continues;
   result.audit = auditor.audit(state);
+  result.audit.duration = settings.duration;
+  result.audit.step = settings.step;
   return result;
 }
 

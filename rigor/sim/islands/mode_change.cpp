@@ -222,6 +222,11 @@ std::optional<ModeChange> ModeChangeSearch::find_meeting(const Island& island, c
 
 std::optional<ModeChange> ModeChangeSearch::find(const Island& island, const IslandStep& step) const {
   std::optional<ModeChange> first;
+  // Where the step has no end there is nothing to search; the stepper says so.
+  const auto is_finite = [](const BodyPhase& phase) {
+    return phase.x.allFinite() && phase.q.coeffs().allFinite() && phase.P.allFinite() && phase.L.allFinite();
+  };
+  if (!std::all_of(step.end.begin(), step.end.end(), is_finite)) return first;
   if (island.contacts.empty() && !has_limits(model_, assembler_.joints_of(island.bodies))) return first;
   const double tolerance = time_tolerance_ / step.h;
   double end = 1;
