@@ -20,7 +20,7 @@ FLOOR = "  - {name: floor, motion: static, shapes: [{type: plane}]}\n"
 
 def scene(bodies, joints="", forces="", gravity=9.81, duration=1, step=0.01, restitution=0, method=""):
     """A scene file of these bodies."""
-    text = f"rigor: 1\nworld: {{gravity: [0, 0, -{gravity}]}}\nrun: {{duration: {duration}, step: {step}}}\n"
+    text = f"rigor: 1\nworld: {{gravity: [0, 0, -{gravity}]}}\nrun: {{duration: {duration}, step: {step}, output_interval: {max(step, 0.01)}}}\n"
     text += f"materials: [{{name: default, friction: 0.5, restitution: {restitution}}}]\n"
     text += f"method: {{{method}}}\nbodies:\n{bodies}"
     return text + (f"joints:\n{joints}" if joints else "") + (f"forces:\n{forces}" if forces else "")
