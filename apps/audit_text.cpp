@@ -1,5 +1,6 @@
 #include "apps/audit_text.hpp"
 
+#include "apps/remedies.hpp"
 #include "apps/terminal.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/core/quoted.hpp"
@@ -35,6 +36,14 @@ std::string method_text(const Method& method) {
   return text;
 }
 
+/// What work and dissipation consist of.
+std::string energy_parts_text(const Audit& audit) {
+  const AdvanceReport& report = audit.report;
+  return fmt::format("{:.6g} J by motors; {:.6g} J to friction, {:.6g} J to impacts; {:.6g} J to springs",
+                     report.motor_work, report.friction_loss, report.impact_loss - report.impact_gain,
+                     audit.final.elastic - audit.initial.elastic);
+}
+
 void add_motion(const Audit& audit, std::string& text) {
   const AdvanceReport& report = audit.report;
   add_line(text, "events", "{} impacts, {} came to rest, {} separations, {} slip to stick; {} steps",
@@ -43,6 +52,7 @@ void add_motion(const Audit& audit, std::string& text) {
            audit.final.total());
   add_line(text, "", "{:.17g} J work, {:.17g} J dissipated, {:.3g} J unexplained rise", report.work,
            audit.dissipated, audit.max_increase);
+  add_line(text, "", "{}", energy_parts_text(audit));
   add_line(text, "momentum", "error {:.3g} kg m/s linear, {:.3g} kg m²/s angular",
            audit.linear_momentum_error, audit.angular_momentum_error);
   if (report.penetration_A >= 0 && report.penetration_B >= 0) {
@@ -103,6 +113,8 @@ void add_joints(const Audit& audit, std::string& text) {
       fmt::format_to(std::back_inserter(text), "    coordinates      [{}], rates [{}]\n",
                      numbers_text(joint.coordinates), numbers_text(joint.rates));
     }
+    if (!joint.efforts.empty())
+      fmt::format_to(std::back_inserter(text), "    motor            [{}]\n", numbers_text(joint.efforts));
     const Vec3 &f = joint.force, &m = joint.torque;
     if (!f.allFinite()) {
       text += "    reaction         not known: in a group of more contacts than are solved for\n";
@@ -126,10 +138,16 @@ void add_verdict(const Audit& audit, std::FILE* stream, std::string& text) {
   for (const std::string& violation : audit.violations) {
     text += fmt::format("  {} {}\n", toned("violated:", Tone::bad, stream), escaped_lines(violation));
   }
+  // A run that ended early is judged until there, and says so.
+  const std::string until =
+      audit.is_complete() ? std::string()
+                          : fmt::format(" until t = {:.6g} s of {:.6g} s", audit.end_time, audit.duration);
+  const Tone good = audit.is_complete() ? Tone::good : Tone::doubtful;
   text += audit.violations.empty()
               ? fmt::format("  {}: energy, momentum, joints and penetration are within their tolerances\n",
-                            toned("audit passed", Tone::good, stream))
-              : fmt::format("  {}\n", toned("audit FAILED", Tone::bad, stream));
+                            toned("audit passed" + until, good, stream))
+              : fmt::format("  {}\n", toned("audit FAILED" + until, Tone::bad, stream));
+  if (audit.report.reason == StopReason::reached_end) text += remedies_text(audit);
 }
 
 }  // namespace

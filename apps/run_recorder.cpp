@@ -34,6 +34,7 @@ TrajectoryHeader make_header(const RunOptions& options, const Scene& scene) {
   for (const Body& body : scene.model->bodies()) header.bodies.push_back(body.name);
   header.joints = trajectory_joints(*scene.model);
   header.has_joint_forces = has_joint_forces(*scene.model);
+  header.has_efforts = has_efforts(*scene.model);
   return header;
 }
 

@@ -1,5 +1,7 @@
 #include "apps/stop_advice.hpp"
 
+#include "apps/remedies.hpp"
+
 #include "rigor/core/index.hpp"
 
 #include <fmt/format.h>
@@ -63,6 +65,8 @@ std::string stop_text(const Audit& audit, double time) {
   }
   if (count > most_names) text += fmt::format(" and {} more", count - most_names);
   text += fmt::format("\n  what to try: {}", stop_advice(report.reason));
+  std::string remedies = remedies_text(audit);
+  if (!remedies.empty()) text += "\n" + remedies.substr(0, remedies.size() - 1);
   return text;
 }
 

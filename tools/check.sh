@@ -51,6 +51,7 @@ if [ "$scope" = all ]; then
 fi
 nice -n 19 cmake --build --preset asan -j "$jobs" --target rigor $(printf 'rigor_test_%s ' $layers)
 nice -n 19 tools/check_program.sh build/asan/rigor "$jobs"
+if [ "$scope" = all ]; then nice -n 19 python3 tools/check_advice.py build/asan/rigor; fi
 LSAN_OPTIONS=suppressions=$PWD/tools/leaks.txt:print_suppressions=0 ctest --preset asan -j "$jobs" --no-tests=error -R "^($(paste -sd'|' <<<"$layers")):"
 
 if [ "$scope" = all ]; then

@@ -537,16 +537,29 @@ BulkStepReport BulkWorld::describe_contacts() const {
   report.pair_count = static_cast<int>(scratch_->pairs.size());
   report.manifold_count = static_cast<int>(scratch_->manifolds.size());
   const ManifoldList& found = scratch_->manifolds;
+  double worst_share = 0;
   for (std::size_t k = 0; k < found.size(); ++k) {
     report.point_count += found.point_count(k);
-    for (int i = 0; i < found.point_count(k); ++i) {
-      // The deepest of all points counts, the first of equal ones.
-      const double overlap = -found.view(k).points[i].gap;
-      if (overlap <= report.max_overlap) continue;
-      const ShapePair& pair = scratch_->pairs[at(found.pair(k))];
-      report.max_overlap = overlap;
+    double deepest = 0;
+    for (int i = 0; i < found.point_count(k); ++i)
+      deepest = std::max(deepest, -double{found.view(k).points[i].gap});
+    if (deepest <= 0) continue;
+
+    // The deepest of all points counts, the first of equal ones.
+    const ShapePair& pair = scratch_->pairs[at(found.pair(k))];
+    if (deepest > report.max_overlap) {
+      report.max_overlap = deepest;
       report.overlap_A = pair.body_A;
       report.overlap_B = pair.body_B;
+    }
+    // So does the largest share of the thinner body.
+    const double thickness =
+        std::min(model_->body(pair.body_A).thickness, model_->body(pair.body_B).thickness);
+    if (deepest > worst_share * thickness) {
+      worst_share = deepest / thickness;
+      report.worst_overlap = deepest;
+      report.worst_A = pair.body_A;
+      report.worst_B = pair.body_B;
     }
   }
   return report;

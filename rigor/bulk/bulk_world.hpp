@@ -34,6 +34,8 @@ struct BulkStepReport {
   double work = 0;                     ///< Work of kinematic bodies, torques and forces fixed in bodies [J].
   double max_overlap = 0;              ///< Deepest overlap at the beginning of the step [m].
   int overlap_A = -1, overlap_B = -1;  ///< Bodies of the deepest overlap.
+  double worst_overlap = 0;            ///< The largest share of the thinner body's thickness [m].
+  int worst_A = -1, worst_B = -1;      ///< Its bodies.
   double max_joint_error = 0;  ///< Largest joint error at the end of the step [m]: BulkJoints::worst_error.
   int worst_joint = -1;        ///< The joint with that error.
 

@@ -4,6 +4,7 @@
 #include "rigor/core/sorted_unique.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -31,6 +32,40 @@ Environment::Environment(const Model& model, PointSprings springs, bool with_joi
          acting.linear_drag > 0 || acting.angular_drag > 0 || model.body(i).angular_damping > 0);
   }
   if (with_joints) add_joints();
+  for (int i = 0; i < model_->body_count(); ++i) {
+    if (records_[at(i)] != 0 && model_->body(i).motion == MotionType::dynamic)
+      acting_on(i).stiff_rate = find_stiff_rate(i);
+  }
+}
+
+double Environment::find_stiff_rate(int body) const {
+  const Body& own = model_->body(body);
+  const double least = own.moments.minCoeff();
+  const auto mobility = [&](const Vec3& p_BP) { return 1 / own.mass + p_BP.squaredNorm() / least; };
+  const auto rate_of = [](double stiffness, double damping, double of_end) {
+    return std::max(std::sqrt(2 * stiffness * of_end), 2 * damping * of_end);
+  };
+
+  // Drag, springs between points, and those of joints.
+  const DragRates of_drag = drag(body);
+  double rate = std::max(of_drag.linear / own.mass, of_drag.angular / least + of_drag.angular_damping);
+  for (const int index : acts_on(body).springs) {
+    const Spring& spring = springs_[at(index)];
+    for (const auto& [end, p] :
+         {std::pair{spring.body_A, spring.p_AP}, std::pair{spring.body_B, spring.p_BQ}}) {
+      if (end == body) rate = std::max(rate, rate_of(spring.stiffness, spring.damping, mobility(p)));
+    }
+  }
+  for (const int index : acts_on(body).joint_springs) {
+    const Joint& joint = model_->joint(index);
+    const Vec3& anchor = joint.body_A == body ? joint.X_AF.p : joint.X_BK.p;
+    for (std::size_t k = 0; k < joint.axes.size(); ++k) {
+      const bool turns = is_angle(joint.type, static_cast<int>(k));
+      rate = std::max(rate, rate_of(joint.axes[k].stiffness, joint.axes[k].damping,
+                                    turns ? 1 / least : mobility(anchor)));
+    }
+  }
+  return rate;
 }
 
 /// The record of a body, which is created if it has none.
@@ -90,7 +125,7 @@ void Environment::add_joints() {
     std::erase_if(bodies, [this](int body) { return model_->body(body).motion != MotionType::dynamic; });
     for (const int body : bodies) {
       Acting& acting = acting_on(body);
-      acting.is_forced = true;
+      acting.is_forced = acting.is_jointed = true;
       std::copy_if(bodies.begin(), bodies.end(), std::back_inserter(acting.joint_partners),
                    [body](int other) { return other != body; });
       if (has_springs(model_->joint(j))) acting.joint_springs.push_back(j);
@@ -101,6 +136,7 @@ void Environment::add_joints() {
 
 Wrench Environment::own_forces(int body, const BodyView& view) const {
   const Body& own = model_->body(body);
+  if (acts_on(body).leaves_own_forces) return {};
   // Gravity and steady forces, less drag.
   Wrench wrench;
   wrench.f_W = own.mass * steady_acceleration(body) - acts_on(body).linear_drag * view.v;
@@ -110,6 +146,18 @@ Wrench Environment::own_forces(int body, const BodyView& view) const {
     const Vec3 L_B = own.moments.cwiseProduct(view.R.transpose() * view.w);
     wrench.tau_W -= own.angular_damping * (view.R * L_B);
   }
+  add_given(body, view, wrench);
+  return wrench;
+}
+
+Wrench Environment::undamped_forces(int body, const BodyView& view) const {
+  Wrench wrench;
+  wrench.f_W = model_->body(body).mass * steady_acceleration(body);
+  add_given(body, view, wrench);
+  return wrench;
+}
+
+void Environment::add_given(int body, const BodyView& view, Wrench& wrench) const {
   // Forces with a lever about the centre of mass or fixed in the body, and torques.
   for (const ConstantForce& force : acts_on(body).forces) {
     const Vec3 f_W = force.frame_is_body ? Vec3(view.R * force.f) : force.f;
@@ -119,11 +167,11 @@ Wrench Environment::own_forces(int body, const BodyView& view) const {
   for (const ConstantTorque& torque : acts_on(body).torques) {
     wrench.tau_W += torque.frame_is_body ? Vec3(view.R * torque.tau) : torque.tau;
   }
-  return wrench;
 }
 
 double Environment::supplied_power(int body, const BodyView& view) const {
   double power = 0;
+  if (acts_on(body).leaves_own_forces) return power;
   for (const ConstantForce& force : acts_on(body).forces) {
     const Vec3 f_W = force.frame_is_body ? Vec3(view.R * force.f) : force.f;
     power += f_W.dot(view.v + view.w.cross(view.R * force.p_BP));

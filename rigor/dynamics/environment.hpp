@@ -21,6 +21,13 @@ class Environment {
   /// with_joints: false if the caller treats joints itself, with their springs and dampers.
   explicit Environment(const Model& model, PointSprings springs = PointSprings::act, bool with_joints = true);
 
+  /// Position and velocity of a body as the forces need them.
+  struct BodyView {
+    Vec3 x, v, w;
+    Mat3 R;
+    bool is_dynamic;
+  };
+
   /// Acceleration of a dynamic body due to gravity and the constant forces at its centre of mass [m/s²]: if
   /// nothing else acts, its path is a parabola.
   Vec3 steady_acceleration(int body) const {
@@ -36,18 +43,26 @@ class Environment {
   DragRates drag(int body) const {
     return {acts_on(body).linear_drag, acts_on(body).angular_drag, model_->body(body).angular_damping};
   }
+  /// Whether a joint holds it.
+  bool is_jointed(int body) const { return acts_on(body).is_jointed; }
+  /// How fast springs, dampers and drag can make a dynamic body swing or settle, at most [1/s]: √(2 k μ), 2 c
+  /// μ of each with the mobility μ = 1/m + r²/I at its end.
+  double stiff_rate(int body) const { return acts_on(body).stiff_rate; }
+  bool has_drag(int body) const {
+    const DragRates rates = drag(body);
+    return rates.linear > 0 || rates.angular > 0 || rates.angular_damping > 0;
+  }
+  /// From now on leaves the own forces of a body, those without a spring, a joint or another body in them, to
+  /// a caller that integrates them in closed form (drag_flow).
+  void leave_own_forces(int body) { acting_on(body).leaves_own_forces = true; }
+  /// Gravity, constant forces and torques on a body: its own forces but for drag.
+  Wrench undamped_forces(int body, const BodyView& view) const;
   /// Dynamic bodies joined to this one by springs, ascending.
   const std::vector<int>& spring_partners(int body) const { return acts_on(body).spring_partners; }
   /// Other dynamic bodies that a joint couples to this one, ascending; a gear couples all bodies of its two
   /// joints.
   const std::vector<int>& joint_partners(int body) const { return acts_on(body).joint_partners; }
 
-  /// Position and velocity of a body as the forces need them.
-  struct BodyView {
-    Vec3 x, v, w;
-    Mat3 R;
-    bool is_dynamic;
-  };
   /// Forces on the listed bodies. `view(body)` must return the BodyView of these and of all bodies that
   /// springs and joints couple to them. wrenches: one per listed body, overwritten.
   template <class View>
@@ -97,7 +112,8 @@ class Environment {
   /// Everything except gravity that acts on a body.
   struct Acting {
     std::optional<Vec3> steady;  ///< Acceleration, with gravity, where constant forces add to it [m/s²].
-    bool is_forced = false;
+    bool is_forced = false, is_jointed = false, leaves_own_forces = false;
+    double stiff_rate = 0;
     double linear_drag = 0, angular_drag = 0;          ///< The first includes the damping of the momentum.
     std::vector<int> springs, joint_springs;           ///< Springs attached to it; joints with springs.
     std::vector<int> spring_partners, joint_partners;  ///< Ascending.
@@ -113,7 +129,9 @@ class Environment {
   void add_forces(PointSprings springs);
   void add_spring(const Spring& spring);
   void add_joints();
+  double find_stiff_rate(int body) const;
   Wrench own_forces(int body, const BodyView& view) const;
+  void add_given(int body, const BodyView& view, Wrench& wrench) const;
 
   template <class View>
   Wrench force_on(int body, const BodyView& of_body, const View& view) const {

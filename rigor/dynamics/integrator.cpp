@@ -5,6 +5,7 @@
 #include "rigor/dynamics/dense_phase.hpp"
 #include "rigor/dynamics/semi_implicit_euler.hpp"
 #include "rigor/dynamics/system_ode.hpp"
+#include "rigor/solver/rosenbrock.hpp"
 #include "rigor/solver/runge_kutta.hpp"
 
 #include <algorithm>
@@ -29,6 +30,7 @@ const ButcherTableau& tableau_of(IntegratorName name) {
       return dop853;
     case IntegratorName::euler:
     case IntegratorName::semi_implicit_euler:
+    case IntegratorName::rodas:
       break;
   }
   return euler;
@@ -37,6 +39,31 @@ const ButcherTableau& tableau_of(IntegratorName name) {
 AttitudeChart chart_of(IntegratorName name, OrientationForm form) {
   if (name == IntegratorName::lie_rk4) return AttitudeChart::rotation_vector;
   return form == OrientationForm::matrix ? AttitudeChart::matrix : AttitudeChart::quaternion;
+}
+
+/// The slopes ∂f/∂y and ∂f/∂t at the start of a step, as differences of f.
+struct Linearisation {
+  MatX J;
+  VecX f_t;
+};
+Linearisation linearised(const SystemOde& ode, const OdeFunction& f, double t, double h,
+                         const IntegratorTolerances& tolerances) {
+  constexpr double share = 1e-8;  // Half the digits.
+  const VecX y = ode.start_vector(), f_0 = f(t, y);
+  const double scales[4] = {tolerances.length_scale, tolerances.momentum_scale,
+                            tolerances.angular_momentum_scale, 1};
+  Linearisation slopes{MatX::Zero(y.size(), y.size()), (f(t + share * h, y) - f_0) / (share * h)};
+  for (int i = 0; i < ode.body_count(); ++i) {
+    // What only keeps the ledger moves nothing.
+    if (ode.is_ledger(i)) continue;
+    const int first = ode.offset(i);
+    for (int k = 0; k < 9 + ode.attitude_size(); ++k) {
+      VecX moved = y;
+      moved[first + k] += share * (scales[std::min(k / 3, 3)] + std::abs(y[first + k]));
+      slopes.J.col(first + k) = (f(t, moved) - f_0) / (moved[first + k] - y[first + k]);
+    }
+  }
+  return slopes;
 }
 
 /// Largest error of any block (x, P, L, attitude) of any body relative to its tolerance; up to 1 it is
@@ -49,7 +76,8 @@ double relative_error(const SystemOde& ode, const RungeKuttaStep& step, const Ve
                             tolerances.angular_momentum_scale};
   double largest = 0;
   for (int i = 0; i < ode.body_count(); ++i) {
-    for (int block = 0; block < 3; ++block) {
+    const int blocks = tolerances.ends_with_record && i + 1 == ode.body_count() ? 2 : 3;
+    for (int block = 0; block < blocks; ++block) {
       const int at = ode.offset(i) + 3 * block;
       const double size = std::max(step.dense.col(0).segment<3>(at).norm(), step.end.segment<3>(at).norm());
       largest = std::max(largest, error.segment<3>(at).norm() / (scales[block] + size));
@@ -104,7 +132,12 @@ SystemStep integrate_step(IntegratorName name, OrientationForm form, std::span<c
   // A Runge-Kutta step of the whole system.
   SystemOde ode(chart_of(name, form), inertias, start, wrenches);
   const auto f = [&ode](double time, const VecX& y) { return ode.derivative(time, y); };
-  const RungeKuttaStep step = runge_kutta_step(tableau_of(name), f, t, ode.start_vector(), h);
+  const auto taken = [&] {
+    if (name != IntegratorName::rodas) return runge_kutta_step(tableau_of(name), f, t, ode.start_vector(), h);
+    const Linearisation slopes = linearised(ode, f, t, h, tolerances);
+    return rodas_step(f, slopes.J, slopes.f_t, t, ode.start_vector(), h);
+  };
+  const RungeKuttaStep step = taken();
 
   // The phases and the dense output of each body, back from the vector.
   SystemStep result;
@@ -124,6 +157,7 @@ SystemStep integrate_step(IntegratorName name, OrientationForm form, std::span<c
 }
 
 int integrator_order(IntegratorName name) {
+  if (name == IntegratorName::rodas) return rodas_order;
   return name == IntegratorName::semi_implicit_euler ? 1 : tableau_of(name).order;
 }
 

@@ -14,8 +14,9 @@ namespace rigor {
 /// Runge-Kutta methods on the 13 or 18 numbers of a body; semi_implicit_euler kicks the momenta first and
 /// moves with the new ones; lie_rk4 is the Runge-Kutta-Munthe-Kaas method of order 4: RK4 on the rotation
 /// vector from the start of the step, q = exp(Φ/2) q₀, so |q| is kept to rounding and the form of the
-/// orientation makes no difference.
-enum class IntegratorName { euler, semi_implicit_euler, midpoint, rk4, dopri5, dop853, lie_rk4 };
+/// orientation makes no difference. rodas is linearly implicit, for stiff forces: its Jacobian is made of
+/// differences of the wrenches, which are therefore asked for 13 times more a body.
+enum class IntegratorName { euler, semi_implicit_euler, midpoint, rk4, dopri5, dop853, lie_rk4, rodas };
 
 /// Forces at a given time and given phases of all bodies of the system: fills one wrench per body. Called at
 /// every stage.
@@ -51,6 +52,8 @@ struct IntegratorTolerances {
   double length_scale = 1;            ///< [m] Size below which positions count as absolute.
   double momentum_scale = 1;          ///< [kg m/s].
   double angular_momentum_scale = 1;  ///< [kg m²/s].
+  /// The angular momentum of the last body is a record of integrals: the error does not count it.
+  bool ends_with_record = false;
 };
 
 /// One step of size h of the named integrator from `start` at t.
@@ -58,7 +61,7 @@ SystemStep integrate_step(IntegratorName name, OrientationForm form, std::span<c
                           std::span<const BodyPhase> start, double t, double h, const WrenchField& wrenches,
                           const IntegratorTolerances& tolerances);
 
-/// Classical order of the method (1, 1, 2, 4, 5, 8, 4).
+/// Classical order of the method (1, 1, 2, 4, 5, 8, 4, 4).
 int integrator_order(IntegratorName name);
 
 }  // namespace rigor

@@ -3,6 +3,7 @@
 #include "rigor/core/index.hpp"
 #include "rigor/dynamics/integrator.hpp"
 
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -35,6 +36,8 @@ class SystemOde {
 
   int body_count() const { return static_cast<int>(start_.size()); }
   int attitude_size() const;
+  /// Whether a body has no finite mass: it keeps a ledger and moves nothing.
+  bool is_ledger(int i) const { return std::isinf(inertias_[at(i)].mass); }
   int body_size() const { return 9 + attitude_size(); }
   /// First number of a body: x at +0, P at +3, L at +6, attitude at +9.
   int offset(int body) const { return body * body_size(); }

@@ -4,6 +4,7 @@
 #include "rigor/model/body_shapes.hpp"
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,8 @@ struct Body {
   double linear_damping = 0;   ///< Force -c P: the rate at which its momentum decays [1/s].
   double angular_damping = 0;  ///< Torque -c L, the same of its angular momentum [1/s].
   double bounding_radius = 0;  ///< Of all shapes about the origin of B [m]; infinite with a plane.
+  /// Smallest width of its thinnest shape along that shape's axes [m]: infinite if no shape has two sides.
+  double thickness = std::numeric_limits<double>::infinity();
 
   // At t = 0:
   Vec3 p_WB = Vec3::Zero();  ///< [m].

@@ -5,6 +5,7 @@
 #include "rigor/core/suggestion.hpp"
 #include "rigor/geometry/decomposition/make_mesh.hpp"
 #include "rigor/geometry/mesh/triangle_tree.hpp"
+#include "rigor/geometry/shape/aabb.hpp"
 #include "rigor/geometry/shape/support.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/model/body_mass.hpp"
@@ -12,6 +13,7 @@
 #include "rigor/model/state.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numbers>
 
 namespace rigor {
@@ -103,13 +105,26 @@ std::vector<BodyShape> make_shapes(const BodyDescription& body, const MaterialTa
   return shapes;
 }
 
-/// Computes radii about each shape's origin and the body's, and the trees of meshes that have none yet.
+/// Smallest width of a shape along its axes [m]; infinite if it is unbounded, hollow or flat. Rods and discs
+/// that stand for lines and circles, thinner than 1e-5 of their length, count as that thick.
+double smallest_width(const Shape& shape) {
+  constexpr double infinite = std::numeric_limits<double>::infinity(), thinnest = 1e-5;
+  if (is_unbounded(shape) || std::holds_alternative<Cavity>(shape)) return infinite;
+  const Aabb box = axis_aligned_box(shape, Pose{Mat3::Identity(), Vec3::Zero()});
+  const Vec3 widths = box.upper - box.lower;
+  const double width = widths.minCoeff();
+  return width > 0 ? std::max(width, thinnest * widths.maxCoeff()) : infinite;
+}
+
+/// Computes radii about each shape's origin and the body's, its thickness, and the trees of meshes that have
+/// none yet.
 void complete_shapes(std::vector<BodyShape>& shapes, Body& body) {
   body.bounding_radius = 0;
   for (BodyShape& shape : shapes) {
     Mesh* const mesh = std::get_if<Mesh>(&shape.shape);
     if (mesh && !mesh->tree) *mesh = make_mesh(mesh->mesh);
     shape.radius = radius_about(shape.shape, Vec3::Zero());
+    body.thickness = std::min(body.thickness, smallest_width(shape.shape));
     const Vec3 p_SB = shape.X_BS.inverse().p;
     body.bounding_radius = std::max(body.bounding_radius, radius_about(shape.shape, p_SB));
   }

@@ -3,6 +3,7 @@
 #include "rigor/math/pose.hpp"
 #include "rigor/model/joint_traits.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <string>
@@ -47,6 +48,11 @@ struct Joint {
   int first_joint = -1, second_joint = -1;  ///< Gear: the joints that it ties, by index.
   double ratio = 0;             ///< Gear: (change of the second's first coordinate) = ratio (of the first's).
   std::vector<JointAxis> axes;  ///< One per coordinate of its type.
+
+  bool has_motor() const {
+    return std::any_of(axes.begin(), axes.end(),
+                       [](const JointAxis& axis) { return axis.motor.has_value(); });
+  }
 };
 
 }  // namespace rigor

@@ -107,7 +107,13 @@ RunResult run_simulation(std::shared_ptr<const Model> model, const Method& metho
   std::unique_ptr<Stepper> stepper = make_stepper(model, method, settings.step, settings.threads);
   stepper->set_interrupt(interrupt);
   Auditor auditor = earlier ? Auditor(model, method, state, *earlier) : Auditor(model, method, state);
-  return Course(model, std::move(stepper), std::move(state), std::move(auditor), observer).run(settings);
+  RunResult result =
+      Course(model, std::move(stepper), std::move(state), std::move(auditor), observer).run(settings);
+  for (Audit* audit : {&result.audit, &result.resumable_audit}) {
+    audit->duration = settings.duration;
+    audit->step = settings.step;
+  }
+  return result;
 }
 
 }  // namespace rigor

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace rigor {
 namespace {
@@ -156,6 +157,8 @@ RungeKuttaStep runge_kutta_end(const ButcherTableau& tableau, const OdeFunction&
 }
 
 double combined_error(double error, double coarse_error) {
+  constexpr double hopeless = 1e100;  // Its square would overflow soon.
+  if (!(error < hopeless && coarse_error < hopeless)) return std::numeric_limits<double>::infinity();
   if (error == 0) return 0;
   return error * error / std::sqrt(error * error + 0.01 * coarse_error * coarse_error);
 }

@@ -98,6 +98,13 @@ TEST(RunCommand, ASimulationThatCannotGoOnIsFourAndKeepsWhatItHas) {
   expect_contains(result.error, "the simulation stopped at t = 1.");
   expect_contains(result.error, "bodies: ");
   expect_contains(result.error, "ball");
+  // What is judged is judged until there.
+  expect_contains(result.out, "audit passed until t = 1.3 s of 2 s");
+  expect_contains(result.error, "try --set method.scheme=time-stepping: ");
+  const ProgramResult json = folder.run({"run", "piston.yaml", "--json", "-", "--quiet"});
+  EXPECT_EQ(Json::parse(json.out)["complete"], false);
+  EXPECT_NEAR(Json::parse(json.out)["end_time"].get<double>(), 1.3, 1e-6);
+  EXPECT_EQ(Json::parse(json.out)["duration"], 2);
   // The advice is what the documentation says.
   const std::string marker = "what to try: ";
   const std::size_t at = result.error.find(marker);

@@ -52,6 +52,9 @@ TEST(AuditJson, KeysAreThoseOfTheContractInItsOrder) {
   const std::vector<std::string> expected = {"rigor",
                                              "scene",
                                              "method",
+                                             "complete",
+                                             "end_time",
+                                             "duration",
                                              "sim_time",
                                              "wall_time",
                                              "steps",
@@ -69,8 +72,10 @@ TEST(AuditJson, KeysAreThoseOfTheContractInItsOrder) {
   EXPECT_EQ(keys_of(json["events"]),
             (std::vector<std::string>{"impacts", "resting", "separations", "slip_to_stick"}));
   EXPECT_EQ(keys_of(json["energy"]),
-            (std::vector<std::string>{"initial", "final", "work", "dissipated", "max_increase"}));
-  EXPECT_EQ(keys_of(json["penetration"]), (std::vector<std::string>{"max", "bodies", "time"}));
+            (std::vector<std::string>{"initial", "final", "work", "motor_work", "dissipated", "friction_loss",
+                                      "impact_loss", "elastic", "max_increase"}));
+  EXPECT_EQ(keys_of(json["penetration"]),
+            (std::vector<std::string>{"max", "bodies", "time", "of_thickness"}));
   EXPECT_EQ(keys_of(json["joint_drift"]), (std::vector<std::string>{"max", "joint", "projected"}));
   EXPECT_EQ(keys_of(json["solver"]),
             (std::vector<std::string>{"max_residual", "max_iterations", "fallbacks", "coarse_steps"}));

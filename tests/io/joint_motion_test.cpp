@@ -1,5 +1,6 @@
 #include "io/trajectory_samples.hpp"
 #include "rigor/io/trajectory/csv_writer.hpp"
+#include "rigor/io/trajectory/hdf5_reader.hpp"
 #include "rigor/io/trajectory/json_writer.hpp"
 #include "rigor/model/model_builder.hpp"
 #include "rigor/sim/audit/contact_snapshot.hpp"
@@ -170,6 +171,55 @@ TEST(JointMotion, HasColumnsWithUnitsBetweenBodiesAndEnergies) {
 
   header.has_joint_forces = false;
   EXPECT_EQ(csv_columns(header).size(), 14 + 2 + 4 + 3u);
+}
+
+TEST(JointMotion, HasTheForcesOfMotorsInEveryFormat) {
+  // A motor of 2 N m turns a wheel of 4 kg m²; a second hinge has none.
+  ModelBuilder builder;
+  builder.set_gravity(Vec3::Zero());
+  for (const char* name : {"wheel", "other"}) {
+    BodyDescription body;
+    body.name = name;
+    body.p_WU = Vec3(name[0] == 'w' ? 0 : 2, 0, 0);
+    body.inertia = GivenInertia{1, Vec3::Zero(), Vec3::Constant(4), Vec3::Zero()};
+    builder.add_body(body);
+    ModelBuilder::JointDescription hinge;
+    hinge.name = std::string("axle of ") + name;
+    hinge.type = JointType::hinge;
+    hinge.bodies = {"world", name};
+    hinge.anchors = {body.p_WU};
+    JointAxis axis;
+    if (name[0] == 'w') axis.motor = JointMotor{100, 2};
+    hinge.axes = {axis};
+    builder.add_joint(hinge);
+  }
+  const std::shared_ptr<const Model> model = builder.build();
+  ASSERT_TRUE(has_efforts(*model));
+  TrajectorySample sample = make_sample(*model, make_initial_state(*model), {});
+  add_joint_motion(*model, Method{}, make_initial_state(*model), sample);
+  ASSERT_EQ(sample.joint_effort.size(), 2u);
+  EXPECT_NEAR(sample.joint_effort[0], 2, 1e-12);
+  EXPECT_EQ(sample.joint_effort[1], 0);
+
+  TrajectoryHeader header = sample_header({"wheel", "other"});
+  header.joints = trajectory_joints(*model);
+  header.has_joint_forces = header.has_efforts = true;
+  const std::vector<std::string> columns = csv_columns(header);
+  EXPECT_EQ(columns.at(1 + 2 * 13 + 2), "axle of wheel.effort [N m]");
+  const TemporaryFolder folder;
+  for (const char* file : {"run.csv", "run.h5", "run.json"}) {
+    const auto writer = make_trajectory_writer(folder / file, header);
+    writer->write(sample, {});
+    writer->close({});
+  }
+  EXPECT_EQ(read_hdf5_trajectory(folder / "run.h5").joint_effort, sample.joint_effort);
+  std::ifstream file(folder / "run.json");
+  EXPECT_EQ(nlohmann::json::parse(file)["trajectory"][0]["joints"]["effort"],
+            nlohmann::json({{sample.joint_effort[0]}, {0.0}}));
+  std::istringstream fields(lines_of(folder / "run.csv").at(1));
+  std::string field;
+  for (int k = 0; k <= 1 + 2 * 13 + 2; ++k) std::getline(fields, field, ',');
+  EXPECT_EQ(std::stod(field), sample.joint_effort[0]);
 }
 
 TEST(JointMotion, IsInTheRowsOfACsvFileInTheOrderOfTheColumns) {

@@ -33,10 +33,13 @@ std::shared_ptr<const Model> ball_on_a_spring(double stiffness, double damping) 
 }
 
 TEST(ForceRates, AreTwiceTheStiffnessOverTheMassOfASingleSpring) {
-  const PenaltyRates rates = rates_of_forces(*ball_on_a_spring(1000, 0.5));
+  const auto rates_of = [](const std::shared_ptr<const Model>& model) {
+    return rates_of_forces(*model, Environment(*model), 0.01);
+  };
+  const PenaltyRates rates = rates_of(ball_on_a_spring(1000, 0.5));
   EXPECT_NEAR(rates.frequency, std::sqrt(2 * 1000 / 0.01), 1e-9);
   EXPECT_NEAR(rates.damping, 2 * 0.5 / 0.01, 1e-9);
-  const PenaltyRates none = rates_of_forces(*ball_on_a_spring(0, 0));
+  const PenaltyRates none = rates_of(ball_on_a_spring(0, 0));
   EXPECT_EQ(none.frequency, 0);
   EXPECT_EQ(none.damping, 0);
 }

@@ -122,9 +122,21 @@ class ImpactPath {
     // Either motion has constant rates for ever, so only the law can end it.
     const StickTest sticking = test_sticking(collision_.matrix);
     watch_.note(sticking.is_stable ? 'K' : 'U');
+    if (sticking.is_stable && is_wedged(sticking)) {
+      state_.u.z() = 0;
+      return Step::ended;
+    }
     const Step step = sticking.is_stable ? follow(StraightPiece(sticking, state_))
                                          : follow(StraightPiece(flow_, diverging_direction(flow_), state_));
     return step == Step::continues ? Step::stuck : step;
+  }
+
+  /// Whether joints let no impulse inside the cone of friction move the contact, so that its normal velocity
+  /// has ended with its slip, to rounding: nothing is left that could push it back.
+  bool is_wedged(const StickTest& sticking) const {
+    constexpr double rounding = 1e-12, rounding_of_u = 1e-10 / std::numeric_limits<double>::epsilon();
+    return sticking.normal_rate <= rounding * collision_.matrix.K(2, 2) &&
+           std::abs(state_.u.z()) <= rounding_of_u * still_;
   }
 
   /// Follows a piece to its end or to that of the impact. Between the borders of the jamming directions u_n

@@ -61,6 +61,9 @@ std::vector<Contact> joint_stops(const Model& model, const std::vector<int>& joi
     const Joint& joint = model.joint(index);
     for_each_limit(model, index, bodies, kinetics,
                    [&](const JointStop& stop, double gap, const Vec3& anchor) {
+                     // A motor without a limit of force stands at its limits by itself.
+                     const auto& motor = joint.axes[at(stop.axis)].motor;
+                     if (motor && std::isinf(motor->max_force)) return;
                      if (gap <= tolerance) stops.push_back(make_stop(joint, stop, gap, anchor));
                    });
     for (int k = 0; k < static_cast<int>(joint.axes.size()); ++k) {

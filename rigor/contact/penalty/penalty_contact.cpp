@@ -112,6 +112,8 @@ double normal_energy(const PenaltyContact& contact, double gap) {
 }
 
 double bristle_energy(const Contact& geometry, const PenaltyContact& contact) {
+  // The bristle of a motor is a part of the motor: what goes into it has not been supplied.
+  if (geometry.is_motor()) return 0;
   const double rho = geometry.rolling_friction, sigma = geometry.torsional_friction;
   const Vec3 n = geometry.point.n_W;
   const double spin = contact.rotation_W.dot(n);

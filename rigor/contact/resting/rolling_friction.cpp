@@ -91,12 +91,13 @@ std::vector<Wrench> with_rolling_friction(const ContactSystem& system,
   return result;
 }
 
-double rolling_power_of_prescribed(const ContactSystem& system, const std::vector<Wrench>& without,
-                                   const std::vector<Wrench>& with) {
-  double power = 0;
+WorkDone rolling_power(const ContactSystem& system, const std::vector<Wrench>& without,
+                       const std::vector<Wrench>& with) {
+  WorkDone power;
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
-    if (system.kinetics[b].inverse_mass != 0) continue;
-    power -= (with[b].tau_W - without[b].tau_W).dot(system.kinetics[b].w);
+    const double of_body = (with[b].tau_W - without[b].tau_W).dot(system.kinetics[b].w);
+    power.friction -= of_body;
+    if (system.kinetics[b].inverse_mass == 0) power.supplied -= of_body;
   }
   return power;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "rigor/contact/resting/resting.hpp"
+#include "rigor/contact/system/work_done.hpp"
 
 #include <vector>
 
@@ -29,9 +30,9 @@ std::vector<Wrench> with_rolling_friction(const ContactSystem& system,
                                           std::vector<Wrench> wrenches, double direction_tolerance,
                                           double still);
 
-/// Power of kinematic bodies by these moments [W]: the difference that with_rolling_friction made to their
-/// wrenches, times their angular velocities.
-double rolling_power_of_prescribed(const ContactSystem& system, const std::vector<Wrench>& without,
-                                   const std::vector<Wrench>& with);
+/// Power of these moments [W]: the difference that with_rolling_friction made to the wrenches, times the
+/// angular velocities; of kinematic bodies it is supplied, and all together it is what friction takes.
+WorkDone rolling_power(const ContactSystem& system, const std::vector<Wrench>& without,
+                       const std::vector<Wrench>& with);
 
 }  // namespace rigor

@@ -45,6 +45,8 @@ struct Contact {
     return stop && (stop->kind == JointStop::Kind::friction || stop->kind == JointStop::Kind::motor);
   }
 
+  bool is_motor() const { return stop && stop->kind == JointStop::Kind::motor; }
+
   /// Whether what sticks is held by more than μ λ_n.
   bool has_static_friction() const { return !stop && static_friction > friction; }
 

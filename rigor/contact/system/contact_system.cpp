@@ -374,10 +374,9 @@ double work_of_prescribed(const ContactSystem& system, const VecX& lambda) {
     const BodyKinetics& A = system.of(contact.body_A);
     const BodyKinetics& B = system.of(contact.body_B);
 
-    // λ · velocity of each prescribed side, and λ · rate of motors.
+    // λ · velocity of each prescribed side.
     if (A.inverse_mass == 0) work -= own.dot(rows.A * velocity(A));
     if (B.inverse_mass == 0) work -= own.dot(rows.B * velocity(B));
-    work += own.dot(rows.rate);
   }
   return work;
 }

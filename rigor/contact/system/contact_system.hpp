@@ -91,7 +91,7 @@ Wrench external_wrench(const ContactSystem& system, const VecX& lambda, const Ve
 double kinetic_energy(const ContactSystem& system);
 
 /// Work that prescribed bodies (kinematic) do on the others through the impulses λ: Σ λ · (velocity of the
-/// prescribed side), and that of motors, Σ λ · rate [J]; a power if λ are forces.
+/// prescribed side) [J]; a power if λ are forces. Motors: work_of_contacts.
 double work_of_prescribed(const ContactSystem& system, const VecX& lambda);
 
 }  // namespace rigor

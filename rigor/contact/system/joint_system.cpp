@@ -37,6 +37,18 @@ std::vector<const Joint*> sources_of(const Model& model, int index) {
   return {&model.joint(joint.first_joint), &model.joint(joint.second_joint)};
 }
 
+/// The rate that a motor without a limit of force holds at a value of its coordinate: its velocity, unless
+/// that would take the coordinate beyond a limit within the horizon. A motor that stands at its limit, as
+/// near as joints are held, stays there.
+double motor_rate(const JointAxis& axis, double value, double length, double horizon) {
+  constexpr double resolution = 1e-9;
+  const double nearest = resolution * std::max(1.0, length), velocity = axis.motor->velocity;
+  const double room = velocity < 0 ? value - axis.lower : axis.upper - value;
+  if (std::isinf(room) || velocity == 0) return velocity;
+  if (horizon > 0) return std::copysign(1.0, velocity) * std::min(std::abs(velocity), room / horizon);
+  return room <= nearest ? 0 : velocity;
+}
+
 Mat6 mass_matrix(const BodyKinetics& body) {
   Mat6 M = Mat6::Zero();
   M.topLeftCorner<3, 3>().diagonal().setConstant(1 / body.inverse_mass);
@@ -61,8 +73,11 @@ BodyMotion motion_of(int body, const std::vector<int>& bodies, const std::vector
 }
 
 JointSystem::JointSystem(const Model& model, std::vector<int> joints, const std::vector<int>& bodies,
-                         const std::vector<BodyKinetics>& kinetics, const RowChoice* choice)
-    : joints_(std::move(joints)), node_of_(bodies.size(), -1), velocities_(bodies.size()) {
+                         const std::vector<BodyKinetics>& kinetics, const RowRules& rules)
+    : joints_(std::move(joints)),
+      motor_horizon_(rules.motor_horizon),
+      node_of_(bodies.size(), -1),
+      velocities_(bodies.size()) {
   // The rows of each joint, one below the other.
   int rows = 0;
   for (const int joint : joints_) {
@@ -77,12 +92,13 @@ JointSystem::JointSystem(const Model& model, std::vector<int> joints, const std:
   make_solver();
   for (std::size_t b = 0; b < bodies.size(); ++b) velocities_[b] << kinetics[b].v, kinetics[b].w;
   stack();
-  factor(kinetics, choice);
+  factor(kinetics, rules.choice);
 }
 
 void JointSystem::update(const Model& model, const std::vector<int>& bodies,
-                         const std::vector<BodyKinetics>& kinetics, const RowChoice* choice) {
+                         const std::vector<BodyKinetics>& kinetics, const RowRules& rules) {
   RIGOR_ASSERT(bodies.size() == velocities_.size());
+  motor_horizon_ = rules.motor_horizon;
 
   // The rows anew; which bodies they tie stays.
   for (std::size_t i = 0; i < items_.size(); ++i) {
@@ -92,7 +108,7 @@ void JointSystem::update(const Model& model, const std::vector<int>& bodies,
   }
   for (std::size_t b = 0; b < bodies.size(); ++b) velocities_[b] << kinetics[b].v, kinetics[b].w;
   stack();
-  factor(kinetics, choice);
+  factor(kinetics, rules.choice);
 }
 
 /// The dynamic bodies that joints hold, in the order of the list.
@@ -141,6 +157,7 @@ JointSystem::Item JointSystem::make_item(const Model& model, int index, const st
     const Joint& second = model.joint(joint.second_joint);
     item.rows = gear_rows(joint, first, motion(first.body_A), motion(first.body_B), second,
                           motion(second.body_A), motion(second.body_B));
+    item.own = item.rows.size;
   } else {
     const BodyMotion A = motion(joint.body_A), B = motion(joint.body_B);
     item.rows = joint_rows(joint, A, B);
@@ -157,7 +174,7 @@ JointSystem::Item JointSystem::make_item(const Model& model, int index, const st
         item.rows.J[side_of(item.rows, joint.body_B)].row(row) = coordinate.J_B.transpose();
       item.rows.g[row] = 0;
       item.rows.bias[row] = coordinate.bias;
-      item.rate[row] = axis.motor->velocity;
+      item.rate[row] = motor_rate(axis, coordinate.value, model.length_scale(), motor_horizon_);
     }
     item.arm = B.x + B.R * joint.X_BK.p - (joint.body_B == world_body ? A.x : B.x);
   }
@@ -304,11 +321,22 @@ Wrench JointSystem::reaction(std::size_t joint, const VecX& lambda) const {
   return {f_W, tau_W - item.arm.cross(f_W)};
 }
 
-double JointSystem::supplied_power(const VecX& lambda) const {
+bool JointSystem::has_motors() const {
+  return std::any_of(items_.begin(), items_.end(),
+                     [](const Item& item) { return item.own < item.rows.size; });
+}
+
+std::vector<double> JointSystem::motor_forces(std::size_t joint, const VecX& lambda) const {
+  // The rows of motors come last.
+  const Item& item = items_[joint];
+  return {lambda.data() + item.first + item.own, lambda.data() + item.first + item.rows.size};
+}
+
+double JointSystem::power_of_prescribed(const VecX& lambda) const {
   double power = 0;
   for (const Item& item : items_) {
     const int size = item.rows.size;
-    Vec6 rate = item.rate;
+    Vec6 rate = Vec6::Zero();
     for (int side = 0; side < item.rows.side_count; ++side) {
       const std::size_t s = at(side);
 
@@ -317,6 +345,17 @@ double JointSystem::supplied_power(const VecX& lambda) const {
       rate.head(size) -= item.rows.J[s].topRows(size) * velocities_[item.places[s]];
     }
     power += rate.head(size).dot(lambda.segment(item.first, size));
+  }
+  return power;
+}
+
+double JointSystem::power_of_motors(const VecX& lambda, const VecX& rate_errors) const {
+  double power = 0;
+  for (const Item& item : items_) {
+    // The rows of motors come last.
+    for (int row = item.own; row < item.rows.size; ++row) {
+      power += lambda[item.first + row] * (item.rate[row] + rate_errors[item.first + row]);
+    }
   }
   return power;
 }

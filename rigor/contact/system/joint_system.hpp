@@ -5,6 +5,7 @@
 #include "rigor/solver/linear/constrained_mass.hpp"
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace rigor {
@@ -24,14 +25,24 @@ class JointSystem {
   /// Which of the redundant rows count; a choice made once holds all through a step of an integrator.
   using RowChoice = ConstrainedMass::RowChoice;
 
-  /// `joints` by model index; `bodies` must hold all their bodies but the world. Without a choice the rows
-  /// are chosen here.
+  /// How rows are made.
+  struct RowRules {
+    const RowChoice* choice = nullptr;  ///< Without it the rows are chosen here.
+    /// Motors without a limit of force run no faster than to be at the limit of their coordinate after this
+    /// time [s], and stand there: the limit is as strong as they are.
+    double motor_horizon = 0;
+  };
+
+  /// `joints` by model index; `bodies` must hold all their bodies but the world.
   JointSystem(const Model& model, std::vector<int> joints, const std::vector<int>& bodies,
-              const std::vector<BodyKinetics>& kinetics, const RowChoice* choice = nullptr);
+              const std::vector<BodyKinetics>& kinetics, const RowRules& rules);
+  JointSystem(const Model& model, std::vector<int> joints, const std::vector<int>& bodies,
+              const std::vector<BodyKinetics>& kinetics)
+      : JointSystem(model, std::move(joints), bodies, kinetics, RowRules{}) {}
 
   /// The same joints and bodies at another instant.
   void update(const Model& model, const std::vector<int>& bodies, const std::vector<BodyKinetics>& kinetics,
-              const RowChoice* choice = nullptr);
+              const RowRules& rules);
 
   const std::vector<int>& joints() const { return joints_; }
   const RowChoice& choice() const { return solver_->choice(); }
@@ -74,8 +85,14 @@ class JointSystem {
   /// Forces of one joint's rows (without motors) as the wrench on body B about the joint's anchor on B [N],
   /// [N m].
   Wrench reaction(std::size_t joint, const VecX& lambda) const;
-  /// What motors and prescribed bodies supply through the rows: λ · rate - (rate of prescribed bodies) [W].
-  double supplied_power(const VecX& lambda) const;
+  /// Whether motors without a limit have rows.
+  bool has_motors() const;
+  /// Forces of the joint's motors without a limit, in the order of its coordinates [N] or [N m].
+  std::vector<double> motor_forces(std::size_t joint, const VecX& lambda) const;
+  /// What prescribed bodies supply through the rows: -λ · (rate of prescribed bodies) [W].
+  double power_of_prescribed(const VecX& lambda) const;
+  /// What motors supply: λ · (rate of their coordinates), where G V - rate is `rate_errors` [W].
+  double power_of_motors(const VecX& lambda, const VecX& rate_errors) const;
 
  private:
   struct Item {
@@ -96,6 +113,7 @@ class JointSystem {
   void factor(const std::vector<BodyKinetics>& kinetics, const RowChoice* choice);
 
   std::vector<int> joints_;
+  double motor_horizon_;
   std::vector<Item> items_;
   std::vector<int> node_of_;  ///< Of each body of the list; -1: not held or prescribed.
   std::vector<std::size_t> bodies_of_nodes_;

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -52,7 +53,18 @@ JointAxis read_axis(const ObjectReader& reader, bool is_passive, double default_
   axis.damping = reader.number("damping").value_or(0);
   if (is_passive) return axis;
   axis.friction = reader.number("friction").value_or(0);
-  if (reader.has("motor")) axis.motor = read_motor(reader);
+  if (!reader.has("motor")) return axis;
+  axis.motor = read_motor(reader);
+
+  // Where both are infinitely strong, something has to give way.
+  const double aim = axis.motor->velocity < 0 ? axis.lower : axis.upper;
+  if (std::isinf(axis.motor->max_force) && axis.motor->velocity != 0 && std::isfinite(aim)) {
+    reader.errors().add_warning(
+        *reader.find("motor"),
+        fmt::format("motor of {} has no max_force and drives its coordinate against the limit {:g}, where it "
+                    "will stop dead; give a max_force",
+                    reader.whose(), aim));
+  }
   return axis;
 }
 

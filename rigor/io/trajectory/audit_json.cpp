@@ -32,7 +32,10 @@ Json method_json(const Method& method) {
 
 Json penetration_json(const Audit& audit) {
   const AdvanceReport& report = audit.report;
-  Json json = {{"max", report.max_penetration}, {"bodies", nullptr}, {"time", nullptr}};
+  Json json = {{"max", report.max_penetration},
+               {"bodies", nullptr},
+               {"time", nullptr},
+               {"of_thickness", report.worst_overlap.share}};
   if (report.penetration_A < 0 || report.penetration_B < 0) return json;
   json["bodies"] = {audit.bodies[at(report.penetration_A)].name, audit.bodies[at(report.penetration_B)].name};
   json["time"] = report.penetration_time;
@@ -54,6 +57,7 @@ Json joints_json(const Audit& audit) {
                         {"rates", joint.rates},
                         {"force", json_of(joint.force)},
                         {"torque", json_of(joint.torque)}};
+    if (!joint.efforts.empty()) json[joint.name]["efforts"] = joint.efforts;
   }
   return json;
 }
@@ -87,6 +91,9 @@ std::string audit_json(const Audit& audit) {
   json["scene"] = audit.scene;
   json["method"] = method_json(audit.method);
   if (!audit.scheme_reason.empty()) json["scheme_reason"] = audit.scheme_reason;
+  json["complete"] = audit.is_complete();
+  json["end_time"] = audit.end_time;
+  json["duration"] = audit.duration;
   json["sim_time"] = audit.sim_time;
   json["wall_time"] = audit.wall_time;
   json["steps"] = report.steps;
@@ -97,7 +104,11 @@ std::string audit_json(const Audit& audit) {
   json["energy"] = {{"initial", audit.initial.total()},
                     {"final", audit.final.total()},
                     {"work", report.work},
+                    {"motor_work", report.motor_work},
                     {"dissipated", audit.dissipated},
+                    {"friction_loss", report.friction_loss},
+                    {"impact_loss", report.impact_loss - report.impact_gain},
+                    {"elastic", {audit.initial.elastic, audit.final.elastic}},
                     {"max_increase", audit.max_increase}};
   json["linear_momentum_error"] = audit.linear_momentum_error;
   json["angular_momentum_error"] = audit.angular_momentum_error;

@@ -21,14 +21,17 @@ void append_body_columns(const std::string& body, std::vector<std::string>& colu
   for (const char* axis : {"x", "y", "z"}) columns.push_back(body + ".angular_velocity." + axis + " [rad/s]");
 }
 
-void append_joint_columns(const TrajectoryJoint& joint, bool has_forces, std::vector<std::string>& columns) {
+void append_joint_columns(const TrajectoryJoint& joint, const TrajectoryHeader& header,
+                          std::vector<std::string>& columns) {
   const std::size_t count = joint.units.size();
   const auto index = [&](std::size_t k) { return count > 1 ? fmt::format("[{}]", k) : std::string(); };
   for (std::size_t k = 0; k < count; ++k)
     columns.push_back(fmt::format("{}.coordinate{} [{}]", joint.name, index(k), joint.units[k]));
   for (std::size_t k = 0; k < count; ++k)
     columns.push_back(fmt::format("{}.rate{} [{}/s]", joint.name, index(k), joint.units[k]));
-  if (!has_forces) return;
+  for (std::size_t k = 0; header.has_efforts && k < count; ++k)
+    columns.push_back(fmt::format("{}.effort{} [{}]", joint.name, index(k), effort_unit(joint.units[k])));
+  if (!header.has_joint_forces) return;
   for (const char* axis : {"x", "y", "z"}) columns.push_back(joint.name + ".force." + axis + " [N]");
   for (const char* axis : {"x", "y", "z"}) columns.push_back(joint.name + ".torque." + axis + " [N m]");
 }
@@ -46,8 +49,7 @@ std::string csv_field(const std::string& given) {
 std::vector<std::string> csv_columns(const TrajectoryHeader& header) {
   std::vector<std::string> columns = {"time [s]"};
   for (const std::string& body : header.bodies) append_body_columns(body, columns);
-  for (const TrajectoryJoint& joint : header.joints)
-    append_joint_columns(joint, header.has_joint_forces, columns);
+  for (const TrajectoryJoint& joint : header.joints) append_joint_columns(joint, header, columns);
   for (const char* kind : {"kinetic", "potential", "elastic"})
     columns.push_back(std::string(kind) + "_energy [J]");
   return columns;
@@ -76,6 +78,8 @@ void CsvWriter::write(const TrajectorySample& sample, std::span<const MotionEven
   for (std::size_t joint = 0; joint < coordinate_counts_.size(); ++joint) {
     append_numbers(sample.joint_coordinate.data() + first, coordinate_counts_[joint], row);
     append_numbers(sample.joint_rate.data() + first, coordinate_counts_[joint], row);
+    if (!sample.joint_effort.empty())
+      append_numbers(sample.joint_effort.data() + first, coordinate_counts_[joint], row);
     first += coordinate_counts_[joint];
     if (sample.joint_force.empty()) continue;
     append_numbers(&sample.joint_force[3 * joint], 3, row);

@@ -200,7 +200,8 @@ std::vector<const char*> motion_parts(const Reader& reader, std::size_t body_cou
   std::vector<const char*> parts = {"time", "energy"};
   if (body_count > 0) parts.insert(parts.end(), {"position", "orientation", "velocity", "angular_velocity"});
   if (!reader.has("joints")) return parts;
-  for (const char* const part : {"joints/coordinate", "joints/rate", "joints/force", "joints/torque"}) {
+  for (const char* const part :
+       {"joints/coordinate", "joints/rate", "joints/force", "joints/torque", "joints/effort"}) {
     if (reader.has(part)) parts.push_back(part);
   }
   return parts;
@@ -214,6 +215,7 @@ void read_joints(const Reader& reader, std::size_t rows, StoredTrajectory& store
     stored.coordinate_joint = reader.integers("joints/coordinate_joint", coordinates, 1);
     stored.joint_coordinate = reader.numbers("joints/coordinate", rows, coordinates);
     stored.joint_rate = reader.numbers("joints/rate", rows, coordinates);
+    if (reader.has("joints/effort")) stored.joint_effort = reader.numbers("joints/effort", rows, coordinates);
   }
   if (reader.has("joints/force")) {
     stored.joint_force = reader.numbers("joints/force", rows, 3 * joints);

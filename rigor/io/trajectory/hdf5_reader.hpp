@@ -24,6 +24,7 @@ struct StoredTrajectory {
   std::vector<double> joint_rate;        ///< T × C [rad/s] or [m/s].
   std::vector<double> joint_force;       ///< T × J × 3 [N]; empty if the file holds no forces.
   std::vector<double> joint_torque;      ///< T × J × 3 [N m]; likewise.
+  std::vector<double> joint_effort;      ///< T × C [N m] or [N]; empty if the file holds none.
   std::vector<double> energy;            ///< T × 3: kinetic, potential, elastic [J].
   std::vector<double> penetration;       ///< T [m]: deepest overlap since the row before; empty as above.
   std::vector<double> event_time;        ///< N [s].

@@ -99,11 +99,11 @@ void write_header(hid_t file, const TrajectoryHeader& header) {
 /// Number of joints, and of the coordinates of all of them.
 struct JointSizes {
   explicit JointSizes(const TrajectoryHeader& header)
-      : joints(header.joints.size()), has_forces(header.has_joint_forces) {
+      : joints(header.joints.size()), has_forces(header.has_joint_forces), has_efforts(header.has_efforts) {
     for (const TrajectoryJoint& joint : header.joints) coordinates += joint.units.size();
   }
   hsize_t joints, coordinates = 0;
-  bool has_forces;
+  bool has_forces, has_efforts;
 };
 
 /// Writes the names of the joints, and the joint and unit of each coordinate.
@@ -167,7 +167,7 @@ struct Hdf5Writer::File {
   // A model without bodies has no motion to store.
   std::optional<Hdf5Series<double>> position, orientation, velocity, angular_velocity;
   // Likewise for a model without joints.
-  std::optional<Hdf5Series<double>> joint_coordinate, joint_rate, joint_force, joint_torque;
+  std::optional<Hdf5Series<double>> joint_coordinate, joint_rate, joint_force, joint_torque, joint_effort;
   std::optional<Hdf5Series<double>> energy, penetration, time;
   std::optional<Hdf5Series<double>> event_time, event_point, event_impulse;
   std::optional<Hdf5Series<signed char>> event_kind;
@@ -227,6 +227,11 @@ void Hdf5Writer::File::create_joint_series(hsize_t rows) {
     describe(joint_rate.emplace(joints, "rate", numbers, real, rows), "rad/s or m/s",
              "as coordinate_joint and coordinate_unit say");
     check(joint_rate->is_open());
+    if (joint_sizes.has_efforts) {
+      describe(joint_effort.emplace(joints, "effort", numbers, real, rows), "N m or N",
+               "as coordinate_joint and coordinate_unit say");
+      check(joint_effort->is_open());
+    }
   }
   if (joint_sizes.has_forces) {
     const std::vector<hsize_t> vectors = {joint_sizes.joints, 3};
@@ -250,7 +255,8 @@ bool Hdf5Writer::File::write_pending() {
   const auto flush_file = [&] { is_good = is_good && H5Fflush(file, H5F_SCOPE_LOCAL) >= 0; };
   write_one(position), write_one(orientation), write_one(velocity), write_one(angular_velocity),
       write_one(energy), write_one(penetration);
-  write_one(joint_coordinate), write_one(joint_rate), write_one(joint_force), write_one(joint_torque);
+  write_one(joint_coordinate), write_one(joint_rate), write_one(joint_force), write_one(joint_torque),
+      write_one(joint_effort);
   write_one(event_kind), write_one(event_bodies), write_one(event_point), write_one(event_impulse);
   flush_file();
   write_one(event_time);
@@ -279,7 +285,8 @@ void Hdf5Writer::File::append(const MotionEvent& event) {
 bool Hdf5Writer::File::close() {
   for (std::optional<Hdf5Series<double>>* series :
        {&position, &orientation, &velocity, &angular_velocity, &joint_coordinate, &joint_rate, &joint_force,
-        &joint_torque, &energy, &penetration, &time, &event_time, &event_point, &event_impulse}) {
+        &joint_torque, &joint_effort, &energy, &penetration, &time, &event_time, &event_point,
+        &event_impulse}) {
     series->reset();
   }
   event_kind.reset();
@@ -310,6 +317,7 @@ void Hdf5Writer::write(const TrajectorySample& sample, std::span<const MotionEve
     file.joint_coordinate->append(sample.joint_coordinate.data(), sample.joint_coordinate.size());
     file.joint_rate->append(sample.joint_rate.data(), sample.joint_rate.size());
   }
+  if (file.joint_effort) file.joint_effort->append(sample.joint_effort.data(), sample.joint_effort.size());
   if (file.joint_force) {
     file.joint_force->append(sample.joint_force.data(), sample.joint_force.size());
     file.joint_torque->append(sample.joint_torque.data(), sample.joint_torque.size());

@@ -39,6 +39,7 @@ Json rows(const std::vector<double>& values, const std::vector<std::size_t>& len
 Json joints_json(const TrajectorySample& sample, const std::vector<std::size_t>& coordinate_counts) {
   Json joints = {{"coordinate", rows(sample.joint_coordinate, coordinate_counts)},
                  {"rate", rows(sample.joint_rate, coordinate_counts)}};
+  if (!sample.joint_effort.empty()) joints["effort"] = rows(sample.joint_effort, coordinate_counts);
   if (sample.joint_force.empty()) return joints;
   joints["force"] = rows(sample.joint_force, 3);
   joints["torque"] = rows(sample.joint_torque, 3);

@@ -78,9 +78,19 @@ bool has_joint_forces(const Model& model) {
   return !model.joints().empty() && model.joints().size() <= most_joints;
 }
 
+bool has_efforts(const Model& model) {
+  const std::vector<Joint>& joints = model.joints();
+  return has_joint_forces(model) &&
+         std::any_of(joints.begin(), joints.end(), [](const Joint& joint) { return joint.has_motor(); });
+}
+
+const char* effort_unit(const std::string& coordinate_unit) {
+  return coordinate_unit == "rad" ? "N m" : "N";
+}
+
 void add_joint_motion(const Model& model, const Method& method, const State& state,
                       TrajectorySample& sample) {
-  const bool has_forces = has_joint_forces(model);
+  const bool has_forces = has_joint_forces(model), drives = has_efforts(model);
   for (const JointReaction& joint :
        has_forces ? joint_snapshot(model, method, state) : joint_motions(model, state)) {
     sample.joint_coordinate.insert(sample.joint_coordinate.end(), joint.coordinates.begin(),
@@ -89,6 +99,8 @@ void add_joint_motion(const Model& model, const Method& method, const State& sta
     if (!has_forces) continue;
     append(joint.force_W, sample.joint_force);
     append(joint.torque_W, sample.joint_torque);
+    if (drives)
+      sample.joint_effort.insert(sample.joint_effort.end(), joint.efforts.begin(), joint.efforts.end());
   }
 }
 

@@ -29,6 +29,7 @@ struct TrajectoryHeader {
   std::vector<std::string> bodies;      ///< Names in model order, n of them.
   std::vector<TrajectoryJoint> joints;  ///< In model order, J of them with C coordinates in all.
   bool has_joint_forces = false;        ///< See has_joint_forces(model).
+  bool has_efforts = false;             ///< See has_efforts(model).
 };
 
 /// The motion at one output time, as a user sees it.
@@ -44,6 +45,7 @@ struct TrajectorySample {
   std::vector<double> joint_rate;        ///< C [rad/s] or [m/s].
   std::vector<double> joint_force;       ///< 3J: reaction on B [N]; empty if the header has none.
   std::vector<double> joint_torque;      ///< 3J: about the anchor, on B [N m]; likewise.
+  std::vector<double> joint_effort;      ///< C: of the motors [N m] or [N]; likewise.
 };
 /// The motion of the bodies; the motion of the joints is left empty.
 TrajectorySample make_sample(const Model& model, const State& state, const Energy& energy);
@@ -53,7 +55,12 @@ std::vector<TrajectoryJoint> trajectory_joints(const Model& model);
 /// Whether trajectories contain the forces of the joints: not for more than 200 joints, since they would be
 /// solved for at every output time.
 bool has_joint_forces(const Model& model);
-/// Sets the motion of the joints; forces and torques only if has_joint_forces(model).
+/// Whether trajectories contain the forces of motors: where there are motors, and forces of joints.
+bool has_efforts(const Model& model);
+/// Unit of the force along a coordinate of this unit: "N m" for "rad", "N" for "m".
+const char* effort_unit(const std::string& coordinate_unit);
+/// Sets the motion of the joints; forces and torques only if has_joint_forces(model), efforts only if
+/// has_efforts(model).
 void add_joint_motion(const Model& model, const Method& method, const State& state, TrajectorySample& sample);
 
 /// A file to which a trajectory is written as it is computed. What has been written survives the death of the

@@ -102,6 +102,7 @@ Audit Auditor::audit(const State& state) const {
   audit.method = method_;
   audit.scheme_reason = scheme_reason_;
   audit.sim_time = state.t - start_time_;
+  audit.end_time = state.t;
   audit.report = sum_;
   audit.initial = initial_;
   audit.final = energy_;
@@ -117,8 +118,9 @@ Audit Auditor::audit(const State& state) const {
                             angular_velocity(*model_, state, i)});
   }
   for (const JointReaction& forces : joint_snapshot(*model_, method_, state)) {
-    audit.joints.push_back({model_->joint(forces.joint).name, forces.coordinates, forces.rates,
-                            forces.force_W, forces.torque_W});
+    const Joint& joint = model_->joint(forces.joint);
+    audit.joints.push_back({joint.name, forces.coordinates, forces.rates, forces.force_W, forces.torque_W,
+                            joint.has_motor() ? forces.efforts : std::vector<double>()});
   }
   audit.sleeping_count =
       static_cast<int>(std::count(state.quiet_time.begin(), state.quiet_time.end(), asleep));
@@ -129,14 +131,16 @@ Audit Auditor::audit(const State& state) const {
 }
 
 void Auditor::find_violations(Audit& audit) const {
-  const auto check = [&](const char* quantity, double value, double bound, const char* unit) {
+  const auto check = [&](Audit::Promise promise, const char* quantity, double value, double bound,
+                         const char* unit) {
     if (value > bound) {
+      audit.broken.push_back(promise);
       audit.violations.push_back(
           fmt::format("{} is {:.3g} {}, the tolerance is {:.3g} {}", quantity, value, unit, bound, unit));
     }
   };
   if (promises_.knows_work) {
-    check("unexplained rise of energy", audit.max_increase,
+    check(Audit::Promise::energy, "unexplained rise of energy", audit.max_increase,
           promises_.energy_share * (energy_scale_ + promises_.energy_floor), "J");
   }
   // The momenta that the weights of all bodies have given in the run, and their moments.
@@ -153,17 +157,51 @@ void Auditor::find_violations(Audit& audit) const {
       promises_.rounding_share > 0
           ? promises_.rounding_share * std::sqrt(promises_.roundings_per_sweep * sweeps)
           : promises_.momentum_share;
-  check("error of linear momentum", audit.linear_momentum_error, momentum_share * momentum_scale_ + carried,
-        "kg m/s");
-  check("error of angular momentum", audit.angular_momentum_error,
+  check(Audit::Promise::momentum, "error of linear momentum", audit.linear_momentum_error,
+        momentum_share * momentum_scale_ + carried, "kg m/s");
+  check(Audit::Promise::momentum, "error of angular momentum", audit.angular_momentum_error,
         promises_.momentum_share * angular_momentum_scale_ + carried_moment, "kg m²/s");
-  check("drift of joints", audit.report.max_joint_drift, promises_.joint_drift, "m or rad");
-  check("penetration", audit.report.max_penetration, promises_.penetration, "m");
+  check(Audit::Promise::joints, "drift of joints", audit.report.max_joint_drift, promises_.joint_drift,
+        "m or rad");
+  find_overlaps(audit);
   if (const PairInstants& passages = audit.report.passages; passages.instants > 0) {
+    audit.broken.push_back(Audit::Promise::overlap);
     audit.violations.push_back(
         fmt::format("the inside of '{}' went into '{}' at t = {:.6g} s{}: bodies passed each other unseen",
                     model_->body(passages.body_A).name, model_->body(passages.body_B).name, passages.first,
                     passages.instants == 1 ? "" : fmt::format(", the first of {} times", passages.instants)));
+  }
+  const ForceDoubt& doubt = audit.report.force_doubt;
+  if (doubt.share > promises_.force_doubt) {
+    audit.broken.push_back(Audit::Promise::force_doubt);
+    audit.violations.push_back(fmt::format(
+        "the forces of contacts determine the acceleration of {} at t = {:.6g} s to {:.3g} of that of "
+        "its weight only, the tolerance is {:.3g} of it: it carries bodies too heavy for it",
+        model_->body(doubt.body).name, doubt.time, doubt.share, promises_.force_doubt));
+  }
+}
+
+/// Overlaps deeper than the scheme allows, or than the thinner of two bodies bears, with pair and time.
+void Auditor::find_overlaps(Audit& audit) const {
+  const auto text = [&](double depth, int A, int B, double t) {
+    return A < 0 || B < 0 ? fmt::format("penetration is {:.3g} m", depth)
+                          : fmt::format("penetration of {} and {} is {:.3g} m at t = {:.6g} s",
+                                        model_->body(A).name, model_->body(B).name, depth, t);
+  };
+  const AdvanceReport& report = audit.report;
+  if (report.max_penetration > promises_.penetration) {
+    audit.broken.push_back(Audit::Promise::overlap);
+    audit.violations.push_back(fmt::format(
+        "{}, the tolerance is {:.3g} m",
+        text(report.max_penetration, report.penetration_A, report.penetration_B, report.penetration_time),
+        promises_.penetration));
+  }
+  const RelativeOverlap& worst = report.worst_overlap;
+  if (worst.share > promises_.penetration_share) {
+    audit.broken.push_back(Audit::Promise::overlap);
+    audit.violations.push_back(fmt::format(
+        "{}, {:.3g} of the thickness of the thinner body, the tolerance is {:.3g} of it",
+        text(worst.depth, worst.body_A, worst.body_B, worst.time), worst.share, promises_.penetration_share));
   }
 }
 

@@ -20,6 +20,9 @@ struct Audit {
   Method method;              ///< With the scheme that ran, never `automatic`.
   std::string scheme_reason;  ///< Which scheme `auto` chose, and why; empty if the scene names one.
   double sim_time = 0;        ///< Simulated [s].
+  double end_time = 0;        ///< Until where everything here is judged [s].
+  double duration = 0;        ///< When the run was to end [s]; set by who knows.
+  double step = 0;            ///< Target step [s]; likewise.
   double wall_time = 0;       ///< [s]; set by the caller, who has a clock.
   AdvanceReport report;       ///< Sums over the whole run; its events are left out.
 
@@ -28,6 +31,9 @@ struct Audit {
   double max_increase = 0;            ///< Largest rise of E - work above an earlier value [J].
   double linear_momentum_error = 0;   ///< |Σ (ΔP - external impulse)| [kg m/s].
   double angular_momentum_error = 0;  ///< The same about the origin of W [kg m²/s].
+
+  /// Whether the run came to the end that was asked for; if not, the rest of it is not judged.
+  bool is_complete() const { return end_time >= duration; }
 
   struct BodyEnd {
     std::string name;
@@ -41,7 +47,8 @@ struct Audit {
     std::string name;
     std::vector<double> coordinates;  ///< [rad] or [m].
     std::vector<double> rates;        ///< [rad/s] or [m/s].
-    Vec3 force, torque;  ///< Reaction on the second body, about the joint's anchor on it [N], [N m].
+    Vec3 force, torque;           ///< Reaction on the second body, about the joint's anchor on it [N], [N m].
+    std::vector<double> efforts;  ///< Of the motor of each coordinate [N m] or [N]; empty without motors.
   };
   std::vector<JointEnd> joints;
   int sleeping_count = 0;  ///< Bodies that sleep at the end.
@@ -57,6 +64,9 @@ struct Audit {
   /// Quantities outside their tolerance, each with its value and the bound; if there are none, the run can be
   /// trusted.
   std::vector<std::string> violations;
+  /// What they are about, one each.
+  enum class Promise { energy, momentum, joints, overlap, force_doubt };
+  std::vector<Promise> broken;
 };
 
 /// Keeps the ledger of a run while it goes on, and compares it with what the scheme promises.
@@ -78,6 +88,7 @@ class Auditor {
   /// The largest momenta and energies of the run, to which errors are relative.
   void observe_scales(const State& state, const std::vector<MotionEvent>& events);
   void find_violations(Audit& audit) const;
+  void find_overlaps(Audit& audit) const;
   void find_warnings(Audit& audit) const;
 
   std::shared_ptr<const Model> model_;

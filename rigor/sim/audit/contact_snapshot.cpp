@@ -13,6 +13,7 @@
 #include "rigor/sim/penalty/penalty_forces.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <tuple>
 
@@ -146,6 +147,16 @@ void set_motion(const Joint& joint, const BodyMotion& A, const BodyMotion& B, Jo
   }
 }
 
+/// The efforts of a joint's motors, without those of limited force, under the forces λ of the rows.
+std::vector<double> efforts_of(const Joint& joint, const std::vector<double>& of_unlimited) {
+  std::vector<double> efforts(joint.axes.size(), 0.0);
+  std::size_t next = 0;
+  for (std::size_t k = 0; k < efforts.size(); ++k) {
+    if (joint.axes[k].motor && std::isinf(joint.axes[k].motor->max_force)) efforts[k] = of_unlimited[next++];
+  }
+  return efforts;
+}
+
 /// Forces of the joints of one group of bodies under the forces of its contacts.
 void add_joint_forces(const Model& model, const Method& method, const ContactSystemAssembler& assembler,
                       const Cluster& part, std::vector<JointReaction>& result) {
@@ -168,16 +179,22 @@ void add_joint_forces(const Model& model, const Method& method, const ContactSys
       set_motion(joint, motion_of(joint.body_A, system.bodies, system.kinetics),
                  motion_of(joint.body_B, system.bodies, system.kinetics), unknown);
       unknown.force_W = unknown.torque_W = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
+      unknown.efforts.assign(joint.axes.size(), 0.0);
+      for (std::size_t k = 0; k < joint.axes.size(); ++k) {
+        if (joint.axes[k].motor) unknown.efforts[k] = std::numeric_limits<double>::quiet_NaN();
+      }
       unknown.residual = system.joints->residual(i);
     }
     return;
   }
   system = assembler.assemble(part, lasting);
   std::vector<Wrench> wrenches = assembler.environment_wrenches(system, part.t);
+  VecX of_contacts;
   if (!lasting.empty()) {
     const RestingSolution resting =
         solve_resting(system, wrenches, part.slip_tolerance, resting_choice(method));
-    add_contact_wrenches(system, resting.forces.lambda, wrenches);
+    of_contacts = resting.forces.lambda;
+    add_contact_wrenches(system, of_contacts, wrenches);
   }
   VecX lambda = with_joint_reactions(system, std::move(wrenches)).lambda;
   if (lambda.size() <= most_rows) lambda = system.joints->least_norm(lambda, model.length_scale());
@@ -190,7 +207,34 @@ void add_joint_forces(const Model& model, const Method& method, const ContactSys
     const Wrench reaction = system.joints->reaction(i, lambda);
     forces.force_W = reaction.f_W;
     forces.torque_W = reaction.tau_W;
+    forces.efforts = efforts_of(joint, system.joints->motor_forces(i, lambda));
     forces.residual = system.joints->residual(i);
+  }
+
+  // Motors of limited force are among the contacts.
+  for (std::size_t i = 0; i < lasting.size(); ++i) {
+    if (!lasting[i].is_motor()) continue;
+    const JointStop& motor = *lasting[i].stop;
+    result[at(motor.joint)].efforts[at(motor.axis)] = of_contacts[3 * static_cast<Eigen::Index>(i)];
+  }
+}
+
+}  // namespace
+
+namespace {
+
+/// What the motors do whose springs the State of the penalty scheme remembers.
+void set_efforts_of_springs(const Model& model, const Method& method, const State& state,
+                            const ContactSystemAssembler& assembler, const Environment& environment,
+                            std::vector<JointReaction>& joints) {
+  const Touching touching =
+      PenaltyTouching(model, environment, assembler, method, TouchingForm::reachable).find(state, 0, 0);
+  const VecX forces = penalty_forces(touching);
+  for (std::size_t i = 0; i < touching.springs.size(); ++i) {
+    const Contact& contact = touching.system.contacts[i];
+    if (contact.is_motor())
+      joints[at(contact.stop->joint)].efforts[at(contact.stop->axis)] =
+          forces[3 * static_cast<Eigen::Index>(i)];
   }
 }
 
@@ -205,6 +249,8 @@ std::vector<JointReaction> joint_snapshot(const Model& model, const Method& meth
   const Cluster cluster = touching_bodies(model, method, state);
   for (const Cluster& part : connected_parts(cluster, cluster.contacts, environment))
     add_joint_forces(model, method, assembler, part, result);
+  if (method.scheme == Scheme::penalty && !state.contacts.empty())
+    set_efforts_of_springs(model, method, state, assembler, environment, result);
   return result;
 }
 

@@ -41,16 +41,18 @@ struct JointReaction {
   Vec3 torque_W = Vec3::Zero();  ///< About the anchor, on B [N m].
   std::vector<double> coordinates;  ///< [rad] or [m].
   std::vector<double> rates;        ///< [rad/s] or [m/s].
-  double residual = 0;              ///< Largest |g| [m or 1].
+  /// Force of the motor along each coordinate [N m] or [N]; 0 where it has none.
+  std::vector<double> efforts;
+  double residual = 0;  ///< Largest |g| [m or 1].
 };
 
 /// All joints of the model, in its order. Groups of more than 600 rows get the forces of the tree that the
-/// solver chose instead of those of least norm; reactions in groups of more than 100 contacts are NaN. A
-/// function of its arguments alone, like contact_snapshot.
+/// solver chose instead of those of least norm; reactions and efforts in groups of more than 100 contacts are
+/// NaN. A function of its arguments alone, like contact_snapshot.
 std::vector<JointReaction> joint_snapshot(const Model& model, const Method& method, const State& state);
 
-/// The same without the reactions, which are costly: anchors, coordinates and rates, which follow from the
-/// State alone.
+/// The same without the reactions and efforts, which are costly: anchors, coordinates and rates, which follow
+/// from the State alone.
 std::vector<JointReaction> joint_motions(const Model& model, const State& state);
 
 }  // namespace rigor

@@ -46,7 +46,7 @@ SchemePromises bulk_promises(const Model& model) {
   promises.roundings_per_sweep = model.joints().empty() ? 10 : 20;
   promises.joint_drift = 1e-2 * std::max(1.0, model.length_scale());
   // Its contacts give way; deeper than this they have failed.
-  promises.penetration = 0.05 * model.length_scale();
+  promises.penetration_share = 0.25;
   return promises;
 }
 

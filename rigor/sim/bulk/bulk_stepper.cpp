@@ -75,6 +75,7 @@ void BulkStepper::note(const BulkStepReport& step, double t, double t_end) {
   // Each sub-step sweeps twice: with the springs, and without them.
   report_.max_iterations = 2 * settings_.substeps;
   report_.note_penetration(step.max_overlap, step.overlap_A, step.overlap_B, t);
+  if (step.worst_A >= 0) report_.note_overlap(*model_, step.worst_overlap, step.worst_A, step.worst_B, t);
   report_.note_joint_drift(step.max_joint_error, step.worst_joint);
 }
 

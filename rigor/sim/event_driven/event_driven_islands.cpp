@@ -13,6 +13,13 @@ bool is_finite(const BodyPhase& phase) {
   return phase.x.allFinite() && phase.q.coeffs().allFinite() && phase.P.allFinite() && phase.L.allFinite();
 }
 
+/// Bodies that were displaced turn what their momenta gain of moment about the origin into spin: putting
+/// joints back exerts no moment.
+void keep_angular_momenta(const std::vector<BodyPhase>& before, std::vector<BodyPhase>& phases) {
+  for (std::size_t i = 0; i < phases.size(); ++i)
+    phases[i].L -= (phases[i].x - before[i].x).cross(phases[i].P);
+}
+
 }  // namespace
 
 /// Whether contacts or joints hold the bodies of a group.
@@ -107,14 +114,16 @@ void EventDrivenStepper::finish_island(int number, Cluster& cluster) {
   } else if (has_moved) {
     const double h = t_ - running.island.begin;
     step = running.step.is_implicit ? integrator_.implicit_step(running.island, h)
-                                    : integrator_.step(running.island, h);
+                                    : integrator_.step(running.island, h, running.step.is_stiff);
   } else {
     step.end = running.island.start;
   }
 
   // Gaps, joints and momenta are put back to what the contacts, joints and impulses say.
   if (has_moved && !step.is_implicit) contacts_.restore_gaps(running.island, t_, step);
+  const std::vector<BodyPhase> before_joints = step.end;
   joints_.project_positions(t_, running.island.bodies, step.end, report_);
+  if (step.is_implicit || step.error > 1) keep_angular_momenta(before_joints, step.end);
   joints_.restore_momenta(running.island, step);
 
   // The bodies join the cluster.
@@ -134,7 +143,7 @@ void EventDrivenStepper::finish_island(int number, Cluster& cluster) {
 
   // The ledger of the step.
   ++report_.steps;
-  report_.work += step.work;
+  report_.book(step.work);
   report_.momentum_error += P - step.impulse;
   report_.angular_momentum_error += L - step.angular_impulse;
   report_.quaternion_drift = std::max(report_.quaternion_drift, step.quaternion_drift);

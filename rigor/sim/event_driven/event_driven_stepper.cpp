@@ -333,7 +333,7 @@ bool EventDrivenStepper::time_stands_still(const std::vector<int>& seeds) {
 
 void EventDrivenStepper::note_penetration(const std::vector<Contact>& contacts) {
   for (const Contact& contact : contacts) {
-    if (!contact.stop) report_.note_penetration(-contact.point.gap, contact.body_A, contact.body_B, t_);
+    if (!contact.stop) report_.note_overlap(*model_, -contact.point.gap, contact.body_A, contact.body_B, t_);
   }
 }
 

@@ -57,7 +57,7 @@ void ContactProjection::restore_gaps(const Island& island, double t, IslandStep&
     step.end = drifted;
     return;
   }
-  step.work += taken.work;
+  step.work.supplied += taken.work;
 
   // What stands still around the bodies has taken the difference of the momenta.
   if (!balance.is_free) momentum.add_change(step.impulse, step.angular_impulse);

@@ -2,10 +2,12 @@
 
 #include "rigor/contact/impact/joint_stops.hpp"
 #include "rigor/contact/resting/paradox.hpp"
+#include "rigor/contact/system/work_done.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/core/sorted_unique.hpp"
 #include "rigor/sim/method/resting_choice.hpp"
 #include "rigor/sim/method/tolerances.hpp"
+#include "rigor/sim/report/force_doubt.hpp"
 #include "rigor/sim/report/ledger.hpp"
 
 #include <algorithm>
@@ -103,13 +105,17 @@ void ContactResolver::add_impulses(const ContactSystem& system, const VecX& lamb
         with_joint_impulses(system, std::move(impulses), VecX::Zero(system.joints->residuals().size()));
     impulses = std::move(reactions.wrenches);
     joint_lambda = reactions.lambda;
-    report.work += system.joints->supplied_power(joint_lambda);
+    WorkDone of_joints = work_of_joints(*system.joints, joint_lambda, system.joints->rate_errors());
+    report.book(of_joints);
   }
 
   // The momenta, and what of them nothing outside accounts for.
   add_to_momenta(system, impulses, cluster);
   momentum.book_error({external, external_wrench(system, lambda, joint_lambda)}, report);
-  report.work += work_of_prescribed(system, lambda);
+  // What friction takes meanwhile is part of what the impact or the projection takes.
+  WorkDone work = work_of_contacts(system, lambda, mean_velocities(system, impulses));
+  work.friction = 0;
+  report.book(work);
 }
 
 void ContactResolver::settle(const ContactSystem& system, const VecX& u, Cluster& cluster,
@@ -205,6 +211,7 @@ LastingContacts ContactResolver::find_lasting(const Cluster& cluster, AdvanceRep
   const RestingSolution resting = solve_resting(touching, wrenches, cluster.slip_tolerance, resting_);
   LastingContacts lasting;
   lasting.have_forces = resting.forces.converged;
+  note_force_doubt(touching, resting.forces.lambda, assembler_.environment(), cluster.t, report);
   const Paradox paradox = find_paradox(touching, wrenches, cluster.slip_tolerance, lasting.have_forces);
   note_paradox(paradox, touching, cluster.t, report);
   // No solver reaches its tolerance where there is no solution.

@@ -22,8 +22,12 @@ Environment::BodyView view_of(const BodyKinetics& body) {
   return {body.x, body.v, body.w, body.R, body.inverse_mass > 0};
 }
 
-ContactSystemAssembler::ContactSystemAssembler(const Model& model, const Environment& environment)
-    : model_(model), environment_(environment), joints_by_body_(joints_by_body(model)) {}
+ContactSystemAssembler::ContactSystemAssembler(const Model& model, const Environment& environment,
+                                               double motor_horizon)
+    : model_(model),
+      environment_(environment),
+      motor_horizon_(motor_horizon),
+      joints_by_body_(joints_by_body(model)) {}
 
 ContactSystem ContactSystemAssembler::assemble(double t, const std::vector<int>& bodies,
                                                std::span<const BodyPhase> phases,
@@ -35,7 +39,8 @@ ContactSystem ContactSystemAssembler::assemble(double t, const std::vector<int>&
   // The constraint rows of the joints, then those of the contacts.
   std::shared_ptr<const JointSystem> of_joints;
   if (!joints.empty())
-    of_joints = std::make_shared<JointSystem>(model_, std::move(joints), all.indices, all.kinetics);
+    of_joints = std::make_shared<JointSystem>(model_, std::move(joints), all.indices, all.kinetics,
+                                              JointSystem::RowRules{.motor_horizon = motor_horizon_});
   return make_contact_system(model_, std::move(contacts), std::move(all.indices), std::move(all.kinetics),
                              std::move(of_joints));
 }
@@ -51,12 +56,12 @@ ContactSystem ContactSystemAssembler::assemble(const Island& island, double t,
 
   // The constraint rows of the joints, in the room of an earlier stage if there is one, then those of the
   // contacts.
-  const JointSystem::RowChoice* const choice = island.joint_rows ? &*island.joint_rows : nullptr;
+  const JointSystem::RowRules rules{island.joint_rows ? &*island.joint_rows : nullptr, motor_horizon_};
   std::shared_ptr<JointSystem> of_joints = joint_room ? *joint_room : nullptr;
   if (of_joints) {
-    of_joints->update(model_, all.indices, all.kinetics, choice);
+    of_joints->update(model_, all.indices, all.kinetics, rules);
   } else if (!joints.empty()) {
-    of_joints = std::make_shared<JointSystem>(model_, std::move(joints), all.indices, all.kinetics, choice);
+    of_joints = std::make_shared<JointSystem>(model_, std::move(joints), all.indices, all.kinetics, rules);
     if (joint_room) *joint_room = of_joints;
   }
   return make_contact_system(model_, std::move(contacts), std::move(all.indices), std::move(all.kinetics),

@@ -17,8 +17,12 @@ namespace rigor {
 /// It knows nothing of integrators and laws of contact, and keeps nothing from call to call.
 class ContactSystemAssembler {
  public:
-  /// Holds references to both.
-  ContactSystemAssembler(const Model& model, const Environment& environment);
+  /// Holds references to both. motor_horizon: JointSystem::RowRules; the step of schemes of fixed steps, 0
+  /// where limits are found as they are reached.
+  ContactSystemAssembler(const Model& model, const Environment& environment, double motor_horizon = 0);
+
+  double motor_horizon() const { return motor_horizon_; }
+  const Environment& environment() const { return environment_; }
 
   /// Dynamic bodies (ascending, with one phase each) at time t [s] with the prescribed bodies that they
   /// touch, these contacts, and the joints of the dynamic ones.
@@ -56,6 +60,7 @@ class ContactSystemAssembler {
 
   const Model& model_;
   const Environment& environment_;
+  double motor_horizon_;
   std::vector<std::vector<int>> joints_by_body_;
 };
 

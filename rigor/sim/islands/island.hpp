@@ -1,6 +1,7 @@
 #pragma once
 
 #include "rigor/contact/resting/resting.hpp"
+#include "rigor/contact/system/work_done.hpp"
 #include "rigor/dynamics/dense_phase.hpp"
 
 #include <algorithm>
@@ -28,10 +29,11 @@ struct IslandStep {
   std::vector<DensePhase> dense;
   double error = 0;  ///< Embedded estimate relative to the tolerance; NaN if the method has none.
   double quaternion_drift = 0;
-  double work = 0;                      ///< Supplied by kinematic bodies, torques, body-fixed forces [J].
+  WorkDone work;                        ///< [J].
   Vec3 impulse = Vec3::Zero();          ///< Of all forces from outside the island [N s].
   Vec3 angular_impulse = Vec3::Zero();  ///< The same about the origin of W [N m s].
   bool is_implicit = false;             ///< Of first order: contacts answered with impulses.
+  bool is_stiff = false;                ///< By the integrator for stiff forces.
 
   /// Whether the phases are finite, at the end and half way along the paths: explicit integrators overflow
   /// where stiff forces meet long steps.

@@ -39,6 +39,14 @@ void add(std::vector<Wrench>& sum, const std::vector<Wrench>& wrenches) {
   }
 }
 
+/// Mean of the velocities at the beginning and at the end of a step, of systems of the same bodies.
+std::vector<Vec6> mean_of(const ContactSystem& begin, const ContactSystem& end) {
+  const std::vector<Vec6> first = velocities_of(begin);
+  std::vector<Vec6> result = velocities_of(end);
+  for (std::size_t b = 0; b < result.size(); ++b) result[b] = 0.5 * (first[b] + result[b]);
+  return result;
+}
+
 /// Gives the bodies the velocities that their joints allow; the impulses that this takes.
 JointReactions give_joint_impulses(ContactSystem& system) {
   JointReactions reactions;
@@ -115,14 +123,14 @@ IslandStep IslandIntegrator::implicit_step(const Island& island, double h) const
         with_joint_impulses(system, std::move(of_contacts), VecX::Zero(joint_lambda.size()));
     of_contacts = std::move(reactions.wrenches);
     joint_lambda += reactions.lambda;
-    result.work += system.joints->supplied_power(joint_lambda);
+    result.work += work_of_joints(*system.joints, joint_lambda, 0.5 * at_start.joints->rate_errors());
   }
   add(impulses, of_contacts);
 
   // The velocities at the end, and what comes from outside.
   ContactSystem after = system;
   apply_impulses(lambda, after);
-  result.work += work_of_prescribed(system, lambda);
+  result.work += work_of_contacts(system, lambda, mean_of(at_start, after));
   const Wrench external = external_wrench(system, lambda, joint_lambda);
   result.impulse += external.f_W;
   result.angular_impulse += external.tau_W;
@@ -166,8 +174,10 @@ void IslandIntegrator::close_implicit_step(const Island& island, IslandStep& ste
   // No energy comes of the step where nothing supplies any.
   if (balance.is_closed) {
     const double gained = energy_of_bodies(model_, environment_, island.bodies, step.end) -
-                          energy_of_bodies(model_, environment_, island.bodies, island.start) - step.work;
-    if (gained > 0) step.work += take_kinetic_energy(model_, island.bodies, gained, balance, step.end).work;
+                          energy_of_bodies(model_, environment_, island.bodies, island.start) -
+                          step.work.supplied;
+    if (gained > 0)
+      step.work.supplied += take_kinetic_energy(model_, island.bodies, gained, balance, step.end).work;
   }
 
   // What stands still around the bodies has taken the difference of the momenta.

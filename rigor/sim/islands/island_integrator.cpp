@@ -41,11 +41,12 @@ IntegratorName integrator_of(IntegratorMethod method) {
 }  // namespace
 
 /// The wrench on each body and, as two bodies more, what the ledger integrates: the external force and torque
-/// (about the origin of W), and the supplied power as the x component of a force.
+/// (about the origin of W), and the powers: what is supplied as the x component of a force, the parts of it
+/// that are only recorded as a torque.
 struct IslandIntegrator::Load {
   std::vector<Wrench> wrenches;
   Wrench external;
-  double power = 0;
+  WorkDone power;
 };
 
 IslandIntegrator::IslandIntegrator(const Model& model, const Environment& environment,
@@ -86,7 +87,7 @@ IslandIntegrator::Load IslandIntegrator::load(const Island& island, double t,
     if (system.kinetics[b].inverse_mass == 0) continue;
     load.external.f_W += wrenches[b].f_W;
     load.external.tau_W += wrenches[b].tau_W + system.kinetics[b].x.cross(wrenches[b].f_W);
-    load.power += environment_.supplied_power(system.bodies[b], view_of(system.kinetics[b]));
+    load.power.supplied += environment_.supplied_power(system.bodies[b], view_of(system.kinetics[b]));
   }
 
   // The contacts: moments of rolling and torsional friction, then the forces of the active modes.
@@ -95,14 +96,14 @@ IslandIntegrator::Load IslandIntegrator::load(const Island& island, double t,
     const std::vector<Wrench> of_environment = wrenches;
     wrenches = with_rolling_friction(system, island.states, std::move(wrenches), direction_tolerance_,
                                      resting_velocity_);
-    load.power += rolling_power_of_prescribed(system, of_environment, wrenches);
+    load.power += rolling_power(system, of_environment, wrenches);
     // Moments on prescribed bodies leave the island: their opposites are external to it.
     for (std::size_t b = 0; b < system.bodies.size(); ++b) {
       if (system.kinetics[b].inverse_mass == 0) load.external.tau_W -= wrenches[b].tau_W;
     }
     lambda = contact_forces(system, island.states, wrenches, direction_tolerance_, resting_);
     add_contact_wrenches(system, lambda, wrenches);
-    load.power += work_of_prescribed(system, lambda);
+    load.power += work_of_contacts(system, lambda, velocities_of(system));
   }
 
   // The joints.
@@ -110,7 +111,7 @@ IslandIntegrator::Load IslandIntegrator::load(const Island& island, double t,
     JointReactions reactions = with_joint_reactions(system, std::move(wrenches));
     wrenches = std::move(reactions.wrenches);
     joint_lambda = reactions.lambda;
-    load.power += system.joints->supplied_power(joint_lambda);
+    load.power += work_of_joints(*system.joints, joint_lambda, system.joints->rate_errors());
   }
 
   // What of it comes from outside, and the wrenches in the order of the island.
@@ -147,10 +148,11 @@ IntegratorTolerances IslandIntegrator::tolerances(const Island& island) const {
   if (length > 0) result.length_scale = length;
   if (momentum > 0) result.momentum_scale = std::max(momentum, rounding_share * of_rotation);
   if (angular_momentum > 0) result.angular_momentum_scale = angular_momentum;
+  result.ends_with_record = true;
   return result;
 }
 
-IslandStep IslandIntegrator::step(const Island& island, double h) const {
+IslandStep IslandIntegrator::step(const Island& island, double h, bool is_stiff) const {
   // The bodies of the island.
   const std::size_t count = island.bodies.size();
   std::vector<BodyInertia> inertias;
@@ -170,16 +172,19 @@ IslandStep IslandIntegrator::step(const Island& island, double h) const {
     const Load now = load(island, t, phases.first(count), joints);
     std::copy(now.wrenches.begin(), now.wrenches.end(), wrenches.begin());
     wrenches[count] = now.external;
-    wrenches[count + 1] = {now.power * Vec3::UnitX(), Vec3::Zero()};
+    wrenches[count + 1] = {now.power.supplied * Vec3::UnitX(), Vec3(now.power.motors, now.power.friction, 0)};
   };
-  SystemStep taken = integrate_step(integrator_for(island), orientation_, inertias, start, island.begin, h,
-                                    field, tolerances(island));
+  const IntegratorName name = is_stiff ? IntegratorName::rodas : integrator_for(island);
+  SystemStep taken = integrate_step(name, is_stiff ? OrientationForm::quaternion : orientation_, inertias,
+                                    start, island.begin, h, field, tolerances(island));
 
   // The step of the bodies, and the ledger.
   IslandStep result{h, {}, {}, taken.error, taken.quaternion_drift};
+  result.is_stiff = is_stiff;
   result.impulse = taken.end[count].P;
   result.angular_impulse = taken.end[count].L;
-  result.work = taken.end[count + 1].P.x();
+  const BodyPhase& work = taken.end[count + 1];
+  result.work = {.supplied = work.P.x(), .motors = work.L.x(), .friction = work.L.y()};
   taken.end.resize(count);
   taken.dense.resize(count);
   result.end = std::move(taken.end);
@@ -187,7 +192,26 @@ IslandStep IslandIntegrator::step(const Island& island, double h) const {
   return result;
 }
 
-ControlledStep IslandIntegrator::controlled_step(const Island& island, double h, double least) const {
+ControlledStep IslandIntegrator::stiff_step(const Island& island, double h, double least) const {
+  StepController controller(integrator_order(IntegratorName::rodas));
+  while (true) {
+    IslandStep taken = step(island, h, true);
+    const StepDecision decision = controller.decide(h, taken.error);
+    if (decision.is_accepted || h <= least) return {std::move(taken), std::max(least, decision.h_next)};
+    h = std::max(least, decision.h_next);
+  }
+}
+
+ControlledStep IslandIntegrator::controlled_step(const Island& island, double h,
+                                                 const StepBounds& bounds) const {
+  constexpr double useful_share = 1e-4, damped_share = 1.0 / 64;
+  const double useful = useful_share * bounds.whole, damped = damped_share * bounds.whole;
+  // Contacts ask for short steps, too, where their modes change; only forces so fast that they explain it are
+  // stiff.
+  constexpr double share_of_rate = 0.05;
+  const bool may_be_stiff = std::any_of(island.bodies.begin(), island.bodies.end(), [&](int body) {
+    return environment_.stiff_rate(body) * useful >= share_of_rate;
+  });
   StepController controller(integrator_order(integrator_for(island)));
   while (true) {
     IslandStep taken = step(island, h);
@@ -197,8 +221,10 @@ ControlledStep IslandIntegrator::controlled_step(const Island& island, double h,
       return {std::move(taken), std::numeric_limits<double>::infinity()};
     const StepDecision decision =
         controller.decide(h, is_finite ? taken.error : std::numeric_limits<double>::infinity());
-    if (decision.is_accepted || h <= least) return {std::move(taken), decision.h_next};
-    h = std::max(least, decision.h_next);
+    if (decision.is_accepted || h <= bounds.least) return {std::move(taken), decision.h_next};
+    if (may_be_stiff && decision.h_next < useful && bounds.longest > useful)
+      return stiff_step(island, bounds.longest, std::min(bounds.longest, damped));
+    h = std::max(bounds.least, decision.h_next);
   }
 }
 

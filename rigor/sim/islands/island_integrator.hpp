@@ -27,11 +27,17 @@ class IslandIntegrator {
 
   /// Chooses the rows of the island's redundant joints that count, where a step begins.
   void choose_joint_rows(Island& island) const;
-  /// One step of exactly h with the contact modes held fixed.
-  IslandStep step(const Island& island, double h) const;
-  /// A step of at most h, shorter where the error estimate asks for it, but not shorter than `least`: there
-  /// `error` may exceed 1.
-  ControlledStep controlled_step(const Island& island, double h, double least) const;
+  /// One step of exactly h with the contact modes held fixed; is_stiff: by the integrator for stiff forces.
+  IslandStep step(const Island& island, double h, bool is_stiff = false) const;
+  /// Of the size of a step: the shortest and the longest possible, and the target step that it is part of.
+  struct StepBounds {
+    double least, longest, whole;  ///< [s].
+  };
+  /// A step of at most h, shorter where the error estimate asks for it, but not shorter than the least: there
+  /// `error` may exceed 1. Where explicit steps would have to be shorter than a ten-thousandth of the whole
+  /// step because forces are stiff, the integrator for them takes over; what even it would resolve in steps
+  /// below a sixty-fourth only, it damps.
+  ControlledStep controlled_step(const Island& island, double h, const StepBounds& bounds) const;
   /// A first-order step at velocity level (Moreau-Jean): impulses of the whole step by one Coulomb problem on
   /// all contacts, whatever their modes. It never fails where slip directions change faster than an
   /// integrator can follow or where forces have no finite value (Painlevé). It ends where no contact
@@ -46,6 +52,7 @@ class IslandIntegrator {
   /// Puts the end of an implicit step on its contacts, without more energy than the step began with.
   void close_implicit_step(const Island& island, IslandStep& step) const;
   IntegratorName integrator_for(const Island& island) const;
+  ControlledStep stiff_step(const Island& island, double h, double least) const;
   IntegratorTolerances tolerances(const Island& island) const;
 
   const Model& model_;

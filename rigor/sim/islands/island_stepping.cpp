@@ -121,12 +121,14 @@ void IslandStepping::take_accurate_step(double h, double resolved, RunningIsland
   double first = h;
   for (const int body : island.bodies) first = std::min(first, step_size_[at(body)]);
 
-  ControlledStep taken = integrator_.controlled_step(island, std::max(first, least), least);
+  ControlledStep taken =
+      integrator_.controlled_step(island, std::max(first, least), {least, h, target_step_});
   running.step = std::move(taken.step);
 
   // It ends where the modes of its contacts no longer hold.
   running.change = mode_changes_.find(island, running.step);
-  if (running.change) running.step = integrator_.step(island, std::max(running.change->h, least));
+  if (running.change)
+    running.step = integrator_.step(island, std::max(running.change->h, least), running.step.is_stiff);
   if (running.step.error > 1) ++report.coarse_steps;
 
   running.wanted = std::min(target_step_, h);

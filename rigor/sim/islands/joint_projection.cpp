@@ -97,15 +97,16 @@ void JointProjection::project_velocities(Cluster& cluster, AdvanceReport& report
   if (assembler_.joints_of(cluster.bodies).empty()) return;
   const ContactSystem system = assembler_.assemble(cluster, {});
   const MomentumScope momentum(model_, cluster.bodies, cluster.phases);
-  EnergyScope energy(EnergyAccount::projection, model_, cluster.bodies, cluster.phases, report);
+  const EnergyScope energy(EnergyAccount::projection, model_, cluster.bodies, cluster.phases, report);
 
   // The impulses with which G V = rate.
   const JointReactions reactions =
       with_joint_impulses(system, std::vector<Wrench>(system.bodies.size()), -system.joints->rate_errors());
   add_to_momenta(system, reactions.wrenches, cluster);
 
-  // What they supplied, and what of the momenta nothing outside accounts for.
-  energy.supply(system.joints->supplied_power(reactions.lambda));
+  // What they supplied at the mean of the rates before and after, and what of the momenta nothing outside
+  // accounts for.
+  report.book(work_of_joints(*system.joints, reactions.lambda, 0.5 * system.joints->rate_errors()));
   momentum.book_error({external_wrench(system, VecX(), reactions.lambda)}, report);
 }
 

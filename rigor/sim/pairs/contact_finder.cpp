@@ -41,8 +41,11 @@ std::vector<std::pair<int, int>> ContactFinder::near_pairs(const State& state,
 
 std::vector<Contact> ContactFinder::find(const State& state, const std::vector<double>& reaches,
                                          double tolerance) {
+  // Boxes that are no farther apart than the tolerance meet.
+  std::vector<double> grown = reaches;
+  for (double& reach : grown) reach += 0.5 * tolerance;
   std::vector<Contact> contacts;
-  for (const auto& pair : near_pairs(state, reaches)) {
+  for (const auto& pair : near_pairs(state, grown)) {
     const double margin = tolerance + reaches[at(pair.first)] + reaches[at(pair.second)];
     const std::vector<Contact> found = find(state, pair, margin);
     contacts.insert(contacts.end(), found.begin(), found.end());

@@ -26,32 +26,35 @@ void add_end(const Model& model, const Spring& spring, int body, const Vec3& p_B
   sums.damped += spring.damping * mobility;
 }
 
-/// Rate at which a drag slows a body down: the faster of translation and rotation.
-double rate_of_drag(const Body& body, double linear, double angular) {
-  return std::max(linear / body.mass, angular / body.moments.minCoeff());
+/// Rate at which drag slows a body down: the faster of translation and rotation.
+double rate_of_drag(const Body& body, const Environment::DragRates& drag) {
+  return std::max(drag.linear / body.mass, drag.angular / body.moments.minCoeff() + drag.angular_damping);
 }
 
 }  // namespace
 
-PenaltyRates rates_of_forces(const Model& model) {
+bool drags_in_closed_form(const Model& model, const Environment& environment, int body, double target_step) {
+  constexpr double most_steps = 100;
+  if (model.body(body).motion != MotionType::dynamic || !environment.has_drag(body)) return false;
+  const double rate = rate_of_drag(model.body(body), environment.drag(body));
+  return !environment.is_jointed(body) || rate * target_step > most_steps;
+}
+
+PenaltyRates rates_of_forces(const Model& model, const Environment& environment, double target_step) {
   std::vector<BodyRates> rates(model.bodies().size());
   PenaltyRates bound{};
-  // Drag and damping of the bodies themselves.
-  for (const Body& body : model.bodies()) {
-    if (body.motion == MotionType::dynamic)
-      bound.damping = std::max({bound.damping, rate_of_drag(body, body.linear_drag, body.angular_drag),
-                                body.linear_damping, body.angular_damping});
+  // Drag and damping.
+  for (int i = 0; i < model.body_count(); ++i) {
+    const Body& body = model.body(i);
+    if (body.motion == MotionType::dynamic && !drags_in_closed_form(model, environment, i, target_step))
+      bound.damping = std::max(bound.damping, rate_of_drag(body, environment.drag(i)));
   }
-  // Springs add up at the bodies of their ends; drags act on one body each.
+  // Springs add up at the bodies of their ends.
   for (const Force& force : model.forces()) {
     if (const Spring* const spring = std::get_if<Spring>(&force)) {
       add_end(model, *spring, spring->body_A, spring->p_AP, rates);
       add_end(model, *spring, spring->body_B, spring->p_BQ, rates);
     }
-    const Drag* const drag = std::get_if<Drag>(&force);
-    if (drag != nullptr && model.body(drag->body).motion == MotionType::dynamic)
-      bound.damping =
-          std::max(bound.damping, rate_of_drag(model.body(drag->body), drag->linear, drag->angular));
   }
   // ω² ≤ 2 max_b Σ_i k_i μ_ib, and likewise the rate of the dampers.
   for (const BodyRates& sums : rates) {

@@ -79,6 +79,9 @@ void GlobalPenaltyStepper::take_step(double t_next, State& state) {
 
   // Kick by the environment (half of it if joints split the step), then the impulses of all springs.
   apply_kick(t, is_split ? 0.5 * h : h, KickForm::explicit_kick);
+  // Bodies with drag get the momenta that their own forces leave them of it.
+  const std::vector<BodyPhase> flown = flow_all(h);
+  contacts_.update_velocities(t, phases_, touching_);
   const VecX u_free = relative_velocities(touching_.system);
   const std::optional<VecX> solved = solve_contacts(u_before, u_free, h, theta);
   if (!solved) {
@@ -95,7 +98,7 @@ void GlobalPenaltyStepper::take_step(double t_next, State& state) {
   const VecX u_after = relative_velocities(touching_.system);
   note_contact_work(lambda, 0.5 * (u_free + u_after));
   move_springs((1 - theta) * u_before + theta * u_after, lambda, h);
-  move(before, lambda, h, theta);
+  move(before, flown, lambda, {h, theta});
   if (is_split) project_joints(t_next);
   if (note_not_finite()) return;
 
@@ -151,13 +154,13 @@ void GlobalPenaltyStepper::apply_contacts(const VecX& lambda, double h) {
   // The work of λ is booked by the caller, with the velocities just before and after it.
   kick.lambda = VecX::Zero(lambda.size());
   kick.impulses = contact_wrenches(system, lambda);
-  kick.work = work_of_prescribed(system, lambda);
+  kick.work.supplied = work_of_prescribed(system, lambda);
   // Moments of rolling and torsional friction.
   const PenaltyMoments moments = stopping_moments(touching_, lambda / h, h);
   for (std::size_t b = 0; b < moments.wrenches.size(); ++b)
     kick.impulses[b].tau_W += h * moments.wrenches[b].tau_W;
   kick.moment_work = h * moments.power_taken;
-  kick.work += h * moments.power_of_prescribed;
+  kick.work.supplied += h * moments.power_of_prescribed;
   // Joints answer to both.
   VecX of_joints;
   if (system.joints) {
@@ -165,7 +168,7 @@ void GlobalPenaltyStepper::apply_contacts(const VecX& lambda, double h) {
                                                    VecX::Zero(system.joints->rate_errors().size()));
     kick.impulses = std::move(reactions.wrenches);
     of_joints = reactions.lambda;
-    kick.work += system.joints->supplied_power(of_joints);
+    kick.work += work_of_joints(*system.joints, of_joints, system.joints->rate_errors());
   }
   kick.external = external_wrench(system, lambda, of_joints);
   kick.external.tau_W += h * moments.external_W;
@@ -174,8 +177,24 @@ void GlobalPenaltyStepper::apply_contacts(const VecX& lambda, double h) {
   note_kick(kick, before, VecX::Zero(lambda.size()));
 }
 
-void GlobalPenaltyStepper::move(const std::vector<BodyPhase>& before, const VecX& lambda, double h,
-                                double theta) {
+/// Gives bodies whose own forces act in closed form the momenta that these leave them after h, and returns
+/// where they are then.
+std::vector<BodyPhase> GlobalPenaltyStepper::flow_all(double h) {
+  std::vector<BodyPhase> flown = phases_;
+  for (std::size_t i = 0; i < phases_.size(); ++i) {
+    if (!flows_[i]) continue;
+    flown[i] = flow(i, h);
+    const BodyPhase start = phases_[i];
+    phases_[i].P = flown[i].P;
+    phases_[i].L = flown[i].L;
+    note_own_work(i, start, h);
+  }
+  return flown;
+}
+
+void GlobalPenaltyStepper::move(const std::vector<BodyPhase>& before, const std::vector<BodyPhase>& flown,
+                                const VecX& lambda, const Span& span) {
+  const double h = span.h, theta = span.theta;
   // Bodies without a spring move along the mean of their velocities, which is exact for parabolas.
   std::vector<bool> is_pushed(at(model_->body_count()), false);
   for (std::size_t i = 0; i < touching_.springs.size(); ++i) {
@@ -190,6 +209,13 @@ void GlobalPenaltyStepper::move(const std::vector<BodyPhase>& before, const VecX
     // Between two half kicks the velocity is the mean already.
     const double own = is_split || is_pushed[at(body)] ? (is_split ? 1 : theta) : 0.5;
     BodyPhase& phase = phases_[i];
+    if (flows_[i]) {
+      // The flow, and what other impulses add to it.
+      const Vec3 dP = phase.P - flown[i].P, dL = phase.L - flown[i].L;
+      phase.x = flown[i].x + own * h / B.mass * dP;
+      phase.q = FreeRotation(B.moments, flown[i].q, own * dL).orientation(h);
+      continue;
+    }
     const Vec3 P = (1 - own) * before[i].P + own * phase.P, L = (1 - own) * before[i].L + own * phase.L;
     phase.q = FreeRotation(B.moments, phase.q, L).orientation(h);
     phase.x += h / B.mass * P;

@@ -29,7 +29,12 @@ class GlobalPenaltyStepper : public PenaltyStepper {
   /// impulses. None if the solver did not converge and a shorter step may help.
   std::optional<VecX> solve_contacts(const VecX& u_before, const VecX& u_free, double h, double theta);
   void apply_contacts(const VecX& lambda, double h);
-  void move(const std::vector<BodyPhase>& before, const VecX& lambda, double h, double theta);
+  struct Span {
+    double h, theta;
+  };
+  std::vector<BodyPhase> flow_all(double h);
+  void move(const std::vector<BodyPhase>& before, const std::vector<BodyPhase>& flown, const VecX& lambda,
+            const Span& span);
   void move_springs(const VecX& u, const VecX& lambda, double h);
 };
 

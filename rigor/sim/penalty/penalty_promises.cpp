@@ -15,6 +15,7 @@ SchemePromises penalty_promises(const Model& model, const Method& method) {
   // Springs carry the weights of bodies at rest in many small impulses: their roundings add up.
   promises.weight_share = 1e-12;
   promises.joint_drift = projected_joint_drift(model.length_scale());
+  promises.penetration_share = 0.25;
   // Several impacts at once press deeper than the one that a spring is made for; a spring of given stiffness
   // promises nothing.
   if (method.stiffness == 0)

@@ -3,7 +3,9 @@
 #include "rigor/contact/penalty/penalty_rates.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/core/sorted_unique.hpp"
+#include "rigor/dynamics/drag_flow.hpp"
 #include "rigor/dynamics/free_rotation.hpp"
+#include "rigor/math/rotation.hpp"
 #include "rigor/sim/penalty/force_rates.hpp"
 #include "rigor/sim/penalty/penalty_forces.hpp"
 
@@ -44,15 +46,23 @@ PenaltyStepper::PenaltyStepper(std::shared_ptr<const Model> model, const Method&
     : FixedStepStepper(std::move(model), target_step),
       method_(method),
       environment_(*model_),
-      assembler_(*model_, environment_),
+      assembler_(*model_, environment_, target_step),
+      kicks_(*model_),
+      kicks_assembler_(*model_, kicks_, target_step),
       joints_(*model_, assembler_),
       contacts_(*model_, environment_, assembler_, method, form) {
   // The forces of the scene are kicks: bodies that swing under them require short steps as contacts do, and
   // shorter ones, since they keep swinging: their energy is off by (ω h)²/4.
   constexpr double swing_share = 0.05;
-  const PenaltyRates rates = rates_of_forces(*model_);
+  const PenaltyRates rates = rates_of_forces(*model_, environment_, target_step);
   if (rates.frequency > 0) target_step_ = std::min(target_step_, swing_share / rates.frequency);
   if (rates.damping > 0) target_step_ = std::min(target_step_, damping_share / rates.damping);
+
+  // Drag is integrated in closed form with the other own forces of its body.
+  for (const int body : contacts_.dynamic_bodies()) {
+    flows_.push_back(drags_in_closed_form(*model_, environment_, body, target_step));
+    if (flows_.back()) kicks_.leave_own_forces(body);
+  }
 }
 
 double PenaltyStepper::longest_step() const {
@@ -142,23 +152,23 @@ PenaltyStepper::Kick PenaltyStepper::kick_at(double t, double h, const VecX* rat
   // Forces of the environment, with what they give from outside.
   const ContactSystem& system = touching_.system;
   Kick kick;
-  std::vector<Wrench> wrenches = assembler_.environment_wrenches(system, t);
+  std::vector<Wrench> wrenches = kicks_assembler_.environment_wrenches(system, t);
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     const BodyKinetics& body = system.kinetics[b];
     if (body.inverse_mass == 0) continue;
     kick.external.f_W += h * wrenches[b].f_W;
     kick.external.tau_W += h * (wrenches[b].tau_W + body.x.cross(wrenches[b].f_W));
-    kick.work += h * environment_.supplied_power(system.bodies[b], {body.x, body.v, body.w, body.R, true});
+    kick.work.supplied += h * kicks_.supplied_power(system.bodies[b], {body.x, body.v, body.w, body.R, true});
   }
   // Forces and moments of the contacts.
   const VecX forces = contact_forces();
   add(contact_wrenches(system, forces), wrenches);
   kick.lambda = h * forces;
-  kick.work += work_of_prescribed(system, kick.lambda);
+  kick.work.supplied += work_of_prescribed(system, kick.lambda);
   const PenaltyMoments moments = penalty_moments(touching_, forces);
   add(moments.wrenches, wrenches);
   kick.moment_work = h * moments.power_taken;
-  kick.work += h * moments.power_of_prescribed;
+  kick.work.supplied += h * moments.power_of_prescribed;
   kick.external.tau_W += h * moments.external_W;
 
   // Reactions of the joints: to the forces for accelerations, to the impulses for velocities.
@@ -169,13 +179,25 @@ PenaltyStepper::Kick PenaltyStepper::kick_at(double t, double h, const VecX* rat
     of_joints = h * reactions.lambda;
   }
   for (Wrench& wrench : wrenches) wrench.f_W *= h, wrench.tau_W *= h;
+  // What joints answer to the forces alone acts at the rates that motors have had so far.
+  double of_jump = 0;
   if (system.joints && rate_errors) {
+    if (system.joints->has_motors()) {
+      const JointSystem& joints = *system.joints;
+      const VecX to_forces = with_joint_impulses(system, wrenches, VecX::Zero(rate_errors->size())).lambda;
+      of_jump = joints.power_of_motors(to_forces, *rate_errors) -
+                joints.power_of_motors(to_forces, 0.5 * *rate_errors);
+    }
     JointReactions reactions = with_joint_impulses(system, std::move(wrenches), -*rate_errors);
     wrenches = std::move(reactions.wrenches);
     of_joints = reactions.lambda;
   }
   // Work of motors, and what comes from outside through contacts and joints.
-  if (system.joints) kick.work += system.joints->supplied_power(of_joints);
+  if (system.joints) {
+    const VecX mean_errors = rate_errors ? VecX(0.5 * *rate_errors) : system.joints->rate_errors();
+    kick.work += work_of_joints(*system.joints, of_joints, mean_errors);
+    kick.work += {.supplied = of_jump, .motors = of_jump};
+  }
   const Wrench external = external_wrench(system, kick.lambda, of_joints);
   kick.external.f_W += external.f_W;
   kick.external.tau_W += external.tau_W;
@@ -210,11 +232,20 @@ void PenaltyStepper::add_impulses(const Kick& kick) {
   }
 }
 
-/// Books the energy that impulses λ of contacts take; u: mean of their velocities before and after.
+/// Books the energy that impulses λ of contacts take, and what motors supply; u: mean of their velocities
+/// before and after.
 void PenaltyStepper::note_contact_work(const VecX& lambda, const VecX& u) {
-  for (Eigen::Index k = 0; k < u.size(); ++k) {
-    double& loss = k % 3 == 2 ? report_.damping_loss : report_.friction_loss;
-    loss -= lambda[k] * u[k];
+  const ContactSystem& system = touching_.system;
+  for (std::size_t i = 0; 3 * static_cast<Eigen::Index>(i) < u.size(); ++i) {
+    const Eigen::Index row = 3 * static_cast<Eigen::Index>(i);
+    const double of_tangents = lambda.segment<2>(row).dot(u.segment<2>(row));
+    report_.damping_loss -= lambda[row + 2] * u[row + 2];
+    if (system.contacts[i].is_motor()) {
+      const double work = of_tangents + lambda.segment<3>(row).dot(system.rows[i].rate);
+      report_.book({.supplied = work, .motors = work});
+    } else {
+      report_.friction_loss -= of_tangents;
+    }
   }
 }
 
@@ -222,7 +253,7 @@ void PenaltyStepper::note_contact_work(const VecX& lambda, const VecX& u) {
 void PenaltyStepper::note_kick(const Kick& kick, const std::vector<BodyPhase>& before, const VecX& u) {
   note_contact_work(kick.lambda, u);
   report_.friction_loss += kick.moment_work;
-  report_.work += kick.work;
+  report_.book(kick.work);
   // Change of the momenta, as a sum of small differences, without what came from outside.
   Vec3 P = -kick.external.f_W, L = -kick.external.tau_W;
   for (std::size_t i = 0; i < phases_.size(); ++i) {
@@ -238,10 +269,36 @@ void PenaltyStepper::drift(double h, double t_next) {
   for (std::size_t i = 0; i < phases_.size(); ++i) {
     const BodyInertia inertia = inertia_of(model_->body(contacts_.dynamic_bodies()[i]));
     BodyPhase& phase = phases_[i];
+    if (flows_[i]) {
+      const BodyPhase before = std::exchange(phase, flow(i, h));
+      note_own_work(i, before, h);
+      continue;
+    }
     phase.q = FreeRotation(inertia.moments, phase.q, phase.L).orientation(h);
     phase.x += h / inertia.mass * phase.P;
   }
   if (touching_.system.joints) project_joints(t_next);
+}
+
+BodyPhase PenaltyStepper::flow(std::size_t i, double h) const {
+  const int body = contacts_.dynamic_bodies()[i];
+  const BodyInertia inertia = inertia_of(model_->body(body));
+  return drag_flow(inertia, environment_.drag(body),
+                   environment_.undamped_forces(body, view_at(i, phases_[i])), phases_[i], h);
+}
+
+Environment::BodyView PenaltyStepper::view_at(std::size_t i, const BodyPhase& phase) const {
+  const BodyInertia inertia = inertia_of(model_->body(contacts_.dynamic_bodies()[i]));
+  return {phase.x, phase.P / inertia.mass, angular_velocity(inertia, phase.q, phase.L),
+          rotation_matrix(phase.q), true};
+}
+
+/// Books the work of torques and body-fixed forces on a body that has flown for h: their mean power.
+void PenaltyStepper::note_own_work(std::size_t i, const BodyPhase& before, double h) {
+  const int body = contacts_.dynamic_bodies()[i];
+  report_.work += 0.5 * h *
+                  (environment_.supplied_power(body, view_at(i, before)) +
+                   environment_.supplied_power(body, view_at(i, phases_[i])));
 }
 
 /// Projects the positions on the joints, and restores the angular momentum of groups on which nothing outside
@@ -274,7 +331,7 @@ void PenaltyStepper::observe_contacts(double t) {
   note_impacts(t);
   report_.separations += touching_.lost;
   for (const Contact& contact : touching_.system.contacts) {
-    if (!contact.stop) report_.note_penetration(-contact.point.gap, contact.body_A, contact.body_B, t);
+    if (!contact.stop) report_.note_overlap(*model_, -contact.point.gap, contact.body_A, contact.body_B, t);
   }
 }
 

@@ -35,7 +35,7 @@ class PenaltyStepper : public FixedStepStepper {
   struct Kick {
     std::vector<Wrench> impulses;
     VecX lambda;             ///< Of the contacts, 3 per contact.
-    double work = 0;         ///< Supplied from outside [J].
+    WorkDone work;           ///< Of the forces, without motors of limited force [J].
     double moment_work = 0;  ///< Taken by the moments of rolling and torsional friction [J].
     Wrench external;         ///< Impulse from outside and its moment about the origin of W.
   };
@@ -57,6 +57,10 @@ class PenaltyStepper : public FixedStepStepper {
   void note_contact_work(const VecX& lambda, const VecX& u);
   void note_kick(const Kick& kick, const std::vector<BodyPhase>& before, const VecX& u);
   void drift(double h, double t_next);
+  /// Where its own forces take the i-th body in h: gravity, constant forces and torques, and drag.
+  BodyPhase flow(std::size_t i, double h) const;
+  Environment::BodyView view_at(std::size_t i, const BodyPhase& phase) const;
+  void note_own_work(std::size_t i, const BodyPhase& before, double h);
   void project_joints(double t);
   void write_state(double t, State& state) const;
   void observe_contacts(double t);
@@ -68,6 +72,9 @@ class PenaltyStepper : public FixedStepStepper {
   Method method_;
   Environment environment_;
   ContactSystemAssembler assembler_;
+  std::vector<bool> flows_;  ///< Per phase: its own forces act in its motion, not in kicks.
+  Environment kicks_;        ///< The environment without those.
+  ContactSystemAssembler kicks_assembler_;
   JointProjection joints_;
   PenaltyTouching contacts_;
 

@@ -1,5 +1,7 @@
 #include "rigor/sim/report/advance_report.hpp"
 
+#include "rigor/model/model.hpp"
+
 #include <algorithm>
 
 namespace rigor {
@@ -9,6 +11,12 @@ void PairInstants::add(const PairInstants& later) {
   const long sum = instants + later.instants;
   if (later.instants > 0 && (instants == 0 || later.first < first)) *this = later;
   instants = sum;
+}
+
+void AdvanceReport::book(const WorkDone& done) {
+  work += done.supplied;
+  motor_work += done.motors;
+  friction_loss += done.friction;
 }
 
 void AdvanceReport::note_penetration(double depth, int A, int B, double t) {
@@ -21,6 +29,12 @@ void AdvanceReport::note_penetration(double depth, int A, int B, double t) {
 
 void AdvanceReport::note_passage(int A, int B, double t) {
   passages.add({1, A, B, t});
+}
+
+void AdvanceReport::note_overlap(const Model& model, double depth, int A, int B, double t) {
+  note_penetration(depth, A, B, t);
+  const double share = depth / std::min(model.body(A).thickness, model.body(B).thickness);
+  if (share > worst_overlap.share) worst_overlap = {share, depth, A, B, t};
 }
 
 void AdvanceReport::note_joint_drift(double drift, int joint) {
@@ -43,9 +57,11 @@ void AdvanceReport::add(const AdvanceReport& later) {
   toi_bracket = std::max(toi_bracket, later.toi_bracket);
   note_penetration(later.max_penetration, later.penetration_A, later.penetration_B, later.penetration_time);
   passages.add(later.passages);
+  if (later.worst_overlap.share > worst_overlap.share) worst_overlap = later.worst_overlap;
   note_joint_drift(later.max_joint_drift, later.drift_joint);
   max_joint_projection = std::max(max_joint_projection, later.max_joint_projection);
   work += later.work;
+  motor_work += later.motor_work;
   impact_loss += later.impact_loss;
   impact_gain += later.impact_gain;
   damping_loss += later.damping_loss;
@@ -56,6 +72,7 @@ void AdvanceReport::add(const AdvanceReport& later) {
   max_residual = std::max(max_residual, later.max_residual);
   max_iterations = std::max(max_iterations, later.max_iterations);
   fallbacks += later.fallbacks;
+  if (later.force_doubt.share > force_doubt.share) force_doubt = later.force_doubt;
   coarse_steps += later.coarse_steps;
   inconsistent.add(later.inconsistent);
   indeterminate.add(later.indeterminate);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "rigor/contact/system/work_done.hpp"
 #include "rigor/math/types.hpp"
 
 #include <limits>
@@ -7,6 +8,8 @@
 #include <vector>
 
 namespace rigor {
+
+class Model;
 
 /// Why a stepper returned.
 enum class StopReason {
@@ -37,6 +40,20 @@ struct PairInstants {
   void add(const PairInstants& later);
 };
 
+/// An overlap as a share of the thickness of the thinner of its bodies (Body::thickness).
+struct RelativeOverlap {
+  double share = 0, depth = 0;  ///< [1], [m].
+  int body_A = -1, body_B = -1;
+  double time = 0;  ///< [s].
+};
+
+/// How well contact forces determine the acceleration of a body (note_force_doubt).
+struct ForceDoubt {
+  double share = 0;  ///< Of the acceleration by its weight.
+  int body = -1;
+  double time = 0;  ///< [s].
+};
+
 /// What one call of a stepper did. The engine never reads it back.
 struct AdvanceReport {
   StopReason reason = StopReason::reached_end;
@@ -53,6 +70,7 @@ struct AdvanceReport {
   double max_penetration = 0;  ///< Deepest overlap seen at an event or step [m].
   int penetration_A = -1, penetration_B = -1;
   double penetration_time = 0;
+  RelativeOverlap worst_overlap;  ///< The largest share seen; another pair may overlap deeper.
 
   /// Instants at which the inside of body A went into body B (PassageWitness).
   PairInstants passages;
@@ -63,10 +81,11 @@ struct AdvanceReport {
   double max_joint_projection = 0;
 
   double work = 0;             ///< Supplied by kinematic bodies, motors, torques and body-fixed forces [J].
+  double motor_work = 0;       ///< The part of it that motors have supplied [J].
   double impact_loss = 0;      ///< Kinetic energy taken by impacts [J].
   double impact_gain = 0;      ///< Energy that impacts added (Newton's law with friction can) [J].
   double damping_loss = 0;     ///< Energy taken by the dampers of penalty contacts [J].
-  double friction_loss = 0;    ///< Energy taken by the sliders of penalty contacts [J].
+  double friction_loss = 0;    ///< Energy taken by friction of lasting contacts and of joints [J].
   double projection_loss = 0;  ///< Kinetic energy taken by the projections on the contacts [J].
   Vec3 momentum_error = Vec3::Zero();          ///< Σ over events of ΔP minus external impulse [kg m/s].
   Vec3 angular_momentum_error = Vec3::Zero();  ///< The same for L about the origin of W [kg m²/s].
@@ -74,6 +93,7 @@ struct AdvanceReport {
   double max_residual = 0;  ///< Largest relative residual of a contact problem.
   int max_iterations = 0;   ///< Most iterations of a contact problem.
   long fallbacks = 0;       ///< Contact problems that did not converge to their tolerance.
+  ForceDoubt force_doubt;   ///< The largest.
   /// Steps at velocity level (first order, where slip or modes change faster than time resolves) or with an
   /// error estimate above the tolerance.
   long coarse_steps = 0;
@@ -84,8 +104,12 @@ struct AdvanceReport {
   PairInstants indeterminate;
   double quaternion_drift = 0;  ///< Largest | |q| - 1 | before normalisation.
 
+  /// Books work that was done.
+  void book(const WorkDone& done);
   /// Notes an overlap of two bodies at t [s], if it is deeper than any before [m].
   void note_penetration(double depth, int A, int B, double t);
+  /// The same, and notes it if it is a larger share of the thinner body than any before.
+  void note_overlap(const Model& model, double depth, int A, int B, double t);
   /// Notes that the inside of body A entered body B at t [s].
   void note_passage(int A, int B, double t);
   /// Notes what |g| of a joint is left at the end of a step, if it is larger than any before [m or 1].

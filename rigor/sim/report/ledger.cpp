@@ -30,9 +30,8 @@ EnergyScope::EnergyScope(EnergyAccount account, const Model& model, const std::v
       work_before_(report.work) {}
 
 EnergyScope::~EnergyScope() {
-  const double supplied = (report_.work - work_before_) + supplied_;
+  const double supplied = report_.work - work_before_;
   const double taken = T_before_ - totals_of(model_, bodies_, phases_).T + supplied;
-  report_.work += supplied_;
   switch (account_) {
     case EnergyAccount::impact:
       (taken > 0 ? report_.impact_loss : report_.impact_gain) += std::abs(taken);

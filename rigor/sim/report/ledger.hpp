@@ -38,10 +38,7 @@ class EnergyScope {
   EnergyScope(const EnergyScope&) = delete;
   EnergyScope& operator=(const EnergyScope&) = delete;
 
-  /// Books work [J] that the impulses have supplied. Work that others book in the report while the scope is
-  /// open is noticed without it.
-  void supply(double work) { supplied_ += work; }
-
+  /// Work that is booked in the report while the scope is open is noticed.
  private:
   EnergyAccount account_;
   const Model& model_;
@@ -50,7 +47,6 @@ class EnergyScope {
   AdvanceReport& report_;
   double T_before_;     ///< [J].
   double work_before_;  ///< Booked when the scope was opened [J].
-  double supplied_ = 0;
 };
 
 /// Keeps the ledger of the momenta: takes those of some bodies when it is made. Refers to the phases, which

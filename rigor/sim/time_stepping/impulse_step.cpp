@@ -8,6 +8,7 @@
 #include "rigor/math/rotation.hpp"
 #include "rigor/sim/method/resting_choice.hpp"
 #include "rigor/sim/method/tolerances.hpp"
+#include "rigor/sim/report/force_doubt.hpp"
 #include "rigor/sim/report/ledger.hpp"
 
 #include <algorithm>
@@ -110,7 +111,7 @@ ImpulseStep::ImpulseStep(const Model& model, const Environment& environment,
       solver_(method),
       springs_(model),
       without_springs_(model, PointSprings::left_out),
-      assembler_without_springs_(model, without_springs_),
+      assembler_without_springs_(model, without_springs_, assembler.motor_horizon()),
       integrator_without_springs_(model, without_springs_, assembler_without_springs_, method),
       has_implicit_springs_(method.solver == SolverMethod::exact && springs_.has_any()),
       pushes_at_distance_(method.cone == ConeMethod::convex),
@@ -202,7 +203,7 @@ struct ImpulseStep::FreeEnd {
   std::vector<BodyPhase> phases;
   Vec3 impulse = Vec3::Zero();          ///< Of all forces from outside [N s].
   Vec3 angular_impulse = Vec3::Zero();  ///< About the origin of W [N m s].
-  double work = 0;                      ///< [J].
+  WorkDone work;                        ///< [J].
 };
 
 bool ImpulseStep::touches(const Contact& contact) const {
@@ -247,8 +248,8 @@ ImpulseStep::FreeEnd ImpulseStep::fly_under(const Environment& environment,
   double left = h, wanted = h;
   while (left > 0) {
     integrator.choose_joint_rows(island);
-    const ControlledStep taken =
-        integrator.controlled_step(island, std::min(left, wanted), std::min(left, least_step_share * h));
+    const ControlledStep taken = integrator.controlled_step(island, std::min(left, wanted),
+                                                            {std::min(left, least_step_share * h), left, h});
     ++report.steps;
     if (taken.step.error > 1) ++report.coarse_steps;
     report.quaternion_drift = std::max(report.quaternion_drift, taken.step.quaternion_drift);
@@ -360,15 +361,34 @@ void ImpulseStep::add_moments(const ContactSystem& system, const VecX& moments, 
       const BodyKinetics& kinetics = system.of(body);
       if (kinetics.inverse_mass > 0) continue;
       end.angular_impulse -= sign * l_W;
-      end.work -= sign * l_W.dot(kinetics.w);
+      end.work.supplied -= sign * l_W.dot(kinetics.w);
     }
   }
 }
 
+/// Velocities of the bodies in the middle of the step: the mean of those at its beginning and those that the
+/// impulses leave at its end.
+std::vector<Vec6> ImpulseStep::middle_velocities(const Cluster& part, const ContactSystem& system,
+                                                 const std::vector<Wrench>& impulses) const {
+  std::vector<Vec6> result = velocities_of(system);
+  for (std::size_t i = 0; i < part.bodies.size(); ++i) {
+    const std::size_t local = static_cast<std::size_t>(system.local_index(part.bodies[i]));
+    const Body& body = model_.body(part.bodies[i]);
+    const BodyPhase& begin = part.phases[i];
+    const BodyKinetics& kinetics = system.kinetics[local];
+    Vec6 at_begin, gained;
+    at_begin << begin.P / body.mass, angular_velocity({body.mass, body.moments}, begin.q, begin.L);
+    gained << kinetics.inverse_mass * impulses[local].f_W, kinetics.inverse_inertia * impulses[local].tau_W;
+    result[local] = 0.5 * (at_begin + result[local] + gained);
+  }
+  return result;
+}
+
 /// The impulses of contacts, springs and joints on the bodies of the system; those from outside are booked in
 /// `end`.
-std::vector<Wrench> ImpulseStep::enter_impulses(const ContactSystem& system, const StepImpulses& solution,
-                                                const SpringRows& springs, FreeEnd& end) {
+std::vector<Wrench> ImpulseStep::enter_impulses(const Cluster& part, const ContactSystem& system,
+                                                const StepImpulses& solution, const SpringRows& springs,
+                                                FreeEnd& end) const {
   std::vector<Wrench> impulses = contact_wrenches(system, solution.lambda);
   add_moments(system, solution.moments, impulses, end);
   const OutsideImpulse of_springs = add_spring_impulses(springs, solution.springs, system, impulses);
@@ -380,14 +400,15 @@ std::vector<Wrench> ImpulseStep::enter_impulses(const ContactSystem& system, con
         with_joint_impulses(system, std::move(impulses), VecX::Zero(system.joints->residuals().size()));
     impulses = std::move(reactions.wrenches);
     joint_lambda = reactions.lambda;
-    end.work += system.joints->supplied_power(joint_lambda);
+    end.work += work_of_joints(*system.joints, joint_lambda, system.joints->rate_errors());
   }
 
   // What comes from outside.
   const Wrench of_contacts = external_wrench(system, solution.lambda, joint_lambda);
   end.impulse += of_contacts.f_W + of_springs.impulse.f_W;
   end.angular_impulse += of_contacts.tau_W + of_springs.impulse.tau_W;
-  end.work += work_of_prescribed(system, solution.lambda) + of_springs.work;
+  end.work += work_of_contacts(system, solution.lambda, middle_velocities(part, system, impulses));
+  end.work.supplied += of_springs.work;
   return impulses;
 }
 
@@ -430,15 +451,16 @@ void ImpulseStep::move(double h, double theta, Cluster& part, AdvanceReport& rep
     const SpringRows springs = laws.springs.value_or(SpringRows{});
     const StepImpulses solution = solver_.solve(system, std::move(laws));
     note(solution, report);
+    note_force_doubt(system, solution.lambda / h, environment_, part.t, report);
     ++report.steps;
-    push(span, part, system, enter_impulses(system, solution, springs, end), end);
+    push(span, part, system, enter_impulses(part, system, solution, springs, end), end);
   }
 
   // The end of the step, and its ledger.
   const MomentumScope momentum(model_, part.bodies, part.phases);
   part.phases = std::move(end.phases);
   part.t += h;
-  report.work += end.work;
+  report.book(end.work);
   momentum.book_error({Wrench{end.impulse, end.angular_impulse}}, report);
 }
 

@@ -50,8 +50,11 @@ class ImpulseStep {
   StepLaws step_laws(double h, const Cluster& part, const ContactSystem& system) const;
   static void add_moments(const ContactSystem& system, const VecX& moments, std::vector<Wrench>& impulses,
                           FreeEnd& end);
-  static std::vector<Wrench> enter_impulses(const ContactSystem& system, const StepImpulses& solution,
-                                            const SpringRows& springs, FreeEnd& end);
+  std::vector<Vec6> middle_velocities(const Cluster& part, const ContactSystem& system,
+                                      const std::vector<Wrench>& impulses) const;
+  std::vector<Wrench> enter_impulses(const Cluster& part, const ContactSystem& system,
+                                     const StepImpulses& solution, const SpringRows& springs,
+                                     FreeEnd& end) const;
   void push(const StepSpan& span, const Cluster& part, const ContactSystem& system,
             const std::vector<Wrench>& impulses, FreeEnd& end) const;
   void note(const StepImpulses& solution, AdvanceReport& report) const;

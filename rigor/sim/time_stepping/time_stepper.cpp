@@ -34,7 +34,7 @@ TimeStepper::TimeStepper(std::shared_ptr<const Model> model, const Method& metho
     : FixedStepStepper(std::move(model), target_step),
       method_(method),
       environment_(*model_),
-      assembler_(*model_, environment_),
+      assembler_(*model_, environment_, target_step),
       resolver_(*model_, assembler_, method),
       joints_(*model_, assembler_),
       impulses_(*model_, environment_, assembler_, resolver_, joints_, method),
@@ -175,7 +175,7 @@ TimeStepper::Trial TimeStepper::try_with_reaches(double h, double theta, bool ta
     Trial trial{start, {}, reaches, h};
     NearContacts near = contacts_in_reach(state, reaches, met);
     for (const Contact& contact : near.contacts)
-      trial.report.note_penetration(-contact.point.gap, contact.body_A, contact.body_B, state.t);
+      trial.report.note_overlap(*model_, -contact.point.gap, contact.body_A, contact.body_B, state.t);
     std::vector<Contact> touching_before = touching_of(near.contacts);
     std::vector<Contact> contacts = std::move(near.contacts);
 
@@ -340,7 +340,8 @@ void TimeStepper::admit_velocities(State& state) {
     AdvanceReport projection;
     const double energy = totals_of(*model_, part.bodies, part.phases).T;
     joints_.project_velocities(part, projection);
-    if (projection.projection_loss <= noticeable * energy) continue;
+    const double changed = std::max(projection.projection_loss, std::abs(projection.work));
+    if (changed <= noticeable * energy) continue;
     report_.add(projection);
     for (std::size_t i = 0; i < part.bodies.size(); ++i) all.phase_of(part.bodies[i]) = part.phases[i];
   }

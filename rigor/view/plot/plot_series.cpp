@@ -25,13 +25,14 @@ const std::array<BodyQuantity, 4> body_quantities = {{
 
 /// A quantity that the trajectory stores for each joint: a number for each coordinate, or a vector.
 struct JointQuantity {
-  std::string_view name, unit;  ///< For a quantity of coordinates, the suffix of their unit.
+  std::string_view name, unit;  ///< For a quantity of coordinates but the effort, the suffix of their unit.
   std::vector<double> StoredTrajectory::*values;
   bool is_vector;
 };
-const std::array<JointQuantity, 4> joint_quantities = {{
+const std::array<JointQuantity, 5> joint_quantities = {{
     {"coordinate", "", &StoredTrajectory::joint_coordinate, false},
     {"rate", "/s", &StoredTrajectory::joint_rate, false},
+    {"effort", "", &StoredTrajectory::joint_effort, false},
     {"force", "N", &StoredTrajectory::joint_force, true},
     {"torque", "N m", &StoredTrajectory::joint_torque, true},
 }};
@@ -151,7 +152,7 @@ std::vector<std::string> endings_of(const Recording& recording, const JointQuant
   return endings;
 }
 
-/// The k-th coordinate of a joint, or its rate.
+/// The k-th coordinate of a joint, its rate, or the effort of its motor.
 PlotSeries coordinate_series(const Recording& recording, std::size_t joint, const JointQuantity& quantity,
                              std::size_t k) {
   const StoredTrajectory& motion = recording.motion;
@@ -159,8 +160,12 @@ PlotSeries coordinate_series(const Recording& recording, std::size_t joint, cons
   const auto first = std::lower_bound(owners.begin(), owners.end(), static_cast<int>(joint));
   const std::size_t column = static_cast<std::size_t>(first - owners.begin()) + k;
   const bool turns = is_angle(recording.model->joint(static_cast<int>(joint)).type, static_cast<int>(k));
-  PlotSeries series{
-      "", std::string(quantity.name), fmt::format("{}{}", turns ? "rad" : "m", quantity.unit), {}};
+  const std::string unit = turns ? "rad" : "m";
+  const bool is_effort = quantity.values == &StoredTrajectory::joint_effort;
+  PlotSeries series{"",
+                    std::string(quantity.name),
+                    is_effort ? effort_unit(unit) : fmt::format("{}{}", unit, quantity.unit),
+                    {}};
   for (std::size_t row = 0; row < recording.frame_count(); ++row)
     series.values.push_back((motion.*quantity.values)[row * owners.size() + column]);
   return series;

@@ -1,0 +1,146 @@
+// Motors are booked with the work that they really do, in every scheme, and their force can be read.
+
+#include "rigor/model/model_builder.hpp"
+#include "rigor/sim/audit/contact_snapshot.hpp"
+#include "rigor/sim/simulation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace rigor::motor_books_test {
+namespace {
+
+using JointDescription = ModelBuilder::JointDescription;
+
+/// A body of this mass and equal moments on a joint to the world, without gravity.
+std::shared_ptr<const Model> driven(JointType type, double inertia, const JointAxis& axis) {
+  ModelBuilder builder;
+  builder.set_gravity(Vec3::Zero());
+  BodyDescription body;
+  body.name = "body";
+  body.inertia = GivenInertia{inertia, Vec3::Zero(), Vec3::Constant(inertia), Vec3::Zero()};
+  builder.add_body(body);
+  JointDescription joint;
+  joint.name = "drive";
+  joint.type = type;
+  joint.bodies = {"world", "body"};
+  joint.anchors = {Vec3::Zero()};
+  joint.axis = Vec3::UnitZ();
+  joint.axes = {axis};
+  builder.add_joint(joint);
+  return builder.build();
+}
+
+/// The schemes whose books know motors.
+std::vector<Method> all_methods() {
+  std::vector<Method> methods;
+  for (const Scheme scheme : {Scheme::event_driven, Scheme::hybrid, Scheme::impulse_based,
+                              Scheme::time_stepping, Scheme::penalty}) {
+    Method method;
+    method.scheme = scheme;
+    methods.push_back(method);
+  }
+  methods.push_back(methods.back());
+  methods.back().penalty = PenaltyMethod::global;
+  return methods;
+}
+
+RunResult run(const std::shared_ptr<const Model>& model, const Method& method, double duration) {
+  RunSettings settings;
+  settings.duration = duration;
+  settings.step = settings.output_interval = 0.01;
+  return run_simulation(model, method, settings, std::nullopt,
+                        [](const State&, const AdvanceReport&, const Auditor&) { return true; });
+}
+
+TEST(MotorBooks, AMotorFarFromItsSpeedDoesTheWorkOfItsForceOverThePath) {
+  std::mt19937 random(1);
+  const auto between = [&](double low, double high) {
+    return low * std::pow(high / low, std::uniform_real_distribution<double>()(random));
+  };
+  for (int k = 0; k < 6; ++k) {
+    const double inertia = between(0.01, 100), force = between(0.1, 50) * inertia, duration = 0.5;
+    const double friction = k % 2 == 0 ? 0 : 0.3 * force;
+    JointAxis axis;
+    axis.motor = JointMotor{1e3 * force / inertia, force};
+    axis.friction = friction;
+    const auto model = driven(k % 3 == 0 ? JointType::slider : JointType::hinge, inertia, axis);
+
+    // The speed grows by the force that friction leaves, and the path is a parabola.
+    const double acceleration = (force - friction) / inertia, path = 0.5 * acceleration * duration * duration;
+    for (const Method& method : all_methods()) {
+      const RunResult result = run(model, method, duration);
+      const AdvanceReport& report = result.audit.report;
+      // Bristles of penalty contacts stretch before friction has its whole force: the motion is off by that.
+      const double share = method.scheme == Scheme::penalty ? (friction > 0 ? 0.05 : 2e-3) : 1e-9;
+      EXPECT_NEAR(report.motor_work, force * path, share * force * path)
+          << k << method_choice(method, "scheme");
+      EXPECT_EQ(report.work, report.motor_work);
+      EXPECT_NEAR(result.audit.dissipated, friction * path, share * force * path) << k;
+      EXPECT_NEAR(report.friction_loss, friction * path, share * force * path) << k;
+      EXPECT_TRUE(result.audit.violations.empty()) << result.audit.violations.front();
+    }
+  }
+}
+
+TEST(MotorBooks, AMotorAtItsSpeedPaysForDryFrictionAndNothingElse) {
+  JointAxis axis;
+  axis.motor = JointMotor{5, 6};
+  axis.friction = 2;
+  const auto model = driven(JointType::hinge, 1, axis);
+  for (const Method& method : all_methods()) {
+    // 4 rad/s² up to 5 rad/s after 1.25 s, then 2 N m against friction: 3.125 rad and 3.75 rad.
+    const RunResult result = run(model, method, 2);
+    const double share = method.scheme == Scheme::penalty ? 2e-2 : 1e-8;
+    EXPECT_NEAR(result.audit.report.motor_work, 6 * 3.125 + 2 * 3.75, 26.25 * share)
+        << method_choice(method, "scheme");
+    EXPECT_NEAR(result.audit.dissipated, 2 * (3.125 + 3.75), 26.25 * share);
+    // Its force now, at an instant, whatever the scheme.
+    const JointReaction drive = joint_snapshot(*model, method, result.state).front();
+    EXPECT_NEAR(drive.efforts.at(0), 2, method.scheme == Scheme::penalty ? 0.1 : 1e-9);
+  }
+}
+
+TEST(MotorBooks, AMotorWithoutLimitDoesTheWorkOfTheJumpToItsSpeedOnce) {
+  JointAxis axis;
+  axis.motor = JointMotor{3};
+  const auto model = driven(JointType::hinge, 2, axis);
+  for (const Method& method : all_methods()) {
+    const RunResult result = run(model, method, 0.1);
+    EXPECT_NEAR(result.audit.report.motor_work, 0.5 * 2 * 9, 1e-9) << method_choice(method, "scheme");
+    EXPECT_NEAR(result.audit.dissipated, 0, 1e-9);
+  }
+}
+
+TEST(MotorBooks, EffortsFollowNewtonAndEuler) {
+  // A motor of limited force that accelerates, and one without limit that carries a weight.
+  JointAxis limited;
+  limited.motor = JointMotor{100, 2};
+  const auto wheel = driven(JointType::hinge, 1, limited);
+  EXPECT_NEAR(joint_snapshot(*wheel, Method{}, make_initial_state(*wheel)).front().efforts.at(0), 2, 1e-12);
+
+  ModelBuilder builder;
+  builder.set_gravity(Vec3(0, 0, -9.81));
+  BodyDescription lift;
+  lift.name = "lift";
+  lift.velocity = Vec3(0, 0, 0.5);
+  lift.inertia = GivenInertia{3, Vec3::Zero(), Vec3::Constant(1), Vec3::Zero()};
+  builder.add_body(lift);
+  JointDescription rail;
+  rail.name = "rail";
+  rail.type = JointType::slider;
+  rail.bodies = {"world", "lift"};
+  rail.axis = Vec3::UnitZ();
+  JointAxis hoist;
+  hoist.motor = JointMotor{0.5};
+  rail.axes = {hoist};
+  builder.add_joint(rail);
+  const auto model = builder.build();
+  EXPECT_NEAR(joint_snapshot(*model, Method{}, make_initial_state(*model)).front().efforts.at(0), 3 * 9.81,
+              1e-10);
+}
+
+}  // namespace
+}  // namespace rigor::motor_books_test

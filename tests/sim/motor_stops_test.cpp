@@ -1,0 +1,80 @@
+// Motors without a limit of force at the limits of their coordinates, in every scheme.
+
+#include "rigor/model/model_builder.hpp"
+#include "rigor/sim/audit/contact_snapshot.hpp"
+#include "rigor/sim/simulation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace rigor::motor_stops_test {
+namespace {
+
+/// A bar on a hinge, or a block on a slider, that its motor drives against a limit.
+std::shared_ptr<const Model> driven(JointType type, const JointAxis& axis, double mass) {
+  ModelBuilder builder;
+  builder.set_gravity(Vec3(0, 0, -9.81));
+  BodyDescription arm;
+  arm.name = "arm";
+  arm.p_WU = Vec3(0.5, 0, 0);
+  arm.inertia = GivenInertia{mass, Vec3::Zero(), mass * Vec3(0.01, 0.1, 0.1), Vec3::Zero()};
+  builder.add_body(arm);
+  ModelBuilder::JointDescription joint;
+  joint.name = "drive";
+  joint.type = type;
+  joint.bodies = {"world", "arm"};
+  joint.anchors = {Vec3::Zero()};
+  joint.axis = Vec3(0, 1, 0);
+  joint.axes = {axis};
+  builder.add_joint(joint);
+  return builder.build();
+}
+
+TEST(MotorStops, AnUnlimitedMotorRunsToItsLimitAndStandsThere) {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int k = 0; k < 4; ++k) {
+    JointAxis axis;
+    axis.lower = -0.1 - 0.4 * unit(random);
+    axis.upper = 0.1 + 0.4 * unit(random);
+    const double speed = (k % 2 == 0 ? 1 : -1) * (2 + 10 * unit(random));
+    axis.motor = JointMotor{speed};
+    const double limit = speed > 0 ? axis.upper : axis.lower;
+    const auto model =
+        driven(k < 2 ? JointType::hinge : JointType::slider, axis, std::pow(10, 4 * unit(random) - 2));
+    for (const Scheme scheme : {Scheme::event_driven, Scheme::hybrid, Scheme::impulse_based,
+                                Scheme::time_stepping, Scheme::penalty}) {
+      Method method;
+      method.scheme = scheme;
+      RunSettings settings;
+      settings.duration = 0.5;
+      settings.step = 0.01;
+      settings.output_interval = 0.005;
+      double beyond = 0, before = 0;
+      const RunResult result =
+          run_simulation(model, method, settings, std::nullopt,
+                         [&](const State& state, const AdvanceReport&, const Auditor&) {
+                           const double value = joint_motions(*model, state).front().coordinates[0];
+                           beyond = std::max({beyond, value - axis.upper, axis.lower - value});
+                           // Two steps away from the limit it has the speed of the motor.
+                           if (state.t > 0 && state.t <= limit / speed - 0.02)
+                             before = std::max(before, std::abs(value - speed * state.t));
+                           return true;
+                         });
+      const JointReaction end = joint_snapshot(*model, method, result.state).front();
+      EXPECT_EQ(result.audit.report.reason, StopReason::reached_end) << result.audit.report.detail;
+      EXPECT_LE(beyond, 1e-9) << method_choice(method, "scheme");
+      EXPECT_LE(before, scheme == Scheme::penalty ? std::abs(speed) * 0.006 : 1e-9);
+      EXPECT_NEAR(end.coordinates[0], limit, 1e-6);
+      EXPECT_NEAR(end.rates[0], 0, 1e-6);
+      // What it did is what the arm has gained: the motor stops it as it set it in motion.
+      EXPECT_NEAR(result.audit.dissipated, 0,
+                  scheme == Scheme::penalty ? 0.02 * std::abs(result.audit.report.work) + 0.01 : 1e-9);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace rigor::motor_stops_test
