@@ -2,6 +2,7 @@
 
 #include "rigor/geometry/shape/convex_hull.hpp"
 #include "rigor/model/model_builder.hpp"
+#include "rigor/model/state.hpp"
 
 #include <cmath>
 #include <memory>
@@ -17,7 +18,9 @@ class Draw {
  public:
   explicit Draw(unsigned seed) : engine_(seed) {}
 
-  double between(double low, double high) { return low + (high - low) * (engine_() / 4294967296.0); }
+  double between(double low, double high) {
+    return low + (high - low) * (static_cast<double>(engine_()) / 4294967296.0);
+  }
   /// With a uniform logarithm.
   double spread(double low, double high) { return low * std::pow(high / low, between(0, 1)); }
   int below(int count) { return static_cast<int>(engine_() % static_cast<unsigned>(count)); }
@@ -56,6 +59,18 @@ inline Shape random_shape(Draw& draw, double size) {
       return Convex{
           std::make_shared<const ConvexHull>(std::get<ConvexHull>(make_convex_hull(octahedron(half))))};
   }
+}
+
+/// Kinetic energy of all bodies [J].
+inline double kinetic_energy_of(const Model& model, const State& state) {
+  double sum = 0;
+  for (int i = 0; i < model.body_count(); ++i) {
+    if (model.body(i).motion != MotionType::dynamic) continue;
+    const Vec3 L_B = state.orientation(i).conjugate() * state.angular_momentum(i);
+    sum += 0.5 * state.linear_momentum(i).squaredNorm() / model.body(i).mass +
+           0.5 * L_B.cwiseAbs2().cwiseQuotient(model.body(i).moments).sum();
+  }
+  return sum;
 }
 
 inline BodyDescription random_body(const std::string& name, const Shape& shape, const Vec3& p_W) {

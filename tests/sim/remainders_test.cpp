@@ -80,7 +80,7 @@ TEST(Remainders, AResumedRunIsTheWholeRunFromAnyPlace) {
       const RunResult whole = run(method, settings);
       for (int k = 0; k < places / 2; ++k) {
         // Every other place is an output, or a rounding beside it.
-        const double part = engine() / 4294967296.0;
+        const double part = static_cast<double>(engine()) / 4294967296.0;
         settings.duration = k % 2 == 0 ? 0.4 * part : 0.1 * (1 + k / 2 % 3);
         SCOPED_TRACE(settings.duration);
         const RunResult first = run(method, settings);
