@@ -5,6 +5,7 @@
 #include "sim/time_stepping_scenes.hpp"
 
 #include "random_vectors.hpp"
+#include "rigor/dynamics/environment.hpp"
 #include "rigor/sim/audit/audit.hpp"
 #include "rigor/sim/audit/contact_snapshot.hpp"
 #include "rigor/sim/make_stepper.hpp"

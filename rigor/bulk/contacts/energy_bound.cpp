@@ -15,9 +15,9 @@ namespace {
 
 /// Gains below this part of the energies of which they are differences are roundings of velocities.
 constexpr double rounding = 1e-6;
-/// So are, for bodies at rest, those of this part of the energy that lifts a body by its radius: springs do
+/// So are gains below that part of this many times the energy that lifts a body by its radius: springs do
 /// not know better what they hold while they swing.
-constexpr double lift_share = 0.1;
+constexpr double lift_share = 10;
 
 /// Kinetic energy between two steps, when the momenta are known.
 double kinetic_energy(const Model& model, int body, const BulkBodies& bodies) {
