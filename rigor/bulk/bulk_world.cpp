@@ -16,6 +16,7 @@
 #include "rigor/bulk/step_balance.hpp"
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/core/interrupt.hpp"
 #include "rigor/dynamics/environment.hpp"
 #include "rigor/math/rotation.hpp"
 
@@ -172,9 +173,13 @@ void BulkWorld::read(const State& state) {
   if (scratch_->sleepers) scratch_->sleepers->read(state.quiet_time, bodies_);
 }
 
-void BulkWorld::write(State& state) const {
+void BulkWorld::write_bodies(State& state) const {
   state.t = t_;
   write_bulk_bodies(*model_, bodies_, state);
+}
+
+void BulkWorld::write(State& state) const {
+  write_bodies(state);
   state.manifolds = memory_.values();
   state.joint_impulses = scratch_->joint_impulses;
   state.quiet_time = scratch_->sleepers ? scratch_->sleepers->quiet_time() : std::vector<float>{};
@@ -227,6 +232,7 @@ BulkStepReport BulkWorld::step_in_parts(double h, double whole, int parts) {
   BulkStepReport report;
   memory_ = memory_.scaled(1 / static_cast<float>(parts));
   for (int k = 0; k < parts; ++k) {
+    if (k > 0) poll_interrupt();
     s.prescribed.place(*model_, t_, h / parts, h * (parts - k) / parts, bodies_);
     find_contacts(h / parts);
     report.add(take_step(h / parts, whole / parts));

@@ -70,6 +70,8 @@ class BulkWorld {
   void set_contact_filter(std::function<bool(int, int)> may_touch);
   void read(const State& state);
   void write(State& state) const;
+  /// The bodies alone: where they are and how they move.
+  void write_bodies(State& state) const;
   /// Takes one step of h > 0 [s].
   BulkStepReport step(double h) { return step(h, h); }
   /// The first h of a step of the length `whole` >= h [s], after steps of that length: its springs and

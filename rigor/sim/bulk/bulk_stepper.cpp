@@ -45,10 +45,9 @@ double BulkStepper::step_towards(double t_end, double t, [[maybe_unused]] State&
   return t_end;
 }
 
-void BulkStepper::end_span(double t, State& state) {
-  // After a broken step the State stays as it was at the last output, where everything is finite.
+void BulkStepper::show_step(double t, State& state) {
   if (report_.reason == StopReason::not_finite) return;
-  world_.write(state);
+  world_.write_bodies(state);
   state.t = t;
 
   // Where paths take kinematic bodies, in double precision.
@@ -58,6 +57,13 @@ void BulkStepper::end_span(double t, State& state) {
     const PrescribedMotion motion = prescribed_motion(body, t);
     state.set_body(i, motion.p_WB, motion.q_WB, Vec3::Zero(), Vec3::Zero());
   }
+}
+
+void BulkStepper::end_span(double t, State& state) {
+  // After a broken step the State stays as it was at the last output, where everything is finite.
+  if (report_.reason == StopReason::not_finite) return;
+  world_.write(state);
+  show_step(t, state);
   state.anchor_here();
 }
 

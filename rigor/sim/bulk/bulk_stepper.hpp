@@ -26,6 +26,7 @@ class BulkStepper : public FixedStepStepper {
  private:
   void begin_span(double first_end, State& state) override;
   double step_towards(double t_end, double t, State& state) override;
+  void show_step(double t, State& state) override;
   void end_span(double t, State& state) override;
   void note(const BulkStepReport& step, double t, double t_end);
   int find_broken_body() const;

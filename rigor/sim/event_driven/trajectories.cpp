@@ -93,9 +93,10 @@ double Trajectories::window_end(int body, double t) const {
 
   // Bodies without a box are watched as long as their motion lasts.
   const bool is_tracked = is_bounded(body) && !model_.body(body).shapes.empty();
-  // No shorter than time can be resolved, however small and fast the body is.
-  return is_tracked ? std::min(motion.end(), t + std::max(window_length(body, t), 8 * kEpsilon * std::abs(t)))
-                    : motion.end();
+  // Not so short, however small and fast the body is, that a run would be of windows only.
+  constexpr double least = 1e5;  // In units of the time tolerance.
+  const double shortest = std::max(least * options_.time_tolerance, 8 * kEpsilon * std::abs(t));
+  return is_tracked ? std::min(motion.end(), t + std::max(window_length(body, t), shortest)) : motion.end();
 }
 
 void Trajectories::begin_window(int body, double t, EventQueue& queue) {
@@ -166,13 +167,16 @@ void Trajectories::predict(const std::vector<int>& bodies, double t, EventQueue&
 
 void Trajectories::restore(const std::vector<int>& bodies, double t, EventQueue& queue) {
   for (const int body : bodies) {
-    // The windows since the motion began, as they came to be.
+    // The windows since the motion began, as they came to be; after millions of them a new one will do.
+    constexpr long most_windows = 3000000;
     double begin = tracks_[at(body)].motion.begin();
-    for (double end = window_end(body, begin); end < t; end = window_end(body, begin)) {
+    long count = 0;
+    for (double end = window_end(body, begin); end < t && count < most_windows; ++count) {
       poll_interrupt();
       begin = end;
+      end = window_end(body, begin);
     }
-    begin_window(body, begin, queue);
+    begin_window(body, count < most_windows ? begin : t, queue);
   }
 }
 

@@ -34,10 +34,11 @@ AdvanceReport FixedStepStepper::pass(State& state, double t_end, double t_look) 
       if (is_interrupted()) {
         report_.reason = StopReason::interrupted;
       } else {
-        const State before = state;
+        before_.t = state.t;
+        before_.x = state.x, before_.q = state.q, before_.P = state.P, before_.L = state.L;
         t_ = step_towards(end, t_, state);
         show_step(t_, state);
-        witness_.watch(before, state, report_);
+        witness_.watch(before_, state, report_);
       }
     }
   }

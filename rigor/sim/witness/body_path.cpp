@@ -19,8 +19,16 @@ PathPiece::PathPiece(double begin, double end, const StraightWay& way)
 Pose PathPiece::pose(double t) const {
   if (const Motion* motion = std::get_if<Motion>(&way_)) return motion->sample(t).X_WB;
   const StraightWay& way = std::get<StraightWay>(way_);
+  if (way.turn_W.isZero(0)) return {rotation_matrix(way.q), position(t)};
   const double theta = end_ > begin_ ? (t - begin_) / (end_ - begin_) : 0;
-  return {rotation_matrix(rotation_exp(theta * way.turn_W) * way.q), way.from + theta * (way.to - way.from)};
+  return {rotation_matrix(rotation_exp(theta * way.turn_W) * way.q), position(t)};
+}
+
+Vec3 PathPiece::position(double t) const {
+  if (const Motion* motion = std::get_if<Motion>(&way_)) return motion->position(t);
+  const StraightWay& way = std::get<StraightWay>(way_);
+  const double theta = end_ > begin_ ? (t - begin_) / (end_ - begin_) : 0;
+  return way.from + theta * (way.to - way.from);
 }
 
 bool PathPiece::knows_orientation() const {

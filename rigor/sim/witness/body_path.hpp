@@ -25,6 +25,7 @@ class PathPiece {
   double begin() const { return begin_; }
   double end() const { return end_; }
   Pose pose(double t) const;
+  Vec3 position(double t) const;  ///< Of the centre of mass [m].
   /// Box that holds the centre of mass over [ta, tb].
   Aabb centre_box(double ta, double tb) const;
   /// Upper bound of |ω| [rad/s].

@@ -5,6 +5,7 @@
 #include "rigor/core/rounding.hpp"
 #include "rigor/geometry/mesh/triangle_tree.hpp"
 #include "rigor/geometry/rays/ray_cast.hpp"
+#include "rigor/math/rotation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,13 +27,14 @@ bool goes_in(const Shape& shape, const RayHit& hit) {
 class Pursuit {
  public:
   Pursuit(const PathPiece& of_marker, const Vec3& p_B, double clearance, const PathPiece& of_solid,
-          const Body& solid)
+          const Body& solid, const BodyShape& shape)
       : of_marker_(of_marker),
         p_B_(p_B),
         offset_(p_B.norm()),
         clearance_(clearance),
         of_solid_(of_solid),
-        solid_(solid) {}
+        solid_(solid),
+        shape_(shape) {}
 
   /// When the marker first enters the solid in [ta, tb] [s].
   std::optional<double> first_entry(double ta, double tb) const {
@@ -62,6 +64,8 @@ class Pursuit {
         (tb - ta) * std::max(of_solid_.angular_speed(), offset_ > 0 ? of_marker_.angular_speed() : 0.0);
     const bool is_straight = turn <= largest_turn && (m - 0.5 * (a + b)).norm() <= 0.25 * clearance_;
     if (!is_straight && halvings < most_halvings) {
+      constexpr int many_chords = 8;
+      if (halvings == many_chords) poll_interrupt();
       if (const auto early = between(ta, a, tm, m, halvings + 1)) return early;
       return between(tm, m, tb, b, halvings + 1);
     }
@@ -72,13 +76,10 @@ class Pursuit {
   }
 
   std::optional<double> entry_of_chord(const Vec3& a, const Vec3& b) const {
-    std::optional<double> first;
-    for (const BodyShape& shape : solid_.shapes) {
-      for (const RayHit& hit : find_ray_hits(shape.shape, shape.X_BS, {a, b - a, 1})) {
-        if (goes_in(shape.shape, hit) && (!first || hit.fraction < *first)) first = hit.fraction;
-      }
+    for (const RayHit& hit : find_ray_hits(shape_.shape, shape_.X_BS, {a, b - a, 1})) {
+      if (goes_in(shape_.shape, hit)) return hit.fraction;
     }
-    return first;
+    return std::nullopt;
   }
 
   const PathPiece& of_marker_;
@@ -86,12 +87,15 @@ class Pursuit {
   double offset_, clearance_;
   const PathPiece& of_solid_;
   const Body& solid_;
+  const BodyShape& shape_;
 };
 
-Aabb box_of(const BodyPath& path, double margin) {
+Aabb box_of(const BodyPath& path) {
+  // Nothing is found of a body without a path, wherever its box is.
+  if (path.empty()) return {Vec3::Zero(), Vec3::Zero()};
   Aabb box{Vec3::Constant(kInfinity), Vec3::Constant(-kInfinity)};
   for (const PathPiece& piece : path) box = box.united(piece.centre_box(piece.begin(), piece.end()));
-  return box.grown(margin);
+  return box;
 }
 
 }  // namespace
@@ -109,13 +113,20 @@ PassageWitness::PassageWitness(std::shared_ptr<const Model> model)
         offset = std::max(offset, markers.back().p_B.norm());
       }
     }
+    const Body& body = model_->body(i);
+    const Pose X_WB{rotation_matrix(body.q_WB), body.p_WB};
+    for (int k = 0; k < static_cast<int>(body.shapes.size()); ++k) {
+      const BodyShape& shape = body.shapes[at(k)];
+      solid_of_.push_back({i, k});
+      solids_.push_back(axis_aligned_box(shape.shape, X_WB * shape.X_BS));
+    }
     markers_.push_back(std::move(markers));
     offset_.push_back(offset);
   }
 }
 
-/// The first time at which a marker of body a enters body b.
-std::optional<double> PassageWitness::entry_of(int a, int b, const BodyPath& of_a,
+/// The first time at which a marker of body a enters a shape of body b.
+std::optional<double> PassageWitness::entry_of(int a, const Solid& solid, const BodyPath& of_a,
                                                const BodyPath& of_b) const {
   std::optional<double> first;
   // Where pieces of both overlap in time; both lists are in order.
@@ -125,7 +136,8 @@ std::optional<double> PassageWitness::entry_of(int a, int b, const BodyPath& of_
       // What the unknown orientation of either body would move is not followed.
       const double sway = i->knows_orientation() ? 0 : marker.p_B.norm();
       if (!(end > begin) || !j->knows_orientation() || sway > 0.25 * marker.clearance) continue;
-      const Pursuit pursuit(*i, marker.p_B, marker.clearance, *j, model_->body(b));
+      const Body& b = model_->body(solid.body);
+      const Pursuit pursuit(*i, marker.p_B, marker.clearance, *j, b, b.shapes[at(solid.shape)]);
       const std::optional<double> entry = pursuit.first_entry(begin, first ? *first : end);
       if (entry) first = entry;
     }
@@ -134,28 +146,46 @@ std::optional<double> PassageWitness::entry_of(int a, int b, const BodyPath& of_
   return first;
 }
 
-void PassageWitness::watch(std::span<const BodyPath> paths, AdvanceReport& report) {
-  // The boxes that hold the solids along their paths.
-  std::vector<BoxItem> solids;
-  for (int i = 0; i < model_->body_count(); ++i) {
-    if (paths[at(i)].empty() || model_->body(i).shapes.empty()) continue;
-    solids.push_back({i, box_of(paths[at(i)], model_->body(i).bounding_radius)});
+/// Enters the passages of the pairs of which the box of a body's ways, grown by its markers' arms, meets that
+/// of the other, grown by its radius. `pieces` gives the path of a body.
+template <class Pieces>
+void PassageWitness::watch_ways(std::span<const Aabb> ways, const Pieces& pieces, AdvanceReport& report) {
+  // The boxes that hold the solids along their ways.
+  for (std::size_t k = 0; k < solids_.size(); ++k) {
+    const int i = solid_of_[k].body;
+    const Body& body = model_->body(i);
+    if (body.motion != MotionType::fixed) solids_[k] = ways[at(i)].grown(body.bounding_radius);
   }
-  tree_.clear();
-  tree_.build(solids);
+  // The tree is made anew now and then: it gets worse the farther the boxes move.
+  constexpr long refits = 64;
+  if (watches_++ % refits == 0) {
+    std::vector<BoxItem> items;
+    for (std::size_t k = 0; k < solids_.size(); ++k) items.push_back({static_cast<int>(k), solids_[k]});
+    tree_.clear();
+    tree_.build(items);
+  } else {
+    tree_.refit(solids_);
+  }
 
   // Each body's markers against the solids whose boxes its way meets.
   std::vector<int> near;
   for (int a = 0; a < model_->body_count(); ++a) {
-    if (markers_[at(a)].empty() || paths[at(a)].empty()) continue;
-    poll_interrupt();
-    tree_.overlapping(box_of(paths[at(a)], offset_[at(a)]), near);
-    for (const int b : near) {
-      if (b == a || !model_->may_collide(a, b)) continue;
-      const auto entry = entry_of(a, b, paths[at(a)], paths[at(b)]);
-      if (entry) report.note_passage(a, b, *entry);
+    if (markers_[at(a)].empty()) continue;
+    tree_.overlapping(ways[at(a)].grown(offset_[at(a)]), near);
+    for (const int k : near) {
+      const Solid& solid = solid_of_[at(k)];
+      if (solid.body == a || !model_->may_collide(a, solid.body)) continue;
+      const auto entry = entry_of(a, solid, pieces(a), pieces(solid.body));
+      if (entry) report.note_passage(a, solid.body, *entry);
     }
   }
+}
+
+void PassageWitness::watch(std::span<const BodyPath> paths, AdvanceReport& report) {
+  std::vector<Aabb> ways;
+  for (const BodyPath& path : paths) ways.push_back(box_of(path));
+  watch_ways(
+      ways, [&](int body) -> const BodyPath& { return paths[at(body)]; }, report);
 }
 
 PathPiece PassageWitness::way_of(int i, const State& before, const State& after) const {
@@ -165,7 +195,8 @@ PathPiece PassageWitness::way_of(int i, const State& before, const State& after)
       straight_way(before.position(i), before.orientation(i), after.position(i), after.orientation(i),
                    angular_velocity(*model_, before, i), angular_velocity(*model_, after, i), h);
   way.keeps_axis = body.motion != MotionType::dynamic;
-  if (way.keeps_axis) return {before.t, after.t, way};
+  constexpr double little = 0.5;  // What turns by less keeps near its axis [rad].
+  if (way.keeps_axis || way.turn_W.norm() <= little) return {before.t, after.t, way};
 
   // The flight with the momenta of the end, after what impacts there may have been at the beginning: if it
   // leads from the one place to the other, it is what happened.
@@ -185,15 +216,29 @@ PathPiece PassageWitness::way_of(int i, const State& before, const State& after)
 
 void PassageWitness::watch(const State& before, const State& after, AdvanceReport& report) {
   if (!(after.t > before.t)) return;
-  std::vector<BodyPath> paths(at(model_->body_count()));
+  // Where the centres go, straight or in flight.
+  const double h = after.t - before.t;
+  std::vector<Aabb> ways;
   for (int i = 0; i < model_->body_count(); ++i) {
-    if (model_->body(i).shapes.empty()) continue;
+    const Vec3 from = before.position(i), to = after.position(i);
     // What is not finite stops the run by itself.
-    if (!after.position(i).allFinite() || !after.orientation(i).coeffs().allFinite()) continue;
-    if (!after.angular_momentum(i).allFinite()) continue;
-    paths[at(i)].push_back(way_of(i, before, after));
+    if (!to.allFinite() || !after.orientation(i).coeffs().allFinite() ||
+        !after.angular_momentum(i).allFinite())
+      return;
+    const double sag = model_->body(i).motion == MotionType::dynamic
+                           ? 0.125 * h * h * environment_.steady_acceleration(i).norm()
+                           : 0;
+    ways.push_back(Aabb{from.cwiseMin(to), from.cwiseMax(to)}.grown(sag));
   }
-  watch(paths, report);
+
+  // Paths are made of the few bodies that come near another.
+  std::vector<BodyPath> paths(at(model_->body_count()));
+  const auto path_of = [&](int body) -> const BodyPath& {
+    BodyPath& path = paths[at(body)];
+    if (path.empty()) path.push_back(way_of(body, before, after));
+    return path;
+  };
+  watch_ways(ways, path_of, report);
 }
 
 }  // namespace rigor

@@ -39,14 +39,23 @@ class PassageWitness {
     Vec3 p_B;
     double clearance;
   };
+  /// A shape of a body.
+  struct Solid {
+    int body, shape;
+  };
+  template <class Pieces>
+  void watch_ways(std::span<const Aabb> ways, const Pieces& pieces, AdvanceReport& report);
   PathPiece way_of(int body, const State& before, const State& after) const;
-  std::optional<double> entry_of(int a, int b, const BodyPath& of_a, const BodyPath& of_b) const;
+  std::optional<double> entry_of(int a, const Solid& solid, const BodyPath& of_a, const BodyPath& of_b) const;
 
   std::shared_ptr<const Model> model_;
   Environment environment_;
   std::vector<std::vector<Marker>> markers_;  ///< Of each body.
-  std::vector<double> offset_;  ///< Of each body: its farthest marker from the centre of mass [m].
+  std::vector<double> offset_;   ///< Of each body: its farthest marker from the centre of mass [m].
+  std::vector<Solid> solid_of_;  ///< All shapes of all bodies,
+  std::vector<Aabb> solids_;     ///< and the boxes that hold them; those of fixed bodies stay.
   AabbTree tree_;
+  long watches_ = 0;
 };
 
 }  // namespace rigor
