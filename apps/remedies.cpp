@@ -58,7 +58,8 @@ std::vector<Remedy> after_stop(const Audit& audit) {
     case StopReason::impact_unsolved:
       if (method.scheme == Scheme::impulse_based) return {time_stepping(), event_driven()};
       return {time_stepping()};
-    case StopReason::broken_promise:  // The motion was one that the promise had not foreseen: a shorter step may.
+    case StopReason::broken_promise:  // The motion was one that the promise had not foreseen: a shorter step
+                                      // may.
     case StopReason::not_finite:
       break;
   }

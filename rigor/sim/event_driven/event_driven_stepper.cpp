@@ -322,8 +322,8 @@ bool EventDrivenStepper::time_stands_still(const std::vector<int>& seeds) {
         apart <= 4 * std::max(method_.time_tolerance, std::numeric_limits<double>::epsilon() * t_);
     repeats_[at(body)] = is_crowded ? repeats_[at(body)] + 1 : 0;
     last_event_[at(body)] = t_;
-    // A pair whose approach is a rounding of velocities has no impact that could end it: its contact goes on at
-    // velocity level, where time goes on with it.
+    // A pair whose approach is a rounding of velocities has no impact that could end it: its contact goes on
+    // at velocity level, where time goes on with it.
     if (repeats_[at(body)] == patience && is_dynamic(body)) stepping_.go_to_velocity_level({body});
     if (repeats_[at(body)] <= most_events) continue;
     report_.reason = StopReason::events_accumulate;
