@@ -146,16 +146,10 @@ std::optional<double> PassageWitness::entry_of(int a, const Solid& solid, const 
   return first;
 }
 
-/// Enters the passages of the pairs of which the box of a body's ways, grown by its markers' arms, meets that
-/// of the other, grown by its radius. `pieces` gives the path of a body.
+/// Enters the passages of the pairs of which the box of a body's markers along their ways meets that of a
+/// solid. `pieces` gives the path of a body.
 template <class Pieces>
 void PassageWitness::watch_ways(std::span<const Aabb> ways, const Pieces& pieces, AdvanceReport& report) {
-  // The boxes that hold the solids along their ways.
-  for (std::size_t k = 0; k < solids_.size(); ++k) {
-    const int i = solid_of_[k].body;
-    const Body& body = model_->body(i);
-    if (body.motion != MotionType::fixed) solids_[k] = ways[at(i)].grown(body.bounding_radius);
-  }
   // The tree is made anew now and then: it gets worse the farther the boxes move.
   constexpr long refits = 64;
   if (watches_++ % refits == 0) {
@@ -171,7 +165,7 @@ void PassageWitness::watch_ways(std::span<const Aabb> ways, const Pieces& pieces
   std::vector<int> near;
   for (int a = 0; a < model_->body_count(); ++a) {
     if (markers_[at(a)].empty()) continue;
-    tree_.overlapping(ways[at(a)].grown(offset_[at(a)]), near);
+    tree_.overlapping(ways[at(a)], near);
     for (const int k : near) {
       const Solid& solid = solid_of_[at(k)];
       if (solid.body == a || !model_->may_collide(a, solid.body)) continue;
@@ -184,8 +178,14 @@ void PassageWitness::watch_ways(std::span<const Aabb> ways, const Pieces& pieces
 void PassageWitness::watch(std::span<const BodyPath> paths, AdvanceReport& report) {
   std::vector<Aabb> ways;
   for (const BodyPath& path : paths) ways.push_back(box_of(path));
-  watch_ways(
-      ways, [&](int body) -> const BodyPath& { return paths[at(body)]; }, report);
+  for (std::size_t k = 0; k < solids_.size(); ++k) {
+    const Body& body = model_->body(solid_of_[k].body);
+    if (body.motion != MotionType::fixed)
+      solids_[k] = ways[at(solid_of_[k].body)].grown(body.bounding_radius);
+  }
+  for (std::size_t i = 0; i < ways.size(); ++i) ways[i] = ways[i].grown(offset_[i]);
+  const auto path_of = [&](int body) -> const BodyPath& { return paths[at(body)]; };
+  watch_ways(ways, path_of, report);
 }
 
 PathPiece PassageWitness::way_of(int i, const State& before, const State& after) const {
@@ -229,6 +229,37 @@ void PassageWitness::watch(const State& before, const State& after, AdvanceRepor
                            ? 0.125 * h * h * environment_.steady_acceleration(i).norm()
                            : 0;
     ways.push_back(Aabb{from.cwiseMin(to), from.cwiseMax(to)}.grown(sag));
+  }
+
+  // What turns by little lies within its boxes at both ends, and between them by the sagitta of its arc.
+  constexpr double little = 0.5;  // [rad].
+  std::size_t k = 0;
+  for (int i = 0; i < model_->body_count(); ++i) {
+    const Body& body = model_->body(i);
+    const std::size_t first = k;
+    k += body.shapes.size();
+    const bool is_fixed = body.motion == MotionType::fixed;
+    const double turn =
+        h * std::max(angular_velocity(*model_, before, i).norm(), angular_velocity(*model_, after, i).norm());
+    if (!is_fixed && (!(turn <= little) || std::isinf(body.bounding_radius))) {
+      std::fill(solids_.begin() + static_cast<std::ptrdiff_t>(first),
+                solids_.begin() + static_cast<std::ptrdiff_t>(k), ways[at(i)].grown(body.bounding_radius));
+      ways[at(i)] = ways[at(i)].grown(offset_[at(i)]);
+      continue;
+    }
+    const Pose at_begin{rotation_matrix(before.orientation(i)), before.position(i)};
+    const Pose at_end{rotation_matrix(after.orientation(i)), after.position(i)};
+    for (std::size_t n = first; n < k && !is_fixed; ++n) {
+      const BodyShape& shape = body.shapes[n - first];
+      solids_[n] = axis_aligned_box(shape.shape, at_begin * shape.X_BS)
+                       .united(axis_aligned_box(shape.shape, at_end * shape.X_BS))
+                       .grown(turn * turn * body.bounding_radius);
+    }
+    for (const Marker& marker : markers_[at(i)]) {
+      const Vec3 p = at_begin * marker.p_B, q = at_end * marker.p_B;
+      ways[at(i)] = ways[at(i)].united({p.cwiseMin(q), p.cwiseMax(q)});
+    }
+    ways[at(i)] = ways[at(i)].grown(turn * turn * offset_[at(i)]);
   }
 
   // Paths are made of the few bodies that come near another.
