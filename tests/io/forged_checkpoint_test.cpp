@@ -160,7 +160,8 @@ TEST(ForgedCheckpoint, NamesWhatCannotBe) {
   EXPECT_EQ(refusal([](Checkpoint& c) { c.audit.report.penetration_A = 4; }),
             "its audit names a body that does not exist");
   EXPECT_EQ(refusal([](Checkpoint& c) { c.audit.report.work = NAN; }), "a number of its audit is not finite");
-  EXPECT_EQ(refusal([](Checkpoint& c) { c.audit.report.impacts = -1; }), "a count of its audit is negative");
+  EXPECT_EQ(refusal([](Checkpoint& c) { c.audit.report.impacts = -1; }),
+            "a count of its audit is negative or beyond any run");
   EXPECT_EQ(refusal([](Checkpoint& c) { c.audit.sim_time = -1; }), "its audit has a negative time");
 }
 

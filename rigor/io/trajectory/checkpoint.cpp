@@ -79,7 +79,9 @@ std::string audit_error(const Model& model, const Audit& audit) {
        {report.steps, report.impacts, report.resting, report.separations, report.slip_to_stick,
         report.distance_queries, report.fallbacks, report.coarse_steps, long{report.max_iterations},
         report.passages.instants, report.inconsistent.instants, report.indeterminate.instants}) {
-    if (count < 0) return "a count of its audit is negative";
+    // No run counts so far, and sums with such counts would overflow.
+    constexpr long most = 1L << 53;
+    if (count < 0 || count > most) return "a count of its audit is negative or beyond any run";
   }
   for (const double largest : {report.toi_bracket, report.max_penetration, report.max_joint_drift,
                                report.max_joint_projection, report.max_residual, report.quaternion_drift}) {
