@@ -58,6 +58,9 @@ if [ "$scope" = all ]; then
   echo "== random bodies against thin plates and blades: 10,000 for each scheme"
   nice -n 19 tools/passing_study.py --program build/release/rigor --jobs "$jobs" --bodies 10000 --cpu-limit 60
 
+  echo "== meshes against the same solids as convex shapes: 2,000 poses a cell"
+  tools/study_meshes.sh 2000
+
   echo "== hostile scenes, changed files, and ends by SIGTERM"
   nice -n 19 tools/fuzz_program.py build/release/rigor --jobs "$jobs"
   nice -n 19 tools/check_interrupts.py build/release/rigor

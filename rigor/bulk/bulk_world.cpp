@@ -11,13 +11,12 @@
 #include "rigor/bulk/narrow_phase/narrow_phase.hpp"
 #include "rigor/bulk/passing/passing_guard.hpp"
 #include "rigor/bulk/sleep/sleepers.hpp"
-#include "rigor/bulk/state/drag.hpp"
 #include "rigor/bulk/state/prescribed_bodies.hpp"
 #include "rigor/bulk/step_balance.hpp"
+#include "rigor/bulk/step_forces.hpp"
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/core/interrupt.hpp"
-#include "rigor/dynamics/environment.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <algorithm>
@@ -52,7 +51,7 @@ struct BulkWorld::Scratch {
         energy_bound(model),
         passing(model),
         balance(model),
-        environment(model, PointSprings::act, false) {}
+        forces(model) {}
 
   Executor executor;
   PairFinder pair_finder;
@@ -66,17 +65,11 @@ struct BulkWorld::Scratch {
   EnergyBound energy_bound;
   PassingGuard passing;
   StepBalance balance;
-  Environment environment;
+  StepForces forces;
   std::optional<Sleepers> sleepers;  ///< Only if bodies may sleep.
   std::vector<ShapePair> pairs;
   ManifoldList manifolds;
   std::vector<float> joint_impulses;
-  struct GivenWrench {
-    int body;
-    Wrench wrench;
-  };
-  std::vector<GivenWrench> given;        ///< Wrenches for the next step, in the order of the calls.
-  std::vector<MotionRow> accelerations;  ///< Changes of velocity per second, by forces of the environment.
   std::vector<MotionRow> turns;          ///< Changes of angular velocity in a substep, by gyroscopic terms.
   std::vector<MotionRow> unconstrained;  ///< Velocities of a substep before its constraints.
   std::vector<char> touches;             ///< Whether each body may touch another in the step.
@@ -94,7 +87,7 @@ BulkWorld::~BulkWorld() = default;
 
 void BulkWorld::add_wrench(int body, const Wrench& wrench) {
   RIGOR_ASSERT(model_->body(body).motion == MotionType::dynamic);
-  scratch_->given.push_back({body, wrench});
+  scratch_->forces.give(body, wrench);
   wake(body);
 }
 
@@ -165,7 +158,7 @@ void BulkWorld::set_contact_filter(std::function<bool(int, int)> may_touch) {
 }
 
 void BulkWorld::read(const State& state) {
-  scratch_->given.clear();
+  scratch_->forces.clear_given();
   t_ = state.t;
   bodies_ = read_bulk_bodies(*model_, state);
   memory_ = state.manifolds;
@@ -193,22 +186,6 @@ void BulkWorld::wake(int body) {
   if (scratch_->sleepers) scratch_->sleepers->disturb(body);
 }
 
-void BulkStepReport::add(const BulkStepReport& later) {
-  pair_count = later.pair_count, manifold_count = later.manifold_count, point_count = later.point_count;
-  direct_islands = later.direct_islands, sleeping_count = later.sleeping_count;
-  impacts.insert(impacts.end(), later.impacts.begin(), later.impacts.end());
-  momentum_error += later.momentum_error;
-  work += later.work;
-  if (later.max_overlap > max_overlap) {
-    max_overlap = later.max_overlap;
-    overlap_A = later.overlap_A, overlap_B = later.overlap_B;
-  }
-  if (later.max_joint_error > max_joint_error) {
-    max_joint_error = later.max_joint_error;
-    worst_joint = later.worst_joint;
-  }
-}
-
 BulkStepReport BulkWorld::step(double h, double whole) {
   Scratch& s = *scratch_;
   RIGOR_ASSERT(0 < h && h <= whole);
@@ -221,7 +198,7 @@ BulkStepReport BulkWorld::step(double h, double whole) {
   const int parts = s.passing.parts_of(bodies_, s.pairs, h);
   BulkStepReport report = parts > 1 ? step_in_parts(h, whole, parts) : take_step(h, whole);
   // What was given for this step ends with it.
-  s.given.clear();
+  s.forces.clear_given();
   s.prescribed.arrive(bodies_);
   return report;
 }
@@ -252,14 +229,14 @@ BulkStepReport BulkWorld::take_step(double h, double whole) {
   BulkStepReport report;
   s.executor.run_both([&] { s.contacts.colour(bodies_); },
                       [&] {
-                        report = describe_contacts();
+                        report = describe_contacts(*model_, s.pairs, s.manifolds);
                         find_touching_bodies();
                         find_direct_islands(substep);
                       });
   // Forces are constant for the step; gyroscopic terms and joints are prepared for it.
   begin_bulk_step(*model_, s.executor, bodies_, s.touches);
-  compute_accelerations(h);
-  add_given_wrenches();
+  s.forces.compute(bodies_, h, s.executor);
+  s.unconstrained.resize(bodies_.x.size());
   find_bodies_outside_chains();
   s.gyroscopic_terms.prepare(bodies_, s.outside_chains, s.executor);
   s.joints.prepare(bodies_, substep, s.executor);
@@ -269,7 +246,7 @@ BulkStepReport BulkWorld::take_step(double h, double whole) {
   s.contacts.prepare(bodies_, substep, whole / settings_.substeps, s.direct, s.executor);
   if (s.contacts.has_restitution()) s.bounce_limits.begin(bodies_, s.executor);
   // Chains that touch nothing need no contacts and take all of their substeps at once.
-  s.joints.advance_contact_free_chains(s.accelerations, settings_.substeps, bodies_, s.executor);
+  s.joints.advance_contact_free_chains(s.forces.accelerations(), settings_.substeps, bodies_, s.executor);
   // Substeps, whose impulses are added up: the energies of the springs follow from the sums.
   for (int k = 0; k < settings_.substeps; ++k) {
     take_substep(k == 0, static_cast<float>(substep));
@@ -281,8 +258,8 @@ BulkStepReport BulkWorld::take_step(double h, double whole) {
   stop_passing(h);
   // The balance is made before bodies are moved: arms are those of the beginning of the step.
   if (settings_.measures) {
-    s.balance.end(bodies_, s.accelerations, h, s.contacts, s.direct, report);
-    report.work += work_of_forces();
+    s.balance.end(bodies_, s.forces.accelerations(), h, s.contacts, s.direct, report);
+    report.work += s.forces.work(bodies_);
   }
   end_step(h, report);
   return report;
@@ -295,9 +272,9 @@ void BulkWorld::stop_passing(double h) {
   const std::vector<PassingGuard::Stopped>& all =
       s.passing.stop(s.pairs, pair_margin(h), s.executor, bodies_);
   // Displacements are final now, and the work of the forces over them.
-  s.energy_bound.add_work(bodies_, s.accelerations, s.executor);
+  s.energy_bound.add_work(bodies_, s.forces.accelerations(), s.executor);
   for (const PassingGuard::Stopped& stopped : all) {
-    MotionRow& row = s.accelerations[at(stopped.body)];
+    MotionRow& row = s.forces.accelerations()[at(stopped.body)];
     MotionRecord& motion = bodies_.motion[at(stopped.body)];
     if (!(row[0] * motion.dp[0] + row[1] * motion.dp[1] + row[2] * motion.dp[2] > 0)) continue;
     const float share = static_cast<float>(stopped.share);
@@ -385,7 +362,7 @@ void BulkWorld::take_substep(bool is_first, float h) {
 void BulkWorld::bounce_apart() {
   Scratch& s = *scratch_;
   if (!s.contacts.find_bounces(bodies_, s.executor)) return;
-  s.bounce_limits.limit(bodies_, s.accelerations, s.executor, s.contacts);
+  s.bounce_limits.limit(bodies_, s.forces.accelerations(), s.executor, s.contacts);
   s.contacts.bounce_apart(*model_, bodies_, s.executor);
 }
 
@@ -407,85 +384,12 @@ int BulkWorld::solve_directly(double h) {
   const auto free_change = [&](int body) {
     const std::size_t k = at(body);
     MotionRow change = s.gyroscopic_terms.has_any() ? s.turns[k] : MotionRow{};
-    for (std::size_t j = 0; j < change.size(); ++j) change[j] += step * s.accelerations[k][j];
+    for (std::size_t j = 0; j < change.size(); ++j) change[j] += step * s.forces.accelerations()[k][j];
     return change;
   };
   // The islands are solved to the end of the step, in motion space (section 6 of docs/theory/bulk.md).
   s.direct.solve({h, settings_.substeps, s.contacts.manifolds(), free_change}, bodies_);
   return s.direct.island_count();
-}
-
-void BulkWorld::compute_accelerations(double h) {
-  Scratch& s = *scratch_;
-  const std::size_t count = bodies_.x.size();
-  s.accelerations.resize(count);
-  s.unconstrained.resize(count);
-  const auto view = [&](int body) {
-    const std::size_t k = at(body);
-    const MotionRecord& m = bodies_.motion[k];
-    return Environment::BodyView{bodies_.x[k], Vec3(m.v[0], m.v[1], m.v[2]), Vec3(m.w[0], m.w[1], m.w[2]),
-                                 bodies_.q[k].toRotationMatrix(), bodies_.is_dynamic(body)};
-  };
-  s.executor.for_ranges(bodies_.count(), 256, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) {
-      MotionRow& row = s.accelerations[at(i)];
-      row = {};
-      if (!bodies_.is_dynamic(i)) continue;
-      // Gravity and constant forces are known once for all; other forces are those of now, and drag is
-      // integrated over the step, so that none is too strong for it.
-      Vec3 a = s.environment.steady_acceleration(i), alpha = Vec3::Zero();
-      if (s.environment.is_forced(i)) {
-        Wrench wrench;
-        s.environment.apply_env_forces(std::span(&i, 1), view, std::span(&wrench, 1));
-        const MeanAcceleration mean =
-            mean_acceleration(model_->body(i), s.environment.drag(i), view(i).R, wrench, h);
-        a = mean.a;
-        alpha = mean.alpha;
-      }
-      for (std::size_t k = 0; k < 3; ++k) {
-        row[k] = static_cast<float>(a[static_cast<Eigen::Index>(k)]);
-        row[4 + k] = static_cast<float>(alpha[static_cast<Eigen::Index>(k)]);
-      }
-    }
-  });
-}
-
-void BulkWorld::add_given_wrenches() {
-  Scratch& s = *scratch_;
-  for (const Scratch::GivenWrench& given : s.given) {
-    const Body& body = model_->body(given.body);
-    const Quat& q_WB = bodies_.q[at(given.body)];
-    const Vec3 a = given.wrench.f_W / body.mass;
-    // α = I⁻¹ τ along the principal axes.
-    const Vec3 alpha = q_WB * (q_WB.conjugate() * given.wrench.tau_W).cwiseQuotient(body.moments);
-    MotionRow& row = s.accelerations[at(given.body)];
-    for (std::size_t k = 0; k < 3; ++k) {
-      row[k] += static_cast<float>(a[static_cast<Eigen::Index>(k)]);
-      row[4 + k] += static_cast<float>(alpha[static_cast<Eigen::Index>(k)]);
-    }
-  }
-}
-
-/// The work of forces that have no potential: the forces of the beginning of the step over its displacements.
-double BulkWorld::work_of_forces() const {
-  const Scratch& s = *scratch_;
-  double work = 0;
-  // Wrenches that the user gave are constant in the step.
-  for (const Scratch::GivenWrench& given : s.given) {
-    const MotionRecord& m = bodies_.motion[at(given.body)];
-    work += given.wrench.f_W.dot(Vec3(m.dp[0], m.dp[1], m.dp[2])) +
-            given.wrench.tau_W.dot(Vec3(m.dr[0], m.dr[1], m.dr[2]));
-  }
-  // Forces of the environment are those of the beginning of the step too.
-  for (int i = 0; i < bodies_.count(); ++i) {
-    if (!bodies_.is_dynamic(i) || !s.environment.is_forced(i)) continue;
-    const std::size_t k = at(i);
-    const MotionRecord& m = bodies_.motion[k];
-    work += s.environment.supplied_power(
-        i, {bodies_.x[k], Vec3(m.dp[0], m.dp[1], m.dp[2]), Vec3(m.dr[0], m.dr[1], m.dr[2]),
-            bodies_.q[k].toRotationMatrix(), true});
-  }
-  return work;
 }
 
 /// Finds the bodies whose substeps are taken here: all that move, except those of trees that touch nothing.
@@ -506,7 +410,7 @@ void BulkWorld::integrate_velocities(bool is_first, float h) {
   s.executor.for_ranges(static_cast<int>(s.outside_chains.size()), 256, [&](int begin, int end) {
     MotionRecord* const motion = bodies_.motion.data();
     MotionRow* const unconstrained = s.unconstrained.data();
-    const MotionRow* const accelerations = s.accelerations.data();
+    const MotionRow* const accelerations = s.forces.accelerations().data();
     for (int place = begin; place < end; ++place) {
       const int i = s.outside_chains[at(place)];
       if (s.direct.holds(i)) continue;
@@ -536,39 +440,6 @@ void BulkWorld::integrate_positions(float h) {
       turn_further(h, motion);
     }
   });
-}
-
-BulkStepReport BulkWorld::describe_contacts() const {
-  BulkStepReport report;
-  report.pair_count = static_cast<int>(scratch_->pairs.size());
-  report.manifold_count = static_cast<int>(scratch_->manifolds.size());
-  const ManifoldList& found = scratch_->manifolds;
-  double worst_share = 0;
-  for (std::size_t k = 0; k < found.size(); ++k) {
-    report.point_count += found.point_count(k);
-    double deepest = 0;
-    for (int i = 0; i < found.point_count(k); ++i)
-      deepest = std::max(deepest, -double{found.view(k).points[i].gap});
-    if (deepest <= 0) continue;
-
-    // The deepest of all points counts, the first of equal ones.
-    const ShapePair& pair = scratch_->pairs[at(found.pair(k))];
-    if (deepest > report.max_overlap) {
-      report.max_overlap = deepest;
-      report.overlap_A = pair.body_A;
-      report.overlap_B = pair.body_B;
-    }
-    // So does the largest share of the thinner body.
-    const double thickness =
-        std::min(model_->body(pair.body_A).thickness, model_->body(pair.body_B).thickness);
-    if (deepest > worst_share * thickness) {
-      worst_share = deepest / thickness;
-      report.worst_overlap = deepest;
-      report.worst_A = pair.body_A;
-      report.worst_B = pair.body_B;
-    }
-  }
-  return report;
 }
 
 }  // namespace rigor

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rigor/bulk/bulk_events.hpp"
+#include "rigor/bulk/bulk_step_report.hpp"
 #include "rigor/bulk/narrow_phase/manifold.hpp"
 #include "rigor/bulk/sleep/sleep.hpp"
 #include "rigor/bulk/state/bulk_bodies.hpp"
@@ -20,27 +20,6 @@ struct BulkSettings {
   bool measures = false;  ///< Whether a step reports impacts, work, momentum error and contacts.
   bool sleeping = false;  ///< Whether bodies at rest are left alone (Sleepers).
   SleepRules sleep_rules;
-};
-
-/// What happened in a step.
-struct BulkStepReport {
-  int pair_count = 0;      ///< Pairs of shapes whose boxes overlap.
-  int manifold_count = 0;  ///< Manifolds that have points.
-  int point_count = 0;
-  int direct_islands = 0;              ///< Islands whose contacts were solved directly.
-  int sleeping_count = 0;              ///< Bodies that sleep at the end of the step.
-  std::vector<BulkImpact> impacts;     ///< In the order of their bodies.
-  Vec3 momentum_error = Vec3::Zero();  ///< See StepBalance [kg m/s].
-  double work = 0;                     ///< Work of kinematic bodies, torques and forces fixed in bodies [J].
-  double max_overlap = 0;              ///< Deepest overlap at the beginning of the step [m].
-  int overlap_A = -1, overlap_B = -1;  ///< Bodies of the deepest overlap.
-  double worst_overlap = 0;            ///< The largest share of the thinner body's thickness [m].
-  int worst_A = -1, worst_B = -1;      ///< Its bodies.
-  double max_joint_error = 0;  ///< Largest joint error at the end of the step [m]: BulkJoints::worst_error.
-  int worst_joint = -1;        ///< The joint with that error.
-
-  /// Adds what happened in a later part of the step.
-  void add(const BulkStepReport& later);
 };
 
 /// The world of the many-body path, for thousands of bodies (docs/theory/bulk.md): the bodies and what their
@@ -99,10 +78,7 @@ class BulkWorld {
   /// Moves the bodies and remembers what goes into the next step, after the velocities are final.
   void end_step(double h, BulkStepReport& report);
   void find_contacts(double h);
-  void compute_accelerations(double h);
   void wake_all();
-  void add_given_wrenches();
-  double work_of_forces() const;
   void take_substep(bool is_first, float h);
   void find_direct_islands(double substep);
   int solve_directly(double h);
@@ -111,7 +87,6 @@ class BulkWorld {
   void find_bodies_outside_chains();
   void integrate_velocities(bool is_first, float h);
   void integrate_positions(float h);
-  BulkStepReport describe_contacts() const;
 
   std::shared_ptr<const Model> model_;
   BulkSettings settings_;

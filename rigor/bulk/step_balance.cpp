@@ -1,6 +1,6 @@
 #include "rigor/bulk/step_balance.hpp"
 
-#include "rigor/bulk/bulk_world.hpp"
+#include "rigor/bulk/bulk_step_report.hpp"
 #include "rigor/bulk/contacts/contact_measures.hpp"
 #include "rigor/bulk/graph/islands.hpp"
 #include "rigor/bulk/state/vector_of.hpp"

@@ -1,33 +1,20 @@
 #include "rigor/contact/bounded_overlap.hpp"
 
+#include "rigor/contact/moving_body_shape.hpp"
 #include "rigor/geometry/distance/distance.hpp"
-#include "rigor/geometry/mesh/triangle_tree.hpp"
 #include "rigor/geometry/motion/cavity_step.hpp"
 #include "rigor/geometry/motion/mesh_advance.hpp"
-#include "rigor/geometry/motion/separation_bound.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <utility>
-#include <variant>
 
 namespace rigor {
 
 namespace {
 
-/// One shape of a moving body, and the span that is looked at.
-struct ShapeInMotion {
-  const BodyShape& shape;
-  const Motion& motion;
-
-  Pose pose(double t) const { return motion.sample(t).X_WB * shape.X_BS; }
-  MovingShape part() const { return {&shape.shape, shape.X_BS, &motion}; }
-  MovingCore core() const { return make_moving_core(shape.shape, shape.X_BS, shape.radius, motion); }
-  bool is_mesh() const { return std::holds_alternative<Mesh>(convex_solid(shape.shape)); }
-};
-
-/// The same for two convex shapes, or a shape and a half-space; 0 where no direction proves a step.
-double separated_step(const ShapeInMotion& a, const ShapeInMotion& b, const DistanceResult& now, double t,
+/// The step for two convex shapes, or a shape and a half-space; 0 where no direction proves a step.
+double separated_step(const MovingBodyShape& a, const MovingBodyShape& b, const DistanceResult& now, double t,
                       double t_end, double slack) {
   const MovingCore of_a = a.core(), of_b = b.core();
   const double span = t_end - t;
@@ -37,25 +24,24 @@ double separated_step(const ShapeInMotion& a, const ShapeInMotion& b, const Dist
 
   // The normal as it is; then one that a face of either body takes along.
   double step = step_along(now.n_W);
-  if (std::holds_alternative<HalfSpace>(b.shape.shape)) return step;
-  for (const Motion* motion : {&a.motion, &b.motion}) {
+  if (b.is_half_space()) return step;
+  for (const Motion* motion : {a.motion, b.motion}) {
     const Vec3 w_W = motion->sample(t).w;
     if (step < span && !w_W.isZero(0)) step = std::max(step, step_along({now.n_W, w_W}));
   }
   return step;
 }
 
-double shape_step(const ShapeInMotion& a, const ShapeInMotion& b, double t, double t_end, double slack) {
+double shape_step(const MovingBodyShape& a, const MovingBodyShape& b, double t, double t_end, double slack) {
   // Whatever the shapes are: the time in which no two points can approach by the slack.
   const double least = closing_bound(a.part(), b.part(), t, t_end).time_for(slack);
   if (least >= t_end - t) return t_end - t;
-  if (std::holds_alternative<Cavity>(b.shape.shape))
-    return std::max(least, safe_step_in_cavity(b.part(), a.part(), t, t_end, -slack));
+  if (b.is_cavity()) return std::max(least, safe_step_in_cavity(b.part(), a.part(), t, t_end, -slack));
 
   // What a separating direction proves; all parts of a mesh that are near may use the slack.
-  const DistanceResult now = signed_distance(a.shape.shape, a.pose(t), b.shape.shape, b.pose(t));
+  const DistanceResult now = signed_distance(a.solid(), a.pose(t), b.solid(), b.pose(t));
   if (now.distance < -slack) return least;
-  if (!a.is_mesh() || is_unbounded(b.shape.shape))
+  if (!a.is_mesh() || is_unbounded(b.solid()))
     return std::max(least, separated_step(a, b, now, t, t_end, slack));
   return std::max(least, safe_mesh_step(a.part(), b.part(),
                                         {.t = t,
@@ -75,7 +61,7 @@ double bounded_overlap_step(const Body& A, const Motion& of_A, const Body& B, co
   for (const BodyShape& of_a : A.shapes) {
     for (const BodyShape& of_b : B.shapes) {
       // What is unbounded comes second, meshes first.
-      ShapeInMotion a{of_a, of_A}, b{of_b, of_B};
+      const MovingBodyShape a{&of_a, &of_A}, b{&of_b, &of_B};
       const bool swaps = is_unbounded(of_a.shape) || (b.is_mesh() && !a.is_mesh());
       step =
           std::min(step, swaps ? shape_step(b, a, t, t + step, slack) : shape_step(a, b, t, t + step, slack));

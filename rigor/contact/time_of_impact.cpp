@@ -1,5 +1,6 @@
 #include "rigor/contact/time_of_impact.hpp"
 
+#include "rigor/contact/moving_body_shape.hpp"
 #include "rigor/core/interrupt.hpp"
 #include "rigor/geometry/contacts/contact_set.hpp"
 #include "rigor/geometry/distance/distance.hpp"
@@ -38,21 +39,6 @@ struct Crossing {
   double low, high;                    ///< [s].
   double distance_low, distance_high;  ///< [m].
   double level = 0;                    ///< [m].
-};
-
-/// One shape of a moving body.
-struct MovingBodyShape {
-  const BodyShape* shape;
-  const Motion* motion;
-
-  /// A mesh that bounds a convex solid moves as that solid.
-  const Shape& solid() const { return convex_solid(shape->shape); }
-  Pose pose(double t) const { return motion->sample(t).X_WB * shape->X_BS; }
-  MovingShape part() const { return {&solid(), shape->X_BS, motion}; }
-  bool is_mesh() const { return std::holds_alternative<Mesh>(solid()); }
-  bool is_half_space() const { return std::holds_alternative<HalfSpace>(solid()); }
-  bool is_cavity() const { return std::holds_alternative<Cavity>(solid()); }
-  MovingCore core() const { return make_moving_core(solid(), shape->X_BS, shape->radius, *motion); }
 };
 
 /// The search of one pair of shapes.

@@ -11,6 +11,9 @@ struct BodyPhase {
   Quat q = Quat::Identity();  ///< q_WB.
   Vec3 P = Vec3::Zero();      ///< Linear momentum in W [kg m/s].
   Vec3 L = Vec3::Zero();      ///< Angular momentum about the centre of mass, in W [kg m²/s].
+
+  /// Whether all of it are numbers.
+  bool is_finite() const { return x.allFinite() && q.coeffs().allFinite() && P.allFinite() && L.allFinite(); }
 };
 
 /// Mass and principal moments of a body.

@@ -4,6 +4,7 @@
 #include "rigor/core/quoted.hpp"
 #include "rigor/core/suggestion.hpp"
 #include "rigor/geometry/decomposition/make_mesh.hpp"
+#include "rigor/geometry/distance/thickness.hpp"
 #include "rigor/geometry/mesh/triangle_tree.hpp"
 #include "rigor/geometry/shape/aabb.hpp"
 #include "rigor/geometry/shape/support.hpp"
@@ -105,15 +106,12 @@ std::vector<BodyShape> make_shapes(const BodyDescription& body, const MaterialTa
   return shapes;
 }
 
-/// Smallest width of a shape along its axes [m]; infinite if it is unbounded, hollow or flat. Rods and discs
-/// that stand for lines and circles, thinner than 1e-5 of their length, count as that thick.
-double smallest_width(const Shape& shape) {
-  constexpr double infinite = std::numeric_limits<double>::infinity(), thinnest = 1e-5;
-  if (is_unbounded(shape) || std::holds_alternative<Cavity>(shape)) return infinite;
-  const Aabb box = axis_aligned_box(shape, Pose{Mat3::Identity(), Vec3::Zero()});
-  const Vec3 widths = box.upper - box.lower;
-  const double width = widths.minCoeff();
-  return width > 0 ? std::max(width, thinnest * widths.maxCoeff()) : infinite;
+/// The width by which overlaps of a shape are judged [m]; infinite if it has none. Rods and discs that stand
+/// for lines and circles, thinner than 1e-5 of their size, count as that thick.
+double judged_width(const BodyShape& shape) {
+  constexpr double thinnest = 1e-5;
+  const double width = smallest_width(shape.shape);
+  return width > 0 ? std::max(width, thinnest * 2 * shape.radius) : std::numeric_limits<double>::infinity();
 }
 
 /// Computes radii about each shape's origin and the body's, its thickness, and the trees of meshes that have
@@ -124,7 +122,7 @@ void complete_shapes(std::vector<BodyShape>& shapes, Body& body) {
     Mesh* const mesh = std::get_if<Mesh>(&shape.shape);
     if (mesh && !mesh->tree) *mesh = make_mesh(mesh->mesh);
     shape.radius = radius_about(shape.shape, Vec3::Zero());
-    body.thickness = std::min(body.thickness, smallest_width(shape.shape));
+    body.thickness = std::min(body.thickness, judged_width(shape));
     const Vec3 p_SB = shape.X_BS.inverse().p;
     body.bounding_radius = std::max(body.bounding_radius, radius_about(shape.shape, p_SB));
   }

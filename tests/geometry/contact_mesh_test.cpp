@@ -47,13 +47,7 @@ TriangleMesh floor_mesh(int cells, const Height& height) {
       mesh.vertices.emplace_back(x, y, height(x));
     }
   }
-  const auto vertex = [&](int i, int j) { return i * (cells + 1) + j; };
-  for (int i = 0; i < cells; ++i) {
-    for (int j = 0; j < cells; ++j) {
-      mesh.triangles.push_back({vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1)});
-      mesh.triangles.push_back({vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
-    }
-  }
+  add_grid_triangles(cells, mesh);
   return mesh;
 }
 

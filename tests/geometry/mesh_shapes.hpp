@@ -202,6 +202,17 @@ TriangleMesh make_cube_mesh(const std::array<int, 3>& count, const IsFull& is_fu
   return mesh;
 }
 
+/// The triangles of a grid of `cells` x `cells` squares, whose vertices lie row by row.
+inline void add_grid_triangles(int cells, TriangleMesh& mesh) {
+  const auto vertex = [&](int i, int j) { return i * (cells + 1) + j; };
+  for (int i = 0; i < cells; ++i) {
+    for (int j = 0; j < cells; ++j) {
+      mesh.triangles.push_back({vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1)});
+      mesh.triangles.push_back({vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
+    }
+  }
+}
+
 /// Open sheet z = 0 over |x|, |y| <= half_size, its front above, of `cells` x `cells` squares of two
 /// triangles.
 inline TriangleMesh make_grid_sheet(double half_size, int cells) {
@@ -210,13 +221,7 @@ inline TriangleMesh make_grid_sheet(double half_size, int cells) {
     for (int j = 0; j <= cells; ++j)
       mesh.vertices.emplace_back(half_size * (2 * i - cells) / cells, half_size * (2 * j - cells) / cells, 0);
   }
-  const auto vertex = [&](int i, int j) { return i * (cells + 1) + j; };
-  for (int i = 0; i < cells; ++i) {
-    for (int j = 0; j < cells; ++j) {
-      mesh.triangles.push_back({vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1)});
-      mesh.triangles.push_back({vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
-    }
-  }
+  add_grid_triangles(cells, mesh);
   return mesh;
 }
 

@@ -48,6 +48,17 @@ class BulkContacts {
   bool find_bounces(const BulkBodies& bodies, const Executor& executor);
   /// Then lets them bounce (manifold_bounce.hpp).
   void bounce_apart(const Model& model, BulkBodies& bodies, const Executor& executor);
+  /// Takes part(body_A, body_B) of the sums of each manifold's impulses away.
+  template <class Part>
+  void lessen(const Part& part) {
+    blocks_.for_totals(0, blocks_.count(), [&](const auto& block, auto& total, int number) {
+      for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
+        if (manifold_of(number, static_cast<int>(lane)) < 0) continue;
+        const float kept = 1 - part(block.body_A[lane], block.body_B[lane]);
+        for (std::size_t k = 0; k < total.rows; ++k) total.row[k][lane] *= kept;
+      }
+    });
+  }
   /// What the contacts remember, in the order of keys; the energy of their springs if the impulses were added
   /// up. h [s]: of a substep.
   void remember(const BulkBodies& bodies, double h, int substeps, const Executor& executor,

@@ -1,5 +1,6 @@
 #include "rigor/bulk/contacts/energy_bound.hpp"
 
+#include "rigor/bulk/contacts/contact_measures.hpp"
 #include "rigor/bulk/state/vector_of.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/math/rotation.hpp"
@@ -24,6 +25,11 @@ double kinetic_energy(const Model& model, int body, const BulkBodies& bodies) {
   const MotionRecord& motion = bodies.motion[at(body)];
   return 0.5 * (model.body(body).mass * vector_of(motion.v).squaredNorm() +
                 vector_of(motion.w).dot(bodies.L[at(body)]));
+}
+
+/// What the spring of a manifold has come to hold in the step [J].
+double grown_energy(const StepManifolds& manifolds, const ManifoldMemories& memory, std::size_t i) {
+  return static_cast<double>(memory.energy(i)) - static_cast<double>(manifolds.energy(i));
 }
 
 }  // namespace
@@ -88,9 +94,20 @@ void EnergyBound::add_work(const BulkBodies& bodies, const std::vector<MotionRow
   });
 }
 
-void EnergyBound::hold(const BulkContacts& contacts, const Executor& executor, ManifoldMemories& memory,
+void EnergyBound::hold(BulkContacts& contacts, const Executor& executor, ManifoldMemories& memory,
                        BulkBodies& bodies) {
-  // What nothing explains, of each body. Where all of it is rounding there is nothing to do.
+  if (!find_gains(contacts.manifolds(), memory, bodies, executor)) return;
+  find_islands(contacts, memory, bodies);
+  empty_springs(contacts.manifolds(), memory, bodies);
+  lessen_impulses(contacts, bodies);
+  for (const IslandGain& island : gains_) {
+    if (is_taken(island)) calm(island, bodies);
+  }
+}
+
+/// What nothing explains, of each body; whether it is more than rounding.
+bool EnergyBound::find_gains(const StepManifolds& manifolds, const ManifoldMemories& memory,
+                             const BulkBodies& bodies, const Executor& executor) {
   gain_.resize(bodies.x.size());
   executor.for_ranges(bodies.count(), 1024, [&](int begin, int end) {
     for (int i = begin; i < end; ++i)
@@ -101,26 +118,40 @@ void EnergyBound::hold(const BulkContacts& contacts, const Executor& executor, M
     gained += std::max(0.0, gain_[at(i)]);
     scale += std::abs(begin_[at(i)]) + lift_[at(i)];
   }
-  const StepManifolds& manifolds = contacts.manifolds();
   for (std::size_t i = 0; i < manifolds.size(); ++i)
-    gained += std::max(0.0, static_cast<double>(memory.energy(i)) - static_cast<double>(manifolds.energy(i)));
-  if (!(gained > rounding * scale)) return;
+    gained += std::max(0.0, grown_energy(manifolds, memory, i));
+  return gained > rounding * scale;
+}
 
-  // The islands of bodies that have manifolds, with what their springs have come to hold.
+bool EnergyBound::is_taken(const IslandGain& island) const {
+  return island.is_known && island.gain > rounding * island.scale;
+}
+
+/// Number of the island of a manifold.
+int EnergyBound::island_of(const StepManifolds& manifolds, std::size_t i, const BulkBodies& bodies) const {
+  const int a = manifolds.body_A(i), b = manifolds.body_B(i);
+  return islands_.island_of(bodies.is_dynamic(a) ? a : b);
+}
+
+/// The islands of bodies that have manifolds, with what their springs have come to hold; and those that fly
+/// alone and have gained: rotations by several radians a substep are not exact.
+void EnergyBound::find_islands(const BulkContacts& contacts, const ManifoldMemories& memory,
+                               const BulkBodies& bodies) {
+  const StepManifolds& manifolds = contacts.manifolds();
   islands_.build(manifolds);
-  std::vector<Island> islands;
-  island_at_.assign(bodies.x.size(), -1);
+  gains_.clear();
+  gain_at_.assign(bodies.x.size(), -1);
   for (std::size_t i = 0; i < manifolds.size(); ++i) {
-    const int a = manifolds.body_A(i), b = manifolds.body_B(i);
-    int& number = island_at_[at(islands_.island_of(bodies.is_dynamic(a) ? a : b))];
+    int& number = gain_at_[at(island_of(manifolds, i, bodies))];
     if (number < 0) {
-      number = static_cast<int>(islands.size());
-      islands.emplace_back();
+      number = static_cast<int>(gains_.size());
+      gains_.emplace_back();
     }
-    Island& island = islands[at(number)];
-    const double grown = static_cast<double>(memory.energy(i)) - static_cast<double>(manifolds.energy(i));
+    IslandGain& island = gains_[at(number)];
+    const double grown = grown_energy(manifolds, memory, i);
     island.gain += grown;
     island.stored += std::max(0.0, grown);
+    const int a = manifolds.body_A(i), b = manifolds.body_B(i);
     if (bodies.is_dynamic(a) && bodies.is_dynamic(b)) continue;
     const ManifoldMemories::View view = memory.view(i);
     for (int k = 0; k < view.point_count; ++k)
@@ -131,47 +162,95 @@ void EnergyBound::hold(const BulkContacts& contacts, const Executor& executor, M
   contacts.for_contacts([&](const SolvedManifold& manifold, const ManifoldMemory&, bool) {
     const bool is_A = bodies.is_dynamic(manifold.body_A);
     if (is_A && bodies.is_dynamic(manifold.body_B)) return;
-    Island& island =
-        islands[at(island_at_[at(islands_.island_of(is_A ? manifold.body_A : manifold.body_B))])];
+    IslandGain& island =
+        gains_[at(gain_at_[at(islands_.island_of(is_A ? manifold.body_A : manifold.body_B))])];
     for (const float impulse : manifold.impulses.normal) island.is_pressed = island.is_pressed || impulse > 0;
   });
   for (int i = 0; i < bodies.count(); ++i) {
     if (!bodies.is_dynamic(i)) continue;
-    const int number = island_at_[at(islands_.island_of(i))];
+    const int number = gain_at_[at(islands_.island_of(i))];
     if (number < 0) {
-      // One that flies alone: rotations by several radians a substep are not exact.
       const bool is_alone = is_jointed_[at(i)] == 0 && is_unknown_[at(i)] == 0;
-      if (is_alone && gain_[at(i)] > rounding * std::abs(begin_[at(i)]))
-        calm({gain_[at(i)], 0, 0, true, false, {i}}, bodies);
+      if (is_alone) gains_.push_back({gain_[at(i)], std::abs(begin_[at(i)]), 0, true, false, {i}});
       continue;
     }
-    Island& island = islands[at(number)];
+    IslandGain& island = gains_[at(number)];
     island.bodies.push_back(i);
     island.gain += gain_[at(i)];
     island.scale += std::abs(begin_[at(i)]) + lift_[at(i)];
     if (is_unknown_[at(i)] != 0) island.is_known = false;
     if (is_anchored_[at(i)] != 0) island.is_pressed = true;
   }
+}
 
-  // Springs hold no more than was paid: what forces of impacts over linear displacements say may be more.
+/// Springs hold no more than was paid: what forces of impacts over linear displacements say may be more.
+void EnergyBound::empty_springs(const StepManifolds& manifolds, ManifoldMemories& memory,
+                                const BulkBodies& bodies) {
   for (std::size_t i = 0; i < manifolds.size(); ++i) {
-    const int a = manifolds.body_A(i), b = manifolds.body_B(i);
-    const Island& island = islands[at(island_at_[at(islands_.island_of(bodies.is_dynamic(a) ? a : b))])];
-    const double before = static_cast<double>(manifolds.energy(i));
-    const double grown = static_cast<double>(memory.energy(i)) - before;
-    if (!island.is_known || !(island.gain > rounding * island.scale) || !(grown > 0)) continue;
+    const IslandGain& island = gains_[at(gain_at_[at(island_of(manifolds, i, bodies))])];
+    const double grown = grown_energy(manifolds, memory, i);
+    if (!is_taken(island) || !(grown > 0)) continue;
     const double part = std::max(0.0, 1 - island.gain / island.stored);
-    memory.set_energy(i, static_cast<float>(before + part * grown));
+    memory.set_energy(i, static_cast<float>(static_cast<double>(manifolds.energy(i)) + part * grown));
   }
-  for (Island& island : islands) {
+  for (IslandGain& island : gains_) {
     if (island.gain > rounding * island.scale) island.gain -= std::min(island.gain, island.stored);
-    if (island.is_known && island.gain > rounding * island.scale) calm(island, bodies);
   }
+}
+
+/// Where the impulses of contacts are what has given too much, they all become less by one part: with D the
+/// velocities that they have given and p the part that they lose,
+///   E(p) - E(0) = p² ½ D·M D - p V·M D,
+/// and p is the least that takes the gain, or what takes most.
+void EnergyBound::lessen_impulses(BulkContacts& contacts, BulkBodies& bodies) {
+  if (std::none_of(gains_.begin(), gains_.end(), [&](const IslandGain& island) { return is_taken(island); }))
+    return;
+  // D, as momenta first.
+  given_.assign(bodies.x.size(), {});
+  contacts.for_contacts([&](const SolvedManifold& manifold, const ManifoldMemory&, bool) {
+    const ManifoldWrench on_B = total_wrench(manifold);
+    Wrench &A = given_[at(manifold.body_A)], &B = given_[at(manifold.body_B)];
+    A.f_W -= on_B.impulse;
+    A.tau_W -= on_B.moment + manifold.frame.rA.cross(on_B.impulse);
+    B.f_W += on_B.impulse;
+    B.tau_W += on_B.moment + manifold.frame.rB.cross(on_B.impulse);
+  });
+  lost_part_.assign(bodies.x.size(), 0);
+  for (IslandGain& island : gains_) {
+    if (!is_taken(island)) continue;
+    double square = 0, slope = 0;
+    for (const int i : island.bodies) {
+      Wrench& given = given_[at(i)];
+      const Body& body = model_->body(i);
+      const Mat3 R_WB = rotation_matrix(bodies.q[at(i)]);
+      const Vec3 w = R_WB * (R_WB.transpose() * given.tau_W).cwiseQuotient(body.moments);
+      square += 0.5 * (given.f_W.squaredNorm() / body.mass + w.dot(given.tau_W));
+      slope += given.f_W.dot(vector_of(bodies.motion[at(i)].v)) +
+               given.tau_W.dot(vector_of(bodies.motion[at(i)].w));
+      given = {given.f_W / body.mass, w};
+    }
+    if (!(slope > 0)) continue;
+    const double rest = slope * slope - 4 * square * island.gain;
+    const double part =
+        std::min(1.0, rest > 0 ? 2 * island.gain / (slope + std::sqrt(rest)) : 0.5 * slope / square);
+    island.gain -= part * (slope - part * square);
+    for (const int i : island.bodies) {
+      lost_part_[at(i)] = static_cast<float>(part);
+      MotionRecord& motion = bodies.motion[at(i)];
+      for (int k = 0; k < 3; ++k) {
+        motion.v[k] -= static_cast<float>(part * given_[at(i)].f_W[k]);
+        motion.w[k] -= static_cast<float>(part * given_[at(i)].tau_W[k]);
+      }
+      set_momentum(*model_, i, bodies);
+    }
+  }
+  contacts.lessen([&](int a, int b) { return std::max(lost_part_[at(a)], lost_part_[at(b)]); });
 }
 
 /// The motion of an island's bodies if they moved as one rigid body with their momenta, M V = P and I W = L
 /// about their centre of mass.
-EnergyBound::RigidMotion EnergyBound::common_motion(const Island& island, const BulkBodies& bodies) const {
+EnergyBound::RigidMotion EnergyBound::common_motion(const IslandGain& island,
+                                                    const BulkBodies& bodies) const {
   RigidMotion common;
   double mass = 0;
   for (const int i : island.bodies) {
@@ -198,7 +277,7 @@ EnergyBound::RigidMotion EnergyBound::common_motion(const Island& island, const 
 }
 
 /// The kinetic energy of the bodies against a rigid motion [J].
-double EnergyBound::energy_against(const RigidMotion& common, const Island& island,
+double EnergyBound::energy_against(const RigidMotion& common, const IslandGain& island,
                                    const BulkBodies& bodies) const {
   double energy = 0;
   for (const int i : island.bodies) {
@@ -212,7 +291,7 @@ double EnergyBound::energy_against(const RigidMotion& common, const Island& isla
 }
 
 /// Takes the gain of an island from the motion of its bodies against each other.
-void EnergyBound::calm(const Island& island, BulkBodies& bodies) const {
+void EnergyBound::calm(const IslandGain& island, BulkBodies& bodies) const {
   // Something fixed may have changed all momenta. Of a free island the impulses of a step, whose arms turn
   // meanwhile, may have changed the angular momentum by more than can be taken: it is not kept then.
   RigidMotion common;

@@ -1,8 +1,8 @@
 #include "rigor/bulk/direct/direct_islands.hpp"
 
+#include "rigor/bulk/direct/direct_problem.hpp"
 #include "rigor/bulk/state/vector_of.hpp"
 #include "rigor/core/index.hpp"
-#include "rigor/solver/motion/motion_problem.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -60,11 +60,6 @@ ContactRows::Block rows_of(const Mat3& frame, const Vec3& r, double sign) {
 Vec3 velocity_at(const BulkBodies& bodies, int body, const Vec3& r) {
   const MotionRecord& m = bodies.motion[at(body)];
   return vector_of(m.v) + vector_of(m.w).cross(r);
-}
-
-void append(const Vec3& part, VecX& whole) {
-  whole.conservativeResize(whole.size() + 3);
-  whole.tail<3>() = part;
 }
 
 /// Impulses of the points of a manifold over the whole step, in the frame, as they are remembered: the
@@ -147,21 +142,6 @@ void set_impulses(const VecX& lambda, const Mat3& frame, BulkContact& contact) {
     is_pressed = is_pressed || of_point.z() > 0;
   }
   if (!is_pressed) contact.approach_speed = 0;
-}
-
-/// The impulses λ of section 6; nothing if the problem was not solved to 1e-9 of its terms.
-std::optional<VecX> solve_impulses(const MotionProblem& problem, const VecX& start) {
-  CoulombOptions options;
-  options.tolerance = 1e-9;
-  options.least_norm = false;
-  // From what is remembered, by iteration; else what seems to hold is taken as equations, which loads of any
-  // mass ratio solve.
-  for (const VecX& from : {start, VecX()}) {
-    const std::optional<CoulombSolution> solution = solve_in_motion_space(problem, {}, options, from);
-    if (solution && solution->lambda.allFinite()) return solution->lambda;
-    if (from.size() == 0) break;
-  }
-  return std::nullopt;
 }
 
 }  // namespace
@@ -305,74 +285,10 @@ void DirectIslands::solve(const DirectStep& step, BulkBodies& bodies) {
   }
 }
 
-/// An island as a problem of its points, three rows each.
-struct DirectIslands::Problem {
-  MotionProblem motion;  ///< Without b.
-  VecX V;                ///< Velocities at the end of the step without contacts, six a body.
-  VecX given;            ///< Relative velocities by bodies that are not dynamic.
-  std::vector<Mat3> frames;
-  std::vector<double> gaps;  ///< [m].
-  VecX start;                ///< Impulses of the step before [N s].
-  VecX V_begin;              ///< Velocities at the beginning of the step.
-
-  /// Kinetic energy at these velocities [J].
-  double kinetic(const VecX& V_bodies) const { return 0.5 * product(V_bodies, V_bodies); }
-  /// Work of the forces of the step over the displacements at these velocities [J].
-  double work(const VecX& V_bodies) const { return product(V - V_begin, V_bodies); }
-  /// a · M b.
-  double product(const VecX& a, const VecX& b) const {
-    double sum = 0;
-    for (std::size_t k = 0; k < motion.rows.masses.size(); ++k) {
-      const Index six = 6 * static_cast<Index>(k);
-      sum += a.segment<6>(six).dot(motion.rows.masses[k] * b.segment<6>(six));
-    }
-    return sum;
-  }
-  /// The energy that velocities at the end add beyond rounding [J].
-  double gain(const VecX& V_end) const {
-    constexpr double rounding = 1e-9, share = 1e-5;
-    const double before = kinetic(V_begin), after = kinetic(V_end), worked = work(V_end);
-    return after - worked - before - rounding * (after + before + std::abs(worked)) -
-           share * kinetic(V - V_begin);
-  }
-  /// The part of the velocities at the end that takes no more than there was: Moreau's step gives nothing,
-  /// but between bodies of the mass ratio 1e10 rounding does: a part of what forces would do in the step.
-  VecX affordable(const VecX& V_end) const {
-    constexpr double rounding = 1e-9, share = 1e-2;
-    const double before = kinetic(V_begin), after = kinetic(V_end), worked = work(V_end);
-    const double tolerated = rounding * (after + before + std::abs(worked)) + share * kinetic(V - V_begin);
-    if (after - worked - before <= tolerated) return V_end;
-    return (worked + std::sqrt(worked * worked + 4 * after * before)) / (2 * after) * V_end;
-  }
-  void add_point(const Mat3& frame, double gap, double friction, const ContactRows::Sides& sides,
-                 const Vec3& prescribed, const Vec3& impulse) {
-    frames.push_back(frame);
-    gaps.push_back(gap);
-    motion.rows.contacts.push_back(sides);
-    motion.laws.mu.push_back(friction);
-    motion.laws.rows.push_back(FrictionRow::cone);
-    motion.laws.slips.push_back(Vec2::Zero());
-    append(prescribed, given);
-    append(impulse, start);
-  }
-  /// u + max(s, 0)/h at the velocities V_bodies: relative velocities, with what gaps allow. Of an overlap s <
-  /// 0 this share is put back.
-  VecX rates(const VecX& V_bodies, double h, double share) const {
-    VecX b = contact_rates(motion.rows, V_bodies) + given;
-    for (std::size_t i = 0; i < gaps.size(); ++i)
-      b[3 * static_cast<Index>(i) + 2] += (gaps[i] > 0 ? gaps[i] : share * gaps[i]) / h;
-    return b;
-  }
-  /// V + M⁻¹ Jᵀ λ.
-  VecX velocities_after(const VecX& V_bodies, const VecX& lambda) const {
-    return V_bodies + node_accelerations(motion.rows, contact_wrenches(motion.rows, lambda));
-  }
-};
-
-DirectIslands::Problem DirectIslands::problem_of(const DirectStep& step, const Island& island,
-                                                 const BulkBodies& bodies) const {
+DirectProblem DirectIslands::problem_of(const DirectStep& step, const Island& island,
+                                        const BulkBodies& bodies) const {
   // The bodies: masses, and velocities at the end of the step without contacts.
-  Problem problem;
+  DirectProblem problem;
   for (const int i : island.bodies) {
     const Body& body = model_->body(i);
     const Mat3 R_WB = bodies.q[at(i)].toRotationMatrix();
@@ -420,7 +336,7 @@ DirectIslands::Problem DirectIslands::problem_of(const DirectStep& step, const I
 }
 
 /// The velocities without friction that put back a share of the overlaps; zero if they are not found.
-VecX DirectIslands::find_push(Problem& problem, double h, const VecX& V_end) {
+VecX DirectIslands::find_push(DirectProblem& problem, double h, const VecX& V_end) {
   problem.motion.laws.mu.assign(problem.gaps.size(), 0.0);
   problem.motion.laws.b = problem.rates(V_end, h, put_back);
   const std::optional<VecX> push = solve_impulses(problem.motion, VecX());
@@ -430,7 +346,8 @@ VecX DirectIslands::find_push(Problem& problem, double h, const VecX& V_end) {
 
 /// The part of the impulses with which the next step may begin: so much that they change no body's velocity
 /// by more than twice what forces do. Those of an impact would throw the bodies that it has stopped.
-double DirectIslands::lasting_part(const Problem& problem, const Island& island, const VecX& V_end) const {
+double DirectIslands::lasting_part(const DirectProblem& problem, const Island& island,
+                                   const VecX& V_end) const {
   constexpr double most_share = 2;
   const auto largest_change = [&](const VecX& change) {
     double most = 0;
@@ -454,7 +371,7 @@ double DirectIslands::size_of(const Island& island) const {
 }
 
 bool DirectIslands::solve_island(const DirectStep& step, const Island& island, BulkBodies& bodies) {
-  Problem problem = problem_of(step, island, bodies);
+  DirectProblem problem = problem_of(step, island, bodies);
   std::vector<BulkContact> contacts;  // At the velocities of the beginning.
   for (const std::size_t i : island.manifolds) contacts.push_back(contact_of(step.manifolds, i, bodies));
 

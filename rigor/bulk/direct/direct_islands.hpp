@@ -14,6 +14,8 @@
 
 namespace rigor {
 
+struct DirectProblem;
+
 /// What DirectIslands need to know of a step.
 struct DirectStep {
   double h;                                   ///< Of the whole step [s].
@@ -64,14 +66,13 @@ class DirectIslands {
     std::vector<std::size_t> manifolds;  ///< Ascending.
     bool is_heavy_on_light = false;
   };
-  struct Problem;
   /// Islands that are small enough, and have masses that differ or may be a slender tower.
   std::vector<Island> find_islands(const StepManifolds& manifolds, const BulkBodies& bodies);
   bool is_taken(const StepManifolds& manifolds, const Island& island, const BulkBodies& bodies) const;
   bool is_column(const StepManifolds& manifolds, const Island& island, const BulkBodies& bodies) const;
-  Problem problem_of(const DirectStep& step, const Island& island, const BulkBodies& bodies) const;
-  static VecX find_push(Problem& problem, double h, const VecX& V_end);
-  double lasting_part(const Problem& problem, const Island& island, const VecX& V_end) const;
+  DirectProblem problem_of(const DirectStep& step, const Island& island, const BulkBodies& bodies) const;
+  static VecX find_push(DirectProblem& problem, double h, const VecX& V_end);
+  double lasting_part(const DirectProblem& problem, const Island& island, const VecX& V_end) const;
   double size_of(const Island& island) const;
   bool solve_island(const DirectStep& step, const Island& island, BulkBodies& bodies);
 

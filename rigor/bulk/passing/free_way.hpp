@@ -11,7 +11,7 @@ struct WayOfShape {
   Pose X_WB;         ///< At the beginning.
   Vec3 dp_W, dr_W;   ///< Displacement [m] and rotation vector [rad] of the body.
   double turning;    ///< How far from the centre of the body a rotation moves points [m].
-  double thickness;  ///< shape_thickness() [m].
+  double thickness;  ///< thickness_of() [m].
 };
 
 /// The part of their ways, at most 1, that two shapes can go until they overlap by a quarter of the thinner

@@ -1,9 +1,9 @@
 #include "rigor/bulk/passing/passing_guard.hpp"
 
 #include "rigor/bulk/passing/free_way.hpp"
-#include "rigor/bulk/passing/shape_thickness.hpp"
 #include "rigor/bulk/state/vector_of.hpp"
 #include "rigor/core/index.hpp"
+#include "rigor/geometry/distance/thickness.hpp"
 #include "rigor/geometry/motion/separation_bound.hpp"
 
 #include <algorithm>
@@ -39,7 +39,7 @@ PassingGuard::PassingGuard(const Model& model)
     first_shape_.push_back(static_cast<int>(thickness_.size()));
     double turning = 0;
     for (const BodyShape& shape : body.shapes) {
-      thickness_.push_back(shape_thickness(shape.shape));
+      thickness_.push_back(thickness_of(shape.shape));
       least_thickness_ = std::min(least_thickness_, thickness_.back());
       turning = std::max(turning, turning_radius(shape.shape, shape.X_BS, shape.radius));
     }

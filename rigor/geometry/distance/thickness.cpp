@@ -1,9 +1,9 @@
 #include "rigor/geometry/distance/thickness.hpp"
 
+#include "rigor/core/rounding.hpp"
 #include "rigor/geometry/mesh/triangle_tree.hpp"
 #include "rigor/geometry/shape/aabb.hpp"
 
-#include <limits>
 #include <variant>
 
 namespace rigor {
@@ -30,12 +30,14 @@ struct ThickShare {
 
 }  // namespace
 
-double thickness_of(const Shape& of) {
-  const Shape& shape = convex_solid(of);
-  if (is_unbounded(shape)) return std::numeric_limits<double>::infinity();
+double smallest_width(const Shape& shape) {
+  if (is_unbounded(shape)) return kInfinity;
   const Aabb box = axis_aligned_box(shape, Pose{Mat3::Identity(), Vec3::Zero()});
-  const double half_width = 0.5 * (box.upper - box.lower).minCoeff();
-  return std::visit(ThickShare{}, shape) * half_width;
+  return (box.upper - box.lower).minCoeff();
+}
+
+double thickness_of(const Shape& shape) {
+  return 0.5 * std::visit(ThickShare{}, convex_solid(shape)) * smallest_width(shape);
 }
 
 }  // namespace rigor

@@ -1,26 +1,12 @@
 #include "rigor/core/index.hpp"
 #include "rigor/sim/event_driven/event_driven_stepper.hpp"
+#include "rigor/sim/islands/displacement.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <utility>
 
 namespace rigor {
-
-namespace {
-
-bool is_finite(const BodyPhase& phase) {
-  return phase.x.allFinite() && phase.q.coeffs().allFinite() && phase.P.allFinite() && phase.L.allFinite();
-}
-
-/// Bodies that were displaced turn what their momenta gain of moment about the origin into spin: putting
-/// joints back exerts no moment.
-void keep_angular_momenta(const std::vector<BodyPhase>& before, std::vector<BodyPhase>& phases) {
-  for (std::size_t i = 0; i < phases.size(); ++i)
-    phases[i].L -= (phases[i].x - before[i].x).cross(phases[i].P);
-}
-
-}  // namespace
 
 /// Whether contacts or joints hold the bodies of a group.
 bool EventDrivenStepper::is_held(const Cluster& group, const LastingContacts& lasting) const {
@@ -87,7 +73,7 @@ void EventDrivenStepper::begin_step(Island island) {
     const int body = running.island.bodies[i];
     island_of_[at(body)] = number;
     trajectories_.set_motion(body, Motion::step(running.step.dense[i], t_, running.end - t_), t_);
-    if (!is_finite(running.step.end[i])) {
+    if (!running.step.end[i].is_finite()) {
       report_.reason = StopReason::not_finite;
       report_.bodies = {body};
       report_.detail = "body '" + model_->body(body).name + "' has a state that is not finite";

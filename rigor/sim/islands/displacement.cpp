@@ -35,4 +35,9 @@ void apply_displacement(const VecX& delta, ContactSystem system, const std::vect
   }
 }
 
+void keep_angular_momenta(const std::vector<BodyPhase>& before, std::vector<BodyPhase>& phases) {
+  for (std::size_t i = 0; i < phases.size(); ++i)
+    phases[i].L -= (phases[i].x - before[i].x).cross(phases[i].P);
+}
+
 }  // namespace rigor

@@ -16,4 +16,8 @@ VecX separating_impulses(const ContactSystem& system, const std::vector<double>&
 void apply_displacement(const VecX& delta, ContactSystem system, const std::vector<int>& bodies,
                         std::vector<BodyPhase>& phases);
 
+/// Bodies that were displaced from `before` turn what their momenta gain of moment about the origin into
+/// spin: putting positions back exerts no moment.
+void keep_angular_momenta(const std::vector<BodyPhase>& before, std::vector<BodyPhase>& phases);
+
 }  // namespace rigor

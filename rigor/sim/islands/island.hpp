@@ -41,12 +41,9 @@ struct IslandStep {
 };
 
 inline bool IslandStep::is_finite() const {
-  const auto is_whole = [](const BodyPhase& phase) {
-    return phase.x.allFinite() && phase.q.coeffs().allFinite() && phase.P.allFinite() && phase.L.allFinite();
-  };
-  return std::all_of(end.begin(), end.end(), is_whole) &&
+  return std::all_of(end.begin(), end.end(), [](const BodyPhase& phase) { return phase.is_finite(); }) &&
          std::all_of(dense.begin(), dense.end(),
-                     [&](const DensePhase& path) { return is_whole(path.at(0.5)); });
+                     [](const DensePhase& path) { return path.at(0.5).is_finite(); });
 }
 
 }  // namespace rigor

@@ -350,10 +350,7 @@ void PenaltyStepper::note_impacts(double t) {
 
 bool PenaltyStepper::note_not_finite() {
   for (std::size_t i = 0; i < phases_.size(); ++i) {
-    const BodyPhase& phase = phases_[i];
-    const bool is_finite =
-        phase.x.allFinite() && phase.q.coeffs().allFinite() && phase.P.allFinite() && phase.L.allFinite();
-    if (is_finite) continue;
+    if (phases_[i].is_finite()) continue;
     const int body = contacts_.dynamic_bodies()[i];
     report_.reason = StopReason::not_finite;
     report_.detail = "the state of body '" + model_->body(body).name + "' is not finite";

@@ -24,10 +24,6 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-bool is_finite(const BodyPhase& phase) {
-  return phase.x.allFinite() && phase.q.coeffs().allFinite() && phase.P.allFinite() && phase.L.allFinite();
-}
-
 }  // namespace
 
 TimeStepper::TimeStepper(std::shared_ptr<const Model> model, const Method& method, double target_step)
@@ -103,7 +99,7 @@ double TimeStepper::take_step(double h, State& state) {
 
   // A body whose state is not finite ends the run.
   for (std::size_t i = 0; i < trial->end.bodies.size(); ++i) {
-    if (is_finite(trial->end.phases[i])) continue;
+    if (trial->end.phases[i].is_finite()) continue;
     report_.reason = StopReason::not_finite;
     report_.detail = "body '" + model_->body(trial->end.bodies[i]).name + "'";
     report_.bodies = {trial->end.bodies[i]};
@@ -353,8 +349,7 @@ void TimeStepper::hold_joints(Cluster& part, AdvanceReport& report) const {
   if (assembler_.joints_of(part.bodies).empty()) return;
   const std::vector<BodyPhase> before = part.phases;
   joints_.project_positions(part.t, part.bodies, part.phases, report);
-  for (std::size_t i = 0; i < part.bodies.size(); ++i)
-    part.phases[i].L -= (part.phases[i].x - before[i].x).cross(part.phases[i].P);
+  keep_angular_momenta(before, part.phases);
   joints_.project_velocities(part, report);
 }
 

@@ -26,6 +26,8 @@ class PathPiece {
   double end() const { return end_; }
   Pose pose(double t) const;
   Vec3 position(double t) const;  ///< Of the centre of mass [m].
+  /// Whether the centre of mass goes straight, at one speed.
+  bool is_straight() const { return std::holds_alternative<StraightWay>(way_); }
   /// Box that holds the centre of mass over [ta, tb].
   Aabb centre_box(double ta, double tb) const;
   /// Upper bound of |ω| [rad/s].
