@@ -19,6 +19,11 @@ namespace {
 constexpr double kFirstRho = 10;
 constexpr double kLargestPointRho = 1e4;
 constexpr double kGrowth = 10;
+// Where points come no nearer than by this share, contacts jam: forces that do nothing have to grow far
+// before they show whether the contacts contradict each other. Longer steps get there sooner, and their
+// rounding is still below what counts as solved.
+constexpr double kSlow = 0.3;
+constexpr double kLargestSlowRho = 1e6;
 
 class ProximalPoints {
  public:
@@ -50,24 +55,45 @@ class ProximalPoints {
 
       // How well its forces solve the law with b, and with the b' that the point has.
       const Offer offer = offer_of(*next);
+      const bool is_solved = offer.residual <= options_.enough;
+      const bool is_slow = !is_solved && !(offer.residual < kSlow * least);
       stalls = offer.residual < 0.5 * least ? 0 : stalls + 1;
       least = std::min(least, offer.residual);
       if (offer.residual <= options_.wanted) return solution_of(*next, offer, offer.residual, point);
-      if (stalls >= kPatience) {
-        if (offer.residual <= options_.enough) return solution_of(*next, offer, offer.residual, point);
-        if (offer.change <= options_.resolution && offer.changed_residual <= options_.enough)
-          return solution_of(*next, offer, offer.changed_residual, point);
-      }
+      if (is_solved && stalls > 0) return solution_of(*next, offer, offer.residual, point);
+      if (stalls >= kPatience && offer.change <= options_.resolution &&
+          offer.changed_residual <= options_.enough)
+        return solution_of(*next, offer, offer.changed_residual, point);
 
       // The next point, with a longer step.
       lambda_ = next->lambda;
       v_ = motion_.lift(motion_.pull(lambda_));
-      rho_ = std::min(growth * rho_, kLargestPointRho);
+      const double largest = is_slow ? kLargestSlowRho : kLargestPointRho;
+      if (rho_ < largest) rho_ = std::min(growth * rho_, largest);
     }
     return std::nullopt;
   }
 
  private:
+  /// A motion v with what the search along a line needs of it.
+  struct Motion {
+    VecX v;
+    VecX rates;     ///< L v (3n).
+    VecX momentum;  ///< M v.
+  };
+
+  Motion motion_at(VecX v) const {
+    Motion motion{std::move(v), {}, {}};
+    motion.rates = motion_.rates(motion.v);
+    motion.momentum = motion_.weigh(motion.v);
+    return motion;
+  }
+
+  static Motion moved(const Motion& motion, double length, const Motion& direction) {
+    return {motion.v + length * direction.v, motion.rates + length * direction.rates,
+            motion.momentum + length * direction.momentum};
+  }
+
   /// Forces at a motion v, and what the contacts do there.
   struct Forces {
     VecX lambda;  ///< 3n.
@@ -78,8 +104,8 @@ class ProximalPoints {
     double error;              ///< Of the miss, in the metric of M⁻¹.
   };
 
-  Forces forces_at(const VecX& v) const {
-    const VecX w = motion_.rates(v) + laws_.b;
+  Forces forces_at(const Motion& motion) const {
+    const VecX w = motion.rates + laws_.b;
     const std::size_t count = laws_.mu.size();
     Forces forces{VecX(w.size()),
                   std::vector<ContactMode>(count, ContactMode::open),
@@ -89,7 +115,7 @@ class ProximalPoints {
                   0};
     for (std::size_t k = 0; k < count; ++k) set_force(k, w, forces);
     forces.pulled = motion_.pull(forces.lambda);
-    forces.miss = motion_.weigh(v) - forces.pulled;
+    forces.miss = motion.momentum - forces.pulled;
     forces.error = std::sqrt(std::max(0.0, forces.miss.dot(motion_.lift(forces.miss))));
     return forces;
   }
@@ -124,27 +150,35 @@ class ProximalPoints {
 
   /// Solves M v = Lᵀ λ(v) from v_; nothing where the search along Newton's direction stops.
   std::optional<Forces> next_point() {
-    constexpr int kMaxSteps = 30, kMaxHalvings = 25;
-    constexpr double kSolved = 1e-13, kStuck = 1e-9, kDecrease = 1e-4;
-    VecX v = v_;
-    Forces at = forces_at(v);
+    constexpr int kMaxSteps = 30, kMaxHalvings = 12;
+    constexpr double kDecrease = 1e-4;
+    // Below kRounding of its terms the miss is their rounding, times ρ. It need not be smaller than a share
+    // of what the point moves: that share is what the points lose of their speed of convergence.
+    constexpr double kRounding = 1e-12, kStuck = 1e-9, kShare = 1e-3;
+    const Motion start = motion_at(v_);
+    Motion motion = start;
+    Forces at = forces_at(motion);
     for (int step = 0; step < kMaxSteps; ++step) {
       const double size =
-          std::sqrt(at.pulled.dot(motion_.lift(at.pulled))) + std::sqrt(v.dot(motion_.weigh(v)));
-      if (at.error <= kSolved * size) return at;
+          std::sqrt(at.pulled.dot(motion_.lift(at.pulled))) + std::sqrt(motion.v.dot(motion.momentum));
+      const Motion way = moved(motion, -1, start);
+      const double way_size = std::sqrt(std::max(0.0, way.v.dot(way.momentum)));
+      if (at.error <= std::max(kRounding * size, kShare * way_size)) return at;
 
       // Newton's direction, and halving until the error falls in proportion to the step.
-      const VecX direction = -motion_.newton_step(at.slopes, at.miss, Symmetry::none);
-      if (!direction.allFinite()) return std::nullopt;
+      const Motion direction = motion_at(-motion_.newton_step(at.slopes, at.miss, Symmetry::none));
+      if (!direction.v.allFinite()) return std::nullopt;
       double length = 1;
-      Forces trial = forces_at(v + direction);
+      Motion there = moved(motion, length, direction);
+      Forces trial = forces_at(there);
       for (int k = 0; k < kMaxHalvings && !(trial.error <= (1 - kDecrease * length) * at.error); ++k) {
         length *= 0.5;
-        trial = forces_at(v + length * direction);
+        there = moved(motion, length, direction);
+        trial = forces_at(there);
       }
       if (!(trial.error < at.error))
         return at.error <= kStuck * size ? std::optional<Forces>(std::move(at)) : std::nullopt;
-      v += length * direction;
+      motion = std::move(there);
       at = std::move(trial);
     }
     return std::nullopt;

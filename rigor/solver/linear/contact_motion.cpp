@@ -1,7 +1,6 @@
 #include "rigor/solver/linear/contact_motion.hpp"
 
 #include "rigor/math/dense.hpp"
-#include "rigor/solver/linear/node_system.hpp"
 
 #include <cmath>
 
@@ -49,7 +48,7 @@ VecX FactoredMotion::newton_step(const std::vector<Mat3>& D, const VecX& g, Symm
 }
 
 VecX SparseMotion::newton_step(const std::vector<Mat3>& D, const VecX& g, Symmetry symmetry) const {
-  return NodeSystem(rows_, D, 1.0, symmetry == Symmetry::positive).solve(g);
+  return NodeSystem(rows_, pattern_, D, 1.0, symmetry == Symmetry::positive).solve(g);
 }
 
 VecX effective_masses(const VecX& diagonal) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "rigor/solver/linear/contact_rows.hpp"
+#include "rigor/solver/linear/node_system.hpp"
 
 #include <vector>
 
@@ -45,7 +46,9 @@ class FactoredMotion : public ContactMotion {
 class SparseMotion : public ContactMotion {
  public:
   /// Holds a reference to the rows.
-  explicit SparseMotion(const ContactRows& rows) : rows_(rows), diagonal_(contact_diagonal(rows)) {}
+  explicit SparseMotion(const ContactRows& rows)
+      : rows_(rows), pattern_(elimination_pattern(rows)), diagonal_(contact_diagonal(rows)) {}
+  const EliminationPattern& pattern() const { return pattern_; }
   VecX rates(const VecX& v) const override { return contact_rates(rows_, v); }
   VecX pull(const VecX& lambda) const override { return with_joints(rows_, contact_wrenches(rows_, lambda)); }
   VecX weigh(const VecX& v) const override { return node_wrenches(rows_, v); }
@@ -55,6 +58,7 @@ class SparseMotion : public ContactMotion {
 
  private:
   const ContactRows& rows_;
+  EliminationPattern pattern_;
   VecX diagonal_;
 };
 

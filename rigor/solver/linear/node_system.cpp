@@ -2,10 +2,10 @@
 
 #include "rigor/core/index.hpp"
 
-#include <Eigen/SparseCholesky>
 #include <Eigen/SparseLU>
 
 #include <cmath>
+#include <optional>
 
 namespace rigor {
 
@@ -16,9 +16,10 @@ namespace {
 // Up to so many unknowns the dense factorisation is faster than the sparse one.
 constexpr Index kDenseUnknowns = 144;
 
-/// Calls add(row node, column node, block) for each block of the sum.
+/// Calls add(row node, column node, block) for each block of the sum; of a symmetric one for row ≤ column.
 template <typename Add>
-void assemble(const ContactRows& rows, const std::vector<Mat3>& D, double mass_factor, Add add) {
+void assemble(const ContactRows& rows, const std::vector<Mat3>& D, double mass_factor, bool is_symmetric,
+              Add add) {
   for (std::size_t k = 0; k < rows.node_count(); ++k)
     add(static_cast<int>(k), static_cast<int>(k), Mat6(mass_factor * rows.masses[k]));
   for (std::size_t i = 0; i < rows.contacts.size(); ++i) {
@@ -27,7 +28,7 @@ void assemble(const ContactRows& rows, const std::vector<Mat3>& D, double mass_f
       if (left.node < 0) continue;
       const Eigen::Matrix<double, 6, 3> pushed = left.J.transpose() * D[i];
       for (const ContactRows::Side& right : rows.contacts[i])
-        if (right.node >= 0) add(left.node, right.node, Mat6(pushed * right.J));
+        if (right.node >= (is_symmetric ? left.node : 0)) add(left.node, right.node, Mat6(pushed * right.J));
     }
   }
 }
@@ -66,12 +67,8 @@ struct NodeSystem::Factors {
     return true;
   }
 
-  bool factor_sparse(const Sparse& matrix, bool is_symmetric) {
-    form = is_symmetric ? Form::cholesky : Form::lu;
-    if (is_symmetric) {
-      cholesky = std::make_unique<Eigen::SimplicialLLT<Sparse>>(matrix);
-      return cholesky->info() == Eigen::Success;
-    }
+  bool factor_sparse(const Sparse& matrix) {
+    form = Form::lu;
     lu = std::make_unique<Eigen::SparseLU<Sparse>>(matrix);
     return lu->info() == Eigen::Success;
   }
@@ -83,27 +80,41 @@ struct NodeSystem::Factors {
         return dense_cholesky.solve(c);
       case Form::dense_lu:
         return dense_lu.solve(c);
-      case Form::cholesky:
-        return cholesky->solve(c);
       case Form::lu:
         break;
     }
     return lu->solve(c);
   }
 
+  std::optional<BlockElimination> blocks;
   Eigen::LLT<MatX> dense_cholesky;
   Eigen::PartialPivLU<MatX> dense_lu;
-  std::unique_ptr<Eigen::SimplicialLLT<Sparse>> cholesky;
   std::unique_ptr<Eigen::SparseLU<Sparse>> lu;
-  enum class Form { dense_cholesky, dense_lu, cholesky, lu } form = Form::dense_cholesky;
+  enum class Form { dense_cholesky, dense_lu, lu } form = Form::dense_cholesky;
 };
+
+EliminationPattern elimination_pattern(const ContactRows& rows) {
+  std::vector<std::pair<int, int>> pairs;
+  for (const ContactRows::Sides& sides : rows.contacts)
+    for (std::size_t a = 0; a < sides.size(); ++a)
+      for (std::size_t b = a + 1; b < sides.size(); ++b)
+        if (sides[a].node >= 0 && sides[b].node >= 0 && sides[a].node != sides[b].node)
+          pairs.emplace_back(sides[a].node, sides[b].node);
+  return {rows.node_count(), pairs};
+}
 
 NodeSystem::NodeSystem(NodeSystem&& other) noexcept = default;
 NodeSystem::~NodeSystem() = default;
 
-NodeSystem::NodeSystem(const ContactRows& rows, const std::vector<Mat3>& D, double mass_factor,
-                       bool is_symmetric)
-    : rows_(rows), scales_(unknown_scales(rows)), factors_(std::make_unique<Factors>()) {
+NodeSystem::NodeSystem(const ContactRows& rows, const EliminationPattern& pattern, const std::vector<Mat3>& D,
+                       double mass_factor, bool is_symmetric)
+    : rows_(rows), factors_(std::make_unique<Factors>()) {
+  if (!rows.joints) {
+    is_regular_ = factor_blocks(pattern, D, mass_factor, is_symmetric);
+    return;
+  }
+  scales_ = unknown_scales(rows);
+
   // On the base of the motions that joints allow, where it is small enough for dense factors.
   if (rows.has_held_motions()) {
     find_places();
@@ -114,8 +125,8 @@ NodeSystem::NodeSystem(const ContactRows& rows, const std::vector<Mat3>& D, doub
     places_.clear();
   }
 
-  // Else on all nodes, with the joints' independent rows as a border: scaled so that pivots compare like
-  // units.
+  // Else on all nodes, with the joints' independent rows as a border: symmetric, but not definite, and scaled
+  // so that pivots compare like units.
   const auto scaled = [this](int i, int k, const Mat6& block) {
     return Mat6(scales_.segment<6>(6 * i).asDiagonal() * block * scales_.segment<6>(6 * k).asDiagonal());
   };
@@ -124,11 +135,9 @@ NodeSystem::NodeSystem(const ContactRows& rows, const std::vector<Mat3>& D, doub
   };
   const Index free = 6 * static_cast<Index>(rows.node_count());
   size_ = free + for_each_joint_row(rows, [](Index, int, const Vec6&) {});
-  // The bordered matrix is symmetric, but not definite.
-  is_symmetric = is_symmetric && size_ == free;
   if (size_ <= kDenseUnknowns) {
     MatX matrix = MatX::Zero(size_, size_);
-    assemble(rows, D, mass_factor, [&](int i, int k, const Mat6& block) {
+    assemble(rows, D, mass_factor, false, [&](int i, int k, const Mat6& block) {
       matrix.block<6, 6>(6 * i, 6 * k) += scaled(i, k, block);
     });
     for_each_joint_row(rows, [&](Index row, int node, const Vec6& coefficients) {
@@ -136,13 +145,11 @@ NodeSystem::NodeSystem(const ContactRows& rows, const std::vector<Mat3>& D, doub
       matrix.block<1, 6>(free + row, 6 * node) = entry.transpose();
       matrix.block<6, 1>(6 * node, free + row) = entry;
     });
-    is_regular_ = factors_->factor_dense(matrix, is_symmetric);
+    is_regular_ = factors_->factor_dense(matrix, false);
     return;
   }
   std::vector<Eigen::Triplet<double>> entries;
-  assemble(rows, D, mass_factor, [&](int i, int k, const Mat6& block) {
-    // Of a symmetric matrix the lower triangle is enough.
-    if (is_symmetric && i < k) return;
+  assemble(rows, D, mass_factor, false, [&](int i, int k, const Mat6& block) {
     const Mat6 entry = scaled(i, k, block);
     for (int c = 0; c < 6; ++c)
       for (int r = 0; r < 6; ++r) entries.emplace_back(6 * i + r, 6 * k + c, entry(r, c));
@@ -156,7 +163,15 @@ NodeSystem::NodeSystem(const ContactRows& rows, const std::vector<Mat3>& D, doub
   });
   Factors::Sparse matrix(size_, size_);
   matrix.setFromTriplets(entries.begin(), entries.end());
-  is_regular_ = factors_->factor_sparse(matrix, is_symmetric);
+  is_regular_ = factors_->factor_sparse(matrix);
+}
+
+bool NodeSystem::factor_blocks(const EliminationPattern& pattern, const std::vector<Mat3>& D,
+                               double mass_factor, bool is_symmetric) {
+  BlockElimination& blocks = factors_->blocks.emplace(pattern, is_symmetric);
+  assemble(rows_, D, mass_factor, is_symmetric,
+           [&](int row, int column, const Mat6& block) { blocks.add(row, column, block); });
+  return blocks.factor(unknown_scales(rows_));
 }
 
 void NodeSystem::find_places() {
@@ -212,6 +227,7 @@ void NodeSystem::factor_on_motions(const std::vector<Mat3>& D, double mass_facto
 }
 
 VecX NodeSystem::solve(const VecX& c) const {
+  if (factors_->blocks) return factors_->blocks->solve(c);
   if (places_.empty()) {
     VecX bordered = VecX::Zero(size_);
     bordered.head(c.size()) = scales_.cwiseProduct(c);

@@ -1,11 +1,15 @@
 #pragma once
 
+#include "rigor/solver/linear/block_elimination.hpp"
 #include "rigor/solver/linear/contact_rows.hpp"
 
 #include <memory>
 #include <vector>
 
 namespace rigor {
+
+/// Which nodes share contacts.
+EliminationPattern elimination_pattern(const ContactRows& rows);
 
 /// Linear systems over nodes of six unknowns, with a block wherever two nodes share a contact:
 ///
@@ -15,13 +19,15 @@ namespace rigor {
 /// on the base of these motions if the rows have one, else with the joints' independent rows (those that
 /// ConstrainedMass has chosen) as a border of the matrix.
 ///
-/// A few nodes are solved densely; more by a sparse factorisation in an order of little fill, whose time
-/// grows about in proportion to the nodes in stacks and rows.
+/// Without joints the matrix is eliminated block by block in an order of little fill, in a time that grows
+/// about in proportion to the nodes in stacks and rows. With joints a few nodes are solved densely, more by a
+/// sparse factorisation.
 class NodeSystem {
  public:
-  /// One 3 × 3 matrix D per contact. Symmetric: all D are, and are positive semidefinite. Holds a reference
-  /// to the rows.
-  NodeSystem(const ContactRows& rows, const std::vector<Mat3>& D, double mass_factor, bool is_symmetric);
+  /// One 3 × 3 matrix D per contact. Symmetric: all D are, and are positive semidefinite. Holds references
+  /// to the rows and to the pattern, which is that of the rows and serves all systems of them.
+  NodeSystem(const ContactRows& rows, const EliminationPattern& pattern, const std::vector<Mat3>& D,
+             double mass_factor, bool is_symmetric);
   NodeSystem(NodeSystem&& other) noexcept;
   ~NodeSystem();
 
@@ -29,6 +35,8 @@ class NodeSystem {
   VecX solve(const VecX& c) const;
 
  private:
+  bool factor_blocks(const EliminationPattern& pattern, const std::vector<Mat3>& D, double mass_factor,
+                     bool is_symmetric);
   struct Factors;  ///< Of the matrix: kept apart, since Eigen's sparse templates take long to compile.
   void factor_on_motions(const std::vector<Mat3>& D, double mass_factor, bool is_symmetric);
   void find_places();

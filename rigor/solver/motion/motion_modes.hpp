@@ -28,7 +28,9 @@ struct MotionProblem {
 /// the joints bear.
 class MotionModesSystem {
  public:
-  MotionModesSystem(const MotionProblem& problem, const ContactModes& modes);
+  /// Holds references to the problem and to the pattern of its rows.
+  MotionModesSystem(const MotionProblem& problem, const EliminationPattern& pattern,
+                    const ContactModes& modes);
 
   /// λ (3n) of least norm.
   const VecX& least_norm() const { return lambda_; }
@@ -56,6 +58,7 @@ class MotionModesSystem {
   void refine(const NodeSystem& to_motion, const NodeSystem& to_forces);
 
   const MotionProblem& problem_;
+  const EliminationPattern& pattern_;
   std::vector<ContactMode> modes_;
   std::vector<Vec3> generators_;  ///< Of the contacts that slide: unit.
   double scale_ = 0;              ///< Largest diagonal entry of A without joints.

@@ -1,0 +1,85 @@
+#pragma once
+
+#include "rigor/math/types.hpp"
+
+#include <Eigen/LU>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace rigor {
+
+/// In which order to eliminate nodes that are coupled in pairs, and which blocks are not zero then: found
+/// once for a graph, used for all matrices on it. The order is one of approximate minimum degree (Amestoy,
+/// Davis and Duff, An Approximate Minimum Degree Ordering Algorithm, 1996), by Eigen.
+class EliminationPattern {
+ public:
+  /// Pairs of different nodes below `nodes`, in any order, as often as they occur.
+  EliminationPattern(std::size_t nodes, const std::vector<std::pair<int, int>>& pairs);
+
+  std::size_t node_count() const { return place_.size(); }
+  std::size_t pair_count() const { return later_.size(); }
+  /// When a node is eliminated: 0 is first.
+  int place(int node) const { return place_[static_cast<std::size_t>(node)]; }
+  /// Number of the pair of two places, the first of which is eliminated before the second.
+  std::size_t pair(int first, int second) const;
+  /// The pairs of a place with those after it are begin(place) ≤ pair < begin(place + 1), with these second
+  /// places, in increasing order.
+  std::size_t begin(std::size_t place) const { return begin_[place]; }
+  std::size_t second(std::size_t pair) const { return later_[pair]; }
+  /// Pairs that the elimination of a place changes: those of its later places i < k, in the order
+  /// (i₀, i₁), (i₀, i₂), …, (i₁, i₂), …
+  const std::size_t* changed(std::size_t place) const { return changed_.data() + first_changed_[place]; }
+
+ private:
+  std::vector<int> place_;
+  std::vector<std::size_t> begin_, later_, first_changed_, changed_;
+};
+
+/// Gaussian elimination of a matrix of 6 × 6 blocks, a block wherever two nodes are coupled, with
+/// pivots within each node's own block. That is stable for matrices whose symmetric part is positive
+/// definite, such as masses with contacts that give way; of others `is_regular` tells whether the pivots
+/// were nonzero, and the caller refines.
+class BlockElimination {
+ public:
+  /// Holds a reference to the pattern. All blocks are zero.
+  BlockElimination(const EliminationPattern& pattern, bool is_symmetric);
+
+  /// Adds to the block of these nodes; of symmetric matrices only one of (row, column), (column, row) for
+  /// different nodes, whichever.
+  template <typename Block>
+  void add(int row_node, int column_node, const Block& block) {
+    const int row = pattern_.place(row_node), column = pattern_.place(column_node);
+    if (row == column) {
+      pivots_[static_cast<std::size_t>(row)] += block;
+    } else if (row < column) {
+      upper_[pattern_.pair(row, column)] += block;
+    } else if (is_symmetric_) {
+      upper_[pattern_.pair(column, row)] += block.transpose();
+    } else {
+      lower_[pattern_.pair(column, row)] += block;
+    }
+  }
+
+  /// Factors S A S with the diagonal S, one number an unknown, such that the pivots of a node compare like
+  /// units. Whether all pivots were nonzero and finite.
+  bool factor(const VecX& scales);
+  /// A⁻¹ c (6 × nodes), after `factor`.
+  VecX solve(const VecX& c) const;
+
+ private:
+  using Pivot = Eigen::PartialPivLU<Mat6>;
+  void scale(const VecX& scales);
+  void eliminate(std::size_t place);
+
+  const EliminationPattern& pattern_;
+  bool is_symmetric_;
+  std::vector<Vec6> scales_;    ///< One a place.
+  std::vector<Mat6> pivots_;    ///< A_pp, one a place.
+  std::vector<Pivot> factors_;  ///< Of them when their turn came.
+  std::vector<Mat6> upper_;     ///< A_pk, one a pair p < k; once p is eliminated A_pp⁻¹ A_pk.
+  std::vector<Mat6> lower_;     ///< A_kp; of symmetric matrices from when p is eliminated.
+};
+
+}  // namespace rigor
