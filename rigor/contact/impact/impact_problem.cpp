@@ -1,10 +1,35 @@
 #include "rigor/contact/impact/impact_problem.hpp"
 
+#include "rigor/contact/system/motion_rows.hpp"
 #include "rigor/core/assert.hpp"
+#include "rigor/solver/motion/motion_problem.hpp"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 namespace rigor {
+
+namespace {
+
+/// From so many contacts on the sparse rows are faster than the dense A.
+constexpr std::size_t many_contacts = 12;
+
+/// Joints and loads have rows of their own kind, which contact space eliminates.
+bool bodies_bear_all(const ContactSystem& system) {
+  return !system.joints && std::none_of(system.contacts.begin(), system.contacts.end(),
+                                        [](const Contact& contact) { return contact.stop.has_value(); });
+}
+
+CoulombProblem cones_of(const VecX& b, const std::vector<double>& mu) {
+  return {{},
+          b,
+          mu,
+          std::vector<FrictionRow>(mu.size(), FrictionRow::cone),
+          std::vector<Vec2>(mu.size(), Vec2::Zero())};
+}
+
+}  // namespace
 
 ImpactProblem make_impact_problem(const ContactSystem& system, const std::vector<double>& restitutions) {
   RIGOR_ASSERT(restitutions.size() == system.contacts.size());
@@ -17,6 +42,8 @@ ImpactProblem make_impact_problem(const ContactSystem& system, const std::vector
                                 (is_ascending ? 1.0 : -1.0) * system.frames[i], contact.friction,
                                 restitutions[i], contact.tangential_restitution});
   }
+  if (problem.count() >= many_contacts && bodies_bear_all(system))
+    problem.rows = std::make_shared<const ContactRows>(motion_rows(system));
   return problem;
 }
 
@@ -51,9 +78,23 @@ double energy_change(const ImpactProblem& problem, const VecX& lambda) {
 CoulombSolution solve_cones(const MatX& A, const VecX& b, const std::vector<double>& mu) {
   CoulombOptions options;
   options.resolution = 0;  // Velocities of bodies: contacts do not contradict each other.
-  return solve_coulomb({A, b, mu, std::vector<FrictionRow>(mu.size(), FrictionRow::cone),
-                        std::vector<Vec2>(mu.size(), Vec2::Zero())},
-                       options);
+  CoulombProblem problem = cones_of(b, mu);
+  problem.A = A;
+  return solve_coulomb(problem, options);
+}
+
+CoulombSolution solve_cones(const ImpactProblem& problem, const VecX& b, const std::vector<double>& mu) {
+  if (problem.rows) {
+    const MotionProblem motion{*problem.rows, cones_of(b, mu)};
+    if (std::optional<CoulombSolution> least = solve_in_motion_space(motion)) return std::move(*least);
+    CoulombOptions any_share;
+    any_share.least_norm = false;
+    any_share.enough = any_share.tolerance;
+    any_share.resolution = 0;
+    if (std::optional<CoulombSolution> any = solve_in_motion_space(motion, {}, any_share))
+      return std::move(*any);
+  }
+  return solve_cones(problem.A, b, mu);
 }
 
 std::vector<double> frictions(const ImpactProblem& problem) {

@@ -1,7 +1,9 @@
 #pragma once
 
 #include "rigor/contact/system/contact_system.hpp"
+#include "rigor/solver/linear/contact_rows.hpp"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -27,6 +29,8 @@ struct ImpactProblem {
   std::vector<ImpactContact> contacts;  ///< n.
   MatX A;                               ///< Delassus operator, 3n × 3n [1/kg].
   VecX u;                               ///< Relative velocities before, 3n [m/s].
+  /// What A is made of, where the contacts are many and bodies alone bear them: else none.
+  std::shared_ptr<const ContactRows> rows = {};
 
   std::size_t count() const { return contacts.size(); }
 };
@@ -67,6 +71,10 @@ double energy_change(const ImpactProblem& problem, const VecX& lambda);
 /// Impulses λ with w = A λ + b, 0 ≤ λ_n ⊥ w_n ≥ 0, λ in the cones, friction against w_t: Coulomb's law,
 /// without friction if `mu` is zero.
 CoulombSolution solve_cones(const MatX& A, const VecX& b, const std::vector<double>& mu);
+
+/// The same for all contacts of the problem, from velocities b (3n): by its rows if it has them, with any
+/// share of the load where the one of least norm is not found there. By A else, and what the rows leave.
+CoulombSolution solve_cones(const ImpactProblem& problem, const VecX& b, const std::vector<double>& mu);
 
 /// μ of all contacts.
 std::vector<double> frictions(const ImpactProblem& problem);

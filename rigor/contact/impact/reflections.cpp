@@ -1,7 +1,12 @@
 #include "rigor/contact/impact/reflections.hpp"
 
+#include "rigor/solver/motion/motion_problem.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <optional>
+#include <utility>
 
 namespace rigor {
 
@@ -21,9 +26,9 @@ CoulombSolution solve_plastic(const ImpactProblem& problem, const VecX& u) {
   const auto is_admissible = [&](const CoulombSolution& found) {
     return found.lambda.dot(found.w + u) <= 0 && fastest_approach(found.w) <= 1e-9 * fastest_approach(u);
   };
-  const CoulombSolution exact = solve_cones(problem.A, u, frictions(problem));
+  const CoulombSolution exact = solve_cones(problem, u, frictions(problem));
   if (exact.converged || is_admissible(exact)) return exact;
-  CoulombSolution frictionless = solve_cones(problem.A, u, std::vector<double>(problem.count(), 0.0));
+  CoulombSolution frictionless = solve_cones(problem, u, std::vector<double>(problem.count(), 0.0));
   if (!is_admissible(frictionless)) frictionless.lambda.setZero();
   frictionless.residual = exact.residual;
   frictionless.converged = false;
@@ -79,6 +84,49 @@ VecX blended(const ImpactProblem& problem, const VecX& plastic, const VecX& refl
   return lambda + largest_share(problem, lambda, more, limit) * more;
 }
 
+/// The rows of these contacts with the normal ones cut off: instead of bodies they move loads, so that their
+/// diagonal entries are those of A.
+std::shared_ptr<const ContactRows> rows_of_friction(const ContactRows& rows,
+                                                    const std::vector<std::size_t>& contacts, const MatX& A) {
+  ContactRows result;
+  result.masses = rows.masses;
+  result.inverse_masses = rows.inverse_masses;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    // A node of loads has six velocities, one for each of six contacts.
+    const Eigen::Index velocity = static_cast<Eigen::Index>(i % 6);
+    if (velocity == 0) {
+      result.masses.push_back(Mat6::Identity());
+      result.inverse_masses.push_back(Mat6::Identity());
+    }
+    const double a = A(row_of(i) + 2, row_of(i) + 2);
+    result.masses.back()(velocity, velocity) = 1 / a;
+    result.inverse_masses.back()(velocity, velocity) = a;
+    ContactRows::Sides sides = rows.contacts[contacts[i]];
+    for (ContactRows::Side& side : sides) side.J.row(2).setZero();
+    sides[2].node = static_cast<int>(result.masses.size()) - 1;
+    sides[2].J.setZero();
+    sides[2].J(2, velocity) = 1;
+    result.contacts.push_back(sides);
+  }
+  return std::make_shared<const ContactRows>(std::move(result));
+}
+
+/// Coulomb's law on the part, with any share of the load.
+CoulombSolution solve_friction(const ImpactProblem& part) {
+  CoulombOptions any_share;
+  any_share.least_norm = false;
+  any_share.enough = any_share.tolerance = 1e-10;  // Of impulses; the energy misses its least by the square.
+  any_share.resolution = 0;
+  CoulombProblem laws{part.A, part.u, frictions(part),
+                      std::vector<FrictionRow>(part.count(), FrictionRow::cone),
+                      std::vector<Vec2>(part.count(), Vec2::Zero())};
+  if (part.rows) {
+    if (std::optional<CoulombSolution> found = solve_in_motion_space({*part.rows, laws}, {}, any_share))
+      return std::move(*found);
+  }
+  return solve_coulomb(laws, any_share);
+}
+
 }  // namespace
 
 VecX generalised_reflections(const ImpactProblem& problem) {
@@ -111,7 +159,7 @@ double add_friction(const ImpactProblem& problem, VecX& lambda) {
   if (pressed.empty()) return 0;
 
   // A Coulomb problem whose normal impulses are known: the normal rows are cut off from the tangential ones
-  // and say a (λ_n - known) = 0.
+  // and say a (λ_n - known) = 0. The motion is the same for every share of redundant contacts.
   ImpactProblem part = part_of(problem, pressed, problem.u + problem.A * lambda);
   for (std::size_t i = 0; i < part.count(); ++i) {
     const Eigen::Index normal = row_of(i) + 2;
@@ -122,15 +170,8 @@ double add_friction(const ImpactProblem& problem, VecX& lambda) {
     part.u[normal] = -a * lambda[row_of(pressed[i]) + 2];
   }
 
-  // The motion is the same for every share of redundant contacts.
-  CoulombOptions any_share;
-  any_share.least_norm = false;
-  any_share.enough = any_share.tolerance = 1e-10;  // Of impulses; the energy misses its least by the square.
-  any_share.resolution = 0;
-  const CoulombSolution found = solve_coulomb(
-      {part.A, part.u, frictions(part), std::vector<FrictionRow>(part.count(), FrictionRow::cone),
-       std::vector<Vec2>(part.count(), Vec2::Zero())},
-      any_share);
+  if (problem.rows) part.rows = rows_of_friction(*problem.rows, pressed, part.A);
+  const CoulombSolution found = solve_friction(part);
 
   // The friction found, brought inside the disks of the true normal impulses.
   for (std::size_t i = 0; i < pressed.size(); ++i) {
