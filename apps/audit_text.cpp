@@ -18,6 +18,7 @@ namespace {
 
 /// Longer lists belong in a file.
 constexpr std::size_t most_bodies = 10;
+constexpr std::size_t most_spans = 10;
 
 template <typename... Values>
 void add_line(std::string& text, const char* title, fmt::format_string<const Values&...> format,
@@ -25,12 +26,13 @@ void add_line(std::string& text, const char* title, fmt::format_string<const Val
   fmt::format_to(std::back_inserter(text), "  {:<14}{}\n", title, fmt::format(format, values...));
 }
 
-/// The choices that apply to the scheme.
-std::string method_text(const Method& method) {
+/// The choices that apply to the schemes that carried the run.
+std::string method_text(const Audit& audit) {
   std::string text;
   for (const std::string& key : method_choice_keys()) {
-    if (!uses_choice(method, key)) continue;
-    const std::string value = method_choice(method, key);
+    if (!audit.uses(key)) continue;
+    const bool is_several = key == "scheme" && audit.was_handed_over();
+    const std::string value = is_several ? scheme_name(Scheme::automatic) : method_choice(audit.method, key);
     if (!value.empty()) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", key, value);
   }
   return text;
@@ -42,6 +44,24 @@ std::string energy_parts_text(const Audit& audit) {
   return fmt::format("{:.6g} J by motors; {:.6g} J to friction, {:.6g} J to impacts; {:.6g} J to springs",
                      report.motor_work, report.friction_loss, report.impact_loss - report.impact_gain,
                      audit.final.elastic - audit.initial.elastic);
+}
+
+/// Where `auto` handed over from one scheme to another: which carried what, how accurately, and why it ended.
+void add_spans(const Audit& audit, std::string& text) {
+  if (!audit.was_handed_over()) return;
+  std::size_t shown = 0;
+  for (const Audit::Span& span : audit.spans) {
+    if (shown == most_spans) break;
+    add_line(text, shown++ == 0 ? "spans" : "",
+             "{:.6g} to {:.6g} s {}: {} impacts, at times known to {:.3g} s", span.of.begin, span.of.end,
+             scheme_name(span.of.scheme), span.of.impacts, audit.impact_time_error(span.of));
+    add_line(text, "", "  {:.3g} J unexplained rise of at most {:.3g} J, penetration at most {:.3g} m",
+             span.of.rise, span.most_rise, span.penetration);
+    if (!span.of.end_cause.empty()) add_line(text, "", "  handed over: {}", span.of.end_cause);
+  }
+  if (audit.spans.size() > shown)
+    add_line(text, "", "and {} more spans; --json has them all", audit.spans.size() - shown);
+  add_line(text, "", "the whole run is judged by the weaker promises of both");
 }
 
 void add_motion(const Audit& audit, std::string& text) {
@@ -157,8 +177,9 @@ std::string audit_text(const Audit& audit, std::FILE* stream) {
   std::string text =
       fmt::format("{}: {:.6g} s simulated in {:.3g} s ({:.3g} times real time)\n",
                   toned(audit.scene, Tone::strong, stream), audit.sim_time, audit.wall_time, speed);
-  add_line(text, "method", "{}", method_text(audit.method));
+  add_line(text, "method", "{}", method_text(audit));
   if (!audit.scheme_reason.empty()) add_line(text, "scheme: auto", "{}", audit.scheme_reason);
+  add_spans(audit, text);
   add_motion(audit, text);
   add_bodies(audit, text);
   add_joints(audit, text);

@@ -26,14 +26,16 @@ std::string duration_text(double seconds) {
 
 std::string progress_text(const Progress& progress, int width) {
   constexpr int narrowest_bar = 5, widest_bar = 20;
+  constexpr double slow = 120;  // [s].
   const double span = progress.end - progress.start, done = progress.time - progress.start;
   const double share = span > 0 ? std::clamp(done / span, 0.0, 1.0) : 1.0;
   const double speed = progress.elapsed > 0 ? done / progress.elapsed : 0;
   const std::string times = fmt::format("{}{:.6g}/{:.6g} s ", progress.label, progress.time, progress.end);
-  const std::string rest =
+  const double left = speed > 0 ? (span - done) / speed : -1;
+  std::string rest =
       fmt::format("{:.3g}x real time, ETA {}, {} impacts, {} at rest, energy drift {:.1g} J", speed,
-                  duration_text(speed > 0 ? (span - done) / speed : -1), progress.impacts, progress.resting,
-                  progress.energy_drift);
+                  duration_text(left), progress.impacts, progress.resting, progress.energy_drift);
+  if (left > slow && !progress.advice.empty()) rest += ", " + progress.advice;
   // The bar takes the space that the numbers leave.
   const int room = width - static_cast<int>(times.size() + rest.size()) - 3;
   const int bar = room < narrowest_bar ? 0 : std::min(room, widest_bar);

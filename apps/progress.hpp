@@ -7,12 +7,13 @@ namespace rigor {
 
 /// The contents of a progress line.
 struct Progress {
-  double time;             ///< Simulated so far [s].
-  double start, end;       ///< Start and end of the run [s].
-  double elapsed;          ///< Real time [s].
-  long impacts, resting;   ///< Events so far.
-  double energy_drift;     ///< Largest unexplained rise of energy [J].
-  std::string label = {};  ///< Comes first, if not empty.
+  double time;              ///< Simulated so far [s].
+  double start, end;        ///< Start and end of the run [s].
+  double elapsed;           ///< Real time [s].
+  long impacts, resting;    ///< Events so far.
+  double energy_drift;      ///< Largest unexplained rise of energy [J].
+  std::string label = {};   ///< Comes first, if not empty.
+  std::string advice = {};  ///< Comes last where the run will take minutes more, if not empty.
 };
 
 /// One line of plain text, at most `width` characters: simulated and total time, a bar, the real-time factor,

@@ -5,6 +5,8 @@
 #include "rigor/io/files/text_file.hpp"
 #include "rigor/io/trajectory/audit_json.hpp"
 #include "rigor/io/trajectory/fingerprint.hpp"
+#include "rigor/sim/handover/auto_stepper.hpp"
+#include "rigor/sim/method/scheme_choice.hpp"
 #include "rigor/view/3d/picture_writer.hpp"
 
 #include <fmt/format.h>
@@ -44,6 +46,14 @@ std::unique_ptr<TrajectoryWriter> make_output(const std::filesystem::path& path,
   return make_trajectory_writer(path, header);
 }
 
+/// Whether the scene names a scheme with events where `auto` would leave them to equal steps if they crowd.
+bool names_events(const Scene& scene) {
+  if (scene.method.scheme != Scheme::event_driven && scene.method.scheme != Scheme::hybrid) return false;
+  Method by_auto = scene.method;
+  by_auto.scheme = Scheme::automatic;
+  return resolve_scheme(*scene.model, by_auto).steps.has_value();
+}
+
 }  // namespace
 
 RunRecorder::RunRecorder(const RunOptions& options, const Scene& scene, double start_time,
@@ -54,6 +64,7 @@ RunRecorder::RunRecorder(const RunOptions& options, const Scene& scene, double s
       begin_(std::chrono::steady_clock::now()),
       progress_line_(!options.is_quiet),
       progress_{.time = start_time, .start = start_time, .end = scene.run.duration} {
+  could_hand_over_ = names_events(scene);
   if (!options.checkpoint.empty()) check_can_write(options.checkpoint);
   if (!options.json.empty() && options.json != "-") json_ = std::make_unique<OutputFile>(options.json);
   if (!options.outputs.empty()) {
@@ -114,6 +125,10 @@ void RunRecorder::write_checkpoint_at(const State& state, const Audit& audit) {
 }
 
 void RunRecorder::show_progress(const State& state, const AdvanceReport& since, const Auditor& auditor) {
+  // The work of the events since the last output, as `auto` judges it.
+  const bool is_crowded =
+      could_hand_over_ && since.effort > HandoverBounds{}.paid_by_events * (state.t - progress_.time);
+  progress_.advice = is_crowded ? "events crowd: method.scheme=auto would be quicker" : "";
   progress_.time = state.t;
   progress_.elapsed = elapsed();
   progress_.impacts += since.impacts;

@@ -60,6 +60,7 @@ class RunRecorder {
   std::unique_ptr<OutputFile> json_;
   long checkpoint_count_ = 0;  ///< Multiples of the interval that have passed.
   std::string file_error_;
+  bool could_hand_over_ = false;  ///< The scene names a scheme from which `auto` would hand over.
 };
 
 }  // namespace rigor

@@ -3,6 +3,7 @@
 #include "rigor/core/index.hpp"
 #include "rigor/math/types.hpp"
 #include "rigor/model/contact_memory.hpp"
+#include "rigor/model/handover_memory.hpp"
 #include "rigor/model/manifold_memory.hpp"
 #include "rigor/model/model.hpp"
 
@@ -35,6 +36,7 @@ struct State {
   std::vector<float> joint_impulses;  ///< Many-body path: six per joint, in the order of the model.
   /// How long each body has been slow [s], infinite if it sleeps; empty if none may sleep.
   std::vector<float> quiet_time;
+  HandoverMemory handover;  ///< Of the scheme `auto`.
 
   bool operator==(const State& other) const = default;
 

@@ -14,12 +14,15 @@ namespace {
 
 // The layout of the bytes, all little-endian: 8 bytes magic, version (u32), 0 (u32), the counts (u64 each) n
 // of bodies, m of remembered contacts, of remembered manifolds, of joint impulses and of quiet times, then
-// the doubles t, x (3n), q (4n), P (3n), L (3n), epoch (n), anchor (13n), then m times body_A, body_B,
-// shape_A, shape_B, feature (8 bytes each), values (12 doubles) and energy, then the manifolds (22 numbers of
-// 4 bytes each), the joint impulses and the quiet times (floats, two to 8 bytes), then the FNV-1a checksum
-// (u64) of everything before it.
+// the doubles t, of the hand-over 1 if fixed steps carry the bodies or 0, work owed and price, x (3n), q
+// (4n), P (3n), L (3n), epoch (n), anchor (13n), then m times body_A, body_B, shape_A, shape_B, feature (8
+// bytes each), values (12 doubles) and energy, then the manifolds (22 numbers of 4 bytes each), the joint
+// impulses and the quiet times (floats, two to 8 bytes), then the FNV-1a checksum (u64) of everything before
+// it.
 constexpr std::array<unsigned char, 8> magic = {'R', 'I', 'G', 'O', 'R', 'S', 'T', 0x1A};
-constexpr std::uint64_t version = 5;
+constexpr std::uint64_t version = 6;
+/// Beside the header: t and the hand-over.
+constexpr std::size_t single_words = 4;
 constexpr std::size_t header_length = 56;
 constexpr std::size_t checksum_length = 8;
 constexpr std::size_t doubles_of_a_body = 27;
@@ -98,7 +101,7 @@ bool do_fit(const Counts& counts, std::uint64_t words) {
 
 void check_frame(const Bytes& bytes) {
   const std::string found = std::to_string(bytes.size()) + " bytes";
-  if (bytes.size() < header_length + 8 + checksum_length) {
+  if (bytes.size() < header_length + 8 * single_words + checksum_length) {
     throw InputError("state: damaged, it has only " + found);
   }
   if (!std::equal(magic.begin(), magic.end(), bytes.begin()))
@@ -109,7 +112,7 @@ void check_frame(const Bytes& bytes) {
   }
   // The counts are compared with what the bytes can hold before anything is computed from them.
   const Counts counts = read_counts(bytes);
-  const std::size_t payload = bytes.size() - header_length - 8 - checksum_length;
+  const std::size_t payload = bytes.size() - header_length - 8 * single_words - checksum_length;
   if (payload % 8 != 0 || !do_fit(counts, payload / 8)) {
     throw InputError("state: damaged, " + std::to_string(counts.bodies) + " bodies, " +
                      std::to_string(counts.contacts) + " contacts, " + std::to_string(counts.manifolds) +
@@ -208,7 +211,7 @@ std::vector<unsigned char> serialise(const State& state) {
   Bytes bytes(magic.begin(), magic.end());
   const std::size_t m = state.contacts.size();
   bytes.reserve(header_length +
-                8 * (1 + doubles_of_a_body * n + words_of_a_contact * m +
+                8 * (single_words + doubles_of_a_body * n + words_of_a_contact * m +
                      words_of_a_manifold * state.manifolds.size() + state.joint_impulses.size() +
                      state.quiet_time.size()) +
                 checksum_length);
@@ -217,6 +220,8 @@ std::vector<unsigned char> serialise(const State& state) {
        {n, m, state.manifolds.size(), state.joint_impulses.size(), state.quiet_time.size()})
     append(count, 8, bytes);
   append(std::bit_cast<std::uint64_t>(state.t), 8, bytes);
+  const HandoverMemory& handover = state.handover;
+  append(std::vector<double>{handover.is_in_steps ? 1.0 : 0.0, handover.owed, handover.price}, bytes);
   for (const auto* array : {&state.x, &state.q, &state.P, &state.L, &state.epoch, &state.anchor}) {
     append(*array, bytes);
   }
@@ -235,6 +240,9 @@ State deserialise(const std::vector<unsigned char>& bytes) {
   WordReader reader(bytes);
   State state;
   state.t = reader.next_double();
+  state.handover.is_in_steps = reader.next_double() != 0;
+  state.handover.owed = reader.next_double();
+  state.handover.price = reader.next_double();
   state.x = reader.next(3 * n);
   state.q = reader.next(4 * n);
   state.P = reader.next(3 * n);

@@ -4,6 +4,7 @@
 #include "rigor/sim/event_driven/event_driven_stepper.hpp"
 #include "rigor/sim/event_driven/hybrid_stepper.hpp"
 #include "rigor/sim/event_driven/impulse_based_stepper.hpp"
+#include "rigor/sim/handover/auto_stepper.hpp"
 #include "rigor/sim/method/scheme_choice.hpp"
 #include "rigor/sim/penalty/penalty_global_stepper.hpp"
 #include "rigor/sim/penalty/penalty_stepper.hpp"
@@ -13,9 +14,25 @@
 
 namespace rigor {
 
+namespace {
+
+std::unique_ptr<EventDrivenStepper> make_event_driven(std::shared_ptr<const Model> model,
+                                                      const Method& method, double target_step) {
+  if (method.scheme == Scheme::hybrid)
+    return std::make_unique<HybridStepper>(std::move(model), method, target_step);
+  return std::make_unique<EventDrivenStepper>(std::move(model), method, target_step);
+}
+
+}  // namespace
+
 std::unique_ptr<Stepper> make_stepper(std::shared_ptr<const Model> model, const Method& method,
                                       double target_step, int threads) {
-  const Method resolved = resolve_scheme(*model, method).method;
+  const ResolvedMethod choice = resolve_scheme(*model, method);
+  const Method& resolved = choice.method;
+  if (choice.steps) {
+    return std::make_unique<AutoStepper>(model, make_event_driven(model, resolved, target_step),
+                                         *choice.steps, resolved.scheme, target_step);
+  }
   if (resolved.scheme == Scheme::time_stepping && resolved.solver == SolverMethod::substep)
     return std::make_unique<BulkStepper>(std::move(model), resolved, target_step, threads);
   if (resolved.scheme == Scheme::time_stepping)
@@ -26,9 +43,7 @@ std::unique_ptr<Stepper> make_stepper(std::shared_ptr<const Model> model, const 
     return std::make_unique<PenaltyStepper>(std::move(model), resolved, target_step);
   if (resolved.scheme == Scheme::impulse_based)
     return std::make_unique<ImpulseBasedStepper>(std::move(model), resolved, target_step);
-  if (resolved.scheme == Scheme::hybrid)
-    return std::make_unique<HybridStepper>(std::move(model), resolved, target_step);
-  return std::make_unique<EventDrivenStepper>(std::move(model), resolved, target_step);
+  return make_event_driven(std::move(model), resolved, target_step);
 }
 
 }  // namespace rigor

@@ -139,5 +139,33 @@ TEST(Version, IsThatOfTheBuildFile) {
   EXPECT_NE(text.str().find("project(rigor VERSION " + std::string(version) + " "), std::string::npos);
 }
 
+TEST(AuditJson, OfARunThatWasHandedOverHasASpanForEachPart) {
+  Audit audit = sample_audit();
+  EXPECT_FALSE(Json::parse(audit_json(audit)).contains("spans"));
+  EXPECT_EQ(Json::parse(audit_json(audit))["method"]["scheme"], "event-driven");
+  audit.step = 0.01;
+  audit.spans = {
+      {{.scheme = Scheme::event_driven, .end = 0.04, .rise = 1e-12, .end_cause = "events crowd"},
+       1e-9,
+       1e-6,
+       1e-8},
+      {{.scheme = Scheme::time_stepping, .begin = 0.04, .end = 0.1, .impacts = 2}, 1e-6, 1e-6, 1e-8}};
+  const Json json = Json::parse(audit_json(audit));
+  EXPECT_EQ(json["method"]["scheme"], "auto");
+  EXPECT_TRUE(json["method"].contains("toi"));     // Of events,
+  EXPECT_TRUE(json["method"].contains("solver"));  // and of steps.
+  ASSERT_EQ(json["spans"].size(), 2u);
+  const Json &first = json["spans"][0], &last = json["spans"][1];
+  EXPECT_EQ(first["scheme"], "event-driven");
+  EXPECT_EQ(first["impact_time_error"], 1e-12);
+  EXPECT_EQ(first["energy_increase"]["max"], 1e-12);
+  EXPECT_EQ(first["energy_increase"]["tolerance"], 1e-9);
+  EXPECT_EQ(first["end_cause"], "events crowd");
+  EXPECT_EQ(last["begin"], 0.04);
+  EXPECT_EQ(last["impacts"], 2);
+  EXPECT_EQ(last["impact_time_error"], 0.01);
+  EXPECT_TRUE(last["end_cause"].is_null());
+}
+
 }  // namespace
 }  // namespace rigor::audit_json_test

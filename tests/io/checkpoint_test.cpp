@@ -52,6 +52,11 @@ Checkpoint sample_checkpoint() {
   checkpoint.audit.report.penetration_A = -1;
   checkpoint.audit.report.momentum_error = Vec3(1, 2, 3);
   checkpoint.audit.report.inconsistent = {3, 0, 2, 0.25};
+  checkpoint.audit.report.spans = {
+      {.begin = 0, .end = 1, .energy = -3, .work = 2, .rise = 1e-9, .impacts = 4, .end_cause = "a crowd"},
+      {.scheme = Scheme::time_stepping, .begin = 1, .end = 1.5}};
+  checkpoint.audit.books.lowest_of_span = -5;
+  checkpoint.state.handover = {.is_in_steps = true, .owed = 12.5, .price = 3};
   checkpoint.audit.warnings = {"one", "two"};
   return checkpoint;
 }
@@ -93,6 +98,21 @@ TEST(Checkpoint, ReadsBackWhatWasWritten) {
   EXPECT_EQ(read.audit.report.inconsistent.first, 0.25);
   EXPECT_EQ(read.audit.report.indeterminate.instants, 0);
   EXPECT_EQ(read.audit.report.indeterminate.body_A, -1);
+  ASSERT_EQ(read.audit.report.spans.size(), 2u);
+  const SchemeSpan &first = read.audit.report.spans[0], &last = read.audit.report.spans[1];
+  EXPECT_EQ(first.scheme, Scheme::event_driven);
+  EXPECT_EQ(last.scheme, Scheme::time_stepping);
+  for (const auto& [value, expected] : {std::pair{first.end, 1.0},
+                                        {first.energy, -3.0},
+                                        {first.work, 2.0},
+                                        {first.rise, 1e-9},
+                                        {last.begin, 1.0},
+                                        {last.end, 1.5},
+                                        {read.audit.books.lowest_of_span, -5.0}})
+    EXPECT_EQ(value, expected);
+  EXPECT_EQ(first.impacts, 4);
+  EXPECT_EQ(first.end_cause, "a crowd");
+  EXPECT_EQ(last.end_cause, "");
   EXPECT_EQ(read.audit.warnings, (std::vector<std::string>{"one", "two"}));
 }
 

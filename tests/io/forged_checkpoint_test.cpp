@@ -163,6 +163,14 @@ TEST(ForgedCheckpoint, NamesWhatCannotBe) {
   EXPECT_EQ(refusal([](Checkpoint& c) { c.audit.report.impacts = -1; }),
             "a count of its audit is negative or beyond any run");
   EXPECT_EQ(refusal([](Checkpoint& c) { c.audit.sim_time = -1; }), "its audit has a negative time");
+  EXPECT_EQ(refusal([](Checkpoint& c) { c.state.handover.owed = -1; }),
+            "the work that it remembers is negative or beyond any run");
+  EXPECT_EQ(refusal([](Checkpoint& c) {
+              c.audit.report.spans = {{.begin = 0, .end = 2}, {.begin = 1, .end = 3}};
+            }),
+            "the spans of its schemes are in disorder");
+  EXPECT_EQ(refusal([](Checkpoint& c) { c.audit.report.spans = {{.scheme = Scheme::automatic}}; }),
+            "a span of its schemes names a scheme that does not exist");
 }
 
 }  // namespace

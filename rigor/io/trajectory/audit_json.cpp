@@ -18,15 +18,35 @@ Json json_of(const Vec3& v) {
   return {v.x(), v.y(), v.z()};
 }
 
-Json method_json(const Method& method) {
+/// The choices that the schemes read which carried the run.
+Json method_json(const Audit& audit) {
+  const Method& method = audit.method;
   Json json = Json::object();
   for (const std::string& key : method_choice_keys()) {
-    if (!uses_choice(method, key)) continue;
+    if (!audit.uses(key)) continue;
     // Choices of later versions have no value yet.
     const std::string value = method_choice(method, key);
     if (!value.empty()) json[key] = value;
   }
+  if (audit.was_handed_over()) json["scheme"] = scheme_name(Scheme::automatic);
   for (const MethodNumber& number : method_numbers()) json[std::string(number.key)] = method.*number.member;
+  return json;
+}
+
+Json spans_json(const Audit& audit) {
+  Json json = Json::array();
+  for (const Audit::Span& span : audit.spans) {
+    json.push_back({{"scheme", scheme_name(span.of.scheme)},
+                    {"begin", span.of.begin},
+                    {"end", span.of.end},
+                    {"impacts", span.of.impacts},
+                    {"impact_time_error", audit.impact_time_error(span.of)},
+                    {"energy_increase", {{"max", span.of.rise}, {"tolerance", span.most_rise}}},
+                    {"penetration_tolerance", span.penetration},
+                    {"joint_drift_tolerance", span.joint_drift},
+                    {"end_cause", nullptr}});
+    if (!span.of.end_cause.empty()) json.back()["end_cause"] = span.of.end_cause;
+  }
   return json;
 }
 
@@ -89,8 +109,9 @@ std::string audit_json(const Audit& audit) {
   Json json;
   json["rigor"] = version;
   json["scene"] = audit.scene;
-  json["method"] = method_json(audit.method);
+  json["method"] = method_json(audit);
   if (!audit.scheme_reason.empty()) json["scheme_reason"] = audit.scheme_reason;
+  if (!audit.spans.empty()) json["spans"] = spans_json(audit);
   json["complete"] = audit.is_complete();
   json["end_time"] = audit.end_time;
   json["duration"] = audit.duration;

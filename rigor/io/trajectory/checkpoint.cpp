@@ -19,9 +19,10 @@ namespace rigor {
 namespace {
 
 // Layout, all numbers little-endian of 8 bytes: magic, fingerprint, the audit's numbers in the order of
-// visit_numbers, its warnings and violations (count, then length and bytes of each), length and bytes of the
+// visit_numbers, the spans of its schemes (count, then the numbers of visit_span, length and bytes of the
+// cause), its warnings and violations (count, then length and bytes of each), length and bytes of the
 // serialised State, and the FNV-1a hash of everything before it.
-constexpr std::string_view magic = "RIGORCP\x06";
+constexpr std::string_view magic = "RIGORCP\x07";
 
 std::uint64_t checksum(std::string_view bytes) {
   std::uint64_t hash = 14695981039346656037ull;
@@ -36,11 +37,12 @@ void visit_numbers(Part& audit, Visit visit) {
   visit(audit.sim_time), visit(audit.wall_time), visit(audit.max_increase);
   auto& books = audit.books;
   visit(books.start_time), visit(books.lowest), visit(books.energy_scale);
-  visit(books.momentum_scale), visit(books.angular_momentum_scale);
+  visit(books.momentum_scale), visit(books.angular_momentum_scale), visit(books.lowest_of_span);
   for (auto* energy : {&audit.initial, &audit.final})
     visit(energy->kinetic), visit(energy->potential), visit(energy->elastic);
   visit(report.steps), visit(report.impacts), visit(report.resting), visit(report.separations);
   visit(report.slip_to_stick), visit(report.distance_queries), visit(report.toi_bracket);
+  visit(report.problems), visit(report.effort);
   visit(report.max_penetration), visit(report.penetration_A), visit(report.penetration_B);
   visit(report.penetration_time), visit(report.worst_overlap.share), visit(report.worst_overlap.depth);
   visit(report.worst_overlap.body_A), visit(report.worst_overlap.body_B);
@@ -60,10 +62,21 @@ void visit_numbers(Part& audit, Visit visit) {
   }
 }
 
+/// The same of a span.
+template <typename Part, typename Visit>
+void visit_span(Part& span, Visit visit) {
+  visit(span.scheme), visit(span.begin), visit(span.end), visit(span.energy), visit(span.work);
+  visit(span.rise), visit(span.impacts);
+}
+
 bool is_finite(const Audit& audit) {
   bool is_finite = true;
   visit_numbers(
       audit, [&](const auto& value) { is_finite = is_finite && std::isfinite(static_cast<double>(value)); });
+  for (const SchemeSpan& span : audit.report.spans) {
+    visit_span(
+        span, [&](const auto& value) { is_finite = is_finite && std::isfinite(static_cast<double>(value)); });
+  }
   return is_finite;
 }
 
@@ -75,17 +88,28 @@ std::string audit_error(const Model& model, const Audit& audit) {
   if (!(audit.sim_time >= 0 && audit.wall_time >= 0)) return "its audit has a negative time";
 
   // Counts, and values that are largest ones.
-  for (const long count :
-       {report.steps, report.impacts, report.resting, report.separations, report.slip_to_stick,
-        report.distance_queries, report.fallbacks, report.coarse_steps, long{report.max_iterations},
-        report.passages.instants, report.inconsistent.instants, report.indeterminate.instants}) {
+  for (const long count : {report.steps, report.impacts, report.resting, report.separations,
+                           report.slip_to_stick, report.distance_queries, report.problems, report.fallbacks,
+                           report.coarse_steps, long{report.max_iterations}, report.passages.instants,
+                           report.inconsistent.instants, report.indeterminate.instants}) {
     // No run counts so far, and sums with such counts would overflow.
     constexpr long most = 1L << 53;
     if (count < 0 || count > most) return "a count of its audit is negative or beyond any run";
   }
-  for (const double largest : {report.toi_bracket, report.max_penetration, report.max_joint_drift,
-                               report.max_joint_projection, report.max_residual, report.quaternion_drift}) {
+  for (const double largest :
+       {report.toi_bracket, report.max_penetration, report.max_joint_drift, report.max_joint_projection,
+        report.max_residual, report.quaternion_drift, report.effort}) {
     if (largest < 0) return "an error in its audit is negative";
+  }
+
+  // Spans follow each other.
+  double until = 0;
+  for (const SchemeSpan& span : report.spans) {
+    if (!(span.begin >= until && span.end >= span.begin)) return "the spans of its schemes are in disorder";
+    if (span.scheme < Scheme::event_driven || span.scheme >= Scheme::automatic)
+      return "a span of its schemes names a scheme that does not exist";
+    if (span.impacts < 0 || span.rise < 0) return "a span of its schemes holds a negative count or rise";
+    until = span.end;
   }
 
   // Indices.
@@ -189,13 +213,19 @@ State state_of(std::string_view bytes, const std::string& name) {
 std::string checkpoint_bytes(const Checkpoint& checkpoint) {
   ByteWriter writer;
   writer.write(checkpoint.fingerprint);
-  visit_numbers(checkpoint.audit, [&](const auto& value) {
+  const auto write = [&](const auto& value) {
     if constexpr (std::is_floating_point_v<std::decay_t<decltype(value)>>) {
       writer.write(std::bit_cast<std::uint64_t>(value));
     } else {
       writer.write(static_cast<std::uint64_t>(value));
     }
-  });
+  };
+  visit_numbers(checkpoint.audit, write);
+  writer.write(static_cast<std::uint64_t>(checkpoint.audit.report.spans.size()));
+  for (const SchemeSpan& span : checkpoint.audit.report.spans) {
+    visit_span(span, write);
+    writer.write_text(span.end_cause);
+  }
   writer.write_texts(checkpoint.audit.warnings);
   writer.write_texts(checkpoint.audit.violations);
   const std::vector<unsigned char> state = serialise(checkpoint.state);
@@ -219,16 +249,25 @@ Checkpoint read_checkpoint(const std::filesystem::path& path, std::uint64_t fing
         ": this is a checkpoint of another simulation; scene, method and step must be the same, only "
         "duration and outputs may differ");
   }
-  visit_numbers(checkpoint.audit, [&](auto& value) {
+  const auto read = [&](auto& value) {
     using Value = std::decay_t<decltype(value)>;
     if constexpr (std::is_floating_point_v<Value>) {
       value = std::bit_cast<double>(reader.read());
     } else {
       const std::int64_t number = static_cast<std::int64_t>(reader.read());
       value = static_cast<Value>(number);
-      if (value != number) throw InputError(name + ": the checkpoint is damaged (a count is too large)");
+      if (static_cast<std::int64_t>(value) != number)
+        throw InputError(name + ": the checkpoint is damaged (a count is too large)");
     }
-  });
+  };
+  visit_numbers(checkpoint.audit, read);
+  // A forged count ends where the bytes do.
+  for (std::uint64_t count = reader.read(); count > 0; --count) {
+    SchemeSpan span;
+    visit_span(span, read);
+    span.end_cause = reader.read_text();
+    checkpoint.audit.report.spans.push_back(std::move(span));
+  }
   checkpoint.audit.warnings = reader.read_texts();
   checkpoint.audit.violations = reader.read_texts();
   const std::string_view state = reader.read_text();

@@ -5,6 +5,7 @@
 #include "rigor/math/rotation.hpp"
 #include "rigor/sim/audit/contact_snapshot.hpp"
 #include "rigor/sim/audit/promises_of.hpp"
+#include "rigor/sim/method/method_use.hpp"
 #include "rigor/sim/method/scheme_choice.hpp"
 
 #include <fmt/format.h>
@@ -26,6 +27,14 @@ double momentum_of_rotation(const Model& model, const State& state, int i) {
 
 }  // namespace
 
+bool Audit::uses(std::string_view key) const {
+  return uses_choice(method, key) || std::any_of(spans.begin(), spans.end(), [&](const Span& span) {
+           Method of_span = method;
+           of_span.scheme = span.of.scheme;
+           return uses_choice(of_span, key);
+         });
+}
+
 Auditor::Auditor(std::shared_ptr<const Model> model, const Method& method, const State& start)
     : model_(std::move(model)),
       environment_(std::make_shared<const Environment>(*model_)),
@@ -36,7 +45,7 @@ Auditor::Auditor(std::shared_ptr<const Model> model, const Method& method, const
   scheme_reason_ = std::move(resolved.scheme_reason);
   promises_ = promises_of(*model_, method_);
   initial_ = energy_ = mechanical_energy(*model_, *environment_, start);
-  lowest_ = initial_.total();
+  lowest_ = lowest_of_span_ = initial_.total();
   observe(start, {});
 }
 
@@ -47,6 +56,7 @@ Auditor::Auditor(std::shared_ptr<const Model> model, const Method& method, const
   initial_ = earlier.initial;
   sum_ = earlier.report;
   lowest_ = earlier.books.lowest;
+  lowest_of_span_ = earlier.books.lowest_of_span;
   max_increase_ = earlier.max_increase;
   energy_scale_ = earlier.books.energy_scale;
   momentum_scale_ = earlier.books.momentum_scale;
@@ -54,23 +64,49 @@ Auditor::Auditor(std::shared_ptr<const Model> model, const Method& method, const
 }
 
 void Auditor::observe(const State& state, const AdvanceReport& report) {
-  AdvanceReport without_events = report;
-  without_events.events.clear();
-  sum_.add(without_events);
+  AdvanceReport sums = report;
+  sums.events.clear();
+  sums.spans.clear();
+  balance_spans(report);
+  sum_.add(sums);
   energy_ = mechanical_energy(*model_, *environment_, state);
   const double balance = energy_.total() - sum_.work;
   max_increase_ = std::max(max_increase_, balance - lowest_);
   lowest_ = std::min(lowest_, balance);
   energy_scale_ = std::max({energy_scale_, energy_.kinetic, std::abs(energy_.total() - initial_.total()),
                             std::abs(energy_.potential - initial_.potential), std::abs(sum_.work)});
-  observe_scales(state, report.events);
+  observe_scales(state, report);
   time_ = state.t;
 }
 
-void Auditor::observe_scales(const State& state, const std::vector<MotionEvent>& events) {
+void Auditor::balance_spans(const AdvanceReport& report) {
+  double balance = energy_.total() - sum_.work, work = sum_.work;
+  for (SchemeSpan span : report.spans) {
+    // A new span is measured from where it begins.
+    if (!sum_.spans.empty() && !sum_.spans.back().continues_in(span)) lowest_of_span_ = balance;
+    work += span.work;
+    balance = span.energy - work;
+    span.rise = std::max(0.0, balance - lowest_of_span_);
+    lowest_of_span_ = std::min(lowest_of_span_, balance);
+    max_increase_ = std::max(max_increase_, balance - lowest_);
+    lowest_ = std::min(lowest_, balance);
+    sum_.note_span(span);
+  }
+}
+
+SchemePromises Auditor::promises_of_scheme(Scheme scheme) const {
+  Method method = method_;
+  method.scheme = scheme;
+  return promises_of(*model_, method);
+}
+
+void Auditor::observe_scales(const State& state, const AdvanceReport& report) {
   // A body at rest never shows the momentum that forces give and contacts take back within one step, but it
   // shows its rounding.
-  const double span = promises_.acts_in_steps ? state.t - time_ : 0;
+  const bool has_steps = std::any_of(report.spans.begin(), report.spans.end(), [&](const SchemeSpan& each) {
+    return promises_of_scheme(each.scheme).acts_in_steps;
+  });
+  const double span = promises_.acts_in_steps || has_steps ? state.t - time_ : 0;
   double momentum = 0, angular_momentum = 0, of_rotation = 0;
   for (int i = 0; i < model_->body_count(); ++i) {
     momentum += state.linear_momentum(i).norm();
@@ -86,7 +122,7 @@ void Auditor::observe_scales(const State& state, const std::vector<MotionEvent>&
     of_rotation += momentum_of_rotation(*model_, state, i);
   }
   // Motion that begins and ends between two outputs shows in its impacts only.
-  for (const MotionEvent& event : events) {
+  for (const MotionEvent& event : report.events) {
     momentum = std::max(momentum, event.j_W.norm());
     angular_momentum = std::max(angular_momentum, event.p_W.norm() * event.j_W.norm());
   }
@@ -124,13 +160,28 @@ Audit Auditor::audit(const State& state) const {
   }
   audit.sleeping_count =
       static_cast<int>(std::count(state.quiet_time.begin(), state.quiet_time.end(), asleep));
-  audit.books = {start_time_, lowest_, energy_scale_, momentum_scale_, angular_momentum_scale_};
+  audit.books = {start_time_,    lowest_, energy_scale_, momentum_scale_, angular_momentum_scale_,
+                 lowest_of_span_};
+  judge_spans(audit);
   find_violations(audit);
   find_warnings(audit);
   return audit;
 }
 
+/// What each scheme promises of its parts.
+void Auditor::judge_spans(Audit& audit) const {
+  for (const SchemeSpan& span : sum_.spans) {
+    const SchemePromises promises = promises_of_scheme(span.scheme);
+    audit.spans.push_back({span, promises.energy_share * (energy_scale_ + promises.energy_floor),
+                           promises.penetration, promises.joint_drift});
+  }
+}
+
 void Auditor::find_violations(Audit& audit) const {
+  // What is about the whole run is judged by the weaker promises of the schemes that carried it.
+  SchemePromises promises = promises_;
+  for (const Audit::Span& span : audit.spans)
+    promises = weaker_of(promises, promises_of_scheme(span.of.scheme));
   const auto check = [&](Audit::Promise promise, const char* quantity, double value, double bound,
                          const char* unit) {
     if (value > bound) {
@@ -139,31 +190,37 @@ void Auditor::find_violations(Audit& audit) const {
           fmt::format("{} is {:.3g} {}, the tolerance is {:.3g} {}", quantity, value, unit, bound, unit));
     }
   };
-  if (promises_.knows_work) {
+  if (promises.knows_work) {
     check(Audit::Promise::energy, "unexplained rise of energy", audit.max_increase,
-          promises_.energy_share * (energy_scale_ + promises_.energy_floor), "J");
+          promises.energy_share * (energy_scale_ + promises.energy_floor), "J");
+  }
+  // Each part of a run that was handed over keeps besides what its own scheme promises.
+  for (const Audit::Span& span : audit.spans) {
+    if (!audit.was_handed_over() || !promises.knows_work) break;
+    const std::string quantity = fmt::format("unexplained rise of energy from {:.6g} to {:.6g} s ({})",
+                                             span.of.begin, span.of.end, scheme_name(span.of.scheme));
+    check(Audit::Promise::energy, quantity.c_str(), span.of.rise, span.most_rise, "J");
   }
   // The momenta that the weights of all bodies have given in the run, and their moments.
   double carried = 0, carried_moment = 0;
-  for (std::size_t i = 0; promises_.weight_share > 0 && i < audit.bodies.size(); ++i) {
+  for (std::size_t i = 0; promises.weight_share > 0 && i < audit.bodies.size(); ++i) {
     const double impulse = model_->body(static_cast<int>(i)).mass * model_->g_W().norm() * audit.sim_time;
-    carried += promises_.weight_share * impulse;
+    carried += promises.weight_share * impulse;
     carried_moment +=
-        promises_.weight_share * impulse * (audit.bodies[i].position.norm() + model_->length_scale());
+        promises.weight_share * impulse * (audit.bodies[i].position.norm() + model_->length_scale());
   }
   // Roundings of velocities in each sweep of the contacts walk at random.
   const double sweeps = static_cast<double>(audit.report.steps) * audit.report.max_iterations;
   const double momentum_share =
-      promises_.rounding_share > 0
-          ? promises_.rounding_share * std::sqrt(promises_.roundings_per_sweep * sweeps)
-          : promises_.momentum_share;
+      promises.rounding_share > 0 ? promises.rounding_share * std::sqrt(promises.roundings_per_sweep * sweeps)
+                                  : promises.momentum_share;
   check(Audit::Promise::momentum, "error of linear momentum", audit.linear_momentum_error,
         momentum_share * momentum_scale_ + carried, "kg m/s");
   check(Audit::Promise::momentum, "error of angular momentum", audit.angular_momentum_error,
-        promises_.momentum_share * angular_momentum_scale_ + carried_moment, "kg m²/s");
-  check(Audit::Promise::joints, "drift of joints", audit.report.max_joint_drift, promises_.joint_drift,
+        promises.momentum_share * angular_momentum_scale_ + carried_moment, "kg m²/s");
+  check(Audit::Promise::joints, "drift of joints", audit.report.max_joint_drift, promises.joint_drift,
         "m or rad");
-  find_overlaps(audit);
+  find_overlaps(promises, audit);
   if (const PairInstants& passages = audit.report.passages; passages.instants > 0) {
     audit.broken.push_back(Audit::Promise::overlap);
     audit.violations.push_back(
@@ -172,36 +229,36 @@ void Auditor::find_violations(Audit& audit) const {
                     passages.instants == 1 ? "" : fmt::format(", the first of {} times", passages.instants)));
   }
   const ForceDoubt& doubt = audit.report.force_doubt;
-  if (doubt.share > promises_.force_doubt) {
+  if (doubt.share > promises.force_doubt) {
     audit.broken.push_back(Audit::Promise::force_doubt);
     audit.violations.push_back(fmt::format(
         "the forces of contacts determine the acceleration of {} at t = {:.6g} s to {:.3g} of that of "
         "its weight only, the tolerance is {:.3g} of it: it carries bodies too heavy for it",
-        model_->body(doubt.body).name, doubt.time, doubt.share, promises_.force_doubt));
+        model_->body(doubt.body).name, doubt.time, doubt.share, promises.force_doubt));
   }
 }
 
 /// Overlaps deeper than the scheme allows, or than the thinner of two bodies bears, with pair and time.
-void Auditor::find_overlaps(Audit& audit) const {
+void Auditor::find_overlaps(const SchemePromises& promises, Audit& audit) const {
   const auto text = [&](double depth, int A, int B, double t) {
     return A < 0 || B < 0 ? fmt::format("penetration is {:.3g} m", depth)
                           : fmt::format("penetration of {} and {} is {:.3g} m at t = {:.6g} s",
                                         model_->body(A).name, model_->body(B).name, depth, t);
   };
   const AdvanceReport& report = audit.report;
-  if (report.max_penetration > promises_.penetration) {
+  if (report.max_penetration > promises.penetration) {
     audit.broken.push_back(Audit::Promise::overlap);
     audit.violations.push_back(fmt::format(
         "{}, the tolerance is {:.3g} m",
         text(report.max_penetration, report.penetration_A, report.penetration_B, report.penetration_time),
-        promises_.penetration));
+        promises.penetration));
   }
   const RelativeOverlap& worst = report.worst_overlap;
-  if (worst.share > promises_.penetration_share) {
+  if (worst.share > promises.penetration_share) {
     audit.broken.push_back(Audit::Promise::overlap);
     audit.violations.push_back(fmt::format(
         "{}, {:.3g} of the thickness of the thinner body, the tolerance is {:.3g} of it",
-        text(worst.depth, worst.body_A, worst.body_B, worst.time), worst.share, promises_.penetration_share));
+        text(worst.depth, worst.body_A, worst.body_B, worst.time), worst.share, promises.penetration_share));
   }
 }
 

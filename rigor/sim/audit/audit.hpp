@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rigor {
@@ -17,7 +18,8 @@ class Environment;
 /// How far a run can be trusted: every change is balanced against its causes.
 struct Audit {
   std::string scene;
-  Method method;              ///< With the scheme that ran, never `automatic`.
+  /// With the scheme that ran, or began the run if `auto` handed it over (spans); never `automatic`.
+  Method method;
   std::string scheme_reason;  ///< Which scheme `auto` chose, and why; empty if the scene names one.
   double sim_time = 0;        ///< Simulated [s].
   double end_time = 0;        ///< Until where everything here is judged [s].
@@ -58,8 +60,27 @@ struct Audit {
     double lowest = 0;        ///< Of E - work [J].
     double energy_scale = 0;  ///< Largest energies [J] and momenta seen, to which errors are relative.
     double momentum_scale = 0, angular_momentum_scale = 0;
+    double lowest_of_span = 0;  ///< Of E - work, in the span that goes on [J].
   };
   Books books;
+  /// A part of the run that one scheme carried, with what that scheme promises of it.
+  struct Span {
+    SchemeSpan of;
+    double most_rise;    ///< Tolerance of the unexplained rise of the energy within it [J].
+    double penetration;  ///< Tolerance of overlaps [m].
+    double joint_drift;  ///< Tolerance of joints [m or rad].
+  };
+  /// In the order of time, where `auto` may hand over; else none. What is judged over the whole run (momenta,
+  /// overlaps, joints, the rise of the energy from its lowest value) is judged by the weaker promises.
+  std::vector<Span> spans;
+  /// Whether more than one scheme carried it.
+  bool was_handed_over() const { return spans.size() > 1; }
+  /// How well the times of impacts in a span are known: the width of a root's interval, or a step [s].
+  double impact_time_error(const SchemeSpan& span) const {
+    return span.scheme == Scheme::time_stepping ? step : method.time_tolerance;
+  }
+  /// Whether a scheme that carried the run reads this choice (uses_choice).
+  bool uses(std::string_view key) const;
   std::vector<std::string> warnings;
   /// Quantities outside their tolerance, each with its value and the bound; if there are none, the run can be
   /// trusted.
@@ -85,10 +106,15 @@ class Auditor {
   double max_increase() const { return max_increase_; }
 
  private:
+  /// The balance of the energy at an output, or where one scheme hands over to another.
+  void balance_spans(const AdvanceReport& report);
+  /// What the scheme promises of this scene.
+  SchemePromises promises_of_scheme(Scheme scheme) const;
   /// The largest momenta and energies of the run, to which errors are relative.
-  void observe_scales(const State& state, const std::vector<MotionEvent>& events);
+  void observe_scales(const State& state, const AdvanceReport& report);
   void find_violations(Audit& audit) const;
-  void find_overlaps(Audit& audit) const;
+  void find_overlaps(const SchemePromises& promises, Audit& audit) const;
+  void judge_spans(Audit& audit) const;
   void find_warnings(Audit& audit) const;
 
   std::shared_ptr<const Model> model_;
@@ -100,6 +126,7 @@ class Auditor {
   Energy initial_, energy_;
   AdvanceReport sum_;
   double lowest_ = 0, max_increase_ = 0;  ///< Of E - work.
+  double lowest_of_span_ = 0;             ///< The same within the present span.
   double energy_scale_ = 0;               ///< Largest kinetic energy and change of energy seen [J].
   double momentum_scale_ = 0, angular_momentum_scale_ = 0;
 };

@@ -59,7 +59,7 @@ AdvanceReport EventDrivenStepper::advance_span(State& state, double t_end) {
   trajectories_.begin_paths(t_end);  // The motions until now belong to the last call.
   read_state_from_bodies(state);
   trajectories_.begin_paths(state.t);
-  while (report_.reason == StopReason::reached_end && compute_time_step()) {
+  while (report_.reason == StopReason::reached_end && !debt_.is_exceeded() && compute_time_step()) {
     if (is_interrupted()) report_.reason = StopReason::interrupted;
     if (next_.kind == QueuedEvent::Kind::window_end) {
       begin_new_window(next_.a);
@@ -170,8 +170,10 @@ std::vector<int> EventDrivenStepper::seeds_of(const QueuedEvent& event) const {
 
 /// One event: the bodies concerned are brought to now, collide, come to rest or part, and set out anew.
 void EventDrivenStepper::handle_event(const std::vector<int>& seeds, std::vector<int> changed) {
+  const double effort_before = report_.effort;
   Cluster cluster = compute_new_body_states(seeds);
   apply_forces(cluster);
+  debt_.charge(report_.effort - effort_before, t_);
   changed.insert(changed.end(), cluster.bodies.begin(), cluster.bodies.end());
   trajectories_.predict(changed, t_, queue_);
   drop_stale_events();

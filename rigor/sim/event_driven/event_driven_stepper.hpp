@@ -10,6 +10,7 @@
 #include "rigor/sim/islands/contact_resolver.hpp"
 #include "rigor/sim/islands/island_stepping.hpp"
 #include "rigor/sim/islands/joint_projection.hpp"
+#include "rigor/sim/report/effort_debt.hpp"
 #include "rigor/sim/witness/passage_witness.hpp"
 
 #include <map>
@@ -35,6 +36,10 @@ class EventDrivenStepper : public Stepper {
   EventDrivenStepper(std::shared_ptr<const Model> model, const Method& method, double target_step);
   EventDrivenStepper(const EventDrivenStepper&) = delete;
   EventDrivenStepper& operator=(const EventDrivenStepper&) = delete;
+  /// What the next call of advance() may cost and owes already: it ends at the event that exceeds it.
+  void set_debt(const EffortDebt& debt) { debt_ = debt; }
+  /// What it owes since then.
+  const EffortDebt& debt() const { return debt_; }
 
  protected:
   /// For schemes that also advance from event to event, but treat contacts differently.
@@ -117,6 +122,7 @@ class EventDrivenStepper : public Stepper {
   std::vector<double> last_event_;  ///< Of each body [s].
   State mirror_;                    ///< The State as it was left.
   AdvanceReport report_;
+  EffortDebt debt_;
 };
 
 }  // namespace rigor

@@ -130,6 +130,7 @@ void ContactResolver::settle(const ContactSystem& system, const VecX& u, Cluster
 
 void ContactResolver::apply_impact(const ContactSystem& system, const ImpactSolution& impact,
                                    Cluster& cluster, AdvanceReport& report) const {
+  report.note_problem(system.contacts.size(), impact.iterations);
   report.max_residual = std::max(report.max_residual, impact.residual);
   report.max_iterations = std::max(report.max_iterations, impact.iterations);
   if (!impact.converged) ++report.fallbacks;
@@ -209,6 +210,7 @@ LastingContacts ContactResolver::find_lasting(const Cluster& cluster, AdvanceRep
   const ContactSystem touching = assembler_.assemble(cluster, candidates);
   const std::vector<Wrench> wrenches = assembler_.environment_wrenches(touching, cluster.t);
   const RestingSolution resting = solve_resting(touching, wrenches, cluster.slip_tolerance, resting_);
+  report.note_problem(candidates.size(), resting.forces.iterations);
   LastingContacts lasting;
   lasting.have_forces = resting.forces.converged;
   note_force_doubt(touching, resting.forces.lambda, assembler_.environment(), cluster.t, report);

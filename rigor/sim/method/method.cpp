@@ -167,6 +167,12 @@ std::string method_choice(const Method& method, std::string_view key) {
   return name;
 }
 
+std::string scheme_name(Scheme scheme) {
+  Method method;
+  method.scheme = scheme;
+  return method_choice(method, "scheme");
+}
+
 std::vector<std::string> check_combination(const Method& method) {
   std::vector<std::string> messages;
   const bool is_on_group =

@@ -98,6 +98,9 @@ std::string set_method_choice(std::string_view key, std::string_view value, Meth
 /// The name of the value that the method has chosen for a key ("newton"); empty for an unknown key.
 std::string method_choice(const Method& method, std::string_view key);
 
+/// The name of a scheme ("event-driven").
+std::string scheme_name(Scheme scheme);
+
 /// What is wrong with the combination of choices, each message naming the values that go together; empty if
 /// nothing is.
 std::vector<std::string> check_combination(const Method& method);

@@ -130,12 +130,6 @@ bool has_drag(const Body& body) {
                                                 body.linear_damping > 0 || body.angular_damping > 0);
 }
 
-std::string scheme_name(Scheme scheme) {
-  Method method;
-  method.scheme = scheme;
-  return method_choice(method, "scheme");
-}
-
 const SchemeRefusal* refusal_of(Scheme scheme, std::span<const SchemeRefusal> refusals) {
   const auto found = std::find_if(refusals.begin(), refusals.end(),
                                   [&](const SchemeRefusal& each) { return each.scheme == scheme; });
@@ -256,10 +250,17 @@ std::vector<Scheme> all_schemes() {
 
 ResolvedMethod resolve_scheme(const Model& model, const Method& method) {
   if (method.scheme != Scheme::automatic) return {method, {}};
-  SchemeChoice choice =
-      choose_scheme(scheme_facts(model, method.contact_tolerance), scheme_refusals(model, method));
+  const std::vector<SchemeRefusal> refusals = scheme_refusals(model, method);
+  SchemeChoice choice = choose_scheme(scheme_facts(model, method.contact_tolerance), refusals);
   ResolvedMethod resolved{method, std::move(choice.reason)};
   resolved.method.scheme = choice.scheme;
+
+  // Where events may crowd, time stepping stands by; sub-steps are another path with weaker promises.
+  const bool has_events = choice.scheme == Scheme::event_driven || choice.scheme == Scheme::hybrid;
+  if (has_events && method.solver != SolverMethod::substep && !refusal_of(Scheme::time_stepping, refusals)) {
+    resolved.steps = method;
+    resolved.steps->scheme = Scheme::time_stepping;
+  }
   return resolved;
 }
 

@@ -2,6 +2,7 @@
 
 #include "rigor/sim/method/method.hpp"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -68,6 +69,10 @@ SchemeChoice choose_scheme(const SchemeFacts& facts, std::span<const SchemeRefus
 struct ResolvedMethod {
   Method method;
   std::string scheme_reason;
+  /// The method of time stepping, to which `auto` hands over where events crowd; nothing if the method names
+  /// its scheme, if that which was chosen has no events, if time stepping refuses the scene, or if its solver
+  /// would be `substep`.
+  std::optional<Method> steps = {};
 };
 ResolvedMethod resolve_scheme(const Model& model, const Method& method);
 

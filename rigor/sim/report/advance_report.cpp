@@ -13,6 +13,29 @@ void PairInstants::add(const PairInstants& later) {
   instants = sum;
 }
 
+void SchemeSpan::add(const SchemeSpan& later) {
+  end = later.end;
+  energy = later.energy;
+  work += later.work;
+  rise = std::max(rise, later.rise);
+  impacts += later.impacts;
+  end_cause = later.end_cause;
+}
+
+void AdvanceReport::note_problem(std::size_t contacts, int iterations) {
+  const double count = static_cast<double>(contacts);
+  ++problems;
+  effort += count * count * (1 + iterations);
+}
+
+void AdvanceReport::note_span(const SchemeSpan& span) {
+  if (!spans.empty() && spans.back().continues_in(span)) {
+    spans.back().add(span);
+  } else {
+    spans.push_back(span);
+  }
+}
+
 void AdvanceReport::book(const WorkDone& done) {
   work += done.supplied;
   motor_work += done.motors;
@@ -53,6 +76,9 @@ void AdvanceReport::add(const AdvanceReport& later) {
   separations += later.separations;
   slip_to_stick += later.slip_to_stick;
   distance_queries += later.distance_queries;
+  problems += later.problems;
+  effort += later.effort;
+  for (const SchemeSpan& span : later.spans) note_span(span);
   events.insert(events.end(), later.events.begin(), later.events.end());
   toi_bracket = std::max(toi_bracket, later.toi_bracket);
   note_penetration(later.max_penetration, later.penetration_A, later.penetration_B, later.penetration_time);

@@ -2,7 +2,9 @@
 
 #include "rigor/contact/system/work_done.hpp"
 #include "rigor/math/types.hpp"
+#include "rigor/sim/report/scheme_span.hpp"
 
+#include <cstddef>
 #include <limits>
 #include <string>
 #include <vector>
@@ -64,6 +66,11 @@ struct AdvanceReport {
   long steps = 0;
   long impacts = 0, resting = 0, separations = 0, slip_to_stick = 0;
   long distance_queries = 0;
+  /// Contact problems of impacts and of resting contact at events, and the work that they were: the sum of
+  /// contacts² (1 + iterations). Counts of what was solved, the same on every machine.
+  long problems = 0;
+  double effort = 0;
+  std::vector<SchemeSpan> spans;  ///< Of `auto` where it may hand over: which scheme went how far.
   std::vector<MotionEvent> events;
 
   double toi_bracket = 0;      ///< Widest bracket of an event's time [s].
@@ -104,6 +111,10 @@ struct AdvanceReport {
   PairInstants indeterminate;
   double quaternion_drift = 0;  ///< Largest | |q| - 1 | before normalisation.
 
+  /// Counts a problem of so many contacts.
+  void note_problem(std::size_t contacts, int iterations);
+  /// Enters what a scheme has carried, after all that came before.
+  void note_span(const SchemeSpan& span);
   /// Books work that was done.
   void book(const WorkDone& done);
   /// Notes an overlap of two bodies at t [s], if it is deeper than any before [m].

@@ -31,4 +31,7 @@ struct SchemePromises {
   double penetration_share = 0.1;
 };
 
+/// What a run can promise of which each of the two has carried a part: the weaker of both, one by one.
+SchemePromises weaker_of(const SchemePromises& a, const SchemePromises& b);
+
 }  // namespace rigor

@@ -1,0 +1,222 @@
+// `auto` hands over between events and fixed steps: where, how accurately, and with the same bits whenever
+// the run is put aside. The bounds are lower than those of a run, so that small heaps cross them.
+
+#include "random_vectors.hpp"
+#include "rigor/core/index.hpp"
+#include "rigor/model/model_builder.hpp"
+#include "rigor/sim/audit/audit.hpp"
+#include "rigor/sim/event_driven/hybrid_stepper.hpp"
+#include "rigor/sim/handover/auto_stepper.hpp"
+#include "rigor/sim/make_stepper.hpp"
+#include "rigor/sim/method/scheme_choice.hpp"
+#include "rigor/sim/simulation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace rigor::handover_test {
+namespace {
+
+constexpr double step = 0.01, interval = 0.02;
+constexpr HandoverBounds low_bounds{.paid_by_events = 4e3, .most_owed = 400, .paid_by_steps = 2e3};
+
+Method automatic() {
+  Method method;
+  method.scheme = Scheme::automatic;
+  return method;
+}
+
+/// A few boxes and balls that fall askew on a floor, or a row of balls that one hits. The same seed gives the
+/// same.
+std::shared_ptr<const Model> heap(unsigned seed) {
+  test::Random random(seed);
+  ModelBuilder builder;
+  builder.set_gravity(Vec3(0, 0, -9.81));
+  Material material{"m", 1000, 0.5, 0};
+  material.restitution = seed % 3 == 0 ? 0 : random.uniform(0, 0.7);
+  builder.add_material(material);
+  const auto add = [&](const std::string& name, const Shape& shape, const Vec3& x, const Quat& q,
+                       const Vec3& v) {
+    BodyDescription body;
+    body.name = name;
+    body.p_WU = x;
+    body.q_WU = q;
+    body.velocity = v;
+    if (is_unbounded(shape)) body.motion = MotionType::fixed;
+    body.shapes.push_back({shape, Vec3::Zero(), Quat::Identity(), "m", ""});
+    builder.add_body(body);
+  };
+  add("floor", HalfSpace{Vec3::UnitZ(), 0}, Vec3::Zero(), Quat::Identity(), Vec3::Zero());
+  if (seed % 4 == 3) {
+    // A row that rests on the floor is hit.
+    for (int k = 0; k < 4; ++k)
+      add("ball" + std::to_string(k), Sphere{0.1}, Vec3(0.2 * k, 0, 0.1), Quat::Identity(), Vec3::Zero());
+    add("striker", Sphere{0.1}, Vec3(-0.5, 0.02, 0.1), Quat::Identity(), Vec3(3, 0, 0));
+    return builder.build();
+  }
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 place(0.03 * random.uniform(-1, 1), 0.03 * random.uniform(-1, 1), 0.12 + 0.26 * k);
+    const Quat turn =
+        Quat(1, 0.3 * random.uniform(-1, 1), 0.3 * random.uniform(-1, 1), random.uniform(-1, 1)).normalized();
+    const Shape shape = (seed + at(k)) % 3 == 2 ? Shape(Sphere{0.07}) : Shape(Box{Vec3(0.08, 0.06, 0.05)});
+    add("body" + std::to_string(k), shape, place, turn, Vec3(0, 0, -1));
+  }
+  return builder.build();
+}
+
+std::unique_ptr<AutoStepper> auto_stepper(const std::shared_ptr<const Model>& model,
+                                          const HandoverBounds& bounds = low_bounds) {
+  const ResolvedMethod resolved = resolve_scheme(*model, automatic());
+  Method steps = *resolved.steps;
+  std::unique_ptr<EventDrivenStepper> events =
+      resolved.method.scheme == Scheme::hybrid
+          ? std::make_unique<HybridStepper>(model, resolved.method, step)
+          : std::make_unique<EventDrivenStepper>(model, resolved.method, step);
+  return std::make_unique<AutoStepper>(model, std::move(events), steps, resolved.method.scheme, step, bounds);
+}
+
+/// A run of so many outputs, with its State and audit at each.
+struct Course {
+  std::vector<State> states;
+  std::vector<Audit> audits;
+};
+
+Course run(const std::shared_ptr<const Model>& model, int outputs) {
+  State state = make_initial_state(*model);
+  Auditor auditor(model, automatic(), state);
+  const std::unique_ptr<Stepper> stepper = auto_stepper(model);
+  Course course{{state}, {auditor.audit(state)}};
+  for (int k = 1; k <= outputs; ++k) {
+    const AdvanceReport report = stepper->advance(state, k * interval);
+    EXPECT_EQ(report.reason, StopReason::reached_end) << report.detail;
+    auditor.observe(state, report);
+    course.states.push_back(state);
+    course.audits.push_back(auditor.audit(state));
+  }
+  return course;
+}
+
+TEST(Handover, RandomHeapsKeepTheirBooksOnBothSides) {
+  constexpr int outputs = 40;
+  int to_steps = 0, to_events = 0;
+  for (unsigned seed = 0; seed < 16; ++seed) {
+    SCOPED_TRACE(seed);
+    const Course heap_run = run(heap(seed), outputs);
+    const Audit& audit = heap_run.audits.back();
+    EXPECT_TRUE(audit.violations.empty()) << audit.violations.front();
+    EXPECT_EQ(audit.spans.front().of.begin, 0);
+    EXPECT_DOUBLE_EQ(audit.spans.back().of.end, outputs * interval);
+    double work = 0, until = 0;
+    long impacts = 0;
+    for (std::size_t i = 0; i < audit.spans.size(); ++i) {
+      // Spans follow each other and alternate; each says why it was handed over.
+      const SchemeSpan& span = audit.spans[i].of;
+      EXPECT_EQ(span.begin, until);
+      EXPECT_EQ(span.scheme == Scheme::time_stepping, i % 2 == 1);
+      EXPECT_TRUE(i + 1 == audit.spans.size() || !span.end_cause.empty());
+      EXPECT_LE(span.rise, audit.spans[i].most_rise);
+      if (i % 2 == 1) ++to_steps;
+      if (i % 2 == 0 && i > 0) ++to_events;
+      work += span.work, impacts += span.impacts, until = span.end;
+    }
+    EXPECT_DOUBLE_EQ(work, audit.report.work);
+    EXPECT_EQ(impacts, audit.report.impacts);
+    EXPECT_EQ(audit.spans.back().of.energy, audit.final.total());
+    // The energy is not that of a run without hand-over, but no more than at the start.
+    EXPECT_LE(audit.final.total(), audit.initial.total() * (1 + 1e-9));
+  }
+  // The family crosses the border in both directions.
+  EXPECT_GE(to_steps, 8);
+  EXPECT_GE(to_events, 4);
+}
+
+TEST(Handover, AFreshStepperFindsTheSameBitsAtEveryOutput) {
+  std::mt19937 engine(3);
+  for (const unsigned seed : {0u, 1u, 3u, 7u}) {
+    SCOPED_TRACE(seed);
+    const std::shared_ptr<const Model> model = heap(seed);
+    const Course whole = run(model, 30);
+    EXPECT_TRUE(whole.audits.back().was_handed_over());
+    for (int k = 0; k < 4; ++k) {
+      // The State as bytes and back, at a random output.
+      const std::size_t place = engine() % 30;
+      SCOPED_TRACE(place);
+      State state = deserialise(serialise(whole.states[place]));
+      ASSERT_EQ(state, whole.states[place]);
+      Auditor auditor(model, automatic(), state, whole.audits[place]);
+      const std::unique_ptr<Stepper> stepper = auto_stepper(model);
+      for (std::size_t i = place + 1; i <= 30; ++i) {
+        auditor.observe(state, stepper->advance(state, static_cast<double>(i) * interval));
+        ASSERT_EQ(state, whole.states[i]) << "at t = " << state.t;
+      }
+      const Audit resumed = auditor.audit(state), &audit = whole.audits.back();
+      EXPECT_EQ(resumed.report.effort, audit.report.effort);
+      EXPECT_EQ(resumed.max_increase, audit.max_increase);
+      ASSERT_EQ(resumed.spans.size(), audit.spans.size());
+      for (std::size_t i = 0; i < audit.spans.size(); ++i) {
+        EXPECT_EQ(resumed.spans[i].of.begin, audit.spans[i].of.begin);
+        EXPECT_EQ(resumed.spans[i].of.rise, audit.spans[i].of.rise);
+        EXPECT_EQ(resumed.spans[i].of.impacts, audit.spans[i].of.impacts);
+        EXPECT_EQ(resumed.spans[i].of.end_cause, audit.spans[i].of.end_cause);
+      }
+    }
+  }
+}
+
+TEST(Handover, NothingChangesWhereEventsAreFew) {
+  // Without a hand-over the run is that of the scheme by itself, and a named scheme is never left.
+  const std::shared_ptr<const Model> model = heap(0);
+  Method named;
+  named.scheme = resolve_scheme(*model, automatic()).method.scheme;
+  State by_auto = make_initial_state(*model), by_name = by_auto;
+  const std::unique_ptr<Stepper> chosen = make_stepper(model, automatic(), step),
+                                 own = make_stepper(model, named, step);
+  for (int k = 1; k <= 20; ++k) {
+    const AdvanceReport report = chosen->advance(by_auto, k * interval);
+    ASSERT_EQ(report.spans.size(), 1u);
+    EXPECT_TRUE(own->advance(by_name, k * interval).spans.empty());
+    by_auto.handover = {};
+    ASSERT_EQ(by_auto, by_name);
+  }
+  EXPECT_EQ(by_name.handover, HandoverMemory{});
+}
+
+TEST(Handover, ALookChangesNothing) {
+  const std::shared_ptr<const Model> model = heap(1);
+  const Course whole = run(model, 30);
+  for (std::size_t i = 4; i < 30; i += 3) {
+    // What is seen on the way lies between the two outputs.
+    State state = whole.states[i];
+    const double t = (static_cast<double>(i) + 0.3) * interval;
+    const AdvanceReport report = auto_stepper(model)->look(state, static_cast<double>(i + 1) * interval, t);
+    EXPECT_EQ(report.reason, StopReason::reached_end);
+    EXPECT_NEAR(state.t, t, 1e-9 * step);
+    for (int body = 1; body < model->body_count(); ++body)
+      EXPECT_LE((state.position(body) - whole.states[i].position(body)).norm(), 0.3 * interval * 6);
+  }
+}
+
+TEST(Handover, SchemesThatTimeSteppingCannotReplaceAreNeverLeft) {
+  const std::shared_ptr<const Model> model = heap(0);
+  EXPECT_TRUE(resolve_scheme(*model, automatic()).steps.has_value());
+  Method substep = automatic();
+  substep.solver = SolverMethod::substep;
+  EXPECT_FALSE(resolve_scheme(*model, substep).steps.has_value());
+  EXPECT_FALSE(resolve_scheme(*model, Method{}).steps.has_value());
+}
+
+TEST(EffortDebt, TimePaysForWork) {
+  EffortDebt debt{.rate = 100, .most = 50, .owed = 0, .t = 1};
+  debt.charge(40, 1);
+  EXPECT_FALSE(debt.is_exceeded());
+  debt.charge(40, 1.1);
+  EXPECT_DOUBLE_EQ(debt.owed, 70);
+  EXPECT_TRUE(debt.is_exceeded());
+  // Nothing is saved up.
+  debt.charge(1, 10);
+  EXPECT_DOUBLE_EQ(debt.owed, 1);
+}
+
+}  // namespace
+}  // namespace rigor::handover_test
