@@ -19,10 +19,51 @@ JointCoordinate chain(const JointCoordinate& a, const JointCoordinate& b, const 
           F.F_a * a.J_B + F.F_b * b.J_B, F.F_a * a.bias + F.F_b * b.bias + F.curvature};
 }
 
+RotationMeasure chain(const RotationMeasure& a, const RotationMeasure& b, const Slopes& F) {
+  return {F.value, F.F_a * a.rate + F.F_b * b.rate, F.F_a * a.gradient_W + F.F_b * b.gradient_W,
+          F.F_a * a.bias + F.F_b * b.bias + F.curvature};
+}
+
+template <class Measure>
+Slopes slopes_of_product(const Measure& a, const Measure& b) {
+  return {a.value * b.value, b.value, a.value, 2 * a.rate * b.rate};
+}
+
+template <class Measure>
+Slopes slopes_of_quotient(const Measure& a, const Measure& b) {
+  const double value = a.value / b.value;
+  // F = a/b: F_ab = -1/b², F_bb = 2 a/b³.
+  const double curvature = 2 * b.rate * (value * b.rate - a.rate) / (b.value * b.value);
+  return {value, 1 / b.value, -value / b.value, curvature};
+}
+
+RotationMeasure operator+(const RotationMeasure& a, const RotationMeasure& b) {
+  return chain(a, b, {a.value + b.value, 1, 1, 0});
+}
+RotationMeasure operator-(const RotationMeasure& a, const RotationMeasure& b) {
+  return chain(a, b, {a.value - b.value, 1, -1, 0});
+}
+RotationMeasure operator*(const RotationMeasure& a, const RotationMeasure& b) {
+  return chain(a, b, slopes_of_product(a, b));
+}
+RotationMeasure operator/(const RotationMeasure& a, const RotationMeasure& b) {
+  return chain(a, b, slopes_of_quotient(a, b));
+}
+RotationMeasure operator+(const RotationMeasure& a, double c) {
+  return {a.value + c, a.rate, a.gradient_W, a.bias};
+}
+RotationMeasure operator*(double c, const RotationMeasure& a) {
+  return {c * a.value, c * a.rate, c * a.gradient_W, c * a.bias};
+}
+
 Vec6 stacked(const Vec3& linear, const Vec3& angular) {
   Vec6 row;
   row << linear, angular;
   return row;
+}
+
+JointCoordinate on_both(const RotationMeasure& a) {
+  return {a.value, a.rate, stacked(Vec3::Zero(), -a.gradient_W), stacked(Vec3::Zero(), a.gradient_W), a.bias};
 }
 
 double power(const Vec6& row, const BodyMotion& body) {
@@ -40,14 +81,11 @@ JointCoordinate operator-(const JointCoordinate& a, const JointCoordinate& b) {
 }
 
 JointCoordinate operator*(const JointCoordinate& a, const JointCoordinate& b) {
-  return chain(a, b, {a.value * b.value, b.value, a.value, 2 * a.rate * b.rate});
+  return chain(a, b, slopes_of_product(a, b));
 }
 
 JointCoordinate operator/(const JointCoordinate& a, const JointCoordinate& b) {
-  const double value = a.value / b.value;
-  // F = a/b: F_ab = -1/b², F_bb = 2 a/b³.
-  const double curvature = 2 * b.rate * (value * b.rate - a.rate) / (b.value * b.value);
-  return chain(a, b, {value, 1 / b.value, -value / b.value, curvature});
+  return chain(a, b, slopes_of_quotient(a, b));
 }
 
 JointCoordinate operator+(const JointCoordinate& a, double c) {
@@ -60,7 +98,10 @@ JointCoordinate operator*(double c, const JointCoordinate& a) {
   return {c * a.value, c * a.rate, c * a.J_A, c * a.J_B, c * a.bias};
 }
 
-JointCoordinate angle_of(const JointCoordinate& y, const JointCoordinate& x) {
+namespace {
+
+template <class Measure>
+Measure angle_of_point(const Measure& y, const Measure& x) {
   const double square = x.value * x.value + y.value * y.value;
   if (square == 0) return {};
   // F = atan2(y, x): F_y = x/r², F_x = -y/r², and with the rates along and across the radius
@@ -71,7 +112,8 @@ JointCoordinate angle_of(const JointCoordinate& y, const JointCoordinate& x) {
   return chain(y, x, {std::atan2(y.value, x.value), F_y, F_x, -2 * radial * angular});
 }
 
-JointCoordinate length_of(std::span<const JointCoordinate> components) {
+template <class Measure>
+Measure length_of_vector(std::span<const Measure> components) {
   Vec3 value = Vec3::Zero(), rate = Vec3::Zero();
   for (std::size_t i = 0; i < components.size(); ++i) {
     value[static_cast<Eigen::Index>(i)] = components[i].value;
@@ -86,7 +128,7 @@ JointCoordinate length_of(std::span<const JointCoordinate> components) {
     direction = rate / speed;
   }
   // ṙ = direction · rate.
-  JointCoordinate result;
+  Measure result;
   for (std::size_t i = 0; i < components.size(); ++i) {
     result = result + direction[static_cast<Eigen::Index>(i)] * components[i];
   }
@@ -96,19 +138,36 @@ JointCoordinate length_of(std::span<const JointCoordinate> components) {
   return result;
 }
 
-JointMeasures::JointMeasures(const Joint& joint, const BodyMotion& A, const BodyMotion& B) : A_(A), B_(B) {
-  // The arms of the frames' origins about the centres of mass, and the displacement between them.
+}  // namespace
+
+JointCoordinate angle_of(const JointCoordinate& y, const JointCoordinate& x) {
+  return angle_of_point(y, x);
+}
+
+JointCoordinate length_of(std::span<const JointCoordinate> components) {
+  return length_of_vector(components);
+}
+
+JointMeasures::JointMeasures(const Joint& joint, const BodyMotion& A, const BodyMotion& B)
+    : joint_(joint), A_(A), B_(B) {
+  // The arms of the frames' origins about the centres of mass, and the displacement d between them.
   R_WF_ = A.R * joint.X_AF.R;
   p_AJ_W_ = A.R * joint.X_AF.p;
   p_BK_W_ = B.R * joint.X_BK.p;
   p_AK_W_ = (B.x - A.x) + p_BK_W_;
   p_JK_W_ = p_AK_W_ - p_AJ_W_;
+  d_rate_ = (B.v - A.v) + B.w.cross(p_BK_W_) - A.w.cross(p_AJ_W_);
+  centripetal_ = B.w.cross(B.w.cross(p_BK_W_)) - A.w.cross(A.w.cross(p_AJ_W_));
+}
+
+const JointMeasures::Rotation& JointMeasures::rotation() const {
+  if (rotation_) return *rotation_;
   // Equal frames give a symmetric product, so q = 1 without rounding.
-  const Mat3 R_WK = B.R * joint.X_BK.R;
-  q_FK_ = quaternion_of(R_WF_.transpose() * R_WK);
+  const Mat3 R_WK = B_.R * joint_.X_BK.R;
   // d/dt R_WJᵀ (ω_B - ω_A) = R_WJᵀ (ω̇_B - ω̇_A - ω_A × (ω_B - ω_A)).
-  w_FK_F_ = R_WF_.transpose() * (B.w - A.w);
-  alpha_JK_J_ = -(R_WF_.transpose() * A.w.cross(B.w));
+  return rotation_.emplace(Rotation{quaternion_of(R_WF_.transpose() * R_WK),
+                                    R_WF_.transpose() * (B_.w - A_.w),
+                                    -(R_WF_.transpose() * A_.w.cross(B_.w))});
 }
 
 JointCoordinate JointMeasures::displacement(int k) const {
@@ -121,44 +180,42 @@ JointCoordinate JointMeasures::displacement(int k) const {
   measure.rate = power(measure.J_A, A_) + power(measure.J_B, B_);
   // d = p_K - p_F. g̈ = n·d̈ + 2 ṅ·ḋ + n̈·d, with ṅ = ω_A × n.
   const Vec3 n_rate = A_.w.cross(n);
-  const Vec3 d_rate = (B_.v - A_.v) + B_.w.cross(p_BK_W_) - A_.w.cross(p_AJ_W_);
-  const Vec3 centripetal = B_.w.cross(B_.w.cross(p_BK_W_)) - A_.w.cross(A_.w.cross(p_AJ_W_));
-  measure.bias = n.dot(centripetal) + 2 * n_rate.dot(d_rate) + A_.w.cross(n_rate).dot(p_JK_W_);
+  measure.bias = n.dot(centripetal_) + 2 * n_rate.dot(d_rate_) + A_.w.cross(n_rate).dot(p_JK_W_);
   return measure;
 }
 
-JointCoordinate JointMeasures::quaternion(int i) const {
+RotationMeasure JointMeasures::quaternion(int i) const {
   // q̇ = ½ Ω q with Ω = w_FK_F, so that q̈ = ½ Ω̇ q - ¼ |Ω|² q.
-  Vec3 gradient = -0.5 * q_FK_.vec();
-  double value = q_FK_.w();
+  const auto& [q_FK, w_FK_F, alpha_JK_J] = rotation();
+  Vec3 gradient = -0.5 * q_FK.vec();
+  double value = q_FK.w();
   if (i > 0) {
     const Vec3 axis = Vec3::Unit(i - 1);
-    gradient = 0.5 * (q_FK_.w() * axis + q_FK_.vec().cross(axis));
-    value = q_FK_.vec()[i - 1];
+    gradient = 0.5 * (q_FK.w() * axis + q_FK.vec().cross(axis));
+    value = q_FK.vec()[i - 1];
   }
-  const Vec3 gradient_W = R_WF_ * gradient;
-  return {value, gradient.dot(w_FK_F_), stacked(Vec3::Zero(), -gradient_W), stacked(Vec3::Zero(), gradient_W),
-          gradient.dot(alpha_JK_J_) - 0.25 * w_FK_F_.squaredNorm() * value};
+  return {value, gradient.dot(w_FK_F), R_WF_ * gradient,
+          gradient.dot(alpha_JK_J) - 0.25 * w_FK_F.squaredNorm() * value};
 }
 
 JointCoordinate twist_angle(const JointMeasures& measures) {
-  return 2 * angle_of(measures.quaternion(3), measures.quaternion(0));
+  return on_both(2 * angle_of_point(measures.quaternion(3), measures.quaternion(0)));
 }
 
 std::pair<JointCoordinate, JointCoordinate> swing(const JointMeasures& measures) {
-  const JointCoordinate w = measures.quaternion(0), x = measures.quaternion(1), y = measures.quaternion(2),
+  const RotationMeasure w = measures.quaternion(0), x = measures.quaternion(1), y = measures.quaternion(2),
                         z = measures.quaternion(3);
   // q = s t with the twist t = (w, 0, 0, z)/c gives the swing s = (c, (w x - y z)/c, (w y + x z)/c, 0),
   // c = cos θ/2. Where c = 0 the twist is undetermined: t = 1.
-  const JointCoordinate c = length_of(std::array{w, z});
+  const RotationMeasure c = length_of_vector(std::span<const RotationMeasure>(std::array{w, z}));
   constexpr double smallest_cosine = 1e-9;
-  if (c.value < smallest_cosine) return {4 * (x / (w + 1)), 4 * (y / (w + 1))};
-  const JointCoordinate divisor = c * (c + 1);
-  return {4 * ((w * x - y * z) / divisor), 4 * ((w * y + x * z) / divisor)};
+  if (c.value < smallest_cosine) return {on_both(4 * (x / (w + 1))), on_both(4 * (y / (w + 1)))};
+  const RotationMeasure divisor = c * (c + 1);
+  return {on_both(4 * ((w * x - y * z) / divisor)), on_both(4 * ((w * y + x * z) / divisor))};
 }
 
 JointCoordinate whole_rotation(const JointMeasures& measures, int k) {
-  return 4 * (measures.quaternion(k + 1) / (measures.quaternion(0) + 1));
+  return on_both(4 * (measures.quaternion(k + 1) / (measures.quaternion(0) + 1)));
 }
 
 JointCoordinate whole_angle(const JointMeasures& measures) {
@@ -166,21 +223,22 @@ JointCoordinate whole_angle(const JointMeasures& measures) {
   // A vector of the size of rounding errors has no direction and counts as zero.
   constexpr double smallest_sine = 1e-13;
   if (Vec3(sines[0].value, sines[1].value, sines[2].value).norm() < smallest_sine) {
-    for (JointCoordinate& sine : sines) sine.value = 0;
+    for (RotationMeasure& sine : sines) sine.value = 0;
   }
-  return 2 * angle_of(length_of(sines), measures.quaternion(0));
+  return on_both(
+      2 * angle_of_point(length_of_vector(std::span<const RotationMeasure>(sines)), measures.quaternion(0)));
 }
 
 JointCoordinate direction_cosine(const JointMeasures& measures, int i, int j) {
   if (i == j) {
     // 1 - 2 (the squares of the other two components of the vector).
-    const JointCoordinate a = measures.quaternion((i + 1) % 3 + 1), b = measures.quaternion((i + 2) % 3 + 1);
-    return -2 * (a * a + b * b) + 1;
+    const RotationMeasure a = measures.quaternion((i + 1) % 3 + 1), b = measures.quaternion((i + 2) % 3 + 1);
+    return on_both(-2 * (a * a + b * b) + 1);
   }
   const int k = 3 - i - j;
   const double sign = (i + 1) % 3 == j ? -1 : 1;
-  return 2 * (measures.quaternion(i + 1) * measures.quaternion(j + 1) +
-              sign * (measures.quaternion(0) * measures.quaternion(k + 1)));
+  return on_both(2 * (measures.quaternion(i + 1) * measures.quaternion(j + 1) +
+                      sign * (measures.quaternion(0) * measures.quaternion(k + 1))));
 }
 
 }  // namespace rigor

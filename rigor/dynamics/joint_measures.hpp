@@ -2,6 +2,7 @@
 
 #include "rigor/dynamics/joint_rows.hpp"
 
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -23,24 +24,39 @@ JointCoordinate angle_of(const JointCoordinate& y, const JointCoordinate& x);
 /// taken, or the last component's if that is 0 too.
 JointCoordinate length_of(std::span<const JointCoordinate> components);
 
+/// The same of a function of the relative rotation alone: J_A = (0, -gradient), J_B = (0, gradient).
+struct RotationMeasure {
+  double value = 0, rate = 0;
+  Vec3 gradient_W = Vec3::Zero();
+  double bias = 0;
+};
+
 /// The seven elementary functions of the pose of a joint's frame K on B against its frame F on A; all others
 /// are composed of these.
 class JointMeasures {
  public:
+  /// Holds references to all three.
   JointMeasures(const Joint& joint, const BodyMotion& A, const BodyMotion& B);
 
   /// Component k of the displacement from F to K, along the axes of F [m].
   JointCoordinate displacement(int k) const;
   /// Component i of q_FK: w, x, y, z; w ≥ 0.
-  JointCoordinate quaternion(int i) const;
+  RotationMeasure quaternion(int i) const;
 
  private:
-  BodyMotion A_, B_;
+  struct Rotation {
+    Quat q_FK;
+    Vec3 w_FK_F;      ///< Angular velocity of B against A along the axes of F.
+    Vec3 alpha_JK_J;  ///< Its rate while the angular velocities of both are constant.
+  };
+  const Rotation& rotation() const;
+
+  const Joint& joint_;
+  const BodyMotion &A_, &B_;
   Mat3 R_WF_;
   Vec3 p_AJ_W_, p_BK_W_, p_AK_W_, p_JK_W_;
-  Quat q_FK_;
-  Vec3 w_FK_F_;      ///< Angular velocity of B against A along the axes of F.
-  Vec3 alpha_JK_J_;  ///< Its rate while the angular velocities of both are constant.
+  Vec3 d_rate_, centripetal_;  ///< ḋ, and the part of d̈ that does not depend on accelerations.
+  mutable std::optional<Rotation> rotation_;  ///< Not all joints ask for it.
 };
 
 /// Angle [rad] by which K is rotated about z of F: the angle of the twist, where the rotation is a twist

@@ -140,13 +140,20 @@ double without_whole_turns(double difference, double ratio, bool first_is_angle,
 }  // namespace
 
 JointRows joint_rows(const Joint& joint, const BodyMotion& A, const BodyMotion& B) {
+  JointRows rows;
+  update_joint_rows(joint, A, B, rows);
+  return rows;
+}
+
+void update_joint_rows(const Joint& joint, const BodyMotion& A, const BodyMotion& B, JointRows& rows) {
   RIGOR_ASSERT(joint.type != JointType::gear);
   const JointMeasures measures(joint, A, B);
-  JointRows rows;
+  rows.size = rows.side_count = 0;
+  rows.g.setZero();
+  rows.bias.setZero();
   add_displacements(joint, measures, rows);
   add_rotations(joint, measures, rows);
   add_relation(joint, measures, rows);
-  return rows;
 }
 
 JointRows gear_rows(const Joint& gear, const Joint& first, const BodyMotion& A1, const BodyMotion& B1,

@@ -47,6 +47,8 @@ struct JointCoordinate {
 /// joint with limits has no rows. A screw's whole turns are those nearest to its displacement. Derivation:
 /// docs/theory/joints.md.
 JointRows joint_rows(const Joint& joint, const BodyMotion& A, const BodyMotion& B);
+/// The same in the place of earlier rows.
+void update_joint_rows(const Joint& joint, const BodyMotion& A, const BodyMotion& B, JointRows& rows);
 /// The row of a gear, g = (coordinate of the second) - ratio (of the first); its joints with their bodies.
 /// The part of g that stems from whole turns of the angles is left out. For two angles this needs the ratio
 /// of two numbers of teeth, at most 1000 of the second wheel; for any other g = 0: only the rates are held.

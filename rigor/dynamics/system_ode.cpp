@@ -7,7 +7,8 @@
 namespace rigor {
 namespace {
 
-Quat quaternion_at(const VecX& y, int offset) {
+template <class Vector>
+Quat quaternion_at(const Vector& y, int offset) {
   return Quat(y[offset], y[offset + 1], y[offset + 2], y[offset + 3]);
 }
 
@@ -72,7 +73,8 @@ double SystemOde::attitude_drift(const VecX& y, int body) const {
   return 0;
 }
 
-VecX SystemOde::attitude_rate(const VecX& attitude, const Mat3& R_WB, const Vec3& w_WB) const {
+SystemOde::Attitude SystemOde::attitude_rate(const Attitude& attitude, const Mat3& R_WB,
+                                             const Vec3& w_WB) const {
   // q̇ = ½ (0, ω) q.
   if (chart_ == AttitudeChart::quaternion) {
     const Quat rate = Quat(0, w_WB.x(), w_WB.y(), w_WB.z()) * quaternion_at(attitude, 0);
@@ -81,7 +83,7 @@ VecX SystemOde::attitude_rate(const VecX& attitude, const Mat3& R_WB, const Vec3
   // Ṙ = ω × R.
   if (chart_ == AttitudeChart::matrix) {
     const Mat3 rate = skew(w_WB) * R_WB;
-    return Eigen::Map<const VecX>(rate.data(), 9);
+    return Eigen::Map<const Attitude>(rate.data(), 9);
   }
   // Φ̇ by the inverse of the differential of exp, truncated as a method of order four allows.
   const Vec3 phi = attitude;
@@ -93,9 +95,10 @@ VecX SystemOde::derivative(double t, const VecX& y) {
   // The phases of all bodies, and the forces on them.
   for (int i = 0; i < body_count(); ++i) {
     const int first = offset(i);
+    wrenches_[at(i)] = {};
+    if (is_ledger(i)) continue;
     phases_[at(i)] = {y.segment<3>(first), orientation(y, i), y.segment<3>(first + 3),
                       y.segment<3>(first + 6)};
-    wrenches_[at(i)] = {};
   }
   wrench_field_(t, phases_, wrenches_);
 
@@ -106,6 +109,13 @@ VecX SystemOde::derivative(double t, const VecX& y) {
     const Wrench& wrench = wrenches_[at(i)];
     const BodyInertia& inertia = inertias_[at(i)];
     const int first = offset(i);
+    if (is_ledger(i)) {
+      // It has no place: its attitude stays.
+      rate.segment(first, body_size()).setZero();
+      rate.segment<3>(first + 3) = wrench.f_W;
+      rate.segment<3>(first + 6) = wrench.tau_W;
+      continue;
+    }
     // The matrix chart uses R as it stands, so that the right-hand side is smooth in y.
     const Mat3 R_WB = chart_ == AttitudeChart::matrix ? matrix_at(y, first + 9) : rotation_matrix(phase.q);
     const Vec3 w_B = (R_WB.transpose() * phase.L).cwiseQuotient(inertia.moments);

@@ -44,7 +44,9 @@ class SystemOde {
   AttitudeChart chart() const { return chart_; }
 
  private:
-  VecX attitude_rate(const VecX& attitude, const Mat3& R_WB, const Vec3& w_WB) const;
+  /// 4, 9 or 3 numbers, without an allocation.
+  using Attitude = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 9, 1>;
+  Attitude attitude_rate(const Attitude& attitude, const Mat3& R_WB, const Vec3& w_WB) const;
 
   AttitudeChart chart_;
   std::span<const BodyInertia> inertias_;

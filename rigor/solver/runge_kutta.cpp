@@ -18,7 +18,9 @@ class Stages {
   void evaluate(int first, int end) {
     for (int i = first; i < end; ++i) {
       VecX increment = VecX::Zero(y_.size());
-      for (int j = 0; j < i; ++j) increment += tableau_.a[i][j] * k_.col(j);
+      // Of methods of high order half of the weights are zero.
+      for (int j = 0; j < i; ++j)
+        if (tableau_.a[i][j] != 0) increment += tableau_.a[i][j] * k_.col(j);
       k_.col(i) = f_(t_ + tableau_.c[i] * h_, y_ + h_ * increment);
     }
   }
@@ -36,7 +38,7 @@ class Stages {
     dense.col(0) = y_;
     for (int m = 1; m <= tableau_.dense_degree; ++m) {
       for (Eigen::Index i = 1; i < k_.cols(); ++i)
-        dense.col(m) += (h_ * tableau_.dense[i][m]) * (k_.col(i) - k_.col(0));
+        if (tableau_.dense[i][m] != 0) dense.col(m) += (h_ * tableau_.dense[i][m]) * (k_.col(i) - k_.col(0));
     }
     dense.col(1) += h_ * k_.col(0);
     dense.col(tableau_.dense_degree) += end - dense.rowwise().sum();

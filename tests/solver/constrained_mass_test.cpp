@@ -1,17 +1,20 @@
 #include "rigor/solver/linear/constrained_mass.hpp"
 
+#include "constraint_blocks.hpp"
 #include "random_vectors.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace rigor::constrained_mass_test {
 namespace {
 
-using Rows = ConstrainedMass::Rows;
+using Rows = ConstraintRows;
 using LongMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
 using LongVector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
 
@@ -23,7 +26,7 @@ struct System {
 
   ConstrainedMass factored(const ConstrainedMass::RowChoice* choice = nullptr) const {
     ConstrainedMass mass(graph);
-    mass.factor(masses, rows, choice);
+    mass.factor(masses, blocks_of(rows), choice);
     return mass;
   }
   ConstrainedMass::Solution solved() const { return factored().solve(f, c); }
@@ -381,11 +384,70 @@ TEST(ConstrainedMass, TheSameInputGivesTheSameBits) {
   const System system = parallel_bars(6, 0.4);
   ConstrainedMass mass = system.factored();
   const ConstrainedMass::Solution first = mass.solve(system.f, system.c);
-  mass.factor(parallel_bars(6, 0.7).masses, parallel_bars(6, 0.7).rows);
-  mass.factor(system.masses, system.rows);
+  mass.factor(parallel_bars(6, 0.7).masses, blocks_of(parallel_bars(6, 0.7).rows));
+  mass.factor(system.masses, blocks_of(system.rows));
   const ConstrainedMass::Solution second = mass.solve(system.f, system.c);
   EXPECT_EQ(first.a, second.a);
   EXPECT_EQ(first.lambda, second.lambda);
+}
+
+/// Whether two factorisations answer with the same bits.
+bool answer_alike(const ConstrainedMass& a, const ConstrainedMass& b, const System& system) {
+  const ConstrainedMass::Solution x = a.solve(system.f, system.c), y = b.solve(system.f, system.c);
+  const auto same = [](const VecX& u, const VecX& v) {
+    return std::memcmp(u.data(), v.data(), sizeof(double) * static_cast<std::size_t>(u.size())) == 0;
+  };
+  return same(x.a, y.a) && same(x.lambda, y.lambda) && a.choice() == b.choice();
+}
+
+// What was factored before is kept where nothing changed: it must answer as a new one does, whatever came
+// before it, with loops and redundant rows, with a choice of rows and without.
+TEST(ConstrainedMass, FactoringAgainAnswersLikeANewOne) {
+  test::Random random(5);
+  std::vector<System> systems{parallel_bars(4, 0.4), parallel_bars(4, 0.7), parallel_bars(4, 0.4)};
+  systems[2].rows[0].front()(0, 3) = -systems[2].rows[0].front()(0, 3);
+  ConstrainedMass kept(systems[0].graph);
+  const ConstrainedMass::RowChoice none, redundant = systems[0].factored().choice();
+  ASSERT_FALSE(redundant.empty());
+  for (int k = 0; k < 200; ++k) {
+    const System& system = systems[static_cast<std::size_t>(random.uniform(0, 3))];
+    const std::array<const ConstrainedMass::RowChoice*, 3> choices{nullptr, &none, &redundant};
+    const ConstrainedMass::RowChoice* choice = choices[static_cast<std::size_t>(random.uniform(0, 3))];
+    kept.factor(system.masses, blocks_of(system.rows), choice);
+    EXPECT_TRUE(answer_alike(kept, system.factored(choice), system)) << k;
+  }
+}
+
+/// N of the motions that links allow: G N = 0, Nᵀ M N = 1, and N Nᵀ is the response without bias.
+void expect_motions(const System& system) {
+  const ConstrainedMass mass = system.factored();
+  const MatX N = mass.motions(), M = dense_M(system), G = dense_G(system);
+  const Eigen::Index size = M.rows();
+  EXPECT_EQ(N.cols(), size - (G.rows() - static_cast<Eigen::Index>(mass.choice().size())));
+  const double motion = N.lpNorm<Eigen::Infinity>();
+  if (G.rows() > 0 && N.cols() > 0) {
+    EXPECT_LT((G * N).lpNorm<Eigen::Infinity>(), 1e-12 * G.lpNorm<Eigen::Infinity>() * motion);
+  }
+  EXPECT_LT((N.transpose() * M * N - MatX::Identity(N.cols(), N.cols())).norm(), 1e-11);
+  const MatX response = mass.solve(MatX(MatX::Identity(size, size)));
+  EXPECT_LT((N * N.transpose() - response).norm(), 1e-11 * (1 + response.norm()));
+}
+
+TEST(ConstrainedMass, MotionsAreABaseOfWhatLinksAllow) {
+  for (unsigned seed = 1; seed <= 30; ++seed) {
+    RandomSystem random(seed);
+    const int nodes = 2 + random.below(7);
+    for (int node = 0; node < nodes; ++node) random.node();
+    // A forest with free roots, then links that close loops.
+    for (int node = 1; node < nodes; ++node)
+      if (random.below(5) > 0) random.link({random.below(node), node}, 1 + random.below(5));
+    if (random.below(2) == 0) random.link({0}, 1 + random.below(3));
+    expect_motions(random.system());
+    random.link({0, nodes - 1}, 1 + random.below(2));
+    expect_motions(random.system());
+  }
+  expect_motions(parallel_bars(3, 0.4));
+  expect_motions(parallel_bars(1, 1.1));
 }
 
 // The work is that of the blocks: four a node, and two a place on the way of a loop's link to the roots.

@@ -7,9 +7,9 @@
 
 namespace rigor::scenes {
 
-ConstrainedMass::Rows joint_block(const JointOfScene& joint, const Body& body, double sign) {
+ConstraintRows joint_block(const JointOfScene& joint, const Body& body, double sign) {
   const bool is_hinge = joint.axis.norm() > 0;
-  ConstrainedMass::Rows rows = ConstrainedMass::Rows::Zero(is_hinge ? 5 : 3, 6);
+  ConstraintRows rows = ConstraintRows::Zero(is_hinge ? 5 : 3, 6);
   const Vec3 r = joint.point - body.center;
   Mat3 cross;
   cross << 0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
@@ -40,7 +40,7 @@ MotionProblem motion_problem_of(const JointedScene& scene) {
   }
   ConstraintGraph graph;
   graph.node_count = static_cast<int>(scene.bodies.size());
-  std::vector<std::vector<ConstrainedMass::Rows>> blocks;
+  std::vector<std::vector<ConstraintRows>> blocks;
   for (const JointOfScene& joint : scene.joints) {
     ConstraintGraph::Link link{joint.axis.norm() > 0 ? 5 : 3, {}};
     blocks.emplace_back();
@@ -52,7 +52,7 @@ MotionProblem motion_problem_of(const JointedScene& scene) {
     graph.links.push_back(link);
   }
   const auto joints = std::make_shared<ConstrainedMass>(graph);
-  joints->factor(problem.rows.masses, blocks);
+  joints->factor(problem.rows.masses, blocks_of(blocks));
   hold_nodes(joints, nodes, problem.rows);
   problem.laws = problem_of(scene);
   problem.laws.A.resize(0, 0);

@@ -2,6 +2,7 @@
 
 #include "rigor/solver/motion/motion_problem.hpp"
 
+#include "solver/constraint_blocks.hpp"
 #include "solver/contact_scenes.hpp"
 
 namespace rigor::scenes {
@@ -18,7 +19,7 @@ struct JointedScene : Scene {
 };
 
 /// One joint's rows on one of its bodies, B with sign 1.
-ConstrainedMass::Rows joint_block(const JointOfScene& joint, const Body& body, double sign);
+ConstraintRows joint_block(const JointOfScene& joint, const Body& body, double sign);
 
 /// Bodies, contacts and joints as sparse rows; b is that of the motion that the joints allow.
 MotionProblem motion_problem_of(const JointedScene& scene);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 namespace rigor {
@@ -74,64 +75,100 @@ BodyMotion motion_of(int body, const std::vector<int>& bodies, const std::vector
 
 JointSystem::JointSystem(const Model& model, std::vector<int> joints, const std::vector<int>& bodies,
                          const std::vector<BodyKinetics>& kinetics, const RowRules& rules)
-    : joints_(std::move(joints)),
-      motor_horizon_(rules.motor_horizon),
-      node_of_(bodies.size(), -1),
-      velocities_(bodies.size()) {
-  // The rows of each joint, one below the other.
-  int rows = 0;
-  for (const int joint : joints_) {
-    items_.push_back(make_item(model, joint, bodies, kinetics));
-    items_.back().first = rows;
-    rows += items_.back().rows.size;
-  }
-
-  // Which bodies they tie, which blocks of G M⁻¹ Gᵀ that makes, and their numbers at this instant.
-  residuals_ = rate_errors_ = biases_ = VecX::Zero(rows);
-  find_nodes(kinetics);
-  make_solver();
-  for (std::size_t b = 0; b < bodies.size(); ++b) velocities_[b] << kinetics[b].v, kinetics[b].w;
-  stack();
-  factor(kinetics, rules.choice);
+    : joints_(std::move(joints)), items_(joints_.size()) {
+  update(model, bodies, kinetics, rules);
 }
 
 void JointSystem::update(const Model& model, const std::vector<int>& bodies,
                          const std::vector<BodyKinetics>& kinetics, const RowRules& rules) {
-  RIGOR_ASSERT(bodies.size() == velocities_.size());
-  motor_horizon_ = rules.motor_horizon;
-
-  // The rows anew; which bodies they tie stays.
-  for (std::size_t i = 0; i < items_.size(); ++i) {
-    const int first = items_[i].first;
-    items_[i] = make_item(model, joints_[i], bodies, kinetics);
-    items_[i].first = first;
+  // Which bodies there are and how they move. Often only the choice of rows is new.
+  const bool is_another_list = bodies != bodies_;
+  if (is_another_list) {
+    bodies_ = bodies;
+    find_ends(model);
   }
-  for (std::size_t b = 0; b < bodies.size(); ++b) velocities_[b] << kinetics[b].v, kinetics[b].w;
+  const bool has_moved = take_motions(kinetics);
+  if (solver_ && !is_another_list && !has_moved && rules.motor_horizon == motor_horizon_) {
+    solver_->factor(masses_, rows_, rules.choice);
+    return;
+  }
+
+  // The rows of each joint; which bodies they tie and which blocks of G M⁻¹ Gᵀ that makes stays.
+  motor_horizon_ = rules.motor_horizon;
+  for (std::size_t i = 0; i < items_.size(); ++i) make_rows(model, joints_[i], items_[i]);
+  if (is_another_list) find_nodes(kinetics);
+  if (!solver_) make_solver();
+
+  // Their numbers at this instant.
   stack();
   factor(kinetics, rules.choice);
 }
 
-/// The dynamic bodies that joints hold, in the order of the list.
+bool JointSystem::take_motions(const std::vector<BodyKinetics>& kinetics) {
+  static_assert(sizeof(BodyMotion) == 18 * sizeof(double));
+  bool is_new = motions_.size() != kinetics.size();
+  motions_.resize(kinetics.size());
+  velocities_.resize(kinetics.size());
+  for (std::size_t b = 0; b < kinetics.size(); ++b) {
+    const BodyMotion now{kinetics[b].x, kinetics[b].R, kinetics[b].v, kinetics[b].w};
+    // Bit for bit: a zero of the other sign is another number.
+    if (!is_new && std::memcmp(&now, &motions_[b], sizeof(BodyMotion)) == 0) continue;
+    is_new = true;
+    motions_[b] = now;
+    velocities_[b] << now.v, now.w;
+  }
+  return is_new;
+}
+
+void JointSystem::find_ends(const Model& model) {
+  for (std::size_t i = 0; i < items_.size(); ++i) {
+    std::size_t end = 0;
+    for (const Joint* source : sources_of(model, joints_[i]))
+      for (const int body : {source->body_A, source->body_B})
+        items_[i].ends[end++] = body == world_body ? -1 : static_cast<int>(place_in_system(bodies_, body));
+  }
+}
+
+/// The dynamic bodies that joints hold, in the order of the list, and where the sides of rows are in it.
 void JointSystem::find_nodes(const std::vector<BodyKinetics>& kinetics) {
-  for (const Item& item : items_) {
+  node_of_.assign(bodies_.size(), -1);
+  for (Item& item : items_) {
     for (int side = 0; side < item.rows.side_count; ++side) {
-      const std::size_t place = item.places[at(side)];
+      const std::size_t place = place_in_system(bodies_, item.rows.bodies[at(side)]);
+      item.places[at(side)] = place;
       if (kinetics[place].inverse_mass > 0) node_of_[place] = 0;
     }
   }
 
   // They are numbered as nodes of the constraint graph.
+  bodies_of_nodes_.clear();
   for (std::size_t b = 0; b < node_of_.size(); ++b) {
     if (node_of_[b] < 0) continue;
     node_of_[b] = static_cast<int>(bodies_of_nodes_.size());
     bodies_of_nodes_.push_back(b);
   }
+
+  // Whether the world or a prescribed body takes part.
+  for (Item& item : items_) {
+    const auto is_grounded = [&](int end) { return end < 0 || kinetics[at(end)].inverse_mass == 0; };
+    const auto begin = item.ends.begin();
+    item.is_grounded = std::any_of(begin, begin + item.end_count, is_grounded);
+  }
 }
 
 void JointSystem::make_solver() {
+  // The rows of each joint, one below the other.
+  int rows = 0;
+  for (Item& item : items_) {
+    item.first = rows;
+    rows += item.rows.size;
+  }
+  residuals_ = rate_errors_ = biases_ = VecX::Zero(rows);
+
   // One link per joint between the nodes that it ties.
   ConstraintGraph graph;
   graph.node_count = static_cast<int>(bodies_of_nodes_.size());
+  std::size_t blocks = 0;
   for (const Item& item : items_) {
     if (item.rows.size == 0) continue;
     ConstraintGraph::Link link{item.rows.size, {}};
@@ -139,56 +176,51 @@ void JointSystem::make_solver() {
       const int node = node_of_[item.places[at(side)]];
       if (node >= 0) link.nodes.push_back(node);
     }
-    rows_.emplace_back(link.nodes.size());
+    blocks += link.nodes.size();
     graph.links.push_back(std::move(link));
   }
+  rows_.resize(blocks);
   masses_.resize(bodies_of_nodes_.size());
   solver_.emplace(std::move(graph));
 }
 
-JointSystem::Item JointSystem::make_item(const Model& model, int index, const std::vector<int>& bodies,
-                                         const std::vector<BodyKinetics>& kinetics) const {
-  // The rows of the joint itself, and of motors without a limit of force.
+/// The rows of a joint and of its motors without a limit of force.
+void JointSystem::make_rows(const Model& model, int index, Item& item) const {
+  static const BodyMotion world;
   const Joint& joint = model.joint(index);
-  const auto motion = [&](int body) { return motion_of(body, bodies, kinetics); };
-  Item item;
+  const auto motion = [&](std::size_t end) -> const BodyMotion& {
+    return item.ends[end] < 0 ? world : motions_[at(item.ends[end])];
+  };
   if (joint.type == JointType::gear) {
-    const Joint& first = model.joint(joint.first_joint);
-    const Joint& second = model.joint(joint.second_joint);
-    item.rows = gear_rows(joint, first, motion(first.body_A), motion(first.body_B), second,
-                          motion(second.body_A), motion(second.body_B));
+    item.end_count = 4;
+    item.rows = gear_rows(joint, model.joint(joint.first_joint), motion(0), motion(1),
+                          model.joint(joint.second_joint), motion(2), motion(3));
     item.own = item.rows.size;
-  } else {
-    const BodyMotion A = motion(joint.body_A), B = motion(joint.body_B);
-    item.rows = joint_rows(joint, A, B);
-    item.own = item.rows.size;
-    for (int k = 0; k < static_cast<int>(joint.axes.size()); ++k) {
-      const JointAxis& axis = joint.axes[at(k)];
-      if (!axis.motor || std::isfinite(axis.motor->max_force)) continue;
-      const JointCoordinate coordinate = joint_coordinate(joint, k, A, B);
-      const int row = item.rows.size++;
-      for (Mat6& J : item.rows.J) J.row(row).setZero();
-      if (joint.body_A != world_body)
-        item.rows.J[side_of(item.rows, joint.body_A)].row(row) = coordinate.J_A.transpose();
-      if (joint.body_B != world_body)
-        item.rows.J[side_of(item.rows, joint.body_B)].row(row) = coordinate.J_B.transpose();
-      item.rows.g[row] = 0;
-      item.rows.bias[row] = coordinate.bias;
-      item.rate[row] = motor_rate(axis, coordinate.value, model.length_scale(), motor_horizon_);
-    }
-    item.arm = B.x + B.R * joint.X_BK.p - (joint.body_B == world_body ? A.x : B.x);
+    return;
   }
 
-  // Where its bodies are in the list, and whether the world or a prescribed body takes part.
-  for (const Joint* source : sources_of(model, index))
-    item.is_grounded |= source->body_A == world_body || source->body_B == world_body;
-  for (int side = 0; side < item.rows.side_count; ++side) {
-    const std::size_t s = at(side);
-    item.places[s] = place_in_system(bodies, item.rows.bodies[s]);
-    item.is_grounded |= kinetics[item.places[s]].inverse_mass == 0;
-    if (item.rows.bodies[s] == joint.body_B) item.side_B = side;
+  const BodyMotion &A = motion(0), &B = motion(1);
+  update_joint_rows(joint, A, B, item.rows);
+  item.own = item.rows.size;
+  for (int k = 0; k < static_cast<int>(joint.axes.size()); ++k) {
+    const JointAxis& axis = joint.axes[at(k)];
+    if (!axis.motor || std::isfinite(axis.motor->max_force)) continue;
+    const JointCoordinate coordinate = joint_coordinate(joint, k, A, B);
+    const int row = item.rows.size++;
+    for (Mat6& J : item.rows.J) J.row(row).setZero();
+    if (joint.body_A != world_body)
+      item.rows.J[side_of(item.rows, joint.body_A)].row(row) = coordinate.J_A.transpose();
+    if (joint.body_B != world_body)
+      item.rows.J[side_of(item.rows, joint.body_B)].row(row) = coordinate.J_B.transpose();
+    item.rows.g[row] = 0;
+    item.rows.bias[row] = coordinate.bias;
+    item.rate[row] = motor_rate(axis, coordinate.value, model.length_scale(), motor_horizon_);
   }
-  return item;
+
+  // The anchor on B, and B among the sides.
+  item.arm = B.x + B.R * joint.X_BK.p - (joint.body_B == world_body ? A.x : B.x);
+  for (int side = 0; side < item.rows.side_count; ++side)
+    if (item.rows.bodies[at(side)] == joint.body_B) item.side_B = side;
 }
 
 void JointSystem::stack() {
@@ -209,15 +241,13 @@ void JointSystem::stack() {
 
 void JointSystem::factor(const std::vector<BodyKinetics>& kinetics, const RowChoice* choice) {
   // G: the rows of each link on its nodes.
-  std::size_t link = 0;
+  std::size_t block = 0;
   for (const Item& item : items_) {
     if (item.rows.size == 0) continue;
-    std::size_t place = 0;
     for (int side = 0; side < item.rows.side_count; ++side) {
       const std::size_t s = at(side);
-      if (node_of_[item.places[s]] >= 0) rows_[link][place++] = item.rows.J[s].topRows(item.rows.size);
+      if (node_of_[item.places[s]] >= 0) rows_[block++] = item.rows.J[s];
     }
-    ++link;
   }
 
   // The mass matrices, and the factors of both.
@@ -258,25 +288,26 @@ MatX JointSystem::respond(const MatX& f) const {
   return solver_->solve(f);
 }
 
+void JointSystem::add_wrenches(const Item& item, const VecX& lambda, std::vector<Vec6>& wrenches) {
+  const int size = item.rows.size;
+  for (int side = 0; side < item.rows.side_count; ++side) {
+    const std::size_t s = at(side);
+    wrenches[item.places[s]] += item.rows.J[s].topRows(size).transpose() * lambda.segment(item.first, size);
+  }
+}
+
 std::vector<Vec6> JointSystem::wrenches(const VecX& lambda) const {
   std::vector<Vec6> result(node_of_.size(), Vec6::Zero());
-  for (const Item& item : items_) {
-    const int size = item.rows.size;
-    for (int side = 0; side < item.rows.side_count; ++side) {
-      const std::size_t s = at(side);
-      result[item.places[s]] += item.rows.J[s].topRows(size).transpose() * lambda.segment(item.first, size);
-    }
-  }
+  for (const Item& item : items_) add_wrenches(item, lambda, result);
   return result;
 }
 
 std::vector<Vec6> JointSystem::external_wrenches(const VecX& lambda) const {
   // Gᵀ λ of the grounded joints alone, on dynamic bodies.
-  VecX grounded = lambda;
+  std::vector<Vec6> result(node_of_.size(), Vec6::Zero());
   for (const Item& item : items_) {
-    if (!item.is_grounded) grounded.segment(item.first, item.rows.size).setZero();
+    if (item.is_grounded) add_wrenches(item, lambda, result);
   }
-  std::vector<Vec6> result = wrenches(grounded);
   for (std::size_t b = 0; b < result.size(); ++b) {
     if (node_of_[b] < 0) result[b].setZero();
   }

@@ -40,7 +40,8 @@ class JointSystem {
               const std::vector<BodyKinetics>& kinetics)
       : JointSystem(model, std::move(joints), bodies, kinetics, RowRules{}) {}
 
-  /// The same joints and bodies at another instant.
+  /// The same joints at another instant; `bodies` may be another list that holds all their bodies. What was
+  /// factored at the same poses and with the same choice of rows is kept.
   void update(const Model& model, const std::vector<int>& bodies, const std::vector<BodyKinetics>& kinetics,
               const RowRules& rules);
 
@@ -96,31 +97,38 @@ class JointSystem {
 
  private:
   struct Item {
-    JointRows rows;            ///< With the rows of motors.
-    int own = 0;               ///< Rows of the joint itself.
-    Vec6 rate = Vec6::Zero();  ///< Wanted; not zero for motors only.
-    int first = 0;             ///< Its first row in the stacked vectors.
-    bool is_grounded = false;  ///< Whether the world or a prescribed body is part of it.
+    JointRows rows;             ///< With the rows of motors.
+    int own = 0;                ///< Rows of the joint itself.
+    Vec6 rate = Vec6::Zero();   ///< Wanted; not zero for motors only.
+    int first = 0;              ///< Its first row in the stacked vectors.
+    bool is_grounded = false;   ///< Whether the world or a prescribed body is part of it.
+    std::array<int, 4> ends{};  ///< Places of A and B of the joint, or of both joints of a gear; -1: world.
+    int end_count = 2;
     std::array<std::size_t, JointRows::most_sides> places{};  ///< Of its bodies in the list.
     Vec3 arm = Vec3::Zero();  ///< From the centre of B (of A if B is the world) to the anchor.
     int side_B = -1;
   };
-  Item make_item(const Model& model, int joint, const std::vector<int>& bodies,
-                 const std::vector<BodyKinetics>& kinetics) const;
+  /// Takes over how the bodies move; whether anything is new.
+  bool take_motions(const std::vector<BodyKinetics>& kinetics);
+  void make_rows(const Model& model, int joint, Item& item) const;
+  void find_ends(const Model& model);
   void find_nodes(const std::vector<BodyKinetics>& kinetics);
   void make_solver();
   void stack();
+  /// Adds Gᵀ λ of one joint's rows.
+  static void add_wrenches(const Item& item, const VecX& lambda, std::vector<Vec6>& wrenches);
   void factor(const std::vector<BodyKinetics>& kinetics, const RowChoice* choice);
 
-  std::vector<int> joints_;
-  double motor_horizon_;
+  std::vector<int> joints_, bodies_;
+  double motor_horizon_ = 0;
   std::vector<Item> items_;
   std::vector<int> node_of_;  ///< Of each body of the list; -1: not held or prescribed.
   std::vector<std::size_t> bodies_of_nodes_;
-  std::vector<Vec6> velocities_;  ///< Of each body of the list.
+  std::vector<BodyMotion> motions_;  ///< Of each body of the list.
+  std::vector<Vec6> velocities_;     ///< Of each body of the list.
   std::optional<ConstrainedMass> solver_;
-  std::vector<Mat6> masses_;                              ///< Of the nodes.
-  std::vector<std::vector<ConstrainedMass::Rows>> rows_;  ///< Of the joints that have any.
+  std::vector<Mat6> masses_;  ///< Of the nodes.
+  std::vector<Mat6> rows_;    ///< Of the joints that have any, a block for each of their nodes.
   VecX residuals_, rate_errors_, biases_;
 };
 

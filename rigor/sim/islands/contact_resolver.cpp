@@ -52,8 +52,8 @@ ContactResolver::ContactResolver(const Model& model, const ContactSystemAssemble
 std::vector<Contact> ContactResolver::stops_of(const Cluster& cluster) const {
   const std::vector<int> joints = assembler_.joints_of(cluster.bodies);
   if (joints.empty()) return {};
-  const ContactSystem system = assembler_.assemble(cluster, {});
-  return joint_stops(model_, joints, system.bodies, system.kinetics, contact_tolerance_);
+  const auto [bodies, kinetics] = assembler_.bodies_at(cluster.t, cluster.bodies, cluster.phases);
+  return joint_stops(model_, joints, bodies, kinetics, contact_tolerance_);
 }
 
 /// e of each contact; none for a slow approach under a force that presses the bodies together: there the
@@ -199,7 +199,7 @@ LastingContacts ContactResolver::find_lasting(const Cluster& cluster, AdvanceRep
   const double parting = parting_speed(resting_velocity_);
   std::vector<Contact> candidates;
   if (!cluster.contacts.empty()) {
-    const VecX u = relative_velocities(assembler_.assemble(cluster, cluster.contacts));
+    const VecX u = relative_velocities(assembler_.assemble_contacts(cluster, cluster.contacts));
     for (std::size_t i = 0; i < cluster.contacts.size(); ++i) {
       if (u[3 * static_cast<Eigen::Index>(i) + 2] <= parting) candidates.push_back(cluster.contacts[i]);
     }
@@ -245,14 +245,14 @@ void ContactResolver::project_velocities(const LastingContacts& lasting, Cluster
 }
 
 bool ContactResolver::agrees_with_velocities(const LastingContacts& lasting, const Cluster& cluster) const {
-  const VecX u = relative_velocities(assembler_.assemble(cluster, cluster.contacts));
+  const VecX u = relative_velocities(assembler_.assemble_contacts(cluster, cluster.contacts));
   for (std::size_t i = 0; i < cluster.contacts.size(); ++i) {
     if (!cluster.contacts[i].is_bounded_force() && u[3 * static_cast<Eigen::Index>(i) + 2] < -still_)
       return false;
   }
 
   // No lasting contact slips against its friction.
-  const ContactSystem system = assembler_.assemble(cluster, lasting.contacts);
+  const ContactSystem system = assembler_.assemble_contacts(cluster, lasting.contacts);
   const VecX of_lasting = relative_velocities(system);
   for (std::size_t i = 0; i < lasting.contacts.size(); ++i) {
     const Vec3 slip = system.frames[i].transpose() * lasting.states[i].slip_W;
@@ -278,15 +278,15 @@ LastingContacts ContactResolver::update_active(Cluster& cluster, AdvanceReport& 
 }
 
 bool ContactResolver::is_balanced(const Cluster& cluster, const LastingContacts& lasting) const {
-  // Nothing moves: neither what the bodies touch nor the bodies themselves.
+  // Nothing moves: neither the bodies themselves nor what they touch.
+  for (std::size_t i = 0; i < cluster.bodies.size(); ++i) {
+    const Body& own = model_.body(cluster.bodies[i]);
+    const BodyKinetics body = dynamic_kinetics(own, cluster.phases[i]);
+    if (body.v.norm() > still_ || body.w.norm() * reach_of(own) > still_) return false;
+  }
   const ContactSystem system = assembler_.assemble(cluster, lasting.contacts);
   for (const BodyKinetics& body : system.kinetics) {
     if (body.inverse_mass == 0 && (!body.v.isZero(0) || !body.w.isZero(0))) return false;
-  }
-  for (const int index : cluster.bodies) {
-    const BodyKinetics& body = system.of(index);
-    const double radius = reach_of(model_.body(index));
-    if (body.v.norm() > still_ || body.w.norm() * radius > still_) return false;
   }
 
   // All forces together, with those of contacts and joints.

@@ -27,45 +27,83 @@ ContactSystemAssembler::ContactSystemAssembler(const Model& model, const Environ
     : model_(model),
       environment_(environment),
       motor_horizon_(motor_horizon),
-      joints_by_body_(joints_by_body(model)) {}
+      joints_by_body_(joints_by_body(model)),
+      groups_(at(model.body_count()) + 1) {}
 
 ContactSystem ContactSystemAssembler::assemble(double t, const std::vector<int>& bodies,
                                                std::span<const BodyPhase> phases,
                                                std::vector<Contact> contacts) const {
   // Which bodies take part, and how they move.
-  std::vector<int> joints = joints_of(bodies);
-  Bodies all = bodies_at(t, bodies, phases, contacts, joints);
+  Group& group = group_of(bodies);
+  Bodies all = bodies_at(t, group, phases, contacts);
 
   // The constraint rows of the joints, then those of the contacts.
-  std::shared_ptr<const JointSystem> of_joints;
-  if (!joints.empty())
-    of_joints = std::make_shared<JointSystem>(model_, std::move(joints), all.indices, all.kinetics,
-                                              JointSystem::RowRules{.motor_horizon = motor_horizon_});
+  std::shared_ptr<const JointSystem> joints = equations_of(group, all, {.motor_horizon = motor_horizon_});
   return make_contact_system(model_, std::move(contacts), std::move(all.indices), std::move(all.kinetics),
-                             std::move(of_joints));
+                             std::move(joints));
 }
 
 ContactSystem ContactSystemAssembler::assemble(const Island& island, double t,
-                                               std::span<const BodyPhase> phases,
-                                               std::shared_ptr<JointSystem>* joint_room) const {
+                                               std::span<const BodyPhase> phases) const {
   // Which bodies take part, how they move, and where their contacts have gone with them.
-  std::vector<int> joints = joints_of(island.bodies);
-  Bodies all = bodies_at(t, island.bodies, phases, island.contacts, joints);
+  Group& group = group_of(island.bodies);
+  Bodies all = bodies_at(t, group, phases, island.contacts);
   std::vector<Contact> contacts = island.contacts;
   if (t != island.begin) track_contacts(island, all, contacts);
 
-  // The constraint rows of the joints, in the room of an earlier stage if there is one, then those of the
-  // contacts.
-  const JointSystem::RowRules rules{island.joint_rows ? &*island.joint_rows : nullptr, motor_horizon_};
-  std::shared_ptr<JointSystem> of_joints = joint_room ? *joint_room : nullptr;
-  if (of_joints) {
-    of_joints->update(model_, all.indices, all.kinetics, rules);
-  } else if (!joints.empty()) {
-    of_joints = std::make_shared<JointSystem>(model_, std::move(joints), all.indices, all.kinetics, rules);
-    if (joint_room) *joint_room = of_joints;
-  }
+  // The constraint rows of the joints, then those of the contacts.
+  std::shared_ptr<const JointSystem> joints =
+      equations_of(group, all, {island.joint_rows ? &*island.joint_rows : nullptr, motor_horizon_});
   return make_contact_system(model_, std::move(contacts), std::move(all.indices), std::move(all.kinetics),
-                             std::move(of_joints));
+                             std::move(joints));
+}
+
+ContactSystem ContactSystemAssembler::assemble_contacts(const Island& island, double t,
+                                                        std::span<const BodyPhase> phases) const {
+  Bodies all = bodies_at(t, group_of(island.bodies), phases, island.contacts);
+  std::vector<Contact> contacts = island.contacts;
+  if (t != island.begin) track_contacts(island, all, contacts);
+  return make_contact_system(model_, std::move(contacts), std::move(all.indices), std::move(all.kinetics),
+                             nullptr);
+}
+
+ContactSystem ContactSystemAssembler::assemble_contacts(const Cluster& cluster,
+                                                        std::vector<Contact> contacts) const {
+  Bodies all = bodies_at(cluster.t, group_of(cluster.bodies), cluster.phases, contacts);
+  return make_contact_system(model_, std::move(contacts), std::move(all.indices), std::move(all.kinetics),
+                             nullptr);
+}
+
+ContactSystemAssembler::Bodies ContactSystemAssembler::bodies_at(double t, const std::vector<int>& bodies,
+                                                                 std::span<const BodyPhase> phases) const {
+  return bodies_at(t, group_of(bodies), phases, {});
+}
+
+/// What is known of the bodies since the last question about them, or what is found out now.
+ContactSystemAssembler::Group& ContactSystemAssembler::group_of(const std::vector<int>& bodies) const {
+  Group& group = groups_[bodies.empty() ? groups_.size() - 1 : at(bodies.front())];
+  if (group.bodies == bodies) return group;
+  group.bodies = bodies;
+  group.joints = joints_of(bodies);
+  group.with_jointed = bodies_of_joints(group.joints);
+  group.with_jointed.insert(group.with_jointed.end(), bodies.begin(), bodies.end());
+  group.with_jointed = sorted_unique(std::move(group.with_jointed));
+  group.equations.reset();
+  return group;
+}
+
+/// The equations of the group's joints, none if it has none: in the room of the last ones where nobody looks
+/// at these any more.
+std::shared_ptr<const JointSystem> ContactSystemAssembler::equations_of(
+    Group& group, const Bodies& bodies, const JointSystem::RowRules& rules) const {
+  if (group.joints.empty()) return nullptr;
+  if (group.equations.use_count() == 1) {
+    group.equations->update(model_, bodies.indices, bodies.kinetics, rules);
+  } else {
+    group.equations =
+        std::make_shared<JointSystem>(model_, group.joints, bodies.indices, bodies.kinetics, rules);
+  }
+  return group.equations;
 }
 
 /// Moves the points of the contacts along with the surfaces from where the island began to where its bodies
@@ -85,24 +123,28 @@ void ContactSystemAssembler::track_contacts(const Island& island, const Bodies& 
   }
 }
 
-ContactSystemAssembler::Bodies ContactSystemAssembler::bodies_at(double t, const std::vector<int>& bodies,
+ContactSystemAssembler::Bodies ContactSystemAssembler::bodies_at(double t, const Group& group,
                                                                  std::span<const BodyPhase> phases,
-                                                                 const std::vector<Contact>& contacts,
-                                                                 const std::vector<int>& joints) const {
+                                                                 const std::vector<Contact>& contacts) const {
   // The group, with what joints and contacts tie to it.
-  std::vector<int> indices = bodies_of_joints(joints);
-  indices.insert(indices.end(), bodies.begin(), bodies.end());
-  for (const Contact& contact : contacts) {
-    indices.push_back(contact.body_A);
-    indices.push_back(contact.body_B);
+  Bodies result{group.with_jointed, {}};
+  if (!contacts.empty()) {
+    for (const Contact& contact : contacts) {
+      result.indices.push_back(contact.body_A);
+      result.indices.push_back(contact.body_B);
+    }
+    result.indices = sorted_unique(std::move(result.indices));
   }
-  Bodies result{sorted_unique(std::move(indices)), {}};
 
-  // Bodies of the group move as their phases say, the others as prescribed.
+  // Bodies of the group move as their phases say, the others as prescribed. Both lists ascend.
+  result.kinetics.reserve(result.indices.size());
+  std::size_t next = 0;
   for (const int body : result.indices) {
-    result.kinetics.push_back(holds(bodies, body)
-                                  ? dynamic_kinetics(model_.body(body), phases[place_of(bodies, body)])
-                                  : prescribed_kinetics(model_.body(body), t));
+    if (next < group.bodies.size() && group.bodies[next] == body) {
+      result.kinetics.push_back(dynamic_kinetics(model_.body(body), phases[next++]));
+    } else {
+      result.kinetics.push_back(prescribed_kinetics(model_.body(body), t));
+    }
   }
   return result;
 }
@@ -111,7 +153,8 @@ std::vector<Wrench> ContactSystemAssembler::environment_wrenches(const ContactSy
                                                                  double t) const {
   // Springs may end at bodies that are not in the system: prescribed ones.
   const auto view = [&](int body) {
-    if (holds(system.bodies, body)) return view_of(system.of(body));
+    const std::size_t place = place_of(system.bodies, body);
+    if (place < system.bodies.size() && system.bodies[place] == body) return view_of(system.kinetics[place]);
     return view_of(prescribed_kinetics(model_.body(body), t));
   };
   std::vector<Wrench> wrenches(system.bodies.size());

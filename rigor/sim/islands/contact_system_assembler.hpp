@@ -14,7 +14,9 @@ namespace rigor {
 /// contacts: the ContactSystem of dynamic bodies with everything that they touch and the joints that hold
 /// them, and what the environment (gravity, springs, drag, given forces) loads its bodies with.
 ///
-/// It knows nothing of integrators and laws of contact, and keeps nothing from call to call.
+/// It knows nothing of integrators and laws of contact. From call to call it keeps, of each group of bodies,
+/// room for the equations of its joints: many questions are asked about the same group, most of them where it
+/// stands. What it answers does not depend on that. Not for two threads at once.
 class ContactSystemAssembler {
  public:
   /// Holds references to both. motor_horizon: JointSystem::RowRules; the step of schemes of fixed steps, 0
@@ -32,10 +34,20 @@ class ContactSystemAssembler {
   ContactSystem assemble(const Cluster& cluster, std::vector<Contact> contacts) const {
     return assemble(cluster.t, cluster.bodies, cluster.phases, std::move(contacts));
   }
-  /// An island at time t [s], its contacts tracked from where it began to these phases. `joints`: room for
-  /// the island's joints that is filled anew and may be used again once the system is gone.
-  ContactSystem assemble(const Island& island, double t, std::span<const BodyPhase> phases,
-                         std::shared_ptr<JointSystem>* joints = nullptr) const;
+  /// An island at time t [s], its contacts tracked from where it began to these phases.
+  ContactSystem assemble(const Island& island, double t, std::span<const BodyPhase> phases) const;
+
+  /// The same without the equations of the joints, for questions about velocities.
+  ContactSystem assemble_contacts(const Island& island, double t, std::span<const BodyPhase> phases) const;
+  ContactSystem assemble_contacts(const Cluster& cluster, std::vector<Contact> contacts) const;
+
+  /// Bodies, ascending, with how they move.
+  struct Bodies {
+    std::vector<int> indices;
+    std::vector<BodyKinetics> kinetics;
+  };
+  /// These bodies with those that joints tie to them.
+  Bodies bodies_at(double t, const std::vector<int>& bodies, std::span<const BodyPhase> phases) const;
 
   /// Forces and torques of the environment on each body of the system (zero for prescribed ones) [N, N m].
   std::vector<Wrench> environment_wrenches(const ContactSystem& system, double t) const;
@@ -48,13 +60,18 @@ class ContactSystemAssembler {
   double joint_residual(double t, const std::vector<int>& bodies, std::span<const BodyPhase> phases) const;
 
  private:
-  /// The bodies of contacts, joints and others, ascending, with how they move.
-  struct Bodies {
-    std::vector<int> indices;
-    std::vector<BodyKinetics> kinetics;
+  /// Bodies with the joints that hold any of them.
+  struct Group {
+    std::vector<int> bodies;                 ///< Ascending.
+    std::vector<int> joints;                 ///< Ascending.
+    std::vector<int> with_jointed;           ///< The bodies and those that the joints tie to them, ascending.
+    std::shared_ptr<JointSystem> equations;  ///< At the last question; none before the first.
   };
-  Bodies bodies_at(double t, const std::vector<int>& bodies, std::span<const BodyPhase> phases,
-                   const std::vector<Contact>& contacts, const std::vector<int>& joints) const;
+  Group& group_of(const std::vector<int>& bodies) const;
+  std::shared_ptr<const JointSystem> equations_of(Group& group, const Bodies& bodies,
+                                                  const JointSystem::RowRules& rules) const;
+  Bodies bodies_at(double t, const Group& group, std::span<const BodyPhase> phases,
+                   const std::vector<Contact>& contacts) const;
   std::vector<int> bodies_of_joints(const std::vector<int>& joints) const;
   void track_contacts(const Island& island, const Bodies& now, std::vector<Contact>& contacts) const;
 
@@ -62,6 +79,7 @@ class ContactSystemAssembler {
   const Environment& environment_;
   double motor_horizon_;
   std::vector<std::vector<int>> joints_by_body_;
+  mutable std::vector<Group> groups_;  ///< The last that began with each body.
 };
 
 /// What forces of the environment see of a body.

@@ -74,9 +74,8 @@ IntegratorName IslandIntegrator::integrator_for(const Island& island) const {
 }
 
 IslandIntegrator::Load IslandIntegrator::load(const Island& island, double t,
-                                              std::span<const BodyPhase> phases,
-                                              std::shared_ptr<JointSystem>& joints) const {
-  const ContactSystem system = assembler_.assemble(island, t, phases, &joints);
+                                              std::span<const BodyPhase> phases) const {
+  const ContactSystem system = assembler_.assemble(island, t, phases);
 
   // The forces of the environment.
   std::vector<Wrench> wrenches = assembler_.environment_wrenches(system, t);
@@ -167,9 +166,8 @@ IslandStep IslandIntegrator::step(const Island& island, double h, bool is_stiff)
   start.resize(count + 2);
 
   // The contact forces are solved for at every stage.
-  std::shared_ptr<JointSystem> joints;
   const WrenchField field = [&](double t, std::span<const BodyPhase> phases, std::span<Wrench> wrenches) {
-    const Load now = load(island, t, phases.first(count), joints);
+    const Load now = load(island, t, phases.first(count));
     std::copy(now.wrenches.begin(), now.wrenches.end(), wrenches.begin());
     wrenches[count] = now.external;
     wrenches[count + 1] = {now.power.supplied * Vec3::UnitX(), Vec3(now.power.motors, now.power.friction, 0)};

@@ -5,7 +5,6 @@
 #include "rigor/sim/islands/island.hpp"
 #include "rigor/sim/method/method.hpp"
 
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -47,8 +46,7 @@ class IslandIntegrator {
 
  private:
   struct Load;  ///< All wrenches at one stage with their part of the ledger.
-  Load load(const Island& island, double t, std::span<const BodyPhase> phases,
-            std::shared_ptr<JointSystem>& joints) const;
+  Load load(const Island& island, double t, std::span<const BodyPhase> phases) const;
   /// Puts the end of an implicit step on its contacts, without more energy than the step began with.
   void close_implicit_step(const Island& island, IslandStep& step) const;
   IntegratorName integrator_for(const Island& island) const;

@@ -1,6 +1,7 @@
 #include "rigor/sim/islands/joint_projection.hpp"
 
 #include "rigor/core/index.hpp"
+#include "rigor/core/sorted_unique.hpp"
 #include "rigor/math/dense.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/sim/report/ledger.hpp"
@@ -58,16 +59,16 @@ void JointProjection::restore_momenta(const Island& island, IslandStep& step) co
     return;
 
   // Mass, centre and inertia of the group as one rigid body.
-  const ContactSystem system = assembler_.assemble(island.begin + step.h, island.bodies, step.end, {});
+  const auto [bodies, kinetics] = assembler_.bodies_at(island.begin + step.h, island.bodies, step.end);
   double mass = 0;
   Vec3 centre = Vec3::Zero();
-  for (const BodyKinetics& body : system.kinetics) {
+  for (const BodyKinetics& body : kinetics) {
     mass += 1 / body.inverse_mass;
     centre += body.x / body.inverse_mass;
   }
   centre /= mass;
   Mat3 inertia = Mat3::Zero();
-  for (const BodyKinetics& body : system.kinetics) {
+  for (const BodyKinetics& body : kinetics) {
     const Vec3 arm = body.x - centre;
     inertia +=
         body.inertia + (arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose()) / body.inverse_mass;
@@ -87,7 +88,7 @@ void JointProjection::restore_momenta(const Island& island, IslandStep& step) co
   // The rigid motion that carries them.
   const Vec3 v = P / mass, w = symmetric_solution(inertia, L);
   for (std::size_t i = 0; i < island.bodies.size(); ++i) {
-    const BodyKinetics& body = system.of(island.bodies[i]);
+    const BodyKinetics& body = kinetics[place_of(bodies, island.bodies[i])];
     step.end[i].P += (v + w.cross(body.x - centre)) / body.inverse_mass;
     step.end[i].L += body.inertia * w;
   }

@@ -6,13 +6,32 @@
 #include "rigor/sim/method/resting_choice.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
+#include <map>
+#include <memory>
 #include <set>
 #include <utility>
 
 namespace rigor {
 
 namespace {
+
+/// A function of a place in the step that remembers its values: searches ask for the ends of their brackets
+/// several times, and each value takes the whole island there. Copies share what they remember.
+template <class Value>
+class Remembered {
+ public:
+  explicit Remembered(std::function<Value(double)> function) : function_(std::move(function)) {}
+  const Value& operator()(double theta) const {
+    const auto known = values_->find(theta);
+    return known != values_->end() ? known->second : values_->emplace(theta, function_(theta)).first->second;
+  }
+
+ private:
+  std::function<Value(double)> function_;
+  std::shared_ptr<std::map<double, Value>> values_ = std::make_shared<std::map<double, Value>>();
+};
 
 /// Whether f falls to zero between the two places; false where it is no number, as in a motion that
 /// overflows.
@@ -41,6 +60,17 @@ ModeChangeSearch::ModeChangeSearch(const Model& model, const ContactSystemAssemb
       resting_velocity_(method.resting_velocity),
       resting_(resting_choice(method)) {}
 
+namespace {
+
+std::vector<BodyPhase> phases_at(const IslandStep& step, double theta) {
+  if (theta == 1) return step.end;
+  std::vector<BodyPhase> phases;
+  for (const DensePhase& dense : step.dense) phases.push_back(dense.at(theta));
+  return phases;
+}
+
+}  // namespace
+
 /// The island somewhere in its step.
 struct ModeChangeSearch::Instant {
   double t;
@@ -49,10 +79,8 @@ struct ModeChangeSearch::Instant {
 
 ModeChangeSearch::Instant ModeChangeSearch::at(const Island& island, const IslandStep& step,
                                                double theta) const {
-  std::vector<BodyPhase> phases;
-  for (const DensePhase& dense : step.dense) phases.push_back(dense.at(theta));
   const double t = island.begin + theta * step.h;
-  return {t, assembler_.assemble(island, t, theta == 1 ? std::span<const BodyPhase>(step.end) : phases)};
+  return {t, assembler_.assemble(island, t, phases_at(step, theta))};
 }
 
 std::vector<Wrench> ModeChangeSearch::wrenches(const Island& island, const Instant& instant) const {
@@ -62,12 +90,15 @@ std::vector<Wrench> ModeChangeSearch::wrenches(const Island& island, const Insta
 }
 
 /// Speed along its slip of each sliding contact; infinite for the others.
-std::vector<double> ModeChangeSearch::slip_speeds(const Island& island, const Instant& instant) const {
+std::vector<double> ModeChangeSearch::slip_speeds(const Island& island, const IslandStep& step,
+                                                  double theta) const {
   std::vector<double> speeds(island.states.size(), std::numeric_limits<double>::infinity());
-  const VecX u = relative_velocities(instant.system);
+  const ContactSystem system =
+      assembler_.assemble_contacts(island, island.begin + theta * step.h, phases_at(step, theta));
+  const VecX u = relative_velocities(system);
   for (std::size_t i = 0; i < island.states.size(); ++i) {
     if (island.states[i].mode != ContactMode::slide || island.states[i].slip_W.isZero(0)) continue;
-    const Vec3 slip = instant.system.frames[i].transpose() * island.states[i].slip_W;
+    const Vec3 slip = system.frames[i].transpose() * island.states[i].slip_W;
     const Vec2 direction = slip.head<2>();
     if (direction.isZero(0)) continue;
     speeds[i] = u.segment<2>(3 * static_cast<Eigen::Index>(i)).dot(direction);
@@ -78,7 +109,7 @@ std::vector<double> ModeChangeSearch::slip_speeds(const Island& island, const In
 std::optional<ModeChange> ModeChangeSearch::find_slip_end(const Island& island, const IslandStep& step,
                                                           double end) const {
   // Slip that begins from rest may creep back by the uncertainty of the velocities, and no more.
-  std::vector<double> levels = slip_speeds(island, at(island, step, 0));
+  std::vector<double> levels = slip_speeds(island, step, 0);
   double uncertainty = 0;
   for (double& level : levels) {
     level = level > 0 ? 0 : 2 * level - slip_tolerance_;
@@ -86,12 +117,12 @@ std::optional<ModeChange> ModeChangeSearch::find_slip_end(const Island& island, 
   }
 
   // The first time at which one of them falls below its level.
-  const auto margin = [&](double theta) {
-    const std::vector<double> speeds = slip_speeds(island, at(island, step, theta));
+  const Remembered<double> margin([&](double theta) {
+    const std::vector<double> speeds = slip_speeds(island, step, theta);
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < speeds.size(); ++i) least = std::min(least, speeds[i] - levels[i]);
     return least;
-  };
+  });
   if (!(margin(end) < 0) || !falls(margin, 0, end)) return std::nullopt;
   const RootBracket root = find_root_itp(margin, 0, end, time_tolerance_ / step.h);
   return ModeChange{ModeChange::Kind::slip_ends, root.hi * step.h,
@@ -122,9 +153,12 @@ double ModeChangeSearch::force_margin(const Island& island, const Instant& insta
   return margin + rounding;
 }
 
-std::vector<double> ModeChangeSearch::clearances(const Island& island, const Instant& instant) const {
-  return limit_clearances(model_, assembler_.joints_of(island.bodies), instant.system.bodies,
-                          instant.system.kinetics, island.contacts);
+std::vector<double> ModeChangeSearch::clearances(const Island& island, const IslandStep& step,
+                                                 double theta) const {
+  const ContactSystemAssembler::Bodies bodies =
+      assembler_.bodies_at(island.begin + theta * step.h, island.bodies, phases_at(step, theta));
+  return limit_clearances(model_, assembler_.joints_of(island.bodies), bodies.indices, bodies.kinetics,
+                          island.contacts);
 }
 
 std::optional<ModeChange> ModeChangeSearch::find_limit(const Island& island, const IslandStep& step) const {
@@ -132,11 +166,12 @@ std::optional<ModeChange> ModeChangeSearch::find_limit(const Island& island, con
   constexpr int probes = 8, most_halvings = 40;
 
   // Each limit by itself, before the first that was found.
-  const std::vector<double> start = clearances(island, at(island, step, 0));
+  const Remembered<std::vector<double>> known([&](double theta) { return clearances(island, step, theta); });
+  const std::vector<double> start = known(0);
   double end = 1;
   std::optional<ModeChange> first;
   for (std::size_t i = 0; i < start.size(); ++i) {
-    const auto clearance = [&](double theta) { return clearances(island, at(island, step, theta))[i]; };
+    const auto clearance = [&](double theta) { return known(theta)[i]; };
     // What leaves from a limit, or from a little beyond it, is back when it is as far again.
     double level = std::min(0.0, start[i]);
     const double lowest = level - 0.01 * contact_tolerance_;
@@ -213,10 +248,9 @@ std::optional<ModeChange> ModeChangeSearch::find(const Island& island, const Isl
   }
 
   // Forces last: probes at the middle and at the end, then the root between.
-  const auto force = [&](double theta) { return force_margin(island, at(island, step, theta)); };
-  const auto signature = [&](double theta) {
-    return modes_hold(island, at(island, step, theta)) ? 1.0 : -1.0;
-  };
+  const Remembered<double> force([&](double theta) { return force_margin(island, at(island, step, theta)); });
+  const Remembered<double> signature(
+      [&](double theta) { return modes_hold(island, at(island, step, theta)) ? 1.0 : -1.0; });
   for (const double probe : {0.5 * end, end}) {
     if (!(force(probe) < 0) || signature(probe) > 0) continue;
     const bool is_bracketed = force(0) > 0;

@@ -42,9 +42,10 @@ class ModeChangeSearch {
   std::vector<Wrench> wrenches(const Island& island, const Instant& instant) const;
   /// The first time before `end` (a part of the step) at which a sliding contact stops.
   std::optional<ModeChange> find_slip_end(const Island& island, const IslandStep& step, double end) const;
-  std::vector<double> slip_speeds(const Island& island, const Instant& instant) const;
+  std::vector<double> slip_speeds(const Island& island, const IslandStep& step, double theta) const;
   double force_margin(const Island& island, const Instant& instant) const;
-  std::vector<double> clearances(const Island& island, const Instant& instant) const;
+  /// How far each limit that is no contact is away at a place of the step.
+  std::vector<double> clearances(const Island& island, const IslandStep& step, double theta) const;
   bool modes_hold(const Island& island, const Instant& instant) const;
 
   const Model& model_;

@@ -1,10 +1,12 @@
 #include "rigor/solver/linear/constrained_mass.hpp"
 
 #include "rigor/core/assert.hpp"
+#include "rigor/core/index.hpp"
 #include "rigor/core/sorted_unique.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 namespace rigor {
@@ -22,13 +24,14 @@ constexpr double kRounding = 1e-15;
 
 using ActiveRows = std::array<bool, 6>;
 
-/// K with K A Kᵀ = 1, the inverse of the Cholesky factor of A, on active rows; 0 elsewhere. Rows that follow
-/// from the active ones before them become inactive.
-Mat6 inverse_factor(const Mat6& A, double threshold, ActiveRows& active) {
-  Mat6 L = Mat6::Zero();
+/// K with K A Kᵀ = 1, the inverse of the Cholesky factor of the first `size` rows of A (its lower triangle),
+/// on active rows; 0 elsewhere. Rows that follow from the active ones before them become inactive.
+Mat6 inverse_factor(const Mat6& A, int size, double threshold, ActiveRows& active) {
+  Mat6 L;
   Mat6 K = Mat6::Zero();
-  for (int i = 0; i < 6; ++i) {
-    if (!active[static_cast<std::size_t>(i)]) continue;
+  for (int i = 0; i < size; ++i) {
+    L.row(i).setZero();
+    if (!active[at(i)]) continue;
     double left = A(i, i);
     for (int j = 0; j < i; ++j) {
       double x = A(i, j);
@@ -38,7 +41,7 @@ Mat6 inverse_factor(const Mat6& A, double threshold, ActiveRows& active) {
     }
     if (left <= threshold * A(i, i)) {
       L.row(i).setZero();
-      active[static_cast<std::size_t>(i)] = false;
+      active[at(i)] = false;
       continue;
     }
     K(i, i) = 1 / std::sqrt(left);
@@ -51,8 +54,19 @@ Mat6 inverse_factor(const Mat6& A, double threshold, ActiveRows& active) {
   return K;
 }
 
-Vec6 row_sizes(const Mat6& J) {
-  return J.cwiseAbs().rowwise().maxCoeff();
+/// Largest coefficient of the first rows of a transposed block; 0 for the others.
+Vec6 row_sizes(const Mat6& J_T, int rows) {
+  Vec6 sizes = Vec6::Zero();
+  for (int i = 0; i < rows; ++i) sizes(i) = J_T.col(i).cwiseAbs().maxCoeff();
+  return sizes;
+}
+
+/// J_T Kᵀ for the lower triangle K of `rows` rows, and zeros after them.
+Mat6 times_transposed(const Mat6& J_T, const Mat6& K, int rows) {
+  Mat6 product = Mat6::Zero();
+  for (int i = 0; i < rows; ++i)
+    for (int k = 0; k <= i; ++k) product.col(i) += K(i, k) * J_T.col(k);
+  return product;
 }
 
 }  // namespace
@@ -73,27 +87,44 @@ ConstrainedMass::ConstrainedMass(ConstraintGraph graph) : graph_(std::move(graph
   for (const int link : forest_.loop_links) add_loop(link);
 }
 
-void ConstrainedMass::factor(std::span<const Mat6> masses, std::span<const std::vector<Rows>> rows,
+void ConstrainedMass::factor(std::span<const Mat6> masses, std::span<const Mat6> rows,
                              const RowChoice* choice) {
-  copy_input(masses, rows);
+  const bool is_new = copy_input(masses, rows);
+  if (is_factored_ && !is_new && is_same_choice(choice)) return;
   set_active_rows(choice);
   factor_trees();
   for (Loop& loop : loops_) eliminate(loop);
   factor_dense(choice == nullptr ? kDependentRow : kRounding);
+  is_factored_ = true;
+  asked_choice_.reset();
+  if (choice != nullptr) asked_choice_ = *choice;
 }
 
-void ConstrainedMass::copy_input(std::span<const Mat6> masses, std::span<const std::vector<Rows>> rows) {
-  RIGOR_ASSERT(masses.size() == masses_.size() && rows.size() == graph_.links.size());
-  std::copy(masses.begin(), masses.end(), masses_.begin());
-  for (std::size_t link = 0; link < rows.size(); ++link) {
-    RIGOR_ASSERT(rows[link].size() == graph_.links[link].nodes.size());
-    for (std::size_t k = 0; k < rows[link].size(); ++k) {
-      RIGOR_ASSERT(rows[link][k].rows() == graph_.links[link].rows);
-      Mat6& J = blocks_[first_blocks_[link] + k];
-      J.setZero();
-      J.topRows(graph_.links[link].rows) = rows[link][k];
+bool ConstrainedMass::copy_input(std::span<const Mat6> masses, std::span<const Mat6> rows) {
+  RIGOR_ASSERT(masses.size() == masses_.size() && rows.size() == blocks_.size());
+  bool is_new = false;
+  const auto take = [&is_new](const Mat6& value, Mat6& place) {
+    // Bit for bit: a zero of the other sign is another number.
+    if (std::memcmp(value.data(), place.data(), sizeof(Mat6)) == 0) return;
+    place = value;
+    is_new = true;
+  };
+  for (std::size_t node = 0; node < masses.size(); ++node) take(masses[node], masses_[node]);
+  std::size_t block = 0;
+  for (const ConstraintGraph::Link& link : graph_.links) {
+    for (std::size_t k = 0; k < link.nodes.size(); ++k, ++block) {
+      Mat6 J_T = Mat6::Zero();
+      for (int i = 0; i < link.rows; ++i) J_T.col(i) = rows[block].row(i).transpose();
+      take(J_T, blocks_[block]);
     }
   }
+  return is_new;
+}
+
+// Where no row is left out, a choice of none leads the same way as no choice.
+bool ConstrainedMass::is_same_choice(const RowChoice* choice) const {
+  if (choice == nullptr) return !asked_choice_;
+  return asked_choice_ ? *choice == *asked_choice_ : choice->empty() && choice_.empty();
 }
 
 void ConstrainedMass::set_active_rows(const RowChoice* choice) {
@@ -102,7 +133,7 @@ void ConstrainedMass::set_active_rows(const RowChoice* choice) {
   for (std::size_t link = 0; link < active_.size(); ++link) {
     Vec6 sizes = Vec6::Zero();
     for (std::size_t k = 0; k < graph_.links[link].nodes.size(); ++k)
-      sizes = sizes.cwiseMax(row_sizes(block(static_cast<int>(link), k)));
+      sizes = sizes.cwiseMax(row_sizes(wrenches(static_cast<int>(link), k), graph_.links[link].rows));
     const double vanished = kVanishedRow * sizes.maxCoeff();
     for (int i = 0; i < 6; ++i) {
       bool& is_active = active_[link][static_cast<std::size_t>(i)];
@@ -130,31 +161,38 @@ void ConstrainedMass::factor_trees() {
     Pivot& pivot = pivots_[place];
     ActiveRows all;
     all.fill(true);
-    pivot.K_Y = inverse_factor(pivot.K_Y, 0, all);
+    pivot.K_Y = inverse_factor(pivot.K_Y, 6, 0, all);
     if (node.link < 0) continue;
     factor_link(node, pivot);
     if (node.parent < 0) continue;
-    pivots_[static_cast<std::size_t>(node.parent)].K_Y += pivot.Z.transpose() * pivot.Z;
+    Mat6& Y_parent = pivots_[at(node.parent)].K_Y;
+    for (int k = 0; k < pivot.rows; ++k)
+      for (int j = 0; j < 6; ++j) Y_parent.col(j) += pivot.Z_T(j, k) * pivot.Z_T.col(k);
   }
 }
 
 void ConstrainedMass::factor_link(const SpanningForest::Node& node, Pivot& pivot) {
-  const Mat6& J = block(node.link, node.is_first_end ? 0 : 1);
-  const Mat6& J_parent = block(node.link, node.is_first_end ? 1 : 0);
-  const Mat6 Y = pivot.K_Y * J.transpose();
-  const Mat6 A = Y.transpose() * Y;
+  // D = J Y⁻¹ Jᵀ = Uᵀ U with U = K_Y Jᵀ.
+  const Mat6& J_T = wrenches(node.link, node.is_first_end ? 0 : 1);
+  pivot.rows = rows_of(node.link);
+  Mat6 U, D;
+  for (int i = 0; i < pivot.rows; ++i) {
+    U.col(i).noalias() = pivot.K_Y * J_T.col(i);
+    for (int k = 0; k <= i; ++k) D(i, k) = U.col(i).dot(U.col(k));
+  }
 
   // A row that has no hold on the node, or none of its own, waits for the dense system.
   ActiveRows& active = active_[link_of(node)];
   const ActiveRows counting = active;
-  if (node.parent >= 0) {
-    const Vec6 sizes = row_sizes(J), parent_sizes = row_sizes(J_parent);
-    for (int i = 0; i < 6; ++i)
+  const Mat6* J_parent = node.parent < 0 ? nullptr : &wrenches(node.link, node.is_first_end ? 1 : 0);
+  if (J_parent != nullptr) {
+    const Vec6 sizes = row_sizes(J_T, pivot.rows), parent_sizes = row_sizes(*J_parent, pivot.rows);
+    for (int i = 0; i < pivot.rows; ++i)
       if (sizes(i) <= kVanishedRow * parent_sizes(i)) active[static_cast<std::size_t>(i)] = false;
   }
-  pivot.K_D = inverse_factor(A, kDependentRow, active);
-  pivot.W.noalias() = pivot.K_D * Y.transpose();
-  if (node.parent >= 0) pivot.Z.noalias() = pivot.K_D * J_parent;
+  pivot.K_D = inverse_factor(D, pivot.rows, kDependentRow, active);
+  pivot.W_T = times_transposed(U, pivot.K_D, pivot.rows);
+  if (J_parent != nullptr) pivot.Z_T = times_transposed(*J_parent, pivot.K_D, pivot.rows);
   if (active == counting) return;
 
   add_loop(node.link);
@@ -170,29 +208,40 @@ void ConstrainedMass::add_loop(int link) {
 }
 
 void ConstrainedMass::eliminate(Loop& loop) const {
+  // The wrenches of the rows on their nodes.
   for (Mat6& U : loop.U) U.setZero();
   loop.sizes.setZero();
-  const std::vector<int>& nodes = graph_.links[static_cast<std::size_t>(loop.link)].nodes;
+  const std::vector<int>& nodes = graph_.links[at(loop.link)].nodes;
   for (std::size_t k = 0; k < nodes.size(); ++k) {
-    const int place = forest_.places[static_cast<std::size_t>(nodes[k])];
-    const auto at = std::find_if(loop.path.begin(), loop.path.end(),
-                                 [place](const SpanningForest::PathNode& p) { return p.place == place; });
-    const Mat6 G = block(loop.link, k).transpose();
-    for (int i = 0; i < 6; ++i)
-      if (loop.active[static_cast<std::size_t>(i)])
-        loop.U[static_cast<std::size_t>(at - loop.path.begin())].col(i) = G.col(i);
-    loop.sizes += (pivots_[static_cast<std::size_t>(place)].K_Y * G).colwise().squaredNorm().transpose();
+    const int place = forest_.places[at(nodes[k])];
+    const auto found = std::find_if(loop.path.begin(), loop.path.end(),
+                                    [place](const SpanningForest::PathNode& p) { return p.place == place; });
+    Mat6& U = loop.U[at(found - loop.path.begin())];
+    const Mat6& J_T = wrenches(loop.link, k);
+    for (int i = 0; i < rows_of(loop.link); ++i) {
+      if (!loop.active[at(i)]) continue;
+      U.col(i) = J_T.col(i);
+      loop.sizes(i) += (pivots_[at(place)].K_Y * J_T.col(i)).squaredNorm();
+    }
   }
+
+  // Up to the roots, row by row.
   for (std::size_t i = 0; i < loop.path.size(); ++i) {
-    const std::size_t place = static_cast<std::size_t>(loop.path[i].place);
+    const std::size_t place = at(loop.path[i].place);
     const Pivot& pivot = pivots_[place];
-    loop.U[i] = pivot.K_Y * loop.U[i];
-    loop.P[i] = loop.U[i];
-    if (forest_.nodes[place].link < 0) continue;
-    const Mat6 V = -pivot.W * loop.U[i];
-    loop.P[i] += pivot.W.transpose() * V;
-    if (loop.path[i].next >= 0)
-      loop.U[static_cast<std::size_t>(loop.path[i].next)] += pivot.Z.transpose() * V;
+    const bool is_linked = forest_.nodes[place].link >= 0;
+    for (int row = 0; row < rows_of(loop.link); ++row) {
+      if (!loop.active[at(row)]) continue;
+      const Vec6 U = pivot.K_Y * loop.U[i].col(row);
+      Vec6 P = U;
+      for (int k = 0; is_linked && k < pivot.rows; ++k) {
+        const double s = -pivot.W_T.col(k).dot(U);
+        P += s * pivot.W_T.col(k);
+        if (loop.path[i].next >= 0) loop.U[at(loop.path[i].next)].col(row) += s * pivot.Z_T.col(k);
+      }
+      loop.U[i].col(row) = U;
+      loop.P[i].col(row) = P;
+    }
   }
 }
 

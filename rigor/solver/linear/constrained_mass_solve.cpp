@@ -9,16 +9,23 @@
 namespace rigor {
 namespace {
 
-/// Σ Pᵀ P over the places that two paths have in common.
+/// Σ Pᵀ P over the places that two paths have in common, for the active rows of both.
 Mat6 common_product(const std::vector<SpanningForest::PathNode>& a, const std::vector<Mat6>& P_a,
-                    const std::vector<SpanningForest::PathNode>& b, const std::vector<Mat6>& P_b) {
+                    const std::array<bool, 6>& of_a, const std::vector<SpanningForest::PathNode>& b,
+                    const std::vector<Mat6>& P_b, const std::array<bool, 6>& of_b) {
   Mat6 sum = Mat6::Zero();
   for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();) {
-    if (a[i].place == b[j].place) {
-      sum += P_a[i++].transpose() * P_b[j++];
-    } else if (a[i].place > b[j].place) {
+    if (a[i].place > b[j].place) {
       ++i;
+    } else if (a[i].place < b[j].place) {
+      ++j;
     } else {
+      for (int k = 0; k < 6; ++k) {
+        if (!of_b[at(k)]) continue;
+        for (int row = 0; row < 6; ++row)
+          if (of_a[at(row)]) sum(row, k) += P_a[i].col(row).dot(P_b[j].col(k));
+      }
+      ++i;
       ++j;
     }
   }
@@ -44,7 +51,7 @@ void ConstrainedMass::factor_dense(double threshold) {
       if (a.dense[i] >= 0) row_sizes_(a.dense[i]) = a.sizes(static_cast<Eigen::Index>(i));
     for (const Loop& b : loops_) {
       if (&b > &a) break;
-      const Mat6 product = common_product(a.path, a.P, b.path, b.P);
+      const Mat6 product = common_product(a.path, a.P, a.active, b.path, b.P, b.active);
       for (std::size_t i = 0; i < 6; ++i)
         for (std::size_t j = 0; j < 6; ++j) {
           if (a.dense[i] < 0 || b.dense[j] < 0) continue;
@@ -97,13 +104,17 @@ void ConstrainedMass::subtract_product(const Solution& x, VecX& f, VecX& c) cons
     f.segment<6>(6 * node) -= masses_[at(node)] * x.a.segment<6>(6 * node);
   for (int link = 0; link < static_cast<int>(graph_.links.size()); ++link) {
     const std::vector<int>& nodes = graph_.links[at(link)].nodes;
-    const Vec6 lambda = padded(x.lambda, link);
-    Vec6 rest = padded(c, link);
+    const int first = first_row(link);
     for (std::size_t k = 0; k < nodes.size(); ++k) {
-      f.segment<6>(6 * nodes[k]) += block(link, k).transpose() * lambda;
-      rest -= block(link, k) * x.a.segment<6>(6 * nodes[k]);
+      const Mat6& J_T = wrenches(link, k);
+      const Vec6 a = x.a.segment<6>(6 * nodes[k]);
+      Vec6 wrench = Vec6::Zero();
+      for (int i = 0; i < rows_of(link); ++i) {
+        wrench += x.lambda(first + i) * J_T.col(i);
+        c(first + i) -= J_T.col(i).dot(a);
+      }
+      f.segment<6>(6 * nodes[k]) += wrench;
     }
-    store(rest, link, c);
   }
 }
 
@@ -130,12 +141,16 @@ void ConstrainedMass::eliminate(Eigen::Ref<VecX> a, Eigen::Ref<VecX> lambda, con
     const bool is_still = c == nullptr && u.isZero(0);
     if (!is_still) a.segment<6>(6 * node.node) = u = pivot.K_Y * u;
     if (node.link < 0) continue;
-    Vec6 s = Vec6::Zero();
-    if (!is_still) s = -pivot.W * u;
-    if (c != nullptr) s += pivot.K_D * padded(*c, node.link);
-    store(s, node.link, lambda);
+    const int first = first_row(node.link);
+    Vec6 to_parent = Vec6::Zero();
+    for (int i = 0; i < pivot.rows; ++i) {
+      double s = is_still ? 0 : -pivot.W_T.col(i).dot(u);
+      for (int k = 0; c != nullptr && k <= i; ++k) s += pivot.K_D(i, k) * (*c)(first + k);
+      lambda(first + i) = s;
+      to_parent += s * pivot.Z_T.col(i);
+    }
     if (is_still || node.parent < 0) continue;
-    a.segment<6>(6 * forest_.nodes[at(node.parent)].node) += pivot.Z.transpose() * s;
+    a.segment<6>(6 * forest_.nodes[at(node.parent)].node) += to_parent;
   }
 }
 
@@ -148,7 +163,7 @@ VecX ConstrainedMass::close_loops(Eigen::Ref<VecX> a, Eigen::Ref<VecX> lambda, c
     for (std::size_t i = 0; i < loop.path.size(); ++i) {
       const SpanningForest::Node& node = forest_.nodes[at(loop.path[i].place)];
       Vec6 u = a.segment<6>(6 * node.node);
-      if (node.link >= 0) u += pivots_[at(loop.path[i].place)].W.transpose() * padded(lambda, node.link);
+      if (node.link >= 0) u += pivots_[at(loop.path[i].place)].W_T * padded(lambda, node.link);
       rest -= loop.U[i].transpose() * u;
     }
     for (std::size_t i = 0; i < 6; ++i)
@@ -165,8 +180,8 @@ VecX ConstrainedMass::close_loops(Eigen::Ref<VecX> a, Eigen::Ref<VecX> lambda, c
       const Vec6 u = loop.U[i] * forces;
       a.segment<6>(6 * node.node) += u;
       if (node.link < 0) continue;
-      const Mat6& W = pivots_[at(loop.path[i].place)].W;
-      store(padded(lambda, node.link) - W * u, node.link, lambda);
+      const Mat6& W_T = pivots_[at(loop.path[i].place)].W_T;
+      store(padded(lambda, node.link) - W_T.transpose() * u, node.link, lambda);
     }
   }
   return mu;
@@ -178,10 +193,21 @@ void ConstrainedMass::substitute(Eigen::Ref<VecX> a, Eigen::Ref<VecX> lambda) co
     const Pivot& pivot = pivots_[place];
     Vec6 u = a.segment<6>(6 * node.node);
     if (node.link >= 0) {
-      Vec6 t = -padded(lambda, node.link);
-      if (node.parent >= 0) t += pivot.Z * a.segment<6>(6 * forest_.nodes[at(node.parent)].node);
-      u -= pivot.W.transpose() * t;
-      store(-pivot.K_D.transpose() * t, node.link, lambda);
+      // t = Z a_parent - s, and u - Wᵀ t.
+      const int first = first_row(node.link);
+      Vec6 t;
+      for (int i = 0; i < pivot.rows; ++i) {
+        t(i) = -lambda(first + i);
+        if (node.parent >= 0)
+          t(i) += pivot.Z_T.col(i).dot(a.segment<6>(6 * forest_.nodes[at(node.parent)].node));
+        u -= t(i) * pivot.W_T.col(i);
+      }
+      // λ = -K_Dᵀ t.
+      for (int i = 0; i < pivot.rows; ++i) {
+        double sum = 0;
+        for (int k = i; k < pivot.rows; ++k) sum -= pivot.K_D(k, i) * t(k);
+        lambda(first + i) = sum;
+      }
     }
     if (!u.isZero(0)) a.segment<6>(6 * node.node) = pivot.K_Y.transpose() * u;
   }
