@@ -114,8 +114,8 @@ void PassageWitness::watch(const State& after, AdvanceReport& report) {
   // In the order of the bodies whose markers are followed.
   std::vector<std::pair<int, int>> ordered;
   for (const WatchedPairs::Pair& pair : pairs_->meeting(before_, after, moves_->between(before_, after))) {
-    ordered.emplace_back(pair.a, pair.b);
-    ordered.emplace_back(pair.b, pair.a);
+    if (!marked_[at(pair.a)]->markers.empty()) ordered.emplace_back(pair.a, pair.b);
+    if (!marked_[at(pair.b)]->markers.empty()) ordered.emplace_back(pair.b, pair.a);
   }
   std::sort(ordered.begin(), ordered.end());
   for (const auto& [a, b] : ordered) {
