@@ -228,7 +228,12 @@ bool WatchedPairs::may_meet(KeptPair& pair, const State& before, const std::vect
   pair.gap = gap(pair.a, pair.b, before) - way;
   if (pair.gap > 0) return false;
   pair.gap = 0;
-  return true;
+  // Balls round bodies that pass beside each other, on straight ways up to their arcs.
+  const Vec3 begin = before.position(pair.a) - before.position(pair.b), d = A.d - B.d;
+  const double square = d.squaredNorm();
+  const double nearest = square > 0 ? std::clamp(-begin.dot(d) / square, 0.0, 1.0) : 0;
+  const double reach = model_->body(pair.a).bounding_radius + model_->body(pair.b).bounding_radius;
+  return !((begin + nearest * d).norm() > reach + A.arc + B.arc);
 }
 
 /// The smallest gap between the markers of one and the enclosures of the other [m].
