@@ -173,6 +173,7 @@ void BulkWorld::write_bodies(State& state) const {
 
 void BulkWorld::write(State& state) const {
   write_bodies(state);
+  state.anchor_here();
   state.manifolds = memory_.values();
   state.joint_impulses = scratch_->joint_impulses;
   state.quiet_time = scratch_->sleepers ? scratch_->sleepers->quiet_time() : std::vector<float>{};

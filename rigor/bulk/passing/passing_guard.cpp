@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <limits>
 #include <numeric>
+#include <tuple>
 
 namespace rigor {
 
@@ -19,6 +20,12 @@ namespace {
 /// A pair whose bodies move less against each other than this part of the thinner one's thickness is left to
 /// its contacts.
 constexpr double near_share = 0.5;
+
+/// Length of the vector that a row of a MotionRecord begins with.
+float length_of(const float* a) {
+  const FloatRow row = load_row(a), squares = row * row;
+  return std::sqrt(squares[0] + squares[1] + squares[2]);
+}
 
 double norm_of(const float* a) {
   return vector_of(a).norm();
@@ -95,13 +102,14 @@ void PassingGuard::begin(const BulkBodies& bodies, double h) {
   expected_.resize(bodies.x.size());
   for (int i = 0; i < bodies.count(); ++i) {
     const MotionRecord& m = bodies.motion[at(i)];
-    expected_[at(i)] = static_cast<float>(h * (norm_of(m.v) + turning_[at(i)] * norm_of(m.w)));
+    expected_[at(i)] = static_cast<float>(h) * reach(i, m.v, m.w);
   }
 }
 
-double PassingGuard::reach(int body, const BulkBodies& bodies) const {
-  const MotionRecord& m = bodies.motion[at(body)];
-  return norm_of(m.dp) + turning_[at(body)] * norm_of(m.dr);
+/// How far a displacement and a rotation vector take points of the body [m], or velocities in a second.
+float PassingGuard::reach(int body, const float* linear, const float* angular) const {
+  const double turning = turning_[at(body)];
+  return length_of(linear) + (turning > 0 ? static_cast<float>(turning) * length_of(angular) : 0);
 }
 
 /// Whether the bodies have moved so far against each other that their contacts could not be foreseen.
@@ -115,34 +123,68 @@ bool PassingGuard::is_far(const ShapePair& pair, const BulkBodies& bodies) const
 
 void PassingGuard::find_far(const std::vector<ShapePair>& pairs, double margin, const BulkBodies& bodies) {
   far_.clear();
-  // Most steps end here: nothing moves far.
+  // Most steps end here: nothing moves far. No pair is far unless its reaches add up to `least`, less a
+  // rounding in 32 bits.
+  constexpr double rounding = 1e-5;
+  const double least = (1 - rounding) * near_share * least_thickness_;
   reach_.resize(bodies.x.size());
-  double most = 0;
+  float most = 0;
   for (int i = 0; i < bodies.count(); ++i) {
-    reach_[at(i)] = static_cast<float>(reach(i, bodies));
-    most = std::max(most, static_cast<double>(reach_[at(i)]));
+    const MotionRecord& m = bodies.motion[at(i)];
+    reach_[at(i)] = reach(i, m.dp, m.dr);
+    most = std::max(most, reach_[at(i)]);
   }
-  if (2 * most <= near_share * least_thickness_) return;
+  if (2 * static_cast<double>(most) <= least) return;
 
   // Pairs that were looked for.
   for (const ShapePair& pair : pairs) {
+    if (static_cast<double>(reach_[at(pair.body_A)]) + static_cast<double>(reach_[at(pair.body_B)]) <= least)
+      continue;
     if (is_far(pair, bodies)) far_.push_back({pair.body_A, pair.body_B, pair.shape_A, pair.shape_B});
   }
   // And those of bodies that contacts and forces have taken beyond where pairs were looked for.
+  escaped_.clear();
   for (int i = 0; i < bodies.count(); ++i) {
-    const double known = static_cast<double>(expected_[at(i)]) + margin;
-    if (bodies.is_dynamic(i) && static_cast<double>(reach_[at(i)]) > known * (1 + 1e-3))
-      add_escaped(i, bodies);
+    const double known = static_cast<double>(expected_[at(i)]) + margin,
+                 way = static_cast<double>(reach_[at(i)]);
+    if (way + static_cast<double>(most) > least && bodies.is_dynamic(i) && way > known * (1 + 1e-3))
+      escaped_.push_back(i);
   }
+  if (escaped_.empty()) return;
+  sweep_boxes(bodies);
+  for (const int body : escaped_) add_escaped(body, bodies);
+
+  // A pair may have been found twice, by each of its bodies or before.
+  const auto shapes = [](const FarPair& pair) {
+    return std::tie(pair.body_A, pair.body_B, pair.shape_A, pair.shape_B);
+  };
+  std::sort(far_.begin(), far_.end(),
+            [&](const FarPair& a, const FarPair& b) { return shapes(a) < shapes(b); });
+  far_.erase(std::unique(far_.begin(), far_.end(),
+                         [&](const FarPair& a, const FarPair& b) { return shapes(a) == shapes(b); }),
+             far_.end());
+}
+
+/// Boxes that bodies do not leave in the step: their centres go straight, and their points are no farther
+/// from them than the bounding radius. The tree is kept, and made anew now and then: it gets worse the
+/// farther the boxes move.
+void PassingGuard::sweep_boxes(const BulkBodies& bodies) {
+  constexpr int refits = 64;
+  swept_.clear();
+  for (int i = 0; i < bodies.count(); ++i) {
+    const Vec3 &x = bodies.x[at(i)], y = x + vector_of(bodies.motion[at(i)].dp);
+    swept_.push_back(Aabb{x.cwiseMin(y), x.cwiseMax(y)}.grown(model_->body(i).bounding_radius));
+  }
+  if (sweeps_++ % refits != 0) return swept_tree_.refit(swept_);
+  std::vector<BoxItem> items;
+  for (int i = 0; i < bodies.count(); ++i) items.push_back({i, swept_[at(i)]});
+  swept_tree_.build(items);
 }
 
 void PassingGuard::add_escaped(int body, const BulkBodies& bodies) {
-  const double radius = model_->body(body).bounding_radius + static_cast<double>(reach_[at(body)]);
-  for (int other = 0; other < bodies.count(); ++other) {
+  swept_tree_.overlapping(swept_[at(body)], near_);
+  for (const int other : near_) {
     if (other == body || !filter_.may_collide(body, other)) continue;
-    const double apart = (bodies.x[at(other)] - bodies.x[at(body)]).norm();
-    const double near = radius + model_->body(other).bounding_radius + static_cast<double>(reach_[at(other)]);
-    if (apart > near) continue;
     const int a = std::min(body, other), b = std::max(body, other);
     if (may_touch_ && !may_touch_(a, b)) continue;
     for (int i = 0; i < static_cast<int>(model_->body(a).shapes.size()); ++i) {

@@ -4,6 +4,7 @@
 #include "rigor/bulk/narrow_phase/narrow_phase.hpp"
 #include "rigor/bulk/state/bulk_bodies.hpp"
 #include "rigor/bulk/threads/executor.hpp"
+#include "rigor/geometry/broad_phase/aabb_tree.hpp"
 #include "rigor/model/model.hpp"
 
 #include <functional>
@@ -46,9 +47,10 @@ class PassingGuard {
     bool is_checked = false;
   };
   double thickness(int body, int shape) const { return thickness_[at(first_shape_[at(body)] + shape)]; }
-  double reach(int body, const BulkBodies& bodies) const;
+  float reach(int body, const float* linear, const float* angular) const;
   bool is_far(const ShapePair& pair, const BulkBodies& bodies) const;
   void find_far(const std::vector<ShapePair>& pairs, double margin, const BulkBodies& bodies);
+  void sweep_boxes(const BulkBodies& bodies);
   void add_escaped(int body, const BulkBodies& bodies);
   double free_share(const FarPair& pair, const BulkBodies& bodies) const;
   bool shorten(const FarPair& pair, const BulkBodies& bodies);
@@ -65,6 +67,11 @@ class PassingGuard {
   bool may_need_parts_;          ///< Whether there are joints or kinematic bodies.
   std::vector<float> expected_;  ///< Reach of each body at the velocities of the beginning [m].
   std::vector<float> reach_;     ///< And as it has moved [m].
+  std::vector<int> escaped_;     ///< Bodies that went beyond where pairs were looked for.
+  std::vector<Aabb> swept_;      ///< Boxes that the bodies do not leave in the step.
+  AabbTree swept_tree_;          ///< Of swept_.
+  long sweeps_ = 0;
+  std::vector<int> near_;
   std::vector<FarPair> far_;
   std::vector<double> shares_;  ///< Of the displacement of each body, by its group.
   std::vector<Stopped> stopped_;

@@ -59,7 +59,11 @@ void write_bulk_bodies(const Model& model, const BulkBodies& bodies, State& stat
     const Body& body = model.body(i);
     const bool is_dynamic = body.motion == MotionType::dynamic;
     const Vec3 P = is_dynamic ? Vec3(body.mass * vector_of(bodies.motion[k].v)) : Vec3(Vec3::Zero());
-    state.set_body(i, bodies.x[k], bodies.q[k], P, bodies.L[k]);
+    const Quat& q = bodies.q[k];
+    Vec3::Map(&state.x[3 * k]) = bodies.x[k];
+    Vec4::Map(&state.q[4 * k]) = Vec4(q.w(), q.x(), q.y(), q.z());
+    Vec3::Map(&state.P[3 * k]) = P;
+    Vec3::Map(&state.L[3 * k]) = bodies.L[k];
   }
 }
 

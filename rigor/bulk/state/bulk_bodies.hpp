@@ -101,7 +101,7 @@ struct BulkBodies {
 /// Reads the bodies of a State: velocities are rounded to 32 bits; what is written and read again has the
 /// same bits.
 BulkBodies read_bulk_bodies(const Model& model, const State& state);
-/// Writes the bodies into the State (all bodies, momenta of the dynamic ones), anchored at its time.
+/// Writes the bodies into the State (all bodies, momenta of the dynamic ones), but not their anchors.
 void write_bulk_bodies(const Model& model, const BulkBodies& bodies, State& state);
 
 /// After velocities have been changed: sets the angular momentum of a dynamic body, and its angular velocity

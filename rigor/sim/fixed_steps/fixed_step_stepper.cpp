@@ -24,6 +24,7 @@ AdvanceReport FixedStepStepper::pass(State& state, double t_end, double t_look) 
   const double rounding = FixedSteps::rounding * longest_step();
   t_ = state.t;
   begin_span(steps.end(0), state);
+  witness_.begin(state);
 
   // Each fixed step, in as many parts as the scheme needs.
   for (long k = 0; k < steps.count() && t_ < t_look - rounding && report_.reason == StopReason::reached_end;
@@ -34,11 +35,9 @@ AdvanceReport FixedStepStepper::pass(State& state, double t_end, double t_look) 
       if (is_interrupted()) {
         report_.reason = StopReason::interrupted;
       } else {
-        before_.t = state.t;
-        before_.x = state.x, before_.q = state.q, before_.P = state.P, before_.L = state.L;
         t_ = step_towards(end, t_, state);
         show_step(t_, state);
-        witness_.watch(before_, state, report_);
+        witness_.watch(state, report_);
       }
     }
   }

@@ -50,7 +50,6 @@ class FixedStepStepper : public Stepper {
   AdvanceReport pass(State& state, double t_end, double t_look);
 
   PassageWitness witness_;
-  State before_;  ///< The bodies before the present step.
   double t_ = 0;
   double whole_step_ = 0;
 };

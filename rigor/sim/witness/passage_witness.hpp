@@ -5,6 +5,8 @@
 #include "rigor/model/state.hpp"
 #include "rigor/sim/report/advance_report.hpp"
 #include "rigor/sim/witness/pursuit.hpp"
+#include "rigor/sim/witness/step_moves.hpp"
+#include "rigor/sim/witness/watched_pairs.hpp"
 
 #include <memory>
 #include <optional>
@@ -25,33 +27,37 @@ class PassageWitness {
   /// Enters into the report what was found along these paths, one of each body; of a body without pieces
   /// nothing is found.
   void watch(std::span<const BodyPath> paths, AdvanceReport& report);
-  /// The same for one step from one State to another (step_way).
-  void watch(const State& before, const State& after, AdvanceReport& report);
+
+  /// Steps that are watched begin at this State.
+  void begin(const State& state);
+  /// Enters what was found in the step that leads here from where the last one ended, along the ways of
+  /// step_way(). Only pairs that WatchedPairs cannot rule out are followed.
+  void watch(const State& after, AdvanceReport& report);
 
  private:
   /// A shape of a body.
   struct Solid {
     int body, shape;
   };
-  void add_markers(int body);
-  void add_solids(int body);
-  void box_freely(int body, const Aabb& centre_way);
-  void box_closely(int body, double turn, const State& before, const State& after);
+  void watch_boxes(std::span<const BodyPath> paths);
+  void remember(const State& state);
   template <class Paths>
-  void find(const Paths& path_of, AdvanceReport& report);
+  void enter(int body, const Solid& solid, const Paths& path_of, AdvanceReport& report) const;
   std::optional<double> entry_of(int a, const Solid& solid, const BodyPath& of_a, const BodyPath& of_b) const;
 
   std::shared_ptr<const Model> model_;
   Environment environment_;
-  std::vector<std::vector<Marker>> markers_;  ///< Of each body.
-  std::vector<double> offset_;            ///< Of each body: its farthest marker from the centre of mass [m].
-  std::vector<Solid> solid_of_;           ///< All shapes, body by body.
-  std::vector<std::size_t> first_solid_;  ///< Of each body in solid_of_; one more at the end.
-  // Of a watch:
-  std::vector<Aabb> ways_;    ///< Boxes that hold the markers of each body,
-  std::vector<Aabb> solids_;  ///< and those of each shape; those of fixed bodies stay.
-  AabbTree tree_;             ///< Of solids_.
+  std::vector<std::shared_ptr<const MarkedBody>> marked_;  ///< By body.
+  // Of paths:
+  std::vector<Solid> solid_of_;     ///< All shapes, body by body.
+  std::vector<Aabb> marker_boxes_;  ///< Boxes that hold the markers of each body,
+  std::vector<Aabb> solid_boxes_;   ///< and those of each shape; those of fixed bodies stay.
+  AabbTree tree_;                   ///< Of solid_boxes_.
   long watches_ = 0;
+  // Of steps:
+  State before_;                    ///< Where the last step ended: t, x, q, P and L.
+  std::optional<StepMoves> moves_;  ///< Made at the first step.
+  std::optional<WatchedPairs> pairs_;
 };
 
 }  // namespace rigor

@@ -2,16 +2,11 @@
 
 #include "rigor/model/model.hpp"
 #include "rigor/sim/witness/body_path.hpp"
+#include "rigor/sim/witness/marked_body.hpp"
 
 #include <optional>
 
 namespace rigor {
-
-/// A point well inside a shape, on its body.
-struct Marker {
-  Vec3 p_B;          ///< [m].
-  double clearance;  ///< InnerPoint::clearance [m].
-};
 
 /// A marker of one body as it is seen from a shape of another, while each has one piece of path. It is
 /// followed in chords that stay within a quarter of its clearance of the way and turn by less than half a
