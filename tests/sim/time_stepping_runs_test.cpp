@@ -233,7 +233,7 @@ std::shared_ptr<const Model> falling_heap(unsigned seed, bool is_mixed, double r
 }
 
 TEST(TimeSteppingRuns, HeapsTakeFewStepsOverlapNowhereAndGainNoEnergy) {
-  for (const unsigned seed : {1u, 2u, 3u}) {
+  for (const unsigned seed : {1u, 2u}) {
     for (const bool is_mixed : {false, true}) {
       for (const double restitution : {0.0, 0.3}) {
         const std::shared_ptr<const Model> model = falling_heap(seed, is_mixed, restitution);

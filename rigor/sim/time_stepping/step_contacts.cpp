@@ -53,8 +53,9 @@ NearContacts StepContacts::near(const State& state, const Cluster& start, const 
     // Contacts within reach, those that may act, and those of later in the step.
     std::vector<Contact> found;
     if (shows) found = finder_.find(state, pair, margin(pair, foresight));
-    std::copy_if(found.begin(), found.end(), std::back_inserter(near.acting),
-                 [&](const Contact& contact) { return has_met || may_act(contact, start, foresight); });
+    std::copy_if(found.begin(), found.end(), std::back_inserter(near.acting), [&](const Contact& contact) {
+      return (has_met && has(met->second, contact.key())) || may_act(contact, start, foresight);
+    });
     if (has_met) {
       std::copy_if(met->second.begin(), met->second.end(), std::back_inserter(near.acting),
                    [&](const Contact& contact) { return !has(found, contact.key()); });
@@ -104,23 +105,22 @@ bool StepContacts::may_act(const Contact& contact, const Cluster& start, const F
   return contact.point.gap <= tolerance_ || contact.point.gap + 2 * foresight.h * rate < 0;
 }
 
-bool StepContacts::foresee(const State& state, const Pair& pair, const std::array<Pose, 2>& poses,
-                           double left, Foresight& foresight) const {
+bool StepContacts::foresee(const State& state, const Cluster& start, const Pair& pair,
+                           const std::array<Pose, 2>& poses, double left, Foresight& foresight) const {
   const auto [a, b] = pair;
-  const auto [met, is_first] = foresight.met.try_emplace(pair);
-  std::vector<Contact> known = met->second;
-  bool is_new = false;
+  std::vector<Contact>& later = foresight.met[pair];
+  std::vector<Contact> known = later;
   if (shows_itself(state, pair, foresight)) {
-    // All that is within reach at the beginning acts from now on.
-    is_new = is_first;
-    const std::vector<Contact> found = finder_.find(state, pair, margin(pair, foresight));
-    known.insert(known.end(), found.begin(), found.end());
+    for (const Contact& contact : finder_.find(state, pair, margin(pair, foresight))) {
+      if (may_act(contact, start, foresight)) known.push_back(contact);
+    }
   }
 
   // What touches at these poses, and what else may do so in the rest of the step.
   const double near = std::min(tolerance_ + left * margin(pair, foresight),
                                std::max(tolerance_, 0.5 * std::min(thickness(a), thickness(b))));
   const Pose X_WA = pose_of(state, a), X_WB = pose_of(state, b);
+  bool is_new = false;
   for (Contact& contact : find_contacts(model_, a, b, poses[0], poses[1], near)) {
     if (has(known, contact.key())) continue;
     // The same features at the beginning. A surface that the other body comes round to, rather than against,
@@ -129,7 +129,7 @@ bool StepContacts::foresee(const State& state, const Pair& pair, const std::arra
     const bool is_before = contact.point.gap >= -tolerance_;
     const bool is_close = contact.point.gap <= std::min(width_[rigor::at(a)], width_[rigor::at(b)]);
     if (!is_before || !is_close) continue;
-    met->second.push_back(contact);
+    later.push_back(contact);
     is_new = true;
   }
   return is_new;

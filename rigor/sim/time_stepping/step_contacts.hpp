@@ -33,8 +33,8 @@ class StepContacts {
   NearContacts near(const State& state, const Cluster& start, const Foresight& foresight);
   /// Notes that a pair meets, at these poses, when a share `left` of the step is left. Returns whether it has
   /// contacts there that were not foreseen: the next try has rows for them.
-  bool foresee(const State& state, const Pair& pair, const std::array<Pose, 2>& poses, double left,
-               Foresight& foresight) const;
+  bool foresee(const State& state, const Cluster& start, const Pair& pair, const std::array<Pose, 2>& poses,
+               double left, Foresight& foresight) const;
   /// Contacts of all bodies where they are, with gaps up to the contact tolerance + the reaches.
   std::vector<Contact> at(const State& state, const std::vector<double>& reaches);
   /// Those among them that touch.

@@ -253,10 +253,11 @@ TimeStepper::Lesson TimeStepper::learn_from_way(const State& state, const Trial&
   options.time_tolerance = method_.time_tolerance;
   options.rest_velocity = still_speed(method_.resting_velocity);
   TrialPath path(*model_, environment_, options, trial.struck, trial.end, h);
+  const Cluster start = cluster_in(state);
 
   const auto learn_from = [&](const Pair& pair, double meeting) {
     if (meeting == h) return;
-    if (contacts_.foresee(state, pair, path.poses(pair, meeting), 1 - meeting / h, foresight)) {
+    if (contacts_.foresee(state, start, pair, path.poses(pair, meeting), 1 - meeting / h, foresight)) {
       lesson.is_new = true;
     } else if (meeting > least_step_share * h) {
       lesson.until = std::min(lesson.until, meeting);
@@ -280,6 +281,7 @@ TimeStepper::Lesson TimeStepper::learn_from_way(const State& state, const Trial&
 TimeStepper::Lesson TimeStepper::learn_from_end(const State& state, const Trial& trial,
                                                 Foresight& foresight) {
   Lesson lesson{.until = trial.h};
+  const Cluster start = cluster_in(state);
   State end = state;
   write(trial.end, end);
   std::map<Pair, double> misjudged;
@@ -291,7 +293,7 @@ TimeStepper::Lesson TimeStepper::learn_from_end(const State& state, const Trial&
   for (const auto& [pair, misjudgement] : misjudged) {
     if (misjudgement == 0) continue;
     const std::array<Pose, 2> poses{pose_of(end, pair.first), pose_of(end, pair.second)};
-    if (contacts_.foresee(state, pair, poses, 0, foresight)) {
+    if (contacts_.foresee(state, start, pair, poses, 0, foresight)) {
       lesson.is_new = true;
     } else if (misjudgement > 1) {
       lesson.until = 0.5 * trial.h;

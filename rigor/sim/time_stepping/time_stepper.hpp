@@ -15,9 +15,10 @@ namespace rigor {
 struct Energy;
 
 /// Time stepping on velocities and impulses: equal steps, whatever happens in them. Impacts of a step happen
-/// at its beginning, all contact forces of a step are one impulse (ImpulseStep). A step is split only where
-/// bodies move so far that their contacts cannot be foreseen from its beginning: there the next step begins
-/// at their first contact, so that nothing tunnels. docs/theory/time_stepping.md.
+/// at its beginning, all contact forces of a step are one impulse (ImpulseStep). A step is tried until its
+/// contacts are foreseen: what a try meets on its way, or overlaps at its end, has rows in the next one. It
+/// is split only where no rows of its beginning could foretell a contact: there the next step begins, so that
+/// nothing tunnels. docs/theory/time_stepping.md.
 class TimeStepper : public FixedStepStepper {
  public:
   /// target_step H > 0 [s]: the longest step.
