@@ -135,6 +135,30 @@ TEST(ContactKinematics, TrackedContactsStayTheSamePairOfFeatures) {
   }
 }
 
+TEST(ContactKinematics, ARimThatComesToLieFlatIsTrackedThere) {
+  // The lowest point of a tilted cylinder touches a box; upright, no point of its rim is the lowest.
+  const Cylinder cylinder{0.3, 0.4};
+  const auto model = pair_of(Box{Vec3(2, 2, 0.5)}, cylinder);
+  const BodyKinetics A =
+      moving_body(model->body(0), Vec3(0, 0, -0.5), Mat3::Identity(), Vec3::Zero(), Vec3::Zero());
+  for (const double tilt : {0.5, 0.1, -0.2}) {
+    BodyKinetics B =
+        moving_body(model->body(1), Vec3(0, 0, 2), rotation_matrix(rotation_exp(tilt * Vec3::UnitY())),
+                    Vec3(1, 0, 0), Vec3(0, -3, 1));
+    B.x.z() -= gap_of(*model, A, B);
+    const std::vector<Contact> contacts = find_contacts(*model, 0, 1, A.pose(), B.pose(), 1e-6);
+    ASSERT_EQ(contacts.size(), 1u);
+    BodyKinetics upright = B;
+    upright.R = Mat3::Identity();
+    upright.x.z() = cylinder.half_length + 0.01;
+    Contact tracked = contacts.front();
+    tracked.point = tracked_contact(*model, tracked, A.pose(), B.pose(), A.pose(), upright.pose());
+    EXPECT_NEAR(tracked.point.gap, 0.01, 1e-12);
+    EXPECT_TRUE(tracked.point.curvature_B.radius_W.allFinite()) << tilt;
+    EXPECT_TRUE(acceleration_bias(tracked, A, upright).allFinite()) << tilt;
+  }
+}
+
 TEST(ContactSystem, ImpulsesChangeVelocitiesByTheDelassusOperator) {
   Random random(13);
   const auto model = pair_of(Box{Vec3(0.5, 0.3, 0.2)}, Box{Vec3(0.2, 0.3, 0.4)});

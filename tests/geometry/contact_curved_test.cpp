@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -246,6 +247,35 @@ TEST(ContactSetOfRoundShapes, OfTwoCapsIsTheLensOfTheirDisks) {
   for (const Vec3& p : {Vec3(0.5, 0, 0), Vec3(0.1, 0, 0), Vec3(0.4, 0.3, 0), Vec3(0.4, -0.3, 0)}) {
     EXPECT_TRUE(has_point(contacts, p));
   }
+}
+
+TEST(ContactSetOfRoundShapes, OfTiltedCapsLiesOnBothCylindersAtAnyTolerance) {
+  std::mt19937 engine(7);
+  const auto draw = [&](double least, double most) {
+    return least + (most - least) * static_cast<double>(engine()) / static_cast<double>(std::mt19937::max());
+  };
+  // How far a point lies outside of a cylinder, less than 0 within it, 0 on its surface [m].
+  const auto outside = [](const Cylinder& cylinder, const Pose& X, const Vec3& p_W) {
+    const Vec3 p = X.R.transpose() * (p_W - X.p);
+    return std::max(p.head<2>().norm() - cylinder.radius, std::abs(p.z()) - cylinder.half_length);
+  };
+  int crossings = 0;
+  for (int k = 0; k < 2000; ++k) {
+    // A tilted cylinder whose lowest point is over the cap of another.
+    const Cylinder a{draw(0.2, 1), 0.5}, b{draw(0.2, 1), draw(0.3, 1)};
+    const double tilt = draw(0, 0.75), turn = draw(0, 6), gap = 1e-3, place = draw(0, 1) * a.radius;
+    const Pose X_WA{Mat3::Identity(), Vec3(0, 0, -a.half_length)};
+    const Mat3 R = rotation_matrix(rotation_exp(turn * Vec3::UnitZ())) *
+                   rotation_matrix(rotation_exp(tilt * Vec3::UnitY()));
+    const Vec3 lowest = R * Vec3(b.radius, 0, -b.half_length);
+    const Pose X_WB{R, Vec3(place, 0, gap) - lowest};
+    for (const ContactPoint& point : contact_set(a, X_WA, b, X_WB, 1)) {
+      EXPECT_GT(point.gap, gap - 1e-9) << k;
+      EXPECT_NEAR(outside(b, X_WB, point.p_WB), 0, 1e-9) << k;
+      crossings += std::abs(point.p_WA.head<2>().norm() - a.radius) < 1e-9;
+    }
+  }
+  EXPECT_GT(crossings, 1000);
 }
 
 TEST(ContactSetOfRoundShapes, OfAConeIsItsBaseItsApexOrItsSide) {

@@ -1,5 +1,8 @@
 #include "rigor/sim/time_stepping/time_stepper.hpp"
 
+#include "rigor/math/rotation.hpp"
+#include "rigor/sim/time_stepping/part_memory.hpp"
+#include "rigor/sim/time_stepping/trial_path.hpp"
 #include "sim/time_stepping_scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -91,6 +94,69 @@ TEST(TimeStepper, ScenesScaledByPowersOfTwoGiveScaledBits) {
     EXPECT_EQ(a.orientation(1).coeffs(), b.orientation(1).coeffs()) << k;
     EXPECT_EQ(Vec3(length / time * a.linear_momentum(1)), b.linear_momentum(1)) << k;
   }
+}
+
+TEST(TrialPath, WhatSlidesIsClearToTheEndWhateverTheTimeIs) {
+  ModelBuilder builder = test::stepping_builder(0, 0, Vec3(0, 0, -g));
+  builder.add_body(test::stepping_body("block", Box{Vec3(0.2, 0.2, 0.1)}, Vec3(0, 0, 0.1)));
+  const std::shared_ptr<const Model> model = builder.build();
+  const Environment environment(*model);
+  const ToiOptions options;
+  const double h = 0.01;
+  for (const double t : {0.0, 0.1, 0.44, 1000.3}) {
+    const Vec3 v(3, 1, 0);
+    const Cluster start{t, {1}, {{Vec3(0, 0, 0.1), Quat::Identity(), v, Vec3::Zero()}}, {}};
+    Cluster end = start;
+    end.t += h;
+    end.phases[0].x += h * v;
+    TrialPath path(*model, environment, options, start, end, h);
+    EXPECT_EQ(path.without_overlap({0, 1}, 1e-3), h) << t;
+    // It sinks by 5 mm: the slack is used up after a fifth of the step at the latest.
+    end.phases[0].x.z() -= 0.005;
+    TrialPath sinking(*model, environment, options, start, end, h);
+    const double until = sinking.without_overlap({0, 1}, 1e-3);
+    EXPECT_GT(until, 0) << t;
+    EXPECT_LE(sinking.poses({0, 1}, until)[1].p.z(), 0.1) << t;
+    EXPECT_GE(sinking.poses({0, 1}, until)[1].p.z(), 0.1 - 1e-3 - 1e-9) << t;
+  }
+}
+
+TEST(PartMemory, MovesAPartOnceAsLongAsItIsTheSameProblem) {
+  PartMemory memory;
+  int moves = 0;
+  const auto ask = [&](double h, double theta, const Cluster& part) {
+    return memory
+        .moved(h, theta, part,
+               [&](const Cluster& moving) {
+                 ++moves;
+                 return MovedPart{moving.phases, moving.phases, {}};
+               })
+        .end[0]
+        .x;
+  };
+  Cluster part{0, {1}, {{Vec3(1, 2, 3), Quat::Identity(), Vec3::Zero(), Vec3::Zero()}}, {}};
+  for (int k = 0; k < 3; ++k) EXPECT_EQ(ask(0.01, 0.5, part), Vec3(1, 2, 3));
+  EXPECT_EQ(moves, 1);
+
+  // Another step, another share, another body, a contact, and the same contact with another gap.
+  ask(0.005, 0.5, part);
+  ask(0.01, 1, part);
+  Cluster other = part;
+  other.bodies = {2};
+  ask(0.01, 0.5, other);
+  EXPECT_EQ(moves, 4);
+  Contact contact{};
+  contact.body_B = 1;
+  for (const double gap : {0.0, 1e-12}) {
+    contact.point = {Vec3::Zero(), Vec3::Zero(), Vec3::UnitZ(), gap, 0, {}, {}};
+    part.contacts = {contact};
+    ask(0.01, 0.5, part);
+    ask(0.01, 0.5, part);
+  }
+  EXPECT_EQ(moves, 6);
+  memory.clear();
+  ask(0.01, 0.5, part);
+  EXPECT_EQ(moves, 7);
 }
 
 }  // namespace

@@ -5,11 +5,14 @@
 
 #include "rigor/sim/event_driven/event_driven_stepper.hpp"
 #include "rigor/sim/report/energy.hpp"
+#include "rigor/sim/simulation.hpp"
 #include "rigor/sim/time_stepping/time_stepper.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
+#include <vector>
 
 namespace rigor::time_stepping_runs_test {
 namespace {
@@ -208,6 +211,53 @@ TEST(TimeSteppingRuns, RollingIsOfSecondOrder) {
   EXPECT_NEAR(std::log2(coarse / fine), 2, 0.2);
   // Down to the overlap that is left as it is, a fifth of the contact tolerance a step.
   EXPECT_LT((ball_on_ball(Scheme::time_stepping, 0.005) - exact).norm(), 1e-5);
+}
+
+/// Bodies askew in four columns above the floor, which fall into a heap: boxes alone, or all kinds.
+std::shared_ptr<const Model> falling_heap(unsigned seed, bool is_mixed, double restitution) {
+  std::mt19937 engine(seed);
+  const auto draw = [&](double most) {
+    return most * (2 * static_cast<double>(engine()) / static_cast<double>(std::mt19937::max()) - 1);
+  };
+  const std::vector<Shape> shapes{Box{Vec3(0.075, 0.06, 0.05)}, Cylinder{0.06, 0.05}, Sphere{0.07},
+                                  Capsule{0.05, 0.05}};
+  ModelBuilder builder = test::stepping_builder(restitution, 0.5, Vec3(0, 0, -g));
+  for (int k = 0; k < 12; ++k) {
+    BodyDescription body = test::stepping_body(
+        "b" + std::to_string(k), shapes[is_mixed ? static_cast<std::size_t>(k / 4 + k) % 4 : 0],
+        Vec3(0.25 * (k % 2) + draw(0.02), 0.25 * (k / 2 % 2) + draw(0.02), 0.3 + 0.25 * (k / 4)));
+    body.q_WU = Quat(1, draw(0.5), draw(0.5), draw(0.5)).normalized();
+    builder.add_body(body);
+  }
+  return builder.build();
+}
+
+TEST(TimeSteppingRuns, HeapsTakeFewStepsOverlapNowhereAndGainNoEnergy) {
+  for (const unsigned seed : {1u, 2u}) {
+    for (const bool is_mixed : {false, true}) {
+      for (const double restitution : {0.0, 0.3}) {
+        const std::shared_ptr<const Model> model = falling_heap(seed, is_mixed, restitution);
+        const Environment environment(*model);
+        State state = make_initial_state(*model);
+        TimeStepper stepper(model, stepping(), 0.01);
+        AdvanceReport report;
+        double energy = mechanical_energy(*model, environment, state).total();
+        for (int k = 1; k <= 50; ++k) {
+          report.add(stepper.advance(state, 0.01 * k));
+          const double now = mechanical_energy(*model, environment, state).total();
+          EXPECT_LE(now, energy + 1e-9) << seed << is_mixed << restitution << " t " << state.t;
+          energy = now;
+        }
+        ASSERT_EQ(report.reason, StopReason::reached_end);
+        EXPECT_LE(report.max_penetration, 1e-6) << seed << is_mixed << restitution;
+        EXPECT_TRUE(find_overlaps(*model, state, 1e-6).empty()) << seed << is_mixed << restitution;
+        EXPECT_LT(report.momentum_error.norm(), 1e-11) << seed << is_mixed << restitution;
+        EXPECT_LT(report.angular_momentum_error.norm(), 1e-11) << seed << is_mixed << restitution;
+        // One problem for each island that touches, of twelve bodies that fall half of the time.
+        EXPECT_LT(report.steps, 400) << seed << is_mixed << restitution;
+      }
+    }
+  }
 }
 
 /// Where a cube is after two impacts.

@@ -247,6 +247,9 @@ SurfaceCurvature carried_curvature(const BodyShape& shape, const SurfaceCurvatur
   if (const std::optional<LeaningCircle> now = leaning_circle(shape, old, after, p_W)) {
     // The point of a circle of radius r farthest along m moves by r / |m - (m·a) a| along the circle.
     const Vec3 outward = m_W - m_W.dot(now->axis) * now->axis;
+    // Along the axis all of the circle is as far: the surface there is flat, and has no such point.
+    constexpr double along_axis = 1e-9;
+    if (outward.norm() <= along_axis) return surface;
     const Vec3 along = now->axis.cross(outward).normalized();
     surface.radius_W = now->radius / outward.norm() * along * along.transpose();
     return surface;

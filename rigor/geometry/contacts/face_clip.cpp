@@ -142,9 +142,35 @@ class Clipper {
     for (int part = 0; part < 2; ++part) {
       const Vec3 p = face_.center + along * x + (part == 0 ? aside : -aside) * n.cross(x);
       const double height = (disk.center - p).dot(disk.normal) / n.dot(disk.normal);
-      add_crossing(p + height * n, {Feature::Kind::edge, face_.feature.index, part},
+      const std::optional<Vec3> crossing = over_this_rim(disk, p + height * n);
+      if (!crossing) continue;
+      add_crossing(*crossing, {Feature::Kind::edge, face_.feature.index, part},
                    {Feature::Kind::edge, disk.feature.index, part}, true);
     }
+  }
+
+  /// The point of the rim of a disk that lies over the rim of this face, near `guess` in the plane of the
+  /// disk: seen along the normal, the rim of a tilted disk is an ellipse. Nothing if they only come near.
+  std::optional<Vec3> over_this_rim(const FlatFace& disk, const Vec3& guess) const {
+    constexpr int most_steps = 20;
+    const double rounding = 1e-13 * (face_.radius * face_.radius + disk.radius * disk.radius);
+    const auto seen = [this](const Vec3& d) { return Vec3(d - face_.normal.dot(d) * face_.normal); };
+    Vec3 p = guess;
+    for (int k = 0; k < most_steps; ++k) {
+      const Vec3 off = seen(p - face_.center), arm = p - disk.center;
+      const double excess = off.squaredNorm() - face_.radius * face_.radius;
+      const bool is_on_rim = std::abs(arm.squaredNorm() - disk.radius * disk.radius) <= rounding;
+      if (is_on_rim && std::abs(excess) <= rounding) return p;
+      // Newton's method along the rim, from the nearest point of it.
+      const Vec3 outward = arm.normalized(), along = disk.normal.cross(outward);
+      const Vec3 on_rim = disk.center + disk.radius * outward, off_rim = seen(on_rim - face_.center);
+      const double slope = 2 * disk.radius * off_rim.dot(seen(along));
+      const double turn =
+          (off_rim.squaredNorm() - face_.radius * face_.radius) / (slope == 0 ? rounding : slope);
+      if (!(std::abs(turn) < 1)) return {};
+      p = disk.center + disk.radius * (std::cos(turn) * outward - std::sin(turn) * along);
+    }
+    return {};
   }
 
   void add_crossing(const Vec3& p, const Feature& on_face, const Feature& on_shape, bool is_real) {

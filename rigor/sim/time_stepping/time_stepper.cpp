@@ -2,19 +2,21 @@
 
 #include "rigor/contact/impact/joint_stops.hpp"
 #include "rigor/core/index.hpp"
-#include "rigor/geometry/distance/thickness.hpp"
+#include "rigor/core/interrupt.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/sim/islands/displacement.hpp"
 #include "rigor/sim/method/tolerances.hpp"
 #include "rigor/sim/pairs/near_pairs.hpp"
 #include "rigor/sim/report/energy.hpp"
 #include "rigor/sim/report/ledger.hpp"
+#include "rigor/sim/time_stepping/reaches.hpp"
 #include "rigor/sim/time_stepping/trial_path.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -23,6 +25,11 @@ namespace rigor {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// How far a point of a body can have been moved from one phase to another [m].
+double displacement(const Body& body, const BodyPhase& from, const BodyPhase& to) {
+  return (to.x - from.x).norm() + body.bounding_radius * from.q.angularDistance(to.q);
+}
 
 }  // namespace
 
@@ -34,14 +41,11 @@ TimeStepper::TimeStepper(std::shared_ptr<const Model> model, const Method& metho
       resolver_(*model_, assembler_, method),
       joints_(*model_, assembler_),
       impulses_(*model_, environment_, assembler_, resolver_, joints_, method),
-      finder_(*model_, method.broad_phase) {
+      contacts_(*model_, environment_, method) {
   for (int i = 0; i < model_->body_count(); ++i) {
     const Body& body = model_->body(i);
     if (body.motion == MotionType::dynamic)
       lift_ += body.mass * environment_.steady_acceleration(i).norm() * model_->length_scale();
-    double thickness = infinite;
-    for (const BodyShape& shape : body.shapes) thickness = std::min(thickness, thickness_of(shape.shape));
-    thickness_.push_back(thickness);
   }
 }
 
@@ -88,13 +92,20 @@ double TimeStepper::take_step(double h, State& state) {
   constexpr int most_halvings = 3;
   constexpr double tolerable = 1e-10;
 
+  // What the tries of this step show is for this step.
+  moved_.clear();
+  Foresight foresight{h, std::vector<double>(at(model_->body_count()), 0.0)};
+  const Cluster start = cluster_in(state);
+  grow_reaches(*model_, environment_, h, start.bodies, start.phases, foresight.reaches);
+  for (const double t : {state.t, state.t + h}) grow_prescribed_reaches(*model_, h, t, foresight.reaches);
+
   // Trials, each half as long, until one adds no energy.
   const Energy before = mechanical_energy(*model_, environment_, state);
   std::optional<Trial> trial;
   for (int k = 0; k <= most_halvings; ++k) {
-    trial = try_calmly(h, before, state);
+    trial = try_calmly(before, state, foresight);
     if (trial->gain <= tolerable * (before.kinetic + lift_) || trial->report.impact_gain > 0) break;
-    h = 0.5 * trial->h;
+    foresight.shorten(0.5 * trial->h);
   }
 
   // A body whose state is not finite ends the run.
@@ -107,14 +118,14 @@ double TimeStepper::take_step(double h, State& state) {
   }
 
   // The trial becomes the State.
-  note_lasting(cluster_in(state), *trial);
+  note_lasting(start, *trial);
   report_.add(trial->report);
   write(trial->end, state);
   return trial->h;
 }
 
 /// A trial that adds no energy, if any form of a step does not.
-TimeStepper::Trial TimeStepper::try_calmly(double h, const Energy& before, const State& state) {
+TimeStepper::Trial TimeStepper::try_calmly(const Energy& before, const State& state, Foresight& foresight) {
   constexpr double rounding = 1e-13, negligible = 1e-12;
   const auto with_gain = [&](Trial trial) {
     State end = state;
@@ -127,181 +138,81 @@ TimeStepper::Trial TimeStepper::try_calmly(double h, const Energy& before, const
   };
 
   // The form of second order, if it adds no energy; else the one that adds least.
-  Trial trial = with_gain(try_step(h, 0.5, state));
+  Trial trial = with_gain(try_step(0.5, state, foresight));
   if (trial.gain <= negligible * (before.kinetic + lift_) || trial.report.impact_gain > 0) return trial;
-  Trial safe = with_gain(try_step(trial.h, 1, state));
+  Trial safe = with_gain(try_step(1, state, foresight));
   // In between the energy stays the same or falls a little: regula falsi, from the side that gains.
   constexpr int most_trials = 3;
   constexpr double beyond = 1.05;
   double low = 0.5, gain = trial.gain;
   for (int k = 0; k < most_trials && gain > 0 && safe.gain < 0 && safe.h == trial.h; ++k) {
     low = std::min(1.0, low + beyond * (1 - low) * gain / (gain - safe.gain));
-    Trial level = with_gain(try_step(trial.h, low, state));
+    Trial level = with_gain(try_step(low, state, foresight));
     gain = level.gain;
     if (gain <= 0 && level.h == trial.h) return level;
   }
   return safe.gain < trial.gain ? safe : trial;
 }
 
-/// A trial of h, halved where the contacts at the beginning do not foretell those at the end.
-TimeStepper::Trial TimeStepper::try_step(double h, double theta, const State& state) {
-  constexpr int most_halvings = 6;
-  std::vector<double> reaches(at(model_->body_count()), 0.0);
-  grow_reaches(h, cluster_in(state), reaches);
-  bool takes_all = false;
+/// A trial whose contacts were foreseen: tries before it have shown which ones act, and how long they do.
+TimeStepper::Trial TimeStepper::try_step(double theta, const State& state, Foresight& foresight) {
+  constexpr int patient_tries = 20, most_tries = 60;
   for (int k = 0;; ++k) {
-    Trial trial = try_with_reaches(h, theta, takes_all, state, reaches);
-    // Bodies were pushed where they would not have gone by themselves: all contacts within reach may act.
-    if (!takes_all && trial.misjudgement > 0) {
-      takes_all = true;
-      continue;
+    poll_interrupt();
+    Trial trial = try_once(theta, state, foresight);
+    const double h = trial.h;
+    const Lesson lesson = learn(state, trial, foresight);
+    double until = lesson.until;
+    if ((!lesson.is_new && until == h) || k >= most_tries) {
+      // Overlaps that cannot be put right came of a step that was too long.
+      const double left = correct_overlaps(state, trial);
+      if (left <= method_.contact_tolerance || k >= most_tries) return trial;
+      until = 0.5 * h;
     }
-    if (k >= most_halvings || trial.misjudgement <= 1) return trial;
-    h = 0.5 * trial.h;
-  }
-}
-
-TimeStepper::Trial TimeStepper::try_with_reaches(double h, double theta, bool takes_all, const State& state,
-                                                 std::vector<double>& reaches) {
-  constexpr int most_growths = 12, patient_tries = 12, most_tries = 60;
-  const Cluster start = cluster_in(state);
-  std::set<std::pair<int, int>> met;
-  for (int k = 0, growths = 0;; ++k) {
-    // The contacts within reach, and pairs that move so far that their contacts cannot be foreseen.
-    Trial trial{start, {}, reaches, h};
-    NearContacts near = contacts_in_reach(state, reaches, met);
-    for (const Contact& contact : near.contacts)
-      trial.report.note_overlap(*model_, -contact.point.gap, contact.body_A, contact.body_B, state.t);
-    std::vector<Contact> touching_before = touching_of(near.contacts);
-    std::vector<Contact> contacts = std::move(near.contacts);
-
-    // Those that may act in the step.
-    if (!takes_all) contacts = acting_contacts(h, start, std::move(contacts));
-    add_stops(start, contacts);
-
-    const Cluster struck = move_parts(theta, start, contacts, trial);
-    if (trial.reaches != reaches && growths < most_growths) {
-      reaches = trial.reaches;
-      ++growths;
-      continue;
-    }
-
-    // Up to where the first of the far pairs meets, or one that touches goes too deep, which the next try
-    // takes into account.
-    double until = first_obstacle(h, struck, trial, near);
-    if (until == h || k >= most_tries) {
-      trial.touching_before = std::move(touching_before);
-      correct_overlaps(state, trial);
-      return trial;
-    }
-    // Where one try after the other meets something else, halves come to an end.
+    // Where one try after the other shows something else, halves come to an end.
     if (k >= patient_tries) until = std::min(until, 0.5 * h);
-    // Pairs that meet at once are kept apart by the rows of their contacts.
-    if (until <= least_step_share * h) {
-      met.insert(near.far.begin(), near.far.end());
-      if (!near.far_but_touching.empty()) h *= 0.5;
-    } else {
-      h = until;
-    }
+    if (until < h) foresight.shorten(until);
   }
 }
 
-/// The contacts from which a step can foresee what happens: within reach, but of pairs that move far only if
-/// they touch, or have just been found to meet.
-TimeStepper::NearContacts TimeStepper::contacts_in_reach(const State& state,
-                                                         const std::vector<double>& reaches,
-                                                         const std::set<std::pair<int, int>>& met) {
-  NearContacts near;
-  for (const auto& pair : finder_.near_pairs(state, reaches)) {
-    if (moves_far(pair.first, pair.second, reaches)) {
-      const bool touches =
-          met.contains(pair) || !touching_of(finder_.find(state, pair, method_.contact_tolerance)).empty();
-      (touches ? near.far_but_touching : near.far).push_back(pair);
-      if (!touches) continue;
-    }
-    const double margin = method_.contact_tolerance + reaches[at(pair.first)] + reaches[at(pair.second)];
-    const std::vector<Contact> found = finder_.find(state, pair, margin);
-    near.contacts.insert(near.contacts.end(), found.begin(), found.end());
-  }
-  return near;
+/// Moves all bodies by one step, with the contacts that are foreseen.
+TimeStepper::Trial TimeStepper::try_once(double theta, const State& state, const Foresight& foresight) {
+  const Cluster start = cluster_in(state);
+  Trial trial{.h = foresight.h,
+              .struck = start,
+              .end = start,
+              .reaches = foresight.reaches,
+              .near = contacts_.near(state, start, foresight)};
+  for (const Contact& contact : trial.near.found)
+    trial.report.note_overlap(*model_, -contact.point.gap, contact.body_A, contact.body_B, state.t);
+  std::vector<Contact> contacts = trial.near.acting;
+  add_stops(start, contacts);
+  move_parts(theta, start, contacts, trial);
+  return trial;
 }
 
-/// Moves the parts that these contacts join, each by itself. Returns them as they are after the impacts at
-/// the beginning.
-Cluster TimeStepper::move_parts(double theta, const Cluster& start, const std::vector<Contact>& contacts,
-                                Trial& trial) const {
-  Cluster struck = start;
+/// Moves the parts that these contacts join, each by itself.
+void TimeStepper::move_parts(double theta, const Cluster& start, const std::vector<Contact>& contacts,
+                             Trial& trial) {
   trial.end.t = start.t + trial.h;
-  for (Cluster& part : connected_parts(start, contacts, environment_)) {
-    impulses_.strike(trial.h, part, trial.report);
-    for (std::size_t i = 0; i < part.bodies.size(); ++i) struck.phase_of(part.bodies[i]) = part.phases[i];
-    grow_reaches(trial.h, part, trial.reaches);
-    impulses_.move(trial.h, theta, part, trial.report);
-    hold_joints(part, trial.report);
-    grow_reaches(trial.h, part, trial.reaches);
-    for (std::size_t i = 0; i < part.bodies.size(); ++i) trial.end.phase_of(part.bodies[i]) = part.phases[i];
-  }
-  return struck;
-}
-
-void TimeStepper::grow_reaches(double h, const Cluster& cluster, std::vector<double>& reaches) const {
-  constexpr double margin = 1.25;
-  for (std::size_t i = 0; i < cluster.bodies.size(); ++i) {
-    const Body& body = model_->body(cluster.bodies[i]);
-    const BodyPhase& phase = cluster.phases[i];
-    const double w = angular_velocity(BodyInertia{body.mass, body.moments}, phase.q, phase.L).norm();
-    const double reach =
-        h * (phase.P.norm() / body.mass +
-             0.5 * h * environment_.steady_acceleration(cluster.bodies[i]).norm() + w * body.bounding_radius);
-
-    // Grown with a margin, so that it seldom grows twice.
-    double& known = reaches[at(cluster.bodies[i])];
-    if (reach > known) known = margin * reach;
-  }
-
-  // Prescribed bodies that move.
-  for (int i = 0; i < model_->body_count(); ++i) {
-    const Body& body = model_->body(i);
-    if (body.motion == MotionType::dynamic) continue;
-    const PrescribedMotion motion = prescribed_motion(body, cluster.t);
-    if (motion.v_WB.isZero(0) && motion.w_WB.isZero(0)) continue;
-    const double radius = std::isfinite(body.bounding_radius) ? body.bounding_radius : 0;
-    const double reach = h * (motion.v_WB.norm() + motion.w_WB.norm() * radius);
-    if (reach > reaches[at(i)]) reaches[at(i)] = margin * reach;
-  }
-}
-
-bool TimeStepper::moves_far(int a, int b, const std::vector<double>& reaches) const {
-  constexpr double share = 0.5;
-  return reaches[at(a)] + reaches[at(b)] > share * std::min(thickness_[at(a)], thickness_[at(b)]);
-}
-
-/// Contacts that may act: they touch or could close within twice the step, at the velocities of its beginning
-/// or of its end without contacts.
-std::vector<Contact> TimeStepper::acting_contacts(double h, const Cluster& start,
-                                                  std::vector<Contact> found) const {
-  std::vector<Contact> contacts;
-  for (const Contact& contact : found) {
-    const auto kinetics = [&](int body) {
-      return model_->body(body).motion == MotionType::dynamic
-                 ? dynamic_kinetics(model_->body(body), start.phase_of(body))
-                 : prescribed_kinetics(model_->body(body), start.t);
-    };
-
-    // The rate at which the gap closes, at most.
-    const BodyKinetics A = kinetics(contact.body_A), B = kinetics(contact.body_B);
-    const Vec3 u = B.velocity_at(contact.p_W()) - A.velocity_at(contact.p_W());
-    double rate = std::min(0.0, contact.point.n_W.dot(u));
-    // The convex cone pushes on contacts that slide at a distance.
-    if (method_.cone == ConeMethod::convex) rate -= contact.friction * (u - rate * contact.point.n_W).norm();
-    for (const int body : {contact.body_A, contact.body_B}) {
-      if (model_->body(body).motion == MotionType::dynamic)
-        rate -= h * environment_.steady_acceleration(body).norm();
+  for (const Cluster& part : connected_parts(start, contacts, environment_)) {
+    const MovedPart& moved = moved_.moved(trial.h, theta, part, [&](Cluster moving) {
+      MovedPart result;
+      impulses_.strike(trial.h, moving, result.report);
+      result.struck = moving.phases;
+      impulses_.move(trial.h, theta, moving, result.report);
+      hold_joints(moving, result.report);
+      result.end = std::move(moving.phases);
+      return result;
+    });
+    trial.report.add(moved.report);
+    for (const std::vector<BodyPhase>* phases : {&moved.struck, &moved.end})
+      grow_reaches(*model_, environment_, trial.h, part.bodies, *phases, trial.reaches);
+    for (std::size_t i = 0; i < part.bodies.size(); ++i) {
+      trial.struck.phase_of(part.bodies[i]) = moved.struck[i];
+      trial.end.phase_of(part.bodies[i]) = moved.end[i];
     }
-    if (contact.point.gap <= method_.contact_tolerance || contact.point.gap + 2 * h * rate < 0)
-      contacts.push_back(contact);
   }
-  return contacts;
 }
 
 /// Stops of all joints, limits at any distance.
@@ -313,17 +224,82 @@ void TimeStepper::add_stops(const Cluster& start, std::vector<Contact>& contacts
   contacts.insert(contacts.end(), stops.begin(), stops.end());
 }
 
-/// When the first of the pairs that move far meets on the path from `start`, or the first of those that touch
-/// goes too deep, or h.
-double TimeStepper::first_obstacle(double h, const Cluster& start, const Trial& trial,
-                                   const NearContacts& near) const {
-  if (near.far.empty() && near.far_but_touching.empty()) return h;
+/// What a try shows of the step: bodies that come farther than was thought, pairs that meet on the way, and
+/// pairs that overlap at the end.
+TimeStepper::Lesson TimeStepper::learn(const State& state, const Trial& trial, Foresight& foresight) {
+  Lesson lesson = learn_from_way(state, trial, foresight);
+  const bool grows = trial.reaches != foresight.reaches;
+  foresight.reaches = trial.reaches;
+  lesson.is_new |= grows;
+
+  // A step that ends earlier has another end, and one that was not foreseen is not judged by it.
+  if (lesson.until < trial.h) return lesson;
+  const Lesson of_end = learn_from_end(state, trial, foresight);
+  lesson.is_new |= of_end.is_new;
+  if (!lesson.is_new) lesson.until = of_end.until;
+  return lesson;
+}
+
+/// Pairs that meet on the way have rows in the next try, if their contacts there are foreseen then; else the
+/// step ends where the first of them meets, or goes too deep.
+TimeStepper::Lesson TimeStepper::learn_from_way(const State& state, const Trial& trial,
+                                                Foresight& foresight) const {
+  constexpr double share_of_thickness = 0.1;
+  const double h = trial.h;
+  Lesson lesson{.until = h};
+  if (trial.near.far.empty() && trial.near.watched.empty()) return lesson;
   ToiOptions options;
   options.contact_tolerance = method_.contact_tolerance;
   options.time_tolerance = method_.time_tolerance;
   options.rest_velocity = still_speed(method_.resting_velocity);
-  TrialPath path(*model_, environment_, options, start, trial.end, h);
-  return std::min(path.first_meeting(near.far), path.without_overlap(near.far_but_touching, thickness_));
+  TrialPath path(*model_, environment_, options, trial.struck, trial.end, h);
+  const Cluster start = cluster_in(state);
+
+  const auto learn_from = [&](const Pair& pair, double meeting) {
+    if (meeting == h) return;
+    if (contacts_.foresee(state, start, pair, path.poses(pair, meeting), 1 - meeting / h, foresight)) {
+      lesson.is_new = true;
+    } else if (meeting > least_step_share * h) {
+      lesson.until = std::min(lesson.until, meeting);
+    } else if (foresight.met_at_once.insert(pair).second) {
+      lesson.is_new = true;
+    } else {
+      lesson.until = std::min(lesson.until, 0.5 * h);
+    }
+  };
+  for (const Pair& pair : trial.near.far) learn_from(pair, path.first_meeting(pair));
+  for (const Pair& pair : trial.near.watched) {
+    const double thin = std::min(contacts_.thickness(pair.first), contacts_.thickness(pair.second));
+    learn_from(pair,
+               path.without_overlap(pair, std::max(method_.contact_tolerance, share_of_thickness * thin)));
+  }
+  return lesson;
+}
+
+/// Pairs that overlap at the end were pushed where they would not have gone by themselves, or came round with
+/// other features. Where their rows were the right ones and the overlap is deep, the step was too long.
+TimeStepper::Lesson TimeStepper::learn_from_end(const State& state, const Trial& trial,
+                                                Foresight& foresight) {
+  Lesson lesson{.until = trial.h};
+  const Cluster start = cluster_in(state);
+  State end = state;
+  write(trial.end, end);
+  std::map<Pair, double> misjudged;
+  for (const Contact& contact : contacts_.at(end, std::vector<double>(at(model_->body_count()), 0.0))) {
+    const double misjudgement = misjudgement_of(contact);
+    double& worst = misjudged[{contact.body_A, contact.body_B}];
+    worst = std::max(worst, misjudgement);
+  }
+  for (const auto& [pair, misjudgement] : misjudged) {
+    if (misjudgement == 0) continue;
+    const std::array<Pose, 2> poses{pose_of(end, pair.first), pose_of(end, pair.second)};
+    if (contacts_.foresee(state, start, pair, poses, 0, foresight)) {
+      lesson.is_new = true;
+    } else if (misjudgement > 1) {
+      lesson.until = 0.5 * trial.h;
+    }
+  }
+  return lesson;
 }
 
 /// Velocities that joints do not allow, as a scene may have at its start, are projected before the first
@@ -354,33 +330,37 @@ void TimeStepper::hold_joints(Cluster& part, AdvanceReport& report) const {
 }
 
 /// Bodies that overlap are moved apart until they touch, by the smallest displacements; momenta stay, and so
-/// does the angular momentum about the origin.
-void TimeStepper::correct_overlaps(const State& state, Trial& trial) {
-  constexpr int most_passes = 8;
+/// does the angular momentum about the origin. Returns the overlap that is left [m].
+double TimeStepper::correct_overlaps(const State& state, Trial& trial) {
+  constexpr int most_passes = 40;
+  const double tolerable = 0.2 * method_.contact_tolerance;
   std::vector<double> reaches(at(model_->body_count()), 0.0);
-  double largest = 0;
+  const Cluster before = trial.end;
   Cluster& end = trial.end;
   State moved = state;
-  for (int pass = 0; pass < most_passes; ++pass) {
+  double largest = 0;
+  for (int pass = 0;; ++pass) {
     write(end, moved);
-    const std::vector<Contact> contacts = finder_.find(moved, reaches, method_.contact_tolerance);
+    const std::vector<Contact> contacts = contacts_.at(moved, reaches);
     double deepest = 0;
-    for (const Contact& contact : contacts) {
-      deepest = std::max(deepest, -contact.point.gap);
-      if (pass == 0) trial.misjudgement = std::max(trial.misjudgement, misjudgement_of(contact));
-    }
-    trial.touching_after = touching_of(contacts);
+    for (const Contact& contact : contacts) deepest = std::max(deepest, -contact.point.gap);
+    trial.touching_after = contacts_.touching(contacts);
+    if (deepest <= tolerable || pass == most_passes) return deepest;
     largest = std::max(largest, deepest);
-    if (deepest <= 0.2 * method_.contact_tolerance) break;
-    // Nearby bodies may be in the way.
-    for (const int body : end.bodies) reaches[at(body)] = 2 * largest;
+    // Nearby bodies may be in the way of what is moved.
+    for (std::size_t i = 0; i < end.bodies.size(); ++i) {
+      const int body = end.bodies[i];
+      reaches[at(body)] =
+          std::max(reaches[at(body)],
+                   2 * (largest + displacement(model_->body(body), before.phases[i], end.phases[i])));
+    }
     if (pass == 0 && deepest > method_.contact_tolerance) continue;
 
     // Each part that overlaps, by the smallest displacement.
     for (Cluster& part : connected_parts(end, contacts, environment_)) {
       double of_part = 0;
       for (const Contact& contact : part.contacts) of_part = std::max(of_part, -contact.point.gap);
-      if (of_part <= 0.2 * method_.contact_tolerance) continue;
+      if (of_part <= tolerable) continue;
       const ContactSystem system = assembler_.assemble(part, part.contacts);
       const std::vector<double> lowest(part.contacts.size(), 0.0);
       apply_displacement(separating_impulses(system, lowest), system, part.bodies, part.phases);
@@ -388,13 +368,6 @@ void TimeStepper::correct_overlaps(const State& state, Trial& trial) {
       for (std::size_t i = 0; i < part.bodies.size(); ++i) end.phase_of(part.bodies[i]) = part.phases[i];
     }
   }
-}
-
-std::vector<Contact> TimeStepper::touching_of(const std::vector<Contact>& contacts) const {
-  std::vector<Contact> touching;
-  std::copy_if(contacts.begin(), contacts.end(), std::back_inserter(touching),
-               [this](const Contact& contact) { return contact.point.gap <= method_.contact_tolerance; });
-  return touching;
 }
 
 /// Pairs that touch and neither close nor part faster than `resting_velocity` anywhere.
@@ -419,7 +392,7 @@ std::set<std::pair<int, int>> TimeStepper::lasting_pairs(const Cluster& cluster,
 /// Pairs whose contact begins to last in the step come to rest on each other; pairs whose contact lasted
 /// before it and no longer does separate. The times of both are known no better than the end of the step.
 void TimeStepper::note_lasting(const Cluster& start, Trial& trial) const {
-  const std::set<std::pair<int, int>> before = lasting_pairs(start, trial.touching_before),
+  const std::set<std::pair<int, int>> before = lasting_pairs(start, contacts_.touching(trial.near.found)),
                                       after = lasting_pairs(trial.end, trial.touching_after);
   for (const auto& pair : after) {
     if (before.contains(pair)) continue;
@@ -440,7 +413,7 @@ double TimeStepper::misjudgement_of(const Contact& contact) const {
   const double depth = -contact.point.gap;
   if (depth <= noticeable * method_.contact_tolerance) return 0;
   double right =
-      share_of_thickness * std::max(thickness_[at(contact.body_A)], thickness_[at(contact.body_B)]);
+      share_of_thickness * std::max(contacts_.thickness(contact.body_A), contacts_.thickness(contact.body_B));
   for (const int body : {contact.body_A, contact.body_B}) {
     const double radius = model_->body(body).bounding_radius;
     if (std::isfinite(radius)) right = std::min(right, share_of_radius * radius);

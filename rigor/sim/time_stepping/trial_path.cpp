@@ -52,7 +52,7 @@ const Motion& TrialPath::motion(int i) {
 }
 
 /// The time in which neither body of a pair turns farther than a parabola can follow [s].
-double TrialPath::longest_arc(Pair pair) {
+double TrialPath::longest_arc(const Pair& pair) {
   constexpr double most = 1;  // [rad]
   double longest = h_;
   for (const int i : {pair.first, pair.second}) {
@@ -66,44 +66,34 @@ double TrialPath::longest_arc(Pair pair) {
   return longest;
 }
 
-double TrialPath::first_meeting(std::span<const Pair> pairs) {
-  double first = h_;
-  for (const Pair& pair : pairs) {
-    const auto& [a, b] = pair;
-    first = std::min(first, longest_arc(pair));
-    const TimeOfImpact found = find_time_of_impact(model_.body(a), motion(a), model_.body(b), motion(b),
-                                                   start_.t, start_.t + first, options_);
-    // A search that was broken off has proven the time before it, and nothing beyond.
-    if (found.is_contact || found.time < start_.t + first) first = found.time - start_.t;
-  }
-  return first;
+std::array<Pose, 2> TrialPath::poses(const Pair& pair, double tau) {
+  return {motion(pair.first).sample(start_.t + tau).X_WB, motion(pair.second).sample(start_.t + tau).X_WB};
 }
 
-double TrialPath::without_overlap(std::span<const Pair> pairs, std::span<const double> thickness) {
-  constexpr double share = 0.1;
-  double first = h_;
-  for (const Pair& pair : pairs) {
-    first = std::min(first, longest_arc(pair));
-    const double thin = std::min(thickness[at(pair.first)], thickness[at(pair.second)]);
-    first = without_overlap(pair, std::max(options_.contact_tolerance, share * thin), first);
-  }
-  return first;
+double TrialPath::first_meeting(const Pair& pair) {
+  const auto [a, b] = pair;
+  const double span = longest_arc(pair);
+  const TimeOfImpact found = find_time_of_impact(model_.body(a), motion(a), model_.body(b), motion(b),
+                                                 start_.t, start_.t + span, options_);
+  // A search that was broken off has proven the time before it, and nothing beyond.
+  return found.is_contact || found.time < start_.t + span ? found.time - start_.t : span;
 }
 
-/// Instant by instant, at none of which the bodies may lie deeper in each other than the slack or than they
-/// did at the beginning.
-double TrialPath::without_overlap(Pair pair, double slack, double span) {
+/// Instant by instant, at none of which the bodies may lie deeper in each other than allowed.
+double TrialPath::without_overlap(const Pair& pair, double slack) {
   const Body &A = model_.body(pair.first), &B = model_.body(pair.second);
   const Motion &of_A = motion(pair.first), &of_B = motion(pair.second);
   const auto depth = [&](double tau) {
     return depth_of(A, of_A.sample(start_.t + tau).X_WB, B, of_B.sample(start_.t + tau).X_WB);
   };
-  const double allowed = depth(0) + slack;
+  const double allowed = depth(0) + slack, span = longest_arc(pair);
   constexpr int most_instants = 1000;
   double tau = 0;
   for (int k = 0; k < most_instants && tau < span; ++k) {
-    const double step = bounded_overlap_step(A, of_A, B, of_B, start_.t + tau, start_.t + span, allowed);
-    const double next = std::min(span, tau + step);
+    // Times of day are rounded more coarsely than times since the beginning.
+    const double t = start_.t + tau, t_end = start_.t + span;
+    const double step = bounded_overlap_step(A, of_A, B, of_B, t, t_end, allowed);
+    const double next = step < t_end - t ? std::min(span, tau + step) : span;
     if (depth(next) > allowed) return std::max(tau, 0.5 * next);
     if (!(next > tau)) break;
     tau = next;

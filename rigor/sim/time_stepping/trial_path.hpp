@@ -4,8 +4,8 @@
 #include "rigor/dynamics/environment.hpp"
 #include "rigor/sim/islands/cluster.hpp"
 
+#include <array>
 #include <optional>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -23,16 +23,17 @@ class TrialPath {
   TrialPath(const Model& model, const Environment& environment, const ToiOptions& options,
             const Cluster& start, const Cluster& end, double h);
 
-  /// When the first of these pairs, which do not touch at the beginning, meets, or h [s].
-  double first_meeting(std::span<const Pair> pairs);
-  /// How long these pairs, which touch at the beginning, go no deeper into each other than a share of their
-  /// thickness (one of each body [m]), or h [s].
-  double without_overlap(std::span<const Pair> pairs, std::span<const double> thickness);
+  /// When this pair, which does not touch at the beginning, meets, or h [s].
+  double first_meeting(const Pair& pair);
+  /// How long this pair goes no deeper into each other than `slack` [m] beyond what it overlaps at the
+  /// beginning, or h [s].
+  double without_overlap(const Pair& pair, double slack);
+  /// Where the bodies of a pair are tau after the beginning [s].
+  std::array<Pose, 2> poses(const Pair& pair, double tau);
 
  private:
   const Motion& motion(int body);
-  double longest_arc(Pair pair);
-  double without_overlap(Pair pair, double slack, double span);
+  double longest_arc(const Pair& pair);
 
   const Model& model_;
   const Environment& environment_;

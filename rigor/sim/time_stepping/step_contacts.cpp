@@ -1,0 +1,149 @@
+#include "rigor/sim/time_stepping/step_contacts.hpp"
+
+#include "rigor/contact/system/contact_kinematics.hpp"
+#include "rigor/core/index.hpp"
+#include "rigor/geometry/distance/thickness.hpp"
+#include "rigor/sim/pairs/near_pairs.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+
+namespace rigor {
+
+namespace {
+
+bool has(const std::vector<Contact>& contacts, const ContactKey& key) {
+  return std::any_of(contacts.begin(), contacts.end(),
+                     [&](const Contact& contact) { return contact.key() == key; });
+}
+
+}  // namespace
+
+StepContacts::StepContacts(const Model& model, const Environment& environment, const Method& method)
+    : model_(model),
+      environment_(environment),
+      tolerance_(method.contact_tolerance),
+      cone_(method.cone),
+      finder_(model, method.broad_phase) {
+  for (int i = 0; i < model.body_count(); ++i) {
+    double thickness = std::numeric_limits<double>::infinity(), width = thickness;
+    for (const BodyShape& shape : model.body(i).shapes) {
+      thickness = std::min(thickness, thickness_of(shape.shape));
+      width = std::min(width, smallest_width(shape.shape));
+    }
+    thickness_.push_back(thickness);
+    width_.push_back(width);
+  }
+}
+
+NearContacts StepContacts::near(const State& state, const Cluster& start, const Foresight& foresight) {
+  NearContacts near;
+  for (const Pair& pair : finder_.near_pairs(state, foresight.reaches)) {
+    const auto met = foresight.met.find(pair);
+    const bool has_met = met != foresight.met.end();
+
+    // Pairs that move far are looked at on their way.
+    const bool shows = shows_itself(state, pair, foresight);
+    if (moves_far(pair, foresight.reaches)) {
+      const bool acts = shows || (has_met && !met->second.empty());
+      (acts ? near.watched : near.far).push_back(pair);
+    }
+
+    // Contacts within reach, those that may act, and those of later in the step.
+    std::vector<Contact> found;
+    if (shows) found = finder_.find(state, pair, margin(pair, foresight));
+    std::copy_if(found.begin(), found.end(), std::back_inserter(near.acting), [&](const Contact& contact) {
+      return (has_met && has(met->second, contact.key())) || may_act(contact, start, foresight);
+    });
+    if (has_met) {
+      std::copy_if(met->second.begin(), met->second.end(), std::back_inserter(near.acting),
+                   [&](const Contact& contact) { return !has(found, contact.key()); });
+    }
+    near.found.insert(near.found.end(), found.begin(), found.end());
+  }
+  return near;
+}
+
+/// Whether the contacts at the beginning show on which side of each other the bodies are: those of bodies
+/// that move far only if they touch.
+bool StepContacts::shows_itself(const State& state, const Pair& pair, const Foresight& foresight) const {
+  return !moves_far(pair, foresight.reaches) || foresight.met_at_once.contains(pair) ||
+         !touching(finder_.find(state, pair, tolerance_)).empty();
+}
+
+bool StepContacts::moves_far(const Pair& pair, const std::vector<double>& reaches) const {
+  constexpr double share = 0.5;
+  const auto [a, b] = pair;
+  return reaches[rigor::at(a)] + reaches[rigor::at(b)] > share * std::min(thickness(a), thickness(b));
+}
+
+/// The largest gap that a pair may close within the step [m].
+double StepContacts::margin(const Pair& pair, const Foresight& foresight) const {
+  return tolerance_ + foresight.reaches[rigor::at(pair.first)] + foresight.reaches[rigor::at(pair.second)];
+}
+
+/// Contacts may act if they touch or could close within twice the step, at the velocities of its beginning or
+/// of its end without contacts.
+bool StepContacts::may_act(const Contact& contact, const Cluster& start, const Foresight& foresight) const {
+  const auto kinetics = [&](int body) {
+    return model_.body(body).motion == MotionType::dynamic
+               ? dynamic_kinetics(model_.body(body), start.phase_of(body))
+               : prescribed_kinetics(model_.body(body), start.t);
+  };
+
+  // The rate at which the gap closes, at most.
+  const BodyKinetics A = kinetics(contact.body_A), B = kinetics(contact.body_B);
+  const Vec3 u = B.velocity_at(contact.p_W()) - A.velocity_at(contact.p_W());
+  double rate = std::min(0.0, contact.point.n_W.dot(u));
+  // The convex cone pushes on contacts that slide at a distance.
+  if (cone_ == ConeMethod::convex) rate -= contact.friction * (u - rate * contact.point.n_W).norm();
+  for (const int body : {contact.body_A, contact.body_B}) {
+    if (model_.body(body).motion == MotionType::dynamic)
+      rate -= foresight.h * environment_.steady_acceleration(body).norm();
+  }
+  return contact.point.gap <= tolerance_ || contact.point.gap + 2 * foresight.h * rate < 0;
+}
+
+bool StepContacts::foresee(const State& state, const Cluster& start, const Pair& pair,
+                           const std::array<Pose, 2>& poses, double left, Foresight& foresight) const {
+  const auto [a, b] = pair;
+  std::vector<Contact>& later = foresight.met[pair];
+  std::vector<Contact> known = later;
+  if (shows_itself(state, pair, foresight)) {
+    for (const Contact& contact : finder_.find(state, pair, margin(pair, foresight))) {
+      if (may_act(contact, start, foresight)) known.push_back(contact);
+    }
+  }
+
+  // What touches at these poses, and what else may do so in the rest of the step.
+  const double near = std::min(tolerance_ + left * margin(pair, foresight),
+                               std::max(tolerance_, 0.5 * std::min(thickness(a), thickness(b))));
+  const Pose X_WA = pose_of(state, a), X_WB = pose_of(state, b);
+  bool is_new = false;
+  for (Contact& contact : find_contacts(model_, a, b, poses[0], poses[1], near)) {
+    if (has(known, contact.key())) continue;
+    // The same features at the beginning. A surface that the other body comes round to, rather than against,
+    // says nothing, and no impact is early by more than the width of a body.
+    contact.point = tracked_contact(model_, contact, poses[0], poses[1], X_WA, X_WB);
+    const bool is_before = contact.point.gap >= -tolerance_;
+    const bool is_close = contact.point.gap <= std::min(width_[rigor::at(a)], width_[rigor::at(b)]);
+    if (!is_before || !is_close) continue;
+    later.push_back(contact);
+    is_new = true;
+  }
+  return is_new;
+}
+
+std::vector<Contact> StepContacts::at(const State& state, const std::vector<double>& reaches) {
+  return finder_.find(state, reaches, tolerance_);
+}
+
+std::vector<Contact> StepContacts::touching(const std::vector<Contact>& contacts) const {
+  std::vector<Contact> touching;
+  std::copy_if(contacts.begin(), contacts.end(), std::back_inserter(touching),
+               [this](const Contact& contact) { return contact.point.gap <= tolerance_; });
+  return touching;
+}
+
+}  // namespace rigor

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "rigor/dynamics/environment.hpp"
+#include "rigor/sim/islands/cluster.hpp"
+#include "rigor/sim/method/method.hpp"
+#include "rigor/sim/pairs/contact_finder.hpp"
+#include "rigor/sim/time_stepping/foresight.hpp"
+
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace rigor {
+
+/// Contacts at the beginning of a step, and the pairs that move so far in it that their way is looked at.
+struct NearContacts {
+  using Pair = Foresight::Pair;
+  std::vector<Contact> found;   ///< All within reach.
+  std::vector<Contact> acting;  ///< Those that may act, with those that tries have foreseen.
+  std::vector<Pair> far;        ///< Of these pairs nothing acts: they do not touch, and have not met so far.
+  std::vector<Pair> watched;    ///< Their contacts act, but show one side of bodies that may move far.
+};
+
+/// Which contacts a step of time stepping takes into account: docs/theory/time_stepping.md.
+class StepContacts {
+ public:
+  using Pair = Foresight::Pair;
+
+  /// Holds references to the model and the environment.
+  StepContacts(const Model& model, const Environment& environment, const Method& method);
+
+  /// The contacts of a step from `start`, the bodies of the State.
+  NearContacts near(const State& state, const Cluster& start, const Foresight& foresight);
+  /// Notes that a pair meets, at these poses, when a share `left` of the step is left. Returns whether it has
+  /// contacts there that were not foreseen: the next try has rows for them.
+  bool foresee(const State& state, const Cluster& start, const Pair& pair, const std::array<Pose, 2>& poses,
+               double left, Foresight& foresight) const;
+  /// Contacts of all bodies where they are, with gaps up to the contact tolerance + the reaches.
+  std::vector<Contact> at(const State& state, const std::vector<double>& reaches);
+  /// Those among them that touch.
+  std::vector<Contact> touching(const std::vector<Contact>& contacts) const;
+
+  /// How far points can go into a body before it is in doubt from where they came [m].
+  double thickness(int body) const { return thickness_[static_cast<std::size_t>(body)]; }
+
+ private:
+  bool moves_far(const Pair& pair, const std::vector<double>& reaches) const;
+  bool shows_itself(const State& state, const Pair& pair, const Foresight& foresight) const;
+  double margin(const Pair& pair, const Foresight& foresight) const;
+  bool may_act(const Contact& contact, const Cluster& start, const Foresight& foresight) const;
+
+  const Model& model_;
+  const Environment& environment_;
+  double tolerance_;  ///< Of contacts [m].
+  ConeMethod cone_;
+  ContactFinder finder_;
+  std::vector<double> thickness_;  ///< One per body [m].
+  std::vector<double> width_;      ///< The smallest of the shapes of each body [m].
+};
+
+}  // namespace rigor
