@@ -57,6 +57,7 @@ bench:
 	@build/bench/benchmarks/rigor_impact_bench
 	@build/bench/benchmarks/rigor_constrained_mass_bench
 	@build/bench/benchmarks/rigor_resting_bench
+	@build/bench/benchmarks/rigor_heap_bench
 	@build/bench/benchmarks/rigor_chain_bench
 	@build/bench/benchmarks/rigor_convex_bench
 	@build/bench/benchmarks/rigor_coherent_bench
@@ -80,6 +81,6 @@ help:
 	@echo "make program  build only the program, $(RIGOR)"
 	@echo "make check   formatting, headers alone, clang++ with warnings as errors, its ASan and UBSan under the program and some tests, the viewer"
 	@echo "make check-all  the same with the tests of all layers under ASan and UBSan"
-	@echo "make bench   error and CPU time of the reference scenes, of pictures, impacts, chains, resting contact, distances and the broad phase, beside the peer engines that are installed"
+	@echo "make bench   error and CPU time of the reference scenes, of pictures, impacts, chains, resting contact, heaps, distances and the broad phase, beside the peer engines that are installed"
 	@echo "make bench-bulk  scenes of many bodies: time per step with one and two threads and quality, beside Bullet"
 	@echo "make clean   remove build/"

@@ -10,14 +10,17 @@
 
 namespace rigor::bench {
 
-/// A dynamic body that starts without rotation; SI units, components in W.
+/// A dynamic body; SI units, components in W.
 struct PeerBody {
-  enum class Shape { none, sphere, box };
+  enum class Shape { none, sphere, box, capsule, cylinder };
   Shape shape = Shape::none;
-  Vec3 half = Vec3::Zero();  ///< Half edges of the box; the sphere's radius is half.x().
+  /// Half edges of the box; the sphere's radius is half.x(). Capsules and cylinders, about their z axis, have
+  /// the radius half.x() and the half length half.z(), of capsules without their caps.
+  Vec3 half = Vec3::Zero();
   double mass = 1;
   Vec3 moments = Vec3::Ones();
   Vec3 p = Vec3::Zero();
+  Quat q = Quat::Identity();  ///< Heaps alone begin with rotated bodies: of the other peers none reads it.
   Vec3 v = Vec3::Zero();
   Vec3 w = Vec3::Zero();
 };

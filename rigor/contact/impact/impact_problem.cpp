@@ -86,7 +86,6 @@ CoulombSolution solve_cones(const MatX& A, const VecX& b, const std::vector<doub
 CoulombSolution solve_cones(const ImpactProblem& problem, const VecX& b, const std::vector<double>& mu) {
   if (problem.rows) {
     const MotionProblem motion{*problem.rows, cones_of(b, mu)};
-    if (std::optional<CoulombSolution> least = solve_in_motion_space(motion)) return std::move(*least);
     CoulombOptions any_share;
     any_share.least_norm = false;
     any_share.enough = any_share.tolerance;

@@ -79,40 +79,6 @@ std::size_t EliminationPattern::pair(int first, int second) const {
   return static_cast<std::size_t>(found - later_.begin());
 }
 
-PivotBlock::PivotBlock(const Mat6& A) {
-  // P A = L U, and P beside it.
-  Mat6 LU = A, P = Mat6::Identity();
-  for (int k = 0; k < 6; ++k) {
-    // The row with the largest entry of the column comes next.
-    int largest = k;
-    for (int r = k + 1; r < 6; ++r)
-      if (std::abs(LU(r, k)) > std::abs(LU(largest, k))) largest = r;
-    if (largest != k) {
-      LU.row(k).swap(LU.row(largest));
-      P.row(k).swap(P.row(largest));
-    }
-    const double inverse = 1 / LU(k, k);
-    is_regular_ = is_regular_ && std::isfinite(inverse) && inverse != 0;
-
-    // Its multiples are taken from the rows below.
-    for (int r = k + 1; r < 6; ++r) LU(r, k) *= inverse;
-    for (int c = k + 1; c < 6; ++c)
-      for (int r = k + 1; r < 6; ++r) LU(r, c) -= LU(r, k) * LU(k, c);
-  }
-
-  // L⁻¹ P, column by column, and U⁻¹ likewise.
-  lower_inverse_ = P;
-  upper_inverse_.setIdentity();
-  for (int c = 0; c < 6; ++c) {
-    for (int k = 0; k < 6; ++k)
-      for (int r = k + 1; r < 6; ++r) lower_inverse_(r, c) -= LU(r, k) * lower_inverse_(k, c);
-    for (int k = c; k >= 0; --k) {
-      upper_inverse_(k, c) /= LU(k, k);
-      for (int r = 0; r < k; ++r) upper_inverse_(r, c) -= LU(r, k) * upper_inverse_(k, c);
-    }
-  }
-}
-
 BlockElimination::BlockElimination(const EliminationPattern& pattern, bool is_symmetric)
     : pattern_(pattern),
       is_symmetric_(is_symmetric),
@@ -124,7 +90,9 @@ bool BlockElimination::factor(const VecX& scales) {
   scale(scales);
   factors_.reserve(pattern_.node_count());
   for (std::size_t place = 0; place < pattern_.node_count(); ++place) {
-    if (!factors_.emplace_back(pivots_[place]).is_regular()) return false;
+    const Pivot& pivot = factors_.emplace_back(pivots_[place]);
+    const auto diagonal = pivot.matrixLU().diagonal();
+    if (!(diagonal.cwiseAbs().minCoeff() > 0 && diagonal.allFinite())) return false;
     eliminate(place);
   }
   return true;
@@ -150,7 +118,7 @@ void BlockElimination::eliminate(std::size_t place) {
   const std::size_t begin = pattern_.begin(place), end = pattern_.begin(place + 1);
   for (std::size_t i = begin; i < end; ++i) {
     if (is_symmetric_) lower_[i] = upper_[i].transpose();
-    upper_[i] = factors_[place].solved(upper_[i]);
+    upper_[i] = factors_[place].solve(upper_[i]).eval();
   }
   const std::size_t* changed = pattern_.changed(place);
   for (std::size_t i = begin; i < end; ++i) {
@@ -173,7 +141,7 @@ VecX BlockElimination::solve(const VecX& c) const {
 
   // Forward with L, back with U.
   for (std::size_t place = 0; place < pattern_.node_count(); ++place) {
-    part(place) = factors_[place].solved(Vec6(part(place)));
+    part(place) = factors_[place].solve(part(place)).eval();
     for (std::size_t i = pattern_.begin(place); i < pattern_.begin(place + 1); ++i)
       part(pattern_.second(i)).noalias() -= lower_[i] * part(place);
   }

@@ -2,6 +2,8 @@
 
 #include "rigor/math/types.hpp"
 
+#include <Eigen/LU>
+
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -33,26 +35,6 @@ class EliminationPattern {
  private:
   std::vector<int> place_;
   std::vector<std::size_t> begin_, later_, first_changed_, changed_;
-};
-
-/// P A = L U of one 6 × 6 block, P with the largest pivots, kept as the inverses of L and U: to multiply with
-/// one after the other is as accurate as substitution, which inverts one number at a time, and quicker.
-class PivotBlock {
- public:
-  explicit PivotBlock(const Mat6& A);
-  /// Whether all pivots are nonzero and finite.
-  bool is_regular() const { return is_regular_; }
-  /// A⁻¹ X.
-  template <typename Columns>
-  Columns solved(const Columns& X) const {
-    const Columns Y = lower_inverse_ * X;
-    return upper_inverse_ * Y;
-  }
-
- private:
-  Mat6 lower_inverse_;  ///< L⁻¹ P.
-  Mat6 upper_inverse_;
-  bool is_regular_ = true;
 };
 
 /// Gaussian elimination of a matrix of 6 × 6 blocks, a block wherever two nodes are coupled, with
@@ -87,16 +69,17 @@ class BlockElimination {
   VecX solve(const VecX& c) const;
 
  private:
+  using Pivot = Eigen::PartialPivLU<Mat6>;
   void scale(const VecX& scales);
   void eliminate(std::size_t place);
 
   const EliminationPattern& pattern_;
   bool is_symmetric_;
-  std::vector<Vec6> scales_;         ///< One a place.
-  std::vector<Mat6> pivots_;         ///< A_pp, one a place.
-  std::vector<PivotBlock> factors_;  ///< Of them when their turn came.
-  std::vector<Mat6> upper_;          ///< A_pk, one a pair p < k; once p is eliminated A_pp⁻¹ A_pk.
-  std::vector<Mat6> lower_;          ///< A_kp; of symmetric matrices from when p is eliminated.
+  std::vector<Vec6> scales_;    ///< One a place.
+  std::vector<Mat6> pivots_;    ///< A_pp, one a place.
+  std::vector<Pivot> factors_;  ///< Of them when their turn came.
+  std::vector<Mat6> upper_;     ///< A_pk, one a pair p < k; once p is eliminated A_pp⁻¹ A_pk.
+  std::vector<Mat6> lower_;     ///< A_kp; of symmetric matrices from when p is eliminated.
 };
 
 }  // namespace rigor
