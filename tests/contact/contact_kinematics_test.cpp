@@ -135,6 +135,61 @@ TEST(ContactKinematics, TrackedContactsStayTheSamePairOfFeatures) {
   }
 }
 
+/// Two edges that cross at this angle, one body above the other, with random motions.
+struct CrossedEdges {
+  Contact contact;
+  std::shared_ptr<const Model> model = pair_of(Box{Vec3(0.5, 0.3, 0.2)}, Box{Vec3(0.5, 0.3, 0.2)});
+  BodyKinetics A, B;
+
+  CrossedEdges(double angle, Random& random) {
+    const Vec3 along_A = Vec3::UnitX(), along_B(std::cos(angle), std::sin(angle), 0);
+    A = moving_body(model->body(0), Vec3(0, 0, -0.3), Mat3::Identity(), random.vector(), random.vector());
+    B = moving_body(model->body(1), Vec3(0, 0, 0.3), Mat3::Identity(), random.vector(), random.vector());
+    contact.body_A = 0;
+    contact.body_B = 1;
+    contact.shape_A = contact.shape_B = 0;
+    contact.point.n_W = Vec3::UnitZ();
+    contact.point.gap = 1e-3;
+    contact.point.p_WA = Vec3::Zero();
+    contact.point.p_WB = 1e-3 * Vec3::UnitZ();
+    for (const auto& [curvature, along] :
+         {std::pair{&contact.point.curvature_A, along_A}, std::pair{&contact.point.curvature_B, along_B}}) {
+      curvature->radius_W.setZero();
+      curvature->flat_count = 1;
+      curvature->flat_W = along;
+    }
+  }
+
+  Vec3 normal_after(double t) const {
+    return tracked_contact(*model, contact, A.pose(), B.pose(), later(A, t).pose(), later(B, t).pose()).n_W;
+  }
+};
+
+TEST(ContactKinematics, NormalsOfCrossedEdgesRotateAsTheirDifferencesDo) {
+  Random random(41);
+  for (int trial = 0; trial < 200; ++trial) {
+    const double angle = std::pow(10.0, 2 * random.uniform(-1, 0));
+    const CrossedEdges edges(angle, random);
+    // Central differences over a time in which the edges turn by little against the angle between them.
+    const double dt = 1e-5 * angle;
+    const Vec3 difference = (edges.normal_after(dt) - edges.normal_after(-dt)) / (2 * dt);
+    const Vec3 rate = normal_rate(edges.contact, edges.A, edges.B);
+    EXPECT_LE((rate - difference).norm(), 1e-6 * (1 + 1 / angle)) << angle;
+  }
+}
+
+TEST(ContactKinematics, EdgesThatBecomeParallelKeepTheirPoints) {
+  Random random(43);
+  const CrossedEdges edges(0.3, random);
+  BodyKinetics B = edges.B;
+  B.R = rotation_matrix(rotation_exp(Vec3(0, 0, -0.3))) * B.R;
+  const ContactPoint point =
+      tracked_contact(*edges.model, edges.contact, edges.A.pose(), edges.B.pose(), edges.A.pose(), B.pose());
+  EXPECT_TRUE(std::isfinite(point.gap));
+  EXPECT_TRUE(point.p_WA.allFinite() && point.p_WB.allFinite() && point.n_W.allFinite());
+  EXPECT_NEAR(point.n_W.norm(), 1, 1e-12);
+}
+
 TEST(ContactKinematics, ARimThatComesToLieFlatIsTrackedThere) {
   // The lowest point of a tilted cylinder touches a box; upright, no point of its rim is the lowest.
   const Cylinder cylinder{0.3, 0.4};

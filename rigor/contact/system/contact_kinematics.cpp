@@ -113,6 +113,10 @@ Vec3 acceleration_bias(const Contact& contact, const BodyKinetics& A, const Body
   return bias;
 }
 
+Vec3 normal_rate(const Contact& contact, const BodyKinetics& A, const BodyKinetics& B) {
+  return witness_motion(contact, A, B).n_rate;
+}
+
 namespace {
 
 /// The same material point after its body moved.
@@ -203,6 +207,14 @@ ContactPoint crossed_edges(const ContactPoint& old, const std::pair<Pose, Pose>&
   // (q + β b) - (p + α a) is along n.
   const Vec3 d = q - p;
   const double ab = a.dot(b), determinant = 1 - ab * ab;
+  // Parallel edges have no crossing: the old points, which the bodies carry.
+  if (!(determinant > 0)) {
+    point.p_WA = p;
+    point.p_WB = q;
+    point.n_W = carried_direction(A.first, A.second, old.n_W);
+    point.gap = point.n_W.dot(q - p);
+    return point;
+  }
   const double alpha = (d.dot(a) - ab * d.dot(b)) / determinant;
   const double beta = (ab * d.dot(a) - d.dot(b)) / determinant;
   point.p_WA = p + alpha * a;

@@ -23,6 +23,9 @@ Vec3 relative_velocity(const Contact& contact, const BodyKinetics& A, const Body
 /// instead of curvatures, so that vertices, edges and faces are ordinary cases).
 Vec3 acceleration_bias(const Contact& contact, const BodyKinetics& A, const BodyKinetics& B);
 
+/// ṅ: how fast the normal of the contact rotates as the closest points move along the surfaces [rad/s].
+Vec3 normal_rate(const Contact& contact, const BodyKinetics& A, const BodyKinetics& B);
+
 /// The same contact a little later: the features that met keep meeting. Faces carry their normal, vertices
 /// and round ends their material centre, edges their line; contacts of surfaces that both curve are found
 /// anew by distance. X_WA0, X_WB0 are the poses at which the contact was found; X_WA, X_WB the later ones.

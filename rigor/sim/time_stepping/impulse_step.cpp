@@ -54,15 +54,26 @@ void make_rigid(const ContactSystem& system, const std::vector<std::size_t>& con
   }
 }
 
-/// J̇ V of all contacts (3n), for each pair of bodies that of a rigid motion.
-VecX velocity_biases(const ContactSystem& system) {
+/// Whether the geometry of the contact rotates its normal much faster than the bodies rotate, such as that of
+/// two edges that become parallel: over half a step its rate then says nothing.
+bool turns_over(const Contact& contact, const BodyKinetics& A, const BodyKinetics& B, double h) {
+  constexpr double small_angle = 0.1, much = 4;
+  const double rate = normal_rate(contact, A, B).norm();
+  return 0.5 * h * rate > small_angle && rate > much * (A.w.norm() + B.w.norm());
+}
+
+/// J̇ V of all contacts (3n) over half the step h, for each pair of bodies that of a rigid motion.
+VecX velocity_biases(const ContactSystem& system, double h) {
   VecX biases(3 * static_cast<Eigen::Index>(system.contacts.size()));
   std::map<std::pair<int, int>, std::vector<std::size_t>> pairs;
   for (std::size_t i = 0; i < system.contacts.size(); ++i) {
     const Contact& contact = system.contacts[i];
-    biases.segment<3>(normal_row(i) - 2) =
-        contact.stop ? system.rows[i].bias
-                     : acceleration_bias(contact, system.of(contact.body_A), system.of(contact.body_B));
+    Vec3 bias = system.rows[i].bias;
+    if (!contact.stop) {
+      const BodyKinetics &A = system.of(contact.body_A), &B = system.of(contact.body_B);
+      bias = turns_over(contact, A, B, h) ? Vec3(Vec3::Zero()) : acceleration_bias(contact, A, B);
+    }
+    biases.segment<3>(normal_row(i) - 2) = bias;
     if (!contact.stop) pairs[{contact.body_A, contact.body_B}].push_back(i);
   }
   for (const auto& [pair, contacts] : pairs) {
@@ -330,7 +341,7 @@ StepLaws ImpulseStep::step_laws(double h, const Cluster& part, const ContactSyst
   laws.resolution = resolution(h);
   VecX& b = laws.contacts.b;
   // The rows rotate until the end of the step, and the laws hold for the velocities there.
-  b += 0.5 * h * velocity_biases(system);
+  b += 0.5 * h * velocity_biases(system, h);
   b += closing_rates(part.contacts, system, h, resolution(h));
 
   // Bounded forces act all through h.
