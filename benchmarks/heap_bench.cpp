@@ -149,8 +149,8 @@ void print_heaps(int most_bodies) {
       const double peer = run_peer(scene);
       fmt::print("{:>8} {:>6} {:>10.2f} {:>10.2f} {:>8.1f} {:>10} {:>10} {:>10.1e} {:>12.1e}{}\n",
                  is_mixed ? "mixed" : "boxes", bodies, run.ms_per_step, peer, run.ms_per_step / peer,
-                 run.report.problems, run.report.fallbacks, run.report.max_residual,
-                 run.report.max_penetration, run.report.reason == StopReason::reached_end ? "" : "  stopped");
+                 run.report.steps, run.report.fallbacks, run.report.max_residual, run.report.max_penetration,
+                 run.report.reason == StopReason::reached_end ? "" : "  stopped");
       std::fflush(stdout);
     }
   }

@@ -58,9 +58,9 @@ std::string body_text(const PeerBody& body) {
 /// The scene in MuJoCo's XML.
 std::string scene_text(const PeerScene& scene, MujocoSettings settings) {
   std::string text = "<mujoco>\n" + options_of(scene, settings);
-  // Room for forty contacts a body.
-  const std::size_t contacts = 100 + 40 * scene.bodies.size();
-  text += fmt::format("<size nconmax=\"{}\" njmax=\"{}\"/>\n", contacts, 4 * contacts);
+  // Room for twenty contacts a body, of three rows each.
+  const std::size_t contacts = 500 + 20 * scene.bodies.size();
+  text += fmt::format("<size nconmax=\"{}\" njmax=\"{}\"/>\n", contacts, 3 * contacts);
   text += fmt::format("<default><geom condim=\"{}\" friction=\"{:.17g} 0 0\" {}/></default>\n<worldbody>\n",
                       scene.friction > 0 ? 3 : 1, scene.friction, contact_of(scene, settings));
   for (const PeerPlane& plane : scene.planes) {
