@@ -62,12 +62,10 @@ ContactRows motion_rows(const ContactSystem& system) {
 
   // The nodes that joints hold respond together.
   if (!system.joints || system.joints->held_bodies().empty()) return rows;
-  for (const std::size_t body : system.joints->held_bodies()) rows.joint_nodes.push_back(nodes[body]);
-  rows.joints = std::shared_ptr<const ConstrainedMass>(system.joints, &system.joints->equations());
-  // The base is dense: with more nodes it takes longer to work with than the sparse factors of their
-  // equations.
-  constexpr std::size_t most_nodes_with_base = 30;
-  if (rows.joint_nodes.size() <= most_nodes_with_base) rows.held_motions = rows.joints->motions();
+  std::vector<int> held;
+  for (const std::size_t body : system.joints->held_bodies()) held.push_back(nodes[body]);
+  hold_nodes(std::shared_ptr<const ConstrainedMass>(system.joints, &system.joints->equations()),
+             std::move(held), rows);
   return rows;
 }
 

@@ -1,7 +1,6 @@
 #include "rigor/solver/linear/contact_rows.hpp"
 
 #include "rigor/core/index.hpp"
-#include "rigor/math/dense.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -49,48 +48,14 @@ Index for_each_joint_row(const ContactRows& rows, const std::function<void(Index
   return count;
 }
 
-namespace {
-
-// The base is dense: with more nodes it takes longer to make than the sparse factors of their equations.
-constexpr std::size_t kMostNodesWithBase = 30;
-
-/// Nullspace of G M^(-½) with M = C Cᵀ, by orthogonal factors of C⁻¹ Gᵀ; N = C⁻ᵀ times that.
-MatX motions_of(const ContactRows& rows) {
-  // C of each node that joints hold, and its place in the stack of these.
-  const Index size = 6 * static_cast<Index>(rows.joint_nodes.size());
-  std::vector<Mat6> roots;
-  std::vector<Index> places(rows.node_count(), 0);
-  for (const int node : rows.joint_nodes) {
-    places[at(node)] = 6 * static_cast<Index>(roots.size());
-    roots.push_back(cholesky_factor(rows.masses[at(node)]));
-  }
-
-  // Columns C⁻¹ Gᵀ.
-  const Index count = for_each_joint_row(rows, [](Index, int, const Vec6&) {});
-  MatX G = MatX::Zero(size, count);
-  for_each_joint_row(rows, [&](Index row, int node, const Vec6& J) {
-    const Index place = places[at(node)];
-    G.col(row).segment<6>(place) = roots[at(place / 6)].triangularView<Eigen::Lower>().solve(J);
-  });
-
-  // The last columns of their orthogonal factor Q span the nullspace; C⁻ᵀ leads back to velocities.
-  MatX N = MatX::Zero(size, size - count);
-  N.bottomRows(size - count).setIdentity();
-  apply_householder_q(householder_factors(G), N);
-  for (std::size_t n = 0; n < roots.size(); ++n) {
-    const Index row = 6 * static_cast<Index>(n);
-    N.middleRows<6>(row) =
-        roots[n].transpose().triangularView<Eigen::Upper>().solve(N.middleRows<6>(row)).eval();
-  }
-  return N;
-}
-
-}  // namespace
-
 void hold_nodes(std::shared_ptr<const ConstrainedMass> joints, std::vector<int> nodes, ContactRows& rows) {
   rows.joints = std::move(joints);
   rows.joint_nodes = std::move(nodes);
-  if (rows.joint_nodes.size() <= kMostNodesWithBase) rows.held_motions = motions_of(rows);
+  // The base is dense: with more nodes it takes longer to work with than the sparse factors of their
+  // equations.
+  constexpr std::size_t kMostNodesWithBase = 30;
+  if (rows.joints && rows.joint_nodes.size() <= kMostNodesWithBase)
+    rows.held_motions = rows.joints->motions();
 }
 
 VecX with_joints(const ContactRows& rows, const VecX& p) {
