@@ -77,10 +77,11 @@ MatX ConstrainedMass::loop_rates(const MatX& velocities) const {
 
 MatX ConstrainedMass::motions() const {
   MatX N = motions_of_trees();
-  if (dense_.pivots().empty()) return N;
+  if (dense_.pivots().empty() || N.cols() == 0) return N;
 
   // Of the trees' motions those that keep the loops closed: the complement of C N.
   const MatX C_T = loop_rates(N).transpose();
+  if (C_T.rows() == C_T.cols()) return MatX(N.rows(), 0);
   MatX kept = MatX::Zero(C_T.rows(), C_T.rows() - C_T.cols());
   kept.bottomRows(kept.cols()).setIdentity();
   apply_householder_q(householder_factors(C_T), kept);

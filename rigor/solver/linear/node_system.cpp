@@ -205,8 +205,9 @@ void NodeSystem::factor_on_motions(const std::vector<Mat3>& D, double mass_facto
     on_motions.setZero();
     bool touches_held = false;
     for (const ContactRows::Side& side : rows_.contacts[i]) {
+      // Joints may leave the nodes that they hold no motion at all.
       const std::size_t k = at(side.node);
-      if (side.node < 0 || !is_held_[k]) continue;
+      if (side.node < 0 || !is_held_[k] || held == 0) continue;
       touches_held = true;
       on_motions += side.J * rows_.held_motions.middleRows<6>(places_[k]);
     }
