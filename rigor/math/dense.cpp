@@ -29,7 +29,8 @@ Eigen::HouseholderQR<MatX> householder_factors(const MatX& A) {
 }
 
 void apply_householder_q(const Eigen::HouseholderQR<MatX>& factors, MatX& X) {
-  X.applyOnTheLeft(factors.householderQ());
+  // Eigen takes parts of X that begin at later rows, and without columns these would be parts of no memory.
+  if (X.cols() > 0) X.applyOnTheLeft(factors.householderQ());
 }
 
 }  // namespace rigor
