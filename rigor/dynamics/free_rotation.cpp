@@ -42,10 +42,16 @@ Mat3 rotation_matrix_terms(const Quat& q) {
   return terms;
 }
 
+/// Angular momenta [kg m²/s] and shares of them whose squares underflow. What is so slow turns no body by a
+/// bit of its orientation, nor do such shares change how it rotates.
+constexpr double kSmallestMomentum = 0x1p-400, kSmallestShare = 0x1p-200;
+
 /// M = Rᵀ L with the components that are below their own rounding error set to zero.
 Vec3 body_angular_momentum(const Quat& q_WB, const Vec3& L_W) {
   const Vec3 L_B = rotation_matrix(q_WB).transpose() * L_W;
-  const Vec3 error = 4 * kEpsilon * (rotation_matrix_terms(q_WB).transpose() * L_W.cwiseAbs());
+  const double smallest = kSmallestShare * L_B.cwiseAbs().maxCoeff();
+  const Vec3 error =
+      (4 * kEpsilon * (rotation_matrix_terms(q_WB).transpose() * L_W.cwiseAbs())).cwiseMax(smallest);
   return (L_B.cwiseAbs().array() <= error.array()).select(Vec3::Zero(), L_B);
 }
 
@@ -76,6 +82,10 @@ Mat3 orbit_axes(int axis_x, int axis_z, int positive, const Vec3& m_B) {
 }  // namespace
 
 FreeRotation::FreeRotation(const Vec3& moments, const Quat& q_WB, const Vec3& L_W) : q_WB_(q_WB) {
+  if (L_W.cwiseAbs().maxCoeff() < kSmallestMomentum) {
+    max_angular_speed_ = 2 * L_W.cwiseAbs().maxCoeff() / moments.minCoeff();
+    return;
+  }
   const std::array<int, 3> axes = sorted_axes(moments);
   const bool low_pair = are_equal(moments[axes[0]], moments[axes[1]]);
   const bool high_pair = are_equal(moments[axes[1]], moments[axes[2]]);

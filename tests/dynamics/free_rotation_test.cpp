@@ -316,5 +316,24 @@ TEST(FreeRotation, AngularSpeedBoundHoldsAndIsAttained) {
   }
 }
 
+TEST(FreeRotation, AngularMomentaOfAnySizeRotate) {
+  // Components whose squares underflow, alone or beside larger ones: the rotation by ω t to first order.
+  std::mt19937_64 random(31);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  for (int trial = 0; trial < 20000; ++trial) {
+    Vec3 L;
+    for (double& component : L)
+      component = (uniform(random) < 0.3 ? 0 : 1) * (uniform(random) < 0.5 ? -1 : 1) *
+                  std::pow(10.0, -322 + 322 * uniform(random));
+    const Vec3 moments = random_moments(random);
+    const Quat q = trial % 2 == 0 ? Quat::Identity() : random_attitude(random);
+    const double t = 1e-3;
+    const Quat found = FreeRotation(moments, q, L).orientation(t);
+    const Quat expected = rotation_exp(t * angular_velocity(BodyInertia{1, moments}, q, L)) * q;
+    const double second_order = std::pow(t * L.stableNorm() / moments[0], 2);
+    EXPECT_LE(distance(found, expected), second_order + 8 * kEpsilon) << L.transpose();
+  }
+}
+
 }  // namespace
 }  // namespace rigor::free_rotation_test
