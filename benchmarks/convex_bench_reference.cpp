@@ -2,6 +2,7 @@
 
 #include "convex_bench.hpp"
 #include "rigor/geometry/shape/convex_hull.hpp"
+#include "rigor/geometry/shape/revolution.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -42,6 +43,14 @@ struct SupportOf {
     const Vec3L base = rim(s.radius, -s.half_length);
     const Vec3L apex(0, 0, s.half_length);
     return d.dot(apex) > d.dot(base) ? apex : base;
+  }
+  Vec3L operator()(const Revolution& s) const {
+    Vec3L best = rim(s.rings->front().radius, s.rings->front().z);
+    for (const Ring& ring : *s.rings) {
+      const Vec3L p = rim(ring.radius, ring.z);
+      if (d.dot(p) > d.dot(best)) best = p;
+    }
+    return best;
   }
   Vec3L operator()(const Ellipsoid& s) const {
     const Vec3L radii = s.radii.cast<Real>();
