@@ -65,6 +65,12 @@ double rounding_speed(const VecX& u) {
   return rounding * u.cwiseAbs().maxCoeff();
 }
 
+double contradiction_speed(const VecX& u) {
+  // The tilt of a face against its neighbour, the contact tolerance over the size of bodies.
+  constexpr double tilt = 1e-6;
+  return tilt * u.cwiseAbs().maxCoeff();
+}
+
 double fastest_approach(const VecX& u) {
   double approach = 0;
   for (Eigen::Index row = 2; row < u.size(); row += 3) approach = std::max(approach, -u[row]);
@@ -85,11 +91,12 @@ CoulombSolution solve_cones(const MatX& A, const VecX& b, const std::vector<doub
 
 CoulombSolution solve_cones(const ImpactProblem& problem, const VecX& b, const std::vector<double>& mu) {
   if (problem.rows) {
+    constexpr double enough_of_many = 1e-10;
     const MotionProblem motion{*problem.rows, cones_of(b, mu)};
     CoulombOptions any_share;
     any_share.least_norm = false;
-    any_share.enough = any_share.tolerance;
-    any_share.resolution = 0;
+    any_share.enough = enough_of_many;
+    any_share.resolution = contradiction_speed(b);
     if (std::optional<CoulombSolution> any = solve_in_motion_space(motion, {}, any_share))
       return std::move(*any);
   }

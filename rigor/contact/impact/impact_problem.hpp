@@ -44,6 +44,7 @@ struct ImpactSolution {
   /// Angular impulses in the contact frames, 3n [N m s]; empty: none.
   VecX moments = {};
   std::string phases = {};  ///< What happened, if it was one collision (CollisionOutcome::phases).
+  double unresolved = 0;    ///< Approach that contacts which contradict each other may keep [m/s].
 };
 
 /// The contacts of a system with their coefficients of restitution.
@@ -67,6 +68,10 @@ double fastest_approach(const VecX& u);
 
 /// What the impulses change of the kinetic energy, less the work of prescribed bodies [J]: λ·(u⁻ + ½ A λ).
 double energy_change(const ImpactProblem& problem, const VecX& lambda);
+
+/// Speed below which faces that lie on each other within the contact tolerance may contradict each other, in
+/// an impact at velocities u (3n) [m/s].
+double contradiction_speed(const VecX& u);
 
 /// Impulses λ with w = A λ + b, 0 ≤ λ_n ⊥ w_n ≥ 0, λ in the cones, friction against w_t: Coulomb's law,
 /// without friction if `mu` is zero.

@@ -84,6 +84,16 @@ VecX blended(const ImpactProblem& problem, const VecX& plastic, const VecX& refl
   return lambda + largest_share(problem, lambda, more, limit) * more;
 }
 
+/// The rows of these contacts.
+std::shared_ptr<const ContactRows> rows_of(const ContactRows& rows,
+                                           const std::vector<std::size_t>& contacts) {
+  ContactRows result;
+  result.masses = rows.masses;
+  result.inverse_masses = rows.inverse_masses;
+  for (const std::size_t i : contacts) result.contacts.push_back(rows.contacts[i]);
+  return std::make_shared<const ContactRows>(std::move(result));
+}
+
 /// The rows of these contacts with the normal ones cut off: instead of bodies they move loads, so that their
 /// diagonal entries are those of A.
 std::shared_ptr<const ContactRows> rows_of_friction(const ContactRows& rows,
@@ -138,14 +148,17 @@ VecX generalised_reflections(const ImpactProblem& problem) {
   // Finitely many reflections suffice; how many grows with the root of the mass ratios. What approaches after
   // the last is left to the plastic impact.
   constexpr int most_reflections = 10000;
+  // Without friction the pivots of the dense problem are quicker up to so many contacts.
+  constexpr std::size_t many_on_rows = 48;
   const double tolerance = rounding_speed(problem.u);
   VecX u = problem.u;
   VecX lambda = VecX::Zero(u.size());
   for (int k = 0; k < most_reflections; ++k) {
     const std::vector<std::size_t> approaching = approaching_contacts(u, tolerance);
     if (approaching.empty()) break;
-    const ImpactProblem part = part_of(problem, approaching, u);
-    const CoulombSolution stopped = solve_cones(part.A, part.u, std::vector<double>(part.count(), 0.0));
+    ImpactProblem part = part_of(problem, approaching, u);
+    if (problem.rows && approaching.size() >= many_on_rows) part.rows = rows_of(*problem.rows, approaching);
+    const CoulombSolution stopped = solve_cones(part, part.u, std::vector<double>(part.count(), 0.0));
     if (!stopped.converged) break;
     for (std::size_t i = 0; i < approaching.size(); ++i) {
       lambda[row_of(approaching[i]) + 2] += 2 * stopped.lambda[row_of(i) + 2];
@@ -192,6 +205,7 @@ ImpactSolution blend_with_plastic(const ImpactProblem& problem, const std::funct
   // λ_P: with e = 0 everywhere this is the answer.
   const CoulombSolution plastic = solve_plastic(problem, problem.u);
   ImpactSolution solution{plastic.lambda, plastic.residual, plastic.converged, plastic.iterations};
+  if (problem.rows) solution.unresolved = contradiction_speed(problem.u);
   const bool is_plastic = std::all_of(problem.contacts.begin(), problem.contacts.end(),
                                       [](const ImpactContact& contact) { return contact.restitution == 0; });
   if (is_plastic) return solution;
@@ -200,7 +214,7 @@ ImpactSolution blend_with_plastic(const ImpactProblem& problem, const std::funct
   solution.lambda = blended(problem, plastic.lambda, elastic());
   solution.residual = std::max(solution.residual, add_friction(problem, solution.lambda));
   const VecX u = problem.u + problem.A * solution.lambda;
-  if (fastest_approach(u) <= rounding_speed(problem.u)) return solution;
+  if (fastest_approach(u) <= std::max(rounding_speed(problem.u), solution.unresolved)) return solution;
 
   // Friction can make contacts approach that were apart: a plastic impact ends that.
   const CoulombSolution last = solve_plastic(problem, u);

@@ -41,37 +41,42 @@ class ProximalPoints {
 
   std::optional<CoulombSolution> run() {
     constexpr int kMaxPoints = 60, kPatience = 3;
-    double growth = kGrowth, least = std::numeric_limits<double>::infinity();
-    int stalls = 0;
+    double growth = kGrowth;
+    int stalls = 0, failures = 0;
     for (int point = 1; point <= kMaxPoints; ++point) {
       poll_interrupt();
-      const std::optional<Forces> next = next_point();
-      if (!next) {
+      const std::optional<Point> next = next_point();
+      if (next) {
+        // How well its forces solve the law with b, and with the b' that the point has.
+        const Offer offer = offer_of(next->forces);
+        const bool is_slow = !(offer.residual < std::max(kSlow * least(), options_.enough));
+        stalls = offer.residual < 0.5 * least() ? 0 : stalls + 1;
+        failures = 0;
+        keep(offer, point);
+        if (best_->residual <= options_.wanted) return solution_of(*best_, best_->residual);
+
+        // The next point, with a longer step; where rounding held this one back, with a shorter one.
+        lambda_ = next->forces.lambda;
+        v_ = motion_.lift(motion_.pull(lambda_));
+        const double largest = is_slow ? kLargestSlowRho : kLargestPointRho;
+        if (next->is_rounded)
+          rho_ = std::max(rho_ / growth, kFirstRho);
+        else if (rho_ < largest)
+          rho_ = std::min(growth * rho_, largest);
+      } else {
         // Too far for Newton's method: nearer points, and smaller steps from then on.
+        ++failures;
         rho_ /= growth * growth;
         growth = std::max(1.5, std::sqrt(growth));
-        continue;
       }
 
-      // How well its forces solve the law with b, and with the b' that the point has.
-      const Offer offer = offer_of(*next);
-      const bool is_solved = offer.residual <= options_.enough;
-      const bool is_slow = !is_solved && !(offer.residual < kSlow * least);
-      stalls = offer.residual < 0.5 * least ? 0 : stalls + 1;
-      least = std::min(least, offer.residual);
-      if (offer.residual <= options_.wanted) return solution_of(*next, offer, offer.residual, point);
-      if (is_solved && stalls > 0) return solution_of(*next, offer, offer.residual, point);
-      if (stalls >= kPatience && offer.change <= options_.resolution &&
-          offer.changed_residual <= options_.enough)
-        return solution_of(*next, offer, offer.changed_residual, point);
-
-      // The next point, with a longer step.
-      lambda_ = next->lambda;
-      v_ = motion_.lift(motion_.pull(lambda_));
-      const double largest = is_slow ? kLargestSlowRho : kLargestPointRho;
-      if (rho_ < largest) rho_ = std::min(growth * rho_, largest);
+      // The search ends when it gets no farther from what counts as solved.
+      if (stalls + failures > 0 && best_ && best_->residual <= options_.enough)
+        return solution_of(*best_, best_->residual);
+      if (stalls >= kPatience && nearest_) return solution_of(*nearest_, nearest_->changed_residual);
     }
-    return std::nullopt;
+    if (!options_.gives_best || !best_) return std::nullopt;
+    return solution_of(*best_, best_->residual);
   }
 
  private:
@@ -148,8 +153,13 @@ class ProximalPoints {
     slope.topLeftCorner<2, 2>() = (rho * radius / length) * across * across.transpose();
   }
 
+  struct Point {
+    Forces forces;
+    bool is_rounded;  ///< Rounding, times ρ, kept Newton's method from its tolerance.
+  };
+
   /// Solves M v = Lᵀ λ(v) from v_; nothing where the search along Newton's direction stops.
-  std::optional<Forces> next_point() {
+  std::optional<Point> next_point() {
     constexpr int kMaxSteps = 30, kMaxHalvings = 12;
     constexpr double kDecrease = 1e-4;
     // Below kRounding of its terms the miss is their rounding, times ρ. It need not be smaller than a share
@@ -163,7 +173,7 @@ class ProximalPoints {
           std::sqrt(at.pulled.dot(motion_.lift(at.pulled))) + std::sqrt(motion.v.dot(motion.momentum));
       const Motion way = moved(motion, -1, start);
       const double way_size = std::sqrt(std::max(0.0, way.v.dot(way.momentum)));
-      if (at.error <= std::max(kRounding * size, kShare * way_size)) return at;
+      if (at.error <= std::max(kRounding * size, kShare * way_size)) return Point{std::move(at), false};
 
       // Newton's direction, and halving until the error falls in proportion to the step.
       const Motion direction = motion_at(-motion_.newton_step(at.slopes, at.miss, Symmetry::none));
@@ -177,7 +187,7 @@ class ProximalPoints {
         trial = forces_at(there);
       }
       if (!(trial.error < at.error))
-        return at.error <= kStuck * size ? std::optional<Forces>(std::move(at)) : std::nullopt;
+        return at.error <= kStuck * size ? std::optional<Point>({std::move(at), true}) : std::nullopt;
       motion = std::move(there);
       at = std::move(trial);
     }
@@ -187,13 +197,15 @@ class ProximalPoints {
   /// Forces as an answer to the problem.
   struct Offer {
     VecX lambda, w;
+    std::vector<ContactMode> modes;
     double residual;          ///< Of the law.
     double change;            ///< Largest of b' - b.
     double changed_residual;  ///< Of the law with b'.
+    int point = 0;            ///< After how many points.
   };
 
   Offer offer_of(const Forces& forces) const {
-    Offer offer{clamp_to_cones(laws_, forces.lambda), {}, 0, 0, 0};
+    Offer offer{clamp_to_cones(laws_, forces.lambda), {}, forces.modes, 0, 0, 0};
     offer.w = motion_.rates(motion_.lift(motion_.pull(offer.lambda))) + laws_.b;
     const double size = size_of_(offer.lambda);
     offer.residual = law_residual(laws_, motion_.diagonal(), size, offer.lambda, offer.w);
@@ -204,8 +216,18 @@ class ProximalPoints {
     return offer;
   }
 
-  CoulombSolution solution_of(const Forces& forces, const Offer& offer, double residual, int points) const {
-    return {offer.lambda,     offer.w, forces.modes, residual, points, residual <= options_.enough,
+  double least() const { return best_ ? best_->residual : std::numeric_limits<double>::infinity(); }
+
+  /// Keeps the offer if it is the best so far, of the law with b or of that with b'.
+  void keep(Offer offer, int point) {
+    offer.point = point;
+    const bool is_near = offer.change <= options_.resolution && offer.changed_residual <= options_.enough;
+    if (is_near && (!nearest_ || offer.change < nearest_->change)) nearest_ = offer;
+    if (offer.residual < least()) best_ = std::move(offer);
+  }
+
+  CoulombSolution solution_of(const Offer& offer, double residual) const {
+    return {offer.lambda,     offer.w, offer.modes, residual, offer.point, residual <= options_.enough,
             "proximal points"};
   }
 
@@ -217,6 +239,8 @@ class ProximalPoints {
   VecX lambda_;  ///< λ⁰.
   VecX v_;       ///< M⁻¹ Lᵀ λ⁰.
   double rho_ = kFirstRho;
+  std::optional<Offer> best_;     ///< Of the least residual.
+  std::optional<Offer> nearest_;  ///< Of those that solve the law with a b' within the resolution.
 };
 
 }  // namespace

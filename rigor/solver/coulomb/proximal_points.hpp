@@ -15,6 +15,8 @@ struct ProximalPointOptions {
   double enough = 1e-10;
   /// What b is known to [its unit]: where contacts contradict each other, b may be changed by so much.
   double resolution = 0;
+  /// Whether the best that was found is given where nothing solves the problem; `converged` is false then.
+  bool gives_best = false;
   /// Forces to begin with (3n); none: 0.
   VecX start = VecX();
 };
@@ -41,7 +43,7 @@ struct ProximalPointOptions {
 /// to do about contradictions is our own.
 ///
 /// `laws`: of which A is not read. size_of(λ): the largest of the terms that w is summed from. Nothing if
-/// neither residual came to `enough`.
+/// neither residual came to `enough` (but for `gives_best`).
 std::optional<CoulombSolution> solve_by_proximal_points(const CoulombProblem& laws,
                                                         const ContactMotion& motion,
                                                         const std::function<double(const VecX&)>& size_of,

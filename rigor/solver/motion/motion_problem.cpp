@@ -219,9 +219,13 @@ class MotionSolver {
   }
 
   std::optional<CoulombSolution> solve_to_resolution() const {
-    return solve_by_proximal_points(
-        laws_, motion_, [this](const VecX& lambda) { return largest_of(lambda); },
-        {.enough = options_.enough, .resolution = *options_.resolution, .start = start_});
+    // Contact space may still solve what is left, but of many contacts it takes minutes.
+    constexpr std::size_t kMostInContactSpace = 60;
+    return solve_by_proximal_points(laws_, motion_, [this](const VecX& lambda) { return largest_of(lambda); },
+                                    {.enough = options_.enough,
+                                     .resolution = *options_.resolution,
+                                     .gives_best = laws_.mu.size() > kMostInContactSpace,
+                                     .start = start_});
   }
 
   CoulombSolution labelled(CoulombSolution solution, int iterations, const char* method) const {
