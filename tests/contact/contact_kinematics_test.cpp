@@ -214,6 +214,32 @@ TEST(ContactKinematics, ARimThatComesToLieFlatIsTrackedThere) {
   }
 }
 
+TEST(ContactKinematics, TheLowestPointOfARimGoesRoundFastWhereItIsNearlyFlat) {
+  // Over a time in which the tilt changes little, the point moves along the rim by the rate times its arm.
+  Random random(47);
+  const auto model = pair_of(Box{Vec3(2, 2, 0.5)}, Cylinder{0.3, 0.4});
+  const BodyKinetics A =
+      moving_body(model->body(0), Vec3(0, 0, -0.5), Mat3::Identity(), Vec3::Zero(), Vec3::Zero());
+  for (int trial = 0; trial < 50; ++trial) {
+    const double tilt = std::pow(10.0, random.uniform(-4, -2));
+    BodyKinetics B =
+        moving_body(model->body(1), Vec3(0, 0, 2), rotation_matrix(rotation_exp(tilt * Vec3::UnitY())),
+                    random.vector(), random.vector());
+    B.x.z() -= gap_of(*model, A, B);
+    const std::vector<Contact> contacts = find_contacts(*model, 0, 1, A.pose(), B.pose(), 1e-9);
+    ASSERT_EQ(contacts.size(), 1u);
+    const Contact& contact = contacts.front();
+    const double dt = 1e-4 * tilt;
+    const auto point_after = [&](double t) {
+      return tracked_contact(*model, contact, A.pose(), B.pose(), A.pose(), later(B, t).pose()).p_WB;
+    };
+    const double speed = (point_after(dt) - point_after(-dt)).norm() / (2 * dt);
+    const double arm = std::max((contact.p_W() - A.x).norm(), (contact.p_W() - B.x).norm());
+    const double bodies = 2 * (B.v.norm() + B.w.norm());
+    EXPECT_NEAR(feature_rate(contact, A, B) * arm, speed, 1e-3 * speed + bodies) << tilt;
+  }
+}
+
 TEST(ContactSystem, ImpulsesChangeVelocitiesByTheDelassusOperator) {
   Random random(13);
   const auto model = pair_of(Box{Vec3(0.5, 0.3, 0.2)}, Box{Vec3(0.2, 0.3, 0.4)});

@@ -8,6 +8,7 @@
 #include "rigor/math/dense.hpp"
 #include "rigor/math/rotation.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -115,6 +116,17 @@ Vec3 acceleration_bias(const Contact& contact, const BodyKinetics& A, const Body
 
 Vec3 normal_rate(const Contact& contact, const BodyKinetics& A, const BodyKinetics& B) {
   return witness_motion(contact, A, B).n_rate;
+}
+
+double feature_rate(const Contact& contact, const BodyKinetics& A, const BodyKinetics& B) {
+  // A point that slides over a face moves on one body only, and the contact stays what it is.
+  const WitnessMotion motion = witness_motion(contact, A, B);
+  const double speed = std::min(motion.s_A.norm(), motion.s_B.norm());
+  // Bodies that are moved have their origins anywhere.
+  double arm = 0;
+  for (const BodyKinetics* body : {&A, &B})
+    if (body->inverse_mass > 0) arm = std::max(arm, (contact.p_W() - body->x).norm());
+  return std::max(motion.n_rate.norm(), arm > 0 ? speed / arm : 0.0);
 }
 
 namespace {

@@ -26,6 +26,10 @@ Vec3 acceleration_bias(const Contact& contact, const BodyKinetics& A, const Body
 /// ṅ: how fast the normal of the contact rotates as the closest points move along the surfaces [rad/s].
 Vec3 normal_rate(const Contact& contact, const BodyKinetics& A, const BodyKinetics& B);
 
+/// How fast the contact goes round its bodies as the closest points move along the surfaces [rad/s]: the rate
+/// of its normal, or that at which both closest points move, seen from the bodies' centres of mass.
+double feature_rate(const Contact& contact, const BodyKinetics& A, const BodyKinetics& B);
+
 /// The same contact a little later: the features that met keep meeting. Faces carry their normal, vertices
 /// and round ends their material centre, edges their line; contacts of surfaces that both curve are found
 /// anew by distance. X_WA0, X_WB0 are the poses at which the contact was found; X_WA, X_WB the later ones.
