@@ -95,7 +95,9 @@ void add_run(CLI::App& app, RunOptions& run) {
   add_value(app, "--duration", run.duration, "simulated time at which the run ends [s]", "S")
       ->check(number_in(time_span, "s"));
   add_value(app, "--threads", run.threads,
-            "threads that method.solver=substep computes on; the answer does not depend on it", "N")
+            "threads on which steps are computed (time-stepping, also under auto); the answer does not "
+            "depend on it",
+            "N")
       ->check(CLI::Range(1, most_threads));
   add_json(app, run.json, "the audit");
   app.add_flag("--quiet", run.is_quiet, "print no audit and no progress");

@@ -1,5 +1,7 @@
 #include "rigor/core/interrupt.hpp"
 
+#include <memory>
+#include <mutex>
 #include <utility>
 
 namespace rigor {
@@ -15,6 +17,14 @@ InterruptScope::InterruptScope(const std::function<bool()>& interrupt)
 
 InterruptScope::~InterruptScope() {
   present_interrupt = outer_;
+}
+
+std::function<bool()> shared_interrupt() {
+  if (present_interrupt == nullptr || !*present_interrupt) return {};
+  return [interrupt = present_interrupt, turn = std::make_shared<std::mutex>()] {
+    const std::lock_guard<std::mutex> lock(*turn);
+    return (*interrupt)();
+  };
 }
 
 void poll_interrupt() {

@@ -26,6 +26,10 @@ class InterruptScope {
   const std::function<bool()>* outer_;
 };
 
+/// What threads that work for this one ask: each begins with a scope of it, this thread too. They ask one at
+/// a time. Valid as long as the scope that this thread is in.
+std::function<bool()> shared_interrupt();
+
 /// Throws Interrupted if the interrupt of this thread's scope asks for an end. Every loop whose number of
 /// passes the input decides polls; results never depend on it.
 void poll_interrupt();

@@ -31,12 +31,12 @@ std::unique_ptr<Stepper> make_stepper(std::shared_ptr<const Model> model, const 
   const Method& resolved = choice.method;
   if (choice.steps) {
     return std::make_unique<AutoStepper>(model, make_event_driven(model, resolved, target_step),
-                                         *choice.steps, resolved.scheme, target_step);
+                                         *choice.steps, resolved.scheme, target_step, threads);
   }
   if (resolved.scheme == Scheme::time_stepping && resolved.solver == SolverMethod::substep)
     return std::make_unique<BulkStepper>(std::move(model), resolved, target_step, threads);
   if (resolved.scheme == Scheme::time_stepping)
-    return std::make_unique<TimeStepper>(std::move(model), resolved, target_step);
+    return std::make_unique<TimeStepper>(std::move(model), resolved, target_step, threads);
   if (resolved.scheme == Scheme::penalty && resolved.penalty == PenaltyMethod::global)
     return std::make_unique<GlobalPenaltyStepper>(std::move(model), resolved, target_step);
   if (resolved.scheme == Scheme::penalty)

@@ -73,7 +73,8 @@ std::unique_ptr<AutoStepper> auto_stepper(const std::shared_ptr<const Model>& mo
       resolved.method.scheme == Scheme::hybrid
           ? std::make_unique<HybridStepper>(model, resolved.method, step)
           : std::make_unique<EventDrivenStepper>(model, resolved.method, step);
-  return std::make_unique<AutoStepper>(model, std::move(events), steps, resolved.method.scheme, step, bounds);
+  return std::make_unique<AutoStepper>(model, std::move(events), steps, resolved.method.scheme, step, 1,
+                                       bounds);
 }
 
 /// A run of so many outputs, with its State and audit at each.
@@ -203,7 +204,9 @@ TEST(Handover, SchemesThatTimeSteppingCannotReplaceAreNeverLeft) {
   Method substep = automatic();
   substep.solver = SolverMethod::substep;
   EXPECT_FALSE(resolve_scheme(*model, substep).steps.has_value());
-  EXPECT_FALSE(resolve_scheme(*model, Method{}).steps.has_value());
+  Method named;
+  named.scheme = Scheme::event_driven;
+  EXPECT_FALSE(resolve_scheme(*model, named).steps.has_value());
 }
 
 TEST(EffortDebt, TimePaysForWork) {

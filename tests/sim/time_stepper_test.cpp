@@ -7,7 +7,12 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
+#include <memory>
+#include <random>
+#include <string>
+#include <utility>
 
 namespace rigor::time_stepper_test {
 namespace {
@@ -125,14 +130,11 @@ TEST(PartMemory, MovesAPartOnceAsLongAsItIsTheSameProblem) {
   PartMemory memory;
   int moves = 0;
   const auto ask = [&](double h, double theta, const Cluster& part) {
-    return memory
-        .moved(h, theta, part,
-               [&](const Cluster& moving) {
-                 ++moves;
-                 return MovedPart{moving.phases, moving.phases, {}};
-               })
-        .end[0]
-        .x;
+    const auto move = [&](const Cluster& moving) {
+      ++moves;
+      return MovedPart{moving.phases, moving.phases, {}};
+    };
+    return memory.moved(h, theta, {part}, move, Executor(1)).front()->end[0].x;
   };
   Cluster part{0, {1}, {{Vec3(1, 2, 3), Quat::Identity(), Vec3::Zero(), Vec3::Zero()}}, {}};
   for (int k = 0; k < 3; ++k) EXPECT_EQ(ask(0.01, 0.5, part), Vec3(1, 2, 3));
@@ -157,6 +159,45 @@ TEST(PartMemory, MovesAPartOnceAsLongAsItIsTheSameProblem) {
   memory.clear();
   ask(0.01, 0.5, part);
   EXPECT_EQ(moves, 7);
+}
+
+/// Small heaps far apart: balls and boxes that fall into each other, askew.
+std::shared_ptr<const Model> separate_heaps(int heaps) {
+  std::mt19937 random(29);
+  std::uniform_real_distribution<double> number(-1, 1);
+  ModelBuilder builder = test::stepping_builder(0.2, 0.5, Vec3(0, 0, -9.81));
+  for (int k = 0; k < 5 * heaps; ++k) {
+    const Shape shape = k % 3 == 0 ? Shape(Sphere{0.07}) : Shape(Box{Vec3(0.08, 0.06, 0.05)});
+    const Vec3 x(3.0 * (k / 5) + 0.05 * number(random), 0.05 * number(random), 0.2 + 0.22 * (k % 5));
+    BodyDescription body = test::stepping_body("body" + std::to_string(k), shape, x);
+    body.velocity = Vec3(0, 0, -2);
+    body.angular_velocity = 2 * Vec3(number(random), number(random), number(random));
+    builder.add_body(body);
+  }
+  return builder.build();
+}
+
+TEST(TimeStepper, HeapsOnSeveralThreadsMoveByTheSameBits) {
+  const std::shared_ptr<const Model> model = separate_heaps(6);
+  const auto run_on = [&](int threads) {
+    State state = make_initial_state(*model);
+    TimeStepper stepper(model, stepping(), 0.01, threads);
+    const AdvanceReport report = stepper.advance(state, 0.4);
+    EXPECT_EQ(report.reason, StopReason::reached_end);
+    return std::pair{state, report.impact_loss + report.friction_loss};
+  };
+  const auto [alone, loss] = run_on(1);
+  EXPECT_GT(loss, 0);
+  for (const int threads : {2, 5}) EXPECT_EQ(run_on(threads), std::pair(alone, loss)) << threads;
+}
+
+TEST(TimeStepper, AnInterruptEndsTheThreadsOfAStep) {
+  const std::shared_ptr<const Model> model = separate_heaps(6);
+  State state = make_initial_state(*model);
+  TimeStepper stepper(model, stepping(), 0.01, 2);
+  std::atomic<int> asked = 0;
+  stepper.set_interrupt([&] { return ++asked > 500; });
+  EXPECT_EQ(stepper.advance(state, 10).reason, StopReason::interrupted);
 }
 
 }  // namespace

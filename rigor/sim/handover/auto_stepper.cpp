@@ -36,12 +36,12 @@ double end_of_steps(double t, double t_end, double target_step) {
 }  // namespace
 
 AutoStepper::AutoStepper(std::shared_ptr<const Model> model, std::unique_ptr<EventDrivenStepper> events,
-                         const Method& method, Scheme scheme_of_events, double target_step,
+                         const Method& method, Scheme scheme_of_events, double target_step, int threads,
                          const HandoverBounds& bounds)
     : model_(std::move(model)),
       environment_(*model_),
       events_(std::move(events)),
-      steps_(model_, method, target_step),
+      steps_(model_, method, target_step, threads),
       scheme_of_events_(scheme_of_events),
       target_step_(target_step),
       bounds_(bounds) {

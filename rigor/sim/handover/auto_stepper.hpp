@@ -30,9 +30,9 @@ struct HandoverBounds {
 class AutoStepper : public Stepper {
  public:
   /// events: the event-driven or hybrid scheme at work. method: of the steps, which go with the model.
-  /// target_step H > 0 [s].
+  /// target_step H > 0 [s]. threads >= 1, of the steps.
   AutoStepper(std::shared_ptr<const Model> model, std::unique_ptr<EventDrivenStepper> events,
-              const Method& method, Scheme scheme_of_events, double target_step,
+              const Method& method, Scheme scheme_of_events, double target_step, int threads = 1,
               const HandoverBounds& bounds = {});
   double time_rounding() const override { return steps_.time_rounding(); }
 

@@ -160,7 +160,7 @@ void ContactResolver::apply_impact(const ContactSystem& system, const ImpactSolu
 
 bool ContactResolver::apply_impulses(Cluster& cluster, AdvanceReport& report) const {
   constexpr int most_passes = 20;
-  double first_approach = 0, last_approach = -std::numeric_limits<double>::infinity();
+  double first_approach = 0, last_approach = -std::numeric_limits<double>::infinity(), unresolved = 0;
   int stalls = 0;
   // Forces that have a largest value do nothing in no time.
   std::vector<Contact> colliding;
@@ -175,7 +175,7 @@ bool ContactResolver::apply_impulses(Cluster& cluster, AdvanceReport& report) co
     double approach = 0;
     for (Eigen::Index row = 2; row < u.size(); row += 3) approach = std::min(approach, u[row]);
     if (pass == 0) first_approach = approach;
-    if (approach >= -std::max(still_, 1e-9 * std::abs(first_approach))) return true;
+    if (approach >= -std::max({still_, 1e-9 * std::abs(first_approach), unresolved})) return true;
     // Bodies squeezed between others that do not give way: no impulse helps. What is slower than any impact
     // is rounding.
     stalls = approach <= 0.99 * last_approach ? stalls + 1 : 0;
@@ -190,6 +190,7 @@ bool ContactResolver::apply_impulses(Cluster& cluster, AdvanceReport& report) co
     const ImpactSolution impact =
         solve_impact(system, restitutions(cluster, system, report), collision_law_, law_);
     apply_impact(system, impact, cluster, report);
+    unresolved = impact.unresolved;
   }
   return false;
 }
@@ -213,7 +214,6 @@ LastingContacts ContactResolver::find_lasting(const Cluster& cluster, AdvanceRep
   report.note_problem(candidates.size(), resting.forces.iterations);
   LastingContacts lasting;
   lasting.have_forces = resting.forces.converged;
-  note_force_doubt(touching, resting.forces.lambda, assembler_.environment(), cluster.t, report);
   const Paradox paradox = find_paradox(touching, wrenches, cluster.slip_tolerance, lasting.have_forces);
   note_paradox(paradox, touching, cluster.t, report);
   // No solver reaches its tolerance where there is no solution.
@@ -229,6 +229,8 @@ LastingContacts ContactResolver::find_lasting(const Cluster& cluster, AdvanceRep
     ++report.fallbacks;
     return lasting;
   }
+  // Forces that were not found move nothing, and are nothing to judge.
+  note_force_doubt(touching, resting.forces.lambda, assembler_.environment(), cluster.t, report);
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     if (resting.states[i].mode == ContactMode::open) continue;
     lasting.contacts.push_back(candidates[i]);

@@ -54,11 +54,12 @@ void make_rigid(const ContactSystem& system, const std::vector<std::size_t>& con
   }
 }
 
-/// Whether the geometry of the contact rotates its normal much faster than the bodies rotate, such as that of
-/// two edges that become parallel: over half a step its rate then says nothing.
+/// Whether the geometry of the contact goes round much faster than the bodies rotate, such as that of two
+/// edges that become parallel, or of a rim that comes to lie flat: over half a step its rate then says
+/// nothing.
 bool turns_over(const Contact& contact, const BodyKinetics& A, const BodyKinetics& B, double h) {
   constexpr double small_angle = 0.1, much = 4;
-  const double rate = normal_rate(contact, A, B).norm();
+  const double rate = feature_rate(contact, A, B);
   return 0.5 * h * rate > small_angle && rate > much * (A.w.norm() + B.w.norm());
 }
 
@@ -138,10 +139,11 @@ void ImpulseStep::note(const StepImpulses& solution, AdvanceReport& report) cons
 
 void ImpulseStep::strike(double h, Cluster& part, AdvanceReport& report) const {
   constexpr int most_passes = 50;
+  std::vector<bool> struck(part.contacts.size(), false);
   for (int pass = 0; pass < most_passes && !part.contacts.empty(); ++pass) {
     // Which contacts close within h, and which of them bounce.
     const ContactSystem system = assembler_.assemble(part, part.contacts);
-    Closing closing = find_closing(h, system);
+    Closing closing = find_closing(h, system, struck);
     if (!closing.closes && !closing.bounces) return;
 
     // Those that bounce collide by the law of the method, as often as it takes.
@@ -171,7 +173,10 @@ void ImpulseStep::strike(double h, Cluster& part, AdvanceReport& report) const {
   }
 }
 
-ImpulseStep::Closing ImpulseStep::find_closing(double h, const ContactSystem& system) const {
+/// `struck`: the contacts that closed before in this step. They collide again with those that close now: one
+/// impact of all of them ends what would be a long exchange of blows between neighbours.
+ImpulseStep::Closing ImpulseStep::find_closing(double h, const ContactSystem& system,
+                                               std::vector<bool>& struck) const {
   constexpr double rounding = 1e-4;  // Of the contact tolerance: closing by less is left to the step.
   const VecX u = relative_velocities(system);
   Closing closing{u + closing_rates(system.contacts, system, h, resolution(h)), {}, false, false};
@@ -188,7 +193,8 @@ ImpulseStep::Closing ImpulseStep::find_closing(double h, const ContactSystem& sy
     const bool bounces =
         meets && contact.restitution > 0 && u_n < (contact.restitution == 1 ? 0 : -resting_velocity_);
     closing.bounces |= bounces;
-    if (closes || bounces || contact.point.gap <= contact_tolerance_) closing.contacts.push_back(contact);
+    if (closes || bounces) struck[i] = true;
+    if (struck[i] || contact.point.gap <= contact_tolerance_) closing.contacts.push_back(contact);
   }
   return closing;
 }

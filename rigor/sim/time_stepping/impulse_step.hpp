@@ -38,7 +38,7 @@ class ImpulseStep {
   };
   double resolution(double h) const;
   double closing_acceleration(const Contact& contact) const;
-  Closing find_closing(double h, const ContactSystem& system) const;
+  Closing find_closing(double h, const ContactSystem& system, std::vector<bool>& struck) const;
   bool touches(const Contact& contact) const;
   bool holds_springs(const StepSpan& span, const Cluster& part) const;
   FreeEnd fly(double h, const Cluster& part, AdvanceReport& report) const;

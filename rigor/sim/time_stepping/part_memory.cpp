@@ -1,6 +1,10 @@
 #include "rigor/sim/time_stepping/part_memory.hpp"
 
+#include "rigor/core/index.hpp"
+#include "rigor/core/interrupt.hpp"
+
 #include <algorithm>
+#include <utility>
 
 namespace rigor {
 
@@ -17,15 +21,36 @@ bool are_same(const std::vector<Contact>& a, const std::vector<Contact>& b) {
 
 }  // namespace
 
-const MovedPart& PartMemory::moved(double h, double theta, const Cluster& part,
-                                   const std::function<MovedPart(const Cluster&)>& move) {
+const MovedPart* PartMemory::find(double h, double theta, const Cluster& part) const {
   const auto known = std::find_if(known_.begin(), known_.end(), [&](const Known& other) {
     return other.h == h && other.theta == theta && other.part.bodies == part.bodies &&
            are_same(other.part.contacts, part.contacts);
   });
-  if (known != known_.end()) return known->moved;
-  known_.push_back({h, theta, part, move(part)});
-  return known_.back().moved;
+  return known == known_.end() ? nullptr : &known->moved;
+}
+
+std::vector<const MovedPart*> PartMemory::moved(double h, double theta, const std::vector<Cluster>& parts,
+                                                const Move& move, const Executor& executor) {
+  // Which parts are known, and which have to be moved.
+  std::vector<const MovedPart*> result;
+  std::vector<std::size_t> fresh;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    result.push_back(find(h, theta, parts[i]));
+    if (result.back() == nullptr) fresh.push_back(i);
+  }
+
+  // Each part is a problem of its own: no thread writes what another reads.
+  std::vector<MovedPart> answers(fresh.size());
+  const std::function<bool()> interrupt = shared_interrupt();
+  executor.for_ranges(static_cast<int>(fresh.size()), 1, [&](int begin, int end) {
+    const InterruptScope scope(interrupt);
+    for (int k = begin; k < end; ++k) answers[at(k)] = move(parts[fresh[at(k)]]);
+  });
+  for (std::size_t k = 0; k < fresh.size(); ++k) {
+    known_.push_back({h, theta, parts[fresh[k]], std::move(answers[k])});
+    result[fresh[k]] = &known_.back().moved;
+  }
+  return result;
 }
 
 }  // namespace rigor

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "rigor/bulk/threads/executor.hpp"
 #include "rigor/sim/islands/cluster.hpp"
 #include "rigor/sim/report/advance_report.hpp"
 
+#include <deque>
 #include <functional>
 #include <vector>
 
@@ -19,12 +21,15 @@ struct MovedPart {
 /// problem again, bit for bit, and its answer is known.
 class PartMemory {
  public:
+  using Move = std::function<MovedPart(const Cluster&)>;
+
   /// Forgets all: another step begins.
   void clear() { known_.clear(); }
-  /// The part moved by h with the share theta as `move` does it, asked only the first time. The reference is
-  /// valid until the next call.
-  const MovedPart& moved(double h, double theta, const Cluster& part,
-                         const std::function<MovedPart(const Cluster&)>& move);
+  /// The parts, of which no two share a body, moved by h with the share theta as `move` does it. Only parts
+  /// that are not known are moved, side by side on the threads of the executor; the answer does not depend on
+  /// them. One pointer per part, valid until clear().
+  std::vector<const MovedPart*> moved(double h, double theta, const std::vector<Cluster>& parts,
+                                      const Move& move, const Executor& executor);
 
  private:
   struct Known {
@@ -32,7 +37,9 @@ class PartMemory {
     Cluster part;
     MovedPart moved;
   };
-  std::vector<Known> known_;
+  const MovedPart* find(double h, double theta, const Cluster& part) const;
+
+  std::deque<Known> known_;
 };
 
 }  // namespace rigor

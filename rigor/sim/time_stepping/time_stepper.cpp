@@ -33,7 +33,8 @@ double displacement(const Body& body, const BodyPhase& from, const BodyPhase& to
 
 }  // namespace
 
-TimeStepper::TimeStepper(std::shared_ptr<const Model> model, const Method& method, double target_step)
+TimeStepper::TimeStepper(std::shared_ptr<const Model> model, const Method& method, double target_step,
+                         int threads)
     : FixedStepStepper(std::move(model), target_step),
       method_(method),
       environment_(*model_),
@@ -41,7 +42,8 @@ TimeStepper::TimeStepper(std::shared_ptr<const Model> model, const Method& metho
       resolver_(*model_, assembler_, method),
       joints_(*model_, assembler_),
       impulses_(*model_, environment_, assembler_, resolver_, joints_, method),
-      contacts_(*model_, environment_, method) {
+      contacts_(*model_, environment_, method),
+      executor_(threads) {
   for (int i = 0; i < model_->body_count(); ++i) {
     const Body& body = model_->body(i);
     if (body.motion == MotionType::dynamic)
@@ -50,6 +52,7 @@ TimeStepper::TimeStepper(std::shared_ptr<const Model> model, const Method& metho
 }
 
 void TimeStepper::begin_span([[maybe_unused]] double first_end, State& state) {
+  if (state.t == 0) admit_overlaps(state);
   admit_velocities(state);
 }
 
@@ -195,16 +198,22 @@ TimeStepper::Trial TimeStepper::try_once(double theta, const State& state, const
 void TimeStepper::move_parts(double theta, const Cluster& start, const std::vector<Contact>& contacts,
                              Trial& trial) {
   trial.end.t = start.t + trial.h;
-  for (const Cluster& part : connected_parts(start, contacts, environment_)) {
-    const MovedPart& moved = moved_.moved(trial.h, theta, part, [&](Cluster moving) {
-      MovedPart result;
-      impulses_.strike(trial.h, moving, result.report);
-      result.struck = moving.phases;
-      impulses_.move(trial.h, theta, moving, result.report);
-      hold_joints(moving, result.report);
-      result.end = std::move(moving.phases);
-      return result;
-    });
+  const std::vector<Cluster> parts = connected_parts(start, contacts, environment_);
+  const auto move = [&](Cluster moving) {
+    MovedPart result;
+    impulses_.strike(trial.h, moving, result.report);
+    result.struck = moving.phases;
+    impulses_.move(trial.h, theta, moving, result.report);
+    hold_joints(moving, result.report);
+    result.end = std::move(moving.phases);
+    return result;
+  };
+  const std::vector<const MovedPart*> all_moved = moved_.moved(trial.h, theta, parts, move, executor_);
+
+  // Entered in the order of the parts.
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const Cluster& part = parts[k];
+    const MovedPart& moved = *all_moved[k];
     trial.report.add(moved.report);
     for (const std::vector<BodyPhase>* phases : {&moved.struck, &moved.end})
       grow_reaches(*model_, environment_, trial.h, part.bodies, *phases, trial.reaches);
@@ -300,6 +309,17 @@ TimeStepper::Lesson TimeStepper::learn_from_end(const State& state, const Trial&
     }
   }
   return lesson;
+}
+
+/// Bodies that overlap at the start of a scene, by no more than counts as touching, are put apart before the
+/// first step: what lifts them is work, and no energy that a step adds.
+void TimeStepper::admit_overlaps(State& state) {
+  const double before = mechanical_energy(*model_, environment_, state).total();
+  const Cluster start = cluster_in(state);
+  Trial trial{.h = 0, .struck = start, .end = start, .reaches = {}, .near = {}};
+  if (correct_overlaps(state, trial) > method_.contact_tolerance) return;
+  write(trial.end, state);
+  report_.work += mechanical_energy(*model_, environment_, state).total() - before;
 }
 
 /// Velocities that joints do not allow, as a scene may have at its start, are projected before the first

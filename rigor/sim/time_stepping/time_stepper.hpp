@@ -21,8 +21,9 @@ struct Energy;
 /// nothing tunnels. docs/theory/time_stepping.md.
 class TimeStepper : public FixedStepStepper {
  public:
-  /// target_step H > 0 [s]: the longest step.
-  TimeStepper(std::shared_ptr<const Model> model, const Method& method, double target_step);
+  /// target_step H > 0 [s]: the longest step. threads >= 1: on which parts that do not touch each other are
+  /// moved side by side; the answer does not depend on it.
+  TimeStepper(std::shared_ptr<const Model> model, const Method& method, double target_step, int threads = 1);
   TimeStepper(const TimeStepper&) = delete;
   TimeStepper& operator=(const TimeStepper&) = delete;
 
@@ -57,6 +58,7 @@ class TimeStepper : public FixedStepStepper {
   Lesson learn_from_way(const State& state, const Trial& trial, Foresight& foresight) const;
   Lesson learn_from_end(const State& state, const Trial& trial, Foresight& foresight);
   void hold_joints(Cluster& part, AdvanceReport& report) const;
+  void admit_overlaps(State& state);
   void admit_velocities(State& state);
   double correct_overlaps(const State& state, Trial& trial);
   std::set<std::pair<int, int>> lasting_pairs(const Cluster& cluster,
@@ -73,7 +75,8 @@ class TimeStepper : public FixedStepStepper {
   ImpulseStep impulses_;
   StepContacts contacts_;
   PartMemory moved_;  ///< The parts of the tries of one step.
-  double lift_ = 0;   ///< Energy that lifts all bodies by the length of the scene [J].
+  Executor executor_;
+  double lift_ = 0;  ///< Energy that lifts all bodies by the length of the scene [J].
 };
 
 }  // namespace rigor
