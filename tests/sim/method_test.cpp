@@ -115,6 +115,7 @@ TEST(CheckCombination, SweepsAreWholeAndHaveTheExactCone) {
 
 TEST(CheckCombination, PlainMicroCollisionsNeedTheImpulseBasedScheme) {
   Method method;
+  method.scheme = Scheme::event_driven;
   method.micro_collisions = MicroCollisionMethod::plain;
   EXPECT_EQ(
       check_combination(method),

@@ -121,6 +121,10 @@ TEST(SchemeRules, TheFirstThatAppliesDecides) {
   SchemeFacts hail{.dynamic_bodies = 40, .colliding_bodies = 40, .bouncing_pairs = 1, .bouncing_apart = 1};
   EXPECT_EQ(chosen(hail), Scheme::hybrid);
   EXPECT_EQ(chosen({.dynamic_bodies = 40, .colliding_bodies = 40}), Scheme::event_driven);
+  SchemeFacts stack{.dynamic_bodies = 50, .colliding_bodies = 50, .resting_bodies = 50};
+  EXPECT_EQ(chosen(stack), Scheme::event_driven);
+  stack.resting_bodies = 49;
+  EXPECT_EQ(chosen(stack), Scheme::time_stepping);
   hail.bouncing_apart = 0;
   EXPECT_EQ(chosen(hail), Scheme::event_driven);
   hail.bouncing_pairs = 0, hail.bouncing_apart = 1;

@@ -35,7 +35,7 @@ enum class ConeMethod { exact, convex, pyramid };
 
 /// Every choice of how a scene is simulated. The defaults are the best that this version offers.
 struct Method {
-  Scheme scheme = Scheme::event_driven;
+  Scheme scheme = Scheme::automatic;
   IntegratorMethod integrator = IntegratorMethod::exact;
   OrientationForm orientation = OrientationForm::quaternion;
   BroadPhaseMethod broad_phase = BroadPhaseMethod::tree;

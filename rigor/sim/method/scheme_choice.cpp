@@ -160,6 +160,11 @@ SchemeFacts scheme_facts(const Model& model, double contact_tolerance) {
   const Touching touching = find_touching(model, contact_tolerance);
   facts.touching_pairs = touching.pairs;
   facts.bouncing_pairs = touching.bouncing_pairs;
+  const State start = make_initial_state(model);
+  facts.resting_bodies = static_cast<int>(std::count_if(colliding.begin(), colliding.end(), [&](int i) {
+    return touching.bodies.contains(i) && start.linear_momentum(i).isZero(0) &&
+           start.angular_momentum(i).isZero(0);
+  }));
   facts.joints = static_cast<int>(model.joints().size());
   facts.has_closed_form = model.joints().empty() && model.forces().empty() &&
                           std::none_of(bodies.begin(), bodies.end(), has_drag);
@@ -168,7 +173,7 @@ SchemeFacts scheme_facts(const Model& model, double contact_tolerance) {
 }
 
 std::span<const SchemeRule> scheme_rules() {
-  static const std::array<SchemeRule, 7> rules = {{
+  static const std::array<SchemeRule, 8> rules = {{
       {"nothing collides and only gravity acts",
        [](const SchemeFacts& facts) { return facts.colliding_bodies == 0 && facts.has_closed_form; },
        {Scheme::event_driven},
@@ -194,6 +199,10 @@ std::span<const SchemeRule> scheme_rules() {
        [](const SchemeFacts& facts) { return facts.colliding_bodies <= few_bodies; },
        {Scheme::event_driven},
        "few bodies have few events, and each is located and solved by itself"},
+      {"more bodies collide, and all of them touch and are at rest at t = 0",
+       [](const SchemeFacts& facts) { return facts.resting_bodies == facts.colliding_bodies; },
+       {Scheme::event_driven},
+       "what rests has no events"},
       {"more bodies collide, and some impacts bounce",
        [](const SchemeFacts& facts) { return facts.highest_restitution > 0; },
        {Scheme::hybrid, Scheme::time_stepping, Scheme::event_driven},

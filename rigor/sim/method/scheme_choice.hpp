@@ -21,6 +21,7 @@ struct SchemeFacts {
   int bouncing_pairs = 0;    ///< Those of them whose restitution is between 0 and 1.
   /// Colliding bodies that touch nothing at t = 0, with a restitution between 0 and 1.
   int bouncing_apart = 0;
+  int resting_bodies = 0;  ///< Colliding bodies that touch something at t = 0 and do not move.
   int joints = 0;
   bool has_closed_form = false;    ///< Nothing but gravity acts between contacts.
   double lowest_restitution = 0;   ///< Of the materials of bodies that may touch; 0 if none may.
