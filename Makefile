@@ -4,7 +4,7 @@ JOBS ?= $(shell nproc)
 BUILD := build/release
 RIGOR := $(BUILD)/rigor
 
-.PHONY: run test build program check check-all bench bench-bulk setup configure clean help
+.PHONY: run test build program package check check-all bench bench-bulk setup configure clean help
 
 run: program
 	@mkdir -p out
@@ -29,6 +29,10 @@ build: configure
 
 program: configure
 	@cmake --build --preset release -j $(JOBS) --target rigor
+
+package: program
+	@cmake --build --preset release -j $(JOBS) --target rigor_library_rigor
+	@cmake --build --preset release --target package
 
 test: build
 	@ctest --preset release -j $(JOBS)
@@ -79,6 +83,7 @@ help:
 	@echo "make test    build, then all tests"
 	@echo "make build   build all, the program and its tests (Release, in $(BUILD))"
 	@echo "make program  build only the program, $(RIGOR)"
+	@echo "make package  a Debian package and a tarball of program, libraries and headers, in $(BUILD)/packages"
 	@echo "make check   formatting, headers alone, clang++ with warnings as errors, its ASan and UBSan under the program and some tests, the viewer"
 	@echo "make check-all  the same with the tests of all layers under ASan and UBSan"
 	@echo "make bench   error and CPU time of the reference scenes, of pictures, impacts, chains, resting contact, heaps, distances and the broad phase, beside the peer engines that are installed"
