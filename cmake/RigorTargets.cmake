@@ -2,13 +2,6 @@
 # so that every compiler and optimisation level gives the same bits.
 option(RIGOR_WERROR "Treat warnings as errors" ${PROJECT_IS_TOP_LEVEL})
 
-# Position-independent objects, which the shared library and the Python module need besides the program. References within
-# the library stay direct, so that they cost nothing.
-option(RIGOR_PIC "Compile the library so that it goes into shared objects" OFF)
-if(BUILD_SHARED_LIBS)
-  set(RIGOR_PIC ON)
-endif()
-
 function(rigor_compile_options target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
     -Wno-missing-field-initializers -ffp-contract=off $<$<BOOL:${RIGOR_WERROR}>:-Werror>)
@@ -17,11 +10,11 @@ function(rigor_compile_options target)
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict;-Wno-array-bounds;-Wno-stringop-overflow>)
 endfunction()
 
+# The program, the libraries and the Python module take the same objects: position-independent, with references within the
+# library that stay direct, which costs nothing that can be measured.
 function(rigor_position_independent target)
-  if(RIGOR_PIC)
-    set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
-    target_compile_options(${target} PRIVATE -fno-semantic-interposition)
-  endif()
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_compile_options(${target} PRIVATE -fno-semantic-interposition)
 endfunction()
 
 # Eigen is in nearly every file: one precompiled header serves all layers and the program.
