@@ -298,6 +298,12 @@ def test_a_wheel_is_installed_without_a_network(tmp_path):
     assert place.startswith(str(tmp_path)) and float(mass) == pytest.approx(4 * np.pi / 3)
 
 
+def test_the_examples_run():
+    folder = pathlib.Path(__file__).parents[2] / "examples" / "python"
+    for example in sorted(folder.glob("*.py")):
+        subprocess.run([sys.executable, example], check=True, capture_output=True)
+
+
 def test_the_page_of_the_documentation(tmp_path, monkeypatch, scenes):
     """Runs each block of Python of docs/python.md, one after another."""
     import re
