@@ -3,6 +3,7 @@
 
 #include <rigor/io/trajectory/audit_json.hpp>
 
+#include <filesystem>
 #include <memory>
 
 namespace rigor::python {
@@ -45,7 +46,7 @@ std::unique_ptr<Record> record(const TextScene& given, const std::optional<doubl
   options.separate = separate;
   options.interrupt = SignalWatch();
   options.scene_text = given.text;
-  options.scene_file = given.file_name;
+  options.scene_file = std::filesystem::path(given.file_name).filename().string();
   options.overrides = given.overrides;
   for (const std::string& file : files) options.files.emplace_back(file);
   if (!progress.is_none()) {

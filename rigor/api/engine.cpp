@@ -222,6 +222,7 @@ std::vector<JointReaction> SimulationEngine::joint_forces() const {
   std::vector<JointReaction> joints = joint_snapshot(*model_with_loads(), method_, state_);
   // What servos and efforts do comes on top of what motors do.
   for (const ModelChanges::Axis& axis : applied_.axes) {
+    if (have_same_springs(axis.laws, scene_.model->joint(axis.joint).axes[at(axis.coordinate)])) continue;
     JointReaction& own = joints[at(axis.joint)];
     const std::size_t k = at(axis.coordinate);
     double off = own.coordinates[k] - axis.laws.rest;

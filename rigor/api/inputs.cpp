@@ -13,12 +13,36 @@
 
 namespace rigor {
 
-JointAxis& SimulationInputs::laws(const Model& model, int joint, int coordinate) {
-  for (ModelChanges::Axis& own : changes.axes) {
-    if (own.joint == joint && own.coordinate == coordinate) return own.laws;
+bool have_same_springs(const JointAxis& a, const JointAxis& b) {
+  return a.stiffness == b.stiffness && a.rest == b.rest && a.damping == b.damping;
+}
+
+namespace {
+
+/// Of the laws that a program sets; limits, restitution and friction are always those of the scene.
+bool are_same_laws(const JointAxis& a, const JointAxis& b) {
+  const bool have_same_motors =
+      a.motor ? b.motor && a.motor->velocity == b.motor->velocity && a.motor->max_force == b.motor->max_force
+              : !b.motor;
+  return have_same_motors && have_same_springs(a, b);
+}
+
+}  // namespace
+
+bool SimulationInputs::set_laws(const Model& scene, int joint, int coordinate, const JointAxis& laws) {
+  const auto own = std::find_if(
+      changes.axes.begin(), changes.axes.end(),
+      [&](const ModelChanges::Axis& axis) { return axis.joint == joint && axis.coordinate == coordinate; });
+  const JointAxis& of_scene = scene.joint(joint).axes[at(coordinate)];
+  if (are_same_laws(own == changes.axes.end() ? of_scene : own->laws, laws)) return false;
+  if (are_same_laws(laws, of_scene)) {
+    changes.axes.erase(own);
+  } else if (own == changes.axes.end()) {
+    changes.axes.push_back({joint, coordinate, laws});
+  } else {
+    own->laws = laws;
   }
-  changes.axes.push_back({joint, coordinate, model.joint(joint).axes[at(coordinate)]});
-  return changes.axes.back().laws;
+  return true;
 }
 
 ModelChanges::Lead& SimulationInputs::lead(int body) {
@@ -45,13 +69,6 @@ double SimulationInputs::effort(int joint, int coordinate) const {
     if (own.joint == joint && own.coordinate == coordinate) return own.effort;
   }
   return 0;
-}
-
-void SimulationInputs::release(int joint, int coordinate) {
-  set_effort({joint, coordinate, 0});
-  std::erase_if(changes.axes, [&](const ModelChanges::Axis& own) {
-    return own.joint == joint && own.coordinate == coordinate;
-  });
 }
 
 bool takes_effort(const Joint& joint, int coordinate) {

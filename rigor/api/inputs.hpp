@@ -20,18 +20,18 @@ struct SimulationInputs {
   ModelChanges changes;  ///< Gravity, surfaces, laws of joints, kinematic bodies; no added forces.
   std::vector<MotorEffort> efforts;
 
-  /// The laws of a coordinate, to be changed; at first those of the model.
-  JointAxis& laws(const Model& model, int joint, int coordinate);
+  /// Sets the laws of a coordinate; those of the scene's model take all back. Whether that changes anything.
+  bool set_laws(const Model& scene, int joint, int coordinate, const JointAxis& laws);
   /// Where a kinematic body goes, to be set.
   ModelChanges::Lead& lead(int body);
   /// Sets an effort; 0 ends it.
   void set_effort(const MotorEffort& effort);
   /// The effort along a coordinate.
   double effort(int joint, int coordinate) const;
-  /// Takes back all that was set for a coordinate: the laws of the model hold again.
-  void release(int joint, int coordinate);
 };
 
+/// Whether two coordinates have the same spring and damper.
+bool have_same_springs(const JointAxis& a, const JointAxis& b);
 /// Whether loads on the two bodies can stand for an effort along that coordinate: its axis is fixed in both.
 bool takes_effort(const Joint& joint, int coordinate);
 /// The loads of an effort on the bodies of its joint: they turn with them. The coordinate takes efforts.

@@ -174,12 +174,9 @@ void Simulation::set_motor_velocity(const JointReference& joint, double velocity
     throw InputError(
         fmt::format("max_force of the motor is {} {}, must be at least 0", max_force, turns ? "N m" : "N"));
   }
-  SimulationInputs& inputs = parts_->engine.inputs();
-  JointAxis& laws = inputs.laws(*scene().model, j, coordinate);
-  if (laws.motor && laws.motor->velocity == velocity && laws.motor->max_force == max_force) return;
-  inputs.set_effort({j, coordinate, 0});
+  JointAxis laws = parts_->laws_of_scene(j, coordinate);
   laws.motor = JointMotor{velocity, max_force};
-  parts_->engine.inputs_changed();
+  parts_->set_motor(j, coordinate, laws, 0);
 }
 
 void Simulation::set_motor_effort(const JointReference& joint, double effort, int coordinate) {
@@ -192,12 +189,9 @@ void Simulation::set_motor_effort(const JointReference& joint, double effort, in
         "cylindrical, screw, the angle of planar); use set_motor_velocity with max_force",
         quoted_text(own.name), joint_traits(own.type).title));
   }
-  SimulationInputs& inputs = parts_->engine.inputs();
-  if (own.axes[at(coordinate)].motor) {
-    inputs.laws(*scene().model, j, coordinate).motor.reset();
-    parts_->engine.inputs_changed();
-  }
-  inputs.set_effort({j, coordinate, effort});
+  JointAxis laws = parts_->laws_of_scene(j, coordinate);
+  laws.motor.reset();
+  parts_->set_motor(j, coordinate, laws, effort);
 }
 
 void Simulation::set_motor_position(const JointReference& joint, double target, double stiffness,
@@ -210,20 +204,17 @@ void Simulation::set_motor_position(const JointReference& joint, double target, 
       turns ? "rad" : "m");
   require_in("stiffness", stiffness, limits::coefficient, turns ? "N m/rad" : "N/m");
   require_in("damping", damping, limits::coefficient, turns ? "N m s/rad" : "N s/m");
-  SimulationInputs& inputs = parts_->engine.inputs();
-  inputs.set_effort({j, coordinate, 0});
-  JointAxis& laws = inputs.laws(*scene().model, j, coordinate);
-  if (!laws.motor && laws.rest == target && laws.stiffness == stiffness && laws.damping == damping) return;
+  JointAxis laws = parts_->laws_of_scene(j, coordinate);
   laws.motor.reset();
   laws.rest = target;
   laws.stiffness = stiffness;
   laws.damping = damping;
-  parts_->engine.inputs_changed();
+  parts_->set_motor(j, coordinate, laws, 0);
 }
 
 void Simulation::release_motor(const JointReference& joint, int coordinate) {
-  parts_->engine.inputs().release(parts_->joint_with(joint, coordinate), coordinate);
-  parts_->engine.inputs_changed();
+  const int j = parts_->joint_with(joint, coordinate);
+  parts_->set_motor(j, coordinate, parts_->laws_of_scene(j, coordinate), 0);
 }
 
 void Simulation::set_gravity(const Vec3& g_W) {

@@ -88,6 +88,16 @@ int Simulation::Parts::joint_with(const JointReference& joint, int coordinate) c
                                             quoted_text(own.name), coordinate, count - 1));
 }
 
+JointAxis Simulation::Parts::laws_of_scene(int joint, int coordinate) const {
+  return engine.scene().model->joint(joint).axes[at(coordinate)];
+}
+
+void Simulation::Parts::set_motor(int joint, int coordinate, const JointAxis& laws, double effort) {
+  SimulationInputs& inputs = engine.inputs();
+  inputs.set_effort({joint, coordinate, effort});
+  if (inputs.set_laws(*engine.scene().model, joint, coordinate, laws)) engine.inputs_changed();
+}
+
 ModelChanges::Surface& Simulation::Parts::surface(std::string_view material) {
   const std::vector<Material>& materials = engine.model().materials();
   for (std::size_t i = 0; i < materials.size(); ++i) {

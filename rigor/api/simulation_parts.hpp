@@ -36,6 +36,10 @@ struct Simulation::Parts {
   int dynamic_body(const BodyReference& body, const char* what) const;
   /// A joint with such a coordinate.
   int joint_with(const JointReference& joint, int coordinate) const;
+  /// The laws of a coordinate as the scene has them.
+  JointAxis laws_of_scene(int joint, int coordinate) const;
+  /// Sets what moves a coordinate, in place of all that did.
+  void set_motor(int joint, int coordinate, const JointAxis& laws, double effort);
   /// The surface of a material, to be changed.
   ModelChanges::Surface& surface(std::string_view material);
   void load(const BodyLoad& load) { (is_controlling ? control_loads : loads).push_back(load); }

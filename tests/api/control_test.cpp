@@ -83,6 +83,31 @@ TEST_P(EveryControlledScheme, AMotorFollowsTargetsAtRunTime) {
   EXPECT_EQ(violations_of(simulation), "");
 }
 
+TEST_P(EveryControlledScheme, AMotorIsInPlaceOfTheLastOne) {
+  // Each of the motors is set while the one before has not yet acted, and after it has.
+  for (const bool acts : {false, true}) {
+    Simulation simulation(scene(wheel_on_hinge));
+    const auto act = [&] {
+      if (acts) simulation.step();
+    };
+    simulation.set_motor_velocity("axle", 4);
+    act();
+    simulation.set_motor_position("axle", 1, 5, 1);
+    act();
+    simulation.set_motor_effort("axle", 0.3);
+    act();
+    simulation.set_motor_velocity("axle", -2);
+    simulation.advance_to(0.5);
+    EXPECT_NEAR(simulation.joint_motion("axle").rates[0], -2, 1e-4);
+    EXPECT_NEAR(simulation.joint_forces("axle").efforts[0], 0, 1e-6);
+    simulation.set_motor_effort("axle", 0.09);
+    simulation.advance_to(1.5);
+    EXPECT_NEAR(simulation.joint_motion("axle").rates[0], -1, 1e-4);
+    EXPECT_NEAR(simulation.joint_forces("axle").efforts[0], 0.09, 1e-12);
+    EXPECT_EQ(violations_of(simulation), "");
+  }
+}
+
 TEST_P(EveryControlledScheme, APositionServoIsADampedOscillator) {
   Simulation simulation(scene(wheel_on_hinge, 0.001));
   // I φ'' = -k (φ - 1) - c φ' with ω = 10 rad/s, critically damped: φ = 1 - (1 + ω t) e^{-ω t}.
