@@ -27,6 +27,11 @@ else
 fi
 trap '[ -z "$viewer" ] || kill "$viewer" 2>/dev/null; rm -f "$viewer_log"' EXIT
 
+echo "== packages"
+cmake --build --preset release -j "$jobs" --target rigor_library_rigor >/dev/null
+[ ! -d build/release/python ] || cmake --build --preset release -j "$jobs" --target rigor_python >/dev/null
+tests/package/check_install.sh build/release . package
+
 echo "== headers stand alone"
 # A source includes its own header first, so building the source tries it; headers without one are compiled by themselves.
 for header in $(git ls-files 'rigor/*.hpp' 'apps/*.hpp'); do

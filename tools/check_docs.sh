@@ -24,7 +24,7 @@ list_files() {
 # Every word of the code, comments left out, and of the names of its files.
 list_words() {
   local code
-  mapfile -t code < <(grep -E '^(rigor|apps|tests|benchmarks|tools|viewer/src|cmake|scenes|schema)/|^CMake|^Makefile$' \
+  mapfile -t code < <(grep -E '^(rigor|apps|python|examples|tests|benchmarks|tools|viewer/src|cmake|scenes|schema)/|^CMake|^Makefile$' \
     "$work/files" | grep -E '\.(hpp|cpp|inl|py|ts|json|yaml|cmake|txt)$|^Makefile$')
   { sed -E 's@(^|[^:"])//.*@\1@; s@^ *\*.*@@' "${code[@]}"; sed 's@[/.]@ @g' "$work/files"; } |
     tr -cs 'A-Za-z0-9_' '\n' | sort -u

@@ -19,6 +19,7 @@ bulk: core math geometry solver model dynamics
 sim: core math geometry solver model dynamics contact bulk
 io: core math geometry model dynamics sim
 view: core math geometry model dynamics sim io
+api: core math geometry model dynamics sim bulk io view
 '
 # layer: its rooms from the lowest up; `.` stands for the files that lie in the folder of the layer itself.
 rooms='
@@ -32,7 +33,8 @@ view: recording 3d plot page live
 '
 
 bad=0
-sources=$(find rigor -name '*.hpp' -o -name '*.cpp' -o -name '*.inl' | LC_ALL=C sort)
+# The headers that users include, rigor/rigor.hpp and rigor/geometry.hpp, stand above all layers.
+sources=$(find rigor -mindepth 2 '(' -name '*.hpp' -o -name '*.cpp' -o -name '*.inl' ')' | LC_ALL=C sort)
 
 # Every file lies in a layer, and in one of its rooms where it has any. (The first line of awk reads the two tables.)
 awk -v layers="$layers" -v rooms="$rooms" '

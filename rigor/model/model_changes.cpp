@@ -1,10 +1,14 @@
 #include "rigor/model/model_changes.hpp"
 
 #include "rigor/core/assert.hpp"
+#include "rigor/core/index.hpp"
 #include "rigor/core/input_error.hpp"
 #include "rigor/core/quoted.hpp"
 #include "rigor/model/findings.hpp"
+#include "rigor/model/joint_axis_checks.hpp"
 #include "rigor/model/limits.hpp"
+
+#include <algorithm>
 
 namespace rigor {
 
@@ -29,6 +33,26 @@ std::shared_ptr<const Model> changed_model(const Model& model, const ModelChange
     Findings findings("", "material " + quoted_text(material.name), messages);
     findings.check("friction", material.friction, limits::friction, "");
     findings.check("restitution", material.restitution, limits::restitution, "");
+  }
+  // Laws of joints keep the limits of the model, which held the coordinate at t = 0.
+  for (const ModelChanges::Axis& change : changes.axes) {
+    Joint& joint = changed.joints_[at(change.joint)];
+    JointAxis& axis = joint.axes[at(change.coordinate)];
+    const double lower = axis.lower, upper = axis.upper;
+    axis = change.laws;
+    axis.lower = lower;
+    axis.upper = upper;
+    const double start = std::clamp(0.0, joint.axes.front().lower, joint.axes.front().upper);
+    Findings findings("", "joint " + quoted_text(joint.name), messages);
+    check_joint_axes(joint.type, joint.axes, start, findings);
+  }
+  for (const ModelChanges::Lead& lead : changes.leads) {
+    Body& body = changed.bodies_[at(lead.body)];
+    body.p_WB = lead.p_WB;
+    body.q_WB = lead.q_WB;
+    body.v_WB = lead.v_WB;
+    body.w_WB = lead.w_WB;
+    body.path = lead.path;
   }
   if (!messages.empty()) throw InputError(std::move(messages));
   changed.forces_.insert(changed.forces_.end(), changes.added_forces.begin(), changes.added_forces.end());

@@ -17,13 +17,29 @@ struct ModelChanges {
   };
   std::vector<Surface> surfaces;    ///< One per material. Pairs with coefficients of their own keep them.
   std::vector<Force> added_forces;  ///< Besides the model's own.
+
+  /// Laws along a coordinate of a joint, in place of the model's own; its limits stay.
+  struct Axis {
+    int joint, coordinate;  ///< Of the model.
+    JointAxis laws;
+  };
+  std::vector<Axis> axes;
+  /// Where a kinematic body goes, in place of the model's own velocities and path.
+  struct Lead {
+    int body;
+    Vec3 p_WB;  ///< At t = 0, as in Body [m].
+    Quat q_WB;
+    Vec3 v_WB, w_WB;  ///< [m/s], [rad/s].
+    std::vector<PathPoint> path;
+  };
+  std::vector<Lead> leads;
 };
 
 /// No change: the gravity and the surfaces of the model.
 ModelChanges unchanged(const Model& model);
 
 /// The model with these changes; the bodies, and so the States that belong to it, are the same. Throws
-/// InputError if a value is outside its limits. added_forces are not checked.
+/// InputError if a value is outside its limits. added_forces and leads are not checked.
 std::shared_ptr<const Model> changed_model(const Model& model, const ModelChanges& changes);
 
 }  // namespace rigor

@@ -1,6 +1,7 @@
 // The ledgers of energy and momentum, on bodies whose momenta are changed by hand.
 
 #include "rigor/sim/report/ledger.hpp"
+#include "rigor/contact/system/work_done.hpp"
 #include "rigor/model/model_builder.hpp"
 
 #include <gtest/gtest.h>

@@ -66,12 +66,15 @@ PenaltyContact make_penalty_contact(const Contact& contact, const ContactMobilit
                                 : *choice.damping / (result.spring.stiffness * std::pow(choice.depth, 1.5));
   }
   result.offset = depth > choice.depth ? depth : 0;
-  const bool has_bristle = contact.friction > 0 && mobility.tangential > 0;
-  if (!has_bristle) return result;
-  result.bristle_stiffness = stiffness_at(result.spring, choice.depth);
-  result.bristle_damping =
-      2 * bristle_damping_ratio * std::sqrt(result.bristle_stiffness / mobility.tangential);
-  return result;
+  return contact.friction > 0 ? with_bristle(result, mobility, choice.depth) : result;
+}
+
+PenaltyContact with_bristle(PenaltyContact contact, const ContactMobility& mobility, double depth) {
+  if (!(mobility.tangential > 0)) return contact;
+  contact.bristle_stiffness = stiffness_at(contact.spring, depth);
+  contact.bristle_damping =
+      2 * bristle_damping_ratio * std::sqrt(contact.bristle_stiffness / mobility.tangential);
+  return contact;
 }
 
 PenaltyContact made_for_speed(PenaltyContact contact, double speed) {

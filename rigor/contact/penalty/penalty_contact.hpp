@@ -57,6 +57,8 @@ inline constexpr double calm_share = 0.1;
 /// A fresh contact that approaches at `speed` [m/s] (separating ones: 0) and is seen at `depth` [m].
 PenaltyContact make_penalty_contact(const Contact& contact, const ContactMobility& mobility,
                                     const PenaltyChoice& choice, double speed, double depth);
+/// The same contact with an undeflected bristle, as friction asks for.
+PenaltyContact with_bristle(PenaltyContact contact, const ContactMobility& mobility, double depth);
 /// The same spring made for another speed: stiffnesses go with its square, dampers keep their ratios.
 PenaltyContact made_for_speed(PenaltyContact contact, double speed);
 

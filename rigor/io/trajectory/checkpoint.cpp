@@ -22,7 +22,7 @@ namespace {
 // visit_numbers, the spans of its schemes (count, then the numbers of visit_span, length and bytes of the
 // cause), its warnings and violations (count, then length and bytes of each), length and bytes of the
 // serialised State, and the FNV-1a hash of everything before it.
-constexpr std::string_view magic = "RIGORCP\x07";
+constexpr std::string_view magic = "RIGORCP\x08";
 
 std::uint64_t checksum(std::string_view bytes) {
   std::uint64_t hash = 14695981039346656037ull;
@@ -38,7 +38,8 @@ void visit_numbers(Part& audit, Visit visit) {
   auto& books = audit.books;
   visit(books.start_time), visit(books.lowest), visit(books.energy_scale);
   visit(books.momentum_scale), visit(books.angular_momentum_scale), visit(books.lowest_of_span);
-  for (auto* energy : {&audit.initial, &audit.final})
+  visit(books.knows_work);
+  for (auto* energy : {&audit.initial, &audit.final, &books.given})
     visit(energy->kinetic), visit(energy->potential), visit(energy->elastic);
   visit(report.steps), visit(report.impacts), visit(report.resting), visit(report.separations);
   visit(report.slip_to_stick), visit(report.distance_queries), visit(report.toi_bracket);
@@ -239,7 +240,11 @@ void write_checkpoint(const std::filesystem::path& path, const Checkpoint& check
 }
 
 Checkpoint read_checkpoint(const std::filesystem::path& path, std::uint64_t fingerprint, const Model& model) {
-  const std::string name = path.string(), bytes = read_bytes(path);
+  return parse_checkpoint(read_bytes(path), path.string(), fingerprint, model);
+}
+
+Checkpoint parse_checkpoint(std::string_view bytes, const std::string& name, std::uint64_t fingerprint,
+                            const Model& model) {
   ByteReader reader(checked_content(bytes, name), name);
   Checkpoint checkpoint;
   checkpoint.fingerprint = reader.read();

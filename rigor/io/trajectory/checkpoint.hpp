@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace rigor {
 
@@ -24,6 +25,9 @@ void write_checkpoint(const std::filesystem::path& path, const Checkpoint& check
 /// another fingerprint, or holds a number or an index that a run of the Model cannot have: a right checksum
 /// does not make the values right.
 Checkpoint read_checkpoint(const std::filesystem::path& path, std::uint64_t fingerprint, const Model& model);
+/// The same of bytes; name appears in messages.
+Checkpoint parse_checkpoint(std::string_view bytes, const std::string& name, std::uint64_t fingerprint,
+                            const Model& model);
 
 /// Joins the audits of a run in two parts: sums and largest values of both, the start of the first and the
 /// end of the second. (A rise of energy is measured within each part.)

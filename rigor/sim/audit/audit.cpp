@@ -61,6 +61,8 @@ Auditor::Auditor(std::shared_ptr<const Model> model, const Method& method, const
   energy_scale_ = earlier.books.energy_scale;
   momentum_scale_ = earlier.books.momentum_scale;
   angular_momentum_scale_ = earlier.books.angular_momentum_scale;
+  given_ = earlier.books.given;
+  promises_.knows_work = promises_.knows_work && earlier.books.knows_work;
 }
 
 void Auditor::observe(const State& state, const AdvanceReport& report) {
@@ -73,10 +75,27 @@ void Auditor::observe(const State& state, const AdvanceReport& report) {
   const double balance = energy_.total() - sum_.work;
   max_increase_ = std::max(max_increase_, balance - lowest_);
   lowest_ = std::min(lowest_, balance);
-  energy_scale_ = std::max({energy_scale_, energy_.kinetic, std::abs(energy_.total() - initial_.total()),
-                            std::abs(energy_.potential - initial_.potential), std::abs(sum_.work)});
+  // Jumps of a potential that is defined up to a constant do not count.
+  energy_scale_ =
+      std::max({energy_scale_, energy_.kinetic, std::abs(energy_.total() - initial_.total() - given_.total()),
+                std::abs(energy_.potential - initial_.potential - given_.potential),
+                std::abs(sum_.work - given_.total())});
   observe_scales(state, report);
   time_ = state.t;
+}
+
+void Auditor::change(std::shared_ptr<const Model> model, const State& state) {
+  model_ = std::move(model);
+  environment_ = std::make_shared<const Environment>(*model_);
+  // What held before is judged by what was promised then.
+  promises_ = weaker_of(promises_, promises_of(*model_, method_));
+  const Energy before = energy_;
+  energy_ = mechanical_energy(*model_, *environment_, state);
+  given_.kinetic += energy_.kinetic - before.kinetic;
+  given_.potential += energy_.potential - before.potential;
+  given_.elastic += energy_.elastic - before.elastic;
+  sum_.work += energy_.total() - before.total();
+  observe_scales(state, {});
 }
 
 void Auditor::balance_spans(const AdvanceReport& report) {
@@ -160,8 +179,8 @@ Audit Auditor::audit(const State& state) const {
   }
   audit.sleeping_count =
       static_cast<int>(std::count(state.quiet_time.begin(), state.quiet_time.end(), asleep));
-  audit.books = {start_time_,    lowest_, energy_scale_, momentum_scale_, angular_momentum_scale_,
-                 lowest_of_span_};
+  audit.books = {start_time_,     lowest_, energy_scale_,       momentum_scale_, angular_momentum_scale_,
+                 lowest_of_span_, given_,  promises_.knows_work};
   judge_spans(audit);
   find_violations(audit);
   find_warnings(audit);

@@ -61,6 +61,9 @@ struct Audit {
     double energy_scale = 0;  ///< Largest energies [J] and momenta seen, to which errors are relative.
     double momentum_scale = 0, angular_momentum_scale = 0;
     double lowest_of_span = 0;  ///< Of E - work, in the span that goes on [J].
+    /// What changes from outside (Auditor::change) have given to the energies at once [J].
+    Energy given;
+    bool knows_work = true;  ///< Whether all work that was done from outside is known.
   };
   Books books;
   /// A part of the run that one scheme carried, with what that scheme promises of it.
@@ -99,6 +102,10 @@ class Auditor {
 
   /// Enters the state after an advance and what its report says.
   void observe(const State& state, const AdvanceReport& report);
+  /// Goes on with a model of the same bodies, and a state at the same time, that somebody has changed from
+  /// outside: what that gave to the energy is work that was supplied. A force that acts for a while is
+  /// thereby booked with its whole work, from its potential where it begins and ends.
+  void change(std::shared_ptr<const Model> model, const State& state);
   /// The audit of the run so far, which ends at this state.
   Audit audit(const State& state) const;
   /// Mechanical energy at the last observation [J] and its largest unexplained rise, for progress displays.
@@ -127,6 +134,7 @@ class Auditor {
   AdvanceReport sum_;
   double lowest_ = 0, max_increase_ = 0;  ///< Of E - work.
   double lowest_of_span_ = 0;             ///< The same within the present span.
+  Energy given_;                          ///< By changes from outside.
   double energy_scale_ = 0;               ///< Largest kinetic energy and change of energy seen [J].
   double momentum_scale_ = 0, angular_momentum_scale_ = 0;
 };

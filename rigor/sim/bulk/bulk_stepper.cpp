@@ -36,7 +36,9 @@ void BulkStepper::begin_span([[maybe_unused]] double first_end, State& state) {
 }
 
 double BulkStepper::step_towards(double t_end, double t, [[maybe_unused]] State& state) {
-  note(world_.step(t_end - t, whole_step()), t, t_end);
+  apply_loads();
+  last_step_ = t_end - t;
+  note(world_.step(last_step_, whole_step()), t, t_end);
   if (const int broken = find_broken_body(); broken >= 0) {
     report_.reason = StopReason::not_finite;
     report_.detail = "body '" + model_->body(broken).name + "'";
@@ -65,6 +67,14 @@ void BulkStepper::end_span(double t, State& state) {
   world_.write(state);
   show_step(t, state);
   state.anchor_here();
+}
+
+void BulkStepper::apply_loads() {
+  for (const BodyLoad& load : loads_) {
+    const Quat& q_WB = world_.bodies().q[at(load.body)];
+    const Wrench& own = load.wrench;
+    world_.add_wrench(load.body, load.turns_with_body ? Wrench{q_WB * own.f_W, q_WB * own.tau_W} : own);
+  }
 }
 
 /// Enters the report of a step from t to t_end [s].

@@ -4,10 +4,19 @@
 #include "rigor/sim/fixed_steps/fixed_step_stepper.hpp"
 
 #include <memory>
+#include <utility>
+#include <vector>
 
 namespace rigor {
 
 struct Method;
+
+/// A force [N] and a torque about the centre of mass [N m] on a dynamic body.
+struct BodyLoad {
+  int body = -1;
+  Wrench wrench;
+  bool turns_with_body = false;  ///< The wrench is given in the body frame B, not in W.
+};
 
 /// Time stepping for many bodies, `solver: substep`: equal steps of the many-body path (BulkWorld).
 /// Velocities and impulses are 32-bit numbers; contacts and joints are stiff springs that give way a little,
@@ -23,7 +32,15 @@ class BulkStepper : public FixedStepStepper {
   /// target_step > 0 [s]: the longest step. threads >= 1.
   BulkStepper(std::shared_ptr<const Model> model, const Method& method, double target_step, int threads);
 
+  /// Loads that act in every step from now on, in place of earlier ones; each is constant within a step.
+  /// Their work is in the report.
+  void set_loads(std::vector<BodyLoad> loads) { loads_ = std::move(loads); }
+  /// The contacts of the last step (BulkWorld::contacts) and its length [s], 0 before the first one.
+  std::vector<BulkContact> contacts() const { return world_.contacts(); }
+  double last_step() const { return last_step_; }
+
  private:
+  void apply_loads();
   void begin_span(double first_end, State& state) override;
   double step_towards(double t_end, double t, State& state) override;
   void show_step(double t, State& state) override;
@@ -33,6 +50,8 @@ class BulkStepper : public FixedStepStepper {
 
   BulkSettings settings_;
   BulkWorld world_;
+  std::vector<BodyLoad> loads_;
+  double last_step_ = 0;
 };
 
 }  // namespace rigor

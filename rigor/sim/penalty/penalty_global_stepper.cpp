@@ -79,6 +79,7 @@ void GlobalPenaltyStepper::take_step(double t_next, State& state) {
 
   // Kick by the environment (half of it if joints split the step), then the impulses of all springs.
   apply_kick(t, is_split ? 0.5 * h : h, KickForm::explicit_kick);
+  if (!is_split) note_power_in_kick(before, h);
   // Bodies with drag get the momenta that their own forces leave them of it.
   const std::vector<BodyPhase> flown = flow_all(h);
   contacts_.update_velocities(t, phases_, touching_);

@@ -293,6 +293,15 @@ Environment::BodyView PenaltyStepper::view_at(std::size_t i, const BodyPhase& ph
           rotation_matrix(phase.q), true};
 }
 
+void PenaltyStepper::note_power_in_kick(const std::vector<BodyPhase>& before, double h) {
+  for (std::size_t i = 0; i < phases_.size(); ++i) {
+    const int body = contacts_.dynamic_bodies()[i];
+    report_.work += 0.5 * h *
+                    (kicks_.supplied_power(body, view_at(i, phases_[i])) -
+                     kicks_.supplied_power(body, view_at(i, before[i])));
+  }
+}
+
 /// Books the work of torques and body-fixed forces on a body that has flown for h: their mean power.
 void PenaltyStepper::note_own_work(std::size_t i, const BodyPhase& before, double h) {
   const int body = contacts_.dynamic_bodies()[i];

@@ -60,6 +60,9 @@ class PenaltyStepper : public FixedStepStepper {
   /// Where its own forces take the i-th body in h: gravity, constant forces and torques, and drag.
   BodyPhase flow(std::size_t i, double h) const;
   Environment::BodyView view_at(std::size_t i, const BodyPhase& phase) const;
+  /// Books what torques and body-fixed forces supply in an explicit kick of h [s] beyond the power at its
+  /// beginning: they act at the mean of the velocities before and after it.
+  void note_power_in_kick(const std::vector<BodyPhase>& before, double h);
   void note_own_work(std::size_t i, const BodyPhase& before, double h);
   void project_joints(double t);
   void write_state(double t, State& state) const;

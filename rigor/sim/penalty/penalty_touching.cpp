@@ -248,13 +248,20 @@ void PenaltyTouching::add_springs(const State& state, Touching& touching) const 
   const ContactSystem& system = touching.system;
   const std::size_t n = system.contacts.size();
   const VecX u = relative_velocities(system);
+  // A remembered contact has no bristle if it began before the surfaces had friction.
+  const auto remembered = [&](std::size_t i, const ContactMemory& memory) {
+    PenaltyContact spring = penalty_contact(choice_, memory);
+    const Contact& contact = system.contacts[i];
+    const bool lacks_bristle = contact.friction > 0 && spring.bristle_stiffness == 0 && !contact.stop;
+    return lacks_bristle ? with_bristle(spring, contact_mobility(system, i), choice_.depth) : spring;
+  };
   // Springs of contacts that the State remembers under the same key.
   MemoryShelf shelf(state.contacts);
   touching.springs.resize(n);
   std::vector<std::size_t> unknown;
   for (std::size_t i = 0; i < n; ++i) {
     if (const ContactMemory* const memory = shelf.take(system.contacts[i].key())) {
-      touching.springs[i] = penalty_contact(choice_, *memory);
+      touching.springs[i] = remembered(i, *memory);
     } else {
       unknown.push_back(i);
     }
@@ -264,7 +271,7 @@ void PenaltyTouching::add_springs(const State& state, Touching& touching) const 
   for (const std::size_t i : unknown) {
     const Contact& contact = system.contacts[i];
     if (const ContactMemory* const memory = shelf.take_of_same_shapes(contact.key())) {
-      touching.springs[i] = penalty_contact(choice_, *memory);
+      touching.springs[i] = remembered(i, *memory);
       continue;
     }
     // What the contact moves: with joints, by the response of the whole mechanism.

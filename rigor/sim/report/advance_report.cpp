@@ -1,5 +1,6 @@
 #include "rigor/sim/report/advance_report.hpp"
 
+#include "rigor/contact/system/work_done.hpp"
 #include "rigor/model/model.hpp"
 
 #include <algorithm>

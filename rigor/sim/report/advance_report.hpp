@@ -1,6 +1,5 @@
 #pragma once
 
-#include "rigor/contact/system/work_done.hpp"
 #include "rigor/math/types.hpp"
 #include "rigor/sim/report/scheme_span.hpp"
 
@@ -10,6 +9,9 @@
 #include <vector>
 
 namespace rigor {
+
+class Model;
+struct WorkDone;
 
 class Model;
 

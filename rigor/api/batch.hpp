@@ -1,0 +1,49 @@
+#pragma once
+
+#include "rigor/api/simulation.hpp"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace rigor {
+
+/// Many worlds that begin as the same scene and go their own ways, on several threads. A world is a
+/// Simulation on one thread; its motion does not depend on the others, nor on how many threads there are.
+class Batch {
+ public:
+  /// count >= 1 worlds; threads >= 1, 0: as many as the machine has. Throws as Simulation does.
+  Batch(const Scene& scene, int count, int threads = 0);
+
+  int size() const { return static_cast<int>(worlds_.size()); }
+  int threads() const { return threads_; }
+  /// Throws InputError for an index that does not exist. A world is used by one thread at a time.
+  Simulation& world(int index);
+  const Simulation& world(int index) const;
+
+  /// Advances every world by one step, or to t [s]. A world that stops stays as it is, with its reason in
+  /// stops(); the others go on. An interrupt of a world, or an error of a controller, is thrown when all have
+  /// ended.
+  void step();
+  void advance_to(double t);
+  /// Calls `work` with every world, on the threads; each call touches its own world only.
+  void for_each(const std::function<void(int index, Simulation& world)>& work);
+  /// Why each world has stopped; empty where it has not. reset() of a world goes with clear_stop().
+  const std::vector<std::string>& stops() const { return stops_; }
+  void clear_stop(int index);
+
+  /// The bodies of all worlds: 13 numbers each, position, orientation (w, x, y, z), velocity, angular
+  /// velocity, body by body and world by world.
+  const std::vector<double>& states();
+
+ private:
+  int checked(int index) const;
+
+  int threads_;
+  std::vector<Simulation> worlds_;
+  std::vector<std::string> stops_;
+  std::vector<double> states_;
+};
+
+}  // namespace rigor

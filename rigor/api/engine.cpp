@@ -1,0 +1,257 @@
+#include "rigor/api/engine.hpp"
+
+#include "rigor/api/simulation_stopped.hpp"
+#include "rigor/core/index.hpp"
+#include "rigor/core/input_error.hpp"
+#include "rigor/core/interrupt.hpp"
+#include "rigor/core/quoted.hpp"
+#include "rigor/dynamics/environment.hpp"
+#include "rigor/dynamics/joint_rows.hpp"
+#include "rigor/model/limits.hpp"
+#include "rigor/sim/bulk/bulk_stepper.hpp"
+#include "rigor/sim/make_stepper.hpp"
+#include "rigor/sim/method/scheme_check.hpp"
+#include "rigor/sim/method/scheme_choice.hpp"
+#include "rigor/sim/simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace rigor {
+
+namespace {
+
+void check_settings(const Scene& scene) {
+  if (!scene.model) throw InputError("the scene has no model; ModelBuilder::build() makes it");
+  std::vector<std::string> messages = check_combination(scene.method);
+  for (std::string& refusal : check_scheme(*scene.model, scene.method))
+    messages.push_back(std::move(refusal));
+  const std::string step = range_error("step", scene.run.step, limits::interval, "s");
+  if (!step.empty()) messages.push_back(step);
+  if (scene.run.threads < 1) messages.push_back("threads must be at least 1");
+  if (!messages.empty()) throw InputError(std::move(messages));
+}
+
+/// The State at t = 0 without overlaps.
+State start_of(const Scene& scene, bool separate) {
+  constexpr std::size_t most_messages = 10;
+  State start = make_initial_state(*scene.model);
+  const double tolerance = scene.method.contact_tolerance;
+  std::vector<Overlap> overlaps = find_overlaps(*scene.model, start, tolerance);
+  if (!overlaps.empty() && separate) overlaps = apply_separation(*scene.model, tolerance, start);
+  std::vector<std::string> messages;
+  for (const Overlap& overlap : overlaps) {
+    if (messages.size() == most_messages) break;
+    messages.push_back(
+        fmt::format("bodies {} and {} overlap by {:.6g} m at t = 0, must be at most {:g} m "
+                    "(method.contact_tolerance); move them, or let them be separated",
+                    quoted_text(scene.model->body(overlap.body_A).name),
+                    quoted_text(scene.model->body(overlap.body_B).name), overlap.depth, tolerance));
+  }
+  if (!messages.empty()) throw InputError(std::move(messages));
+  return start;
+}
+
+}  // namespace
+
+SimulationEngine::SimulationEngine(Scene scene, bool separate) : scene_(std::move(scene)) {
+  check_settings(scene_);
+  method_ = resolve_scheme(*scene_.model, scene_.method).method;
+  inputs_.changes = unchanged(*scene_.model);
+  start_ = start_of(scene_, separate);
+  reset();
+}
+
+SimulationEngine::~SimulationEngine() = default;
+
+void SimulationEngine::reset() {
+  state_ = start_;
+  inputs_.changes.leads.clear();
+  inputs_changed_ = true;
+  applied_ = unchanged(*scene_.model);
+  events_.clear();
+  use(scene_.model, {});
+  auditor_ = std::make_unique<Auditor>(model_, scene_.method, state_);
+}
+
+void SimulationEngine::set_interrupt(std::function<bool()> interrupt) {
+  interrupt_ = std::move(interrupt);
+  stepper_->set_interrupt(interrupt_);
+}
+
+void SimulationEngine::inputs_changed() {
+  inputs_changed_ = true;
+}
+
+/// Goes on with this model, in which these loads act unless the stepper takes them.
+void SimulationEngine::use(std::shared_ptr<const Model> model, std::vector<BodyLoad> loads) {
+  model_ = std::move(model);
+  loads_ = std::move(loads);
+  environment_ = std::make_unique<Environment>(*model_);
+  stepper_ = make_stepper(model_, scene_.method, scene_.run.step, scene_.run.threads);
+  stepper_->set_interrupt(interrupt_);
+  steps_in_bulk_ = dynamic_cast<BulkStepper*>(stepper_.get());
+  if (steps_in_bulk_) steps_in_bulk_->set_loads(loads_);
+}
+
+/// The change may move bodies that sleep.
+void SimulationEngine::wake() {
+  std::fill(state_.quiet_time.begin(), state_.quiet_time.end(), 0.0F);
+}
+
+std::vector<BodyLoad> SimulationEngine::all_loads(const std::vector<BodyLoad>& loads) const {
+  std::vector<BodyLoad> all = loads;
+  for (const MotorEffort& effort : inputs_.efforts) add_effort_loads(*scene_.model, effort, all);
+  return all;
+}
+
+/// Makes the model and the stepper those of the inputs and loads, if these have changed.
+void SimulationEngine::follow_inputs(const std::vector<BodyLoad>& loads) {
+  std::vector<BodyLoad> all = all_loads(loads);
+  const bool are_same = are_same_loads(all, loads_);
+  if (!inputs_changed_ && are_same) return;
+  if (!inputs_changed_ && steps_in_bulk_) {
+    loads_ = std::move(all);
+    steps_in_bulk_->set_loads(loads_);
+    return;
+  }
+  // The past stays as it was: bodies are anchored where they are before another law moves them.
+  ModelChanges changes = inputs_.changes;
+  if (!steps_in_bulk_) changes.added_forces = forces_of_loads(all);
+  std::shared_ptr<const Model> model = changed_model(*scene_.model, changes);
+  state_.anchor_here();
+  wake();
+  use(std::move(model), std::move(all));
+  auditor_->change(model_, state_);
+  applied_ = inputs_.changes;
+  inputs_changed_ = false;
+}
+
+void SimulationEngine::advance(double t, const std::vector<BodyLoad>& loads) {
+  follow_inputs(loads);
+  const State before = state_;
+  AdvanceReport report = stepper_->advance(state_, t);
+  if (report.reason == StopReason::interrupted) {
+    state_ = before;
+    throw Interrupted();
+  }
+  // Momenta whose energy overflows are no numbers for those who read them.
+  if (!std::isfinite(mechanical_energy(*model_, *environment_, state_).total())) {
+    state_ = before;
+    report = {};
+    report.reason = StopReason::not_finite;
+    report.detail = fmt::format("the energy overflows before t = {:.17g} s", t);
+  }
+  auditor_->observe(state_, report);
+  events_.insert(events_.end(), report.events.begin(), report.events.end());
+  if (events_.size() > 2 * most_events)
+    events_.erase(events_.begin(), events_.end() - static_cast<std::ptrdiff_t>(most_events));
+  if (report.reason == StopReason::reached_end) return;
+  throw SimulationStopped(report.reason,
+                          fmt::format("the simulation stopped at t = {:.6g} s: {}", state_.t, report.detail));
+}
+
+void SimulationEngine::set_phase(int body, const Vec3& x, const Quat& q, const Vec3& P, const Vec3& L) {
+  state_.set_body(body, x, q, P, L);
+  wake();
+  auditor_->change(model_, state_);
+}
+
+void SimulationEngine::forget_contacts(int body) {
+  const auto concerns = [body](const auto& memory) { return memory.body_A == body || memory.body_B == body; };
+  std::erase_if(state_.contacts, concerns);
+  std::erase_if(state_.manifolds, concerns);
+}
+
+std::shared_ptr<const Model> SimulationEngine::model_with_loads() const {
+  if (!steps_in_bulk_ || loads_.empty()) return model_;
+  ModelChanges changes = applied_;
+  changes.added_forces = forces_of_loads(loads_);
+  return changed_model(*scene_.model, changes);
+}
+
+/// Contacts of the many-body path: the impulses of its last step, over the step.
+std::vector<TouchingPoint> SimulationEngine::contacts_of_steps() const {
+  std::vector<TouchingPoint> points;
+  const double h = steps_in_bulk_->last_step();
+  if (h == 0) return points;
+  for (const BulkContact& contact : steps_in_bulk_->contacts()) {
+    const double normal = contact.normal_impulse();
+    for (int k = 0; k < contact.point_count; ++k) {
+      const BulkContact::Point& point = contact.points[at(k)];
+      TouchingPoint& own = points.emplace_back(TouchingPoint{.body_A = contact.body_A,
+                                                             .body_B = contact.body_B,
+                                                             .p_W = point.p_W,
+                                                             .n_W = contact.n_W,
+                                                             .gap = point.gap});
+      const auto velocity = [&](int body) {
+        return Vec3(linear_velocity(*model_, state_, body) +
+                    angular_velocity(*model_, state_, body).cross(point.p_W - state_.position(body)));
+      };
+      own.u_W = velocity(contact.body_B) - velocity(contact.body_A);
+      if (normal <= 0) continue;
+      // Friction acts in the middle; each point has the part of it that it presses.
+      const double share = point.normal_impulse / normal;
+      own.force_W = (point.normal_impulse * contact.n_W + share * contact.friction_impulse_W) / h;
+      own.mode = TouchingPoint::Mode::stick;
+      const Body &A = model_->body(contact.body_A), &B = model_->body(contact.body_B);
+      const double friction =
+          model_->coefficients(A.shapes[at(contact.shape_A)].material, B.shapes[at(contact.shape_B)].material)
+              .friction;
+      constexpr double sliding_share = 0.999;
+      if (contact.friction_impulse_W.norm() >= sliding_share * friction * normal)
+        own.mode = TouchingPoint::Mode::slide;
+    }
+  }
+  return points;
+}
+
+std::vector<TouchingPoint> SimulationEngine::contacts() const {
+  return steps_in_bulk_ ? contacts_of_steps() : contact_snapshot(*model_, method_, state_);
+}
+
+std::vector<JointReaction> SimulationEngine::joint_motions() const {
+  return rigor::joint_motions(*model_, state_);
+}
+
+std::vector<JointReaction> SimulationEngine::joint_forces() const {
+  std::vector<JointReaction> joints = joint_snapshot(*model_with_loads(), method_, state_);
+  // What servos and efforts do comes on top of what motors do.
+  for (const ModelChanges::Axis& axis : applied_.axes) {
+    if (have_same_springs(axis.laws, scene_.model->joint(axis.joint).axes[at(axis.coordinate)])) continue;
+    JointReaction& own = joints[at(axis.joint)];
+    const std::size_t k = at(axis.coordinate);
+    double off = own.coordinates[k] - axis.laws.rest;
+    if (is_periodic(model_->joint(axis.joint).type, axis.coordinate))
+      off = std::remainder(off, 2 * std::numbers::pi);
+    own.efforts[k] -= axis.laws.stiffness * off + axis.laws.damping * own.rates[k];
+  }
+  for (const MotorEffort& effort : inputs_.efforts)
+    joints[at(effort.joint)].efforts[at(effort.coordinate)] += effort.effort;
+  return joints;
+}
+
+std::vector<MotionEvent> SimulationEngine::take_events() {
+  std::vector<MotionEvent> taken;
+  taken.swap(events_);
+  if (taken.size() > most_events)
+    taken.erase(taken.begin(), taken.end() - static_cast<std::ptrdiff_t>(most_events));
+  return taken;
+}
+
+double SimulationEngine::energy() const {
+  return mechanical_energy(*model_, *environment_, state_).total();
+}
+
+Audit SimulationEngine::audit() const {
+  Audit audit = auditor_->audit(state_);
+  audit.duration = state_.t;
+  audit.step = scene_.run.step;
+  return audit;
+}
+
+}  // namespace rigor
