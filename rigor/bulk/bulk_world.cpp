@@ -14,6 +14,7 @@
 #include "rigor/bulk/state/prescribed_bodies.hpp"
 #include "rigor/bulk/step_balance.hpp"
 #include "rigor/bulk/step_forces.hpp"
+#include "rigor/bulk/threads/subnormals.hpp"
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/core/interrupt.hpp"
@@ -158,6 +159,8 @@ void BulkWorld::set_contact_filter(std::function<bool(int, int)> may_touch) {
 }
 
 void BulkWorld::read(const State& state) {
+  // As steps compute, so that a fresh world continues with the same bits.
+  const SubnormalScope no_subnormals(Subnormals::flushed);
   scratch_->forces.clear_given();
   t_ = state.t;
   bodies_ = read_bulk_bodies(*model_, state);
@@ -190,6 +193,8 @@ void BulkWorld::wake(int body) {
 BulkStepReport BulkWorld::step(double h, double whole) {
   Scratch& s = *scratch_;
   RIGOR_ASSERT(0 < h && h <= whole);
+  // What comes to rest has many subnormal numbers, at which processors are slow.
+  const SubnormalScope no_subnormals(Subnormals::flushed);
   // Forces of the step before act for a shorter time.
   if (h != whole) memory_ = memory_.scaled(static_cast<float>(h / whole));
   const Executor::Team team(s.executor);
