@@ -3,6 +3,7 @@
 #include "rigor/bulk/broad_phase/pair_finder.hpp"
 #include "rigor/bulk/contacts/bounce_limits.hpp"
 #include "rigor/bulk/contacts/bulk_contacts.hpp"
+#include "rigor/bulk/contacts/elastic_tilts.hpp"
 #include "rigor/bulk/contacts/energy_bound.hpp"
 #include "rigor/bulk/direct/direct_islands.hpp"
 #include "rigor/bulk/gyroscopic/gyroscopic_terms.hpp"
@@ -44,6 +45,7 @@ struct BulkWorld::Scratch {
         pair_finder(model),
         narrow_phase(model),
         contacts(model),
+        tilts(model),
         direct(model),
         joints(model),
         gyroscopic_terms(model),
@@ -58,6 +60,7 @@ struct BulkWorld::Scratch {
   PairFinder pair_finder;
   NarrowPhase narrow_phase;
   BulkContacts contacts;
+  ElasticTilts tilts;
   DirectIslands direct;
   BulkJoints joints;
   GyroscopicTerms gyroscopic_terms;
@@ -238,6 +241,7 @@ BulkStepReport BulkWorld::take_step(double h, double whole) {
                         report = describe_contacts(*model_, s.pairs, s.manifolds);
                         find_touching_bodies();
                         find_direct_islands(substep);
+                        s.tilts.find(s.contacts.manifolds(), h, s.executor, bodies_);
                       });
   // Forces are constant for the step; gyroscopic terms and joints are prepared for it.
   begin_bulk_step(*model_, s.executor, bodies_, s.touches);
