@@ -73,7 +73,7 @@ BulkContact read_contact(const SolvedManifold& manifold, const ManifoldMemory& k
   contact.part = key.part;
   contact.n_W = frame.n;
   // Places are those of the beginning of the step, when the contact was found; bodies have moved since.
-  contact.center_W = bodies.x[a] - Vec3(moved[0], moved[1], moved[2]) + frame.rA;
+  contact.center_W = bodies.x[a] - Vec3(moved[0], moved[1], moved[2]) + found_arm(manifold, bodies);
   contact.point_count = key.point_count;
   // Points, with the impulses that they had in the whole step.
   for (std::size_t k = 0; k < at(key.point_count); ++k) {

@@ -3,6 +3,7 @@
 #include "rigor/bulk/broad_phase/pair_finder.hpp"
 #include "rigor/bulk/contacts/bounce_limits.hpp"
 #include "rigor/bulk/contacts/bulk_contacts.hpp"
+#include "rigor/bulk/contacts/elastic_tilts.hpp"
 #include "rigor/bulk/contacts/energy_bound.hpp"
 #include "rigor/bulk/direct/direct_islands.hpp"
 #include "rigor/bulk/gyroscopic/gyroscopic_terms.hpp"
@@ -14,6 +15,7 @@
 #include "rigor/bulk/state/prescribed_bodies.hpp"
 #include "rigor/bulk/step_balance.hpp"
 #include "rigor/bulk/step_forces.hpp"
+#include "rigor/bulk/threads/subnormals.hpp"
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/core/interrupt.hpp"
@@ -43,6 +45,7 @@ struct BulkWorld::Scratch {
         pair_finder(model),
         narrow_phase(model),
         contacts(model),
+        tilts(model),
         direct(model),
         joints(model),
         gyroscopic_terms(model),
@@ -57,6 +60,7 @@ struct BulkWorld::Scratch {
   PairFinder pair_finder;
   NarrowPhase narrow_phase;
   BulkContacts contacts;
+  ElasticTilts tilts;
   DirectIslands direct;
   BulkJoints joints;
   GyroscopicTerms gyroscopic_terms;
@@ -158,6 +162,8 @@ void BulkWorld::set_contact_filter(std::function<bool(int, int)> may_touch) {
 }
 
 void BulkWorld::read(const State& state) {
+  // As steps compute, so that a fresh world continues with the same bits.
+  const SubnormalScope no_subnormals(Subnormals::flushed);
   scratch_->forces.clear_given();
   t_ = state.t;
   bodies_ = read_bulk_bodies(*model_, state);
@@ -190,6 +196,8 @@ void BulkWorld::wake(int body) {
 BulkStepReport BulkWorld::step(double h, double whole) {
   Scratch& s = *scratch_;
   RIGOR_ASSERT(0 < h && h <= whole);
+  // What comes to rest has many subnormal numbers, at which processors are slow.
+  const SubnormalScope no_subnormals(Subnormals::flushed);
   // Forces of the step before act for a shorter time.
   if (h != whole) memory_ = memory_.scaled(static_cast<float>(h / whole));
   const Executor::Team team(s.executor);
@@ -233,6 +241,7 @@ BulkStepReport BulkWorld::take_step(double h, double whole) {
                         report = describe_contacts(*model_, s.pairs, s.manifolds);
                         find_touching_bodies();
                         find_direct_islands(substep);
+                        s.tilts.find(s.contacts.manifolds(), h, s.executor, bodies_);
                       });
   // Forces are constant for the step; gyroscopic terms and joints are prepared for it.
   begin_bulk_step(*model_, s.executor, bodies_, s.touches);

@@ -17,7 +17,7 @@ namespace rigor {
 struct BulkSettings {
   int substeps = 6;       ///< >= 1, of equal length.
   int threads = 1;        ///< >= 1. The answer does not depend on it.
-  bool measures = false;  ///< Whether a step reports impacts, work, momentum error and contacts.
+  bool measures = false;  ///< Whether a step reports impacts, work and momentum error.
   bool sleeping = false;  ///< Whether bodies at rest are left alone (Sleepers).
   SleepRules sleep_rules;
 };
@@ -63,8 +63,8 @@ class BulkWorld {
   bool is_asleep(int body) const;
   /// Keeps a body awake in the next step, with all that it touches.
   void wake(int body);
-  /// All manifolds of the last step in the order of their keys, if it was measured, except those of sleeping
-  /// bodies, for which nothing was computed.
+  /// All manifolds of the last step in the order of their keys, except those of sleeping bodies, for which
+  /// nothing was computed.
   std::vector<BulkContact> contacts() const;
   /// The memories of the contacts at the end of the last step, in the order of their keys.
   const ManifoldMemories& memory() const { return memory_; }

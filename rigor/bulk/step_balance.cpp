@@ -71,16 +71,21 @@ void StepBalance::end(const BulkBodies& bodies, const std::vector<MotionRow>& ac
     if (is_booked(bodies, i)) given += h * masses_[at(i)] * vector_of(accelerations[at(i)].data());
   }
   // Contacts give the impulse that comes from other bodies; impacts and the work of kinematic bodies are read
-  // on the way.
-  contacts.for_contacts([&](const SolvedManifold& manifold, const ManifoldMemory& key, bool is_new) {
+  // on the way. Contacts that last between two bodies of the balance give it nothing.
+  const auto is_wanted = [&](int a, int b, bool is_new) {
+    return is_new || is_booked(bodies, a) != is_booked(bodies, b) ||
+           bodies.is_dynamic(a) != bodies.is_dynamic(b);
+  };
+  const auto note = [&](const SolvedManifold& manifold, const ManifoldMemory& key, bool is_new) {
     const ManifoldWrench on_B = total_wrench(manifold);
     if (is_new && approach_speed(manifold) > impact_speed) {
-      const Vec3 p_W = bodies.x[at(key.body_A)] + manifold.frame.rA;
+      const Vec3 p_W = bodies.x[at(key.body_A)] + found_arm(manifold, bodies);
       report.impacts.push_back({key.body_A, key.body_B, p_W, on_B.impulse});
     }
     book(bodies, key.body_A, key.body_B, on_B.impulse, given);
     report.work += work_of_mover(manifold, bodies);
-  });
+  };
+  contacts.for_contacts(is_wanted, note);
   // Islands that were solved directly have contacts of their own.
   for (const BulkContact& contact : direct.contacts()) {
     if (contact.is_new && contact.approach_speed > impact_speed)

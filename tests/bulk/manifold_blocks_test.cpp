@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <utility>
 #include <vector>
@@ -311,6 +313,29 @@ TEST(ContactSpring, ASpringTakesItsOverlapBackAtItsRate) {
   EXPECT_NEAR(softness.mass_scale + softness.impulse_scale, 1, 1e-6);
   const double a = kH * omega * (2 * 5 + kH * omega);
   EXPECT_NEAR(softness.impulse_scale, 1 / (1 + a), 1e-6);
+}
+
+TEST(RememberedImpulses, OfCornersThatAreCalledOtherwiseGoOn) {
+  // Features: crossings of edges are small numbers, vertices of A have bit 30.
+  constexpr std::uint32_t vertex = 1U << 30;
+  ManifoldMemory memory;
+  memory.point_count = 4;
+  memory.feature = {1, 2, 3, vertex};
+  memory.normal_impulse = {0.5F, 1, 2, 4};
+  const ManifoldMemories memories({memory});
+  const auto impulses_of = [&](const std::vector<std::uint32_t>& features) {
+    Manifold manifold{{0, 0, 1}, static_cast<int>(features.size()), {}};
+    for (std::size_t k = 0; k < features.size(); ++k) manifold.points[k].feature = features[k];
+    return remembered_impulses(memories.view(0), ManifoldView(manifold));
+  };
+  using Impulses = std::array<float, Manifold::max_points>;
+  EXPECT_EQ(impulses_of({1, 2, 3, vertex}), (Impulses{0.5F, 1, 2, 4}));
+  EXPECT_EQ(impulses_of({3, 2, 1, vertex}), (Impulses{2, 1, 0.5F, 4}));
+  // Two crossings are vertices now.
+  EXPECT_EQ(impulses_of({1, vertex, vertex + 1, vertex + 2}), (Impulses{0.5F, 4, 1.5F, 1.5F}));
+  // A crossing that comes for one that is gone is elsewhere; a point that is gone takes its impulse along.
+  EXPECT_EQ(impulses_of({1, 2, 7, vertex}), (Impulses{0.5F, 1, 0, 4}));
+  EXPECT_EQ(impulses_of({1, 3, vertex}), (Impulses{0.5F, 2, 4, 0}));
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ TEST(BulkSimulation, ForcesActForOneStepAndImpulsesAtOnce) {
 TEST(BulkSimulation, WorkOfGivenForcesIsReported) {
   ModelBuilder builder = with_floor();
   builder.add_body(test::stepping_body("b", Box{Vec3(0.5, 0.3, 0.2)}, Vec3(0, 0, 50)));
-  BulkSimulation simulation(builder.build());
+  BulkSimulation simulation(builder.build(), {.measures = true});
   simulation.set_velocity(1, Vec3(2, 0, 0), Vec3(0, 0, 3));
   simulation.apply_force(1, Vec3(6, 0, 0));
   simulation.apply_torque(1, Vec3(0, 0, 0.5));
@@ -80,7 +80,7 @@ TEST(BulkSimulation, ContactImpulsesAreTheChangeOfMomentum) {
     builder.add_body(body);
   }
   const std::shared_ptr<const Model> model = builder.build();
-  BulkSimulation simulation(model, {.sleeping = false});
+  BulkSimulation simulation(model, {.sleeping = false, .measures = true});
   double largest = 0, most_carried = 0;
   for (int k = 0; k < 120; ++k) {
     std::vector<Vec3> change;
@@ -135,7 +135,7 @@ TEST(BulkSimulation, ContactsHaveThePointsNormalAndFrictionOfABlockThatIsPulled)
 TEST(BulkSimulation, BallThatIsDroppedHitsOnceAndRestsAndLeaves) {
   ModelBuilder builder = with_floor();
   builder.add_body(test::stepping_body("ball", Sphere{0.5}, Vec3(0, 0, 1.5)));
-  BulkSimulation simulation(builder.build());
+  BulkSimulation simulation(builder.build(), {.measures = true});
   int begins = 0, ends = 0, impacts = 0;
   std::vector<BulkContact> hits;
   double change = 0;  // Of the velocity, in the step of the hit.
@@ -198,7 +198,7 @@ TEST(BulkSimulation, LiftedLoadGetsTheWorkOfTheLift) {
   ModelBuilder builder = with_floor();
   builder.add_body(kinematic("lift", Box{Vec3(0.5, 0.5, 0.05)}, Vec3(0, 0, 1)));
   builder.add_body(test::stepping_body("load", Box{Vec3(0.2, 0.2, 0.2)}, Vec3(0.1, 0.1, 1.25)));
-  BulkSimulation simulation(builder.build());
+  BulkSimulation simulation(builder.build(), {.measures = true});
   for (int k = 0; k < 60; ++k) simulation.step();
   const double from = simulation.pose(2).p.z();
   double work = 0;
@@ -313,6 +313,29 @@ TEST(BulkSimulation, FloorThatIsTakenAwayWakesAll) {
   simulation.set_model(builder.build());
   for (int k = 0; k < 30; ++k) simulation.step();
   EXPECT_LT(simulation.pose(0).p.z(), -0.5);
+}
+
+TEST(BulkSimulation, MeasuresChangeTheReportAndNothingElse) {
+  ModelBuilder builder = with_floor(0.5);
+  builder.add_body(test::stepping_body("ball", Sphere{0.5}, Vec3(0, 0, 1)));
+  builder.add_body(test::stepping_body("box", Box{Vec3(0.5, 0.3, 0.2)}, Vec3(0.2, 0, 2)));
+  const std::shared_ptr<const Model> model = builder.build();
+  BulkSimulation off(model), on(model, {.measures = true});
+  std::size_t impacts = 0;
+  for (int k = 0; k < 90; ++k) {
+    const BulkStepReport plain = off.step(), measured = on.step();
+    impacts += measured.impacts.size();
+    EXPECT_TRUE(plain.impacts.empty());
+    EXPECT_EQ(plain.work, 0);
+    EXPECT_EQ(plain.max_overlap, measured.max_overlap);
+    ASSERT_EQ(off.contacts().size(), on.contacts().size());
+    for (std::size_t i = 0; i < on.contacts().size(); ++i)
+      EXPECT_EQ(off.contacts()[i].impulse_W(), on.contacts()[i].impulse_W());
+    EXPECT_EQ(off.hits(0.1).size(), on.hits(0.1).size());
+    EXPECT_EQ(off.events(), on.events());
+  }
+  EXPECT_GE(impacts, 2u);
+  EXPECT_EQ(off.state(), on.state());
 }
 
 }  // namespace

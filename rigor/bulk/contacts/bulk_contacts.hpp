@@ -68,13 +68,20 @@ class BulkContacts {
   /// were added up. is_new: it had no impulse at the end of the step before.
   template <class Visit>
   void for_contacts(const Visit& visit) const {
+    for_contacts([](int, int, bool) { return true; }, visit);
+  }
+  /// The same for those of which is_wanted(body_A, body_B, is_new): the others are not read.
+  template <class IsWanted, class Visit>
+  void for_contacts(const IsWanted& is_wanted, const Visit& visit) const {
     if (!blocks_.has_totals()) return;
     blocks_.for_totals(0, blocks_.count(), [&](const auto& block, const auto& total, int number) {
       for (int lane = 0; lane < kLaneCount; ++lane) {
         const int manifold = manifold_of(number, lane);
         if (manifold < 0) continue;
         const std::size_t i = at(manifold);
-        visit(read(block, total, lane, i), manifolds_.key(i), manifolds_.is_new(i));
+        const bool is_new = manifolds_.is_new(i);
+        if (is_wanted(manifolds_.body_A(i), manifolds_.body_B(i), is_new))
+          visit(read(block, total, lane, i), manifolds_.key(i), is_new);
       }
     });
   }

@@ -8,6 +8,12 @@
 
 namespace rigor {
 
+Vec3 found_arm(const SolvedManifold& manifold, const BulkBodies& bodies) {
+  const Vec3& r = manifold.frame.rA;
+  if (bodies.tilts.empty()) return r;
+  return r + vector_of(bodies.tilts[at(manifold.body_A)].data()).cross(r);
+}
+
 ManifoldWrench total_wrench(const SolvedManifold& manifold) {
   const ManifoldFrame& f = manifold.frame;
   double pressed = 0, about_t1 = manifold.impulses.roll[0], about_t2 = manifold.impulses.roll[1];

@@ -5,6 +5,10 @@
 
 namespace rigor {
 
+/// The centre of a manifold from that of body A, in W [m], where it was found: without the turn of its arm by
+/// BulkBodies::tilts.
+Vec3 found_arm(const SolvedManifold& manifold, const BulkBodies& bodies);
+
 /// All that a manifold did to body B in a step: the impulse at its centre [N s] and the moment of it about
 /// the centre [N m s], in W. Body A has got the opposite.
 struct ManifoldWrench {

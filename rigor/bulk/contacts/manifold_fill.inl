@@ -121,10 +121,19 @@ RIGOR_FLOAT_LANES void put_inertia(const FloatSym3& I, LaneArray (&rows)[1]) {
   put(I.xx, rows[0]);
 }
 
+/// The tilts by which springs let bodies lean.
+RIGOR_FLOAT_LANES FloatVec3 gather_tilts(const std::array<std::int32_t, kLaneCount>& indices,
+                                         const BulkBodies& bodies) {
+  std::array<const float*, kLaneCount> from;
+  for (std::size_t i = 0; i < kLaneCount; ++i) from[i] = bodies.tilts.data()[indices[i]].data();
+  const TwoSquares tilt = gather_fours(from);
+  return {tilt.a, tilt.b, tilt.c};
+}
+
 /// Normals, points and arms. x_BA [m]: from the centres of the bodies A to those of the bodies B.
 template <class Block>
 RIGOR_FLOAT_LANES BlockFrame fill_geometry(std::span<const BlockLane> lanes, const FloatVec3& x_BA,
-                                           const IntLanes& is_there, Block& block) {
+                                           const IntLanes& is_there, const BulkBodies& bodies, Block& block) {
   // Empty lanes repeat the first manifold.
   const FloatLanes zero = splat(0), one = splat(1);
   std::array<const float*, kLaneCount> from;
@@ -166,14 +175,20 @@ RIGOR_FLOAT_LANES BlockFrame fill_geometry(std::span<const BlockLane> lanes, con
   // The centre of the manifold is the mean of its points.
   const FloatLanes per_count = one / __builtin_convertvector(point_counts, FloatLanes);
   f.rA = per_count * sum;
+  const FloatVec3 centre = f.rA;
   f.rB = f.rA - x_BA;
+  if (!bodies.tilts.empty()) {
+    // Without the tilts φ by which springs let the bodies lean, r - φ × r.
+    f.rA = fused_cross(f.rA, gather_tilts(block.body_A, bodies), f.rA);
+    f.rB = fused_cross(f.rB, gather_tilts(block.body_B, bodies), f.rB);
+  }
   put(f.rA, block.rA);
   put(f.rB, block.rB);
 
   // Where the points are in the frame, from the centre.
   if constexpr (Block::kind.turns()) {
     for (std::size_t k = 0; k < count; ++k) {
-      const FloatVec3 arm = p[k] - f.rA;
+      const FloatVec3 arm = p[k] - centre;
       const IntLanes is_point = lane(block.points[k].mass) > zero;
       const FloatLanes p1 = is_point ? fused_dot(f.t1, arm) : zero;
       const FloatLanes p2 = is_point ? fused_dot(f.t2, arm) : zero;
@@ -299,7 +314,7 @@ void fill(std::span<const BlockLane> lanes, const BulkBodies& bodies, ManifoldBl
   put_inertia(own.IA, block.IA);
   put_inertia(own.IB, block.IB);
   const FloatVec3 apart = {load(x_BA[0]), load(x_BA[1]), load(x_BA[2])};
-  const BlockFrame f = fill_geometry(lanes, apart, is_there, block);
+  const BlockFrame f = fill_geometry(lanes, apart, is_there, bodies, block);
   fill_impulses(lanes, f, block);
   fill_laws(lanes, block);
   find_responses(f, own, block);

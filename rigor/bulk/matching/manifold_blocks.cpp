@@ -17,16 +17,53 @@ float remembered_impulse(const ManifoldMemories::View& memory, std::uint32_t fea
   return 0;
 }
 
+namespace {
+
+/// Whether a feature is a crossing of edges, a vertex of A, of B, or of both: where two edges lie on each
+/// other, rounding decides which of them a corner is called after. Crossings that come and go are corners
+/// elsewhere.
+std::uint32_t feature_kind(std::uint32_t feature) {
+  return feature >> 30;
+}
+
+}  // namespace
+
 std::array<float, Manifold::max_points> remembered_impulses(const ManifoldMemories::View& memory,
                                                             const ManifoldView& manifold) {
-  const std::size_t count = at(manifold.point_count);
+  const std::size_t count = at(manifold.point_count), remembered = at(memory.point_count);
   std::array<float, Manifold::max_points> impulses{};
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::uint32_t feature = manifold.points[i].feature;
-    // While bodies rest, points are the same and in the same order; else the feature is searched for.
-    const bool is_same =
-        i < at(memory.point_count) && std::bit_cast<std::uint32_t>(memory.feature[i]) == feature;
-    impulses[i] = is_same ? memory.normal_impulse[i] : remembered_impulse(memory, feature);
+  const auto is_feature_of = [&](std::size_t k, std::size_t i) {
+    return std::bit_cast<std::uint32_t>(memory.feature[k]) == manifold.points[i].feature;
+  };
+  // While bodies rest, points are the same and in the same order.
+  std::size_t same = 0;
+  for (; same < std::min(count, remembered) && is_feature_of(same, same); ++same)
+    impulses[same] = memory.normal_impulse[same];
+  if (same == count || same == remembered) return impulses;
+
+  // Else the features are searched for.
+  std::array<bool, Manifold::max_points> is_new{};
+  for (std::size_t i = same; i < count; ++i) {
+    std::size_t k = 0;
+    while (k < remembered && !is_feature_of(k, i)) ++k;
+    is_new[i] = k == remembered;
+    if (!is_new[i]) impulses[i] = memory.normal_impulse[k];
+  }
+  // Those that are gone leave their impulse to new ones of another kind.
+  for (std::size_t k = same; k < remembered; ++k) {
+    const auto takes_over = [&](std::size_t i) {
+      return is_new[i] && feature_kind(std::bit_cast<std::uint32_t>(memory.feature[k])) !=
+                              feature_kind(manifold.points[i].feature);
+    };
+    int heirs = 0;
+    bool is_there = false;
+    for (std::size_t i = 0; i < count; ++i) {
+      is_there = is_there || is_feature_of(k, i);
+      heirs += takes_over(i) ? 1 : 0;
+    }
+    for (std::size_t i = 0; i < count && !is_there; ++i) {
+      if (takes_over(i)) impulses[i] += memory.normal_impulse[k] / static_cast<float>(heirs);
+    }
   }
   return impulses;
 }

@@ -146,7 +146,9 @@ struct BlockLane {
 
 /// The normal impulse that the memory holds for a feature [N s]; 0 if it has none.
 float remembered_impulse(const ManifoldMemories::View& memory, std::uint32_t feature);
-/// The remembered normal impulse of each point of a manifold [N s].
+/// The normal impulse with which each point of a manifold begins [N s]: what is remembered of its feature.
+/// New features share the impulses of those of another kind that are gone: a corner of aligned boxes is now a
+/// vertex, now a crossing of edges.
 std::array<float, Manifold::max_points> remembered_impulses(const ManifoldMemories::View& memory,
                                                             const ManifoldView& manifold);
 

@@ -30,6 +30,9 @@ struct alignas(64) MotionRecord {
 /// linear, unused, angular, unused.
 using MotionRow = std::array<float, 8>;
 
+/// A rotation vector of a body along W's axes, and one number more.
+using TiltRow = std::array<float, 4>;
+
 /// Inverse inertia about the centre of mass in W at the beginning of the step [1/(kg m^2)]; 0 for bodies that
 /// stand.
 struct alignas(32) InverseInertia {
@@ -85,6 +88,8 @@ struct BulkBodies {
   /// Angular momenta [kg m²/s] between two steps. The State holds these: angular velocities follow from them
   /// by a rounding that is not undone when they are computed back.
   std::vector<Vec3> L;
+  /// By what the arms of contacts are turned back in the step [rad] (ElasticTilts); empty if none is.
+  std::vector<TiltRow> tilts;
 
   int count() const { return static_cast<int>(x.size()); }
   /// Whether impulses move the body: it is dynamic and does not sleep. The others stand, or move as

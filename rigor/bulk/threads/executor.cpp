@@ -1,6 +1,7 @@
 #include "rigor/bulk/threads/executor.hpp"
 
 #include "rigor/bulk/threads/shared_loop.hpp"
+#include "rigor/bulk/threads/subnormals.hpp"
 #include "rigor/core/assert.hpp"
 
 #include <oneapi/tbb/info.h>
@@ -26,8 +27,13 @@ struct Executor::Team::Helpers {
   explicit Helpers(Pool& owner) : pool(owner) {
     pool.loop.open();
     pool.has_team = true;
-    pool.arena.execute([this] {
-      for (int i = 1; i < pool.arena.max_concurrency(); ++i) group.run([this] { pool.loop.help(); });
+    const Subnormals subnormals = subnormals_now();
+    const auto help = [this, subnormals] {
+      const SubnormalScope scope(subnormals);
+      pool.loop.help();
+    };
+    pool.arena.execute([&] {
+      for (int i = 1; i < pool.arena.max_concurrency(); ++i) group.run(help);
     });
   }
   ~Helpers() {
@@ -68,10 +74,12 @@ void Executor::for_ranges(int count, int grain, const std::function<void(int, in
   const auto begin_of = [&](int k) {
     return static_cast<int>(static_cast<std::int64_t>(count) * k / ranges);
   };
-  pool_->arena.execute([&] {
-    tbb::parallel_for(
-        0, ranges, [&](int k) { body(begin_of(k), begin_of(k + 1)); }, tbb::simple_partitioner());
-  });
+  const Subnormals subnormals = subnormals_now();
+  const auto run_range = [&](int k) {
+    const SubnormalScope scope(subnormals);
+    body(begin_of(k), begin_of(k + 1));
+  };
+  pool_->arena.execute([&] { tbb::parallel_for(0, ranges, run_range, tbb::simple_partitioner()); });
 }
 
 void Executor::run_both(const std::function<void()>& one, const std::function<void()>& other) const {

@@ -7,7 +7,7 @@ namespace rigor {
 
 /// Runs the iterations of a loop on one or more threads. Loops must be such that their result does not depend
 /// on which thread runs which iteration: nothing is added up across iterations, and no iteration writes what
-/// another reads.
+/// another reads. All threads take subnormal numbers as the one that calls does (subnormals.hpp).
 class Executor {
  public:
   /// threads >= 1. One means the caller's own thread: no other is started. There are never more threads than
@@ -29,7 +29,8 @@ class Executor {
 
   /// As long as a Team lives, the other threads wait for loops and do nothing else, so that short loops are
   /// worth sharing: a thread that has to be woken arrives after some 10 µs, one that waits after less than
-  /// one. There is one Team at a time, on the thread that calls for_ranges().
+  /// one. There is one Team at a time, on the thread that calls for_ranges(),
+  /// which takes subnormal numbers in the same way as long as it lives.
   class Team {
    public:
     explicit Team(const Executor& executor);

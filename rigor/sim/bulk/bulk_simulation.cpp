@@ -28,7 +28,7 @@ void BulkSimulation::start(const State& state) {
   settings.substeps = options_.substeps;
   settings.threads = options_.threads;
   settings.sleeping = options_.sleeping;
-  settings.measures = true;
+  settings.measures = options_.measures;
   queries_.reset();
   world_ = std::make_unique<BulkWorld>(model_, settings);
   if (may_touch_) world_->set_contact_filter(may_touch_);

@@ -25,6 +25,9 @@ class BulkSimulation {
     int substeps = 6;        ///< Per step, >= 1.
     int threads = 1;         ///< >= 1.
     bool sleeping = true;    ///< Whether bodies at rest are left alone.
+    /// Whether step() reports impacts, work and the error of momentum, for an audit; contacts(), hits() and
+    /// events() do not need it.
+    bool measures = false;
   };
 
   /// Starts from the Model's own initial state.
