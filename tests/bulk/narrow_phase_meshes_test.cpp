@@ -233,12 +233,12 @@ Shape beam_cross() {
 
 /// Bodies about a solid with sharp edges, that bend outwards and inwards, and corners.
 TEST(NarrowPhaseMeshes, EdgesAndCornersAreTouchedWhereTheyAre) {
-  Draw draw(7);
+  Draw draw(77);
   const Shape ground = beam_cross();
   int touching = 0;
   for (int kind = 0; kind < kKinds; ++kind) {
     if (kind == kCylinder) continue;
-    for (int k = 0; k < 150; ++k) {
+    for (int k = 0; k < 1500; ++k) {
       Ground scene(ground, shape_of_kind(draw, kind), k % 2 == 0);
       Pose X_WB{draw.rotation(), 2.5 * draw.direction()};
       const Vec3 inwards = -X_WB.p.normalized();
@@ -251,7 +251,7 @@ TEST(NarrowPhaseMeshes, EdgesAndCornersAreTouchedWhereTheyAre) {
       touching += scene.manifolds(X_WB, 0.01f).empty() ? 0 : 1;
     }
   }
-  EXPECT_GT(touching, 300);
+  EXPECT_GT(touching, 3000);
 }
 
 /// What is inside a closed mesh, touching none of its triangles, is shown the way out.

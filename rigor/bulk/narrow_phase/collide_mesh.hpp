@@ -78,7 +78,7 @@ class MeshMeeting {
   void try_ridge(const MeshView& view, std::size_t first, int side, int second);
   bool find_on_segment(const MeshView& view, const Vec3f& to, int triangle, int side, Ridge& ridge);
   std::optional<int> touch_round(const EdgePart& edge, Ridge& ridge) const;
-  std::optional<int> touch_polytope(const EdgePart& edge, Ridge& ridge);
+  std::optional<int> touch_polytope(const MeshView& view, const EdgePart& edge, Ridge& ridge);
   bool is_normal(const MeshView& view, const Ridge& ridge, int vertex) const;
   void add_face(const MeshView& view, Facet& facet);
   void find_region(const MeshView& view, const FloatMesh::Triangle& triangle, const Facet& facet);

@@ -185,7 +185,7 @@ bool MeshMeeting::find_on_segment(const MeshView& view, const Vec3f& to, int tri
                       end >= 1 ? ridge.ends[1] : -1};
   ridge.part = static_cast<int>(view.mesh->triangles.size()) + part.number;
   const bool is_round = pair_.b.hull->face_count == 0;
-  const std::optional<int> vertex = is_round ? touch_round(part, ridge) : touch_polytope(part, ridge);
+  const std::optional<int> vertex = is_round ? touch_round(part, ridge) : touch_polytope(view, part, ridge);
   return vertex && is_normal(view, ridge, *vertex);
 }
 
@@ -210,13 +210,19 @@ std::optional<int> MeshMeeting::touch_round(const EdgePart& edge, Ridge& ridge) 
 }
 
 /// Of a box or a hull; returns the end of the edge at which it is deepest, as above.
-std::optional<int> MeshMeeting::touch_polytope(const EdgePart& edge, Ridge& ridge) {
+std::optional<int> MeshMeeting::touch_polytope(const MeshView& view, const EdgePart& edge, Ridge& ridge) {
   const FloatHull& hull = *pair_.b.hull;
   place_segment(*segment_, edge.p, edge.u, pair_);
   SeparatingAxis axis;
   Vec3f guess = facets_[at(ridge.first)].n;
   if (ridge.second >= 0) guess += facets_[at(ridge.second)].n;
-  const std::optional<Vec3f> n = find_polytope_candidates(pair_, margin_, {guess, 0}, axis);
+  std::optional<Vec3f> n = find_polytope_candidates(pair_, margin_, {guess, 0}, axis);
+  // A face of the core that is preferred to its edge does only if its normal is one of the surface.
+  ridge.n = n.value_or(axis.n);
+  if (n && axis.kind == SeparatingAxis::Kind::edges && *n != axis.n && !is_normal(view, ridge, -1)) {
+    pair_.candidates.clear();
+    n = cross_edges(axis, pair_) ? axis.n : join_nearest_edges(axis.n, axis.separation, margin_, pair_);
+  }
   if (!n || pair_.candidates.empty()) return std::nullopt;
   ridge.n = *n;
   ridge.gap = std::numeric_limits<float>::infinity();
