@@ -63,7 +63,8 @@ void print_row(const std::string& scene, const Model& model, const BulkRow& row,
   const BulkQuality& quality = row.quality;
   const std::string faster = peer_ms > 0 ? fmt::format("{:.2f}", peer_ms / row.cpu_ms) : "-";
   const bool is_pile = scene.find("pyr") != std::string::npos || scene == "e_towers";
-  const char* fate = !quality.is_finite ? "NOT FINITE" : !is_pile ? "" : quality.stands ? "stands" : "fell";
+  std::string fate = !quality.is_finite ? "NOT FINITE" : !is_pile ? "" : quality.stands ? "stands" : "fell";
+  if (quality.end.lost_bodies > 0) fate += fmt::format(" {} fell out", quality.end.lost_bodies);
   fmt::print(
       "{:<13} {:>6} {:<16} {:>8.3f} {:>8.3f} {:>7} | {:>7.2f} {:>7.2f} {:>6.2f} {:>6} | {:>8.5f} {:>7.4f} "
       "{:>7.4f} | {} {}\n",

@@ -4,6 +4,7 @@
 #include "bulk_engines.hpp"
 
 #include "rigor/geometry/shape/convex_hull.hpp"
+#include "rigor/geometry/shape/triangle_mesh.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <btBulletDynamicsCommon.h>
@@ -41,6 +42,7 @@ class BulletBulkEngine : public BulkEngine {
  private:
   btRigidBody& at(int body) const { return *bodies_[static_cast<std::size_t>(body)]; }
   btCollisionShape* shape_of(const Shape& shape);
+  btCollisionShape* shape_of(const Mesh& mesh);
   btCollisionShape* shape_of(const Body& body);
   void add_body(const Body& body);
   void add_joint(const Joint& joint);
@@ -55,7 +57,8 @@ class BulletBulkEngine : public BulkEngine {
   btDiscreteDynamicsWorld world_{&dispatcher_, &broadphase_, &solver_, &configuration_};
   /// Equal shapes are one: type, numbers.
   std::map<std::array<double, 4>, btCollisionShape*> equal_shapes_;
-  std::map<const ConvexHull*, btCollisionShape*> hull_shapes_;
+  std::map<const void*, btCollisionShape*> shared_shapes_;  ///< Of hulls and meshes.
+  std::vector<std::unique_ptr<btTriangleMesh>> meshes_;
   std::vector<std::unique_ptr<btCollisionShape>> shapes_;
   std::vector<std::unique_ptr<btRigidBody>> bodies_;
   std::vector<std::unique_ptr<btTypedConstraint>> joints_;
@@ -84,24 +87,48 @@ std::unique_ptr<btCollisionShape> new_shape(const Shape& shape) {
     return std::make_unique<btCapsuleShapeZ>(static_cast<btScalar>(capsule->radius),
                                              static_cast<btScalar>(2 * capsule->half_length));
   }
+  if (const Cylinder* cylinder = std::get_if<Cylinder>(&shape)) {
+    return std::make_unique<btCylinderShapeZ>(
+        to_bullet(Vec3(cylinder->radius, cylinder->radius, cylinder->half_length)));
+  }
   std::unique_ptr<btConvexHullShape> hull = std::make_unique<btConvexHullShape>();
   for (const Vec3& vertex : std::get<Convex>(shape).hull->vertices) hull->addPoint(to_bullet(vertex), false);
   hull->recalcLocalAabb();
   return hull;
 }
 
+/// Only of bodies that stand still.
+btCollisionShape* BulletBulkEngine::shape_of(const Mesh& mesh) {
+  btCollisionShape*& found = shared_shapes_[mesh.mesh.get()];
+  if (found != nullptr) return found;
+  meshes_.push_back(std::make_unique<btTriangleMesh>());
+  for (const std::array<int, 3>& triangle : mesh.mesh->triangles) {
+    const auto corner = [&](std::size_t k) {
+      return to_bullet(mesh.mesh->vertices[static_cast<std::size_t>(triangle[k])]);
+    };
+    meshes_.back()->addTriangle(corner(0), corner(1), corner(2));
+  }
+  shapes_.push_back(std::make_unique<btBvhTriangleMeshShape>(meshes_.back().get(), true));
+  return found = shapes_.back().get();
+}
+
 btCollisionShape* BulletBulkEngine::shape_of(const Shape& shape) {
+  if (const Mesh* mesh = std::get_if<Mesh>(&shape)) return shape_of(*mesh);
   std::array<double, 4> key = {static_cast<double>(shape.index()), 0, 0, 0};
   if (const Sphere* sphere = std::get_if<Sphere>(&shape)) key[1] = sphere->radius;
   if (const Capsule* capsule = std::get_if<Capsule>(&shape)) {
     key[1] = capsule->radius;
     key[2] = capsule->half_length;
   }
+  if (const Cylinder* cylinder = std::get_if<Cylinder>(&shape)) {
+    key[1] = cylinder->radius;
+    key[2] = cylinder->half_length;
+  }
   if (const Box* box = std::get_if<Box>(&shape)) {
     for (std::size_t k = 0; k < 3; ++k) key[k + 1] = box->half_extents[static_cast<Eigen::Index>(k)];
   }
   const Convex* convex = std::get_if<Convex>(&shape);
-  btCollisionShape*& found = convex ? hull_shapes_[convex->hull.get()] : equal_shapes_[key];
+  btCollisionShape*& found = convex ? shared_shapes_[convex->hull.get()] : equal_shapes_[key];
   if (!found) {
     shapes_.push_back(new_shape(shape));
     found = shapes_.back().get();
@@ -145,10 +172,20 @@ void BulletBulkEngine::add_body(const Body& body) {
   world_.addRigidBody(&added);
 }
 
-/// Ball joints; their bodies do not collide.
+/// Ball joints and hinges with limits; their bodies do not collide.
 void BulletBulkEngine::add_joint(const Joint& joint) {
-  joints_.push_back(std::make_unique<btPoint2PointConstraint>(
-      at(joint.body_A), at(joint.body_B), to_bullet(joint.X_AF.p), to_bullet(joint.X_BK.p)));
+  if (joint.type == JointType::hinge) {
+    std::unique_ptr<btHingeConstraint> hinge = std::make_unique<btHingeConstraint>(
+        at(joint.body_A), at(joint.body_B), to_bullet(joint.X_AF), to_bullet(joint.X_BK));
+    // Bullet counts the angle the other way round.
+    if (!joint.axes.empty() && joint.axes[0].is_limited())
+      hinge->setLimit(static_cast<btScalar>(-joint.axes[0].upper),
+                      static_cast<btScalar>(-joint.axes[0].lower));
+    joints_.push_back(std::move(hinge));
+  } else {
+    joints_.push_back(std::make_unique<btPoint2PointConstraint>(
+        at(joint.body_A), at(joint.body_B), to_bullet(joint.X_AF.p), to_bullet(joint.X_BK.p)));
+  }
   world_.addConstraint(joints_.back().get(), true);
 }
 

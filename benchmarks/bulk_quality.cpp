@@ -4,9 +4,11 @@
 
 #include "rigor/geometry/broad_phase/box_pairs.hpp"
 #include "rigor/geometry/distance/distance.hpp"
+#include "rigor/geometry/shape/support.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -87,10 +89,28 @@ void note_motion(const Model& model, const State& start, const State& state, Bul
   if (count > 0) figures.rms_speed = std::sqrt(sum / count);
 }
 
-double ball_joint_error(const Model& model, const State& state) {
+/// How many bodies have fallen out of the scene, if something stands still in it.
+int count_lost(const Model& model, const State& state) {
+  const Vec3 up = -model.g_W().normalized();
+  double lowest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < model.body_count(); ++i) {
+    if (model.body(i).motion == MotionType::dynamic) continue;
+    for (const BodyShape& part : model.body(i).shapes) {
+      const Pose X_WS = pose_of(state, i) * part.X_BS;
+      lowest = std::min(lowest, up.dot(X_WS * support_point(part.shape, X_WS.R.transpose() * -up)));
+    }
+  }
+  int lost = 0;
+  for (int i = 0; i < model.body_count(); ++i)
+    lost += model.body(i).motion == MotionType::dynamic && up.dot(state.position(i)) < lowest;
+  return lost;
+}
+
+/// Of joints that hold a point: balls and hinges.
+double joint_anchor_error(const Model& model, const State& state) {
   double worst = 0;
   for (const Joint& joint : model.joints()) {
-    if (joint.type != JointType::ball) continue;
+    if (joint.type != JointType::ball && joint.type != JointType::hinge) continue;
     const Vec3 p_WF = joint.body_A == world_body ? joint.X_AF.p : pose_of(state, joint.body_A) * joint.X_AF.p;
     const Vec3 p_WK = joint.body_B == world_body ? joint.X_BK.p : pose_of(state, joint.body_B) * joint.X_BK.p;
     worst = std::max(worst, (p_WK - p_WF).norm());
@@ -113,7 +133,8 @@ BulkFigures bulk_figures(const Model& model, const State& start, const State& st
   if (!figures.is_finite) return figures;
   note_overlaps(model, state, figures);
   note_motion(model, start, state, figures);
-  figures.joint_error = ball_joint_error(model, state);
+  figures.lost_bodies = count_lost(model, state);
+  figures.joint_error = joint_anchor_error(model, state);
   return figures;
 }
 

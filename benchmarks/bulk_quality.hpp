@@ -16,8 +16,9 @@ struct BulkFigures {
   double rms_speed = 0;     ///< Of the centres of mass of dynamic bodies [m/s].
   double drift_across = 0;  ///< Farthest from where a body began, across gravity [m].
   double drift_down = 0;    ///< Farthest down or up [m].
-  double joint_error = 0;   ///< Farthest apart of the two anchors of a ball joint [m].
+  double joint_error = 0;   ///< Farthest apart of the two anchors of a ball joint or hinge [m].
   double energy = 0;        ///< Kinetic and of gravity [J].
+  int lost_bodies = 0;      ///< Centres lower than all that stands still: they went through it or past it.
 };
 
 /// Figures of `state` against the State at t = 0. Overlaps are signed distances of geometry/.

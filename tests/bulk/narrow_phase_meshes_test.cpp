@@ -1,8 +1,10 @@
+#include "bulk/face_preference.hpp"
 #include "geometry/random_pairs.hpp"
 #include "rigor/bulk/narrow_phase/narrow_phase.hpp"
 #include "rigor/geometry/contacts/contact_set.hpp"
 #include "rigor/geometry/decomposition/make_mesh.hpp"
 #include "rigor/geometry/distance/distance.hpp"
+#include "rigor/geometry/distance/point_distance.hpp"
 #include "rigor/geometry/mesh/triangle_tree.hpp"
 #include "rigor/geometry/shape/height_field.hpp"
 #include "rigor/geometry/shape/triangle_mesh.hpp"
@@ -139,46 +141,65 @@ TEST(NarrowPhaseMeshes, ABoxStandsOnItsCornersWhereverItSlides) {
   }
 }
 
-/// Each contact of contact_set is in a manifold of its normal that is at least as deep, and each manifold is
-/// of such contacts.
-void expect_contact_set(Ground& scene, const Pose& X_WB, float margin, const std::string& where) {
+/// Points are where they say they are: gap apart along the normal, on the surface of either shape. The least
+/// gap is the distance, or where a face is preferred to an edge, more by no more than the preference; nothing
+/// is deeper than the deepest overlap. Balls have exactly the contacts of contact_set.
+void expect_true_contacts(Ground& scene, const Pose& X_WB, float margin, const std::string& where) {
   const std::vector<Manifold> found = scene.manifolds(X_WB, margin);
-  const Pose ground_pose;
-  const std::vector<ContactPoint> contacts =
-      scene.is_first ? contact_set(scene.ground, ground_pose, scene.other, X_WB, margin)
-                     : contact_set(scene.other, X_WB, scene.ground, ground_pose, margin);
-  const auto normal_of = [](const Manifold& m) { return Vec3(m.normal[0], m.normal[1], m.normal[2]); };
-  constexpr double angle = 2e-3;  // Contacts of normals within a milliradian are one manifold.
-  std::vector<double> deepest(found.size(), INFINITY);
-  for (const ContactPoint& contact : contacts) {
-    bool is_there = false;
-    for (std::size_t k = 0; k < found.size(); ++k) {
-      if ((normal_of(found[k]) - contact.n_W).norm() > angle) continue;
-      is_there = is_there || least_gap(found[k]) <= contact.gap + kRounding;
-      deepest[k] = std::min(deepest[k], contact.gap);
+  const double distance = signed_distance(scene.ground, Pose{}, scene.other, X_WB).distance;
+  const double preference = test::face_preference(Box{Vec3(9, 9, 9)}, scene.other, distance);
+  double least = INFINITY;
+  for (const Manifold& manifold : found) {
+    EXPECT_LE(manifold.point_count, Manifold::max_points) << where;
+    const Vec3 n = scene.normal(manifold);
+    for (int k = 0; k < manifold.point_count; ++k) {
+      const ManifoldPoint& point = manifold.points[static_cast<std::size_t>(k)];
+      const double gap = point.gap;
+      // The manifold's points are relative to body A.
+      const Vec3 middle =
+          Vec3(point.p[0], point.p[1], point.p[2]) + (scene.is_first ? Vec3(Vec3::Zero()) : X_WB.p);
+      const double above_ground = point_distance(scene.ground, Pose{}, middle - 0.5 * gap * n).distance;
+      const double above_other = point_distance(scene.other, X_WB, middle + 0.5 * gap * n).distance;
+      EXPECT_NEAR(above_ground, 0, 2 * kRounding) << where;
+      // A point of a capsule is at an end of its axis, and may be inside beside it.
+      EXPECT_LE(above_other, 2 * kRounding) << where;
+      if (!std::holds_alternative<Capsule>(scene.other)) {
+        EXPECT_GE(above_other, -2 * kRounding) << where;
+      }
+      least = std::min(least, gap);
     }
-    EXPECT_TRUE(is_there) << where;
   }
-  for (std::size_t k = 0; k < found.size(); ++k) {
-    EXPECT_NEAR(least_gap(found[k]), deepest[k], kRounding) << where << " manifold " << k;
-    EXPECT_LE(found[k].point_count, Manifold::max_points) << where;
+  if (distance < margin - preference - kRounding) {
+    EXPECT_GE(least, distance - preference - kRounding) << where;
+    EXPECT_LE(least, distance + preference + kRounding) << where;
+  }
+  if (!std::holds_alternative<Sphere>(scene.other)) return;
+  for (const ContactPoint& contact : contact_set(scene.ground, Pose{}, scene.other, X_WB, margin)) {
+    EXPECT_TRUE(std::any_of(found.begin(), found.end(), [&](const Manifold& manifold) {
+      return (scene.normal(manifold) - contact.n_W).norm() < 2e-3 &&
+             std::abs(least_gap(manifold) - contact.gap) < kRounding;
+    })) << where;
   }
 }
 
-TEST(NarrowPhaseMeshes, HillsHaveTheContactsOfContactSet) {
+TEST(NarrowPhaseMeshes, HillsAreTouchedWhereTheyAre) {
   Draw draw(2);
-  const auto height = [](double x, double y) { return 0.3 * std::sin(1.7 * x) * std::cos(1.3 * y); };
-  const Shape ground = field(height);
   int touching = 0, several = 0;
+  // Gentle and steep hills.
+  std::vector<Shape> grounds;
+  for (const double steepness : {0.02, 0.1, 0.3, 0.5})
+    grounds.push_back(
+        field([&](double x, double y) { return steepness * std::sin(1.7 * x) * std::cos(1.3 * y); }));
   for (int kind = 0; kind < kKinds; ++kind) {
     for (int k = 0; k < 60; ++k) {
+      const Shape& ground = grounds[static_cast<std::size_t>(k) % grounds.size()];
       Ground scene(ground, shape_of_kind(draw, kind), k % 2 == 0);
       Pose X_WB = draw.pose(2.5);
       X_WB.p.z() += 1;
       const double gap = draw.uniform(-0.005, 0.012);
       for (int step = 0; step < 20; ++step)
         X_WB.p.z() += gap - signed_distance(ground, Pose{}, scene.other, X_WB).distance;
-      expect_contact_set(scene, X_WB, 0.01f, std::to_string(kind) + " no " + std::to_string(k));
+      expect_true_contacts(scene, X_WB, 0.01f, std::to_string(kind) + " no " + std::to_string(k));
       const std::size_t count = scene.manifolds(X_WB, 0.01f).size();
       touching += count > 0;
       several += count > 1;
@@ -187,6 +208,60 @@ TEST(NarrowPhaseMeshes, HillsHaveTheContactsOfContactSet) {
   // Valleys hold bodies at more than one slope.
   EXPECT_GT(touching, 150);
   EXPECT_GT(several, 20);
+}
+
+/// A solid of many triangles with corners and edges that bend both ways: a cross of two beams.
+Shape beam_cross() {
+  const double a = 0.3, b = 1.2, c = 0.25;
+  const std::vector<Vec2> outline = {{a, a},   {b, a},   {b, -a}, {a, -a}, {a, -b}, {-a, -b},
+                                     {-a, -a}, {-b, -a}, {-b, a}, {-a, a}, {-a, b}, {a, b}};
+  const int n = static_cast<int>(outline.size());
+  PolygonMesh solid;
+  for (const double z : {-c, c})
+    for (const Vec2& p : outline) solid.vertices.push_back(Vec3(p.x(), p.y(), z));
+  std::vector<int> top, bottom;
+  // The outline runs clockwise.
+  for (int k = 0; k < n; ++k) {
+    bottom.push_back(k);
+    top.push_back(n + n - 1 - k);
+    solid.faces.push_back({n + k, n + (k + 1) % n, (k + 1) % n, k});
+  }
+  solid.faces.push_back(bottom);
+  solid.faces.push_back(top);
+  return make_mesh(std::make_shared<const TriangleMesh>(triangulated(solid)));
+}
+
+/// Bodies about a solid with sharp edges, that bend outwards and inwards, and corners.
+TEST(NarrowPhaseMeshes, EdgesAndCornersAreTouchedWhereTheyAre) {
+  Draw draw(77);
+  const Shape ground = beam_cross();
+  int touching = 0;
+  for (int kind = 0; kind < kKinds; ++kind) {
+    if (kind == kCylinder) continue;
+    for (int k = 0; k < 1500; ++k) {
+      Ground scene(ground, shape_of_kind(draw, kind), k % 2 == 0);
+      Pose X_WB{draw.rotation(), 2.5 * draw.direction()};
+      const Vec3 inwards = -X_WB.p.normalized();
+      const double gap = draw.uniform(-0.005, 0.012);
+      for (int step = 0; step < 30; ++step) {
+        const double distance = signed_distance(ground, Pose{}, scene.other, X_WB).distance;
+        X_WB.p += 0.9 * (distance - gap) * inwards;
+      }
+      expect_true_contacts(scene, X_WB, 0.01f, std::to_string(kind) + " no " + std::to_string(k));
+      touching += scene.manifolds(X_WB, 0.01f).empty() ? 0 : 1;
+    }
+  }
+  EXPECT_GT(touching, 3000);
+}
+
+/// What is inside a closed mesh, touching none of its triangles, is shown the way out.
+TEST(NarrowPhaseMeshes, WhatIsInsideIsShownTheWayOut) {
+  const Shape ground = field([](double, double) { return 0.0; });
+  Ground scene(ground, Sphere{0.1}, true);
+  const std::vector<Manifold> found = scene.manifolds({Mat3::Identity(), Vec3(0.1, 0.2, -0.3)}, 0.01f);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(scene.normal(found[0]).z(), 1, 1e-6);
+  EXPECT_NEAR(least_gap(found[0]), -0.4, kRounding);
 }
 
 /// In a valley of two slopes a ball touches both, and nothing but them.

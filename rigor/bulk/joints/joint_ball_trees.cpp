@@ -7,10 +7,6 @@ namespace rigor {
 
 namespace {
 
-/// Bodies that rotate by less in a substep [rad] need one correction: it leaves this part of its own size,
-/// which is that of the change by a substep's accelerations.
-constexpr float kSmallAngle = 0.01F;
-
 JointSlot& parent_of(const JointLink& link, JointBlock& block) {
   return block.slots[at(link.parent)];
 }
@@ -33,20 +29,6 @@ RIGOR_FLOAT_LANES void spread_all(JointBlock& block) {
     }
     add_change(child);
   }
-}
-
-/// 1 in lanes with a body that rotates by more than kSmallAngle in a substep, else 0.
-RIGOR_FLOAT_LANES FloatLanes fast_lanes(float h, const JointBlock& block) {
-  FloatLanes fastest = float_lanes(0);
-  for (const JointSlot& slot : block.slots) fastest = float_max(fastest, dot(slot.w, slot.w));
-  const FloatLanes most = float_lanes(kSmallAngle * kSmallAngle / (h * h));
-  return fastest > most ? float_lanes(1) : float_lanes(0);
-}
-
-RIGOR_FLOAT_LANES bool is_zero(const FloatLanes& x) {
-  bool all = true;
-  for (int i = 0; i < kLaneCount; ++i) all = all && x[i] == 0;
-  return all;
 }
 
 /// One correction of the velocities, so that the joints hold after the substep. Lanes in which `part` is 0

@@ -4,7 +4,11 @@
 #include "rigor/core/index.hpp"
 #include "rigor/math/rotation.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <numbers>
+#include <tuple>
+#include <utility>
 
 namespace rigor {
 
@@ -125,9 +129,23 @@ void place_joints(const Model& model, const BulkBodies& bodies, JointBlock& bloc
     }
     for (int r = 0; r < kMostJointRows; ++r) {
       joint.softness[r] = float_lanes(1);
-      joint.on[r] = joint.given[r] = joint.impulse[r] = float_lanes(0);
+      joint.on[r] = joint.given[r] = joint.target[r] = joint.impulse[r] = float_lanes(0);
     }
+    joint.has_law_on = false;
   }
+}
+
+/// The limits of a coordinate; infinite without a law, NaN where other laws act too.
+std::pair<double, double> limits_alone(const Model& model, int index, int axis) {
+  constexpr double infinity = std::numeric_limits<double>::infinity(),
+                   unknown = std::numeric_limits<double>::quiet_NaN();
+  if (index < 0 || std::max(axis, 0) >= static_cast<int>(model.joint(index).axes.size()))
+    return {-infinity, infinity};
+  const JointAxis& law = model.joint(index).axes[at(std::max(axis, 0))];
+  // Rows across the axis of a ball have a damper alone.
+  if (axis < 0) return law.damping > 0 ? std::pair(unknown, unknown) : std::pair(-infinity, infinity);
+  if (law.motor || law.stiffness > 0 || law.damping > 0 || law.friction > 0) return {unknown, unknown};
+  return {law.lower, law.upper};
 }
 
 }  // namespace
@@ -155,7 +173,12 @@ BulkJointBlock make_joint_block(const Model& model, JointSystems systems) {
     const int held = held_row_count(link.type, true);
     for (int r = held; r < row_count(link); ++r) {
       const int axis = r - held < coordinate_count(link.type) ? r - held : -1;
-      block.laws.push_back({static_cast<int>(i), r, axis});
+      BulkJointBlock::Law& law = block.laws.emplace_back();
+      law.link = static_cast<int>(i);
+      law.row = r;
+      law.axis = axis;
+      for (std::size_t lane = 0; lane < kLaneCount; ++lane)
+        std::tie(law.lower[lane], law.upper[lane]) = limits_alone(model, link.joints[lane], axis);
     }
   }
   if (block.lanes.has_laws) block.before.resize(systems.moved, BulkJointBlock::Velocities{});
@@ -171,6 +194,12 @@ void prepare_joint_block(const JointEffort& effort, BulkBodies& bodies, BulkJoin
   place_joints(effort.model, bodies, block.lanes);
   run_stage(JointStage::aim, effort.h, effort.target, block.lanes);
   run_stage(JointStage::factor, effort.h, effort.target, block.lanes);
+  for (BulkJointBlock::Law& law : block.laws) {
+    law.is_off = true;
+    law.pieces = {};
+    law.factored_on.fill(0);
+    law.factored_softness.fill(1);
+  }
 }
 
 }  // namespace rigor

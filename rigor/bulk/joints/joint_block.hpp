@@ -35,6 +35,10 @@ struct BulkJointBlock {
     int link = 0, row = 0, axis = -1;  ///< Axis -1: a ball's damper across its axis.
     std::array<LawPiece, kLaneCount> pieces{};
     LaneArray rate{};  ///< At the beginning of the substep.
+    /// Limits of lanes where nothing else acts; infinite where nothing does, NaN where more does.
+    std::array<double, kLaneCount> lower, upper;
+    bool is_off = false;                           ///< Whether no lane has an impulse, and the rows say so.
+    LaneArray factored_on{}, factored_softness{};  ///< What the factors were made with.
   };
   std::vector<Law> laws;
 };

@@ -62,30 +62,72 @@ bool is_same(const LawPiece& a, const LawPiece& b) {
   return a.is_held == b.is_held && a.target == b.target && a.softness == b.softness && a.impulse == b.impulse;
 }
 
+/// Whether no lane has an impulse: between two limits there is none, and most coordinates are there.
+bool is_free(const Block& block, const Block::Law& law, double h) {
+  const JointLanes& lanes = block.lanes.joints[at(law.link)];
+  bool is_between = true;
+  for (int lane = 0; lane < kLaneCount; ++lane) {
+    // Where the coordinate would be at the end of the substep. (Comparisons with NaN are false.)
+    const double rate = static_cast<double>(lanes.rate[law.row][lane]) -
+                        static_cast<double>(lanes.mobility[law.row][lane]) *
+                            static_cast<double>(lanes.impulse[law.row][lane]);
+    const double next = static_cast<double>(lanes.coordinate[law.row][lane]) + h * rate;
+    is_between = is_between && law.lower[at(lane)] < next && next < law.upper[at(lane)];
+  }
+  return is_between;
+}
+
+/// Writes the pieces of a law into its row: held on jumps, soft on rising pieces, a given impulse on level
+/// ones.
+void write_pieces(const Block::Law& law, JointLanes& joint) {
+  for (int lane = 0; lane < kLaneCount; ++lane) {
+    const LawPiece& piece = law.pieces[at(lane)];
+    joint.on[law.row][lane] = piece.is_held ? 1 : 0;
+    joint.softness[law.row][lane] = piece.is_held ? static_cast<float>(piece.softness) : 1;
+    joint.target[law.row][lane] = static_cast<float>(piece.target);
+    joint.given[law.row][lane] = piece.is_held ? 0 : static_cast<float>(piece.impulse);
+  }
+}
+
+/// Which joints have a row of a law that is on.
+void find_laws_on(Block& block) {
+  for (const Block::Law& law : block.laws) block.lanes.joints[at(law.link)].has_law_on = false;
+  for (const Block::Law& law : block.laws) {
+    if (law.is_off) continue;
+    JointLanes& joint = block.lanes.joints[at(law.link)];
+    for (int lane = 0; lane < kLaneCount; ++lane) joint.has_law_on |= joint.on[law.row][lane] != 0;
+  }
+}
+
+/// Makes the factors, unless they are those of the same rows and laws.
+void factor(bool are_rows_new, const JointEffort& effort, Block& block) {
+  bool is_same = !are_rows_new;
+  for (Block::Law& law : block.laws) {
+    const JointLanes& joint = block.lanes.joints[at(law.link)];
+    const LaneArray on = read_lanes(joint.on[law.row]), softness = read_lanes(joint.softness[law.row]);
+    is_same = is_same && on == law.factored_on && softness == law.factored_softness;
+    law.factored_on = on;
+    law.factored_softness = softness;
+  }
+  if (!is_same) run_stage(JointStage::factor, effort.h, effort.target, block.lanes);
+}
+
 /// Writes the pieces of all laws into the rows; whether one has changed.
 bool choose_pieces(const Model& model, double h, Block& block) {
-  // The pieces.
   bool has_changed = false;
   for (Block::Law& law : block.laws) {
+    const bool is_off = is_free(block, law, h);
+    if (is_off && law.is_off) continue;
     for (int lane = 0; lane < kLaneCount; ++lane) {
-      const LawPiece piece = find_piece(model, block, law, lane, h);
+      const LawPiece piece = is_off ? LawPiece{} : find_piece(model, block, law, lane, h);
       LawPiece& old = law.pieces[at(lane)];
       has_changed = has_changed || !is_same(piece, old);
       old = piece;
     }
+    law.is_off = is_off;
+    write_pieces(law, block.lanes.joints[at(law.link)]);
   }
-
-  // Their rows: held on jumps, soft on rising pieces, a given impulse on level ones.
-  for (Block::Law& law : block.laws) {
-    JointLanes& joint = block.lanes.joints[at(law.link)];
-    for (int lane = 0; lane < kLaneCount; ++lane) {
-      const LawPiece& piece = law.pieces[at(lane)];
-      joint.on[law.row][lane] = piece.is_held ? 1 : 0;
-      joint.softness[law.row][lane] = piece.is_held ? static_cast<float>(piece.softness) : 1;
-      joint.target[law.row][lane] = static_cast<float>(piece.target);
-      joint.given[law.row][lane] = piece.is_held ? 0 : static_cast<float>(piece.impulse);
-    }
-  }
+  find_laws_on(block);
   return has_changed;
 }
 
@@ -93,6 +135,7 @@ bool choose_pieces(const Model& model, double h, Block& block) {
 /// lets it.
 void choose_rebounds(const Model& model, Block& block) {
   for (Block::Law& law : block.laws) {
+    if (law.is_off) continue;
     JointLanes& joint = block.lanes.joints[at(law.link)];
     const JointLink& link = block.lanes.systems.links[at(law.link)];
     for (int lane = 0; lane < kLaneCount; ++lane) {
@@ -111,6 +154,7 @@ void choose_rebounds(const Model& model, Block& block) {
       joint.target[law.row][lane] = static_cast<float>(-piece.limit * e * approach);
     }
   }
+  find_laws_on(block);
 }
 
 /// Back to the beginning of a solve, where the laws' given impulses are all there is.
@@ -141,15 +185,27 @@ void begin_substep(bool anew, Block& block) {
   }
 }
 
-/// Corrections of the places; of loops after a solve of the rates (docs/theory/bulk_joints.md, sections 1 and
-/// 3).
+/// Lanes in which `part` is 0 stay as they are.
+void leave_out(const FloatLanes& part, JointBlock& block) {
+  for (JointLanes& joint : block.joints) {
+    for (FloatLanes& residual : joint.residual) residual *= part;
+  }
+  for (BallLanes& ball : block.balls) ball.wanted = part * ball.wanted;
+}
+
+/// Corrections of the places; of loops after a solve of the rates, of trees no more than their rotation needs
+/// (docs/theory/bulk_joints.md, sections 1 and 3).
 void correct(float h, LaneTarget target, Block& block) {
   if (block.lanes.loops) {
     run_stage(JointStage::drift, h, target, block.lanes);
     run_stage(JointStage::solve, h, target, block.lanes);
   }
   for (int k = 0; k < kCorrections; ++k) {
+    const bool is_short = k > 0 && !block.lanes.loops;
+    const FloatLanes part = is_short ? fast_lanes(h, block.lanes) : float_lanes(1);
+    if (is_zero(part)) break;
     run_stage(JointStage::miss, h, target, block.lanes);
+    if (is_short) leave_out(part, block.lanes);
     run_stage(JointStage::solve, h, target, block.lanes);
   }
 }
@@ -163,9 +219,10 @@ void solve_laws(const JointEffort& effort, Block& block) {
   choose_pieces(model, h, block);
 
   for (int k = 0; k < kPieceChanges; ++k) {
-    // Each solve begins where the first one did.
+    // Each solve begins where the first one did. Where limits act as after the last displacements, the
+    // factors are still the same.
     restore(block);
-    run_stage(JointStage::factor, h, target, block.lanes);
+    factor(false, effort, block);
     block.lanes.gives = true;
     correct(h, target, block);
 
@@ -202,7 +259,7 @@ void solve_after_displacements(const JointEffort& effort, BulkJointBlock& block)
   } else {
     run_stage(JointStage::aim, h, target, block.lanes);
     choose_rebounds(model, block);
-    run_stage(JointStage::factor, h, target, block.lanes);
+    factor(true, effort, block);
     run_stage(JointStage::drift, h, target, block.lanes);
     run_stage(JointStage::solve, h, target, block.lanes);
   }

@@ -53,6 +53,7 @@ struct alignas(32) JointLanes {
   // Of the laws: u + softness (impulse) = target where `on` is 1, impulse = given where it is 0.
   FloatLanes on[kMostJointRows], softness[kMostJointRows], target[kMostJointRows], given[kMostJointRows];
   FloatLanes coordinate[kMostJointRows], rate[kMostJointRows], mobility[kMostJointRows];
+  bool has_law_on = false;  ///< Whether one is on in any lane; else the rows of laws are left out.
 
   // Factors: L Lᵀ is the resistance of the child, F Fᵀ = C (L Lᵀ)⁻¹ Cᵀ + softness that of the joint, with its
   // rows C on the child and P on the parent.
@@ -136,6 +137,29 @@ static_assert(do_all_types_fit(), "a type of joint has rows for which its lanes 
 constexpr int row_count(const JointLink& link) {
   if (!link.has_joint) return 0;
   return held_row_count(link.type, link.has_laws) + law_row_count(link.type, link.has_laws);
+}
+
+/// Bodies that rotate by less in a substep [rad] need one correction: it leaves this part of its own size,
+/// which is that of the change by a substep's accelerations.
+constexpr float kSmallAngle = 0.01F;
+
+/// 1 in lanes with a body that rotates by more than kSmallAngle in a substep, else 0.
+RIGOR_FLOAT_LANES FloatLanes fast_lanes(float h, const JointBlock& block) {
+  FloatLanes fastest = float_lanes(0);
+  for (const JointSlot& slot : block.slots) fastest = float_max(fastest, dot(slot.w, slot.w));
+  const FloatLanes most = float_lanes(kSmallAngle * kSmallAngle / (h * h));
+  return fastest > most ? float_lanes(1) : float_lanes(0);
+}
+
+RIGOR_FLOAT_LANES bool is_zero(const FloatLanes& x) {
+  bool all = true;
+  for (int i = 0; i < kLaneCount; ++i) all = all && x[i] == 0;
+  return all;
+}
+
+/// Rows of a joint that act now.
+inline int acting_rows(const JointLink& link, const JointLanes& joint) {
+  return joint.has_law_on ? row_count(link) : held_row_count(link.type, link.has_laws);
 }
 
 }  // namespace rigor

@@ -105,7 +105,7 @@ inline void run_joint(JointStage stage, float h, std::size_t i, JointBlock& bloc
 
   // Trees are solved joint by joint; systems with loops as a whole, by LoopSolver.
   if (!block.loops && (stage == JointStage::factor || stage == JointStage::solve)) {
-    run_rows(stage, count, i, block);
+    run_rows(stage, {acting_rows(link, joint), count.held}, i, block);
   }
 }
 
@@ -126,7 +126,7 @@ inline void spread(std::size_t i, JointBlock& block) {
   } else if (link.is_plain_ball()) {
     spread_ball(link, parent, child, joint, block.balls[i]);
   } else {
-    spread_change(link, row_count(link), parent, child, joint);
+    spread_change(link, acting_rows(link, joint), parent, child, joint);
   }
 }
 

@@ -127,23 +127,6 @@ void add_lowest(const SeparatingAxis& axis, float margin, PlacedPolytopes& pair)
             margin, pair);
 }
 
-void place_polytope(const BulkShape& shape, const PlacedShape& placed, const Vec3f& p_OB,
-                    PlacedPolytope& core) {
-  const FloatHull& hull = *shape.hull;
-  const Mat3f R = placed.rotation();
-  core.hull = &hull;
-  core.place = {R * shape.scale.asDiagonal(), R, p_OB + placed.position()};
-  core.inner = shape.inner_radius() - shape.radius;
-  core.radius = shape.radius;
-  core.extent = shape.extent;
-  core.is_box = shape.kind == BulkShape::Kind::box;
-  for (int f = 0; core.is_box && f < kLaneCount; ++f)
-    core.box_offsets[f] = f < hull.face_count ? hull.normal(f).cwiseAbs().dot(shape.scale) : 0;
-  core.vertex_columns.place(hull.vertices(), core.place.M, core.place.t, best_lane_target());
-  const Vec3f nothing = Vec3f::Constant(-0.0f);  // Adding -0 changes no bit, also of zeros.
-  core.normal_columns.place(hull.normals(), R, nothing, best_lane_target());
-}
-
 /// Moves the ball inside a core as near to a point as it can be: the bound by the balls is the better for it.
 void move_ball(const BulkShape& shape, const Vec3f& to, PlacedPolytope& core) {
   if (shape.ball_way.isZero(0)) return;
@@ -152,17 +135,55 @@ void move_ball(const BulkShape& shape, const Vec3f& to, PlacedPolytope& core) {
   core.center = place.R * local.cwiseMax(-shape.ball_way).cwiseMin(shape.ball_way) + place.t;
 }
 
-Vec3f middle_of(const PlacedPolytope& core) {
-  return core.place.R * core.hull->center + core.place.t;
+CorePlace place_of(const BulkShape& shape, const PlacedShape& placed, const Vec3f& p_OB) {
+  const Mat3f R = placed.rotation();
+  return {R * shape.scale.asDiagonal(), R, p_OB + placed.position()};
 }
 
 }  // namespace
 
+void place_polytope(const BulkShape& shape, const CorePlace& place, PlacedPolytope& core) {
+  const FloatHull& hull = *shape.hull;
+  core.hull = &hull;
+  core.place = place;
+  core.inner = shape.inner_radius() - shape.radius;
+  core.radius = shape.radius;
+  core.extent = shape.extent;
+  core.is_box = shape.kind == BulkShape::Kind::box;
+  for (int f = 0; core.is_box && f < kLaneCount; ++f)
+    core.box_offsets[f] = f < hull.face_count ? hull.normal(f).cwiseAbs().dot(shape.scale) : 0;
+  core.vertex_columns.place(hull.vertices(), place.M, place.t, best_lane_target());
+  const Vec3f nothing = Vec3f::Constant(-0.0f);  // Adding -0 changes no bit, also of zeros.
+  core.normal_columns.place(hull.normals(), place.R, nothing, best_lane_target());
+}
+
+void place_segment(const FloatHull& hull, const Vec3f& p, const Vec3f& u, PlacedPolytopes& pair) {
+  PlacedPolytope &a = pair.a, &b = pair.b;
+  // The hull of a segment runs along z from -1 to 1.
+  a.hull = &hull;
+  a.place.R = Mat3f::Identity();
+  a.place.M = Mat3f::Zero();
+  a.place.M.col(2) = 0.5f * u;
+  a.place.t = p + 0.5f * u;
+  a.inner = a.radius = 0;
+  a.extent = 0.5f * u.norm();
+  a.is_box = false;
+  a.vertex_columns.place(hull.vertices(), a.place.M, a.place.t, best_lane_target());
+  a.normal_columns.place(hull.normals(), a.place.R, Vec3f::Zero(), best_lane_target());
+  // Lengths and thicknesses of the pair, and the point of the segment that is nearest to the ball inside B.
+  pair.shape_A = nullptr;
+  pair.rounding = kCollisionRounding * (a.extent + b.extent + a.place.t.norm() + b.place.t.norm());
+  pair.thinnest = b.inner + b.radius;
+  pair.equal_depth = pair.rounding + kEqualDepthOfSize * pair.thinnest;
+  const float square = u.squaredNorm();
+  a.center = p + std::clamp((b.center - p).dot(u) / square, 0.0f, 1.0f) * u;
+}
+
 void place_polytopes(const BulkShape& a, const PlacedShape& placed_A, const BulkShape& b,
                      const PlacedShape& placed_B, const Vec3f& d, PlacedPolytopes& pair) {
-  if (pair.shape_A != &placed_A) place_polytope(a, placed_A, Vec3f::Zero(), pair.a);
+  if (pair.shape_A != &placed_A) place_polytope(a, place_of(a, placed_A, Vec3f::Zero()), pair.a);
   pair.shape_A = &placed_A;
-  place_polytope(b, placed_B, d, pair.b);
+  place_polytope(b, place_of(b, placed_B, d), pair.b);
   // The rounding of separations, 1e-6 of the lengths in the pair, and what depends on the size of the cores.
   pair.rounding = kCollisionRounding * (a.extent + b.extent + d.norm());
   pair.thinnest = std::min(a.inner_radius(), b.inner_radius());

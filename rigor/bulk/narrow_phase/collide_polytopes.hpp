@@ -78,6 +78,16 @@ struct PlacedPolytopes {
 void place_polytopes(const BulkShape& a, const PlacedShape& placed_A, const BulkShape& b,
                      const PlacedShape& placed_B, const Vec3f& d, PlacedPolytopes& pair);
 
+/// Places a core.
+void place_polytope(const BulkShape& shape, const CorePlace& place, PlacedPolytope& core);
+/// The centre of the ball inside a core that is placed.
+inline Vec3f middle_of(const PlacedPolytope& core) {
+  return core.place.R * core.hull->center + core.place.t;
+}
+/// Makes the segment from p along u the core A of the pair, whose core B is placed; `hull` is that of a
+/// segment.
+void place_segment(const FloatHull& hull, const Vec3f& p, const Vec3f& u, PlacedPolytopes& pair);
+
 /// Slack beyond which the rounding of a separation does not matter, however it is measured: cores that some
 /// direction separates by a limit and so much more are farther apart than the limit by every computation [m].
 inline float parting_slack(float rounding) {

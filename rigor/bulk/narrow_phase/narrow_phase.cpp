@@ -4,8 +4,10 @@
 #include "rigor/bulk/narrow_phase/collide_balls.hpp"
 #include "rigor/bulk/narrow_phase/collide_boxes.hpp"
 #include "rigor/bulk/narrow_phase/collide_exactly.hpp"
+#include "rigor/bulk/narrow_phase/collide_mesh.hpp"
 #include "rigor/bulk/narrow_phase/collide_polytopes.hpp"
 #include "rigor/bulk/narrow_phase/collide_round.hpp"
+#include "rigor/bulk/narrow_phase/mesh_inside.hpp"
 #include "rigor/bulk/narrow_phase/pair_hints.hpp"
 #include "rigor/bulk/state/bulk_shape.hpp"
 #include "rigor/core/index.hpp"
@@ -62,6 +64,7 @@ struct BlockScratch {
   LaneList<BoxPairs, BoxContacts> boxes;
   LaneList<BallPairs, BallContacts> balls;
   PlacedPolytopes polytopes;
+  MeshMeeting mesh;
 };
 
 /// A part of the pairs, and the manifolds found in it.
@@ -70,10 +73,6 @@ struct alignas(64) Part {
   ManifoldList manifolds;
   std::size_t begin = 0, begin_of_points = 0;  ///< Index of the first of these among all.
 };
-
-}  // namespace
-
-namespace {
 
 bool is_ball(const BulkShape& shape) {
   return shape.kind == Kind::round && shape.extent == 0;
@@ -113,7 +112,9 @@ struct NarrowPhase::Tables {
   void find_boxes(const PairPlace& place, int lane_place, int number, float margin, BlockScratch& scratch,
                   ManifoldList& manifolds);
   void find_pair(const BulkBodies& bodies, const ShapePair& pair, const PairPlace& place, int number,
-                 PlacedPolytopes& polytopes, ManifoldList& manifolds);
+                 BlockScratch& scratch, ManifoldList& manifolds);
+  void find_mesh(const BulkBodies& bodies, const ShapePair& pair, const PairPlace& place, int number,
+                 MeshMeeting& meeting, ManifoldList& manifolds);
   void find_polytopes(const PairPlace& place, int number, float margin, PlacedPolytopes& polytopes,
                       ManifoldList& manifolds);
 
@@ -176,7 +177,8 @@ void NarrowPhase::Tables::place(const BulkBodies& bodies, const std::vector<Shap
 
 bool NarrowPhase::Tables::needs_hint(const ShapePair& pair) const {
   const PlacedForm &a = placed_form(pair.body_A, pair.shape_A), &b = placed_form(pair.body_B, pair.shape_B);
-  return (a.has_faces | b.has_faces) & a.has_core & b.has_core;
+  const bool is_on_mesh = ((a.kind == Kind::mesh) & b.has_core) | ((b.kind == Kind::mesh) & a.has_core);
+  return ((a.has_faces | b.has_faces) & a.has_core & b.has_core) | is_on_mesh;
 }
 
 namespace {
@@ -216,10 +218,14 @@ bool add_manifold(const std::optional<Vec3f>& n, int number, PlacedPolytopes& pa
 
 /// Any two shapes that are not collided in lanes.
 void NarrowPhase::Tables::find_pair(const BulkBodies& bodies, const ShapePair& pair, const PairPlace& place,
-                                    int number, PlacedPolytopes& polytopes, ManifoldList& manifolds) {
+                                    int number, BlockScratch& scratch, ManifoldList& manifolds) {
+  PlacedPolytopes& polytopes = scratch.polytopes;
   const BulkShape &a = form(place.a), &b = form(place.b);
   const PlacedShape &placed_A = place_of(place.a), &placed_B = place_of(place.b);
-  const bool is_other = a.kind == Kind::other || b.kind == Kind::other;
+  const auto is_exact = [](Kind kind) { return kind == Kind::other || kind == Kind::mesh; };
+  if ((a.kind == Kind::mesh && place.b.has_core) || (b.kind == Kind::mesh && place.a.has_core))
+    return find_mesh(bodies, pair, place, number, scratch.mesh, manifolds);
+  const bool is_other = is_exact(a.kind) || is_exact(b.kind);
   const bool has_plane = a.kind == Kind::plane || b.kind == Kind::plane;
   polytopes.candidates.clear();
   // Planes and shapes without a core need the poses in 64 bits.
@@ -242,6 +248,40 @@ void NarrowPhase::Tables::find_pair(const BulkBodies& bodies, const ShapePair& p
       find_round_candidates(a, placed_A, b, placed_B, place.d, pair.margin, polytopes.candidates);
   polytopes.equal_depth = kRounding * (a.extent + b.extent + place.d.norm());
   add_manifold(n, number, polytopes, manifolds);
+}
+
+/// A mesh, and a shape with a core.
+void NarrowPhase::Tables::find_mesh(const BulkBodies& bodies, const ShapePair& pair, const PairPlace& place,
+                                    int number, MeshMeeting& meeting, ManifoldList& manifolds) {
+  const bool mesh_is_A = place.a.kind == Kind::mesh;
+  const int mesh_body = mesh_is_A ? pair.body_A : pair.body_B,
+            core_body = mesh_is_A ? pair.body_B : pair.body_A;
+  const BulkShape &mesh = form(mesh_is_A ? place.a : place.b), &core = form(mesh_is_A ? place.b : place.a);
+  const PlacedShape& placed_core = place_of(mesh_is_A ? place.b : place.a);
+  // Where the core's body is in the frame of the mesh, in 64 bits.
+  const Pose X_OM = pose_of(mesh, bodies.q[at(mesh_body)], Vec3::Zero());
+  const Vec3 d = bodies.x[at(core_body)] - bodies.x[at(mesh_body)];
+  const MeshView view{mesh.mesh.get(), X_OM.R.transpose().cast<float>(), X_OM.R.transpose() * (d - X_OM.p)};
+  meeting.find(view, core, placed_core, pair.margin, *hulls.segment);
+  // From the frame of the mesh to W's axes, relative to body A.
+  const Mat3f R_WM = view.R_MW.transpose();
+  const Vec3f shift = mesh_is_A ? d.cast<float>() : Vec3f(Vec3f::Zero());
+  for (std::size_t k = 0; k < meeting.count(); ++k) {
+    MeshContacts& contacts = meeting.contacts(k);
+    for (ManifoldCandidate& candidate : contacts.candidates) candidate.p = R_WM * candidate.p + shift;
+    const Vec3f n = R_WM * contacts.n_M;
+    manifolds.push_back(
+        {number, static_cast<int>(k),
+         make_manifold(mesh_is_A ? n : Vec3f(-n), meeting.equal_depth(), contacts.candidates)});
+  }
+  // What is inside a closed mesh is shown the way out.
+  if (meeting.count() > 0 || !meeting.may_be_inside() ||
+      !is_inside(std::get<Mesh>(*mesh.shape), view.c_M, *place.hint))
+    return;
+  const BulkShape &a = form(place.a), &b = form(place.b);
+  const Vec3 p_OB = bodies.x[at(pair.body_B)] - bodies.x[at(pair.body_A)];
+  add_exact_manifolds(*a.shape, pose_of(a, bodies.q[at(pair.body_A)], Vec3::Zero()), *b.shape,
+                      pose_of(b, bodies.q[at(pair.body_B)], p_OB), pair.margin, number, manifolds);
 }
 
 void NarrowPhase::Tables::find_polytopes(const PairPlace& place, int number, float margin,
@@ -267,6 +307,7 @@ void NarrowPhase::Tables::find_polytopes(const PairPlace& place, int number, flo
 
 bool NarrowPhase::Tables::is_parted(const PairPlace& place, float margin) const {
   if (!place.hint || place.hint->axis != 0 || place.hint->n.isZero(0)) return false;
+  if (place.a.kind == Kind::mesh || place.b.kind == Kind::mesh) return false;
   const BulkShape &a = form(place.a), &b = form(place.b);
   // Pairs are passed over only where the separation exceeds the margin by far more than the rounding, so that
   // they have no points by any computation.
@@ -398,7 +439,7 @@ void NarrowPhase::Tables::find(const BulkBodies& bodies, const std::vector<Shape
         const int lane = ball++ % kLaneCount;
         if (contacts.gap[lane] <= pair.margin) manifolds.push_back({k, 0, ball_manifold(contacts, lane)});
       } else {
-        find_pair(bodies, pair, place, k, scratch.polytopes, manifolds);
+        find_pair(bodies, pair, place, k, scratch, manifolds);
       }
     }
   }

@@ -1,6 +1,7 @@
 #include "rigor/bulk/passing/passing_guard.hpp"
 
 #include "rigor/bulk/passing/free_way.hpp"
+#include "rigor/bulk/state/bulk_shape.hpp"
 #include "rigor/bulk/state/vector_of.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/geometry/distance/thickness.hpp"
@@ -31,6 +32,12 @@ double norm_of(const float* a) {
   return vector_of(a).norm();
 }
 
+/// Whether the narrow phase tells by the centre of what touches the shape on which side that is.
+bool is_surface(const Shape& shape) {
+  const Mesh* const mesh = std::get_if<Mesh>(&shape);
+  return mesh != nullptr && mesh->tree->convex == nullptr;
+}
+
 }  // namespace
 
 PassingGuard::PassingGuard(const Model& model)
@@ -42,17 +49,33 @@ PassingGuard::PassingGuard(const Model& model)
       may_need_parts_(!model.joints().empty()),
       shares_(at(model.body_count()), 1.0) {
   // How thick the shapes are, and how far from the centre a rotation moves points.
+  FloatHulls hulls;
+  int surfaces = 0;
+  double thinnest_surface = least_thickness_;
   for (const Body& body : model.bodies()) {
     first_shape_.push_back(static_cast<int>(thickness_.size()));
     double turning = 0;
     for (const BodyShape& shape : body.shapes) {
       thickness_.push_back(thickness_of(shape.shape));
-      least_thickness_ = std::min(least_thickness_, thickness_.back());
+      ball_inside_.push_back(-1);
+      ball_offset_.push_back(0);
+      if (is_surface(shape.shape)) {
+        ++surfaces;
+        thinnest_surface = std::min(thinnest_surface, thickness_.back());
+      } else {
+        const BulkShape bulk = make_bulk_shape(shape, hulls);
+        ball_inside_.back() = bulk.hull ? static_cast<double>(bulk.inner_radius()) : thickness_.back();
+        const Vec3 center_S = bulk.hull ? Vec3(bulk.hull->center.cast<double>()) : Vec3(Vec3::Zero());
+        ball_offset_.back() = (shape.X_BS * center_S).norm();
+        least_thickness_ = std::min({least_thickness_, thickness_.back(), ball_inside_.back()});
+      }
       turning = std::max(turning, turning_radius(shape.shape, shape.X_BS, shape.radius));
     }
     turning_.push_back(turning);
     may_need_parts_ = may_need_parts_ || body.motion == MotionType::kinematic;
   }
+
+  if (surfaces > 1) least_thickness_ = std::min(least_thickness_, thinnest_surface);
 
   // Bodies that joints connect move together.
   std::iota(group_.begin(), group_.end(), 0);
@@ -112,13 +135,42 @@ float PassingGuard::reach(int body, const float* linear, const float* angular) c
   return length_of(linear) + (turning > 0 ? static_cast<float>(turning) * length_of(angular) : 0);
 }
 
+/// How thick a pair is: the thinner of two solids; what touches a surface, however thin that is, since it is
+/// held on the side on which the ball inside it is.
+double PassingGuard::thinner(const ShapePair& pair) const {
+  const double ball_A = ball_inside_[at(first_shape_[at(pair.body_A)] + pair.shape_A)],
+               ball_B = ball_inside_[at(first_shape_[at(pair.body_B)] + pair.shape_B)];
+  if ((ball_A < 0) != (ball_B < 0)) return std::max(ball_A, ball_B);
+  return std::min(thickness(pair.body_A, pair.shape_A), thickness(pair.body_B, pair.shape_B));
+}
+
+/// Whether the middle of a ball inside one of the shapes goes nowhere near the other, a surface that does not
+/// turn: then it is on the same side in the end.
+bool PassingGuard::keeps_off_surface(const ShapePair& pair, const BulkBodies& bodies) const {
+  const std::size_t a = at(first_shape_[at(pair.body_A)] + pair.shape_A),
+                    b = at(first_shape_[at(pair.body_B)] + pair.shape_B);
+  const bool is_A = ball_inside_[a] < 0;
+  if (is_A == (ball_inside_[b] < 0)) return false;
+  const int ground = is_A ? pair.body_A : pair.body_B, other = is_A ? pair.body_B : pair.body_A;
+  const MotionRecord &of_ground = bodies.motion[at(ground)], &of_other = bodies.motion[at(other)];
+  if (!vector_of(of_ground.dr).isZero(0)) return false;
+  // The way of the ball's centre in the frame of the surface; it turns about that of the body.
+  const BodyShape& surface = model_->body(ground).shapes[at(is_A ? pair.shape_A : pair.shape_B)];
+  const Mesh& mesh = std::get<Mesh>(surface.shape);
+  const Pose X_OM = Pose{bodies.q[at(ground)].toRotationMatrix(), Vec3::Zero()} * surface.X_BS;
+  const Vec3 from = X_OM.R.transpose() * (bodies.x[at(other)] - bodies.x[at(ground)] - X_OM.p),
+             to = from + X_OM.R.transpose() * (vector_of(of_other.dp) - vector_of(of_ground.dp));
+  const std::size_t k = is_A ? b : a;
+  const Aabb way{from.cwiseMin(to), from.cwiseMax(to)};
+  return mesh.tree->overlapping(way.grown(near_share * ball_inside_[k] + ball_offset_[k])).empty();
+}
+
 /// Whether the bodies have moved so far against each other that their contacts could not be foreseen.
 bool PassingGuard::is_far(const ShapePair& pair, const BulkBodies& bodies) const {
   const MotionRecord &A = bodies.motion[at(pair.body_A)], &B = bodies.motion[at(pair.body_B)];
   const double way = (vector_of(A.dp) - vector_of(B.dp)).norm() + turning_[at(pair.body_A)] * norm_of(A.dr) +
                      turning_[at(pair.body_B)] * norm_of(B.dr);
-  const double thinner = std::min(thickness(pair.body_A, pair.shape_A), thickness(pair.body_B, pair.shape_B));
-  return way > near_share * thinner;
+  return way > near_share * thinner(pair) && !keeps_off_surface(pair, bodies);
 }
 
 void PassingGuard::find_far(const std::vector<ShapePair>& pairs, double margin, const BulkBodies& bodies) {

@@ -47,6 +47,8 @@ class PassingGuard {
     bool is_checked = false;
   };
   double thickness(int body, int shape) const { return thickness_[at(first_shape_[at(body)] + shape)]; }
+  double thinner(const ShapePair& pair) const;
+  bool keeps_off_surface(const ShapePair& pair, const BulkBodies& bodies) const;
   float reach(int body, const float* linear, const float* angular) const;
   bool is_far(const ShapePair& pair, const BulkBodies& bodies) const;
   void find_far(const std::vector<ShapePair>& pairs, double margin, const BulkBodies& bodies);
@@ -60,10 +62,13 @@ class PassingGuard {
   std::function<bool(int, int)> may_touch_;
   std::vector<int> first_shape_;   ///< Of each body, among all shapes.
   std::vector<double> thickness_;  ///< Of each shape: no point of it lies deeper inside, nearly [m].
-  std::vector<double> turning_;    ///< Of each body: how far from its centre rotation moves points [m].
-  std::vector<int> group_;         ///< The lowest body that joints connect with each body.
+  /// Radius of the ball inside each shape that a surface cannot lose [m]; negative: the shape is a surface.
+  std::vector<double> ball_inside_;
+  std::vector<double> ball_offset_;  ///< Of that ball's centre from the body's [m].
+  std::vector<double> turning_;      ///< Of each body: how far from its centre rotation moves points [m].
+  std::vector<int> group_;           ///< The lowest body that joints connect with each body.
   std::vector<char> is_jointed_;
-  double least_thickness_;       ///< Of all shapes [m].
+  double least_thickness_;       ///< That any pair may have [m].
   bool may_need_parts_;          ///< Whether there are joints or kinematic bodies.
   std::vector<float> expected_;  ///< Reach of each body at the velocities of the beginning [m].
   std::vector<float> reach_;     ///< And as it has moved [m].

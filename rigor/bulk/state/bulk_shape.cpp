@@ -216,12 +216,25 @@ struct FillCore {
     }
     bulk.extent = bulk.hull->extent;
   }
+  /// A mesh that bounds a convex solid is that solid.
+  void operator()(const Mesh& s) const {
+    if (s.tree->convex != nullptr) std::visit(*this, *s.tree->convex);
+    if (bulk.kind != BulkShape::Kind::other) return;
+    bulk.kind = BulkShape::Kind::mesh;
+    const auto known = std::find_if(hulls.meshes.begin(), hulls.meshes.end(),
+                                    [&](const auto& entry) { return entry.first == s.tree.get(); });
+    if (known != hulls.meshes.end()) {
+      bulk.mesh = known->second;
+    } else {
+      bulk.mesh = make_float_mesh(s);
+      hulls.meshes.emplace_back(s.tree.get(), bulk.mesh);
+    }
+  }
   // These are only treated in double precision.
   void operator()(const Cylinder&) const {}
   void operator()(const Cone&) const {}
   void operator()(const Ellipsoid&) const {}
   void operator()(const Cavity&) const {}
-  void operator()(const Mesh&) const {}
   void operator()(const Revolution&) const {}
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "rigor/bulk/state/bulk_bodies.hpp"
+#include "rigor/bulk/state/float_mesh.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/geometry/shape/convex_hull.hpp"
 #include "rigor/model/body.hpp"
@@ -80,14 +81,15 @@ struct FloatHull {
 FloatHull make_float_hull(const FeatureGraph& graph, const std::vector<Vec3>& vertices);
 
 /// What the narrow phase knows of a shape: a core of vertices, which is `hull` scaled by `scale` along its
-/// axes, grown by `radius`; or a half-space; or a shape that is only treated in double precision.
+/// axes, grown by `radius`; or a half-space; or a mesh; or a shape that is only treated in double precision.
 struct BulkShape {
-  enum class Kind : std::int8_t { round, box, hull, plane, other };
+  enum class Kind : std::int8_t { round, box, hull, plane, mesh, other };
   Kind kind = Kind::other;
   const Shape* shape = nullptr;
   Pose X_BS;
   bool is_body_frame = false;  ///< Whether the shape's frame S is the body frame B.
   std::shared_ptr<const FloatHull> hull;
+  std::shared_ptr<const FloatMesh> mesh;
   Vec3f scale = Vec3f::Ones();  ///< Half extents of a box; (1, 1, half length) of a segment [m].
   float radius = 0;             ///< [m].
   float extent = 0;             ///< No point of the core is farther from the origin of S [m].
@@ -107,6 +109,7 @@ struct FloatHulls {
   std::shared_ptr<const FloatHull> segment;  ///< The segment |z| <= 1 on the axis.
   std::shared_ptr<const FloatHull> point;    ///< The origin.
   std::vector<std::pair<const ConvexHull*, std::shared_ptr<const FloatHull>>> convex;
+  std::vector<std::pair<const TriangleTree*, std::shared_ptr<const FloatMesh>>> meshes;
 };
 
 /// The form of a body's shape in 32 bits; the shape must outlive it.
