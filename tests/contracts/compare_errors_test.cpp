@@ -104,8 +104,7 @@ TEST(CompareErrors, TheReferenceMayBeChosenOrLeftOut) {
   const ErrorFolder folder;
   const Json chosen = folder.table({"spring.yaml", "--vary", "method.integrator=midpoint,rk4", "--reference",
                                     "method.integrator=midpoint", "--bound", "1"});
-  EXPECT_EQ(chosen["references"][0]["name"],
-            "event-driven, integrator midpoint, step 0.01 s, tolerance 1e-10");
+  EXPECT_EQ(chosen["references"][0]["name"], "auto, integrator midpoint, step 0.01 s, tolerance 1e-10");
   EXPECT_EQ(error_of(chosen["runs"][0]), 0);
   EXPECT_GT(error_of(chosen["runs"][1]), 1e-3);
   // With twice the step midpoint is three times as wrong again as it is: its estimate is of that size.
@@ -262,7 +261,10 @@ TEST(CheckCommand, TellsWhatAutoChoosesAndWhy) {
   EXPECT_EQ(audit["method"]["scheme"], "event-driven");
   EXPECT_EQ(audit["scheme_reason"].get<std::string>().rfind("event-driven, since ", 0), 0u);
   expect_contains(folder.run({"run", "auto.yaml"}).out, "scheme: auto  event-driven, since ");
-  EXPECT_EQ(folder.run({"check", "ball.yaml"}).out.find("scheme auto"), std::string::npos);
+  // A scene that names no scheme is left to `auto`; one that names its scheme is not.
+  expect_contains(folder.run({"check", "ball.yaml"}).out, "scheme auto: event-driven");
+  folder.write("named.yaml", ball_scene + "method: {scheme: event-driven}\n");
+  EXPECT_EQ(folder.run({"check", "named.yaml"}).out.find("scheme auto"), std::string::npos);
 }
 
 TEST(SceneErrors, ExpectationsNameDynamicBodiesAndExpectSomething) {

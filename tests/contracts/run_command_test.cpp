@@ -83,7 +83,8 @@ TEST(RunCommand, ASimulationThatCannotGoOnIsFourAndKeepsWhatItHas) {
   // A piston presses a ball that lies on the floor.
   folder.write(
       "piston.yaml",
-      "rigor: 1\nname: piston\nrun: {duration: 2, output_interval: 0.01}\nworld: {gravity: [0, 0, 0]}\n"
+      "rigor: 1\nname: piston\nmethod: {scheme: event-driven}\nrun: {duration: 2, output_interval: "
+      "0.01}\nworld: {gravity: [0, 0, 0]}\n"
       "materials: [{name: m, restitution: 0, friction: 0}]\nbodies:\n"
       "  - {name: floor, motion: static, shapes: [{type: plane, normal: [0, 0, 1], offset: 0, material: "
       "m}]}\n"

@@ -141,6 +141,7 @@ TEST(Version, IsThatOfTheBuildFile) {
 
 TEST(AuditJson, OfARunThatWasHandedOverHasASpanForEachPart) {
   Audit audit = sample_audit();
+  audit.method.scheme = Scheme::event_driven;
   EXPECT_FALSE(Json::parse(audit_json(audit)).contains("spans"));
   EXPECT_EQ(Json::parse(audit_json(audit))["method"]["scheme"], "event-driven");
   audit.step = 0.01;

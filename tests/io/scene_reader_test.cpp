@@ -90,6 +90,7 @@ TEST(SceneReader, ReadsEveryKey) {
   EXPECT_EQ(scene.run.seed, 7u);
 
   Method method;
+  method.scheme = Scheme::event_driven;
   method.integrator = IntegratorMethod::dopri5;
   method.orientation = OrientationForm::matrix;
   method.toi = ToiMethod::ratio;

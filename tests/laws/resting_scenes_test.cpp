@@ -62,7 +62,8 @@ TEST(RestingScenes, StacksStandAndEveryCubeCarriesWhatIsAboveIt) {
 TEST(RestingScenes, StacksOfThreeAndOfAHundredCubesStandForAHundredSeconds) {
   for (const int count : {3, 100}) {
     const std::string counts = "bodies.cube.repeat.count=[1,1," + std::to_string(count) + "]";
-    expect_stack_stands(run_scene("stack_50.yaml", {counts, "run.duration=100", "run.output_interval=10"}),
+    expect_stack_stands(run_scene("stack_50.yaml", {counts, "run.duration=100", "run.output_interval=10",
+                                                    "method.scheme=event-driven"}),
                         count);
   }
 }

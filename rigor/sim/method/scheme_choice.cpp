@@ -20,6 +20,9 @@ namespace {
 /// (docs/choosing.md).
 constexpr int few_bodies = 40;
 
+/// So many bodies that rest on each other may be one island, whose contacts are one dense system.
+constexpr int bodies_of_one_island = 200;
+
 /// What the collision filters know of a body: group, mask, whether it is dynamic.
 using FilterClass = std::tuple<std::uint32_t, std::uint32_t, bool>;
 
@@ -199,8 +202,11 @@ std::span<const SchemeRule> scheme_rules() {
        [](const SchemeFacts& facts) { return facts.colliding_bodies <= few_bodies; },
        {Scheme::event_driven},
        "few bodies have few events, and each is located and solved by itself"},
-      {"more bodies collide, and all of them touch and are at rest at t = 0",
-       [](const SchemeFacts& facts) { return facts.resting_bodies == facts.colliding_bodies; },
+      {"at most 200 bodies collide, and all of them touch and are at rest at t = 0",
+       [](const SchemeFacts& facts) {
+         return facts.colliding_bodies <= bodies_of_one_island &&
+                facts.resting_bodies == facts.colliding_bodies;
+       },
        {Scheme::event_driven},
        "what rests has no events"},
       {"more bodies collide, and some impacts bounce",
