@@ -155,6 +155,7 @@ test("the audits stand side by side, and what differs is marked", async () => {
 test("a run that stopped says so and stands still while the others go on", async () => {
   const file = writePage("piston.yaml", `rigor: 1
 name: piston
+method: {scheme: event-driven}
 run: {duration: 2, output_interval: 0.01}
 world: {gravity: [0, 0, 0]}
 materials: [{name: m, restitution: 0, friction: 0}]
