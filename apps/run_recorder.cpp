@@ -27,16 +27,10 @@ std::filesystem::path scene_file(const RunOptions& options) {
 }
 
 TrajectoryHeader make_header(const RunOptions& options, const Scene& scene) {
-  TrajectoryHeader header{.scene = scene.name,
-                          .scene_text = read_text_file(options.scene, most_scene_bytes),
-                          .scene_file = scene_file(options).string(),
-                          .overrides = options.overrides,
-                          .method = scene.method,
-                          .run = scene.run};
-  for (const Body& body : scene.model->bodies()) header.bodies.push_back(body.name);
-  header.joints = trajectory_joints(*scene.model);
-  header.has_joint_forces = has_joint_forces(*scene.model);
-  header.has_efforts = has_efforts(*scene.model);
+  TrajectoryHeader header = trajectory_header(scene);
+  header.scene_text = read_text_file(options.scene, most_scene_bytes);
+  header.scene_file = scene_file(options).string();
+  header.overrides = options.overrides;
   return header;
 }
 

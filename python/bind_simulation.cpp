@@ -2,6 +2,7 @@
 #include "signals.hpp"
 
 #include <rigor/io/trajectory/audit_json.hpp>
+#include <rigor/io/trajectory/trajectory_writer.hpp>
 
 namespace rigor::python {
 
@@ -25,20 +26,6 @@ py::array rows(const py::object& self, const Rows<columns>& (Simulation::*read)(
   return view(table.data(), {table.rows(), columns}, self);
 }
 
-const char* kind_name(MotionEvent::Kind kind) {
-  switch (kind) {
-    case MotionEvent::Kind::impact:
-      return "impact";
-    case MotionEvent::Kind::rest:
-      return "rest";
-    case MotionEvent::Kind::separation:
-      return "separation";
-    case MotionEvent::Kind::slip_to_stick:
-      break;
-  }
-  return "slip_to_stick";
-}
-
 const char* mode_name(TouchingPoint::Mode mode) {
   switch (mode) {
     case TouchingPoint::Mode::open:
@@ -56,7 +43,7 @@ const char* mode_name(TouchingPoint::Mode mode) {
 void bind_answers(py::module_& module) {
   py::class_<MotionEvent>(module, "Event", "Something that happened at an instant.")
       .def_property_readonly(
-          "kind", [](const MotionEvent& e) { return kind_name(e.kind); },
+          "kind", [](const MotionEvent& e) { return event_kind_name(e.kind); },
           "'impact', 'rest', 'separation' or 'slip_to_stick'.")
       .def_readonly("time", &MotionEvent::time, "[s].")
       .def_readonly("body_a", &MotionEvent::body_A, "Index of a body.")
@@ -64,7 +51,7 @@ void bind_answers(py::module_& module) {
       .def_readonly("point", &MotionEvent::p_W, "Where an impact was [m].")
       .def_readonly("impulse", &MotionEvent::j_W, "Impulse of an impact on body_b [N s].")
       .def("__repr__", [](const MotionEvent& e) {
-        return std::string("<Event ") + kind_name(e.kind) + " at " + std::to_string(e.time) + " s>";
+        return std::string("<Event ") + event_kind_name(e.kind) + " at " + std::to_string(e.time) + " s>";
       });
   py::class_<TouchingPoint>(module, "Contact", "A point where two bodies touch.")
       .def_readonly("body_a", &TouchingPoint::body_A, "Index of a body.")

@@ -26,16 +26,10 @@ void append(const std::vector<double>& from, std::vector<double>& to) {
 class RunFiles {
  public:
   RunFiles(const Scene& scene, const RecordOptions& options) {
-    TrajectoryHeader header{.scene = scene.name,
-                            .scene_text = options.scene_text,
-                            .scene_file = options.scene_file,
-                            .overrides = options.overrides,
-                            .method = scene.method,
-                            .run = scene.run};
-    for (const Body& body : scene.model->bodies()) header.bodies.push_back(body.name);
-    header.joints = trajectory_joints(*scene.model);
-    header.has_joint_forces = has_joint_forces(*scene.model);
-    header.has_efforts = has_efforts(*scene.model);
+    TrajectoryHeader header = trajectory_header(scene);
+    header.scene_text = options.scene_text;
+    header.scene_file = options.scene_file;
+    header.overrides = options.overrides;
     // All suffixes are looked at before a file is made.
     constexpr std::array<std::string_view, 2> elsewhere{".html", ".png"};
     for (const std::filesystem::path& path : options.files) {

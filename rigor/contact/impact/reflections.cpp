@@ -85,22 +85,19 @@ VecX blended(const ImpactProblem& problem, const VecX& plastic, const VecX& refl
 }
 
 /// The rows of these contacts.
-std::shared_ptr<const ContactRows> rows_of(const ContactRows& rows,
-                                           const std::vector<std::size_t>& contacts) {
+ContactRows rows_of(const ContactRows& rows, const std::vector<std::size_t>& contacts) {
   ContactRows result;
   result.masses = rows.masses;
   result.inverse_masses = rows.inverse_masses;
   for (const std::size_t i : contacts) result.contacts.push_back(rows.contacts[i]);
-  return std::make_shared<const ContactRows>(std::move(result));
+  return result;
 }
 
 /// The rows of these contacts with the normal ones cut off: instead of bodies they move loads, so that their
 /// diagonal entries are those of A.
 std::shared_ptr<const ContactRows> rows_of_friction(const ContactRows& rows,
                                                     const std::vector<std::size_t>& contacts, const MatX& A) {
-  ContactRows result;
-  result.masses = rows.masses;
-  result.inverse_masses = rows.inverse_masses;
+  ContactRows result = rows_of(rows, contacts);
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     // A node of loads has six velocities, one for each of six contacts.
     const Eigen::Index velocity = static_cast<Eigen::Index>(i % 6);
@@ -111,12 +108,11 @@ std::shared_ptr<const ContactRows> rows_of_friction(const ContactRows& rows,
     const double a = A(row_of(i) + 2, row_of(i) + 2);
     result.masses.back()(velocity, velocity) = 1 / a;
     result.inverse_masses.back()(velocity, velocity) = a;
-    ContactRows::Sides sides = rows.contacts[contacts[i]];
+    ContactRows::Sides& sides = result.contacts[i];
     for (ContactRows::Side& side : sides) side.J.row(2).setZero();
     sides[2].node = static_cast<int>(result.masses.size()) - 1;
     sides[2].J.setZero();
     sides[2].J(2, velocity) = 1;
-    result.contacts.push_back(sides);
   }
   return std::make_shared<const ContactRows>(std::move(result));
 }
@@ -157,7 +153,8 @@ VecX generalised_reflections(const ImpactProblem& problem) {
     const std::vector<std::size_t> approaching = approaching_contacts(u, tolerance);
     if (approaching.empty()) break;
     ImpactProblem part = part_of(problem, approaching, u);
-    if (problem.rows && approaching.size() >= many_on_rows) part.rows = rows_of(*problem.rows, approaching);
+    if (problem.rows && approaching.size() >= many_on_rows)
+      part.rows = std::make_shared<const ContactRows>(rows_of(*problem.rows, approaching));
     const CoulombSolution stopped = solve_cones(part, part.u, std::vector<double>(part.count(), 0.0));
     if (!stopped.converged) break;
     for (std::size_t i = 0; i < approaching.size(); ++i) {

@@ -2,6 +2,7 @@
 
 #include "rigor/core/assert.hpp"
 #include "rigor/core/quoted.hpp"
+#include "rigor/io/scene/scene_reader.hpp"
 #include "rigor/io/trajectory/csv_writer.hpp"
 #include "rigor/io/trajectory/hdf5_writer.hpp"
 #include "rigor/io/trajectory/json_writer.hpp"
@@ -127,6 +128,15 @@ std::unique_ptr<TrajectoryWriter> make_trajectory_writer(const std::filesystem::
   const Format* const format = find_format(path);
   RIGOR_ASSERT(format != nullptr);
   return format->make(path, header);
+}
+
+TrajectoryHeader trajectory_header(const Scene& scene) {
+  TrajectoryHeader header{.scene = scene.name, .method = scene.method, .run = scene.run};
+  for (const Body& body : scene.model->bodies()) header.bodies.push_back(body.name);
+  header.joints = trajectory_joints(*scene.model);
+  header.has_joint_forces = has_joint_forces(*scene.model);
+  header.has_efforts = has_efforts(*scene.model);
+  return header;
 }
 
 const char* event_kind_name(MotionEvent::Kind kind) {

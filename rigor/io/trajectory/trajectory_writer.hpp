@@ -12,6 +12,8 @@
 
 namespace rigor {
 
+struct Scene;
+
 /// A joint whose motion is stored in a trajectory file.
 struct TrajectoryJoint {
   std::string name;
@@ -31,6 +33,9 @@ struct TrajectoryHeader {
   bool has_joint_forces = false;        ///< See has_joint_forces(model).
   bool has_efforts = false;             ///< See has_efforts(model).
 };
+
+/// What the scene itself says of its run; the text, file and overrides are left to the caller.
+TrajectoryHeader trajectory_header(const Scene& scene);
 
 /// The motion at one output time, as a user sees it.
 struct TrajectorySample {
