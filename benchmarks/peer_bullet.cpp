@@ -55,6 +55,10 @@ std::unique_ptr<btCollisionShape> shape_of(const PeerBody& body) {
       return std::make_unique<btSphereShape>(body.half.x());
     case PeerBody::Shape::box:
       return std::make_unique<btBoxShape>(to_bullet(body.half));
+    case PeerBody::Shape::capsule:
+      return std::make_unique<btCapsuleShapeZ>(body.half.x(), 2 * body.half.z());
+    case PeerBody::Shape::cylinder:
+      return std::make_unique<btCylinderShapeZ>(to_bullet(body.half));
     case PeerBody::Shape::none:
       break;
   }

@@ -31,6 +31,7 @@ class OdeWorld : public PeerWorld {
   static Vec3 vector_of(const dReal* v) { return {v[0], v[1], v[2]}; }
   dBodyID at(int body) const { return bodies_[static_cast<std::size_t>(body)]; }
   void add_body(const PeerBody& given);
+  dGeomID shape_of(const PeerBody& given) const;
   void add_contacts(dGeomID a, dGeomID b);
 
   OdeSettings settings_;
@@ -79,12 +80,25 @@ void OdeWorld::add_body(const PeerBody& given) {
   dBodySetLinearVel(body, given.v.x(), given.v.y(), given.v.z());
   dBodySetAngularVel(body, given.w.x(), given.w.y(), given.w.z());
   bodies_.push_back(body);
-  if (given.shape == PeerBody::Shape::none) return;
+  if (const dGeomID shape = shape_of(given)) dGeomSetBody(shape, body);
+}
+
+/// The body's shape in the space; nothing if it has none.
+dGeomID OdeWorld::shape_of(const PeerBody& given) const {
   const Vec3& half = given.half;
-  const dGeomID shape = given.shape == PeerBody::Shape::sphere
-                            ? dCreateSphere(space_, half.x())
-                            : dCreateBox(space_, 2 * half.x(), 2 * half.y(), 2 * half.z());
-  dGeomSetBody(shape, body);
+  switch (given.shape) {
+    case PeerBody::Shape::sphere:
+      return dCreateSphere(space_, half.x());
+    case PeerBody::Shape::box:
+      return dCreateBox(space_, 2 * half.x(), 2 * half.y(), 2 * half.z());
+    case PeerBody::Shape::capsule:
+      return dCreateCapsule(space_, half.x(), 2 * half.z());
+    case PeerBody::Shape::cylinder:
+      return dCreateCylinder(space_, half.x(), 2 * half.z());
+    case PeerBody::Shape::none:
+      break;
+  }
+  return nullptr;
 }
 
 void OdeWorld::add_contacts(dGeomID a, dGeomID b) {
