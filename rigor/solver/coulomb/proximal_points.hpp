@@ -27,10 +27,14 @@ struct ProximalPointOptions {
 ///   w = A λ + b + (λ - λ⁰) / ρ,
 ///
 /// a problem with one regular matrix however redundant the contacts are: with Alart and Curnier's functions
-/// λ_n = max(0, x_n) and λ_t = the point of the disk of radius μ λ_n nearest to x_t, x = λ⁰ - ρ (L v + b), it
-/// is M v = Lᵀ λ(v) for the motion v (A = L M⁻¹ Lᵀ), solved by Newton's method with a search along its line.
-/// Slip directions are unknowns in it, so none is held from step to step. ρ grows; where a problem is not
-/// solved it shrinks.
+/// P_n(x) = max(0, x_n) and P_t(x) = the point of the disk of radius μ P_n nearest to x_t it is
+///
+///   λ = P(λ - c w),  M v = Lᵀ λ,  w = L v + b + (λ - λ⁰) / ρ
+///
+/// for the motion v and the forces λ (A = L M⁻¹ Lᵀ), with any c > 0, solved by Newton's method with a search
+/// along its line: first with a moderate c, since the forces of a point then begin the next one; where that
+/// fails with c = ρ, when v alone decides. Slip directions are unknowns in it, so none is held from step to
+/// step. ρ grows; where a problem is not solved it shrinks.
 ///
 /// λ is the exact solution of the law with b' = b + (λ - λ⁰) / ρ. Contacts that contradict each other (no
 /// forces make them hold, nor do they quite let go) show as a b' that stays as far from b, while forces that

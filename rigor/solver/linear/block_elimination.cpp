@@ -79,20 +79,66 @@ std::size_t EliminationPattern::pair(int first, int second) const {
   return static_cast<std::size_t>(found - later_.begin());
 }
 
+BlockFactors::BlockFactors(const Block6& A) : LU_(A) {
+  for (int k = 0; k < 6; ++k) {
+    // The largest entry of the column that is left becomes the pivot.
+    int pivot = k;
+    for (int i = k + 1; i < 6; ++i)
+      if (std::abs(LU_(i, k)) > std::abs(LU_(pivot, k))) pivot = i;
+    swapped_[at(k)] = pivot;
+    if (pivot != k) LU_.row(k).swap(LU_.row(pivot));
+    is_regular_ = is_regular_ && std::abs(LU_(k, k)) > 0 && std::isfinite(LU_(k, k));
+
+    // Its row is taken away from those below.
+    for (int i = k + 1; i < 6; ++i) {
+      const double share = LU_(i, k) / LU_(k, k);
+      LU_(i, k) = share;
+      for (int c = k + 1; c < 6; ++c) LU_(i, c) -= share * LU_(k, c);
+    }
+  }
+}
+
+template <int columns>
+void BlockFactors::solve_in_place(
+    Eigen::Matrix<double, 6, columns, columns == 1 ? Eigen::ColMajor : Eigen::RowMajor>& X) const {
+  // Forward with L, the rows exchanged as the factors' were.
+  for (int k = 0; k < 6; ++k)
+    if (swapped_[at(k)] != k) X.row(k).swap(X.row(swapped_[at(k)]));
+  for (int i = 1; i < 6; ++i)
+    for (int k = 0; k < i; ++k) X.row(i) -= LU_(i, k) * X.row(k);
+
+  // Back with U.
+  for (int i = 5; i >= 0; --i) {
+    for (int k = i + 1; k < 6; ++k) X.row(i) -= LU_(i, k) * X.row(k);
+    X.row(i) /= LU_(i, i);
+  }
+}
+
 BlockElimination::BlockElimination(const EliminationPattern& pattern, bool is_symmetric)
     : pattern_(pattern),
       is_symmetric_(is_symmetric),
-      pivots_(pattern.node_count(), Mat6::Zero()),
-      upper_(pattern.pair_count(), Mat6::Zero()),
-      lower_(pattern.pair_count(), Mat6::Zero()) {}
+      pivots_(pattern.node_count(), Block6::Zero()),
+      upper_(pattern.pair_count(), Block6::Zero()),
+      lower_(pattern.pair_count(), Block6::Zero()) {}
+
+void BlockElimination::add(int row_node, int column_node, const Block6& block) {
+  const int row = pattern_.place(row_node), column = pattern_.place(column_node);
+  if (row == column) {
+    pivots_[at(row)] += block;
+  } else if (row < column) {
+    upper_[pattern_.pair(row, column)] += block;
+  } else if (is_symmetric_) {
+    upper_[pattern_.pair(column, row)] += block.transpose();
+  } else {
+    lower_[pattern_.pair(column, row)] += block;
+  }
+}
 
 bool BlockElimination::factor(const VecX& scales) {
   scale(scales);
   factors_.reserve(pattern_.node_count());
   for (std::size_t place = 0; place < pattern_.node_count(); ++place) {
-    const Pivot& pivot = factors_.emplace_back(pivots_[place]);
-    const auto diagonal = pivot.matrixLU().diagonal();
-    if (!(diagonal.cwiseAbs().minCoeff() > 0 && diagonal.allFinite())) return false;
+    if (!factors_.emplace_back(pivots_[place]).is_regular()) return false;
     eliminate(place);
   }
   return true;
@@ -118,7 +164,7 @@ void BlockElimination::eliminate(std::size_t place) {
   const std::size_t begin = pattern_.begin(place), end = pattern_.begin(place + 1);
   for (std::size_t i = begin; i < end; ++i) {
     if (is_symmetric_) lower_[i] = upper_[i].transpose();
-    upper_[i] = factors_[place].solve(upper_[i]).eval();
+    factors_[place].solve_in_place<6>(upper_[i]);
   }
   const std::size_t* changed = pattern_.changed(place);
   for (std::size_t i = begin; i < end; ++i) {
@@ -141,9 +187,11 @@ VecX BlockElimination::solve(const VecX& c) const {
 
   // Forward with L, back with U.
   for (std::size_t place = 0; place < pattern_.node_count(); ++place) {
-    part(place) = factors_[place].solve(part(place)).eval();
+    Vec6 solved = part(place);
+    factors_[place].solve_in_place<1>(solved);
+    part(place) = solved;
     for (std::size_t i = pattern_.begin(place); i < pattern_.begin(place + 1); ++i)
-      part(pattern_.second(i)).noalias() -= lower_[i] * part(place);
+      part(pattern_.second(i)).noalias() -= lower_[i] * solved;
   }
   for (std::size_t place = pattern_.node_count(); place-- > 0;)
     for (std::size_t i = pattern_.begin(place); i < pattern_.begin(place + 1); ++i)

@@ -2,8 +2,7 @@
 
 #include "rigor/math/types.hpp"
 
-#include <Eigen/LU>
-
+#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -37,6 +36,28 @@ class EliminationPattern {
   std::vector<std::size_t> begin_, later_, first_changed_, changed_;
 };
 
+/// A 6 × 6 block by rows: what elimination does to it, it does to whole rows.
+using Block6 = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
+
+/// Factors P A = L U of one block, with partial pivoting (Golub and Van Loan, Matrix Computations, 2013,
+/// algorithm 3.4.1).
+class BlockFactors {
+ public:
+  explicit BlockFactors(const Block6& A);
+
+  /// Whether all pivots are finite and not zero.
+  bool is_regular() const { return is_regular_; }
+  /// X ← A⁻¹ X.
+  template <int columns>
+  void solve_in_place(
+      Eigen::Matrix<double, 6, columns, columns == 1 ? Eigen::ColMajor : Eigen::RowMajor>& X) const;
+
+ private:
+  Block6 LU_;                   ///< L below the diagonal, without its ones, and U.
+  std::array<int, 6> swapped_;  ///< With which row each row was exchanged.
+  bool is_regular_ = true;
+};
+
 /// Gaussian elimination of a matrix of 6 × 6 blocks, a block wherever two nodes are coupled, with
 /// pivots within each node's own block. That is stable for matrices whose symmetric part is positive
 /// definite, such as masses with contacts that give way; of others `is_regular` tells whether the pivots
@@ -48,19 +69,7 @@ class BlockElimination {
 
   /// Adds to the block of these nodes; of symmetric matrices only one of (row, column), (column, row) for
   /// different nodes, whichever.
-  template <typename Block>
-  void add(int row_node, int column_node, const Block& block) {
-    const int row = pattern_.place(row_node), column = pattern_.place(column_node);
-    if (row == column) {
-      pivots_[static_cast<std::size_t>(row)] += block;
-    } else if (row < column) {
-      upper_[pattern_.pair(row, column)] += block;
-    } else if (is_symmetric_) {
-      upper_[pattern_.pair(column, row)] += block.transpose();
-    } else {
-      lower_[pattern_.pair(column, row)] += block;
-    }
-  }
+  void add(int row_node, int column_node, const Block6& block);
 
   /// Factors S A S with the diagonal S, one number an unknown, such that the pivots of a node compare like
   /// units. Whether all pivots were nonzero and finite.
@@ -69,17 +78,16 @@ class BlockElimination {
   VecX solve(const VecX& c) const;
 
  private:
-  using Pivot = Eigen::PartialPivLU<Mat6>;
   void scale(const VecX& scales);
   void eliminate(std::size_t place);
 
   const EliminationPattern& pattern_;
   bool is_symmetric_;
-  std::vector<Vec6> scales_;    ///< One a place.
-  std::vector<Mat6> pivots_;    ///< A_pp, one a place.
-  std::vector<Pivot> factors_;  ///< Of them when their turn came.
-  std::vector<Mat6> upper_;     ///< A_pk, one a pair p < k; once p is eliminated A_pp⁻¹ A_pk.
-  std::vector<Mat6> lower_;     ///< A_kp; of symmetric matrices from when p is eliminated.
+  std::vector<Vec6> scales_;           ///< One a place.
+  std::vector<Block6> pivots_;         ///< A_pp, one a place.
+  std::vector<BlockFactors> factors_;  ///< Of them when their turn came.
+  std::vector<Block6> upper_;          ///< A_pk, one a pair p < k; once p is eliminated A_pp⁻¹ A_pk.
+  std::vector<Block6> lower_;          ///< A_kp; of symmetric matrices from when p is eliminated.
 };
 
 }  // namespace rigor

@@ -16,19 +16,22 @@ namespace {
 // Up to so many unknowns the dense factorisation is faster than the sparse one.
 constexpr Index kDenseUnknowns = 144;
 
+using ByRows = Eigen::Matrix<double, 3, 6, Eigen::RowMajor>;
+
 /// Calls add(row node, column node, block) for each block of the sum; of a symmetric one for row ≤ column.
 template <typename Add>
 void assemble(const ContactRows& rows, const std::vector<Mat3>& D, double mass_factor, bool is_symmetric,
               Add add) {
   for (std::size_t k = 0; k < rows.node_count(); ++k)
-    add(static_cast<int>(k), static_cast<int>(k), Mat6(mass_factor * rows.masses[k]));
+    add(static_cast<int>(k), static_cast<int>(k), Block6(mass_factor * rows.masses[k]));
   for (std::size_t i = 0; i < rows.contacts.size(); ++i) {
     if (D[i].isZero(0)) continue;
     for (const ContactRows::Side& left : rows.contacts[i]) {
       if (left.node < 0) continue;
       const Eigen::Matrix<double, 6, 3> pushed = left.J.transpose() * D[i];
       for (const ContactRows::Side& right : rows.contacts[i])
-        if (right.node >= (is_symmetric ? left.node : 0)) add(left.node, right.node, Mat6(pushed * right.J));
+        if (right.node >= (is_symmetric ? left.node : 0))
+          add(left.node, right.node, Block6(pushed.lazyProduct(ByRows(right.J))));
     }
   }
 }
@@ -127,8 +130,8 @@ NodeSystem::NodeSystem(const ContactRows& rows, const EliminationPattern& patter
 
   // Else on all nodes, with the joints' independent rows as a border: symmetric, but not definite, and scaled
   // so that pivots compare like units.
-  const auto scaled = [this](int i, int k, const Mat6& block) {
-    return Mat6(scales_.segment<6>(6 * i).asDiagonal() * block * scales_.segment<6>(6 * k).asDiagonal());
+  const auto scaled = [this](int i, int k, const Block6& block) {
+    return Block6(scales_.segment<6>(6 * i).asDiagonal() * block * scales_.segment<6>(6 * k).asDiagonal());
   };
   const auto scaled_row = [this](int node, const Vec6& coefficients) {
     return Vec6(coefficients.cwiseProduct(scales_.segment<6>(6 * node)));
@@ -137,7 +140,7 @@ NodeSystem::NodeSystem(const ContactRows& rows, const EliminationPattern& patter
   size_ = free + for_each_joint_row(rows, [](Index, int, const Vec6&) {});
   if (size_ <= kDenseUnknowns) {
     MatX matrix = MatX::Zero(size_, size_);
-    assemble(rows, D, mass_factor, false, [&](int i, int k, const Mat6& block) {
+    assemble(rows, D, mass_factor, false, [&](int i, int k, const Block6& block) {
       matrix.block<6, 6>(6 * i, 6 * k) += scaled(i, k, block);
     });
     for_each_joint_row(rows, [&](Index row, int node, const Vec6& coefficients) {
@@ -149,8 +152,8 @@ NodeSystem::NodeSystem(const ContactRows& rows, const EliminationPattern& patter
     return;
   }
   std::vector<Eigen::Triplet<double>> entries;
-  assemble(rows, D, mass_factor, false, [&](int i, int k, const Mat6& block) {
-    const Mat6 entry = scaled(i, k, block);
+  assemble(rows, D, mass_factor, false, [&](int i, int k, const Block6& block) {
+    const Block6 entry = scaled(i, k, block);
     for (int c = 0; c < 6; ++c)
       for (int r = 0; r < 6; ++r) entries.emplace_back(6 * i + r, 6 * k + c, entry(r, c));
   });
@@ -170,7 +173,7 @@ bool NodeSystem::factor_blocks(const EliminationPattern& pattern, const std::vec
                                double mass_factor, bool is_symmetric) {
   BlockElimination& blocks = factors_->blocks.emplace(pattern, is_symmetric);
   assemble(rows_, D, mass_factor, is_symmetric,
-           [&](int row, int column, const Mat6& block) { blocks.add(row, column, block); });
+           [&](int row, int column, const Block6& block) { blocks.add(row, column, block); });
   return blocks.factor(unknown_scales(rows_));
 }
 
