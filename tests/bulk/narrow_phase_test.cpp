@@ -175,12 +175,12 @@ TEST(NarrowPhase, AHalfSpaceTouchesTheVerticesBelowTheMargin) {
   }
 }
 
-/// Cylinder, cone, ellipsoid and mesh go through double precision.
-TEST(NarrowPhase, OtherShapesHaveTheGapsOfContactSet) {
+/// Ellipsoids go through double precision.
+TEST(NarrowPhase, EllipsoidsHaveTheGapsOfContactSet) {
   Draw draw(3);
-  for (int kind = 3; kind < 6; ++kind) {
-    for (int other = 0; other < Draw::kKinds; ++other) {
-      TwoBodies pair(draw.shape(kind), draw.shape(other));
+  for (int other = 0; other < Draw::kKinds; ++other) {
+    for (int k = 0; k < 3; ++k) {
+      TwoBodies pair(draw.shape(5), draw.shape(other));
       const Pose X_WA = draw.pose(1);
       pair.place(X_WA,
                  placed_at_gap(pair.shape(0), X_WA, pair.shape(1), draw.pose(2), draw.uniform(-0.02, 0.04)));

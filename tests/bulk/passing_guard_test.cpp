@@ -103,5 +103,44 @@ TEST(PassingGuard, NoBladePassesABodyAtRest) {
   }
 }
 
+/// Limbs that are thick and hinged at one end go on arcs, which are not their chords.
+TEST(PassingGuard, NoThickLimbPassesABodyAtRest) {
+  Draw draw(3);
+  for (int k = 0; k < 60; ++k) {
+    SCOPED_TRACE(k);
+    ModelBuilder builder;
+    builder.set_gravity(Vec3::Zero());
+    builder.add_material({"m", 1000, 0.3, draw.below(2) == 0 ? 0 : 0.5});
+    const double length = draw.between(0.15, 0.5), spin = draw.between(20, 150);
+    const Vec3 size(length, draw.between(0.03, 0.12), draw.between(0.03, 0.1));
+    BodyDescription limb = random_body("limb", Box{0.5 * size}, Vec3(0.5 * length, 0, 0));
+    limb.velocity = Vec3(0, 0.5 * length * spin, 0);
+    limb.angular_velocity = Vec3(0, 0, spin);
+    builder.add_body(limb);
+    const double angle = draw.between(1.5, 4), radius = length * draw.between(0.4, 0.9);
+    builder.add_body(random_body("body", random_shape(draw, draw.between(0.02, 0.1)),
+                                 radius * Vec3(std::cos(angle), std::sin(angle), 0)));
+    ModelBuilder::JointDescription hinge;
+    hinge.name = "hinge";
+    hinge.type = JointType::hinge;
+    hinge.bodies = {"world", "limb"};
+    hinge.anchors = {Vec3::Zero()};
+    hinge.axis = Vec3::UnitZ();
+    builder.add_joint(hinge);
+    const std::shared_ptr<const Model> model = builder.build();
+
+    State state = make_initial_state(*model);
+    const double energy = kinetic_energy_of(*model, state), step = draw.between(0.005, 1.0 / 60);
+    BulkWorld world(model, {});
+    world.read(state);
+    while (world.time() < 6.3 / spin + 2 * step) {
+      world.step(step);
+      world.write(state);
+      ASSERT_LE(kinetic_energy_of(*model, state), energy * (1 + 1e-4));
+    }
+    EXPECT_GT(state.linear_momentum(1).norm(), 0);
+  }
+}
+
 }  // namespace
 }  // namespace rigor::passing_guard_test

@@ -127,20 +127,19 @@ void add_lowest(const SeparatingAxis& axis, float margin, PlacedPolytopes& pair)
             margin, pair);
 }
 
-/// Moves the ball inside a core as near to a point as it can be: the bound by the balls is the better for it.
-void move_ball(const BulkShape& shape, const Vec3f& to, PlacedPolytope& core) {
-  if (shape.ball_way.isZero(0)) return;
-  const CorePlace& place = core.place;
-  const Vec3f local = place.R.transpose() * (to - place.t);
-  core.center = place.R * local.cwiseMax(-shape.ball_way).cwiseMin(shape.ball_way) + place.t;
-}
+}  // namespace
 
 CorePlace place_of(const BulkShape& shape, const PlacedShape& placed, const Vec3f& p_OB) {
   const Mat3f R = placed.rotation();
   return {R * shape.scale.asDiagonal(), R, p_OB + placed.position()};
 }
 
-}  // namespace
+void move_ball(const BulkShape& shape, const Vec3f& to, PlacedPolytope& core) {
+  if (shape.ball_way.isZero(0)) return;
+  const CorePlace& place = core.place;
+  const Vec3f local = place.R.transpose() * (to - place.t);
+  core.center = place.R * local.cwiseMax(-shape.ball_way).cwiseMin(shape.ball_way) + place.t;
+}
 
 void place_polytope(const BulkShape& shape, const CorePlace& place, PlacedPolytope& core) {
   const FloatHull& hull = *shape.hull;

@@ -78,6 +78,10 @@ struct PlacedPolytopes {
 void place_polytopes(const BulkShape& a, const PlacedShape& placed_A, const BulkShape& b,
                      const PlacedShape& placed_B, const Vec3f& d, PlacedPolytopes& pair);
 
+/// The place of a shape's core, p_OB being the centre of its body.
+CorePlace place_of(const BulkShape& shape, const PlacedShape& placed, const Vec3f& p_OB);
+/// Moves the ball inside a core as near to a point as it can be: the bound by the balls is the better for it.
+void move_ball(const BulkShape& shape, const Vec3f& to, PlacedPolytope& core);
 /// Places a core.
 void place_polytope(const BulkShape& shape, const CorePlace& place, PlacedPolytope& core);
 /// The centre of the ball inside a core that is placed.

@@ -9,6 +9,8 @@
 #include "rigor/bulk/narrow_phase/collide_round.hpp"
 #include "rigor/bulk/narrow_phase/mesh_inside.hpp"
 #include "rigor/bulk/narrow_phase/pair_hints.hpp"
+#include "rigor/bulk/narrow_phase/plane_manifolds.hpp"
+#include "rigor/bulk/narrow_phase/ring_pairs.hpp"
 #include "rigor/bulk/state/bulk_shape.hpp"
 #include "rigor/core/index.hpp"
 
@@ -35,7 +37,7 @@ struct PlacedForm {
   int place;
   Kind kind;
   bool is_ball;
-  bool has_core, has_faces;
+  bool has_core, has_faces, has_rings;
 };
 
 /// A pair of shapes, placed.
@@ -65,6 +67,7 @@ struct BlockScratch {
   LaneList<BallPairs, BallContacts> balls;
   PlacedPolytopes polytopes;
   MeshMeeting mesh;
+  RingMeeting rings;
 };
 
 /// A part of the pairs, and the manifolds found in it.
@@ -74,6 +77,10 @@ struct alignas(64) Part {
   std::size_t begin = 0, begin_of_points = 0;  ///< Index of the first of these among all.
 };
 
+/// Whether one of two shapes is a solid of revolution, and the other has a core or is one too.
+bool are_ring_pair(const PlacedForm& a, const PlacedForm& b) {
+  return bool(a.has_rings | b.has_rings) & bool(a.has_core | a.has_rings) & bool(b.has_core | b.has_rings);
+}
 bool is_ball(const BulkShape& shape) {
   return shape.kind == Kind::round && shape.extent == 0;
 }
@@ -138,13 +145,15 @@ NarrowPhase::Tables::Tables(const Model& model) {
     for (const BodyShape& shape : model.body(i).shapes) {
       // Bodies that share a shape share its form.
       const auto [known, is_new] = known_forms.emplace(
-          &shape, PlacedForm{static_cast<int>(forms.size()), no_place, Kind::other, false, false, false});
+          &shape,
+          PlacedForm{static_cast<int>(forms.size()), no_place, Kind::other, false, false, false, false});
       if (is_new) forms.push_back(make_bulk_shape(shape, hulls));
       PlacedForm own = known->second;
       own.kind = form(own).kind;
       own.is_ball = is_ball(form(own));
       own.has_faces = own.kind == Kind::box || own.kind == Kind::hull;
       own.has_core = own.has_faces || own.kind == Kind::round;
+      own.has_rings = own.kind == Kind::rings;
       // Each shape has a place of its own, only balls about the centres of their bodies share one.
       if (own.place == no_place) {
         own.place = static_cast<int>(placed.size());
@@ -178,32 +187,13 @@ void NarrowPhase::Tables::place(const BulkBodies& bodies, const std::vector<Shap
 bool NarrowPhase::Tables::needs_hint(const ShapePair& pair) const {
   const PlacedForm &a = placed_form(pair.body_A, pair.shape_A), &b = placed_form(pair.body_B, pair.shape_B);
   const bool is_on_mesh = ((a.kind == Kind::mesh) & b.has_core) | ((b.kind == Kind::mesh) & a.has_core);
-  return ((a.has_faces | b.has_faces) & a.has_core & b.has_core) | is_on_mesh;
+  return ((a.has_faces | b.has_faces) & a.has_core & b.has_core) | is_on_mesh | are_ring_pair(a, b);
 }
 
 namespace {
 
 Pose pose_of(const BulkShape& shape, const Quat& q_WB, const Vec3& p_OB) {
   return Pose{q_WB.toRotationMatrix(), p_OB} * shape.X_BS;
-}
-
-/// Adds the manifold of a core and a plane; `plane_is_A` tells which is which.
-void add_plane_manifold(const BulkShape& plane, const Pose& X_OP, const BulkShape& core,
-                        const PlacedShape& placed, const Vec3& p_OB, bool plane_is_A, const ShapePair& pair,
-                        int number, std::vector<ManifoldCandidate>& candidates, ManifoldList& manifolds) {
-  // The height of the other body over the plane is found in 64 bits.
-  const PlaneView view =
-      view_plane(std::get<HalfSpace>(*plane.shape), X_OP, plane_is_A ? p_OB : Vec3::Zero());
-  find_plane_candidates(view, core, placed, pair.margin, candidates);
-  if (candidates.empty()) return;
-  // Points are relative to body A.
-  if (plane_is_A)
-    for (ManifoldCandidate& candidate : candidates) candidate.p += p_OB.cast<float>();
-  // At most four of the vertices below the margin.
-  const float equal_depth = kRounding * (std::abs(view.height) + core.extent + core.radius) +
-                            kEqualDepthOfSize * core.inner_radius();
-  const Vec3f n = plane_is_A ? view.n : Vec3f(-view.n);
-  manifolds.push_back({number, 0, make_manifold(n, equal_depth, candidates)});
 }
 
 /// Adds the manifold of the candidates; false if there are none.
@@ -227,18 +217,25 @@ void NarrowPhase::Tables::find_pair(const BulkBodies& bodies, const ShapePair& p
     return find_mesh(bodies, pair, place, number, scratch.mesh, manifolds);
   const bool is_other = is_exact(a.kind) || is_exact(b.kind);
   const bool has_plane = a.kind == Kind::plane || b.kind == Kind::plane;
+  const bool is_ring_pair = are_ring_pair(place.a, place.b);
   polytopes.candidates.clear();
+  // Rings, where it is clear how they touch.
+  if (is_ring_pair &&
+      scratch.rings.find({a, placed_A, b, placed_B, place.d, pair.margin}, number, *place.hint, manifolds))
+    return;
   // Planes and shapes without a core need the poses in 64 bits.
-  if (is_other || has_plane) {
+  if (is_other || has_plane || is_ring_pair) {
     const Vec3 p_OB = bodies.x[at(pair.body_B)] - bodies.x[at(pair.body_A)];
     const Pose X_OA = pose_of(a, bodies.q[at(pair.body_A)], Vec3::Zero());
     const Pose X_OB = pose_of(b, bodies.q[at(pair.body_B)], p_OB);
-    if (is_other)
+    if (is_other || is_ring_pair)
       add_exact_manifolds(*a.shape, X_OA, *b.shape, X_OB, pair.margin, number, manifolds);
     else if (a.kind == Kind::plane)
-      add_plane_manifold(a, X_OA, b, placed_B, p_OB, true, pair, number, polytopes.candidates, manifolds);
+      add_plane_manifold({a, X_OA, b, placed_B, p_OB, true, pair.margin}, number, polytopes.candidates,
+                         manifolds);
     else
-      add_plane_manifold(b, X_OB, a, placed_A, p_OB, false, pair, number, polytopes.candidates, manifolds);
+      add_plane_manifold({b, X_OB, a, placed_A, p_OB, false, pair.margin}, number, polytopes.candidates,
+                         manifolds);
     return;
   }
   // Cores with faces are searched for the axis of largest separation; spheres and capsules are segments.
@@ -312,6 +309,9 @@ bool NarrowPhase::Tables::is_parted(const PairPlace& place, float margin) const 
   // Pairs are passed over only where the separation exceeds the margin by far more than the rounding, so that
   // they have no points by any computation.
   const float rounding = kRounding * (a.extent + b.extent + place.d.lpNorm<1>());
+  if (place.a.has_rings | place.b.has_rings)
+    return separation_of({a, place_of(place.a), b, place_of(place.b), place.d, margin}, place.hint->n) >
+           margin + parting_slack(rounding);
   const Vec3f d = place.d + place_of(place.b).position() - place_of(place.a).position();
   return find_separation(core_of(a, place_of(place.a)), core_of(b, place_of(place.b)), d, place.hint->n,
                          best_lane_target()) > margin + a.radius + b.radius + parting_slack(rounding);

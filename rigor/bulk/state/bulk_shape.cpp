@@ -165,6 +165,28 @@ FloatHull make_float_hull(const FeatureGraph& graph, const std::vector<Vec3>& ve
   return hull;
 }
 
+FloatRings make_float_rings(const Ring& lower, const Ring& upper) {
+  const double height = upper.z - lower.z, inward = lower.radius - upper.radius;
+  const double slant = std::hypot(height, inward);
+  FloatRings rings{.z = {static_cast<float>(lower.z), static_cast<float>(upper.z)},
+                   .r = {static_cast<float>(lower.radius), static_cast<float>(upper.radius)}};
+  if (slant > 0) {
+    rings.k = static_cast<float>(inward / slant);
+    rings.square = static_cast<float>(height / slant);
+  }
+  // The ball between both caps, if the side is far enough there; else one that touches the larger cap and the
+  // side: at the height x over the cap of the radius r, the side is at the distance (r h - x d) / slant.
+  const double r = std::max(lower.radius, upper.radius), d = std::abs(inward);
+  const double inner = std::min(0.5 * height, r * height / (slant + d));
+  const double way = inward == 0 ? 0.5 * height - inner : 0, up = inward >= 0 ? 1 : -1;
+  rings.inner = static_cast<float>(inner * (1 - 1e-5));
+  rings.ball = static_cast<float>(inward == 0 ? 0.5 * (lower.z + upper.z)
+                                              : (inward > 0 ? lower.z : upper.z) + up * inner);
+  rings.ball_way = static_cast<float>(way);
+  rings.ball_across = static_cast<float>(inward == 0 ? r - inner : 0);
+  return rings;
+}
+
 FloatHulls::FloatHulls() {
   const ConvexHull unit_box = make_box_hull(Vec3::Ones());
   FloatHull numbered = make_float_hull(unit_box.features, unit_box.vertices);
@@ -193,6 +215,7 @@ struct FillCore {
     bulk.extent = static_cast<float>(s.half_length);
     bulk.scale.z() = bulk.extent;
     bulk.ball_way.z() = bulk.extent;
+    bulk.rings = make_float_rings({0, -s.half_length}, {0, s.half_length});
   }
   void operator()(const Box& s) const {
     bulk.kind = BulkShape::Kind::box;
@@ -231,11 +254,23 @@ struct FillCore {
     }
   }
   // These are only treated in double precision.
-  void operator()(const Cylinder&) const {}
-  void operator()(const Cone&) const {}
   void operator()(const Ellipsoid&) const {}
   void operator()(const Cavity&) const {}
-  void operator()(const Revolution&) const {}
+
+  void operator()(const Cylinder& s) const {
+    fill_rings({s.radius, -s.half_length}, {s.radius, s.half_length});
+  }
+  void operator()(const Cone& s) const { fill_rings({s.radius, -s.half_length}, {0, s.half_length}); }
+  /// Of more than two rings: in double precision.
+  void operator()(const Revolution& s) const {
+    if (s.rings->size() == 2) fill_rings(s.rings->front(), s.rings->back());
+  }
+  void fill_rings(const Ring& lower, const Ring& upper) const {
+    bulk.kind = BulkShape::Kind::rings;
+    bulk.rings = make_float_rings(lower, upper);
+    bulk.extent =
+        static_cast<float>(std::max(std::hypot(lower.radius, lower.z), std::hypot(upper.radius, upper.z)));
+  }
 };
 
 }  // namespace

@@ -80,16 +80,28 @@ struct FloatHull {
 
 FloatHull make_float_hull(const FeatureGraph& graph, const std::vector<Vec3>& vertices);
 
+/// A convex solid of revolution about z, the hull of two circles, which may be points; and a ball inside it.
+struct FloatRings {
+  float z[2] = {0, 0}, r[2] = {0, 0};  ///< Heights, ascending, and radii of the circles [m].
+  float k = 0, square = 1;  ///< Along the axis and across it: the parts of the unit normals of the side.
+  float inner = 0;          ///< Radius of the ball [m].
+  float ball = 0;           ///< Height of its centre [m].
+  float ball_way = 0, ball_across = 0;  ///< How far it can be moved along the axis and across it [m].
+};
+FloatRings make_float_rings(const Ring& lower, const Ring& upper);
+
 /// What the narrow phase knows of a shape: a core of vertices, which is `hull` scaled by `scale` along its
-/// axes, grown by `radius`; or a half-space; or a mesh; or a shape that is only treated in double precision.
+/// axes, grown by `radius`; or `rings`; or a half-space; or a mesh; or a shape that is only treated in double
+/// precision.
 struct BulkShape {
-  enum class Kind : std::int8_t { round, box, hull, plane, mesh, other };
+  enum class Kind : std::int8_t { round, box, hull, rings, plane, mesh, other };
   Kind kind = Kind::other;
   const Shape* shape = nullptr;
   Pose X_BS;
   bool is_body_frame = false;  ///< Whether the shape's frame S is the body frame B.
   std::shared_ptr<const FloatHull> hull;
   std::shared_ptr<const FloatMesh> mesh;
+  FloatRings rings;             ///< Of a solid of revolution; balls and capsules are such solids too.
   Vec3f scale = Vec3f::Ones();  ///< Half extents of a box; (1, 1, half length) of a segment [m].
   float radius = 0;             ///< [m].
   float extent = 0;             ///< No point of the core is farther from the origin of S [m].
