@@ -10,10 +10,13 @@
 #include <array>
 #include <atomic>
 #include <chrono>
+#include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <mutex>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -53,14 +56,47 @@ void nap() {
   std::this_thread::sleep_for(std::chrono::microseconds(50));
 }
 
+/// Rows one after the other, each with its length.
+void pack(const RunRow& row, std::string& bytes) {
+  const std::string one = row_bytes(row);
+  const std::uint32_t length = static_cast<std::uint32_t>(one.size());
+  std::array<char, sizeof(length)> raw;
+  std::memcpy(raw.data(), &length, sizeof(length));
+  bytes.append(raw.data(), raw.size()).append(one);
+}
+std::vector<RunRow> unpacked(std::string_view bytes) {
+  std::vector<RunRow> rows;
+  std::uint32_t length = 0;
+  while (bytes.size() >= sizeof(length)) {
+    std::memcpy(&length, bytes.data(), sizeof(length));
+    rows.push_back(row_of_bytes(bytes.substr(sizeof(length), length)));
+    bytes.remove_prefix(sizeof(length) + length);
+  }
+  return rows;
+}
+
 // A task travels as a row whose outcomes are its point.
-std::string task_bytes(const RunTask& task) {
-  return row_bytes({task.run, RunStatus::done, 0, task.point, {}});
+RunRow as_row(const RunTask& task) {
+  return {task.run, RunStatus::done, 0, task.point, {}};
 }
-RunTask task_of_bytes(const std::string& bytes) {
-  const RunRow row = row_of_bytes(bytes);
-  return {row.run, row.outcomes};
-}
+
+/// How many short runs go in one message: as many as take about this long, so that messages cost little and
+/// nobody waits long for the last ones.
+class MessageSize {
+ public:
+  void note(const RunRow& row) {
+    time_ += row.cpu_time;
+    ++count_;
+  }
+  int tasks() const {
+    constexpr double message_time = 5e-3, shortest_run = 2e-5;
+    if (count_ == 0) return 1;
+    return static_cast<int>(std::max(1.0, message_time / std::max(shortest_run, time_ / count_)));
+  }
+
+ private:
+  double time_ = 0, count_ = 0;
+};
 
 /// The first process: the thread that called gives out tasks, and only it speaks to MPI; another one works.
 class ProcessCrew : public Crew {
@@ -129,6 +165,17 @@ class ProcessCrew : public Crew {
     return source.next();
   }
 
+  /// Tasks for one message; empty if there are none.
+  std::string next_tasks(const TaskSource& source) {
+    std::string bytes;
+    for (int left = message_.tasks(); left > 0; --left) {
+      const std::optional<RunTask> task = next_of(source);
+      if (!task) break;
+      pack(as_row(*task), bytes);
+    }
+    return bytes;
+  }
+
   /// Gives tasks to those who wait and takes rows, until there are no tasks and nobody is busy.
   void serve(const TaskSource& source, const std::function<bool()>& interrupt) {
     bool has_tasks = true;
@@ -137,9 +184,9 @@ class ProcessCrew : public Crew {
       bool is_idle = take_rows(source);
       for (int rank = 1; rank < size() && has_tasks; ++rank) {
         if (worker(rank) != Worker::waiting) continue;
-        const std::optional<RunTask> task = next_of(source);
-        if (!(has_tasks = task.has_value())) break;
-        send(task_bytes(*task), rank, task_tag);
+        const std::string tasks = next_tasks(source);
+        if (!(has_tasks = !tasks.empty())) break;
+        send(tasks, rank, task_tag);
         worker(rank) = Worker::busy;
         is_idle = false;
       }
@@ -159,15 +206,18 @@ class ProcessCrew : public Crew {
     while (receive(MPI_ANY_SOURCE, row_tag, bytes, sender)) {
       is_idle = false;
       worker(sender) = Worker::waiting;
-      if (bytes.empty()) continue;
       const std::scoped_lock lock(mutex_);
-      source.deliver(row_of_bytes(bytes));
+      for (const RunRow& row : unpacked(bytes)) {
+        message_.note(row);
+        source.deliver(row);
+      }
     }
     return is_idle;
   }
 
   std::unique_ptr<RunExecutor> executor_;
   std::vector<Worker> workers_;  ///< By rank; the first one is this process.
+  MessageSize message_;          ///< Of the thread that speaks to MPI.
   std::mutex mutex_;
   std::atomic<bool> has_stopped_ = false, is_local_done_ = false;
   std::exception_ptr error_;
@@ -203,8 +253,13 @@ void ProcessGroup::work(const MakeExecutor& make, const std::function<bool()>& i
   while (true) {
     while (!receive(0, task_tag, bytes, sender)) nap();
     if (bytes.empty()) return;
-    const std::optional<RunRow> row = executor->run(task_of_bytes(bytes), interrupt);
-    send(row ? row_bytes(*row) : std::string(), 0, row_tag);
+    std::string done;
+    for (const RunRow& task : unpacked(bytes)) {
+      const std::optional<RunRow> row = executor->run({task.run, task.outcomes}, interrupt);
+      if (!row) break;
+      pack(*row, done);
+    }
+    send(done, 0, row_tag);
   }
 }
 

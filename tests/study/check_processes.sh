@@ -3,7 +3,7 @@
 # usage: check_processes.sh PROGRAM ROOT
 set -euo pipefail
 program=$(realpath "$1")
-study=$2/scenes/studies/arch_friction.yaml
+study=$(realpath "$2")/scenes/studies/arch_friction.yaml
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"

@@ -25,6 +25,11 @@ struct DataRange {
     }
   }
   bool is_empty() const { return !(low <= high); }
+  /// With room beside the outermost points.
+  DataRange with_margin() const {
+    constexpr double share = 0.04;
+    return {low - share * (high - low), high + share * (high - low)};
+  }
 };
 
 void add_titles(const AnswerFigure& figure, const PlotAxes& axes, Drawing& drawing) {
@@ -61,7 +66,7 @@ Drawing points_drawing(const AnswerFigure& figure) {
   x.add(figure.x), y.add(figure.y), y.add(figure.low), y.add(figure.high);
   Drawing drawing = empty_panel();
   if (x.is_empty() || y.is_empty()) return drawing;
-  const PlotAxes axes = axes_for(x, y);
+  const PlotAxes axes = axes_for(x.with_margin(), y);
   add_axes(axes, {}, drawing);
   add_titles(figure, axes, drawing);
   constexpr double cap = 3;

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 namespace rigor {
 
@@ -58,22 +59,22 @@ std::string html_table(const AnswerTable& table) {
   return text + "</table>\n";
 }
 
-/// Columns of all complete runs: parameters that vary, and outcomes.
+/// Columns of all runs: outcomes, then parameters, as far as they vary.
 void collect_columns(const Study& study, std::vector<std::string>& names,
                      std::vector<std::vector<double>>& columns) {
-  names = study.plan().columns();
-  for (const std::string& name : row_columns(study.plan())) names.push_back(name);
+  names = row_columns(study.plan());
+  const std::size_t outcomes = names.size();
+  for (const std::string& name : study.plan().columns()) names.push_back(name);
   columns.resize(names.size());
-  const std::size_t parameters = study.plan().columns().size();
   for (std::uint64_t run = 0; run < study.run_count(); ++run) {
     const std::vector<double> values = study.parameters_of(run);
     for (std::size_t k = 0; k < names.size(); ++k)
-      columns[k].push_back(k < parameters ? values[k] : study.rows().value(run, k - parameters));
+      columns[k].push_back(k < outcomes ? study.rows().value(run, k) : values[k - outcomes]);
   }
   // What never changes has nothing to show.
   for (std::size_t k = names.size(); k-- > 0;) {
-    const auto [low, high] = std::minmax_element(columns[k].begin(), columns[k].end());
-    if (columns[k].empty() || *low != *high) continue;
+    const std::vector<double>& column = columns[k];
+    if (std::adjacent_find(column.begin(), column.end(), std::not_equal_to<>()) != column.end()) continue;
     names.erase(names.begin() + static_cast<long>(k));
     columns.erase(columns.begin() + static_cast<long>(k));
   }
