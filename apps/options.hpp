@@ -115,10 +115,10 @@ struct ViewOptions {
 struct StudyOptions {
   std::string file;
   std::vector<std::string> outputs;
-  int threads = 0;          ///< 0: as many as the machine has; under MPI 1 a process.
-  std::string journal;      ///< Empty: the name of the study file with .journal, in this folder.
+  int threads = 0;      ///< 0: as many as the machine has; under MPI 1 a process.
+  std::string journal;  ///< Empty: the name of the study file with .journal, in this folder.
   bool has_journal = true;
-  bool is_dry = false;      ///< Only foresee the cost.
+  bool is_dry = false;  ///< Only foresee the cost.
   std::string json;
   bool is_quiet = false;
 };
