@@ -8,6 +8,7 @@
 #include "rigor/core/suggestion.hpp"
 #include "rigor/io/files/version.hpp"
 #include "rigor/io/trajectory/trajectory_writer.hpp"
+#include "rigor/study/answer/study_output.hpp"
 #include "rigor/view/3d/picture_writer.hpp"
 #include "rigor/view/page/page_writer.hpp"
 
@@ -367,6 +368,17 @@ void check_convert(ConvertOptions& convert) {
   check_written(convert.input, written);
 }
 
+void check_study(const StudyOptions& study) {
+  for (const std::string& output : study.outputs) {
+    const std::string message = check_study_output(output);
+    if (!message.empty()) throw UsageError(message);
+  }
+  std::vector<std::string> written = study.outputs;
+  if (!study.json.empty() && study.json != "-") written.push_back(study.json);
+  if (!study.journal.empty()) written.push_back(study.journal);
+  check_written(study.file, written);
+}
+
 /// The options as the command that they form.
 template <typename Options>
 Command checked(const Options& options) {
@@ -381,9 +393,31 @@ Command checked(const CompareOptions& compare) {
   return compare;
 }
 
+Command checked(const StudyOptions& study) {
+  check_study(study);
+  return study;
+}
+
 Command checked(ConvertOptions convert) {
   check_convert(convert);
   return convert;
+}
+
+void add_study(CLI::App& app, StudyOptions& study) {
+  app.add_option("FILE", study.file, "study file (.yaml)")->required()->option_text(" ");
+  add_value(app, "-o,--output", study.outputs,
+            "by suffix: runs .csv .h5, answer .json, page .html, figures .svg .png; may be repeated", "OUT");
+  add_value(app, "--threads", study.threads,
+            "threads on which runs are carried out; default: all of the machine, under mpirun one a process",
+            "N")
+      ->check(CLI::Range(1, most_threads));
+  add_value(app, "--journal", study.journal,
+            "keep the runs in this file, and go on from it; default: the study's name with .journal, here",
+            "FILE");
+  app.add_flag("!--no-journal", study.has_journal, "keep no journal; an interrupted study begins anew");
+  app.add_flag("--dry-run", study.is_dry, "carry out the first run only, and say what the study will cost");
+  add_json(app, study.json, "the answer");
+  app.add_flag("--quiet", study.is_quiet, "print no answer and no progress");
 }
 
 void add_check(CLI::App& app, CheckOptions& check) {
@@ -416,6 +450,9 @@ void add_commands(CLI::App& app, std::optional<Command>& chosen) {
               add_view, chosen);
   add_command(app, "compare", "the same scene with several methods or values: errors, energy, CPU time",
               add_compare, chosen);
+  add_command(app, "study",
+              "thousands of runs for an answer: sweeps, shares, thresholds, sensitivity, optima", add_study,
+              chosen);
   add_command(app, "check", "validate scenes without running them", add_check, chosen);
   add_command(app, "mass", "mass properties of a mesh or a scene, exact and sampled", add_mass, chosen);
   add_command(app, "distance", "signed distance and contacts of two bodies at t = 0; rays, points, pushes",

@@ -19,5 +19,6 @@ ExitCode execute(const RenderOptions& options);
 ExitCode execute(const PlotOptions& options);
 ExitCode execute(const ImpactOptions& options);
 ExitCode execute(const ConvertOptions& options);
+ExitCode execute(const StudyOptions& options);
 
 }  // namespace rigor

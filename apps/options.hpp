@@ -112,8 +112,19 @@ struct ViewOptions {
   bool opens_browser = false;
 };
 
+struct StudyOptions {
+  std::string file;
+  std::vector<std::string> outputs;
+  int threads = 0;      ///< 0: as many as the machine has; under MPI 1 a process.
+  std::string journal;  ///< Empty: the name of the study file with .journal, in this folder.
+  bool has_journal = true;
+  bool is_dry = false;  ///< Only foresee the cost.
+  std::string json;
+  bool is_quiet = false;
+};
+
 using Command =
     std::variant<RunOptions, ViewOptions, CompareOptions, CheckOptions, MassOptions, DistanceOptions,
-                 MethodsOptions, RenderOptions, PlotOptions, ImpactOptions, ConvertOptions>;
+                 MethodsOptions, RenderOptions, PlotOptions, ImpactOptions, ConvertOptions, StudyOptions>;
 
 }  // namespace rigor

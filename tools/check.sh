@@ -69,6 +69,7 @@ if [ "$scope" = all ]; then
   echo "== hostile scenes, changed files, and ends by SIGTERM"
   nice -n 19 tools/fuzz_program.py build/release/rigor --jobs "$jobs"
   nice -n 19 tools/check_interrupts.py build/release/rigor
+  nice -n 19 tools/check_study_kills.sh build/release/rigor
 
   echo "== libFuzzer on every reader, ten minutes in all"
   [ -f build/fuzz/build.ninja ] || cmake --preset fuzz >/dev/null

@@ -19,6 +19,7 @@ bulk: core math geometry solver model dynamics
 sim: core math geometry solver model dynamics contact bulk
 io: core math geometry model dynamics sim
 view: core math geometry model dynamics sim io
+study: core math geometry model dynamics sim io view
 api: core math geometry model dynamics sim bulk io view
 '
 # layer: its rooms from the lowest up; `.` stands for the files that lie in the folder of the layer itself.
@@ -30,6 +31,7 @@ bulk: lanes threads state narrow_phase broad_phase matching graph direct contact
 sim: pairs method report witness fixed_steps islands event_driven time_stepping handover penalty bulk audit .
 io: files mesh scene trajectory
 view: recording 3d plot page live
+study: formula sampling plan run crew kinds . answer
 '
 
 bad=0

@@ -6,7 +6,8 @@
 set -euo pipefail
 
 packages=(g++ make cmake ninja-build git ca-certificates libeigen3-dev libyaml-cpp-dev nlohmann-json3-dev libcli11-dev
-  libfmt-dev libhdf5-dev libpng-dev libqhull-dev libgtest-dev zlib1g-dev libboost-dev libtbb-dev pkg-config)
+  libfmt-dev libhdf5-dev libpng-dev libqhull-dev libgtest-dev zlib1g-dev libboost-dev libtbb-dev libmuparser-dev
+  libnlopt-dev pkg-config)
 case "${1:-build}" in
   build) ;;
   check)

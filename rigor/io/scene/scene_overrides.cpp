@@ -128,10 +128,14 @@ YamlNode::Pointer with_override(const YamlNode::Pointer& root, const std::string
   const std::string where = sources.where(source, 0, 0);
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0) throw InputError(where + "must be KEY=VALUE");
-  const std::string_view path = std::string_view(text).substr(0, equals);
+  const YamlNode::Pointer value = parse_yaml(text.substr(equals + 1), source, sources, false);
+  return with_value(root, text.substr(0, equals), value, where);
+}
+
+YamlNode::Pointer with_value(const YamlNode::Pointer& root, const std::string& path,
+                             const YamlNode::Pointer& value, const std::string& where) {
   const auto steps = std::count_if(path.begin(), path.end(), [](char c) { return c == '.' || c == '['; });
   if (steps >= YamlLimits{}.max_depth) throw InputError(where + "the key has too many parts");
-  const YamlNode::Pointer value = parse_yaml(text.substr(equals + 1), source, sources, false);
   return Override(where, value).applied(*root, path);
 }
 

@@ -14,4 +14,8 @@ namespace rigor {
 YamlNode::Pointer with_override(const YamlNode::Pointer& root, const std::string& text, int source,
                                 const YamlSources& sources);
 
+/// The document with a value put at "key.path", as above. where: in front of messages.
+YamlNode::Pointer with_value(const YamlNode::Pointer& root, const std::string& path,
+                             const YamlNode::Pointer& value, const std::string& where);
+
 }  // namespace rigor

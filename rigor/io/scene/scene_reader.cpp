@@ -126,7 +126,9 @@ void check_all(const ModelBuilder& builder, SceneErrors& errors) {
   throw InputError(errors.sorted_messages());
 }
 
-Scene read_tree(const YamlNode& root, const YamlSources& sources, const std::filesystem::path& folder) {
+}  // namespace
+
+Scene read_scene_tree(const YamlNode& root, const YamlSources& sources, const std::filesystem::path& folder) {
   SceneErrors errors(sources);
   const ObjectReader reader(root, key_table("scene"), "the scene", errors);
   ModelBuilder builder;
@@ -163,8 +165,6 @@ Scene read_tree(const YamlNode& root, const YamlSources& sources, const std::fil
   return scene;
 }
 
-}  // namespace
-
 Scene parse_scene(const std::string& text, const std::string& file_name, const std::filesystem::path& folder,
                   const std::vector<std::string>& overrides, std::size_t varied) {
   YamlSources sources{{file_name}};
@@ -175,7 +175,7 @@ Scene parse_scene(const std::string& text, const std::string& file_name, const s
   for (std::size_t i = 0; i < overrides.size(); ++i) {
     root = with_override(root, overrides[i], static_cast<int>(i) + 1, sources);
   }
-  return read_tree(*root, sources, folder);
+  return read_scene_tree(*root, sources, folder);
 }
 
 Scene read_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides,

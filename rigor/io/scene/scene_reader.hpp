@@ -1,5 +1,6 @@
 #pragma once
 
+#include "rigor/io/files/yaml_document.hpp"
 #include "rigor/model/model.hpp"
 #include "rigor/sim/method/method.hpp"
 #include "rigor/sim/method/run_settings.hpp"
@@ -47,5 +48,8 @@ Scene read_scene(const std::filesystem::path& path, const std::vector<std::strin
 /// not lie outside of).
 Scene parse_scene(const std::string& text, const std::string& file_name, const std::filesystem::path& folder,
                   const std::vector<std::string>& overrides = {}, std::size_t varied = 0);
+
+/// The same from a document that has been parsed already; the first of the sources is the scene file.
+Scene read_scene_tree(const YamlNode& root, const YamlSources& sources, const std::filesystem::path& folder);
 
 }  // namespace rigor

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "rigor/study/kinds/answer.hpp"
+#include "rigor/view/plot/drawing.hpp"
+
+#include <string>
+#include <vector>
+
+namespace rigor {
+
+/// A figure of an answer as a drawing; nothing to draw gives an empty one.
+Drawing figure_drawing(const AnswerFigure& figure);
+/// All figures of an answer, one below the other.
+Drawing answer_drawing(const StudyAnswer& answer);
+
+/// Each column against each other one, dots: a scatter matrix of at most six columns.
+Drawing scatter_matrix(const std::vector<std::string>& names,
+                       const std::vector<std::vector<double>>& columns);
+
+}  // namespace rigor

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace rigor {
+
+/// An estimate with its confidence interval.
+struct Estimate {
+  double value = 0, low = 0, high = 0;
+
+  double half_width() const { return 0.5 * (high - low); }
+};
+
+/// Mean of independent values with Student's interval; of values that are all 0 or 1 a share with Wilson's
+/// interval. With fewer than two values the interval is infinite.
+///
+/// Source: Wilson, Probable inference, the law of succession, and statistical inference, JASA 22, 1927.
+Estimate mean_estimate(std::span<const double> values, double confidence);
+
+/// Value of a sample below which the share lies: linear between the order statistics. Not empty.
+double quantile(std::vector<double> values, double share);
+
+/// Interval of a statistic of `count` items by the percentiles of its values over resampled items: the
+/// function is given the indices of a resample. Deterministic by the seed.
+///
+/// Source: Efron, Bootstrap methods: another look at the jackknife, Ann. Statist. 7, 1979.
+struct BootstrapSettings {
+  std::uint64_t seed;
+  double confidence;
+  int resamples = 500;
+};
+/// Intervals of several statistics at once.
+std::vector<Estimate> bootstrap(
+    std::uint64_t count, const std::function<std::vector<double>(std::span<const std::uint64_t>)>& statistic,
+    const BootstrapSettings& settings);
+
+}  // namespace rigor

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "rigor/io/scene/scene_keys.hpp"
+
+#include <string_view>
+#include <vector>
+
+namespace rigor {
+
+/// The tables of the keys of a study file, in the order of the documentation: "study", "parameter",
+/// "outcome", "expected finding".
+const std::vector<KeyTable>& study_key_tables();
+const KeyTable& study_key_table(std::string_view object);
+
+}  // namespace rigor

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "rigor/study/plan/study_plan.hpp"
+
+#include <filesystem>
+#include <string>
+
+namespace rigor {
+
+/// Reads a study file (strict YAML). docs/studies.md lists every key. What needs the scene (its keys, its
+/// bodies) is checked when the study is prepared. Throws InputError with all errors of the file, in the order
+/// of its lines.
+StudyPlan read_study(const std::filesystem::path& path);
+
+/// The same from text; path appears in messages, and its folder is where the scene is looked for.
+StudyPlan parse_study(const std::string& text, const std::filesystem::path& path);
+
+}  // namespace rigor

@@ -1,0 +1,207 @@
+#include "rigor/study/run/outcome_probe.hpp"
+
+#include "rigor/core/input_error.hpp"
+#include "rigor/core/quoted.hpp"
+#include "rigor/core/suggestion.hpp"
+#include "rigor/io/trajectory/trajectory_writer.hpp"
+#include "rigor/study/run/rest_face.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rigor {
+
+namespace {
+
+constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
+/// Output times carry a rounding.
+constexpr double time_share = 1e-9;
+
+bool is_about(const MotionEvent& event, const std::string& kind, int A, int B) {
+  if (kind != event_kind_name(event.kind)) return false;
+  const auto takes_part = [&](int body) { return body < 0 || event.body_A == body || event.body_B == body; };
+  return takes_part(A) && takes_part(B);
+}
+
+std::string whose(const Outcome& outcome) {
+  return outcome.where + "outcome " + quoted_text(outcome.name) + ": ";
+}
+
+}  // namespace
+
+OutcomeProbe::OutcomeProbe(const StudyPlan& plan) : plan_(plan), columns_(plan.columns()) {}
+
+int OutcomeProbe::body_of(const std::string& name, const Outcome& outcome) const {
+  const std::optional<int> body = model_ ? model_->find_body(name) : std::nullopt;
+  if (body) return *body;
+  std::vector<std::string> names;
+  if (model_) {
+    for (const Body& candidate : model_->bodies()) names.push_back(candidate.name);
+  }
+  throw InputError(whose(outcome) + "the scene has no body " + quoted_text(name) + suggestion(name, names));
+}
+
+OutcomeProbe::Bound OutcomeProbe::bound(const std::string& text, const Outcome& outcome) const {
+  Bound made{Formula(text), {}};
+  for (const std::string& name : made.formula.names()) {
+    const auto column = std::find(columns_.begin(), columns_.end(), name);
+    const std::optional<std::size_t> above = plan_.find_outcome(name);
+    if (column != columns_.end()) {
+      made.sources.push_back({Source::From::parameter, static_cast<std::size_t>(column - columns_.begin())});
+    } else if (above) {
+      made.sources.push_back({Source::From::outcome, *above});
+    } else if (name == "t") {
+      made.sources.push_back({Source::From::time});
+    } else {
+      const std::optional<SceneQuantity> quantity = model_ ? find_quantity(*model_, name) : std::nullopt;
+      if (!quantity)
+        throw InputError(whose(outcome) + "the scene has no quantity " + quoted_text(name) +
+                         (model_ ? suggestion(name, quantity_names(*model_)) : ""));
+      const bool is_at_end = outcome.kind == Outcome::Kind::value && !outcome.at && outcome.when.empty();
+      if (quantity->kind == SceneQuantity::Kind::audit && !is_at_end)
+        throw InputError(whose(outcome) + quoted_text(name) + " is known at the end of a run only");
+      made.sources.push_back({Source::From::quantity, 0, *quantity});
+    }
+  }
+  return made;
+}
+
+void OutcomeProbe::bind(const Model& model) {
+  taken_.clear();
+  taken_.resize(plan_.outcomes.size());
+  for (std::size_t i = 0; i < taken_.size(); ++i) {
+    const Outcome& outcome = plan_.outcomes[i];
+    Taken& taken = taken_[i];
+    if (!outcome.formula.empty()) taken.formula.push_back(bound(outcome.formula, outcome));
+    if (!outcome.when.empty()) taken.when.push_back(bound(outcome.when, outcome));
+    const std::vector<std::string>& bodies = outcome.event.bodies;
+    if (!bodies.empty()) taken.body_A = body_of(bodies[0], outcome);
+    if (bodies.size() > 1) taken.body_B = body_of(bodies[1], outcome);
+    if (outcome.kind != Outcome::Kind::face) continue;
+    taken.body_A = body_of(outcome.body, outcome);
+    if (!has_faces(model.body(taken.body_A)))
+      throw InputError(whose(outcome) + "faces are those of a body of one box or one cylinder");
+  }
+  bound_bodies_ = model.body_count();
+}
+
+void OutcomeProbe::begin(std::shared_ptr<const Model> model, std::vector<double> parameters) {
+  model_ = std::move(model);
+  parameters_ = std::move(parameters);
+  values_.assign(plan_.outcomes.size(), nan_value);
+  if (!model_) {
+    if (bound_bodies_ >= 0) return;
+    taken_.resize(plan_.outcomes.size());
+    for (std::size_t i = 0; i < taken_.size(); ++i) {
+      if (!plan_.outcomes[i].formula.empty())
+        taken_[i].formula.push_back(bound(plan_.outcomes[i].formula, plan_.outcomes[i]));
+    }
+    bound_bodies_ = 0;
+    return;
+  }
+  // Bodies keep their places in all runs, unless their number varies.
+  if (bound_bodies_ != model_->body_count()) bind(*model_);
+  for (Taken& taken : taken_) taken.value = nan_value, taken.count = 0, taken.is_done = false;
+}
+
+double OutcomeProbe::evaluated(const Bound& bound, const Look& look) {
+  arguments_.clear();
+  for (const Source& source : bound.sources) {
+    switch (source.from) {
+      case Source::From::parameter:
+        arguments_.push_back(parameters_[source.index]);
+        break;
+      case Source::From::outcome:
+        arguments_.push_back(values_[source.index]);
+        break;
+      case Source::From::time:
+        arguments_.push_back(look.state ? look.state->t : 0);
+        break;
+      case Source::From::quantity:
+        arguments_.push_back(quantity_value(source.quantity, *model_, *look.state, *look.energy, look.audit));
+        break;
+    }
+  }
+  return bound.formula.value(arguments_);
+}
+
+void OutcomeProbe::observe_value(const Outcome& outcome, const Look& look, Taken& taken) {
+  const double t = look.state->t;
+  switch (outcome.kind) {
+    case Outcome::Kind::value: {
+      if (taken.is_done || (!outcome.at && taken.when.empty())) return;
+      const bool is_now =
+          outcome.at ? t >= *outcome.at * (1 - time_share) : evaluated(taken.when[0], look) > 0;
+      if (!is_now) return;
+      taken.is_done = true;
+      taken.value = evaluated(taken.formula[0], look);
+      return;
+    }
+    case Outcome::Kind::smallest:
+      taken.value = std::fmin(taken.value, evaluated(taken.formula[0], look));
+      return;
+    case Outcome::Kind::largest:
+      taken.value = std::fmax(taken.value, evaluated(taken.formula[0], look));
+      return;
+    case Outcome::Kind::first:
+      if (taken.is_done || !(evaluated(taken.formula[0], look) > 0)) return;
+      taken.is_done = true;
+      taken.value = t;
+      return;
+    default:
+      return;
+  }
+}
+
+void OutcomeProbe::observe_events(const Outcome& outcome, const AdvanceReport& since, Taken& taken) const {
+  const bool counts = outcome.kind == Outcome::Kind::count || outcome.kind == Outcome::Kind::time_of ||
+                      outcome.kind == Outcome::Kind::impulse;
+  if (!counts) return;
+  for (const MotionEvent& event : since.events) {
+    if (!is_about(event, outcome.event.kind, taken.body_A, taken.body_B)) continue;
+    ++taken.count;
+    if (outcome.kind == Outcome::Kind::time_of && taken.count == outcome.number) taken.value = event.time;
+    if (outcome.kind == Outcome::Kind::impulse) taken.value = std::fmax(taken.value, event.j_W.norm());
+  }
+}
+
+void OutcomeProbe::observe(const State& state, const AdvanceReport& since, const Energy& energy) {
+  const Look look{&state, &energy, nullptr};
+  for (std::size_t i = 0; i < taken_.size(); ++i) {
+    observe_value(plan_.outcomes[i], look, taken_[i]);
+    observe_events(plan_.outcomes[i], since, taken_[i]);
+  }
+}
+
+double OutcomeProbe::finished(const Outcome& outcome, const Look& end, double cpu_time, Taken& taken) {
+  switch (outcome.kind) {
+    case Outcome::Kind::value:
+      if (!outcome.at && outcome.when.empty()) return evaluated(taken.formula[0], end);
+      return taken.value;
+    case Outcome::Kind::count:
+      return static_cast<double>(taken.count);
+    case Outcome::Kind::impulse:
+      return taken.count > 0 ? taken.value : 0;
+    case Outcome::Kind::face:
+      return face_up(*model_, *end.state, taken.body_A);
+    case Outcome::Kind::cpu_time:
+      return cpu_time;
+    case Outcome::Kind::formula:
+      return evaluated(taken.formula[0], end);
+    default:
+      return taken.value;
+  }
+}
+
+std::vector<double> OutcomeProbe::finish(const State* state, const Audit* audit, double cpu_time) {
+  const Look end{state, audit ? &audit->final : nullptr, audit};
+  for (std::size_t i = 0; i < taken_.size(); ++i) {
+    const Outcome& outcome = plan_.outcomes[i];
+    values_[i] = finished(outcome, end, cpu_time, taken_[i]);
+    if (std::isnan(values_[i]) && outcome.otherwise) values_[i] = *outcome.otherwise;
+  }
+  return values_;
+}
+
+}  // namespace rigor

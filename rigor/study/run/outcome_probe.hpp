@@ -1,0 +1,71 @@
+#pragma once
+
+#include "rigor/model/state.hpp"
+#include "rigor/sim/audit/audit.hpp"
+#include "rigor/study/formula/formula.hpp"
+#include "rigor/study/plan/study_plan.hpp"
+#include "rigor/study/run/scene_quantity.hpp"
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace rigor {
+
+/// Takes the outcomes of runs, one run after the other, on one thread.
+class OutcomeProbe {
+ public:
+  /// plan must outlive this object.
+  explicit OutcomeProbe(const StudyPlan& plan);
+
+  /// Begins a run with these values of the plan's columns, of a scene with this model (null: of none). Throws
+  /// InputError with places in the study file if the scene lacks what the outcomes name.
+  void begin(std::shared_ptr<const Model> model, std::vector<double> parameters);
+  /// Looks at an output and at what happened since the last one.
+  void observe(const State& state, const AdvanceReport& since, const Energy& energy);
+  /// The outcomes, in the order of the plan. state, audit: of the end; null without a scene.
+  std::vector<double> finish(const State* state, const Audit* audit, double cpu_time);
+
+ private:
+  /// Where the value of a name of a formula comes from.
+  struct Source {
+    enum class From { parameter, outcome, quantity, time } from;
+    std::size_t index = 0;
+    SceneQuantity quantity{};
+  };
+  struct Bound {
+    Formula formula;
+    std::vector<Source> sources;
+  };
+  struct Taken {
+    std::vector<Bound> formula, when;  ///< One each, or none.
+    int body_A = -1, body_B = -1;      ///< Of its events or face.
+    double value = 0;
+    long count = 0;
+    bool is_done = false;
+  };
+  /// An output.
+  struct Look {
+    const State* state;
+    const Energy* energy;
+    const Audit* audit;
+  };
+
+  void bind(const Model& model);
+  Bound bound(const std::string& formula, const Outcome& outcome) const;
+  int body_of(const std::string& name, const Outcome& outcome) const;
+  double evaluated(const Bound& bound, const Look& look);
+  void observe_value(const Outcome& outcome, const Look& look, Taken& taken);
+  void observe_events(const Outcome& outcome, const AdvanceReport& since, Taken& taken) const;
+  double finished(const Outcome& outcome, const Look& end, double cpu_time, Taken& taken);
+
+  const StudyPlan& plan_;
+  std::vector<std::string> columns_;
+  std::shared_ptr<const Model> model_;
+  int bound_bodies_ = -1;  ///< Of the model to which the names are bound.
+  std::vector<double> parameters_, arguments_, values_;
+  std::vector<Taken> taken_;
+};
+
+}  // namespace rigor
