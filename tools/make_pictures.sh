@@ -12,7 +12,6 @@ moments() {
   cat <<'TABLE'
 andrews 0.02
 arch 0
-arch_thin 0.4
 backspin 0.4
 ball_on_two 0.42
 billiards 0.25
@@ -21,9 +20,9 @@ bowl 0.3
 bowling 0.3
 bricard 2
 bridge 3
-bullet 0
+bullet 0 --eye=-1.5,-3,1.2 --target=0.4,0.2,0
 card_house 0
-chain 0.5
+chain 0.5 --eye=1,-2.2,0 --target=1,0,-0.5
 chain_reaction 1.1
 cradle 0.45
 cylinder_pyramid 0
@@ -33,7 +32,6 @@ dominoes 0.4
 double_pendulum 0.35
 energy_gain 0.1
 euler_disk 11
-falling_rod 0.2
 four_bar 0.4
 free_chain 2
 gas 0.5
@@ -54,7 +52,7 @@ pendulum 0.35
 pile 0.5
 platter 7.2
 pyramid 0
-ragdolls 3
+ragdolls 3 --eye=4,-6,3 --target=0,0,0.4
 rain 2.5
 ramp_slide 6
 rattleback 0.5
@@ -92,8 +90,8 @@ trap 'rm -rf "$work"' EXIT
 # What a command says is shown only if it fails.
 quiet() { "$@" 2>"$work/said" || { cat "$work/said" >&2; return 1; }; }
 
-picture() {  # scene, time: drawn at twice the size, which smooths its edges
-  quiet "$program" render "scenes/$1.yaml" --time "$2" --size 640x360 -o "$work/p.png"
+picture() {  # scene, time, options: drawn at twice the size, which smooths its edges
+  quiet "$program" render "scenes/$1.yaml" --time "$2" "${@:3}" --size 640x360 -o "$work/p.png"
   ffmpeg -nostdin -y -loglevel error -i "$work/p.png" -vf scale=320:180:flags=area "docs/img/$1.png"
 }
 
@@ -139,8 +137,9 @@ case ${1:-} in
   film) film ;;
   tutorial) tutorial ;;
   *)
-    while read -r scene time; do
+    while read -r scene time options; do
       [ $# = 0 ] || [[ " $* " == *" $scene "* ]] || continue
-      picture "$scene" "$time"
+      # shellcheck disable=SC2086 # The options are words.
+      picture "$scene" "$time" $options
     done < <(moments) ;;
 esac
