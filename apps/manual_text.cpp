@@ -73,6 +73,12 @@ std::string exit_section() {
   return text;
 }
 
+/// The text as a sentence.
+std::string sentence(std::string text) {
+  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text + ".";
+}
+
 std::string references(const std::vector<std::string>& pages) {
   std::string text = ".SH SEE ALSO\n";
   for (std::size_t i = 0; i < pages.size(); ++i)
@@ -97,7 +103,7 @@ std::string manual_text(const ProgramPages& pages) {
 
 std::string manual_text(const ProgramPages& pages, const CommandPage& command) {
   return heading("rigor-" + command.name, pages.version, command.what) + ".SH SYNOPSIS\n" +
-         bold(usage_line(command)) + "\n.SH DESCRIPTION\n" + roff(command.what) + ".\n" +
+         bold(usage_line(command)) + "\n.SH DESCRIPTION\n" + roff(sentence(command.what)) + "\n" +
          option_list(command.arguments) + ".SH OPTIONS\n" + option_list(command.options) +
          examples_section(examples_of(command.name)) + exit_section() + references({"rigor"});
 }
