@@ -115,7 +115,8 @@ TEST(CommandLine, OutputsOfUnknownFormatsAreRefusedWithTheAvailableOnes) {
   for (const std::string name : {"run.urdf", "solid.stl"}) {
     const ProgramResult result = folder.run({"run", "ball.yaml", "-o", name});
     EXPECT_EQ(result.code, 2);
-    expect_contains(result.error, "is no format that Rigor writes; available: .csv .h5 .json .html .png .mp4");
+    expect_contains(result.error,
+                    "is no format that Rigor writes; available: .csv .h5 .json .html .png .mp4");
     EXPECT_FALSE(folder.has(name));
   }
 }
