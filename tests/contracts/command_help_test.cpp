@@ -116,9 +116,20 @@ TEST(CommandHelp, BashCompletesCommandsOptionsAndFiles) {
   EXPECT_EQ(completed("run ball.yaml --duration b"), "\n");
   EXPECT_EQ(completed("completion f"), "fish\n");
   EXPECT_EQ(completed("help comp"), "compare\ncompletion\n");
-  for (const auto& [command, options] : long_options(folder)) {
-    for (const std::string& option : options)
-      expect_contains("\n" + completed(command + " " + option), "\n" + option + "\n");
+  // Every option of every command, in one shell.
+  std::string script = "source rigor.bash\nCOMP_CWORD=2\n";
+  const auto options = long_options(folder);
+  for (const auto& [command, names] : options) {
+    for (const std::string& name : names)
+      script += "COMP_WORDS=(rigor " + command + " " + name + ")\n_rigor\necho \" ${COMPREPLY[*]} \"\n";
+  }
+  std::istringstream lines(output_of(folder, "bash", script));
+  for (const auto& [command, names] : options) {
+    for (const std::string& name : names) {
+      std::string line;
+      std::getline(lines, line);
+      expect_contains(line, " " + name + " ");
+    }
   }
 }
 
