@@ -6,23 +6,31 @@ RIGOR := $(BUILD)/rigor
 
 .PHONY: run test build program package python check check-all bench bench-bulk setup configure clean help
 
-run: program
+# A scene with its page, its sheet of key moments, its film where ffmpeg is there, and its audit as a text: the heart of it
+# is shown.
+films := $(if $(shell command -v ffmpeg),yes)
+define show
+@echo; echo "$(2)"
+@$(RIGOR) run scenes/$(1).yaml -o out/$(1).html -o out/$(1).png $(if $(films),-o out/$(1).mp4) >out/$(1).txt
+@sed -n '1p; /^  events/p; /^  energy/p; /^  penetration/p; /audit/p' out/$(1).txt
+endef
+
+run: setup
+	@[ -x $(RIGOR) ] || echo "Building the program: some seven minutes on two cores, counted below in brackets. Then it runs two scenes."
+	@$(MAKE) --no-print-directory program
 	@mkdir -p out
-	@$(RIGOR) run scenes/turntable.yaml -o out/turntable.html -o out/turntable.png
+	$(call show,chain_reaction,A swing strikes thirteen dominoes and the last one pushes a ball down a slide into a tower:)
+	$(call show,newtons_cradle,Newton's cradle on strings; one ball in and one ball out under gravity:)
 	@echo
-	@$(RIGOR) run scenes/cradle.yaml -o out/cradle.html -o out/cradle.png
-	@echo
-	@echo "To look at them, open these pages in a browser (no network needed), or the pictures:"
-	@echo "  out/turntable.html   out/turntable.png"
-	@echo "  out/cradle.html      out/cradle.png"
+	@echo "Each has left in out/ a page that plays in any browser (no network needed), pictures and its audit:"
+	@ls -1 out/chain_reaction.* out/newtons_cradle.* | sed 's/^/  /'
 	@echo
 	@echo "What next:"
-	@echo "  $(RIGOR) run scenes/bouncing_ball.yaml -o ball.html      any scene in scenes/; output as .html, .png, .csv, .h5 or .json"
-	@echo "  $(RIGOR) render scenes/dominoes.yaml -o dominoes.png     pictures of any scene or trajectory"
-	@echo "  $(RIGOR) run scenes/cradle.yaml --set materials.steel.restitution=0.5"
-	@echo "  $(RIGOR) check scenes/*.yaml                             validate scenes only"
-	@echo "  $(RIGOR) methods                                         every method by name, with its source"
-	@echo "  docs/scene.md                                            how to write a scene of your own"
+	@echo "  $(RIGOR) view scenes/chain_reaction.yaml --open          live in the browser: pull a domino, change gravity or friction"
+	@echo "  $(RIGOR) run scenes/hopper.yaml --duration 1 -o hopper.html    any scene in scenes/; output as .html .png .mp4 .csv .h5 .json"
+	@echo "  $(RIGOR) run scenes/newtons_cradle.yaml --set materials.steel.restitution=0.9"
+	@echo "  $(RIGOR) help                                            all commands; 'help run' for one"
+	@echo "  docs/tutorial.md                                         a scene of your own in ten steps"
 
 build: configure
 	@cmake --build --preset release -j $(JOBS)
@@ -85,7 +93,7 @@ clean:
 	rm -rf build
 
 help:
-	@echo "make run     build the program, then run two scenes, show their audits and leave their replays as pages and pictures in out/"
+	@echo "make run     build the program, then run two scenes and leave their audits, replays as pages, pictures and films in out/"
 	@echo "make test    build, then all tests"
 	@echo "make build   build all, the program and its tests (Release, in $(BUILD))"
 	@echo "make program  build only the program, $(RIGOR)"

@@ -68,9 +68,9 @@ void add_motion(const Audit& audit, std::string& text) {
   const AdvanceReport& report = audit.report;
   add_line(text, "events", "{} impacts, {} came to rest, {} separations, {} slip to stick; {} steps",
            report.impacts, report.resting, report.separations, report.slip_to_stick, report.steps);
-  add_line(text, "energy", "{:.17g} J at the start, {:.17g} J at the end", audit.initial.total(),
+  add_line(text, "energy", "{:.9g} J at the start, {:.9g} J at the end", audit.initial.total(),
            audit.final.total());
-  add_line(text, "", "{:.17g} J work, {:.17g} J dissipated, {:.3g} J unexplained rise", report.work,
+  add_line(text, "", "{:.9g} J work, {:.9g} J dissipated, {:.3g} J unexplained rise", report.work,
            audit.dissipated, audit.max_increase);
   add_line(text, "", "{}", energy_parts_text(audit));
   add_line(text, "momentum", "error {:.3g} kg m/s linear, {:.3g} kg m²/s angular",
@@ -105,14 +105,14 @@ void add_bodies(const Audit& audit, std::string& text) {
     const Vec3 &p = body.position, &v = body.velocity, &w = body.angular_velocity;
     const Quat& q = body.orientation;
     fmt::format_to(std::back_inserter(text), "  {}\n", escaped_text(body.name));
-    fmt::format_to(std::back_inserter(text), "    position         [{:.17g}, {:.17g}, {:.17g}] m\n", p.x(),
+    fmt::format_to(std::back_inserter(text), "    position         [{:.9g}, {:.9g}, {:.9g}] m\n", p.x(),
                    p.y(), p.z());
-    fmt::format_to(std::back_inserter(text), "    orientation      [{:.17g}, {:.17g}, {:.17g}, {:.17g}]\n",
-                   q.w(), q.x(), q.y(), q.z());
-    fmt::format_to(std::back_inserter(text), "    velocity         [{:.17g}, {:.17g}, {:.17g}] m/s\n", v.x(),
+    fmt::format_to(std::back_inserter(text), "    orientation      [{:.9g}, {:.9g}, {:.9g}, {:.9g}]\n", q.w(),
+                   q.x(), q.y(), q.z());
+    fmt::format_to(std::back_inserter(text), "    velocity         [{:.9g}, {:.9g}, {:.9g}] m/s\n", v.x(),
                    v.y(), v.z());
-    fmt::format_to(std::back_inserter(text), "    angular velocity [{:.17g}, {:.17g}, {:.17g}] rad/s\n",
-                   w.x(), w.y(), w.z());
+    fmt::format_to(std::back_inserter(text), "    angular velocity [{:.9g}, {:.9g}, {:.9g}] rad/s\n", w.x(),
+                   w.y(), w.z());
   }
   if (audit.bodies.size() > shown) {
     fmt::format_to(std::back_inserter(text), "  and {} more bodies; --json has them all\n",
@@ -121,7 +121,7 @@ void add_bodies(const Audit& audit, std::string& text) {
 }
 
 std::string numbers_text(const std::vector<double>& numbers) {
-  return fmt::format("{:.17g}", fmt::join(numbers, ", "));
+  return fmt::format("{:.9g}", fmt::join(numbers, ", "));
 }
 
 void add_joints(const Audit& audit, std::string& text) {
@@ -140,9 +140,9 @@ void add_joints(const Audit& audit, std::string& text) {
       text += "    reaction         not known: in a group of more contacts than are solved for\n";
       continue;
     }
-    fmt::format_to(std::back_inserter(text), "    reaction         [{:.17g}, {:.17g}, {:.17g}] N\n", f.x(),
+    fmt::format_to(std::back_inserter(text), "    reaction         [{:.9g}, {:.9g}, {:.9g}] N\n", f.x(),
                    f.y(), f.z());
-    fmt::format_to(std::back_inserter(text), "                     [{:.17g}, {:.17g}, {:.17g}] N m\n", m.x(),
+    fmt::format_to(std::back_inserter(text), "                     [{:.9g}, {:.9g}, {:.9g}] N m\n", m.x(),
                    m.y(), m.z());
   }
   if (audit.joints.size() > most_bodies) {

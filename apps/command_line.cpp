@@ -1,23 +1,21 @@
 #include "apps/command_line.hpp"
 
-#include "apps/compare_output.hpp"
+#include "apps/command_pages.hpp"
 #include "apps/impact_laws.hpp"
+#include "apps/option_checks.hpp"
+#include "apps/terminal.hpp"
 #include "apps/usage_error.hpp"
 #include "rigor/core/quoted.hpp"
 #include "rigor/core/range.hpp"
 #include "rigor/core/suggestion.hpp"
 #include "rigor/io/files/version.hpp"
 #include "rigor/io/trajectory/trajectory_writer.hpp"
-#include "rigor/study/answer/study_output.hpp"
-#include "rigor/view/3d/picture_writer.hpp"
-#include "rigor/view/page/page_writer.hpp"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
-#include <array>
 
+#include <algorithm>
 #include <charconv>
-#include <filesystem>
 #include <memory>
 
 namespace rigor {
@@ -34,32 +32,6 @@ constexpr int highest_port = 65535;
 constexpr int most_contacts = 1000000;
 constexpr int most_pieces = 100000;
 constexpr int fewest_samples = 2, most_samples = 1000000000;
-
-const char* const examples =
-    "Examples:\n"
-    "  rigor run scenes/bouncing_ball.yaml                       run, then print the audit\n"
-    "  rigor run ball.yaml -o ball.h5 -o ball.csv --json audit.json\n"
-    "  rigor run ball.yaml --set method.integrator=dopri5 --set bodies.ball.velocity=\"[1, 0, 0]\"\n"
-    "  rigor run long.yaml --checkpoint long.cp --checkpoint-every 10\n"
-    "  rigor run long.yaml --resume long.cp --duration 1000\n"
-    "  rigor view ball.yaml --open                               live in the browser: change it while it "
-    "runs\n"
-    "  rigor compare ball.yaml --vary method.toi=conservative,ratio,bisection -o compare.html\n"
-    "  rigor compare ball.yaml --vary run.step=0.01,0.005,0.0025 -o compare.csv    error and CPU time by "
-    "step\n"
-    "  rigor check scenes/*.yaml\n"
-    "  rigor mass part.stl --density 7850\n"
-    "  rigor distance ball.yaml ball floor\n"
-    "  rigor distance pile.yaml --ray=\"0,0,9 0,0,-1\"              what a ray hits\n"
-    "  rigor convert gear.stl gear.yaml --exact                  a solid as convex pieces, ready for a "
-    "scene\n"
-    "  rigor render ball.h5 --time 0.5 -o ball.png\n"
-    "  rigor plot ball.h5 energy.kinetic energy.total body.ball.position.z -o ball.svg\n"
-    "  rigor impact --K=3.5,0,0,3.5,0,1 --u=2,1,-3 --mu 0.2 --e 0.8 -o paths.svg\n"
-    "  rigor impact scene.yaml floor box --law stronge --path path.csv\n"
-    "Exit codes: 0 done, 1 a tolerance of the audit was violated, 2 usage, 3 bad scene or input, 4 the "
-    "simulation could not continue,\n"
-    "            5 file or system error, 130 interrupted (files closed).\n";
 
 /// Checks the text of a number: it must be decimal and inside the range.
 CLI::Validator number_in(const Range& range, const std::string& unit) {
@@ -89,7 +61,7 @@ void add_run(CLI::App& app, RunOptions& run) {
   app.add_option("SCENE", run.scene, "scene file (.yaml or .json)")->required()->option_text(" ");
   add_value(app, "-o,--output", run.outputs,
             "by suffix: trajectory " + trajectory_suffixes() +
-                ", page with the replay .html, key moments .png; may be repeated",
+                ", page with the replay .html, key moments .png, film .mp4 (by ffmpeg); may be repeated",
             "OUT");
   add_value(app, "--set", run.overrides,
             "override a value of the scene, such as method.integrator=rk4; may be repeated", "KEY=VALUE");
@@ -189,7 +161,8 @@ void add_render(CLI::App& app, RenderOptions& render) {
   app.add_option("SCENE|RUN.h5", render.input, "scene, which is simulated first, or trajectory")
       ->required()
       ->option_text(" ");
-  add_value(app, "-o,--output", render.output, "picture (.png); default: named after the input", "OUT.png");
+  add_value(app, "-o,--output", render.output, "picture .png, or film .mp4; default: named after the input",
+            "OUT");
   add_value(app, "--time", render.time, "one picture, of the output time nearest to T [s]", "T");
   add_value(app, "--frames", render.frames, "N pictures from start to end: OUT_0001.png, ...", "N")
       ->check(CLI::Range(1, most_frames));
@@ -200,8 +173,7 @@ void add_render(CLI::App& app, RenderOptions& render) {
   add_value(app, "--target", render.target, "point in the middle of the picture [m]", "X,Y,Z");
   add_value(app, "--field-of-view", render.field_of_view, "from the upper to the lower edge [degrees]", "A")
       ->check(number_in(view_angle, "degrees"));
-  add_value(app, "--mp4", render.mp4, "film, if the program ffmpeg is installed; else a sequence of pictures",
-            "OUT.mp4");
+  add_value(app, "--mp4", render.mp4, "film of the whole run, encoded by the program ffmpeg", "OUT.mp4");
   add_value(app, "--set", render.overrides, "override a value of the scene; may be repeated", "KEY=VALUE");
 }
 
@@ -298,87 +270,6 @@ void check_unknown(const CLI::App& app) {
                    " --help'");
 }
 
-bool is_same_file(const std::string& a, const std::string& b) {
-  // The path is made absolute first: otherwise a leading "./" would remain of a relative path to nothing.
-  const auto whole = [](const std::string& path) {
-    std::error_code ignored;
-    return std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored);
-  };
-  return whole(a) == whole(b);
-}
-
-/// Suffixes of the outputs that the view layer draws, in addition to the trajectories.
-constexpr std::array<std::string_view, 2> drawn_suffixes = {page_suffixes[0], picture_suffixes[0]};
-
-/// Refuses outputs that would overwrite the scene or each other.
-void check_written(const std::string& scene, const std::vector<std::string>& written) {
-  for (std::size_t i = 0; i < written.size(); ++i) {
-    if (is_same_file(written[i], scene)) {
-      throw UsageError("output " + quoted_text(written[i]) + " is the scene file; give it another name");
-    }
-    for (std::size_t k = 0; k < i; ++k) {
-      if (is_same_file(written[i], written[k]))
-        throw UsageError("output " + quoted_text(written[i]) + " is given twice");
-    }
-  }
-}
-
-void check_run(const RunOptions& run) {
-  for (const std::string& output : run.outputs) {
-    const std::string message = check_output_suffix(output, drawn_suffixes);
-    if (!message.empty()) throw UsageError(message);
-  }
-  std::vector<std::string> written = run.outputs;
-  if (!run.json.empty() && run.json != "-") written.push_back(run.json);
-  if (!run.checkpoint.empty()) written.push_back(run.checkpoint);
-  check_written(run.scene, written);
-  if (run.checkpoint_every && run.checkpoint.empty()) {
-    throw UsageError("--checkpoint-every needs --checkpoint FILE");
-  }
-  if (run.separate && !run.resume.empty()) {
-    throw UsageError("--separate does not go with --resume: the bodies are where the checkpoint has them");
-  }
-}
-
-void check_compare(const CompareOptions& compare) {
-  for (const std::string& output : compare.outputs) {
-    const std::string message = check_compare_output(output);
-    if (!message.empty()) throw UsageError(message);
-  }
-  std::vector<std::string> written = compare.outputs;
-  if (!compare.json.empty() && compare.json != "-") written.push_back(compare.json);
-  check_written(compare.scene, written);
-}
-
-void check_convert(ConvertOptions& convert) {
-  const std::string suffix = std::filesystem::path(convert.output).extension().string();
-  if (suffix != ".yaml" && suffix != ".obj") {
-    throw UsageError("output " + quoted_text(convert.output) +
-                     " is of an unknown kind; available: .yaml (convex pieces) and .obj (mesh)");
-  }
-  convert.is_mesh_output = suffix == ".obj";
-  if (convert.is_exact && convert.tolerance) {
-    throw UsageError("--exact does not go with --tolerance: exact pieces do not protrude");
-  }
-  if (convert.is_mesh_output && (convert.is_exact || convert.tolerance || !convert.json.empty())) {
-    throw UsageError("--exact, --tolerance and --json are for pieces, which need an output .yaml");
-  }
-  std::vector<std::string> written = {convert.output};
-  if (!convert.json.empty() && convert.json != "-") written.push_back(convert.json);
-  check_written(convert.input, written);
-}
-
-void check_study(const StudyOptions& study) {
-  for (const std::string& output : study.outputs) {
-    const std::string message = check_study_output(output);
-    if (!message.empty()) throw UsageError(message);
-  }
-  std::vector<std::string> written = study.outputs;
-  if (!study.json.empty() && study.json != "-") written.push_back(study.json);
-  if (!study.journal.empty()) written.push_back(study.journal);
-  check_written(study.file, written);
-}
-
 /// The options as the command that they form.
 template <typename Options>
 Command checked(const Options& options) {
@@ -465,28 +356,118 @@ void add_commands(CLI::App& app, std::optional<Command>& chosen) {
   add_command(app, "impact", "one frictional impact in detail, under several laws", add_impact, chosen);
 }
 
+/// The option as help and manuals show it; placeholders of arguments are their names.
+OptionPage page_of(const CLI::Option& option) {
+  OptionPage page{.what = option.get_description(), .is_required = option.get_required()};
+  const std::string& text = option.get_option_text();
+  if (option.get_positional()) {
+    page.placeholder = option.get_name(true);
+    page.is_list = text == "...";
+    return page;
+  }
+  for (const std::string& name : option.get_snames()) page.names.push_back("-" + name);
+  for (const std::string& name : option.get_lnames()) page.names.push_back("--" + name);
+  page.placeholder = text;
+  return page;
+}
+
+CommandPage page_of(const CLI::App& command) {
+  CommandPage page{command.get_name(), command.get_description(), {}, {}};
+  for (const CLI::Option* const option : command.get_options())
+    (option->get_positional() ? page.arguments : page.options).push_back(page_of(*option));
+  return page;
+}
+
+ProgramPages pages_of(const CLI::App& app) {
+  ProgramPages pages{app.get_description(), std::string(version), {}, {}};
+  for (const CLI::Option* const option : app.get_options()) pages.options.push_back(page_of(*option));
+  for (const CLI::App* const command : app.get_subcommands({})) pages.commands.push_back(page_of(*command));
+  return pages;
+}
+
+const CommandPage& find_page(const ProgramPages& pages, const std::string& name) {
+  const auto found = std::ranges::find(pages.commands, name, &CommandPage::name);
+  if (found != pages.commands.end()) return *found;
+  std::vector<std::string> names;
+  for (const CommandPage& page : pages.commands) names.push_back(page.name);
+  throw UsageError("unknown command " + quoted_text(name) + suggestion(name, names));
+}
+
+/// Help of the program, or of the command of that name; as wide as the terminal, up to what reads well.
+std::string help_of(const CLI::App& app, const std::string& name) {
+  constexpr int narrowest = 40, widest = 100;
+  const int width = is_terminal(stdout) ? std::clamp(terminal_width(stdout), narrowest, widest) : widest;
+  const ProgramPages pages = pages_of(app);
+  return name.empty() ? help_text(pages, width) : help_text(find_page(pages, name), width);
+}
+
+std::string manual_of(const CLI::App& app, const std::string& name) {
+  const ProgramPages pages = pages_of(app);
+  return name.empty() ? manual_text(pages) : manual_text(pages, find_page(pages, name));
+}
+
+std::string completion_of(const CLI::App& app, const std::string& shell) {
+  const std::string script = completion_text(pages_of(app), shell);
+  if (script.empty())
+    throw UsageError("unknown shell " + quoted_text(shell) + suggestion(shell, completion_shells()));
+  return script;
+}
+
+/// Adds a command that only tells something about the program: a text of its own definitions and one word.
+void add_telling(CLI::App& app, const std::string& name, const std::string& what, const std::string& word,
+                 std::string (*text)(const CLI::App&, const std::string&), std::string& told) {
+  CLI::App& command = *app.add_subcommand(name, what);
+  const std::shared_ptr<std::string> given = std::make_shared<std::string>();
+  command
+      .add_option(word, *given,
+                  word == "SHELL" ? "bash, zsh or fish" : "name of a command; default: the program")
+      ->required(word == "SHELL")
+      ->option_text(" ");
+  command.allow_extras();
+  command.final_callback([&app, &told, given, text] {
+    check_unknown(app);
+    told = text(app, *given);
+  });
+}
+
+void add_tellings(CLI::App& app, std::string& told) {
+  add_telling(app, "help", "all about one command", "COMMAND", help_of, told);
+  add_telling(app, "completion", "the script by which a shell completes commands and options", "SHELL",
+              completion_of, told);
+  add_telling(app, "manual", "the man page of the program or of a command", "COMMAND", manual_of, told);
+}
+
 }  // namespace
 
 ParsedCommandLine parse_command_line(int argc, const char* const* argv) {
   CLI::App app("Rigid-body dynamics whose answers can be trusted.", "rigor");
-  app.set_version_flag("--version", "rigor " + std::string(version));
-  app.footer(examples);
+  app.set_help_flag("-h,--help", "print this help");
+  app.set_version_flag("-v,--version", "rigor " + std::string(version), "print the version");
   app.require_subcommand(0, 1);
   app.allow_extras();
   std::optional<Command> chosen;
+  std::string told;
   add_commands(app, chosen);
+  add_tellings(app, told);
   try {
     app.parse(argc, argv);
-  } catch (const CLI::Success& help_or_version) {
-    app.exit(help_or_version);
+  } catch (const CLI::CallForHelp&) {
+    const std::vector<CLI::App*> asked = app.get_subcommands();
+    told = help_of(app, asked.empty() ? "" : asked.front()->get_name());
+  } catch (const CLI::Success& version_wanted) {
+    app.exit(version_wanted);
     return {};
   } catch (const CLI::ParseError& error) {
     check_unknown(app);
     throw UsageError(error.what());
   }
+  if (!told.empty()) {
+    fmt::print("{}", told);
+    return {};
+  }
   if (chosen) return {chosen};
   check_unknown(app);
-  fmt::print(stderr, "{}", app.help());
+  fmt::print(stderr, "{}", help_of(app, ""));
   return {std::nullopt, exit_usage};
 }
 

@@ -103,7 +103,7 @@ ExitCode report_ends(const Comparison& comparison) {
   }
   if (is_interrupted(comparison)) {
     const ComparedRun& last = comparison.runs.back();
-    print_error(fmt::format("interrupted in run {} of {} ({}) at t = {:.17g} s; the files are closed",
+    print_error(fmt::format("interrupted in run {} of {} ({}) at t = {:.9g} s; the files are closed",
                             comparison.runs.size(), comparison.runs.size() + comparison.not_run.size(),
                             last.label, last.end_time));
     return exit_interrupted;

@@ -58,14 +58,14 @@ std::string error_text(const ConvexDecomposition& d) {
 
 std::string comment_of(const ConvexDecomposition& d, const std::string& input) {
   return fmt::format(
-      "{} convex {} of {}, by `rigor convert`.\nError: {}.\nVolume: {:.17g} m³; of the solid {:.17g} m³.",
+      "{} convex {} of {}, by `rigor convert`.\nError: {}.\nVolume: {:.9g} m³; of the solid {:.9g} m³.",
       d.pieces.size(), d.pieces.size() == 1 ? "piece" : "pieces",
       std::filesystem::path(input).filename().string(), error_text(d), d.pieces_volume, d.volume);
 }
 
 std::string report_of(const ConvexDecomposition& d, const ConvertOptions& options) {
   return fmt::format(
-      "{}: {} convex {} in {}\n  error         {}\n  volume        {:.17g} m³; of the solid {:.17g} m³\n",
+      "{}: {} convex {} in {}\n  error         {}\n  volume        {:.9g} m³; of the solid {:.9g} m³\n",
       toned(options.input, Tone::strong, stdout), d.pieces.size(), d.pieces.size() == 1 ? "piece" : "pieces",
       options.output, error_text(d), d.pieces_volume, d.volume);
 }

@@ -99,24 +99,24 @@ std::string name_of(const Feature& feature) {
 
 std::string text_of(const BodyDistance& found, const Body& A, const Body& B, double tolerance) {
   const DistanceResult& d = found.nearest.distance;
-  std::string text = fmt::format("{} to {}: distance {:.17g} m\n", toned(A.name, Tone::strong, stdout),
+  std::string text = fmt::format("{} to {}: distance {:.9g} m\n", toned(A.name, Tone::strong, stdout),
                                  toned(B.name, Tone::strong, stdout), d.distance);
-  text += fmt::format("  proved      from {:.17g} m to {:.17g} m\n", d.lower, d.upper);
+  text += fmt::format("  proved      from {:.9g} m to {:.9g} m\n", d.lower, d.upper);
   text += fmt::format("  shapes      {} and {}\n", shape_title(A, found.nearest.shapes.a),
                       shape_title(B, found.nearest.shapes.b));
-  text += fmt::format("  on {:<9}{} m\n", "A", all_digits(d.p_WA));
-  text += fmt::format("  on {:<9}{} m\n", "B", all_digits(d.p_WB));
-  text += fmt::format("  normal      {} from A to B\n", all_digits(d.n_W));
+  text += fmt::format("  on {:<9}{} m\n", "A", rounded_text(d.p_WA));
+  text += fmt::format("  on {:<9}{} m\n", "B", rounded_text(d.p_WB));
+  text += fmt::format("  normal      {} from A to B\n", rounded_text(d.n_W));
   for (const PairDistance& pair : found.pairs) {
     if (found.pairs.size() == 1) break;
-    text += fmt::format("  pair        {} and {}: {:.17g} m\n", shape_title(A, pair.shapes.a),
+    text += fmt::format("  pair        {} and {}: {:.9g} m\n", shape_title(A, pair.shapes.a),
                         shape_title(B, pair.shapes.b), pair.distance.distance);
   }
   text += fmt::format("  contacts    {} closer than {:g} m\n", found.contacts.size(), tolerance);
   for (const PairContact& contact : found.contacts) {
     const ContactPoint& point = contact.point;
     text += fmt::format("    gap {:.3g} m at {} m, normal {}, shapes {} and {}, {} on {}{}\n", point.gap,
-                        all_digits(point.p_WA), all_digits(point.n_W), contact.shapes.a, contact.shapes.b,
+                        rounded_text(point.p_WA), rounded_text(point.n_W), contact.shapes.a, contact.shapes.b,
                         name_of(first_feature(point.feature)), name_of(second_feature(point.feature)),
                         point.degenerate ? ", degenerate" : "");
   }

@@ -16,36 +16,36 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json json_of(const Vec3& v) {
+Json solid_json(const Vec3& v) {
   return {v.x(), v.y(), v.z()};
 }
-Json json_of(const Mat3& m) {
+Json solid_json(const Mat3& m) {
   Json rows = Json::array();
-  for (int i = 0; i < 3; ++i) rows.push_back(json_of(Vec3(m.row(i))));
+  for (int i = 0; i < 3; ++i) rows.push_back(solid_json(Vec3(m.row(i))));
   return rows;
 }
 
-Json json_of(const MassProperties& properties) {
+Json solid_json(const MassProperties& properties) {
   const PrincipalAxes principal = principal_axes(properties.inertia);
   return {{"mass", properties.mass},
-          {"center", json_of(properties.center)},
-          {"inertia", json_of(properties.inertia)},
-          {"principal_moments", json_of(principal.moments)},
-          {"principal_axes", json_of(principal.R)}};
+          {"center", solid_json(properties.center)},
+          {"inertia", solid_json(properties.inertia)},
+          {"principal_moments", solid_json(principal.moments)},
+          {"principal_axes", solid_json(principal.R)}};
 }
 
-Json json_of(const SolidReport& report) {
-  Json json = {{"name", report.name}, {"volume", report.volume}, {"exact", json_of(report.exact)}};
+Json solid_json(const SolidReport& report) {
+  Json json = {{"name", report.name}, {"volume", report.volume}, {"exact", solid_json(report.exact)}};
   json["sampled"] = nullptr;
   if (report.sampled) {
     const SampledMassProperties& sampled = *report.sampled;
-    json["sampled"] = json_of(sampled.properties);
+    json["sampled"] = solid_json(sampled.properties);
     json["sampled"]["volume"] = sampled.volume;
     json["sampled"]["deviation"] = {{"volume", sampled.volume_deviation},
-                                    {"center", json_of(sampled.center_deviation)},
-                                    {"inertia", json_of(sampled.inertia_deviation)}};
+                                    {"center", solid_json(sampled.center_deviation)},
+                                    {"inertia", solid_json(sampled.inertia_deviation)}};
   }
-  json["simulated"] = report.simulated ? json_of(*report.simulated) : Json(nullptr);
+  json["simulated"] = report.simulated ? solid_json(*report.simulated) : Json(nullptr);
   json["notes"] = report.notes;
   return json;
 }
@@ -86,12 +86,12 @@ std::string padded(const std::string& text, std::size_t width) {
 }
 
 void add_table(const SolidReport& report, std::string& text) {
-  fmt::format_to(std::back_inserter(text), "  {} {:>24} {:>24} {:>10} {:>12}\n", padded("", 18), "exact",
+  fmt::format_to(std::back_inserter(text), "  {} {:>16} {:>16} {:>10} {:>12}\n", padded("", 18), "exact",
                  "sampled", "deviation", "difference");
   for (const Row& row : rows_of(report)) {
-    fmt::format_to(std::back_inserter(text), "  {} {:>24.17g}", padded(row.title, 18), row.exact);
+    fmt::format_to(std::back_inserter(text), "  {} {:>16.9g}", padded(row.title, 18), row.exact);
     if (std::isfinite(row.sampled)) {
-      fmt::format_to(std::back_inserter(text), " {:>24.17g} {:>10}", row.sampled,
+      fmt::format_to(std::back_inserter(text), " {:>16.9g} {:>10}", row.sampled,
                      fmt::format("±{:.2g}", row.deviation));
       const double difference = row.sampled - row.exact;
       text += row.deviation > 0 ? fmt::format(" {:>8.2f} dev", difference / row.deviation)
@@ -103,11 +103,11 @@ void add_table(const SolidReport& report, std::string& text) {
 
 void add_principal(const char* title, const MassProperties& properties, std::string& text) {
   const PrincipalAxes principal = principal_axes(properties.inertia);
-  fmt::format_to(std::back_inserter(text), "  {}mass {:.17g} kg, principal moments and axes:\n", title,
+  fmt::format_to(std::back_inserter(text), "  {}mass {:.9g} kg, principal moments and axes:\n", title,
                  properties.mass);
   for (int i = 0; i < 3; ++i) {
     const Vec3 axis = principal.R.col(i);
-    fmt::format_to(std::back_inserter(text), "    {:>24.17g} kg m²  along [{:.17g}, {:.17g}, {:.17g}]\n",
+    fmt::format_to(std::back_inserter(text), "    {:>16.9g} kg m²  along [{:.9g}, {:.9g}, {:.9g}]\n",
                    principal.moments[i], axis.x(), axis.y(), axis.z());
   }
 }
@@ -130,7 +130,7 @@ ExitCode execute(const MassOptions& options) {
   const std::vector<SolidReport> reports = solid_reports(options);
   Json json = {{"file", options.file}, {"solids", Json::array()}};
   for (const SolidReport& report : reports) {
-    json["solids"].push_back(json_of(report));
+    json["solids"].push_back(solid_json(report));
     if (options.json != "-") fmt::print("{}", text_of(report));
   }
   write_text(options.json, json_text(json).append("\n"));

@@ -1,12 +1,12 @@
 #include "apps/progress.hpp"
 
 #include "apps/terminal.hpp"
-#include "rigor/core/index.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace rigor {
 
@@ -22,6 +22,17 @@ std::string duration_text(double seconds) {
                    : fmt::format("{}:{:02}", minutes, rest);
 }
 
+/// The first parts, with commas, as many as fit into `width` characters.
+std::string joined_within(const std::vector<std::string>& parts, int width) {
+  std::string text;
+  for (const std::string& part : parts) {
+    const std::string longer = text.empty() ? part : text + ", " + part;
+    if (static_cast<int>(longer.size()) > width) break;
+    text = longer;
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string progress_text(const Progress& progress, int width) {
@@ -32,10 +43,13 @@ std::string progress_text(const Progress& progress, int width) {
   const double speed = progress.elapsed > 0 ? done / progress.elapsed : 0;
   const std::string times = fmt::format("{}{:.6g}/{:.6g} s ", progress.label, progress.time, progress.end);
   const double left = speed > 0 ? (span - done) / speed : -1;
-  std::string rest =
-      fmt::format("{:.3g}x real time, ETA {}, {} impacts, {} at rest, energy drift {:.1g} J", speed,
-                  duration_text(left), progress.impacts, progress.resting, progress.energy_drift);
-  if (left > slow && !progress.advice.empty()) rest += ", " + progress.advice;
+  // What does not fit the line is left out whole, the least important first: no number is ever cut.
+  std::vector<std::string> parts = {fmt::format("{:.3g}x real time", speed), "ETA " + duration_text(left),
+                                    fmt::format("{} impacts", progress.impacts),
+                                    fmt::format("{} at rest", progress.resting),
+                                    fmt::format("energy drift {:.1g} J", progress.energy_drift)};
+  if (left > slow && !progress.advice.empty()) parts.push_back(progress.advice);
+  const std::string rest = joined_within(parts, width - static_cast<int>(times.size()));
   // The bar takes the space that the numbers leave.
   const int room = width - static_cast<int>(times.size() + rest.size()) - 3;
   const int bar = room < narrowest_bar ? 0 : std::min(room, widest_bar);
@@ -43,19 +57,21 @@ std::string progress_text(const Progress& progress, int width) {
   std::string text = times;
   if (bar > 0) text += fmt::format("[{:#<{}}{:.<{}}] ", "", filled, "", bar - filled);
   text += rest;
-  if (static_cast<int>(text.size()) > width) text.resize(at(std::max(0, width)));
-  return text;
+  if (static_cast<int>(text.size()) <= width) return text;
+  const std::string percent = fmt::format("{:.0f} %", 100 * share);
+  return static_cast<int>(percent.size()) <= width ? percent : std::string();
 }
 
 std::string progress_text(const CuttingProgress& progress, int width) {
   constexpr int widest_bar = 20;
   const double share = static_cast<double>(progress.pieces) / std::max(1, progress.most_pieces);
   const int filled = static_cast<int>(std::clamp(share, 0.0, 1.0) * widest_bar);
-  std::string text = fmt::format("{} [{:#<{}}{:.<{}}] {} pieces", progress.label, "", filled, "",
-                                 widest_bar - filled, progress.pieces);
-  if (std::isfinite(progress.excess)) text += fmt::format(", the worst stands out {:.3g} m", progress.excess);
-  if (static_cast<int>(text.size()) > width) text.resize(at(std::max(0, width)));
-  return text;
+  std::vector<std::string> parts = {fmt::format("{} [{:#<{}}{:.<{}}] {} pieces", progress.label, "", filled,
+                                                "", widest_bar - filled, progress.pieces)};
+  if (std::isfinite(progress.excess))
+    parts.push_back(fmt::format("the worst stands out {:.3g} m", progress.excess));
+  const std::string text = joined_within(parts, width);
+  return text.empty() ? joined_within({fmt::format("{} pieces", progress.pieces)}, width) : text;
 }
 
 ProgressLine::ProgressLine(bool is_wanted) : is_shown_(is_wanted && is_terminal(stderr)) {}

@@ -17,7 +17,8 @@ struct Progress {
 };
 
 /// One line of plain text, at most `width` characters: simulated and total time, a bar, the real-time factor,
-/// the remaining time, contacts and energy drift.
+/// the remaining time, contacts and energy drift. What does not fit is left out whole; in a very narrow line
+/// the share alone remains.
 std::string progress_text(const Progress& progress, int width);
 
 /// Progress of the decomposition of a solid into convex pieces.

@@ -8,6 +8,7 @@
 #include "rigor/core/quoted.hpp"
 #include "rigor/io/files/output_file.hpp"
 #include "rigor/sim/simulation.hpp"
+#include "rigor/view/3d/film_writer.hpp"
 #include "rigor/view/3d/movie_file.hpp"
 #include "rigor/view/3d/picture_writer.hpp"
 #include "rigor/view/3d/png_file.hpp"
@@ -18,6 +19,7 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 namespace rigor {
 
@@ -74,8 +76,17 @@ bool is_trajectory(const RenderOptions& options) {
 
 std::filesystem::path output_path(const RenderOptions& options) {
   if (!options.output.empty()) return options.output;
-  if (!options.mp4.empty()) return std::filesystem::path(options.mp4).replace_extension(".png");
+  if (!options.mp4.empty()) return options.mp4;
   return std::filesystem::path(options.input).filename().replace_extension(".png");
+}
+
+/// The options with `-o OUT.mp4` read as the film that it asks for.
+RenderOptions with_film(RenderOptions options) {
+  if (!options.mp4.empty() && !options.output.empty())
+    throw UsageError("-o and --mp4 name two outputs; give one");
+  if (std::filesystem::path(options.output).extension() != ".mp4") return options;
+  options.mp4 = std::exchange(options.output, "");
+  return options;
 }
 
 void check_suffix(const std::filesystem::path& path, const char* suffix) {
@@ -88,8 +99,7 @@ void check_options(const RenderOptions& options) {
   if (wanted > 1) throw UsageError("--time, --frames (or --mp4) and --sheet do not go together; choose one");
   if (is_trajectory(options) && !options.overrides.empty())
     throw UsageError("--set needs a scene: a trajectory has been computed already");
-  check_suffix(output_path(options), ".png");
-  if (!options.mp4.empty()) check_suffix(options.mp4, ".mp4");
+  check_suffix(output_path(options), options.mp4.empty() ? ".png" : ".mp4");
 }
 
 /// A recording, and the reason why its simulation did not reach its end, if so.
@@ -126,24 +136,6 @@ Shot simulate(const RenderOptions& options) {
   return {keeper.recording(), stop_text(result.audit, result.state.t)};
 }
 
-/// `count` output times from the first to the last, evenly spaced.
-std::vector<std::size_t> even_frames(const Recording& recording, int count) {
-  const double begin = recording.motion.time.front(), end = recording.motion.time.back();
-  std::vector<std::size_t> frames;
-  for (int i = 0; i < count; ++i) {
-    const double share = count > 1 ? static_cast<double>(i) / (count - 1) : 1;
-    frames.push_back(nearest_frame(recording, begin + share * (end - begin)));
-  }
-  return frames;
-}
-
-/// Films run in real time, except for runs too short to see or too long to watch.
-int film_frames(const Recording& recording) {
-  constexpr double shortest = 4, longest = 30;  // [s]
-  const double span = recording.motion.time.back() - recording.motion.time.front();
-  return static_cast<int>(std::lround(MovieFile::frames_per_second * std::clamp(span, shortest, longest)));
-}
-
 void write_picture(const std::filesystem::path& path, const Image& image) {
   write_png(path, image);
   fmt::print(stderr, "wrote {}: {} x {} pixels\n", path.string(), image.width, image.height);
@@ -160,23 +152,12 @@ void write_sequence(const std::filesystem::path& path, const std::vector<std::si
              frames.size());
 }
 
-void write_film(const RenderOptions& options, const PictureSize& size, const std::vector<std::size_t>& frames,
-                Photographer& photographer) {
-  if (!has_program("ffmpeg")) {
-    const std::filesystem::path path = output_path(options);
-    write_sequence(path, frames, photographer);
-    const std::string pattern =
-        std::filesystem::path(path).replace_filename(path.stem().string() + "_%04d.png").string();
-    print_warning(
-        fmt::format("no film: the program ffmpeg is not installed. Where it is: "
-                    "ffmpeg -framerate {} -i {} -pix_fmt yuv420p {}",
-                    MovieFile::frames_per_second, pattern, options.mp4));
-    return;
-  }
-  MovieFile film(options.mp4, size.width, size.height);
+void write_film(const std::filesystem::path& path, const PictureSize& size,
+                const std::vector<std::size_t>& frames, Photographer& photographer) {
+  MovieFile film(path, size.width, size.height);
   for (const std::size_t frame : frames) film.add(photographer.picture(frame));
   film.close();
-  fmt::print(stderr, "wrote {}: {} pictures, {} per second\n", options.mp4, frames.size(),
+  fmt::print(stderr, "wrote {}: {} pictures, {} per second\n", path.string(), frames.size(),
              MovieFile::frames_per_second);
 }
 
@@ -189,7 +170,8 @@ void check_time(double time, const Recording& recording) {
 
 }  // namespace
 
-ExitCode execute(const RenderOptions& options) {
+ExitCode execute(const RenderOptions& given) {
+  const RenderOptions options = with_film(given);
   check_options(options);
   const CameraWishes wishes = camera_wishes(options);
   const std::filesystem::path output = output_path(options);
@@ -200,7 +182,8 @@ ExitCode execute(const RenderOptions& options) {
                                                  : PictureSize{};
   if (is_film && (size.width % 2 != 0 || size.height % 2 != 0))
     throw UsageError("--mp4: width and height of the pictures must be even numbers");
-  check_can_write(is_film ? std::filesystem::path(options.mp4) : output);
+  if (is_film) check_can_film(output);
+  check_can_write(output);
 
   const Shot shot = is_trajectory(options) ? Shot{read_recording(options.input), ""} : simulate(options);
   const Recording& recording = shot.recording;
@@ -214,7 +197,7 @@ ExitCode execute(const RenderOptions& options) {
   } else if (is_single) {
     write_picture(output, photographer.picture(nearest_frame(recording, *options.time)));
   } else if (is_film) {
-    write_film(options, size, even_frames(recording, options.frames.value_or(film_frames(recording))),
+    write_film(output, size, even_frames(recording, options.frames.value_or(film_frames(recording))),
                photographer);
   } else {
     write_sequence(output, even_frames(recording, *options.frames), photographer);

@@ -64,7 +64,7 @@ ExitCode report_end(const RunResult& result, const RunRecorder& recorder, const 
     return exit_stopped;
   }
   if (result.was_stopped && recorder.was_interrupted()) {
-    print_error(fmt::format("interrupted at t = {:.17g} s; the files are closed", result.state.t));
+    print_error(fmt::format("interrupted at t = {:.9g} s; the files are closed", result.state.t));
     return exit_interrupted;
   }
   return audit.violations.empty() ? exit_done : exit_audit_violated;

@@ -36,7 +36,7 @@ TrajectoryHeader make_header(const RunOptions& options, const Scene& scene) {
 
 std::unique_ptr<TrajectoryWriter> make_output(const std::filesystem::path& path,
                                               const TrajectoryHeader& header, const Scene& scene) {
-  if (path.extension() == ".png") return std::make_unique<PictureWriter>(path, scene);
+  if (is_picture(path)) return make_picture_writer(path, scene);
   return make_trajectory_writer(path, header);
 }
 
@@ -68,7 +68,7 @@ RunRecorder::RunRecorder(const RunOptions& options, const Scene& scene, double s
         pages_.emplace_back(output, scene);
       } else {
         writers_.push_back(make_output(output, header, scene));
-        (std::filesystem::path(output).extension() == ".png" ? has_pictures_ : has_trajectory_) = true;
+        (is_picture(output) ? has_pictures_ : has_trajectory_) = true;
       }
     }
   }

@@ -58,15 +58,15 @@ Answer answer_ray(const DistanceOptions& options, const Model& model, const Scen
   if (ray.direction_W.isZero(0)) throw UsageError("--ray: the direction is zero, must have a length");
   const std::vector<BodyRayHit> hits = queries.all_hits(ray);
   Answer answer;
-  answer.text = fmt::format("ray from {} m along {}: {} crossings\n", all_digits(ray.origin_W),
-                            all_digits(ray.direction_W), hits.size());
+  answer.text = fmt::format("ray from {} m along {}: {} crossings\n", rounded_text(ray.origin_W),
+                            rounded_text(ray.direction_W), hits.size());
   Json list = Json::array();
   for (const BodyRayHit& at : hits) {
     const double distance = at.hit.fraction * ray.direction_W.norm();
     const std::string triangle = at.hit.triangle < 0 ? "" : fmt::format(", triangle {}", at.hit.triangle);
     answer.text +=
-        fmt::format("  {:.17g} m {} {} at {} m, normal {}{}\n", distance, at.hit.enters ? "into" : "out of",
-                    title_of(model, at.on), all_digits(at.hit.p_W), all_digits(at.hit.n_W), triangle);
+        fmt::format("  {:.9g} m {} {} at {} m, normal {}{}\n", distance, at.hit.enters ? "into" : "out of",
+                    title_of(model, at.on), rounded_text(at.hit.p_W), rounded_text(at.hit.n_W), triangle);
     list.push_back({{"body", model.body(at.on.body).name},
                     {"shape", at.on.shape},
                     {"distance", distance},
@@ -82,8 +82,8 @@ Answer answer_ray(const DistanceOptions& options, const Model& model, const Scen
 }
 
 std::string text_of(const Model& model, const NearBody& near) {
-  return fmt::format("  {:.17g} m {}: from {} m to {} m\n", near.distance, title_of(model, near.on),
-                     all_digits(near.p_WQ), all_digits(near.p_WB));
+  return fmt::format("  {:.9g} m {}: from {} m to {} m\n", near.distance, title_of(model, near.on),
+                     rounded_text(near.p_WQ), rounded_text(near.p_WB));
 }
 
 Json json_of(const Model& model, const NearBody& near) {
@@ -100,7 +100,7 @@ Answer answer_point(const DistanceOptions& options, const Model& model, const Sc
   const Vec3 p_W(n[0], n[1], n[2]);
   const std::vector<NearBody> near = queries.nearest(p_W, options.closest.value_or(1));
   Answer answer;
-  answer.text = fmt::format("point {} m\n", all_digits(p_W));
+  answer.text = fmt::format("point {} m\n", rounded_text(p_W));
   Json list = Json::array(), inside = Json::array();
   for (const NearBody& body : near) {
     answer.text += text_of(model, body);
@@ -181,16 +181,16 @@ Answer answer_push(const DistanceOptions& options, const Scene& scene, const Sce
   }
   Answer answer;
   answer.json = {{"body", A.name}, {"push", vector_json(way)}, {"meets", nullptr}};
-  answer.text = fmt::format("{} pushed by {} m: ", toned(A.name, Tone::strong, stdout), all_digits(way));
+  answer.text = fmt::format("{} pushed by {} m: ", toned(A.name, Tone::strong, stdout), rounded_text(way));
   if (!first) {
     answer.text += "meets nothing, proved\n";
     return answer;
   }
   answer.text += fmt::format(
-      "meets {}\n  fraction    {:.17g}, proved free before; touching at {:.17g}\n  way         "
-      "{:.17g} m\n  at          {} m\n  normal      {} towards it\n",
+      "meets {}\n  fraction    {:.9g}, proved free before; touching at {:.9g}\n  way         "
+      "{:.9g} m\n  at          {} m\n  normal      {} towards it\n",
       title_of(model, first->on), first->hit.fraction, first->hit.upper, first->hit.fraction * way.norm(),
-      all_digits(first->hit.p_W), all_digits(first->hit.n_W));
+      rounded_text(first->hit.p_W), rounded_text(first->hit.n_W));
   answer.json["meets"] = {{"body", model.body(first->on.body).name}, {"shape", first->on.shape},
                           {"fraction", first->hit.fraction},         {"upper", first->hit.upper},
                           {"point", vector_json(first->hit.p_W)},    {"normal", vector_json(first->hit.n_W)}};
@@ -211,9 +211,9 @@ std::string shape_title(const Body& body, std::size_t shape) {
                      shape_type_name(body.shapes[shape].shape));
 }
 
-std::string all_digits(const Vec3& v) {
+std::string rounded_text(const Vec3& v) {
   const Vec3 without_minus_zero = v + Vec3::Zero();
-  return fmt::format("[{:.17g}, {:.17g}, {:.17g}]", without_minus_zero.x(), without_minus_zero.y(),
+  return fmt::format("[{:.9g}, {:.9g}, {:.9g}]", without_minus_zero.x(), without_minus_zero.y(),
                      without_minus_zero.z());
 }
 

@@ -27,8 +27,8 @@ int find_body_or_throw(const Scene& scene, const std::string& name);
 
 /// "ball.shapes[0] (sphere)".
 std::string shape_title(const Body& body, std::size_t shape);
-/// "[x, y, z]" with all digits.
-std::string all_digits(const Vec3& v);
+/// "[x, y, z]", to nine digits.
+std::string rounded_text(const Vec3& v);
 nlohmann::ordered_json vector_json(const Vec3& v);
 
 }  // namespace rigor

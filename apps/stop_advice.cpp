@@ -57,7 +57,7 @@ std::string stop_text(const Audit& audit, double time) {
   if (report.reason == StopReason::reached_end) return {};
   constexpr std::size_t most_names = 10;
   const std::size_t count = report.bodies.size();
-  std::string text = fmt::format("the simulation stopped at t = {:.17g} s ({}): {}", time,
+  std::string text = fmt::format("the simulation stopped at t = {:.9g} s ({}): {}", time,
                                  stop_reason_name(report.reason), report.detail);
   for (std::size_t i = 0; i < std::min(count, most_names); ++i) {
     text += i == 0 ? "\n  bodies: " : ", ";

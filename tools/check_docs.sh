@@ -33,7 +33,7 @@ list_words() {
 # Every option that a command of the program, a tool or a benchmark has.
 list_options() {
   local command
-  for command in $("$program" --help | awk '/^Subcommands:/ { on = 1; next } /^$/ { on = 0 } on { print $1 }'); do
+  for command in $("$program" --help | awk '/^Commands:/ { on = 1; next } /^$/ { on = 0 } on { print $1 }'); do
     "$program" "$command" --help | awk -v command="$command" '
       /^Options:/ { on = 1 }
       /^Examples:/ { on = 0 }
@@ -186,21 +186,21 @@ check_sections() {
     END { flush() }')
 }
 
-# The rooms of rigor/ have a line in docs/architecture.md, the scenes one in README.md, the decisions one in their index.
+# The rooms of rigor/ have a line in docs/architecture.md, the scenes one in docs/gallery.md, the decisions one in their index.
 check_lists() {
   local scene decision
   awk "/^rooms='/ { on = 1; next } /^'/ { on = 0 }
     on { sub(/:/, \"\"); for (i = 2; i <= NF; ++i) if (\$i != \".\") print \$1 \"/\" \$i }" tools/check_layers.sh >"$work/rooms"
   grep -oE '^\| `[a-z_]+/[a-z0-9_]+` ' docs/architecture.md | tr -d '|` ' | diff - "$work/rooms" >"$work/difference" ||
     complain "docs/architecture.md and tools/check_layers.sh have other rooms: $(grep '^[<>]' "$work/difference")"
-  awk '/^## Scenes/ { on = 1; next } /^## / { on = 0 } on && /^\|/' README.md |
+  grep '^|' docs/gallery.md |
     grep -oE '`[a-z0-9_]+`' | tr -d '`' >"$work/scenes"
   for scene in scenes/*.yaml; do
     scene=$(basename "$scene" .yaml)
-    grep -qx "$scene" "$work/scenes" || complain "README.md: no row of scene $scene"
+    grep -qx "$scene" "$work/scenes" || complain "docs/gallery.md: no row of scene $scene"
   done
   for scene in $(cat "$work/scenes"); do
-    [ -e "scenes/$scene.yaml" ] || complain "README.md: no scene scenes/$scene.yaml"
+    [ -e "scenes/$scene.yaml" ] || complain "docs/gallery.md: no scene scenes/$scene.yaml"
   done
   for decision in docs/decisions/[0-9]*.md; do
     decision=$(basename "$decision")
@@ -370,6 +370,9 @@ check_commands() {
   local place command
   mkdir "$work/run" "$work/bin"
   ln -s "$program" "$work/bin/rigor"
+  # Films need no ffmpeg here: pictures go in, and nobody looks at what comes out.
+  printf '#!/bin/sh\ncat >/dev/null\n' >"$work/bin/ffmpeg"
+  chmod +x "$work/bin/ffmpeg"
   PATH=$work/bin:$PATH
   make_examples
   while IFS=$'\t' read -r place command <&3; do check_command "$place" "$command"; done 3< <(list_commands)

@@ -31,16 +31,17 @@ class RunFiles {
     header.scene_file = options.scene_file;
     header.overrides = options.overrides;
     // All suffixes are looked at before a file is made.
-    constexpr std::array<std::string_view, 2> elsewhere{".html", ".png"};
+    constexpr std::array<std::string_view, 3> elsewhere{page_suffixes[0], picture_suffixes[0],
+                                                        picture_suffixes[1]};
     for (const std::filesystem::path& path : options.files) {
       const std::string error = check_output_suffix(path, elsewhere);
       if (!error.empty()) throw InputError(error);
     }
     for (const std::filesystem::path& path : options.files) {
-      if (path.extension() == ".html") {
+      if (path.extension() == page_suffixes[0]) {
         pages_.push_back(std::make_unique<PageWriter>(path, scene));
-      } else if (path.extension() == ".png") {
-        writers_.push_back(std::make_unique<PictureWriter>(path, scene));
+      } else if (is_picture(path)) {
+        writers_.push_back(make_picture_writer(path, scene));
       } else {
         writers_.push_back(make_trajectory_writer(path, header));
       }

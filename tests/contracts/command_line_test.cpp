@@ -109,13 +109,14 @@ TEST(CommandLine, ValuesThatMakeNoSenseAreUsageErrors) {
   expect_contains(folder.run({"distance", "ball.yaml", "ball", "flor"}).error, "did you mean 'floor'?");
 }
 
-TEST(CommandLine, OutputsOfLaterVersionsAreRefusedWithTheAvailableOnes) {
+TEST(CommandLine, OutputsOfUnknownFormatsAreRefusedWithTheAvailableOnes) {
   const ProgramFolder folder;
   folder.write("ball.yaml", ball_scene);
-  for (const std::string name : {"film.mp4", "solid.stl"}) {
+  for (const std::string name : {"run.urdf", "solid.stl"}) {
     const ProgramResult result = folder.run({"run", "ball.yaml", "-o", name});
     EXPECT_EQ(result.code, 2);
-    expect_contains(result.error, "is not available in this version; available: .csv .h5 .json .html .png");
+    expect_contains(result.error,
+                    "is no format that Rigor writes; available: .csv .h5 .json .html .png .mp4");
     EXPECT_FALSE(folder.has(name));
   }
 }

@@ -85,18 +85,25 @@ TEST(RenderCommand, WritesSequences) {
   EXPECT_NE(folder.read("a_0001.png"), folder.read("a_0002.png"));
 }
 
-TEST(RenderCommand, WithoutFfmpegAFilmIsASequenceAndAHint) {
+TEST(RenderCommand, WithoutFfmpegAFilmIsAnErrorBeforeTheRun) {
   const ViewFolder folder;
+  folder.write("long.yaml", ball_scene);
   const std::string path = std::getenv("PATH");
   ::setenv("PATH", "/nowhere", 1);
-  const ProgramResult result =
-      folder.run({"render", "ball.h5", "--mp4", "film.mp4", "--frames", "2", "--size", "64x36"});
+  for (const std::vector<std::string>& arguments :
+       std::vector<std::vector<std::string>>{{"render", "ball.h5", "--mp4", "film.mp4"},
+                                             {"render", "ball.h5", "-o", "film.mp4"},
+                                             {"run", "long.yaml", "--duration", "1e6", "-o", "film.mp4"}}) {
+    const ProgramResult result = folder.run(arguments);
+    EXPECT_EQ(result.code, 5);
+    EXPECT_EQ(result.out, "");
+    expect_contains(
+        result.error,
+        "cannot write 'film.mp4': films are encoded by the program ffmpeg, which is not installed");
+    EXPECT_EQ(line_count(result.error), 1u) << result.error;
+    EXPECT_FALSE(folder.has("film.mp4"));
+  }
   ::setenv("PATH", path.c_str(), 1);
-  EXPECT_EQ(result.code, 0);
-  EXPECT_TRUE(folder.has("film_0002.png"));
-  EXPECT_FALSE(folder.has("film.mp4"));
-  expect_contains(result.error, "warning: no film: the program ffmpeg is not installed.");
-  expect_contains(result.error, "ffmpeg -framerate 30 -i film_%04d.png");
 }
 
 /// Runs with a stand-in for ffmpeg on the PATH.
@@ -122,6 +129,20 @@ TEST(RenderCommand, FfmpegGetsTheFilesNameAsItIsAndAllPictures) {
   EXPECT_EQ(folder.read("bytes").size(), 3u * 64 * 36 * 3);
   EXPECT_FALSE(folder.has("x"));
   EXPECT_FALSE(folder.has("a b;$(touch x)_0001.png"));
+}
+
+TEST(RunCommand, AnOutputMp4IsTheFilmOfTheRun) {
+  const ViewFolder folder;
+  folder.write("short.yaml", ball_scene);
+  const std::string script = "printf '%s\\n' \"$@\" > arguments\nwc -c > bytes\n";
+  const ProgramResult result = run_with_ffmpeg(
+      folder, script, {"run", "short.yaml", "--duration", "0.2", "-o", "a.mp4", "-o", "a.csv"});
+  EXPECT_EQ(result.code, 0) << result.error;
+  expect_contains(folder.read("arguments"), "\nfile:a.mp4\n");
+  expect_contains(folder.read("arguments"), "\n1280x720\n");
+  // A short run is shown for four seconds.
+  EXPECT_EQ(std::stol(folder.read("bytes")), 4L * 30 * 1280 * 720 * 3);
+  EXPECT_TRUE(folder.has("a.csv"));
 }
 
 TEST(RenderCommand, AnFfmpegThatFailsIsFive) {
@@ -157,6 +178,7 @@ TEST(RenderCommand, WhatMakesNoSenseIsTwo) {
       {{"--field-of-view", "0"}, "--field-of-view"},
       {{"--mp4", "a.avi"}, "output 'a.avi': its name must end in .mp4"},
       {{"--mp4", "a.mp4", "--size", "641x360"}, "must be even numbers"},
+      {{"--mp4", "a.mp4", "-o", "b.mp4"}, "-o and --mp4 name two outputs"},
       {{"--set", "bodies.ball.mass=2"}, "--set needs a scene"},
   };
   for (auto [arguments, message] : wrong) {

@@ -85,4 +85,8 @@ flags=$(PKG_CONFIG_PATH=$pc pkg-config --cflags --libs rigor)
 quiet g++ "$work/all.cpp" -o "$work/all" $flags -Wl,-rpath,"$prefix/lib"
 quiet env LD_LIBRARY_PATH="$prefix/lib" "$work/all"
 quiet "$prefix/bin/rigor" --version
-echo "$mode: find_package, component geometry, pkg-config, $(find "$prefix/include" -name '*.hpp' | wc -l) headers, program"
+for file in man/man1/rigor.1 man/man1/rigor-run.1 bash-completion/completions/rigor zsh/site-functions/_rigor \
+  fish/vendor_completions.d/rigor.fish; do
+  [ -s "$prefix/share/$file" ] || { echo "not installed: share/$file"; exit 1; }
+done
+echo "$mode: find_package, component geometry, pkg-config, $(find "$prefix/include" -name '*.hpp' | wc -l) headers, program, man pages, completions"

@@ -45,7 +45,7 @@ def test_every_shipped_format_is_written(ball, tmp_path):
         run.save(tmp_path / f"run.{suffix}")
         assert (tmp_path / f"run.{suffix}").stat().st_size > 100
     with pytest.raises(rigor.InputError, match="available"):
-        run.save(tmp_path / "run.mp4")
+        run.save(tmp_path / "run.urdf")
 
 
 def test_scenes_of_files_and_overrides(scenes):

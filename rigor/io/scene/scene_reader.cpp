@@ -11,6 +11,7 @@
 #include "rigor/io/scene/object_reader.hpp"
 #include "rigor/io/scene/scene_overrides.hpp"
 #include "rigor/io/scene/shape_files.hpp"
+#include "rigor/io/scene/synonyms.hpp"
 #include "rigor/sim/method/scheme_check.hpp"
 
 #include <map>
@@ -128,8 +129,11 @@ void check_all(const ModelBuilder& builder, SceneErrors& errors) {
 
 }  // namespace
 
-Scene read_scene_tree(const YamlNode& root, const YamlSources& sources, const std::filesystem::path& folder) {
+Scene read_scene_tree(const YamlNode::Pointer& written, const YamlSources& sources,
+                      const std::filesystem::path& folder) {
   SceneErrors errors(sources);
+  const YamlNode::Pointer translated = with_synonyms(written, errors);
+  const YamlNode& root = *translated;
   const ObjectReader reader(root, key_table("scene"), "the scene", errors);
   ModelBuilder builder;
   Scene scene;
@@ -175,7 +179,7 @@ Scene parse_scene(const std::string& text, const std::string& file_name, const s
   for (std::size_t i = 0; i < overrides.size(); ++i) {
     root = with_override(root, overrides[i], static_cast<int>(i) + 1, sources);
   }
-  return read_scene_tree(*root, sources, folder);
+  return read_scene_tree(root, sources, folder);
 }
 
 Scene read_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides,

@@ -50,6 +50,7 @@ Scene parse_scene(const std::string& text, const std::string& file_name, const s
                   const std::vector<std::string>& overrides = {}, std::size_t varied = 0);
 
 /// The same from a document that has been parsed already; the first of the sources is the scene file.
-Scene read_scene_tree(const YamlNode& root, const YamlSources& sources, const std::filesystem::path& folder);
+Scene read_scene_tree(const YamlNode::Pointer& root, const YamlSources& sources,
+                      const std::filesystem::path& folder);
 
 }  // namespace rigor

@@ -24,7 +24,7 @@ SceneTemplate::SceneTemplate(const std::filesystem::path& path, const std::vecto
 
 Scene SceneTemplate::make(const std::vector<SceneValue>& values, const std::string& whose) const {
   const YamlSources sources{{path_.string(), whose}};
-  return read_scene_tree(*with_values(root_, values, whose), sources, path_.parent_path());
+  return read_scene_tree(with_values(root_, values, whose), sources, path_.parent_path());
 }
 
 YamlNode::Pointer number_node(double value, int source) {

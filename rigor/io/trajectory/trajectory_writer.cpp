@@ -120,7 +120,7 @@ std::string check_output_suffix(const std::filesystem::path& path,
   std::string available = " " + trajectory_suffixes();
   for (const std::string_view other : written_elsewhere) available += fmt::format(" {}", other);
   if (suffix.empty()) return fmt::format("output {}: the name has no suffix; available:{}", name, available);
-  return fmt::format("output {}: {} is not available in this version; available:{}", name, suffix, available);
+  return fmt::format("output {}: {} is no format that Rigor writes; available:{}", name, suffix, available);
 }
 
 std::unique_ptr<TrajectoryWriter> make_trajectory_writer(const std::filesystem::path& path,

@@ -83,8 +83,8 @@ class TrajectoryWriter {
 std::string trajectory_suffixes();
 
 /// Empty if a trajectory can be written to a file with this suffix (one of trajectory_suffixes, or one of
-/// those that other layers write), or why not: "run.mp4: .mp4 is not available in this version; available:
-/// .csv .h5 .json .html .png".
+/// those that other layers write), or why not: "output 'run.urdf': .urdf is no format that Rigor writes;
+/// available: .csv .h5 .json .html .png .mp4".
 std::string check_output_suffix(const std::filesystem::path& path,
                                 std::span<const std::string_view> written_elsewhere = {});
 

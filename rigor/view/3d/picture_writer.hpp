@@ -4,6 +4,7 @@
 #include "rigor/view/recording/recording.hpp"
 
 #include <array>
+#include <memory>
 #include <string_view>
 
 namespace rigor {
@@ -20,7 +21,11 @@ class PictureWriter : public MotionKeeper {
 };
 
 /// Suffixes of the outputs of a run that this layer writes.
-inline constexpr std::array<std::string_view, 1> picture_suffixes = {".png"};
+inline constexpr std::array<std::string_view, 2> picture_suffixes = {".png", ".mp4"};
+/// Whether this layer writes the output, by its suffix.
+bool is_picture(const std::filesystem::path& path);
+/// The writer of such an output: a sheet of the key moments, or a film. Throws FileError.
+std::unique_ptr<TrajectoryWriter> make_picture_writer(const std::filesystem::path& path, const Scene& scene);
 
 /// Number of pictures on a sheet of key moments, and width of the sheet [px].
 inline constexpr std::size_t sheet_pictures = 6;
