@@ -174,44 +174,9 @@ std::shared_ptr<const Model> SimulationEngine::model_with_loads() const {
   return changed_model(*scene_.model, changes);
 }
 
-/// Contacts of the many-body path: the impulses of its last step, over the step.
-std::vector<TouchingPoint> SimulationEngine::contacts_of_steps() const {
-  std::vector<TouchingPoint> points;
-  const double h = steps_in_bulk_->last_step();
-  if (h == 0) return points;
-  for (const BulkContact& contact : steps_in_bulk_->contacts()) {
-    const double normal = contact.normal_impulse();
-    for (int k = 0; k < contact.point_count; ++k) {
-      const BulkContact::Point& point = contact.points[at(k)];
-      TouchingPoint& own = points.emplace_back(TouchingPoint{.body_A = contact.body_A,
-                                                             .body_B = contact.body_B,
-                                                             .p_W = point.p_W,
-                                                             .n_W = contact.n_W,
-                                                             .gap = point.gap});
-      const auto velocity = [&](int body) {
-        return Vec3(linear_velocity(*model_, state_, body) +
-                    angular_velocity(*model_, state_, body).cross(point.p_W - state_.position(body)));
-      };
-      own.u_W = velocity(contact.body_B) - velocity(contact.body_A);
-      if (normal <= 0) continue;
-      // Friction acts in the middle; each point has the part of it that it presses.
-      const double share = point.normal_impulse / normal;
-      own.force_W = (point.normal_impulse * contact.n_W + share * contact.friction_impulse_W) / h;
-      own.mode = TouchingPoint::Mode::stick;
-      const Body &A = model_->body(contact.body_A), &B = model_->body(contact.body_B);
-      const double friction =
-          model_->coefficients(A.shapes[at(contact.shape_A)].material, B.shapes[at(contact.shape_B)].material)
-              .friction;
-      constexpr double sliding_share = 0.999;
-      if (contact.friction_impulse_W.norm() >= sliding_share * friction * normal)
-        own.mode = TouchingPoint::Mode::slide;
-    }
-  }
-  return points;
-}
-
 std::vector<TouchingPoint> SimulationEngine::contacts() const {
-  return steps_in_bulk_ ? contacts_of_steps() : contact_snapshot(*model_, method_, state_);
+  if (steps_in_bulk_) return *steps_in_bulk_->contacts_of(state_);
+  return contact_snapshot(*model_, method_, state_);
 }
 
 std::vector<JointReaction> SimulationEngine::joint_motions() const {

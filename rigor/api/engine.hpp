@@ -75,7 +75,6 @@ class SimulationEngine {
   void wake();
   std::shared_ptr<const Model> model_with_loads() const;
   std::vector<BodyLoad> all_loads(const std::vector<BodyLoad>& loads) const;
-  std::vector<TouchingPoint> contacts_of_steps() const;
 
   Scene scene_;
   Method method_;

@@ -194,5 +194,62 @@ TEST(LiveRun, BodiesThatOverlapAreRefused) {
   EXPECT_THROW(LiveRun run(live_scene(text)), InputError);
 }
 
+TEST(LiveRun, GoesBackFromOutputTimeToOutputTimeToTheStatesThatWereThere) {
+  LiveRun run(live_scene());
+  std::vector<State> seen = {run.state()};
+  for (int k = 0; k < 60; ++k) {
+    run.step();
+    seen.push_back(run.state());
+  }
+  EXPECT_EQ(run.earlier_count(), 60u);
+  // From between two output times to the one before, then from one to the next.
+  run.advance(0.004);
+  for (std::size_t k = 61; k-- > 0;) {
+    run.go_back();
+    EXPECT_EQ(run.time(), seen[k].t);
+    EXPECT_EQ(run.state().position(ball_index), seen[k].position(ball_index));
+    EXPECT_EQ(run.state().linear_momentum(ball_index), seen[k].linear_momentum(ball_index));
+    EXPECT_EQ(run.history().rows().back()[0], seen[k].t);
+  }
+  run.go_back();
+  EXPECT_EQ(run.time(), 0);
+  EXPECT_EQ(run.earlier_count(), 0u);
+  // The impact that was undone has not happened; it comes again.
+  EXPECT_EQ(run.history().events().size(), 0u);
+  go_to(run, 0.6);
+  EXPECT_NEAR((run.state().position(ball_index) - seen[60].position(ball_index)).norm(), 0, 1e-12);
+  EXPECT_GT(run.history().events().size(), 0u);
+}
+
+const std::string hinged = R"(rigor: 1
+name: hinged
+world: {gravity: [0, 0, 0]}
+run: {duration: 1, output_interval: 0.01}
+materials: [{name: steel}]
+bodies:
+  - {name: wheel, position: [0, 0, 1], mass: 1, shapes: [{type: cylinder, radius: 0.5, length: 0.1, material: steel}]}
+joints:
+  - {name: axle, type: hinge, bodies: [world, wheel], anchor: [0, 0, 1], axis: [0, 0, 1]}
+)";
+
+TEST(LiveRun, AMotorOfAJointIsSetAndLetGo) {
+  LiveRun run(live_scene(hinged));
+  const auto spin = [&] { return angular_velocity(*run.scene().model, run.state(), 0).z(); };
+  run.set_motor(0, 0, 2);
+  go_to(run, 0.1);
+  EXPECT_NEAR(spin(), 2, 1e-9);
+  run.set_motor(0, 0, -1);
+  go_to(run, 0.2);
+  EXPECT_NEAR(spin(), -1, 1e-9);
+  // Without a motor and friction it turns on; a new motor finds it so.
+  run.set_motor(0, 0, std::nullopt);
+  EXPECT_FALSE(run.laws(0, 0).motor);
+  go_to(run, 0.3);
+  EXPECT_NEAR(spin(), -1, 1e-9);
+  EXPECT_THROW(run.set_motor(1, 0, 1), InputError);
+  EXPECT_THROW(run.set_motor(0, 1, 1), InputError);
+  EXPECT_THROW(run.set_rest(0, 0, 1), InputError);
+}
+
 }  // namespace
 }  // namespace rigor::live_run_test

@@ -194,7 +194,7 @@ TEST(PageFrames, AGasOfBallsWithAllItsImpactsTakesLessThanTwelveBytesABodyAFrame
 }
 
 TEST(PageFrames, ASmallSceneWithManyImpactsAndContactsTakesLessThanTwelveBytesABodyAFrame) {
-  EXPECT_LT(bytes_per_body_frame("dominoes.yaml", 0.01, {"method.scheme=event-driven"}), 12);
+  EXPECT_LT(bytes_per_body_frame("dominoes.yaml", 0.01), 12);
 }
 
 TEST(PageFrames, BoxesTumblingAtRandomTakeLessThanTwelveBytesABodyAFrame) {

@@ -68,6 +68,27 @@ test("the reader chooses which run is solid and which is the ghost", async () =>
   await page.close();
 });
 
+test("it opens on two runs that go different ways, and says why and from when on", async () => {
+  // The order of runs: the first two differ in what changes no motion.
+  const three = makeComparison("bouncing_ball_e09", "--vary", "materials.rubber.restitution=0.9,0.6", "--vary", "method.broad_phase=tree,sweep-and-prune", "--duration", "2");
+  const { page, errors } = await openPage(browser, three.html);
+  await settle(page);
+  const [a, b] = await page.evaluate(() => ["#run-a", "#run-b"].map((name) => document.querySelector(name).selectedOptions[0].textContent));
+  assert.match(a, /restitution=0\.9/);
+  assert.match(b, /restitution=0\.6/);
+  const why = await page.locator("#why").innerText();
+  assert.match(why, /restitution=0\.6 instead of .*restitution=0\.9/);
+  // The ball falls on the floor first, the same in both.
+  const fall = alone[0].trajectory.flatMap((row) => row.events).find((event) => event.kind === "impact").time;
+  const parted = Number(/part at ([\d.]+) s: ball/.exec(why)[1]);
+  const interval = alone[0].trajectory[1].time;
+  assert.ok(parted >= fall && parted <= fall + 2 * interval, `${parted} after ${fall}`);
+  await page.selectOption("#run-b", "1");
+  assert.match(await page.locator("#why").innerText(), /broad_phase=sweep-and-prune instead of .*No body goes another way/);
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
 test("the time line has the impacts of A", async () => {
   const { page } = await openPage(browser, ball.html);
   const impacts = (run) => run.trajectory.flatMap((row) => row.events).filter((event) => event.kind === "impact");
@@ -141,6 +162,12 @@ test("the audits stand side by side, and what differs is marked", async () => {
   assert.deepEqual(row("≠ events: impacts").cells.map(({ differs }) => differs), impacts.map((count) => count !== impacts[0]));
   assert.ok(row("method: scheme").cells.every(({ text, differs }) => text === "event-driven" && !differs));
   assert.ok(row("ended").cells.every(({ text }) => text === "✓ audit passed"));
+  // Outcomes come first; settings that are equal are folded away until they are asked for.
+  const order = rows.map(({ name }) => name);
+  assert.ok(order.indexOf("≠ events: impacts") < order.indexOf("method: scheme"));
+  assert.ok(!(await page.locator(".audits tr", { hasText: "method: scheme" }).isVisible()));
+  await page.click("#equal-settings");
+  assert.ok(await page.locator(".audits tr", { hasText: "method: scheme" }).isVisible());
   await page.check("#only-differences");
   assert.ok(await page.locator(".audits tr", { hasText: "events: impacts" }).isVisible());
   assert.ok(!(await page.locator(".audits tr", { hasText: "method: scheme" }).isVisible()));
@@ -227,9 +254,9 @@ test("runs of several steps are plotted as work and precision, on logarithmic ax
   assert.deepEqual(errors, []);
   const plots = page.locator(".precision svg");
   assert.equal(await plots.count(), 2);
-  assert.deepEqual(await page.locator(".precision .plot h3").allInnerTexts(), ["Error over CPU time", "Error over step"]);
+  assert.deepEqual(await page.locator(".precision .plot h2").allInnerTexts(), ["Error over CPU time", "Error over step"]);
   assert.deepEqual(await page.locator(".precision .legend > span").allInnerTexts(), ["method.integrator=rk4", "method.integrator=midpoint"]);
-  assert.match(await page.locator(".precision > h3").innerText(), /event-driven, integrator exact, step 0.05 s/);
+  assert.match(await page.locator(".precision > h2").innerText(), /event-driven, integrator exact, step 0.05 s/);
   const circles = await plots.nth(1).locator("circle").evaluateAll((all) => all.map((circle) => ({
     x: Number(circle.getAttribute("cx")), y: Number(circle.getAttribute("cy")), text: circle.textContent })));
   assert.equal(circles.length, 6);

@@ -111,6 +111,90 @@ test("dragging with Shift pulls the ball, letting go ends the pull", async () =>
   await page.close();
 });
 
+test("a click chooses the ball, a drag pulls it without any other key, also behind a wall", async () => {
+  const walled = await serve(writePage("walled.yaml", `${scene(1)}  - {name: wall, motion: static, position: [0, -0.5, 1], shapes: [{type: box, size: [4, 0.1, 4], material: rubber}]}\n`));
+  const { page, errors } = await openAddress(browser, walled.url);
+  await until(page, () => window.rigor?.status !== undefined);
+  const canvas = await page.locator(".stage canvas").boundingBox();
+  // From behind the wall, which hides the ball.
+  await page.evaluate(() => {
+    const { view } = window.rigor;
+    view.camera.position.copy(view.controls.target);
+    view.camera.position.y -= 5;
+    view.controls.update();
+  });
+  await page.waitForTimeout(400);
+  const [x, y] = await page.evaluate((body) => {
+    const { view } = window.rigor;
+    const at = view.camera.position.clone().fromArray(view.motion.position, 3 * body).project(view.camera);
+    return [(at.x + 1) / 2, (1 - at.y) / 2];
+  }, ball);
+  const [px, py] = [canvas.x + x * canvas.width, canvas.y + y * canvas.height];
+  await page.mouse.click(px, py);
+  await until(page, (body) => window.rigor.selected === body, ball);
+  await page.mouse.move(px, py);
+  await page.mouse.down();
+  await page.mouse.move(px + 60, py - 20, { steps: 6 });
+  await page.keyboard.press(" ");
+  await until(page, () => window.rigor.source.time > 1);
+  const held = await place(page);
+  assert.ok(held[2] > 0.5 && Math.hypot(held[0], held[1]) > 0.01, `is held: ${held}`);
+  await page.mouse.up();
+  assert.deepEqual(errors, []);
+  await page.close();
+  await walled.end();
+});
+
+test("it goes a step back in time, and on from there", async () => {
+  const { page } = await open();
+  await reset(page);
+  const height = () => page.evaluate((body) => window.rigor.source.newest.position[3 * body + 2], ball);
+  const heights = [await height()];
+  for (let k = 1; k <= 3; ++k) {
+    await page.keyboard.press("ArrowRight");
+    await until(page, (t) => Math.abs(window.rigor.source.time - t) < 1e-9, 0.01 * k);
+    heights.push(await height());
+  }
+  for (let k = 2; k >= 0; --k) {
+    await page.keyboard.press("ArrowLeft");
+    await until(page, (t) => Math.abs(window.rigor.source.time - t) < 1e-9, 0.01 * k);
+    assert.ok(Math.abs(await height() - heights[k]) < 1e-6, `height at ${k}`);
+  }
+  await until(page, () => window.rigor.status.earlier === 0);
+  await page.keyboard.press("ArrowRight");
+  await until(page, () => Math.abs(window.rigor.source.time - 0.01) < 1e-9);
+  assert.ok(Math.abs(await height() - heights[1]) < 1e-6);
+  await page.close();
+});
+
+test("a motor of a joint is set by its slider, and let go", async () => {
+  const hinged = await serve(writePage("hinged.yaml", `
+rigor: 1
+name: hinged
+world: {gravity: [0, 0, 0]}
+run: {duration: 1, output_interval: 0.01}
+materials: [{name: steel}]
+bodies:
+  - {name: wheel, position: [0, 0, 1], mass: 1, shapes: [{type: cylinder, radius: 0.5, length: 0.1, material: steel}]}
+joints:
+  - {name: axle, type: hinge, bodies: [world, wheel], anchor: [0, 0, 1], axis: [0, 0, 1]}
+`));
+  const { page, errors } = await openAddress(browser, hinged.url);
+  await until(page, () => window.rigor?.status !== undefined);
+  await page.locator("#motor-0").fill("2");
+  await until(page, () => Math.abs(window.rigor.status.axes[0].motor - 2) < 1e-9);
+  assert.ok(await page.isChecked("#motor-on-0"));
+  await page.keyboard.press("Escape");
+  await page.click("#run");
+  await until(page, () => window.rigor.source.time > 0.3);
+  assert.ok(Math.abs((await page.evaluate(() => window.rigor.view.motion.spin[2])) - 2) < 1e-4);
+  await page.uncheck("#motor-on-0");
+  await until(page, () => window.rigor.status.axes[0].motor === null);
+  assert.deepEqual(errors, []);
+  await page.close();
+  await hinged.end();
+});
+
 test("a hit acts where the body was clicked", async () => {
   const { page } = await open();
   await reset(page);
@@ -168,7 +252,7 @@ test("plots and time line show what happened since the reset, a click on a tick 
     return times[times.length - 1] === window.rigor.source.time;
   });
   const { titles, data, height } = await page.evaluate(() => ({
-    titles: [...document.querySelectorAll(".plot h3")].map((title) => title.firstChild.textContent),
+    titles: [...document.querySelectorAll(".plot h2")].map((title) => title.firstChild.textContent),
     data: window.rigor.plots.charts.map((chart) => chart.data.map((column) => [...column])),
     height: window.rigor.positionOf(1)[2],
   }));

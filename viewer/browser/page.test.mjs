@@ -1,5 +1,6 @@
 // The page as a reader meets it: opened from disk in Chromium, without a network.
 import assert from "node:assert/strict";
+import { statSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { makePage, openBrowser, openPage, removePages, settle, writePage } from "./pages.mjs";
 
@@ -276,4 +277,196 @@ test("the picture that is saved is that of the scene", async () => {
   const [download] = await Promise.all([page.waitForEvent("download"), page.keyboard.press("s")]);
   assert.match(download.suggestedFilename(), /^cradle-.*s\.png$/);
   await page.close();
+});
+
+test("contact points are off where there are more than a few dozen, and come when asked for", async () => {
+  const few = makePage("arch", "--duration", "0.3"), many = makePage("dominoes");
+  for (const [run, expected] of [[few, true], [many, false]]) {
+    const { page } = await openPage(browser, run.html);
+    await settle(page);
+    const most = await page.evaluate(() => window.rigor.source.mostContacts);
+    assert.equal(most <= 36, expected, `${most} contacts`);
+    const dots = () => page.evaluate(() => window.rigor.view.marks.dots.points.visible);
+    assert.equal(await dots(), expected);
+    await page.keyboard.press("c");
+    await settle(page);
+    assert.equal(await dots(), !expected);
+    await page.close();
+  }
+});
+
+test("forces are shown as a heat map when asked for, with the force of its hottest colour", async () => {
+  const { html } = makePage("arch", "--duration", "0.3");
+  const { page, errors } = await openPage(browser, html);
+  await page.keyboard.press("End");
+  await page.keyboard.press("m");
+  await settle(page);
+  await page.click("text=Show");
+  assert.match(await page.locator(".heat-scale").innerText(), /\d+ N pressed on a body/);
+  const warmth = await page.evaluate(() => window.rigor.view.shapes.batches.flatMap(({ items, pose }) => items.map((_, i) => pose.image.data[8 * i + 3])));
+  assert.ok(warmth.filter((mark) => mark >= 4 && mark < 5).length > 3, `marks ${warmth}`);
+  // The stones at the foot are pressed more than the key stone.
+  assert.ok(Math.max(...warmth) > 4.9 && new Set(warmth).size > 3);
+  await page.keyboard.press("m");
+  await settle(page);
+  assert.equal(await page.locator(".heat-scale").isVisible(), false);
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("the camera looks over walls, and a wall that comes between turns to glass", async () => {
+  const { html } = makePage("pile");
+  const { page, errors } = await openPage(browser, html);
+  await page.keyboard.press("End");
+  await settle(page);
+  const blocked = () => page.evaluate(() => window.rigor.view.sight.blocked(window.rigor.view.camera.position.toArray()));
+  assert.equal(await blocked(), 0, "nothing hides what moves");
+  // From the height of the walls, where one of them hides the boxes.
+  await page.evaluate(() => {
+    const { view } = window.rigor;
+    view.camera.position.copy(view.controls.target);
+    view.camera.position.x -= 4;
+    view.camera.position.z = 0.3 - window.rigor.source.header.origin[2];
+    view.controls.update();
+  });
+  await page.waitForTimeout(200);
+  await page.evaluate(() => window.rigor.seek(1.5));
+  await settle(page);
+  const marks = await page.evaluate(() => window.rigor.view.shapes.batches.flatMap(({ items, pose }) => items.flatMap(({ body }, i) => (pose.image.data[8 * i + 3] === 3 ? [window.rigor.source.header.bodies[body].name] : []))));
+  assert.ok(marks.includes("west"), `glass: ${marks}`);
+  assert.ok(!marks.includes("east"), `what stands behind stays solid: ${marks}`);
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("drawing that takes half a second does not slow time", async () => {
+  const { page } = await openPage(browser, cradle.html);
+  const [passed, played, frames] = await page.evaluate(() => new Promise((done) => {
+    const { view, playback } = window.rigor;
+    const draw = view.draw.bind(view);
+    let frames = 0;
+    view.draw = (...all) => {
+      const until = performance.now() + 500;
+      while (performance.now() < until);
+      ++frames;
+      draw(...all);
+    };
+    playback.speed = 0.1;
+    window.rigor.toggle();
+    // From the second picture on.
+    const begin = () => {
+      if (frames < 2) return requestAnimationFrame(begin);
+      const [clock, time, before] = [performance.now(), playback.time, frames];
+      const end = () => {
+        if (frames - before < 4) return requestAnimationFrame(end);
+        done([(performance.now() - clock) / 1000, (playback.time - time) / playback.speed, frames - before]);
+      };
+      requestAnimationFrame(end);
+    };
+    requestAnimationFrame(begin);
+  }));
+  assert.ok(passed / frames > 0.45, `${frames} pictures in ${passed} s`);
+  // The replay stands where the last picture was: at most one picture behind the clock.
+  near(played, passed, 1.2 * (passed / frames), "seconds played");
+  await page.close();
+});
+
+test("Enter in the search chooses the first body that is found", async () => {
+  const { page } = await openPage(browser, cradle.html);
+  await page.keyboard.press("/");
+  await page.keyboard.type("ball3");
+  await page.keyboard.press("Enter");
+  assert.equal(await page.evaluate(() => window.rigor.selected), 2);
+  assert.equal(await page.locator('.found button[aria-pressed="true"]').innerText(), "ball3 dynamic");
+  await page.close();
+});
+
+test("all plots show the values of the place where the pointer is, with their units", async () => {
+  const { page } = await openPage(browser, cradle.html);
+  const plot = await page.locator(".plot .u-over").first().boundingBox();
+  await page.mouse.move(plot.x + 0.4 * plot.width, plot.y + 30);
+  await settle(page);
+  const shown = await page.evaluate(() => window.rigor.plots.charts.map((chart) => [chart.cursor.idx, chart.root.querySelector(".u-legend").innerText]));
+  assert.equal(new Set(shown.map(([at]) => at)).size, 1, `rows ${shown.map(([at]) => at)}`);
+  near(shown[0][0], 40, 2, "row under the pointer");
+  assert.match(shown[0][1], /kinetic\s*[\d.]+ J/);
+  assert.match(shown[1][1], /linear\s*[\d.]+ kg m\/s/);
+  await page.close();
+});
+
+test("a film of the scene is a file to keep", async () => {
+  const { page, errors } = await openPage(browser, cradle.html);
+  const button = page.locator('[aria-label="Record a film of the scene"]');
+  await button.click();
+  await page.click("#play");
+  await page.waitForTimeout(700);
+  const [download] = await Promise.all([page.waitForEvent("download"), button.click()]);
+  assert.match(download.suggestedFilename(), /^cradle\.(webm|mp4)$/);
+  assert.ok(statSync(await download.path()).size > 1000);
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
+test("a body tells what it weighs and what holds it", async () => {
+  const { page } = await openPage(browser, makePage("arch", "--duration", "0.3").html);
+  await page.keyboard.press("End");
+  await page.click(".found button >> nth=1");
+  await settle(page);
+  const numbers = await page.locator("#numbers").innerText();
+  const weight = Number(/weight\s+([\d.]+) N/.exec(numbers)[1]);
+  const mass = Number(/mass\s+([\d.]+) kg/.exec(numbers)[1]);
+  near(weight, 9.81 * mass, 1e-3 * weight, "weight");
+  assert.match(numbers, /held by\s+ground [\d.]+ N/);
+  await page.close();
+});
+
+test("the keyboard reaches everything, and presses what it has reached", async () => {
+  const { page } = await openPage(browser, cradle.html);
+  await page.locator("#tab-0").focus();
+  await page.keyboard.press("ArrowRight");
+  assert.equal(await page.evaluate(() => document.activeElement.textContent), "Show");
+  assert.equal(await page.locator("#tab-1").getAttribute("aria-selected"), "true");
+  await page.keyboard.press("Tab");
+  assert.equal(await page.evaluate(() => document.activeElement.id), "show-contacts");
+  await page.keyboard.press(" ");
+  assert.equal(await page.evaluate(() => [window.rigor.shown.contacts, window.rigor.playback.isPlaying].join()), "false,false");
+  await page.close();
+});
+
+/** Text that is smaller than 12 px, or whose colour is nearer than 4.5 : 1 to the one behind it. */
+const unreadable = (page) => page.evaluate(() => {
+  const numbers = (text) => (text.match(/[\d.]+/g) ?? [0, 0, 0, 0]).map(Number);
+  const light = (c) => c.slice(0, 3).map((x) => x / 255).map((x) => (x <= 0.03928 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4)).reduce((sum, x, i) => sum + x * [0.2126, 0.7152, 0.0722][i], 0);
+  const behind = (element) => {
+    for (let e = element; e; e = e.parentElement) {
+      const color = numbers(getComputedStyle(e).backgroundColor);
+      if (color.length === 3 || color[3] > 0) return color;
+    }
+    return [255, 255, 255];
+  };
+  const found = [];
+  const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+  for (let node = walker.nextNode(); node; node = walker.nextNode()) {
+    const element = node.parentElement;
+    if (!node.textContent.trim() || !element.checkVisibility() || element.closest("noscript, script") || element.disabled) continue;
+    const style = getComputedStyle(element);
+    const [a, b] = [light(numbers(style.color)), light(behind(element))];
+    const contrast = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+    if (parseFloat(style.fontSize) < 12 || contrast < 4.5) found.push(`${node.textContent.trim().slice(0, 30)}: ${style.fontSize}, ${contrast.toFixed(2)}`);
+  }
+  return found;
+});
+
+test("all text is at least 12 px high and stands out from what is behind it, dark and light", async () => {
+  const { html } = makePage("arch", "--duration", "0.3");
+  for (const colorScheme of ["dark", "light"]) {
+    const { page } = await openPage(browser, html, { colorScheme });
+    await page.click(".found button >> nth=2");
+    for (const tab of [0, 1, 2]) {
+      await page.click(`#tab-${tab}`);
+      await settle(page);
+      assert.deepEqual(await unreadable(page), [], `${colorScheme}, tab ${tab}`);
+    }
+    await page.close();
+  }
 });

@@ -6,6 +6,7 @@ import { keyHelp } from "./keys";
 import { Panel } from "./panel";
 import { Playback, steppedTime } from "./playback";
 import { Plots } from "./plots";
+import { firstOther } from "./parting";
 import { precisionPlots } from "./precision_plots";
 import type { Loaded } from "./run";
 import { RunChoice, runColor, type Chosen } from "./run_choice";
@@ -28,8 +29,10 @@ export class App extends ScenePage<RecordedSource> {
 
   constructor(loaded: Loaded) {
     const sources = loaded.runs.map((run) => new RecordedSource(run));
-    const [source, ghost] = sources;
-    super(source, ghost, extentOf(source.header, source.frames), keyHelp);
+    // Two runs that go different ways tell more than two that do not.
+    const first: Chosen = { a: 0, b: sources.length > 1 ? firstOther(sources) : -1 };
+    const [source, ghost] = [sources[0], sources[first.b]] as [RecordedSource, RecordedSource | undefined];
+    super(source, ghost, extentOf(source.header, source.frames, source.meshes), keyHelp, runColor(Math.max(0, first.b)));
     this.sources = sources;
     // The time line is that of the longest run: a shorter one stands still at its end.
     const times = sources.map((own) => own.times);
@@ -49,9 +52,11 @@ export class App extends ScenePage<RecordedSource> {
     });
     const isComparison = sources.length > 1;
     const seek = (time: number) => this.seek(time);
-    this.plots = isComparison ? new ComparePlots(sources, { a: 0, b: 1 }, seek) : new Plots(source, seek);
-    const choice = isComparison ? new RunChoice(sources, { a: 0, b: 1 }, (chosen) => this.showRuns(chosen)).element : undefined;
-    this.element = el("div", { class: isComparison ? "app comparison" : "app" }, this.head(), choice, ...loaded.problems.map((problem) => el("p", { class: "problem", role: "alert", text: problem })),
+    this.plots = isComparison ? new ComparePlots(sources, first, seek) : new Plots(source, seek);
+    // While the page is out of sight no frame is asked for, and no time passes.
+    document.addEventListener("visibilitychange", () => (this.lastFrame = performance.now()));
+    const choice = isComparison ? new RunChoice(sources, first, (chosen) => this.showRuns(chosen)).element : undefined;
+    this.element = el("main", { class: isComparison ? "app comparison" : "app" }, this.head(), choice, ...loaded.problems.map((problem) => el("p", { class: "problem", role: "alert", text: problem })),
       el("div", { class: "middle" }, this.stage, this.panel.element), this.transport.element, this.plots.element,
       loaded.precision ? precisionPlots(loaded.precision) : undefined, isComparison ? compareAudits(sources) : undefined, this.help);
   }
@@ -96,7 +101,7 @@ export class App extends ScenePage<RecordedSource> {
     this.ghost = this.sources[b];
     this.setEvent(undefined);
     this.flagged = [];
-    this.view?.setRuns(this.source, this.ghost, extentOf(this.source.header, this.source.frames), this.playback.time, runColor(b));
+    this.view?.setRuns(this.source, this.ghost, extentOf(this.source.header, this.source.frames, this.source.meshes), this.playback.time, runColor(b));
     this.panel.setSource(this.source);
     this.transport.setEvents(this.source.events);
     if (this.plots instanceof ComparePlots) this.plots.setRuns({ a, b });
@@ -120,7 +125,7 @@ export class App extends ScenePage<RecordedSource> {
 
   protected frame(now: number): void {
     requestAnimationFrame((next) => this.frame(next));
-    const elapsed = Math.min(0.25, (now - this.lastFrame) / 1000);
+    const elapsed = (now - this.lastFrame) / 1000;
     this.lastFrame = now;
     if (this.playback.advance(elapsed)) {
       this.isDirty = true;

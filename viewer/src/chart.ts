@@ -9,12 +9,14 @@ export interface Curve {
   color: string;
   times: Float64Array;
   values: ArrayLike<number>;
+  /** That of the values, beside them under the plot: " 10⁻³ J". */
+  unit?: string;
   /** [CSS pixels]; 1.6 if not given. */
   width?: number;
   isDashed?: boolean;
 }
 
-const height = 150;
+const height = 128;
 
 /** Charts under the scene: one cursor for all, a line at the replay's time; a click seeks. */
 export class Charts {
@@ -85,7 +87,7 @@ export class Charts {
     const axis = { stroke: style("--text"), grid: { stroke: style("--grid"), width: 1 }, ticks: { stroke: style("--grid"), width: 1 } };
     const line = el("div", { class: "now" });
     const chart = new uPlot({
-      width: Math.max(200, box.clientWidth), height,
+      width: Math.max(200, box.clientWidth), height, padding: [6, null, null, null],
       cursor: { sync: { key: this.sync.key }, drag: { x: true, y: false }, points: { size: 5 } },
       scales: { x: { time: false }, y: { range: (_, low, high) => paddedRange(low, high) } },
       axes: [{ ...axis, size: 28 }, { ...axis, size: 62, values: (_, ticks) => ticks.map((tick) => format.number(tick, 4)) }],
@@ -112,10 +114,10 @@ function setData(chart: uPlot, data: uPlot.AlignedData): void {
   if (!isWhole) chart.redraw();
 }
 
-function seriesOf({ label, color, width, isDashed }: Curve): uPlot.Series {
+function seriesOf({ label, color, width, isDashed, unit = "" }: Curve): uPlot.Series {
   return {
     label, stroke: color, width: width ?? 1.6, dash: isDashed ? [5, 4] : undefined, spanGaps: true,
-    points: { show: false }, value: (_, value) => (value == null ? "–" : format.number(value, 6)),
+    points: { show: false }, value: (_, value) => (value == null ? "–" : value === 0 ? "0" : format.number(value, 5) + unit),
   };
 }
 
@@ -145,8 +147,13 @@ export function scaled(curves: Curve[], power: number): Curve[] {
 
 /** " [10⁻³ J]", or nothing where there is neither. */
 export function unitText(unit: string, power: number): string {
-  const text = [power === 0 ? "" : `10${superscript(power)}`, unit].filter(Boolean).join(" ");
-  return text && ` [${text}]`;
+  const text = valueUnit(unit, power);
+  return text && ` [${text.trim()}]`;
+}
+
+/** The same beside a value: " 10⁻³ J". */
+export function valueUnit(unit: string, power: number): string {
+  return [power === 0 ? "" : ` 10${superscript(power)}`, unit && ` ${unit}`].join("");
 }
 
 function superscript(power: number): string {

@@ -15,7 +15,7 @@ export const palette = {
   grey: "#8c8c8c",
 } as const;
 
-const bodyColors = [
+export const bodyColors = [
   palette.skyBlue, palette.orange, palette.green, palette.purple, palette.yellow, palette.blue, palette.vermilion,
 ];
 
@@ -47,10 +47,4 @@ export function rgb(text: string): Rgb {
   const digits = short ? short.slice(1).map((d) => d + d) : /^#(..)(..)(..)$/.exec(text)?.slice(1);
   const values = digits?.map((d) => parseInt(d, 16) / 255) ?? [];
   return values.length === 3 && values.every(Number.isFinite) ? (values as Rgb) : [0.55, 0.55, 0.55];
-}
-
-/** Colour of a shape that has none of its own: of a moving body by its number, quiet for what stands. */
-export function defaultColor(motion: string, body: number): string {
-  if (motion === "static") return "#9aa3ad";
-  return motion === "kinematic" ? "#7d8fa3" : bodyColors[body % bodyColors.length];
 }

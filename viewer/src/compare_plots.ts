@@ -1,4 +1,4 @@
-import { Charts, powerOf, scaled, unitText, type Curve } from "./chart";
+import { Charts, powerOf, scaled, unitText, valueUnit, type Curve } from "./chart";
 import { el } from "./dom";
 import { bodyCurves, bodyQuantities, column, totalEnergy } from "./plots";
 import { runColor, runNames, shortNames, type Chosen } from "./run_choice";
@@ -97,9 +97,9 @@ export class ComparePlots {
     for (const plot of plots) {
       const curves = this.curvesOf(runs, (run) => plot.values(this.sources[run]));
       const power = powerOf(curves);
-      const box = el("section", { class: "plot" }, el("h3", {}, plot.title, el("small", { text: unitText(plot.unit, power) })));
+      const box = el("section", { class: "plot" }, el("h2", {}, plot.title, el("small", { text: unitText(plot.unit, power) })));
       this.boxes.append(box);
-      this.all.add(box, scaled(curves, power));
+      this.all.add(box, scaled(curves, power).map((curve) => ({ ...curve, unit: valueUnit(plot.unit, power) })));
     }
     this.boxes.append(this.bodyBox);
     this.showBodyPlot();
@@ -115,13 +115,13 @@ export class ComparePlots {
     const [quantity, part] = this.quantity.value.split("/");
     const { unit } = bodyQuantities[quantity];
     const heading = this.body === "" ? [] : [el("small", { text: ` [${unit}]` }), this.quantity];
-    this.bodyBox.replaceChildren(el("h3", {}, this.body || "Chosen body", ...heading));
+    this.bodyBox.replaceChildren(el("h2", {}, this.body || "Chosen body", ...heading));
     const runs = this.shownRuns().filter((run) => this.sources[run].frames.moving.includes(this.twin(run)));
     const curves = this.curvesOf(runs, (run) => bodyCurves(this.sources[run], this.twin(run), quantity)[Number(part)]);
     if (curves.length === 0) {
       this.bodyBox.append(el("p", { class: "hint", text: this.body ? "This body stands still." : "Click a body in the scene to plot its motion." }));
     } else {
-      this.all.add(this.bodyBox, curves);
+      this.all.add(this.bodyBox, curves.map((curve) => ({ ...curve, unit: valueUnit(unit, 0) })));
     }
     this.all.resize();
   }

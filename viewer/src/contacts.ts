@@ -21,9 +21,14 @@ export class Contacts {
   private readonly chunks: { first: number; bytes: Uint8Array }[] = [];
   private unpacked: { chunk: number; frames: Contact[][] } | undefined;
   private count = 0;
+  /** In one frame. */
+  most = 0;
 
   addChunk(bytes: Uint8Array): void {
-    const frames = new DataView(bytes.buffer, bytes.byteOffset).getUint32(24, true);
+    const reader = new Reader(bytes);
+    for (let k = 0; k < 3; ++k) reader.f64();
+    const frames = reader.u32();
+    for (let k = 0; k < frames; ++k) this.most = Math.max(this.most, reader.varint());
     this.chunks.push({ first: this.count, bytes });
     this.count += frames;
   }

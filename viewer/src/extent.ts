@@ -1,6 +1,7 @@
 import type { Frames } from "./frames";
 import { jointPoints, shapesOf, type Header, type Quat, type Vec } from "./header";
-import { turned } from "./marks";
+import { add, turned } from "./marks";
+import type { Mesh } from "./run";
 
 /** A box about what is worth looking at, from Header.origin [m]. */
 export interface Extent {
@@ -15,12 +16,12 @@ export interface Extent {
  * Where the moving bodies go in all frames, each with its size; but no larger than 60 times the middle body's radius or three
  * times where they begin, so that bodies stay large enough to be seen.
  */
-export function extentOf(header: Header, frames: Frames): Extent {
+export function extentOf(header: Header, frames: Frames, meshes: Mesh[]): Extent {
   const n = frames.moving.length;
   const halves = frames.moving.map((body, i) => {
     const q = new Float32Array(4);
     frames.orientation(0, i, q, 0);
-    return halfExtents(header, body, [q[3], q[0], q[1], q[2]]);
+    return halfExtents(header, meshes, body, [q[3], q[0], q[1], q[2]]);
   });
   const radii = halves.map((half) => Math.hypot(...half)).sort((a, b) => a - b);
   const middle = radii[n >> 1] ?? 0;
@@ -33,18 +34,24 @@ export function extentOf(header: Header, frames: Frames): Extent {
 }
 
 /** Half of a body's extent along the axes of the world when it is turned so, of those shapes that have an end, and to its joints. */
-function halfExtents(header: Header, body: number, q: Quat): Vec {
+function halfExtents(header: Header, meshes: Mesh[], body: number, q: Quat): Vec {
   const half: Vec = [0, 0, 0];
   for (const shape of shapesOf(header, body)) {
     if (shape.type === "plane") continue;
     const r = shape.radius ?? 0, long = shape.half_length ?? 0;
     const own: Vec = shape.half_extents ?? shape.radii ?? [r, r, shape.type === "capsule" ? r + long : long];
-    const isBall = shape.type === "sphere" || shape.mesh !== undefined;
-    const size = shape.mesh === undefined ? r : (header.bodies[body].radius ?? 0);
+    if (shape.mesh !== undefined) {
+      const { vertices } = meshes[shape.mesh];
+      for (let v = 0; v < vertices.length; v += 3) {
+        const place = turned(q, add(shape.p, turned(shape.q, [vertices[v], vertices[v + 1], vertices[v + 2]])));
+        for (let c = 0; c < 3; ++c) half[c] = Math.max(half[c], Math.abs(place[c]));
+      }
+      continue;
+    }
     const middle = turned(q, shape.p);
     const axes = [0, 1, 2].map((axis) => turned(q, turned(shape.q, [0, 1, 2].map((c) => (c === axis ? own[c] : 0)) as Vec)));
     for (let c = 0; c < 3; ++c) {
-      const reach = isBall ? size : Math.abs(axes[0][c]) + Math.abs(axes[1][c]) + Math.abs(axes[2][c]);
+      const reach = shape.type === "sphere" ? r : Math.abs(axes[0][c]) + Math.abs(axes[1][c]) + Math.abs(axes[2][c]);
       half[c] = Math.max(half[c], Math.abs(middle[c]) + reach);
     }
   }

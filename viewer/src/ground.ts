@@ -1,4 +1,4 @@
-import { Color, GLSL3, Group, Mesh, PlaneGeometry, Quaternion, ShaderMaterial, Vector3 } from "three";
+import { Color, GLSL3, Group, Mesh, PlaneGeometry, Quaternion, ShaderMaterial, Vector3, type IUniform } from "three";
 import type { Motion } from "./frames";
 import type { Header, ShapeHeader, Vec } from "./header";
 import { groundFragment, groundVertex } from "./shaders";
@@ -14,7 +14,7 @@ export class Ground {
   readonly group = new Group();
   private readonly planes: Plane[] = [];
 
-  constructor(header: Header, private readonly center: Vector3, reach: number, private readonly offset: Vec) {
+  constructor(header: Header, private readonly center: Vector3, reach: number, light: Record<string, IUniform>, private readonly offset: Vec) {
     const cell = 10 ** Math.floor(Math.log10(reach / 6));
     header.bodies.forEach((body, i) => {
       for (const shape of header.looks[body.look]) {
@@ -23,6 +23,7 @@ export class Ground {
           glslVersion: GLSL3, vertexShader: groundVertex, fragmentShader: groundFragment, transparent: true,
           depthWrite: false, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
           uniforms: {
+            ...light,
             uColor: { value: new Color() }, uLine: { value: new Color() }, uCell: { value: cell }, uReach: { value: 4 * reach },
             uShift: { value: [0, 0] },
           },
@@ -33,20 +34,6 @@ export class Ground {
         this.group.add(mesh);
       }
     });
-  }
-
-  get isEmpty(): boolean {
-    return this.planes.length === 0;
-  }
-
-  /** Normal and distance from the drawing's origin of a half-space that stands still and lies under the bodies. */
-  floor(header: Header): { normal: Vector3; distance: number } | undefined {
-    const up = new Vector3(...header.gravity).normalize().negate();
-    for (const { body, mesh } of this.planes) {
-      const normal = new Vector3(0, 0, 1).applyQuaternion(mesh.quaternion);
-      if (header.bodies[body].motion === "static" && normal.dot(up) > 0.5) return { normal, distance: normal.dot(mesh.position) };
-    }
-    return undefined;
   }
 
   setColors(color: string, line: string): void {

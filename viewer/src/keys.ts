@@ -11,6 +11,7 @@ const sceneHelp: [string, string][] = [
   ["T", "trails"],
   ["P", "overlapping bodies"],
   ["H", "shadows"],
+  ["M", "forces as a heat map: how hard each body is pressed"],
   ["S", "save a picture"],
   ["D", "dark or light"],
   ["?", "this help"],
@@ -32,7 +33,7 @@ export const keyHelp: [string, string][] = [
 /** The same on a live page. */
 export const liveKeyHelp: [string, string][] = [
   ["Space", "run, pause"],
-  ["→", "one output interval on"],
+  ["← →", "one output interval back, on"],
   ["Home", "back to t = 0"],
   ["[ ]", "show the previous, next impact"],
   ...sceneHelp,

@@ -31,12 +31,13 @@ export class LiveApp extends ScenePage<LiveSource> {
   private readonly lost = el("p", { class: "problem", role: "alert", text: "No connection to the simulation: it was ended, or another page took its place." });
   private readonly stopped = el("p", { class: "problem", role: "alert" });
   private readonly runButton = button("▶", "Run or pause (space)", () => this.toggle());
+  private readonly backButton = button("‹", "One output interval back (←)", () => this.send({ do: "back" }));
   private readonly speed: HTMLSelectElement;
   private readonly clock = el("span", { class: "clock" });
   private readonly range = { begin: 0, end: 0 };
 
   constructor(run: Run, private readonly generation: number) {
-    super(new LiveSource(run), undefined, withPlanes(run.header, extentOf(run.header, run.frames)), liveKeyHelp);
+    super(new LiveSource(run), undefined, withPlanes(run.header, extentOf(run.header, run.frames, run.meshes)), liveKeyHelp);
     const { source } = this;
     this.range.end = source.time;
     this.control = new LiveControl(run.header, (command) => this.send(command));
@@ -54,9 +55,9 @@ export class LiveApp extends ScenePage<LiveSource> {
     this.runButton.id = "run";
     this.speed = el("select", { title: "Simulated seconds a second", "aria-label": "Speed", onchange: () => this.send({ do: "speed", value: Number(this.speed.value) }) },
       ...[...speeds, 100, 1000].map((value) => el("option", { value }, format.speed(value))));
-    if (this.view) this.tools3d = new LiveTools(this.stage, this.view, source, (command) => this.send(command));
+    if (this.view) this.tools3d = new LiveTools(this.stage, this.view, source, (command) => this.send(command), (body) => this.select(body));
     this.stopped.hidden = true;
-    this.element = el("div", { class: "app live" }, this.head(), this.lost, this.stopped,
+    this.element = el("main", { class: "app live" }, this.head(), this.lost, this.stopped,
       el("div", { class: "middle" }, this.stage, this.panel.element), this.bar(), this.plots.element, this.help);
     source.onFrame = () => this.invalidate();
     source.onHistory = () => this.takeHistory();
@@ -113,6 +114,7 @@ export class LiveApp extends ScenePage<LiveSource> {
     this.status = status;
     this.control.update(status);
     this.runButton.textContent = status.running ? "❚❚" : "▶";
+    this.backButton.disabled = status.earlier === 0;
     if (document.activeElement !== this.speed) this.speed.value = String(status.speed);
     this.stopped.hidden = status.stopped === "";
     this.stopped.textContent = shown(`${status.stopped}. Change something or reset.`);
@@ -137,13 +139,14 @@ export class LiveApp extends ScenePage<LiveSource> {
         own.setAttribute("aria-pressed", String(name === tool));
       }
     };
-    tools.set("turn", button("Turn", "Drag turns the camera", () => choose("turn")));
-    tools.set("pull", button("Pull", "Drag pulls a body (Shift and drag)", () => choose("pull")));
+    tools.set("grab", button("Grab", "Drag pulls a body, and turns the camera beside bodies", () => choose("grab")));
+    tools.set("turn", button("Turn", "Drag turns the camera (with Shift it pulls a body)", () => choose("turn")));
     tools.set("hit", button("Hit", "A click hits a body along the line of sight (Alt and click)", () => choose("hit")));
-    choose("turn");
+    choose("grab");
     return el("div", { class: "transport" }, el("div", { class: "buttons" },
       this.runButton,
       button("›", "One output interval on (→)", () => this.send({ do: "step" })),
+      this.backButton,
       button("|◂", "Back to t = 0 (Home)", () => this.send({ do: "reset" })),
       this.speed, ...tools.values(), hit,
       button("Save state", "Keep a checkpoint for rigor run --resume", () => this.send({ do: "save" })),
@@ -175,6 +178,7 @@ export class LiveApp extends ScenePage<LiveSource> {
   protected keys(): Record<string, () => void> {
     return {
       " ": () => this.toggle(),
+      ArrowLeft: () => this.send({ do: "back" }),
       ArrowRight: () => this.send({ do: "step" }),
       Home: () => this.send({ do: "reset" }),
       "[": () => this.nextImpact(-1),

@@ -5,14 +5,28 @@ import { eventKinds, type MotionEvent } from "./run";
 
 /** What a live page asks of its simulation (docs/live.md). Points are in the frame of the body, all else in the world; SI. */
 export type LiveCommand =
-  | { do: "run" | "pause" | "step" | "reset" | "reload" | "release" | "save" | "export" }
+  | { do: "run" | "pause" | "step" | "back" | "reset" | "reload" | "release" | "save" | "export" }
   | { do: "follow"; value: boolean }
   | { do: "speed" | "target_step"; value: number }
   | { do: "gravity"; value: Vec }
   | { do: "surface"; material: string; friction?: number; restitution?: number }
   | { do: "method"; key: string; value: string }
   | { do: "pull"; body: number; point: Vec; target: Vec }
-  | { do: "push"; body: number; point: Vec; impulse: Vec };
+  | { do: "push"; body: number; point: Vec; impulse: Vec }
+  | { do: "motor"; joint: number; coordinate: number; velocity?: number }
+  | { do: "rest"; joint: number; coordinate: number; value: number };
+
+/** What can be set of a coordinate of a joint. */
+export interface LiveAxis {
+  joint: number;
+  coordinate: number;
+  name: string;
+  unit: "rad" | "m";
+  /** Velocity of its motor a second; null: it has none. */
+  motor: number | null;
+  /** Where its spring rests; null: it has none. */
+  rest: number | null;
+}
 
 /** What the simulation tells of itself besides its motion. */
 export interface LiveStatus {
@@ -25,6 +39,10 @@ export interface LiveStatus {
   rate: number;
   gravity: Vec;
   surfaces: { material: string; friction: number; restitution: number }[];
+  /** Of all joints, in their order. */
+  axes: LiveAxis[];
+  /** Output times that can be gone back. */
+  earlier: number;
   target_step: number;
   method: { key: string; value: string; values: string[] }[];
   /** Empty, or why it cannot go on. */

@@ -24,6 +24,7 @@ export class LiveSource implements FrameSource {
   onHistory?: () => void;
   private readonly newest: Motion;
   private contacts: Contact[];
+  mostContacts: number;
 
   constructor(run: Run) {
     this.header = run.header;
@@ -33,6 +34,7 @@ export class LiveSource implements FrameSource {
     const first = new RecordedSource(run);
     first.sample(run.times[0], this.newest);
     this.contacts = first.contactsAt(run.times[0]);
+    this.mostContacts = this.contacts.length;
     this.time = run.times[0];
     this.times = run.times;
     this.series = run.series;
@@ -54,6 +56,7 @@ export class LiveSource implements FrameSource {
       spin.set(own.subarray(10, 13), 3 * body);
     });
     this.contacts = frame.contacts;
+    this.mostContacts = Math.max(this.mostContacts, frame.contacts.length);
     this.time = frame.time;
     this.frames.add(frame.time, frame.bodies);
     this.onFrame?.();

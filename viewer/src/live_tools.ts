@@ -6,8 +6,11 @@ import { distanceToShapes } from "./ray_cast";
 import type { FrameSource } from "./source";
 import type { Ray, View3D } from "./view3d";
 
-/** What dragging in the scene does. */
-export type Tool = "turn" | "pull" | "hit";
+/** What dragging in the scene does: to grab is to pull what can move, and to turn the camera anywhere else. */
+export type Tool = "grab" | "turn" | "hit";
+
+/** A pointer that has moved less has clicked [CSS pixels]. */
+const clickReach = 4;
 
 interface Grip {
   body: number;
@@ -43,17 +46,24 @@ export function inBody(motion: Motion, body: number, point: Vec): Vec {
 
 /** Pulls and hits bodies with the pointer. */
 export class LiveTools {
-  tool: Tool = "turn";
+  tool: Tool = "grab";
   /** Change of speed that a hit gives [m/s]. */
   hitSpeed = 2;
   private grip: Grip | undefined;
+  /** What was pressed and is not pulled yet, and where [CSS pixels]. */
+  private pressed: { grip: Grip; x: number; y: number } | undefined;
   private isTold = true;
 
-  constructor(private readonly stage: HTMLElement, private readonly view: View3D, private readonly source: FrameSource, private readonly send: (command: LiveCommand) => void) {
+  constructor(private readonly stage: HTMLElement, private readonly view: View3D, private readonly source: FrameSource, private readonly send: (command: LiveCommand) => void, private readonly select: (body: number) => void) {
     // Before the camera's controls see it.
     stage.addEventListener("pointerdown", (event) => this.press(event), { capture: true });
     stage.addEventListener("pointermove", (event) => this.move(event));
-    for (const name of ["pointerup", "pointercancel"] as const) stage.addEventListener(name, () => this.release());
+    stage.addEventListener("pointerup", () => {
+      // The stage has captured the pointer, and with it the click.
+      if (this.pressed) this.select(this.pressed.grip.body);
+      this.release();
+    });
+    stage.addEventListener("pointercancel", () => this.release());
   }
 
   /** Draws the pull, and tells the simulation of the newest target: once a picture, not once a move. */
@@ -70,10 +80,11 @@ export class LiveTools {
 
   private press(event: PointerEvent): void {
     if (event.button !== 0) return;
-    const tool = event.shiftKey ? "pull" : event.altKey ? "hit" : this.tool;
+    const tool = event.shiftKey ? "grab" : event.altKey ? "hit" : this.tool;
     if (tool === "turn") return;
     const [x, y] = this.placeOf(event);
-    const body = this.view.pick(x, y);
+    // What stands in front is no obstacle to the hand.
+    const body = this.view.pick(x, y, "moving");
     if (body < 0 || this.source.header.bodies[body].motion !== "dynamic") return;
     const ray = this.view.rayAt(x, y);
     const place = this.surfacePoint(ray, body);
@@ -83,12 +94,17 @@ export class LiveTools {
       this.send({ do: "push", body, point, impulse: scaled(ray.direction, this.source.header.bodies[body].mass * this.hitSpeed) });
       return;
     }
-    this.grip = { body, point, target: place, normal: ray.forward };
-    this.isTold = false;
+    this.pressed = { grip: { body, point, target: place, normal: ray.forward }, x: event.clientX, y: event.clientY };
     this.stage.setPointerCapture(event.pointerId);
   }
 
   private move(event: PointerEvent): void {
+    const { pressed } = this;
+    if (pressed && Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y) > clickReach) {
+      // The body may have moved on since.
+      this.grip = pressed.grip;
+      this.pressed = undefined;
+    }
     if (!this.grip) return;
     const target = onPlane(this.view.rayAt(...this.placeOf(event)), this.grip.target, this.grip.normal);
     if (!target) return;
@@ -98,6 +114,7 @@ export class LiveTools {
 
   private release(): void {
     this.view.canTurn = true;
+    this.pressed = undefined;
     if (!this.grip) return;
     this.grip = undefined;
     this.view.showLine(undefined);

@@ -18,16 +18,38 @@ export interface Shown {
   penetration: boolean;
   ghost: boolean;
   shadows: boolean;
+  /** Bodies in the colours of the forces that press them. */
+  heat: boolean;
+  /** What of it the reader has chosen. */
+  chosen: Set<string>;
   /** Factor on the lengths of arrows. */
   arrowScale: number;
 }
 
 export const shownAtFirst: Shown = {
-  contacts: true, velocities: false, frames: false, inertia: false, joints: true, trails: false, penetration: true, ghost: true, shadows: true,
+  contacts: true, velocities: false, frames: false, inertia: false, joints: true, trails: false, penetration: true, ghost: true, shadows: true, heat: false, chosen: new Set(),
   arrowScale: 1,
 };
 
 const color = Object.fromEntries(Object.entries(overlayColors).map(([name, text]) => [name, rgb(text)])) as Record<keyof typeof overlayColors, Rgb>;
+
+/** Of runs with more contacts at a time only the bodies are drawn, until the reader asks for points and forces. */
+const mostContacts = 36;
+
+/** Puts what the reader has not chosen to what suits the run. Returns whether that changed something. */
+export function suit(shown: Shown, source: FrameSource): boolean {
+  const contacts = shown.chosen.has("contacts") ? shown.contacts : source.mostContacts <= mostContacts;
+  if (contacts === shown.contacts) return false;
+  shown.contacts = contacts;
+  return true;
+}
+
+/** Contacts that overlap by more than the tolerance; among many, where steps are stiff springs, by more than a twentieth of a body's radius. */
+export function overlaps(contacts: Contact[], { header, mostContacts: most }: FrameSource): Contact[] {
+  const { bodies, contact_tolerance } = header;
+  const radius = (body: number) => bodies[body].radius || Infinity;
+  return contacts.filter(({ bodyA, bodyB, gap }) => gap < -contact_tolerance && (most <= mostContacts || gap < -0.05 * Math.min(radius(bodyA), radius(bodyB))));
+}
 
 /** More trails than these are not drawn, unless a body is selected: then its own is. */
 const mostTrails = 120;
@@ -50,10 +72,11 @@ export class Marks {
   private largestImpulse: number;
 
   constructor(private readonly source: FrameSource, private readonly radius: number, pixel: { value: number }, ratio: { value: number }) {
-    this.arrows = new Arrows(pixel);
-    this.dots = new Dots(6.5, ratio);
-    this.ring = new Dots(15, ratio);
     this.header = source.header;
+    const body = middleRadius(this.header) || 0.05 * radius;
+    this.arrows = new Arrows(pixel, 2.2 * body);
+    this.dots = new Dots({ size: 0.16 * body, most: 7, bias: 0.4 * body }, pixel, ratio);
+    this.ring = new Dots({ size: 0.6 * body, most: 15, bias: Infinity }, pixel, ratio);
     this.sizes = this.header.bodies.map((body, i) => body.radius || Math.max(0, ...shapesOf(this.header, i).flatMap(({ radii }) => radii ?? [])));
     this.largestSpeed = largestNorm(source.frames.velocity);
     this.largestImpulse = largestImpulse(source);
@@ -70,7 +93,7 @@ export class Marks {
     if (shown.trails) this.addTrails(time, selected);
     if (event) this.addEvent(event, shown.arrowScale);
     this.addSprings(motion);
-    if (shown.penetration) this.addDeepest(contacts);
+    if (shown.penetration) this.addDeepest(overlaps(contacts, this.source));
     for (const part of parts) part.commit();
   }
 
@@ -223,6 +246,27 @@ export function add(a: Vec, b: Vec): Vec {
 export function turned([w, x, y, z]: Quat, v: Vec): Vec {
   const tx = 2 * (y * v[2] - z * v[1]), ty = 2 * (z * v[0] - x * v[2]), tz = 2 * (x * v[1] - y * v[0]);
   return [v[0] + w * tx + y * tz - z * ty, v[1] + w * ty + z * tx - x * tz, v[2] + w * tz + x * ty - y * tx];
+}
+
+/** Radius of the middle one of the bodies that move, by size [m]; 0 if none has a size. */
+function middleRadius({ bodies }: Header): number {
+  const radii = bodies.flatMap(({ motion, radius }) => (motion === "static" || !radius || !Number.isFinite(radius) ? [] : [radius])).sort((a, b) => a - b);
+  return radii[radii.length >> 1] ?? 0;
+}
+
+/**
+ * For each body the forces that press it at its contacts, each with its normal part [N]; `hottest`: more than all but a fiftieth of
+ * those that are pressed have.
+ */
+export function pressing(bodies: number, contacts: Contact[]): { forces: Float32Array; hottest: number } {
+  const forces = new Float32Array(bodies);
+  for (const { bodyA, bodyB, force, normal } of contacts) {
+    const along = Math.max(0, force[0] * normal[0] + force[1] * normal[1] + force[2] * normal[2]);
+    forces[bodyA] += along;
+    forces[bodyB] += along;
+  }
+  const pressed = forces.filter((force) => force > 0).sort();
+  return { forces, hottest: pressed[Math.floor(0.98 * (pressed.length - 1))] ?? 0 };
 }
 
 function largestImpulse({ events }: FrameSource): number {

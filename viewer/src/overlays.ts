@@ -23,7 +23,7 @@ class Buffer {
   }
 }
 
-/** Arrows over the bodies, seen through them. */
+/** Arrows over the bodies, seen through those that they lie in; what is in front of these hides them. */
 export class Arrows {
   readonly mesh: Mesh;
   private readonly geometry = new InstancedBufferGeometry();
@@ -31,7 +31,8 @@ export class Arrows {
   private readonly vector = new Buffer();
   private readonly color = new Buffer();
 
-  constructor(pixel: { value: number }) {
+  /** bias: so much in front of them is no obstacle [m]. */
+  constructor(pixel: { value: number }, bias: number) {
     const shaft = new CylinderGeometry(1, 1, 1, 6, 1, true).rotateX(Math.PI / 2).translate(0, 0, 0.5);
     const head = new ConeGeometry(1, 1, 10).rotateX(Math.PI / 2).translate(0, 0, 0.5);
     const merged = mergeGeometries([shaft, head]);
@@ -41,8 +42,8 @@ export class Arrows {
     this.geometry.setAttribute("position", merged.getAttribute("position"));
     this.geometry.setAttribute("part", new BufferAttribute(part, 1));
     const material = new ShaderMaterial({
-      glslVersion: GLSL3, vertexShader: arrowVertex, fragmentShader: arrowFragment, uniforms: { uPixel: pixel },
-      depthTest: false, depthWrite: false, transparent: true,
+      glslVersion: GLSL3, vertexShader: arrowVertex, fragmentShader: arrowFragment, uniforms: { uPixel: pixel, uBias: { value: bias } },
+      depthWrite: false, transparent: true,
     });
     this.mesh = new Mesh(this.geometry, material);
     this.mesh.frustumCulled = false;
@@ -70,17 +71,26 @@ export class Arrows {
   }
 }
 
-/** Discs of constant size on the screen, seen through bodies. */
+/** How large discs are. */
+export interface DotSize {
+  /** In the scene [m], and on the screen at most [CSS pixels]. */
+  size: number;
+  most: number;
+  /** So much in front of them is no obstacle [m]. */
+  bias: number;
+}
+
+/** Discs that face the eye. */
 export class Dots {
   readonly points: Points;
   private readonly geometry = new BufferGeometry();
   private readonly place = new Buffer();
   private readonly color = new Buffer();
 
-  constructor(size: number, ratio: { value: number }) {
+  constructor({ size, most, bias }: DotSize, pixel: { value: number }, ratio: { value: number }) {
     const material = new ShaderMaterial({
-      glslVersion: GLSL3, vertexShader: pointVertex.replace("in float size;", `const float size = ${size.toFixed(1)};`),
-      fragmentShader: pointFragment, uniforms: { uRatio: ratio }, depthTest: false, depthWrite: false, transparent: true,
+      glslVersion: GLSL3, vertexShader: pointVertex, fragmentShader: pointFragment,
+      uniforms: { uRatio: ratio, uPixel: pixel, uDot: { value: size }, uMost: { value: most }, uBias: { value: bias } }, depthWrite: false, transparent: true,
     });
     this.points = new Points(this.geometry, material);
     this.points.frustumCulled = false;

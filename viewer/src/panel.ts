@@ -24,7 +24,9 @@ const mostFound = 200;
 export class Panel {
   readonly element: HTMLElement;
   readonly search: HTMLInputElement;
-  private readonly found = el("ul", { class: "found", role: "listbox", "aria-label": "Bodies" });
+  private readonly found = el("ul", { class: "found", "aria-label": "Bodies", tabindex: 0 });
+  private readonly heat = el("p", { class: "heat-scale", hidden: true });
+  private selected = -1;
   private readonly numbers = el("div", { class: "numbers", id: "numbers" });
   private readonly event = el("div", { class: "event", id: "event", role: "status" });
   private readonly audit = el("div");
@@ -32,15 +34,15 @@ export class Panel {
   private readonly boxes = new Map<keyof Shown, HTMLInputElement>();
 
   constructor(private source: FrameSource, private readonly shown: Shown, hasGhost: boolean, private readonly actions: PanelActions, control?: HTMLElement) {
-    this.search = el("input", { type: "search", id: "search", placeholder: "Find a body by name (/)", "aria-label": "Find a body by name", oninput: () => this.list() });
+    this.search = el("input", { type: "search", id: "search", placeholder: "Find a body by name (/)", "aria-label": "Find a body by name", oninput: () => this.list(), onkeydown: (event: KeyboardEvent) => this.searchKey(event) });
     const tabs: [string, HTMLElement][] = [
       // A live run has no audit yet; there one can change the scene.
       ...(control ? [["Control", control] as [string, HTMLElement]] : []),
-      ["Body", el("div", {}, this.search, this.found, this.numbers)],
+      ["Body", el("div", { class: "bodies" }, this.search, this.found, this.numbers)],
       ["Show", this.showTab(hasGhost)],
       ...(control ? [] : [["Audit", this.audit] as [string, HTMLElement]]),
     ];
-    this.element = el("aside", { class: "panel" }, this.event, tabBar(tabs), ...tabs.map(([, content]) => content));
+    this.element = el("aside", { class: "panel", "aria-label": "Bodies, view and audit" }, this.event, tabBar(tabs), ...tabs.map(([, content]) => content));
     this.setSource(source);
   }
 
@@ -64,7 +66,7 @@ export class Panel {
     if (!event) return;
     const name = (body: number) => this.source.header.bodies[body]?.name ?? "";
     this.event.replaceChildren(
-      el("h3", {}, el("span", { class: "dot", style: `background:${overlayColors.impulse}` }), `${event.kind} at ${format.number(event.time, 10)} s`),
+      el("h2", {}, el("span", { class: "dot", style: `background:${overlayColors.impulse}` }), `${event.kind} at ${format.number(event.time, 10)} s`),
       el("p", {}, bodyLink(event.bodyA, name(event.bodyA), this.actions), " ↔ ", bodyLink(event.bodyB, name(event.bodyB), this.actions)),
       table([
         ["impulse", `${format.number(Math.hypot(...event.impulse), 6)} N s`],
@@ -75,6 +77,7 @@ export class Panel {
 
   /** The numbers of the chosen body at this moment. */
   showBody(body: number, motion: Motion, contacts: Contact[], followed: number): void {
+    this.choose(body);
     if (body < 0) {
       this.numbers.replaceChildren(el("p", { class: "hint", text: "Click a body in the scene, or choose one here, to see its numbers." }));
       return;
@@ -96,19 +99,41 @@ export class Panel {
       ["speed", `${format.number(Math.hypot(...v))} m/s`],
       ["angular velocity", `[${format.vector(w)}] rad/s`],
     ];
+    const touching = contacts.filter(({ bodyA, bodyB }) => bodyA === body || bodyB === body);
     if (own.mass > 0) {
+      const weight = own.mass * Math.hypot(...g);
+      if (weight > 0) rows.push(["weight", `${format.number(weight)} N`], ["held by", this.holders(body, touching)]);
       rows.push(
         ["mass", `${format.number(own.mass)} kg`],
         ["principal moments", `[${format.vector(own.moments)}] kg m²`],
         ["kinetic energy", `${format.number(translation + rotation)} J (turning ${format.number(rotation)})`],
         ["height energy", `${format.number(-own.mass * (g[0] * center[0] + g[1] * center[1] + g[2] * center[2]))} J`]);
     }
-    const touching = contacts.filter(({ bodyA, bodyB }) => bodyA === body || bodyB === body);
     rows.push(["contacts", String(touching.length)]);
     this.numbers.replaceChildren(
-      el("h3", {}, own.name, el("small", { text: ` ${own.motion}` }),
+      el("h2", {}, own.name, el("small", { text: ` ${own.motion}` }),
         el("button", { type: "button", class: followed === body ? "on" : "", title: "The camera goes along (F)", onclick: () => this.actions.follow(body) }, "follow")),
       table(rows), this.contactTable(body, touching));
+  }
+
+  /** Which bodies and joints carry the body against gravity, and what the contacts carry [N]. */
+  private holders(body: number, touching: Contact[]): string {
+    const { gravity, bodies, joints, springs } = this.source.header;
+    const strength = Math.hypot(...gravity);
+    const carried = new Map<string, number>();
+    let isKnown = true;
+    for (const { bodyA, bodyB, force, mode } of touching) {
+      isKnown &&= mode !== "unknown";
+      const up = force.reduce((sum, f, c) => sum - (f * gravity[c]) / strength, 0) * (bodyB === body ? 1 : -1);
+      const { name } = bodies[bodyA === body ? bodyB : bodyA];
+      carried.set(name, (carried.get(name) ?? 0) + up);
+    }
+    const least = 1e-3 * bodies[body].mass * strength;
+    const held = [...carried].filter(([, up]) => up > least).sort((a, b) => b[1] - a[1]).map(([name, up]) => `${name} ${format.number(up)} N`);
+    held.push(...joints.filter((joint) => joint.bodies.includes(body)).map(({ name, type }) => name || type));
+    if (springs.some((spring) => spring.bodies.includes(body))) held.push("a spring");
+    if (held.length === 0) return touching.length > 0 && !isKnown ? "contacts (forces not known)" : "nothing: it falls or flies";
+    return held.slice(0, 6).join(", ") + (held.length > 6 ? ` and ${held.length - 6} more` : "");
   }
 
   private contactTable(body: number, contacts: Contact[]): HTMLElement | string {
@@ -121,7 +146,7 @@ export class Panel {
       return el("tr", {}, el("td", {}, this.source.header.bodies[other].name), el("td", {}, mode),
         el("td", {}, isKnown ? format.number(along, 4) : "–"), el("td", {}, isKnown ? format.number(across, 3) : "–"), el("td", {}, format.number(gap, 2)));
     });
-    const head = ["with", "mode", "normal [N]", "friction [N]", "gap [m]"].map((text) => el("th", { text }));
+    const head = ["with", "mode", "normal [N]", "friction [N]", "gap [m]"].map((text) => el("th", { scope: "col", text }));
     return el("table", { class: "contacts" }, el("tr", {}, ...head), ...rows);
   }
 
@@ -130,9 +155,39 @@ export class Panel {
     const { bodies } = this.source.header;
     const found = bodies.flatMap((body, i) => (body.name.toLowerCase().includes(wanted) ? [i] : []));
     this.found.replaceChildren(...found.slice(0, mostFound).map((i) =>
-      el("li", { role: "option" }, el("button", { type: "button", onclick: () => this.actions.select(i) }, bodies[i].name, el("small", { text: ` ${bodies[i].motion}` })))));
+      el("li", { "data-body": i }, el("button", { type: "button", "aria-pressed": String(i === this.selected), onclick: () => this.actions.select(i) }, bodies[i].name, el("small", { text: ` ${bodies[i].motion}` })))));
     if (found.length === 0) this.found.append(el("li", { class: "hint", text: "no body has this in its name" }));
     if (found.length > mostFound) this.found.append(el("li", { class: "hint", text: `and ${found.length - mostFound} more` }));
+  }
+
+  /** Enter chooses the first body that was found, an arrow goes on to the list. */
+  private searchKey(event: KeyboardEvent): void {
+    const first = this.found.querySelector("button");
+    if (!first || (event.key !== "Enter" && event.key !== "ArrowDown")) return;
+    event.preventDefault();
+    if (event.key === "Enter") first.click();
+    else first.focus();
+  }
+
+  /** Marks the chosen body in the list. */
+  private choose(body: number): void {
+    if (body === this.selected) return;
+    this.selected = body;
+    for (const item of this.found.querySelectorAll<HTMLElement>("li[data-body]")) {
+      const isChosen = Number(item.dataset.body) === body;
+      item.firstElementChild?.setAttribute("aria-pressed", String(isChosen));
+      // The list alone scrolls, not the page.
+      if (isChosen) requestAnimationFrame(() => {
+        const { scrollTop, clientHeight } = this.found;
+        if (item.offsetTop < scrollTop || item.offsetTop + item.offsetHeight > scrollTop + clientHeight) this.found.scrollTop = item.offsetTop;
+      });
+    }
+  }
+
+  /** What the colours of the heat map stand for: up to this force [N]. */
+  showHeat(hottest: number | undefined): void {
+    this.heat.hidden = hottest === undefined;
+    if (hottest !== undefined) this.heat.replaceChildren("0", el("span", { class: "heat" }), `${format.number(hottest)} N pressed on a body`);
   }
 
   private showTab(hasGhost: boolean): HTMLElement {
@@ -146,11 +201,13 @@ export class Panel {
       ["trails", "Trails (T)", [overlayColors.normal], true],
       ["penetration", "Overlapping bodies (P)", [overlayColors.penetration], true],
       ["ghost", "Run B as a ghost (G)", [], hasGhost],
+      ["heat", "Forces as a heat map (M)", ["#29336b", "#cc475c", "#fce06b"], true],
       ["shadows", "Shadows (H)", [], true],
     ];
     const lines = entries.filter(([, , , exists]) => exists).map(([name, text, colors]) => {
       const box = el("input", { type: "checkbox", id: `show-${name}`, onchange: () => {
         (this.shown[name] as boolean) = box.checked;
+        this.shown.chosen.add(name);
         this.actions.changed();
       } });
       this.boxes.set(name, box);
@@ -161,7 +218,7 @@ export class Panel {
       this.actions.changed();
     } });
     const legend = (text: string, color: string) => el("span", {}, el("span", { class: "dot", style: `background:${color}` }), text);
-    return el("div", { class: "show" }, ...lines, el("label", {}, "Length of arrows ", scale),
+    return el("div", { class: "show" }, ...lines, this.heat, el("label", {}, "Length of arrows ", scale),
       el("p", { class: "legend" }, legend("normal force", overlayColors.normal), legend("friction, sticks", overlayColors.stick),
         legend("friction, slides", overlayColors.slide), legend("no force", overlayColors.open), legend("impulse", overlayColors.impulse)),
       this.precision);
@@ -182,14 +239,28 @@ function table(rows: [string, string | Node][]): HTMLElement {
 }
 
 function tabBar(tabs: [string, HTMLElement][]): HTMLElement {
-  const buttons = tabs.map(([name], i) => el("button", { type: "button", role: "tab", onclick: () => choose(i) }, name));
+  const buttons = tabs.map(([name], i) => el("button", { type: "button", role: "tab", id: `tab-${i}`, "aria-controls": `tab-content-${i}`, onclick: () => choose(i) }, name));
   const choose = (chosen: number) => tabs.forEach(([, content], i) => {
     content.hidden = i !== chosen;
     buttons[i].setAttribute("aria-selected", String(i === chosen));
+    buttons[i].tabIndex = i === chosen ? 0 : -1;
   });
-  for (const [, content] of tabs) content.classList.add("tab");
+  tabs.forEach(([, content], i) => {
+    content.classList.add("tab");
+    for (const [name, value] of Object.entries({ role: "tabpanel", id: `tab-content-${i}`, "aria-labelledby": `tab-${i}` })) content.setAttribute(name, value);
+  });
   choose(0);
-  return el("div", { class: "tabs", role: "tablist" }, ...buttons);
+  // Arrows go from tab to tab.
+  const turn = (event: KeyboardEvent) => {
+    const step = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
+    if (step === undefined) return;
+    event.preventDefault();
+    event.stopPropagation();
+    const next = (buttons.indexOf(event.target as HTMLButtonElement) + step + tabs.length) % tabs.length;
+    choose(next);
+    buttons[next].focus();
+  };
+  return el("div", { class: "tabs", role: "tablist", "aria-label": "Panel", onkeydown: turn }, ...buttons);
 }
 
 /** The audit, line by line, what broke its tolerance first. */

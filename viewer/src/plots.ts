@@ -1,4 +1,4 @@
-import { Charts, powerOf, scaled, unitText, type Curve } from "./chart";
+import { Charts, powerOf, scaled, unitText, valueUnit, type Curve } from "./chart";
 import { palette } from "./colors";
 import { el } from "./dom";
 import type { Motion } from "./frames";
@@ -36,8 +36,8 @@ const plots: Plot[] = [
   {
     title: "Momentum", unit: "kg m/s; kg m²/s",
     curves: (source) => [
-      { label: "linear", color: palette.skyBlue, values: column(source, "momentum") },
-      { label: "angular", color: palette.orange, values: column(source, "angular_momentum") },
+      { label: "linear", color: palette.skyBlue, unit: "kg m/s", values: column(source, "momentum") },
+      { label: "angular", color: palette.orange, unit: "kg m²/s", values: column(source, "angular_momentum") },
     ],
   },
   {
@@ -111,7 +111,7 @@ export class Plots {
       ...Object.keys(bodyQuantities).map((name) => el("option", { value: name }, name)));
     this.bodyBox = el("section", { class: "plot" });
     plots.forEach((plot, i) => {
-      const box = el("section", { class: "plot" }, el("h3", {}, plot.title, this.units[i]));
+      const box = el("section", { class: "plot" }, el("h2", {}, plot.title, this.units[i]));
       this.element.append(box);
       this.all.add(box, this.curvesOf(i));
     });
@@ -137,7 +137,7 @@ export class Plots {
     this.all.keep(plots.length);
     const name = this.source.header.bodies[body]?.name;
     const { unit } = bodyQuantities[this.quantity.value];
-    this.bodyBox.replaceChildren(el("h3", {}, name ?? "Chosen body", el("small", { text: name ? ` [${unit}]` : "" }), name ? this.quantity : undefined));
+    this.bodyBox.replaceChildren(el("h2", {}, name ?? "Chosen body", el("small", { text: name ? ` [${unit}]` : "" }), name ? this.quantity : undefined));
     if (!name || !this.source.frames.moving.includes(body)) {
       this.bodyBox.append(el("p", { class: "hint", text: name ? "This body stands still." : "Click a body in the scene to plot its motion." }));
       return;
@@ -160,15 +160,15 @@ export class Plots {
     const curves = plots[i].curves(this.source).map((curve) => ({ ...curve, times }));
     const power = powerOf(curves);
     this.units[i].textContent = unitText(plots[i].unit, power);
-    return scaled(curves, power);
+    return scaled(curves, power).map((curve) => ({ ...curve, unit: valueUnit(curve.unit ?? plots[i].unit, power) }));
   }
 
   /** Curves of the chosen body's quantity. */
   private bodyCurvesOf(): Curve[] {
     const hues = [palette.vermilion, palette.green, palette.skyBlue];
-    const { labels } = bodyQuantities[this.quantity.value];
+    const { labels, unit } = bodyQuantities[this.quantity.value];
     const times = this.source.frameTimes;
-    return bodyCurves(this.source, this.body, this.quantity.value).map((values, i) => ({ label: labels[i], color: hues[i], times, values }));
+    return bodyCurves(this.source, this.body, this.quantity.value).map((values, i) => ({ label: labels[i], color: hues[i], times, values, unit: valueUnit(unit, 0) }));
   }
 }
 

@@ -26,10 +26,13 @@ export function precisionPlots(precision: Precision): HTMLElement {
     el("span", {}, el("span", { class: "dot", style: `background:${runColor(i)}` }), label || "all runs"));
   const exact = curves.flatMap(({ points }) => points).filter(({ error }) => error === 0).length;
   const hint = exact > 0 ? `${exact} ${exact === 1 ? "run has" : "runs have"} no error and no place on a logarithmic axis.` : "";
+  // Where all runs agree with the reference there is nothing to plot.
+  if (!curves.some(({ points }) => points.some(({ error }) => error !== null && error > 0)))
+    return el("section", { class: "precision" }, el("p", { class: "hint", text: "No run differs from the reference: there is no error to plot over work." }));
   return el("section", { class: "precision" },
-    el("h3", {}, "Work and precision", el("small", { text: ` errors against: ${references.map(({ name }) => name).join("; ")}` })),
+    el("h2", {}, "Work and precision", el("small", { text: ` errors against: ${references.map(({ name }) => name).join("; ")}` })),
     el("span", { class: "legend" }, ...legend),
-    el("div", { class: "plots" }, ...plots.map((plot) => el("section", { class: "plot" }, el("h3", { text: plot.title }), drawing(precision, plot)))),
+    el("div", { class: "plots" }, ...plots.map((plot) => el("section", { class: "plot" }, el("h2", { text: plot.title }), drawing(precision, plot)))),
     hint ? el("p", { class: "hint", text: hint }) : undefined);
 }
 

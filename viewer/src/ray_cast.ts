@@ -1,3 +1,4 @@
+import type { BufferGeometry } from "three";
 import { drawnShape, makeGeometry } from "./geometry";
 import type { ShapeHeader, Vec } from "./header";
 import { turned } from "./marks";
@@ -25,12 +26,23 @@ export function distanceToShapes(line: Line, shapes: ShapeHeader[], meshes: Mesh
   return Number.isFinite(nearest) ? nearest : undefined;
 }
 
+const kept = new WeakMap<Mesh[], Map<string, BufferGeometry>>();
+
+/** The geometry of a key, made once for the meshes of a run. */
+function keptGeometry(key: string, meshes: Mesh[]): BufferGeometry {
+  const known = kept.get(meshes) ?? new Map<string, BufferGeometry>();
+  kept.set(meshes, known);
+  const geometry = known.get(key) ?? makeGeometry(key, meshes);
+  known.set(key, geometry);
+  return geometry;
+}
+
 function distanceToShape(line: Line, shape: ShapeHeader, meshes: Mesh[]): number {
   const { key, scale } = drawnShape(shape);
   if (key === "plane") return Infinity;
   if (key === "sphere") return distanceToBall(line, scale[0]);
   if (key === "box") return distanceToBox(line, scale);
-  const geometry = makeGeometry(key, meshes);
+  const geometry = keptGeometry(key, meshes);
   const position = geometry.getAttribute("position");
   const index = geometry.index;
   const corner = (k: number): Vec => {

@@ -1,6 +1,7 @@
 import { runColors } from "./colors";
-import { button, el } from "./dom";
+import { button, el, shown } from "./dom";
 import * as format from "./format";
+import { whyOther } from "./parting";
 import type { RecordedSource } from "./source";
 
 /** Which runs are looked at: A is drawn solid, B (-1: none) as its ghost. */
@@ -36,6 +37,7 @@ export function runColor(run: number): string {
 /** Above the scene of a page with several runs: which one is A, which is B. */
 export class RunChoice {
   readonly element: HTMLElement;
+  private readonly why = el("p", { class: "hint why", id: "why", role: "status" });
   private readonly rows: { select: HTMLSelectElement; dot: HTMLElement; end: HTMLElement }[];
 
   constructor(private readonly sources: RecordedSource[], private chosen: Chosen, private readonly changed: (chosen: Chosen) => void) {
@@ -51,7 +53,7 @@ export class RunChoice {
     this.element = el("div", { class: "runs", role: "group", "aria-label": "Runs that are looked at" },
       el("label", {}, el("b", { text: "A" }), a.dot, a.select, a.end),
       button("⇄", "Swap A and B", () => this.chosen.b >= 0 && this.set({ a: this.chosen.b, b: this.chosen.a })),
-      el("label", { title: "Drawn as a ghost (G)" }, el("b", { text: "B" }), b.dot, b.select, b.end));
+      el("label", { title: "Drawn as a ghost (G)" }, el("b", { text: "B" }), b.dot, b.select, b.end), this.why);
     this.show();
   }
 
@@ -67,6 +69,8 @@ export class RunChoice {
   }
 
   private show(): void {
+    const [first, second] = [this.sources[this.chosen.a], this.sources[this.chosen.b]];
+    this.why.textContent = second ? shown(whyOther(first, second)) : "";
     const last = Math.max(...this.sources.map(({ times }) => times[times.length - 1]));
     this.rows.forEach(({ select, dot, end }, i) => {
       const run = i === 0 ? this.chosen.a : this.chosen.b;

@@ -1,8 +1,9 @@
 import type { ComparePlots } from "./compare_plots";
 import { button, el } from "./dom";
 import type { Extent } from "./extent";
+import { Film } from "./film";
 import * as format from "./format";
-import { shownAtFirst, vectorAt, type Shown } from "./marks";
+import { shownAtFirst, suit, vectorAt, type Shown } from "./marks";
 import type { Panel } from "./panel";
 import type { Plots } from "./plots";
 import type { MotionEvent } from "./run";
@@ -10,7 +11,7 @@ import { runColor } from "./run_choice";
 import type { FrameSource } from "./source";
 import { View3D } from "./view3d";
 
-const toggles: Record<string, keyof Shown> = { c: "contacts", v: "velocities", x: "frames", i: "inertia", j: "joints", t: "trails", p: "penetration", g: "ghost", h: "shadows" };
+const toggles: Record<string, keyof Shown> = { c: "contacts", v: "velocities", x: "frames", i: "inertia", j: "joints", t: "trails", p: "penetration", g: "ghost", h: "shadows", m: "heat" };
 
 /** What the page of a stored run and that of a live one share: the scene with its camera, the chosen body and event, keys, dark and light. */
 export abstract class ScenePage<Source extends FrameSource> {
@@ -20,7 +21,7 @@ export abstract class ScenePage<Source extends FrameSource> {
   readonly view: View3D | undefined;
   selected = -1;
   protected abstract readonly panel: Panel;
-  protected readonly shown: Shown = { ...shownAtFirst };
+  protected readonly shown: Shown = { ...shownAtFirst, chosen: new Set() };
   protected readonly stage = el("div", { class: "stage" });
   protected readonly help: HTMLDialogElement;
   protected event: MotionEvent | undefined;
@@ -30,8 +31,8 @@ export abstract class ScenePage<Source extends FrameSource> {
   protected lastNumbers = 0;
 
   /** The run that is looked at, and the one that is its ghost. */
-  constructor(public source: Source, public ghost: Source | undefined, extent: Extent, keyHelp: [string, string][]) {
-    this.view = this.makeView(extent);
+  constructor(public source: Source, public ghost: Source | undefined, extent: Extent, keyHelp: [string, string][], ghostColor = runColor(1)) {
+    this.view = this.makeView(extent, ghostColor);
     this.help = helpDialog(keyHelp);
   }
 
@@ -74,7 +75,9 @@ export abstract class ScenePage<Source extends FrameSource> {
   protected abstract keys(event: KeyboardEvent): Record<string, () => void>;
 
   protected drawScene(): void {
+    if (suit(this.shown, this.source)) this.panel.updateShown();
     this.view?.draw(this.time, this.shown, this.selected, this.event, this.flagged);
+    this.panel.showHeat(this.shown.heat ? this.view?.hottest : undefined);
   }
 
   protected invalidate(): void {
@@ -97,13 +100,14 @@ export abstract class ScenePage<Source extends FrameSource> {
     return el("span", { class: "tools" },
       button("⌂", "Look at the whole scene again (R)", () => this.home()),
       button("⤓", "Save a picture (S)", () => this.savePicture()),
+      this.filmButton(),
       button("◐", "Dark or light (D)", () => this.changeTheme()),
       button("?", "Keyboard help (?)", () => this.help.showModal()));
   }
 
-  private makeView(extent: Extent): View3D | undefined {
+  private makeView(extent: Extent, ghostColor: string): View3D | undefined {
     try {
-      const view = new View3D(this.stage, this.source, this.ghost, extent, runColor(1));
+      const view = new View3D(this.stage, this.source, this.ghost, extent, ghostColor);
       view.onChange = () => (this.isDirty = true);
       let down = [0, 0];
       view.canvas.addEventListener("pointerdown", (event) => (down = [event.clientX, event.clientY]));
@@ -122,6 +126,23 @@ export abstract class ScenePage<Source extends FrameSource> {
     this.view?.startFollowing(-1);
     this.view?.fit();
     this.invalidate();
+  }
+
+  /** The first press begins a film of the scene, the second one ends it. */
+  private filmButton(): HTMLElement | undefined {
+    if (!this.view || !Film.isPossible) return undefined;
+    const own = button("●", "Record a film of the scene", () => (film.isRunning ? film.end() : film.begin(), show()));
+    const film = new Film(this.view.canvas, (blob, suffix) => {
+      keep(`${this.source.header.scene}.${suffix}`, blob);
+      show();
+    });
+    const show = () => {
+      own.classList.toggle("on", film.isRunning);
+      own.setAttribute("aria-pressed", String(film.isRunning));
+      own.textContent = film.isRunning ? "■" : "●";
+      this.invalidate();
+    };
+    return own;
   }
 
   private changeTheme(): void {
@@ -148,6 +169,8 @@ export abstract class ScenePage<Source extends FrameSource> {
   private press(event: KeyboardEvent): void {
     const target = event.target as HTMLElement;
     if (event.ctrlKey || event.metaKey || event.altKey) return;
+    // What the keyboard has gone to takes the keys that press it.
+    if ((event.key === " " || event.key === "Enter") && target.matches("button:focus-visible, summary, input, a")) return;
     if (target.matches("input:not([type=checkbox]), select")) {
       if (event.key === "Escape") target.blur();
       return;
@@ -172,6 +195,7 @@ export abstract class ScenePage<Source extends FrameSource> {
 
   private flip(name: keyof Shown): void {
     (this.shown[name] as boolean) = !this.shown[name];
+    this.shown.chosen.add(name);
     this.panel.updateShown();
   }
 }

@@ -1,18 +1,34 @@
 import {
-  BoxGeometry, BufferAttribute, BufferGeometry, DataTexture, DoubleSide, EqualStencilFunc, FloatType, FrontSide, GLSL3, Group, IcosahedronGeometry,
-  IncrementStencilOp, InstancedBufferAttribute, InstancedBufferGeometry, Mesh, RGBAFormat, ShaderMaterial, Vector3, Vector4,
-  type IUniform,
+  BackSide, BufferAttribute, BufferGeometry, CustomBlending, DataTexture, DoubleSide, FloatType, FrontSide, GLSL3, Group, InstancedBufferAttribute,
+  InstancedBufferGeometry, Mesh, OneFactor, RGBAFormat, ShaderMaterial, Vector3, Vector4, ZeroFactor, type IUniform,
 } from "three";
-import { defaultColor, overlayColors, rgb } from "./colors";
+import { overlayColors, rgb } from "./colors";
 import type { Motion } from "./frames";
 import { drawnShape, makeGeometry } from "./geometry";
 import { shapesOf, type Header, type ShapeHeader, type Vec } from "./header";
+import { Surfaces } from "./materials";
 import type { Mesh as StoredMesh } from "./run";
-import { ballFragment, ballVertex, boxVertex, shadowFragment, shadowVertex, solidFragment, solidVertex, tableWidth } from "./shaders";
+import {
+  ballFragment, ballShadowFragment, ballShadowVertex, ballVertex, boxShadowVertex, boxVertex, shadowFragment, solidFragment, solidShadowVertex, solidVertex,
+  tableWidth,
+} from "./shaders";
+import { shapeName } from "./sight";
 
 export interface Item {
   body: number;
+  /** Of the body. */
+  index: number;
   shape: ShapeHeader;
+}
+
+/** How bodies are marked. */
+export interface ShapeMarks {
+  selected: number;
+  overlapping: ReadonlySet<number>;
+  /** Shapes that are drawn as glass, by shapeName. */
+  glass: ReadonlySet<string>;
+  /** Of each body 0 to 1, less than 0: none. */
+  heat?: Float32Array;
 }
 
 /** All shapes that share a geometry: one draw call. */
@@ -37,47 +53,34 @@ export interface ShapesOptions {
 /** The bodies of a run as instanced meshes and impostors of balls. */
 export class Shapes {
   readonly group = new Group();
+  /** The same shapes as the light sees them. */
+  readonly shadows = new Group();
   readonly uniforms: Record<string, IUniform>;
   private readonly batches: Batch[] = [];
-  private readonly shadows = new Group();
-  private readonly plane = { value: new Vector4(0, 0, 1, 0) };
-  private readonly light = { value: new Vector3(0.2, 0.1, 1).normalize() };
 
-  constructor(private readonly header: Header, meshes: StoredMesh[], up: Vector3, private readonly options: ShapesOptions) {
+  /** light: the uniforms of the Sun. */
+  constructor(private readonly header: Header, meshes: StoredMesh[], light: Record<string, IUniform>, private readonly options: ShapesOptions) {
     const ghost = rgb(options.tint ?? overlayColors.ghost);
     this.uniforms = {
-      uUp: { value: up },
+      ...light,
       uPick: { value: 0 },
-      uAlpha: { value: options.isGhost ? 0.4 : 1 },
-      uTint: { value: new Vector4(...ghost, options.isGhost ? 0.75 : 0) },
+      uGhost: { value: options.isGhost ? 1 : 0 },
+      uTint: { value: new Vector4(...ghost, options.isGhost ? 0.85 : 0) },
       uSelected: { value: new Vector3(...rgb(overlayColors.selected)) },
       uWarning: { value: new Vector3(...rgb(overlayColors.penetration)) },
     };
     const byKey = new Map<string, Item[]>();
     header.bodies.forEach((_, i) => {
-      for (const shape of shapesOf(header, i)) {
+      shapesOf(header, i).forEach((shape, index) => {
         const { key } = drawnShape(shape);
-        if (key === "plane") continue;
+        if (key === "plane") return;
         const items = byKey.get(key) ?? [];
         byKey.set(key, items);
-        items.push({ body: i, shape });
-      }
+        items.push({ body: i, index, shape });
+      });
     });
-    for (const [key, items] of byKey) this.addBatch(key, items, meshes);
-    this.group.add(this.shadows);
-    this.shadows.visible = false;
-  }
-
-  /** Throws shadows on the plane n · x = d (from the drawing's origin). */
-  castOn(normal: Vector3, distance: number): void {
-    this.plane.value.set(normal.x, normal.y, normal.z, distance);
-    const side = new Vector3(0.3, 0.2, 0).projectOnPlane(normal);
-    this.light.value.copy(normal).add(side).normalize();
-    this.shadows.visible = !this.options.isGhost;
-  }
-
-  set hasShadows(shown: boolean) {
-    this.shadows.visible = shown;
+    const surfaces = new Surfaces(header);
+    for (const [key, items] of byKey) this.addBatch(key, items, surfaces, meshes);
   }
 
   update(motion: Motion): void {
@@ -88,71 +91,78 @@ export class Shapes {
     }
   }
 
-  /** Marks the selected body and those that overlap. */
-  mark(selected: number, overlapping: ReadonlySet<number>): void {
+  mark({ selected, overlapping, glass, heat }: ShapeMarks): void {
     for (const batch of this.batches) {
       const table = batch.pose.image.data as unknown as Float32Array;
-      batch.items.forEach(({ body }, i) => (table[8 * i + 3] = body === selected ? 1 : overlapping.has(body) ? 2 : 0));
+      batch.items.forEach(({ body, index }, i) => {
+        const warmth = heat ? heat[body] : -1;
+        table[8 * i + 3] = body === selected ? 1 : overlapping.has(body) ? 2 : glass.size > 0 && glass.has(shapeName(body, index)) ? 3 : warmth >= 0 ? 4 + warmth : 0;
+      });
       batch.pose.needsUpdate = true;
     }
   }
 
-  /** While picking, bodies are drawn in the colours of their numbers and shadows are not. */
-  setPicking(isPicking: boolean): void {
-    this.uniforms.uPick.value = isPicking ? 1 : 0;
-    this.shadows.traverse((object) => object.layers.set(isPicking ? 1 : 0));
+  /** While picking, bodies are drawn in the colours of their numbers. */
+  setPicking(what: "none" | "all" | "moving"): void {
+    this.uniforms.uPick.value = { none: 0, all: 1, moving: 2 }[what];
   }
 
-  private addBatch(key: string, items: Item[], meshes: StoredMesh[]): void {
+  private addBatch(key: string, items: Item[], surfaces: Surfaces, meshes: StoredMesh[]): void {
     const isBall = key === "sphere", isBox = key === "box";
     const pose = makeTable(items.length);
-    const tables = { uPose: { value: pose }, uLook: { value: this.lookTable(items) } };
+    const tables = { uPose: { value: pose }, uLook: { value: this.lookTable(items, surfaces) } };
+    const single = makeGeometry(key, meshes);
+    const size = /^mesh/.test(key) ? sizeOf(single) : 1;
+    const geometry = copiesOf(single, items.length);
     const material = new ShaderMaterial({
       glslVersion: GLSL3,
       vertexShader: isBall ? ballVertex : isBox ? boxVertex : solidVertex,
       fragmentShader: isBall ? ballFragment : solidFragment,
-      uniforms: { ...this.uniforms, ...tables, uIsRound: { value: isRound(key) ? 1 : 0 }, uIsFlat: { value: isBox ? 1 : 0 } },
+      uniforms: { ...this.uniforms, ...tables, uIsRound: { value: isRound(key) ? 1 : 0 }, uIsFlat: { value: isBox ? 1 : 0 }, uSize: { value: size } },
       side: isBox ? DoubleSide : FrontSide,
       transparent: this.options.isGhost,
+      // Where both runs are the same, the solid one is seen.
+      polygonOffset: this.options.isGhost,
+      polygonOffsetFactor: 1,
+      polygonOffsetUnits: 2,
+      // Rims of balls and glass cover a part of the samples of a pixel.
+      alphaToCoverage: !this.options.isGhost,
+      // What covers a part leaves the picture opaque.
+      ...(this.options.isGhost ? {} : { blending: CustomBlending, blendSrc: OneFactor, blendDst: ZeroFactor, blendSrcAlpha: ZeroFactor, blendDstAlpha: OneFactor }),
     });
-    this.group.add(meshOf(makeGeometry(key, meshes), items.length, material));
-    const standIn = isBall ? new IcosahedronGeometry(1, 2) : isBox ? new BoxGeometry(2, 2, 2) : makeGeometry(key, meshes);
-    const shadow = meshOf(standIn, items.length, this.shadowMaterial(tables));
-    shadow.renderOrder = 1;
-    this.shadows.add(shadow);
+    this.group.add(meshOf(geometry, material));
+    if (!this.options.isGhost) this.shadows.add(meshOf(geometry, this.shadowMaterial(isBall, isBox, tables)));
     this.batches.push({ items, pose });
   }
 
-  private lookTable(items: Item[]): DataTexture {
+  private lookTable(items: Item[], surfaces: Surfaces): DataTexture {
     const table = makeTable(items.length);
     const data = table.image.data as unknown as Float32Array;
     items.forEach(({ body, shape }, i) => {
       data.set(drawnShape(shape).scale, 8 * i);
-      data[8 * i + 3] = body;
-      data.set(rgb(shape.color || defaultColor(this.header.bodies[body].motion, body)), 8 * i + 4);
+      data[8 * i + 3] = this.header.bodies[body].motion === "static" ? -1 - body : body;
+      const { color, kind } = surfaces.of(body, shape);
+      data.set([...color, kind], 8 * i + 4);
     });
     return table;
   }
 
-  /** Each point of the ground is darkened once, however many bodies are above it. */
-  private shadowMaterial(tables: Record<string, IUniform>): ShaderMaterial {
+  private shadowMaterial(isBall: boolean, isBox: boolean, tables: Record<string, IUniform>): ShaderMaterial {
     return new ShaderMaterial({
       glslVersion: GLSL3,
-      vertexShader: shadowVertex,
-      fragmentShader: shadowFragment,
-      uniforms: { uPlane: this.plane, uLight: this.light, ...tables },
-      transparent: true,
-      side: DoubleSide,
-      depthWrite: false,
-      polygonOffset: true,
-      polygonOffsetFactor: -2,
-      polygonOffsetUnits: -2,
-      stencilWrite: true,
-      stencilRef: 0,
-      stencilFunc: EqualStencilFunc,
-      stencilZPass: IncrementStencilOp,
+      vertexShader: isBall ? ballShadowVertex : isBox ? boxShadowVertex : solidShadowVertex,
+      fragmentShader: isBall ? ballShadowFragment : shadowFragment,
+      uniforms: { uLight: this.uniforms.uLight, ...tables },
+      side: isBall || isBox ? DoubleSide : BackSide,
+      colorWrite: false,
     });
   }
+}
+
+/** The farthest of a geometry's points from its origin. */
+function sizeOf(geometry: BufferGeometry): number {
+  geometry.computeBoundingSphere();
+  return (geometry.boundingSphere?.radius ?? 0) || 1;
 }
 
 /** A table of two texels a shape. */
@@ -163,9 +173,12 @@ function makeTable(count: number): DataTexture {
   return table;
 }
 
-function meshOf(geometry: BufferGeometry, count: number, material: ShaderMaterial): Mesh {
-  const vertices = geometry.getAttribute("position").count;
-  const mesh = new Mesh(vertices * count <= mostVertices ? repeated(geometry, count) : instanced(geometry, count), material);
+function copiesOf(geometry: BufferGeometry, count: number): BufferGeometry {
+  return geometry.getAttribute("position").count * count <= mostVertices ? repeated(geometry, count) : instanced(geometry, count);
+}
+
+function meshOf(geometry: BufferGeometry, material: ShaderMaterial): Mesh {
+  const mesh = new Mesh(geometry, material);
   mesh.frustumCulled = false;
   return mesh;
 }

@@ -26,6 +26,8 @@ export interface FrameSource {
   sample(time: number, into: Motion): void;
   /** Contacts of the last frame that is not after the time. */
   contactsAt(time: number): Contact[];
+  /** Contacts of the frame that has most of them, as far as frames are known. */
+  readonly mostContacts: number;
   /** Called when a live source has a new frame; recorded ones never call. */
   onFrame?: () => void;
 }
@@ -76,6 +78,10 @@ export class RecordedSource implements FrameSource {
   }
   get frameTimes(): Float64Array {
     return this.run.times;
+  }
+
+  get mostContacts(): number {
+    return this.run.contacts.most;
   }
 
   contactsAt(time: number): Contact[] {

@@ -1,21 +1,26 @@
 import { Color, Group, PerspectiveCamera, Scene, Vector2, Vector3, WebGLRenderer, WebGLRenderTarget } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { dispose } from "./dispose";
+import type { Contact } from "./contacts";
 import type { Extent } from "./extent";
 import { makeMotion, type Motion } from "./frames";
 import { Ground } from "./ground";
-import { Marks, type Shown } from "./marks";
+import { Marks, overlaps, pressing, type Shown } from "./marks";
 import type { MotionEvent } from "./run";
 import { overlayColors, rgb } from "./colors";
 import type { Vec } from "./header";
 import { Lines } from "./overlays";
 import { Shapes } from "./shapes";
+import { Sight } from "./sight";
 import type { FrameSource } from "./source";
+import { Sun, type ShadowQuality } from "./sun";
 
-/** More shapes than these throw no shadows: each would be drawn twice. */
-const mostShadows = 3000;
-/** Smallest part of the screen's resolution that is drawn at when drawing is slow. */
-const leastRatio = 0.5;
+/** How the picture is drawn, from the best way to the quickest: part of the screen's resolution, and shadows. */
+const qualities: { ratio: number; shadows: ShadowQuality }[] = [
+  { ratio: 1, shadows: "soft" }, { ratio: 1, shadows: "hard" }, { ratio: 0.75, shadows: "hard" }, { ratio: 0.5, shadows: "hard" }, { ratio: 0.5, shadows: "none" },
+];
+/** What hides bodies is looked for this often while they move [ms]. */
+const glassPause = 120;
 
 export interface Ray {
   from: Vec;
@@ -48,14 +53,21 @@ export class View3D {
   private readonly ratio = { value: 1 };
   private readonly up: Vector3;
   private readonly followedAt = new Vector3();
-  private canShadow = false;
+  private sun!: Sun;
+  private sight!: Sight;
+  private glass: ReadonlySet<string> = new Set();
+  private glassAt = -Infinity;
+  private glassTimer: ReturnType<typeof setTimeout> | undefined;
   private slowness = 0;
-  private quality = 1;
+  private quality = 0;
+  /** Force of the hottest colour [N], while forces are shown as colours. */
+  hottest = 0;
 
   constructor(container: HTMLElement, private source: FrameSource, private ghost: FrameSource | undefined, private extent: Extent, private ghostColor?: string) {
-    this.renderer = new WebGLRenderer({ antialias: true, stencil: true, powerPreference: "high-performance" });
+    this.renderer = new WebGLRenderer({ antialias: true, powerPreference: "high-performance" });
     this.renderer.outputColorSpace = "srgb-linear";
     this.canvas = this.renderer.domElement;
+    this.canvas.setAttribute("role", "img");
     this.canvas.setAttribute("aria-label", "The scene. Drag to turn, scroll to come closer, click a body to see its numbers.");
     container.append(this.canvas);
 
@@ -65,6 +77,7 @@ export class View3D {
     this.controls = new OrbitControls(this.camera, this.canvas);
     this.controls.addEventListener("change", () => this.onChange());
 
+    this.sun = new Sun(this.up);
     this.scene.add(this.line.lines);
     this.build(source.times[0]);
   }
@@ -82,6 +95,8 @@ export class View3D {
     this.ghostColor = ghostColor;
     this.content.removeFromParent();
     dispose(this.content);
+    this.sun.scene.clear();
+    dispose(this.shapes.shadows);
     this.build(time);
   }
 
@@ -91,8 +106,12 @@ export class View3D {
     this.content = new Group();
     this.scene.add(this.content);
     this.motion = makeMotion(header.bodies.length);
-    this.shapes = new Shapes(header, source.meshes, this.up, { isGhost: false, offset: [0, 0, 0] });
-    this.ground = new Ground(header, new Vector3(...extent.center), extent.radius, [0, 0, 0]);
+    this.sun.fit(extent);
+    this.sight = new Sight(source);
+    this.glassAt = -Infinity;
+    this.shapes = new Shapes(header, source.meshes, this.sun.uniforms, { isGhost: false, offset: [0, 0, 0] });
+    this.sun.scene.add(this.shapes.shadows);
+    this.ground = new Ground(header, new Vector3(...extent.center), extent.radius, this.sun.uniforms, [0, 0, 0]);
     this.marks = new Marks(source, extent.radius, this.pixel, this.ratio);
     this.content.add(this.ground.group, this.shapes.group);
     this.content.add(this.marks.trails.lines, this.marks.links.lines, this.marks.arrows.mesh, this.marks.ring.points, this.marks.dots.points);
@@ -100,27 +119,18 @@ export class View3D {
     if (ghost) {
       const offset = ghost.header.origin.map((x, c) => x - header.origin[c]) as [number, number, number];
       this.ghostMotion = makeMotion(ghost.header.bodies.length);
-      this.ghostShapes = new Shapes(ghost.header, ghost.meshes, this.up, { isGhost: true, offset, tint: this.ghostColor });
+      this.ghostShapes = new Shapes(ghost.header, ghost.meshes, this.sun.uniforms, { isGhost: true, offset, tint: this.ghostColor });
       this.content.add(this.ghostShapes.group);
     }
 
     source.sample(time, this.motion);
     this.ground.update(this.motion);
     if (this.theme) this.setTheme(...this.theme);
-    const floor = this.ground.floor(header);
-    this.canShadow = floor !== undefined && header.bodies.reduce((sum, body) => sum + header.looks[body.look].length, 0) <= mostShadows;
-    if (floor && this.canShadow) this.shapes.castOn(floor.normal, floor.distance);
   }
 
   /** Looks at the whole scene again. */
   fit(): void {
-    // From the front, or from the side where the scene is much larger in the picture.
-    const front = Math.abs(this.up.z) > 0.7 ? new Vector3(0.35, -1, 0) : new Vector3(0.35, 0.2, 1);
-    const above = (side: Vector3) => side.projectOnPlane(this.up).normalize().addScaledVector(this.up, 0.42).normalize();
-    const directions = [above(front.clone()), above(new Vector3().crossVectors(this.up, front))];
-    const distances = directions.map((candidate) => this.distanceToSeeAll(candidate));
-    const chosen = distances[1] < 0.8 * distances[0] ? 1 : 0;
-    const direction = directions[chosen], distance = distances[chosen];
+    const { direction, distance } = this.bestView();
     this.controls.target.set(...this.extent.center);
     this.camera.position.copy(this.controls.target).addScaledVector(direction, distance);
     this.camera.near = distance / 500;
@@ -129,6 +139,23 @@ export class View3D {
     this.controls.minDistance = distance / 200;
     this.controls.maxDistance = distance * 20;
     this.controls.update();
+  }
+
+  /**
+   * From where all of it is seen: from the front, unless it is much larger in the picture from elsewhere, or something that stands still
+   * hides more of it.
+   */
+  private bestView(): { direction: Vector3; distance: number } {
+    const front = (Math.abs(this.up.z) > 0.7 ? new Vector3(0.35, -1, 0) : new Vector3(0.35, 0.2, 1)).projectOnPlane(this.up).normalize();
+    const center = new Vector3(...this.extent.center);
+    const views = [0, 1, -1, 2, -2, 3, -3, 4].flatMap((turn) => [0.42, 0.8, 1.5].map((height) => {
+      const direction = front.clone().applyAxisAngle(this.up, (turn * Math.PI) / 4).addScaledVector(this.up, height).normalize();
+      const distance = this.distanceToSeeAll(direction);
+      return { direction, distance, cost: 0.07 * Math.abs(turn) + 0.2 * (height - 0.42), eye: center.clone().addScaledVector(direction, distance).toArray() };
+    }));
+    const nearest = Math.min(...views.map(({ distance }) => distance));
+    const costs = views.map(({ distance, cost, eye }) => cost + 0.5 * (distance / nearest - 1) + 2 * this.sight.blocked(eye));
+    return views[costs.indexOf(Math.min(...costs))];
   }
 
   /** How far from the middle, in this direction, all corners of the scene's box are just inside the picture. */
@@ -154,7 +181,7 @@ export class View3D {
   /** Fits the drawing to its frame; the first time also the camera to the scene. */
   resize(width: number, height: number): void {
     const isFirst = this.camera.aspect === 0;
-    const ratio = Math.min(window.devicePixelRatio, 2) * this.quality;
+    const ratio = Math.min(window.devicePixelRatio, 2) * qualities[this.quality].ratio;
     this.ratio.value = ratio;
     this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(width, height);
@@ -168,12 +195,13 @@ export class View3D {
   draw(time: number, shown: Shown, selected: number, event: MotionEvent | undefined, flagged: number[]): void {
     this.source.sample(time, this.motion);
     this.shapes.update(this.motion);
-    this.shapes.hasShadows = this.canShadow && shown.shadows;
     this.ground.update(this.motion);
-    const contacts = shown.contacts || shown.penetration ? this.source.contactsAt(time) : [];
-    const deep = contacts.filter(({ gap }) => gap < -this.source.header.contact_tolerance);
-    const overlapping = shown.penetration ? deep.flatMap(({ bodyA, bodyB }) => [bodyA, bodyB]) : [];
-    this.shapes.mark(selected, new Set([...overlapping, ...flagged]));
+    this.follow();
+    const contacts = shown.contacts || shown.penetration || shown.heat ? this.source.contactsAt(time) : [];
+    const deep = shown.penetration ? overlaps(contacts, this.source) : [];
+    const overlapping = deep.flatMap(({ bodyA, bodyB }) => [bodyA, bodyB]);
+    this.shapes.mark({ selected, overlapping: new Set([...overlapping, ...flagged]), glass: this.glassNow(), heat: shown.heat ? this.heatOf(contacts) : undefined });
+    this.sun.setQuality(shown.shadows ? qualities[this.quality].shadows : "none");
     this.marks.update(time, this.motion, contacts, shown, selected, event);
     if (this.ghostShapes && this.ghost && this.ghostMotion) {
       this.ghostShapes.group.visible = shown.ghost;
@@ -182,19 +210,41 @@ export class View3D {
         this.ghostShapes.update(this.ghostMotion);
       }
     }
-    this.follow();
+    this.sun.draw(this.renderer);
     this.renderer.render(this.scene, this.camera);
   }
 
-  /** The body under a point of the canvas (CSS pixels), or -1. */
-  pick(x: number, y: number): number {
+  /** The standing shapes between the camera and the moving bodies. */
+  private glassNow(): ReadonlySet<string> {
+    const now = performance.now();
+    if (this.sight.isOpen) return this.glass;
+    if (now - this.glassAt < glassPause) {
+      // What was not looked for now is looked for soon.
+      this.glassTimer ??= setTimeout(() => ((this.glassTimer = undefined), this.onChange()), glassPause);
+      return this.glass;
+    }
+    this.glassAt = now;
+    this.glass = this.sight.hiding(this.camera.position.toArray(), this.motion);
+    return this.glass;
+  }
+
+  /** How hard each dynamic body is pressed, from 0 to 1; -1 what does not move. */
+  private heatOf(contacts: Contact[]): Float32Array {
+    const { bodies } = this.source.header;
+    const { forces, hottest } = pressing(bodies.length, contacts);
+    this.hottest = hottest;
+    return forces.map((force, i) => (bodies[i].motion !== "dynamic" ? -1 : hottest > 0 ? Math.min(0.999, Math.sqrt(force / hottest)) : 0));
+  }
+
+  /** The body under a point of the canvas (CSS pixels), or -1; what stands between it and the eye is looked through if only what moves is asked for. */
+  pick(x: number, y: number, what: "all" | "moving" = "all"): number {
     const size = this.renderer.getSize(new Vector2());
     const target = new WebGLRenderTarget(1, 1);
     const background = this.scene.background;
     const hidden = [this.ground.group, this.marks.trails.lines, this.marks.links.lines, this.marks.arrows.mesh, this.marks.ring.points, this.marks.dots.points, this.ghostShapes?.group];
     const visible = hidden.map((object) => object?.visible);
     hidden.forEach((object) => object && (object.visible = false));
-    this.shapes.setPicking(true);
+    this.shapes.setPicking(what);
     this.scene.background = null;
     this.camera.setViewOffset(size.x, size.y, x, y, 1, 1);
     this.renderer.setRenderTarget(target);
@@ -205,11 +255,11 @@ export class View3D {
     this.renderer.readRenderTargetPixels(target, 0, 0, 1, 1, bytes);
     this.renderer.setRenderTarget(null);
     this.camera.clearViewOffset();
-    this.shapes.setPicking(false);
+    this.shapes.setPicking("none");
     this.scene.background = background;
     hidden.forEach((object, i) => object && (object.visible = visible[i] ?? true));
     target.dispose();
-    return bytes[3] === 255 ? bytes[0] + 256 * bytes[1] + 65536 * bytes[2] : -1;
+    return bytes[0] + 256 * bytes[1] + 65536 * bytes[2] - 1;
   }
 
   /** The line of sight through a point of the canvas (CSS pixels), from Header.origin [m]; direction of length 1. */
@@ -243,17 +293,18 @@ export class View3D {
     this.controls.update();
   }
 
-  /** Takes note of how long a frame took while playing [s]; when it is too long for 30 a second, draws coarser. */
+  /** Takes note of how long a frame took while playing [s]; when a dozen are too long for 30 a second, draws in a quicker way. */
   noteFrameTime(seconds: number): boolean {
-    this.slowness = seconds > 1 / 30 ? this.slowness + 1 : Math.max(0, this.slowness - 2);
-    if (this.slowness < 12 || this.quality <= leastRatio) return false;
+    this.slowness = seconds > 1 / 30 ? this.slowness + Math.min(6, 30 * seconds) : Math.max(0, this.slowness - 2);
+    if (this.slowness < 18 || this.quality === qualities.length - 1) return false;
     this.slowness = 0;
-    this.quality = Math.max(leastRatio, 0.75 * this.quality);
+    ++this.quality;
     return true;
   }
 
+  /** Part of the screen's resolution that is drawn at. */
   get resolution(): number {
-    return this.quality;
+    return qualities[this.quality].ratio;
   }
 
   private follow(): void {

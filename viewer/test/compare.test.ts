@@ -107,7 +107,7 @@ describe("audits side by side", () => {
     expect(rows.map(({ name }) => name)).toEqual([...auditRows(audit).map(({ name }) => name), "extra"]);
     const byName = new Map(rows.map((row) => [row.name, row]));
     expect(byName.get("scene")?.differs).toEqual([false, false, false]);
-    expect(byName.get("energy: final")).toEqual({ name: "energy: final", values: ["1", "1", "1"], differs: [false, true, false] });
+    expect(byName.get("energy: final")).toEqual({ name: "energy: final", isSetting: false, values: ["1", "1", "1"], differs: [false, true, false] });
     expect(byName.get("penetration: time")?.values).toEqual(["–", "2", "–"]);
     expect(byName.get("extra")?.differs).toEqual([false, true, false]);
   });

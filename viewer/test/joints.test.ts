@@ -33,7 +33,7 @@ describe("joints", () => {
 
   test("reach into what is worth looking at", async () => {
     const { runs } = await loadRuns(pageBlocks(), 6, () => {});
-    const without = extentOf(header, runs[0].frames), jointed = extentOf(withJoints(pivot), runs[0].frames);
+    const without = extentOf(header, runs[0].frames, []), jointed = extentOf(withJoints(pivot), runs[0].frames, []);
     // The ball is between z = 0 and 1; its ellipsoid of moments (1, 1, 1) and mass 2 has the radius √(5/4).
     expect(without.half[2]).toBeCloseTo(0.5 + Math.sqrt(1.25), 12);
     expect(jointed.half[2]).toBeCloseTo(0.5 + 3, 12);

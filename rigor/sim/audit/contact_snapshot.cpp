@@ -9,7 +9,6 @@
 #include "rigor/sim/method/method.hpp"
 #include "rigor/sim/method/resting_choice.hpp"
 #include "rigor/sim/method/tolerances.hpp"
-#include "rigor/sim/pairs/near_pairs.hpp"
 #include "rigor/sim/penalty/penalty_forces.hpp"
 
 #include <algorithm>
@@ -32,11 +31,7 @@ Cluster touching_bodies(const Model& model, const Method& method, const State& s
     cluster.phases.push_back(
         {state.position(i), state.orientation(i), state.linear_momentum(i), state.angular_momentum(i)});
   }
-  for (const auto& [a, b] : near_pairs(model, state, method.contact_tolerance)) {
-    const std::vector<Contact> found =
-        find_contacts(model, a, b, pose_of(state, a), pose_of(state, b), method.contact_tolerance);
-    cluster.contacts.insert(cluster.contacts.end(), found.begin(), found.end());
-  }
+  cluster.contacts = touching_contacts(model, state, method.contact_tolerance);
   return cluster;
 }
 
@@ -51,18 +46,6 @@ TouchingPoint unsolved_point(const ContactSystem& system, std::size_t i) {
           .u_W = system.frames[i] * u};
 }
 
-TouchingPoint::Mode mode_of(ContactMode mode) {
-  switch (mode) {
-    case ContactMode::open:
-      return TouchingPoint::Mode::open;
-    case ContactMode::stick:
-      return TouchingPoint::Mode::stick;
-    case ContactMode::slide:
-      return TouchingPoint::Mode::slide;
-  }
-  return TouchingPoint::Mode::unknown;
-}
-
 /// The contact with the coefficient of friction that holds: that of sticking, if its slip u_t is so slow that
 /// it counts as sticking.
 Contact with_own_friction(const Method& method, Contact contact, const Vec2& u_t) {
@@ -73,7 +56,7 @@ Contact with_own_friction(const Method& method, Contact contact, const Vec2& u_t
 
 /// The points of one group of bodies, with forces at those that are not parting.
 std::vector<TouchingPoint> points_of(const Method& method, const ContactSystemAssembler& assembler,
-                                     const Cluster& part) {
+                                     const Cluster& part, std::size_t most_contacts) {
   const ContactSystem touching = assembler.assemble(part, part.contacts);
   const double parting = parting_speed(method.resting_velocity);
   std::vector<TouchingPoint> points;
@@ -86,7 +69,7 @@ std::vector<TouchingPoint> points_of(const Method& method, const ContactSystemAs
     const Vec3 u = touching.frames[i].transpose() * points.back().u_W;
     candidates.push_back(with_own_friction(method, part.contacts[i], u.head<2>()));
   }
-  if (candidates.size() > most_contacts_at_rest) {
+  if (candidates.size() > most_contacts) {
     for (const std::size_t i : pressed) {
       points[i].mode = TouchingPoint::Mode::unknown;
       points[i].force_W.setConstant(std::numeric_limits<double>::quiet_NaN());
@@ -264,7 +247,8 @@ std::vector<JointReaction> joint_motions(const Model& model, const State& state)
   return result;
 }
 
-std::vector<TouchingPoint> contact_snapshot(const Model& model, const Method& method, const State& state) {
+std::vector<TouchingPoint> contact_snapshot(const Model& model, const Method& method, const State& state,
+                                            std::size_t most_contacts) {
   const Environment environment(model);
   const ContactSystemAssembler assembler(model, environment);
   if (method.scheme == Scheme::penalty && !state.contacts.empty())
@@ -273,7 +257,7 @@ std::vector<TouchingPoint> contact_snapshot(const Model& model, const Method& me
   std::vector<TouchingPoint> points;
   for (const Cluster& part : connected_parts(cluster, cluster.contacts, environment)) {
     if (part.contacts.empty()) continue;
-    const std::vector<TouchingPoint> of_part = points_of(method, assembler, part);
+    const std::vector<TouchingPoint> of_part = points_of(method, assembler, part, most_contacts);
     points.insert(points.end(), of_part.begin(), of_part.end());
   }
   std::stable_sort(points.begin(), points.end(), [](const TouchingPoint& a, const TouchingPoint& b) {

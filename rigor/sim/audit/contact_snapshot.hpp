@@ -1,6 +1,8 @@
 #pragma once
 
 #include "rigor/model/state.hpp"
+#include "rigor/sim/method/tolerances.hpp"
+#include "rigor/sim/pairs/touching_points.hpp"
 
 #include <vector>
 
@@ -8,30 +10,14 @@ namespace rigor {
 
 struct Method;
 
-/// A point where two bodies touch, as a picture shows it.
-struct TouchingPoint {
-  enum class Mode {
-    open,     ///< Touches without a force: is about to part, or has just met.
-    stick,    ///< Carries a force and does not slip.
-    slide,    ///< Carries a force and slips.
-    unknown,  ///< In a group of more contacts than are solved for; the force is NaN.
-  };
-  int body_A, body_B;           ///< Model indices, body_A < body_B.
-  Vec3 p_W = Vec3::Zero();      ///< [m].
-  Vec3 n_W = Vec3::UnitZ();     ///< Unit normal from A to B.
-  double gap = 0;               ///< [m], negative when overlapping.
-  Vec3 force_W = Vec3::Zero();  ///< On B [N]: normal part along n_W, friction across it.
-  Vec3 u_W = Vec3::Zero();      ///< Velocity of B against A at the point [m/s].
-  Mode mode = Mode::open;
-};
-
 /// All points closer than the method's contact tolerance, with the forces that rest and friction require at
 /// this instant: Coulomb's problem of the accelerations (solve_resting), solved for each group of touching
 /// bodies by itself. Points that part faster than a thousandth of the resting velocity carry no force. Under
 /// `method.scheme: penalty`, where the State remembers springs, the forces are those of the springs. Points
-/// are in the order of bodies, shapes and features. A function of its arguments alone: it shows what a
-/// stepper did, and is not part of one.
-std::vector<TouchingPoint> contact_snapshot(const Model& model, const Method& method, const State& state);
+/// are in the order of bodies, shapes and features. Groups of more than `most_contacts` are not solved: their
+/// modes are unknown. A function of its arguments alone: it shows what a stepper did, and is not part of one.
+std::vector<TouchingPoint> contact_snapshot(const Model& model, const Method& method, const State& state,
+                                            std::size_t most_contacts = most_contacts_at_rest);
 
 /// Coordinates and reaction of a joint at an instant.
 struct JointReaction {

@@ -5,6 +5,7 @@
 #include "rigor/core/index.hpp"
 #include "rigor/sim/method/method.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -67,6 +68,42 @@ void BulkStepper::end_span(double t, State& state) {
   world_.write(state);
   show_step(t, state);
   state.anchor_here();
+}
+
+std::optional<std::vector<TouchingPoint>> BulkStepper::contacts_of(const State& state) const {
+  constexpr double sliding = 0.999;  // Of the limit of friction: impulses are 32-bit numbers.
+  std::vector<TouchingPoint> points;
+  if (last_step_ == 0) return points;
+  const auto velocity = [&](int body, const Vec3& p_W) {
+    return Vec3(linear_velocity(*model_, state, body) +
+                angular_velocity(*model_, state, body).cross(p_W - state.position(body)));
+  };
+  for (const BulkContact& contact : world_.contacts()) {
+    const double normal = contact.normal_impulse();
+    const Body &A = model_->body(contact.body_A), &B = model_->body(contact.body_B);
+    const double friction =
+        model_->coefficients(A.shapes[at(contact.shape_A)].material, B.shapes[at(contact.shape_B)].material)
+            .friction;
+    const bool slides = contact.friction_impulse_W.norm() >= sliding * friction * normal;
+    for (int k = 0; k < contact.point_count; ++k) {
+      const BulkContact::Point& point = contact.points[at(k)];
+      TouchingPoint& own = points.emplace_back(TouchingPoint{.body_A = contact.body_A,
+                                                             .body_B = contact.body_B,
+                                                             .p_W = point.p_W,
+                                                             .n_W = contact.n_W,
+                                                             .gap = point.gap});
+      own.u_W = velocity(contact.body_B, point.p_W) - velocity(contact.body_A, point.p_W);
+      if (normal <= 0) continue;
+      // Friction acts in the middle; each point has the part of it that it presses.
+      const double share = point.normal_impulse / normal;
+      own.force_W = (point.normal_impulse * contact.n_W + share * contact.friction_impulse_W) / last_step_;
+      own.mode = slides ? TouchingPoint::Mode::slide : TouchingPoint::Mode::stick;
+    }
+  }
+  std::stable_sort(points.begin(), points.end(), [](const TouchingPoint& a, const TouchingPoint& b) {
+    return std::pair(a.body_A, a.body_B) < std::pair(b.body_A, b.body_B);
+  });
+  return points;
 }
 
 void BulkStepper::apply_loads() {

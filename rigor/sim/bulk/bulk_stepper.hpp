@@ -4,6 +4,7 @@
 #include "rigor/sim/fixed_steps/fixed_step_stepper.hpp"
 
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -35,9 +36,8 @@ class BulkStepper : public FixedStepStepper {
   /// Loads that act in every step from now on, in place of earlier ones; each is constant within a step.
   /// Their work is in the report.
   void set_loads(std::vector<BodyLoad> loads) { loads_ = std::move(loads); }
-  /// The contacts of the last step (BulkWorld::contacts) and its length [s], 0 before the first one.
-  std::vector<BulkContact> contacts() const { return world_.contacts(); }
-  double last_step() const { return last_step_; }
+  /// The contacts of the last step, their impulses over its length; none before the first one.
+  std::optional<std::vector<TouchingPoint>> contacts_of(const State& state) const override;
 
  private:
   void apply_loads();

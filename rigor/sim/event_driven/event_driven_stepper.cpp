@@ -88,6 +88,7 @@ void EventDrivenStepper::read_state_from_bodies(const State& state) {
   if (!is_continued) {
     queue_.clear();
     islands_.clear();
+    forces_.reset(model_->body_count());
     island_of_.assign(at(model_->body_count()), -1);
   }
   for (int body = 0; body < model_->body_count(); ++body) {
@@ -281,7 +282,10 @@ void EventDrivenStepper::apply_forces(Cluster& cluster) {
       lasting_before.insert({contact.body_A, contact.body_B});
     }
   }
-  for (const int body : cluster.bodies) trajectories_.clear_lasting_contacts(body);
+  for (const int body : cluster.bodies) {
+    trajectories_.clear_lasting_contacts(body);
+    forces_.forget(body);
+  }
 
   for (Cluster& part : connected_parts(cluster, cluster.contacts, environment_)) {
     const bool is_at_velocity_level =
@@ -305,15 +309,33 @@ void EventDrivenStepper::apply_forces(Cluster& cluster) {
     if (is_at_velocity_level || !lasting.have_forces) {
       // Steps at velocity level take all contacts, whatever they do: their own problem decides again.
       for (const Contact& contact : part.contacts) {
-        if (!contact.stop) trajectories_.set_lasting_contact(contact.body_A, contact.body_B);
+        if (contact.stop) continue;
+        trajectories_.set_lasting_contact(contact.body_A, contact.body_B);
+        forces_.note({contact.key(), contact.p_W(), Vec3::Constant(std::numeric_limits<double>::quiet_NaN()),
+                      TouchingPoint::Mode::unknown});
       }
       begin_step(
           {part.bodies, part.phases, part.contacts, std::vector<ContactState>(part.contacts.size()), t_});
     } else {
+      note_forces(lasting);
       move_together(part, lasting);
     }
   }
   note_transitions(lasting_before, cluster);
+}
+
+void EventDrivenStepper::note_forces(const LastingContacts& lasting) {
+  for (std::size_t i = 0; i < lasting.contacts.size(); ++i) {
+    const Contact& contact = lasting.contacts[i];
+    if (!contact.stop)
+      forces_.note({contact.key(), contact.p_W(), lasting.forces_W[i], mode_of(lasting.states[i].mode)});
+  }
+}
+
+std::optional<std::vector<TouchingPoint>> EventDrivenStepper::contacts_of(const State& state) const {
+  if (!keeps_contacts()) return std::nullopt;
+  const std::vector<Contact> contacts = touching_contacts(*model_, state, method_.contact_tolerance);
+  return touching_points(*model_, state, contacts, forces_.all());
 }
 
 bool EventDrivenStepper::time_stands_still(const std::vector<int>& seeds) {

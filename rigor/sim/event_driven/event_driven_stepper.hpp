@@ -3,6 +3,7 @@
 #include "rigor/core/index.hpp"
 #include "rigor/model/state.hpp"
 #include "rigor/sim/event_driven/event_queue.hpp"
+#include "rigor/sim/event_driven/last_forces.hpp"
 #include "rigor/sim/event_driven/trajectories.hpp"
 #include "rigor/sim/fixed_steps/stepper.hpp"
 #include "rigor/sim/islands/cluster.hpp"
@@ -40,6 +41,9 @@ class EventDrivenStepper : public Stepper {
   void set_debt(const EffortDebt& debt) { debt_ = debt; }
   /// What it owes since then.
   const EffortDebt& debt() const { return debt_; }
+  /// With the forces of each body's last event: those at the beginning of the step that it is in, if it
+  /// moves. Where steps are at velocity level, they are not known.
+  std::optional<std::vector<TouchingPoint>> contacts_of(const State& state) const override;
 
  protected:
   /// For schemes that also advance from event to event, but treat contacts differently.
@@ -93,6 +97,7 @@ class EventDrivenStepper : public Stepper {
   bool time_stands_still(const std::vector<int>& seeds);
   void note_transitions(const std::set<std::pair<int, int>>& before, const Cluster& cluster);
   void note_penetration(const std::vector<Contact>& contacts);
+  void note_forces(const LastingContacts& lasting);
   BodyInertia inertia(int body) const { return {model_->body(body).mass, model_->body(body).moments}; }
   bool is_dynamic(int body) const { return model_->body(body).motion == MotionType::dynamic; }
 
@@ -120,7 +125,8 @@ class EventDrivenStepper : public Stepper {
   std::vector<int> joined_;         ///< Bodies of the cluster whose contacts are still to be found.
   std::vector<int> repeats_;        ///< Of each body: events in a row that time could not tell apart.
   std::vector<double> last_event_;  ///< Of each body [s].
-  State mirror_;                    ///< The State as it was left.
+  LastForces forces_;
+  State mirror_;  ///< The State as it was left.
   AdvanceReport report_;
   EffortDebt debt_;
 };

@@ -68,6 +68,8 @@ AdvanceReport Stepper::guarded(State& state, const std::function<AdvanceReport()
     report = std::move(why);
     state = before;
   }
+  if (report.reason == StopReason::reached_end)
+    report.contacts = [this](const State& left) { return contacts_of(left); };
   return report;
 }
 

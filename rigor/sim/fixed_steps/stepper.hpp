@@ -4,7 +4,9 @@
 #include "rigor/sim/report/advance_report.hpp"
 
 #include <functional>
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace rigor {
 
@@ -25,6 +27,11 @@ class Stepper {
   AdvanceReport look(State& state, double t_end, double t);
   /// Shorter spans are roundings of times that are to be the same [s]; 0: there are no fixed steps.
   virtual double time_rounding() const { return 0; }
+  /// The contacts of the State that the last call left, with the forces that the scheme found last; nothing
+  /// where it keeps none.
+  virtual std::optional<std::vector<TouchingPoint>> contacts_of([[maybe_unused]] const State& state) const {
+    return std::nullopt;
+  }
 
  protected:
   /// What advance() promises, but it may throw Interrupted and BrokenPromise.

@@ -80,6 +80,7 @@ AdvanceReport AutoStepper::pass(State& state, double t_end, double t_look) {
 
 AdvanceReport AutoStepper::go_by_events(State& state, double t_end) {
   const double begin = state.t;
+  last_ = events_.get();
   events_->set_debt(
       {.rate = bounds_.paid_by_events, .most = bounds_.most_owed, .owed = memory_.owed, .t = begin});
   AdvanceReport report = events_->advance(state, t_end);
@@ -113,6 +114,7 @@ AdvanceReport AutoStepper::go_by_events(State& state, double t_end) {
 
 AdvanceReport AutoStepper::go_by_steps(State& state, double t_end, double t_look) {
   const double begin = state.t, end = end_of_steps(begin, t_end, target_step_);
+  last_ = &steps_;
   AdvanceReport report =
       end > t_look + steps_.time_rounding() ? steps_.look(state, end, t_look) : steps_.advance(state, end);
   if (leaves_nothing(report.reason)) return report;

@@ -6,7 +6,9 @@
 #include "rigor/sim/time_stepping/time_stepper.hpp"
 
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace rigor {
 
@@ -35,6 +37,9 @@ class AutoStepper : public Stepper {
               const Method& method, Scheme scheme_of_events, double target_step, int threads = 1,
               const HandoverBounds& bounds = {});
   double time_rounding() const override { return steps_.time_rounding(); }
+  std::optional<std::vector<TouchingPoint>> contacts_of(const State& state) const override {
+    return last_ ? last_->contacts_of(state) : std::nullopt;
+  }
 
  protected:
   AdvanceReport advance_span(State& state, double t_end) override { return pass(state, t_end, t_end); }
@@ -55,7 +60,8 @@ class AutoStepper : public Stepper {
   Scheme scheme_of_events_;
   double target_step_;
   HandoverBounds bounds_;
-  HandoverMemory memory_;  ///< Of the State, while its schemes are at work.
+  HandoverMemory memory_;          ///< Of the State, while its schemes are at work.
+  const Stepper* last_ = nullptr;  ///< Which scheme has left the State.
   double t_ = 0;
 };
 

@@ -235,6 +235,7 @@ LastingContacts ContactResolver::find_lasting(const Cluster& cluster, AdvanceRep
     if (resting.states[i].mode == ContactMode::open) continue;
     lasting.contacts.push_back(candidates[i]);
     lasting.states.push_back(resting.states[i]);
+    lasting.forces_W.push_back(world_impulse(touching, resting.forces.lambda, static_cast<int>(i)));
   }
   return lasting;
 }

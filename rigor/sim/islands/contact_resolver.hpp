@@ -14,6 +14,7 @@ namespace rigor {
 struct LastingContacts {
   std::vector<Contact> contacts;
   std::vector<ContactState> states;
+  std::vector<Vec3> forces_W;  ///< On B, one per contact [N].
   /// Whether forces were found that keep them. Where bodies jam there are none (Painlevé): sliding contacts
   /// can need more force than any.
   bool have_forces = true;

@@ -23,8 +23,8 @@ void SchemeSpan::add(const SchemeSpan& later) {
   end_cause = later.end_cause;
 }
 
-void AdvanceReport::note_problem(std::size_t contacts, int iterations) {
-  const double count = static_cast<double>(contacts);
+void AdvanceReport::note_problem(std::size_t contact_count, int iterations) {
+  const double count = static_cast<double>(contact_count);
   ++problems;
   effort += count * count * (1 + iterations);
 }

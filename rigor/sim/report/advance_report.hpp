@@ -1,10 +1,13 @@
 #pragma once
 
 #include "rigor/math/types.hpp"
+#include "rigor/sim/pairs/touching_points.hpp"
 #include "rigor/sim/report/scheme_span.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,8 +15,6 @@ namespace rigor {
 
 class Model;
 struct WorkDone;
-
-class Model;
 
 /// Why a stepper returned.
 enum class StopReason {
@@ -74,6 +75,9 @@ struct AdvanceReport {
   double effort = 0;
   std::vector<SchemeSpan> spans;  ///< Of `auto` where it may hand over: which scheme went how far.
   std::vector<MotionEvent> events;
+  /// The contacts of the State that was left, with the forces that moved it there; nothing where the scheme
+  /// keeps none. Valid until the stepper is called again or gone; a sum of reports has none.
+  std::function<std::optional<std::vector<TouchingPoint>>(const State&)> contacts;
 
   double toi_bracket = 0;      ///< Widest bracket of an event's time [s].
   double max_penetration = 0;  ///< Deepest overlap seen at an event or step [m].

@@ -109,6 +109,20 @@ VecX closing_rates(const std::vector<Contact>& contacts, const ContactSystem& sy
   return rates;
 }
 
+/// The impulses of the contacts of bodies, over h.
+std::vector<ContactForce> forces_of(const ContactSystem& system, const StepImpulses& solution, double h) {
+  std::vector<ContactForce> forces;
+  for (std::size_t i = 0; i < system.contacts.size(); ++i) {
+    const Contact& contact = system.contacts[i];
+    const Vec3 own = solution.lambda.segment<3>(normal_row(i) - 2);
+    if (contact.stop || own.isZero(0)) continue;
+    forces.push_back({contact.key(), contact.p_W(),
+                      world_impulse(system, solution.lambda, static_cast<int>(i)) / h,
+                      mode_of(solution.modes[i])});
+  }
+  return forces;
+}
+
 }  // namespace
 
 ImpulseStep::ImpulseStep(const Model& model, const Environment& environment,
@@ -452,12 +466,14 @@ void ImpulseStep::push(const StepSpan& span, const Cluster& part, const ContactS
   }
 }
 
-void ImpulseStep::move(double h, double theta, Cluster& part, AdvanceReport& report) const {
+std::vector<ContactForce> ImpulseStep::move(double h, double theta, Cluster& part,
+                                            AdvanceReport& report) const {
   // The smooth motion without contacts.
   const StepSpan span{part.t, h, theta};
   const bool has_springs = holds_springs(span, part);
   FreeEnd end = has_springs ? fly_under(without_springs_, integrator_without_springs_, h, part, report)
                             : fly(h, part, report);
+  std::vector<ContactForce> forces;
 
   // The impulses of the whole step from one Coulomb problem, where contacts act.
   if (has_springs || (!part.contacts.empty() && !stays_clear(h, part, end))) {
@@ -468,6 +484,7 @@ void ImpulseStep::move(double h, double theta, Cluster& part, AdvanceReport& rep
     const SpringRows springs = laws.springs.value_or(SpringRows{});
     const StepImpulses solution = solver_.solve(system, std::move(laws));
     note(solution, report);
+    forces = forces_of(system, solution, h);
     note_force_doubt(system, solution.lambda / h, environment_, part.t, report);
     ++report.steps;
     push(span, part, system, enter_impulses(part, system, solution, springs, end), end);
@@ -479,6 +496,7 @@ void ImpulseStep::move(double h, double theta, Cluster& part, AdvanceReport& rep
   part.t += h;
   report.book(end.work);
   momentum.book_error({Wrench{end.impulse, end.angular_impulse}}, report);
+  return forces;
 }
 
 }  // namespace rigor

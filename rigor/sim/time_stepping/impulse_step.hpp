@@ -26,7 +26,8 @@ class ImpulseStep {
   void strike(double h, Cluster& part, AdvanceReport& report) const;
   /// Moves the part by h with the impulses of all its contacts. `theta` in [1/2, 1]: the share of the step at
   /// which the impulses act on the positions; 1/2 is of second order, at 1 energy never grows.
-  void move(double h, double theta, Cluster& part, AdvanceReport& report) const;
+  /// Returns the forces of the contacts, their impulses over h.
+  std::vector<ContactForce> move(double h, double theta, Cluster& part, AdvanceReport& report) const;
 
  private:
   struct FreeEnd;

@@ -14,6 +14,7 @@ namespace rigor {
 struct MovedPart {
   std::vector<BodyPhase> struck;  ///< After the impacts at the beginning, one per body.
   std::vector<BodyPhase> end;     ///< One per body.
+  std::vector<ContactForce> forces;
   AdvanceReport report;
 };
 

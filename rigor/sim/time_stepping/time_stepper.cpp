@@ -124,6 +124,8 @@ double TimeStepper::take_step(double h, State& state) {
   note_lasting(start, *trial);
   report_.add(trial->report);
   write(trial->end, state);
+  touching_ = std::move(trial->touching_after);
+  forces_ = std::move(trial->forces);
   return trial->h;
 }
 
@@ -203,7 +205,7 @@ void TimeStepper::move_parts(double theta, const Cluster& start, const std::vect
     MovedPart result;
     impulses_.strike(trial.h, moving, result.report);
     result.struck = moving.phases;
-    impulses_.move(trial.h, theta, moving, result.report);
+    result.forces = impulses_.move(trial.h, theta, moving, result.report);
     hold_joints(moving, result.report);
     result.end = std::move(moving.phases);
     return result;
@@ -215,6 +217,7 @@ void TimeStepper::move_parts(double theta, const Cluster& start, const std::vect
     const Cluster& part = parts[k];
     const MovedPart& moved = *all_moved[k];
     trial.report.add(moved.report);
+    trial.forces.insert(trial.forces.end(), moved.forces.begin(), moved.forces.end());
     for (const std::vector<BodyPhase>* phases : {&moved.struck, &moved.end})
       grow_reaches(*model_, environment_, trial.h, part.bodies, *phases, trial.reaches);
     for (std::size_t i = 0; i < part.bodies.size(); ++i) {

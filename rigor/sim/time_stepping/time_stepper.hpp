@@ -6,6 +6,7 @@
 #include "rigor/sim/time_stepping/step_contacts.hpp"
 
 #include <memory>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -26,6 +27,9 @@ class TimeStepper : public FixedStepStepper {
   TimeStepper(std::shared_ptr<const Model> model, const Method& method, double target_step, int threads = 1);
   TimeStepper(const TimeStepper&) = delete;
   TimeStepper& operator=(const TimeStepper&) = delete;
+  std::optional<std::vector<TouchingPoint>> contacts_of(const State& state) const override {
+    return touching_points(*model_, state, touching_, forces_);
+  }
 
  private:
   using Pair = Foresight::Pair;
@@ -37,6 +41,7 @@ class TimeStepper : public FixedStepStepper {
     std::vector<double> reaches;               ///< How far the points of each body have come, at most [m].
     NearContacts near;                         ///< At the beginning.
     std::vector<Contact> touching_after = {};  ///< Within the contact tolerance.
+    std::vector<ContactForce> forces = {};     ///< All through the step.
     double gain = 0;                           ///< Energy gained beyond work and rounding [J].
   };
   /// What a try says of the next one.
@@ -76,7 +81,9 @@ class TimeStepper : public FixedStepStepper {
   StepContacts contacts_;
   PartMemory moved_;  ///< The parts of the tries of one step.
   Executor executor_;
-  double lift_ = 0;  ///< Energy that lifts all bodies by the length of the scene [J].
+  std::vector<Contact> touching_;     ///< At the end of the last step,
+  std::vector<ContactForce> forces_;  ///< and the forces of that step.
+  double lift_ = 0;                   ///< Energy that lifts all bodies by the length of the scene [J].
 };
 
 }  // namespace rigor

@@ -38,11 +38,11 @@ class Fields {
   }
   double number(const char* key, const Range& range) { return needed(find_number(key, range), key); }
 
-  int index(const char* key) {
+  int index(const char* key, const char* what = "a body's number") {
     const Json* const value = find(key);
     if (!value || !value->is_number_unsigned() ||
         value->get<std::uint64_t>() > static_cast<std::uint64_t>(std::numeric_limits<int>::max()))
-      throw InputError(fmt::format("{} must be a body's number", key));
+      throw InputError(fmt::format("{} must be {}", key, what));
     return value->get<int>();
   }
 
@@ -100,6 +100,7 @@ const std::vector<std::pair<std::string, Maker>>& makers() {
       {"run", [](Fields&) -> LiveCommand { return live::Run{}; }},
       {"pause", [](Fields&) -> LiveCommand { return live::Pause{}; }},
       {"step", [](Fields&) -> LiveCommand { return live::Step{}; }},
+      {"back", [](Fields&) -> LiveCommand { return live::Back{}; }},
       {"reset", [](Fields&) -> LiveCommand { return live::Reset{}; }},
       {"reload", [](Fields&) -> LiveCommand { return live::Reload{}; }},
       {"follow", [](Fields& f) -> LiveCommand { return live::Follow{f.truth("value")}; }},
@@ -127,6 +128,16 @@ const std::vector<std::pair<std::string, Maker>>& makers() {
        [](Fields& f) -> LiveCommand {
          return live::Push{f.index("body"), f.vector("point", limits::position),
                            f.vector("impulse", limits::force)};
+       }},
+      {"motor",
+       [](Fields& f) -> LiveCommand {
+         return live::Motor{f.index("joint", "a joint's number"), f.index("coordinate", "a whole number"),
+                            f.find_number("velocity", any_number)};
+       }},
+      {"rest",
+       [](Fields& f) -> LiveCommand {
+         return live::Rest{f.index("joint", "a joint's number"), f.index("coordinate", "a whole number"),
+                           f.number("value", any_number)};
        }},
       {"save", [](Fields&) -> LiveCommand { return live::Save{}; }},
       {"export", [](Fields&) -> LiveCommand { return live::Export{}; }}};

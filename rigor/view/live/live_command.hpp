@@ -15,6 +15,8 @@ struct Run {};
 struct Pause {};
 /// Advances to the next output time, then pauses.
 struct Step {};
+/// Returns to the output time before this one, then pauses.
+struct Back {};
 /// Returns to t = 0.
 struct Reset {};
 /// Reads the file again and starts from t = 0.
@@ -49,6 +51,16 @@ struct Push {
   Vec3 p_BP;  ///< [m] in B.
   Vec3 j_W;   ///< [N s].
 };
+/// Drives a coordinate of a joint at a velocity [rad/s] or [m/s]; nothing ends that.
+struct Motor {
+  int joint, coordinate;
+  std::optional<double> velocity;
+};
+/// Where the spring of a coordinate of a joint rests [rad] or [m].
+struct Rest {
+  int joint, coordinate;
+  double value;
+};
 /// Asks for a checkpoint to keep.
 struct Save {};
 /// Asks for the recording as a page to keep.
@@ -56,9 +68,9 @@ struct Export {};
 }  // namespace live
 
 using LiveCommand =
-    std::variant<live::Run, live::Pause, live::Step, live::Reset, live::Reload, live::Follow, live::Speed,
-                 live::Gravity, live::Surface, live::TargetStep, live::MethodValue, live::Pull, live::Release,
-                 live::Push, live::Save, live::Export>;
+    std::variant<live::Run, live::Pause, live::Step, live::Back, live::Reset, live::Reload, live::Follow,
+                 live::Speed, live::Gravity, live::Surface, live::TargetStep, live::MethodValue, live::Pull,
+                 live::Release, live::Push, live::Motor, live::Rest, live::Save, live::Export>;
 
 /// Reads a command: a JSON object with "do" and the values that it needs, and nothing else. Throws
 /// InputError.

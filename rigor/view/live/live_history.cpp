@@ -32,6 +32,17 @@ void LiveHistory::clear() {
   revision_ = revision;
 }
 
+void LiveHistory::forget_after(double t) {
+  ++revision_;
+  std::erase_if(rows_, [t](const std::vector<double>& row) { return row[0] > t; });
+  if (joined_ > 0 && pending_[0] > t) joined_ = 0;
+  const auto is_later = [t](const MotionEvent& event) { return event.time > t; };
+  event_count_ -= std::erase_if(events_, is_later);
+  if (waiting_ == 0 || !is_later(candidate_)) return;
+  waiting_ = 0;
+  --event_count_;
+}
+
 void LiveHistory::add(std::vector<double> row, std::span<const MotionEvent> events) {
   ++revision_;
   pending_ = joined_ > 0 ? joined_rows(pending_, row) : std::move(row);

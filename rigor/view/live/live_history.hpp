@@ -17,6 +17,8 @@ class LiveHistory {
   static constexpr std::size_t most_rows = 1024, most_events = 1024;
 
   void clear();
+  /// Forgets what came after this time [s], the first number of each row.
+  void forget_after(double t);
   /// An output time and what happened since the last one.
   void add(std::vector<double> row, std::span<const MotionEvent> events);
 

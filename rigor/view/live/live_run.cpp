@@ -24,6 +24,9 @@ namespace rigor {
 
 namespace {
 
+/// States of earlier output times that are kept, and the bodies in all of them.
+constexpr std::size_t most_kept = 500, most_kept_bodies = 400'000;
+
 void check_overlaps(const Model& model, const State& state, double tolerance) {
   constexpr std::size_t most_messages = 10;
   std::vector<std::string> messages;
@@ -83,8 +86,27 @@ void LiveRun::reset() {
   rebuild();
   history_.clear();
   unrecorded_ = {};
+  before_.clear();
   begin_recording();
   record();
+}
+
+void LiveRun::go_back() {
+  // Between two output times the last one is the one before.
+  while (!before_.empty() && before_.back().t >= state_.t) before_.pop_back();
+  if (before_.empty()) return;
+  pull_.reset();
+  state_ = before_.back();
+  before_.pop_back();
+  // What was undone is neither balanced nor recorded.
+  earlier_.reset();
+  auditor_.reset();
+  rebuild();
+  history_.forget_after(state_.t);
+  unrecorded_ = {};
+  begin_recording();
+  recording_->add(state_, {}, auditor_->energy(), contacts());
+  before_.push_back(state_);
 }
 
 void LiveRun::advance(double longest) {
@@ -96,12 +118,14 @@ void LiveRun::advance(double longest) {
   // Advance to it, or by the longest time allowed, and account for what happened.
   const bool reaches_output = k * interval - state_.t <= longest * (1 + 1e-9);
   const State before = state_;
+  last_ = {};
   const AdvanceReport report = stepper_->advance(state_, reaches_output ? k * interval : state_.t + longest);
   if (report.reason == StopReason::interrupted) {
     state_ = before;
     return;
   }
   contacts_.reset();
+  last_.contacts = report.contacts;
   auditor_->observe(state_, report);
   unrecorded_.add(report);
   if (report.reason != StopReason::reached_end) {
@@ -145,6 +169,48 @@ void LiveRun::set_method(const std::string& key, const std::string& value) {
   if (!messages.empty()) throw InputError(std::move(messages));
   method_ = method;
   rebuild();
+}
+
+JointAxis LiveRun::laws(int joint, int coordinate) const {
+  return free_model_->joint(joint).axes[at(coordinate)];
+}
+
+void LiveRun::check_coordinate(int joint, int coordinate) const {
+  const std::vector<Joint>& joints = scene_.model->joints();
+  if (at(joint) >= joints.size()) throw InputError(fmt::format("there is no joint {}", joint));
+  if (at(coordinate) >= joints[at(joint)].axes.size())
+    throw InputError(
+        fmt::format("joint {} has no coordinate {}", quoted_text(joints[at(joint)].name), coordinate));
+}
+
+void LiveRun::set_motor(int joint, int coordinate, std::optional<double> velocity) {
+  check_coordinate(joint, coordinate);
+  JointAxis changed = laws(joint, coordinate);
+  const std::optional<JointMotor>& own = scene_.model->joint(joint).axes[at(coordinate)].motor;
+  changed.motor.reset();
+  if (velocity) {
+    changed.motor = own.value_or(JointMotor{});
+    changed.motor->velocity = *velocity;
+  }
+  set_laws(joint, coordinate, changed);
+}
+
+void LiveRun::set_rest(int joint, int coordinate, double rest) {
+  check_coordinate(joint, coordinate);
+  JointAxis changed = laws(joint, coordinate);
+  if (changed.stiffness == 0)
+    throw InputError(fmt::format("joint {} has no spring", quoted_text(scene_.model->joint(joint).name)));
+  changed.rest = rest;
+  set_laws(joint, coordinate, changed);
+}
+
+void LiveRun::set_laws(int joint, int coordinate, const JointAxis& laws) {
+  ModelChanges changes = changes_;
+  std::erase_if(changes.axes, [&](const ModelChanges::Axis& axis) {
+    return axis.joint == joint && axis.coordinate == coordinate;
+  });
+  changes.axes.push_back({joint, coordinate, laws});
+  change(std::move(changes));
 }
 
 void LiveRun::push(int body, const Vec3& p_BP, const Vec3& j_W) {
@@ -194,6 +260,7 @@ void LiveRun::rebuild() {
   if (recording_) recording_->continue_with(free_model_);
   begin_books();
   contacts_.reset();
+  last_ = {};
   stop_text_.clear();
 }
 
@@ -213,6 +280,9 @@ void LiveRun::record() {
   if (recorded_frames() > 1 && recorded_frames() * bodies >= most_recorded) begin_recording();
   recording_->add(state_, unrecorded_, auditor_->energy(), contacts());
   history_.add(recording_->last_row(), unrecorded_.events);
+  before_.push_back(state_);
+  while (before_.size() > 1 && (before_.size() > most_kept || before_.size() * bodies > most_kept_bodies))
+    before_.pop_front();
   unrecorded_ = {};
 }
 
@@ -235,7 +305,7 @@ Audit LiveRun::audit() const {
 }
 
 const std::vector<TouchingPoint>& LiveRun::contacts() {
-  if (!contacts_) contacts_ = contact_snapshot(*model_, method_, state_);
+  if (!contacts_) contacts_ = known_contacts(*model_, method_, state_, last_);
   return *contacts_;
 }
 

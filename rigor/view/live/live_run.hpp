@@ -8,6 +8,7 @@
 #include "rigor/view/page/page_run.hpp"
 
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -49,11 +50,25 @@ class LiveRun {
   void step() { advance(scene_.run.output_interval); }
   /// Returns to t = 0 and keeps the changes that were made.
   void reset();
+  /// Returns to the output time before this one, as far as they are kept; a pull ends, other changes stay.
+  /// The recording and the balances begin anew there.
+  void go_back();
+  /// How many output times can be gone back.
+  std::size_t earlier_count() const {
+    return before_.size() - (!before_.empty() && before_.back().t >= state_.t ? 1 : 0);
+  }
 
   void set_gravity(const Vec3& g_W);
   void set_surface(const std::string& material, std::optional<double> friction,
                    std::optional<double> restitution);
   void set_target_step(double step);
+  /// Drives a coordinate of a joint at this velocity [rad/s] or [m/s], with the force that the scene gives
+  /// its motor, any if it has none. Without a velocity there is no motor.
+  void set_motor(int joint, int coordinate, std::optional<double> velocity);
+  /// Where the spring of a coordinate rests [rad] or [m].
+  void set_rest(int joint, int coordinate, double rest);
+  /// The laws of a coordinate as they are now.
+  JointAxis laws(int joint, int coordinate) const;
   void set_method(const std::string& key, const std::string& value);
   /// Applies an impulse [N s], in W, to a dynamic body at p_BP [m], in B.
   void push(int body, const Vec3& p_BP, const Vec3& j_W);
@@ -85,6 +100,8 @@ class LiveRun {
   void begin_recording();
   void record();
   void check_dynamic(int body) const;
+  void set_laws(int joint, int coordinate, const JointAxis& laws);
+  void check_coordinate(int joint, int coordinate) const;
   /// The scene as it is now, with its changes.
   Scene present() const;
   Audit audit() const;
@@ -103,7 +120,9 @@ class LiveRun {
   std::optional<Audit> earlier_;  ///< Balances of the previous models.
   std::unique_ptr<PageRun> recording_;
   LiveHistory history_;
+  std::deque<State> before_;  ///< At the last output times.
   AdvanceReport unrecorded_;  ///< What happened since the last output time.
+  AdvanceReport last_;        ///< Of the last advance: its contacts alone.
   PageScale scale_;
   std::optional<std::vector<TouchingPoint>> contacts_;  ///< Of the state, when they are known.
   std::string stop_text_;

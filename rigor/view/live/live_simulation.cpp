@@ -49,6 +49,26 @@ bool is_urgent(const LiveCommand& command) {
          std::holds_alternative<live::Reload>(command);
 }
 
+/// What can be set of the coordinates of the joints: a motor of each, and where its spring rests.
+Json axes_json(const LiveRun& run) {
+  constexpr std::size_t most_axes = 60;
+  Json axes = Json::array();
+  const std::vector<Joint>& joints = run.scene().model->joints();
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    if (joints[j].type == JointType::distance) continue;
+    for (std::size_t k = 0; k < joints[j].axes.size() && axes.size() < most_axes; ++k) {
+      const JointAxis& laws = run.laws(static_cast<int>(j), static_cast<int>(k));
+      axes.push_back({{"joint", j},
+                      {"coordinate", k},
+                      {"name", joints[j].name},
+                      {"unit", is_angle(joints[j].type, static_cast<int>(k)) ? "rad" : "m"},
+                      {"motor", laws.motor ? Json(laws.motor->velocity) : Json()},
+                      {"rest", laws.stiffness > 0 ? Json(laws.rest) : Json()}});
+    }
+  }
+  return axes;
+}
+
 Json vector_json(const Vec3& v) {
   return {v.x(), v.y(), v.z()};
 }
@@ -203,6 +223,9 @@ void LiveSimulation::apply(const LiveCommand& command, std::uint64_t client) {
     } else if constexpr (std::is_same_v<Command, live::Step>) {
       is_running_ = false;
       run_->step();
+    } else if constexpr (std::is_same_v<Command, live::Back>) {
+      is_running_ = false;
+      run_->go_back();
     } else if constexpr (std::is_same_v<Command, live::Reset>) {
       run_->reset();
     } else if constexpr (std::is_same_v<Command, live::Reload>) {
@@ -226,6 +249,10 @@ void LiveSimulation::apply(const LiveCommand& command, std::uint64_t client) {
       if (client == puller_) run_->release();
     } else if constexpr (std::is_same_v<Command, live::Push>) {
       run_->push(one.body, one.p_BP, one.j_W);
+    } else if constexpr (std::is_same_v<Command, live::Motor>) {
+      run_->set_motor(one.joint, one.coordinate, one.velocity);
+    } else if constexpr (std::is_same_v<Command, live::Rest>) {
+      run_->set_rest(one.joint, one.coordinate, one.value);
     } else if constexpr (std::is_same_v<Command, live::Save>) {
       const std::string name = file_name(run_->scene().name, run_->time(), ".checkpoint");
       reply_({client, false, live_file_bytes(name, run_->checkpoint())});
@@ -367,6 +394,8 @@ std::string LiveSimulation::status() const {
                         {"rate", is_running_ ? rate_ : 0},
                         {"gravity", vector_json(run_->changes().g_W)},
                         {"surfaces", surfaces},
+                        {"axes", axes_json(*run_)},
+                        {"earlier", run_->earlier_count()},
                         {"target_step", run_->target_step()},
                         {"method", method},
                         {"stopped", failure_.empty() ? run_->stop_text() : failure_},

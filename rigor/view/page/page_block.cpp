@@ -26,10 +26,13 @@ const Bytef* bytes_of(std::string_view text) {
 }  // namespace
 
 PageBlock make_page_block(std::string kind, std::string_view bytes) {
+  // Small blocks are worth the effort: it takes some milliseconds.
+  constexpr std::size_t small = 1 << 18;
+  const int level = bytes.size() <= small ? Z_BEST_COMPRESSION : Z_DEFAULT_COMPRESSION;
   uLongf size = compressBound(static_cast<uLong>(bytes.size()));
   std::string deflated(size, '\0');
   const int result = compress2(reinterpret_cast<Bytef*>(deflated.data()), &size, bytes_of(bytes),
-                               static_cast<uLong>(bytes.size()), Z_DEFAULT_COMPRESSION);
+                               static_cast<uLong>(bytes.size()), level);
   RIGOR_ASSERT(result == Z_OK);  // The buffer has the size that zlib asks for.
   deflated.resize(size);
   const uLong checksum = crc32_z(0, bytes_of(deflated), deflated.size());

@@ -25,12 +25,48 @@ double force_step_of(const std::vector<std::vector<TouchingPoint>>& frames) {
   return largest > 1e-300 ? power_of_two_below(largest / 512) : 1;
 }
 
+/// Joins a group of points of one pair.
+TouchingPoint joined(const std::vector<TouchingPoint>& points, std::size_t begin, std::size_t end) {
+  TouchingPoint result = points[begin];
+  double largest = -1, sum = 0;
+  Vec3 force = Vec3::Zero(), place = Vec3::Zero(), middle = Vec3::Zero();
+  for (std::size_t i = begin; i < end; ++i) {
+    const TouchingPoint& point = points[i];
+    const double size = point.force_W.allFinite() ? point.force_W.norm() : 0;
+    if (size > largest) {
+      largest = size;
+      result = point;
+    }
+    force += point.force_W;
+    place += size * point.p_W;
+    middle += point.p_W / static_cast<double>(end - begin);
+    sum += size;
+  }
+  result.force_W = force;
+  result.p_W = sum > 0 ? Vec3(place / sum) : middle;
+  for (std::size_t i = begin; i < end; ++i) result.gap = std::min(result.gap, points[i].gap);
+  return result;
+}
+
 }  // namespace
+
+std::vector<TouchingPoint> joined_by_pairs(const std::vector<TouchingPoint>& points) {
+  std::vector<TouchingPoint> result;
+  for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end) {
+    const auto is_same = [&](const TouchingPoint& point) {
+      return point.body_A == points[begin].body_A && point.body_B == points[begin].body_B;
+    };
+    while (end < points.size() && is_same(points[end])) ++end;
+    result.push_back(joined(points, begin, end));
+  }
+  return result;
+}
 
 PageContacts::PageContacts(const PageScale& scale, double contact_tolerance)
     : origin_(scale.origin), place_step_(scale.contact_step), gap_step_(contact_tolerance / 16) {}
 
-std::optional<PageBlock> PageContacts::add(const std::vector<TouchingPoint>& points) {
+std::optional<PageBlock> PageContacts::add(const std::vector<TouchingPoint>& all) {
+  const std::vector<TouchingPoint> points = all.size() > most_single ? joined_by_pairs(all) : all;
   const std::size_t count = std::min(points.size(), most_in_frame);
   frames_.emplace_back(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(count));
   count_ += count;
@@ -51,15 +87,31 @@ PageContacts::Numbers PageContacts::numbers_of(const TouchingPoint& point, doubl
   return result;
 }
 
+/// In the order of names; of contacts of one name the last one stays.
+void PageContacts::put_in_order(Frame& frame) {
+  const auto comes_before = [](const auto& a, const auto& b) { return a.first < b.first; };
+  if (!std::is_sorted(frame.begin(), frame.end(), comes_before))
+    std::stable_sort(frame.begin(), frame.end(), comes_before);
+  const auto is_same = [](const auto& a, const auto& b) { return a.first == b.first; };
+  frame.erase(frame.begin(), std::unique(frame.rbegin(), frame.rend(), is_same).base());
+}
+
+const PageContacts::Numbers* PageContacts::numbers_in(const Frame& frame, const Name& name) {
+  const auto found =
+      std::lower_bound(frame.begin(), frame.end(), name,
+                       [](const auto& entry, const Name& wanted) { return entry.first < wanted; });
+  return found != frame.end() && found->first == name ? &found->second : nullptr;
+}
+
 /// Prediction of the numbers of a contact from the same contact in the last two frames.
 PageContacts::Numbers PageContacts::expected(const Name& name, const Frame& last, const Frame& before) {
-  const auto newer = last.find(name), older = before.find(name);
-  if (newer == last.end()) return {};
-  Numbers result = newer->second;
-  if (older == before.end()) return result;
+  const Numbers *const newer = numbers_in(last, name), *const older = numbers_in(before, name);
+  if (!newer) return {};
+  Numbers result = *newer;
+  if (!older) return result;
   // Only point and normal are extrapolated; the other numbers jump too much.
   constexpr std::size_t first_smooth = 2, end_smooth = 8;  // point and normal
-  for (std::size_t k = first_smooth; k < end_smooth; ++k) result[k] += newer->second[k] - older->second[k];
+  for (std::size_t k = first_smooth; k < end_smooth; ++k) result[k] += (*newer)[k] - (*older)[k];
   return result;
 }
 
@@ -81,8 +133,9 @@ std::optional<PageBlock> PageContacts::finish() {
       const Name name{last_A, last_B, which};
       const Numbers values = numbers_of(point, force_step), guess = expected(name, last, before);
       for (std::size_t k = 0; k < numbers; ++k) append_varint(values[k] - guess[k], columns[3 + k]);
-      now[name] = values;
+      now.emplace_back(name, values);
     }
+    put_in_order(now);
     before = std::exchange(last, std::exchange(now, {}));
   }
   // The header of the chunk, then one column after the other.

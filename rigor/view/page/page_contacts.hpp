@@ -5,15 +5,19 @@
 
 #include <array>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace rigor {
 
 struct PageScale;
+
+/// One point for all neighbours in the list that are of the same two bodies: with the sum of their forces, in
+/// the middle of these, the gap of the deepest and the mode of the one with the largest force.
+std::vector<TouchingPoint> joined_by_pairs(const std::vector<TouchingPoint>& points);
 
 /// Collects the contacts of each frame and packs them in chunks. A chunk is self-contained: f64 force step
 /// [N], f64 gap step [m], f64 place step [m], u32 frames; then columns of varints, one after the other: for
@@ -26,6 +30,8 @@ class PageContacts {
  public:
   /// If a frame has more contacts, the first ones are kept.
   static constexpr std::size_t most_in_frame = 20000;
+  /// If a frame has more contacts, each pair of bodies has one (joined_by_pairs).
+  static constexpr std::size_t most_single = 2000;
 
   /// contact_tolerance [m]: gaps are quantised to a sixteenth of it.
   PageContacts(const PageScale& scale, double contact_tolerance);
@@ -38,8 +44,10 @@ class PageContacts {
   static constexpr std::size_t numbers = 11;
   using Numbers = std::array<std::int64_t, numbers>;
   using Name = std::tuple<int, int, int>;  ///< The two bodies and the index of the contact among theirs.
-  using Frame = std::map<Name, Numbers>;
+  using Frame = std::vector<std::pair<Name, Numbers>>;  ///< In the order of the names.
   Numbers numbers_of(const TouchingPoint& point, double force_step) const;
+  static void put_in_order(Frame& frame);
+  static const Numbers* numbers_in(const Frame& frame, const Name& name);
   static Numbers expected(const Name& name, const Frame& last, const Frame& before);
 
   Vec3 origin_;

@@ -123,6 +123,14 @@ Json series_json() {
 
 }  // namespace
 
+std::vector<TouchingPoint> known_contacts(const Model& model, const Method& method, const State& state,
+                                          const AdvanceReport& since) {
+  if (since.contacts) {
+    if (std::optional<std::vector<TouchingPoint>> known = since.contacts(state)) return std::move(*known);
+  }
+  return contact_snapshot(model, method, state, most_contacts_solved);
+}
+
 PageRun::PageRun(const Scene& scene, const State& start, std::string label)
     : model_(scene.model),
       latest_model_(scene.model),
@@ -136,7 +144,7 @@ PageRun::PageRun(const Scene& scene, const State& start, std::string label)
       series_(quantities.size()) {}
 
 void PageRun::add(const State& state, const AdvanceReport& since, const Energy& energy) {
-  add(state, since, energy, contact_snapshot(*model_, method_, state));
+  add(state, since, energy, known_contacts(*model_, method_, state, since));
 }
 
 void PageRun::add(const State& state, const AdvanceReport& since, const Energy& energy,

@@ -13,6 +13,16 @@
 
 namespace rigor {
 
+/// Where forces are not known from the run, those of groups of at most so many contacts are solved for: some
+/// milliseconds each.
+inline constexpr std::size_t most_contacts_solved = 48;
+
+/// The contacts of the state that an advance has left, with the forces that moved it. Where the scheme keeps
+/// none, at the start, and of a stored motion, they are those of contact_snapshot within
+/// most_contacts_solved.
+std::vector<TouchingPoint> known_contacts(const Model& model, const Method& method, const State& state,
+                                          const AdvanceReport& since);
+
 /// One run as a page shows it, collected while it runs: memory grows with the quantised motion alone, a few
 /// bytes per body and frame.
 class PageRun {
