@@ -37,6 +37,7 @@ void bind_errors(py::module_& module);
 void bind_simulation(py::module_& module);
 void bind_run(py::module_& module);
 void bind_batch(py::module_& module);
+void bind_study(py::module_& module);
 void bind_geometry(py::module_& module);
 
 }  // namespace rigor::python

@@ -78,6 +78,7 @@ PYBIND11_MODULE(_rigor, module) {
   bind_run(module);
   bind_simulation(module);
   bind_batch(module);
+  bind_study(module);
   py::module_ geometry = module.def_submodule("geometry", "Shapes and what can be asked of them.");
   bind_geometry(geometry);
 }

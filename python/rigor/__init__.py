@@ -13,6 +13,7 @@ from . import geometry
 from ._run import Run, run
 from ._scene import Scene, load
 from ._simulation import Batch, Simulation
+from ._study import Study, study
 
 __all__ = ["Batch", "Contact", "Event", "InputError", "JointState", "RayHit", "Run", "Scene", "Simulation",
-           "SimulationStopped", "geometry", "load", "run", "__version__"]
+           "SimulationStopped", "Study", "geometry", "load", "run", "study", "__version__"]

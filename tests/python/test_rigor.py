@@ -259,6 +259,24 @@ except KeyboardInterrupt:
     assert out == "interrupted\n"
 
 
+def test_a_study_gives_arrays(scenes, tmp_path):
+    study = rigor.study(scenes / "studies" / "slide_distance.yaml", threads=2, journal=tmp_path / "slide.journal")
+    mu, v = study.parameters["mu"], study.parameters["v"]
+    assert len(study) == 72 and set(study.status) == {"done"} and study.unmet == []
+    assert np.allclose(study.outcomes["distance"], v**2 / (2 * mu * 9.81), rtol=0, atol=1e-9)
+    study.save(tmp_path / "slide.csv")
+    assert len((tmp_path / "slide.csv").read_text().splitlines()) == 73
+    again = rigor.study(scenes / "studies" / "slide_distance.yaml", threads=1, journal=tmp_path / "slide.journal")
+    assert np.array_equal(again.outcomes["distance"], study.outcomes["distance"])
+    with pytest.raises(rigor.InputError, match="available"):
+        study.save(tmp_path / "slide.urdf")
+    with pytest.raises(KeyError, match="there are"):
+        study.finding("nothing of the kind")
+    (tmp_path / "wrong.yaml").write_text("rigor_study: 1\nkind: guess\n")
+    with pytest.raises(rigor.InputError, match="wrong.yaml:2"):
+        rigor.study(tmp_path / "wrong.yaml")
+
+
 def test_the_stubs_name_what_is_there():
     stub = (pathlib.Path(rigor.__file__).parent / "_rigor.pyi").read_text()
     import re
@@ -272,7 +290,7 @@ def test_the_stubs_name_what_is_there():
         stubbed = {a or b for a, b in stubbed if not (a or b).startswith("_")}
         real = {n for n in vars(own) if not n.startswith("_")}
         assert stubbed == real, f"{name}: {stubbed ^ real}"
-        assert name in ("SceneData", "TextScene", "Record") or all(getattr(own, n).__doc__ for n in real), name
+        assert name in ("SceneData", "TextScene", "Record", "StudyRecord") or all(getattr(own, n).__doc__ for n in real), name
     stub = (pathlib.Path(rigor.__file__).parent / "geometry.pyi").read_text()
     assert set(re.findall(r"^(?:class|def) (\w+)", stub, re.M)) == set(rigor.geometry.__all__)
 
