@@ -1,6 +1,7 @@
 #include "rigor/sim/pairs/touching_points.hpp"
 
 #include "rigor/sim/pairs/near_pairs.hpp"
+#include "rigor/solver/coulomb/coulomb_problem.hpp"
 
 #include <algorithm>
 #include <utility>

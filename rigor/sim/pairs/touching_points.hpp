@@ -3,11 +3,12 @@
 #include "rigor/contact/system/contact.hpp"
 #include "rigor/model/contact_key.hpp"
 #include "rigor/model/state.hpp"
-#include "rigor/solver/coulomb/coulomb_problem.hpp"
 
 #include <vector>
 
 namespace rigor {
+
+enum class ContactMode;
 
 /// A point where two bodies touch, as a picture shows it.
 struct TouchingPoint {

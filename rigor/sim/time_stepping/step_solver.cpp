@@ -47,6 +47,7 @@ CoulombOptions options_for(double resolution) {
   options.least_norm = false;
   options.enough = solved;
   options.resolution = resolution;
+  options.is_bold = true;
   return options;
 }
 

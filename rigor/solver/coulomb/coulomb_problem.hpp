@@ -55,6 +55,8 @@ struct CoulombOptions {
   /// Uncertainty of b [its unit]: contacts that contradict each other by less may hold together, with any
   /// share of the load. None: b is exact.
   std::optional<double> resolution;
+  /// Whether proximal points in motion space begin boldly (proximal_points.hpp).
+  bool is_bold = false;
   /// Cap on the symmetric Gauss–Seidel sweeps. At 256 or less nothing is tried after them.
   int max_iterations = 2000;
   /// The method that is asked first for what the contacts do (seed_by_lcp); none: the chain alone.

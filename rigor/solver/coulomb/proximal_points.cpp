@@ -16,13 +16,13 @@ namespace {
 
 // Times 1 / the mean diagonal of a contact's block. Longer steps multiply the rounding of the motion into the
 // forces.
-constexpr double kFirstRho = 1e3;
-constexpr double kCarefulRho = 10;
+constexpr double kFirstRho = 10;
 constexpr double kLargestPointRho = 1e4;
 constexpr double kGrowth = 10;
 // What the contacts do is first asked of λ - c w with this c, whatever ρ: the mode of a contact is seldom
 // wrong then, and a point begins where the last one ended. Where Newton's method gets nowhere so, c is ρ.
 constexpr double kBoldScale = 10;
+constexpr double kBoldRho = 1e3;
 // Where points come no nearer than by this share, contacts jam: forces that do nothing have to grow far
 // before they show whether the contacts contradict each other. Longer steps get there sooner, and their
 // rounding is still below what counts as solved.
@@ -37,7 +37,9 @@ class ProximalPoints {
         motion_(motion),
         size_of_(size_of),
         options_(options),
-        masses_(effective_masses(motion.diagonal())) {
+        masses_(effective_masses(motion.diagonal())),
+        rho_(options.is_bold ? kBoldRho : kFirstRho),
+        is_bold_(options.is_bold) {
     const Index count = static_cast<Index>(laws.mu.size());
     lambda_ = options.start.size() > 0 ? clamp_to_cones(laws, options.start) : VecX::Zero(3 * count);
     v_ = motion_.lift(motion_.pull(lambda_));
@@ -64,13 +66,13 @@ class ProximalPoints {
         v_ = motion_.lift(motion_.pull(lambda_));
         const double largest = is_slow ? kLargestSlowRho : kLargestPointRho;
         if (next->is_rounded)
-          rho_ = std::max(rho_ / growth, kCarefulRho);
+          rho_ = std::max(rho_ / growth, kFirstRho);
         else if (rho_ < largest)
           rho_ = std::min(growth * rho_, largest);
       } else if (is_bold_) {
         // Newton's method goes to and fro between modes: nearer points, with c = ρ.
         is_bold_ = false;
-        rho_ = std::min(rho_, kCarefulRho);
+        rho_ = std::min(rho_, kFirstRho);
       } else {
         // Too far for Newton's method: nearer points, and smaller steps from then on.
         ++failures;
@@ -300,8 +302,8 @@ class ProximalPoints {
   VecX masses_;  ///< effective_masses: n.
   VecX lambda_;  ///< λ⁰.
   VecX v_;       ///< M⁻¹ Lᵀ λ⁰.
-  double rho_ = kFirstRho;
-  bool is_bold_ = true;           ///< Whether c is kBoldScale; else it is ρ.
+  double rho_;
+  bool is_bold_;                  ///< Whether c is kBoldScale; else it is ρ.
   std::optional<Offer> best_;     ///< Of the least residual.
   std::optional<Offer> nearest_;  ///< Of those that solve the law with a b' within the resolution.
 };

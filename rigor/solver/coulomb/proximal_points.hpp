@@ -17,6 +17,9 @@ struct ProximalPointOptions {
   double resolution = 0;
   /// Whether the best that was found is given where nothing solves the problem; `converged` is false then.
   bool gives_best = false;
+  /// Whether Newton's method begins with a moderate c and long steps: two times as fast where many contacts
+  /// share loads, but what it finds of several solutions need not be as symmetric as the problem.
+  bool is_bold = false;
   /// Forces to begin with (3n); none: 0.
   VecX start = VecX();
 };
@@ -32,9 +35,9 @@ struct ProximalPointOptions {
 ///   λ = P(λ - c w),  M v = Lᵀ λ,  w = L v + b + (λ - λ⁰) / ρ
 ///
 /// for the motion v and the forces λ (A = L M⁻¹ Lᵀ), with any c > 0, solved by Newton's method with a search
-/// along its line: first with a moderate c, since the forces of a point then begin the next one; where that
-/// fails with c = ρ, when v alone decides. Slip directions are unknowns in it, so none is held from step to
-/// step. ρ grows; where a problem is not solved it shrinks.
+/// along its line: with c = ρ, when λ⁰ and v alone decide, or if `is_bold` first with a moderate c, since the
+/// forces of a point then begin the next one. Slip directions are unknowns in it, so none is held from step
+/// to step. ρ grows; where a problem is not solved it shrinks.
 ///
 /// λ is the exact solution of the law with b' = b + (λ - λ⁰) / ρ. Contacts that contradict each other (no
 /// forces make them hold, nor do they quite let go) show as a b' that stays as far from b, while forces that

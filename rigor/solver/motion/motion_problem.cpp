@@ -225,6 +225,7 @@ class MotionSolver {
                                     {.enough = options_.enough,
                                      .resolution = *options_.resolution,
                                      .gives_best = laws_.mu.size() > kMostInContactSpace,
+                                     .is_bold = options_.is_bold,
                                      .start = start_});
   }
 

@@ -26,7 +26,7 @@ class ProcessGroup {
 
  private:
   int size_ = 1, rank_ = 0;
-  bool is_initialised_ = false;
+  [[maybe_unused]] bool is_initialised_ = false;  ///< Without MPI nothing is.
 };
 
 }  // namespace rigor
