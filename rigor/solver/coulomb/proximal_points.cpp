@@ -90,6 +90,16 @@ class ProximalPoints {
   }
 
  private:
+  struct Point {
+    VecX lambda;
+    std::vector<ContactMode> modes;
+    bool is_rounded;  ///< Rounding, times ρ, kept Newton's method from its tolerance.
+  };
+
+  std::optional<Point> next_point() const { return is_bold_ ? point_by_forces() : point_by_motion(); }
+
+  // Newton's method for motion and forces, with a moderate c.
+
   /// A motion v and forces λ, with what the search along a line needs of them: all of it is linear.
   struct Place {
     VecX v;
@@ -136,8 +146,6 @@ class ProximalPoints {
     return miss;
   }
 
-  double scale() const { return is_bold_ ? kBoldScale : rho_; }
-
   /// x = λ - c w', which shows what contact k does.
   Vec3 asked_of(std::size_t k, const Place& place) const {
     const Index row = 3 * static_cast<Index>(k);
@@ -145,7 +153,7 @@ class ProximalPoints {
     const Vec3 lambda = place.lambda.segment<3>(row);
     const Vec3 w = place.rates.segment<3>(row) + laws_.b.segment<3>(row) +
                    (lambda - lambda_.segment<3>(row)) / (rho_ * mass);
-    return lambda - scale() * mass * w;
+    return lambda - kBoldScale * mass * w;
   }
 
   // Alart and Curnier's functions: open, stick inside the disk of radius μ x_n, slide on its border.
@@ -192,7 +200,7 @@ class ProximalPoints {
   Place direction_from(const Place& place, const Miss& miss) const {
     std::vector<Mat3> D(laws_.mu.size(), Mat3::Zero());
     VecX r = miss.F;
-    const double c = scale();
+    constexpr double c = kBoldScale;
     for (std::size_t k = 0; k < D.size(); ++k) {
       if (miss.modes[k] == ContactMode::open) continue;
       const Index row = 3 * static_cast<Index>(k);
@@ -212,16 +220,10 @@ class ProximalPoints {
     return place_at(std::move(dv), std::move(dlambda));
   }
 
-  struct Point {
-    VecX lambda;
-    std::vector<ContactMode> modes;
-    bool is_rounded;  ///< Rounding, times ρ, kept Newton's method from its tolerance.
-  };
-
   /// Solves the law of contacts that give way from v_ and λ⁰; nothing where the search along Newton's
   /// direction stops.
-  std::optional<Point> next_point() const {
-    const int most_steps = is_bold_ ? 20 : 30, most_halvings = is_bold_ ? 6 : 12;
+  std::optional<Point> point_by_forces() const {
+    constexpr int most_steps = 20, most_halvings = 6;
     constexpr double kDecrease = 1e-4;
     // Below kRounding of its terms the miss is their rounding, times ρ. It need not be smaller than a share
     // of what the point moves: that share is what the points lose of their speed of convergence.
@@ -254,6 +256,120 @@ class ProximalPoints {
       }
       place = std::move(there);
       miss = std::move(trial);
+    }
+    return std::nullopt;
+  }
+
+  // Newton's method for the motion alone, of which c = ρ makes the forces a function.
+
+  /// A motion v with what the search along a line needs of it.
+  struct Motion {
+    VecX v;
+    VecX rates;     ///< L v (3n).
+    VecX momentum;  ///< M v.
+  };
+
+  Motion motion_at(VecX v) const {
+    Motion motion{std::move(v), {}, {}};
+    motion.rates = motion_.rates(motion.v);
+    motion.momentum = motion_.weigh(motion.v);
+    return motion;
+  }
+
+  static Motion moved(const Motion& motion, double length, const Motion& direction) {
+    return {motion.v + length * direction.v, motion.rates + length * direction.rates,
+            motion.momentum + length * direction.momentum};
+  }
+
+  /// Forces at a motion v, and what the contacts do there.
+  struct Forces {
+    VecX lambda;  ///< 3n.
+    std::vector<ContactMode> modes;
+    std::vector<Mat3> slopes;  ///< -dλ / dw, one per contact.
+    VecX pulled;               ///< Lᵀ λ.
+    VecX miss;                 ///< M v - Lᵀ λ.
+    double error;              ///< Of the miss, in the metric of M⁻¹.
+  };
+
+  Forces forces_at(const Motion& motion) const {
+    const VecX w = motion.rates + laws_.b;
+    const std::size_t count = laws_.mu.size();
+    Forces forces{VecX(w.size()),
+                  std::vector<ContactMode>(count, ContactMode::open),
+                  std::vector<Mat3>(count, Mat3::Zero()),
+                  {},
+                  {},
+                  0};
+    for (std::size_t k = 0; k < count; ++k) set_force(k, w, forces);
+    forces.pulled = motion_.pull(forces.lambda);
+    forces.miss = motion.momentum - forces.pulled;
+    forces.error = std::sqrt(std::max(0.0, forces.miss.dot(motion_.lift(forces.miss))));
+    return forces;
+  }
+
+  void set_force(std::size_t k, const VecX& w, Forces& forces) const {
+    const Index row = 3 * static_cast<Index>(k);
+    const double rho = rho_ * masses_(row / 3), mu = laws_.mu[k];
+    const Vec3 x = lambda_.segment<3>(row) - rho * w.segment<3>(row);
+    forces.lambda.segment<3>(row).setZero();
+    // Alart and Curnier's functions: open, stick inside the disk of radius μ x_n, slide on its border.
+    if (!(x.z() > 0)) return;
+    Mat3& slope = forces.slopes[k];
+    const double radius = mu * x.z(), length = x.head<2>().norm();
+    if (laws_.rows[k] == FrictionRow::cone && length <= radius && mu > 0) {
+      forces.lambda.segment<3>(row) = x;
+      forces.modes[k] = ContactMode::stick;
+      slope = rho * Mat3::Identity();
+      return;
+    }
+    forces.modes[k] = ContactMode::slide;
+    forces.lambda(row + 2) = x.z();
+    slope(2, 2) = rho;
+    if (mu == 0) return;
+    const bool has_free_slip = laws_.rows[k] == FrictionRow::cone;
+    const Vec2 along = has_free_slip ? Vec2(x.head<2>() / length) : Vec2(-laws_.slips[k]);
+    forces.lambda.segment<2>(row) = radius * along;
+    slope.topRightCorner<2, 1>() = mu * rho * along;
+    if (!has_free_slip) return;
+    const Vec2 across(-along.y(), along.x());
+    slope.topLeftCorner<2, 2>() = (rho * radius / length) * across * across.transpose();
+  }
+
+  /// Solves M v = Lᵀ λ(v) from v_; nothing where the search along Newton's direction stops.
+  std::optional<Point> point_by_motion() const {
+    constexpr int kMaxSteps = 30, kMaxHalvings = 12;
+    constexpr double kDecrease = 1e-4;
+    // Below kRounding of its terms the miss is their rounding, times ρ. It need not be smaller than a share
+    // of what the point moves: that share is what the points lose of their speed of convergence.
+    constexpr double kRounding = 1e-12, kStuck = 1e-9, kShare = 1e-3;
+    const Motion start = motion_at(v_);
+    Motion motion = start;
+    Forces at = forces_at(motion);
+    for (int step = 0; step < kMaxSteps; ++step) {
+      const double size =
+          std::sqrt(at.pulled.dot(motion_.lift(at.pulled))) + std::sqrt(motion.v.dot(motion.momentum));
+      const Motion way = moved(motion, -1, start);
+      const double way_size = std::sqrt(std::max(0.0, way.v.dot(way.momentum)));
+      if (at.error <= std::max(kRounding * size, kShare * way_size))
+        return Point{std::move(at.lambda), std::move(at.modes), false};
+
+      // Newton's direction, and halving until the error falls in proportion to the step.
+      const Motion direction = motion_at(-motion_.newton_step(at.slopes, at.miss, Symmetry::none));
+      if (!direction.v.allFinite()) return std::nullopt;
+      double length = 1;
+      Motion there = moved(motion, length, direction);
+      Forces trial = forces_at(there);
+      for (int k = 0; k < kMaxHalvings && !(trial.error <= (1 - kDecrease * length) * at.error); ++k) {
+        length *= 0.5;
+        there = moved(motion, length, direction);
+        trial = forces_at(there);
+      }
+      if (!(trial.error < at.error)) {
+        if (!(at.error <= kStuck * size)) return std::nullopt;
+        return Point{std::move(at.lambda), std::move(at.modes), true};
+      }
+      motion = std::move(there);
+      at = std::move(trial);
     }
     return std::nullopt;
   }
