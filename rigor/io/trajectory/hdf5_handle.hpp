@@ -2,6 +2,8 @@
 
 #include <hdf5.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <utility>
 
 namespace rigor {
@@ -33,6 +35,15 @@ class Hdf5Handle {
   hid_t id_ = -1;
   Close close_ = nullptr;
 };
+
+/// Type of a text of so many bytes, UTF-8, padded with NUL; at least one byte.
+inline Hdf5Handle hdf5_text_type(std::size_t length) {
+  Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  H5Tset_size(type, std::max<std::size_t>(1, length));
+  H5Tset_cset(type, H5T_CSET_UTF8);
+  H5Tset_strpad(type, H5T_STR_NULLPAD);
+  return type;
+}
 
 /// HDF5 prints its errors to stderr; while an object of this class exists, it does not.
 class Hdf5Quiet {

@@ -18,16 +18,8 @@ namespace rigor {
 
 namespace {
 
-Hdf5Handle string_type(std::size_t length) {
-  Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
-  H5Tset_size(type, std::max<std::size_t>(1, length));
-  H5Tset_cset(type, H5T_CSET_UTF8);
-  H5Tset_strpad(type, H5T_STR_NULLPAD);
-  return type;
-}
-
 void write_attribute(hid_t owner, const char* name, std::string_view text) {
-  const Hdf5Handle type = string_type(text.size());
+  const Hdf5Handle type = hdf5_text_type(text.size());
   const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose);
   const Hdf5Handle attribute(H5Acreate2(owner, name, type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
   const std::string bytes = text.empty() ? std::string(1, '\0') : std::string(text);
@@ -47,7 +39,7 @@ void write_texts(hid_t parent, const char* name, const std::vector<std::string>&
   for (const std::string& text : texts) longest = std::max(longest, text.size());
   std::string bytes;
   for (const std::string& text : texts) bytes.append(text).append(longest - text.size(), '\0');
-  const Hdf5Handle type = string_type(longest);
+  const Hdf5Handle type = hdf5_text_type(longest);
   const hsize_t count = texts.size();
   const Hdf5Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose);
   const Hdf5Handle dataset(H5Dcreate2(parent, name, type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),

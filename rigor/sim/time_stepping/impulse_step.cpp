@@ -4,110 +4,20 @@
 #include "rigor/contact/system/motion_rows.hpp"
 #include "rigor/core/sorted_unique.hpp"
 #include "rigor/dynamics/free_flight.hpp"
-#include "rigor/math/dense.hpp"
 #include "rigor/math/rotation.hpp"
 #include "rigor/sim/method/resting_choice.hpp"
 #include "rigor/sim/method/tolerances.hpp"
 #include "rigor/sim/report/force_doubt.hpp"
 #include "rigor/sim/report/ledger.hpp"
+#include "rigor/sim/time_stepping/step_rates.hpp"
 
 #include <algorithm>
 #include <iterator>
-#include <map>
 #include <utility>
 
 namespace rigor {
 
 namespace {
-
-Eigen::Index normal_row(std::size_t contact) {
-  return 3 * static_cast<Eigen::Index>(contact) + 2;
-}
-
-/// Replaces the accelerations at several contacts of one pair of bodies by the nearest that a rigid motion
-/// can have. The difference is of second order, and contacts that hold could not all obey it.
-void make_rigid(const ContactSystem& system, const std::vector<std::size_t>& contacts, VecX& accelerations) {
-  // Centre of the contacts, and their largest distance from it as the unit of length.
-  constexpr double dependent = 1e-9;
-  Vec3 centre = Vec3::Zero();
-  for (const std::size_t i : contacts)
-    centre += system.contacts[i].p_W() / static_cast<double>(contacts.size());
-  double radius = 0;
-  for (const std::size_t i : contacts) radius = std::max(radius, (system.contacts[i].p_W() - centre).norm());
-  if (!(radius > 0)) radius = 1;
-
-  // Least squares: accelerations at the contacts of all rigid motions, against those wanted.
-  MatX motions(3 * static_cast<Eigen::Index>(contacts.size()), 6);
-  VecX wanted(motions.rows());
-  for (Eigen::Index k = 0; 3 * k < wanted.size(); ++k) {
-    const std::size_t i = contacts[static_cast<std::size_t>(k)];
-    motions.block<3, 3>(3 * k, 0).setIdentity();
-    motions.block<3, 3>(3 * k, 3) = -skew((system.contacts[i].p_W() - centre) / radius);
-    wanted.segment<3>(3 * k) = system.frames[i] * accelerations.segment<3>(normal_row(i) - 2);
-  }
-
-  // The nearest of them, in the frames of the contacts.
-  const VecX rigid = motions * least_norm_solution(motions, wanted, dependent);
-  for (Eigen::Index k = 0; 3 * k < wanted.size(); ++k) {
-    const std::size_t i = contacts[static_cast<std::size_t>(k)];
-    accelerations.segment<3>(normal_row(i) - 2) = system.frames[i].transpose() * rigid.segment<3>(3 * k);
-  }
-}
-
-/// Whether the geometry of the contact goes round much faster than the bodies rotate, such as that of two
-/// edges that become parallel, or of a rim that comes to lie flat: over half a step its rate then says
-/// nothing.
-bool turns_over(const Contact& contact, const BodyKinetics& A, const BodyKinetics& B, double h) {
-  constexpr double small_angle = 0.1, much = 4;
-  const double rate = feature_rate(contact, A, B);
-  return 0.5 * h * rate > small_angle && rate > much * (A.w.norm() + B.w.norm());
-}
-
-/// J̇ V of all contacts (3n) over half the step h, for each pair of bodies that of a rigid motion.
-VecX velocity_biases(const ContactSystem& system, double h) {
-  VecX biases(3 * static_cast<Eigen::Index>(system.contacts.size()));
-  std::map<std::pair<int, int>, std::vector<std::size_t>> pairs;
-  for (std::size_t i = 0; i < system.contacts.size(); ++i) {
-    const Contact& contact = system.contacts[i];
-    Vec3 bias = system.rows[i].bias;
-    if (!contact.stop) {
-      const BodyKinetics &A = system.of(contact.body_A), &B = system.of(contact.body_B);
-      bias = turns_over(contact, A, B, h) ? Vec3(Vec3::Zero()) : acceleration_bias(contact, A, B);
-    }
-    biases.segment<3>(normal_row(i) - 2) = bias;
-    if (!contact.stop) pairs[{contact.body_A, contact.body_B}].push_back(i);
-  }
-  for (const auto& [pair, contacts] : pairs) {
-    if (contacts.size() > 1) make_rigid(system, contacts, biases);
-  }
-  return biases;
-}
-
-/// g⁺/h of these contacts, as velocities at the contacts of the system (3n). For each pair of bodies they are
-/// those of a rigid motion, where that changes no rate by more than `resolution` [m/s]: the points of a face
-/// would otherwise require motions that contradict each other a little.
-VecX closing_rates(const std::vector<Contact>& contacts, const ContactSystem& system, double h,
-                   double resolution) {
-  // g⁺/h of each contact.
-  VecX rates = VecX::Zero(3 * static_cast<Eigen::Index>(contacts.size()));
-  std::map<std::pair<int, int>, std::vector<std::size_t>> pairs;
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    if (contacts[i].is_bounded_force()) continue;
-    rates[normal_row(i)] = std::max(0.0, contacts[i].point.gap) / h;
-    if (!contacts[i].stop) pairs[{contacts[i].body_A, contacts[i].body_B}].push_back(i);
-  }
-
-  // As one rigid motion closes them, where that is near.
-  for (const auto& [pair, of_pair] : pairs) {
-    const bool is_apart =
-        std::any_of(of_pair.begin(), of_pair.end(), [&](std::size_t i) { return rates[normal_row(i)] > 0; });
-    if (of_pair.size() < 2 || !is_apart) continue;
-    VecX rigid = rates;
-    make_rigid(system, of_pair, rigid);
-    if ((rigid - rates).cwiseAbs().maxCoeff() <= resolution) rates = rigid;
-  }
-  return rates;
-}
 
 /// The impulses of the contacts of bodies, over h.
 std::vector<ContactForce> forces_of(const ContactSystem& system, const StepImpulses& solution, double h) {

@@ -2,6 +2,7 @@
 
 #include "rigor/core/interrupt.hpp"
 #include "rigor/solver/coulomb/coulomb_law.hpp"
+#include "rigor/solver/coulomb/proximal_point.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,9 +20,7 @@ namespace {
 constexpr double kFirstRho = 10;
 constexpr double kLargestPointRho = 1e4;
 constexpr double kGrowth = 10;
-// What the contacts do is first asked of λ - c w with this c, whatever ρ: the mode of a contact is seldom
-// wrong then, and a point begins where the last one ended. Where Newton's method gets nowhere so, c is ρ.
-constexpr double kBoldScale = 10;
+// With forces as unknowns a point begins where the last one ended, and the first may be as near as this.
 constexpr double kBoldRho = 1e3;
 // Where points come no nearer than by this share, contacts jam: forces that do nothing have to grow far
 // before they show whether the contacts contradict each other. Longer steps get there sooner, and their
@@ -51,7 +50,7 @@ class ProximalPoints {
     int stalls = 0, failures = 0;
     for (int point = 1; point <= kMaxPoints; ++point) {
       poll_interrupt();
-      const std::optional<Point> next = next_point();
+      const std::optional<ProximalPoint> next = next_point();
       if (next) {
         // How well its forces solve the law with b, and with the b' that the point has.
         const Offer offer = offer_of(*next);
@@ -70,7 +69,7 @@ class ProximalPoints {
         else if (rho_ < largest)
           rho_ = std::min(growth * rho_, largest);
       } else if (is_bold_) {
-        // Newton's method goes to and fro between modes: nearer points, with c = ρ.
+        // Contacts go to and fro between modes: nearer points, by the motion alone.
         is_bold_ = false;
         rho_ = std::min(rho_, kFirstRho);
       } else {
@@ -90,288 +89,9 @@ class ProximalPoints {
   }
 
  private:
-  struct Point {
-    VecX lambda;
-    std::vector<ContactMode> modes;
-    bool is_rounded;  ///< Rounding, times ρ, kept Newton's method from its tolerance.
-  };
-
-  std::optional<Point> next_point() const { return is_bold_ ? point_by_forces() : point_by_motion(); }
-
-  // Newton's method for motion and forces, with a moderate c.
-
-  /// A motion v and forces λ, with what the search along a line needs of them: all of it is linear.
-  struct Place {
-    VecX v;
-    VecX rates;     ///< L v (3n).
-    VecX momentum;  ///< M v.
-    VecX lambda;    ///< 3n.
-    VecX pulled;    ///< Lᵀ λ.
-  };
-
-  Place place_at(VecX v, VecX lambda) const {
-    Place place{std::move(v), {}, {}, std::move(lambda), {}};
-    place.rates = motion_.rates(place.v);
-    place.momentum = motion_.weigh(place.v);
-    place.pulled = motion_.pull(place.lambda);
-    return place;
-  }
-
-  static Place moved(const Place& place, double length, const Place& way) {
-    return {place.v + length * way.v, place.rates + length * way.rates,
-            place.momentum + length * way.momentum, place.lambda + length * way.lambda,
-            place.pulled + length * way.pulled};
-  }
-
-  /// How forces and motion miss the law: F = λ - P(λ - c w') (3n), w' = L v + b + (λ - λ⁰) / ρ.
-  struct Miss {
-    VecX F;
-    std::vector<ContactMode> modes;
-    double error;  ///< Of F and of M v - Lᵀ λ, in the metric of the masses.
-  };
-
-  Miss miss_at(const Place& place) const {
-    const std::size_t count = laws_.mu.size();
-    Miss miss{VecX(place.lambda.size()), std::vector<ContactMode>(count), 0};
-    const VecX momentum = place.momentum - place.pulled;
-    double square = std::max(0.0, momentum.dot(motion_.lift(momentum)));
-    for (std::size_t k = 0; k < count; ++k) {
-      const Index row = 3 * static_cast<Index>(k);
-      const Vec3 x = asked_of(k, place);
-      miss.modes[k] = mode_of(k, x);
-      miss.F.segment<3>(row) = place.lambda.segment<3>(row) - projected(k, miss.modes[k], x);
-      square += miss.F.segment<3>(row).squaredNorm() / masses_(row / 3);
-    }
-    miss.error = std::sqrt(square);
-    return miss;
-  }
-
-  /// x = λ - c w', which shows what contact k does.
-  Vec3 asked_of(std::size_t k, const Place& place) const {
-    const Index row = 3 * static_cast<Index>(k);
-    const double mass = masses_(row / 3);
-    const Vec3 lambda = place.lambda.segment<3>(row);
-    const Vec3 w = place.rates.segment<3>(row) + laws_.b.segment<3>(row) +
-                   (lambda - lambda_.segment<3>(row)) / (rho_ * mass);
-    return lambda - kBoldScale * mass * w;
-  }
-
-  // Alart and Curnier's functions: open, stick inside the disk of radius μ x_n, slide on its border.
-  ContactMode mode_of(std::size_t k, const Vec3& x) const {
-    if (!(x.z() > 0)) return ContactMode::open;
-    const double mu = laws_.mu[k];
-    const bool sticks = laws_.rows[k] == FrictionRow::cone && mu > 0 && x.head<2>().norm() <= mu * x.z();
-    return sticks ? ContactMode::stick : ContactMode::slide;
-  }
-
-  bool has_free_slip(std::size_t k) const { return laws_.rows[k] == FrictionRow::cone; }
-
-  /// Direction of the friction of a sliding contact.
-  Vec2 friction_direction(std::size_t k, const Vec3& x) const {
-    return has_free_slip(k) ? Vec2(x.head<2>().normalized()) : Vec2(-laws_.slips[k]);
-  }
-
-  /// P(x).
-  Vec3 projected(std::size_t k, ContactMode mode, const Vec3& x) const {
-    if (mode == ContactMode::open) return Vec3::Zero();
-    if (mode == ContactMode::stick) return x;
-    Vec3 force(0, 0, x.z());
-    if (laws_.mu[k] > 0) force.head<2>() = laws_.mu[k] * x.z() * friction_direction(k, x);
-    return force;
-  }
-
-  /// dP / dx.
-  Mat3 slope_of(std::size_t k, ContactMode mode, const Vec3& x) const {
-    if (mode == ContactMode::open) return Mat3::Zero();
-    if (mode == ContactMode::stick) return Mat3::Identity();
-    Mat3 slope = Mat3::Zero();
-    slope(2, 2) = 1;
-    if (laws_.mu[k] == 0) return slope;
-    const Vec2 along = friction_direction(k, x), across(-along.y(), along.x());
-    slope.topRightCorner<2, 1>() = laws_.mu[k] * along;
-    if (has_free_slip(k))
-      slope.topLeftCorner<2, 2>() = laws_.mu[k] * x.z() / x.head<2>().norm() * across * across.transpose();
-    return slope;
-  }
-
-  /// Newton's direction for F = 0 and M v = Lᵀ λ. With S = dP/dx, dF = 0 gives
-  ///   (1 - (1 - c/ρ) S) dλ = -c S L dv - F,  so  dλ = -D L dv - r,
-  /// and what is left is (M + Lᵀ D L) dv = Lᵀ (λ - r) - M v.
-  Place direction_from(const Place& place, const Miss& miss) const {
-    std::vector<Mat3> D(laws_.mu.size(), Mat3::Zero());
-    VecX r = miss.F;
-    constexpr double c = kBoldScale;
-    for (std::size_t k = 0; k < D.size(); ++k) {
-      if (miss.modes[k] == ContactMode::open) continue;
-      const Index row = 3 * static_cast<Index>(k);
-      const Mat3 S = slope_of(k, miss.modes[k], asked_of(k, place));
-      const Mat3 inverse = Mat3(Mat3::Identity() - (1 - c / rho_) * S).inverse();
-      D[k] = c * masses_(row / 3) * inverse * S;
-      r.segment<3>(row) = inverse * miss.F.segment<3>(row);
-    }
-    const VecX wanted = place.pulled - motion_.pull(r) - place.momentum;
-    VecX dv = motion_.newton_step(D, wanted, Symmetry::none);
-    const VecX rates = motion_.rates(dv);
-    VecX dlambda = -r;
-    for (std::size_t k = 0; k < D.size(); ++k) {
-      const Index row = 3 * static_cast<Index>(k);
-      dlambda.segment<3>(row) -= D[k] * rates.segment<3>(row);
-    }
-    return place_at(std::move(dv), std::move(dlambda));
-  }
-
-  /// Solves the law of contacts that give way from v_ and λ⁰; nothing where the search along Newton's
-  /// direction stops.
-  std::optional<Point> point_by_forces() const {
-    constexpr int most_steps = 20, most_halvings = 6;
-    constexpr double kDecrease = 1e-4;
-    // Below kRounding of its terms the miss is their rounding, times ρ. It need not be smaller than a share
-    // of what the point moves: that share is what the points lose of their speed of convergence.
-    constexpr double kRounding = 1e-12, kStuck = 1e-9, kShare = 1e-3;
-    const Place start = place_at(v_, lambda_);
-    Place place = start;
-    Miss miss = miss_at(place);
-    for (int step = 0; step < most_steps; ++step) {
-      const double size =
-          std::sqrt(place.pulled.dot(motion_.lift(place.pulled))) + std::sqrt(place.v.dot(place.momentum));
-      const double moved_by =
-          std::sqrt(std::max(0.0, (place.v - start.v).dot(place.momentum - start.momentum)));
-      if (miss.error <= std::max(kRounding * size, kShare * moved_by))
-        return Point{std::move(place.lambda), std::move(miss.modes), false};
-
-      // Newton's direction, and halving until the error falls in proportion to the step.
-      const Place way = direction_from(place, miss);
-      if (!way.v.allFinite()) return std::nullopt;
-      double length = 1;
-      Place there = moved(place, length, way);
-      Miss trial = miss_at(there);
-      for (int k = 0; k < most_halvings && !(trial.error <= (1 - kDecrease * length) * miss.error); ++k) {
-        length *= 0.5;
-        there = moved(place, length, way);
-        trial = miss_at(there);
-      }
-      if (!(trial.error < miss.error)) {
-        if (!(miss.error <= kStuck * size)) return std::nullopt;
-        return Point{std::move(place.lambda), std::move(miss.modes), true};
-      }
-      place = std::move(there);
-      miss = std::move(trial);
-    }
-    return std::nullopt;
-  }
-
-  // Newton's method for the motion alone, of which c = ρ makes the forces a function.
-
-  /// A motion v with what the search along a line needs of it.
-  struct Motion {
-    VecX v;
-    VecX rates;     ///< L v (3n).
-    VecX momentum;  ///< M v.
-  };
-
-  Motion motion_at(VecX v) const {
-    Motion motion{std::move(v), {}, {}};
-    motion.rates = motion_.rates(motion.v);
-    motion.momentum = motion_.weigh(motion.v);
-    return motion;
-  }
-
-  static Motion moved(const Motion& motion, double length, const Motion& direction) {
-    return {motion.v + length * direction.v, motion.rates + length * direction.rates,
-            motion.momentum + length * direction.momentum};
-  }
-
-  /// Forces at a motion v, and what the contacts do there.
-  struct Forces {
-    VecX lambda;  ///< 3n.
-    std::vector<ContactMode> modes;
-    std::vector<Mat3> slopes;  ///< -dλ / dw, one per contact.
-    VecX pulled;               ///< Lᵀ λ.
-    VecX miss;                 ///< M v - Lᵀ λ.
-    double error;              ///< Of the miss, in the metric of M⁻¹.
-  };
-
-  Forces forces_at(const Motion& motion) const {
-    const VecX w = motion.rates + laws_.b;
-    const std::size_t count = laws_.mu.size();
-    Forces forces{VecX(w.size()),
-                  std::vector<ContactMode>(count, ContactMode::open),
-                  std::vector<Mat3>(count, Mat3::Zero()),
-                  {},
-                  {},
-                  0};
-    for (std::size_t k = 0; k < count; ++k) set_force(k, w, forces);
-    forces.pulled = motion_.pull(forces.lambda);
-    forces.miss = motion.momentum - forces.pulled;
-    forces.error = std::sqrt(std::max(0.0, forces.miss.dot(motion_.lift(forces.miss))));
-    return forces;
-  }
-
-  void set_force(std::size_t k, const VecX& w, Forces& forces) const {
-    const Index row = 3 * static_cast<Index>(k);
-    const double rho = rho_ * masses_(row / 3), mu = laws_.mu[k];
-    const Vec3 x = lambda_.segment<3>(row) - rho * w.segment<3>(row);
-    forces.lambda.segment<3>(row).setZero();
-    // Alart and Curnier's functions: open, stick inside the disk of radius μ x_n, slide on its border.
-    if (!(x.z() > 0)) return;
-    Mat3& slope = forces.slopes[k];
-    const double radius = mu * x.z(), length = x.head<2>().norm();
-    if (laws_.rows[k] == FrictionRow::cone && length <= radius && mu > 0) {
-      forces.lambda.segment<3>(row) = x;
-      forces.modes[k] = ContactMode::stick;
-      slope = rho * Mat3::Identity();
-      return;
-    }
-    forces.modes[k] = ContactMode::slide;
-    forces.lambda(row + 2) = x.z();
-    slope(2, 2) = rho;
-    if (mu == 0) return;
-    const bool has_free_slip = laws_.rows[k] == FrictionRow::cone;
-    const Vec2 along = has_free_slip ? Vec2(x.head<2>() / length) : Vec2(-laws_.slips[k]);
-    forces.lambda.segment<2>(row) = radius * along;
-    slope.topRightCorner<2, 1>() = mu * rho * along;
-    if (!has_free_slip) return;
-    const Vec2 across(-along.y(), along.x());
-    slope.topLeftCorner<2, 2>() = (rho * radius / length) * across * across.transpose();
-  }
-
-  /// Solves M v = Lᵀ λ(v) from v_; nothing where the search along Newton's direction stops.
-  std::optional<Point> point_by_motion() const {
-    constexpr int kMaxSteps = 30, kMaxHalvings = 12;
-    constexpr double kDecrease = 1e-4;
-    // Below kRounding of its terms the miss is their rounding, times ρ. It need not be smaller than a share
-    // of what the point moves: that share is what the points lose of their speed of convergence.
-    constexpr double kRounding = 1e-12, kStuck = 1e-9, kShare = 1e-3;
-    const Motion start = motion_at(v_);
-    Motion motion = start;
-    Forces at = forces_at(motion);
-    for (int step = 0; step < kMaxSteps; ++step) {
-      const double size =
-          std::sqrt(at.pulled.dot(motion_.lift(at.pulled))) + std::sqrt(motion.v.dot(motion.momentum));
-      const Motion way = moved(motion, -1, start);
-      const double way_size = std::sqrt(std::max(0.0, way.v.dot(way.momentum)));
-      if (at.error <= std::max(kRounding * size, kShare * way_size))
-        return Point{std::move(at.lambda), std::move(at.modes), false};
-
-      // Newton's direction, and halving until the error falls in proportion to the step.
-      const Motion direction = motion_at(-motion_.newton_step(at.slopes, at.miss, Symmetry::none));
-      if (!direction.v.allFinite()) return std::nullopt;
-      double length = 1;
-      Motion there = moved(motion, length, direction);
-      Forces trial = forces_at(there);
-      for (int k = 0; k < kMaxHalvings && !(trial.error <= (1 - kDecrease * length) * at.error); ++k) {
-        length *= 0.5;
-        there = moved(motion, length, direction);
-        trial = forces_at(there);
-      }
-      if (!(trial.error < at.error)) {
-        if (!(at.error <= kStuck * size)) return std::nullopt;
-        return Point{std::move(at.lambda), std::move(at.modes), true};
-      }
-      motion = std::move(there);
-      at = std::move(trial);
-    }
-    return std::nullopt;
+  std::optional<ProximalPoint> next_point() const {
+    const ProximalStart start{laws_, motion_, masses_, lambda_, v_, rho_};
+    return is_bold_ ? proximal_point_by_forces(start) : proximal_point_by_motion(start);
   }
 
   /// Forces as an answer to the problem.
@@ -384,7 +104,7 @@ class ProximalPoints {
     int point = 0;            ///< After how many points.
   };
 
-  Offer offer_of(const Point& point) const {
+  Offer offer_of(const ProximalPoint& point) const {
     Offer offer{clamp_to_cones(laws_, point.lambda), {}, point.modes, 0, 0, 0};
     offer.w = motion_.rates(motion_.lift(motion_.pull(offer.lambda))) + laws_.b;
     const double size = size_of_(offer.lambda);
@@ -419,7 +139,7 @@ class ProximalPoints {
   VecX lambda_;  ///< λ⁰.
   VecX v_;       ///< M⁻¹ Lᵀ λ⁰.
   double rho_;
-  bool is_bold_;                  ///< Whether c is kBoldScale; else it is ρ.
+  bool is_bold_;                  ///< Whether the forces are unknowns, too.
   std::optional<Offer> best_;     ///< Of the least residual.
   std::optional<Offer> nearest_;  ///< Of those that solve the law with a b' within the resolution.
 };

@@ -11,21 +11,13 @@ namespace rigor {
 
 namespace {
 
-Hdf5Handle text_type(std::size_t length) {
-  Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
-  H5Tset_size(type, std::max<std::size_t>(1, length));
-  H5Tset_cset(type, H5T_CSET_UTF8);
-  H5Tset_strpad(type, H5T_STR_NULLPAD);
-  return type;
-}
-
 /// A list of texts as strings of equal length, padded with NUL.
 bool write_names(hid_t file, const char* name, const std::vector<std::string>& texts) {
   std::size_t longest = 1;
   for (const std::string& text : texts) longest = std::max(longest, text.size());
   std::string bytes;
   for (const std::string& text : texts) bytes.append(text).append(longest - text.size(), '\0');
-  const Hdf5Handle type = text_type(longest);
+  const Hdf5Handle type = hdf5_text_type(longest);
   const hsize_t count = texts.size();
   const Hdf5Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose);
   const Hdf5Handle data(H5Dcreate2(file, name, type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose);

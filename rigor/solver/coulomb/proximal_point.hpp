@@ -1,0 +1,82 @@
+#pragma once
+
+#include "rigor/solver/coulomb/coulomb_problem.hpp"
+#include "rigor/solver/linear/contact_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace rigor {
+
+/// Where the search for a proximal point begins.
+struct ProximalStart {
+  const CoulombProblem& laws;
+  const ContactMotion& motion;
+  const VecX& masses;  ///< effective_masses: n.
+  const VecX& lambda;  ///< λ⁰ (3n).
+  const VecX& v;       ///< M⁻¹ Lᵀ λ⁰.
+  double rho;          ///< Times the mass of each contact.
+};
+
+/// Forces that solve the law of contacts that give way: w = L v + b + (λ - λ⁰) / ρ, M v = Lᵀ λ.
+struct ProximalPoint {
+  VecX lambda;
+  std::vector<ContactMode> modes;
+  bool is_rounded;  ///< Rounding, times ρ, kept Newton's method from its tolerance.
+};
+
+/// With c = ρ, when the forces are a function of the motion, and the motion is the unknown. Nothing where the
+/// search along Newton's direction stops, or takes thirty steps.
+std::optional<ProximalPoint> proximal_point_by_motion(const ProximalStart& start);
+/// With motion and forces as unknowns and a moderate c. Nothing where the search stops, or takes twenty
+/// steps: contacts go to and fro between modes then.
+std::optional<ProximalPoint> proximal_point_by_forces(const ProximalStart& start);
+
+/// Newton's method with a search along its line, for both. A Search has
+///   start()            the first place: at least v and momentum = M v;
+///   miss_at(place)     how the place misses the law: at least `error`, in the metric of the masses, and
+///   modes; way_from(place, miss), moved(place, length, way) forces_of(place, miss)  what has lambda and
+///   pulled = Lᵀ λ; motion()           the ContactMotion.
+template <typename Search>
+std::optional<ProximalPoint> newton_point(const Search& search, int most_steps, int most_halvings) {
+  constexpr double kDecrease = 1e-4;
+  // Below kRounding of its terms the miss is their rounding, times ρ. It need not be smaller than a share
+  // of what the point moves: that share is what the points lose of their speed of convergence.
+  constexpr double kRounding = 1e-12, kStuck = 1e-9, kShare = 1e-3;
+  const auto start = search.start();
+  auto place = start;
+  auto miss = search.miss_at(place);
+  for (int step = 0; step < most_steps; ++step) {
+    const auto& forces = search.forces_of(place, miss);
+    const double size = std::sqrt(forces.pulled.dot(search.motion().lift(forces.pulled))) +
+                        std::sqrt(place.v.dot(place.momentum));
+    const double moved_by =
+        std::sqrt(std::max(0.0, (place.v - start.v).dot(place.momentum - start.momentum)));
+    if (miss.error <= std::max(kRounding * size, kShare * moved_by))
+      return ProximalPoint{forces.lambda, miss.modes, false};
+
+    // Newton's direction, and halving until the error falls in proportion to the step.
+    const auto way = search.way_from(place, miss);
+    if (!way.v.allFinite()) return std::nullopt;
+    double length = 1;
+    auto there = search.moved(place, length, way);
+    auto trial = search.miss_at(there);
+    for (int k = 0; k < most_halvings && !(trial.error <= (1 - kDecrease * length) * miss.error); ++k) {
+      length *= 0.5;
+      there = search.moved(place, length, way);
+      trial = search.miss_at(there);
+    }
+    if (!(trial.error < miss.error)) {
+      if (!(miss.error <= kStuck * size)) return std::nullopt;
+      return ProximalPoint{forces.lambda, miss.modes, true};
+    }
+    place = std::move(there);
+    miss = std::move(trial);
+  }
+  return std::nullopt;
+}
+
+}  // namespace rigor
