@@ -1,5 +1,6 @@
 #include "rigor/geometry/distance/distance.hpp"
 #include "rigor/geometry/mesh_penetration/mesh_penetration.hpp"
+#include "rigor/sim/islands/joint_projection.hpp"
 #include "rigor/sim/pairs/near_pairs.hpp"
 #include "rigor/sim/simulation.hpp"
 
@@ -40,6 +41,22 @@ Deepest deepest_overlap(const Model& model, const State& state, std::pair<int, i
   return deepest;
 }
 
+/// Moves all bodies back to where their joints hold.
+void hold_joints(const Model& model, const JointProjection& joints, State& state) {
+  std::vector<int> bodies;
+  std::vector<BodyPhase> phases;
+  for (int i = 0; i < model.body_count(); ++i) {
+    if (model.body(i).motion != MotionType::dynamic) continue;
+    bodies.push_back(i);
+    phases.push_back(
+        {state.position(i), state.orientation(i), state.linear_momentum(i), state.angular_momentum(i)});
+  }
+  AdvanceReport ignored;
+  joints.project_positions(state.t, bodies, phases, ignored);
+  for (std::size_t k = 0; k < bodies.size(); ++k)
+    state.set_body(bodies[k], phases[k].x, phases[k].q, phases[k].P, phases[k].L);
+}
+
 }  // namespace
 
 std::vector<Overlap> find_overlaps(const Model& model, const State& state, double tolerance) {
@@ -53,6 +70,9 @@ std::vector<Overlap> find_overlaps(const Model& model, const State& state, doubl
 
 std::vector<Overlap> apply_separation(const Model& model, double tolerance, State& state) {
   constexpr int most_rounds = 2000;
+  const Environment environment(model);
+  const ContactSystemAssembler assembler(model, environment);
+  const JointProjection joints(model, assembler);
   const auto inverse_mass = [&](int body) {
     return model.body(body).motion == MotionType::dynamic ? 1 / model.body(body).mass : 0.0;
   };
@@ -72,6 +92,8 @@ std::vector<Overlap> apply_separation(const Model& model, double tolerance, Stat
       move(a, -share * inverse_mass(a) * deepest.n_W);
       move(b, share * inverse_mass(b) * deepest.n_W);
     }
+    // What joints hold comes along, and may be in the way of others in the next round.
+    if (!model.joints().empty()) hold_joints(model, joints, state);
     if (is_apart) break;
   }
   return find_overlaps(model, state, tolerance);

@@ -42,8 +42,8 @@ struct Overlap {
 /// All overlaps deeper than the tolerance, by body indices.
 std::vector<Overlap> find_overlaps(const Model& model, const State& state, double tolerance);
 
-/// Pushes overlapping bodies apart by translations, lighter ones farther, and anchors them there. Returns the
-/// overlaps that are still deeper than the tolerance; empty if it succeeded.
+/// Pushes overlapping bodies apart by translations, lighter ones farther, puts joints back, and anchors the
+/// bodies there. Returns the overlaps that are still deeper than the tolerance; empty if it succeeded.
 std::vector<Overlap> apply_separation(const Model& model, double tolerance, State& state);
 
 }  // namespace rigor
