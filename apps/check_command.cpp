@@ -1,4 +1,6 @@
 #include "apps/commands.hpp"
+#include "apps/cost_estimate.hpp"
+#include "apps/interrupt.hpp"
 #include "apps/overlap_text.hpp"
 #include "apps/terminal.hpp"
 #include "rigor/core/input_error.hpp"
@@ -46,6 +48,21 @@ std::string choice_line(const Scene& scene) {
   return reason.empty() ? "" : fmt::format("  scheme auto: {}\n", reason);
 }
 
+/// Prints what the run of a scene would cost. Returns whether it was not interrupted.
+bool print_estimate(const std::string& path) {
+  const InterruptWatch watch;
+  const bool is_shown = is_terminal(stderr);
+  const CostEstimate estimate = estimate_costs(
+      path,
+      [is_shown](const std::string& what) {
+        if (is_shown) fmt::print(stderr, "\r  measuring: {}\x1b[K", what);
+      },
+      [&watch] { return watch.is_requested(); });
+  if (is_shown) fmt::print(stderr, "\r\x1b[K");
+  fmt::print("{}", estimate_text(estimate));
+  return !watch.is_requested();
+}
+
 }  // namespace
 
 ExitCode execute(const CheckOptions& options) {
@@ -55,6 +72,7 @@ ExitCode execute(const CheckOptions& options) {
       const Scene scene = read_and_check(path);
       for (const std::string& warning : scene.warnings) print_warning(warning);
       fmt::print("{}: {}: {}\n{}", path, toned("ok", Tone::good, stdout), summary(scene), choice_line(scene));
+      if (options.has_estimate && !print_estimate(path)) return exit_interrupted;
     } catch (const InputError& error) {
       for (const std::string& message : error.messages()) print_error(message);
       code = exit_bad_input;

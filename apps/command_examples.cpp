@@ -29,6 +29,7 @@ constexpr std::array examples = {
     Example{"study", "rigor study die.yaml --threads 2 -o die.csv -o die.html",
             "rows, and the answer as a page"},
     Example{"check", "rigor check scenes/*.yaml", "every error of a scene at once"},
+    Example{"check", "rigor check pile.yaml --estimate", "what each scheme would cost"},
     Example{"mass", "rigor mass part.stl --density 7850", ""},
     Example{"mass", "rigor mass scene.yaml --json -", "of all its bodies, as JSON"},
     Example{"distance", "rigor distance ball.yaml ball floor", ""},

@@ -313,6 +313,9 @@ void add_study(CLI::App& app, StudyOptions& study) {
 
 void add_check(CLI::App& app, CheckOptions& check) {
   app.add_option("SCENE", check.scenes, "scene files")->required()->option_text("...");
+  app.add_flag(
+      "--estimate", check.has_estimate,
+      "measure also what the run would cost, as written and with each other scheme; some twenty seconds");
 }
 
 void add_methods(CLI::App& app, MethodsOptions& methods) {

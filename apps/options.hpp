@@ -41,6 +41,7 @@ struct CompareOptions {
 
 struct CheckOptions {
   std::vector<std::string> scenes;
+  bool has_estimate = false;  ///< Measure what a run would cost.
 };
 
 struct MassOptions {

@@ -33,6 +33,7 @@ calls() {
   for mesh in tests/data/meshes/*; do echo "0,3,5 mass $mesh"; done
   for mesh in scenes/meshes/*.obj; do echo "0,3 mass $mesh"; done
   echo "0 check $(echo scenes/*.yaml)"
+  echo "0 check scenes/dominoes.yaml --estimate"
   echo "0 methods"
   echo "0 methods contact region"
   echo "2 methods projecton"
