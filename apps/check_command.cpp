@@ -7,6 +7,7 @@
 #include "rigor/io/scene/scene_reader.hpp"
 #include "rigor/sim/method/scheme_choice.hpp"
 #include "rigor/sim/simulation.hpp"
+#include "rigor/study/study.hpp"
 
 #include <fmt/format.h>
 
@@ -24,6 +25,13 @@ Scene read_and_check(const std::string& path) {
       find_overlaps(*scene.model, make_initial_state(*scene.model), tolerance);
   if (!overlaps.empty()) throw InputError(overlap_messages(path, *scene.model, overlaps, tolerance));
   return scene;
+}
+
+/// A line about the study in the scene, which is checked with it; empty if there is none.
+std::string study_line(const std::string& path) {
+  if (!is_scene_with_study(path)) return "";
+  const Study study(read_study(path));
+  return fmt::format("  study: {}\n", study_kind_names()[static_cast<std::size_t>(study.plan().kind)]);
 }
 
 std::string summary(const Scene& scene) {
@@ -70,8 +78,10 @@ ExitCode execute(const CheckOptions& options) {
   for (const std::string& path : options.scenes) {
     try {
       const Scene scene = read_and_check(path);
+      const std::string study = study_line(path);
       for (const std::string& warning : scene.warnings) print_warning(warning);
-      fmt::print("{}: {}: {}\n{}", path, toned("ok", Tone::good, stdout), summary(scene), choice_line(scene));
+      fmt::print("{}: {}: {}\n{}{}", path, toned("ok", Tone::good, stdout), summary(scene),
+                 choice_line(scene), study);
       if (options.has_estimate && !print_estimate(path)) return exit_interrupted;
     } catch (const InputError& error) {
       for (const std::string& message : error.messages()) print_error(message);

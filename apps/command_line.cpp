@@ -295,7 +295,9 @@ Command checked(ConvertOptions convert) {
 }
 
 void add_study(CLI::App& app, StudyOptions& study) {
-  app.add_option("FILE", study.file, "study file (.yaml)")->required()->option_text(" ");
+  app.add_option("FILE", study.file, "study file, or scene with a study in it (.yaml)")
+      ->required()
+      ->option_text(" ");
   add_value(app, "-o,--output", study.outputs,
             "by suffix: runs .csv .h5, answer .json, page .html, figures .svg .png; may be repeated", "OUT");
   add_value(app, "--threads", study.threads,

@@ -76,7 +76,7 @@ TEST(SceneErrors, OfTheTopLevel) {
           {"rigor: 1\nbodies: []\nfriction: 1",
            "s.yaml:3:1: unknown key 'friction' in the scene; it is a key of a material; one of: rigor, name, "
            "world, run, "
-           "method, materials, pairs, bodies, exclude, forces, joints, expect"},
+           "method, materials, pairs, bodies, exclude, forces, joints, expect, ..."},
           {"rigor: 1\nbodies: []\nworld: {gravity: [0, 0, .nan]}",
            "s.yaml:3:25: world: gravity is nan m/s², must be from -1e+06 to 1e+06 m/s²"},
           {"rigor: 1\nbodies: []\nworld: {gravity: -9.81}",
@@ -91,9 +91,8 @@ TEST(SceneErrors, OfKeysOfLaterVersions) {
   expect_each(
       {
           {"sweep: {a: 1}",
-           "s.yaml:3:1: key 'sweep' of the scene is not available in this version; run the scene several "
-           "times with --set "
-           "KEY=VALUE"},
+           "s.yaml:3:1: key 'sweep' of the scene is not available in this version; write 'study' with "
+           "'kind: sweep'"},
       },
       "rigor: 1\nbodies: []\n", "\n");
 }

@@ -15,6 +15,7 @@
 #include "rigor/model/state_check.hpp"
 #include "rigor/sim/make_stepper.hpp"
 #include "rigor/sim/simulation.hpp"
+#include "rigor/study/study.hpp"
 #include "rigor/view/live/live_command.hpp"
 #include "rigor/view/recording/recording.hpp"
 
@@ -115,6 +116,41 @@ inline void read_fuzz_scene(const std::string& bytes) {
   parse_scene(bytes, "scene.yaml", fuzz_folder().path());
 }
 
+/// A study of the scene above, with each way to say what varies and what is asked.
+inline const char* const fuzz_study = R"(rigor_study: 1
+name: seed
+scene: scene.yaml
+kind: monte-carlo
+sampling: sobol
+runs: 20
+half_width: 0.1
+set: {run: {duration: 0.1, step: 0.01, output_interval: 0.05}, world.gravity: [0, 0, -9.81]}
+parameters:
+  - {name: mu, key: materials.rubber.friction, range: [0.3, 1], log: true}
+  - {name: v, distribution: normal, mean: 2, deviation: 0.1}
+  - {name: q, distribution: orientation}
+  - {name: p, distribution: box, low: [0, 0, 1], high: [1, 1, 2]}
+  - {name: s, distribution: sphere, radius: 2}
+  - {name: w, formula: "v*sin(mu) + p.x"}
+assign: {bodies.b.velocity: [v, "w > 1 ? s.y : 0", 0], bodies.b.orientation: [q.w, q.x, q.y, q.z]}
+outcomes:
+  - {name: height, value: body.b.position.z, at: 0.05}
+  - {name: low, min: energy.kinetic}
+  - {name: hits, count: impact, bodies: [b, floor]}
+  - {name: hit, time_of: impact, bodies: b, number: 2, else: -1}
+  - {name: sum, formula: "height + 2*hits"}
+expect: [{finding: mean of sum, value: 1, tolerance: 1e-3}]
+)";
+
+/// As a file of its own, and what is read against its scene.
+inline void read_fuzz_study(const std::string& bytes) {
+  check_text(bytes, "study.yaml");
+  static const std::filesystem::path scene = fuzz_folder().write("scene.yaml", fuzz_scene);
+  StudyPlan plan = parse_study(bytes, fuzz_folder().path() / "study.yaml");
+  if (!plan.scene.empty()) plan.scene = scene;
+  const Study study(std::move(plan));
+}
+
 inline void read_fuzz_obj(const std::string& bytes) {
   check_text(bytes, "a.obj");
   find_mesh_defects(parse_obj(bytes, "a.obj"), {});
@@ -178,9 +214,10 @@ struct ReaderTarget {
   std::string seed;  ///< A file that is read.
 };
 
-inline const std::array<ReaderTarget, 8>& reader_targets() {
-  static const std::array<ReaderTarget, 8> targets = {{
+inline const std::array<ReaderTarget, 9>& reader_targets() {
+  static const std::array<ReaderTarget, 9> targets = {{
       {"scene", read_fuzz_scene, fuzz_scene},
+      {"study", read_fuzz_study, fuzz_study},
       {"obj", read_fuzz_obj,
        "# seed\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf -3//1 3/1 4/1/1\nf 1 4 3\n"},
       {"stl", read_fuzz_stl,

@@ -76,6 +76,8 @@ inline Json value_schema(const Key& key) {
     case ValueType::name_pairs:
       return list_schema(list_schema(text, 2), 0);
     case ValueType::object:
+      // A mapping without a table has a format of its own.
+      if (key.object.empty()) return {{"$ref", key.name + ".schema.json#/definitions/" + key.name}};
       return reference(key.object);
     case ValueType::objects:
       return list_schema(reference(key.object), 0);
@@ -139,6 +141,7 @@ inline std::string value_text(const Key& key) {
                                                          {ValueType::angle_range, "2 angles"},
                                                          {ValueType::names, "2 names"},
                                                          {ValueType::name_pairs, "list of 2 names"}};
+  if (key.object.empty() && key.type == ValueType::object) return "mapping";
   if (key.type == ValueType::object) return "[" + key.object + "](#" + key.object + ")";
   if (key.type == ValueType::objects) return "list of [" + key.object + "](#" + key.object + ")";
   if (key.type != ValueType::choice) return texts.at(key.type);

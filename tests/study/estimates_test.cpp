@@ -139,5 +139,16 @@ TEST(Optimum, FindsTheMinimumOfRosenbrocksValley) {
   EXPECT_NEAR(finding_of(*largest, "x").value, std::numbers::pi / 2, 1e-4);
 }
 
+TEST(Sweep, KnowsTheExtremesOfTheMeansAndHidesNoRunWithoutANumber) {
+  const auto extremes = [](const std::string& values) {
+    const auto study = finished("rigor_study: 1\nkind: sweep\nparameters: [{name: x, values: " + values +
+                                "}]\noutcomes: [{name: y, formula: \"sqrt(x) - 2\"}]\n");
+    return std::pair{finding_of(*study, "least y").value, finding_of(*study, "greatest y").value};
+  };
+  EXPECT_EQ(extremes("[4, 1, 25, 9]"), (std::pair{-1.0, 3.0}));
+  EXPECT_TRUE(std::isnan(extremes("[4, -1, 25]").first));
+  EXPECT_TRUE(std::isnan(extremes("[4, -1, 25]").second));
+}
+
 }  // namespace
 }  // namespace rigor::estimates_test

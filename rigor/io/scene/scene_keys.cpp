@@ -55,8 +55,8 @@ KeyTable scene_table() {
           {"forces", ValueType::objects, "", "-", {}, "forces besides gravity and contacts", {}, "force"},
           {"joints", ValueType::objects, "", "-", {}, "joints between bodies", {}, "joint"},
           {"expect", ValueType::objects, "", "-", {}, "known places, for `rigor compare`", {}, "expectation"},
-          later("sweep", ValueType::object, "settings of ensembles",
-                "run the scene several times with --set KEY=VALUE"),
+          {"study", ValueType::object, "", "-", {}, "what `rigor study` asks of this scene"},
+          later("sweep", ValueType::object, "settings of ensembles", "write 'study' with 'kind: sweep'"),
       }};
 }
 

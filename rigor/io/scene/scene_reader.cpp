@@ -1,6 +1,7 @@
 #include "rigor/io/scene/scene_reader.hpp"
 
 #include "rigor/core/input_error.hpp"
+#include "rigor/io/files/scalar_text.hpp"
 #include "rigor/io/files/text_file.hpp"
 #include "rigor/io/files/yaml_document.hpp"
 #include "rigor/io/scene/body_reader.hpp"
@@ -150,6 +151,9 @@ Scene read_scene_tree(const YamlNode::Pointer& written, const YamlSources& sourc
   read_forces(reader, builder);
   read_joints(reader, builder);
   scene.expected = read_expectations(reader);
+  // What is in it the layer of studies reads.
+  if (const YamlNode* const study = reader.find("study"); study && study->kind != YamlNode::Kind::map)
+    reader.fail("study", "study must be a mapping, found " + found_text(*study));
   check_all(builder, errors);
   try {
     scene.model = builder.build();

@@ -1,3 +1,4 @@
+#include "rigor/core/rounding.hpp"
 #include "rigor/study/kinds/grid.hpp"
 #include "rigor/study/kinds/statistics.hpp"
 #include "rigor/study/kinds/strategy.hpp"
@@ -6,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace rigor {
 
@@ -59,7 +61,22 @@ class Sweep : public Strategy {
     return row;
   }
 
-  /// Each outcome's mean in a grid of one cell; else its value in each, by number.
+  /// The least and the greatest mean of an outcome over the grid; NaN if one is unknown, so that a run that
+  /// failed does not pass for a small number.
+  void add_extremes(const AnswerTable& table, std::size_t outcome, std::size_t column,
+                    StudyAnswer& answer) const {
+    double least = kInfinity, greatest = -kInfinity;
+    for (const std::vector<double>& row : table.rows) {
+      const double mean = row[column];
+      if (std::isnan(mean) || mean < least) least = mean;
+      if (std::isnan(mean) || mean > greatest) greatest = mean;
+      if (std::isnan(mean)) break;
+    }
+    answer.findings.push_back({"least " + columns_[outcome], least});
+    answer.findings.push_back({"greatest " + columns_[outcome], greatest});
+  }
+
+  /// Each outcome's mean in a grid of one cell; else its value in each, by number, and its extremes.
   void add_findings(const AnswerTable& table, StudyAnswer& answer) const {
     const std::size_t step = repeats_ > 1 ? 3 : 1;
     for (std::size_t cell = 0; cell < table.rows.size(); ++cell) {
@@ -72,6 +89,9 @@ class Sweep : public Strategy {
         answer.findings.push_back(std::move(finding));
       }
     }
+    if (table.rows.size() < 2) return;
+    for (std::size_t k = 0; k < columns_.size(); ++k)
+      add_extremes(table, k, grid_.names().size() + k * step, answer);
   }
 
   /// Each outcome over the first axis.

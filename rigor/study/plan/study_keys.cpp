@@ -172,4 +172,13 @@ const KeyTable& study_key_table(std::string_view object) {
   return *found;
 }
 
+const KeyTable& scene_study_table() {
+  static const KeyTable table = [] {
+    KeyTable keys = study_key_table("study");
+    std::erase_if(keys.keys, [](const Key& key) { return key.name == "rigor_study" || key.name == "scene"; });
+    return keys;
+  }();
+  return table;
+}
+
 }  // namespace rigor

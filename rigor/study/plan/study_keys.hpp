@@ -11,5 +11,7 @@ namespace rigor {
 /// "outcome", "expected finding".
 const std::vector<KeyTable>& study_key_tables();
 const KeyTable& study_key_table(std::string_view object);
+/// The keys of `study` in a scene: those of a study file, but for its version and its scene.
+const KeyTable& scene_study_table();
 
 }  // namespace rigor

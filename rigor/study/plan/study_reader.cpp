@@ -174,6 +174,12 @@ void read_settings(const ObjectReader& reader, StudyPlan& plan) {
   plan.perturbed = reader.text("perturb").value_or("");
 }
 
+/// The study of a scene; null if the document is no such scene.
+const YamlNode* find_scene_study(const YamlNode& root) {
+  const YamlNode::Entry* const study = root.find("rigor_study") ? nullptr : root.find("study");
+  return study ? study->value.get() : nullptr;
+}
+
 std::vector<std::string> outcome_names(const StudyPlan& plan) {
   std::vector<std::string> names;
   for (const Outcome& outcome : plan.outcomes) names.push_back(outcome.name);
@@ -186,13 +192,23 @@ StudyPlan parse_study(const std::string& text, const std::filesystem::path& path
   const YamlSources sources{{path.string()}};
   const YamlNode::Pointer root = parse_yaml(text, 0, sources);
   SceneErrors errors(sources);
-  const ObjectReader reader(*root, study_key_table("study"), "the study", errors);
+  const YamlNode* const in_scene = find_scene_study(*root);
+  if (!in_scene && root->find("rigor") && !root->find("rigor_study"))
+    throw InputError(sources.where(*root) +
+                     "the scene has no 'study': write one into it, or a study file for it");
+  const ObjectReader reader(in_scene ? *in_scene : *root,
+                            in_scene ? scene_study_table() : study_key_table("study"), "the study", errors);
   StudyPlan plan;
   plan.file = path;
   plan.text = text;
-  reader.number("rigor_study");
+  if (in_scene) {
+    plan.scene = path;
+  } else {
+    reader.number("rigor_study");
+    if (const std::optional<std::string> scene = reader.text("scene"))
+      plan.scene = path.parent_path() / *scene;
+  }
   plan.name = reader.text("name").value_or(path.stem().string());
-  if (const std::optional<std::string> scene = reader.text("scene")) plan.scene = path.parent_path() / *scene;
   read_settings(reader, plan);
   read_parameters(reader, plan);
   plan.settings = read_assignments(reader, "set");
@@ -216,6 +232,11 @@ StudyPlan parse_study(const std::string& text, const std::filesystem::path& path
 
 StudyPlan read_study(const std::filesystem::path& path) {
   return parse_study(read_text_file(path, YamlLimits{}.max_bytes), path);
+}
+
+bool is_scene_with_study(const std::filesystem::path& path) {
+  const std::string text = read_text_file(path, YamlLimits{}.max_bytes);
+  return find_scene_study(*parse_yaml(text, 0, YamlSources{{path.string()}})) != nullptr;
 }
 
 }  // namespace rigor

@@ -47,7 +47,7 @@ TEST_P(ReaderFuzz, ChangedFilesAreReadOrRefused) {
     EXPECT_EQ(test::fault_of_reader(target, target.seed.substr(0, length)), "") << length;
 }
 
-INSTANTIATE_TEST_SUITE_P(Readers, ReaderFuzz, testing::Range<std::size_t>(0, 8),
+INSTANTIATE_TEST_SUITE_P(Readers, ReaderFuzz, testing::Range<std::size_t>(0, 9),
                          [](const testing::TestParamInfo<std::size_t>& parameter) {
                            return std::string(test::reader_targets()[parameter.param].name);
                          });
