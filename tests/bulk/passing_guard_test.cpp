@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 namespace rigor::passing_guard_test {
 namespace {
 
@@ -99,6 +101,48 @@ TEST(PassingGuard, NoBladePassesABodyAtRest) {
       world.write(state);
       ASSERT_LE(kinetic_energy_of(*model, state), energy * (1 + 1e-4));
     }
+    EXPECT_GT(state.linear_momentum(1).norm(), 0);
+  }
+}
+
+/// A kinematic blade that turns by a whole number of circles in a step, or nearly so, is where it was before:
+/// poses alone do not tell that it has turned. Its velocity is given, or follows from a path whose points are
+/// closer than the steps.
+TEST(PassingGuard, NoDrivenBladePassesABodyInWholeTurns) {
+  Draw draw(4);
+  for (int k = 0; k < 40; ++k) {
+    SCOPED_TRACE(k);
+    const double step = draw.spread(5e-3, 1.0 / 60);
+    const double turns = 1 + draw.below(2) + (k % 4 == 0 ? 0 : draw.between(-0.08, 0.08));
+    const double spin = turns * 2 * std::numbers::pi / step;
+    ModelBuilder builder;
+    builder.set_gravity(Vec3::Zero());
+    builder.add_material({"m", 2000, draw.below(2) == 0 ? 0 : 0.8, draw.below(2) == 0 ? 0 : 0.5});
+    const double length = draw.between(0.3, 1), width = draw.between(0.03, 0.1);
+    BodyDescription blade = random_body("blade", Box{0.5 * Vec3(length, 0.002, width)}, Vec3::Zero());
+    blade.motion = MotionType::kinematic;
+    const bool has_path = k % 2 == 1;
+    if (has_path) {
+      const double quarter = 0.5 * std::numbers::pi / spin;
+      for (int i = 0; i * quarter < 4 * step; ++i) {
+        const double half_angle = 0.25 * std::numbers::pi * i;
+        blade.path.push_back(
+            {i * quarter, Vec3::Zero(), Quat(std::cos(half_angle), 0, 0, std::sin(half_angle))});
+      }
+    } else {
+      blade.angular_velocity = Vec3(0, 0, spin);
+    }
+    builder.add_body(blade);
+    const double angle = draw.between(0.6, 2.5), radius = 0.5 * length * draw.between(0.3, 0.9);
+    builder.add_body(random_body("body", random_shape(draw, draw.between(0.02, 0.1)),
+                                 radius * Vec3(std::cos(angle), std::sin(angle), 0)));
+    const std::shared_ptr<const Model> model = builder.build();
+
+    State state = make_initial_state(*model);
+    BulkWorld world(model, {});
+    world.read(state);
+    for (int i = 0; i < 2; ++i) world.step(step);
+    world.write(state);
     EXPECT_GT(state.linear_momentum(1).norm(), 0);
   }
 }

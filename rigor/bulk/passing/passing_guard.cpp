@@ -108,9 +108,7 @@ int PassingGuard::parts_of(const BulkBodies& bodies, const std::vector<ShapePair
       const bool is_driven = !bodies.is_dynamic(body) && bodies.has_velocity(body);
       if (!is_driven && is_jointed_[at(body)] == 0) continue;
       const MotionRecord& m = bodies.motion[at(body)];
-      // A turn by more than half a circle looks shorter.
-      const double speed = is_driven ? std::max(norm_of(m.w), model_->body(body).w_WB.norm()) : norm_of(m.w);
-      const double turn = h * speed, way = turning_[at(body)] * turn;
+      const double turn = h * norm_of(m.w), way = turning_[at(body)] * turn;
       if (way + (is_driven ? h * norm_of(m.v) : 0) <= near_share * std::min(th_A, th_B)) continue;
       parts = std::max(parts, turn / most_turn);
       const double other = is_A ? th_B : th_A;

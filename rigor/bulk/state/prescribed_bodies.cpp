@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numbers>
 
 namespace rigor {
 
@@ -17,10 +18,28 @@ void set_velocities(const Vec3& v, const Vec3& w, MotionRecord& motion) {
   }
 }
 
-/// Sets the constant velocities that take a body to x, q within h.
+/// The constant velocities that take a body to x, q within h, by the shorter way round.
 void set_velocities_to(const Vec3& x, const Quat& q, double h, std::size_t body, BulkBodies& bodies) {
   set_velocities((x - bodies.x[body]) / h, rotation_log(q * bodies.q[body].conjugate()) / h,
                  bodies.motion[body]);
+}
+
+/// Rotation vector [rad] by which a path turns a body from t to `end` [s]. The poses there tell it up to
+/// whole turns. Where the legs of the path go farther than half a circle, their sum is taken, which is exact
+/// for turns about one axis.
+Vec3 turn_along_path(const Body& body, double t, double end) {
+  Vec3 sum = Vec3::Zero();
+  double begin = t;
+  const auto add_leg = [&](double until) {
+    sum += (until - begin) * prescribed_motion(body, begin).w_WB;
+    begin = until;
+  };
+  for (const PathPoint& point : body.path) {
+    if (t < point.time && point.time < end) add_leg(point.time);
+  }
+  add_leg(end);
+  if (sum.norm() > std::numbers::pi) return sum;
+  return rotation_log(prescribed_motion(body, end).q_WB * prescribed_motion(body, t).q_WB.conjugate());
 }
 
 }  // namespace
@@ -50,13 +69,18 @@ void PrescribedBodies::set_target(int body, const Vec3& x, const Quat& q) {
 void PrescribedBodies::place(const Model& model, double t, double h, double left, BulkBodies& bodies) const {
   for (const int i : given_) {
     const std::size_t k = at(i);
-    // Where the path has the body now; its velocities reach the path again at the end of the step, however
-    // the path curves.
-    const PrescribedMotion now = prescribed_motion(model.body(i), t);
-    const PrescribedMotion then = prescribed_motion(model.body(i), t + h);
+    const Body& body = model.body(i);
+    const PrescribedMotion now = prescribed_motion(body, t);
     bodies.x[k] = now.p_WB;
     bodies.q[k] = now.q_WB;
-    set_velocities_to(then.p_WB, then.q_WB, h, k, bodies);
+    // Without a path velocities are constant. With one they reach the path again at the end of the step,
+    // however it curves.
+    if (body.path.empty()) {
+      set_velocities(body.v_WB, body.w_WB, bodies.motion[k]);
+    } else {
+      set_velocities((prescribed_motion(body, t + h).p_WB - now.p_WB) / h,
+                     turn_along_path(body, t, t + h) / h, bodies.motion[k]);
+    }
   }
   // Free bodies stand, but for those that have a target.
   for (const int i : free_) set_velocities(Vec3::Zero(), Vec3::Zero(), bodies.motion[at(i)]);
