@@ -224,6 +224,7 @@ BulkStepReport BulkWorld::step_in_parts(double h, double whole, int parts) {
     report.add(take_step(h / parts, whole / parts));
   }
   memory_ = memory_.scaled(static_cast<float>(parts));
+  report.parts = parts;
   return report;
 }
 

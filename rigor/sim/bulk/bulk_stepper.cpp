@@ -116,7 +116,8 @@ void BulkStepper::apply_loads() {
 
 /// Enters the report of a step from t to t_end [s].
 void BulkStepper::note(const BulkStepReport& step, double t, double t_end) {
-  ++report_.steps;
+  // Each part of a step finds its contacts and sweeps over them as a step does.
+  report_.steps += step.parts;
   report_.distance_queries += step.pair_count;
   report_.impacts += static_cast<long>(step.impacts.size());
   for (const BulkImpact& impact : step.impacts) {
