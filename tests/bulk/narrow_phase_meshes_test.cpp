@@ -254,6 +254,32 @@ TEST(NarrowPhaseMeshes, EdgesAndCornersAreTouchedWhereTheyAre) {
   EXPECT_GT(touching, 3000);
 }
 
+/// A solid that flies at a plate far wider than itself looks ahead by more than its size. The planes of the
+/// faces behind it cut the plate, far under them: none of that is an overlap.
+TEST(NarrowPhaseMeshes, FacesFarFromAWidePlateDoNotOverlapIt) {
+  Draw draw(78);
+  const Shape solid = beam_cross();
+  int ahead = 0;
+  for (int k = 0; k < 1000; ++k) {
+    const Vec3 half(draw.uniform(5, 20), draw.uniform(5, 20), 0.01);
+    Ground scene(solid, Box{half}, k % 2 == 0);
+    // The cross stays where it is, and the plate is moved to it along its own normal.
+    Pose X_WB{draw.rotation(), Vec3::Zero()};
+    X_WB.p = X_WB.R * Vec3(draw.uniform(-3, 3), draw.uniform(-3, 3), -3);
+    const double gap = k % 4 == 0 ? draw.uniform(-0.002, 0) : draw.uniform(0, 1.2);
+    const double distance = signed_distance(solid, Pose{}, scene.other, X_WB).distance;
+    X_WB.p += (distance - gap) * X_WB.R.col(2);
+    double least = INFINITY;
+    for (const Manifold& manifold : scene.manifolds(X_WB, 1.5f)) least = std::min(least, least_gap(manifold));
+    // Positions in 32 bits, as far as the plate goes from the cross.
+    const double rounding = 2 * static_cast<double>(kCollisionRounding) * (2 * half.norm() + X_WB.p.norm());
+    const double preference = test::face_preference(Box{Vec3(9, 9, 9)}, scene.other, gap);
+    EXPECT_NEAR(least, gap, preference + rounding) << k;
+    ahead += gap > 0 ? 1 : 0;
+  }
+  EXPECT_GT(ahead, 700);
+}
+
 /// What is inside a closed mesh, touching none of its triangles, is shown the way out.
 TEST(NarrowPhaseMeshes, WhatIsInsideIsShownTheWayOut) {
   const Shape ground = field([](double, double) { return 0.0; });

@@ -91,22 +91,23 @@ bool MeshMeeting::patch_meets(const MeshView& view, const Facet& facet, const Me
   });
 }
 
-/// What the triangle's own normal, those of the neighbours of its patch, and the edges of it that are touched
-/// separate the core from it by at most. A triangle that lies behind a plane is separated by that too.
+/// What the triangle's own normal, those of the neighbours of its patch, and the edges that are touched
+/// separate the core from it by at most. A triangle that lies behind a plane is separated by that too: moved
+/// along the plane's normal by as much as it overlaps, the core leaves the triangle, of whatever part of the
+/// mesh the plane is. Edges are touched, so that they hold the core if the triangle does not. The plane of a
+/// face may be touched nowhere: with an overlap only those of neighbours count.
 float MeshMeeting::bound_of(const MeshView& view, const Facet& facet) const {
   float bound = facet.separation;
   for (const Facet& other : facets_) {
     if (other.separation <= bound || !lies_behind(facet, other.n, other.corners[0])) continue;
     const auto& vertices = view.mesh->triangles[at(other.triangle)].vertices;
     const auto is_of_other = [&](int v) { return v == vertices[0] || v == vertices[1] || v == vertices[2]; };
-    if (patch_meets(view, facet, is_of_other)) bound = other.separation;
+    if (other.separation > 0 || patch_meets(view, facet, is_of_other)) bound = other.separation;
   }
   for (std::size_t k = 0; k < ridge_count_; ++k) {
     const Ridge& ridge = ridges_[k];
     const float separation = ridge.gap + pair_.b.radius;
-    const auto is_end = [&](int v) { return v == ridge.ends[0] || v == ridge.ends[1]; };
-    if (separation <= bound || !lies_behind(facet, ridge.n, ridge.from)) continue;
-    if (patch_meets(view, facet, is_end)) bound = separation;
+    if (separation > bound && lies_behind(facet, ridge.n, ridge.from)) bound = separation;
   }
   return bound;
 }
