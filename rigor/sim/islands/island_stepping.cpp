@@ -28,12 +28,16 @@ int weight_of_step(double relative) {
 constexpr int implicit_steps = 60;
 /// How often such a step is halved where joints do not hold over it.
 constexpr int most_step_halvings = 12;
+/// How far bodies may rotate in such a step [rad], and how often it is shortened for that.
+constexpr double most_turn = 0.25;
+constexpr int most_turn_reductions = 12;
 
 }  // namespace
 
 IslandStepping::IslandStepping(const Model& model, const ContactSystemAssembler& assembler,
                                const IslandIntegrator& integrator, const Method& method, double target_step)
-    : assembler_(assembler),
+    : model_(model),
+      assembler_(assembler),
       integrator_(integrator),
       mode_changes_(model, assembler, method),
       time_tolerance_(method.time_tolerance),
@@ -41,6 +45,7 @@ IslandStepping::IslandStepping(const Model& model, const ContactSystemAssembler&
       slip_tolerance_(slip_tolerance(method)),
       direction_tolerance_(direction_tolerance(method)),
       target_step_(target_step),
+      hopeless_error_(1 / std::sqrt(method.tolerance)),
       crowding_(at(model.body_count())),
       step_size_(at(model.body_count()), infinite) {}
 
@@ -80,11 +85,30 @@ RunningIsland IslandStepping::take_step(Island island, double h, AdvanceReport& 
   return running;
 }
 
+/// How far the body that rotates fastest rotates in the step at most [rad].
+double IslandStepping::turn_of(const Island& island, const IslandStep& step) const {
+  double fastest = 0;
+  for (std::size_t i = 0; i < island.bodies.size(); ++i) {
+    const Body& body = model_.body(island.bodies[i]);
+    for (const BodyPhase* const phase : {&island.start[i], &step.end[i]})
+      fastest = std::max(fastest, dynamic_kinetics(body, *phase).w.norm());
+  }
+  return step.h * fastest;
+}
+
 void IslandStepping::take_implicit_step(double h, double resolved, RunningIsland& running,
                                         AdvanceReport& report) {
   const Island& island = running.island;
   h = std::min(h, 0.1 * target_step_);
   running.step = integrator_.implicit_step(island, h);
+
+  // The arms of its impulses are those of its beginning: no body may rotate far.
+  for (int k = 0; k < most_turn_reductions && h > resolved; ++k) {
+    const double turn = turn_of(island, running.step);
+    if (turn <= most_turn) break;
+    h = std::max(std::min(most_turn / turn, 0.5) * h, resolved);
+    running.step = integrator_.implicit_step(island, h);
+  }
 
   // Halved until the joints hold over it: putting them back must not push bodies into each other.
   const auto off = [&] {
@@ -123,6 +147,13 @@ void IslandStepping::take_accurate_step(double h, double resolved, RunningIsland
 
   ControlledStep taken =
       integrator_.controlled_step(island, std::max(first, least), {least, h, target_step_});
+
+  // Where the shortest step loses half of its digits the forces change faster than it: explicit stages that
+  // feed on their own error would add any energy.
+  if (taken.step.error > hopeless_error_ && !island.contacts.empty()) {
+    go_to_velocity_level(island.bodies);
+    return take_implicit_step(h, resolved, running, report);
+  }
   running.step = std::move(taken.step);
 
   // It ends where the modes of its contacts no longer hold.

@@ -46,13 +46,16 @@ class IslandStepping {
 
  private:
   int crowding_of(const std::vector<int>& bodies) const;
+  double turn_of(const Island& island, const IslandStep& step) const;
   void take_accurate_step(double h, double resolved, RunningIsland& running, AdvanceReport& report);
   void take_implicit_step(double h, double resolved, RunningIsland& running, AdvanceReport& report);
 
+  const Model& model_;
   const ContactSystemAssembler& assembler_;
   const IslandIntegrator& integrator_;
   ModeChangeSearch mode_changes_;
   double time_tolerance_, contact_tolerance_, slip_tolerance_, direction_tolerance_, target_step_;
+  double hopeless_error_;          ///< Of a step, relative to the tolerance: half of its digits are lost.
   std::vector<int> crowding_;      ///< Of each body: short steps in a row.
   std::vector<double> step_size_;  ///< Of each body: what the error of its last step suggests [s].
 };
