@@ -29,8 +29,8 @@ constexpr int implicit_steps = 60;
 /// How often such a step is halved where joints do not hold over it.
 constexpr int most_step_halvings = 12;
 /// How far bodies may rotate in such a step [rad], and how often it is shortened for that.
-constexpr double most_turn = 0.25;
-constexpr int most_turn_reductions = 12;
+constexpr double most_rotation = 0.25;
+constexpr int most_rotation_reductions = 12;
 
 }  // namespace
 
@@ -86,7 +86,7 @@ RunningIsland IslandStepping::take_step(Island island, double h, AdvanceReport& 
 }
 
 /// How far the body that rotates fastest rotates in the step at most [rad].
-double IslandStepping::turn_of(const Island& island, const IslandStep& step) const {
+double IslandStepping::rotation_over(const Island& island, const IslandStep& step) const {
   double fastest = 0;
   for (std::size_t i = 0; i < island.bodies.size(); ++i) {
     const Body& body = model_.body(island.bodies[i]);
@@ -103,10 +103,10 @@ void IslandStepping::take_implicit_step(double h, double resolved, RunningIsland
   running.step = integrator_.implicit_step(island, h);
 
   // The arms of its impulses are those of its beginning: no body may rotate far.
-  for (int k = 0; k < most_turn_reductions && h > resolved; ++k) {
-    const double turn = turn_of(island, running.step);
-    if (turn <= most_turn) break;
-    h = std::max(std::min(most_turn / turn, 0.5) * h, resolved);
+  for (int k = 0; k < most_rotation_reductions && h > resolved; ++k) {
+    const double rotation = rotation_over(island, running.step);
+    if (rotation <= most_rotation) break;
+    h = std::max(std::min(most_rotation / rotation, 0.5) * h, resolved);
     running.step = integrator_.implicit_step(island, h);
   }
 

@@ -46,7 +46,7 @@ class IslandStepping {
 
  private:
   int crowding_of(const std::vector<int>& bodies) const;
-  double turn_of(const Island& island, const IslandStep& step) const;
+  double rotation_over(const Island& island, const IslandStep& step) const;
   void take_accurate_step(double h, double resolved, RunningIsland& running, AdvanceReport& report);
   void take_implicit_step(double h, double resolved, RunningIsland& running, AdvanceReport& report);
 
