@@ -1,10 +1,13 @@
 #include "rigor/view/3d/picture.hpp"
 
+#include "random_vectors.hpp"
 #include "view/view_scenes.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace rigor::picture_test {
 namespace {
@@ -36,6 +39,48 @@ TEST(Photographer, TheLegendStandsWhereItCoversNoBody) {
     }
     EXPECT_GT(covered, 500) << "there is a legend";
     EXPECT_EQ(hidden, 0) << "pixels of bodies under it";
+  }
+}
+
+/// Height of a ball of the radius about p_W in the picture [px]; 0 if its centre is outside.
+double height_in_picture(const Camera& camera, const Vec3& p_W, double radius, const PictureSize& size) {
+  const Projection projection(camera, size.width, size.height);
+  const Vec3 p_K = projection.X_KW() * p_W;
+  if (p_K.z() <= 0) return 0;
+  const PicturePoint seen = projection.project(p_K);
+  const bool is_inside = seen.x > 0 && seen.x < size.width && seen.y > 0 && seen.y < size.height;
+  return is_inside ? 2 * projection.focal_length() * radius * seen.nearness : 0;
+}
+
+/// A small body that flies farther than one picture can show is on each picture of a sheet all the same.
+TEST(Photographer, MomentsOnASheetShowWhatHasFlownOff) {
+  test::Random random(3);
+  constexpr PictureSize size{466, 262};
+  for (int k = 0; k < 40; ++k) {
+    SCOPED_TRACE(k);
+    const double radius = std::pow(10, random.uniform(-3, -1)),
+                 far = radius * std::pow(10, random.uniform(0, 5));
+    Recording recording = made_up_recording(
+        scene_of(fmt::format("  - {{name: a, mass: 1, shapes: [{{type: sphere, radius: {}}}]}}\n", radius)),
+        5, 1);
+    std::vector<Vec3> places;
+    for (int i = 0; i < 5; ++i) places.push_back(i * far * random.vector());
+    recording.motion.position.clear();
+    for (const Vec3& p : places)
+      recording.motion.position.insert(recording.motion.position.end(), {p.x(), p.y(), p.z()});
+
+    const Photographer photographer(recording, {}, size);
+    for (std::size_t i = 0; i < 5; ++i) {
+      const double height = height_in_picture(photographer.camera_of_moment(i), places[i], radius, size);
+      EXPECT_GE(height, 1) << "moment " << i;
+      // What the common camera shows is taken with it, so that places can be compared.
+      if (height_in_picture(photographer.camera(), places[i], radius, size) >= 1) {
+        EXPECT_EQ(photographer.camera_of_moment(i).eye, photographer.camera().eye);
+      }
+    }
+    // Where the user placed the camera it stays.
+    const Photographer placed(recording, {Vec3(0, -far, 0), Vec3::Zero(), {}}, size);
+    for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(placed.camera_of_moment(i).eye, Vec3(0, -far, 0));
   }
 }
 

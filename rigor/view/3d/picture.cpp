@@ -113,7 +113,7 @@ PictureSize sheet_tile(int sheet_width) {
 }
 
 Photographer::Photographer(const Recording& recording, const CameraWishes& wishes, const PictureSize& size)
-    : recording_(recording), size_(size), scene_(make_drawn_scene(*recording.model)) {
+    : recording_(recording), size_(size), wishes_(wishes), scene_(make_drawn_scene(*recording.model)) {
   const std::vector<Pose> poses = sampled_poses(recording);
   camera_ = make_camera(scene_, poses, wishes, static_cast<double>(size.width) / size.height);
   place_legend(poses);
@@ -140,6 +140,17 @@ void Photographer::place_legend(const std::vector<Pose>& poses) {
 
 Image Photographer::draw(std::size_t frame) {
   return renderer_.draw(scene_, poses_at(recording_, frame), camera_, size_.width, size_.height);
+}
+
+Camera Photographer::camera_of_moment(std::size_t frame) const {
+  const bool can_move = std::any_of(scene_.shapes.begin(), scene_.shapes.end(),
+                                    [](const DrawnShape& shape) { return shape.can_move; });
+  if (!can_move || wishes_.eye || wishes_.target) return camera_;
+  // A place of its own for a moment of which the common one shows nothing that moves, or less than a pixel.
+  const std::vector<Pose> poses = poses_at(recording_, frame);
+  const PictureBox all{0, static_cast<double>(size_.width), 0, static_cast<double>(size_.height), 0};
+  if (covered(all, scene_, poses, Projection(camera_, size_.width, size_.height)) >= 1) return camera_;
+  return make_camera(scene_, poses, wishes_, static_cast<double>(size_.width) / size_.height);
 }
 
 Image Photographer::picture(std::size_t frame) {
@@ -185,7 +196,10 @@ Image Photographer::sheet(const std::vector<KeyMoment>& moments) {
   for (std::size_t i = 0; i < moments.size(); ++i) {
     const int x = static_cast<int>(gap) + static_cast<int>(i) % columns * step_x;
     const int y = head + static_cast<int>(i) / columns * step_y;
-    canvas.paste(draw(moments[i].frame), x, y);
+    const std::size_t frame = moments[i].frame;
+    canvas.paste(renderer_.draw(scene_, poses_at(recording_, frame), camera_of_moment(frame), size_.width,
+                                size_.height),
+                 x, y);
     const std::string time = time_text(recording_, moments[i].frame);
     const double base = y + size_.height + 0.95 * size, from = x + text_width(time, size) + 1.2 * size;
     canvas.text(time, x, base, {.size = size, .color = ink()});

@@ -14,13 +14,17 @@ struct PictureSize {
 };
 inline constexpr int least_picture_side = 16, most_picture_side = 16384;
 
-/// Makes pictures of one recording, all through the same camera.
+/// Makes pictures of one recording, all through the same camera; on a sheet, moments of which it shows
+/// nothing that moves have one of their own.
 class Photographer {
  public:
   /// The recording must outlive this object.
   Photographer(const Recording& recording, const CameraWishes& wishes, const PictureSize& size);
 
   const Camera& camera() const { return camera_; }
+  /// The same camera, or one that frames this moment alone if that shows nothing that moves: small bodies fly
+  /// farther than a picture can show them. Where the user placed the camera it stays.
+  Camera camera_of_moment(std::size_t frame) const;
   /// The scene at an output time, without text.
   Image draw(std::size_t frame);
   /// The same with the scene's name, the time and the names of the moving bodies if they are few: these stand
@@ -35,6 +39,7 @@ class Photographer {
 
   const Recording& recording_;
   PictureSize size_;
+  CameraWishes wishes_;
   DrawnScene scene_;
   Camera camera_;
   Renderer renderer_;
