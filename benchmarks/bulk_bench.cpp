@@ -25,6 +25,7 @@ struct BenchOptions {
   bool has_peers = true;
   double soak_seconds = 0;  ///< Instead of the table.
   ScaleOptions scale;       ///< Instead of the table, if any grains are asked for.
+  int churn = 0;            ///< Likewise: grains of which some come and go.
 };
 
 std::vector<BulkContender> contenders_of(const BenchOptions& options) {
@@ -121,6 +122,8 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1000, 1000000));
   app.add_option("--scale-from", options.scale.least, "or so many up to that")
       ->check(CLI::Range(1000, 1000000));
+  app.add_option("--churn", options.churn, "instead: so many grains in a hopper, of which some come and go")
+      ->check(CLI::Range(100, 1000000));
   const std::map<std::string, Grain> grains = {{"spheres", Grain::sphere}, {"hulls", Grain::hull}};
   app.add_option("--grains", options.scale.grains, "which of them: spheres, hulls")
       ->transform(CLI::CheckedTransformer(grains));
@@ -138,6 +141,10 @@ int main(int argc, char** argv) {
       is_sound = soak(scene, options.soak_seconds, options.substeps) && is_sound;
     }
     return is_sound ? 0 : 1;
+  }
+  if (options.churn > 0) {
+    print_churn(options.churn, options.run.steps);
+    return 0;
   }
   if (options.scale.most > 0) {
     print_scale(options.scale);

@@ -61,5 +61,7 @@ struct ScaleOptions {
 };
 /// Prints how memory and time grow with the number of grains.
 void print_scale(const ScaleOptions& options);
+/// Prints what it costs that grains come and go (BulkSimulation).
+void print_churn(int grains, int steps);
 
 }  // namespace rigor::bench

@@ -1,20 +1,7 @@
 #include "rigor/bulk/bulk_world.hpp"
 
-#include "rigor/bulk/broad_phase/pair_finder.hpp"
-#include "rigor/bulk/contacts/bounce_limits.hpp"
-#include "rigor/bulk/contacts/bulk_contacts.hpp"
-#include "rigor/bulk/contacts/elastic_tilts.hpp"
-#include "rigor/bulk/contacts/energy_bound.hpp"
-#include "rigor/bulk/direct/direct_islands.hpp"
-#include "rigor/bulk/gyroscopic/gyroscopic_terms.hpp"
-#include "rigor/bulk/joints/bulk_joints.hpp"
+#include "rigor/bulk/bulk_world_scratch.hpp"
 #include "rigor/bulk/lanes/float_lanes.hpp"
-#include "rigor/bulk/narrow_phase/narrow_phase.hpp"
-#include "rigor/bulk/passing/passing_guard.hpp"
-#include "rigor/bulk/sleep/sleepers.hpp"
-#include "rigor/bulk/state/prescribed_bodies.hpp"
-#include "rigor/bulk/step_balance.hpp"
-#include "rigor/bulk/step_forces.hpp"
 #include "rigor/bulk/threads/subnormals.hpp"
 #include "rigor/core/assert.hpp"
 #include "rigor/core/index.hpp"
@@ -38,47 +25,6 @@ namespace {
 constexpr double margin_steps = 2;
 
 }  // namespace
-
-struct BulkWorld::Scratch {
-  Scratch(const Model& model, int threads)
-      : executor(threads),
-        pair_finder(model),
-        narrow_phase(model),
-        contacts(model),
-        tilts(model),
-        direct(model),
-        joints(model),
-        gyroscopic_terms(model),
-        prescribed(model),
-        bounce_limits(model),
-        energy_bound(model),
-        passing(model),
-        balance(model),
-        forces(model) {}
-
-  Executor executor;
-  PairFinder pair_finder;
-  NarrowPhase narrow_phase;
-  BulkContacts contacts;
-  ElasticTilts tilts;
-  DirectIslands direct;
-  BulkJoints joints;
-  GyroscopicTerms gyroscopic_terms;
-  PrescribedBodies prescribed;
-  BounceLimits bounce_limits;
-  EnergyBound energy_bound;
-  PassingGuard passing;
-  StepBalance balance;
-  StepForces forces;
-  std::optional<Sleepers> sleepers;  ///< Only if bodies may sleep.
-  std::vector<ShapePair> pairs;
-  ManifoldList manifolds;
-  std::vector<float> joint_impulses;
-  std::vector<MotionRow> turns;          ///< Changes of angular velocity in a substep, by gyroscopic terms.
-  std::vector<MotionRow> unconstrained;  ///< Velocities of a substep before its constraints.
-  std::vector<char> touches;             ///< Whether each body may touch another in the step.
-  std::vector<int> outside_chains;       ///< Bodies that move and are not in a contact-free chain.
-};
 
 BulkWorld::BulkWorld(std::shared_ptr<const Model> model, const BulkSettings& settings)
     : model_(std::move(model)),
@@ -126,7 +72,7 @@ void BulkWorld::set_pose(int body, const Pose& X_WB) {
 }
 
 void BulkWorld::wake_all() {
-  for (int i = 0; i < bodies_.count(); ++i) wake(i);
+  if (scratch_->sleepers) scratch_->sleepers->disturb_all();
 }
 
 void BulkWorld::set_velocity(int body, const Vec3& v_W, const Vec3& w_W) {
@@ -164,6 +110,7 @@ void BulkWorld::set_contact_filter(std::function<bool(int, int)> may_touch) {
 void BulkWorld::read(const State& state) {
   // As steps compute, so that a fresh world continues with the same bits.
   const SubnormalScope no_subnormals(Subnormals::flushed);
+  settle_changes();
   scratch_->forces.clear_given();
   t_ = state.t;
   bodies_ = read_bulk_bodies(*model_, state);
@@ -198,6 +145,7 @@ BulkStepReport BulkWorld::step(double h, double whole) {
   RIGOR_ASSERT(0 < h && h <= whole);
   // What comes to rest has many subnormal numbers, at which processors are slow.
   const SubnormalScope no_subnormals(Subnormals::flushed);
+  settle_changes();
   // Forces of the step before act for a shorter time.
   if (h != whole) memory_ = memory_.scaled(static_cast<float>(h / whole));
   const Executor::Team team(s.executor);
@@ -250,14 +198,14 @@ BulkStepReport BulkWorld::take_step(double h, double whole) {
   s.unconstrained.resize(bodies_.x.size());
   find_bodies_outside_chains();
   s.gyroscopic_terms.prepare(bodies_, s.outside_chains, s.executor);
-  s.joints.prepare(bodies_, substep, s.executor);
+  s.joints->prepare(bodies_, substep, s.executor);
   // The balance begins before velocities change. Islands solved directly are left out of the sweeps.
   if (settings_.measures) s.balance.begin(bodies_);
   report.direct_islands = solve_directly(h);
   s.contacts.prepare(bodies_, substep, whole / settings_.substeps, s.direct, s.executor);
   if (s.contacts.has_restitution()) s.bounce_limits.begin(bodies_, s.executor);
   // Chains that touch nothing need no contacts and take all of their substeps at once.
-  s.joints.advance_contact_free_chains(s.forces.accelerations(), settings_.substeps, bodies_, s.executor);
+  s.joints->advance_contact_free_chains(s.forces.accelerations(), settings_.substeps, bodies_, s.executor);
   // Substeps, whose impulses are added up: the energies of the springs follow from the sums.
   for (int k = 0; k < settings_.substeps; ++k) {
     take_substep(k == 0, static_cast<float>(substep));
@@ -308,8 +256,8 @@ void BulkWorld::end_step(double h, BulkStepReport& report) {
   end_bulk_step(s.executor, bodies_);
   s.contacts.remember(bodies_, h / settings_.substeps, settings_.substeps, s.executor, memory_);
   s.direct.remember(settings_.substeps, s.contacts.keeps_energy(), memory_);
-  s.joints.read_impulses(bodies_, s.joint_impulses);
-  std::tie(report.max_joint_error, report.worst_joint) = s.joints.worst_error(bodies_);
+  s.joints->read_impulses(bodies_, s.joint_impulses);
+  std::tie(report.max_joint_error, report.worst_joint) = s.joints->worst_error(bodies_);
   // The State holds angular momenta, from which a fresh world would read the angular velocities.
   s.executor.for_ranges(bodies_.count(), 256, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
@@ -358,14 +306,14 @@ void BulkWorld::take_substep(bool is_first, float h) {
   if (is_first) {
     s.contacts.warm_start(bodies_, s.executor);
     // Joints come first once, so that contacts meet bodies that are held, as in the other substeps.
-    if (!s.manifolds.empty()) s.joints.solve(JointPass::places, s.executor);
+    if (!s.manifolds.empty()) s.joints->solve(JointPass::places, s.executor);
   }
   // One sweep that puts overlaps back at the rate of the spring, then the joints hold.
   s.contacts.solve(BlockPass::push, h, bodies_, s.executor);
-  s.joints.solve(JointPass::places_anew, s.executor);
+  s.joints->solve(JointPass::places_anew, s.executor);
   integrate_positions(h);
   // After positions have moved, a sweep of velocities alone, so that springs add no speed.
-  s.joints.solve(JointPass::rates, s.executor);
+  s.joints->solve(JointPass::rates, s.executor);
   s.contacts.solve(BlockPass::relax, h, bodies_, s.executor);
 }
 
@@ -406,10 +354,10 @@ int BulkWorld::solve_directly(double h) {
 /// Finds the bodies whose substeps are taken here: all that move, except those of trees that touch nothing.
 void BulkWorld::find_bodies_outside_chains() {
   Scratch& s = *scratch_;
-  if (s.joints.may_have_contact_free_chains()) s.joints.find_contact_free_chains(bodies_, s.touches);
+  if (s.joints->may_have_contact_free_chains()) s.joints->find_contact_free_chains(bodies_, s.touches);
   s.outside_chains.clear();
   for (int i = 0; i < bodies_.count(); ++i) {
-    if (bodies_.stirs(i) && !s.joints.is_free(i)) s.outside_chains.push_back(i);
+    if (bodies_.stirs(i) && !s.joints->is_free(i)) s.outside_chains.push_back(i);
   }
 }
 

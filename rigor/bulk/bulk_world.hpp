@@ -47,6 +47,29 @@ class BulkWorld {
   void set_target(int body, const Vec3& x, const Quat& q);
   /// See PairFinder::set_contact_filter.
   void set_contact_filter(std::function<bool(int, int)> may_touch);
+
+  // After the Model was changed in place (ModelEditor). It keeps its number of bodies, and every shape that
+  // it has had stays alive. All of it takes effect as a fresh world of the changed Model would have it.
+  /// A body came, went, or became another: it is where the Model has it, with the velocities of t = 0, and
+  /// awake.
+  void change_body(int body);
+  /// With what a body may collide, by its group and mask.
+  void change_filter(int body);
+  /// Joints came, went or became others, or bodies may collide that could not before: was[i] is the number
+  /// that the joint i had before, or -1 if it is new. Wakes these bodies.
+  void change_ties(const std::vector<int>& was, const std::vector<int>& concerned);
+  /// There are more materials, or others (then all bodies are to be woken).
+  void change_surfaces();
+  void change_gravity();
+  void wake_all();
+
+  /// What another world of as many bodies or fewer was asked to do in its next step.
+  void take_given(const BulkWorld& from);
+
+  /// Lets all parts of the solver know of changes, as each step does at its beginning: before the memories of
+  /// contacts or the State are asked for.
+  void settle_changes();
+
   void read(const State& state);
   void write(State& state) const;
   /// The bodies alone: where they are and how they move.
@@ -61,7 +84,7 @@ class BulkWorld {
   double time() const { return t_; }
   const BulkBodies& bodies() const { return bodies_; }
   bool is_asleep(int body) const;
-  /// Keeps a body awake in the next step, with all that it touches.
+  /// Wakes a body, and in the next step all that it touches.
   void wake(int body);
   /// All manifolds of the last step in the order of their keys, except those of sleeping bodies, for which
   /// nothing was computed.
@@ -71,6 +94,7 @@ class BulkWorld {
 
  private:
   struct Scratch;
+  void forget_contacts_of_changed();
   BulkStepReport step_in_parts(double h, double whole, int parts);
   BulkStepReport take_step(double h, double whole);
   void stop_passing(double h);
@@ -78,7 +102,6 @@ class BulkWorld {
   /// Moves the bodies and remembers what goes into the next step, after the velocities are final.
   void end_step(double h, BulkStepReport& report);
   void find_contacts(double h);
-  void wake_all();
   void take_substep(bool is_first, float h);
   void find_direct_islands(double substep);
   int solve_directly(double h);
@@ -88,7 +111,16 @@ class BulkWorld {
   void integrate_velocities(bool is_first, float h);
   void integrate_positions(float h);
 
+  struct Changes {
+    std::vector<int> bodies;   ///< That came, went or became others; some more than once.
+    std::vector<int> filters;  ///< That collide with others than before.
+    std::vector<char> is_new;  ///< Whether it is one of `bodies`, by body; empty if there are none.
+    bool are_ties_new = false;
+    bool is_any() const { return are_ties_new || !bodies.empty() || !filters.empty(); }
+  };
+
   std::shared_ptr<const Model> model_;
+  Changes changes_;  ///< That the next step has to know.
   BulkSettings settings_;
   double t_ = 0;  ///< [s].
   BulkBodies bodies_;

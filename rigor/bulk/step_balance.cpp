@@ -22,6 +22,20 @@ constexpr double impact_speed = 1e-2;
 }  // namespace
 
 StepBalance::StepBalance(const Model& model) {
+  for (const Body& body : model.bodies()) masses_.push_back(body.mass);
+  find_free(model);
+}
+
+void StepBalance::change(const Model& model, const ChangedBodies& changed) {
+  // A body that no joint holds is free.
+  for (const int body : changed.bodies) {
+    masses_[at(body)] = model.body(body).mass;
+    is_free_[at(body)] = model.body(body).motion == MotionType::dynamic;
+  }
+  if (changed.are_ties_new) find_free(model);
+}
+
+void StepBalance::find_free(const Model& model) {
   // An island of joints that is tied to the world, or to a body that is not dynamic, has no balance of its
   // own: the joint's impulse is not known.
   BulkIslands islands(model);
@@ -37,9 +51,9 @@ StepBalance::StepBalance(const Model& model) {
     }
   }
   // Momentum is balanced over the bodies of all other islands.
+  is_free_.clear();
   for (int i = 0; i < model.body_count(); ++i) {
     const int island = islands.island_of(i);
-    masses_.push_back(model.body(i).mass);
     is_free_.push_back(island >= 0 && !is_grounded[at(island)]);
   }
 }

@@ -17,6 +17,9 @@ class StepBalance {
  public:
   explicit StepBalance(const Model& model);
 
+  /// After the Model has changed.
+  void change(const Model& model, const ChangedBodies& changed);
+
   /// Begins the balance, before the first substep and before islands are solved directly.
   void begin(const BulkBodies& bodies);
   /// Ends the balance, after the last substep and before bodies are moved. `accelerations` are those of
@@ -25,6 +28,7 @@ class StepBalance {
            const BulkContacts& contacts, const DirectIslands& direct, BulkStepReport& report) const;
 
  private:
+  void find_free(const Model& model);
   /// Adds to `given` what an impulse on B gives to the bodies of the balance, if it is not between two of
   /// them.
   void book(const BulkBodies& bodies, int body_A, int body_B, const Vec3& impulse, Vec3& given) const;

@@ -4,12 +4,35 @@
 #include "rigor/bulk/state/vector_of.hpp"
 #include "rigor/core/index.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 
 namespace rigor {
 
-StepForces::StepForces(const Model& model) : model_(model), environment_(model, PointSprings::act, false) {}
+namespace {
+
+bool is_damped(const Body& body) {
+  return body.linear_drag != 0 || body.angular_drag != 0 || body.linear_damping != 0 ||
+         body.angular_damping != 0;
+}
+
+}  // namespace
+
+StepForces::StepForces(const Model& model) : model_(model), environment_(environment_of(model)) {}
+
+Environment StepForces::environment_of(const Model& model) {
+  return Environment(model, PointSprings::act, false);
+}
+
+void StepForces::change(const ChangedBodies& changed) {
+  // Gravity is read from the Model; the environment knows the bodies on which more acts.
+  const auto acts_more = [&](int body) {
+    return is_damped(model_.body(body)) || environment_.has_drag(body) || environment_.is_forced(body);
+  };
+  if (changed.are_ties_new || std::any_of(changed.bodies.begin(), changed.bodies.end(), acts_more))
+    environment_ = environment_of(model_);
+}
 
 void StepForces::compute(const BulkBodies& bodies, double h, const Executor& executor) {
   accelerations_.resize(bodies.x.size());

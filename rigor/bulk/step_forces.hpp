@@ -1,6 +1,7 @@
 #pragma once
 
 #include "rigor/bulk/state/bulk_bodies.hpp"
+#include "rigor/bulk/state/changed_bodies.hpp"
 #include "rigor/bulk/threads/executor.hpp"
 #include "rigor/dynamics/environment.hpp"
 
@@ -14,9 +15,18 @@ class StepForces {
  public:
   explicit StepForces(const Model& model);
 
+  /// After gravity of the Model has changed; after other parts of it have.
+  void set_gravity() { environment_ = environment_of(model_); }
+  void change(const ChangedBodies& changed);
+
   /// Gives a dynamic body a force [N] and a torque about its centre of mass [N m] for the next step, in W.
   void give(int body, const Wrench& wrench) { given_.push_back({body, wrench}); }
+  void take_given(const StepForces& from) { given_ = from.given_; }
   void clear_given() { given_.clear(); }
+  /// Takes back what a body was given.
+  void clear_given(int body) {
+    std::erase_if(given_, [body](const GivenWrench& given) { return given.body == body; });
+  }
 
   /// The accelerations of all bodies in a step of h [s].
   void compute(const BulkBodies& bodies, double h, const Executor& executor);
@@ -31,6 +41,7 @@ class StepForces {
     int body;
     Wrench wrench;
   };
+  static Environment environment_of(const Model& model);
   void add_given(const BulkBodies& bodies);
 
   const Model& model_;

@@ -48,6 +48,7 @@ class Model {
 
  private:
   friend class ModelBuilder;
+  friend class ModelEditor;
   friend std::shared_ptr<const Model> changed_model(const Model& model, const ModelChanges& changes);
   Model() = default;
 

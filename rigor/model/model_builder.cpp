@@ -10,6 +10,7 @@
 #include "rigor/model/force_builder.hpp"
 #include "rigor/model/joint_builder.hpp"
 #include "rigor/model/limits.hpp"
+#include "rigor/model/material_checks.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -36,25 +37,6 @@ struct PairDescription {
   NamedPair materials;
   PairCoefficients coefficients;
 };
-
-void check_static_friction(double friction, std::optional<double> static_friction, Findings& findings) {
-  if (!static_friction) return;
-  findings.check("static_friction", *static_friction, limits::friction, "");
-  findings.require(!(*static_friction < friction), "static_friction is " + number_text(*static_friction) +
-                                                       ", must be at least friction, " +
-                                                       number_text(friction));
-}
-
-void check_material(const Material& material, Findings& findings) {
-  findings.check_name(material.name);
-  findings.check("density", material.density, limits::density, "kg/m³");
-  findings.check("friction", material.friction, limits::friction, "");
-  findings.check("restitution", material.restitution, limits::restitution, "");
-  findings.check("tangential_restitution", material.tangential_restitution, limits::restitution, "");
-  findings.check("rolling_friction", material.rolling_friction, limits::length, "m");
-  findings.check("torsional_friction", material.torsional_friction, limits::length, "m");
-  check_static_friction(material.friction, material.static_friction, findings);
-}
 
 /// The default material at index 0 (the user's, if there is one of that name), then the user's in their
 /// order.
@@ -85,13 +67,7 @@ std::map<std::pair<int, int>, PairCoefficients> make_pairs(const std::vector<Pla
   for (const auto& [pair, where] : parts) {
     const auto& [a, b] = pair.materials;
     Findings findings(where, "pair " + quoted_text(a) + ", " + quoted_text(b), messages);
-    findings.check("friction", pair.coefficients.friction, limits::friction, "");
-    findings.check("restitution", pair.coefficients.restitution, limits::restitution, "");
-    findings.check("tangential_restitution", pair.coefficients.tangential_restitution, limits::restitution,
-                   "");
-    findings.check("rolling_friction", pair.coefficients.rolling_friction, limits::length, "m");
-    findings.check("torsional_friction", pair.coefficients.torsional_friction, limits::length, "m");
-    check_static_friction(pair.coefficients.friction, pair.coefficients.static_friction, findings);
+    check_coefficients(pair.coefficients, findings);
     bool is_known = true;
     for (const std::string& name : {a, b}) {
       is_known &= findings.require(materials.index.count(name) > 0,

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 namespace rigor {
@@ -30,6 +31,12 @@ FloatBox shifted(const FloatBox& box, const float* shift) {
   return moved;
 }
 
+/// A box that overlaps nothing and holds nothing.
+FloatBox empty_box() {
+  constexpr float far = std::numeric_limits<float>::infinity();
+  return {{far, far, far}, {-far, -far, -far}};
+}
+
 bool holds(const FloatBox& wide, const FloatBox& box) {
   bool is_inside = true;
   for (int k = 0; k < 3; ++k)
@@ -47,9 +54,76 @@ NearBodies::NearBodies(std::vector<int> moving, std::vector<int> standing, std::
   is_out_.resize(radii_.size());
   // Where the wide box of each body is.
   slot_.resize(radii_.size());
-  for (std::size_t i = 0; i < moving_.bodies.size(); ++i) slot_[at(moving_.bodies[i])] = static_cast<int>(i);
-  for (std::size_t i = 0; i < standing_.bodies.size(); ++i)
-    slot_[at(standing_.bodies[i])] = -1 - static_cast<int>(i);
+  kinds_.resize(radii_.size(), Kind::none);
+  for (const int body : moving_.bodies) kinds_[at(body)] = Kind::moving;
+  for (const int body : standing_.bodies) kinds_[at(body)] = Kind::standing;
+  number_places(moving_);
+  number_places(standing_);
+}
+
+void NearBodies::number_places(const Side& side) {
+  for (std::size_t i = 0; i < side.bodies.size(); ++i) {
+    const int place = static_cast<int>(i);
+    if (side.bodies[i] >= 0) slot_[at(side.bodies[i])] = &side == &moving_ ? place : -1 - place;
+  }
+}
+
+void NearBodies::change(const std::vector<Change>& changes, float cell) {
+  cell_ = cell;
+  if (changes.empty()) return;
+  has_changed_ = true;
+  std::fill(is_out_.begin(), is_out_.end(), 0);
+  for (const Change& change : changes) {
+    is_out_[at(change.body)] = 1;
+    leave(change.body);
+    radii_[at(change.body)] = change.radius;
+    kinds_[at(change.body)] = change.kind;
+    if (change.kind == Kind::moving) join(change.body, moving_);
+    if (change.kind == Kind::standing) join(change.body, standing_);
+  }
+  std::erase_if(pairs_, [&](const Pair& pair) { return is_out_[at(pair.a)] || is_out_[at(pair.b)]; });
+}
+
+/// Takes a body off its side; its place is free for another.
+void NearBodies::leave(int body) {
+  if (kinds_[at(body)] == Kind::none) return;
+  const bool is_moving = kinds_[at(body)] == Kind::moving;
+  Side& side = is_moving ? moving_ : standing_;
+  const int place = is_moving ? slot_[at(body)] : -1 - slot_[at(body)];
+  side.bodies[at(place)] = -1;
+  side.free.push_back(place);
+  if (!is_built_) return;
+  side.wide[at(place)] = empty_box();
+  side.tree.replace(place, empty_box());
+}
+
+/// Puts a body on a side. Its box is put into the tree by the next update(), since it has left its wide box,
+/// which holds nothing; where no place is free, the tree is built anew.
+void NearBodies::join(int body, Side& side) {
+  if (side.free.empty()) {
+    is_built_ = false;
+    side.free.push_back(static_cast<int>(side.bodies.size()));
+    side.bodies.push_back(-1);
+  }
+  const int place = side.free.back();
+  side.free.pop_back();
+  side.bodies[at(place)] = body;
+  slot_[at(body)] = &side == &moving_ ? place : -1 - place;
+}
+
+/// Before its tree is built: puts the bodies in the order of their numbers, with some free places behind them
+/// where bodies come and go.
+void NearBodies::close_gaps(Side& side) {
+  constexpr std::size_t least_free = 32, free_share = 16;
+  std::erase(side.bodies, -1);
+  std::sort(side.bodies.begin(), side.bodies.end());
+  side.free.clear();
+  for (std::size_t k = least_free + side.bodies.size() / free_share; k > 0; --k) {
+    side.free.push_back(static_cast<int>(side.bodies.size()));
+    side.bodies.push_back(-1);
+  }
+  std::reverse(side.free.begin(), side.free.end());
+  number_places(side);
 }
 
 /// The box with some room on all sides, and more in the direction of motion: it then stays inside for several
@@ -79,11 +153,12 @@ void NearBodies::find_escaped(const Boxes& boxes, const Executor& executor) {
     executor.for_ranges(static_cast<int>(side->bodies.size()), grain, [&](int begin, int end) {
       for (int i = begin; i < end; ++i) {
         const int body = side->bodies[at(i)];
+        if (body < 0) continue;
         is_out_[at(body)] = !holds(side->wide[at(i)], shifted(boxes.box[at(body)], shift));
       }
     });
     for (const int body : side->bodies)
-      if (is_out_[at(body)]) escaped_.push_back(body);
+      if (body >= 0 && is_out_[at(body)]) escaped_.push_back(body);
   }
 }
 
@@ -104,11 +179,19 @@ void NearBodies::build(const Boxes& boxes, const PairFilter& filter, const Execu
   is_built_ = true;
   replaced_ = 0;
   origin_ = boxes.origin;
+  if (has_changed_) {
+    close_gaps(moving_);
+    close_gaps(standing_);
+    has_changed_ = false;
+  }
   // Wide boxes of all bodies, and a tree of each kind.
   for (Side* side : {&moving_, &standing_}) {
     side->wide.resize(side->bodies.size());
     executor.for_ranges(static_cast<int>(side->bodies.size()), 512, [&](int begin, int end) {
-      for (int i = begin; i < end; ++i) side->wide[at(i)] = wide_box(boxes, side->bodies[at(i)]);
+      for (int i = begin; i < end; ++i) {
+        const int body = side->bodies[at(i)];
+        side->wide[at(i)] = body < 0 ? empty_box() : wide_box(boxes, body);
+      }
     });
     side->tree.build(side->wide, cell_);
   }

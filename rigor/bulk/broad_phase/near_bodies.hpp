@@ -39,6 +39,16 @@ class NearBodies {
   /// body [m].
   NearBodies(std::vector<int> moving, std::vector<int> standing, std::vector<float> radii, float cell);
 
+  /// What a body is to the search from the next update() on.
+  enum class Kind : char { none, moving, standing };
+  struct Change {
+    int body;
+    Kind kind;
+    float radius;  ///< Of its rounded box [m].
+  };
+  /// After bodies have changed: their pairs are forgotten and looked for anew. cell: as above.
+  void change(const std::vector<Change>& changes, float cell);
+
   /// The boxes of all bodies by number, relative to an origin that may change from call to call; h [s] is the
   /// length of a step, in which each box moves at its velocity.
   struct Boxes {
@@ -50,16 +60,21 @@ class NearBodies {
   void update(const Boxes& boxes, const PairFilter& filter, const Executor& executor);
   /// All pairs in the order of their numbers, without those that may not collide.
   const std::vector<Pair>& pairs() const { return pairs_; }
-  const std::vector<int>& moving() const { return moving_.bodies; }
   float radius(int body) const { return radii_[at(body)]; }
 
  private:
-  /// Bodies of one kind, and their wide boxes in a tree.
+  /// Bodies of one kind, and their wide boxes in a tree. A place without a body (-1) has a box that overlaps
+  /// nothing.
   struct Side {
     std::vector<int> bodies;
     std::vector<FloatBox> wide;
+    std::vector<int> free;  ///< Places without a body.
     BoxTree tree;
   };
+  void number_places(const Side& side);
+  void leave(int body);
+  void join(int body, Side& side);
+  void close_gaps(Side& side);
   FloatBox wide_box(const Boxes& boxes, int body) const;
   void find_escaped(const Boxes& boxes, const Executor& executor);
   void build(const Boxes& boxes, const PairFilter& filter, const Executor& executor);
@@ -76,9 +91,11 @@ class NearBodies {
   float cell_;
   Vec3 origin_ = Vec3::Zero();  ///< Origin of the wide boxes.
   bool is_built_ = false;
+  bool has_changed_ = false;  ///< Whether bodies came or went since the trees were built.
   std::size_t replaced_ = 0;  ///< How many boxes were replaced since the trees were built.
   std::vector<char> is_out_;  ///< Whether a body has left its wide box.
-  std::vector<int> slot_;     ///< Index of each body on its side; -1 - index on the standing side.
+  std::vector<int> slot_;     ///< Place of each body on its side; -1 - place on the standing side.
+  std::vector<Kind> kinds_;   ///< Of each body.
   std::vector<int> escaped_;
   std::vector<Pair> pairs_, found_;
 };

@@ -6,22 +6,32 @@
 
 namespace rigor {
 
-PairFilter::PairFilter(const Model& model) {
-  const std::size_t count = at(model.body_count());
-  // The excluded partners of each body, both ways.
-  std::vector<std::vector<int>> partners(count);
+PairFilter::PairFilter(const Model& model) : entries_(at(model.body_count())) {
+  for (int i = 0; i < model.body_count(); ++i) set_body(model, i);
+  set_excluded(model);
+}
+
+void PairFilter::set_body(const Model& model, int body) {
+  entries_[at(body)].group = model.body(body).group;
+  entries_[at(body)].mask = model.body(body).mask;
+}
+
+void PairFilter::set_excluded(const Model& model) {
+  // How many excluded partners each body has, both ways; its section of the list of all.
+  std::vector<int> counts(entries_.size(), 0);
   for (const auto& [a, b] : model.excluded_pairs()) {
-    partners[at(a)].push_back(b);
-    partners[at(b)].push_back(a);
+    ++counts[at(a)];
+    ++counts[at(b)];
   }
-  // One list for all bodies, each with its section, ascending.
-  for (std::size_t i = 0; i < count; ++i) {
-    const Body& body = model.bodies()[i];
-    const int begin = static_cast<int>(excluded_.size());
-    std::sort(partners[i].begin(), partners[i].end());
-    excluded_.insert(excluded_.end(), partners[i].begin(), partners[i].end());
-    entries_.push_back({body.group, body.mask, begin, static_cast<int>(excluded_.size())});
+  int end = 0;
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    entries_[i].excluded_begin = entries_[i].excluded_end = end;
+    end += counts[i];
   }
+  // Pairs are in order, so that the lower partners of a body come first, and each kind ascends.
+  excluded_.resize(at(end));
+  for (const auto& [a, b] : model.excluded_pairs()) excluded_[at(entries_[at(b)].excluded_end++)] = a;
+  for (const auto& [a, b] : model.excluded_pairs()) excluded_[at(entries_[at(a)].excluded_end++)] = b;
 }
 
 /// Searches the shorter of the two bodies' lists.

@@ -14,6 +14,11 @@ class PairFilter {
  public:
   explicit PairFilter(const Model& model);
 
+  /// After a body of the Model has changed: its group and mask.
+  void set_body(const Model& model, int body);
+  /// After the excluded pairs of the Model have changed.
+  void set_excluded(const Model& model);
+
   bool may_collide(int a, int b) const {
     const Entry &A = entries_[at(a)], &B = entries_[at(b)];
     if ((A.group & B.mask) == 0 || (B.group & A.mask) == 0) return false;
@@ -22,8 +27,8 @@ class PairFilter {
 
  private:
   struct Entry {
-    std::uint32_t group, mask;
-    int excluded_begin, excluded_end;  ///< Section of the list of excluded bodies, ascending.
+    std::uint32_t group = 0, mask = 0;
+    int excluded_begin = 0, excluded_end = 0;  ///< Section of the list of excluded bodies, ascending.
   };
   bool is_excluded(int a, int b) const;
 

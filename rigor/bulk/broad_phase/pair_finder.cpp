@@ -6,6 +6,7 @@
 #include "rigor/bulk/broad_phase/shape_places.hpp"
 #include "rigor/bulk/broad_phase/unbounded_shapes.hpp"
 #include "rigor/bulk/lanes/list_room.hpp"
+#include "rigor/bulk/state/shape_ranges.hpp"
 #include "rigor/core/index.hpp"
 
 #include <algorithm>
@@ -38,8 +39,14 @@ struct PairFinder::Tables {
     float h, margin;
   };
 
+  using Kind = NearBodies::Kind;
+
   explicit Tables(const Model& model);
-  float add_body(const Body& body);
+  void set_bodies(const Model& model, std::span<const int> bodies);
+  float add_body(const Model& model, int index);
+  void list_moving();
+  float mean_size() const;
+  void find_simple(int first, int last);
   int bound_of(const BodyShape& shape);
   void update(const Step& step, const Executor& executor);
   FloatBox update_body(const Step& step, int body);
@@ -55,7 +62,10 @@ struct PairFinder::Tables {
   PairFilter filter;
   std::function<bool(int, int)> may_touch;  ///< The caller's filter, or none.
   std::vector<BoundedShape> shapes;         ///< Bounded shapes of all bodies.
-  std::vector<int> shape_begin;             ///< Index of the first shape of each body, and the end.
+  ShapeRanges ranges;
+  std::vector<Kind> kinds;         ///< Of each body.
+  std::vector<double> sizes;       ///< Of each body [m].
+  std::vector<int> moving;         ///< Bodies of that kind, ascending.
   std::vector<char> are_simple;    ///< Whether this body and the next seven have one unrotated shape each.
   std::vector<ShapeBound> bounds;  ///< Bounds; bodies that share their shapes share these.
   std::unordered_map<const BodyShape*, int> bound_numbers;
@@ -71,61 +81,102 @@ struct PairFinder::Tables {
   std::vector<ShapePair> at_unbounded;
 };
 
-PairFinder::Tables::Tables(const Model& model) : filter(model) {
-  double size = 0;
-  std::vector<int> moving, standing;
-  std::vector<float> radii(at(model.body_count()), 0);
+PairFinder::Tables::Tables(const Model& model)
+    : filter(model),
+      ranges(at(model.body_count())),
+      kinds(at(model.body_count()), Kind::none),
+      sizes(at(model.body_count()), 0),
+      are_simple(at(model.body_count()), 0) {
+  std::vector<int> standing;
+  std::vector<float> radii;
   shapes.reserve(at(model.body_count()));
-  shape_begin.reserve(at(model.body_count()) + 1);
+  places.reserve(at(model.body_count()));
   for (int i = 0; i < model.body_count(); ++i) {
-    const Body& body = model.body(i);
-    shape_begin.push_back(static_cast<int>(shapes.size()));
-    // Unbounded shapes are tested against all moving bodies; only bounded ones have boxes.
-    for (std::size_t s = 0; s < body.shapes.size(); ++s)
-      if (is_unbounded(body.shapes[s].shape))
-        unbounded.push_back(make_unbounded_shape(i, static_cast<int>(s), body.shapes[s]));
-    radii[at(i)] = add_body(body);
-    if (shape_begin.back() == static_cast<int>(shapes.size())) continue;
-    const bool is_dynamic = body.motion == MotionType::dynamic;
-    (is_dynamic ? moving : standing).push_back(i);
-    if (is_dynamic) size += 2 * body.bounding_radius;
+    radii.push_back(add_body(model, i));
+    if (kinds[at(i)] == Kind::standing) standing.push_back(i);
   }
-  shape_begin.push_back(static_cast<int>(shapes.size()));
-  // Where eight bodies in a row have one shape each, along the axes of the body, their boxes are made in
-  // lanes.
-  are_simple.resize(at(model.body_count()), 0);
-  int simple = 0;  // How many from this body on, at most eight.
-  for (int i = model.body_count() - 1; i >= 0; --i) {
-    const int begin = shape_begin[at(i)];
-    const bool is_simple =
-        shape_begin[at(i) + 1] == begin + 1 && !bounds[at(shapes[at(begin)].bound)].is_turned;
-    simple = is_simple ? std::min(simple + 1, 8) : 0;
-    are_simple[at(i)] = simple == 8;
-  }
-  // The size of a cell is the mean size of the dynamic bodies.
-  const float cell = moving.empty() ? 1.0f : static_cast<float>(size / static_cast<double>(moving.size()));
-  near_bodies = std::make_unique<NearBodies>(std::move(moving), std::move(standing), std::move(radii), cell);
-  places.resize(shapes.size());
+  list_moving();
+  find_simple(0, model.body_count() - 1);
+  near_bodies = std::make_unique<NearBodies>(moving, std::move(standing), std::move(radii), mean_size());
   body_boxes.resize(at(model.body_count()) + 1);  // Each box has two more numbers behind it (RoundBoxPair).
 }
 
-/// Adds the bounded shapes of a body; returns the radius of the rounded edges of the box around them all.
-float PairFinder::Tables::add_body(const Body& body) {
-  const std::size_t first = shapes.size();
+void PairFinder::Tables::set_bodies(const Model& model, std::span<const int> bodies) {
+  std::vector<char> has_changed(at(model.body_count()), 0);
+  for (const int body : bodies) has_changed[at(body)] = 1;
+  std::erase_if(unbounded, [&](const UnboundedShape& shape) { return has_changed[at(shape.body)] != 0; });
+  std::vector<NearBodies::Change> changes;
+  for (const int body : bodies) {
+    filter.set_body(model, body);
+    const float radius = add_body(model, body);
+    changes.push_back({body, kinds[at(body)], radius});
+  }
+  for (const int body : bodies) find_simple(body - 7, body);
+  list_moving();
+  near_bodies->change(changes, mean_size());
+}
+
+/// Adds the shapes of a body; returns the radius of the rounded edges of the box around all bounded ones.
+float PairFinder::Tables::add_body(const Model& model, int index) {
+  const Body& body = model.body(index);
+  std::vector<BoundedShape> own;
   float radius = std::numeric_limits<float>::infinity();
   for (std::size_t s = 0; s < body.shapes.size(); ++s) {
-    if (is_unbounded(body.shapes[s].shape)) continue;
+    // Unbounded shapes are tested against all moving bodies; only bounded ones have boxes.
+    if (is_unbounded(body.shapes[s].shape)) {
+      unbounded.push_back(make_unbounded_shape(index, static_cast<int>(s), body.shapes[s]));
+      continue;
+    }
     const int bound = bound_of(body.shapes[s]);
-    shapes.push_back({static_cast<int>(s), bound, -1});
+    own.push_back({static_cast<int>(s), bound, -1});
     radius = std::min(radius, bounds[at(bound)].radius);
   }
   // A single shape has the box of its body; several have one each besides.
-  const std::size_t count = shapes.size() - first;
-  for (std::size_t k = first; k < shapes.size() && count > 1; ++k) {
-    shapes[k].box = static_cast<int>(shape_boxes.size());
+  for (std::size_t k = 0; k < own.size() && own.size() > 1; ++k) {
+    own[k].box = static_cast<int>(shape_boxes.size());
     shape_boxes.emplace_back();
   }
-  return count == 0 ? 0 : radius;
+  ranges.give(index, static_cast<int>(own.size()));
+  if (shapes.size() < ranges.size()) {
+    make_room(ranges.size(), shapes);
+    make_room(ranges.size(), places);
+    shapes.resize(ranges.size());
+    places.resize(ranges.size());
+  }
+  std::copy(own.begin(), own.end(), shapes.begin() + ranges.begin(index));
+  const bool is_dynamic = body.motion == MotionType::dynamic;
+  kinds[at(index)] = own.empty() ? Kind::none : (is_dynamic ? Kind::moving : Kind::standing);
+  sizes[at(index)] = 2 * body.bounding_radius;
+  return own.empty() ? 0 : radius;
+}
+
+void PairFinder::Tables::list_moving() {
+  moving.clear();
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    if (kinds[i] == Kind::moving) moving.push_back(static_cast<int>(i));
+  }
+}
+
+/// The mean size of the dynamic bodies, which is that of a cell [m].
+float PairFinder::Tables::mean_size() const {
+  double sum = 0;
+  for (const int body : moving) sum += sizes[at(body)];
+  return moving.empty() ? 1.0f : static_cast<float>(sum / static_cast<double>(moving.size()));
+}
+
+/// Where eight bodies in a row have one shape each, along the axes of the body, their boxes are made in
+/// lanes. Finds out which of the bodies from the first to the last begin such a row.
+void PairFinder::Tables::find_simple(int first, int last) {
+  const int count = static_cast<int>(are_simple.size());
+  int simple = 0;  // How many from this body on, at most eight.
+  for (int i = std::min(last + 7, count - 1); i >= std::max(first, 0); --i) {
+    const int begin = ranges.begin(i);
+    const bool is_simple = ranges.count(i) == 1 && !bounds[at(shapes[at(begin)].bound)].is_turned;
+    // Their places are one behind the other.
+    const bool continues = simple > 0 && ranges.begin(i + 1) == begin + 1;
+    simple = is_simple ? (continues ? std::min(simple + 1, 8) : 1) : 0;
+    if (i <= last) are_simple[at(i)] = simple == 8;
+  }
 }
 
 int PairFinder::Tables::bound_of(const BodyShape& shape) {
@@ -137,7 +188,6 @@ int PairFinder::Tables::bound_of(const BodyShape& shape) {
 /// Updates the places and swept boxes of all shapes, and which bodies are near each other.
 void PairFinder::Tables::update(const Step& step, const Executor& executor) {
   constexpr int grain = 64;
-  const std::vector<int>& moving = near_bodies->moving();
   // The origin is the position of a moving body, so that a scene far away has the same bits.
   if (!moving.empty()) origin = step.bodies.x[at(moving[moving.size() / 2])];
   executor.for_ranges(step.bodies.count(), grain, [&](int begin, int end) {
@@ -148,7 +198,7 @@ void PairFinder::Tables::update(const Step& step, const Executor& executor) {
         body += 8;
         continue;
       }
-      if (shape_begin[at(body)] < shape_begin[at(body) + 1]) body_boxes[at(body)] = update_body(step, body);
+      if (ranges.count(body) > 0) body_boxes[at(body)] = update_body(step, body);
       ++body;
     }
   });
@@ -159,24 +209,24 @@ void PairFinder::Tables::update(const Step& step, const Executor& executor) {
 void PairFinder::Tables::update_eight(const Step& step, int body) {
   std::array<const ShapeBound*, 8> of_eight;
   for (int i = 0; i < 8; ++i) {
-    of_eight[at(i)] = &bounds[at(shapes[at(shape_begin[at(body + i)])].bound)];
+    of_eight[at(i)] = &bounds[at(shapes[at(ranges.begin(body + i))].bound)];
   }
   sweep_eight_shapes(of_eight, step.bodies, body, {origin, step.h, 0.5f * step.margin},
-                     &places[at(shape_begin[at(body)])], &body_boxes[at(body)]);
+                     &places[at(ranges.begin(body))], &body_boxes[at(body)]);
 }
 
 /// Updates the bounded shapes of a body; returns the box of them all.
 FloatBox PairFinder::Tables::update_body(const Step& step, int body) {
   // The box of the body is the union of those of its shapes.
   FloatBox all{};
-  for (int s = shape_begin[at(body)]; s < shape_begin[at(body) + 1]; ++s) {
+  for (int s = ranges.begin(body); s < ranges.end(body); ++s) {
     const BoundedShape& shape = shapes[at(s)];
     const auto [place, box] =
         sweep_shape(bounds[at(shape.bound)], step.bodies, body, origin, step.h, 0.5f * step.margin);
     places[at(s)] = place;
     if (shape.box < 0) return box;
     shape_boxes[at(shape.box)] = box;
-    const bool is_first = s == shape_begin[at(body)];
+    const bool is_first = s == ranges.begin(body);
     for (int k = 0; k < 3; ++k) {
       all.lower[k] = is_first ? box.lower[k] : std::min(all.lower[k], box.lower[k]);
       all.upper[k] = is_first ? box.upper[k] : std::max(all.upper[k], box.upper[k]);
@@ -225,8 +275,8 @@ unsigned PairFinder::Tables::find_touching(const NearBodies::Pair* near, int cou
 template <class Add>
 void PairFinder::Tables::for_shapes(const NearBodies::Pair& near, const Add& add) const {
   const auto [a, b] = near;
-  const int begin_A = shape_begin[at(a)], end_A = shape_begin[at(a) + 1];
-  const int begin_B = shape_begin[at(b)], end_B = shape_begin[at(b) + 1];
+  const int begin_A = ranges.begin(a), end_A = ranges.end(a);
+  const int begin_B = ranges.begin(b), end_B = ranges.end(b);
   // Bodies with one shape each have no other boxes to test.
   if (end_A - begin_A == 1 && end_B - begin_B == 1) return add(ShapePair{a, b, begin_A, begin_B, 0});
   for (int i = begin_A; i < end_A; ++i) {
@@ -268,11 +318,11 @@ void PairFinder::Tables::add_those_near(const Step& step, std::span<const ShapeP
 void PairFinder::Tables::add_unbounded(const Step& step, std::vector<ShapePair>& pairs) const {
   for (const UnboundedShape& other : unbounded) {
     const UnboundedPlace place = place_of(other, step.bodies, origin);
-    for (const int body : near_bodies->moving()) {
+    for (const int body : moving) {
       if (!step.bodies.stirs(other.body) && !step.bodies.stirs(body)) continue;
       if (!filter.may_collide(other.body, body)) continue;
       if (may_touch && !may_touch(std::min(other.body, body), std::max(other.body, body))) continue;
-      for (int s = shape_begin[at(body)]; s < shape_begin[at(body) + 1]; ++s) {
+      for (int s = ranges.begin(body); s < ranges.end(body); ++s) {
         // The margin, with how far both can come to each other within the step.
         const float margin = step.margin + approach_bound(place, places[at(s)], step.h);
         if (!may_be_within(other, place, places[at(s)], step.bodies.q[at(body)], margin)) continue;
@@ -301,6 +351,14 @@ PairFinder::~PairFinder() = default;
 
 void PairFinder::set_contact_filter(std::function<bool(int, int)> may_touch) {
   tables_->may_touch = std::move(may_touch);
+}
+
+void PairFinder::set_bodies(const Model& model, std::span<const int> bodies) {
+  tables_->set_bodies(model, bodies);
+}
+
+void PairFinder::set_excluded(const Model& model) {
+  tables_->filter.set_excluded(model);
 }
 
 void PairFinder::find_pairs(const BulkBodies& bodies, double h, double margin, const Executor& executor,

@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace rigor {
@@ -24,6 +25,12 @@ class PairFinder {
   /// threads at once and in no particular order, so it must be a function of its arguments. Without a filter
   /// all of them collide.
   void set_contact_filter(std::function<bool(int, int)> may_touch);
+
+  /// After these bodies of the Model, each once, have changed, or bodies that may collide with others than
+  /// before. All shapes that it has seen must be alive still.
+  void set_bodies(const Model& model, std::span<const int> bodies);
+  /// After the excluded pairs have changed; then set_bodies().
+  void set_excluded(const Model& model);
 
   /// Finds all pairs that may touch within h [s] from now at their present velocities, or come closer than
   /// `margin` [m], as far as the Model lets them collide, in the order (body_A, body_B, shape_A, shape_B). At

@@ -18,6 +18,9 @@ class BounceLimits {
  public:
   explicit BounceLimits(const Model& model);
 
+  /// After the Model has changed.
+  void change(const ChangedBodies& changed) { islands_.change(*model_, changed); }
+
   /// At the beginning of a step.
   void begin(const BulkBodies& bodies, const Executor& executor);
   /// After the last substep, with the bounces of the contacts found: lessens what they may give back.

@@ -18,9 +18,21 @@ constexpr double contact_damping = 5;
 
 }  // namespace
 
+namespace {
+
+bool has_equal_moments(const Body& body) {
+  return (body.moments.array() == body.moments[0]).all();
+}
+
+}  // namespace
+
 BulkContacts::BulkContacts(const Model& model) : manifolds_(model) {
-  for (const Body& body : model.bodies())
-    is_round_.push_back((body.moments.array() == body.moments[0]).all());
+  for (const Body& body : model.bodies()) is_round_.push_back(has_equal_moments(body));
+}
+
+void BulkContacts::set_body(const Model& model, int body) {
+  is_round_[at(body)] = has_equal_moments(model.body(body));
+  manifolds_.set_body(model, body);
 }
 
 void BulkContacts::match(const std::vector<ShapePair>& pairs, const ManifoldList& manifolds,

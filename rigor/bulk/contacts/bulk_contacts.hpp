@@ -22,6 +22,11 @@ class BulkContacts {
  public:
   explicit BulkContacts(const Model& model);
 
+  /// After a body of the Model has changed.
+  void set_body(const Model& model, int body);
+  /// After its materials have changed.
+  void set_surfaces(const Model& model) { manifolds_.set_surfaces(model); }
+
   /// At the beginning of a step: which manifolds there are and what is remembered of them
   /// (StepManifolds::match).
   void match(const std::vector<ShapePair>& pairs, const ManifoldList& manifolds,

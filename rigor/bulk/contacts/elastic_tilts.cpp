@@ -90,14 +90,24 @@ TiltRow tilt_of(const ManifoldView& manifold) {
 }  // namespace
 
 ElasticTilts::ElasticTilts(const Model& model) {
-  const double gravity = model.g_W().norm();
-  if (!(gravity > 0)) return;
-  for (int k = 0; k < 3; ++k) up_[at(k)] = static_cast<float>(-model.g_W()[k] / gravity);
-  for (const Body& body : model.bodies()) {
-    // What is not dynamic never leans; a half-space has no radius.
-    const double radius = body.motion == MotionType::dynamic ? body.bounding_radius : 0;
-    slow_.push_back(static_cast<float>(radius / (standing_part * gravity)));
-  }
+  set_gravity(model);
+}
+
+void ElasticTilts::set_gravity(const Model& model) {
+  gravity_ = model.g_W().norm();
+  slow_.clear();
+  if (!(gravity_ > 0)) return;
+  for (int k = 0; k < 3; ++k) up_[at(k)] = static_cast<float>(-model.g_W()[k] / gravity_);
+  slow_.resize(model.bodies().size());
+  for (int i = 0; i < model.body_count(); ++i) set_body(model, i);
+}
+
+void ElasticTilts::set_body(const Model& model, int body) {
+  if (slow_.empty()) return;
+  // What is not dynamic never leans; a half-space has no radius.
+  const Body& own = model.body(body);
+  const double radius = own.motion == MotionType::dynamic ? own.bounding_radius : 0;
+  slow_[at(body)] = static_cast<float>(radius / (standing_part * gravity_));
 }
 
 void ElasticTilts::find(const StepManifolds& manifolds, double h, const Executor& executor,

@@ -23,6 +23,10 @@ class ElasticTilts {
  public:
   explicit ElasticTilts(const Model& model);
 
+  /// After gravity of the Model has changed; after a body has.
+  void set_gravity(const Model& model);
+  void set_body(const Model& model, int body);
+
   /// At the beginning of a step of h [s], with its manifolds: sets BulkBodies::tilts.
   void find(const StepManifolds& manifolds, double h, const Executor& executor, BulkBodies& bodies);
 
@@ -40,6 +44,7 @@ class ElasticTilts {
   void add_up(std::vector<TiltRow>& tilts);
 
   std::array<float, 3> up_{};  ///< Against gravity.
+  double gravity_ = 0;         ///< [m/s²].
   /// Of bodies: 1 over the square of the angular speed that halves their tilts [s²]; empty without gravity.
   std::vector<float> slow_;
   std::vector<Support> supports_;   ///< Of each manifold; without weight where nothing stands on it.

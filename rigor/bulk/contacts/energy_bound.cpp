@@ -35,15 +35,33 @@ double grown_energy(const StepManifolds& manifolds, const ManifoldMemories& memo
 }  // namespace
 
 EnergyBound::EnergyBound(const Model& model)
-    : model_(&model),
-      islands_(model),
-      is_unknown_(at(model.body_count()), 0),
-      is_anchored_(at(model.body_count()), 0),
-      is_jointed_(at(model.body_count()), 0) {
-  for (const Body& body : model.bodies()) {
-    const bool is_lifted = body.motion == MotionType::dynamic;
-    lift_.push_back(is_lifted ? lift_share * body.mass * model.g_W().norm() * body.bounding_radius : 0);
-  }
+    : model_(&model), islands_(model), lift_(at(model.body_count()), 0) {
+  set_gravity();
+  find_tied();
+}
+
+void EnergyBound::set_gravity() {
+  for (int i = 0; i < model_->body_count(); ++i) find_lift(i);
+}
+
+void EnergyBound::change(const ChangedBodies& changed) {
+  for (const int body : changed.bodies) find_lift(body);
+  if (changed.are_ties_new) find_tied();
+  islands_.change(*model_, changed);
+}
+
+/// What is nothing to a body at rest.
+void EnergyBound::find_lift(int body) {
+  const Body& own = model_->body(body);
+  const bool is_lifted = own.motion == MotionType::dynamic;
+  lift_[at(body)] = is_lifted ? lift_share * own.mass * model_->g_W().norm() * own.bounding_radius : 0;
+}
+
+/// Finds the bodies that joints and springs hold.
+void EnergyBound::find_tied() {
+  const Model& model = *model_;
+  is_unknown_.assign(lift_.size(), 0);
+  is_anchored_ = is_jointed_ = is_unknown_;
   const auto mark = [&](int body) {
     if (body != world_body) is_unknown_[at(body)] = 1;
   };

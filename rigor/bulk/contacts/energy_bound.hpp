@@ -24,6 +24,10 @@ class EnergyBound {
  public:
   explicit EnergyBound(const Model& model);
 
+  /// After gravity of the Model has changed; after other parts of it have.
+  void set_gravity();
+  void change(const ChangedBodies& changed);
+
   /// At the beginning of a step.
   void begin(const BulkBodies& bodies, const Executor& executor);
   /// Before the bodies are moved to the end of the step: the work of its forces, which are these
@@ -34,6 +38,8 @@ class EnergyBound {
   void hold(BulkContacts& contacts, const Executor& executor, ManifoldMemories& memory, BulkBodies& bodies);
 
  private:
+  void find_lift(int body);
+  void find_tied();
   struct IslandGain {
     double gain = 0;    ///< E(end) - E(begin) [J].
     double scale = 0;   ///< Of the energies of which it is a difference [J].

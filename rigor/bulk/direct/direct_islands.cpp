@@ -148,16 +148,35 @@ void set_impulses(const VecX& lambda, const Mat3& frame, BulkContact& contact) {
 
 DirectIslands::DirectIslands(const Model& model)
     : model_(&model), towers_(model), is_tied_(at(model.body_count()), false), islands_(model) {
-  // Whether a heavy body may come to rest on a light one at all.
+  for (const Body& body : model.bodies()) masses_.push_back(body.mass);
+  compare_masses();
+  find_tied();
+}
+
+void DirectIslands::change(const ChangedBodies& changed) {
+  for (const int body : changed.bodies) {
+    towers_.set_body(*model_, body);
+    masses_[at(body)] = model_->body(body).mass;
+  }
+  compare_masses();
+  if (changed.are_ties_new) find_tied();
+  islands_.change(*model_, changed);
+}
+
+void DirectIslands::compare_masses() {
   double least = std::numeric_limits<double>::infinity(), most = 0;
-  for (const Body& body : model.bodies()) {
-    if (body.motion != MotionType::dynamic) continue;
-    least = std::min(least, body.mass);
-    most = std::max(most, body.mass);
+  for (const double mass : masses_) {
+    if (!(mass > 0)) continue;
+    least = std::min(least, mass);
+    most = std::max(most, mass);
   }
   masses_differ_ = most >= least_mass_ratio * least;
+}
 
-  // Bodies that joints or springs hold.
+/// Finds the bodies that joints or springs hold.
+void DirectIslands::find_tied() {
+  const Model& model = *model_;
+  is_tied_.assign(is_tied_.size(), false);
   for (int i = 0; i < static_cast<int>(model.joints().size()); ++i) {
     for (const int body : model.bodies_of_joint(i)) is_tied_[at(body)] = true;
   }

@@ -37,6 +37,10 @@ class DirectIslands {
  public:
   explicit DirectIslands(const Model& model);
 
+  /// After gravity of the Model has changed; after other parts of it have.
+  void set_gravity() { towers_.set_gravity(*model_); }
+  void change(const ChangedBodies& changed);
+
   /// Whether islands may be taken: masses differ so much, or there are slender towers. memory: of the step
   /// before; substep [s].
   bool may_be_needed(const ManifoldMemories& memory, double substep);
@@ -76,8 +80,12 @@ class DirectIslands {
   double size_of(const Island& island) const;
   bool solve_island(const DirectStep& step, const Island& island, BulkBodies& bodies);
 
+  void compare_masses();
+  void find_tied();
+
   const Model* model_;
-  bool masses_differ_ = false;
+  std::vector<double> masses_;  ///< [kg]; 0 of those that are not dynamic.
+  bool masses_differ_ = false;  ///< Whether a heavy body may come to rest on a light one at all.
   SlenderTowers towers_;
   std::vector<bool> is_tied_;  ///< Bodies with joints or springs.
   BulkIslands islands_;

@@ -34,12 +34,21 @@ bool meets_two(const ManifoldMemories& memory, const std::vector<std::uint8_t>& 
 
 }  // namespace
 
-SlenderTowers::SlenderTowers(const Model& model) : gravity_(model.g_W().norm()) {
-  for (const Body& body : model.bodies()) {
-    is_dynamic_.push_back(body.motion == MotionType::dynamic ? 1 : 0);
-    weight_.push_back(static_cast<float>(body.mass * gravity_));
-    size_.push_back(static_cast<float>(body.bounding_radius));
-  }
+SlenderTowers::SlenderTowers(const Model& model)
+    : is_dynamic_(model.bodies().size()), weight_(model.bodies().size()), size_(model.bodies().size()) {
+  set_gravity(model);
+}
+
+void SlenderTowers::set_gravity(const Model& model) {
+  gravity_ = model.g_W().norm();
+  for (int i = 0; i < model.body_count(); ++i) set_body(model, i);
+}
+
+void SlenderTowers::set_body(const Model& model, int body) {
+  const Body& own = model.body(body);
+  is_dynamic_[at(body)] = own.motion == MotionType::dynamic ? 1 : 0;
+  weight_[at(body)] = static_cast<float>(own.mass * gravity_);
+  size_[at(body)] = static_cast<float>(own.bounding_radius);
 }
 
 bool SlenderTowers::may_be_there(const ManifoldMemories& memory, double substep) {

@@ -20,6 +20,10 @@ class SlenderTowers {
  public:
   explicit SlenderTowers(const Model& model);
 
+  /// After gravity of the Model has changed; after a body has.
+  void set_gravity(const Model& model);
+  void set_body(const Model& model, int body);
+
   /// Whether there may be any: bodies that were pressed, by what stands still, with more than two thirds of
   /// the weight that buckles, at the end of the step before; in the first step, of which nothing is known,
   /// all bodies. substep [s].
@@ -37,7 +41,7 @@ class SlenderTowers {
   std::vector<std::uint8_t> is_dynamic_;  ///< Bytes, which are read faster than bits.
   std::vector<float> weight_;             ///< [N].
   std::vector<float> size_;               ///< Radius about the centre of mass [m].
-  double gravity_;                        ///< [m/s²].
+  double gravity_ = 0;                    ///< [m/s²].
   std::vector<double> least_mass_;        ///< Empty if it is infinite for all.
 };
 

@@ -14,7 +14,20 @@ namespace rigor {
 
 BulkIslands::BulkIslands(const Model& model) {
   for (const Body& body : model.bodies()) is_dynamic_.push_back(body.motion == MotionType::dynamic);
-  // Joints and springs hold bodies together for the whole life of the Model.
+  tie(model);
+  forget();
+}
+
+void BulkIslands::change(const Model& model, const ChangedBodies& changed) {
+  for (const int body : changed.bodies)
+    is_dynamic_[at(body)] = model.body(body).motion == MotionType::dynamic;
+  if (changed.are_ties_new) tie(model);
+  forget();
+}
+
+/// Which dynamic bodies joints and springs hold together.
+void BulkIslands::tie(const Model& model) {
+  lasting_.clear();
   for (int i = 0; i < static_cast<int>(model.joints().size()); ++i) {
     const std::vector<int> bodies = model.bodies_of_joint(i);
     for (std::size_t k = 1; k < bodies.size(); ++k) lasting_.emplace_back(bodies[0], bodies[k]);
@@ -24,12 +37,18 @@ BulkIslands::BulkIslands(const Model& model) {
     if (spring && spring->body_A != world_body && spring->body_B != world_body)
       lasting_.emplace_back(spring->body_A, spring->body_B);
   }
-  // Without contacts, each dynamic body is an island, but for those that are tied.
-  for (std::size_t i = 0; i < is_dynamic_.size(); ++i)
-    islands_.push_back(is_dynamic_[i] ? static_cast<int>(i) : -1);
   std::erase_if(lasting_, [&](const Pair& pair) {
     return !is_dynamic_[at(pair.first)] || !is_dynamic_[at(pair.second)];
   });
+}
+
+/// Forgets the last list of contacts.
+void BulkIslands::forget() {
+  // Without contacts, each dynamic body is an island, but for those that are tied.
+  pairs_.clear();
+  islands_.resize(is_dynamic_.size());
+  for (std::size_t i = 0; i < is_dynamic_.size(); ++i)
+    islands_[i] = is_dynamic_[i] ? static_cast<int>(i) : -1;
   for (const Pair& pair : lasting_) join(pair);
   for (int& island : islands_) island = island < 0 ? -1 : root_of(island);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "rigor/bulk/state/bulk_bodies.hpp"
+#include "rigor/bulk/state/changed_bodies.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/model/manifold_memory.hpp"
 
@@ -18,6 +19,9 @@ class BulkIslands {
  public:
   explicit BulkIslands(const Model& model);
 
+  /// After the Model has changed. The last list of contacts is forgotten.
+  void change(const Model& model, const ChangedBodies& changed);
+
   /// Finds the islands of a list of contacts that has body_A(i) and body_B(i).
   template <class Contacts>
   void build(const Contacts& contacts) {
@@ -31,6 +35,8 @@ class BulkIslands {
 
  private:
   using Pair = std::pair<int, int>;
+  void tie(const Model& model);
+  void forget();
   void add(int a, int b);
   void update();
   void dissolve_those_that_lost();
@@ -38,7 +44,7 @@ class BulkIslands {
   int root_of(int body);
 
   std::vector<bool> is_dynamic_;
-  std::vector<Pair> lasting_;       ///< Pairs that joints and springs hold together.
+  std::vector<Pair> lasting_;       ///< Pairs of dynamic bodies that joints and springs hold together.
   std::vector<Pair> pairs_, next_;  ///< Pairs of the previous and the current contacts; ascending, each once.
   std::vector<Pair> lost_;          ///< Previous pairs that are no longer there.
   std::vector<char> has_lost_;      ///< Whether a previous island lost a pair, by its lowest body.

@@ -30,28 +30,33 @@ std::optional<int> axis_of_revolution(const Body& body) {
 
 GyroscopicTerms::GyroscopicTerms(const Model& model, LaneTarget target)
     : target_(target), principals_(at(model.body_count())) {
-  for (int i = 0; i < model.body_count(); ++i) {
-    const Body& body = model.body(i);
-    Principal& principal = principals_[at(i)];
-    const bool is_round = body.moments[0] == body.moments[1] && body.moments[1] == body.moments[2];
-    if (body.motion != MotionType::dynamic || is_round) continue;
-    const std::optional<int> axis = axis_of_revolution(body);
-    principal.kind = axis ? Kind::revolution : Kind::other;
-    principal.first = axis.value_or(0);
-    // Only ratios matter. In units of a power of two near the largest moment, products of three do not
-    // underflow, and every other bit is the same.
-    const int unit = std::ilogb(body.moments.maxCoeff());
-    for (int k = 0; k < 3; ++k) {
-      principal.moments[k] = static_cast<float>(std::ldexp(body.moments[(principal.first + k) % 3], -unit));
-    }
+  for (int i = 0; i < model.body_count(); ++i) set_body(model, i);
+}
+
+void GyroscopicTerms::set_body(const Model& model, int body) {
+  const Body& own = model.body(body);
+  Principal& principal = principals_[at(body)];
+  if (principal.kind != Kind::round) --uneven_count_;
+  principal = {};
+  indices_.clear();  // Groups have its moments.
+  groups_.clear();
+  const bool is_round = own.moments[0] == own.moments[1] && own.moments[1] == own.moments[2];
+  if (own.motion != MotionType::dynamic || is_round) return;
+  ++uneven_count_;
+  const std::optional<int> axis = axis_of_revolution(own);
+  principal.kind = axis ? Kind::revolution : Kind::other;
+  principal.first = axis.value_or(0);
+  // Only ratios matter. In units of a power of two near the largest moment, products of three do not
+  // underflow, and every other bit is the same.
+  const int unit = std::ilogb(own.moments.maxCoeff());
+  for (int k = 0; k < 3; ++k) {
+    principal.moments[k] = static_cast<float>(std::ldexp(own.moments[(principal.first + k) % 3], -unit));
   }
-  const auto is_round = [](const Principal& principal) { return principal.kind == Kind::round; };
-  if (std::all_of(principals_.begin(), principals_.end(), is_round)) principals_ = std::vector<Principal>();
 }
 
 void GyroscopicTerms::prepare(const BulkBodies& bodies, const std::vector<int>& indices,
                               const Executor& executor) {
-  if (principals_.empty()) return;
+  if (uneven_count_ == 0) return;
   // Groups of eight bodies, kept while the bodies are the same.
   if (indices != indices_) {
     indices_ = indices;

@@ -29,6 +29,9 @@ class GyroscopicTerms {
  public:
   explicit GyroscopicTerms(const Model& model, LaneTarget target = best_lane_target());
 
+  /// After a body of the Model has changed.
+  void set_body(const Model& model, int body);
+
   /// Whether any of the bodies that it was prepared for has a gyroscopic torque.
   bool has_any() const { return !groups_.empty(); }
   /// At the beginning of a step, for the bodies of these indices.
@@ -55,7 +58,8 @@ class GyroscopicTerms {
   void set_axes(const BulkBodies& bodies, Group& group) const;
 
   LaneTarget target_;
-  std::vector<Principal> principals_;  ///< Of all bodies; empty if all are round.
+  std::vector<Principal> principals_;  ///< Of all bodies.
+  int uneven_count_ = 0;               ///< Bodies that are not round.
   std::vector<int> indices_;           ///< Of the bodies in the groups.
   std::vector<Group> groups_;
 };

@@ -22,17 +22,27 @@ bool does_press(const ManifoldMemories::View& memory) {
 
 }  // namespace
 
-StepManifolds::StepManifolds(const Model& model) : material_count_(model.materials().size()) {
+StepManifolds::StepManifolds(const Model& model) : ranges_(model.bodies().size()) {
+  materials_.reserve(model.bodies().size());
+  for (int i = 0; i < model.body_count(); ++i) set_body(model, i);
+  set_surfaces(model);
+}
+
+void StepManifolds::set_body(const Model& model, int body) {
+  const BodyShapes& shapes = model.body(body).shapes;
+  ranges_.give(body, static_cast<int>(shapes.size()));
+  if (materials_.size() < ranges_.size()) materials_.resize(ranges_.size());
+  for (std::size_t s = 0; s < shapes.size(); ++s)
+    materials_[at(ranges_.begin(body)) + s] = shapes[s].material;
+}
+
+void StepManifolds::set_surfaces(const Model& model) {
   // Coefficients of all pairs of materials are looked up once.
+  material_count_ = model.materials().size();
+  surfaces_.clear();
   const int count = static_cast<int>(material_count_);
   for (int a = 0; a < count; ++a) {
     for (int b = 0; b < count; ++b) surfaces_.push_back(surface_of(model.coefficients(a, b)));
-  }
-  first_shape_.reserve(model.bodies().size());
-  materials_.reserve(model.bodies().size());
-  for (const Body& body : model.bodies()) {
-    first_shape_.push_back(static_cast<int>(materials_.size()));
-    for (const BodyShape& shape : body.shapes) materials_.push_back(shape.material);
   }
 }
 
@@ -77,7 +87,7 @@ void StepManifolds::match_range(std::size_t begin, std::size_t end) {
 }
 
 int StepManifolds::material_of(int body, int shape) const {
-  return materials_[at(first_shape_[at(body)] + shape)];
+  return materials_[at(ranges_.begin(body) + shape)];
 }
 
 ManifoldMemory StepManifolds::key(std::size_t i) const {

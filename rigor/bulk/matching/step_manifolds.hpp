@@ -5,6 +5,7 @@
 #include "rigor/bulk/narrow_phase/manifold_list.hpp"
 #include "rigor/bulk/narrow_phase/narrow_phase.hpp"
 #include "rigor/bulk/state/manifold_memories.hpp"
+#include "rigor/bulk/state/shape_ranges.hpp"
 #include "rigor/bulk/threads/executor.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/model/model.hpp"
@@ -20,6 +21,11 @@ namespace rigor {
 class StepManifolds {
  public:
   explicit StepManifolds(const Model& model);
+
+  /// After a body of the Model has changed: the materials of its shapes.
+  void set_body(const Model& model, int body);
+  /// After materials have changed.
+  void set_surfaces(const Model& model);
 
   /// Takes the manifolds of a step, at its beginning. `memory` holds the contacts of the step before, in the
   /// order of keys. It must live until the next memory is written, the other lists until the next step.
@@ -56,9 +62,9 @@ class StepManifolds {
   void match_range(std::size_t begin, std::size_t end);
   int material_of(int body, int shape) const;
 
-  std::vector<int> first_shape_;  ///< Index of the first shape of each body.
-  std::vector<int> materials_;    ///< Material of each shape of all bodies.
-  std::size_t material_count_;
+  ShapeRanges ranges_;
+  std::vector<int> materials_;  ///< Material of each shape of all bodies.
+  std::size_t material_count_ = 0;
   std::vector<ManifoldSurface> surfaces_;  ///< Surfaces of two materials, by first * count + second.
   const std::vector<ShapePair>* pairs_ = nullptr;
   const ManifoldList* manifolds_ = nullptr;

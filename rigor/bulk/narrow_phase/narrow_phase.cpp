@@ -12,6 +12,7 @@
 #include "rigor/bulk/narrow_phase/plane_manifolds.hpp"
 #include "rigor/bulk/narrow_phase/ring_pairs.hpp"
 #include "rigor/bulk/state/bulk_shape.hpp"
+#include "rigor/bulk/state/shape_ranges.hpp"
 #include "rigor/core/index.hpp"
 
 #include <algorithm>
@@ -97,10 +98,10 @@ SupportCore core_of(const BulkShape& shape, const PlacedShape& placed) {
 
 struct NarrowPhase::Tables {
   explicit Tables(const Model& model);
+  void set_body(const Model& model, int body);
+  PlacedForm placed_form_of(const BodyShape& shape);
 
-  const PlacedForm& placed_form(int body, int shape) const {
-    return shapes[at(first_shape[at(body)] + shape)];
-  }
+  const PlacedForm& placed_form(int body, int shape) const { return shapes[at(ranges.begin(body) + shape)]; }
   const BulkShape& form(const PlacedForm& shape) const { return forms[at(shape.form)]; }
   const PlacedShape& place_of(const PlacedForm& shape) const { return placed[at(shape.place)]; }
   /// Whether the search for the pair's contacts begins where the last one ended.
@@ -128,7 +129,7 @@ struct NarrowPhase::Tables {
   FloatHulls hulls;
   std::vector<BulkShape> forms;  ///< Forms; bodies that share their shapes share these.
   std::unordered_map<const BodyShape*, PlacedForm> known_forms;  ///< Including the places of centred balls.
-  std::vector<int> first_shape;  ///< Index of the first shape of each body, and the end.
+  ShapeRanges ranges;
   std::vector<PlacedForm> shapes;
   std::vector<PlacedShape> placed;
   std::vector<char> is_in_pair;  ///< Each body.
@@ -136,35 +137,40 @@ struct NarrowPhase::Tables {
   std::vector<std::unique_ptr<Part>> parts;
 };
 
-NarrowPhase::Tables::Tables(const Model& model) {
-  constexpr int no_place = -1;
+NarrowPhase::Tables::Tables(const Model& model) : ranges(at(model.body_count())) {
   shapes.reserve(at(model.body_count()));
-  first_shape.reserve(at(model.body_count()) + 1);
-  for (int i = 0; i < model.body_count(); ++i) {
-    first_shape.push_back(static_cast<int>(shapes.size()));
-    for (const BodyShape& shape : model.body(i).shapes) {
-      // Bodies that share a shape share its form.
-      const auto [known, is_new] = known_forms.emplace(
-          &shape,
-          PlacedForm{static_cast<int>(forms.size()), no_place, Kind::other, false, false, false, false});
-      if (is_new) forms.push_back(make_bulk_shape(shape, hulls));
-      PlacedForm own = known->second;
-      own.kind = form(own).kind;
-      own.is_ball = is_ball(form(own));
-      own.has_faces = own.kind == Kind::box || own.kind == Kind::hull;
-      own.has_core = own.has_faces || own.kind == Kind::round;
-      own.has_rings = own.kind == Kind::rings;
-      // Each shape has a place of its own, only balls about the centres of their bodies share one.
-      if (own.place == no_place) {
-        own.place = static_cast<int>(placed.size());
-        make_room(placed.size() + 1, placed);
-        placed.push_back(place_shape(form(own), Quat::Identity()));
-        if (is_centred_ball(form(own))) known->second = own;
-      }
-      shapes.push_back(own);
-    }
+  for (int i = 0; i < model.body_count(); ++i) set_body(model, i);
+}
+
+void NarrowPhase::Tables::set_body(const Model& model, int body) {
+  const BodyShapes& own = model.body(body).shapes;
+  ranges.give(body, static_cast<int>(own.size()));
+  make_room(ranges.size(), shapes);
+  shapes.resize(std::max(shapes.size(), ranges.size()));
+  for (std::size_t s = 0; s < own.size(); ++s) shapes[at(ranges.begin(body)) + s] = placed_form_of(own[s]);
+}
+
+/// The form of a shape and a place for it.
+PlacedForm NarrowPhase::Tables::placed_form_of(const BodyShape& shape) {
+  constexpr int no_place = -1;
+  // Bodies that share a shape share its form.
+  const auto [known, is_new] = known_forms.emplace(
+      &shape, PlacedForm{static_cast<int>(forms.size()), no_place, Kind::other, false, false, false, false});
+  if (is_new) forms.push_back(make_bulk_shape(shape, hulls));
+  PlacedForm own = known->second;
+  own.kind = form(own).kind;
+  own.is_ball = is_ball(form(own));
+  own.has_faces = own.kind == Kind::box || own.kind == Kind::hull;
+  own.has_core = own.has_faces || own.kind == Kind::round;
+  own.has_rings = own.kind == Kind::rings;
+  // Each shape has a place of its own, only balls about the centres of their bodies share one.
+  if (own.place == no_place) {
+    own.place = static_cast<int>(placed.size());
+    make_room(placed.size() + 1, placed);
+    placed.push_back(place_shape(form(own), Quat::Identity()));
+    if (is_centred_ball(form(own))) known->second = own;
   }
-  first_shape.push_back(static_cast<int>(shapes.size()));
+  return own;
 }
 
 /// Places the shapes of all bodies that are in pairs.
@@ -175,7 +181,7 @@ void NarrowPhase::Tables::place(const BulkBodies& bodies, const std::vector<Shap
   executor.for_ranges(bodies.count(), kPlaceGrain, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       if (is_in_pair[at(i)] == 0) continue;
-      for (int k = first_shape[at(i)]; k < first_shape[at(i) + 1]; ++k) {
+      for (int k = ranges.begin(i); k < ranges.end(i); ++k) {
         const PlacedForm& shape = shapes[at(k)];
         if (!(shape.is_ball && is_centred_ball(form(shape))))
           placed[at(shape.place)] = place_shape(form(shape), bodies.q[at(i)]);
@@ -447,6 +453,15 @@ void NarrowPhase::Tables::find(const BulkBodies& bodies, const std::vector<Shape
 
 NarrowPhase::NarrowPhase(const Model& model) : tables_(std::make_unique<Tables>(model)) {}
 NarrowPhase::~NarrowPhase() = default;
+
+void NarrowPhase::set_bodies(const Model& model, std::span<const int> bodies) {
+  std::vector<char> has_changed(at(model.body_count()), 0);
+  for (const int body : bodies) {
+    has_changed[at(body)] = 1;
+    tables_->set_body(model, body);
+  }
+  tables_->hints.forget(has_changed);
+}
 
 void NarrowPhase::find_manifolds(const BulkBodies& bodies, const std::vector<ShapePair>& pairs,
                                  const Executor& executor, ManifoldList& manifolds) {

@@ -5,6 +5,7 @@
 #include "rigor/bulk/threads/executor.hpp"
 
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace rigor {
@@ -25,6 +26,9 @@ class NarrowPhase {
   ~NarrowPhase();
   NarrowPhase(const NarrowPhase&) = delete;
   NarrowPhase& operator=(const NarrowPhase&) = delete;
+
+  /// After these bodies of the Model have changed. All shapes that it has seen must be alive still.
+  void set_bodies(const Model& model, std::span<const int> bodies);
 
   /// Finds the manifolds of all pairs that have points, in the order of the pairs (the buffer is cleared
   /// first).

@@ -12,6 +12,13 @@ std::size_t PairHints::find_before(const ShapePair& pair) const {
   return at(found - before_.keys.begin());
 }
 
+void PairHints::forget(const std::vector<char>& has_changed) {
+  for (std::size_t k = 0; k < now_.keys.size(); ++k) {
+    const std::uint64_t both = now_.keys[k].bodies;
+    if (has_changed[both >> 32] != 0 || has_changed[both & 0xffffffffu] != 0) now_.hints[k] = {};
+  }
+}
+
 PairHint& PairHints::take_from_before(const ShapePair& pair, int number, std::size_t& from) {
   // Both lists are in the order of keys: one pass over each.
   const std::size_t k = at(number);

@@ -38,6 +38,8 @@ class PairHints {
     return is_same_ ? now_.hints[at(number)] : take_from_before(pair, number, from);
   }
   std::size_t find_before(const ShapePair& pair) const;
+  /// Forgets the hints of pairs of bodies that have changed: has_changed, by body.
+  void forget(const std::vector<char>& has_changed);
 
  private:
   PairHint& take_from_before(const ShapePair& pair, int number, std::size_t& from);

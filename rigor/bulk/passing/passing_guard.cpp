@@ -43,57 +43,86 @@ bool is_surface(const Shape& shape) {
 PassingGuard::PassingGuard(const Model& model)
     : model_(&model),
       filter_(model),
-      group_(at(model.body_count())),
-      is_jointed_(at(model.body_count()), 0),
-      least_thickness_(std::numeric_limits<double>::infinity()),
-      may_need_parts_(!model.joints().empty()),
+      ranges_(at(model.body_count())),
+      turning_(at(model.body_count()), 0),
       shares_(at(model.body_count()), 1.0) {
-  // How thick the shapes are, and how far from the centre a rotation moves points.
-  FloatHulls hulls;
-  int surfaces = 0;
-  double thinnest_surface = least_thickness_;
-  for (const Body& body : model.bodies()) {
-    first_shape_.push_back(static_cast<int>(thickness_.size()));
-    double turning = 0;
-    for (const BodyShape& shape : body.shapes) {
-      thickness_.push_back(thickness_of(shape.shape));
-      ball_inside_.push_back(-1);
-      ball_offset_.push_back(0);
-      if (is_surface(shape.shape)) {
-        ++surfaces;
-        thinnest_surface = std::min(thinnest_surface, thickness_.back());
-      } else {
-        const BulkShape bulk = make_bulk_shape(shape, hulls);
-        ball_inside_.back() = bulk.hull ? static_cast<double>(bulk.inner_radius()) : thickness_.back();
-        const Vec3 center_S = bulk.hull ? Vec3(bulk.hull->center.cast<double>()) : Vec3(Vec3::Zero());
-        ball_offset_.back() = (shape.X_BS * center_S).norm();
-        least_thickness_ = std::min({least_thickness_, thickness_.back(), ball_inside_.back()});
-      }
-      turning = std::max(turning, turning_radius(shape.shape, shape.X_BS, shape.radius));
-    }
-    turning_.push_back(turning);
-    may_need_parts_ = may_need_parts_ || body.motion == MotionType::kinematic;
+  std::optional<FloatHulls> hulls;
+  for (int i = 0; i < model.body_count(); ++i) add_body(i, hulls);
+  find_groups();
+}
+
+void PassingGuard::change(const ChangedBodies& changed) {
+  std::optional<FloatHulls> hulls;
+  for (const int body : changed.bodies) {
+    set_filter(body);
+    add_body(body, hulls);
   }
+  if (!changed.are_ties_new) return;
+  filter_.set_excluded(*model_);
+  find_groups();
+}
 
-  if (surfaces > 1) least_thickness_ = std::min(least_thickness_, thinnest_surface);
+/// Adds the shapes of a body. hulls: those of shapes that are new, made where they are needed.
+void PassingGuard::add_body(int body, std::optional<FloatHulls>& hulls) {
+  const Body& own = model_->body(body);
+  ranges_.give(body, static_cast<int>(own.shapes.size()));
+  facts_.resize(std::max(facts_.size(), ranges_.size()));
+  double turning = 0;
+  for (std::size_t s = 0; s < own.shapes.size(); ++s) {
+    const ShapeFacts& facts = facts_of(own.shapes[s], hulls);
+    facts_[at(ranges_.begin(body)) + s] = facts;
+    turning = std::max(turning, facts.turning);
+    if (facts.ball_inside < 0) {
+      ++surfaces_;
+      thinnest_surface_ = std::min(thinnest_surface_, facts.thickness);
+    } else {
+      least_thickness_ = std::min({least_thickness_, facts.thickness, facts.ball_inside});
+    }
+  }
+  if (surfaces_ > 1) least_thickness_ = std::min(least_thickness_, thinnest_surface_);
+  turning_[at(body)] = turning;
+  has_kinematic_ = has_kinematic_ || own.motion == MotionType::kinematic;
+  may_need_parts_ = may_need_parts_ || has_kinematic_;
+}
 
+/// How thick the shape is, and how far from the body's centre a rotation moves points.
+const PassingGuard::ShapeFacts& PassingGuard::facts_of(const BodyShape& shape,
+                                                       std::optional<FloatHulls>& hulls) {
+  const auto [known, is_new] = known_.emplace(&shape, ShapeFacts{});
+  ShapeFacts& facts = known->second;
+  if (!is_new) return facts;
+  facts.thickness = thickness_of(shape.shape);
+  facts.turning = turning_radius(shape.shape, shape.X_BS, shape.radius);
+  if (is_surface(shape.shape)) return facts;
+  if (!hulls) hulls.emplace();
+  const BulkShape bulk = make_bulk_shape(shape, *hulls);
+  facts.ball_inside = bulk.hull ? static_cast<double>(bulk.inner_radius()) : facts.thickness;
+  const Vec3 center_S = bulk.hull ? Vec3(bulk.hull->center.cast<double>()) : Vec3(Vec3::Zero());
+  facts.ball_offset = (shape.X_BS * center_S).norm();
+  return facts;
+}
+
+void PassingGuard::find_groups() {
+  may_need_parts_ = has_kinematic_ || !model_->joints().empty();
   // Bodies that joints connect move together.
+  is_jointed_.assign(turning_.size(), 0);
+  group_.resize(turning_.size());
   std::iota(group_.begin(), group_.end(), 0);
   const auto root_of = [&](int body) {
     while (group_[at(body)] != body) body = group_[at(body)];
     return body;
   };
-  for (int j = 0; j < static_cast<int>(model.joints().size()); ++j) {
+  for (int j = 0; j < static_cast<int>(model_->joints().size()); ++j) {
     int first = -1;
-    for (const int body : model.bodies_of_joint(j)) {
-      if (model.body(body).motion != MotionType::dynamic) continue;
+    for (const int body : model_->bodies_of_joint(j)) {
+      if (model_->body(body).motion != MotionType::dynamic) continue;
       is_jointed_[at(body)] = 1;
       if (first < 0) first = body;
       const int a = root_of(first), b = root_of(body);
       group_[at(std::max(a, b))] = std::min(a, b);
     }
   }
-  for (int i = 0; i < model.body_count(); ++i) group_[at(i)] = root_of(i);
+  for (int i = 0; i < model_->body_count(); ++i) group_[at(i)] = root_of(i);
 }
 
 int PassingGuard::parts_of(const BulkBodies& bodies, const std::vector<ShapePair>& pairs, double h) const {
@@ -136,8 +165,8 @@ float PassingGuard::reach(int body, const float* linear, const float* angular) c
 /// How thick a pair is: the thinner of two solids; what touches a surface, however thin that is, since it is
 /// held on the side on which the ball inside it is.
 double PassingGuard::thinner(const ShapePair& pair) const {
-  const double ball_A = ball_inside_[at(first_shape_[at(pair.body_A)] + pair.shape_A)],
-               ball_B = ball_inside_[at(first_shape_[at(pair.body_B)] + pair.shape_B)];
+  const double ball_A = facts(pair.body_A, pair.shape_A).ball_inside,
+               ball_B = facts(pair.body_B, pair.shape_B).ball_inside;
   if ((ball_A < 0) != (ball_B < 0)) return std::max(ball_A, ball_B);
   return std::min(thickness(pair.body_A, pair.shape_A), thickness(pair.body_B, pair.shape_B));
 }
@@ -145,10 +174,9 @@ double PassingGuard::thinner(const ShapePair& pair) const {
 /// Whether the middle of a ball inside one of the shapes goes nowhere near the other, a surface that does not
 /// turn: then it is on the same side in the end.
 bool PassingGuard::keeps_off_surface(const ShapePair& pair, const BulkBodies& bodies) const {
-  const std::size_t a = at(first_shape_[at(pair.body_A)] + pair.shape_A),
-                    b = at(first_shape_[at(pair.body_B)] + pair.shape_B);
-  const bool is_A = ball_inside_[a] < 0;
-  if (is_A == (ball_inside_[b] < 0)) return false;
+  const ShapeFacts &a = facts(pair.body_A, pair.shape_A), &b = facts(pair.body_B, pair.shape_B);
+  const bool is_A = a.ball_inside < 0;
+  if (is_A == (b.ball_inside < 0)) return false;
   const int ground = is_A ? pair.body_A : pair.body_B, other = is_A ? pair.body_B : pair.body_A;
   const MotionRecord &of_ground = bodies.motion[at(ground)], &of_other = bodies.motion[at(other)];
   if (!vector_of(of_ground.dr).isZero(0)) return false;
@@ -158,9 +186,9 @@ bool PassingGuard::keeps_off_surface(const ShapePair& pair, const BulkBodies& bo
   const Pose X_OM = Pose{bodies.q[at(ground)].toRotationMatrix(), Vec3::Zero()} * surface.X_BS;
   const Vec3 from = X_OM.R.transpose() * (bodies.x[at(other)] - bodies.x[at(ground)] - X_OM.p),
              to = from + X_OM.R.transpose() * (vector_of(of_other.dp) - vector_of(of_ground.dp));
-  const std::size_t k = is_A ? b : a;
+  const ShapeFacts& ball = is_A ? b : a;
   const Aabb way{from.cwiseMin(to), from.cwiseMax(to)};
-  return mesh.tree->overlapping(way.grown(near_share * ball_inside_[k] + ball_offset_[k])).empty();
+  return mesh.tree->overlapping(way.grown(near_share * ball.ball_inside + ball.ball_offset)).empty();
 }
 
 /// Whether the bodies have moved so far against each other that their contacts could not be foreseen.

@@ -3,11 +3,17 @@
 #include "rigor/bulk/broad_phase/pair_filter.hpp"
 #include "rigor/bulk/narrow_phase/narrow_phase.hpp"
 #include "rigor/bulk/state/bulk_bodies.hpp"
+#include "rigor/bulk/state/bulk_shape.hpp"
+#include "rigor/bulk/state/changed_bodies.hpp"
+#include "rigor/bulk/state/shape_ranges.hpp"
 #include "rigor/bulk/threads/executor.hpp"
 #include "rigor/geometry/broad_phase/aabb_tree.hpp"
 #include "rigor/model/model.hpp"
 
 #include <functional>
+#include <limits>
+#include <optional>
+#include <unordered_map>
 #include <vector>
 
 namespace rigor {
@@ -19,6 +25,12 @@ namespace rigor {
 class PassingGuard {
  public:
   explicit PassingGuard(const Model& model);
+
+  /// After bodies, joints or excluded pairs of the Model have changed. All shapes that it has seen must be
+  /// alive still.
+  void change(const ChangedBodies& changed);
+  /// After the group or mask of a body has changed.
+  void set_filter(int body) { filter_.set_body(*model_, body); }
 
   /// See PairFinder::set_contact_filter.
   void set_contact_filter(std::function<bool(int, int)> may_touch) { may_touch_ = std::move(may_touch); }
@@ -46,7 +58,18 @@ class PassingGuard {
     double share = 1;
     bool is_checked = false;
   };
-  double thickness(int body, int shape) const { return thickness_[at(first_shape_[at(body)] + shape)]; }
+  /// What is known of a shape.
+  struct ShapeFacts {
+    double thickness = 0;     ///< No point of it lies deeper inside, nearly [m].
+    double ball_inside = -1;  ///< Radius of the ball inside that a surface cannot lose [m]; -1: a surface.
+    double ball_offset = 0;   ///< Of that ball's centre from the body's [m].
+    double turning = 0;       ///< How far from the body's centre rotation moves points [m].
+  };
+  void find_groups();
+  void add_body(int body, std::optional<FloatHulls>& hulls);
+  const ShapeFacts& facts_of(const BodyShape& shape, std::optional<FloatHulls>& hulls);
+  const ShapeFacts& facts(int body, int shape) const { return facts_[at(ranges_.begin(body) + shape)]; }
+  double thickness(int body, int shape) const { return facts(body, shape).thickness; }
   double thinner(const ShapePair& pair) const;
   bool keeps_off_surface(const ShapePair& pair, const BulkBodies& bodies) const;
   float reach(int body, const float* linear, const float* angular) const;
@@ -60,16 +83,18 @@ class PassingGuard {
   const Model* model_;
   PairFilter filter_;
   std::function<bool(int, int)> may_touch_;
-  std::vector<int> first_shape_;   ///< Of each body, among all shapes.
-  std::vector<double> thickness_;  ///< Of each shape: no point of it lies deeper inside, nearly [m].
-  /// Radius of the ball inside each shape that a surface cannot lose [m]; negative: the shape is a surface.
-  std::vector<double> ball_inside_;
-  std::vector<double> ball_offset_;  ///< Of that ball's centre from the body's [m].
-  std::vector<double> turning_;      ///< Of each body: how far from its centre rotation moves points [m].
-  std::vector<int> group_;           ///< The lowest body that joints connect with each body.
+  ShapeRanges ranges_;
+  std::vector<ShapeFacts> facts_;  ///< Of each shape.
+  std::unordered_map<const BodyShape*, ShapeFacts> known_;
+  std::vector<double> turning_;  ///< Of each body: how far from its centre rotation moves points [m].
+  std::vector<int> group_;       ///< The lowest body that joints connect with each body.
   std::vector<char> is_jointed_;
-  double least_thickness_;       ///< That any pair may have [m].
-  bool may_need_parts_;          ///< Whether there are joints or kinematic bodies.
+  /// That any pair may have at least [m], with those of bodies that are gone: it only saves time.
+  double least_thickness_ = std::numeric_limits<double>::infinity();
+  double thinnest_surface_ = std::numeric_limits<double>::infinity();  ///< Likewise [m].
+  int surfaces_ = 0;             ///< How many shapes have been surfaces.
+  bool has_kinematic_ = false;   ///< Whether any body has been kinematic.
+  bool may_need_parts_ = false;  ///< Whether there may be joints or kinematic bodies.
   std::vector<float> expected_;  ///< Reach of each body at the velocities of the beginning [m].
   std::vector<float> reach_;     ///< And as it has moved [m].
   std::vector<int> escaped_;     ///< Bodies that went beyond where pairs were looked for.

@@ -40,9 +40,28 @@ std::vector<std::pair<int, int>> ties_of(const Model& model) {
 
 }  // namespace
 
+namespace {
+
+float radius_of(const Body& body) {
+  return body.motion == MotionType::dynamic ? static_cast<float>(body.bounding_radius) : -1;
+}
+
+}  // namespace
+
 SleepKeeper::SleepKeeper(const Model& model, const SleepRules& rules) : rules_(rules), islands_(model) {
-  for (const Body& body : model.bodies())
-    radius_.push_back(body.motion == MotionType::dynamic ? static_cast<float>(body.bounding_radius) : -1);
+  for (const Body& body : model.bodies()) radius_.push_back(radius_of(body));
+  find_driven(model);
+}
+
+void SleepKeeper::change(const Model& model, const ChangedBodies& changed) {
+  for (const int body : changed.bodies) radius_[at(body)] = radius_of(model.body(body));
+  if (changed.are_ties_new) find_driven(model);
+  islands_.change(model, changed);
+}
+
+void SleepKeeper::find_driven(const Model& model) {
+  drivers_.clear();
+  driven_.clear();
   // Kinematic bodies keep awake what is tied to them, while they move.
   for (const auto& [a, b] : ties_of(model)) {
     if (model.body(b).motion == MotionType::kinematic) drivers_.emplace_back(a, b);

@@ -33,6 +33,9 @@ class SleepKeeper {
  public:
   SleepKeeper(const Model& model, const SleepRules& rules);
 
+  /// After the Model has changed.
+  void change(const Model& model, const ChangedBodies& changed);
+
   /// Finds, at the beginning of a step, which bodies sleep through it, from the current contacts (those of
   /// sleeping bodies too). It wakes islands in which a body is awake, lost a contact that it had at the end
   /// of the last step, touches a moving kinematic body, or was disturbed. Both lists are in the order of
@@ -44,6 +47,7 @@ class SleepKeeper {
   void settle(double h, const ManifoldMemories& contacts, BulkBodies& bodies, std::vector<float>& quiet_time);
 
  private:
+  void find_driven(const Model& model);
   bool is_quiet(const BulkBodies& bodies, int body) const;
 
   SleepRules rules_;

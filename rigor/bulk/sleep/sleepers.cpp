@@ -21,7 +21,6 @@ Sleepers::Sleepers(const Model& model, const SleepRules& rules)
     : model_(&model), keeper_(model, rules), quiet_time_(at(model.body_count())) {}
 
 void Sleepers::read(const std::vector<float>& quiet_time, const BulkBodies& bodies) {
-  disturbances_.bodies.clear();
   quiet_time_ = quiet_time;
   quiet_time_.resize(at(bodies.count()), 0);
   for (int i = 0; i < bodies.count(); ++i) {
@@ -61,11 +60,10 @@ bool Sleepers::wake(const BulkBodies& bodies, const ManifoldMemories& memory,
   }
   now_.clear();
   std::merge(kept_.begin(), kept_.end(), found_.begin(), found_.end(), std::back_inserter(now_), is_before);
-  return keeper_.wake(bodies, memory, now_, disturbances_, quiet_time_);
+  return keeper_.wake(bodies, memory, now_, {}, quiet_time_);
 }
 
 void Sleepers::settle(double h, BulkBodies& bodies, ManifoldMemories& memory) {
-  disturbances_.bodies.clear();
   // Memories of sleeping contacts are kept with their impulses, with which they wake.
   if (!kept_.empty()) {
     ManifoldMemories merged;

@@ -5,6 +5,7 @@
 #include "rigor/bulk/state/manifold_memories.hpp"
 #include "rigor/core/index.hpp"
 
+#include <algorithm>
 #include <vector>
 
 namespace rigor {
@@ -21,8 +22,12 @@ class Sleepers {
   const std::vector<float>& quiet_time() const { return quiet_time_; }
   bool is_asleep(int body) const { return quiet_time_[at(body)] == asleep; }
   int count() const;
-  /// Keeps a body awake in the next step, with all of its island.
-  void disturb(int body) { disturbances_.bodies.push_back(body); }
+  /// Wakes a body at once, as the State then says; the rest of its island follows in the next step.
+  void disturb(int body) { quiet_time_[at(body)] = 0; }
+  void disturb_all() { std::fill(quiet_time_.begin(), quiet_time_.end(), 0.0F); }
+
+  /// After the Model has changed.
+  void change(const ChangedBodies& changed) { keeper_.change(*model_, changed); }
 
   /// Lets sleeping bodies stand, at the beginning of a step, before pairs are looked for.
   void lay_down(BulkBodies& bodies) const;
@@ -37,8 +42,7 @@ class Sleepers {
  private:
   const Model* model_;
   SleepKeeper keeper_;
-  std::vector<float> quiet_time_;  ///< As in the State.
-  Disturbances disturbances_;
+  std::vector<float> quiet_time_;     ///< As in the State.
   std::vector<ManifoldMemory> kept_;  ///< Memories of contacts whose bodies do not move in this step.
   std::vector<ManifoldMemory> found_, now_;
 };

@@ -53,6 +53,24 @@ BulkBodies read_bulk_bodies(const Model& model, const State& state) {
   return bodies;
 }
 
+void read_changed_body(const Model& model, int body, double t, BulkBodies& bodies) {
+  const std::size_t k = at(body);
+  const Body& own = model.body(body);
+  const bool is_dynamic = own.motion == MotionType::dynamic;
+  const PrescribedMotion motion =
+      is_dynamic ? PrescribedMotion{own.p_WB, own.q_WB, own.v_WB, own.w_WB} : prescribed_motion(own, t);
+  bodies.x[k] = motion.p_WB;
+  bodies.q[k] = motion.q_WB;
+  bodies.motion[k] = MotionRecord{};
+  bodies.inertia[k] = InverseInertia{};
+  bodies.L[k] = Vec3::Zero();
+  set_floats(motion.v_WB, bodies.motion[k].v);
+  set_floats(motion.w_WB, bodies.motion[k].w);
+  if (!is_dynamic) return;
+  set_standing(model, body, false, bodies);
+  set_momentum(model, body, bodies);
+}
+
 void write_bulk_bodies(const Model& model, const BulkBodies& bodies, State& state) {
   for (int i = 0; i < model.body_count(); ++i) {
     const std::size_t k = at(i);

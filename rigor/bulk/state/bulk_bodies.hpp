@@ -106,6 +106,9 @@ struct BulkBodies {
 /// Reads the bodies of a State: velocities are rounded to 32 bits; what is written and read again has the
 /// same bits.
 BulkBodies read_bulk_bodies(const Model& model, const State& state);
+/// After a body of the Model has changed: it is where the Model has it at t = 0 with the velocities that it
+/// has there, if it is dynamic; else where it is to be at t [s].
+void read_changed_body(const Model& model, int body, double t, BulkBodies& bodies);
 /// Writes the bodies into the State (all bodies, momenta of the dynamic ones), but not their anchors.
 void write_bulk_bodies(const Model& model, const BulkBodies& bodies, State& state);
 

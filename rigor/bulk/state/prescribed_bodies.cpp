@@ -1,6 +1,7 @@
 #include "rigor/bulk/state/prescribed_bodies.hpp"
 
 #include "rigor/core/index.hpp"
+#include "rigor/core/sorted_unique.hpp"
 #include "rigor/math/rotation.hpp"
 
 #include <algorithm>
@@ -49,6 +50,16 @@ PrescribedBodies::PrescribedBodies(const Model& model) {
     if (model.body(i).motion != MotionType::kinematic) continue;
     (is_free(model.body(i)) ? free_ : given_).push_back(i);
   }
+}
+
+void PrescribedBodies::set_body(const Model& model, int body) {
+  std::erase(free_, body);
+  std::erase(given_, body);
+  std::erase_if(targets_, [body](const Target& target) { return target.body == body; });
+  const Body& own = model.body(body);
+  if (own.motion != MotionType::kinematic) return;
+  std::vector<int>& list = is_free(own) ? free_ : given_;
+  list.insert(list.begin() + static_cast<std::ptrdiff_t>(place_of(list, body)), body);
 }
 
 bool PrescribedBodies::is_free(const Body& body) {

@@ -18,6 +18,7 @@ BulkSimulation::BulkSimulation(std::shared_ptr<const Model> model, const Options
     : model_(std::move(model)), options_(options) {
   RIGOR_ASSERT(options.step > 0 && options.substeps >= 1 && options.threads >= 1);
   start(make_initial_state(*model_));
+  name_all();
 }
 
 BulkSimulation::~BulkSimulation() = default;
@@ -36,13 +37,20 @@ void BulkSimulation::start(const State& state) {
 }
 
 BulkStepReport BulkSimulation::step() {
+  world_->settle_changes();
   before_ = world_->memory();
+  centers_ = world_->bodies().x;
   is_asked_ = false;
-  return world_->step(options_.step);
+  changed_.clear();
+  kept_contacts_.reset();
+  const BulkStepReport report = world_->step(options_.step);
+  sensors_.update(*model_, world_->bodies(), body_ids_);
+  return report;
 }
 
 State BulkSimulation::state() const {
   State state = template_;
+  world_->settle_changes();
   world_->write(state);
   return state;
 }
@@ -51,6 +59,7 @@ void BulkSimulation::set_state(const State& state) {
   RIGOR_ASSERT(state.body_count() == model_->body_count());
   template_ = state;
   world_->read(state);
+  centers_ = world_->bodies().x;
   before_ = world_->memory();
   is_asked_ = false;
 }
@@ -116,7 +125,11 @@ void BulkSimulation::set_model(std::shared_ptr<const Model> model) {
   // The queries of the old model go before it does.
   queries_.reset();
   model_ = std::move(model);
+  editor_.reset();
+  changed_.clear();
+  kept_contacts_.reset();
   start(carried);
+  name_all();
 }
 
 void BulkSimulation::set_contact_filter(std::function<bool(int, int)> may_touch) {
@@ -129,11 +142,14 @@ std::vector<ContactEvent> BulkSimulation::events() const {
 }
 
 const SceneQueries& BulkSimulation::queries() const {
-  if (!queries_) {
-    queries_ = std::make_unique<SceneQueries>(*model_, state());
-  } else if (!is_asked_) {
-    queries_->update(state());
-  }
+  if (queries_ && is_asked_) return *queries_;
+  // Poses are all that it asks of a State.
+  State poses = template_;
+  world_->write_bodies(poses);
+  if (queries_)
+    queries_->update(poses);
+  else
+    queries_ = std::make_unique<SceneQueries>(*model_, poses);
   is_asked_ = true;
   return *queries_;
 }

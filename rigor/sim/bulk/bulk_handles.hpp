@@ -1,0 +1,96 @@
+#pragma once
+
+#include "rigor/core/index.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace rigor {
+
+/// What became of a call that names something by its handle. Nothing has changed unless it is `done`.
+enum class BulkStatus {
+  done,
+  no_such_body,        ///< The handle is that of a body that is gone, or of none.
+  no_such_joint,       ///< Likewise.
+  no_such_material,    ///< Likewise.
+  no_such_sensor,      ///< Likewise.
+  no_such_coordinate,  ///< The joint has fewer coordinates.
+  not_dynamic,         ///< Forces, impulses and velocities are for dynamic bodies.
+  not_led,             ///< Places are given to kinematic bodies without a velocity and a path.
+  not_finite,          ///< A number is infinite or none.
+  in_use,              ///< The material belongs to a shape that is there.
+};
+
+/// Names something of a BulkSimulation for as long as it is there: where it is kept, and the how-manieth it
+/// is there. The handle of what is gone names nothing, whatever comes into its place. A default one names
+/// nothing.
+template <class Kind>
+struct BulkHandle {
+  std::int32_t place = -1;
+  std::uint32_t turn = 0;
+
+  bool operator==(const BulkHandle&) const = default;
+};
+using BodyId = BulkHandle<struct BodyKind>;
+using JointId = BulkHandle<struct JointKind>;
+using MaterialId = BulkHandle<struct MaterialKind>;
+using SensorId = BulkHandle<struct SensorKind>;
+
+/// The world, as an end of a joint.
+inline constexpr BodyId world_end{-2, 0};
+
+/// Which handles are valid.
+template <class Kind>
+class HandleTable {
+ public:
+  using Id = BulkHandle<Kind>;
+
+  /// The handle of something new in a place where nothing is.
+  Id give(int place) {
+    if (turns_.size() <= at(place)) turns_.resize(at(place) + 1, {0, false});
+    turns_[at(place)].is_there = true;
+    return id_of(place);
+  }
+  /// What is in a place goes.
+  void retire(int place) {
+    turns_[at(place)].is_there = false;
+    ++turns_[at(place)].number;
+  }
+  /// The handle of what is in a place; one that names nothing if nothing is.
+  Id id_of(int place) const {
+    if (place < 0 || at(place) >= turns_.size() || !turns_[at(place)].is_there) return {};
+    return {place, turns_[at(place)].number};
+  }
+  std::optional<int> place_of(const Id& id) const {
+    const bool is_there = id.place >= 0 && id_of(id.place) == id;
+    return is_there ? std::optional<int>(id.place) : std::nullopt;
+  }
+  /// All that are there, by place.
+  std::vector<Id> all() const {
+    std::vector<Id> ids;
+    for (int place = 0; place < static_cast<int>(turns_.size()); ++place)
+      if (turns_[at(place)].is_there) ids.push_back(id_of(place));
+    return ids;
+  }
+  /// The lowest place where nothing is.
+  int lowest_free() const {
+    std::size_t place = 0;
+    while (place < turns_.size() && turns_[place].is_there) ++place;
+    return static_cast<int>(place);
+  }
+  /// Nothing is there any more, and all handles name nothing.
+  void retire_all() {
+    for (int place = 0; place < static_cast<int>(turns_.size()); ++place)
+      if (turns_[at(place)].is_there) retire(place);
+  }
+
+ private:
+  struct Turn {
+    std::uint32_t number = 0;
+    bool is_there = false;
+  };
+  std::vector<Turn> turns_;
+};
+
+}  // namespace rigor
