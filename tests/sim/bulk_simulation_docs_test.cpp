@@ -83,5 +83,40 @@ while (!simulation.is_asleep(second)) simulation.step();
             std::string::npos);
 }
 
+TEST(BulkSimulationDocs, BodiesThatComeAndGo) {
+  ModelBuilder builder;
+  builder.set_gravity(Vec3(0, 0, -9.81));
+  BulkSimulation simulation(builder.build());
+  // clang-format off
+BodyDescription bullet{.p_WU = Vec3(0, 0, 2), .velocity = Vec3(30, 0, 0), .shapes = {{Sphere{0.05}}}};
+const BodyId id = simulation.add_body(bullet);  // An InputError if the description is wrong.
+simulation.add_sensor({.shape = Box{Vec3(0.1, 1, 1)}, .X_US = {Mat3::Identity(), Vec3(1, 0, 2)}});
+
+// What comes through the gate goes; whoever has its handle still is told so.
+for (int k = 0; k < 10; ++k) {
+  simulation.step();
+  for (const SensorEvent& event : simulation.sensor_events())
+    if (event.kind == SensorEvent::Kind::begin) simulation.remove_body(event.body);
+}
+const bool is_gone = simulation.apply_force(id, Vec3::UnitX()) == BulkStatus::no_such_body;
+  // clang-format on
+  EXPECT_TRUE(is_gone);
+  EXPECT_TRUE(simulation.bodies().empty());
+
+  const auto text_of = [](const std::string& path) {
+    std::ifstream file(path);
+    std::stringstream text;
+    text << file.rdbuf();
+    return text.str();
+  };
+  const std::string root = RIGOR_SOURCE_DIR;
+  const std::string page = text_of(root + "/docs/bulk_api.md");
+  const std::size_t section = page.find("## Bodies that come and go");
+  const std::size_t begin = page.find("```cpp\n", section) + 7, end = page.find("```", begin);
+  ASSERT_LT(begin, end);
+  EXPECT_NE(text_of(root + "/tests/sim/bulk_simulation_docs_test.cpp").find(page.substr(begin, end - begin)),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace rigor::bulk_simulation_docs_test

@@ -104,10 +104,8 @@ void BulkSimulation::has_changed(int place) {
 
 std::vector<BulkContact> BulkSimulation::contacts() const {
   std::vector<BulkContact> all = kept_contacts_ ? *kept_contacts_ : world_->contacts();
-  const auto has_changed = [this](int body) { return at(body) < changed_.size() && changed_[at(body)] != 0; };
-  std::erase_if(all, [&](const BulkContact& contact) {
-    return has_changed(contact.body_A) || has_changed(contact.body_B);
-  });
+  std::erase_if(
+      all, [this](const BulkContact& contact) { return is_new(contact.body_A) || is_new(contact.body_B); });
   return all;
 }
 

@@ -138,7 +138,10 @@ void BulkSimulation::set_contact_filter(std::function<bool(int, int)> may_touch)
 }
 
 std::vector<ContactEvent> BulkSimulation::events() const {
-  return contact_events(before_, world_->memory());
+  std::vector<ContactEvent> all = contact_events(before_, world_->memory());
+  std::erase_if(all,
+                [this](const ContactEvent& event) { return is_new(event.body_A) || is_new(event.body_B); });
+  return all;
 }
 
 const SceneQueries& BulkSimulation::queries() const {

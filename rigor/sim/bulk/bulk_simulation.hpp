@@ -171,7 +171,7 @@ class BulkSimulation {
   std::vector<BulkContact> contacts() const;
   /// Contacts that began in it at no less than this speed of approach [m/s].
   std::vector<BulkContact> hits(double least_speed) const { return find_hits(contacts(), least_speed); }
-  /// Pairs of shapes that began to press on each other, or ceased to.
+  /// Pairs of shapes that began to press on each other, or ceased to; without those of such bodies.
   std::vector<ContactEvent> events() const;
 
   /// Rays, moving shapes, nearest bodies and overlaps for the bodies as they are now; valid until the next
@@ -187,6 +187,8 @@ class BulkSimulation {
   void begin_anew(int places);
   void note_ties();
   void has_changed(int place);
+  /// Whether a body came, went or became another since the last step.
+  bool is_new(int place) const { return at(place) < changed_.size() && changed_[at(place)] != 0; }
   template <class Act>
   BulkStatus act_on(const BodyId& body, const std::array<Vec3, 2>& numbers, const Act& act);
   template <class Act>
@@ -203,7 +205,7 @@ class BulkSimulation {
   std::vector<int> joint_places_;  ///< Of the joints of the Model, by index.
   HandleTable<MaterialKind> material_ids_;
   BulkSensors sensors_;
-  std::vector<char> changed_;  ///< Whether a body came, went or became another since the last step, by place.
+  std::vector<char> changed_;  ///< See is_new(); by place, empty if none is.
   std::optional<std::vector<BulkContact>>
       kept_contacts_;          ///< Of the last step, if this world did not take it.
   std::vector<Vec3> centers_;  ///< Of the bodies at the beginning of the last step [m].
