@@ -4,7 +4,7 @@ JOBS ?= $(shell nproc)
 BUILD := build/release
 RIGOR := $(BUILD)/rigor
 
-.PHONY: run test build program package python check check-all bench bench-bulk setup configure clean help
+.PHONY: run test build program package python docs check check-all bench bench-bulk setup configure clean help
 
 # A scene with its page, its sheet of key moments, its film where ffmpeg is there, and its audit as a text: the heart of it
 # is shown.
@@ -47,6 +47,10 @@ python: setup
 	@tools/setup.sh python
 	@cmake --preset release >/dev/null
 	@cmake --build --preset release -j $(JOBS) --target rigor_wheel
+
+docs:
+	@tools/setup.sh docs
+	@tools/make_docs.sh build/docs
 
 test: build
 	@ctest --preset release -j $(JOBS)
@@ -98,7 +102,8 @@ help:
 	@echo "make build   build all, the program and its tests (Release, in $(BUILD))"
 	@echo "make program  build only the program, $(RIGOR)"
 	@echo "make package  a Debian package and a tarball of program, libraries and headers, in $(BUILD)/packages"
-	@echo "make python  the Python package as a wheel, in $(BUILD)/wheels; installs pybind11, numpy and pytest of Debian"
+	@echo "make python  the Python package as a wheel, in $(BUILD)/wheels; installs pybind11, numpy, matplotlib and pytest of Debian"
+	@echo "make docs    the reference of the public C++ headers as a site, build/docs/html/index.html; installs Doxygen of Debian"
 	@echo "make check   formatting, headers alone, clang++ with warnings as errors, its ASan and UBSan under the program and some tests, the viewer"
 	@echo "make check-all  the same with the tests of all layers under ASan and UBSan"
 	@echo "make bench   error and CPU time of the reference scenes, of pictures, impacts, chains, resting contact, heaps, distances and the broad phase, beside the peer engines that are installed"

@@ -6,6 +6,7 @@
 #include "rigor/core/input_error.hpp"
 #include "rigor/core/interrupt.hpp"
 #include "rigor/io/files/file_error.hpp"
+#include "rigor/study/formula/time_formula.hpp"
 
 #include <fmt/format.h>
 
@@ -51,6 +52,7 @@ ExitCode run_program(int argc, const char* const* argv) {
 }  // namespace rigor
 
 int main(int argc, char** argv) {
+  rigor::use_time_formulas();
   // A file beyond the size limit is an error like a full disk, and must not end the process.
   std::signal(SIGXFSZ, SIG_IGN);
   const int code = rigor::run_program(argc, argv);

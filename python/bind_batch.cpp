@@ -1,10 +1,50 @@
 #include "binding.hpp"
+#include "signals.hpp"
+
+#include <atomic>
+#include <memory>
+#include <thread>
 
 namespace rigor::python {
 
 namespace {
 
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+/// Ctrl-C within a call of a batch: the thread of the call asks Python, the others look at what it was told.
+class BatchInterrupt {
+ public:
+  explicit BatchInterrupt(Batch& batch) : batch_(batch) {
+    const auto wanted = std::make_shared<std::atomic<bool>>(false);
+    const auto watch = std::make_shared<SignalWatch>();
+    batch_.set_interrupt([wanted, watch, caller = std::this_thread::get_id()] {
+      if (!*wanted && std::this_thread::get_id() == caller && (*watch)()) *wanted = true;
+      return wanted->load();
+    });
+  }
+  ~BatchInterrupt() { batch_.set_interrupt({}); }
+  BatchInterrupt(const BatchInterrupt&) = delete;
+  BatchInterrupt& operator=(const BatchInterrupt&) = delete;
+
+ private:
+  Batch& batch_;
+};
+
+/// Sets a function of Python as the controller of every world; it takes the lock of the interpreter.
+void set_controller(Batch& batch, const py::object& function, double period) {
+  if (function.is_none()) return batch.set_controller({}, period);
+  // Whoever lets go of it last may not hold the lock.
+  const std::shared_ptr<py::object> shared(new py::object(function), [](py::object* own) {
+    const py::gil_scoped_acquire lock;
+    delete own;
+  });
+  batch.set_controller(
+      [shared](int index, Simulation& world) {
+        const py::gil_scoped_acquire lock;
+        (*shared)(index, py::cast(&world, py::return_value_policy::reference));
+      },
+      period);
+}
 
 /// One number, or `columns` numbers, for each world.
 void require_shape(const Batch& batch, const Numbers& numbers, py::ssize_t columns, const char* what) {
@@ -14,6 +54,24 @@ void require_shape(const Batch& batch, const Numbers& numbers, py::ssize_t colum
   if (fits) return;
   throw InputError(std::string(what) + " must be an array of shape (" + std::to_string(batch.size()) +
                    (columns == 1 ? ",)" : ", " + std::to_string(columns) + ")"));
+}
+
+/// The worlds that a list of indices, or an array of one flag for each world, stands for.
+std::vector<int> worlds_of(const Batch& batch, const py::object& which) {
+  const py::array array = py::array::ensure(which);
+  if (!array) {
+    PyErr_Clear();
+    throw InputError("worlds are an index, a list of indices, or an array of flags");
+  }
+  if (!py::isinstance<py::array_t<bool>>(array)) return py::cast<std::vector<int>>(array.attr("tolist")());
+  if (array.ndim() != 1 || array.shape(0) != batch.size())
+    throw InputError("the flags must be an array of shape (" + std::to_string(batch.size()) + ",)");
+  const auto flags = py::cast<std::vector<bool>>(array.attr("tolist")());
+  std::vector<int> worlds;
+  for (int i = 0; i < batch.size(); ++i) {
+    if (flags[static_cast<std::size_t>(i)]) worlds.push_back(i);
+  }
+  return worlds;
 }
 
 py::array_t<double> of_joint(Batch& batch, const std::string& joint, int coordinate, bool is_rate) {
@@ -38,9 +96,71 @@ void bind_batch(py::module_& module) {
       .def(py::init<const Scene&, int, int>(), py::arg("scene"), py::arg("count"), py::arg("threads") = 0)
       .def("__len__", &Batch::size)
       .def_property_readonly("threads", &Batch::threads, "Number of threads.")
-      .def("step", &Batch::step, py::call_guard<py::gil_scoped_release>(), "One step of every world.")
-      .def("advance_to", &Batch::advance_to, py::arg("t"), py::call_guard<py::gil_scoped_release>(),
-           "Advances every world to t [s].")
+      .def(
+          "step",
+          [](Batch& b) {
+            const py::gil_scoped_release release;
+            const BatchInterrupt interrupt(b);
+            b.step();
+          },
+          "One step of every world. Ctrl-C ends it; the worlds may then be at different times.")
+      .def(
+          "advance_to",
+          [](Batch& b, double t) {
+            const py::gil_scoped_release release;
+            const BatchInterrupt interrupt(b);
+            b.advance_to(t);
+          },
+          py::arg("t"), "Advances every world to t [s]. Ctrl-C ends it likewise.")
+      .def("set_controller", &set_controller, py::arg("controller"), py::arg("period") = 0.0,
+           "A function controller(index, world) called at every multiple of period [s] (0: of the step) "
+           "before "
+           "a world goes on; None ends it. The threads wait for each other in it.")
+      .def(
+          "set_states",
+          [](Batch& b, const Numbers& states) {
+            const py::ssize_t bodies = b.world(0).body_count();
+            const bool fits = states.ndim() == 3 && states.shape(0) == b.size() &&
+                              states.shape(1) == bodies && states.shape(2) == 13;
+            if (!fits) {
+              throw InputError("states must be an array of shape (" + std::to_string(b.size()) + ", " +
+                               std::to_string(bodies) + ", 13)");
+            }
+            const py::gil_scoped_release release;
+            b.set_states({states.data(), static_cast<std::size_t>(states.size())});
+          },
+          py::arg("states"),
+          "Puts all bodies where `states` says, in its order; of a kinematic body the velocities are left "
+          "out.")
+      .def(
+          "set_frictions",
+          [](Batch& b, const std::string& material, const Numbers& numbers) {
+            require_shape(b, numbers, 1, "frictions");
+            for (int i = 0; i < b.size(); ++i) b.world(i).set_friction(material, *numbers.data(i));
+          },
+          py::arg("material"), py::arg("frictions"), "Of a material in each world.")
+      .def(
+          "set_restitutions",
+          [](Batch& b, const std::string& material, const Numbers& numbers) {
+            require_shape(b, numbers, 1, "restitutions");
+            for (int i = 0; i < b.size(); ++i) b.world(i).set_restitution(material, *numbers.data(i));
+          },
+          py::arg("material"), py::arg("restitutions"), "Of a material in each world.")
+      .def(
+          "set_gravities",
+          [](Batch& b, const Numbers& numbers) {
+            require_shape(b, numbers, 3, "gravities");
+            for (int i = 0; i < b.size(); ++i) b.world(i).set_gravity(Vec3::Map(numbers.data(i, 0)));
+          },
+          py::arg("gravities"), "In each world [m/s²].")
+      .def_property_readonly(
+          "times",
+          [](const Batch& b) {
+            py::array_t<double> times(b.size());
+            for (int i = 0; i < b.size(); ++i) times.mutable_data()[i] = b.world(i).time();
+            return times;
+          },
+          "Of each world [s].")
       .def(
           "world", [](Batch& b, int i) -> Simulation& { return b.world(i); }, py::arg("index"),
           py::return_value_policy::reference_internal, "A world, as a Simulation.")
@@ -80,11 +200,12 @@ void bind_batch(py::module_& module) {
           py::arg("joint"), py::arg("coordinate") = 0, "In each world [rad/s] or [m/s].")
       .def(
           "reset",
-          [](Batch& b, int i) {
-            b.world(i).reset();
-            b.clear_stop(i);
+          [](Batch& b, const py::object& which) {
+            if (py::isinstance<py::int_>(which)) return b.reset(py::cast<int>(which));
+            for (const int i : worlds_of(b, which)) b.reset(i);
           },
-          py::arg("index"), "Returns a world to t = 0.");
+          py::arg("index"),
+          "Returns worlds to t = 0: one, a list of indices, or those where an array of flags is true.");
 }
 
 }  // namespace rigor::python

@@ -229,11 +229,13 @@ void bind_actions(py::class_<Simulation>& type) {
           "A motor that gives this torque [N m] or force [N] on the second body.")
       .def(
           "set_motor_position",
-          [](Simulation& s, const py::object& j, double target, double stiffness, double damping, int k) {
-            s.set_motor_position(joint_of(s, j), target, stiffness, damping, k);
+          [](Simulation& s, const py::object& j, double target, double stiffness, double damping, int k,
+             double max_force) {
+            s.set_motor_position(joint_of(s, j), target, stiffness, damping, k, max_force);
           },
           py::arg("joint"), py::arg("target"), py::arg("stiffness"), py::arg("damping"),
-          py::arg("coordinate") = 0, "A servo: -stiffness (coordinate - target) - damping (rate).")
+          py::arg("coordinate") = 0, py::arg("max_force") = std::numeric_limits<double>::infinity(),
+          "A servo: -stiffness (coordinate - target) - damping (rate), at most max_force [N m] or [N].")
       .def(
           "release_motor",
           [](Simulation& s, const py::object& j, int k) { s.release_motor(joint_of(s, j), k); },

@@ -4,6 +4,7 @@
 #include "binding.hpp"
 
 #include <rigor/io/files/version.hpp>
+#include <rigor/study/formula/time_formula.hpp>
 
 namespace rigor::python {
 
@@ -74,6 +75,7 @@ void bind_errors(py::module_& module) {
 PYBIND11_MODULE(_rigor, module) {
   using namespace rigor::python;
   module.attr("__version__") = std::string(rigor::version);
+  rigor::use_time_formulas();
   bind_errors(module);
   bind_run(module);
   bind_simulation(module);

@@ -2,7 +2,7 @@
 # Installs the Debian packages that building Rigor needs, if any is missing. As root or with sudo; says what and how
 # much first and asks once on a terminal (RIGOR_YES=1, or no terminal: no question). With all packages there it does
 # nothing and needs no network.
-# usage: tools/setup.sh [build|python|check|bench|bench-bulk]
+# usage: tools/setup.sh [build|python|docs|check|bench|bench-bulk]
 set -euo pipefail
 
 packages=(g++ make cmake ninja-build git ca-certificates libeigen3-dev libyaml-cpp-dev nlohmann-json3-dev libcli11-dev
@@ -14,10 +14,11 @@ case "${1:-build}" in
     packages+=(clang libclang-rt-dev clang-format clang-tidy chromium)
     # Node may have come from elsewhere; Debian's npm would not go with it.
     command -v npm >/dev/null || packages+=(nodejs npm) ;;
-  python) packages+=(python3-dev python3-numpy python3-pytest pybind11-dev) ;;
+  python) packages+=(python3-dev python3-numpy python3-matplotlib python3-pytest pybind11-dev) ;;
+  docs) packages=(doxygen) ;;
   bench) packages+=(libbenchmark-dev) ;;
   bench-bulk) packages+=(libbullet-dev) ;;
-  *) echo "usage: tools/setup.sh [build|python|check|bench|bench-bulk]" >&2; exit 2 ;;
+  *) echo "usage: tools/setup.sh [build|python|docs|check|bench|bench-bulk]" >&2; exit 2 ;;
 esac
 
 missing=()

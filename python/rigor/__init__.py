@@ -14,6 +14,7 @@ from ._run import Run, run
 from ._scene import Scene, load
 from ._simulation import Batch, Simulation
 from ._study import Study, study
+from ._vector_env import Box, VectorEnv
 
-__all__ = ["Batch", "Contact", "Event", "InputError", "JointState", "RayHit", "Run", "Scene", "Simulation",
-           "SimulationStopped", "Study", "geometry", "load", "run", "study", "__version__"]
+__all__ = ["Batch", "Box", "Contact", "Event", "InputError", "JointState", "RayHit", "Run", "Scene", "Simulation",
+           "SimulationStopped", "Study", "VectorEnv", "geometry", "load", "run", "study", "__version__"]

@@ -221,8 +221,8 @@ class Simulation:
         """A motor that holds a rate [rad/s] or [m/s], as far as its force [N m] or [N] goes."""
     def set_motor_effort(self, joint: str | int, effort: float, coordinate: int = 0) -> None:
         """A motor that gives this torque [N m] or force [N] on the second body."""
-    def set_motor_position(self, joint: str | int, target: float, stiffness: float, damping: float, coordinate: int = 0) -> None:
-        """A servo: -stiffness (coordinate - target) - damping (rate)."""
+    def set_motor_position(self, joint: str | int, target: float, stiffness: float, damping: float, coordinate: int = 0, max_force: float = ...) -> None:
+        """A servo: -stiffness (coordinate - target) - damping (rate), at most max_force [N m] or [N]."""
     def release_motor(self, joint: str | int, coordinate: int = 0) -> None:
         """The laws of the scene hold again."""
     def set_gravity(self, gravity: npt.ArrayLike) -> None:
@@ -266,16 +266,29 @@ class Batch:
     @property
     def states(self) -> npt.NDArray[np.float64]:
         """Position, quaternion w x y z, velocity, angular velocity (worlds x bodies x 13): a view that is refreshed each time it is asked for."""
-    def apply_forces(self, body: str | int, forces: npt.ArrayLike) -> None:
+    def apply_forces(self, body: str, forces: npt.ArrayLike) -> None:
         """A force [N] on a body in each world, until the next step ends."""
-    def set_motor_efforts(self, joint: str | int, efforts: npt.ArrayLike, coordinate: int = 0) -> None:
+    def set_motor_efforts(self, joint: str, efforts: npt.ArrayLike, coordinate: int = 0) -> None:
         """Of a joint's motor in each world."""
-    def joint_coordinates(self, joint: str | int, coordinate: int = 0) -> npt.NDArray[np.float64]:
+    def joint_coordinates(self, joint: str, coordinate: int = 0) -> npt.NDArray[np.float64]:
         """In each world [rad] or [m]."""
-    def joint_rates(self, joint: str | int, coordinate: int = 0) -> npt.NDArray[np.float64]:
+    def joint_rates(self, joint: str, coordinate: int = 0) -> npt.NDArray[np.float64]:
         """In each world [rad/s] or [m/s]."""
-    def reset(self, index: int) -> None:
-        """Returns a world to t = 0."""
+    def set_controller(self, controller: Callable[[int, Simulation], None] | None, period: float = 0.0) -> None:
+        """A function controller(index, world) called at every multiple of period [s] (0: of the step) before a world goes on; None ends it. The threads wait for each other in it."""
+    def set_states(self, states: npt.ArrayLike) -> None:
+        """Puts all bodies where `states` says, in its order; of a kinematic body the velocities are left out."""
+    def set_frictions(self, material: str, frictions: npt.ArrayLike) -> None:
+        """Of a material in each world."""
+    def set_restitutions(self, material: str, restitutions: npt.ArrayLike) -> None:
+        """Of a material in each world."""
+    def set_gravities(self, gravities: npt.ArrayLike) -> None:
+        """In each world [m/s²]."""
+    @property
+    def times(self) -> npt.NDArray[np.float64]:
+        """Of each world [s]."""
+    def reset(self, index: int | npt.ArrayLike) -> None:
+        """Returns worlds to t = 0: one, a list of indices, or those where an array of flags is true."""
 
 class StudyRecord:
     def __init__(self, file: str, threads: int, journal: str) -> None: ...

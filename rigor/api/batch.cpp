@@ -2,13 +2,17 @@
 
 #include "rigor/core/index.hpp"
 #include "rigor/core/input_error.hpp"
+#include "rigor/core/quoted.hpp"
+#include "rigor/math/rotation.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <exception>
 #include <thread>
+#include <utility>
 
 namespace rigor {
 
@@ -38,6 +42,23 @@ const Simulation& Batch::world(int index) const {
 
 void Batch::clear_stop(int index) {
   stops_[at(checked(index))].clear();
+}
+
+void Batch::reset(int index) {
+  world(index).reset();
+  clear_stop(index);
+}
+
+void Batch::set_controller(const Controller& controller, double period) {
+  for (int i = 0; i < size(); ++i) {
+    Simulation::Controller of_world;
+    if (controller) of_world = [controller, i](Simulation& world) { controller(i, world); };
+    worlds_[at(i)].set_controller(std::move(of_world), period);
+  }
+}
+
+void Batch::set_interrupt(const std::function<bool()>& interrupt) {
+  for (Simulation& world : worlds_) world.set_interrupt(interrupt);
 }
 
 void Batch::for_each(const std::function<void(int, Simulation&)>& work) {
@@ -86,8 +107,43 @@ void Batch::advance_to(double t) {
   });
 }
 
+namespace {
+
+/// Numbers of a body in Batch::states().
+constexpr std::size_t width = 13;
+
+/// Puts a body where its numbers say.
+void set_body(Simulation& world, int i, const double* numbers) {
+  const MotionType motion = world.model().body(i).motion;
+  if (motion == MotionType::fixed) return;
+  const Quat q(numbers[3], numbers[4], numbers[5], numbers[6]);
+  constexpr double error = 1e-3;
+  if (!(std::abs(q.norm() - 1) <= error)) {
+    throw InputError(fmt::format("the quaternion (w, x, y, z) of body {} has norm {}, must have 1",
+                                 quoted_text(world.name(BodyHandle{i})), q.norm()));
+  }
+  world.set_pose(BodyHandle{i}, {rotation_matrix(q.normalized()), Vec3::Map(numbers)});
+  if (motion == MotionType::dynamic)
+    world.set_velocity(BodyHandle{i}, Vec3::Map(numbers + 7), Vec3::Map(numbers + 10));
+}
+
+}  // namespace
+
+void Batch::set_states(std::span<const double> states) {
+  const std::size_t bodies = at(worlds_.front().body_count());
+  const std::size_t count = width * bodies * worlds_.size();
+  if (states.size() != count) {
+    throw InputError(
+        fmt::format("the states are {} numbers, must be {}: {} for each of {} bodies of {} worlds",
+                    states.size(), count, width, bodies, worlds_.size()));
+  }
+  for_each([&](int i, Simulation& world) {
+    for (std::size_t k = 0; k < bodies; ++k)
+      set_body(world, static_cast<int>(k), &states[width * (at(i) * bodies + k)]);
+  });
+}
+
 const std::vector<double>& Batch::states() {
-  constexpr std::size_t width = 13;
   const std::size_t bodies = at(worlds_.front().body_count());
   states_.resize(width * bodies * worlds_.size());
   for (std::size_t i = 0; i < worlds_.size(); ++i) {

@@ -94,6 +94,7 @@ void SimulationEngine::use(std::shared_ptr<const Model> model, std::vector<BodyL
   environment_ = std::make_unique<Environment>(*model_);
   stepper_ = make_stepper(model_, scene_.method, scene_.run.step, scene_.run.threads);
   stepper_->set_interrupt(interrupt_);
+  is_as_left_ = false;
   steps_in_bulk_ = dynamic_cast<BulkStepper*>(stepper_.get());
   if (steps_in_bulk_) steps_in_bulk_->set_loads(loads_);
 }
@@ -146,6 +147,7 @@ void SimulationEngine::advance(double t, const std::vector<BodyLoad>& loads) {
     report.reason = StopReason::not_finite;
     report.detail = fmt::format("the energy overflows before t = {:.17g} s", t);
   }
+  is_as_left_ = report.reason == StopReason::reached_end;
   auditor_->observe(state_, report);
   events_.insert(events_.end(), report.events.begin(), report.events.end());
   if (events_.size() > 2 * most_events)
@@ -157,6 +159,7 @@ void SimulationEngine::advance(double t, const std::vector<BodyLoad>& loads) {
 
 void SimulationEngine::set_phase(int body, const Vec3& x, const Quat& q, const Vec3& P, const Vec3& L) {
   state_.set_body(body, x, q, P, L);
+  is_as_left_ = false;
   wake();
   auditor_->change(model_, state_);
 }
@@ -175,8 +178,10 @@ std::shared_ptr<const Model> SimulationEngine::model_with_loads() const {
 }
 
 std::vector<TouchingPoint> SimulationEngine::contacts() const {
-  if (steps_in_bulk_) return *steps_in_bulk_->contacts_of(state_);
-  return contact_snapshot(*model_, method_, state_);
+  // As long as the State is the one that the scheme has left, the scheme knows what moved it there.
+  std::optional<std::vector<TouchingPoint>> found;
+  if (is_as_left_ || steps_in_bulk_) found = stepper_->contacts_of(state_);
+  return found ? *std::move(found) : contact_snapshot(*model_, method_, state_);
 }
 
 std::vector<JointReaction> SimulationEngine::joint_motions() const {

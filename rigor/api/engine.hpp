@@ -86,6 +86,7 @@ class SimulationEngine {
   std::vector<BodyLoad> loads_;               ///< That act in the model, or in the stepper.
   std::unique_ptr<Environment> environment_;  ///< Of the model.
   bool inputs_changed_ = false;
+  bool is_as_left_ = false;  ///< The State is the one that the stepper's last call has left.
   std::function<bool()> interrupt_;
   std::unique_ptr<Stepper> stepper_;
   BulkStepper* steps_in_bulk_ = nullptr;  ///< The stepper, if it is one of the many-body path.

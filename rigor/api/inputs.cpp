@@ -27,22 +27,46 @@ bool are_same_laws(const JointAxis& a, const JointAxis& b) {
   return have_same_motors && have_same_springs(a, b);
 }
 
+/// Of servos that a program sets, whose aims are constant.
+bool are_same_drives(const std::optional<JointDrive>& a, const std::optional<JointDrive>& b) {
+  if (!a || !b) return !a && !b;
+  return a->aim.value(0) == b->aim.value(0) && a->stiffness == b->stiffness && a->damping == b->damping &&
+         a->max_force == b->max_force;
+}
+
+bool has_drive(const Model& scene, int joint, int coordinate) {
+  return std::ranges::any_of(scene.drives().joints, [&](const JointDrive& drive) {
+    return drive.joint == joint && drive.coordinate == coordinate;
+  });
+}
+
 }  // namespace
 
-bool SimulationInputs::set_laws(const Model& scene, int joint, int coordinate, const JointAxis& laws) {
-  const auto own = std::find_if(
-      changes.axes.begin(), changes.axes.end(),
-      [&](const ModelChanges::Axis& axis) { return axis.joint == joint && axis.coordinate == coordinate; });
-  const JointAxis& of_scene = scene.joint(joint).axes[at(coordinate)];
-  if (are_same_laws(own == changes.axes.end() ? of_scene : own->laws, laws)) return false;
-  if (are_same_laws(laws, of_scene)) {
+bool SimulationInputs::set_motor(const Model& scene, const ModelChanges::Axis& motor) {
+  const auto own = std::ranges::find_if(changes.axes, [&](const ModelChanges::Axis& axis) {
+    return axis.joint == motor.joint && axis.coordinate == motor.coordinate;
+  });
+  const bool is_new = own == changes.axes.end();
+  const bool scene_drives = has_drive(scene, motor.joint, motor.coordinate);
+  const JointAxis& of_scene = scene.joint(motor.joint).axes[at(motor.coordinate)];
+  const bool is_as_scene = !scene_drives && !motor.drive && are_same_laws(motor.laws, of_scene);
+  if (is_new && is_as_scene) return false;
+  if (!is_new && are_same_laws(own->laws, motor.laws) && are_same_drives(own->drive, motor.drive))
+    return false;
+  if (is_new) {
+    changes.axes.push_back(motor);
+  } else if (is_as_scene) {
     changes.axes.erase(own);
-  } else if (own == changes.axes.end()) {
-    changes.axes.push_back({joint, coordinate, laws});
   } else {
-    own->laws = laws;
+    *own = motor;
   }
   return true;
+}
+
+bool SimulationInputs::release_motor(int joint, int coordinate) {
+  return std::erase_if(changes.axes, [&](const ModelChanges::Axis& axis) {
+           return axis.joint == joint && axis.coordinate == coordinate;
+         }) > 0;
 }
 
 ModelChanges::Lead& SimulationInputs::lead(int body) {
@@ -69,16 +93,6 @@ double SimulationInputs::effort(int joint, int coordinate) const {
     if (own.joint == joint && own.coordinate == coordinate) return own.effort;
   }
   return 0;
-}
-
-bool takes_effort(const Joint& joint, int coordinate) {
-  const JointTraits& traits = joint_traits(joint.type);
-  const bool has_parallel_axes =
-      traits.held_rotation == HeldRotation::swing || traits.held_rotation == HeldRotation::all;
-  const bool is_in_line = traits.holds_displacement[0] && traits.holds_displacement[1];
-  const CoordinateType type = traits.coordinate_list[at(coordinate)];
-  return has_parallel_axes &&
-         (type == CoordinateType::twist || (type == CoordinateType::displacement_z && is_in_line));
 }
 
 void add_effort_loads(const Model& model, const MotorEffort& effort, std::vector<BodyLoad>& loads) {
@@ -191,6 +205,11 @@ JointAxis read_laws(const Json& json) {
   return laws;
 }
 
+JointDrive read_servo(const Json& json, int joint, int coordinate) {
+  const std::array<double, 4> numbers = read_numbers<4>(json, true);
+  return {joint, coordinate, JointDrive::Kind::position, numbers[0], numbers[1], numbers[2], numbers[3]};
+}
+
 Json lead_json(const ModelChanges::Lead& lead) {
   Json path = Json::array();
   for (const PathPoint& point : lead.path)
@@ -227,8 +246,14 @@ Json inputs_json(const SimulationInputs& inputs, const std::vector<BodyLoad>& lo
        given = Json::array();
   for (const ModelChanges::Surface& surface : inputs.changes.surfaces)
     surfaces.push_back({surface.friction, surface.restitution});
-  for (const ModelChanges::Axis& axis : inputs.changes.axes)
-    axes.push_back({axis.joint, axis.coordinate, laws_json(axis.laws)});
+  for (const ModelChanges::Axis& axis : inputs.changes.axes) {
+    Json entry = {axis.joint, axis.coordinate, laws_json(axis.laws)};
+    if (axis.drive) {
+      entry.push_back(
+          {axis.drive->aim.value(0), axis.drive->stiffness, axis.drive->damping, axis.drive->max_force});
+    }
+    axes.push_back(std::move(entry));
+  }
   for (const ModelChanges::Lead& lead : inputs.changes.leads) leads.push_back(lead_json(lead));
   for (const MotorEffort& effort : inputs.efforts)
     efforts.push_back({effort.joint, effort.coordinate, effort.effort});
@@ -254,7 +279,8 @@ void read_inputs(const Json& json, const Model& model, SimulationInputs& inputs,
     throw InputError("the saved inputs have another number of materials");
   for (const Json& axis : json.at("axes")) {
     const auto [joint, coordinate] = read_coordinate(axis, model);
-    inputs.changes.axes.push_back({joint, coordinate, read_laws(axis.at(2))});
+    inputs.changes.axes.push_back({joint, coordinate, read_laws(axis.at(2)), {}});
+    if (axis.size() > 3) inputs.changes.axes.back().drive = read_servo(axis.at(3), joint, coordinate);
   }
   for (const Json& lead : json.at("leads")) inputs.changes.leads.push_back(read_lead(lead, model));
   for (const Json& effort : json.at("efforts")) {

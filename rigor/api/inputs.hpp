@@ -20,8 +20,11 @@ struct SimulationInputs {
   ModelChanges changes;  ///< Gravity, surfaces, laws of joints, kinematic bodies; no added forces.
   std::vector<MotorEffort> efforts;
 
-  /// Sets the laws of a coordinate; those of the scene's model take all back. Whether that changes anything.
-  bool set_laws(const Model& scene, int joint, int coordinate, const JointAxis& laws);
+  /// Sets the laws of a coordinate, and perhaps a drive, in place of what the scene has there. Whether that
+  /// changes anything.
+  bool set_motor(const Model& scene, const ModelChanges::Axis& motor);
+  /// The laws and drives of the scene hold again. Whether that changes anything.
+  bool release_motor(int joint, int coordinate);
   /// Where a kinematic body goes, to be set.
   ModelChanges::Lead& lead(int body);
   /// Sets an effort; 0 ends it.
@@ -32,8 +35,6 @@ struct SimulationInputs {
 
 /// Whether two coordinates have the same spring and damper.
 bool have_same_springs(const JointAxis& a, const JointAxis& b);
-/// Whether loads on the two bodies can stand for an effort along that coordinate: its axis is fixed in both.
-bool takes_effort(const Joint& joint, int coordinate);
 /// The loads of an effort on the bodies of its joint: they turn with them. The coordinate takes efforts.
 void add_effort_loads(const Model& model, const MotorEffort& effort, std::vector<BodyLoad>& loads);
 /// The loads as forces of a Model.

@@ -9,12 +9,16 @@ namespace rigor {
 
 /// A body of a Simulation by its handle, the index in the scene: Simulation::body() gives it for a name.
 struct BodyHandle {
+  /// In the scene, from 0.
   int index = -1;
+  /// By index.
   auto operator<=>(const BodyHandle& other) const = default;
 };
 /// A joint of a Simulation, likewise.
 struct JointHandle {
+  /// In the scene, from 0.
   int index = -1;
+  /// By index.
   auto operator<=>(const JointHandle& other) const = default;
 };
 
@@ -22,9 +26,13 @@ struct JointHandle {
 template <class Handle>
 class Reference {
  public:
-  Reference(Handle handle) : value_(handle) {}                     // NOLINT(google-explicit-constructor)
-  Reference(std::string_view name) : value_(name) {}               // NOLINT(google-explicit-constructor)
+  /// By its handle: nothing is looked up.
+  Reference(Handle handle) : value_(handle) {}  // NOLINT(google-explicit-constructor)
+  /// By its name, which must outlive this.
+  Reference(std::string_view name) : value_(name) {}  // NOLINT(google-explicit-constructor)
+  /// By its name.
   Reference(const char* name) : value_(std::string_view(name)) {}  // NOLINT(google-explicit-constructor)
+  /// By its name.
   Reference(const std::string& name)
       : value_(std::string_view(name)) {}  // NOLINT(google-explicit-constructor)
 

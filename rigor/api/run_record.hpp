@@ -18,13 +18,17 @@ struct RunRecord {
   std::vector<double> velocity;          ///< T n 3: of the centres of mass [m/s].
   std::vector<double> angular_velocity;  ///< T n 3: in W [rad/s].
   std::vector<double> kinetic;           ///< T: energy [J]; likewise the next two.
+  /// Of gravity and steady forces, at each output [J].
   std::vector<double> potential;
+  /// In springs, at each output [J].
   std::vector<double> elastic;
   std::vector<double> penetration;       ///< T: deepest overlap since the last output time [m].
   std::vector<double> joint_coordinate;  ///< T C: joint by joint [rad] or [m].
   std::vector<double> joint_rate;        ///< T C [rad/s] or [m/s].
   std::vector<MotionEvent> events;       ///< In their order.
+  /// Of the whole run.
   Audit audit;
+  /// Whether the interrupt has ended it.
   bool was_interrupted = false;
 };
 
@@ -37,9 +41,9 @@ struct RecordOptions {
   std::function<void(double t)> progress;
   /// Files that are written besides: .csv, .h5, .json, .html, .png (docs/output.md).
   std::vector<std::filesystem::path> files;
-  /// The text of the scene, its name and overrides, which go into these files.
-  std::string scene_text, scene_file;
-  std::vector<std::string> overrides;
+  std::string scene_text;              ///< The scene as a text, which goes into these files.
+  std::string scene_file;              ///< The name of its file, which they give.
+  std::vector<std::string> overrides;  ///< What was set in it, as of `--set`.
 };
 
 /// Runs a scene from t = 0 to `run.duration`, as the program does, with the same bits. Throws InputError as

@@ -38,7 +38,9 @@ class Simulation {
   /// The same of a scene that was built in code: method and run.step as in scene files.
   explicit Simulation(std::shared_ptr<const Model> model, const Method& method = {}, double step = 0.01);
   ~Simulation();
+  /// What has been moved from can be assigned to and destroyed only.
   Simulation(Simulation&& other) noexcept;
+  /// Likewise.
   Simulation& operator=(Simulation&& other) noexcept;
 
   /// An independent copy that continues with the same bits, with the same controller but without an
@@ -60,27 +62,38 @@ class Simulation {
   void set_interrupt(std::function<bool()> interrupt);
 
   // Who is there.
+  /// The scene as it was given.
   const Scene& scene() const;
   /// The scene with what has been set since.
   const Model& model() const;
+  /// Number of bodies.
   int body_count() const;
+  /// Number of joints.
   int joint_count() const;
+  /// The handle of a name. Throws InputError with the nearest name.
   BodyHandle body(std::string_view name) const;
+  /// Likewise.
   JointHandle joint(std::string_view name) const;
+  /// The name of a handle.
   const std::string& name(BodyHandle body) const;
+  /// Likewise.
   const std::string& name(JointHandle joint) const;
 
   // Where bodies are.
+  /// Of the user's frame, [m].
   Pose pose(const BodyReference& body) const;
   Vec3 position(const BodyReference& body) const;          ///< Origin of the user's frame [m].
   Quat orientation(const BodyReference& body) const;       ///< Of that frame.
   Vec3 velocity(const BodyReference& body) const;          ///< Of the centre of mass [m/s].
   Vec3 angular_velocity(const BodyReference& body) const;  ///< [rad/s].
+  /// In the substep scheme; elsewhere nobody sleeps.
   bool is_asleep(const BodyReference& body) const;
   /// The same of all bodies, a row each in the order of the scene; valid until something changes.
   const Rows<3>& positions() const;
   const Rows<4>& orientations() const;  ///< w, x, y, z.
+  /// Of the centres of mass [m/s].
   const Rows<3>& velocities() const;
+  /// In W [rad/s].
   const Rows<3>& angular_velocities() const;
 
   // What acts until the end of the next step() or advance_to(), or, called by a controller, until the next
@@ -92,6 +105,7 @@ class Simulation {
 
   // What acts at once.
   void apply_impulse(const BodyReference& body, const Vec3& j_W);  ///< [N s].
+  /// At a point p_W [m].
   void apply_impulse(const BodyReference& body, const Vec3& j_W, const Vec3& p_W);
   void apply_angular_impulse(const BodyReference& body, const Vec3& l_W);  ///< [N m s].
   /// A dynamic body is there at once, through whatever is between, and keeps its velocities; a kinematic one
@@ -110,29 +124,37 @@ class Simulation {
   /// Coordinates whose axis is fixed in both bodies: hinges, sliders, cylindrical joints, screws.
   void set_motor_effort(const JointReference& joint, double effort, int coordinate = 0);
   /// A motor that draws the coordinate to `target` [rad] or [m]: -stiffness (coordinate - target) -
-  /// damping (rate).
+  /// damping (rate), at most max_force [N m] or [N]. Whether the limit is reached is judged at each step.
   void set_motor_position(const JointReference& joint, double target, double stiffness, double damping,
-                          int coordinate = 0);
+                          int coordinate = 0, double max_force = std::numeric_limits<double>::infinity());
   /// The laws of the scene hold again.
   void release_motor(const JointReference& joint, int coordinate = 0);
   void set_gravity(const Vec3& g_W);  ///< [m/s²].
+  /// Coulomb's coefficient of a material, at least 0.
   void set_friction(std::string_view material, double friction);
+  /// Of a material, from 0 to 1.
   void set_restitution(std::string_view material, double restitution);
 
   /// A controller: called at every multiple of `period` [s] before the motion goes on (0: of H). It may look
   /// at everything and apply and set everything, but not advance, restore or reset. An empty one ends it.
   using Controller = std::function<void(Simulation& simulation)>;
+  /// Period in s, at least 0.
   void set_controller(Controller controller, double period = 0);
 
   // What was felt and heard.
-  /// Points that touch with their forces, under what acted in the last step. The substep scheme: the mean
-  /// forces of that step (none before the first one). Others: what rest and friction require now.
+  /// Points that touch with the forces by which the scheme has moved the bodies: in schemes of fixed steps
+  /// the impulses of the last step by its length, in event-driven ones what acts now. Single collisions are
+  /// events with their impulses. Where the scheme has moved nothing yet, or something was put elsewhere
+  /// since: what rest and friction require; the substep scheme has none then.
   std::vector<TouchingPoint> contacts() const;
   /// Coordinates, rates, reactions and motor efforts of a joint, of all joints; and without the forces, which
   /// are costly.
   JointReaction joint_forces(const JointReference& joint) const;
+  /// Of all joints.
   std::vector<JointReaction> joint_forces() const;
+  /// Of one joint, without the forces.
   JointReaction joint_motion(const JointReference& joint) const;
+  /// Of all joints, without the forces.
   std::vector<JointReaction> joint_motions() const;
   /// Impacts, rests, separations, slips that end: since the last call. The newest million of them.
   std::vector<MotionEvent> take_events();
@@ -146,6 +168,7 @@ class Simulation {
   /// All there is but controller and interrupt; restore() continues with the same bits in any simulation of
   /// the same scene. Throws InputError for bytes that are none of it, and changes nothing then.
   std::string save() const;
+  /// Continues from the bytes of save().
   void restore(std::string_view bytes);
 
  private:

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <numbers>
 
 namespace rigor {
@@ -36,6 +37,12 @@ void require_pose(const Pose& X_WU) {
   if (!is_rotation)
     throw InputError(
         "the matrix of the pose is not a rotation; rotation_matrix(q) makes one of a quaternion");
+}
+
+void require_max_force(double max_force, bool turns) {
+  if (max_force >= 0) return;
+  throw InputError(
+      fmt::format("max_force of the motor is {} {}, must be at least 0", max_force, turns ? "N m" : "N"));
 }
 
 /// The momenta of a body that moves so.
@@ -170,13 +177,10 @@ void Simulation::set_motor_velocity(const JointReference& joint, double velocity
     throw InputError("a ball joint turns about no axis of its own: it takes no motor");
   require_in("velocity of the motor", velocity, turns ? limits::angular_speed : limits::speed,
              turns ? "rad/s" : "m/s");
-  if (!(max_force >= 0)) {
-    throw InputError(
-        fmt::format("max_force of the motor is {} {}, must be at least 0", max_force, turns ? "N m" : "N"));
-  }
+  require_max_force(max_force, turns);
   JointAxis laws = parts_->laws_of_scene(j, coordinate);
   laws.motor = JointMotor{velocity, max_force};
-  parts_->set_motor(j, coordinate, laws, 0);
+  parts_->set_motor({j, coordinate, laws, {}}, 0);
 }
 
 void Simulation::set_motor_effort(const JointReference& joint, double effort, int coordinate) {
@@ -191,30 +195,39 @@ void Simulation::set_motor_effort(const JointReference& joint, double effort, in
   }
   JointAxis laws = parts_->laws_of_scene(j, coordinate);
   laws.motor.reset();
-  parts_->set_motor(j, coordinate, laws, effort);
+  parts_->set_motor({j, coordinate, laws, {}}, effort);
 }
 
 void Simulation::set_motor_position(const JointReference& joint, double target, double stiffness,
-                                    double damping, int coordinate) {
+                                    double damping, int coordinate, double max_force) {
   const int j = parts_->joint_with(joint, coordinate);
-  const bool turns = is_angle(model().joint(j).type, coordinate);
+  const JointType type = model().joint(j).type;
+  const bool turns = is_angle(type, coordinate);
   require_in(
       "target", target,
       turns ? Range{-std::numbers::pi * (1 + 1e-12), std::numbers::pi * (1 + 1e-12)} : limits::position,
       turns ? "rad" : "m");
   require_in("stiffness", stiffness, limits::coefficient, turns ? "N m/rad" : "N/m");
   require_in("damping", damping, limits::coefficient, turns ? "N m s/rad" : "N s/m");
+  require_max_force(max_force, turns);
   JointAxis laws = parts_->laws_of_scene(j, coordinate);
   laws.motor.reset();
-  laws.rest = target;
-  laws.stiffness = stiffness;
-  laws.damping = damping;
-  parts_->set_motor(j, coordinate, laws, 0);
+  if (std::isinf(max_force)) {
+    laws.rest = target;
+    laws.stiffness = stiffness;
+    laws.damping = damping;
+    return parts_->set_motor({j, coordinate, laws, {}}, 0);
+  }
+  if (has_whole_angle(type))
+    throw InputError("a ball joint turns about no axis of its own: its servo has no max_force");
+  laws.stiffness = laws.damping = 0;
+  const JointDrive servo{j, coordinate, JointDrive::Kind::position, target, stiffness, damping, max_force};
+  parts_->set_motor({j, coordinate, laws, servo}, 0);
 }
 
 void Simulation::release_motor(const JointReference& joint, int coordinate) {
   const int j = parts_->joint_with(joint, coordinate);
-  parts_->set_motor(j, coordinate, parts_->laws_of_scene(j, coordinate), 0);
+  parts_->release_motor(j, coordinate);
 }
 
 void Simulation::set_gravity(const Vec3& g_W) {

@@ -92,10 +92,16 @@ JointAxis Simulation::Parts::laws_of_scene(int joint, int coordinate) const {
   return engine.scene().model->joint(joint).axes[at(coordinate)];
 }
 
-void Simulation::Parts::set_motor(int joint, int coordinate, const JointAxis& laws, double effort) {
+void Simulation::Parts::set_motor(const ModelChanges::Axis& motor, double effort) {
   SimulationInputs& inputs = engine.inputs();
-  inputs.set_effort({joint, coordinate, effort});
-  if (inputs.set_laws(*engine.scene().model, joint, coordinate, laws)) engine.inputs_changed();
+  inputs.set_effort({motor.joint, motor.coordinate, effort});
+  if (inputs.set_motor(*engine.scene().model, motor)) engine.inputs_changed();
+}
+
+void Simulation::Parts::release_motor(int joint, int coordinate) {
+  SimulationInputs& inputs = engine.inputs();
+  inputs.set_effort({joint, coordinate, 0});
+  if (inputs.release_motor(joint, coordinate)) engine.inputs_changed();
 }
 
 ModelChanges::Surface& Simulation::Parts::surface(std::string_view material) {

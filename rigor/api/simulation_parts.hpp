@@ -39,7 +39,9 @@ struct Simulation::Parts {
   /// The laws of a coordinate as the scene has them.
   JointAxis laws_of_scene(int joint, int coordinate) const;
   /// Sets what moves a coordinate, in place of all that did.
-  void set_motor(int joint, int coordinate, const JointAxis& laws, double effort);
+  void set_motor(const ModelChanges::Axis& motor, double effort);
+  /// The motor of the scene moves a coordinate again.
+  void release_motor(int joint, int coordinate);
   /// The surface of a material, to be changed.
   ModelChanges::Surface& surface(std::string_view material);
   void load(const BodyLoad& load) { (is_controlling ? control_loads : loads).push_back(load); }

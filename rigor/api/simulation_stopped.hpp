@@ -12,8 +12,10 @@ namespace rigor {
 /// and tried again.
 class SimulationStopped : public std::runtime_error {
  public:
+  /// Why, and what was concerned.
   SimulationStopped(StopReason reason, const std::string& message)
       : std::runtime_error(message), reason_(reason) {}
+  /// Why.
   StopReason reason() const { return reason_; }
 
  private:

@@ -8,6 +8,7 @@ namespace rigor {
 /// What poll_interrupt() throws.
 class Interrupted : public std::exception {
  public:
+  /// "interrupted".
   const char* what() const noexcept override { return "interrupted"; }
 };
 

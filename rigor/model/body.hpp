@@ -16,6 +16,7 @@ enum class MotionType { dynamic, kinematic, fixed };  // `static` in scene files
 struct PathPoint {
   double time;  ///< [s].
   Vec3 p_WU;    ///< [m].
+  /// Of the user's frame then.
   Quat q_WU;
 };
 
@@ -23,13 +24,17 @@ struct PathPoint {
 /// inertia; the user's frame U (the scene file's `position` and `orientation`) is tied to it by X_BU. For
 /// kinematic and fixed bodies B = L.
 struct Body {
+  /// Unique in the scene.
   std::string name;
+  /// What moves it.
   MotionType motion = MotionType::dynamic;
   double mass = 0;              ///< [kg]; 0 for kinematic and fixed bodies.
   Vec3 moments = Vec3::Zero();  ///< Principal moments about the centre of mass [kg m²]; 0 as above.
   Pose X_BU;                    ///< Pose of the user's frame in B.
+  /// What it consists of, rigidly.
   BodyShapes shapes;
   std::uint32_t group = 1;  ///< Collides with a body whose mask has a bit of this group, and vice versa.
+  /// The groups that it collides with, a bit each.
   std::uint32_t mask = 65535;
   double linear_drag = 0;      ///< Force -c v [kg/s].
   double angular_drag = 0;     ///< Torque -c ω [kg m²/s].
@@ -42,6 +47,7 @@ struct Body {
 
   // At t = 0:
   Vec3 p_WB = Vec3::Zero();  ///< [m].
+  /// Of the body's frame.
   Quat q_WB = Quat::Identity();
   Vec3 v_WB = Vec3::Zero();  ///< Of the centre of mass [m/s]; constant for kinematic bodies without a path.
   Vec3 w_WB = Vec3::Zero();  ///< In W [rad/s].

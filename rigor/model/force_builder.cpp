@@ -3,6 +3,7 @@
 #include "rigor/core/index.hpp"
 #include "rigor/core/quoted.hpp"
 #include "rigor/math/rotation.hpp"
+#include "rigor/model/drive_builder.hpp"
 #include "rigor/model/findings.hpp"
 #include "rigor/model/limits.hpp"
 
@@ -31,6 +32,11 @@ void check_numbers(const ForceDescription& force, Findings& findings) {
   findings.check(is_torque ? "torque" : "force", force.vector, limits::force, is_torque ? "N m" : "N");
   for (const Vec3& point : force.points) findings.check("point", point, limits::position, "m");
   findings.require(force.points.size() <= force.bodies.size(), "it has more points than bodies");
+  if (force.factor) {
+    check_function("factor", *force.factor, limits::force, "", findings);
+    findings.require(is_torque || force.type == ForceDescription::Type::constant,
+                     "only a constant force and a torque have a factor");
+  }
   findings.check("stiffness", force.stiffness, limits::coefficient, "N/m");
   findings.check("damping", force.damping, limits::coefficient, "N s/m");
   findings.check("linear", force.linear, limits::coefficient, "kg/s");

@@ -15,6 +15,11 @@ std::optional<int> Model::find_body(const std::string& name) const {
   return *found;
 }
 
+bool Model::has_motor(int i) const {
+  const auto drives_it = [i](const JointDrive& drive) { return drive.joint == i; };
+  return joint(i).has_motor() || std::ranges::any_of(drives_.joints, drives_it);
+}
+
 std::vector<int> Model::bodies_of_joint(int i) const {
   const Joint& own = joint(i);
   std::vector<int> bodies = {own.body_A, own.body_B};

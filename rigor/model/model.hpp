@@ -2,6 +2,7 @@
 
 #include "rigor/core/index.hpp"
 #include "rigor/model/body.hpp"
+#include "rigor/model/drives.hpp"
 #include "rigor/model/force.hpp"
 #include "rigor/model/joint.hpp"
 #include "rigor/model/material.hpp"
@@ -21,15 +22,27 @@ struct ModelChanges;
 /// steppers.
 class Model {
  public:
+  /// Of the scene.
   const std::string& name() const { return name_; }
   const Vec3& g_W() const { return g_W_; }  ///< Gravity [m/s²].
+  /// All bodies, in the order of the scene.
   const std::vector<Body>& bodies() const { return bodies_; }
+  /// The i-th body.
   const Body& body(int i) const { return bodies_[at(i)]; }
+  /// Number of bodies.
   int body_count() const { return static_cast<int>(bodies_.size()); }
+  /// All materials.
   const std::vector<Material>& materials() const { return materials_; }
+  /// All forces but those of drives().
   const std::vector<Force>& forces() const { return forces_; }
+  /// All joints, in the order of the scene.
   const std::vector<Joint>& joints() const { return joints_; }
+  /// The i-th joint.
   const Joint& joint(int i) const { return joints_[at(i)]; }
+  /// Motors and forces that are functions of the time. The motors of `joints()` are what these are at t = 0.
+  const Drives& drives() const { return drives_; }
+  /// Whether a motor acts on a coordinate of the i-th joint.
+  bool has_motor(int i) const;
   /// Bodies that the i-th joint holds, without the world; for a gear those of both its joints. Ascending.
   std::vector<int> bodies_of_joint(int i) const;
 
@@ -62,6 +75,7 @@ class Model {
   std::vector<Force> forces_;
   std::vector<Joint> joints_;
   double length_scale_ = 1;
+  Drives drives_;
 };
 
 }  // namespace rigor

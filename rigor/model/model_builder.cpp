@@ -1,4 +1,5 @@
 #include "rigor/model/model_builder.hpp"
+#include "rigor/model/drive_builder.hpp"
 
 #include "rigor/core/index.hpp"
 #include "rigor/core/input_error.hpp"
@@ -254,7 +255,10 @@ Model ModelBuilder::assemble(std::vector<std::string>& messages) const {
   model.excluded_pairs_ = make_excluded(parts_->excluded, bodies, messages);
   for (const auto& [description, where] : parts_->forces) {
     const std::optional<Force> force = make_force(description, where, bodies, messages);
-    if (force) model.forces_.push_back(*force);
+    if (force && description.factor)
+      model.drives_.forces.push_back({*force, *description.factor});
+    else if (force)
+      model.forces_.push_back(*force);
     if (messages.size() >= limits::message_count) return model;
   }
   add_joints(bodies, messages, model);
@@ -277,8 +281,15 @@ void ModelBuilder::add_joints(const BodyTable& bodies, std::vector<std::string>&
     // Joints from one place of a file (a repeated joint) share their mistakes, which are reported once.
     if (!where.empty() && where == bad_where) continue;
     if (messages.size() >= limits::message_count) return;
-    const std::optional<Joint> joint = make_joint(description, where, bodies, joints, messages);
-    if (!joint) {
+    std::optional<Joint> joint = make_joint(description, where, bodies, joints, messages);
+    const std::size_t messages_before = messages.size();
+    Findings findings(where, "joint " + quoted_text(description.name), messages);
+    const int index = static_cast<int>(model.joints_.size());
+    if (joint) {
+      for (JointDrive& drive : make_drives(description.drives, index, *joint, findings))
+        model.drives_.joints.push_back(std::move(drive));
+    }
+    if (!joint || messages.size() > messages_before) {
       bad_where = where;
       continue;
     }

@@ -4,6 +4,7 @@
 #include "rigor/core/index.hpp"
 #include "rigor/core/input_error.hpp"
 #include "rigor/core/quoted.hpp"
+#include "rigor/model/drive_builder.hpp"
 #include "rigor/model/findings.hpp"
 #include "rigor/model/joint_axis_checks.hpp"
 #include "rigor/model/limits.hpp"
@@ -19,6 +20,20 @@ ModelChanges unchanged(const Model& model) {
   }
   return changes;
 }
+
+namespace {
+
+/// Puts the drive of a change in the place of those that the coordinate has.
+void change_drive(const ModelChanges::Axis& change, Joint& joint, Drives& drives, Findings& findings) {
+  std::erase_if(drives.joints, [&change](const JointDrive& own) {
+    return own.joint == change.joint && own.coordinate == change.coordinate;
+  });
+  if (!change.drive) return;
+  for (JointDrive& drive : make_drives({*change.drive}, change.joint, joint, findings))
+    drives.joints.push_back(std::move(drive));
+}
+
+}  // namespace
 
 std::shared_ptr<const Model> changed_model(const Model& model, const ModelChanges& changes) {
   RIGOR_ASSERT(changes.surfaces.size() == model.materials().size());
@@ -45,7 +60,9 @@ std::shared_ptr<const Model> changed_model(const Model& model, const ModelChange
     const double start = std::clamp(0.0, joint.axes.front().lower, joint.axes.front().upper);
     Findings findings("", "joint " + quoted_text(joint.name), messages);
     check_joint_axes(joint.type, joint.axes, start, findings);
+    change_drive(change, joint, changed.drives_, findings);
   }
+  if (changes.ends_drives) changed.drives_ = {};
   for (const ModelChanges::Lead& lead : changes.leads) {
     Body& body = changed.bodies_[at(lead.body)];
     body.p_WB = lead.p_WB;

@@ -3,6 +3,7 @@
 #include "rigor/model/model.hpp"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,10 +19,11 @@ struct ModelChanges {
   std::vector<Surface> surfaces;    ///< One per material. Pairs with coefficients of their own keep them.
   std::vector<Force> added_forces;  ///< Besides the model's own.
 
-  /// Laws along a coordinate of a joint, in place of the model's own; its limits stay.
+  /// Laws along a coordinate of a joint, in place of the model's own and of its drives; its limits stay.
   struct Axis {
     int joint, coordinate;  ///< Of the model.
     JointAxis laws;
+    std::optional<JointDrive> drive;  ///< A motor besides; it is checked.
   };
   std::vector<Axis> axes;
   /// Where a kinematic body goes, in place of the model's own velocities and path.
@@ -33,6 +35,7 @@ struct ModelChanges {
     std::vector<PathPoint> path;
   };
   std::vector<Lead> leads;
+  bool ends_drives = false;  ///< The changed model has none.
 };
 
 /// No change: the gravity and the surfaces of the model.

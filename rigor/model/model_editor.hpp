@@ -19,7 +19,7 @@ namespace rigor {
 /// fixed, without shapes and without a name.
 bool is_vacant(const Body& body);
 
-/// Changes a Model in place while a simulation goes on (decision 24). The Model keeps its number of places:
+/// Changes a Model in place while a simulation goes on (decision 22). The Model keeps its number of places:
 /// who goes leaves a vacant place, who comes takes the lowest one. So indices stay what they are, and a
 /// change costs what it concerns, not what there is.
 ///

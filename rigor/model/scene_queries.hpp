@@ -13,21 +13,28 @@ namespace rigor {
 
 /// A shape of a body, by indices: model.body(body).shapes[shape].
 struct ShapeIndex {
+  /// Index in the model.
   int body = -1;
+  /// Of the body, from 0.
   int shape = -1;
 
+  /// By body and shape.
   bool operator==(const ShapeIndex& other) const = default;
 };
 
 /// Where a ray meets a body.
 struct BodyRayHit {
+  /// Which shape it met.
   ShapeIndex on;
+  /// Where.
   RayHit hit;
 };
 
 /// Where a shape that is swept along a path meets a body.
 struct BodyCastHit {
+  /// Which shape it met.
   ShapeIndex on;
+  /// Where and when.
   ShapeCastHit hit;
 };
 
@@ -54,6 +61,7 @@ class SceneQueries {
   /// Moves the bodies to the poses of another State. O(n), except every 64th time, when the tree is rebuilt.
   void update(const State& state);
 
+  /// Of a body's frame B [m].
   const Pose& pose(int body) const { return poses_[static_cast<std::size_t>(body)]; }
 
   /// The first surface that the ray crosses. A ray that begins inside a body hits it where it leaves it.

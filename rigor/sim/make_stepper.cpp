@@ -1,6 +1,7 @@
 #include "rigor/sim/make_stepper.hpp"
 
 #include "rigor/sim/bulk/bulk_stepper.hpp"
+#include "rigor/sim/drives/driven_stepper.hpp"
 #include "rigor/sim/event_driven/event_driven_stepper.hpp"
 #include "rigor/sim/event_driven/hybrid_stepper.hpp"
 #include "rigor/sim/event_driven/impulse_based_stepper.hpp"
@@ -23,10 +24,9 @@ std::unique_ptr<EventDrivenStepper> make_event_driven(std::shared_ptr<const Mode
   return std::make_unique<EventDrivenStepper>(std::move(model), method, target_step);
 }
 
-}  // namespace
-
-std::unique_ptr<Stepper> make_stepper(std::shared_ptr<const Model> model, const Method& method,
-                                      double target_step, int threads) {
+/// The stepper of the scheme, which does not look at drives.
+std::unique_ptr<Stepper> make_undriven(std::shared_ptr<const Model> model, const Method& method,
+                                       double target_step, int threads) {
   const ResolvedMethod choice = resolve_scheme(*model, method);
   const Method& resolved = choice.method;
   if (choice.steps) {
@@ -44,6 +44,17 @@ std::unique_ptr<Stepper> make_stepper(std::shared_ptr<const Model> model, const 
   if (resolved.scheme == Scheme::impulse_based)
     return std::make_unique<ImpulseBasedStepper>(std::move(model), resolved, target_step);
   return make_event_driven(std::move(model), resolved, target_step);
+}
+
+}  // namespace
+
+std::unique_ptr<Stepper> make_stepper(std::shared_ptr<const Model> model, const Method& method,
+                                      double target_step, int threads) {
+  if (model->drives().empty()) return make_undriven(std::move(model), method, target_step, threads);
+  return std::make_unique<DrivenStepper>(
+      std::move(model), target_step, [method, target_step, threads](std::shared_ptr<const Model> driven) {
+        return make_undriven(std::move(driven), method, target_step, threads);
+      });
 }
 
 }  // namespace rigor

@@ -71,6 +71,8 @@ inline Json value_schema(const Key& key) {
       return list_schema(list_schema(number, 3), 0);
     case ValueType::rows:
       return list_schema(list_schema(number, 0), 0);
+    case ValueType::function:
+      return {{"anyOf", {number, text, reference("function")}}};
     case ValueType::names:
       return list_schema(text, 2);
     case ValueType::name_pairs:
@@ -124,23 +126,25 @@ inline Json scene_schema() {
 }
 
 inline std::string value_text(const Key& key) {
-  static const std::map<ValueType, std::string> texts = {{ValueType::number, "number"},
-                                                         {ValueType::whole, "whole number"},
-                                                         {ValueType::text, "text"},
-                                                         {ValueType::angle, "angle"},
-                                                         {ValueType::vector, "3 numbers"},
-                                                         {ValueType::whole_vector, "3 whole numbers"},
-                                                         {ValueType::angles, "3 angles"},
-                                                         {ValueType::quaternion, "4 numbers"},
-                                                         {ValueType::scale, "number or 3"},
-                                                         {ValueType::vectors, "list of 3 numbers"},
-                                                         {ValueType::vector2, "2 numbers"},
-                                                         {ValueType::rows, "list of rows of numbers"},
-                                                         {ValueType::flag, "`true`, `false`"},
-                                                         {ValueType::range, "2 numbers"},
-                                                         {ValueType::angle_range, "2 angles"},
-                                                         {ValueType::names, "2 names"},
-                                                         {ValueType::name_pairs, "list of 2 names"}};
+  static const std::map<ValueType, std::string> texts = {
+      {ValueType::number, "number"},
+      {ValueType::whole, "whole number"},
+      {ValueType::text, "text"},
+      {ValueType::angle, "angle"},
+      {ValueType::vector, "3 numbers"},
+      {ValueType::whole_vector, "3 whole numbers"},
+      {ValueType::angles, "3 angles"},
+      {ValueType::quaternion, "4 numbers"},
+      {ValueType::scale, "number or 3"},
+      {ValueType::vectors, "list of 3 numbers"},
+      {ValueType::vector2, "2 numbers"},
+      {ValueType::rows, "list of rows of numbers"},
+      {ValueType::function, "number, formula or [function](#function)"},
+      {ValueType::flag, "`true`, `false`"},
+      {ValueType::range, "2 numbers"},
+      {ValueType::angle_range, "2 angles"},
+      {ValueType::names, "2 names"},
+      {ValueType::name_pairs, "list of 2 names"}};
   if (key.object.empty() && key.type == ValueType::object) return "mapping";
   if (key.type == ValueType::object) return "[" + key.object + "](#" + key.object + ")";
   if (key.type == ValueType::objects) return "list of [" + key.object + "](#" + key.object + ")";

@@ -26,7 +26,9 @@ struct ContactPoint {
   Vec3 n_W;               ///< Unit normal from A to B.
   double gap;             ///< [m], negative when overlapping.
   std::uint64_t feature;  ///< Which features of A and B meet: stable while they do; orders the set.
+  /// Of the surface of A there [1/m].
   SurfaceCurvature curvature_A;
+  /// Of the surface of B there [1/m].
   SurfaceCurvature curvature_B;
   bool degenerate =
       false;  ///< Vertex on vertex or edge: the normal is the separating direction, not a surface's.

@@ -11,14 +11,17 @@ class RigidMotion {
  public:
   /// Pose and velocities at an instant.
   struct Sample {
+    /// Where the body is [m].
     Pose X_WB;
     Vec3 v;  ///< Velocity of the origin of B, in W [m/s].
     Vec3 w;  ///< Angular velocity, in W [rad/s].
 
+    /// Of the point of the body at p_WP [m/s].
     Vec3 velocity_at(const Vec3& p_WP) const { return v + w.cross(p_WP - X_WB.p); }
   };
 
   virtual ~RigidMotion() = default;
+  /// The motion at t [s].
   virtual Sample sample(double t) const = 0;
   virtual Vec3 velocity(double t) const = 0;  ///< Velocity of the origin of B, in W [m/s].
   /// Lower bound over [ta, tb] of the acceleration of the origin of B along n [m/s²].
@@ -43,6 +46,7 @@ class TwistMotion : public RigidMotion {
               double t = 0)
       : X_(X_WB), v_(v_W), w_(w_W), a_(a_W), t_(t) {}
 
+  /// The motion at t [s].
   Sample sample(double t) const override;
   Vec3 velocity(double t) const override { return v_ + (t - t_) * a_; }
   double min_acceleration_along(const Vec3& n, double, double) const override { return n.dot(a_); }
@@ -57,7 +61,9 @@ class TwistMotion : public RigidMotion {
 
 /// A motion together with the pose X_BU of the user's frame U on its body.
 struct ScrewMotion {
+  /// Of the body.
   TwistMotion motion;
+  /// Where the other frame lies in it [m].
   Pose X_BU;
 };
 

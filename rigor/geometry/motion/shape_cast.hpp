@@ -10,6 +10,7 @@ namespace rigor {
 /// A shape that is translated without rotation from the pose X_WS by translation_W.
 struct ShapeCast {
   const Shape* shape;  ///< Must outlive this object.
+  /// Where the shape is at the beginning [m].
   Pose X_WS;
   Vec3 translation_W;  ///< [m].
 };

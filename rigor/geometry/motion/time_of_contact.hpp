@@ -11,13 +11,17 @@ namespace rigor {
 
 /// A shape on a moving body. The shape and the motion must outlive it.
 struct MovingShape {
+  /// What moves.
   const Shape* shape;
   Pose X_BS;  ///< Pose of the shape on the body.
+  /// How its body moves.
   const RigidMotion* motion;
 
+  /// Where the shape is at t [s].
   Pose pose(double t) const { return motion->sample(t).X_WB * X_BS; }
 };
 
+/// How exactly the time is sought.
 struct TimeOfContactOptions {
   double time_tolerance = 1e-12;  ///< Width of the bracket [s]; never less than the resolution of time.
   int most_evaluations = 200000;  ///< Number of distance computations before the search gives up.
@@ -25,6 +29,7 @@ struct TimeOfContactOptions {
 
 /// The first contact of two moving bodies, with the bracket that proves it.
 struct TimeOfContact {
+  /// Whether they touch at all within the span.
   bool is_contact = false;
   /// False if the search gave up, as it does for bodies that glide along each other at almost no distance.
   /// Then the span is free until `lower`, and nothing is known of the rest.

@@ -17,6 +17,7 @@ struct Ray {
   /// from p to q.
   double max_fraction = std::numeric_limits<double>::infinity();
 
+  /// The point at this share of the ray [m].
   Vec3 at(double fraction) const { return origin_W + fraction * direction_W; }
 };
 

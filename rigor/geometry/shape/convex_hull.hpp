@@ -15,8 +15,11 @@ namespace rigor {
 /// Convex polyhedron with its full adjacency. Faces are polygons (coplanar triangles merged),
 /// counter-clockwise seen from outside.
 struct ConvexHull {
+  /// An edge between two vertices and two faces.
   struct Edge {
+    /// Its vertices, by index.
     int v0, v1;  ///< Vertices; the edge runs v0 -> v1 in the loop of face f0 and v1 -> v0 in that of f1.
+    /// Its faces, by index.
     int f0, f1;  ///< The two faces.
   };
   std::vector<Vec3> vertices;                       ///< Extreme points only [m].

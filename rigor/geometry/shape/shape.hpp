@@ -59,11 +59,13 @@ struct Cavity {
 };
 /// Convex polyhedron; its vertices are in S.
 struct Convex {
+  /// Never null.
   std::shared_ptr<const ConvexHull> hull;
 };
 /// Closed (on dynamic bodies) surface of triangles, not necessarily convex; its vertices are in S. Made by
 /// make_mesh.
 struct Mesh {
+  /// Never null.
   std::shared_ptr<const TriangleMesh> mesh;
   std::shared_ptr<const TriangleTree> tree;  ///< Of `mesh`; distance and contacts need it.
   std::shared_ptr<const MeshSolid> solid{};  ///< Its inside, computed when it is needed.

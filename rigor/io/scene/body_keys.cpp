@@ -200,15 +200,18 @@ std::vector<KeyTable> force_key_tables() {
   const Key body{"body", ValueType::text, "", "required", {}, "name of the body"};
   const Key frame{"frame",          ValueType::choice, "", "world", {}, "`body`: it rotates with the body",
                   {"world", "body"}};
+  const Key factor{"factor", ValueType::function, "", "1", limits::force, "times this function of the time"};
   return {
       force_table("constant", "a constant force",
                   {body,
                    {"force", ValueType::vector, "N", "required", limits::force, "force"},
                    {"point", ValueType::vector, "m", "the centre of mass", limits::position,
                     "point of application, in the body's frame"},
-                   frame}),
-      force_table("torque", "a torque",
-                  {body, {"torque", ValueType::vector, "N m", "required", limits::force, "torque"}, frame}),
+                   frame,
+                   factor}),
+      force_table(
+          "torque", "a torque",
+          {body, {"torque", ValueType::vector, "N m", "required", limits::force, "torque"}, frame, factor}),
       force_table(
           "spring", "a spring",
           {{"between", ValueType::names, "", "required", {}, "names of the two bodies; `world` is one"},

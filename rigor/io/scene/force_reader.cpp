@@ -1,6 +1,7 @@
 #include "rigor/io/scene/force_reader.hpp"
 
 #include "rigor/io/scene/shape_reader.hpp"
+#include "rigor/io/scene/time_function_reader.hpp"
 
 #include <optional>
 #include <string>
@@ -22,6 +23,7 @@ void read_constant(const ObjectReader& force, ForceDescription& description) {
   description.vector = force.vector("force").value_or(Vec3::Zero());
   description.frame_is_body = force.text("frame") == "body";
   if (const std::optional<Vec3> point = force.vector("point")) description.points = {*point};
+  description.factor = read_time_function(force, "factor");
 }
 
 void read_torque(const ObjectReader& force, ForceDescription& description) {
@@ -29,6 +31,7 @@ void read_torque(const ObjectReader& force, ForceDescription& description) {
   read_body(force, description);
   description.vector = force.vector("torque").value_or(Vec3::Zero());
   description.frame_is_body = force.text("frame") == "body";
+  description.factor = read_time_function(force, "factor");
 }
 
 void read_spring(const ObjectReader& force, ForceDescription& description) {

@@ -4,6 +4,7 @@
 #include "rigor/core/index.hpp"
 #include "rigor/core/quoted.hpp"
 #include "rigor/io/scene/shape_reader.hpp"
+#include "rigor/io/scene/time_function_reader.hpp"
 #include "rigor/model/limits.hpp"
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <initializer_list>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -31,17 +33,42 @@ JointType type_of(const std::string& name) {
   return row->type;
 }
 
-JointMotor read_motor(const ObjectReader& coordinate) {
-  const ObjectReader reader(*coordinate.find("motor"), key_table("motor"), "motor of " + coordinate.whose(),
-                            coordinate.errors());
-  JointMotor motor;
-  motor.velocity = reader.number("velocity").value_or(0);
-  motor.max_force = reader.number("max_force").value_or(motor.max_force);
-  return motor;
+/// Says that a key of a motor has no meaning beside what it aims at.
+void refuse_beside(const ObjectReader& motor, std::string_view aim,
+                   std::initializer_list<const char*> others) {
+  for (const char* const other : others) {
+    if (motor.has(other)) motor.fail(other, fmt::format("{} has no meaning for a motor with {}", other, aim));
+  }
 }
 
-/// What acts along one coordinate, from the keys of the joint itself or of an entry of `coordinates`.
-JointAxis read_axis(const ObjectReader& reader, bool is_passive, double default_rest) {
+/// A motor that holds a constant rate is a law of the coordinate, any other one a drive.
+void read_motor(const ObjectReader& coordinate, JointAxis& axis, JointDrive& drive, bool& is_drive) {
+  const ObjectReader reader(*coordinate.find("motor"), key_table("motor"), "motor of " + coordinate.whose(),
+                            coordinate.errors());
+  drive.max_force = reader.number("max_force").value_or(drive.max_force);
+  const char* aim = "velocity";
+  if (reader.has("position")) {
+    aim = "position";
+    drive.kind = JointDrive::Kind::position;
+    drive.stiffness = reader.number("stiffness").value_or(0);
+    drive.damping = reader.number("damping").value_or(0);
+    refuse_beside(reader, aim, {"velocity", "effort"});
+  } else if (reader.has("effort")) {
+    aim = "effort";
+    drive.kind = JointDrive::Kind::effort;
+    refuse_beside(reader, aim, {"velocity", "stiffness", "damping", "max_force"});
+  } else {
+    refuse_beside(reader, aim, {"stiffness", "damping"});
+  }
+  drive.aim = read_time_function(reader, aim).value_or(TimeFunction());
+  is_drive = drive.kind != JointDrive::Kind::velocity || !drive.aim.is_constant();
+  if (!is_drive) axis.motor = JointMotor{drive.aim.value(0), drive.max_force};
+}
+
+/// What acts along one coordinate, from the keys of the joint itself or of an entry of `coordinates`. Drives
+/// of the coordinate are added to those of the joint.
+JointAxis read_axis(const ObjectReader& reader, bool is_passive, double default_rest,
+                    std::vector<JointDrive>& drives, int coordinate) {
   JointAxis axis;
   if (const std::optional<std::array<double, 2>> limits = reader.range("limits")) {
     axis.lower = (*limits)[0];
@@ -54,7 +81,11 @@ JointAxis read_axis(const ObjectReader& reader, bool is_passive, double default_
   if (is_passive) return axis;
   axis.friction = reader.number("friction").value_or(0);
   if (!reader.has("motor")) return axis;
-  axis.motor = read_motor(reader);
+  JointDrive drive{.coordinate = coordinate};
+  bool is_drive = false;
+  read_motor(reader, axis, drive, is_drive);
+  if (is_drive) drives.push_back(std::move(drive));
+  if (!axis.motor) return axis;
 
   // Where both are infinitely strong, something has to give way.
   const double aim = axis.motor->velocity < 0 ? axis.lower : axis.upper;
@@ -68,7 +99,8 @@ JointAxis read_axis(const ObjectReader& reader, bool is_passive, double default_
   return axis;
 }
 
-std::vector<JointAxis> read_coordinates(const ObjectReader& joint, JointType type) {
+std::vector<JointAxis> read_coordinates(const ObjectReader& joint, JointType type,
+                                        std::vector<JointDrive>& drives) {
   if (!joint.has("coordinates")) return {};
   const std::vector<const YamlNode*> nodes = joint.list("coordinates");
   const int count = coordinate_count(type);
@@ -83,7 +115,7 @@ std::vector<JointAxis> read_coordinates(const ObjectReader& joint, JointType typ
     const KeyTable& table = key_table(is_angle(type, k) ? "angle_coordinate" : "length_coordinate");
     const ObjectReader reader(*node, table, fmt::format("coordinate {} of {}", k, joint.whose()),
                               joint.errors());
-    axes.push_back(read_axis(reader, false, 0));
+    axes.push_back(read_axis(reader, false, 0, drives, k));
   }
   return axes;
 }
@@ -110,12 +142,12 @@ void read_body_joint(const ObjectReader& joint, JointDescription& description) {
   description.bodies = joint.names("bodies");
   description.collide = joint.flag("collide").value_or(false);
   read_places(joint, description);
-  if (coordinate_count(type) > 1) description.axes = read_coordinates(joint, type);
+  if (coordinate_count(type) > 1) description.axes = read_coordinates(joint, type, description.drives);
   if (coordinate_count(type) != 1) return;
   const bool has_distance =
       joint_traits(type).relation == JointRelation::distance && description.anchors.size() == 2;
   const double rest = has_distance ? (description.anchors[1] - description.anchors[0]).stableNorm() : 0;
-  description.axes = {read_axis(joint, has_whole_angle(type), rest)};
+  description.axes = {read_axis(joint, has_whole_angle(type), rest, description.drives, 0)};
 }
 
 /// An index as `repeat` allows it: an integer, or i, j, k with or without an added number: "i+1".

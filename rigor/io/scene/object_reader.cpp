@@ -56,6 +56,8 @@ std::string expected_text(const Key& key) {
       return with_unit(key, "a list of points [x, y, z]");
     case ValueType::rows:
       return with_unit(key, "a list of rows of numbers");
+    case ValueType::function:
+      return with_unit(key, "a number, a formula in quotes, a sine or a table");
     case ValueType::names:
       return "a list of 2 names";
     case ValueType::objects:

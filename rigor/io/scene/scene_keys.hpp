@@ -30,6 +30,7 @@ enum class ValueType {
   name_pairs,    ///< List of two names.
   object,        ///< Mapping with the keys of the table Key::object.
   objects,       ///< List of such mappings.
+  function,      ///< Of the time: number, formula, or mapping with the keys of the table "function".
 };
 
 /// A key of an object of the scene file: everything that the reader, the documentation and the JSON Schema

@@ -63,6 +63,25 @@ class Hash {
     for (const JointAxis& axis : joint.axes) add(axis);
   }
 
+  void add(const TimeFunction& function) {
+    add(static_cast<int>(function.law().index()));
+    if (const double* const constant = std::get_if<double>(&function.law())) add(*constant);
+    if (const auto* const sine = std::get_if<TimeFunction::Sine>(&function.law()))
+      add(sine->mean), add(sine->amplitude), add(sine->frequency), add(sine->phase);
+    if (const auto* const table = std::get_if<TimeFunction::Table>(&function.law())) {
+      for (const auto& [time, value] : table->points) add(time), add(value);
+    }
+    if (const auto* const formula = std::get_if<TimeFunction::Formula>(&function.law()))
+      add(std::string_view(formula->text));
+  }
+  void add(const Drives& drives) {
+    for (const JointDrive& drive : drives.joints) {
+      add(drive.joint), add(drive.coordinate), add(static_cast<int>(drive.kind)), add(drive.aim);
+      add(drive.stiffness), add(drive.damping), add(drive.max_force);
+    }
+    for (const ForceDrive& drive : drives.forces) add(drive.force), add(drive.factor);
+  }
+
   void add(const Body& body) {
     add(std::string_view(body.name)), add(static_cast<int>(body.motion)), add(body.mass), add(body.moments);
     add(body.X_BU);
@@ -97,6 +116,7 @@ std::uint64_t fingerprint(const Model& model, const Method& method, double step)
   }
   for (const Force& force : model.forces()) hash.add(force);
   for (const Joint& joint : model.joints()) hash.add(joint);
+  hash.add(model.drives());
   for (const auto& [a, b] : model.excluded_pairs()) hash.add(a), hash.add(b);
   for (const std::string& key : method_choice_keys()) hash.add(std::string_view(method_choice(method, key)));
   for (const MethodNumber& number : method_numbers()) hash.add(method.*number.member);

@@ -80,9 +80,11 @@ bool has_joint_forces(const Model& model) {
 }
 
 bool has_efforts(const Model& model) {
-  const std::vector<Joint>& joints = model.joints();
-  return has_joint_forces(model) &&
-         std::any_of(joints.begin(), joints.end(), [](const Joint& joint) { return joint.has_motor(); });
+  if (!has_joint_forces(model)) return false;
+  for (int i = 0; i < static_cast<int>(model.joints().size()); ++i) {
+    if (model.has_motor(i)) return true;
+  }
+  return false;
 }
 
 const char* effort_unit(const std::string& coordinate_unit) {

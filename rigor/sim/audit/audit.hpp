@@ -17,6 +17,7 @@ class Environment;
 
 /// How far a run can be trusted: every change is balanced against its causes.
 struct Audit {
+  /// Name of the scene.
   std::string scene;
   /// With the scheme that ran, or began the run if `auto` handed it over (spans); never `automatic`.
   Method method;
@@ -28,7 +29,8 @@ struct Audit {
   double wall_time = 0;       ///< [s]; set by the caller, who has a clock.
   AdvanceReport report;       ///< Sums over the whole run; its events are left out.
 
-  Energy initial, final;
+  Energy initial;                     ///< At the start [J].
+  Energy final;                       ///< At the end [J].
   double dissipated = 0;              ///< E_initial + work - E_final [J].
   double max_increase = 0;            ///< Largest rise of E - work above an earlier value [J].
   double linear_momentum_error = 0;   ///< |Σ (ΔP - external impulse)| [kg m/s].
@@ -37,37 +39,47 @@ struct Audit {
   /// Whether the run came to the end that was asked for; if not, the rest of it is not judged.
   bool is_complete() const { return end_time >= duration; }
 
+  /// A body at the end.
   struct BodyEnd {
+    /// As in the scene.
     std::string name;
     Vec3 position;          ///< Of the user's frame's origin [m].
     Quat orientation;       ///< Of the user's frame.
     Vec3 velocity;          ///< Of the centre of mass [m/s].
     Vec3 angular_velocity;  ///< In W [rad/s].
   };
+  /// In the order of the scene.
   std::vector<BodyEnd> bodies;
+  /// A joint at the end.
   struct JointEnd {
+    /// As in the scene.
     std::string name;
     std::vector<double> coordinates;  ///< [rad] or [m].
     std::vector<double> rates;        ///< [rad/s] or [m/s].
+    /// Its reaction.
     Vec3 force, torque;           ///< Reaction on the second body, about the joint's anchor on it [N], [N m].
     std::vector<double> efforts;  ///< Of the motor of each coordinate [N m] or [N]; empty without motors.
   };
+  /// In the order of the scene.
   std::vector<JointEnd> joints;
   int sleeping_count = 0;  ///< Bodies that sleep at the end.
   /// What else an Auditor needs to go on where this audit ends.
   struct Books {
-    double start_time = 0;    ///< Of the first observation [s].
-    double lowest = 0;        ///< Of E - work [J].
-    double energy_scale = 0;  ///< Largest energies [J] and momenta seen, to which errors are relative.
-    double momentum_scale = 0, angular_momentum_scale = 0;
-    double lowest_of_span = 0;  ///< Of E - work, in the span that goes on [J].
+    double start_time = 0;      ///< Of the first observation [s].
+    double lowest = 0;          ///< Of E - work [J].
+    double energy_scale = 0;    ///< Largest energies [J] and momenta seen, to which errors are relative.
+    double momentum_scale = 0;  ///< Likewise of momenta [kg m/s].
+    double angular_momentum_scale = 0;  ///< Likewise [kg m²/s].
+    double lowest_of_span = 0;          ///< Of E - work, in the span that goes on [J].
     /// What changes from outside (Auditor::change) have given to the energies at once [J].
     Energy given;
     bool knows_work = true;  ///< Whether all work that was done from outside is known.
   };
+  /// For a run that goes on.
   Books books;
   /// A part of the run that one scheme carried, with what that scheme promises of it.
   struct Span {
+    /// Which scheme, from when to when.
     SchemeSpan of;
     double most_rise;    ///< Tolerance of the unexplained rise of the energy within it [J].
     double penetration;  ///< Tolerance of overlaps [m].
@@ -84,18 +96,21 @@ struct Audit {
   }
   /// Whether a scheme that carried the run reads this choice (uses_choice).
   bool uses(std::string_view key) const;
+  /// What may matter to the user, but breaks no promise.
   std::vector<std::string> warnings;
   /// Quantities outside their tolerance, each with its value and the bound; if there are none, the run can be
   /// trusted.
   std::vector<std::string> violations;
   /// What they are about, one each.
   enum class Promise { energy, momentum, joints, overlap, force_doubt };
+  /// As many as violations.
   std::vector<Promise> broken;
 };
 
 /// Keeps the ledger of a run while it goes on, and compares it with what the scheme promises.
 class Auditor {
  public:
+  /// Begins at this state.
   Auditor(std::shared_ptr<const Model> model, const Method& method, const State& start);
   /// Goes on where an earlier audit of the same scene ended, at this state.
   Auditor(std::shared_ptr<const Model> model, const Method& method, const State& state, const Audit& earlier);
@@ -110,6 +125,7 @@ class Auditor {
   Audit audit(const State& state) const;
   /// Mechanical energy at the last observation [J] and its largest unexplained rise, for progress displays.
   const Energy& energy() const { return energy_; }
+  /// Its largest unexplained rise so far [J].
   double max_increase() const { return max_increase_; }
 
  private:

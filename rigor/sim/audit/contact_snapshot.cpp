@@ -5,6 +5,7 @@
 #include "rigor/contact/system/contact_kinematics.hpp"
 #include "rigor/core/index.hpp"
 #include "rigor/math/rotation.hpp"
+#include "rigor/sim/drives/driven_model.hpp"
 #include "rigor/sim/islands/contact_system_assembler.hpp"
 #include "rigor/sim/method/method.hpp"
 #include "rigor/sim/method/resting_choice.hpp"
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <tuple>
 
 namespace rigor {
@@ -223,7 +225,32 @@ void set_efforts_of_springs(const Model& model, const Method& method, const Stat
 
 }  // namespace
 
+namespace {
+
+/// What drives give that are springs or efforts; those that are motors have theirs.
+void add_efforts_of_drives(const Model& model, const DrivenLaws& laws, std::vector<JointReaction>& joints) {
+  for (std::size_t i = 0; i < laws.axes.size(); ++i) {
+    const JointDrive& drive = model.drives().joints[i];
+    const std::size_t k = at(drive.coordinate);
+    JointReaction& own = joints[at(drive.joint)];
+    own.efforts[k] += laws.efforts[i];
+    if (drive.kind != JointDrive::Kind::position || laws.axes[i].motor || laws.efforts[i] != 0) continue;
+    double stretch = laws.axes[i].rest - own.coordinates[k];
+    if (is_periodic(model.joint(drive.joint).type, drive.coordinate))
+      stretch = std::remainder(stretch, 2 * std::numbers::pi);
+    own.efforts[k] += drive.stiffness * stretch - drive.damping * own.rates[k];
+  }
+}
+
+}  // namespace
+
 std::vector<JointReaction> joint_snapshot(const Model& model, const Method& method, const State& state) {
+  if (!model.drives().empty()) {
+    const DrivenLaws laws = driven_laws(model, state, state.t);
+    std::vector<JointReaction> joints = joint_snapshot(*driven_model(model, laws), method, state);
+    add_efforts_of_drives(model, laws, joints);
+    return joints;
+  }
   std::vector<JointReaction> result;
   for (int j = 0; j < static_cast<int>(model.joints().size()); ++j) result.push_back({.joint = j});
   if (result.empty()) return result;
@@ -249,6 +276,10 @@ std::vector<JointReaction> joint_motions(const Model& model, const State& state)
 
 std::vector<TouchingPoint> contact_snapshot(const Model& model, const Method& method, const State& state,
                                             std::size_t most_contacts) {
+  if (!model.drives().empty()) {
+    const DrivenLaws laws = driven_laws(model, state, state.t);
+    return contact_snapshot(*driven_model(model, laws), method, state, most_contacts);
+  }
   const Environment environment(model);
   const ContactSystemAssembler assembler(model, environment);
   if (method.scheme == Scheme::penalty && !state.contacts.empty())

@@ -3,6 +3,7 @@
 #include "rigor/dynamics/environment.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <variant>
 
 namespace rigor {
@@ -21,6 +22,10 @@ bool has_unknown_work(const Model& model) {
     for (const JointAxis& axis : joint.axes) {
       if (axis.motor) return true;
     }
+  }
+  // A servo whose force is limited is a motor now and then.
+  for (const JointDrive& drive : model.drives().joints) {
+    if (drive.kind == JointDrive::Kind::position && std::isfinite(drive.max_force)) return true;
   }
   for (const Force& force : model.forces()) {
     const Spring* const spring = std::get_if<Spring>(&force);

@@ -35,20 +35,35 @@ enum class ConeMethod { exact, convex, pyramid };
 
 /// Every choice of how a scene is simulated. The defaults are the best that this version offers.
 struct Method {
+  /// How time goes on.
   Scheme scheme = Scheme::automatic;
+  /// Of motion under forces.
   IntegratorMethod integrator = IntegratorMethod::exact;
+  /// Of free rotation.
   OrientationForm orientation = OrientationForm::quaternion;
+  /// Which pairs are near.
   BroadPhaseMethod broad_phase = BroadPhaseMethod::tree;
+  /// Of two convex shapes.
   DistanceMethod distance = DistanceMethod::gjk;
+  /// Time of the next contact.
   ToiMethod toi = ToiMethod::conservative;
+  /// Law of collisions.
   RestitutionLaw impact = RestitutionLaw::stronge;
+  /// Several collisions at one instant.
   SimultaneousLaw simultaneous = SimultaneousLaw::reflections;
+  /// Forces of lasting contacts.
   RestingMethod resting = RestingMethod::motion_space;
+  /// Solver of complementarity problems.
   LcpMethod lcp = LcpMethod::dantzig;
+  /// Collisions of impulse-based contacts.
   MicroCollisionMethod micro_collisions = MicroCollisionMethod::patched;
+  /// Kind of the springs' integration.
   PenaltyMethod penalty = PenaltyMethod::local;
+  /// Law of the springs.
   PenaltyLaw penalty_law = PenaltyLaw::linear;
+  /// Of the steps of time stepping.
   SolverMethod solver = SolverMethod::exact;
+  /// Of friction.
   ConeMethod cone = ConeMethod::exact;
   bool sleeping = false;            ///< Bodies at rest are left alone (solver substep).
   double contact_tolerance = 1e-6;  ///< Pairs closer than this touch [m].
@@ -62,6 +77,7 @@ struct Method {
   double substeps = 0;
   double iterations = 50;  ///< Sweeps of solver pgs per contact problem, a whole number.
 
+  /// Choice by choice and number by number.
   bool operator==(const Method& other) const = default;
 };
 
@@ -76,10 +92,14 @@ struct MethodChoice {
 /// One number of the method.
 struct MethodNumber {
   std::string_view key;  ///< "contact_tolerance".
+  /// "s", "m" and so on.
   std::string_view unit;
   std::string_view fallback;  ///< Default as text.
+  /// What is allowed.
   Range range;
+  /// For the documentation.
   std::string_view meaning;
+  /// Where a Method has it.
   double Method::*member;
 };
 

@@ -169,7 +169,7 @@ SchemeFacts scheme_facts(const Model& model, double contact_tolerance) {
            start.angular_momentum(i).isZero(0);
   }));
   facts.joints = static_cast<int>(model.joints().size());
-  facts.has_closed_form = model.joints().empty() && model.forces().empty() &&
+  facts.has_closed_form = model.joints().empty() && model.forces().empty() && model.drives().empty() &&
                           std::none_of(bodies.begin(), bodies.end(), has_drag);
   add_restitutions(model, colliding, touching.bodies, facts);
   return facts;

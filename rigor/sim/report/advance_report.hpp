@@ -28,9 +28,12 @@ enum class StopReason {
 
 /// Something that happened at an instant.
 struct MotionEvent {
+  /// What happened.
   enum class Kind { impact, rest, separation, slip_to_stick };
+  /// What happened.
   Kind kind;
   double time;  ///< [s]; for `rest` the limit of the bounces, which may lie after the last one.
+  /// The bodies concerned.
   int body_A = -1, body_B = -1;  ///< Model indices; body_B is -1 where only one is concerned.
   Vec3 p_W = Vec3::Zero();       ///< Where (impacts) [m].
   Vec3 j_W = Vec3::Zero();       ///< Impulse on B (impacts) [N s].
@@ -38,51 +41,64 @@ struct MotionEvent {
 
 /// Instants at which something was wrong with a pair of bodies.
 struct PairInstants {
+  /// How many.
   long instants = 0;
+  /// The pair of the first one.
   int body_A = -1, body_B = -1;  ///< Of the first one.
   double first = 0;              ///< Its time [s].
 
+  /// Adds what came later.
   void add(const PairInstants& later);
 };
 
 /// An overlap as a share of the thickness of the thinner of its bodies (Body::thickness).
 struct RelativeOverlap {
-  double share = 0, depth = 0;  ///< [1], [m].
-  int body_A = -1, body_B = -1;
-  double time = 0;  ///< [s].
+  double share = 0;  ///< Of the thickness.
+  double depth = 0;  ///< [m].
+  int body_A = -1;   ///< One body.
+  int body_B = -1;   ///< The other one.
+  double time = 0;   ///< [s].
 };
 
 /// How well contact forces determine the acceleration of a body (note_force_doubt).
 struct ForceDoubt {
   double share = 0;  ///< Of the acceleration by its weight.
+  /// Index in the model.
   int body = -1;
   double time = 0;  ///< [s].
 };
 
 /// What one call of a stepper did. The engine never reads it back.
 struct AdvanceReport {
+  /// Why it returned.
   StopReason reason = StopReason::reached_end;
   std::string detail;       ///< Which bodies, when reason is not reached_end.
   std::vector<int> bodies;  ///< Concerned, when reason is not reached_end.
 
   /// Integrator steps of groups of bodies that are in contact or under forces.
   long steps = 0;
-  long impacts = 0, resting = 0, separations = 0, slip_to_stick = 0;
-  long distance_queries = 0;
+  long impacts = 0;           ///< Events of this kind.
+  long resting = 0;           ///< Events of this kind: bounces that have come to rest.
+  long separations = 0;       ///< Events of this kind.
+  long slip_to_stick = 0;     ///< Events of this kind.
+  long distance_queries = 0;  ///< Distances of shapes that were asked for.
   /// Contact problems of impacts and of resting contact at events, and the work that they were: the sum of
   /// contacts² (1 + iterations). Counts of what was solved, the same on every machine.
   long problems = 0;
+  /// Their work.
   double effort = 0;
   std::vector<SchemeSpan> spans;  ///< Of `auto` where it may hand over: which scheme went how far.
+  /// In the order of time.
   std::vector<MotionEvent> events;
   /// The contacts of the State that was left, with the forces that moved it there; nothing where the scheme
   /// keeps none. Valid until the stepper is called again or gone; a sum of reports has none.
   std::function<std::optional<std::vector<TouchingPoint>>(const State&)> contacts;
 
-  double toi_bracket = 0;      ///< Widest bracket of an event's time [s].
-  double max_penetration = 0;  ///< Deepest overlap seen at an event or step [m].
-  int penetration_A = -1, penetration_B = -1;
-  double penetration_time = 0;
+  double toi_bracket = 0;         ///< Widest bracket of an event's time [s].
+  double max_penetration = 0;     ///< Deepest overlap seen at an event or step [m].
+  int penetration_A = -1;         ///< Whose overlap that was.
+  int penetration_B = -1;         ///< The other one's.
+  double penetration_time = 0;    ///< When [s].
   RelativeOverlap worst_overlap;  ///< The largest share seen; another pair may overlap deeper.
 
   /// Instants at which the inside of body A went into body B (PassageWitness).

@@ -1,0 +1,108 @@
+#include "rigor/sim/drives/driven_stepper.hpp"
+
+#include "rigor/core/index.hpp"
+#include "rigor/core/input_error.hpp"
+#include "rigor/sim/fixed_steps/fixed_steps.hpp"
+#include "rigor/sim/report/energy.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace rigor {
+
+namespace {
+
+int body_of_force(const Force& force) {
+  if (const ConstantForce* const constant = std::get_if<ConstantForce>(&force)) return constant->body;
+  return std::get<ConstantTorque>(force).body;
+}
+
+std::vector<int> bodies_of_drives(const Model& model) {
+  std::vector<int> bodies;
+  for (const JointDrive& drive : model.drives().joints) {
+    for (const int body : model.bodies_of_joint(drive.joint)) bodies.push_back(body);
+  }
+  for (const ForceDrive& drive : model.drives().forces) bodies.push_back(body_of_force(drive.force));
+  std::sort(bodies.begin(), bodies.end());
+  bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+  return bodies;
+}
+
+}  // namespace
+
+DrivenStepper::DrivenStepper(std::shared_ptr<const Model> model, double target_step, Maker make)
+    : model_(std::move(model)),
+      environment_(*model_),
+      target_step_(target_step),
+      make_(std::move(make)),
+      driven_bodies_(bodies_of_drives(*model_)),
+      driven_(model_),
+      driven_environment_(std::make_unique<Environment>(*driven_)),
+      inner_(make_(driven_)) {}
+
+double DrivenStepper::time_rounding() const {
+  return FixedSteps::rounding * target_step_;
+}
+
+/// Gravity, steady forces and springs of the model under its laws, beyond those of the model itself [J].
+double DrivenStepper::driven_energy(const State& state) const {
+  const Energy driven = mechanical_energy(*driven_, *driven_environment_, state);
+  const Energy own = mechanical_energy(*model_, environment_, state);
+  return (driven.potential - own.potential) + (driven.elastic - own.elastic);
+}
+
+/// Goes on under the laws of the step that ends then. Bodies are anchored in every step, whether the laws
+/// have changed or not, so that a run that is resumed has the same bits.
+void DrivenStepper::follow(State& state, double t_end) {
+  DrivenLaws laws = driven_laws(*model_, state, t_end);
+  state.anchor_here();
+  if (!state.quiet_time.empty()) {
+    for (const int body : driven_bodies_) state.quiet_time[at(body)] = 0;
+  }
+  if (laws_ && are_same(*laws_, laws)) return;
+  driven_ = driven_model(*model_, laws);
+  laws_ = std::move(laws);
+  driven_environment_ = std::make_unique<Environment>(*driven_);
+  inner_ = make_(driven_);
+  inner_->set_interrupt([this] { return is_interrupted(); });
+}
+
+/// Takes the step as far as t, and books what the drives give: what the scheme takes for a potential.
+AdvanceReport DrivenStepper::booked_step(State& state, double t_end, double t) {
+  const double before = driven_energy(state);
+  AdvanceReport report = t < t_end ? inner_->look(state, t_end, t) : inner_->advance(state, t_end);
+  const double after = driven_energy(state);
+  report.work -= after - before;
+  // Parts of `auto` are told in the energies of the model itself. Where it hands over within the step, all
+  // that the drives gave in it is booked to its last part.
+  for (SchemeSpan& span : report.spans) span.energy -= before;
+  if (!report.spans.empty()) {
+    report.spans.back().energy -= after - before;
+    report.spans.back().work -= after - before;
+  }
+  return report;
+}
+
+AdvanceReport DrivenStepper::pass(State& state, double t_end, double t_look) {
+  AdvanceReport sum;
+  t_ = state.t;
+  if (t_look <= state.t) return sum;
+  const FixedSteps steps(state.t, t_end, target_step_);
+  const double rounding = time_rounding();
+  for (long k = 0; k < steps.count() && state.t < t_look - rounding && sum.reason == StopReason::reached_end;
+       ++k) {
+    const double end = steps.end(k);
+    try {
+      follow(state, end);
+    } catch (const InputError& error) {
+      sum.reason = StopReason::not_finite;
+      sum.detail = error.what();
+      return sum;
+    }
+    sum.add(booked_step(state, end, end < t_look + rounding ? end : t_look));
+    t_ = state.t;
+  }
+  return sum;
+}
+
+}  // namespace rigor
