@@ -277,6 +277,8 @@ class Batch:
     def reset(self, index: int) -> None:
         """Returns a world to t = 0."""
 
+def student_quantile(share: float, degrees_of_freedom: float) -> float: ...
+
 class StudyRecord:
     def __init__(self, file: str, threads: int, journal: str) -> None: ...
     @property
