@@ -284,7 +284,9 @@ std::optional<RunRow> RunExecutor::run(const RunTask& task, const std::function<
   }
   Scene scene;
   try {
-    scene = scene_->make(scene_values(values, task.run), "run " + std::to_string(task.run));
+    scene = scene_->make(scene_values(values, task.run), "run " + std::to_string(task.run), has_synonyms_);
+    // The runs of a study have the same keys, and numbers at them.
+    has_synonyms_ = has_synonyms_ && !scene.warnings.empty();
     const double tolerance = scene.method.contact_tolerance;
     const std::vector<Overlap> overlaps =
         find_overlaps(*scene.model, make_initial_state(*scene.model), tolerance);

@@ -52,6 +52,7 @@ class RunExecutor {
   ParameterValues values_;
   OutcomeProbe probe_;
   std::vector<std::string> columns_;
+  bool has_synonyms_ = true;  ///< The scene may have some.
   struct Text {
     Formula formula;
     std::vector<std::size_t> columns;
