@@ -28,6 +28,8 @@ constexpr std::array examples = {
     Example{"study", "rigor study scenes/studies/arch_friction.yaml", "thousands of runs for an answer"},
     Example{"study", "rigor study die.yaml --threads 2 -o die.csv -o die.html",
             "rows, and the answer as a page"},
+    Example{"study", "rigor study die.yaml --view --open", "its page, on which a click replays a run"},
+    Example{"study", "rigor study die.yaml --run 12 -o run_12.html", "one of its runs once more"},
     Example{"check", "rigor check scenes/*.yaml", "every error of a scene at once"},
     Example{"check", "rigor check pile.yaml --estimate", "what each scheme would cost"},
     Example{"mass", "rigor mass part.stl --density 7850", ""},

@@ -178,12 +178,13 @@ void add_render(CLI::App& app, RenderOptions& render) {
 }
 
 void add_plot(CLI::App& app, PlotOptions& plot) {
-  app.add_option("RUN.h5", plot.input, "trajectory")->required()->option_text(" ");
-  app.add_option("KEYS", plot.keys,
-                 "energy.kinetic|potential|elastic|total, momentum[.x|y|z], penetration, "
-                 "body.NAME.position|velocity|angular_velocity[.x|y|z], body.NAME.orientation.w|x|y|z, "
-                 "JOINT.coordinate|rate, JOINT.force|torque[.x|y|z]")
-      ->required()
+  app.add_option("RUN.h5", plot.input, "trajectory, or runs of a study")->required()->option_text(" ");
+  app.add_option(
+         "KEYS", plot.keys,
+         "energy.kinetic|potential|elastic|total, momentum[.x|y|z], penetration, "
+         "body.NAME.position|velocity|angular_velocity[.x|y|z], body.NAME.orientation.w|x|y|z, "
+         "JOINT.coordinate|rate, JOINT.force|torque[.x|y|z]; of a study: NAME (histogram), Y:X, matrix, "
+         "parallel")
       ->option_text("...");
   add_value(app, "-o,--output", plot.output, "plot, by suffix: .svg .png", "OUT")->required();
 }
@@ -295,6 +296,7 @@ Command checked(ConvertOptions convert) {
 }
 
 void add_study(CLI::App& app, StudyOptions& study) {
+  constexpr std::uint64_t most_run_number = 1000000000000;
   app.add_option("FILE", study.file, "study file, or scene with a study in it (.yaml)")
       ->required()
       ->option_text(" ");
@@ -309,6 +311,16 @@ void add_study(CLI::App& app, StudyOptions& study) {
             "FILE");
   app.add_flag("!--no-journal", study.has_journal, "keep no journal; an interrupted study begins anew");
   app.add_flag("--dry-run", study.is_dry, "carry out the first run only, and say what the study will cost");
+  add_value(app, "--run", study.run,
+            "instead: run N once more, as `rigor run` does; -o takes what it takes: .html .h5 .csv ...", "N")
+      ->check(CLI::Range(std::uint64_t{0}, most_run_number));
+  app.add_flag("--keep", study.keeps_runs,
+               "with -o PAGE.html: a page for each run in PAGE_runs/, to which it leads");
+  app.add_flag("--view", study.is_viewed,
+               "at the end serve the page of the study on this machine; a click on a run replays it");
+  add_value(app, "--port", study.port, "of --view, on 127.0.0.1; default: a free one", "P")
+      ->check(CLI::Range(1, highest_port));
+  app.add_flag("--open", study.opens_browser, "open the page of --view in the browser");
   add_json(app, study.json, "the answer");
   app.add_flag("--quiet", study.is_quiet, "print no answer and no progress");
 }
@@ -357,7 +369,8 @@ void add_commands(CLI::App& app, std::optional<Command>& chosen) {
   add_command(app, "methods", "list every method, with its source, or find a word of the courses",
               add_methods, chosen);
   add_command(app, "render", "pictures and films of a scene or a trajectory", add_render, chosen);
-  add_command(app, "plot", "plot quantities of a trajectory over time", add_plot, chosen);
+  add_command(app, "plot", "plot quantities of a trajectory over time, or the runs of a study", add_plot,
+              chosen);
   add_command(app, "impact", "one frictional impact in detail, under several laws", add_impact, chosen);
 }
 

@@ -90,6 +90,21 @@ void check_convert(ConvertOptions& convert) {
 }
 
 void check_study(const StudyOptions& study) {
+  if (study.run) {
+    if (study.keeps_runs || study.is_viewed || study.is_dry)
+      throw UsageError("--run carries out one run; --keep, --view and --dry-run are for the whole study");
+    RunOptions run;
+    run.scene = study.file;
+    run.outputs = study.outputs;
+    run.json = study.json;
+    return check_run(run);
+  }
+  const bool has_page = std::any_of(study.outputs.begin(), study.outputs.end(),
+                                    [](const std::string& output) { return output.ends_with(".html"); });
+  if (study.keeps_runs && !has_page)
+    throw UsageError("--keep needs -o PAGE.html, the page that leads to the runs");
+  if (!study.is_viewed && (study.port != 0 || study.opens_browser))
+    throw UsageError("--port and --open go with --view");
   for (const std::string& output : study.outputs) {
     const std::string message = check_study_output(output);
     if (!message.empty()) throw UsageError(message);

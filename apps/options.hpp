@@ -78,8 +78,8 @@ struct RenderOptions {
 };
 
 struct PlotOptions {
-  std::string input;
-  std::vector<std::string> keys;
+  std::string input;              ///< Trajectory, or runs of a study.
+  std::vector<std::string> keys;  ///< Of a study they may be left out.
   std::string output;
 };
 
@@ -119,7 +119,12 @@ struct StudyOptions {
   int threads = 0;      ///< 0: as many as the machine has; under MPI 1 a process.
   std::string journal;  ///< Empty: the name of the study file with .journal, in this folder.
   bool has_journal = true;
-  bool is_dry = false;  ///< Only foresee the cost.
+  bool is_dry = false;               ///< Only foresee the cost.
+  std::optional<std::uint64_t> run;  ///< Instead: one run once more, as `rigor run` does.
+  bool keeps_runs = false;           ///< A page for each run, beside that of the study.
+  bool is_viewed = false;            ///< Serve the page of the study at its end.
+  std::uint16_t port = 0;            ///< 0: a free one.
+  bool opens_browser = false;
   std::string json;
   bool is_quiet = false;
 };

@@ -4,6 +4,7 @@
 #include "rigor/core/quoted.hpp"
 #include "rigor/core/suggestion.hpp"
 #include "rigor/io/files/output_file.hpp"
+#include "rigor/study/answer/study_plot.hpp"
 #include "rigor/view/3d/png_file.hpp"
 #include "rigor/view/plot/plot.hpp"
 
@@ -31,6 +32,19 @@ PlotSeries wanted_series(const Recording& recording, const std::string& key) {
   throw UsageError(fmt::format("unknown key {}{}", quoted_text(key), suggestion(key, plot_keys(recording))));
 }
 
+Drawing trajectory_plot(const PlotOptions& options) {
+  const Recording recording = read_recording(options.input);
+  for (const std::string& text : {recording.motion.cut_off, recording.motion.ended_early}) {
+    if (!text.empty()) print_warning(text);
+  }
+  if (options.keys.empty())
+    throw UsageError(
+        "say what to plot of a trajectory, for example energy.total; 'rigor plot --help' lists the keys");
+  std::vector<PlotSeries> series;
+  for (const std::string& key : options.keys) series.push_back(wanted_series(recording, key));
+  return make_plot(recording.motion.time, series);
+}
+
 }  // namespace
 
 ExitCode execute(const PlotOptions& options) {
@@ -40,13 +54,9 @@ ExitCode execute(const PlotOptions& options) {
     throw UsageError(
         fmt::format("output {}: its name must end in .svg or .png", quoted_text(options.output)));
   }
-  const Recording recording = read_recording(options.input);
-  for (const std::string& text : {recording.motion.cut_off, recording.motion.ended_early}) {
-    if (!text.empty()) print_warning(text);
-  }
-  std::vector<PlotSeries> series;
-  for (const std::string& key : options.keys) series.push_back(wanted_series(recording, key));
-  const Drawing plot = make_plot(recording.motion.time, series);
+  const Drawing plot = is_study_file(options.input)
+                           ? study_plot(read_study_columns(options.input), options.keys)
+                           : trajectory_plot(options);
   if (suffix == ".svg") {
     write_atomically(options.output, svg_text(plot));
   } else {

@@ -1,9 +1,14 @@
 #include "apps/commands.hpp"
 #include "apps/interrupt.hpp"
 #include "apps/study_text.hpp"
+#include "apps/study_view.hpp"
 #include "apps/terminal.hpp"
+#include "apps/usage_error.hpp"
+#include "rigor/io/files/file_error.hpp"
 #include "rigor/io/files/output_file.hpp"
+#include "rigor/study/answer/run_page.hpp"
 #include "rigor/study/answer/study_output.hpp"
+#include "rigor/study/answer/study_page.hpp"
 #include "rigor/study/crew/process_group.hpp"
 #include "rigor/study/study.hpp"
 
@@ -56,8 +61,59 @@ std::filesystem::path journal_of(const StudyOptions& options) {
   return std::filesystem::path(options.file).stem().string() + ".journal";
 }
 
-int default_threads() {
-  return static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+int threads_of(const StudyOptions& options) {
+  return options.threads > 0 ? options.threads
+                             : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+}
+
+/// The folder of the pages of runs, beside the page that leads to them.
+std::filesystem::path kept_folder(const std::filesystem::path& page) {
+  return page.parent_path() / (page.stem().string() + "_runs");
+}
+
+/// Refuses what has no room on the disk, before anything runs.
+void check_room(const StudyOptions& options, const Study& study) {
+  for (const std::string& output : options.outputs) {
+    check_can_write(output);
+    const double bytes = study_file_bytes(study.plan(), study.most_runs(), output);
+    if (bytes > free_bytes(output))
+      throw FileError(fmt::format("{} may take {:.3g} MB, more than is free there", output, 1e-6 * bytes));
+  }
+  if (options.keeps_runs && study.most_runs() > most_kept_runs)
+    throw UsageError(
+        fmt::format("--keep writes a page for each of {} runs, at most {} may be; "
+                    "--view replays any of them without",
+                    study.most_runs(), most_kept_runs));
+}
+
+/// One run of the study as `rigor run` carries it out.
+ExitCode run_again(const StudyOptions& options, Study& study) {
+  if (study.plan().scene.empty()) throw UsageError("the study has no scene: its runs are formulas alone");
+  const std::filesystem::path journal = journal_of(options);
+  const RunTask task = study.task_of(*options.run, journal);
+  RunOptions run;
+  run.scene = study.plan().scene.string();
+  run.outputs = options.outputs;
+  run.json = options.json;
+  run.is_quiet = options.is_quiet;
+  run.overrides = study.overrides_of(task);
+  return execute(run);
+}
+
+/// Writes the files of the study; of a study whose runs are kept the page leads to them. Whether it came to
+/// its end.
+bool write_outputs(const StudyOptions& options, Study& study, const std::function<bool()>& interrupt) {
+  bool is_whole = true;
+  for (const std::string& output : options.outputs) {
+    if (!options.keeps_runs || !output.ends_with(".html")) {
+      write_study(study, output);
+      continue;
+    }
+    const std::filesystem::path folder = kept_folder(output);
+    is_whole = keep_run_pages(study, folder, threads_of(options), interrupt) && is_whole;
+    write_atomically(output, study_page(study, {folder.filename().string(), {}, {}}));
+  }
+  return is_whole;
 }
 
 }  // namespace
@@ -67,6 +123,7 @@ ExitCode execute(const StudyOptions& options) {
   ProcessGroup group;
   const std::filesystem::path journal = journal_of(options);
   Study study(read_study(options.file));
+  if (options.run) return group.is_worker() ? exit_done : run_again(options, study);
   InterruptWatch interrupt;
   const std::function<bool()> asks = [&] { return interrupt.is_requested(); };
   const MakeExecutor make = [&] { return study.make_executor(); };
@@ -74,10 +131,9 @@ ExitCode execute(const StudyOptions& options) {
     group.work(make, asks);
     return exit_done;
   }
-  for (const std::string& output : options.outputs) check_can_write(output);
+  check_room(options, study);
   const std::unique_ptr<Crew> crew =
-      group.size() > 1 ? group.make_crew(make)
-                       : make_thread_crew(make, options.threads > 0 ? options.threads : default_threads());
+      group.size() > 1 ? group.make_crew(make) : make_thread_crew(make, threads_of(options));
   const StudyCost cost = study.foresee(journal);
   if (!options.is_quiet) fmt::print(stderr, "{}\n", cost_text(cost, crew->size()));
   if (study.resumed() > 0 && !options.is_quiet)
@@ -91,13 +147,14 @@ ExitCode execute(const StudyOptions& options) {
                                     }});
   }
   if (!options.is_quiet) write_text("-", study_text(study, stdout));
-  for (const std::string& output : options.outputs) write_study(study, output);
+  is_complete = write_outputs(options, study, asks) && is_complete;
   write_text(options.json, study_json(study));
   if (!is_complete) {
     print_warning(fmt::format("interrupted after {} runs{}", study.rows().count(),
                               journal.empty() ? "" : "; the same command goes on"));
     return exit_interrupted;
   }
+  if (options.is_viewed) serve_study(options, study, asks);
   return unmet_expectations(study.plan(), study.answer()).empty() ? exit_done : exit_audit_violated;
 }
 

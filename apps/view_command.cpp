@@ -1,3 +1,4 @@
+#include "apps/announcement.hpp"
 #include "apps/browser.hpp"
 #include "apps/commands.hpp"
 #include "apps/interrupt.hpp"
@@ -7,23 +8,10 @@
 #include "rigor/view/live/live_replay.hpp"
 #include "rigor/view/live/live_server.hpp"
 
-#include <fmt/format.h>
-
 #include <filesystem>
 #include <functional>
 
 namespace rigor {
-
-namespace {
-
-void announce(const ViewOptions& options, const LiveServer& server, Browser& browser) {
-  fmt::print("{}\n", server.url());
-  std::fflush(stdout);
-  fmt::print(stderr, "Open this address in a browser on this machine; Ctrl-C ends.\n");
-  if (options.opens_browser) browser.open(server.url());
-}
-
-}  // namespace
 
 ExitCode execute(const ViewOptions& options) {
   const InterruptWatch interrupt;
@@ -39,7 +27,7 @@ ExitCode execute(const ViewOptions& options) {
     LiveReplay replay = read_live_replay(options.file);
     for (const std::string& warning : replay.warnings) print_warning(warning);
     LiveServer server(options.port);
-    announce(options, server, browser);
+    announce(server, browser, options.opens_browser);
     server.serve(replay.title, std::move(replay.blocks), should_end);
   } else {
     LiveServer server(options.port);
@@ -47,7 +35,7 @@ ExitCode execute(const ViewOptions& options) {
         LiveFile(options.file, options.overrides), [&server] { server.notify(); },
         [&server](LiveReply reply) { server.reply(std::move(reply)); });
     for (const std::string& warning : simulation.warnings()) print_warning(warning);
-    announce(options, server, browser);
+    announce(server, browser, options.opens_browser);
     server.serve(simulation, should_end);
   }
   return exit_interrupted;

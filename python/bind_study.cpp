@@ -4,6 +4,7 @@
 
 #include <rigor/core/interrupt.hpp>
 #include <rigor/study/answer/study_output.hpp>
+#include <rigor/study/kinds/statistics.hpp>
 #include <rigor/study/study.hpp>
 
 #include <atomic>
@@ -90,6 +91,8 @@ std::vector<std::string> reasons(const Study& study) {
 }  // namespace
 
 void bind_study(py::module_& module) {
+  module.def("student_quantile", &student_quantile, py::arg("share"), py::arg("degrees_of_freedom"),
+             "The number below which one of Student's distribution lies with this probability.");
   py::class_<Study>(module, "StudyRecord", "A study that was carried out.")
       .def(py::init(&carry_out), py::arg("file"), py::arg("threads"), py::arg("journal"))
       .def_property_readonly("name", [](const Study& study) { return study.plan().name; })

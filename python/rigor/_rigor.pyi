@@ -290,6 +290,8 @@ class Batch:
     def reset(self, index: int | npt.ArrayLike) -> None:
         """Returns worlds to t = 0: one, a list of indices, or those where an array of flags is true."""
 
+def student_quantile(share: float, degrees_of_freedom: float) -> float: ...
+
 class StudyRecord:
     def __init__(self, file: str, threads: int, journal: str) -> None: ...
     @property

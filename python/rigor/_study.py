@@ -3,7 +3,15 @@
 import json
 import os
 
-from ._rigor import StudyRecord
+from ._rigor import StudyRecord, student_quantile
+
+
+def _axes(axes):
+    if axes is None:
+        import matplotlib.pyplot
+
+        axes = matplotlib.pyplot.gca()
+    return axes
 
 
 class Study:
@@ -44,6 +52,71 @@ class Study:
         import pandas
 
         return pandas.DataFrame({**self.parameters, **self.outcomes, "status": self.status})
+
+    def column(self, name):
+        """The numbers of a parameter or an outcome, one a run; NaN where the run did not end."""
+        for table in (self.parameters, self.outcomes):
+            if name in table:
+                return table[name]
+        raise KeyError(f"no parameter or outcome {name!r}; there are: {', '.join([*self.parameters, *self.outcomes])}")
+
+    def plot(self, what, over=None, axes=None):
+        """Plots a column with matplotlib; returns the axes.
+
+        what: a parameter or an outcome. over: another one; where several runs share each of its values the means with
+        their intervals of Student, else a dot a run. Without it, a histogram. Runs without a finite number are left out.
+        """
+        import numpy
+
+        axes = _axes(axes)
+        values = numpy.asarray(self.column(what))
+        if over is None:
+            axes.hist(values[numpy.isfinite(values)], bins="auto")
+            axes.set_xlabel(what)
+            axes.set_ylabel("runs")
+            return axes
+        at = numpy.asarray(self.column(over))
+        known = numpy.isfinite(values) & numpy.isfinite(at)
+        values, at = values[known], at[known]
+        places, group, count = numpy.unique(at, return_inverse=True, return_counts=True)
+        if len(places) > 0 and count.min() > 1:
+            mean = numpy.bincount(group, values) / count
+            spread = numpy.sqrt(numpy.bincount(group, (values - mean[group]) ** 2) / (count - 1) / count)
+            factor = [student_quantile(0.5 + 0.5 * self.answer["confidence"], int(n) - 1) for n in count]
+            axes.errorbar(places, mean, factor * spread, fmt="o", capsize=3)
+        else:
+            axes.plot(at, values, ".")
+        axes.set_xlabel(over)
+        axes.set_ylabel(what)
+        return axes
+
+    def plot_parallel(self, by=None, axes=None, most=500):
+        """Parallel coordinates of all columns that vary: a line a run, in the colour of the column `by` (the last one).
+
+        most: how many runs, evenly. Returns the axes.
+        """
+        import matplotlib
+        import numpy
+
+        axes = _axes(axes)
+        names, shares = [], []
+        for name in [*self.parameters, *self.outcomes]:
+            values = numpy.array(self.column(name), dtype=float)[:: len(self) // most + 1]
+            values[~numpy.isfinite(values)] = numpy.nan
+            known = values[~numpy.isnan(values)]
+            if len(known) > 0 and known.min() < known.max():
+                names.append(name)
+                shares.append((values - known.min()) / (known.max() - known.min()))
+        if not names:
+            raise ValueError("no column of the study varies")
+        if by is not None and by not in names:
+            raise KeyError(f"no column {by!r} that varies; there are: {', '.join(names)}")
+        colors = matplotlib.colormaps["cividis"](numpy.nan_to_num(shares[names.index(by) if by else -1], nan=0.5))
+        for run, color in enumerate(colors):
+            axes.plot(range(len(names)), [share[run] for share in shares], color=color, linewidth=0.6)
+        axes.set_xticks(range(len(names)), names)
+        axes.set_ylabel("from the least to the greatest")
+        return axes
 
     def save(self, path):
         """Writes .csv, .json, .h5, .html, .svg or .png."""

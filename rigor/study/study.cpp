@@ -4,6 +4,7 @@
 #include "rigor/core/quoted.hpp"
 #include "rigor/core/suggestion.hpp"
 #include "rigor/io/files/file_error.hpp"
+#include "rigor/io/files/flow_text.hpp"
 #include "rigor/io/files/version.hpp"
 #include "rigor/study/crew/journal.hpp"
 
@@ -13,6 +14,8 @@
 #include <cmath>
 #include <limits>
 #include <system_error>
+
+#include <unistd.h>
 
 namespace rigor {
 
@@ -26,12 +29,11 @@ std::uint64_t identity_of(const StudyPlan& plan, const SceneTemplate* scene) {
   return scene ? hash_of(scene->text(), hash) : hash;
 }
 
-/// Free bytes where the file is or will be; infinite if unknown.
-double free_space(const std::filesystem::path& file) {
-  std::error_code error;
-  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-  const std::filesystem::space_info space = std::filesystem::space(folder, error);
-  return error ? std::numeric_limits<double>::infinity() : static_cast<double>(space.available);
+/// Memory of this machine [bytes]; infinite if unknown.
+double whole_memory() {
+  const long pages = ::sysconf(_SC_PHYS_PAGES), bytes = ::sysconf(_SC_PAGESIZE);
+  if (pages <= 0 || bytes <= 0) return std::numeric_limits<double>::infinity();
+  return static_cast<double>(pages) * static_cast<double>(bytes);
 }
 
 void check_number_of_runs(const StudyPlan& plan, double cells) {
@@ -47,7 +49,7 @@ Study::Study(StudyPlan plan)
     : plan_(std::move(plan)), scene_(study_scene(plan_)), rows_(row_columns(plan_).size()), values_(plan_) {
   double cells = 1;
   for (const Parameter& parameter : plan_.parameters) {
-    if (parameter.is_list()) cells *= static_cast<double>(parameter.values.size());
+    if (parameter.is_list()) cells *= static_cast<double>(parameter.value_count());
   }
   check_number_of_runs(plan_, cells);
   strategy_ = make_strategy(plan_);
@@ -58,7 +60,7 @@ Study::Study(StudyPlan plan)
   const RunExecutor executor(plan_, scene_);
   OutcomeProbe probe(plan_);
   const RunTask first{0, strategy_->point(0)};
-  probe.begin(executor.scene_of(first).model, values_.at(first.point));
+  probe.begin(executor.scenes_of(first).front().model, values_.at(first.point));
 }
 
 void Study::load(const std::filesystem::path& journal) {
@@ -69,13 +71,17 @@ void Study::load(const std::filesystem::path& journal) {
 
 StudyCost Study::foresee(const std::filesystem::path& journal) {
   load(journal);
-  const double rows = static_cast<double>(strategy_->most()), width = static_cast<double>(rows_.columns());
+  const double rows = static_cast<double>(strategy_->most());
   StudyCost cost{strategy_->most(), 0, rows * static_cast<double>(journal_row_bytes(rows_.columns())),
-                 rows * (8 * width + 5)};
+                 rows * RowTable::row_bytes(rows_.columns())};
   if (journal.empty()) cost.disk = 0;
-  if (cost.disk > free_space(journal))
+  if (cost.disk > free_bytes(journal))
     throw FileError(fmt::format("the journal {} may take {:.3g} MB, more than is free there",
                                 journal.string(), 1e-6 * cost.disk));
+  if (cost.memory > whole_memory())
+    throw FileError(
+        fmt::format("the rows of {:.3g} runs may take {:.3g} MB of memory, more than this machine has", rows,
+                    1e-6 * cost.memory));
   if (!rows_.has(0)) {
     RunExecutor executor(plan_, scene_);
     const std::optional<RunRow> row = executor.run({0, strategy_->point(0)}, {});
@@ -121,8 +127,34 @@ bool Study::run(Crew& crew, const StudySettings& settings) {
   return true;
 }
 
+RunTask Study::task_of(std::uint64_t run, const std::filesystem::path& journal) {
+  load(journal);
+  const std::uint64_t wanted = strategy_->wanted(rows_);
+  if (run < wanted) return {run, strategy_->point(run)};
+  throw InputError(fmt::format("there is no run {}: the study has {} runs{}", run, wanted,
+                               wanted < strategy_->most()
+                                   ? " so far; more may follow from these: carry it out with a journal first"
+                                   : ""));
+}
+
+std::vector<std::string> Study::overrides_of(const RunTask& task) const {
+  std::vector<std::string> texts;
+  for (const Assignment& setting : plan_.settings)
+    texts.push_back(setting.key + "=" + flow_text(*setting.value));
+  for (const SceneValue& value : make_executor()->scene_values(task))
+    texts.push_back(value.key + "=" + flow_text(*value.value));
+  return texts;
+}
+
 std::vector<double> Study::parameters_of(std::uint64_t run) const {
   return values_.at(strategy_->point(run));
+}
+
+double free_bytes(const std::filesystem::path& file) {
+  std::error_code error;
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  const std::filesystem::space_info space = std::filesystem::space(folder, error);
+  return error ? std::numeric_limits<double>::infinity() : static_cast<double>(space.available);
 }
 
 std::vector<std::string> unmet_expectations(const StudyPlan& plan, const StudyAnswer& answer) {

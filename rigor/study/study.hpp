@@ -18,7 +18,7 @@ namespace rigor {
 struct StudyCost {
   std::uint64_t runs = 0;       ///< The most.
   double run_time = 0;          ///< Processor time of the first run [s].
-  double disk = 0, memory = 0;  ///< [bytes].
+  double disk = 0, memory = 0;  ///< Of the journal and of the table of all rows [bytes].
 };
 
 /// A study under way or at its end.
@@ -49,14 +49,24 @@ class Study {
   std::uint64_t identity() const { return identity_; }
   std::unique_ptr<RunExecutor> make_executor() const { return std::make_unique<RunExecutor>(plan_, scene_); }
 
-  /// Carries out the first run, if it is not known, and foresees the cost from it. Throws InputError if that
-  /// run cannot be: a study whose first run is refused is a mistake. `journal` as in run().
+  /// The most runs that it may come to want.
+  std::uint64_t most_runs() const { return strategy_->most(); }
+  /// Carries out the first run, if it is not known, and foresees the cost from it. Throws FileError, before
+  /// that, if the journal or the table has no room on this machine, and InputError if the run cannot be: a
+  /// study whose first run is refused is a mistake. `journal` as in run().
   StudyCost foresee(const std::filesystem::path& journal);
   /// Carries out all runs that are not known from the journal; whether the study came to its end.
   bool run(Crew& crew, const StudySettings& settings);
 
   const RowTable& rows() const { return rows_; }
   StudyAnswer answer() const { return strategy_->answer(rows_); }
+  /// The task of a run, of those that the rows of the journal let the study want. Throws InputError if the
+  /// run is none of them.
+  RunTask task_of(std::uint64_t run, const std::filesystem::path& journal);
+  /// The task of a run that is known.
+  RunTask known_task(std::uint64_t run) const { return {run, strategy_->point(run)}; }
+  /// What the run puts into the scene, each as --set takes it: `rigor run SCENE` with them is the same run.
+  std::vector<std::string> overrides_of(const RunTask& task) const;
   /// Values of the parameters' columns of a known run.
   std::vector<double> parameters_of(std::uint64_t run) const;
   /// Rows that count: those of the strategy's end.
@@ -76,6 +86,9 @@ class Study {
   RowTable rows_;
   ParameterValues values_;
 };
+
+/// Free bytes where a file is or will be; infinite if unknown.
+double free_bytes(const std::filesystem::path& file);
 
 /// Findings that are not what the plan expects: one message each.
 std::vector<std::string> unmet_expectations(const StudyPlan& plan, const StudyAnswer& answer);

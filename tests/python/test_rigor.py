@@ -270,11 +270,38 @@ def test_a_study_gives_arrays(scenes, tmp_path):
     assert np.array_equal(again.outcomes["distance"], study.outcomes["distance"])
     with pytest.raises(rigor.InputError, match="available"):
         study.save(tmp_path / "slide.urdf")
+    with pytest.raises(KeyError, match="there are: mu, v"):
+        study.column("nu")
     with pytest.raises(KeyError, match="there are"):
         study.finding("nothing of the kind")
     (tmp_path / "wrong.yaml").write_text("rigor_study: 1\nkind: guess\n")
     with pytest.raises(rigor.InputError, match="wrong.yaml:2"):
         rigor.study(tmp_path / "wrong.yaml")
+
+
+def test_a_study_is_plotted(scenes):
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+
+    study = rigor.study(scenes / "studies" / "slide_distance.yaml", threads=2)
+    axes = study.plot("distance", axes=plt.figure().gca())
+    assert sum(bar.get_height() for bar in axes.patches) == len(study)
+    # Each of the values of mu has several runs: their mean and Student's interval.
+    axes = study.plot("distance", over="mu", axes=plt.figure().gca())
+    line = axes.containers[0].lines[0]
+    mu, distance = study.parameters["mu"], study.outcomes["distance"]
+    assert np.array_equal(line.get_xdata(), np.unique(mu))
+    assert np.allclose(line.get_ydata(), [distance[mu == x].mean() for x in np.unique(mu)], rtol=1e-12)
+    ends = axes.containers[0].lines[2][0].get_segments()[0][:, 1]
+    first = distance[mu == np.unique(mu)[0]]
+    half = rigor._rigor.student_quantile(0.975, len(first) - 1) * first.std(ddof=1) / np.sqrt(len(first))
+    assert np.allclose(ends, [first.mean() - half, first.mean() + half], rtol=1e-9)
+    axes = study.plot_parallel(by="distance", axes=plt.figure().gca())
+    assert len(axes.lines) == len(study)
+    assert "distance" in [label.get_text() for label in axes.get_xticklabels()]
+    with pytest.raises(KeyError, match="that varies"):
+        study.plot_parallel(by="nothing")
 
 
 def test_the_stubs_name_what_is_there():

@@ -80,5 +80,19 @@ TEST(LiveAccess, TokensAreLongAndNeverTheSame) {
   EXPECT_NE(make_live_token(), make_live_token());
 }
 
+TEST(LiveAccess, PathsOfManyPagesAreThoseOfWhoMakesThem) {
+  const LiveAccess many(8080, "abc", true);
+  LiveRequestHead request = good_page();
+  request.target = "/run/12?token=abc";
+  EXPECT_EQ(many.judge(request).status, 200u);
+  EXPECT_EQ(many.judge(request).path, "/run/12");
+  EXPECT_EQ(status(request), 404u);
+  request.target = "/run/12?token=abd";
+  EXPECT_EQ(many.judge(request).status, 403u);
+  request.target = "/study.js";
+  EXPECT_EQ(many.judge(request).resource, LiveAccess::Resource::script);
+  EXPECT_EQ(status(request), 404u);
+}
+
 }  // namespace
 }  // namespace rigor::live_access_test

@@ -46,13 +46,27 @@ export function writePage(name, text) {
   return file;
 }
 
+/** Carries out a study of this text; gives its page's file, its own, and its runs as objects. */
+export function makeStudy(name, text, ...options) {
+  const file = join(folder, `${name}.yaml`), html = join(folder, `${name}.html`), csv = join(folder, `${name}.csv`);
+  writeFileSync(file, text);
+  execFileSync(program, ["study", file, "-o", html, "-o", csv, "--no-journal", "--quiet", ...options], { stdio: ["ignore", "ignore", "inherit"] });
+  const [names, ...rows] = readFileSync(csv, "utf8").trim().split("\n").map((line) => line.split(","));
+  return { file, html, rows: rows.map((row) => Object.fromEntries(names.map((column, i) => [column, row[i]]))) };
+}
+
+/** Starts `rigor study --view`; as serve(). */
+export const serveStudy = (file) => started(["study", file, "--no-journal", "--quiet", "--view"]);
+
 /** Starts `rigor view` with a file; gives its address and a function that ends it as Ctrl-C does. */
-export async function serve(file) {
-  const child = spawn(program, ["view", file], { stdio: ["ignore", "pipe", "inherit"] });
+export const serve = (file) => started(["view", file]);
+
+async function started(words) {
+  const child = spawn(program, words, { stdio: ["ignore", "pipe", "inherit"] });
   const ended = new Promise((done) => child.on("exit", done));
   const url = await new Promise((found, failed) => {
     child.stdout.on("data", (text) => found(String(text).trim()));
-    child.on("exit", (code) => failed(new Error(`rigor view ended with ${code}`)));
+    child.on("exit", (code) => failed(new Error(`rigor ${words[0]} ended with ${code}`)));
   });
   return { url, end: () => (child.kill("SIGINT"), ended) };
 }
@@ -62,7 +76,10 @@ export function openPage(browser, file, options = {}) {
   return openAddress(browser, `file://${file}`, options);
 }
 
-export async function openAddress(browser, address, options = {}) {
+/** Opens the page of a study. */
+export const openStudy = (browser, address, options = {}) => openAddress(browser, address, options, "#runs canvas");
+
+export async function openAddress(browser, address, options = {}, part = ".app, #message h1") {
   const page = await browser.newPage({ viewport: { width: 1000, height: 700 }, ...options });
   const errors = [];
   const requests = [];
@@ -70,7 +87,7 @@ export async function openAddress(browser, address, options = {}) {
   page.on("pageerror", (error) => errors.push(error.message));
   page.on("request", (request) => requests.push(request.url()));
   await page.goto(address);
-  await page.waitForSelector(".app, #message h1", { timeout: 60000 });
+  await page.waitForSelector(part, { timeout: 60000 });
   return { page, errors, requests };
 }
 

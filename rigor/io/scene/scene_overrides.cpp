@@ -4,6 +4,7 @@
 #include "rigor/core/input_error.hpp"
 #include "rigor/core/quoted.hpp"
 #include "rigor/core/suggestion.hpp"
+#include "rigor/io/scene/scene_keys.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -32,44 +33,74 @@ bool leads_through(std::string_view path, std::string_view name) {
   return rest.empty() || rest[0] == '.' || rest[0] == '[';
 }
 
+/// The table of the mappings below a key; null if there is none, or one a type.
+const KeyTable* table_below(const Key* key) {
+  if (!key || key->object.empty()) return nullptr;
+  for (const KeyTable& table : key_tables()) {
+    if (table.object == key->object) return &table;
+  }
+  return nullptr;
+}
+
+/// The default of a key that is a list of scalars, "[0, 0, 0]", as a node; of any other, nothing.
+YamlNode default_list(const Key* key, int source) {
+  YamlNode list;
+  list.source = source;
+  if (!key || !key->fallback.starts_with('[') || !key->fallback.ends_with(']')) return list;
+  list.kind = YamlNode::Kind::list;
+  std::string_view left = std::string_view(key->fallback).substr(1, key->fallback.size() - 2);
+  while (!left.empty()) {
+    const std::size_t comma = std::min(left.find(", "), left.size());
+    const auto entry = std::make_shared<YamlNode>();
+    entry->kind = YamlNode::Kind::scalar;
+    entry->source = source;
+    entry->text = left.substr(0, comma);
+    list.entries.push_back({"", 0, 0, entry});
+    left.remove_prefix(std::min(left.size(), comma + 2));
+  }
+  return list;
+}
+
 class Override {
  public:
   Override(std::string where, YamlNode::Pointer value) : where_(std::move(where)), value_(std::move(value)) {}
 
-  /// A copy of the node with the value placed at the end of the path.
-  YamlNode::Pointer applied(const YamlNode& node, std::string_view path) const {
+  /// A copy of the node with the value placed at the end of the path. table: of the keys of a mapping here;
+  /// null if they are not known.
+  YamlNode::Pointer applied(const YamlNode& node, std::string_view path, const KeyTable* table) const {
     if (path.empty()) return value_;
-    if (node.kind == YamlNode::Kind::list) return in_list(node, path);
+    if (node.kind == YamlNode::Kind::list) return in_list(node, path, table);
     if (node.kind == YamlNode::Kind::scalar) fail("there is nothing below " + quoted_text(node.text));
-    return in_map(node, path);
+    return in_map(node, path, table);
   }
 
  private:
   [[noreturn]] void fail(const std::string& message) const { throw InputError(where_ + message); }
 
-  YamlNode::Pointer in_map(const YamlNode& node, std::string_view path) const {
+  YamlNode::Pointer in_map(const YamlNode& node, std::string_view path, const KeyTable* table) const {
     const std::size_t end = path.find_first_of(".[");
     const std::string_view key = path.substr(0, end);
     const std::string_view rest = end == std::string_view::npos ? "" : without_point(path.substr(end));
     if (key.empty()) fail("a key is empty");
+    const Key* const known = table ? table->find(key) : nullptr;
     const auto copy = std::make_shared<YamlNode>(node);
     copy->kind = YamlNode::Kind::map;
     for (YamlNode::Entry& entry : copy->entries) {
       if (entry.key != key) continue;
-      entry.value = applied(*entry.value, rest);
+      entry.value = applied(*entry.value, rest, table_below(known));
       return copy;
     }
-    YamlNode missing;
-    missing.source = value_->source;
-    copy->entries.push_back({std::string(key), 0, 0, applied(missing, rest)});
+    // One number of a list that is not written: the others are those of its default.
+    const YamlNode missing = default_list(known, value_->source);
+    copy->entries.push_back({std::string(key), 0, 0, applied(missing, rest, table_below(known))});
     return copy;
   }
 
-  YamlNode::Pointer in_list(const YamlNode& node, std::string_view path) const {
+  YamlNode::Pointer in_list(const YamlNode& node, std::string_view path, const KeyTable* table) const {
     std::optional<Step> step = by_name(node, path);
     if (!step) step = by_index(node, path);
     const auto copy = std::make_shared<YamlNode>(node);
-    copy->entries[step->index].value = applied(*node.entries[step->index].value, step->rest);
+    copy->entries[step->index].value = applied(*node.entries[step->index].value, step->rest, table);
     return copy;
   }
 
@@ -136,7 +167,7 @@ YamlNode::Pointer with_value(const YamlNode::Pointer& root, const std::string& p
                              const YamlNode::Pointer& value, const std::string& where) {
   const auto steps = std::count_if(path.begin(), path.end(), [](char c) { return c == '.' || c == '['; });
   if (steps >= YamlLimits{}.max_depth) throw InputError(where + "the key has too many parts");
-  return Override(where, value).applied(*root, path);
+  return Override(where, value).applied(*root, path, &key_table("scene"));
 }
 
 }  // namespace rigor

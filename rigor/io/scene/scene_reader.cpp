@@ -11,6 +11,7 @@
 #include "rigor/io/scene/method_reader.hpp"
 #include "rigor/io/scene/object_reader.hpp"
 #include "rigor/io/scene/scene_overrides.hpp"
+#include "rigor/io/scene/scene_tree.hpp"
 #include "rigor/io/scene/shape_files.hpp"
 #include "rigor/io/scene/synonyms.hpp"
 #include "rigor/sim/method/scheme_check.hpp"
@@ -128,13 +129,9 @@ void check_all(const ModelBuilder& builder, SceneErrors& errors) {
   throw InputError(errors.sorted_messages());
 }
 
-}  // namespace
-
-Scene read_scene_tree(const YamlNode::Pointer& written, const YamlSources& sources,
-                      const std::filesystem::path& folder) {
-  SceneErrors errors(sources);
-  const YamlNode::Pointer translated = with_synonyms(written, errors);
-  const YamlNode& root = *translated;
+/// Reads a document without synonyms; `errors` has what was told of them.
+Scene scene_of_root(const YamlNode& root, const YamlSources& sources, const std::filesystem::path& folder,
+                    SceneErrors& errors) {
   const ObjectReader reader(root, key_table("scene"), "the scene", errors);
   ModelBuilder builder;
   Scene scene;
@@ -171,6 +168,21 @@ Scene read_scene_tree(const YamlNode::Pointer& written, const YamlSources& sourc
   }
   scene.warnings = errors.warnings();
   return scene;
+}
+
+}  // namespace
+
+Scene read_scene_tree(const YamlNode::Pointer& written, const YamlSources& sources,
+                      const std::filesystem::path& folder) {
+  SceneErrors errors(sources);
+  const YamlNode::Pointer translated = with_synonyms(written, errors);
+  return scene_of_root(*translated, sources, folder, errors);
+}
+
+Scene read_tree_without_synonyms(const YamlNode::Pointer& root, const YamlSources& sources,
+                                 const std::filesystem::path& folder) {
+  SceneErrors errors(sources);
+  return scene_of_root(*root, sources, folder, errors);
 }
 
 Scene parse_scene(const std::string& text, const std::string& file_name, const std::filesystem::path& folder,

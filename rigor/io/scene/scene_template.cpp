@@ -3,6 +3,7 @@
 #include "rigor/core/range.hpp"
 #include "rigor/io/files/text_file.hpp"
 #include "rigor/io/scene/scene_overrides.hpp"
+#include "rigor/io/scene/scene_tree.hpp"
 
 namespace rigor {
 
@@ -22,9 +23,12 @@ SceneTemplate::SceneTemplate(const std::filesystem::path& path, const std::vecto
   root_ = with_values(parse_yaml(text_, 0, YamlSources{{path.string()}}), settings, "set");
 }
 
-Scene SceneTemplate::make(const std::vector<SceneValue>& values, const std::string& whose) const {
+Scene SceneTemplate::make(const std::vector<SceneValue>& values, const std::string& whose,
+                          bool has_synonyms) const {
   const YamlSources sources{{path_.string(), whose}};
-  return read_scene_tree(with_values(root_, values, whose), sources, path_.parent_path());
+  const YamlNode::Pointer root = with_values(root_, values, whose);
+  return has_synonyms ? read_scene_tree(root, sources, path_.parent_path())
+                      : read_tree_without_synonyms(root, sources, path_.parent_path());
 }
 
 YamlNode::Pointer number_node(double value, int source) {

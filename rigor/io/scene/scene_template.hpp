@@ -22,8 +22,9 @@ class SceneTemplate {
   /// shows when a scene is made.
   explicit SceneTemplate(const std::filesystem::path& path, const std::vector<SceneValue>& settings = {});
 
-  /// The scene with these values as well; whose: in messages, "run 12". Throws InputError.
-  Scene make(const std::vector<SceneValue>& values, const std::string& whose) const;
+  /// The scene with these values as well; whose: in messages, "run 12". has_synonyms: false if a scene with
+  /// values at the same keys has been made without warnings. Throws InputError.
+  Scene make(const std::vector<SceneValue>& values, const std::string& whose, bool has_synonyms = true) const;
 
   const std::filesystem::path& path() const { return path_; }
   /// Of the file.

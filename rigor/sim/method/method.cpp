@@ -162,9 +162,13 @@ std::string set_method_choice(std::string_view key, std::string_view value, Meth
 }
 
 std::string method_choice(const Method& method, std::string_view key) {
-  std::string name;
-  visit_choice(method, key, [&](const auto& choice) { name = method_values(key)[at(choice)]; });
-  return name;
+  std::size_t index = 0;
+  if (!visit_choice(method, key, [&](const auto& choice) { index = at(choice); })) return {};
+  // Asked for every run of a study: the list of all values is not made for it.
+  for (const MethodChoice& choice : method_choices()) {
+    if (choice.key == key && index-- == 0) return std::string(choice.value);
+  }
+  return {};
 }
 
 std::string scheme_name(Scheme scheme) {

@@ -3,16 +3,22 @@
 #include "rigor/io/files/version.hpp"
 #include "rigor/io/trajectory/hdf5_handle.hpp"
 #include "rigor/study/answer/study_output.hpp"
+#include "rigor/study/run/run_executor.hpp"
 
 #include <algorithm>
-#include <string_view>
+#include <functional>
+#include <string>
+#include <vector>
 
 namespace rigor {
 
 namespace {
 
+/// Runs that are in memory at a time while a file is written.
+constexpr std::uint64_t slab_rows = 4096;
+
 /// A list of texts as strings of equal length, padded with NUL.
-bool write_names(hid_t file, const char* name, const std::vector<std::string>& texts) {
+bool write_texts(hid_t file, const char* name, const std::vector<std::string>& texts) {
   std::size_t longest = 1;
   for (const std::string& text : texts) longest = std::max(longest, text.size());
   std::string bytes;
@@ -25,28 +31,89 @@ bool write_names(hid_t file, const char* name, const std::vector<std::string>& t
          (count == 0 || H5Dwrite(data, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()) >= 0);
 }
 
-bool write_matrix(hid_t file, const char* name, const std::vector<double>& values, hsize_t columns) {
-  const hsize_t sizes[2] = {columns > 0 ? values.size() / columns : 0, columns};
-  const Hdf5Handle space(H5Screate_simple(2, sizes, nullptr), H5Sclose);
-  const Hdf5Handle data(H5Dcreate2(file, name, H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+/// How a data set of one row a run is stored, and how its numbers are in memory.
+struct RowType {
+  hid_t stored, memory;
+  hsize_t columns;  ///< 0: a number a run, not a row.
+};
+
+/// Writes rows slab by slab; `fill` appends the numbers of a run.
+template <typename Number>
+bool write_rows(hid_t file, const char* name, const RowType& type, std::uint64_t runs,
+                const std::function<void(std::uint64_t, std::vector<Number>&)>& fill) {
+  const int dimensions = type.columns > 0 ? 2 : 1;
+  const hsize_t sizes[2] = {runs, type.columns};
+  const Hdf5Handle space(H5Screate_simple(dimensions, sizes, nullptr), H5Sclose);
+  const Hdf5Handle data(H5Dcreate2(file, name, type.stored, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
                         H5Dclose);
-  return data.is_open() && (values.empty() || H5Dwrite(data, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT,
-                                                       values.data()) >= 0);
+  if (!data.is_open()) return false;
+  std::vector<Number> slab;
+  for (std::uint64_t first = 0; first < runs; first += slab_rows) {
+    const hsize_t start[2] = {first, 0}, count[2] = {std::min(slab_rows, runs - first), type.columns};
+    slab.clear();
+    for (std::uint64_t run = first; run < first + count[0]; ++run) fill(run, slab);
+    if (slab.empty()) continue;
+    const Hdf5Handle part(H5Screate_simple(dimensions, count, nullptr), H5Sclose);
+    if (H5Sselect_hyperslab(space, H5S_SELECT_SET, start, nullptr, count, nullptr) < 0 ||
+        H5Dwrite(data, type.memory, part, space, H5P_DEFAULT, slab.data()) < 0)
+      return false;
+  }
+  return true;
 }
 
-bool write_statuses(hid_t file, const std::vector<int>& statuses) {
-  const hsize_t count = statuses.size();
-  Hdf5Handle type(H5Tenum_create(H5T_NATIVE_INT), H5Tclose);
-  for (const RunStatus status : {RunStatus::done, RunStatus::violated, RunStatus::stopped, RunStatus::refused,
-                                 RunStatus::out_of_time}) {
+bool write_statuses(hid_t file, const Study& study) {
+  const Hdf5Handle type(H5Tenum_create(H5T_NATIVE_INT), H5Tclose);
+  for (const RunStatus status : all_run_statuses) {
     const int value = static_cast<int>(status);
     H5Tenum_insert(type, run_status_name(status), &value);
   }
-  const Hdf5Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose);
-  const Hdf5Handle data(H5Dcreate2(file, "status", type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-                        H5Dclose);
-  return data.is_open() &&
-         (count == 0 || H5Dwrite(data, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, statuses.data()) >= 0);
+  return write_rows<int>(file, "status", {type, type, 0}, study.run_count(),
+                         [&](std::uint64_t run, std::vector<int>& slab) {
+                           slab.push_back(static_cast<int>(study.rows().status(run)));
+                         });
+}
+
+/// The study's seed and, where it varies, that of each run.
+bool write_seeds(hid_t file, const Study& study) {
+  const StudyPlan& plan = study.plan();
+  const RowType type{H5T_STD_U64LE, H5T_NATIVE_UINT64, 0};
+  const auto of_study = [&](std::uint64_t, std::vector<std::uint64_t>& slab) { slab.push_back(plan.seed); };
+  const auto of_run = [&](std::uint64_t run, std::vector<std::uint64_t>& slab) {
+    slab.push_back(run_seed(plan, run));
+  };
+  return write_rows<std::uint64_t>(file, "seed", type, 1, of_study) &&
+         (!plan.varies_seed || write_rows<std::uint64_t>(file, "run_seed", type, study.run_count(), of_run));
+}
+
+/// The runs that have a reason, and it.
+bool write_reasons(hid_t file, const Study& study) {
+  std::vector<std::uint64_t> runs;
+  std::vector<std::string> reasons;
+  for (std::uint64_t run = 0; run < study.run_count(); ++run) {
+    if (study.rows().status(run) == RunStatus::done) continue;
+    runs.push_back(run);
+    reasons.push_back(study.rows().reason(run));
+  }
+  return write_rows<std::uint64_t>(
+             file, "reason_run", {H5T_STD_U64LE, H5T_NATIVE_UINT64, 0}, runs.size(),
+             [&](std::uint64_t i, std::vector<std::uint64_t>& slab) { slab.push_back(runs[i]); }) &&
+         write_texts(file, "reason", reasons);
+}
+
+bool write_numbers(hid_t file, const Study& study) {
+  const RowTable& rows = study.rows();
+  const RowType parameters{H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, study.plan().columns().size()},
+      outcomes{H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, rows.columns()};
+  return write_rows<double>(file, "parameters", parameters, study.run_count(),
+                            [&](std::uint64_t run, std::vector<double>& slab) {
+                              const std::vector<double> values = study.parameters_of(run);
+                              slab.insert(slab.end(), values.begin(), values.end());
+                            }) &&
+         write_rows<double>(file, "outcomes", outcomes, study.run_count(),
+                            [&](std::uint64_t run, std::vector<double>& slab) {
+                              for (std::size_t k = 0; k < rows.columns(); ++k)
+                                slab.push_back(rows.value(run, k));
+                            });
 }
 
 }  // namespace
@@ -58,22 +125,12 @@ void write_study_hdf5(const Study& study, const std::filesystem::path& path) {
   H5Pset_obj_track_times(creation, false);
   check_can_write(path);
   Hdf5Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, H5P_DEFAULT), H5Fclose);
-  std::vector<double> parameters, outcomes;
-  std::vector<int> statuses;
-  const RowTable& rows = study.rows();
-  for (std::uint64_t run = 0; run < study.run_count(); ++run) {
-    const std::vector<double> values = study.parameters_of(run);
-    parameters.insert(parameters.end(), values.begin(), values.end());
-    for (std::size_t k = 0; k < rows.columns(); ++k) outcomes.push_back(rows.value(run, k));
-    statuses.push_back(static_cast<int>(rows.status(run)));
-  }
-  const std::vector<std::string> names = study.plan().columns();
-  const bool is_written = file.is_open() && write_names(file, "parameter_names", names) &&
-                          write_matrix(file, "parameters", parameters, names.size()) &&
-                          write_names(file, "outcome_names", row_columns(study.plan())) &&
-                          write_matrix(file, "outcomes", outcomes, rows.columns()) &&
-                          write_statuses(file, statuses) && write_names(file, "study", {study.plan().text}) &&
-                          write_names(file, "rigor", {std::string(version)});
+  const StudyPlan& plan = study.plan();
+  const bool is_written =
+      file.is_open() && write_texts(file, "parameter_names", plan.columns()) &&
+      write_texts(file, "outcome_names", row_columns(plan)) && write_numbers(file, study) &&
+      write_statuses(file, study) && write_seeds(file, study) && write_reasons(file, study) &&
+      write_texts(file, "study", {plan.text}) && write_texts(file, "rigor", {std::string(version)});
   if (!file.reset() || !is_written) throw FileError("cannot write '" + path.string() + "'");
 }
 

@@ -7,18 +7,20 @@ namespace rigor {
 
 bool RowTable::enter(const RunRow& row) {
   if (has(row.run)) return false;
-  if (row.run >= statuses_.size()) {
-    // Twice as many, so that entering costs little; what is not used is never touched.
-    const std::uint64_t room = std::max<std::uint64_t>(row.run + 1, 2 * statuses_.size());
-    statuses_.resize(room, -1);
-    values_.resize(room * columns_, std::numeric_limits<double>::quiet_NaN());
-    cpu_times_.resize(room, 0);
+  const std::uint64_t number = row.run / block_rows, place = row.run % block_rows;
+  if (number >= blocks_.size()) blocks_.resize(number + 1);
+  std::unique_ptr<Block>& block = blocks_[number];
+  if (!block) {
+    block = std::make_unique<Block>();
+    block->statuses.fill(-1);
+    block->cpu_times.fill(0);
+    block->values.assign(block_rows * columns_, std::numeric_limits<double>::quiet_NaN());
   }
-  statuses_[row.run] = static_cast<signed char>(row.status);
-  cpu_times_[row.run] = static_cast<float>(row.cpu_time);
+  block->statuses[place] = static_cast<signed char>(row.status);
+  block->cpu_times[place] = static_cast<float>(row.cpu_time);
   total_cpu_time_ += row.cpu_time;
   for (std::size_t k = 0; k < std::min(columns_, row.outcomes.size()); ++k)
-    values_[row.run * columns_ + k] = row.outcomes[k];
+    block->values[place * columns_ + k] = row.outcomes[k];
   if (!row.reason.empty()) reasons_[row.run] = row.reason;
   ++count_;
   while (has(prefix_)) ++prefix_;

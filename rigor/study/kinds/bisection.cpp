@@ -28,34 +28,35 @@ class Bisection : public Strategy {
     names_ = plan.columns();
     for (const std::string& name : row_columns(plan)) names_.push_back(name);
     columns_ = columns_of(condition_, names_);
-    brackets_.resize(grid_.cells());
-    for (std::uint64_t cell = 0; cell < grid_.cells(); ++cell) ask(cell, 0), ask(cell, 1);
   }
 
-  /// Rounds until the bracket is narrow: half of it a round.
+  /// Rounds until the bracket is narrow: half of it a round. Of a logarithmic range the widest one is at its
+  /// end.
   std::uint64_t most() const override {
     const double width = parameter_->is_logarithmic
-                             ? std::log(parameter_->high / parameter_->low) * parameter_->low
+                             ? std::log(parameter_->high / parameter_->low) * parameter_->high
                              : parameter_->high - parameter_->low;
-    const double rounds = std::clamp(std::ceil(std::log2(width / plan_.tolerance)), 0.0, 1100.0);
+    const double rounds = std::clamp(std::ceil(std::log2(width / plan_.tolerance) + 1e-9), 0.0, 1100.0);
     return grid_.cells() * plan_.repeats * static_cast<std::uint64_t>(2 + rounds);
   }
 
   std::uint64_t wanted(const RowTable& known) override {
-    while (known.prefix() >= asked_.size() * plan_.repeats) {
-      const std::size_t before = asked_.size();
+    // Not before: how many runs there may be is checked when the strategy is made.
+    brackets_.resize(grid_.cells());
+    while (known.prefix() >= asked_count() * plan_.repeats) {
+      const std::uint64_t before = asked_count();
       for (; judged_ < before; ++judged_) judge(known, judged_);
       for (std::uint64_t cell = 0; cell < grid_.cells(); ++cell) {
         const Bracket& bracket = brackets_[cell];
         if (bracket.has_threshold() && !is_narrow(bracket)) ask(cell, 0.5 * (bracket.low + bracket.high));
       }
-      if (asked_.size() == before) break;
+      if (asked_count() == before) break;
     }
-    return asked_.size() * plan_.repeats;
+    return asked_count() * plan_.repeats;
   }
 
   std::vector<double> point(std::uint64_t run) const override {
-    const Asked& asked = asked_[run / plan_.repeats];
+    const Asked asked = asked_at(run / plan_.repeats);
     std::vector<double> point = random_point(plan_, run);
     grid_.place(asked.cell, point);
     point[searched_] = asked.u;
@@ -75,7 +76,7 @@ class Bisection : public Strategy {
                         {},
                         {},
                         {}};
-    for (std::uint64_t cell = 0; cell < grid_.cells(); ++cell) {
+    for (std::uint64_t cell = 0; cell < brackets_.size(); ++cell) {
       const Bracket& bracket = brackets_[cell];
       std::vector<double> row = grid_.values(cell);
       const bool is_there = bracket.has_threshold();
@@ -100,6 +101,7 @@ class Bisection : public Strategy {
   }
 
   std::string brief(const RowTable&) const override {
+    if (brackets_.empty()) return {};
     const Bracket& bracket = brackets_[0];
     return fmt::format("{} between {:.8g} and {:.8g}", plan_.search, searched_value(bracket.low),
                        searched_value(bracket.high));
@@ -117,14 +119,15 @@ class Bisection : public Strategy {
   };
 
   void ask(std::uint64_t cell, double u) { asked_.push_back({cell, u}); }
+  /// In the first round both ends of each cell, then those of asked_.
+  std::uint64_t asked_count() const { return 2 * grid_.cells() + asked_.size(); }
+  Asked asked_at(std::uint64_t index) const {
+    const std::uint64_t ends = 2 * grid_.cells();
+    return index < ends ? Asked{index / 2, static_cast<double>(index % 2)} : asked_[index - ends];
+  }
 
   /// Value of the searched parameter alone, of whose coordinate it is a function.
-  double searched_value(double u) const {
-    const Parameter& p = *parameter_;
-    if (u <= 0) return p.low;
-    if (u >= 1) return p.high;
-    return p.is_logarithmic ? p.low * std::pow(p.high / p.low, u) : p.low + u * (p.high - p.low);
-  }
+  double searched_value(double u) const { return parameter_->value_between(u); }
 
   bool is_narrow(const Bracket& bracket) const {
     const double middle = 0.5 * (bracket.low + bracket.high);
@@ -141,8 +144,8 @@ class Bisection : public Strategy {
     return condition_.value(arguments) > 0;
   }
 
-  void judge(const RowTable& known, std::size_t index) {
-    const Asked& asked = asked_[index];
+  void judge(const RowTable& known, std::uint64_t index) {
+    const Asked asked = asked_at(index);
     std::uint64_t holding = 0;
     for (std::uint64_t k = 0; k < plan_.repeats; ++k)
       holding += holds(known, index * plan_.repeats + k) ? 1 : 0;
@@ -162,11 +165,12 @@ class Bisection : public Strategy {
   Formula condition_;
   ParameterValues values_;
   const Parameter* parameter_ = nullptr;
-  std::size_t searched_ = 0, judged_ = 0;
+  std::size_t searched_ = 0;
+  std::uint64_t judged_ = 0;
   std::vector<std::string> names_;
   std::vector<std::size_t> columns_;
-  std::vector<Asked> asked_;
-  std::vector<Bracket> brackets_;
+  std::vector<Asked> asked_;       ///< After the first round.
+  std::vector<Bracket> brackets_;  ///< By cell; none before the first round.
 };
 
 }  // namespace

@@ -14,9 +14,9 @@ Grid::Grid(const StudyPlan& plan) {
   std::size_t coordinate = 0;
   for (const Parameter& parameter : plan.parameters) {
     if (parameter.is_list()) {
-      axes_.push_back({coordinate, parameter.values});
-      cells_ *= parameter.values.size();
-      if (parameter.values.size() > 1) names_.push_back(parameter.name);
+      axes_.push_back({coordinate, &parameter});
+      cells_ *= parameter.value_count();
+      if (parameter.value_count() > 1) names_.push_back(parameter.name);
     }
     coordinate += static_cast<std::size_t>(parameter.coordinates());
   }
@@ -25,8 +25,9 @@ Grid::Grid(const StudyPlan& plan) {
 std::vector<double> Grid::values(std::uint64_t cell) const {
   std::vector<double> values;
   for (auto axis = axes_.rbegin(); axis != axes_.rend(); ++axis) {
-    if (axis->values.size() > 1) values.push_back(axis->values[cell % axis->values.size()]);
-    cell /= axis->values.size();
+    const std::uint64_t count = axis->list->value_count();
+    if (count > 1) values.push_back(axis->list->value_at(cell % count));
+    cell /= count;
   }
   std::reverse(values.begin(), values.end());
   return values;
@@ -34,8 +35,8 @@ std::vector<double> Grid::values(std::uint64_t cell) const {
 
 void Grid::place(std::uint64_t cell, std::vector<double>& point) const {
   for (auto axis = axes_.rbegin(); axis != axes_.rend(); ++axis) {
-    point[axis->coordinate] = static_cast<double>(cell % axis->values.size());
-    cell /= axis->values.size();
+    point[axis->coordinate] = static_cast<double>(cell % axis->list->value_count());
+    cell /= axis->list->value_count();
   }
 }
 
@@ -54,6 +55,7 @@ std::vector<double> random_point(const StudyPlan& plan, std::uint64_t run) {
 std::vector<double> outcome_values(const RowTable& known, std::size_t outcome, std::uint64_t first,
                                    std::uint64_t last) {
   std::vector<double> values;
+  values.reserve(last - first);
   for (std::uint64_t run = first; run < last; ++run) {
     if (!known.has(run) || !known.is_complete(run)) continue;
     const double value = known.value(run, outcome);

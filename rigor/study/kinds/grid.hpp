@@ -13,6 +13,7 @@ namespace rigor {
 /// The grid of all lists of a plan: a cell is one value of each, the last list changing fastest.
 class Grid {
  public:
+  /// plan must outlive this object.
   explicit Grid(const StudyPlan& plan);
 
   std::uint64_t cells() const { return cells_; }
@@ -25,7 +26,7 @@ class Grid {
  private:
   struct Axis {
     std::size_t coordinate;
-    std::vector<double> values;
+    const Parameter* list;
   };
   std::vector<Axis> axes_;
   std::vector<std::string> names_;

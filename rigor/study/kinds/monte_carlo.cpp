@@ -53,18 +53,19 @@ class MonteCarlo : public Strategy {
     AnswerTable table{
         "distributions", {"mean", "low", "high", "deviation", "smallest", "median", "largest", "runs"}, {}};
     for (std::size_t k = 0; k < columns_.size(); ++k) {
-      const std::vector<double> values = outcome_values(known, k, 0, used(known));
+      std::vector<double> values = outcome_values(known, k, 0, used(known));
       const Estimate mean = estimate(known, k, used(known));
       answer.findings.push_back({columns_[k], mean.value, mean.low, mean.high});
       if (values.empty()) continue;
       double squares = 0;
       for (const double value : values) squares += (value - mean.value) * (value - mean.value);
       const double n = static_cast<double>(values.size());
+      std::sort(values.begin(), values.end());
       table.labels.push_back(columns_[k]);
       table.rows.push_back({mean.value, mean.low, mean.high, std::sqrt(squares / std::max(1.0, n - 1)),
                             quantile(values, 0), quantile(values, 0.5), quantile(values, 1), n});
       if (std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); }))
-        answer.figures.push_back(histogram(columns_[k], values));
+        answer.figures.push_back(histogram(columns_[k], std::move(values)));
     }
     answer.tables.push_back(std::move(table));
     if (plan_.half_width && !is_met_ && known.prefix() >= most_)

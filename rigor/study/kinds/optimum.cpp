@@ -98,7 +98,11 @@ class Optimum : public Strategy {
   }
 
   std::uint64_t most() const override {
-    return plan_.runs * plan_.repeats * static_cast<std::uint64_t>(plan_.starts);
+    // The product of the three limits is more than 64 bits hold; so many runs are refused anyhow.
+    constexpr double most_bits = 0x1p60;
+    const double product = static_cast<double>(plan_.runs) * static_cast<double>(plan_.repeats) *
+                           static_cast<double>(plan_.starts);
+    return static_cast<std::uint64_t>(std::min(product, most_bits));
   }
 
   std::uint64_t wanted(const RowTable& known) override {

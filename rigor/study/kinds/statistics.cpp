@@ -33,16 +33,21 @@ Estimate mean_estimate(std::span<const double> values, double confidence) {
   if (values.size() < 2) return {mean, -kInfinity, kInfinity};
   double squares = 0;
   for (const double value : values) squares += (value - mean) * (value - mean);
-  const double t = boost::math::quantile(boost::math::students_t(n - 1), 0.5 + 0.5 * confidence);
+  const double t = student_quantile(0.5 + 0.5 * confidence, n - 1);
   const double half = t * std::sqrt(squares / (n - 1) / n);
   return {mean, mean - half, mean + half};
 }
 
-double quantile(std::vector<double> values, double share) {
-  std::sort(values.begin(), values.end());
-  const double place = share * static_cast<double>(values.size() - 1);
-  const std::size_t below = static_cast<std::size_t>(place), above = std::min(below + 1, values.size() - 1);
-  return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
+double student_quantile(double share, double degrees_of_freedom) {
+  return boost::math::quantile(boost::math::students_t(degrees_of_freedom), share);
+}
+
+double quantile(std::span<const double> sorted, double share) {
+  const double place = share * static_cast<double>(sorted.size() - 1);
+  const std::size_t below = static_cast<std::size_t>(place), above = std::min(below + 1, sorted.size() - 1);
+  // Infinite ones have no difference.
+  if (sorted[below] == sorted[above]) return sorted[below];
+  return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
 }
 
 std::vector<Estimate> bootstrap(
@@ -63,6 +68,7 @@ std::vector<Estimate> bootstrap(
   }
   std::vector<Estimate> estimates;
   const double tail = 0.5 * (1 - settings.confidence);
+  for (std::vector<double>& sample : resampled) std::sort(sample.begin(), sample.end());
   for (std::size_t k = 0; k < values.size(); ++k)
     estimates.push_back({values[k], quantile(resampled[k], tail), quantile(resampled[k], 1 - tail)});
   return estimates;

@@ -20,8 +20,11 @@ struct Estimate {
 /// Source: Wilson, Probable inference, the law of succession, and statistical inference, JASA 22, 1927.
 Estimate mean_estimate(std::span<const double> values, double confidence);
 
-/// Value of a sample below which the share lies: linear between the order statistics. Not empty.
-double quantile(std::vector<double> values, double share);
+/// The number below which one of Student's distribution lies with this probability.
+double student_quantile(double share, double degrees_of_freedom);
+
+/// Value of a sample below which the share lies: linear between the order statistics. In order, not empty.
+double quantile(std::span<const double> sorted, double share);
 
 /// Interval of a statistic of `count` items by the percentiles of its values over resampled items: the
 /// function is given the indices of a resample. Deterministic by the seed.

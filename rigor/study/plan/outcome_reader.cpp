@@ -22,7 +22,7 @@ struct OutcomeForm {
 };
 const std::vector<OutcomeForm>& outcome_forms() {
   static const std::vector<OutcomeForm> forms = {
-      {"value", Outcome::Kind::value, {"at", "when", "else"}},
+      {"value", Outcome::Kind::value, {"at", "when", "event", "bodies", "number", "else"}},
       {"min", Outcome::Kind::smallest, {}},
       {"max", Outcome::Kind::largest, {}},
       {"first", Outcome::Kind::first, {"else"}},
@@ -74,8 +74,7 @@ std::string scene_formula(const ObjectReader& reader, const char* key, std::vect
 }
 
 void read_event(const ObjectReader& reader, const char* key, Outcome& outcome) {
-  outcome.event.kind =
-      outcome.kind == Outcome::Kind::impulse ? "impact" : reader.text(key).value_or("impact");
+  outcome.event.kind = outcome.kind == Outcome::Kind::impulse ? "impact" : reader.text(key).value_or("");
   outcome.event.bodies = read_texts(reader, "bodies");
   if (outcome.event.bodies.size() > 2) reader.fail("bodies", "bodies must be one or two names");
 }
@@ -99,7 +98,14 @@ Outcome read_outcome(const YamlNode& node, std::size_t index, const std::vector<
   outcome.otherwise = reader.number("else");
   outcome.number = static_cast<int>(reader.number("number").value_or(1));
   outcome.when = scene_formula(reader, "when", names);
-  if (outcome.at && !outcome.when.empty()) reader.fail("when", "only one of 'at' and 'when' may be given");
+  const int instants = (outcome.at ? 1 : 0) + (outcome.when.empty() ? 0 : 1) + (reader.has("event") ? 1 : 0);
+  if (instants > 1)
+    reader.fail(reader.has("event") ? "event" : "when", "only one of 'at', 'when' and 'event' may be given");
+  if (form->kind == Outcome::Kind::value && reader.has("event")) read_event(reader, "event", outcome);
+  for (const char* const key : {"bodies", "number"}) {
+    if (form->kind == Outcome::Kind::value && reader.has(key) && !reader.has("event"))
+      reader.fail(key, std::string(key) + " goes with an event");
+  }
   switch (outcome.kind) {
     case Outcome::Kind::value:
     case Outcome::Kind::smallest:

@@ -17,8 +17,6 @@ namespace rigor {
 
 namespace {
 
-constexpr double most_values = 1e8;
-
 std::optional<double> number_or_angle(const YamlNode& node) {
   if (node.kind != YamlNode::Kind::scalar || node.is_quoted) return std::nullopt;
   if (const std::optional<double> number = parse_number(node.text).value) return number;
@@ -55,14 +53,7 @@ void read_interval(const ObjectReader& reader, Parameter& parameter) {
     return reader.fail("range", "range must be > 0, since it is logarithmic");
   if (!count) return;
   parameter.kind = Parameter::Kind::list;
-  const double n = std::min(*count, most_values);
-  for (double i = 0; i < n; ++i) {
-    const double share = i / (n - 1);
-    const double value = parameter.is_logarithmic
-                             ? parameter.low * std::pow(parameter.high / parameter.low, share)
-                             : parameter.low + share * (parameter.high - parameter.low);
-    parameter.values.push_back(i + 1 == n ? parameter.high : value);
-  }
+  parameter.count = static_cast<std::uint64_t>(*count);
 }
 
 void read_distribution(const ObjectReader& reader, const std::string& distribution, Parameter& parameter) {

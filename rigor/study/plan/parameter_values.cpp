@@ -20,14 +20,6 @@ double normal_quantile(double u) {
   return -std::numbers::sqrt2 * boost::math::erfc_inv(2 * inside);
 }
 
-double interval_value(const Parameter& parameter, double u) {
-  // The ends are met exactly.
-  if (u <= 0) return parameter.low;
-  if (u >= 1) return parameter.high;
-  if (parameter.is_logarithmic) return parameter.low * std::pow(parameter.high / parameter.low, u);
-  return parameter.low + u * (parameter.high - parameter.low);
-}
-
 void add_box(const Parameter& parameter, const double* u, std::vector<double>& values) {
   for (int k = 0; k < 3; ++k)
     values.push_back(parameter.low_corner[k] + u[k] * (parameter.high_corner[k] - parameter.low_corner[k]));
@@ -78,10 +70,10 @@ std::vector<double> ParameterValues::at(std::span<const double> point) const {
   for (const Parameter& parameter : plan_.parameters) {
     switch (parameter.kind) {
       case Parameter::Kind::list:
-        values.push_back(parameter.values[static_cast<std::size_t>(*u)]);
+        values.push_back(parameter.value_at(static_cast<std::uint64_t>(*u)));
         break;
       case Parameter::Kind::interval:
-        values.push_back(interval_value(parameter, *u));
+        values.push_back(parameter.value_between(*u));
         break;
       case Parameter::Kind::normal:
         values.push_back(parameter.mean + parameter.deviation * normal_quantile(*u));

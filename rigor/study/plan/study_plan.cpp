@@ -1,6 +1,7 @@
 #include "rigor/study/plan/study_plan.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace rigor {
 
@@ -16,6 +17,18 @@ int Parameter::coordinates() const {
     default:
       return 1;
   }
+}
+
+double Parameter::value_at(std::uint64_t index) const {
+  if (!values.empty()) return values[index];
+  return index + 1 == count ? high
+                            : value_between(static_cast<double>(index) / static_cast<double>(count - 1));
+}
+
+double Parameter::value_between(double share) const {
+  if (share <= 0) return low;
+  if (share >= 1) return high;
+  return is_logarithmic ? low * std::pow(high / low, share) : low + share * (high - low);
 }
 
 std::vector<std::string> Parameter::columns() const {

@@ -31,8 +31,9 @@ struct Parameter {
   std::string name;
   std::vector<std::string> keys;  ///< Of the scene, as of --set; none: for formulas alone.
   Kind kind = Kind::list;
-  std::vector<double> values;   ///< Of a list; at least one.
-  double low = 0, high = 1;     ///< Of an interval, low < high.
+  std::vector<double> values;  ///< Of a list that is written out.
+  std::uint64_t count = 0;   ///< Of a list without them: so many values evenly from low to high; at least 2.
+  double low = 0, high = 1;  ///< Of an interval, or of such a list, low < high.
   bool is_logarithmic = false;  ///< The interval's logarithm is uniform.
   double mean = 0, deviation = 1;
   Vec3 low_corner = Vec3::Zero(), high_corner = Vec3::Ones();
@@ -43,6 +44,11 @@ struct Parameter {
 
   /// Whether it is an axis of a grid.
   bool is_list() const { return kind == Kind::list; }
+  /// Of a list: how many values it has, and each by its index.
+  std::uint64_t value_count() const { return values.empty() ? count : values.size(); }
+  double value_at(std::uint64_t index) const;
+  /// Of a range: the value at a share of the way from low to high, or of its logarithm. The ends are exact.
+  double value_between(double share) const;
   /// How many numbers of (0, 1) its value is a function of; an axis of a grid has one too, its index.
   int coordinates() const;
   /// Names of its numbers: "mu", or "q.w", "q.x", "q.y", "q.z".
@@ -80,11 +86,15 @@ struct Outcome {
   std::string formula;       ///< Or condition.
   std::optional<double> at;  ///< When a value is taken [s]; the end if neither this nor `when` is given.
   std::string when;          ///< A condition: at the first output at which it holds.
-  EventFilter event;
-  int number = 1;                   ///< Which event, from 1.
-  std::string body;                 ///< Of a face.
+  EventFilter event;         ///< Of a value with a kind: just after the number-th such event.
+  int number = 1;            ///< Which event, from 1.
+  std::string body;          ///< Of a face.
   std::optional<double> otherwise;  ///< What stands for what did not happen; none: NaN.
   std::string where;
+
+  /// Whether it is a value that is taken at an event, or at the end.
+  bool is_at_event() const { return kind == Kind::value && !event.kind.empty(); }
+  bool is_at_end() const { return kind == Kind::value && !at && when.empty() && event.kind.empty(); }
 };
 
 /// A number that a study must find, known independently.

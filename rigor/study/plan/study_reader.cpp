@@ -132,7 +132,7 @@ void check_kind(const ObjectReader& reader, const StudyPlan& plan) {
   int intervals = 0;
   for (const Parameter& parameter : plan.parameters) {
     if (parameter.kind == Parameter::Kind::interval) ++intervals;
-    if (parameter.is_list() && parameter.values.size() > 1 && !has_grid)
+    if (parameter.is_list() && parameter.value_count() > 1 && !has_grid)
       reader.errors().add_text(parameter.where + "parameter " + quoted_text(parameter.name) +
                                ": several values are for sweeps, bisections and chaos, not for " + kind);
   }

@@ -2,6 +2,7 @@
 
 #include "rigor/core/input_error.hpp"
 #include "rigor/core/quoted.hpp"
+#include "rigor/core/sorted_unique.hpp"
 #include "rigor/core/suggestion.hpp"
 #include "rigor/io/trajectory/trajectory_writer.hpp"
 #include "rigor/study/run/rest_face.hpp"
@@ -58,8 +59,7 @@ OutcomeProbe::Bound OutcomeProbe::bound(const std::string& text, const Outcome& 
       if (!quantity)
         throw InputError(whose(outcome) + "the scene has no quantity " + quoted_text(name) +
                          (model_ ? suggestion(name, quantity_names(*model_)) : ""));
-      const bool is_at_end = outcome.kind == Outcome::Kind::value && !outcome.at && outcome.when.empty();
-      if (quantity->kind == SceneQuantity::Kind::audit && !is_at_end)
+      if (quantity->kind == SceneQuantity::Kind::audit && !outcome.is_at_end())
         throw InputError(whose(outcome) + quoted_text(name) + " is known at the end of a run only");
       made.sources.push_back({Source::From::quantity, 0, *quantity});
     }
@@ -102,7 +102,8 @@ void OutcomeProbe::begin(std::shared_ptr<const Model> model, std::vector<double>
   }
   // Bodies keep their places in all runs, unless their number varies.
   if (bound_bodies_ != model_->body_count()) bind(*model_);
-  for (Taken& taken : taken_) taken.value = nan_value, taken.count = 0, taken.is_done = false;
+  for (Taken& taken : taken_)
+    taken.value = taken.event_time = nan_value, taken.count = 0, taken.is_done = false;
 }
 
 double OutcomeProbe::evaluated(const Bound& bound, const Look& look) {
@@ -130,7 +131,7 @@ void OutcomeProbe::observe_value(const Outcome& outcome, const Look& look, Taken
   const double t = look.state->t;
   switch (outcome.kind) {
     case Outcome::Kind::value: {
-      if (taken.is_done || (!outcome.at && taken.when.empty())) return;
+      if (taken.is_done || outcome.is_at_end() || outcome.is_at_event()) return;
       const bool is_now =
           outcome.at ? t >= *outcome.at * (1 - time_share) : evaluated(taken.when[0], look) > 0;
       if (!is_now) return;
@@ -156,12 +157,13 @@ void OutcomeProbe::observe_value(const Outcome& outcome, const Look& look, Taken
 
 void OutcomeProbe::observe_events(const Outcome& outcome, const AdvanceReport& since, Taken& taken) const {
   const bool counts = outcome.kind == Outcome::Kind::count || outcome.kind == Outcome::Kind::time_of ||
-                      outcome.kind == Outcome::Kind::impulse;
+                      outcome.kind == Outcome::Kind::impulse || outcome.is_at_event();
   if (!counts) return;
   for (const MotionEvent& event : since.events) {
     if (!is_about(event, outcome.event.kind, taken.body_A, taken.body_B)) continue;
     ++taken.count;
     if (outcome.kind == Outcome::Kind::time_of && taken.count == outcome.number) taken.value = event.time;
+    if (outcome.is_at_event() && taken.count == outcome.number) taken.event_time = event.time;
     if (outcome.kind == Outcome::Kind::impulse) taken.value = std::fmax(taken.value, event.j_W.norm());
   }
 }
@@ -174,11 +176,27 @@ void OutcomeProbe::observe(const State& state, const AdvanceReport& since, const
   }
 }
 
+std::vector<double> OutcomeProbe::event_times() const {
+  std::vector<double> times;
+  for (std::size_t i = 0; i < taken_.size(); ++i) {
+    if (plan_.outcomes[i].is_at_event() && !std::isnan(taken_[i].event_time))
+      times.push_back(taken_[i].event_time);
+  }
+  return sorted_unique(std::move(times));
+}
+
+void OutcomeProbe::observe_event(double time, const State& state, const Energy& energy) {
+  const Look look{&state, &energy, nullptr};
+  for (std::size_t i = 0; i < taken_.size(); ++i) {
+    if (plan_.outcomes[i].is_at_event() && taken_[i].event_time == time)
+      taken_[i].value = evaluated(taken_[i].formula[0], look);
+  }
+}
+
 double OutcomeProbe::finished(const Outcome& outcome, const Look& end, double cpu_time, Taken& taken) {
   switch (outcome.kind) {
     case Outcome::Kind::value:
-      if (!outcome.at && outcome.when.empty()) return evaluated(taken.formula[0], end);
-      return taken.value;
+      return outcome.is_at_end() ? evaluated(taken.formula[0], end) : taken.value;
     case Outcome::Kind::count:
       return static_cast<double>(taken.count);
     case Outcome::Kind::impulse:

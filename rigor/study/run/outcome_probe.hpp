@@ -24,6 +24,11 @@ class OutcomeProbe {
   void begin(std::shared_ptr<const Model> model, std::vector<double> parameters);
   /// Looks at an output and at what happened since the last one.
   void observe(const State& state, const AdvanceReport& since, const Energy& energy);
+  /// Times of the events after which values are wanted that are not taken yet, each once, in order [s]. Known
+  /// when the run has come to its end.
+  std::vector<double> event_times() const;
+  /// Takes the values that are wanted after the events of this time.
+  void observe_event(double time, const State& state, const Energy& energy);
   /// The outcomes, in the order of the plan. state, audit: of the end; null without a scene.
   std::vector<double> finish(const State* state, const Audit* audit, double cpu_time);
 
@@ -42,6 +47,7 @@ class OutcomeProbe {
     std::vector<Bound> formula, when;  ///< One each, or none.
     int body_A = -1, body_B = -1;      ///< Of its events or face.
     double value = 0;
+    double event_time = 0;  ///< Of a value at an event; NaN: it has not happened.
     long count = 0;
     bool is_done = false;
   };

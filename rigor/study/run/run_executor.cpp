@@ -11,8 +11,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
+#include <utility>
 
 #include <time.h>
 
@@ -105,6 +108,11 @@ std::vector<std::string> row_columns(const StudyPlan& plan) {
   return names;
 }
 
+std::uint64_t run_seed(const StudyPlan& plan, std::uint64_t run) {
+  // As many bits as a double holds exactly.
+  return random_bits(plan.seed, RandomStream::seeds, {run}) >> 11;
+}
+
 std::shared_ptr<const SceneTemplate> study_scene(const StudyPlan& plan) {
   if (plan.scene.empty()) return nullptr;
   std::vector<SceneValue> settings;
@@ -163,15 +171,51 @@ std::vector<SceneValue> RunExecutor::scene_values(const std::vector<double>& val
   std::size_t formula = 0;
   for (const Assignment& assignment : plan_.assignments)
     given.push_back({assignment.key, filled(*assignment.value, formula, values)});
-  if (plan_.varies_seed) {
-    const std::uint64_t seed = random_bits(plan_.seed, RandomStream::seeds, {run}) >> 11;
-    given.push_back({"run.seed", number_node(static_cast<double>(seed), run_source)});
-  }
+  if (plan_.varies_seed)
+    given.push_back({"run.seed", number_node(static_cast<double>(run_seed(plan_, run)), run_source)});
   return given;
 }
 
-Scene RunExecutor::scene_of(const RunTask& task) const {
-  return scene_->make(scene_values(values_.at(task.point), task.run), "run " + std::to_string(task.run));
+Scene RunExecutor::neighbour_of(const RunTask& task, const std::vector<double>& values) const {
+  std::vector<double> moved = values;
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    if (columns_[i] == plan_.perturbed) moved[i] += plan_.perturbation;
+  }
+  values_.derive(moved);
+  return scene_->make(scene_values(moved, task.run), "neighbour of run " + std::to_string(task.run));
+}
+
+std::vector<Scene> RunExecutor::scenes_of(const RunTask& task) const {
+  const std::vector<double> values = values_.at(task.point);
+  std::vector<Scene> scenes;
+  scenes.push_back(scene_->make(scene_values(values, task.run), "run " + std::to_string(task.run)));
+  if (plan_.kind == StudyKind::chaos) scenes.push_back(neighbour_of(task, values));
+  return scenes;
+}
+
+/// What is wanted after an event is that of a run which ends there: a motion does not depend on when it ends,
+/// and the end belongs to it. False if the interrupt asked for an end.
+bool RunExecutor::look_at_events(const Scene& scene, const std::function<bool()>& interrupt) {
+  for (const double time : probe_.event_times()) {
+    RunSettings until = scene.run;
+    until.duration = time;
+    bool has_happened = false;
+    const auto look = [&](const State&, const AdvanceReport& since, const Auditor&) {
+      has_happened =
+          has_happened || std::any_of(since.events.begin(), since.events.end(),
+                                      [&](const MotionEvent& event) { return event.time >= time; });
+      return true;
+    };
+    RunResult result = run_simulation(scene.model, scene.method, until, std::nullopt, look, interrupt);
+    if (!has_happened && !result.was_stopped) {
+      // By events, what happens at the end belongs to what comes after it.
+      until.duration = std::nextafter(time, std::numeric_limits<double>::infinity());
+      result = run_simulation(scene.model, scene.method, until, std::nullopt, look, interrupt);
+    }
+    if (result.was_stopped) return false;
+    probe_.observe_event(time, result.state, result.audit.final);
+  }
+  return true;
 }
 
 RunRow RunExecutor::simulated(const RunTask& task, const Scene& scene, const std::vector<double>& values,
@@ -182,10 +226,11 @@ RunRow RunExecutor::simulated(const RunTask& task, const Scene& scene, const std
     probe_.observe(state, since, auditor.energy());
     return true;
   };
-  const RunResult result = run_simulation(scene.model, scene.method, scene.run, std::nullopt, observer,
-                                          [&] { return limit.is_over(); });
+  const std::function<bool()> asks = [&] { return limit.is_over(); };
+  const RunResult result = run_simulation(scene.model, scene.method, scene.run, std::nullopt, observer, asks);
+  const bool has_looked = result.was_stopped || look_at_events(scene, asks);
   std::optional<RunRow> row = end_of(task, result, limit, plan_.outcomes.size());
-  if (!row) throw Interrupted();
+  if (!row || (!has_looked && !limit.is_out_of_time())) throw Interrupted();
   row->cpu_time = limit.cpu_time();
   if (row->is_complete()) row->outcomes = probe_.finish(&result.state, &result.audit, row->cpu_time);
   return *row;
@@ -194,13 +239,7 @@ RunRow RunExecutor::simulated(const RunTask& task, const Scene& scene, const std
 RunRow RunExecutor::simulated_pair(const RunTask& task, const Scene& scene, const std::vector<double>& values,
                                    const std::function<bool()>& interrupt) {
   const std::size_t columns = row_columns(plan_).size();
-  std::vector<double> moved = values;
-  for (std::size_t i = 0; i < columns_.size(); ++i) {
-    if (columns_[i] == plan_.perturbed) moved[i] += plan_.perturbation;
-  }
-  values_.derive(moved);
-  const Scene neighbour =
-      scene_->make(scene_values(moved, task.run), "neighbour of run " + std::to_string(task.run));
+  const Scene neighbour = neighbour_of(task, values);
   RunLimit limit(interrupt, plan_.cpu_limit);
   Divergence divergence(plan_.bound);
   probe_.begin(scene.model, values);
@@ -215,6 +254,7 @@ RunRow RunExecutor::simulated_pair(const RunTask& task, const Scene& scene, cons
   std::optional<RunRow> row = end_of(task, first, limit, columns);
   if (!row) throw Interrupted();
   if (!row->is_complete()) return *row;
+  if (!look_at_events(scene, [&] { return limit.is_over(); }) && !limit.is_out_of_time()) throw Interrupted();
   const std::vector<double> outcomes = probe_.finish(&first.state, &first.audit, limit.cpu_time());
   const RunResult second = run_simulation(
       neighbour.model, neighbour.method, neighbour.run, std::nullopt,
@@ -237,12 +277,16 @@ std::optional<RunRow> RunExecutor::run(const RunTask& task, const std::function<
   const std::vector<double> values = values_.at(task.point);
   const std::size_t columns = row_columns(plan_).size();
   if (!scene_) {
+    RunLimit limit(interrupt, plan_.cpu_limit);
     probe_.begin(nullptr, values);
-    return RunRow{task.run, RunStatus::done, 0, probe_.finish(nullptr, nullptr, 0), {}};
+    std::vector<double> outcomes = probe_.finish(nullptr, nullptr, limit.cpu_time());
+    return RunRow{task.run, RunStatus::done, limit.cpu_time(), std::move(outcomes), {}};
   }
   Scene scene;
   try {
-    scene = scene_->make(scene_values(values, task.run), "run " + std::to_string(task.run));
+    scene = scene_->make(scene_values(values, task.run), "run " + std::to_string(task.run), has_synonyms_);
+    // The runs of a study have the same keys, and numbers at them.
+    has_synonyms_ = has_synonyms_ && !scene.warnings.empty();
     const double tolerance = scene.method.contact_tolerance;
     const std::vector<Overlap> overlaps =
         find_overlaps(*scene.model, make_initial_state(*scene.model), tolerance);

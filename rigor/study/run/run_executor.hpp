@@ -28,14 +28,20 @@ class RunExecutor {
   std::optional<RunRow> run(const RunTask& task, const std::function<bool()>& interrupt);
   /// The values of the parameters' columns at a point.
   std::vector<double> values_at(std::span<const double> point) const { return values_.at(point); }
-  /// The scene of a run. Throws InputError.
-  Scene scene_of(const RunTask& task) const;
+  /// The scenes of a run: one, of chaos also its neighbour's. Throws InputError.
+  std::vector<Scene> scenes_of(const RunTask& task) const;
+  /// What the run puts into the scene.
+  std::vector<SceneValue> scene_values(const RunTask& task) const {
+    return scene_values(values_.at(task.point), task.run);
+  }
 
  private:
   std::vector<SceneValue> scene_values(const std::vector<double>& values, std::uint64_t run) const;
+  Scene neighbour_of(const RunTask& task, const std::vector<double>& values) const;
   YamlNode::Pointer filled(const YamlNode& node, std::size_t& formula,
                            const std::vector<double>& values) const;
   void compile(const YamlNode& node);
+  bool look_at_events(const Scene& scene, const std::function<bool()>& interrupt);
   RunRow simulated(const RunTask& task, const Scene& scene, const std::vector<double>& values,
                    const std::function<bool()>& interrupt);
   RunRow simulated_pair(const RunTask& task, const Scene& scene, const std::vector<double>& values,
@@ -46,12 +52,16 @@ class RunExecutor {
   ParameterValues values_;
   OutcomeProbe probe_;
   std::vector<std::string> columns_;
+  bool has_synonyms_ = true;  ///< The scene may have some.
   struct Text {
     Formula formula;
     std::vector<std::size_t> columns;
   };
   std::vector<Text> texts_;  ///< Formulas of all assignments, in the order in which they are met.
 };
+
+/// The `run.seed` of a run of a study that varies it.
+std::uint64_t run_seed(const StudyPlan& plan, std::uint64_t run);
 
 /// Columns that a study of chaos has before its outcomes: the Lyapunov exponent [1/s], the horizon [s], the
 /// distance at the end [m].

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -14,6 +15,8 @@ enum class RunStatus : std::uint32_t {
   refused,      ///< There is no such scene: a value is outside its limits, bodies overlap.
   out_of_time,  ///< It took more processor time than the study allows.
 };
+inline constexpr std::array all_run_statuses = {RunStatus::done, RunStatus::violated, RunStatus::stopped,
+                                                RunStatus::refused, RunStatus::out_of_time};
 /// "done", "violated", "stopped", "refused", "out of time".
 const char* run_status_name(RunStatus status);
 

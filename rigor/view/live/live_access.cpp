@@ -28,7 +28,8 @@ bool is_equal(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-LiveAccess::LiveAccess(std::uint16_t port, std::string token) : port_(port), token_(std::move(token)) {}
+LiveAccess::LiveAccess(std::uint16_t port, std::string token, bool has_pages)
+    : port_(port), token_(std::move(token)), has_pages_(has_pages) {}
 
 std::string LiveAccess::url() const {
   return fmt::format("http://127.0.0.1:{}/?token={}", port_, token_);
@@ -49,12 +50,12 @@ LiveAccess::Verdict LiveAccess::judge(const LiveRequestHead& request) const {
   if (request.has_body) return refused(413, "Requests with a body are not taken.");
   if (request.method != "GET") return refused(405, "Only GET is answered.");
   const std::string_view path = request.target.substr(0, request.target.find('?'));
-  if (path == "/viewer.js") return {Resource::script, 200, ""};
+  if (path == "/viewer.js" || (has_pages_ && path.ends_with(".js"))) return {Resource::script, 200, "", path};
   const bool is_socket = path == "/live";
-  if (path != "/" && !is_socket) return refused(404, "There is no such page.");
+  if (path != "/" && !is_socket && !has_pages_) return refused(404, "There is no such page.");
   if (!is_equal(token_of(request.target), token_))
     return refused(403, "The token is missing or wrong: open the address that rigor view printed.");
-  if (!is_socket) return {Resource::page, 200, ""};
+  if (!is_socket) return {Resource::page, 200, "", path};
   if (request.origin != fmt::format("http://{}", request.host))
     return refused(403, "Only the page itself may do this.");
   if (!request.is_upgrade) return refused(426, "This address speaks WebSocket.");

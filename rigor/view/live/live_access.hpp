@@ -25,9 +25,11 @@ class LiveAccess {
     Resource resource;       ///< `none` if refused.
     unsigned status;         ///< HTTP status: 200, 101, or the reason for the refusal.
     std::string_view words;  ///< Message for the reader.
+    std::string_view path;   ///< Of a page or a script: "/", "/run/12", "/viewer.js".
   };
 
-  LiveAccess(std::uint16_t port, std::string token);
+  /// has_pages: there are more pages than one, whose paths are not judged here.
+  LiveAccess(std::uint16_t port, std::string token, bool has_pages = false);
 
   /// Refusals: 421 if Host is not 127.0.0.1, localhost or [::1] with our port (a page elsewhere whose name
   /// was made to point here); 403 for a page or socket without the token, and for a socket from a page that
@@ -41,6 +43,7 @@ class LiveAccess {
 
   std::uint16_t port_;
   std::string token_;
+  bool has_pages_;
 };
 
 /// 32 hexadecimal digits from the system's source of randomness.

@@ -70,7 +70,10 @@ class LiveServer::Impl {
   void send_newest();
   void deliver(const LiveReply& reply);
   void update_watched() { simulation->set_watched(!sockets.empty()); }
-  Text page(std::string_view host);
+  /// The page at a path; null if there is none.
+  Text page(std::string_view path, std::string_view host);
+  /// Lets requests for more pages than one through.
+  void offer(const LivePages& given);
 
   /// Connections that have not shown the token, the oldest first. They leave this list when they end, some of
   /// them together with the context.
@@ -84,6 +87,7 @@ class LiveServer::Impl {
   LiveSimulation* simulation = nullptr;
   std::string title;             ///< Title of the page of a recorded run.
   std::vector<PageBlock> still;  ///< Data of that page.
+  const LivePages* pages = nullptr;
   std::uint64_t last_number = 0;
   std::map<std::uint64_t, std::shared_ptr<Socket>> sockets;
   std::atomic<bool> is_notified{false};
@@ -254,16 +258,24 @@ class LiveServer::Impl::Request : public std::enable_shared_from_this<Request> {
       case LiveAccess::Resource::none:
         return refuse(verdict.status, verdict.words);
       case LiveAccess::Resource::script:
-        script_ = viewer_script();
-        return respond(200, "text/javascript; charset=utf-8", script_);
+        return respond_with_script(verdict.path);
       case LiveAccess::Resource::page:
         server_.strangers.erase(number_);
-        text_ = server_.page(host_);
+        text_ = server_.page(verdict.path, host_);
+        if (!text_) return refuse(404, "There is no such page.");
         policy_ = live_policy(host_);
         return respond(200, "text/html; charset=utf-8", *text_);
       case LiveAccess::Resource::socket:
         return become_socket();
     }
+  }
+
+  void respond_with_script(std::string_view path) {
+    const std::optional<std::string_view> script =
+        path == "/viewer.js" ? std::optional(viewer_script()) : server_.pages->script(path);
+    if (!script) return refuse(404, "There is no such script.");
+    script_ = *script;
+    respond(200, "text/javascript; charset=utf-8", script_);
   }
 
   void become_socket() {
@@ -389,7 +401,16 @@ void LiveServer::Impl::deliver(const LiveReply& reply) {
   if (found != sockets.end()) found->second->reply(reply);
 }
 
-Text LiveServer::Impl::page(std::string_view host) {
+void LiveServer::Impl::offer(const LivePages& given) {
+  pages = &given;
+  access_ = LiveAccess(acceptor.local_endpoint().port(), access_.token(), true);
+}
+
+Text LiveServer::Impl::page(std::string_view path, std::string_view host) {
+  if (pages) {
+    std::optional<std::string> text = pages->page(path, live_policy(host));
+    return text ? std::make_shared<const std::string>(*std::move(text)) : nullptr;
+  }
   ServedPage served{.policy = live_policy(host), .script = "/viewer.js"};
   if (!simulation) return std::make_shared<const std::string>(page_text(title + " · Rigor", {still}, served));
   const LiveSnapshot newest = simulation->newest();
@@ -423,6 +444,11 @@ void LiveServer::serve(const std::string& title, std::vector<PageBlock> blocks,
                        const std::function<bool()>& should_end) {
   impl_->title = title;
   impl_->still = std::move(blocks);
+  impl_->serve(should_end);
+}
+
+void LiveServer::serve(const LivePages& pages, const std::function<bool()>& should_end) {
+  impl_->offer(pages);
   impl_->serve(should_end);
 }
 

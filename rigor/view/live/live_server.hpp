@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rigor {
@@ -23,9 +25,18 @@ struct LiveLimits {
   double accept_pause = 1e-3;  ///< [s] between later connections.
 };
 
-/// Serves one page on 127.0.0.1: a recorded run, or a live simulation with a WebSocket for frames and
-/// commands (docs/live.md). Nothing is read from disk, so there is nothing to request but the page and the
-/// viewer. Everything that a client may use is limited: bytes, time, connections, messages.
+/// Pages that are made when they are asked for.
+struct LivePages {
+  /// The page at a path, "/" or "/run/12", with this policy; nothing if there is none. It may take a while:
+  /// the server waits for it.
+  std::function<std::optional<std::string>(std::string_view path, const std::string& policy)> page;
+  /// The script at a path; nothing if there is none. It lives as long as the program.
+  std::function<std::optional<std::string_view>(std::string_view path)> script;
+};
+
+/// Serves pages on 127.0.0.1: a recorded run, a live simulation with a WebSocket for frames and commands
+/// (docs/live.md), or pages made on demand. Nothing is read from disk, so there is nothing to request but the
+/// pages and the viewer. Everything that a client may use is limited: bytes, time, connections, messages.
 class LiveServer {
  public:
   /// Binds the port (0: a free one). Throws FileError if it is not available.
@@ -44,6 +55,7 @@ class LiveServer {
   void serve(LiveSimulation& simulation, const std::function<bool()>& should_end);
   void serve(const std::string& title, std::vector<PageBlock> blocks,
              const std::function<bool()>& should_end);
+  void serve(const LivePages& pages, const std::function<bool()>& should_end);
 
  private:
   class Impl;

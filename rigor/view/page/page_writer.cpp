@@ -15,17 +15,8 @@ int digit_value(char digit) {
   return digit <= '9' ? digit - '0' : digit - 'a' + 10;
 }
 
-/// The policy allows the page to run this very script and to reach nothing outside. Scripts are named by the
-/// base64 of their hash.
 std::string own_policy() {
-  const std::string_view digits = viewer_script_sha256();
-  std::string hash;
-  for (std::size_t i = 0; i + 1 < digits.size(); i += 2)
-    hash += static_cast<char>(16 * digit_value(digits[i]) + digit_value(digits[i + 1]));
-  return fmt::format(
-      "default-src 'none'; script-src 'sha256-{}'; img-src data: blob:; base-uri 'none'; "
-      "form-action 'none'",
-      base64(hash));
+  return script_policy(viewer_script_sha256());
 }
 
 /// The viewer in the page. Its text is what the policy names: not even a line may be added.
@@ -62,6 +53,17 @@ void append_body(const std::vector<std::vector<PageBlock>>& runs, Append append)
 }
 
 }  // namespace
+
+std::string script_policy(std::string_view sha256) {
+  // Scripts are named by the base64 of their hash.
+  std::string hash;
+  for (std::size_t i = 0; i + 1 < sha256.size(); i += 2)
+    hash += static_cast<char>(16 * digit_value(sha256[i]) + digit_value(sha256[i + 1]));
+  return fmt::format(
+      "default-src 'none'; script-src 'sha256-{}'; img-src data: blob:; base-uri 'none'; "
+      "form-action 'none'",
+      base64(hash));
+}
 
 std::string page_text(std::string_view title, const std::vector<std::vector<PageBlock>>& runs,
                       const ServedPage& served) {

@@ -19,6 +19,10 @@ std::string_view viewer_script();
 /// Its SHA-256 in hexadecimal digits.
 std::string_view viewer_script_sha256();
 
+/// Content-Security-Policy of a page of its own whose one script has this SHA-256 (hexadecimal digits): it
+/// may run that script and reach nothing outside.
+std::string script_policy(std::string_view sha256);
+
 /// Writes a page that shows these runs (initially the second one as the ghost of the first): the viewer, then
 /// the blocks of each run. It needs no network and no other file. Throws FileError.
 void write_page(const std::filesystem::path& path, std::string_view title,
