@@ -2,6 +2,7 @@
 
 #include "rigor/core/index.hpp"
 #include "rigor/view/3d/canvas.hpp"
+#include "rigor/view/3d/sight_lines.hpp"
 
 #include <fmt/format.h>
 
@@ -93,6 +94,13 @@ std::vector<Pose> sampled_poses(const Recording& recording) {
   return poses;
 }
 
+/// Whether all cameras from first to last (within the list) stand at the same place.
+bool is_same_place(const std::vector<Camera>& cameras, std::ptrdiff_t first, std::ptrdiff_t last) {
+  first = std::max<std::ptrdiff_t>(0, first), last = std::min(std::ssize(cameras) - 1, last);
+  const auto begin = cameras.begin() + first, end = cameras.begin() + last + 1;
+  return std::all_of(begin, end, [&](const Camera& camera) { return camera.eye == begin->eye; });
+}
+
 }  // namespace
 
 std::string time_text(const Recording& recording, std::size_t frame) {
@@ -116,6 +124,7 @@ Photographer::Photographer(const Recording& recording, const CameraWishes& wishe
     : recording_(recording), size_(size), wishes_(wishes), scene_(make_drawn_scene(*recording.model)) {
   const std::vector<Pose> poses = sampled_poses(recording);
   camera_ = make_camera(scene_, poses, wishes, static_cast<double>(size.width) / size.height);
+  glass_ = SightLines(scene_, poses).hiding(camera_.eye);
   place_legend(poses);
 }
 
@@ -138,23 +147,70 @@ void Photographer::place_legend(const std::vector<Pose>& poses) {
   }
 }
 
-Image Photographer::draw(std::size_t frame) {
-  return renderer_.draw(scene_, poses_at(recording_, frame), camera_, size_.width, size_.height);
+void Photographer::put_glass(const std::vector<std::size_t>& shapes) {
+  for (DrawnShape& shape : scene_.shapes) shape.is_glass = false;
+  for (const std::size_t i : shapes) scene_.shapes[i].is_glass = true;
+}
+
+Image Photographer::draw(std::size_t frame, const Camera& camera) {
+  // One glass for all pictures of the common camera, so that nothing flickers in a film.
+  const std::vector<Pose> poses = poses_at(recording_, frame);
+  put_glass(camera.eye == camera_.eye ? glass_ : SightLines(scene_, poses).hiding(camera.eye));
+  return renderer_.draw(scene_, poses, camera, size_.width, size_.height);
 }
 
 Camera Photographer::camera_of_moment(std::size_t frame) const {
-  const bool can_move = std::any_of(scene_.shapes.begin(), scene_.shapes.end(),
-                                    [](const DrawnShape& shape) { return shape.can_move; });
-  if (!can_move || wishes_.eye || wishes_.target) return camera_;
+  double largest = 0;
+  for (const DrawnShape& shape : scene_.shapes)
+    if (shape.can_move && std::isfinite(shape.radius)) largest = std::max(largest, shape.radius);
+  if (!(largest > 0) || wishes_.eye || wishes_.target) return camera_;
   // A place of its own for a moment of which the common one shows nothing that moves, or less than a pixel.
   const std::vector<Pose> poses = poses_at(recording_, frame);
   const PictureBox all{0, static_cast<double>(size_.width), 0, static_cast<double>(size_.height), 0};
-  if (covered(all, scene_, poses, Projection(camera_, size_.width, size_.height)) >= 1) return camera_;
-  return make_camera(scene_, poses, wishes_, static_cast<double>(size_.width) / size_.height);
+  const Projection common(camera_, size_.width, size_.height);
+  if (covered(all, scene_, poses, common) >= 1) return camera_;
+  CameraWishes wishes = wishes_;
+  wishes.forward = (camera_.target - camera_.eye).normalized();
+  Camera own = make_camera(scene_, poses, wishes, static_cast<double>(size_.width) / size_.height);
+  // Not so near that the largest body fills the picture and nothing tells where it is.
+  constexpr double large = 12;  // Radius [px].
+  const double distance = (own.eye - own.target).norm();
+  const double least =
+      std::min((camera_.eye - camera_.target).norm() / 4, common.focal_length() * largest / large);
+  if (distance < least) own.eye = own.target + least / distance * (own.eye - own.target);
+  return own;
 }
 
-Image Photographer::picture(std::size_t frame) {
-  Image image = draw(frame);
+std::vector<Camera> Photographer::cameras_of_film(std::span<const std::size_t> frames) const {
+  std::vector<Camera> wanted;
+  for (const std::size_t frame : frames) wanted.push_back(camera_of_moment(frame));
+  const auto is_common = [&](const Camera& camera) { return camera.eye == camera_.eye; };
+  if (std::all_of(wanted.begin(), wanted.end(), is_common)) return wanted;
+
+  // Each is the mean of its neighbours', the distance that of their logarithms: so a jump becomes a pan.
+  constexpr std::ptrdiff_t pan = 15;
+  const std::ptrdiff_t count = std::ssize(wanted), reach = std::min(pan, count / 8);
+  std::vector<Camera> cameras = wanted;
+  for (std::ptrdiff_t i = 0; i < count; ++i) {
+    Vec3 target = Vec3::Zero(), direction = Vec3::Zero();
+    double logarithm = 0, sum = 0;
+    for (std::ptrdiff_t k = std::max<std::ptrdiff_t>(0, i - reach); k <= std::min(count - 1, i + reach);
+         ++k) {
+      const Camera& camera = wanted[static_cast<std::size_t>(k)];
+      const double weight = static_cast<double>(reach + 1 - std::abs(i - k));
+      target += weight * camera.target, direction += weight * (camera.eye - camera.target).normalized();
+      logarithm += weight * std::log((camera.eye - camera.target).norm()), sum += weight;
+    }
+    Camera& camera = cameras[static_cast<std::size_t>(i)];
+    if (is_same_place(wanted, i - reach, i + reach)) continue;
+    camera.target = target / sum;
+    camera.eye = camera.target + std::exp(logarithm / sum) * direction.normalized();
+  }
+  return cameras;
+}
+
+Image Photographer::picture(std::size_t frame, const Camera& camera) {
+  Image image = draw(frame, camera);
   Canvas canvas(image);
   const double size = text_size(size_), edge = 1.2 * size;
   const double room = size_.width - 2 * edge;
@@ -197,9 +253,7 @@ Image Photographer::sheet(const std::vector<KeyMoment>& moments) {
     const int x = static_cast<int>(gap) + static_cast<int>(i) % columns * step_x;
     const int y = head + static_cast<int>(i) / columns * step_y;
     const std::size_t frame = moments[i].frame;
-    canvas.paste(renderer_.draw(scene_, poses_at(recording_, frame), camera_of_moment(frame), size_.width,
-                                size_.height),
-                 x, y);
+    canvas.paste(draw(frame), x, y);
     const std::string time = time_text(recording_, moments[i].frame);
     const double base = y + size_.height + 0.95 * size, from = x + text_width(time, size) + 1.2 * size;
     canvas.text(time, x, base, {.size = size, .color = ink()});
