@@ -127,5 +127,45 @@ TEST(Photographer, AWallBetweenTheUsersEyeAndABallIsGlass) {
   EXPECT_GT(beside[2], 60);
 }
 
+/// A film follows what flies off: it is seen in each picture, and no camera jumps.
+TEST(Photographer, AFilmFollowsABallThatFliesOff) {
+  constexpr PictureSize size{320, 180};
+  test::Random random(8);
+  for (int k = 0; k < 10; ++k) {
+    SCOPED_TRACE(k);
+    const double speed = std::pow(10, random.uniform(0, 3));
+    const Vec3 way = random.vector().normalized();
+    std::vector<Vec3> places;
+    std::vector<std::size_t> frames;
+    for (std::size_t i = 0; i < 120; ++i) {
+      places.push_back(static_cast<double>(i) / 30 * speed * way);
+      frames.push_back(i);
+    }
+    const Recording recording = flight("", places);
+    const Photographer photographer(recording, {}, size);
+    const std::vector<Camera> cameras = photographer.cameras_of_film(frames);
+    ASSERT_EQ(cameras.size(), frames.size());
+    int seen = 0;
+    for (std::size_t i = 0; i < cameras.size(); ++i) {
+      const Projection projection(cameras[i], size.width, size.height);
+      const Vec3 p_K = projection.X_KW() * places[i];
+      const PicturePoint at = projection.project(p_K);
+      const bool is_inside = p_K.z() > 0 && at.x > 0 && at.x < size.width && at.y > 0 && at.y < size.height;
+      seen += is_inside && 2 * projection.focal_length() * 0.1 * at.nearness >= 1 ? 1 : 0;
+    }
+    // A pan goes evenly, by equal factors of the distance a picture, and begins and ends gently: with at
+    // most 1.5 times that speed.
+    const auto distance = [](const Camera& camera) { return (camera.eye - camera.target).norm(); };
+    double nearest = distance(photographer.camera()), farthest = nearest;
+    for (const Camera& camera : cameras)
+      nearest = std::min(nearest, distance(camera)), farthest = std::max(farthest, distance(camera));
+    const double fastest = 1.5 / 31 * std::log(farthest / nearest) + 1e-9;
+    for (std::size_t i = 1; i < cameras.size(); ++i)
+      EXPECT_LE(std::abs(std::log(distance(cameras[i]) / distance(cameras[i - 1]))), fastest)
+          << "picture " << i;
+    EXPECT_GE(seen, 112) << "of 120; during a pan it may be beside the picture";
+  }
+}
+
 }  // namespace
 }  // namespace rigor::sight_lines_test

@@ -94,11 +94,24 @@ std::vector<Pose> sampled_poses(const Recording& recording) {
   return poses;
 }
 
-/// Whether all cameras from first to last (within the list) stand at the same place.
-bool is_same_place(const std::vector<Camera>& cameras, std::ptrdiff_t first, std::ptrdiff_t last) {
-  first = std::max<std::ptrdiff_t>(0, first), last = std::min(std::ssize(cameras) - 1, last);
-  const auto begin = cameras.begin() + first, end = cameras.begin() + last + 1;
-  return std::all_of(begin, end, [&](const Camera& camera) { return camera.eye == begin->eye; });
+/// Radius of the largest shape that moves [m]; 0 if none does.
+double largest_radius(const DrawnScene& scene) {
+  double largest = 0;
+  for (const DrawnShape& shape : scene.shapes) {
+    if (shape.can_move && std::isfinite(shape.radius)) largest = std::max(largest, shape.radius);
+  }
+  return largest;
+}
+
+/// A camera on the way from one to another that looks in the same direction: the distance changes by equal
+/// factors.
+Camera between(const Camera& from, const Camera& to, double share) {
+  Camera camera = from;
+  camera.target = from.target + share * (to.target - from.target);
+  const Vec3 arm_from = from.eye - from.target, arm_to = to.eye - to.target;
+  const double distance = std::pow(arm_from.norm(), 1 - share) * std::pow(arm_to.norm(), share);
+  camera.eye = camera.target + distance * arm_from.normalized();
+  return camera;
 }
 
 }  // namespace
@@ -160,51 +173,51 @@ Image Photographer::draw(std::size_t frame, const Camera& camera) {
 }
 
 Camera Photographer::camera_of_moment(std::size_t frame) const {
-  double largest = 0;
-  for (const DrawnShape& shape : scene_.shapes)
-    if (shape.can_move && std::isfinite(shape.radius)) largest = std::max(largest, shape.radius);
-  if (!(largest > 0) || wishes_.eye || wishes_.target) return camera_;
-  // A place of its own for a moment of which the common one shows nothing that moves, or less than a pixel.
-  const std::vector<Pose> poses = poses_at(recording_, frame);
+  return shows_nothing(frame) ? own_camera(frame) : camera_;
+}
+
+/// Whether the common camera, where it may be left, shows nothing of what moves, or less than a pixel.
+bool Photographer::shows_nothing(std::size_t frame) const {
+  if (!(largest_radius(scene_) > 0) || wishes_.eye || wishes_.target) return false;
   const PictureBox all{0, static_cast<double>(size_.width), 0, static_cast<double>(size_.height), 0};
   const Projection common(camera_, size_.width, size_.height);
-  if (covered(all, scene_, poses, common) >= 1) return camera_;
+  return covered(all, scene_, poses_at(recording_, frame), common) < 1;
+}
+
+/// A camera that frames this moment alone, in the direction of the common one.
+Camera Photographer::own_camera(std::size_t frame) const {
   CameraWishes wishes = wishes_;
   wishes.forward = (camera_.target - camera_.eye).normalized();
-  Camera own = make_camera(scene_, poses, wishes, static_cast<double>(size_.width) / size_.height);
+  Camera own = make_camera(scene_, poses_at(recording_, frame), wishes,
+                           static_cast<double>(size_.width) / size_.height);
   // Not so near that the largest body fills the picture and nothing tells where it is.
   constexpr double large = 12;  // Radius [px].
+  const double focal_length = Projection(camera_, size_.width, size_.height).focal_length();
   const double distance = (own.eye - own.target).norm();
   const double least =
-      std::min((camera_.eye - camera_.target).norm() / 4, common.focal_length() * largest / large);
+      std::min((camera_.eye - camera_.target).norm() / 4, focal_length * largest_radius(scene_) / large);
   if (distance < least) own.eye = own.target + least / distance * (own.eye - own.target);
   return own;
 }
 
 std::vector<Camera> Photographer::cameras_of_film(std::span<const std::size_t> frames) const {
-  std::vector<Camera> wanted;
-  for (const std::size_t frame : frames) wanted.push_back(camera_of_moment(frame));
-  const auto is_common = [&](const Camera& camera) { return camera.eye == camera_.eye; };
-  if (std::all_of(wanted.begin(), wanted.end(), is_common)) return wanted;
-
-  // Each is the mean of its neighbours', the distance that of their logarithms: so a jump becomes a pan.
-  constexpr std::ptrdiff_t pan = 15;
-  const std::ptrdiff_t count = std::ssize(wanted), reach = std::min(pan, count / 8);
-  std::vector<Camera> cameras = wanted;
+  constexpr std::ptrdiff_t pan = 30;
+  const std::ptrdiff_t count = std::ssize(frames), reach = std::min(pan, count / 4);
+  // How much of the own camera a picture has: all where the common one shows nothing, less before and after.
+  std::vector<double> shares(frames.size(), 0);
   for (std::ptrdiff_t i = 0; i < count; ++i) {
-    Vec3 target = Vec3::Zero(), direction = Vec3::Zero();
-    double logarithm = 0, sum = 0;
+    if (!shows_nothing(frames[at(i)])) continue;
     for (std::ptrdiff_t k = std::max<std::ptrdiff_t>(0, i - reach); k <= std::min(count - 1, i + reach);
          ++k) {
-      const Camera& camera = wanted[static_cast<std::size_t>(k)];
-      const double weight = static_cast<double>(reach + 1 - std::abs(i - k));
-      target += weight * camera.target, direction += weight * (camera.eye - camera.target).normalized();
-      logarithm += weight * std::log((camera.eye - camera.target).norm()), sum += weight;
+      const double share = 1 - static_cast<double>(std::abs(i - k)) / static_cast<double>(reach + 1);
+      shares[at(k)] = std::max(shares[at(k)], share);
     }
-    Camera& camera = cameras[static_cast<std::size_t>(i)];
-    if (is_same_place(wanted, i - reach, i + reach)) continue;
-    camera.target = target / sum;
-    camera.eye = camera.target + std::exp(logarithm / sum) * direction.normalized();
+  }
+  std::vector<Camera> cameras;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    // The pan begins and ends gently.
+    const double share = shares[i] * shares[i] * (3 - 2 * shares[i]);
+    cameras.push_back(share > 0 ? between(camera_, own_camera(frames[i]), share) : camera_);
   }
   return cameras;
 }

@@ -45,6 +45,8 @@ class Photographer {
   Image sheet(const std::vector<KeyMoment>& moments);
 
  private:
+  bool shows_nothing(std::size_t frame) const;
+  Camera own_camera(std::size_t frame) const;
   void place_legend(const std::vector<Pose>& poses);
   void put_glass(const std::vector<std::size_t>& shapes);
 

@@ -11,8 +11,8 @@ namespace rigor {
 
 namespace {
 
-/// A chunk is full with this many contacts or frames: it takes some MB while it is filled.
-constexpr std::size_t contacts_of_chunk = 50000, frames_of_chunk = 256;
+/// A chunk is full with this many contacts or frames: it takes some ten MB while it is filled.
+constexpr std::size_t contacts_of_chunk = 250000, frames_of_chunk = 256;
 
 /// Sizes of the forces that are known and not zero [N].
 std::vector<double> sizes_of_forces(const std::vector<std::vector<TouchingPoint>>& frames) {
@@ -78,10 +78,11 @@ PageContacts::PageContacts(const PageScale& scale, double contact_tolerance)
     : origin_(scale.origin),
       place_step_(scale.contact_step),
       gap_step_(contact_tolerance / 16),
-      body_radius_(scale.body_radius) {}
+      body_radius_(scale.body_radius),
+      is_crowd_of_bodies_(scale.is_crowd) {}
 
 std::optional<PageBlock> PageContacts::add(const std::vector<TouchingPoint>& all) {
-  const bool is_crowd = all.size() > most_single;
+  const bool is_crowd = is_crowd_of_bodies_ || all.size() > most_single;
   is_crowded_ = is_crowded_ || is_crowd;
   const std::vector<TouchingPoint> points = is_crowd ? crowd_of(all) : all;
   const std::size_t count = std::min(points.size(), most_in_frame);

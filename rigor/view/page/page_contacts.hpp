@@ -35,7 +35,8 @@ class PageContacts {
  public:
   /// If a frame has more contacts, the first ones are kept.
   static constexpr std::size_t most_in_frame = 20000;
-  /// A frame with more contacts is a crowd: each pair of bodies has one (joined_by_pairs).
+  /// A frame with more contacts, or of more than a thousand bodies, is a crowd: each pair of bodies has one
+  /// (joined_by_pairs).
   static constexpr std::size_t most_single = 2000;
 
   /// contact_tolerance [m]: gaps are quantised to a sixteenth of it.
@@ -63,6 +64,7 @@ class PageContacts {
 
   Vec3 origin_;
   double place_step_, gap_step_, body_radius_;
+  bool is_crowd_of_bodies_;
   bool is_crowded_ = false;                         ///< A frame of the chunk is a crowd.
   std::vector<std::vector<TouchingPoint>> frames_;  ///< Frames of the chunk that is being filled.
   std::size_t count_ = 0;                           ///< Number of contacts in them.

@@ -49,7 +49,8 @@ PageScale page_scale(const Model& model, const State& start) {
   PageScale scale{0.5 * (around.lower + around.upper), extent, step / (count <= 64 ? 64 : 1), 4 * step,
                   std::isfinite(smallest) ? smallest : extent};
   constexpr int crowd = 1000, coarsest = 255;
-  if (count > crowd) {
+  scale.is_crowd = count > crowd;
+  if (scale.is_crowd) {
     const double parts = std::floor(32767 * packing_error / (2 * step / scale.body_radius));
     scale.orientation_parts = static_cast<int>(std::clamp<double>(parts, coarsest, 32767));
     scale.velocity_parts = 256;

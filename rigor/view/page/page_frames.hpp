@@ -18,6 +18,7 @@ struct PageScale {
   double position_step;           ///< [m]; stored coordinates are off by half of it at most.
   double contact_step;            ///< [m]; the same for contact points, which are dots on the screen.
   double body_radius;             ///< Of the smallest moving body that has a size; else the extent [m].
+  bool is_crowd = false;          ///< More than a thousand bodies move.
   int orientation_parts = 32767;  ///< Components of quaternions up to 1/√2 are stored in so many steps.
   int velocity_parts = 4096;      ///< The largest velocity of a chunk is stored in at least so many steps.
 };
