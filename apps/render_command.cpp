@@ -147,7 +147,9 @@ void write_sequence(const std::filesystem::path& path, const std::vector<std::si
     return std::filesystem::path(path).replace_filename(
         fmt::format("{}_{:04}.png", path.stem().string(), number));
   };
-  for (std::size_t i = 0; i < frames.size(); ++i) write_png(numbered(i + 1), photographer.picture(frames[i]));
+  const std::vector<Camera> cameras = photographer.cameras_of_film(frames);
+  for (std::size_t i = 0; i < frames.size(); ++i)
+    write_png(numbered(i + 1), photographer.picture(frames[i], cameras[i]));
   fmt::print(stderr, "wrote {} to {}: {} pictures\n", numbered(1).string(), numbered(frames.size()).string(),
              frames.size());
 }
@@ -155,7 +157,8 @@ void write_sequence(const std::filesystem::path& path, const std::vector<std::si
 void write_film(const std::filesystem::path& path, const PictureSize& size,
                 const std::vector<std::size_t>& frames, Photographer& photographer) {
   MovieFile film(path, size.width, size.height);
-  for (const std::size_t frame : frames) film.add(photographer.picture(frame));
+  const std::vector<Camera> cameras = photographer.cameras_of_film(frames);
+  for (std::size_t i = 0; i < frames.size(); ++i) film.add(photographer.picture(frames[i], cameras[i]));
   film.close();
   fmt::print(stderr, "wrote {}: {} pictures, {} per second\n", path.string(), frames.size(),
              MovieFile::frames_per_second);

@@ -16,15 +16,17 @@ echo "== viewer: types and unit tests"
 npm run --silent types
 npm test --silent
 
-echo "== viewer: bundle"
-kept=$(mktemp)
-trap 'rm -f "$kept"' EXIT
-cp dist/viewer.js "$kept"
+echo "== viewer: bundles"
+kept=$(mktemp -d)
+trap 'rm -rf "$kept"' EXIT
+cp dist/*.js "$kept"
 npm run --silent build
-if ! cmp "$kept" dist/viewer.js; then
-  echo "viewer/dist/viewer.js is not what viewer/src makes; it is rebuilt now: commit it" >&2
-  exit 1
-fi
+for bundle in dist/*.js; do
+  if ! cmp "$kept/${bundle#dist/}" "$bundle"; then
+    echo "viewer/$bundle is not what viewer/src makes; it is rebuilt now: commit it" >&2
+    exit 1
+  fi
+done
 
 echo "== viewer: pages in a browser"
 npm run --silent browser

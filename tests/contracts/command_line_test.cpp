@@ -121,6 +121,23 @@ TEST(CommandLine, OutputsOfUnknownFormatsAreRefusedWithTheAvailableOnes) {
   }
 }
 
+TEST(CommandLine, FilesThatAreNoScenesAreToldAsWhatTheyAre) {
+  const ProgramFolder folder;
+  for (const auto& [name, told] :
+       {std::pair{"run.urdf", "run.urdf: .urdf is no format that Rigor reads; scenes are .yaml or .json"},
+        {"arm.XML", "arm.XML: .xml is no format that Rigor reads"},
+        {"run.h5", "run.h5: .h5 is a stored motion, no scene: 'rigor view'"},
+        {"part.stl", "part.stl: .stl is a mesh, no scene: 'rigor convert'"}}) {
+    folder.write(name, "<robot name=\"a\"/>\n");
+    const ProgramResult result = folder.run({"run", name});
+    EXPECT_EQ(result.code, 3);
+    EXPECT_EQ(line_count(result.error), 1u) << result.error;
+    expect_contains(result.error, told);
+  }
+  // A file that is not there is told as that, whatever its name.
+  expect_contains(folder.run({"run", "none.urdf"}).error, "there is no such file");
+}
+
 TEST(CommandLine, TheSceneIsNeverOverwritten) {
   const ProgramFolder folder;
   folder.write("scene.json", ball_scene);

@@ -95,7 +95,7 @@ ReadFrames read_frames(const std::vector<PageBlock>& chunks, const PageScale& sc
                                   static_cast<double>(columns[from + 2][k])));
         };
         read.x[first + k][i] = vector(0, scale.position_step) + scale.origin;
-        const Vec3 others = vector(4, std::sqrt(0.5) / 32767);
+        const Vec3 others = vector(4, std::sqrt(0.5) / scale.orientation_parts);
         double all[4];
         for (int c = 0, place = 0; c < 4; ++c) {
           all[c] = c == columns[3][k] ? std::sqrt(1 - others.squaredNorm()) : others[place++];
@@ -168,10 +168,7 @@ TEST(PageFrames, AnyOrientationIsPackedWithinItsError) {
 }
 
 /// Bytes of a run in a page, as base64, for a moving body and frame.
-double bytes_per_body_frame(const std::string& scene_file, double interval,
-                            const std::vector<std::string>& overrides = {}) {
-  Scene scene = read_scene(std::string(RIGOR_SOURCE_DIR) + "/scenes/" + scene_file, overrides);
-  scene.run.output_interval = interval;
+double bytes_per_body_frame(const Scene& scene) {
   std::optional<PageRun> run;
   double frames = 0;
   const RunResult result =
@@ -189,12 +186,95 @@ double bytes_per_body_frame(const std::string& scene_file, double interval,
   return bytes / (moving * frames);
 }
 
+double bytes_per_body_frame(const std::string& scene_file, double interval) {
+  Scene scene = read_scene(std::string(RIGOR_SOURCE_DIR) + "/scenes/" + scene_file);
+  scene.run.output_interval = interval;
+  return bytes_per_body_frame(scene);
+}
+
 TEST(PageFrames, AGasOfBallsWithAllItsImpactsTakesLessThanTwelveBytesABodyAFrame) {
   EXPECT_LT(bytes_per_body_frame("gas.yaml", 0.02), 12);
 }
 
 TEST(PageFrames, ASmallSceneWithManyImpactsAndContactsTakesLessThanTwelveBytesABodyAFrame) {
   EXPECT_LT(bytes_per_body_frame("dominoes.yaml", 0.01), 12);
+}
+
+/// A pen into which balls fall, with up to two contacts each.
+Scene pen_of_balls() {
+  return parse_scene(R"(
+rigor: 1
+run: {duration: 1, step: 0.016666666666666666, output_interval: 0.02}
+method: {scheme: time-stepping, solver: substep}
+materials: [{name: wood, friction: 0.5, restitution: 0.3}]
+bodies:
+  - {name: floor, motion: static, shapes: [{type: plane, normal: [0, 0, 1], offset: 0, material: wood}]}
+  - name: pen
+    motion: static
+    shapes:
+      - {type: box, size: [0.2, 3, 3], position: [1.4, 0, 1.5], material: wood}
+      - {type: box, size: [0.2, 3, 3], position: [-1.4, 0, 1.5], material: wood}
+      - {type: box, size: [3, 0.2, 3], position: [0, 1.4, 1.5], material: wood}
+      - {type: box, size: [3, 0.2, 3], position: [0, -1.4, 1.5], material: wood}
+  - name: ball
+    position: [-1.08, -1.08, 0.3]
+    mass: 3
+    shapes: [{type: sphere, radius: 0.1, material: wood}]
+    repeat: {count: [8, 8, 16], spacing: [0.27, 0.27, 0.24], jitter: 0.02}
+)",
+                     "pen.yaml", ".");
+}
+
+/// The worst second of it, in which all are struck all the time; with the rest that follows it is less than
+/// half.
+TEST(PageFrames, ACrowdThatFallsIntoAPenTakesLessThanTwentyFiveBytesABodyAFrame) {
+  EXPECT_LT(bytes_per_body_frame(pen_of_balls()), 25);
+}
+
+TEST(PageFrames, ACrowdIsReadBackToTheErrorsThatItsScaleStates) {
+  const Scene scene = pen_of_balls();
+  const std::vector<State> states = tumbling(*scene.model, 20);
+  const PageScale scale = page_scale(*scene.model, states[0]);
+  ASSERT_LT(scale.orientation_parts, 32767);
+  PageFrames frames(*scene.model, scale);
+  const ReadFrames read = read_frames(chunks_of(frames, states), scale);
+  ASSERT_EQ(read.x.size(), states.size());
+  std::size_t moving = 0;
+  for (int i = 0; i < scene.model->body_count(); ++i) {
+    if (scene.model->body(i).motion == MotionType::fixed) continue;
+    const auto largest = [](const Vec3& v) { return v.cwiseAbs().maxCoeff(); };
+    for (std::size_t k = 0; k < states.size(); ++k) {
+      EXPECT_LE(largest(read.x[k][moving] - states[k].position(i)), 0.5 * scale.position_step * (1 + 1e-9));
+      EXPECT_LE(rotation_angle_between(read.q[k][moving], states[k].orientation(i)),
+                packing_error_of(scale.orientation_parts));
+      EXPECT_LE(largest(read.v[k][moving] - linear_velocity(*scene.model, states[k], i)),
+                0.5 * read.speed_step);
+    }
+    ++moving;
+  }
+  // No surface is farther off than two steps of positions.
+  EXPECT_LE(packing_error_of(scale.orientation_parts) * 0.1, 2 * scale.position_step * 1.001);
+}
+
+TEST(PageRun, OfTooManyEventsTheStrongestStayInTheirOrder) {
+  std::mt19937_64 random(4);
+  std::normal_distribution<double> normal;
+  std::vector<MotionEvent> events(500);
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    events[i].time = 0.01 * static_cast<double>(i);
+    events[i].j_W = i % 5 == 0 ? Vec3(1, 0, 0) : Vec3(normal(random), normal(random), normal(random));
+  }
+  EXPECT_EQ(strongest_events(events, 500).size(), 500u);
+  const std::vector<MotionEvent> kept = strongest_events(events, 100);
+  ASSERT_EQ(kept.size(), 100u);
+  // The same by sorting all of them.
+  std::vector<MotionEvent> sorted = events;
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const MotionEvent& a, const MotionEvent& b) { return a.j_W.norm() > b.j_W.norm(); });
+  sorted.resize(100);
+  std::sort(sorted.begin(), sorted.end(),
+            [](const MotionEvent& a, const MotionEvent& b) { return a.time < b.time; });
+  for (std::size_t i = 0; i < kept.size(); ++i) EXPECT_EQ(kept[i].time, sorted[i].time);
 }
 
 TEST(PageFrames, BoxesTumblingAtRandomTakeLessThanTwelveBytesABodyAFrame) {

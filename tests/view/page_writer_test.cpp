@@ -220,8 +220,9 @@ TEST(PageWriter, TheContactsOfEveryFrameAreThoseThatTheRunKnows) {
   const Json header = page.header();
   test::BytesReader reader(page.bytes_of("contacts"));
   const double force_step = reader.take<double>(), gap_step = reader.take<double>(),
-               place_step = reader.take<double>();
+               place_step = reader.take<double>(), normal_step = reader.take<double>();
   EXPECT_EQ(gap_step, scene.method.contact_tolerance / 16);
+  EXPECT_EQ(normal_step, 1.0 / 1024);
   EXPECT_LE(place_step, 8e-5 * header["extent"].get<double>());
   ASSERT_EQ(reader.take<std::uint32_t>(), page.states.size());
   const std::vector<StoredFrame> frames = read_contacts(reader, page.states.size());
@@ -240,7 +241,7 @@ TEST(PageWriter, TheContactsOfEveryFrameAreThoseThatTheRunKnows) {
         const std::size_t place = static_cast<std::size_t>(c);
         const double origin = header["origin"][place];
         EXPECT_NEAR(number(2 + place) * place_step + origin, points[i].p_W[c], 0.51 * place_step);
-        EXPECT_NEAR(number(5 + place) / 1024, points[i].n_W[c], 0.51 / 1024);
+        EXPECT_NEAR(number(5 + place) * normal_step, points[i].n_W[c], 0.51 * normal_step);
         EXPECT_NEAR(number(8 + place) * force_step, points[i].force_W[c], 0.51 * force_step);
       }
     }

@@ -27,8 +27,20 @@ export function isSound(audit: Record<string, unknown>): boolean {
   return !auditWarnings(audit).some((warning) => warning.startsWith("violated"));
 }
 
+/** A part of a run that one scheme made. */
+interface Span {
+  scheme: string;
+  begin: number;
+  end: number;
+  end_cause: string | null;
+}
+const isSpan = (value: unknown): value is Span => typeof value === "object" && value !== null && "scheme" in value && "begin" in value;
+
 export function auditText(value: unknown): string {
   if (value === null || value === undefined) return "–";
-  if (typeof value !== "number") return Array.isArray(value) ? value.join(" ↔ ") : String(value);
+  if (Array.isArray(value)) return value.every(isSpan) ? value.map(auditText).join("; ") : value.map(auditText).join(" ↔ ");
+  if (isSpan(value)) return `${value.scheme} ${format.number(value.begin, 4)} to ${format.number(value.end, 4)} s${value.end_cause ? ` (${value.end_cause})` : ""}`;
+  if (typeof value === "object") return JSON.stringify(value);
+  if (typeof value !== "number") return String(value);
   return Number.isInteger(value) ? String(value) : format.number(value, 8);
 }

@@ -27,7 +27,9 @@ export function el<K extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
-/** A button with a tooltip that is also its spoken name. */
+/** A button with a tooltip that is also its spoken name; that has the words that are written on it. */
 export function button(text: string, title: string, act: () => void): HTMLButtonElement {
-  return el("button", { type: "button", title, "aria-label": title, onclick: act }, text);
+  const words = text.replace(/[^\p{L}\p{N} ]/gu, "").trim();
+  const isSaid = title.toLowerCase().includes(words.toLowerCase());
+  return el("button", { type: "button", title, "aria-label": isSaid ? title : `${words}: ${title}`, onclick: act }, text);
 }

@@ -80,13 +80,13 @@ export class Frames implements MotionTable {
   /** Orientation x y z w of the i-th moving body in a frame. */
   orientation(frame: number, i: number, into: Float32Array, at: number): void {
     const place = frame * this.moving.length + i;
-    unpackQuaternion(this.largest[place], this.components, 3 * place, into, at);
+    unpackQuaternion(this.largest[place], this.components, 3 * place, into, at, this.header.orientation_parts);
   }
 }
 
-/** The unit quaternion x y z w of its three smaller components, each in ±32767 for ±1/√2; `largest` is in w x y z. */
-export function unpackQuaternion(largest: number, others: ArrayLike<number>, from: number, into: Float32Array, at: number): void {
-  const step = Math.SQRT1_2 / 32767;
+/** The unit quaternion x y z w of its three smaller components, each in ±parts for ±1/√2; `largest` is in w x y z. */
+export function unpackQuaternion(largest: number, others: ArrayLike<number>, from: number, into: Float32Array, at: number, parts = 32767): void {
+  const step = Math.SQRT1_2 / parts;
   let rest = 1;
   for (let i = 0, k = 0; i < 4; ++i) {
     if (i === largest) continue;

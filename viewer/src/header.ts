@@ -16,6 +16,8 @@ export interface Header {
   position_step: number;
   position_error: number;
   orientation_error: number;
+  /** Components of quaternions up to 1/√2 are stored in so many steps. */
+  orientation_parts: number;
   contact_tolerance: number;
   frames: number;
   events: number;

@@ -144,10 +144,10 @@ export class LiveApp extends ScenePage<LiveSource> {
     tools.set("hit", button("Hit", "A click hits a body along the line of sight (Alt and click)", () => choose("hit")));
     choose("grab");
     return el("div", { class: "transport" }, el("div", { class: "buttons" },
+      button("|◂", "Back to t = 0 (Home)", () => this.send({ do: "reset" })),
+      this.backButton,
       this.runButton,
       button("›", "One output interval on (→)", () => this.send({ do: "step" })),
-      this.backButton,
-      button("|◂", "Back to t = 0 (Home)", () => this.send({ do: "reset" })),
       this.speed, ...tools.values(), hit,
       button("Save state", "Keep a checkpoint for rigor run --resume", () => this.send({ do: "save" })),
       button("Export page", "Keep what was recorded since t = 0 as a page of its own", () => this.send({ do: "export" })),

@@ -1,8 +1,8 @@
 import { DepthTexture, LessEqualCompare, LinearFilter, Matrix4, OrthographicCamera, Scene, UnsignedIntType, Vector3, WebGLRenderTarget, type IUniform, type WebGLRenderer } from "three";
 import type { Extent } from "./extent";
 
-export type ShadowQuality = "none" | "hard" | "soft";
-const sizes = { none: 1, hard: 1024, soft: 2048 };
+export type ShadowQuality = "none" | "coarse" | "hard" | "soft";
+const sizes = { none: 1, coarse: 512, hard: 1024, soft: 2048 };
 
 /** The light from the sky, and the map of depths that it sees: what lies behind them is in the shadow. */
 export class Sun {
@@ -30,7 +30,7 @@ export class Sun {
   setQuality(quality: ShadowQuality): void {
     if (quality === this.quality) return;
     this.quality = quality;
-    this.uniforms.uShadows.value = { none: 0, hard: 1, soft: 2 }[quality];
+    this.uniforms.uShadows.value = { none: 0, coarse: 1, hard: 1, soft: 2 }[quality];
     this.target.dispose();
     this.target = makeTarget(sizes[quality]);
     this.uniforms.uShadowMap.value = this.target.depthTexture;

@@ -17,7 +17,7 @@ import { Sun, type ShadowQuality } from "./sun";
 
 /** How the picture is drawn, from the best way to the quickest: part of the screen's resolution, and shadows. */
 const qualities: { ratio: number; shadows: ShadowQuality }[] = [
-  { ratio: 1, shadows: "soft" }, { ratio: 1, shadows: "hard" }, { ratio: 0.75, shadows: "hard" }, { ratio: 0.5, shadows: "hard" }, { ratio: 0.5, shadows: "none" },
+  { ratio: 1, shadows: "soft" }, { ratio: 1, shadows: "hard" }, { ratio: 0.75, shadows: "hard" }, { ratio: 0.5, shadows: "coarse" }, { ratio: 0.5, shadows: "none" },
 ];
 /** What hides bodies is looked for this often while they move [ms]. */
 const glassPause = 120;

@@ -49,7 +49,7 @@ export function blockOf(kind: string, bytes: Uint8Array, run = 0): BlockText {
 /** One static floor and one ball that moves. */
 export const header: Header = {
   format: 1, rigor: "0.1.0", scene: "test", duration: 1, step: 0.1, output_interval: 0.5, gravity: [0, 0, -10], origin: [10, 0, 0],
-  extent: 2, position_step: 0.125, position_error: 0.0625, orientation_error: 1e-4, contact_tolerance: 1e-6, frames: 3, events: 1,
+  extent: 2, position_step: 0.125, position_error: 0.0625, orientation_error: 1e-4, orientation_parts: 32767, contact_tolerance: 1e-6, frames: 3, events: 1,
   series: [{ name: "time", unit: "s" }, { name: "kinetic", unit: "J" }],
   bodies: [
     { name: "floor", motion: "static", mass: 0, moments: [0, 0, 0], radius: null, frame: { p: [0, 0, 0], q: [1, 0, 0, 0] }, start: { p: [1, 2, 3], q: [0, 1, 0, 0] }, look: 0 },
@@ -72,7 +72,7 @@ export function pageBlocks(): BlockText[] {
   const series = new Writer().exactColumn([0, 0.5, 1]).exactColumn([7, 8, 9]);
   const events = new Writer().f64(2 ** -20).f64(0.5).column([2 ** 19]);
   for (const value of [1, 2, 3, 0, 0, -6, 0, 1, 0]) events.varint(value);
-  const contacts = new Writer().f64(2).f64(0.25).f64(0.125).u32(3);
+  const contacts = new Writer().f64(2).f64(0.25).f64(0.125).f64(1 / 1024).u32(3);
   // One contact a frame, of the bodies 0 and 1; then mode, gap, point, normal, force: the force changes, and the point, which goes
   // 8, 9, 10 along x: as expected from the third frame on.
   const columns = [[1, 1, 1], [0, 0, 0], [1, 1, 1], ...[1, -2, 8, 0, 4, 0, 0, 1024, 1, 0].map((value) => [value, 0, 0]), [5, 1, 2]];

@@ -99,6 +99,10 @@ describe("audits side by side", () => {
     expect(isSound(audit)).toBe(false);
     expect(isSound({ ...audit, warnings: ["slow"] })).toBe(true);
     expect([null, 3, 0.1, ["a", "b"], "x"].map(auditText)).toEqual(["–", "3", "0.1", "a ↔ b", "x"]);
+    const span = { scheme: "event-driven", begin: 0, end: 0.5, impacts: 3, end_cause: null };
+    expect(auditText([span])).toBe("event-driven 0 to 0.5 s");
+    expect(auditText([{ ...span, end_cause: "events crowd" }, { ...span, scheme: "time-stepping", begin: 0.5, end: 2 }])).toBe("event-driven 0 to 0.5 s (events crowd); time-stepping 0.5 to 2 s");
+    expect(auditText([])).toBe("");
   });
 
   test("what is not as in the first run is marked, also where the shown digits are the same", () => {

@@ -16,6 +16,9 @@
 #include "rigor/io/scene/synonyms.hpp"
 #include "rigor/sim/method/scheme_check.hpp"
 
+#include <algorithm>
+#include <cctype>
+#include <initializer_list>
 #include <map>
 #include <utility>
 
@@ -198,8 +201,36 @@ Scene parse_scene(const std::string& text, const std::string& file_name, const s
   return read_scene_tree(root, sources, folder);
 }
 
+namespace {
+
+/// What a file is good for whose suffix is that of something else; empty for what may be a scene.
+std::string foreign_use(const std::filesystem::path& path) {
+  std::string suffix = path.extension().string();
+  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const auto is_one_of = [&](std::initializer_list<const char*> all) {
+    return std::find(all.begin(), all.end(), suffix) != all.end();
+  };
+  if (is_one_of({".h5", ".hdf5"}))
+    return suffix + " is a stored motion, no scene: 'rigor view', 'rigor render' and 'rigor plot' take it";
+  if (is_one_of({".obj", ".stl", ".ply"}))
+    return suffix +
+           " is a mesh, no scene: 'rigor convert' and 'rigor mass' take it, and shapes of a scene "
+           "name it (type: mesh, file: ...)";
+  if (is_one_of({".urdf", ".xacro", ".sdf",  ".world", ".xml",  ".mjcf", ".mjb",
+                 ".usd",  ".usda",  ".usdc", ".usdz",  ".dae",  ".gltf", ".glb",
+                 ".fbx",  ".blend", ".step", ".stp",   ".iges", ".igs",  ".3mf"}))
+    return suffix +
+           " is no format that Rigor reads; scenes are .yaml or .json (docs/scene.md, docs/tutorial.md)";
+  return {};
+}
+
+}  // namespace
+
 Scene read_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides,
                  std::size_t varied) {
+  const std::string use = foreign_use(path);
+  if (!use.empty() && std::filesystem::exists(path)) throw InputError(path.string() + ": " + use);
   const std::string text = read_text_file(path, YamlLimits{}.max_bytes);
   return parse_scene(text, path.string(), path.parent_path(), overrides, varied);
 }

@@ -61,10 +61,4 @@ Color palette_color(int index) {
   return color_from_hex(palette[at(index) % palette.size()]);
 }
 
-Color shape_color(const Body& body, const BodyShape& shape, int body_index) {
-  if (!shape.color.empty()) return color_from_hex(shape.color);
-  if (std::holds_alternative<HalfSpace>(shape.shape)) return color_from_hex("#e7e8ea");
-  return body.motion == MotionType::fixed ? color_from_hex("#a8adb3") : palette_color(body_index);
-}
-
 }  // namespace rigor

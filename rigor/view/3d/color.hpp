@@ -44,8 +44,5 @@ inline constexpr std::array<std::string_view, 8> palette = {"#0072B2", "#E69F00"
                                                             "#56B4E9", "#D55E00", "#F0E442", "#999999"};
 /// The palette's colour of a line or a body by its index.
 Color palette_color(int index);
-/// Colour of a shape: its own where the scene gives one, light grey on planes, grey on static bodies,
-/// else that of the body's index.
-Color shape_color(const Body& body, const BodyShape& shape, int body_index);
 
 }  // namespace rigor

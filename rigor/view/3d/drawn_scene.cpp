@@ -5,6 +5,7 @@
 #include "rigor/geometry/shape/support.hpp"
 #include "rigor/view/3d/bowl.hpp"
 #include "rigor/view/3d/drawn_joints.hpp"
+#include "rigor/view/3d/shape_colors.hpp"
 
 #include <array>
 #include <map>
@@ -71,6 +72,7 @@ DrawnScene make_drawn_scene(const Model& model) {
   scene.body_count = model.body_count();
   if (model.g_W().norm() > 0) scene.up = -model.g_W().normalized();
   SurfaceShelf shelf;
+  const ShapeColors colors(model);
   const std::vector<double> reaches = joint_reaches(model);
   for (int i = 0; i < model.body_count(); ++i) {
     const Body& body = model.body(i);
@@ -79,7 +81,7 @@ DrawnScene make_drawn_scene(const Model& model) {
       const Shape form = drawn_form(shape.shape);
       scene.shapes.push_back({i, body.motion != MotionType::fixed, form, X_UB * shape.X_BS,
                               shelf.surface(form), axis_aligned_box(form, Pose{}), form_radius(shape, form),
-                              shape_color(body, shape, i)});
+                              colors.of(i, shape)});
     }
   }
   add_joints(model, scene);

@@ -23,6 +23,7 @@ struct DrawnShape {
   double radius = 0;  ///< Radius of the ball around the origin of S that contains it [m].
   Color color = Color::Zero();
   bool is_joint = false;  ///< Not a shape of the body but its rod to a joint.
+  bool is_glass = false;  ///< What lies behind shows through it; it casts no shadow.
 };
 
 /// A thin line between points of two bodies: a distance joint, a spring.

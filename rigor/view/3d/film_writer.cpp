@@ -26,8 +26,9 @@ void FilmWriter::close(const Audit&) {
   const PictureSize size;
   Photographer photographer(motion, {}, size);
   MovieFile film(path_, size.width, size.height);
-  for (const std::size_t frame : even_frames(motion, film_frames(motion)))
-    film.add(photographer.picture(frame));
+  const std::vector<std::size_t> frames = even_frames(motion, film_frames(motion));
+  const std::vector<Camera> cameras = photographer.cameras_of_film(frames);
+  for (std::size_t i = 0; i < frames.size(); ++i) film.add(photographer.picture(frames[i], cameras[i]));
   film.close();
 }
 

@@ -1,9 +1,11 @@
 #include "rigor/view/3d/framing.hpp"
 
 #include "rigor/core/index.hpp"
+#include "rigor/view/3d/sight_lines.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 namespace rigor {
@@ -174,6 +176,40 @@ Vec3 line_of_sight(const std::vector<FramedBall>& balls, const Vec3& up) {
   return std::cos(dip) * turned - std::sin(dip) * up;
 }
 
+/// The direction turned about `up` and dipped further towards the ground, to at most 80 degrees [rad].
+Vec3 moved_sight(const Vec3& forward, const Vec3& up, double turn, double dip) {
+  constexpr double steepest = 80 * M_PI / 180;
+  const double now = std::asin(std::clamp(-forward.dot(up), -1.0, 1.0));
+  const double then = std::max(now, std::min(now + dip, steepest));
+  const Vec3 level = (forward - forward.dot(up) * up).normalized();
+  const Vec3 turned = std::cos(turn) * level + std::sin(turn) * up.cross(level);
+  return std::cos(then) * turned - std::sin(then) * up;
+}
+
+/// Of directions about the usual one, that from which the least is hidden, unless it is from far off or from
+/// behind for little.
+Vec3 clear_sight(const DrawnScene& scene, std::span<const Pose> poses, const Vec3& usual,
+                 const std::function<Camera(const Vec3&)>& framed) {
+  constexpr double degree = M_PI / 180, hardly = 0.02;
+  const SightLines lines(scene, poses);
+  const Camera first = framed(usual);
+  double least = lines.hidden_part(first.eye);
+  if (least <= hardly) return usual;
+  // What is hidden counts most, then how far the direction is from the usual one, then how small all becomes.
+  const double distance = (first.eye - first.target).norm();
+  Vec3 best = usual;
+  for (const int turn : {0, 1, -1, 2, -2, 3, -3, 4}) {
+    for (const int dip : {0, 1, 2}) {
+      const Vec3 forward = moved_sight(usual, scene.up, 45 * degree * turn, 25 * degree * dip);
+      const Camera camera = framed(forward);
+      const double cost = lines.hidden_part(camera.eye) + 0.07 * std::abs(turn) + 0.15 * dip +
+                          0.5 * std::max(0.0, (camera.eye - camera.target).norm() / distance - 1);
+      if (cost < least) least = cost, best = forward;
+    }
+  }
+  return best;
+}
+
 }  // namespace
 
 Camera framing_camera(std::span<const FramedBall> balls, const Vec3& forward, const Vec3& up,
@@ -196,9 +232,13 @@ Camera make_camera(const DrawnScene& scene, std::span<const Pose> poses, const C
                    double width_to_height) {
   std::vector<FramedBall> balls = framed_balls(scene, poses);
   if (balls.empty()) balls.push_back({Vec3::Zero(), 1});
-  const Vec3 forward = line_of_sight(balls, scene.up);
   const double field_of_view = wishes.field_of_view.value_or(usual_field_of_view);
-  Camera camera = framing_camera(balls, forward, scene.up, field_of_view, width_to_height);
+  const auto framed = [&](const Vec3& along) {
+    return framing_camera(balls, along, scene.up, field_of_view, width_to_height);
+  };
+  Vec3 forward = wishes.forward.value_or(line_of_sight(balls, scene.up));
+  if (!wishes.forward && !wishes.eye) forward = clear_sight(scene, poses, forward, framed);
+  Camera camera = framed(forward);
   // What the user asked for overrides the framing.
   if (wishes.target) {
     if (!wishes.eye) camera.eye += *wishes.target - camera.target;

@@ -12,10 +12,12 @@ namespace rigor {
 struct CameraWishes {
   std::optional<Vec3> eye, target;      ///< p_W [m].
   std::optional<double> field_of_view;  ///< Between the upper and the lower edge [rad].
+  std::optional<Vec3> forward;          ///< Direction of sight, where the eye is not given; unit.
 };
 
 /// A camera that sees the motion, from obliquely above and across the longer side of the ground that it
-/// covers, with a margin.
+/// covers, with a margin; from another side or more steeply where something that stands still hides less of
+/// it there.
 ///
 /// poses: the bodies' user frames at some moments, body_count per moment. All dynamic and kinematic bodies
 /// are in the picture all the time, except those that fly off: of the path of a body only the part counts

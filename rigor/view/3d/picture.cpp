@@ -2,6 +2,7 @@
 
 #include "rigor/core/index.hpp"
 #include "rigor/view/3d/canvas.hpp"
+#include "rigor/view/3d/sight_lines.hpp"
 
 #include <fmt/format.h>
 
@@ -93,6 +94,26 @@ std::vector<Pose> sampled_poses(const Recording& recording) {
   return poses;
 }
 
+/// Radius of the largest shape that moves [m]; 0 if none does.
+double largest_radius(const DrawnScene& scene) {
+  double largest = 0;
+  for (const DrawnShape& shape : scene.shapes) {
+    if (shape.can_move && std::isfinite(shape.radius)) largest = std::max(largest, shape.radius);
+  }
+  return largest;
+}
+
+/// A camera on the way from one to another that looks in the same direction: the distance changes by equal
+/// factors.
+Camera between(const Camera& from, const Camera& to, double share) {
+  Camera camera = from;
+  camera.target = from.target + share * (to.target - from.target);
+  const Vec3 arm_from = from.eye - from.target, arm_to = to.eye - to.target;
+  const double distance = std::pow(arm_from.norm(), 1 - share) * std::pow(arm_to.norm(), share);
+  camera.eye = camera.target + distance * arm_from.normalized();
+  return camera;
+}
+
 }  // namespace
 
 std::string time_text(const Recording& recording, std::size_t frame) {
@@ -116,6 +137,7 @@ Photographer::Photographer(const Recording& recording, const CameraWishes& wishe
     : recording_(recording), size_(size), wishes_(wishes), scene_(make_drawn_scene(*recording.model)) {
   const std::vector<Pose> poses = sampled_poses(recording);
   camera_ = make_camera(scene_, poses, wishes, static_cast<double>(size.width) / size.height);
+  glass_ = SightLines(scene_, poses).hiding(camera_.eye);
   place_legend(poses);
 }
 
@@ -138,23 +160,70 @@ void Photographer::place_legend(const std::vector<Pose>& poses) {
   }
 }
 
-Image Photographer::draw(std::size_t frame) {
-  return renderer_.draw(scene_, poses_at(recording_, frame), camera_, size_.width, size_.height);
+void Photographer::put_glass(const std::vector<std::size_t>& shapes) {
+  for (DrawnShape& shape : scene_.shapes) shape.is_glass = false;
+  for (const std::size_t i : shapes) scene_.shapes[i].is_glass = true;
+}
+
+Image Photographer::draw(std::size_t frame, const Camera& camera) {
+  // One glass for all pictures of the common camera, so that nothing flickers in a film.
+  const std::vector<Pose> poses = poses_at(recording_, frame);
+  put_glass(camera.eye == camera_.eye ? glass_ : SightLines(scene_, poses).hiding(camera.eye));
+  return renderer_.draw(scene_, poses, camera, size_.width, size_.height);
 }
 
 Camera Photographer::camera_of_moment(std::size_t frame) const {
-  const bool can_move = std::any_of(scene_.shapes.begin(), scene_.shapes.end(),
-                                    [](const DrawnShape& shape) { return shape.can_move; });
-  if (!can_move || wishes_.eye || wishes_.target) return camera_;
-  // A place of its own for a moment of which the common one shows nothing that moves, or less than a pixel.
-  const std::vector<Pose> poses = poses_at(recording_, frame);
-  const PictureBox all{0, static_cast<double>(size_.width), 0, static_cast<double>(size_.height), 0};
-  if (covered(all, scene_, poses, Projection(camera_, size_.width, size_.height)) >= 1) return camera_;
-  return make_camera(scene_, poses, wishes_, static_cast<double>(size_.width) / size_.height);
+  return shows_nothing(frame) ? own_camera(frame) : camera_;
 }
 
-Image Photographer::picture(std::size_t frame) {
-  Image image = draw(frame);
+/// Whether the common camera, where it may be left, shows nothing of what moves, or less than a pixel.
+bool Photographer::shows_nothing(std::size_t frame) const {
+  if (!(largest_radius(scene_) > 0) || wishes_.eye || wishes_.target) return false;
+  const PictureBox all{0, static_cast<double>(size_.width), 0, static_cast<double>(size_.height), 0};
+  const Projection common(camera_, size_.width, size_.height);
+  return covered(all, scene_, poses_at(recording_, frame), common) < 1;
+}
+
+/// A camera that frames this moment alone, in the direction of the common one.
+Camera Photographer::own_camera(std::size_t frame) const {
+  CameraWishes wishes = wishes_;
+  wishes.forward = (camera_.target - camera_.eye).normalized();
+  Camera own = make_camera(scene_, poses_at(recording_, frame), wishes,
+                           static_cast<double>(size_.width) / size_.height);
+  // Not so near that the largest body fills the picture and nothing tells where it is.
+  constexpr double large = 12;  // Radius [px].
+  const double focal_length = Projection(camera_, size_.width, size_.height).focal_length();
+  const double distance = (own.eye - own.target).norm();
+  const double least =
+      std::min((camera_.eye - camera_.target).norm() / 4, focal_length * largest_radius(scene_) / large);
+  if (distance < least) own.eye = own.target + least / distance * (own.eye - own.target);
+  return own;
+}
+
+std::vector<Camera> Photographer::cameras_of_film(std::span<const std::size_t> frames) const {
+  constexpr std::ptrdiff_t pan = 30;
+  const std::ptrdiff_t count = std::ssize(frames), reach = std::min(pan, count / 4);
+  // How much of the own camera a picture has: all where the common one shows nothing, less before and after.
+  std::vector<double> shares(frames.size(), 0);
+  for (std::ptrdiff_t i = 0; i < count; ++i) {
+    if (!shows_nothing(frames[at(i)])) continue;
+    for (std::ptrdiff_t k = std::max<std::ptrdiff_t>(0, i - reach); k <= std::min(count - 1, i + reach);
+         ++k) {
+      const double share = 1 - static_cast<double>(std::abs(i - k)) / static_cast<double>(reach + 1);
+      shares[at(k)] = std::max(shares[at(k)], share);
+    }
+  }
+  std::vector<Camera> cameras;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    // The pan begins and ends gently.
+    const double share = shares[i] * shares[i] * (3 - 2 * shares[i]);
+    cameras.push_back(share > 0 ? between(camera_, own_camera(frames[i]), share) : camera_);
+  }
+  return cameras;
+}
+
+Image Photographer::picture(std::size_t frame, const Camera& camera) {
+  Image image = draw(frame, camera);
   Canvas canvas(image);
   const double size = text_size(size_), edge = 1.2 * size;
   const double room = size_.width - 2 * edge;
@@ -197,9 +266,7 @@ Image Photographer::sheet(const std::vector<KeyMoment>& moments) {
     const int x = static_cast<int>(gap) + static_cast<int>(i) % columns * step_x;
     const int y = head + static_cast<int>(i) / columns * step_y;
     const std::size_t frame = moments[i].frame;
-    canvas.paste(renderer_.draw(scene_, poses_at(recording_, frame), camera_of_moment(frame), size_.width,
-                                size_.height),
-                 x, y);
+    canvas.paste(draw(frame), x, y);
     const std::string time = time_text(recording_, moments[i].frame);
     const double base = y + size_.height + 0.95 * size, from = x + text_width(time, size) + 1.2 * size;
     canvas.text(time, x, base, {.size = size, .color = ink()});

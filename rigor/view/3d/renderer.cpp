@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 namespace rigor {
 
@@ -82,13 +84,15 @@ Image Renderer::draw(const DrawnScene& scene, std::span<const Pose> X_WU, const 
   // beyond it.
   const double visible = distance * std::tan(0.5 * camera.field_of_view) * std::hypot(width, height) / height;
   const Region region{camera.target, 1.5 * visible};
-  shadows_.draw(placed_, sun_W, region, std::clamp(std::max(width, height) * 4 / 5, 1024, 4096));
+  opaque_.clear();
+  std::copy_if(placed_.begin(), placed_.end(), std::back_inserter(opaque_),
+               [](const ShownShape& placed) { return !placed.shape->is_glass; });
+  has_glass_ = opaque_.size() < placed_.size();
+  shadows_.draw(opaque_, sun_W, region, std::clamp(std::max(width, height) * 4 / 5, 1024, 4096));
   shadows_.set_camera(projection.X_KW());
 
   // First pass: visibility. Each sample finds the nearest face, ball or plane.
-  for (SampleGrid& grid : grids_) grid.clear(width, height);
-  things_.assign(1, SeenThing{});
-  see(projection, width, height);
+  see_all(projection, width, height);
 
   // Second pass: shading. Each pixel gets the colour of what its samples see.
   const Mat3& R_KW = projection.X_KW().R;
@@ -131,16 +135,29 @@ void Renderer::place_lines(const DrawnScene& scene, std::span<const Pose> X_WU) 
   }
 }
 
-void Renderer::see(const Projection& projection, int width, int height) {
+void Renderer::see_all(const Projection& projection, int width, int height) {
+  things_.assign(1, SeenThing{});
+  see(projection, false, width, height);
+  if (!has_glass_) return;
+  // Glass hides nothing: it has samples of its own, which are laid over the others.
+  std::swap(grids_, glass_);
+  see(projection, true, width, height);
+  std::swap(grids_, glass_);
+}
+
+void Renderer::see(const Projection& projection, bool glass, int width, int height) {
+  for (SampleGrid& grid : grids_) grid.clear(width, height);
   Occlusion occlusion(grids_, width, height);
   for (const ShownShape& placed : placed_) {
+    if (placed.shape->is_glass != glass) continue;
     if (const Sphere* const sphere = std::get_if<Sphere>(&placed.shape->shape)) {
       see_ball(placed, sphere->radius, projection, occlusion);
     } else if (placed.shape->surface) {
       see_surface(placed, projection, occlusion);
     }
   }
-  // Planes come last, because most of their samples are hidden by then.
+  if (glass) return;
+  // Planes come last, because most of their samples are hidden by then; they are never glass.
   for (const ShownShape& placed : placed_) {
     if (const HalfSpace* const plane = std::get_if<HalfSpace>(&placed.shape->shape))
       see_plane(placed, *plane, projection);
@@ -265,6 +282,7 @@ void Renderer::develop(const Shader& shader, Image& image) const {
   std::vector<Color> colors(static_cast<std::size_t>(image.width));
   for (int row = 0; row < image.height; ++row) {
     color_row(shader, row, colors);
+    if (has_glass_) lay_glass(shader, row, colors);
     std::uint8_t* out = image.pixel(0, row);
     for (const Color& color : colors) {
       for (int channel = 0; channel < 3; ++channel) *out++ = shader.srgb(color[channel]);
@@ -284,6 +302,23 @@ void Renderer::color_row(const Shader& shader, int row, std::span<Color> colors)
       samples[s] = {near > 0 ? ids[s][column] : 0, near};
     }
     colors[column] = pixel_color(shader, samples, static_cast<float>(column), y);
+  }
+}
+
+/// Mixes the colour of the nearest glass into the row, sample by sample where it is nearer than what is
+/// behind it.
+void Renderer::lay_glass(const Shader& shader, int row, std::span<Color> colors) const {
+  constexpr float share = 0.22F / 4;
+  const float y = static_cast<float>(row);
+  for (std::size_t s = 0; s < 4; ++s) {
+    const std::uint32_t* const ids = glass_[s].ids(row);
+    const float *const nearness = glass_[s].nearness(row), *const behind = grids_[s].nearness(row);
+    for (std::size_t column = 0; column < colors.size(); ++column) {
+      if (!(nearness[column] > std::max(behind[column], 0.0F))) continue;
+      const Color pane =
+          shader.color(ids[column], static_cast<float>(column) + 0.5F, y + 0.5F, nearness[column]);
+      colors[column] += share * (pane - colors[column]);
+    }
   }
 }
 

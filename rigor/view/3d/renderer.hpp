@@ -29,7 +29,8 @@ class Renderer {
  private:
   void place(const DrawnScene& scene, std::span<const Pose> X_WU, const Pose& X_KW);
   void place_lines(const DrawnScene& scene, std::span<const Pose> X_WU);
-  void see(const Projection& projection, int width, int height);
+  void see_all(const Projection& projection, int width, int height);
+  void see(const Projection& projection, bool glass, int width, int height);
   void see_surface(const ShownShape& placed, const Projection& projection, Occlusion& occlusion);
   void see_face(const Surface& surface, const Surface::Face& face, const Pose& X_KS,
                 const Projection& projection);
@@ -38,6 +39,7 @@ class Renderer {
   void fill_all(std::span<const Vec2> corners, const NearnessPlane& plane);
   void develop(const Shader& shader, Image& image) const;
   void color_row(const Shader& shader, int row, std::span<Color> colors) const;
+  void lay_glass(const Shader& shader, int row, std::span<Color> colors) const;
   struct PixelSample {
     std::uint32_t id;
     float nearness;
@@ -48,7 +50,11 @@ class Renderer {
   std::vector<ShownShape> placed_;  ///< From near to far.
   std::array<SampleGrid, 4> grids_ = {SampleGrid(0.375, 0.125), SampleGrid(0.875, 0.375),
                                       SampleGrid(0.125, 0.625), SampleGrid(0.625, 0.875)};
-  std::vector<SeenThing> things_;  ///< By id; the first one stands for the background.
+  /// What of the glass is nearest, at the same samples; as in grids_. Only where the scene has any.
+  std::array<SampleGrid, 4> glass_ = grids_;
+  bool has_glass_ = false;
+  std::vector<ShownShape> opaque_;  ///< Of placed_, what casts shadows.
+  std::vector<SeenThing> things_;   ///< By id; the first one stands for the background.
   ShadowMap shadows_;
   double near_ = 0;  ///< Nothing nearer to the eye than this is drawn [m].
   // Scratch: the vertices of a surface in K and on the picture, and the corners of a face.

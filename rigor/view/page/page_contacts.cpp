@@ -11,18 +11,30 @@ namespace rigor {
 
 namespace {
 
-/// A chunk is full with this many contacts or frames: it takes some MB while it is filled.
-constexpr std::size_t contacts_of_chunk = 50000, frames_of_chunk = 256;
+/// A chunk is full with this many contacts or frames: it takes some ten MB while it is filled.
+constexpr std::size_t contacts_of_chunk = 250000, frames_of_chunk = 256;
 
-/// Forces are quantised to 1/1024 of the largest one of the chunk.
-double force_step_of(const std::vector<std::vector<TouchingPoint>>& frames) {
-  double largest = 0;
+/// Sizes of the forces that are known and not zero [N].
+std::vector<double> sizes_of_forces(const std::vector<std::vector<TouchingPoint>>& frames) {
+  std::vector<double> sizes;
   for (const std::vector<TouchingPoint>& points : frames) {
     for (const TouchingPoint& point : points) {
-      if (point.force_W.allFinite()) largest = std::max(largest, point.force_W.norm());
+      if (point.force_W.allFinite() && point.force_W.norm() > 1e-300) sizes.push_back(point.force_W.norm());
     }
   }
-  return largest > 1e-300 ? power_of_two_below(largest / 512) : 1;
+  return sizes;
+}
+
+/// The size that all but a fiftieth of them stay below; 0 if there are none.
+double usual_size(std::vector<double> sizes) {
+  if (sizes.empty()) return 0;
+  const std::size_t place = (sizes.size() - 1) * 49 / 50;
+  std::nth_element(sizes.begin(), sizes.begin() + static_cast<std::ptrdiff_t>(place), sizes.end());
+  return sizes[place];
+}
+
+double step_below(double size) {
+  return size > 1e-300 ? power_of_two_below(size) : 1;
 }
 
 /// Joins a group of points of one pair.
@@ -63,10 +75,16 @@ std::vector<TouchingPoint> joined_by_pairs(const std::vector<TouchingPoint>& poi
 }
 
 PageContacts::PageContacts(const PageScale& scale, double contact_tolerance)
-    : origin_(scale.origin), place_step_(scale.contact_step), gap_step_(contact_tolerance / 16) {}
+    : origin_(scale.origin),
+      place_step_(scale.contact_step),
+      gap_step_(contact_tolerance / 16),
+      body_radius_(scale.body_radius),
+      is_crowd_of_bodies_(scale.is_crowd) {}
 
 std::optional<PageBlock> PageContacts::add(const std::vector<TouchingPoint>& all) {
-  const std::vector<TouchingPoint> points = all.size() > most_single ? joined_by_pairs(all) : all;
+  const bool is_crowd = is_crowd_of_bodies_ || all.size() > most_single;
+  is_crowded_ = is_crowded_ || is_crowd;
+  const std::vector<TouchingPoint> points = is_crowd ? crowd_of(all) : all;
   const std::size_t count = std::min(points.size(), most_in_frame);
   frames_.emplace_back(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(count));
   count_ += count;
@@ -74,15 +92,36 @@ std::optional<PageBlock> PageContacts::add(const std::vector<TouchingPoint>& all
   return std::nullopt;
 }
 
-PageContacts::Numbers PageContacts::numbers_of(const TouchingPoint& point, double force_step) const {
+/// What carries something, may do so, or lies deep, one a pair.
+std::vector<TouchingPoint> PageContacts::crowd_of(const std::vector<TouchingPoint>& all) const {
+  std::vector<TouchingPoint> points = joined_by_pairs(all);
+  std::erase_if(points, [&](const TouchingPoint& point) {
+    return point.mode != TouchingPoint::Mode::unknown && point.force_W.isZero() &&
+           point.gap > -body_radius_ / 32;
+  });
+  return points;
+}
+
+PageContacts::Steps PageContacts::steps_of_chunk() const {
+  const std::vector<double> sizes = sizes_of_forces(frames_);
+  if (is_crowded_) {
+    return {step_below(usual_size(sizes) / 32), power_of_two_below(body_radius_ / 64),
+            std::max(place_step_, power_of_two_below(body_radius_ / 8)), 1.0 / 16};
+  }
+  // Forces are quantised to 1/1024 of the largest one of the chunk.
+  const double largest = sizes.empty() ? 0 : *std::max_element(sizes.begin(), sizes.end());
+  return {step_below(largest / 512), gap_step_, place_step_, 1.0 / 1024};
+}
+
+PageContacts::Numbers PageContacts::numbers_of(const TouchingPoint& point, const Steps& steps) const {
   Numbers result{};
   result[0] = static_cast<std::int64_t>(point.mode);
-  result[1] = quantised(point.gap, gap_step_);
+  result[1] = quantised(point.gap, steps.gap);
   for (int k = 0; k < 3; ++k) {
     const std::size_t place = at(k);
-    result[2 + place] = quantised(point.p_W[k] - origin_[k], place_step_);
-    result[5 + place] = quantised(point.n_W[k], 1.0 / 1024);
-    result[8 + place] = quantised(point.force_W[k], force_step);
+    result[2 + place] = quantised(point.p_W[k] - origin_[k], steps.place);
+    result[5 + place] = quantised(point.n_W[k], steps.normal);
+    result[8 + place] = quantised(point.force_W[k], steps.force);
   }
   return result;
 }
@@ -118,7 +157,7 @@ PageContacts::Numbers PageContacts::expected(const Name& name, const Frame& last
 std::optional<PageBlock> PageContacts::finish() {
   if (frames_.empty()) return std::nullopt;
   // Each number of a contact goes to its own column, as the residual of its prediction.
-  const double force_step = force_step_of(frames_);
+  const Steps steps = steps_of_chunk();
   std::array<std::string, 3 + numbers> columns;
   Frame before, last, now;
   for (const std::vector<TouchingPoint>& points : frames_) {
@@ -131,7 +170,7 @@ std::optional<PageBlock> PageContacts::finish() {
       append_varint(point.body_B - point.body_A, columns[2]);
       last_A = point.body_A, last_B = point.body_B;
       const Name name{last_A, last_B, which};
-      const Numbers values = numbers_of(point, force_step), guess = expected(name, last, before);
+      const Numbers values = numbers_of(point, steps), guess = expected(name, last, before);
       for (std::size_t k = 0; k < numbers; ++k) append_varint(values[k] - guess[k], columns[3 + k]);
       now.emplace_back(name, values);
     }
@@ -140,11 +179,12 @@ std::optional<PageBlock> PageContacts::finish() {
   }
   // The header of the chunk, then one column after the other.
   std::string bytes;
-  for (const double step : {force_step, gap_step_, place_step_}) append_f64(step, bytes);
+  for (const double step : {steps.force, steps.gap, steps.place, steps.normal}) append_f64(step, bytes);
   append_u32(static_cast<std::uint32_t>(frames_.size()), bytes);
   for (const std::string& column : columns) bytes += column;
   frames_.clear();
   count_ = 0;
+  is_crowded_ = false;
   return make_page_block("contacts", bytes);
 }
 

@@ -16,9 +16,8 @@ namespace {
 constexpr int bodies_times_frames = 200000;
 constexpr int fewest_frames = 16, most_frames = 256;
 
-/// Velocities are quantised to 1/4096 of the largest one of the chunk, angular and linear ones separately.
-double velocity_step(double largest) {
-  constexpr double parts = 4096;
+/// Velocities are quantised to a part of the largest one of the chunk, angular and linear ones separately.
+double velocity_step(double largest, int parts) {
   const bool is_usable = std::isfinite(largest) && largest / parts > std::numeric_limits<double>::min();
   return is_usable ? power_of_two_below(2 * largest / parts) : 1;
 }
@@ -42,15 +41,24 @@ PageScale page_scale(const Model& model, const State& start) {
   }
   // Without moving bodies any scale will do.
   if (!(around.lower.array() <= around.upper.array()).all())
-    return {Vec3::Zero(), 1, power_of_two_below(2e-5), power_of_two_below(8e-5)};
+    return {Vec3::Zero(), 1, power_of_two_below(2e-5), power_of_two_below(8e-5), 1};
   // The steps follow from the extent, but stay small compared with the smallest body.
   const double diagonal = (around.upper - around.lower).norm();
   const double extent = diagonal > 0 ? diagonal : model.length_scale();
   const double step = power_of_two_below(std::min(2e-5 * extent, 2e-3 * smallest));
-  return {0.5 * (around.lower + around.upper), extent, step / (count <= 64 ? 64 : 1), 4 * step};
+  PageScale scale{0.5 * (around.lower + around.upper), extent, step / (count <= 64 ? 64 : 1), 4 * step,
+                  std::isfinite(smallest) ? smallest : extent};
+  constexpr int crowd = 1000, coarsest = 255;
+  scale.is_crowd = count > crowd;
+  if (scale.is_crowd) {
+    const double parts = std::floor(32767 * packing_error / (2 * step / scale.body_radius));
+    scale.orientation_parts = static_cast<int>(std::clamp<double>(parts, coarsest, 32767));
+    scale.velocity_parts = 256;
+  }
+  return scale;
 }
 
-PackedQuaternion packed(const Quat& q) {
+PackedQuaternion packed(const Quat& q, int parts) {
   // Drop the component of largest magnitude, which follows from the unit norm; a sign makes it positive.
   const std::array<double, 4> all = {q.w(), q.x(), q.y(), q.z()};
   int largest = 0;
@@ -58,7 +66,7 @@ PackedQuaternion packed(const Quat& q) {
     if (std::abs(all[at(i)]) > std::abs(all[at(largest)])) largest = i;
   }
   const double sign = all[at(largest)] < 0 ? -1 : 1;
-  constexpr double step = 0.70710678118654757 / 32767;
+  const double step = 0.70710678118654757 / parts;
   // Quantise the other three.
   PackedQuaternion result{largest, {}};
   std::size_t place = 0;
@@ -82,7 +90,7 @@ std::optional<PageBlock> PageFrames::add(const State& state) {
     const int body = moving_[i];
     BodyColumns& columns = columns_[i];
     const Vec3 x = state.position(body) - scale_.origin;
-    const PackedQuaternion q = packed(state.orientation(body));
+    const PackedQuaternion q = packed(state.orientation(body), scale_.orientation_parts);
     const Vec3 v = linear_velocity(model_, state, body), w = angular_velocity(model_, state, body);
     columns.pose[3].push_back(q.largest);
     for (int k = 0; k < 3; ++k) {
@@ -108,7 +116,8 @@ std::optional<PageBlock> PageFrames::finish() {
       for (const double value : columns.velocity[k]) largest = std::max(largest, std::abs(value));
     }
   }
-  const double speed_step = velocity_step(speed), spin_step = velocity_step(spin);
+  const double speed_step = velocity_step(speed, scale_.velocity_parts),
+               spin_step = velocity_step(spin, scale_.velocity_parts);
 
   // The header of the chunk.
   std::string bytes;

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 
 namespace rigor {
@@ -175,7 +176,25 @@ std::vector<double> PageRun::last_row() const {
   return row;
 }
 
+std::vector<MotionEvent> strongest_events(const std::vector<MotionEvent>& events, std::size_t most) {
+  if (events.size() <= most) return events;
+  std::vector<std::size_t> places(events.size());
+  std::iota(places.begin(), places.end(), 0);
+  const auto size = [&](std::size_t i) { return events[i].j_W.allFinite() ? events[i].j_W.norm() : 0; };
+  std::nth_element(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(most), places.end(),
+                   [&](std::size_t a, std::size_t b) {
+                     const double first = size(a), second = size(b);
+                     return first != second ? first > second : a < b;
+                   });
+  places.resize(most);
+  std::sort(places.begin(), places.end());
+  std::vector<MotionEvent> kept;
+  for (const std::size_t i : places) kept.push_back(events[i]);
+  return kept;
+}
+
 std::vector<PageBlock> PageRun::finish(const Audit& audit) {
+  events_ = strongest_events(events_, most_page_events);
   const PageGeometry geometry = page_geometry(*model_);
   Json audit_of_run = Json::parse(audit_json(audit));
   audit_of_run.erase("bodies");  // The frames hold their final poses.
@@ -190,7 +209,8 @@ std::vector<PageBlock> PageRun::finish(const Audit& audit) {
                  {"extent", scale_.extent},
                  {"position_step", scale_.position_step},
                  {"position_error", 0.5 * scale_.position_step},
-                 {"orientation_error", packing_error},
+                 {"orientation_parts", scale_.orientation_parts},
+                 {"orientation_error", packing_error_of(scale_.orientation_parts)},
                  {"contact_tolerance", method_.contact_tolerance},
                  {"frames", frames_.frame_count()},
                  {"events", events_.size()},

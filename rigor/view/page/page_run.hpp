@@ -23,6 +23,11 @@ inline constexpr std::size_t most_contacts_solved = 48;
 std::vector<TouchingPoint> known_contacts(const Model& model, const Method& method, const State& state,
                                           const AdvanceReport& since);
 
+/// The page keeps so many events: of more, those with the largest impulses.
+inline constexpr std::size_t most_page_events = 20000;
+/// The `most` events with the largest impulses, in their order; of equal ones the earlier.
+std::vector<MotionEvent> strongest_events(const std::vector<MotionEvent>& events, std::size_t most);
+
 /// One run as a page shows it, collected while it runs: memory grows with the quantised motion alone, a few
 /// bytes per body and frame.
 class PageRun {
